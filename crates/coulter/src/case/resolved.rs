@@ -1,0 +1,244 @@
+//! What a case means: every default filled in, every number in SI units, every check passed.
+
+use glam::DVec3;
+use serde::Serialize;
+
+/// A case, ready to be simulated.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Case {
+    /// Short name; the results folder is called after it. Letters, digits, `-` and `_`.
+    pub name: String,
+    /// One line for the report.
+    pub title: String,
+    /// Acceleration of gravity, downwards [m/s²]. May be 0 (weightless soil).
+    pub gravity: f64,
+    /// The soil.
+    pub soil: Soil,
+    /// Where soil is at the start.
+    pub ground: Ground,
+    /// The box that is modelled.
+    pub domain: Domain,
+    /// Cell sizes.
+    pub grid: Grid,
+    /// Rigid bodies by the order in the file; may be empty.
+    pub bodies: Vec<Body>,
+    /// How long to run.
+    pub duration: f64,
+    /// What to write, and how often.
+    pub output: Output,
+    /// Parameters of the method.
+    pub numerics: Numerics,
+}
+
+/// Parameters of the soil.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Soil {
+    /// Which law.
+    pub law: Law,
+    /// Inertial density ρ [kg/m³] (γ/g unless given).
+    pub density: f64,
+    /// Unit weight γ [N/m³]; 0 for weightless soil.
+    pub unit_weight: f64,
+    /// Young's modulus E [Pa].
+    pub young_modulus: f64,
+    /// Poisson's ratio ν, 0 ≤ ν < 0.5.
+    pub poisson_ratio: f64,
+    /// Ratio K₀ of horizontal to vertical stress at rest.
+    pub rest_pressure_ratio: f64,
+}
+
+/// The strength of the soil.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Law {
+    /// Linear elastic.
+    Elastic,
+    /// Tresca: undrained shear strength s_u [Pa].
+    Tresca {
+        /// Undrained shear strength s_u [Pa].
+        shear_strength: f64,
+    },
+    /// Mohr–Coulomb.
+    MohrCoulomb {
+        /// Friction angle φ [rad].
+        friction_angle: f64,
+        /// Dilation angle ψ [rad], 0 ≤ ψ ≤ φ.
+        dilation_angle: f64,
+        /// Cohesion c [Pa]; 0 is allowed.
+        cohesion: f64,
+        /// Largest tension that the soil bears [Pa]; at most c cot φ.
+        tension_limit: f64,
+    },
+}
+
+/// Where soil is at the start. Its surface is at z = 0 unless it says otherwise.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Ground {
+    /// The half space below z = `surface` [m].
+    Level {
+        /// Height of the surface [m].
+        surface: f64,
+    },
+    /// Soil only in a box: between two corners [m] (a column that will collapse, a bank before a wall).
+    Column {
+        /// Low corner [m].
+        low: DVec3,
+        /// High corner [m].
+        high: DVec3,
+    },
+}
+
+/// What a face of the box does to the soil that touches it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Wall {
+    /// No motion through it, no friction along it. A symmetry plane is one.
+    Smooth,
+    /// No motion at all.
+    Fixed,
+}
+
+/// The box that is modelled.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Domain {
+    /// Low corner [m].
+    pub low: DVec3,
+    /// High corner [m].
+    pub high: DVec3,
+    /// Walls by axis x, y, z: at the low end and at the high end.
+    pub walls: [[Wall; 2]; 3],
+    /// Whether y = 0 is a plane of symmetry and only y ≥ 0 is modelled. Forces are reported for the whole body.
+    pub symmetric: bool,
+    /// Whether the case is plane strain: a slab one cell thick in y. Forces are per `high.y - low.y` metre of width.
+    pub plane_strain: bool,
+}
+
+/// Cell sizes: uniform inside the fine zone, growing geometrically outside it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Grid {
+    /// Cell size h in the fine zone [m].
+    pub cell: f64,
+    /// Low corner of the fine zone [m].
+    pub fine_low: DVec3,
+    /// High corner of the fine zone [m].
+    pub fine_high: DVec3,
+    /// Ratio of a cell's width to its inner neighbour's outside the fine zone (1 = uniform).
+    pub growth: f64,
+    /// Face positions along x, y, z that follow from the above [m].
+    pub faces: [Vec<f64>; 3],
+}
+
+/// A rigid body.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Body {
+    /// Its name in the file.
+    pub name: String,
+    /// Its shape.
+    pub shape: Shape,
+    /// Reference point at the start [m].
+    pub position: DVec3,
+    /// Mass [kg] of the whole body.
+    pub mass: f64,
+    /// Moment of inertia about the axle [kg m²] of the whole body.
+    pub axle_inertia: f64,
+    /// Coefficient of friction μ of its surface against the soil; infinite for a rough (no-slip) one.
+    pub friction: f64,
+    /// Motion along x (tow), y (lateral), z (heave).
+    pub translation: [Freedom; 3],
+    /// Turning about the axle; positive when it rolls forward.
+    pub spin: Freedom,
+}
+
+/// The shape of a body.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Shape {
+    /// A disc, axle along y.
+    Disc {
+        /// Diameter d [m].
+        diameter: f64,
+        /// Thickness t [m].
+        thickness: f64,
+    },
+    /// A rectangular block.
+    Block {
+        /// Edge lengths [m].
+        size: DVec3,
+    },
+}
+
+/// What one degree of freedom does.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Freedom {
+    /// No motion.
+    Fixed,
+    /// A given speed [m/s or rad/s], reached by a smooth ramp.
+    Prescribed {
+        /// Speed after the ramp [m/s or rad/s].
+        speed: f64,
+        /// When the ramp begins [s].
+        start: f64,
+        /// How long it lasts [s].
+        ramp: f64,
+        /// When the motion ends (by a ramp of the same length) [s]; infinite for never.
+        end: f64,
+    },
+    /// Moves as the forces on it say. `load` [N or N m] acts besides the soil (a weight is negative along z) and is
+    /// brought on by a smooth ramp of `ramp` [s] from `start` [s].
+    Free {
+        /// Load [N or N m].
+        load: f64,
+        /// When the load begins to act [s].
+        start: f64,
+        /// How long it takes to come on [s].
+        ramp: f64,
+    },
+}
+
+/// What to write.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Output {
+    /// Time between lines of forces.csv [s]; the forces are averages over it.
+    pub history_interval: f64,
+    /// Time between field files [s]; infinite for only the first and the last.
+    pub field_interval: f64,
+    /// Time between checkpoints, in seconds of wall clock; infinite for none but at the end.
+    pub checkpoint_interval: f64,
+    /// Share of the run's end that the steady averages are taken over, 0 to 1.
+    pub steady_share: f64,
+}
+
+/// How the soil and a body act on each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Contact {
+    /// Penalty with a history penetration that follows the geometric gap.
+    Penalty,
+    /// Velocity impulses with the body inside the iteration.
+    Impulse,
+}
+
+/// Parameters of the method. The defaults are the parameter card of the docs; change them to study the method.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Numerics {
+    /// Courant number of the time step (0.5).
+    pub courant: f64,
+    /// Displacement in cell widths at which a remap is due (0.1).
+    pub remap_displacement: f64,
+    /// Coefficient of hourglass viscosity (0.03).
+    pub hourglass: f64,
+    /// Linear coefficient of bulk viscosity b₁ (0.02).
+    pub bulk_viscosity_linear: f64,
+    /// Quadratic coefficient of bulk viscosity b₂ (1.2).
+    pub bulk_viscosity_quadratic: f64,
+    /// Contact method.
+    pub contact: Contact,
+    /// Distance kept between contact points and sharp edges, in cell widths (0.5).
+    pub edge_inset: f64,
+    /// Spacing of contact points, in cell widths (0.5).
+    pub point_spacing: f64,
+    /// Threads; 0 for one per core.
+    pub threads: usize,
+}

@@ -1,0 +1,4 @@
+//! From case file to report: the library's front door and the `coulter` command.
+
+pub mod case;
+pub mod output;

@@ -1,0 +1,91 @@
+//! The history of a run: what the probes saw.
+
+use serde::{Deserialize, Serialize};
+
+/// One line of a body's history. Forces are the soil's on the whole body, averaged over the interval that ends at
+/// `time` (impulse over time, so nothing is lost between two lines).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct BodySample {
+    /// Time [s].
+    pub time: f64,
+    /// Displacement u along the tow [m].
+    pub displacement: f64,
+    /// Sinkage z_s of the lowest point below the undisturbed surface [m], positive downwards.
+    pub sinkage: f64,
+    /// Drag F_H: horizontal force against the tow [N].
+    pub drag: f64,
+    /// Lateral force along y [N] (0 in a symmetric case).
+    pub lateral: f64,
+    /// Vertical force F_V: positive when the soil pushes the body up [N].
+    pub vertical: f64,
+    /// Share of the drag that comes from pressure normal to the surface [N]; the rest is friction.
+    pub drag_normal: f64,
+    /// Share of the vertical force that comes from pressure normal to the surface [N].
+    pub vertical_normal: f64,
+    /// Torque of the soil about the axle [N m], positive when it makes the body roll forward.
+    pub axle_torque: f64,
+    /// Rotation Ω [rad], positive when it rolls forward.
+    pub rotation: f64,
+    /// Rate of rotation ω [rad/s].
+    pub spin: f64,
+    /// Forward speed v [m/s].
+    pub speed: f64,
+    /// Heave velocity, positive upwards [m/s].
+    pub heave_speed: f64,
+    /// Soil inside the body [m³] (a measure of leakage).
+    pub leaked_volume: f64,
+    /// Volume of the body below the undisturbed surface [m³].
+    pub embedded_volume: f64,
+}
+
+/// The energy ledger at one time: work and energy since the start, of the whole model [J].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct EnergySample {
+    /// Time [s].
+    pub time: f64,
+    /// Work of loads, drives and gravity.
+    pub external: f64,
+    /// Kinetic energy of soil and bodies.
+    pub kinetic: f64,
+    /// Elastic energy of the soil, less that at the start.
+    pub elastic: f64,
+    /// Plastic dissipation.
+    pub plastic: f64,
+    /// Dissipation in contact: friction, and the little that the contact method itself takes.
+    pub friction: f64,
+    /// Dissipation by bulk viscosity.
+    pub viscous: f64,
+    /// Dissipation by hourglass viscosity.
+    pub hourglass: f64,
+    /// Kinetic and elastic energy lost in remaps.
+    pub remap_loss: f64,
+    /// Soil volume over the volume at the start.
+    pub volume_ratio: f64,
+}
+
+impl EnergySample {
+    /// Energy that nobody can account for, over the external work (0 = closed).
+    #[must_use]
+    pub fn closure(&self) -> f64 {
+        let known = self.kinetic
+            + self.elastic
+            + self.plastic
+            + self.friction
+            + self.viscous
+            + self.hourglass
+            + self.remap_loss;
+        let scale = self.external.abs().max(self.plastic.abs()).max(self.kinetic.abs());
+        if scale > 0.0 { (self.external - known) / scale } else { 0.0 }
+    }
+}
+
+/// What a run has seen so far.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct History {
+    /// Names of the bodies.
+    pub names: Vec<String>,
+    /// Samples of each body, in the order of `names`.
+    pub bodies: Vec<Vec<BodySample>>,
+    /// The energy ledger.
+    pub energy: Vec<EnergySample>,
+}

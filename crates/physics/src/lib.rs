@@ -1,0 +1,6 @@
+//! What happens at one point of soil, or on the skin of one body.
+//!
+//! Nothing here knows a grid, a file, a thread or the heap of a running simulation: every function takes the numbers
+//! of one point and returns the numbers of one point. SI units, radians, tension positive.
+
+pub mod shape;

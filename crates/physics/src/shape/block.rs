@@ -1,0 +1,71 @@
+//! The block: a rectangular box with sharp edges; a footing, a wall or a plate.
+
+use super::{Mesh, Shape, SurfacePoint};
+use glam::DVec3;
+
+/// A box centred on the origin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Block {
+    /// Edge lengths along x, y and z [m].
+    pub size: DVec3,
+}
+
+impl Shape for Block {
+    fn signed_distance(&self, x: DVec3) -> f64 {
+        let outside = x.abs() - 0.5 * self.size;
+        outside.max_element().min(0.0) + outside.max(DVec3::ZERO).length()
+    }
+
+    fn bounds(&self) -> (DVec3, DVec3) {
+        (-0.5 * self.size, 0.5 * self.size)
+    }
+
+    fn volume(&self) -> f64 {
+        self.size.element_product()
+    }
+
+    fn axle_inertia_per_mass(&self) -> f64 {
+        (self.size.x.powi(2) + self.size.z.powi(2)) / 12.0
+    }
+
+    fn surface_points(&self, spacing: f64, inset: f64) -> Vec<SurfacePoint> {
+        let mut points = Vec::new();
+        for axis in 0..3 {
+            let (first, second) = ((axis + 1) % 3, (axis + 2) % 3);
+            let (width, height) = (self.size[first] - 2.0 * inset, self.size[second] - 2.0 * inset);
+            if width <= 0.0 || height <= 0.0 {
+                continue;
+            }
+            let (columns, rows) = ((width / spacing).ceil().max(1.0), (height / spacing).ceil().max(1.0));
+            for side in [-1.0, 1.0] {
+                for n in 0..(columns * rows) as usize {
+                    let (column, row) = (n % columns as usize, n / columns as usize);
+                    let mut position = DVec3::ZERO;
+                    position[axis] = side * 0.5 * self.size[axis];
+                    position[first] = width * ((column as f64 + 0.5) / columns - 0.5);
+                    position[second] = height * ((row as f64 + 0.5) / rows - 0.5);
+                    let mut normal = DVec3::ZERO;
+                    normal[axis] = side;
+                    points.push(SurfacePoint { position, normal, area: width * height / (columns * rows) });
+                }
+            }
+        }
+        points
+    }
+
+    fn is_revolved(&self) -> bool {
+        false
+    }
+
+    fn mesh(&self) -> Mesh {
+        let corner = |n: u32| {
+            let sign = |bit: u32| if n & bit == 0 { -0.5 } else { 0.5 };
+            DVec3::new(sign(1), sign(2), sign(4)) * self.size
+        };
+        let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        Mesh {
+            points: (0..8).map(corner).collect(),
+            triangles: faces.iter().flat_map(|f| [[f[0], f[1], f[2]], [f[0], f[2], f[3]]]).collect(),
+        }
+    }
+}

@@ -1,0 +1,109 @@
+//! The disc: a flat cylinder with sharp rims, its axle along `y`.
+
+use super::{Mesh, Shape, SurfacePoint};
+use glam::{DVec2, DVec3};
+use std::f64::consts::{PI, TAU};
+
+/// A flat cylinder centred on the origin, axle along `y`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Disc {
+    /// Diameter d [m].
+    pub diameter: f64,
+    /// Thickness t along the axle [m].
+    pub thickness: f64,
+}
+
+impl Disc {
+    fn radius(&self) -> f64 {
+        0.5 * self.diameter
+    }
+}
+
+impl Shape for Disc {
+    fn signed_distance(&self, x: DVec3) -> f64 {
+        let outside = DVec2::new(x.x.hypot(x.z) - self.radius(), x.y.abs() - 0.5 * self.thickness);
+        outside.max_element().min(0.0) + outside.max(DVec2::ZERO).length()
+    }
+
+    fn bounds(&self) -> (DVec3, DVec3) {
+        let corner = DVec3::new(self.radius(), 0.5 * self.thickness, self.radius());
+        (-corner, corner)
+    }
+
+    fn volume(&self) -> f64 {
+        PI * self.radius().powi(2) * self.thickness
+    }
+
+    fn axle_inertia_per_mass(&self) -> f64 {
+        0.5 * self.radius().powi(2)
+    }
+
+    fn surface_points(&self, spacing: f64, inset: f64) -> Vec<SurfacePoint> {
+        let mut points = Vec::new();
+        rim_points(self, spacing, inset, &mut points);
+        for side in [-1.0, 1.0] {
+            face_points(self, side, spacing, inset, &mut points);
+        }
+        points
+    }
+
+    fn is_revolved(&self) -> bool {
+        true
+    }
+
+    fn mesh(&self) -> Mesh {
+        const SEGMENTS: u32 = 96;
+        let (radius, half) = (self.radius(), 0.5 * self.thickness);
+        let mut mesh =
+            Mesh { points: vec![DVec3::new(0.0, -half, 0.0), DVec3::new(0.0, half, 0.0)], triangles: vec![] };
+        for n in 0..SEGMENTS {
+            let (sin, cos) = (TAU * f64::from(n) / f64::from(SEGMENTS)).sin_cos();
+            for y in [-half, half] {
+                mesh.points.push(DVec3::new(radius * sin, y, radius * cos));
+            }
+        }
+        for n in 0..SEGMENTS {
+            let (a, b) = (2 + 2 * n, 2 + 2 * ((n + 1) % SEGMENTS));
+            mesh.triangles.extend([[0, b, a], [1, a + 1, b + 1], [a, b, a + 1], [b, b + 1, a + 1]]);
+        }
+        mesh
+    }
+}
+
+/// Points on the cylindrical tread, in rows across the thickness.
+fn rim_points(disc: &Disc, spacing: f64, inset: f64, points: &mut Vec<SurfacePoint>) {
+    let width = disc.thickness - 2.0 * inset;
+    if width <= 0.0 {
+        return;
+    }
+    let rows = (width / spacing).ceil().max(1.0);
+    let columns = (PI * disc.diameter / spacing).ceil();
+    let area = width / rows * PI * disc.diameter / columns;
+    for row in 0..rows as usize {
+        let y = -0.5 * width + width * (row as f64 + 0.5) / rows;
+        for column in 0..columns as usize {
+            let (sin, cos) = (TAU * (column as f64 + 0.5) / columns).sin_cos();
+            let normal = DVec3::new(sin, 0.0, cos);
+            points.push(SurfacePoint { position: normal * disc.radius() + DVec3::Y * y, normal, area });
+        }
+    }
+}
+
+/// Points on one flat face, in rings.
+fn face_points(disc: &Disc, side: f64, spacing: f64, inset: f64, points: &mut Vec<SurfacePoint>) {
+    let outer = disc.radius() - inset;
+    let rings = (outer / spacing).ceil().max(1.0);
+    for ring in 0..rings as usize {
+        let radius = outer * (ring as f64 + 0.5) / rings;
+        let count = (TAU * radius / spacing).ceil().max(1.0);
+        let area = TAU * radius * outer / rings / count;
+        for n in 0..count as usize {
+            let (sin, cos) = (TAU * (n as f64 + 0.5) / count).sin_cos();
+            points.push(SurfacePoint {
+                position: DVec3::new(radius * sin, side * 0.5 * disc.thickness, radius * cos),
+                normal: DVec3::Y * side,
+                area,
+            });
+        }
+    }
+}

@@ -1,0 +1,51 @@
+//! Rigid shapes: signed distance, surface points for contact, a mesh to look at.
+//!
+//! A shape lives in its own frame: origin at the body's reference point (for a disc the centre of the axle), the axle
+//! along `y`. Lengths in metres.
+
+mod block;
+mod disc;
+
+pub use block::Block;
+pub use disc::Disc;
+use glam::DVec3;
+
+/// A point of the surface at which contact is integrated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfacePoint {
+    /// Position in the body frame [m].
+    pub position: DVec3,
+    /// Unit normal pointing out of the body, into the soil.
+    pub normal: DVec3,
+    /// Area that the point stands for [m²].
+    pub area: f64,
+}
+
+/// Triangles to draw a body with.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    /// Corners in the body frame [m].
+    pub points: Vec<DVec3>,
+    /// Corner indices of each triangle, counter-clockwise seen from outside.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// What every rigid shape can tell about itself.
+pub trait Shape: Send + Sync + std::fmt::Debug {
+    /// Signed distance from `x` (body frame) to the surface [m]; negative inside.
+    fn signed_distance(&self, x: DVec3) -> f64;
+    /// Corners of the box round the shape, in the body frame [m].
+    fn bounds(&self) -> (DVec3, DVec3);
+    /// Volume [m³].
+    fn volume(&self) -> f64;
+    /// Moment of inertia about the axle (body `y`) of a solid of unit mass [m²].
+    fn axle_inertia_per_mass(&self) -> f64;
+    /// Contact points with a spacing of at most `spacing` [m], kept `inset` [m] away from sharp convex edges.
+    ///
+    /// The inset takes away the cell's half width by which a row of points at a sharp edge makes the body too wide.
+    fn surface_points(&self, spacing: f64, inset: f64) -> Vec<SurfacePoint>;
+    /// Whether a turn about the axle leaves the shape as it is; its contact points then need not turn with it.
+    fn is_revolved(&self) -> bool;
+    /// A closed triangle mesh of the surface.
+    fn mesh(&self) -> Mesh;
+}

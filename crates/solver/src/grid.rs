@@ -1,0 +1,68 @@
+//! The Eulerian grid: a rectilinear, graded box of cells that never moves.
+//!
+//! Cells and nodes share one numbering: x fastest, one ghost layer on every side, rows padded to whole vectors. Node
+//! `(i, j, k)` is the low corner of cell `(i, j, k)`, so a cell's corners and a node's cells are constant offsets.
+
+use serde::{Deserialize, Serialize};
+
+/// Rows are padded to this many entries so that vector loops have no remainder.
+pub const LANES: usize = 8;
+
+/// A rectilinear grid.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Grid {
+    /// Positions of the cell faces along x, y, z [m], increasing.
+    pub faces: [Vec<f64>; 3],
+    /// Distance in memory between neighbours along x, y, z.
+    pub stride: [usize; 3],
+    /// Entries of an array that covers the grid with its ghosts.
+    pub entries: usize,
+}
+
+impl Grid {
+    /// A grid with the given face positions [m]; each must be increasing and hold at least two.
+    #[must_use]
+    pub fn new(faces: [Vec<f64>; 3]) -> Self {
+        let padded = |n: usize| n + 1;
+        let row = padded(faces[0].len()).next_multiple_of(LANES);
+        let plane = row * padded(faces[1].len());
+        let entries = plane * padded(faces[2].len()) + LANES;
+        Self { faces, stride: [1, row, plane], entries }
+    }
+
+    /// Number of cells along x, y, z.
+    #[must_use]
+    pub fn cells(&self) -> [usize; 3] {
+        [self.faces[0].len() - 1, self.faces[1].len() - 1, self.faces[2].len() - 1]
+    }
+
+    /// Place in memory of cell (or node) `(i, j, k)`.
+    #[must_use]
+    pub fn index(&self, i: usize, j: usize, k: usize) -> usize {
+        (i + 1) * self.stride[0] + (j + 1) * self.stride[1] + (k + 1) * self.stride[2]
+    }
+
+    /// Width of cell layer `n` along `axis` [m].
+    #[must_use]
+    pub fn width(&self, axis: usize, n: usize) -> f64 {
+        self.faces[axis][n + 1] - self.faces[axis][n]
+    }
+
+    /// Middle of cell layer `n` along `axis` [m].
+    #[must_use]
+    pub fn centre(&self, axis: usize, n: usize) -> f64 {
+        0.5 * (self.faces[axis][n + 1] + self.faces[axis][n])
+    }
+
+    /// Volume of cell `(i, j, k)` [m³].
+    #[must_use]
+    pub fn volume(&self, i: usize, j: usize, k: usize) -> f64 {
+        self.width(0, i) * self.width(1, j) * self.width(2, k)
+    }
+
+    /// The smallest cell width [m].
+    #[must_use]
+    pub fn finest(&self) -> f64 {
+        self.faces.iter().flat_map(|f| f.windows(2).map(|w| w[1] - w[0])).fold(f64::INFINITY, f64::min)
+    }
+}

@@ -1,0 +1,4 @@
+//! What happens in one time step.
+
+pub mod grid;
+pub mod state;
