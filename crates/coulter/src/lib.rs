@@ -1,4 +1,5 @@
 //! From case file to report: the library's front door and the `coulter` command.
 
 pub mod case;
+pub mod cli;
 pub mod output;

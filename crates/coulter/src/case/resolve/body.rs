@@ -1,0 +1,259 @@
+//! A rigid body: shape, mass, place and motion.
+
+use super::Frame;
+use crate::case::problem::Problems;
+use crate::case::ranges::{self, ANY, NOT_NEGATIVE, POSITIVE};
+use crate::case::resolved::{Body, Freedom, Shape};
+use crate::case::schema::{Motion, Section};
+use glam::DVec3;
+use physics::shape;
+
+/// Time over which a load comes on and a speed is reached unless the case says otherwise [s].
+const RAMP: f64 = 0.1;
+/// Mass of a body that never moves freely: that of solid steel [kg/m³]. Nothing depends on it.
+const NOMINAL_DENSITY: f64 = 7850.0;
+/// Cells across a body below which its contact points see no soil between them.
+const LEAST_CELLS_ACROSS: f64 = 2.0;
+
+/// The shape as something that can be measured.
+pub(in crate::case) fn solid(shape: &Shape) -> Box<dyn shape::Shape> {
+    match *shape {
+        Shape::Disc { diameter, thickness } => Box::new(shape::Disc { diameter, thickness }),
+        Shape::Block { size } => Box::new(shape::Block { size }),
+    }
+}
+
+/// One body in its frame.
+pub(super) fn body(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Body> {
+    let shape = shape(section, frame, problems);
+    let friction = friction(section, problems);
+    let mass = mass(section, frame.gravity, problems);
+    let position = position(section, shape.as_ref(), frame, problems);
+    let motions = [("forward", 0.0), ("lateral", 0.0), ("heave", -frame.gravity)];
+    let needs_mass = motions.iter().any(|(key, _)| is_free(section, key));
+    let mass = mass?;
+    if needs_mass && mass.is_none() {
+        let message = format!("[{}] moves freely, but has no weight", section.path);
+        problems.add(&section.place, message, "add  weight = \"40 N\"  or  mass = \"4 kg\"");
+    }
+    let translation = motions.map(|(key, pull)| freedom(section, key, pull * mass.unwrap_or(0.0), problems));
+    let spin = freedom(section, "spin", 0.0, problems);
+    let shape = shape?;
+    let inertia = axle_inertia(section, &shape, mass, problems);
+    let [Some(forward), Some(lateral), Some(heave)] = translation else { return None };
+    Some(Body {
+        name: section.path.trim_start_matches("body.").to_owned(),
+        position: position?,
+        mass: mass.unwrap_or_else(|| NOMINAL_DENSITY * solid(&shape).volume()),
+        axle_inertia: inertia?,
+        shape,
+        friction: friction?,
+        translation: [forward, lateral, heave],
+        spin: spin?,
+    })
+}
+
+fn shape(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Shape> {
+    if !section.has("shape") {
+        ranges::missing(section, "shape", problems);
+    }
+    let kind = section.text("shape")?.value;
+    let foreign: &[&str] = if kind == "disc" { &["size"] } else { &["diameter", "thickness"] };
+    for key in foreign.iter().filter(|key| section.has(key)) {
+        let message = format!("`{key}` has no meaning for shape = \"{kind}\"");
+        problems.add(section.place_of(key), message, "take it out, or choose another shape");
+    }
+    if kind == "disc" { disc(section, frame, problems) } else { block(section, frame, problems) }
+}
+
+fn disc(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Shape> {
+    let diameter = ranges::required(section, "diameter", &POSITIVE, problems);
+    let thickness = ranges::required(section, "thickness", &POSITIVE, problems);
+    let (diameter, thickness) = (diameter?, thickness?);
+    let mut thick_enough = wide_enough(section, "diameter", diameter, frame, problems);
+    if frame.slab.is_none() {
+        thick_enough &= wide_enough(section, "thickness", thickness, frame, problems);
+    }
+    thick_enough.then_some(Shape::Disc { diameter, thickness })
+}
+
+fn block(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Shape> {
+    if !section.has("size") {
+        ranges::missing(section, "size", problems);
+    }
+    let size = section.list("size")?;
+    for edge in size.value.iter().filter(|edge| edge.value <= 0.0) {
+        let message = format!("an edge of {} is not possible", problems.typed(&edge.place));
+        problems.add(&edge.place, message, "every edge must be above 0");
+        return None;
+    }
+    let edges: Vec<f64> = size.value.iter().map(|edge| edge.value).collect();
+    let size_3d = match (edges.as_slice(), frame.slab) {
+        // As wide as the slab, and wider by the inset that contact points keep from its edges: these then cover
+        // the slab exactly.
+        (&[x, z], Some(slab)) => DVec3::new(x, slab.width + 2.0 * slab.inset, z),
+        (&[x, y, z], None) => DVec3::new(x, y, z),
+        (_, slab) => {
+            let cure = if slab.is_some() {
+                "in plane strain give two edges, along x and z"
+            } else {
+                "give three edges, along x, y and z (two only with plane_strain = true)"
+            };
+            problems.add(&size.place, format!("{} edges do not fit this case", edges.len()), cure);
+            return None;
+        }
+    };
+    let narrowest = edges.iter().copied().fold(f64::INFINITY, f64::min);
+    wide_enough(section, "size", narrowest, frame, problems).then_some(Shape::Block { size: size_3d })
+}
+
+/// Refuses a body that slips between the contact points: it would feel no force.
+fn wide_enough(section: &Section, key: &str, width: f64, frame: &Frame, problems: &mut Problems) -> bool {
+    let cells = width / frame.cell;
+    if cells >= LEAST_CELLS_ACROSS * (1.0 - 1e-9) {
+        return true;
+    }
+    let message = format!(
+        "only {cells:.2} cells across {}: the grid would not feel the body",
+        ranges::dotted(section, key)
+    );
+    let cure = format!(
+        "make grid.cell at most {:.4} mm for 2 cells across; 4 or more are advisable",
+        1e3 * width / LEAST_CELLS_ACROSS
+    );
+    problems.add(section.place_of(key), message, cure);
+    false
+}
+
+fn friction(section: &Section, problems: &mut Problems) -> Option<f64> {
+    ranges::required(section, "friction", &NOT_NEGATIVE, problems)
+}
+
+/// The mass, if it can be known; `None` outside when it was given wrongly.
+#[allow(clippy::option_option)]
+fn mass(section: &Section, gravity: f64, problems: &mut Problems) -> Option<Option<f64>> {
+    let weight = ranges::given(section, "weight", &POSITIVE, problems);
+    let mass = ranges::given(section, "mass", &POSITIVE, problems);
+    if weight.is_none() && section.has("weight") || mass.is_none() && section.has("mass") {
+        return None;
+    }
+    match (weight, mass) {
+        (Some(weight), Some(mass)) if (weight - mass * gravity).abs() > 0.01 * weight => {
+            let message =
+                format!("the weight and the mass disagree: mass × gravity = {:.4} N", mass * gravity);
+            let cure = "give one of them; a load besides the weight is heave = { load = \"-10 N\" }";
+            problems.add(section.place_of("weight"), message, cure);
+            None
+        }
+        (_, Some(mass)) => Some(Some(mass)),
+        (Some(weight), None) if gravity > 0.0 => Some(Some(weight / gravity)),
+        (Some(_), None) => {
+            let message = "without gravity the mass does not follow from the weight";
+            problems.add(
+                section.place_of("weight"),
+                message,
+                "give the mass, and the load as heave = { load = \"-40 N\" }",
+            );
+            None
+        }
+        (None, None) => Some(None),
+    }
+}
+
+fn axle_inertia(section: &Section, shape: &Shape, mass: Option<f64>, problems: &mut Problems) -> Option<f64> {
+    if section.has("axle_inertia") {
+        return ranges::given(section, "axle_inertia", &POSITIVE, problems);
+    }
+    let solid = solid(shape);
+    if mass.is_none() && is_free(section, "spin") {
+        let message = format!("[{}] turns freely, but its moment of inertia is not known", section.path);
+        problems.add(
+            section.place_of("spin"),
+            message,
+            "add  axle_inertia = \"0.02 kg*m^2\", or a weight or a mass",
+        );
+        return None;
+    }
+    Some(mass.unwrap_or(NOMINAL_DENSITY * solid.volume()) * solid.axle_inertia_per_mass())
+}
+
+fn position(
+    section: &Section,
+    shape: Option<&Shape>,
+    frame: &Frame,
+    problems: &mut Problems,
+) -> Option<DVec3> {
+    let x = ranges::or(section, "x", 0.0, &ANY, problems);
+    let y = ranges::or(section, "y", 0.0, &ANY, problems);
+    let sinkage = ranges::or(section, "sinkage", 0.0, &ANY, problems);
+    let lowest = solid(shape?).bounds().0.z;
+    let y = match frame.slab {
+        Some(slab) if !section.has("y") => slab.middle,
+        _ => y?,
+    };
+    Some(DVec3::new(x?, y, frame.surface - sinkage? - lowest))
+}
+
+fn is_free(section: &Section, key: &str) -> bool {
+    section.motion(key).is_some_and(|m| m.value.word.as_deref() == Some("free") || m.value.load.is_some())
+}
+
+/// One degree of freedom; `weight` [N] acts on it besides its load while it is free.
+fn freedom(section: &Section, key: &str, weight: f64, problems: &mut Problems) -> Option<Freedom> {
+    if !section.has(key) {
+        return Some(Freedom::Fixed);
+    }
+    let typed = section.motion(key)?;
+    let motion = &typed.value;
+    match motion.word.as_deref() {
+        Some("free") => return Some(Freedom::Free { load: weight, start: 0.0, ramp: RAMP }),
+        Some(_) => return Some(Freedom::Fixed),
+        None => {}
+    }
+    let (start, ramp, end) = times(motion, problems)?;
+    match (&motion.speed, &motion.load) {
+        (Some(speed), None) => {
+            Some(Freedom::Prescribed { speed: speed.value, start, ramp, end: end.unwrap_or(f64::INFINITY) })
+        }
+        (None, Some(load)) if end.is_none() => Some(Freedom::Free { load: weight + load.value, start, ramp }),
+        (None, Some(_)) => {
+            problems.add(&typed.place, "a load has no `end`", "take `end` out; it belongs to a speed");
+            None
+        }
+        (Some(_), Some(_)) => {
+            let message = format!("{}: a speed and a load at once", ranges::dotted(section, key));
+            problems.add(
+                &typed.place,
+                message,
+                "give the speed, or the load: the other one is what the run finds out",
+            );
+            None
+        }
+        (None, None) => {
+            let message = format!("{}: neither a speed nor a load", ranges::dotted(section, key));
+            problems.add(&typed.place, message, "add `speed` or `load`, or write \"free\" or \"fixed\"");
+            None
+        }
+    }
+}
+
+/// Start, ramp and end [s].
+fn times(motion: &Motion, problems: &mut Problems) -> Option<(f64, f64, Option<f64>)> {
+    for time in [&motion.start, &motion.ramp, &motion.end].into_iter().flatten() {
+        if time.value < 0.0 {
+            problems.add(&time.place, "a time before the start of the run", "times must be 0 or more");
+            return None;
+        }
+    }
+    let value = |typed: &Option<crate::case::schema::Typed<f64>>| typed.as_ref().map(|t| t.value);
+    let (start, ramp) = (value(&motion.start).unwrap_or(0.0), value(&motion.ramp).unwrap_or(RAMP));
+    if let Some(end) = motion.end.as_ref().filter(|end| end.value < start + ramp) {
+        problems.add(
+            &end.place,
+            "the motion ends before its ramp is over",
+            "let `end` be start + ramp or later",
+        );
+        return None;
+    }
+    Some((start, ramp, value(&motion.end)))
+}
