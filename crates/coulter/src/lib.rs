@@ -3,3 +3,4 @@
 pub mod case;
 pub mod cli;
 pub mod output;
+pub mod simulation;

@@ -28,7 +28,7 @@ pub(crate) fn locate(model: &Model, state: &mut State, workspace: &mut Workspace
             body,
             contact_law.as_ref(),
         );
-        contact.area = point.area;
+        contact.area *= point.area;
     }
     *touched = touched_nodes(&model.grid, &state.contacts);
     // The scratch array goes back to the remap clean.
@@ -88,7 +88,8 @@ impl View<'_> {
             return;
         };
         let cell = [i, j, k];
-        if let Some(weight) = self.weights(cell, place) {
+        if let Some((weight, coverage)) = self.weights(cell, place) {
+            contact.area = coverage;
             contact.base = self.model.grid.index(i, j, k);
             contact.weight = weight;
             contact.width =
@@ -100,8 +101,9 @@ impl View<'_> {
         }
     }
 
-    /// Trilinear weights of the cell's nodes, cut down at nodes that have hardly any mass to push against.
-    fn weights(&self, cell: [usize; 3], place: DVec3) -> Option<[f64; 8]> {
+    /// Trilinear weights of the cell's nodes, cut down at nodes that have hardly any mass to push against, and the share
+    /// of its area that a point among such nodes acts with: without that, a few grains would have to bear it all.
+    fn weights(&self, cell: [usize; 3], place: DVec3) -> Option<([f64; 8], f64)> {
         const MASS_RATIO: f64 = 2.5;
         let grid = &self.model.grid;
         let base = grid.index(cell[0], cell[1], cell[2]);
@@ -118,7 +120,7 @@ impl View<'_> {
             weight[n] = if bears { (side(0) * side(1) * side(2)).min(MASS_RATIO * mass / full) } else { 0.0 };
             sum += weight[n];
         }
-        (sum > 1e-3).then(|| weight.map(|w| w / sum))
+        (sum > 1e-3).then(|| (weight.map(|w| w / sum), (2.0 * sum).min(1.0)))
     }
 
     /// Volume of the eight half cells round corner `n` of a cell [m³].

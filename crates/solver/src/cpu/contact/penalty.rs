@@ -29,18 +29,15 @@ impl Penalty {
         Self { modulus: model.elastic.constrained(), impedance: model.density * model.wave_speed() }
     }
 
-    /// Tractions on the soil [Pa], normal and frictional, after a step of `dt`; updates the point's memory.
-    fn tractions(&self, c: &mut Contact, relative: DVec3, friction: f64, dt: f64) -> (DVec3, DVec3) {
-        let closing = relative.dot(c.normal);
-        c.penetration += closing * dt;
+    /// Tractions on the soil [Pa], normal and frictional; cuts the elastic slip back to the Coulomb cone.
+    fn tractions(&self, c: &mut Contact, relative: DVec3, friction: f64) -> (DVec3, DVec3) {
         if c.penetration <= 0.0 {
             c.slip = DVec3::ZERO;
             return (DVec3::ZERO, DVec3::ZERO);
         }
         let stiffness = STIFFNESS * self.modulus / c.width;
+        let closing = relative.dot(c.normal);
         let pressure = (stiffness * c.penetration + DAMPING * self.impedance * closing).max(0.0);
-        c.slip += (relative - closing * c.normal) * dt;
-        c.slip -= c.slip.dot(c.normal) * c.normal;
         let limit = friction * pressure;
         let held = 0.5 * stiffness * c.slip.length();
         if held > limit {
@@ -50,13 +47,22 @@ impl Penalty {
     }
 }
 
+/// Penetration and slip grow with the motion that really takes place, which is that after contact has acted: with any
+/// other velocity the spring would not be conservative, and contact would pump energy into the soil.
+fn remember(c: &mut Contact, relative: DVec3, dt: f64) {
+    let closing = relative.dot(c.normal);
+    c.penetration += closing * dt;
+    c.slip += (relative - closing * c.normal) * dt;
+    c.slip -= c.slip.dot(c.normal) * c.normal;
+}
+
 impl ContactLaw for Penalty {
     fn relocate(&self, c: &mut Contact, gap: f64, travel: f64, was_in_soil: bool) {
         if was_in_soil {
             let pull = PULL * (travel / (0.1 * c.width)).min(3.0);
             c.penetration += pull * (-gap - c.penetration);
         } else {
-            (c.penetration, c.slip) = ((-gap).max(0.0), DVec3::ZERO);
+            (c.penetration, c.slip) = (-gap, DVec3::ZERO);
         }
     }
 
@@ -67,17 +73,20 @@ impl ContactLaw for Penalty {
             if scene.contacts[n].in_soil {
                 let relative = scene.slip_velocity(&scene.contacts[n]);
                 let friction = scene.model.bodies[scene.contacts[n].body].friction.min(1e6);
-                let (normal, tangential) =
-                    self.tractions(&mut scene.contacts[n], relative, friction, scene.dt);
+                let (normal, tangential) = self.tractions(&mut scene.contacts[n], relative, friction);
                 let scale = scene.contacts[n].area * scene.dt;
                 given.push((n, normal * scale, tangential * scale));
             }
         }
-        for (n, normal, friction) in given {
-            if normal != DVec3::ZERO {
-                let contact = scene.contacts[n];
-                scene.exchange(&contact, normal, friction);
+        for (n, normal, friction) in &given {
+            if *normal != DVec3::ZERO {
+                let contact = scene.contacts[*n];
+                scene.exchange(&contact, *normal, *friction);
             }
+        }
+        for (n, ..) in given {
+            let relative = scene.slip_velocity(&scene.contacts[n]);
+            remember(&mut scene.contacts[n], relative, scene.dt);
         }
     }
 }
