@@ -16,7 +16,7 @@ pub enum Freedom {
         start: f64,
         /// How long it lasts [s].
         ramp: f64,
-        /// When the motion has ended (after a ramp of the same length) [s]; infinite for never.
+        /// When the ramp back to rest begins (it takes as long) [s]; infinite for never.
         end: f64,
     },
     /// Moves as the forces on it say. `load` [N or N m] acts besides the soil (a weight is negative along z) and is
@@ -43,7 +43,7 @@ impl Freedom {
     pub fn speed(&self, time: f64) -> f64 {
         match *self {
             Self::Prescribed { speed, start, ramp, end } => {
-                speed * (rise(time, start, ramp) - rise(time, end - ramp, ramp))
+                speed * (rise(time, start, ramp) - rise(time, end, ramp))
             }
             _ => 0.0,
         }
@@ -77,7 +77,7 @@ mod tests {
 
     #[test]
     fn a_prescribed_speed_rises_holds_and_ends() {
-        let f = Freedom::Prescribed { speed: 2.0, start: 1.0, ramp: 0.5, end: 3.0 };
+        let f = Freedom::Prescribed { speed: 2.0, start: 1.0, ramp: 0.5, end: 2.5 };
         let speeds = [0.9, 1.25, 1.5, 2.4, 2.75, 3.1].map(|t| f.speed(t));
         assert_eq!(speeds, [0.0, 1.0, 2.0, 2.0, 1.0, 0.0]);
         assert_eq!(

@@ -23,8 +23,8 @@ pub enum Breakdown {
     },
     /// Soil moves so fast that it crosses a good part of a cell in one step.
     #[error(
-        "soil at x = {place} moves {cells:.2} cells in one step at t = {time:.6} s (step {step}); a smaller courant \
-         number, a slower body or a finer grid may help"
+        "soil at x = {place} moved {cells:.2} cells between two remaps at t = {time:.6} s (step {step}); a smaller \
+         courant number, a slower body or a finer grid may help"
     )]
     Runaway {
         /// How far, in cells of the smallest width.

@@ -27,8 +27,7 @@ pub fn step(model: &Model, state: &mut State, workspace: &mut Workspace) -> Resu
     state.time += dt;
     state.step += 1;
     // Eulerian stage, only when the soil has moved far enough to need it.
-    if sums.displacement > model.method.remap_displacement * model.grid.finest() || bodies_moved(model, state)
-    {
+    if displaced_too_far(model, &sums) || bodies_moved(model, state) {
         let loss = remap(model, state, workspace);
         state.ledger.remap += loss.energy;
         state.ledger.crumbs_volume += loss.volume;
@@ -77,6 +76,12 @@ fn move_bodies(state: &mut State, dt: f64) {
     }
 }
 
+/// Whether soil has moved so far on the frozen grid that it must be remapped.
+fn displaced_too_far(model: &Model, sums: &RowSums) -> bool {
+    let cell = model.grid.finest();
+    sums.displacement > model.method.remap_displacement * cell || sums.displacement_light > 0.4 * cell
+}
+
 /// Whether a body has moved so far since its contact points were located that they must be found anew.
 fn bodies_moved(model: &Model, state: &State) -> bool {
     let limit = model.method.remap_displacement * model.grid.finest();
@@ -123,7 +128,7 @@ fn account(model: &Model, state: &mut State, sums: &RowSums, drive: &[Drive], wo
     }
 }
 
-/// Fields must be numbers, and nothing may cross half a cell in a step.
+/// Fields must be numbers, and nothing may cross most of a cell before it is remapped.
 fn check(model: &Model, state: &State, sums: &RowSums, dt: f64) -> Result<(), Breakdown> {
     let (time, step) = (state.time, state.step);
     let sound = sums.kinetic.is_finite() && sums.plastic.is_finite();
@@ -133,9 +138,9 @@ fn check(model: &Model, state: &State, sums: &RowSums, dt: f64) -> Result<(), Br
         let place = place_of(model, state, |v| !v.is_finite());
         return Err(Breakdown::NotANumber { field: "velocity", time, step, place });
     }
-    let cells = sums.speed * dt / model.grid.finest();
-    if cells > 0.5 {
-        let place = place_of(model, state, |v| v.abs() * 1.000_001 >= sums.speed);
+    let cells = sums.displacement.max(sums.displacement_light) / model.grid.finest();
+    if cells > 0.9 {
+        let place = place_of(model, state, |v| v.abs() * dt > 0.3 * model.grid.finest());
         return Err(Breakdown::Runaway { cells, time, step, place });
     }
     Ok(())

@@ -6,7 +6,7 @@
 
 use super::stress::{CellRow, NodeRows, RowConstants, strain_row};
 use super::threads::Cut;
-use super::workspace::{COEFFICIENTS, RowSums, WorkerScratch, Workspace, split_rows};
+use super::workspace::{COEFFICIENTS, RowSums, WorkerScratch, Workspace, lane_sum, split_rows};
 use crate::grid::{Grid, LANES};
 use crate::model::{Model, Wall};
 use crate::state::{Soil, State};
@@ -94,7 +94,7 @@ fn total(cut: &Cut, rows: usize, row_sums: &[RowSums]) -> RowSums {
         gravity: a.gravity + b.gravity,
         kinetic: a.kinetic + b.kinetic,
         displacement: a.displacement.max(b.displacement),
-        speed: a.speed.max(b.speed),
+        displacement_light: a.displacement_light.max(b.displacement_light),
     })
 }
 
@@ -202,7 +202,7 @@ fn move_plane(inputs: &Inputs, part: &mut Part, plane: usize, forces: [Option<&[
             for v in &mut velocity {
                 v.fill(0.0);
             }
-            (sums.gravity, sums.kinetic, sums.displacement, sums.speed) = (0.0, 0.0, 0.0, 0.0);
+            (sums.gravity, sums.kinetic, sums.displacement, sums.displacement_light) = (0.0, 0.0, 0.0, 0.0);
             continue;
         }
         let start = plane * stride + q * row;
@@ -321,15 +321,41 @@ fn finish_row(
 ) {
     let n = displacement[0].len();
     let mass = &inputs.mass[start..start + n];
-    let (gravity, kinetic) = buffer.split_at_mut(n);
-    sums.gravity = super::workspace::lane_sum(gravity);
-    let kinetic = &mut kinetic[..n];
-    let (vx, vy, vz) = (&velocity[0][..n], &velocity[1][..n], &velocity[2][..n]);
+    let (gravity, rest) = buffer.split_at_mut(n);
+    sums.gravity = lane_sum(gravity);
+    let light = LIGHT * inputs.model.density * inputs.model.grid.finest().powi(3);
+    let kinetic = &mut rest[..n];
+    kinetic_energies(mass, velocity, kinetic);
+    sums.kinetic = lane_sum(kinetic);
+    [sums.displacement, sums.displacement_light] = largest(mass, light, displacement);
+}
+
+/// Nodes lighter than this share of a full node's mass may be carried farther before a remap is due: a few grains in
+/// flight would else make the whole soil be remapped every few steps.
+const LIGHT: f64 = 0.02;
+
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn kinetic_energies(mass: &[f64], velocity: &[&mut [f64]; 3], out: &mut [f64]) {
+    let n = out.len();
+    let (mass, vx, vy, vz) = (&mass[..n], &velocity[0][..n], &velocity[1][..n], &velocity[2][..n]);
     for i in 0..n {
-        kinetic[i] = 0.5 * mass[i] * (vx[i] * vx[i] + vy[i] * vy[i] + vz[i] * vz[i]);
+        out[i] = 0.5 * mass[i] * (vx[i] * vx[i] + vy[i] * vy[i] + vz[i] * vz[i]);
     }
-    sums.kinetic = super::workspace::lane_sum(kinetic);
-    let largest = |a: f64, b: &f64| if b.abs() > a { b.abs() } else { a };
-    sums.displacement = displacement.iter().map(|u| u.iter().fold(0.0, largest)).fold(0.0, f64::max);
-    sums.speed = velocity.iter().map(|v| v.iter().fold(0.0, largest)).fold(0.0, f64::max);
+}
+
+/// Largest displacement component of the nodes heavier, and lighter, than `light`.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn largest(mass: &[f64], light: f64, displacement: [&[f64]; 3]) -> [f64; 2] {
+    let [ux, uy, uz] = displacement.map(|u| u.chunks_exact(LANES));
+    let (mut heavy_lanes, mut light_lanes) = ([0.0; LANES], [0.0; LANES]);
+    for (((m, x), y), z) in mass.chunks_exact(LANES).zip(ux).zip(uy).zip(uz) {
+        for l in 0..LANES {
+            let xy = if x[l].abs() > y[l].abs() { x[l].abs() } else { y[l].abs() };
+            let u = if z[l].abs() > xy { z[l].abs() } else { xy };
+            let (heavy, light) = if m[l] > light { (u, 0.0) } else { (0.0, u) };
+            heavy_lanes[l] = if heavy > heavy_lanes[l] { heavy } else { heavy_lanes[l] };
+            light_lanes[l] = if light > light_lanes[l] { light } else { light_lanes[l] };
+        }
+    }
+    [heavy_lanes, light_lanes].map(|lanes| lanes.into_iter().fold(0.0, f64::max))
 }

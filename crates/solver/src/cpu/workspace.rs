@@ -69,8 +69,8 @@ pub struct RowSums {
     pub kinetic: f64,
     /// Largest component of a nodal displacement since the last remap [m].
     pub displacement: f64,
-    /// Largest component of a nodal velocity [m/s].
-    pub speed: f64,
+    /// The same of the nodes that only a few grains hang on [m].
+    pub displacement_light: f64,
 }
 
 /// Row buffers that the Lagrangian step needs, in rows.

@@ -108,10 +108,7 @@ pub(crate) fn law(model: &Model) -> Box<dyn ContactLaw> {
 /// Surface points of a body for a grid whose cells near it have the width `cell` [m].
 pub(crate) fn surface_points(model: &Model, body: &BodyModel) -> Vec<SurfacePoint> {
     let cell = model.grid.finest();
-    let inset = model.method.edge_inset * cell;
-    // One layer of cells across y is a slab of plane strain: the body has no edge there.
-    let across = if model.grid.cells()[1] == 1 { 0.0 } else { inset };
-    body.shape.surface_points(model.method.point_spacing * cell, DVec3::new(inset, across, inset))
+    body.shape.surface_points(model.method.point_spacing * cell, DVec3::splat(model.method.edge_inset * cell))
 }
 
 /// Lets soil and bodies act on each other for one step. Returns the energy that this took out of them [J].
