@@ -16,11 +16,25 @@ pub fn advice(case: &Case) -> Vec<String> {
         room(case, body, &mut notes);
         speed(case, body, &mut notes);
     }
+    overlaps(case, &mut notes);
     strength(case, &mut notes);
     if case.bodies.is_empty() && case.soil.unit_weight == 0.0 {
         notes.push("There is no body and the soil has no weight: nothing will happen.".into());
     }
     notes
+}
+
+/// Bodies whose boxes overlap at the start; they do not feel each other.
+fn overlaps(case: &Case, notes: &mut Vec<String>) {
+    for (n, one) in case.bodies.iter().enumerate() {
+        for other in case.bodies.iter().skip(n + 1) {
+            let (a, b) = (path(one, 0.0), path(other, 0.0));
+            if a.low.cmplt(b.high).all() && b.low.cmplt(a.high).all() {
+                notes
+                    .push(format!("{} and {} overlap; bodies do not feel each other.", one.name, other.name));
+            }
+        }
+    }
 }
 
 fn resolution(case: &Case, body: &Body, notes: &mut Vec<String>) {
@@ -87,7 +101,7 @@ fn speed(case: &Case, body: &Body, notes: &mut Vec<String>) {
     let froude = fastest.powi(2) / (gravity * deep);
     if gravity > 0.0 && froude > 0.2 {
         notes.push(format!(
-            "{}: Froude number v²/(g z) = {froude:.2} with z = {deep:.3} m: inertia will add to the force.",
+            "{}: Froude number v²/(g z) = {froude:.2} taking z = {deep:.3} m: inertia will add to the force.",
             body.name
         ));
     }

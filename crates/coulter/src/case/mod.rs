@@ -1,6 +1,7 @@
 //! The case: what was typed (`schema`), and what it means (`Case`, SI units).
 
 mod advice;
+pub mod documentation;
 pub mod estimate;
 pub mod json_schema;
 pub mod keys;

@@ -47,8 +47,15 @@ pub(super) struct Entry {
 pub(super) fn read(problems: &mut Problems, overrides: &[String]) -> Vec<Entry> {
     let text = problems.text(0).to_owned();
     let (document, errors) = DeTable::parse_recoverable(&text);
-    for error in errors.iter().take(8) {
+    let mut lines = Vec::new();
+    for error in &errors {
         let span = error.span().unwrap_or(0..0);
+        // One slip makes many errors: the first one of a line says it, and three lines are enough at once.
+        let line = text.bytes().take(span.start).filter(|b| *b == b'\n').count();
+        if lines.contains(&line) || lines.len() == 3 {
+            continue;
+        }
+        lines.push(line);
         problems.add(&Place { source: 0, span }, sentence(error.message()), cure(error.message()));
     }
     let mut root = if problems.is_empty() { entries(document.get_ref(), 0, 0) } else { Vec::new() };

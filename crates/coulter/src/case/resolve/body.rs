@@ -68,13 +68,21 @@ fn shape(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Sh
 
 fn disc(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Shape> {
     let diameter = ranges::required(section, "diameter", &POSITIVE, problems);
-    let thickness = ranges::required(section, "thickness", &POSITIVE, problems);
+    let thickness = match frame.slab {
+        None => ranges::required(section, "thickness", &POSITIVE, problems),
+        Some(slab) if !section.has("thickness") => Some(slab.covering_width()),
+        Some(_) => {
+            let message = "in plane strain a disc is as thick as the slab";
+            problems.add(section.place_of("thickness"), message, "take `thickness` out");
+            None
+        }
+    };
     let (diameter, thickness) = (diameter?, thickness?);
-    let mut thick_enough = wide_enough(section, "diameter", diameter, frame, problems);
+    let mut enough = wide_enough(section, "diameter", diameter, frame, problems);
     if frame.slab.is_none() {
-        thick_enough &= wide_enough(section, "thickness", thickness, frame, problems);
+        enough &= wide_enough(section, "thickness", thickness, frame, problems);
     }
-    thick_enough.then_some(Shape::Disc { diameter, thickness })
+    enough.then_some(Shape::Disc { diameter, thickness })
 }
 
 fn block(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Shape> {
@@ -89,9 +97,7 @@ fn block(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Sh
     }
     let edges: Vec<f64> = size.value.iter().map(|edge| edge.value).collect();
     let size_3d = match (edges.as_slice(), frame.slab) {
-        // As wide as the slab, and wider by the inset that contact points keep from its edges: these then cover
-        // the slab exactly.
-        (&[x, z], Some(slab)) => DVec3::new(x, slab.width + 2.0 * slab.inset, z),
+        (&[x, z], Some(slab)) => DVec3::new(x, slab.covering_width(), z),
         (&[x, y, z], None) => DVec3::new(x, y, z),
         (_, slab) => {
             let cure = if slab.is_some() {

@@ -36,6 +36,14 @@ pub(super) struct Slab {
     inset: f64,
 }
 
+impl Slab {
+    /// Width of a body [m]: that of the slab and of the inset that contact points keep from the body's edges, so
+    /// that they cover the slab exactly.
+    fn covering_width(&self) -> f64 {
+        self.width + 2.0 * self.inset
+    }
+}
+
 /// The case that was typed, or `None` with problems added.
 pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problems) -> Option<Case> {
     let gravity = ranges::or(&schema.top, "gravity", 9.81, &NOT_NEGATIVE, problems);
@@ -54,7 +62,7 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
     let grid = extent::grid(&schema.grid, &frame, &domain, around, anchors(&ground, &domain), problems)?;
     checks::fits_into_memory(&schema.grid, &grid, problems);
     let name = name?;
-    Some(Case {
+    let case = Case {
         title: schema.top.text("title").map_or_else(|| name.clone(), |t| t.value),
         name,
         gravity: gravity?,
@@ -66,7 +74,10 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
         duration,
         output: output?,
         numerics: numerics?,
-    })
+    };
+    checks::contact_points_remain(schema, &case, problems);
+    checks::can_be_computed(schema, &case, problems);
+    Some(case)
 }
 
 fn frame(schema: &Schema, gravity: f64, problems: &mut Problems) -> Option<Frame> {
