@@ -90,7 +90,7 @@ fn block(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Sh
         ranges::missing(section, "size", problems);
     }
     let size = section.list("size")?;
-    for edge in size.value.iter().filter(|edge| edge.value <= 0.0) {
+    if let Some(edge) = size.value.iter().find(|edge| edge.value <= 0.0) {
         let message = format!("an edge of {} is not possible", problems.typed(&edge.place));
         problems.add(&edge.place, message, "every edge must be above 0");
         return None;

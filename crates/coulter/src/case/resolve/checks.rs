@@ -102,7 +102,7 @@ pub(super) fn can_be_computed(schema: &Schema, case: &Case, problems: &mut Probl
     }
     for (body, section) in case.bodies.iter().zip(&schema.bodies) {
         let numbers = [body.mass, body.axle_inertia];
-        if !numbers.iter().all(|n| n.is_finite() && *n > 0.0) || !body.position.is_finite() {
+        if !numbers.iter().all(|n| n.is_normal() && *n > 0.0) || !body.position.is_finite() {
             let message = format!(
                 "mass {:e} kg, moment of inertia {:e} kg m²: not computable",
                 body.mass, body.axle_inertia
