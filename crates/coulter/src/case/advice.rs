@@ -17,6 +17,7 @@ pub fn advice(case: &Case) -> Vec<String> {
         speed(case, body, &mut notes);
     }
     overlaps(case, &mut notes);
+    timing(case, &mut notes);
     strength(case, &mut notes);
     if case.bodies.is_empty() && case.soil.unit_weight == 0.0 {
         notes.push("There is no body and the soil has no weight: nothing will happen.".into());
@@ -132,6 +133,32 @@ fn speed(case: &Case, body: &Body, notes: &mut Vec<String>) {
 
 fn prescribed_speed(freedom: &Freedom) -> f64 {
     if let Freedom::Prescribed { speed, .. } = freedom { speed.abs() } else { 0.0 }
+}
+
+/// Whether ramps are gentle and intervals no shorter than a step.
+fn timing(case: &Case, notes: &mut Vec<String>) {
+    let cost = estimate(case);
+    let transit = (case.domain.high.z - case.domain.low.z) / cost.wave_speed_m_per_s;
+    for body in &case.bodies {
+        for freedom in body.translation.iter().chain([&body.spin]) {
+            let (Freedom::Prescribed { ramp, .. } | Freedom::Free { ramp, .. }) = *freedom else { continue };
+            let moves =
+                !matches!(freedom, Freedom::Free { load: 0.0, .. } | Freedom::Prescribed { speed: 0.0, .. });
+            if moves && ramp < 5.0 * transit {
+                notes.push(format!(
+                    "{}: a ramp of {ramp} s sends a shock through the soil; 5 wave transits are {:.2e} s.",
+                    body.name,
+                    5.0 * transit
+                ));
+            }
+        }
+    }
+    if case.output.history_interval < cost.time_step_s {
+        notes.push(format!(
+            "output.history_interval is shorter than a time step, {:.2e} s.",
+            cost.time_step_s
+        ));
+    }
 }
 
 fn strength(case: &Case, notes: &mut Vec<String>) {

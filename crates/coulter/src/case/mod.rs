@@ -5,6 +5,7 @@ pub mod documentation;
 pub mod estimate;
 pub mod json_schema;
 pub mod keys;
+mod overrides;
 mod problem;
 pub mod quantity;
 mod ranges;
@@ -16,6 +17,7 @@ mod units;
 mod values;
 
 pub use advice::advice;
+pub use overrides::overridden;
 pub use problem::{CaseError, Problem};
 pub use resolved::Case;
 

@@ -145,7 +145,7 @@ mod tests {
                     let ratio = (pair[1] / pair[0]).max(pair[0] / pair[1]);
                     prop_assert!(ratio <= growth * (1.0 + 1e-4), "{:?}", widths);
                 }
-                prop_assert!(faces.iter().any(|f| *f == 0.0) || fine[0] > 0.0 || fine[1] < 0.0);
+                prop_assert!(faces.contains(&0.0) || fine[0] > 0.0 || fine[1] < 0.0);
             }
         }
     }
