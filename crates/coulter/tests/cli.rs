@@ -160,3 +160,15 @@ fn the_schema_is_json() {
     let schema: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert!(schema["properties"]["soil"]["properties"]["friction_angle"]["description"].is_string());
 }
+
+#[test]
+fn faces_lie_on_the_sides_of_the_soil() {
+    for (file, axis, place) in
+        [("passive_wall.toml", 0, 0.0), ("passive_wall.toml", 2, 0.0), ("column_collapse.toml", 0, 0.1)]
+    {
+        let seen = checked(&[&shipped(file)]);
+        let faces = seen["resolved"]["grid"]["faces"][axis].as_array().unwrap();
+        let nearest = faces.iter().map(|f| (f.as_f64().unwrap() - place).abs()).fold(f64::INFINITY, f64::min);
+        assert!(nearest < 1e-12, "{file}: {nearest} m off");
+    }
+}

@@ -162,3 +162,25 @@ pub(super) fn ground(
     }
     Some(Ground::Column { low: DVec3::new(x0, y0, domain.low.z), high: DVec3::new(x1, y1, surface) })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn travel_is_the_integral_of_the_speed() {
+        let towed = Freedom::Prescribed { speed: 0.2, start: 0.4, ramp: 0.1, end: 1.0 };
+        let at = |time: f64| travel(&towed, time);
+        assert!((at(0.4), at(0.3)) == (0.0, 0.0));
+        assert!((at(0.45) - 0.2 * 0.1 * (0.125 - 0.03125)).abs() < 1e-15, "inside the ramp");
+        assert!((at(0.5) - 0.2 * 0.05).abs() < 1e-15, "a ramp covers half of what the full speed would");
+        assert!((at(0.9) - 0.2 * 0.45).abs() < 1e-15);
+        assert!(
+            (at(5.0) - 0.2 * 0.6).abs() < 1e-15,
+            "from start to end, the two ramps making up for each other"
+        );
+        assert_eq!(travel(&Freedom::Fixed, 9.0), 0.0);
+        let at_once = Freedom::Prescribed { speed: -1.0, start: 0.0, ramp: 0.0, end: f64::INFINITY };
+        assert_eq!(travel(&at_once, 2.0), -2.0);
+    }
+}
