@@ -16,11 +16,26 @@ pub fn advice(case: &Case) -> Vec<String> {
         room(case, body, &mut notes);
         speed(case, body, &mut notes);
     }
+    overlaps(case, &mut notes);
+    timing(case, &mut notes);
     strength(case, &mut notes);
     if case.bodies.is_empty() && case.soil.unit_weight == 0.0 {
         notes.push("There is no body and the soil has no weight: nothing will happen.".into());
     }
     notes
+}
+
+/// Bodies whose boxes overlap at the start; they do not feel each other.
+fn overlaps(case: &Case, notes: &mut Vec<String>) {
+    for (n, one) in case.bodies.iter().enumerate() {
+        for other in case.bodies.iter().skip(n + 1) {
+            let (a, b) = (path(one, 0.0), path(other, 0.0));
+            if a.low.cmplt(b.high).all() && b.low.cmplt(a.high).all() {
+                notes
+                    .push(format!("{} and {} overlap; bodies do not feel each other.", one.name, other.name));
+            }
+        }
+    }
 }
 
 fn resolution(case: &Case, body: &Body, notes: &mut Vec<String>) {
@@ -56,6 +71,10 @@ fn fine_zone(case: &Case, body: &Body, notes: &mut Vec<String>) {
     }
 }
 
+/// Body lengths to a wall below which it is mentioned; chosen: soil fails over some three sinkages, and a disc seldom
+/// sinks deeper than a third of its diameter.
+const NEAR: f64 = 1.2;
+
 fn room(case: &Case, body: &Body, notes: &mut Vec<String>) {
     let way = path(body, case.duration);
     let length = body_length(std::slice::from_ref(body));
@@ -66,12 +85,12 @@ fn room(case: &Case, body: &Body, notes: &mut Vec<String>) {
     }
     let near: Vec<String> = gaps
         .iter()
-        .filter(|(_, gap)| *gap > 0.0 && *gap < length)
+        .filter(|(_, gap)| *gap > 0.0 && *gap < NEAR * length)
         .map(|(side, gap)| format!("{:.2} body lengths {side}", gap / length))
         .collect();
     if !near.is_empty() {
         notes.push(format!(
-            "{}: the walls are near ({}); 2 body lengths leave the force undisturbed.",
+            "{}: the walls are near ({}); try a larger box: 2 body lengths are on the safe side.",
             body.name,
             near.join(", ")
         ));
@@ -87,7 +106,7 @@ fn speed(case: &Case, body: &Body, notes: &mut Vec<String>) {
     let froude = fastest.powi(2) / (gravity * deep);
     if gravity > 0.0 && froude > 0.2 {
         notes.push(format!(
-            "{}: Froude number v²/(g z) = {froude:.2} with z = {deep:.3} m: inertia will add to the force.",
+            "{}: Froude number v²/(g z) = {froude:.2} taking z = {deep:.3} m: inertia will add to the force.",
             body.name
         ));
     }
@@ -114,6 +133,32 @@ fn speed(case: &Case, body: &Body, notes: &mut Vec<String>) {
 
 fn prescribed_speed(freedom: &Freedom) -> f64 {
     if let Freedom::Prescribed { speed, .. } = freedom { speed.abs() } else { 0.0 }
+}
+
+/// Whether ramps are gentle and intervals no shorter than a step.
+fn timing(case: &Case, notes: &mut Vec<String>) {
+    let cost = estimate(case);
+    let transit = (case.domain.high.z - case.domain.low.z) / cost.wave_speed_m_per_s;
+    for body in &case.bodies {
+        for freedom in body.translation.iter().chain([&body.spin]) {
+            let (Freedom::Prescribed { ramp, .. } | Freedom::Free { ramp, .. }) = *freedom else { continue };
+            let moves =
+                !matches!(freedom, Freedom::Free { load: 0.0, .. } | Freedom::Prescribed { speed: 0.0, .. });
+            if moves && ramp < 5.0 * transit {
+                notes.push(format!(
+                    "{}: a ramp of {ramp} s sends a shock through the soil; 5 wave transits are {:.2e} s.",
+                    body.name,
+                    5.0 * transit
+                ));
+            }
+        }
+    }
+    if case.output.history_interval < cost.time_step_s {
+        notes.push(format!(
+            "output.history_interval is shorter than a time step, {:.2e} s.",
+            cost.time_step_s
+        ));
+    }
 }
 
 fn strength(case: &Case, notes: &mut Vec<String>) {

@@ -1,9 +1,11 @@
 //! The case: what was typed (`schema`), and what it means (`Case`, SI units).
 
 mod advice;
+pub mod documentation;
 pub mod estimate;
 pub mod json_schema;
 pub mod keys;
+mod overrides;
 mod problem;
 pub mod quantity;
 mod ranges;
@@ -15,6 +17,7 @@ mod units;
 mod values;
 
 pub use advice::advice;
+pub use overrides::overridden;
 pub use problem::{CaseError, Problem};
 pub use resolved::Case;
 

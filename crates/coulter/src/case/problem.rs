@@ -172,6 +172,10 @@ fn within(text: &str, span: Range<usize>) -> Range<usize> {
         n
     };
     let start = floor(span.start);
+    if start == text.len() {
+        // Behind the end there is nothing to point at: point at the last character.
+        return floor(start.saturating_sub(1))..start;
+    }
     start..floor(span.end).max(start)
 }
 

@@ -142,7 +142,11 @@ fn bodies(entry: &Entry, problems: &mut Problems) -> Vec<Section> {
     };
     let mut list = Vec::new();
     for named in table {
-        if matches!(named.node.value, Value::Table(_)) {
+        let is_plain = named.key.chars().all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '_');
+        if named.key.is_empty() || !is_plain {
+            let message = format!("a body cannot be called \"{}\"", named.key);
+            problems.add(&named.key_place, message, "use letters, digits, `-` and `_`");
+        } else if matches!(named.node.value, Value::Table(_)) {
             list.push(section(named, "body", &format!("body.{}", named.key), problems));
         } else {
             let message = format!("`{}` stands in [body], which has no keys of its own", named.key);

@@ -47,8 +47,15 @@ pub(super) struct Entry {
 pub(super) fn read(problems: &mut Problems, overrides: &[String]) -> Vec<Entry> {
     let text = problems.text(0).to_owned();
     let (document, errors) = DeTable::parse_recoverable(&text);
-    for error in errors.iter().take(8) {
+    let mut lines = Vec::new();
+    for error in &errors {
         let span = error.span().unwrap_or(0..0);
+        // One slip makes many errors: the first one of a line says it, and three lines are enough at once.
+        let line = text.bytes().take(span.start).filter(|b| *b == b'\n').count();
+        if lines.contains(&line) || lines.len() == 3 {
+            continue;
+        }
+        lines.push(line);
         problems.add(&Place { source: 0, span }, sentence(error.message()), cure(error.message()));
     }
     let mut root = if problems.is_empty() { entries(document.get_ref(), 0, 0) } else { Vec::new() };
@@ -78,24 +85,28 @@ fn override_one(problems: &mut Problems, root: &mut Vec<Entry>, text: &str) {
     let name = format!("--set {}", text.split('=').next().unwrap_or_default().trim());
     let source = problems.add_source(Source { name, text: text.to_owned() });
     let whole = Place { source, span: 0..text.len() };
+    let cure = "write --set soil.friction_angle=\"38 deg\"";
     let Some((path, value_text)) = text.split_once('=') else {
-        problems.add(
-            &whole,
-            format!("`--set {text}` has no `=`"),
-            "write --set soil.friction_angle=\"38 deg\"",
-        );
+        problems.add(&whole, format!("`--set {text}` has no `=`"), cure);
         return;
     };
-    let keys: Vec<&str> = path.split('.').map(str::trim).collect();
-    if keys.iter().any(|k| k.is_empty()) || keys.len() > DEEPEST_KEY {
-        problems.add(&whole, format!("`{path}` is no key"), "write --set soil.friction_angle=\"38 deg\"");
+    let Some((keys, _)) = split_override(text) else {
+        problems.add(&whole, format!("`{path}` is no key"), cure);
         return;
-    }
+    };
     let key_place = Place { source, span: 0..path.len() };
     let node = override_value(value_text, source, path.len() + 1);
     if let Err(message) = insert(root, &keys, &key_place, node) {
         problems.add(&key_place, message, "name a key, such as soil.friction_angle or body.disc.weight");
     }
+}
+
+/// Splits `body.disc.weight = 60 N` into keys and value, if it names a key.
+pub(super) fn split_override(text: &str) -> Option<(Vec<&str>, &str)> {
+    let (path, value) = text.split_once('=')?;
+    let keys: Vec<&str> = path.split('.').map(str::trim).collect();
+    let is_key = keys.len() <= DEEPEST_KEY && keys.iter().all(|k| !k.is_empty());
+    is_key.then_some((keys, value.trim()))
 }
 
 /// The value of an override: TOML where it is TOML, else plain text, since the shell takes quotes away.

@@ -29,12 +29,17 @@ impl Failure {
     /// Tells what went wrong on standard error.
     pub(super) fn tell(&self) -> ExitCode {
         let text = match self {
-            Self::Case(error) => render(error, std::io::stderr().is_terminal()),
+            Self::Case(error) => render(error, is_colourful()),
             Self::Request(message) | Self::Physics(message) => format!("error: {message}\n"),
         };
         let _ = std::io::stderr().lock().write_all(text.as_bytes());
         ExitCode::from(self.exit_code())
     }
+}
+
+/// Whether colours are wanted: on a terminal, unless <https://no-color.org> says otherwise.
+fn is_colourful() -> bool {
+    std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())
 }
 
 /// Every problem with its line, and a count.

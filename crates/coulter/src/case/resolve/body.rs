@@ -1,15 +1,14 @@
 //! A rigid body: shape, mass, place and motion.
 
 use super::Frame;
+use super::motion::{freedom, is_free};
 use crate::case::problem::Problems;
 use crate::case::ranges::{self, ANY, NOT_NEGATIVE, POSITIVE};
-use crate::case::resolved::{Body, Freedom, Shape};
-use crate::case::schema::{Motion, Section};
+use crate::case::resolved::{Body, Shape};
+use crate::case::schema::Section;
 use glam::DVec3;
 use physics::shape;
 
-/// Time over which a load comes on and a speed is reached unless the case says otherwise [s].
-const RAMP: f64 = 0.1;
 /// Mass of a body that never moves freely: that of solid steel [kg/m³]. Nothing depends on it.
 const NOMINAL_DENSITY: f64 = 7850.0;
 /// Cells across a body below which its contact points see no soil between them.
@@ -68,13 +67,21 @@ fn shape(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Sh
 
 fn disc(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Shape> {
     let diameter = ranges::required(section, "diameter", &POSITIVE, problems);
-    let thickness = ranges::required(section, "thickness", &POSITIVE, problems);
+    let thickness = match frame.slab {
+        None => ranges::required(section, "thickness", &POSITIVE, problems),
+        Some(slab) if !section.has("thickness") => Some(slab.covering_width()),
+        Some(_) => {
+            let message = "in plane strain a disc is as thick as the slab";
+            problems.add(section.place_of("thickness"), message, "take `thickness` out");
+            None
+        }
+    };
     let (diameter, thickness) = (diameter?, thickness?);
-    let mut thick_enough = wide_enough(section, "diameter", diameter, frame, problems);
+    let mut enough = wide_enough(section, "diameter", diameter, frame, problems);
     if frame.slab.is_none() {
-        thick_enough &= wide_enough(section, "thickness", thickness, frame, problems);
+        enough &= wide_enough(section, "thickness", thickness, frame, problems);
     }
-    thick_enough.then_some(Shape::Disc { diameter, thickness })
+    enough.then_some(Shape::Disc { diameter, thickness })
 }
 
 fn block(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Shape> {
@@ -82,16 +89,14 @@ fn block(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Sh
         ranges::missing(section, "size", problems);
     }
     let size = section.list("size")?;
-    for edge in size.value.iter().filter(|edge| edge.value <= 0.0) {
+    if let Some(edge) = size.value.iter().find(|edge| edge.value <= 0.0) {
         let message = format!("an edge of {} is not possible", problems.typed(&edge.place));
         problems.add(&edge.place, message, "every edge must be above 0");
         return None;
     }
     let edges: Vec<f64> = size.value.iter().map(|edge| edge.value).collect();
     let size_3d = match (edges.as_slice(), frame.slab) {
-        // As wide as the slab, and wider by the inset that contact points keep from its edges: these then cover
-        // the slab exactly.
-        (&[x, z], Some(slab)) => DVec3::new(x, slab.width + 2.0 * slab.inset, z),
+        (&[x, z], Some(slab)) => DVec3::new(x, slab.covering_width(), z),
         (&[x, y, z], None) => DVec3::new(x, y, z),
         (_, slab) => {
             let cure = if slab.is_some() {
@@ -192,68 +197,4 @@ fn position(
         _ => y?,
     };
     Some(DVec3::new(x?, y, frame.surface - sinkage? - lowest))
-}
-
-fn is_free(section: &Section, key: &str) -> bool {
-    section.motion(key).is_some_and(|m| m.value.word.as_deref() == Some("free") || m.value.load.is_some())
-}
-
-/// One degree of freedom; `weight` [N] acts on it besides its load while it is free.
-fn freedom(section: &Section, key: &str, weight: f64, problems: &mut Problems) -> Option<Freedom> {
-    if !section.has(key) {
-        return Some(Freedom::Fixed);
-    }
-    let typed = section.motion(key)?;
-    let motion = &typed.value;
-    match motion.word.as_deref() {
-        Some("free") => return Some(Freedom::Free { load: weight, start: 0.0, ramp: RAMP }),
-        Some(_) => return Some(Freedom::Fixed),
-        None => {}
-    }
-    let (start, ramp, end) = times(motion, problems)?;
-    match (&motion.speed, &motion.load) {
-        (Some(speed), None) => {
-            Some(Freedom::Prescribed { speed: speed.value, start, ramp, end: end.unwrap_or(f64::INFINITY) })
-        }
-        (None, Some(load)) if end.is_none() => Some(Freedom::Free { load: weight + load.value, start, ramp }),
-        (None, Some(_)) => {
-            problems.add(&typed.place, "a load has no `end`", "take `end` out; it belongs to a speed");
-            None
-        }
-        (Some(_), Some(_)) => {
-            let message = format!("{}: a speed and a load at once", ranges::dotted(section, key));
-            problems.add(
-                &typed.place,
-                message,
-                "give the speed, or the load: the other one is what the run finds out",
-            );
-            None
-        }
-        (None, None) => {
-            let message = format!("{}: neither a speed nor a load", ranges::dotted(section, key));
-            problems.add(&typed.place, message, "add `speed` or `load`, or write \"free\" or \"fixed\"");
-            None
-        }
-    }
-}
-
-/// Start, ramp and end [s].
-fn times(motion: &Motion, problems: &mut Problems) -> Option<(f64, f64, Option<f64>)> {
-    for time in [&motion.start, &motion.ramp, &motion.end].into_iter().flatten() {
-        if time.value < 0.0 {
-            problems.add(&time.place, "a time before the start of the run", "times must be 0 or more");
-            return None;
-        }
-    }
-    let value = |typed: &Option<crate::case::schema::Typed<f64>>| typed.as_ref().map(|t| t.value);
-    let (start, ramp) = (value(&motion.start).unwrap_or(0.0), value(&motion.ramp).unwrap_or(RAMP));
-    if let Some(end) = motion.end.as_ref().filter(|end| end.value < start + ramp) {
-        problems.add(
-            &end.place,
-            "the motion ends before its ramp is over",
-            "let `end` be start + ramp or later",
-        );
-        return None;
-    }
-    Some((start, ramp, value(&motion.end)))
 }

@@ -1,10 +1,14 @@
 //! Whether everything fits: the bodies into the box, their motion to its symmetry, the grid into memory.
 
+use super::body::solid;
 use super::extent::path;
 use crate::case::estimate;
 use crate::case::problem::Problems;
-use crate::case::resolved::{Body, Domain, Freedom, Grid};
+use crate::case::resolved::{Body, Case, Domain, Freedom, Grid};
 use crate::case::schema::{Schema, Section};
+
+/// More time steps than any machine would finish.
+const MOST_STEPS: f64 = 1e12;
 
 /// Reports bodies that are, or get, outside the box, and motions that break its symmetry.
 pub(super) fn bodies_fit(
@@ -19,11 +23,6 @@ pub(super) fn bodies_fit(
             keeps_to_the_plane(section, body, domain, problems);
         }
         stays_inside(section, body, domain, duration, problems);
-    }
-    for (n, section) in schema.bodies.iter().enumerate() {
-        if schema.bodies.iter().take(n).any(|other| other.path == section.path) {
-            problems.add(&section.place, "two bodies of one name", "give each body a name of its own");
-        }
     }
 }
 
@@ -77,6 +76,48 @@ fn stays_inside(section: &Section, body: &Body, domain: &Domain, duration: f64, 
         );
         let key = if start.low.z < domain.low.z { "sinkage" } else { "heave" };
         problems.add(section.place_of(key), message, "make domain.z deeper, or start the body higher");
+    }
+}
+
+/// Refuses an inset that leaves no room for contact points: the body would feel no force.
+pub(super) fn contact_points_remain(schema: &Schema, case: &Case, problems: &mut Problems) {
+    let inset = case.numerics.edge_inset * case.grid.cell;
+    for body in &case.bodies {
+        let (low, high) = solid(&body.shape).bounds();
+        if (high - low).min_element() - 2.0 * inset < 1e-6 * case.grid.cell {
+            let message = format!("the inset leaves no contact points on body `{}`", body.name);
+            let cure = "make it smaller; 0.5 is the default";
+            problems.add(schema.numerics.place_of("edge_inset"), message, cure);
+        }
+    }
+}
+
+/// Refuses numbers so large or so small that their combinations are not numbers, or that no computer would finish.
+pub(super) fn can_be_computed(schema: &Schema, case: &Case, problems: &mut Problems) {
+    let cost = estimate::estimate(case);
+    if !(cost.time_step_s > 0.0 && cost.steps <= MOST_STEPS) {
+        let message = format!("{:.1e} time steps of {:.1e} s cannot be run", cost.steps, cost.time_step_s);
+        let cure = "check run.duration, grid.cell, soil.young_modulus and the soil's density";
+        problems.add(&schema.soil.place, message, cure);
+    }
+    for (body, section) in case.bodies.iter().zip(&schema.bodies) {
+        let numbers = [body.mass, body.axle_inertia];
+        if !numbers.iter().all(|n| n.is_normal() && *n > 0.0) || !body.position.is_finite() {
+            let message = format!(
+                "mass {:e} kg, moment of inertia {:e} kg m²: not computable",
+                body.mass, body.axle_inertia
+            );
+            problems.add(&section.place, message, "check the body's weight or mass, its size and its place");
+        }
+    }
+    let increasing = |faces: &Vec<f64>| faces.windows(2).all(|w| w[0] < w[1] && (w[1] - w[0]).is_finite());
+    if !case.grid.faces.iter().all(increasing) {
+        let message = "the cells are too small for where they are: their faces cannot be told apart";
+        problems.add(
+            schema.grid.place_of("cell"),
+            message,
+            "make grid.cell larger, or bring the box nearer to 0",
+        );
     }
 }
 

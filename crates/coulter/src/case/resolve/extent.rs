@@ -2,10 +2,9 @@
 
 use super::Frame;
 use super::body::solid;
-use super::grading::{self, Axis};
 use crate::case::problem::Problems;
-use crate::case::ranges::{self, GROWTH};
-use crate::case::resolved::{Body, Domain, Freedom, Grid, Ground, Wall};
+use crate::case::ranges;
+use crate::case::resolved::{Body, Domain, Freedom, Ground, Wall};
 use crate::case::schema::Section;
 use glam::DVec3;
 
@@ -164,60 +163,24 @@ pub(super) fn ground(
     Some(Ground::Column { low: DVec3::new(x0, y0, domain.low.z), high: DVec3::new(x1, y1, surface) })
 }
 
-/// The fine zone and the faces.
-pub(super) fn grid(
-    section: &Section,
-    frame: &Frame,
-    domain: &Domain,
-    around: Option<(Extent, f64)>,
-    anchors: [f64; 3],
-    problems: &mut Problems,
-) -> Option<Grid> {
-    let growth = ranges::or(section, "growth", 1.12, &GROWTH, problems)?;
-    let mut grid = Grid {
-        cell: frame.cell,
-        fine_low: domain.low,
-        fine_high: domain.high,
-        growth,
-        faces: [const { Vec::new() }; 3],
-    };
-    let default = around.map_or(Extent { low: domain.low, high: domain.high }, |(path, length)| Extent {
-        low: path.low - length * DVec3::new(0.5, 0.25, 0.5),
-        high: DVec3::new(
-            path.high.x + 0.5 * length,
-            path.high.y + 0.25 * length,
-            frame.surface + 0.25 * length,
-        ),
-    });
-    let mut complete = true;
-    for (axis, key) in ["fine_x", "fine_y", "fine_z"].into_iter().enumerate() {
-        let ends = [domain.low[axis], domain.high[axis]];
-        if axis == 1 && frame.slab.is_some() {
-            grid.faces[1] = ends.to_vec();
-            continue;
-        }
-        let fallback = [default.low[axis].max(ends[0]), default.high[axis].min(ends[1])];
-        let Some(fine) = range(section, key, Some(fallback), problems) else {
-            complete = false;
-            continue;
-        };
-        if fine[0] < ends[0] || fine[1] > ends[1] {
-            let message = format!("the fine zone is partly outside the box, {} to {} m", ends[0], ends[1]);
-            problems.add(section.place_of(key), message, format!("change grid.{key} or the domain"));
-            complete = false;
-            continue;
-        }
-        match grading::faces(&Axis { ends, fine, anchor: anchors[axis], cell: frame.cell, growth }) {
-            Ok((faces, [low, high])) => {
-                (grid.fine_low[axis], grid.fine_high[axis]) = (low, high);
-                grid.faces[axis] = faces;
-            }
-            Err(message) => {
-                let cure = "change grid.cell, grid.growth or the box; a whole number of cells always fits";
-                problems.add(section.place_of("cell"), format!("{key}: {message}"), cure);
-                complete = false;
-            }
-        }
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn travel_is_the_integral_of_the_speed() {
+        let towed = Freedom::Prescribed { speed: 0.2, start: 0.4, ramp: 0.1, end: 1.0 };
+        let at = |time: f64| travel(&towed, time);
+        assert!((at(0.4), at(0.3)) == (0.0, 0.0));
+        assert!((at(0.45) - 0.2 * 0.1 * (0.125 - 0.03125)).abs() < 1e-15, "inside the ramp");
+        assert!((at(0.5) - 0.2 * 0.05).abs() < 1e-15, "a ramp covers half of what the full speed would");
+        assert!((at(0.9) - 0.2 * 0.45).abs() < 1e-15);
+        assert!(
+            (at(5.0) - 0.2 * 0.6).abs() < 1e-15,
+            "from start to end, the two ramps making up for each other"
+        );
+        assert_eq!(travel(&Freedom::Fixed, 9.0), 0.0);
+        let at_once = Freedom::Prescribed { speed: -1.0, start: 0.0, ramp: 0.0, end: f64::INFINITY };
+        assert_eq!(travel(&at_once, 2.0), -2.0);
     }
-    complete.then_some(grid)
 }

@@ -25,8 +25,9 @@ const MOST_TAKEN: u32 = 100;
 /// The faces [m], and where the fine zone begins and ends among them [m].
 pub(in crate::case) fn faces(axis: &Axis) -> Result<(Vec<f64>, [f64; 2]), String> {
     let Axis { ends: [low, high], fine, anchor, cell, growth } = *axis;
-    if !((high - low) / cell <= MOST_CELLS) {
-        return Err(format!("{:.3e} cells along one axis cannot be run", (high - low) / cell));
+    let across = (high - low) / cell;
+    if across > MOST_CELLS || !across.is_finite() {
+        return Err(format!("{across:.3e} cells along one axis cannot be run"));
     }
     let layer = |x: f64| (x - anchor) / cell;
     let mut first = (layer(fine[0]) + SAME).floor().max((layer(low) - SAME).ceil());
@@ -144,7 +145,7 @@ mod tests {
                     let ratio = (pair[1] / pair[0]).max(pair[0] / pair[1]);
                     prop_assert!(ratio <= growth * (1.0 + 1e-4), "{:?}", widths);
                 }
-                prop_assert!(faces.iter().any(|f| *f == 0.0) || fine[0] > 0.0 || fine[1] < 0.0);
+                prop_assert!(faces.contains(&0.0) || fine[0] > 0.0 || fine[1] < 0.0);
             }
         }
     }

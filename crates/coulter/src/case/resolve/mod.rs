@@ -4,12 +4,14 @@ pub(super) mod body;
 mod checks;
 pub(super) mod extent;
 mod grading;
+mod mesh;
+mod motion;
 mod soil;
 mod timing;
 
 use super::problem::Problems;
 use super::ranges::{self, ANY, NOT_NEGATIVE, POSITIVE, SHARE};
-use super::resolved::{Body, Case, Contact, Domain, Ground, Law, Numerics};
+use super::resolved::{Body, Case, Contact, Law, Numerics};
 use super::schema::{Schema, Section};
 
 /// What the parts of a case share.
@@ -36,6 +38,14 @@ pub(super) struct Slab {
     inset: f64,
 }
 
+impl Slab {
+    /// Width of a body [m]: that of the slab and of the inset that contact points keep from the body's edges, so
+    /// that they cover the slab exactly.
+    fn covering_width(&self) -> f64 {
+        self.width + 2.0 * self.inset
+    }
+}
+
 /// The case that was typed, or `None` with problems added.
 pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problems) -> Option<Case> {
     let gravity = ranges::or(&schema.top, "gravity", 9.81, &NOT_NEGATIVE, problems);
@@ -50,11 +60,11 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
     let domain = extent::domain(&schema.domain, &frame, &bodies, duration, problems)?;
     let ground = extent::ground(&schema.ground, frame.surface, &domain, problems)?;
     checks::bodies_fit(schema, &bodies, &domain, duration, problems);
-    let around = extent::paths(&bodies, duration).map(|path| (path, extent::body_length(&bodies)));
-    let grid = extent::grid(&schema.grid, &frame, &domain, around, anchors(&ground, &domain), problems)?;
+    let usual = mesh::usual_fine_zone(&frame, &domain, &bodies, duration);
+    let grid = mesh::grid(&schema.grid, &frame, &domain, &ground, usual, problems)?;
     checks::fits_into_memory(&schema.grid, &grid, problems);
     let name = name?;
-    Some(Case {
+    let case = Case {
         title: schema.top.text("title").map_or_else(|| name.clone(), |t| t.value),
         name,
         gravity: gravity?,
@@ -66,7 +76,10 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
         duration,
         output: output?,
         numerics: numerics?,
-    })
+    };
+    checks::contact_points_remain(schema, &case, problems);
+    checks::can_be_computed(schema, &case, problems);
+    Some(case)
 }
 
 fn frame(schema: &Schema, gravity: f64, problems: &mut Problems) -> Option<Frame> {
@@ -94,17 +107,6 @@ fn frame(schema: &Schema, gravity: f64, problems: &mut Problems) -> Option<Frame
 fn bodies(schema: &Schema, frame: &Frame, problems: &mut Problems) -> Option<Vec<Body>> {
     let all: Vec<_> = schema.bodies.iter().map(|section| body::body(section, frame, problems)).collect();
     all.into_iter().collect()
-}
-
-/// Where faces should lie: at the soil's surface, at y = 0, and at the foot of a column.
-fn anchors(ground: &Ground, domain: &Domain) -> [f64; 3] {
-    match *ground {
-        Ground::Level { surface } => [0.0, 0.0, surface],
-        Ground::Column { low, high } => {
-            let edge = |axis: usize| if low[axis] > domain.low[axis] { low[axis] } else { high[axis] };
-            [edge(0), if high.y < domain.high.y { edge(1) } else { domain.low.y }, high.z]
-        }
-    }
 }
 
 /// The name, which becomes that of a folder.
