@@ -1,11 +1,10 @@
 //! Memory that the step works in and that is worth nothing between steps.
 
-use crate::cpu::contact::{self, ContactLaw};
+use crate::cpu::contact::{self, ContactLaw, TouchedNode};
 use crate::cpu::threads::{Cut, Team};
 use crate::grid::Grid;
 use crate::model::Model;
 use crate::state::State;
-use glam::DVec3;
 use physics::shape::SurfacePoint;
 
 /// Coefficients of the nodal force of one plane of cells: for each component the plain part and the parts signed by the
@@ -33,8 +32,10 @@ pub struct Workspace {
     pub(crate) contact_law: Box<dyn ContactLaw>,
     /// Surface points of the bodies.
     pub(crate) points: Vec<Vec<SurfacePoint>>,
-    /// Nodes that contact acts on, with their velocities before it.
-    pub(crate) touched: Vec<(usize, DVec3)>,
+    /// Nodes that contact acts on.
+    pub(crate) touched: Vec<TouchedNode>,
+    /// For each contact, the places of its cell's nodes among them.
+    pub(crate) corner_nodes: Vec<[u32; 8]>,
 }
 
 impl std::fmt::Debug for Workspace {
@@ -91,6 +92,7 @@ impl Workspace {
             row: vec![0.0; ROW_BUFFERS * grid.stride[1]],
         };
         let threads = threads.clamp(1, planes);
+        let (touched, corner_nodes) = contact::touched_nodes(grid, &state.contacts);
         let mut workspace = Self {
             team: Team::new(threads),
             cut: Cut::new(1, &vec![1.0; planes], threads, plane),
@@ -102,7 +104,8 @@ impl Workspace {
             width_x: column_widths(grid),
             contact_law: contact::law(model),
             points: model.bodies.iter().map(|b| contact::surface_points(model, b)).collect(),
-            touched: contact::touched_nodes(grid, &state.contacts),
+            touched,
+            corner_nodes,
         };
         workspace.find_soil(grid, &state.soil.fraction);
         workspace

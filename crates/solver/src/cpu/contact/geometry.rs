@@ -1,6 +1,6 @@
 //! Where the contact points lie in the grid, how far the soil is from them, and how much soil is inside a body.
 
-use super::{ContactLaw, corners};
+use super::{ContactLaw, TouchedNode, corners};
 use crate::cpu::workspace::Workspace;
 use crate::grid::Grid;
 use crate::model::{BodyModel, Model};
@@ -9,7 +9,7 @@ use glam::DVec3;
 
 /// Finds every contact point's cell, weights and gap anew; measures leaked and embedded volumes. Done at every remap.
 pub(crate) fn locate(model: &Model, state: &mut State, workspace: &mut Workspace) {
-    let Workspace { scratch, points, contact_law, touched, .. } = workspace;
+    let Workspace { scratch, points, contact_law, touched, corner_nodes, .. } = workspace;
     let occupied = &mut scratch[2];
     occupied.fill(0.0);
     for (fixed, body) in model.bodies.iter().zip(&mut state.bodies) {
@@ -30,19 +30,20 @@ pub(crate) fn locate(model: &Model, state: &mut State, workspace: &mut Workspace
         );
         contact.area *= point.area;
     }
-    *touched = touched_nodes(&model.grid, &state.contacts);
+    (*touched, *corner_nodes) = touched_nodes(&model.grid, &state.contacts);
     // The scratch array goes back to the remap clean.
     occupied.fill(0.0);
 }
 
-/// The nodes that contact acts on, in memory order, with room for their velocities.
-pub(crate) fn touched_nodes(grid: &Grid, contacts: &[Contact]) -> Vec<(usize, DVec3)> {
-    let in_soil = contacts.iter().filter(|c| c.in_soil);
-    let nodes = in_soil.flat_map(|c| corners(grid.stride).map(|offset| (c.base + offset, DVec3::ZERO)));
-    let mut touched: Vec<_> = nodes.collect();
-    touched.sort_by_key(|t| t.0);
-    touched.dedup_by_key(|t| t.0);
-    touched
+/// The nodes that contact acts on, in memory order, and for each contact the places of its cell's nodes among them.
+pub(crate) fn touched_nodes(grid: &Grid, contacts: &[Contact]) -> (Vec<TouchedNode>, Vec<[u32; 8]>) {
+    let of = |c: &Contact| corners(grid.stride).map(|offset| c.base + offset);
+    let mut nodes: Vec<usize> = contacts.iter().filter(|c| c.in_soil).flat_map(of).collect();
+    nodes.sort_unstable();
+    nodes.dedup();
+    let place = |node: usize| nodes.partition_point(|n| *n < node) as u32;
+    let corner_nodes = contacts.iter().map(|c| if c.in_soil { of(c).map(place) } else { [0; 8] }).collect();
+    (nodes.into_iter().map(|node| TouchedNode { node, ..TouchedNode::default() }).collect(), corner_nodes)
 }
 
 /// A direction of the body frame in space. The points of a body of revolution stay where they are when it turns: in

@@ -25,15 +25,31 @@ pub(crate) trait ContactLaw {
     fn act(&self, scene: &mut Scene);
 }
 
-/// What a contact law works on during a step.
+/// What a contact law works on during a step. The velocities of the nodes are those before contact; what the law makes
+/// of them is written back afterwards.
 pub(crate) struct Scene<'a> {
     pub(crate) model: &'a Model,
     pub(crate) contacts: &'a mut [Contact],
     pub(crate) bodies: &'a mut [Body],
-    pub(crate) velocity: &'a mut [Vec<f64>; 3],
-    pub(crate) mass: &'a [f64],
+    /// The nodes that contact acts on.
+    pub(crate) nodes: &'a mut [TouchedNode],
+    /// For each contact the places of its cell's nodes among them.
+    pub(crate) corner_nodes: &'a [[u32; 8]],
     /// Time step [s].
     pub(crate) dt: f64,
+}
+
+/// A node that contact acts on.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct TouchedNode {
+    /// Place in memory.
+    pub(crate) node: usize,
+    /// Velocity [m/s].
+    pub(crate) velocity: DVec3,
+    /// One over the mass [1/kg]; 0 for a node that does not move.
+    pub(crate) inverse_mass: f64,
+    /// Velocity before contact [m/s].
+    free: DVec3,
 }
 
 /// Offsets of a cell's eight nodes, in the order of the weights.
@@ -43,40 +59,34 @@ fn corners([x, y, z]: [usize; 3]) -> [usize; 8] {
 
 impl Scene<'_> {
     /// Velocity of the soil at a point [m/s].
-    fn soil_velocity(&self, contact: &Contact) -> DVec3 {
-        let offsets = corners(self.model.grid.stride);
-        let mut v = DVec3::ZERO;
-        for (offset, w) in offsets.iter().zip(contact.weight) {
-            let n = contact.base + offset;
-            v += w * DVec3::new(self.velocity[0][n], self.velocity[1][n], self.velocity[2][n]);
-        }
-        v
+    fn soil_velocity(&self, contact: usize) -> DVec3 {
+        let nodes = self.corner_nodes[contact].iter().zip(self.contacts[contact].weight);
+        nodes.fold(DVec3::ZERO, |v, (n, w)| v + w * self.nodes[*n as usize].velocity)
     }
 
     /// Velocity of the body minus that of the soil at a point [m/s].
-    fn slip_velocity(&self, contact: &Contact) -> DVec3 {
-        velocity_at(&self.bodies[contact.body], contact.arm) - self.soil_velocity(contact)
+    fn slip_velocity(&self, contact: usize) -> DVec3 {
+        let c = &self.contacts[contact];
+        velocity_at(&self.bodies[c.body], c.arm) - self.soil_velocity(contact)
     }
 
-    /// Gives an impulse [N s] to the soil and takes it from the body, as far as the body is free; notes what the body
-    /// received from its normal and its frictional part.
-    fn exchange(&mut self, contact: &Contact, normal: DVec3, friction: DVec3) {
-        let impulse = normal + friction;
-        let offsets = corners(self.model.grid.stride);
-        for (offset, w) in offsets.iter().zip(contact.weight) {
-            let n = contact.base + offset;
-            if w > 0.0 {
-                for (v, p) in self.velocity.iter_mut().zip(impulse.to_array()) {
-                    v[n] += w * p / self.mass[n];
-                }
-            }
+    /// Gives an impulse [N s] to the soil at a point and takes it from the body, as far as the body is free.
+    fn exchange(&mut self, contact: usize, impulse: DVec3) {
+        let c = &self.contacts[contact];
+        for (n, w) in self.corner_nodes[contact].iter().zip(c.weight) {
+            let node = &mut self.nodes[*n as usize];
+            node.velocity += (w * node.inverse_mass) * impulse;
         }
-        let fixed = &self.model.bodies[contact.body];
-        let body = &mut self.bodies[contact.body];
-        body.received.normal -= normal / self.model.share;
-        body.received.friction -= friction / self.model.share;
-        body.received.axle -= contact.arm.cross(impulse).y / self.model.share;
-        push(fixed, body, self.model.share, contact.arm, -impulse);
+        push(&self.model.bodies[c.body], &mut self.bodies[c.body], self.model.share, c.arm, -impulse);
+    }
+
+    /// Notes what the soil gave to a body at a point in this step: the reaction to these impulses on the soil [N s].
+    fn note(&mut self, contact: usize, normal: DVec3, friction: DVec3) {
+        let c = &self.contacts[contact];
+        let received = &mut self.bodies[c.body].received;
+        received.normal -= normal / self.model.share;
+        received.friction -= friction / self.model.share;
+        received.axle -= c.arm.cross(normal + friction).y / self.model.share;
     }
 }
 
@@ -116,23 +126,27 @@ pub(crate) fn contact(model: &Model, state: &mut State, workspace: &mut Workspac
     if state.contacts.is_empty() {
         return ContactWork::default();
     }
-    let Workspace { touched, velocity_before, .. } = workspace;
+    let Workspace { touched, corner_nodes, velocity_before, .. } = workspace;
     let before: Vec<(DVec3, f64)> = state.bodies.iter().map(|b| (b.velocity, b.spin)).collect();
     let received: Vec<_> = state.bodies.iter().map(|b| b.received).collect();
     let velocity = &mut state.nodes.velocity;
-    for (n, v) in touched.iter_mut() {
-        *v = DVec3::new(velocity[0][*n], velocity[1][*n], velocity[2][*n]);
+    let mass_moved = model.mass_moved();
+    for t in touched.iter_mut() {
+        let mass = state.nodes.mass[t.node];
+        t.velocity = velocity_of(velocity, t.node);
+        t.free = t.velocity;
+        t.inverse_mass = if mass > mass_moved { 1.0 / mass } else { 0.0 };
     }
-    let mass = &state.nodes.mass;
-    let scene =
-        &mut Scene { model, contacts: &mut state.contacts, bodies: &mut state.bodies, velocity, mass, dt };
-    workspace.contact_law.act(scene);
+    let (contacts, bodies) = (&mut state.contacts, &mut state.bodies);
+    workspace.contact_law.act(&mut Scene { model, contacts, bodies, nodes: touched, corner_nodes, dt });
     // Work on the soil: impulse on each node times the mean of its velocities before and after the step.
     let mut on_soil = 0.0;
-    for (n, free) in touched.iter() {
-        let now = DVec3::new(velocity[0][*n], velocity[1][*n], velocity[2][*n]);
-        let then = DVec3::new(velocity_before[0][*n], velocity_before[1][*n], velocity_before[2][*n]);
-        on_soil += mass[*n] * (now - *free).dot(0.5 * (now + then));
+    for t in touched.iter() {
+        for (v, new) in velocity.iter_mut().zip(t.velocity.to_array()) {
+            v[t.node] = new;
+        }
+        let middle = 0.5 * (t.velocity + velocity_of(velocity_before, t.node));
+        on_soil += state.nodes.mass[t.node] * (t.velocity - t.free).dot(middle);
     }
     let mut on_bodies = Vec::with_capacity(state.bodies.len());
     for (n, body) in state.bodies.iter().enumerate() {
@@ -147,6 +161,10 @@ pub(crate) fn contact(model: &Model, state: &mut State, workspace: &mut Workspac
         });
     }
     ContactWork { on_soil, on_bodies }
+}
+
+fn velocity_of(velocity: &[Vec<f64>; 3], node: usize) -> DVec3 {
+    DVec3::new(velocity[0][node], velocity[1][node], velocity[2][node])
 }
 
 /// What contact did in one step.
