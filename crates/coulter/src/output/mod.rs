@@ -1,13 +1,21 @@
-//! What a run leaves behind.
+//! What a run leaves behind: histories, fields, pictures, a summary and a report.
+//!
+//! [`Results`] is the front door: it owns the folder of a run. The other modules are its rooms, usable on their own.
 
+mod canvas;
 pub mod chart;
 mod colour;
 pub mod csv;
 mod error;
 mod fields;
+mod frame;
+pub mod log;
+pub mod picture;
 pub mod plot;
 pub mod record;
 pub mod reference;
+mod report;
+mod results;
 pub mod run_record;
 mod scale;
 pub mod steady;
@@ -15,4 +23,8 @@ pub mod summary;
 pub mod surface;
 pub mod table;
 mod vtk;
+
 pub use error::OutputError;
+pub use results::{CHECKPOINTS, Results, rebuild_report};
+pub use run_record::{Outcome, Overlay, PlotKind, RunRecord, RunStatistics};
+pub use summary::Summary;
