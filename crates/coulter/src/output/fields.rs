@@ -58,7 +58,7 @@ impl CellView {
 
     /// Mean pressure, positive in compression [Pa].
     pub(super) fn pressure(&self) -> f64 {
-        -(self.stress[0] + self.stress[1] + self.stress[2]) / 3.0
+        0.0 - (self.stress[0] + self.stress[1] + self.stress[2]) / 3.0
     }
 
     /// Von Mises stress [Pa].

@@ -5,7 +5,7 @@ use super::colour::{ColourMap, Rgb};
 use super::scale::{tick_label, ticks};
 
 const LEFT: f64 = 78.0;
-const TOP: f64 = 52.0;
+const TOP: f64 = 62.0;
 const BOTTOM: f64 = 58.0;
 const BAR_ROOM: f64 = 120.0;
 const BAR_WIDTH: f64 = 18.0;
@@ -169,6 +169,6 @@ impl View {
             self.canvas.text(&label, [area[2] + 9.0, y], 14.0, Anchor::Left);
         }
         let right = LEFT + self.width + BAR_ROOM - 6.0;
-        self.canvas.text(&scale.label, [right, 42.0], 14.0, Anchor::Right);
+        self.canvas.text(&scale.label, [right, 42.0], 14.5, Anchor::Right);
     }
 }

@@ -4,19 +4,26 @@
 
 mod canvas;
 pub mod chart;
+mod chart_marks;
 mod colour;
 pub mod csv;
+mod describe;
 mod error;
 mod fields;
+mod folder;
 mod frame;
+pub mod ledger_plot;
 pub mod log;
 pub mod picture;
 pub mod plot;
+pub mod progress;
 pub mod record;
 pub mod reference;
 mod report;
+mod report_rows;
 mod results;
 pub mod run_record;
+mod rut;
 mod scale;
 pub mod steady;
 pub mod summary;
@@ -25,6 +32,8 @@ pub mod table;
 mod vtk;
 
 pub use error::OutputError;
-pub use results::{CHECKPOINTS, Results, rebuild_report};
+pub use folder::CHECKPOINTS;
+pub use progress::Progress;
+pub use results::{Results, rebuild_report};
 pub use run_record::{Outcome, Overlay, PlotKind, RunRecord, RunStatistics};
 pub use summary::Summary;

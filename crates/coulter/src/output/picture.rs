@@ -1,11 +1,11 @@
 //! Pictures of the soil: slices along the body's mid-plane, the rut from above, and its cross-section.
 
-use super::chart::{Chart, Curve};
 use super::colour::{ColourMap, Rgb};
 use super::error::{OutputError, make_folder, write_whole};
 use super::fields::{CellView, attitude, shape_of};
 use super::frame::{Scale, View};
-use super::scale::{Unit, largest};
+use super::rut::section_chart;
+use super::scale::Unit;
 use super::surface::{HeightMap, reference_height};
 use crate::case::resolved::{Case, Ground};
 use glam::DVec3;
@@ -15,7 +15,7 @@ use solver::state::{Body, State};
 use std::path::Path;
 
 const STEEL: Rgb = [196, 202, 210];
-const OUTLINE: Rgb = [25, 28, 35];
+pub(super) const OUTLINE: Rgb = [25, 28, 35];
 const SURFACE: Rgb = [70, 70, 70];
 /// Cells with less soil than this are left out of the pictures of what the soil does.
 const SHOWN: f64 = 0.5;
@@ -72,14 +72,14 @@ pub const PICTURES: [Caption; 6] = [
 ];
 
 /// What the pictures are made from.
-struct Scene<'a> {
-    case: &'a Case,
-    grid: &'a Grid,
-    state: &'a State,
-    shapes: Vec<Box<dyn Shape>>,
-    row: usize,
-    across: [f64; 2],
-    upward: [f64; 2],
+pub(super) struct Scene<'a> {
+    pub(super) case: &'a Case,
+    pub(super) grid: &'a Grid,
+    pub(super) state: &'a State,
+    pub(super) shapes: Vec<Box<dyn Shape>>,
+    pub(super) row: usize,
+    pub(super) across: [f64; 2],
+    pub(super) upward: [f64; 2],
 }
 
 /// Draws all pictures of a state into `dir`.
@@ -125,15 +125,12 @@ impl<'a> Scene<'a> {
         let faces = &self.grid.faces[axis];
         let (first, last) = (faces[0], faces[faces.len() - 1]);
         let mut range = [(low - room).max(first), (high + room).min(last)];
-        if !(range[1] > range[0]) {
+        if range[1] <= range[0] {
             range = [first, last];
         }
         for (body, shape) in self.state.bodies.iter().zip(&self.shapes) {
             let reach = reach(shape.as_ref(), body, axis);
             range = [range[0].min(reach[0] - 0.2 * room), range[1].max(reach[1] + 0.2 * room)];
-        }
-        if axis == 2 {
-            range[1] = range[1].min(last.max(range[1]));
         }
         range
     }
@@ -245,92 +242,10 @@ impl<'a> Scene<'a> {
             (c.fraction > SHOWN).then(|| c.velocity.length() / unit.size)
         })
     }
-
-    /// The free surface from above.
-    fn plan(&self, map: &HeightMap) -> View {
-        let across = self.across;
-        let fine = [self.case.grid.fine_low.y, self.case.grid.fine_high.y];
-        let (first, last) = (map.edges[1][0], map.edges[1][map.edges[1].len() - 1]);
-        let reach = 1.1 * fine[1].abs().max(fine[0].abs());
-        let sideways = if reach > 0.0 { [first.max(-reach), last.min(reach)] } else { [first, last] };
-        let mut view = View::new(across, sideways);
-        let level = matches!(self.case.ground, Ground::Level { .. });
-        let scale = height_scale(map, level, across, sideways);
-        view.paint(|x, y| {
-            let (i, j) = (find(&map.edges[0], x)?, find(&map.edges[1], y)?);
-            Some(scale.colour(1e3 * (map.at(i, j) - map.reference)))
-        });
-        for (body, shape) in self.state.bodies.iter().zip(&self.shapes) {
-            view.line(&outline(shape.as_ref(), body), OUTLINE, 2.0);
-        }
-        let title = if level { "Rut and berm from above" } else { "Height of the soil from above" };
-        view.finish(title, ["x [m]", "y [m]"], &scale);
-        view
-    }
-}
-
-/// Colours for heights [mm]: both ends alike about the undisturbed surface, or from the floor up for a column.
-fn height_scale(map: &HeightMap, level: bool, across: [f64; 2], sideways: [f64; 2]) -> Scale {
-    let rise = |n: usize| {
-        let (i, j) = (n % map.centres[0].len(), n / map.centres[0].len());
-        let inside = |v: f64, r: [f64; 2]| v >= r[0] && v <= r[1];
-        let shown = inside(map.centres[0][i], across) && inside(map.centres[1][j], sideways);
-        shown.then(|| 1e3 * (map.height[n] - map.reference))
-    };
-    let most = largest((0..map.height.len()).filter_map(rise)).max(1e-3);
-    if level {
-        Scale::linear(ColourMap::Diverging, -most, most, "height [mm]".into())
-    } else {
-        Scale::linear(ColourMap::Sequential, 0.0, most, "height [mm]".into())
-    }
-}
-
-/// The cross-section of the rut behind the first body, as a chart; of the middle of the domain without one.
-pub(super) fn section_chart(case: &Case, state: &State, map: &HeightMap) -> Chart {
-    let x = section_place(case, state);
-    let profile = map.section(x[0], x[1]);
-    let reach = 1.2 * case.grid.fine_high.y.abs().max(case.grid.fine_low.y.abs());
-    let shown = |p: &&[f64; 2]| reach <= 0.0 || p[0].abs() <= reach;
-    let points: Vec<[f64; 2]> =
-        profile.iter().filter(shown).map(|p| [1e3 * p[0], 1e3 * (p[1] - map.reference)]).collect();
-    let ends = [points.first(), points.last()].map(|p| [p.map_or(0.0, |p| p[0]), 0.0]);
-    Chart {
-        title: format!("Free surface across the tow, x = {:.3} … {:.3} m", x[0], x[1]),
-        x_label: "y [mm]".to_owned(),
-        y_label: "height [mm]".to_owned(),
-        true_scale: true,
-        with_zero: true,
-        height: 260.0,
-        curves: vec![
-            Curve {
-                name: "undisturbed".into(),
-                points: ends.to_vec(),
-                colour: 6,
-                stroke: super::chart::Stroke::Dashed,
-            },
-            Curve::solid("at the end", 5, points),
-        ],
-        ..Chart::default()
-    }
-}
-
-/// Where the cross-section is taken, along x [m].
-pub(super) fn section_place(case: &Case, state: &State) -> [f64; 2] {
-    let Some((body, described)) = state.bodies.first().zip(case.bodies.first()) else {
-        let middle = 0.5 * (case.domain.low.x + case.domain.high.x);
-        return [middle, middle];
-    };
-    let shape = shape_of(&described.shape);
-    let length = shape.bounds().1.x - shape.bounds().0.x;
-    let way = body.position.x - described.position.x;
-    // A body that has hardly moved has left nothing behind: the cut goes through it.
-    let behind = if way.abs() > length { length * way.signum() } else { 0.0 };
-    let middle = body.position.x - behind;
-    [middle - 0.25 * length, middle + 0.25 * length]
 }
 
 /// The number of the interval of `edges` that holds `value`.
-fn find(edges: &[f64], value: f64) -> Option<usize> {
+pub(super) fn find(edges: &[f64], value: f64) -> Option<usize> {
     let n = edges.partition_point(|edge| *edge <= value);
     (n > 0 && n < edges.len()).then(|| n - 1)
 }
@@ -343,31 +258,4 @@ fn reach(shape: &dyn Shape, body: &Body, axis: usize) -> [f64; 2] {
         .iter()
         .map(|p| (body.position + turn * *p)[axis])
         .fold([f64::INFINITY, f64::NEG_INFINITY], |r, v| [r[0].min(v), r[1].max(v)])
-}
-
-/// The outline of a body seen from above: the convex hull of its mesh, closed.
-fn outline(shape: &dyn Shape, body: &Body) -> Vec<[f64; 2]> {
-    let turn = attitude(body);
-    let mut points: Vec<[f64; 2]> =
-        shape.mesh().points.iter().map(|p| body.position + turn * *p).map(|p| [p.x, p.y]).collect();
-    points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
-    let mut hull = half_hull(points.iter());
-    hull.extend(half_hull(points.iter().rev()).into_iter().skip(1));
-    hull
-}
-
-/// One side of the convex hull of points sorted along x.
-fn half_hull<'a>(points: impl Iterator<Item = &'a [f64; 2]>) -> Vec<[f64; 2]> {
-    let mut hull: Vec<[f64; 2]> = Vec::new();
-    for &p in points {
-        while let [.., a, b] = hull[..] {
-            let turn = (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
-            if turn > 0.0 {
-                break;
-            }
-            hull.pop();
-        }
-        hull.push(p);
-    }
-    hull
 }

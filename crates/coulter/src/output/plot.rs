@@ -1,10 +1,10 @@
 //! The plots of a run: forces, sinkage, rotation, torque and the energy ledger.
 
 use super::chart::{Chart, Curve, Level, Stroke};
-use super::record::{BodySample, EnergySample};
+use super::record::BodySample;
 use super::reference::Reference;
 use super::run_record::{Overlay, PlotKind};
-use super::scale::{Unit, largest};
+use super::scale::{Unit, digits, largest};
 use super::steady::{Steady, is_tow, moving_average};
 
 /// Width of the moving average of the strong force curves, over the reference length d (chosen: hides the grid's
@@ -12,6 +12,9 @@ use super::steady::{Steady, is_tow, moving_average};
 pub const SMOOTHING: f64 = 0.05;
 /// First colour of overlays; the run's own curves come before it.
 const OVERLAY_COLOUR: usize = 3;
+
+/// A quantity of a history with its name.
+type Entry = (&'static str, fn(&BodySample) -> f64);
 
 /// A plot of a report: its name (for the file), the SVG text, and what to look for.
 #[derive(Clone, Debug, PartialEq)]
@@ -118,8 +121,7 @@ impl BodyHistory<'_> {
 
     /// Raw and smoothed forces against `along`.
     fn force_curves(&self, along: &[f64], unit: f64, base: &Abscissa) -> Vec<Curve> {
-        let forces: [(&str, fn(&BodySample) -> f64); 2] =
-            [("drag F_H", |s| s.drag), ("vertical F_V", |s| s.vertical)];
+        let forces: [Entry; 2] = [("drag F_H", |s| s.drag), ("vertical F_V", |s| s.vertical)];
         let mut curves = Vec::new();
         for (colour, (_, force)) in forces.iter().enumerate() {
             let points = self.series(along, unit, force);
@@ -141,7 +143,7 @@ impl BodyHistory<'_> {
         if base.tows {
             curves.extend(self.overlays(PlotKind::ForceDisplacement, &base.values, [base.unit, unit.size]));
         }
-        let means = [("F_H", self.steady.drag_N), ("F_V", self.steady.vertical_N)];
+        let means = [("F_H", self.steady.drag), ("F_V", self.steady.vertical)];
         let levels = means.iter().enumerate().filter_map(|(colour, (name, mean))| {
             let ([from, to], value) = (base.window?, mean.as_ref()? / unit.size);
             Some(Level {
@@ -305,84 +307,4 @@ impl BodyHistory<'_> {
         };
         self.plot("axle_torque", chart, "Torque of the soil about the axle, positive when it makes the body roll forward. A free body in steady tow bears none.")
     }
-}
-
-/// The energy ledger against time: where the work went.
-#[must_use]
-pub fn energy_plot(energy: &[EnergySample]) -> Plot {
-    let entries: [(&str, fn(&EnergySample) -> f64); 8] = [
-        ("external work", |e| e.external),
-        ("plastic", |e| e.plastic),
-        ("friction", |e| e.friction),
-        ("kinetic", |e| e.kinetic),
-        ("elastic", |e| e.elastic),
-        ("viscous", |e| e.viscous),
-        ("hourglass", |e| e.hourglass),
-        ("remap loss", |e| e.remap_loss),
-    ];
-    let unit = Unit::energy(largest(energy.iter().flat_map(|e| entries.map(|(_, value)| value(e)))));
-    let curve = |(n, (name, value)): (usize, &(&str, fn(&EnergySample) -> f64))| Curve {
-        name: (*name).to_owned(),
-        points: energy.iter().map(|e| [e.time, value(e) / unit.size]).collect(),
-        // Seven colours, eight entries: the last is told apart by its dashes.
-        colour: n,
-        stroke: if n == 7 { Stroke::Dashed } else { Stroke::Solid },
-    };
-    let mut curves: Vec<Curve> = entries.iter().enumerate().map(curve).collect();
-    let explained = energy.iter().map(|e| [e.time, (e.external - e.unexplained()) / unit.size]).collect();
-    curves.insert(
-        1,
-        Curve { name: "sum of the rest".into(), points: explained, colour: 6, stroke: Stroke::Dashed },
-    );
-    let chart = Chart {
-        title: "Energy ledger".to_owned(),
-        x_label: "time [s]".to_owned(),
-        y_label: format!("energy since the start [{}]", unit.name),
-        with_zero: true,
-        height: 380.0,
-        curves,
-        ..Chart::default()
-    };
-    let caption = "Work put in, and where it went. The sum of the rest should lie on the external work; what lies between \
-                   them is the closure error."
-        .to_owned();
-    Plot { name: "energy".to_owned(), svg: chart.svg(), caption }
-}
-
-/// The closure of the energy ledger against time, in percent.
-#[must_use]
-pub fn closure_plot(energy: &[EnergySample]) -> Plot {
-    let points = energy.iter().map(|e| [e.time, 100.0 * e.closure()]).collect();
-    let volume = energy.iter().map(|e| [e.time, 100.0 * (e.volume_ratio - 1.0)]).collect();
-    let chart = Chart {
-        title: "Closure of the ledgers".to_owned(),
-        x_label: "time [s]".to_owned(),
-        y_label: "error [%]".to_owned(),
-        with_zero: true,
-        height: 380.0,
-        curves: vec![
-            Curve::solid("energy: unexplained / external", 1, points),
-            Curve::solid("soil volume: change", 0, volume),
-        ],
-        ..Chart::default()
-    };
-    let caption = "Energy that no ledger entry explains, over the external work; and the change of the soil's volume (dilation \
-                   and elastic compression belong to it)."
-        .to_owned();
-    Plot { name: "closure".to_owned(), svg: chart.svg(), caption }
-}
-
-/// A number with three significant digits.
-pub(super) fn digits(value: f64) -> String {
-    if !value.is_finite() {
-        return "–".to_owned();
-    }
-    let size = value.abs();
-    let text = if size != 0.0 && !(1e-3..1e6).contains(&size) {
-        format!("{value:.2e}")
-    } else {
-        let whole = if size > 0.0 { size.log10().floor() as i32 } else { 0 };
-        format!("{value:.*}", (2 - whole).clamp(0, 6) as usize)
-    };
-    text.replace('-', "\u{2212}")
 }

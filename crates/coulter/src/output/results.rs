@@ -1,32 +1,21 @@
 //! The results folder: what is in it, and the one place that fills it.
 
-use super::csv::{HistoryFiles, file_safe, forces_name, read_history};
-use super::error::{Named, OutputError, make_folder, read_text, write_whole};
+use super::csv::{HistoryFiles, file_safe, read_history};
+use super::error::{OutputError, make_folder, read_text, write_whole};
 use super::fields::{VOID, shape_of, write_body, write_soil, write_surface};
+use super::folder::{FIELDS, LISTS, LOG, PICTURES, PLOTS, REPORT, RESOLVED, TYPED, clear};
 use super::log::Log;
 use super::picture::write_pictures;
 use super::record::History;
 use super::report::{ReportText, write_report};
-use super::run_record::{Overlay, RUN_RECORD, RunRecord, RunStatistics};
-use super::summary::{SUMMARY, Summary};
+use super::run_record::{Overlay, RunRecord, RunStatistics};
+use super::summary::Summary;
 use super::surface::HeightMap;
 use super::vtk::{Frame, read_time_list, write_time_list};
 use crate::case::Case;
 use solver::grid::Grid;
 use solver::state::State;
-use std::fs;
 use std::path::{Path, PathBuf};
-
-/// Folder of checkpoints inside a results folder.
-pub const CHECKPOINTS: &str = "checkpoints";
-const FIELDS: &str = "fields";
-const PICTURES: &str = "pictures";
-const PLOTS: &str = "plots";
-const RESOLVED: &str = "resolved.toml";
-const TYPED: &str = "case.toml";
-const REPORT: &str = "report.html";
-const LOG: &str = "run.log";
-const LISTS: [&str; 3] = ["soil.pvd", "surface.pvd", "body.pvd"];
 
 /// An open results folder.
 #[derive(Debug)]
@@ -229,64 +218,4 @@ fn filled_cells(grid: &Grid, state: &State) -> u64 {
         filled += state.soil.fraction[start..start + columns].iter().filter(|f| **f > VOID).count() as u64;
     }
     filled
-}
-
-/// Makes room for a new result.
-fn clear(dir: &Path, force: bool) -> Result<(), OutputError> {
-    if !dir.exists() {
-        return Ok(());
-    }
-    let mut entries = fs::read_dir(dir).named("list", dir)?;
-    if entries.next().is_none() {
-        return Ok(());
-    }
-    // The record names the bodies, hence the files. Without one nothing here is known to be ours.
-    let Ok(record) = RunRecord::read(dir) else {
-        return Err(OutputError::Foreign { path: dir.to_path_buf() });
-    };
-    if !force {
-        return Err(OutputError::Exists { path: dir.to_path_buf() });
-    }
-    remove_result(dir, &record)
-}
-
-fn remove_result(dir: &Path, record: &RunRecord) -> Result<(), OutputError> {
-    let names: Vec<String> = record.bodies.iter().map(|b| b.name.clone()).collect();
-    let mut files: Vec<String> = (0..names.len()).map(|n| forces_name(&names, n)).collect();
-    let fixed = [SUMMARY, REPORT, "energy.csv", "rut.csv", RESOLVED, TYPED, LOG];
-    files.extend(fixed.iter().chain(&LISTS).map(|name| (*name).to_owned()));
-    for file in files {
-        remove_file(&dir.join(file))?;
-    }
-    for (folder, endings) in [
-        (FIELDS, &["vtr", "vtp"][..]),
-        (PICTURES, &["png", "svg"]),
-        (PLOTS, &["svg"]),
-        (CHECKPOINTS, &["checkpoint"]),
-    ] {
-        remove_files(&dir.join(folder), endings)?;
-    }
-    // Last: as long as it is there, the folder is known as a result and the removal can be taken up again.
-    remove_file(&dir.join(RUN_RECORD))
-}
-
-fn remove_file(path: &Path) -> Result<(), OutputError> {
-    if path.is_file() { fs::remove_file(path).named("remove", path) } else { Ok(()) }
-}
-
-/// Removes the files with one of these endings from a folder, and the folder when it is empty then.
-fn remove_files(folder: &Path, endings: &[&str]) -> Result<(), OutputError> {
-    if !folder.is_dir() {
-        return Ok(());
-    }
-    let mut others = false;
-    for entry in fs::read_dir(folder).named("list", folder)? {
-        let path = entry.named("list", folder)?.path();
-        if path.extension().is_some_and(|e| endings.iter().any(|ending| e == *ending)) {
-            remove_file(&path)?;
-        } else {
-            others = true;
-        }
-    }
-    if others { Ok(()) } else { fs::remove_dir(folder).named("remove", folder) }
 }

@@ -1,6 +1,7 @@
 //! `run.json`: what a report needs besides the histories, the summary and the pictures. It also marks a folder as a
 //! result of Coulter.
 
+use super::describe::describe;
 use super::error::{OutputError, read_json, write_json};
 use super::reference::Reference;
 use crate::case::Case;
@@ -80,6 +81,8 @@ pub struct RunRecord {
     pub case: String,
     /// Title of the case.
     pub title: String,
+    /// Soil and bodies in words: what, how.
+    pub facts: Vec<[String; 2]>,
     /// Cells along x, y, z.
     pub cells: [usize; 3],
     /// Smallest cell width [m].
@@ -110,6 +113,7 @@ impl RunRecord {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             case: case.name.clone(),
             title: case.title.clone(),
+            facts: describe(case),
             cells: std::array::from_fn(|axis| faces[axis].len().saturating_sub(1)),
             finest_cell: widths.reduce(f64::min).unwrap_or(case.grid.cell),
             duration: case.duration,

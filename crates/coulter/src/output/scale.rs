@@ -109,6 +109,21 @@ pub(super) fn largest(values: impl Iterator<Item = f64>) -> f64 {
     values.filter(|v| v.is_finite()).fold(0.0, |most, v| most.max(v.abs()))
 }
 
+/// A number with three significant digits.
+pub(super) fn digits(value: f64) -> String {
+    if !value.is_finite() {
+        return "–".to_owned();
+    }
+    let size = value.abs();
+    let text = if size != 0.0 && !(1e-3..1e6).contains(&size) {
+        format!("{value:.2e}")
+    } else {
+        let whole = if size > 0.0 { size.log10().floor() as i32 } else { 0 };
+        format!("{value:.*}", (2 - whole).clamp(0, 6) as usize)
+    };
+    text.replace('-', "\u{2212}")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

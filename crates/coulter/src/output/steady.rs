@@ -24,15 +24,19 @@ pub struct Steady {
     /// Time at which it ends [s].
     pub to_s: Option<f64>,
     /// Mean drag F_H [N].
-    pub drag_N: Option<f64>,
+    #[serde(rename = "drag_N")]
+    pub drag: Option<f64>,
     /// Mean vertical force F_V [N].
-    pub vertical_N: Option<f64>,
+    #[serde(rename = "vertical_N")]
+    pub vertical: Option<f64>,
     /// Mean sinkage [m].
-    pub sinkage_m: Option<f64>,
+    #[serde(rename = "sinkage_m")]
+    pub sinkage: Option<f64>,
     /// Mean turn ratio ω r / v, from the angle turned and the way made.
     pub turn_ratio: Option<f64>,
     /// Mean torque about the axle [N m].
-    pub axle_torque_Nm: Option<f64>,
+    #[serde(rename = "axle_torque_Nm")]
+    pub axle_torque: Option<f64>,
     /// Scatter of the drag: root mean square of the drag less its moving average over 0.02 d (at least five samples),
     /// over the mean drag.
     pub drag_noise: Option<f64>,
@@ -42,17 +46,21 @@ pub struct Steady {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Peak {
     /// Largest drag F_H [N].
-    pub drag_N: Option<f64>,
+    #[serde(rename = "drag_N")]
+    pub drag: Option<f64>,
     /// Displacement at which the drag is largest [m].
     pub at_m: Option<f64>,
     /// Time at which the drag is largest [s].
     pub at_s: Option<f64>,
     /// Largest vertical force F_V [N].
-    pub vertical_N: Option<f64>,
+    #[serde(rename = "vertical_N")]
+    pub vertical: Option<f64>,
     /// Largest sinkage [m].
-    pub sinkage_m: Option<f64>,
+    #[serde(rename = "sinkage_m")]
+    pub sinkage: Option<f64>,
     /// Largest torque about the axle [N m].
-    pub axle_torque_Nm: Option<f64>,
+    #[serde(rename = "axle_torque_Nm")]
+    pub axle_torque: Option<f64>,
     /// Largest volume of soil inside the body [m³].
     pub leaked_m3: Option<f64>,
 }
@@ -107,13 +115,13 @@ pub fn steady(samples: &[BodySample], reference: &Reference, window: Range<usize
         to_m: finite(last.displacement),
         from_s: finite(first.time),
         to_s: finite(last.time),
-        drag_N: drag,
-        vertical_N: mean(|s| s.vertical),
-        sinkage_m: mean(|s| s.sinkage),
+        drag,
+        vertical: mean(|s| s.vertical),
+        sinkage: mean(|s| s.sinkage),
         turn_ratio: mean(|s| s.spin)
             .zip(mean(|s| s.speed))
             .and_then(|(spin, speed)| reference.turn_ratio(spin, speed)),
-        axle_torque_Nm: mean(|s| s.axle_torque),
+        axle_torque: mean(|s| s.axle_torque),
         drag_noise: drag.and_then(|drag| noise(inside, reference, drag)),
     }
 }
@@ -180,12 +188,12 @@ pub fn peak(samples: &[BodySample]) -> Peak {
     };
     let drag = largest(|s| s.drag);
     Peak {
-        drag_N: drag.map(|s| s.drag),
+        drag: drag.map(|s| s.drag),
         at_m: drag.map(|s| s.displacement),
         at_s: drag.map(|s| s.time),
-        vertical_N: largest(|s| s.vertical).map(|s| s.vertical),
-        sinkage_m: samples.iter().map(|s| s.sinkage).filter(|z| z.is_finite()).max_by(f64::total_cmp),
-        axle_torque_Nm: largest(|s| s.axle_torque).map(|s| s.axle_torque),
+        vertical: largest(|s| s.vertical).map(|s| s.vertical),
+        sinkage: samples.iter().map(|s| s.sinkage).filter(|z| z.is_finite()).max_by(f64::total_cmp),
+        axle_torque: largest(|s| s.axle_torque).map(|s| s.axle_torque),
         leaked_m3: largest(|s| s.leaked_volume).map(|s| s.leaked_volume),
     }
 }
@@ -232,7 +240,7 @@ mod tests {
         samples.extend((1..500).map(|n| BodySample { time: last.time + f64::from(n), drag: 0.0, ..last }));
         assert_eq!(window(&samples, &disc(), 0.3), 700..1001);
         let result = steady(&samples, &disc(), 700..1001);
-        assert!((result.drag_N.unwrap() - 5.0).abs() < 1e-12);
+        assert!((result.drag.unwrap() - 5.0).abs() < 1e-12);
         assert!((result.turn_ratio.unwrap() - 0.9).abs() < 1e-12);
         assert!(result.drag_noise.unwrap() < 1e-12);
     }
@@ -252,8 +260,8 @@ mod tests {
         assert_eq!(steady(&[], &disc(), 0..0), Steady::default());
         let broken = vec![BodySample { drag: f64::NAN, time: f64::NAN, ..Default::default() }; 3];
         let range = window(&broken, &disc(), 0.3);
-        assert_eq!(steady(&broken, &disc(), range).drag_N, None);
-        assert_eq!(peak(&broken).drag_N, None);
+        assert_eq!(steady(&broken, &disc(), range).drag, None);
+        assert_eq!(peak(&broken).drag, None);
         assert!(moving_average(&[f64::NAN; 4], &[f64::NAN; 4], 1.0).iter().all(|v| v.is_finite()));
     }
 }

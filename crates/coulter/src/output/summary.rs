@@ -50,21 +50,29 @@ pub struct SoilSummary {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct EnergySummary {
     /// Work of loads, drives and gravity [J].
-    pub external_J: Option<f64>,
+    #[serde(rename = "external_J")]
+    pub external: Option<f64>,
     /// Kinetic energy [J].
-    pub kinetic_J: Option<f64>,
+    #[serde(rename = "kinetic_J")]
+    pub kinetic: Option<f64>,
     /// Elastic energy, less that at the start [J].
-    pub elastic_J: Option<f64>,
+    #[serde(rename = "elastic_J")]
+    pub elastic: Option<f64>,
     /// Plastic dissipation [J].
-    pub plastic_J: Option<f64>,
+    #[serde(rename = "plastic_J")]
+    pub plastic: Option<f64>,
     /// Dissipation in contact [J].
-    pub friction_J: Option<f64>,
+    #[serde(rename = "friction_J")]
+    pub friction: Option<f64>,
     /// Dissipation by bulk viscosity [J].
-    pub viscous_J: Option<f64>,
+    #[serde(rename = "viscous_J")]
+    pub viscous: Option<f64>,
     /// Dissipation by hourglass viscosity [J].
-    pub hourglass_J: Option<f64>,
+    #[serde(rename = "hourglass_J")]
+    pub hourglass: Option<f64>,
     /// Kinetic and elastic energy lost in remaps [J].
-    pub remap_loss_J: Option<f64>,
+    #[serde(rename = "remap_loss_J")]
+    pub remap_loss: Option<f64>,
     /// Unexplained energy over the external work.
     pub closure: Option<f64>,
 }
@@ -82,14 +90,14 @@ impl From<&EnergySample> for EnergySummary {
     fn from(e: &EnergySample) -> Self {
         let finite = |value: f64| value.is_finite().then_some(value);
         Self {
-            external_J: finite(e.external),
-            kinetic_J: finite(e.kinetic),
-            elastic_J: finite(e.elastic),
-            plastic_J: finite(e.plastic),
-            friction_J: finite(e.friction),
-            viscous_J: finite(e.viscous),
-            hourglass_J: finite(e.hourglass),
-            remap_loss_J: finite(e.remap_loss),
+            external: finite(e.external),
+            kinetic: finite(e.kinetic),
+            elastic: finite(e.elastic),
+            plastic: finite(e.plastic),
+            friction: finite(e.friction),
+            viscous: finite(e.viscous),
+            hourglass: finite(e.hourglass),
+            remap_loss: finite(e.remap_loss),
             closure: finite(e.closure()),
         }
     }

@@ -9,13 +9,13 @@ use solver::grid::Grid;
 use solver::state::{Body, Nodes, Soil, State};
 
 /// Diameter of the disc [m].
-pub const DIAMETER: f64 = 0.2;
+pub(crate) const DIAMETER: f64 = 0.2;
 const TRAVEL: f64 = 0.5;
 const DEPTH: f64 = 0.045;
 
 /// Which made-up case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub(crate) enum Kind {
     /// One disc, symmetric.
     Disc,
     /// A disc and a block, not symmetric.
@@ -42,7 +42,7 @@ fn faces(low: f64, high: f64, fine: [f64; 2], cell: f64, growth: f64) -> Vec<f64
 }
 
 /// The case.
-pub fn case(kind: Kind, cell: f64) -> Case {
+pub(crate) fn case(kind: Kind, cell: f64) -> Case {
     let symmetric = kind == Kind::Disc;
     let (low, high) =
         (DVec3::new(-0.4, if symmetric { 0.0 } else { -0.3 }, -0.35), DVec3::new(1.0, 0.3, 0.12));
@@ -150,7 +150,7 @@ fn height(kind: Kind, x: f64, y: f64) -> f64 {
 }
 
 /// The grid and the state at time `time` [s].
-pub fn state(case: &Case, kind: Kind, time: f64) -> (Grid, State) {
+pub(crate) fn state(case: &Case, kind: Kind, time: f64) -> (Grid, State) {
     let grid = Grid::new(case.grid.faces.clone());
     let (mut soil, mut nodes) = (Soil::empty(&grid), Nodes::at_rest(&grid));
     let [columns, rows, layers] = grid.cells();
@@ -198,7 +198,7 @@ fn triples(layers: usize, rows: usize, columns: usize) -> impl Iterator<Item = (
 }
 
 /// A history of `count` samples.
-pub fn history(case: &Case, count: usize) -> History {
+pub(crate) fn history(case: &Case, count: usize) -> History {
     let mut energy = Vec::new();
     let bodies = case.bodies.iter().map(|_| samples(count)).collect();
     for n in 0..count.max(2) / 2 {
@@ -255,7 +255,7 @@ fn samples(count: usize) -> Vec<BodySample> {
 }
 
 /// Statistics of a run that went well.
-pub fn statistics() -> RunStatistics {
+pub(crate) fn statistics() -> RunStatistics {
     RunStatistics {
         steps: 48_213,
         wall_seconds: 1734.2,
