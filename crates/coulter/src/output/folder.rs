@@ -40,14 +40,14 @@ pub(super) fn clear(dir: &Path, force: bool) -> Result<(), OutputError> {
 fn remove_result(dir: &Path, record: &RunRecord) -> Result<(), OutputError> {
     let names: Vec<String> = record.bodies.iter().map(|b| b.name.clone()).collect();
     let mut files: Vec<String> = (0..names.len()).map(|n| forces_name(&names, n)).collect();
-    let fixed = [SUMMARY, REPORT, "energy.csv", "rut.csv", RESOLVED, TYPED, LOG];
+    let fixed = [SUMMARY, REPORT, "energy.csv", RESOLVED, TYPED, LOG];
     files.extend(fixed.iter().chain(&LISTS).map(|name| (*name).to_owned()));
     for file in files {
         remove_file(&dir.join(file))?;
     }
     for (folder, endings) in [
         (FIELDS, &["vtr", "vtp"][..]),
-        (PICTURES, &["png", "svg"]),
+        (PICTURES, &["png", "svg", "csv"]),
         (PLOTS, &["svg"]),
         (CHECKPOINTS, &["checkpoint"]),
     ] {

@@ -4,9 +4,9 @@ use super::canvas::{Anchor, Canvas};
 use super::colour::{ColourMap, Rgb};
 use super::scale::{tick_label, ticks};
 
-const LEFT: f64 = 78.0;
+const LEFT: f64 = 84.0;
 const TOP: f64 = 62.0;
-const BOTTOM: f64 = 58.0;
+const BOTTOM: f64 = 64.0;
 const BAR_ROOM: f64 = 120.0;
 const BAR_WIDTH: f64 = 18.0;
 /// Largest extent of the drawn part of space [pixels].
@@ -52,12 +52,27 @@ impl Scale {
             let decades = (self.low.log10().round() as i32)..=(self.high.log10().round() as i32);
             let span = (self.high / self.low).log10();
             let share = |n: i32| (f64::from(n) - self.low.log10()) / span;
-            return decades.map(|n| (share(n), format!("{}", 10f64.powi(n)))).collect();
+            return decades.map(|n| (share(n), power_of_ten(n))).collect();
         }
         let (places, decimals) = ticks(self.low, self.high, 5);
         let share = |v: f64| (v - self.low) / (self.high - self.low);
         places.into_iter().map(|v| (share(v), tick_label(v, decimals))).collect()
     }
+}
+
+/// A power of ten as people write it.
+fn power_of_ten(n: i32) -> String {
+    if (-2..4).contains(&n) {
+        return format!("{}", 10f64.powi(n));
+    }
+    let raised = |c: char| match c {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        _ => char::from_u32(0x2070 + c.to_digit(10).unwrap_or(0)).unwrap_or(c),
+    };
+    format!("10{}", n.to_string().chars().map(raised).collect::<String>())
 }
 
 /// A view of a part of space on a canvas.
@@ -124,7 +139,7 @@ impl View {
     pub(super) fn finish(&mut self, title: &str, axes: [&str; 2], scale: &Scale) {
         self.axes(axes);
         self.bar(scale);
-        self.canvas.text(title, [LEFT, 22.0], 19.0, Anchor::Left);
+        self.canvas.text(title, [LEFT, 24.0], 21.0, Anchor::Left);
     }
 
     fn axes(&mut self, labels: [&str; 2]) {
@@ -138,16 +153,16 @@ impl View {
         for tick in places {
             let x = self.place([tick, 0.0])[0];
             self.canvas.line(&[[x, bottom], [x, bottom + 5.0]], INK, 1.0);
-            self.canvas.text(&tick_label(tick, decimals), [x, bottom + 15.0], 14.0, Anchor::Centre);
+            self.canvas.text(&tick_label(tick, decimals), [x, bottom + 17.0], 16.0, Anchor::Centre);
         }
         let (places, decimals) = ticks(self.upward[0], self.upward[1], (self.height / 70.0).ceil() as usize);
         for tick in places {
             let y = self.place([0.0, tick])[1];
             self.canvas.line(&[[LEFT - 5.0, y], [LEFT, y]], INK, 1.0);
-            self.canvas.text(&tick_label(tick, decimals), [LEFT - 9.0, y], 14.0, Anchor::Right);
+            self.canvas.text(&tick_label(tick, decimals), [LEFT - 9.0, y], 16.0, Anchor::Right);
         }
-        self.canvas.text(labels[0], [LEFT + 0.5 * self.width, bottom + 38.0], 16.0, Anchor::Centre);
-        self.canvas.text(labels[1], [18.0, 0.5 * (top + bottom)], 16.0, Anchor::Upwards);
+        self.canvas.text(labels[0], [LEFT + 0.5 * self.width, bottom + 42.0], 18.0, Anchor::Centre);
+        self.canvas.text(labels[1], [18.0, 0.5 * (top + bottom)], 18.0, Anchor::Upwards);
     }
 
     fn bar(&mut self, scale: &Scale) {
@@ -166,9 +181,9 @@ impl View {
         for (share, label) in scale.marks() {
             let y = top + height * (1.0 - share);
             self.canvas.line(&[[area[2], y], [area[2] + 5.0, y]], INK, 1.0);
-            self.canvas.text(&label, [area[2] + 9.0, y], 14.0, Anchor::Left);
+            self.canvas.text(&label, [area[2] + 9.0, y], 16.0, Anchor::Left);
         }
         let right = LEFT + self.width + BAR_ROOM - 6.0;
-        self.canvas.text(&scale.label, [right, 42.0], 14.5, Anchor::Right);
+        self.canvas.text(&scale.label, [right, 42.0], 16.0, Anchor::Right);
     }
 }

@@ -1,10 +1,10 @@
 //! Pictures of the soil: slices along the body's mid-plane, the rut from above, and its cross-section.
 
 use super::colour::{ColourMap, Rgb};
-use super::error::{OutputError, make_folder, write_whole};
+use super::error::{OutputError, make_folder};
 use super::fields::{CellView, attitude, shape_of};
 use super::frame::{Scale, View};
-use super::rut::section_chart;
+use super::rut::profiles;
 use super::scale::Unit;
 use super::surface::{HeightMap, reference_height};
 use crate::case::resolved::{Case, Ground};
@@ -32,7 +32,7 @@ pub struct Caption {
 }
 
 /// The pictures in the order of the report.
-pub const PICTURES: [Caption; 6] = [
+pub const PICTURES: [Caption; 7] = [
     Caption {
         file: "soil_plastic_strain.png",
         title: "Where the soil has yielded",
@@ -59,9 +59,14 @@ pub const PICTURES: [Caption; 6] = [
     },
     Caption {
         file: "rut_plan.png",
-        title: "The rut from above",
-        text: "Height of the free surface against the undisturbed one: blue is below (rut), brown above (berm). The dark \
-               outline is the body.",
+        title: "The surface from above",
+        text: "Height of the free surface against the undisturbed one: blue is below (rut), brown above (berm); of soil that \
+               was heaped on a floor, the height above the floor. The dark outline is the body.",
+    },
+    Caption {
+        file: "profile.svg",
+        title: "Profile along the tow",
+        text: "Height of the free surface in the mid-plane, at true scale: the bow wave ahead of the body, the rut behind it.",
     },
     Caption {
         file: "rut_section.svg",
@@ -96,7 +101,9 @@ pub fn write_pictures(dir: &Path, case: &Case, grid: &Grid, state: &State) -> Re
     scene.speed().write(&dir.join("soil_speed.png"))?;
     if !case.domain.plane_strain {
         scene.plan(&map).canvas.write(&dir.join("rut_plan.png"))?;
-        write_whole(&dir.join("rut_section.svg"), section_chart(case, state, &map).svg().as_bytes())?;
+    }
+    for profile in profiles(case, state, &map) {
+        profile.write(dir)?;
     }
     Ok(())
 }
@@ -125,12 +132,15 @@ impl<'a> Scene<'a> {
         let faces = &self.grid.faces[axis];
         let (first, last) = (faces[0], faces[faces.len() - 1]);
         let mut range = [(low - room).max(first), (high + room).min(last)];
-        if range[1] <= range[0] {
+        if range[1] <= range[0] || self.case.bodies.is_empty() {
             range = [first, last];
         }
+        // A body that has flown off (a run that broke down) must not drag the view along.
+        let far = [first - 0.5 * (last - first), last + 0.5 * (last - first)];
         for (body, shape) in self.state.bodies.iter().zip(&self.shapes) {
             let reach = reach(shape.as_ref(), body, axis);
             range = [range[0].min(reach[0] - 0.2 * room), range[1].max(reach[1] + 0.2 * room)];
+            range = [range[0].max(far[0]), range[1].min(far[1])];
         }
         range
     }
@@ -216,7 +226,7 @@ impl<'a> Scene<'a> {
     }
 
     fn plastic_strain(&self) -> super::canvas::Canvas {
-        let most = self.high_end(|c| c.plastic_strain).max(1e-4);
+        let most = self.high_end(|c| c.plastic_strain).max(1e-2);
         let high = 10f64.powf(most.log10().ceil());
         let label = "plastic strain [–], logarithmic".into();
         let scale = Scale { map: ColourMap::Sequential, low: 1e-3 * high, high, logarithmic: true, label };
@@ -224,7 +234,7 @@ impl<'a> Scene<'a> {
     }
 
     fn pressure(&self) -> super::canvas::Canvas {
-        let most = self.high_end(CellView::pressure);
+        let most = self.high_end(CellView::pressure).max(1.0);
         let unit = Unit::stress(most);
         let label = format!("pressure [{}]", unit.name);
         let scale = Scale::linear(ColourMap::Sequential, 0.0, most / unit.size, label);
@@ -234,7 +244,7 @@ impl<'a> Scene<'a> {
     }
 
     fn speed(&self) -> super::canvas::Canvas {
-        let most = self.high_end(|c| c.velocity.length());
+        let most = self.high_end(|c| c.velocity.length()).max(1e-6);
         let unit = Unit::speed(most);
         let scale =
             Scale::linear(ColourMap::Sequential, 0.0, most / unit.size, format!("speed [{}]", unit.name));

@@ -86,7 +86,7 @@ pub(super) fn write_report(
         bodies,
         pictures: pictures(dir)?,
         energy: energy_rows(summary),
-        ledgers: ledger_rows(summary),
+        ledgers: ledger_rows(record, summary),
         ledger_plots: ledger_plots.into_iter().map(figure).collect(),
         statistics: statistics(record, summary),
         resolved: text.resolved.clone(),

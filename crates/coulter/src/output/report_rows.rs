@@ -174,7 +174,7 @@ pub(super) fn energy_rows(summary: &Summary) -> Vec<Row> {
     rows
 }
 
-pub(super) fn ledger_rows(summary: &Summary) -> Vec<Row> {
+pub(super) fn ledger_rows(record: &RunRecord, summary: &Summary) -> Vec<Row> {
     let row = |name: &str, value: String, note: &str| Row {
         name: name.into(),
         symbol: "",
@@ -188,22 +188,24 @@ pub(super) fn ledger_rows(summary: &Summary) -> Vec<Row> {
     let surface = &summary.surface;
     let change =
         summary.soil.volume_ratio.map_or(NONE.to_owned(), |v| format!("{v:.6}").replace('-', "\u{2212}"));
-    vec![
+    let mut rows = vec![
         row("Soil volume, end over start", change, "dilation and elastic compression included"),
         row("Soil inside the bodies", litres(summary.soil.leaked_m3), "leakage at the end; 0 is right"),
-        row(
-            "Depth of the rut",
-            format!("{} mm", digits(1e3 * surface.rut_depth_m)),
-            "deepest point of the free surface",
-        ),
-        row(
-            "Height of the berm",
-            format!("{} mm", digits(1e3 * surface.berm_height_m)),
-            "highest point of the free surface",
-        ),
+    ];
+    let height = format!("{} mm", digits(1e3 * surface.berm_height_m));
+    if record.heaped {
+        rows.push(row("Height of the soil", height, "highest point above the floor"));
+        rows.push(row("Volume under the surface", litres(surface.berm_volume_m3), "by the height map"));
+        return rows;
+    }
+    let depth = format!("{} mm", digits(1e3 * surface.rut_depth_m));
+    rows.extend([
+        row("Depth of the rut", depth, "deepest point of the free surface"),
+        row("Height of the berm", height, "highest point of the free surface"),
         row("Volume of the rut", litres(surface.rut_volume_m3), "below the undisturbed surface"),
         row("Volume of the berms", litres(surface.berm_volume_m3), "above it"),
-    ]
+    ]);
+    rows
 }
 
 pub(super) fn statistics(record: &RunRecord, summary: &Summary) -> Vec<[String; 2]> {

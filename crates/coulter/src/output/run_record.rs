@@ -5,6 +5,7 @@ use super::describe::describe;
 use super::error::{OutputError, read_json, write_json};
 use super::reference::Reference;
 use crate::case::Case;
+use crate::case::resolved::Ground;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -93,6 +94,8 @@ pub struct RunRecord {
     pub steady_share: f64,
     /// Whether only y ≥ 0 is modelled.
     pub symmetric: bool,
+    /// Whether the soil was heaped on a floor instead of lying level.
+    pub heaped: bool,
     /// Whether it is plane strain.
     pub plane_strain: bool,
     /// The bodies.
@@ -119,6 +122,7 @@ impl RunRecord {
             duration: case.duration,
             steady_share: case.output.steady_share,
             symmetric: case.domain.symmetric,
+            heaped: matches!(case.ground, Ground::Column { .. }),
             plane_strain: case.domain.plane_strain,
             bodies: Reference::all(case),
             overlays: Vec::new(),

@@ -2,14 +2,17 @@
 
 use super::chart::{Chart, Curve, Stroke};
 use super::colour::ColourMap;
+use super::error::{OutputError, write_whole};
 use super::fields::{attitude, shape_of};
 use super::frame::{Scale, View};
 use super::picture::{OUTLINE, Scene, find};
-use super::scale::largest;
+use super::scale::{digits, largest};
 use super::surface::HeightMap;
+use super::table::push_line;
 use crate::case::resolved::{Case, Ground};
 use physics::shape::Shape;
 use solver::state::{Body, State};
+use std::path::Path;
 
 impl Scene<'_> {
     /// The free surface from above.
@@ -51,35 +54,88 @@ fn height_scale(map: &HeightMap, level: bool, across: [f64; 2], sideways: [f64; 
     }
 }
 
-/// The cross-section of the rut behind the first body, as a chart; of the middle of the domain without one.
-pub(super) fn section_chart(case: &Case, state: &State, map: &HeightMap) -> Chart {
+/// A cut through the free surface.
+pub(super) struct Profile {
+    name: &'static str,
+    title: String,
+    /// The horizontal axis: `x` or `y`.
+    axis: char,
+    /// Place along the axis and height over the undisturbed surface [m].
+    points: Vec<[f64; 2]>,
+    /// The part of the axis that the chart shows [m].
+    shown: [f64; 2],
+}
+
+/// The profile along the tow in the mid-plane, and the cross-section of the rut behind the first body.
+pub(super) fn profiles(case: &Case, state: &State, map: &HeightMap) -> Vec<Profile> {
+    let rise = |points: Vec<[f64; 2]>| points.into_iter().map(|p| [p[0], p[1] - map.reference]).collect();
+    let y = state
+        .bodies
+        .first()
+        .map_or(0.5 * (map.edges[1][0] + map.edges[1][map.edges[1].len() - 1]), |b| b.position.y);
+    let everything = [f64::NEG_INFINITY, f64::INFINITY];
+    let along = Profile {
+        name: "profile",
+        title: format!("Free surface along the tow, y = {} m", digits(y)),
+        axis: 'x',
+        points: rise(map.along(y)),
+        shown: everything,
+    };
+    if state.bodies.is_empty() || case.domain.plane_strain {
+        return vec![along];
+    }
     let x = section_place(case, state);
-    let profile = map.section(x[0], x[1]);
     let reach = 1.2 * case.grid.fine_high.y.abs().max(case.grid.fine_low.y.abs());
-    let shown = |p: &&[f64; 2]| reach <= 0.0 || p[0].abs() <= reach;
-    let points: Vec<[f64; 2]> =
-        profile.iter().filter(shown).map(|p| [1e3 * p[0], 1e3 * (p[1] - map.reference)]).collect();
-    let ends = [points.first(), points.last()].map(|p| [p.map_or(0.0, |p| p[0]), 0.0]);
-    Chart {
-        title: format!("Free surface across the tow, x = {:.3} … {:.3} m", x[0], x[1]),
-        x_label: "y [mm]".to_owned(),
-        y_label: "height [mm]".to_owned(),
-        true_scale: true,
-        with_zero: true,
-        height: 260.0,
-        curves: vec![
-            Curve { name: "undisturbed".into(), points: ends.to_vec(), colour: 6, stroke: Stroke::Dashed },
-            Curve::solid("at the end", 5, points),
-        ],
-        ..Chart::default()
+    let across = Profile {
+        name: "rut_section",
+        title: format!("Free surface across the tow, x = {} … {} m", digits(x[0]), digits(x[1])),
+        axis: 'y',
+        points: rise(map.section(x[0], x[1])),
+        shown: if reach > 0.0 { [-reach, reach] } else { everything },
+    };
+    vec![along, across]
+}
+
+impl Profile {
+    /// Writes the profile as a table and as a chart.
+    pub(super) fn write(&self, dir: &Path) -> Result<(), OutputError> {
+        let mut table = format!("{} [m],height [m]\n", self.axis);
+        for point in &self.points {
+            push_line(&mut table, point);
+        }
+        write_whole(&dir.join(format!("{}.csv", self.name)), table.as_bytes())?;
+        write_whole(&dir.join(format!("{}.svg", self.name)), self.chart().svg().as_bytes())
+    }
+
+    fn chart(&self) -> Chart {
+        let inside = |p: &&[f64; 2]| p[0] >= self.shown[0] && p[0] <= self.shown[1];
+        let points: Vec<[f64; 2]> = self.points.iter().filter(inside).map(|p| p.map(|v| 1e3 * v)).collect();
+        let ends = [points.first(), points.last()].map(|p| [p.map_or(0.0, |p| p[0]), 0.0]);
+        Chart {
+            title: self.title.clone(),
+            x_label: format!("{} [mm]", self.axis),
+            y_label: "height [mm]".to_owned(),
+            true_scale: true,
+            with_zero: true,
+            height: 250.0,
+            curves: vec![
+                Curve {
+                    name: "undisturbed".into(),
+                    points: ends.to_vec(),
+                    colour: 6,
+                    stroke: Stroke::Dashed,
+                },
+                Curve::solid("at the end", 5, points),
+            ],
+            ..Chart::default()
+        }
     }
 }
 
 /// Where the cross-section is taken, along x [m].
-pub(super) fn section_place(case: &Case, state: &State) -> [f64; 2] {
+fn section_place(case: &Case, state: &State) -> [f64; 2] {
     let Some((body, described)) = state.bodies.first().zip(case.bodies.first()) else {
-        let middle = 0.5 * (case.domain.low.x + case.domain.high.x);
-        return [middle, middle];
+        return [case.domain.low.x, case.domain.high.x];
     };
     let shape = shape_of(&described.shape);
     let length = shape.bounds().1.x - shape.bounds().0.x;

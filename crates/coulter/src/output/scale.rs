@@ -20,7 +20,7 @@ pub(super) fn ticks(low: f64, high: f64, count: usize) -> (Vec<f64>, usize) {
 }
 
 fn is_whole(value: f64) -> bool {
-    (value - value.round()).abs() < 1e-6 * value.abs().max(1e-9)
+    value.round() != 0.0 && (value - value.round()).abs() < 1e-6 * value.abs()
 }
 
 /// A tick's label, with a true minus sign.

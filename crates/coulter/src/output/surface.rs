@@ -91,6 +91,13 @@ impl HeightMap {
         figures
     }
 
+    /// Height [m] of the row of columns at `y` [m], for each column along x.
+    #[must_use]
+    pub fn along(&self, y: f64) -> Vec<[f64; 2]> {
+        let row = nearest(&self.edges[1], y);
+        self.centres[0].iter().enumerate().map(|(i, x)| [*x, self.at(i, row)]).collect()
+    }
+
     /// Mean height [m] over the columns whose middles lie in `from..=to` along x, for each row along y.
     #[must_use]
     pub fn section(&self, from: f64, to: f64) -> Vec<[f64; 2]> {
@@ -105,6 +112,11 @@ impl HeightMap {
         let mean = |j: usize| inside.iter().map(|&i| self.at(i, j)).sum::<f64>() / inside.len() as f64;
         self.centres[1].iter().enumerate().map(|(j, y)| [*y, mean(j)]).collect()
     }
+}
+
+/// Number of the interval that holds `value`, or the nearest to it.
+fn nearest(edges: &[f64], value: f64) -> usize {
+    edges.partition_point(|edge| *edge <= value).saturating_sub(1).min(edges.len().saturating_sub(2))
 }
 
 /// Height of the surface in one column [m]: from above, the first cell at least half full; its soil and that of the

@@ -265,6 +265,10 @@ fn strange_runs_are_reported_too() {
         }
         state.soil.plastic_strain.fill(f64::NAN);
         state.soil.stress[2].fill(f64::INFINITY);
+        if let Some(body) = state.bodies.first_mut() {
+            body.position = glam::DVec3::new(1e30, f64::NAN, f64::NEG_INFINITY);
+            body.angle = f64::NAN;
+        }
         let empty = coulter::output::record::History { energy: vec![], ..history(&case, 0) };
         let constant = history(&case, 1);
         for history in [&broken, &empty, &constant] {
