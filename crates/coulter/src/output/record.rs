@@ -64,9 +64,9 @@ pub struct EnergySample {
 }
 
 impl EnergySample {
-    /// Energy that nobody can account for, over the external work (0 = closed).
+    /// Energy that nobody can account for [J].
     #[must_use]
-    pub fn closure(&self) -> f64 {
+    pub fn unexplained(&self) -> f64 {
         let known = self.kinetic
             + self.elastic
             + self.plastic
@@ -74,8 +74,14 @@ impl EnergySample {
             + self.viscous
             + self.hourglass
             + self.remap_loss;
+        self.external - known
+    }
+
+    /// Energy that nobody can account for, over the external work (0 = closed).
+    #[must_use]
+    pub fn closure(&self) -> f64 {
         let scale = self.external.abs().max(self.plastic.abs()).max(self.kinetic.abs());
-        if scale > 0.0 { (self.external - known) / scale } else { 0.0 }
+        if scale > 0.0 { self.unexplained() / scale } else { 0.0 }
     }
 }
 

@@ -1,0 +1,266 @@
+//! Line charts as SVG text: one look for every plot of a report. Text and frame take the colour of the page around
+//! them, so that a chart is at home on light and dark pages and on paper.
+
+use super::chart_marks::{BOTTOM, Frame, LEFT, RIGHT, WIDTH, draw_curve, draw_level, key, marked, plain};
+use super::scale::{padded_range, tick_label, ticks};
+use std::fmt::Write as _;
+
+/// How a curve is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stroke {
+    /// A strong line.
+    Solid,
+    /// A thin pale line: raw data behind a smoothed curve.
+    Faint,
+    /// A dashed line: a forecast or another source.
+    Dashed,
+    /// Dots: a measurement.
+    Dots,
+}
+
+/// A curve.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    /// Name in the legend; nothing for no entry.
+    pub name: String,
+    /// Points; a gap where one is not a number.
+    pub points: Vec<[f64; 2]>,
+    /// Number of its colour.
+    pub colour: usize,
+    /// How it is drawn.
+    pub stroke: Stroke,
+}
+
+/// A level with its name, drawn over a part of the x axis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Level {
+    /// What it says at its end.
+    pub label: String,
+    /// Height on the y axis.
+    pub value: f64,
+    /// Where it begins on the x axis.
+    pub from: f64,
+    /// Where it ends.
+    pub to: f64,
+    /// Number of its colour.
+    pub colour: usize,
+}
+
+/// A chart of curves over two linear axes. Labels may hold subscripts: `F_H`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Chart {
+    /// Title above it.
+    pub title: String,
+    /// Label of the x axis, with symbol and unit.
+    pub x_label: String,
+    /// Label of the y axis, with symbol and unit.
+    pub y_label: String,
+    /// Whether y grows downwards (depths).
+    pub y_down: bool,
+    /// Whether one unit is as long on both axes.
+    pub true_scale: bool,
+    /// Height of the picture in pixels; 0 for the usual one.
+    pub height: f64,
+    /// Whether y = 0 has to be in view.
+    pub with_zero: bool,
+    /// The curves, first below.
+    pub curves: Vec<Curve>,
+    /// Shaded part of the x axis.
+    pub shaded: Option<[f64; 2]>,
+    /// Levels.
+    pub levels: Vec<Level>,
+}
+
+impl Curve {
+    /// A strong line.
+    #[must_use]
+    pub fn solid(name: &str, colour: usize, points: Vec<[f64; 2]>) -> Self {
+        Self { name: name.to_owned(), points, colour, stroke: Stroke::Solid }
+    }
+}
+
+impl Chart {
+    /// The chart as SVG text.
+    #[must_use]
+    pub fn svg(&self) -> String {
+        let height = if self.height > 0.0 { self.height } else { 330.0 };
+        let legend = self.legend();
+        let top = if self.title.is_empty() { 10.0 } else { 30.0 } + 18.0 * legend.len() as f64;
+        let frame = self.frame(top, height - BOTTOM);
+        let mut svg = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height}\" role=\"img\" \
+             aria-label=\"{}\" font-family=\"system-ui, 'Segoe UI', 'DejaVu Sans', sans-serif\" font-size=\"12\" \
+             fill=\"currentColor\">\n",
+            plain(&self.title)
+        );
+        self.draw_ground(&mut svg, &frame);
+        for curve in &self.curves {
+            draw_curve(&mut svg, &frame, curve);
+        }
+        for level in &self.levels {
+            draw_level(&mut svg, &frame, level);
+        }
+        if !self.title.is_empty() {
+            let _ = writeln!(
+                svg,
+                "<text x=\"{LEFT}\" y=\"17\" font-size=\"14\" font-weight=\"600\">{}</text>",
+                marked(&self.title)
+            );
+        }
+        svg.push_str(&legend.concat());
+        svg.push_str("</svg>\n");
+        svg
+    }
+
+    fn frame(&self, top: f64, bottom: f64) -> Frame {
+        let points =
+            || self.curves.iter().flat_map(|c| &c.points).filter(|p| p[0].is_finite() && p[1].is_finite());
+        let zero = self.with_zero.then_some(0.0);
+        let mut x = padded_range(points().map(|p| p[0]), 0.0);
+        let mut y =
+            padded_range(points().map(|p| p[1]).chain(self.levels.iter().map(|l| l.value)).chain(zero), 0.06);
+        if self.true_scale {
+            x = padded_range(points().map(|p| p[0]), 0.02);
+            let per_pixel = ((x[1] - x[0]) / (WIDTH - LEFT - RIGHT)).max((y[1] - y[0]) / (bottom - top));
+            x = widened(x, per_pixel * (WIDTH - LEFT - RIGHT));
+            y = widened(y, per_pixel * (bottom - top));
+        }
+        Frame { x, y, top, bottom, y_down: self.y_down }
+    }
+
+    fn draw_ground(&self, svg: &mut String, frame: &Frame) {
+        let (right, top, bottom) = (WIDTH - RIGHT, frame.top, frame.bottom);
+        if let Some([from, to]) = self.shaded.filter(|s| s.iter().all(|x| x.is_finite())) {
+            let (a, b) = (frame.x_at(from).clamp(LEFT, right), frame.x_at(to).clamp(LEFT, right));
+            let _ = writeln!(
+                svg,
+                "<rect x=\"{:.1}\" y=\"{top:.1}\" width=\"{:.1}\" height=\"{:.1}\" opacity=\"0.07\"/>",
+                a.min(b),
+                (b - a).abs(),
+                bottom - top
+            );
+        }
+        let (x_ticks, x_decimals) = ticks(frame.x[0], frame.x[1], 6);
+        for tick in x_ticks {
+            let x = frame.x_at(tick);
+            let _ = write!(
+                svg,
+                "<path d=\"M{x:.1} {top:.1}V{bottom:.1}\" stroke=\"currentColor\" stroke-opacity=\"0.13\"/>"
+            );
+            let _ = writeln!(
+                svg,
+                "<text x=\"{x:.1}\" y=\"{:.1}\" text-anchor=\"middle\" opacity=\"0.8\">{}</text>",
+                bottom + 16.0,
+                tick_label(tick, x_decimals)
+            );
+        }
+        let (y_ticks, y_decimals) = ticks(frame.y[0], frame.y[1], if self.true_scale { 5 } else { 6 });
+        for tick in y_ticks {
+            let y = frame.y_at(tick);
+            let strength = if tick == 0.0 { 0.45 } else { 0.13 };
+            let _ = write!(
+                svg,
+                "<path d=\"M{LEFT} {y:.1}H{right}\" stroke=\"currentColor\" stroke-opacity=\"{strength}\"/>"
+            );
+            let _ = writeln!(
+                svg,
+                "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\" opacity=\"0.8\">{}</text>",
+                LEFT - 7.0,
+                y + 4.0,
+                tick_label(tick, y_decimals)
+            );
+        }
+        let _ = writeln!(
+            svg,
+            "<rect x=\"{LEFT}\" y=\"{top:.1}\" width=\"{:.1}\" height=\"{:.1}\" fill=\"none\" stroke=\"currentColor\" stroke-opacity=\"0.5\"/>",
+            right - LEFT,
+            bottom - top
+        );
+        self.draw_labels(svg, frame);
+    }
+
+    fn draw_labels(&self, svg: &mut String, frame: &Frame) {
+        let middle = 0.5 * (LEFT + WIDTH - RIGHT);
+        let _ = writeln!(
+            svg,
+            "<text x=\"{middle:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text>",
+            frame.bottom + 36.0,
+            marked(&self.x_label)
+        );
+        let _ = writeln!(
+            svg,
+            "<text transform=\"translate(15 {:.1}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
+            0.5 * (frame.top + frame.bottom),
+            marked(&self.y_label)
+        );
+    }
+
+    /// The legend's entries, line by line.
+    fn legend(&self) -> Vec<String> {
+        let named: Vec<&Curve> = self.curves.iter().filter(|c| !c.name.is_empty()).collect();
+        let base = if self.title.is_empty() { 14.0 } else { 35.0 };
+        let (mut lines, mut x): (Vec<String>, f64) = (Vec::new(), f64::INFINITY);
+        for curve in named {
+            let wide = 34.0 + 6.6 * plain(&curve.name).chars().count() as f64;
+            if x + wide > WIDTH - RIGHT {
+                x = LEFT;
+                lines.push(String::new());
+            }
+            let y = base + 18.0 * (lines.len() as f64 - 1.0);
+            if let Some(line) = lines.last_mut() {
+                let _ = write!(line, "{}", key(curve, x, y));
+                let _ = writeln!(
+                    line,
+                    "<text x=\"{:.1}\" y=\"{:.1}\">{}</text>",
+                    x + 22.0,
+                    y + 4.0,
+                    marked(&curve.name)
+                );
+            }
+            x += wide;
+        }
+        lines
+    }
+}
+
+fn widened([low, high]: [f64; 2], span: f64) -> [f64; 2] {
+    let middle = 0.5 * (low + high);
+    [middle - 0.5 * span, middle + 0.5 * span]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn strange_series_are_drawn() {
+        let odd: [Vec<[f64; 2]>; 6] = [
+            vec![],
+            vec![[0.0, 0.0]],
+            vec![[1.0, 5.0]; 9],
+            vec![[f64::NAN, f64::NAN]; 9],
+            vec![[0.0, 1.0], [1.0, f64::NAN], [2.0, f64::INFINITY], [3.0, -1e300]],
+            vec![[0.0, 1e-320], [1e-320, 0.0]],
+        ];
+        for points in odd {
+            for stroke in [Stroke::Solid, Stroke::Dots] {
+                let curve = Curve { name: "a_b <c>".into(), points: points.clone(), colour: 99, stroke };
+                let level = Level { label: "m".into(), value: f64::NAN, from: 0.0, to: 1.0, colour: 0 };
+                for true_scale in [false, true] {
+                    let chart = Chart {
+                        curves: vec![curve.clone()],
+                        levels: vec![level.clone()],
+                        shaded: Some([f64::NAN, 1.0]),
+                        true_scale,
+                        ..Chart::default()
+                    };
+                    let svg = chart.svg();
+                    assert!(
+                        svg.ends_with("</svg>\n") && !svg.contains("NaN") && !svg.contains("inf"),
+                        "{svg}"
+                    );
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,177 @@
+//! What is drawn inside the axes of a chart: curves, levels, text with subscripts.
+
+use super::chart::{Curve, Level, Stroke};
+use super::colour::CURVES;
+use std::fmt::Write as _;
+
+/// A curve has at most so many points when drawn; more could not be seen.
+const MOST_POINTS: usize = 1600;
+/// Width of a chart [pixels], and the room round its axes.
+pub(super) const WIDTH: f64 = 560.0;
+pub(super) const LEFT: f64 = 66.0;
+pub(super) const RIGHT: f64 = 16.0;
+pub(super) const BOTTOM: f64 = 46.0;
+
+/// Where the axes lie in the picture.
+pub(super) struct Frame {
+    pub(super) x: [f64; 2],
+    pub(super) y: [f64; 2],
+    pub(super) top: f64,
+    pub(super) bottom: f64,
+    pub(super) y_down: bool,
+}
+
+impl Frame {
+    pub(super) fn x_at(&self, x: f64) -> f64 {
+        LEFT + (WIDTH - LEFT - RIGHT) * (x - self.x[0]) / (self.x[1] - self.x[0])
+    }
+
+    pub(super) fn y_at(&self, y: f64) -> f64 {
+        let share = (y - self.y[0]) / (self.y[1] - self.y[0]);
+        let up = if self.y_down { 1.0 - share } else { share };
+        self.bottom - (self.bottom - self.top) * up
+    }
+}
+
+fn colour(number: usize) -> &'static str {
+    CURVES[number % CURVES.len()]
+}
+
+fn pen(curve: &Curve) -> String {
+    let (width, more) = match curve.stroke {
+        Stroke::Solid | Stroke::Dots => (2.0, ""),
+        Stroke::Faint => (0.8, " stroke-opacity=\"0.45\""),
+        Stroke::Dashed => (2.0, " stroke-dasharray=\"6 4\""),
+    };
+    format!("stroke=\"{}\" stroke-width=\"{width}\"{more}", colour(curve.colour))
+}
+
+pub(super) fn key(curve: &Curve, x: f64, y: f64) -> String {
+    match curve.stroke {
+        Stroke::Dots => {
+            format!("<circle cx=\"{:.1}\" cy=\"{y:.1}\" r=\"3\" fill=\"{}\"/>", x + 9.0, colour(curve.colour))
+        }
+        _ => format!("<path d=\"M{x:.1} {y:.1}h18\" {}/>", pen(curve)),
+    }
+}
+
+pub(super) fn draw_curve(svg: &mut String, frame: &Frame, curve: &Curve) {
+    if curve.stroke == Stroke::Dots {
+        for [x, y] in thinned(&curve.points) {
+            if x.is_finite() && y.is_finite() {
+                let (cx, cy) = (frame.x_at(x), frame.y_at(y));
+                let _ = writeln!(
+                    svg,
+                    "<circle cx=\"{cx:.1}\" cy=\"{cy:.1}\" r=\"2.5\" fill=\"{}\"/>",
+                    colour(curve.colour)
+                );
+            }
+        }
+        return;
+    }
+    let mut path = String::new();
+    let mut pen_up = true;
+    for [x, y] in thinned(&curve.points) {
+        if x.is_finite() && y.is_finite() {
+            let _ =
+                write!(path, "{}{:.1} {:.1}", if pen_up { 'M' } else { 'L' }, frame.x_at(x), frame.y_at(y));
+            pen_up = false;
+        } else {
+            pen_up = true;
+        }
+    }
+    if !path.is_empty() {
+        let _ = writeln!(svg, "<path d=\"{path}\" fill=\"none\" stroke-linejoin=\"round\" {}/>", pen(curve));
+    }
+}
+
+pub(super) fn draw_level(svg: &mut String, frame: &Frame, level: &Level) {
+    if ![level.value, level.from, level.to].iter().all(|v| v.is_finite()) {
+        return;
+    }
+    let (a, b, y) = (frame.x_at(level.from), frame.x_at(level.to), frame.y_at(level.value));
+    let _ = writeln!(
+        svg,
+        "<path d=\"M{a:.1} {y:.1}H{b:.1}\" stroke=\"{0}\" stroke-width=\"1.4\" stroke-dasharray=\"2 3\"/>\
+         <text x=\"{1:.1}\" y=\"{2:.1}\" text-anchor=\"end\" font-size=\"11\" fill=\"{0}\" stroke=\"var(--page, #fff)\" \
+         stroke-width=\"3.5\" paint-order=\"stroke\" stroke-linejoin=\"round\">{3}</text>",
+        colour(level.colour),
+        b.max(a) - 4.0,
+        y - 5.0,
+        marked(&level.label)
+    );
+}
+
+/// At most about [`MOST_POINTS`] points that keep every peak: of each run of neighbours the first, the lowest and the
+/// highest. Gaps stay gaps.
+fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    if points.len() <= MOST_POINTS {
+        return points.to_vec();
+    }
+    let run = (4 * points.len()).div_ceil(MOST_POINTS);
+    let mut kept = Vec::new();
+    for (n, part) in points.chunks(run).enumerate() {
+        let by_height = |&a: &usize, &b: &usize| part[a][1].total_cmp(&part[b][1]);
+        let finite = || (0..part.len()).filter(|&m| part[m][1].is_finite());
+        let mut places = vec![0];
+        places.extend(finite().min_by(by_height));
+        places.extend(finite().max_by(by_height));
+        places.extend((0..part.len()).find(|&m| !part[m][1].is_finite()));
+        if (n + 1) * run >= points.len() {
+            places.push(part.len() - 1);
+        }
+        places.sort_unstable();
+        places.dedup();
+        kept.extend(places.into_iter().map(|m| part[m]));
+    }
+    kept
+}
+
+/// Text with the letters that XML keeps for itself spelled out.
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+pub(super) fn plain(text: &str) -> String {
+    escaped(&text.replace('_', ""))
+}
+
+/// Text with subscripts: letters and digits behind `_` are lowered.
+pub(super) fn marked(text: &str) -> String {
+    let mut result = String::new();
+    let mut parts = text.split('_');
+    result.push_str(&escaped(parts.next().unwrap_or_default()));
+    for part in parts {
+        let end = part.find(|c: char| !c.is_alphanumeric()).unwrap_or(part.len());
+        let (low, rest) = part.split_at(end);
+        let _ = write!(result, "<tspan dy=\"3\" font-size=\"75%\">{}</tspan>", escaped(low));
+        if !rest.is_empty() {
+            let _ = write!(result, "<tspan dy=\"-3\">{}</tspan>", escaped(rest));
+        }
+    }
+    result
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_series_are_thinned_and_keep_their_peak() {
+        let mut points: Vec<[f64; 2]> =
+            (0..50_000).map(|n| [f64::from(n), (f64::from(n) * 0.7).sin()]).collect();
+        points[31_234][1] = 9.0;
+        let few = thinned(&points);
+        assert!(few.len() <= MOST_POINTS + 4, "{}", few.len());
+        assert!(few.contains(&[31_234.0, 9.0]));
+        assert_eq!(few.last(), points.last());
+    }
+
+    #[test]
+    fn subscripts_are_lowered() {
+        assert_eq!(
+            marked("F_H [N]"),
+            "F<tspan dy=\"3\" font-size=\"75%\">H</tspan><tspan dy=\"-3\"> [N]</tspan>"
+        );
+    }
+}

@@ -1,0 +1,80 @@
+//! The case in a few words, for the head of a report.
+
+use crate::case::resolved::{Body, Case, Freedom, Law, Shape};
+use crate::output::scale::{Unit, digits};
+
+/// Lines "what: how" on soil and bodies.
+pub(super) fn describe(case: &Case) -> Vec<[String; 2]> {
+    let mut lines = vec![["Soil".to_owned(), soil(case)]];
+    let several = case.bodies.len() > 1;
+    for body in &case.bodies {
+        let title = if several { body.name.clone() } else { "Body".to_owned() };
+        lines.push([title, describe_body(body)]);
+    }
+    lines
+}
+
+fn quantity(value: f64, unit: Unit) -> String {
+    format!("{} {}", digits(value / unit.size), unit.name)
+}
+
+fn stress(value: f64) -> String {
+    if value == 0.0 { "0".to_owned() } else { quantity(value, Unit::stress(value)) }
+}
+
+fn degrees(angle: f64) -> String {
+    format!("{}°", digits(angle.to_degrees()))
+}
+
+fn soil(case: &Case) -> String {
+    let soil = &case.soil;
+    let law = match soil.law {
+        Law::Elastic => "linear elastic".to_owned(),
+        Law::Tresca { shear_strength } => format!("Tresca, s_u = {}", stress(shear_strength)),
+        Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, .. } => format!(
+            "Mohr–Coulomb, φ = {}, ψ = {}, c = {}",
+            degrees(friction_angle),
+            degrees(dilation_angle),
+            stress(cohesion)
+        ),
+    };
+    let weight = if soil.unit_weight > 0.0 {
+        format!("γ = {} kN/m³", digits(soil.unit_weight / 1e3))
+    } else {
+        format!("weightless, ρ = {} kg/m³", digits(soil.density))
+    };
+    format!("{law}, E = {}, ν = {}, {weight}", stress(soil.young_modulus), digits(soil.poisson_ratio))
+}
+
+fn describe_body(body: &Body) -> String {
+    let length = |value: f64| quantity(value, Unit::length(value));
+    let shape = match body.shape {
+        Shape::Disc { diameter, thickness } => {
+            format!("disc, d = {}, t = {}", length(diameter), length(thickness))
+        }
+        Shape::Block { size } => {
+            format!("block, {} × {} × {}", length(size.x), length(size.y), length(size.z))
+        }
+    };
+    let friction = if body.friction.is_finite() {
+        format!("μ = {}", digits(body.friction))
+    } else {
+        "rough".to_owned()
+    };
+    let [tow, _, heave] = &body.translation;
+    let motions = [
+        motion(tow, "tow", "m/s", "N"),
+        motion(heave, "heave", "m/s", "N"),
+        motion(&body.spin, "spin", "rad/s", "N m"),
+    ];
+    format!("{shape}, {friction}; {}", motions.join("; "))
+}
+
+fn motion(freedom: &Freedom, name: &str, speed_unit: &str, load_unit: &str) -> String {
+    match freedom {
+        Freedom::Fixed => format!("{name} fixed"),
+        Freedom::Prescribed { speed, .. } => format!("{name} {} {speed_unit}", digits(*speed)),
+        Freedom::Free { load, .. } if *load == 0.0 => format!("{name} free"),
+        Freedom::Free { load, .. } => format!("{name} free under {} {load_unit}", digits(*load)),
+    }
+}

@@ -1,0 +1,310 @@
+//! The plots of a run: forces, sinkage, rotation, torque and the energy ledger.
+
+use super::chart::{Chart, Curve, Level, Stroke};
+use super::record::BodySample;
+use super::reference::Reference;
+use super::run_record::{Overlay, PlotKind};
+use super::scale::{Unit, digits, largest};
+use super::steady::{Steady, is_tow, moving_average};
+
+/// Width of the moving average of the strong force curves, over the reference length d (chosen: hides the grid's
+/// rhythm, keeps what a cell width or more of tow does).
+pub const SMOOTHING: f64 = 0.05;
+/// First colour of overlays; the run's own curves come before it.
+const OVERLAY_COLOUR: usize = 3;
+
+/// A quantity of a history with its name.
+type Entry = (&'static str, fn(&BodySample) -> f64);
+
+/// A plot of a report: its name (for the file), the SVG text, and what to look for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plot {
+    /// Name for a file.
+    pub name: String,
+    /// The picture as SVG text.
+    pub svg: String,
+    /// What it shows.
+    pub caption: String,
+}
+
+/// One body's history, with what is known about it.
+#[derive(Clone, Copy, Debug)]
+pub struct BodyHistory<'a> {
+    /// The body's reference lengths and force.
+    pub reference: &'a Reference,
+    /// Its samples.
+    pub samples: &'a [BodySample],
+    /// Averages over the steady window.
+    pub steady: &'a Steady,
+    /// Curves to lay over the plots.
+    pub overlays: &'a [Overlay],
+}
+
+/// The abscissa of a body's plots: displacement when it is towed, else time.
+struct Abscissa {
+    values: Vec<f64>,
+    label: String,
+    unit: f64,
+    window: Option<[f64; 2]>,
+    smoothing: f64,
+    tows: bool,
+}
+
+impl BodyHistory<'_> {
+    /// All plots of the body that have something to show.
+    #[must_use]
+    pub fn plots(&self) -> Vec<Plot> {
+        let mut plots = vec![self.forces(), self.force_sinkage(), self.sinkage()];
+        if self.reference.turns || self.samples.iter().any(|s| s.rotation != 0.0) {
+            plots.extend([self.turn_ratio(), self.rotation()]);
+        }
+        if self.reference.radius.is_some() {
+            plots.push(self.axle_torque());
+        }
+        plots
+    }
+
+    fn plot(&self, name: &str, chart: Chart, caption: &str) -> Plot {
+        let caption = caption.to_owned();
+        Plot { name: format!("{}_{name}", self.reference.name), svg: chart.svg(), caption }
+    }
+
+    fn abscissa(&self) -> Abscissa {
+        let window = |from: Option<f64>, to: Option<f64>, unit: f64| Some([from? / unit, to? / unit]);
+        if is_tow(self.samples, self.reference) {
+            let metres: Vec<f64> = self.samples.iter().map(|s| s.displacement).collect();
+            let unit = Unit::length(largest(metres.iter().copied()));
+            return Abscissa {
+                window: window(self.steady.from_m, self.steady.to_m, unit.size),
+                values: metres.iter().map(|u| u / unit.size).collect(),
+                label: format!("displacement u [{}]", unit.name),
+                unit: unit.size,
+                smoothing: SMOOTHING * self.reference.length / unit.size,
+                tows: true,
+            };
+        }
+        let values: Vec<f64> = self.samples.iter().map(|s| s.time).collect();
+        let span = values.last().copied().unwrap_or(0.0) - values.first().copied().unwrap_or(0.0);
+        Abscissa {
+            window: window(self.steady.from_s, self.steady.to_s, 1.0),
+            values,
+            label: "time [s]".to_owned(),
+            unit: 1.0,
+            smoothing: 0.01 * span,
+            tows: false,
+        }
+    }
+
+    fn series(&self, along: &[f64], unit: f64, value: impl Fn(&BodySample) -> f64) -> Vec<[f64; 2]> {
+        along.iter().zip(self.samples).map(|(x, s)| [*x, value(s) / unit]).collect()
+    }
+
+    /// Overlays of one plot as curves; a single point becomes a level across the plot.
+    fn overlays(&self, plot: PlotKind, along: &[f64], units: [f64; 2]) -> Vec<Curve> {
+        let mine =
+            |o: &&Overlay| o.plot == plot && o.body.as_ref().is_none_or(|name| *name == self.reference.name);
+        let reach = || along.iter().copied().filter(|x| x.is_finite());
+        let ends = [reach().fold(f64::INFINITY, f64::min), reach().fold(f64::NEG_INFINITY, f64::max)];
+        let curve = |(n, overlay): (usize, &Overlay)| {
+            let points = match overlay.points[..] {
+                [[_, y]] => ends.map(|x| [x, y / units[1]]).to_vec(),
+                _ => overlay.points.iter().map(|p| [p[0] / units[0], p[1] / units[1]]).collect(),
+            };
+            Curve { name: overlay.name.clone(), points, colour: OVERLAY_COLOUR + n, stroke: Stroke::Dashed }
+        };
+        self.overlays.iter().filter(mine).enumerate().map(curve).collect()
+    }
+
+    fn force_unit(&self) -> Unit {
+        Unit::force(largest(self.samples.iter().flat_map(|s| [s.drag, s.vertical])))
+    }
+
+    /// Raw and smoothed forces against `along`.
+    fn force_curves(&self, along: &[f64], unit: f64, base: &Abscissa) -> Vec<Curve> {
+        let forces: [Entry; 2] = [("drag F_H", |s| s.drag), ("vertical F_V", |s| s.vertical)];
+        let mut curves = Vec::new();
+        for (colour, (_, force)) in forces.iter().enumerate() {
+            let points = self.series(along, unit, force);
+            curves.push(Curve { name: String::new(), points, colour, stroke: Stroke::Faint });
+        }
+        for (colour, (name, force)) in forces.iter().enumerate() {
+            let raw: Vec<f64> = self.samples.iter().map(|s| force(s) / unit).collect();
+            let smooth = moving_average(&base.values, &raw, base.smoothing);
+            let points = along.iter().zip(smooth).map(|(x, f)| [*x, f]).collect();
+            curves.push(Curve::solid(name, colour, points));
+        }
+        curves
+    }
+
+    fn forces(&self) -> Plot {
+        let base = self.abscissa();
+        let unit = self.force_unit();
+        let mut curves = self.force_curves(&base.values, unit.size, &base);
+        if base.tows {
+            curves.extend(self.overlays(PlotKind::ForceDisplacement, &base.values, [base.unit, unit.size]));
+        }
+        let means = [("F_H", self.steady.drag), ("F_V", self.steady.vertical)];
+        let levels = means.iter().enumerate().filter_map(|(colour, (name, mean))| {
+            let ([from, to], value) = (base.window?, mean.as_ref()? / unit.size);
+            Some(Level {
+                label: format!("mean {name} = {} {}", digits(value), unit.name),
+                value,
+                from,
+                to,
+                colour,
+            })
+        });
+        let chart = Chart {
+            title: format!("Forces on {}", self.reference.name),
+            x_label: base.label.clone(),
+            y_label: format!("force of the soil [{}]", unit.name),
+            with_zero: true,
+            levels: levels.collect(),
+            shaded: base.window,
+            curves,
+            ..Chart::default()
+        };
+        self.plot(
+            "forces",
+            chart,
+            "Drag F_H resists the tow, F_V holds the body up. Thin: as recorded (impulse over each interval). Strong: centred \
+             moving average over 0.05 d (no phase shift). Shaded: the steady window with its means; a drag that still \
+             climbs in there has not become steady.",
+        )
+    }
+
+    fn force_sinkage(&self) -> Plot {
+        let base = self.abscissa();
+        let unit = self.force_unit();
+        let depth = Unit::length(largest(self.samples.iter().map(|s| s.sinkage)));
+        let along: Vec<f64> = self.samples.iter().map(|s| s.sinkage / depth.size).collect();
+        let mut curves = self.force_curves(&along, unit.size, &base);
+        curves.extend(self.overlays(PlotKind::ForceSinkage, &along, [depth.size, unit.size]));
+        let chart = Chart {
+            title: format!("Force against sinkage of {}", self.reference.name),
+            x_label: format!("sinkage z [{}]", depth.name),
+            y_label: format!("force of the soil [{}]", unit.name),
+            with_zero: true,
+            curves,
+            ..Chart::default()
+        };
+        self.plot(
+            "force_sinkage",
+            chart,
+            "The same forces against sinkage: the curve that closed-form models give. A body free to sink comes to rest \
+             where F_V balances its weight.",
+        )
+    }
+
+    fn sinkage(&self) -> Plot {
+        let base = self.abscissa();
+        let unit = Unit::length(largest(self.samples.iter().map(|s| s.sinkage)));
+        let mut curves =
+            vec![Curve::solid("sinkage z", 0, self.series(&base.values, unit.size, |s| s.sinkage))];
+        if base.tows {
+            curves.extend(self.overlays(PlotKind::SinkageDisplacement, &base.values, [base.unit, unit.size]));
+        }
+        let chart = Chart {
+            title: format!("Sinkage of {}", self.reference.name),
+            x_label: base.label,
+            y_label: format!("sinkage z [{}]", unit.name),
+            y_down: true,
+            with_zero: true,
+            shaded: base.window,
+            curves,
+            ..Chart::default()
+        };
+        self.plot(
+            "sinkage",
+            chart,
+            "Depth of the lowest point below the undisturbed surface; deeper is lower in the plot.",
+        )
+    }
+
+    fn turn_ratio(&self) -> Plot {
+        let base = self.abscissa();
+        // While the tow starts the ratio is a small number over a small number: only the moving part is shown.
+        let moving = 0.05 * largest(self.samples.iter().map(|s| s.speed));
+        let ratio = |s: &BodySample| {
+            let ratio = self.reference.turn_ratio_of(s).filter(|_| s.speed.abs() > moving);
+            ratio.map_or(f64::NAN, |r| r.clamp(-3.0, 3.0))
+        };
+        let points = self.series(&base.values, 1.0, ratio);
+        let ends = [base.values.first(), base.values.last()].map(|x| [x.copied().unwrap_or(0.0), 1.0]);
+        let rolling = Curve {
+            name: "rolls without slip".into(),
+            points: ends.to_vec(),
+            colour: 6,
+            stroke: Stroke::Dashed,
+        };
+        let mut curves = vec![rolling, Curve::solid("turn ratio ω r / v", 2, points)];
+        if base.tows {
+            curves.extend(self.overlays(PlotKind::TurnRatio, &base.values, [base.unit, 1.0]));
+        }
+        let chart = Chart {
+            title: format!("Turn ratio of {}", self.reference.name),
+            x_label: base.label,
+            y_label: "turn ratio ω r / v [–]".to_owned(),
+            with_zero: true,
+            shaded: base.window,
+            curves,
+            ..Chart::default()
+        };
+        self.plot(
+            "turn_ratio",
+            chart,
+            "1: rolls without slip; 0: slides without turning; above 1: is driven. Values beyond ±3 are cut.",
+        )
+    }
+
+    fn rotation(&self) -> Plot {
+        let base = self.abscissa();
+        let mut curves =
+            vec![Curve::solid("rotation Ω", 2, self.series(&base.values, 1f64.to_radians(), |s| s.rotation))];
+        if let Some(radius) = self.reference.radius.filter(|_| base.tows) {
+            let start = self.samples.first().map_or(0.0, |s| s.displacement);
+            let points = self.series(&base.values, 1f64.to_radians(), |s| (s.displacement - start) / radius);
+            curves.insert(0, Curve { name: "u / r".into(), points, colour: 6, stroke: Stroke::Dashed });
+        }
+        let chart = Chart {
+            title: format!("Rotation of {}", self.reference.name),
+            x_label: base.label,
+            y_label: "rotation Ω [deg]".to_owned(),
+            with_zero: true,
+            shaded: base.window,
+            curves,
+            ..Chart::default()
+        };
+        self.plot(
+            "rotation",
+            chart,
+            "Angle turned, forward positive. Dashed: what rolling without slip would give.",
+        )
+    }
+
+    fn axle_torque(&self) -> Plot {
+        let base = self.abscissa();
+        let unit = Unit::torque(largest(self.samples.iter().map(|s| s.axle_torque)));
+        let raw: Vec<f64> = self.samples.iter().map(|s| s.axle_torque / unit.size).collect();
+        let smooth = moving_average(&base.values, &raw, base.smoothing);
+        let pairs =
+            |values: &[f64]| base.values.iter().zip(values).map(|(x, y)| [*x, *y]).collect::<Vec<_>>();
+        let mut curves = vec![
+            Curve { name: String::new(), points: pairs(&raw), colour: 1, stroke: Stroke::Faint },
+            Curve::solid("axle torque M", 1, pairs(&smooth)),
+        ];
+        if base.tows {
+            curves.extend(self.overlays(PlotKind::AxleTorque, &base.values, [base.unit, unit.size]));
+        }
+        let chart = Chart {
+            title: format!("Axle torque on {}", self.reference.name),
+            x_label: base.label,
+            y_label: format!("torque of the soil M [{}]", unit.name),
+            with_zero: true,
+            shaded: base.window,
+            curves,
+            ..Chart::default()
+        };
+        self.plot("axle_torque", chart, "Torque of the soil about the axle, positive when it makes the body roll forward. A free body in steady tow bears none.")
+    }
+}

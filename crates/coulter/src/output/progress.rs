@@ -1,0 +1,141 @@
+//! How far a run is: a bar on a terminal, now and then a line elsewhere.
+
+use super::record::History;
+use super::reference::Reference;
+use super::scale::{Unit, digits};
+use crate::case::Case;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::io::IsTerminal;
+use std::time::{Duration, Instant};
+
+/// Ticks of the bar.
+const TICKS: u64 = 10_000;
+/// Share of the run between two lines.
+const LINE_SHARE: f64 = 0.05;
+/// Least time between two lines.
+const LINE_PAUSE: Duration = Duration::from_secs(2);
+
+/// Shows how far a run is, on the standard error stream.
+#[derive(Debug)]
+pub struct Progress {
+    start: f64,
+    end: f64,
+    references: Vec<Reference>,
+    began: Instant,
+    show: Show,
+}
+
+#[derive(Debug)]
+enum Show {
+    Nothing,
+    Bar(ProgressBar),
+    Lines { last_share: f64, last_time: Instant },
+}
+
+impl Progress {
+    /// Starts at `time` [s] of a case (0, or that of the checkpoint it resumes from); `quiet` shows nothing.
+    #[must_use]
+    pub fn start(case: &Case, time: f64, quiet: bool) -> Self {
+        let show = if quiet {
+            Show::Nothing
+        } else if std::io::stderr().is_terminal() {
+            Show::Bar(bar())
+        } else {
+            Show::Lines { last_share: -1.0, last_time: Instant::now() }
+        };
+        Self {
+            start: time,
+            end: case.duration,
+            references: Reference::all(case),
+            began: Instant::now(),
+            show,
+        }
+    }
+
+    /// Shows the state of things at `time` [s]; cheap enough to be called at every line of the history.
+    pub fn update(&mut self, time: f64, history: &History) {
+        let share = self.share(time);
+        match &mut self.show {
+            Show::Nothing => {}
+            Show::Bar(bar) => {
+                bar.set_position((share * TICKS as f64) as u64);
+                bar.set_message(live(history, &self.references));
+            }
+            Show::Lines { last_share, last_time } => {
+                let due = share - *last_share >= LINE_SHARE && last_time.elapsed() >= LINE_PAUSE;
+                if due || *last_share < 0.0 {
+                    (*last_share, *last_time) = (share, Instant::now());
+                    eprintln!("{}", self.line(time, share, history));
+                }
+            }
+        }
+    }
+
+    /// Ends the display with a last word.
+    pub fn finish(&mut self, message: &str) {
+        match std::mem::replace(&mut self.show, Show::Nothing) {
+            Show::Nothing => {}
+            Show::Bar(bar) => {
+                bar.finish_and_clear();
+                eprintln!("{message}");
+            }
+            Show::Lines { .. } => eprintln!("{message}"),
+        }
+    }
+
+    /// Share of this leg of the run that is done.
+    fn share(&self, time: f64) -> f64 {
+        let way = self.end - self.start;
+        if way > 0.0 { ((time - self.start) / way).clamp(0.0, 1.0) } else { 1.0 }
+    }
+
+    fn line(&self, time: f64, share: f64, history: &History) -> String {
+        let spent = self.began.elapsed().as_secs_f64();
+        let left = if share > 0.01 { clock(spent * (1.0 - share) / share) } else { "?".to_owned() };
+        let live = live(history, &self.references);
+        format!("{:3.0} %  t = {} s  {}  left {left}  {live}", 100.0 * share, digits(time), clock(spent))
+    }
+}
+
+fn bar() -> ProgressBar {
+    let bar = ProgressBar::with_draw_target(Some(TICKS), ProgressDrawTarget::stderr_with_hz(5));
+    let style = ProgressStyle::with_template("{percent:>3} % {bar:28} {elapsed} left {eta}  {msg}");
+    // The template is fixed and right; were it not, the bar would look plain.
+    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    bar
+}
+
+/// The latest forces, sinkage and turn ratio of each body.
+fn live(history: &History, references: &[Reference]) -> String {
+    let one = |(samples, reference): (&Vec<super::record::BodySample>, &Reference)| {
+        let s = samples.last()?;
+        let force = |f: f64| {
+            let unit = Unit::force(f.abs());
+            format!("{} {}", digits(f / unit.size), unit.name)
+        };
+        let name = if references.len() > 1 { format!("{}: ", reference.name) } else { String::new() };
+        let turn = reference.turn_ratio_of(s).map_or(String::new(), |r| format!("  ωr/v {r:.2}"));
+        let forces = format!("F_H {}  F_V {}", force(s.drag), force(s.vertical));
+        Some(format!("{name}{forces}  z {} mm{turn}", digits(1e3 * s.sinkage)))
+    };
+    history.bodies.iter().zip(references).filter_map(one).collect::<Vec<_>>().join("   ")
+}
+
+/// A length of time as h:mm:ss or m:ss.
+fn clock(seconds: f64) -> String {
+    let whole = seconds.max(0.0).round() as u64;
+    let (hours, minutes, seconds) = (whole / 3600, whole / 60 % 60, whole % 60);
+    if hours > 0 { format!("{hours}:{minutes:02}:{seconds:02}") } else { format!("{minutes}:{seconds:02}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn clocks_read_like_clocks() {
+        assert_eq!(clock(59.4), "0:59");
+        assert_eq!(clock(3723.0), "1:02:03");
+        assert_eq!(clock(f64::NAN), "0:00");
+    }
+}

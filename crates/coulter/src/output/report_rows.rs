@@ -1,0 +1,249 @@
+//! The tables of a report.
+
+use super::reference::Reference;
+use super::run_record::RunRecord;
+use super::scale::{Unit, digits};
+use super::summary::{BodySummary, Summary};
+use serde::Serialize;
+
+const NONE: &str = "–";
+
+/// One line of a table.
+#[derive(Debug, Serialize)]
+pub(super) struct Row {
+    pub(super) name: String,
+    pub(super) symbol: &'static str,
+    pub(super) value: String,
+    pub(super) group: String,
+    pub(super) note: String,
+}
+
+pub(super) fn body_rows(reference: &Reference, body: &BodySummary) -> Vec<Row> {
+    let (steady, peak) = (&body.steady, &body.peak);
+    let force = |f: Option<f64>| f.and_then(|f| reference.force_group(f)).map_or(NONE.to_owned(), digits);
+    let torque = |m: Option<f64>| force(m.map(|m| m / reference.length));
+    let length = |z: Option<f64>| z.and_then(|z| reference.length_group(z)).map_or(NONE.to_owned(), digits);
+    let row = |name: &str, symbol, value: String, group: String, note: String| Row {
+        name: name.into(),
+        symbol,
+        value,
+        group,
+        note,
+    };
+    let at = peak.at_m.map_or(String::new(), |u| format!("at u = {} m", digits(u)));
+    let percent = steady.drag_noise.map_or(NONE.to_owned(), |n| format!("{} %", digits(100.0 * n)));
+    let mut rows = vec![
+        row(
+            "Drag",
+            "F<sub>H</sub>",
+            value(steady.drag, Unit::force),
+            force(steady.drag),
+            "steady mean".into(),
+        ),
+        row(
+            "Vertical force",
+            "F<sub>V</sub>",
+            value(steady.vertical, Unit::force),
+            force(steady.vertical),
+            "steady mean, up positive".into(),
+        ),
+        row(
+            "Sinkage",
+            "z",
+            value(steady.sinkage, Unit::length),
+            length(steady.sinkage),
+            "steady mean".into(),
+        ),
+    ];
+    if reference.radius.is_some() {
+        let note = "1 rolls, 0 slides".to_owned();
+        rows.push(row("Turn ratio", "ω r / v", NONE.into(), bare(steady.turn_ratio), note));
+        let note = "steady mean; forward positive; group M / (γ t d³)".to_owned();
+        rows.push(row(
+            "Axle torque",
+            "M",
+            value(steady.axle_torque, Unit::torque),
+            torque(steady.axle_torque),
+            note,
+        ));
+    }
+    rows.push(row(
+        "Drag noise",
+        "",
+        percent,
+        NONE.into(),
+        "rms about a moving mean over 0.02 d, over the mean drag".into(),
+    ));
+    rows.push(row("Peak drag", "", value(peak.drag, Unit::force), force(peak.drag), at));
+    rows.push(row(
+        "Peak vertical force",
+        "",
+        value(peak.vertical, Unit::force),
+        force(peak.vertical),
+        String::new(),
+    ));
+    rows.push(row(
+        "Deepest sinkage",
+        "",
+        value(peak.sinkage, Unit::length),
+        length(peak.sinkage),
+        String::new(),
+    ));
+    rows
+}
+
+pub(super) fn facts(record: &RunRecord, summary: &Summary) -> Vec<[String; 2]> {
+    let [x, y, z] = record.cells;
+    let kind = match (record.plane_strain, record.symmetric) {
+        (true, _) => "plane strain; forces of the slab modelled",
+        (false, true) => "half of the body modelled (symmetry at y = 0); forces of the whole",
+        (false, false) => "whole body modelled",
+    };
+    let mut facts = record.facts.clone();
+    facts.push([
+        "Grid".to_owned(),
+        format!("{x} × {y} × {z} cells, finest {} mm; {kind}", digits(1e3 * record.finest_cell)),
+    ]);
+    facts.push(["Case".to_owned(), format!("{}, computed with Coulter {}", record.case, summary.version)]);
+    facts
+}
+
+/// A number with its unit, or a dash.
+fn value(number: Option<f64>, unit: impl Fn(f64) -> Unit) -> String {
+    number.map_or(NONE.to_owned(), |v| {
+        let unit = unit(v.abs());
+        format!("{} {}", digits(v / unit.size), unit.name)
+    })
+}
+
+fn bare(number: Option<f64>) -> String {
+    number.map_or(NONE.to_owned(), digits)
+}
+
+pub(super) fn window_text(body: &BodySummary) -> String {
+    let steady = &body.steady;
+    match (steady.from_m.zip(steady.to_m), steady.from_s.zip(steady.to_s)) {
+        (Some((a, b)), _) if a != b => format!("u = {} … {} m", digits(a), digits(b)),
+        (_, Some((a, b))) => format!("t = {} … {} s", digits(a), digits(b)),
+        _ => NONE.to_owned(),
+    }
+}
+
+pub(super) fn scales_text(reference: &Reference) -> String {
+    let (d, t) = (digits(1e3 * reference.length), digits(1e3 * reference.width));
+    let lengths = if reference.kind == "disc" {
+        format!("d = {d} mm (diameter), t = {t} mm (thickness)")
+    } else {
+        format!("d = {d} mm (height of the {}), t = {t} mm (its width)", reference.kind)
+    };
+    match reference.force() {
+        Some(force) => format!("{lengths}, γ t d² = {}", value(Some(force), Unit::force)),
+        None => format!("{lengths}; the soil is weightless, so forces have no group"),
+    }
+}
+
+pub(super) fn energy_rows(summary: &Summary) -> Vec<Row> {
+    let energy = &summary.energy;
+    let share = |e: Option<f64>| {
+        let ratio = e.zip(energy.external).filter(|(_, all)| *all != 0.0).map(|(e, all)| e / all);
+        ratio.map_or(NONE.to_owned(), |r| format!("{} %", digits(100.0 * r)))
+    };
+    let entries = [
+        ("External work", energy.external, "loads, drives and gravity"),
+        ("Plastic dissipation", energy.plastic, ""),
+        ("Contact", energy.friction, "friction, and what the contact method takes"),
+        ("Kinetic energy", energy.kinetic, "soil and bodies"),
+        ("Elastic energy", energy.elastic, "less that at the start"),
+        ("Bulk viscosity", energy.viscous, "numerical"),
+        ("Hourglass viscosity", energy.hourglass, "numerical"),
+        ("Remap loss", energy.remap_loss, "numerical"),
+    ];
+    let row = |(name, e, note): (&str, Option<f64>, &str)| Row {
+        name: name.into(),
+        symbol: "",
+        value: value(e, Unit::energy),
+        group: share(e),
+        note: note.into(),
+    };
+    let mut rows: Vec<Row> = entries.into_iter().map(row).collect();
+    let closure = energy.closure.map_or(NONE.to_owned(), |c| format!("{} %", digits(100.0 * c)));
+    let note = "what no entry explains".to_owned();
+    let known: Option<f64> = entries[1..].iter().map(|(_, e, _)| *e).sum();
+    let rest = value(energy.external.zip(known).map(|(all, known)| all - known), Unit::energy);
+    rows.push(Row { name: "Unexplained".into(), symbol: "", value: rest, group: closure, note });
+    rows
+}
+
+pub(super) fn ledger_rows(record: &RunRecord, summary: &Summary) -> Vec<Row> {
+    let row = |name: &str, value: String, note: &str| Row {
+        name: name.into(),
+        symbol: "",
+        value,
+        group: String::new(),
+        note: note.into(),
+    };
+    let litres = |v: f64| {
+        if v.abs() < 1e-3 { format!("{} cm³", digits(1e6 * v)) } else { format!("{} dm³", digits(1e3 * v)) }
+    };
+    let surface = &summary.surface;
+    let change =
+        summary.soil.volume_ratio.map_or(NONE.to_owned(), |v| format!("{v:.6}").replace('-', "\u{2212}"));
+    let mut rows = vec![
+        row("Soil volume, end over start", change, "dilation and elastic compression included"),
+        row("Soil inside the bodies", litres(summary.soil.leaked_m3), "leakage at the end; 0 is right"),
+    ];
+    let height = format!("{} mm", digits(1e3 * surface.berm_height_m));
+    if record.heaped {
+        rows.push(row("Height of the soil", height, "highest point above the floor"));
+        rows.push(row("Volume under the surface", litres(surface.berm_volume_m3), "by the height map"));
+        return rows;
+    }
+    let depth = format!("{} mm", digits(1e3 * surface.rut_depth_m));
+    rows.extend([
+        row("Depth of the rut", depth, "deepest point of the free surface"),
+        row("Height of the berm", height, "highest point of the free surface"),
+        row("Volume of the rut", litres(surface.rut_volume_m3), "below the undisturbed surface"),
+        row("Volume of the berms", litres(surface.berm_volume_m3), "above it"),
+    ]);
+    rows
+}
+
+pub(super) fn statistics(record: &RunRecord, summary: &Summary) -> Vec<[String; 2]> {
+    let rate = summary
+        .cell_steps_per_second()
+        .map_or(NONE.to_owned(), |r| format!("{} million cell-steps/s", digits(r / 1e6)));
+    let threads = record.statistics.threads;
+    [
+        ("Cells", format!("{} ({} with soil)", grouped(summary.cells), grouped(summary.filled_cells))),
+        ("Steps", grouped(summary.steps)),
+        ("Simulated time", format!("{} s", digits(record.duration))),
+        ("Wall time", duration_text(summary.wall_s)),
+        ("Speed", rate),
+        ("Threads", threads.to_string()),
+        ("Version", summary.version.clone()),
+    ]
+    .map(|(name, text)| [name.to_owned(), text])
+    .to_vec()
+}
+
+/// A whole number with thin spaces between thousands.
+fn grouped(number: u64) -> String {
+    let plain = number.to_string();
+    let mut text = String::new();
+    for (n, digit) in plain.chars().enumerate() {
+        if n > 0 && (plain.len() - n).is_multiple_of(3) {
+            text.push('\u{202f}');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+fn duration_text(seconds: f64) -> String {
+    let whole = seconds.max(0.0) as u64;
+    match whole {
+        0..60 => format!("{} s", digits(seconds)),
+        60..3600 => format!("{} min {} s", whole / 60, whole % 60),
+        _ => format!("{} h {} min", whole / 3600, whole / 60 % 60),
+    }
+}

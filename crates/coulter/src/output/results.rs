@@ -1,0 +1,221 @@
+//! The results folder: what is in it, and the one place that fills it.
+
+use super::csv::{HistoryFiles, file_safe, read_history};
+use super::error::{OutputError, make_folder, read_text, write_whole};
+use super::fields::{VOID, shape_of, write_body, write_soil, write_surface};
+use super::folder::{FIELDS, LISTS, LOG, PICTURES, PLOTS, REPORT, RESOLVED, TYPED, clear};
+use super::log::Log;
+use super::picture::write_pictures;
+use super::record::History;
+use super::report::{ReportText, write_report};
+use super::run_record::{Overlay, RunRecord, RunStatistics};
+use super::summary::Summary;
+use super::surface::HeightMap;
+use super::vtk::{Frame, read_time_list, write_time_list};
+use crate::case::Case;
+use solver::grid::Grid;
+use solver::state::State;
+use std::path::{Path, PathBuf};
+
+/// An open results folder.
+#[derive(Debug)]
+pub struct Results {
+    dir: PathBuf,
+    record: RunRecord,
+    histories: HistoryFiles,
+    log: Log,
+    frames: [Vec<Frame>; 3],
+    next_frame: usize,
+}
+
+impl Results {
+    /// Makes the folder of a new run. A folder with a result in it is replaced only when `force` says so, and then only
+    /// the files that a run writes are removed; a folder with other files in it is never touched.
+    ///
+    /// # Errors
+    /// When the folder is taken or cannot be written.
+    pub fn create(dir: &Path, case: &Case, force: bool) -> Result<Self, OutputError> {
+        clear(dir, force)?;
+        for folder in [dir.to_path_buf(), dir.join(FIELDS)] {
+            make_folder(&folder)?;
+        }
+        let resolved = toml::to_string(case).map_err(|e| OutputError::content(&dir.join(RESOLVED), e))?;
+        let header = "# The case as it was understood: SI units, radians, every default filled in. Written by Coulter.\n";
+        write_whole(&dir.join(RESOLVED), format!("{header}{resolved}").as_bytes())?;
+        let record = RunRecord::of(case);
+        record.write(dir)?;
+        Ok(Self {
+            histories: HistoryFiles::create(dir, &record.bodies)?,
+            log: Log::create(&dir.join(LOG))?,
+            dir: dir.to_path_buf(),
+            record,
+            frames: Default::default(),
+            next_frame: 0,
+        })
+    }
+
+    /// Opens the folder of a run that goes on from a checkpoint taken at `time` [s] with the history so far: rewrites
+    /// the histories from it and forgets the field files of later times.
+    ///
+    /// # Errors
+    /// When there is no result in the folder or it cannot be written.
+    pub fn resume(dir: &Path, case: &Case, history: &History, time: f64) -> Result<Self, OutputError> {
+        let before = RunRecord::read(dir)?;
+        let record = RunRecord { overlays: before.overlays, ..RunRecord::of(case) };
+        let mut frames: [Vec<Frame>; 3] = Default::default();
+        for (list, name) in frames.iter_mut().zip(LISTS) {
+            *list = read_time_list(&dir.join(name))?;
+            // A checkpoint is taken between steps: files at its very time are kept.
+            list.retain(|frame| frame.time <= time * (1.0 + 1e-12));
+        }
+        let mut results = Self {
+            histories: HistoryFiles::create(dir, &record.bodies)?,
+            log: Log::append(&dir.join(LOG))?,
+            dir: dir.to_path_buf(),
+            record,
+            next_frame: frames[0].len(),
+            frames,
+        };
+        make_folder(&dir.join(FIELDS))?;
+        results.append(history)?;
+        results.record.write(dir)?;
+        Ok(results)
+    }
+
+    /// The folder.
+    #[must_use]
+    pub fn dir(&self) -> &Path {
+        &self.dir
+    }
+
+    /// Keeps the case file with the results, as it was typed.
+    ///
+    /// # Errors
+    /// When the file cannot be written.
+    pub fn keep_case_file(&self, text: &str) -> Result<(), OutputError> {
+        write_whole(&self.dir.join(TYPED), text.as_bytes())
+    }
+
+    /// Lays curves over the plots of the report: a forecast, a measurement.
+    ///
+    /// # Errors
+    /// When `run.json` cannot be written.
+    pub fn overlay(&mut self, mut overlays: Vec<Overlay>) -> Result<(), OutputError> {
+        for overlay in &mut overlays {
+            overlay.points.retain(|p| p.iter().all(|v| v.is_finite()));
+        }
+        self.record.overlays = overlays;
+        self.record.write(&self.dir)
+    }
+
+    /// Writes a line with a time stamp into `run.log`.
+    ///
+    /// # Errors
+    /// When the file cannot be written.
+    pub fn log(&mut self, line: &str) -> Result<(), OutputError> {
+        self.log.line(line)
+    }
+
+    /// Adds the lines of the history that are not in the files yet.
+    ///
+    /// # Errors
+    /// When a file cannot be written.
+    pub fn append(&mut self, history: &History) -> Result<(), OutputError> {
+        self.histories.append(history)
+    }
+
+    /// Writes the fields as they are now, unless files of this very time exist, and brings the time lists up to date.
+    ///
+    /// # Errors
+    /// When a file cannot be written.
+    pub fn write_fields(&mut self, case: &Case, grid: &Grid, state: &State) -> Result<(), OutputError> {
+        let (time, n) = (state.time, self.next_frame);
+        if self.frames[0].last().is_some_and(|frame| frame.time == time) {
+            return Ok(());
+        }
+        let soil = format!("{FIELDS}/soil_{n:04}.vtr");
+        write_soil(&self.dir.join(&soil), grid, state)?;
+        self.frames[0].push(Frame { time, part: 0, file: soil });
+        let surface = format!("{FIELDS}/surface_{n:04}.vtp");
+        write_surface(&self.dir.join(&surface), &HeightMap::of(case, grid, state), time)?;
+        self.frames[1].push(Frame { time, part: 0, file: surface });
+        for (part, (body, described)) in state.bodies.iter().zip(&case.bodies).enumerate() {
+            let file = format!("{FIELDS}/body_{}_{n:04}.vtp", file_safe(&described.name));
+            write_body(&self.dir.join(&file), shape_of(&described.shape).as_ref(), body, time)?;
+            self.frames[2].push(Frame { time, part, file });
+        }
+        self.next_frame += 1;
+        for (frames, name) in self.frames.iter().zip(LISTS) {
+            if !frames.is_empty() {
+                write_time_list(&self.dir.join(name), frames)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes everything that a run leaves at its end: the last fields, the summary, the pictures and the report. Also
+    /// to be called for a run that broke down or was stopped; the statistics say so.
+    ///
+    /// # Errors
+    /// When a file cannot be written.
+    pub fn finish(
+        &mut self,
+        case: &Case,
+        grid: &Grid,
+        state: &State,
+        history: &History,
+        statistics: &RunStatistics,
+    ) -> Result<Summary, OutputError> {
+        self.append(history)?;
+        self.write_fields(case, grid, state)?;
+        self.record.statistics = statistics.clone();
+        self.record.write(&self.dir)?;
+        let mut summary = Summary {
+            case: case.name.clone(),
+            version: self.record.version.clone(),
+            cells: grid.cells().iter().map(|n| *n as u64).product(),
+            filled_cells: filled_cells(grid, state),
+            steps: statistics.steps,
+            wall_s: statistics.wall_seconds,
+            surface: HeightMap::of(case, grid, state).figures(),
+            ..Summary::default()
+        };
+        summary.fill(history, &self.record.bodies, self.record.steady_share);
+        summary.write(&self.dir)?;
+        write_pictures(&self.dir.join(PICTURES), case, grid, state)?;
+        report(&self.dir, &self.record, &summary, history)?;
+        Ok(summary)
+    }
+}
+
+/// Writes `report.html` anew from the other files of a results folder.
+///
+/// # Errors
+/// When the folder holds no finished result, or a file is broken.
+pub fn rebuild_report(dir: &Path) -> Result<PathBuf, OutputError> {
+    let record = RunRecord::read(dir)?;
+    let names: Vec<String> = record.bodies.iter().map(|b| b.name.clone()).collect();
+    let history = read_history(dir, &names)?;
+    report(dir, &record, &Summary::read(dir)?, &history)?;
+    Ok(dir.join(REPORT))
+}
+
+fn report(dir: &Path, record: &RunRecord, summary: &Summary, history: &History) -> Result<(), OutputError> {
+    let optional = |name: &str| {
+        let path = dir.join(name);
+        if path.is_file() { read_text(&path).map(Some) } else { Ok(None) }
+    };
+    let text = ReportText { resolved: optional(RESOLVED)?, typed: optional(TYPED)? };
+    make_folder(&dir.join(PLOTS))?;
+    write_report(dir, record, summary, history, &text)
+}
+
+fn filled_cells(grid: &Grid, state: &State) -> u64 {
+    let [columns, rows, layers] = grid.cells();
+    let mut filled = 0;
+    for (k, j) in (0..layers).flat_map(|k| (0..rows).map(move |j| (k, j))) {
+        let start = grid.index(0, j, k);
+        filled += state.soil.fraction[start..start + columns].iter().filter(|f| **f > VOID).count() as u64;
+    }
+    filled
+}

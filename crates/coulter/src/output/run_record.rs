@@ -1,0 +1,148 @@
+//! `run.json`: what a report needs besides the histories, the summary and the pictures. It also marks a folder as a
+//! result of Coulter.
+
+use super::describe::describe;
+use super::error::{OutputError, read_json, write_json};
+use super::reference::Reference;
+use crate::case::Case;
+use crate::case::resolved::Ground;
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+
+/// Name of the file.
+pub const RUN_RECORD: &str = "run.json";
+
+/// How a run ended.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Outcome {
+    /// It has not.
+    #[default]
+    Running,
+    /// It came to its end.
+    Finished,
+    /// It was stopped from outside and can go on.
+    Interrupted,
+    /// The physics failed; the message says how.
+    BrokeDown(String),
+}
+
+/// What the run was like, apart from its physics.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct RunStatistics {
+    /// Steps taken.
+    pub steps: u64,
+    /// Wall clock time of the time loop [s], of all legs of a resumed run.
+    pub wall_seconds: f64,
+    /// Threads.
+    pub threads: usize,
+    /// How it ended.
+    pub outcome: Outcome,
+    /// What the reader should know before trusting the numbers.
+    pub warnings: Vec<String>,
+    /// What the reader may do about it.
+    pub advice: Vec<String>,
+}
+
+/// Which plot an overlay belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PlotKind {
+    /// Forces [N] against displacement [m].
+    ForceDisplacement,
+    /// Forces [N] against sinkage [m].
+    ForceSinkage,
+    /// Sinkage [m] against displacement [m].
+    SinkageDisplacement,
+    /// Turn ratio against displacement [m].
+    TurnRatio,
+    /// Axle torque [N m] against displacement [m].
+    AxleTorque,
+}
+
+/// A curve laid over a plot: a forecast, a measurement, another run.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Overlay {
+    /// Name in the legend.
+    pub name: String,
+    /// The plot it belongs to.
+    pub plot: PlotKind,
+    /// The body it belongs to; all bodies when none is named.
+    pub body: Option<String>,
+    /// Points in SI units. A single point is drawn as a level across the plot.
+    pub points: Vec<[f64; 2]>,
+}
+
+/// The run as the report sees it.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct RunRecord {
+    /// Version of Coulter.
+    pub version: String,
+    /// Name of the case.
+    pub case: String,
+    /// Title of the case.
+    pub title: String,
+    /// Soil and bodies in words: what, how.
+    pub facts: Vec<[String; 2]>,
+    /// Cells along x, y, z.
+    pub cells: [usize; 3],
+    /// Smallest cell width [m].
+    pub finest_cell: f64,
+    /// Duration of the run [s].
+    pub duration: f64,
+    /// Share of the tow that steady averages are taken over.
+    pub steady_share: f64,
+    /// Whether only y ≥ 0 is modelled.
+    pub symmetric: bool,
+    /// Whether the soil was heaped on a floor instead of lying level.
+    pub heaped: bool,
+    /// Whether it is plane strain.
+    pub plane_strain: bool,
+    /// The bodies.
+    pub bodies: Vec<Reference>,
+    /// Curves laid over the plots.
+    pub overlays: Vec<Overlay>,
+    /// What the run was like.
+    pub statistics: RunStatistics,
+}
+
+impl RunRecord {
+    /// The record of a run that is about to start.
+    #[must_use]
+    pub fn of(case: &Case) -> Self {
+        let faces = &case.grid.faces;
+        let widths = faces.iter().flat_map(|f| f.windows(2).map(|w| w[1] - w[0]));
+        Self {
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            case: case.name.clone(),
+            title: case.title.clone(),
+            facts: describe(case),
+            cells: std::array::from_fn(|axis| faces[axis].len().saturating_sub(1)),
+            finest_cell: widths.reduce(f64::min).unwrap_or(case.grid.cell),
+            duration: case.duration,
+            steady_share: case.output.steady_share,
+            symmetric: case.domain.symmetric,
+            heaped: matches!(case.ground, Ground::Column { .. }),
+            plane_strain: case.domain.plane_strain,
+            bodies: Reference::all(case),
+            overlays: Vec::new(),
+            statistics: RunStatistics::default(),
+        }
+    }
+
+    pub(super) fn write(&self, dir: &Path) -> Result<(), OutputError> {
+        write_json(&dir.join(RUN_RECORD), self)
+    }
+
+    /// Reads `run.json` from a results folder.
+    ///
+    /// # Errors
+    /// When the file is missing or is no record of a run.
+    pub fn read(dir: &Path) -> Result<Self, OutputError> {
+        let path = dir.join(RUN_RECORD);
+        if !path.is_file() {
+            return Err(OutputError::NoResult { path: dir.to_path_buf() });
+        }
+        read_json(&path)
+    }
+}

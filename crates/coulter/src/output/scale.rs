@@ -1,0 +1,154 @@
+//! Axes: round tick positions, readable units, numbers as labels.
+
+/// Round positions inside `low..=high`, about `count` of them, and the decimals that their labels need.
+pub(super) fn ticks(low: f64, high: f64, count: usize) -> (Vec<f64>, usize) {
+    let span = high - low;
+    if !span.is_finite() || span <= 0.0 {
+        return (vec![low], 3);
+    }
+    let raw = span / count.max(1) as f64;
+    let decade = 10f64.powf(raw.log10().floor());
+    let step = [1.0, 2.0, 2.5, 5.0, 10.0]
+        .iter()
+        .map(|m| m * decade)
+        .find(|s| *s >= raw * 0.999)
+        .unwrap_or(decade * 10.0);
+    let first = (low / step - 1e-9).ceil() as i64;
+    let last = (high / step + 1e-9).floor() as i64;
+    let decimals = (0..12).find(|&d| is_whole(step * 10f64.powi(d))).unwrap_or(12) as usize;
+    ((first..=last).take(100).map(|n| n as f64 * step).collect(), decimals)
+}
+
+fn is_whole(value: f64) -> bool {
+    value.round() != 0.0 && (value - value.round()).abs() < 1e-6 * value.abs()
+}
+
+/// A tick's label, with a true minus sign.
+pub(super) fn tick_label(value: f64, decimals: usize) -> String {
+    let size = value.abs();
+    let text = if size != 0.0 && (size >= 1e6 || decimals > 6) {
+        format!("{value:.2e}")
+    } else {
+        format!("{:.decimals$}", value + 0.0)
+    };
+    text.replace('-', "\u{2212}")
+}
+
+/// Lowest and highest finite value with a margin; never empty, never of no extent.
+pub(super) fn padded_range(values: impl Iterator<Item = f64>, margin: f64) -> [f64; 2] {
+    let (low, high) = values
+        .filter(|v| v.is_finite())
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
+    if low > high {
+        return [0.0, 1.0];
+    }
+    // A curve that is constant but for rounding is drawn as a level, not as an amplified rounding error.
+    let size = low.abs().max(high.abs());
+    if high - low <= 1e-9 * size || high == low {
+        let room = if size > 0.0 { 0.5 * size } else { 1.0 };
+        return [low - room, high + room];
+    }
+    let room = margin * (high - low);
+    [low - room, high + room]
+}
+
+/// A unit to show a quantity in, and its size in SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Unit {
+    pub(super) name: &'static str,
+    pub(super) size: f64,
+}
+
+impl Unit {
+    fn pick(largest: f64, choices: &[(&'static str, f64)]) -> Self {
+        let fitting = choices.iter().rev().find(|(_, size)| largest >= *size * 0.9999);
+        let (name, size) = *fitting.or(choices.first()).unwrap_or(&("", 1.0));
+        Self { name, size }
+    }
+
+    /// A unit for lengths up to `largest` [m].
+    pub(super) fn length(largest: f64) -> Self {
+        Self::pick(largest, &[("mm", 1e-3), ("m", 1.0)])
+    }
+
+    /// A unit for forces up to `largest` [N].
+    pub(super) fn force(largest: f64) -> Self {
+        let unit = Self::pick(largest / 10.0, &[("N", 1.0), ("kN", 1e3), ("MN", 1e6)]);
+        if largest < 10.0 { Self { name: "N", size: 1.0 } } else { unit }
+    }
+
+    /// A unit for torques up to `largest` [N m].
+    pub(super) fn torque(largest: f64) -> Self {
+        let force = Self::force(largest);
+        let name = match force.name {
+            "kN" => "kN m",
+            "MN" => "MN m",
+            _ => "N m",
+        };
+        Self { name, ..force }
+    }
+
+    /// A unit for stresses up to `largest` [Pa].
+    pub(super) fn stress(largest: f64) -> Self {
+        Self::pick(largest, &[("Pa", 1.0), ("kPa", 1e3), ("MPa", 1e6)])
+    }
+
+    /// A unit for energies up to `largest` [J].
+    pub(super) fn energy(largest: f64) -> Self {
+        Self::pick(largest / 10.0, &[("J", 1.0), ("kJ", 1e3), ("MJ", 1e6)])
+    }
+
+    /// A unit for speeds up to `largest` [m/s].
+    pub(super) fn speed(largest: f64) -> Self {
+        Self::pick(largest, &[("mm/s", 1e-3), ("m/s", 1.0)])
+    }
+}
+
+/// Largest finite size among values.
+pub(super) fn largest(values: impl Iterator<Item = f64>) -> f64 {
+    values.filter(|v| v.is_finite()).fold(0.0, |most, v| most.max(v.abs()))
+}
+
+/// A number with three significant digits.
+pub(super) fn digits(value: f64) -> String {
+    if !value.is_finite() {
+        return "–".to_owned();
+    }
+    let size = value.abs();
+    let text = if size != 0.0 && !(1e-3..1e6).contains(&size) {
+        format!("{value:.2e}")
+    } else {
+        let whole = if size > 0.0 { size.log10().floor() as i32 } else { 0 };
+        format!("{value:.*}", (2 - whole).clamp(0, 6) as usize)
+    };
+    text.replace('-', "\u{2212}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ticks_are_round() {
+        assert_eq!(ticks(0.0, 1.0, 5), (vec![0.0, 0.2, 0.4, 0.6000000000000001, 0.8, 1.0], 1));
+        assert_eq!(ticks(-3.0, 9.0, 4).0, vec![0.0, 5.0]);
+        assert_eq!(ticks(0.0, 0.25, 5).1, 2);
+        assert_eq!(ticks(f64::NAN, 1.0, 5).0.len(), 1);
+        assert_eq!(tick_label(-0.5, 1), "\u{2212}0.5");
+    }
+
+    #[test]
+    fn ranges_are_never_empty() {
+        assert_eq!(padded_range([f64::NAN].into_iter(), 0.05), [0.0, 1.0]);
+        assert_eq!(padded_range([2.0, 2.0].into_iter(), 0.05), [1.0, 3.0]);
+        assert_eq!(padded_range([0.0].into_iter(), 0.05), [-1.0, 1.0]);
+    }
+
+    #[test]
+    fn units_are_readable() {
+        assert_eq!(Unit::length(0.3).name, "mm");
+        assert_eq!(Unit::force(500.0).name, "N");
+        assert_eq!(Unit::force(25e3).name, "kN");
+        assert_eq!(Unit::stress(2.5e4).name, "kPa");
+    }
+}

@@ -1,0 +1,147 @@
+//! `summary.json`: the few numbers that scripts ask for. The names are a contract.
+
+use super::error::{OutputError, read_json, write_json};
+use super::record::{EnergySample, History};
+use super::reference::Reference;
+use super::steady::{Peak, Steady, peak, steady, window};
+use super::surface::SurfaceFigures;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// Name of the file.
+pub const SUMMARY: &str = "summary.json";
+
+/// What a run amounts to.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Summary {
+    /// Name of the case.
+    pub case: String,
+    /// Version of Coulter.
+    pub version: String,
+    /// Cells of the grid.
+    pub cells: u64,
+    /// Cells with soil in them at the end.
+    pub filled_cells: u64,
+    /// Steps taken.
+    pub steps: u64,
+    /// Wall clock time [s].
+    pub wall_s: f64,
+    /// The soil.
+    pub soil: SoilSummary,
+    /// The energy ledger at the end.
+    pub energy: EnergySummary,
+    /// The free surface at the end.
+    pub surface: SurfaceFigures,
+    /// The bodies by name.
+    pub bodies: BTreeMap<String, BodySummary>,
+}
+
+/// What became of the soil.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct SoilSummary {
+    /// Volume at the end over the volume at the start.
+    pub volume_ratio: Option<f64>,
+    /// Soil inside the bodies at the end [m³].
+    pub leaked_m3: f64,
+}
+
+/// The energy ledger at the end [J].
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct EnergySummary {
+    /// Work of loads, drives and gravity [J].
+    #[serde(rename = "external_J")]
+    pub external: Option<f64>,
+    /// Kinetic energy [J].
+    #[serde(rename = "kinetic_J")]
+    pub kinetic: Option<f64>,
+    /// Elastic energy, less that at the start [J].
+    #[serde(rename = "elastic_J")]
+    pub elastic: Option<f64>,
+    /// Plastic dissipation [J].
+    #[serde(rename = "plastic_J")]
+    pub plastic: Option<f64>,
+    /// Dissipation in contact [J].
+    #[serde(rename = "friction_J")]
+    pub friction: Option<f64>,
+    /// Dissipation by bulk viscosity [J].
+    #[serde(rename = "viscous_J")]
+    pub viscous: Option<f64>,
+    /// Dissipation by hourglass viscosity [J].
+    #[serde(rename = "hourglass_J")]
+    pub hourglass: Option<f64>,
+    /// Kinetic and elastic energy lost in remaps [J].
+    #[serde(rename = "remap_loss_J")]
+    pub remap_loss: Option<f64>,
+    /// Unexplained energy over the external work.
+    pub closure: Option<f64>,
+}
+
+/// What became of a body.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct BodySummary {
+    /// Averages over the steady window.
+    pub steady: Steady,
+    /// Largest values.
+    pub peak: Peak,
+}
+
+impl From<&EnergySample> for EnergySummary {
+    fn from(e: &EnergySample) -> Self {
+        let finite = |value: f64| value.is_finite().then_some(value);
+        Self {
+            external: finite(e.external),
+            kinetic: finite(e.kinetic),
+            elastic: finite(e.elastic),
+            plastic: finite(e.plastic),
+            friction: finite(e.friction),
+            viscous: finite(e.viscous),
+            hourglass: finite(e.hourglass),
+            remap_loss: finite(e.remap_loss),
+            closure: finite(e.closure()),
+        }
+    }
+}
+
+impl Summary {
+    /// Fills in what follows from the histories: the bodies, the ledgers, the leak.
+    pub fn fill(&mut self, history: &History, references: &[Reference], steady_share: f64) {
+        self.bodies = history
+            .bodies
+            .iter()
+            .zip(references)
+            .map(|(samples, reference)| {
+                let range = window(samples, reference, steady_share);
+                let summary = BodySummary { steady: steady(samples, reference, range), peak: peak(samples) };
+                (reference.name.clone(), summary)
+            })
+            .collect();
+        let last = history.energy.last();
+        self.energy = last.map(EnergySummary::from).unwrap_or_default();
+        self.soil.volume_ratio = last.map(|e| e.volume_ratio).filter(|v| v.is_finite());
+        let leaks = history.bodies.iter().filter_map(|samples| samples.last());
+        self.soil.leaked_m3 = leaks.map(|s| s.leaked_volume).filter(|v| v.is_finite()).sum::<f64>() + 0.0;
+    }
+
+    /// Cells with soil times steps, per second of wall clock.
+    #[must_use]
+    pub fn cell_steps_per_second(&self) -> Option<f64> {
+        (self.wall_s > 0.0).then(|| self.filled_cells as f64 * self.steps as f64 / self.wall_s)
+    }
+
+    /// Writes `summary.json` into a results folder.
+    ///
+    /// # Errors
+    /// When the file cannot be written.
+    pub fn write(&self, dir: &Path) -> Result<(), OutputError> {
+        write_json(&dir.join(SUMMARY), self)
+    }
+
+    /// Reads `summary.json` from a results folder.
+    ///
+    /// # Errors
+    /// When the file cannot be read or is no summary.
+    pub fn read(dir: &Path) -> Result<Self, OutputError> {
+        read_json(&dir.join(SUMMARY))
+    }
+}

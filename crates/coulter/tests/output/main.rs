@@ -1,0 +1,288 @@
+//! What a run leaves behind, made from made-up data.
+
+#![allow(clippy::unwrap_used)]
+
+mod synthetic;
+
+use coulter::output::csv::{ENERGY_HEADER, FORCES_HEADER, read_history};
+use coulter::output::table::Table;
+use coulter::output::{
+    Outcome, OutputError, Overlay, PlotKind, Results, RunStatistics, Summary, rebuild_report,
+};
+use std::fs;
+use std::path::Path;
+use synthetic::{Kind, case, history, state, statistics};
+
+/// Writes a whole results folder and returns its summary.
+fn write(dir: &Path, kind: Kind, cell: f64, count: usize) -> Summary {
+    let case = case(kind, cell);
+    let (grid, state) = state(&case, kind, case.duration);
+    let history = history(&case, count);
+    let mut results = Results::create(dir, &case, true).unwrap();
+    results.log("started").unwrap();
+    let overlay =
+        |plot, points| Overlay { name: "forecast: passive pressure".into(), plot, body: None, points };
+    results
+        .overlay(vec![
+            overlay(PlotKind::ForceSinkage, vec![[0.0, 0.0], [0.01, 6.0], [0.02, 14.0], [0.045, 40.0]]),
+            overlay(PlotKind::ForceDisplacement, vec![[0.0, 36.5]]),
+        ])
+        .unwrap();
+    results.keep_case_file("name = \"synthetic\"\n").unwrap();
+    results.finish(&case, &grid, &state, &history, &statistics()).unwrap()
+}
+
+#[test]
+#[ignore = "writes a report to look at into /tmp/coulter_synthetic"]
+fn write_synthetic_reports() {
+    let root = std::env::temp_dir().join("coulter_synthetic");
+    for (name, kind) in [("disc", Kind::Disc), ("two", Kind::Two), ("column", Kind::Column)] {
+        write(&root.join(name), kind, 0.005, 6000);
+    }
+}
+
+#[test]
+fn a_disc_leaves_all_its_files() {
+    let dir = tempfile::tempdir().unwrap();
+    let root = dir.path().join("deep/er");
+    let summary = write(&root, Kind::Disc, 0.02, 400);
+    for file in [
+        "report.html",
+        "summary.json",
+        "run.json",
+        "run.log",
+        "case.toml",
+        "resolved.toml",
+        "forces.csv",
+        "energy.csv",
+        "soil.pvd",
+        "surface.pvd",
+        "body.pvd",
+        "fields/soil_0000.vtr",
+        "fields/surface_0000.vtp",
+        "fields/body_disc_0000.vtp",
+        "pictures/soil_fraction.png",
+        "pictures/rut_plan.png",
+        "pictures/rut_section.svg",
+        "plots/disc_forces.svg",
+        "plots/energy.svg",
+    ] {
+        let size = fs::metadata(root.join(file)).map(|m| m.len()).unwrap_or(0);
+        assert!(size > 0, "{file} is missing or empty");
+    }
+    let steady = &summary.bodies["disc"].steady;
+    assert!((steady.drag.unwrap() - 38.0).abs() < 1.0);
+    assert!((steady.turn_ratio.unwrap() - 0.85).abs() < 0.01);
+    assert!((summary.surface.rut_depth_m - 0.038).abs() < 0.01);
+    let back = Summary::read(&root).unwrap();
+    // Reading JSON may move the last bit of a number.
+    assert!((back.bodies["disc"].steady.drag_noise.unwrap() - steady.drag_noise.unwrap()).abs() < 1e-14);
+    assert_eq!(
+        (back.case, back.filled_cells, back.steps),
+        (summary.case, summary.filled_cells, summary.steps)
+    );
+}
+
+#[test]
+fn the_summary_keeps_its_names() {
+    let dir = tempfile::tempdir().unwrap();
+    write(dir.path(), Kind::Disc, 0.03, 100);
+    let json: serde_json::Value =
+        serde_json::from_str(&fs::read_to_string(dir.path().join("summary.json")).unwrap()).unwrap();
+    for pointer in [
+        "/case",
+        "/version",
+        "/cells",
+        "/filled_cells",
+        "/steps",
+        "/wall_s",
+        "/soil/volume_ratio",
+        "/soil/leaked_m3",
+        "/energy/external_J",
+        "/energy/kinetic_J",
+        "/energy/elastic_J",
+        "/energy/plastic_J",
+        "/energy/friction_J",
+        "/energy/viscous_J",
+        "/energy/hourglass_J",
+        "/energy/remap_loss_J",
+        "/energy/closure",
+        "/bodies/disc/steady/from_m",
+        "/bodies/disc/steady/to_m",
+        "/bodies/disc/steady/drag_N",
+        "/bodies/disc/steady/vertical_N",
+        "/bodies/disc/steady/sinkage_m",
+        "/bodies/disc/steady/turn_ratio",
+        "/bodies/disc/steady/axle_torque_Nm",
+        "/bodies/disc/steady/drag_noise",
+        "/bodies/disc/peak/drag_N",
+    ] {
+        assert!(json.pointer(pointer).is_some_and(|v| !v.is_null()), "{pointer} in {json:#}");
+    }
+}
+
+#[test]
+fn csv_headers_are_a_contract() {
+    assert_eq!(
+        FORCES_HEADER,
+        "time [s],displacement u [m],sinkage z [m],drag F_H [N],vertical F_V [N],lateral [N],axle torque [N m],\
+         rotation [rad],spin [rad/s],turn ratio [-],normal drag [N],friction drag [N],normal vertical [N],\
+         friction vertical [N],leak [m^3],embedded [m^3],speed v [m/s],heave speed [m/s],Z [-],u_bar [-],F_H_bar [-],\
+         F_V_bar [-]"
+    );
+    assert_eq!(
+        ENERGY_HEADER,
+        "time [s],external [J],kinetic [J],elastic [J],plastic [J],friction [J],viscous [J],hourglass [J],\
+         remap loss [J],closure [-],volume ratio [-]"
+    );
+}
+
+#[test]
+fn histories_grow_during_the_run_and_read_back() {
+    let dir = tempfile::tempdir().unwrap();
+    let case = case(Kind::Two, 0.04);
+    let full = history(&case, 50);
+    let mut results = Results::create(dir.path(), &case, false).unwrap();
+    let mut part = full.clone();
+    part.bodies.iter_mut().for_each(|samples| samples.truncate(20));
+    part.energy.truncate(3);
+    results.append(&part).unwrap();
+    assert_eq!(Table::read(&dir.path().join("forces_disc.csv")).unwrap().rows(), 20);
+    results.append(&full).unwrap();
+    results.append(&full).unwrap();
+    let back = read_history(dir.path(), &full.names).unwrap();
+    assert_eq!(back.bodies[1].len(), 50);
+    assert!((back.bodies[1][30].drag - full.bodies[1][30].drag).abs() < 1e-6);
+    let disc = Table::read(&dir.path().join("forces_disc.csv")).unwrap();
+    // F over γ t d²; the block's reference lengths are its height and width.
+    let reference = [16e3 * 0.04 * 0.04, 16e3 * 0.08 * 0.01];
+    let block = Table::read(&dir.path().join("forces_scraper.csv")).unwrap();
+    for (table, force) in [(&disc, reference[0]), (&block, reference[1])] {
+        let (drag, bar) = (table.column("drag F_H").unwrap()[40], table.column("F_H_bar").unwrap()[40]);
+        assert!((bar - drag / force).abs() < 1e-7 * bar.abs());
+    }
+    assert!(block.column("turn ratio").unwrap().iter().all(|v| v.is_nan()));
+    assert!(disc.column("turn ratio").unwrap().iter().skip(10).all(|v| v.is_finite()));
+}
+
+#[test]
+fn weightless_soil_has_no_force_groups() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut case = case(Kind::Disc, 0.04);
+    case.soil.unit_weight = 0.0;
+    Results::create(dir.path(), &case, false).unwrap().append(&history(&case, 10)).unwrap();
+    let table = Table::read(&dir.path().join("forces.csv")).unwrap();
+    assert!(table.column("F_H_bar").unwrap().iter().all(|v| v.is_nan()));
+    assert!(table.column("Z").unwrap().iter().all(|v| v.is_finite()));
+}
+
+#[test]
+fn results_are_never_overwritten_unasked() {
+    let dir = tempfile::tempdir().unwrap();
+    write(dir.path(), Kind::Two, 0.04, 20);
+    let case = case(Kind::Disc, 0.04);
+    assert!(matches!(Results::create(dir.path(), &case, false), Err(OutputError::Exists { .. })));
+    fs::write(dir.path().join("notes.txt"), "mine").unwrap();
+    fs::write(dir.path().join("fields/mine.txt"), "mine").unwrap();
+    Results::create(dir.path(), &case, true).unwrap();
+    assert!(!dir.path().join("forces_disc.csv").exists(), "the old run's files are gone");
+    assert!(!dir.path().join("fields/soil_0000.vtr").exists() && !dir.path().join("report.html").exists());
+    assert!(dir.path().join("notes.txt").exists() && dir.path().join("fields/mine.txt").exists());
+    let foreign = tempfile::tempdir().unwrap();
+    fs::write(foreign.path().join("thesis.tex"), "mine").unwrap();
+    for force in [false, true] {
+        assert!(matches!(Results::create(foreign.path(), &case, force), Err(OutputError::Foreign { .. })));
+    }
+}
+
+#[test]
+fn a_resumed_run_goes_on_where_the_checkpoint_was() {
+    let dir = tempfile::tempdir().unwrap();
+    let case = case(Kind::Disc, 0.04);
+    let full = history(&case, 60);
+    let mut results = Results::create(dir.path(), &case, false).unwrap();
+    for time in [0.0, 1.0, 2.0] {
+        let (grid, state) = state(&case, Kind::Disc, time);
+        results.write_fields(&case, &grid, &state).unwrap();
+        results.write_fields(&case, &grid, &state).unwrap();
+    }
+    results.append(&full).unwrap();
+    drop(results);
+    let mut early = full.clone();
+    early.bodies[0].truncate(25);
+    let mut results = Results::resume(dir.path(), &case, &early, 1.5).unwrap();
+    assert_eq!(Table::read(&dir.path().join("forces.csv")).unwrap().rows(), 25);
+    let (grid, later) = state(&case, Kind::Disc, 1.75);
+    results.write_fields(&case, &grid, &later).unwrap();
+    let list = fs::read_to_string(dir.path().join("soil.pvd")).unwrap();
+    let times: Vec<&str> = list.split("timestep=\"").skip(1).filter_map(|t| t.split('"').next()).collect();
+    assert_eq!(times, ["0", "1", "1.75"]);
+    assert!(list.contains("fields/soil_0002.vtr") && !list.contains("soil_0003"));
+    results.append(&full).unwrap();
+    assert_eq!(Table::read(&dir.path().join("forces.csv")).unwrap().rows(), 60);
+}
+
+#[test]
+fn a_report_is_rebuilt_from_the_files() {
+    let dir = tempfile::tempdir().unwrap();
+    write(dir.path(), Kind::Two, 0.03, 300);
+    let first = fs::read_to_string(dir.path().join("report.html")).unwrap();
+    fs::remove_file(dir.path().join("report.html")).unwrap();
+    let path = rebuild_report(dir.path()).unwrap();
+    let second = fs::read_to_string(path).unwrap();
+    let text = |html: &str| html.lines().filter(|l| !l.contains("<path")).collect::<Vec<_>>().join("\n");
+    assert_eq!(text(&first), text(&second));
+    let empty = tempfile::tempdir().unwrap();
+    assert!(matches!(rebuild_report(empty.path()), Err(OutputError::NoResult { .. })));
+}
+
+#[test]
+fn a_report_needs_nothing_from_outside() {
+    let dir = tempfile::tempdir().unwrap();
+    write(dir.path(), Kind::Disc, 0.03, 5000);
+    let html = fs::read_to_string(dir.path().join("report.html")).unwrap();
+    for outside in ["src=\"http", "href=", "url(", "<script", "@import"] {
+        assert!(!html.contains(outside), "{outside}");
+    }
+    assert!(html.contains("data:image/png;base64,") && html.contains("<svg"));
+    assert!(!html.contains("NaN"));
+    // Long histories are thinned in the plots.
+    let svg = fs::metadata(dir.path().join("plots/disc_forces.svg")).unwrap().len();
+    assert!(svg < 200_000, "{svg} bytes");
+}
+
+#[test]
+fn strange_runs_are_reported_too() {
+    let statistics =
+        RunStatistics { outcome: Outcome::BrokeDown("cell <3,4,5> & more".into()), ..Default::default() };
+    for kind in [Kind::Disc, Kind::Two, Kind::Column] {
+        let case = case(kind, 0.04);
+        let (grid, mut state) = state(&case, kind, 0.0);
+        let mut broken = history(&case, 30);
+        for samples in &mut broken.bodies {
+            samples[7].drag = f64::NAN;
+            samples[29].displacement = f64::NAN;
+        }
+        state.soil.plastic_strain.fill(f64::NAN);
+        state.soil.stress[2].fill(f64::INFINITY);
+        if let Some(body) = state.bodies.first_mut() {
+            body.position = glam::DVec3::new(1e30, f64::NAN, f64::NEG_INFINITY);
+            body.angle = f64::NAN;
+        }
+        let empty = coulter::output::record::History { energy: vec![], ..history(&case, 0) };
+        let constant = history(&case, 1);
+        for history in [&broken, &empty, &constant] {
+            let dir = tempfile::tempdir().unwrap();
+            let mut results = Results::create(dir.path(), &case, false).unwrap();
+            results.finish(&case, &grid, &state, history, &statistics).unwrap();
+            let html = fs::read_to_string(dir.path().join("report.html")).unwrap();
+            assert!(html.contains("broke down: cell &lt;3,4,5&gt; &amp; more"), "{kind:?}");
+            let drawn = html.split("<h2>The case</h2>").next().unwrap();
+            assert!(
+                !drawn.contains("NaN") && !drawn.contains("inf\"") && !drawn.contains("inf "),
+                "{kind:?}"
+            );
+            rebuild_report(dir.path()).unwrap();
+        }
+    }
+}
