@@ -3,4 +3,5 @@
 pub mod case;
 pub mod cli;
 pub mod output;
+pub mod run;
 pub mod simulation;

@@ -2,6 +2,7 @@
 
 use crate::case::Case;
 use crate::case::resolved::{self, Ground, Law};
+use crate::output::checkpoint::Checkpoint;
 use crate::output::record::{BodySample, EnergySample, History};
 use physics::elastic::Elastic;
 use physics::mohr_coulomb::MohrCoulomb;
@@ -56,6 +57,35 @@ impl Simulation {
             simulation.sample();
         }
         simulation
+    }
+
+    /// A run that goes on from a checkpoint.
+    #[must_use]
+    pub fn resume(case: &Case, checkpoint: Checkpoint) -> Self {
+        let Checkpoint { state, history, sampled, wall_s, .. } = checkpoint;
+        let simulation = Self::with_state(case, model(case), state);
+        Self { history, sampled, wall_s, ..simulation }
+    }
+
+    /// Everything that is needed to go on from here.
+    #[must_use]
+    pub fn checkpoint(&self) -> Checkpoint {
+        Checkpoint {
+            case: Self::case_text(&self.case),
+            state: self.state.clone(),
+            history: self.history.clone(),
+            sampled: self.sampled.clone(),
+            wall_s: self.wall_s,
+        }
+    }
+
+    /// The resolved case as text, but for what makes no difference to the physics.
+    #[must_use]
+    pub fn case_text(case: &Case) -> String {
+        let mut case = case.clone();
+        case.numerics.threads = 0;
+        // A case is made of numbers, names and lists: it always has a text.
+        serde_json::to_string(&case).unwrap_or_default()
     }
 
     /// Whether the run has reached its end.

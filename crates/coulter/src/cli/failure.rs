@@ -17,13 +17,20 @@ pub enum Failure {
     /// The request was right, but the physics failed.
     #[error("{0}")]
     Physics(String),
+    /// Somebody stopped it.
+    #[error("{0}")]
+    Stopped(String),
 }
 
 impl Failure {
-    /// 1 if the physics failed, 2 if the request was wrong.
+    /// 1 if the physics failed, 2 if the request was wrong, 130 if it was stopped.
     #[must_use]
     pub fn exit_code(&self) -> u8 {
-        if matches!(self, Self::Physics(_)) { 1 } else { 2 }
+        match self {
+            Self::Physics(_) => 1,
+            Self::Stopped(_) => 130,
+            Self::Case(_) | Self::Request(_) => 2,
+        }
     }
 
     /// Tells what went wrong on standard error.
@@ -31,6 +38,7 @@ impl Failure {
         let text = match self {
             Self::Case(error) => render(error, is_colourful()),
             Self::Request(message) | Self::Physics(message) => format!("error: {message}\n"),
+            Self::Stopped(message) => format!("{message}\n"),
         };
         let _ = std::io::stderr().lock().write_all(text.as_bytes());
         ExitCode::from(self.exit_code())

@@ -1,6 +1,7 @@
 //! `coulter report`: rebuilds report.html from results.
 
-use super::Failure;
+use super::{Failure, say};
+use crate::output::rebuild_report;
 use std::path::PathBuf;
 
 #[derive(Debug, clap::Args)]
@@ -15,5 +16,7 @@ pub(super) fn report(arguments: &Arguments) -> Result<(), Failure> {
         let shown = arguments.folder.display();
         return Err(Failure::Request(format!("{shown} is no folder; name the one that `coulter run` wrote")));
     }
-    Err(Failure::Request("`coulter report` is not built yet".into()))
+    let report = rebuild_report(&arguments.folder).map_err(|e| Failure::Request(e.to_string()))?;
+    say(&format!("{}\n", report.display()));
+    Ok(())
 }

@@ -1,8 +1,10 @@
 //! `coulter run`: runs a case.
 
-use super::Failure;
+use super::{Failure, say};
 use crate::case;
+use crate::run::{self, End, Options, RunError};
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -34,13 +36,43 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         case.numerics.threads = usize::from(threads);
     }
     let folder = arguments.output.clone().unwrap_or_else(|| PathBuf::from("results").join(&case.name));
-    let taken = folder.read_dir().is_ok_and(|mut entries| entries.next().is_some());
-    if taken && !arguments.force && !arguments.resume {
-        let shown = folder.display();
-        return Err(Failure::Request(format!(
-            "{shown} holds results; --force overwrites them, --resume goes on with them, -o DIR writes elsewhere"
-        )));
+    let text = std::fs::read_to_string(&arguments.case).map_err(|e| Failure::Request(e.to_string()))?;
+    let typed = case::overridden(&text, &arguments.case.display().to_string(), &arguments.overrides)?;
+    let options = Options {
+        folder: &folder,
+        force: arguments.force,
+        resume: arguments.resume,
+        quiet: arguments.json,
+        stop: stop_on_signal(),
+        typed: &typed,
+    };
+    match run::run(&case, &options) {
+        Ok(End::Finished(summary)) if arguments.json => print_json(&*summary),
+        Ok(End::Finished(_)) => Ok(()),
+        Ok(End::Stopped(checkpoint)) => Err(Failure::Stopped(format!(
+            "stopped; what there is was written, --resume goes on from {}",
+            checkpoint.display()
+        ))),
+        Err(error @ RunError::Physics { .. }) => Err(Failure::Physics(error.to_string())),
+        Err(error) => Err(Failure::Request(error.to_string())),
     }
-    let _ = arguments.json;
-    Err(Failure::Request("`coulter run` is not built yet".into()))
+}
+
+/// A flag that the first Ctrl-C (or a batch system's SIGTERM) sets; the second ends the program at once.
+fn stop_on_signal() -> &'static AtomicBool {
+    static STOP: AtomicBool = AtomicBool::new(false);
+    let heard = || {
+        if STOP.swap(true, Ordering::Relaxed) {
+            std::process::exit(130);
+        }
+    };
+    // Without a handler the signal simply ends the program: nothing that was written is lost.
+    let _ = ctrlc::set_handler(heard);
+    &STOP
+}
+
+fn print_json(value: &impl serde::Serialize) -> Result<(), Failure> {
+    let text = serde_json::to_string_pretty(value).map_err(|e| Failure::Request(e.to_string()))?;
+    say(&format!("{text}\n"));
+    Ok(())
 }

@@ -5,6 +5,7 @@
 mod canvas;
 pub mod chart;
 mod chart_marks;
+pub mod checkpoint;
 mod colour;
 pub mod csv;
 mod describe;
