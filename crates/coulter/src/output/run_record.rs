@@ -29,6 +29,7 @@ pub enum Outcome {
 
 /// What the run was like, apart from its physics.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct RunStatistics {
     /// Steps taken.
     pub steps: u64,
@@ -75,6 +76,7 @@ pub struct Overlay {
 
 /// The run as the report sees it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct RunRecord {
     /// Version of Coulter.
     pub version: String,

@@ -14,6 +14,7 @@ const NO_TOW: f64 = 1e-3;
 
 /// Averages over the steady window; `null` in JSON where there is nothing to average.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Steady {
     /// Displacement at which the window begins [m].
     pub from_m: Option<f64>,
@@ -44,6 +45,7 @@ pub struct Steady {
 
 /// Largest values of a run, with their sign; `null` in JSON where there is none.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Peak {
     /// Largest drag F_H [N].
     #[serde(rename = "drag_N")]

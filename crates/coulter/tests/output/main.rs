@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod synthetic;
+mod vtk;
 
 use coulter::output::csv::{ENERGY_HEADER, FORCES_HEADER, read_history};
 use coulter::output::table::Table;
