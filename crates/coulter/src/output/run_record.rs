@@ -70,6 +70,9 @@ pub struct Overlay {
     pub plot: PlotKind,
     /// The body it belongs to; all bodies when none is named.
     pub body: Option<String>,
+    /// Whether it was measured: drawn as dots, not as a line.
+    #[serde(default)]
+    pub measured: bool,
     /// Points in SI units. A single point is drawn as a level across the plot.
     pub points: Vec<[f64; 2]>,
 }
