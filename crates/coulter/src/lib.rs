@@ -1,4 +1,6 @@
 //! From case file to report: the library's front door and the `coulter` command.
 
 pub mod case;
+pub mod cli;
 pub mod output;
+pub mod simulation;

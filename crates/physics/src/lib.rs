@@ -3,4 +3,12 @@
 //! Nothing here knows a grid, a file, a thread or the heap of a running simulation: every function takes the numbers
 //! of one point and returns the numbers of one point. SI units, radians, tension positive.
 
+pub mod brick;
+pub mod elastic;
+pub mod interface;
+pub mod limiter;
+pub mod mohr_coulomb;
+pub mod rigid;
 pub mod shape;
+pub mod tensor;
+pub mod viscosity;

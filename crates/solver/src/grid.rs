@@ -23,10 +23,10 @@ impl Grid {
     /// A grid with the given face positions [m]; each must be increasing and hold at least two.
     #[must_use]
     pub fn new(faces: [Vec<f64>; 3]) -> Self {
-        let padded = |n: usize| n + 1;
-        let row = padded(faces[0].len()).next_multiple_of(LANES);
-        let plane = row * padded(faces[1].len());
-        let entries = plane * padded(faces[2].len()) + LANES;
+        // One ghost before, one after, and whole vectors of cells from the first cell on.
+        let row = ((faces[0].len() - 1).next_multiple_of(LANES) + 2).next_multiple_of(LANES);
+        let plane = row * (faces[1].len() + 1);
+        let entries = plane * (faces[2].len() + 1) + LANES;
         Self { faces, stride: [1, row, plane], entries }
     }
 
@@ -40,6 +40,13 @@ impl Grid {
     #[must_use]
     pub fn index(&self, i: usize, j: usize, k: usize) -> usize {
         (i + 1) * self.stride[0] + (j + 1) * self.stride[1] + (k + 1) * self.stride[2]
+    }
+
+    /// Cell (or node) `(i, j, k)` at a place in memory; the inverse of [`Grid::index`].
+    #[must_use]
+    pub fn place(&self, index: usize) -> [usize; 3] {
+        let [_, row, plane] = self.stride;
+        [index % row - 1, index % plane / row - 1, index / plane - 1]
     }
 
     /// Width of cell layer `n` along `axis` [m].

@@ -44,6 +44,84 @@ pub struct Body {
     pub velocity: DVec3,
     /// Rate of turning about the axle [rad/s], positive when it rolls forward.
     pub spin: f64,
+    /// What the soil has given to the body since the start.
+    pub received: Received,
+    /// Soil found inside the body at the last remap [m³].
+    pub leaked_volume: f64,
+    /// Volume of the body below z = 0 at the last remap [m³].
+    pub embedded_volume: f64,
+    /// Position [m] and angle [rad] at which its contact points were last located.
+    pub located: (DVec3, f64),
+}
+
+/// Impulses that the soil has given to a body since the start. Differences over an interval, divided by its length, are
+/// mean forces, so no force is lost between two samples.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Received {
+    /// By pressure normal to the surface [N s].
+    pub normal: DVec3,
+    /// By friction [N s].
+    pub friction: DVec3,
+    /// About the axle [N m s], positive when it makes the body roll forward.
+    pub axle: f64,
+}
+
+/// One point of contact: what it remembers, and where it sits in the grid until the next remap.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Contact {
+    /// Which body.
+    pub body: usize,
+    /// Which of its surface points.
+    pub point: usize,
+    /// Whether the point is in the grid, with soil to act on.
+    pub in_soil: bool,
+    /// Place of the cell's low node.
+    pub base: usize,
+    /// Weights of the cell's eight nodes.
+    pub weight: [f64; 8],
+    /// Normal out of the body.
+    pub normal: DVec3,
+    /// From the body's reference point to the point [m].
+    pub arm: DVec3,
+    /// Area that the point stands for [m²].
+    pub area: f64,
+    /// Smallest width of its cell [m].
+    pub width: f64,
+    /// Penetration (penalty) [m].
+    pub penetration: f64,
+    /// Elastic slip (penalty) [m].
+    pub slip: DVec3,
+    /// Impulse of the last step, to start the next from (impulses) [N s].
+    pub impulse: DVec3,
+    /// Position at the last remap [m].
+    pub anchor: DVec3,
+}
+
+/// Where the energy went since the start, and what was lost on the way. Of the part that is modelled [J].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Ledger {
+    /// Work of loads and drives on the bodies, and of gravity on the soil.
+    pub external: f64,
+    /// Plastic dissipation.
+    pub plastic: f64,
+    /// Dissipation by bulk viscosity.
+    pub viscous: f64,
+    /// Dissipation by hourglass viscosity.
+    pub hourglass: f64,
+    /// What contact took: friction, and the little that the method itself takes or stores.
+    pub friction: f64,
+    /// Kinetic and elastic energy lost in remaps.
+    pub remap: f64,
+    /// Elastic energy of the soil at the start.
+    pub elastic_start: f64,
+    /// Kinetic energy at the start.
+    pub kinetic_start: f64,
+    /// Soil volume at the start [m³].
+    pub volume_start: f64,
+    /// Volume of the crumbs that remaps took out [m³].
+    pub crumbs_volume: f64,
+    /// Their mass [kg].
+    pub crumbs_mass: f64,
 }
 
 /// Everything that changes.
@@ -59,6 +137,12 @@ pub struct State {
     pub nodes: Nodes,
     /// The bodies, in the order of the model's.
     pub bodies: Vec<Body>,
+    /// The contact points of all bodies.
+    pub contacts: Vec<Contact>,
+    /// Number of remaps done.
+    pub remaps: u64,
+    /// Energy and mass.
+    pub ledger: Ledger,
 }
 
 impl Soil {

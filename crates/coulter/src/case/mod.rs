@@ -1,5 +1,90 @@
 //! The case: what was typed (`schema`), and what it means (`Case`, SI units).
 
+mod advice;
+pub mod documentation;
+pub mod estimate;
+pub mod json_schema;
+pub mod keys;
+mod overrides;
+mod problem;
+pub mod quantity;
+mod ranges;
+mod resolve;
 pub mod resolved;
+mod schema;
+mod tree;
+mod units;
+mod values;
 
+pub use advice::advice;
+pub use overrides::overridden;
+pub use problem::{CaseError, Problem};
 pub use resolved::Case;
+
+use problem::{Problems, Source};
+use std::path::Path;
+
+/// Reads the case file at `path`, with overrides such as `soil.friction_angle=38 deg`.
+///
+/// # Errors
+/// [`CaseError`] holds everything that is wrong, with its place in the file.
+pub fn load(path: &Path, overrides: &[String]) -> Result<Case, CaseError> {
+    let name = path.display().to_string();
+    let bytes = std::fs::read(path).map_err(|error| unreadable(path, &name, &error))?;
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let valid = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        let line = valid.iter().filter(|b| **b == b'\n').count() + 1;
+        let message = format!("{name}: not a text file: line {line} is not UTF-8");
+        CaseError::unreadable(&name, message, "save the file as UTF-8 text")
+    })?;
+    parse(&text, &name, overrides)
+}
+
+fn unreadable(path: &Path, name: &str, error: &std::io::Error) -> CaseError {
+    if path.is_dir() {
+        let cure = "name the case file in it, such as cases/towed_disc.toml";
+        return CaseError::unreadable(name, format!("{name}: a directory, not a case file"), cure);
+    }
+    let cure = match error.kind() {
+        std::io::ErrorKind::NotFound => {
+            "check the path; `coulter new towed-disc` writes a case file to start from"
+        }
+        _ => "check that the file can be read",
+    };
+    CaseError::unreadable(name, format!("{name}: cannot be read: {error}"), cure)
+}
+
+/// Reads a case from its text; `source_name` is what to call it in messages.
+///
+/// # Errors
+/// [`CaseError`] holds everything that is wrong, with its place in the text.
+pub fn parse(text: &str, source_name: &str, overrides: &[String]) -> Result<Case, CaseError> {
+    let mut problems = Problems::new(Source { name: source_name.to_owned(), text: text.to_owned() });
+    let root = tree::read(&mut problems, overrides);
+    if !problems.is_empty() {
+        return Err(problems.into_error());
+    }
+    if root.is_empty() {
+        let message = format!("{source_name}: the case is empty");
+        return Err(CaseError::unreadable(
+            source_name,
+            message,
+            "`coulter new towed-disc` writes one to start from",
+        ));
+    }
+    let schema = schema::read(&root, &mut problems);
+    match resolve::resolve(&schema, source_name, &mut problems) {
+        Some(case) if problems.is_empty() => Ok(case),
+        _ => Err(problems.into_error()),
+    }
+}
+
+/// The candidate that `typed` resembles most, if it resembles any.
+fn nearest<'a>(typed: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    let lower = typed.to_lowercase();
+    candidates
+        .map(|name| (strsim::jaro_winkler(&lower, &name.to_lowercase()), name))
+        .filter(|(likeness, _)| *likeness > 0.7)
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, name)| name)
+}

@@ -182,7 +182,7 @@ pub enum Freedom {
         start: f64,
         /// How long it lasts [s].
         ramp: f64,
-        /// When the motion ends (by a ramp of the same length) [s]; infinite for never.
+        /// When the motion begins to end, by a ramp of the same length [s]; infinite for never.
         end: f64,
     },
     /// Moves as the forces on it say. `load` [N or N m] acts besides the soil (a weight is negative along z) and is

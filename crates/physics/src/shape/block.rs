@@ -28,11 +28,12 @@ impl Shape for Block {
         (self.size.x.powi(2) + self.size.z.powi(2)) / 12.0
     }
 
-    fn surface_points(&self, spacing: f64, inset: f64) -> Vec<SurfacePoint> {
+    fn surface_points(&self, spacing: f64, inset: DVec3) -> Vec<SurfacePoint> {
         let mut points = Vec::new();
         for axis in 0..3 {
             let (first, second) = ((axis + 1) % 3, (axis + 2) % 3);
-            let (width, height) = (self.size[first] - 2.0 * inset, self.size[second] - 2.0 * inset);
+            let (width, height) =
+                (self.size[first] - 2.0 * inset[first], self.size[second] - 2.0 * inset[second]);
             if width <= 0.0 || height <= 0.0 {
                 continue;
             }

@@ -38,11 +38,11 @@ impl Shape for Disc {
         0.5 * self.radius().powi(2)
     }
 
-    fn surface_points(&self, spacing: f64, inset: f64) -> Vec<SurfacePoint> {
+    fn surface_points(&self, spacing: f64, inset: DVec3) -> Vec<SurfacePoint> {
         let mut points = Vec::new();
-        rim_points(self, spacing, inset, &mut points);
+        rim_points(self, spacing, inset.y, &mut points);
         for side in [-1.0, 1.0] {
-            face_points(self, side, spacing, inset, &mut points);
+            face_points(self, side, spacing, inset.x, &mut points);
         }
         points
     }

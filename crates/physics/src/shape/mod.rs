@@ -40,10 +40,11 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
     fn volume(&self) -> f64;
     /// Moment of inertia about the axle (body `y`) of a solid of unit mass [m²].
     fn axle_inertia_per_mass(&self) -> f64;
-    /// Contact points with a spacing of at most `spacing` [m], kept `inset` [m] away from sharp convex edges.
+    /// Contact points with a spacing of at most `spacing` [m], kept `inset` [m] (along x, y, z) away from sharp convex
+    /// edges.
     ///
     /// The inset takes away the cell's half width by which a row of points at a sharp edge makes the body too wide.
-    fn surface_points(&self, spacing: f64, inset: f64) -> Vec<SurfacePoint>;
+    fn surface_points(&self, spacing: f64, inset: DVec3) -> Vec<SurfacePoint>;
     /// Whether a turn about the axle leaves the shape as it is; its contact points then need not turn with it.
     fn is_revolved(&self) -> bool;
     /// A closed triangle mesh of the surface.

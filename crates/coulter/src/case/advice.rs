@@ -1,0 +1,191 @@
+//! Doubts about a case that can be run: is the grid fine enough, the tow slow enough, the box large enough?
+
+use super::Case;
+use super::estimate::estimate;
+use super::resolve::body::solid;
+use super::resolve::extent::{body_length, path};
+use super::resolved::{Body, Freedom, Law};
+
+/// Warnings, each a sentence or two; empty for a case without doubts.
+#[must_use]
+pub fn advice(case: &Case) -> Vec<String> {
+    let mut notes = Vec::new();
+    for body in &case.bodies {
+        resolution(case, body, &mut notes);
+        fine_zone(case, body, &mut notes);
+        room(case, body, &mut notes);
+        speed(case, body, &mut notes);
+    }
+    overlaps(case, &mut notes);
+    timing(case, &mut notes);
+    strength(case, &mut notes);
+    if case.bodies.is_empty() && case.soil.unit_weight == 0.0 {
+        notes.push("There is no body and the soil has no weight: nothing will happen.".into());
+    }
+    notes
+}
+
+/// Bodies whose boxes overlap at the start; they do not feel each other.
+fn overlaps(case: &Case, notes: &mut Vec<String>) {
+    for (n, one) in case.bodies.iter().enumerate() {
+        for other in case.bodies.iter().skip(n + 1) {
+            let (a, b) = (path(one, 0.0), path(other, 0.0));
+            if a.low.cmplt(b.high).all() && b.low.cmplt(a.high).all() {
+                notes
+                    .push(format!("{} and {} overlap; bodies do not feel each other.", one.name, other.name));
+            }
+        }
+    }
+}
+
+fn resolution(case: &Case, body: &Body, notes: &mut Vec<String>) {
+    let (low, high) = solid(&body.shape).bounds();
+    let mut size = high - low;
+    if case.domain.plane_strain {
+        size.y = f64::INFINITY;
+    }
+    let narrow = size.min_element() / case.grid.cell;
+    if narrow < 4.0 * (1.0 - 1e-9) {
+        notes.push(format!(
+            "{}: {narrow:.1} cells across its narrowest side; below 4 the force is uncertain by tens of per cent.",
+            body.name
+        ));
+    }
+    let wide = size.x.min(size.z) / case.grid.cell;
+    if wide < 10.0 && wide > narrow {
+        notes.push(format!(
+            "{}: {wide:.1} cells across in the plane of the tow; 16 or more are advisable.",
+            body.name
+        ));
+    }
+}
+
+fn fine_zone(case: &Case, body: &Body, notes: &mut Vec<String>) {
+    let way = path(body, case.duration);
+    let slack = 1e-6 * case.grid.cell;
+    let outside_x = way.low.x < case.grid.fine_low.x - slack || way.high.x > case.grid.fine_high.x + slack;
+    let outside_y = !case.domain.plane_strain && way.high.y > case.grid.fine_high.y + slack;
+    let outside_z = way.low.z < case.grid.fine_low.z - slack && way.low.z > case.domain.low.z;
+    if outside_x || outside_y || outside_z {
+        notes.push(format!("{}: leaves the fine zone of the grid on its way.", body.name));
+    }
+}
+
+/// Body lengths to a wall below which it is mentioned; chosen: soil fails over some three sinkages, and a disc seldom
+/// sinks deeper than a third of its diameter.
+const NEAR: f64 = 1.2;
+
+fn room(case: &Case, body: &Body, notes: &mut Vec<String>) {
+    let way = path(body, case.duration);
+    let length = body_length(std::slice::from_ref(body));
+    let (box_low, box_high) = (case.domain.low, case.domain.high);
+    let mut gaps = vec![("ahead", box_high.x - way.high.x), ("below", way.low.z - box_low.z)];
+    if !case.domain.plane_strain {
+        gaps.push(("beside", box_high.y - way.high.y));
+    }
+    let near: Vec<String> = gaps
+        .iter()
+        .filter(|(_, gap)| *gap > 0.0 && *gap < NEAR * length)
+        .map(|(side, gap)| format!("{:.2} body lengths {side}", gap / length))
+        .collect();
+    if !near.is_empty() {
+        notes.push(format!(
+            "{}: the walls are near ({}); try a larger box: 2 body lengths are on the safe side.",
+            body.name,
+            near.join(", ")
+        ));
+    }
+}
+
+/// Whether the motion is slow enough to be quasi-static.
+fn speed(case: &Case, body: &Body, notes: &mut Vec<String>) {
+    let fastest = body.translation.iter().map(prescribed_speed).fold(0.0, f64::max);
+    let length = body_length(std::slice::from_ref(body));
+    let deep = (-path(body, 0.0).low.z).max(0.1 * length);
+    let gravity = case.soil.unit_weight / case.soil.density;
+    let froude = fastest.powi(2) / (gravity * deep);
+    if gravity > 0.0 && froude > 0.2 {
+        notes.push(format!(
+            "{}: Froude number v²/(g z) = {froude:.2} taking z = {deep:.3} m: inertia will add to the force.",
+            body.name
+        ));
+    }
+    // Ordinary contact pressure of soil failing round the body, to compare numerical stresses with.
+    let pressure = match case.soil.law {
+        Law::MohrCoulomb { friction_angle, cohesion, .. } => {
+            let passive = (std::f64::consts::FRAC_PI_4 + 0.5 * friction_angle).tan().powi(2);
+            case.soil.unit_weight * deep * passive + 2.0 * cohesion * passive.sqrt()
+        }
+        Law::Tresca { shear_strength } => 5.0 * shear_strength,
+        Law::Elastic => f64::INFINITY,
+    };
+    let wave_speed = estimate(case).wave_speed_m_per_s;
+    let viscous = case.soil.density * wave_speed * case.numerics.bulk_viscosity_linear * fastest;
+    if viscous > 0.05 * pressure {
+        notes.push(format!(
+            "{}: bulk viscosity ρ c b₁ v = {viscous:.0} Pa is {:.0} % of a contact pressure of about {pressure:.0} Pa; \
+             a slower motion or a smaller numerics.bulk_viscosity_linear makes it less.",
+            body.name,
+            100.0 * viscous / pressure
+        ));
+    }
+}
+
+fn prescribed_speed(freedom: &Freedom) -> f64 {
+    if let Freedom::Prescribed { speed, .. } = freedom { speed.abs() } else { 0.0 }
+}
+
+/// Whether ramps are gentle and intervals no shorter than a step.
+fn timing(case: &Case, notes: &mut Vec<String>) {
+    let cost = estimate(case);
+    let transit = (case.domain.high.z - case.domain.low.z) / cost.wave_speed_m_per_s;
+    for body in &case.bodies {
+        for freedom in body.translation.iter().chain([&body.spin]) {
+            let (Freedom::Prescribed { ramp, .. } | Freedom::Free { ramp, .. }) = *freedom else { continue };
+            let moves =
+                !matches!(freedom, Freedom::Free { load: 0.0, .. } | Freedom::Prescribed { speed: 0.0, .. });
+            if moves && ramp < 5.0 * transit {
+                notes.push(format!(
+                    "{}: a ramp of {ramp} s sends a shock through the soil; 5 wave transits are {:.2e} s.",
+                    body.name,
+                    5.0 * transit
+                ));
+            }
+        }
+    }
+    if case.output.history_interval < cost.time_step_s {
+        notes.push(format!(
+            "output.history_interval is shorter than a time step, {:.2e} s.",
+            cost.time_step_s
+        ));
+    }
+}
+
+fn strength(case: &Case, notes: &mut Vec<String>) {
+    let Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, .. } = case.soil.law else { return };
+    let length = body_length(&case.bodies);
+    let relative = cohesion / (case.soil.unit_weight * length);
+    if cohesion > 0.0 && relative < 0.01 {
+        notes.push(format!(
+            "Cohesion c/(γd) = {relative:.1e} is tiny; c = 0 runs just as well here and is what sand has."
+        ));
+    }
+    if dilation_angle > 0.0 {
+        notes.push(
+            "Dilation goes on without limit: over large displacements ψ > 0 makes the soil too strong."
+                .into(),
+        );
+    }
+    let passive = (std::f64::consts::FRAC_PI_4 + 0.5 * friction_angle).tan().powi(2);
+    let at_rest = case.soil.rest_pressure_ratio;
+    if cohesion == 0.0 && case.soil.unit_weight > 0.0 && !(1.0 / passive..=passive).contains(&at_rest) {
+        notes.push(format!(
+            "The rest pressure ratio {at_rest:.3} is beyond the soil's strength ({:.3} to {passive:.3}): it will move \
+             at once.",
+            1.0 / passive
+        ));
+    }
+    if cohesion == 0.0 && case.soil.unit_weight == 0.0 {
+        notes.push("The soil has neither weight nor cohesion, and so no strength.".into());
+    }
+}

@@ -1,0 +1,81 @@
+//! The tables of docs/case-file.md, from the table of keys.
+
+use super::keys::{self, Kind};
+use std::fmt::Write;
+
+/// One table for each section, in Markdown.
+#[must_use]
+pub fn tables() -> String {
+    let mut text = String::new();
+    for section in keys::SECTIONS {
+        let heading = match section.name {
+            "" => "Top of the file".to_owned(),
+            "body" => "`[body.NAME]`".to_owned(),
+            name => format!("`[{name}]`"),
+        };
+        // Writing to a string cannot fail.
+        let _ = write!(
+            text,
+            "### {heading}\n{}\n\n| key | value | default | meaning |\n|---|---|---|---|\n",
+            section.meaning
+        );
+        for key in section.keys {
+            let _ = writeln!(
+                text,
+                "| `{}` | {} | {} | {} |",
+                key.name,
+                kind(&key.kind),
+                key.default,
+                key.meaning
+            );
+        }
+        text.push('\n');
+    }
+    text
+}
+
+fn kind(kind: &Kind) -> String {
+    match kind {
+        Kind::Text => "text".into(),
+        Kind::Number => "number".into(),
+        Kind::Count => "whole number".into(),
+        Kind::Flag => "`true` or `false`".into(),
+        Kind::Quantity(measure) => format!("{}: `\"{}\"`", measure.name, measure.example),
+        Kind::Choice(words) => words.iter().map(|w| format!("`\"{w}\"`")).collect::<Vec<_>>().join(", "),
+        Kind::Range(measure) => format!("low and high, each {}", measure.name),
+        Kind::Vector(measure) => format!("2 or 3 values, each {}", measure.name),
+        Kind::Friction => "number, or `\"rough\"`".into(),
+        Kind::WallPair => "two of `\"smooth\"`, `\"fixed\"`".into(),
+        Kind::Motion { still, speed, load } => {
+            format!("motion: `\"{still}\"`, `\"free\"`, {} or {}", speed.name, load.name)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    /// Compares a shipped file with what the table of keys says; with `COULTER_UPDATE=1` it is written instead.
+    fn same(path: &str, expected: &str) {
+        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path);
+        if std::env::var_os("COULTER_UPDATE").is_some() {
+            std::fs::write(&path, expected).unwrap();
+        }
+        let shipped = std::fs::read_to_string(&path).unwrap();
+        assert_eq!(shipped, expected, "{}: run the tests with COULTER_UPDATE=1", path.display());
+    }
+
+    #[test]
+    fn shipped_schema_is_up_to_date() {
+        same("cases/schema.json", &crate::case::json_schema::text());
+    }
+
+    #[test]
+    fn documentation_is_up_to_date() {
+        const MARK: &str =
+            "<!-- Below: from the table of keys, written by a test with COULTER_UPDATE=1. -->\n";
+        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/case-file.md");
+        let shipped = std::fs::read_to_string(path).unwrap();
+        let (by_hand, _) = shipped.split_once(MARK).expect("the mark is gone");
+        same("docs/case-file.md", &format!("{by_hand}{MARK}\n{}", super::tables()));
+    }
+}

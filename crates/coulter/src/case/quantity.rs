@@ -1,0 +1,273 @@
+//! Text with a unit → a number in SI units. The only place that knows units other than SI.
+//!
+//! Grammar: a number, then symbols joined by `*`, `·`, a space or `/` (which divides by the one symbol that follows),
+//! each with an optional whole exponent: `16 kN/m^3`, `35 deg`, `2 N*m`, `9.81 m/s²`.
+
+use super::units::{self, Dimension};
+
+/// What a key measures: its name in messages, its dimension and an example to imitate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Measure {
+    /// With its article: `a length`.
+    pub name: &'static str,
+    /// Its dimension.
+    pub dimension: Dimension,
+    /// A value as one would type it.
+    pub example: &'static str,
+}
+
+const fn measure(name: &'static str, exponents: [i32; 4], example: &'static str) -> Measure {
+    Measure { name, dimension: Dimension(exponents), example }
+}
+
+/// A length [m].
+pub const LENGTH: Measure = measure("a length", [1, 0, 0, 0], "12.5 mm");
+/// A mass [kg].
+pub const MASS: Measure = measure("a mass", [0, 1, 0, 0], "4 kg");
+/// A time [s].
+pub const TIME: Measure = measure("a time", [0, 0, 1, 0], "0.3 s");
+/// An angle [rad].
+pub const ANGLE: Measure = measure("an angle", [0, 0, 0, 1], "35 deg");
+/// A speed [m/s].
+pub const SPEED: Measure = measure("a speed", [1, 0, -1, 0], "0.2 m/s");
+/// An acceleration [m/s²].
+pub const ACCELERATION: Measure = measure("an acceleration", [1, 0, -2, 0], "9.81 m/s^2");
+/// A rate of turning [rad/s].
+pub const TURN_RATE: Measure = measure("a rate of turning", [0, 0, -1, 1], "3 rad/s");
+/// A density [kg/m³].
+pub const DENSITY: Measure = measure("a density", [-3, 1, 0, 0], "1600 kg/m^3");
+/// A force [N].
+pub const FORCE: Measure = measure("a force", [1, 1, -2, 0], "40 N");
+/// A torque [N m].
+pub const TORQUE: Measure = measure("a torque", [2, 1, -2, 0], "2 N*m");
+/// A stress [Pa].
+pub const STRESS: Measure = measure("a stress", [-1, 1, -2, 0], "5 MPa");
+/// A unit weight [N/m³].
+pub const UNIT_WEIGHT: Measure = measure("a unit weight", [-2, 1, -2, 0], "16 kN/m^3");
+/// A moment of inertia [kg m²].
+pub const INERTIA: Measure = measure("a moment of inertia", [2, 1, 0, 0], "0.02 kg*m^2");
+
+/// Every measure that has a name, to say what a wrong one is.
+const NAMED: [Measure; 13] = [
+    LENGTH,
+    MASS,
+    TIME,
+    ANGLE,
+    SPEED,
+    ACCELERATION,
+    TURN_RATE,
+    DENSITY,
+    FORCE,
+    TORQUE,
+    STRESS,
+    UNIT_WEIGHT,
+    INERTIA,
+];
+
+/// What is wrong with a quantity.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum QuantityError {
+    /// There is no number at the start.
+    #[error("`{text}` does not start with a number")]
+    NoNumber {
+        /// What was typed.
+        text: String,
+    },
+    /// Infinite, or too large to be represented.
+    #[error("`{text}` is not a finite number")]
+    NotFinite {
+        /// What was typed.
+        text: String,
+    },
+    /// A number and nothing else.
+    #[error("`{text}` has no unit")]
+    NoUnit {
+        /// What was typed.
+        text: String,
+    },
+    /// A symbol that is not known.
+    #[error("unknown unit `{unit}`{}", nearest.as_ref().map_or(String::new(), |n| format!("; did you mean `{n}`?")))]
+    UnknownUnit {
+        /// The symbol.
+        unit: String,
+        /// The nearest symbol that is known.
+        nearest: Option<String>,
+    },
+    /// The unit does not follow the grammar.
+    #[error("cannot read the unit `{unit}`: {why}")]
+    Malformed {
+        /// The text after the number.
+        unit: String,
+        /// What is wrong with it.
+        why: &'static str,
+    },
+    /// A unit, but of something else.
+    #[error("`{text}` is {found}, but {needed} is needed")]
+    WrongDimension {
+        /// What was typed.
+        text: String,
+        /// What it measures.
+        found: String,
+        /// What is needed.
+        needed: &'static str,
+    },
+}
+
+/// Reads `text` as `measure`; the value in SI units.
+///
+/// # Errors
+/// [`QuantityError`] says what is wrong and, where possible, what was meant.
+pub fn parse(text: &str, measure: &Measure) -> Result<f64, QuantityError> {
+    let (value, dimension) = parse_any(text)?;
+    if dimension == measure.dimension {
+        return Ok(value);
+    }
+    let found = describe(dimension);
+    Err(QuantityError::WrongDimension { text: text.trim().to_owned(), found, needed: measure.name })
+}
+
+/// Reads `text` as a quantity of whatever dimension; the value in SI units.
+///
+/// # Errors
+/// [`QuantityError`] where the text is not a number with a known unit.
+pub fn parse_any(text: &str) -> Result<(f64, Dimension), QuantityError> {
+    let text = text.trim();
+    let owned = || text.to_owned();
+    let (number, unit) = split_number(text);
+    let digits: String =
+        number.chars().filter(|c| *c != '_').map(|c| if c == '−' { '-' } else { c }).collect();
+    let value: f64 = digits.parse().map_err(|_| QuantityError::NoNumber { text: owned() })?;
+    if unit.trim().is_empty() {
+        return Err(QuantityError::NoUnit { text: owned() });
+    }
+    let (factor, dimension) = units::parse(unit.trim())?;
+    let value = value * factor;
+    if value.is_finite() { Ok((value, dimension)) } else { Err(QuantityError::NotFinite { text: owned() }) }
+}
+
+/// Names a dimension: `a length`, or `something in m^2 kg s^-1` where it has no name.
+#[must_use]
+pub fn describe(dimension: Dimension) -> String {
+    match NAMED.iter().find(|m| m.dimension == dimension) {
+        Some(measure) => measure.name.to_owned(),
+        None => format!("something in {dimension}"),
+    }
+}
+
+/// Splits `12.5e-3 mm` behind the number; an `e` belongs to it only when an exponent follows.
+fn split_number(text: &str) -> (&str, &str) {
+    let bytes: Vec<(usize, char)> = text.char_indices().collect();
+    let at = |n: usize| bytes.get(n).map(|(_, c)| *c);
+    let is_digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
+    let is_sign = |c: Option<char>| matches!(c, Some('+' | '-' | '−'));
+    let mut n = usize::from(is_sign(at(0)));
+    while is_digit(at(n)) || matches!(at(n), Some('.' | '_')) {
+        n += 1;
+    }
+    if matches!(at(n), Some('e' | 'E')) {
+        let first_digit = n + 1 + usize::from(is_sign(at(n + 1)));
+        if is_digit(at(first_digit)) {
+            n = first_digit;
+            while is_digit(at(n)) {
+                n += 1;
+            }
+        }
+    }
+    text.split_at(bytes.get(n).map_or(text.len(), |(place, _)| *place))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn close(text: &str, measure: &Measure, expected: f64) {
+        let value = parse(text, measure).unwrap();
+        assert!((value - expected).abs() <= 1e-12 * expected.abs(), "{text}: {value} ≠ {expected}");
+    }
+
+    #[test]
+    fn reads_what_people_type() {
+        close("16 kN/m^3", &UNIT_WEIGHT, 16e3);
+        close("16 kN/m3", &UNIT_WEIGHT, 16e3);
+        close("16kN/m³", &UNIT_WEIGHT, 16e3);
+        close("35 deg", &ANGLE, 35f64.to_radians());
+        close("35°", &ANGLE, 35f64.to_radians());
+        close("0.2 m/s", &SPEED, 0.2);
+        close("7.2 km/h", &SPEED, 2.0);
+        close("12.5 mm", &LENGTH, 0.0125);
+        close("12.5 µm", &LENGTH, 12.5e-6);
+        close("12.5 um", &LENGTH, 12.5e-6);
+        close("5 MPa", &STRESS, 5e6);
+        close("5e6 N/m^2", &STRESS, 5e6);
+        close("1.2e-3 GPa", &STRESS, 1.2e6);
+        close("40 N", &FORCE, 40.0);
+        close("4 kg", &MASS, 4.0);
+        close("0.5 t", &MASS, 500.0);
+        close("1600 kg/m^3", &DENSITY, 1600.0);
+        close("3 rad/s", &TURN_RATE, 3.0);
+        close("60 rpm", &TURN_RATE, std::f64::consts::TAU);
+        close("2 N*m", &TORQUE, 2.0);
+        close("2 N m", &TORQUE, 2.0);
+        close("2 N·m", &TORQUE, 2.0);
+        close("0.02 kg*m^2", &INERTIA, 0.02);
+        close("-300 ms", &TIME, -0.3);
+        close("−300 ms", &TIME, -0.3);
+        close("2 min", &TIME, 120.0);
+        close("9.81 m/s²", &ACCELERATION, 9.81);
+        close("9.81 m s^-2", &ACCELERATION, 9.81);
+        close("1_000 mm", &LENGTH, 1.0);
+        close("0 deg", &ANGLE, 0.0);
+    }
+
+    #[test]
+    fn says_what_is_wrong() {
+        let complaint = |text: &str, measure: &Measure| parse(text, measure).unwrap_err().to_string();
+        assert!(complaint("16 kN/mm", &UNIT_WEIGHT).contains("a unit weight is needed"));
+        assert!(complaint("5 MPa", &LENGTH).contains("is a stress, but a length is needed"));
+        assert!(complaint("5 m^7", &LENGTH).contains("something in m^7"));
+        assert!(complaint("5", &LENGTH).contains("no unit"));
+        assert!(complaint("5 kPaa", &STRESS).contains("did you mean `kPa`?"));
+        assert!(complaint("5 kn", &FORCE).contains("did you mean `kN`?"));
+        assert!(complaint("", &LENGTH).contains("number"));
+        assert!(complaint("nan m", &LENGTH).contains("number"));
+        assert!(complaint("inf m", &LENGTH).contains("number"));
+        assert!(complaint("1e999 m", &LENGTH).contains("finite"));
+        assert!(complaint("1e308 km", &LENGTH).contains("finite"));
+        assert!(complaint("12,5 mm", &LENGTH).contains("decimal point"));
+        assert!(complaint("5 m/", &LENGTH).contains("symbol"));
+        assert!(complaint("5 m^99", &LENGTH).contains("exponent"));
+        assert!(complaint("5 m^^2", &LENGTH).contains("exponent"));
+    }
+
+    proptest! {
+        #[test]
+        fn never_panics(text in "\\PC{0,24}") {
+            let _ = parse_any(&text);
+        }
+
+        #[test]
+        fn never_panics_near_the_grammar(text in "[-+−0-9._eE]{0,6} ?[a-zA-Zµ°/*^·² 0-9()-]{0,10}") {
+            if let Ok((value, _)) = parse_any(&text) {
+                prop_assert!(value.is_finite());
+            }
+        }
+
+        #[test]
+        fn reads_back_any_number(value in -1e30f64..1e30) {
+            prop_assert_eq!(parse(&format!("{value:e} m"), &LENGTH), Ok(value));
+            let thousand = parse(&format!("{value} kPa"), &STRESS).unwrap();
+            prop_assert!((thousand - 1e3 * value).abs() <= 1e-9 * value.abs());
+        }
+
+        #[test]
+        fn product_and_quotient_cancel(a in 0usize..8, b in 0usize..8) {
+            let symbols = ["m", "kg", "s", "rad", "N", "kPa", "mm", "J"];
+            let (a, b) = (symbols[a], symbols[b]);
+            let (value, dimension) = parse_any(&format!("3 {a}*{b}/{b}")).unwrap();
+            let (same, expected) = parse_any(&format!("3 {a}")).unwrap();
+            prop_assert_eq!(dimension, expected);
+            prop_assert!((value - same).abs() < 1e-12 * same.abs());
+        }
+    }
+}

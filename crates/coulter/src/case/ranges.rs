@@ -1,0 +1,86 @@
+//! Numbers that are allowed, and the complaint about those that are not.
+
+use super::keys::{self, Kind};
+use super::problem::Problems;
+use super::schema::Section;
+
+/// Which values a key allows.
+pub(super) struct Allowed {
+    test: fn(f64) -> bool,
+    words: &'static str,
+}
+
+pub(super) const POSITIVE: Allowed = Allowed { test: |x| x > 0.0, words: "above 0" };
+pub(super) const NOT_NEGATIVE: Allowed = Allowed { test: |x| x >= 0.0, words: "0 or more" };
+pub(super) const BELOW_HALF: Allowed = Allowed {
+    test: |x| (0.0..0.5).contains(&x),
+    words: "0 or more and below 0.5 (0.5 would be incompressible)",
+};
+pub(super) const ACUTE: Allowed = Allowed {
+    test: |x| (0.0..std::f64::consts::FRAC_PI_2).contains(&x),
+    words: "0 deg or more and below 90 deg",
+};
+pub(super) const SHARE: Allowed = Allowed { test: |x| x > 0.0 && x <= 1.0, words: "above 0 and at most 1" };
+pub(super) const GROWTH: Allowed = Allowed { test: |x| (1.0..=1.5).contains(&x), words: "from 1 to 1.5" };
+pub(super) const SPACING: Allowed = Allowed { test: |x| (0.05..=4.0).contains(&x), words: "from 0.05 to 4" };
+pub(super) const ANY: Allowed = Allowed { test: |_| true, words: "any number" };
+
+/// The number that the key holds, if it is given and allowed.
+pub(super) fn given(section: &Section, key: &str, allowed: &Allowed, problems: &mut Problems) -> Option<f64> {
+    let typed = section.number(key)?;
+    if (allowed.test)(typed.value) {
+        return Some(typed.value);
+    }
+    let message = format!("{} = {} is out of range", dotted(section, key), problems.typed(&typed.place));
+    problems.add(&typed.place, message, format!("it must be {}", allowed.words));
+    None
+}
+
+/// As [`given`], with a default for a key that is left out.
+pub(super) fn or(
+    section: &Section,
+    key: &str,
+    default: f64,
+    allowed: &Allowed,
+    problems: &mut Problems,
+) -> Option<f64> {
+    if section.has(key) { given(section, key, allowed, problems) } else { Some(default) }
+}
+
+/// As [`given`], for a key that must not be left out.
+pub(super) fn required(
+    section: &Section,
+    key: &str,
+    allowed: &Allowed,
+    problems: &mut Problems,
+) -> Option<f64> {
+    if !section.has(key) {
+        missing(section, key, problems);
+    }
+    given(section, key, allowed, problems)
+}
+
+/// Reports a key that should be there.
+pub(super) fn missing(section: &Section, key: &str, problems: &mut Problems) {
+    let cure = format!("add  {key} = {}  to [{}]", example(section, key), section.path);
+    problems.add(&section.place, format!("`{}` is missing", dotted(section, key)), cure);
+}
+
+/// `soil.cohesion`, or `gravity` at the top.
+pub(super) fn dotted(section: &Section, key: &str) -> String {
+    if section.path.is_empty() { key.to_owned() } else { format!("{}.{key}", section.path) }
+}
+
+/// A value for the key as one would type it.
+fn example(section: &Section, key: &str) -> String {
+    let kind = section.path.split('.').next().unwrap_or_default();
+    let known = keys::find(kind).and_then(|s| s.keys.iter().find(|k| k.name == key));
+    match known.map(|k| k.kind) {
+        Some(Kind::Quantity(measure)) => format!("\"{}\"", measure.example),
+        Some(Kind::Choice(words)) => format!("\"{}\"", words.first().unwrap_or(&"")),
+        Some(Kind::Range(measure)) => format!("[\"-{0}\", \"{0}\"]", measure.example),
+        Some(Kind::Vector(measure)) => format!("[\"{0}\", \"{0}\", \"{0}\"]", measure.example),
+        Some(Kind::Flag) => "true".into(),
+        _ => "0.3".into(),
+    }
+}

@@ -1,0 +1,200 @@
+//! A rigid body: shape, mass, place and motion.
+
+use super::Frame;
+use super::motion::{freedom, is_free};
+use crate::case::problem::Problems;
+use crate::case::ranges::{self, ANY, NOT_NEGATIVE, POSITIVE};
+use crate::case::resolved::{Body, Shape};
+use crate::case::schema::Section;
+use glam::DVec3;
+use physics::shape;
+
+/// Mass of a body that never moves freely: that of solid steel [kg/m³]. Nothing depends on it.
+const NOMINAL_DENSITY: f64 = 7850.0;
+/// Cells across a body below which its contact points see no soil between them.
+const LEAST_CELLS_ACROSS: f64 = 2.0;
+
+/// The shape as something that can be measured.
+pub(in crate::case) fn solid(shape: &Shape) -> Box<dyn shape::Shape> {
+    match *shape {
+        Shape::Disc { diameter, thickness } => Box::new(shape::Disc { diameter, thickness }),
+        Shape::Block { size } => Box::new(shape::Block { size }),
+    }
+}
+
+/// One body in its frame.
+pub(super) fn body(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Body> {
+    let shape = shape(section, frame, problems);
+    let friction = friction(section, problems);
+    let mass = mass(section, frame.gravity, problems);
+    let position = position(section, shape.as_ref(), frame, problems);
+    let motions = [("forward", 0.0), ("lateral", 0.0), ("heave", -frame.gravity)];
+    let needs_mass = motions.iter().any(|(key, _)| is_free(section, key));
+    let mass = mass?;
+    if needs_mass && mass.is_none() {
+        let message = format!("[{}] moves freely, but has no weight", section.path);
+        problems.add(&section.place, message, "add  weight = \"40 N\"  or  mass = \"4 kg\"");
+    }
+    let translation = motions.map(|(key, pull)| freedom(section, key, pull * mass.unwrap_or(0.0), problems));
+    let spin = freedom(section, "spin", 0.0, problems);
+    let shape = shape?;
+    let inertia = axle_inertia(section, &shape, mass, problems);
+    let [Some(forward), Some(lateral), Some(heave)] = translation else { return None };
+    Some(Body {
+        name: section.path.trim_start_matches("body.").to_owned(),
+        position: position?,
+        mass: mass.unwrap_or_else(|| NOMINAL_DENSITY * solid(&shape).volume()),
+        axle_inertia: inertia?,
+        shape,
+        friction: friction?,
+        translation: [forward, lateral, heave],
+        spin: spin?,
+    })
+}
+
+fn shape(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Shape> {
+    if !section.has("shape") {
+        ranges::missing(section, "shape", problems);
+    }
+    let kind = section.text("shape")?.value;
+    let foreign: &[&str] = if kind == "disc" { &["size"] } else { &["diameter", "thickness"] };
+    for key in foreign.iter().filter(|key| section.has(key)) {
+        let message = format!("`{key}` has no meaning for shape = \"{kind}\"");
+        problems.add(section.place_of(key), message, "take it out, or choose another shape");
+    }
+    if kind == "disc" { disc(section, frame, problems) } else { block(section, frame, problems) }
+}
+
+fn disc(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Shape> {
+    let diameter = ranges::required(section, "diameter", &POSITIVE, problems);
+    let thickness = match frame.slab {
+        None => ranges::required(section, "thickness", &POSITIVE, problems),
+        Some(slab) if !section.has("thickness") => Some(slab.covering_width()),
+        Some(_) => {
+            let message = "in plane strain a disc is as thick as the slab";
+            problems.add(section.place_of("thickness"), message, "take `thickness` out");
+            None
+        }
+    };
+    let (diameter, thickness) = (diameter?, thickness?);
+    let mut enough = wide_enough(section, "diameter", diameter, frame, problems);
+    if frame.slab.is_none() {
+        enough &= wide_enough(section, "thickness", thickness, frame, problems);
+    }
+    enough.then_some(Shape::Disc { diameter, thickness })
+}
+
+fn block(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Shape> {
+    if !section.has("size") {
+        ranges::missing(section, "size", problems);
+    }
+    let size = section.list("size")?;
+    if let Some(edge) = size.value.iter().find(|edge| edge.value <= 0.0) {
+        let message = format!("an edge of {} is not possible", problems.typed(&edge.place));
+        problems.add(&edge.place, message, "every edge must be above 0");
+        return None;
+    }
+    let edges: Vec<f64> = size.value.iter().map(|edge| edge.value).collect();
+    let size_3d = match (edges.as_slice(), frame.slab) {
+        (&[x, z], Some(slab)) => DVec3::new(x, slab.covering_width(), z),
+        (&[x, y, z], None) => DVec3::new(x, y, z),
+        (_, slab) => {
+            let cure = if slab.is_some() {
+                "in plane strain give two edges, along x and z"
+            } else {
+                "give three edges, along x, y and z (two only with plane_strain = true)"
+            };
+            problems.add(&size.place, format!("{} edges do not fit this case", edges.len()), cure);
+            return None;
+        }
+    };
+    let narrowest = edges.iter().copied().fold(f64::INFINITY, f64::min);
+    wide_enough(section, "size", narrowest, frame, problems).then_some(Shape::Block { size: size_3d })
+}
+
+/// Refuses a body that slips between the contact points: it would feel no force.
+fn wide_enough(section: &Section, key: &str, width: f64, frame: &Frame, problems: &mut Problems) -> bool {
+    let cells = width / frame.cell;
+    if cells >= LEAST_CELLS_ACROSS * (1.0 - 1e-9) {
+        return true;
+    }
+    let message = format!(
+        "only {cells:.2} cells across {}: the grid would not feel the body",
+        ranges::dotted(section, key)
+    );
+    let cure = format!(
+        "make grid.cell at most {:.4} mm for 2 cells across; 4 or more are advisable",
+        1e3 * width / LEAST_CELLS_ACROSS
+    );
+    problems.add(section.place_of(key), message, cure);
+    false
+}
+
+fn friction(section: &Section, problems: &mut Problems) -> Option<f64> {
+    ranges::required(section, "friction", &NOT_NEGATIVE, problems)
+}
+
+/// The mass, if it can be known; `None` outside when it was given wrongly.
+#[allow(clippy::option_option)]
+fn mass(section: &Section, gravity: f64, problems: &mut Problems) -> Option<Option<f64>> {
+    let weight = ranges::given(section, "weight", &POSITIVE, problems);
+    let mass = ranges::given(section, "mass", &POSITIVE, problems);
+    if weight.is_none() && section.has("weight") || mass.is_none() && section.has("mass") {
+        return None;
+    }
+    match (weight, mass) {
+        (Some(weight), Some(mass)) if (weight - mass * gravity).abs() > 0.01 * weight => {
+            let message =
+                format!("the weight and the mass disagree: mass × gravity = {:.4} N", mass * gravity);
+            let cure = "give one of them; a load besides the weight is heave = { load = \"-10 N\" }";
+            problems.add(section.place_of("weight"), message, cure);
+            None
+        }
+        (_, Some(mass)) => Some(Some(mass)),
+        (Some(weight), None) if gravity > 0.0 => Some(Some(weight / gravity)),
+        (Some(_), None) => {
+            let message = "without gravity the mass does not follow from the weight";
+            problems.add(
+                section.place_of("weight"),
+                message,
+                "give the mass, and the load as heave = { load = \"-40 N\" }",
+            );
+            None
+        }
+        (None, None) => Some(None),
+    }
+}
+
+fn axle_inertia(section: &Section, shape: &Shape, mass: Option<f64>, problems: &mut Problems) -> Option<f64> {
+    if section.has("axle_inertia") {
+        return ranges::given(section, "axle_inertia", &POSITIVE, problems);
+    }
+    let solid = solid(shape);
+    if mass.is_none() && is_free(section, "spin") {
+        let message = format!("[{}] turns freely, but its moment of inertia is not known", section.path);
+        problems.add(
+            section.place_of("spin"),
+            message,
+            "add  axle_inertia = \"0.02 kg*m^2\", or a weight or a mass",
+        );
+        return None;
+    }
+    Some(mass.unwrap_or(NOMINAL_DENSITY * solid.volume()) * solid.axle_inertia_per_mass())
+}
+
+fn position(
+    section: &Section,
+    shape: Option<&Shape>,
+    frame: &Frame,
+    problems: &mut Problems,
+) -> Option<DVec3> {
+    let x = ranges::or(section, "x", 0.0, &ANY, problems);
+    let y = ranges::or(section, "y", 0.0, &ANY, problems);
+    let sinkage = ranges::or(section, "sinkage", 0.0, &ANY, problems);
+    let lowest = solid(shape?).bounds().0.z;
+    let y = match frame.slab {
+        Some(slab) if !section.has("y") => slab.middle,
+        _ => y?,
+    };
+    Some(DVec3::new(x?, y, frame.surface - sinkage? - lowest))
+}

@@ -1,0 +1,142 @@
+//! Whether everything fits: the bodies into the box, their motion to its symmetry, the grid into memory.
+
+use super::body::solid;
+use super::extent::path;
+use crate::case::estimate;
+use crate::case::problem::Problems;
+use crate::case::resolved::{Body, Case, Domain, Freedom, Grid};
+use crate::case::schema::{Schema, Section};
+
+/// More time steps than any machine would finish.
+const MOST_STEPS: f64 = 1e12;
+
+/// Reports bodies that are, or get, outside the box, and motions that break its symmetry.
+pub(super) fn bodies_fit(
+    schema: &Schema,
+    bodies: &[Body],
+    domain: &Domain,
+    duration: f64,
+    problems: &mut Problems,
+) {
+    for (body, section) in bodies.iter().zip(&schema.bodies) {
+        if domain.symmetric || domain.plane_strain {
+            keeps_to_the_plane(section, body, domain, problems);
+        }
+        stays_inside(section, body, domain, duration, problems);
+    }
+}
+
+fn keeps_to_the_plane(section: &Section, body: &Body, domain: &Domain, problems: &mut Problems) {
+    let plane = if domain.symmetric { "a symmetric" } else { "a plane strain" };
+    if domain.symmetric && body.position.y != 0.0 {
+        let message = format!("the body stands at y = {} m, off the plane of symmetry", body.position.y);
+        problems.add(section.place_of("y"), message, "take `y` out, or symmetric = true");
+    }
+    if body.translation[1] != Freedom::Fixed {
+        let message = format!("{plane} case allows no lateral motion");
+        problems.add(
+            section.place_of("lateral"),
+            message,
+            "write lateral = \"fixed\", or model the whole width",
+        );
+    }
+}
+
+fn stays_inside(section: &Section, body: &Body, domain: &Domain, duration: f64, problems: &mut Problems) {
+    let start = path(body, 0.0);
+    let whole = path(body, duration);
+    for (axis, name, key) in [(0, "x", "forward"), (1, "y", "lateral")] {
+        // The slab cuts through a body in plane strain, and the plane of symmetry through any.
+        let (low_open, high_open) = match axis {
+            1 => (domain.symmetric || domain.plane_strain, domain.plane_strain),
+            _ => (false, false),
+        };
+        let leaves = |low: f64, high: f64| {
+            !low_open && low < domain.low[axis] || !high_open && high > domain.high[axis]
+        };
+        let (message, key) = if leaves(start.low[axis], start.high[axis]) {
+            ("starts outside the box", name)
+        } else if leaves(whole.low[axis], whole.high[axis]) {
+            ("leaves the box on its way", key)
+        } else {
+            continue;
+        };
+        let message = format!(
+            "[{}] {message}: it spans {name} = {:.4} to {:.4} m, the box {} to {} m",
+            section.path, whole.low[axis], whole.high[axis], domain.low[axis], domain.high[axis]
+        );
+        problems.add(section.place_of(key), message, format!("make domain.{name} wider, or shorten the way"));
+    }
+    // A wall may reach through the floor, so that no soil slips under it; a body that moves up and down may not.
+    let through_the_floor = whole.low.z < domain.low.z && body.translation[2] != Freedom::Fixed;
+    if through_the_floor || start.high.z <= domain.low.z || start.low.z >= domain.high.z {
+        let message = format!(
+            "[{}] spans z = {:.4} to {:.4} m, but the box {} to {} m",
+            section.path, whole.low.z, whole.high.z, domain.low.z, domain.high.z
+        );
+        let key = if start.low.z < domain.low.z { "sinkage" } else { "heave" };
+        problems.add(section.place_of(key), message, "make domain.z deeper, or start the body higher");
+    }
+}
+
+/// Refuses an inset that leaves no room for contact points: the body would feel no force.
+pub(super) fn contact_points_remain(schema: &Schema, case: &Case, problems: &mut Problems) {
+    let inset = case.numerics.edge_inset * case.grid.cell;
+    for body in &case.bodies {
+        let (low, high) = solid(&body.shape).bounds();
+        if (high - low).min_element() - 2.0 * inset < 1e-6 * case.grid.cell {
+            let message = format!("the inset leaves no contact points on body `{}`", body.name);
+            let cure = "make it smaller; 0.5 is the default";
+            problems.add(schema.numerics.place_of("edge_inset"), message, cure);
+        }
+    }
+}
+
+/// Refuses numbers so large or so small that their combinations are not numbers, or that no computer would finish.
+pub(super) fn can_be_computed(schema: &Schema, case: &Case, problems: &mut Problems) {
+    let cost = estimate::estimate(case);
+    if !(cost.time_step_s > 0.0 && cost.steps <= MOST_STEPS) {
+        let message = format!("{:.1e} time steps of {:.1e} s cannot be run", cost.steps, cost.time_step_s);
+        let cure = "check run.duration, grid.cell, soil.young_modulus and the soil's density";
+        problems.add(&schema.soil.place, message, cure);
+    }
+    for (body, section) in case.bodies.iter().zip(&schema.bodies) {
+        let numbers = [body.mass, body.axle_inertia];
+        if !numbers.iter().all(|n| n.is_normal() && *n > 0.0) || !body.position.is_finite() {
+            let message = format!(
+                "mass {:e} kg, moment of inertia {:e} kg m²: not computable",
+                body.mass, body.axle_inertia
+            );
+            problems.add(&section.place, message, "check the body's weight or mass, its size and its place");
+        }
+    }
+    let increasing = |faces: &Vec<f64>| faces.windows(2).all(|w| w[0] < w[1] && (w[1] - w[0]).is_finite());
+    if !case.grid.faces.iter().all(increasing) {
+        let message = "the cells are too small for where they are: their faces cannot be told apart";
+        problems.add(
+            schema.grid.place_of("cell"),
+            message,
+            "make grid.cell larger, or bring the box nearer to 0",
+        );
+    }
+}
+
+/// Refuses a grid for which this machine has no memory; nothing of that size has been allocated yet.
+pub(super) fn fits_into_memory(section: &Section, grid: &Grid, problems: &mut Problems) {
+    let needed = estimate::memory(grid);
+    let Some(available) = estimate::memory_available() else { return };
+    if needed > available {
+        let gigabyte = |bytes: f64| bytes / 1e9;
+        let message = format!(
+            "the grid of {:.3e} cells needs {:.1} GB of memory, and {:.1} GB are free",
+            estimate::cells(grid),
+            gigabyte(needed),
+            gigabyte(available)
+        );
+        problems.add(
+            section.place_of("cell"),
+            message,
+            "make grid.cell larger, or the box or the fine zone smaller",
+        );
+    }
+}

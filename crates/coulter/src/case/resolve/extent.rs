@@ -1,0 +1,186 @@
+//! Where everything is: the bodies' path, the box, the fine zone, the ground.
+
+use super::Frame;
+use super::body::solid;
+use crate::case::problem::Problems;
+use crate::case::ranges;
+use crate::case::resolved::{Body, Domain, Freedom, Ground, Wall};
+use crate::case::schema::Section;
+use glam::DVec3;
+
+/// A box round something.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::case) struct Extent {
+    /// Low corner [m].
+    pub(in crate::case) low: DVec3,
+    /// High corner [m].
+    pub(in crate::case) high: DVec3,
+}
+
+/// How far a prescribed motion has gone after `time` [m or rad]; 0 for any other.
+pub(in crate::case) fn travel(freedom: &Freedom, time: f64) -> f64 {
+    let Freedom::Prescribed { speed, start, ramp, end } = *freedom else { return 0.0 };
+    // Integral of the smooth step 3x² − 2x³ over a ramp, then of 1.
+    let ramped = |since: f64| {
+        let x = if ramp > 0.0 { (since / ramp).clamp(0.0, 1.0) } else { 1.0 };
+        ramp * (x.powi(3) - 0.5 * x.powi(4)) + (since - ramp).max(0.0)
+    };
+    let since = |event: f64| if time > event { ramped(time - event) } else { 0.0 };
+    speed * (since(start) - since(end))
+}
+
+/// The box round a body on its whole way.
+pub(in crate::case) fn path(body: &Body, duration: f64) -> Extent {
+    let (low, high) = solid(&body.shape).bounds();
+    let moved = DVec3::from_array(std::array::from_fn(|axis| travel(&body.translation[axis], duration)));
+    let (start, end) = (body.position, body.position + moved);
+    Extent { low: start.min(end) + low, high: start.max(end) + high }
+}
+
+/// The box round all bodies on their whole way.
+pub(in crate::case) fn paths(bodies: &[Body], duration: f64) -> Option<Extent> {
+    bodies
+        .iter()
+        .map(|b| path(b, duration))
+        .reduce(|a, b| Extent { low: a.low.min(b.low), high: a.high.max(b.high) })
+}
+
+/// The largest edge of any body in the plane of the tow [m].
+pub(in crate::case) fn body_length(bodies: &[Body]) -> f64 {
+    let length = |b: &Body| {
+        let (low, high) = solid(&b.shape).bounds();
+        (high - low).x.max((high - low).z)
+    };
+    bodies.iter().map(length).fold(0.0, f64::max)
+}
+
+/// The box that is modelled.
+pub(super) fn domain(
+    section: &Section,
+    frame: &Frame,
+    bodies: &[Body],
+    duration: f64,
+    problems: &mut Problems,
+) -> Option<Domain> {
+    let length = body_length(bodies);
+    let around = paths(bodies, duration);
+    let low_y = if frame.symmetric { 0.0 } else { f64::NEG_INFINITY };
+    let x = range(section, "x", around.map(|p| [p.low.x - 1.5 * length, p.high.x + 1.5 * length]), problems);
+    let y = match frame.slab {
+        Some(slab) => Some([slab.middle - 0.5 * slab.width, slab.middle + 0.5 * slab.width]),
+        None => {
+            let default = around.map(|p| [low_y.max(p.low.y - 1.5 * length), p.high.y + 1.5 * length]);
+            range(section, "y", default, problems)
+        }
+    };
+    let lowest = around.map_or(frame.surface, |p| p.low.z.min(frame.surface));
+    let default = around.map(|_| [lowest - 1.25 * length, frame.surface + 0.4 * length]);
+    let z = range(section, "z", default, problems);
+    let walls = walls(section, frame, problems);
+    let ([x0, x1], [y0, y1], [z0, z1]) = (x?, y?, z?);
+    if frame.symmetric && y0 != 0.0 {
+        let message = "a symmetric case is modelled from its plane of symmetry y = 0 on";
+        problems.add(section.place_of("y"), message, "let y begin with \"0 m\"");
+        return None;
+    }
+    let (low, high) = (DVec3::new(x0, y0, z0), DVec3::new(x1, y1, z1));
+    let plane_strain = frame.slab.is_some();
+    Some(Domain { low, high, walls: walls?, symmetric: frame.symmetric, plane_strain })
+}
+
+/// A low and a high end; reported if they are the wrong way round, or missing without a default.
+pub(super) fn range(
+    section: &Section,
+    key: &str,
+    default: Option<[f64; 2]>,
+    problems: &mut Problems,
+) -> Option<[f64; 2]> {
+    if !section.has(key) {
+        if default.is_none() {
+            ranges::missing(section, key, problems);
+        }
+        return default;
+    }
+    let typed = section.list(key)?;
+    let (low, high) = (typed.value.first()?.value, typed.value.last()?.value);
+    if low < high {
+        return Some([low, high]);
+    }
+    let message = format!("{} is empty: its low end is not below its high end", ranges::dotted(section, key));
+    problems.add(&typed.place, message, "write the lower value first");
+    None
+}
+
+fn walls(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<[[Wall; 2]; 3]> {
+    let default = [[Wall::Smooth; 2], [Wall::Smooth; 2], [Wall::Fixed, Wall::Smooth]];
+    let mut walls = default;
+    for (axis, key) in ["x_walls", "y_walls", "z_walls"].into_iter().enumerate() {
+        if !section.has(key) {
+            continue;
+        }
+        let words = section.words(key)?;
+        for (wall, word) in walls[axis].iter_mut().zip(&words.value) {
+            *wall = if word == "fixed" { Wall::Fixed } else { Wall::Smooth };
+        }
+    }
+    let slab_holds = frame.slab.is_some() && walls[1] != [Wall::Smooth; 2];
+    if slab_holds || frame.symmetric && walls[1][0] != Wall::Smooth {
+        let message = "a plane of symmetry, or of plane strain, is smooth";
+        problems.add(section.place_of("y_walls"), message, "leave y_walls out, or write \"smooth\" there");
+        return None;
+    }
+    Some(walls)
+}
+
+/// Where soil is.
+pub(super) fn ground(
+    section: &Section,
+    surface: f64,
+    domain: &Domain,
+    problems: &mut Problems,
+) -> Option<Ground> {
+    if surface <= domain.low.z || surface > domain.high.z {
+        let message = format!(
+            "the soil's surface z = {surface} m is not inside the box, z = {} to {} m",
+            domain.low.z, domain.high.z
+        );
+        problems.add(section.place_of("surface"), message, "change ground.surface or domain.z");
+        return None;
+    }
+    if !section.has("x") && !section.has("y") {
+        return Some(Ground::Level { surface });
+    }
+    let x = range(section, "x", Some([domain.low.x, domain.high.x]), problems);
+    let y = range(section, "y", Some([domain.low.y, domain.high.y]), problems);
+    let ([x0, x1], [y0, y1]) = (x?, y?);
+    for (axis, key, low, high) in [(0, "x", x0, x1), (1, "y", y0, y1)] {
+        if low < domain.low[axis] || high > domain.high[axis] {
+            let message = format!("the soil is partly outside the box along {key}");
+            problems.add(section.place_of(key), message, format!("change ground.{key} or domain.{key}"));
+            return None;
+        }
+    }
+    Some(Ground::Column { low: DVec3::new(x0, y0, domain.low.z), high: DVec3::new(x1, y1, surface) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn travel_is_the_integral_of_the_speed() {
+        let towed = Freedom::Prescribed { speed: 0.2, start: 0.4, ramp: 0.1, end: 1.0 };
+        let at = |time: f64| travel(&towed, time);
+        assert!((at(0.4), at(0.3)) == (0.0, 0.0));
+        assert!((at(0.45) - 0.2 * 0.1 * (0.125 - 0.03125)).abs() < 1e-15, "inside the ramp");
+        assert!((at(0.5) - 0.2 * 0.05).abs() < 1e-15, "a ramp covers half of what the full speed would");
+        assert!((at(0.9) - 0.2 * 0.45).abs() < 1e-15);
+        assert!(
+            (at(5.0) - 0.2 * 0.6).abs() < 1e-15,
+            "from start to end, the two ramps making up for each other"
+        );
+        assert_eq!(travel(&Freedom::Fixed, 9.0), 0.0);
+        let at_once = Freedom::Prescribed { speed: -1.0, start: 0.0, ramp: 0.0, end: f64::INFINITY };
+        assert_eq!(travel(&at_once, 2.0), -2.0);
+    }
+}

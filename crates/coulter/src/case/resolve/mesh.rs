@@ -1,0 +1,98 @@
+//! The fine zone and the faces of the cells.
+
+use super::Frame;
+use super::extent::{Extent, body_length, paths, range};
+use super::grading::{self, Axis};
+use crate::case::problem::Problems;
+use crate::case::ranges::{self, GROWTH};
+use crate::case::resolved::{Body, Domain, Grid, Ground};
+use crate::case::schema::Section;
+use glam::DVec3;
+
+/// The fine zone unless the case says otherwise: round the path of the bodies, or everywhere without any.
+pub(super) fn usual_fine_zone(frame: &Frame, domain: &Domain, bodies: &[Body], duration: f64) -> Extent {
+    let Some(path) = paths(bodies, duration) else {
+        return Extent { low: domain.low, high: domain.high };
+    };
+    let length = body_length(bodies);
+    let low = path.low - length * DVec3::new(0.5, 0.25, 0.5);
+    let high = path.high + length * DVec3::new(0.5, 0.25, 0.0);
+    let high = high.with_z(frame.surface + 0.25 * length);
+    Extent { low: low.max(domain.low), high: high.min(domain.high) }
+}
+
+/// The grid.
+pub(super) fn grid(
+    section: &Section,
+    frame: &Frame,
+    domain: &Domain,
+    ground: &Ground,
+    usual: Extent,
+    problems: &mut Problems,
+) -> Option<Grid> {
+    let growth = ranges::or(section, "growth", 1.12, &GROWTH, problems)?;
+    let anchors = anchors(ground, domain);
+    let axis = |axis: usize| Axis {
+        ends: [domain.low[axis], domain.high[axis]],
+        fine: [usual.low[axis], usual.high[axis]],
+        anchor: anchors[axis],
+        cell: frame.cell,
+        growth,
+    };
+    let x = faces(section, "fine_x", axis(0), problems);
+    // In plane strain the slab is one cell.
+    let y = match frame.slab {
+        Some(_) => Some((vec![domain.low.y, domain.high.y], [domain.low.y, domain.high.y])),
+        None => faces(section, "fine_y", axis(1), problems),
+    };
+    let z = faces(section, "fine_z", axis(2), problems);
+    let ((x, fine_x), (y, fine_y), (z, fine_z)) = (x?, y?, z?);
+    Some(Grid {
+        cell: frame.cell,
+        fine_low: DVec3::new(fine_x[0], fine_y[0], fine_z[0]),
+        fine_high: DVec3::new(fine_x[1], fine_y[1], fine_z[1]),
+        growth,
+        faces: [x, y, z],
+    })
+}
+
+/// The faces along one axis, and the ends of the fine zone among them [m].
+fn faces(
+    section: &Section,
+    key: &str,
+    mut axis: Axis,
+    problems: &mut Problems,
+) -> Option<(Vec<f64>, [f64; 2])> {
+    axis.fine = range(section, key, Some(axis.fine), problems)?;
+    let [low, high] = axis.ends;
+    if axis.fine[0] < low || axis.fine[1] > high {
+        let message = format!("the fine zone is partly outside the box, {low} to {high} m");
+        problems.add(section.place_of(key), message, format!("change grid.{key} or the domain"));
+        return None;
+    }
+    grading::faces(&axis)
+        .map_err(|message| {
+            let cure = "change grid.cell, grid.growth or the box; a whole number of cells always fits";
+            problems.add(section.place_of("cell"), format!("{key}: {message}"), cure);
+        })
+        .ok()
+}
+
+/// Where faces should lie: at the soil's surface, at y = 0, and at the side of a bank.
+fn anchors(ground: &Ground, domain: &Domain) -> [f64; 3] {
+    match *ground {
+        Ground::Level { surface } => [0.0, 0.0, surface],
+        Ground::Column { low, high } => {
+            let side = |axis: usize| {
+                if low[axis] > domain.low[axis] {
+                    low[axis]
+                } else if high[axis] < domain.high[axis] {
+                    high[axis]
+                } else {
+                    0.0
+                }
+            };
+            [side(0), side(1), high.z]
+        }
+    }
+}

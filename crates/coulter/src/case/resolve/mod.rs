@@ -1,0 +1,164 @@
+//! What was typed → what it means: defaults filled in, everything checked, SI units.
+
+pub(super) mod body;
+mod checks;
+pub(super) mod extent;
+mod grading;
+mod mesh;
+mod motion;
+mod soil;
+mod timing;
+
+use super::problem::Problems;
+use super::ranges::{self, ANY, NOT_NEGATIVE, POSITIVE, SHARE};
+use super::resolved::{Body, Case, Contact, Law, Numerics};
+use super::schema::{Schema, Section};
+
+/// What the parts of a case share.
+pub(super) struct Frame {
+    /// Acceleration of gravity [m/s²].
+    gravity: f64,
+    /// Cell size in the fine zone [m].
+    cell: f64,
+    /// Height of the soil's surface [m].
+    surface: f64,
+    symmetric: bool,
+    /// The slab of a plane strain case.
+    slab: Option<Slab>,
+}
+
+/// The slab of a plane strain case.
+#[derive(Clone, Copy)]
+pub(super) struct Slab {
+    /// Its width along y [m].
+    width: f64,
+    /// Its middle [m].
+    middle: f64,
+    /// Distance that contact points keep from sharp edges [m].
+    inset: f64,
+}
+
+impl Slab {
+    /// Width of a body [m]: that of the slab and of the inset that contact points keep from the body's edges, so
+    /// that they cover the slab exactly.
+    fn covering_width(&self) -> f64 {
+        self.width + 2.0 * self.inset
+    }
+}
+
+/// The case that was typed, or `None` with problems added.
+pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problems) -> Option<Case> {
+    let gravity = ranges::or(&schema.top, "gravity", 9.81, &NOT_NEGATIVE, problems);
+    let soil = gravity.and_then(|g| soil::soil(&schema.soil, g, problems));
+    let numerics = numerics(&schema.numerics, soil.as_ref().map(|s| s.law), problems);
+    let frame = gravity.and_then(|g| frame(schema, g, problems));
+    let bodies = frame.as_ref().and_then(|frame| bodies(schema, frame, problems));
+    let name = name(&schema.top, source_name, problems);
+    let duration = bodies.as_ref().and_then(|b| timing::duration(&schema.run, b, problems));
+    let output = duration.and_then(|d| timing::output(&schema.output, d, problems));
+    let (frame, bodies, duration) = (frame?, bodies?, duration?);
+    let domain = extent::domain(&schema.domain, &frame, &bodies, duration, problems)?;
+    let ground = extent::ground(&schema.ground, frame.surface, &domain, problems)?;
+    checks::bodies_fit(schema, &bodies, &domain, duration, problems);
+    let usual = mesh::usual_fine_zone(&frame, &domain, &bodies, duration);
+    let grid = mesh::grid(&schema.grid, &frame, &domain, &ground, usual, problems)?;
+    checks::fits_into_memory(&schema.grid, &grid, problems);
+    let name = name?;
+    let case = Case {
+        title: schema.top.text("title").map_or_else(|| name.clone(), |t| t.value),
+        name,
+        gravity: gravity?,
+        soil: soil?,
+        ground,
+        domain,
+        grid,
+        bodies,
+        duration,
+        output: output?,
+        numerics: numerics?,
+    };
+    checks::contact_points_remain(schema, &case, problems);
+    checks::can_be_computed(schema, &case, problems);
+    Some(case)
+}
+
+fn frame(schema: &Schema, gravity: f64, problems: &mut Problems) -> Option<Frame> {
+    let cell = ranges::required(&schema.grid, "cell", &POSITIVE, problems);
+    let surface = ranges::or(&schema.ground, "surface", 0.0, &ANY, problems);
+    let symmetric = schema.domain.flag("symmetric").is_some_and(|f| f.value);
+    let plane_strain = schema.domain.flag("plane_strain").is_some_and(|f| f.value);
+    if symmetric && plane_strain {
+        let message = "plane strain has no plane of symmetry y = 0 besides";
+        problems.add(schema.domain.place_of("symmetric"), message, "take `symmetric` out");
+        return None;
+    }
+    let cell = cell?;
+    let inset = cell * schema.numerics.number("edge_inset").map_or(EDGE_INSET, |n| n.value);
+    let slab = if plane_strain {
+        let [low, high] = extent::range(&schema.domain, "y", Some([0.0, cell]), problems)?;
+        Some(Slab { width: high - low, middle: 0.5 * (low + high), inset })
+    } else {
+        None
+    };
+    Some(Frame { gravity, cell, surface: surface?, symmetric, slab })
+}
+
+/// All bodies, or `None` if any of them is wrong.
+fn bodies(schema: &Schema, frame: &Frame, problems: &mut Problems) -> Option<Vec<Body>> {
+    let all: Vec<_> = schema.bodies.iter().map(|section| body::body(section, frame, problems)).collect();
+    all.into_iter().collect()
+}
+
+/// The name, which becomes that of a folder.
+fn name(top: &Section, source_name: &str, problems: &mut Problems) -> Option<String> {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+    if !top.has("name") {
+        let stem = std::path::Path::new(source_name)
+            .file_stem()
+            .map_or_else(String::new, |s| s.to_string_lossy().into());
+        let plain: String =
+            stem.chars().map(|c| if is_plain(c) { c } else { '-' }).take(MOST_LETTERS).collect();
+        return Some(if plain.is_empty() { "case".to_owned() } else { plain });
+    }
+    let typed = top.text("name")?;
+    if !typed.value.is_empty() && typed.value.len() <= MOST_LETTERS && typed.value.chars().all(is_plain) {
+        return Some(typed.value);
+    }
+    let message = format!("\"{}\" cannot be the name of a folder here", typed.value);
+    problems.add(&typed.place, message, "use 1 to 100 letters, digits, `-` and `_`");
+    None
+}
+
+const MOST_LETTERS: usize = 100;
+
+/// Distance of contact points from sharp edges unless the case says otherwise [cell widths].
+const EDGE_INSET: f64 = 0.5;
+
+fn numerics(section: &Section, law: Option<Law>, problems: &mut Problems) -> Option<Numerics> {
+    // Undrained soil bears more viscosity, and needs it: its contact pressure does not vanish at the surface.
+    let viscosity = if matches!(law, Some(Law::Tresca { .. })) { 0.06 } else { 0.02 };
+    let mut or = |key, default, allowed| ranges::or(section, key, default, allowed, problems);
+    let courant = or("courant", 0.5, &SHARE);
+    let remap_displacement = or("remap_displacement", 0.1, &SHARE);
+    let hourglass = or("hourglass", 0.03, &NOT_NEGATIVE);
+    let bulk_viscosity_linear = or("bulk_viscosity_linear", viscosity, &NOT_NEGATIVE);
+    let bulk_viscosity_quadratic = or("bulk_viscosity_quadratic", 1.2, &NOT_NEGATIVE);
+    let edge_inset = or("edge_inset", EDGE_INSET, &NOT_NEGATIVE);
+    let point_spacing = or("point_spacing", 0.5, &ranges::SPACING);
+    let threads = or("threads", 0.0, &NOT_NEGATIVE);
+    let contact = match section.text("contact") {
+        Some(typed) if typed.value == "impulse" => Contact::Impulse,
+        _ => Contact::Penalty,
+    };
+    Some(Numerics {
+        courant: courant?,
+        remap_displacement: remap_displacement?,
+        hourglass: hourglass?,
+        bulk_viscosity_linear: bulk_viscosity_linear?,
+        bulk_viscosity_quadratic: bulk_viscosity_quadratic?,
+        contact,
+        edge_inset: edge_inset?,
+        point_spacing: point_spacing?,
+        threads: threads? as usize,
+    })
+}

@@ -1,0 +1,74 @@
+//! How a degree of freedom moves.
+
+use crate::case::problem::Problems;
+use crate::case::ranges;
+use crate::case::resolved::Freedom;
+use crate::case::schema::{Motion, Section, Typed};
+
+/// Time over which a load comes on and a speed is reached unless the case says otherwise [s].
+const RAMP: f64 = 0.1;
+
+/// Whether the section lets this degree of freedom move freely.
+pub(super) fn is_free(section: &Section, key: &str) -> bool {
+    section.motion(key).is_some_and(|m| m.value.word.as_deref() == Some("free") || m.value.load.is_some())
+}
+
+/// One degree of freedom; `weight` [N] acts on it besides its load while it is free.
+pub(super) fn freedom(section: &Section, key: &str, weight: f64, problems: &mut Problems) -> Option<Freedom> {
+    if !section.has(key) {
+        return Some(Freedom::Fixed);
+    }
+    let typed = section.motion(key)?;
+    let motion = &typed.value;
+    match motion.word.as_deref() {
+        Some("free") => return Some(Freedom::Free { load: weight, start: 0.0, ramp: RAMP }),
+        Some(_) => return Some(Freedom::Fixed),
+        None => {}
+    }
+    let (start, ramp, end) = times(motion, problems)?;
+    match (&motion.speed, &motion.load) {
+        (Some(speed), None) => {
+            Some(Freedom::Prescribed { speed: speed.value, start, ramp, end: end.unwrap_or(f64::INFINITY) })
+        }
+        (None, Some(load)) if end.is_none() => Some(Freedom::Free { load: weight + load.value, start, ramp }),
+        (None, Some(_)) => {
+            problems.add(&typed.place, "a load has no `end`", "take `end` out; it belongs to a speed");
+            None
+        }
+        (Some(_), Some(_)) => {
+            let message = format!("{}: a speed and a load at once", ranges::dotted(section, key));
+            problems.add(
+                &typed.place,
+                message,
+                "give the speed, or the load: the other one is what the run finds out",
+            );
+            None
+        }
+        (None, None) => {
+            let message = format!("{}: neither a speed nor a load", ranges::dotted(section, key));
+            problems.add(&typed.place, message, "add `speed` or `load`, or write \"free\" or \"fixed\"");
+            None
+        }
+    }
+}
+
+/// Start, ramp and end [s].
+fn times(motion: &Motion, problems: &mut Problems) -> Option<(f64, f64, Option<f64>)> {
+    for time in [&motion.start, &motion.ramp, &motion.end].into_iter().flatten() {
+        if time.value < 0.0 {
+            problems.add(&time.place, "a time before the start of the run", "times must be 0 or more");
+            return None;
+        }
+    }
+    let value = |typed: &Option<Typed<f64>>| typed.as_ref().map(|t| t.value);
+    let (start, ramp) = (value(&motion.start).unwrap_or(0.0), value(&motion.ramp).unwrap_or(RAMP));
+    if let Some(end) = motion.end.as_ref().filter(|end| end.value < start + ramp) {
+        problems.add(
+            &end.place,
+            "the motion ends before its ramp is over",
+            "let `end` be start + ramp or later",
+        );
+        return None;
+    }
+    Some((start, ramp, value(&motion.end)))
+}

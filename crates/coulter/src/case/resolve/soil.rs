@@ -1,0 +1,116 @@
+//! The soil: its law and its parameters.
+
+use crate::case::problem::Problems;
+use crate::case::ranges::{self, ACUTE, BELOW_HALF, NOT_NEGATIVE, POSITIVE};
+use crate::case::resolved::{Law, Soil};
+use crate::case::schema::Section;
+
+const FRICTIONAL: [&str; 4] = ["friction_angle", "dilation_angle", "cohesion", "tension_limit"];
+const UNDRAINED: [&str; 1] = ["shear_strength"];
+
+/// The soil under `gravity` [m/s²].
+pub(super) fn soil(section: &Section, gravity: f64, problems: &mut Problems) -> Option<Soil> {
+    let young_modulus = ranges::required(section, "young_modulus", &POSITIVE, problems);
+    let poisson_ratio = ranges::or(section, "poisson_ratio", 0.3, &BELOW_HALF, problems);
+    let weight = weight(section, gravity, problems);
+    let law = law(section, problems);
+    let (young_modulus, poisson_ratio, (unit_weight, density), law) =
+        (young_modulus?, poisson_ratio?, weight?, law?);
+    let at_rest = match law {
+        Law::MohrCoulomb { friction_angle, .. } => 1.0 - friction_angle.sin(),
+        Law::Tresca { .. } | Law::Elastic => poisson_ratio / (1.0 - poisson_ratio),
+    };
+    let rest_pressure_ratio = ranges::or(section, "rest_pressure_ratio", at_rest, &NOT_NEGATIVE, problems)?;
+    Some(Soil { law, density, unit_weight, young_modulus, poisson_ratio, rest_pressure_ratio })
+}
+
+/// Unit weight [N/m³] and density [kg/m³], of which one may follow from the other.
+fn weight(section: &Section, gravity: f64, problems: &mut Problems) -> Option<(f64, f64)> {
+    let gamma = ranges::given(section, "unit_weight", &NOT_NEGATIVE, problems);
+    let density = ranges::given(section, "density", &POSITIVE, problems);
+    match (gamma, density) {
+        (Some(gamma), Some(density)) => Some((gamma, density)),
+        (None, Some(density)) if !section.has("unit_weight") => Some((density * gravity, density)),
+        (Some(gamma), None) if !section.has("density") => {
+            if gamma > 0.0 && gravity > 0.0 {
+                return Some((gamma, gamma / gravity));
+            }
+            let message = "weightless soil, or no gravity: the density does not follow from the unit weight";
+            problems.add(
+                section.place_of("unit_weight"),
+                message,
+                "add  density = \"2000 kg/m^3\"  to [soil]",
+            );
+            None
+        }
+        _ => {
+            if !section.has("unit_weight") && !section.has("density") {
+                ranges::missing(section, "unit_weight", problems);
+            }
+            None
+        }
+    }
+}
+
+fn law(section: &Section, problems: &mut Problems) -> Option<Law> {
+    if !section.has("law") {
+        ranges::missing(section, "law", problems);
+    }
+    let law = section.text("law")?.value;
+    match law.as_str() {
+        "mohr-coulomb" => {
+            refuse(section, &UNDRAINED, &law, problems);
+            mohr_coulomb(section, problems)
+        }
+        "tresca" => {
+            refuse(section, &FRICTIONAL, &law, problems);
+            let shear_strength = ranges::required(section, "shear_strength", &POSITIVE, problems)?;
+            Some(Law::Tresca { shear_strength })
+        }
+        _ => {
+            refuse(section, &FRICTIONAL, &law, problems);
+            refuse(section, &UNDRAINED, &law, problems);
+            Some(Law::Elastic)
+        }
+    }
+}
+
+fn mohr_coulomb(section: &Section, problems: &mut Problems) -> Option<Law> {
+    let friction = ranges::required(section, "friction_angle", &ACUTE, problems);
+    let dilation = ranges::or(section, "dilation_angle", 0.0, &ACUTE, problems);
+    let cohesion = ranges::or(section, "cohesion", 0.0, &NOT_NEGATIVE, problems);
+    let tension = ranges::or(section, "tension_limit", 0.0, &NOT_NEGATIVE, problems);
+    let (friction_angle, dilation_angle, cohesion, tension_limit) =
+        (friction?, dilation?, cohesion?, tension?);
+    if dilation_angle > friction_angle {
+        let message =
+            "the dilation angle ψ is larger than the friction angle φ: the soil would create energy";
+        problems.add(
+            section.place_of("dilation_angle"),
+            message,
+            "it must be from 0 deg to the friction angle",
+        );
+        return None;
+    }
+    // The apex of the cone; for φ = 0 there is none.
+    let apex = if friction_angle > 0.0 { cohesion / friction_angle.tan() } else { f64::INFINITY };
+    if tension_limit > apex {
+        let message =
+            format!("the tension limit is beyond the apex of the yield cone, c cot φ = {apex:.4} Pa");
+        problems.add(
+            section.place_of("tension_limit"),
+            message,
+            "lower it, or leave it out for no tension at all",
+        );
+        return None;
+    }
+    Some(Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_limit })
+}
+
+/// Reports parameters of other laws: they would have no effect.
+fn refuse(section: &Section, keys: &[&str], law: &str, problems: &mut Problems) {
+    for key in keys.iter().filter(|key| section.has(key)) {
+        let message = format!("`{key}` has no meaning for law = \"{law}\"");
+        problems.add(section.place_of(key), message, "take it out, or choose another law");
+    }
+}

@@ -1,0 +1,149 @@
+//! Unit symbols: their size in SI units and their dimension.
+
+use super::quantity::QuantityError;
+
+/// Exponents of length, mass, time and angle. The angle counts, so that a bare number is not taken for one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Dimension(pub [i32; 4]);
+
+impl std::fmt::Display for Dimension {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let parts: Vec<String> = ["m", "kg", "s", "rad"]
+            .iter()
+            .zip(self.0)
+            .filter(|(_, exponent)| *exponent != 0)
+            .map(
+                |(symbol, exponent)| {
+                    if exponent == 1 { (*symbol).into() } else { format!("{symbol}^{exponent}") }
+                },
+            )
+            .collect();
+        f.write_str(if parts.is_empty() { "no unit" } else { "" })?;
+        f.write_str(&parts.join(" "))
+    }
+}
+
+struct Unit {
+    symbol: &'static str,
+    factor: f64,
+    dimension: [i32; 4],
+    prefixes: bool,
+}
+
+const fn unit(symbol: &'static str, factor: f64, dimension: [i32; 4], prefixes: bool) -> Unit {
+    Unit { symbol, factor, dimension, prefixes }
+}
+
+const UNITS: [Unit; 18] = [
+    unit("m", 1.0, [1, 0, 0, 0], true),
+    unit("g", 1e-3, [0, 1, 0, 0], true),
+    unit("s", 1.0, [0, 0, 1, 0], true),
+    unit("rad", 1.0, [0, 0, 0, 1], true),
+    unit("N", 1.0, [1, 1, -2, 0], true),
+    unit("Pa", 1.0, [-1, 1, -2, 0], true),
+    unit("J", 1.0, [2, 1, -2, 0], true),
+    unit("W", 1.0, [2, 1, -3, 0], true),
+    unit("bar", 1e5, [-1, 1, -2, 0], true),
+    unit("t", 1e3, [0, 1, 0, 0], false),
+    unit("min", 60.0, [0, 0, 1, 0], false),
+    unit("h", 3600.0, [0, 0, 1, 0], false),
+    unit("deg", std::f64::consts::PI / 180.0, [0, 0, 0, 1], false),
+    unit("°", std::f64::consts::PI / 180.0, [0, 0, 0, 1], false),
+    unit("rev", std::f64::consts::TAU, [0, 0, 0, 1], false),
+    unit("rpm", std::f64::consts::TAU / 60.0, [0, 0, -1, 1], false),
+    unit("Hz", 1.0, [0, 0, -1, 0], true),
+    unit("1", 1.0, [0, 0, 0, 0], false),
+];
+
+const PREFIXES: [(&str, f64); 11] = [
+    ("n", 1e-9),
+    ("µ", 1e-6), // U+00B5, the micro sign
+    ("μ", 1e-6), // U+03BC, the Greek letter
+    ("u", 1e-6),
+    ("m", 1e-3),
+    ("c", 1e-2),
+    ("d", 1e-1),
+    ("h", 1e2),
+    ("k", 1e3),
+    ("M", 1e6),
+    ("G", 1e9),
+];
+
+/// Symbols that are offered when an unknown one resembles them.
+const COMMON: [&str; 27] = [
+    "m", "mm", "cm", "km", "µm", "kg", "g", "t", "s", "ms", "min", "h", "rad", "deg", "N", "kN", "MN", "Pa",
+    "kPa", "MPa", "GPa", "bar", "J", "kJ", "rpm", "rev", "Hz",
+];
+
+/// Largest exponent that makes sense; more is a slip of the finger.
+const EXPONENT_LIMIT: i32 = 9;
+
+/// Reads a unit such as `kN/m^3`: its size in SI units and its dimension.
+pub(super) fn parse(text: &str) -> Result<(f64, Dimension), QuantityError> {
+    let malformed = |why| QuantityError::Malformed { unit: text.to_owned(), why };
+    if text.starts_with(',') {
+        return Err(malformed("write a decimal point, not a comma"));
+    }
+    let (mut factor, mut dimension) = (1.0, [0i32; 4]);
+    let mut rest = text;
+    let mut sign = 1;
+    loop {
+        let (symbol, exponent, behind) = split_factor(rest).map_err(malformed)?;
+        let (size, exponents) = look_up(symbol)?;
+        factor *= size.powi(sign * exponent);
+        for (sum, one) in dimension.iter_mut().zip(exponents) {
+            *sum += sign * exponent * one;
+        }
+        rest = behind.trim_start();
+        let Some(joint) = rest.chars().next() else { return Ok((factor, Dimension(dimension))) };
+        sign = if joint == '/' { -1 } else { 1 };
+        if matches!(joint, '/' | '*' | '·') {
+            rest = rest[joint.len_utf8()..].trim_start();
+        } else if rest.len() == behind.len() {
+            return Err(malformed("join symbols by `*`, `/` or a space, and write powers as `^3`"));
+        }
+    }
+}
+
+/// The first symbol of `text`, its exponent, and what follows.
+fn split_factor(text: &str) -> Result<(&str, i32, &str), &'static str> {
+    let is_symbol = |c: char| c.is_alphabetic() || c == '°';
+    let end = if text.starts_with('1') { 1 } else { text.find(|c| !is_symbol(c)).unwrap_or(text.len()) };
+    let (symbol, behind) = text.split_at(end);
+    if symbol.is_empty() {
+        return Err("a symbol such as `m` or `kN` is missing (no parentheses)");
+    }
+    for (mark, exponent) in [('²', 2), ('³', 3)] {
+        if let Some(rest) = behind.strip_prefix(mark) {
+            return Ok((symbol, exponent, rest));
+        }
+    }
+    let (powered, caret) = behind.strip_prefix('^').map_or((behind, false), |rest| (rest, true));
+    let sign_end = usize::from(caret && powered.starts_with('-'));
+    let digits = powered[sign_end..].find(|c: char| !c.is_ascii_digit()).unwrap_or(powered.len() - sign_end);
+    if digits == 0 {
+        return if caret { Err("a whole exponent must follow `^`") } else { Ok((symbol, 1, behind)) };
+    }
+    let (exponent, rest) = powered.split_at(sign_end + digits);
+    match exponent.parse::<i32>() {
+        Ok(exponent) if exponent.abs() <= EXPONENT_LIMIT => Ok((symbol, exponent, rest)),
+        _ => Err("the exponent is too large"),
+    }
+}
+
+/// Size and dimension of one symbol, with or without a prefix.
+fn look_up(symbol: &str) -> Result<(f64, [i32; 4]), QuantityError> {
+    if let Some(unit) = UNITS.iter().find(|u| u.symbol == symbol) {
+        return Ok((unit.factor, unit.dimension));
+    }
+    for (prefix, size) in PREFIXES {
+        let base = symbol.strip_prefix(prefix);
+        if let Some(unit) = UNITS.iter().find(|u| u.prefixes && Some(u.symbol) == base) {
+            return Ok((size * unit.factor, unit.dimension));
+        }
+    }
+    Err(QuantityError::UnknownUnit {
+        unit: symbol.to_owned(),
+        nearest: super::nearest(symbol, COMMON.iter().copied()).map(str::to_owned),
+    })
+}

@@ -1,0 +1,199 @@
+//! `coulter check`: the case as understood, what it will cost, and doubts about it.
+
+use super::{Failure, say};
+use crate::case::estimate::{Estimate, estimate};
+use crate::case::resolved::{Body, Freedom, Law, Shape};
+use crate::case::{self, Case};
+use serde::Serialize;
+use std::fmt::Write;
+use std::path::PathBuf;
+
+#[derive(Debug, clap::Args)]
+pub(super) struct Arguments {
+    /// The case file
+    case: PathBuf,
+    /// Sets a key, such as soil.friction_angle="38 deg"; may be repeated
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    overrides: Vec<String>,
+    /// Print one JSON document
+    #[arg(long)]
+    json: bool,
+}
+
+/// Dimensionless groups of one body; absent where the soil is weightless.
+#[derive(Debug, Serialize)]
+struct Groups {
+    /// t/d.
+    t_bar: f64,
+    /// W/(γtd²).
+    #[serde(rename = "W_bar")]
+    w_bar: Option<f64>,
+    /// E/(γd).
+    #[serde(rename = "E_bar")]
+    e_bar: Option<f64>,
+    /// c/(γd), or s_u/(γd).
+    c_bar: Option<f64>,
+    /// v²/(g d), of the fastest prescribed motion.
+    froude: Option<f64>,
+}
+
+pub(super) fn check(arguments: &Arguments) -> Result<(), Failure> {
+    let case = case::load(&arguments.case, &arguments.overrides)?;
+    let cost = estimate(&case);
+    let seconds = measured_rate().map(|rate| cost.steps * cost.filled_cells / rate);
+    let warnings = case::advice(&case);
+    if arguments.json {
+        return as_json(&case, &cost, seconds, &warnings);
+    }
+    let mut text = String::new();
+    // Writing to a string cannot fail.
+    let _ = describe(&mut text, &case).and_then(|()| describe_cost(&mut text, &case, &cost, seconds));
+    for warning in &warnings {
+        let _ = writeln!(text, "warning  {warning}");
+    }
+    say(&text);
+    Ok(())
+}
+
+/// Cell steps per second of this machine, where it has been measured.
+fn measured_rate() -> Option<f64> {
+    None
+}
+
+fn as_json(case: &Case, cost: &Estimate, seconds: Option<f64>, warnings: &[String]) -> Result<(), Failure> {
+    let groups: serde_json::Map<String, serde_json::Value> =
+        case.bodies.iter().map(|b| (b.name.clone(), serde_json::json!(groups(case, b)))).collect();
+    let document = serde_json::json!({
+        "case": case.name, "groups": groups, "cost": cost, "estimated_wall_s": seconds,
+        "warnings": warnings, "resolved": case,
+    });
+    let text = serde_json::to_string_pretty(&document).map_err(|e| Failure::Request(e.to_string()))?;
+    say(&format!("{text}\n"));
+    Ok(())
+}
+
+fn groups(case: &Case, body: &Body) -> Groups {
+    let (d, t) = match body.shape {
+        Shape::Disc { diameter, thickness } => (diameter, thickness),
+        Shape::Block { size } => (size.x, size.y),
+    };
+    let gamma = case.soil.unit_weight;
+    let strength = match case.soil.law {
+        Law::MohrCoulomb { cohesion, .. } => Some(cohesion),
+        Law::Tresca { shear_strength } => Some(shear_strength),
+        Law::Elastic => None,
+    };
+    let heavy = |x: f64| (gamma > 0.0).then_some(x / gamma);
+    let speed = body.translation.iter().map(prescribed_speed).fold(0.0, f64::max);
+    Groups {
+        t_bar: t / d,
+        w_bar: downward_load(body).and_then(|w| heavy(w / (t * d * d))),
+        e_bar: heavy(case.soil.young_modulus / d),
+        c_bar: strength.and_then(|c| heavy(c / d)),
+        froude: (case.gravity > 0.0).then_some(speed.powi(2) / (case.gravity * d)),
+    }
+}
+
+fn prescribed_speed(freedom: &Freedom) -> f64 {
+    if let Freedom::Prescribed { speed, .. } = freedom { speed.abs() } else { 0.0 }
+}
+
+/// The load that presses a body that is free to sink [N].
+fn downward_load(body: &Body) -> Option<f64> {
+    if let Freedom::Free { load, .. } = body.translation[2] { Some(-load) } else { None }
+}
+
+fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
+    let soil = &case.soil;
+    writeln!(text, "{} ({})", case.title, case.name)?;
+    let strength = match soil.law {
+        Law::Elastic => "elastic".to_owned(),
+        Law::Tresca { shear_strength } => format!("tresca, s_u = {shear_strength} Pa"),
+        Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_limit } => format!(
+            "mohr-coulomb, φ = {:.4}°, ψ = {:.4}°, c = {cohesion} Pa, tension up to {tension_limit} Pa",
+            friction_angle.to_degrees(),
+            dilation_angle.to_degrees()
+        ),
+    };
+    writeln!(text, "soil     {strength}")?;
+    writeln!(
+        text,
+        "         γ = {} N/m³, ρ = {:.1} kg/m³, E = {} Pa, ν = {}, K₀ = {:.3}",
+        soil.unit_weight, soil.density, soil.young_modulus, soil.poisson_ratio, soil.rest_pressure_ratio
+    )?;
+    for body in &case.bodies {
+        describe_body(text, case, body)?;
+    }
+    Ok(())
+}
+
+fn describe_body(text: &mut String, case: &Case, body: &Body) -> std::fmt::Result {
+    let shape = match body.shape {
+        Shape::Disc { diameter, thickness } => format!("disc, d = {diameter} m, t = {thickness} m"),
+        Shape::Block { size } => format!("block, {} × {} × {} m", size.x, size.y, size.z),
+    };
+    let friction = if body.friction.is_finite() { format!("μ = {}", body.friction) } else { "rough".into() };
+    writeln!(text, "body     {}: {shape}, {friction}, m = {:.4} kg", body.name, body.mass)?;
+    let [forward, lateral, heave] = &body.translation;
+    let motions =
+        [("forward", forward, "m/s", "N"), ("lateral", lateral, "m/s", "N"), ("heave", heave, "m/s", "N")];
+    for (name, freedom, speed, load) in motions.into_iter().chain([("spin", &body.spin, "rad/s", "N m")]) {
+        writeln!(text, "         {name:8} {}", describe_freedom(freedom, speed, load))?;
+    }
+    let groups = groups(case, body);
+    let optional =
+        [("W̄", groups.w_bar), ("Ē", groups.e_bar), ("c̄", groups.c_bar), ("v²/(gd)", groups.froude)];
+    let mut list = format!("t̄ = {:.4}", groups.t_bar);
+    for (name, value) in optional {
+        if let Some(value) = value {
+            write!(list, ", {name} = {value:.4}")?;
+        }
+    }
+    writeln!(text, "         {list}")
+}
+
+fn describe_freedom(freedom: &Freedom, speed_unit: &str, load_unit: &str) -> String {
+    match *freedom {
+        Freedom::Fixed => "fixed".into(),
+        Freedom::Prescribed { speed, start, ramp, end } => {
+            let until = if end.is_finite() { format!(" until {end} s") } else { String::new() };
+            format!("{speed} {speed_unit}, from {start} s within {ramp} s{until}")
+        }
+        Freedom::Free { load: 0.0, .. } => "free".into(),
+        Freedom::Free { load, start, ramp } => {
+            format!("free, load {load:.4} {load_unit} from {start} s within {ramp} s")
+        }
+    }
+}
+
+fn describe_cost(text: &mut String, case: &Case, cost: &Estimate, seconds: Option<f64>) -> std::fmt::Result {
+    let [nx, ny, nz] = std::array::from_fn(|axis| case.grid.faces[axis].len().saturating_sub(1));
+    let (low, high) = (case.domain.low, case.domain.high);
+    let kind = match (case.domain.symmetric, case.domain.plane_strain) {
+        (true, _) => ", symmetric half",
+        (_, true) => ", plane strain",
+        _ => "",
+    };
+    writeln!(
+        text,
+        "box      x {} to {} m, y {} to {} m, z {} to {} m{kind}",
+        low.x, high.x, low.y, high.y, low.z, high.z
+    )?;
+    writeln!(
+        text,
+        "grid     {nx} × {ny} × {nz} = {} cells of {:.4} mm and more, {} with soil, {:.0} MB",
+        cost.cells,
+        1e3 * cost.smallest_cell_m,
+        cost.filled_cells,
+        cost.memory_bytes / 1e6
+    )?;
+    writeln!(
+        text,
+        "time     {:.4} s in {} steps of {:.3e} s (waves run at {:.1} m/s)",
+        case.duration, cost.steps, cost.time_step_s, cost.wave_speed_m_per_s
+    )?;
+    match seconds {
+        Some(seconds) => writeln!(text, "run time about {seconds:.0} s on this machine"),
+        None => writeln!(text, "run time {:.3e} cell steps", cost.steps * cost.filled_cells),
+    }
+}

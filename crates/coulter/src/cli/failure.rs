@@ -1,0 +1,62 @@
+//! How a command can fail, and how that is told.
+
+use crate::case::CaseError;
+use miette::{GraphicalReportHandler, GraphicalTheme};
+use std::io::{IsTerminal, Write};
+use std::process::ExitCode;
+
+/// Why a command did not do what was asked.
+#[derive(Debug, thiserror::Error)]
+pub enum Failure {
+    /// The case file is wrong.
+    #[error(transparent)]
+    Case(#[from] CaseError),
+    /// The request is wrong in another way; says what to do instead.
+    #[error("{0}")]
+    Request(String),
+    /// The request was right, but the physics failed.
+    #[error("{0}")]
+    Physics(String),
+}
+
+impl Failure {
+    /// 1 if the physics failed, 2 if the request was wrong.
+    #[must_use]
+    pub fn exit_code(&self) -> u8 {
+        if matches!(self, Self::Physics(_)) { 1 } else { 2 }
+    }
+
+    /// Tells what went wrong on standard error.
+    pub(super) fn tell(&self) -> ExitCode {
+        let text = match self {
+            Self::Case(error) => render(error, is_colourful()),
+            Self::Request(message) | Self::Physics(message) => format!("error: {message}\n"),
+        };
+        let _ = std::io::stderr().lock().write_all(text.as_bytes());
+        ExitCode::from(self.exit_code())
+    }
+}
+
+/// Whether colours are wanted: on a terminal, unless <https://no-color.org> says otherwise.
+fn is_colourful() -> bool {
+    std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())
+}
+
+/// Every problem with its line, and a count.
+pub(crate) fn render(error: &CaseError, colour: bool) -> String {
+    let theme = if colour { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
+    let handler = GraphicalReportHandler::new_themed(theme).with_width(110).with_links(false);
+    let mut text = String::new();
+    for problem in &error.problems {
+        if handler.render_report(&mut text, problem).is_err() {
+            text.push_str(&format!("  {}\n  help: {}\n", problem.message, problem.cure));
+        }
+        text.push('\n');
+    }
+    let count = match error.problems.len() {
+        1 => "one problem".to_owned(),
+        many => format!("{many} problems"),
+    };
+    text.push_str(&format!("{count} in {}; nothing was run\n", error.name));
+    text
+}

@@ -1,0 +1,62 @@
+//! The command line: each command is a call into the library, and the only code that prints.
+
+mod check;
+mod failure;
+mod new;
+mod report;
+mod run;
+mod schema;
+mod verify;
+
+use clap::{Parser, Subcommand};
+pub use failure::Failure;
+use std::io::Write;
+use std::process::ExitCode;
+
+/// Predicts how a rigid object moves through soil.
+#[derive(Debug, Parser)]
+#[command(name = "coulter", version, arg_required_else_help = true)]
+#[command(after_help = "Exit codes: 0 done; 1 the physics failed; 2 the request was wrong.")]
+pub struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Writes a commented case file to start from
+    New(new::Arguments),
+    /// Says how a case is understood and what it will cost; runs nothing
+    Check(check::Arguments),
+    /// Runs a case
+    Run(run::Arguments),
+    /// Runs the verification suite: expected, obtained, error
+    Verify(verify::Arguments),
+    /// Rebuilds report.html from results
+    Report(report::Arguments),
+    /// Prints the JSON schema of case files, for editors
+    Schema,
+}
+
+/// Does what was asked; the exit code says how it went.
+#[must_use]
+pub fn run(arguments: &Arguments) -> ExitCode {
+    let outcome = match &arguments.command {
+        Command::New(arguments) => new::new(arguments),
+        Command::Check(arguments) => check::check(arguments),
+        Command::Run(arguments) => run::run(arguments),
+        Command::Verify(arguments) => verify::verify(arguments),
+        Command::Report(arguments) => report::report(arguments),
+        Command::Schema => schema::schema(),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.tell(),
+    }
+}
+
+/// Prints to standard output. A reader that has gone away (`| head`) is no error.
+fn say(text: &str) {
+    let mut out = std::io::stdout().lock();
+    let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+}

@@ -1,0 +1,233 @@
+//! A case on its way through time: the model and state that it means, and the history that its probes write.
+
+use crate::case::Case;
+use crate::case::resolved::{self, Ground, Law};
+use crate::output::record::{BodySample, EnergySample, History};
+use physics::elastic::Elastic;
+use physics::mohr_coulomb::MohrCoulomb;
+use physics::rigid::Freedom;
+use physics::shape::{Block, Disc, Shape};
+use solver::cpu::energy::soil_volume;
+use solver::cpu::workspace::Workspace;
+use solver::error::Breakdown;
+use solver::grid::Grid;
+use solver::model::{BodyModel, ContactMethod, Method, Model, Wall};
+use solver::start::{Filling, start};
+use solver::state::{Received, State};
+use solver::step::{elastic_energy, kinetic_energy, step};
+
+/// A run of a case.
+#[derive(Debug)]
+pub struct Simulation {
+    /// The case.
+    pub case: Case,
+    /// What is fixed.
+    pub model: Model,
+    /// What changes.
+    pub state: State,
+    /// What the probes saw.
+    pub history: History,
+    /// Seconds of wall clock spent in steps.
+    pub wall_s: f64,
+    workspace: Workspace,
+    /// Time and impulses at the last sample.
+    sampled: (f64, Vec<Received>),
+}
+
+impl Simulation {
+    /// A run from the start.
+    #[must_use]
+    pub fn new(case: &Case) -> Self {
+        let model = model(case);
+        let state = start(&model, &filling(&case.ground));
+        Self::with_state(case, model, state)
+    }
+
+    fn with_state(case: &Case, model: Model, state: State) -> Self {
+        let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+        let threads = if case.numerics.threads == 0 { cores } else { case.numerics.threads };
+        let workspace = Workspace::new(&model, &state, threads);
+        let names: Vec<String> = case.bodies.iter().map(|b| b.name.clone()).collect();
+        let history = History { bodies: vec![Vec::new(); names.len()], names, energy: Vec::new() };
+        let sampled = (state.time, state.bodies.iter().map(|b| b.received).collect());
+        let mut simulation =
+            Self { case: case.clone(), model, state, history, wall_s: 0.0, workspace, sampled };
+        if simulation.state.step == 0 {
+            simulation.sample();
+        }
+        simulation
+    }
+
+    /// Whether the run has reached its end.
+    #[must_use]
+    pub fn is_done(&self) -> bool {
+        self.state.time >= self.case.duration - 0.5 * self.model.time_step()
+    }
+
+    /// Number of threads at work.
+    #[must_use]
+    pub fn threads(&self) -> usize {
+        self.workspace.threads()
+    }
+
+    /// Goes on to the next sample of the history (or to the end).
+    ///
+    /// # Errors
+    /// [`Breakdown`] when the physics fails.
+    pub fn advance(&mut self) -> Result<(), Breakdown> {
+        let clock = std::time::Instant::now();
+        let due = self.sampled.0 + self.case.output.history_interval - 0.5 * self.model.time_step();
+        let mut result = Ok(());
+        while result.is_ok() && !self.is_done() {
+            result = step(&self.model, &mut self.state, &mut self.workspace);
+            if self.state.time >= due {
+                break;
+            }
+        }
+        self.wall_s += clock.elapsed().as_secs_f64();
+        if result.is_ok() {
+            self.sample();
+        }
+        result
+    }
+
+    /// Enters the present state into the history.
+    fn sample(&mut self) {
+        let interval = self.state.time - self.sampled.0;
+        for n in 0..self.state.bodies.len() {
+            let sample = self.body_sample(n, interval);
+            self.history.bodies[n].push(sample);
+        }
+        let energy = self.energy_sample();
+        self.history.energy.push(energy);
+        self.sampled = (self.state.time, self.state.bodies.iter().map(|b| b.received).collect());
+    }
+
+    fn body_sample(&self, n: usize, interval: f64) -> BodySample {
+        let (fixed, body) = (&self.model.bodies[n], &self.state.bodies[n]);
+        let (now, then) = (body.received, self.sampled.1[n]);
+        let rate = if interval > 0.0 { 1.0 / interval } else { 0.0 };
+        let normal = (now.normal - then.normal) * rate;
+        let friction = (now.friction - then.friction) * rate;
+        let force = normal + friction;
+        BodySample {
+            time: self.state.time,
+            displacement: body.position.x - fixed.start.x,
+            sinkage: -(body.position.z + fixed.shape.bounds().0.z),
+            drag: -force.x,
+            // In a symmetric case the halves' lateral forces cancel.
+            lateral: if self.case.domain.symmetric { 0.0 } else { force.y },
+            vertical: force.z,
+            drag_normal: -normal.x,
+            vertical_normal: normal.z,
+            axle_torque: (now.axle - then.axle) * rate,
+            rotation: body.angle,
+            spin: body.spin,
+            speed: body.velocity.x,
+            heave_speed: body.velocity.z,
+            leaked_volume: body.leaked_volume / self.model.share,
+            embedded_volume: body.embedded_volume / self.model.share,
+        }
+    }
+
+    fn energy_sample(&self) -> EnergySample {
+        let ledger = &self.state.ledger;
+        let whole = 1.0 / self.model.share;
+        EnergySample {
+            time: self.state.time,
+            external: ledger.external * whole,
+            kinetic: (kinetic_energy(&self.model, &self.state) - ledger.kinetic_start) * whole,
+            elastic: (elastic_energy(&self.model, &self.state) - ledger.elastic_start) * whole,
+            plastic: ledger.plastic * whole,
+            friction: ledger.friction * whole,
+            viscous: ledger.viscous * whole,
+            hourglass: ledger.hourglass * whole,
+            remap_loss: ledger.remap * whole,
+            volume_ratio: soil_volume(&self.model.grid, &self.state.soil) / ledger.volume_start,
+        }
+    }
+}
+
+/// The model that a case means.
+#[must_use]
+pub fn model(case: &Case) -> Model {
+    let elastic = Elastic::new(case.soil.young_modulus, case.soil.poisson_ratio);
+    Model {
+        grid: Grid::new(case.grid.faces.clone()),
+        elastic,
+        strength: match case.soil.law {
+            Law::Elastic => None,
+            Law::Tresca { shear_strength } => Some(MohrCoulomb::tresca(elastic, shear_strength)),
+            Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_limit } => {
+                Some(MohrCoulomb::new(elastic, friction_angle, dilation_angle, cohesion, tension_limit))
+            }
+        },
+        density: case.soil.density,
+        gravity: if case.soil.unit_weight > 0.0 { case.soil.unit_weight / case.soil.density } else { 0.0 },
+        rest_pressure_ratio: case.soil.rest_pressure_ratio,
+        walls: case.domain.walls.map(|pair| pair.map(wall)),
+        bodies: case.bodies.iter().map(body).collect(),
+        share: if case.domain.symmetric { 0.5 } else { 1.0 },
+        method: Method {
+            courant: case.numerics.courant,
+            remap_displacement: case.numerics.remap_displacement,
+            hourglass: case.numerics.hourglass,
+            bulk_viscosity: [case.numerics.bulk_viscosity_linear, case.numerics.bulk_viscosity_quadratic],
+            contact: match case.numerics.contact {
+                resolved::Contact::Penalty => ContactMethod::Penalty,
+                resolved::Contact::Impulse => ContactMethod::Impulse,
+            },
+            edge_inset: case.numerics.edge_inset,
+            point_spacing: case.numerics.point_spacing,
+        },
+    }
+}
+
+fn wall(wall: resolved::Wall) -> Wall {
+    match wall {
+        resolved::Wall::Smooth => Wall::Smooth,
+        resolved::Wall::Fixed => Wall::Fixed,
+    }
+}
+
+/// The shape that a case means.
+#[must_use]
+pub fn shape(shape: &resolved::Shape) -> Box<dyn Shape> {
+    match *shape {
+        resolved::Shape::Disc { diameter, thickness } => Box::new(Disc { diameter, thickness }),
+        resolved::Shape::Block { size } => Box::new(Block { size }),
+    }
+}
+
+fn body(body: &resolved::Body) -> BodyModel {
+    BodyModel {
+        name: body.name.clone(),
+        shape: shape(&body.shape),
+        start: body.position,
+        mass: body.mass,
+        axle_inertia: body.axle_inertia,
+        friction: body.friction,
+        translation: body.translation.map(freedom),
+        spin: freedom(body.spin),
+    }
+}
+
+fn freedom(freedom: resolved::Freedom) -> Freedom {
+    match freedom {
+        resolved::Freedom::Fixed => Freedom::Fixed,
+        resolved::Freedom::Prescribed { speed, start, ramp, end } => {
+            Freedom::Prescribed { speed, start, ramp, end }
+        }
+        resolved::Freedom::Free { load, start, ramp } => Freedom::Free { load, start, ramp },
+    }
+}
+
+fn filling(ground: &Ground) -> Filling {
+    const FAR: f64 = 1e9;
+    match *ground {
+        Ground::Level { surface } => {
+            Filling { low: glam::DVec3::splat(-FAR), high: glam::DVec3::new(FAR, FAR, surface) }
+        }
+        Ground::Column { low, high } => Filling { low, high },
+    }
+}

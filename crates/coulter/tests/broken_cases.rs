@@ -1,0 +1,388 @@
+//! No case file, however broken, may run or cause a panic: each is refused with its place and a cure, exit code 2.
+#![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
+
+use assert_cmd::Command;
+use miette::GraphicalReportHandler;
+use proptest::prelude::*;
+
+const TOWED_DISC: &str = include_str!("../../../cases/towed_disc.toml");
+const FOOTING: &str = include_str!("../../../cases/strip_footing.toml");
+const WALL: &str = include_str!("../../../cases/passive_wall.toml");
+
+/// What `coulter check` says to standard error about a file with this content, which it must refuse.
+fn complaint_about(content: &[u8]) -> String {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("broken.toml");
+    std::fs::write(&path, content).unwrap();
+    complaint(&["check", path.to_str().unwrap()])
+}
+
+fn complaint(arguments: &[&str]) -> String {
+    let output = Command::cargo_bin("coulter").unwrap().args(arguments).output().unwrap();
+    let text = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {text}");
+    assert!(!text.contains("panicked"), "{text}");
+    text
+}
+
+/// Replaces `old` by `new` in `case`, and expects a complaint about the line that `new` stands in, which also holds
+/// all of `words`.
+#[track_caller]
+fn refused(case: &str, old: &str, new: &str, words: &[&str]) {
+    assert!(case.contains(old), "the case has no `{old}`");
+    let broken = case.replacen(old, new, 1);
+    let text = complaint_about(broken.as_bytes());
+    let changed = case.find(old).unwrap() + new.rfind('\n').map_or(0, |n| n + 1);
+    let line = broken[..changed].matches('\n').count() + 1;
+    assert!(text.contains(&format!("broken.toml:{line}:")), "line {line} is not named: {text}");
+    assert!(text.contains("help:"), "no cure: {text}");
+    for word in words {
+        assert!(text.contains(word), "`{word}` is not in: {text}");
+    }
+}
+
+/// As [`refused`], where the complaint is about another place than what was changed.
+#[track_caller]
+fn refused_at(case: &str, old: &str, new: &str, place: &str, words: &[&str]) {
+    assert!(case.contains(old), "the case has no `{old}`");
+    let broken = case.replacen(old, new, 1);
+    let text = complaint_about(broken.as_bytes());
+    let line = broken[..broken.find(place).unwrap()].matches('\n').count() + 1;
+    assert!(text.contains(&format!("broken.toml:{line}:")), "line {line} is not named: {text}");
+    for word in words {
+        assert!(text.contains(word), "`{word}` is not in: {text}");
+    }
+}
+
+#[test]
+fn impossible_friction_angle() {
+    refused(TOWED_DISC, "\"35 deg\"", "\"90 deg\"", &["soil.friction_angle", "below 90 deg"]);
+    refused(TOWED_DISC, "\"35 deg\"", "\"-1 deg\"", &["soil.friction_angle", "0 deg or more"]);
+}
+
+#[test]
+fn dilation_beyond_friction() {
+    refused(
+        TOWED_DISC,
+        "dilation_angle = \"0 deg\"",
+        "dilation_angle = \"36 deg\"",
+        &["ψ", "friction angle"],
+    );
+}
+
+#[test]
+fn impossible_poisson_ratio() {
+    refused(TOWED_DISC, "poisson_ratio = 0.3", "poisson_ratio = 0.5", &["below 0.5"]);
+    refused(TOWED_DISC, "poisson_ratio = 0.3", "poisson_ratio = -0.1", &["0 or more"]);
+    refused(TOWED_DISC, "poisson_ratio = 0.3", "poisson_ratio = nan", &["finite"]);
+    refused(TOWED_DISC, "poisson_ratio = 0.3", "poisson_ratio = \"0.3\"", &["expected a number, found text"]);
+}
+
+#[test]
+fn impossible_stiffness_density_cohesion() {
+    refused(TOWED_DISC, "\"5 MPa\"", "\"0 MPa\"", &["soil.young_modulus", "above 0"]);
+    refused(FOOTING, "\"2000 kg/m^3\"", "\"-2000 kg/m^3\"", &["soil.density", "above 0"]);
+    refused(TOWED_DISC, "cohesion = \"0 Pa\"", "cohesion = \"-1 Pa\"", &["soil.cohesion", "0 or more"]);
+    refused(TOWED_DISC, "cohesion = \"0 Pa\"", "tension_limit = \"5 Pa\"", &["apex", "c cot φ"]);
+    refused(TOWED_DISC, "\"5 MPa\"", "\"1e999 MPa\"", &["finite"]);
+}
+
+#[test]
+fn weightless_soil_without_density() {
+    refused_at(FOOTING, "density = \"2000 kg/m^3\"", "", "unit_weight =", &["density", "add"]);
+}
+
+#[test]
+fn bare_number_where_a_unit_is_needed() {
+    refused(TOWED_DISC, "weight = \"40 N\"", "weight = 40", &["bare number", "a force", "\"40 N\""]);
+    refused(TOWED_DISC, "weight = \"40 N\"", "weight = \"40\"", &["no unit", "a force"]);
+}
+
+#[test]
+fn wrong_dimension_and_unknown_unit() {
+    refused(TOWED_DISC, "\"0.2 m\"", "\"0.2 MPa\"", &["is a stress, but a length is needed"]);
+    refused(TOWED_DISC, "\"16 kN/m^3\"", "\"16 kN/m^2\"", &["is a stress, but a unit weight is needed"]);
+    refused(TOWED_DISC, "\"16 kN/m^3\"", "\"16 Kn/m^3\"", &["unknown unit `Kn`", "did you mean `kN`"]);
+    refused(TOWED_DISC, "\"12.5 mm\"", "\"12,5 mm\"", &["decimal point"]);
+}
+
+#[test]
+fn wrong_type() {
+    refused(TOWED_DISC, "symmetric = true", "symmetric = \"yes\"", &["true or false"]);
+    refused(
+        TOWED_DISC,
+        "title = \"A free disc towed over dry sand\"",
+        "title = 3",
+        &["expected text", "quotes"],
+    );
+    refused(TOWED_DISC, "x = [\"-0.35 m\", \"0.75 m\"]", "x = \"0.75 m\"", &["a list of 2"]);
+    refused(TOWED_DISC, "x = [\"-0.35 m\", \"0.75 m\"]", "x = [\"0.75 m\"]", &["expected 2 values, found 1"]);
+    refused(TOWED_DISC, "gravity = \"9.81 m/s^2\"", "gravity = 1979-05-27", &["found a date"]);
+    refused(TOWED_DISC, "[output]", "[[output]]", &["must be a section"]);
+}
+
+#[test]
+fn unknown_key_section_and_word() {
+    refused(
+        TOWED_DISC,
+        "friction_angle",
+        "frction_angle",
+        &["unknown key", "did you mean `friction_angle`?"],
+    );
+    refused(TOWED_DISC, "[output]", "[outputs]", &["unknown key `outputs`", "did you mean `output`?"]);
+    refused(
+        TOWED_DISC,
+        "\"mohr-coulomb\"",
+        "\"mohr-colomb\"",
+        &["did you mean \"mohr-coulomb\"?", "\"tresca\""],
+    );
+    refused(TOWED_DISC, "spin = \"free\"", "spin = \"fre\"", &["\"locked\", \"free\""]);
+    refused(TOWED_DISC, "\"0.4 s\", ramp", "\"0.4 s\", rampe", &["did you mean `ramp`?"]);
+}
+
+#[test]
+fn a_key_of_another_law_or_shape() {
+    refused(
+        FOOTING,
+        "shear_strength = \"1 kPa\"",
+        "shear_strength = \"1 kPa\"\ncohesion = \"1 kPa\"",
+        &["no meaning"],
+    );
+    refused(
+        TOWED_DISC,
+        "friction = 0.3",
+        "size = [\"1 m\", \"1 m\", \"1 m\"]",
+        &["no meaning for shape = \"disc\""],
+    );
+}
+
+#[test]
+fn duplicate_key() {
+    refused(
+        TOWED_DISC,
+        "weight = \"40 N\"",
+        "weight = \"40 N\"\nweight = \"50 N\"",
+        &["duplicate key", "set twice"],
+    );
+}
+
+#[test]
+fn missing_values() {
+    refused_at(
+        TOWED_DISC,
+        "young_modulus = \"5 MPa\"",
+        "",
+        "soil]",
+        &["`soil.young_modulus` is missing", "add"],
+    );
+    refused_at(TOWED_DISC, "weight = \"40 N\"", "", "body.disc]", &["has no weight", "mass ="]);
+    refused_at(TOWED_DISC, "diameter = \"0.2 m\"", "", "body.disc]", &["`body.disc.diameter` is missing"]);
+    refused_at(TOWED_DISC, "tow_distance = \"0.32 m\"", "", "run]", &["`run.duration` is missing"]);
+}
+
+#[test]
+fn body_of_no_size_or_too_thin_for_the_grid() {
+    refused(TOWED_DISC, "\"0.05 m\"", "\"0 m\"", &["body.disc.thickness", "above 0"]);
+    refused(TOWED_DISC, "\"0.2 m\"", "\"-0.2 m\"", &["body.disc.diameter", "above 0"]);
+    refused(TOWED_DISC, "\"0.05 m\"", "\"20 mm\"", &["1.60 cells across", "grid.cell at most 10.0000 mm"]);
+    refused(FOOTING, "[\"1 m\", \"0.5 m\"]", "[\"1 m\", \"0 m\"]", &["must be above 0"]);
+    refused(FOOTING, "[\"1 m\", \"0.5 m\"]", "[\"1 m\", \"1 m\", \"1 m\"]", &["plane strain"]);
+}
+
+#[test]
+fn body_outside_the_box() {
+    refused(TOWED_DISC, "sinkage = \"0 mm\"", "x = \"0.7 m\"", &["starts outside the box", "domain.x"]);
+    refused(TOWED_DISC, "sinkage = \"0 mm\"", "sinkage = \"1 m\"", &["[body.disc] spans z", "deeper"]);
+    refused_at(TOWED_DISC, "\"0.32 m\"", "\"3.2 m\"", "forward", &["leaves the box on its way"]);
+}
+
+#[test]
+fn weight_and_mass_disagree() {
+    refused_at(
+        TOWED_DISC,
+        "weight = \"40 N\"",
+        "weight = \"40 N\"\nmass = \"1 kg\"",
+        "weight = \"40",
+        &["disagree"],
+    );
+}
+
+#[test]
+fn impossible_times() {
+    refused(TOWED_DISC, "\"0.32 m\"", "\"-0.32 m\"", &["run.tow_distance", "above 0"]);
+    refused(TOWED_DISC, "tow_distance = \"0.32 m\"", "duration = \"0 s\"", &["run.duration", "above 0"]);
+    refused(TOWED_DISC, "start = \"0.4 s\"", "start = \"-0.4 s\"", &["before the start of the run"]);
+    refused(TOWED_DISC, "\"4 ms\"", "\"4 ns\"", &["history_interval", "longer"]);
+}
+
+#[test]
+fn a_tow_that_goes_nowhere() {
+    refused_at(TOWED_DISC, "speed = \"0.2 m/s\"", "speed = \"0 m/s\"", "tow_distance", &["other than 0"]);
+    refused_at(
+        TOWED_DISC,
+        "start = \"0.4 s\"",
+        "start = \"0.4 s\", end = \"0.6 s\"",
+        "tow_distance",
+        &["stops before"],
+    );
+    refused(TOWED_DISC, "tow_distance", "duration = \"1 s\"\ntow_distance", &["keep one of them"]);
+}
+
+#[test]
+fn motions_that_contradict_themselves() {
+    refused(
+        TOWED_DISC,
+        "load = \"0 N\"",
+        "load = \"0 N\", speed = \"1 m/s\"",
+        &["a speed and a load at once"],
+    );
+    refused(TOWED_DISC, "load = \"0 N\", ", "", &["neither a speed nor a load"]);
+}
+
+#[test]
+fn what_a_symmetric_case_cannot_be() {
+    refused(TOWED_DISC, "sinkage = \"0 mm\"", "y = \"0.1 m\"", &["off the plane of symmetry"]);
+    refused(TOWED_DISC, "lateral = \"fixed\"", "lateral = \"free\"", &["no lateral motion"]);
+    refused(TOWED_DISC, "y = [\"0 m\", \"0.3 m\"]", "y = [\"-0.3 m\", \"0.3 m\"]", &["begin with \"0 m\""]);
+    refused_at(
+        TOWED_DISC,
+        "symmetric = true",
+        "symmetric = true\nplane_strain = true",
+        "symmetric = true",
+        &["take `symmetric` out"],
+    );
+}
+
+#[test]
+fn box_and_ground_that_do_not_fit() {
+    refused(
+        TOWED_DISC,
+        "z = [\"-0.25 m\", \"0.075 m\"]",
+        "z = [\"0.075 m\", \"-0.25 m\"]",
+        &["lower value first"],
+    );
+    refused(WALL, "surface = \"0 m\"", "surface = \"2 m\"", &["not inside the box"]);
+    refused(WALL, "x = [\"0 m\", \"4 m\"]", "x = [\"0 m\", \"5 m\"]", &["partly outside the box"]);
+    refused(TOWED_DISC, "fine_x = [\"-0.2 m\"", "fine_x = [\"-2 m\"", &["fine zone is partly outside"]);
+}
+
+#[test]
+fn absurd_resolution() {
+    refused(TOWED_DISC, "\"12.5 mm\"", "\"12.5 nm\"", &["cells along one axis", "grid.cell"]);
+    refused(TOWED_DISC, "\"12.5 mm\"", "\"0.02 mm\"", &["GB of memory", "make grid.cell larger"]);
+    refused(TOWED_DISC, "\"12.5 mm\"", "\"0 mm\"", &["above 0"]);
+    refused(TOWED_DISC, "growth = 1.15", "growth = 3", &["from 1 to 1.5"]);
+}
+
+#[test]
+fn numbers_that_cannot_be_computed_with() {
+    refused_at(TOWED_DISC, "\"5 MPa\"", "\"1e300 MPa\"", "soil]", &["time steps", "cannot be run"]);
+    refused_at(TOWED_DISC, "\"40 N\"", "\"1e-320 N\"", "body.disc]", &["not computable"]);
+}
+
+#[test]
+fn several_problems_are_told_at_once() {
+    let broken = TOWED_DISC.replace("\"35 deg\"", "\"95 deg\"").replace("weight = \"40 N\"", "wieght = 40");
+    let broken = broken.replace("fine_x", "fine_xx").replace("spin = \"free\"", "spin = 3");
+    let text = complaint_about(broken.as_bytes());
+    for word in ["friction_angle", "`wieght`", "`weight`?", "`fine_xx`", "body.disc.spin", "problems in"] {
+        assert!(text.contains(word), "`{word}` is not in: {text}");
+    }
+}
+
+#[test]
+fn files_that_are_no_case() {
+    assert!(complaint_about(b"").contains("the case is empty"));
+    assert!(complaint_about(b"# nothing\n\n").contains("coulter new"));
+    assert!(complaint_about(b"title = \"\xff\xfe\"\n").contains("line 1 is not UTF-8"));
+    assert!(complaint_about(b"hello, world").contains("broken.toml:1:"));
+    assert!(complaint_about(b"[soil\nlaw = 1").contains("not valid TOML"));
+    assert!(complaint_about(b"title = \"an open string").contains("broken.toml:1:"));
+    assert!(complaint_about("a=[".repeat(5000).as_bytes()).contains("not valid TOML"));
+    assert!(complaint_about("[".repeat(100_000).as_bytes()).contains("not valid TOML"));
+    assert!(complaint_about(b"soil = 3\ngrid = 4\nrun = []\nbody = 5").contains("must be a section"));
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().to_str().unwrap();
+    assert!(complaint(&["check", path]).contains("a directory"));
+    assert!(complaint(&["check", &format!("{path}/none.toml")]).contains("cannot be read"));
+}
+
+#[test]
+fn overrides_are_checked_like_the_file() {
+    let case = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/towed_disc.toml");
+    let told = |set: &str| complaint(&["check", case, "--set", set]);
+    assert!(told("soil.frction_angle=38 deg").contains("did you mean `friction_angle`?"));
+    assert!(told("soil.frction_angle=38 deg").contains("--set soil.frction_angle:1:1"));
+    assert!(told("soil.friction_angle=38").contains("--set soil.friction_angle:1:21"));
+    assert!(told("soil.friction_angle=\"98 deg\"").contains("below 90 deg"));
+    assert!(told("soil.friction_angle").contains("no `=`"));
+    assert!(told("=3").contains("is no key"));
+    assert!(told("soil.law.x=3").contains("`law` is text"));
+    assert!(told("a.b.c.d.e.f.g.h=1").contains("is no key"));
+}
+
+/// Garbles a case: lines or characters are deleted, doubled or replaced.
+fn garbled() -> impl Strategy<Value = String> {
+    let change = (0usize..6, any::<prop::sample::Index>(), any::<prop::sample::Index>(), "\\PC{0,3}");
+    let cases = prop::sample::select(vec![TOWED_DISC, FOOTING, WALL]);
+    (cases, prop::collection::vec(change, 1..5)).prop_map(|(case, changes)| {
+        changes
+            .into_iter()
+            .fold(case.to_owned(), |text, (kind, a, b, filling)| garble(&text, kind, a, b, &filling))
+    })
+}
+
+fn garble(text: &str, kind: usize, a: prop::sample::Index, b: prop::sample::Index, filling: &str) -> String {
+    if text.is_empty() {
+        return filling.to_owned();
+    }
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    let (one, two) = (a.index(lines.len()), b.index(lines.len()));
+    let mut chars: Vec<char> = text.chars().collect();
+    let place = b.index(chars.len());
+    match kind {
+        0 => drop(lines.remove(one)),
+        1 => lines.insert(two, lines[one].clone()),
+        2 => lines.swap(one, two),
+        3 => {
+            chars.splice(place..(place + 1).min(chars.len()), filling.chars());
+            return chars.into_iter().collect();
+        }
+        4 => {
+            // Another number in place of one digit, to get past the syntax.
+            let digits: Vec<usize> = (0..chars.len()).filter(|n| chars[*n].is_ascii_digit()).collect();
+            if let Some(n) = digits.get(b.index(digits.len().max(1))) {
+                chars[*n] = ['0', '9', '-', 'e', '.'][a.index(5)];
+            }
+            return chars.into_iter().collect();
+        }
+        _ => {
+            let value = lines[two].split_once('=').map_or("", |(_, v)| v).to_owned();
+            let key = lines[one].split_once('=').map_or("", |(k, _)| k).to_owned();
+            lines[one] = format!("{key}={value}");
+        }
+    }
+    lines.join("\n")
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 1500, ..ProptestConfig::default() })]
+    #[test]
+    fn garbled_cases_never_panic(text in garbled(), set in prop::option::of("\\PC{0,20}")) {
+        let overrides: Vec<String> = set.into_iter().collect();
+        match coulter::case::parse(&text, "garbled.toml", &overrides) {
+            Ok(case) => {
+                let _ = coulter::case::advice(&case);
+                let cost = coulter::case::estimate::estimate(&case);
+                prop_assert!(cost.time_step_s > 0.0 && cost.cells >= 1.0);
+            }
+            Err(error) => {
+                prop_assert!(!error.problems.is_empty());
+                let mut rendered = String::new();
+                for problem in &error.problems {
+                    prop_assert!(GraphicalReportHandler::new().render_report(&mut rendered, problem).is_ok());
+                }
+            }
+        }
+    }
+}

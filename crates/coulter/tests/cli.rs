@@ -1,0 +1,174 @@
+//! The commands that run nothing, through the binary.
+#![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
+
+use assert_cmd::Command;
+use serde_json::Value;
+
+fn coulter() -> Command {
+    Command::cargo_bin("coulter").unwrap()
+}
+
+fn shipped(name: &str) -> String {
+    format!("{}/../../cases/{name}", env!("CARGO_MANIFEST_DIR"))
+}
+
+fn checked(arguments: &[&str]) -> Value {
+    let output = coulter().arg("check").arg("--json").args(arguments).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+fn close(value: &Value, expected: f64) {
+    let value = value.as_f64().unwrap();
+    assert!((value - expected).abs() <= 1e-9 * expected.abs(), "{value} ≠ {expected}");
+}
+
+#[test]
+fn new_writes_a_case_that_checks() {
+    let folder = tempfile::tempdir().unwrap();
+    for (template, file) in [
+        ("towed-disc", "towed_disc.toml"),
+        ("footing", "strip_footing.toml"),
+        ("passive-wall", "passive_wall.toml"),
+        ("column", "column_collapse.toml"),
+    ] {
+        coulter().current_dir(&folder).args(["new", template]).assert().success();
+        coulter().current_dir(&folder).args(["check", file]).assert().success();
+        let text = std::fs::read_to_string(folder.path().join(file)).unwrap();
+        assert!(text.starts_with("#:schema "));
+    }
+}
+
+#[test]
+fn new_does_not_overwrite_unasked() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("mine.toml");
+    std::fs::write(&path, "mine").unwrap();
+    let refusal = coulter().arg("new").arg("-o").arg(&path).assert().code(2);
+    assert!(String::from_utf8_lossy(&refusal.get_output().stderr).contains("--force"));
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), "mine");
+    coulter().args(["new", "--force", "-o"]).arg(&path).assert().success();
+    assert_ne!(std::fs::read_to_string(&path).unwrap(), "mine");
+}
+
+#[test]
+fn the_towed_disc_is_understood() {
+    let seen = checked(&[&shipped("towed_disc.toml")]);
+    let case = &seen["resolved"];
+    close(&case["soil"]["density"], 16e3 / 9.81);
+    close(&case["soil"]["rest_pressure_ratio"], 1.0 - 35f64.to_radians().sin());
+    let disc = &case["bodies"][0];
+    assert_eq!(disc["name"], "disc");
+    close(&disc["mass"], 40.0 / 9.81);
+    close(&disc["axle_inertia"], 0.5 * 40.0 / 9.81 * 0.1 * 0.1);
+    close(&disc["position"][2], 0.1);
+    close(&disc["translation"][2]["free"]["load"], -40.0);
+    close(&disc["spin"]["free"]["ramp"], 0.1);
+    // 0.4 s to settle, a ramp that covers half its way, then 0.2 m/s.
+    close(&case["duration"], 0.4 + 0.05 + 1.6);
+    close(&seen["groups"]["disc"]["W_bar"], 40.0 / (16e3 * 0.05 * 0.2 * 0.2));
+    close(&seen["groups"]["disc"]["E_bar"], 5e6 / (16e3 * 0.2));
+    let cells = seen["cost"]["cells"].as_f64().unwrap();
+    assert!((30e3..50e3).contains(&cells), "{cells} cells");
+    for (axis, must_hold) in [(1, 0.0), (2, 0.0)] {
+        let faces = case["grid"]["faces"][axis].as_array().unwrap();
+        assert!(faces.iter().any(|f| f.as_f64() == Some(must_hold)), "axis {axis}");
+    }
+}
+
+#[test]
+fn undrained_soil_gets_its_own_viscosity() {
+    let viscosity =
+        |file| checked(&[&shipped(file)])["resolved"]["numerics"]["bulk_viscosity_linear"].clone();
+    close(&viscosity("strip_footing.toml"), 0.06);
+    close(&viscosity("towed_disc.toml"), 0.02);
+}
+
+#[test]
+fn overrides_take_effect() {
+    let sets = [
+        "--set",
+        "soil.friction_angle=38 deg",
+        "--set",
+        "body.disc.friction=\"rough\"",
+        "--set",
+        "grid.growth=1.2",
+    ];
+    let file = shipped("towed_disc.toml");
+    let seen = checked(&[&[file.as_str()], &sets[..]].concat());
+    close(&seen["resolved"]["soil"]["law"]["mohr-coulomb"]["friction_angle"], 38f64.to_radians());
+    close(&seen["resolved"]["grid"]["growth"], 1.2);
+    assert!(seen["resolved"]["bodies"][0]["friction"].is_null(), "infinite friction has no JSON number");
+}
+
+#[test]
+fn box_and_fine_zone_follow_from_the_bodies() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("short.toml");
+    let case = "[soil]\nlaw = 'mohr-coulomb'\nfriction_angle = '30 deg'\nunit_weight = '16 kN/m^3'\nyoung_modulus = '5 MPa'\n\
+        [grid]\ncell = '20 mm'\n[body.a]\nshape = 'disc'\ndiameter = '0.2 m'\nthickness = '80 mm'\nfriction = 0.3\n\
+        forward = { speed = '0.1 m/s' }\n[run]\nduration = '1 s'\n";
+    std::fs::write(&path, case).unwrap();
+    let seen = checked(&[path.to_str().unwrap()]);
+    close(&seen["resolved"]["domain"]["low"][0], -0.4);
+    close(&seen["resolved"]["domain"]["high"][0], 0.095 + 0.4);
+    close(&seen["resolved"]["domain"]["low"][2], -0.25);
+    close(&seen["resolved"]["grid"]["fine_high"][2], 0.06);
+}
+
+#[test]
+fn doubts_are_told() {
+    let file = shipped("towed_disc.toml");
+    let sets = [
+        "--set",
+        "body.disc.thickness=30 mm",
+        "--set",
+        "domain.y=['0 m', '0.2 m']",
+        "--set",
+        "soil.cohesion=1 Pa",
+        "--set",
+        "soil.dilation_angle=5 deg",
+    ];
+    let seen = checked(&[&[file.as_str()], &sets[..]].concat());
+    let all = seen["warnings"].to_string();
+    for word in ["2.4 cells across", "is tiny", "Dilation", "bulk viscosity", "walls are near"] {
+        assert!(all.contains(word), "`{word}` is not in: {all}");
+    }
+}
+
+#[test]
+fn run_does_not_overwrite_unasked() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("summary.json"), "{}").unwrap();
+    let refusal =
+        coulter().args(["run", &shipped("towed_disc.toml"), "-o"]).arg(folder.path()).assert().code(2);
+    assert!(String::from_utf8_lossy(&refusal.get_output().stderr).contains("--force"));
+}
+
+#[test]
+fn usage_errors_exit_with_2() {
+    coulter().assert().code(2);
+    coulter().arg("chek").assert().code(2);
+    coulter().args(["new", "submarine"]).assert().code(2);
+    coulter().args(["check"]).assert().code(2);
+    coulter().args(["report", "no-such-folder"]).assert().code(2);
+}
+
+#[test]
+fn the_schema_is_json() {
+    let output = coulter().arg("schema").output().unwrap();
+    let schema: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert!(schema["properties"]["soil"]["properties"]["friction_angle"]["description"].is_string());
+}
+
+#[test]
+fn faces_lie_on_the_sides_of_the_soil() {
+    for (file, axis, place) in
+        [("passive_wall.toml", 0, 0.0), ("passive_wall.toml", 2, 0.0), ("column_collapse.toml", 0, 0.1)]
+    {
+        let seen = checked(&[&shipped(file)]);
+        let faces = seen["resolved"]["grid"]["faces"][axis].as_array().unwrap();
+        let nearest = faces.iter().map(|f| (f.as_f64().unwrap() - place).abs()).fold(f64::INFINITY, f64::min);
+        assert!(nearest < 1e-12, "{file}: {nearest} m off");
+    }
+}

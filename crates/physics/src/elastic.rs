@@ -1,0 +1,52 @@
+//! Isotropic linear elasticity, in rate form.
+//!
+//! σ̇ = λ tr(D) I + 2 G D (hypoelastic with the Jaumann rate). Valid for small elastic strains, which soil at these
+//! pressures never leaves (p/E ≈ 10⁻³).
+
+use crate::tensor::{Symmetric, contract, deviator, mean};
+
+/// Isotropic elastic moduli.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Elastic {
+    /// Bulk modulus K [Pa].
+    pub bulk: f64,
+    /// Shear modulus G [Pa].
+    pub shear: f64,
+}
+
+impl Elastic {
+    /// From Young's modulus E > 0 [Pa] and Poisson's ratio −1 < ν < ½.
+    #[must_use]
+    pub fn new(young_modulus: f64, poisson_ratio: f64) -> Self {
+        Self {
+            bulk: young_modulus / (3.0 * (1.0 - 2.0 * poisson_ratio)),
+            shear: young_modulus / (2.0 * (1.0 + poisson_ratio)),
+        }
+    }
+
+    /// Modulus of constrained compression M = K + 4 G/3 [Pa].
+    #[must_use]
+    pub fn constrained(&self) -> f64 {
+        self.bulk + 4.0 * self.shear / 3.0
+    }
+
+    /// Speed of the compression wave √(M/ρ) [m/s] at density ρ [kg/m³].
+    #[must_use]
+    pub fn wave_speed(&self, density: f64) -> f64 {
+        (self.constrained() / density).sqrt()
+    }
+
+    /// Strain that goes with a stress, contracted with another stress: `a : C⁻¹ : b` [Pa].
+    #[inline(always)]
+    #[must_use]
+    pub fn compliance(&self, a: Symmetric, b: Symmetric) -> f64 {
+        contract(deviator(a), deviator(b)) / (2.0 * self.shear) + mean(a) * mean(b) / self.bulk
+    }
+
+    /// Energy stored per volume, ½ σ : C⁻¹ : σ [J/m³].
+    #[inline(always)]
+    #[must_use]
+    pub fn energy(&self, stress: Symmetric) -> f64 {
+        0.5 * self.compliance(stress, stress)
+    }
+}

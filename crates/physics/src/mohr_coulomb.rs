@@ -1,0 +1,160 @@
+//! Mohr–Coulomb plasticity with a non-associated flow rule and a tension limit; Tresca is its case φ = ψ = 0.
+//!
+//! Yield: (σ₁ − σ₃) + (σ₁ + σ₃) sin φ = 2 c cos φ, σ₁ ≥ σ₂ ≥ σ₃, tension positive. Flow: the same with ψ for φ.
+//! The return is the closed form in principal stresses of de Souza Neto, Perić & Owen (2008, ch. 8): main plane, two
+//! edges, apex, then a cut of the principal stresses at the tension limit. c = 0 is an ordinary case: the apex is then
+//! the stress-free state, and what opens beyond it is kept as gap strain. Written without branches, so that a loop
+//! over it vectorises.
+
+use crate::elastic::Elastic;
+use crate::tensor::{Spectrum, Symmetric, contract, deviator, mean};
+
+/// Strength parameters, with the sums of moduli that the return needs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MohrCoulomb {
+    elastic: Elastic,
+    sin_friction: f64,
+    /// 2 c cos φ [Pa].
+    cohesive: f64,
+    /// c cot φ [Pa], infinite for φ = 0.
+    apex: f64,
+    /// Largest tension [Pa].
+    tension_limit: f64,
+    /// Hardening moduli of the return: A, B at either edge [Pa].
+    plane: f64,
+    right: f64,
+    left: f64,
+    /// Stress taken off σ₁, given to σ₂ and to σ₃ per unit of plastic multiplier [Pa].
+    flow: [f64; 3],
+    sin_dilation: f64,
+}
+
+/// What the return gives back.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Returned {
+    /// Admissible stress [Pa].
+    pub stress: Symmetric,
+    /// Increment of equivalent plastic strain √(⅔ e:e).
+    pub plastic_strain: f64,
+    /// Increment of stress-free volumetric opening.
+    pub gap_strain: f64,
+}
+
+impl MohrCoulomb {
+    /// Strength from friction angle 0 ≤ φ < 90° [rad], dilation angle 0 ≤ ψ ≤ φ [rad], cohesion c ≥ 0 [Pa] and the
+    /// largest tension that is borne [Pa] (no more than c cot φ has any effect).
+    #[must_use]
+    pub fn new(elastic: Elastic, friction: f64, dilation: f64, cohesion: f64, tension_limit: f64) -> Self {
+        let (k, g) = (elastic.bulk, elastic.shear);
+        let (sp, sy) = (friction.sin(), dilation.sin());
+        let apex = if sp > 0.0 { cohesion * friction.cos() / sp } else { f64::INFINITY };
+        Self {
+            elastic,
+            sin_friction: sp,
+            cohesive: 2.0 * cohesion * friction.cos(),
+            apex,
+            tension_limit: tension_limit.min(apex),
+            plane: 4.0 * g * (1.0 + sp * sy / 3.0) + 4.0 * k * sp * sy,
+            right: 2.0 * g * (1.0 + sp + sy - sp * sy / 3.0) + 4.0 * k * sp * sy,
+            left: 2.0 * g * (1.0 - sp - sy - sp * sy / 3.0) + 4.0 * k * sp * sy,
+            flow: [
+                2.0 * g * (1.0 + sy / 3.0) + 2.0 * k * sy,
+                (4.0 * g / 3.0 - 2.0 * k) * sy,
+                2.0 * g * (1.0 - sy / 3.0) - 2.0 * k * sy,
+            ],
+            sin_dilation: sy,
+        }
+    }
+
+    /// Tresca: undrained shear strength s_u > 0 [Pa].
+    #[must_use]
+    pub fn tresca(elastic: Elastic, shear_strength: f64) -> Self {
+        Self::new(elastic, 0.0, 0.0, shear_strength, f64::INFINITY)
+    }
+
+    /// Yield function (σ₁ − σ₃) + (σ₁ + σ₃) sin φ − 2 c cos φ [Pa] of principal stresses, largest first.
+    #[inline(always)]
+    #[must_use]
+    pub fn yield_function(&self, [s1, _, s3]: [f64; 3]) -> f64 {
+        (s1 - s3) + (s1 + s3) * self.sin_friction - self.cohesive
+    }
+
+    /// Whether a stress may lie outside the admissible set. Cheap and never wrong in saying no: it compares with the
+    /// cone inscribed in the pyramid.
+    #[inline(always)]
+    #[must_use]
+    pub fn may_yield(&self, stress: Symmetric) -> bool {
+        let s = deviator(stress);
+        let p = mean(stress);
+        let root = (0.5 * contract(s, s)).sqrt();
+        let sp = self.sin_friction;
+        // 1.1548 ≥ 2/√3 bounds the largest principal deviator by √J₂.
+        let sheared = 2.0 * root * (1.0 + sp * sp / 3.0).sqrt() > self.cohesive - 2.0 * p * sp;
+        let pulled = p + 1.1548 * root > self.tension_limit;
+        sheared | pulled
+    }
+
+    /// Brings a trial stress back to the admissible set.
+    #[inline(always)]
+    #[must_use]
+    pub fn return_map(&self, trial: Symmetric) -> Returned {
+        let spectrum = Spectrum::of(trial);
+        let value = self.capped(self.sheared(spectrum.principal));
+        let stress = spectrum.with_principal(value);
+        let new_mean = (value[0] + value[1] + value[2]) / 3.0;
+        let open = (value[0] >= self.tension_limit) & (value[2] >= self.tension_limit);
+        let gap_strain = if open { ((spectrum.mean - new_mean) / self.elastic.bulk).max(0.0) } else { 0.0 };
+        let mut lost = 0.0;
+        for n in 0..3 {
+            let change = (spectrum.principal[n] - spectrum.mean) - (value[n] - new_mean);
+            lost += change * change;
+        }
+        let plastic_strain = (lost * (2.0 / 3.0)).sqrt() / (2.0 * self.elastic.shear);
+        Returned { stress, plastic_strain, gap_strain }
+    }
+
+    /// Return in principal stresses: plane, else edge, else apex.
+    #[inline(always)]
+    fn sheared(&self, [s1, s2, s3]: [f64; 3]) -> [f64; 3] {
+        let [c1, c2, c3] = self.flow;
+        let (sp, sy) = (self.sin_friction, self.sin_dilation);
+        let fa = self.yield_function([s1, s2, s3]);
+        let g = fa.max(0.0) / self.plane;
+        let plane = [s1 - c1 * g, s2 + c2 * g, s3 + c3 * g];
+        let on_plane = (plane[0] >= plane[1]) & (plane[1] >= plane[2]);
+
+        let to_right = (1.0 - sy) * s1 - 2.0 * s2 + (1.0 + sy) * s3 > 0.0;
+        let fb_right = (s1 - s2) + (s1 + s2) * sp - self.cohesive;
+        let fb_left = (s2 - s3) + (s2 + s3) * sp - self.cohesive;
+        let fb = if to_right { fb_right } else { fb_left };
+        let (a, b) = (self.plane, if to_right { self.right } else { self.left });
+        let determinant = a * a - b * b;
+        let (ga, gb) = ((a * fa - b * fb) / determinant, (a * fb - b * fa) / determinant);
+        let right = [s1 - c1 * (ga + gb), s2 + c2 * ga + c3 * gb, s3 + c3 * ga + c2 * gb];
+        let left = [s1 - c1 * ga + c2 * gb, s2 + c2 * ga - c1 * gb, s3 + c3 * (ga + gb)];
+        // Two equal stresses on an edge: make them equal to the bit, so that rounding leaves the order alone.
+        let (right_pair, left_pair) = (0.5 * (right[1] + right[2]), 0.5 * (left[0] + left[1]));
+        let edge =
+            if to_right { [right[0], right_pair, right_pair] } else { [left_pair, left_pair, left[2]] };
+        let on_edge = (edge[0] >= edge[2]) & (edge[0] <= self.apex);
+
+        let apex = if self.apex < f64::INFINITY { self.apex } else { 0.0 };
+        let mut value = [0.0; 3];
+        for n in 0..3 {
+            value[n] = if on_plane {
+                plane[n]
+            } else if on_edge {
+                edge[n]
+            } else {
+                apex
+            };
+        }
+        value
+    }
+
+    /// No principal stress above the tension limit.
+    #[inline(always)]
+    fn capped(&self, value: [f64; 3]) -> [f64; 3] {
+        value.map(|s| if s < self.tension_limit { s } else { self.tension_limit })
+    }
+}

@@ -1,0 +1,266 @@
+//! Where the contact points lie in the grid, how far the soil is from them, and how much soil is inside a body.
+
+use super::{ContactLaw, TouchedNode, corners};
+use crate::cpu::workspace::Workspace;
+use crate::grid::Grid;
+use crate::model::{BodyModel, Model};
+use crate::state::{Body, Contact, Soil, State};
+use glam::DVec3;
+
+/// Finds every contact point's cell, weights and gap anew; measures leaked and embedded volumes. Done at every remap.
+pub(crate) fn locate(model: &Model, state: &mut State, workspace: &mut Workspace) {
+    let Workspace { scratch, points, contact_law, touched, corner_nodes, .. } = workspace;
+    let occupied = &mut scratch[2];
+    occupied.fill(0.0);
+    for (fixed, body) in model.bodies.iter().zip(&mut state.bodies) {
+        occupy(&model.grid, fixed, body, &state.soil, occupied);
+        body.located = (body.position, body.angle);
+    }
+    let view = View { model, soil: &state.soil, node_mass: &state.nodes.mass, occupied };
+    for contact in &mut state.contacts {
+        let point = &points[contact.body][contact.point];
+        let fixed = &model.bodies[contact.body];
+        let body = &state.bodies[contact.body];
+        view.locate_one(
+            contact,
+            turned(fixed, body, point.position),
+            turned(fixed, body, point.normal),
+            body,
+            contact_law.as_ref(),
+        );
+        contact.area *= point.area;
+    }
+    (*touched, *corner_nodes) = touched_nodes(&model.grid, &state.contacts);
+    // The scratch array goes back to the remap clean.
+    occupied.fill(0.0);
+}
+
+/// The nodes that contact acts on, in memory order, and for each contact the places of its cell's nodes among them.
+pub(crate) fn touched_nodes(grid: &Grid, contacts: &[Contact]) -> (Vec<TouchedNode>, Vec<[u32; 8]>) {
+    let of = |c: &Contact| corners(grid.stride).map(|offset| c.base + offset);
+    let mut nodes: Vec<usize> = contacts.iter().filter(|c| c.in_soil).flat_map(of).collect();
+    nodes.sort_unstable();
+    nodes.dedup();
+    let place = |node: usize| nodes.partition_point(|n| *n < node) as u32;
+    let corner_nodes = contacts.iter().map(|c| if c.in_soil { of(c).map(place) } else { [0; 8] }).collect();
+    (nodes.into_iter().map(|node| TouchedNode { node, ..TouchedNode::default() }).collect(), corner_nodes)
+}
+
+/// A direction of the body frame in space. The points of a body of revolution stay where they are when it turns: in
+/// steady rolling they then see a steady contact.
+fn turned(fixed: &BodyModel, body: &Body, v: DVec3) -> DVec3 {
+    if fixed.shape.is_revolved() { v } else { glam::DQuat::from_rotation_y(body.angle) * v }
+}
+
+/// Layer of the cell that holds a coordinate, if it is inside the grid.
+fn layer(faces: &[f64], x: f64) -> Option<usize> {
+    let n = faces.partition_point(|face| *face <= x);
+    (n >= 1 && n < faces.len()).then(|| n - 1)
+}
+
+struct View<'a> {
+    model: &'a Model,
+    soil: &'a Soil,
+    node_mass: &'a [f64],
+    /// Share of each cell that bodies take up.
+    occupied: &'a [f64],
+}
+
+impl View<'_> {
+    fn locate_one(
+        &self,
+        contact: &mut Contact,
+        arm: DVec3,
+        normal: DVec3,
+        body: &Body,
+        law: &dyn ContactLaw,
+    ) {
+        let was_in_soil = contact.in_soil;
+        let place = body.position + arm;
+        let travel = (place - contact.anchor).length();
+        (contact.arm, contact.normal, contact.anchor) = (arm, normal, place);
+        contact.in_soil = false;
+        // A point on a face between two cells acts in the outer one.
+        let probe = place + normal * (1e-9 * self.model.grid.finest());
+        let faces = &self.model.grid.faces;
+        let (Some(i), Some(j), Some(k)) =
+            (layer(&faces[0], probe.x), layer(&faces[1], probe.y), layer(&faces[2], probe.z))
+        else {
+            return;
+        };
+        let cell = [i, j, k];
+        if let Some((weight, coverage)) = self.weights(cell, place) {
+            contact.area = coverage;
+            contact.base = self.model.grid.index(i, j, k);
+            contact.weight = weight;
+            contact.width =
+                (0..3).map(|axis| self.model.grid.width(axis, cell[axis])).fold(f64::INFINITY, f64::min);
+            contact.in_soil = true;
+        }
+        if contact.in_soil {
+            law.relocate(contact, self.gap(cell, normal), travel, was_in_soil);
+        }
+    }
+
+    /// Trilinear weights of the cell's nodes, cut down at nodes that have hardly any mass to push against, and the share
+    /// of its area that a point among such nodes acts with: without that, a few grains would have to bear it all.
+    fn weights(&self, cell: [usize; 3], place: DVec3) -> Option<([f64; 8], f64)> {
+        const MASS_RATIO: f64 = 2.5;
+        let grid = &self.model.grid;
+        let base = grid.index(cell[0], cell[1], cell[2]);
+        let t: [f64; 3] = std::array::from_fn(|axis| {
+            ((place[axis] - grid.faces[axis][cell[axis]]) / grid.width(axis, cell[axis])).clamp(0.0, 1.0)
+        });
+        let mut weight = [0.0; 8];
+        let mut sum = 0.0;
+        for (n, offset) in corners(grid.stride).iter().enumerate() {
+            let side = |axis: usize| if n >> axis & 1 == 0 { 1.0 - t[axis] } else { t[axis] };
+            let full = self.model.density * self.node_volume(cell, n);
+            let mass = self.node_mass[base + offset];
+            let bears = mass > self.model.mass_moved();
+            weight[n] = if bears { (side(0) * side(1) * side(2)).min(MASS_RATIO * mass / full) } else { 0.0 };
+            sum += weight[n];
+        }
+        (sum > 1e-3).then(|| (weight.map(|w| w / sum), (2.0 * sum).min(1.0)))
+    }
+
+    /// Volume of the eight half cells round corner `n` of a cell [m³].
+    fn node_volume(&self, cell: [usize; 3], n: usize) -> f64 {
+        let grid = &self.model.grid;
+        (0..3)
+            .map(|axis| {
+                let node = cell[axis] + (n >> axis & 1);
+                let low = if node > 0 { grid.width(axis, node - 1) } else { 0.0 };
+                let high = if node < grid.cells()[axis] { grid.width(axis, node) } else { 0.0 };
+                0.5 * (low + high)
+            })
+            .product()
+    }
+
+    /// Void between body and soil along the normal [m], negative where they overlap. A void counts only when it lies
+    /// between the two: behind the soil it is none of the contact's business.
+    fn gap(&self, cell: [usize; 3], normal: DVec3) -> f64 {
+        let size = normal.abs();
+        let axis = if size.x >= size.y && size.x >= size.z {
+            0
+        } else if size.y >= size.z {
+            1
+        } else {
+            2
+        };
+        let grid = &self.model.grid;
+        let outward = normal[axis] > 0.0;
+        let neighbour = |out: bool| -> Option<[usize; 3]> {
+            let mut next = cell;
+            next[axis] = if out == outward { cell[axis] + 1 } else { cell[axis].checked_sub(1)? };
+            (next[axis] < grid.cells()[axis]).then_some(next)
+        };
+        let look = |at: Option<[usize; 3]>| match at {
+            // Outside the grid is a wall: nothing is void there.
+            None => (0.0, 1.0, 1.0, 0.0),
+            Some(at) => {
+                let c = grid.index(at[0], at[1], at[2]);
+                let width = grid.width(axis, at[axis]);
+                let void = (1.0 - self.occupied[c] - self.soil.fraction[c]) * width;
+                (void, self.soil.fraction[c], normal.dot(self.void_direction(at)), width)
+            }
+        };
+        let (void_in, ..) = look(neighbour(false));
+        let (void_own, soil_own, side_own, _) = look(Some(cell));
+        let (void_out, soil_out, side_out, width_out) = look(neighbour(true));
+        const ALONG: f64 = 0.3;
+        const SOME_SOIL: f64 = 0.02;
+        let mut gap = void_in.min(0.0);
+        if soil_own > SOME_SOIL {
+            gap += if side_own < ALONG { void_own + void_in.max(0.0) } else { void_own.min(0.0) };
+        } else {
+            let beyond = if side_out < ALONG { void_out } else { void_out.min(0.0) };
+            gap += void_own + void_in.max(0.0) + if soil_out > SOME_SOIL { beyond } else { width_out };
+        }
+        gap * size[axis]
+    }
+
+    /// Unit direction from soil to void round a cell; zero where there is none.
+    fn void_direction(&self, cell: [usize; 3]) -> DVec3 {
+        let grid = &self.model.grid;
+        let c = grid.index(cell[0], cell[1], cell[2]);
+        const WEIGHT: [f64; 3] = [1.0, 2.0, 1.0];
+        let offset: [[isize; 3]; 3] = std::array::from_fn(|axis| {
+            let s = grid.stride[axis].cast_signed();
+            [if cell[axis] > 0 { -s } else { 0 }, 0, if cell[axis] + 1 < grid.cells()[axis] { s } else { 0 }]
+        });
+        let mut gradient = DVec3::ZERO;
+        for (z, dz) in offset[2].iter().enumerate() {
+            for (y, dy) in offset[1].iter().enumerate() {
+                for (x, dx) in offset[0].iter().enumerate() {
+                    let f = self.soil.fraction[c.wrapping_add_signed(dx + dy + dz)];
+                    gradient.x += f * WEIGHT[y] * WEIGHT[z] * (x as f64 - 1.0);
+                    gradient.y += f * WEIGHT[x] * WEIGHT[z] * (y as f64 - 1.0);
+                    gradient.z += f * WEIGHT[x] * WEIGHT[y] * (z as f64 - 1.0);
+                }
+            }
+        }
+        (-gradient).normalize_or_zero()
+    }
+}
+
+/// Adds the share of each cell that a body takes up; measures the soil inside it and its volume below z = 0.
+fn occupy(grid: &Grid, fixed: &BodyModel, body: &mut Body, soil: &Soil, occupied: &mut [f64]) {
+    let (low, high) = fixed.shape.bounds();
+    let reach = if fixed.shape.is_revolved() { high } else { DVec3::splat(low.length().max(high.length())) };
+    let ranges: [std::ops::Range<usize>; 3] = std::array::from_fn(|axis| {
+        let faces = &grid.faces[axis];
+        let first = faces.partition_point(|f| *f <= body.position[axis] - reach[axis]).saturating_sub(1);
+        let last = faces.partition_point(|f| *f < body.position[axis] + reach[axis]);
+        first..last.min(grid.cells()[axis])
+    });
+    let turn = glam::DQuat::from_rotation_y(if fixed.shape.is_revolved() { 0.0 } else { -body.angle });
+    (body.leaked_volume, body.embedded_volume) = (0.0, 0.0);
+    for k in ranges[2].clone() {
+        let below = ((0.0 - grid.faces[2][k]) / grid.width(2, k)).clamp(0.0, 1.0);
+        for j in ranges[1].clone() {
+            for i in ranges[0].clone() {
+                let share =
+                    covered(grid, [i, j, k], |x| fixed.shape.signed_distance(turn * (x - body.position)));
+                if share > 0.0 {
+                    let (c, volume) = (grid.index(i, j, k), grid.volume(i, j, k));
+                    occupied[c] = (occupied[c] + share).min(1.0);
+                    body.embedded_volume += share * below * volume;
+                    body.leaked_volume += (soil.fraction[c] + share - 1.0).max(0.0) * volume;
+                }
+            }
+        }
+    }
+}
+
+/// Share of a cell with a negative distance, by 4³ samples; each counts in part when the surface is near it.
+fn covered(grid: &Grid, cell: [usize; 3], distance: impl Fn(DVec3) -> f64) -> f64 {
+    const SAMPLES: usize = 4;
+    let at = |axis: usize, n: f64| {
+        grid.faces[axis][cell[axis]] + grid.width(axis, cell[axis]) * n / SAMPLES as f64
+    };
+    let width = DVec3::from_array(std::array::from_fn(|axis| grid.width(axis, cell[axis])));
+    let middle = distance(DVec3::new(at(0, 2.0), at(1, 2.0), at(2, 2.0)));
+    if middle.abs() > 0.5 * width.length() {
+        return if middle < 0.0 { 1.0 } else { 0.0 };
+    }
+    let sample = width.min_element() / SAMPLES as f64;
+    let mut sum = 0.0;
+    for n in 0..SAMPLES.pow(3) {
+        let [x, y, z] = [n % SAMPLES, n / SAMPLES % SAMPLES, n / SAMPLES / SAMPLES].map(|n| n as f64 + 0.5);
+        let d = distance(DVec3::new(at(0, x), at(1, y), at(2, z)));
+        sum += (0.5 - d / sample).clamp(0.0, 1.0);
+    }
+    sum / SAMPLES.pow(3) as f64
+}
+
+/// Takes the soil out of the space that the bodies take up, before the run begins.
+pub(crate) fn carve(model: &Model, soil: &mut Soil, bodies: &mut [Body]) {
+    let mut occupied = vec![0.0; model.grid.entries];
+    for (fixed, body) in model.bodies.iter().zip(bodies) {
+        occupy(&model.grid, fixed, body, soil, &mut occupied);
+    }
+    for (f, share) in soil.fraction.iter_mut().zip(&occupied) {
+        *f = f.min(1.0 - share);
+    }
+}

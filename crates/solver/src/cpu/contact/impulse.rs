@@ -1,0 +1,133 @@
+//! Contact by velocity impulses: at every touching point the soil must not move into the body, and slides only when the
+//! Coulomb cone is full. Solved by symmetric Gauss–Seidel sweeps that start from the last step's impulses, the body
+//! inside the iteration: no stiffness, no limit on the time step, stable for bodies much lighter than the soil that they
+//! displace.
+//!
+//! A point that does not touch keeps its distance to the soil, and may close it within a step but no further.
+
+use super::{ContactLaw, Scene};
+use crate::state::Contact;
+use glam::DVec3;
+
+/// Impulse contact.
+#[derive(Debug)]
+pub(super) struct Impulses;
+
+/// Symmetric sweeps per step; fewer than two give wrong forces.
+const SWEEPS: usize = 4;
+/// A touching point is let go when the volume fractions show a void of this many cells before it.
+const LET_GO: f64 = 0.5;
+/// Share of the difference to the geometric gap that a point at a distance takes over per tenth of a cell of travel.
+const PULL: f64 = 0.3;
+/// Points farther from the soil than this many cells cannot touch within a step.
+const REACH: f64 = 0.05;
+
+impl ContactLaw for Impulses {
+    fn relocate(&self, c: &mut Contact, gap: f64, travel: f64, was_in_soil: bool) {
+        let touches = was_in_soil && c.penetration >= 0.0;
+        if touches && gap < LET_GO * c.width {
+            return;
+        }
+        let known = was_in_soil && !touches;
+        let pull = if known { (PULL * travel / (0.1 * c.width)).min(1.0) } else { 1.0 };
+        c.penetration = (c.penetration + pull * (-gap - c.penetration)).min(0.0);
+        c.impulse = DVec3::ZERO;
+    }
+
+    fn act(&self, scene: &mut Scene) {
+        let near: Vec<Near> = (0..scene.contacts.len())
+            .filter(|n| {
+                scene.contacts[*n].in_soil
+                    && scene.contacts[*n].penetration > -REACH * scene.contacts[*n].width
+            })
+            .map(|n| Near::new(scene, n))
+            .collect();
+        for near in &near {
+            let contact = scene.contacts[near.contact];
+            scene.exchange(near.contact, contact.impulse);
+        }
+        for _ in 0..SWEEPS {
+            for near in near.iter().chain(near.iter().rev()) {
+                near.relax(scene);
+            }
+        }
+        for near in &near {
+            let c = scene.contacts[near.contact];
+            let normal = c.impulse.dot(c.normal) * c.normal;
+            scene.note(near.contact, normal, c.impulse - normal);
+        }
+        for n in 0..scene.contacts.len() {
+            let c = scene.contacts[n];
+            if c.in_soil {
+                let closing = scene.slip_velocity(n).dot(c.normal);
+                scene.contacts[n].penetration = (c.penetration + closing * scene.dt).min(0.0);
+                // Rounding must not let go of a point that is held.
+                if c.impulse.dot(c.normal) > 0.0 {
+                    scene.contacts[n].penetration = 0.0;
+                }
+            }
+        }
+    }
+}
+
+/// What does not change about a point that may touch, during the sweeps of a step.
+struct Near {
+    contact: usize,
+    /// Inverse of the velocity that an impulse along the normal makes [kg].
+    along: f64,
+    /// The same across the normal, where it makes the most [kg].
+    across: f64,
+    /// Closing velocity that is allowed [m/s].
+    allowed: f64,
+    friction: f64,
+}
+
+impl Near {
+    fn new(scene: &Scene, contact: usize) -> Self {
+        let c = &scene.contacts[contact];
+        let mobility = mobility(scene, contact);
+        Self {
+            contact,
+            along: 1.0 / mobility.dot(c.normal * c.normal),
+            across: 1.0 / mobility.max_element(),
+            allowed: (-c.penetration).max(0.0) / scene.dt,
+            friction: scene.model.bodies[c.body].friction.min(1e6),
+        }
+    }
+
+    /// Corrects the impulse of the point by its present relative velocity.
+    fn relax(&self, scene: &mut Scene) {
+        let c = scene.contacts[self.contact];
+        let relative = scene.slip_velocity(self.contact);
+        let closing = relative.dot(c.normal);
+        let old_normal = c.impulse.dot(c.normal);
+        let new_normal = (old_normal + (closing - self.allowed) * self.along).max(0.0);
+        if new_normal == 0.0 && old_normal == 0.0 {
+            return;
+        }
+        let old_friction = c.impulse - old_normal * c.normal;
+        let sliding = relative - closing * c.normal;
+        let friction = (old_friction + sliding * self.across).clamp_length_max(self.friction * new_normal);
+        let new = new_normal * c.normal + friction;
+        scene.contacts[self.contact].impulse = new;
+        scene.exchange(self.contact, new - c.impulse);
+    }
+}
+
+/// Velocity per impulse along x, y, z, of soil and body together [1/kg] (diagonal of the point's mobility).
+fn mobility(scene: &Scene, contact: usize) -> DVec3 {
+    let c = &scene.contacts[contact];
+    let nodes = scene.corner_nodes[contact];
+    let soil: f64 =
+        nodes.iter().zip(c.weight).map(|(n, w)| w * w * scene.nodes[*n as usize].inverse_mass).sum();
+    let fixed = &scene.model.bodies[c.body];
+    let share = scene.model.share;
+    DVec3::from_array(std::array::from_fn(|axis| {
+        let push = if fixed.translation[axis].is_free() { 1.0 / (fixed.mass * share) } else { 0.0 };
+        let mut unit = DVec3::ZERO;
+        unit[axis] = 1.0;
+        let lever = c.arm.cross(unit).y;
+        let turn = if fixed.spin.is_free() { lever * lever / (fixed.axle_inertia * share) } else { 0.0 };
+        soil + push + turn
+    }))
+}

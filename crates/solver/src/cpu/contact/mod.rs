@@ -1,0 +1,190 @@
+//! Contact between soil and bodies at points of the bodies' surfaces.
+//!
+//! A point acts on the eight nodes of the cell that it lies in. Where it lies, and with which weights, is found at
+//! every remap and kept till the next. How soil and body act on each other there is a [`ContactLaw`]'s business; two
+//! were built: penalty with a history, and velocity impulses.
+
+mod geometry;
+mod impulse;
+mod penalty;
+
+pub(crate) use geometry::{carve as carve_soil, locate, touched_nodes};
+
+use crate::cpu::workspace::Workspace;
+use crate::model::{BodyModel, ContactMethod, Model};
+use crate::state::{Body, Contact, State};
+use glam::DVec3;
+use physics::shape::SurfacePoint;
+
+/// How soil and body act on each other at the contact points.
+pub(crate) trait ContactLaw {
+    /// Called for each point when it has been located anew; `gap` is the void between body and soil [m], negative when
+    /// they overlap.
+    fn relocate(&self, contact: &mut Contact, gap: f64, travel: f64, was_in_soil: bool);
+    /// Changes the velocities of nodes and bodies for one step.
+    fn act(&self, scene: &mut Scene);
+}
+
+/// What a contact law works on during a step. The velocities of the nodes are those before contact; what the law makes
+/// of them is written back afterwards.
+pub(crate) struct Scene<'a> {
+    pub(crate) model: &'a Model,
+    pub(crate) contacts: &'a mut [Contact],
+    pub(crate) bodies: &'a mut [Body],
+    /// The nodes that contact acts on.
+    pub(crate) nodes: &'a mut [TouchedNode],
+    /// For each contact the places of its cell's nodes among them.
+    pub(crate) corner_nodes: &'a [[u32; 8]],
+    /// Time step [s].
+    pub(crate) dt: f64,
+}
+
+/// A node that contact acts on.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct TouchedNode {
+    /// Place in memory.
+    pub(crate) node: usize,
+    /// Velocity [m/s].
+    pub(crate) velocity: DVec3,
+    /// One over the mass [1/kg]; 0 for a node that does not move.
+    pub(crate) inverse_mass: f64,
+    /// Velocity before contact [m/s].
+    free: DVec3,
+}
+
+/// Offsets of a cell's eight nodes, in the order of the weights.
+fn corners([x, y, z]: [usize; 3]) -> [usize; 8] {
+    [0, x, y, x + y, z, x + z, y + z, x + y + z]
+}
+
+impl Scene<'_> {
+    /// Velocity of the soil at a point [m/s].
+    fn soil_velocity(&self, contact: usize) -> DVec3 {
+        let nodes = self.corner_nodes[contact].iter().zip(self.contacts[contact].weight);
+        nodes.fold(DVec3::ZERO, |v, (n, w)| v + w * self.nodes[*n as usize].velocity)
+    }
+
+    /// Velocity of the body minus that of the soil at a point [m/s].
+    fn slip_velocity(&self, contact: usize) -> DVec3 {
+        let c = &self.contacts[contact];
+        velocity_at(&self.bodies[c.body], c.arm) - self.soil_velocity(contact)
+    }
+
+    /// Gives an impulse [N s] to the soil at a point and takes it from the body, as far as the body is free.
+    fn exchange(&mut self, contact: usize, impulse: DVec3) {
+        let c = &self.contacts[contact];
+        for (n, w) in self.corner_nodes[contact].iter().zip(c.weight) {
+            let node = &mut self.nodes[*n as usize];
+            node.velocity += (w * node.inverse_mass) * impulse;
+        }
+        push(&self.model.bodies[c.body], &mut self.bodies[c.body], self.model.share, c.arm, -impulse);
+    }
+
+    /// Notes what the soil gave to a body at a point in this step: the reaction to these impulses on the soil [N s].
+    fn note(&mut self, contact: usize, normal: DVec3, friction: DVec3) {
+        let c = &self.contacts[contact];
+        let received = &mut self.bodies[c.body].received;
+        received.normal -= normal / self.model.share;
+        received.friction -= friction / self.model.share;
+        received.axle -= c.arm.cross(normal + friction).y / self.model.share;
+    }
+}
+
+/// Velocity of a body at `arm` from its reference point [m/s].
+pub(crate) fn velocity_at(body: &Body, arm: DVec3) -> DVec3 {
+    body.velocity + (DVec3::Y * body.spin).cross(arm)
+}
+
+/// Gives an impulse [N s] to the modelled share of a body at `arm`; only free motions answer.
+fn push(fixed: &BodyModel, body: &mut Body, share: f64, arm: DVec3, impulse: DVec3) {
+    for axis in 0..3 {
+        if fixed.translation[axis].is_free() {
+            body.velocity[axis] += impulse[axis] / (fixed.mass * share);
+        }
+    }
+    if fixed.spin.is_free() {
+        body.spin += arm.cross(impulse).y / (fixed.axle_inertia * share);
+    }
+}
+
+/// The contact law of a model.
+pub(crate) fn law(model: &Model) -> Box<dyn ContactLaw> {
+    match model.method.contact {
+        ContactMethod::Penalty => Box::new(penalty::Penalty::new(model)),
+        ContactMethod::Impulse => Box::new(impulse::Impulses),
+    }
+}
+
+/// Surface points of a body for a grid whose cells near it have the width `cell` [m].
+pub(crate) fn surface_points(model: &Model, body: &BodyModel) -> Vec<SurfacePoint> {
+    let cell = model.grid.finest();
+    body.shape.surface_points(model.method.point_spacing * cell, DVec3::splat(model.method.edge_inset * cell))
+}
+
+/// Lets soil and bodies act on each other for one step. Returns the energy that this took out of them [J].
+pub(crate) fn contact(model: &Model, state: &mut State, workspace: &mut Workspace, dt: f64) -> ContactWork {
+    if state.contacts.is_empty() {
+        return ContactWork::default();
+    }
+    let Workspace { touched, corner_nodes, velocity_before, .. } = workspace;
+    let before: Vec<(DVec3, f64)> = state.bodies.iter().map(|b| (b.velocity, b.spin)).collect();
+    let received: Vec<_> = state.bodies.iter().map(|b| b.received).collect();
+    let velocity = &mut state.nodes.velocity;
+    let mass_moved = model.mass_moved();
+    for t in touched.iter_mut() {
+        let mass = state.nodes.mass[t.node];
+        t.velocity = velocity_of(velocity, t.node);
+        t.free = t.velocity;
+        t.inverse_mass = if mass > mass_moved { 1.0 / mass } else { 0.0 };
+    }
+    let (contacts, bodies) = (&mut state.contacts, &mut state.bodies);
+    workspace.contact_law.act(&mut Scene { model, contacts, bodies, nodes: touched, corner_nodes, dt });
+    // Work on the soil: impulse on each node times the mean of its velocities before and after the step.
+    let mut on_soil = 0.0;
+    for t in touched.iter() {
+        for (v, new) in velocity.iter_mut().zip(t.velocity.to_array()) {
+            v[t.node] = new;
+        }
+        let middle = 0.5 * (t.velocity + velocity_of(velocity_before, t.node));
+        on_soil += state.nodes.mass[t.node] * (t.velocity - t.free).dot(middle);
+    }
+    let mut on_bodies = Vec::with_capacity(state.bodies.len());
+    for (n, body) in state.bodies.iter().enumerate() {
+        let force =
+            (body.received.normal - received[n].normal) + (body.received.friction - received[n].friction);
+        let axle = body.received.axle - received[n].axle;
+        on_bodies.push(BodyImpulse {
+            force: force * model.share,
+            axle: axle * model.share,
+            velocity_free: before[n].0,
+            spin_free: before[n].1,
+        });
+    }
+    ContactWork { on_soil, on_bodies }
+}
+
+fn velocity_of(velocity: &[Vec<f64>; 3], node: usize) -> DVec3 {
+    DVec3::new(velocity[0][node], velocity[1][node], velocity[2][node])
+}
+
+/// What contact did in one step.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct ContactWork {
+    /// Work done on the soil [J].
+    pub(crate) on_soil: f64,
+    /// What each body received.
+    pub(crate) on_bodies: Vec<BodyImpulse>,
+}
+
+/// What a body received in one step (modelled share).
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BodyImpulse {
+    /// Impulse [N s].
+    pub(crate) force: DVec3,
+    /// Impulse about the axle [N m s].
+    pub(crate) axle: f64,
+    /// Velocity before contact [m/s].
+    pub(crate) velocity_free: DVec3,
+    /// Spin before contact [rad/s].
+    pub(crate) spin_free: f64,
+}

@@ -1,0 +1,92 @@
+//! Penalty contact with a history.
+//!
+//! The penetration of a point follows the relative motion of body and soil, and is pulled slowly to the gap that the
+//! volume fractions show; the pull is measured by how far the point has moved, so that a body at rest keeps its load.
+
+use super::{ContactLaw, Scene};
+use crate::model::Model;
+use crate::state::Contact;
+use glam::DVec3;
+
+/// Penalty contact.
+#[derive(Debug)]
+pub(super) struct Penalty {
+    /// Constrained modulus M [Pa].
+    modulus: f64,
+    /// Density times wave speed [kg/(m² s)].
+    impedance: f64,
+}
+
+/// Stiffness over M/h; anything from 0.2 to 3 gave the same forces.
+const STIFFNESS: f64 = 1.0;
+/// Damping over ρc.
+const DAMPING: f64 = 0.2;
+/// Share of the difference to the geometric gap that is taken back per tenth of a cell of travel.
+const PULL: f64 = 0.1;
+
+impl Penalty {
+    pub(super) fn new(model: &Model) -> Self {
+        Self { modulus: model.elastic.constrained(), impedance: model.density * model.wave_speed() }
+    }
+
+    /// Tractions on the soil [Pa], normal and frictional; cuts the elastic slip back to the Coulomb cone.
+    fn tractions(&self, c: &mut Contact, relative: DVec3, friction: f64) -> (DVec3, DVec3) {
+        if c.penetration <= 0.0 {
+            c.slip = DVec3::ZERO;
+            return (DVec3::ZERO, DVec3::ZERO);
+        }
+        let stiffness = STIFFNESS * self.modulus / c.width;
+        let closing = relative.dot(c.normal);
+        let pressure = (stiffness * c.penetration + DAMPING * self.impedance * closing).max(0.0);
+        let limit = friction * pressure;
+        let held = 0.5 * stiffness * c.slip.length();
+        if held > limit {
+            c.slip *= limit / held;
+        }
+        (pressure * c.normal, 0.5 * stiffness * c.slip)
+    }
+}
+
+/// Penetration and slip grow with the motion that really takes place, which is that after contact has acted: with any
+/// other velocity the spring would not be conservative, and contact would pump energy into the soil.
+fn remember(c: &mut Contact, relative: DVec3, dt: f64) {
+    let closing = relative.dot(c.normal);
+    c.penetration += closing * dt;
+    c.slip += (relative - closing * c.normal) * dt;
+    c.slip -= c.slip.dot(c.normal) * c.normal;
+}
+
+impl ContactLaw for Penalty {
+    fn relocate(&self, c: &mut Contact, gap: f64, travel: f64, was_in_soil: bool) {
+        if was_in_soil {
+            let pull = PULL * (travel / (0.1 * c.width)).min(3.0);
+            c.penetration += pull * (-gap - c.penetration);
+        } else {
+            (c.penetration, c.slip) = (-gap, DVec3::ZERO);
+        }
+    }
+
+    fn act(&self, scene: &mut Scene) {
+        // All forces follow from the velocities before any of them acts: the order of the points does not matter.
+        let mut given = Vec::with_capacity(scene.contacts.len());
+        for n in 0..scene.contacts.len() {
+            if scene.contacts[n].in_soil {
+                let relative = scene.slip_velocity(n);
+                let friction = scene.model.bodies[scene.contacts[n].body].friction.min(1e6);
+                let (normal, tangential) = self.tractions(&mut scene.contacts[n], relative, friction);
+                let scale = scene.contacts[n].area * scene.dt;
+                given.push((n, normal * scale, tangential * scale));
+            }
+        }
+        for (n, normal, friction) in &given {
+            if *normal != DVec3::ZERO {
+                scene.exchange(*n, *normal + *friction);
+                scene.note(*n, *normal, *friction);
+            }
+        }
+        for (n, ..) in given {
+            let relative = scene.slip_velocity(n);
+            remember(&mut scene.contacts[n], relative, scene.dt);
+        }
+    }
+}

@@ -1,0 +1,257 @@
+//! The Eulerian stage: what the soil has become on the displaced grid is carried back to the grid that stands.
+//!
+//! One conservative sweep along each axis, the order changing from remap to remap. The volume fraction is carried with
+//! a reconstructed interface, stress and history with the soil volume at second order, momentum on the dual grid.
+
+use super::threads::Cut;
+use super::transport::{Sweep, carry_momentum, dual_fluxes};
+use super::workspace::Workspace;
+use super::{energy, lagrange_mass};
+use crate::grid::Grid;
+use crate::model::{FRACTION_KEPT, FRACTION_STRESSED, Model};
+use crate::state::{Soil, State};
+use physics::tensor::mean;
+
+/// What a remap has taken away.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RemapLoss {
+    /// Kinetic and elastic energy [J].
+    pub energy: f64,
+    /// Volume of the crumbs that were taken out [m³].
+    pub volume: f64,
+    /// Their mass [kg].
+    pub mass: f64,
+}
+
+/// The six orders of the axes; each begins where the last ended, so that no axis is favoured.
+const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [2, 0, 1], [1, 2, 0], [2, 1, 0], [0, 2, 1], [1, 0, 2]];
+
+/// Carries everything back to the grid. Afterwards the displacement is zero, the nodal masses are those of the cells,
+/// and every stress is admissible.
+pub fn remap(model: &Model, state: &mut State, workspace: &mut Workspace) -> RemapLoss {
+    let before = energy::elastic(model, &state.soil) + energy::kinetic(&state.nodes);
+    let active = spread(&model.grid, &workspace.row_has_soil);
+    displaced_volumes(model, state, workspace);
+    let order = ORDERS[(state.remaps % 6) as usize];
+    for axis in order {
+        if model.grid.cells()[axis] > 1 {
+            sweep(model, state, workspace, axis, &active);
+        }
+    }
+    let mut loss = settle(model, &mut state.soil, &workspace.scratch[0]);
+    for u in &mut state.nodes.displacement {
+        u.fill(0.0);
+    }
+    lagrange_mass(&model.grid, &state.soil.mass, &mut state.nodes.mass);
+    stop_massless(model, state);
+    workspace.find_soil(&model.grid, &state.soil.fraction);
+    state.remaps += 1;
+    loss.energy = before - energy::elastic(model, &state.soil) - energy::kinetic(&state.nodes);
+    loss
+}
+
+/// Rows that hold soil or lie beside one that does.
+fn spread(grid: &Grid, row_has_soil: &[bool]) -> Vec<bool> {
+    let rows = Workspace::rows(grid);
+    let planes = row_has_soil.len() / rows;
+    let mut active = vec![false; row_has_soil.len()];
+    for plane in 0..planes {
+        for row in 0..rows {
+            let near = |p: usize, r: usize| row_has_soil.get(p * rows + r).copied().unwrap_or(false);
+            active[plane * rows + row] = (plane.saturating_sub(1)..=plane + 1)
+                .any(|p| (row.saturating_sub(1)..=(row + 1).min(rows - 1)).any(|r| near(p, r)));
+        }
+    }
+    active
+}
+
+/// Soil volume (scratch 0) and cell volume (scratch 1) on the displaced grid.
+fn displaced_volumes(model: &Model, state: &State, workspace: &mut Workspace) {
+    let grid = &model.grid;
+    let [nx, ny, nz] = grid.cells();
+    let [soil, cell, ..] = &mut workspace.scratch;
+    soil.fill(0.0);
+    cell.fill(0.0);
+    for k in 0..nz {
+        for j in 0..ny {
+            for i in 0..nx {
+                let c = grid.index(i, j, k);
+                cell[c] = grid.volume(i, j, k) + swollen(grid, state, [i, j, k]);
+                soil[c] = state.soil.fraction[c] * cell[c];
+            }
+        }
+    }
+}
+
+/// Volume that a cell has gained by the displacement of its corners [m³], linear in it like the strain.
+fn swollen(grid: &Grid, state: &State, [i, j, k]: [usize; 3]) -> f64 {
+    let c = grid.index(i, j, k);
+    let widths = [grid.width(0, i), grid.width(1, j), grid.width(2, k)];
+    let mut gain = 0.0;
+    for axis in 0..3 {
+        let (a, b) = (grid.stride[(axis + 1) % 3], grid.stride[(axis + 2) % 3]);
+        let u = &state.nodes.displacement[axis];
+        let face = |c: usize| (u[c] + u[c + a]) + (u[c + b] + u[c + a + b]);
+        let area = widths[(axis + 1) % 3] * widths[(axis + 2) % 3];
+        gain += 0.25 * area * (face(c + grid.stride[axis]) - face(c));
+    }
+    gain
+}
+
+/// One sweep: volume, mass, stress and history, momentum.
+fn sweep(model: &Model, state: &mut State, workspace: &mut Workspace, axis: usize, active: &[bool]) {
+    let grid = &model.grid;
+    let Workspace { team, cut, scratch, velocity_before, .. } = workspace;
+    let [soil, cell, flux, swept, spare] = scratch;
+    team.planes(cut, &mut state.soil.fraction, |plane, out| {
+        let base = plane * grid.stride[2];
+        for (n, f) in out.iter_mut().enumerate() {
+            let c = base + n;
+            *f = if cell[c] > 0.0 { soil[c] / cell[c] } else { 0.0 };
+        }
+    });
+    let Soil { fraction, mass, stress, plastic_strain, gap_strain } = &mut state.soil;
+    let sweep = Sweep {
+        grid,
+        axis,
+        displacement: &state.nodes.displacement[axis],
+        fraction,
+        soil,
+        cell,
+        row_active: active,
+    };
+    team.planes2(cut, flux, swept, |plane, flux, swept| sweep.volume_fluxes(plane, flux, swept));
+    for field in stress.iter_mut().chain([plastic_strain, gap_strain]) {
+        team.planes(cut, spare, |plane, out| sweep.carry(plane, field, flux, out));
+        std::mem::swap(field, spare);
+    }
+    team.planes(cut, spare, |plane, out| sweep.mass_fluxes(plane, mass, flux, out));
+    let s = grid.stride[axis];
+    let difference = |face: &[f64], plane: usize, out: &mut [f64]| {
+        let base = plane * grid.stride[2];
+        for (n, value) in out.iter_mut().enumerate().filter(|(n, _)| base + n + s < face.len()) {
+            *value -= face[base + n + s] - face[base + n];
+        }
+    };
+    team.planes(cut, mass, |plane, out| difference(spare, plane, out));
+    team.planes(cut, soil, |plane, out| difference(flux, plane, out));
+    team.planes(cut, cell, |plane, out| difference(swept, plane, out));
+    // The mass flux is in `spare`; the volume flux is done with and makes room for the dual flux.
+    team.planes(cut, flux, |plane, out| dual_fluxes(grid, axis, plane, spare, out));
+    let mass_moved = model.mass_moved();
+    for (velocity, room) in state.nodes.velocity.iter_mut().zip(velocity_before) {
+        let inputs: [&[f64]; 3] = [velocity, &state.nodes.mass, flux];
+        team.planes(cut, room, |plane, out| carry_momentum(grid, axis, plane, inputs, mass_moved, out));
+        std::mem::swap(velocity, room);
+    }
+    team.planes(cut, &mut state.nodes.mass, |plane, out| dual_difference(grid, axis, flux, plane, out));
+    spare.fill(0.0);
+}
+
+/// Nodal masses after the dual fluxes.
+fn dual_difference(grid: &Grid, axis: usize, flux: &[f64], plane: usize, out: &mut [f64]) {
+    let [_, row, stride] = grid.stride;
+    let base = plane * stride;
+    let s = grid.stride[axis];
+    let cells = grid.cells();
+    for q in 1..=cells[1] + 1 {
+        for i in 1..=cells[0] + 1 {
+            let n = base + q * row + i;
+            let layer = [i, q, plane][axis] - 1;
+            let high = if layer < cells[axis] { flux[n] } else { 0.0 };
+            let low = if layer > 0 { flux[n - s] } else { 0.0 };
+            out[n - base] -= high - low;
+        }
+    }
+}
+
+/// Back to volume fractions: takes crumbs out, closes gaps that stand under pressure, returns stresses to the yield
+/// surface.
+fn settle(model: &Model, soil: &mut Soil, volume: &[f64]) -> RemapLoss {
+    let grid = &model.grid;
+    let [nx, ny, nz] = grid.cells();
+    let mut loss = RemapLoss::default();
+    for k in 0..nz {
+        for j in 0..ny {
+            for i in 0..nx {
+                let c = grid.index(i, j, k);
+                let fraction = volume[c] / grid.volume(i, j, k);
+                soil.fraction[c] = fraction;
+                if fraction < FRACTION_KEPT {
+                    loss.volume += volume[c];
+                    loss.mass += soil.mass[c];
+                    (soil.fraction[c], soil.mass[c]) = (0.0, 0.0);
+                }
+                settle_cell(model, soil, c);
+            }
+        }
+    }
+    loss
+}
+
+fn settle_cell(model: &Model, soil: &mut Soil, c: usize) {
+    if soil.fraction[c] <= FRACTION_STRESSED {
+        for s in &mut soil.stress {
+            s[c] = 0.0;
+        }
+        soil.gap_strain[c] = 0.0;
+        soil.plastic_strain[c] = if soil.fraction[c] > 0.0 { soil.plastic_strain[c] } else { 0.0 };
+        return;
+    }
+    let mut stress = soil.stress.each_ref().map(|s| s[c]);
+    let mut gap = soil.gap_strain[c].max(0.0);
+    // Soil with a gap was mixed with soil under pressure: let the pressure close the gap, or its volume is lost.
+    let bulk = model.elastic.bulk;
+    let pressure = -mean(stress);
+    if gap > 0.0 && pressure > 0.0 {
+        let closed = gap.min(pressure / bulk);
+        gap -= closed;
+        for s in &mut stress[..3] {
+            *s += bulk * closed;
+        }
+    }
+    if let Some(strength) = &model.strength
+        && strength.may_yield(stress)
+    {
+        let back = strength.return_map(stress);
+        stress = back.stress;
+        gap += back.gap_strain;
+    }
+    for (field, value) in soil.stress.iter_mut().zip(stress) {
+        field[c] = value;
+    }
+    soil.gap_strain[c] = gap;
+}
+
+/// Nodes that have lost their soil stop; only now, not between sweeps.
+fn stop_massless(model: &Model, state: &mut State) {
+    let mass_moved = model.mass_moved();
+    for v in &mut state.nodes.velocity {
+        for (v, m) in v.iter_mut().zip(&state.nodes.mass) {
+            if *m <= mass_moved {
+                *v = 0.0;
+            }
+        }
+    }
+}
+
+/// Deals out planes; kept here so that the remap's helpers read like its text.
+impl super::threads::Team {
+    /// Like [`super::threads::Team::planes`] for two arrays that are written together.
+    fn planes2(
+        &self,
+        cut: &Cut,
+        first: &mut [f64],
+        second: &mut [f64],
+        job: impl Fn(usize, &mut [f64], &mut [f64]) + Sync,
+    ) {
+        let pairs = cut.split(first).into_iter().zip(cut.split(second));
+        let mut parts: Vec<_> = pairs.zip(cut.ranges()).collect();
+        self.share(&mut parts, |((first, second), range)| {
+            for (n, plane) in range.clone().enumerate() {
+                let own = n * cut.stride..(n + 1) * cut.stride;
+                job(plane, &mut first[own.clone()], &mut second[own]);
+            }
+        });
+    }
+}

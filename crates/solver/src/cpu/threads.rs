@@ -1,0 +1,271 @@
+//! A team of threads that lives as long as the run. The only file that starts a thread.
+//!
+//! A step has a handful of short parallel phases. A thread pool that sleeps between them costs more than the phases, so
+//! the team spins for a while, then yields, before it goes to sleep.
+#![allow(unsafe_code)]
+
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Condvar, Mutex};
+use std::thread::JoinHandle;
+
+type Job = *const (dyn Fn(usize) + Sync);
+
+struct Shared {
+    /// Number of the job being worked at; a change of it is the signal to start.
+    turn: AtomicUsize,
+    /// Workers that have not finished it yet.
+    busy: AtomicUsize,
+    /// Whether a worker has panicked.
+    failed: AtomicBool,
+    leave: AtomicBool,
+    job: Mutex<Option<JobPointer>>,
+    asleep: Mutex<()>,
+    wake: Condvar,
+}
+
+#[derive(Clone, Copy)]
+struct JobPointer(Job);
+// SAFETY: the pointer is only dereferenced between the start and the end of `Team::run`, which outlives the call.
+unsafe impl Send for JobPointer {}
+
+/// A fixed team of workers; worker 0 is the calling thread.
+pub struct Team {
+    shared: Arc<Shared>,
+    threads: Vec<JoinHandle<()>>,
+}
+
+impl std::fmt::Debug for Team {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Team of {}", self.size())
+    }
+}
+
+const SPINS: u32 = 4000;
+const YIELDS: u32 = 200;
+
+impl Team {
+    /// A team of `size` workers (at least one).
+    #[must_use]
+    pub fn new(size: usize) -> Self {
+        let shared = Arc::new(Shared {
+            turn: AtomicUsize::new(0),
+            busy: AtomicUsize::new(0),
+            failed: AtomicBool::new(false),
+            leave: AtomicBool::new(false),
+            job: Mutex::new(None),
+            asleep: Mutex::new(()),
+            wake: Condvar::new(),
+        });
+        let threads = (1..size.max(1))
+            .map(|worker| {
+                let shared = Arc::clone(&shared);
+                std::thread::spawn(move || serve(&shared, worker))
+            })
+            .collect();
+        Self { shared, threads }
+    }
+
+    /// Number of workers.
+    #[must_use]
+    pub fn size(&self) -> usize {
+        self.threads.len() + 1
+    }
+
+    /// Runs `job(worker)` once on every worker and waits for all of them.
+    ///
+    /// # Panics
+    /// When the job panics on any worker.
+    pub fn run(&self, job: &(dyn Fn(usize) + Sync)) {
+        if self.threads.is_empty() {
+            job(0);
+            return;
+        }
+        // SAFETY: only the lifetime is erased; this function does not return before every worker is done with it.
+        let pointer: Job = unsafe { std::mem::transmute(std::ptr::from_ref(job)) };
+        *self.shared.job.lock().unwrap_or_else(std::sync::PoisonError::into_inner) =
+            Some(JobPointer(pointer));
+        self.shared.busy.store(self.threads.len(), Ordering::Relaxed);
+        self.shared.turn.fetch_add(1, Ordering::Release);
+        {
+            let _guard = self.shared.asleep.lock();
+            self.shared.wake.notify_all();
+        }
+        let own = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| job(0)));
+        wait_until(|| self.shared.busy.load(Ordering::Acquire) == 0);
+        if let Err(panic) = own {
+            std::panic::resume_unwind(panic);
+        }
+        assert!(!self.shared.failed.load(Ordering::Relaxed), "a worker thread panicked");
+    }
+
+    /// Gives every worker its own part: `job(&mut parts[worker])`. There must be at most as many parts as workers.
+    pub fn share<T: Send>(&self, parts: &mut [T], job: impl Fn(&mut T) + Sync) {
+        assert!(parts.len() <= self.size(), "more parts than workers");
+        let base = PartsPointer(parts.as_mut_ptr());
+        let count = parts.len();
+        self.run(&|worker| {
+            if worker < count {
+                // SAFETY: every worker has a number of its own, so no two get the same part.
+                job(unsafe { &mut *base.at(worker) });
+            }
+        });
+    }
+
+    /// Calls `job(plane, output)` for every plane that `cut` hands out, in parallel, with the planes of `output`.
+    pub fn planes(&self, cut: &Cut, output: &mut [f64], job: impl Fn(usize, &mut [f64]) + Sync) {
+        let mut parts: Vec<_> = cut.split(output).into_iter().zip(cut.ranges()).collect();
+        self.share(&mut parts, |(part, range)| {
+            for (n, plane) in range.clone().enumerate() {
+                job(plane, &mut part[n * cut.stride..(n + 1) * cut.stride]);
+            }
+        });
+    }
+}
+
+struct PartsPointer<T>(*mut T);
+// SAFETY: used to hand out disjoint parts of a slice of `Send` values.
+unsafe impl<T: Send> Sync for PartsPointer<T> {}
+impl<T> PartsPointer<T> {
+    fn at(&self, n: usize) -> *mut T {
+        self.0.wrapping_add(n)
+    }
+}
+
+impl Drop for Team {
+    fn drop(&mut self) {
+        self.shared.leave.store(true, Ordering::Release);
+        self.shared.turn.fetch_add(1, Ordering::Release);
+        {
+            let _guard = self.shared.asleep.lock();
+            self.shared.wake.notify_all();
+        }
+        for thread in self.threads.drain(..) {
+            let _ = thread.join();
+        }
+    }
+}
+
+fn serve(shared: &Shared, worker: usize) {
+    let mut turn = 0;
+    loop {
+        wait_for_turn(shared, turn);
+        turn += 1;
+        if shared.leave.load(Ordering::Acquire) {
+            return;
+        }
+        let job = *shared.job.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        if let Some(JobPointer(job)) = job {
+            // SAFETY: `Team::run` keeps the job alive until `busy` is 0, which this worker has not yet allowed.
+            let done = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| unsafe { (*job)(worker) }));
+            if done.is_err() {
+                shared.failed.store(true, Ordering::Relaxed);
+            }
+        }
+        shared.busy.fetch_sub(1, Ordering::Release);
+    }
+}
+
+fn wait_until(done: impl Fn() -> bool) {
+    let mut tries = 0_u32;
+    while !done() {
+        tries = tries.saturating_add(1);
+        if tries < SPINS { std::hint::spin_loop() } else { std::thread::yield_now() }
+    }
+}
+
+fn wait_for_turn(shared: &Shared, turn: usize) {
+    let ready = || shared.turn.load(Ordering::Acquire) != turn;
+    for _ in 0..SPINS {
+        if ready() {
+            return;
+        }
+        std::hint::spin_loop();
+    }
+    for _ in 0..YIELDS {
+        if ready() {
+            return;
+        }
+        std::thread::yield_now();
+    }
+    let mut guard = shared.asleep.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+    while !ready() {
+        guard = shared.wake.wait(guard).unwrap_or_else(std::sync::PoisonError::into_inner);
+    }
+}
+
+/// How the planes of the grid are dealt out to the workers: contiguous runs, so that arrays can be split safely.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cut {
+    /// First plane of every worker, and the end.
+    pub bounds: Vec<usize>,
+    /// Entries per plane.
+    pub stride: usize,
+}
+
+impl Cut {
+    /// Deals planes `first..` with the given costs to `workers` so that each has about the same.
+    #[must_use]
+    pub fn new(first: usize, cost: &[f64], workers: usize, stride: usize) -> Self {
+        let total: f64 = cost.iter().sum();
+        let mut bounds = vec![first];
+        let mut sum = 0.0;
+        for (n, c) in cost.iter().enumerate() {
+            sum += c;
+            let due = total * bounds.len() as f64 / workers as f64;
+            if bounds.len() < workers && sum >= due && total > 0.0 {
+                bounds.push(first + n + 1);
+            }
+        }
+        bounds.push(first + cost.len());
+        Self { bounds, stride }
+    }
+
+    /// The planes of every worker.
+    pub fn ranges(&self) -> impl Iterator<Item = Range<usize>> + '_ {
+        self.bounds.windows(2).map(|b| b[0]..b[1])
+    }
+
+    /// Splits an array into the workers' planes.
+    #[must_use]
+    pub fn split<'a>(&self, array: &'a mut [f64]) -> Vec<&'a mut [f64]> {
+        let mut rest = &mut array[self.bounds[0] * self.stride..];
+        let mut parts = Vec::with_capacity(self.bounds.len() - 1);
+        for range in self.ranges() {
+            let (part, after) = rest.split_at_mut(range.len() * self.stride);
+            parts.push(part);
+            rest = after;
+        }
+        parts
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_worker_runs_once_each_time() {
+        for size in [1, 2, 3, 5] {
+            let team = Team::new(size);
+            let mut counts = vec![0_usize; size];
+            for _ in 0..1000 {
+                team.share(&mut counts, |c| *c += 1);
+            }
+            assert_eq!(counts, vec![1000; size]);
+        }
+    }
+
+    #[test]
+    fn planes_are_dealt_out_whole_and_once() {
+        let cut = Cut::new(2, &[0.0, 1.0, 5.0, 1.0, 1.0, 0.0], 3, 4);
+        assert_eq!((cut.bounds[0], cut.bounds[cut.bounds.len() - 1]), (2, 8));
+        let mut array = vec![0.0; 40];
+        Team::new(3)
+            .planes(&cut, &mut array, |plane, output| output.iter_mut().for_each(|x| *x += plane as f64));
+        for plane in 0..10 {
+            let expected = if (2..8).contains(&plane) { plane as f64 } else { 0.0 };
+            assert!(array[plane * 4..plane * 4 + 4].iter().all(|x| *x == expected));
+        }
+    }
+}

@@ -1,0 +1,172 @@
+//! Memory that the step works in and that is worth nothing between steps.
+
+use crate::cpu::contact::{self, ContactLaw, TouchedNode};
+use crate::cpu::threads::{Cut, Team};
+use crate::grid::Grid;
+use crate::model::Model;
+use crate::state::State;
+use physics::shape::SurfacePoint;
+
+/// Coefficients of the nodal force of one plane of cells: for each component the plain part and the parts signed by the
+/// corner's side along x, y, z; last the hourglass damping.
+pub(crate) const COEFFICIENTS: usize = 13;
+
+/// Threads, scratch arrays and the bookkeeping of which rows hold soil.
+pub struct Workspace {
+    pub(crate) team: Team,
+    /// How planes (storage planes 1 to nz + 1: nodes, and the cells above them) are dealt out.
+    pub(crate) cut: Cut,
+    /// Whether a row of cells holds soil, by storage plane and row.
+    pub(crate) row_has_soil: Vec<bool>,
+    /// Nodal velocities of the step before.
+    pub(crate) velocity_before: [Vec<f64>; 3],
+    /// Arrays for the remap.
+    pub(crate) scratch: [Vec<f64>; 5],
+    /// One for each worker.
+    pub(crate) workers: Vec<WorkerScratch>,
+    /// Sums over rows of the Lagrangian step.
+    pub(crate) row_sums: Vec<RowSums>,
+    /// Widths of the cell layers along x, in storage columns (0 in ghosts).
+    pub(crate) width_x: Vec<f64>,
+    /// How soil and bodies act on each other.
+    pub(crate) contact_law: Box<dyn ContactLaw>,
+    /// Surface points of the bodies.
+    pub(crate) points: Vec<Vec<SurfacePoint>>,
+    /// Nodes that contact acts on.
+    pub(crate) touched: Vec<TouchedNode>,
+    /// For each contact, the places of its cell's nodes among them.
+    pub(crate) corner_nodes: Vec<[u32; 8]>,
+}
+
+impl std::fmt::Debug for Workspace {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Workspace for {:?}", self.team)
+    }
+}
+
+/// What a worker needs for itself.
+#[derive(Debug)]
+pub(crate) struct WorkerScratch {
+    /// Force coefficients of the first plane, and of two planes in turn.
+    pub(crate) forces: [Vec<f64>; 3],
+    /// Which of them holds the last plane.
+    pub(crate) last: usize,
+    /// Row buffers.
+    pub(crate) row: Vec<f64>,
+}
+
+/// Sums over a row, in an order that does not depend on the number of threads.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RowSums {
+    /// Plastic dissipation [J].
+    pub plastic: f64,
+    /// Dissipation by bulk viscosity [J].
+    pub viscous: f64,
+    /// Dissipation by hourglass viscosity [J].
+    pub hourglass: f64,
+    /// Work of gravity [J].
+    pub gravity: f64,
+    /// Kinetic energy of the nodes [J].
+    pub kinetic: f64,
+    /// Largest component of a nodal displacement since the last remap [m].
+    pub displacement: f64,
+    /// The same of the nodes that only a few grains hang on [m].
+    pub displacement_light: f64,
+}
+
+/// Row buffers that the Lagrangian step needs, in rows.
+pub(crate) const ROW_BUFFERS: usize = 40;
+
+impl Workspace {
+    /// Memory for a model and a team of `threads`.
+    #[must_use]
+    pub fn new(model: &Model, state: &State, threads: usize) -> Self {
+        let grid = &model.grid;
+        let zeros = || vec![0.0; grid.entries];
+        let plane = grid.stride[2];
+        let planes = grid.cells()[2] + 1;
+        let rows = plane / grid.stride[1];
+        let worker = |_| WorkerScratch {
+            forces: std::array::from_fn(|_| vec![0.0; COEFFICIENTS * plane]),
+            last: 0,
+            row: vec![0.0; ROW_BUFFERS * grid.stride[1]],
+        };
+        let threads = threads.clamp(1, planes);
+        let (touched, corner_nodes) = contact::touched_nodes(grid, &state.contacts);
+        let mut workspace = Self {
+            team: Team::new(threads),
+            cut: Cut::new(1, &vec![1.0; planes], threads, plane),
+            row_has_soil: vec![false; rows * (planes + 1)],
+            velocity_before: state.nodes.velocity.clone(),
+            scratch: std::array::from_fn(|_| zeros()),
+            workers: (0..threads).map(worker).collect(),
+            row_sums: vec![RowSums::default(); rows * (planes + 1)],
+            width_x: column_widths(grid),
+            contact_law: contact::law(model),
+            points: model.bodies.iter().map(|b| contact::surface_points(model, b)).collect(),
+            touched,
+            corner_nodes,
+        };
+        workspace.find_soil(grid, &state.soil.fraction);
+        workspace
+    }
+
+    /// Number of threads.
+    #[must_use]
+    pub fn threads(&self) -> usize {
+        self.team.size()
+    }
+
+    /// Rows per plane.
+    pub(crate) fn rows(grid: &Grid) -> usize {
+        grid.stride[2] / grid.stride[1]
+    }
+
+    /// Notes which rows hold soil, and deals the planes out anew.
+    pub(crate) fn find_soil(&mut self, grid: &Grid, fraction: &[f64]) {
+        let (row, rows) = (grid.stride[1], Self::rows(grid));
+        let planes = grid.cells()[2] + 1;
+        let mut cost = vec![0.0; planes];
+        self.row_has_soil.fill(false);
+        for (n, cells) in fraction[..rows * (planes + 1) * row].chunks_exact(row).enumerate() {
+            self.row_has_soil[n] = cells.iter().any(|f| *f > 0.0);
+            let plane = n / rows;
+            if plane >= 1 {
+                cost[plane - 1] += if self.row_has_soil[n] { 1.0 } else { 0.02 };
+            }
+        }
+        self.cut = Cut::new(1, &cost, self.team.size(), grid.stride[2]);
+    }
+}
+
+fn column_widths(grid: &Grid) -> Vec<f64> {
+    let mut widths = vec![0.0; grid.stride[1] + crate::grid::LANES];
+    for i in 0..grid.cells()[0] {
+        widths[i + 1] = grid.width(0, i);
+    }
+    widths
+}
+
+/// Splits any per-row array like the planes.
+pub(crate) fn split_rows<'a, T>(cut: &Cut, rows: usize, array: &'a mut [T]) -> Vec<&'a mut [T]> {
+    let mut rest = &mut array[cut.bounds[0] * rows..];
+    let mut parts = Vec::with_capacity(cut.bounds.len() - 1);
+    for range in cut.ranges() {
+        let (part, after) = rest.split_at_mut(range.len() * rows);
+        parts.push(part);
+        rest = after;
+    }
+    parts
+}
+
+/// Sum in eight lanes that are added up at the end: the same whatever the processor's vectors are.
+pub(crate) fn lane_sum(values: &[f64]) -> f64 {
+    let mut lanes = [0.0; 8];
+    for chunk in values.chunks_exact(8) {
+        for (lane, value) in lanes.iter_mut().zip(chunk) {
+            *lane += value;
+        }
+    }
+    let tail: f64 = values.chunks_exact(8).remainder().iter().sum();
+    ((lanes[0] + lanes[4]) + (lanes[1] + lanes[5])) + ((lanes[2] + lanes[6]) + (lanes[3] + lanes[7])) + tail
+}

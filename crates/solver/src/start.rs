@@ -1,0 +1,119 @@
+//! The state before the first step: soil at rest under its own weight, bodies where the case puts them.
+
+use crate::cpu::contact::{self, carve_soil};
+use crate::cpu::{energy, lagrange_mass};
+use crate::grid::Grid;
+use crate::model::Model;
+use crate::state::{Body, Contact, Ledger, Nodes, Received, Soil, State};
+use glam::DVec3;
+
+/// Where soil is at the start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Filling {
+    /// Low corner of the box that is full of soil [m].
+    pub low: DVec3,
+    /// High corner [m].
+    pub high: DVec3,
+}
+
+/// The state at rest.
+#[must_use]
+pub fn start(model: &Model, filling: &Filling) -> State {
+    let mut bodies: Vec<Body> = model
+        .bodies
+        .iter()
+        .map(|b| Body {
+            position: b.start,
+            angle: 0.0,
+            velocity: DVec3::ZERO,
+            spin: 0.0,
+            received: Received::default(),
+            leaked_volume: 0.0,
+            embedded_volume: 0.0,
+            located: (b.start, 0.0),
+        })
+        .collect();
+    let mut soil = Soil::empty(&model.grid);
+    fill(&model.grid, filling, &mut soil.fraction);
+    carve_soil(model, &mut soil, &mut bodies);
+    weigh(model, &mut soil);
+    rest_stress(model, &mut soil);
+    let mut nodes = Nodes::at_rest(&model.grid);
+    lagrange_mass(&model.grid, &soil.mass, &mut nodes.mass);
+    let ledger = Ledger {
+        elastic_start: energy::elastic(model, &soil),
+        volume_start: energy::soil_volume(&model.grid, &soil),
+        ..Ledger::default()
+    };
+    let contacts = contacts(model);
+    State { time: 0.0, step: 0, soil, nodes, bodies, contacts, remaps: 0, ledger }
+}
+
+fn contacts(model: &Model) -> Vec<Contact> {
+    let all = model.bodies.iter().enumerate().flat_map(|(body, fixed)| {
+        (0..contact::surface_points(model, fixed).len()).map(move |point| (body, point))
+    });
+    all.map(|(body, point)| Contact { body, point, ..Contact::default() }).collect()
+}
+
+/// Volume fractions of a box of soil.
+fn fill(grid: &Grid, filling: &Filling, fraction: &mut [f64]) {
+    let [nx, ny, nz] = grid.cells();
+    let share = |axis: usize, n: usize| {
+        let (low, high) =
+            (grid.faces[axis][n].max(filling.low[axis]), grid.faces[axis][n + 1].min(filling.high[axis]));
+        let share = ((high - low) / grid.width(axis, n)).clamp(0.0, 1.0);
+        // A surface that lies on a face up to rounding lies on it.
+        if share < 1e-9 {
+            0.0
+        } else if share > 1.0 - 1e-9 {
+            1.0
+        } else {
+            share
+        }
+    };
+    for k in 0..nz {
+        for j in 0..ny {
+            for i in 0..nx {
+                fraction[grid.index(i, j, k)] = share(0, i) * share(1, j) * share(2, k);
+            }
+        }
+    }
+}
+
+fn weigh(model: &Model, soil: &mut Soil) {
+    let grid = &model.grid;
+    let [nx, ny, nz] = grid.cells();
+    for k in 0..nz {
+        for j in 0..ny {
+            for i in 0..nx {
+                let c = grid.index(i, j, k);
+                soil.mass[c] = model.density * soil.fraction[c] * grid.volume(i, j, k);
+            }
+        }
+    }
+}
+
+/// Stresses at rest: σ_z from the discrete balance of each node, from the top down, `f_k σ_k = f_{k+1} σ_{k+1} −
+/// (m_k + m_{k+1}) g / 2A`, so that the first step moves nothing; σ_x = σ_y = K₀ σ_z.
+fn rest_stress(model: &Model, soil: &mut Soil) {
+    let grid = &model.grid;
+    let [nx, ny, nz] = grid.cells();
+    for j in 0..ny {
+        for i in 0..nx {
+            let area = grid.width(0, i) * grid.width(1, j);
+            let (mut force, mut mass_above) = (0.0, 0.0);
+            for k in (0..nz).rev() {
+                let c = grid.index(i, j, k);
+                force -= 0.5 * (soil.mass[c] + mass_above) * model.gravity;
+                mass_above = soil.mass[c];
+                if soil.fraction[c] > 0.0 {
+                    let vertical = force / (area * soil.fraction[c]);
+                    soil.stress[2][c] = vertical;
+                    soil.stress[0][c] = model.rest_pressure_ratio * vertical;
+                    soil.stress[1][c] = soil.stress[0][c];
+                }
+            }
+        }
+    }
+}

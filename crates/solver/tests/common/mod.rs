@@ -1,0 +1,36 @@
+//! A model to start tests from.
+#![allow(dead_code, clippy::unwrap_used)]
+
+use glam::DVec3;
+use physics::elastic::Elastic;
+use physics::mohr_coulomb::MohrCoulomb;
+use solver::grid::Grid;
+use solver::model::{Method, Model, Wall};
+use solver::start::Filling;
+
+/// Equally spaced faces.
+pub fn uniform(low: f64, high: f64, cells: usize) -> Vec<f64> {
+    (0..=cells).map(|n| low + (high - low) * n as f64 / cells as f64).collect()
+}
+
+/// Dry sand without bodies, between smooth walls.
+pub fn sand(faces: [Vec<f64>; 3]) -> Model {
+    let elastic = Elastic::new(5e6, 0.3);
+    Model {
+        grid: Grid::new(faces),
+        elastic,
+        strength: Some(MohrCoulomb::new(elastic, 35_f64.to_radians(), 0.0, 0.0, 0.0)),
+        density: 1600.0,
+        gravity: 9.81,
+        rest_pressure_ratio: 0.43,
+        walls: [[Wall::Smooth; 2]; 3],
+        bodies: Vec::new(),
+        share: 1.0,
+        method: Method::default(),
+    }
+}
+
+/// Soil everywhere below a height.
+pub fn below(height: f64) -> Filling {
+    Filling { low: DVec3::splat(-1e9), high: DVec3::new(1e9, 1e9, height) }
+}
