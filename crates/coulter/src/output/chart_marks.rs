@@ -97,7 +97,7 @@ pub(super) fn draw_level(svg: &mut String, frame: &Frame, level: &Level) {
          stroke-width=\"3.5\" paint-order=\"stroke\" stroke-linejoin=\"round\">{3}</text>",
         colour(level.colour),
         b.max(a) - 4.0,
-        y - 5.0,
+        y - 8.0,
         marked(&level.label)
     );
 }

@@ -66,7 +66,7 @@ pub const PICTURES: [Caption; 7] = [
     Caption {
         file: "profile.svg",
         title: "Profile along the tow",
-        text: "Height of the free surface in the mid-plane, at true scale: the bow wave ahead of the body, the rut behind it.",
+        text: "Height of the free surface in the mid-plane, heights exaggerated: the bow wave ahead of the body, the rut behind it.",
     },
     Caption {
         file: "rut_section.svg",

@@ -56,7 +56,8 @@ impl BodyHistory<'_> {
     pub fn plots(&self) -> Vec<Plot> {
         let mut plots = vec![self.forces(), self.force_sinkage(), self.sinkage()];
         if self.reference.turns || self.samples.iter().any(|s| s.rotation != 0.0) {
-            plots.extend([self.turn_ratio(), self.rotation()]);
+            plots.extend(self.reference.radius.map(|_| self.turn_ratio()));
+            plots.push(self.rotation());
         }
         if self.reference.radius.is_some() {
             plots.push(self.axle_torque());
@@ -110,7 +111,8 @@ impl BodyHistory<'_> {
                 [[_, y]] => ends.map(|x| [x, y / units[1]]).to_vec(),
                 _ => overlay.points.iter().map(|p| [p[0] / units[0], p[1] / units[1]]).collect(),
             };
-            Curve { name: overlay.name.clone(), points, colour: OVERLAY_COLOUR + n, stroke: Stroke::Dashed }
+            let stroke = if overlay.measured { Stroke::Dots } else { Stroke::Dashed };
+            Curve { name: overlay.name.clone(), points, colour: OVERLAY_COLOUR + n, stroke }
         };
         self.overlays.iter().filter(mine).enumerate().map(curve).collect()
     }

@@ -29,6 +29,7 @@ pub enum Outcome {
 
 /// What the run was like, apart from its physics.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct RunStatistics {
     /// Steps taken.
     pub steps: u64,
@@ -69,12 +70,16 @@ pub struct Overlay {
     pub plot: PlotKind,
     /// The body it belongs to; all bodies when none is named.
     pub body: Option<String>,
+    /// Whether it was measured: drawn as dots, not as a line.
+    #[serde(default)]
+    pub measured: bool,
     /// Points in SI units. A single point is drawn as a level across the plot.
     pub points: Vec<[f64; 2]>,
 }
 
 /// The run as the report sees it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct RunRecord {
     /// Version of Coulter.
     pub version: String,

@@ -64,6 +64,8 @@ pub(super) struct Profile {
     points: Vec<[f64; 2]>,
     /// The part of the axis that the chart shows [m].
     shown: [f64; 2],
+    /// Whether heights are drawn as long as lengths.
+    true_scale: bool,
 }
 
 /// The profile along the tow in the mid-plane, and the cross-section of the rut behind the first body.
@@ -74,12 +76,14 @@ pub(super) fn profiles(case: &Case, state: &State, map: &HeightMap) -> Vec<Profi
         .first()
         .map_or(0.5 * (map.edges[1][0] + map.edges[1][map.edges[1].len() - 1]), |b| b.position.y);
     let everything = [f64::NEG_INFINITY, f64::INFINITY];
+    let fine = [case.grid.fine_low.x, case.grid.fine_high.x];
     let along = Profile {
         name: "profile",
         title: format!("Free surface along the tow, y = {} m", digits(y)),
         axis: 'x',
         points: rise(map.along(y)),
-        shown: everything,
+        shown: if state.bodies.is_empty() { everything } else { fine },
+        true_scale: false,
     };
     if state.bodies.is_empty() || case.domain.plane_strain {
         return vec![along];
@@ -92,6 +96,7 @@ pub(super) fn profiles(case: &Case, state: &State, map: &HeightMap) -> Vec<Profi
         axis: 'y',
         points: rise(map.section(x[0], x[1])),
         shown: if reach > 0.0 { [-reach, reach] } else { everything },
+        true_scale: true,
     };
     vec![along, across]
 }
@@ -115,7 +120,7 @@ impl Profile {
             title: self.title.clone(),
             x_label: format!("{} [mm]", self.axis),
             y_label: "height [mm]".to_owned(),
-            true_scale: true,
+            true_scale: self.true_scale,
             with_zero: true,
             height: 250.0,
             curves: vec![

@@ -9,11 +9,14 @@ use std::ops::Range;
 pub const NOISE_WIDTH: f64 = 0.02;
 /// The moving average takes at least so many samples, else noise would be nothing by construction.
 pub const NOISE_SAMPLES: usize = 5;
+/// A mean drag below this share of the vertical force is no drag.
+const NO_DRAG: f64 = 1e-3;
 /// Displacements below this share of the reference length are no tow.
 const NO_TOW: f64 = 1e-3;
 
 /// Averages over the steady window; `null` in JSON where there is nothing to average.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Steady {
     /// Displacement at which the window begins [m].
     pub from_m: Option<f64>,
@@ -44,6 +47,7 @@ pub struct Steady {
 
 /// Largest values of a run, with their sign; `null` in JSON where there is none.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Peak {
     /// Largest drag F_H [N].
     #[serde(rename = "drag_N")]
@@ -122,7 +126,10 @@ pub fn steady(samples: &[BodySample], reference: &Reference, window: Range<usize
             .zip(mean(|s| s.speed))
             .and_then(|(spin, speed)| reference.turn_ratio(spin, speed)),
         axle_torque: mean(|s| s.axle_torque),
-        drag_noise: drag.and_then(|drag| noise(inside, reference, drag)),
+        // Of a body that is pushed down the drag is next to nothing, and its noise over it means nothing.
+        drag_noise: drag
+            .filter(|drag| drag.abs() > NO_DRAG * mean(|s| s.vertical).unwrap_or(0.0).abs())
+            .and_then(|drag| noise(inside, reference, drag)),
     }
 }
 

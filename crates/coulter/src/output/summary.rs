@@ -14,6 +14,7 @@ pub const SUMMARY: &str = "summary.json";
 
 /// What a run amounts to.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Summary {
     /// Name of the case.
     pub case: String,
@@ -39,6 +40,7 @@ pub struct Summary {
 
 /// What became of the soil.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct SoilSummary {
     /// Volume at the end over the volume at the start.
     pub volume_ratio: Option<f64>,
@@ -48,6 +50,7 @@ pub struct SoilSummary {
 
 /// The energy ledger at the end [J].
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct EnergySummary {
     /// Work of loads, drives and gravity [J].
     #[serde(rename = "external_J")]
@@ -79,6 +82,7 @@ pub struct EnergySummary {
 
 /// What became of a body.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct BodySummary {
     /// Averages over the steady window.
     pub steady: Steady,

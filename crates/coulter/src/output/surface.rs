@@ -20,6 +20,7 @@ pub struct HeightMap {
 
 /// What the free surface measures at the end.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct SurfaceFigures {
     /// Depth of the lowest point below the undisturbed surface [m].
     pub rut_depth_m: f64,

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod synthetic;
+mod vtk;
 
 use coulter::output::csv::{ENERGY_HEADER, FORCES_HEADER, read_history};
 use coulter::output::table::Table;
@@ -20,8 +21,13 @@ fn write(dir: &Path, kind: Kind, cell: f64, count: usize) -> Summary {
     let history = history(&case, count);
     let mut results = Results::create(dir, &case, true).unwrap();
     results.log("started").unwrap();
-    let overlay =
-        |plot, points| Overlay { name: "forecast: passive pressure".into(), plot, body: None, points };
+    let overlay = |plot, points| Overlay {
+        name: "forecast: passive pressure".into(),
+        plot,
+        body: None,
+        measured: false,
+        points,
+    };
     results
         .overlay(vec![
             overlay(PlotKind::ForceSinkage, vec![[0.0, 0.0], [0.01, 6.0], [0.02, 14.0], [0.045, 40.0]]),
@@ -284,5 +290,38 @@ fn strange_runs_are_reported_too() {
             );
             rebuild_report(dir.path()).unwrap();
         }
+    }
+}
+
+#[test]
+fn a_body_that_is_only_pushed_down_is_plotted_over_time() {
+    let dir = tempfile::tempdir().unwrap();
+    let case = case(Kind::Disc, 0.04);
+    let (grid, state) = state(&case, Kind::Disc, case.duration);
+    let mut pushed = history(&case, 500);
+    for sample in &mut pushed.bodies[0] {
+        (sample.displacement, sample.speed, sample.drag, sample.spin) = (0.0, 0.0, 1e-9, 0.0);
+    }
+    let mut results = Results::create(dir.path(), &case, false).unwrap();
+    let summary = results.finish(&case, &grid, &state, &pushed, &statistics()).unwrap();
+    let steady = &summary.bodies["disc"].steady;
+    assert_eq!((steady.turn_ratio, steady.drag_noise), (None, None));
+    assert!((steady.from_s.unwrap() - 0.7 * 6.0).abs() < 0.05);
+    let html = fs::read_to_string(dir.path().join("report.html")).unwrap();
+    assert!(html.contains("Steady means over t = "));
+}
+
+#[test]
+fn progress_is_shown_without_a_terminal_and_without_history() {
+    let case = case(Kind::Two, 0.04);
+    let empty = coulter::output::record::History::default();
+    for quiet in [false, true] {
+        let mut progress = coulter::output::Progress::start(&case, 0.0, quiet);
+        for history in [&empty, &history(&case, 0), &history(&case, 40)] {
+            progress.update(3.0, history);
+            progress.update(f64::NAN, history);
+        }
+        progress.finish("done");
+        progress.finish("done");
     }
 }

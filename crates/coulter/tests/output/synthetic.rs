@@ -188,9 +188,25 @@ pub(crate) fn state(case: &Case, kind: Kind, time: f64) -> (Grid, State) {
             angle: 0.85 * TRAVEL / (0.5 * DIAMETER),
             velocity: DVec3::new(0.1, 0.0, 0.0),
             spin: 0.85,
+            received: Default::default(),
+            leaked_volume: 6e-9,
+            embedded_volume: 5e-6,
+            located: (b.position, 0.0),
         })
         .collect();
-    (grid, State { time, step: 5000, soil, nodes, bodies })
+    (
+        grid,
+        State {
+            time,
+            step: 5000,
+            soil,
+            nodes,
+            bodies,
+            contacts: vec![],
+            ledger: Default::default(),
+            remaps: 0,
+        },
+    )
 }
 
 fn triples(layers: usize, rows: usize, columns: usize) -> impl Iterator<Item = (usize, usize, usize)> {

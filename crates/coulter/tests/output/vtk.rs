@@ -1,0 +1,106 @@
+//! The field files, taken apart again: every array is where its tag says and as long as it should be.
+
+use crate::synthetic::{Kind, case, state};
+use coulter::output::Results;
+use flate2::read::ZlibDecoder;
+use std::fs;
+use std::io::Read;
+use std::path::Path;
+
+/// The bytes of one array of a file with appended compressed data.
+fn array(file: &[u8], name: &str) -> Vec<u8> {
+    let marker = b"<AppendedData encoding=\"raw\">\n_";
+    let start = file.windows(marker.len()).position(|w| w == marker).unwrap() + marker.len();
+    let text = String::from_utf8_lossy(&file[..start]);
+    let tag = text.lines().rfind(|l| l.contains(&format!("Name=\"{name}\""))).unwrap();
+    let offset: usize = tag.split("offset=\"").nth(1).unwrap().split('"').next().unwrap().parse().unwrap();
+    let data = &file[start + offset..];
+    let number = |n: usize| u64::from_le_bytes(data[8 * n..8 * n + 8].try_into().unwrap()) as usize;
+    let (blocks, block, partial) = (number(0), number(1), number(2));
+    let mut raw = Vec::new();
+    let mut place = 8 * (3 + blocks);
+    for n in 0..blocks {
+        let mut piece = Vec::new();
+        ZlibDecoder::new(&data[place..place + number(3 + n)]).read_to_end(&mut piece).unwrap();
+        let last = n + 1 == blocks && partial > 0;
+        assert_eq!(piece.len(), if last { partial } else { block });
+        raw.extend(piece);
+        place += number(3 + n);
+    }
+    raw
+}
+
+fn floats(raw: &[u8]) -> Vec<f64> {
+    raw.chunks(4).map(|b| f64::from(f32::from_le_bytes(b.try_into().unwrap()))).collect()
+}
+
+fn doubles(raw: &[u8]) -> Vec<f64> {
+    raw.chunks(8).map(|b| f64::from_le_bytes(b.try_into().unwrap())).collect()
+}
+
+fn written(dir: &Path, kind: Kind) -> (coulter::case::Case, solver::grid::Grid, solver::state::State) {
+    let case = case(kind, 0.02);
+    let (grid, state) = state(&case, kind, 1.5);
+    let mut results = Results::create(dir, &case, false).unwrap();
+    results.write_fields(&case, &grid, &state).unwrap();
+    (case, grid, state)
+}
+
+#[test]
+fn soil_files_hold_every_cell_in_its_place() {
+    let dir = tempfile::tempdir().unwrap();
+    let (_, grid, state) = written(dir.path(), Kind::Disc);
+    let file = fs::read(dir.path().join("fields/soil_0000.vtr")).unwrap();
+    let [nx, ny, nz] = grid.cells();
+    let text = String::from_utf8_lossy(&file);
+    assert!(text.contains(&format!("WholeExtent=\"0 {nx} 0 {ny} 0 {nz}\"")));
+    assert!(text.contains("Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">1.5<"));
+    let (evf, stress) = (floats(&array(&file, "evf")), floats(&array(&file, "stress")));
+    let pressure = floats(&array(&file, "pressure"));
+    assert_eq!((evf.len(), stress.len()), (nx * ny * nz, 6 * nx * ny * nz));
+    for (i, j, k) in [(0, 0, 0), (nx / 2, ny / 3, nz / 2), (nx - 1, ny - 1, 1)] {
+        let (place, n) = (i + nx * (j + ny * k), grid.index(i, j, k));
+        assert!((evf[place] - state.soil.fraction[n]).abs() < 1e-6);
+        assert!((stress[6 * place + 2] - state.soil.stress[2][n]).abs() < 1e-2);
+        assert!((stress[6 * place + 5] - state.soil.stress[5][n]).abs() < 1e-2);
+        assert!(pressure[place] >= 0.0);
+    }
+    assert_eq!(floats(&array(&file, "velocity")).len(), 3 * nx * ny * nz, "the last velocity is the cells'");
+    assert_eq!(doubles(&array(&file, "z")), grid.faces[2]);
+}
+
+#[test]
+fn bodies_are_drawn_where_they_are() {
+    let dir = tempfile::tempdir().unwrap();
+    let (_, _, state) = written(dir.path(), Kind::Two);
+    let body = &state.bodies[0];
+    let file = fs::read(dir.path().join("fields/body_disc_0000.vtp")).unwrap();
+    let points = doubles(&array(&file, "Points"));
+    let velocity = floats(&array(&file, "velocity"));
+    let lowest = points.chunks(3).map(|p| p[2]).fold(f64::INFINITY, f64::min);
+    assert!((lowest - (body.position.z - 0.1)).abs() < 1e-4);
+    // Rolling forward: the lowest point moves backwards against the middle, by spin times radius.
+    let n = points.chunks(3).position(|p| p[2] == lowest).unwrap();
+    assert!((velocity[3 * n] - (body.velocity.x - 0.1 * body.spin)).abs() < 1e-3);
+    let offsets = array(&file, "offsets");
+    assert_eq!(
+        i64::from_le_bytes(offsets[offsets.len() - 8..].try_into().unwrap()) as usize * 8,
+        array(&file, "connectivity").len()
+    );
+    let list = fs::read_to_string(dir.path().join("body.pvd")).unwrap();
+    assert!(list.contains("part=\"1\" file=\"fields/body_scraper_0000.vtp\""));
+}
+
+#[test]
+fn the_surface_is_whole_also_when_half_is_modelled() {
+    let dir = tempfile::tempdir().unwrap();
+    let (_, grid, _) = written(dir.path(), Kind::Disc);
+    let file = fs::read(dir.path().join("fields/surface_0000.vtp")).unwrap();
+    let points = doubles(&array(&file, "Points"));
+    assert_eq!(points.len(), 3 * 2 * grid.cells()[0] * grid.cells()[1]);
+    let mean: f64 = points.chunks(3).map(|p| p[1]).sum();
+    assert!(mean.abs() < 1e-9, "mirrored about y = 0");
+    let rise = floats(&array(&file, "rise"));
+    let deepest = rise.iter().copied().fold(0.0, f64::min);
+    assert!((deepest + 0.038).abs() < 0.005, "{deepest}");
+}
