@@ -1,6 +1,7 @@
 //! Memory that the step works in and that is worth nothing between steps.
 
 use crate::cpu::contact::{self, ContactLaw, TouchedNode};
+use crate::cpu::stress::Block;
 use crate::cpu::threads::{Cut, Team};
 use crate::grid::Grid;
 use crate::model::Model;
@@ -45,14 +46,15 @@ impl std::fmt::Debug for Workspace {
 }
 
 /// What a worker needs for itself.
-#[derive(Debug)]
 pub(crate) struct WorkerScratch {
     /// Force coefficients of the first plane, and of two planes in turn.
     pub(crate) forces: [Vec<f64>; 3],
     /// Which of them holds the last plane.
     pub(crate) last: usize,
-    /// Row buffers.
+    /// Row buffers of the nodes.
     pub(crate) row: Vec<f64>,
+    /// Block of cells.
+    pub(crate) block: Box<Block>,
 }
 
 /// Sums over a row, in an order that does not depend on the number of threads.
@@ -75,7 +77,7 @@ pub struct RowSums {
 }
 
 /// Row buffers that the Lagrangian step needs, in rows.
-pub(crate) const ROW_BUFFERS: usize = 40;
+pub(crate) const ROW_BUFFERS: usize = 6;
 
 impl Workspace {
     /// Memory for a model and a team of `threads`.
@@ -90,6 +92,7 @@ impl Workspace {
             forces: std::array::from_fn(|_| vec![0.0; COEFFICIENTS * plane]),
             last: 0,
             row: vec![0.0; ROW_BUFFERS * grid.stride[1]],
+            block: Block::new(),
         };
         let threads = threads.clamp(1, planes);
         let (touched, corner_nodes) = contact::touched_nodes(grid, &state.contacts);
