@@ -151,7 +151,8 @@ pub(super) fn energy_rows(summary: &Summary) -> Vec<Row> {
     let entries = [
         ("External work", energy.external, "loads, drives and gravity"),
         ("Plastic", energy.plastic, ""),
-        ("Contact", energy.friction, "friction, and what the contact method takes"),
+        ("Friction", energy.friction, "on the bodies"),
+        ("Contact method", energy.contact, "numerical: springs, damping, corrections"),
         ("Kinetic energy", energy.kinetic, "soil and bodies"),
         ("Elastic energy", energy.elastic, "less that at the start"),
         ("Bulk viscosity", energy.viscous, "numerical"),

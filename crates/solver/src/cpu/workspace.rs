@@ -6,6 +6,7 @@ use crate::cpu::threads::{Cut, Team};
 use crate::grid::Grid;
 use crate::model::Model;
 use crate::state::State;
+use glam::DVec3;
 use physics::shape::SurfacePoint;
 
 /// Coefficients of the nodal force of one plane of cells: for each component the plain part and the parts signed by the
@@ -37,6 +38,8 @@ pub struct Workspace {
     pub(crate) touched: Vec<TouchedNode>,
     /// For each contact, the places of its cell's nodes among them.
     pub(crate) corner_nodes: Vec<[u32; 8]>,
+    /// Frictional impulse at each contact in the last step [N s].
+    pub(crate) friction: Vec<DVec3>,
 }
 
 impl std::fmt::Debug for Workspace {
@@ -109,6 +112,7 @@ impl Workspace {
             points: model.bodies.iter().map(|b| contact::surface_points(model, b)).collect(),
             touched,
             corner_nodes,
+            friction: Vec::new(),
         };
         workspace.find_soil(grid, &state.soil.fraction);
         workspace
