@@ -3,7 +3,9 @@
 //! inside the iteration: no stiffness, no limit on the time step, stable for bodies much lighter than the soil that they
 //! displace.
 //!
-//! A point that does not touch keeps its distance to the soil, and may close it within a step but no further.
+//! A point that does not touch keeps its distance to the soil, and may close it within a step but no further. Where the
+//! volume fractions show that soil has got into the body, it is pushed out as the body moves on; a body at rest pushes
+//! nothing, so that its load does not drift.
 
 use super::{ContactLaw, Scene};
 use crate::state::Contact;
@@ -19,6 +21,8 @@ const SWEEPS: usize = 4;
 const LET_GO: f64 = 0.5;
 /// Share of the difference to the geometric gap that a point at a distance takes over per tenth of a cell of travel.
 const PULL: f64 = 0.3;
+/// Share of an overlap that is pushed out while the body moves on by one cell.
+const PUSH: f64 = 1.0;
 /// Points farther from the soil than this many cells cannot touch within a step.
 const REACH: f64 = 0.05;
 
@@ -26,6 +30,7 @@ impl ContactLaw for Impulses {
     fn relocate(&self, c: &mut Contact, gap: f64, travel: f64, was_in_soil: bool) {
         let touches = was_in_soil && c.penetration >= 0.0;
         if touches && gap < LET_GO * c.width {
+            c.penetration = (-gap).max(0.0);
             return;
         }
         let known = was_in_soil && !touches;
@@ -60,11 +65,10 @@ impl ContactLaw for Impulses {
             let c = scene.contacts[n];
             if c.in_soil {
                 let closing = scene.slip_velocity(n).dot(c.normal);
-                scene.contacts[n].penetration = (c.penetration + closing * scene.dt).min(0.0);
+                let penetration = (c.penetration + closing * scene.dt).min(c.penetration.max(0.0));
                 // Rounding must not let go of a point that is held.
-                if c.impulse.dot(c.normal) > 0.0 {
-                    scene.contacts[n].penetration = 0.0;
-                }
+                let held = c.impulse.dot(c.normal) > 0.0;
+                scene.contacts[n].penetration = if held { penetration.max(0.0) } else { penetration };
             }
         }
     }
@@ -86,11 +90,18 @@ impl Near {
     fn new(scene: &Scene, contact: usize) -> Self {
         let c = &scene.contacts[contact];
         let mobility = mobility(scene, contact);
+        let body = &scene.bodies[c.body];
+        // Overlap is pushed out, a gap may be closed.
+        let allowed = if c.penetration > 0.0 {
+            -PUSH * c.penetration / c.width * body.velocity.length()
+        } else {
+            -c.penetration / scene.dt
+        };
         Self {
             contact,
             along: 1.0 / mobility.dot(c.normal * c.normal),
             across: 1.0 / mobility.max_element(),
-            allowed: (-c.penetration).max(0.0) / scene.dt,
+            allowed,
             friction: scene.model.bodies[c.body].friction.min(1e6),
         }
     }
