@@ -170,6 +170,7 @@ impl Simulation {
             elastic: (elastic_energy(&self.model, &self.state) - ledger.elastic_start) * whole,
             plastic: ledger.plastic * whole,
             friction: ledger.friction * whole,
+            contact: ledger.contact * whole,
             viscous: ledger.viscous * whole,
             hourglass: ledger.hourglass * whole,
             remap_loss: ledger.remap * whole,

@@ -99,7 +99,7 @@ impl Default for Method {
             remap_displacement: 0.1,
             hourglass: 0.03,
             bulk_viscosity: [0.02, 1.2],
-            contact: ContactMethod::Penalty,
+            contact: ContactMethod::Impulse,
             edge_inset: 0.5,
             point_spacing: 0.5,
         }

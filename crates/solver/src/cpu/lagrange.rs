@@ -167,8 +167,8 @@ fn strain_plane(inputs: &Inputs, part: &mut Part, plane: usize, slot: usize) {
         let mut out = forces.iter_mut();
         let mut force_rows: [&mut [f64]; COEFFICIENTS] =
             std::array::from_fn(|_| out.next().map_or(Default::default(), |f| &mut f[cells.clone()]));
-        let buffer = &mut part.scratch.row[..];
-        let sums = strain_row(&constants, &node_rows, &mut cell_row, buffer, &mut force_rows);
+        let block = &mut part.scratch.block;
+        let sums = strain_row(&constants, &node_rows, &mut cell_row, block, &mut force_rows);
         let entry = &mut part.sums[(plane - part.planes.start) * inputs.rows + q];
         (entry.plastic, entry.viscous, entry.hourglass) = (sums.plastic, sums.viscous, sums.hourglass);
     }

@@ -1,10 +1,12 @@
 //! Memory that the step works in and that is worth nothing between steps.
 
 use crate::cpu::contact::{self, ContactLaw, TouchedNode};
+use crate::cpu::stress::Block;
 use crate::cpu::threads::{Cut, Team};
 use crate::grid::Grid;
 use crate::model::Model;
 use crate::state::State;
+use glam::DVec3;
 use physics::shape::SurfacePoint;
 
 /// Coefficients of the nodal force of one plane of cells: for each component the plain part and the parts signed by the
@@ -36,6 +38,8 @@ pub struct Workspace {
     pub(crate) touched: Vec<TouchedNode>,
     /// For each contact, the places of its cell's nodes among them.
     pub(crate) corner_nodes: Vec<[u32; 8]>,
+    /// Frictional impulse at each contact in the last step [N s].
+    pub(crate) friction: Vec<DVec3>,
 }
 
 impl std::fmt::Debug for Workspace {
@@ -45,14 +49,15 @@ impl std::fmt::Debug for Workspace {
 }
 
 /// What a worker needs for itself.
-#[derive(Debug)]
 pub(crate) struct WorkerScratch {
     /// Force coefficients of the first plane, and of two planes in turn.
     pub(crate) forces: [Vec<f64>; 3],
     /// Which of them holds the last plane.
     pub(crate) last: usize,
-    /// Row buffers.
+    /// Row buffers of the nodes.
     pub(crate) row: Vec<f64>,
+    /// Block of cells.
+    pub(crate) block: Box<Block>,
 }
 
 /// Sums over a row, in an order that does not depend on the number of threads.
@@ -75,7 +80,7 @@ pub struct RowSums {
 }
 
 /// Row buffers that the Lagrangian step needs, in rows.
-pub(crate) const ROW_BUFFERS: usize = 40;
+pub(crate) const ROW_BUFFERS: usize = 6;
 
 impl Workspace {
     /// Memory for a model and a team of `threads`.
@@ -90,6 +95,7 @@ impl Workspace {
             forces: std::array::from_fn(|_| vec![0.0; COEFFICIENTS * plane]),
             last: 0,
             row: vec![0.0; ROW_BUFFERS * grid.stride[1]],
+            block: Block::new(),
         };
         let threads = threads.clamp(1, planes);
         let (touched, corner_nodes) = contact::touched_nodes(grid, &state.contacts);
@@ -106,6 +112,7 @@ impl Workspace {
             points: model.bodies.iter().map(|b| contact::surface_points(model, b)).collect(),
             touched,
             corner_nodes,
+            friction: Vec::new(),
         };
         workspace.find_soil(grid, &state.soil.fraction);
         workspace

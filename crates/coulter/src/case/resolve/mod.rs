@@ -147,8 +147,8 @@ fn numerics(section: &Section, law: Option<Law>, problems: &mut Problems) -> Opt
     let point_spacing = or("point_spacing", 0.5, &ranges::SPACING);
     let threads = or("threads", 0.0, &NOT_NEGATIVE);
     let contact = match section.text("contact") {
-        Some(typed) if typed.value == "impulse" => Contact::Impulse,
-        _ => Contact::Penalty,
+        Some(typed) if typed.value == "penalty" => Contact::Penalty,
+        _ => Contact::Impulse,
     };
     Some(Numerics {
         courant: courant?,
