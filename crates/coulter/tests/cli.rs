@@ -139,7 +139,7 @@ fn doubts_are_told() {
 #[test]
 fn run_does_not_overwrite_unasked() {
     let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("summary.json"), "{}").unwrap();
+    std::fs::write(folder.path().join("run.json"), "{}").unwrap();
     let refusal =
         coulter().args(["run", &shipped("towed_disc.toml"), "-o"]).arg(folder.path()).assert().code(2);
     assert!(String::from_utf8_lossy(&refusal.get_output().stderr).contains("--force"));

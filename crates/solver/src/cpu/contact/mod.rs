@@ -1,7 +1,7 @@
 //! Contact between soil and bodies at points of the bodies' surfaces.
 //!
 //! A point acts on the eight nodes of the cell that it lies in. Where it lies, and with which weights, is found at
-//! every remap and kept till the next. How soil and body act on each other there is a [`ContactLaw`]'s business; two
+//! every remap and kept till the next. How soil and body act on each other there is a `ContactLaw`'s business; two
 //! were built: penalty with a history, and velocity impulses.
 
 mod geometry;
