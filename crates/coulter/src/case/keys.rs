@@ -265,7 +265,7 @@ const NUMERICS: &[Key] = &[
         "0.1",
         "Displacement in cell widths at which the soil is remapped.",
     ),
-    key("hourglass", Kind::Number, "0.03", "Coefficient of hourglass viscosity."),
+    key("hourglass", Kind::Number, "0.01", "Coefficient of hourglass viscosity."),
     key(
         "bulk_viscosity_linear",
         Kind::Number,

@@ -98,7 +98,7 @@ impl Workspace {
             block: Block::new(),
         };
         let threads = threads.clamp(1, planes);
-        let (touched, corner_nodes) = contact::touched_nodes(grid, &state.contacts);
+        let (touched, corner_nodes) = contact::touched_nodes(model, &state.contacts);
         let mut workspace = Self {
             team: Team::new(threads),
             cut: Cut::new(1, &vec![1.0; planes], threads, plane),

@@ -45,7 +45,7 @@ impl ContactLaw for Impulses {
                 scene.contacts[*n].in_soil
                     && scene.contacts[*n].penetration > -REACH * scene.contacts[*n].width
             })
-            .map(|n| Near::new(scene, n))
+            .filter_map(|n| Near::new(scene, n))
             .collect();
         for near in &near {
             let contact = scene.contacts[near.contact];
@@ -87,9 +87,14 @@ struct Near {
 }
 
 impl Near {
-    fn new(scene: &Scene, contact: usize) -> Self {
+    /// `None` where neither soil nor body can give way along the normal: there is nothing to solve for.
+    fn new(scene: &Scene, contact: usize) -> Option<Self> {
         let c = &scene.contacts[contact];
         let mobility = mobility(scene, contact);
+        let along = mobility.dot(c.normal * c.normal);
+        if along <= 0.0 {
+            return None;
+        }
         let body = &scene.bodies[c.body];
         // Overlap is pushed out, a gap may be closed.
         let allowed = if c.penetration > 0.0 {
@@ -97,13 +102,13 @@ impl Near {
         } else {
             -c.penetration / scene.dt
         };
-        Self {
+        Some(Self {
             contact,
-            along: 1.0 / mobility.dot(c.normal * c.normal),
+            along: 1.0 / along,
             across: 1.0 / mobility.max_element(),
             allowed,
             friction: scene.model.bodies[c.body].friction.min(1e6),
-        }
+        })
     }
 
     /// Corrects the impulse of the point by its present relative velocity.
@@ -129,8 +134,8 @@ impl Near {
 fn mobility(scene: &Scene, contact: usize) -> DVec3 {
     let c = &scene.contacts[contact];
     let nodes = scene.corner_nodes[contact];
-    let soil: f64 =
-        nodes.iter().zip(c.weight).map(|(n, w)| w * w * scene.nodes[*n as usize].inverse_mass).sum();
+    let each = nodes.iter().zip(c.weight);
+    let soil = each.fold(DVec3::ZERO, |sum, (n, w)| sum + w * w * scene.nodes[*n as usize].inverse_mass);
     let fixed = &scene.model.bodies[c.body];
     let share = scene.model.share;
     DVec3::from_array(std::array::from_fn(|axis| {
@@ -139,6 +144,6 @@ fn mobility(scene: &Scene, contact: usize) -> DVec3 {
         unit[axis] = 1.0;
         let lever = c.arm.cross(unit).y;
         let turn = if fixed.spin.is_free() { lever * lever / (fixed.axle_inertia * share) } else { 0.0 };
-        soil + push + turn
+        soil[axis] + push + turn
     }))
 }

@@ -48,8 +48,10 @@ pub(crate) struct TouchedNode {
     pub(crate) node: usize,
     /// Velocity [m/s].
     pub(crate) velocity: DVec3,
-    /// One over the mass [1/kg]; 0 for a node that does not move.
-    pub(crate) inverse_mass: f64,
+    /// One over the mass along x, y, z [1/kg]; 0 where the node does not move, for want of mass or because of a wall.
+    pub(crate) inverse_mass: DVec3,
+    /// 1 where no wall stops the node, else 0.
+    pub(crate) free_of_walls: DVec3,
     /// Velocity before contact [m/s].
     free: DVec3,
     /// Velocity at the end of the last step [m/s].
@@ -79,7 +81,7 @@ impl Scene<'_> {
         let c = &self.contacts[contact];
         for (n, w) in self.corner_nodes[contact].iter().zip(c.weight) {
             let node = &mut self.nodes[*n as usize];
-            node.velocity += (w * node.inverse_mass) * impulse;
+            node.velocity += w * node.inverse_mass * impulse;
         }
         push(&self.model.bodies[c.body], &mut self.bodies[c.body], self.model.share, c.arm, -impulse);
     }
@@ -148,7 +150,7 @@ pub(crate) fn contact(
         t.velocity = velocity_of(velocity, t.node);
         t.free = t.velocity;
         t.before = velocity_of(velocity_before, t.node);
-        t.inverse_mass = if mass > mass_moved { 1.0 / mass } else { 0.0 };
+        t.inverse_mass = if mass > mass_moved { t.free_of_walls / mass } else { DVec3::ZERO };
     }
     let (contacts, bodies) = (&mut state.contacts, &mut state.bodies);
     friction.clear();
