@@ -50,7 +50,8 @@ fn flight(cells: usize, radius: f64, eta: f64) -> (f64, f64) {
         crumbs += remap(&model, &mut state, &mut workspace).volume;
     }
     let target = sphere(&model.grid, from + way, radius);
-    let error: f64 = state.soil.fraction.iter().zip(&target).map(|(a, b)| (a - b).abs()).sum::<f64>() * cell / volume;
+    let error: f64 =
+        state.soil.fraction.iter().zip(&target).map(|(a, b)| (a - b).abs()).sum::<f64>() * cell / volume;
     assert!(state.soil.fraction.iter().all(|f| (0.0..=1.0 + 1e-12).contains(f)));
     // What remaps take out as crumbs is counted; with it nothing is lost.
     let lost = 1.0 - (soil_volume(&model.grid, &state.soil) + crumbs) / volume;

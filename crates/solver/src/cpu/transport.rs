@@ -110,7 +110,13 @@ impl Sweep<'_> {
     fn normal_from_heights(&self, c: usize, rough: [f64; 3]) -> Option<[f64; 3]> {
         const REACH: usize = 2;
         let size = rough.map(f64::abs);
-        let up = if size[0] >= size[1] && size[0] >= size[2] { 0 } else if size[1] >= size[2] { 1 } else { 2 };
+        let up = if size[0] >= size[1] && size[0] >= size[2] {
+            0
+        } else if size[1] >= size[2] {
+            1
+        } else {
+            2
+        };
         let place = self.grid.place(c);
         let cells = self.grid.cells();
         let [first, second] = [(up + 1) % 3, (up + 2) % 3];

@@ -30,6 +30,8 @@ pub struct Workspace {
     pub(crate) row_sums: Vec<RowSums>,
     /// Widths of the cell layers along x, in storage columns (0 in ghosts).
     pub(crate) width_x: Vec<f64>,
+    /// Force coefficients of a plane without soil: zeros.
+    pub(crate) no_forces: Vec<f64>,
     /// How soil and bodies act on each other.
     pub(crate) contact_law: Box<dyn ContactLaw>,
     /// Surface points of the bodies.
@@ -108,6 +110,7 @@ impl Workspace {
             workers: (0..threads).map(worker).collect(),
             row_sums: vec![RowSums::default(); rows * (planes + 1)],
             width_x: column_widths(grid),
+            no_forces: vec![0.0; COEFFICIENTS * plane],
             contact_law: contact::law(model),
             points: model.bodies.iter().map(|b| contact::surface_points(model, b)).collect(),
             touched,
