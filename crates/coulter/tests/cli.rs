@@ -128,6 +128,8 @@ fn doubts_are_told() {
         "soil.cohesion=1 Pa",
         "--set",
         "soil.dilation_angle=5 deg",
+        "--set",
+        "numerics.bulk_viscosity_linear=0.06",
     ];
     let seen = checked(&[&[file.as_str()], &sets[..]].concat());
     let all = seen["warnings"].to_string();
