@@ -5,3 +5,4 @@ pub mod cli;
 pub mod output;
 pub mod run;
 pub mod simulation;
+pub mod verify;

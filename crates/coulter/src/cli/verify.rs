@@ -1,21 +1,72 @@
 //! `coulter verify`: the verification suite.
 
-use super::Failure;
+use super::{Failure, say};
+use crate::verify::bench::Wish;
+use crate::verify::{self, document, known, table};
+use std::io::Write;
+use std::path::Path;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     /// Which benchmarks, such as A4 B1 [default: all]
     #[arg(value_name = "ID")]
     ids: Vec<String>,
-    /// Only what takes seconds
+    /// Only what takes about a minute in all: coarse grids
     #[arg(long)]
     fast: bool,
     /// Print one JSON document
     #[arg(long)]
     json: bool,
+    /// Fail unless exactly the rows in validation/known.toml fall short
+    #[arg(long)]
+    strict: bool,
+    /// Write the table into README.md and docs/verification.md of the current folder
+    #[arg(long)]
+    write: bool,
+    /// Sets a key in every case that is run from a case file, such as numerics.contact=impulse; may be repeated
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    overrides: Vec<String>,
+    /// Threads; 0 for one per core
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    threads: usize,
 }
 
 pub(super) fn verify(arguments: &Arguments) -> Result<(), Failure> {
-    let _ = (&arguments.ids, arguments.fast, arguments.json);
-    Err(Failure::Request("`coulter verify` is not built yet".into()))
+    let ids = ids(&arguments.ids)?;
+    if arguments.write && !Path::new("validation").is_dir() {
+        let message = "--write belongs to the root of the repository: there is no validation/ here";
+        return Err(Failure::Request(message.into()));
+    }
+    let wish =
+        Wish { fast: arguments.fast, overrides: arguments.overrides.clone(), threads: arguments.threads };
+    let findings = verify::verify(&ids, &wish, &mut |text| {
+        let _ = writeln!(std::io::stderr().lock(), "{text}");
+    });
+    let known = known::known();
+    if arguments.json {
+        let text = serde_json::to_string_pretty(&findings.rows).map_err(|e| Failure::Request(e.to_string()))?;
+        say(&format!("{text}\n"));
+    } else {
+        say(&format!("{}\n{}\n", table::plain(&findings.rows), table::closing(&findings.rows)));
+    }
+    if arguments.write {
+        let written = document::write(Path::new("."), &findings, &known);
+        let written = written.map_err(|e| Failure::Request(format!("the table cannot be written: {e}")))?;
+        let _ = writeln!(std::io::stderr().lock(), "wrote {}", written.join(" and "));
+    }
+    let mut complaints: Vec<String> =
+        findings.broken.iter().map(|(id, why)| format!("{id} broke down: {why}")).collect();
+    if arguments.strict {
+        complaints.extend(known::disagreements(&findings.rows, &known));
+    }
+    if complaints.is_empty() { Ok(()) } else { Err(Failure::Physics(complaints.join("\n       "))) }
+}
+
+/// The ids as the suite knows them.
+fn ids(typed: &[String]) -> Result<Vec<&'static str>, Failure> {
+    let all = || verify::BENCHMARKS.iter().map(|b| b.id).collect::<Vec<_>>().join(", ");
+    let known = |id: &String| {
+        verify::find(id).ok_or_else(|| Failure::Request(format!("there is no benchmark {id}; there are {}", all())))
+    };
+    typed.iter().map(known).collect()
 }

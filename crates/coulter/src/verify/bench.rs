@@ -1,0 +1,157 @@
+//! The bench that benchmarks run on: it runs cases through the users' door, keeps their ledgers and collects rows.
+
+use super::row::Row;
+use crate::case::{self, CaseError};
+use crate::output::OutputError;
+use crate::output::record::{BodySample, EnergySample};
+use crate::simulation::Simulation;
+use solver::error::Breakdown;
+use std::time::Instant;
+
+/// Why a benchmark gave no figure.
+#[derive(Debug, thiserror::Error)]
+pub enum VerifyError {
+    /// Its case cannot be run with these overrides.
+    #[error("the case is refused: {0}")]
+    Case(String),
+    /// The physics failed.
+    #[error(transparent)]
+    Physics(#[from] Breakdown),
+    /// A checkpoint could not be written or read.
+    #[error(transparent)]
+    Output(#[from] OutputError),
+}
+
+impl From<CaseError> for VerifyError {
+    fn from(error: CaseError) -> Self {
+        Self::Case(error.problems.iter().map(|p| p.message.clone()).collect::<Vec<_>>().join("; "))
+    }
+}
+
+/// What the suite is asked to do.
+#[derive(Clone, Debug, Default)]
+pub struct Wish {
+    /// Only what takes about a minute in all.
+    pub fast: bool,
+    /// Overrides for every case that is run from a case file.
+    pub overrides: Vec<String>,
+    /// Threads; 0 for one per core.
+    pub threads: usize,
+}
+
+/// The ledgers of one run at its end.
+#[derive(Clone, Debug)]
+pub struct Ledgers {
+    /// Benchmark.
+    pub id: &'static str,
+    /// Which variant.
+    pub case: String,
+    /// Energy.
+    pub energy: EnergySample,
+    /// Largest departure of the soil volume from that at the start, at any time, as a share.
+    pub volume_off: f64,
+    /// The bodies at the end.
+    pub bodies: Vec<BodySample>,
+    /// Wall clock [s].
+    pub seconds: f64,
+}
+
+/// Runs cases and collects what comes out.
+pub struct Bench<'a> {
+    /// What was asked for.
+    pub wish: &'a Wish,
+    /// The rows so far.
+    pub rows: Vec<Row>,
+    /// The ledgers of the runs so far.
+    pub ledgers: Vec<Ledgers>,
+    tell: &'a mut dyn FnMut(&str),
+}
+
+impl std::fmt::Debug for Bench<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Bench with {} rows", self.rows.len())
+    }
+}
+
+impl<'a> Bench<'a> {
+    /// An empty bench; `tell` hears what it is doing.
+    pub fn new(wish: &'a Wish, tell: &'a mut dyn FnMut(&str)) -> Self {
+        Self { wish, rows: Vec::new(), ledgers: Vec::new(), tell }
+    }
+
+    /// Says what is going on.
+    pub fn tell(&mut self, text: &str) {
+        (self.tell)(text);
+    }
+
+    /// A simulation of a case file's text with overrides; those of the request come last.
+    ///
+    /// # Errors
+    /// [`VerifyError::Case`] when the case is refused.
+    pub fn simulation(&self, text: &str, overrides: &[String]) -> Result<Simulation, VerifyError> {
+        let all: Vec<String> = overrides.iter().chain(&self.wish.overrides).cloned().collect();
+        let mut case = case::parse(text, "case.toml", &all)?;
+        if case.numerics.threads == 0 {
+            case.numerics.threads = self.wish.threads;
+        }
+        Ok(Simulation::new(&case))
+    }
+
+    /// Runs a case to its end and keeps its ledgers.
+    ///
+    /// # Errors
+    /// [`VerifyError`] when the case is refused or the physics fails.
+    pub fn run(
+        &mut self,
+        id: &'static str,
+        variant: &str,
+        text: &str,
+        overrides: &[String],
+    ) -> Result<Simulation, VerifyError> {
+        let mut simulation = self.simulation(text, overrides)?;
+        let clock = Instant::now();
+        while !simulation.is_done() {
+            simulation.advance()?;
+        }
+        let seconds = clock.elapsed().as_secs_f64();
+        self.tell(&format!("{id}: {variant}, {} steps in {seconds:.1} s", simulation.state.step));
+        self.keep(id, variant, &simulation);
+        Ok(simulation)
+    }
+
+    /// Keeps the ledgers of a run that has come to its end.
+    pub fn keep(&mut self, id: &'static str, variant: &str, simulation: &Simulation) {
+        let history = &simulation.history;
+        let off = history.energy.iter().map(|e| (e.volume_ratio - 1.0).abs());
+        self.ledgers.push(Ledgers {
+            id,
+            case: variant.to_owned(),
+            energy: history.energy.last().copied().unwrap_or_default(),
+            // `max` would drop what is not a number.
+            volume_off: off.fold(0.0, |most, v| if v > most || v.is_nan() { v } else { most }),
+            bodies: history.bodies.iter().filter_map(|b| b.last().copied()).collect(),
+            seconds: simulation.wall_s,
+        });
+    }
+}
+
+/// Mean of a figure over the samples whose abscissa lies in `from..=to`, each weighing as the interval that it stands
+/// for; not a number if there are none.
+#[must_use]
+pub fn mean(
+    samples: &[BodySample],
+    [from, to]: [f64; 2],
+    along: impl Fn(&BodySample) -> f64,
+    value: impl Fn(&BodySample) -> f64,
+) -> f64 {
+    let (mut sum, mut weight) = (0.0, 0.0);
+    for pair in samples.windows(2) {
+        let at = along(&pair[1]);
+        if at >= from && at <= to {
+            let interval = pair[1].time - pair[0].time;
+            sum += value(&pair[1]) * interval;
+            weight += interval;
+        }
+    }
+    sum / weight
+}

@@ -1,0 +1,106 @@
+//! The table in the project's documents: between two markers in README.md, and in docs/verification.md.
+
+use super::known::Known;
+use super::row::Row;
+use super::table;
+use super::{BENCHMARKS, Findings};
+use std::fmt::Write;
+use std::path::Path;
+
+const BEGIN: &str = "<!-- verify:begin -->";
+const END: &str = "<!-- verify:end -->";
+
+/// `text` with the table between its markers; `None` if it has none.
+#[must_use]
+pub fn between_markers(text: &str, rows: &[Row]) -> Option<String> {
+    let (before, rest) = text.split_once(BEGIN)?;
+    let (_, after) = rest.split_once(END)?;
+    let judged: Vec<Row> = rows.iter().filter(|row| row.passes().is_some()).cloned().collect();
+    let table = table::markdown(&judged);
+    Some(format!("{before}{BEGIN}\n{table}\n{}.\n{END}{after}", table::closing(rows)))
+}
+
+/// The text of docs/verification.md.
+#[must_use]
+pub fn page(findings: &Findings, known: &[Known]) -> String {
+    let mut text = String::from(
+        "# Verification\n\n\
+         Made by `coulter verify --write`; do not edit. Every figure is computed by this version of the solver. \
+         Expected values and tolerances are never changed to make a case pass: a case that falls short stays here, \
+         marked as falling short. Rows without a verdict are for information. The error is a share of the expected value \
+         where the tolerance is one, else in the unit of the quantity.\n\n",
+    );
+    let _ = writeln!(text, "{}.\n", table::closing(&findings.rows));
+    for benchmark in BENCHMARKS {
+        let rows: Vec<Row> = findings.rows.iter().filter(|row| row.id == benchmark.id).cloned().collect();
+        if rows.is_empty() {
+            continue;
+        }
+        let _ = writeln!(text, "## {} {}\n\n{}\n", benchmark.id, benchmark.title, benchmark.about);
+        if let Some(folder) = benchmark.folder {
+            let _ = writeln!(text, "More in [validation/{folder}](../validation/{folder}/README.md).\n");
+        }
+        text.push_str(&table::markdown(&rows));
+        text.push('\n');
+        sources(&rows, &mut text);
+        reasons(&rows, known, &mut text);
+    }
+    for (id, why) in &findings.broken {
+        let _ = writeln!(text, "**{id} gave no figures: {why}**\n");
+    }
+    text
+}
+
+fn sources(rows: &[Row], text: &mut String) {
+    let mut seen: Vec<&str> = Vec::new();
+    for row in rows.iter().filter(|row| !row.source.is_empty()) {
+        if !seen.contains(&row.source) {
+            seen.push(row.source);
+        }
+    }
+    if !seen.is_empty() {
+        let _ = writeln!(text, "Sources: {}.\n", seen.join("; "));
+    }
+}
+
+fn reasons(rows: &[Row], known: &[Known], text: &mut String) {
+    let short: Vec<&Row> = rows.iter().filter(|row| row.passes() == Some(false)).collect();
+    for row in short {
+        let reason = known.iter().find(|k| k.is_about(row)).map_or("not yet explained", |k| &k.reason);
+        let _ = writeln!(text, "* Falls short, {}, {}: {}", row.case, row.quantity, reason.trim());
+    }
+    text.push('\n');
+}
+
+/// Writes both documents below `root`. Returns what was written.
+///
+/// # Errors
+/// When a file cannot be written.
+pub fn write(root: &Path, findings: &Findings, known: &[Known]) -> std::io::Result<Vec<String>> {
+    let mut written = Vec::new();
+    std::fs::create_dir_all(root.join("docs"))?;
+    std::fs::write(root.join("docs/verification.md"), page(findings, known))?;
+    written.push("docs/verification.md".to_owned());
+    if let Ok(readme) = std::fs::read_to_string(root.join("README.md"))
+        && let Some(new) = between_markers(&readme, &findings.rows)
+    {
+        std::fs::write(root.join("README.md"), new)?;
+        written.push("README.md".to_owned());
+    }
+    Ok(written)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_what_is_between_the_markers_changes() {
+        let rows = [Row::note("B1", "B/h = 16", "N_c", 5.2).within(5.1416, 0.02, "Prandtl")];
+        let text = format!("above\n{BEGIN}\nold\n{END}\nbelow\n");
+        let new = between_markers(&text, &rows).unwrap();
+        assert!(new.starts_with("above\n") && new.ends_with("\nbelow\n") && !new.contains("old"));
+        assert_eq!(between_markers(&new, &rows).unwrap(), new);
+        assert_eq!(between_markers("no markers", &rows), None);
+    }
+}

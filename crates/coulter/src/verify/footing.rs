@@ -1,0 +1,65 @@
+//! B1: a smooth strip footing on weightless undrained soil.
+
+use super::bench::{Bench, VerifyError, mean};
+use super::row::Row;
+use std::f64::consts::PI;
+
+const CASE: &str = include_str!("../../../../validation/B1_strip_footing/case.toml");
+const SOURCE: &str = "Prandtl (1920): exact, 2 + π";
+/// Width of the footing in the case file [m].
+const WIDTH: f64 = 1.0;
+/// Undrained strength in the case file [Pa].
+const STRENGTH: f64 = 1e3;
+
+/// What it is about.
+pub(super) const ABOUT: &str = "A smooth rigid strip is pushed into undrained (Tresca), weightless soil. The exact \
+    bearing capacity is (2 + π) s_u. Read as the mean force over a penetration of 0.03 to 0.06 widths, over the \
+    true width, the width of the slab and s_u; the contact points are inset by half a cell from the edges, as always.";
+
+pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
+    let exact = 2.0 + PI;
+    let meshes: &[(u32, f64)] =
+        if bench.wish.fast { &[(8, 0.03), (16, 0.02)] } else { &[(8, 0.03), (16, 0.02), (32, 0.02)] };
+    for &(cells, tolerance) in meshes {
+        let variant = format!("B/h = {cells}");
+        let (factor, seconds) = bearing(bench, &variant, cells, 0.0)?;
+        let row = Row::note("B1", variant, "bearing capacity factor N_c", factor);
+        bench.rows.push(row.within(exact, tolerance, SOURCE).took(seconds));
+    }
+    if bench.wish.fast {
+        return Ok(());
+    }
+    places(bench, exact)
+}
+
+/// Mean and spread over where in a cell the edges lie.
+fn places(bench: &mut Bench, exact: f64) -> Result<(), VerifyError> {
+    let (mut factors, mut total) = (Vec::new(), 0.0);
+    for place in [0.0, 0.25, 0.5, 0.75] {
+        let variant = format!("B/h = 16, edges at {place} h");
+        let (factor, seconds) = bearing(bench, &variant, 16, place)?;
+        bench.rows.push(Row::note("B1", variant, "bearing capacity factor N_c", factor).took(seconds));
+        factors.push(factor);
+        total += seconds;
+    }
+    let mean = factors.iter().sum::<f64>() / factors.len() as f64;
+    let spread = factors.iter().map(|f| (f - mean).abs() / mean).fold(0.0, f64::max);
+    let variant = "B/h = 16, edges at 0, ¼, ½, ¾ h";
+    let row = Row::note("B1", variant, "mean N_c", mean).within(exact, 0.02, SOURCE);
+    bench.rows.push(row.took(total));
+    let row = Row::note("B1", variant, "largest departure from the mean", spread);
+    bench.rows.push(row.at_most(0.02, "design requirement: ±2 %").took(total));
+    Ok(())
+}
+
+/// Bearing capacity factor with both edges moved outwards by `place` cells, and the seconds it took.
+fn bearing(bench: &mut Bench, variant: &str, cells: u32, place: f64) -> Result<(f64, f64), VerifyError> {
+    let cell = WIDTH / f64::from(cells);
+    let width = WIDTH + 2.0 * place * cell;
+    let overrides = [format!("grid.cell={} m", cell), format!("body.footing.size=['{width} m', '0.5 m']")];
+    let simulation = bench.run("B1", variant, CASE, &overrides)?;
+    let slab = simulation.case.domain.high.y - simulation.case.domain.low.y;
+    let range = [0.03 * WIDTH, 0.06 * WIDTH];
+    let force = mean(&simulation.history.bodies[0], range, |s| s.sinkage, |s| s.vertical);
+    Ok((force / (width * slab * STRENGTH), simulation.wall_s))
+}

@@ -1,0 +1,120 @@
+//! The verification suite: benchmarks with a known answer, run, read and compared.
+//!
+//! A benchmark is a file here and a folder in `validation/` that explains it. It runs on a [`bench::Bench`] and leaves
+//! [`row::Row`]s there. Benchmarks that a case file can describe are run from one, through the door that users have.
+
+pub mod bench;
+mod column;
+mod disc;
+pub mod document;
+mod footing;
+pub mod known;
+mod ledger;
+mod repeat;
+pub mod row;
+pub mod table;
+mod wall;
+
+use bench::{Bench, VerifyError, Wish};
+use row::Row;
+use std::time::Instant;
+
+/// One benchmark.
+pub struct Benchmark {
+    /// As in the design's list.
+    pub id: &'static str,
+    /// What it is, in a few words.
+    pub title: &'static str,
+    /// A few sentences for the documentation.
+    pub about: &'static str,
+    /// Its folder in `validation/`, if it has one.
+    pub folder: Option<&'static str>,
+    work: Work,
+}
+
+/// How a benchmark comes to its rows.
+enum Work {
+    /// By running something.
+    Run(fn(&mut Bench) -> Result<(), VerifyError>),
+    /// From the ledgers of all runs.
+    Ledgers(fn(&mut Bench)),
+}
+
+impl std::fmt::Debug for Benchmark {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} {}", self.id, self.title)
+    }
+}
+
+const fn run(
+    id: &'static str,
+    title: &'static str,
+    folder: &'static str,
+    about: &'static str,
+    work: fn(&mut Bench) -> Result<(), VerifyError>,
+) -> Benchmark {
+    Benchmark { id, title, about, folder: Some(folder), work: Work::Run(work) }
+}
+
+const fn ledgers(
+    id: &'static str,
+    title: &'static str,
+    about: &'static str,
+    work: fn(&mut Bench),
+) -> Benchmark {
+    Benchmark { id, title, about, folder: None, work: Work::Ledgers(work) }
+}
+
+/// All benchmarks, by id.
+pub const BENCHMARKS: &[Benchmark] = &[
+    run("A8", "Repeatability and mirror image", "A8_repeatability", repeat::ABOUT, repeat::run),
+    ledgers("A9", "Energy ledger", ledger::ABOUT_ENERGY, ledger::energy),
+    run("B1", "Smooth strip footing, Tresca", "B1_strip_footing", footing::ABOUT, footing::run),
+    run("B5", "Smooth passive wall", "B5_passive_wall", wall::ABOUT, wall::run),
+    run("C1", "Collapse of a column of sand", "C1_column_collapse", column::ABOUT, column::run),
+    ledgers("C3", "Soil volume", ledger::ABOUT_VOLUME, ledger::volume),
+    ledgers("C4", "Soil inside the bodies", ledger::ABOUT_LEAK, ledger::leak),
+    run("D3", "Free disc, towed", "D3_towed_disc", disc::ABOUT, disc::run),
+];
+
+/// What the suite found.
+#[derive(Debug, Default)]
+pub struct Findings {
+    /// The rows, by id.
+    pub rows: Vec<Row>,
+    /// Benchmarks that gave no figures, and why.
+    pub broken: Vec<(&'static str, String)>,
+}
+
+/// Runs the benchmarks with these ids (all if there are none); `tell` hears how it goes.
+pub fn verify(ids: &[&'static str], wish: &Wish, tell: &mut dyn FnMut(&str)) -> Findings {
+    let is_wanted = |b: &Benchmark| ids.is_empty() || ids.contains(&b.id);
+    let needs_all = BENCHMARKS.iter().any(|b| is_wanted(b) && matches!(b.work, Work::Ledgers(_)));
+    let mut bench = Bench::new(wish, tell);
+    let mut broken = Vec::new();
+    for benchmark in BENCHMARKS.iter().filter(|b| needs_all || is_wanted(b)) {
+        let Work::Run(work) = benchmark.work else { continue };
+        let clock = Instant::now();
+        bench.tell(&format!("{} {} …", benchmark.id, benchmark.title));
+        if let Err(error) = work(&mut bench) {
+            bench.tell(&format!("{}: broke down: {error}", benchmark.id));
+            broken.push((benchmark.id, error.to_string()));
+        }
+        bench.tell(&format!("{}: {:.1} s", benchmark.id, clock.elapsed().as_secs_f64()));
+    }
+    for benchmark in BENCHMARKS.iter().filter(|b| is_wanted(b)) {
+        if let Work::Ledgers(work) = benchmark.work {
+            work(&mut bench);
+        }
+    }
+    let mut rows = bench.rows;
+    rows.retain(|row| ids.is_empty() || ids.contains(&row.id));
+    rows.sort_by_key(|row| row.id);
+    Findings { rows, broken }
+}
+
+/// The id of a benchmark as typed, in either case.
+#[must_use]
+pub fn find(typed: &str) -> Option<&'static str> {
+    BENCHMARKS.iter().map(|b| b.id).find(|id| id.eq_ignore_ascii_case(typed))
+}

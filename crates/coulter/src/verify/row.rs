@@ -1,0 +1,193 @@
+//! One line of the verification table: what was expected, what came out, and whether that is near enough.
+
+use serde::{Serialize, Serializer};
+
+/// What a benchmark expects.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Expected {
+    /// This value.
+    Value(f64),
+    /// At least this value.
+    AtLeast(f64),
+    /// Something from the first to the second value.
+    Between(f64, f64),
+    /// Nothing is published: the figure is for information.
+    Nothing,
+}
+
+/// How far a figure may be off.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Tolerance {
+    /// This share of the expected value (of the nearer end of a range).
+    Relative(f64),
+    /// This much, in the unit of the quantity.
+    Absolute(f64),
+    /// No judgement is made.
+    None,
+}
+
+/// One line of the table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// Benchmark, as in the design's list: "B1".
+    pub id: &'static str,
+    /// Which variant: "B/h = 16".
+    pub case: String,
+    /// What was measured, with its unit.
+    pub quantity: String,
+    /// What it should be.
+    pub expected: Expected,
+    /// What it is.
+    pub obtained: f64,
+    /// How far it may be off.
+    pub tolerance: Tolerance,
+    /// Where the expectation comes from.
+    pub source: &'static str,
+    /// Wall clock of the runs behind it [s].
+    pub seconds: f64,
+}
+
+impl Row {
+    /// A figure for information.
+    #[must_use]
+    pub fn note(id: &'static str, case: impl Into<String>, quantity: &str, obtained: f64) -> Self {
+        Self {
+            id,
+            case: case.into(),
+            quantity: quantity.to_owned(),
+            expected: Expected::Nothing,
+            obtained,
+            tolerance: Tolerance::None,
+            source: "",
+            seconds: 0.0,
+        }
+    }
+
+    /// The same figure, expected to be `value` within a share of it.
+    #[must_use]
+    pub fn within(self, value: f64, share: f64, source: &'static str) -> Self {
+        Self { expected: Expected::Value(value), tolerance: Tolerance::Relative(share), source, ..self }
+    }
+
+    /// The same figure, expected to be 0 but for `limit`.
+    #[must_use]
+    pub fn at_most(self, limit: f64, source: &'static str) -> Self {
+        Self { expected: Expected::Value(0.0), tolerance: Tolerance::Absolute(limit), source, ..self }
+    }
+
+    /// The same figure, expected to be at least `value`.
+    #[must_use]
+    pub fn at_least(self, value: f64, source: &'static str) -> Self {
+        Self { expected: Expected::AtLeast(value), tolerance: Tolerance::Absolute(0.0), source, ..self }
+    }
+
+    /// The same figure, expected to lie between two values, give or take a share of them.
+    #[must_use]
+    pub fn between(self, low: f64, high: f64, share: f64, source: &'static str) -> Self {
+        Self { expected: Expected::Between(low, high), tolerance: Tolerance::Relative(share), source, ..self }
+    }
+
+    /// The same figure beside what somebody else got; no judgement.
+    #[must_use]
+    pub fn beside(self, low: f64, high: f64, source: &'static str) -> Self {
+        Self { expected: Expected::Between(low, high), tolerance: Tolerance::None, source, ..self }
+    }
+
+    /// The same figure with the wall clock of the runs behind it [s].
+    #[must_use]
+    pub fn took(self, seconds: f64) -> Self {
+        Self { seconds, ..self }
+    }
+
+    /// How far off the figure is: a share of the expected value where the tolerance is one, else in the quantity's unit.
+    #[must_use]
+    pub fn error(&self) -> Option<f64> {
+        let (off, scale) = match self.expected {
+            Expected::Value(value) => (self.obtained - value, value),
+            Expected::AtLeast(value) => ((self.obtained - value).min(0.0), value),
+            Expected::Between(low, _) if self.obtained < low => (self.obtained - low, low),
+            Expected::Between(_, high) if self.obtained > high => (self.obtained - high, high),
+            Expected::Between(..) if self.obtained.is_nan() => (f64::NAN, 1.0),
+            Expected::Between(..) => (0.0, 1.0),
+            Expected::Nothing => return None,
+        };
+        let is_absolute = matches!(self.tolerance, Tolerance::Absolute(_));
+        Some(if is_absolute || scale == 0.0 { off } else { off / scale.abs() })
+    }
+
+    /// Whether it is near enough; `None` for a figure that is only told.
+    #[must_use]
+    pub fn passes(&self) -> Option<bool> {
+        let (Tolerance::Relative(limit) | Tolerance::Absolute(limit)) = self.tolerance else { return None };
+        self.error().map(|error| error.abs() <= limit)
+    }
+}
+
+/// What `coulter verify --json` prints of a row.
+#[derive(Serialize)]
+struct Plain<'a> {
+    id: &'a str,
+    case: &'a str,
+    quantity: &'a str,
+    expected: serde_json::Value,
+    obtained: Option<f64>,
+    error: Option<f64>,
+    tolerance: Option<f64>,
+    pass: Option<bool>,
+    source: &'a str,
+    seconds: f64,
+}
+
+impl Serialize for Row {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let finite = |value: f64| value.is_finite().then_some(value);
+        let plain = Plain {
+            id: self.id,
+            case: &self.case,
+            quantity: &self.quantity,
+            expected: match self.expected {
+                Expected::Value(value) | Expected::AtLeast(value) => value.into(),
+                Expected::Between(low, high) => vec![low, high].into(),
+                Expected::Nothing => serde_json::Value::Null,
+            },
+            obtained: finite(self.obtained),
+            error: self.error().and_then(finite),
+            tolerance: match self.tolerance {
+                Tolerance::Relative(limit) | Tolerance::Absolute(limit) => Some(limit),
+                Tolerance::None => None,
+            },
+            pass: self.passes(),
+            source: self.source,
+            seconds: self.seconds,
+        };
+        plain.serialize(serializer)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(obtained: f64) -> Row {
+        Row::note("X1", "case", "quantity", obtained)
+    }
+
+    #[test]
+    fn a_figure_passes_within_its_tolerance_only() {
+        assert_eq!(row(5.2).within(5.0, 0.05, "").passes(), Some(true));
+        assert_eq!(row(4.7).within(5.0, 0.05, "").passes(), Some(false));
+        assert_eq!(row(-2e-12).at_most(1e-12, "").passes(), Some(false));
+        assert_eq!(row(1.6).at_least(1.5, "").passes(), Some(true));
+        assert_eq!(row(1.4).at_least(1.5, "").passes(), Some(false));
+        assert_eq!(row(1.1).between(1.2, 1.8, 0.1, "").passes(), Some(true));
+        assert_eq!(row(2.1).between(1.2, 1.8, 0.1, "").passes(), Some(false));
+        assert_eq!(row(2.1).passes(), None);
+    }
+
+    #[test]
+    fn what_is_not_a_number_never_passes() {
+        assert_eq!(row(f64::NAN).within(5.0, 0.05, "").passes(), Some(false));
+        assert_eq!(row(f64::NAN).at_least(5.0, "").passes(), Some(false));
+        assert_eq!(row(f64::NAN).between(1.0, 2.0, 0.1, "").passes(), Some(false));
+    }
+}
