@@ -33,8 +33,11 @@ fn rotation_coefficient(face: &Face) -> Answer<f64> {
 /// # Errors
 /// If the fan would be negative or the angles are not physical.
 pub fn eurocode(face: &Face) -> Answer<f64> {
-    let tilt = face.surface - FRAC_PI_2;
-    Ok(rotation_coefficient(face)? * face.backfill.cos() * (face.backfill - tilt).cos())
+    let overburden = face.backfill.cos() * (face.backfill - (face.surface - FRAC_PI_2)).cos();
+    if overburden < 1e-12 {
+        return none("the EN 1997-1 coefficient", "no soil lies above a face that is flatter than the ground before it");
+    }
+    Ok(rotation_coefficient(face)? * overburden)
 }
 
 /// EN 1997-1 Annex C's normal coefficient of a uniform vertical surcharge on the slope, K_q = K_n cos²β.

@@ -101,7 +101,7 @@ impl Field {
     fn face_stress(&self) -> Option<f64> {
         let miss = |log_s: f64| self.shoot(log_s.exp()).angle - self.edge;
         // The landing falls as s grows on the physical branch; beyond the first crossing another branch begins.
-        let (step, mut low) = (0.1, self.guess.ln() - 1.2);
+        let (step, mut low) = (0.3, self.guess.ln() - 1.2);
         let mut at_low = miss(low);
         for _ in 0..8 {
             if at_low > 0.0 {
@@ -113,11 +113,11 @@ impl Field {
         if !(at_low > 0.0) {
             return None;
         }
-        for _ in 0..60 {
+        for _ in 0..30 {
             let high = low + step;
             let at_high = miss(high);
             if at_high <= 0.0 {
-                return root(low, high, 1e-10, miss).map(f64::exp);
+                return root(low, high, 1e-9, miss).map(f64::exp);
             }
             low = high;
         }
@@ -134,7 +134,7 @@ impl Field {
                 break;
             }
             let (next, error) = runge_kutta(&y, step, |y| self.slope(y));
-            let scale = error / 1e-9;
+            let scale = error / 1e-8;
             if scale <= 1.0 {
                 y = next;
             }
