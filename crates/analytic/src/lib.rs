@@ -4,8 +4,13 @@
 //! SI units and radians throughout; drag is positive when it resists the tow, vertical force positive when the soil
 //! pushes the body up, sinkage positive downwards. A request outside a formula's range is refused, never clamped.
 
+pub mod bearing;
 pub mod earth_pressure;
 pub mod error;
+pub mod disc;
 mod numeric;
+mod soil;
+pub mod wheel;
 
 pub use error::{Answer, Refusal};
+pub use soil::Soil;
