@@ -7,8 +7,11 @@
 pub mod bearing;
 pub mod earth_pressure;
 pub mod error;
+pub mod cutting;
 pub mod disc;
+pub mod exact;
 mod numeric;
+pub mod resistive;
 mod soil;
 pub mod wheel;
 
