@@ -10,10 +10,13 @@ pub mod error;
 pub mod cutting;
 pub mod disc;
 pub mod exact;
+pub mod forecast;
 mod numeric;
 pub mod resistive;
 mod soil;
+pub mod uncertainty;
 pub mod wheel;
 
 pub use error::{Answer, Refusal};
+pub use forecast::{Forecast, Load, Towing, forecast};
 pub use soil::Soil;

@@ -33,12 +33,25 @@ pub enum Equilibrium {
 /// # Errors
 /// If an input is out of range or the model has no answer anywhere.
 pub fn equilibrium(model: Model, setting: &Setting<'_>, weight: f64) -> Answer<Equilibrium> {
+    equilibrium_of(&setting.disc, weight, |z| disc_forces(model, setting, z))
+}
+
+/// [`equilibrium`] of anything whose forces are known at every sinkage [m], such as an assembly of discs.
+///
+/// # Errors
+/// If the weight [N] is not positive, or `forces` has no answer at a tenth of the diameter.
+pub fn equilibrium_of(
+    disc: &Disc,
+    weight: f64,
+    forces: impl Fn(f64) -> Answer<DiscForces>,
+) -> Answer<Equilibrium> {
     positive("weight [N]", weight)?;
+    disc.check()?;
     // An answer at some depth is asked for first, so that a bad input is refused with its own reason.
-    disc_forces(model, setting, 0.1 * setting.disc.diameter)?;
-    let vertical = |z: f64| disc_forces(model, setting, z).map_or(f64::NAN, |forces| forces.vertical);
-    match first_depth(&setting.disc, weight, vertical) {
-        Ok(sinkage) => Ok(Equilibrium::At { sinkage, forces: disc_forces(model, setting, sinkage)? }),
+    forces(0.1 * disc.diameter)?;
+    let vertical = |z: f64| forces(z).map_or(f64::NAN, |found| found.vertical);
+    match first_depth(disc, weight, vertical) {
+        Ok(sinkage) => Ok(Equilibrium::At { sinkage, forces: forces(sinkage)? }),
         Err((largest_weight, sinkage)) => Ok(Equilibrium::None { largest_weight, sinkage }),
     }
 }

@@ -70,6 +70,20 @@ pub fn bekker_towed(soil: &PressureSinkage, disc: &Disc, weight: f64) -> Answer<
     Ok(Rolling { resistance: finite("the rolling resistance", resistance)?, sinkage })
 }
 
+/// The same at a given sinkage z [m]: the resistance, and the weight W = (3−n)/3 (k_c + b k_φ) √d z^{n+½} [N] it carries.
+///
+/// # Errors
+/// If an input is out of range.
+pub fn bekker_at_depth(soil: &PressureSinkage, disc: &Disc, sinkage: f64) -> Answer<(Rolling, f64)> {
+    soil.check()?;
+    disc.check()?;
+    let z = within("Bekker's sinkage [m]", sinkage, 0.0, 0.5 * disc.diameter)?;
+    let (n, modulus) = (soil.exponent, soil.cohesive + disc.thickness * soil.frictional);
+    let resistance = finite("the rolling resistance", modulus * z.powf(n + 1.0) / (n + 1.0))?;
+    let weight = finite("the weight", (3.0 - n) / 3.0 * modulus * disc.diameter.sqrt() * z.powf(n + 0.5))?;
+    Ok((Rolling { resistance, sinkage: z }, weight))
+}
+
 /// Shear stress after a slide of j [m] under the normal pressure σ [Pa]: (c + σ tan φ)(1 − e^{−j/K}) [Pa].
 ///
 /// Source: Janosi & Hanamoto (1961). For soil without a peak; j ≥ 0, a negative slide is taken by its size.

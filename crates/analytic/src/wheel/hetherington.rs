@@ -3,7 +3,7 @@
 use super::Rolling;
 use crate::bearing::surcharge_factor;
 use crate::disc::Disc;
-use crate::error::{Answer, finite, positive};
+use crate::error::{Answer, finite, positive, within};
 
 /// Prefactor of the shallow arc, ½ (3/2)^{4/3}: F_H = 0.858 (W⁴/(γ N_q t d²))^{1/3}.
 pub const ARC_PREFACTOR: f64 = 0.858_536_9;
@@ -25,6 +25,22 @@ pub fn hetherington_littleton(friction_angle: f64, unit_weight: f64, disc: &Disc
         resistance: finite("the rolling resistance", resistance)?,
         sinkage: finite("the sinkage", sinkage)?,
     })
+}
+
+/// The same at a given sinkage z [m]: R = W √(z/d), and the weight W = ½ γ N_q b √d z^{3/2} [N] that it carries.
+///
+/// # Errors
+/// If an input is out of range (0 < z ≤ d/2).
+pub fn hetherington_littleton_at_depth(
+    friction_angle: f64,
+    unit_weight: f64,
+    disc: &Disc,
+    sinkage: f64,
+) -> Answer<(Rolling, f64)> {
+    let (stiffness, _) = stiffness(friction_angle, unit_weight, disc, 1.0)?;
+    let z = within("sinkage [m]", sinkage, 0.0, 0.5 * disc.diameter)?;
+    let weight = finite("the weight", 0.5 * stiffness * disc.diameter.sqrt() * z.powf(1.5))?;
+    Ok((Rolling { resistance: weight * (z / disc.diameter).sqrt(), sinkage: z }, weight))
 }
 
 /// The same without the chord: the surcharge pressure integrated along a shallow arc.

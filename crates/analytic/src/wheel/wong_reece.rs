@@ -62,6 +62,21 @@ pub fn wong_reece_towed(soil: &PressureSinkage, disc: &Disc, weight: f64) -> Ans
     Ok(WheelState { drag, vertical, sinkage, entry_angle, transition_angle, slip })
 }
 
+/// The same at a given sinkage [m]; the load is what the soil then carries.
+///
+/// # Errors
+/// As [`wong_reece_towed`].
+pub fn wong_reece_at_depth(soil: &PressureSinkage, disc: &Disc, sinkage: f64) -> Answer<WheelState> {
+    soil.check()?;
+    let entry_angle = disc.contact(sinkage, 0.0)?.angle;
+    let Some(slip) = skid(|slip| sums(soil, disc, entry_angle, slip).torque) else {
+        return none("the wheel of Wong and Reece", "no skid leaves it without torque at this sinkage");
+    };
+    let Sums { drag, vertical, .. } = sums(soil, disc, entry_angle, slip);
+    let transition_angle = transition_from_slip(slip, soil.friction_angle, entry_angle);
+    Ok(WheelState { drag, vertical, sinkage, entry_angle, transition_angle, slip })
+}
+
 /// The least skid without torque: rolling, the front brakes the wheel; skidding, the bottom turns it.
 fn skid(torque: impl Fn(f64) -> f64) -> Option<f64> {
     let steps = (0..=30).map(|n| -0.002 - 0.02 * f64::from(n));
