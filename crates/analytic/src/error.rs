@@ -35,7 +35,10 @@ pub type Answer<T> = Result<T, Refusal>;
 /// The ends are let out by a hair (1e-9), so that 50 degrees converted to radians is still 50 degrees.
 pub fn within(what: &'static str, value: f64, low: f64, high: f64) -> Answer<f64> {
     let hair = 1e-9;
-    if value.is_finite() && value >= low - hair * low.abs().min(1.0) && value <= high + hair * high.abs().min(1.0) {
+    if value.is_finite()
+        && value >= low - hair * low.abs().min(1.0)
+        && value <= high + hair * high.abs().min(1.0)
+    {
         Ok(value)
     } else {
         Err(Refusal::OutOfRange { what, value, low, high })

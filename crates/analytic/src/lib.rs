@@ -5,10 +5,10 @@
 //! pushes the body up, sinkage positive downwards. A request outside a formula's range is refused, never clamped.
 
 pub mod bearing;
-pub mod earth_pressure;
-pub mod error;
 pub mod cutting;
 pub mod disc;
+pub mod earth_pressure;
+pub mod error;
 pub mod exact;
 pub mod forecast;
 mod numeric;

@@ -47,7 +47,7 @@ pub(crate) fn root(mut a: f64, mut b: f64, tolerance: f64, mut f: impl FnMut(f64
     if fb == 0.0 {
         return Some(b);
     }
-    if !(fa * fb < 0.0) {
+    if fa.is_nan() || fb.is_nan() || fa.signum() == fb.signum() {
         return None;
     }
     for step in 0..200 {

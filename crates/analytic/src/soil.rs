@@ -24,7 +24,8 @@ impl Soil {
     /// # Errors
     /// Unless 10° ≤ φ ≤ 50°, −φ ≤ ψ ≤ φ, c ≥ 0, γ > 0 and 0 ≤ μ ≤ 2.
     pub fn check(&self) -> Answer<()> {
-        let phi = within("friction angle [rad]", self.friction_angle, 10_f64.to_radians(), 50_f64.to_radians())?;
+        let phi =
+            within("friction angle [rad]", self.friction_angle, 10_f64.to_radians(), 50_f64.to_radians())?;
         within("dilation angle [rad]", self.dilation_angle, -phi, phi)?;
         not_negative("cohesion [Pa]", self.cohesion)?;
         positive("unit weight [N/m^3]", self.unit_weight)?;

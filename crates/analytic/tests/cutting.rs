@@ -20,7 +20,10 @@ fn end_effects_match_the_table() {
     let m = field.rupture_ratio;
     let plane = mckyes_ali_factors(phi, delta, FRAC_PI_2, 1e9).unwrap().weight;
     assert!((2.0 * plane - 9.96).abs() < 0.01, "{plane}");
-    assert!((2.0 * plane / coulomb_total(&Face::degrees(35.0, 70.0 / 3.0, 90.0, 0.0)).unwrap() - 1.0).abs() < 1e-6);
+    assert!(
+        (2.0 * plane / coulomb_total(&Face::degrees(35.0, 70.0 / 3.0, 90.0, 0.0)).unwrap() - 1.0).abs()
+            < 1e-6
+    );
     // K_a of the same wall, exact to the printed digits of R: 0.244 (Coulomb, active).
     let excess = field.coefficient / delta.cos() - 0.244;
     for (width, row) in rows {

@@ -69,6 +69,7 @@ fn vertical_walls_match_the_table() {
 
 const NONE: f64 = f64::NAN;
 /// α [deg], K_n for δ/φ = −⅔, −⅓, 0, ⅓, ⅔, 0.9, then r_f/L for −⅔, 0, ⅔; NaN where no continuous field exists.
+#[allow(clippy::approx_constant)] // 6.28 is a coefficient here.
 const DISC_30: [[f64; 10]; 13] = [
     [5., 2.89, 7.14, 13.95, 23.04, 32.92, 38.70, 0.68, 1.87, 2.93],
     [10., 2.85, 6.68, 12.73, 20.78, 29.54, 34.68, 0.71, 1.86, 2.90],
@@ -122,12 +123,19 @@ fn check(face: &Face, coefficient: f64, reach: Option<f64>) -> f64 {
         assert!(found.is_err(), "{face:?} should have no field");
         return 0.0;
     }
-    let found = found.unwrap();
+    let found = found.expect("a field");
     if let Some(reach) = reach {
-        assert!((found.rupture_ratio - reach).abs() < 0.0052, "{face:?}: {} for {reach}", found.rupture_ratio);
+        assert!(
+            (found.rupture_ratio - reach).abs() < 0.0052,
+            "{face:?}: {} for {reach}",
+            found.rupture_ratio
+        );
     }
     let digits = if coefficient < 10.0 { 3 } else { 4 };
-    assert!((found.coefficient - coefficient).abs() <= 1.02 * printed(coefficient, digits), "{face:?}: {found:?} for {coefficient}");
+    assert!(
+        (found.coefficient - coefficient).abs() <= 1.02 * printed(coefficient, digits),
+        "{face:?}: {found:?} for {coefficient}"
+    );
     (found.coefficient / coefficient - 1.0).abs()
 }
 

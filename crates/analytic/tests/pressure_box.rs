@@ -1,7 +1,8 @@
 //! The exact coefficient over the whole box it claims: found wherever the field exists, smooth, bounded, fast.
 
 use analytic::earth_pressure::{
-    Face, PressureTable, TableRange, compare, coulomb, eurocode, log_spiral, sokolovskii, surcharge_coefficient,
+    Face, PressureTable, TableRange, compare, coulomb, eurocode, log_spiral, sokolovskii,
+    surcharge_coefficient,
 };
 use proptest::prelude::*;
 use std::time::Instant;
@@ -104,7 +105,9 @@ fn the_comparison_gives_a_reason_for_every_gap() {
     let all = compare(&Face::degrees(33.0, 10.0, 70.0, 5.0));
     assert!(all.rankine.is_err() && all.lancellotta.is_err());
     let (exact, bound) = (all.sokolovskii.unwrap(), all.log_spiral.unwrap());
-    assert!(exact.coefficient < bound && all.coulomb.unwrap() > bound && all.en1997.unwrap() < exact.coefficient);
+    assert!(
+        exact.coefficient < bound && all.coulomb.unwrap() > bound && all.en1997.unwrap() < exact.coefficient
+    );
     let disc = compare(&Face::degrees(33.0, 10.0, 25.0, 0.0));
     assert!(disc.coulomb.unwrap_err().to_string().contains("overhanging"));
     for (phi, delta) in [(5.0, 0.0), (30.0, -30.0), (55.0, 0.0)] {

@@ -65,7 +65,11 @@ fn the_cmu_wheel_skids_a_little() {
     let wheel = Disc { diameter: 0.116, thickness: 0.05 };
     let law = SpatialLaw::new(29_f64.to_radians(), 13.03e3, 0.4).unwrap();
     let free = under_weight(&law, &wheel, 24.0, Drive::Free).unwrap();
-    assert!((free.drag - 8.1).abs() < 0.05 && (free.sinkage / 0.116 - 0.162).abs() < 1e-3 && (free.slip + 0.08).abs() < 5e-3);
+    assert!(
+        (free.drag - 8.1).abs() < 0.05
+            && (free.sinkage / 0.116 - 0.162).abs() < 1e-3
+            && (free.slip + 0.08).abs() < 5e-3
+    );
     let locked = under_weight(&law, &wheel, 19.5, Drive::Locked).unwrap();
     assert!((locked.drag - 18.5).abs() < 0.05 && (locked.sinkage - 0.0336).abs() < 1e-4);
 }

@@ -91,7 +91,9 @@ fn hansen_vesic(phi: f64, slenderness: f64, depth: f64, load: f64) -> Answer<Cor
     let i_c = (i_q - (1.0 - i_q) / (n_q - 1.0)).max(0.0);
     Ok(Corrections {
         cohesion: (1.0 + n_q / n_c * slenderness) * (1.0 + 0.4 * k) * i_c,
-        surcharge: (1.0 + phi.tan() * slenderness) * (1.0 + 2.0 * phi.tan() * (1.0 - phi.sin()).powi(2) * k) * i_q,
+        surcharge: (1.0 + phi.tan() * slenderness)
+            * (1.0 + 2.0 * phi.tan() * (1.0 - phi.sin()).powi(2) * k)
+            * i_q,
         weight: (1.0 - 0.4 * slenderness) * left.powf(m + 1.0),
     })
 }
@@ -102,7 +104,9 @@ fn lyamin(phi: f64, slenderness: f64, depth: f64, load: f64) -> Corrections {
     // The fits are singular at no embedment; below D/B = 0.01 the surcharge itself is nothing.
     let depth = depth.max(0.01);
     let s_q = 1.0
-        + (0.098 * degrees - 1.64) * depth.powf(0.7 - 0.01 * degrees) * slenderness.powf((1.0 - 0.16 * depth).max(0.0));
+        + (0.098 * degrees - 1.64)
+            * depth.powf(0.7 - 0.01 * degrees)
+            * slenderness.powf((1.0 - 0.16 * depth).max(0.0));
     let d_q = 1.0 + (0.0044 * degrees + 0.356) * depth.powf(-0.28);
     let n_q = (std::f64::consts::PI * phi.tan()).exp() * (FRAC_PI_4 + 0.5 * phi).tan().powi(2);
     let shared = s_q * d_q;

@@ -30,7 +30,8 @@ mod tests {
         ];
         for (phi, row) in table {
             for (psi, expected) in [0., 5., 10.].into_iter().zip(row) {
-                let found = davis_friction_angle(f64::to_radians(phi), f64::to_radians(psi)).unwrap().to_degrees();
+                let found =
+                    davis_friction_angle(f64::to_radians(phi), f64::to_radians(psi)).unwrap().to_degrees();
                 assert!((found - expected).abs() < 0.06, "φ={phi} ψ={psi}: {found} for {expected}");
             }
             let same = davis_friction_angle(f64::to_radians(phi), f64::to_radians(phi)).unwrap().to_degrees();

@@ -8,7 +8,7 @@ mod flow;
 
 pub use corrections::{Corrections, Footing, Method, corrections};
 pub use factors::{
-    cohesion_factor, surcharge_factor, weight_factor_exact_smooth, weight_factor_hansen, weight_factor_lyamin,
-    weight_factor_martin_rough, weight_factor_meyerhof, weight_factor_vesic,
+    cohesion_factor, surcharge_factor, weight_factor_exact_smooth, weight_factor_hansen,
+    weight_factor_lyamin, weight_factor_martin_rough, weight_factor_meyerhof, weight_factor_vesic,
 };
 pub use flow::davis_friction_angle;

@@ -20,7 +20,8 @@ pub fn hansen_end_factor(
     let excess = not_negative("coefficient excess", coefficient_excess)?;
     let (b, h) = (positive("slab width [m]", width)?, positive("slab height [m]", height)?);
     let buried = 1.0 - h / (not_negative("depth of the top [m]", top_depth)? + h);
-    let alone = if spacing.is_infinite() { 0.0 } else { b / within("slab spacing [m]", spacing, b, f64::MAX)? };
+    let alone =
+        if spacing.is_infinite() { 0.0 } else { b / within("slab spacing [m]", spacing, b, f64::MAX)? };
     let apart = 1.0 - alone * alone;
     let ratio = b / h;
     let sum = 1.1 * buried.powi(4)

@@ -40,7 +40,8 @@ pub fn mckyes_ali_factors(phi: f64, delta: f64, rake: f64, width_over_depth: f64
     }
     let step = (highest - low) / f64::from(steps);
     let walk = (0..=steps).map(|n| low + step * f64::from(n));
-    let best = walk.fold((low, f64::INFINITY), |best, b| if weight(b) < best.1 { (b, weight(b)) } else { best });
+    let best =
+        walk.fold((low, f64::INFINITY), |best, b| if weight(b) < best.1 { (b, weight(b)) } else { best });
     let (b, _) = minimum((best.0 - step).max(low), (best.0 + step).min(highest), 45, weight);
     match factors(phi, delta, rake, width_over_depth, b) {
         Some(found) => Ok(found),
@@ -77,9 +78,14 @@ pub fn mckyes_ali(soil: &Soil, blade: &Blade) -> Answer<CuttingForce> {
     blade.check()?;
     let (delta, d) = (wall_friction(soil), blade.depth);
     let n = mckyes_ali_factors(soil.friction_angle, delta, blade.rake, blade.width / d)?;
-    let pressure = soil.unit_weight * d * n.weight + soil.cohesion * n.cohesion + blade.surcharge * n.surcharge;
+    let pressure =
+        soil.unit_weight * d * n.weight + soil.cohesion * n.cohesion + blade.surcharge * n.surcharge;
     let thrust = pressure * d * blade.width;
     let angle = blade.rake + delta;
     // The soil pushes back along −P: a raked blade is drawn down, a steep rough one is pushed up.
-    Ok(CuttingForce { drag: thrust * angle.sin(), vertical: -thrust * angle.cos(), reach: n.rupture_ratio * d })
+    Ok(CuttingForce {
+        drag: thrust * angle.sin(),
+        vertical: -thrust * angle.cos(),
+        reach: n.rupture_ratio * d,
+    })
 }

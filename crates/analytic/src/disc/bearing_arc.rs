@@ -2,8 +2,8 @@
 
 use super::{Contact, Disc, RimPressure};
 use crate::bearing::{
-    Footing, Method, cohesion_factor, corrections, surcharge_factor, weight_factor_hansen, weight_factor_lyamin,
-    weight_factor_meyerhof,
+    Footing, Method, cohesion_factor, corrections, surcharge_factor, weight_factor_hansen,
+    weight_factor_lyamin, weight_factor_meyerhof,
 };
 use crate::error::Answer;
 use crate::soil::Soil;

@@ -26,7 +26,9 @@ impl Drive {
     pub fn check(&self) -> Answer<()> {
         match *self {
             Self::Free | Self::Locked => Ok(()),
-            Self::Braked(torque) | Self::Driven(torque) => not_negative("axle torque [N m]", torque).map(|_| ()),
+            Self::Braked(torque) | Self::Driven(torque) => {
+                not_negative("axle torque [N m]", torque).map(|_| ())
+            }
             Self::Slip(slip) => within("slip", slip, -1.0, 2.0).map(|_| ()),
         }
     }

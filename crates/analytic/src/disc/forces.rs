@@ -108,7 +108,8 @@ pub fn disc_forces(model: Model, setting: &Setting<'_>, sinkage: f64) -> Answer<
     setting.soil.check()?;
     setting.drive.check()?;
     within("heap fraction", setting.heap_fraction, 0.0, 1.0)?;
-    let heap = heap_height(setting.heap_fraction, setting.disc.thickness, sinkage, setting.soil.friction_angle);
+    let heap =
+        heap_height(setting.heap_fraction, setting.disc.thickness, sinkage, setting.soil.friction_angle);
     let contact = setting.disc.contact(sinkage, heap)?;
     let pressure = |friction: f64| rim(model, setting, &contact, friction);
     let friction = mobilised(setting, &pressure)?;

@@ -45,7 +45,10 @@ impl Disc {
             + within("heap height [m]", heap, 0.0, self.diameter)?;
         let relative = depth / self.diameter;
         if !(relative > 0.0 && relative <= 0.95 + 1e-9) {
-            return none("the contact arc", "sinkage and heap together bury the disc deeper than 0.95 of its diameter");
+            return none(
+                "the contact arc",
+                "sinkage and heap together bury the disc deeper than 0.95 of its diameter",
+            );
         }
         let inclination = relative.sqrt().asin();
         Ok(Contact { depth, angle: 2.0 * inclination, chord: (depth * self.diameter).sqrt(), inclination })

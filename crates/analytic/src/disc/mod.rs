@@ -24,5 +24,5 @@ pub use geometry::{Contact, Disc};
 pub use heap::heap_height;
 pub use rim::{Reaction, RimPressure};
 pub use side_faces::{SideFaces, side_faces};
-pub use transition::{median_angle, rolling_split, transition_from_slip, slip_from_transition};
+pub use transition::{median_angle, rolling_split, slip_from_transition, transition_from_slip};
 pub use wedge::{Passive, end_factor, wedge};

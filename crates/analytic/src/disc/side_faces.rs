@@ -23,10 +23,17 @@ pub struct SideFaces {
 ///
 /// # Errors
 /// If the disc, the sinkage (0 < z ≤ 0.95 d), the lateral ratio (0 to 5) or the turning ratio (−1 to 3) is out of range.
-pub fn side_faces(soil: &Soil, disc: &Disc, sinkage: f64, turning_ratio: f64, lateral: f64) -> Answer<SideFaces> {
+pub fn side_faces(
+    soil: &Soil,
+    disc: &Disc,
+    sinkage: f64,
+    turning_ratio: f64,
+    lateral: f64,
+) -> Answer<SideFaces> {
     disc.contact(sinkage, 0.0)?;
     let turn = within("turning ratio", turning_ratio, -1.0, 3.0)? * 2.0 / disc.diameter;
-    let scale = 2.0 * soil.body_friction * within("lateral stress ratio", lateral, 0.0, 5.0)? * soil.unit_weight;
+    let scale =
+        2.0 * soil.body_friction * within("lateral stress ratio", lateral, 0.0, 5.0)? * soil.unit_weight;
     let radius = 0.5 * disc.diameter;
     let top = sinkage - radius;
     let mut sum = SideFaces { drag: 0.0, vertical: 0.0, torque: 0.0 };

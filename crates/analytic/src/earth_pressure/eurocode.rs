@@ -16,7 +16,10 @@ fn rotation_coefficient(face: &Face) -> Answer<f64> {
     let tilt = face.surface - FRAC_PI_2;
     let fan = ground + beta - wall - tilt;
     if fan < -1e-12 {
-        return none("the EN 1997-1 coefficient", "the stress field would need a discontinuity (δ < 0 on a steep face)");
+        return none(
+            "the EN 1997-1 coefficient",
+            "the stress field would need a discontinuity (δ < 0 on a steep face)",
+        );
     }
     let ratio = (1.0 + phi.sin() * (2.0 * wall + phi).sin()) / (1.0 - phi.sin() * (2.0 * ground + phi).sin());
     finite("the EN 1997-1 coefficient", ratio * (2.0 * fan * phi.tan()).exp())
@@ -35,7 +38,10 @@ fn rotation_coefficient(face: &Face) -> Answer<f64> {
 pub fn eurocode(face: &Face) -> Answer<f64> {
     let overburden = face.backfill.cos() * (face.backfill - (face.surface - FRAC_PI_2)).cos();
     if overburden < 1e-12 {
-        return none("the EN 1997-1 coefficient", "no soil lies above a face that is flatter than the ground before it");
+        return none(
+            "the EN 1997-1 coefficient",
+            "no soil lies above a face that is flatter than the ground before it",
+        );
     }
     Ok(rotation_coefficient(face)? * overburden)
 }

@@ -21,7 +21,10 @@ pub fn surcharge_coefficient(face: &Face) -> Answer<f64> {
     let (phi, sum) = (face.friction_angle, face.wall_friction + face.mobilisation());
     let fan = FRAC_PI_2 - face.surface + 0.5 * sum;
     if fan < -1e-12 {
-        return none("Lancellotta's coefficient", "the stress field would need a discontinuity (δ < 0 on a steep face)");
+        return none(
+            "Lancellotta's coefficient",
+            "the stress field would need a discontinuity (δ < 0 on a steep face)",
+        );
     }
     let ratio = (1.0 + phi.sin() * sum.cos()) / (1.0 - phi.sin());
     finite("Lancellotta's coefficient", ratio * (2.0 * fan * phi.tan()).exp())

@@ -47,10 +47,10 @@ fn valley((start, step, count): (f64, f64, u32), f: impl Fn(f64) -> f64) -> f64 
 
 /// The face, in units of its length, as the moment balance needs it.
 struct Block {
-    slope: f64,      // tan φ
-    toe: Vector,     // A
-    ground: Vector,  // unit vector from O along the ground
-    thrust: Vector,  // thrust of unit normal component on the soil
+    slope: f64,     // tan φ
+    toe: Vector,    // A
+    ground: Vector, // unit vector from O along the ground
+    thrust: Vector, // thrust of unit normal component on the soil
 }
 
 impl Block {

@@ -34,7 +34,10 @@ pub fn sokolovskii(face: &Face) -> Answer<PassiveField> {
     check(face)?;
     let field = Field::of(face);
     if field.fan() < -1e-9 {
-        return none(NAME, "the stress field would need a discontinuity (δ < 0 or falling ground before a steep face)");
+        return none(
+            NAME,
+            "the stress field would need a discontinuity (δ < 0 or falling ground before a steep face)",
+        );
     }
     let Some(stress) = field.face_stress() else {
         return none(NAME, "the shooting found no field that joins the ground surface");
@@ -56,13 +59,18 @@ fn check(face: &Face) -> Answer<()> {
     within("wall friction [rad]", face.wall_friction, -2.0 / 3.0 * phi, phi)?;
     within("surface inclination [rad]", face.surface, 0.0, FRAC_PI_2)?;
     let slope = phi - 0.05_f64.to_radians();
-    within("backfill [rad]", face.backfill, -(10_f64.to_radians().min(slope)), 25_f64.to_radians().min(slope))?;
+    within(
+        "backfill [rad]",
+        face.backfill,
+        -(10_f64.to_radians().min(slope)),
+        25_f64.to_radians().min(slope),
+    )?;
     Ok(())
 }
 
 /// The boundary-value problem of one face.
 struct Field {
-    k: f64,           // sin φ
+    k: f64, // sin φ
     phi: f64,
     face_angle: f64,  // χ of the face
     face_turn: f64,   // ψ at the face
@@ -110,7 +118,7 @@ impl Field {
             low -= 0.5;
             at_low = miss(low);
         }
-        if !(at_low > 0.0) {
+        if at_low.is_nan() || at_low <= 0.0 {
             return None;
         }
         for _ in 0..30 {

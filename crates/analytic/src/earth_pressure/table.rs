@@ -48,8 +48,12 @@ impl PressureTable {
                 let wall_friction = friction_angle * node(range.wall_friction_ratio, nodes[1], j);
                 for l in 0..nodes[2] {
                     let surface = node(range.surface, nodes[2], l);
-                    let field =
-                        sokolovskii(&Face { friction_angle, wall_friction, surface, backfill: range.backfill })?;
+                    let field = sokolovskii(&Face {
+                        friction_angle,
+                        wall_friction,
+                        surface,
+                        backfill: range.backfill,
+                    })?;
                     values.push([field.coefficient.ln(), field.rupture_ratio.ln()]);
                 }
             }
@@ -63,7 +67,12 @@ impl PressureTable {
     /// If the face lies outside the box of the table.
     pub fn field(&self, face: &Face) -> Answer<PassiveField> {
         let range = &self.range;
-        let phi = within("friction angle [rad]", face.friction_angle, range.friction_angle.0, range.friction_angle.1)?;
+        let phi = within(
+            "friction angle [rad]",
+            face.friction_angle,
+            range.friction_angle.0,
+            range.friction_angle.1,
+        )?;
         let bounds = range.wall_friction_ratio;
         let ratio = within("wall friction ratio", face.wall_friction / phi, bounds.0, bounds.1)?;
         let alpha = within("surface inclination [rad]", face.surface, range.surface.0, range.surface.1)?;

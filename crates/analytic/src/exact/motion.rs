@@ -27,10 +27,17 @@ pub fn slide_distance(gravity: f64, slope: f64, friction: f64, time: f64) -> Ans
 ///
 /// # Errors
 /// If a quantity is out of range.
-pub fn rolling_fall_acceleration(gravity: f64, slope: f64, inertia: f64, mass: f64, radius: f64) -> Answer<f64> {
+pub fn rolling_fall_acceleration(
+    gravity: f64,
+    slope: f64,
+    inertia: f64,
+    mass: f64,
+    radius: f64,
+) -> Answer<f64> {
     let sin = within("slope [rad]", slope, 0.0, FRAC_PI_2)?.sin();
     let arm = positive("mass [kg]", mass)? * positive("radius [m]", radius)?.powi(2);
-    Ok(not_negative("gravity [m/s^2]", gravity)? * sin / (1.0 + not_negative("inertia [kg m^2]", inertia)? / arm))
+    Ok(not_negative("gravity [m/s^2]", gravity)? * sin
+        / (1.0 + not_negative("inertia [kg m^2]", inertia)? / arm))
 }
 
 #[cfg(test)]

@@ -10,7 +10,9 @@ pub(super) fn recommend(towing: &Towing, models: &[ModelForecast]) -> String {
         Some(found) => leading(towing, found.mechanism),
         None => {
             let why = weaker.map_or("", |model| model.note.as_str());
-            format!("The plasticity models give no answer ({why}). Only the solver can say what happens here.")
+            format!(
+                "The plasticity models give no answer ({why}). Only the solver can say what happens here."
+            )
         }
     };
     for warning in warnings(towing) {
@@ -56,7 +58,9 @@ fn warnings(towing: &Towing) -> Vec<String> {
     }
     let groups = towing.soil.cohesion / (towing.soil.unit_weight * towing.disc.diameter);
     if groups > 0.006 {
-        warnings.push(format!("Cohesion matters: c/(γ d) = {groups:.3} raises the vertical force by more than 5 %."));
+        warnings.push(format!(
+            "Cohesion matters: c/(γ d) = {groups:.3} raises the vertical force by more than 5 %."
+        ));
     }
     if towing.heap_fraction > 0.0 {
         warnings.push("The heap is a hypothesis that has not been validated.".into());

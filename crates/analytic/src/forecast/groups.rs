@@ -58,7 +58,8 @@ impl Range {
         values.sort_by(f64::total_cmp);
         let (low, high) = (*values.first()?, *values.last()?);
         let half = values.len() / 2;
-        let middle = if values.len() % 2 == 1 { values[half] } else { 0.5 * (values[half - 1] + values[half]) };
+        let middle =
+            if values.len() % 2 == 1 { values[half] } else { 0.5 * (values[half - 1] + values[half]) };
         Some(Self { low, middle, high })
     }
 }

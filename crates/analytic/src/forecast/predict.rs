@@ -3,7 +3,8 @@
 use super::rivals;
 use super::{Candidate, Load, Towing};
 use crate::disc::{
-    DiscForces, Drive, Equilibrium, Mechanism, Model, Passive, Setting, assembly_forces, disc_forces, equilibrium_of,
+    DiscForces, Drive, Equilibrium, Mechanism, Model, Passive, Setting, assembly_forces, disc_forces,
+    equilibrium_of,
 };
 use crate::earth_pressure::{PressureTable, TableRange};
 use crate::error::{Answer, none};
@@ -131,7 +132,8 @@ fn prediction(forces: &DiscForces, sinkage: f64) -> Prediction {
 
 /// Marks the answers that exist but are not to be believed for this case.
 pub(super) fn set_apart(models: &mut [ModelForecast], towing: &Towing) {
-    let governing = models.iter().find(|m| m.model == Candidate::Weaker).and_then(|m| m.prediction?.mechanism);
+    let governing =
+        models.iter().find(|m| m.model == Candidate::Weaker).and_then(|m| m.prediction?.mechanism);
     let d = towing.disc;
     for model in models {
         let sinkage = model.prediction.and_then(|p| p.sinkage).unwrap_or(0.0);
@@ -143,13 +145,17 @@ pub(super) fn set_apart(models: &mut [ModelForecast], towing: &Towing) {
                 model.exclude("the soil escapes sideways instead, which takes less force (see BC)");
             }
             Candidate::PlaneStrain if d.thickness < 3.0 * (sinkage * d.diameter).sqrt() => {
-                model.exclude("narrower than three contact chords: the ends of the wedge carry much of the force");
+                model.exclude(
+                    "narrower than three contact chords: the ends of the wedge carry much of the force",
+                );
             }
             Candidate::HetheringtonLittleton if sinkage > 0.2 * d.diameter => {
                 model.exclude("made for shallow sinkage, up to about a fifth of the diameter");
             }
             Candidate::SpatialResistive | Candidate::PlanarResistive if sinkage > 1.5 * d.thickness => {
-                model.exclude("deeper than one and a half thicknesses: resistive force theory has no width term");
+                model.exclude(
+                    "deeper than one and a half thicknesses: resistive force theory has no width term",
+                );
             }
             _ => {}
         }

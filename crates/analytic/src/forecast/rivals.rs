@@ -5,8 +5,8 @@ use crate::disc::Drive;
 use crate::error::{Answer, none};
 use crate::resistive::{PlanarLaw, Rolled, SpatialLaw, Traction, at_depth, strength_scale, under_weight};
 use crate::wheel::{
-    Rolling, bekker_at_depth, bekker_towed, brixius_towed, hetherington_littleton, hetherington_littleton_at_depth,
-    wismer_luth_towed, wong_reece_at_depth, wong_reece_towed,
+    Rolling, bekker_at_depth, bekker_towed, brixius_towed, hetherington_littleton,
+    hetherington_littleton_at_depth, wismer_luth_towed, wong_reece_at_depth, wong_reece_towed,
 };
 
 /// Pressure over depth under a level plate in 3D-RFT, per unit of its stiffness ξ_n.
@@ -25,9 +25,10 @@ pub(super) fn predict(model: Candidate, towing: &Towing) -> Answer<Prediction> {
             resistive(&SpatialLaw::new(soil.friction_angle, soil.unit_weight, friction)?, towing)
         }
         Candidate::PlanarResistive => resistive(&PlanarLaw::new(plate_stiffness(towing)?)?, towing),
-        Candidate::McKyesAli | Candidate::GodwinSpoor => {
-            none(model.name(), "the front of a disc overhangs the soil (rake beyond 90°), where this blade model ends")
-        }
+        Candidate::McKyesAli | Candidate::GodwinSpoor => none(
+            model.name(),
+            "the front of a disc overhangs the soil (rake beyond 90°), where this blade model ends",
+        ),
         _ if towing.drive != Drive::Free => none(model.name(), "it is for a towed wheel that turns freely"),
         Candidate::HetheringtonLittleton => hetherington(towing),
         Candidate::Bekker => bekker(towing),

@@ -131,7 +131,8 @@ impl Towing {
                 case.soil.friction_angle = value;
                 // An associated soil stays associated, any other keeps its dilation.
                 let associated = self.soil.dilation_angle >= self.soil.friction_angle;
-                case.soil.dilation_angle = if associated { value } else { self.soil.dilation_angle.min(value) };
+                case.soil.dilation_angle =
+                    if associated { value } else { self.soil.dilation_angle.min(value) };
             }
             Parameter::DilationAngle => case.soil.dilation_angle = value,
             Parameter::Cohesion => case.soil.cohesion = value,

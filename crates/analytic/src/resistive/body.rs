@@ -65,13 +65,14 @@ pub fn load(law: &impl Traction, facets: &[Facet], motion: &Motion) -> Load {
 
 /// The part of a disc's rim within `reach` [rad] of its lowest point, as facets, axle along y.
 ///
-/// The pieces follow the Gauss points of each half, front and rear, so that few are needed. The flat faces move in
-/// their own plane and feel nothing in this theory.
+/// The pieces follow Gauss points in four panels of each half, front and rear, so that few are needed; the friction
+/// changes sign somewhere on the front. The flat faces move in their own plane and feel nothing in this theory.
 #[must_use]
 pub fn disc_facets(disc: &Disc, reach: f64) -> Vec<Facet> {
     let radius = 0.5 * disc.diameter;
     let reach = reach.clamp(0.0, 0.5 * TAU);
-    let angles = gauss_points(-reach, 0.0).chain(gauss_points(0.0, reach));
+    let panel = |n: i32| (0.25 * reach * f64::from(n), 0.25 * reach * f64::from(n + 1));
+    let angles = (-4..4).map(panel).flat_map(|(from, to)| gauss_points(from, to));
     let facet = |(theta, weight): (f64, f64)| {
         let normal = [theta.sin(), 0.0, -theta.cos()];
         let area = weight * radius * disc.thickness;

@@ -59,7 +59,9 @@ pub fn under_weight(law: &impl Traction, disc: &Disc, weight: f64, drive: Drive)
     let vertical = |z: f64| at_depth(law, disc, z, drive).map_or(f64::NAN, |found| found.vertical);
     match first_depth(disc, weight, vertical) {
         Ok(sinkage) => at_depth(law, disc, sinkage, drive),
-        Err((most, _)) => none("the equilibrium sinkage", format!("at most {most:.3} N are carried up to 0.9 d")),
+        Err((most, _)) => {
+            none("the equilibrium sinkage", format!("at most {most:.3} N are carried up to 0.9 d"))
+        }
     }
 }
 
@@ -68,8 +70,14 @@ fn rolled(law: &impl Traction, disc: &Disc, sinkage: f64, slip: f64) -> Rolled {
     let radius = 0.5 * disc.diameter;
     let reach = 2.0 * (sinkage / disc.diameter).sqrt().asin();
     // Rolling forwards turns about +y: the bottom moves backwards.
-    let motion =
-        Motion { height: radius - sinkage, velocity: [1.0, 0.0, 0.0], spin: [0.0, (1.0 + slip) / radius, 0.0] };
-    let Load { force, torque } = load(law, &disc_facets(disc, reach), &motion);
+    let motion = Motion {
+        height: radius - sinkage,
+        velocity: [1.0, 0.0, 0.0],
+        spin: [0.0, (1.0 + slip) / radius, 0.0],
+    };
+    // The rear of the rim moves away from the soil whatever the slip.
+    let mut front = disc_facets(disc, reach);
+    front.retain(|facet| facet.middle[0] > 0.0);
+    let Load { force, torque } = load(law, &front, &motion);
     Rolled { drag: -force[0], vertical: force[2], torque: torque[1], sinkage, slip }
 }

@@ -50,7 +50,12 @@ pub fn propagate(
 }
 
 /// Rows of answers (f_A, f_B, f_AB₁, …), those with a refusal left out.
-fn sample(spreads: &[Spread], rows: usize, seed: u64, model: impl Fn(&[f64]) -> Option<f64>) -> Vec<Vec<f64>> {
+fn sample(
+    spreads: &[Spread],
+    rows: usize,
+    seed: u64,
+    model: impl Fn(&[f64]) -> Option<f64>,
+) -> Vec<Vec<f64>> {
     let inputs = spreads.len();
     let mut sequence = Sequence::new(2 * inputs, seed);
     let mut point = vec![0.0; 2 * inputs];

@@ -46,7 +46,12 @@ impl Sequence {
         let dimensions = dimensions.min(DIMENSIONS);
         let mut random = seed;
         let shift = (0..dimensions).map(|_| (split_mix(&mut random) >> 32) as u32).collect();
-        Self { directions: (0..dimensions).map(directions).collect(), state: vec![0; dimensions], shift, count: 0 }
+        Self {
+            directions: (0..dimensions).map(directions).collect(),
+            state: vec![0; dimensions],
+            shift,
+            count: 0,
+        }
     }
 
     /// The next point of the unit cube, every coordinate strictly between 0 and 1.

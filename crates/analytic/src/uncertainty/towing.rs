@@ -37,7 +37,9 @@ pub fn propagate_towing(
     let table = table(base, spreads, model);
     let distributions: Vec<Spread> = spreads.iter().map(|(_, spread)| *spread).collect();
     propagate(&distributions, evaluations, seed, |values| {
-        let set = |case: Towing, ((parameter, _), value): (&(Parameter, Spread), &f64)| case.with(*parameter, *value);
+        let set = |case: Towing, ((parameter, _), value): (&(Parameter, Spread), &f64)| {
+            case.with(*parameter, *value)
+        };
         let mut case = spreads.iter().zip(values).fold(base.clone(), set);
         if model.is_plastic() {
             case.soil = case.soil.operative().ok()?;
@@ -53,7 +55,8 @@ pub fn propagate_towing(
 
 /// A table over every friction angle that the samples can meet, where a table can serve at all.
 fn table(base: &Towing, spreads: &[(Parameter, Spread)], model: Candidate) -> Option<PressureTable> {
-    let moves_wall = |p: &Parameter| matches!(p, Parameter::Slip | Parameter::BrakeTorque | Parameter::Backfill);
+    let moves_wall =
+        |p: &Parameter| matches!(p, Parameter::Slip | Parameter::BrakeTorque | Parameter::Backfill);
     let wedge = matches!(model, Candidate::Weaker | Candidate::Wedge | Candidate::PlaneStrain);
     if !wedge || base.drive != Drive::Free || spreads.iter().any(|(p, _)| moves_wall(p)) {
         return None;

@@ -17,7 +17,12 @@ pub const ARC_PREFACTOR: f64 = 0.858_536_9;
 ///
 /// # Errors
 /// If an input is out of range.
-pub fn hetherington_littleton(friction_angle: f64, unit_weight: f64, disc: &Disc, weight: f64) -> Answer<Rolling> {
+pub fn hetherington_littleton(
+    friction_angle: f64,
+    unit_weight: f64,
+    disc: &Disc,
+    weight: f64,
+) -> Answer<Rolling> {
     let (stiffness, w) = stiffness(friction_angle, unit_weight, disc, weight)?;
     let resistance = (2.0 * w.powi(4) / (stiffness * disc.diameter.powi(2))).cbrt();
     let sinkage = (2.0 * w / (stiffness * disc.diameter.sqrt())).powf(2.0 / 3.0);
