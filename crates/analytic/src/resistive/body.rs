@@ -4,7 +4,6 @@ use super::{Traction, cross, dot};
 use crate::disc::Disc;
 use crate::error::{Answer, none};
 use crate::numeric::gauss_points;
-use std::f64::consts::TAU;
 
 /// A flat piece of a body's surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,22 +62,20 @@ pub fn load(law: &impl Traction, facets: &[Facet], motion: &Motion) -> Load {
     load
 }
 
-/// The part of a disc's rim within `reach` [rad] of its lowest point, as facets, axle along y.
+/// The part of a disc's rim between the angles `from` and `to` [rad] from its lowest point, axle along y.
 ///
-/// The pieces follow Gauss points in four panels of each half, front and rear, so that few are needed; the friction
-/// changes sign somewhere on the front. The flat faces move in their own plane and feel nothing in this theory.
+/// The pieces follow the Gauss points of two panels, so that few are needed. The flat faces of a disc move in their own
+/// plane and feel nothing in this theory.
 #[must_use]
-pub fn disc_facets(disc: &Disc, reach: f64) -> Vec<Facet> {
+pub fn rim_facets(disc: &Disc, from: f64, to: f64) -> Vec<Facet> {
     let radius = 0.5 * disc.diameter;
-    let reach = reach.clamp(0.0, 0.5 * TAU);
-    let panel = |n: i32| (0.25 * reach * f64::from(n), 0.25 * reach * f64::from(n + 1));
-    let angles = (-4..4).map(panel).flat_map(|(from, to)| gauss_points(from, to));
     let facet = |(theta, weight): (f64, f64)| {
         let normal = [theta.sin(), 0.0, -theta.cos()];
         let area = weight * radius * disc.thickness;
         Facet { middle: normal.map(|n| n * radius), normal, area }
     };
-    angles.map(facet).collect()
+    let half = 0.5 * (from + to);
+    gauss_points(from, half).chain(gauss_points(half, to)).map(facet).collect()
 }
 
 /// The facets of a closed triangle mesh [m], corners counter-clockwise seen from outside.

@@ -9,7 +9,7 @@ mod planar;
 mod spatial;
 mod towed;
 
-pub use body::{Facet, Load, Motion, disc_facets, facets_of_triangles, load};
+pub use body::{Facet, Load, Motion, facets_of_triangles, load, rim_facets};
 pub use planar::PlanarLaw;
 pub use spatial::{SpatialLaw, strength_scale};
 pub use towed::{Rolled, at_depth, under_weight};

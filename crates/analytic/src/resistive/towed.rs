@@ -1,6 +1,6 @@
 //! A towed disc in resistive force theory.
 
-use super::{Load, Motion, Traction, disc_facets, load};
+use super::{Load, Motion, Traction, load, rim_facets};
 use crate::disc::{Disc, Drive, first_depth};
 use crate::error::{Answer, none, positive, within};
 use crate::numeric::root;
@@ -75,9 +75,11 @@ fn rolled(law: &impl Traction, disc: &Disc, sinkage: f64, slip: f64) -> Rolled {
         velocity: [1.0, 0.0, 0.0],
         spin: [0.0, (1.0 + slip) / radius, 0.0],
     };
-    // The rear of the rim moves away from the soil whatever the slip.
-    let mut front = disc_facets(disc, reach);
-    front.retain(|facet| facet.middle[0] > 0.0);
+    // The rear of the rim moves away from the soil whatever the slip. On the front the friction changes its sense where
+    // the rim moves straight into the soil; with a piece across that point the forces would jump as the slip changes.
+    let turn = (1.0 + slip).clamp(0.0, 1.0).acos().min(reach);
+    let mut front = rim_facets(disc, 0.0, turn);
+    front.extend(rim_facets(disc, turn, reach));
     let Load { force, torque } = load(law, &front, &motion);
     Rolled { drag: -force[0], vertical: force[2], torque: torque[1], sinkage, slip }
 }
