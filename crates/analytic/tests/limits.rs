@@ -1,6 +1,7 @@
 //! What must hold everywhere: finite, monotone, free of scale, refused outside.
 
-use analytic::disc::{Disc, Drive, Equilibrium, Model, Setting, disc_forces, equilibrium};
+use analytic::bearing::Method;
+use analytic::disc::{Assembly, Disc, Drive, Equilibrium, Model, Setting, disc_forces, equilibrium};
 use analytic::forecast::{Candidate, predict};
 use analytic::wheel::TERRAINS;
 use analytic::{Load, Soil, Towing, forecast};
@@ -103,6 +104,11 @@ proptest! {
         case.terrain = Some(TERRAINS[choice].soil);
         case.cone_index = Some(200e3);
         case.heap_fraction = (0.1 * extra).max(0.0);
+        case.method = [Method::Meyerhof, Method::HansenVesic, Method::Lyamin][choice % 3];
+        case.backfill = 0.05 * extra;
+        if choice % 4 == 1 {
+            case.assembly = Some(Assembly { count: 3, spacing: 1.5 * thickness });
+        }
         if let Ok(found) = forecast(&case) {
             for model in found.models.iter().chain(&found.models_full_friction) {
                 prop_assert!(model.prediction.is_some() || !model.note.is_empty());

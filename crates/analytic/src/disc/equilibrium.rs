@@ -1,6 +1,6 @@
 //! The sinkage at which the soil carries the weight.
 
-use super::{Disc, DiscForces, Model, Setting, disc_forces};
+use super::{Disc, DiscForces, Model, Setting, disc_forces, vertical_force};
 use crate::error::{Answer, positive};
 use crate::numeric::root;
 
@@ -33,24 +33,27 @@ pub enum Equilibrium {
 /// # Errors
 /// If an input is out of range or the model has no answer anywhere.
 pub fn equilibrium(model: Model, setting: &Setting<'_>, weight: f64) -> Answer<Equilibrium> {
-    equilibrium_of(&setting.disc, weight, |z| disc_forces(model, setting, z))
+    let vertical = |z: f64| vertical_force(model, setting, z);
+    equilibrium_of(&setting.disc, weight, vertical, |z| disc_forces(model, setting, z))
 }
 
 /// [`equilibrium`] of anything whose forces are known at every sinkage [m], such as an assembly of discs.
 ///
+/// `vertical` is the vertical force [N] alone, which the search asks for often; `forces` is asked once, at the end.
+///
 /// # Errors
-/// If the weight [N] is not positive, or `forces` has no answer at a tenth of the diameter.
+/// If the weight [N] is not positive, or `vertical` has no answer at a tenth of the diameter.
 pub fn equilibrium_of(
     disc: &Disc,
     weight: f64,
+    vertical: impl Fn(f64) -> Answer<f64>,
     forces: impl Fn(f64) -> Answer<DiscForces>,
 ) -> Answer<Equilibrium> {
     positive("weight [N]", weight)?;
     disc.check()?;
     // An answer at some depth is asked for first, so that a bad input is refused with its own reason.
-    forces(0.1 * disc.diameter)?;
-    let vertical = |z: f64| forces(z).map_or(f64::NAN, |found| found.vertical);
-    match first_depth(disc, weight, vertical) {
+    vertical(0.1 * disc.diameter)?;
+    match first_depth(disc, weight, |z| vertical(z).unwrap_or(f64::NAN)) {
         Ok(sinkage) => Ok(Equilibrium::At { sinkage, forces: forces(sinkage)? }),
         Err((largest_weight, sinkage)) => Ok(Equilibrium::None { largest_weight, sinkage }),
     }

@@ -105,6 +105,26 @@ pub fn disc_forces(model: Model, setting: &Setting<'_>, sinkage: f64) -> Answer<
             _ => bearing,
         });
     }
+    let (rim, friction) = loaded_rim(model, setting, sinkage)?;
+    Ok(assemble(model, setting, &rim, friction))
+}
+
+/// The vertical force of [`disc_forces`] alone [N], for a search over the sinkage.
+///
+/// # Errors
+/// As [`disc_forces`].
+pub fn vertical_force(model: Model, setting: &Setting<'_>, sinkage: f64) -> Answer<f64> {
+    if model == Model::Weaker {
+        let bearing = vertical_force(Model::Bearing, setting, sinkage)?;
+        return Ok(vertical_force(Model::Wedge, setting, sinkage).map_or(bearing, |wedge| wedge.min(bearing)));
+    }
+    let (rim, friction) = loaded_rim(model, setting, sinkage)?;
+    let Reaction { vertical, horizontal, .. } = rim.reaction();
+    Ok(vertical - friction * horizontal)
+}
+
+/// The pressure on the rim and the friction μ_m that goes with it.
+fn loaded_rim(model: Model, setting: &Setting<'_>, sinkage: f64) -> Answer<(RimPressure, f64)> {
     setting.soil.check()?;
     setting.drive.check()?;
     within("heap fraction", setting.heap_fraction, 0.0, 1.0)?;
@@ -113,7 +133,7 @@ pub fn disc_forces(model: Model, setting: &Setting<'_>, sinkage: f64) -> Answer<
     let contact = setting.disc.contact(sinkage, heap)?;
     let pressure = |friction: f64| rim(model, setting, &contact, friction);
     let friction = mobilised(setting, &pressure)?;
-    Ok(assemble(model, setting, &pressure(friction)?, friction))
+    Ok((pressure(friction)?, friction))
 }
 
 fn rim(model: Model, setting: &Setting<'_>, contact: &Contact, friction: f64) -> Answer<RimPressure> {

@@ -19,7 +19,7 @@ pub use assembly::{Assembly, assembly_forces};
 pub use bearing_arc::bearing_arc;
 pub use drive::Drive;
 pub use equilibrium::{DEEPEST, Equilibrium, equilibrium, equilibrium_of, first_depth};
-pub use forces::{DiscForces, Mechanism, Model, Setting, disc_forces};
+pub use forces::{DiscForces, Mechanism, Model, Setting, disc_forces, vertical_force};
 pub use geometry::{Contact, Disc};
 pub use heap::heap_height;
 pub use rim::{Reaction, RimPressure};

@@ -4,7 +4,7 @@ use super::rivals;
 use super::{Candidate, Load, Towing};
 use crate::disc::{
     DiscForces, Drive, Equilibrium, Mechanism, Model, Passive, Setting, assembly_forces, disc_forces,
-    equilibrium_of,
+    equilibrium_of, vertical_force,
 };
 use crate::earth_pressure::{PressureTable, TableRange};
 use crate::error::{Answer, none};
@@ -106,9 +106,13 @@ fn disc(model: Model, towing: &Towing, table: Option<&PressureTable>) -> Answer<
         Some(assembly) => assembly_forces(model, &setting, assembly, z),
         None => disc_forces(model, &setting, z),
     };
+    let carried = |z: f64| match &towing.assembly {
+        Some(_) => Ok(at(z)?.vertical),
+        None => vertical_force(model, &setting, z),
+    };
     match towing.load {
         Load::Sinkage(z) => Ok(prediction(&at(z)?, z)),
-        Load::Weight(weight) => match equilibrium_of(&towing.disc, weight, at)? {
+        Load::Weight(weight) => match equilibrium_of(&towing.disc, weight, carried, at)? {
             Equilibrium::At { sinkage, forces } => Ok(prediction(&forces, sinkage)),
             Equilibrium::None { largest_weight, .. } => none(
                 "the equilibrium sinkage",
