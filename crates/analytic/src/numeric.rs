@@ -50,16 +50,28 @@ pub(crate) fn root(mut a: f64, mut b: f64, tolerance: f64, mut f: impl FnMut(f64
     if fa.is_nan() || fb.is_nan() || fa.signum() == fb.signum() {
         return None;
     }
+    let mut best = if fa.abs() < fb.abs() { (a, fa.abs()) } else { (b, fb.abs()) };
     for step in 0..200 {
         // Every fourth step halves the bracket whatever the curve looks like.
         let secant = (fa * b - fb * a) / (fa - fb);
-        let c = if step % 4 == 3 || !secant.is_finite() { 0.5 * (a + b) } else { secant };
+        let halved = step % 4 == 3 || !secant.is_finite();
+        let c = if halved { 0.5 * (a + b) } else { secant };
+        // Two secant steps this close are already far closer to the root: the answer changes smoothly with the curve.
+        if !halved && (c - b).abs() <= tolerance {
+            return Some(c);
+        }
         let fc = f(c);
-        if fc == 0.0 || (b - a).abs() <= tolerance {
+        if fc == 0.0 {
             return Some(c);
         }
         if fc.is_nan() {
             return None;
+        }
+        if fc.abs() < best.1 {
+            best = (c, fc.abs());
+        }
+        if (b - a).abs() <= 1e-3 * tolerance {
+            break;
         }
         if fc * fb < 0.0 {
             (a, fa) = (b, fb);
@@ -69,7 +81,7 @@ pub(crate) fn root(mut a: f64, mut b: f64, tolerance: f64, mut f: impl FnMut(f64
         }
         (b, fb) = (c, fc);
     }
-    Some(b)
+    Some(best.0)
 }
 
 /// The place in `[a, b]` where `f` is smallest and its value there, by golden section; right for one valley.
