@@ -42,7 +42,7 @@ pub fn sokolovskii(face: &Face) -> Answer<PassiveField> {
     let Some(stress) = field.face_stress() else {
         return none(NAME, "the shooting found no field that joins the ground surface");
     };
-    let landing = field.shoot(stress);
+    let landing = field.shoot(stress, FINE);
     let coefficient = stress * (1.0 - field.k * (2.0 * field.face_turn).cos());
     let rupture_ratio = (landing.log_reach + field.surface_reach()).exp();
     if coefficient.is_finite() && coefficient > 0.0 && rupture_ratio.is_finite() {
@@ -53,6 +53,10 @@ pub fn sokolovskii(face: &Face) -> Answer<PassiveField> {
 }
 
 const NAME: &str = "Sokolovskii's coefficient";
+/// Error allowed in a step of the walk that brackets the solution.
+const COARSE: f64 = 1e-5;
+/// Error allowed in a step of the search itself.
+const FINE: f64 = 1e-8;
 
 fn check(face: &Face) -> Answer<()> {
     let phi = within("friction angle [rad]", face.friction_angle, 10_f64.to_radians(), 50_f64.to_radians())?;
@@ -107,33 +111,34 @@ impl Field {
 
     /// The mean stress s at the face whose shot lands on the edge of the Rankine zone: the first from below.
     fn face_stress(&self) -> Option<f64> {
-        let miss = |log_s: f64| self.shoot(log_s.exp()).angle - self.edge;
+        let miss = |log_s: f64, tolerance: f64| self.shoot(log_s.exp(), tolerance).angle - self.edge;
         // The landing falls as s grows on the physical branch; beyond the first crossing another branch begins.
         let (step, mut low) = (0.3, self.guess.ln() - 1.2);
-        let mut at_low = miss(low);
+        let mut at_low = miss(low, COARSE);
         for _ in 0..8 {
             if at_low > 0.0 {
                 break;
             }
             low -= 0.5;
-            at_low = miss(low);
+            at_low = miss(low, COARSE);
         }
         if at_low.is_nan() || at_low <= 0.0 {
             return None;
         }
         for _ in 0..30 {
             let high = low + step;
-            let at_high = miss(high);
+            let at_high = miss(high, COARSE);
             if at_high <= 0.0 {
-                return root(low, high, 1e-9, miss).map(f64::exp);
+                // The walk is coarse: let its bracket out a little for the exact search.
+                return root(low - 0.01, high + 0.01, 1e-9, |log_s| miss(log_s, FINE)).map(f64::exp);
             }
             low = high;
         }
         None
     }
 
-    /// Integrates from the face with mean stress `stress` until the field comes to rest on the ray cos 2ψ = k.
-    fn shoot(&self, stress: f64) -> Landing {
+    /// Integrates from the face with mean stress `stress` and the error `tolerance` per step, until the field comes to rest on the ray cos 2ψ = k.
+    fn shoot(&self, stress: f64, tolerance: f64) -> Landing {
         let mut y = [self.face_angle, stress.ln(), self.face_turn, 0.0];
         let mut step = 0.02;
         for _ in 0..2000 {
@@ -142,7 +147,7 @@ impl Field {
                 break;
             }
             let (next, error) = runge_kutta(&y, step, |y| self.slope(y));
-            let scale = error / 1e-8;
+            let scale = error / tolerance;
             if scale <= 1.0 {
                 y = next;
             }
