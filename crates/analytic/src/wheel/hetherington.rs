@@ -6,7 +6,7 @@ use crate::disc::Disc;
 use crate::error::{Answer, finite, positive, within};
 
 /// Prefactor of the shallow arc, ½ (3/2)^{4/3}: F_H = 0.858 (W⁴/(γ N_q t d²))^{1/3}.
-pub const ARC_PREFACTOR: f64 = 0.858_536_9;
+pub const ARC_PREFACTOR: f64 = 0.858_535_7;
 
 /// Rolling resistance R = (2 W⁴ / (γ N_q b d²))^{1/3} [N] and sinkage of a rigid wheel towed in sand.
 ///
