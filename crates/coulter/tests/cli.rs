@@ -174,3 +174,22 @@ fn faces_lie_on_the_sides_of_the_soil() {
         assert!(nearest < 1e-12, "{file}: {nearest} m off");
     }
 }
+
+#[test]
+fn a_breakdown_exits_with_1_and_leaves_what_there_is() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    let failure = coulter()
+        .args(["run", &shipped("towed_disc.toml"), "--set", "soil.young_modulus=100 Pa"])
+        .args(["--set", "grid.cell=25 mm", "-o"])
+        .arg(&out)
+        .assert()
+        .code(1);
+    let told = String::from_utf8_lossy(&failure.get_output().stderr).into_owned();
+    for word in ["moved", "t = ", "step", "last.checkpoint"] {
+        assert!(told.contains(word), "`{word}` is not in: {told}");
+    }
+    for file in ["report.html", "forces.csv", "summary.json", "checkpoints/last.checkpoint"] {
+        assert!(out.join(file).is_file(), "{file} is missing");
+    }
+}
