@@ -49,12 +49,14 @@ pub enum RunError {
     #[error("the checkpoint in {} belongs to another case file; run with --force to start anew", .0.display())]
     OtherCase(PathBuf),
     /// The physics failed.
-    #[error("{cause}\nthe state at that time is in {} (fields and checkpoint)", .folder.display())]
+    #[error("{cause}\nthe state at that time is in {}, the checkpoint in {}", .folder.display(), .checkpoint.display())]
     Physics {
         /// How.
         cause: Breakdown,
         /// Where the results so far are.
         folder: PathBuf,
+        /// The checkpoint of the state that failed.
+        checkpoint: PathBuf,
     },
 }
 
@@ -98,7 +100,7 @@ pub fn run(case: &Case, options: &Options) -> Result<End, RunError> {
         Ended::Broken(cause) => {
             results.log(&format!("broke down: {cause}"))?;
             progress.finish("broke down");
-            Err(RunError::Physics { cause, folder })
+            Err(RunError::Physics { cause, folder, checkpoint })
         }
     }
 }

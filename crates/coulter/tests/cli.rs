@@ -128,6 +128,8 @@ fn doubts_are_told() {
         "soil.cohesion=1 Pa",
         "--set",
         "soil.dilation_angle=5 deg",
+        "--set",
+        "numerics.bulk_viscosity_linear=0.06",
     ];
     let seen = checked(&[&[file.as_str()], &sets[..]].concat());
     let all = seen["warnings"].to_string();
@@ -139,7 +141,7 @@ fn doubts_are_told() {
 #[test]
 fn run_does_not_overwrite_unasked() {
     let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("summary.json"), "{}").unwrap();
+    std::fs::write(folder.path().join("run.json"), "{}").unwrap();
     let refusal =
         coulter().args(["run", &shipped("towed_disc.toml"), "-o"]).arg(folder.path()).assert().code(2);
     assert!(String::from_utf8_lossy(&refusal.get_output().stderr).contains("--force"));
@@ -170,5 +172,24 @@ fn faces_lie_on_the_sides_of_the_soil() {
         let faces = seen["resolved"]["grid"]["faces"][axis].as_array().unwrap();
         let nearest = faces.iter().map(|f| (f.as_f64().unwrap() - place).abs()).fold(f64::INFINITY, f64::min);
         assert!(nearest < 1e-12, "{file}: {nearest} m off");
+    }
+}
+
+#[test]
+fn a_breakdown_exits_with_1_and_leaves_what_there_is() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    let failure = coulter()
+        .args(["run", &shipped("towed_disc.toml"), "--set", "soil.young_modulus=100 Pa"])
+        .args(["--set", "grid.cell=25 mm", "-o"])
+        .arg(&out)
+        .assert()
+        .code(1);
+    let told = String::from_utf8_lossy(&failure.get_output().stderr).into_owned();
+    for word in ["moved", "t = ", "step", "last.checkpoint"] {
+        assert!(told.contains(word), "`{word}` is not in: {told}");
+    }
+    for file in ["report.html", "forces.csv", "summary.json", "checkpoints/last.checkpoint"] {
+        assert!(out.join(file).is_file(), "{file} is missing");
     }
 }

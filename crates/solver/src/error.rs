@@ -8,8 +8,9 @@ use thiserror::Error;
 pub enum Breakdown {
     /// A field holds something that is not a number.
     #[error(
-        "{field} is not a number at t = {time:.6} s (step {step}), near x = {place}; a smaller courant number or a \
-         stiffer soil may help"
+        "{field} is not a number at t = {time:.6} s (step {step}), near ({:.4}, {:.4}, {:.4}) m; a smaller courant number or a \
+         stiffer soil may help",
+        place.x, place.y, place.z
     )]
     NotANumber {
         /// Which field.
@@ -23,8 +24,9 @@ pub enum Breakdown {
     },
     /// Soil moves so fast that it crosses a good part of a cell in one step.
     #[error(
-        "soil at x = {place} moved {cells:.2} cells between two remaps at t = {time:.6} s (step {step}); a smaller \
-         courant number, a slower body or a finer grid may help"
+        "soil at ({:.4}, {:.4}, {:.4}) m moved {cells:.2} cells between two remaps at t = {time:.6} s (step {step}); a smaller \
+         courant number, a slower body or a finer grid may help",
+        place.x, place.y, place.z
     )]
     Runaway {
         /// How far, in cells of the smallest width.

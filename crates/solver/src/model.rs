@@ -97,9 +97,9 @@ impl Default for Method {
         Self {
             courant: 0.5,
             remap_displacement: 0.1,
-            hourglass: 0.03,
+            hourglass: 0.01,
             bulk_viscosity: [0.02, 1.2],
-            contact: ContactMethod::Penalty,
+            contact: ContactMethod::Impulse,
             edge_inset: 0.5,
             point_spacing: 0.5,
         }

@@ -108,8 +108,10 @@ pub struct Ledger {
     pub viscous: f64,
     /// Dissipation by hourglass viscosity.
     pub hourglass: f64,
-    /// What contact took: friction, and the little that the method itself takes or stores.
+    /// Dissipation by friction on bodies.
     pub friction: f64,
+    /// What the contact method itself stores, takes or gives: springs, damping, corrections of the penetration.
+    pub contact: f64,
     /// Kinetic and elastic energy lost in remaps.
     pub remap: f64,
     /// Elastic energy of the soil at the start.

@@ -21,7 +21,7 @@ pub fn step(model: &Model, state: &mut State, workspace: &mut Workspace) -> Resu
     // Lagrangian stage: the soil moves, the grid waits.
     let sums = lagrange(model, state, workspace, dt);
     let drive = drive_bodies(model, state, dt);
-    let work = contact::contact(model, state, workspace, dt);
+    let work = contact::contact(model, state, workspace, &drive, dt);
     move_bodies(state, dt);
     account(model, state, &sums, &drive, &work);
     state.time += dt;
@@ -37,18 +37,11 @@ pub fn step(model: &Model, state: &mut State, workspace: &mut Workspace) -> Resu
     check(model, state, &sums, dt)
 }
 
-/// What the loads did to a body in a step.
-#[derive(Clone, Copy, Debug)]
-struct Drive {
-    velocity_before: DVec3,
-    spin_before: f64,
-}
-
-/// Velocities of the bodies without contact: as prescribed, or as the loads make them.
-fn drive_bodies(model: &Model, state: &mut State, dt: f64) -> Vec<Drive> {
+/// Velocities of the bodies without contact: as prescribed, or as the loads make them. Returns velocity and spin before.
+fn drive_bodies(model: &Model, state: &mut State, dt: f64) -> Vec<(DVec3, f64)> {
     let middle = state.time + 0.5 * dt;
     let each = model.bodies.iter().zip(&mut state.bodies).map(|(fixed, body)| {
-        let drive = Drive { velocity_before: body.velocity, spin_before: body.spin };
+        let before = (body.velocity, body.spin);
         for axis in 0..3 {
             let freedom = fixed.translation[axis];
             body.velocity[axis] = if freedom.is_free() {
@@ -63,7 +56,7 @@ fn drive_bodies(model: &Model, state: &mut State, dt: f64) -> Vec<Drive> {
         } else {
             turn.speed(middle)
         };
-        drive
+        before
     });
     each.collect()
 }
@@ -94,19 +87,20 @@ fn bodies_moved(model: &Model, state: &State) -> bool {
 }
 
 /// Enters the step into the ledger.
-fn account(model: &Model, state: &mut State, sums: &RowSums, drive: &[Drive], work: &ContactWork) {
+fn account(model: &Model, state: &mut State, sums: &RowSums, drive: &[(DVec3, f64)], work: &ContactWork) {
     let ledger = &mut state.ledger;
     ledger.plastic += sums.plastic;
     ledger.viscous += sums.viscous;
     ledger.hourglass += sums.hourglass;
     ledger.external += sums.gravity;
-    ledger.friction -= work.on_soil;
+    ledger.friction += work.rubbed;
+    ledger.contact -= work.on_soil + work.rubbed;
     for (((fixed, body), drive), received) in
         model.bodies.iter().zip(&state.bodies).zip(drive).zip(&work.on_bodies)
     {
         let share = model.share;
         for axis in 0..3 {
-            let (before, after) = (drive.velocity_before[axis], body.velocity[axis]);
+            let (before, after) = (drive.0[axis], body.velocity[axis]);
             let middle = 0.5 * (before + after);
             // What the load gave is what is left of the change of momentum when contact is taken off.
             let load = if fixed.translation[axis].is_free() {
@@ -115,16 +109,16 @@ fn account(model: &Model, state: &mut State, sums: &RowSums, drive: &[Drive], wo
                 -received.force[axis]
             };
             ledger.external += load * middle;
-            ledger.friction -= received.force[axis] * middle;
+            ledger.contact -= received.force[axis] * middle;
         }
-        let middle = 0.5 * (drive.spin_before + body.spin);
+        let middle = 0.5 * (drive.1 + body.spin);
         let load = if fixed.spin.is_free() {
-            fixed.axle_inertia * share * (received.spin_free - drive.spin_before)
+            fixed.axle_inertia * share * (received.spin_free - drive.1)
         } else {
             -received.axle
         };
         ledger.external += load * middle;
-        ledger.friction -= received.axle * middle;
+        ledger.contact -= received.axle * middle;
     }
 }
 

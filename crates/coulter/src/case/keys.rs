@@ -265,7 +265,7 @@ const NUMERICS: &[Key] = &[
         "0.1",
         "Displacement in cell widths at which the soil is remapped.",
     ),
-    key("hourglass", Kind::Number, "0.03", "Coefficient of hourglass viscosity."),
+    key("hourglass", Kind::Number, "0.01", "Coefficient of hourglass viscosity."),
     key(
         "bulk_viscosity_linear",
         Kind::Number,
@@ -273,7 +273,7 @@ const NUMERICS: &[Key] = &[
         "Linear coefficient b₁ of bulk viscosity.",
     ),
     key("bulk_viscosity_quadratic", Kind::Number, "1.2", "Quadratic coefficient b₂ of bulk viscosity."),
-    key("contact", Kind::Choice(&CONTACTS), "\"penalty\"", "Contact method."),
+    key("contact", Kind::Choice(&CONTACTS), "\"impulse\"", "Contact method."),
     key("edge_inset", Kind::Number, "0.5", "Distance of contact points from sharp edges, in cell widths."),
     key("point_spacing", Kind::Number, "0.5", "Spacing of contact points, in cell widths."),
     key("threads", Kind::Count, "0", "Threads; 0 for one per core."),

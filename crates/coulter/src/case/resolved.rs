@@ -227,9 +227,9 @@ pub struct Numerics {
     pub courant: f64,
     /// Displacement in cell widths at which a remap is due (0.1).
     pub remap_displacement: f64,
-    /// Coefficient of hourglass viscosity (0.03).
+    /// Coefficient of hourglass viscosity (0.01).
     pub hourglass: f64,
-    /// Linear coefficient of bulk viscosity b₁ (0.02).
+    /// Linear coefficient of bulk viscosity b₁ (0.02; 0.06 for Tresca).
     pub bulk_viscosity_linear: f64,
     /// Quadratic coefficient of bulk viscosity b₂ (1.2).
     pub bulk_viscosity_quadratic: f64,

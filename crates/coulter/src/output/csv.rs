@@ -18,7 +18,7 @@ normal vertical [N],friction vertical [N],leak [m^3],embedded [m^3],speed v [m/s
 F_H_bar [-],F_V_bar [-]";
 
 /// Header of the energy ledger's file.
-pub const ENERGY_HEADER: &str = "time [s],external [J],kinetic [J],elastic [J],plastic [J],friction [J],viscous [J],\
+pub const ENERGY_HEADER: &str = "time [s],external [J],kinetic [J],elastic [J],plastic [J],friction [J],contact method [J],viscous [J],\
 hourglass [J],remap loss [J],closure [-],volume ratio [-]";
 
 /// Name of the file that holds a body's history: `forces.csv`, or `forces_NAME.csv` when there are several bodies.
@@ -125,7 +125,7 @@ fn forces_line(s: &BodySample, reference: &Reference) -> [f64; 22] {
     ]
 }
 
-fn energy_line(s: &EnergySample) -> [f64; 11] {
+fn energy_line(s: &EnergySample) -> [f64; 12] {
     [
         s.time,
         s.external,
@@ -133,6 +133,7 @@ fn energy_line(s: &EnergySample) -> [f64; 11] {
         s.elastic,
         s.plastic,
         s.friction,
+        s.contact,
         s.viscous,
         s.hourglass,
         s.remap_loss,
@@ -185,6 +186,7 @@ pub fn read_energy(path: &Path) -> Result<Vec<EnergySample>, OutputError> {
             elastic: cell("elastic [J]", n)?,
             plastic: cell("plastic [J]", n)?,
             friction: cell("friction [J]", n)?,
+            contact: cell("contact method [J]", n)?,
             viscous: cell("viscous [J]", n)?,
             hourglass: cell("hourglass [J]", n)?,
             remap_loss: cell("remap loss [J]", n)?,

@@ -30,7 +30,7 @@ fn soil(case: &Case) -> String {
     let soil = &case.soil;
     let law = match soil.law {
         Law::Elastic => "linear elastic".to_owned(),
-        Law::Tresca { shear_strength } => format!("Tresca, s_u = {}", stress(shear_strength)),
+        Law::Tresca { shear_strength } => format!("Tresca, sᵤ = {}", stress(shear_strength)),
         Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, .. } => format!(
             "Mohr–Coulomb, φ = {}, ψ = {}, c = {}",
             degrees(friction_angle),

@@ -11,10 +11,11 @@ type Entry = (&'static str, fn(&EnergySample) -> f64);
 /// The energy ledger against time: where the work went.
 #[must_use]
 pub fn energy_plot(energy: &[EnergySample]) -> Plot {
-    let entries: [Entry; 8] = [
+    let entries: [Entry; 9] = [
         ("external work", |e| e.external),
         ("plastic", |e| e.plastic),
         ("friction", |e| e.friction),
+        ("contact method", |e| e.contact),
         ("kinetic", |e| e.kinetic),
         ("elastic", |e| e.elastic),
         ("viscous", |e| e.viscous),
@@ -25,9 +26,9 @@ pub fn energy_plot(energy: &[EnergySample]) -> Plot {
     let curve = |(n, (name, value)): (usize, &Entry)| Curve {
         name: (*name).to_owned(),
         points: energy.iter().map(|e| [e.time, value(e) / unit.size]).collect(),
-        // Seven colours, eight entries: the last is told apart by its dashes.
+        // Seven colours, nine entries: the last two are told apart by their dashes.
         colour: n,
-        stroke: if n == 7 { Stroke::Dashed } else { Stroke::Solid },
+        stroke: if n >= 7 { Stroke::Dashed } else { Stroke::Solid },
     };
     let mut curves: Vec<Curve> = entries.iter().enumerate().map(curve).collect();
     let explained = energy.iter().map(|e| [e.time, (e.external - e.unexplained()) / unit.size]).collect();

@@ -42,13 +42,13 @@ pub const PICTURES: [Caption; 7] = [
     Caption {
         file: "soil_speed.png",
         title: "What moves",
-        text: "Speed of the soil. Colours end at the 99.5th percentile. The moving wedge ahead of the body should be bounded \
+        text: "Speed of the soil. Colours end at the 99.9th percentile. The moving wedge ahead of the body should be bounded \
                and lie well inside the fine zone of the grid.",
     },
     Caption {
         file: "soil_pressure.png",
         title: "Pressure",
-        text: "Mean pressure, compression positive. Colours end at the 99.5th percentile. Speckle means noise; pressure that \
+        text: "Mean pressure, compression positive. Colours end at the 99.9th percentile. Speckle means noise; pressure that \
                reaches the walls of the box means that the box is too small.",
     },
     Caption {
@@ -186,9 +186,9 @@ impl<'a> Scene<'a> {
         if distance.abs() < 1.2 * pixel { Some(OUTLINE) } else { (distance < 0.0).then_some(STEEL) }
     }
 
-    /// A mark on each body that turns with it.
+    /// A mark on each round body that turns with it; the others show by themselves how they are turned.
     fn spokes(&self, view: &mut View) {
-        for (body, shape) in self.state.bodies.iter().zip(&self.shapes) {
+        for (body, shape) in self.state.bodies.iter().zip(&self.shapes).filter(|(_, s)| s.is_revolved()) {
             let top = 0.5 * shape.bounds().1.z;
             let tip = body.position + attitude(body) * DVec3::new(0.0, 0.0, top);
             view.line(&[[body.position.x, body.position.z], [tip.x, tip.z]], OUTLINE, 2.0);
@@ -217,7 +217,7 @@ impl<'a> Scene<'a> {
 
     fn high_end(&self, value: impl Fn(&CellView) -> f64) -> f64 {
         let values = self.values(value);
-        values.get((0.995 * values.len() as f64) as usize).copied().unwrap_or(1.0)
+        values.get((0.999 * values.len() as f64) as usize).copied().unwrap_or(1.0)
     }
 
     fn fraction(&self) -> super::canvas::Canvas {

@@ -46,6 +46,7 @@ struct Abscissa {
     label: String,
     unit: f64,
     window: Option<[f64; 2]>,
+    /// Width of the moving average [s].
     smoothing: f64,
     tows: bool,
 }
@@ -80,7 +81,7 @@ impl BodyHistory<'_> {
                 values: metres.iter().map(|u| u / unit.size).collect(),
                 label: format!("displacement u [{}]", unit.name),
                 unit: unit.size,
-                smoothing: SMOOTHING * self.reference.length / unit.size,
+                smoothing: SMOOTHING * self.reference.length / largest(self.samples.iter().map(|s| s.speed)),
                 tows: true,
             };
         }
@@ -117,6 +118,11 @@ impl BodyHistory<'_> {
         self.overlays.iter().filter(mine).enumerate().map(curve).collect()
     }
 
+    /// Times of the samples [s]. Smoothing goes by time: a body that settles before it is towed stands still in u.
+    fn times(&self) -> Vec<f64> {
+        self.samples.iter().map(|s| s.time).collect()
+    }
+
     fn force_unit(&self) -> Unit {
         Unit::force(largest(self.samples.iter().flat_map(|s| [s.drag, s.vertical])))
     }
@@ -131,7 +137,7 @@ impl BodyHistory<'_> {
         }
         for (colour, (name, force)) in forces.iter().enumerate() {
             let raw: Vec<f64> = self.samples.iter().map(|s| force(s) / unit).collect();
-            let smooth = moving_average(&base.values, &raw, base.smoothing);
+            let smooth = moving_average(&self.times(), &raw, base.smoothing);
             let points = along.iter().zip(smooth).map(|(x, f)| [*x, f]).collect();
             curves.push(Curve::solid(name, colour, points));
         }
@@ -166,13 +172,13 @@ impl BodyHistory<'_> {
             curves,
             ..Chart::default()
         };
-        self.plot(
-            "forces",
-            chart,
-            "Drag F_H resists the tow, F_V holds the body up. Thin: as recorded (impulse over each interval). Strong: centred \
-             moving average over 0.05 d (no phase shift). Shaded: the steady window with its means; a drag that still \
-             climbs in there has not become steady.",
-        )
+        let smoothing = if base.tows { "0.05 d of tow" } else { "one percent of the time" };
+        let caption = format!(
+            "Drag F_H resists the tow, F_V holds the body up. Thin: as recorded (impulse over each interval). Strong: \
+             centred moving average over {smoothing} (no phase shift). Shaded: the steady window with its means; a force \
+             that still climbs in there has not become steady."
+        );
+        self.plot("forces", chart, &caption)
     }
 
     fn force_sinkage(&self) -> Plot {
@@ -288,7 +294,7 @@ impl BodyHistory<'_> {
         let base = self.abscissa();
         let unit = Unit::torque(largest(self.samples.iter().map(|s| s.axle_torque)));
         let raw: Vec<f64> = self.samples.iter().map(|s| s.axle_torque / unit.size).collect();
-        let smooth = moving_average(&base.values, &raw, base.smoothing);
+        let smooth = moving_average(&self.times(), &raw, base.smoothing);
         let pairs =
             |values: &[f64]| base.values.iter().zip(values).map(|(x, y)| [*x, *y]).collect::<Vec<_>>();
         let mut curves = vec![

@@ -51,8 +51,10 @@ pub struct EnergySample {
     pub elastic: f64,
     /// Plastic dissipation.
     pub plastic: f64,
-    /// Dissipation in contact: friction, and the little that the contact method itself takes.
+    /// Dissipation by friction on the bodies.
     pub friction: f64,
+    /// What the contact method itself stores, takes or gives; should be small.
+    pub contact: f64,
     /// Dissipation by bulk viscosity.
     pub viscous: f64,
     /// Dissipation by hourglass viscosity.
@@ -71,6 +73,7 @@ impl EnergySample {
             + self.elastic
             + self.plastic
             + self.friction
+            + self.contact
             + self.viscous
             + self.hourglass
             + self.remap_loss;

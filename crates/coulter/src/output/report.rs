@@ -76,7 +76,7 @@ pub(super) fn write_report(
         let view = BodyHistory { reference, samples, steady: &body.steady, overlays: &record.overlays };
         let plots = view.plots();
         keep_plots(dir, &plots)?;
-        bodies.push(body_part(reference, body, plots));
+        bodies.push(body_part(record, reference, body, plots));
     }
     let ledger_plots = vec![energy_plot(&history.energy), closure_plot(&history.energy)];
     keep_plots(dir, &ledger_plots)?;
@@ -162,12 +162,12 @@ fn trouble(outcome: &Outcome) -> Option<String> {
     }
 }
 
-fn body_part(reference: &Reference, body: &BodySummary, plots: Vec<Plot>) -> BodyPart {
+fn body_part(record: &RunRecord, reference: &Reference, body: &BodySummary, plots: Vec<Plot>) -> BodyPart {
     BodyPart {
         name: reference.name.clone(),
         kind: reference.kind.clone(),
         window: window_text(body),
-        scales: scales_text(reference),
+        scales: scales_text(record, reference),
         rows: body_rows(reference, body),
         plots: plots.into_iter().map(figure).collect(),
     }

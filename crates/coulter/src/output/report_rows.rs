@@ -95,6 +95,7 @@ pub(super) fn body_rows(reference: &Reference, body: &BodySummary) -> Vec<Row> {
 pub(super) fn facts(record: &RunRecord, summary: &Summary) -> Vec<[String; 2]> {
     let [x, y, z] = record.cells;
     let kind = match (record.plane_strain, record.symmetric) {
+        _ if record.bodies.is_empty() => "no body",
         (true, _) => "plane strain; forces of the slab modelled",
         (false, true) => "half of the body modelled (symmetry at y = 0); forces of the whole",
         (false, false) => "whole body modelled",
@@ -129,13 +130,12 @@ pub(super) fn window_text(body: &BodySummary) -> String {
     }
 }
 
-pub(super) fn scales_text(reference: &Reference) -> String {
+pub(super) fn scales_text(record: &RunRecord, reference: &Reference) -> String {
     let (d, t) = (digits(1e3 * reference.length), digits(1e3 * reference.width));
-    let lengths = if reference.kind == "disc" {
-        format!("d = {d} mm (diameter), t = {t} mm (thickness)")
-    } else {
-        format!("d = {d} mm (height of the {}), t = {t} mm (its width)", reference.kind)
-    };
+    let (length, width) =
+        if reference.kind == "disc" { ("diameter", "thickness") } else { ("height", "width") };
+    let width = if record.plane_strain { "width of the slab" } else { width };
+    let lengths = format!("d = {d} mm ({length}), t = {t} mm ({width})");
     match reference.force() {
         Some(force) => format!("{lengths}, γ t d² = {}", value(Some(force), Unit::force)),
         None => format!("{lengths}; the soil is weightless, so forces have no group"),
@@ -150,12 +150,13 @@ pub(super) fn energy_rows(summary: &Summary) -> Vec<Row> {
     };
     let entries = [
         ("External work", energy.external, "loads, drives and gravity"),
-        ("Plastic dissipation", energy.plastic, ""),
-        ("Contact", energy.friction, "friction, and what the contact method takes"),
+        ("Plastic", energy.plastic, ""),
+        ("Friction", energy.friction, "on the bodies"),
+        ("Contact method", energy.contact, "numerical: springs, damping, corrections"),
         ("Kinetic energy", energy.kinetic, "soil and bodies"),
         ("Elastic energy", energy.elastic, "less that at the start"),
         ("Bulk viscosity", energy.viscous, "numerical"),
-        ("Hourglass viscosity", energy.hourglass, "numerical"),
+        ("Hourglass", energy.hourglass, "numerical"),
         ("Remap loss", energy.remap_loss, "numerical"),
     ];
     let row = |(name, e, note): (&str, Option<f64>, &str)| Row {
@@ -189,7 +190,7 @@ pub(super) fn ledger_rows(record: &RunRecord, summary: &Summary) -> Vec<Row> {
     let change =
         summary.soil.volume_ratio.map_or(NONE.to_owned(), |v| format!("{v:.6}").replace('-', "\u{2212}"));
     let mut rows = vec![
-        row("Soil volume, end over start", change, "dilation and elastic compression included"),
+        row("Soil volume ratio", change, "end over start; dilation and elasticity included"),
         row("Soil inside the bodies", litres(summary.soil.leaked_m3), "leakage at the end; 0 is right"),
     ];
     let height = format!("{} mm", digits(1e3 * surface.berm_height_m));

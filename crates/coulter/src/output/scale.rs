@@ -114,7 +114,8 @@ pub(super) fn digits(value: f64) -> String {
     if !value.is_finite() {
         return "–".to_owned();
     }
-    let size = value.abs();
+    // Adding nothing turns a negative zero into a plain one.
+    let (value, size) = (value + 0.0, value.abs());
     let text = if size != 0.0 && !(1e-3..1e6).contains(&size) {
         format!("{value:.2e}")
     } else {

@@ -64,9 +64,12 @@ pub struct EnergySummary {
     /// Plastic dissipation [J].
     #[serde(rename = "plastic_J")]
     pub plastic: Option<f64>,
-    /// Dissipation in contact [J].
+    /// Dissipation by friction on the bodies [J].
     #[serde(rename = "friction_J")]
     pub friction: Option<f64>,
+    /// What the contact method itself stores, takes or gives [J].
+    #[serde(rename = "contact_J")]
+    pub contact: Option<f64>,
     /// Dissipation by bulk viscosity [J].
     #[serde(rename = "viscous_J")]
     pub viscous: Option<f64>,
@@ -99,6 +102,7 @@ impl From<&EnergySample> for EnergySummary {
             elastic: finite(e.elastic),
             plastic: finite(e.plastic),
             friction: finite(e.friction),
+            contact: finite(e.contact),
             viscous: finite(e.viscous),
             hourglass: finite(e.hourglass),
             remap_loss: finite(e.remap_loss),

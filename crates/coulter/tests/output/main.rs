@@ -138,7 +138,7 @@ fn csv_headers_are_a_contract() {
     );
     assert_eq!(
         ENERGY_HEADER,
-        "time [s],external [J],kinetic [J],elastic [J],plastic [J],friction [J],viscous [J],hourglass [J],\
+        "time [s],external [J],kinetic [J],elastic [J],plastic [J],friction [J],contact method [J],viscous [J],hourglass [J],\
          remap loss [J],closure [-],volume ratio [-]"
     );
 }

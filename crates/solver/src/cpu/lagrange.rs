@@ -34,6 +34,8 @@ struct Inputs<'a> {
     velocity: [&'a [f64]; 3],
     row_has_soil: &'a [bool],
     width_x: &'a [f64],
+    /// Force coefficients of a plane without soil.
+    no_forces: &'a [f64],
     rows: usize,
     dt: f64,
 }
@@ -43,7 +45,8 @@ struct Inputs<'a> {
 pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspace, dt: f64) -> RowSums {
     let grid = &model.grid;
     let rows = Workspace::rows(grid);
-    let Workspace { team, cut, row_has_soil, velocity_before, workers, row_sums, width_x, .. } = workspace;
+    let Workspace { team, cut, row_has_soil, velocity_before, workers, row_sums, width_x, no_forces, .. } =
+        workspace;
     // From here on the new velocities are in the state, the old ones in the workspace.
     std::mem::swap(&mut state.nodes.velocity, velocity_before);
     let Soil { fraction, stress, plastic_strain, gap_strain, .. } = &mut state.soil;
@@ -55,6 +58,7 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
         velocity: velocity_before.each_ref().map(Vec::as_slice),
         row_has_soil,
         width_x,
+        no_forces,
         rows,
         dt,
     };
@@ -108,7 +112,7 @@ fn strain_and_move(inputs: &Inputs, part: &mut Part) {
         if nth > 0 {
             let below = if nth == 1 { 0 } else { 2 - (nth - 1) % 2 };
             let forces = std::mem::take(&mut part.scratch.forces);
-            move_plane(inputs, part, plane, [Some(&forces[below]), Some(&forces[slot])]);
+            move_plane(inputs, part, plane, [&forces[below], &forces[slot]]);
             part.scratch.forces = forces;
         }
         part.scratch.last = slot;
@@ -125,7 +129,8 @@ fn move_seams(inputs: &Inputs, parts: &mut [Part]) {
         let above = std::mem::take(&mut parts[n].scratch.forces[0]);
         let plane = parts[n].planes.start;
         if !parts[n].planes.is_empty() {
-            move_plane(inputs, &mut parts[n], plane, [below.as_ref().map(|b| b.2.as_slice()), Some(&above)]);
+            let under = below.as_ref().map_or(inputs.no_forces, |b| b.2.as_slice());
+            move_plane(inputs, &mut parts[n], plane, [under, &above]);
         }
         parts[n].scratch.forces[0] = above;
         if let Some((b, last, forces)) = below {
@@ -148,6 +153,9 @@ fn strain_plane(inputs: &Inputs, part: &mut Part, plane: usize, slot: usize) {
         if !has_soil || plane > nz || q == 0 || q > ny {
             let entry = &mut part.sums[(plane - part.planes.start) * inputs.rows + q];
             (entry.plastic, entry.viscous, entry.hourglass) = (0.0, 0.0, 0.0);
+            for force in &mut forces {
+                force[q * row..(q + 1) * row].fill(0.0);
+            }
             continue;
         }
         constants.width_y = grid.width(1, q - 1);
@@ -167,37 +175,29 @@ fn strain_plane(inputs: &Inputs, part: &mut Part, plane: usize, slot: usize) {
         let mut out = forces.iter_mut();
         let mut force_rows: [&mut [f64]; COEFFICIENTS] =
             std::array::from_fn(|_| out.next().map_or(Default::default(), |f| &mut f[cells.clone()]));
-        let buffer = &mut part.scratch.row[..];
-        let sums = strain_row(&constants, &node_rows, &mut cell_row, buffer, &mut force_rows);
+        let block = &mut part.scratch.block;
+        let sums = strain_row(&constants, &node_rows, &mut cell_row, block, &mut force_rows);
         let entry = &mut part.sums[(plane - part.planes.start) * inputs.rows + q];
         (entry.plastic, entry.viscous, entry.hourglass) = (sums.plastic, sums.viscous, sums.hourglass);
     }
 }
 
 /// Moves one plane of nodes under the forces of the planes of cells below and above.
-fn move_plane(inputs: &Inputs, part: &mut Part, plane: usize, forces: [Option<&[f64]>; 2]) {
+fn move_plane(inputs: &Inputs, part: &mut Part, plane: usize, forces: [&[f64]; 2]) {
     let grid = inputs.grid;
     let [_, row, stride] = grid.stride;
     let [_, ny, _] = grid.cells();
     let WorkerScratch { row: buffer, .. } = part.scratch;
     for q in 1..=ny + 1 {
-        // The four rows of cells round this row of nodes, with the side of the cell on which the nodes are.
-        let neighbours = [(0, q - 1, 1.0, 1.0), (0, q, -1.0, 1.0), (1, q - 1, 1.0, -1.0), (1, q, -1.0, -1.0)];
         let local = (plane - part.planes.start) * stride + q * row;
         let own = local..local + row;
         let sums = &mut part.sums[(plane - part.planes.start) * inputs.rows + q];
         let mut velocity = part.velocity.each_mut().map(|v| &mut v[own.clone()]);
         let (sum, rest) = buffer.split_at_mut(4 * row);
-        sum.fill(0.0);
-        let mut any = false;
-        for (level, cell_row, side_y, side_z) in neighbours {
-            let cell_plane = plane - 1 + level;
-            let Some(forces) = forces[level] else { continue };
-            if inputs.row_has_soil[cell_plane * inputs.rows + cell_row] {
-                any = true;
-                gather_forces(forces, stride, cell_row * row..(cell_row + 1) * row, [side_y, side_z], sum);
-            }
-        }
+        let has_soil = |p: usize, q: usize| inputs.row_has_soil[p * inputs.rows + q];
+        let any = [(plane - 1, q - 1), (plane - 1, q), (plane, q - 1), (plane, q)]
+            .iter()
+            .any(|(p, q)| has_soil(*p, *q));
         if !any {
             for v in &mut velocity {
                 v.fill(0.0);
@@ -211,6 +211,7 @@ fn move_plane(inputs: &Inputs, part: &mut Part, plane: usize, forces: [Option<&[
             before: inputs.velocity.map(|v| &v[start..start + row]),
             displacement: part.displacement.each_mut().map(|u| &mut u[own.clone()]),
         };
+        gather_forces(forces, stride, [q * row, row], sum);
         let constants = [inputs.dt, inputs.model.gravity, inputs.model.mass_moved()];
         move_row(constants, nodes, &mut velocity, sum, rest);
         apply_walls(inputs, [q, plane], &mut velocity);
@@ -225,26 +226,44 @@ fn move_plane(inputs: &Inputs, part: &mut Part, plane: usize, forces: [Option<&[
     }
 }
 
-/// Adds the forces of one row of cells to the sums (x, y, z, damping) of the nodes beside it.
+/// Sums up the forces (x, y, z) and the damping that the four rows of cells round a row of nodes exert on it. Pairs that
+/// mirror each other are added first, so that a mirrored case gives mirrored sums to the bit.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn gather_forces(forces: &[f64], stride: usize, cells: Range<usize>, side: [f64; 2], sum: &mut [f64]) {
-    let n = cells.len();
-    let part = |c: usize| &forces[c * stride + cells.start..c * stride + cells.end];
-    let [sy, sz] = side;
+fn gather_forces(planes: [&[f64]; 2], stride: usize, [start, n]: [usize; 2], sum: &mut [f64]) {
     for q in 0..3 {
-        let (plain, x, y, z) = (part(4 * q), part(4 * q + 1), part(4 * q + 2), part(4 * q + 3));
         let out = &mut sum[q * n..(q + 1) * n];
+        // By plane (below, above) and row (low y, high y): plain part and parts signed by the side.
+        let part = |level: usize, behind: usize, c: usize| {
+            let first = (4 * q + c) * stride + start - behind * n;
+            &planes[level][first..first + n]
+        };
+        let row = |level: usize, behind: usize| [0, 1, 2, 3].map(|c| part(level, behind, c));
+        let [p00, x00, y00, z00] = row(0, 1);
+        let [p10, x10, y10, z10] = row(0, 0);
+        let [p01, x01, y01, z01] = row(1, 1);
+        let [p11, x11, y11, z11] = row(1, 0);
         for i in 1..n {
-            let left = plain[i - 1] + x[i - 1] + sy * y[i - 1] + sz * z[i - 1];
-            let right = plain[i] - x[i] + sy * y[i] + sz * z[i];
-            out[i] += left + right;
+            let below_low =
+                (p00[i - 1] + x00[i - 1] + y00[i - 1] + z00[i - 1]) + (p00[i] - x00[i] + y00[i] + z00[i]);
+            let below_high =
+                (p10[i - 1] + x10[i - 1] - y10[i - 1] + z10[i - 1]) + (p10[i] - x10[i] - y10[i] + z10[i]);
+            let above_low =
+                (p01[i - 1] + x01[i - 1] + y01[i - 1] - z01[i - 1]) + (p01[i] - x01[i] + y01[i] - z01[i]);
+            let above_high =
+                (p11[i - 1] + x11[i - 1] - y11[i - 1] - z11[i - 1]) + (p11[i] - x11[i] - y11[i] - z11[i]);
+            out[i] = (below_low + below_high) + (above_low + above_high);
         }
+        out[0] = 0.0;
     }
-    let damping = part(12);
+    let damping = |level: usize, behind: usize| &planes[level][12 * stride + start - behind * n..][..n];
+    let (d00, d10, d01, d11) = (damping(0, 1), damping(0, 0), damping(1, 1), damping(1, 0));
     let out = &mut sum[3 * n..4 * n];
     for i in 1..n {
-        out[i] += damping[i - 1] + damping[i];
+        let below = (d00[i - 1] + d00[i]) + (d10[i - 1] + d10[i]);
+        let above = (d01[i - 1] + d01[i]) + (d11[i - 1] + d11[i]);
+        out[i] = below + above;
     }
+    out[0] = 0.0;
 }
 
 struct NodeRow<'a> {

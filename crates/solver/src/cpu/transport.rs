@@ -98,9 +98,58 @@ impl Sweep<'_> {
         });
     }
 
-    /// Normal of the surface in a cell, from soil to void, in unit-cell coordinates (Youngs 1984); neighbours outside
-    /// the grid are taken equal to the cells inside.
+    /// Normal of the surface in a cell, from soil to void, in unit-cell coordinates: from the heights of the columns round
+    /// it where the surface is a graph there, else from the smoothed gradient of the volume fraction.
     fn normal(&self, c: usize) -> [f64; 3] {
+        let youngs = self.normal_from_gradient(c);
+        self.normal_from_heights(c, youngs).unwrap_or(youngs)
+    }
+
+    /// Second-order normal from the heights of soil in the four columns beside the cell (Cummins, Francois & Kothe 2005);
+    /// `None` where a column does not reach from full to void within three cells up and down.
+    fn normal_from_heights(&self, c: usize, rough: [f64; 3]) -> Option<[f64; 3]> {
+        const REACH: usize = 2;
+        let size = rough.map(f64::abs);
+        let up = if size[0] >= size[1] && size[0] >= size[2] {
+            0
+        } else if size[1] >= size[2] {
+            1
+        } else {
+            2
+        };
+        let place = self.grid.place(c);
+        let cells = self.grid.cells();
+        let [first, second] = [(up + 1) % 3, (up + 2) % 3];
+        let inside = |axis: usize, reach: usize| place[axis] >= reach && place[axis] + reach < cells[axis];
+        if !inside(up, REACH) {
+            return None;
+        }
+        let stride = self.grid.stride[up];
+        let height = |middle: usize| {
+            let low = middle - REACH * stride;
+            let (bottom, top) = (self.fraction[low], self.fraction[low + 2 * REACH * stride]);
+            let full_to_void = (bottom > FULL && top == 0.0) || (bottom == 0.0 && top > FULL);
+            let sum = (0..=2 * REACH).map(|n| self.fraction[low + n * stride]).sum::<f64>();
+            full_to_void.then_some(sum)
+        };
+        let slope = |axis: usize| -> Option<f64> {
+            if cells[axis] == 1 {
+                return Some(0.0);
+            }
+            let s = self.grid.stride[axis];
+            inside(axis, 1).then_some(())?;
+            Some(0.5 * (height(c + s)? - height(c - s)?))
+        };
+        let mut normal = [0.0; 3];
+        normal[up] = rough[up].signum();
+        normal[first] = -slope(first)?;
+        normal[second] = -slope(second)?;
+        Some(normal)
+    }
+
+    /// Normal from the gradient of the volume fraction over 27 cells (Youngs 1984); neighbours outside the grid are taken
+    /// equal to the cells inside.
+    fn normal_from_gradient(&self, c: usize) -> [f64; 3] {
         let grid = self.grid;
         let place = grid.place(c);
         let cells = grid.cells();

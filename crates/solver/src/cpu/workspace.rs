@@ -1,10 +1,12 @@
 //! Memory that the step works in and that is worth nothing between steps.
 
 use crate::cpu::contact::{self, ContactLaw, TouchedNode};
+use crate::cpu::stress::Block;
 use crate::cpu::threads::{Cut, Team};
 use crate::grid::Grid;
 use crate::model::Model;
 use crate::state::State;
+use glam::DVec3;
 use physics::shape::SurfacePoint;
 
 /// Coefficients of the nodal force of one plane of cells: for each component the plain part and the parts signed by the
@@ -28,6 +30,8 @@ pub struct Workspace {
     pub(crate) row_sums: Vec<RowSums>,
     /// Widths of the cell layers along x, in storage columns (0 in ghosts).
     pub(crate) width_x: Vec<f64>,
+    /// Force coefficients of a plane without soil: zeros.
+    pub(crate) no_forces: Vec<f64>,
     /// How soil and bodies act on each other.
     pub(crate) contact_law: Box<dyn ContactLaw>,
     /// Surface points of the bodies.
@@ -36,6 +40,8 @@ pub struct Workspace {
     pub(crate) touched: Vec<TouchedNode>,
     /// For each contact, the places of its cell's nodes among them.
     pub(crate) corner_nodes: Vec<[u32; 8]>,
+    /// Frictional impulse at each contact in the last step [N s].
+    pub(crate) friction: Vec<DVec3>,
 }
 
 impl std::fmt::Debug for Workspace {
@@ -45,14 +51,15 @@ impl std::fmt::Debug for Workspace {
 }
 
 /// What a worker needs for itself.
-#[derive(Debug)]
 pub(crate) struct WorkerScratch {
     /// Force coefficients of the first plane, and of two planes in turn.
     pub(crate) forces: [Vec<f64>; 3],
     /// Which of them holds the last plane.
     pub(crate) last: usize,
-    /// Row buffers.
+    /// Row buffers of the nodes.
     pub(crate) row: Vec<f64>,
+    /// Block of cells.
+    pub(crate) block: Box<Block>,
 }
 
 /// Sums over a row, in an order that does not depend on the number of threads.
@@ -75,7 +82,7 @@ pub struct RowSums {
 }
 
 /// Row buffers that the Lagrangian step needs, in rows.
-pub(crate) const ROW_BUFFERS: usize = 40;
+pub(crate) const ROW_BUFFERS: usize = 6;
 
 impl Workspace {
     /// Memory for a model and a team of `threads`.
@@ -90,9 +97,10 @@ impl Workspace {
             forces: std::array::from_fn(|_| vec![0.0; COEFFICIENTS * plane]),
             last: 0,
             row: vec![0.0; ROW_BUFFERS * grid.stride[1]],
+            block: Block::new(),
         };
         let threads = threads.clamp(1, planes);
-        let (touched, corner_nodes) = contact::touched_nodes(grid, &state.contacts);
+        let (touched, corner_nodes) = contact::touched_nodes(model, &state.contacts);
         let mut workspace = Self {
             team: Team::new(threads),
             cut: Cut::new(1, &vec![1.0; planes], threads, plane),
@@ -102,10 +110,12 @@ impl Workspace {
             workers: (0..threads).map(worker).collect(),
             row_sums: vec![RowSums::default(); rows * (planes + 1)],
             width_x: column_widths(grid),
+            no_forces: vec![0.0; COEFFICIENTS * plane],
             contact_law: contact::law(model),
             points: model.bodies.iter().map(|b| contact::surface_points(model, b)).collect(),
             touched,
             corner_nodes,
+            friction: Vec::new(),
         };
         workspace.find_soil(grid, &state.soil.fraction);
         workspace

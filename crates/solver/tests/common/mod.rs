@@ -1,5 +1,5 @@
 //! A model to start tests from.
-#![allow(dead_code, clippy::unwrap_used)]
+#![allow(dead_code, unreachable_pub, clippy::unwrap_used)]
 
 use glam::DVec3;
 use physics::elastic::Elastic;

@@ -140,15 +140,15 @@ fn numerics(section: &Section, law: Option<Law>, problems: &mut Problems) -> Opt
     let mut or = |key, default, allowed| ranges::or(section, key, default, allowed, problems);
     let courant = or("courant", 0.5, &SHARE);
     let remap_displacement = or("remap_displacement", 0.1, &SHARE);
-    let hourglass = or("hourglass", 0.03, &NOT_NEGATIVE);
+    let hourglass = or("hourglass", 0.01, &NOT_NEGATIVE);
     let bulk_viscosity_linear = or("bulk_viscosity_linear", viscosity, &NOT_NEGATIVE);
     let bulk_viscosity_quadratic = or("bulk_viscosity_quadratic", 1.2, &NOT_NEGATIVE);
     let edge_inset = or("edge_inset", EDGE_INSET, &NOT_NEGATIVE);
     let point_spacing = or("point_spacing", 0.5, &ranges::SPACING);
     let threads = or("threads", 0.0, &NOT_NEGATIVE);
     let contact = match section.text("contact") {
-        Some(typed) if typed.value == "impulse" => Contact::Impulse,
-        _ => Contact::Penalty,
+        Some(typed) if typed.value == "penalty" => Contact::Penalty,
+        _ => Contact::Impulse,
     };
     Some(Numerics {
         courant: courant?,

@@ -3,7 +3,7 @@
 use super::{ContactLaw, TouchedNode, corners};
 use crate::cpu::workspace::Workspace;
 use crate::grid::Grid;
-use crate::model::{BodyModel, Model};
+use crate::model::{BodyModel, Model, Wall};
 use crate::state::{Body, Contact, Soil, State};
 use glam::DVec3;
 
@@ -30,20 +30,40 @@ pub(crate) fn locate(model: &Model, state: &mut State, workspace: &mut Workspace
         );
         contact.area *= point.area;
     }
-    (*touched, *corner_nodes) = touched_nodes(&model.grid, &state.contacts);
+    (*touched, *corner_nodes) = touched_nodes(model, &state.contacts);
     // The scratch array goes back to the remap clean.
     occupied.fill(0.0);
 }
 
 /// The nodes that contact acts on, in memory order, and for each contact the places of its cell's nodes among them.
-pub(crate) fn touched_nodes(grid: &Grid, contacts: &[Contact]) -> (Vec<TouchedNode>, Vec<[u32; 8]>) {
+pub(crate) fn touched_nodes(model: &Model, contacts: &[Contact]) -> (Vec<TouchedNode>, Vec<[u32; 8]>) {
+    let grid = &model.grid;
     let of = |c: &Contact| corners(grid.stride).map(|offset| c.base + offset);
     let mut nodes: Vec<usize> = contacts.iter().filter(|c| c.in_soil).flat_map(of).collect();
     nodes.sort_unstable();
     nodes.dedup();
     let place = |node: usize| nodes.partition_point(|n| *n < node) as u32;
     let corner_nodes = contacts.iter().map(|c| if c.in_soil { of(c).map(place) } else { [0; 8] }).collect();
-    (nodes.into_iter().map(|node| TouchedNode { node, ..TouchedNode::default() }).collect(), corner_nodes)
+    let touched =
+        |node| TouchedNode { node, free_of_walls: free_of_walls(model, node), ..TouchedNode::default() };
+    (nodes.into_iter().map(touched).collect(), corner_nodes)
+}
+
+/// 1 along the axes in which no wall stops a node, 0 along the others.
+fn free_of_walls(model: &Model, node: usize) -> DVec3 {
+    let place = model.grid.place(node);
+    let cells = model.grid.cells();
+    let mut free = DVec3::ONE;
+    for axis in 0..3 {
+        for (wall, at) in model.walls[axis].iter().zip([0, cells[axis]]) {
+            match wall {
+                Wall::Smooth if place[axis] == at => free[axis] = 0.0,
+                Wall::Fixed if place[axis] == at => free = DVec3::ZERO,
+                _ => {}
+            }
+        }
+    }
+    free
 }
 
 /// A direction of the body frame in space. The points of a body of revolution stay where they are when it turns: in

@@ -3,7 +3,9 @@
 //! inside the iteration: no stiffness, no limit on the time step, stable for bodies much lighter than the soil that they
 //! displace.
 //!
-//! A point that does not touch keeps its distance to the soil, and may close it within a step but no further.
+//! A point that does not touch keeps its distance to the soil, and may close it within a step but no further. Where the
+//! volume fractions show that soil has got into the body, it is pushed out as the body moves on; a body at rest pushes
+//! nothing, so that its load does not drift.
 
 use super::{ContactLaw, Scene};
 use crate::state::Contact;
@@ -19,6 +21,8 @@ const SWEEPS: usize = 4;
 const LET_GO: f64 = 0.5;
 /// Share of the difference to the geometric gap that a point at a distance takes over per tenth of a cell of travel.
 const PULL: f64 = 0.3;
+/// Share of an overlap that is pushed out while the body moves on by one cell.
+const PUSH: f64 = 1.0;
 /// Points farther from the soil than this many cells cannot touch within a step.
 const REACH: f64 = 0.05;
 
@@ -26,6 +30,7 @@ impl ContactLaw for Impulses {
     fn relocate(&self, c: &mut Contact, gap: f64, travel: f64, was_in_soil: bool) {
         let touches = was_in_soil && c.penetration >= 0.0;
         if touches && gap < LET_GO * c.width {
+            c.penetration = (-gap).max(0.0);
             return;
         }
         let known = was_in_soil && !touches;
@@ -40,7 +45,7 @@ impl ContactLaw for Impulses {
                 scene.contacts[*n].in_soil
                     && scene.contacts[*n].penetration > -REACH * scene.contacts[*n].width
             })
-            .map(|n| Near::new(scene, n))
+            .filter_map(|n| Near::new(scene, n))
             .collect();
         for near in &near {
             let contact = scene.contacts[near.contact];
@@ -60,11 +65,10 @@ impl ContactLaw for Impulses {
             let c = scene.contacts[n];
             if c.in_soil {
                 let closing = scene.slip_velocity(n).dot(c.normal);
-                scene.contacts[n].penetration = (c.penetration + closing * scene.dt).min(0.0);
+                let penetration = (c.penetration + closing * scene.dt).min(c.penetration.max(0.0));
                 // Rounding must not let go of a point that is held.
-                if c.impulse.dot(c.normal) > 0.0 {
-                    scene.contacts[n].penetration = 0.0;
-                }
+                let held = c.impulse.dot(c.normal) > 0.0;
+                scene.contacts[n].penetration = if held { penetration.max(0.0) } else { penetration };
             }
         }
     }
@@ -83,16 +87,28 @@ struct Near {
 }
 
 impl Near {
-    fn new(scene: &Scene, contact: usize) -> Self {
+    /// `None` where neither soil nor body can give way along the normal: there is nothing to solve for.
+    fn new(scene: &Scene, contact: usize) -> Option<Self> {
         let c = &scene.contacts[contact];
         let mobility = mobility(scene, contact);
-        Self {
-            contact,
-            along: 1.0 / mobility.dot(c.normal * c.normal),
-            across: 1.0 / mobility.max_element(),
-            allowed: (-c.penetration).max(0.0) / scene.dt,
-            friction: scene.model.bodies[c.body].friction.min(1e6),
+        let along = mobility.dot(c.normal * c.normal);
+        if along <= 0.0 {
+            return None;
         }
+        let body = &scene.bodies[c.body];
+        // Overlap is pushed out, a gap may be closed.
+        let allowed = if c.penetration > 0.0 {
+            -PUSH * c.penetration / c.width * body.velocity.length()
+        } else {
+            -c.penetration / scene.dt
+        };
+        Some(Self {
+            contact,
+            along: 1.0 / along,
+            across: 1.0 / mobility.max_element(),
+            allowed,
+            friction: scene.model.bodies[c.body].friction.min(1e6),
+        })
     }
 
     /// Corrects the impulse of the point by its present relative velocity.
@@ -118,8 +134,8 @@ impl Near {
 fn mobility(scene: &Scene, contact: usize) -> DVec3 {
     let c = &scene.contacts[contact];
     let nodes = scene.corner_nodes[contact];
-    let soil: f64 =
-        nodes.iter().zip(c.weight).map(|(n, w)| w * w * scene.nodes[*n as usize].inverse_mass).sum();
+    let each = nodes.iter().zip(c.weight);
+    let soil = each.fold(DVec3::ZERO, |sum, (n, w)| sum + w * w * scene.nodes[*n as usize].inverse_mass);
     let fixed = &scene.model.bodies[c.body];
     let share = scene.model.share;
     DVec3::from_array(std::array::from_fn(|axis| {
@@ -128,6 +144,6 @@ fn mobility(scene: &Scene, contact: usize) -> DVec3 {
         unit[axis] = 1.0;
         let lever = c.arm.cross(unit).y;
         let turn = if fixed.spin.is_free() { lever * lever / (fixed.axle_inertia * share) } else { 0.0 };
-        soil + push + turn
+        soil[axis] + push + turn
     }))
 }

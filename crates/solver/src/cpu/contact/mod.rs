@@ -1,7 +1,7 @@
 //! Contact between soil and bodies at points of the bodies' surfaces.
 //!
 //! A point acts on the eight nodes of the cell that it lies in. Where it lies, and with which weights, is found at
-//! every remap and kept till the next. How soil and body act on each other there is a [`ContactLaw`]'s business; two
+//! every remap and kept till the next. How soil and body act on each other there is a `ContactLaw`'s business; two
 //! were built: penalty with a history, and velocity impulses.
 
 mod geometry;
@@ -35,6 +35,8 @@ pub(crate) struct Scene<'a> {
     pub(crate) nodes: &'a mut [TouchedNode],
     /// For each contact the places of its cell's nodes among them.
     pub(crate) corner_nodes: &'a [[u32; 8]],
+    /// Frictional impulse on the soil at each contact in this step [N s].
+    pub(crate) friction: &'a mut [DVec3],
     /// Time step [s].
     pub(crate) dt: f64,
 }
@@ -46,10 +48,14 @@ pub(crate) struct TouchedNode {
     pub(crate) node: usize,
     /// Velocity [m/s].
     pub(crate) velocity: DVec3,
-    /// One over the mass [1/kg]; 0 for a node that does not move.
-    pub(crate) inverse_mass: f64,
+    /// One over the mass along x, y, z [1/kg]; 0 where the node does not move, for want of mass or because of a wall.
+    pub(crate) inverse_mass: DVec3,
+    /// 1 where no wall stops the node, else 0.
+    pub(crate) free_of_walls: DVec3,
     /// Velocity before contact [m/s].
     free: DVec3,
+    /// Velocity at the end of the last step [m/s].
+    before: DVec3,
 }
 
 /// Offsets of a cell's eight nodes, in the order of the weights.
@@ -75,7 +81,7 @@ impl Scene<'_> {
         let c = &self.contacts[contact];
         for (n, w) in self.corner_nodes[contact].iter().zip(c.weight) {
             let node = &mut self.nodes[*n as usize];
-            node.velocity += (w * node.inverse_mass) * impulse;
+            node.velocity += w * node.inverse_mass * impulse;
         }
         push(&self.model.bodies[c.body], &mut self.bodies[c.body], self.model.share, c.arm, -impulse);
     }
@@ -87,6 +93,7 @@ impl Scene<'_> {
         received.normal -= normal / self.model.share;
         received.friction -= friction / self.model.share;
         received.axle -= c.arm.cross(normal + friction).y / self.model.share;
+        self.friction[contact] += friction;
     }
 }
 
@@ -122,11 +129,18 @@ pub(crate) fn surface_points(model: &Model, body: &BodyModel) -> Vec<SurfacePoin
 }
 
 /// Lets soil and bodies act on each other for one step. Returns the energy that this took out of them [J].
-pub(crate) fn contact(model: &Model, state: &mut State, workspace: &mut Workspace, dt: f64) -> ContactWork {
+/// `at_start` holds velocity and spin of each body at the end of the last step.
+pub(crate) fn contact(
+    model: &Model,
+    state: &mut State,
+    workspace: &mut Workspace,
+    at_start: &[(DVec3, f64)],
+    dt: f64,
+) -> ContactWork {
     if state.contacts.is_empty() {
         return ContactWork::default();
     }
-    let Workspace { touched, corner_nodes, velocity_before, .. } = workspace;
+    let Workspace { touched, corner_nodes, velocity_before, friction, .. } = workspace;
     let before: Vec<(DVec3, f64)> = state.bodies.iter().map(|b| (b.velocity, b.spin)).collect();
     let received: Vec<_> = state.bodies.iter().map(|b| b.received).collect();
     let velocity = &mut state.nodes.velocity;
@@ -135,19 +149,30 @@ pub(crate) fn contact(model: &Model, state: &mut State, workspace: &mut Workspac
         let mass = state.nodes.mass[t.node];
         t.velocity = velocity_of(velocity, t.node);
         t.free = t.velocity;
-        t.inverse_mass = if mass > mass_moved { 1.0 / mass } else { 0.0 };
+        t.before = velocity_of(velocity_before, t.node);
+        t.inverse_mass = if mass > mass_moved { t.free_of_walls / mass } else { DVec3::ZERO };
     }
     let (contacts, bodies) = (&mut state.contacts, &mut state.bodies);
-    workspace.contact_law.act(&mut Scene { model, contacts, bodies, nodes: touched, corner_nodes, dt });
+    friction.clear();
+    friction.resize(contacts.len(), DVec3::ZERO);
+    workspace.contact_law.act(&mut Scene {
+        model,
+        contacts,
+        bodies,
+        nodes: touched,
+        corner_nodes,
+        friction,
+        dt,
+    });
     // Work on the soil: impulse on each node times the mean of its velocities before and after the step.
     let mut on_soil = 0.0;
     for t in touched.iter() {
         for (v, new) in velocity.iter_mut().zip(t.velocity.to_array()) {
             v[t.node] = new;
         }
-        let middle = 0.5 * (t.velocity + velocity_of(velocity_before, t.node));
-        on_soil += state.nodes.mass[t.node] * (t.velocity - t.free).dot(middle);
+        on_soil += state.nodes.mass[t.node] * (t.velocity - t.free).dot(0.5 * (t.velocity + t.before));
     }
+    let rubbed = rubbed(state, touched, corner_nodes, friction, at_start);
     let mut on_bodies = Vec::with_capacity(state.bodies.len());
     for (n, body) in state.bodies.iter().enumerate() {
         let force =
@@ -160,7 +185,34 @@ pub(crate) fn contact(model: &Model, state: &mut State, workspace: &mut Workspac
             spin_free: before[n].1,
         });
     }
-    ContactWork { on_soil, on_bodies }
+    ContactWork { on_soil, rubbed, on_bodies }
+}
+
+/// Dissipation by friction [J]: frictional impulses times the slip, which is taken as the mean of those before and after
+/// the step, like every other work.
+fn rubbed(
+    state: &State,
+    nodes: &[TouchedNode],
+    corner_nodes: &[[u32; 8]],
+    friction: &[DVec3],
+    at_start: &[(DVec3, f64)],
+) -> f64 {
+    let mut sum = 0.0;
+    for ((c, corners), impulse) in state.contacts.iter().zip(corner_nodes).zip(friction) {
+        if *impulse != DVec3::ZERO {
+            let body = &state.bodies[c.body];
+            let (velocity, spin) = at_start[c.body];
+            let before = velocity + (DVec3::Y * spin).cross(c.arm);
+            let of_body = 0.5 * (velocity_at(body, c.arm) + before);
+            let each = corners.iter().zip(c.weight);
+            let of_soil = each.fold(DVec3::ZERO, |v, (n, w)| {
+                let node = &nodes[*n as usize];
+                v + 0.5 * w * (node.velocity + node.before)
+            });
+            sum += impulse.dot(of_body - of_soil);
+        }
+    }
+    sum
 }
 
 fn velocity_of(velocity: &[Vec<f64>; 3], node: usize) -> DVec3 {
@@ -172,6 +224,8 @@ fn velocity_of(velocity: &[Vec<f64>; 3], node: usize) -> DVec3 {
 pub(crate) struct ContactWork {
     /// Work done on the soil [J].
     pub(crate) on_soil: f64,
+    /// Dissipation by friction [J].
+    pub(crate) rubbed: f64,
     /// What each body received.
     pub(crate) on_bodies: Vec<BodyImpulse>,
 }

@@ -1,0 +1,218 @@
+//! Drag and lift of a disc at a given sinkage.
+
+use super::{
+    Contact, Disc, Drive, Passive, Reaction, RimPressure, bearing_arc, heap_height, median_angle,
+    slip_from_transition, transition_from_slip, wedge,
+};
+use crate::bearing::Method;
+use crate::error::{Answer, within};
+use crate::numeric::root;
+use crate::soil::Soil;
+
+/// Which closed form gives the pressure on the rim.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Model {
+    /// BC: the soil escapes sideways; narrow discs.
+    Bearing,
+    /// PW: the soil fails forwards, with crescents at the ends; wide discs.
+    Wedge,
+    /// PW without ends: a disc as wide as the ground.
+    PlaneStrain,
+    /// Of BC and PW the one with the smaller vertical force: the soil picks the weaker way out.
+    #[default]
+    Weaker,
+}
+
+/// How the soil fails.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mechanism {
+    /// Sideways from under the disc.
+    Sideways,
+    /// Forwards, ahead of the disc.
+    Forwards,
+}
+
+/// Everything but the sinkage.
+#[derive(Clone, Copy, Debug)]
+pub struct Setting<'a> {
+    /// The soil; its friction angle is used as it is (see [`Soil::operative`]).
+    pub soil: Soil,
+    /// The disc.
+    pub disc: Disc,
+    /// What happens at the axle.
+    pub drive: Drive,
+    /// Fraction χ of the soil swept aside that heaps up before the disc, 0 to 1 (see [`heap_height`]).
+    pub heap_fraction: f64,
+    /// Rise β of the ground before the disc [rad]; only the wedge knows it.
+    pub backfill: f64,
+    /// Correction factors of the bearing model.
+    pub method: Method,
+    /// Source of the passive coefficient.
+    pub passive: Passive<'a>,
+}
+
+impl Setting<'_> {
+    /// A disc on level ground without heap, Meyerhof's factors, the field solved each time.
+    #[must_use]
+    pub fn new(soil: Soil, disc: Disc, drive: Drive) -> Self {
+        let (method, passive) = (Method::default(), Passive::default());
+        Self { soil, disc, drive, heap_fraction: 0.0, backfill: 0.0, method, passive }
+    }
+}
+
+/// Forces on a disc at a given sinkage.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DiscForces {
+    /// Drag F_H [N].
+    pub drag: f64,
+    /// Vertical force F_V [N].
+    pub vertical: f64,
+    /// Normal thrust P_n on the rim [N].
+    pub normal: f64,
+    /// Net friction on the rim F_f = μ_m P_n [N]; positive against the tow.
+    pub friction: f64,
+    /// Torque of that friction about the axle [N m]; positive when it turns the disc forwards.
+    pub rim_torque: f64,
+    /// Mobilised friction μ_m: 0 free, μ locked, negative driven.
+    pub mobilised_friction: f64,
+    /// Contact angle θ_f [rad].
+    pub contact_angle: f64,
+    /// Inclination η of the force to the vertical, backwards [rad].
+    pub force_inclination: f64,
+    /// Angle θ₀ at which the friction on the rim changes sign [rad].
+    pub transition_angle: f64,
+    /// Slip s = ω r / v − 1 that goes with θ₀: −1 locked.
+    pub skid: f64,
+    /// How the soil fails.
+    pub mechanism: Mechanism,
+}
+
+/// Forces on the disc at sinkage z [m].
+///
+/// F_H = H + μ_m V, F_V = V − μ_m H, with V and H the sums of the normal pressure and μ_m the mobilised friction: 0 for
+/// a free disc, μ for a locked one, M/(R P_n) under an axle torque M (μ at most: then the disc slides), and at a given
+/// slip the balance of the two friction zones. μ is never more than tan φ.
+/// Source: derived for this project; models BC ([`bearing_arc`]) and PW ([`wedge`]).
+///
+/// # Errors
+/// If an input is out of range or the model has no answer there.
+pub fn disc_forces(model: Model, setting: &Setting<'_>, sinkage: f64) -> Answer<DiscForces> {
+    if model == Model::Weaker {
+        let bearing = disc_forces(Model::Bearing, setting, sinkage)?;
+        // Where the wedge has no field (a locked disc on a steep chord) the soil still has the other way out.
+        return Ok(match disc_forces(Model::Wedge, setting, sinkage) {
+            Ok(wedge) if wedge.vertical < bearing.vertical => wedge,
+            _ => bearing,
+        });
+    }
+    let (rim, friction) = loaded_rim(model, setting, sinkage)?;
+    Ok(assemble(model, setting, &rim, friction))
+}
+
+/// The vertical force of [`disc_forces`] alone [N], for a search over the sinkage.
+///
+/// # Errors
+/// As [`disc_forces`].
+pub fn vertical_force(model: Model, setting: &Setting<'_>, sinkage: f64) -> Answer<f64> {
+    if model == Model::Weaker {
+        let bearing = vertical_force(Model::Bearing, setting, sinkage)?;
+        return Ok(vertical_force(Model::Wedge, setting, sinkage).map_or(bearing, |wedge| wedge.min(bearing)));
+    }
+    let (rim, friction) = loaded_rim(model, setting, sinkage)?;
+    let Reaction { vertical, horizontal, .. } = rim.reaction();
+    Ok(vertical - friction * horizontal)
+}
+
+/// The pressure on the rim and the friction μ_m that goes with it.
+fn loaded_rim(model: Model, setting: &Setting<'_>, sinkage: f64) -> Answer<(RimPressure, f64)> {
+    setting.soil.check()?;
+    setting.drive.check()?;
+    within("heap fraction", setting.heap_fraction, 0.0, 1.0)?;
+    let heap =
+        heap_height(setting.heap_fraction, setting.disc.thickness, sinkage, setting.soil.friction_angle);
+    let contact = setting.disc.contact(sinkage, heap)?;
+    let pressure = |friction: f64| rim(model, setting, &contact, friction);
+    let friction = mobilised(setting, &pressure)?;
+    Ok((pressure(friction)?, friction))
+}
+
+fn rim(model: Model, setting: &Setting<'_>, contact: &Contact, friction: f64) -> Answer<RimPressure> {
+    let (soil, disc) = (&setting.soil, &setting.disc);
+    match model {
+        Model::Bearing | Model::Weaker => bearing_arc(soil, disc, contact, friction, setting.method),
+        Model::Wedge => wedge(soil, disc, contact, friction, setting.backfill, true, setting.passive),
+        Model::PlaneStrain => wedge(soil, disc, contact, friction, setting.backfill, false, setting.passive),
+    }
+}
+
+/// The friction μ_m that the drive mobilises.
+fn mobilised(setting: &Setting<'_>, pressure: &impl Fn(f64) -> Answer<RimPressure>) -> Answer<f64> {
+    let most = setting.soil.shared_friction();
+    match setting.drive {
+        Drive::Free => Ok(0.0),
+        Drive::Locked => Ok(most),
+        Drive::Braked(torque) => Ok(balance(torque, most, 1.0, pressure)),
+        Drive::Driven(torque) => Ok(balance(torque, most, -1.0, pressure)),
+        Drive::Slip(slip) => {
+            // The pressure depends on μ_m only weakly, and only its shape counts here: one pass is enough.
+            let rim = pressure(0.0)?;
+            let turn = transition_from_slip(slip, setting.soil.friction_angle, rim.angle);
+            let share = rim.sum(0.0, turn, |_| 1.0) / rim.sum(0.0, rim.angle, |_| 1.0);
+            Ok(most * (2.0 * share - 1.0))
+        }
+    }
+}
+
+/// The least |μ_m| whose friction holds the axle torque, or all of `most` where none does: the disc slides.
+fn balance(torque: f64, most: f64, sign: f64, pressure: &impl Fn(f64) -> Answer<RimPressure>) -> f64 {
+    let surplus = |friction: f64| match pressure(sign * friction) {
+        Ok(rim) => friction * rim.reaction().normal * rim.radius - torque,
+        Err(_) => f64::NAN,
+    };
+    const STEPS: u32 = 8;
+    for step in 0..STEPS {
+        let (low, high) = (f64::from(step), f64::from(step + 1));
+        let (low, high) = (most * low / f64::from(STEPS), most * high / f64::from(STEPS));
+        if surplus(high) >= 0.0 {
+            return sign * root(low, high, 1e-14, surplus).unwrap_or(high);
+        }
+    }
+    sign * most
+}
+
+fn assemble(model: Model, setting: &Setting<'_>, rim: &RimPressure, friction: f64) -> DiscForces {
+    let Reaction { normal, vertical, horizontal } = rim.reaction();
+    let (drag, lift) = (horizontal + friction * vertical, vertical - friction * horizontal);
+    let phi = setting.soil.friction_angle;
+    let transition_angle = match setting.drive {
+        Drive::Locked => rim.angle,
+        Drive::Slip(slip) => transition_from_slip(slip, phi, rim.angle),
+        _ if friction == 0.0 => median_angle(rim),
+        _ => share_angle(rim, 0.5 * (1.0 + friction / setting.soil.shared_friction())),
+    };
+    let skid = match setting.drive {
+        Drive::Slip(slip) => slip,
+        _ if friction > 0.0 && friction >= setting.soil.shared_friction() => -1.0,
+        _ => slip_from_transition(transition_angle, phi),
+    };
+    DiscForces {
+        drag,
+        vertical: lift,
+        normal,
+        friction: friction * normal,
+        rim_torque: friction * normal * rim.radius,
+        mobilised_friction: friction,
+        contact_angle: rim.angle,
+        force_inclination: drag.atan2(lift),
+        transition_angle,
+        skid,
+        mechanism: if model == Model::Bearing { Mechanism::Sideways } else { Mechanism::Forwards },
+    }
+}
+
+/// The angle behind which the fraction `share` of the normal thrust lies [rad].
+fn share_angle(rim: &RimPressure, share: f64) -> f64 {
+    let all = rim.sum(0.0, rim.angle, |_| 1.0);
+    let miss = |theta: f64| rim.sum(0.0, theta, |_| 1.0) - share * all;
+    root(0.0, rim.angle, 1e-12, miss).unwrap_or(if share > 0.5 { rim.angle } else { 0.0 })
+}

@@ -1,0 +1,47 @@
+//! Coulomb: the plane wedge.
+
+use super::Face;
+use crate::error::{Answer, finite, none};
+use std::f64::consts::PI;
+
+/// Coulomb's total passive coefficient K_p, for the thrust P = ½ γ H² K_p [N/m] at δ to the normal of the face.
+///
+/// With a = 180° − α: K_p = sin²(a−φ) / {sin²a sin(a+δ) [1 − √(sin(φ+δ) sin(φ+β) / (sin(a+δ) sin(a+β)))]²}.
+/// Source: Coulomb (1776), in the form of Müller-Breslau (1906) (recalled, not re-read).
+///
+/// **Domain of existence.** A plane wedge exists only while the square root stays below 1; on level ground that is
+/// α > φ + δ. The overhanging face of a shallow disc (α = 13° to 39° at 5 % to 40 % sinkage) lies outside it, and just
+/// inside it the value is 3 to 10 times too large. δ > 0 makes the plane wedge unsafe long before it ceases to exist.
+///
+/// # Errors
+/// If no plane wedge exists or the angles are not physical.
+pub fn coulomb_total(face: &Face) -> Answer<f64> {
+    face.check()?;
+    let (phi, delta, beta) = (face.friction_angle, face.wall_friction, face.backfill);
+    let a = PI - face.surface;
+    let (wall, ground) = ((a + delta).sin(), (a + beta).sin());
+    let steepness = (phi + delta).sin().max(0.0) * (phi + beta).sin().max(0.0);
+    let ratio = steepness / (wall * ground);
+    if wall <= 1e-12 || ground <= 1e-12 || ratio >= 1.0 - 1e-9 {
+        return none("Coulomb's coefficient", no_wedge(face));
+    }
+    let bracket = (1.0 - ratio.sqrt()).powi(2);
+    finite("Coulomb's coefficient", (a - phi).sin().powi(2) / (a.sin().powi(2) * wall * bracket))
+}
+
+/// Coulomb's normal passive coefficient K_n = K_p cos δ sin²α; see [`coulomb_total`] for where it exists.
+///
+/// # Errors
+/// If no plane wedge exists or the angles are not physical.
+pub fn coulomb(face: &Face) -> Answer<f64> {
+    Ok(coulomb_total(face)? * face.wall_friction.cos() * face.surface.sin().powi(2))
+}
+
+fn no_wedge(face: &Face) -> String {
+    let limit = (face.friction_angle + face.wall_friction).to_degrees();
+    format!(
+        "a plane wedge under a face inclined at {:.1}° needs more than φ + δ = {limit:.1}° (level ground); \
+         the overhanging face of a disc has none",
+        face.surface.to_degrees()
+    )
+}

@@ -1,0 +1,9 @@
+//! Truths for tests: motions and states known exactly, and scaling laws measured often enough to check against.
+
+mod collapse;
+mod elastic;
+mod motion;
+
+pub use collapse::{Collapse, axisymmetric_collapse, plane_collapse};
+pub use elastic::{at_rest_coefficient, bar_wave_speed, pressure_wave_speed, shear_wave_speed};
+pub use motion::{fall_distance, rolling_fall_acceleration, slide_distance};

@@ -1,0 +1,72 @@
+//! Which model to believe, in plain words.
+
+use super::{Candidate, ModelForecast, Towing};
+use crate::disc::{Drive, Mechanism};
+
+/// A recommendation for the case.
+pub(super) fn recommend(towing: &Towing, models: &[ModelForecast]) -> String {
+    let weaker = models.iter().find(|model| model.model == Candidate::Weaker);
+    let mut words = match weaker.and_then(|model| model.prediction) {
+        Some(found) => leading(towing, found.mechanism),
+        None => {
+            let why = weaker.map_or("", |model| model.note.as_str());
+            format!(
+                "The plasticity models give no answer ({why}). Only the solver can say what happens here."
+            )
+        }
+    };
+    for warning in warnings(towing) {
+        words.push(' ');
+        words.push_str(&warning);
+    }
+    words
+}
+
+fn leading(towing: &Towing, mechanism: Option<Mechanism>) -> String {
+    let thickness = towing.disc.thickness / towing.disc.diameter;
+    let way = match mechanism {
+        Some(Mechanism::Forwards) => format!(
+            "Believe PW: at t/d = {thickness:.2} the wedge before the disc gives way before the soil can escape sideways."
+        ),
+        _ => format!(
+            "Believe BC: at t/d = {thickness:.2} the soil escapes sideways from under the disc before it fails forwards."
+        ),
+    };
+    format!("{way} Expect 30 to 50 % on force, and a factor of 2.1 to 2.7 for 5° in the friction angle.")
+}
+
+fn warnings(towing: &Towing) -> Vec<String> {
+    let mut warnings = Vec::new();
+    let slides = match towing.drive {
+        Drive::Locked => true,
+        Drive::Slip(slip) => slip < -0.5,
+        _ => false,
+    };
+    if slides {
+        warnings.push(
+            "The disc slides: no closed form has reproduced the measured locked wheel (they fall short of its drag), \
+             so take the drag as a lower estimate."
+                .into(),
+        );
+    }
+    if towing.soil.dilation_angle < towing.soil.friction_angle - 1e-9 {
+        warnings.push(
+            "The flow is non-associated: the plasticity models use Davis' angle; the values at the full friction angle \
+             stand beside them as an upper estimate."
+                .into(),
+        );
+    }
+    let groups = towing.soil.cohesion / (towing.soil.unit_weight * towing.disc.diameter);
+    if groups > 0.006 {
+        warnings.push(format!(
+            "Cohesion matters: c/(γ d) = {groups:.3} raises the vertical force by more than 5 %."
+        ));
+    }
+    if towing.heap_fraction > 0.0 {
+        warnings.push("The heap is a hypothesis that has not been validated.".into());
+    }
+    if towing.assembly.is_some_and(|assembly| assembly.count > 1) {
+        warnings.push("The group rule for several discs is an assumption between two exact limits.".into());
+    }
+    warnings
+}

@@ -1,0 +1,80 @@
+//! The models that the forecast knows by name.
+
+/// A closed-form model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Candidate {
+    /// The weaker of [`Candidate::Bearing`] and [`Candidate::Wedge`].
+    Weaker,
+    /// BC: bearing capacity on the arc.
+    Bearing,
+    /// PW: passive wedge on the chord, with ends.
+    Wedge,
+    /// PW in plane strain.
+    PlaneStrain,
+    /// Hetherington & Littleton (1978).
+    HetheringtonLittleton,
+    /// 3D-RFT, Agarwal et al. (2023).
+    SpatialResistive,
+    /// 2-D RFT, Li et al. (2013).
+    PlanarResistive,
+    /// Bekker (1956).
+    Bekker,
+    /// Wong & Reece (1967).
+    WongReece,
+    /// Wismer & Luth (1973).
+    WismerLuth,
+    /// Brixius (1987).
+    Brixius,
+    /// McKyes & Ali (1977).
+    McKyesAli,
+    /// Godwin & Spoor (1977).
+    GodwinSpoor,
+}
+
+impl Candidate {
+    /// Every model, the one to look at first in front.
+    pub const ALL: [Self; 13] = [
+        Self::Weaker,
+        Self::Bearing,
+        Self::Wedge,
+        Self::PlaneStrain,
+        Self::HetheringtonLittleton,
+        Self::SpatialResistive,
+        Self::PlanarResistive,
+        Self::Bekker,
+        Self::WongReece,
+        Self::WismerLuth,
+        Self::Brixius,
+        Self::McKyesAli,
+        Self::GodwinSpoor,
+    ];
+
+    /// The name that tables, files and scripts use.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Weaker => "weaker of BC and PW",
+            Self::Bearing => "BC",
+            Self::Wedge => "PW",
+            Self::PlaneStrain => "PW plane strain",
+            Self::HetheringtonLittleton => "Hetherington-Littleton",
+            Self::SpatialResistive => "3D-RFT",
+            Self::PlanarResistive => "2-D RFT",
+            Self::Bekker => "Bekker",
+            Self::WongReece => "Wong-Reece",
+            Self::WismerLuth => "Wismer-Luth",
+            Self::Brixius => "Brixius",
+            Self::McKyesAli => "McKyes-Ali",
+            Self::GodwinSpoor => "Godwin-Spoor",
+        }
+    }
+
+    /// Whether it is a limit analysis, to be evaluated at Davis' friction angle; the others are fits to measurements.
+    #[must_use]
+    pub fn is_plastic(self) -> bool {
+        matches!(
+            self,
+            Self::Weaker | Self::Bearing | Self::Wedge | Self::PlaneStrain | Self::HetheringtonLittleton
+        )
+    }
+}

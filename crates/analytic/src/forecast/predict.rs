@@ -1,0 +1,167 @@
+//! One model's answer.
+
+use super::rivals;
+use super::{Candidate, Load, Towing};
+use crate::disc::{
+    DiscForces, Drive, Equilibrium, Mechanism, Model, Passive, Setting, assembly_forces, disc_forces,
+    equilibrium_of, vertical_force,
+};
+use crate::earth_pressure::{PressureTable, TableRange};
+use crate::error::{Answer, none};
+
+/// What one model predicts; a model leaves out what it does not know.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Prediction {
+    /// Drag F_H [N].
+    pub drag: f64,
+    /// Vertical force F_V [N].
+    pub vertical: f64,
+    /// Sinkage z [m].
+    pub sinkage: Option<f64>,
+    /// Contact angle θ_f [rad].
+    pub contact_angle: Option<f64>,
+    /// Inclination η of the force to the vertical [rad].
+    pub force_inclination: f64,
+    /// Slip s = ωr/v − 1.
+    pub skid: Option<f64>,
+    /// How the soil fails, where the model says.
+    pub mechanism: Option<Mechanism>,
+}
+
+/// One model's entry in a forecast.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ModelForecast {
+    /// Which model.
+    pub model: Candidate,
+    /// Its name.
+    pub name: &'static str,
+    /// Whether its answer is meant for a case like this one.
+    pub applicable: bool,
+    /// Its answer, where it has one; shown even where it does not apply.
+    pub prediction: Option<Prediction>,
+    /// Why it does not apply, or what to keep in mind.
+    pub note: String,
+}
+
+impl ModelForecast {
+    pub(super) fn of(model: Candidate, answer: Answer<Prediction>) -> Self {
+        let (prediction, note) = match answer {
+            Ok(prediction) => (Some(prediction), String::new()),
+            Err(why) => (None, why.to_string()),
+        };
+        Self { model, name: model.name(), applicable: prediction.is_some(), prediction, note }
+    }
+
+    fn exclude(&mut self, why: &str) {
+        if self.applicable {
+            self.applicable = false;
+            self.note = why.into();
+        }
+    }
+}
+
+/// The answer of one model, with the soil's friction angle as it is; `table` speeds up the wedge where it covers the case.
+///
+/// # Errors
+/// If the model does not apply to the case or has no answer.
+pub fn predict(model: Candidate, towing: &Towing, table: Option<&PressureTable>) -> Answer<Prediction> {
+    towing.check()?;
+    let found = match model {
+        Candidate::Weaker => disc(Model::Weaker, towing, table),
+        Candidate::Bearing => disc(Model::Bearing, towing, table),
+        Candidate::Wedge => disc(Model::Wedge, towing, table),
+        Candidate::PlaneStrain => disc(Model::PlaneStrain, towing, table),
+        _ => rivals::predict(model, towing),
+    }?;
+    if found.drag.is_finite() && found.vertical.is_finite() {
+        Ok(found)
+    } else {
+        none("the force", "the numbers overflow for this input")
+    }
+}
+
+/// A table of the smooth level wedge for the friction angle of `towing`, where its drive needs no other.
+pub(super) fn level_table(towing: &Towing) -> Option<PressureTable> {
+    let phi = towing.soil.friction_angle;
+    let range = TableRange {
+        friction_angle: (phi, phi),
+        wall_friction_ratio: (0.0, 0.0),
+        surface: (0.0, 1.36),
+        backfill: towing.backfill,
+    };
+    if towing.drive == Drive::Free { PressureTable::new(range).ok() } else { None }
+}
+
+fn disc(model: Model, towing: &Towing, table: Option<&PressureTable>) -> Answer<Prediction> {
+    let setting = Setting {
+        soil: towing.soil,
+        disc: towing.disc,
+        drive: towing.drive,
+        heap_fraction: towing.heap_fraction,
+        backfill: towing.backfill,
+        method: towing.method,
+        passive: table.map_or(Passive::Solve, Passive::Table),
+    };
+    let at = |z: f64| match &towing.assembly {
+        Some(assembly) => assembly_forces(model, &setting, assembly, z),
+        None => disc_forces(model, &setting, z),
+    };
+    let carried = |z: f64| match &towing.assembly {
+        Some(_) => Ok(at(z)?.vertical),
+        None => vertical_force(model, &setting, z),
+    };
+    match towing.load {
+        Load::Sinkage(z) => Ok(prediction(&at(z)?, z)),
+        Load::Weight(weight) => match equilibrium_of(&towing.disc, weight, carried, at)? {
+            Equilibrium::At { sinkage, forces } => Ok(prediction(&forces, sinkage)),
+            Equilibrium::None { largest_weight, .. } => none(
+                "the equilibrium sinkage",
+                format!("no equilibrium: the soil carries at most {largest_weight:.3} N, the disc digs in"),
+            ),
+        },
+    }
+}
+
+fn prediction(forces: &DiscForces, sinkage: f64) -> Prediction {
+    Prediction {
+        drag: forces.drag,
+        vertical: forces.vertical,
+        sinkage: Some(sinkage),
+        contact_angle: Some(forces.contact_angle),
+        force_inclination: forces.force_inclination,
+        skid: Some(forces.skid),
+        mechanism: Some(forces.mechanism),
+    }
+}
+
+/// Marks the answers that exist but are not to be believed for this case.
+pub(super) fn set_apart(models: &mut [ModelForecast], towing: &Towing) {
+    let governing =
+        models.iter().find(|m| m.model == Candidate::Weaker).and_then(|m| m.prediction?.mechanism);
+    let d = towing.disc;
+    for model in models {
+        let sinkage = model.prediction.and_then(|p| p.sinkage).unwrap_or(0.0);
+        match model.model {
+            Candidate::Bearing if governing == Some(Mechanism::Forwards) => {
+                model.exclude("the soil fails forwards instead, which takes less force (see PW)");
+            }
+            Candidate::Wedge if governing == Some(Mechanism::Sideways) => {
+                model.exclude("the soil escapes sideways instead, which takes less force (see BC)");
+            }
+            Candidate::PlaneStrain if d.thickness < 3.0 * (sinkage * d.diameter).sqrt() => {
+                model.exclude(
+                    "narrower than three contact chords: the ends of the wedge carry much of the force",
+                );
+            }
+            Candidate::HetheringtonLittleton if sinkage > 0.2 * d.diameter => {
+                model.exclude("made for shallow sinkage, up to about a fifth of the diameter");
+            }
+            Candidate::SpatialResistive | Candidate::PlanarResistive if sinkage > 1.5 * d.thickness => {
+                model.exclude(
+                    "deeper than one and a half thicknesses: resistive force theory has no width term",
+                );
+            }
+            _ => {}
+        }
+    }
+}

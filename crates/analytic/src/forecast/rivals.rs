@@ -1,0 +1,119 @@
+//! The rival models, brought to the form of the forecast.
+
+use super::{Candidate, Load, Prediction, Towing};
+use crate::disc::Drive;
+use crate::error::{Answer, none};
+use crate::resistive::{PlanarLaw, Rolled, SpatialLaw, Traction, at_depth, strength_scale, under_weight};
+use crate::wheel::{
+    Rolling, bekker_at_depth, bekker_towed, brixius_towed, hetherington_littleton,
+    hetherington_littleton_at_depth, wismer_luth_towed, wong_reece_at_depth, wong_reece_towed,
+};
+
+/// Pressure over depth under a level plate in 3D-RFT, per unit of its stiffness ξ_n.
+const LEVEL_PLATE: f64 = 0.875;
+
+pub(super) fn predict(model: Candidate, towing: &Towing) -> Answer<Prediction> {
+    if towing.assembly.is_some_and(|assembly| assembly.count > 1) {
+        return none(model.name(), "it knows a single disc only");
+    }
+    if towing.soil.cohesion > 0.0 && matches!(model, Candidate::HetheringtonLittleton) {
+        return none(model.name(), "it is for cohesionless soil");
+    }
+    match model {
+        Candidate::SpatialResistive => {
+            let (soil, friction) = (&towing.soil, towing.soil.body_friction);
+            resistive(&SpatialLaw::new(soil.friction_angle, soil.unit_weight, friction)?, towing)
+        }
+        Candidate::PlanarResistive => resistive(&PlanarLaw::new(plate_stiffness(towing)?)?, towing),
+        Candidate::McKyesAli | Candidate::GodwinSpoor => none(
+            model.name(),
+            "the front of a disc overhangs the soil (rake beyond 90°), where this blade model ends",
+        ),
+        _ if towing.drive != Drive::Free => none(model.name(), "it is for a towed wheel that turns freely"),
+        Candidate::HetheringtonLittleton => hetherington(towing),
+        Candidate::Bekker => bekker(towing),
+        Candidate::WongReece => wong_reece(towing),
+        _ => mobility(model, towing),
+    }
+}
+
+fn plate_stiffness(towing: &Towing) -> Answer<f64> {
+    match towing.plate_stiffness {
+        Some(stiffness) => Ok(stiffness),
+        None => Ok(LEVEL_PLATE * strength_scale(towing.soil.friction_angle)? * towing.soil.unit_weight),
+    }
+}
+
+fn resistive(law: &impl Traction, towing: &Towing) -> Answer<Prediction> {
+    if towing.soil.cohesion > 0.0 {
+        return none("resistive force theory", "it is for cohesionless soil");
+    }
+    let Rolled { drag, vertical, sinkage, slip, .. } = match towing.load {
+        Load::Weight(weight) => under_weight(law, &towing.disc, weight, towing.drive)?,
+        Load::Sinkage(z) => at_depth(law, &towing.disc, z, towing.drive)?,
+    };
+    prediction(towing, drag, vertical, Some(sinkage), Some(slip))
+}
+
+fn hetherington(towing: &Towing) -> Answer<Prediction> {
+    let (phi, gamma) = (towing.soil.friction_angle, towing.soil.unit_weight);
+    let (Rolling { resistance, sinkage }, weight) = match towing.load {
+        Load::Weight(weight) => (hetherington_littleton(phi, gamma, &towing.disc, weight)?, weight),
+        Load::Sinkage(z) => hetherington_littleton_at_depth(phi, gamma, &towing.disc, z)?,
+    };
+    if sinkage > 0.95 * towing.disc.diameter {
+        return none("Hetherington and Littleton's sinkage", "the wheel would be buried");
+    }
+    prediction(towing, resistance, weight, Some(sinkage), None)
+}
+
+fn bekker(towing: &Towing) -> Answer<Prediction> {
+    let Some(terrain) = &towing.terrain else {
+        return none("Bekker's wheel", "no plate constants (k_c, k_φ, n) are given");
+    };
+    let (Rolling { resistance, sinkage }, weight) = match towing.load {
+        Load::Weight(weight) => (bekker_towed(terrain, &towing.disc, weight)?, weight),
+        Load::Sinkage(z) => bekker_at_depth(terrain, &towing.disc, z)?,
+    };
+    prediction(towing, resistance, weight, Some(sinkage), None)
+}
+
+fn wong_reece(towing: &Towing) -> Answer<Prediction> {
+    let Some(terrain) = &towing.terrain else {
+        return none("Wong and Reece's wheel", "no plate constants (k_c, k_φ, n) are given");
+    };
+    let wheel = match towing.load {
+        Load::Weight(weight) => wong_reece_towed(terrain, &towing.disc, weight)?,
+        Load::Sinkage(z) => wong_reece_at_depth(terrain, &towing.disc, z)?,
+    };
+    prediction(towing, wheel.drag, wheel.vertical, Some(wheel.sinkage), Some(wheel.slip))
+}
+
+fn mobility(model: Candidate, towing: &Towing) -> Answer<Prediction> {
+    let Some(cone_index) = towing.cone_index else {
+        return none(model.name(), "no cone index is given");
+    };
+    let Load::Weight(weight) = towing.load else {
+        return none(model.name(), "it knows the weight but no sinkage");
+    };
+    let found = match model {
+        Candidate::WismerLuth => wismer_luth_towed(cone_index, &towing.disc, weight)?,
+        _ => brixius_towed(cone_index, &towing.disc, weight, 0.0)?,
+    };
+    prediction(towing, found.resistance, weight, None, None)
+}
+
+fn prediction(
+    towing: &Towing,
+    drag: f64,
+    vertical: f64,
+    sinkage: Option<f64>,
+    skid: Option<f64>,
+) -> Answer<Prediction> {
+    let contact_angle = match sinkage {
+        Some(z) if z > 0.0 => Some(towing.disc.contact(z, 0.0)?.angle),
+        _ => None,
+    };
+    let force_inclination = drag.atan2(vertical);
+    Ok(Prediction { drag, vertical, sinkage, contact_angle, force_inclination, skid, mechanism: None })
+}

@@ -1,0 +1,53 @@
+//! The soil as the closed forms see it.
+
+use crate::bearing::davis_friction_angle;
+use crate::error::{Answer, not_negative, positive, within};
+
+/// Rigid, perfectly plastic Mohr–Coulomb soil and its friction on the body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Soil {
+    /// Friction angle φ [rad].
+    pub friction_angle: f64,
+    /// Dilation angle ψ [rad]; equal to φ for associated flow.
+    pub dilation_angle: f64,
+    /// Cohesion c [Pa].
+    pub cohesion: f64,
+    /// Unit weight γ [N/m³]; of submerged soil the buoyant one.
+    pub unit_weight: f64,
+    /// Coefficient of friction μ between soil and body; the wall friction angle is δ = atan μ.
+    pub body_friction: f64,
+}
+
+impl Soil {
+    /// Refuses a soil that no model here can take.
+    ///
+    /// # Errors
+    /// Unless 10° ≤ φ ≤ 50°, −φ ≤ ψ ≤ φ, c ≥ 0, γ > 0 and 0 ≤ μ ≤ 2.
+    pub fn check(&self) -> Answer<()> {
+        let phi =
+            within("friction angle [rad]", self.friction_angle, 10_f64.to_radians(), 50_f64.to_radians())?;
+        within("dilation angle [rad]", self.dilation_angle, -phi, phi)?;
+        not_negative("cohesion [Pa]", self.cohesion)?;
+        positive("unit weight [N/m^3]", self.unit_weight)?;
+        within("body friction", self.body_friction, 0.0, 2.0)?;
+        Ok(())
+    }
+
+    /// The same soil with Davis' operative friction angle φ* and cohesion c* in place of φ and c, associated.
+    ///
+    /// tan φ*/tan φ = c*/c. Source: Davis (1968), see [`davis_friction_angle`].
+    ///
+    /// # Errors
+    /// If φ or ψ is out of range.
+    pub fn operative(&self) -> Answer<Self> {
+        let angle = davis_friction_angle(self.friction_angle, self.dilation_angle)?;
+        let cohesion = self.cohesion * angle.tan() / self.friction_angle.tan();
+        Ok(Self { friction_angle: angle, dilation_angle: angle, cohesion, ..*self })
+    }
+
+    /// The friction that soil and body can share: μ, but no more than the soil's own tan φ.
+    #[must_use]
+    pub fn shared_friction(&self) -> f64 {
+        self.body_friction.min(self.friction_angle.tan())
+    }
+}

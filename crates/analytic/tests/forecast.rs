@@ -1,0 +1,211 @@
+//! The front door: every model side by side, with reasons.
+
+use analytic::disc::{
+    Assembly, Disc, Drive, Equilibrium, Mechanism, Model, Setting, assembly_forces, disc_forces, equilibrium,
+};
+use analytic::forecast::{Candidate, Parameter, curve};
+use analytic::uncertainty::{Quantity, Spread, propagate, propagate_towing};
+use analytic::wheel::TERRAINS;
+use analytic::{Load, Soil, Towing, forecast};
+use std::time::Instant;
+
+fn towing(degrees: f64, load: Load, drive: Drive) -> Towing {
+    let angle = degrees.to_radians();
+    let soil = Soil {
+        friction_angle: angle,
+        dilation_angle: angle,
+        cohesion: 0.0,
+        unit_weight: 16e3,
+        body_friction: 0.3,
+    };
+    Towing::new(soil, Disc { diameter: 0.2, thickness: 0.05 }, load, drive)
+}
+
+#[test]
+fn a_free_disc_under_weight_is_forecast_by_every_model_it_suits() {
+    let mut case = towing(35.0, Load::Weight(50.0), Drive::Free);
+    case.terrain = Some(TERRAINS[0].soil);
+    case.cone_index = Some(300e3);
+    case.elastic_modulus = Some(10e6);
+    let start = Instant::now();
+    let found = forecast(&case).unwrap();
+    println!("{:.1} ms", start.elapsed().as_secs_f64() * 1e3);
+    for model in &found.models {
+        println!("{:24} {:5} {:?} {}", model.name, model.applicable, model.prediction, model.note);
+        assert!(model.applicable || !model.note.is_empty());
+    }
+    println!("{:?}\n{:?}\n{:?}\n{}", found.groups, found.spread, found.side_faces, found.recommendation);
+    let bearing = found.models[1].prediction.unwrap();
+    assert!((bearing.sinkage.unwrap() / 0.2 - 0.050).abs() < 6e-4 && (bearing.drag - 10.8).abs() < 0.06);
+    assert_eq!(found.models.iter().filter(|model| model.applicable).count(), 8);
+    for found in found.models.iter().filter_map(|model| model.prediction) {
+        assert!((found.vertical / 50.0 - 1.0).abs() < 1e-4, "{found:?}");
+    }
+    assert!(found.models_full_friction.is_empty());
+    assert!((found.groups.weight.unwrap() - 1.5625).abs() < 1e-12);
+    assert!(found.models[11].note.contains("overhangs"));
+}
+
+#[test]
+fn non_associated_soil_is_shown_at_both_angles() {
+    let mut case = towing(35.0, Load::Sinkage(0.04), Drive::Free);
+    case.soil.dilation_angle = 0.0;
+    let found = forecast(&case).unwrap();
+    assert!((found.operative_friction_angle.to_degrees() - 29.8).abs() < 0.06);
+    let (weak, strong) =
+        (found.models[0].prediction.unwrap(), found.models_full_friction[0].prediction.unwrap());
+    assert!((weak.vertical - 70.7).abs() < 0.1 && (strong.vertical - 154.6).abs() < 0.1);
+    assert!(found.recommendation.contains("Davis"));
+}
+
+#[test]
+fn a_locked_disc_too_heavy_finds_no_rest() {
+    let found = forecast(&towing(30.0, Load::Weight(200.0), Drive::Locked)).unwrap();
+    println!("{:#?}", found.models.iter().map(|m| (m.name, m.applicable, &m.note)).collect::<Vec<_>>());
+    assert!(
+        found.models[0].note.contains("no equilibrium") && found.recommendation.contains("no equilibrium")
+    );
+    assert!(forecast(&towing(60.0, Load::Weight(200.0), Drive::Free)).is_err());
+    assert!(forecast(&towing(35.0, Load::Weight(f64::NAN), Drive::Free)).is_err());
+}
+
+#[test]
+fn thin_discs_fail_sideways_and_thick_ones_forwards() {
+    let case = towing(35.0, Load::Sinkage(0.04), Drive::Free);
+    // F̄_V of BC and PW at Z = 0.2; they cross at t/d ≈ 0.35.
+    let rows =
+        [(0.05, 3.22, 25.5), (0.1, 3.36, 13.6), (0.25, 4.83, 6.44), (0.5, 7.19, 4.05), (1.0, 6.30, 2.86)];
+    for (thickness, bearing, wedge) in rows {
+        let case = case.with(Parameter::Thickness, 0.2 * thickness);
+        let setting = Setting::new(case.soil, case.disc, Drive::Free);
+        let scale = case.disc.force_scale(16e3);
+        let lift = |model| disc_forces(model, &setting, 0.04).unwrap().vertical / scale;
+        let (bc, pw) = (lift(Model::Bearing), lift(Model::Wedge));
+        println!("t/d={thickness}: BC {bc:.3} for {bearing}, PW {pw:.3} for {wedge}");
+        assert!((bc / bearing - 1.0).abs() < 3e-3 && (pw / wedge - 1.0).abs() < 5e-3);
+        let weaker = disc_forces(Model::Weaker, &setting, 0.04).unwrap();
+        assert_eq!(
+            weaker.mechanism,
+            if thickness < 0.34 { Mechanism::Sideways } else { Mechanism::Forwards }
+        );
+    }
+}
+
+#[test]
+fn braked_and_driven_discs_lie_between_free_and_locked() {
+    let case = towing(35.0, Load::Sinkage(0.03), Drive::Free);
+    let at = |drive| disc_forces(Model::Bearing, &Setting::new(case.soil, case.disc, drive), 0.03).unwrap();
+    let (free, locked) = (at(Drive::Free), at(Drive::Locked));
+    let braked = at(Drive::Braked(0.5 * locked.rim_torque));
+    assert!((braked.rim_torque / locked.rim_torque - 0.5).abs() < 1e-9);
+    let ratio = |f: &analytic::disc::DiscForces| f.drag / f.vertical;
+    assert!(ratio(&free) < ratio(&braked) && ratio(&braked) < ratio(&locked));
+    assert!(free.skid > braked.skid && braked.skid > locked.skid && locked.skid == -1.0);
+    assert_eq!(at(Drive::Braked(1e6)).skid, -1.0);
+    let driven = at(Drive::Driven(0.5));
+    assert!(driven.drag < free.drag && (driven.rim_torque + 0.5).abs() < 1e-9 && driven.skid > free.skid);
+    // The slip of the free disc, prescribed, is the free disc again.
+    let rolled = at(Drive::Slip(free.skid));
+    assert!((rolled.drag / free.drag - 1.0).abs() < 1e-9);
+    assert!((at(Drive::Slip(-1.0)).drag / locked.drag - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn assemblies_join_their_two_limits() {
+    let case = towing(35.0, Load::Sinkage(0.03), Drive::Free);
+    let setting = Setting::new(case.soil, case.disc, Drive::Free);
+    let group = |count, spacing| {
+        assembly_forces(Model::Weaker, &setting, &Assembly { count, spacing }, 0.03).unwrap()
+    };
+    let alone = disc_forces(Model::Weaker, &setting, 0.03).unwrap();
+    let wide = Setting { disc: Disc { thickness: 0.15, ..case.disc }, ..setting };
+    let joined = disc_forces(Model::Weaker, &wide, 0.03).unwrap();
+    assert!((group(3, 0.05).drag / joined.drag - 1.0).abs() < 1e-12);
+    assert!((group(3, 2.0).drag / (3.0 * alone.drag) - 1.0).abs() < 1e-12);
+    assert!((group(1, 0.05).drag / alone.drag - 1.0).abs() < 1e-12);
+    let middle = group(3, 0.2).drag;
+    assert!((middle - joined.drag) * (middle - 3.0 * alone.drag) < 0.0);
+    assert!(assembly_forces(Model::Weaker, &setting, &Assembly { count: 2, spacing: 0.01 }, 0.03).is_err());
+    let mut case = towing(35.0, Load::Weight(150.0), Drive::Free);
+    case.assembly = Some(Assembly { count: 3, spacing: 0.2 });
+    let found = forecast(&case).unwrap();
+    assert!((found.models[0].prediction.unwrap().vertical / 150.0 - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn the_measured_wheel_is_forecast_as_noted() {
+    let wheel = Disc { diameter: 0.116, thickness: 0.05 };
+    for (phi, z, drag) in [(30., 0.172, 9.7), (32., 0.133, 8.5), (33., 0.116, 8.0), (34., 0.101, 7.4)] {
+        let mut case = towing(phi, Load::Weight(24.0), Drive::Free);
+        (case.disc, case.soil.unit_weight) = (wheel, 13.03e3);
+        let found =
+            equilibrium(Model::Bearing, &Setting::new(case.soil, case.disc, case.drive), 24.0).unwrap();
+        let Equilibrium::At { sinkage, forces } = found else { panic!("no equilibrium") };
+        assert!(
+            (sinkage / 0.116 - z).abs() < 1e-3 && (forces.drag - drag).abs() < 0.06,
+            "{sinkage} {}",
+            forces.drag
+        );
+    }
+}
+
+#[test]
+fn curves_rise_with_sinkage_and_carry_their_refusals() {
+    let case = towing(35.0, Load::Weight(50.0), Drive::Free);
+    let depths: Vec<f64> = (1..=20).map(|n| 0.004 * f64::from(n)).collect();
+    let found =
+        curve(&case, Parameter::Sinkage, &depths, &[Candidate::Weaker, Candidate::SpatialResistive]).unwrap();
+    for pair in found.windows(2) {
+        for (low, high) in pair[0].models.iter().zip(&pair[1].models) {
+            assert!(low.prediction.unwrap().vertical < high.prediction.unwrap().vertical);
+        }
+    }
+    let angles: Vec<f64> = [30.0_f64, 38.0, 42.0, 49.0].map(f64::to_radians).to_vec();
+    let found = curve(&case, Parameter::FrictionAngle, &angles, &[]).unwrap();
+    let spatial = |n: usize| &found[n].models[5];
+    assert!(spatial(0).applicable && !spatial(3).applicable && spatial(3).note.contains("3D-RFT"));
+    let drag = |n: usize| found[n].models[0].prediction.unwrap().drag;
+    assert!(drag(0) > drag(1) && drag(1) > drag(2) && drag(2) > drag(3));
+}
+
+#[test]
+fn ishigamis_indices_are_found() {
+    let pi = std::f64::consts::PI;
+    let input = Spread::Uniform { low: -pi, high: pi };
+    let model = |x: &[f64]| Some(x[0].sin() + 7.0 * x[1].sin().powi(2) + 0.1 * x[2].powi(4) * x[0].sin());
+    let found = propagate(&[input; 3], 100_000, 3, model).unwrap();
+    println!("{found:?}");
+    assert!((found.mean - 3.5).abs() < 0.01);
+    for (got, want) in found.first_order.iter().zip([0.3139, 0.4424, 0.0]) {
+        assert!((got - want).abs() < 0.01);
+    }
+    for (got, want) in found.total.iter().zip([0.5576, 0.4424, 0.2437]) {
+        assert!((got - want).abs() < 0.01);
+    }
+}
+
+#[test]
+fn the_friction_angle_rules_the_uncertainty() {
+    let mut case = towing(35.0, Load::Sinkage(0.03), Drive::Free);
+    case.soil.dilation_angle = 5_f64.to_radians();
+    let spreads = [
+        (
+            Parameter::FrictionAngle,
+            Spread::Normal { mean: 35_f64.to_radians(), deviation: 2_f64.to_radians() },
+        ),
+        (Parameter::UnitWeight, Spread::Normal { mean: 16e3, deviation: 500.0 }),
+        (Parameter::Thickness, Spread::Uniform { low: 0.045, high: 0.055 }),
+    ];
+    let start = Instant::now();
+    let found = propagate_towing(&case, &spreads, Candidate::Weaker, Quantity::Drag, 100_000, 1).unwrap();
+    println!("10^5 evaluations in {:.2} s: {found:?}", start.elapsed().as_secs_f64());
+    assert!(found.first_order[0] > 0.7 && found.first_order.iter().sum::<f64>() < 1.02);
+    assert!(found.quantiles[0] < found.quantiles[1] && found.quantiles[1] < found.quantiles[2]);
+    assert_eq!(found.refused, 0.0);
+    let again = propagate_towing(&case, &spreads, Candidate::Weaker, Quantity::Drag, 100_000, 1).unwrap();
+    assert_eq!(found, again);
+    case.load = Load::Weight(50.0);
+    let start = Instant::now();
+    let sunk = propagate_towing(&case, &spreads, Candidate::Weaker, Quantity::Sinkage, 20_000, 1).unwrap();
+    println!("2·10^4 equilibria in {:.2} s: {:?}", start.elapsed().as_secs_f64(), sunk.quantiles);
+}

@@ -1,0 +1,167 @@
+//! The invariants of ARCHITECTURE.md that can be checked: who may do what, and that neither threads nor a restart
+//! change a bit.
+#![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
+
+use coulter::case::{self, Case};
+use coulter::output::checkpoint::Checkpoint;
+use coulter::simulation::Simulation;
+use std::path::{Path, PathBuf};
+
+const FILES: [&str; 3] = ["std::fs", "fs::", "File::"];
+const THREADS: [&str; 2] = ["std::thread", "thread::"];
+const PRINTING: [&str; 6] = ["println!", "print!(", "dbg!(", "io::stdout", "io::stderr", "io::Write"];
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// Every source file of a crate: its path below `src`, with slashes, and its text without comments.
+fn sources(name: &str) -> Vec<(String, String)> {
+    let top = root().join("crates").join(name).join("src");
+    let mut found = Vec::new();
+    let mut folders = vec![top.clone()];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|e| e == "rs") {
+                let below = path.strip_prefix(&top).unwrap().to_string_lossy().replace('\\', "/");
+                let text = std::fs::read_to_string(&path).unwrap();
+                let code = text.lines().filter(|l| !l.trim_start().starts_with("//")).collect::<Vec<_>>();
+                found.push((below, code.join("\n")));
+            }
+        }
+    }
+    assert!(!found.is_empty(), "{name} has no sources");
+    found
+}
+
+/// The files of a crate that use one of these words, but for the ones that may.
+fn offenders(name: &str, words: &[&str], may: impl Fn(&str) -> bool) -> Vec<String> {
+    let uses = |code: &str| words.iter().find(|word| code.contains(**word)).copied();
+    sources(name)
+        .iter()
+        .filter(|(path, _)| !may(path))
+        .filter_map(|(path, code)| uses(code).map(|word| format!("crates/{name}/src/{path}: {word}")))
+        .collect()
+}
+
+fn nobody(_: &str) -> bool {
+    false
+}
+
+/// Names of the packages that a crate depends on, tests and build included.
+fn dependencies(name: &str) -> Vec<String> {
+    let text = std::fs::read_to_string(root().join("crates").join(name).join("Cargo.toml")).unwrap();
+    let manifest: toml::Table = text.parse().unwrap();
+    ["dependencies", "dev-dependencies", "build-dependencies"]
+        .iter()
+        .filter_map(|table| manifest.get(*table)?.as_table())
+        .flat_map(|table| table.keys().map(|key| key.trim_start_matches("coulter-").to_owned()))
+        .collect()
+}
+
+#[test]
+fn the_arrows_between_the_crates_hold() {
+    let forbidden = [
+        ("physics", &["solver", "analytic", "coulter"][..]),
+        ("solver", &["analytic", "coulter"]),
+        ("analytic", &["solver", "coulter"]),
+    ];
+    for (name, others) in forbidden {
+        let needs = dependencies(name);
+        for other in others {
+            assert!(!needs.iter().any(|n| n == other), "{name} must not depend on {other}");
+        }
+    }
+}
+
+#[test]
+fn below_the_front_door_nobody_touches_files_or_prints() {
+    for name in ["physics", "solver", "analytic"] {
+        let found = offenders(name, &[&FILES[..], &PRINTING].concat(), nobody);
+        assert!(found.is_empty(), "{found:#?}");
+    }
+}
+
+#[test]
+fn one_file_starts_threads_and_is_unsafe() {
+    let threads = |path: &str| path == "cpu/threads.rs";
+    for name in ["physics", "solver", "analytic"] {
+        let may = |path: &str| name == "solver" && threads(path);
+        let found = offenders(name, &[&THREADS[..], &["unsafe"]].concat(), may);
+        assert!(found.is_empty(), "{found:#?}");
+    }
+    let found = offenders("coulter", &["thread::spawn", "thread::scope", "unsafe"], nobody);
+    assert!(found.is_empty(), "{found:#?}");
+}
+
+#[test]
+fn in_coulter_few_touch_files_and_fewer_print() {
+    let may_touch = |path: &str| ["case/", "output/", "cli/"].iter().any(|folder| path.starts_with(folder));
+    let found = offenders("coulter", &FILES, may_touch);
+    assert!(found.is_empty(), "{found:#?}");
+    let may_print = |path: &str| path.starts_with("cli/") || path == "output/progress.rs";
+    let found = offenders("coulter", &PRINTING[..5], may_print);
+    assert!(found.is_empty(), "{found:#?}");
+}
+
+/// The towed disc on a coarse grid, in the soil from the start, for a few hundred steps.
+fn short_tow(contact: &str, threads: usize) -> Case {
+    let overrides = [
+        "grid.cell=\"25 mm\"",
+        "body.disc.sinkage=\"10 mm\"",
+        "body.disc.forward={ speed = \"0.2 m/s\", ramp = \"0.02 s\" }",
+        "body.disc.heave={ load = \"0 N\", ramp = \"0.02 s\" }",
+        "run.tow_distance=\"8 mm\"",
+        "output.history_interval=\"5 ms\"",
+    ];
+    let mut overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
+    overrides.push(format!("numerics.contact=\"{contact}\""));
+    let mut case = case::load(&root().join("cases/towed_disc.toml"), &overrides).unwrap();
+    case.numerics.threads = threads;
+    case
+}
+
+/// State and history to the bit.
+fn bits(simulation: &Simulation) -> Vec<u8> {
+    postcard::to_stdvec(&(&simulation.state, &simulation.history)).unwrap()
+}
+
+fn to_the_end(mut simulation: Simulation) -> Simulation {
+    while !simulation.is_done() {
+        simulation.advance().unwrap();
+    }
+    assert!(simulation.state.remaps > 1, "the soil must have been remapped");
+    simulation
+}
+
+#[test]
+fn the_number_of_threads_changes_no_bit() {
+    for contact in ["penalty", "impulse"] {
+        let alone = bits(&to_the_end(Simulation::new(&short_tow(contact, 1))));
+        for threads in [2, 3] {
+            let team = to_the_end(Simulation::new(&short_tow(contact, threads)));
+            assert_eq!(team.threads(), threads);
+            assert!(bits(&team) == alone, "{contact}: {threads} threads differ from one");
+        }
+    }
+}
+
+#[test]
+fn a_restart_changes_no_bit() {
+    for contact in ["penalty", "impulse"] {
+        let case = short_tow(contact, 1);
+        let folder = tempfile::tempdir().unwrap();
+        let mut whole = Simulation::new(&case);
+        for _ in 0..5 {
+            whole.advance().unwrap();
+        }
+        whole.checkpoint().write(folder.path()).unwrap();
+        let whole = to_the_end(whole);
+        let resumed = Simulation::resume(&case, Checkpoint::read(folder.path()).unwrap());
+        assert!(resumed.state.step > 0 && resumed.state.step < whole.state.step);
+        assert!(bits(&to_the_end(resumed)) == bits(&whole), "{contact}: the resumed run differs");
+    }
+}
