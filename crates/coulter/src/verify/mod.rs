@@ -7,13 +7,18 @@ pub mod bench;
 mod column;
 mod disc;
 pub mod document;
+mod element;
 mod footing;
 pub mod known;
 mod ledger;
 mod repeat;
+mod rest;
 pub mod row;
+mod specimen;
 pub mod table;
+mod transport;
 mod wall;
+mod wave;
 
 use bench::{Bench, VerifyError, Wish};
 use row::Row;
@@ -67,6 +72,10 @@ const fn ledgers(
 
 /// All benchmarks, by id.
 pub const BENCHMARKS: &[Benchmark] = &[
+    run("A1", "Elastic wave", "A1_elastic_wave", wave::ABOUT, wave::run),
+    run("A2", "Transport of the volume fraction", "A2_transport", transport::ABOUT, transport::run),
+    run("A4", "Sand at rest", "A4_soil_at_rest", rest::ABOUT, rest::run),
+    run("A5", "Element tests of the soil law", "A5_element_tests", element::ABOUT, element::run),
     run("A8", "Repeatability and mirror image", "A8_repeatability", repeat::ABOUT, repeat::run),
     ledgers("A9", "Energy ledger", ledger::ABOUT_ENERGY, ledger::energy),
     run("B1", "Smooth strip footing, Tresca", "B1_strip_footing", footing::ABOUT, footing::run),

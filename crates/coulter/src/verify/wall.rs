@@ -20,18 +20,25 @@ pub(super) const ABOUT: &str = "A smooth vertical wall is pushed into a bank of 
     above the plane that rises from the wall's toe at 45° − φ/2 to the deformed surface.";
 
 pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
-    let variants: &[(u32, u32)] =
-        if bench.wish.fast { &[(30, 8)] } else { &[(30, 8), (30, 16), (35, 16), (40, 16)] };
-    for &(angle, cells) in variants {
-        push(bench, angle, cells)?;
+    let variants: &[[u32; 3]] = if bench.wish.fast {
+        &[[30, 0, 8]]
+    } else {
+        &[[30, 0, 8], [30, 0, 16], [35, 0, 16], [40, 0, 16], [30, 30, 16], [35, 35, 16], [40, 40, 16]]
+    };
+    for &variant in variants {
+        push(bench, variant)?;
     }
     Ok(())
 }
 
-fn push(bench: &mut Bench, angle: u32, cells: u32) -> Result<(), VerifyError> {
-    let variant = format!("φ = {angle}°, H/h = {cells}");
-    let overrides =
-        [format!("soil.friction_angle={angle} deg"), format!("grid.cell={} m", HEIGHT / f64::from(cells))];
+/// Pushes the wall into sand of these angles of friction and dilation [°], with so many cells over the height.
+fn push(bench: &mut Bench, [angle, dilation, cells]: [u32; 3]) -> Result<(), VerifyError> {
+    let variant = format!("φ = {angle}°, ψ = {dilation}°, H/h = {cells}");
+    let overrides = [
+        format!("soil.friction_angle={angle} deg"),
+        format!("soil.dilation_angle={dilation} deg"),
+        format!("grid.cell={} m", HEIGHT / f64::from(cells)),
+    ];
     let mut simulation = bench.simulation(CASE, &overrides)?;
     let half = 0.5 * f64::from(angle).to_radians();
     let rise = (std::f64::consts::FRAC_PI_4 - half).tan();

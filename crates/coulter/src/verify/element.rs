@@ -1,0 +1,145 @@
+//! A5: element tests of the soil law.
+
+use super::bench::{Bench, VerifyError};
+use super::row::Row;
+use super::specimen::{Cell, Point, Specimen};
+use physics::elastic::Elastic;
+use physics::mohr_coulomb::MohrCoulomb;
+use physics::tensor::{Spectrum, Symmetric};
+use std::time::Instant;
+
+const STRENGTH: &str = "Mohr–Coulomb, exact; simple shear: Davis (1968)";
+const FLOW: &str = "analytic plastic flow with the potential's angle ψ";
+/// Friction angle [°], dilation angle [°], cohesion [Pa].
+const SOILS: [[f64; 3]; 6] = [
+    [20.0, 0.0, 0.0],
+    [30.0, 0.0, 0.0],
+    [35.0, 10.0, 0.0],
+    [40.0, 40.0, 0.0],
+    [25.0, 5.0, 1e4],
+    [0.0, 0.0, 2e4],
+];
+/// Confining pressure [Pa].
+const CONFINEMENT: f64 = 1e5;
+/// Strain increments, and the size of one.
+const INCREMENTS: usize = 600;
+const INCREMENT: f64 = 1e-4;
+
+/// What it is about.
+pub(super) const ABOUT: &str = "Drained triaxial compression and extension and simple shear under constant normal stress, from \
+    100 kPa, for six soils (φ 0 to 40°, ψ 0 to φ, c 0 to 20 kPa), on one point of the law and on one cell of the solver whose \
+    nodes are driven. At the end of each test the strength, the yield function (both over the confining pressure) and the \
+    dilatancy of the last increment must be the analytic ones: −Δε_v/Δγ_max = sin ψ in simple shear; in triaxial tests \
+    −Δε_v/Δε_1 = 2 sin ψ/(1 − sin ψ) in compression and 2 sin ψ/(1 + sin ψ) in extension. The worst of the six soils is shown.";
+
+/// Which test.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Test {
+    Compression,
+    Extension,
+    Shear,
+}
+
+pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
+    for (test, name) in [
+        (Test::Compression, "triaxial compression"),
+        (Test::Extension, "triaxial extension"),
+        (Test::Shear, "simple shear"),
+    ] {
+        for on_cell in [false, true] {
+            let clock = Instant::now();
+            let mut worst = [0.0_f64; 3];
+            for soil in SOILS {
+                let off = if on_cell { errors(test, soil, Cell::new)? } else { errors(test, soil, point)? };
+                // `max` would drop what is not a number.
+                worst = std::array::from_fn(|n| if off[n] > worst[n] || off[n].is_nan() { off[n] } else { worst[n] });
+            }
+            let seconds = clock.elapsed().as_secs_f64();
+            let variant = format!("{name}, one {}", if on_cell { "cell" } else { "point" });
+            bench.tell(&format!("A5: {variant}, {seconds:.1} s"));
+            let note = |quantity, value| Row::note("A5", variant.as_str(), quantity, value).took(seconds);
+            bench.rows.extend([
+                note("strength off the exact one", worst[0]).at_most(1e-10, STRENGTH),
+                note("yield function", worst[1]).at_most(1e-10, STRENGTH),
+                note("dilatancy off the analytic one", worst[2]).at_most(1e-6, FLOW),
+            ]);
+        }
+    }
+    Ok(())
+}
+
+fn point(elastic: Elastic, law: MohrCoulomb, stress: Symmetric) -> Point {
+    Point { elastic, law, stress }
+}
+
+/// Errors of strength, yield function and dilatancy at the end of a test.
+fn errors<S: Specimen>(
+    test: Test,
+    [friction, dilation, cohesion]: [f64; 3],
+    make: impl Fn(Elastic, MohrCoulomb, Symmetric) -> S,
+) -> Result<[f64; 3], VerifyError> {
+    // Stiff soil: the elastic part of the strain, which hides the flow, dies out within the test.
+    let elastic = Elastic::new(2e8, 0.3);
+    let (phi, psi) = (friction.to_radians(), dilation.to_radians());
+    let law = MohrCoulomb::new(elastic, phi, psi, cohesion, 0.0);
+    let mut specimen = make(elastic, law, [-CONFINEMENT, -CONFINEMENT, -CONFINEMENT, 0.0, 0.0, 0.0]);
+    let (driven, free): (Symmetric, &[usize]) = match test {
+        Test::Compression => ([0.0, 0.0, -INCREMENT, 0.0, 0.0, 0.0], &[0, 1]),
+        Test::Extension => ([0.0, 0.0, INCREMENT, 0.0, 0.0, 0.0], &[0, 1]),
+        Test::Shear => ([0.0, 0.0, 0.0, 0.0, 0.0, 0.5 * INCREMENT], &[2]),
+    };
+    let mut last = driven;
+    for _ in 0..INCREMENTS {
+        last = controlled(&specimen, driven, free, last)?;
+        specimen.take(last)?;
+    }
+    let stress = specimen.stress();
+    let yields = law.yield_function(Spectrum::of(stress).principal).abs() / CONFINEMENT;
+    let (strength, dilatancy) = match test {
+        Test::Compression | Test::Extension => (-stress[2], (last[0] + last[1] + last[2]) / last[2].abs()),
+        Test::Shear => (stress[5], last[2] / last[2].hypot(2.0 * last[5])),
+    };
+    let exact = exact(test, phi, psi, cohesion);
+    Ok([(strength - exact[0]).abs() / CONFINEMENT, yields, (dilatancy - exact[1]).abs()])
+}
+
+/// Strength [Pa] and dilatancy of a test.
+fn exact(test: Test, phi: f64, psi: f64, cohesion: f64) -> [f64; 2] {
+    let (sp, sy) = (phi.sin(), psi.sin());
+    let ratio = (1.0 + sp) / (1.0 - sp);
+    let bond = 2.0 * cohesion * ratio.sqrt();
+    match test {
+        Test::Compression => [CONFINEMENT * ratio + bond, 2.0 * sy / (1.0 - sy)],
+        Test::Extension => [(CONFINEMENT - bond) / ratio, 2.0 * sy / (1.0 + sy)],
+        // Radius of Mohr's circle when the plane of no extension bears the normal stress.
+        Test::Shear => {
+            [(CONFINEMENT * sp + cohesion * phi.cos()) / (1.0 - sp * sy) * psi.cos(), sy]
+        }
+    }
+}
+
+/// The strain increment with the driven components as given, the free ones such that their stresses stay at the confining
+/// pressure. Newton's method with differences: the law is linear piece by piece.
+fn controlled(
+    specimen: &impl Specimen,
+    driven: Symmetric,
+    free: &[usize],
+    guess: Symmetric,
+) -> Result<Symmetric, VerifyError> {
+    const PROBE: f64 = 1e-7;
+    let mut strain = driven;
+    free.iter().for_each(|n| strain[*n] = guess[*n]);
+    for _ in 0..20 {
+        let stress = specimen.answer(strain)?;
+        // Where two components are free they are alike: the tests are symmetric about the axis.
+        let off = stress[free[0]] + CONFINEMENT;
+        if off.abs() < 1e-13 * CONFINEMENT {
+            break;
+        }
+        let mut probe = strain;
+        free.iter().for_each(|n| probe[*n] += PROBE);
+        let slope = (specimen.answer(probe)?[free[0]] - stress[free[0]]) / PROBE;
+        free.iter().for_each(|n| strain[*n] -= off / slope);
+    }
+    Ok(strain)
+}

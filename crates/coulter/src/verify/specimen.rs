@@ -1,0 +1,126 @@
+//! Soil specimens for element tests: one point of the law, and one cell of the solver with its nodes driven.
+
+use super::bench::VerifyError;
+use glam::DVec3;
+use physics::elastic::Elastic;
+use physics::mohr_coulomb::MohrCoulomb;
+use physics::tensor::{Symmetric, deviator, mean};
+use solver::cpu::workspace::Workspace;
+use solver::grid::Grid;
+use solver::model::{Method, Model, Wall};
+use solver::start::{Filling, start};
+use solver::state::State;
+use solver::step::step;
+
+/// Something that answers a small strain with a stress.
+pub(super) trait Specimen: Sized {
+    /// The stress after a strain increment from here; leaves the specimen as it is [Pa].
+    fn answer(&self, increment: Symmetric) -> Result<Symmetric, VerifyError>;
+    /// Takes the strain increment.
+    fn take(&mut self, increment: Symmetric) -> Result<(), VerifyError>;
+    /// The stress now [Pa].
+    fn stress(&self) -> Symmetric;
+}
+
+/// One point of the soil law.
+pub(super) struct Point {
+    pub(super) elastic: Elastic,
+    pub(super) law: MohrCoulomb,
+    pub(super) stress: Symmetric,
+}
+
+impl Specimen for Point {
+    fn answer(&self, increment: Symmetric) -> Result<Symmetric, VerifyError> {
+        let shear = deviator(increment).map(|d| 2.0 * self.elastic.shear * d);
+        let pressed = 3.0 * self.elastic.bulk * mean(increment);
+        let trial: Symmetric =
+            std::array::from_fn(|n| self.stress[n] + shear[n] + if n < 3 { pressed } else { 0.0 });
+        Ok(if self.law.may_yield(trial) { self.law.return_map(trial).stress } else { trial })
+    }
+
+    fn take(&mut self, increment: Symmetric) -> Result<(), VerifyError> {
+        self.stress = self.answer(increment)?;
+        Ok(())
+    }
+
+    fn stress(&self) -> Symmetric {
+        self.stress
+    }
+}
+
+/// One cell of the solver, full of soil; its eight nodes are moved.
+pub(super) struct Cell {
+    model: Model,
+    state: State,
+}
+
+impl Cell {
+    /// A cell of 1 m with a stress in it.
+    pub(super) fn new(elastic: Elastic, law: MohrCoulomb, stress: Symmetric) -> Self {
+        let faces = || vec![0.0, 1.0];
+        let model = Model {
+            grid: Grid::new([faces(), faces(), faces()]),
+            elastic,
+            strength: Some(law),
+            density: 1600.0,
+            gravity: 0.0,
+            rest_pressure_ratio: 1.0,
+            walls: [[Wall::Smooth; 2]; 3],
+            bodies: Vec::new(),
+            share: 1.0,
+            // The strain of a whole test stays on one grid.
+            method: Method { remap_displacement: 1.0, ..Method::default() },
+        };
+        let everywhere = Filling { low: DVec3::splat(-1e9), high: DVec3::splat(1e9) };
+        let mut state = start(&model, &everywhere);
+        let cell = model.grid.index(0, 0, 0);
+        for (field, value) in state.soil.stress.iter_mut().zip(stress) {
+            field[cell] = value;
+        }
+        Self { model, state }
+    }
+
+    /// The state after one step in which the nodes moved so that the cell was strained by `increment`.
+    fn strained(&self, increment: Symmetric) -> Result<State, VerifyError> {
+        let mut state = self.state.clone();
+        let dt = self.model.time_step();
+        let [xx, yy, zz, xy, yz, xz] = increment;
+        // Symmetric displacement gradient: strain without rotation.
+        let rows = [DVec3::new(xx, xy, xz), DVec3::new(xy, yy, yz), DVec3::new(xz, yz, zz)];
+        for n in 0..8 {
+            let at = |bit: usize| n >> bit & 1;
+            let x = DVec3::new(at(0) as f64, at(1) as f64, at(2) as f64);
+            let node = self.model.grid.index(at(0), at(1), at(2));
+            for axis in 0..3 {
+                state.nodes.velocity[axis][node] = rows[axis].dot(x) / dt;
+            }
+        }
+        // A workspace of its own: the one step must not remember another.
+        let mut workspace = Workspace::new(&self.model, &state, 1);
+        step(&self.model, &mut state, &mut workspace)?;
+        for u in &mut state.nodes.displacement {
+            u.fill(0.0);
+        }
+        Ok(state)
+    }
+
+    fn stress_in(&self, state: &State) -> Symmetric {
+        let cell = self.model.grid.index(0, 0, 0);
+        state.soil.stress.each_ref().map(|s| s[cell])
+    }
+}
+
+impl Specimen for Cell {
+    fn answer(&self, increment: Symmetric) -> Result<Symmetric, VerifyError> {
+        Ok(self.stress_in(&self.strained(increment)?))
+    }
+
+    fn take(&mut self, increment: Symmetric) -> Result<(), VerifyError> {
+        self.state = self.strained(increment)?;
+        Ok(())
+    }
+
+    fn stress(&self) -> Symmetric {
+        self.stress_in(&self.state)
+    }
+}
