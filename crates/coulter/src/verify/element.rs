@@ -52,7 +52,10 @@ pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
             for soil in SOILS {
                 let off = if on_cell { errors(test, soil, Cell::new)? } else { errors(test, soil, point)? };
                 // `max` would drop what is not a number.
-                worst = std::array::from_fn(|n| if off[n] > worst[n] || off[n].is_nan() { off[n] } else { worst[n] });
+                worst =
+                    std::array::from_fn(
+                        |n| if off[n] > worst[n] || off[n].is_nan() { off[n] } else { worst[n] },
+                    );
             }
             let seconds = clock.elapsed().as_secs_f64();
             let variant = format!("{name}, one {}", if on_cell { "cell" } else { "point" });
@@ -112,9 +115,7 @@ fn exact(test: Test, phi: f64, psi: f64, cohesion: f64) -> [f64; 2] {
         Test::Compression => [CONFINEMENT * ratio + bond, 2.0 * sy / (1.0 - sy)],
         Test::Extension => [(CONFINEMENT - bond) / ratio, 2.0 * sy / (1.0 + sy)],
         // Radius of Mohr's circle when the plane of no extension bears the normal stress.
-        Test::Shear => {
-            [(CONFINEMENT * sp + cohesion * phi.cos()) / (1.0 - sp * sy) * psi.cos(), sy]
-        }
+        Test::Shear => [(CONFINEMENT * sp + cohesion * phi.cos()) / (1.0 - sp * sy) * psi.cos(), sy],
     }
 }
 

@@ -91,8 +91,8 @@ impl Cell {
             let at = |bit: usize| n >> bit & 1;
             let x = DVec3::new(at(0) as f64, at(1) as f64, at(2) as f64);
             let node = self.model.grid.index(at(0), at(1), at(2));
-            for axis in 0..3 {
-                state.nodes.velocity[axis][node] = rows[axis].dot(x) / dt;
+            for (velocity, row) in state.nodes.velocity.iter_mut().zip(rows) {
+                velocity[node] = row.dot(x) / dt;
             }
         }
         // A workspace of its own: the one step must not remember another.

@@ -24,7 +24,8 @@ pub(super) const ABOUT: &str = "The remap alone: nodes get a prescribed displace
 const OWN: &str = "exact: the shape moves unchanged; the limit is the design's";
 const ZALESAK: &str = "Zalesak (1979); PLIC figures 1.1e-2 (Rudman 1997; Harvie and Fletcher 2000)";
 const VORTEX: &str = "Rider and Kothe (1998): 6.96e-3 on 64², 1.44e-3 on 128², unsplit";
-const DEFORMATION: &str = "LeVeque (1996), Enright et al. (2002); PLIC figures 7.4e-3 to 8e-3 on 32³, 2e-3 to 3e-3 on 64³";
+const DEFORMATION: &str =
+    "LeVeque (1996), Enright et al. (2002); PLIC figures 7.4e-3 to 8e-3 on 32³, 2e-3 to 3e-3 on 64³";
 
 pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
     sphere(bench, 0.2, 0.1, true);
@@ -37,12 +38,14 @@ pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
     }
     zalesak(bench);
     for (cells, limit) in [(64, 1.3e-2), (128, 2.6e-3)] {
-        let flow = Flow { box_cells: [cells, cells, 1], period: 8.0, turns_back: true, velocity: vortex, pace: 0.5 };
+        let flow =
+            Flow { box_cells: [cells, cells, 1], period: 8.0, turns_back: true, velocity: vortex, pace: 0.5 };
         let inside = |x: DVec3| (x.x - 0.5).hypot(x.y - 0.75) < 0.15;
         there_and_back(bench, &flow, &format!("vortex T = 8, {cells}²"), inside, limit, VORTEX);
     }
     for (cells, limit) in [(32, 9e-3), (64, 3.2e-3)] {
-        let flow = Flow { box_cells: [cells; 3], period: 3.0, turns_back: true, velocity: deformation, pace: 0.5 };
+        let flow =
+            Flow { box_cells: [cells; 3], period: 3.0, turns_back: true, velocity: deformation, pace: 0.5 };
         let inside = |x: DVec3| (x - DVec3::splat(0.35)).length() < 0.15;
         there_and_back(bench, &flow, &format!("3D deformation, {cells}³"), inside, limit, DEFORMATION);
     }
@@ -81,8 +84,7 @@ fn deformation(x: DVec3) -> DVec3 {
 fn sphere(bench: &mut Bench, radius: f64, pace: f64, judged: bool) {
     const WAY: DVec3 = DVec3::new(0.4, 0.25, 0.15);
     const FROM: DVec3 = DVec3::new(0.3, 0.35, 0.4);
-    let flow =
-        Flow { box_cells: [40; 3], period: 1.0, turns_back: false, velocity: |_| WAY, pace };
+    let flow = Flow { box_cells: [40; 3], period: 1.0, turns_back: false, velocity: |_| WAY, pace };
     let ball = |middle: DVec3| move |x: DVec3| (x - middle).length() < radius;
     let carried = carry(&flow, ball(FROM));
     bench.tell(&format!("A2: sphere, r = {radius}, {pace} cells per remap, {:.1} s", carried.seconds));
@@ -103,15 +105,19 @@ fn sphere(bench: &mut Bench, radius: f64, pace: f64, judged: bool) {
 
 fn zalesak(bench: &mut Bench) {
     let turn = |x: DVec3| 2.0 * PI * DVec3::new(0.5 - x.y, x.x - 0.5, 0.0);
-    let flow =
-        Flow { box_cells: [200, 200, 1], period: 1.0, turns_back: false, velocity: turn, pace: 0.5 };
+    let flow = Flow { box_cells: [200, 200, 1], period: 1.0, turns_back: false, velocity: turn, pace: 0.5 };
     let inside = |x: DVec3| {
         let in_slot = (x.x - 0.5).abs() < 0.025 && x.y < 0.85;
         (x.x - 0.5).hypot(x.y - 0.75) < 0.15 && !in_slot
     };
     let carried = carry(&flow, inside);
     bench.tell(&format!("A2: Zalesak's disc, {:.1} s", carried.seconds));
-    let row = Row::note("A2", "Zalesak's disc, 200²", "relative L1 error of the shape", carried.distance(inside) / carried.before);
+    let row = Row::note(
+        "A2",
+        "Zalesak's disc, 200²",
+        "relative L1 error of the shape",
+        carried.distance(inside) / carried.before,
+    );
     bench.rows.push(row.at_most(1.4e-2, ZALESAK).took(carried.seconds));
 }
 
@@ -238,19 +244,23 @@ fn fill(grid: &Grid, inside: impl Fn(DVec3) -> bool, fraction: &mut [f64]) {
         for j in 0..ny {
             for i in 0..nx {
                 let at = |n: [f64; 3]| {
-                    let place = |axis: usize, layer: usize| grid.faces[axis][layer] + n[axis] * grid.width(axis, layer);
+                    let place = |axis: usize, layer: usize| {
+                        grid.faces[axis][layer] + n[axis] * grid.width(axis, layer)
+                    };
                     DVec3::new(place(0, i), place(1, j), place(2, k))
                 };
                 let share = |samples: [usize; 3]| {
                     let count = samples.iter().product::<usize>();
                     let each = (0..count).map(|n| {
-                        let place = [n % samples[0], n / samples[0] % samples[1], n / samples[0] / samples[1]];
+                        let place =
+                            [n % samples[0], n / samples[0] % samples[1], n / samples[0] / samples[1]];
                         at(std::array::from_fn(|axis| (place[axis] as f64 + 0.5) / samples[axis] as f64))
                     });
                     each.filter(|x| inside(*x)).count() as f64 / count as f64
                 };
                 let rough = share(samples.map(|n| n.min(8)));
-                fraction[grid.index(i, j, k)] = if rough > 0.0 && rough < 1.0 { share(samples) } else { rough };
+                fraction[grid.index(i, j, k)] =
+                    if rough > 0.0 && rough < 1.0 { share(samples) } else { rough };
             }
         }
     }

@@ -105,7 +105,8 @@ fn bar(cells: usize, bulk_viscosity: [f64; 2]) -> Model {
 /// Velocities of a wave that runs to the right, and its stresses −ρ c v.
 fn set(model: &Model, state: &mut State, velocity: impl Fn(f64) -> f64, at_stress: impl Fn(f64) -> f64) {
     let grid = &model.grid;
-    let (lateral, axial) = (model.elastic.bulk - 2.0 / 3.0 * model.elastic.shear, model.elastic.constrained());
+    let (lateral, axial) =
+        (model.elastic.bulk - 2.0 / 3.0 * model.elastic.shear, model.elastic.constrained());
     for i in 0..=grid.cells()[0] {
         for (j, k) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
             state.nodes.velocity[0][grid.index(i, j, k)] = velocity(grid.faces[0][i]);
