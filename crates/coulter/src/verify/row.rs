@@ -104,7 +104,8 @@ impl Row {
     pub fn error(&self) -> Option<f64> {
         let (off, scale) = match self.expected {
             Expected::Value(value) => (self.obtained - value, value),
-            Expected::AtLeast(value) => ((self.obtained - value).min(0.0), value),
+            Expected::AtLeast(value) if self.obtained >= value => (0.0, value),
+            Expected::AtLeast(value) => (self.obtained - value, value),
             Expected::Between(low, _) if self.obtained < low => (self.obtained - low, low),
             Expected::Between(_, high) if self.obtained > high => (self.obtained - high, high),
             Expected::Between(..) if self.obtained.is_nan() => (f64::NAN, 1.0),
