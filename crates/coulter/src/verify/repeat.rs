@@ -1,8 +1,9 @@
 //! A8: the same case gives the same bits, and its mirror image the mirrored result.
 
-use super::bench::{Bench, VerifyError};
+use super::bench::{Bench, VerifyError, mean};
 use super::row::Row;
 use crate::output::checkpoint::Checkpoint;
+use crate::output::record::BodySample;
 use crate::simulation::Simulation;
 use solver::state::State;
 
@@ -111,9 +112,19 @@ fn mirrored(bench: &mut Bench, variant: &str, a: &Simulation, b: &Simulation) {
         }
     }
     let seconds = a.wall_s + b.wall_s;
-    for (quantity, off) in
-        [("volume fraction off its mirror image", fraction), ("velocity off its mirror image", velocity)]
-    {
-        bench.rows.push(Row::note("A8", variant, quantity, off).at_most(1e-12, MIRROR).took(seconds));
-    }
+    let note = |quantity, value| Row::note("A8", variant, quantity, value).took(seconds);
+    let drag = [a, b].map(|s| force(s, |b| b.drag));
+    let lateral = force(a, |b| b.lateral) + force(b, |b| b.lateral);
+    bench.rows.extend([
+        note("volume fraction off its mirror image", fraction).at_most(1e-12, MIRROR),
+        note("velocity off its mirror image", velocity).at_most(1e-12, MIRROR),
+        note("mean drag off that of the mirror image", (drag[0] / drag[1] - 1.0).abs()),
+        note("sum of mean lateral forces over the drag", lateral.abs() / drag[0]),
+    ]);
+}
+
+/// Mean of a force over the second half of a run [N].
+fn force(simulation: &Simulation, value: impl Fn(&BodySample) -> f64) -> f64 {
+    let duration = simulation.case.duration;
+    mean(&simulation.history.bodies[0], [0.5 * duration, duration], |b| b.time, value)
 }
