@@ -6,8 +6,6 @@ use crate::output::checkpoint::Checkpoint;
 use crate::output::record::{BodySample, EnergySample, History};
 use physics::elastic::Elastic;
 use physics::mohr_coulomb::MohrCoulomb;
-use physics::rigid::Freedom;
-use physics::shape::{Block, Disc, Shape};
 use solver::cpu::energy::soil_volume;
 use solver::cpu::workspace::Workspace;
 use solver::error::Breakdown;
@@ -234,35 +232,16 @@ fn wall(wall: resolved::Wall) -> Wall {
     }
 }
 
-/// The shape that a case means.
-#[must_use]
-pub fn shape(shape: &resolved::Shape) -> Box<dyn Shape> {
-    match *shape {
-        resolved::Shape::Disc { diameter, thickness } => Box::new(Disc { diameter, thickness }),
-        resolved::Shape::Block { size } => Box::new(Block { size }),
-    }
-}
-
 fn body(body: &resolved::Body) -> BodyModel {
     BodyModel {
         name: body.name.clone(),
-        shape: shape(&body.shape),
+        shape: body.shape.solid(),
         start: body.position,
         mass: body.mass,
         axle_inertia: body.axle_inertia,
         friction: body.friction,
-        translation: body.translation.map(freedom),
-        spin: freedom(body.spin),
-    }
-}
-
-fn freedom(freedom: resolved::Freedom) -> Freedom {
-    match freedom {
-        resolved::Freedom::Fixed => Freedom::Fixed,
-        resolved::Freedom::Prescribed { speed, start, ramp, end } => {
-            Freedom::Prescribed { speed, start, ramp, end }
-        }
-        resolved::Freedom::Free { load, start, ramp } => Freedom::Free { load, start, ramp },
+        translation: body.translation,
+        spin: body.spin,
     }
 }
 

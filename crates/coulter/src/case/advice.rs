@@ -2,7 +2,6 @@
 
 use super::Case;
 use super::estimate::estimate;
-use super::resolve::body::solid;
 use super::resolve::extent::{body_length, path};
 use super::resolved::{Body, Freedom, Law};
 
@@ -39,7 +38,7 @@ fn overlaps(case: &Case, notes: &mut Vec<String>) {
 }
 
 fn resolution(case: &Case, body: &Body, notes: &mut Vec<String>) {
-    let (low, high) = solid(&body.shape).bounds();
+    let (low, high) = body.shape.solid().bounds();
     let mut size = high - low;
     if case.domain.plane_strain {
         size.y = f64::INFINITY;

@@ -1,6 +1,8 @@
 //! What a case means: every default filled in, every number in SI units, every check passed.
 
 use glam::DVec3;
+pub use physics::rigid::Freedom;
+use physics::shape;
 use serde::Serialize;
 
 /// A case, ready to be simulated.
@@ -168,33 +170,15 @@ pub enum Shape {
     },
 }
 
-/// What one degree of freedom does.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Freedom {
-    /// No motion.
-    Fixed,
-    /// A given speed [m/s or rad/s], reached by a smooth ramp.
-    Prescribed {
-        /// Speed after the ramp [m/s or rad/s].
-        speed: f64,
-        /// When the ramp begins [s].
-        start: f64,
-        /// How long it lasts [s].
-        ramp: f64,
-        /// When the motion begins to end, by a ramp of the same length [s]; infinite for never.
-        end: f64,
-    },
-    /// Moves as the forces on it say. `load` [N or N m] acts besides the soil (a weight is negative along z) and is
-    /// brought on by a smooth ramp of `ramp` [s] from `start` [s].
-    Free {
-        /// Load [N or N m].
-        load: f64,
-        /// When the load begins to act [s].
-        start: f64,
-        /// How long it takes to come on [s].
-        ramp: f64,
-    },
+impl Shape {
+    /// The shape as something that can be measured, touched and drawn.
+    #[must_use]
+    pub fn solid(&self) -> Box<dyn shape::Shape> {
+        match *self {
+            Self::Disc { diameter, thickness } => Box::new(shape::Disc { diameter, thickness }),
+            Self::Block { size } => Box::new(shape::Block { size }),
+        }
+    }
 }
 
 /// What to write.

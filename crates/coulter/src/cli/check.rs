@@ -4,6 +4,7 @@ use super::{Failure, say};
 use crate::case::estimate::{Estimate, estimate};
 use crate::case::resolved::{Body, Freedom, Law, Shape};
 use crate::case::{self, Case};
+use crate::output::reference::Reference;
 use crate::simulation::Simulation;
 use serde::Serialize;
 use std::fmt::Write;
@@ -79,10 +80,8 @@ fn as_json(case: &Case, cost: &Estimate, seconds: Option<f64>, warnings: &[Strin
 }
 
 fn groups(case: &Case, body: &Body) -> Groups {
-    let (d, t) = match body.shape {
-        Shape::Disc { diameter, thickness } => (diameter, thickness),
-        Shape::Block { size } => (size.x, size.y),
-    };
+    let reference = Reference::of(case, body);
+    let (d, t) = (reference.length, reference.width);
     let gamma = case.soil.unit_weight;
     let strength = match case.soil.law {
         Law::MohrCoulomb { cohesion, .. } => Some(cohesion),

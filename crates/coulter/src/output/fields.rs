@@ -3,23 +3,14 @@
 use super::error::OutputError;
 use super::surface::HeightMap;
 use super::vtk::{Appended, Dataset};
-use crate::case::resolved;
 use glam::{DMat3, DVec3};
-use physics::shape::{Block, Disc, Shape};
+use physics::shape::Shape;
 use solver::grid::Grid;
 use solver::state::{Body, State};
 use std::path::Path;
 
 /// Cells with less soil than this are void: what they hold is rounding and is shown as nothing.
 pub(super) const VOID: f64 = 1e-6;
-
-/// The shape that a case describes.
-pub(super) fn shape_of(shape: &resolved::Shape) -> Box<dyn Shape> {
-    match *shape {
-        resolved::Shape::Disc { diameter, thickness } => Box::new(Disc { diameter, thickness }),
-        resolved::Shape::Block { size } => Box::new(Block { size }),
-    }
-}
 
 /// Turns the body frame to where the body is; a positive angle rolls forward, its top goes along +x.
 pub(super) fn attitude(body: &Body) -> DMat3 {

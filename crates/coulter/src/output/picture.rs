@@ -2,7 +2,7 @@
 
 use super::colour::{ColourMap, Rgb};
 use super::error::{OutputError, make_folder};
-use super::fields::{CellView, attitude, shape_of};
+use super::fields::{CellView, attitude};
 use super::frame::{Scale, View};
 use super::rut::profiles;
 use super::scale::Unit;
@@ -118,7 +118,7 @@ impl<'a> Scene<'a> {
         };
         let faces = &grid.faces[1];
         let row = faces.iter().skip(1).position(|y| *y > plane).unwrap_or(0);
-        let shapes: Vec<Box<dyn Shape>> = case.bodies.iter().map(|b| shape_of(&b.shape)).collect();
+        let shapes: Vec<Box<dyn Shape>> = case.bodies.iter().map(|b| b.shape.solid()).collect();
         let mut scene = Self { case, grid, state, shapes, row, across: [0.0; 2], upward: [0.0; 2] };
         scene.across = scene.range(0);
         scene.upward = scene.range(2);

@@ -2,7 +2,7 @@
 
 use super::csv::{HistoryFiles, file_safe, read_history};
 use super::error::{OutputError, make_folder, read_text, write_whole};
-use super::fields::{VOID, shape_of, write_body, write_soil, write_surface};
+use super::fields::{VOID, write_body, write_soil, write_surface};
 use super::folder::{FIELDS, LISTS, LOG, PICTURES, PLOTS, REPORT, RESOLVED, TYPED, clear};
 use super::log::Log;
 use super::picture::write_pictures;
@@ -141,7 +141,7 @@ impl Results {
         self.frames[1].push(Frame { time, part: 0, file: surface });
         for (part, (body, described)) in state.bodies.iter().zip(&case.bodies).enumerate() {
             let file = format!("{FIELDS}/body_{}_{n:04}.vtp", file_safe(&described.name));
-            write_body(&self.dir.join(&file), shape_of(&described.shape).as_ref(), body, time)?;
+            write_body(&self.dir.join(&file), described.shape.solid().as_ref(), body, time)?;
             self.frames[2].push(Frame { time, part, file });
         }
         self.next_frame += 1;

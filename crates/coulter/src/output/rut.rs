@@ -3,7 +3,7 @@
 use super::chart::{Chart, Curve, Stroke};
 use super::colour::ColourMap;
 use super::error::{OutputError, write_whole};
-use super::fields::{attitude, shape_of};
+use super::fields::attitude;
 use super::frame::{Scale, View};
 use super::picture::{OUTLINE, Scene, find};
 use super::scale::{digits, largest};
@@ -142,7 +142,7 @@ fn section_place(case: &Case, state: &State) -> [f64; 2] {
     let Some((body, described)) = state.bodies.first().zip(case.bodies.first()) else {
         return [case.domain.low.x, case.domain.high.x];
     };
-    let shape = shape_of(&described.shape);
+    let shape = described.shape.solid();
     let length = shape.bounds().1.x - shape.bounds().0.x;
     let way = body.position.x - described.position.x;
     // A body that has hardly moved has left nothing behind: the cut goes through it.

@@ -7,20 +7,11 @@ use crate::case::ranges::{self, ANY, NOT_NEGATIVE, POSITIVE};
 use crate::case::resolved::{Body, Shape};
 use crate::case::schema::Section;
 use glam::DVec3;
-use physics::shape;
 
 /// Mass of a body that never moves freely: that of solid steel [kg/m³]. Nothing depends on it.
 const NOMINAL_DENSITY: f64 = 7850.0;
 /// Cells across a body below which its contact points see no soil between them.
 const LEAST_CELLS_ACROSS: f64 = 2.0;
-
-/// The shape as something that can be measured.
-pub(in crate::case) fn solid(shape: &Shape) -> Box<dyn shape::Shape> {
-    match *shape {
-        Shape::Disc { diameter, thickness } => Box::new(shape::Disc { diameter, thickness }),
-        Shape::Block { size } => Box::new(shape::Block { size }),
-    }
-}
 
 /// One body in its frame.
 pub(super) fn body(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Body> {
@@ -43,7 +34,7 @@ pub(super) fn body(section: &Section, frame: &Frame, problems: &mut Problems) ->
     Some(Body {
         name: section.path.trim_start_matches("body.").to_owned(),
         position: position?,
-        mass: mass.unwrap_or_else(|| NOMINAL_DENSITY * solid(&shape).volume()),
+        mass: mass.unwrap_or_else(|| NOMINAL_DENSITY * shape.solid().volume()),
         axle_inertia: inertia?,
         shape,
         friction: friction?,
@@ -169,7 +160,7 @@ fn axle_inertia(section: &Section, shape: &Shape, mass: Option<f64>, problems: &
     if section.has("axle_inertia") {
         return ranges::given(section, "axle_inertia", &POSITIVE, problems);
     }
-    let solid = solid(shape);
+    let solid = shape.solid();
     if mass.is_none() && is_free(section, "spin") {
         let message = format!("[{}] turns freely, but its moment of inertia is not known", section.path);
         problems.add(
@@ -191,7 +182,7 @@ fn position(
     let x = ranges::or(section, "x", 0.0, &ANY, problems);
     let y = ranges::or(section, "y", 0.0, &ANY, problems);
     let sinkage = ranges::or(section, "sinkage", 0.0, &ANY, problems);
-    let lowest = solid(shape?).bounds().0.z;
+    let lowest = shape?.solid().bounds().0.z;
     let y = match frame.slab {
         Some(slab) if !section.has("y") => slab.middle,
         _ => y?,

@@ -1,6 +1,5 @@
 //! Whether everything fits: the bodies into the box, their motion to its symmetry, the grid into memory.
 
-use super::body::solid;
 use super::extent::path;
 use crate::case::estimate;
 use crate::case::problem::Problems;
@@ -83,7 +82,7 @@ fn stays_inside(section: &Section, body: &Body, domain: &Domain, duration: f64, 
 pub(super) fn contact_points_remain(schema: &Schema, case: &Case, problems: &mut Problems) {
     let inset = case.numerics.edge_inset * case.grid.cell;
     for body in &case.bodies {
-        let (low, high) = solid(&body.shape).bounds();
+        let (low, high) = body.shape.solid().bounds();
         if (high - low).min_element() - 2.0 * inset < 1e-6 * case.grid.cell {
             let message = format!("the inset leaves no contact points on body `{}`", body.name);
             let cure = "make it smaller; 0.5 is the default";

@@ -1,7 +1,6 @@
 //! Where everything is: the bodies' path, the box, the fine zone, the ground.
 
 use super::Frame;
-use super::body::solid;
 use crate::case::problem::Problems;
 use crate::case::ranges;
 use crate::case::resolved::{Body, Domain, Freedom, Ground, Wall};
@@ -31,7 +30,7 @@ pub(in crate::case) fn travel(freedom: &Freedom, time: f64) -> f64 {
 
 /// The box round a body on its whole way.
 pub(in crate::case) fn path(body: &Body, duration: f64) -> Extent {
-    let (low, high) = solid(&body.shape).bounds();
+    let (low, high) = body.shape.solid().bounds();
     let moved = DVec3::from_array(std::array::from_fn(|axis| travel(&body.translation[axis], duration)));
     let (start, end) = (body.position, body.position + moved);
     Extent { low: start.min(end) + low, high: start.max(end) + high }
@@ -48,7 +47,7 @@ pub(in crate::case) fn paths(bodies: &[Body], duration: f64) -> Option<Extent> {
 /// The largest edge of any body in the plane of the tow [m].
 pub(in crate::case) fn body_length(bodies: &[Body]) -> f64 {
     let length = |b: &Body| {
-        let (low, high) = solid(&b.shape).bounds();
+        let (low, high) = b.shape.solid().bounds();
         (high - low).x.max((high - low).z)
     };
     bodies.iter().map(length).fold(0.0, f64::max)
