@@ -4,6 +4,7 @@
 //! [`row::Row`]s there. Benchmarks that a case file can describe are run from one, through the door that users have.
 
 pub mod bench;
+mod carried;
 mod column;
 mod disc;
 pub mod document;

@@ -1,0 +1,171 @@
+//! A shape that a prescribed motion of the nodes carries through the unit box, remap by remap.
+
+use glam::DVec3;
+use physics::elastic::Elastic;
+use solver::cpu::remap::remap;
+use solver::cpu::workspace::Workspace;
+use solver::grid::Grid;
+use solver::model::{Method, Model, Wall};
+use solver::start::{Filling, start};
+use solver::state::State;
+use std::f64::consts::PI;
+use std::time::Instant;
+
+/// A motion of the unit box (or of a slab of it).
+pub(super) struct Flow {
+    pub(super) box_cells: [usize; 3],
+    /// How long it lasts.
+    pub(super) period: f64,
+    /// Whether it is slowed down by cos(πt/T), so that everything comes back.
+    pub(super) turns_back: bool,
+    pub(super) velocity: fn(DVec3) -> DVec3,
+    /// Largest displacement between two remaps, in cells.
+    pub(super) pace: f64,
+}
+
+/// Where the soil has been carried.
+pub(super) struct Carried {
+    pub(super) model: Model,
+    state: State,
+    /// Soil volume before and after [m³], and that of the crumbs.
+    pub(super) before: f64,
+    after: f64,
+    pub(super) crumbs: f64,
+    /// How far a volume fraction was ever below 0 or above 1.
+    pub(super) beyond: f64,
+    pub(super) seconds: f64,
+}
+
+impl Carried {
+    pub(super) fn volume_change(&self) -> f64 {
+        ((self.after + self.crumbs) - self.before).abs() / self.before
+    }
+
+    /// Σ|f − f_shape| V [m³].
+    pub(super) fn distance(&self, inside: impl Fn(DVec3) -> bool) -> f64 {
+        let mut exact = vec![0.0; self.model.grid.entries];
+        fill(&self.model.grid, inside, &mut exact);
+        let of = |c: usize, volume: f64| (self.state.soil.fraction[c] - exact[c]).abs() * volume;
+        over_cells(&self.model.grid, of)
+    }
+}
+
+/// Carries a shape along with a flow.
+pub(super) fn carry(flow: &Flow, inside: impl Fn(DVec3) -> bool) -> Carried {
+    let clock = Instant::now();
+    let model = space(flow.box_cells);
+    let grid = &model.grid;
+    let mut state = start(&model, &Filling { low: DVec3::ZERO, high: DVec3::ZERO });
+    fill(grid, inside, &mut state.soil.fraction);
+    for c in 0..grid.entries {
+        state.soil.mass[c] = model.density * state.soil.fraction[c] * grid.finest().powi(3);
+    }
+    let mut workspace = Workspace::new(&model, &state, 1);
+    let volume = |state: &State| over_cells(grid, |c, volume| state.soil.fraction[c] * volume);
+    let before = volume(&state);
+    let (mut crumbs, mut beyond) = (0.0, 0.0_f64);
+    let steps = (flow.period * fastest(flow, grid) / (flow.pace * grid.finest())).ceil();
+    let dt = flow.period / steps;
+    for n in 0..steps as usize {
+        let middle = (n as f64 + 0.5) * dt;
+        let slowing = if flow.turns_back { (PI * middle / flow.period).cos() } else { 1.0 };
+        displace(flow, grid, &mut state, dt * slowing);
+        crumbs += remap(&model, &mut state, &mut workspace).volume;
+        let off = |f: f64| (-f).max(f - 1.0);
+        beyond = state.soil.fraction.iter().map(|f| off(*f)).fold(beyond, f64::max);
+    }
+    let after = volume(&state);
+    let seconds = clock.elapsed().as_secs_f64();
+    Carried { before, after, crumbs, beyond, seconds, state, model }
+}
+
+/// Largest component of a velocity at the nodes.
+fn fastest(flow: &Flow, grid: &Grid) -> f64 {
+    let mut most: f64 = 0.0;
+    each_node(grid, |_, x| most = most.max((flow.velocity)(x).abs().max_element()));
+    most
+}
+
+fn displace(flow: &Flow, grid: &Grid, state: &mut State, dt: f64) {
+    each_node(grid, |n, x| {
+        let u = (flow.velocity)(x) * dt;
+        for axis in 0..3 {
+            state.nodes.displacement[axis][n] = u[axis];
+        }
+    });
+}
+
+fn each_node(grid: &Grid, mut job: impl FnMut(usize, DVec3)) {
+    let [nx, ny, nz] = grid.cells();
+    for k in 0..=nz {
+        for j in 0..=ny {
+            for i in 0..=nx {
+                let x = DVec3::new(grid.faces[0][i], grid.faces[1][j], grid.faces[2][k]);
+                job(grid.index(i, j, k), x);
+            }
+        }
+    }
+}
+
+/// Sum of a figure over the cells.
+fn over_cells(grid: &Grid, value: impl Fn(usize, f64) -> f64) -> f64 {
+    let [nx, ny, nz] = grid.cells();
+    let mut sum = 0.0;
+    for k in 0..nz {
+        for j in 0..ny {
+            for i in 0..nx {
+                sum += value(grid.index(i, j, k), grid.volume(i, j, k));
+            }
+        }
+    }
+    sum
+}
+
+/// Volume fractions of a shape, by sampling the cells that its surface may cross.
+fn fill(grid: &Grid, inside: impl Fn(DVec3) -> bool, fraction: &mut [f64]) {
+    let [nx, ny, nz] = grid.cells();
+    let flat = nz == 1;
+    let samples: [usize; 3] = if flat { [64, 64, 1] } else { [16, 16, 16] };
+    for k in 0..nz {
+        for j in 0..ny {
+            for i in 0..nx {
+                let at = |n: [f64; 3]| {
+                    let place = |axis: usize, layer: usize| {
+                        grid.faces[axis][layer] + n[axis] * grid.width(axis, layer)
+                    };
+                    DVec3::new(place(0, i), place(1, j), place(2, k))
+                };
+                let share = |samples: [usize; 3]| {
+                    let count = samples.iter().product::<usize>();
+                    let each = (0..count).map(|n| {
+                        let place =
+                            [n % samples[0], n / samples[0] % samples[1], n / samples[0] / samples[1]];
+                        at(std::array::from_fn(|axis| (place[axis] as f64 + 0.5) / samples[axis] as f64))
+                    });
+                    each.filter(|x| inside(*x)).count() as f64 / count as f64
+                };
+                let rough = share(samples.map(|n| n.min(8)));
+                fraction[grid.index(i, j, k)] =
+                    if rough > 0.0 && rough < 1.0 { share(samples) } else { rough };
+            }
+        }
+    }
+}
+
+/// The unit box, or a slab of it one cell thick; without weight or strength.
+fn space([nx, ny, nz]: [usize; 3]) -> Model {
+    let h = 1.0 / nx as f64;
+    let faces = |n: usize| (0..=n).map(|i| i as f64 * h).collect::<Vec<f64>>();
+    Model {
+        grid: Grid::new([faces(nx), faces(ny), faces(nz)]),
+        elastic: Elastic::new(1e6, 0.3),
+        strength: None,
+        density: 1000.0,
+        gravity: 0.0,
+        rest_pressure_ratio: 1.0,
+        walls: [[Wall::Smooth; 2]; 3],
+        bodies: Vec::new(),
+        share: 1.0,
+        method: Method::default(),
+    }
+}
