@@ -99,7 +99,8 @@ fn one_file_starts_threads_and_is_unsafe() {
 
 #[test]
 fn in_coulter_few_touch_files_and_fewer_print() {
-    let may_touch = |path: &str| ["case/", "output/", "cli/", "verify/"].iter().any(|folder| path.starts_with(folder));
+    let may_touch =
+        |path: &str| ["case/", "output/", "cli/", "verify/"].iter().any(|folder| path.starts_with(folder));
     let found = offenders("coulter", &FILES, may_touch);
     assert!(found.is_empty(), "{found:#?}");
     let may_print = |path: &str| path.starts_with("cli/") || path == "output/progress.rs";
