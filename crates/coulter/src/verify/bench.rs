@@ -1,10 +1,12 @@
 //! The bench that benchmarks run on: it runs cases through the users' door, keeps their ledgers and collects rows.
 
 use super::row::Row;
+use crate::case::resolved::Law;
 use crate::case::{self, CaseError};
 use crate::output::OutputError;
 use crate::output::record::{BodySample, EnergySample};
 use crate::simulation::Simulation;
+use solver::cpu::energy::soil_mass;
 use solver::error::Breakdown;
 use std::time::Instant;
 
@@ -50,6 +52,10 @@ pub struct Ledgers {
     pub energy: EnergySample,
     /// Largest departure of the soil volume from that at the start, at any time, as a share.
     pub volume_off: f64,
+    /// Change of the soil's mass, crumbs counted, as a share.
+    pub mass_off: f64,
+    /// Whether the soil dilates, so that its volume is meant to grow.
+    pub dilates: bool,
     /// The bodies at the end.
     pub bodies: Vec<BodySample>,
     /// Wall clock [s].
@@ -129,10 +135,20 @@ impl<'a> Bench<'a> {
             energy: history.energy.last().copied().unwrap_or_default(),
             // `max` would drop what is not a number.
             volume_off: off.fold(0.0, |most, v| if v > most || v.is_nan() { v } else { most }),
+            mass_off: mass_off(simulation),
+            dilates: matches!(simulation.case.soil.law, Law::MohrCoulomb { dilation_angle, .. } if dilation_angle > 0.0),
             bodies: history.bodies.iter().filter_map(|b| b.last().copied()).collect(),
             seconds: simulation.wall_s,
         });
     }
+}
+
+/// Change of the soil's mass since the start, with what the remaps took out, as a share.
+fn mass_off(simulation: &Simulation) -> f64 {
+    let Simulation { model, state, .. } = simulation;
+    // Mass and volume of the soil at the start go together by its density.
+    let before = model.density * state.ledger.volume_start;
+    (soil_mass(&state.soil) + state.ledger.crumbs_mass - before) / before
 }
 
 /// Mean of a figure over the samples whose abscissa lies in `from..=to`, each weighing as the interval that it stands

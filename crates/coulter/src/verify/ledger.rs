@@ -10,8 +10,9 @@ pub(super) const ABOUT_ENERGY: &str = "External work must be kinetic + elastic +
     energy and the loss in remaps, at the end of every run of the suite; shares are of the external work. The worst run of \
     each benchmark is shown.";
 /// What it is about.
-pub(super) const ABOUT_VOLUME: &str = "The soil's volume at any time of every run of the suite, over that at the start. \
-    Elastic compression is part of the difference.";
+pub(super) const ABOUT_VOLUME: &str = "The soil's volume at any time of every run of the suite, over that at the start; \
+    elastic compression is part of the difference. Runs with dilating soil are left out: their volume is meant to grow. The mass \
+    at the end of every run is told besides.";
 /// What it is about.
 pub(super) const ABOUT_LEAK: &str = "Soil found inside the body at the end of every run with contact, over the volume of \
     the body below the undisturbed surface.";
@@ -34,7 +35,9 @@ pub(super) fn energy(bench: &mut Bench) {
 
 /// C3: the soil's volume.
 pub(super) fn volume(bench: &mut Bench) {
-    each(bench, "C3", "change of soil volume", 0.005, |run| Some(run.volume_off));
+    each(bench, "C3", "change of soil volume", 0.005, |run| (!run.dilates).then_some(run.volume_off));
+    let row = |worst: (String, f64)| Row::note("C3", worst.0, "change of soil mass, crumbs counted", worst.1);
+    worst_of_each(bench, |run| Some(run.mass_off), row);
 }
 
 /// C4: soil inside the bodies.

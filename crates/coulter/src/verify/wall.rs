@@ -2,7 +2,6 @@
 
 use super::bench::{Bench, VerifyError};
 use super::row::Row;
-use crate::output::surface::HeightMap;
 use crate::simulation::Simulation;
 
 const CASE: &str = include_str!("../../../../validation/B5_passive_wall/case.toml");
@@ -16,12 +15,12 @@ const FROM_TO: [f64; 2] = [0.05 * HEIGHT, 0.1 * HEIGHT];
 pub(super) const ABOUT: &str = "A smooth vertical wall is pushed into a bank of dry sand on a smooth floor, which makes \
     the soil fail in the passive Rankine state: E_p = ½ K_p γ H². Read as the mean of the horizontal thrust over a \
     displacement of 0.05 to 0.1 H, once over ½ γ H² with the undisturbed height, once with the heave counted: over the \
-    weight that the Rankine wedge really has then, that is with H² = 2 A tan(45° − φ/2), A being the area of the soil \
-    above the plane that rises from the wall's toe at 45° − φ/2 to the deformed surface.";
+    weight that the Rankine wedge really has then, that is with γ H² = 2 G tan(45° − φ/2), G being the weight of the soil \
+    above the plane that rises from the wall's toe at 45° − φ/2 (dilated soil is lighter).";
 
 pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
     let variants: &[[u32; 3]] = if bench.wish.fast {
-        &[[30, 0, 8]]
+        &[[30, 0, 8], [30, 30, 16]]
     } else {
         &[[30, 0, 8], [30, 0, 16], [35, 0, 16], [40, 0, 16], [30, 30, 16], [35, 35, 16], [40, 40, 16]]
     };
@@ -59,24 +58,28 @@ fn push(bench: &mut Bench, [angle, dilation, cells]: [u32; 3]) -> Result<(), Ver
     bench.tell(&format!("B5: {variant}, {} steps in {:.1} s", simulation.state.step, simulation.wall_s));
     bench.keep("B5", &variant, &simulation);
     let exact = 1.0 / (rise * rise);
-    for (quantity, sum) in [("K_p, heave counted", heaved), ("K_p over the undisturbed height", plain)] {
-        let row = Row::note("B5", variant.as_str(), quantity, sum / time);
-        bench.rows.push(row.within(exact, 0.02, SOURCE).took(simulation.wall_s));
-    }
+    let note =
+        |quantity, sum: f64| Row::note("B5", variant.as_str(), quantity, sum / time).took(simulation.wall_s);
+    let plain = note("K_p over the undisturbed height", plain);
+    bench.rows.push(note("K_p, heave counted", heaved).within(exact, 0.02, SOURCE));
+    // Soil that dilates heaves so much that its undisturbed height says nothing.
+    bench.rows.push(if dilation == 0 { plain.within(exact, 0.02, SOURCE) } else { plain });
     Ok(())
 }
 
-/// Area of the soil above a plane that rises from the wall's toe with this slope [m²].
+/// Area that the soil above a plane would have at its initial density [m²]: its mass over that density and the slab's
+/// width. The plane rises from the wall's toe with this slope.
 fn wedge(simulation: &Simulation, displacement: f64, slope: f64) -> f64 {
-    let map = HeightMap::of(&simulation.case, &simulation.model.grid, &simulation.state);
-    let floor = simulation.case.domain.low.z;
-    let columns = map.edges[0].windows(2).enumerate();
-    columns
-        .filter(|(_, edge)| edge[1] > displacement)
-        .map(|(i, edge)| {
-            let (low, width) = (edge[0].max(displacement), edge[1] - edge[0].max(displacement));
-            let plane = floor + slope * (low + 0.5 * width - displacement);
-            (map.at(i, 0) - plane).max(0.0) * width
-        })
-        .sum()
+    let (grid, mass) = (&simulation.model.grid, &simulation.state.soil.mass);
+    let toe = grid.faces[2][0];
+    let mut sum = 0.0;
+    for i in (0..grid.cells()[0]).filter(|i| grid.faces[0][i + 1] > displacement) {
+        let low = grid.faces[0][i].max(displacement);
+        let plane = toe + slope * (0.5 * (low + grid.faces[0][i + 1]) - displacement);
+        for k in 0..grid.cells()[2] {
+            let above = (grid.faces[2][k + 1] - plane) / grid.width(2, k);
+            sum += mass[grid.index(i, 0, k)] * above.clamp(0.0, 1.0);
+        }
+    }
+    sum / (simulation.model.density * grid.width(1, 0))
 }
