@@ -1,6 +1,6 @@
 //! The block: a rectangular box with sharp edges; a footing, a wall or a plate.
 
-use super::{Mesh, Shape, SurfacePoint};
+use super::{Mesh, Shape, SurfacePoint, middle, paired};
 use glam::DVec3;
 
 /// A box centred on the origin.
@@ -43,15 +43,15 @@ impl Shape for Block {
                     let (column, row) = (n % columns as usize, n / columns as usize);
                     let mut position = DVec3::ZERO;
                     position[axis] = side * 0.5 * self.size[axis];
-                    position[first] = width * ((column as f64 + 0.5) / columns - 0.5);
-                    position[second] = height * ((row as f64 + 0.5) / rows - 0.5);
+                    position[first] = width * middle(column, columns);
+                    position[second] = height * middle(row, rows);
                     let mut normal = DVec3::ZERO;
                     normal[axis] = side;
                     points.push(SurfacePoint { position, normal, area: width * height / (columns * rows) });
                 }
             }
         }
-        points
+        paired(points)
     }
 
     fn is_revolved(&self) -> bool {

@@ -1,6 +1,6 @@
 //! The disc: a flat cylinder with sharp rims, its axle along `y`.
 
-use super::{Mesh, Shape, SurfacePoint};
+use super::{Mesh, Shape, SurfacePoint, middle, paired};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
 
@@ -44,7 +44,7 @@ impl Shape for Disc {
         for side in [-1.0, 1.0] {
             face_points(self, side, spacing, inset.x, &mut points);
         }
-        points
+        paired(points)
     }
 
     fn is_revolved(&self) -> bool {
@@ -80,7 +80,7 @@ fn rim_points(disc: &Disc, spacing: f64, inset: f64, points: &mut Vec<SurfacePoi
     let columns = (PI * disc.diameter / spacing).ceil();
     let area = width / rows * PI * disc.diameter / columns;
     for row in 0..rows as usize {
-        let y = -0.5 * width + width * (row as f64 + 0.5) / rows;
+        let y = width * middle(row, rows);
         for column in 0..columns as usize {
             let (sin, cos) = (TAU * (column as f64 + 0.5) / columns).sin_cos();
             let normal = DVec3::new(sin, 0.0, cos);

@@ -9,6 +9,7 @@ mod disc;
 pub use block::Block;
 pub use disc::Disc;
 use glam::DVec3;
+use std::collections::BTreeMap;
 
 /// A point of the surface at which contact is integrated.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,6 +20,31 @@ pub struct SurfacePoint {
     pub normal: DVec3,
     /// Area that the point stands for [m²].
     pub area: f64,
+}
+
+/// Middle of part `n` of `count` equal parts of the length from −½ to ½; the middles of opposite parts are opposite to
+/// the bit.
+fn middle(n: usize, count: f64) -> f64 {
+    (2.0 * n as f64 + 1.0 - count) / (2.0 * count)
+}
+
+/// Puts points that are each other's mirror image in y side by side, in the order of the first of each pair.
+fn paired(points: Vec<SurfacePoint>) -> Vec<SurfacePoint> {
+    let key = |p: &SurfacePoint, side: f64| {
+        [p.position.x, side * p.position.y, p.position.z, p.normal.x, side * p.normal.y, p.normal.z]
+            .map(|x| (x + 0.0).to_bits())
+    };
+    let mut place: BTreeMap<_, usize> = points.iter().enumerate().map(|(n, p)| (key(p, 1.0), n)).collect();
+    let mut ordered = Vec::with_capacity(points.len());
+    for point in &points {
+        if place.remove(&key(point, 1.0)).is_some() {
+            ordered.push(*point);
+            if let Some(partner) = place.remove(&key(point, -1.0)) {
+                ordered.push(points[partner]);
+            }
+        }
+    }
+    ordered
 }
 
 /// Triangles to draw a body with.
@@ -44,6 +70,7 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
     /// edges.
     ///
     /// The inset takes away the cell's half width by which a row of points at a sharp edge makes the body too wide.
+    /// Points that are each other's mirror image in y stand side by side, so that contact can treat them alike.
     fn surface_points(&self, spacing: f64, inset: DVec3) -> Vec<SurfacePoint>;
     /// Whether a turn about the axle leaves the shape as it is; its contact points then need not turn with it.
     fn is_revolved(&self) -> bool;

@@ -51,9 +51,10 @@ impl ContactLaw for Impulses {
             let contact = scene.contacts[near.contact];
             scene.exchange(near.contact, contact.impulse);
         }
+        let groups = mirrored_groups(scene, &near);
         for _ in 0..SWEEPS {
-            for near in near.iter().chain(near.iter().rev()) {
-                near.relax(scene);
+            for group in groups.iter().chain(groups.iter().rev()) {
+                group.relax(scene, &near);
             }
         }
         for near in &near {
@@ -111,23 +112,87 @@ impl Near {
         })
     }
 
-    /// Corrects the impulse of the point by its present relative velocity.
-    fn relax(&self, scene: &mut Scene) {
-        let c = scene.contacts[self.contact];
+    /// Impulse that the present relative velocity asks for, `share` of the whole correction.
+    fn wanted(&self, scene: &Scene, share: f64) -> DVec3 {
+        let c = &scene.contacts[self.contact];
         let relative = scene.slip_velocity(self.contact);
         let closing = relative.dot(c.normal);
         let old_normal = c.impulse.dot(c.normal);
-        let new_normal = (old_normal + (closing - self.allowed) * self.along).max(0.0);
+        let new_normal = (old_normal + share * (closing - self.allowed) * self.along).max(0.0);
         if new_normal == 0.0 && old_normal == 0.0 {
-            return;
+            return DVec3::ZERO;
         }
         let old_friction = c.impulse - old_normal * c.normal;
         let sliding = relative - closing * c.normal;
-        let friction = (old_friction + sliding * self.across).clamp_length_max(self.friction * new_normal);
-        let new = new_normal * c.normal + friction;
-        scene.contacts[self.contact].impulse = new;
-        scene.exchange(self.contact, new - c.impulse);
+        let friction =
+            (old_friction + share * sliding * self.across).clamp_length_max(self.friction * new_normal);
+        new_normal * c.normal + friction
     }
+
+    /// Sets the impulse of the point.
+    fn set(&self, scene: &mut Scene, impulse: DVec3) {
+        let change = impulse - scene.contacts[self.contact].impulse;
+        if change != DVec3::ZERO {
+            scene.contacts[self.contact].impulse = impulse;
+            scene.exchange(self.contact, change);
+        }
+    }
+}
+
+/// One point, or two that are each other's mirror image in y. Two are relaxed together, each from what was before the
+/// other: a case and its mirror image then take the same course, which the order of the points would otherwise spoil.
+struct Group {
+    /// Places among the near points.
+    first: usize,
+    second: Option<usize>,
+    /// Share of the correction that each takes, so that two that push the same soil or body do not overshoot.
+    share: f64,
+}
+
+impl Group {
+    fn relax(&self, scene: &mut Scene, near: &[Near]) {
+        let first = near[self.first].wanted(scene, self.share);
+        let second = self.second.map(|n| (n, near[n].wanted(scene, self.share)));
+        near[self.first].set(scene, first);
+        if let Some((n, impulse)) = second {
+            near[n].set(scene, impulse);
+        }
+    }
+}
+
+/// The near points in groups. Mirror images stand side by side in the list of surface points.
+fn mirrored_groups(scene: &Scene, near: &[Near]) -> Vec<Group> {
+    let mut groups = Vec::with_capacity(near.len());
+    let mut n = 0;
+    while n < near.len() {
+        let partner = (n + 1 < near.len() && are_mirrored(scene, near[n].contact, near[n + 1].contact))
+            .then_some(n + 1);
+        let share = partner.map_or(1.0, |p| 1.0 / (1.0 + coupling(scene, &near[n], &near[p])));
+        groups.push(Group { first: n, second: partner, share });
+        n += if partner.is_some() { 2 } else { 1 };
+    }
+    groups
+}
+
+fn are_mirrored(scene: &Scene, first: usize, second: usize) -> bool {
+    let (a, b) = (&scene.contacts[first], &scene.contacts[second]);
+    let flip = |v: DVec3| DVec3::new(v.x, -v.y, v.z);
+    a.body == b.body && flip(a.arm) == b.arm && flip(a.normal) == b.normal
+}
+
+/// How far an impulse at one point moves the other, over how far it moves itself; 0 to 1.
+fn coupling(scene: &Scene, first: &Near, second: &Near) -> f64 {
+    let (a, b) = (&scene.contacts[first.contact], &scene.contacts[second.contact]);
+    let (nodes_a, nodes_b) = (&scene.corner_nodes[first.contact], &scene.corner_nodes[second.contact]);
+    let mut shared = DVec3::ZERO;
+    for (n, w) in nodes_a.iter().zip(a.weight) {
+        for (_, other) in nodes_b.iter().zip(b.weight).filter(|(m, _)| *m == n) {
+            shared += w * other * scene.nodes[*n as usize].inverse_mass;
+        }
+    }
+    let through_body = mobility_of_body(scene, a.body, a.arm);
+    let size = (shared + through_body).dot((a.normal * b.normal).abs());
+    (size * first.along.max(second.along)).clamp(0.0, 1.0)
 }
 
 /// Velocity per impulse along x, y, z, of soil and body together [1/kg] (diagonal of the point's mobility).
@@ -136,14 +201,19 @@ fn mobility(scene: &Scene, contact: usize) -> DVec3 {
     let nodes = scene.corner_nodes[contact];
     let each = nodes.iter().zip(c.weight);
     let soil = each.fold(DVec3::ZERO, |sum, (n, w)| sum + w * w * scene.nodes[*n as usize].inverse_mass);
-    let fixed = &scene.model.bodies[c.body];
+    soil + mobility_of_body(scene, c.body, c.arm)
+}
+
+/// The body's part of it.
+fn mobility_of_body(scene: &Scene, body: usize, arm: DVec3) -> DVec3 {
+    let fixed = &scene.model.bodies[body];
     let share = scene.model.share;
     DVec3::from_array(std::array::from_fn(|axis| {
         let push = if fixed.translation[axis].is_free() { 1.0 / (fixed.mass * share) } else { 0.0 };
         let mut unit = DVec3::ZERO;
         unit[axis] = 1.0;
-        let lever = c.arm.cross(unit).y;
+        let lever = arm.cross(unit).y;
         let turn = if fixed.spin.is_free() { lever * lever / (fixed.axle_inertia * share) } else { 0.0 };
-        soil[axis] + push + turn
+        push + turn
     }))
 }
