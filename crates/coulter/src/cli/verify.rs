@@ -44,7 +44,8 @@ pub(super) fn verify(arguments: &Arguments) -> Result<(), Failure> {
     });
     let known = known::known();
     if arguments.json {
-        let text = serde_json::to_string_pretty(&findings.rows).map_err(|e| Failure::Request(e.to_string()))?;
+        let text =
+            serde_json::to_string_pretty(&findings.rows).map_err(|e| Failure::Request(e.to_string()))?;
         say(&format!("{text}\n"));
     } else {
         say(&format!("{}\n{}\n", table::plain(&findings.rows), table::closing(&findings.rows)));
@@ -66,7 +67,8 @@ pub(super) fn verify(arguments: &Arguments) -> Result<(), Failure> {
 fn ids(typed: &[String]) -> Result<Vec<&'static str>, Failure> {
     let all = || verify::BENCHMARKS.iter().map(|b| b.id).collect::<Vec<_>>().join(", ");
     let known = |id: &String| {
-        verify::find(id).ok_or_else(|| Failure::Request(format!("there is no benchmark {id}; there are {}", all())))
+        verify::find(id)
+            .ok_or_else(|| Failure::Request(format!("there is no benchmark {id}; there are {}", all())))
     };
     typed.iter().map(known).collect()
 }

@@ -22,7 +22,16 @@ pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
     let variants: &[(u32, u32, u32)] = if bench.wish.fast {
         &[(37, 1, 20)]
     } else {
-        &[(37, 1, 20), (37, 1, 40), (37, 2, 20), (37, 2, 40), (31, 1, 20), (31, 1, 40), (31, 2, 20), (31, 2, 40)]
+        &[
+            (37, 1, 20),
+            (37, 1, 40),
+            (37, 2, 20),
+            (37, 2, 40),
+            (31, 1, 20),
+            (31, 1, 40),
+            (31, 2, 20),
+            (31, 2, 40),
+        ]
     };
     for &(angle, aspect, cells) in variants {
         collapse(bench, angle, aspect, cells)?;
@@ -57,7 +66,12 @@ fn collapse(bench: &mut Bench, angle: u32, aspect: u32, cells: u32) -> Result<()
     let row = Row::note("C1", variant.as_str(), "final height over L₀", thickness(&simulation, 0) / WIDTH);
     put(row.beside(height, height, HEIGHTS));
     let cell = simulation.case.grid.cell;
-    put(Row::note("C1", variant.as_str(), "front's way in the last tenth of the time [cells]", (end - late) / cell));
+    put(Row::note(
+        "C1",
+        variant.as_str(),
+        "front's way in the last tenth of the time [cells]",
+        (end - late) / cell,
+    ));
     Ok(())
 }
 

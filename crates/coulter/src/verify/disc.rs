@@ -31,7 +31,10 @@ pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
     bench.rows.extend([
         note("axle torque over W d/2", torque).at_most(0.01, "equilibrium of a disc that turns freely"),
         note("drag F_H [N]", figure(steady.drag)).beside(15.0, 17.0, TRIAL),
-        note("vertical force F_V over the weight", figure(steady.vertical) / (body.mass * simulation.case.gravity)),
+        note(
+            "vertical force F_V over the weight",
+            figure(steady.vertical) / (body.mass * simulation.case.gravity),
+        ),
         note("sinkage [mm]", 1e3 * figure(steady.sinkage)).beside(10.2, 10.5, TRIAL),
         note("turn ratio ω r / v", figure(steady.turn_ratio)).beside(0.64, 0.69, TRIAL),
         note("drag noise over the mean", figure(steady.drag_noise)).beside(0.04, 0.044, TRIAL),

@@ -49,7 +49,9 @@ pub fn disagreements(rows: &[Row], known: &[Known]) -> Vec<String> {
         let is_known = known.iter().any(|k| k.is_about(row));
         let name = format!("{} · {} · {}", row.id, row.case, row.quantity);
         match row.passes() {
-            Some(false) if !is_known => all.push(format!("{name} falls short and is not in validation/known.toml")),
+            Some(false) if !is_known => {
+                all.push(format!("{name} falls short and is not in validation/known.toml"))
+            }
             Some(true) if is_known => all.push(format!("{name} passes but is in validation/known.toml")),
             _ => {}
         }
@@ -69,12 +71,8 @@ mod tests {
 
     #[test]
     fn only_what_disagrees_is_told() {
-        let known = [Known {
-            id: "B1".into(),
-            case: "a".into(),
-            quantity: "q".into(),
-            reason: "because".into(),
-        }];
+        let known =
+            [Known { id: "B1".into(), case: "a".into(), quantity: "q".into(), reason: "because".into() }];
         let row = |case: &str, obtained| Row::note("B1", case, "q", obtained).within(1.0, 0.1, "");
         assert!(disagreements(&[row("a", 2.0), row("b", 1.0)], &known).is_empty());
         assert_eq!(disagreements(&[row("a", 1.0), row("b", 2.0)], &known).len(), 2);

@@ -24,7 +24,11 @@ pub(super) fn energy(bench: &mut Bench) {
         ("remap loss over external work", (|e| e.energy.remap_loss) as fn(&Ledgers) -> f64),
         ("bulk viscosity over external work", |e| e.energy.viscous),
     ] {
-        worst_of_each(bench, |run| share(run, value(run)), |worst| Row::note("A9", worst.0, quantity, worst.1));
+        worst_of_each(
+            bench,
+            |run| share(run, value(run)),
+            |worst| Row::note("A9", worst.0, quantity, worst.1),
+        );
     }
 }
 

@@ -27,7 +27,12 @@ pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
         bench.rows.push(row.at_most(0.0, BITS).took(other.wall_s));
     }
     let resumed = resumed(bench)?;
-    let row = Row::note("A8", "stopped half way", "values that differ from the straight run", differences(&one, &resumed));
+    let row = Row::note(
+        "A8",
+        "stopped half way",
+        "values that differ from the straight run",
+        differences(&one, &resumed),
+    );
     bench.rows.push(row.at_most(0.0, BITS).took(resumed.wall_s));
     mirrored(bench, "disc in the middle", &one, &one);
     let aside = |place: f64| [format!("body.disc.y={place} m")];
@@ -104,7 +109,9 @@ fn mirrored(bench: &mut Bench, variant: &str, a: &Simulation, b: &Simulation) {
         }
     }
     let seconds = a.wall_s + b.wall_s;
-    for (quantity, off) in [("volume fraction off its mirror image", fraction), ("velocity off its mirror image", velocity)] {
+    for (quantity, off) in
+        [("volume fraction off its mirror image", fraction), ("velocity off its mirror image", velocity)]
+    {
         bench.rows.push(Row::note("A8", variant, quantity, off).at_most(1e-12, MIRROR).took(seconds));
     }
 }

@@ -23,7 +23,11 @@ pub fn figure(value: f64) -> String {
 
 /// A share in per cent.
 fn per_cent(share: f64) -> String {
-    if share != 0.0 && share.abs() < 1e-4 { format!("{:.1e} %", 1e2 * share) } else { format!("{:.2} %", 1e2 * share) }
+    if share != 0.0 && share.abs() < 1e-4 {
+        format!("{:.1e} %", 1e2 * share)
+    } else {
+        format!("{:.2} %", 1e2 * share)
+    }
 }
 
 fn expected(row: &Row) -> String {
@@ -56,14 +60,25 @@ fn cells(row: &Row) -> [String; 9] {
     let case = row.case.clone();
     let quantity = row.quantity.clone();
     let obtained = figure(row.obtained);
-    [row.id.to_owned(), case, quantity, expected(row), obtained, error, tolerance, verdict(row).to_owned(), seconds]
+    [
+        row.id.to_owned(),
+        case,
+        quantity,
+        expected(row),
+        obtained,
+        error,
+        tolerance,
+        verdict(row).to_owned(),
+        seconds,
+    ]
 }
 
 /// The table for a terminal.
 #[must_use]
 pub fn plain(rows: &[Row]) -> String {
     let lines: Vec<[String; 9]> = rows.iter().map(cells).collect();
-    let width = |n: usize| lines.iter().map(|l| l[n].chars().count()).fold(HEADS[n].chars().count(), usize::max);
+    let width =
+        |n: usize| lines.iter().map(|l| l[n].chars().count()).fold(HEADS[n].chars().count(), usize::max);
     let widths: [usize; 9] = std::array::from_fn(width);
     let line = |cells: &[String; 9]| {
         let padded = (0..9).map(|n| {
@@ -118,7 +133,10 @@ mod tests {
 
     #[test]
     fn tables_line_up() {
-        let rows = [Row::note("B1", "B/h = 16", "N_c", 5.2).within(5.1416, 0.02, "Prandtl"), Row::note("B1", "φ", "x", 1.0)];
+        let rows = [
+            Row::note("B1", "B/h = 16", "N_c", 5.2).within(5.1416, 0.02, "Prandtl"),
+            Row::note("B1", "φ", "x", 1.0),
+        ];
         let text = plain(&rows);
         assert!(text.contains("1.14 %") && text.contains("pass"), "{text}");
         assert_eq!(closing(&rows), "1 passed, 0 falling short");

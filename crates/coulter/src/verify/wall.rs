@@ -30,10 +30,8 @@ pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
 
 fn push(bench: &mut Bench, angle: u32, cells: u32) -> Result<(), VerifyError> {
     let variant = format!("φ = {angle}°, H/h = {cells}");
-    let overrides = [
-        format!("soil.friction_angle={angle} deg"),
-        format!("grid.cell={} m", HEIGHT / f64::from(cells)),
-    ];
+    let overrides =
+        [format!("soil.friction_angle={angle} deg"), format!("grid.cell={} m", HEIGHT / f64::from(cells))];
     let mut simulation = bench.simulation(CASE, &overrides)?;
     let half = 0.5 * f64::from(angle).to_radians();
     let rise = (std::f64::consts::FRAC_PI_4 - half).tan();
