@@ -2,6 +2,7 @@
 
 pub mod case;
 pub mod cli;
+pub mod forecast;
 pub mod output;
 pub mod run;
 pub mod simulation;

@@ -1,6 +1,7 @@
 //! A run from case to results: steps, samples, fields, checkpoints, report.
 
 use crate::case::{self, Case};
+use crate::forecast;
 use crate::output::OutputError;
 use crate::output::Results;
 use crate::output::checkpoint::Checkpoint;
@@ -134,8 +135,17 @@ fn open(case: &Case, options: &Options) -> Result<(Simulation, Results), RunErro
     for note in case::advice(case) {
         results.log(&format!("note: {note}"))?;
     }
+    overlay_forecast(case, &mut results)?;
     results.write_fields(case, &simulation.model.grid, &simulation.state)?;
     Ok((simulation, results))
+}
+
+/// Lays the closed forms over the plots. Where they do not apply the log says why; the run does not depend on them.
+fn overlay_forecast(case: &Case, results: &mut Results) -> Result<(), OutputError> {
+    match forecast::overlay::overlays(case) {
+        Ok(overlays) => results.overlay(overlays),
+        Err(why) => results.log(&format!("no forecast beside the results: {why}")),
+    }
 }
 
 /// Goes from sample to sample until the end, a stop or a breakdown.

@@ -19,6 +19,7 @@ mod values;
 pub use advice::advice;
 pub use overrides::overridden;
 pub use problem::{CaseError, Problem};
+pub(crate) use resolve::extent::travel;
 pub use resolved::Case;
 
 use problem::{Problems, Source};

@@ -2,7 +2,9 @@
 
 mod check;
 mod failure;
+mod forecast;
 mod new;
+mod pressure;
 mod report;
 mod run;
 mod schema;
@@ -28,6 +30,10 @@ enum Command {
     New(new::Arguments),
     /// Says how a case is understood and what it will cost; runs nothing
     Check(check::Arguments),
+    /// What the closed-form models say of a case, side by side, at once
+    Forecast(forecast::Arguments),
+    /// Passive pressure coefficients of a plane face, by every method
+    Pressure(pressure::Arguments),
     /// Runs a case
     Run(run::Arguments),
     /// Runs the verification suite: expected, obtained, error
@@ -44,6 +50,8 @@ pub fn run(arguments: &Arguments) -> ExitCode {
     let outcome = match &arguments.command {
         Command::New(arguments) => new::new(arguments),
         Command::Check(arguments) => check::check(arguments),
+        Command::Forecast(arguments) => forecast::forecast(arguments),
+        Command::Pressure(arguments) => pressure::pressure(arguments),
         Command::Run(arguments) => run::run(arguments),
         Command::Verify(arguments) => verify::verify(arguments),
         Command::Report(arguments) => report::report(arguments),
@@ -59,4 +67,11 @@ pub fn run(arguments: &Arguments) -> ExitCode {
 fn say(text: &str) {
     let mut out = std::io::stdout().lock();
     let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+}
+
+/// Prints one JSON document.
+fn say_json(value: &impl serde::Serialize) -> Result<(), Failure> {
+    let text = serde_json::to_string_pretty(value).map_err(|e| Failure::Request(e.to_string()))?;
+    say(&format!("{text}\n"));
+    Ok(())
 }

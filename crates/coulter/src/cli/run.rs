@@ -1,6 +1,6 @@
 //! `coulter run`: runs a case.
 
-use super::{Failure, say};
+use super::{Failure, say_json};
 use crate::case;
 use crate::run::{self, End, Options, RunError};
 use std::path::PathBuf;
@@ -47,7 +47,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         typed: &typed,
     };
     match run::run(&case, &options) {
-        Ok(End::Finished(summary)) if arguments.json => print_json(&*summary),
+        Ok(End::Finished(summary)) if arguments.json => say_json(&*summary),
         Ok(End::Finished(_)) => Ok(()),
         Ok(End::Stopped(checkpoint)) => Err(Failure::Stopped(format!(
             "stopped; what there is was written, --resume goes on from {}",
@@ -69,10 +69,4 @@ fn stop_on_signal() -> &'static AtomicBool {
     // Without a handler the signal simply ends the program: nothing that was written is lost.
     let _ = ctrlc::set_handler(heard);
     &STOP
-}
-
-fn print_json(value: &impl serde::Serialize) -> Result<(), Failure> {
-    let text = serde_json::to_string_pretty(value).map_err(|e| Failure::Request(e.to_string()))?;
-    say(&format!("{text}\n"));
-    Ok(())
 }

@@ -2,7 +2,7 @@
 //! them, so that a chart is at home on light and dark pages and on paper.
 
 use super::chart_marks::{BOTTOM, Frame, LEFT, RIGHT, WIDTH, draw_curve, draw_level, key, marked, plain};
-use super::scale::{padded_range, tick_label, ticks};
+use super::scale::{labelled_ticks, logarithm, padded_range};
 use std::fmt::Write as _;
 
 /// How a curve is drawn.
@@ -46,7 +46,7 @@ pub struct Level {
     pub colour: usize,
 }
 
-/// A chart of curves over two linear axes. Labels may hold subscripts: `F_H`.
+/// A chart of curves over two axes, linear unless it says otherwise. Labels may hold subscripts: `F_H`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chart {
     /// Title above it.
@@ -63,6 +63,8 @@ pub struct Chart {
     pub height: f64,
     /// Whether y = 0 has to be in view.
     pub with_zero: bool,
+    /// Whether both axes are logarithmic; what is not above 0 is left out.
+    pub logarithmic: bool,
     /// The curves, first below.
     pub curves: Vec<Curve>,
     /// Shaded part of the x axis.
@@ -83,6 +85,23 @@ impl Chart {
     /// The chart as SVG text.
     #[must_use]
     pub fn svg(&self) -> String {
+        if self.logarithmic { self.in_logarithms().drawn() } else { self.drawn() }
+    }
+
+    /// The chart with the logarithms of its numbers in their place.
+    fn in_logarithms(&self) -> Self {
+        let mut chart = Self { with_zero: false, ..self.clone() };
+        for point in chart.curves.iter_mut().flat_map(|curve| &mut curve.points) {
+            *point = point.map(logarithm);
+        }
+        for level in &mut chart.levels {
+            [level.value, level.from, level.to] = [level.value, level.from, level.to].map(logarithm);
+        }
+        chart.shaded = chart.shaded.map(|ends| ends.map(logarithm));
+        chart
+    }
+
+    fn drawn(&self) -> String {
         let height = if self.height > 0.0 { self.height } else { 330.0 };
         let legend = self.legend();
         let top = if self.title.is_empty() { 10.0 } else { 30.0 } + 18.0 * legend.len() as f64;
@@ -140,8 +159,7 @@ impl Chart {
                 bottom - top
             );
         }
-        let (x_ticks, x_decimals) = ticks(frame.x[0], frame.x[1], 6);
-        for tick in x_ticks {
+        for (tick, label) in labelled_ticks(frame.x, 6, self.logarithmic) {
             let x = frame.x_at(tick);
             let _ = write!(
                 svg,
@@ -151,13 +169,13 @@ impl Chart {
                 svg,
                 "<text x=\"{x:.1}\" y=\"{:.1}\" text-anchor=\"middle\" opacity=\"0.8\">{}</text>",
                 bottom + 16.0,
-                tick_label(tick, x_decimals)
+                label
             );
         }
-        let (y_ticks, y_decimals) = ticks(frame.y[0], frame.y[1], if self.true_scale { 5 } else { 6 });
-        for tick in y_ticks {
+        let count = if self.true_scale { 5 } else { 6 };
+        for (tick, label) in labelled_ticks(frame.y, count, self.logarithmic) {
             let y = frame.y_at(tick);
-            let strength = if tick == 0.0 { 0.45 } else { 0.13 };
+            let strength = if tick == 0.0 && !self.logarithmic { 0.45 } else { 0.13 };
             let _ = write!(
                 svg,
                 "<path d=\"M{LEFT} {y:.1}H{right}\" stroke=\"currentColor\" stroke-opacity=\"{strength}\"/>"
@@ -167,7 +185,7 @@ impl Chart {
                 "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\" opacity=\"0.8\">{}</text>",
                 LEFT - 7.0,
                 y + 4.0,
-                tick_label(tick, y_decimals)
+                label
             );
         }
         let _ = writeln!(
@@ -246,12 +264,13 @@ mod tests {
             for stroke in [Stroke::Solid, Stroke::Dots] {
                 let curve = Curve { name: "a_b <c>".into(), points: points.clone(), colour: 99, stroke };
                 let level = Level { label: "m".into(), value: f64::NAN, from: 0.0, to: 1.0, colour: 0 };
-                for true_scale in [false, true] {
+                for (true_scale, logarithmic) in [(false, false), (true, false), (false, true)] {
                     let chart = Chart {
                         curves: vec![curve.clone()],
                         levels: vec![level.clone()],
                         shaded: Some([f64::NAN, 1.0]),
                         true_scale,
+                        logarithmic,
                         ..Chart::default()
                     };
                     let svg = chart.svg();

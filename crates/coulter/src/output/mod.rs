@@ -12,6 +12,7 @@ mod describe;
 mod error;
 mod fields;
 mod folder;
+mod forecast_files;
 mod frame;
 pub mod ledger_plot;
 pub mod log;
@@ -34,6 +35,7 @@ mod vtk;
 
 pub use error::OutputError;
 pub use folder::CHECKPOINTS;
+pub use forecast_files::{Sheets, write_forecast};
 pub use progress::Progress;
 pub use results::{Results, rebuild_report};
 pub use run_record::{Outcome, Overlay, PlotKind, RunRecord, RunStatistics};

@@ -19,6 +19,39 @@ pub(super) fn ticks(low: f64, high: f64, count: usize) -> (Vec<f64>, usize) {
     ((first..=last).take(100).map(|n| n as f64 * step).collect(), decimals)
 }
 
+/// Where ticks stand on an axis, and their labels. On a logarithmic axis positions are logarithms.
+pub(super) fn labelled_ticks([low, high]: [f64; 2], count: usize, logarithmic: bool) -> Vec<(f64, String)> {
+    if !logarithmic {
+        let (places, decimals) = ticks(low, high, count);
+        return places.into_iter().map(|x| (x, tick_label(x, decimals))).collect();
+    }
+    let span = high - low;
+    let steps: &[f64] = if span < 1.2 {
+        &[1.0, 2.0, 3.0, 5.0, 7.0]
+    } else if span < 3.0 {
+        &[1.0, 2.0, 5.0]
+    } else {
+        &[1.0]
+    };
+    let decades = low.floor() as i32..=high.ceil() as i32;
+    let places = decades.take(60).flat_map(|decade| steps.iter().map(move |m| (decade, *m)));
+    let stride = if span > 12.0 { 3 } else { 1 };
+    places
+        .filter(|(decade, _)| decade % stride == 0)
+        .map(|(decade, m)| (f64::from(decade) + m.log10(), decade, m))
+        .filter(|(place, ..)| (low..=high).contains(place))
+        .map(|(place, decade, m)| {
+            let decimals = usize::try_from(-decade).unwrap_or(0);
+            (place, tick_label(m * 10f64.powi(decade), decimals))
+        })
+        .collect()
+}
+
+/// Decimal logarithm; not-a-number for what has none.
+pub(super) fn logarithm(value: f64) -> f64 {
+    if value > 0.0 { value.log10() } else { f64::NAN }
+}
+
 fn is_whole(value: f64) -> bool {
     value.round() != 0.0 && (value - value.round()).abs() < 1e-6 * value.abs()
 }

@@ -17,7 +17,7 @@ pub(in crate::case) struct Extent {
 }
 
 /// How far a prescribed motion has gone after `time` [m or rad]; 0 for any other.
-pub(in crate::case) fn travel(freedom: &Freedom, time: f64) -> f64 {
+pub(crate) fn travel(freedom: &Freedom, time: f64) -> f64 {
     let Freedom::Prescribed { speed, start, ramp, end } = *freedom else { return 0.0 };
     // Integral of the smooth step 3x² − 2x³ over a ramp, then of 1.
     let ramped = |since: f64| {

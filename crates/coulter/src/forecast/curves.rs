@@ -1,0 +1,112 @@
+//! The answers of every model as one number of the case changes.
+
+use super::{Outlook, Range};
+use analytic::forecast::{Candidate, CurvePoint, Parameter, Prediction, curve};
+use analytic::{Load, Towing};
+
+/// One model's curve; not-a-number where it has no answer.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Series {
+    /// Name of the model.
+    pub name: &'static str,
+    /// Whether its answers are meant for the case, by point.
+    pub applicable: Vec<bool>,
+    /// Drag [N].
+    pub drag: Vec<f64>,
+    /// Vertical force [N].
+    pub vertical: Vec<f64>,
+    /// Sinkage [m].
+    pub sinkage: Vec<f64>,
+    /// Slip ωr/v − 1.
+    pub skid: Vec<f64>,
+}
+
+/// Every model's curve against one variable.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curves {
+    /// Name and unit of the variable, as in `forecast::Variable`.
+    pub label: String,
+    /// Values of the variable, in the unit of the label.
+    pub values: Vec<f64>,
+    /// Name of the dimensionless abscissa.
+    pub group_label: &'static str,
+    /// The dimensionless abscissa, by point.
+    pub group: Vec<f64>,
+    /// Force γ t d² that makes forces dimensionless [N], by point.
+    pub force_scale: Vec<f64>,
+    /// Diameter that makes lengths dimensionless [m], by point.
+    pub length_scale: Vec<f64>,
+    /// Whether the disc sinks under its weight, so that sinkage is an answer.
+    pub sinks: bool,
+    /// Whether the axes are to be logarithmic.
+    pub logarithmic: bool,
+    /// One per model that has an answer anywhere.
+    pub series: Vec<Series>,
+}
+
+/// Evaluates every model along the range.
+///
+/// # Errors
+/// The reason why a value cannot be taken.
+pub fn curves(outlook: &Outlook, range: &Range, logarithmic: bool) -> Result<Curves, String> {
+    let (setting, variable) = (&outlook.setting, &range.variable);
+    let values: Vec<f64> = range.values.iter().map(|v| variable.model_value(setting, *v)).collect();
+    let points = curve(&setting.towing, variable.parameter, &values, &[]).map_err(|e| e.to_string())?;
+    let cases: Vec<Towing> = range.values.iter().map(|v| variable.set(setting, *v)).collect();
+    let (group_label, group) = group(variable.parameter, &cases, variable.label);
+    Ok(Curves {
+        label: format!("{} [{}]", variable.label, variable.unit),
+        values: range.values.iter().map(|v| v / variable.size).collect(),
+        group: group.unwrap_or_else(|| range.values.iter().map(|v| v / variable.size).collect()),
+        group_label,
+        force_scale: cases.iter().map(|c| c.disc.force_scale(c.soil.unit_weight)).collect(),
+        length_scale: cases.iter().map(|c| c.disc.diameter).collect(),
+        sinks: cases.iter().all(|c| matches!(c.load, Load::Weight(_))),
+        logarithmic,
+        series: Candidate::ALL.into_iter().filter_map(|model| series(model, &points)).collect(),
+    })
+}
+
+/// The dimensionless form of the variable, where it has one.
+fn group(parameter: Parameter, cases: &[Towing], label: &'static str) -> (&'static str, Option<Vec<f64>>) {
+    let of = |f: fn(&Towing) -> Option<f64>| cases.iter().map(f).collect::<Option<Vec<f64>>>();
+    let weight = |c: &Towing| match c.load {
+        Load::Weight(weight) => Some(weight / c.disc.force_scale(c.soil.unit_weight)),
+        Load::Sinkage(_) => None,
+    };
+    let (name, values) = match parameter {
+        Parameter::Sinkage => (
+            "Z = z/d",
+            of(|c| match c.load {
+                Load::Sinkage(z) => Some(z / c.disc.diameter),
+                Load::Weight(_) => None,
+            }),
+        ),
+        Parameter::Weight | Parameter::UnitWeight => ("W̄ = W/(γ t d²)", of(weight)),
+        Parameter::Thickness | Parameter::Diameter => {
+            ("t̄ = t/d", of(|c| Some(c.disc.thickness / c.disc.diameter)))
+        }
+        Parameter::Cohesion => {
+            ("c/(γ d)", of(|c| Some(c.soil.cohesion / (c.soil.unit_weight * c.disc.diameter))))
+        }
+        _ => (label, None),
+    };
+    if values.is_some() { (name, values) } else { (label, None) }
+}
+
+fn series(model: Candidate, points: &[CurvePoint]) -> Option<Series> {
+    let entries: Vec<_> =
+        points.iter().map(|p| p.models.iter().find(|m| m.model == model)).collect::<Option<_>>()?;
+    let column = |f: fn(&Prediction) -> Option<f64>| {
+        entries.iter().map(|m| m.prediction.as_ref().and_then(f).unwrap_or(f64::NAN)).collect::<Vec<_>>()
+    };
+    let drag = column(|p| Some(p.drag));
+    drag.iter().any(|x| x.is_finite()).then(|| Series {
+        name: model.name(),
+        applicable: entries.iter().map(|m| m.applicable).collect(),
+        drag,
+        vertical: column(|p| Some(p.vertical)),
+        sinkage: column(|p| p.sinkage),
+        skid: column(|p| p.skid),
+    })
+}

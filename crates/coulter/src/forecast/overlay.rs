@@ -1,0 +1,74 @@
+//! The forecast as curves over the plots of a run.
+
+use super::{Outlook, outlook};
+use crate::case::Case;
+use crate::output::{Overlay, PlotKind};
+use analytic::forecast::{Candidate, ModelForecast, Parameter, curve};
+
+/// Points of a force–sinkage curve.
+const POINTS: usize = 41;
+/// How far beyond the deepest forecast the force–sinkage curve reaches.
+const BEYOND: f64 = 1.25;
+
+/// What the recommended model and 3D-RFT say, as overlays: levels in tow, and curves against sinkage.
+///
+/// # Errors
+/// The reason why the closed forms have nothing to say of the case.
+pub fn overlays(case: &Case) -> Result<Vec<Overlay>, String> {
+    let outlook = outlook(case)?;
+    let [body] = &outlook.setting.discs[..] else {
+        return Err("the overlay is for a single disc".into());
+    };
+    let rival =
+        outlook.forecast.models.iter().find(|m| m.model == Candidate::SpatialResistive && m.applicable);
+    let models: Vec<&ModelForecast> = outlook.recommended().into_iter().chain(rival).collect();
+    if models.is_empty() {
+        return Err("no closed form applies".into());
+    }
+    let mut overlays: Vec<Overlay> = models.iter().flat_map(|m| levels(&outlook, m, body)).collect();
+    overlays.extend(force_sinkage(&outlook, &models, body)?);
+    Ok(overlays)
+}
+
+fn levels(outlook: &Outlook, model: &ModelForecast, body: &str) -> Vec<Overlay> {
+    let Some(found) = model.prediction else { return Vec::new() };
+    let turn = found.skid.map(|skid| outlook.setting.towing.drive.turning_ratio(skid));
+    // The load of a free disc is known: no model has to say it.
+    let vertical = (!outlook.sinks()).then_some(found.vertical);
+    let entries = [
+        (PlotKind::ForceDisplacement, "F_H", Some(found.drag)),
+        (PlotKind::ForceDisplacement, "F_V", vertical),
+        (PlotKind::SinkageDisplacement, "z", found.sinkage),
+        (PlotKind::TurnRatio, "turn ratio", turn),
+    ];
+    let level = |(plot, what, value): (PlotKind, &str, Option<f64>)| {
+        Some(overlay(plot, &format!("{} {what}", model.name), body, vec![[0.0, value?]]))
+    };
+    entries.into_iter().filter_map(level).collect()
+}
+
+fn force_sinkage(outlook: &Outlook, models: &[&ModelForecast], body: &str) -> Result<Vec<Overlay>, String> {
+    let towing = &outlook.setting.towing;
+    let deepest = models.iter().filter_map(|m| m.prediction?.sinkage).fold(0.0, f64::max);
+    let end = (BEYOND * deepest).min(0.9 * towing.disc.diameter);
+    if end <= 0.0 {
+        return Ok(Vec::new());
+    }
+    let depths: Vec<f64> = (1..=POINTS).map(|n| end * n as f64 / POINTS as f64).collect();
+    let candidates: Vec<Candidate> = models.iter().map(|m| m.model).collect();
+    let points = curve(towing, Parameter::Sinkage, &depths, &candidates).map_err(|e| e.to_string())?;
+    let mut overlays = Vec::new();
+    for (n, model) in models.iter().enumerate() {
+        let found = || points.iter().filter_map(|p| Some((p.value, p.models.get(n)?.prediction?)));
+        let drag = found().map(|(z, p)| [z, p.drag]).collect();
+        let vertical = found().map(|(z, p)| [z, p.vertical]).collect();
+        overlays.push(overlay(PlotKind::ForceSinkage, &format!("{} F_H", model.name), body, drag));
+        overlays.push(overlay(PlotKind::ForceSinkage, &format!("{} F_V", model.name), body, vertical));
+    }
+    overlays.retain(|o| !o.points.is_empty());
+    Ok(overlays)
+}
+
+fn overlay(plot: PlotKind, name: &str, body: &str, points: Vec<[f64; 2]>) -> Overlay {
+    Overlay { name: name.to_owned(), plot, body: Some(body.to_owned()), measured: false, points }
+}

@@ -1,0 +1,138 @@
+//! The files of a forecast: the models as a table and a document, their curves as a table and as plots.
+
+use super::chart::{Chart, Curve, Stroke};
+use super::error::{OutputError, make_folder, write_json, write_whole};
+use super::scale::{Unit, largest};
+use super::table::push_line;
+use crate::forecast::{Curves, Series};
+use std::path::{Path, PathBuf};
+
+const MODELS: &str = "models.csv";
+const DOCUMENT: &str = "forecast.json";
+const CURVE: &str = "curve.csv";
+/// The weaker of BC and PW lies on one of them: it is left out of plots that show both.
+const ENVELOPE: &str = "weaker of BC and PW";
+/// They are drawn wherever they have an answer, so that their crossing is seen; the others only where they apply.
+const ALWAYS_DRAWN: [&str; 2] = ["BC", "PW"];
+
+/// What a forecast leaves behind.
+#[derive(Clone, Copy, Debug)]
+pub struct Sheets<'a> {
+    /// The models as comma-separated text.
+    pub models: &'a str,
+    /// The JSON document.
+    pub document: &'a serde_json::Value,
+    /// The curves.
+    pub curves: &'a Curves,
+}
+
+/// Writes the files into `dir` and returns their paths. Files that are there are replaced only if `force` says so.
+///
+/// # Errors
+/// When one of the files is there already or cannot be written.
+pub fn write_forecast(dir: &Path, sheets: &Sheets<'_>, force: bool) -> Result<Vec<PathBuf>, OutputError> {
+    let plots = plots(sheets.curves);
+    let names = [MODELS, DOCUMENT, CURVE].into_iter().map(str::to_owned);
+    let paths: Vec<PathBuf> =
+        names.chain(plots.iter().map(|(name, _)| name.clone())).map(|n| dir.join(n)).collect();
+    if !force && paths.iter().any(|p| p.exists()) {
+        return Err(OutputError::Exists { path: dir.to_path_buf() });
+    }
+    make_folder(dir)?;
+    write_whole(&dir.join(MODELS), sheets.models.as_bytes())?;
+    write_json(&dir.join(DOCUMENT), sheets.document)?;
+    write_whole(&dir.join(CURVE), curve_text(sheets.curves).as_bytes())?;
+    for (name, svg) in &plots {
+        write_whole(&dir.join(name), svg.as_bytes())?;
+    }
+    Ok(paths)
+}
+
+/// One line per value; per model whether it applies, and its numbers with and without dimensions.
+fn curve_text(curves: &Curves) -> String {
+    let mut header = vec![curves.label.clone(), format!("{} [group]", curves.group_label)];
+    for series in &curves.series {
+        let columns = [
+            "applicable [-]",
+            "drag F_H [N]",
+            "vertical F_V [N]",
+            "sinkage z [m]",
+            "skid [-]",
+            "F_H_bar [-]",
+            "F_V_bar [-]",
+            "Z [-]",
+        ];
+        header.extend(columns.iter().map(|column| format!("{} {column}", series.name)));
+    }
+    let mut text = format!("{}\n", header.join(","));
+    for (n, value) in curves.values.iter().enumerate() {
+        let mut line = vec![*value, curves.group[n]];
+        let (force, length) = (curves.force_scale[n], curves.length_scale[n]);
+        for s in &curves.series {
+            let applies = if s.applicable[n] { 1.0 } else { 0.0 };
+            line.extend([applies, s.drag[n], s.vertical[n], s.sinkage[n], s.skid[n]]);
+            line.extend([s.drag[n] / force, s.vertical[n] / force, s.sinkage[n] / length]);
+        }
+        push_line(&mut text, &line);
+    }
+    text
+}
+
+/// File name and SVG text of every plot.
+fn plots(curves: &Curves) -> Vec<(String, String)> {
+    type Quantity = (&'static str, &'static str, &'static str, fn(&Series) -> &[f64], bool);
+    let forces: [Quantity; 3] = [
+        ("drag", "drag F_H", "F_H/(γ t d²)", |s| &s.drag, true),
+        ("vertical", "vertical force F_V", "F_V/(γ t d²)", |s| &s.vertical, true),
+        ("sinkage", "sinkage z", "Z = z/d", |s| &s.sinkage, false),
+    ];
+    let mut plots = Vec::new();
+    for (name, label, group, of, is_force) in forces {
+        if name == "sinkage" && !curves.sinks {
+            continue;
+        }
+        let all = || curves.series.iter().flat_map(|s| drawn(s, of(s)));
+        let unit = if is_force { Unit::force(largest(all())) } else { Unit::length(largest(all())) };
+        let y_label = format!("{label} [{}]", unit.name);
+        let size = vec![unit.size; curves.values.len()];
+        let plain = chart(curves, &curves.label, &curves.values, (y_label, of, &size));
+        plots.push((format!("{name}.svg"), plain.svg()));
+        let scale = if is_force { &curves.force_scale } else { &curves.length_scale };
+        let bare = chart(curves, curves.group_label, &curves.group, (group.to_owned(), of, scale));
+        plots.push((format!("{name}_dimensionless.svg"), bare.svg()));
+    }
+    plots
+}
+
+fn chart(
+    curves: &Curves,
+    x_label: &str,
+    along: &[f64],
+    (y_label, of, scale): (String, fn(&Series) -> &[f64], &[f64]),
+) -> Chart {
+    let shown = curves.series.iter().filter(|s| s.name != ENVELOPE).enumerate();
+    let line = |(colour, series): (usize, &Series)| {
+        let values = drawn(series, of(series));
+        let points: Vec<[f64; 2]> =
+            values.iter().zip(along).zip(scale).map(|((y, x), scale)| [*x, y / scale]).collect();
+        let stroke = if ALWAYS_DRAWN.contains(&series.name) { Stroke::Solid } else { Stroke::Dashed };
+        let any = points.iter().any(|p| p[1].is_finite());
+        any.then(|| Curve { name: series.name.to_owned(), points, colour, stroke })
+    };
+    Chart {
+        title: format!("{y_label} by every model that applies"),
+        x_label: x_label.to_owned(),
+        y_label,
+        with_zero: true,
+        logarithmic: curves.logarithmic,
+        curves: shown.filter_map(line).collect(),
+        ..Chart::default()
+    }
+}
+
+/// The values that are drawn; not-a-number where a model does not apply.
+fn drawn(series: &Series, values: &[f64]) -> Vec<f64> {
+    let always = ALWAYS_DRAWN.contains(&series.name);
+    let seen = |(value, applies): (&f64, &bool)| if *applies || always { *value } else { f64::NAN };
+    values.iter().zip(&series.applicable).map(seen).collect()
+}
