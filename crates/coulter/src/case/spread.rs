@@ -78,9 +78,9 @@ fn read(section: &str, key: &str, mean: &str, deviation: &str) -> Result<(Value,
         Some(Kind::Quantity(measure)) => {
             let spread = quantity::parse(deviation, &measure).map_err(|e| e.to_string())?;
             // The unit is written once, behind both: "35 ± 2 deg".
-            let has_unit = mean.parse::<f64>().is_err();
-            let unit = deviation.trim_start_matches(|c: char| !c.is_alphabetic() && c != '°');
-            (Value::Text(if has_unit { mean.to_owned() } else { format!("{mean} {unit}") }), spread)
+            let (_, unit) = quantity::split_number(deviation);
+            let has_unit = !quantity::split_number(mean).1.trim().is_empty();
+            (Value::Text(if has_unit { mean.to_owned() } else { format!("{mean} {}", unit.trim()) }), spread)
         }
         _ => {
             let number = |text: &str| text.parse::<f64>().map_err(|_| format!("`{text}` is no number"));
