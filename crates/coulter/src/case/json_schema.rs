@@ -72,7 +72,10 @@ fn kind(kind: &Kind) -> Value {
         Kind::Vector(measure) => {
             json!({ "type": "array", "items": quantity(measure.example), "minItems": 2, "maxItems": 3 })
         }
-        Kind::Friction => json!({ "anyOf": [{ "type": "number", "minimum": 0 }, { "const": "rough" }] }),
+        Kind::Friction => json!({ "anyOf": [
+            { "type": "number", "minimum": 0 }, { "const": "rough" },
+            { "type": "string", "pattern": "±", "examples": ["0.3 ± 0.05"] },
+        ] }),
         Kind::WallPair => {
             json!({ "type": "array", "items": { "enum": WALLS }, "minItems": 2, "maxItems": 2 })
         }

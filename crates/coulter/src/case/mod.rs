@@ -12,6 +12,7 @@ mod ranges;
 mod resolve;
 pub mod resolved;
 mod schema;
+mod spread;
 mod tree;
 mod units;
 mod values;
@@ -21,6 +22,7 @@ pub use overrides::overridden;
 pub use problem::{CaseError, Problem};
 pub(crate) use resolve::extent::travel;
 pub use resolved::Case;
+pub use spread::Spread;
 
 use problem::{Problems, Source};
 use std::path::Path;
@@ -30,6 +32,14 @@ use std::path::Path;
 /// # Errors
 /// [`CaseError`] holds everything that is wrong, with its place in the file.
 pub fn load(path: &Path, overrides: &[String]) -> Result<Case, CaseError> {
+    load_with_spreads(path, overrides).map(|(case, _)| case)
+}
+
+/// As [`load`], with the spreads that the file states, such as `"35 ± 2 deg"`; the case holds the means.
+///
+/// # Errors
+/// As [`load`].
+pub fn load_with_spreads(path: &Path, overrides: &[String]) -> Result<(Case, Vec<Spread>), CaseError> {
     let name = path.display().to_string();
     let bytes = std::fs::read(path).map_err(|error| unreadable(path, &name, &error))?;
     let text = String::from_utf8(bytes).map_err(|error| {
@@ -38,7 +48,7 @@ pub fn load(path: &Path, overrides: &[String]) -> Result<Case, CaseError> {
         let message = format!("{name}: not a text file: line {line} is not UTF-8");
         CaseError::unreadable(&name, message, "save the file as UTF-8 text")
     })?;
-    parse(&text, &name, overrides)
+    parse_with_spreads(&text, &name, overrides)
 }
 
 fn unreadable(path: &Path, name: &str, error: &std::io::Error) -> CaseError {
@@ -60,8 +70,16 @@ fn unreadable(path: &Path, name: &str, error: &std::io::Error) -> CaseError {
 /// # Errors
 /// [`CaseError`] holds everything that is wrong, with its place in the text.
 pub fn parse(text: &str, source_name: &str, overrides: &[String]) -> Result<Case, CaseError> {
+    parse_with_spreads(text, source_name, overrides).map(|(case, _)| case)
+}
+
+fn parse_with_spreads(
+    text: &str,
+    source_name: &str,
+    overrides: &[String],
+) -> Result<(Case, Vec<Spread>), CaseError> {
     let mut problems = Problems::new(Source { name: source_name.to_owned(), text: text.to_owned() });
-    let root = tree::read(&mut problems, overrides);
+    let mut root = tree::read(&mut problems, overrides);
     if !problems.is_empty() {
         return Err(problems.into_error());
     }
@@ -73,9 +91,10 @@ pub fn parse(text: &str, source_name: &str, overrides: &[String]) -> Result<Case
             "`coulter new towed-disc` writes one to start from",
         ));
     }
+    let spreads = spread::settle(&mut root, &mut problems);
     let schema = schema::read(&root, &mut problems);
     match resolve::resolve(&schema, source_name, &mut problems) {
-        Some(case) if problems.is_empty() => Ok(case),
+        Some(case) if problems.is_empty() => Ok((case, spreads)),
         _ => Err(problems.into_error()),
     }
 }

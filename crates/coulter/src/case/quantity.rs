@@ -155,7 +155,7 @@ pub fn describe(dimension: Dimension) -> String {
 }
 
 /// Splits `12.5e-3 mm` behind the number; an `e` belongs to it only when an exponent follows.
-fn split_number(text: &str) -> (&str, &str) {
+pub(super) fn split_number(text: &str) -> (&str, &str) {
     let bytes: Vec<(usize, char)> = text.char_indices().collect();
     let at = |n: usize| bytes.get(n).map(|(_, c)| *c);
     let is_digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());

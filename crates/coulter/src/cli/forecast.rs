@@ -1,7 +1,7 @@
 //! `coulter forecast`: what the closed-form models say of a case.
 
 use super::{Failure, say, say_json};
-use crate::case;
+use crate::case::{self, Spread};
 use crate::forecast::{self, Outlook, Range, Stated};
 use crate::output::{Sheets, write_forecast};
 use std::path::{Path, PathBuf};
@@ -32,7 +32,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 41, value_parser = clap::value_parser!(u16).range(2..=1001))]
     points: u16,
     /// Intervals and Sobol indices from the stated spreads
-    #[arg(long, requires = "spreads")]
+    #[arg(long)]
     uncertainty: bool,
     /// Standard deviation of a key, such as soil.friction_angle="2 deg"; may be repeated
     #[arg(long = "spread", value_name = "KEY=DEVIATION", requires = "uncertainty")]
@@ -43,15 +43,10 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn forecast(arguments: &Arguments) -> Result<(), Failure> {
-    let case = case::load(&arguments.case, &arguments.overrides)?;
+    let (case, spreads) = case::load_with_spreads(&arguments.case, &arguments.overrides)?;
     let outlook = forecast::outlook(&case)
         .map_err(|why| Failure::Request(format!("no forecast for this case: {why}")))?;
-    let stated: Vec<Stated> = arguments
-        .spreads
-        .iter()
-        .map(|text| Stated::read(text, &outlook.setting))
-        .collect::<Result<_, _>>()
-        .map_err(Failure::Request)?;
+    let stated = if arguments.uncertainty { stated(arguments, &spreads, &outlook)? } else { Vec::new() };
     let intervals = if stated.is_empty() {
         Vec::new()
     } else {
@@ -75,6 +70,24 @@ pub(super) fn forecast(arguments: &Arguments) -> Result<(), Failure> {
         say(&format!("\nwrote {}\n", list.join("\n      ")));
     }
     Ok(())
+}
+
+/// The spreads of the case, and those of the command line, which come first where both state one.
+fn stated(arguments: &Arguments, spreads: &[Spread], outlook: &Outlook) -> Result<Vec<Stated>, Failure> {
+    let typed = arguments.spreads.iter().map(|text| Stated::read(text, &outlook.setting));
+    let mut stated: Vec<Stated> = typed.collect::<Result<_, _>>().map_err(Failure::Request)?;
+    for spread in spreads {
+        let own = Stated::of_case(spread, &outlook.setting).map_err(Failure::Request)?;
+        if stated.iter().all(|s| s.variable != own.variable) {
+            stated.push(own);
+        }
+    }
+    if stated.is_empty() {
+        let message = "--uncertainty needs a spread: --spread soil.friction_angle=\"2 deg\", or \
+                       friction_angle = \"35 ± 2 deg\" in the case";
+        return Err(Failure::Request(message.into()));
+    }
+    Ok(stated)
 }
 
 /// Where to write, if at all.

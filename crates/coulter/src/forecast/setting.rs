@@ -23,9 +23,9 @@ pub struct Setting {
 /// # Errors
 /// The reason, in words, why they cannot take it.
 pub fn setting(case: &Case) -> Result<Setting, String> {
-    let surface = level_surface(case)?;
     let mut remarks = Vec::new();
     let (bodies, assembly) = discs(case, &mut remarks)?;
+    let surface = level_surface(case)?;
     let first = *bodies.first().ok_or("the case has no disc")?;
     let Shape::Disc { diameter, thickness } = first.shape else {
         return Err(format!("`{}` is no disc", first.name));

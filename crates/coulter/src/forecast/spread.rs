@@ -3,9 +3,10 @@
 use super::Outlook;
 use super::range::{Unreadable, known, value};
 use super::{Setting, Variable};
+use crate::case::Spread;
 use analytic::Load;
 use analytic::forecast::{Candidate, Parameter};
-use analytic::uncertainty::{Quantity, Spread, Uncertainty, propagate_towing};
+use analytic::uncertainty::{Quantity, Spread as Distribution, Uncertainty, propagate_towing};
 use serde::Serialize;
 
 /// Evaluations per quantity: intervals to about 1 %, indices to about 0.02 (measured).
@@ -40,6 +41,16 @@ impl Stated {
         Self::new(key.trim(), variable, deviation, setting).map_err(|why| wrong(&why))
     }
 
+    /// A spread that the case itself states.
+    ///
+    /// # Errors
+    /// When the models do not know its key.
+    pub fn of_case(spread: &Spread, setting: &Setting) -> Result<Self, String> {
+        let variable = known(&spread.key, setting).map_err(|e| e.to_string())?;
+        Self::new(&spread.key, variable, spread.deviation, setting)
+            .map_err(|why| format!("{}: {why}", spread.key))
+    }
+
     fn new(key: &str, variable: Variable, deviation: f64, setting: &Setting) -> Result<Self, String> {
         if deviation <= 0.0 {
             return Err("a standard deviation must be above 0".into());
@@ -48,10 +59,10 @@ impl Stated {
         Ok(Self { key: key.to_owned(), variable, mean, deviation })
     }
 
-    fn distribution(&self, setting: &Setting) -> (Parameter, Spread) {
+    fn distribution(&self, setting: &Setting) -> (Parameter, Distribution) {
         let at = |x: f64| self.variable.model_value(setting, x);
         let (mean, above) = (at(self.mean), at(self.mean + self.deviation));
-        (self.variable.parameter, Spread::Normal { mean, deviation: above - mean })
+        (self.variable.parameter, Distribution::Normal { mean, deviation: above - mean })
     }
 }
 

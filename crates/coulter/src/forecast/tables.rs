@@ -17,8 +17,8 @@ pub fn table(outlook: &Outlook) -> String {
     let _ = heading(&mut text, outlook);
     let _ = writeln!(
         text,
-        "\n{:<22} {:>10} {:>10} {:>8} {:>8} {:>8} {:>7} {:>7} {:>7}  {}",
-        "model", "F_H [N]", "F_V [N]", "z [mm]", "θ_f [°]", "η [°]", "skid", "F̄_H", "F̄_V", "mechanism"
+        "\n{:<22} {:>10} {:>10} {:>8} {:>8} {:>8} {:>7} {:>7} {:>7}  mechanism",
+        "model", "F_H [N]", "F_V [N]", "z [mm]", "θ_f [°]", "η [°]", "skid", "F̄_H", "F̄_V"
     );
     let (good, bad): (Vec<_>, Vec<_>) = outlook.forecast.models.iter().partition(|m| m.applicable);
     for model in good {

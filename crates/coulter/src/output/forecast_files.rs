@@ -95,21 +95,26 @@ fn plots(curves: &Curves) -> Vec<(String, String)> {
         let unit = if is_force { Unit::force(largest(all())) } else { Unit::length(largest(all())) };
         let y_label = format!("{label} [{}]", unit.name);
         let size = vec![unit.size; curves.values.len()];
-        let plain = chart(curves, &curves.label, &curves.values, (y_label, of, &size));
+        let plain =
+            chart(curves, &curves.label, &curves.values, Ordinate { label: y_label, of, scale: &size });
         plots.push((format!("{name}.svg"), plain.svg()));
         let scale = if is_force { &curves.force_scale } else { &curves.length_scale };
-        let bare = chart(curves, curves.group_label, &curves.group, (group.to_owned(), of, scale));
+        let bare =
+            chart(curves, curves.group_label, &curves.group, Ordinate { label: group.to_owned(), of, scale });
         plots.push((format!("{name}_dimensionless.svg"), bare.svg()));
     }
     plots
 }
 
-fn chart(
-    curves: &Curves,
-    x_label: &str,
-    along: &[f64],
-    (y_label, of, scale): (String, fn(&Series) -> &[f64], &[f64]),
-) -> Chart {
+/// What a chart shows: its label, where it is found, and what it is divided by, by point.
+struct Ordinate<'a> {
+    label: String,
+    of: fn(&Series) -> &[f64],
+    scale: &'a [f64],
+}
+
+fn chart(curves: &Curves, x_label: &str, along: &[f64], ordinate: Ordinate<'_>) -> Chart {
+    let Ordinate { label: y_label, of, scale } = ordinate;
     let shown = curves.series.iter().filter(|s| s.name != ENVELOPE).enumerate();
     let line = |(colour, series): (usize, &Series)| {
         let values = drawn(series, of(series));
@@ -120,7 +125,7 @@ fn chart(
         any.then(|| Curve { name: series.name.to_owned(), points, colour, stroke })
     };
     Chart {
-        title: format!("{y_label} by every model that applies"),
+        title: format!("{}, by every model that applies", y_label.split(" [").next().unwrap_or_default()),
         x_label: x_label.to_owned(),
         y_label,
         with_zero: true,

@@ -1,0 +1,202 @@
+//! `coulter forecast` and `coulter pressure` through the binary.
+#![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
+
+use assert_cmd::Command;
+use serde_json::Value;
+
+fn coulter() -> Command {
+    Command::cargo_bin("coulter").unwrap()
+}
+
+fn shipped(name: &str) -> String {
+    format!("{}/../../cases/{name}", env!("CARGO_MANIFEST_DIR"))
+}
+
+fn forecast(arguments: &[&str]) -> Command {
+    let mut command = coulter();
+    command.arg("forecast").arg(shipped("towed_disc.toml")).args(arguments);
+    command
+}
+
+fn json(arguments: &[&str]) -> Value {
+    let output = forecast(arguments).arg("--json").output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+fn refusal(command: &mut Command) -> String {
+    let refused = command.assert().code(2);
+    String::from_utf8_lossy(&refused.get_output().stderr).into_owned()
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
+}
+
+fn model<'a>(document: &'a Value, name: &str) -> &'a Value {
+    document["models"].as_array().unwrap().iter().find(|m| m["name"] == name).unwrap()
+}
+
+#[test]
+fn the_table_says_what_to_believe() {
+    let told = forecast(&[]).assert().success();
+    let text = String::from_utf8_lossy(&told.get_output().stdout).into_owned();
+    for word in ["F_H [N]", "skid", "mechanism", "3D-RFT", "do not apply here", "no cone index", "Believe"] {
+        assert!(text.contains(word), "{word} is missing in\n{text}");
+    }
+}
+
+#[test]
+fn the_document_keeps_its_names() {
+    let seen = json(&[]);
+    let groups = &seen["groups"];
+    assert_eq!(number(&groups["t_bar"]), 0.25);
+    assert!((number(&groups["W_bar"]) - 1.25).abs() < 1e-12);
+    assert!((number(&groups["E_bar"]) - 1562.5).abs() < 1e-9);
+    let best = model(&seen, seen["recommended"].as_str().unwrap());
+    assert_eq!(best["applicable"], true);
+    // It carries the weight, and does not roll quite as fast as it is towed.
+    assert!((number(&best["vertical_N"]) - 40.0).abs() < 1e-3);
+    assert!((-0.5..0.0).contains(&number(&best["skid"])));
+    assert!((number(&best["Z"]) - number(&best["sinkage_m"]) / 0.2).abs() < 1e-12);
+    assert!((number(&best["F_H_bar"]) - number(&best["drag_N"]) / 32.0).abs() < 1e-9);
+    let inclination = (number(&best["drag_N"]) / number(&best["vertical_N"])).atan();
+    assert!((number(&best["force_inclination_rad"]) - inclination).abs() < 1e-6);
+    assert!((number(&best["contact_angle_rad"]).cos() - (1.0 - 2.0 * number(&best["Z"]))).abs() < 1e-9);
+    assert!(["sideways", "forwards"].contains(&best["mechanism"].as_str().unwrap()));
+    assert!(number(&seen["spread"]["count"]) >= 2.0);
+    let absent = model(&seen, "Brixius");
+    assert!(absent["drag_N"].is_null() && !absent["note"].as_str().unwrap().is_empty());
+}
+
+#[test]
+fn the_axle_and_the_heave_are_understood() {
+    assert_eq!(json(&["--set", "body.disc.spin=\"locked\""])["drive"]["kind"], "locked");
+    let turned = json(&["--set", "body.disc.spin={ speed = \"1 rad/s\" }"]);
+    assert!((number(&turned["drive"]["slip"]) + 0.5).abs() < 1e-12);
+    let held = ["--set", "body.disc.heave=\"fixed\"", "--set", "body.disc.sinkage=\"20 mm\""];
+    let held = json(&held);
+    assert!((number(&held["load"]["sinkage_m"]) - 0.02).abs() < 1e-12);
+    assert!(held["remarks"][0].as_str().unwrap().contains("deepest"));
+    let pushed = json(&[
+        "--set",
+        "body.disc.heave={ speed = \"-0.01 m/s\", start = \"0 s\", ramp = \"0 s\", end = \"1 s\" }",
+    ]);
+    assert!((number(&pushed["load"]["sinkage_m"]) - 0.01).abs() < 1e-9);
+}
+
+#[test]
+fn what_it_cannot_answer_is_refused_with_the_reason() {
+    for name in ["column_collapse.toml", "passive_wall.toml", "strip_footing.toml"] {
+        let why = refusal(coulter().arg("forecast").arg(shipped(name)));
+        assert!(why.contains("no disc"), "{why}");
+    }
+    let weightless = ["--set", "soil.unit_weight=0 N/m^3", "--set", "soil.density=1600 kg/m^3"];
+    for (keys, word) in [
+        (&weightless[..], "weightless"),
+        (&["--set", "body.disc.heave=\"fixed\""], "never comes below"),
+        (&["--against", "Z=0.1"], "Z=0.02..0.4"),
+        (&["--against", "soil.colour=1..2", "-o", "nowhere"], "soil.friction_angle"),
+        (&["--against", "soil.cohesion=\"0 Pa\"..\"5 kPa\"", "--log"], "above 0"),
+        (&["--uncertainty"], "--spread"),
+        (&["--uncertainty", "--spread", "soil.friction_angle=2 m"], "an angle is needed"),
+    ] {
+        let why = refusal(&mut forecast(keys));
+        assert!(why.contains(word), "{word} is missing in {why}");
+    }
+}
+
+#[test]
+fn curves_are_written_and_not_overwritten_unasked() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |against: &str, more: &[&str]| {
+        let mut command = forecast(&["--against", against, "--points", "9"]);
+        command.current_dir(&folder).args(more);
+        command
+    };
+    run("Z=0.02..0.4", &[]).assert().success();
+    let written = folder.path().join("results/towed_disc-forecast");
+    let curve = std::fs::read_to_string(written.join("curve.csv")).unwrap();
+    assert_eq!(curve.lines().count(), 10);
+    assert!(curve.starts_with("sinkage z [m],Z = z/d"));
+    let width = curve.lines().next().unwrap().split(',').count();
+    assert!(curve.lines().all(|line| line.split(',').count() == width));
+    for name in ["drag", "vertical", "drag_dimensionless", "vertical_dimensionless"] {
+        let svg = std::fs::read_to_string(written.join(format!("{name}.svg"))).unwrap();
+        assert!(svg.contains("BC") && svg.ends_with("</svg>\n"), "{name}");
+    }
+    assert!(written.join("models.csv").is_file() && written.join("forecast.json").is_file());
+    assert!(refusal(&mut run("Z=0.02..0.4", &[])).contains("--force"));
+    run("body.disc.weight=5 N..80 N", &["--log", "--force"]).assert().success();
+    assert!(written.join("sinkage.svg").is_file());
+    for key in [
+        "soil.friction_angle=\"30 deg\"..\"45 deg\"",
+        "thickness=10 mm..90 mm",
+        "diameter=0.1 m..0.4 m",
+        "friction=0..0.6",
+    ] {
+        run(key, &["--force"]).assert().success();
+    }
+}
+
+#[test]
+fn spreads_become_intervals() {
+    let typed =
+        ["--uncertainty", "--spread", "soil.friction_angle=2 deg", "--spread", "body.disc.weight=2 N"];
+    let seen = json(&typed);
+    let all = seen["uncertainty"]["quantities"].as_array().unwrap();
+    let sinkage = all.iter().find(|q| q["quantity"] == "sinkage_m").unwrap();
+    assert!(number(&sinkage["low"]) < number(&sinkage["middle"]));
+    assert!(number(&sinkage["middle"]) < number(&sinkage["high"]));
+    let shares: Vec<f64> = sinkage["first_order"].as_array().unwrap().iter().map(number).collect();
+    assert!(shares[0] > 0.8 && shares[1] < 0.2, "{shares:?}");
+    // The same from the case itself, whose means are what a run takes.
+    let stated =
+        ["--set", "soil.friction_angle=35 ± 2 deg", "--set", "body.disc.weight=40 ± 2 N", "--uncertainty"];
+    let same = json(&stated);
+    assert_eq!(same["uncertainty"]["quantities"], seen["uncertainty"]["quantities"]);
+    assert_eq!(same["models"], seen["models"]);
+}
+
+#[test]
+fn equal_discs_in_a_row_are_an_assembly() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = std::fs::read_to_string(shipped("towed_disc.toml")).unwrap();
+    let whole =
+        text.replace("symmetric = true", "symmetric = false").replace("y = [\"0 m\"", "y = [\"-0.3 m\"");
+    let whole = whole.replace("fine_y = [\"0 m\"", "fine_y = [\"-0.15 m\"");
+    let disc = whole.split("[body.disc]").nth(1).unwrap().split("[run]").next().unwrap();
+    let second = format!("[body.other]{disc}y = \"0.1 m\"\n\n[run]");
+    let path = folder.path().join("pair.toml");
+    std::fs::write(&path, whole.replace("[run]", &second)).unwrap();
+    let output = coulter().arg("forecast").arg(&path).arg("--json").output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let seen: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(seen["discs"].as_array().unwrap().len(), 2);
+    assert!((number(&seen["load"]["weight_N"]) - 80.0).abs() < 1e-9);
+    assert!(seen["remarks"][0].as_str().unwrap().contains("assembly"));
+    std::fs::write(&path, whole.replace("[run]", &second.replace("0.05 m", "0.06 m"))).unwrap();
+    assert!(refusal(coulter().arg("forecast").arg(&path)).contains("not alike"));
+}
+
+#[test]
+fn pressure_gives_null_and_a_reason() {
+    let face = ["--friction-angle", "33 deg", "--wall-friction", "10 deg", "--surface", "47 deg"];
+    let output =
+        coulter().arg("pressure").args(face).args(["--backfill", "5 deg", "--json"]).output().unwrap();
+    let seen: Value = serde_json::from_slice(&output.stdout).unwrap();
+    for key in ["rankine", "coulomb", "lancellotta"] {
+        assert!(seen[key].is_null(), "{key}");
+        assert!(seen["reasons"][key].as_str().unwrap().contains("does not exist"), "{key}");
+    }
+    let exact = number(&seen["sokolovskii"]["K_n"]);
+    assert!(number(&seen["en1997"]) < exact && exact < number(&seen["log_spiral"]));
+    assert!(number(&seen["sokolovskii"]["rupture_ratio"]) > 1.0);
+    let wall = coulter().args(["pressure", "--friction-angle", "30 deg", "--json"]).output().unwrap();
+    let wall: Value = serde_json::from_slice(&wall.stdout).unwrap();
+    assert!((number(&wall["rankine"]) - 3.0).abs() < 1e-9);
+    coulter().args(["pressure", "--friction-angle", "33 deg"]).assert().success();
+    for angles in [["--friction-angle", "33"], ["--friction-angle", "95 deg"]] {
+        refusal(coulter().arg("pressure").args(angles));
+    }
+}
