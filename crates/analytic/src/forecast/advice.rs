@@ -52,7 +52,7 @@ fn warnings(towing: &Towing) -> Vec<String> {
     if towing.soil.dilation_angle < towing.soil.friction_angle - 1e-9 {
         warnings.push(
             "The flow is non-associated: the plasticity models use Davis' angle; the values at the full friction angle \
-             stand beside them as an upper estimate."
+             stand beside them: a stronger soil, into which the same weight sinks less."
                 .into(),
         );
     }
