@@ -6,6 +6,7 @@ use crate::output::checkpoint::Checkpoint;
 use crate::output::record::{BodySample, EnergySample, History};
 use physics::elastic::Elastic;
 use physics::mohr_coulomb::MohrCoulomb;
+use solver::audit::{elastic_energy, kinetic_energy};
 use solver::cpu::energy::soil_volume;
 use solver::cpu::workspace::Workspace;
 use solver::error::Breakdown;
@@ -13,7 +14,7 @@ use solver::grid::Grid;
 use solver::model::{BodyModel, ContactMethod, Method, Model, Wall};
 use solver::start::{Filling, start};
 use solver::state::{Received, State};
-use solver::step::{elastic_energy, kinetic_energy, step};
+use solver::step::step;
 
 /// A run of a case.
 #[derive(Debug)]
@@ -177,7 +178,7 @@ impl Simulation {
         EnergySample {
             time: self.state.time,
             external: ledger.external * whole,
-            kinetic: (kinetic_energy(&self.model, &self.state) - ledger.kinetic_start) * whole,
+            kinetic: kinetic_energy(&self.model, &self.state) * whole,
             elastic: (elastic_energy(&self.model, &self.state) - ledger.elastic_start) * whole,
             plastic: ledger.plastic * whole,
             friction: ledger.friction * whole,

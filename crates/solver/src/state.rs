@@ -116,8 +116,6 @@ pub struct Ledger {
     pub remap: f64,
     /// Elastic energy of the soil at the start.
     pub elastic_start: f64,
-    /// Kinetic energy at the start.
-    pub kinetic_start: f64,
     /// Soil volume at the start [m³].
     pub volume_start: f64,
     /// Volume of the crumbs that remaps took out [m³].

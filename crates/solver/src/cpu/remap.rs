@@ -4,7 +4,7 @@
 //! a reconstructed interface, stress and history with the soil volume at second order, momentum on the dual grid.
 
 use super::threads::Cut;
-use super::transport::{Sweep, carry_momentum, dual_fluxes};
+use super::transport::{Sweep, carry_mass, carry_momentum, dual_fluxes};
 use super::workspace::Workspace;
 use super::{energy, lagrange_mass};
 use crate::grid::Grid;
@@ -144,25 +144,8 @@ fn sweep(model: &Model, state: &mut State, workspace: &mut Workspace, axis: usiz
         team.planes(cut, room, |plane, out| carry_momentum(grid, axis, plane, inputs, mass_moved, out));
         std::mem::swap(velocity, room);
     }
-    team.planes(cut, &mut state.nodes.mass, |plane, out| dual_difference(grid, axis, flux, plane, out));
+    team.planes(cut, &mut state.nodes.mass, |plane, out| carry_mass(grid, axis, plane, flux, out));
     spare.fill(0.0);
-}
-
-/// Nodal masses after the dual fluxes.
-fn dual_difference(grid: &Grid, axis: usize, flux: &[f64], plane: usize, out: &mut [f64]) {
-    let [_, row, stride] = grid.stride;
-    let base = plane * stride;
-    let s = grid.stride[axis];
-    let cells = grid.cells();
-    for q in 1..=cells[1] + 1 {
-        for i in 1..=cells[0] + 1 {
-            let n = base + q * row + i;
-            let layer = [i, q, plane][axis] - 1;
-            let high = if layer < cells[axis] { flux[n] } else { 0.0 };
-            let low = if layer > 0 { flux[n - s] } else { 0.0 };
-            out[n - base] -= high - low;
-        }
-    }
 }
 
 /// Back to volume fractions: takes crumbs out, closes gaps that stand under pressure, returns stresses to the yield

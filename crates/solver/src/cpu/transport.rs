@@ -243,6 +243,29 @@ pub(crate) fn dual_fluxes(grid: &Grid, axis: usize, plane: usize, mass_flux: &[f
     }
 }
 
+/// Calls `job(node, [low, high])` for every node of a plane with what flows in through the dual face below it and out
+/// through that above; nothing flows beyond the ends of the grid.
+fn each_node(grid: &Grid, axis: usize, plane: usize, flux: &[f64], mut job: impl FnMut(usize, [f64; 2])) {
+    let [_, row, stride] = grid.stride;
+    let s = grid.stride[axis];
+    let cells = grid.cells();
+    for q in 1..=cells[1] + 1 {
+        for i in 1..=cells[0] + 1 {
+            let n = plane * stride + q * row + i;
+            let layer = [i, q, plane][axis] - 1;
+            let high = if layer < cells[axis] { flux[n] } else { 0.0 };
+            let low = if layer > 0 { flux[n - s] } else { 0.0 };
+            job(n, [low, high]);
+        }
+    }
+}
+
+/// New masses of a plane of nodes after the dual fluxes.
+pub(crate) fn carry_mass(grid: &Grid, axis: usize, plane: usize, flux: &[f64], out: &mut [f64]) {
+    let base = plane * grid.stride[2];
+    each_node(grid, axis, plane, flux, |n, [low, high]| out[n - base] -= high - low);
+}
+
 /// New velocity component of a plane of nodes after the dual fluxes have carried momentum.
 pub(crate) fn carry_momentum(
     grid: &Grid,
@@ -252,33 +275,25 @@ pub(crate) fn carry_momentum(
     mass_moved: f64,
     out: &mut [f64],
 ) {
-    let [_, row, stride] = grid.stride;
-    let base = plane * stride;
+    let base = plane * grid.stride[2];
     let s = grid.stride[axis];
-    let cells = grid.cells();
     out.copy_from_slice(&velocity[base..base + out.len()]);
-    for q in 1..=cells[1] + 1 {
-        for i in 1..=cells[0] + 1 {
-            let n = base + q * row + i;
-            let layer = [i, q, plane][axis] - 1;
-            let high = if layer < cells[axis] { flux[n] } else { 0.0 };
-            let low = if layer > 0 { flux[n - s] } else { 0.0 };
-            if high == 0.0 && low == 0.0 {
-                continue;
-            }
-            let through = |n: usize, flux: f64| carried_velocity([velocity, mass], n, s, flux, mass_moved);
-            let into = if low == 0.0 { 0.0 } else { through(n - s, low) };
-            let out_of = if high == 0.0 { 0.0 } else { through(n, high) };
-            let left = mass[n] - (high - low);
-            let old = velocity[n];
-            let new = if left > 0.0 { (mass[n] * old - (high * out_of - low * into)) / left } else { 0.0 };
-            // Where more flows out than there was, rounding decides: stay within what flowed in.
-            let overdrawn = high.max(0.0) - low.min(0.0) > 0.5 * mass[n];
-            let bounds = [old, if low > 0.0 { into } else { old }, if high < 0.0 { out_of } else { old }];
-            let (least, most) = bounds.iter().fold((old, old), |(a, b), v| (a.min(*v), b.max(*v)));
-            out[n - base] = if overdrawn { new.clamp(least, most) } else { new };
+    each_node(grid, axis, plane, flux, |n, [low, high]| {
+        if high == 0.0 && low == 0.0 {
+            return;
         }
-    }
+        let through = |n: usize, flux: f64| carried_velocity([velocity, mass], n, s, flux, mass_moved);
+        let into = if low == 0.0 { 0.0 } else { through(n - s, low) };
+        let out_of = if high == 0.0 { 0.0 } else { through(n, high) };
+        let left = mass[n] - (high - low);
+        let old = velocity[n];
+        let new = if left > 0.0 { (mass[n] * old - (high * out_of - low * into)) / left } else { 0.0 };
+        // Where more flows out than there was, rounding decides: stay within what flowed in.
+        let overdrawn = high.max(0.0) - low.min(0.0) > 0.5 * mass[n];
+        let bounds = [old, if low > 0.0 { into } else { old }, if high < 0.0 { out_of } else { old }];
+        let (least, most) = bounds.iter().fold((old, old), |(a, b), v| (a.min(*v), b.max(*v)));
+        out[n - base] = if overdrawn { new.clamp(least, most) } else { new };
+    });
 }
 
 /// Velocity carried over the dual face above node `n`.

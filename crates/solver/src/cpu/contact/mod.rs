@@ -128,7 +128,7 @@ pub(crate) fn surface_points(model: &Model, body: &BodyModel) -> Vec<SurfacePoin
     body.shape.surface_points(model.method.point_spacing * cell, DVec3::splat(model.method.edge_inset * cell))
 }
 
-/// Lets soil and bodies act on each other for one step. Returns the energy that this took out of them [J].
+/// Lets soil and bodies act on each other for one step. Returns what that did, for the ledger.
 /// `at_start` holds velocity and spin of each body at the end of the last step.
 pub(crate) fn contact(
     model: &Model,
