@@ -29,7 +29,8 @@ impl Grid {
         let row = ((faces[0].len() - 1).next_multiple_of(LANES) + 2).next_multiple_of(LANES);
         let plane = row * (faces[1].len() + 1);
         let entries = plane * (faces[2].len() + 1) + LANES;
-        let finest = faces.iter().flat_map(|f| f.windows(2).map(|w| w[1] - w[0])).fold(f64::INFINITY, f64::min);
+        let finest =
+            faces.iter().flat_map(|f| f.windows(2).map(|w| w[1] - w[0])).fold(f64::INFINITY, f64::min);
         Self { faces, stride: [1, row, plane], entries, finest }
     }
 
