@@ -134,6 +134,20 @@ impl Workspace {
         self.team.size()
     }
 
+    /// Memory that it takes up [bytes], but for what grows with the bodies' surfaces.
+    #[must_use]
+    pub fn memory(&self) -> usize {
+        let own = |w: &WorkerScratch| {
+            let rows = w.coefficients.iter().chain([&w.below, &w.waiting, &w.row]);
+            rows.map(|row| size_of_val(row.as_slice())).sum::<usize>() + size_of_val(&*w.block)
+        };
+        let fields = self.scratch.iter().chain(&self.velocity_before);
+        fields.map(|field| size_of_val(field.as_slice())).sum::<usize>()
+            + self.workers.iter().map(own).sum::<usize>()
+            + size_of_val(self.row_sums.as_slice())
+            + size_of_val(self.row_has_soil.as_slice())
+    }
+
     /// Where the time of the calling thread goes.
     pub fn stopwatch(&mut self) -> &mut Stopwatch {
         &mut self.workers[0].stopwatch
