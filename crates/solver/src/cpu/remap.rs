@@ -4,12 +4,12 @@
 //! a reconstructed interface, stress and history with the soil volume at second order, momentum on the dual grid.
 
 use super::threads::Cut;
-use super::transport::{Sweep, carry_mass, carry_momentum, dual_fluxes};
+use super::transport::{Sweep, carry_mass, carry_momentum, difference, dual_fluxes, dual_reaches};
 use super::workspace::Workspace;
 use super::{energy, lagrange_mass};
 use crate::grid::Grid;
 use crate::model::{FRACTION_KEPT, FRACTION_STRESSED, Model};
-use crate::state::{Soil, State};
+use crate::state::{Nodes, Soil, State};
 use physics::tensor::mean;
 
 /// What a remap has taken away.
@@ -121,30 +121,32 @@ fn sweep(model: &Model, state: &mut State, workspace: &mut Workspace, axis: usiz
         row_active: active,
     };
     team.planes2(cut, flux, swept, |plane, flux, swept| sweep.volume_fluxes(plane, flux, swept));
+    // The old velocities are worth nothing between steps: the first makes room for what a flux reaches of a slope.
+    let [reach, ..] = velocity_before;
+    team.planes(cut, reach, |plane, out| sweep.reaches(plane, flux, out));
+    let faces: [&[f64]; 2] = [flux, reach];
     for field in stress.iter_mut().chain([plastic_strain, gap_strain]) {
-        team.planes(cut, spare, |plane, out| sweep.carry(plane, field, flux, out));
+        team.planes(cut, spare, |plane, out| sweep.carry(plane, field, faces, out));
         std::mem::swap(field, spare);
     }
-    team.planes(cut, spare, |plane, out| sweep.mass_fluxes(plane, mass, flux, out));
-    let s = grid.stride[axis];
-    let difference = |face: &[f64], plane: usize, out: &mut [f64]| {
-        let base = plane * grid.stride[2];
-        for (n, value) in out.iter_mut().enumerate().filter(|(n, _)| base + n + s < face.len()) {
-            *value -= face[base + n + s] - face[base + n];
-        }
-    };
-    team.planes(cut, mass, |plane, out| difference(spare, plane, out));
-    team.planes(cut, soil, |plane, out| difference(flux, plane, out));
-    team.planes(cut, cell, |plane, out| difference(swept, plane, out));
+    team.planes(cut, spare, |plane, out| {
+        out.fill(0.0);
+        sweep.mass_fluxes(plane, mass, faces, out);
+    });
+    team.planes(cut, mass, |plane, out| difference(grid, axis, plane, spare, out));
+    team.planes(cut, soil, |plane, out| difference(grid, axis, plane, flux, out));
+    team.planes(cut, cell, |plane, out| difference(grid, axis, plane, swept, out));
     // The mass flux is in `spare`; the volume flux is done with and makes room for the dual flux.
     team.planes(cut, flux, |plane, out| dual_fluxes(grid, axis, plane, spare, out));
+    let Nodes { velocity, mass, .. } = &mut state.nodes;
     let mass_moved = model.mass_moved();
-    for (velocity, room) in state.nodes.velocity.iter_mut().zip(velocity_before) {
-        let inputs: [&[f64]; 3] = [velocity, &state.nodes.mass, flux];
-        team.planes(cut, room, |plane, out| carry_momentum(grid, axis, plane, inputs, mass_moved, out));
-        std::mem::swap(velocity, room);
+    team.planes(cut, reach, |plane, out| dual_reaches(grid, axis, plane, [mass, flux], mass_moved, out));
+    for velocity in velocity {
+        let inputs: [&[f64]; 4] = [velocity, mass, flux, reach];
+        team.planes(cut, spare, |plane, out| carry_momentum(grid, axis, plane, inputs, out));
+        std::mem::swap(velocity, spare);
     }
-    team.planes(cut, &mut state.nodes.mass, |plane, out| carry_mass(grid, axis, plane, flux, out));
+    team.planes(cut, mass, |plane, out| carry_mass(grid, axis, plane, flux, out));
     spare.fill(0.0);
 }
 
