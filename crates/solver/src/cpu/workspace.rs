@@ -24,10 +24,10 @@ pub struct Workspace {
     pub(crate) cut: Cut,
     /// Whether a row of cells holds soil, by storage plane and row.
     pub(crate) row_has_soil: Vec<bool>,
-    /// Nodal velocities of the step before.
+    /// Nodal velocities of the step before; room for the remap between steps.
     pub(crate) velocity_before: [Vec<f64>; 3],
     /// Arrays for the remap.
-    pub(crate) scratch: [Vec<f64>; 5],
+    pub(crate) scratch: [Vec<f64>; 3],
     /// One for each worker.
     pub(crate) workers: Vec<WorkerScratch>,
     /// Sums over rows of the Lagrangian step.
