@@ -8,6 +8,7 @@ use physics::elastic::Elastic;
 use physics::mohr_coulomb::MohrCoulomb;
 use solver::audit::{elastic_energy, kinetic_energy};
 use solver::cpu::energy::soil_volume;
+use solver::cpu::stopwatch::Stopwatch;
 use solver::cpu::workspace::Workspace;
 use solver::error::Breakdown;
 use solver::grid::Grid;
@@ -118,6 +119,25 @@ impl Simulation {
             self.sample();
         }
         result
+    }
+
+    /// Takes a number of steps, without samples.
+    ///
+    /// # Errors
+    /// [`Breakdown`] when the physics fails.
+    pub fn steps(&mut self, number: u32) -> Result<(), Breakdown> {
+        (0..number).try_for_each(|_| step(&self.model, &mut self.state, &mut self.workspace))
+    }
+
+    /// Where the time of the calling thread goes.
+    pub fn stopwatch(&mut self) -> &mut Stopwatch {
+        self.workspace.stopwatch()
+    }
+
+    /// Memory that state and workspace take up [bytes].
+    #[must_use]
+    pub fn memory(&self) -> usize {
+        self.workspace.memory() + self.state.memory()
     }
 
     /// Cell-steps per second over the cells with soil, measured by going on for a while; `None` if not one step can be
