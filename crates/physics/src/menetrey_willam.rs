@@ -85,6 +85,15 @@ impl MenetreyWillam {
         &self.surface
     }
 
+    /// Whether some plastic flow would do negative work: on the extension meridian, where R_mw = R_mc(60°)/e, the dilation
+    /// may not take more than friction gives, R_mw/R_mc ≥ tan ψ/tan φ.
+    #[must_use]
+    pub fn creates_energy(&self) -> bool {
+        let (hexagon, _) = self.hexagon(1.0, 0.0);
+        let (ellipse, _) = self.ellipse(1.0, 0.0);
+        ellipse * self.tan_friction < hexagon * self.tan_dilation * (1.0 - 1e-12)
+    }
+
     /// R_mc and its slope over Θ.
     #[inline(always)]
     fn hexagon(&self, cos: f64, sin: f64) -> (f64, f64) {

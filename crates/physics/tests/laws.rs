@@ -122,6 +122,10 @@ fn a_second_return_changes_nothing() {
 #[test]
 fn plastic_work_is_never_negative() {
     for (s, law) in everything() {
+        // A circle within the hexagon's corners, with a dilation angle near φ: energy comes out of nothing.
+        if matches!(law, Law::MenetreyWillam(law) if law.creates_energy()) {
+            continue;
+        }
         for far in stresses() {
             // The smooth return follows the gradients on its way, not the one at its end: it is for the small steps of an
             // explicit method, and right to second order of them. The closed form takes any step.
