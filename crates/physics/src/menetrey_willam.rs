@@ -85,13 +85,16 @@ impl MenetreyWillam {
         &self.surface
     }
 
-    /// Whether some plastic flow would do negative work: on the extension meridian, where R_mw = R_mc(60°)/e, the dilation
-    /// may not take more than friction gives, R_mw/R_mc ≥ tan ψ/tan φ.
+    /// The least work of plastic flow over all Lode angles, c = 0: tan φ R_mw/R_mc − tan ψ, over tan φ. Below 0, which is so
+    /// for ψ near φ because the ellipse bulges beyond the hexagon's sides, some flow would create energy.
     #[must_use]
-    pub fn creates_energy(&self) -> bool {
-        let (hexagon, _) = self.hexagon(1.0, 0.0);
-        let (ellipse, _) = self.ellipse(1.0, 0.0);
-        ellipse * self.tan_friction < hexagon * self.tan_dilation * (1.0 - 1e-12)
+    pub fn least_dissipation(&self) -> f64 {
+        let at = |degrees: u32| {
+            let (sin, cos) = f64::from(degrees).to_radians().sin_cos();
+            self.ellipse(cos, sin).0 / self.hexagon(cos, sin).0
+        };
+        let ratio = (0..=60).map(at).fold(f64::INFINITY, f64::min);
+        if self.tan_friction > 0.0 { ratio - self.tan_dilation / self.tan_friction } else { ratio }
     }
 
     /// R_mc and its slope over Θ.

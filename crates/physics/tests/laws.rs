@@ -122,8 +122,8 @@ fn a_second_return_changes_nothing() {
 #[test]
 fn plastic_work_is_never_negative() {
     for (s, law) in everything() {
-        // A circle within the hexagon's corners, with a dilation angle near φ: energy comes out of nothing.
-        if matches!(law, Law::MenetreyWillam(law) if law.creates_energy()) {
+        // A smooth potential bulges beyond the hexagon's sides: with a dilation angle near φ, energy comes out of nothing.
+        if matches!(law, Law::MenetreyWillam(law) if law.least_dissipation() < 0.0) {
             continue;
         }
         for far in stresses() {
