@@ -4,6 +4,7 @@
 //! while the forces are still in the cache. Old and new velocities are two arrays, so nobody reads what another writes;
 //! only the lowest plane of nodes of each worker has to wait for the plane of cells below, which is a neighbour's.
 
+use super::stopwatch::Stage;
 use super::stress::{CellRow, NodeRows, RowConstants, strain_row};
 use super::threads::Cut;
 use super::workspace::{COEFFICIENTS, RowSums, WorkerScratch, Workspace, lane_sum, split_rows};
@@ -85,6 +86,7 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
     team.share(&mut parts, |part| strain_and_move(&inputs, part));
     move_seams(&inputs, &mut parts);
     drop(parts);
+    workers[0].stopwatch.lap(Stage::Nodes);
     total(cut, rows, row_sums)
 }
 
@@ -114,6 +116,7 @@ fn strain_and_move(inputs: &Inputs, part: &mut Part) {
             let forces = std::mem::take(&mut part.scratch.forces);
             move_plane(inputs, part, plane, [&forces[below], &forces[slot]]);
             part.scratch.forces = forces;
+            part.scratch.stopwatch.lap(Stage::Nodes);
         }
         part.scratch.last = slot;
     }
@@ -175,8 +178,8 @@ fn strain_plane(inputs: &Inputs, part: &mut Part, plane: usize, slot: usize) {
         let mut out = forces.iter_mut();
         let mut force_rows: [&mut [f64]; COEFFICIENTS] =
             std::array::from_fn(|_| out.next().map_or(Default::default(), |f| &mut f[cells.clone()]));
-        let block = &mut part.scratch.block;
-        let sums = strain_row(&constants, &node_rows, &mut cell_row, block, &mut force_rows);
+        let own = (&mut *part.scratch.block, &mut part.scratch.stopwatch);
+        let sums = strain_row(&constants, &node_rows, &mut cell_row, own, &mut force_rows);
         let entry = &mut part.sums[(plane - part.planes.start) * inputs.rows + q];
         (entry.plastic, entry.viscous, entry.hourglass) = (sums.plastic, sums.viscous, sums.hourglass);
     }

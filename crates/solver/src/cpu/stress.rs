@@ -5,6 +5,7 @@
 //! and vectorises them. Each is compiled for what the processor has; `mul_add` is not used, so the result is the same
 //! to the bit.
 
+use super::stopwatch::{Stage, Stopwatch};
 use super::workspace::{COEFFICIENTS, RowSums, lane_sum};
 use crate::grid::LANES;
 use crate::model::{FRACTION_STRESSED, Model};
@@ -158,7 +159,7 @@ pub(crate) fn strain_row(
     constants: &RowConstants,
     nodes: &NodeRows,
     cells: &mut CellRow,
-    block: &mut Block,
+    (block, stopwatch): (&mut Block, &mut Stopwatch),
     forces: &mut [&mut [f64]; COEFFICIENTS],
 ) -> RowSums {
     let mut sums = RowSums::default();
@@ -169,13 +170,17 @@ pub(crate) fn strain_row(
         corner_sums(nodes, start, block);
         trial_stress(constants, block);
         if let Some(strength) = &constants.strength {
-            apply_strength(&constants.elastic, strength, block);
+            stopwatch.lap(Stage::Lagrange);
+            let returned = apply_strength(&constants.elastic, strength, block);
+            stopwatch.count_returned(returned);
+            stopwatch.lap(Stage::Plasticity);
         }
         force_coefficients(constants, block);
         block.store(cells, forces, &range);
         sums.plastic += lane_sum(&block.work[..block.n]);
         sums.viscous += lane_sum(&block.viscous[..block.n]) * constants.dt;
         sums.hourglass += lane_sum(&block.damped[..block.n]) * constants.dt;
+        stopwatch.lap(Stage::Lagrange);
     }
     sums
 }
@@ -245,34 +250,75 @@ fn trial_stress(constants: &RowConstants, b: &mut Block) {
     b.work = [0.0; BLOCK];
 }
 
+/// Brings the stresses that lie outside the strength back to it; returns how many there were.
+///
+/// Most cells are elastic. Those that yield are moved together, so that no vector of the return is half empty.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn apply_strength(elastic: &Elastic, strength: &MohrCoulomb, b: &mut Block) {
+fn apply_strength(elastic: &Elastic, strength: &MohrCoulomb, b: &mut Block) -> usize {
     let n = b.n.min(BLOCK);
     for i in 0..n {
         let trial: Symmetric = [0, 1, 2, 3, 4, 5].map(|c| b.trial[c][i]);
         b.yields[i] = if strength.may_yield(trial) { b.alive[i] } else { 0.0 };
     }
-    // Most cells are elastic: only from the first vector that yields to the last is there anything to return.
-    let some = |chunk: &[f64]| chunk.iter().sum::<f64>() > 0.0;
-    let Some(first) = b.yields[..n].chunks_exact(LANES).position(some) else { return };
-    let last = b.yields[..n].chunks_exact(LANES).rposition(some).unwrap_or(first);
-    for i in first * LANES..((last + 1) * LANES).min(BLOCK) {
-        let trial: Symmetric = [0, 1, 2, 3, 4, 5].map(|c| b.trial[c][i]);
-        let old: Symmetric = [0, 1, 2, 3, 4, 5].map(|c| b.stress[c][i]);
-        let yields = b.yields[i] > 0.0;
-        let back = strength.return_map(trial);
-        let mut middle: Symmetric = [0.0; 6];
-        let mut change: Symmetric = [0.0; 6];
-        for c in 0..6 {
-            middle[c] = 0.5 * (old[c] + back.stress[c]);
-            change[c] = trial[c] - back.stress[c];
-            b.trial[c][i] = if yields { back.stress[c] } else { trial[c] };
+    let (mut place, mut count) = ([0; BLOCK], 0);
+    for i in 0..n {
+        place[count] = i;
+        count += usize::from(b.yields[i] > 0.0);
+    }
+    let mut together = Yielding::default();
+    for places in place[..count].chunks(LANES) {
+        for (l, i) in places.iter().enumerate() {
+            for c in 0..6 {
+                together.trial[c][l] = b.trial[c][*i];
+                together.old[c][l] = b.stress[c][*i];
+            }
         }
-        // The average of old and new stress makes the sum over steps exact for central differences.
-        let dissipated = elastic.compliance(middle, change);
-        b.plastic_strain[i] += if yields { back.plastic_strain } else { 0.0 };
-        b.gap_strain[i] += if yields { back.gap_strain } else { 0.0 };
-        b.work[i] = if yields { dissipated } else { 0.0 };
+        together.return_stress(elastic, strength);
+        for (l, i) in places.iter().enumerate() {
+            for c in 0..6 {
+                b.trial[c][*i] = together.trial[c][l];
+            }
+            b.plastic_strain[*i] += together.plastic_strain[l];
+            b.gap_strain[*i] += together.gap_strain[l];
+            b.work[*i] = together.work[l];
+        }
+    }
+    count
+}
+
+/// As many yielding cells as a vector holds.
+#[derive(Default)]
+struct Yielding {
+    /// Trial stress, later the returned one [Pa].
+    trial: [[f64; LANES]; 6],
+    /// Stress at the start of the step [Pa].
+    old: [[f64; LANES]; 6],
+    /// Increments.
+    plastic_strain: [f64; LANES],
+    gap_strain: [f64; LANES],
+    /// Plastic work per volume [J/m³].
+    work: [f64; LANES],
+}
+
+impl Yielding {
+    #[inline(always)]
+    fn return_stress(&mut self, elastic: &Elastic, strength: &MohrCoulomb) {
+        for l in 0..LANES {
+            let trial: Symmetric = [0, 1, 2, 3, 4, 5].map(|c| self.trial[c][l]);
+            let old: Symmetric = [0, 1, 2, 3, 4, 5].map(|c| self.old[c][l]);
+            let back = strength.return_map(trial);
+            let mut middle: Symmetric = [0.0; 6];
+            let mut change: Symmetric = [0.0; 6];
+            for c in 0..6 {
+                middle[c] = 0.5 * (old[c] + back.stress[c]);
+                change[c] = trial[c] - back.stress[c];
+                self.trial[c][l] = back.stress[c];
+            }
+            self.plastic_strain[l] = back.plastic_strain;
+            self.gap_strain[l] = back.gap_strain;
+            // The average of old and new stress makes the sum over steps exact for central differences.
+            self.work[l] = elastic.compliance(middle, change);
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! Memory that the step works in and that is worth nothing between steps.
 
 use crate::cpu::contact::{self, ContactLaw, TouchedNode};
+use crate::cpu::stopwatch::Stopwatch;
 use crate::cpu::stress::Block;
 use crate::cpu::threads::{Cut, Team};
 use crate::grid::Grid;
@@ -60,6 +61,8 @@ pub(crate) struct WorkerScratch {
     pub(crate) row: Vec<f64>,
     /// Block of cells.
     pub(crate) block: Box<Block>,
+    /// Where this worker's time goes.
+    pub(crate) stopwatch: Stopwatch,
 }
 
 /// Sums over a row, in an order that does not depend on the number of threads.
@@ -98,6 +101,7 @@ impl Workspace {
             last: 0,
             row: vec![0.0; ROW_BUFFERS * grid.stride[1]],
             block: Block::new(),
+            stopwatch: Stopwatch::default(),
         };
         let threads = threads.clamp(1, planes);
         let (touched, corner_nodes) = contact::touched_nodes(model, &state.contacts);
@@ -125,6 +129,11 @@ impl Workspace {
     #[must_use]
     pub fn threads(&self) -> usize {
         self.team.size()
+    }
+
+    /// Where the time of the calling thread goes.
+    pub fn stopwatch(&mut self) -> &mut Stopwatch {
+        &mut self.workers[0].stopwatch
     }
 
     /// Rows per plane.
