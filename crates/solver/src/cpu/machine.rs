@@ -37,7 +37,7 @@ pub fn measure(threads: usize) -> Machine {
         (0..goes).map(time).fold(f64::INFINITY, f64::min)
     };
     let mut chains = vec![[[1.0; 8]; CHAINS]; team.size()];
-    let fma_seconds = best(GOES, &mut || team.share(&mut chains, |chains| multiply_add(chains)));
+    let fma_seconds = best(GOES, &mut || team.share(&mut chains, multiply_add));
     std::hint::black_box(&chains);
     let mut arrays: Vec<[Vec<f64>; 3]> = (0..team.size()).map(|_| Default::default()).collect();
     // Each worker touches its own arrays first, so that they lie in memory near it.

@@ -14,6 +14,9 @@ use physics::shape::SurfacePoint;
 /// corner's side along x, y, z; last the hourglass damping.
 pub(crate) const COEFFICIENTS: usize = 13;
 
+/// Sums at a node: the force along x, y, z, and the damping.
+pub(crate) const NODE_SUMS: usize = 4;
+
 /// Threads, scratch arrays and the bookkeeping of which rows hold soil.
 pub struct Workspace {
     pub(crate) team: Team,
@@ -29,10 +32,8 @@ pub struct Workspace {
     pub(crate) workers: Vec<WorkerScratch>,
     /// Sums over rows of the Lagrangian step.
     pub(crate) row_sums: Vec<RowSums>,
-    /// Widths of the cell layers along x, in storage columns (0 in ghosts).
-    pub(crate) width_x: Vec<f64>,
-    /// Force coefficients of a plane without soil: zeros.
-    pub(crate) no_forces: Vec<f64>,
+    /// Widths of the cell layers along x [m], in storage columns (0 in ghosts), and ¼ over them.
+    pub(crate) width_x: [Vec<f64>; 2],
     /// How soil and bodies act on each other.
     pub(crate) contact_law: Box<dyn ContactLaw>,
     /// Surface points of the bodies.
@@ -53,10 +54,12 @@ impl std::fmt::Debug for Workspace {
 
 /// What a worker needs for itself.
 pub(crate) struct WorkerScratch {
-    /// Force coefficients of the first plane, and of two planes in turn.
-    pub(crate) forces: [Vec<f64>; 3],
-    /// Which of them holds the last plane.
-    pub(crate) last: usize,
+    /// Force coefficients of two rows of cells in turn.
+    pub(crate) coefficients: [Vec<f64>; 2],
+    /// Force and damping (four rows for each row of nodes) on a plane of nodes by the cells below it.
+    pub(crate) below: Vec<f64>,
+    /// The same on the lowest plane of nodes by the cells above it.
+    pub(crate) waiting: Vec<f64>,
     /// Row buffers of the nodes.
     pub(crate) row: Vec<f64>,
     /// Block of cells.
@@ -97,8 +100,9 @@ impl Workspace {
         let planes = grid.cells()[2] + 1;
         let rows = plane / grid.stride[1];
         let worker = |_| WorkerScratch {
-            forces: std::array::from_fn(|_| vec![0.0; COEFFICIENTS * plane]),
-            last: 0,
+            coefficients: std::array::from_fn(|_| vec![0.0; COEFFICIENTS * grid.stride[1]]),
+            below: vec![0.0; NODE_SUMS * plane],
+            waiting: vec![0.0; NODE_SUMS * plane],
             row: vec![0.0; ROW_BUFFERS * grid.stride[1]],
             block: Block::new(),
             stopwatch: Stopwatch::default(),
@@ -114,7 +118,6 @@ impl Workspace {
             workers: (0..threads).map(worker).collect(),
             row_sums: vec![RowSums::default(); rows * (planes + 1)],
             width_x: column_widths(grid),
-            no_forces: vec![0.0; COEFFICIENTS * plane],
             contact_law: contact::law(model),
             points: model.bodies.iter().map(|b| contact::surface_points(model, b)).collect(),
             touched,
@@ -158,12 +161,13 @@ impl Workspace {
     }
 }
 
-fn column_widths(grid: &Grid) -> Vec<f64> {
+fn column_widths(grid: &Grid) -> [Vec<f64>; 2] {
     let mut widths = vec![0.0; grid.stride[1] + crate::grid::LANES];
     for i in 0..grid.cells()[0] {
         widths[i + 1] = grid.width(0, i);
     }
-    widths
+    let per_width = widths.iter().map(|w| if *w > 0.0 { 0.25 / w } else { 0.0 }).collect();
+    [widths, per_width]
 }
 
 /// Splits any per-row array like the planes.
@@ -179,6 +183,7 @@ pub(crate) fn split_rows<'a, T>(cut: &Cut, rows: usize, array: &'a mut [T]) -> V
 }
 
 /// Sum in eight lanes that are added up at the end: the same whatever the processor's vectors are.
+#[inline(always)]
 pub(crate) fn lane_sum(values: &[f64]) -> f64 {
     let mut lanes = [0.0; 8];
     for chunk in values.chunks_exact(8) {
