@@ -11,8 +11,6 @@ use crate::mohr_coulomb::MohrCoulomb;
 use crate::strength::{Returned, Strength};
 use crate::tensor::{Spectrum, Symmetric};
 
-/// Cutting-plane steps. In an explicit time step the second leaves 1e-6 of the yield stress; the scaling takes that.
-const STEPS: usize = 3;
 const SQRT_1_5: f64 = 1.224_744_871_391_589;
 
 /// Mohr–Coulomb with the potential of Menétrey and Willam.
@@ -97,6 +95,35 @@ impl MenetreyWillam {
         if self.tan_friction > 0.0 { ratio - self.tan_dilation / self.tan_friction } else { ratio }
     }
 
+    /// One cutting-plane step. `trial` is the Lode angle of the trial stress.
+    #[inline(always)]
+    fn cut(&self, from: Place, trial: (f64, f64), dilates: f64) -> Place {
+        let (bulk, shear) = (self.elastic.bulk, self.elastic.shear);
+        let tan_dilation = dilates * self.tan_dilation;
+        let Place { x, y, pressure, lode } = from;
+        let distance = (x * x + y * y).sqrt();
+        let q = SQRT_1_5 * distance;
+        let (hexagon, hexagon_slope) = self.hexagon(lode.0, lode.1);
+        let (ellipse, ellipse_slope) = self.ellipse(lode.0, lode.1);
+        let length = (dilates * dilates * self.offset + (ellipse * q) * (ellipse * q)).sqrt();
+        let scale = if length > 0.0 { q / length } else { 0.0 };
+        let (radial, hoop) = (ellipse * ellipse * scale, ellipse * ellipse_slope * scale);
+        let excess = hexagon * q - pressure * self.tan_friction - self.cohesion;
+        let stiffness =
+            3.0 * shear * (hexagon * radial + hexagon_slope * hoop) + bulk * self.tan_friction * tan_dilation;
+        // Without shear stress there is no direction to flow in: the apex takes what is too much.
+        let multiplier = if (excess > 0.0) & (stiffness > 0.0) { excess / stiffness } else { 0.0 };
+        let step = 2.0 * shear * SQRT_1_5 * multiplier;
+        let inward = step * radial;
+        let inverse = if distance > 0.0 { 1.0 / distance } else { 0.0 };
+        let (ux, uy) = (x * inverse, y * inverse);
+        let left = if distance > inward { distance - inward } else { 0.0 };
+        let along = if left > 0.0 { -step * hoop } else { 0.0 };
+        let (x, y) = (left * ux - along * uy, left * uy + along * ux);
+        let (x, y, lode) = within_sextant(x, y, trial.0, trial.1);
+        Place { x, y, pressure: pressure + bulk * tan_dilation * multiplier, lode }
+    }
+
     /// R_mc and its slope over Θ.
     #[inline(always)]
     fn hexagon(&self, cos: f64, sin: f64) -> (f64, f64) {
@@ -129,47 +156,32 @@ impl Strength for MenetreyWillam {
     #[inline(always)]
     fn return_map(&self, trial: Symmetric, dilates: f64) -> Returned {
         let spectrum = Spectrum::of(trial);
-        let (bulk, shear) = (self.elastic.bulk, self.elastic.shear);
-        let tan_dilation = dilates * self.tan_dilation;
-        let offset = dilates * dilates * self.offset;
-        // Lode angle of the trial stress. The return moves in the plane spanned by the deviator and the direction at a right
-        // angle to it: (x, y) from there, where the Mises stress is √1.5 times the distance from the origin.
-        let (cos, sin) = spectrum.lode();
-        let (mut x, mut y) = (spectrum.norm, 0.0);
-        let mut pressure = -spectrum.mean;
-        let mut at = (cos, sin);
-        for _ in 0..STEPS {
-            let distance = (x * x + y * y).sqrt();
-            let q = SQRT_1_5 * distance;
-            let (hexagon, hexagon_slope) = self.hexagon(at.0, at.1);
-            let (ellipse, ellipse_slope) = self.ellipse(at.0, at.1);
-            let length = (offset + (ellipse * q) * (ellipse * q)).sqrt();
-            let scale = if length > 0.0 { q / length } else { 0.0 };
-            let (radial, hoop) = (ellipse * ellipse * scale, ellipse * ellipse_slope * scale);
-            let excess = hexagon * q - pressure * self.tan_friction - self.cohesion;
-            let stiffness = 3.0 * shear * (hexagon * radial + hexagon_slope * hoop)
-                + bulk * self.tan_friction * tan_dilation;
-            // Without shear stress there is no direction to flow in: the apex takes what is too much.
-            let multiplier = if (excess > 0.0) & (stiffness > 0.0) { excess / stiffness } else { 0.0 };
-            let step = 2.0 * shear * SQRT_1_5 * multiplier;
-            let (inward, along) = (step * radial, -step * hoop);
-            let inverse = if distance > 0.0 { 1.0 / distance } else { 0.0 };
-            let (ux, uy) = (x * inverse, y * inverse);
-            let left = if distance > inward { distance - inward } else { 0.0 };
-            let along = if left > 0.0 { along } else { 0.0 };
-            (x, y) = (left * ux - along * uy, left * uy + along * ux);
-            pressure += bulk * tan_dilation * multiplier;
-            (x, y, at) = within_sextant(x, y, cos, sin);
-        }
+        let start = Place { x: spectrum.norm, y: 0.0, pressure: -spectrum.mean, lode: spectrum.lode() };
+        // Steps one after the other, not in a loop: the compiler then sees a loop over cells that it can vectorise. In an
+        // explicit time step the second leaves 1e-6 of the yield stress; the scaling at the end takes what is left.
+        let once = self.cut(start, start.lode, dilates);
+        let twice = self.cut(once, start.lode, dilates);
+        let Place { x, y, pressure, lode } = self.cut(twice, start.lode, dilates);
         let apex = -self.surface.apex();
         let pressure = if pressure > apex { pressure } else { apex };
-        let (hexagon, _) = self.hexagon(at.0, at.1);
+        let (hexagon, _) = self.hexagon(lode.0, lode.1);
         let q = SQRT_1_5 * (x * x + y * y).sqrt();
         let borne = pressure * self.tan_friction + self.cohesion;
         let share = if hexagon * q > borne { (borne / (hexagon * q)).max(0.0) } else { 1.0 };
         let value = self.surface.capped(spectrum.principal_at(-pressure, share * x, share * y));
         self.surface.returned(&spectrum, value)
     }
+}
+
+/// Where a return is: in the plane spanned by the trial's deviator (x) and the direction at a right angle to it (y), where
+/// the Mises stress is √1.5 times the distance from the origin.
+#[derive(Clone, Copy)]
+struct Place {
+    x: f64,
+    y: f64,
+    pressure: f64,
+    /// Cosine and sine of the Lode angle.
+    lode: (f64, f64),
 }
 
 /// Keeps a point of the deviatoric plane within the sextant 0 ≤ Θ ≤ 60° of its trial, whose Lode angle has this cosine and

@@ -167,9 +167,8 @@ fn timing(case: &Case, notes: &mut Vec<String>) {
 }
 
 fn strength(case: &Case, notes: &mut Vec<String>) {
-    let Law::MohrCoulomb {
-        friction_angle, dilation_angle, cohesion, potential, critical_density, ..
-    } = case.soil.law
+    let Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, potential, critical_density, .. } =
+        case.soil.law
     else {
         return;
     };

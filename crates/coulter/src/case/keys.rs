@@ -72,9 +72,9 @@ const fn key(name: &'static str, kind: Kind, default: &'static str, meaning: &'s
 pub const LAWS: [&str; 3] = ["mohr-coulomb", "tresca", "elastic"];
 /// Body shapes.
 pub const SHAPES: [&str; 2] = ["disc", "block"];
-/// Contact methods.
 /// Flow potentials of the frictional law.
 pub const POTENTIALS: [&str; 2] = ["mohr-coulomb", "menetrey-willam"];
+/// Contact methods.
 pub const CONTACTS: [&str; 2] = ["penalty", "impulse"];
 /// What a wall may be.
 pub const WALLS: [&str; 2] = ["smooth", "fixed"];

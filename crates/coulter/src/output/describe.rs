@@ -31,7 +31,9 @@ fn soil(case: &Case) -> String {
     let law = match soil.law {
         Law::Elastic => "linear elastic".to_owned(),
         Law::Tresca { shear_strength } => format!("Tresca, sᵤ = {}", stress(shear_strength)),
-        Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, potential, critical_density, .. } => {
+        Law::MohrCoulomb {
+            friction_angle, dilation_angle, cohesion, potential, critical_density, ..
+        } => {
             let limit = critical_density.map(|rho| format!(" down to {} kg/m³", digits(rho)));
             let smooth = match potential {
                 Potential::MohrCoulomb => "",

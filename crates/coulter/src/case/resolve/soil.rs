@@ -141,7 +141,8 @@ fn potential(section: &Section, friction_angle: f64, problems: &mut Problems) ->
     let usual = Eccentricity::usual(friction_angle);
     let meridional =
         ranges::or(section, "meridional_eccentricity", usual.meridional, &NOT_NEGATIVE, problems);
-    let deviatoric = ranges::or(section, "deviatoric_eccentricity", usual.deviatoric, &ECCENTRICITY, problems);
+    let deviatoric =
+        ranges::or(section, "deviatoric_eccentricity", usual.deviatoric, &ECCENTRICITY, problems);
     Some(Potential::MenetreyWillam { meridional: meridional?, deviatoric: deviatoric? })
 }
 
@@ -163,7 +164,8 @@ fn critical_density(
         return None;
     }
     if critical > density? {
-        let message = format!("the soil is looser than this at the start: its density is {:.1} kg/m³", density?);
+        let message =
+            format!("the soil is looser than this at the start: its density is {:.1} kg/m³", density?);
         problems.add(place, message, "it must be at most the density; dense sand dilates by some per cent");
         return None;
     }
