@@ -1,11 +1,13 @@
 //! A case on its way through time: the model and state that it means, and the history that its probes write.
 
 use crate::case::Case;
-use crate::case::resolved::{self, Ground, Law};
+use crate::case::resolved::{self, Ground, Law, Potential};
 use crate::output::checkpoint::Checkpoint;
 use crate::output::record::{BodySample, EnergySample, History};
 use physics::elastic::Elastic;
+use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
 use physics::mohr_coulomb::MohrCoulomb;
+use physics::strength::Law as Strength;
 use solver::audit::{elastic_energy, kinetic_energy};
 use solver::cpu::energy::soil_volume;
 use solver::cpu::stopwatch::Stopwatch;
@@ -218,12 +220,10 @@ pub fn model(case: &Case) -> Model {
     Model {
         grid: Grid::new(case.grid.faces.clone()),
         elastic,
-        strength: match case.soil.law {
-            Law::Elastic => None,
-            Law::Tresca { shear_strength } => Some(MohrCoulomb::tresca(elastic, shear_strength)),
-            Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_limit } => {
-                Some(MohrCoulomb::new(elastic, friction_angle, dilation_angle, cohesion, tension_limit))
-            }
+        strength: strength(elastic, case.soil.law),
+        critical_density: match case.soil.law {
+            Law::MohrCoulomb { critical_density, .. } => critical_density,
+            Law::Elastic | Law::Tresca { .. } => None,
         },
         density: case.soil.density,
         gravity: if case.soil.unit_weight > 0.0 { case.soil.unit_weight / case.soil.density } else { 0.0 },
@@ -243,6 +243,34 @@ pub fn model(case: &Case) -> Model {
             edge_inset: case.numerics.edge_inset,
             point_spacing: case.numerics.point_spacing,
         },
+    }
+}
+
+fn strength(elastic: Elastic, law: Law) -> Option<Strength> {
+    match law {
+        Law::Elastic => None,
+        Law::Tresca { shear_strength } => {
+            Some(Strength::MohrCoulomb(MohrCoulomb::tresca(elastic, shear_strength)))
+        }
+        Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_limit, potential, .. } => {
+            let (phi, psi) = (friction_angle, dilation_angle);
+            Some(match potential {
+                Potential::MohrCoulomb => {
+                    Strength::MohrCoulomb(MohrCoulomb::new(elastic, phi, psi, cohesion, tension_limit))
+                }
+                Potential::MenetreyWillam { meridional, deviatoric } => {
+                    let shape = Eccentricity { meridional, deviatoric };
+                    Strength::MenetreyWillam(MenetreyWillam::new(
+                        elastic,
+                        phi,
+                        psi,
+                        cohesion,
+                        tension_limit,
+                        shape,
+                    ))
+                }
+            })
+        }
     }
 }
 

@@ -72,6 +72,8 @@ const fn key(name: &'static str, kind: Kind, default: &'static str, meaning: &'s
 pub const LAWS: [&str; 3] = ["mohr-coulomb", "tresca", "elastic"];
 /// Body shapes.
 pub const SHAPES: [&str; 2] = ["disc", "block"];
+/// Flow potentials of the frictional law.
+pub const POTENTIALS: [&str; 2] = ["mohr-coulomb", "menetrey-willam"];
 /// Contact methods.
 pub const CONTACTS: [&str; 2] = ["penalty", "impulse"];
 /// What a wall may be.
@@ -109,6 +111,30 @@ const SOIL: &[Key] = &[
     key("dilation_angle", Kind::Quantity(ANGLE), "0 deg", "Dilation angle ψ, 0 to φ (mohr-coulomb)."),
     key("cohesion", Kind::Quantity(STRESS), "0 Pa", "Cohesion c; exactly 0 is fine (mohr-coulomb)."),
     key("tension_limit", Kind::Quantity(STRESS), "0 Pa", "Largest tension, at most c cot φ (mohr-coulomb)."),
+    key(
+        "flow_potential",
+        Kind::Choice(&POTENTIALS),
+        "\"mohr-coulomb\"",
+        "Where yielding soil flows to: along the pyramid with ψ for φ, or along the smooth potential that Abaqus has (mohr-coulomb).",
+    ),
+    key(
+        "meridional_eccentricity",
+        Kind::Number,
+        "0.1",
+        "How fast the smooth potential nears its asymptote; has no effect without cohesion (menetrey-willam).",
+    ),
+    key(
+        "deviatoric_eccentricity",
+        Kind::Number,
+        "(3 − sin φ)/(3 + sin φ)",
+        "Shape of the smooth potential across the pressure axis: above 0.5, 1 is a circle (menetrey-willam).",
+    ),
+    key(
+        "critical_density",
+        Kind::Quantity(DENSITY),
+        "none",
+        "Soil that is looser than this dilates no more (mohr-coulomb, with dilation_angle).",
+    ),
     key(
         "shear_strength",
         Kind::Quantity(STRESS),

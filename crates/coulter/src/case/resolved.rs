@@ -70,6 +70,25 @@ pub enum Law {
         cohesion: f64,
         /// Largest tension that the soil bears [Pa]; at most c cot φ.
         tension_limit: f64,
+        /// Where yielding soil flows to.
+        potential: Potential,
+        /// Density below which the soil dilates no more [kg/m³].
+        critical_density: Option<f64>,
+    },
+}
+
+/// The flow potential of the frictional law.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Potential {
+    /// Of the form of the yield surface, with ψ for φ.
+    MohrCoulomb,
+    /// Menétrey and Willam (1995).
+    MenetreyWillam {
+        /// Meridional eccentricity ε ≥ 0.
+        meridional: f64,
+        /// Deviatoric eccentricity e, ½ < e ≤ 1.
+        deviatoric: f64,
     },
 }
 

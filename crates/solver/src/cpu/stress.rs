@@ -12,7 +12,9 @@ use crate::model::{FRACTION_STRESSED, Model};
 use multiversion::multiversion;
 use physics::brick::{Sums, hourglass_coefficient};
 use physics::elastic::Elastic;
+use physics::menetrey_willam::MenetreyWillam;
 use physics::mohr_coulomb::MohrCoulomb;
+use physics::strength::{Law, Strength};
 use physics::tensor::{Symmetric, deviator, jaumann};
 use physics::viscosity::BulkViscosity;
 
@@ -22,6 +24,7 @@ pub(crate) type NodeRows<'a> = [[&'a [f64]; 3]; 4];
 /// The cells of a row.
 pub(crate) struct CellRow<'a> {
     pub(crate) fraction: &'a [f64],
+    pub(crate) mass: &'a [f64],
     pub(crate) stress: [&'a mut [f64]; 6],
     pub(crate) plastic_strain: &'a mut [f64],
     pub(crate) gap_strain: &'a mut [f64],
@@ -30,7 +33,9 @@ pub(crate) struct CellRow<'a> {
 /// Everything about a row that does not change.
 pub(crate) struct RowConstants<'a> {
     pub(crate) elastic: Elastic,
-    pub(crate) strength: Option<MohrCoulomb>,
+    pub(crate) strength: Option<Law>,
+    /// Density below which soil dilates no more [kg/m³]; 0 where it always may.
+    pub(crate) critical_density: f64,
     pub(crate) viscosity: BulkViscosity,
     /// ε ρ c / 4 [kg/(s m²)].
     pub(crate) hourglass: f64,
@@ -51,6 +56,7 @@ impl<'a> RowConstants<'a> {
         Self {
             elastic: model.elastic,
             strength: model.strength,
+            critical_density: model.critical_density.unwrap_or(0.0),
             viscosity: model.viscosity(),
             hourglass,
             width_x,
@@ -140,7 +146,10 @@ pub(crate) fn strain_row(
         trial_stress(constants, cells, block);
         if let Some(strength) = &constants.strength {
             stopwatch.lap(Stage::Lagrange);
-            let returned = apply_strength(&constants.elastic, strength, cells, block);
+            let returned = match strength {
+                Law::MohrCoulomb(law) => mohr_coulomb(constants, law, cells, block),
+                Law::MenetreyWillam(law) => menetrey_willam(constants, law, cells, block),
+            };
             stopwatch.count_returned(returned);
             stopwatch.lap(Stage::Plasticity);
         }
@@ -226,8 +235,13 @@ fn trial_stress(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
 /// Brings the stresses that lie outside the strength back to it; returns how many there were.
 ///
 /// Most cells are elastic. Those that yield are moved together, so that no vector of the return is half empty.
-#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn apply_strength(elastic: &Elastic, strength: &MohrCoulomb, cells: &mut CellRow, b: &mut Block) -> usize {
+#[inline(always)]
+fn apply_strength(
+    constants: &RowConstants,
+    strength: &impl Strength,
+    cells: &mut CellRow,
+    b: &mut Block,
+) -> usize {
     let n = b.n.min(BLOCK);
     for i in 0..n {
         let trial: Symmetric = [0, 1, 2, 3, 4, 5].map(|c| b.trial[c][i]);
@@ -246,7 +260,12 @@ fn apply_strength(elastic: &Elastic, strength: &MohrCoulomb, cells: &mut CellRow
                 together.old[c][l] = cells.stress[c][b.start + i];
             }
         }
-        together.return_stress(elastic, strength);
+        for (l, i) in places.iter().enumerate() {
+            let volume = constants.width_x[b.start + i] * constants.width_y * constants.width_z;
+            let critical = constants.critical_density * cells.fraction[b.start + i] * volume;
+            together.dilates[l] = if cells.mass[b.start + i] >= critical { 1.0 } else { 0.0 };
+        }
+        together.return_stress(&constants.elastic, strength);
         for (l, i) in places.iter().enumerate() {
             for c in 0..6 {
                 b.trial[c][*i] = together.trial[c][l];
@@ -259,6 +278,21 @@ fn apply_strength(elastic: &Elastic, strength: &MohrCoulomb, cells: &mut CellRow
     count
 }
 
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn mohr_coulomb(constants: &RowConstants, law: &MohrCoulomb, cells: &mut CellRow, b: &mut Block) -> usize {
+    apply_strength(constants, law, cells, b)
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn menetrey_willam(
+    constants: &RowConstants,
+    law: &MenetreyWillam,
+    cells: &mut CellRow,
+    b: &mut Block,
+) -> usize {
+    apply_strength(constants, law, cells, b)
+}
+
 /// As many yielding cells as a vector holds.
 #[derive(Default)]
 struct Yielding {
@@ -266,6 +300,8 @@ struct Yielding {
     trial: [[f64; LANES]; 6],
     /// Stress at the start of the step [Pa].
     old: [[f64; LANES]; 6],
+    /// Share of the dilation that is left.
+    dilates: [f64; LANES],
     /// Increments.
     plastic_strain: [f64; LANES],
     gap_strain: [f64; LANES],
@@ -275,11 +311,11 @@ struct Yielding {
 
 impl Yielding {
     #[inline(always)]
-    fn return_stress(&mut self, elastic: &Elastic, strength: &MohrCoulomb) {
+    fn return_stress(&mut self, elastic: &Elastic, strength: &impl Strength) {
         for l in 0..LANES {
             let trial: Symmetric = [0, 1, 2, 3, 4, 5].map(|c| self.trial[c][l]);
             let old: Symmetric = [0, 1, 2, 3, 4, 5].map(|c| self.old[c][l]);
-            let back = strength.return_map(trial);
+            let back = strength.return_map(trial, self.dilates[l]);
             let mut middle: Symmetric = [0.0; 6];
             let mut change: Symmetric = [0.0; 6];
             for c in 0..6 {
