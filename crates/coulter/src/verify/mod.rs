@@ -12,6 +12,7 @@ mod element;
 mod footing;
 pub mod known;
 mod ledger;
+mod peers;
 mod repeat;
 mod rest;
 pub mod row;
@@ -85,6 +86,9 @@ pub const BENCHMARKS: &[Benchmark] = &[
     ledgers("C3", "Soil volume", ledger::ABOUT_VOLUME, ledger::volume),
     ledgers("C4", "Soil inside the bodies", ledger::ABOUT_LEAK, ledger::leak),
     run("D3", "Free disc, towed", "D3_towed_disc", disc::ABOUT, disc::run),
+    run("E1", "Column of sand, as other codes ran it", "E1_sand_column", peers::ABOUT_COLUMN, peers::column),
+    run("E2", "Disc drag, as another code ran it", "E2_disc_drag", peers::ABOUT_DISC, peers::disc),
+    run("E3", "Smooth wall in the sand of E1", "E3_wall", peers::ABOUT_WALL, peers::wall),
 ];
 
 /// What the suite found.
