@@ -10,6 +10,7 @@ mod disc;
 pub mod document;
 mod element;
 mod footing;
+mod kept;
 pub mod known;
 mod ledger;
 mod peers;
@@ -106,11 +107,13 @@ pub fn verify(ids: &[&'static str], wish: &Wish, tell: &mut dyn FnMut(&str)) -> 
     let needs_all = BENCHMARKS.iter().any(|b| is_wanted(b) && matches!(b.work, Work::Ledgers(_)));
     let mut bench = Bench::new(wish, tell);
     let mut broken = Vec::new();
-    for benchmark in BENCHMARKS.iter().filter(|b| needs_all || is_wanted(b)) {
+    let runs = BENCHMARKS.iter().filter(|b| matches!(b.work, Work::Run(_)) && (needs_all || is_wanted(b)));
+    let count = runs.clone().count();
+    for (n, benchmark) in runs.enumerate() {
         let Work::Run(work) = benchmark.work else { continue };
         let clock = Instant::now();
-        bench.tell(&format!("{} {} …", benchmark.id, benchmark.title));
-        if let Err(error) = work(&mut bench) {
+        bench.tell(&format!("{} {} … ({} of {count})", benchmark.id, benchmark.title, n + 1));
+        if let Err(error) = bench.part(benchmark.id, "all of it", work) {
             bench.tell(&format!("{}: broke down: {error}", benchmark.id));
             broken.push((benchmark.id, error.to_string()));
         }
