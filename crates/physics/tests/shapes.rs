@@ -98,7 +98,9 @@ fn inertia_about_the_axle_is_that_of_a_solid() {
     assert!((block.axle_inertia_per_mass() - (0.09 + 0.01) / 12.0).abs() < 1e-15);
     let lying = |axis| Cylinder { diameter: 0.2, length: 0.06, axis }.axle_inertia_per_mass();
     assert_eq!(lying(Axis::Y), disc.axle_inertia_per_mass());
-    assert!((lying(Axis::Z) - (0.01 / 4.0 + 0.0036 / 12.0)).abs() < 1e-15 && lying(Axis::X) == lying(Axis::Z));
+    assert!(
+        (lying(Axis::Z) - (0.01 / 4.0 + 0.0036 / 12.0)).abs() < 1e-15 && lying(Axis::X) == lying(Axis::Z)
+    );
     assert!((Ball { diameter: 0.2 }.axle_inertia_per_mass() - 0.4 * 0.01).abs() < 1e-15);
 }
 

@@ -2,10 +2,12 @@
 
 use super::{Disc, Mesh, Shape, SurfacePoint, middle, paired, ring};
 use glam::DVec3;
+use serde::Serialize;
 use std::f64::consts::TAU;
 
 /// Along what a cylinder lies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Axis {
     /// Along the tow.
     X,
@@ -13,6 +15,16 @@ pub enum Axis {
     Y,
     /// Upright.
     Z,
+}
+
+impl std::fmt::Display for Axis {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::X => "x",
+            Self::Y => "y",
+            Self::Z => "z",
+        })
+    }
 }
 
 /// A cylinder centred on the origin. It is a disc with another axis, its contact points arranged so that they are their
@@ -33,7 +45,7 @@ impl Cylinder {
     }
 
     /// From the body frame to that of the disc, whose axle is y.
-    fn to_disc(self, x: DVec3) -> DVec3 {
+    fn disc_frame(self, x: DVec3) -> DVec3 {
         match self.axis {
             Axis::X => DVec3::new(x.z, x.x, x.y),
             Axis::Y => x,
@@ -42,7 +54,7 @@ impl Cylinder {
     }
 
     /// The way back.
-    fn from_disc(self, x: DVec3) -> DVec3 {
+    fn body_frame(self, x: DVec3) -> DVec3 {
         match self.axis {
             Axis::X => DVec3::new(x.y, x.z, x.x),
             Axis::Y => x,
@@ -51,18 +63,18 @@ impl Cylinder {
     }
 
     fn point(self, position: DVec3, normal: DVec3, area: f64) -> SurfacePoint {
-        SurfacePoint { position: self.from_disc(position), normal: self.from_disc(normal), area }
+        SurfacePoint { position: self.body_frame(position), normal: self.body_frame(normal), area }
     }
 }
 
 impl Shape for Cylinder {
     fn signed_distance(&self, x: DVec3) -> f64 {
-        self.disc().signed_distance(self.to_disc(x))
+        self.disc().signed_distance(self.disc_frame(x))
     }
 
     fn bounds(&self) -> (DVec3, DVec3) {
         let (low, high) = self.disc().bounds();
-        (self.from_disc(low), self.from_disc(high))
+        (self.body_frame(low), self.body_frame(high))
     }
 
     fn volume(&self) -> f64 {
@@ -77,7 +89,7 @@ impl Shape for Cylinder {
     }
 
     fn surface_points(&self, spacing: f64, inset: DVec3) -> Vec<SurfacePoint> {
-        let (radius, inset) = (0.5 * self.diameter, self.to_disc(inset));
+        let (radius, inset) = (0.5 * self.diameter, self.disc_frame(inset));
         let mut points = Vec::new();
         let width = self.length - 2.0 * inset.y;
         if width > 0.0 {
@@ -115,6 +127,6 @@ impl Shape for Cylinder {
 
     fn mesh(&self) -> Mesh {
         let mesh = self.disc().mesh();
-        Mesh { points: mesh.points.into_iter().map(|x| self.from_disc(x)).collect(), ..mesh }
+        Mesh { points: mesh.points.into_iter().map(|x| self.body_frame(x)).collect(), ..mesh }
     }
 }
