@@ -15,7 +15,7 @@ use solver::cpu::workspace::Workspace;
 use solver::error::Breakdown;
 use solver::grid::Grid;
 use solver::model::{BodyModel, ContactMethod, Method, Model, Wall};
-use solver::start::{Filling, start};
+use solver::start::{Filling, start_under};
 use solver::state::{Received, State};
 use solver::step::step;
 
@@ -42,7 +42,7 @@ impl Simulation {
     #[must_use]
     pub fn new(case: &Case) -> Self {
         let model = model(case);
-        let state = start(&model, &filling(&case.ground));
+        let state = start_under(&model, &filling(&case.ground), case.overburden);
         Self::with_state(case, model, state)
     }
 
@@ -178,11 +178,11 @@ impl Simulation {
             time: self.state.time,
             displacement: body.position.x - fixed.start.x,
             sinkage: -(body.position.z + fixed.shape.bounds().0.z),
-            drag: -force.x,
-            // In a symmetric case the halves' lateral forces cancel.
+            // In a symmetric case the halves' forces across the plane cancel.
+            drag: if self.case.domain.symmetric_x { 0.0 } else { -force.x },
             lateral: if self.case.domain.symmetric { 0.0 } else { force.y },
             vertical: force.z,
-            drag_normal: -normal.x,
+            drag_normal: if self.case.domain.symmetric_x { 0.0 } else { -normal.x },
             vertical_normal: normal.z,
             axle_torque: (now.axle - then.axle) * rate,
             rotation: body.angle,
@@ -230,7 +230,7 @@ pub fn model(case: &Case) -> Model {
         rest_pressure_ratio: case.soil.rest_pressure_ratio,
         walls: case.domain.walls.map(|pair| pair.map(wall)),
         bodies: case.bodies.iter().map(body).collect(),
-        share: if case.domain.symmetric { 0.5 } else { 1.0 },
+        share: case.domain.share(),
         method: Method {
             courant: case.numerics.courant,
             remap_displacement: case.numerics.remap_displacement,
@@ -289,6 +289,7 @@ fn body(body: &resolved::Body) -> BodyModel {
         mass: body.mass,
         axle_inertia: body.axle_inertia,
         friction: body.friction,
+        shear_limit: body.shear_limit,
         translation: body.translation,
         spin: body.spin,
     }

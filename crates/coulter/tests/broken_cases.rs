@@ -274,6 +274,61 @@ fn what_a_symmetric_case_cannot_be() {
 }
 
 #[test]
+fn what_a_case_symmetric_about_x_cannot_be() {
+    let half = FOOTING.replacen("x = [\"-3 m\"", "symmetric_x = true\nx = [\"0 m\"", 1);
+    let half = half.replacen("fine_x = [\"-1.75 m\"", "fine_x = [\"0 m\"", 1);
+    refused(&half, "x = [\"0 m\"", "x = [\"-1 m\"", &["begin with \"0 m\""]);
+    refused(&half, "friction = 0", "friction = 0\nx = \"0.1 m\"", &["off the plane of symmetry"]);
+    refused(&half, "friction = 0", "friction = 0\norientation = \"5 deg\"", &["not symmetric about x = 0"]);
+    refused(
+        &half,
+        "friction = 0",
+        "friction = 0\nmass = \"1 kg\"\nforward = \"free\"",
+        &["allows no `forward`"],
+    );
+    let held = "x_walls = [\"fixed\", \"fixed\"]\nplane_strain = true";
+    refused_at(&half, "plane_strain = true", held, "x_walls", &["a plane of symmetry is smooth"]);
+}
+
+#[test]
+fn shapes_that_do_not_fit() {
+    let ball = "shape = \"ball\"\ndiameter = \"1 m\"";
+    let block = "shape = \"block\"\nsize = [\"1 m\", \"0.5 m\"]         # along x and z";
+    refused_at(FOOTING, block, ball, "shape = \"ball\"", &["no plane strain"]);
+    let pile = "diameter = \"1 m\"\nshape = \"cylinder\"\naxis = \"z\"";
+    refused(FOOTING, block, pile, &["lies across the slab"]);
+    refused(
+        FOOTING,
+        block,
+        "shape = \"cylinder\"\ndiameter = \"1 m\"\naxis = \"w\"",
+        &["\"w\" is not known"],
+    );
+    refused(
+        FOOTING,
+        block,
+        "shape = \"cylinder\"\ndiameter = \"1 m\"\naxis = \"y\"\nlength = \"1 m\"",
+        &["as long as the slab"],
+    );
+    refused(TOWED_DISC, "friction = 0.3", "orientation = \"3 deg\"", &["no meaning for shape"]);
+}
+
+#[test]
+fn adhesion_and_overburden_that_mean_nothing() {
+    refused(
+        TOWED_DISC,
+        "friction = 0.3",
+        "friction = 0.3\nadhesion_factor = 1",
+        &["undrained shear strength"],
+    );
+    refused(FOOTING, "friction = 0", "friction = \"rough\"\nadhesion_factor = 1.5", &["from 0 to 1"]);
+    let lid = "[ground]\noverburden = \"50 kPa\"\n[grid]";
+    refused_at(FOOTING, "[grid]", lid, "overburden =", &["needs a lid"]);
+    let deep = FOOTING.replacen("\"-2.5 m\", \"0.5 m\"", "\"-2.5 m\", \"0 m\"", 1);
+    assert_ne!(deep, FOOTING);
+    refused_at(&deep, "[grid]", lid, "overburden =", &["cannot bear this overburden"]);
+}
+
+#[test]
 fn box_and_ground_that_do_not_fit() {
     refused(
         TOWED_DISC,

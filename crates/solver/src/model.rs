@@ -29,7 +29,7 @@ pub struct Model {
     pub walls: [[Wall; 2]; 3],
     /// Rigid bodies.
     pub bodies: Vec<BodyModel>,
-    /// Share of each body that is modelled: ½ where y = 0 is a plane of symmetry, else 1.
+    /// Share of each body that is modelled: halved by each plane of symmetry, x = 0 and y = 0.
     pub share: f64,
     /// Parameters of the method.
     pub method: Method,
@@ -59,6 +59,8 @@ pub struct BodyModel {
     pub axle_inertia: f64,
     /// Coefficient of friction against the soil.
     pub friction: f64,
+    /// Largest frictional traction [Pa], whatever the pressure; infinite for no such limit.
+    pub shear_limit: f64,
     /// Motion along x, y, z.
     pub translation: [Freedom; 3],
     /// Turning about the axle.

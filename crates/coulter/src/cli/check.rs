@@ -148,9 +148,24 @@ fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
 fn describe_body(text: &mut String, case: &Case, body: &Body) -> std::fmt::Result {
     let shape = match body.shape {
         Shape::Disc { diameter, thickness } => format!("disc, d = {diameter} m, t = {thickness} m"),
-        Shape::Block { size } => format!("block, {} × {} × {} m", size.x, size.y, size.z),
+        Shape::Block { size, orientation } => {
+            let turned = if orientation == 0.0 {
+                String::new()
+            } else {
+                format!(", turned {:.1}°", orientation.to_degrees())
+            };
+            format!("block, {} × {} × {} m{turned}", size.x, size.y, size.z)
+        }
+        Shape::Cylinder { diameter, length, axis } => {
+            format!("cylinder along {axis}, d = {diameter} m, l = {length} m")
+        }
+        Shape::Ball { diameter } => format!("ball, d = {diameter} m"),
     };
-    let friction = if body.friction.is_finite() { format!("μ = {}", body.friction) } else { "rough".into() };
+    let mut friction =
+        if body.friction.is_finite() { format!("μ = {}", body.friction) } else { "rough".into() };
+    if body.shear_limit.is_finite() {
+        friction += &format!(", at most {} Pa", body.shear_limit);
+    }
     writeln!(text, "body     {}: {shape}, {friction}, m = {:.4} kg", body.name, body.mass)?;
     let [forward, lateral, heave] = &body.translation;
     let motions =
@@ -187,10 +202,12 @@ fn describe_freedom(freedom: &Freedom, speed_unit: &str, load_unit: &str) -> Str
 fn describe_cost(text: &mut String, case: &Case, cost: &Estimate, seconds: Option<f64>) -> std::fmt::Result {
     let [nx, ny, nz] = std::array::from_fn(|axis| case.grid.faces[axis].len().saturating_sub(1));
     let (low, high) = (case.domain.low, case.domain.high);
-    let kind = match (case.domain.symmetric, case.domain.plane_strain) {
-        (true, _) => ", symmetric half",
-        (_, true) => ", plane strain",
-        _ => "",
+    let kind = match (case.domain.plane_strain, case.domain.share()) {
+        (true, 1.0) => ", plane strain",
+        (true, _) => ", plane strain, symmetric half",
+        (false, 1.0) => "",
+        (false, 0.5) => ", symmetric half",
+        (false, _) => ", symmetric quarter",
     };
     writeln!(
         text,

@@ -62,15 +62,23 @@ fn describe_body(body: &Body) -> String {
         Shape::Disc { diameter, thickness } => {
             format!("disc, d = {}, t = {}", length(diameter), length(thickness))
         }
-        Shape::Block { size } => {
-            format!("block, {} × {} × {}", length(size.x), length(size.y), length(size.z))
+        Shape::Block { size, orientation } => {
+            let edges = format!("block, {} × {} × {}", length(size.x), length(size.y), length(size.z));
+            if orientation == 0.0 { edges } else { format!("{edges}, turned {}", degrees(orientation)) }
         }
+        Shape::Cylinder { diameter, length: along, axis } => {
+            format!("cylinder along {axis}, d = {}, l = {}", length(diameter), length(along))
+        }
+        Shape::Ball { diameter } => format!("ball, d = {}", length(diameter)),
     };
-    let friction = if body.friction.is_finite() {
+    let mut friction = if body.friction.is_finite() {
         format!("μ = {}", digits(body.friction))
     } else {
         "rough".to_owned()
     };
+    if body.shear_limit.is_finite() {
+        friction += &format!(", at most {}", stress(body.shear_limit));
+    }
     let [tow, _, heave] = &body.translation;
     let motions = [
         motion(tow, "tow", "m/s", "N"),

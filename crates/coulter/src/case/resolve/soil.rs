@@ -2,7 +2,7 @@
 
 use crate::case::problem::Problems;
 use crate::case::ranges::{self, ACUTE, BELOW_HALF, ECCENTRICITY, NOT_NEGATIVE, POSITIVE};
-use crate::case::resolved::{Law, Potential, Soil};
+use crate::case::resolved::{Domain, Law, Potential, Soil};
 use crate::case::schema::Section;
 use physics::menetrey_willam::Eccentricity;
 
@@ -33,6 +33,48 @@ pub(super) fn soil(section: &Section, gravity: f64, problems: &mut Problems) -> 
     };
     let rest_pressure_ratio = ranges::or(section, "rest_pressure_ratio", at_rest, &NOT_NEGATIVE, problems)?;
     Some(Soil { law, density, unit_weight, young_modulus, poisson_ratio, rest_pressure_ratio })
+}
+
+/// Vertical pressure of the lid on the soil at the start [Pa]. The soil must reach up to the lid and bear the state of
+/// stress that comes with it.
+pub(super) fn overburden(
+    section: &Section,
+    soil: &Soil,
+    surface: f64,
+    domain: &Domain,
+    problems: &mut Problems,
+) -> Option<f64> {
+    let overburden = ranges::or(section, "overburden", 0.0, &NOT_NEGATIVE, problems)?;
+    if overburden == 0.0 {
+        return Some(0.0);
+    }
+    if surface < domain.high.z {
+        let message = format!(
+            "an overburden needs a lid to hold it: the soil ends at z = {surface} m, the box at {} m",
+            domain.high.z
+        );
+        let cure = "let domain.z end at ground.surface, or take `overburden` out";
+        problems.add(section.place_of("overburden"), message, cure);
+        return None;
+    }
+    let ratio = soil.rest_pressure_ratio;
+    let [most, least] = [ratio.max(1.0) * overburden, ratio.min(1.0) * overburden];
+    let is_borne = match soil.law {
+        Law::Elastic => true,
+        Law::Tresca { shear_strength } => most - least <= 2.0 * shear_strength,
+        Law::MohrCoulomb { friction_angle, cohesion, .. } => {
+            let (sin, cos) = friction_angle.sin_cos();
+            most - least <= (most + least) * sin + 2.0 * cohesion * cos
+        }
+    };
+    if !is_borne {
+        let message =
+            format!("the soil cannot bear this overburden with K₀ = {ratio:.3}: it would fail at once");
+        let cure = "add  rest_pressure_ratio = 1  to [soil], or lower it";
+        problems.add(section.place_of("overburden"), message, cure);
+        return None;
+    }
+    Some(overburden)
 }
 
 /// Unit weight [N/m³] and density [kg/m³], of which one may follow from the other.
