@@ -86,6 +86,7 @@ impl Simulation {
     pub fn case_text(case: &Case) -> String {
         let mut case = case.clone();
         case.numerics.threads = 0;
+        case.forecast = resolved::Measured::default();
         // A case is made of numbers, names and lists: it always has a text.
         serde_json::to_string(&case).unwrap_or_default()
     }

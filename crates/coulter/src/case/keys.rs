@@ -1,6 +1,8 @@
 //! Every key of a case file, with its kind, default and meaning. Reading, the JSON schema and the documentation all
 //! follow from this one table.
 
+use analytic::wheel::{CMU_SAND, TERRAINS};
+
 use super::quantity::{
     ACCELERATION, ANGLE, DENSITY, FORCE, INERTIA, LENGTH, MASS, Measure, SPEED, STRESS, TIME, TORQUE,
     TURN_RATE, UNIT_WEIGHT,
@@ -25,6 +27,8 @@ pub enum Kind {
     Range(Measure),
     /// Two or three quantities.
     Vector(Measure),
+    /// Bekker's modulus in N/m^(n+i), whose unit has the sinkage exponent n in it; here is i.
+    Modulus(i32),
     /// A number, or the word `rough`.
     Friction,
     /// What the walls at the low and at the high end do.
@@ -80,6 +84,18 @@ pub const POTENTIALS: [&str; 2] = ["mohr-coulomb", "menetrey-willam"];
 pub const CONTACTS: [&str; 2] = ["penalty", "impulse"];
 /// What a wall may be.
 pub const WALLS: [&str; 2] = ["smooth", "fixed"];
+/// Whose factors of shape, depth and inclination the bearing model takes.
+pub const FACTORS: [&str; 3] = ["meyerhof", "hansen-vesic", "lyamin"];
+/// Soils with published plate constants.
+pub const PLATES: [&str; TERRAINS.len() + 1] = {
+    let mut names = [CMU_SAND.name; TERRAINS.len() + 1];
+    let mut n = 0;
+    while n < TERRAINS.len() {
+        names[n] = TERRAINS[n].name;
+        n += 1;
+    }
+    names
+};
 /// Keys of a motion that is written as a table.
 pub const MOTION_KEYS: [&str; 5] = ["speed", "load", "start", "ramp", "end"];
 
@@ -338,12 +354,45 @@ const NUMERICS: &[Key] = &[
     key("threads", Kind::Count, "0", "Threads; 0 for one per core."),
 ];
 
+const FORECAST: &[Key] = &[
+    key(
+        "plate",
+        Kind::Choice(&PLATES),
+        "none",
+        "Soil whose published plate constants n, k_c, k_φ and K are taken (Bekker, Wong–Reece).",
+    ),
+    key("plate_exponent", Kind::Number, "none", "Sinkage exponent n of p = (k_c/b + k_φ) zⁿ, 0.05 to 2.5."),
+    key("plate_cohesive", Kind::Modulus(1), "none", "Bekker's cohesive modulus k_c."),
+    key("plate_frictional", Kind::Modulus(2), "none", "Bekker's frictional modulus k_φ."),
+    key(
+        "shear_displacement",
+        Kind::Quantity(LENGTH),
+        "that of `plate`; otherwise 15 mm (sand: 10 to 25 mm)",
+        "Janosi and Hanamoto's shear displacement modulus K (Wong–Reece).",
+    ),
+    key("cone_index", Kind::Quantity(STRESS), "none", "Cone index CI (Wismer–Luth, Brixius)."),
+    key(
+        "plate_stiffness",
+        Kind::Quantity(UNIT_WEIGHT),
+        "that of 3D-RFT",
+        "Pressure over depth under a level plate pushed down (2-D RFT).",
+    ),
+    key("heap", Kind::Number, "0", "Share χ of the soil swept aside that heaps up before the disc, 0 to 1."),
+    key(
+        "backfill",
+        Kind::Quantity(ANGLE),
+        "0 deg",
+        "Rise β of the ground before the disc, -10 to 25 deg (PW).",
+    ),
+    key("factors", Kind::Choice(&FACTORS), "\"meyerhof\"", "Factors of shape, depth and inclination (BC)."),
+];
+
 const fn section(name: &'static str, meaning: &'static str, keys: &'static [Key]) -> Section {
     Section { name, meaning, keys }
 }
 
 /// All sections.
-pub const SECTIONS: [Section; 9] = [
+pub const SECTIONS: [Section; 10] = [
     section("", "At the top of the file, before any section.", TOP),
     section("soil", "The soil.", SOIL),
     section("ground", "Where soil is at the start.", GROUND),
@@ -353,6 +402,7 @@ pub const SECTIONS: [Section; 9] = [
     section("run", "How long to run.", RUN),
     section("output", "What to write, and how often.", OUTPUT),
     section("numerics", "Parameters of the method.", NUMERICS),
+    section("forecast", "For `coulter forecast` alone; `coulter run` takes no notice of it.", FORECAST),
 ];
 
 /// The section of that name.

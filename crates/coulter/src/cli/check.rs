@@ -2,7 +2,7 @@
 
 use super::{Failure, say};
 use crate::case::estimate::{Estimate, estimate};
-use crate::case::resolved::{Body, Freedom, Law, Potential, Shape};
+use crate::case::resolved::{Body, Freedom, Law, Measured, Potential, Shape};
 use crate::case::{self, Case};
 use crate::output::reference::Reference;
 use crate::simulation::Simulation;
@@ -141,6 +141,12 @@ fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
     )?;
     for body in &case.bodies {
         describe_body(text, case, body)?;
+    }
+    if case.forecast != Measured::default() {
+        writeln!(
+            text,
+            "note     the keys of [forecast] are for `coulter forecast` alone; a run takes no notice of them"
+        )?;
     }
     Ok(())
 }

@@ -119,6 +119,7 @@ pub(crate) fn case(kind: Kind, cell: f64) -> Case {
             point_spacing: 0.5,
             threads: 2,
         },
+        forecast: case::Measured::default(),
     }
 }
 
