@@ -7,7 +7,7 @@
 //! over it vectorises.
 
 use crate::elastic::Elastic;
-use crate::tensor::{Spectrum, Symmetric, contract, deviator, mean};
+use crate::tensor::{Spectrum, Symmetric, THIRD, contract, deviator, mean};
 
 /// Strength parameters, with the sums of moduli that the return needs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -101,15 +101,16 @@ impl MohrCoulomb {
         let spectrum = Spectrum::of(trial);
         let value = self.capped(self.sheared(spectrum.principal));
         let stress = spectrum.with_principal(value);
-        let new_mean = (value[0] + value[1] + value[2]) / 3.0;
+        let new_mean = (value[0] + value[1] + value[2]) * THIRD;
+        let (per_bulk, per_shear) = (1.0 / self.elastic.bulk, 0.5 / self.elastic.shear);
         let open = (value[0] >= self.tension_limit) & (value[2] >= self.tension_limit);
-        let gap_strain = if open { ((spectrum.mean - new_mean) / self.elastic.bulk).max(0.0) } else { 0.0 };
+        let gap_strain = if open { ((spectrum.mean - new_mean) * per_bulk).max(0.0) } else { 0.0 };
         let mut lost = 0.0;
         for n in 0..3 {
             let change = (spectrum.principal[n] - spectrum.mean) - (value[n] - new_mean);
             lost += change * change;
         }
-        let plastic_strain = (lost * (2.0 / 3.0)).sqrt() / (2.0 * self.elastic.shear);
+        let plastic_strain = (lost * (2.0 / 3.0)).sqrt() * per_shear;
         Returned { stress, plastic_strain, gap_strain }
     }
 
@@ -119,7 +120,7 @@ impl MohrCoulomb {
         let [c1, c2, c3] = self.flow;
         let (sp, sy) = (self.sin_friction, self.sin_dilation);
         let fa = self.yield_function([s1, s2, s3]);
-        let g = fa.max(0.0) / self.plane;
+        let g = fa.max(0.0) * (1.0 / self.plane);
         let plane = [s1 - c1 * g, s2 + c2 * g, s3 + c3 * g];
         let on_plane = (plane[0] >= plane[1]) & (plane[1] >= plane[2]);
 
@@ -128,8 +129,9 @@ impl MohrCoulomb {
         let fb_left = (s2 - s3) + (s2 + s3) * sp - self.cohesive;
         let fb = if to_right { fb_right } else { fb_left };
         let (a, b) = (self.plane, if to_right { self.right } else { self.left });
-        let determinant = a * a - b * b;
-        let (ga, gb) = ((a * fa - b * fb) / determinant, (a * fb - b * fa) / determinant);
+        let per_determinant = |b: f64| 1.0 / (a * a - b * b);
+        let per = if to_right { per_determinant(self.right) } else { per_determinant(self.left) };
+        let (ga, gb) = ((a * fa - b * fb) * per, (a * fb - b * fa) * per);
         let right = [s1 - c1 * (ga + gb), s2 + c2 * ga + c3 * gb, s3 + c3 * ga + c2 * gb];
         let left = [s1 - c1 * ga + c2 * gb, s2 + c2 * ga - c1 * gb, s3 + c3 * (ga + gb)];
         // Two equal stresses on an edge: make them equal to the bit, so that rounding leaves the order alone.
