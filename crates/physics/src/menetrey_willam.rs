@@ -28,7 +28,7 @@ pub struct MenetreyWillam {
     meridian: f64,
     /// 1 − e² and 2e − 1.
     ellipse: [f64; 2],
-    /// (ε c tan ψ)², without the share of the dilation [Pa²].
+    /// (ε c tan ψ)² [Pa²].
     offset: f64,
 }
 
@@ -97,15 +97,16 @@ impl MenetreyWillam {
 
     /// One cutting-plane step. `trial` is the Lode angle of the trial stress.
     #[inline(always)]
-    fn cut(&self, from: Place, trial: (f64, f64), dilates: f64) -> Place {
+    fn cut(&self, from: Place, trial: (f64, f64), dilates: bool) -> Place {
         let (bulk, shear) = (self.elastic.bulk, self.elastic.shear);
-        let tan_dilation = dilates * self.tan_dilation;
+        let tan_dilation = if dilates { self.tan_dilation } else { 0.0 };
+        let offset = if dilates { self.offset } else { 0.0 };
         let Place { x, y, pressure, lode } = from;
         let distance = (x * x + y * y).sqrt();
         let q = SQRT_1_5 * distance;
         let (hexagon, hexagon_slope) = self.hexagon(lode.0, lode.1);
         let (ellipse, ellipse_slope) = self.ellipse(lode.0, lode.1);
-        let length = (dilates * dilates * self.offset + (ellipse * q) * (ellipse * q)).sqrt();
+        let length = (offset + (ellipse * q) * (ellipse * q)).sqrt();
         let scale = if length > 0.0 { q / length } else { 0.0 };
         let (radial, hoop) = (ellipse * ellipse * scale, ellipse * ellipse_slope * scale);
         let excess = hexagon * q - pressure * self.tan_friction - self.cohesion;
@@ -154,7 +155,7 @@ impl Strength for MenetreyWillam {
     }
 
     #[inline(always)]
-    fn return_map(&self, trial: Symmetric, dilates: f64) -> Returned {
+    fn return_map(&self, trial: Symmetric, dilates: bool) -> Returned {
         let spectrum = Spectrum::of(trial);
         let start = Place { x: spectrum.norm, y: 0.0, pressure: -spectrum.mean, lode: spectrum.lode() };
         // Steps one after the other, not in a loop: the compiler then sees a loop over cells that it can vectorise. In an

@@ -8,7 +8,7 @@
 
 use crate::elastic::Elastic;
 use crate::strength::{Returned, Strength};
-use crate::tensor::{Spectrum, Symmetric, contract, deviator, mean};
+use crate::tensor::{Spectrum, Symmetric, THIRD, contract, deviator, mean};
 
 /// Strength parameters, with the sums of moduli that the return needs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,22 +21,48 @@ pub struct MohrCoulomb {
     apex: f64,
     /// Largest tension [Pa].
     tension_limit: f64,
-    sin_dilation: f64,
-    /// The return without dilation.
+    /// The return of soil that dilates, and of soil at its critical density.
+    dilating: Flow,
     level: Flow,
-    /// What dilation adds to it.
-    dilation: Flow,
 }
 
-/// Where a trial stress flows, and how stiff the return is. Linear in sin ψ.
+/// Where a trial stress flows, and how stiff the return is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Flow {
+    sin_dilation: f64,
     /// Moduli of the return: A, B at either edge [Pa].
     plane: f64,
     right: f64,
     left: f64,
+    /// 1/A [1/Pa] and 1/(A² − B²) at either edge [1/Pa²].
+    per_plane: f64,
+    per_right: f64,
+    per_left: f64,
     /// Stress taken off σ₁, given to σ₂ and to σ₃ per unit of plastic multiplier [Pa].
     taken: [f64; 3],
+}
+
+impl Flow {
+    fn new(elastic: Elastic, sp: f64, sy: f64) -> Self {
+        let (k, g) = (elastic.bulk, elastic.shear);
+        let plane = 4.0 * g * (1.0 + sp * sy / 3.0) + 4.0 * k * sp * sy;
+        let right = 2.0 * g * (1.0 + sp + sy - sp * sy / 3.0) + 4.0 * k * sp * sy;
+        let left = 2.0 * g * (1.0 - sp - sy - sp * sy / 3.0) + 4.0 * k * sp * sy;
+        Self {
+            sin_dilation: sy,
+            plane,
+            right,
+            left,
+            per_plane: 1.0 / plane,
+            per_right: 1.0 / (plane * plane - right * right),
+            per_left: 1.0 / (plane * plane - left * left),
+            taken: [
+                2.0 * g * (1.0 + sy / 3.0) + 2.0 * k * sy,
+                (4.0 * g / 3.0 - 2.0 * k) * sy,
+                2.0 * g * (1.0 - sy / 3.0) - 2.0 * k * sy,
+            ],
+        }
+    }
 }
 
 impl MohrCoulomb {
@@ -44,7 +70,6 @@ impl MohrCoulomb {
     /// largest tension that is borne [Pa] (no more than c cot φ has any effect).
     #[must_use]
     pub fn new(elastic: Elastic, friction: f64, dilation: f64, cohesion: f64, tension_limit: f64) -> Self {
-        let (k, g) = (elastic.bulk, elastic.shear);
         let (sp, sy) = (friction.sin(), dilation.sin());
         let apex = if sp > 0.0 { cohesion * friction.cos() / sp } else { f64::INFINITY };
         Self {
@@ -53,23 +78,8 @@ impl MohrCoulomb {
             cohesive: 2.0 * cohesion * friction.cos(),
             apex,
             tension_limit: tension_limit.min(apex),
-            sin_dilation: sy,
-            level: Flow {
-                plane: 4.0 * g,
-                right: 2.0 * g * (1.0 + sp),
-                left: 2.0 * g * (1.0 - sp),
-                taken: [2.0 * g, 0.0, 2.0 * g],
-            },
-            dilation: Flow {
-                plane: sy * sp * (4.0 * g / 3.0 + 4.0 * k),
-                right: sy * (2.0 * g * (1.0 - sp / 3.0) + 4.0 * k * sp),
-                left: sy * (4.0 * k * sp - 2.0 * g * (1.0 + sp / 3.0)),
-                taken: [
-                    sy * (2.0 * g / 3.0 + 2.0 * k),
-                    sy * (4.0 * g / 3.0 - 2.0 * k),
-                    -sy * (2.0 * g / 3.0 + 2.0 * k),
-                ],
-            },
+            dilating: Flow::new(elastic, sp, sy),
+            level: Flow::new(elastic, sp, 0.0),
         }
     }
 
@@ -97,31 +107,44 @@ impl MohrCoulomb {
     #[inline(always)]
     pub(crate) fn returned(&self, trial: &Spectrum, value: [f64; 3]) -> Returned {
         let stress = trial.with_principal(value);
-        let new_mean = (value[0] + value[1] + value[2]) / 3.0;
+        let new_mean = (value[0] + value[1] + value[2]) * THIRD;
+        let (per_bulk, per_shear) = (1.0 / self.elastic.bulk, 0.5 / self.elastic.shear);
         let open = (value[0] >= self.tension_limit) & (value[2] >= self.tension_limit);
-        let gap_strain = if open { ((trial.mean - new_mean) / self.elastic.bulk).max(0.0) } else { 0.0 };
+        let gap_strain = if open { ((trial.mean - new_mean) * per_bulk).max(0.0) } else { 0.0 };
         let mut lost = 0.0;
         for n in 0..3 {
             let change = (trial.principal[n] - trial.mean) - (value[n] - new_mean);
             lost += change * change;
         }
-        let plastic_strain = (lost * (2.0 / 3.0)).sqrt() / (2.0 * self.elastic.shear);
+        let plastic_strain = (lost * (2.0 / 3.0)).sqrt() * per_shear;
         Returned { stress, plastic_strain, gap_strain }
+    }
+
+    /// Value by value, so that the compiler makes a blend of it.
+    #[inline(always)]
+    fn flow(&self, dilates: bool) -> Flow {
+        let pick = |a: f64, b: f64| if dilates { a } else { b };
+        let (a, b) = (&self.dilating, &self.level);
+        Flow {
+            sin_dilation: pick(a.sin_dilation, b.sin_dilation),
+            plane: pick(a.plane, b.plane),
+            right: pick(a.right, b.right),
+            left: pick(a.left, b.left),
+            per_plane: pick(a.per_plane, b.per_plane),
+            per_right: pick(a.per_right, b.per_right),
+            per_left: pick(a.per_left, b.per_left),
+            taken: [pick(a.taken[0], b.taken[0]), pick(a.taken[1], b.taken[1]), pick(a.taken[2], b.taken[2])],
+        }
     }
 
     /// Return in principal stresses: plane, else edge, else apex.
     #[inline(always)]
-    fn sheared(&self, [s1, s2, s3]: [f64; 3], dilates: f64) -> [f64; 3] {
-        let (level, more) = (self.level, self.dilation);
-        let with = |level: f64, more: f64| level + dilates * more;
-        let moduli =
-            [with(level.plane, more.plane), with(level.right, more.right), with(level.left, more.left)];
-        let c1 = with(level.taken[0], more.taken[0]);
-        let c2 = with(level.taken[1], more.taken[1]);
-        let c3 = with(level.taken[2], more.taken[2]);
-        let (sp, sy) = (self.sin_friction, dilates * self.sin_dilation);
+    fn sheared(&self, [s1, s2, s3]: [f64; 3], dilates: bool) -> [f64; 3] {
+        let flow = self.flow(dilates);
+        let [c1, c2, c3] = flow.taken;
+        let (sp, sy) = (self.sin_friction, flow.sin_dilation);
         let fa = self.yield_function([s1, s2, s3]);
-        let g = fa.max(0.0) / moduli[0];
+        let g = fa.max(0.0) * flow.per_plane;
         let plane = [s1 - c1 * g, s2 + c2 * g, s3 + c3 * g];
         let on_plane = (plane[0] >= plane[1]) & (plane[1] >= plane[2]);
 
@@ -129,9 +152,12 @@ impl MohrCoulomb {
         let fb_right = (s1 - s2) + (s1 + s2) * sp - self.cohesive;
         let fb_left = (s2 - s3) + (s2 + s3) * sp - self.cohesive;
         let fb = if to_right { fb_right } else { fb_left };
-        let (a, b) = (moduli[0], if to_right { moduli[1] } else { moduli[2] });
-        let determinant = a * a - b * b;
-        let (ga, gb) = ((a * fa - b * fb) / determinant, (a * fb - b * fa) / determinant);
+        let (a, b, per) = (
+            flow.plane,
+            if to_right { flow.right } else { flow.left },
+            if to_right { flow.per_right } else { flow.per_left },
+        );
+        let (ga, gb) = ((a * fa - b * fb) * per, (a * fb - b * fa) * per);
         let right = [s1 - c1 * (ga + gb), s2 + c2 * ga + c3 * gb, s3 + c3 * ga + c2 * gb];
         let left = [s1 - c1 * ga + c2 * gb, s2 + c2 * ga - c1 * gb, s3 + c3 * (ga + gb)];
         // Two equal stresses on an edge: make them equal to the bit, so that rounding leaves the order alone.
@@ -176,7 +202,7 @@ impl Strength for MohrCoulomb {
     }
 
     #[inline(always)]
-    fn return_map(&self, trial: Symmetric, dilates: f64) -> Returned {
+    fn return_map(&self, trial: Symmetric, dilates: bool) -> Returned {
         let spectrum = Spectrum::of(trial);
         let value = self.capped(self.sheared(spectrum.principal, dilates));
         self.returned(&spectrum, value)

@@ -20,9 +20,9 @@ pub trait Strength {
     /// Whether a stress may lie outside the admissible set. Cheap, and never wrong in saying no.
     fn may_yield(&self, stress: Symmetric) -> bool;
 
-    /// Brings a trial stress back to the admissible set. `dilates` is the share of the dilation that is left: 1, or 0 in soil
-    /// at its critical density.
-    fn return_map(&self, trial: Symmetric, dilates: f64) -> Returned;
+    /// Brings a trial stress back to the admissible set. Soil at its critical density no longer `dilates`: its
+    /// dilation angle counts as 0.
+    fn return_map(&self, trial: Symmetric, dilates: bool) -> Returned;
 }
 
 /// The strengths that soil may have.
@@ -42,7 +42,7 @@ impl Strength for Law {
         }
     }
 
-    fn return_map(&self, trial: Symmetric, dilates: f64) -> Returned {
+    fn return_map(&self, trial: Symmetric, dilates: bool) -> Returned {
         match self {
             Self::MohrCoulomb(law) => law.return_map(trial, dilates),
             Self::MenetreyWillam(law) => law.return_map(trial, dilates),

@@ -224,7 +224,7 @@ fn settle_cell(model: &Model, soil: &mut Soil, c: usize, volume: f64) {
         && strength.may_yield(stress)
     {
         let critical = model.critical_density.unwrap_or(0.0) * soil.fraction[c] * volume;
-        let back = strength.return_map(stress, if soil.mass[c] >= critical { 1.0 } else { 0.0 });
+        let back = strength.return_map(stress, soil.mass[c] >= critical);
         stress = back.stress;
         gap += back.gap_strain;
     }
