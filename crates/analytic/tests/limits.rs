@@ -64,7 +64,7 @@ proptest! {
     fn nothing_depends_on_the_scale(
         phi in 20.0..45.0_f64, thickness in 0.05..1.0_f64, z in 0.02..0.5_f64, c in 0.0..0.05_f64, size in 0.01..100.0_f64,
     ) {
-        for (model, drive) in [(Model::Bearing, Drive::Free), (Model::Wedge, Drive::Free), (Model::Bearing, Drive::Locked)] {
+        for (model, drive) in [(Model::Bearing, Drive::Free), (Model::Wedge, Drive::Free), (Model::Bearing, Drive::Locked), (Model::Weaker, Drive::Free), (Model::Weaker, Drive::Locked)] {
             let groups = |size: f64, gamma: f64| {
                 let body = Disc { diameter: size, thickness: thickness * size };
                 let ground = Soil { unit_weight: gamma, ..soil(phi, 0.3, c * gamma * size) };

@@ -37,6 +37,13 @@ pub enum Mechanism {
     Forwards,
 }
 
+impl Mechanism {
+    /// The one under more than half of the thrust, from the share under which the soil escapes sideways.
+    pub(super) fn of_share(sideways: f64) -> Self {
+        if sideways > 0.5 { Self::Sideways } else { Self::Forwards }
+    }
+}
+
 /// Everything but the sinkage.
 #[derive(Clone, Copy, Debug)]
 pub struct Setting<'a> {
@@ -212,7 +219,7 @@ fn assemble(model: Model, setting: &Setting<'_>, rim: &RimLoad, friction: f64) -
         force_inclination: drag.atan2(lift),
         transition_angle,
         skid,
-        mechanism: if sideways_share > 0.5 { Mechanism::Sideways } else { Mechanism::Forwards },
+        mechanism: Mechanism::of_share(sideways_share),
         sideways_share,
     }
 }

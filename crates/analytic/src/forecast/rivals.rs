@@ -93,11 +93,11 @@ fn wong_reece(towing: &Towing) -> Answer<Prediction> {
 }
 
 fn mobility(model: Candidate, towing: &Towing) -> Answer<Prediction> {
+    let Load::Weight(weight) = towing.load else {
+        return none(model.name(), "it gives the drag under a weight; it knows no sinkage");
+    };
     let Some(cone_index) = towing.cone_index else {
         return none(model.name(), "no cone index is given");
-    };
-    let Load::Weight(weight) = towing.load else {
-        return none(model.name(), "it knows the weight but no sinkage");
     };
     let found = match model {
         Candidate::WismerLuth => wismer_luth_towed(cone_index, &towing.disc, weight)?,

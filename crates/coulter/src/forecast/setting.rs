@@ -92,7 +92,7 @@ fn discs<'a>(case: &'a Case, remarks: &mut Vec<String>) -> Result<(Vec<&'a Body>
     let is_disc = |b: &&Body| matches!(b.shape, Shape::Disc { .. });
     let mut discs: Vec<&Body> = case.bodies.iter().filter(is_disc).collect();
     if discs.is_empty() {
-        return Err("the case has no disc; the closed forms are for a disc under tow".into());
+        return Err("the case has no disc; the closed forms are for discs under tow (for an upright face: coulter pressure)".into());
     }
     if let Some(other) = case.bodies.iter().find(|b| !is_disc(b)) {
         return Err(format!("`{}` moves beside the disc; the closed forms know discs only", other.name));

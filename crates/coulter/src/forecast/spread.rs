@@ -53,6 +53,14 @@ impl Stated {
             return Err("a standard deviation must be above 0".into());
         }
         let mean = variable.value(setting).ok_or("the case gives it no value")?;
+        let may_be_negative =
+            matches!(variable.parameter, Parameter::DilationAngle | Parameter::Backfill | Parameter::Slip);
+        if mean < deviation && !may_be_negative {
+            return Err(
+                "the spread reaches below 0 within one standard deviation; --against shows what it does"
+                    .into(),
+            );
+        }
         Ok(Self { key: key.to_owned(), variable, mean, deviation })
     }
 

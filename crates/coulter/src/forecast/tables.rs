@@ -39,10 +39,13 @@ pub fn table(outlook: &Outlook, intervals: &Intervals) -> String {
     }
     let _ = writeln!(text, "{}", wrapped(&meaning_of_intervals(intervals)));
     let _ = writeln!(text, "\ndo not apply here:");
-    for model in bad {
-        let shown = model.prediction.is_some();
-        let number = if shown { line(outlook, intervals, model) } else { model.name.to_owned() };
-        let _ = writeln!(text, "{number}\n    {}", model.note);
+    let (shown, silent): (Vec<_>, Vec<_>) = bad.iter().partition(|m| m.prediction.is_some());
+    for model in shown {
+        let _ = writeln!(text, "{}\n    {}", line(outlook, intervals, model), model.note);
+    }
+    for alike in silent.chunk_by(|a, b| a.note == b.note) {
+        let names: Vec<&str> = alike.iter().map(|m| m.name).collect();
+        let _ = writeln!(text, "{}\n    {}", names.join(", "), alike[0].note);
     }
     let _ = closing(&mut text, outlook);
     text
@@ -163,7 +166,7 @@ fn way_out(found: &Prediction) -> String {
 
 fn closing(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
     let forecast = &outlook.forecast;
-    if let Some(spread) = &forecast.spread {
+    if let Some(spread) = forecast.spread.as_ref().filter(|s| s.count > 1) {
         write!(
             text,
             "\nspread over {} models: drag {:.3} to {:.3} N",

@@ -1,6 +1,7 @@
 //! The files of a forecast: the models as a table and a document, their curves as a table and as plots.
 
 use super::chart::{Chart, Curve, Stroke};
+use super::colour::CURVES;
 use super::error::{OutputError, make_folder, write_json, write_whole};
 use super::scale::{Unit, largest};
 use super::table::push_line;
@@ -119,7 +120,11 @@ fn chart(curves: &Curves, x_label: &str, along: &[f64], ordinate: Ordinate<'_>) 
         let values = drawn(series, of(series));
         let points: Vec<[f64; 2]> =
             values.iter().zip(along).zip(scale).map(|((y, x), scale)| [*x, y / scale]).collect();
-        let stroke = if series.name == BELIEVED { Stroke::Solid } else { Stroke::Dashed };
+        let stroke = match series.name {
+            BELIEVED => Stroke::Solid,
+            _ if colour < CURVES.len() => Stroke::Dashed,
+            _ => Stroke::Dotted,
+        };
         let any = points.iter().any(|p| p[1].is_finite());
         any.then(|| Curve { name: series.name.to_owned(), points, colour, stroke })
     };
