@@ -1,8 +1,8 @@
 //! B3, B3γ: circular and square footings, on undrained soil and on sand.
 
 use super::bench::{Bench, VerifyError, mean};
+use super::line::at_zero;
 use super::row::Row;
-use analytic::bearing::surcharge_factor;
 use std::f64::consts::PI;
 
 const CLAY: &str = include_str!("../../../../validation/B3_circular_footing/case.toml");
@@ -22,8 +22,8 @@ pub(super) const ABOUT: &str = "A circular footing on undrained (Tresca), weight
     taken off for embedment and heave.";
 /// What it is about.
 pub(super) const ABOUT_SAND: &str = "A circular footing on dry sand without cohesion, ψ = φ, a quarter of it modelled: \
-    q_u = ½ γ D N_γ. Read as the mean pressure over a penetration w of 0.01 to 0.02 diameters, less the surcharge that the \
-    penetration makes, γ w N_q (1 + tan φ) (Prandtl's N_q, De Beer's shape factor).";
+    q_u = ½ γ D N_γ. Penetration w and heave are a surcharge that grows in proportion to w: the pressure is read at w = 0 on the \
+    straight line that fits it over w = 0.005 to 0.02 D.";
 
 /// B3.
 pub(super) fn clay(bench: &mut Bench) -> Result<(), VerifyError> {
@@ -95,7 +95,7 @@ pub(super) fn sand(bench: &mut Bench) -> Result<(), VerifyError> {
         for is_rough in [false, true] {
             let variant = format!("{}, φ = ψ = {angle}°, D/h = {cells}", word(is_rough));
             let (factor, seconds) = on_sand(bench, &variant, angle, cells, is_rough)?;
-            let row = Row::note("B3γ", variant, "N_γ, surcharge taken off", factor);
+            let row = Row::note("B3γ", variant, "N_γ at no penetration", factor);
             bench.rows.push(row.within(exact[usize::from(is_rough)], 0.12, WEIGHT).took(seconds));
         }
     }
@@ -117,11 +117,8 @@ fn on_sand(
         format!("body.footing.friction={}", if is_rough { "rough" } else { "0" }),
     ];
     let simulation = bench.run("B3γ", variant, SAND, &overrides)?;
-    let phi = f64::from(angle).to_radians();
-    let surcharge = surcharge_factor(phi).unwrap_or(f64::NAN) * (1.0 + phi.tan());
     let unit = 0.5 * simulation.case.soil.unit_weight * WIDTH * 0.25 * PI * WIDTH * WIDTH;
-    let factor = |force: f64, depth: f64| force / unit - 2.0 * depth / WIDTH * surcharge;
-    let range = [0.01 * WIDTH, 0.02 * WIDTH];
-    let value = mean(&simulation.history.bodies[0], range, |s| s.sinkage, |s| factor(s.vertical, s.sinkage));
-    Ok((value, simulation.wall_s))
+    let points = simulation.history.bodies[0].iter().map(|s| [s.sinkage / WIDTH, s.vertical / unit]);
+    let read: Vec<[f64; 2]> = points.filter(|[w, _]| (0.005..=0.02).contains(w)).collect();
+    Ok((at_zero(&read), simulation.wall_s))
 }

@@ -14,6 +14,7 @@ mod flow;
 mod footing;
 pub mod known;
 mod ledger;
+mod line;
 mod plate;
 pub mod refine;
 mod repeat;

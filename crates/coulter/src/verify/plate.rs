@@ -1,6 +1,7 @@
 //! B7: a smooth inclined plate pushed along its normal.
 
 use super::bench::{Bench, VerifyError};
+use super::line::at_zero;
 use super::row::Row;
 use crate::output::record::BodySample;
 use analytic::bearing::davis_friction_angle;
@@ -103,23 +104,4 @@ fn coefficient(
     let points = simulation.history.bodies[0].iter().map(|s| [way(s.displacement) / LENGTH, value(s)]);
     let read: Vec<[f64; 2]> = points.filter(|[u, _]| (0.005..=0.025).contains(u)).collect();
     Ok((at_zero(&read), simulation.wall_s))
-}
-
-/// Value at 0 of the straight line that fits points best.
-fn at_zero(points: &[[f64; 2]]) -> f64 {
-    let count = points.len() as f64;
-    let middle = |axis: usize| points.iter().map(|p| p[axis]).sum::<f64>() / count;
-    let [x, y] = [middle(0), middle(1)];
-    let slope = points.iter().map(|p| (p[0] - x) * (p[1] - y)).sum::<f64>()
-        / points.iter().map(|p| (p[0] - x).powi(2)).sum::<f64>();
-    y - slope * x
-}
-
-#[cfg(test)]
-mod tests {
-    #[test]
-    fn a_line_is_read_at_zero() {
-        let points = [[1.0, 5.0], [2.0, 7.0], [4.0, 11.0]];
-        assert!((super::at_zero(&points) - 3.0).abs() < 1e-12);
-    }
 }
