@@ -3,7 +3,7 @@
 use super::{Failure, say};
 use crate::verify::bench::Wish;
 use crate::verify::row::Row;
-use crate::verify::{self, document, known, table};
+use crate::verify::{self, document, known, refine, table};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -15,6 +15,9 @@ pub(super) struct Arguments {
     /// Only what takes about a minute in all: coarse grids
     #[arg(long)]
     fast: bool,
+    /// Instead of the table: so many meshes of each benchmark that can be refined, with the observed order of convergence
+    #[arg(long, value_name = "MESHES", value_parser = clap::value_parser!(u32).range(3..=5), conflicts_with_all = ["fast", "strict", "write"])]
+    refine: Option<u32>,
     /// Print one JSON document
     #[arg(long)]
     json: bool,
@@ -51,9 +54,19 @@ pub(super) fn verify(arguments: &Arguments) -> Result<(), Failure> {
         folder: Some(arguments.output.clone()),
         fresh: arguments.fresh,
     };
-    let findings = verify::verify(&ids, &wish, &mut |text| {
+    let mut tell = |text: &str| {
         let _ = writeln!(std::io::stderr().lock(), "{text}");
-    });
+    };
+    let findings = match arguments.refine {
+        Some(meshes) => {
+            if let Some(id) = ids.iter().find(|id| !refine::ids().contains(id)) {
+                let all = refine::ids().join(", ");
+                return Err(Failure::Request(format!("{id} cannot be refined; these can: {all}")));
+            }
+            refine::refine(&ids, meshes, &wish, &mut tell)
+        }
+        None => verify::verify(&ids, &wish, &mut tell),
+    };
     let known = known::known();
     if arguments.json {
         super::say_json(&findings.rows.iter().map(Row::plain).collect::<Vec<_>>())?;

@@ -5,19 +5,26 @@
 
 pub mod bench;
 mod carried;
+mod circle;
 mod column;
 mod disc;
 pub mod document;
 mod element;
+mod flow;
 mod footing;
 mod kept;
 pub mod known;
 mod ledger;
+mod line;
 mod peers;
+mod plate;
+pub mod refine;
 mod repeat;
 mod rest;
+mod rough_wall;
 pub mod row;
 mod specimen;
+mod strip_sand;
 pub mod table;
 mod transport;
 mod wall;
@@ -82,7 +89,15 @@ pub const BENCHMARKS: &[Benchmark] = &[
     run("A8", "Repeatability and mirror image", "A8_repeatability", repeat::ABOUT, repeat::run),
     ledgers("A9", "Energy ledger", ledger::ABOUT_ENERGY, ledger::energy),
     run("B1", "Smooth strip footing, Tresca", "B1_strip_footing", footing::ABOUT, footing::run),
+    run("B2", "Rough strip footing, Tresca", "B2_rough_strip_footing", footing::ABOUT_ROUGH, footing::rough),
+    run("B3", "Circular footing, Tresca", "B3_circular_footing", circle::ABOUT, circle::clay),
+    run("B3γ", "Circular footing on sand", "B3g_circular_footing_on_sand", circle::ABOUT_SAND, circle::sand),
+    run("B4", "Strip footing on sand", "B4_strip_footing_on_sand", strip_sand::ABOUT, strip_sand::run),
     run("B5", "Smooth passive wall", "B5_passive_wall", wall::ABOUT, wall::run),
+    run("B6", "Rough passive wall", "B6_rough_passive_wall", rough_wall::ABOUT, rough_wall::run),
+    run("B7", "Smooth inclined plate", "B7_inclined_plate", plate::ABOUT, plate::run),
+    run("B8", "Deep flow, Tresca", "B8_deep_flow", flow::ABOUT, flow::run),
+    run("B9", "Nearly incompressible soil", "B9_locking", footing::ABOUT_LOCKING, footing::locking),
     run("C1", "Collapse of a column of sand", "C1_column_collapse", column::ABOUT, column::run),
     ledgers("C3", "Soil volume", ledger::ABOUT_VOLUME, ledger::volume),
     ledgers("C4", "Soil inside the bodies", ledger::ABOUT_LEAK, ledger::leak),
