@@ -12,7 +12,7 @@ use solver::cpu::workspace::Workspace;
 use solver::error::Breakdown;
 use solver::grid::Grid;
 use solver::model::{BodyModel, ContactMethod, Method, Model, Wall};
-use solver::start::{Filling, start};
+use solver::start::{Filling, start, start_filled};
 use solver::state::{Received, State};
 use solver::step::step;
 
@@ -40,6 +40,14 @@ impl Simulation {
     pub fn new(case: &Case) -> Self {
         let model = model(case);
         let state = start(&model, &filling(&case.ground));
+        Self::with_state(case, model, state)
+    }
+
+    /// A run from the start with soil of another shape than the case's ground: its volume fraction in every cell.
+    #[must_use]
+    pub fn filled(case: &Case, fraction: impl FnOnce(&Grid) -> Vec<f64>) -> Self {
+        let model = model(case);
+        let state = start_filled(&model, fraction(&model.grid));
         Self::with_state(case, model, state)
     }
 

@@ -16,9 +16,17 @@ pub struct Filling {
     pub high: DVec3,
 }
 
-/// The state at rest.
+/// The state at rest of a box of soil.
 #[must_use]
 pub fn start(model: &Model, filling: &Filling) -> State {
+    let mut fraction = vec![0.0; model.grid.entries];
+    fill(&model.grid, filling, &mut fraction);
+    start_filled(model, fraction)
+}
+
+/// The state at rest of soil of any shape: its volume fraction in every cell (see [`Grid::index`]).
+#[must_use]
+pub fn start_filled(model: &Model, fraction: Vec<f64>) -> State {
     let mut bodies: Vec<Body> = model
         .bodies
         .iter()
@@ -33,8 +41,7 @@ pub fn start(model: &Model, filling: &Filling) -> State {
             located: (b.start, 0.0),
         })
         .collect();
-    let mut soil = Soil::empty(&model.grid);
-    fill(&model.grid, filling, &mut soil.fraction);
+    let mut soil = Soil { fraction, ..Soil::empty(&model.grid) };
     carve_soil(model, &mut soil, &mut bodies);
     weigh(model, &mut soil);
     rest_stress(model, &mut soil);
