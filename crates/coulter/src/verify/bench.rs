@@ -183,6 +183,13 @@ impl<'a> Bench<'a> {
         Ok(())
     }
 
+    /// A figure that is among the rows already; not a number if it is not.
+    #[must_use]
+    pub fn obtained(&self, id: &str, case: &str, quantity: &str) -> f64 {
+        let row = self.rows.iter().find(|r| r.id == id && r.case == case && r.quantity == quantity);
+        row.map_or(f64::NAN, |r| r.obtained)
+    }
+
     /// Keeps the ledgers of a run that has come to its end.
     pub fn keep(&mut self, id: &'static str, variant: &str, simulation: &Simulation) {
         let history = &simulation.history;
