@@ -40,7 +40,8 @@ impl Elastic {
     #[inline(always)]
     #[must_use]
     pub fn compliance(&self, a: Symmetric, b: Symmetric) -> f64 {
-        contract(deviator(a), deviator(b)) / (2.0 * self.shear) + mean(a) * mean(b) / self.bulk
+        let (per_shear, per_bulk) = (0.5 / self.shear, 1.0 / self.bulk);
+        contract(deviator(a), deviator(b)) * per_shear + mean(a) * mean(b) * per_bulk
     }
 
     /// Energy stored per volume, ½ σ : C⁻¹ : σ [J/m³].

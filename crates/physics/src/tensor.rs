@@ -3,11 +3,14 @@
 /// A symmetric tensor: xx, yy, zz, xy, yz, xz.
 pub type Symmetric = [f64; 6];
 
+/// Multiplied by, not divided: a division takes as long as a dozen multiplications.
+pub(crate) const THIRD: f64 = 1.0 / 3.0;
+
 /// One third of the trace.
 #[inline(always)]
 #[must_use]
 pub fn mean(a: Symmetric) -> f64 {
-    (a[0] + a[1] + a[2]) / 3.0
+    (a[0] + a[1] + a[2]) * THIRD
 }
 
 /// The part that is left when the mean is taken off the diagonal.
@@ -69,11 +72,13 @@ pub fn jaumann(a: Symmetric, w: [f64; 3]) -> Symmetric {
 ///
 /// No eigenvectors and no trigonometric functions: `cos 3θ` and `sin 3θ` come from two invariants that are both
 /// accurate at the meridians (where the arc cosine of the usual formula loses half the digits), and the complex cube
-/// root by four Newton steps.
+/// root by three Newton steps.
 #[derive(Clone, Copy, Debug)]
 pub struct Spectrum {
     /// Mean value.
     pub mean: f64,
+    /// Size of the deviator, √(s:s).
+    pub norm: f64,
     /// Principal values, largest first.
     pub principal: [f64; 3],
     /// Unit tensor along the deviator.
@@ -101,7 +106,7 @@ impl Spectrum {
         let radial = s.map(|x| x * inverse);
         // t = r² − ⅓ I, split along r: its part at a right angle to r has the size sin 3θ / √6.
         let mut t = square(radial);
-        let third = contract(radial, radial) / 3.0;
+        let third = contract(radial, radial) * THIRD;
         t[0] -= third;
         t[1] -= third;
         t[2] -= third;
@@ -117,14 +122,33 @@ impl Spectrum {
         let radial_principal = spread(cos, sin);
         let hoop_principal = spread(-sin, cos);
         let principal = radial_principal.map(|x| mean + norm * x);
-        Self { mean, principal, radial, hoop, radial_principal, hoop_principal }
+        Self { mean, norm, principal, radial, hoop, radial_principal, hoop_principal }
+    }
+
+    /// Cosine and sine of the Lode angle Θ: 0 where the two smaller principal values are equal, 60° where the two larger are.
+    #[inline(always)]
+    #[must_use]
+    pub fn lode(&self) -> (f64, f64) {
+        (self.radial_principal[0] / SQRT_2_3, -self.hoop_principal[0] / SQRT_2_3)
+    }
+
+    /// Principal values of the tensor with this mean and a deviator of `along` the present one and `across` it.
+    #[inline(always)]
+    #[must_use]
+    pub fn principal_at(&self, mean: f64, along: f64, across: f64) -> [f64; 3] {
+        let (a, b) = (self.radial_principal, self.hoop_principal);
+        [
+            mean + along * a[0] + across * b[0],
+            mean + along * a[1] + across * b[1],
+            mean + along * a[2] + across * b[2],
+        ]
     }
 
     /// The tensor with the same axes and other principal values.
     #[inline(always)]
     #[must_use]
     pub fn with_principal(&self, value: [f64; 3]) -> Symmetric {
-        let mean = (value[0] + value[1] + value[2]) / 3.0;
+        let mean = (value[0] + value[1] + value[2]) * THIRD;
         let dot =
             |b: [f64; 3]| (value[0] - mean) * b[0] + (value[1] - mean) * b[1] + (value[2] - mean) * b[2];
         let (along, across) = (dot(self.radial_principal), dot(self.hoop_principal));
@@ -144,11 +168,12 @@ fn cube_root(cos3: f64, sin3: f64) -> (f64, f64) {
     let (a, b) = if size > 1e-12 { (cos3 * scale, sin3 * scale) } else { (1.0, 0.0) };
     let mut c = 0.75 + 0.25 * a;
     let mut s = (1.0 - c * c).max(0.0).sqrt();
-    for _ in 0..4 {
-        // Newton for z³ = w on the unit circle, where 1/z² is the conjugate's square.
+    // Newton for z³ = w on the unit circle, where 1/z² is the conjugate's square. An error e in the angle becomes e³/3; the
+    // first guess is within 0.21, so that the third step is exact to rounding.
+    for _ in 0..3 {
         let (re, im) = (c * c - s * s, 2.0 * c * s);
-        let x = (2.0 * c + a * re + b * im) / 3.0;
-        let y = (2.0 * s + b * re - a * im) / 3.0;
+        let x = 2.0 * c + a * re + b * im;
+        let y = 2.0 * s + b * re - a * im;
         let length = 1.0 / (x * x + y * y).sqrt();
         c = x * length;
         s = y * length;

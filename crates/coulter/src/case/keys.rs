@@ -75,7 +75,11 @@ const fn key(name: &'static str, kind: Kind, default: &'static str, meaning: &'s
 /// Soil laws.
 pub const LAWS: [&str; 3] = ["mohr-coulomb", "tresca", "elastic"];
 /// Body shapes.
-pub const SHAPES: [&str; 2] = ["disc", "block"];
+pub const SHAPES: [&str; 4] = ["disc", "block", "cylinder", "ball"];
+/// Axes of a cylinder.
+pub const AXES: [&str; 3] = ["x", "y", "z"];
+/// Flow potentials of the frictional law.
+pub const POTENTIALS: [&str; 2] = ["mohr-coulomb", "menetrey-willam"];
 /// Contact methods.
 pub const CONTACTS: [&str; 2] = ["penalty", "impulse"];
 /// What a wall may be.
@@ -126,6 +130,30 @@ const SOIL: &[Key] = &[
     key("cohesion", Kind::Quantity(STRESS), "0 Pa", "Cohesion c; exactly 0 is fine (mohr-coulomb)."),
     key("tension_limit", Kind::Quantity(STRESS), "0 Pa", "Largest tension, at most c cot φ (mohr-coulomb)."),
     key(
+        "flow_potential",
+        Kind::Choice(&POTENTIALS),
+        "\"mohr-coulomb\"",
+        "Where yielding soil flows to: along the pyramid with ψ for φ, or along the smooth potential that Abaqus has (mohr-coulomb).",
+    ),
+    key(
+        "meridional_eccentricity",
+        Kind::Number,
+        "0.1",
+        "How fast the smooth potential nears its asymptote; has no effect without cohesion (menetrey-willam).",
+    ),
+    key(
+        "deviatoric_eccentricity",
+        Kind::Number,
+        "(3 − sin φ)/(3 + sin φ)",
+        "Shape of the smooth potential across the pressure axis: above 0.5, 1 is a circle (menetrey-willam).",
+    ),
+    key(
+        "critical_density",
+        Kind::Quantity(DENSITY),
+        "none",
+        "Soil that is looser than this dilates no more (mohr-coulomb, with dilation_angle).",
+    ),
+    key(
         "shear_strength",
         Kind::Quantity(STRESS),
         "required for tresca",
@@ -162,6 +190,12 @@ const GROUND: &[Key] = &[
         "Where along x there is soil, e.g. a bank in front of a wall.",
     ),
     key("y", Kind::Range(LENGTH), "the whole domain", "Where along y there is soil."),
+    key(
+        "overburden",
+        Kind::Quantity(STRESS),
+        "0 Pa",
+        "Vertical pressure of the lid on the soil, which must reach up to it: soil at depth.",
+    ),
 ];
 
 const DOMAIN: &[Key] = &[
@@ -169,7 +203,7 @@ const DOMAIN: &[Key] = &[
         "x",
         Kind::Range(LENGTH),
         "the bodies' path and 1.5 body lengths at each end",
-        "The box along the tow.",
+        "The box along the tow; from 0 if symmetric_x.",
     ),
     key(
         "y",
@@ -184,6 +218,7 @@ const DOMAIN: &[Key] = &[
         "The box in height: floor and lid.",
     ),
     key("symmetric", Kind::Flag, "false", "Model only y ≥ 0, y = 0 being a plane of symmetry."),
+    key("symmetric_x", Kind::Flag, "false", "Model only x ≥ 0, x = 0 being a plane of symmetry."),
     key("plane_strain", Kind::Flag, "false", "Model a slab that is one cell thick in y."),
     key("x_walls", Kind::WallPair, "[\"smooth\", \"smooth\"]", "Walls at the low and the high end of x."),
     key("y_walls", Kind::WallPair, "[\"smooth\", \"smooth\"]", "Walls at the low and the high end of y."),
@@ -209,9 +244,21 @@ const GRID: &[Key] = &[
 ];
 
 const BODY: &[Key] = &[
-    key("shape", Kind::Choice(&SHAPES), "required", "A disc with its axle along y, or a rectangular block."),
-    key("diameter", Kind::Quantity(LENGTH), "required for a disc", "Diameter d (disc)."),
+    key(
+        "shape",
+        Kind::Choice(&SHAPES),
+        "required",
+        "A disc with its axle along y, a rectangular block, a cylinder along any axis, or a ball.",
+    ),
+    key("diameter", Kind::Quantity(LENGTH), "required but for a block", "Diameter d (disc, cylinder, ball)."),
     key("thickness", Kind::Quantity(LENGTH), "required for a disc", "Thickness t along the axle (disc)."),
+    key(
+        "axis",
+        Kind::Choice(&AXES),
+        "required for a cylinder",
+        "Along what the cylinder lies; \"z\": upright.",
+    ),
+    key("length", Kind::Quantity(LENGTH), "required for a cylinder", "Length along its axis (cylinder)."),
     key(
         "size",
         Kind::Vector(LENGTH),
@@ -219,10 +266,22 @@ const BODY: &[Key] = &[
         "Edges along x, y, z (block); x, z in plane strain.",
     ),
     key(
+        "orientation",
+        Kind::Quantity(ANGLE),
+        "0 deg",
+        "Turned about y at the start, its top towards x if positive (block).",
+    ),
+    key(
         "friction",
         Kind::Friction,
         "required",
         "Coefficient of friction μ against the soil, or \"rough\": no slip.",
+    ),
+    key(
+        "adhesion_factor",
+        Kind::Number,
+        "no such limit",
+        "Friction is at most α s_u, whatever the pressure (tresca); 0 to 1.",
     ),
     key("weight", Kind::Quantity(FORCE), "mass × gravity", "Weight W of the whole body."),
     key(

@@ -21,9 +21,11 @@ pub(super) const ACUTE: Allowed = Allowed {
     words: "0 deg or more and below 90 deg",
 };
 pub(super) const SHARE: Allowed = Allowed { test: |x| x > 0.0 && x <= 1.0, words: "above 0 and at most 1" };
+pub(super) const FRACTION: Allowed = Allowed { test: |x| (0.0..=1.0).contains(&x), words: "from 0 to 1" };
 pub(super) const GROWTH: Allowed = Allowed { test: |x| (1.0..=1.5).contains(&x), words: "from 1 to 1.5" };
 pub(super) const SPACING: Allowed = Allowed { test: |x| (0.05..=4.0).contains(&x), words: "from 0.05 to 4" };
-pub(super) const PART: Allowed = Allowed { test: |x| (0.0..=1.0).contains(&x), words: "from 0 to 1" };
+pub(super) const ECCENTRICITY: Allowed =
+    Allowed { test: |x| x > 0.5 && x <= 1.0, words: "above 0.5 and at most 1" };
 pub(super) const EXPONENT: Allowed =
     Allowed { test: |x| (0.05..=2.5).contains(&x), words: "from 0.05 to 2.5" };
 pub(super) const BACKFILL: Allowed = Allowed {

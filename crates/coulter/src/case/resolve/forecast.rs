@@ -1,7 +1,7 @@
 //! What the closed forms know of the soil besides its strength.
 
 use crate::case::problem::Problems;
-use crate::case::ranges::{self, Allowed, BACKFILL, EXPONENT, NOT_NEGATIVE, PART, POSITIVE};
+use crate::case::ranges::{self, Allowed, BACKFILL, EXPONENT, FRACTION, NOT_NEGATIVE, POSITIVE};
 use crate::case::resolved::{Factors, Measured, Plate};
 use crate::case::schema::Section;
 use analytic::wheel::{CMU_SAND, TERRAINS, Terrain};
@@ -15,7 +15,7 @@ pub(super) fn measured(section: &Section, problems: &mut Problems) -> Option<Mea
     let plate = plate(section, problems);
     let mut given = |key, allowed: &Allowed| ranges::given(section, key, allowed, problems);
     let (cone_index, plate_stiffness) = (given("cone_index", &POSITIVE), given("plate_stiffness", &POSITIVE));
-    let (heap, backfill) = (given("heap", &PART), given("backfill", &BACKFILL));
+    let (heap, backfill) = (given("heap", &FRACTION), given("backfill", &BACKFILL));
     let factors = match section.text("factors") {
         Some(typed) if typed.value == "hansen-vesic" => Factors::HansenVesic,
         Some(typed) if typed.value == "lyamin" => Factors::Lyamin,
