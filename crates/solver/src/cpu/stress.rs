@@ -1,6 +1,6 @@
 //! One row of cells: velocity gradient → trial stress → strength → nodal force coefficients.
 //!
-//! A row is worked on in blocks of up to 64 cells whose working numbers lie in the first-level cache. A few plain loops go
+//! A row is worked on in blocks of up to 96 cells whose working numbers lie in the first-level cache. A few plain loops go
 //! over a block; the formulas are branch-free and what a loop writes lies in the block or in one array, so that the
 //! compiler sees that nothing overlaps and vectorises them. Each is compiled for what the processor has; `mul_add` is not
 //! used, so the result is the same to the bit.
@@ -68,8 +68,8 @@ impl<'a> RowConstants<'a> {
     }
 }
 
-/// Cells in a block.
-const BLOCK: usize = 64;
+/// Most cells in a block: as many as leave its working numbers in a first-level cache of 32 KiB.
+const BLOCK: usize = 96;
 
 type Lane = [f64; BLOCK];
 
@@ -140,8 +140,10 @@ pub(crate) fn strain_row(
 ) -> RowSums {
     let mut sums = RowSums::default();
     let n = cells.fraction.len();
-    for start in (0..n).step_by(BLOCK) {
-        (block.start, block.n) = (start, BLOCK.min(n - start));
+    // Blocks of about the same size: a short one would cost nearly as much as a long one.
+    let size = n.div_ceil(n.div_ceil(BLOCK)).next_multiple_of(LANES);
+    for start in (0..n).step_by(size) {
+        (block.start, block.n) = (start, size.min(n - start));
         corner_sums(nodes, block);
         trial_stress(constants, cells, block);
         if let Some(strength) = &constants.strength {
@@ -247,32 +249,34 @@ fn apply_strength(
         let trial: Symmetric = [0, 1, 2, 3, 4, 5].map(|c| b.trial[c][i]);
         b.yields[i] = if strength.may_yield(trial) { b.alive[i] } else { 0.0 };
     }
-    let (mut place, mut count) = ([0; BLOCK], 0);
+    let (mut place, mut count) = ([0_u8; BLOCK], 0);
     for i in 0..n {
-        place[count] = i;
+        place[count] = i as u8;
         count += usize::from(b.yields[i] > 0.0);
+    }
+    if count == 0 {
+        return 0;
     }
     let mut together = Yielding::default();
     for places in place[..count].chunks(LANES) {
-        for (l, i) in places.iter().enumerate() {
+        let places = || places.iter().map(|i| usize::from(*i)).enumerate();
+        for (l, i) in places() {
             for c in 0..6 {
-                together.trial[c][l] = b.trial[c][*i];
+                together.trial[c][l] = b.trial[c][i];
                 together.old[c][l] = cells.stress[c][b.start + i];
             }
-        }
-        for (l, i) in places.iter().enumerate() {
             let volume = constants.width_x[b.start + i] * constants.width_y * constants.width_z;
             let critical = constants.critical_density * cells.fraction[b.start + i] * volume;
             together.dilates[l] = if cells.mass[b.start + i] >= critical { 1.0 } else { 0.0 };
         }
         together.return_stress(&constants.elastic, strength);
-        for (l, i) in places.iter().enumerate() {
+        for (l, i) in places() {
             for c in 0..6 {
-                b.trial[c][*i] = together.trial[c][l];
+                b.trial[c][i] = together.trial[c][l];
             }
             cells.plastic_strain[b.start + i] += together.plastic_strain[l];
-            b.gap_strain[*i] += together.gap_strain[l];
-            b.work[*i] = together.work[l];
+            b.gap_strain[i] += together.gap_strain[l];
+            b.work[i] = together.work[l];
         }
     }
     count
