@@ -166,11 +166,26 @@ impl<'a> Bench<'a> {
         variant: &str,
         simulation: &mut Simulation,
     ) -> Result<(), VerifyError> {
+        self.finish_watched(id, variant, simulation, |_| {})
+    }
+
+    /// The same, with a look at every sample.
+    ///
+    /// # Errors
+    /// [`VerifyError::Physics`] when the physics fails.
+    pub fn finish_watched(
+        &mut self,
+        id: &'static str,
+        variant: &str,
+        simulation: &mut Simulation,
+        mut watch: impl FnMut(&Simulation),
+    ) -> Result<(), VerifyError> {
         const NEWS: Duration = Duration::from_secs(15);
         let clock = Instant::now();
         let mut told = Instant::now();
         while !simulation.is_done() {
             simulation.advance()?;
+            watch(simulation);
             if told.elapsed() > NEWS {
                 told = Instant::now();
                 let share = 1e2 * simulation.state.time / simulation.case.duration;
