@@ -28,6 +28,11 @@ fn middle(n: usize, count: f64) -> f64 {
     (2.0 * n as f64 + 1.0 - count) / (2.0 * count)
 }
 
+/// Number of equal parts, none longer than `spacing`, of a length; rounding makes no further part.
+fn parts(length: f64, spacing: f64) -> f64 {
+    (length / spacing * (1.0 - 1e-9)).ceil().max(1.0)
+}
+
 /// Puts points that are each other's mirror image in y side by side, in the order of the first of each pair.
 fn paired(points: Vec<SurfacePoint>) -> Vec<SurfacePoint> {
     let key = |p: &SurfacePoint, side: f64| {
