@@ -1,5 +1,6 @@
 //! From case file to report: the library's front door and the `coulter` command.
 
+pub mod bench;
 pub mod case;
 pub mod cli;
 pub mod forecast;

@@ -1,13 +1,16 @@
 //! A case on its way through time: the model and state that it means, and the history that its probes write.
 
 use crate::case::Case;
-use crate::case::resolved::{self, Ground, Law};
+use crate::case::resolved::{self, Ground, Law, Potential};
 use crate::output::checkpoint::Checkpoint;
 use crate::output::record::{BodySample, EnergySample, History};
 use physics::elastic::Elastic;
+use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
 use physics::mohr_coulomb::MohrCoulomb;
+use physics::strength::Law as Strength;
 use solver::audit::{elastic_energy, kinetic_energy};
 use solver::cpu::energy::soil_volume;
+use solver::cpu::stopwatch::Stopwatch;
 use solver::cpu::workspace::Workspace;
 use solver::error::Breakdown;
 use solver::grid::Grid;
@@ -83,6 +86,7 @@ impl Simulation {
     pub fn case_text(case: &Case) -> String {
         let mut case = case.clone();
         case.numerics.threads = 0;
+        case.forecast = resolved::Measured::default();
         // A case is made of numbers, names and lists: it always has a text.
         serde_json::to_string(&case).unwrap_or_default()
     }
@@ -118,6 +122,25 @@ impl Simulation {
             self.sample();
         }
         result
+    }
+
+    /// Takes a number of steps, without samples.
+    ///
+    /// # Errors
+    /// [`Breakdown`] when the physics fails.
+    pub fn steps(&mut self, number: u32) -> Result<(), Breakdown> {
+        (0..number).try_for_each(|_| step(&self.model, &mut self.state, &mut self.workspace))
+    }
+
+    /// Where the time of the calling thread goes.
+    pub fn stopwatch(&mut self) -> &mut Stopwatch {
+        self.workspace.stopwatch()
+    }
+
+    /// Memory that state and workspace take up [bytes].
+    #[must_use]
+    pub fn memory(&self) -> usize {
+        self.workspace.memory() + self.state.memory()
     }
 
     /// Cell-steps per second over the cells with soil, measured by going on for a while; `None` if not one step can be
@@ -198,12 +221,10 @@ pub fn model(case: &Case) -> Model {
     Model {
         grid: Grid::new(case.grid.faces.clone()),
         elastic,
-        strength: match case.soil.law {
-            Law::Elastic => None,
-            Law::Tresca { shear_strength } => Some(MohrCoulomb::tresca(elastic, shear_strength)),
-            Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_limit } => {
-                Some(MohrCoulomb::new(elastic, friction_angle, dilation_angle, cohesion, tension_limit))
-            }
+        strength: strength(elastic, case.soil.law),
+        critical_density: match case.soil.law {
+            Law::MohrCoulomb { critical_density, .. } => critical_density,
+            Law::Elastic | Law::Tresca { .. } => None,
         },
         density: case.soil.density,
         gravity: if case.soil.unit_weight > 0.0 { case.soil.unit_weight / case.soil.density } else { 0.0 },
@@ -223,6 +244,34 @@ pub fn model(case: &Case) -> Model {
             edge_inset: case.numerics.edge_inset,
             point_spacing: case.numerics.point_spacing,
         },
+    }
+}
+
+fn strength(elastic: Elastic, law: Law) -> Option<Strength> {
+    match law {
+        Law::Elastic => None,
+        Law::Tresca { shear_strength } => {
+            Some(Strength::MohrCoulomb(MohrCoulomb::tresca(elastic, shear_strength)))
+        }
+        Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_limit, potential, .. } => {
+            let (phi, psi) = (friction_angle, dilation_angle);
+            Some(match potential {
+                Potential::MohrCoulomb => {
+                    Strength::MohrCoulomb(MohrCoulomb::new(elastic, phi, psi, cohesion, tension_limit))
+                }
+                Potential::MenetreyWillam { meridional, deviatoric } => {
+                    let shape = Eccentricity { meridional, deviatoric };
+                    Strength::MenetreyWillam(MenetreyWillam::new(
+                        elastic,
+                        phi,
+                        psi,
+                        cohesion,
+                        tension_limit,
+                        shape,
+                    ))
+                }
+            })
+        }
     }
 }
 

@@ -157,6 +157,26 @@ fn a_key_of_another_law_or_shape() {
 }
 
 #[test]
+fn flow_that_makes_no_sense() {
+    let with = |line: &'static str| format!("cohesion = \"0 Pa\"\n{line}");
+    let line = "cohesion = \"0 Pa\"";
+    refused(TOWED_DISC, line, &with("meridional_eccentricity = 0.1"), &["without the smooth potential"]);
+    refused(
+        TOWED_DISC,
+        line,
+        &with("flow_potential = \"menetrey-willam\"\ndeviatoric_eccentricity = 0.5"),
+        &["above 0.5 and at most 1"],
+    );
+    refused(TOWED_DISC, line, &with("critical_density = \"1500 kg/m^3\""), &["no dilation that could end"]);
+    refused(
+        TOWED_DISC,
+        "dilation_angle = \"0 deg\"",
+        "dilation_angle = \"5 deg\"\ncritical_density = \"1700 kg/m^3\"",
+        &["looser than this at the start", "1631"],
+    );
+}
+
+#[test]
 fn duplicate_key() {
     refused(
         TOWED_DISC,

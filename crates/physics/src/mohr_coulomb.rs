@@ -7,6 +7,7 @@
 //! over it vectorises.
 
 use crate::elastic::Elastic;
+use crate::strength::{Returned, Strength};
 use crate::tensor::{Spectrum, Symmetric, contract, deviator, mean};
 
 /// Strength parameters, with the sums of moduli that the return needs.
@@ -20,24 +21,22 @@ pub struct MohrCoulomb {
     apex: f64,
     /// Largest tension [Pa].
     tension_limit: f64,
-    /// Hardening moduli of the return: A, B at either edge [Pa].
+    sin_dilation: f64,
+    /// The return without dilation.
+    level: Flow,
+    /// What dilation adds to it.
+    dilation: Flow,
+}
+
+/// Where a trial stress flows, and how stiff the return is. Linear in sin ψ.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Flow {
+    /// Moduli of the return: A, B at either edge [Pa].
     plane: f64,
     right: f64,
     left: f64,
     /// Stress taken off σ₁, given to σ₂ and to σ₃ per unit of plastic multiplier [Pa].
-    flow: [f64; 3],
-    sin_dilation: f64,
-}
-
-/// What the return gives back.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Returned {
-    /// Admissible stress [Pa].
-    pub stress: Symmetric,
-    /// Increment of equivalent plastic strain √(⅔ e:e).
-    pub plastic_strain: f64,
-    /// Increment of stress-free volumetric opening.
-    pub gap_strain: f64,
+    taken: [f64; 3],
 }
 
 impl MohrCoulomb {
@@ -54,15 +53,23 @@ impl MohrCoulomb {
             cohesive: 2.0 * cohesion * friction.cos(),
             apex,
             tension_limit: tension_limit.min(apex),
-            plane: 4.0 * g * (1.0 + sp * sy / 3.0) + 4.0 * k * sp * sy,
-            right: 2.0 * g * (1.0 + sp + sy - sp * sy / 3.0) + 4.0 * k * sp * sy,
-            left: 2.0 * g * (1.0 - sp - sy - sp * sy / 3.0) + 4.0 * k * sp * sy,
-            flow: [
-                2.0 * g * (1.0 + sy / 3.0) + 2.0 * k * sy,
-                (4.0 * g / 3.0 - 2.0 * k) * sy,
-                2.0 * g * (1.0 - sy / 3.0) - 2.0 * k * sy,
-            ],
             sin_dilation: sy,
+            level: Flow {
+                plane: 4.0 * g,
+                right: 2.0 * g * (1.0 + sp),
+                left: 2.0 * g * (1.0 - sp),
+                taken: [2.0 * g, 0.0, 2.0 * g],
+            },
+            dilation: Flow {
+                plane: sy * sp * (4.0 * g / 3.0 + 4.0 * k),
+                right: sy * (2.0 * g * (1.0 - sp / 3.0) + 4.0 * k * sp),
+                left: sy * (4.0 * k * sp - 2.0 * g * (1.0 + sp / 3.0)),
+                taken: [
+                    sy * (2.0 * g / 3.0 + 2.0 * k),
+                    sy * (4.0 * g / 3.0 - 2.0 * k),
+                    -sy * (2.0 * g / 3.0 + 2.0 * k),
+                ],
+            },
         }
     }
 
@@ -79,34 +86,23 @@ impl MohrCoulomb {
         (s1 - s3) + (s1 + s3) * self.sin_friction - self.cohesive
     }
 
-    /// Whether a stress may lie outside the admissible set. Cheap and never wrong in saying no: it compares with the
-    /// cone inscribed in the pyramid.
+    /// The hydrostatic tension that the soil bears, c cot φ [Pa]; infinite for φ = 0.
     #[inline(always)]
     #[must_use]
-    pub fn may_yield(&self, stress: Symmetric) -> bool {
-        let s = deviator(stress);
-        let p = mean(stress);
-        let root = (0.5 * contract(s, s)).sqrt();
-        let sp = self.sin_friction;
-        // 1.1548 ≥ 2/√3 bounds the largest principal deviator by √J₂.
-        let sheared = 2.0 * root * (1.0 + sp * sp / 3.0).sqrt() > self.cohesive - 2.0 * p * sp;
-        let pulled = p + 1.1548 * root > self.tension_limit;
-        sheared | pulled
+    pub fn apex(&self) -> f64 {
+        self.apex
     }
 
-    /// Brings a trial stress back to the admissible set.
+    /// The return that leads from a trial stress to these principal stresses along the same axes.
     #[inline(always)]
-    #[must_use]
-    pub fn return_map(&self, trial: Symmetric) -> Returned {
-        let spectrum = Spectrum::of(trial);
-        let value = self.capped(self.sheared(spectrum.principal));
-        let stress = spectrum.with_principal(value);
+    pub(crate) fn returned(&self, trial: &Spectrum, value: [f64; 3]) -> Returned {
+        let stress = trial.with_principal(value);
         let new_mean = (value[0] + value[1] + value[2]) / 3.0;
         let open = (value[0] >= self.tension_limit) & (value[2] >= self.tension_limit);
-        let gap_strain = if open { ((spectrum.mean - new_mean) / self.elastic.bulk).max(0.0) } else { 0.0 };
+        let gap_strain = if open { ((trial.mean - new_mean) / self.elastic.bulk).max(0.0) } else { 0.0 };
         let mut lost = 0.0;
         for n in 0..3 {
-            let change = (spectrum.principal[n] - spectrum.mean) - (value[n] - new_mean);
+            let change = (trial.principal[n] - trial.mean) - (value[n] - new_mean);
             lost += change * change;
         }
         let plastic_strain = (lost * (2.0 / 3.0)).sqrt() / (2.0 * self.elastic.shear);
@@ -115,11 +111,17 @@ impl MohrCoulomb {
 
     /// Return in principal stresses: plane, else edge, else apex.
     #[inline(always)]
-    fn sheared(&self, [s1, s2, s3]: [f64; 3]) -> [f64; 3] {
-        let [c1, c2, c3] = self.flow;
-        let (sp, sy) = (self.sin_friction, self.sin_dilation);
+    fn sheared(&self, [s1, s2, s3]: [f64; 3], dilates: f64) -> [f64; 3] {
+        let (level, more) = (self.level, self.dilation);
+        let with = |level: f64, more: f64| level + dilates * more;
+        let moduli =
+            [with(level.plane, more.plane), with(level.right, more.right), with(level.left, more.left)];
+        let c1 = with(level.taken[0], more.taken[0]);
+        let c2 = with(level.taken[1], more.taken[1]);
+        let c3 = with(level.taken[2], more.taken[2]);
+        let (sp, sy) = (self.sin_friction, dilates * self.sin_dilation);
         let fa = self.yield_function([s1, s2, s3]);
-        let g = fa.max(0.0) / self.plane;
+        let g = fa.max(0.0) / moduli[0];
         let plane = [s1 - c1 * g, s2 + c2 * g, s3 + c3 * g];
         let on_plane = (plane[0] >= plane[1]) & (plane[1] >= plane[2]);
 
@@ -127,7 +129,7 @@ impl MohrCoulomb {
         let fb_right = (s1 - s2) + (s1 + s2) * sp - self.cohesive;
         let fb_left = (s2 - s3) + (s2 + s3) * sp - self.cohesive;
         let fb = if to_right { fb_right } else { fb_left };
-        let (a, b) = (self.plane, if to_right { self.right } else { self.left });
+        let (a, b) = (moduli[0], if to_right { moduli[1] } else { moduli[2] });
         let determinant = a * a - b * b;
         let (ga, gb) = ((a * fa - b * fb) / determinant, (a * fb - b * fa) / determinant);
         let right = [s1 - c1 * (ga + gb), s2 + c2 * ga + c3 * gb, s3 + c3 * ga + c2 * gb];
@@ -154,7 +156,29 @@ impl MohrCoulomb {
 
     /// No principal stress above the tension limit.
     #[inline(always)]
-    fn capped(&self, value: [f64; 3]) -> [f64; 3] {
+    pub(crate) fn capped(&self, value: [f64; 3]) -> [f64; 3] {
         value.map(|s| if s < self.tension_limit { s } else { self.tension_limit })
+    }
+}
+
+impl Strength for MohrCoulomb {
+    /// Compares with the cone inscribed in the pyramid.
+    #[inline(always)]
+    fn may_yield(&self, stress: Symmetric) -> bool {
+        let s = deviator(stress);
+        let p = mean(stress);
+        let root = (0.5 * contract(s, s)).sqrt();
+        let sp = self.sin_friction;
+        // 1.1548 ≥ 2/√3 bounds the largest principal deviator by √J₂.
+        let sheared = 2.0 * root * (1.0 + sp * sp / 3.0).sqrt() > self.cohesive - 2.0 * p * sp;
+        let pulled = p + 1.1548 * root > self.tension_limit;
+        sheared | pulled
+    }
+
+    #[inline(always)]
+    fn return_map(&self, trial: Symmetric, dilates: f64) -> Returned {
+        let spectrum = Spectrum::of(trial);
+        let value = self.capped(self.sheared(spectrum.principal, dilates));
+        self.returned(&spectrum, value)
     }
 }

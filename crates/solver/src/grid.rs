@@ -17,6 +17,8 @@ pub struct Grid {
     pub stride: [usize; 3],
     /// Entries of an array that covers the grid with its ghosts.
     pub entries: usize,
+    /// The smallest cell width [m].
+    finest: f64,
 }
 
 impl Grid {
@@ -27,7 +29,9 @@ impl Grid {
         let row = ((faces[0].len() - 1).next_multiple_of(LANES) + 2).next_multiple_of(LANES);
         let plane = row * (faces[1].len() + 1);
         let entries = plane * (faces[2].len() + 1) + LANES;
-        Self { faces, stride: [1, row, plane], entries }
+        let finest =
+            faces.iter().flat_map(|f| f.windows(2).map(|w| w[1] - w[0])).fold(f64::INFINITY, f64::min);
+        Self { faces, stride: [1, row, plane], entries, finest }
     }
 
     /// Number of cells along x, y, z.
@@ -70,6 +74,6 @@ impl Grid {
     /// The smallest cell width [m].
     #[must_use]
     pub fn finest(&self) -> f64 {
-        self.faces.iter().flat_map(|f| f.windows(2).map(|w| w[1] - w[0])).fold(f64::INFINITY, f64::min)
+        self.finest
     }
 }

@@ -3,9 +3,9 @@
 use crate::grid::Grid;
 use glam::DVec3;
 use physics::elastic::Elastic;
-use physics::mohr_coulomb::MohrCoulomb;
 use physics::rigid::Freedom;
 use physics::shape::Shape;
+use physics::strength::Law;
 use physics::viscosity::BulkViscosity;
 
 /// Everything that does not change during a run.
@@ -16,7 +16,9 @@ pub struct Model {
     /// Elastic moduli.
     pub elastic: Elastic,
     /// Strength; `None` for linear elastic soil.
-    pub strength: Option<MohrCoulomb>,
+    pub strength: Option<Law>,
+    /// Density below which the soil dilates no more [kg/m³].
+    pub critical_density: Option<f64>,
     /// Density of the undeformed soil [kg/m³].
     pub density: f64,
     /// Acceleration of gravity [m/s²], downwards.

@@ -145,6 +145,19 @@ pub struct State {
     pub ledger: Ledger,
 }
 
+impl State {
+    /// Memory that it takes up [bytes].
+    #[must_use]
+    pub fn memory(&self) -> usize {
+        let Soil { fraction, mass, stress, plastic_strain, gap_strain } = &self.soil;
+        let Nodes { velocity, displacement, mass: node_mass } = &self.nodes;
+        let singles = [fraction, mass, plastic_strain, gap_strain, node_mass];
+        let fields = singles.into_iter().chain(stress).chain(velocity).chain(displacement);
+        fields.map(|field| size_of_val(field.as_slice())).sum::<usize>()
+            + size_of_val(self.contacts.as_slice())
+    }
+}
+
 impl Soil {
     /// No soil anywhere.
     #[must_use]

@@ -4,6 +4,7 @@ use crate::audit::{account, check};
 use crate::cpu::contact;
 use crate::cpu::lagrange::lagrange;
 use crate::cpu::remap::remap;
+use crate::cpu::stopwatch::Stage;
 use crate::cpu::workspace::{RowSums, Workspace};
 use crate::error::Breakdown;
 use crate::model::Model;
@@ -23,6 +24,7 @@ pub fn step(model: &Model, state: &mut State, workspace: &mut Workspace) -> Resu
     let sums = lagrange(model, state, workspace, dt);
     let drive = drive_bodies(model, state, dt);
     let work = contact::contact(model, state, workspace, &drive, dt);
+    workspace.stopwatch().lap(Stage::Contact);
     move_bodies(state, dt);
     account(model, state, &sums, &drive, &work);
     state.time += dt;
@@ -30,11 +32,14 @@ pub fn step(model: &Model, state: &mut State, workspace: &mut Workspace) -> Resu
     // Eulerian stage, only when the soil has moved far enough to need it.
     if displaced_too_far(model, &sums) || bodies_moved(model, state) {
         let loss = remap(model, state, workspace);
+        workspace.stopwatch().lap(Stage::Remap);
         state.ledger.remap += loss.energy;
         state.ledger.crumbs_volume += loss.volume;
         state.ledger.crumbs_mass += loss.mass;
         contact::locate(model, state, workspace);
+        workspace.stopwatch().lap(Stage::Contact);
     }
+    workspace.stopwatch().lap(Stage::Other);
     check(model, state, &sums, dt)
 }
 

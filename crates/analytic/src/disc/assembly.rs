@@ -75,6 +75,7 @@ fn mixed(apart: &DiscForces, together: &DiscForces, share: f64) -> DiscForces {
         friction: mix(apart.friction, together.friction),
         rim_torque: mix(apart.rim_torque, together.rim_torque),
         force_inclination: drag.atan2(vertical),
+        sideways_share: mix(apart.sideways_share, together.sideways_share),
         ..if share < 0.5 { *apart } else { *together }
     }
 }

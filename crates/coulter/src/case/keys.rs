@@ -1,6 +1,8 @@
 //! Every key of a case file, with its kind, default and meaning. Reading, the JSON schema and the documentation all
 //! follow from this one table.
 
+use analytic::wheel::{CMU_SAND, TERRAINS};
+
 use super::quantity::{
     ACCELERATION, ANGLE, DENSITY, FORCE, INERTIA, LENGTH, MASS, Measure, SPEED, STRESS, TIME, TORQUE,
     TURN_RATE, UNIT_WEIGHT,
@@ -25,6 +27,8 @@ pub enum Kind {
     Range(Measure),
     /// Two or three quantities.
     Vector(Measure),
+    /// Bekker's modulus in N/m^(n+i), whose unit has the sinkage exponent n in it; here is i.
+    Modulus(i32),
     /// A number, or the word `rough`.
     Friction,
     /// What the walls at the low and at the high end do.
@@ -74,10 +78,24 @@ pub const LAWS: [&str; 3] = ["mohr-coulomb", "tresca", "elastic"];
 pub const SHAPES: [&str; 4] = ["disc", "block", "cylinder", "ball"];
 /// Axes of a cylinder.
 pub const AXES: [&str; 3] = ["x", "y", "z"];
+/// Flow potentials of the frictional law.
+pub const POTENTIALS: [&str; 2] = ["mohr-coulomb", "menetrey-willam"];
 /// Contact methods.
 pub const CONTACTS: [&str; 2] = ["penalty", "impulse"];
 /// What a wall may be.
 pub const WALLS: [&str; 2] = ["smooth", "fixed"];
+/// Whose factors of shape, depth and inclination the bearing model takes.
+pub const FACTORS: [&str; 3] = ["meyerhof", "hansen-vesic", "lyamin"];
+/// Soils with published plate constants.
+pub const PLATES: [&str; TERRAINS.len() + 1] = {
+    let mut names = [CMU_SAND.name; TERRAINS.len() + 1];
+    let mut n = 0;
+    while n < TERRAINS.len() {
+        names[n] = TERRAINS[n].name;
+        n += 1;
+    }
+    names
+};
 /// Keys of a motion that is written as a table.
 pub const MOTION_KEYS: [&str; 5] = ["speed", "load", "start", "ramp", "end"];
 
@@ -111,6 +129,30 @@ const SOIL: &[Key] = &[
     key("dilation_angle", Kind::Quantity(ANGLE), "0 deg", "Dilation angle ψ, 0 to φ (mohr-coulomb)."),
     key("cohesion", Kind::Quantity(STRESS), "0 Pa", "Cohesion c; exactly 0 is fine (mohr-coulomb)."),
     key("tension_limit", Kind::Quantity(STRESS), "0 Pa", "Largest tension, at most c cot φ (mohr-coulomb)."),
+    key(
+        "flow_potential",
+        Kind::Choice(&POTENTIALS),
+        "\"mohr-coulomb\"",
+        "Where yielding soil flows to: along the pyramid with ψ for φ, or along the smooth potential that Abaqus has (mohr-coulomb).",
+    ),
+    key(
+        "meridional_eccentricity",
+        Kind::Number,
+        "0.1",
+        "How fast the smooth potential nears its asymptote; has no effect without cohesion (menetrey-willam).",
+    ),
+    key(
+        "deviatoric_eccentricity",
+        Kind::Number,
+        "(3 − sin φ)/(3 + sin φ)",
+        "Shape of the smooth potential across the pressure axis: above 0.5, 1 is a circle (menetrey-willam).",
+    ),
+    key(
+        "critical_density",
+        Kind::Quantity(DENSITY),
+        "none",
+        "Soil that is looser than this dilates no more (mohr-coulomb, with dilation_angle).",
+    ),
     key(
         "shear_strength",
         Kind::Quantity(STRESS),
@@ -312,12 +354,45 @@ const NUMERICS: &[Key] = &[
     key("threads", Kind::Count, "0", "Threads; 0 for one per core."),
 ];
 
+const FORECAST: &[Key] = &[
+    key(
+        "plate",
+        Kind::Choice(&PLATES),
+        "none",
+        "Soil whose published plate constants n, k_c, k_φ and K are taken (Bekker, Wong–Reece).",
+    ),
+    key("plate_exponent", Kind::Number, "none", "Sinkage exponent n of p = (k_c/b + k_φ) zⁿ, 0.05 to 2.5."),
+    key("plate_cohesive", Kind::Modulus(1), "none", "Bekker's cohesive modulus k_c."),
+    key("plate_frictional", Kind::Modulus(2), "none", "Bekker's frictional modulus k_φ."),
+    key(
+        "shear_displacement",
+        Kind::Quantity(LENGTH),
+        "that of `plate`; otherwise 15 mm (sand: 10 to 25 mm)",
+        "Janosi and Hanamoto's shear displacement modulus K (Wong–Reece).",
+    ),
+    key("cone_index", Kind::Quantity(STRESS), "none", "Cone index CI (Wismer–Luth, Brixius)."),
+    key(
+        "plate_stiffness",
+        Kind::Quantity(UNIT_WEIGHT),
+        "that of 3D-RFT",
+        "Pressure over depth under a level plate pushed down (2-D RFT).",
+    ),
+    key("heap", Kind::Number, "0", "Share χ of the soil swept aside that heaps up before the disc, 0 to 1."),
+    key(
+        "backfill",
+        Kind::Quantity(ANGLE),
+        "0 deg",
+        "Rise β of the ground before the disc, -10 to 25 deg (PW).",
+    ),
+    key("factors", Kind::Choice(&FACTORS), "\"meyerhof\"", "Factors of shape, depth and inclination (BC)."),
+];
+
 const fn section(name: &'static str, meaning: &'static str, keys: &'static [Key]) -> Section {
     Section { name, meaning, keys }
 }
 
 /// All sections.
-pub const SECTIONS: [Section; 9] = [
+pub const SECTIONS: [Section; 10] = [
     section("", "At the top of the file, before any section.", TOP),
     section("soil", "The soil.", SOIL),
     section("ground", "Where soil is at the start.", GROUND),
@@ -327,6 +402,7 @@ pub const SECTIONS: [Section; 9] = [
     section("run", "How long to run.", RUN),
     section("output", "What to write, and how often.", OUTPUT),
     section("numerics", "Parameters of the method.", NUMERICS),
+    section("forecast", "For `coulter forecast` alone; `coulter run` takes no notice of it.", FORECAST),
 ];
 
 /// The section of that name.

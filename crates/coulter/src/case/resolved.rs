@@ -33,6 +33,8 @@ pub struct Case {
     pub output: Output,
     /// Parameters of the method.
     pub numerics: Numerics,
+    /// What the closed forms alone want to know.
+    pub forecast: Measured,
 }
 
 /// Parameters of the soil.
@@ -73,6 +75,25 @@ pub enum Law {
         cohesion: f64,
         /// Largest tension that the soil bears [Pa]; at most c cot φ.
         tension_limit: f64,
+        /// Where yielding soil flows to.
+        potential: Potential,
+        /// Density below which the soil dilates no more [kg/m³].
+        critical_density: Option<f64>,
+    },
+}
+
+/// The flow potential of the frictional law.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Potential {
+    /// Of the form of the yield surface, with ψ for φ.
+    MohrCoulomb,
+    /// Menétrey and Willam (1995).
+    MenetreyWillam {
+        /// Meridional eccentricity ε ≥ 0.
+        meridional: f64,
+        /// Deviatoric eccentricity e, ½ < e ≤ 1.
+        deviatoric: f64,
     },
 }
 
@@ -273,4 +294,49 @@ pub struct Numerics {
     pub point_spacing: f64,
     /// Threads; 0 for one per core.
     pub threads: usize,
+}
+
+/// What the closed forms of `coulter forecast` want to know besides the rest; the solver takes no notice of it.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Measured {
+    /// Rise β of the ground before the disc [rad].
+    pub backfill: f64,
+    /// Share χ of the soil swept aside that heaps up before the disc.
+    pub heap: f64,
+    /// Whose factors of shape, depth and inclination.
+    pub factors: Factors,
+    /// Cone index CI [Pa].
+    pub cone_index: Option<f64>,
+    /// Pressure over depth under a level plate pushed down [N/m³].
+    pub plate_stiffness: Option<f64>,
+    /// Plate constants.
+    pub plate: Option<Plate>,
+}
+
+/// Constants of Bekker's plate, p = (k_c/b + k_φ) zⁿ, and of Janosi and Hanamoto's shear curve.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Plate {
+    /// The published soil that they are of, if so.
+    pub name: Option<String>,
+    /// Sinkage exponent n.
+    pub exponent: f64,
+    /// Cohesive modulus k_c [N/m^(n+1)].
+    pub cohesive: f64,
+    /// Frictional modulus k_φ [N/m^(n+2)].
+    pub frictional: f64,
+    /// Shear displacement modulus K [m].
+    pub shear_displacement: f64,
+}
+
+/// Whose factors of shape, depth and inclination the bearing model takes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Factors {
+    /// Meyerhof (1963).
+    #[default]
+    Meyerhof,
+    /// Hansen (1970) and Vesić (1973).
+    HansenVesic,
+    /// Lyamin et al. (2007).
+    Lyamin,
 }

@@ -2,7 +2,7 @@
 
 use super::{Failure, say};
 use crate::case::estimate::{Estimate, estimate};
-use crate::case::resolved::{Body, Freedom, Law, Shape};
+use crate::case::resolved::{Body, Freedom, Law, Measured, Potential, Shape};
 use crate::case::{self, Case};
 use crate::output::reference::Reference;
 use crate::simulation::Simulation;
@@ -114,10 +114,23 @@ fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
     let strength = match soil.law {
         Law::Elastic => "elastic".to_owned(),
         Law::Tresca { shear_strength } => format!("tresca, s_u = {shear_strength} Pa"),
-        Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_limit } => format!(
-            "mohr-coulomb, φ = {:.4}°, ψ = {:.4}°, c = {cohesion} Pa, tension up to {tension_limit} Pa",
+        Law::MohrCoulomb {
+            friction_angle,
+            dilation_angle,
+            cohesion,
+            tension_limit,
+            potential,
+            critical_density,
+        } => format!(
+            "mohr-coulomb, φ = {:.4}°, ψ = {:.4}°{}, c = {cohesion} Pa, tension up to {tension_limit} Pa{}",
             friction_angle.to_degrees(),
-            dilation_angle.to_degrees()
+            dilation_angle.to_degrees(),
+            critical_density.map_or(String::new(), |rho| format!(" down to {rho:.1} kg/m³")),
+            match potential {
+                Potential::MohrCoulomb => String::new(),
+                Potential::MenetreyWillam { meridional, deviatoric } =>
+                    format!(", smooth potential (ε = {meridional}, e = {deviatoric:.4})"),
+            }
         ),
     };
     writeln!(text, "soil     {strength}")?;
@@ -128,6 +141,12 @@ fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
     )?;
     for body in &case.bodies {
         describe_body(text, case, body)?;
+    }
+    if case.forecast != Measured::default() {
+        writeln!(
+            text,
+            "note     the keys of [forecast] are for `coulter forecast` alone; a run takes no notice of them"
+        )?;
     }
     Ok(())
 }

@@ -1,5 +1,6 @@
 //! The command line: each command is a call into the library, and the only code that prints.
 
+mod bench;
 mod check;
 mod failure;
 mod forecast;
@@ -38,6 +39,8 @@ enum Command {
     Run(run::Arguments),
     /// Runs the verification suite: expected, obtained, error
     Verify(verify::Arguments),
+    /// Measures how fast the solver is on this machine, and where the time goes
+    Bench(bench::Arguments),
     /// Rebuilds report.html from results
     Report(report::Arguments),
     /// Prints the JSON schema of case files, for editors
@@ -54,6 +57,7 @@ pub fn run(arguments: &Arguments) -> ExitCode {
         Command::Pressure(arguments) => pressure::pressure(arguments),
         Command::Run(arguments) => run::run(arguments),
         Command::Verify(arguments) => verify::verify(arguments),
+        Command::Bench(arguments) => bench::bench(arguments),
         Command::Report(arguments) => report::report(arguments),
         Command::Schema => schema::schema(),
     };

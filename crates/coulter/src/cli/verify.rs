@@ -2,9 +2,10 @@
 
 use super::{Failure, say};
 use crate::verify::bench::Wish;
+use crate::verify::row::Row;
 use crate::verify::{self, document, known, refine, table};
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -32,6 +33,12 @@ pub(super) struct Arguments {
     /// Threads; 0 for one per core
     #[arg(long, value_name = "N", default_value_t = 0)]
     threads: usize,
+    /// Where finished parts are kept; the same request goes on from them after a stop
+    #[arg(short, long, value_name = "DIR", default_value = "results/verify")]
+    output: PathBuf,
+    /// Do everything anew, also what is kept
+    #[arg(long)]
+    fresh: bool,
 }
 
 pub(super) fn verify(arguments: &Arguments) -> Result<(), Failure> {
@@ -40,8 +47,13 @@ pub(super) fn verify(arguments: &Arguments) -> Result<(), Failure> {
         let message = "--write belongs to the root of the repository: there is no validation/ here";
         return Err(Failure::Request(message.into()));
     }
-    let wish =
-        Wish { fast: arguments.fast, overrides: arguments.overrides.clone(), threads: arguments.threads };
+    let wish = Wish {
+        fast: arguments.fast,
+        overrides: arguments.overrides.clone(),
+        threads: arguments.threads,
+        folder: Some(arguments.output.clone()),
+        fresh: arguments.fresh,
+    };
     let mut tell = |text: &str| {
         let _ = writeln!(std::io::stderr().lock(), "{text}");
     };
@@ -57,9 +69,7 @@ pub(super) fn verify(arguments: &Arguments) -> Result<(), Failure> {
     };
     let known = known::known();
     if arguments.json {
-        let text =
-            serde_json::to_string_pretty(&findings.rows).map_err(|e| Failure::Request(e.to_string()))?;
-        say(&format!("{text}\n"));
+        super::say_json(&findings.rows.iter().map(Row::plain).collect::<Vec<_>>())?;
     } else {
         say(&format!("{}\n{}\n", table::plain(&findings.rows), table::closing(&findings.rows)));
     }

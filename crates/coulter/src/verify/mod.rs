@@ -12,9 +12,11 @@ pub mod document;
 mod element;
 mod flow;
 mod footing;
+mod kept;
 pub mod known;
 mod ledger;
 mod line;
+mod peers;
 mod plate;
 pub mod refine;
 mod repeat;
@@ -100,6 +102,9 @@ pub const BENCHMARKS: &[Benchmark] = &[
     ledgers("C3", "Soil volume", ledger::ABOUT_VOLUME, ledger::volume),
     ledgers("C4", "Soil inside the bodies", ledger::ABOUT_LEAK, ledger::leak),
     run("D3", "Free disc, towed", "D3_towed_disc", disc::ABOUT, disc::run),
+    run("E1", "Column of sand, as other codes ran it", "E1_sand_column", peers::ABOUT_COLUMN, peers::column),
+    run("E2", "Disc drag, as another code ran it", "E2_disc_drag", peers::ABOUT_DISC, peers::disc),
+    run("E3", "Smooth wall in the sand of E1", "E3_wall", peers::ABOUT_WALL, peers::wall),
 ];
 
 /// What the suite found.
@@ -117,11 +122,13 @@ pub fn verify(ids: &[&'static str], wish: &Wish, tell: &mut dyn FnMut(&str)) -> 
     let needs_all = BENCHMARKS.iter().any(|b| is_wanted(b) && matches!(b.work, Work::Ledgers(_)));
     let mut bench = Bench::new(wish, tell);
     let mut broken = Vec::new();
-    for benchmark in BENCHMARKS.iter().filter(|b| needs_all || is_wanted(b)) {
+    let runs = BENCHMARKS.iter().filter(|b| matches!(b.work, Work::Run(_)) && (needs_all || is_wanted(b)));
+    let count = runs.clone().count();
+    for (n, benchmark) in runs.enumerate() {
         let Work::Run(work) = benchmark.work else { continue };
         let clock = Instant::now();
-        bench.tell(&format!("{} {} …", benchmark.id, benchmark.title));
-        if let Err(error) = work(&mut bench) {
+        bench.tell(&format!("{} {} … ({} of {count})", benchmark.id, benchmark.title, n + 1));
+        if let Err(error) = bench.part(benchmark.id, "all of it", work) {
             bench.tell(&format!("{}: broke down: {error}", benchmark.id));
             broken.push((benchmark.id, error.to_string()));
         }

@@ -65,6 +65,8 @@ pub(crate) fn case(kind: Kind, cell: f64) -> Case {
                 dilation_angle: 0.1,
                 cohesion: 0.0,
                 tension_limit: 0.0,
+                potential: case::Potential::MohrCoulomb,
+                critical_density: None,
             },
             density: 1631.0,
             unit_weight: if kind == Kind::Column { 0.0 } else { 16e3 },
@@ -117,6 +119,7 @@ pub(crate) fn case(kind: Kind, cell: f64) -> Case {
             point_spacing: 0.5,
             threads: 2,
         },
+        forecast: case::Measured::default(),
     }
 }
 

@@ -1,12 +1,14 @@
 //! The Lagrangian stage: the soil moves, the grid waits.
 //!
-//! Each worker goes through its planes from the bottom up: it strains a plane of cells, then moves the nodes under it,
-//! while the forces are still in the cache. Old and new velocities are two arrays, so nobody reads what another writes;
-//! only the lowest plane of nodes of each worker has to wait for the plane of cells below, which is a neighbour's.
+//! Each worker goes through its planes from the bottom up and through each plane row by row: it strains a row of cells,
+//! then moves the row of nodes before it, while the forces are still in the cache. Old and new velocities are two arrays,
+//! so nobody reads what another writes; only the lowest plane of nodes of each worker has to wait for the plane of cells
+//! below, which is a neighbour's.
 
+use super::stopwatch::Stage;
 use super::stress::{CellRow, NodeRows, RowConstants, strain_row};
 use super::threads::Cut;
-use super::workspace::{COEFFICIENTS, RowSums, WorkerScratch, Workspace, lane_sum, split_rows};
+use super::workspace::{COEFFICIENTS, NODE_SUMS, RowSums, WorkerScratch, Workspace, lane_sum, split_rows};
 use crate::grid::{Grid, LANES};
 use crate::model::{Model, Wall};
 use crate::state::{Soil, State};
@@ -30,12 +32,11 @@ struct Inputs<'a> {
     model: &'a Model,
     grid: &'a Grid,
     fraction: &'a [f64],
+    soil_mass: &'a [f64],
     mass: &'a [f64],
     velocity: [&'a [f64]; 3],
     row_has_soil: &'a [bool],
-    width_x: &'a [f64],
-    /// Force coefficients of a plane without soil.
-    no_forces: &'a [f64],
+    width_x: [&'a [f64]; 2],
     rows: usize,
     dt: f64,
 }
@@ -45,20 +46,19 @@ struct Inputs<'a> {
 pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspace, dt: f64) -> RowSums {
     let grid = &model.grid;
     let rows = Workspace::rows(grid);
-    let Workspace { team, cut, row_has_soil, velocity_before, workers, row_sums, width_x, no_forces, .. } =
-        workspace;
+    let Workspace { team, cut, row_has_soil, velocity_before, workers, row_sums, width_x, .. } = workspace;
     // From here on the new velocities are in the state, the old ones in the workspace.
     std::mem::swap(&mut state.nodes.velocity, velocity_before);
-    let Soil { fraction, stress, plastic_strain, gap_strain, .. } = &mut state.soil;
+    let Soil { fraction, mass, stress, plastic_strain, gap_strain, .. } = &mut state.soil;
     let inputs = Inputs {
         model,
         grid,
         fraction,
+        soil_mass: mass,
         mass: &state.nodes.mass,
         velocity: velocity_before.each_ref().map(Vec::as_slice),
         row_has_soil,
-        width_x,
-        no_forces,
+        width_x: width_x.each_ref().map(|w| &w[1..]),
         rows,
         dt,
     };
@@ -83,8 +83,10 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
         })
         .collect();
     team.share(&mut parts, |part| strain_and_move(&inputs, part));
-    move_seams(&inputs, &mut parts);
+    pass_up(&mut parts);
+    team.share(&mut parts, |part| move_waiting(&inputs, part));
     drop(parts);
+    workers[0].stopwatch.lap(Stage::Nodes);
     total(cut, rows, row_sums)
 }
 
@@ -102,168 +104,161 @@ fn total(cut: &Cut, rows: usize, row_sums: &[RowSums]) -> RowSums {
     })
 }
 
-/// Strains all planes of a part and moves all its nodes but the lowest plane.
+/// Strains all cells of a part and moves all its nodes but the lowest plane.
 fn strain_and_move(inputs: &Inputs, part: &mut Part) {
-    let planes = part.planes.clone();
-    for plane in planes.clone() {
-        let nth = plane - planes.start;
-        let slot = if nth == 0 { 0 } else { 2 - nth % 2 };
-        strain_plane(inputs, part, plane, slot);
-        if nth > 0 {
-            let below = if nth == 1 { 0 } else { 2 - (nth - 1) % 2 };
-            let forces = std::mem::take(&mut part.scratch.forces);
-            move_plane(inputs, part, plane, [&forces[below], &forces[slot]]);
-            part.scratch.forces = forces;
-        }
-        part.scratch.last = slot;
-    }
-}
-
-/// Moves the lowest plane of nodes of every part, now that the cells below are done.
-fn move_seams(inputs: &Inputs, parts: &mut [Part]) {
-    for n in 0..parts.len() {
-        let below = n.checked_sub(1).map(|b| {
-            let last = parts[b].scratch.last;
-            (b, last, std::mem::take(&mut parts[b].scratch.forces[last]))
-        });
-        let above = std::mem::take(&mut parts[n].scratch.forces[0]);
-        let plane = parts[n].planes.start;
-        if !parts[n].planes.is_empty() {
-            let under = below.as_ref().map_or(inputs.no_forces, |b| b.2.as_slice());
-            move_plane(inputs, &mut parts[n], plane, [under, &above]);
-        }
-        parts[n].scratch.forces[0] = above;
-        if let Some((b, last, forces)) = below {
-            parts[b].scratch.forces[last] = forces;
+    let row = inputs.grid.stride[1];
+    let [_, ny, _] = inputs.grid.cells();
+    part.scratch.below.fill(0.0);
+    for plane in part.planes.clone() {
+        part.scratch.coefficients[0].fill(0.0);
+        for q in 1..=ny + 1 {
+            strain_row_of(inputs, part, [q, plane]);
+            let WorkerScratch { coefficients: [behind, ahead], below, waiting, row: buffer, .. } =
+                &mut *part.scratch;
+            let own = NODE_SUMS * q * row..NODE_SUMS * (q + 1) * row;
+            let waits = plane == part.planes.start;
+            let sum = if waits { &mut waiting[own.clone()] } else { &mut buffer[..NODE_SUMS * row] };
+            if nodes_have_soil(inputs, [q, plane]) {
+                gather_forces([behind, ahead], row, &mut below[own], sum);
+            } else {
+                below[own].fill(0.0);
+            }
+            std::mem::swap(behind, ahead);
+            if !waits {
+                move_row_of(inputs, part, [q, plane]);
+            }
+            part.scratch.stopwatch.lap(Stage::Nodes);
         }
     }
 }
 
-/// Strains one plane of cells into the force buffer `slot`.
-fn strain_plane(inputs: &Inputs, part: &mut Part, plane: usize, slot: usize) {
+/// Hands every part the forces of the cells below its lowest plane of nodes, which the part below has worked out.
+fn pass_up(parts: &mut [Part]) {
+    for n in (1..parts.len()).rev() {
+        let (low, high) = parts.split_at_mut(n);
+        std::mem::swap(&mut low[n - 1].scratch.below, &mut high[0].scratch.below);
+    }
+    if let Some(lowest) = parts.first_mut() {
+        lowest.scratch.below.fill(0.0);
+    }
+}
+
+/// Moves the lowest plane of nodes of a part, now that the cells below are done.
+fn move_waiting(inputs: &Inputs, part: &mut Part) {
+    let row = inputs.grid.stride[1];
+    let plane = part.planes.start;
+    if part.planes.is_empty() {
+        return;
+    }
+    for q in 1..=inputs.grid.cells()[1] + 1 {
+        let WorkerScratch { below, waiting, row: buffer, .. } = &mut *part.scratch;
+        let own = NODE_SUMS * q * row..NODE_SUMS * (q + 1) * row;
+        let each = buffer.iter_mut().zip(&below[own.clone()]).zip(&waiting[own]);
+        each.for_each(|((sum, below), above)| *sum = below + above);
+        move_row_of(inputs, part, [q, plane]);
+    }
+}
+
+/// Whether there is soil round a row of nodes.
+fn nodes_have_soil(inputs: &Inputs, [q, plane]: [usize; 2]) -> bool {
+    let has_soil = |p: usize, q: usize| inputs.row_has_soil[p * inputs.rows + q];
+    [(plane - 1, q - 1), (plane - 1, q), (plane, q - 1), (plane, q)].iter().any(|(p, q)| has_soil(*p, *q))
+}
+
+/// Strains one row of cells into the second row of coefficients.
+fn strain_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2]) {
     let grid = inputs.grid;
     let [_, row, stride] = grid.stride;
     let [nx, ny, nz] = grid.cells();
     let n = nx.next_multiple_of(LANES);
-    let mut constants = RowConstants::new(inputs.model, &inputs.width_x[1..], inputs.dt);
-    let mut forces: Vec<&mut [f64]> = part.scratch.forces[slot].chunks_exact_mut(stride).collect();
-    for q in 0..inputs.rows {
-        let has_soil = inputs.row_has_soil[plane * inputs.rows + q];
-        let cells = q * row + 1..q * row + 1 + n;
-        if !has_soil || plane > nz || q == 0 || q > ny {
-            let entry = &mut part.sums[(plane - part.planes.start) * inputs.rows + q];
-            (entry.plastic, entry.viscous, entry.hourglass) = (0.0, 0.0, 0.0);
-            for force in &mut forces {
-                force[q * row..(q + 1) * row].fill(0.0);
-            }
-            continue;
-        }
-        constants.width_y = grid.width(1, q - 1);
-        constants.width_z = grid.width(2, plane - 1);
-        let at = |dq: usize, dp: usize| (plane + dp) * stride + (q + dq) * row + 1;
-        let node_rows: NodeRows = [at(0, 0), at(1, 0), at(0, 1), at(1, 1)]
-            .map(|start| inputs.velocity.map(|v| &v[start..start + n + 1]));
-        let local = (plane - part.planes.start) * stride;
-        let own = local + cells.start..local + cells.end;
-        let start = plane * stride + cells.start;
-        let mut cell_row = CellRow {
-            fraction: &inputs.fraction[start..start + n],
-            stress: part.stress.each_mut().map(|s| &mut s[own.clone()]),
-            plastic_strain: &mut part.plastic_strain[own.clone()],
-            gap_strain: &mut part.gap_strain[own],
-        };
-        let mut out = forces.iter_mut();
-        let mut force_rows: [&mut [f64]; COEFFICIENTS] =
-            std::array::from_fn(|_| out.next().map_or(Default::default(), |f| &mut f[cells.clone()]));
-        let block = &mut part.scratch.block;
-        let sums = strain_row(&constants, &node_rows, &mut cell_row, block, &mut force_rows);
-        let entry = &mut part.sums[(plane - part.planes.start) * inputs.rows + q];
-        (entry.plastic, entry.viscous, entry.hourglass) = (sums.plastic, sums.viscous, sums.hourglass);
+    let sums = &mut part.sums[(plane - part.planes.start) * inputs.rows + q];
+    let WorkerScratch { coefficients: [_, ahead], block, stopwatch, .. } = &mut *part.scratch;
+    let has_soil = inputs.row_has_soil[plane * inputs.rows + q];
+    if !has_soil || plane > nz || q > ny {
+        (sums.plastic, sums.viscous, sums.hourglass) = (0.0, 0.0, 0.0);
+        ahead.fill(0.0);
+        return;
     }
+    let mut constants = RowConstants::new(inputs.model, inputs.width_x, inputs.dt);
+    constants.width_y = grid.width(1, q - 1);
+    constants.width_z = grid.width(2, plane - 1);
+    let at = |dq: usize, dp: usize| (plane + dp) * stride + (q + dq) * row + 1;
+    let node_rows: NodeRows = [at(0, 0), at(1, 0), at(0, 1), at(1, 1)]
+        .map(|start| inputs.velocity.map(|v| &v[start..start + n + 1]));
+    let local = (plane - part.planes.start) * stride + q * row + 1;
+    let own = local..local + n;
+    let start = at(0, 0);
+    let mut cell_row = CellRow {
+        fraction: &inputs.fraction[start..start + n],
+        mass: &inputs.soil_mass[start..start + n],
+        stress: part.stress.each_mut().map(|s| &mut s[own.clone()]),
+        plastic_strain: &mut part.plastic_strain[own.clone()],
+        gap_strain: &mut part.gap_strain[own],
+    };
+    let mut out = ahead.chunks_exact_mut(row);
+    let mut forces: [&mut [f64]; COEFFICIENTS] =
+        std::array::from_fn(|_| out.next().map_or(Default::default(), |f| &mut f[1..1 + n]));
+    let strained = strain_row(&constants, &node_rows, &mut cell_row, (block, stopwatch), &mut forces);
+    (sums.plastic, sums.viscous, sums.hourglass) = (strained.plastic, strained.viscous, strained.hourglass);
 }
 
-/// Moves one plane of nodes under the forces of the planes of cells below and above.
-fn move_plane(inputs: &Inputs, part: &mut Part, plane: usize, forces: [&[f64]; 2]) {
-    let grid = inputs.grid;
-    let [_, row, stride] = grid.stride;
-    let [_, ny, _] = grid.cells();
-    let WorkerScratch { row: buffer, .. } = part.scratch;
-    for q in 1..=ny + 1 {
-        let local = (plane - part.planes.start) * stride + q * row;
-        let own = local..local + row;
-        let sums = &mut part.sums[(plane - part.planes.start) * inputs.rows + q];
-        let mut velocity = part.velocity.each_mut().map(|v| &mut v[own.clone()]);
-        let (sum, rest) = buffer.split_at_mut(4 * row);
-        let has_soil = |p: usize, q: usize| inputs.row_has_soil[p * inputs.rows + q];
-        let any = [(plane - 1, q - 1), (plane - 1, q), (plane, q - 1), (plane, q)]
-            .iter()
-            .any(|(p, q)| has_soil(*p, *q));
-        if !any {
-            for v in &mut velocity {
-                v.fill(0.0);
-            }
-            (sums.gravity, sums.kinetic, sums.displacement, sums.displacement_light) = (0.0, 0.0, 0.0, 0.0);
-            continue;
+/// Moves one row of nodes under the sums in the row buffer.
+fn move_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2]) {
+    let [_, row, stride] = inputs.grid.stride;
+    let local = (plane - part.planes.start) * stride + q * row;
+    let own = local..local + row;
+    let sums = &mut part.sums[(plane - part.planes.start) * inputs.rows + q];
+    let mut velocity = part.velocity.each_mut().map(|v| &mut v[own.clone()]);
+    if !nodes_have_soil(inputs, [q, plane]) {
+        for v in &mut velocity {
+            v.fill(0.0);
         }
-        let start = plane * stride + q * row;
-        let nodes = NodeRow {
-            mass: &inputs.mass[start..start + row],
-            before: inputs.velocity.map(|v| &v[start..start + row]),
-            displacement: part.displacement.each_mut().map(|u| &mut u[own.clone()]),
-        };
-        gather_forces(forces, stride, [q * row, row], sum);
-        let constants = [inputs.dt, inputs.model.gravity, inputs.model.mass_moved()];
-        move_row(constants, nodes, &mut velocity, sum, rest);
-        apply_walls(inputs, [q, plane], &mut velocity);
-        finish_row(
-            inputs,
-            start,
-            &velocity,
-            part.displacement.each_ref().map(|u| &u[own.clone()]),
-            rest,
-            sums,
-        );
+        (sums.gravity, sums.kinetic, sums.displacement, sums.displacement_light) = (0.0, 0.0, 0.0, 0.0);
+        return;
     }
+    let (sum, rest) = part.scratch.row.split_at_mut(NODE_SUMS * row);
+    let start = plane * stride + q * row;
+    let nodes = NodeRow {
+        mass: &inputs.mass[start..start + row],
+        before: inputs.velocity.map(|v| &v[start..start + row]),
+        displacement: part.displacement.each_mut().map(|u| &mut u[own.clone()]),
+    };
+    let constants = [inputs.dt, inputs.model.gravity, inputs.model.mass_moved()];
+    move_row(constants, nodes, &mut velocity, sum, rest);
+    apply_walls(inputs, [q, plane], &mut velocity);
+    let displacement = part.displacement.each_ref().map(|u| &u[own.clone()]);
+    finish_row(inputs, start, &velocity, displacement, rest, sums);
 }
 
-/// Sums up the forces (x, y, z) and the damping that the four rows of cells round a row of nodes exert on it. Pairs that
-/// mirror each other are added first, so that a mirrored case gives mirrored sums to the bit.
+/// Sums up the forces (x, y, z) and the damping that two rows of cells, behind and ahead along y, exert on the rows of
+/// nodes between them. On the nodes at their low z: added to what the cells `below` exert, into `sum`. On those at their
+/// high z: into `below`, for the next plane. Pairs that mirror each other are added first, so that a mirrored case
+/// gives mirrored sums to the bit.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn gather_forces(planes: [&[f64]; 2], stride: usize, [start, n]: [usize; 2], sum: &mut [f64]) {
+fn gather_forces([behind, ahead]: [&[f64]; 2], n: usize, below: &mut [f64], sum: &mut [f64]) {
     for q in 0..3 {
-        let out = &mut sum[q * n..(q + 1) * n];
-        // By plane (below, above) and row (low y, high y): plain part and parts signed by the side.
-        let part = |level: usize, behind: usize, c: usize| {
-            let first = (4 * q + c) * stride + start - behind * n;
-            &planes[level][first..first + n]
-        };
-        let row = |level: usize, behind: usize| [0, 1, 2, 3].map(|c| part(level, behind, c));
-        let [p00, x00, y00, z00] = row(0, 1);
-        let [p10, x10, y10, z10] = row(0, 0);
-        let [p01, x01, y01, z01] = row(1, 1);
-        let [p11, x11, y11, z11] = row(1, 0);
+        let (out, below) = (&mut sum[q * n..(q + 1) * n], &mut below[q * n..(q + 1) * n]);
+        // Plain part and parts signed by the side.
+        let [p0, x0, y0, z0] = [0, 1, 2, 3].map(|c| &behind[(4 * q + c) * n..(4 * q + c + 1) * n]);
+        let [p1, x1, y1, z1] = [0, 1, 2, 3].map(|c| &ahead[(4 * q + c) * n..(4 * q + c + 1) * n]);
         for i in 1..n {
-            let below_low =
-                (p00[i - 1] + x00[i - 1] + y00[i - 1] + z00[i - 1]) + (p00[i] - x00[i] + y00[i] + z00[i]);
-            let below_high =
-                (p10[i - 1] + x10[i - 1] - y10[i - 1] + z10[i - 1]) + (p10[i] - x10[i] - y10[i] + z10[i]);
-            let above_low =
-                (p01[i - 1] + x01[i - 1] + y01[i - 1] - z01[i - 1]) + (p01[i] - x01[i] + y01[i] - z01[i]);
-            let above_high =
-                (p11[i - 1] + x11[i - 1] - y11[i - 1] - z11[i - 1]) + (p11[i] - x11[i] - y11[i] - z11[i]);
-            out[i] = (below_low + below_high) + (above_low + above_high);
+            let behind = [p0[i - 1] + x0[i - 1] + y0[i - 1], p0[i] - x0[i] + y0[i]];
+            let ahead = [p1[i - 1] + x1[i - 1] - y1[i - 1], p1[i] - x1[i] - y1[i]];
+            let low = ((behind[0] - z0[i - 1]) + (behind[1] - z0[i]))
+                + ((ahead[0] - z1[i - 1]) + (ahead[1] - z1[i]));
+            let high = ((behind[0] + z0[i - 1]) + (behind[1] + z0[i]))
+                + ((ahead[0] + z1[i - 1]) + (ahead[1] + z1[i]));
+            out[i] = below[i] + low;
+            below[i] = high;
         }
-        out[0] = 0.0;
     }
-    let damping = |level: usize, behind: usize| &planes[level][12 * stride + start - behind * n..][..n];
-    let (d00, d10, d01, d11) = (damping(0, 1), damping(0, 0), damping(1, 1), damping(1, 0));
-    let out = &mut sum[3 * n..4 * n];
+    let (out, below) = (&mut sum[3 * n..4 * n], &mut below[3 * n..4 * n]);
+    let (d0, d1) = (&behind[12 * n..13 * n], &ahead[12 * n..13 * n]);
     for i in 1..n {
-        let below = (d00[i - 1] + d00[i]) + (d10[i - 1] + d10[i]);
-        let above = (d01[i - 1] + d01[i]) + (d11[i - 1] + d11[i]);
-        out[i] = below + above;
+        let both = (d0[i - 1] + d0[i]) + (d1[i - 1] + d1[i]);
+        out[i] = below[i] + both;
+        below[i] = both;
     }
-    out[0] = 0.0;
 }
 
 struct NodeRow<'a> {

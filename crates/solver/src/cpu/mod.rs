@@ -3,7 +3,9 @@
 pub mod contact;
 pub mod energy;
 pub mod lagrange;
+pub mod machine;
 pub mod remap;
+pub mod stopwatch;
 pub mod stress;
 pub mod threads;
 pub mod transport;

@@ -4,12 +4,13 @@
 //! a reconstructed interface, stress and history with the soil volume at second order, momentum on the dual grid.
 
 use super::threads::Cut;
-use super::transport::{Sweep, carry_mass, carry_momentum, dual_fluxes};
+use super::transport::{Sweep, carry_mass, carry_momentum, difference, dual_fluxes, dual_reaches};
 use super::workspace::Workspace;
 use super::{energy, lagrange_mass};
 use crate::grid::Grid;
 use crate::model::{FRACTION_KEPT, FRACTION_STRESSED, Model};
-use crate::state::{Soil, State};
+use crate::state::{Nodes, Soil, State};
+use physics::strength::Strength;
 use physics::tensor::mean;
 
 /// What a remap has taken away.
@@ -65,22 +66,48 @@ fn spread(grid: &Grid, row_has_soil: &[bool]) -> Vec<bool> {
     active
 }
 
-/// Soil volume (scratch 0) and cell volume (scratch 1) on the displaced grid.
+/// The arrays of a remap. The old velocities are worth nothing between steps: their memory is used again.
+struct Room<'a> {
+    /// Soil volume of the cells on the displaced grid [m³].
+    soil: &'a mut Vec<f64>,
+    /// Volume of the displaced cells [m³].
+    cell: &'a mut Vec<f64>,
+    /// Soil volume that crosses the faces [m³], later the mass that crosses the dual faces [kg].
+    flux: &'a mut Vec<f64>,
+    /// Volume that the faces sweep [m³].
+    swept: &'a mut Vec<f64>,
+    /// How far along a slope the value lies that a flux carries [cells].
+    reach: &'a mut Vec<f64>,
+    spare: &'a mut Vec<f64>,
+}
+
+impl<'a> Room<'a> {
+    fn of(scratch: &'a mut [Vec<f64>; 3], velocity_before: &'a mut [Vec<f64>; 3]) -> Self {
+        let [soil, flux, spare] = scratch;
+        let [cell, swept, reach] = velocity_before;
+        Self { soil, cell, flux, swept, reach, spare }
+    }
+}
+
+/// Volumes of soil and cells on the displaced grid.
 fn displaced_volumes(model: &Model, state: &State, workspace: &mut Workspace) {
     let grid = &model.grid;
     let [nx, ny, nz] = grid.cells();
-    let [soil, cell, ..] = &mut workspace.scratch;
-    soil.fill(0.0);
-    cell.fill(0.0);
-    for k in 0..nz {
-        for j in 0..ny {
+    let Workspace { team, cut, scratch, velocity_before, .. } = workspace;
+    let Room { soil, cell, .. } = Room::of(scratch, velocity_before);
+    team.planes2(cut, soil, cell, |plane, soil, cell| {
+        soil.fill(0.0);
+        cell.fill(0.0);
+        let k = plane - 1;
+        for j in (0..ny).filter(|_| k < nz) {
             for i in 0..nx {
                 let c = grid.index(i, j, k);
-                cell[c] = grid.volume(i, j, k) + swollen(grid, state, [i, j, k]);
-                soil[c] = state.soil.fraction[c] * cell[c];
+                let own = c - plane * grid.stride[2];
+                cell[own] = grid.volume(i, j, k) + swollen(grid, state, [i, j, k]);
+                soil[own] = state.soil.fraction[c] * cell[own];
             }
         }
-    }
+    });
 }
 
 /// Volume that a cell has gained by the displacement of its corners [m³], linear in it like the strain.
@@ -102,7 +129,7 @@ fn swollen(grid: &Grid, state: &State, [i, j, k]: [usize; 3]) -> f64 {
 fn sweep(model: &Model, state: &mut State, workspace: &mut Workspace, axis: usize, active: &[bool]) {
     let grid = &model.grid;
     let Workspace { team, cut, scratch, velocity_before, .. } = workspace;
-    let [soil, cell, flux, swept, spare] = scratch;
+    let Room { soil, cell, flux, swept, reach, spare } = Room::of(scratch, velocity_before);
     team.planes(cut, &mut state.soil.fraction, |plane, out| {
         let base = plane * grid.stride[2];
         for (n, f) in out.iter_mut().enumerate() {
@@ -121,30 +148,30 @@ fn sweep(model: &Model, state: &mut State, workspace: &mut Workspace, axis: usiz
         row_active: active,
     };
     team.planes2(cut, flux, swept, |plane, flux, swept| sweep.volume_fluxes(plane, flux, swept));
+    team.planes(cut, reach, |plane, out| sweep.reaches(plane, flux, out));
+    let faces: [&[f64]; 2] = [flux, reach];
     for field in stress.iter_mut().chain([plastic_strain, gap_strain]) {
-        team.planes(cut, spare, |plane, out| sweep.carry(plane, field, flux, out));
+        team.planes(cut, spare, |plane, out| sweep.carry(plane, field, faces, out));
         std::mem::swap(field, spare);
     }
-    team.planes(cut, spare, |plane, out| sweep.mass_fluxes(plane, mass, flux, out));
-    let s = grid.stride[axis];
-    let difference = |face: &[f64], plane: usize, out: &mut [f64]| {
-        let base = plane * grid.stride[2];
-        for (n, value) in out.iter_mut().enumerate().filter(|(n, _)| base + n + s < face.len()) {
-            *value -= face[base + n + s] - face[base + n];
-        }
-    };
-    team.planes(cut, mass, |plane, out| difference(spare, plane, out));
-    team.planes(cut, soil, |plane, out| difference(flux, plane, out));
-    team.planes(cut, cell, |plane, out| difference(swept, plane, out));
+    team.planes(cut, spare, |plane, out| {
+        out.fill(0.0);
+        sweep.mass_fluxes(plane, mass, faces, out);
+    });
+    team.planes(cut, mass, |plane, out| difference(grid, axis, plane, spare, out));
+    team.planes(cut, soil, |plane, out| difference(grid, axis, plane, flux, out));
+    team.planes(cut, cell, |plane, out| difference(grid, axis, plane, swept, out));
     // The mass flux is in `spare`; the volume flux is done with and makes room for the dual flux.
     team.planes(cut, flux, |plane, out| dual_fluxes(grid, axis, plane, spare, out));
+    let Nodes { velocity, mass, .. } = &mut state.nodes;
     let mass_moved = model.mass_moved();
-    for (velocity, room) in state.nodes.velocity.iter_mut().zip(velocity_before) {
-        let inputs: [&[f64]; 3] = [velocity, &state.nodes.mass, flux];
-        team.planes(cut, room, |plane, out| carry_momentum(grid, axis, plane, inputs, mass_moved, out));
-        std::mem::swap(velocity, room);
+    team.planes(cut, reach, |plane, out| dual_reaches(grid, axis, plane, [mass, flux], mass_moved, out));
+    for velocity in velocity {
+        let inputs: [&[f64]; 4] = [velocity, mass, flux, reach];
+        team.planes(cut, spare, |plane, out| carry_momentum(grid, axis, plane, inputs, out));
+        std::mem::swap(velocity, spare);
     }
-    team.planes(cut, &mut state.nodes.mass, |plane, out| carry_mass(grid, axis, plane, flux, out));
+    team.planes(cut, mass, |plane, out| carry_mass(grid, axis, plane, flux, out));
     spare.fill(0.0);
 }
 
@@ -165,14 +192,14 @@ fn settle(model: &Model, soil: &mut Soil, volume: &[f64]) -> RemapLoss {
                     loss.mass += soil.mass[c];
                     (soil.fraction[c], soil.mass[c]) = (0.0, 0.0);
                 }
-                settle_cell(model, soil, c);
+                settle_cell(model, soil, c, grid.volume(i, j, k));
             }
         }
     }
     loss
 }
 
-fn settle_cell(model: &Model, soil: &mut Soil, c: usize) {
+fn settle_cell(model: &Model, soil: &mut Soil, c: usize, volume: f64) {
     if soil.fraction[c] <= FRACTION_STRESSED {
         for s in &mut soil.stress {
             s[c] = 0.0;
@@ -196,7 +223,8 @@ fn settle_cell(model: &Model, soil: &mut Soil, c: usize) {
     if let Some(strength) = &model.strength
         && strength.may_yield(stress)
     {
-        let back = strength.return_map(stress);
+        let critical = model.critical_density.unwrap_or(0.0) * soil.fraction[c] * volume;
+        let back = strength.return_map(stress, if soil.mass[c] >= critical { 1.0 } else { 0.0 });
         stress = back.stress;
         gap += back.gap_strain;
     }

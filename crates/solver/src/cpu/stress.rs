@@ -1,17 +1,20 @@
 //! One row of cells: velocity gradient → trial stress → strength → nodal force coefficients.
 //!
-//! A row is worked on in blocks of up to 64 cells that lie in the first-level cache. Four plain loops go over a block; the
-//! formulas are branch-free and everything written lies in one block, so that the compiler sees that nothing overlaps
-//! and vectorises them. Each is compiled for what the processor has; `mul_add` is not used, so the result is the same
-//! to the bit.
+//! A row is worked on in blocks of up to 64 cells whose working numbers lie in the first-level cache. A few plain loops go
+//! over a block; the formulas are branch-free and what a loop writes lies in the block or in one array, so that the
+//! compiler sees that nothing overlaps and vectorises them. Each is compiled for what the processor has; `mul_add` is not
+//! used, so the result is the same to the bit.
 
+use super::stopwatch::{Stage, Stopwatch};
 use super::workspace::{COEFFICIENTS, RowSums, lane_sum};
 use crate::grid::LANES;
 use crate::model::{FRACTION_STRESSED, Model};
 use multiversion::multiversion;
 use physics::brick::{Sums, hourglass_coefficient};
 use physics::elastic::Elastic;
+use physics::menetrey_willam::MenetreyWillam;
 use physics::mohr_coulomb::MohrCoulomb;
+use physics::strength::{Law, Strength};
 use physics::tensor::{Symmetric, deviator, jaumann};
 use physics::viscosity::BulkViscosity;
 
@@ -21,6 +24,7 @@ pub(crate) type NodeRows<'a> = [[&'a [f64]; 3]; 4];
 /// The cells of a row.
 pub(crate) struct CellRow<'a> {
     pub(crate) fraction: &'a [f64],
+    pub(crate) mass: &'a [f64],
     pub(crate) stress: [&'a mut [f64]; 6],
     pub(crate) plastic_strain: &'a mut [f64],
     pub(crate) gap_strain: &'a mut [f64],
@@ -29,12 +33,16 @@ pub(crate) struct CellRow<'a> {
 /// Everything about a row that does not change.
 pub(crate) struct RowConstants<'a> {
     pub(crate) elastic: Elastic,
-    pub(crate) strength: Option<MohrCoulomb>,
+    pub(crate) strength: Option<Law>,
+    /// Density below which soil dilates no more [kg/m³]; 0 where it always may.
+    pub(crate) critical_density: f64,
     pub(crate) viscosity: BulkViscosity,
     /// ε ρ c / 4 [kg/(s m²)].
     pub(crate) hourglass: f64,
-    /// Widths of the cells along x [m].
+    /// Widths of the cells along x [m], 0 in ghosts.
     pub(crate) width_x: &'a [f64],
+    /// ¼ over the widths, 0 in ghosts [1/m].
+    pub(crate) per_width_x: &'a [f64],
     /// Widths along y and z [m].
     pub(crate) width_y: f64,
     pub(crate) width_z: f64,
@@ -43,14 +51,16 @@ pub(crate) struct RowConstants<'a> {
 }
 
 impl<'a> RowConstants<'a> {
-    pub(crate) fn new(model: &Model, width_x: &'a [f64], dt: f64) -> Self {
+    pub(crate) fn new(model: &Model, [width_x, per_width_x]: [&'a [f64]; 2], dt: f64) -> Self {
         let hourglass = hourglass_coefficient(model.method.hourglass, model.density, model.wave_speed(), 1.0);
         Self {
             elastic: model.elastic,
             strength: model.strength,
+            critical_density: model.critical_density.unwrap_or(0.0),
             viscosity: model.viscosity(),
             hourglass,
             width_x,
+            per_width_x,
             width_y: 0.0,
             width_z: 0.0,
             dt,
@@ -63,126 +73,99 @@ const BLOCK: usize = 64;
 
 type Lane = [f64; BLOCK];
 
-/// Everything about a block of cells, in one piece of memory.
+/// The working numbers of a block of cells, in one piece of memory.
 pub(crate) struct Block {
+    /// Place in the row of the first cell.
+    start: usize,
     /// Number of cells in use, a multiple of the vector length.
     n: usize,
-    width: Lane,
-    /// ¼ over the width, 0 in ghosts [1/m].
-    per_width: Lane,
-    fraction: Lane,
-    /// Stress at the start of the step, later at its end [Pa].
-    stress: [Lane; 6],
-    plastic_strain: Lane,
-    gap_strain: Lane,
     /// Corner sums of the velocity: plain, and signed by the side x, y, z.
     plain: [Lane; 3],
     side: [[Lane; 3]; 3],
     hourglass: Lane,
+    /// Trial stress, later the stress at the end of the step [Pa].
     trial: [Lane; 6],
+    gap_strain: Lane,
     /// Volumetric rate [1/s].
     rate: Lane,
     /// 1 where the soil bears stress, 0 where it is a void, loose or opened.
     alive: Lane,
     /// 1 where the trial stress may lie outside the strength.
     yields: Lane,
+    /// Viscous stress [Pa].
+    viscous: Lane,
+    /// Coefficient of the hourglass force [kg/s].
+    damping: Lane,
+    /// −¼ of the areas across x, y, z that bear stress [m²].
+    area: [Lane; 3],
     /// Plastic work per volume [J/m³], later of the cell [J].
     work: Lane,
     /// Dissipation by viscosity and hourglass [W].
-    viscous: Lane,
-    damped: Lane,
-    forces: [Lane; COEFFICIENTS],
+    viscous_power: Lane,
+    damped_power: Lane,
 }
 
 impl Block {
     pub(crate) fn new() -> Box<Self> {
         const ZERO: Lane = [0.0; BLOCK];
         Box::new(Self {
+            start: 0,
             n: 0,
-            width: ZERO,
-            per_width: ZERO,
-            fraction: ZERO,
-            stress: [ZERO; 6],
-            plastic_strain: ZERO,
-            gap_strain: ZERO,
             plain: [ZERO; 3],
             side: [[ZERO; 3]; 3],
             hourglass: ZERO,
             trial: [ZERO; 6],
+            gap_strain: ZERO,
             rate: ZERO,
             alive: ZERO,
             yields: ZERO,
-            work: ZERO,
             viscous: ZERO,
-            damped: ZERO,
-            forces: [ZERO; COEFFICIENTS],
+            damping: ZERO,
+            area: [ZERO; 3],
+            work: ZERO,
+            viscous_power: ZERO,
+            damped_power: ZERO,
         })
-    }
-
-    fn load(&mut self, constants: &RowConstants, cells: &CellRow, range: &std::ops::Range<usize>) {
-        let n = range.len();
-        self.n = n;
-        self.width[..n].copy_from_slice(&constants.width_x[range.clone()]);
-        for (per, width) in self.per_width[..n].iter_mut().zip(&self.width) {
-            *per = if *width > 0.0 { 0.25 / width } else { 0.0 };
-        }
-        self.fraction[..n].copy_from_slice(&cells.fraction[range.clone()]);
-        self.plastic_strain[..n].copy_from_slice(&cells.plastic_strain[range.clone()]);
-        self.gap_strain[..n].copy_from_slice(&cells.gap_strain[range.clone()]);
-        for (own, field) in self.stress.iter_mut().zip(&cells.stress) {
-            own[..n].copy_from_slice(&field[range.clone()]);
-        }
-    }
-
-    fn store(
-        &self,
-        cells: &mut CellRow,
-        forces: &mut [&mut [f64]; COEFFICIENTS],
-        range: &std::ops::Range<usize>,
-    ) {
-        let n = range.len();
-        cells.plastic_strain[range.clone()].copy_from_slice(&self.plastic_strain[..n]);
-        cells.gap_strain[range.clone()].copy_from_slice(&self.gap_strain[..n]);
-        for (own, field) in self.stress.iter().zip(&mut cells.stress) {
-            field[range.clone()].copy_from_slice(&own[..n]);
-        }
-        for (own, force) in self.forces.iter().zip(forces) {
-            force[range.clone()].copy_from_slice(&own[..n]);
-        }
     }
 }
 
 /// Strains a row of cells (a multiple of the vector length) for one step: updates its stresses and writes the
-/// coefficients of its nodal forces. Returns what the row dissipated.
+/// coefficients of its nodal forces, one row of `forces` after the other. Returns what the row dissipated.
 pub(crate) fn strain_row(
     constants: &RowConstants,
     nodes: &NodeRows,
     cells: &mut CellRow,
-    block: &mut Block,
+    (block, stopwatch): (&mut Block, &mut Stopwatch),
     forces: &mut [&mut [f64]; COEFFICIENTS],
 ) -> RowSums {
     let mut sums = RowSums::default();
     let n = cells.fraction.len();
     for start in (0..n).step_by(BLOCK) {
-        let range = start..n.min(start + BLOCK);
-        block.load(constants, cells, &range);
-        corner_sums(nodes, start, block);
-        trial_stress(constants, block);
+        (block.start, block.n) = (start, BLOCK.min(n - start));
+        corner_sums(nodes, block);
+        trial_stress(constants, cells, block);
         if let Some(strength) = &constants.strength {
-            apply_strength(&constants.elastic, strength, block);
+            stopwatch.lap(Stage::Lagrange);
+            let returned = match strength {
+                Law::MohrCoulomb(law) => mohr_coulomb(constants, law, cells, block),
+                Law::MenetreyWillam(law) => menetrey_willam(constants, law, cells, block),
+            };
+            stopwatch.count_returned(returned);
+            stopwatch.lap(Stage::Plasticity);
         }
-        force_coefficients(constants, block);
-        block.store(cells, forces, &range);
-        sums.plastic += lane_sum(&block.work[..block.n]);
-        sums.viscous += lane_sum(&block.viscous[..block.n]) * constants.dt;
-        sums.hourglass += lane_sum(&block.damped[..block.n]) * constants.dt;
+        let [plastic, viscous, hourglass] = bear(constants, cells, block);
+        sums.plastic += plastic;
+        sums.viscous += viscous * constants.dt;
+        sums.hourglass += hourglass * constants.dt;
+        force_coefficients(block, forces);
+        stopwatch.lap(Stage::Lagrange);
     }
     sums
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn corner_sums(nodes: &NodeRows, start: usize, b: &mut Block) {
-    let n = b.n.min(BLOCK);
+fn corner_sums(nodes: &NodeRows, b: &mut Block) {
+    let (start, n) = (b.start, b.n.min(BLOCK));
     b.hourglass = [0.0; BLOCK];
     let Block { plain: [px, py, pz], side: [sx, sy, sz], hourglass, .. } = b;
     let rows = |q: usize| [0, 1, 2, 3].map(|row| &nodes[row][q][start..start + n + 1]);
@@ -207,12 +190,16 @@ fn component_sums(v: [&[f64]; 4], plain: &mut Lane, [x, y, z]: &mut [Lane; 3], h
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn trial_stress(constants: &RowConstants, b: &mut Block) {
-    let n = b.n.min(BLOCK);
+fn trial_stress(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
+    let (start, n) = (b.start, b.n.min(BLOCK));
+    let own = start..start + n;
+    let (per_width, fraction) = (&constants.per_width_x[own.clone()], &cells.fraction[own.clone()]);
+    let gap_strain = &cells.gap_strain[own.clone()];
+    let stress = cells.stress.each_ref().map(|s| &s[own.clone()]);
     let (dt, elastic) = (constants.dt, constants.elastic);
     let (per_y, per_z) = (0.25 / constants.width_y, 0.25 / constants.width_z);
     for i in 0..n {
-        let per_x = b.per_width[i];
+        let per_x = per_width[i];
         let (xx, xy, xz) = (b.side[0][0][i] * per_x, b.side[0][1][i] * per_y, b.side[0][2][i] * per_z);
         let (yx, yy, yz) = (b.side[1][0][i] * per_x, b.side[1][1][i] * per_y, b.side[1][2][i] * per_z);
         let (zx, zy, zz) = (b.side[2][0][i] * per_x, b.side[2][1][i] * per_y, b.side[2][2][i] * per_z);
@@ -220,15 +207,15 @@ fn trial_stress(constants: &RowConstants, b: &mut Block) {
         let spin = [0.5 * (xy - yx), 0.5 * (yz - zy), 0.5 * (xz - zx)];
         let volumetric = xx + yy + zz;
         // A gap closes before pressure builds.
-        let gap = b.gap_strain[i];
+        let gap = gap_strain[i];
         let open = gap + volumetric * dt;
         let has_gap = gap > 0.0;
-        let stressed = b.fraction[i] > FRACTION_STRESSED;
+        let stressed = fraction[i] > FRACTION_STRESSED;
         let stays_open = has_gap & (open > 0.0);
         let closing = if open < 0.0 { open } else { 0.0 };
         let squeeze = if has_gap { closing } else { volumetric * dt };
         b.gap_strain[i] = if stays_open & stressed { open } else { 0.0 };
-        let old: Symmetric = [0, 1, 2, 3, 4, 5].map(|c| b.stress[c][i]);
+        let old: Symmetric = [0, 1, 2, 3, 4, 5].map(|c| stress[c][i]);
         let shear = deviator(strain_rate);
         let turned = jaumann(old, spin);
         let pressed = elastic.bulk * squeeze;
@@ -245,65 +232,165 @@ fn trial_stress(constants: &RowConstants, b: &mut Block) {
     b.work = [0.0; BLOCK];
 }
 
-#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn apply_strength(elastic: &Elastic, strength: &MohrCoulomb, b: &mut Block) {
+/// Brings the stresses that lie outside the strength back to it; returns how many there were.
+///
+/// Most cells are elastic. Those that yield are moved together, so that no vector of the return is half empty.
+#[inline(always)]
+fn apply_strength(
+    constants: &RowConstants,
+    strength: &impl Strength,
+    cells: &mut CellRow,
+    b: &mut Block,
+) -> usize {
     let n = b.n.min(BLOCK);
     for i in 0..n {
         let trial: Symmetric = [0, 1, 2, 3, 4, 5].map(|c| b.trial[c][i]);
         b.yields[i] = if strength.may_yield(trial) { b.alive[i] } else { 0.0 };
     }
-    // Most cells are elastic: only from the first vector that yields to the last is there anything to return.
-    let some = |chunk: &[f64]| chunk.iter().sum::<f64>() > 0.0;
-    let Some(first) = b.yields[..n].chunks_exact(LANES).position(some) else { return };
-    let last = b.yields[..n].chunks_exact(LANES).rposition(some).unwrap_or(first);
-    for i in first * LANES..((last + 1) * LANES).min(BLOCK) {
-        let trial: Symmetric = [0, 1, 2, 3, 4, 5].map(|c| b.trial[c][i]);
-        let old: Symmetric = [0, 1, 2, 3, 4, 5].map(|c| b.stress[c][i]);
-        let yields = b.yields[i] > 0.0;
-        let back = strength.return_map(trial);
-        let mut middle: Symmetric = [0.0; 6];
-        let mut change: Symmetric = [0.0; 6];
-        for c in 0..6 {
-            middle[c] = 0.5 * (old[c] + back.stress[c]);
-            change[c] = trial[c] - back.stress[c];
-            b.trial[c][i] = if yields { back.stress[c] } else { trial[c] };
-        }
-        // The average of old and new stress makes the sum over steps exact for central differences.
-        let dissipated = elastic.compliance(middle, change);
-        b.plastic_strain[i] += if yields { back.plastic_strain } else { 0.0 };
-        b.gap_strain[i] += if yields { back.gap_strain } else { 0.0 };
-        b.work[i] = if yields { dissipated } else { 0.0 };
+    let (mut place, mut count) = ([0; BLOCK], 0);
+    for i in 0..n {
+        place[count] = i;
+        count += usize::from(b.yields[i] > 0.0);
     }
+    let mut together = Yielding::default();
+    for places in place[..count].chunks(LANES) {
+        for (l, i) in places.iter().enumerate() {
+            for c in 0..6 {
+                together.trial[c][l] = b.trial[c][*i];
+                together.old[c][l] = cells.stress[c][b.start + i];
+            }
+        }
+        for (l, i) in places.iter().enumerate() {
+            let volume = constants.width_x[b.start + i] * constants.width_y * constants.width_z;
+            let critical = constants.critical_density * cells.fraction[b.start + i] * volume;
+            together.dilates[l] = if cells.mass[b.start + i] >= critical { 1.0 } else { 0.0 };
+        }
+        together.return_stress(&constants.elastic, strength);
+        for (l, i) in places.iter().enumerate() {
+            for c in 0..6 {
+                b.trial[c][*i] = together.trial[c][l];
+            }
+            cells.plastic_strain[b.start + i] += together.plastic_strain[l];
+            b.gap_strain[*i] += together.gap_strain[l];
+            b.work[*i] = together.work[l];
+        }
+    }
+    count
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn force_coefficients(constants: &RowConstants, b: &mut Block) {
-    let n = b.n.min(BLOCK);
+fn mohr_coulomb(constants: &RowConstants, law: &MohrCoulomb, cells: &mut CellRow, b: &mut Block) -> usize {
+    apply_strength(constants, law, cells, b)
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn menetrey_willam(
+    constants: &RowConstants,
+    law: &MenetreyWillam,
+    cells: &mut CellRow,
+    b: &mut Block,
+) -> usize {
+    apply_strength(constants, law, cells, b)
+}
+
+/// As many yielding cells as a vector holds.
+#[derive(Default)]
+struct Yielding {
+    /// Trial stress, later the returned one [Pa].
+    trial: [[f64; LANES]; 6],
+    /// Stress at the start of the step [Pa].
+    old: [[f64; LANES]; 6],
+    /// Share of the dilation that is left.
+    dilates: [f64; LANES],
+    /// Increments.
+    plastic_strain: [f64; LANES],
+    gap_strain: [f64; LANES],
+    /// Plastic work per volume [J/m³].
+    work: [f64; LANES],
+}
+
+impl Yielding {
+    #[inline(always)]
+    fn return_stress(&mut self, elastic: &Elastic, strength: &impl Strength) {
+        for l in 0..LANES {
+            let trial: Symmetric = [0, 1, 2, 3, 4, 5].map(|c| self.trial[c][l]);
+            let old: Symmetric = [0, 1, 2, 3, 4, 5].map(|c| self.old[c][l]);
+            let back = strength.return_map(trial, self.dilates[l]);
+            let mut middle: Symmetric = [0.0; 6];
+            let mut change: Symmetric = [0.0; 6];
+            for c in 0..6 {
+                middle[c] = 0.5 * (old[c] + back.stress[c]);
+                change[c] = trial[c] - back.stress[c];
+                self.trial[c][l] = back.stress[c];
+            }
+            self.plastic_strain[l] = back.plastic_strain;
+            self.gap_strain[l] = back.gap_strain;
+            // The average of old and new stress makes the sum over steps exact for central differences.
+            self.work[l] = elastic.compliance(middle, change);
+        }
+    }
+}
+
+/// The stress that the soil ends up with: none where it bears none. Works out what bears it against the motion, and
+/// returns the plastic work [J] and the dissipation by viscosity and hourglass [W] of the block.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn bear(constants: &RowConstants, cells: &mut CellRow, b: &mut Block) -> [f64; 3] {
+    let (start, n) = (b.start, b.n.min(BLOCK));
+    let own = start..start + n;
+    let (width, fraction) = (&constants.width_x[own.clone()], &cells.fraction[own.clone()]);
     let (hy, hz) = (constants.width_y, constants.width_z);
     for i in 0..n {
-        let hx = b.width[i];
+        let hx = width[i];
         let volume = hx * hy * hz;
         let length = mean_width(hx, hy, hz);
-        let bears = b.alive[i] > 0.0;
-        let f = if bears { b.fraction[i] } else { 0.0 };
-        let s: Symmetric = [0, 1, 2, 3, 4, 5].map(|c| if bears { b.trial[c][i] } else { 0.0 });
-        for c in 0..6 {
-            b.stress[c][i] = s[c];
-        }
+        let f = if b.alive[i] > 0.0 { fraction[i] } else { 0.0 };
         let viscous = constants.viscosity.stress(length, b.rate[i]);
         let h = f * constants.hourglass * length * length;
-        let area = [-0.25 * f * hy * hz, -0.25 * f * hx * hz, -0.25 * f * hx * hy];
-        let rows = [[s[0] + viscous, s[3], s[5]], [s[3], s[1] + viscous, s[4]], [s[5], s[4], s[2] + viscous]];
-        for q in 0..3 {
-            b.forces[4 * q][i] = h * b.plain[q][i];
-            b.forces[4 * q + 1][i] = h * b.side[q][0][i] + area[0] * rows[q][0];
-            b.forces[4 * q + 2][i] = h * b.side[q][1][i] + area[1] * rows[q][1];
-            b.forces[4 * q + 3][i] = h * b.side[q][2][i] + area[2] * rows[q][2];
-        }
-        b.forces[12][i] = 8.0 * h;
+        b.area[0][i] = -0.25 * f * hy * hz;
+        b.area[1][i] = -0.25 * f * hx * hz;
+        b.area[2][i] = -0.25 * f * hx * hy;
+        b.viscous[i] = viscous;
+        b.damping[i] = h;
         b.work[i] *= f * volume;
-        b.viscous[i] = viscous * b.rate[i] * f * volume;
-        b.damped[i] = h * b.hourglass[i];
+        b.viscous_power[i] = viscous * b.rate[i] * f * volume;
+        b.damped_power[i] = h * b.hourglass[i];
+    }
+    for (stress, trial) in cells.stress.iter_mut().zip(&mut b.trial) {
+        let stress = &mut stress[own.clone()];
+        for i in 0..n {
+            let s = if b.alive[i] > 0.0 { trial[i] } else { 0.0 };
+            (stress[i], trial[i]) = (s, s);
+        }
+    }
+    cells.gap_strain[own].copy_from_slice(&b.gap_strain[..n]);
+    [&b.work, &b.viscous_power, &b.damped_power].map(|lane| lane_sum(&lane[..n]))
+}
+
+/// Coefficients of the nodal forces: what stress and hourglass viscosity contribute to the plain part and to the parts
+/// signed by the corner's side.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn force_coefficients(b: &Block, forces: &mut [&mut [f64]; COEFFICIENTS]) {
+    let (start, n) = (b.start, b.n.min(BLOCK));
+    let own = start..start + n;
+    /// Place of a component in a symmetric tensor, by row and column.
+    const PLACE: [[usize; 3]; 3] = [[0, 3, 5], [3, 1, 4], [5, 4, 2]];
+    for q in 0..3 {
+        let plain = &mut forces[4 * q][own.clone()];
+        for i in 0..n {
+            plain[i] = b.damping[i] * b.plain[q][i];
+        }
+        for side in 0..3 {
+            let out = &mut forces[4 * q + 1 + side][own.clone()];
+            let (stress, velocity, area) = (&b.trial[PLACE[q][side]], &b.side[q][side], &b.area[side]);
+            for i in 0..n {
+                let s = if q == side { stress[i] + b.viscous[i] } else { stress[i] };
+                out[i] = b.damping[i] * velocity[i] + area[i] * s;
+            }
+        }
+    }
+    let out = &mut forces[12][own];
+    for i in 0..n {
+        out[i] = 8.0 * b.damping[i];
     }
 }
 

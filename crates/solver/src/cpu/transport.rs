@@ -1,9 +1,11 @@
 //! Transport along one axis: the soil that crosses the faces, and what it carries.
 //!
 //! All functions work on one plane of cells (or nodes) and read whole arrays; they write only the plane they are given.
-//! "Low face" of a cell is the one towards smaller coordinates; face values are kept at the cell above it.
+//! "Low face" of a cell is the one towards smaller coordinates; face values are kept at the cell above it, those of dual
+//! faces at the node below. Rows are gone through with their ghosts, through which nothing flows.
 
 use crate::grid::Grid;
+use multiversion::multiversion;
 use physics::interface::Plane;
 use physics::limiter::monotonised_central;
 
@@ -175,95 +177,221 @@ impl Sweep<'_> {
         gradient.map(|g| -g)
     }
 
-    /// Value carried through the low face of cell `c` by soil flux `flux`: the donor's, moved by a limited slope where
-    /// the donor is full and both its neighbours hold soil.
-    #[inline(always)]
-    fn carried(&self, c: usize, flux: f64, value: impl Fn(usize) -> f64) -> f64 {
-        let s = self.stride();
-        let (donor, up, side) = if flux > 0.0 { (c - s, c - 2 * s, 0.5) } else { (c, c + s, -0.5) };
-        let down = if flux > 0.0 { c } else { c - s };
-        let own = value(donor);
-        let smooth = (self.fraction[donor] > 0.99) & (self.fraction[up] > 0.5) & (self.fraction[down] > 0.5);
-        if !smooth {
-            return own;
-        }
-        // Differences along the axis, from low to high.
-        let (low, high) = if flux > 0.0 { (up, down) } else { (down, up) };
-        let slope = monotonised_central(own - value(low), value(high) - own);
-        let share = flux.abs() / self.soil[donor];
-        own + side * (1.0 - share) * slope
+    /// How far along its slope, in cells, the value carried through the low faces of a plane lies from the middle of the
+    /// donor: half of what the flux leaves behind; 0 where the donor is not full or a neighbour holds little soil.
+    pub(crate) fn reaches(&self, plane: usize, flux: &[f64], out: &mut [f64]) {
+        self.each_row(plane, out, |row, own| {
+            reach_row(row.of(flux), row.round(self.fraction), row.round(self.soil), own)
+        });
     }
 
     /// Mass that crosses the low faces of a plane of cells [kg].
-    pub(crate) fn mass_fluxes(&self, plane: usize, mass: &[f64], flux: &[f64], out: &mut [f64]) {
-        let base = plane * self.grid.stride[2];
-        out.fill(0.0);
-        let density = |c: usize| if self.soil[c] > 0.0 { mass[c] / self.soil[c] } else { 0.0 };
-        self.each_cell(plane, |c, _| {
-            if flux[c] != 0.0 {
-                out[c - base] = flux[c] * self.carried(c, flux[c], density);
-            }
+    pub(crate) fn mass_fluxes(
+        &self,
+        plane: usize,
+        mass: &[f64],
+        [flux, reach]: [&[f64]; 2],
+        out: &mut [f64],
+    ) {
+        self.each_row(plane, out, |row, own| {
+            mass_row(row.of(flux), row.of(reach), row.round(mass), row.round(self.soil), own)
         });
     }
 
     /// New value of a carried field in a plane of cells.
-    pub(crate) fn carry(&self, plane: usize, field: &[f64], flux: &[f64], out: &mut [f64]) {
+    pub(crate) fn carry(&self, plane: usize, field: &[f64], [flux, reach]: [&[f64]; 2], out: &mut [f64]) {
         let base = plane * self.grid.stride[2];
-        let s = self.stride();
         out.copy_from_slice(&field[base..base + out.len()]);
-        self.each_cell(plane, |c, _| {
-            let (low, high) = (flux[c], flux[c + s]);
-            if low == 0.0 && high == 0.0 {
-                return;
-            }
-            let left = self.soil[c] - (high - low);
-            let into = if low == 0.0 { 0.0 } else { low * self.carried(c, low, |n| field[n]) };
-            let out_of = if high == 0.0 { 0.0 } else { high * self.carried(c + s, high, |n| field[n]) };
-            out[c - base] = if left > 0.0 { (field[c] * self.soil[c] - (out_of - into)) / left } else { 0.0 };
+        self.each_row(plane, out, |row, own| {
+            let faces = [row.of(flux), row.above(flux), row.of(reach), row.above(reach)];
+            carry_row(faces, row.round(field), row.of(self.soil), own);
         });
+    }
+
+    /// Calls `job(row, part of out)` for the active rows of a storage plane of cells.
+    fn each_row(&self, plane: usize, out: &mut [f64], job: impl Fn(Row, &mut [f64])) {
+        let [_, ny, nz] = self.grid.cells();
+        let [_, row, stride] = self.grid.stride;
+        for q in (1..=ny).filter(|q| plane <= nz && self.row_active[plane * (stride / row) + q]) {
+            job(Row::new(self.grid, self.axis, [q, plane]), &mut out[q * row..(q + 1) * row]);
+        }
+    }
+}
+
+/// A row of cells or nodes and its neighbours along an axis.
+#[derive(Clone, Copy)]
+struct Row {
+    start: usize,
+    length: usize,
+    stride: usize,
+    plane: usize,
+}
+
+impl Row {
+    fn new(grid: &Grid, axis: usize, [q, plane]: [usize; 2]) -> Self {
+        let [_, length, stride] = grid.stride;
+        Self { start: plane * stride + q * length, length, stride: grid.stride[axis], plane: stride }
+    }
+
+    /// The row of an array at a place; beyond the array that of the lowest plane, which is all ghosts.
+    fn at(self, array: &[f64], start: Option<usize>) -> &[f64] {
+        let start = start.filter(|s| s + self.length <= array.len()).unwrap_or(self.start % self.plane);
+        &array[start..start + self.length]
+    }
+
+    fn of(self, array: &[f64]) -> &[f64] {
+        self.at(array, Some(self.start))
+    }
+
+    fn above(self, array: &[f64]) -> &[f64] {
+        self.at(array, Some(self.start + self.stride))
+    }
+
+    fn below(self, array: &[f64]) -> &[f64] {
+        self.at(array, self.start.checked_sub(self.stride))
+    }
+
+    /// The rows from two below to two above.
+    fn round(self, array: &[f64]) -> [&[f64]; 5] {
+        let (start, s) = (self.start, self.stride);
+        let places = [start.checked_sub(2 * s), start.checked_sub(s)].into_iter();
+        let mut places = places.chain([start, start + s, start + 2 * s].map(Some));
+        std::array::from_fn(|_| self.at(array, places.next().flatten()))
+    }
+}
+
+/// Value carried over a face by `flux`, from the values in the two cells below it and the two above: the donor's, moved
+/// by `reach` of its limited slope.
+#[inline(always)]
+fn carried([far_low, low, high, far_high]: [f64; 4], flux: f64, reach: f64) -> f64 {
+    let forward = flux > 0.0;
+    let own = if forward { low } else { high };
+    let behind = if forward { low - far_low } else { high - low };
+    let ahead = if forward { high - low } else { far_high - high };
+    own + reach * monotonised_central(behind, ahead)
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn reach_row(flux: &[f64], fraction: [&[f64]; 5], soil: [&[f64]; 5], out: &mut [f64]) {
+    let n = out.len();
+    let ([f0, f1, f2, f3, _], [_, v1, v2, ..]) = (fraction.map(|f| &f[..n]), soil.map(|v| &v[..n]));
+    let flux = &flux[..n];
+    for i in 0..n {
+        let forward = flux[i] > 0.0;
+        let (up, donor, down) = if forward { (f0[i], f1[i], f2[i]) } else { (f3[i], f2[i], f1[i]) };
+        let smooth = (donor > 0.99) & (up > 0.5) & (down > 0.5);
+        let (volume, side) = if forward { (v1[i], 0.5) } else { (v2[i], -0.5) };
+        let share = flux[i].abs() / volume;
+        out[i] = if smooth { side * (1.0 - share) } else { 0.0 };
+    }
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn mass_row(flux: &[f64], reach: &[f64], mass: [&[f64]; 5], soil: [&[f64]; 5], out: &mut [f64]) {
+    let n = out.len();
+    let (flux, reach) = (&flux[..n], &reach[..n]);
+    let ([m0, m1, m2, m3, _], [v0, v1, v2, v3, _]) = (mass.map(|m| &m[..n]), soil.map(|v| &v[..n]));
+    let density = |mass: f64, volume: f64| if volume > 0.0 { mass / volume } else { 0.0 };
+    for i in 0..n {
+        let densities =
+            [density(m0[i], v0[i]), density(m1[i], v1[i]), density(m2[i], v2[i]), density(m3[i], v3[i])];
+        out[i] = flux[i] * carried(densities, flux[i], reach[i]);
+    }
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn carry_row(faces: [&[f64]; 4], field: [&[f64]; 5], soil: &[f64], out: &mut [f64]) {
+    let n = out.len();
+    let [low, high, reach_low, reach_high] = faces.map(|f| &f[..n]);
+    let ([q0, q1, q2, q3, q4], soil) = (field.map(|q| &q[..n]), &soil[..n]);
+    for i in 0..n {
+        let into = low[i] * carried([q0[i], q1[i], q2[i], q3[i]], low[i], reach_low[i]);
+        let out_of = high[i] * carried([q1[i], q2[i], q3[i], q4[i]], high[i], reach_high[i]);
+        let left = soil[i] - (high[i] - low[i]);
+        let new = if left > 0.0 { (q2[i] * soil[i] - (out_of - into)) / left } else { 0.0 };
+        let still = (low[i] == 0.0) & (high[i] == 0.0);
+        out[i] = if still { q2[i] } else { new };
+    }
+}
+
+/// Takes off what flows out through the high faces of a plane and adds what flows in through the low ones.
+pub(crate) fn difference(grid: &Grid, axis: usize, plane: usize, face: &[f64], out: &mut [f64]) {
+    let (base, s) = (plane * grid.stride[2], grid.stride[axis]);
+    let n = out.len().min(face.len() - base - s);
+    let (low, high) = (&face[base..base + n], &face[base + s..base + s + n]);
+    for ((value, low), high) in out.iter_mut().zip(low).zip(high) {
+        *value -= high - low;
+    }
+}
+
+/// Calls `job(row, part of out)` for the rows of nodes in a storage plane.
+fn each_node_row(grid: &Grid, axis: usize, plane: usize, out: &mut [f64], job: impl Fn(Row, &mut [f64])) {
+    let row = grid.stride[1];
+    for q in 1..=grid.cells()[1] + 1 {
+        job(Row::new(grid, axis, [q, plane]), &mut out[q * row..(q + 1) * row]);
     }
 }
 
 /// Mass that crosses the dual faces between node `n` and the next along the axis [kg], for a plane of nodes.
 pub(crate) fn dual_fluxes(grid: &Grid, axis: usize, plane: usize, mass_flux: &[f64], out: &mut [f64]) {
-    let [_, row, stride] = grid.stride;
-    let base = plane * stride;
-    let s = grid.stride[axis];
-    let [a, b] = [grid.stride[(axis + 1) % 3], grid.stride[(axis + 2) % 3]];
     out.fill(0.0);
-    for q in 1..=grid.cells()[1] + 1 {
-        for i in 1..=grid.cells()[0] + 1 {
-            let n = base + q * row + i;
-            if [i, q, plane][axis] > grid.cells()[axis] {
-                continue;
-            }
-            let at = |c: usize| mass_flux[c] + mass_flux[c + s];
-            out[n - base] = 0.125 * ((at(n) + at(n - a)) + (at(n - b) + at(n - a - b)));
-        }
+    if axis == 2 && plane > grid.cells()[2] {
+        return;
+    }
+    let [a, b] = [grid.stride[(axis + 1) % 3], grid.stride[(axis + 2) % 3]];
+    each_node_row(grid, axis, plane, out, |row, own| {
+        let pair = |back: usize| {
+            let row = Row { start: row.start - back, ..row };
+            [row.of(mass_flux), row.above(mass_flux)]
+        };
+        dual_flux_row([pair(0), pair(a), pair(b), pair(a + b)], own);
+    });
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn dual_flux_row(faces: [[&[f64]; 2]; 4], out: &mut [f64]) {
+    let n = out.len();
+    let [[a0, a1], [b0, b1], [c0, c1], [d0, d1]] = faces.map(|pair| pair.map(|f| &f[..n]));
+    for i in 0..n {
+        out[i] = 0.125 * (((a0[i] + a1[i]) + (b0[i] + b1[i])) + ((c0[i] + c1[i]) + (d0[i] + d1[i])));
     }
 }
 
-/// Calls `job(node, [low, high])` for every node of a plane with what flows in through the dual face below it and out
-/// through that above; nothing flows beyond the ends of the grid.
-fn each_node(grid: &Grid, axis: usize, plane: usize, flux: &[f64], mut job: impl FnMut(usize, [f64; 2])) {
-    let [_, row, stride] = grid.stride;
-    let s = grid.stride[axis];
-    let cells = grid.cells();
-    for q in 1..=cells[1] + 1 {
-        for i in 1..=cells[0] + 1 {
-            let n = plane * stride + q * row + i;
-            let layer = [i, q, plane][axis] - 1;
-            let high = if layer < cells[axis] { flux[n] } else { 0.0 };
-            let low = if layer > 0 { flux[n - s] } else { 0.0 };
-            job(n, [low, high]);
-        }
+/// As [`Sweep::reaches`] for the dual faces above a plane of nodes: 0 where a neighbour of the donor has no mass.
+pub(crate) fn dual_reaches(
+    grid: &Grid,
+    axis: usize,
+    plane: usize,
+    [mass, flux]: [&[f64]; 2],
+    mass_moved: f64,
+    out: &mut [f64],
+) {
+    each_node_row(grid, axis, plane, out, |row, own| {
+        dual_reach_row(row.of(flux), row.round(mass), mass_moved, own);
+    });
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn dual_reach_row(flux: &[f64], mass: [&[f64]; 5], mass_moved: f64, out: &mut [f64]) {
+    let n = out.len();
+    let ([_, m0, m1, m2, m3], flux) = (mass.map(|m| &m[..n]), &flux[..n]);
+    for i in 0..n {
+        let forward = flux[i] > 0.0;
+        let (up, donor, down) = if forward { (m0[i], m1[i], m2[i]) } else { (m3[i], m2[i], m1[i]) };
+        let smooth = (up > mass_moved) & (down > mass_moved);
+        let share = flux[i].abs() / donor;
+        let side = if forward { 0.5 } else { -0.5 };
+        out[i] = if smooth { side * (1.0 - if share < 1.0 { share } else { 1.0 }) } else { 0.0 };
     }
 }
 
 /// New masses of a plane of nodes after the dual fluxes.
 pub(crate) fn carry_mass(grid: &Grid, axis: usize, plane: usize, flux: &[f64], out: &mut [f64]) {
-    let base = plane * grid.stride[2];
-    each_node(grid, axis, plane, flux, |n, [low, high]| out[n - base] -= high - low);
+    each_node_row(grid, axis, plane, out, |row, own| {
+        for ((mass, low), high) in own.iter_mut().zip(row.below(flux)).zip(row.of(flux)) {
+            *mass -= high - low;
+        }
+    });
 }
 
 /// New velocity component of a plane of nodes after the dual fluxes have carried momentum.
@@ -271,41 +399,42 @@ pub(crate) fn carry_momentum(
     grid: &Grid,
     axis: usize,
     plane: usize,
-    [velocity, mass, flux]: [&[f64]; 3],
-    mass_moved: f64,
+    [velocity, mass, flux, reach]: [&[f64]; 4],
     out: &mut [f64],
 ) {
     let base = plane * grid.stride[2];
-    let s = grid.stride[axis];
     out.copy_from_slice(&velocity[base..base + out.len()]);
-    each_node(grid, axis, plane, flux, |n, [low, high]| {
-        if high == 0.0 && low == 0.0 {
-            return;
-        }
-        let through = |n: usize, flux: f64| carried_velocity([velocity, mass], n, s, flux, mass_moved);
-        let into = if low == 0.0 { 0.0 } else { through(n - s, low) };
-        let out_of = if high == 0.0 { 0.0 } else { through(n, high) };
-        let left = mass[n] - (high - low);
-        let old = velocity[n];
-        let new = if left > 0.0 { (mass[n] * old - (high * out_of - low * into)) / left } else { 0.0 };
-        // Where more flows out than there was, rounding decides: stay within what flowed in.
-        let overdrawn = high.max(0.0) - low.min(0.0) > 0.5 * mass[n];
-        let bounds = [old, if low > 0.0 { into } else { old }, if high < 0.0 { out_of } else { old }];
-        let (least, most) = bounds.iter().fold((old, old), |(a, b), v| (a.min(*v), b.max(*v)));
-        out[n - base] = if overdrawn { new.clamp(least, most) } else { new };
+    each_node_row(grid, axis, plane, out, |row, own| {
+        let faces = [row.below(flux), row.of(flux), row.below(reach), row.of(reach)];
+        momentum_row(faces, row.round(velocity), row.of(mass), own);
     });
 }
 
-/// Velocity carried over the dual face above node `n`.
-fn carried_velocity([velocity, mass]: [&[f64]; 2], n: usize, s: usize, flux: f64, mass_moved: f64) -> f64 {
-    let (donor, up, down, side) =
-        if flux > 0.0 { (n, n - s, n + s, 0.5) } else { (n + s, n + 2 * s, n, -0.5) };
-    let own = velocity[donor];
-    let has_mass = |n: usize| mass.get(n).is_some_and(|m| *m > mass_moved);
-    if !(has_mass(up) && has_mass(down)) {
-        return own;
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn momentum_row(faces: [&[f64]; 4], velocity: [&[f64]; 5], mass: &[f64], out: &mut [f64]) {
+    let n = out.len();
+    let [low, high, reach_low, reach_high] = faces.map(|f| &f[..n]);
+    let ([v0, v1, v2, v3, v4], mass) = (velocity.map(|v| &v[..n]), &mass[..n]);
+    let least = |a: f64, b: f64| if b < a { b } else { a };
+    let most = |a: f64, b: f64| if b > a { b } else { a };
+    for i in 0..n {
+        let into = carried([v0[i], v1[i], v2[i], v3[i]], low[i], reach_low[i]);
+        let out_of = carried([v1[i], v2[i], v3[i], v4[i]], high[i], reach_high[i]);
+        let left = mass[i] - (high[i] - low[i]);
+        let old = v2[i];
+        let new = if left > 0.0 { (mass[i] * old - (high[i] * out_of - low[i] * into)) / left } else { 0.0 };
+        // Where more flows out than there was, rounding decides: stay within what flowed in.
+        let overdrawn = most(high[i], 0.0) - least(low[i], 0.0) > 0.5 * mass[i];
+        let (a, b) = (if low[i] > 0.0 { into } else { old }, if high[i] < 0.0 { out_of } else { old });
+        let (floor, ceiling) = (least(least(old, a), b), most(most(old, a), b));
+        let bounded = least(most(new, floor), ceiling);
+        let still = (low[i] == 0.0) & (high[i] == 0.0);
+        out[i] = if still {
+            old
+        } else if overdrawn {
+            bounded
+        } else {
+            new
+        };
     }
-    let (low, high) = if flux > 0.0 { (up, down) } else { (down, up) };
-    let slope = monotonised_central(own - velocity[low], velocity[high] - own);
-    own + side * (1.0 - (flux.abs() / mass[donor]).min(1.0)) * slope
 }

@@ -1,6 +1,7 @@
 //! Memory that the step works in and that is worth nothing between steps.
 
 use crate::cpu::contact::{self, ContactLaw, TouchedNode};
+use crate::cpu::stopwatch::Stopwatch;
 use crate::cpu::stress::Block;
 use crate::cpu::threads::{Cut, Team};
 use crate::grid::Grid;
@@ -13,6 +14,9 @@ use physics::shape::SurfacePoint;
 /// corner's side along x, y, z; last the hourglass damping.
 pub(crate) const COEFFICIENTS: usize = 13;
 
+/// Sums at a node: the force along x, y, z, and the damping.
+pub(crate) const NODE_SUMS: usize = 4;
+
 /// Threads, scratch arrays and the bookkeeping of which rows hold soil.
 pub struct Workspace {
     pub(crate) team: Team,
@@ -20,18 +24,16 @@ pub struct Workspace {
     pub(crate) cut: Cut,
     /// Whether a row of cells holds soil, by storage plane and row.
     pub(crate) row_has_soil: Vec<bool>,
-    /// Nodal velocities of the step before.
+    /// Nodal velocities of the step before; room for the remap between steps.
     pub(crate) velocity_before: [Vec<f64>; 3],
     /// Arrays for the remap.
-    pub(crate) scratch: [Vec<f64>; 5],
+    pub(crate) scratch: [Vec<f64>; 3],
     /// One for each worker.
     pub(crate) workers: Vec<WorkerScratch>,
     /// Sums over rows of the Lagrangian step.
     pub(crate) row_sums: Vec<RowSums>,
-    /// Widths of the cell layers along x, in storage columns (0 in ghosts).
-    pub(crate) width_x: Vec<f64>,
-    /// Force coefficients of a plane without soil: zeros.
-    pub(crate) no_forces: Vec<f64>,
+    /// Widths of the cell layers along x [m], in storage columns (0 in ghosts), and ¼ over them.
+    pub(crate) width_x: [Vec<f64>; 2],
     /// How soil and bodies act on each other.
     pub(crate) contact_law: Box<dyn ContactLaw>,
     /// Surface points of the bodies.
@@ -52,14 +54,18 @@ impl std::fmt::Debug for Workspace {
 
 /// What a worker needs for itself.
 pub(crate) struct WorkerScratch {
-    /// Force coefficients of the first plane, and of two planes in turn.
-    pub(crate) forces: [Vec<f64>; 3],
-    /// Which of them holds the last plane.
-    pub(crate) last: usize,
+    /// Force coefficients of two rows of cells in turn.
+    pub(crate) coefficients: [Vec<f64>; 2],
+    /// Force and damping (four rows for each row of nodes) on a plane of nodes by the cells below it.
+    pub(crate) below: Vec<f64>,
+    /// The same on the lowest plane of nodes by the cells above it.
+    pub(crate) waiting: Vec<f64>,
     /// Row buffers of the nodes.
     pub(crate) row: Vec<f64>,
     /// Block of cells.
     pub(crate) block: Box<Block>,
+    /// Where this worker's time goes.
+    pub(crate) stopwatch: Stopwatch,
 }
 
 /// Sums over a row, in an order that does not depend on the number of threads.
@@ -94,10 +100,12 @@ impl Workspace {
         let planes = grid.cells()[2] + 1;
         let rows = plane / grid.stride[1];
         let worker = |_| WorkerScratch {
-            forces: std::array::from_fn(|_| vec![0.0; COEFFICIENTS * plane]),
-            last: 0,
+            coefficients: std::array::from_fn(|_| vec![0.0; COEFFICIENTS * grid.stride[1]]),
+            below: vec![0.0; NODE_SUMS * plane],
+            waiting: vec![0.0; NODE_SUMS * plane],
             row: vec![0.0; ROW_BUFFERS * grid.stride[1]],
             block: Block::new(),
+            stopwatch: Stopwatch::default(),
         };
         let threads = threads.clamp(1, planes);
         let (touched, corner_nodes) = contact::touched_nodes(model, &state.contacts);
@@ -110,7 +118,6 @@ impl Workspace {
             workers: (0..threads).map(worker).collect(),
             row_sums: vec![RowSums::default(); rows * (planes + 1)],
             width_x: column_widths(grid),
-            no_forces: vec![0.0; COEFFICIENTS * plane],
             contact_law: contact::law(model),
             points: model.bodies.iter().map(|b| contact::surface_points(model, b)).collect(),
             touched,
@@ -125,6 +132,25 @@ impl Workspace {
     #[must_use]
     pub fn threads(&self) -> usize {
         self.team.size()
+    }
+
+    /// Memory that it takes up [bytes], but for what grows with the bodies' surfaces.
+    #[must_use]
+    pub fn memory(&self) -> usize {
+        let own = |w: &WorkerScratch| {
+            let rows = w.coefficients.iter().chain([&w.below, &w.waiting, &w.row]);
+            rows.map(|row| size_of_val(row.as_slice())).sum::<usize>() + size_of_val(&*w.block)
+        };
+        let fields = self.scratch.iter().chain(&self.velocity_before);
+        fields.map(|field| size_of_val(field.as_slice())).sum::<usize>()
+            + self.workers.iter().map(own).sum::<usize>()
+            + size_of_val(self.row_sums.as_slice())
+            + size_of_val(self.row_has_soil.as_slice())
+    }
+
+    /// Where the time of the calling thread goes.
+    pub fn stopwatch(&mut self) -> &mut Stopwatch {
+        &mut self.workers[0].stopwatch
     }
 
     /// Rows per plane.
@@ -149,12 +175,13 @@ impl Workspace {
     }
 }
 
-fn column_widths(grid: &Grid) -> Vec<f64> {
+fn column_widths(grid: &Grid) -> [Vec<f64>; 2] {
     let mut widths = vec![0.0; grid.stride[1] + crate::grid::LANES];
     for i in 0..grid.cells()[0] {
         widths[i + 1] = grid.width(0, i);
     }
-    widths
+    let per_width = widths.iter().map(|w| if *w > 0.0 { 0.25 / w } else { 0.0 }).collect();
+    [widths, per_width]
 }
 
 /// Splits any per-row array like the planes.
@@ -170,6 +197,7 @@ pub(crate) fn split_rows<'a, T>(cut: &Cut, rows: usize, array: &'a mut [T]) -> V
 }
 
 /// Sum in eight lanes that are added up at the end: the same whatever the processor's vectors are.
+#[inline(always)]
 pub(crate) fn lane_sum(values: &[f64]) -> f64 {
     let mut lanes = [0.0; 8];
     for chunk in values.chunks_exact(8) {

@@ -3,6 +3,7 @@
 pub(super) mod body;
 mod checks;
 pub(super) mod extent;
+mod forecast;
 mod grading;
 mod mesh;
 mod motion;
@@ -59,6 +60,7 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
     let bodies = frame.as_ref().and_then(|frame| bodies(schema, frame, problems));
     let name = name(&schema.top, source_name, problems);
     let duration = bodies.as_ref().and_then(|b| timing::duration(&schema.run, b, problems));
+    let forecast = forecast::measured(&schema.forecast, problems);
     let output = duration.and_then(|d| timing::output(&schema.output, d, problems));
     let (frame, bodies, duration) = (frame?, bodies?, duration?);
     let domain = extent::domain(&schema.domain, &frame, &bodies, duration, problems)?;
@@ -83,6 +85,7 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
         duration,
         output: output?,
         numerics: numerics?,
+        forecast: forecast?,
     };
     checks::contact_points_remain(schema, &case, problems);
     checks::can_be_computed(schema, &case, problems);

@@ -1,0 +1,69 @@
+//! Where the time of a step goes. A stopwatch that was not started costs one comparison per lap.
+
+use std::time::Instant;
+
+/// A part of the step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// Strain, trial stress and nodal force coefficients.
+    Lagrange,
+    /// Return of stresses to the strength.
+    Plasticity,
+    /// Forces gathered at the nodes, new velocities and displacements.
+    Nodes,
+    /// The Eulerian stage.
+    Remap,
+    /// Loads and drives of the bodies, contact of soil and bodies, and finding its points anew.
+    Contact,
+    /// Ledger and checks.
+    Other,
+}
+
+impl Stage {
+    /// All stages, in the order of their numbers.
+    pub const ALL: [Self; 6] =
+        [Self::Lagrange, Self::Plasticity, Self::Nodes, Self::Remap, Self::Contact, Self::Other];
+}
+
+/// Time by stage of one worker.
+#[derive(Clone, Debug, Default)]
+pub struct Stopwatch {
+    last: Option<Instant>,
+    seconds: [f64; Stage::ALL.len()],
+    returned: u64,
+}
+
+impl Stopwatch {
+    /// Starts to measure, from zero.
+    pub fn start(&mut self) {
+        *self = Self { last: Some(Instant::now()), ..Self::default() };
+    }
+
+    /// Enters the time since the last lap under `stage`.
+    #[inline]
+    pub(crate) fn lap(&mut self, stage: Stage) {
+        if let Some(last) = &mut self.last {
+            let now = Instant::now();
+            self.seconds[stage as usize] += (now - *last).as_secs_f64();
+            *last = now;
+        }
+    }
+
+    /// Counts cells whose stress was returned to the strength.
+    #[inline]
+    pub(crate) fn count_returned(&mut self, cells: usize) {
+        self.returned += cells as u64;
+    }
+
+    /// Time spent in a stage since the start [s].
+    #[must_use]
+    pub fn seconds(&self, stage: Stage) -> f64 {
+        self.seconds[stage as usize]
+    }
+
+    /// Number of times that the stress of a cell was returned to the strength.
+    #[must_use]
+    pub fn returned(&self) -> u64 {
+        self.returned
+    }
+}
