@@ -6,7 +6,7 @@ use thiserror::Error;
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum Refusal {
     /// An input lies outside the range in which the formula is valid.
-    #[error("{what} = {value} lies outside the valid range {low} to {high}")]
+    #[error("{}", range(what, *value, *low, *high))]
     OutOfRange {
         /// Name and unit of the input.
         what: &'static str,
@@ -25,6 +25,31 @@ pub enum Refusal {
         /// The reason, in plain words.
         why: String,
     },
+}
+
+/// The message of a value out of range; angles in degrees, which is what people type.
+fn range(what: &str, value: f64, low: f64, high: f64) -> String {
+    let (name, unit) = match what.split_once(" [") {
+        Some((name, unit)) => (name, unit.trim_end_matches(']')),
+        None => (what, ""),
+    };
+    let (size, unit) =
+        if unit == "rad" { (1_f64.to_radians(), "°".to_owned()) } else { (1.0, format!(" {unit}")) };
+    let unit = unit.trim_end();
+    let shown = |x: f64| {
+        let x = x / size;
+        let plain = x == 0.0 || (1e-3..1e5).contains(&x.abs());
+        // Six digits, and no zeros behind them.
+        if plain { format!("{}{unit}", (x * 1e6).round() / 1e6) } else { format!("{x:.5e}{unit}") }
+    };
+    let wanted = match (low, high) {
+        (f64::MIN_POSITIVE, f64::MAX) => "it must be above 0".to_owned(),
+        (0.0, f64::MAX) => "it must be 0 or more".to_owned(),
+        (f64::MIN_POSITIVE, high) => format!("it must be above 0 and at most {}", shown(high)),
+        (low, f64::MAX) => format!("it must be {} or more", shown(low)),
+        (low, high) => format!("the valid range is {} to {}", shown(low), shown(high)),
+    };
+    format!("{name} = {} is out of range: {wanted}", shown(value))
 }
 
 /// A number, or the reason why there is none.

@@ -2,7 +2,7 @@
 
 use analytic::Soil;
 use analytic::disc::{
-    Disc, Drive, Equilibrium, Model, Setting, bearing_arc, disc_forces, end_factor, equilibrium,
+    Disc, Drive, Equilibrium, Model, RimLoad, Setting, bearing_arc, disc_forces, end_factor, equilibrium,
     median_angle, rolling_split, side_faces,
 };
 use analytic::earth_pressure::{Face, sokolovskii};
@@ -111,6 +111,7 @@ fn the_worked_example_matches_step_by_step() {
     let rim = bearing_arc(&soil, &DISC, &contact, 0.0, Default::default()).unwrap();
     assert!((rim.base / 19.30e3 - 1.0).abs() < 1e-3 && (rim.by_depth / 16e3 / 43.25 - 1.0).abs() < 1e-3);
     assert!((rim.at(0.0) / 46.98e3 - 1.0).abs() < 1e-3);
+    let rim = RimLoad::from(rim);
     let sums = rim.reaction();
     assert!((sums.vertical - 154.6).abs() < 0.1 && (sums.horizontal - 66.3).abs() < 0.1);
     let free = disc_forces(Model::Bearing, &Setting::new(soil, DISC, Drive::Free), 0.04).unwrap();
@@ -261,7 +262,7 @@ fn without_the_weight_term_a_shallow_arc_has_hetherington_and_littletons_form() 
     let mut rim = bearing_arc(&soil, &DISC, &contact, 0.0, Default::default()).unwrap();
     rim.base = 0.0;
     let n_q = rim.by_depth / 16e3;
-    let sums = rim.reaction();
+    let sums = RimLoad::from(rim).reaction();
     let prefactor = sums.horizontal / (sums.vertical.powi(4) / (16e3 * n_q * 0.05 * 0.04)).cbrt();
     println!("prefactor {prefactor:.6}");
     assert!((prefactor - 0.858).abs() < 6e-4 && (prefactor / ARC_PREFACTOR - 1.0).abs() < 1e-5);

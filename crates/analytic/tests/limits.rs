@@ -64,7 +64,7 @@ proptest! {
     fn nothing_depends_on_the_scale(
         phi in 20.0..45.0_f64, thickness in 0.05..1.0_f64, z in 0.02..0.5_f64, c in 0.0..0.05_f64, size in 0.01..100.0_f64,
     ) {
-        for (model, drive) in [(Model::Bearing, Drive::Free), (Model::Wedge, Drive::Free), (Model::Bearing, Drive::Locked)] {
+        for (model, drive) in [(Model::Bearing, Drive::Free), (Model::Wedge, Drive::Free), (Model::Bearing, Drive::Locked), (Model::Weaker, Drive::Free), (Model::Weaker, Drive::Locked)] {
             let groups = |size: f64, gamma: f64| {
                 let body = Disc { diameter: size, thickness: thickness * size };
                 let ground = Soil { unit_weight: gamma, ..soil(phi, 0.3, c * gamma * size) };
@@ -113,6 +113,9 @@ proptest! {
             for model in found.models.iter().chain(&found.models_full_friction) {
                 prop_assert!(model.prediction.is_some() || !model.note.is_empty());
                 if let Some(p) = model.prediction {
+                    if let Load::Weight(weight) = load {
+                        prop_assert!((p.vertical / weight - 1.0).abs() < 1e-3, "{model:?} under {weight} N");
+                    }
                     for x in [Some(p.drag), Some(p.vertical), p.sinkage, p.contact_angle, Some(p.force_inclination), p.skid] {
                         prop_assert!(x.is_none_or(f64::is_finite), "{model:?}");
                     }
@@ -149,10 +152,16 @@ fn inputs_out_of_range_are_refused_with_the_range() {
         let mut case = good.clone();
         change(&mut case);
         let message = forecast(&case).unwrap_err().to_string();
-        assert!(message.contains(word) && message.contains(" to "), "{message}");
+        assert!(
+            message.contains(word) && message.contains("it must be") | message.contains("valid range"),
+            "{message}"
+        );
         assert!(predict(Candidate::Bearing, &case, None).is_err());
     };
-    refuse(&|case| case.soil.friction_angle = 1.0, "friction angle");
+    refuse(
+        &|case| case.soil.friction_angle = 1.0,
+        "friction angle = 57.29578° is out of range: the valid range is 10° to 50°",
+    );
     refuse(&|case| case.soil.dilation_angle = 0.7, "dilation angle");
     refuse(&|case| case.soil.unit_weight = 0.0, "unit weight");
     refuse(&|case| case.soil.cohesion = f64::NAN, "cohesion");

@@ -61,17 +61,20 @@ fn doubts(face: &Face, k: f64) -> usize {
     doubts.len()
 }
 
+/// A millisecond of a present core is some 10⁵ sines: against them, so that a busy machine does not matter.
 #[test]
-fn one_solution_takes_less_than_a_millisecond() {
+fn one_solution_takes_less_than_a_hundred_thousand_sines() {
     let start = Instant::now();
     for n in 0..200 {
         let face = Face::degrees(20.0 + 0.1 * f64::from(n), 5.0, 10.0 + 0.4 * f64::from(n), 0.0);
-        sokolovskii(&face).unwrap();
+        sokolovskii(std::hint::black_box(&face)).unwrap();
     }
     let each = start.elapsed().as_secs_f64() / 200.0;
-    println!("one exact coefficient: {:.1} µs", each * 1e6);
-    // Ten times the target, because the machine that runs the tests may be busy.
-    assert!(each < 1e-2);
+    let start = Instant::now();
+    let sum: f64 = (0..2_000_000).map(|n| std::hint::black_box(f64::from(n)).sin()).sum();
+    let sines = start.elapsed().as_secs_f64() / 20.0;
+    println!("one exact coefficient: {:.1} µs, 10⁵ sines {:.1} µs ({sum:.1})", each * 1e6, sines * 1e6);
+    assert!(each < sines, "{each} s, {sines} s");
 }
 
 #[test]

@@ -1,11 +1,13 @@
 //! A case on its way through time: the model and state that it means, and the history that its probes write.
 
 use crate::case::Case;
-use crate::case::resolved::{self, Ground, Law};
+use crate::case::resolved::{self, Ground, Law, Potential};
 use crate::output::checkpoint::Checkpoint;
 use crate::output::record::{BodySample, EnergySample, History};
 use physics::elastic::Elastic;
+use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
 use physics::mohr_coulomb::MohrCoulomb;
+use physics::strength::Law as Strength;
 use solver::audit::{elastic_energy, kinetic_energy};
 use solver::cpu::energy::soil_volume;
 use solver::cpu::stopwatch::Stopwatch;
@@ -13,7 +15,7 @@ use solver::cpu::workspace::Workspace;
 use solver::error::Breakdown;
 use solver::grid::Grid;
 use solver::model::{BodyModel, ContactMethod, Method, Model, Wall};
-use solver::start::{Filling, start};
+use solver::start::{Filling, start_under};
 use solver::state::{Received, State};
 use solver::step::step;
 
@@ -40,7 +42,7 @@ impl Simulation {
     #[must_use]
     pub fn new(case: &Case) -> Self {
         let model = model(case);
-        let state = start(&model, &filling(&case.ground));
+        let state = start_under(&model, &filling(&case.ground), case.overburden);
         Self::with_state(case, model, state)
     }
 
@@ -84,6 +86,7 @@ impl Simulation {
     pub fn case_text(case: &Case) -> String {
         let mut case = case.clone();
         case.numerics.threads = 0;
+        case.forecast = resolved::Measured::default();
         // A case is made of numbers, names and lists: it always has a text.
         serde_json::to_string(&case).unwrap_or_default()
     }
@@ -176,11 +179,11 @@ impl Simulation {
             time: self.state.time,
             displacement: body.position.x - fixed.start.x,
             sinkage: -(body.position.z + fixed.shape.bounds().0.z),
-            drag: -force.x,
-            // In a symmetric case the halves' lateral forces cancel.
+            // In a symmetric case the halves' forces across the plane cancel.
+            drag: if self.case.domain.symmetric_x { 0.0 } else { -force.x },
             lateral: if self.case.domain.symmetric { 0.0 } else { force.y },
             vertical: force.z,
-            drag_normal: -normal.x,
+            drag_normal: if self.case.domain.symmetric_x { 0.0 } else { -normal.x },
             vertical_normal: normal.z,
             axle_torque: (now.axle - then.axle) * rate,
             rotation: body.angle,
@@ -218,19 +221,17 @@ pub fn model(case: &Case) -> Model {
     Model {
         grid: Grid::new(case.grid.faces.clone()),
         elastic,
-        strength: match case.soil.law {
-            Law::Elastic => None,
-            Law::Tresca { shear_strength } => Some(MohrCoulomb::tresca(elastic, shear_strength)),
-            Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_limit } => {
-                Some(MohrCoulomb::new(elastic, friction_angle, dilation_angle, cohesion, tension_limit))
-            }
+        strength: strength(elastic, case.soil.law),
+        critical_density: match case.soil.law {
+            Law::MohrCoulomb { critical_density, .. } => critical_density,
+            Law::Elastic | Law::Tresca { .. } => None,
         },
         density: case.soil.density,
         gravity: if case.soil.unit_weight > 0.0 { case.soil.unit_weight / case.soil.density } else { 0.0 },
         rest_pressure_ratio: case.soil.rest_pressure_ratio,
         walls: case.domain.walls.map(|pair| pair.map(wall)),
         bodies: case.bodies.iter().map(body).collect(),
-        share: if case.domain.symmetric { 0.5 } else { 1.0 },
+        share: case.domain.share(),
         method: Method {
             courant: case.numerics.courant,
             remap_displacement: case.numerics.remap_displacement,
@@ -243,6 +244,34 @@ pub fn model(case: &Case) -> Model {
             edge_inset: case.numerics.edge_inset,
             point_spacing: case.numerics.point_spacing,
         },
+    }
+}
+
+fn strength(elastic: Elastic, law: Law) -> Option<Strength> {
+    match law {
+        Law::Elastic => None,
+        Law::Tresca { shear_strength } => {
+            Some(Strength::MohrCoulomb(MohrCoulomb::tresca(elastic, shear_strength)))
+        }
+        Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_limit, potential, .. } => {
+            let (phi, psi) = (friction_angle, dilation_angle);
+            Some(match potential {
+                Potential::MohrCoulomb => {
+                    Strength::MohrCoulomb(MohrCoulomb::new(elastic, phi, psi, cohesion, tension_limit))
+                }
+                Potential::MenetreyWillam { meridional, deviatoric } => {
+                    let shape = Eccentricity { meridional, deviatoric };
+                    Strength::MenetreyWillam(MenetreyWillam::new(
+                        elastic,
+                        phi,
+                        psi,
+                        cohesion,
+                        tension_limit,
+                        shape,
+                    ))
+                }
+            })
+        }
     }
 }
 
@@ -261,6 +290,7 @@ fn body(body: &resolved::Body) -> BodyModel {
         mass: body.mass,
         axle_inertia: body.axle_inertia,
         friction: body.friction,
+        shear_limit: body.shear_limit,
         translation: body.translation,
         spin: body.spin,
     }

@@ -157,6 +157,26 @@ fn a_key_of_another_law_or_shape() {
 }
 
 #[test]
+fn flow_that_makes_no_sense() {
+    let with = |line: &'static str| format!("cohesion = \"0 Pa\"\n{line}");
+    let line = "cohesion = \"0 Pa\"";
+    refused(TOWED_DISC, line, &with("meridional_eccentricity = 0.1"), &["without the smooth potential"]);
+    refused(
+        TOWED_DISC,
+        line,
+        &with("flow_potential = \"menetrey-willam\"\ndeviatoric_eccentricity = 0.5"),
+        &["above 0.5 and at most 1"],
+    );
+    refused(TOWED_DISC, line, &with("critical_density = \"1500 kg/m^3\""), &["no dilation that could end"]);
+    refused(
+        TOWED_DISC,
+        "dilation_angle = \"0 deg\"",
+        "dilation_angle = \"5 deg\"\ncritical_density = \"1700 kg/m^3\"",
+        &["looser than this at the start", "1631"],
+    );
+}
+
+#[test]
 fn duplicate_key() {
     refused(
         TOWED_DISC,
@@ -251,6 +271,61 @@ fn what_a_symmetric_case_cannot_be() {
         "symmetric = true",
         &["take `symmetric` out"],
     );
+}
+
+#[test]
+fn what_a_case_symmetric_about_x_cannot_be() {
+    let half = FOOTING.replacen("x = [\"-3 m\"", "symmetric_x = true\nx = [\"0 m\"", 1);
+    let half = half.replacen("fine_x = [\"-1.75 m\"", "fine_x = [\"0 m\"", 1);
+    refused(&half, "x = [\"0 m\"", "x = [\"-1 m\"", &["begin with \"0 m\""]);
+    refused(&half, "friction = 0", "friction = 0\nx = \"0.1 m\"", &["off the plane of symmetry"]);
+    refused(&half, "friction = 0", "friction = 0\norientation = \"5 deg\"", &["not symmetric about x = 0"]);
+    refused(
+        &half,
+        "friction = 0",
+        "friction = 0\nmass = \"1 kg\"\nforward = \"free\"",
+        &["allows no `forward`"],
+    );
+    let held = "x_walls = [\"fixed\", \"fixed\"]\nplane_strain = true";
+    refused_at(&half, "plane_strain = true", held, "x_walls", &["a plane of symmetry is smooth"]);
+}
+
+#[test]
+fn shapes_that_do_not_fit() {
+    let ball = "shape = \"ball\"\ndiameter = \"1 m\"";
+    let block = "shape = \"block\"\nsize = [\"1 m\", \"0.5 m\"]         # along x and z";
+    refused_at(FOOTING, block, ball, "shape = \"ball\"", &["no plane strain"]);
+    let pile = "diameter = \"1 m\"\nshape = \"cylinder\"\naxis = \"z\"";
+    refused(FOOTING, block, pile, &["lies across the slab"]);
+    refused(
+        FOOTING,
+        block,
+        "shape = \"cylinder\"\ndiameter = \"1 m\"\naxis = \"w\"",
+        &["\"w\" is not known"],
+    );
+    refused(
+        FOOTING,
+        block,
+        "shape = \"cylinder\"\ndiameter = \"1 m\"\naxis = \"y\"\nlength = \"1 m\"",
+        &["as long as the slab"],
+    );
+    refused(TOWED_DISC, "friction = 0.3", "orientation = \"3 deg\"", &["no meaning for shape"]);
+}
+
+#[test]
+fn adhesion_and_overburden_that_mean_nothing() {
+    refused(
+        TOWED_DISC,
+        "friction = 0.3",
+        "friction = 0.3\nadhesion_factor = 1",
+        &["undrained shear strength"],
+    );
+    refused(FOOTING, "friction = 0", "friction = \"rough\"\nadhesion_factor = 1.5", &["from 0 to 1"]);
+    let lid = "[ground]\noverburden = \"50 kPa\"\n[grid]";
+    refused_at(FOOTING, "[grid]", lid, "overburden =", &["needs a lid"]);
+    let deep = FOOTING.replacen("\"-2.5 m\", \"0.5 m\"", "\"-2.5 m\", \"0 m\"", 1);
+    assert_ne!(deep, FOOTING);
+    refused_at(&deep, "[grid]", lid, "overburden =", &["cannot bear this overburden"]);
 }
 
 #[test]

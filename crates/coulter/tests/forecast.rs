@@ -41,7 +41,9 @@ fn model<'a>(document: &'a Value, name: &str) -> &'a Value {
 fn the_table_says_what_to_believe() {
     let told = forecast(&[]).assert().success();
     let text = String::from_utf8_lossy(&told.get_output().stdout).into_owned();
-    for word in ["F_H [N]", "skid", "mechanism", "3D-RFT", "do not apply here", "no cone index", "Believe"] {
+    for word in
+        ["F_H [N]", "skid", "way out", "3D-RFT", "do not apply here", "cone_index = ", "5–95 %", "Believe"]
+    {
         assert!(text.contains(word), "{word} is missing in\n{text}");
     }
 }
@@ -65,6 +67,15 @@ fn the_document_keeps_its_names() {
     assert!((number(&best["contact_angle_rad"]).cos() - (1.0 - 2.0 * number(&best["Z"]))).abs() < 1e-9);
     assert!(["sideways", "forwards"].contains(&best["mechanism"].as_str().unwrap()));
     assert!(number(&seen["spread"]["count"]) >= 2.0);
+    // Every model that applies shows its spread, here for an assumed uncertainty of the friction angle.
+    assert_eq!(seen["interval_inputs"][0]["assumed"], true);
+    for applied in seen["models"].as_array().unwrap().iter().filter(|m| m["applicable"] == true) {
+        for quantity in ["drag_N", "sinkage_m"] {
+            let [low, high] = ["low", "high"].map(|end| number(&applied["interval"][quantity][end]));
+            let value = number(&applied[quantity]);
+            assert!(low < value && value < high, "{applied}");
+        }
+    }
     let absent = model(&seen, "Brixius");
     assert!(absent["drag_N"].is_null() && !absent["note"].as_str().unwrap().is_empty());
 }
@@ -99,6 +110,15 @@ fn what_it_cannot_answer_is_refused_with_the_reason() {
         (&["--against", "soil.colour=1..2", "-o", "nowhere"], "soil.friction_angle"),
         (&["--against", "soil.cohesion=\"0 Pa\"..\"5 kPa\"", "--log"], "above 0"),
         (&["--uncertainty"], "--spread"),
+        (&["--log"], "--against"),
+        (&["--points", "9"], "--against"),
+        (&["--force"], "--against"),
+        (&["--against", "plate_exponent=0.5..1.5"], "plate ="),
+        (&["--set", "forecast.plate_exponent=1.1"], "forecast.plate_cohesive"),
+        (&["--set", "forecast.plate_frictional=5 kN/m^3"], "n is needed"),
+        (&["--set", "forecast.plate=\"LETE\""], "LETE sand"),
+        (&["--set", "forecast.shear_displacement=5 mm"], "does nothing"),
+        (&["--set", "forecast.backfill=40 deg"], "from -10 deg to 25 deg"),
         (&["--uncertainty", "--spread", "soil.friction_angle=2 m"], "an angle is needed"),
     ] {
         let why = refusal(&mut forecast(keys));
@@ -134,6 +154,15 @@ fn curves_are_written_and_not_overwritten_unasked() {
         "thickness=10 mm..90 mm",
         "diameter=0.1 m..0.4 m",
         "friction=0..0.6",
+        "forecast.cone_index=100 kPa..1 MPa",
+        "forecast.plate_stiffness=500 kN/m^3..2 MN/m^3",
+        "heap=0..0.5",
+        "backfill=-5 deg..20 deg",
+        "slip=-0.9..0",
+        "z=2 mm..60 mm",
+        "dilation_angle=0 deg..35 deg",
+        "cohesion=0 Pa..500 Pa",
+        "unit_weight=9 kN/m^3..18 kN/m^3",
     ] {
         run(key, &["--force"]).assert().success();
     }
@@ -156,6 +185,36 @@ fn spreads_become_intervals() {
     let same = json(&stated);
     assert_eq!(same["uncertainty"]["quantities"], seen["uncertainty"]["quantities"]);
     assert_eq!(same["models"], seen["models"]);
+    for name in ["weaker of BC and PW", "BC", "3D-RFT", "2-D RFT"] {
+        assert_eq!(all.iter().filter(|q| q["model"] == name).count(), 2, "{name}");
+    }
+}
+
+/// The section `[forecast]` lets the rivals speak, and is no business of a run.
+#[test]
+fn plate_constants_and_cone_index_let_the_rivals_speak() {
+    let given = ["--set", "forecast.plate=\"LETE sand\"", "--set", "forecast.cone_index=300 kPa"];
+    let seen = json(&given);
+    for name in ["Bekker", "Wong-Reece", "Wismer-Luth", "Brixius"] {
+        assert_eq!(model(&seen, name)["applicable"], true, "{name}");
+    }
+    let typed = json(&[
+        "--set",
+        "forecast.plate_exponent=0.793",
+        "--set",
+        "forecast.plate_cohesive=102 kN/m^(n+1)",
+        "--set",
+        "forecast.plate_frictional=5301 kPa/m^n",
+        "--set",
+        "forecast.cone_index=0.3 MPa",
+    ]);
+    assert_eq!(model(&typed, "Bekker"), model(&seen, "Bekker"));
+    let checked = coulter().arg("check").arg(shipped("towed_disc.toml")).args(given).output().unwrap();
+    assert!(checked.status.success());
+    assert!(String::from_utf8_lossy(&checked.stdout).contains("alone"));
+    let heaped = json(&["--set", "forecast.heap=0.3", "--set", "forecast.factors=\"lyamin\""]);
+    let (before, after) = (model(&seen, "BC"), model(&heaped, "BC"));
+    assert!(number(&before["sinkage_m"]) != number(&after["sinkage_m"]));
 }
 
 #[test]
@@ -196,7 +255,12 @@ fn pressure_gives_null_and_a_reason() {
     let wall: Value = serde_json::from_slice(&wall.stdout).unwrap();
     assert!((number(&wall["rankine"]) - 3.0).abs() < 1e-9);
     coulter().args(["pressure", "--friction-angle", "33 deg"]).assert().success();
-    for angles in [["--friction-angle", "33"], ["--friction-angle", "95 deg"]] {
-        refusal(coulter().arg("pressure").args(angles));
+    for (angles, word) in [
+        (["--friction-angle", "33"], "deg"),
+        (["--friction-angle", "95 deg"], "friction angle"),
+        (["--friction-angle", "-5 deg"], "friction angle"),
+    ] {
+        let why = refusal(coulter().arg("pressure").args(angles));
+        assert!(why.contains(word), "{why}");
     }
 }

@@ -7,6 +7,7 @@
 //! over it vectorises.
 
 use crate::elastic::Elastic;
+use crate::strength::{Returned, Strength};
 use crate::tensor::{Spectrum, Symmetric, THIRD, contract, deviator, mean};
 
 /// Strength parameters, with the sums of moduli that the return needs.
@@ -20,24 +21,48 @@ pub struct MohrCoulomb {
     apex: f64,
     /// Largest tension [Pa].
     tension_limit: f64,
-    /// Hardening moduli of the return: A, B at either edge [Pa].
+    /// The return of soil that dilates, and of soil at its critical density.
+    dilating: Flow,
+    level: Flow,
+}
+
+/// Where a trial stress flows, and how stiff the return is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Flow {
+    sin_dilation: f64,
+    /// Moduli of the return: A, B at either edge [Pa].
     plane: f64,
     right: f64,
     left: f64,
+    /// 1/A [1/Pa] and 1/(A² − B²) at either edge [1/Pa²].
+    per_plane: f64,
+    per_right: f64,
+    per_left: f64,
     /// Stress taken off σ₁, given to σ₂ and to σ₃ per unit of plastic multiplier [Pa].
-    flow: [f64; 3],
-    sin_dilation: f64,
+    taken: [f64; 3],
 }
 
-/// What the return gives back.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Returned {
-    /// Admissible stress [Pa].
-    pub stress: Symmetric,
-    /// Increment of equivalent plastic strain √(⅔ e:e).
-    pub plastic_strain: f64,
-    /// Increment of stress-free volumetric opening.
-    pub gap_strain: f64,
+impl Flow {
+    fn new(elastic: Elastic, sp: f64, sy: f64) -> Self {
+        let (k, g) = (elastic.bulk, elastic.shear);
+        let plane = 4.0 * g * (1.0 + sp * sy / 3.0) + 4.0 * k * sp * sy;
+        let right = 2.0 * g * (1.0 + sp + sy - sp * sy / 3.0) + 4.0 * k * sp * sy;
+        let left = 2.0 * g * (1.0 - sp - sy - sp * sy / 3.0) + 4.0 * k * sp * sy;
+        Self {
+            sin_dilation: sy,
+            plane,
+            right,
+            left,
+            per_plane: 1.0 / plane,
+            per_right: 1.0 / (plane * plane - right * right),
+            per_left: 1.0 / (plane * plane - left * left),
+            taken: [
+                2.0 * g * (1.0 + sy / 3.0) + 2.0 * k * sy,
+                (4.0 * g / 3.0 - 2.0 * k) * sy,
+                2.0 * g * (1.0 - sy / 3.0) - 2.0 * k * sy,
+            ],
+        }
+    }
 }
 
 impl MohrCoulomb {
@@ -45,7 +70,6 @@ impl MohrCoulomb {
     /// largest tension that is borne [Pa] (no more than c cot φ has any effect).
     #[must_use]
     pub fn new(elastic: Elastic, friction: f64, dilation: f64, cohesion: f64, tension_limit: f64) -> Self {
-        let (k, g) = (elastic.bulk, elastic.shear);
         let (sp, sy) = (friction.sin(), dilation.sin());
         let apex = if sp > 0.0 { cohesion * friction.cos() / sp } else { f64::INFINITY };
         Self {
@@ -54,15 +78,8 @@ impl MohrCoulomb {
             cohesive: 2.0 * cohesion * friction.cos(),
             apex,
             tension_limit: tension_limit.min(apex),
-            plane: 4.0 * g * (1.0 + sp * sy / 3.0) + 4.0 * k * sp * sy,
-            right: 2.0 * g * (1.0 + sp + sy - sp * sy / 3.0) + 4.0 * k * sp * sy,
-            left: 2.0 * g * (1.0 - sp - sy - sp * sy / 3.0) + 4.0 * k * sp * sy,
-            flow: [
-                2.0 * g * (1.0 + sy / 3.0) + 2.0 * k * sy,
-                (4.0 * g / 3.0 - 2.0 * k) * sy,
-                2.0 * g * (1.0 - sy / 3.0) - 2.0 * k * sy,
-            ],
-            sin_dilation: sy,
+            dilating: Flow::new(elastic, sp, sy),
+            level: Flow::new(elastic, sp, 0.0),
         }
     }
 
@@ -79,48 +96,55 @@ impl MohrCoulomb {
         (s1 - s3) + (s1 + s3) * self.sin_friction - self.cohesive
     }
 
-    /// Whether a stress may lie outside the admissible set. Cheap and never wrong in saying no: it compares with the
-    /// cone inscribed in the pyramid.
+    /// The hydrostatic tension that the soil bears, c cot φ [Pa]; infinite for φ = 0.
     #[inline(always)]
     #[must_use]
-    pub fn may_yield(&self, stress: Symmetric) -> bool {
-        let s = deviator(stress);
-        let p = mean(stress);
-        let root = (0.5 * contract(s, s)).sqrt();
-        let sp = self.sin_friction;
-        // 1.1548 ≥ 2/√3 bounds the largest principal deviator by √J₂.
-        let sheared = 2.0 * root * (1.0 + sp * sp / 3.0).sqrt() > self.cohesive - 2.0 * p * sp;
-        let pulled = p + 1.1548 * root > self.tension_limit;
-        sheared | pulled
+    pub fn apex(&self) -> f64 {
+        self.apex
     }
 
-    /// Brings a trial stress back to the admissible set.
+    /// The return that leads from a trial stress to these principal stresses along the same axes.
     #[inline(always)]
-    #[must_use]
-    pub fn return_map(&self, trial: Symmetric) -> Returned {
-        let spectrum = Spectrum::of(trial);
-        let value = self.capped(self.sheared(spectrum.principal));
-        let stress = spectrum.with_principal(value);
+    pub(crate) fn returned(&self, trial: &Spectrum, value: [f64; 3]) -> Returned {
+        let stress = trial.with_principal(value);
         let new_mean = (value[0] + value[1] + value[2]) * THIRD;
         let (per_bulk, per_shear) = (1.0 / self.elastic.bulk, 0.5 / self.elastic.shear);
         let open = (value[0] >= self.tension_limit) & (value[2] >= self.tension_limit);
-        let gap_strain = if open { ((spectrum.mean - new_mean) * per_bulk).max(0.0) } else { 0.0 };
+        let gap_strain = if open { ((trial.mean - new_mean) * per_bulk).max(0.0) } else { 0.0 };
         let mut lost = 0.0;
         for n in 0..3 {
-            let change = (spectrum.principal[n] - spectrum.mean) - (value[n] - new_mean);
+            let change = (trial.principal[n] - trial.mean) - (value[n] - new_mean);
             lost += change * change;
         }
         let plastic_strain = (lost * (2.0 / 3.0)).sqrt() * per_shear;
         Returned { stress, plastic_strain, gap_strain }
     }
 
+    /// Value by value, so that the compiler makes a blend of it.
+    #[inline(always)]
+    fn flow(&self, dilates: bool) -> Flow {
+        let pick = |a: f64, b: f64| if dilates { a } else { b };
+        let (a, b) = (&self.dilating, &self.level);
+        Flow {
+            sin_dilation: pick(a.sin_dilation, b.sin_dilation),
+            plane: pick(a.plane, b.plane),
+            right: pick(a.right, b.right),
+            left: pick(a.left, b.left),
+            per_plane: pick(a.per_plane, b.per_plane),
+            per_right: pick(a.per_right, b.per_right),
+            per_left: pick(a.per_left, b.per_left),
+            taken: [pick(a.taken[0], b.taken[0]), pick(a.taken[1], b.taken[1]), pick(a.taken[2], b.taken[2])],
+        }
+    }
+
     /// Return in principal stresses: plane, else edge, else apex.
     #[inline(always)]
-    fn sheared(&self, [s1, s2, s3]: [f64; 3]) -> [f64; 3] {
-        let [c1, c2, c3] = self.flow;
-        let (sp, sy) = (self.sin_friction, self.sin_dilation);
+    fn sheared(&self, [s1, s2, s3]: [f64; 3], dilates: bool) -> [f64; 3] {
+        let flow = self.flow(dilates);
+        let [c1, c2, c3] = flow.taken;
+        let (sp, sy) = (self.sin_friction, flow.sin_dilation);
         let fa = self.yield_function([s1, s2, s3]);
-        let g = fa.max(0.0) * (1.0 / self.plane);
+        let g = fa.max(0.0) * flow.per_plane;
         let plane = [s1 - c1 * g, s2 + c2 * g, s3 + c3 * g];
         let on_plane = (plane[0] >= plane[1]) & (plane[1] >= plane[2]);
 
@@ -128,9 +152,11 @@ impl MohrCoulomb {
         let fb_right = (s1 - s2) + (s1 + s2) * sp - self.cohesive;
         let fb_left = (s2 - s3) + (s2 + s3) * sp - self.cohesive;
         let fb = if to_right { fb_right } else { fb_left };
-        let (a, b) = (self.plane, if to_right { self.right } else { self.left });
-        let per_determinant = |b: f64| 1.0 / (a * a - b * b);
-        let per = if to_right { per_determinant(self.right) } else { per_determinant(self.left) };
+        let (a, b, per) = (
+            flow.plane,
+            if to_right { flow.right } else { flow.left },
+            if to_right { flow.per_right } else { flow.per_left },
+        );
         let (ga, gb) = ((a * fa - b * fb) * per, (a * fb - b * fa) * per);
         let right = [s1 - c1 * (ga + gb), s2 + c2 * ga + c3 * gb, s3 + c3 * ga + c2 * gb];
         let left = [s1 - c1 * ga + c2 * gb, s2 + c2 * ga - c1 * gb, s3 + c3 * (ga + gb)];
@@ -156,7 +182,29 @@ impl MohrCoulomb {
 
     /// No principal stress above the tension limit.
     #[inline(always)]
-    fn capped(&self, value: [f64; 3]) -> [f64; 3] {
+    pub(crate) fn capped(&self, value: [f64; 3]) -> [f64; 3] {
         value.map(|s| if s < self.tension_limit { s } else { self.tension_limit })
+    }
+}
+
+impl Strength for MohrCoulomb {
+    /// Compares with the cone inscribed in the pyramid.
+    #[inline(always)]
+    fn may_yield(&self, stress: Symmetric) -> bool {
+        let s = deviator(stress);
+        let p = mean(stress);
+        let root = (0.5 * contract(s, s)).sqrt();
+        let sp = self.sin_friction;
+        // 1.1548 ≥ 2/√3 bounds the largest principal deviator by √J₂.
+        let sheared = 2.0 * root * (1.0 + sp * sp / 3.0).sqrt() > self.cohesive - 2.0 * p * sp;
+        let pulled = p + 1.1548 * root > self.tension_limit;
+        sheared | pulled
+    }
+
+    #[inline(always)]
+    fn return_map(&self, trial: Symmetric, dilates: bool) -> Returned {
+        let spectrum = Spectrum::of(trial);
+        let value = self.capped(self.sheared(spectrum.principal, dilates));
+        self.returned(&spectrum, value)
     }
 }

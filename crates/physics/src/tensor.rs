@@ -77,6 +77,8 @@ pub fn jaumann(a: Symmetric, w: [f64; 3]) -> Symmetric {
 pub struct Spectrum {
     /// Mean value.
     pub mean: f64,
+    /// Size of the deviator, √(s:s).
+    pub norm: f64,
     /// Principal values, largest first.
     pub principal: [f64; 3],
     /// Unit tensor along the deviator.
@@ -120,7 +122,26 @@ impl Spectrum {
         let radial_principal = spread(cos, sin);
         let hoop_principal = spread(-sin, cos);
         let principal = radial_principal.map(|x| mean + norm * x);
-        Self { mean, principal, radial, hoop, radial_principal, hoop_principal }
+        Self { mean, norm, principal, radial, hoop, radial_principal, hoop_principal }
+    }
+
+    /// Cosine and sine of the Lode angle Θ: 0 where the two smaller principal values are equal, 60° where the two larger are.
+    #[inline(always)]
+    #[must_use]
+    pub fn lode(&self) -> (f64, f64) {
+        (self.radial_principal[0] / SQRT_2_3, -self.hoop_principal[0] / SQRT_2_3)
+    }
+
+    /// Principal values of the tensor with this mean and a deviator of `along` the present one and `across` it.
+    #[inline(always)]
+    #[must_use]
+    pub fn principal_at(&self, mean: f64, along: f64, across: f64) -> [f64; 3] {
+        let (a, b) = (self.radial_principal, self.hoop_principal);
+        [
+            mean + along * a[0] + across * b[0],
+            mean + along * a[1] + across * b[1],
+            mean + along * a[2] + across * b[2],
+        ]
     }
 
     /// The tensor with the same axes and other principal values.

@@ -3,16 +3,23 @@
 #![allow(missing_docs, clippy::unwrap_used)]
 
 use glam::DVec3;
-use physics::shape::{Block, Disc, Shape};
+use physics::shape::{Axis, Ball, Block, Cylinder, Disc, Shape, Turned};
 use std::f64::consts::PI;
 
 /// Every shape with the area of its surface [m²].
 fn shapes() -> Vec<(Box<dyn Shape>, f64)> {
     let disc = Disc { diameter: 0.2, thickness: 0.05 };
     let block = Block { size: DVec3::new(0.3, 0.2, 0.1) };
+    let cylinder = |axis| Cylinder { diameter: 0.2, length: 0.05, axis };
+    let (round, edged) = (PI * 0.2 * 0.05 + 2.0 * PI * 0.01, 2.0 * (0.3 * 0.2 + 0.2 * 0.1 + 0.3 * 0.1));
     vec![
-        (Box::new(disc), PI * 0.2 * 0.05 + 2.0 * PI * 0.01),
-        (Box::new(block), 2.0 * (0.3 * 0.2 + 0.2 * 0.1 + 0.3 * 0.1)),
+        (Box::new(disc), round),
+        (Box::new(cylinder(Axis::X)), round),
+        (Box::new(cylinder(Axis::Y)), round),
+        (Box::new(cylinder(Axis::Z)), round),
+        (Box::new(block), edged),
+        (Box::new(Turned::new(block, 0.6)), edged),
+        (Box::new(Ball { diameter: 0.2 }), PI * 0.04),
     ]
 }
 
@@ -36,7 +43,9 @@ fn an_inset_keeps_points_from_sharp_edges() {
     let inset = 0.004;
     for (shape, area) in shapes() {
         let points = shape.surface_points(0.006, DVec3::splat(inset));
-        assert!(points.iter().map(|p| p.area).sum::<f64>() < area);
+        let sum: f64 = points.iter().map(|p| p.area).sum();
+        // A ball, whose area is π d², has no edges to keep away from.
+        assert!(sum < area || (area - PI * 0.04).abs() < 1e-12, "{shape:?}");
         let (_, high) = shape.bounds();
         for p in &points {
             let near = |axis: usize| high[axis] - p.position[axis].abs() < inset * 0.999;
@@ -87,4 +96,30 @@ fn inertia_about_the_axle_is_that_of_a_solid() {
     assert!((disc.axle_inertia_per_mass() - 0.5 * 0.01).abs() < 1e-15);
     let block = Block { size: DVec3::new(0.3, 0.2, 0.1) };
     assert!((block.axle_inertia_per_mass() - (0.09 + 0.01) / 12.0).abs() < 1e-15);
+    let lying = |axis| Cylinder { diameter: 0.2, length: 0.06, axis }.axle_inertia_per_mass();
+    assert_eq!(lying(Axis::Y), disc.axle_inertia_per_mass());
+    assert!(
+        (lying(Axis::Z) - (0.01 / 4.0 + 0.0036 / 12.0)).abs() < 1e-15 && lying(Axis::X) == lying(Axis::Z)
+    );
+    assert!((Ball { diameter: 0.2 }.axle_inertia_per_mass() - 0.4 * 0.01).abs() < 1e-15);
+}
+
+#[test]
+fn a_quarter_of_a_round_body_has_a_quarter_of_its_points() {
+    let upright = Cylinder { diameter: 0.2, length: 0.05, axis: Axis::Z };
+    let round: [Box<dyn Shape>; 2] = [Box::new(upright), Box::new(Ball { diameter: 0.2 })];
+    for shape in round {
+        let points = shape.surface_points(0.007, DVec3::splat(0.003));
+        let quarter = points.iter().filter(|p| p.position.x > 0.0 && p.position.y > 0.0);
+        assert_eq!(4 * quarter.count(), points.len(), "{shape:?}");
+    }
+}
+
+#[test]
+fn a_turned_block_leans_forward() {
+    let plate = Turned::new(Block { size: DVec3::new(0.02, 0.2, 0.4) }, 0.5);
+    let top = DVec3::new(0.2 * f64::sin(0.5), 0.0, 0.2 * f64::cos(0.5));
+    assert!(plate.signed_distance(top).abs() < 1e-12 && plate.signed_distance(0.99 * top) < 0.0);
+    let (low, high) = plate.bounds();
+    assert!((high.z - (0.2 * f64::cos(0.5) + 0.01 * f64::sin(0.5))).abs() < 1e-12 && low == -high);
 }

@@ -3,9 +3,9 @@
 use crate::grid::Grid;
 use glam::DVec3;
 use physics::elastic::Elastic;
-use physics::mohr_coulomb::MohrCoulomb;
 use physics::rigid::Freedom;
 use physics::shape::Shape;
+use physics::strength::Law;
 use physics::viscosity::BulkViscosity;
 
 /// Everything that does not change during a run.
@@ -16,7 +16,9 @@ pub struct Model {
     /// Elastic moduli.
     pub elastic: Elastic,
     /// Strength; `None` for linear elastic soil.
-    pub strength: Option<MohrCoulomb>,
+    pub strength: Option<Law>,
+    /// Density below which the soil dilates no more [kg/m³].
+    pub critical_density: Option<f64>,
     /// Density of the undeformed soil [kg/m³].
     pub density: f64,
     /// Acceleration of gravity [m/s²], downwards.
@@ -27,7 +29,7 @@ pub struct Model {
     pub walls: [[Wall; 2]; 3],
     /// Rigid bodies.
     pub bodies: Vec<BodyModel>,
-    /// Share of each body that is modelled: ½ where y = 0 is a plane of symmetry, else 1.
+    /// Share of each body that is modelled: halved by each plane of symmetry, x = 0 and y = 0.
     pub share: f64,
     /// Parameters of the method.
     pub method: Method,
@@ -57,6 +59,8 @@ pub struct BodyModel {
     pub axle_inertia: f64,
     /// Coefficient of friction against the soil.
     pub friction: f64,
+    /// Largest frictional traction [Pa], whatever the pressure; infinite for no such limit.
+    pub shear_limit: f64,
     /// Motion along x, y, z.
     pub translation: [Freedom; 3],
     /// Turning about the axle.

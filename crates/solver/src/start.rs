@@ -19,6 +19,13 @@ pub struct Filling {
 /// The state at rest.
 #[must_use]
 pub fn start(model: &Model, filling: &Filling) -> State {
+    start_under(model, filling, 0.0)
+}
+
+/// The state at rest under a lid that presses on the soil with `overburden` [Pa]. The soil reaches up to it, and the
+/// lid of the box, which does not move, bears the pressure from then on.
+#[must_use]
+pub fn start_under(model: &Model, filling: &Filling, overburden: f64) -> State {
     let mut bodies: Vec<Body> = model
         .bodies
         .iter()
@@ -35,9 +42,11 @@ pub fn start(model: &Model, filling: &Filling) -> State {
         .collect();
     let mut soil = Soil::empty(&model.grid);
     fill(&model.grid, filling, &mut soil.fraction);
-    carve_soil(model, &mut soil, &mut bodies);
     weigh(model, &mut soil);
-    rest_stress(model, &mut soil);
+    rest_stress(model, &mut soil, overburden);
+    carve_soil(model, &mut soil, &mut bodies);
+    relieve_void(&mut soil);
+    weigh(model, &mut soil);
     let mut nodes = Nodes::at_rest(&model.grid);
     lagrange_mass(&model.grid, &soil.mass, &mut nodes.mass);
     let ledger = Ledger {
@@ -81,6 +90,15 @@ fn fill(grid: &Grid, filling: &Filling, fraction: &mut [f64]) {
     }
 }
 
+/// No stress where no soil is left.
+fn relieve_void(soil: &mut Soil) {
+    for (c, fraction) in soil.fraction.iter().enumerate() {
+        if *fraction == 0.0 {
+            soil.stress.iter_mut().for_each(|component| component[c] = 0.0);
+        }
+    }
+}
+
 fn weigh(model: &Model, soil: &mut Soil) {
     let grid = &model.grid;
     let [nx, ny, nz] = grid.cells();
@@ -95,8 +113,9 @@ fn weigh(model: &Model, soil: &mut Soil) {
 }
 
 /// Stresses at rest: σ_z from the discrete balance of each node, from the top down, `f_k σ_k = f_{k+1} σ_{k+1} −
-/// (m_k + m_{k+1}) g / 2A`, so that the first step moves nothing; σ_x = σ_y = K₀ σ_z.
-fn rest_stress(model: &Model, soil: &mut Soil) {
+/// (m_k + m_{k+1}) g / 2A`, so that the first step moves nothing; σ_x = σ_y = K₀ σ_z. Taken before the bodies' space is
+/// carved out: soil beside and under a body that starts in it bears what it bore before the body was there.
+fn rest_stress(model: &Model, soil: &mut Soil, overburden: f64) {
     let grid = &model.grid;
     let [nx, ny, nz] = grid.cells();
     for j in 0..ny {
@@ -108,7 +127,7 @@ fn rest_stress(model: &Model, soil: &mut Soil) {
                 force -= 0.5 * (soil.mass[c] + mass_above) * model.gravity;
                 mass_above = soil.mass[c];
                 if soil.fraction[c] > 0.0 {
-                    let vertical = force / (area * soil.fraction[c]);
+                    let vertical = force / (area * soil.fraction[c]) - overburden;
                     soil.stress[2][c] = vertical;
                     soil.stress[0][c] = model.rest_pressure_ratio * vertical;
                     soil.stress[1][c] = soil.stress[0][c];

@@ -1,6 +1,6 @@
 //! Several discs on one axle or frame.
 
-use super::{Disc, DiscForces, Model, Setting, disc_forces};
+use super::{Disc, DiscForces, Mechanism, Model, Setting, disc_forces};
 use crate::earth_pressure::Face;
 use crate::error::{Answer, Refusal, within};
 
@@ -67,6 +67,7 @@ fn scaled(one: &DiscForces, count: f64) -> DiscForces {
 
 fn mixed(apart: &DiscForces, together: &DiscForces, share: f64) -> DiscForces {
     let mix = |a: f64, b: f64| (1.0 - share) * a + share * b;
+    let sideways_share = mix(apart.sideways_share, together.sideways_share);
     let (drag, vertical) = (mix(apart.drag, together.drag), mix(apart.vertical, together.vertical));
     DiscForces {
         drag,
@@ -75,6 +76,8 @@ fn mixed(apart: &DiscForces, together: &DiscForces, share: f64) -> DiscForces {
         friction: mix(apart.friction, together.friction),
         rim_torque: mix(apart.rim_torque, together.rim_torque),
         force_inclination: drag.atan2(vertical),
+        sideways_share,
+        mechanism: Mechanism::of_share(sideways_share),
         ..if share < 0.5 { *apart } else { *together }
     }
 }

@@ -1,7 +1,7 @@
 //! The sinkage at which the soil carries the weight.
 
 use super::{Disc, DiscForces, Model, Setting, disc_forces, vertical_force};
-use crate::error::{Answer, positive};
+use crate::error::{Answer, none, positive};
 use crate::numeric::root;
 
 /// The deepest sinkage searched, as a fraction of the diameter.
@@ -53,19 +53,44 @@ pub fn equilibrium_of(
     disc.check()?;
     // An answer at some depth is asked for first, so that a bad input is refused with its own reason.
     vertical(0.1 * disc.diameter)?;
-    match first_depth(disc, weight, |z| vertical(z).unwrap_or(f64::NAN)) {
-        Ok(sinkage) => Ok(Equilibrium::At { sinkage, forces: forces(sinkage)? }),
+    match first_depth(disc, weight, 1e-15, |z| vertical(z).unwrap_or(f64::NAN)) {
+        Ok(sinkage) => {
+            let forces = forces(sinkage)?;
+            carries(weight, forces.vertical, 1e-6)?;
+            Ok(Equilibrium::At { sinkage, forces })
+        }
         Err((largest_weight, sinkage)) => Ok(Equilibrium::None { largest_weight, sinkage }),
     }
 }
 
+/// Refuses a vertical force [N] that is not the weight [N] to `tolerance`: under a brake or an engine a disc that sinks may
+/// jump from sliding to rolling, and the vertical force with it, past the weight.
+///
+/// # Errors
+/// As said.
+pub(crate) fn carries(weight: f64, vertical: f64, tolerance: f64) -> Answer<()> {
+    if (vertical / weight - 1.0).abs() <= tolerance {
+        return Ok(());
+    }
+    none(
+        "the equilibrium sinkage",
+        "no steady state: where the soil would carry the weight, the torque makes the disc jump between sliding and rolling",
+    )
+}
+
 /// The least sinkage [m] at which `vertical` reaches `weight` [N]; otherwise the largest value met, and where.
 ///
-/// Where `vertical` is not a number the model has no answer, and the search goes on beyond.
+/// Where `vertical` is not a number the model has no answer, and the search goes on beyond. `precision`, as a fraction of
+/// the diameter, should not be finer than `vertical` is smooth, or the search takes long.
 ///
 /// # Errors
 /// The largest vertical force [N] and its sinkage [m], if no sinkage up to [`DEEPEST`] carries the weight.
-pub fn first_depth(disc: &Disc, weight: f64, vertical: impl Fn(f64) -> f64) -> Result<f64, (f64, f64)> {
+pub fn first_depth(
+    disc: &Disc,
+    weight: f64,
+    precision: f64,
+    vertical: impl Fn(f64) -> f64,
+) -> Result<f64, (f64, f64)> {
     let excess = |relative: f64| vertical(relative * disc.diameter) / weight - 1.0;
     let shallow = (0..9).map(|n| 1e-9 * 8_f64.powi(n));
     // Beyond, steps short enough not to jump over a locked disc's shallow summit.
@@ -74,7 +99,7 @@ pub fn first_depth(disc: &Disc, weight: f64, vertical: impl Fn(f64) -> f64) -> R
     for relative in shallow.chain(deep).map(|z| z.min(DEEPEST)) {
         let here = excess(relative);
         if here >= 0.0 {
-            let bracketed = if last > 0.0 { root(last, relative, 1e-15, excess) } else { None };
+            let bracketed = if last > 0.0 { root(last, relative, precision, excess) } else { None };
             return Ok(bracketed.unwrap_or(relative) * disc.diameter);
         }
         if here.is_finite() {

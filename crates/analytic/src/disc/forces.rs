@@ -1,8 +1,9 @@
 //! Drag and lift of a disc at a given sinkage.
 
+use super::transition::share_angle;
 use super::{
-    Contact, Disc, Drive, Passive, Reaction, RimPressure, bearing_arc, heap_height, median_angle,
-    slip_from_transition, transition_from_slip, wedge,
+    Contact, Disc, Drive, Passive, Reaction, RimLoad, bearing_arc, heap_height, slip_from_transition,
+    transition_from_slip, wedge,
 };
 use crate::bearing::Method;
 use crate::error::{Answer, within};
@@ -18,7 +19,11 @@ pub enum Model {
     Wedge,
     /// PW without ends: a disc as wide as the ground.
     PlaneStrain,
-    /// Of BC and PW the one with the smaller vertical force: the soil picks the weaker way out.
+    /// At every place of the rim the smaller pressure of BC and PW: the soil takes the weaker way out there.
+    ///
+    /// Near the surface that is mostly forwards, deeper under a thin disc sideways. The exact field of PW makes this
+    /// possible: it grows from the free surface, and the pressure at a place does not depend on what happens deeper.
+    /// Forces are never above those of either model and change continuously with everything.
     #[default]
     Weaker,
 }
@@ -30,6 +35,13 @@ pub enum Mechanism {
     Sideways,
     /// Forwards, ahead of the disc.
     Forwards,
+}
+
+impl Mechanism {
+    /// The one under more than half of the thrust, from the share under which the soil escapes sideways.
+    pub(super) fn of_share(sideways: f64) -> Self {
+        if sideways > 0.5 { Self::Sideways } else { Self::Forwards }
+    }
 }
 
 /// Everything but the sinkage.
@@ -83,8 +95,10 @@ pub struct DiscForces {
     pub transition_angle: f64,
     /// Slip s = ω r / v − 1 that goes with θ₀: −1 locked.
     pub skid: f64,
-    /// How the soil fails.
+    /// How the soil fails under more than half of the thrust.
     pub mechanism: Mechanism,
+    /// Share of the thrust under which it escapes sideways, 0 to 1.
+    pub sideways_share: f64,
 }
 
 /// Forces on the disc at sinkage z [m].
@@ -97,14 +111,6 @@ pub struct DiscForces {
 /// # Errors
 /// If an input is out of range or the model has no answer there.
 pub fn disc_forces(model: Model, setting: &Setting<'_>, sinkage: f64) -> Answer<DiscForces> {
-    if model == Model::Weaker {
-        let bearing = disc_forces(Model::Bearing, setting, sinkage)?;
-        // Where the wedge has no field (a locked disc on a steep chord) the soil still has the other way out.
-        return Ok(match disc_forces(Model::Wedge, setting, sinkage) {
-            Ok(wedge) if wedge.vertical < bearing.vertical => wedge,
-            _ => bearing,
-        });
-    }
     let (rim, friction) = loaded_rim(model, setting, sinkage)?;
     Ok(assemble(model, setting, &rim, friction))
 }
@@ -114,17 +120,13 @@ pub fn disc_forces(model: Model, setting: &Setting<'_>, sinkage: f64) -> Answer<
 /// # Errors
 /// As [`disc_forces`].
 pub fn vertical_force(model: Model, setting: &Setting<'_>, sinkage: f64) -> Answer<f64> {
-    if model == Model::Weaker {
-        let bearing = vertical_force(Model::Bearing, setting, sinkage)?;
-        return Ok(vertical_force(Model::Wedge, setting, sinkage).map_or(bearing, |wedge| wedge.min(bearing)));
-    }
     let (rim, friction) = loaded_rim(model, setting, sinkage)?;
     let Reaction { vertical, horizontal, .. } = rim.reaction();
     Ok(vertical - friction * horizontal)
 }
 
 /// The pressure on the rim and the friction μ_m that goes with it.
-fn loaded_rim(model: Model, setting: &Setting<'_>, sinkage: f64) -> Answer<(RimPressure, f64)> {
+fn loaded_rim(model: Model, setting: &Setting<'_>, sinkage: f64) -> Answer<(RimLoad, f64)> {
     setting.soil.check()?;
     setting.drive.check()?;
     within("heap fraction", setting.heap_fraction, 0.0, 1.0)?;
@@ -136,17 +138,24 @@ fn loaded_rim(model: Model, setting: &Setting<'_>, sinkage: f64) -> Answer<(RimP
     Ok((pressure(friction)?, friction))
 }
 
-fn rim(model: Model, setting: &Setting<'_>, contact: &Contact, friction: f64) -> Answer<RimPressure> {
+fn rim(model: Model, setting: &Setting<'_>, contact: &Contact, friction: f64) -> Answer<RimLoad> {
     let (soil, disc) = (&setting.soil, &setting.disc);
-    match model {
-        Model::Bearing | Model::Weaker => bearing_arc(soil, disc, contact, friction, setting.method),
-        Model::Wedge => wedge(soil, disc, contact, friction, setting.backfill, true, setting.passive),
-        Model::PlaneStrain => wedge(soil, disc, contact, friction, setting.backfill, false, setting.passive),
-    }
+    let sideways = || bearing_arc(soil, disc, contact, friction, setting.method);
+    let forwards = |ends| wedge(soil, disc, contact, friction, setting.backfill, ends, setting.passive);
+    Ok(match model {
+        Model::Bearing => sideways()?.into(),
+        Model::Wedge => forwards(true)?.into(),
+        Model::PlaneStrain => forwards(false)?.into(),
+        Model::Weaker => match (sideways()?, forwards(true)) {
+            (sideways, Ok(forwards)) => RimLoad::weaker(sideways, forwards),
+            // Where the wedge has no field (a locked disc on a steep chord) the soil still has the other way out.
+            (sideways, Err(_)) => sideways.into(),
+        },
+    })
 }
 
 /// The friction μ_m that the drive mobilises.
-fn mobilised(setting: &Setting<'_>, pressure: &impl Fn(f64) -> Answer<RimPressure>) -> Answer<f64> {
+fn mobilised(setting: &Setting<'_>, pressure: &impl Fn(f64) -> Answer<RimLoad>) -> Answer<f64> {
     let most = setting.soil.shared_friction();
     match setting.drive {
         Drive::Free => Ok(0.0),
@@ -156,17 +165,17 @@ fn mobilised(setting: &Setting<'_>, pressure: &impl Fn(f64) -> Answer<RimPressur
         Drive::Slip(slip) => {
             // The pressure depends on μ_m only weakly, and only its shape counts here: one pass is enough.
             let rim = pressure(0.0)?;
-            let turn = transition_from_slip(slip, setting.soil.friction_angle, rim.angle);
-            let share = rim.sum(0.0, turn, |_| 1.0) / rim.sum(0.0, rim.angle, |_| 1.0);
+            let turn = transition_from_slip(slip, setting.soil.friction_angle, rim.angle());
+            let share = rim.thrust(0.0, turn) / rim.thrust(0.0, rim.angle());
             Ok(most * (2.0 * share - 1.0))
         }
     }
 }
 
 /// The least |μ_m| whose friction holds the axle torque, or all of `most` where none does: the disc slides.
-fn balance(torque: f64, most: f64, sign: f64, pressure: &impl Fn(f64) -> Answer<RimPressure>) -> f64 {
+fn balance(torque: f64, most: f64, sign: f64, pressure: &impl Fn(f64) -> Answer<RimLoad>) -> f64 {
     let surplus = |friction: f64| match pressure(sign * friction) {
-        Ok(rim) => friction * rim.reaction().normal * rim.radius - torque,
+        Ok(rim) => friction * rim.reaction().normal * rim.radius() - torque,
         Err(_) => f64::NAN,
     };
     const STEPS: u32 = 8;
@@ -180,14 +189,14 @@ fn balance(torque: f64, most: f64, sign: f64, pressure: &impl Fn(f64) -> Answer<
     sign * most
 }
 
-fn assemble(model: Model, setting: &Setting<'_>, rim: &RimPressure, friction: f64) -> DiscForces {
+fn assemble(model: Model, setting: &Setting<'_>, rim: &RimLoad, friction: f64) -> DiscForces {
     let Reaction { normal, vertical, horizontal } = rim.reaction();
     let (drag, lift) = (horizontal + friction * vertical, vertical - friction * horizontal);
     let phi = setting.soil.friction_angle;
     let transition_angle = match setting.drive {
-        Drive::Locked => rim.angle,
-        Drive::Slip(slip) => transition_from_slip(slip, phi, rim.angle),
-        _ if friction == 0.0 => median_angle(rim),
+        Drive::Locked => rim.angle(),
+        Drive::Slip(slip) => transition_from_slip(slip, phi, rim.angle()),
+        _ if friction == 0.0 => share_angle(rim, 0.5),
         _ => share_angle(rim, 0.5 * (1.0 + friction / setting.soil.shared_friction())),
     };
     let skid = match setting.drive {
@@ -195,24 +204,22 @@ fn assemble(model: Model, setting: &Setting<'_>, rim: &RimPressure, friction: f6
         _ if friction > 0.0 && friction >= setting.soil.shared_friction() => -1.0,
         _ => slip_from_transition(transition_angle, phi),
     };
+    let sideways_share = match model {
+        Model::Bearing | Model::Weaker => rim.share_of_first(),
+        Model::Wedge | Model::PlaneStrain => 0.0,
+    };
     DiscForces {
         drag,
         vertical: lift,
         normal,
         friction: friction * normal,
-        rim_torque: friction * normal * rim.radius,
+        rim_torque: friction * normal * rim.radius(),
         mobilised_friction: friction,
-        contact_angle: rim.angle,
+        contact_angle: rim.angle(),
         force_inclination: drag.atan2(lift),
         transition_angle,
         skid,
-        mechanism: if model == Model::Bearing { Mechanism::Sideways } else { Mechanism::Forwards },
+        mechanism: Mechanism::of_share(sideways_share),
+        sideways_share,
     }
-}
-
-/// The angle behind which the fraction `share` of the normal thrust lies [rad].
-fn share_angle(rim: &RimPressure, share: f64) -> f64 {
-    let all = rim.sum(0.0, rim.angle, |_| 1.0);
-    let miss = |theta: f64| rim.sum(0.0, theta, |_| 1.0) - share * all;
-    root(0.0, rim.angle, 1e-12, miss).unwrap_or(if share > 0.5 { rim.angle } else { 0.0 })
 }

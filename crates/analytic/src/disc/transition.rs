@@ -1,6 +1,6 @@
 //! Where the friction on the rim of a rolling disc changes sign.
 
-use super::RimPressure;
+use super::RimLoad;
 use crate::numeric::root;
 use std::f64::consts::FRAC_PI_4;
 
@@ -9,10 +9,15 @@ use std::f64::consts::FRAC_PI_4;
 /// Soil slides up the front of the rim and is overrun at the bottom; with friction fully mobilised on both sides the
 /// torques cancel there. Normal pressures pass through the axle and never turn a disc.
 #[must_use]
-pub fn median_angle(rim: &RimPressure) -> f64 {
-    let half = 0.5 * rim.sum(0.0, rim.angle, |_| 1.0);
-    let miss = |theta: f64| rim.sum(0.0, theta, |_| 1.0) - half;
-    root(0.0, rim.angle, 1e-12, miss).unwrap_or(0.5 * rim.angle)
+pub fn median_angle(rim: &RimLoad) -> f64 {
+    share_angle(rim, 0.5)
+}
+
+/// The angle behind which the fraction `share` of the normal thrust lies [rad].
+pub(super) fn share_angle(rim: &RimLoad, share: f64) -> f64 {
+    let wanted = share * rim.thrust(0.0, rim.angle());
+    let miss = |theta: f64| rim.thrust(0.0, theta) - wanted;
+    root(0.0, rim.angle(), 1e-12, miss).unwrap_or(if share > 0.5 { rim.angle() } else { 0.0 })
 }
 
 /// Slip s = ω r / v − 1 at which the friction changes sign at θ₀ [rad]: cos θ₀ − tan(45° − φ/2) sin θ₀ − 1.
@@ -39,8 +44,8 @@ pub fn transition_from_slip(slip: f64, friction_angle: f64, limit: f64) -> f64 {
 /// ΔF_H = μ(∫₀^θ₀ σ cos θ − ∫_θ₀^θ_f σ cos θ), ΔF_V = μ(∫_θ₀^θ_f σ sin θ − ∫₀^θ₀ σ sin θ). A few per cent of the whole;
 /// the models leave it out.
 #[must_use]
-pub fn rolling_split(rim: &RimPressure, transition: f64, friction: f64) -> (f64, f64) {
-    let part = |f: fn(f64) -> f64| (rim.sum(0.0, transition, f), rim.sum(transition, rim.angle, f));
-    let (behind, ahead) = (part(f64::cos), part(f64::sin));
+pub fn rolling_split(rim: &RimLoad, transition: f64, friction: f64) -> (f64, f64) {
+    let part = |f: fn(f64, f64) -> f64| (rim.sum(0.0, transition, f), rim.sum(transition, rim.angle(), f));
+    let (behind, ahead) = (part(|_, cos| cos), part(|sin, _| sin));
     (friction * (behind.0 - behind.1), friction * (ahead.1 - ahead.0))
 }

@@ -12,7 +12,7 @@ pub enum Passive<'a> {
     /// Solve the field each time (half a millisecond).
     #[default]
     Solve,
-    /// Look it up (a microsecond), for sweeps.
+    /// Look it up (a microsecond), for sweeps; a face outside the table is solved.
     Table(&'a PressureTable),
 }
 
@@ -20,11 +20,11 @@ impl Passive<'_> {
     /// The field of one face.
     ///
     /// # Errors
-    /// Where the solver or the table has none.
+    /// Where the field does not exist.
     pub fn field(&self, face: &Face) -> Answer<PassiveField> {
         match self {
             Self::Solve => sokolovskii(face),
-            Self::Table(table) => table.field(face),
+            Self::Table(table) => table.field(face).or_else(|_| sokolovskii(face)),
         }
     }
 }

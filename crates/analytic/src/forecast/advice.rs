@@ -1,13 +1,13 @@
 //! Which model to believe, in plain words.
 
 use super::{Candidate, ModelForecast, Towing};
-use crate::disc::{Drive, Mechanism};
+use crate::disc::Drive;
 
 /// A recommendation for the case.
 pub(super) fn recommend(towing: &Towing, models: &[ModelForecast]) -> String {
     let weaker = models.iter().find(|model| model.model == Candidate::Weaker);
     let mut words = match weaker.and_then(|model| model.prediction) {
-        Some(found) => leading(towing, found.mechanism),
+        Some(found) => leading(towing, found.sideways_share.unwrap_or(1.0)),
         None => {
             let why = weaker.map_or("", |model| model.note.as_str());
             format!(
@@ -22,17 +22,31 @@ pub(super) fn recommend(towing: &Towing, models: &[ModelForecast]) -> String {
     words
 }
 
-fn leading(towing: &Towing, mechanism: Option<Mechanism>) -> String {
+fn leading(towing: &Towing, sideways: f64) -> String {
     let thickness = towing.disc.thickness / towing.disc.diameter;
-    let way = match mechanism {
-        Some(Mechanism::Forwards) => format!(
-            "Believe PW: at t/d = {thickness:.2} the wedge before the disc gives way before the soil can escape sideways."
-        ),
-        _ => format!(
-            "Believe BC: at t/d = {thickness:.2} the soil escapes sideways from under the disc before it fails forwards."
-        ),
+    let (percent, rest) = (100.0 * sideways, 100.0 * (1.0 - sideways));
+    let way = if sideways > 0.95 {
+        format!(
+            "at t/d = {thickness:.2} the soil escapes sideways from under nearly all of the disc, as in BC, before it \
+             fails forwards"
+        )
+    } else if sideways < 0.05 {
+        format!(
+            "at t/d = {thickness:.2} the disc pushes up a wedge of soil before nearly all of its rim, as in PW, before \
+             the soil can escape sideways"
+        )
+    } else {
+        format!(
+            "each part of the rim meets the easier of two ways out. At t/d = {thickness:.2} the soil escapes sideways \
+             from under {percent:.0} % of the thrust, deep down (BC), and is pushed up forwards before the other \
+             {rest:.0} %, near the surface (PW)"
+        )
     };
-    format!("{way} Expect 30 to 50 % on force, and a factor of 2.1 to 2.7 for 5° in the friction angle.")
+    format!(
+        "Believe the weaker of BC and PW: {way}. Expect its forces to be wrong by 30 to 50 %, and to change by a factor \
+         of 2.1 to 2.7 for 5° in the friction angle at a given sinkage. The other models are fits to other bodies or \
+         soils: a second opinion, and a measure of how little is known."
+    )
 }
 
 fn warnings(towing: &Towing) -> Vec<String> {

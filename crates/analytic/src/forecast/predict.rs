@@ -7,7 +7,7 @@ use crate::disc::{
     equilibrium_of, vertical_force,
 };
 use crate::earth_pressure::{PressureTable, TableRange};
-use crate::error::{Answer, none};
+use crate::error::{Answer, Refusal, none};
 
 /// What one model predicts; a model leaves out what it does not know.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,8 +24,10 @@ pub struct Prediction {
     pub force_inclination: f64,
     /// Slip s = ωr/v − 1.
     pub skid: Option<f64>,
-    /// How the soil fails, where the model says.
+    /// How the soil fails under more than half of the thrust, where the model says.
     pub mechanism: Option<Mechanism>,
+    /// Share of the thrust under which it escapes sideways, 0 to 1, where the model says.
+    pub sideways_share: Option<f64>,
 }
 
 /// One model's entry in a forecast.
@@ -47,6 +49,7 @@ impl ModelForecast {
     pub(super) fn of(model: Candidate, answer: Answer<Prediction>) -> Self {
         let (prediction, note) = match answer {
             Ok(prediction) => (Some(prediction), String::new()),
+            Err(Refusal::DoesNotExist { why, .. }) => (None, why),
             Err(why) => (None, why.to_string()),
         };
         Self { model, name: model.name(), applicable: prediction.is_some(), prediction, note }
@@ -131,6 +134,7 @@ fn prediction(forces: &DiscForces, sinkage: f64) -> Prediction {
         force_inclination: forces.force_inclination,
         skid: Some(forces.skid),
         mechanism: Some(forces.mechanism),
+        sideways_share: Some(forces.sideways_share),
     }
 }
 
@@ -143,10 +147,14 @@ pub(super) fn set_apart(models: &mut [ModelForecast], towing: &Towing) {
         let sinkage = model.prediction.and_then(|p| p.sinkage).unwrap_or(0.0);
         match model.model {
             Candidate::Bearing if governing == Some(Mechanism::Forwards) => {
-                model.exclude("the soil fails forwards instead, which takes less force (see PW)");
+                model.exclude(
+                    "most of the thrust is met where the soil fails forwards, which takes less (see PW)",
+                );
             }
             Candidate::Wedge if governing == Some(Mechanism::Sideways) => {
-                model.exclude("the soil escapes sideways instead, which takes less force (see BC)");
+                model.exclude(
+                    "most of the thrust is met where the soil escapes sideways, which takes less (see BC)",
+                );
             }
             Candidate::PlaneStrain if d.thickness < 3.0 * (sinkage * d.diameter).sqrt() => {
                 model.exclude(

@@ -4,8 +4,9 @@ use super::{Candidate, Load, Prediction, Towing};
 use crate::disc::Drive;
 use crate::error::{Answer, none};
 use crate::resistive::{PlanarLaw, Rolled, SpatialLaw, Traction, at_depth, strength_scale, under_weight};
+use crate::soil::Soil;
 use crate::wheel::{
-    Rolling, bekker_at_depth, bekker_towed, brixius_towed, hetherington_littleton,
+    PressureSinkage, Rolling, bekker_at_depth, bekker_towed, brixius_towed, hetherington_littleton,
     hetherington_littleton_at_depth, wismer_luth_towed, wong_reece_at_depth, wong_reece_towed,
 };
 
@@ -79,22 +80,24 @@ fn bekker(towing: &Towing) -> Answer<Prediction> {
 }
 
 fn wong_reece(towing: &Towing) -> Answer<Prediction> {
-    let Some(terrain) = &towing.terrain else {
+    let Some(terrain) = towing.terrain else {
         return none("Wong and Reece's wheel", "no plate constants (k_c, k_φ, n) are given");
     };
+    let Soil { cohesion, friction_angle, .. } = towing.soil;
+    let terrain = PressureSinkage { cohesion, friction_angle, ..terrain };
     let wheel = match towing.load {
-        Load::Weight(weight) => wong_reece_towed(terrain, &towing.disc, weight)?,
-        Load::Sinkage(z) => wong_reece_at_depth(terrain, &towing.disc, z)?,
+        Load::Weight(weight) => wong_reece_towed(&terrain, &towing.disc, weight)?,
+        Load::Sinkage(z) => wong_reece_at_depth(&terrain, &towing.disc, z)?,
     };
     prediction(towing, wheel.drag, wheel.vertical, Some(wheel.sinkage), Some(wheel.slip))
 }
 
 fn mobility(model: Candidate, towing: &Towing) -> Answer<Prediction> {
+    let Load::Weight(weight) = towing.load else {
+        return none(model.name(), "it gives the drag under a weight; it knows no sinkage");
+    };
     let Some(cone_index) = towing.cone_index else {
         return none(model.name(), "no cone index is given");
-    };
-    let Load::Weight(weight) = towing.load else {
-        return none(model.name(), "it knows the weight but no sinkage");
     };
     let found = match model {
         Candidate::WismerLuth => wismer_luth_towed(cone_index, &towing.disc, weight)?,
@@ -115,5 +118,15 @@ fn prediction(
         _ => None,
     };
     let force_inclination = drag.atan2(vertical);
-    Ok(Prediction { drag, vertical, sinkage, contact_angle, force_inclination, skid, mechanism: None })
+    let (mechanism, sideways_share) = (None, None);
+    Ok(Prediction {
+        drag,
+        vertical,
+        sinkage,
+        contact_angle,
+        force_inclination,
+        skid,
+        mechanism,
+        sideways_share,
+    })
 }

@@ -38,7 +38,7 @@ pub struct Towing {
     pub assembly: Option<Assembly>,
     /// Young's modulus of the soil [Pa], for the group Ē only.
     pub elastic_modulus: Option<f64>,
-    /// Plate constants, for Bekker and Wong–Reece.
+    /// Plate constants, for Bekker and Wong–Reece; their c and φ are replaced by those of the soil.
     pub terrain: Option<PressureSinkage>,
     /// Cone index [Pa], for Wismer–Luth and Brixius.
     pub cone_index: Option<f64>,
@@ -75,6 +75,18 @@ pub enum Parameter {
     HeapFraction,
     /// β [rad].
     Backfill,
+    /// Cone index [Pa].
+    ConeIndex,
+    /// Pressure over depth under a level plate [N/m³].
+    PlateStiffness,
+    /// Sinkage exponent n; as the other plate constants it changes only a case that has plate constants.
+    PlateExponent,
+    /// k_c [N/m^{n+1}].
+    PlateCohesive,
+    /// k_φ [N/m^{n+2}].
+    PlateFrictional,
+    /// K [m].
+    ShearModulus,
 }
 
 impl Towing {
@@ -146,7 +158,19 @@ impl Towing {
             Parameter::BrakeTorque => case.drive = Drive::Braked(value),
             Parameter::HeapFraction => case.heap_fraction = value,
             Parameter::Backfill => case.backfill = value,
+            Parameter::ConeIndex => case.cone_index = Some(value),
+            Parameter::PlateStiffness => case.plate_stiffness = Some(value),
+            Parameter::PlateExponent => case.change_terrain(|t| t.exponent = value),
+            Parameter::PlateCohesive => case.change_terrain(|t| t.cohesive = value),
+            Parameter::PlateFrictional => case.change_terrain(|t| t.frictional = value),
+            Parameter::ShearModulus => case.change_terrain(|t| t.shear_modulus = value),
         }
         case
+    }
+
+    fn change_terrain(&mut self, change: impl FnOnce(&mut PressureSinkage)) {
+        if let Some(terrain) = &mut self.terrain {
+            change(terrain);
+        }
     }
 }

@@ -64,7 +64,7 @@ pub fn load(law: &impl Traction, facets: &[Facet], motion: &Motion) -> Load {
 
 /// The part of a disc's rim between the angles `from` and `to` [rad] from its lowest point, axle along y.
 ///
-/// The pieces follow the Gauss points of two panels, so that few are needed. The flat faces of a disc move in their own
+/// The pieces follow Gauss points, so that few are needed. The flat faces of a disc move in their own
 /// plane and feel nothing in this theory.
 #[must_use]
 pub fn rim_facets(disc: &Disc, from: f64, to: f64) -> Vec<Facet> {
@@ -74,8 +74,7 @@ pub fn rim_facets(disc: &Disc, from: f64, to: f64) -> Vec<Facet> {
         let area = weight * radius * disc.thickness;
         Facet { middle: normal.map(|n| n * radius), normal, area }
     };
-    let half = 0.5 * (from + to);
-    gauss_points(from, half).chain(gauss_points(half, to)).map(facet).collect()
+    gauss_points(from, to).map(facet).collect()
 }
 
 /// The facets of a closed triangle mesh [m], corners counter-clockwise seen from outside.

@@ -1,7 +1,7 @@
 //! A towed disc in resistive force theory.
 
 use super::{Load, Motion, Traction, load, rim_facets};
-use crate::disc::{Disc, Drive, first_depth};
+use crate::disc::{Disc, Drive, carries, first_depth};
 use crate::error::{Answer, none, positive, within};
 use crate::numeric::root;
 
@@ -42,7 +42,7 @@ pub fn at_depth(law: &impl Traction, disc: &Disc, sinkage: f64, drive: Drive) ->
     if wanted > 0.0 && surplus(-1.0) <= 0.0 {
         return Ok(turned(-1.0));
     }
-    match root(-1.0, 2.0, 1e-9, surplus) {
+    match root(-1.0, 2.0, 1e-10, surplus) {
         Some(slip) => Ok(turned(slip)),
         None => none("the slip", "no slip between -1 and 2 balances the torque on the axle"),
     }
@@ -57,8 +57,12 @@ pub fn under_weight(law: &impl Traction, disc: &Disc, weight: f64, drive: Drive)
     disc.check()?;
     drive.check()?;
     let vertical = |z: f64| at_depth(law, disc, z, drive).map_or(f64::NAN, |found| found.vertical);
-    match first_depth(disc, weight, vertical) {
-        Ok(sinkage) => at_depth(law, disc, sinkage, drive),
+    match first_depth(disc, weight, 1e-9, vertical) {
+        Ok(sinkage) => {
+            let found = at_depth(law, disc, sinkage, drive)?;
+            carries(weight, found.vertical, 1e-4)?;
+            Ok(found)
+        }
         Err((most, _)) => {
             none("the equilibrium sinkage", format!("at most {most:.3} N are carried up to 0.9 d"))
         }

@@ -8,4 +8,4 @@ mod towing;
 pub use propagate::{Uncertainty, propagate};
 pub use sequence::Sequence;
 pub use spread::Spread;
-pub use towing::{Quantity, propagate_towing};
+pub use towing::{TowingUncertainty, propagate_towing, sweep_table};

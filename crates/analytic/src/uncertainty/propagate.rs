@@ -23,7 +23,7 @@ pub struct Uncertainty {
     pub refused: f64,
 }
 
-/// Propagates the `spreads` through `model` with about `evaluations` evaluations.
+/// Propagates the `spreads` through `model`, which gives N numbers at once, with about `evaluations` evaluations.
 ///
 /// First-order indices by Saltelli et al. (2010), Comput. Phys. Commun. 181, eq. (b), total by Jansen (1999), on two
 /// halves of one Sobol sequence in twice as many dimensions. Reproducible: the same `seed`, the same answer.
@@ -31,12 +31,12 @@ pub struct Uncertainty {
 /// # Errors
 /// With no input or more than ten, fewer than 64 or more than 10⁸ evaluations, a spread without width, or a model that
 /// refuses more than nine samples in ten.
-pub fn propagate(
+pub fn propagate<const N: usize>(
     spreads: &[Spread],
     evaluations: usize,
     seed: u64,
-    model: impl Fn(&[f64]) -> Option<f64>,
-) -> Answer<Uncertainty> {
+    model: impl Fn(&[f64]) -> Option<[f64; N]>,
+) -> Answer<[Uncertainty; N]> {
     let inputs = spreads.len();
     within("number of uncertain inputs", inputs as f64, 1.0, (DIMENSIONS / 2) as f64)?;
     within("evaluations", evaluations as f64, 64.0, 1e8)?;
@@ -46,16 +46,16 @@ pub fn propagate(
     if answers.len() * 10 < rows {
         return none("the uncertainty", "the model refuses more than nine samples in ten");
     }
-    Ok(summarise(&answers, inputs, rows))
+    Ok(std::array::from_fn(|n| summarise(&answers, n, inputs, rows)))
 }
 
 /// Rows of answers (f_A, f_B, f_AB₁, …), those with a refusal left out.
-fn sample(
+fn sample<const N: usize>(
     spreads: &[Spread],
     rows: usize,
     seed: u64,
-    model: impl Fn(&[f64]) -> Option<f64>,
-) -> Vec<Vec<f64>> {
+    model: impl Fn(&[f64]) -> Option<[f64; N]>,
+) -> Vec<Vec<[f64; N]>> {
     let inputs = spreads.len();
     let mut sequence = Sequence::new(2 * inputs, seed);
     let mut point = vec![0.0; 2 * inputs];
@@ -71,14 +71,16 @@ fn sample(
             mixed
         });
         let inputs = [first.clone(), second.clone()].into_iter().chain(mixed);
-        let row: Option<Vec<f64>> = inputs.map(|x| model(&x).filter(|y| y.is_finite())).collect();
+        let answer = |x: Vec<f64>| model(&x).filter(|y| y.iter().all(|y| y.is_finite()));
+        let row: Option<Vec<[f64; N]>> = inputs.map(answer).collect();
         answers.extend(row);
     }
     answers
 }
 
-fn summarise(answers: &[Vec<f64>], inputs: usize, rows: usize) -> Uncertainty {
-    let mut sorted: Vec<f64> = answers.iter().flat_map(|row| [row[0], row[1]]).collect();
+/// Summary of the n-th number of every answer.
+fn summarise<const N: usize>(answers: &[Vec<[f64; N]>], n: usize, inputs: usize, rows: usize) -> Uncertainty {
+    let mut sorted: Vec<f64> = answers.iter().flat_map(|row| [row[0][n], row[1][n]]).collect();
     sorted.sort_by(f64::total_cmp);
     let count = sorted.len() as f64;
     let mean = sorted.iter().sum::<f64>() / count;
@@ -88,10 +90,13 @@ fn summarise(answers: &[Vec<f64>], inputs: usize, rows: usize) -> Uncertainty {
         let (below, part) = (place.floor() as usize, place.fract());
         sorted[below] + part * (sorted[(below + 1).min(sorted.len() - 1)] - sorted[below])
     };
-    let share = |sum: f64| if variance > 0.0 { sum / (answers.len() as f64 * variance) } else { 0.0 };
+    // What does not vary but for rounding has no shares.
+    let varies = variance > 1e-20 * mean * mean;
+    let share = |sum: f64| if varies { sum / (answers.len() as f64 * variance) } else { 0.0 };
     // Centred, so that a large mean does not drown the small differences.
-    let first = |i: usize| share(answers.iter().map(|row| (row[1] - mean) * (row[i + 2] - row[0])).sum());
-    let total = |i: usize| share(answers.iter().map(|row| 0.5 * (row[0] - row[i + 2]).powi(2)).sum());
+    let first =
+        |i: usize| share(answers.iter().map(|row| (row[1][n] - mean) * (row[i + 2][n] - row[0][n])).sum());
+    let total = |i: usize| share(answers.iter().map(|row| 0.5 * (row[0][n] - row[i + 2][n]).powi(2)).sum());
     Uncertainty {
         mean,
         deviation: variance.sqrt(),

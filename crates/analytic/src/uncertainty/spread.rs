@@ -68,7 +68,7 @@ impl Spread {
 
 /// Quantile of the standard normal distribution, 0 < p < 1, relative error 1.2e-9.
 ///
-/// Rational approximation of Acklam (2003, unpublished) (coefficients recalled; the test checks them).
+/// Rational approximation of Acklam (2003, unpublished) (coefficients compared with public copies, such as YesDrX/randgen).
 fn inverse_normal(p: f64) -> f64 {
     const A: [f64; 6] = [
         -3.969_683_028_665_376e1,

@@ -6,80 +6,97 @@ use crate::earth_pressure::{PressureTable, TableRange};
 use crate::error::Answer;
 use crate::forecast::{Candidate, Parameter, Towing, predict};
 
-/// Which number of a prediction.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quantity {
-    /// Drag [N].
-    Drag,
-    /// Vertical force [N].
-    Vertical,
-    /// Sinkage [m].
-    Sinkage,
+/// Distributions of one model's answer.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TowingUncertainty {
+    /// Of the drag [N].
+    pub drag: Uncertainty,
+    /// Of the vertical force [N].
+    pub vertical: Uncertainty,
+    /// Of the sinkage [m], where the model knows it.
+    pub sinkage: Option<Uncertainty>,
 }
 
-/// Distribution of one quantity of one model as parameters of the case are spread.
+/// Distributions of the answer of one model as parameters of the case are spread.
 ///
-/// Plasticity models use Davis' friction angle of each sample. A free disc on the wedge model looks its coefficient up in
-/// a table made once over the sampled friction angles, 10⁵ evaluations take a few seconds; otherwise each evaluation of
-/// the wedge solves its fields (milliseconds).
+/// Plasticity models use Davis' friction angle of each sample. `table`, made once for all models by [`sweep_table`],
+/// saves them from solving a stress field in each evaluation: 10⁵ of them take a few seconds.
 ///
 /// # Errors
-/// If the case is out of range, and as [`propagate`].
+/// If the case is out of range or the model has no answer to it, and as [`propagate`].
 pub fn propagate_towing(
     base: &Towing,
     spreads: &[(Parameter, Spread)],
     model: Candidate,
-    quantity: Quantity,
     evaluations: usize,
     seed: u64,
-) -> Answer<Uncertainty> {
+    table: Option<&PressureTable>,
+) -> Answer<TowingUncertainty> {
     base.check()?;
-    let table = table(base, spreads, model);
+    let answer = |mut case: Towing| {
+        if model.is_plastic() {
+            case.soil = case.soil.operative()?;
+        }
+        predict(model, &case, table)
+    };
+    let knows_sinkage = answer(base.clone())?.sinkage.is_some();
     let distributions: Vec<Spread> = spreads.iter().map(|(_, spread)| *spread).collect();
-    propagate(&distributions, evaluations, seed, |values| {
+    let [drag, vertical, sinkage] = propagate(&distributions, evaluations, seed, |values| {
         let set = |case: Towing, ((parameter, _), value): (&(Parameter, Spread), &f64)| {
             case.with(*parameter, *value)
         };
-        let mut case = spreads.iter().zip(values).fold(base.clone(), set);
-        if model.is_plastic() {
-            case.soil = case.soil.operative().ok()?;
-        }
-        let found = predict(model, &case, table.as_ref()).ok()?;
-        match quantity {
-            Quantity::Drag => Some(found.drag),
-            Quantity::Vertical => Some(found.vertical),
-            Quantity::Sinkage => found.sinkage,
-        }
+        let found = answer(spreads.iter().zip(values).fold(base.clone(), set)).ok()?;
+        let sinkage = if knows_sinkage { found.sinkage? } else { 0.0 };
+        Some([found.drag, found.vertical, sinkage])
+    })?;
+    Ok(TowingUncertainty { drag, vertical, sinkage: knows_sinkage.then_some(sinkage) })
+}
+
+/// A table of the wedge's coefficient over every friction angle and wall friction that the samples can meet; none if the
+/// ground before the disc is spread, or where the field does not exist in the whole of it.
+#[must_use]
+pub fn sweep_table(base: &Towing, spreads: &[(Parameter, Spread)]) -> Option<PressureTable> {
+    if spreads.iter().any(|(parameter, _)| *parameter == Parameter::Backfill) {
+        return None;
+    }
+    let corners = corners(base, spreads);
+    let soils: Vec<_> = corners.iter().filter_map(|case| case.soil.operative().ok()).collect();
+    let extent = |values: &mut dyn Iterator<Item = f64>| {
+        values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
+    };
+    let (low, high) = extent(&mut soils.iter().map(|soil| soil.friction_angle));
+    let friction_angle = (low.max(10_f64.to_radians()), high.min(50_f64.to_radians()));
+    let (_, steepest) =
+        extent(&mut soils.iter().map(|soil| soil.shared_friction().atan() / soil.friction_angle));
+    let most = steepest.min(2.0 / 3.0);
+    let sliding = |drive: Drive| match drive {
+        Drive::Free => (0.0, 0.0),
+        Drive::Locked | Drive::Braked(_) => (-most, 0.0),
+        Drive::Driven(_) => (0.0, steepest.min(1.0)),
+        Drive::Slip(_) => (-most, steepest.min(1.0)),
+    };
+    let (first, last) = extent(&mut corners.iter().flat_map(|case| {
+        let (first, last) = sliding(case.drive);
+        [first, last]
+    }));
+    // Steep chords with the friction of a sliding disc have no field: the table ends before them.
+    [1.36, 1.2, 1.0, 0.8].into_iter().find_map(|steepest| {
+        PressureTable::new(TableRange {
+            friction_angle,
+            wall_friction_ratio: (first, last),
+            surface: (0.0, steepest),
+            backfill: base.backfill,
+        })
+        .ok()
     })
 }
 
-/// A table over every friction angle that the samples can meet, where a table can serve at all.
-fn table(base: &Towing, spreads: &[(Parameter, Spread)], model: Candidate) -> Option<PressureTable> {
-    let moves_wall =
-        |p: &Parameter| matches!(p, Parameter::Slip | Parameter::BrakeTorque | Parameter::Backfill);
-    let wedge = matches!(model, Candidate::Weaker | Candidate::Wedge | Candidate::PlaneStrain);
-    if !wedge || base.drive != Drive::Free || spreads.iter().any(|(p, _)| moves_wall(p)) {
-        return None;
+/// The cases with every combination of the spreads' ends.
+fn corners(base: &Towing, spreads: &[(Parameter, Spread)]) -> Vec<Towing> {
+    let mut cases = vec![base.clone()];
+    for (parameter, spread) in spreads {
+        let ends = [spread.quantile(0.0), spread.quantile(1.0)];
+        cases = cases.iter().flat_map(|case| ends.map(|end| case.with(*parameter, end))).collect();
     }
-    let ends = |parameter: Parameter| {
-        let spread = spreads.iter().find(|(p, _)| *p == parameter)?.1;
-        Some((spread.quantile(0.0), spread.quantile(1.0)))
-    };
-    let (low, high) =
-        ends(Parameter::FrictionAngle).unwrap_or((base.soil.friction_angle, base.soil.friction_angle));
-    let case = |phi: f64, psi: Option<f64>| {
-        let case = base.with(Parameter::FrictionAngle, phi.clamp(0.17, 0.88));
-        let soil = psi.map_or(case.soil, |psi| case.with(Parameter::DilationAngle, psi).soil);
-        soil.operative().map(|soil| soil.friction_angle).ok()
-    };
-    let dilation = ends(Parameter::DilationAngle);
-    let (least, most) = (case(low, dilation.map(|d| d.0))?, case(high, dilation.map(|d| d.1))?);
-    let limits = (10_f64.to_radians(), 50_f64.to_radians());
-    PressureTable::new(TableRange {
-        friction_angle: (least.max(limits.0), most.min(limits.1)),
-        wall_friction_ratio: (0.0, 0.0),
-        surface: (0.0, 1.36),
-        backfill: base.backfill,
-    })
-    .ok()
+    cases
 }

@@ -30,7 +30,7 @@ impl MobilityGroup {
 
 /// Towed force of Wismer & Luth: R/W = 1.2/C_n + 0.04 [N]. They say nothing of the sinkage (0 is returned).
 ///
-/// Source: Wismer & Luth (1973) (recalled, medium confidence). Made for tyres with b/d ≈ 0.3 on cohesive-frictional soil.
+/// Source: Wismer & Luth (1973) (recalled; the same 1.2/C_n + 0.04 read in public code for tractors). Made for tyres with b/d ≈ 0.3 on cohesive-frictional soil.
 ///
 /// # Errors
 /// As [`MobilityGroup::rigid`].

@@ -47,7 +47,7 @@ pub fn wong_reece_towed(soil: &PressureSinkage, disc: &Disc, weight: f64) -> Ans
     let load = positive("weight [N]", weight)?;
     let entry = |slip: f64| {
         let excess = |theta: f64| sums(soil, disc, theta, slip).vertical / load - 1.0;
-        root(1e-3, 1.4, 1e-12, excess)
+        root(1e-3, 1.4, 1e-11, excess)
     };
     let torque = |slip: f64| entry(slip).map_or(f64::NAN, |theta| sums(soil, disc, theta, slip).torque);
     let Some(slip) = skid(torque) else {

@@ -3,7 +3,9 @@
 use super::Case;
 use super::estimate::estimate;
 use super::resolve::extent::{body_length, path};
-use super::resolved::{Body, Freedom, Law};
+use super::resolved::{Body, Freedom, Law, Potential};
+use physics::elastic::Elastic;
+use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
 
 /// Warnings, each a sentence or two; empty for a case without doubts.
 #[must_use]
@@ -165,7 +167,11 @@ fn timing(case: &Case, notes: &mut Vec<String>) {
 }
 
 fn strength(case: &Case, notes: &mut Vec<String>) {
-    let Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, .. } = case.soil.law else { return };
+    let Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, potential, critical_density, .. } =
+        case.soil.law
+    else {
+        return;
+    };
     let length = body_length(&case.bodies);
     let relative = cohesion / (case.soil.unit_weight * length);
     if cohesion > 0.0 && relative < 0.01 {
@@ -173,11 +179,24 @@ fn strength(case: &Case, notes: &mut Vec<String>) {
             "Cohesion c/(γd) = {relative:.1e} is tiny; c = 0 runs just as well here and is what sand has."
         ));
     }
-    if dilation_angle > 0.0 {
+    if dilation_angle > 0.0 && critical_density.is_none() {
         notes.push(
-            "Dilation goes on without limit: over large displacements ψ > 0 makes the soil too strong."
+            "Dilation goes on without limit: over large displacements ψ > 0 makes the soil too strong. \
+             soil.critical_density ends it."
                 .into(),
         );
+    }
+    if let Potential::MenetreyWillam { meridional, deviatoric } = potential {
+        let elastic = Elastic::new(case.soil.young_modulus, case.soil.poisson_ratio);
+        let shape = Eccentricity { meridional, deviatoric };
+        let law = MenetreyWillam::new(elastic, friction_angle, dilation_angle, cohesion, 0.0, shape);
+        if law.least_dissipation() < 0.0 {
+            notes.push(format!(
+                "With ψ so near φ the smooth potential creates energy in some directions of flow (up to {:.1} % of the \
+                 frictional work); a smaller soil.dilation_angle does not.",
+                -100.0 * law.least_dissipation()
+            ));
+        }
     }
     let passive = (std::f64::consts::FRAC_PI_4 + 0.5 * friction_angle).tan().powi(2);
     let at_rest = case.soil.rest_pressure_ratio;

@@ -44,6 +44,7 @@ fn kind(kind: &Kind) -> String {
         Kind::Choice(words) => words.iter().map(|w| format!("`\"{w}\"`")).collect::<Vec<_>>().join(", "),
         Kind::Range(measure) => format!("low and high, each {}", measure.name),
         Kind::Vector(measure) => format!("2 or 3 values, each {}", measure.name),
+        Kind::Modulus(offset) => format!("a modulus: `\"102 kN/m^(n+{offset})\"`"),
         Kind::Friction => "number, or `\"rough\"`".into(),
         Kind::WallPair => "two of `\"smooth\"`, `\"fixed\"`".into(),
         Kind::Motion { still, speed, load } => {

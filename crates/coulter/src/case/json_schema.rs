@@ -72,6 +72,7 @@ fn kind(kind: &Kind) -> Value {
         Kind::Vector(measure) => {
             json!({ "type": "array", "items": quantity(measure.example), "minItems": 2, "maxItems": 3 })
         }
+        Kind::Modulus(offset) => quantity(&format!("102 kN/m^(n+{offset})")),
         Kind::Friction => json!({ "anyOf": [
             { "type": "number", "minimum": 0 }, { "const": "rough" },
             { "type": "string", "pattern": "±", "examples": ["0.3 ± 0.05"] },

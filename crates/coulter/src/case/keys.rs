@@ -1,6 +1,8 @@
 //! Every key of a case file, with its kind, default and meaning. Reading, the JSON schema and the documentation all
 //! follow from this one table.
 
+use analytic::wheel::{CMU_SAND, TERRAINS};
+
 use super::quantity::{
     ACCELERATION, ANGLE, DENSITY, FORCE, INERTIA, LENGTH, MASS, Measure, SPEED, STRESS, TIME, TORQUE,
     TURN_RATE, UNIT_WEIGHT,
@@ -25,6 +27,8 @@ pub enum Kind {
     Range(Measure),
     /// Two or three quantities.
     Vector(Measure),
+    /// Bekker's modulus in N/m^(n+i), whose unit has the sinkage exponent n in it; here is i.
+    Modulus(i32),
     /// A number, or the word `rough`.
     Friction,
     /// What the walls at the low and at the high end do.
@@ -71,11 +75,27 @@ const fn key(name: &'static str, kind: Kind, default: &'static str, meaning: &'s
 /// Soil laws.
 pub const LAWS: [&str; 3] = ["mohr-coulomb", "tresca", "elastic"];
 /// Body shapes.
-pub const SHAPES: [&str; 2] = ["disc", "block"];
+pub const SHAPES: [&str; 4] = ["disc", "block", "cylinder", "ball"];
+/// Axes of a cylinder.
+pub const AXES: [&str; 3] = ["x", "y", "z"];
+/// Flow potentials of the frictional law.
+pub const POTENTIALS: [&str; 2] = ["mohr-coulomb", "menetrey-willam"];
 /// Contact methods.
 pub const CONTACTS: [&str; 2] = ["penalty", "impulse"];
 /// What a wall may be.
 pub const WALLS: [&str; 2] = ["smooth", "fixed"];
+/// Whose factors of shape, depth and inclination the bearing model takes.
+pub const FACTORS: [&str; 3] = ["meyerhof", "hansen-vesic", "lyamin"];
+/// Soils with published plate constants.
+pub const PLATES: [&str; TERRAINS.len() + 1] = {
+    let mut names = [CMU_SAND.name; TERRAINS.len() + 1];
+    let mut n = 0;
+    while n < TERRAINS.len() {
+        names[n] = TERRAINS[n].name;
+        n += 1;
+    }
+    names
+};
 /// Keys of a motion that is written as a table.
 pub const MOTION_KEYS: [&str; 5] = ["speed", "load", "start", "ramp", "end"];
 
@@ -109,6 +129,30 @@ const SOIL: &[Key] = &[
     key("dilation_angle", Kind::Quantity(ANGLE), "0 deg", "Dilation angle ψ, 0 to φ (mohr-coulomb)."),
     key("cohesion", Kind::Quantity(STRESS), "0 Pa", "Cohesion c; exactly 0 is fine (mohr-coulomb)."),
     key("tension_limit", Kind::Quantity(STRESS), "0 Pa", "Largest tension, at most c cot φ (mohr-coulomb)."),
+    key(
+        "flow_potential",
+        Kind::Choice(&POTENTIALS),
+        "\"mohr-coulomb\"",
+        "Where yielding soil flows to: along the pyramid with ψ for φ, or along the smooth potential that Abaqus has (mohr-coulomb).",
+    ),
+    key(
+        "meridional_eccentricity",
+        Kind::Number,
+        "0.1",
+        "How fast the smooth potential nears its asymptote; has no effect without cohesion (menetrey-willam).",
+    ),
+    key(
+        "deviatoric_eccentricity",
+        Kind::Number,
+        "(3 − sin φ)/(3 + sin φ)",
+        "Shape of the smooth potential across the pressure axis: above 0.5, 1 is a circle (menetrey-willam).",
+    ),
+    key(
+        "critical_density",
+        Kind::Quantity(DENSITY),
+        "none",
+        "Soil that is looser than this dilates no more (mohr-coulomb, with dilation_angle).",
+    ),
     key(
         "shear_strength",
         Kind::Quantity(STRESS),
@@ -146,6 +190,12 @@ const GROUND: &[Key] = &[
         "Where along x there is soil, e.g. a bank in front of a wall.",
     ),
     key("y", Kind::Range(LENGTH), "the whole domain", "Where along y there is soil."),
+    key(
+        "overburden",
+        Kind::Quantity(STRESS),
+        "0 Pa",
+        "Vertical pressure of the lid on the soil, which must reach up to it: soil at depth.",
+    ),
 ];
 
 const DOMAIN: &[Key] = &[
@@ -153,7 +203,7 @@ const DOMAIN: &[Key] = &[
         "x",
         Kind::Range(LENGTH),
         "the bodies' path and 1.5 body lengths at each end",
-        "The box along the tow.",
+        "The box along the tow; from 0 if symmetric_x.",
     ),
     key(
         "y",
@@ -168,6 +218,7 @@ const DOMAIN: &[Key] = &[
         "The box in height: floor and lid.",
     ),
     key("symmetric", Kind::Flag, "false", "Model only y ≥ 0, y = 0 being a plane of symmetry."),
+    key("symmetric_x", Kind::Flag, "false", "Model only x ≥ 0, x = 0 being a plane of symmetry."),
     key("plane_strain", Kind::Flag, "false", "Model a slab that is one cell thick in y."),
     key("x_walls", Kind::WallPair, "[\"smooth\", \"smooth\"]", "Walls at the low and the high end of x."),
     key("y_walls", Kind::WallPair, "[\"smooth\", \"smooth\"]", "Walls at the low and the high end of y."),
@@ -193,9 +244,21 @@ const GRID: &[Key] = &[
 ];
 
 const BODY: &[Key] = &[
-    key("shape", Kind::Choice(&SHAPES), "required", "A disc with its axle along y, or a rectangular block."),
-    key("diameter", Kind::Quantity(LENGTH), "required for a disc", "Diameter d (disc)."),
+    key(
+        "shape",
+        Kind::Choice(&SHAPES),
+        "required",
+        "A disc with its axle along y, a rectangular block, a cylinder along any axis, or a ball.",
+    ),
+    key("diameter", Kind::Quantity(LENGTH), "required but for a block", "Diameter d (disc, cylinder, ball)."),
     key("thickness", Kind::Quantity(LENGTH), "required for a disc", "Thickness t along the axle (disc)."),
+    key(
+        "axis",
+        Kind::Choice(&AXES),
+        "required for a cylinder",
+        "Along what the cylinder lies; \"z\": upright.",
+    ),
+    key("length", Kind::Quantity(LENGTH), "required for a cylinder", "Length along its axis (cylinder)."),
     key(
         "size",
         Kind::Vector(LENGTH),
@@ -203,10 +266,22 @@ const BODY: &[Key] = &[
         "Edges along x, y, z (block); x, z in plane strain.",
     ),
     key(
+        "orientation",
+        Kind::Quantity(ANGLE),
+        "0 deg",
+        "Turned about y at the start, its top towards x if positive (block).",
+    ),
+    key(
         "friction",
         Kind::Friction,
         "required",
         "Coefficient of friction μ against the soil, or \"rough\": no slip.",
+    ),
+    key(
+        "adhesion_factor",
+        Kind::Number,
+        "no such limit",
+        "Friction is at most α s_u, whatever the pressure (tresca); 0 to 1.",
     ),
     key("weight", Kind::Quantity(FORCE), "mass × gravity", "Weight W of the whole body."),
     key(
@@ -279,12 +354,45 @@ const NUMERICS: &[Key] = &[
     key("threads", Kind::Count, "0", "Threads; 0 for one per core."),
 ];
 
+const FORECAST: &[Key] = &[
+    key(
+        "plate",
+        Kind::Choice(&PLATES),
+        "none",
+        "Soil whose published plate constants n, k_c, k_φ and K are taken (Bekker, Wong–Reece).",
+    ),
+    key("plate_exponent", Kind::Number, "none", "Sinkage exponent n of p = (k_c/b + k_φ) zⁿ, 0.05 to 2.5."),
+    key("plate_cohesive", Kind::Modulus(1), "none", "Bekker's cohesive modulus k_c."),
+    key("plate_frictional", Kind::Modulus(2), "none", "Bekker's frictional modulus k_φ."),
+    key(
+        "shear_displacement",
+        Kind::Quantity(LENGTH),
+        "that of `plate`; otherwise 15 mm (sand: 10 to 25 mm)",
+        "Janosi and Hanamoto's shear displacement modulus K (Wong–Reece).",
+    ),
+    key("cone_index", Kind::Quantity(STRESS), "none", "Cone index CI (Wismer–Luth, Brixius)."),
+    key(
+        "plate_stiffness",
+        Kind::Quantity(UNIT_WEIGHT),
+        "that of 3D-RFT",
+        "Pressure over depth under a level plate pushed down (2-D RFT).",
+    ),
+    key("heap", Kind::Number, "0", "Share χ of the soil swept aside that heaps up before the disc, 0 to 1."),
+    key(
+        "backfill",
+        Kind::Quantity(ANGLE),
+        "0 deg",
+        "Rise β of the ground before the disc, -10 to 25 deg (PW).",
+    ),
+    key("factors", Kind::Choice(&FACTORS), "\"meyerhof\"", "Factors of shape, depth and inclination (BC)."),
+];
+
 const fn section(name: &'static str, meaning: &'static str, keys: &'static [Key]) -> Section {
     Section { name, meaning, keys }
 }
 
 /// All sections.
-pub const SECTIONS: [Section; 9] = [
+pub const SECTIONS: [Section; 10] = [
     section("", "At the top of the file, before any section.", TOP),
     section("soil", "The soil.", SOIL),
     section("ground", "Where soil is at the start.", GROUND),
@@ -294,6 +402,7 @@ pub const SECTIONS: [Section; 9] = [
     section("run", "How long to run.", RUN),
     section("output", "What to write, and how often.", OUTPUT),
     section("numerics", "Parameters of the method.", NUMERICS),
+    section("forecast", "For `coulter forecast` alone; `coulter run` takes no notice of it.", FORECAST),
 ];
 
 /// The section of that name.

@@ -145,6 +145,37 @@ pub fn parse_any(text: &str) -> Result<(f64, Dimension), QuantityError> {
     if value.is_finite() { Ok((value, dimension)) } else { Err(QuantityError::NotFinite { text: owned() }) }
 }
 
+/// Reads one of Bekker's moduli, whose unit has the sinkage exponent n in it: `102 kN/m^(n+1)`, or `102 kPa/m^(n-1)`.
+/// `offset` is i in N/m^(n+i); the value is in that unit, whatever n.
+///
+/// # Errors
+/// [`QuantityError`] says what is wrong.
+pub fn parse_modulus(text: &str, offset: i32) -> Result<f64, QuantityError> {
+    let (number, unit) = split_number(text.trim());
+    if unit.trim().is_empty() {
+        return parse_any(text).map(|(value, _)| value);
+    }
+    let malformed = |why| QuantityError::Malformed { unit: unit.trim().to_owned(), why };
+    let whole = "an exponent with n is needed, such as kN/m^(n+1)";
+    let (load, power) = unit.split_once("/m^").ok_or_else(|| malformed(whole))?;
+    let (value, dimension) = parse_any(&format!("{number} {load}"))?;
+    // N/m² over m^(n+i-2) is N over m^(n+i).
+    let folded = match dimension {
+        _ if dimension == FORCE.dimension => 0,
+        _ if dimension == STRESS.dimension => 2,
+        _ => return Err(malformed("a force or a stress must stand before /m^")),
+    };
+    let power: String = power.chars().filter(|c| !c.is_whitespace() && !"()".contains(*c)).collect();
+    let beyond_n = power.strip_prefix('n').ok_or_else(|| malformed(whole))?.replace('−', "-");
+    let beyond_n: i32 =
+        if beyond_n.is_empty() { 0 } else { beyond_n.parse().map_err(|_| malformed(whole))? };
+    if beyond_n + folded == offset {
+        Ok(value)
+    } else {
+        Err(malformed(if offset == 1 { "k_c is in N/m^(n+1)" } else { "k_φ is in N/m^(n+2)" }))
+    }
+}
+
 /// Names a dimension: `a length`, or `something in m^2 kg s^-1` where it has no name.
 #[must_use]
 pub fn describe(dimension: Dimension) -> String {
@@ -218,6 +249,26 @@ mod tests {
         close("9.81 m s^-2", &ACCELERATION, 9.81);
         close("1_000 mm", &LENGTH, 1.0);
         close("0 deg", &ANGLE, 0.0);
+    }
+
+    #[test]
+    fn reads_moduli_with_the_exponent_in_their_unit() {
+        for (text, offset, expected) in [
+            ("102 kN/m^(n+1)", 1, 102e3),
+            ("5301 kN/m^(n+2)", 2, 5301e3),
+            ("5301 kPa/m^n", 2, 5301e3),
+            ("102 kPa/m^(n-1)", 1, 102e3),
+            ("0.99kN/m^(n + 1)", 1, 990.0),
+            ("8 MN/m^n+2", 2, 8e6),
+        ] {
+            let value = parse_modulus(text, offset).unwrap();
+            assert!((value / expected - 1.0).abs() < 1e-12, "{text}: {value}");
+        }
+        for text in
+            ["102 kN/m^(n+2)", "102 kN/m^2", "102 kN", "102", "kN/m^(n+1)", "102 m/m^(n+1)", "nan kN/m^(n+1)"]
+        {
+            assert!(parse_modulus(text, 1).is_err(), "{text}");
+        }
     }
 
     #[test]

@@ -21,8 +21,17 @@ pub(super) const ACUTE: Allowed = Allowed {
     words: "0 deg or more and below 90 deg",
 };
 pub(super) const SHARE: Allowed = Allowed { test: |x| x > 0.0 && x <= 1.0, words: "above 0 and at most 1" };
+pub(super) const FRACTION: Allowed = Allowed { test: |x| (0.0..=1.0).contains(&x), words: "from 0 to 1" };
 pub(super) const GROWTH: Allowed = Allowed { test: |x| (1.0..=1.5).contains(&x), words: "from 1 to 1.5" };
 pub(super) const SPACING: Allowed = Allowed { test: |x| (0.05..=4.0).contains(&x), words: "from 0.05 to 4" };
+pub(super) const ECCENTRICITY: Allowed =
+    Allowed { test: |x| x > 0.5 && x <= 1.0, words: "above 0.5 and at most 1" };
+pub(super) const EXPONENT: Allowed =
+    Allowed { test: |x| (0.05..=2.5).contains(&x), words: "from 0.05 to 2.5" };
+pub(super) const BACKFILL: Allowed = Allowed {
+    test: |x| (-10.000_001..=25.000_001).contains(&x.to_degrees()),
+    words: "from -10 deg to 25 deg",
+};
 pub(super) const ANY: Allowed = Allowed { test: |_| true, words: "any number" };
 
 /// The number that the key holds, if it is given and allowed.
@@ -80,6 +89,7 @@ fn example(section: &Section, key: &str) -> String {
         Some(Kind::Choice(words)) => format!("\"{}\"", words.first().unwrap_or(&"")),
         Some(Kind::Range(measure)) => format!("[\"-{0}\", \"{0}\"]", measure.example),
         Some(Kind::Vector(measure)) => format!("[\"{0}\", \"{0}\", \"{0}\"]", measure.example),
+        Some(Kind::Modulus(offset)) => format!("\"102 kN/m^(n+{offset})\""),
         Some(Kind::Flag) => "true".into(),
         _ => "0.3".into(),
     }

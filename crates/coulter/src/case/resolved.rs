@@ -3,6 +3,7 @@
 use glam::DVec3;
 pub use physics::rigid::Freedom;
 use physics::shape;
+pub use physics::shape::Axis;
 use serde::Serialize;
 
 /// A case, ready to be simulated.
@@ -18,6 +19,8 @@ pub struct Case {
     pub soil: Soil,
     /// Where soil is at the start.
     pub ground: Ground,
+    /// Vertical pressure of the lid on the soil at the start [Pa].
+    pub overburden: f64,
     /// The box that is modelled.
     pub domain: Domain,
     /// Cell sizes.
@@ -30,6 +33,8 @@ pub struct Case {
     pub output: Output,
     /// Parameters of the method.
     pub numerics: Numerics,
+    /// What the closed forms alone want to know.
+    pub forecast: Measured,
 }
 
 /// Parameters of the soil.
@@ -70,6 +75,25 @@ pub enum Law {
         cohesion: f64,
         /// Largest tension that the soil bears [Pa]; at most c cot φ.
         tension_limit: f64,
+        /// Where yielding soil flows to.
+        potential: Potential,
+        /// Density below which the soil dilates no more [kg/m³].
+        critical_density: Option<f64>,
+    },
+}
+
+/// The flow potential of the frictional law.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Potential {
+    /// Of the form of the yield surface, with ψ for φ.
+    MohrCoulomb,
+    /// Menétrey and Willam (1995).
+    MenetreyWillam {
+        /// Meridional eccentricity ε ≥ 0.
+        meridional: f64,
+        /// Deviatoric eccentricity e, ½ < e ≤ 1.
+        deviatoric: f64,
     },
 }
 
@@ -89,6 +113,17 @@ pub enum Ground {
         /// High corner [m].
         high: DVec3,
     },
+}
+
+impl Ground {
+    /// Height of its level top [m].
+    #[must_use]
+    pub fn surface(&self) -> f64 {
+        match *self {
+            Self::Level { surface } => surface,
+            Self::Column { high, .. } => high.z,
+        }
+    }
 }
 
 /// What a face of the box does to the soil that touches it.
@@ -112,8 +147,19 @@ pub struct Domain {
     pub walls: [[Wall; 2]; 3],
     /// Whether y = 0 is a plane of symmetry and only y ≥ 0 is modelled. Forces are reported for the whole body.
     pub symmetric: bool,
+    /// The same of x = 0 and x ≥ 0.
+    pub symmetric_x: bool,
     /// Whether the case is plane strain: a slab one cell thick in y. Forces are per `high.y - low.y` metre of width.
     pub plane_strain: bool,
+}
+
+impl Domain {
+    /// Share of each body that is modelled: halved by each plane of symmetry.
+    #[must_use]
+    pub fn share(&self) -> f64 {
+        let half = |is_cut: bool| if is_cut { 0.5 } else { 1.0 };
+        half(self.symmetric) * half(self.symmetric_x)
+    }
 }
 
 /// Cell sizes: uniform inside the fine zone, growing geometrically outside it.
@@ -146,6 +192,8 @@ pub struct Body {
     pub axle_inertia: f64,
     /// Coefficient of friction μ of its surface against the soil; infinite for a rough (no-slip) one.
     pub friction: f64,
+    /// Largest frictional traction [Pa], whatever the pressure: α s_u; infinite for no such limit.
+    pub shear_limit: f64,
     /// Motion along x (tow), y (lateral), z (heave).
     pub translation: [Freedom; 3],
     /// Turning about the axle; positive when it rolls forward.
@@ -167,6 +215,22 @@ pub enum Shape {
     Block {
         /// Edge lengths [m].
         size: DVec3,
+        /// Angle by which it is turned about y at the start [rad], its top towards x if positive.
+        orientation: f64,
+    },
+    /// A cylinder.
+    Cylinder {
+        /// Diameter d [m].
+        diameter: f64,
+        /// Length along its axis [m].
+        length: f64,
+        /// Along what it lies.
+        axis: Axis,
+    },
+    /// A ball.
+    Ball {
+        /// Diameter d [m].
+        diameter: f64,
     },
 }
 
@@ -176,7 +240,12 @@ impl Shape {
     pub fn solid(&self) -> Box<dyn shape::Shape> {
         match *self {
             Self::Disc { diameter, thickness } => Box::new(shape::Disc { diameter, thickness }),
-            Self::Block { size } => Box::new(shape::Block { size }),
+            Self::Block { size, orientation: 0.0 } => Box::new(shape::Block { size }),
+            Self::Block { size, orientation } => {
+                Box::new(shape::Turned::new(shape::Block { size }, orientation))
+            }
+            Self::Cylinder { diameter, length, axis } => Box::new(shape::Cylinder { diameter, length, axis }),
+            Self::Ball { diameter } => Box::new(shape::Ball { diameter }),
         }
     }
 }
@@ -225,4 +294,49 @@ pub struct Numerics {
     pub point_spacing: f64,
     /// Threads; 0 for one per core.
     pub threads: usize,
+}
+
+/// What the closed forms of `coulter forecast` want to know besides the rest; the solver takes no notice of it.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Measured {
+    /// Rise β of the ground before the disc [rad].
+    pub backfill: f64,
+    /// Share χ of the soil swept aside that heaps up before the disc.
+    pub heap: f64,
+    /// Whose factors of shape, depth and inclination.
+    pub factors: Factors,
+    /// Cone index CI [Pa].
+    pub cone_index: Option<f64>,
+    /// Pressure over depth under a level plate pushed down [N/m³].
+    pub plate_stiffness: Option<f64>,
+    /// Plate constants.
+    pub plate: Option<Plate>,
+}
+
+/// Constants of Bekker's plate, p = (k_c/b + k_φ) zⁿ, and of Janosi and Hanamoto's shear curve.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Plate {
+    /// The published soil that they are of, if so.
+    pub name: Option<String>,
+    /// Sinkage exponent n.
+    pub exponent: f64,
+    /// Cohesive modulus k_c [N/m^(n+1)].
+    pub cohesive: f64,
+    /// Frictional modulus k_φ [N/m^(n+2)].
+    pub frictional: f64,
+    /// Shear displacement modulus K [m].
+    pub shear_displacement: f64,
+}
+
+/// Whose factors of shape, depth and inclination the bearing model takes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Factors {
+    /// Meyerhof (1963).
+    #[default]
+    Meyerhof,
+    /// Hansen (1970) and Vesić (1973).
+    HansenVesic,
+    /// Lyamin et al. (2007).
+    Lyamin,
 }

@@ -105,6 +105,7 @@ pub(super) struct Schema {
     pub(super) run: Section,
     pub(super) output: Section,
     pub(super) numerics: Section,
+    pub(super) forecast: Section,
 }
 
 /// Checks the tree against the table of keys.
@@ -129,9 +130,9 @@ pub(super) fn read(root: &[Entry], problems: &mut Problems) -> Schema {
         None => Section::empty(name, Place::file()),
     };
     let (soil, ground, domain, grid) = (one("soil"), one("ground"), one("domain"), one("grid"));
-    let (run, output, numerics) = (one("run"), one("output"), one("numerics"));
+    let (run, output, numerics, forecast) = (one("run"), one("output"), one("numerics"), one("forecast"));
     let bodies = sections.iter().find(|e| e.key == "body").map_or(Vec::new(), |e| bodies(e, problems));
-    Schema { top, soil, ground, domain, grid, bodies, run, output, numerics }
+    Schema { top, soil, ground, domain, grid, bodies, run, output, numerics, forecast }
 }
 
 fn bodies(entry: &Entry, problems: &mut Problems) -> Vec<Section> {

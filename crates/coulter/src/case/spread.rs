@@ -6,8 +6,11 @@ use super::quantity;
 use super::tree::{Entry, Value};
 
 /// Keys that may have a spread, by section.
-const MAY_SPREAD: [(&str, &[&str]); 2] =
-    [("soil", &["friction_angle", "unit_weight", "cohesion"]), ("body", &["friction", "weight"])];
+const MAY_SPREAD: [(&str, &[&str]); 3] = [
+    ("soil", &["friction_angle", "unit_weight", "cohesion"]),
+    ("body", &["friction", "weight"]),
+    ("forecast", &["cone_index"]),
+];
 
 /// A standard deviation as the case states it.
 #[derive(Clone, Debug, PartialEq)]

@@ -26,6 +26,7 @@ pub(super) fn value(node: &Node, kind: &Kind, path: &str, problems: &mut Problem
         Kind::Flag => flag(node).map(Given::Flag),
         Kind::Quantity(measure) => quantity(node, measure).map(Given::Number),
         Kind::Choice(words) => choice(node, words).map(Given::Text),
+        Kind::Modulus(offset) => modulus(node, *offset).map(Given::Number),
         Kind::Friction => friction(node).map(Given::Number),
         Kind::Range(measure) => list(node, measure, 2..=2).map(Given::List),
         Kind::Vector(measure) => list(node, measure, 2..=3).map(Given::List),
@@ -93,6 +94,18 @@ fn quantity(node: &Node, measure: &Measure) -> Read<f64> {
             complain(node, format!("expected {name}; a bare number has no unit"), cure)
         }
         _ => wrong_type(node, name, cure),
+    }
+}
+
+fn modulus(node: &Node, offset: i32) -> Read<f64> {
+    let cure =
+        format!("write it with its unit, such as \"102 kN/m^(n+{offset})\"; `n` stands for plate_exponent");
+    match &node.value {
+        Value::Text(text) => {
+            quantity::parse_modulus(text, offset).or_else(|e| complain(node, e.to_string(), cure))
+        }
+        Value::Integer(_) | Value::Number(_) => complain(node, "a bare number has no unit", cure),
+        _ => wrong_type(node, "a modulus", cure),
     }
 }
 

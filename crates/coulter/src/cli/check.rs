@@ -2,7 +2,7 @@
 
 use super::{Failure, say};
 use crate::case::estimate::{Estimate, estimate};
-use crate::case::resolved::{Body, Freedom, Law, Shape};
+use crate::case::resolved::{Body, Freedom, Law, Measured, Potential, Shape};
 use crate::case::{self, Case};
 use crate::output::reference::Reference;
 use crate::simulation::Simulation;
@@ -114,10 +114,23 @@ fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
     let strength = match soil.law {
         Law::Elastic => "elastic".to_owned(),
         Law::Tresca { shear_strength } => format!("tresca, s_u = {shear_strength} Pa"),
-        Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_limit } => format!(
-            "mohr-coulomb, φ = {:.4}°, ψ = {:.4}°, c = {cohesion} Pa, tension up to {tension_limit} Pa",
+        Law::MohrCoulomb {
+            friction_angle,
+            dilation_angle,
+            cohesion,
+            tension_limit,
+            potential,
+            critical_density,
+        } => format!(
+            "mohr-coulomb, φ = {:.4}°, ψ = {:.4}°{}, c = {cohesion} Pa, tension up to {tension_limit} Pa{}",
             friction_angle.to_degrees(),
-            dilation_angle.to_degrees()
+            dilation_angle.to_degrees(),
+            critical_density.map_or(String::new(), |rho| format!(" down to {rho:.1} kg/m³")),
+            match potential {
+                Potential::MohrCoulomb => String::new(),
+                Potential::MenetreyWillam { meridional, deviatoric } =>
+                    format!(", smooth potential (ε = {meridional}, e = {deviatoric:.4})"),
+            }
         ),
     };
     writeln!(text, "soil     {strength}")?;
@@ -129,15 +142,36 @@ fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
     for body in &case.bodies {
         describe_body(text, case, body)?;
     }
+    if case.forecast != Measured::default() {
+        writeln!(
+            text,
+            "note     the keys of [forecast] are for `coulter forecast` alone; a run takes no notice of them"
+        )?;
+    }
     Ok(())
 }
 
 fn describe_body(text: &mut String, case: &Case, body: &Body) -> std::fmt::Result {
     let shape = match body.shape {
         Shape::Disc { diameter, thickness } => format!("disc, d = {diameter} m, t = {thickness} m"),
-        Shape::Block { size } => format!("block, {} × {} × {} m", size.x, size.y, size.z),
+        Shape::Block { size, orientation } => {
+            let turned = if orientation == 0.0 {
+                String::new()
+            } else {
+                format!(", turned {:.1}°", orientation.to_degrees())
+            };
+            format!("block, {} × {} × {} m{turned}", size.x, size.y, size.z)
+        }
+        Shape::Cylinder { diameter, length, axis } => {
+            format!("cylinder along {axis}, d = {diameter} m, l = {length} m")
+        }
+        Shape::Ball { diameter } => format!("ball, d = {diameter} m"),
     };
-    let friction = if body.friction.is_finite() { format!("μ = {}", body.friction) } else { "rough".into() };
+    let mut friction =
+        if body.friction.is_finite() { format!("μ = {}", body.friction) } else { "rough".into() };
+    if body.shear_limit.is_finite() {
+        friction += &format!(", at most {} Pa", body.shear_limit);
+    }
     writeln!(text, "body     {}: {shape}, {friction}, m = {:.4} kg", body.name, body.mass)?;
     let [forward, lateral, heave] = &body.translation;
     let motions =
@@ -174,10 +208,12 @@ fn describe_freedom(freedom: &Freedom, speed_unit: &str, load_unit: &str) -> Str
 fn describe_cost(text: &mut String, case: &Case, cost: &Estimate, seconds: Option<f64>) -> std::fmt::Result {
     let [nx, ny, nz] = std::array::from_fn(|axis| case.grid.faces[axis].len().saturating_sub(1));
     let (low, high) = (case.domain.low, case.domain.high);
-    let kind = match (case.domain.symmetric, case.domain.plane_strain) {
-        (true, _) => ", symmetric half",
-        (_, true) => ", plane strain",
-        _ => "",
+    let kind = match (case.domain.plane_strain, case.domain.share()) {
+        (true, 1.0) => ", plane strain",
+        (true, _) => ", plane strain, symmetric half",
+        (false, 1.0) => "",
+        (false, 0.5) => ", symmetric half",
+        (false, _) => ", symmetric quarter",
     };
     writeln!(
         text,

@@ -2,12 +2,13 @@
 
 use super::{Failure, say, say_json};
 use crate::case::{self, Spread};
-use crate::forecast::{self, Outlook, Range, Stated};
+use crate::forecast::{self, Effort, Intervals, Outlook, Range, Stated};
 use crate::output::{Sheets, write_forecast};
 use std::path::{Path, PathBuf};
 
 /// The curve that is drawn unless another one is asked for.
 const USUAL_CURVE: &str = "Z=0.01..0.4";
+const USUAL_POINTS: u16 = 41;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -28,10 +29,10 @@ pub(super) struct Arguments {
     /// Logarithmic axes for the curves
     #[arg(long)]
     log: bool,
-    /// Points of a curve
-    #[arg(long, value_name = "N", default_value_t = 41, value_parser = clap::value_parser!(u16).range(2..=1001))]
-    points: u16,
-    /// Intervals and Sobol indices from the stated spreads
+    /// Points of a curve [default: 41]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=1001))]
+    points: Option<u16>,
+    /// Medians, intervals and Sobol indices of every model from the stated spreads
     #[arg(long)]
     uncertainty: bool,
     /// Standard deviation of a key, such as soil.friction_angle="2 deg"; may be repeated
@@ -43,33 +44,47 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn forecast(arguments: &Arguments) -> Result<(), Failure> {
+    nothing_is_ignored(arguments)?;
     let (case, spreads) = case::load_with_spreads(&arguments.case, &arguments.overrides)?;
     let outlook = forecast::outlook(&case)
         .map_err(|why| Failure::Request(format!("no forecast for this case: {why}")))?;
-    let stated = if arguments.uncertainty { stated(arguments, &spreads, &outlook)? } else { Vec::new() };
-    let intervals = if stated.is_empty() {
-        Vec::new()
-    } else {
-        forecast::intervals(&outlook, &stated)
-            .map_err(|why| Failure::Request(format!("no uncertainty for this case: {why}")))?
-    };
-    let document = forecast::document(&outlook, &stated, &intervals);
+    let stated = stated(arguments, &spreads, &outlook)?;
+    let effort = if arguments.uncertainty { Effort::Study } else { Effort::Glance };
+    let intervals = forecast::intervals(&outlook, stated, effort);
+    let document = forecast::document(&outlook, &intervals, arguments.uncertainty);
     let files = match folder(arguments, &case.name) {
-        Some(folder) => write(arguments, &outlook, &document, &folder)?,
+        Some(folder) => write(arguments, &outlook, &intervals, &document, &folder)?,
         None => Vec::new(),
     };
     if arguments.json {
         return say_json(&document);
     }
-    say(&forecast::table(&outlook));
-    if !stated.is_empty() {
-        say(&forecast::uncertainty_table(&stated, &intervals));
+    say(&forecast::table(&outlook, &intervals));
+    if arguments.uncertainty {
+        say(&forecast::uncertainty_table(&intervals));
     }
     if !files.is_empty() {
         let list: Vec<String> = files.iter().map(|f| f.display().to_string()).collect();
         say(&format!("\nwrote {}\n", list.join("\n      ")));
     }
     Ok(())
+}
+
+/// Refuses options that would do nothing.
+fn nothing_is_ignored(arguments: &Arguments) -> Result<(), Failure> {
+    if arguments.against.is_some() || arguments.output.is_some() {
+        return Ok(());
+    }
+    let idle =
+        [("--log", arguments.log), ("--points", arguments.points.is_some()), ("--force", arguments.force)];
+    match idle.iter().find(|(_, given)| *given) {
+        Some((name, _)) => {
+            let message =
+                format!("{name} is about curves, and none is written: add --against Z=0.02..0.4 or -o DIR");
+            Err(Failure::Request(message))
+        }
+        None => Ok(()),
+    }
 }
 
 /// The spreads of the case, and those of the command line, which come first where both state one.
@@ -82,7 +97,7 @@ fn stated(arguments: &Arguments, spreads: &[Spread], outlook: &Outlook) -> Resul
             stated.push(own);
         }
     }
-    if stated.is_empty() {
+    if stated.is_empty() && arguments.uncertainty {
         let message = "--uncertainty needs a spread: --spread soil.friction_angle=\"2 deg\", or \
                        friction_angle = \"35 ± 2 deg\" in the case";
         return Err(Failure::Request(message.into()));
@@ -99,15 +114,17 @@ fn folder(arguments: &Arguments, name: &str) -> Option<PathBuf> {
 fn write(
     arguments: &Arguments,
     outlook: &Outlook,
+    intervals: &Intervals,
     document: &serde_json::Value,
     folder: &Path,
 ) -> Result<Vec<PathBuf>, Failure> {
     let asked = arguments.against.as_deref().unwrap_or(USUAL_CURVE);
-    let range = Range::read(asked, &outlook.setting, usize::from(arguments.points), arguments.log)
+    let points = usize::from(arguments.points.unwrap_or(USUAL_POINTS));
+    let range = Range::read(asked, &outlook.setting, points, arguments.log)
         .map_err(|why| Failure::Request(why.to_string()))?;
     let curves = forecast::curves(outlook, &range, arguments.log)
         .map_err(|why| Failure::Request(format!("--against {asked}: {why}")))?;
-    let models = forecast::models_table(outlook);
+    let models = forecast::models_table(outlook, intervals);
     let sheets = Sheets { models: &models, document, curves: &curves };
     write_forecast(folder, &sheets, arguments.force).map_err(|e| Failure::Request(e.to_string()))
 }

@@ -10,13 +10,13 @@ use std::fmt::Write;
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     /// Friction angle φ of the soil
-    #[arg(long, value_name = "ANGLE")]
+    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
     friction_angle: String,
     /// Friction angle δ between face and soil; positive when the face pushes the soil down along itself
     #[arg(long, value_name = "ANGLE", default_value = "0 deg", allow_hyphen_values = true)]
     wall_friction: String,
     /// Inclination α of the face to the horizontal: 90 deg is a vertical wall, less leans over the soil
-    #[arg(long, value_name = "ANGLE", default_value = "90 deg")]
+    #[arg(long, value_name = "ANGLE", default_value = "90 deg", allow_hyphen_values = true)]
     surface: String,
     /// Rise β of the ground in front of the face
     #[arg(long, value_name = "ANGLE", default_value = "0 deg", allow_hyphen_values = true)]

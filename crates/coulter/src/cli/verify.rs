@@ -2,9 +2,10 @@
 
 use super::{Failure, say};
 use crate::verify::bench::Wish;
-use crate::verify::{self, document, known, table};
+use crate::verify::row::Row;
+use crate::verify::{self, document, known, refine, table};
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -14,6 +15,9 @@ pub(super) struct Arguments {
     /// Only what takes about a minute in all: coarse grids
     #[arg(long)]
     fast: bool,
+    /// Instead of the table: so many meshes of each benchmark that can be refined, with the observed order of convergence
+    #[arg(long, value_name = "MESHES", value_parser = clap::value_parser!(u32).range(3..=5), conflicts_with_all = ["fast", "strict", "write"])]
+    refine: Option<u32>,
     /// Print one JSON document
     #[arg(long)]
     json: bool,
@@ -29,6 +33,12 @@ pub(super) struct Arguments {
     /// Threads; 0 for one per core
     #[arg(long, value_name = "N", default_value_t = 0)]
     threads: usize,
+    /// Where finished parts are kept; the same request goes on from them after a stop
+    #[arg(short, long, value_name = "DIR", default_value = "results/verify")]
+    output: PathBuf,
+    /// Do everything anew, also what is kept
+    #[arg(long)]
+    fresh: bool,
 }
 
 pub(super) fn verify(arguments: &Arguments) -> Result<(), Failure> {
@@ -37,16 +47,29 @@ pub(super) fn verify(arguments: &Arguments) -> Result<(), Failure> {
         let message = "--write belongs to the root of the repository: there is no validation/ here";
         return Err(Failure::Request(message.into()));
     }
-    let wish =
-        Wish { fast: arguments.fast, overrides: arguments.overrides.clone(), threads: arguments.threads };
-    let findings = verify::verify(&ids, &wish, &mut |text| {
+    let wish = Wish {
+        fast: arguments.fast,
+        overrides: arguments.overrides.clone(),
+        threads: arguments.threads,
+        folder: Some(arguments.output.clone()),
+        fresh: arguments.fresh,
+    };
+    let mut tell = |text: &str| {
         let _ = writeln!(std::io::stderr().lock(), "{text}");
-    });
+    };
+    let findings = match arguments.refine {
+        Some(meshes) => {
+            if let Some(id) = ids.iter().find(|id| !refine::ids().contains(id)) {
+                let all = refine::ids().join(", ");
+                return Err(Failure::Request(format!("{id} cannot be refined; these can: {all}")));
+            }
+            refine::refine(&ids, meshes, &wish, &mut tell)
+        }
+        None => verify::verify(&ids, &wish, &mut tell),
+    };
     let known = known::known();
     if arguments.json {
-        let text =
-            serde_json::to_string_pretty(&findings.rows).map_err(|e| Failure::Request(e.to_string()))?;
-        say(&format!("{text}\n"));
+        super::say_json(&findings.rows.iter().map(Row::plain).collect::<Vec<_>>())?;
     } else {
         say(&format!("{}\n{}\n", table::plain(&findings.rows), table::closing(&findings.rows)));
     }

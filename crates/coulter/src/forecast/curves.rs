@@ -51,6 +51,9 @@ pub struct Curves {
 pub fn curves(outlook: &Outlook, range: &Range, logarithmic: bool) -> Result<Curves, String> {
     let (setting, variable) = (&outlook.setting, &range.variable);
     let values: Vec<f64> = range.values.iter().map(|v| variable.model_value(setting, *v)).collect();
+    for value in &range.values {
+        variable.set(setting, *value).check().map_err(|why| why.to_string())?;
+    }
     let points = curve(&setting.towing, variable.parameter, &values, &[]).map_err(|e| e.to_string())?;
     let cases: Vec<Towing> = range.values.iter().map(|v| variable.set(setting, *v)).collect();
     let (group_label, group) = group(variable.parameter, &cases, variable.label);

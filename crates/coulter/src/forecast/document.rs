@@ -1,15 +1,20 @@
 //! The forecast as one JSON document: a contract, scripts rely on its names.
 
-use super::{Interval, Outlook, Stated, mechanism_word};
+use super::{Interval, Intervals, Outlook, mechanism_word};
 use analytic::disc::Drive;
 use analytic::forecast::{Load, ModelForecast, Range};
 use serde_json::{Value, json};
 
-/// The document of a forecast, with the uncertainty where it was asked for.
+/// The document of a forecast; `in_full` adds everything that is known of the uncertainty.
 #[must_use]
-pub fn document(outlook: &Outlook, stated: &[Stated], intervals: &[Interval]) -> Value {
+pub fn document(outlook: &Outlook, intervals: &Intervals, in_full: bool) -> Value {
     let forecast = &outlook.forecast;
-    let models = |list: &[ModelForecast]| list.iter().map(|m| model(outlook, m)).collect::<Vec<_>>();
+    let one = |m: &ModelForecast| {
+        let mut entry = model(outlook, m);
+        entry["interval"] = interval(intervals, m.name);
+        entry
+    };
+    let full_friction: Vec<Value> = forecast.models_full_friction.iter().map(|m| model(outlook, m)).collect();
     let spread = forecast.spread.as_ref().map(|s| {
         json!({
             "count": s.count, "drag_N": range(&s.drag), "vertical_N": range(&s.vertical),
@@ -26,17 +31,18 @@ pub fn document(outlook: &Outlook, stated: &[Stated], intervals: &[Interval]) ->
         "groups": groups(outlook),
         "load": load(outlook),
         "drive": drive(outlook.setting.towing.drive),
-        "models": models(&forecast.models),
-        "models_full_friction": models(&forecast.models_full_friction),
+        "models": forecast.models.iter().map(one).collect::<Vec<_>>(),
+        "models_full_friction": full_friction,
         "operative_friction_angle_rad": forecast.operative_friction_angle,
         "spread": spread,
         "side_faces": faces,
         "recommended": outlook.recommended().map(|m| m.name),
         "recommendation": forecast.recommendation,
         "remarks": outlook.setting.remarks,
+        "interval_inputs": inputs(intervals),
     });
-    if !stated.is_empty() {
-        document["uncertainty"] = uncertainty(stated, intervals);
+    if in_full {
+        document["uncertainty"] = json!({ "inputs": inputs(intervals), "quantities": intervals.list });
     }
     document
 }
@@ -80,6 +86,7 @@ fn model(outlook: &Outlook, model: &ModelForecast) -> Value {
         "force_inclination_rad": found.map(|p| p.force_inclination),
         "skid": found.and_then(|p| p.skid),
         "mechanism": found.and_then(|p| p.mechanism).map(mechanism_word),
+        "sideways_share": found.and_then(|p| p.sideways_share),
         "F_H_bar": found.map(|p| p.drag / scale),
         "F_V_bar": found.map(|p| p.vertical / scale),
         "Z": found.and_then(|p| p.sinkage).map(|z| z / diameter),
@@ -91,10 +98,22 @@ fn range(range: &Range) -> Value {
     json!({ "low": range.low, "middle": range.middle, "high": range.high })
 }
 
-fn uncertainty(stated: &[Stated], intervals: &[Interval]) -> Value {
-    let inputs: Vec<Value> = stated
-        .iter()
-        .map(|s| json!({ "key": s.key, "mean": s.mean, "deviation": s.deviation, "distribution": "normal" }))
-        .collect();
-    json!({ "inputs": inputs, "quantities": intervals })
+/// What the inputs' spread makes of one model: the values that 5, 50 and 95 % lie below.
+fn interval(intervals: &Intervals, model: &str) -> Value {
+    let of = |quantity: &str| {
+        let range = |i: &Interval| json!({ "low": i.low, "middle": i.middle, "high": i.high });
+        intervals.of(model, quantity).map(range)
+    };
+    let [drag, vertical, sinkage] = ["drag_N", "vertical_N", "sinkage_m"].map(of);
+    json!({ "drag_N": drag, "vertical_N": vertical, "sinkage_m": sinkage })
+}
+
+fn inputs(intervals: &Intervals) -> Vec<Value> {
+    let one = |s: &super::Stated| {
+        json!({
+            "key": s.key, "mean": s.mean, "deviation": s.deviation, "distribution": "normal",
+            "assumed": intervals.assumed,
+        })
+    };
+    intervals.inputs.iter().map(one).collect()
 }

@@ -13,13 +13,13 @@ pub use curves::{Curves, Series, curves};
 pub use document::document;
 pub use range::{Range, Unreadable};
 pub use setting::{Setting, setting};
-pub use spread::{Interval, Stated, intervals};
+pub use spread::{Effort, Interval, Intervals, Stated, intervals};
 pub use tables::{models_table, table, uncertainty_table};
 pub use variable::{Variable, find, variables};
 
 use crate::case::Case;
 use analytic::Forecast;
-use analytic::disc::Mechanism;
+use analytic::disc::{Drive, Mechanism};
 use analytic::forecast::{Candidate, Load, ModelForecast};
 
 /// The answer to a case.
@@ -39,24 +39,40 @@ pub struct Outlook {
 /// The reason, in words, why no closed form can take the case.
 pub fn outlook(case: &Case) -> Result<Outlook, String> {
     let setting = setting(case)?;
-    let forecast = analytic::forecast(&setting.towing).map_err(|why| why.to_string())?;
+    let mut forecast = analytic::forecast(&setting.towing).map_err(|why| why.to_string())?;
+    for model in forecast.models.iter_mut().chain(&mut forecast.models_full_friction) {
+        if let Some(key) = missing_key(model.model, &setting) {
+            model.note = key.to_owned();
+        }
+    }
     Ok(Outlook { case: case.name.clone(), setting, forecast })
 }
 
+/// Which key would let a model speak that the case gives too little.
+fn missing_key(model: Candidate, setting: &Setting) -> Option<&'static str> {
+    let towing = &setting.towing;
+    if towing.drive != Drive::Free || towing.assembly.is_some() {
+        return None;
+    }
+    match model {
+        Candidate::Bekker | Candidate::WongReece if towing.terrain.is_none() => Some(
+            "needs plate constants: [forecast] plate = \"LETE sand\" (or another published soil), or plate_exponent, \
+             plate_cohesive and plate_frictional",
+        ),
+        Candidate::WismerLuth | Candidate::Brixius
+            if towing.cone_index.is_none() && matches!(towing.load, Load::Weight(_)) =>
+        {
+            Some("needs the cone index: [forecast] cone_index = \"300 kPa\"")
+        }
+        _ => None,
+    }
+}
+
 impl Outlook {
-    /// The model to believe: the one of BC and PW whose mechanism governs; none where neither has an answer.
+    /// The model to believe: the weaker of BC and PW; none where it has no answer.
     #[must_use]
     pub fn recommended(&self) -> Option<&ModelForecast> {
-        let weaker = self.model(Candidate::Weaker)?;
-        let governing = match weaker.prediction?.mechanism {
-            Some(Mechanism::Forwards) => Candidate::Wedge,
-            _ => Candidate::Bearing,
-        };
-        self.model(governing)
-    }
-
-    fn model(&self, candidate: Candidate) -> Option<&ModelForecast> {
-        self.forecast.models.iter().find(|m| m.model == candidate)
+        self.forecast.models.iter().find(|m| m.model == Candidate::Weaker && m.prediction.is_some())
     }
 
     /// The force that makes forces dimensionless: γ t d² of one disc [N].

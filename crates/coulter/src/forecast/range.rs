@@ -1,6 +1,7 @@
 //! What is typed on the command line about a variable: `Z=0.02..0.4`, `soil.friction_angle="30 deg".."45 deg"`.
 
 use super::{Setting, Variable, find, variables};
+use crate::case::keys::Kind;
 use crate::case::quantity;
 
 /// Why it cannot be read, and what would do.
@@ -56,24 +57,25 @@ impl Range {
 
 /// The variable of that name.
 pub(super) fn known(key: &str, setting: &Setting) -> Result<Variable, Unreadable> {
-    find(key, &setting.discs).ok_or_else(|| {
-        let disc = setting.discs.first().map_or("disc", String::as_str);
-        let name = |v: &Variable| match v.section {
-            "soil" => format!("soil.{}", v.key),
-            "body" => format!("body.{disc}.{}", v.key),
-            _ => v.key.to_owned(),
-        };
-        let names: Vec<String> = variables().iter().map(name).collect();
-        Unreadable(format!("the models have no `{key}` to change; possible: Z, {}", names.join(", ")))
-    })
+    let Some(found) = find(key, &setting.discs) else {
+        let names: Vec<String> = variables().iter().map(|v| v.dotted(setting)).collect();
+        let names = names.join(", ");
+        return Err(Unreadable(format!("the models have no `{key}` to change; possible: Z, {names}")));
+    };
+    if found.has_effect(setting) {
+        return Ok(found);
+    }
+    let cure = "give it some: plate = \"LETE sand\" in [forecast], or another published soil";
+    Err(Unreadable(format!("{key}: the case has no plate constants; {cure}")))
 }
 
 /// A value of the variable, in SI units.
 pub(super) fn value(text: &str, variable: &Variable) -> Result<f64, String> {
     let text = text.trim().trim_matches(['"', '\'']).trim();
-    match variable.measure {
-        Some(measure) => quantity::parse(text, &measure).map_err(|e| e.to_string()),
-        None => number(text).ok_or_else(|| format!("`{text}` is no number")),
+    match variable.kind {
+        Kind::Quantity(measure) => quantity::parse(text, &measure).map_err(|e| e.to_string()),
+        Kind::Modulus(offset) => quantity::parse_modulus(text, offset).map_err(|e| e.to_string()),
+        _ => number(text).ok_or_else(|| format!("`{text}` is no number")),
     }
 }
 

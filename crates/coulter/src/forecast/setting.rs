@@ -1,8 +1,10 @@
 //! A case as the closed forms take it: one disc, or a row of equal ones, in level Mohr–Coulomb soil.
 
-use crate::case::resolved::{Body, Case, Freedom, Ground, Law, Shape};
+use crate::case::resolved::{Body, Case, Factors, Freedom, Ground, Law, Measured, Shape};
 use crate::case::travel;
+use analytic::bearing::Method;
 use analytic::disc::{Assembly, Disc, Drive};
+use analytic::wheel::PressureSinkage;
 use analytic::{Load, Soil, Towing};
 
 /// A case in the form of the models, and what had to be decided for that.
@@ -40,6 +42,7 @@ pub fn setting(case: &Case) -> Result<Setting, String> {
     let mut towing = Towing::new(soil, Disc { diameter, thickness }, load, drive);
     towing.assembly = assembly;
     towing.elastic_modulus = Some(case.soil.young_modulus);
+    add_measured(&mut towing, &case.forecast, &mut remarks);
     if case.gravity > 0.0 {
         towing.gravity = case.gravity;
     }
@@ -48,6 +51,29 @@ pub fn setting(case: &Case) -> Result<Setting, String> {
         _ => 0.0,
     };
     Ok(Setting { discs: bodies.iter().map(|b| b.name.clone()).collect(), towing, extra_load, remarks })
+}
+
+/// What the section `[forecast]` of the case says.
+fn add_measured(towing: &mut Towing, measured: &Measured, remarks: &mut Vec<String>) {
+    (towing.heap_fraction, towing.backfill) = (measured.heap, measured.backfill);
+    (towing.cone_index, towing.plate_stiffness) = (measured.cone_index, measured.plate_stiffness);
+    towing.method = match measured.factors {
+        Factors::Meyerhof => Method::Meyerhof,
+        Factors::HansenVesic => Method::HansenVesic,
+        Factors::Lyamin => Method::Lyamin,
+    };
+    let Some(plate) = &measured.plate else { return };
+    towing.terrain = Some(PressureSinkage {
+        exponent: plate.exponent,
+        cohesive: plate.cohesive,
+        frictional: plate.frictional,
+        cohesion: towing.soil.cohesion,
+        friction_angle: towing.soil.friction_angle,
+        shear_modulus: plate.shear_displacement,
+    });
+    if let Some(name) = &plate.name {
+        remarks.push(format!("plate constants of {name}, as published; c and φ are those of the case"));
+    }
 }
 
 /// Height of the soil's surface [m].
@@ -66,7 +92,7 @@ fn discs<'a>(case: &'a Case, remarks: &mut Vec<String>) -> Result<(Vec<&'a Body>
     let is_disc = |b: &&Body| matches!(b.shape, Shape::Disc { .. });
     let mut discs: Vec<&Body> = case.bodies.iter().filter(is_disc).collect();
     if discs.is_empty() {
-        return Err("the case has no disc; the closed forms are for a disc under tow".into());
+        return Err("the case has no disc; the closed forms are for discs under tow (for an upright face: coulter pressure)".into());
     }
     if let Some(other) = case.bodies.iter().find(|b| !is_disc(b)) {
         return Err(format!("`{}` moves beside the disc; the closed forms know discs only", other.name));

@@ -1,36 +1,84 @@
 //! The forecast as text: what is told on the terminal, and the table that is written to a file.
 
-use super::{Interval, Outlook, Stated, mechanism_word};
-use analytic::disc::Drive;
-use analytic::forecast::{Load, ModelForecast};
+use super::{Intervals, Outlook, Stated, mechanism_word};
+use analytic::disc::{Drive, Mechanism};
+use analytic::forecast::{Load, ModelForecast, Prediction};
 use std::fmt::Write;
 
 /// Header of `models.csv`.
 const HEADER: &str = "model,applicable,drag F_H [N],vertical F_V [N],sinkage z [m],contact angle [deg],\
-force inclination [deg],skid [-],mechanism,F_H_bar [-],F_V_bar [-],Z [-],note";
+force inclination [deg],skid [-],mechanism,sideways share [-],F_H_bar [-],F_V_bar [-],Z [-],\
+drag 5 % [N],drag 95 % [N],vertical 5 % [N],vertical 95 % [N],sinkage 5 % [m],sinkage 95 % [m],note";
 
 /// The forecast as text for a terminal.
 #[must_use]
-pub fn table(outlook: &Outlook) -> String {
+pub fn table(outlook: &Outlook, intervals: &Intervals) -> String {
     let mut text = String::new();
     // Writing to a string cannot fail.
     let _ = heading(&mut text, outlook);
+    let (forces, depths) = if outlook.sinks() { ("", "5–95 %") } else { ("5–95 %", "") };
     let _ = writeln!(
         text,
-        "\n{:<22} {:>10} {:>10} {:>8} {:>8} {:>8} {:>7} {:>7} {:>7}  mechanism",
-        "model", "F_H [N]", "F_V [N]", "z [mm]", "θ_f [°]", "η [°]", "skid", "F̄_H", "F̄_V"
+        "\n{:<22} {:>8} {:^17} {:>8} {:^17} {:>7} {:^15} {:>6} {:>6} {:>7} {:>8} {:>8}  way out",
+        "model",
+        "F_H [N]",
+        "5–95 %",
+        "F_V [N]",
+        forces,
+        "z [mm]",
+        depths,
+        "θ_f [°]",
+        "η [°]",
+        "skid",
+        "F̄_H",
+        "F̄_V"
     );
     let (good, bad): (Vec<_>, Vec<_>) = outlook.forecast.models.iter().partition(|m| m.applicable);
     for model in good {
-        let _ = writeln!(text, "{}", line(outlook, model));
+        let _ = writeln!(text, "{}", line(outlook, intervals, model));
     }
+    let _ = writeln!(text, "{}", wrapped(&meaning_of_intervals(intervals)));
     let _ = writeln!(text, "\ndo not apply here:");
-    for model in bad {
-        let number = if model.prediction.is_some() { line(outlook, model) } else { model.name.to_owned() };
-        let _ = writeln!(text, "{number}\n    {}", model.note);
+    let (shown, silent): (Vec<_>, Vec<_>) = bad.iter().partition(|m| m.prediction.is_some());
+    for model in shown {
+        let _ = writeln!(text, "{}\n    {}", line(outlook, intervals, model), model.note);
+    }
+    for alike in silent.chunk_by(|a, b| a.note == b.note) {
+        let names: Vec<&str> = alike.iter().map(|m| m.name).collect();
+        let _ = writeln!(text, "{}\n    {}", names.join(", "), alike[0].note);
     }
     let _ = closing(&mut text, outlook);
     text
+}
+
+/// What the columns of intervals show.
+fn meaning_of_intervals(intervals: &Intervals) -> String {
+    let of = |s: &Stated| {
+        let (size, unit) = (s.variable.size, s.variable.unit);
+        let unit = if unit == "-" { String::new() } else { format!(" {unit}") };
+        format!(
+            "{} {} ± {}{unit}",
+            s.variable.label,
+            significant(s.mean / size),
+            significant(s.deviation / size)
+        )
+    };
+    let inputs = intervals.inputs.iter().map(of).collect::<Vec<_>>().join(", ");
+    if intervals.assumed {
+        return format!(
+            "5–95 %: if only the soil were uncertain, {inputs} (assumed; a case states its own as \"35 ± 2 deg\", or \
+             --uncertainty --spread)"
+        );
+    }
+    format!("5–95 %: with the spread as stated, {inputs}; the error of the model itself is not in it")
+}
+
+/// Four significant digits.
+fn significant(value: f64) -> String {
+    let digits = if value == 0.0 { 0 } else { 3 - value.abs().log10().floor() as i32 };
+    let text = format!("{value:.*}", digits.clamp(0, 9) as usize);
+    let trimmed = text.trim_end_matches('0').trim_end_matches('.');
+    if text.contains('.') { trimmed.to_owned() } else { text }
 }
 
 fn heading(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
@@ -63,38 +111,62 @@ fn heading(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
     }
     writeln!(text, "{list}")?;
     for remark in &outlook.setting.remarks {
-        writeln!(text, "note: {remark}")?;
+        writeln!(text, "{}", wrapped(&format!("note: {remark}")))?;
     }
     Ok(())
 }
 
-fn line(outlook: &Outlook, model: &ModelForecast) -> String {
+fn line(outlook: &Outlook, intervals: &Intervals, model: &ModelForecast) -> String {
     let found = model.prediction;
-    let shown = |value: Option<f64>, width: usize, decimals: usize| match value {
-        Some(value) => format!("{value:>width$.decimals$}"),
+    let shown = |value: Option<f64>, width: usize| match value {
+        Some(value) => format!("{:>width$}", fixed(value)),
         None => format!("{:>width$}", "–"),
     };
+    let range = |quantity: &str, size: f64, width: usize| match intervals.of(model.name, quantity) {
+        // A model that does not ask for what is spread.
+        Some(i) if i.high - i.low <= 1e-9 * i.middle.abs() => format!("{:^width$}", "unchanged"),
+        Some(i) => format!("{:^width$}", format!("{} … {}", fixed(i.low / size), fixed(i.high / size))),
+        None => " ".repeat(width),
+    };
     let scale = outlook.force_scale();
-    let drag = found.map(|p| p.drag);
-    let vertical = found.map(|p| p.vertical);
-    format!(
-        "{:<22} {} {} {} {} {} {} {} {}  {}",
-        model.name,
-        shown(drag, 10, 3),
-        shown(vertical, 10, 3),
-        shown(found.and_then(|p| p.sinkage).map(|z| 1e3 * z), 8, 2),
-        shown(found.and_then(|p| p.contact_angle).map(f64::to_degrees), 8, 2),
-        shown(found.map(|p| p.force_inclination.to_degrees()), 8, 2),
-        shown(found.and_then(|p| p.skid), 7, 3),
-        shown(drag.map(|f| f / scale), 7, 4),
-        shown(vertical.map(|f| f / scale), 7, 4),
-        found.and_then(|p| p.mechanism).map_or("–", mechanism_word),
-    )
+    let (drag, vertical) = (found.map(|p| p.drag), found.map(|p| p.vertical));
+    let columns = [
+        shown(drag, 8),
+        range("drag_N", 1.0, 17),
+        shown(vertical, 8),
+        range("vertical_N", 1.0, 17),
+        shown(found.and_then(|p| p.sinkage).map(|z| 1e3 * z), 7),
+        range("sinkage_m", 1e-3, 15),
+        shown(found.and_then(|p| p.contact_angle).map(f64::to_degrees), 6),
+        shown(found.map(|p| p.force_inclination.to_degrees()), 6),
+        shown(found.and_then(|p| p.skid), 7),
+        shown(drag.map(|f| f / scale), 8),
+        shown(vertical.map(|f| f / scale), 8),
+    ];
+    format!("{:<22} {}  {}", model.name, columns.join(" "), found.map_or("–".into(), |p| way_out(&p)))
+}
+
+/// Four digits that matter, with their zeros, so that columns line up.
+fn fixed(value: f64) -> String {
+    let digits = if value == 0.0 { 1 } else { 3 - value.abs().log10().floor() as i32 };
+    format!("{value:.*}", digits.clamp(0, 4) as usize)
+}
+
+/// How the soil fails, with the share of the thrust where there are two ways.
+fn way_out(found: &Prediction) -> String {
+    match (found.mechanism, found.sideways_share) {
+        (Some(mechanism), Some(sideways)) => {
+            let share = if mechanism == Mechanism::Sideways { sideways } else { 1.0 - sideways };
+            let word = mechanism_word(mechanism);
+            if share > 0.995 { word.to_owned() } else { format!("{word} {:.0} %", 100.0 * share) }
+        }
+        _ => "–".to_owned(),
+    }
 }
 
 fn closing(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
     let forecast = &outlook.forecast;
-    if let Some(spread) = &forecast.spread {
+    if let Some(spread) = forecast.spread.as_ref().filter(|s| s.count > 1) {
         write!(
             text,
             "\nspread over {} models: drag {:.3} to {:.3} N",
@@ -105,7 +177,7 @@ fn closing(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
         } else {
             write!(text, ", vertical force {:.3} to {:.3} N", spread.vertical.low, spread.vertical.high)?;
         }
-        writeln!(text, " (not independent: no confidence interval)")?;
+        writeln!(text, " (they are not independent: no confidence interval)")?;
     }
     if let Some(full) = forecast.models_full_friction.first().and_then(|m| m.prediction) {
         let angle = forecast.operative_friction_angle.to_degrees();
@@ -126,12 +198,30 @@ fn closing(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
             faces.drag, faces.vertical
         )?;
     }
-    writeln!(text, "\n{}", forecast.recommendation)
+    writeln!(text, "\n{}", wrapped(&forecast.recommendation))
+}
+
+/// Text in lines that a terminal can show.
+fn wrapped(text: &str) -> String {
+    const WIDTH: usize = 110;
+    let mut lines = vec![String::new()];
+    for word in text.split(' ') {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + word.chars().count() < WIDTH => {
+                if !line.is_empty() {
+                    line.push(' ');
+                }
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines.join("\n")
 }
 
 /// The text of `models.csv`: one line per model.
 #[must_use]
-pub fn models_table(outlook: &Outlook) -> String {
+pub fn models_table(outlook: &Outlook, intervals: &Intervals) -> String {
     let mut text = format!("{HEADER}\n");
     let (scale, diameter) = (outlook.force_scale(), outlook.setting.towing.disc.diameter);
     for model in &outlook.forecast.models {
@@ -145,40 +235,75 @@ pub fn models_table(outlook: &Outlook) -> String {
             found.map(|p| p.force_inclination.to_degrees()),
             found.and_then(|p| p.skid),
         ];
-        let groups =
-            [found.map(|p| p.drag / scale), found.map(|p| p.vertical / scale), sinkage.map(|z| z / diameter)];
+        let groups = [
+            found.and_then(|p| p.sideways_share),
+            found.map(|p| p.drag / scale),
+            found.map(|p| p.vertical / scale),
+            sinkage.map(|z| z / diameter),
+        ];
+        let ends = |quantity: &str| {
+            let found = intervals.of(model.name, quantity);
+            [found.map(|i| i.low), found.map(|i| i.high)]
+        };
+        let spread = ["drag_N", "vertical_N", "sinkage_m"].map(ends).concat();
         let fields = |list: &[Option<f64>]| {
             list.iter().map(|x| x.map_or(String::new(), |x| format!("{x:.6e}"))).collect::<Vec<_>>().join(",")
         };
         let word = found.and_then(|p| p.mechanism).map_or("", mechanism_word);
         let note = model.note.replace('"', "'");
         let (name, applicable) = (model.name, model.applicable);
-        let _ =
-            writeln!(text, "{name},{applicable},{},{word},{},\"{note}\"", fields(&numbers), fields(&groups));
+        let _ = writeln!(
+            text,
+            "{name},{applicable},{},{word},{},{},\"{note}\"",
+            fields(&numbers),
+            fields(&groups),
+            fields(&spread)
+        );
     }
     text
 }
 
-/// The intervals as text for a terminal.
+/// The intervals in full as text for a terminal.
 #[must_use]
-pub fn uncertainty_table(stated: &[Stated], intervals: &[Interval]) -> String {
+pub fn uncertainty_table(intervals: &Intervals) -> String {
     let mut text = String::from("\nuncertainty (Gaussian inputs, standard deviations as stated):\n");
-    for s in stated {
+    for s in &intervals.inputs {
         let (size, unit) = (s.variable.size, s.variable.unit);
         let _ = writeln!(text, "  {} = {:.5} ± {:.4} [{unit}]", s.key, s.mean / size, s.deviation / size);
     }
-    for i in intervals {
+    let inputs =
+        intervals.inputs.iter().map(|s| format!("{:>16}", s.key.rsplit('.').next().unwrap_or(&s.key)));
+    let _ = writeln!(
+        text,
+        "\n{:<22} {:<12} {:>8} {:>8} {:>8}   first-order Sobol index of\n{:<62} {}   evaluations",
+        "model",
+        "quantity",
+        "5 %",
+        "50 %",
+        "95 %",
+        "",
+        inputs.collect::<Vec<_>>().join(" ")
+    );
+    for i in &intervals.list {
+        let (name, size) = match i.quantity {
+            "sinkage_m" => ("z [mm]", 1e-3),
+            "vertical_N" => ("F_V [N]", 1.0),
+            _ => ("F_H [N]", 1.0),
+        };
+        let [low, middle, high] = [i.low, i.middle, i.high].map(|x| fixed(x / size));
+        let shares: Vec<String> = i.first_order.iter().map(|share| format!("{share:>16.3}")).collect();
+        let refused = if i.refused > 0.0 {
+            format!(", {:.1} % of them refused and left out", 100.0 * i.refused)
+        } else {
+            String::new()
+        };
         let _ = writeln!(
             text,
-            "{}, {}: 5 % {:.5}, 50 % {:.5}, 95 % {:.5}",
-            i.model, i.quantity, i.low, i.middle, i.high
+            "{:<22} {name:<12} {low:>8} {middle:>8} {high:>8}           {}   {}{refused}",
+            i.model,
+            shares.join(" "),
+            i.evaluations
         );
-        let shares: Vec<String> =
-            stated.iter().zip(&i.first_order).map(|(s, share)| format!("{} {share:.3}", s.key)).collect();
-        let _ = writeln!(text, "    first-order Sobol indices: {}", shares.join(", "));
-        if i.refused > 0.0 {
-            let _ = writeln!(text, "    {:.1} % of the samples were refused and left out", 100.0 * i.refused);
-        }
     }
     text
 }

@@ -1,7 +1,8 @@
 //! The numbers of a case that a curve or a spread may change, by the names that the case file has for them.
 
 use super::Setting;
-use crate::case::quantity::{ANGLE, FORCE, LENGTH, Measure, STRESS, TORQUE, UNIT_WEIGHT};
+use crate::case::keys::Kind;
+use crate::case::quantity::{ANGLE, FORCE, LENGTH, STRESS, TORQUE, UNIT_WEIGHT};
 use analytic::Towing;
 use analytic::forecast::Parameter;
 
@@ -14,8 +15,8 @@ pub struct Variable {
     pub section: &'static str,
     /// Its name there.
     pub key: &'static str,
-    /// What it measures; none for a bare number.
-    pub measure: Option<Measure>,
+    /// What its values may be.
+    pub kind: Kind,
     /// What a chart calls it, with the unit that it is shown in.
     pub label: &'static str,
     /// Name of the unit that it is shown in.
@@ -29,46 +30,100 @@ const DEGREE: f64 = std::f64::consts::PI / 180.0;
 const fn variable(
     parameter: Parameter,
     names: (&'static str, &'static str),
-    measure: Option<Measure>,
+    kind: Kind,
     label: &'static str,
     unit: (&'static str, f64),
 ) -> Variable {
-    Variable { parameter, section: names.0, key: names.1, measure, label, unit: unit.0, size: unit.1 }
+    Variable { parameter, section: names.0, key: names.1, kind, label, unit: unit.0, size: unit.1 }
 }
 
 const BARE: (&str, f64) = ("-", 1.0);
-const ALL: [Variable; 13] = [
-    variable(Parameter::Sinkage, ("", "z"), Some(LENGTH), "sinkage z", ("m", 1.0)),
+const ALL: [Variable; 19] = [
+    variable(Parameter::Sinkage, ("", "z"), Kind::Quantity(LENGTH), "sinkage z", ("m", 1.0)),
     variable(
         Parameter::FrictionAngle,
         ("soil", "friction_angle"),
-        Some(ANGLE),
+        Kind::Quantity(ANGLE),
         "friction angle φ",
         ("deg", DEGREE),
     ),
     variable(
         Parameter::DilationAngle,
         ("soil", "dilation_angle"),
-        Some(ANGLE),
+        Kind::Quantity(ANGLE),
         "dilation angle ψ",
         ("deg", DEGREE),
     ),
-    variable(Parameter::Cohesion, ("soil", "cohesion"), Some(STRESS), "cohesion c", ("Pa", 1.0)),
+    variable(Parameter::Cohesion, ("soil", "cohesion"), Kind::Quantity(STRESS), "cohesion c", ("Pa", 1.0)),
     variable(
         Parameter::UnitWeight,
         ("soil", "unit_weight"),
-        Some(UNIT_WEIGHT),
+        Kind::Quantity(UNIT_WEIGHT),
         "unit weight γ",
         ("kN/m^3", 1e3),
     ),
-    variable(Parameter::BodyFriction, ("body", "friction"), None, "friction μ", BARE),
-    variable(Parameter::Diameter, ("body", "diameter"), Some(LENGTH), "diameter d", ("m", 1.0)),
-    variable(Parameter::Thickness, ("body", "thickness"), Some(LENGTH), "thickness t", ("m", 1.0)),
-    variable(Parameter::Weight, ("body", "weight"), Some(FORCE), "weight W", ("N", 1.0)),
-    variable(Parameter::Slip, ("", "slip"), None, "slip ωr/v − 1", BARE),
-    variable(Parameter::BrakeTorque, ("", "brake_torque"), Some(TORQUE), "brake torque M", ("N m", 1.0)),
-    variable(Parameter::HeapFraction, ("", "heap"), None, "heap fraction χ", BARE),
-    variable(Parameter::Backfill, ("", "backfill"), Some(ANGLE), "rise of the ground β", ("deg", DEGREE)),
+    variable(Parameter::BodyFriction, ("body", "friction"), Kind::Number, "friction μ", BARE),
+    variable(Parameter::Diameter, ("body", "diameter"), Kind::Quantity(LENGTH), "diameter d", ("m", 1.0)),
+    variable(Parameter::Thickness, ("body", "thickness"), Kind::Quantity(LENGTH), "thickness t", ("m", 1.0)),
+    variable(Parameter::Weight, ("body", "weight"), Kind::Quantity(FORCE), "weight W", ("N", 1.0)),
+    variable(Parameter::Slip, ("", "slip"), Kind::Number, "slip ωr/v − 1", BARE),
+    variable(
+        Parameter::BrakeTorque,
+        ("", "brake_torque"),
+        Kind::Quantity(TORQUE),
+        "brake torque M",
+        ("N m", 1.0),
+    ),
+    variable(Parameter::HeapFraction, ("forecast", "heap"), Kind::Number, "heap fraction χ", BARE),
+    variable(
+        Parameter::Backfill,
+        ("forecast", "backfill"),
+        Kind::Quantity(ANGLE),
+        "rise of the ground β",
+        ("deg", DEGREE),
+    ),
+    variable(
+        Parameter::ConeIndex,
+        ("forecast", "cone_index"),
+        Kind::Quantity(STRESS),
+        "cone index CI",
+        ("kPa", 1e3),
+    ),
+    variable(
+        Parameter::PlateStiffness,
+        ("forecast", "plate_stiffness"),
+        Kind::Quantity(UNIT_WEIGHT),
+        "plate stiffness p/z",
+        ("kN/m^3", 1e3),
+    ),
+    variable(
+        Parameter::PlateExponent,
+        ("forecast", "plate_exponent"),
+        Kind::Number,
+        "sinkage exponent n",
+        BARE,
+    ),
+    variable(
+        Parameter::PlateCohesive,
+        ("forecast", "plate_cohesive"),
+        Kind::Modulus(1),
+        "cohesive modulus k_c",
+        ("kN/m^(n+1)", 1e3),
+    ),
+    variable(
+        Parameter::PlateFrictional,
+        ("forecast", "plate_frictional"),
+        Kind::Modulus(2),
+        "frictional modulus k_φ",
+        ("kN/m^(n+2)", 1e3),
+    ),
+    variable(
+        Parameter::ShearModulus,
+        ("forecast", "shear_displacement"),
+        Kind::Quantity(LENGTH),
+        "shear displacement modulus K",
+        ("mm", 1e-3),
+    ),
 ];
 
 /// Every variable.
@@ -86,7 +141,7 @@ pub fn find(key: &str, discs: &[String]) -> Option<Variable> {
     let parts: Vec<&str> = key.split('.').collect();
     let fits = |v: &&Variable| match parts[..] {
         [name] => name == v.key,
-        ["soil", name] => v.section == "soil" && name == v.key,
+        [section @ ("soil" | "forecast"), name] => v.section == section && name == v.key,
         ["body", body, name] => v.section == "body" && name == v.key && discs.iter().any(|d| d == body),
         _ => false,
     };
@@ -98,6 +153,29 @@ impl Variable {
     #[must_use]
     pub fn set(&self, setting: &Setting, value: f64) -> Towing {
         setting.towing.with(self.parameter, self.model_value(setting, value))
+    }
+
+    /// Its key with the section before it, as in the case.
+    #[must_use]
+    pub fn dotted(&self, setting: &Setting) -> String {
+        match self.section {
+            "" => self.key.to_owned(),
+            "body" => format!("body.{}.{}", setting.discs.first().map_or("disc", String::as_str), self.key),
+            section => format!("{section}.{}", self.key),
+        }
+    }
+
+    /// Whether the case has what the variable is a part of: plate constants, for one of them.
+    #[must_use]
+    pub fn has_effect(&self, setting: &Setting) -> bool {
+        let of_plate = matches!(
+            self.parameter,
+            Parameter::PlateExponent
+                | Parameter::PlateCohesive
+                | Parameter::PlateFrictional
+                | Parameter::ShearModulus
+        );
+        !of_plate || setting.towing.terrain.is_some()
     }
 
     /// The value that the models know it by.
@@ -133,6 +211,12 @@ impl Variable {
                 Load::Weight(_) => None,
             },
             Parameter::Slip | Parameter::BrakeTorque => None,
+            Parameter::ConeIndex => towing.cone_index,
+            Parameter::PlateStiffness => towing.plate_stiffness,
+            Parameter::PlateExponent => towing.terrain.map(|t| t.exponent),
+            Parameter::PlateCohesive => towing.terrain.map(|t| t.cohesive),
+            Parameter::PlateFrictional => towing.terrain.map(|t| t.frictional),
+            Parameter::ShearModulus => towing.terrain.map(|t| t.shear_modulus),
         }
     }
 }

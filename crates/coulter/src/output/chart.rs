@@ -14,6 +14,8 @@ pub enum Stroke {
     Faint,
     /// A dashed line: a forecast or another source.
     Dashed,
+    /// A dotted line: one more source, where the colours begin anew.
+    Dotted,
     /// Dots: a measurement.
     Dots,
 }

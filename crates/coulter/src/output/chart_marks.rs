@@ -42,6 +42,7 @@ fn pen(curve: &Curve) -> String {
         Stroke::Solid | Stroke::Dots => (2.0, ""),
         Stroke::Faint => (0.8, " stroke-opacity=\"0.45\""),
         Stroke::Dashed => (2.0, " stroke-dasharray=\"6 4\""),
+        Stroke::Dotted => (2.0, " stroke-dasharray=\"1.5 2.5\""),
     };
     format!("stroke=\"{}\" stroke-width=\"{width}\"{more}", colour(curve.colour))
 }

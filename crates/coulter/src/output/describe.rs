@@ -1,6 +1,6 @@
 //! The case in a few words, for the head of a report.
 
-use crate::case::resolved::{Body, Case, Freedom, Law, Shape};
+use crate::case::resolved::{Body, Case, Freedom, Law, Potential, Shape};
 use crate::output::scale::{Unit, digits};
 
 /// Lines "what: how" on soil and bodies.
@@ -31,12 +31,22 @@ fn soil(case: &Case) -> String {
     let law = match soil.law {
         Law::Elastic => "linear elastic".to_owned(),
         Law::Tresca { shear_strength } => format!("Tresca, sᵤ = {}", stress(shear_strength)),
-        Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, .. } => format!(
-            "Mohr–Coulomb, φ = {}, ψ = {}, c = {}",
-            degrees(friction_angle),
-            degrees(dilation_angle),
-            stress(cohesion)
-        ),
+        Law::MohrCoulomb {
+            friction_angle, dilation_angle, cohesion, potential, critical_density, ..
+        } => {
+            let limit = critical_density.map(|rho| format!(" down to {} kg/m³", digits(rho)));
+            let smooth = match potential {
+                Potential::MohrCoulomb => "",
+                Potential::MenetreyWillam { .. } => ", potential of Menétrey and Willam",
+            };
+            format!(
+                "Mohr–Coulomb, φ = {}, ψ = {}{}, c = {}{smooth}",
+                degrees(friction_angle),
+                degrees(dilation_angle),
+                limit.unwrap_or_default(),
+                stress(cohesion)
+            )
+        }
     };
     let weight = if soil.unit_weight > 0.0 {
         format!("γ = {} kN/m³", digits(soil.unit_weight / 1e3))
@@ -52,15 +62,23 @@ fn describe_body(body: &Body) -> String {
         Shape::Disc { diameter, thickness } => {
             format!("disc, d = {}, t = {}", length(diameter), length(thickness))
         }
-        Shape::Block { size } => {
-            format!("block, {} × {} × {}", length(size.x), length(size.y), length(size.z))
+        Shape::Block { size, orientation } => {
+            let edges = format!("block, {} × {} × {}", length(size.x), length(size.y), length(size.z));
+            if orientation == 0.0 { edges } else { format!("{edges}, turned {}", degrees(orientation)) }
         }
+        Shape::Cylinder { diameter, length: along, axis } => {
+            format!("cylinder along {axis}, d = {}, l = {}", length(diameter), length(along))
+        }
+        Shape::Ball { diameter } => format!("ball, d = {}", length(diameter)),
     };
-    let friction = if body.friction.is_finite() {
+    let mut friction = if body.friction.is_finite() {
         format!("μ = {}", digits(body.friction))
     } else {
         "rough".to_owned()
     };
+    if body.shear_limit.is_finite() {
+        friction += &format!(", at most {}", stress(body.shear_limit));
+    }
     let [tow, _, heave] = &body.translation;
     let motions = [
         motion(tow, "tow", "m/s", "N"),

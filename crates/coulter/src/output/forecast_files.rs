@@ -1,6 +1,7 @@
 //! The files of a forecast: the models as a table and a document, their curves as a table and as plots.
 
 use super::chart::{Chart, Curve, Stroke};
+use super::colour::CURVES;
 use super::error::{OutputError, make_folder, write_json, write_whole};
 use super::scale::{Unit, largest};
 use super::table::push_line;
@@ -10,10 +11,10 @@ use std::path::{Path, PathBuf};
 const MODELS: &str = "models.csv";
 const DOCUMENT: &str = "forecast.json";
 const CURVE: &str = "curve.csv";
-/// The weaker of BC and PW lies on one of them: it is left out of plots that show both.
-const ENVELOPE: &str = "weaker of BC and PW";
+/// The one to believe, the only line that is drawn through.
+const BELIEVED: &str = "weaker of BC and PW";
 /// They are drawn wherever they have an answer, so that their crossing is seen; the others only where they apply.
-const ALWAYS_DRAWN: [&str; 2] = ["BC", "PW"];
+const ALWAYS_DRAWN: [&str; 3] = [BELIEVED, "BC", "PW"];
 
 /// What a forecast leaves behind.
 #[derive(Clone, Copy, Debug)]
@@ -115,12 +116,15 @@ struct Ordinate<'a> {
 
 fn chart(curves: &Curves, x_label: &str, along: &[f64], ordinate: Ordinate<'_>) -> Chart {
     let Ordinate { label: y_label, of, scale } = ordinate;
-    let shown = curves.series.iter().filter(|s| s.name != ENVELOPE).enumerate();
     let line = |(colour, series): (usize, &Series)| {
         let values = drawn(series, of(series));
         let points: Vec<[f64; 2]> =
             values.iter().zip(along).zip(scale).map(|((y, x), scale)| [*x, y / scale]).collect();
-        let stroke = if ALWAYS_DRAWN.contains(&series.name) { Stroke::Solid } else { Stroke::Dashed };
+        let stroke = match series.name {
+            BELIEVED => Stroke::Solid,
+            _ if colour < CURVES.len() => Stroke::Dashed,
+            _ => Stroke::Dotted,
+        };
         let any = points.iter().any(|p| p[1].is_finite());
         any.then(|| Curve { name: series.name.to_owned(), points, colour, stroke })
     };
@@ -130,7 +134,7 @@ fn chart(curves: &Curves, x_label: &str, along: &[f64], ordinate: Ordinate<'_>) 
         y_label,
         with_zero: true,
         logarithmic: curves.logarithmic,
-        curves: shown.filter_map(line).collect(),
+        curves: curves.series.iter().enumerate().filter_map(line).collect(),
         ..Chart::default()
     }
 }

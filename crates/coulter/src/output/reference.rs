@@ -1,6 +1,6 @@
 //! The lengths and the force that make a body's numbers dimensionless, and its rolling radius.
 
-use crate::case::resolved::{Body, Case, Freedom, Shape};
+use crate::case::resolved::{Axis, Body, Case, Freedom, Shape};
 use crate::output::record::BodySample;
 use serde::{Deserialize, Serialize};
 
@@ -12,11 +12,11 @@ const REST: f64 = 1e-6;
 pub struct Reference {
     /// Name of the body.
     pub name: String,
-    /// What it is, in words: "disc", "block".
+    /// What it is, in words: "disc", "block", "cylinder", "ball".
     pub kind: String,
-    /// Reference length d [m]: a disc's diameter, a block's height.
+    /// Reference length d [m]: the diameter, a block's height.
     pub length: f64,
-    /// Reference width t [m]: a disc's thickness, a block's width; in plane strain the width of the slab.
+    /// Reference width t [m]: a disc's thickness, a block's width, the length of a cylinder along y, else the diameter; in plane strain the width of the slab.
     pub width: f64,
     /// Unit weight γ of the soil [N/m³]; 0 when it is weightless.
     pub unit_weight: f64,
@@ -34,7 +34,12 @@ impl Reference {
     pub fn of(case: &Case, body: &Body) -> Self {
         let (kind, length, thickness, radius) = match body.shape {
             Shape::Disc { diameter, thickness } => ("disc", diameter, thickness, Some(0.5 * diameter)),
-            Shape::Block { size } => ("block", size.z, size.y, None),
+            Shape::Block { size, .. } => ("block", size.z, size.y, None),
+            Shape::Cylinder { diameter, length, axis: Axis::Y } => {
+                ("cylinder", diameter, length, Some(0.5 * diameter))
+            }
+            Shape::Cylinder { diameter, .. } => ("cylinder", diameter, diameter, None),
+            Shape::Ball { diameter } => ("ball", diameter, diameter, Some(0.5 * diameter)),
         };
         let slab = case.domain.high.y - case.domain.low.y;
         Self {

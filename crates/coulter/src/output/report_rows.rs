@@ -94,11 +94,16 @@ pub(super) fn body_rows(reference: &Reference, body: &BodySummary) -> Vec<Row> {
 
 pub(super) fn facts(record: &RunRecord, summary: &Summary) -> Vec<[String; 2]> {
     let [x, y, z] = record.cells;
-    let kind = match (record.plane_strain, record.symmetric) {
+    let kind = match (record.plane_strain, record.symmetric, record.symmetric_x) {
         _ if record.bodies.is_empty() => "no body",
-        (true, _) => "plane strain; forces of the slab modelled",
-        (false, true) => "half of the body modelled (symmetry at y = 0); forces of the whole",
-        (false, false) => "whole body modelled",
+        (true, _, false) => "plane strain; forces of the slab modelled",
+        (true, _, true) => "plane strain, half modelled (symmetry at x = 0); forces of the whole in the slab",
+        (false, true, false) => "half of the body modelled (symmetry at y = 0); forces of the whole",
+        (false, false, true) => "half of the body modelled (symmetry at x = 0); forces of the whole",
+        (false, true, true) => {
+            "a quarter of the body modelled (symmetry at x = 0 and y = 0); forces of the whole"
+        }
+        (false, false, false) => "whole body modelled",
     };
     let mut facts = record.facts.clone();
     facts.push([

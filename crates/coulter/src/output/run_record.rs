@@ -99,6 +99,9 @@ pub struct RunRecord {
     pub steady_share: f64,
     /// Whether only y ≥ 0 is modelled.
     pub symmetric: bool,
+    /// Whether only x ≥ 0 is modelled.
+    #[serde(default)]
+    pub symmetric_x: bool,
     /// Whether the soil was heaped on a floor instead of lying level.
     pub heaped: bool,
     /// Whether it is plane strain.
@@ -127,6 +130,7 @@ impl RunRecord {
             duration: case.duration,
             steady_share: case.output.steady_share,
             symmetric: case.domain.symmetric,
+            symmetric_x: case.domain.symmetric_x,
             heaped: matches!(case.ground, Ground::Column { .. }),
             plane_strain: case.domain.plane_strain,
             bodies: Reference::all(case),

@@ -1,14 +1,17 @@
 //! The bench that benchmarks run on: it runs cases through the users' door, keeps their ledgers and collects rows.
 
+use super::kept::{Found, Kept};
 use super::row::Row;
 use crate::case::resolved::Law;
 use crate::case::{self, CaseError};
 use crate::output::OutputError;
 use crate::output::record::{BodySample, EnergySample};
 use crate::simulation::Simulation;
+use serde::{Deserialize, Serialize};
 use solver::cpu::energy::soil_mass;
 use solver::error::Breakdown;
-use std::time::Instant;
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
 
 /// Why a benchmark gave no figure.
 #[derive(Debug, thiserror::Error)]
@@ -39,12 +42,17 @@ pub struct Wish {
     pub overrides: Vec<String>,
     /// Threads; 0 for one per core.
     pub threads: usize,
+    /// Folder in which findings are kept, to go on from after a stop; `None` to keep nothing.
+    pub folder: Option<PathBuf>,
+    /// Takes no notice of findings that are kept already.
+    pub fresh: bool,
 }
 
 /// The ledgers of one run at its end.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Ledgers {
     /// Benchmark.
+    #[serde(skip)]
     pub id: &'static str,
     /// Which variant.
     pub case: String,
@@ -70,6 +78,7 @@ pub struct Bench<'a> {
     pub rows: Vec<Row>,
     /// The ledgers of the runs so far.
     pub ledgers: Vec<Ledgers>,
+    kept: Option<Kept>,
     tell: &'a mut dyn FnMut(&str),
 }
 
@@ -82,7 +91,35 @@ impl std::fmt::Debug for Bench<'_> {
 impl<'a> Bench<'a> {
     /// An empty bench; `tell` hears what it is doing.
     pub fn new(wish: &'a Wish, tell: &'a mut dyn FnMut(&str)) -> Self {
-        Self { wish, rows: Vec::new(), ledgers: Vec::new(), tell }
+        let kept = wish.folder.as_ref().and_then(|folder| Kept::new(folder, wish));
+        Self { wish, rows: Vec::new(), ledgers: Vec::new(), kept, tell }
+    }
+
+    /// Does a part of a benchmark, unless an earlier verification by this very program, asked for the same, has done it:
+    /// then its rows and ledgers are those that were kept.
+    ///
+    /// # Errors
+    /// What `work` returns; a part that fails is not kept.
+    pub fn part(
+        &mut self,
+        id: &'static str,
+        part: &str,
+        work: impl FnOnce(&mut Self) -> Result<(), VerifyError>,
+    ) -> Result<(), VerifyError> {
+        let known = self.kept.as_ref().filter(|_| !self.wish.fresh).and_then(|kept| kept.read(id, part));
+        if let Some(found) = known {
+            self.tell(&format!("{id}: {part}: as found before by this program (--fresh does it again)"));
+            self.rows.extend(found.rows);
+            self.ledgers.extend(found.ledgers);
+            return Ok(());
+        }
+        let (rows, ledgers) = (self.rows.len(), self.ledgers.len());
+        work(self)?;
+        let found = Found { rows: self.rows[rows..].to_vec(), ledgers: self.ledgers[ledgers..].to_vec() };
+        if let Some(Err(error)) = self.kept.as_ref().map(|kept| kept.write(id, part, &found)) {
+            self.tell(&format!("{id}: {part}: cannot be kept for another time: {error}"));
+        }
+        Ok(())
     }
 
     /// Says what is going on.
@@ -115,14 +152,35 @@ impl<'a> Bench<'a> {
         overrides: &[String],
     ) -> Result<Simulation, VerifyError> {
         let mut simulation = self.simulation(text, overrides)?;
+        self.finish(id, variant, &mut simulation)?;
+        Ok(simulation)
+    }
+
+    /// Runs a simulation to its end and keeps its ledgers.
+    ///
+    /// # Errors
+    /// [`VerifyError::Physics`] when the physics fails.
+    pub fn finish(
+        &mut self,
+        id: &'static str,
+        variant: &str,
+        simulation: &mut Simulation,
+    ) -> Result<(), VerifyError> {
+        const NEWS: Duration = Duration::from_secs(15);
         let clock = Instant::now();
+        let mut told = Instant::now();
         while !simulation.is_done() {
             simulation.advance()?;
+            if told.elapsed() > NEWS {
+                told = Instant::now();
+                let share = 1e2 * simulation.state.time / simulation.case.duration;
+                self.tell(&format!("{id}: {variant}, {share:.0} %"));
+            }
         }
         let seconds = clock.elapsed().as_secs_f64();
         self.tell(&format!("{id}: {variant}, {} steps in {seconds:.1} s", simulation.state.step));
-        self.keep(id, variant, &simulation);
-        Ok(simulation)
+        self.keep(id, variant, simulation);
+        Ok(())
     }
 
     /// Keeps the ledgers of a run that has come to its end.

@@ -160,6 +160,7 @@ fn space([nx, ny, nz]: [usize; 3]) -> Model {
         grid: Grid::new([faces(nx), faces(ny), faces(nz)]),
         elastic: Elastic::new(1e6, 0.3),
         strength: None,
+        critical_density: None,
         density: 1000.0,
         gravity: 0.0,
         rest_pressure_ratio: 1.0,

@@ -54,8 +54,8 @@ pub fn page(findings: &Findings, known: &[Known]) -> String {
 fn sources(rows: &[Row], text: &mut String) {
     let mut seen: Vec<&str> = Vec::new();
     for row in rows.iter().filter(|row| !row.source.is_empty()) {
-        if !seen.contains(&row.source) {
-            seen.push(row.source);
+        if !seen.contains(&row.source.as_ref()) {
+            seen.push(&row.source);
         }
     }
     if !seen.is_empty() {

@@ -4,7 +4,9 @@ use super::bench::{Bench, VerifyError};
 use super::row::Row;
 use super::specimen::{Cell, Point, Specimen};
 use physics::elastic::Elastic;
+use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
 use physics::mohr_coulomb::MohrCoulomb;
+use physics::strength::Law;
 use physics::tensor::{Spectrum, Symmetric};
 use std::time::Instant;
 
@@ -30,7 +32,8 @@ pub(super) const ABOUT: &str = "Drained triaxial compression and extension and s
     100 kPa, for six soils (φ 0 to 40°, ψ 0 to φ, c 0 to 20 kPa), on one point of the law and on one cell of the solver whose \
     nodes are driven. At the end of each test the strength, the yield function (both over the confining pressure) and the \
     dilatancy of the last increment must be the analytic ones: −Δε_v/Δγ_max = sin ψ in simple shear; in triaxial tests \
-    −Δε_v/Δε_1 = 2 sin ψ/(1 − sin ψ) in compression and 2 sin ψ/(1 + sin ψ) in extension. The worst of the six soils is shown.";
+    −Δε_v/Δε_1 = 2 sin ψ/(1 − sin ψ) in compression and 2 sin ψ/(1 + sin ψ) in extension; with the smooth potential of Menétrey \
+    and Willam tan ψ/(R ∓ ⅓ tan ψ), R = R_mc² q/√((ε c tan ψ)² + (R_mc q)²). The worst of the six soils is shown.";
 
 /// Which test.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,17 +43,30 @@ enum Test {
     Shear,
 }
 
+/// Which flow potential.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Potential {
+    Pyramid,
+    Smooth,
+}
+
 pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
-    for (test, name) in [
-        (Test::Compression, "triaxial compression"),
-        (Test::Extension, "triaxial extension"),
-        (Test::Shear, "simple shear"),
+    for (test, potential, name) in [
+        (Test::Compression, Potential::Pyramid, "triaxial compression"),
+        (Test::Extension, Potential::Pyramid, "triaxial extension"),
+        (Test::Shear, Potential::Pyramid, "simple shear"),
+        (Test::Compression, Potential::Smooth, "triaxial compression, smooth potential"),
+        (Test::Extension, Potential::Smooth, "triaxial extension, smooth potential"),
     ] {
         for on_cell in [false, true] {
             let clock = Instant::now();
             let mut worst = [0.0_f64; 3];
             for soil in SOILS {
-                let off = if on_cell { errors(test, soil, Cell::new)? } else { errors(test, soil, point)? };
+                let off = if on_cell {
+                    errors(test, potential, soil, Cell::new)?
+                } else {
+                    errors(test, potential, soil, point)?
+                };
                 // `max` would drop what is not a number.
                 worst =
                     std::array::from_fn(
@@ -71,20 +87,28 @@ pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
     Ok(())
 }
 
-fn point(elastic: Elastic, law: MohrCoulomb, stress: Symmetric) -> Point {
+fn point(elastic: Elastic, law: Law, stress: Symmetric) -> Point {
     Point { elastic, law, stress }
 }
 
 /// Errors of strength, yield function and dilatancy at the end of a test.
 fn errors<S: Specimen>(
     test: Test,
+    potential: Potential,
     [friction, dilation, cohesion]: [f64; 3],
-    make: impl Fn(Elastic, MohrCoulomb, Symmetric) -> S,
+    make: impl Fn(Elastic, Law, Symmetric) -> S,
 ) -> Result<[f64; 3], VerifyError> {
     // Stiff soil: the elastic part of the strain, which hides the flow, dies out within the test.
     let elastic = Elastic::new(2e8, 0.3);
     let (phi, psi) = (friction.to_radians(), dilation.to_radians());
-    let law = MohrCoulomb::new(elastic, phi, psi, cohesion, 0.0);
+    let surface = MohrCoulomb::new(elastic, phi, psi, cohesion, 0.0);
+    let usual = Eccentricity::usual(phi);
+    let law = match potential {
+        Potential::Pyramid => Law::MohrCoulomb(surface),
+        Potential::Smooth => {
+            Law::MenetreyWillam(MenetreyWillam::new(elastic, phi, psi, cohesion, 0.0, usual))
+        }
+    };
     let mut specimen = make(elastic, law, [-CONFINEMENT, -CONFINEMENT, -CONFINEMENT, 0.0, 0.0, 0.0]);
     let (driven, free): (Symmetric, &[usize]) = match test {
         Test::Compression => ([0.0, 0.0, -INCREMENT, 0.0, 0.0, 0.0], &[0, 1]),
@@ -97,13 +121,17 @@ fn errors<S: Specimen>(
         specimen.take(last)?;
     }
     let stress = specimen.stress();
-    let yields = law.yield_function(Spectrum::of(stress).principal).abs() / CONFINEMENT;
+    let yields = surface.yield_function(Spectrum::of(stress).principal).abs() / CONFINEMENT;
     let (strength, dilatancy) = match test {
         Test::Compression | Test::Extension => (-stress[2], (last[0] + last[1] + last[2]) / last[2].abs()),
         Test::Shear => (stress[5], last[2] / last[2].hypot(2.0 * last[5])),
     };
-    let exact = exact(test, phi, psi, cohesion);
-    Ok([(strength - exact[0]).abs() / CONFINEMENT, yields, (dilatancy - exact[1]).abs()])
+    let [exact_strength, exact_dilatancy] = exact(test, phi, psi, cohesion);
+    let exact_dilatancy = match potential {
+        Potential::Pyramid => exact_dilatancy,
+        Potential::Smooth => smooth_dilatancy(test, phi, psi, usual.meridional * cohesion, exact_strength),
+    };
+    Ok([(strength - exact_strength).abs() / CONFINEMENT, yields, (dilatancy - exact_dilatancy).abs()])
 }
 
 /// Strength [Pa] and dilatancy of a test.
@@ -117,6 +145,16 @@ fn exact(test: Test, phi: f64, psi: f64, cohesion: f64) -> [f64; 2] {
         // Radius of Mohr's circle when the plane of no extension bears the normal stress.
         Test::Shear => [(CONFINEMENT * sp + cohesion * phi.cos()) / (1.0 - sp * sy) * psi.cos(), sy],
     }
+}
+
+/// Dilatancy of a triaxial test with the smooth potential, whose ellipse meets the hexagon on both meridians. `offset` is
+/// ε c [Pa], `axial` the axial stress at failure [Pa].
+fn smooth_dilatancy(test: Test, phi: f64, psi: f64, offset: f64, axial: f64) -> f64 {
+    let sign = if test == Test::Compression { 1.0 } else { -1.0 };
+    let hexagon = (3.0 - sign * phi.sin()) / (6.0 * phi.cos());
+    let sheared = hexagon * (axial - CONFINEMENT).abs();
+    let slope = hexagon * sheared / sheared.hypot(offset * psi.tan());
+    psi.tan() / (slope - sign * psi.tan() / 3.0)
 }
 
 /// The strain increment with the driven components as given, the free ones such that their stresses stay at the confining

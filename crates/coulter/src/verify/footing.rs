@@ -1,10 +1,11 @@
-//! B1: a smooth strip footing on weightless undrained soil.
+//! B1, B2, B9: a strip footing on weightless undrained soil: smooth, rough, and nearly incompressible soil.
 
 use super::bench::{Bench, VerifyError, mean};
 use super::row::Row;
 use std::f64::consts::PI;
 
 const CASE: &str = include_str!("../../../../validation/B1_strip_footing/case.toml");
+const ROUGH: &str = include_str!("../../../../validation/B2_rough_strip_footing/case.toml");
 const SOURCE: &str = "Prandtl (1920): exact, 2 + π";
 /// Width of the footing in the case file [m].
 const WIDTH: f64 = 1.0;
@@ -15,6 +16,53 @@ const STRENGTH: f64 = 1e3;
 pub(super) const ABOUT: &str = "A smooth rigid strip is pushed into undrained (Tresca), weightless soil. The exact \
     bearing capacity is (2 + π) s_u. Read as the mean force over a penetration of 0.03 to 0.06 widths, over the \
     true width, the width of the slab and s_u; the contact points are inset by half a cell from the edges, as always.";
+
+/// What it is about.
+pub(super) const ABOUT_ROUGH: &str = "The footing of B1 with a rough base: friction bears up to s_u, whatever the pressure. \
+    On weightless soil the exact bearing capacity is that of the smooth strip, (2 + π) s_u. Read as in B1.";
+/// What it is about.
+pub(super) const ABOUT_LOCKING: &str = "The footing of B1 at B/h = 16 on soil that is ever less compressible: a method that \
+    locks would become too strong. Read as in B1; each factor must stay within 1 % of that with ν = 0.3.";
+
+/// B2.
+pub(super) fn rough(bench: &mut Bench) -> Result<(), VerifyError> {
+    let meshes: &[u32] = if bench.wish.fast { &[8, 16] } else { &[8, 16, 32] };
+    for &cells in meshes {
+        let variant = format!("B/h = {cells}");
+        let strip = Strip { id: "B2", case: ROUGH, cells, place: 0.0, poisson_ratio: 0.3 };
+        let (factor, seconds) = strip.bearing(bench, &variant)?;
+        let row = Row::note("B2", variant, "bearing capacity factor N_c", factor);
+        bench.rows.push(row.within(2.0 + PI, 0.04, SOURCE).took(seconds));
+    }
+    Ok(())
+}
+
+/// B9.
+pub(super) fn locking(bench: &mut Bench) -> Result<(), VerifyError> {
+    let ratios: &[f64] = if bench.wish.fast { &[0.3, 0.45] } else { &[0.3, 0.45, 0.49] };
+    let mut first = None;
+    for &poisson_ratio in ratios {
+        let variant = format!("B/h = 16, ν = {poisson_ratio}");
+        let strip = Strip { id: "B9", case: CASE, cells: 16, place: 0.0, poisson_ratio };
+        let (factor, seconds) = strip.bearing(bench, &variant)?;
+        let row = Row::note("B9", variant, "bearing capacity factor N_c", factor).took(seconds);
+        let expected = *first.get_or_insert(factor);
+        let is_first = expected == factor;
+        bench.rows.push(if is_first { row } else { row.within(expected, 0.01, "the same with ν = 0.3") });
+    }
+    Ok(())
+}
+
+/// The factor of B1 with so many cells across, and the seconds it took.
+pub(super) fn smooth_on(bench: &mut Bench, cells: u32) -> Result<f64, VerifyError> {
+    Ok(bearing(bench, &format!("B/h = {cells}"), cells, 0.0)?.0)
+}
+
+/// The same of B2.
+pub(super) fn rough_on(bench: &mut Bench, cells: u32) -> Result<f64, VerifyError> {
+    let strip = Strip { id: "B2", case: ROUGH, cells, place: 0.0, poisson_ratio: 0.3 };
+    Ok(strip.bearing(bench, &format!("B/h = {cells}"))?.0)
+}
 
 pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
     let exact = 2.0 + PI;
@@ -54,12 +102,34 @@ fn places(bench: &mut Bench, exact: f64) -> Result<(), VerifyError> {
 
 /// Bearing capacity factor with both edges moved outwards by `place` cells, and the seconds it took.
 fn bearing(bench: &mut Bench, variant: &str, cells: u32, place: f64) -> Result<(f64, f64), VerifyError> {
-    let cell = WIDTH / f64::from(cells);
-    let width = WIDTH + 2.0 * place * cell;
-    let overrides = [format!("grid.cell={} m", cell), format!("body.footing.size=['{width} m', '0.5 m']")];
-    let simulation = bench.run("B1", variant, CASE, &overrides)?;
-    let slab = simulation.case.domain.high.y - simulation.case.domain.low.y;
-    let range = [0.03 * WIDTH, 0.06 * WIDTH];
-    let force = mean(&simulation.history.bodies[0], range, |s| s.sinkage, |s| s.vertical);
-    Ok((force / (width * slab * STRENGTH), simulation.wall_s))
+    Strip { id: "B1", case: CASE, cells, place, poisson_ratio: 0.3 }.bearing(bench, variant)
+}
+
+/// A strip footing.
+struct Strip {
+    id: &'static str,
+    case: &'static str,
+    /// Cells across it.
+    cells: u32,
+    /// Cells by which both edges are moved outwards.
+    place: f64,
+    poisson_ratio: f64,
+}
+
+impl Strip {
+    /// Bearing capacity factor, and the seconds it took.
+    fn bearing(&self, bench: &mut Bench, variant: &str) -> Result<(f64, f64), VerifyError> {
+        let cell = WIDTH / f64::from(self.cells);
+        let width = WIDTH + 2.0 * self.place * cell;
+        let overrides = [
+            format!("grid.cell={cell} m"),
+            format!("body.footing.size=['{width} m', '0.5 m']"),
+            format!("soil.poisson_ratio={}", self.poisson_ratio),
+        ];
+        let simulation = bench.run(self.id, variant, self.case, &overrides)?;
+        let slab = simulation.case.domain.high.y - simulation.case.domain.low.y;
+        let range = [0.03 * WIDTH, 0.06 * WIDTH];
+        let force = mean(&simulation.history.bodies[0], range, |s| s.sinkage, |s| s.vertical);
+        Ok((force / (width * slab * STRENGTH), simulation.wall_s))
+    }
 }

@@ -5,17 +5,26 @@
 
 pub mod bench;
 mod carried;
+mod circle;
 mod column;
 mod disc;
 pub mod document;
 mod element;
+mod flow;
 mod footing;
+mod kept;
 pub mod known;
 mod ledger;
+mod line;
+mod peers;
+mod plate;
+pub mod refine;
 mod repeat;
 mod rest;
+mod rough_wall;
 pub mod row;
 mod specimen;
+mod strip_sand;
 pub mod table;
 mod transport;
 mod wall;
@@ -80,11 +89,22 @@ pub const BENCHMARKS: &[Benchmark] = &[
     run("A8", "Repeatability and mirror image", "A8_repeatability", repeat::ABOUT, repeat::run),
     ledgers("A9", "Energy ledger", ledger::ABOUT_ENERGY, ledger::energy),
     run("B1", "Smooth strip footing, Tresca", "B1_strip_footing", footing::ABOUT, footing::run),
+    run("B2", "Rough strip footing, Tresca", "B2_rough_strip_footing", footing::ABOUT_ROUGH, footing::rough),
+    run("B3", "Circular footing, Tresca", "B3_circular_footing", circle::ABOUT, circle::clay),
+    run("B3γ", "Circular footing on sand", "B3g_circular_footing_on_sand", circle::ABOUT_SAND, circle::sand),
+    run("B4", "Strip footing on sand", "B4_strip_footing_on_sand", strip_sand::ABOUT, strip_sand::run),
     run("B5", "Smooth passive wall", "B5_passive_wall", wall::ABOUT, wall::run),
+    run("B6", "Rough passive wall", "B6_rough_passive_wall", rough_wall::ABOUT, rough_wall::run),
+    run("B7", "Smooth inclined plate", "B7_inclined_plate", plate::ABOUT, plate::run),
+    run("B8", "Deep flow, Tresca", "B8_deep_flow", flow::ABOUT, flow::run),
+    run("B9", "Nearly incompressible soil", "B9_locking", footing::ABOUT_LOCKING, footing::locking),
     run("C1", "Collapse of a column of sand", "C1_column_collapse", column::ABOUT, column::run),
     ledgers("C3", "Soil volume", ledger::ABOUT_VOLUME, ledger::volume),
     ledgers("C4", "Soil inside the bodies", ledger::ABOUT_LEAK, ledger::leak),
     run("D3", "Free disc, towed", "D3_towed_disc", disc::ABOUT, disc::run),
+    run("E1", "Column of sand, as other codes ran it", "E1_sand_column", peers::ABOUT_COLUMN, peers::column),
+    run("E2", "Disc drag, as another code ran it", "E2_disc_drag", peers::ABOUT_DISC, peers::disc),
+    run("E3", "Smooth wall in the sand of E1", "E3_wall", peers::ABOUT_WALL, peers::wall),
 ];
 
 /// What the suite found.
@@ -102,11 +122,13 @@ pub fn verify(ids: &[&'static str], wish: &Wish, tell: &mut dyn FnMut(&str)) -> 
     let needs_all = BENCHMARKS.iter().any(|b| is_wanted(b) && matches!(b.work, Work::Ledgers(_)));
     let mut bench = Bench::new(wish, tell);
     let mut broken = Vec::new();
-    for benchmark in BENCHMARKS.iter().filter(|b| needs_all || is_wanted(b)) {
+    let runs = BENCHMARKS.iter().filter(|b| matches!(b.work, Work::Run(_)) && (needs_all || is_wanted(b)));
+    let count = runs.clone().count();
+    for (n, benchmark) in runs.enumerate() {
         let Work::Run(work) = benchmark.work else { continue };
         let clock = Instant::now();
-        bench.tell(&format!("{} {} …", benchmark.id, benchmark.title));
-        if let Err(error) = work(&mut bench) {
+        bench.tell(&format!("{} {} … ({} of {count})", benchmark.id, benchmark.title, n + 1));
+        if let Err(error) = bench.part(benchmark.id, "all of it", work) {
             bench.tell(&format!("{}: broke down: {error}", benchmark.id));
             broken.push((benchmark.id, error.to_string()));
         }

@@ -1,9 +1,10 @@
 //! One line of the verification table: what was expected, what came out, and whether that is near enough.
 
-use serde::{Serialize, Serializer};
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 
 /// What a benchmark expects.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Expected {
     /// This value.
     Value(f64),
@@ -16,7 +17,7 @@ pub enum Expected {
 }
 
 /// How far a figure may be off.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Tolerance {
     /// This share of the expected value (of the nearer end of a range).
     Relative(f64),
@@ -27,9 +28,10 @@ pub enum Tolerance {
 }
 
 /// One line of the table.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     /// Benchmark, as in the design's list: "B1".
+    #[serde(skip)]
     pub id: &'static str,
     /// Which variant: "B/h = 16".
     pub case: String,
@@ -42,7 +44,7 @@ pub struct Row {
     /// How far it may be off.
     pub tolerance: Tolerance,
     /// Where the expectation comes from.
-    pub source: &'static str,
+    pub source: Cow<'static, str>,
     /// Wall clock of the runs behind it [s].
     pub seconds: f64,
 }
@@ -58,7 +60,7 @@ impl Row {
             expected: Expected::Nothing,
             obtained,
             tolerance: Tolerance::None,
-            source: "",
+            source: "".into(),
             seconds: 0.0,
         }
     }
@@ -66,31 +68,56 @@ impl Row {
     /// The same figure, expected to be `value` within a share of it.
     #[must_use]
     pub fn within(self, value: f64, share: f64, source: &'static str) -> Self {
-        Self { expected: Expected::Value(value), tolerance: Tolerance::Relative(share), source, ..self }
+        Self {
+            expected: Expected::Value(value),
+            tolerance: Tolerance::Relative(share),
+            source: source.into(),
+            ..self
+        }
     }
 
     /// The same figure, expected to be 0 but for `limit`.
     #[must_use]
     pub fn at_most(self, limit: f64, source: &'static str) -> Self {
-        Self { expected: Expected::Value(0.0), tolerance: Tolerance::Absolute(limit), source, ..self }
+        Self {
+            expected: Expected::Value(0.0),
+            tolerance: Tolerance::Absolute(limit),
+            source: source.into(),
+            ..self
+        }
     }
 
     /// The same figure, expected to be at least `value`.
     #[must_use]
     pub fn at_least(self, value: f64, source: &'static str) -> Self {
-        Self { expected: Expected::AtLeast(value), tolerance: Tolerance::Absolute(0.0), source, ..self }
+        Self {
+            expected: Expected::AtLeast(value),
+            tolerance: Tolerance::Absolute(0.0),
+            source: source.into(),
+            ..self
+        }
     }
 
     /// The same figure, expected to lie between two values, give or take a share of them.
     #[must_use]
     pub fn between(self, low: f64, high: f64, share: f64, source: &'static str) -> Self {
-        Self { expected: Expected::Between(low, high), tolerance: Tolerance::Relative(share), source, ..self }
+        Self {
+            expected: Expected::Between(low, high),
+            tolerance: Tolerance::Relative(share),
+            source: source.into(),
+            ..self
+        }
     }
 
     /// The same figure beside what somebody else got; no judgement.
     #[must_use]
     pub fn beside(self, low: f64, high: f64, source: &'static str) -> Self {
-        Self { expected: Expected::Between(low, high), tolerance: Tolerance::None, source, ..self }
+        Self {
+            expected: Expected::Between(low, high),
+            tolerance: Tolerance::None,
+            source: source.into(),
+            ..self
+        }
     }
 
     /// The same figure with the wall clock of the runs behind it [s].
@@ -125,8 +152,8 @@ impl Row {
 }
 
 /// What `coulter verify --json` prints of a row.
-#[derive(Serialize)]
-struct Plain<'a> {
+#[derive(Debug, Serialize)]
+pub struct Plain<'a> {
     id: &'a str,
     case: &'a str,
     quantity: &'a str,
@@ -139,10 +166,12 @@ struct Plain<'a> {
     seconds: f64,
 }
 
-impl Serialize for Row {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+impl Row {
+    /// The row for readers of JSON, which knows no number that is not finite.
+    #[must_use]
+    pub fn plain(&self) -> Plain<'_> {
         let finite = |value: f64| value.is_finite().then_some(value);
-        let plain = Plain {
+        Plain {
             id: self.id,
             case: &self.case,
             quantity: &self.quantity,
@@ -158,10 +187,9 @@ impl Serialize for Row {
                 Tolerance::None => None,
             },
             pass: self.passes(),
-            source: self.source,
+            source: &self.source,
             seconds: self.seconds,
-        };
-        plain.serialize(serializer)
+        }
     }
 }
 

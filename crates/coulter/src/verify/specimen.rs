@@ -3,7 +3,7 @@
 use super::bench::VerifyError;
 use glam::DVec3;
 use physics::elastic::Elastic;
-use physics::mohr_coulomb::MohrCoulomb;
+use physics::strength::{Law, Strength};
 use physics::tensor::{Symmetric, deviator, mean};
 use solver::cpu::workspace::Workspace;
 use solver::grid::Grid;
@@ -25,7 +25,7 @@ pub(super) trait Specimen: Sized {
 /// One point of the soil law.
 pub(super) struct Point {
     pub(super) elastic: Elastic,
-    pub(super) law: MohrCoulomb,
+    pub(super) law: Law,
     pub(super) stress: Symmetric,
 }
 
@@ -35,7 +35,7 @@ impl Specimen for Point {
         let pressed = 3.0 * self.elastic.bulk * mean(increment);
         let trial: Symmetric =
             std::array::from_fn(|n| self.stress[n] + shear[n] + if n < 3 { pressed } else { 0.0 });
-        Ok(if self.law.may_yield(trial) { self.law.return_map(trial).stress } else { trial })
+        Ok(if self.law.may_yield(trial) { self.law.return_map(trial, true).stress } else { trial })
     }
 
     fn take(&mut self, increment: Symmetric) -> Result<(), VerifyError> {
@@ -56,12 +56,13 @@ pub(super) struct Cell {
 
 impl Cell {
     /// A cell of 1 m with a stress in it.
-    pub(super) fn new(elastic: Elastic, law: MohrCoulomb, stress: Symmetric) -> Self {
+    pub(super) fn new(elastic: Elastic, law: Law, stress: Symmetric) -> Self {
         let faces = || vec![0.0, 1.0];
         let model = Model {
             grid: Grid::new([faces(), faces(), faces()]),
             elastic,
             strength: Some(law),
+            critical_density: None,
             density: 1600.0,
             gravity: 0.0,
             rest_pressure_ratio: 1.0,

@@ -92,6 +92,7 @@ fn bar(cells: usize, bulk_viscosity: [f64; 2]) -> Model {
         grid: Grid::new([along, vec![0.0, h], vec![0.0, h]]),
         elastic: Elastic::new(20e6, 0.3),
         strength: None,
+        critical_density: None,
         density: 1600.0,
         gravity: 0.0,
         rest_pressure_ratio: 1.0,

@@ -52,7 +52,7 @@ pub(crate) fn case(kind: Kind, cell: f64) -> Case {
         body("disc", case::Shape::Disc { diameter: DIAMETER, thickness: 0.04 }, DVec3::new(0.0, 0.0, 0.1));
     let block = body(
         "scraper",
-        case::Shape::Block { size: DVec3::new(0.03, 0.08, 0.1) },
+        case::Shape::Block { size: DVec3::new(0.03, 0.08, 0.1), orientation: 0.0 },
         DVec3::new(-0.1, 0.0, 0.05),
     );
     Case {
@@ -65,6 +65,8 @@ pub(crate) fn case(kind: Kind, cell: f64) -> Case {
                 dilation_angle: 0.1,
                 cohesion: 0.0,
                 tension_limit: 0.0,
+                potential: case::Potential::MohrCoulomb,
+                critical_density: None,
             },
             density: 1631.0,
             unit_weight: if kind == Kind::Column { 0.0 } else { 16e3 },
@@ -78,11 +80,13 @@ pub(crate) fn case(kind: Kind, cell: f64) -> Case {
             }
             _ => case::Ground::Level { surface: 0.0 },
         },
+        overburden: 0.0,
         domain: case::Domain {
             low,
             high,
             walls: [[case::Wall::Smooth; 2]; 3],
             symmetric,
+            symmetric_x: false,
             plane_strain: false,
         },
         grid: case::Grid {
@@ -115,6 +119,7 @@ pub(crate) fn case(kind: Kind, cell: f64) -> Case {
             point_spacing: 0.5,
             threads: 2,
         },
+        forecast: case::Measured::default(),
     }
 }
 
@@ -127,6 +132,7 @@ fn body(name: &str, shape: case::Shape, position: DVec3) -> case::Body {
         mass: 6.0,
         axle_inertia: 0.03,
         friction: 0.5,
+        shear_limit: f64::INFINITY,
         translation: [
             case::Freedom::Prescribed { speed: 0.1, start: 0.5, ramp: 0.2, end: f64::INFINITY },
             case::Freedom::Fixed,

@@ -3,13 +3,20 @@
 //! A shape lives in its own frame: origin at the body's reference point (for a disc the centre of the axle), the axle
 //! along `y`. Lengths in metres.
 
+mod ball;
 mod block;
+mod cylinder;
 mod disc;
+mod turned;
 
+pub use ball::Ball;
 pub use block::Block;
+pub use cylinder::{Axis, Cylinder};
 pub use disc::Disc;
 use glam::DVec3;
 use std::collections::BTreeMap;
+use std::f64::consts::FRAC_PI_2;
+pub use turned::Turned;
 
 /// A point of the surface at which contact is integrated.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,6 +33,18 @@ pub struct SurfacePoint {
 /// the bit.
 fn middle(n: usize, count: f64) -> f64 {
     (2.0 * n as f64 + 1.0 - count) / (2.0 * count)
+}
+
+/// Directions round a circle of this circumference, at most `spacing` apart [m]. A quarter is laid out and reflected, so
+/// that the ring is its own mirror image across both axes to the bit, and no direction lies on an axis.
+fn ring(circumference: f64, spacing: f64) -> Vec<[f64; 2]> {
+    let quarter = (0.25 * circumference / spacing).ceil().max(1.0);
+    let mut directions = Vec::with_capacity(4 * quarter as usize);
+    for n in 0..quarter as usize {
+        let (sin, cos) = (FRAC_PI_2 * (n as f64 + 0.5) / quarter).sin_cos();
+        directions.extend([[cos, sin], [cos, -sin], [-cos, sin], [-cos, -sin]]);
+    }
+    directions
 }
 
 /// Puts points that are each other's mirror image in y side by side, in the order of the first of each pair.

@@ -32,6 +32,7 @@ struct Inputs<'a> {
     model: &'a Model,
     grid: &'a Grid,
     fraction: &'a [f64],
+    soil_mass: &'a [f64],
     mass: &'a [f64],
     velocity: [&'a [f64]; 3],
     row_has_soil: &'a [bool],
@@ -48,11 +49,12 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
     let Workspace { team, cut, row_has_soil, velocity_before, workers, row_sums, width_x, .. } = workspace;
     // From here on the new velocities are in the state, the old ones in the workspace.
     std::mem::swap(&mut state.nodes.velocity, velocity_before);
-    let Soil { fraction, stress, plastic_strain, gap_strain, .. } = &mut state.soil;
+    let Soil { fraction, mass, stress, plastic_strain, gap_strain, .. } = &mut state.soil;
     let inputs = Inputs {
         model,
         grid,
         fraction,
+        soil_mass: mass,
         mass: &state.nodes.mass,
         velocity: velocity_before.each_ref().map(Vec::as_slice),
         row_has_soil,
@@ -188,6 +190,7 @@ fn strain_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2]) {
     let start = at(0, 0);
     let mut cell_row = CellRow {
         fraction: &inputs.fraction[start..start + n],
+        mass: &inputs.soil_mass[start..start + n],
         stress: part.stress.each_mut().map(|s| &mut s[own.clone()]),
         plastic_strain: &mut part.plastic_strain[own.clone()],
         gap_strain: &mut part.gap_strain[own],

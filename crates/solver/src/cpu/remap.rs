@@ -10,6 +10,7 @@ use super::{energy, lagrange_mass};
 use crate::grid::Grid;
 use crate::model::{FRACTION_KEPT, FRACTION_STRESSED, Model};
 use crate::state::{Nodes, Soil, State};
+use physics::strength::Strength;
 use physics::tensor::mean;
 
 /// What a remap has taken away.
@@ -191,14 +192,14 @@ fn settle(model: &Model, soil: &mut Soil, volume: &[f64]) -> RemapLoss {
                     loss.mass += soil.mass[c];
                     (soil.fraction[c], soil.mass[c]) = (0.0, 0.0);
                 }
-                settle_cell(model, soil, c);
+                settle_cell(model, soil, c, grid.volume(i, j, k));
             }
         }
     }
     loss
 }
 
-fn settle_cell(model: &Model, soil: &mut Soil, c: usize) {
+fn settle_cell(model: &Model, soil: &mut Soil, c: usize, volume: f64) {
     if soil.fraction[c] <= FRACTION_STRESSED {
         for s in &mut soil.stress {
             s[c] = 0.0;
@@ -222,7 +223,8 @@ fn settle_cell(model: &Model, soil: &mut Soil, c: usize) {
     if let Some(strength) = &model.strength
         && strength.may_yield(stress)
     {
-        let back = strength.return_map(stress);
+        let critical = model.critical_density.unwrap_or(0.0) * soil.fraction[c] * volume;
+        let back = strength.return_map(stress, soil.mass[c] >= critical);
         stress = back.stress;
         gap += back.gap_strain;
     }

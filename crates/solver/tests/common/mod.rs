@@ -4,6 +4,7 @@
 use glam::DVec3;
 use physics::elastic::Elastic;
 use physics::mohr_coulomb::MohrCoulomb;
+use physics::strength::Law;
 use solver::grid::Grid;
 use solver::model::{Method, Model, Wall};
 use solver::start::Filling;
@@ -19,7 +20,8 @@ pub fn sand(faces: [Vec<f64>; 3]) -> Model {
     Model {
         grid: Grid::new(faces),
         elastic,
-        strength: Some(MohrCoulomb::new(elastic, 35_f64.to_radians(), 0.0, 0.0, 0.0)),
+        strength: Some(Law::MohrCoulomb(MohrCoulomb::new(elastic, 35_f64.to_radians(), 0.0, 0.0, 0.0))),
+        critical_density: None,
         density: 1600.0,
         gravity: 9.81,
         rest_pressure_ratio: 0.43,

@@ -3,8 +3,8 @@
 use super::Frame;
 use super::motion::{freedom, is_free};
 use crate::case::problem::Problems;
-use crate::case::ranges::{self, ANY, NOT_NEGATIVE, POSITIVE};
-use crate::case::resolved::{Body, Shape};
+use crate::case::ranges::{self, ANY, FRACTION, NOT_NEGATIVE, POSITIVE};
+use crate::case::resolved::{Axis, Body, Shape};
 use crate::case::schema::Section;
 use glam::DVec3;
 
@@ -13,10 +13,14 @@ const NOMINAL_DENSITY: f64 = 7850.0;
 /// Cells across a body below which its contact points see no soil between them.
 const LEAST_CELLS_ACROSS: f64 = 2.0;
 
+/// Keys that measure a shape; each shape has its own of them.
+const MEASURES: [&str; 6] = ["diameter", "thickness", "size", "orientation", "length", "axis"];
+
 /// One body in its frame.
 pub(super) fn body(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Body> {
     let shape = shape(section, frame, problems);
     let friction = friction(section, problems);
+    let shear_limit = shear_limit(section, frame, problems);
     let mass = mass(section, frame.gravity, problems);
     let position = position(section, shape.as_ref(), frame, problems);
     let motions = [("forward", 0.0), ("lateral", 0.0), ("heave", -frame.gravity)];
@@ -38,6 +42,7 @@ pub(super) fn body(section: &Section, frame: &Frame, problems: &mut Problems) ->
         axle_inertia: inertia?,
         shape,
         friction: friction?,
+        shear_limit: shear_limit?,
         translation: [forward, lateral, heave],
         spin: spin?,
     })
@@ -48,12 +53,65 @@ fn shape(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Sh
         ranges::missing(section, "shape", problems);
     }
     let kind = section.text("shape")?.value;
-    let foreign: &[&str] = if kind == "disc" { &["size"] } else { &["diameter", "thickness"] };
-    for key in foreign.iter().filter(|key| section.has(key)) {
+    let own: &[&str] = match kind.as_str() {
+        "disc" => &["diameter", "thickness"],
+        "block" => &["size", "orientation"],
+        "cylinder" => &["diameter", "length", "axis"],
+        _ => &["diameter"],
+    };
+    for key in MEASURES.iter().filter(|key| section.has(key) && !own.contains(key)) {
         let message = format!("`{key}` has no meaning for shape = \"{kind}\"");
         problems.add(section.place_of(key), message, "take it out, or choose another shape");
     }
-    if kind == "disc" { disc(section, frame, problems) } else { block(section, frame, problems) }
+    match kind.as_str() {
+        "disc" => disc(section, frame, problems),
+        "block" => block(section, frame, problems),
+        "cylinder" => cylinder(section, frame, problems),
+        _ => ball(section, frame, problems),
+    }
+}
+
+/// A cylinder. In plane strain it lies across the slab and is as long as that.
+fn cylinder(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Shape> {
+    let diameter = ranges::required(section, "diameter", &POSITIVE, problems);
+    if !section.has("axis") {
+        ranges::missing(section, "axis", problems);
+    }
+    let length = match frame.slab {
+        None => ranges::required(section, "length", &POSITIVE, problems),
+        Some(slab) if !section.has("length") => Some(slab.covering_width()),
+        Some(_) => {
+            let message = "in plane strain a cylinder is as long as the slab is wide";
+            problems.add(section.place_of("length"), message, "take `length` out");
+            None
+        }
+    };
+    let axis = match section.text("axis")?.value.as_str() {
+        "x" => Axis::X,
+        "y" => Axis::Y,
+        _ => Axis::Z,
+    };
+    if frame.slab.is_some() && axis != Axis::Y {
+        let message = "in plane strain a cylinder lies across the slab";
+        problems.add(section.place_of("axis"), message, "write axis = \"y\", or model it in 3D");
+        return None;
+    }
+    let (diameter, length) = (diameter?, length?);
+    let mut enough = wide_enough(section, "diameter", diameter, frame, problems);
+    if frame.slab.is_none() {
+        enough &= wide_enough(section, "length", length, frame, problems);
+    }
+    enough.then_some(Shape::Cylinder { diameter, length, axis })
+}
+
+fn ball(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Shape> {
+    let diameter = ranges::required(section, "diameter", &POSITIVE, problems)?;
+    if frame.slab.is_some() {
+        let message = "a ball has no plane strain";
+        problems.add(section.place_of("shape"), message, "take plane_strain out, or choose a disc");
+        return None;
+    }
+    wide_enough(section, "diameter", diameter, frame, problems).then_some(Shape::Ball { diameter })
 }
 
 fn disc(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Shape> {
@@ -99,8 +157,10 @@ fn block(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Sh
             return None;
         }
     };
+    let orientation = ranges::or(section, "orientation", 0.0, &ANY, problems)?;
     let narrowest = edges.iter().copied().fold(f64::INFINITY, f64::min);
-    wide_enough(section, "size", narrowest, frame, problems).then_some(Shape::Block { size: size_3d })
+    let enough = wide_enough(section, "size", narrowest, frame, problems);
+    enough.then_some(Shape::Block { size: size_3d, orientation })
 }
 
 /// Refuses a body that slips between the contact points: it would feel no force.
@@ -123,6 +183,21 @@ fn wide_enough(section: &Section, key: &str, width: f64, frame: &Frame, problems
 
 fn friction(section: &Section, problems: &mut Problems) -> Option<f64> {
     ranges::required(section, "friction", &NOT_NEGATIVE, problems)
+}
+
+/// Largest frictional traction [Pa]: the adhesion factor times the soil's undrained strength.
+fn shear_limit(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<f64> {
+    if !section.has("adhesion_factor") {
+        return Some(f64::INFINITY);
+    }
+    let factor = ranges::given(section, "adhesion_factor", &FRACTION, problems);
+    let Some(strength) = frame.shear_strength else {
+        let message = "`adhesion_factor` has a meaning only for soil with an undrained shear strength";
+        let cure = "take it out, or choose law = \"tresca\"";
+        problems.add(section.place_of("adhesion_factor"), message, cure);
+        return None;
+    };
+    Some(factor? * strength)
 }
 
 /// The mass, if it can be known; `None` outside when it was given wrongly.

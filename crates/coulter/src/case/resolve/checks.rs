@@ -3,7 +3,7 @@
 use super::extent::path;
 use crate::case::estimate;
 use crate::case::problem::Problems;
-use crate::case::resolved::{Body, Case, Domain, Freedom, Grid};
+use crate::case::resolved::{Body, Case, Domain, Freedom, Grid, Shape};
 use crate::case::schema::{Schema, Section};
 
 /// More time steps than any machine would finish.
@@ -20,6 +20,9 @@ pub(super) fn bodies_fit(
     for (body, section) in bodies.iter().zip(&schema.bodies) {
         if domain.symmetric || domain.plane_strain {
             keeps_to_the_plane(section, body, domain, problems);
+        }
+        if domain.symmetric_x {
+            keeps_to_the_middle(section, body, problems);
         }
         stays_inside(section, body, domain, duration, problems);
     }
@@ -41,6 +44,30 @@ fn keeps_to_the_plane(section: &Section, body: &Body, domain: &Domain, problems:
     }
 }
 
+/// A plane of symmetry across the tow: no tow, and no turning about y.
+fn keeps_to_the_middle(section: &Section, body: &Body, problems: &mut Problems) {
+    if body.position.x != 0.0 {
+        let message = format!("the body stands at x = {} m, off the plane of symmetry", body.position.x);
+        problems.add(section.place_of("x"), message, "take `x` out, or symmetric_x = true");
+    }
+    if matches!(body.shape, Shape::Block { orientation, .. } if orientation != 0.0) {
+        let message = "a turned block is not symmetric about x = 0";
+        problems.add(
+            section.place_of("orientation"),
+            message,
+            "take `orientation` out, or symmetric_x = true",
+        );
+    }
+    for (key, still, freedom) in [("forward", "fixed", &body.translation[0]), ("spin", "locked", &body.spin)]
+    {
+        if *freedom != Freedom::Fixed {
+            let message = format!("a case that is symmetric about x = 0 allows no `{key}`");
+            let cure = format!("write {key} = \"{still}\", or take symmetric_x = true out");
+            problems.add(section.place_of(key), message, cure);
+        }
+    }
+}
+
 fn stays_inside(section: &Section, body: &Body, domain: &Domain, duration: f64, problems: &mut Problems) {
     let start = path(body, 0.0);
     let whole = path(body, duration);
@@ -48,7 +75,7 @@ fn stays_inside(section: &Section, body: &Body, domain: &Domain, duration: f64, 
         // The slab cuts through a body in plane strain, and the plane of symmetry through any.
         let (low_open, high_open) = match axis {
             1 => (domain.symmetric || domain.plane_strain, domain.plane_strain),
-            _ => (false, false),
+            _ => (domain.symmetric_x, false),
         };
         let leaves = |low: f64, high: f64| {
             !low_open && low < domain.low[axis] || !high_open && high > domain.high[axis]

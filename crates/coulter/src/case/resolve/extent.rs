@@ -63,8 +63,10 @@ pub(super) fn domain(
 ) -> Option<Domain> {
     let length = body_length(bodies);
     let around = paths(bodies, duration);
-    let low_y = if frame.symmetric { 0.0 } else { f64::NEG_INFINITY };
-    let x = range(section, "x", around.map(|p| [p.low.x - 1.5 * length, p.high.x + 1.5 * length]), problems);
+    let least = |is_cut: bool| if is_cut { 0.0 } else { f64::NEG_INFINITY };
+    let (low_x, low_y) = (least(frame.symmetric_x), least(frame.symmetric));
+    let default = around.map(|p| [low_x.max(p.low.x - 1.5 * length), p.high.x + 1.5 * length]);
+    let x = range(section, "x", default, problems);
     let y = match frame.slab {
         Some(slab) => Some([slab.middle - 0.5 * slab.width, slab.middle + 0.5 * slab.width]),
         None => {
@@ -77,14 +79,17 @@ pub(super) fn domain(
     let z = range(section, "z", default, problems);
     let walls = walls(section, frame, problems);
     let ([x0, x1], [y0, y1], [z0, z1]) = (x?, y?, z?);
-    if frame.symmetric && y0 != 0.0 {
-        let message = "a symmetric case is modelled from its plane of symmetry y = 0 on";
-        problems.add(section.place_of("y"), message, "let y begin with \"0 m\"");
-        return None;
+    for (is_cut, key, low) in [(frame.symmetric_x, "x", x0), (frame.symmetric, "y", y0)] {
+        if is_cut && low != 0.0 {
+            let message = format!("a symmetric case is modelled from its plane of symmetry {key} = 0 on");
+            problems.add(section.place_of(key), message, format!("let {key} begin with \"0 m\""));
+            return None;
+        }
     }
     let (low, high) = (DVec3::new(x0, y0, z0), DVec3::new(x1, y1, z1));
     let plane_strain = frame.slab.is_some();
-    Some(Domain { low, high, walls: walls?, symmetric: frame.symmetric, plane_strain })
+    let Frame { symmetric, symmetric_x, .. } = *frame;
+    Some(Domain { low, high, walls: walls?, symmetric, symmetric_x, plane_strain })
 }
 
 /// A low and a high end; reported if they are the wrong way round, or missing without a default.
@@ -126,6 +131,11 @@ fn walls(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<[[
     if slab_holds || frame.symmetric && walls[1][0] != Wall::Smooth {
         let message = "a plane of symmetry, or of plane strain, is smooth";
         problems.add(section.place_of("y_walls"), message, "leave y_walls out, or write \"smooth\" there");
+        return None;
+    }
+    if frame.symmetric_x && walls[0][0] != Wall::Smooth {
+        let message = "a plane of symmetry is smooth";
+        problems.add(section.place_of("x_walls"), message, "let x_walls begin with \"smooth\"");
         return None;
     }
     Some(walls)

@@ -3,6 +3,7 @@
 pub(super) mod body;
 mod checks;
 pub(super) mod extent;
+mod forecast;
 mod grading;
 mod mesh;
 mod motion;
@@ -23,6 +24,10 @@ pub(super) struct Frame {
     /// Height of the soil's surface [m].
     surface: f64,
     symmetric: bool,
+    /// Whether x = 0 is a plane of symmetry.
+    symmetric_x: bool,
+    /// Undrained shear strength of the soil [Pa], if it has one.
+    shear_strength: Option<f64>,
     /// The slab of a plane strain case.
     slab: Option<Slab>,
 }
@@ -51,14 +56,17 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
     let gravity = ranges::or(&schema.top, "gravity", 9.81, &NOT_NEGATIVE, problems);
     let soil = gravity.and_then(|g| soil::soil(&schema.soil, g, problems));
     let numerics = numerics(&schema.numerics, soil.as_ref().map(|s| s.law), problems);
-    let frame = gravity.and_then(|g| frame(schema, g, problems));
+    let frame = gravity.and_then(|g| frame(schema, g, soil.as_ref().map(|s| s.law), problems));
     let bodies = frame.as_ref().and_then(|frame| bodies(schema, frame, problems));
     let name = name(&schema.top, source_name, problems);
     let duration = bodies.as_ref().and_then(|b| timing::duration(&schema.run, b, problems));
+    let forecast = forecast::measured(&schema.forecast, problems);
     let output = duration.and_then(|d| timing::output(&schema.output, d, problems));
     let (frame, bodies, duration) = (frame?, bodies?, duration?);
     let domain = extent::domain(&schema.domain, &frame, &bodies, duration, problems)?;
     let ground = extent::ground(&schema.ground, frame.surface, &domain, problems)?;
+    let soil = soil?;
+    let overburden = soil::overburden(&schema.ground, &soil, ground.surface(), &domain, problems)?;
     checks::bodies_fit(schema, &bodies, &domain, duration, problems);
     let usual = mesh::usual_fine_zone(&frame, &domain, &bodies, duration);
     let grid = mesh::grid(&schema.grid, &frame, &domain, &ground, usual, problems)?;
@@ -68,24 +76,27 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
         title: schema.top.text("title").map_or_else(|| name.clone(), |t| t.value),
         name,
         gravity: gravity?,
-        soil: soil?,
+        soil,
         ground,
+        overburden,
         domain,
         grid,
         bodies,
         duration,
         output: output?,
         numerics: numerics?,
+        forecast: forecast?,
     };
     checks::contact_points_remain(schema, &case, problems);
     checks::can_be_computed(schema, &case, problems);
     Some(case)
 }
 
-fn frame(schema: &Schema, gravity: f64, problems: &mut Problems) -> Option<Frame> {
+fn frame(schema: &Schema, gravity: f64, law: Option<Law>, problems: &mut Problems) -> Option<Frame> {
     let cell = ranges::required(&schema.grid, "cell", &POSITIVE, problems);
     let surface = ranges::or(&schema.ground, "surface", 0.0, &ANY, problems);
     let symmetric = schema.domain.flag("symmetric").is_some_and(|f| f.value);
+    let symmetric_x = schema.domain.flag("symmetric_x").is_some_and(|f| f.value);
     let plane_strain = schema.domain.flag("plane_strain").is_some_and(|f| f.value);
     if symmetric && plane_strain {
         let message = "plane strain has no plane of symmetry y = 0 besides";
@@ -100,7 +111,11 @@ fn frame(schema: &Schema, gravity: f64, problems: &mut Problems) -> Option<Frame
     } else {
         None
     };
-    Some(Frame { gravity, cell, surface: surface?, symmetric, slab })
+    let shear_strength = match law {
+        Some(Law::Tresca { shear_strength }) => Some(shear_strength),
+        _ => None,
+    };
+    Some(Frame { gravity, cell, surface: surface?, symmetric, symmetric_x, shear_strength, slab })
 }
 
 /// All bodies, or `None` if any of them is wrong.

@@ -1,11 +1,22 @@
 //! The soil: its law and its parameters.
 
 use crate::case::problem::Problems;
-use crate::case::ranges::{self, ACUTE, BELOW_HALF, NOT_NEGATIVE, POSITIVE};
-use crate::case::resolved::{Law, Soil};
+use crate::case::ranges::{self, ACUTE, BELOW_HALF, ECCENTRICITY, NOT_NEGATIVE, POSITIVE};
+use crate::case::resolved::{Domain, Law, Potential, Soil};
 use crate::case::schema::Section;
+use physics::menetrey_willam::Eccentricity;
 
-const FRICTIONAL: [&str; 4] = ["friction_angle", "dilation_angle", "cohesion", "tension_limit"];
+const FRICTIONAL: [&str; 8] = [
+    "friction_angle",
+    "dilation_angle",
+    "cohesion",
+    "tension_limit",
+    "flow_potential",
+    "meridional_eccentricity",
+    "deviatoric_eccentricity",
+    "critical_density",
+];
+const SMOOTH: [&str; 2] = ["meridional_eccentricity", "deviatoric_eccentricity"];
 const UNDRAINED: [&str; 1] = ["shear_strength"];
 
 /// The soil under `gravity` [m/s²].
@@ -13,7 +24,7 @@ pub(super) fn soil(section: &Section, gravity: f64, problems: &mut Problems) -> 
     let young_modulus = ranges::required(section, "young_modulus", &POSITIVE, problems);
     let poisson_ratio = ranges::or(section, "poisson_ratio", 0.3, &BELOW_HALF, problems);
     let weight = weight(section, gravity, problems);
-    let law = law(section, problems);
+    let law = law(section, weight.map(|(_, density)| density), problems);
     let (young_modulus, poisson_ratio, (unit_weight, density), law) =
         (young_modulus?, poisson_ratio?, weight?, law?);
     let at_rest = match law {
@@ -22,6 +33,48 @@ pub(super) fn soil(section: &Section, gravity: f64, problems: &mut Problems) -> 
     };
     let rest_pressure_ratio = ranges::or(section, "rest_pressure_ratio", at_rest, &NOT_NEGATIVE, problems)?;
     Some(Soil { law, density, unit_weight, young_modulus, poisson_ratio, rest_pressure_ratio })
+}
+
+/// Vertical pressure of the lid on the soil at the start [Pa]. The soil must reach up to the lid and bear the state of
+/// stress that comes with it.
+pub(super) fn overburden(
+    section: &Section,
+    soil: &Soil,
+    surface: f64,
+    domain: &Domain,
+    problems: &mut Problems,
+) -> Option<f64> {
+    let overburden = ranges::or(section, "overburden", 0.0, &NOT_NEGATIVE, problems)?;
+    if overburden == 0.0 {
+        return Some(0.0);
+    }
+    if surface < domain.high.z {
+        let message = format!(
+            "an overburden needs a lid to hold it: the soil ends at z = {surface} m, the box at {} m",
+            domain.high.z
+        );
+        let cure = "let domain.z end at ground.surface, or take `overburden` out";
+        problems.add(section.place_of("overburden"), message, cure);
+        return None;
+    }
+    let ratio = soil.rest_pressure_ratio;
+    let [most, least] = [ratio.max(1.0) * overburden, ratio.min(1.0) * overburden];
+    let is_borne = match soil.law {
+        Law::Elastic => true,
+        Law::Tresca { shear_strength } => most - least <= 2.0 * shear_strength,
+        Law::MohrCoulomb { friction_angle, cohesion, .. } => {
+            let (sin, cos) = friction_angle.sin_cos();
+            most - least <= (most + least) * sin + 2.0 * cohesion * cos
+        }
+    };
+    if !is_borne {
+        let message =
+            format!("the soil cannot bear this overburden with K₀ = {ratio:.3}: it would fail at once");
+        let cure = "add  rest_pressure_ratio = 1  to [soil], or lower it";
+        problems.add(section.place_of("overburden"), message, cure);
+        return None;
+    }
+    Some(overburden)
 }
 
 /// Unit weight [N/m³] and density [kg/m³], of which one may follow from the other.
@@ -52,7 +105,7 @@ fn weight(section: &Section, gravity: f64, problems: &mut Problems) -> Option<(f
     }
 }
 
-fn law(section: &Section, problems: &mut Problems) -> Option<Law> {
+fn law(section: &Section, density: Option<f64>, problems: &mut Problems) -> Option<Law> {
     if !section.has("law") {
         ranges::missing(section, "law", problems);
     }
@@ -60,7 +113,7 @@ fn law(section: &Section, problems: &mut Problems) -> Option<Law> {
     match law.as_str() {
         "mohr-coulomb" => {
             refuse(section, &UNDRAINED, &law, problems);
-            mohr_coulomb(section, problems)
+            mohr_coulomb(section, density, problems)
         }
         "tresca" => {
             refuse(section, &FRICTIONAL, &law, problems);
@@ -75,13 +128,15 @@ fn law(section: &Section, problems: &mut Problems) -> Option<Law> {
     }
 }
 
-fn mohr_coulomb(section: &Section, problems: &mut Problems) -> Option<Law> {
+fn mohr_coulomb(section: &Section, density: Option<f64>, problems: &mut Problems) -> Option<Law> {
     let friction = ranges::required(section, "friction_angle", &ACUTE, problems);
     let dilation = ranges::or(section, "dilation_angle", 0.0, &ACUTE, problems);
     let cohesion = ranges::or(section, "cohesion", 0.0, &NOT_NEGATIVE, problems);
     let tension = ranges::or(section, "tension_limit", 0.0, &NOT_NEGATIVE, problems);
+    let critical_density = critical_density(section, density, dilation, problems);
     let (friction_angle, dilation_angle, cohesion, tension_limit) =
         (friction?, dilation?, cohesion?, tension?);
+    let potential = potential(section, friction_angle, problems);
     if dilation_angle > friction_angle {
         let message =
             "the dilation angle ψ is larger than the friction angle φ: the soil would create energy";
@@ -104,7 +159,59 @@ fn mohr_coulomb(section: &Section, problems: &mut Problems) -> Option<Law> {
         );
         return None;
     }
-    Some(Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_limit })
+    Some(Law::MohrCoulomb {
+        friction_angle,
+        dilation_angle,
+        cohesion,
+        tension_limit,
+        potential: potential?,
+        critical_density: critical_density?,
+    })
+}
+
+/// Where yielding soil flows to.
+fn potential(section: &Section, friction_angle: f64, problems: &mut Problems) -> Option<Potential> {
+    let typed = section.text("flow_potential").map(|t| t.value);
+    if typed.as_deref() != Some("menetrey-willam") {
+        for key in SMOOTH.iter().filter(|key| section.has(key)) {
+            let message = format!("`{key}` has no meaning without the smooth potential");
+            let cure = "take it out, or set  flow_potential = \"menetrey-willam\"";
+            problems.add(section.place_of(key), message, cure);
+        }
+        return Some(Potential::MohrCoulomb);
+    }
+    let usual = Eccentricity::usual(friction_angle);
+    let meridional =
+        ranges::or(section, "meridional_eccentricity", usual.meridional, &NOT_NEGATIVE, problems);
+    let deviatoric =
+        ranges::or(section, "deviatoric_eccentricity", usual.deviatoric, &ECCENTRICITY, problems);
+    Some(Potential::MenetreyWillam { meridional: meridional?, deviatoric: deviatoric? })
+}
+
+/// The density at which dilation ends, if it does: between nothing and that of the soil at the start.
+fn critical_density(
+    section: &Section,
+    density: Option<f64>,
+    dilation: Option<f64>,
+    problems: &mut Problems,
+) -> Option<Option<f64>> {
+    if !section.has("critical_density") {
+        return Some(None);
+    }
+    let critical = ranges::given(section, "critical_density", &POSITIVE, problems)?;
+    let place = section.place_of("critical_density");
+    if dilation == Some(0.0) {
+        let message = "soil with a dilation angle of 0 has no dilation that could end";
+        problems.add(place, message, "take it out, or set  dilation_angle");
+        return None;
+    }
+    if critical > density? {
+        let message =
+            format!("the soil is looser than this at the start: its density is {:.1} kg/m³", density?);
+        problems.add(place, message, "it must be at most the density; dense sand dilates by some per cent");
+        return None;
+    }
+    Some(Some(critical))
 }
 
 /// Reports parameters of other laws: they would have no effect.

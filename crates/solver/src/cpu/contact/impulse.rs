@@ -85,6 +85,8 @@ struct Near {
     /// Closing velocity that is allowed [m/s].
     allowed: f64,
     friction: f64,
+    /// Largest frictional impulse in a step [N s].
+    shear_limit: f64,
 }
 
 impl Near {
@@ -109,6 +111,7 @@ impl Near {
             across: 1.0 / mobility.max_element(),
             allowed,
             friction: scene.model.bodies[c.body].friction.min(1e6),
+            shear_limit: scene.model.bodies[c.body].shear_limit * c.area * scene.dt,
         })
     }
 
@@ -124,8 +127,8 @@ impl Near {
         }
         let old_friction = c.impulse - old_normal * c.normal;
         let sliding = relative - closing * c.normal;
-        let friction =
-            (old_friction + share * sliding * self.across).clamp_length_max(self.friction * new_normal);
+        let limit = (self.friction * new_normal).min(self.shear_limit);
+        let friction = (old_friction + share * sliding * self.across).clamp_length_max(limit);
         new_normal * c.normal + friction
     }
 

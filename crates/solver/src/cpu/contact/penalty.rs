@@ -29,8 +29,9 @@ impl Penalty {
         Self { modulus: model.elastic.constrained(), impedance: model.density * model.wave_speed() }
     }
 
-    /// Tractions on the soil [Pa], normal and frictional; cuts the elastic slip back to the Coulomb cone.
-    fn tractions(&self, c: &mut Contact, relative: DVec3, friction: f64) -> (DVec3, DVec3) {
+    /// Tractions on the soil [Pa], normal and frictional; cuts the elastic slip back to the Coulomb cone
+    /// (coefficient) and to the largest frictional traction [Pa].
+    fn tractions(&self, c: &mut Contact, relative: DVec3, [friction, most]: [f64; 2]) -> (DVec3, DVec3) {
         if c.penetration <= 0.0 {
             c.slip = DVec3::ZERO;
             return (DVec3::ZERO, DVec3::ZERO);
@@ -38,7 +39,7 @@ impl Penalty {
         let stiffness = STIFFNESS * self.modulus / c.width;
         let closing = relative.dot(c.normal);
         let pressure = (stiffness * c.penetration + DAMPING * self.impedance * closing).max(0.0);
-        let limit = friction * pressure;
+        let limit = (friction * pressure).min(most);
         let held = 0.5 * stiffness * c.slip.length();
         if held > limit {
             c.slip *= limit / held;
@@ -72,7 +73,8 @@ impl ContactLaw for Penalty {
         for n in 0..scene.contacts.len() {
             if scene.contacts[n].in_soil {
                 let relative = scene.slip_velocity(n);
-                let friction = scene.model.bodies[scene.contacts[n].body].friction.min(1e6);
+                let body = &scene.model.bodies[scene.contacts[n].body];
+                let friction = [body.friction.min(1e6), body.shear_limit];
                 let (normal, tangential) = self.tractions(&mut scene.contacts[n], relative, friction);
                 let scale = scene.contacts[n].area * scene.dt;
                 given.push((n, normal * scale, tangential * scale));

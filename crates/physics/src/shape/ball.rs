@@ -1,0 +1,83 @@
+//! The ball.
+
+use super::{Mesh, Shape, SurfacePoint, middle, paired, ring};
+use glam::DVec3;
+use std::f64::consts::{PI, TAU};
+
+/// A ball centred on the origin. It has no sharp edges: its contact points keep no inset.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ball {
+    /// Diameter [m].
+    pub diameter: f64,
+}
+
+impl Ball {
+    fn radius(&self) -> f64 {
+        0.5 * self.diameter
+    }
+}
+
+impl Shape for Ball {
+    fn signed_distance(&self, x: DVec3) -> f64 {
+        x.length() - self.radius()
+    }
+
+    fn bounds(&self) -> (DVec3, DVec3) {
+        (DVec3::splat(-self.radius()), DVec3::splat(self.radius()))
+    }
+
+    fn volume(&self) -> f64 {
+        PI / 6.0 * self.diameter.powi(3)
+    }
+
+    fn axle_inertia_per_mass(&self) -> f64 {
+        0.4 * self.radius().powi(2)
+    }
+
+    /// Rings of equal width between the poles on the z axis; a point stands for its part of the zone's true area.
+    fn surface_points(&self, spacing: f64, _inset: DVec3) -> Vec<SurfacePoint> {
+        let radius = self.radius();
+        let rings = (PI * radius / spacing).ceil().max(2.0);
+        let mut points = Vec::new();
+        for n in 0..rings as usize {
+            // From the equator, so that north and south are each other's mirror image.
+            let latitude = PI * middle(n, rings);
+            let half = 0.5 * PI / rings;
+            let zone = TAU * radius.powi(2) * 2.0 * latitude.cos() * half.sin();
+            let around = ring(TAU * radius * latitude.cos(), spacing);
+            let area = zone / around.len() as f64;
+            points.extend(around.iter().map(|[x, y]| {
+                let normal = DVec3::new(x * latitude.cos(), y * latitude.cos(), latitude.sin());
+                SurfacePoint { position: radius * normal, normal, area }
+            }));
+        }
+        paired(points)
+    }
+
+    fn is_revolved(&self) -> bool {
+        true
+    }
+
+    fn mesh(&self) -> Mesh {
+        const AROUND: u32 = 96;
+        const UP: u32 = 48;
+        let radius = self.radius();
+        let mut mesh = Mesh { points: vec![-radius * DVec3::Z, radius * DVec3::Z], triangles: vec![] };
+        for row in 1..UP {
+            let (up, out) = (PI * (f64::from(row) / f64::from(UP) - 0.5)).sin_cos();
+            for n in 0..AROUND {
+                let (sin, cos) = (TAU * f64::from(n) / f64::from(AROUND)).sin_cos();
+                mesh.points.push(radius * DVec3::new(out * cos, out * sin, up));
+            }
+        }
+        let at = |row: u32, n: u32| 2 + (row - 1) * AROUND + n % AROUND;
+        for n in 0..AROUND {
+            mesh.triangles.extend([[0, at(1, n + 1), at(1, n)], [1, at(UP - 1, n), at(UP - 1, n + 1)]]);
+            for row in 1..UP - 1 {
+                let [a, b, c, d] = [at(row, n), at(row, n + 1), at(row + 1, n), at(row + 1, n + 1)];
+                mesh.triangles.extend([[a, b, d], [a, d, c]]);
+            }
+        }
+        mesh
+    }
+}

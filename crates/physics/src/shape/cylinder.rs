@@ -1,0 +1,132 @@
+//! The cylinder: sharp rims, its axis along x, y or z; a pile, a pipe, a circular footing.
+
+use super::{Disc, Mesh, Shape, SurfacePoint, middle, paired, ring};
+use glam::DVec3;
+use serde::Serialize;
+use std::f64::consts::TAU;
+
+/// Along what a cylinder lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Axis {
+    /// Along the tow.
+    X,
+    /// Across it, like a disc's axle.
+    Y,
+    /// Upright.
+    Z,
+}
+
+impl std::fmt::Display for Axis {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::X => "x",
+            Self::Y => "y",
+            Self::Z => "z",
+        })
+    }
+}
+
+/// A cylinder centred on the origin. It is a disc with another axis, its contact points arranged so that they are their
+/// own mirror image across both planes through the axis: half or a quarter of it can be modelled.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cylinder {
+    /// Diameter [m].
+    pub diameter: f64,
+    /// Length along the axis [m].
+    pub length: f64,
+    /// Along what it lies.
+    pub axis: Axis,
+}
+
+impl Cylinder {
+    fn disc(&self) -> Disc {
+        Disc { diameter: self.diameter, thickness: self.length }
+    }
+
+    /// From the body frame to that of the disc, whose axle is y.
+    fn disc_frame(self, x: DVec3) -> DVec3 {
+        match self.axis {
+            Axis::X => DVec3::new(x.z, x.x, x.y),
+            Axis::Y => x,
+            Axis::Z => DVec3::new(x.y, x.z, x.x),
+        }
+    }
+
+    /// The way back.
+    fn body_frame(self, x: DVec3) -> DVec3 {
+        match self.axis {
+            Axis::X => DVec3::new(x.y, x.z, x.x),
+            Axis::Y => x,
+            Axis::Z => DVec3::new(x.z, x.x, x.y),
+        }
+    }
+
+    fn point(self, position: DVec3, normal: DVec3, area: f64) -> SurfacePoint {
+        SurfacePoint { position: self.body_frame(position), normal: self.body_frame(normal), area }
+    }
+}
+
+impl Shape for Cylinder {
+    fn signed_distance(&self, x: DVec3) -> f64 {
+        self.disc().signed_distance(self.disc_frame(x))
+    }
+
+    fn bounds(&self) -> (DVec3, DVec3) {
+        let (low, high) = self.disc().bounds();
+        (self.body_frame(low), self.body_frame(high))
+    }
+
+    fn volume(&self) -> f64 {
+        self.disc().volume()
+    }
+
+    fn axle_inertia_per_mass(&self) -> f64 {
+        match self.axis {
+            Axis::Y => self.disc().axle_inertia_per_mass(),
+            Axis::X | Axis::Z => self.diameter.powi(2) / 16.0 + self.length.powi(2) / 12.0,
+        }
+    }
+
+    fn surface_points(&self, spacing: f64, inset: DVec3) -> Vec<SurfacePoint> {
+        let (radius, inset) = (0.5 * self.diameter, self.disc_frame(inset));
+        let mut points = Vec::new();
+        let width = self.length - 2.0 * inset.y;
+        if width > 0.0 {
+            let rows = (width / spacing).ceil();
+            let around = ring(TAU * radius, spacing);
+            let area = TAU * radius * width / (rows * around.len() as f64);
+            for row in 0..rows as usize {
+                let along = DVec3::Y * (width * middle(row, rows));
+                points.extend(around.iter().map(|[a, b]| {
+                    let normal = DVec3::new(*a, 0.0, *b);
+                    self.point(radius * normal + along, normal, area)
+                }));
+            }
+        }
+        let outer = (radius - inset.x).max(0.0);
+        let rings = (outer / spacing).ceil();
+        for n in 0..rings as usize {
+            let radius = outer * (n as f64 + 0.5) / rings;
+            let around = ring(TAU * radius, spacing);
+            let area = TAU * radius * outer / (rings * around.len() as f64);
+            for side in [-1.0, 1.0] {
+                let normal = DVec3::Y * side;
+                points.extend(around.iter().map(|[a, b]| {
+                    let flat = DVec3::new(*a, 0.0, *b);
+                    self.point(radius * flat + 0.5 * self.length * normal, normal, area)
+                }));
+            }
+        }
+        paired(points)
+    }
+
+    fn is_revolved(&self) -> bool {
+        self.axis == Axis::Y
+    }
+
+    fn mesh(&self) -> Mesh {
+        let mesh = self.disc().mesh();
+        Mesh { points: mesh.points.into_iter().map(|x| self.body_frame(x)).collect(), ..mesh }
+    }
+}

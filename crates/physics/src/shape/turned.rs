@@ -1,0 +1,56 @@
+//! A shape that is turned about y: an inclined plate.
+
+use super::{Mesh, Shape, SurfacePoint};
+use glam::{DMat3, DVec3};
+
+/// Another shape, turned about the y axis through its origin.
+#[derive(Debug)]
+pub struct Turned<S> {
+    shape: S,
+    turn: DMat3,
+}
+
+impl<S: Shape> Turned<S> {
+    /// `shape` turned by `angle` [rad], positive as a body that rolls forward turns: its top moves towards x.
+    pub fn new(shape: S, angle: f64) -> Self {
+        Self { shape, turn: DMat3::from_rotation_y(angle) }
+    }
+}
+
+impl<S: Shape> Shape for Turned<S> {
+    fn signed_distance(&self, x: DVec3) -> f64 {
+        self.shape.signed_distance(self.turn.transpose() * x)
+    }
+
+    /// The box round the corners of the drawn surface.
+    fn bounds(&self) -> (DVec3, DVec3) {
+        let corners = self.mesh().points;
+        let box_of = |(low, high): (DVec3, DVec3), x: &DVec3| (low.min(*x), high.max(*x));
+        corners.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), box_of)
+    }
+
+    fn volume(&self) -> f64 {
+        self.shape.volume()
+    }
+
+    fn axle_inertia_per_mass(&self) -> f64 {
+        self.shape.axle_inertia_per_mass()
+    }
+
+    fn surface_points(&self, spacing: f64, inset: DVec3) -> Vec<SurfacePoint> {
+        let mut points = self.shape.surface_points(spacing, inset);
+        for point in &mut points {
+            (point.position, point.normal) = (self.turn * point.position, self.turn * point.normal);
+        }
+        points
+    }
+
+    fn is_revolved(&self) -> bool {
+        self.shape.is_revolved()
+    }
+
+    fn mesh(&self) -> Mesh {
+        let mesh = self.shape.mesh();
+        Mesh { points: mesh.points.into_iter().map(|x| self.turn * x).collect(), ..mesh }
+    }
+}

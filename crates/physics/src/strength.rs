@@ -1,0 +1,51 @@
+//! What stress soil bears, and how the rest of a trial stress flows away.
+
+use crate::menetrey_willam::MenetreyWillam;
+use crate::mohr_coulomb::MohrCoulomb;
+use crate::tensor::Symmetric;
+
+/// What a return to the admissible set gives back.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Returned {
+    /// Admissible stress [Pa].
+    pub stress: Symmetric,
+    /// Increment of equivalent plastic strain √(⅔ e:e).
+    pub plastic_strain: f64,
+    /// Increment of stress-free volumetric opening.
+    pub gap_strain: f64,
+}
+
+/// A yield surface with its flow rule. Both functions are written without branches, so that a loop over cells vectorises.
+pub trait Strength {
+    /// Whether a stress may lie outside the admissible set. Cheap, and never wrong in saying no.
+    fn may_yield(&self, stress: Symmetric) -> bool;
+
+    /// Brings a trial stress back to the admissible set. Soil at its critical density no longer `dilates`: its
+    /// dilation angle counts as 0.
+    fn return_map(&self, trial: Symmetric, dilates: bool) -> Returned;
+}
+
+/// The strengths that soil may have.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Law {
+    /// Mohr–Coulomb with a flow potential of the same form: closed-form return.
+    MohrCoulomb(MohrCoulomb),
+    /// Mohr–Coulomb with the smooth flow potential of Menétrey and Willam.
+    MenetreyWillam(MenetreyWillam),
+}
+
+impl Strength for Law {
+    fn may_yield(&self, stress: Symmetric) -> bool {
+        match self {
+            Self::MohrCoulomb(law) => law.may_yield(stress),
+            Self::MenetreyWillam(law) => law.may_yield(stress),
+        }
+    }
+
+    fn return_map(&self, trial: Symmetric, dilates: bool) -> Returned {
+        match self {
+            Self::MohrCoulomb(law) => law.return_map(trial, dilates),
+            Self::MenetreyWillam(law) => law.return_map(trial, dilates),
+        }
+    }
+}
