@@ -1,6 +1,7 @@
 //! The bench that benchmarks run on: it runs cases through the users' door, keeps their ledgers and collects rows.
 
 use super::kept::{Found, Kept};
+use super::plot::Trace;
 use super::row::Row;
 use crate::case::resolved::Law;
 use crate::case::{self, CaseError};
@@ -68,6 +69,8 @@ pub struct Ledgers {
     pub bodies: Vec<BodySample>,
     /// Wall clock [s].
     pub seconds: f64,
+    /// What the run did.
+    pub trace: Trace,
 }
 
 /// Runs cases and collects what comes out.
@@ -219,6 +222,7 @@ impl<'a> Bench<'a> {
             dilates: matches!(simulation.case.soil.law, Law::MohrCoulomb { dilation_angle, .. } if dilation_angle > 0.0),
             bodies: history.bodies.iter().filter_map(|b| b.last().copied()).collect(),
             seconds: simulation.wall_s,
+            trace: Trace::of(simulation),
         });
     }
 }

@@ -1,9 +1,11 @@
 //! The table in the project's documents: between two markers in README.md, and in docs/verification.md.
 
+use super::bench::Ledgers;
 use super::known::Known;
+use super::plot;
 use super::row::Row;
 use super::table;
-use super::{BENCHMARKS, Findings};
+use super::{BENCHMARKS, Benchmark, Findings};
 use std::fmt::Write;
 use std::path::Path;
 
@@ -40,6 +42,9 @@ pub fn page(findings: &Findings, known: &[Known]) -> String {
         if let Some(folder) = benchmark.folder {
             let _ = writeln!(text, "More in [validation/{folder}](../validation/{folder}/README.md).\n");
         }
+        for picture in pictures(benchmark, findings) {
+            let _ = writeln!(text, "![{}]({})\n", picture.what, picture.place);
+        }
         text.push_str(&table::markdown(&rows));
         text.push('\n');
         sources(&rows, &mut text);
@@ -49,6 +54,32 @@ pub fn page(findings: &Findings, known: &[Known]) -> String {
         let _ = writeln!(text, "**{id} gave no figures: {why}**\n");
     }
     text
+}
+
+/// A picture of a benchmark.
+struct Picture {
+    what: String,
+    /// Where it lies, seen from docs/.
+    place: String,
+    svg: String,
+}
+
+/// How near the figures of a benchmark came to their tolerances, and what its runs did.
+fn pictures(benchmark: &Benchmark, findings: &Findings) -> Vec<Picture> {
+    let rows: Vec<Row> = findings.rows.iter().filter(|row| row.id == benchmark.id).cloned().collect();
+    let ledgers: Vec<&Ledgers> = findings.ledgers.iter().filter(|run| run.id == benchmark.id).collect();
+    let name = format!("{} {}", benchmark.id, benchmark.title);
+    let file = benchmark.id.replace('γ', "g");
+    let both = [
+        (plot::figures(&rows), "errors over tolerances", "figures"),
+        (plot::runs(&name, &ledgers), "what the runs did", "runs"),
+    ];
+    both.into_iter()
+        .filter_map(|(svg, what, kind)| {
+            let place = format!("images/verification/{file}_{kind}.svg");
+            Some(Picture { what: format!("{name}: {what}"), place, svg: svg? })
+        })
+        .collect()
 }
 
 fn sources(rows: &[Row], text: &mut String) {
@@ -81,6 +112,15 @@ pub fn write(root: &Path, findings: &Findings, known: &[Known]) -> std::io::Resu
     std::fs::create_dir_all(root.join("docs"))?;
     std::fs::write(root.join("docs/verification.md"), page(findings, known))?;
     written.push("docs/verification.md".to_owned());
+    let folder = root.join("docs/images/verification");
+    if folder.exists() {
+        std::fs::remove_dir_all(&folder)?;
+    }
+    std::fs::create_dir_all(&folder)?;
+    for picture in BENCHMARKS.iter().flat_map(|b| pictures(b, findings)) {
+        std::fs::write(root.join("docs").join(&picture.place), picture.svg)?;
+    }
+    written.push("docs/images/verification".to_owned());
     if let Ok(readme) = std::fs::read_to_string(root.join("README.md"))
         && let Some(new) = between_markers(&readme, &findings.rows)
     {

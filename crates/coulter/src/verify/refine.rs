@@ -101,7 +101,7 @@ pub fn refine(ids: &[&'static str], meshes: u32, wish: &Wish, tell: &mut dyn FnM
             broken.push((study.id, error.to_string()));
         }
     }
-    Findings { rows: bench.rows, broken }
+    Findings { ledgers: bench.ledgers, rows: bench.rows, broken }
 }
 
 impl Study {
