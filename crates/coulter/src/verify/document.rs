@@ -95,10 +95,17 @@ fn sources(rows: &[Row], text: &mut String) {
 }
 
 fn reasons(rows: &[Row], known: &[Known], text: &mut String) {
-    let short: Vec<&Row> = rows.iter().filter(|row| row.passes() == Some(false)).collect();
-    for row in short {
-        let reason = known.iter().find(|k| k.is_about(row)).map_or("not yet explained", |k| &k.reason);
-        let _ = writeln!(text, "* Falls short, {}, {}: {}", row.case, row.quantity, reason.trim());
+    let mut short: Vec<(&str, Vec<String>)> = Vec::new();
+    for row in rows.iter().filter(|row| row.passes() == Some(false)) {
+        let reason = known.iter().find(|k| k.is_about(row)).map_or("not yet explained", |k| k.reason.trim());
+        let name = format!("{}, {}", row.case, row.quantity);
+        match short.iter_mut().find(|(known, _)| *known == reason) {
+            Some((_, names)) => names.push(name),
+            None => short.push((reason, vec![name])),
+        }
+    }
+    for (reason, names) in short {
+        let _ = writeln!(text, "* Falls short ({}): {reason}", names.join("; "));
     }
     text.push('\n');
 }

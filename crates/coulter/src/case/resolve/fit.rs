@@ -63,7 +63,7 @@ mod tests {
             "gravity = \"9.81 m/s^2\"\n[soil]\nlaw = \"tresca\"\nshear_strength = \"1 kPa\"\nunit_weight = \"16 kN/m^3\"\n\
              young_modulus = \"1 MPa\"\n[domain]\nx = [\"-0.5 m\", \"0.5 m\"]\ny = [\"0 m\", \"0.3 m\"]\n\
              z = [\"-0.3 m\", \"0.1 m\"]\nsymmetric = true\n[grid]\ncell = \"10 mm\"\n{more}\n[body.disc]\nshape = \"disc\"\n\
-             diameter = \"0.2 m\"\nthickness = \"{thickness}\"\nweight = \"40 N\"\n[run]\nduration = \"0.1 s\"\n"
+             diameter = \"0.2 m\"\nthickness = \"{thickness}\"\nfriction = 0.3\nweight = \"40 N\"\n[run]\nduration = \"0.1 s\"\n"
         );
         parse(&text, "case.toml", &[]).unwrap()
     }
