@@ -15,7 +15,7 @@ use solver::cpu::workspace::Workspace;
 use solver::error::Breakdown;
 use solver::grid::Grid;
 use solver::model::{BodyModel, ContactMethod, Method, Model, Wall};
-use solver::start::{Filling, start_under};
+use solver::start::{Filling, start_filled, start_under};
 use solver::state::{Received, State};
 use solver::step::step;
 
@@ -43,6 +43,14 @@ impl Simulation {
     pub fn new(case: &Case) -> Self {
         let model = model(case);
         let state = start_under(&model, &filling(&case.ground), case.overburden);
+        Self::with_state(case, model, state)
+    }
+
+    /// A run from the start with soil of another shape than the case's ground: its volume fraction in every cell.
+    #[must_use]
+    pub fn filled(case: &Case, fraction: impl FnOnce(&Grid) -> Vec<f64>) -> Self {
+        let model = model(case);
+        let state = start_filled(&model, fraction(&model.grid));
         Self::with_state(case, model, state)
     }
 

@@ -16,7 +16,7 @@ pub struct Filling {
     pub high: DVec3,
 }
 
-/// The state at rest.
+/// The state at rest of a box of soil.
 #[must_use]
 pub fn start(model: &Model, filling: &Filling) -> State {
     start_under(model, filling, 0.0)
@@ -26,6 +26,18 @@ pub fn start(model: &Model, filling: &Filling) -> State {
 /// lid of the box, which does not move, bears the pressure from then on.
 #[must_use]
 pub fn start_under(model: &Model, filling: &Filling, overburden: f64) -> State {
+    let mut fraction = vec![0.0; model.grid.entries];
+    fill(&model.grid, filling, &mut fraction);
+    at_rest(model, fraction, overburden)
+}
+
+/// The state at rest of soil of any shape: its volume fraction in every cell (see [`Grid::index`]).
+#[must_use]
+pub fn start_filled(model: &Model, fraction: Vec<f64>) -> State {
+    at_rest(model, fraction, 0.0)
+}
+
+fn at_rest(model: &Model, fraction: Vec<f64>, overburden: f64) -> State {
     let mut bodies: Vec<Body> = model
         .bodies
         .iter()
@@ -40,8 +52,7 @@ pub fn start_under(model: &Model, filling: &Filling, overburden: f64) -> State {
             located: (b.start, 0.0),
         })
         .collect();
-    let mut soil = Soil::empty(&model.grid);
-    fill(&model.grid, filling, &mut soil.fraction);
+    let mut soil = Soil { fraction, ..Soil::empty(&model.grid) };
     weigh(model, &mut soil);
     rest_stress(model, &mut soil, overburden);
     carve_soil(model, &mut soil, &mut bodies);

@@ -5,6 +5,7 @@ mod document;
 pub mod overlay;
 mod range;
 mod setting;
+mod sheet;
 mod spread;
 mod tables;
 mod variable;
@@ -13,8 +14,9 @@ pub use curves::{Curves, Series, curves};
 pub use document::document;
 pub use range::{Range, Unreadable};
 pub use setting::{Setting, setting};
+pub use sheet::models_table;
 pub use spread::{Effort, Interval, Intervals, Stated, intervals};
-pub use tables::{models_table, table, uncertainty_table};
+pub use tables::{table, uncertainty_table};
 pub use variable::{Variable, find, variables};
 
 use crate::case::Case;

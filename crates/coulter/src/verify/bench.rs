@@ -166,11 +166,26 @@ impl<'a> Bench<'a> {
         variant: &str,
         simulation: &mut Simulation,
     ) -> Result<(), VerifyError> {
+        self.finish_watched(id, variant, simulation, |_| {})
+    }
+
+    /// The same, with a look at every sample.
+    ///
+    /// # Errors
+    /// [`VerifyError::Physics`] when the physics fails.
+    pub fn finish_watched(
+        &mut self,
+        id: &'static str,
+        variant: &str,
+        simulation: &mut Simulation,
+        mut watch: impl FnMut(&Simulation),
+    ) -> Result<(), VerifyError> {
         const NEWS: Duration = Duration::from_secs(15);
         let clock = Instant::now();
         let mut told = Instant::now();
         while !simulation.is_done() {
             simulation.advance()?;
+            watch(simulation);
             if told.elapsed() > NEWS {
                 told = Instant::now();
                 let share = 1e2 * simulation.state.time / simulation.case.duration;
@@ -181,6 +196,13 @@ impl<'a> Bench<'a> {
         self.tell(&format!("{id}: {variant}, {} steps in {seconds:.1} s", simulation.state.step));
         self.keep(id, variant, simulation);
         Ok(())
+    }
+
+    /// A figure that is among the rows already; not a number if it is not.
+    #[must_use]
+    pub fn obtained(&self, id: &str, case: &str, quantity: &str) -> f64 {
+        let row = self.rows.iter().find(|r| r.id == id && r.case == case && r.quantity == quantity);
+        row.map_or(f64::NAN, |r| r.obtained)
     }
 
     /// Keeps the ledgers of a run that has come to its end.

@@ -95,7 +95,7 @@ fn displace(flow: &Flow, grid: &Grid, state: &mut State, dt: f64) {
     });
 }
 
-fn each_node(grid: &Grid, mut job: impl FnMut(usize, DVec3)) {
+pub(super) fn each_node(grid: &Grid, mut job: impl FnMut(usize, DVec3)) {
     let [nx, ny, nz] = grid.cells();
     for k in 0..=nz {
         for j in 0..=ny {
@@ -108,7 +108,7 @@ fn each_node(grid: &Grid, mut job: impl FnMut(usize, DVec3)) {
 }
 
 /// Sum of a figure over the cells.
-fn over_cells(grid: &Grid, value: impl Fn(usize, f64) -> f64) -> f64 {
+pub(super) fn over_cells(grid: &Grid, value: impl Fn(usize, f64) -> f64) -> f64 {
     let [nx, ny, nz] = grid.cells();
     let mut sum = 0.0;
     for k in 0..nz {
@@ -122,7 +122,7 @@ fn over_cells(grid: &Grid, value: impl Fn(usize, f64) -> f64) -> f64 {
 }
 
 /// Volume fractions of a shape, by sampling the cells that its surface may cross.
-fn fill(grid: &Grid, inside: impl Fn(DVec3) -> bool, fraction: &mut [f64]) {
+pub(super) fn fill(grid: &Grid, inside: impl Fn(DVec3) -> bool, fraction: &mut [f64]) {
     let [nx, ny, nz] = grid.cells();
     let flat = nz == 1;
     let samples: [usize; 3] = if flat { [64, 64, 1] } else { [16, 16, 16] };

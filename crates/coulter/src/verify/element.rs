@@ -1,6 +1,7 @@
 //! A5: element tests of the soil law.
 
 use super::bench::{Bench, VerifyError};
+use super::confined::{isotropic, oedometer};
 use super::row::Row;
 use super::specimen::{Cell, Point, Specimen};
 use physics::elastic::Elastic;
@@ -12,6 +13,7 @@ use std::time::Instant;
 
 const STRENGTH: &str = "Mohr–Coulomb, exact; simple shear: Davis (1968)";
 const FLOW: &str = "analytic plastic flow with the potential's angle ψ";
+const CONFINED: &str = "elastic law and flow on the pyramid's edge, integrated exactly";
 /// Friction angle [°], dilation angle [°], cohesion [Pa].
 const SOILS: [[f64; 3]; 6] = [
     [20.0, 0.0, 0.0],
@@ -22,7 +24,7 @@ const SOILS: [[f64; 3]; 6] = [
     [0.0, 0.0, 2e4],
 ];
 /// Confining pressure [Pa].
-const CONFINEMENT: f64 = 1e5;
+pub(super) const CONFINEMENT: f64 = 1e5;
 /// Strain increments, and the size of one.
 const INCREMENTS: usize = 600;
 const INCREMENT: f64 = 1e-4;
@@ -33,7 +35,9 @@ pub(super) const ABOUT: &str = "Drained triaxial compression and extension and s
     nodes are driven. At the end of each test the strength, the yield function (both over the confining pressure) and the \
     dilatancy of the last increment must be the analytic ones: −Δε_v/Δγ_max = sin ψ in simple shear; in triaxial tests \
     −Δε_v/Δε_1 = 2 sin ψ/(1 − sin ψ) in compression and 2 sin ψ/(1 + sin ψ) in extension; with the smooth potential of Menétrey \
-    and Willam tan ψ/(R ∓ ⅓ tan ψ), R = R_mc² q/√((ε c tan ψ)² + (R_mc q)²). The worst of the six soils is shown.";
+    and Willam tan ψ/(R ∓ ⅓ tan ψ), R = R_mc² q/√((ε c tan ψ)² + (R_mc q)²). The worst of the six soils is shown. \
+    Oedometer: no lateral strain, elastic and then on the edge of the pyramid. Isotropic: pressed from all sides; the cell is also \
+    let go until it opens and pressed again, and pressure must not come back before the opening has closed.";
 
 /// Which test.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,6 +87,29 @@ pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
                 note("dilatancy off the analytic one", worst[2]).at_most(1e-6, FLOW),
             ]);
         }
+    }
+    for on_cell in [false, true] {
+        let clock = Instant::now();
+        let mut worst = [0.0_f64; 2];
+        for soil in SOILS {
+            // One point keeps no record of an opening: that is the cell's business.
+            let off = if on_cell {
+                [oedometer(soil, Cell::new)?, isotropic(soil, true, Cell::new)?]
+            } else {
+                [oedometer(soil, point)?, isotropic(soil, false, point)?]
+            };
+            worst =
+                std::array::from_fn(|n| if off[n] > worst[n] || off[n].is_nan() { off[n] } else { worst[n] });
+        }
+        let seconds = clock.elapsed().as_secs_f64();
+        let on = if on_cell { "cell" } else { "point" };
+        let note = |test: &str, quantity, value| {
+            Row::note("A5", format!("{test}, one {on}"), quantity, value).took(seconds)
+        };
+        bench.rows.extend([
+            note("oedometer", "stresses off the exact ones", worst[0]).at_most(1e-10, CONFINED),
+            note("isotropic", "stresses off the exact ones", worst[1]).at_most(1e-10, CONFINED),
+        ]);
     }
     Ok(())
 }

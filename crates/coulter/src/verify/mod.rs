@@ -7,6 +7,8 @@ pub mod bench;
 mod carried;
 mod circle;
 mod column;
+mod confined;
+mod control;
 mod disc;
 pub mod document;
 mod element;
@@ -15,18 +17,25 @@ mod footing;
 mod kept;
 pub mod known;
 mod ledger;
+mod light;
 mod line;
+mod moving;
 mod peers;
+mod places;
 mod plate;
 pub mod refine;
 mod repeat;
 mod rest;
+mod rigid;
 mod rough_wall;
+mod round_column;
 pub mod row;
+mod scaling;
 mod specimen;
 mod strip_sand;
 pub mod table;
 mod transport;
+mod turning;
 mod wall;
 mod wave;
 
@@ -80,14 +89,19 @@ const fn ledgers(
     Benchmark { id, title, about, folder: None, work: Work::Ledgers(work) }
 }
 
-/// All benchmarks, by id.
+/// All benchmarks, in the order of the tables.
 pub const BENCHMARKS: &[Benchmark] = &[
     run("A1", "Elastic wave", "A1_elastic_wave", wave::ABOUT, wave::run),
     run("A2", "Transport of the volume fraction", "A2_transport", transport::ABOUT, transport::run),
+    run("A3", "Turning block", "A3_rotating_block", turning::ABOUT, turning::run),
     run("A4", "Sand at rest", "A4_soil_at_rest", rest::ABOUT, rest::run),
     run("A5", "Element tests of the soil law", "A5_element_tests", element::ABOUT, element::run),
+    run("A6", "Rigid bodies and friction", "A6_rigid_mechanics", rigid::ABOUT, rigid::run),
+    run("A7", "One case at several scales", "A7_scaling", scaling::ABOUT, scaling::run),
     run("A8", "Repeatability and mirror image", "A8_repeatability", repeat::ABOUT, repeat::run),
     ledgers("A9", "Energy ledger", ledger::ABOUT_ENERGY, ledger::energy),
+    run("A11", "Place and direction", "A11_place_and_direction", places::ABOUT, places::run),
+    run("A12", "Light bodies", "A12_light_body", light::ABOUT, light::run),
     run("B1", "Smooth strip footing, Tresca", "B1_strip_footing", footing::ABOUT, footing::run),
     run("B2", "Rough strip footing, Tresca", "B2_rough_strip_footing", footing::ABOUT_ROUGH, footing::rough),
     run("B3", "Circular footing, Tresca", "B3_circular_footing", circle::ABOUT, circle::clay),
@@ -99,18 +113,20 @@ pub const BENCHMARKS: &[Benchmark] = &[
     run("B8", "Deep flow, Tresca", "B8_deep_flow", flow::ABOUT, flow::run),
     run("B9", "Nearly incompressible soil", "B9_locking", footing::ABOUT_LOCKING, footing::locking),
     run("C1", "Collapse of a column of sand", "C1_column_collapse", column::ABOUT, column::run),
+    run("C2", "Collapse of a round column", "C2_round_column", round_column::ABOUT, round_column::run),
     ledgers("C3", "Soil volume", ledger::ABOUT_VOLUME, ledger::volume),
     ledgers("C4", "Soil inside the bodies", ledger::ABOUT_LEAK, ledger::leak),
     run("D3", "Free disc, towed", "D3_towed_disc", disc::ABOUT, disc::run),
     run("E1", "Column of sand, as other codes ran it", "E1_sand_column", peers::ABOUT_COLUMN, peers::column),
     run("E2", "Disc drag, as another code ran it", "E2_disc_drag", peers::ABOUT_DISC, peers::disc),
     run("E3", "Smooth wall in the sand of E1", "E3_wall", peers::ABOUT_WALL, peers::wall),
+    run("N1", "Negative control", "N1_wrong_angle", control::ABOUT, control::run),
 ];
 
 /// What the suite found.
 #[derive(Debug, Default)]
 pub struct Findings {
-    /// The rows, by id.
+    /// The rows, in the order of the benchmarks.
     pub rows: Vec<Row>,
     /// Benchmarks that gave no figures, and why.
     pub broken: Vec<(&'static str, String)>,
@@ -119,7 +135,8 @@ pub struct Findings {
 /// Runs the benchmarks with these ids (all if there are none); `tell` hears how it goes.
 pub fn verify(ids: &[&'static str], wish: &Wish, tell: &mut dyn FnMut(&str)) -> Findings {
     let is_wanted = |b: &Benchmark| ids.is_empty() || ids.contains(&b.id);
-    let needs_all = BENCHMARKS.iter().any(|b| is_wanted(b) && matches!(b.work, Work::Ledgers(_)));
+    // Ledgers that are asked for by themselves are those of all runs, else those of the runs asked for besides.
+    let needs_all = BENCHMARKS.iter().all(|b| !is_wanted(b) || matches!(b.work, Work::Ledgers(_)));
     let mut bench = Bench::new(wish, tell);
     let mut broken = Vec::new();
     let runs = BENCHMARKS.iter().filter(|b| matches!(b.work, Work::Run(_)) && (needs_all || is_wanted(b)));
@@ -141,7 +158,7 @@ pub fn verify(ids: &[&'static str], wish: &Wish, tell: &mut dyn FnMut(&str)) -> 
     }
     let mut rows = bench.rows;
     rows.retain(|row| ids.is_empty() || ids.contains(&row.id));
-    rows.sort_by_key(|row| row.id);
+    rows.sort_by_key(|row| BENCHMARKS.iter().position(|b| b.id == row.id));
     Findings { rows, broken }
 }
 

@@ -273,8 +273,6 @@ fn apply_strength(
                 together.trial[c][l] = b.trial[c][i];
                 together.old[c][l] = cells.stress[c][b.start + i];
             }
-        }
-        for (l, i) in places() {
             let volume = constants.width_x[b.start + i] * constants.width_y * constants.width_z;
             let critical = constants.critical_density * cells.fraction[b.start + i] * volume;
             together.dilates[l] = if cells.mass[b.start + i] >= critical { 1.0 } else { 0.0 };

@@ -1,0 +1,69 @@
+//! A12: free bodies that are much lighter than the soil they displace.
+
+use super::bench::{Bench, VerifyError};
+use super::row::Row;
+use crate::output::record::BodySample;
+use std::f64::consts::PI;
+
+const CASE: &str = include_str!("../../../../validation/A12_light_body/case.toml");
+const SOURCE: &str = "conservation; the limit is the design's";
+const PASSIVE: &str = "sand gives back no more than it was given";
+/// Weight of the sand that the body displaces when it is buried [N]: 16 kN/m³, radius 0.1 m, slab 12.5 mm.
+const DISPLACED: f64 = 16e3 * PI * 0.1 * 0.1 * 0.0125;
+/// Acceleration of gravity [m/s²].
+const GRAVITY: f64 = 9.81;
+/// Height of fall [m].
+const FALL: f64 = 0.1;
+
+/// What it is about.
+pub(super) const ABOUT: &str = "A free cylinder in plane strain that is 1, 10, 100 and 1000 times lighter than the sand in its place, \
+    dropped from half its diameter, and towed half buried while it is free to rise and to turn. Unstable coupling of body and soil \
+    would pump energy into it: no speed may exceed that of the fall, and the energy ledger must close. A towed body that \
+    weighs nothing rises; how far is for information.";
+
+pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
+    let lighter: &[u32] = if bench.wish.fast { &[1000] } else { &[1, 10, 100, 1000] };
+    for &lighter in lighter {
+        let weight = format!("body.cylinder.weight={} N", DISPLACED / f64::from(lighter));
+        let dropped = [
+            weight.clone(),
+            format!("body.cylinder.sinkage={} m", -FALL),
+            "body.cylinder.forward=fixed".to_owned(),
+            "body.cylinder.heave={ load = '0 N', ramp = '0 s' }".to_owned(),
+        ];
+        drop_or_tow(
+            bench,
+            &format!("{lighter} times lighter, dropped"),
+            &dropped,
+            (2.0 * GRAVITY * FALL).sqrt(),
+        )?;
+        drop_or_tow(bench, &format!("{lighter} times lighter, towed"), &[weight], 0.0)?;
+    }
+    Ok(())
+}
+
+/// `fastest` is the largest speed up or down that a passive soil allows [m/s]; 0 where none is known.
+fn drop_or_tow(
+    bench: &mut Bench,
+    variant: &str,
+    overrides: &[String],
+    fastest: f64,
+) -> Result<(), VerifyError> {
+    let simulation = bench.run("A12", variant, CASE, overrides)?;
+    let samples = &simulation.history.bodies[0];
+    let most = |value: fn(&BodySample) -> f64| {
+        let worse = |most: f64, v: f64| if v > most || v.is_nan() { v } else { most };
+        samples.iter().map(value).fold(f64::NEG_INFINITY, worse)
+    };
+    let closure = simulation.history.energy.last().map_or(f64::NAN, |e| e.closure().abs());
+    let last = samples.last().copied().unwrap_or_default();
+    let note = |quantity, value| Row::note("A12", variant, quantity, value).took(simulation.wall_s);
+    bench.rows.push(note("unexplained energy over external work", closure).at_most(0.01, SOURCE));
+    if fastest > 0.0 {
+        let share = most(|s| s.heave_speed.abs()) / fastest;
+        bench.rows.push(note("largest speed over that of the fall", share).between(0.0, 1.0, 1e-3, PASSIVE));
+        bench.rows.push(note("largest rebound over the fall's speed", most(|s| s.heave_speed) / fastest));
+    }
+    bench.rows.push(note("sinkage at the end [mm]", 1e3 * last.sinkage));
+    Ok(())
+}

@@ -1,0 +1,90 @@
+//! A11: the place of a body within its cell and its direction to the grid must not matter.
+
+use super::bench::{Bench, VerifyError, mean};
+use super::row::Row;
+use crate::output::record::BodySample;
+use crate::simulation::Simulation;
+
+const BLOCK: &str = include_str!("../../../../validation/A11_place_and_direction/block.toml");
+const CYLINDER: &str = include_str!("../../../../validation/A11_place_and_direction/cylinder.toml");
+const SOURCE: &str = "the soil knows no grid; the limit is the design's";
+/// Cell of both case files [m].
+const CELL: f64 = 0.0625;
+/// Strength times width of both case files [N/m].
+const UNIT: f64 = 1e3;
+const SPEED: f64 = 0.02;
+
+/// What it is about.
+pub(super) const ABOUT: &str = "Deep in weightless clay, where no surface and no depth tell places apart. A sharp-edged block, 16 \
+    cells across, starts at 0, ¼, ½ and ¾ of a cell in x, and in z, and is pushed along x: the largest departure of its mean drag \
+    (from 0.05 to 0.1 widths, less than a cell) from the mean of the four. A cylinder with d/h = 16 is pushed at 0°, 15°, 30° and 45° to \
+    the grid: the drag along its way (mean from 0.1 to 0.2 diameters) off that at 0°, and the force across its way over the drag.";
+
+pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
+    bench.part("A11", "places", places)?;
+    if bench.wish.fast { Ok(()) } else { bench.part("A11", "directions", directions) }
+}
+
+fn places(bench: &mut Bench) -> Result<(), VerifyError> {
+    let (axes, places): (&[&str], &[f64]) =
+        if bench.wish.fast { (&["x"], &[0.0, 0.5]) } else { (&["x", "z"], &[0.0, 0.25, 0.5, 0.75]) };
+    for axis in axes {
+        let (mut factors, mut seconds) = (Vec::new(), 0.0);
+        for place in places {
+            let off = place * CELL;
+            let change = match *axis {
+                "x" => format!("body.block.x={off} m"),
+                _ => format!("body.block.sinkage={} m", 3.5 - off),
+            };
+            let variant = format!("block moved by {place} h in {axis}");
+            let simulation = bench.run("A11", &variant, BLOCK, &[change])?;
+            let drag = force(&simulation, [0.05, 0.1], 1.0, |s| s.drag);
+            bench.rows.push(Row::note("A11", variant, "drag over s_u d", drag).took(simulation.wall_s));
+            factors.push(drag);
+            seconds += simulation.wall_s;
+        }
+        let mean = factors.iter().sum::<f64>() / factors.len() as f64;
+        let spread = factors.iter().fold(0.0, |most: f64, f| {
+            let off = (f / mean - 1.0).abs();
+            if off > most || off.is_nan() { off } else { most }
+        });
+        let all = places.iter().map(f64::to_string).collect::<Vec<_>>().join(", ");
+        let variant = format!("block at {all} h in {axis}");
+        let row = Row::note("A11", variant, "largest departure from the mean drag", spread);
+        bench.rows.push(row.at_most(0.03, SOURCE).took(seconds));
+    }
+    Ok(())
+}
+
+fn directions(bench: &mut Bench) -> Result<(), VerifyError> {
+    let mut straight = f64::NAN;
+    for angle in [0.0_f64, 15.0, 30.0, 45.0] {
+        let (sin, cos) = angle.to_radians().sin_cos();
+        let changes = [
+            format!("body.cylinder.forward={{ speed = '{} m/s', ramp = '0.6 s' }}", SPEED * cos),
+            format!("body.cylinder.heave={{ speed = '{} m/s', ramp = '0.6 s' }}", SPEED * sin),
+        ];
+        let variant = format!("cylinder pushed at {angle}°");
+        let simulation = bench.run("A11", &variant, CYLINDER, &changes)?;
+        // The drag is against x, the vertical force along z.
+        let along = force(&simulation, [0.1, 0.2], cos, |s| s.drag * cos - s.vertical * sin);
+        let across = force(&simulation, [0.1, 0.2], cos, |s| s.drag * sin + s.vertical * cos);
+        if angle == 0.0 {
+            straight = along;
+        }
+        let note =
+            |quantity, value| Row::note("A11", variant.as_str(), quantity, value).took(simulation.wall_s);
+        bench.rows.push(note("drag over s_u d", along));
+        if angle != 0.0 {
+            bench.rows.push(note("drag off that at 0°", along / straight - 1.0).at_most(0.04, SOURCE));
+        }
+        bench.rows.push(note("force across the way over the drag", across / along).at_most(0.02, SOURCE));
+    }
+    Ok(())
+}
+
+/// Mean of a force over a part of the way, whose share along x is `cos`, over strength, width and slab.
+fn force(simulation: &Simulation, way: [f64; 2], cos: f64, value: impl Fn(&BodySample) -> f64) -> f64 {
+    let slab = simulation.case.domain.high.y - simulation.case.domain.low.y;
+    mean(&simulation.history.bodies[0], way, |s| s.displacement / cos, value) / (UNIT * slab)
+}

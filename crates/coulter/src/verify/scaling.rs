@@ -1,0 +1,76 @@
+//! A7: the same case at several scales, its dimensionless groups kept.
+
+use super::bench::{Bench, VerifyError};
+use super::row::Row;
+use crate::output::record::BodySample;
+use crate::simulation::Simulation;
+
+const CASE: &str = include_str!("../../../../validation/A7_scaling/case.toml");
+const SOURCE: &str = "dimensional analysis, exact";
+/// The numbers of the case file: key, unit, values, and the power of the scale that they go with.
+const LENGTHS: [(&str, [f64; 2]); 2] = [("domain.x", [-0.3, 0.4]), ("domain.z", [-0.2, 0.15])];
+const NUMBERS: [(&str, f64, &str, f64); 5] = [
+    ("grid.cell", 0.0125, "m", 1.0),
+    ("body.wheel.diameter", 0.2, "m", 1.0),
+    ("body.wheel.sinkage", 0.01, "m", 1.0),
+    ("body.wheel.weight", 4.0, "N", 3.0),
+    ("soil.young_modulus", 5e6, "Pa", 1.0),
+];
+const TIMES: [(&str, f64); 2] = [("run.duration", 0.2), ("output.history_interval", 0.002)];
+
+/// What it is about.
+pub(super) const ABOUT: &str = "A free wheel in plane strain, pressed into sand without cohesion and towed; and the same 4 \
+    and 1.7 times as large, with E/(γ d), v²/(g d) and W/(γ d² b) kept. The histories of F/(γ d² b) must be the same: to the bit where \
+    the scale is a power of 4 (it and its root are exact in binary), to rounding, which sand amplifies, where it is not. Largest \
+    difference of drag or vertical force up to the time shown, over γ d² b.";
+
+pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
+    let one = scaled(bench, 1.0)?;
+    for (scale, limit) in [(4.0, 0.0), (1.7, 1e-9)] {
+        let other = scaled(bench, scale)?;
+        for share in [0.5, 1.0] {
+            let variant = format!("{scale} times as large, {} ms", 1e3 * share * TIMES[0].1);
+            let off = difference(&one, &other, scale, share);
+            let row = Row::note("A7", variant, "F/(γ d² b) off that of the original", off);
+            bench.rows.push(row.at_most(limit, SOURCE).took(other.wall_s));
+        }
+    }
+    Ok(())
+}
+
+fn scaled(bench: &mut Bench, scale: f64) -> Result<Simulation, VerifyError> {
+    let root = scale.sqrt();
+    let mut overrides: Vec<String> = NUMBERS
+        .iter()
+        .map(|(key, value, unit, power)| format!("{key}={:e} {unit}", value * scale.powf(*power)))
+        .collect();
+    for (key, [low, high]) in LENGTHS {
+        overrides.push(format!("{key}=['{:e} m', '{:e} m']", low * scale, high * scale));
+    }
+    overrides.extend(TIMES.iter().map(|(key, value)| format!("{key}={:e} s", value * root)));
+    let (speed, start, ramp, down) = (0.2 * root, 0.05 * root, 0.05 * root, 0.02 * root);
+    overrides.push(format!(
+        "body.wheel.forward={{ speed = '{speed:e} m/s', start = '{start:e} s', ramp = '{ramp:e} s' }}"
+    ));
+    overrides.push(format!("body.wheel.heave={{ load = '0 N', start = '0 s', ramp = '{down:e} s' }}"));
+    bench.run("A7", &format!("{scale} times as large"), CASE, &overrides)
+}
+
+/// Largest difference of the dimensionless forces in the first `share` of the time.
+fn difference(one: &Simulation, other: &Simulation, scale: f64, share: f64) -> f64 {
+    let (a, b) = (&one.history.bodies[0], &other.history.bodies[0]);
+    if a.len() != b.len() {
+        return f64::NAN;
+    }
+    let slab = one.case.domain.high.y - one.case.domain.low.y;
+    let unit = one.case.soil.unit_weight * 0.2 * 0.2 * slab;
+    let count = (share * (a.len() - 1) as f64) as usize;
+    let off = |a: &BodySample, b: &BodySample, force: fn(&BodySample) -> f64| {
+        (force(a) - force(b) / scale.powi(3)).abs() / unit
+    };
+    let each = a.iter().zip(b).take(count + 1);
+    each.fold(0.0, |most: f64, (a, b)| {
+        let worse = off(a, b, |s| s.drag).max(off(a, b, |s| s.vertical));
+        if worse.is_nan() { f64::NAN } else { most.max(worse) }
+    })
+}
