@@ -17,9 +17,41 @@ const END: &str = "<!-- verify:end -->";
 pub fn between_markers(text: &str, rows: &[Row]) -> Option<String> {
     let (before, rest) = text.split_once(BEGIN)?;
     let (_, after) = rest.split_once(END)?;
-    let judged: Vec<Row> = rows.iter().filter(|row| row.passes().is_some()).cloned().collect();
-    let table = table::markdown(&judged);
+    let table = summary(rows);
     Some(format!("{before}{BEGIN}\n{table}\n{}.\n{END}{after}", table::closing(rows)))
+}
+
+/// One line for every benchmark: how many of its figures pass, and the one that is farthest from what was expected.
+fn summary(rows: &[Row]) -> String {
+    let mut text = String::from(
+        "| id | benchmark | pass | fall short | nearest to its limit, or farthest beyond it | expected | obtained | error over tolerance |\n\
+         | --- | --- | --: | --: | --- | --: | --: | --: |\n",
+    );
+    for benchmark in BENCHMARKS {
+        let judged: Vec<(&Row, f64)> = rows
+            .iter()
+            .filter(|row| row.id == benchmark.id)
+            .filter_map(|row| Some((row, plot::over_tolerance(row)?)))
+            .collect();
+        let Some((worst, ratio)) = judged.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())) else {
+            continue;
+        };
+        let pass = judged.iter().filter(|(row, _)| row.passes() == Some(true)).count();
+        let short = judged.len() - pass;
+        let short = if short > 0 { format!("**{short}**") } else { "0".to_owned() };
+        let _ = writeln!(
+            text,
+            "| {} | {} | {pass} | {short} | {}, {} | {} | {} | {:.2} |",
+            benchmark.id,
+            benchmark.title,
+            worst.case,
+            worst.quantity,
+            table::expected(worst),
+            table::figure(worst.obtained),
+            ratio.abs()
+        );
+    }
+    text
 }
 
 /// The text of docs/verification.md.

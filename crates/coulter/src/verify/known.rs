@@ -61,7 +61,9 @@ pub fn disagreements(rows: &[Row], known: &[Known], fast: bool) -> Vec<String> {
             Some(false) if !is_known => {
                 all.push(format!("{name} falls short and is not in validation/known.toml"))
             }
-            Some(true) if is_known && !is_part => all.push(format!("{name} passes but is in validation/known.toml")),
+            Some(true) if is_known && !is_part => {
+                all.push(format!("{name} passes but is in validation/known.toml"))
+            }
             _ => {}
         }
     }

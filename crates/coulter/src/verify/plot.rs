@@ -144,7 +144,7 @@ pub fn figures(rows: &[Row]) -> Option<String> {
 }
 
 /// The error of a judged row in units of its tolerance.
-fn over_tolerance(row: &Row) -> Option<f64> {
+pub(super) fn over_tolerance(row: &Row) -> Option<f64> {
     let (Tolerance::Relative(limit) | Tolerance::Absolute(limit)) = row.tolerance else { return None };
     let error = row.error()?;
     Some(match () {
