@@ -69,6 +69,12 @@ impl Simulation {
         simulation
     }
 
+    /// Sets soil and bodies in motion before the first step; the ledger counts their energy as put in from outside.
+    pub fn set_in_motion(&mut self, push: impl FnOnce(&mut State)) {
+        push(&mut self.state);
+        self.state.ledger.kinetic_start = kinetic_energy(&self.model, &self.state);
+    }
+
     /// A run that goes on from a checkpoint.
     #[must_use]
     pub fn resume(case: &Case, checkpoint: Checkpoint) -> Self {
@@ -208,7 +214,7 @@ impl Simulation {
         let whole = 1.0 / self.model.share;
         EnergySample {
             time: self.state.time,
-            external: ledger.external * whole,
+            external: (ledger.external + ledger.kinetic_start) * whole,
             kinetic: kinetic_energy(&self.model, &self.state) * whole,
             elastic: (elastic_energy(&self.model, &self.state) - ledger.elastic_start) * whole,
             plastic: ledger.plastic * whole,
@@ -236,6 +242,7 @@ pub fn model(case: &Case) -> Model {
         },
         density: case.soil.density,
         gravity: if case.soil.unit_weight > 0.0 { case.soil.unit_weight / case.soil.density } else { 0.0 },
+        surface: case.ground.surface(),
         rest_pressure_ratio: case.soil.rest_pressure_ratio,
         walls: case.domain.walls.map(|pair| pair.map(wall)),
         bodies: case.bodies.iter().map(body).collect(),

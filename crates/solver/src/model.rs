@@ -23,6 +23,8 @@ pub struct Model {
     pub density: f64,
     /// Acceleration of gravity [m/s²], downwards.
     pub gravity: f64,
+    /// Height of the undisturbed surface of the soil [m].
+    pub surface: f64,
     /// Ratio K₀ of horizontal to vertical stress at rest.
     pub rest_pressure_ratio: f64,
     /// Walls by axis: at the low end and at the high end.

@@ -116,6 +116,8 @@ pub struct Ledger {
     pub remap: f64,
     /// Elastic energy of the soil at the start.
     pub elastic_start: f64,
+    /// Kinetic energy of soil and bodies at the start.
+    pub kinetic_start: f64,
     /// Soil volume at the start [m³].
     pub volume_start: f64,
     /// Volume of the crumbs that remaps took out [m³].

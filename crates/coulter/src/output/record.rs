@@ -43,7 +43,7 @@ pub struct BodySample {
 pub struct EnergySample {
     /// Time [s].
     pub time: f64,
-    /// Work of loads, drives and gravity.
+    /// Work of loads, drives and gravity, and what was in motion at the start.
     pub external: f64,
     /// Kinetic energy of soil and bodies.
     pub kinetic: f64,

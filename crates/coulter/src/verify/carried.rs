@@ -163,6 +163,7 @@ fn space([nx, ny, nz]: [usize; 3]) -> Model {
         critical_density: None,
         density: 1000.0,
         gravity: 0.0,
+        surface: 0.0,
         rest_pressure_ratio: 1.0,
         walls: [[Wall::Smooth; 2]; 3],
         bodies: Vec::new(),

@@ -25,11 +25,12 @@ pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
 fn pressed(bench: &mut Bench, variant: &str, speed: f64) -> Result<Simulation, VerifyError> {
     let tow = format!("body.footing.forward={{ speed = '{speed} m/s', ramp = '0 s' }}");
     let mut simulation = bench.simulation(CASE, &[tow])?;
-    let state = &mut simulation.state;
-    for (v, mass) in state.nodes.velocity[0].iter_mut().zip(&state.nodes.mass) {
-        *v = if *mass > 0.0 { speed } else { 0.0 };
-    }
-    state.bodies[0].velocity.x = speed;
+    simulation.set_in_motion(|state| {
+        for (v, mass) in state.nodes.velocity[0].iter_mut().zip(&state.nodes.mass) {
+            *v = if *mass > 0.0 { speed } else { 0.0 };
+        }
+        state.bodies[0].velocity.x = speed;
+    });
     bench.finish("A8", variant, &mut simulation)?;
     Ok(simulation)
 }

@@ -103,7 +103,7 @@ fn bouncing(bench: &mut Bench) -> Result<(), VerifyError> {
     const SPEED: f64 = 1e-3;
     let variant = "block strikes a column of 320 cells";
     let mut simulation = bench.simulation(BOUNCING, &[])?;
-    simulation.state.bodies[0].velocity.z = -SPEED;
+    simulation.set_in_motion(|state| state.bodies[0].velocity.z = -SPEED);
     bench.finish("A6", variant, &mut simulation)?;
     let samples = &simulation.history.bodies[0];
     // The time in which a wave runs down the column, which is 1 m high.

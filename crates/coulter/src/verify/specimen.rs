@@ -65,6 +65,7 @@ impl Cell {
             critical_density: None,
             density: 1600.0,
             gravity: 0.0,
+            surface: 0.0,
             rest_pressure_ratio: 1.0,
             walls: [[Wall::Smooth; 2]; 3],
             bodies: Vec::new(),

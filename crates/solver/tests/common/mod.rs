@@ -24,6 +24,7 @@ pub fn sand(faces: [Vec<f64>; 3]) -> Model {
         critical_density: None,
         density: 1600.0,
         gravity: 9.81,
+        surface: 0.0,
         rest_pressure_ratio: 0.43,
         walls: [[Wall::Smooth; 2]; 3],
         bodies: Vec::new(),

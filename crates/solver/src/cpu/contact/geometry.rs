@@ -36,7 +36,7 @@ pub(crate) fn occupy_all(model: &Model, state: &mut State, workspace: &mut Works
         occupied[c.cell] = 0.0;
     }
     for (n, (fixed, body)) in model.bodies.iter().zip(&mut state.bodies).enumerate() {
-        occupy(&model.grid, fixed, body, |cell, share| {
+        occupy(model, fixed, body, |cell, share| {
             occupied[cell] = (occupied[cell] + share).min(1.0);
             body_cells.push(BodyCell { body: n, cell, share });
         });
@@ -265,8 +265,10 @@ impl View<'_> {
     }
 }
 
-/// Calls `each(cell, share)` for the cells that a body takes up a share of; measures the body's volume below z = 0.
-fn occupy(grid: &Grid, fixed: &BodyModel, body: &mut Body, mut each: impl FnMut(usize, f64)) {
+/// Calls `each(cell, share)` for the cells that a body takes up a share of; measures the body's volume below the undisturbed
+/// surface.
+fn occupy(model: &Model, fixed: &BodyModel, body: &mut Body, mut each: impl FnMut(usize, f64)) {
+    let grid = &model.grid;
     let (low, high) = fixed.shape.bounds();
     let reach = if fixed.shape.is_revolved() { high } else { DVec3::splat(low.length().max(high.length())) };
     let ranges: [std::ops::Range<usize>; 3] = std::array::from_fn(|axis| {
@@ -278,7 +280,7 @@ fn occupy(grid: &Grid, fixed: &BodyModel, body: &mut Body, mut each: impl FnMut(
     let turn = glam::DQuat::from_rotation_y(if fixed.shape.is_revolved() { 0.0 } else { -body.angle });
     body.embedded_volume = 0.0;
     for k in ranges[2].clone() {
-        let below = ((0.0 - grid.faces[2][k]) / grid.width(2, k)).clamp(0.0, 1.0);
+        let below = ((model.surface - grid.faces[2][k]) / grid.width(2, k)).clamp(0.0, 1.0);
         for j in ranges[1].clone() {
             for i in ranges[0].clone() {
                 let share =
@@ -321,7 +323,7 @@ fn covered(grid: &Grid, cell: [usize; 3], distance: impl Fn(DVec3) -> f64) -> f6
 pub(crate) fn carve(model: &Model, soil: &mut Soil, bodies: &mut [Body]) {
     let mut occupied = vec![0.0; model.grid.entries];
     for (fixed, body) in model.bodies.iter().zip(bodies) {
-        occupy(&model.grid, fixed, body, |c, share| occupied[c] = (occupied[c] + share).min(1.0));
+        occupy(model, fixed, body, |c, share| occupied[c] = (occupied[c] + share).min(1.0));
     }
     for (f, share) in soil.fraction.iter_mut().zip(&occupied) {
         *f = f.min(1.0 - share);
