@@ -7,7 +7,7 @@ use super::{Load, ModelForecast, Towing};
 pub struct Groups {
     /// Sinkage Z = z/d.
     pub sinkage: Option<f64>,
-    /// Thickness t̄ = t/d.
+    /// Thickness or width t̄ = t/d.
     pub thickness: f64,
     /// Weight W̄ = W/(γ t d²).
     pub weight: Option<f64>,
@@ -24,15 +24,15 @@ pub struct Groups {
 impl Groups {
     pub(super) fn of(towing: &Towing, models: &[ModelForecast]) -> Self {
         let found = models.iter().find(|model| model.applicable).and_then(|model| model.prediction);
-        let (d, gamma) = (towing.disc.diameter, towing.soil.unit_weight);
-        let scale = towing.disc.force_scale(gamma);
+        let (d, gamma) = (towing.body.length(), towing.soil.unit_weight);
+        let scale = towing.body.force_scale(gamma);
         let (held, weight) = match towing.load {
             Load::Weight(weight) => (None, Some(weight / scale)),
             Load::Sinkage(z) => (Some(z / d), None),
         };
         Self {
             sinkage: held.or_else(|| found.and_then(|p| p.sinkage).map(|z| z / d)),
-            thickness: towing.disc.thickness / d,
+            thickness: towing.body.width() / d,
             weight,
             stiffness: towing.elastic_modulus.map(|modulus| modulus / (gamma * d)),
             cohesion: towing.soil.cohesion / (gamma * d),

@@ -1,6 +1,8 @@
-//! The front door: every closed form that applies to one towed disc, side by side.
+//! The front door: every closed form that applies to one towed body, side by side.
 
 mod advice;
+mod blade;
+mod body;
 mod candidate;
 mod curve;
 mod groups;
@@ -8,6 +10,7 @@ mod predict;
 mod rivals;
 mod towing;
 
+pub use body::{Block, Body, Front, Round};
 pub use candidate::Candidate;
 pub use curve::{CurvePoint, curve};
 pub use groups::{Groups, Range, Spread};
@@ -17,7 +20,7 @@ pub use towing::{Load, Parameter, Towing};
 use crate::disc::{SideFaces, side_faces};
 use crate::error::Answer;
 
-/// What the closed forms say about one towed disc.
+/// What the closed forms say about one towed body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Forecast {
     /// Dimensionless groups of the case and of its first applicable model.
@@ -30,8 +33,10 @@ pub struct Forecast {
     pub operative_friction_angle: f64,
     /// Spread over the applicable models.
     pub spread: Option<Spread>,
-    /// Friction on the flat faces, which no model includes.
+    /// Friction on the flat faces of a disc, which no model includes.
     pub side_faces: Option<SideFaces>,
+    /// The model to believe; none where it has no answer.
+    pub recommended: Option<Candidate>,
     /// Which model to believe, and why, in plain words.
     pub recommendation: String,
 }
@@ -50,12 +55,13 @@ pub fn forecast(towing: &Towing) -> Answer<Forecast> {
     let best = models.iter().find(|model| model.applicable);
     let faces = best.and_then(|model| model.prediction).and_then(|found| {
         let turn = towing.drive.turning_ratio(found.skid.unwrap_or(0.0));
-        side_faces(&towing.soil, &towing.disc, found.sinkage?, turn, 0.5).ok()
+        side_faces(&towing.soil, towing.body.disc()?, found.sinkage?, turn, 0.5).ok()
     });
     Ok(Forecast {
         groups,
         spread: Spread::of(&models),
         side_faces: faces,
+        recommended: advice::recommended(towing, &models),
         recommendation: advice::recommend(towing, &models),
         operative_friction_angle: operative.soil.friction_angle,
         models,
@@ -71,6 +77,6 @@ fn every_model(plastic: &Towing, measured: &Towing) -> Vec<ModelForecast> {
         ModelForecast::of(candidate, predict(candidate, case, table.as_ref()))
     };
     let mut models: Vec<ModelForecast> = Candidate::ALL.into_iter().map(one).collect();
-    predict::set_apart(&mut models, plastic);
+    predict::set_apart(&mut models, measured);
     models
 }
