@@ -1,21 +1,18 @@
 //! A block under tow: the plane front as a blade, and the base that carries what the front does not.
 
-use super::predict::TOO_DEEP;
-use super::{Block, Candidate, Load, ModelForecast, Prediction, Towing};
+use super::{Block, Candidate, Front, Load, Prediction, Towing};
 use crate::bearing::{
     Footing, Method, cohesion_factor, corrections, surcharge_factor, weight_factor_hansen,
     weight_factor_lyamin, weight_factor_meyerhof,
 };
 use crate::cutting::{Blade, CuttingForce, godwin_spoor, hansen_end_factor, mckyes_ali};
 use crate::disc::{Passive, end_factor, first_depth};
-use crate::earth_pressure::{
-    Face, PassiveField, PressureTable, cohesion_coefficient, coulomb, coulomb_active, sokolovskii,
-};
+use crate::earth_pressure::{Face, PassiveField, PressureTable, cohesion_coefficient, coulomb_active};
 use crate::error::{Answer, none};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Rounding of a right angle [rad].
-const HAIR: f64 = 1e-9;
+pub(super) const HAIR: f64 = 1e-9;
 /// Width over depth of a blade that stands for an endless one.
 const ENDLESS: f64 = 1e9;
 
@@ -43,20 +40,9 @@ pub(super) fn predict(
             (drag, vertical, z)
         }
         Load::Weight(weight) => {
-            let (height, middle) = (block.height(), block.front());
-            let carried = |z: f64| Ok::<f64, crate::Refusal>(front(z)?.1 + base_capacity(towing, block, z)?);
-            // Asked for first, so that a bad input is refused with its own reason.
-            carried(0.5 * (middle.lift + middle.top))?;
-            match first_depth(height, weight, 1e-12, |z| carried(z).unwrap_or(f64::NAN)) {
-                Ok(z) => {
-                    let (drag, vertical) = front(z)?;
-                    (drag + towing.soil.shared_friction() * (weight - vertical), weight, z)
-                }
-                Err((most, _)) => {
-                    let most = most.max(0.0);
-                    return none("the equilibrium sinkage", format!("at most {most:.3} N are carried"));
-                }
-            }
+            let z = resting(towing, block, weight, &front)?;
+            let (drag, vertical) = front(z)?;
+            (drag + towing.soil.shared_friction() * (weight - vertical), weight, z)
         }
     };
     // A vertical force that is nothing but rounding is none.
@@ -73,67 +59,24 @@ pub(super) fn predict(
     })
 }
 
-/// Sinkage over width beyond which crescents are not to be believed.
-const NARROW: f64 = 5.0;
-/// Steepest overhang before which the soil is known to slide up along the front [rad].
-const OVERHANG: f64 = std::f64::consts::FRAC_PI_6;
-/// Coulomb's thrust over the exact one beyond which a plane slip surface is not to be believed.
-const PLANE_EXCESS: f64 = 1.15;
-/// Share of the sinkage beyond which what lies below the front is not to be left out.
-const BELOW_FRONT: f64 = 0.2;
-/// Drag over that of the exact front with crescents beyond which resistive force theory is not to be believed.
-const RESISTIVE_EXCESS: f64 = 2.0;
-
-/// Marks the answers that exist but are not to be believed for this block.
-pub(super) fn set_apart(models: &mut [ModelForecast], towing: &Towing, block: &Block) {
-    let front = block.front();
-    let (width, overhang) = (block.size[1], front.rake - FRAC_PI_2);
-    let drag =
-        |model: Candidate| models.iter().find(|m| m.model == model).and_then(|m| Some(m.prediction?.drag));
-    let passive = drag(if block.endless { Candidate::PlaneStrain } else { Candidate::Wedge });
-    let is_held = matches!(towing.load, Load::Sinkage(_));
-    for model in models {
-        let Some(found) = model.prediction else { continue };
-        let sinkage = found.sinkage.unwrap_or(0.0);
-        let is_resistive = matches!(model.model, Candidate::SpatialResistive | Candidate::PlanarResistive);
-        let is_exact =
-            matches!(model.model, Candidate::Wedge | Candidate::PlaneStrain | Candidate::BrinchHansen);
-        if is_resistive && !block.endless && sinkage > 1.5 * width {
-            model.exclude(TOO_DEEP);
-        } else if is_resistive && is_held && passive.is_some_and(|most| found.drag > RESISTIVE_EXCESS * most)
-        {
-            model.exclude(
-                "more than twice the passive thrust with its ends (see PW): the law does not know that the ground rises \
-                 before a wide front",
-            );
-        } else if is_exact && overhang > OVERHANG + HAIR {
-            model.exclude(
-                "the front overhangs by more than 30°: whether the soil slides up along it or is dragged along is not \
-                 known",
-            );
-        } else if !is_resistive && front.lift > BELOW_FRONT * sinkage {
-            model.exclude(
-                "the turned block ploughs with its lower face, too, which reaches more than a fifth of the sinkage below \
-                 the front: a blade is thin",
-            );
-        } else if model.model == Candidate::PlaneStrain && !block.endless && width < 10.0 * sinkage {
-            model.exclude("narrower than ten depths: the ends of the wedge carry much of the force (see PW)");
-        } else if model.model == Candidate::McKyesAli && plane_excess(towing, block) > PLANE_EXCESS {
-            model.exclude(
-                "its plane slip surface gives more than 1.15 times the exact thrust at this friction (see PW)",
-            );
-        } else if !is_resistive && !block.endless && sinkage > NARROW * width {
-            model.exclude(
-                "deeper than five widths: below a critical depth the soil escapes sideways, which crescents do not know",
-            );
+/// The least sinkage [m] at which front and base carry the weight [N].
+fn resting(towing: &Towing, block: &Block, weight: f64, front: &dyn Fn(f64) -> Answer<Force>) -> Answer<f64> {
+    let Front { lift, top, .. } = block.front();
+    let carried = |z: f64| -> Answer<f64> { Ok(front(z)?.1 + base_capacity(towing, block, z)?) };
+    // Asked for first, so that a bad input is refused with its own reason.
+    carried(0.5 * (lift + top))?;
+    match first_depth(block.height() - lift, weight, 1e-12, |depth| carried(lift + depth).unwrap_or(f64::NAN))
+    {
+        // The front alone may never press the block up by more than its weight.
+        Ok(depth) if front(lift + depth)?.1 <= weight * (1.0 + 1e-6) => Ok(lift + depth),
+        Ok(_) => none(
+            "the equilibrium sinkage",
+            "no steady state: the front is pressed up by more than the weight",
+        ),
+        Err((most, _)) => {
+            none("the equilibrium sinkage", format!("at most {:.3} N are carried", most.max(0.0)))
         }
     }
-}
-
-/// Coulomb's thrust on the front over the exact one; 1 where there is no exact one to compare with.
-fn plane_excess(towing: &Towing, block: &Block) -> f64 {
-    let ratio = |face: &Face| Some(coulomb(face).ok()? / sokolovskii(face).ok()?.coefficient);
-    face(towing, block).ok().as_ref().and_then(ratio).unwrap_or(1.0)
 }
 
 /// The most that the base of an upright block carries at a sinkage [m] while it slides [N]; 0 for a turned block, whose

@@ -22,8 +22,9 @@ pub struct Groups {
 }
 
 impl Groups {
-    pub(super) fn of(towing: &Towing, models: &[ModelForecast]) -> Self {
-        let found = models.iter().find(|model| model.applicable).and_then(|model| model.prediction);
+    /// The groups of a case and of the answer of its best model.
+    pub(super) fn of(towing: &Towing, best: Option<&ModelForecast>) -> Self {
+        let found = best.and_then(|model| model.prediction);
         let (d, gamma) = (towing.body.length(), towing.soil.unit_weight);
         let scale = towing.body.force_scale(gamma);
         let (held, weight) = match towing.load {
@@ -78,10 +79,12 @@ pub struct Spread {
 }
 
 impl Spread {
-    /// Over the applicable models; BC and PW count once, as the weaker of them.
+    /// Over the applicable models; BC and PW of a disc count once, as the weaker of them.
     pub(super) fn of(models: &[ModelForecast]) -> Option<Self> {
-        use super::Candidate::{Bearing, Wedge};
-        let counted = models.iter().filter(|m| m.applicable && !matches!(m.model, Bearing | Wedge));
+        use super::Candidate::{Bearing, Weaker, Wedge};
+        let joined = models.iter().any(|m| m.model == Weaker && m.applicable);
+        let counted =
+            models.iter().filter(|m| m.applicable && !(joined && matches!(m.model, Bearing | Wedge)));
         let found: Vec<_> = counted.filter_map(|m| m.prediction).collect();
         Some(Self {
             count: found.len(),

@@ -1,6 +1,7 @@
 //! The front door: every closed form that applies to one towed body, side by side.
 
 mod advice;
+mod apart;
 mod blade;
 mod body;
 mod candidate;
@@ -23,7 +24,7 @@ use crate::error::Answer;
 /// What the closed forms say about one towed body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Forecast {
-    /// Dimensionless groups of the case and of its first applicable model.
+    /// Dimensionless groups of the case and of its model to believe.
     pub groups: Groups,
     /// Every model, evaluated at Davis' operative friction angle where the soil is non-associated.
     pub models: Vec<ModelForecast>,
@@ -51,8 +52,10 @@ pub fn forecast(towing: &Towing) -> Answer<Forecast> {
     let models = every_model(&operative, towing);
     let associated = (towing.soil.dilation_angle - towing.soil.friction_angle).abs() < 1e-12;
     let models_full_friction = if associated { Vec::new() } else { every_model(towing, towing) };
-    let groups = Groups::of(towing, &models);
-    let best = models.iter().find(|model| model.applicable);
+    let recommended = advice::recommended(towing, &models);
+    let best = models.iter().find(|model| Some(model.model) == recommended);
+    let best = best.or_else(|| models.iter().find(|model| model.applicable));
+    let groups = Groups::of(towing, best);
     let faces = best.and_then(|model| model.prediction).and_then(|found| {
         let turn = towing.drive.turning_ratio(found.skid.unwrap_or(0.0));
         side_faces(&towing.soil, towing.body.disc()?, found.sinkage?, turn, 0.5).ok()
@@ -61,7 +64,7 @@ pub fn forecast(towing: &Towing) -> Answer<Forecast> {
         groups,
         spread: Spread::of(&models),
         side_faces: faces,
-        recommended: advice::recommended(towing, &models),
+        recommended,
         recommendation: advice::recommend(towing, &models),
         operative_friction_angle: operative.soil.friction_angle,
         models,
@@ -77,6 +80,6 @@ fn every_model(plastic: &Towing, measured: &Towing) -> Vec<ModelForecast> {
         ModelForecast::of(candidate, predict(candidate, case, table.as_ref()))
     };
     let mut models: Vec<ModelForecast> = Candidate::ALL.into_iter().map(one).collect();
-    predict::set_apart(&mut models, measured);
+    apart::set_apart(&mut models, measured);
     models
 }

@@ -63,10 +63,6 @@ impl ModelForecast {
     }
 }
 
-/// Where resistive force theory is not to be believed.
-pub(super) const TOO_DEEP: &str =
-    "deeper than one and a half thicknesses: resistive force theory has no width term";
-
 /// Why a ball has resistive force theory only.
 const ROUND: &str = "it is for a plane front or that of a disc across the tow";
 
@@ -147,46 +143,5 @@ fn prediction(forces: &DiscForces, sinkage: f64) -> Prediction {
         skid: Some(forces.skid),
         mechanism: Some(forces.mechanism),
         sideways_share: Some(forces.sideways_share),
-    }
-}
-
-/// Marks the answers that exist but are not to be believed for this case.
-pub(super) fn set_apart(models: &mut [ModelForecast], towing: &Towing) {
-    if let Body::Block(block) = &towing.body {
-        blade::set_apart(models, towing, block);
-        return;
-    }
-    let governing =
-        models.iter().find(|m| m.model == Candidate::Weaker).and_then(|m| m.prediction?.mechanism);
-    let (d, t) = (towing.body.length(), towing.body.width());
-    for model in models {
-        let sinkage = model.prediction.and_then(|p| p.sinkage).unwrap_or(0.0);
-        match model.model {
-            Candidate::Bearing if governing == Some(Mechanism::Forwards) => {
-                model.exclude(
-                    "most of the thrust is met where the soil fails forwards, which takes less (see PW)",
-                );
-            }
-            Candidate::Wedge if governing == Some(Mechanism::Sideways) => {
-                model.exclude(
-                    "most of the thrust is met where the soil escapes sideways, which takes less (see BC)",
-                );
-            }
-            Candidate::PlaneStrain if t < 3.0 * (sinkage * d).sqrt() => {
-                model.exclude(
-                    "narrower than three contact chords: the ends of the wedge carry much of the force",
-                );
-            }
-            Candidate::HetheringtonLittleton if sinkage > 0.2 * d => {
-                model.exclude("made for shallow sinkage, up to about a fifth of the diameter");
-            }
-            Candidate::SpatialResistive | Candidate::PlanarResistive if sinkage > 1.5 * t => {
-                model.exclude(TOO_DEEP)
-            }
-            Candidate::PlanarResistive if matches!(towing.body, Body::Round(_)) => {
-                model.exclude("its surface is turned sideways: the law, taken in slices along the tow, was not made for that");
-            }
-            _ => {}
-        }
     }
 }

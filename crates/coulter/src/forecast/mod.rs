@@ -8,6 +8,7 @@ mod setting;
 mod sheet;
 mod spread;
 mod tables;
+mod towed;
 mod variable;
 
 pub use curves::{Curves, Series, curves};

@@ -1,21 +1,13 @@
 //! A case as the closed forms take it: one body, or a row of equal discs, in level Mohr–Coulomb soil.
 
-use crate::case::resolved::{Axis, Body as Towed, Case, Factors, Freedom, Ground, Law, Measured, Shape};
+use super::towed::{bodies, body};
+use crate::case::resolved::{Body as Towed, Case, Factors, Freedom, Ground, Law, Measured, Shape};
 use crate::case::travel;
 use analytic::bearing::Method;
-use analytic::disc::{Assembly, Disc, Drive};
-use analytic::forecast::{Block, Body, Round};
-use analytic::resistive::Facet;
+use analytic::disc::Drive;
+use analytic::forecast::Body;
 use analytic::wheel::PressureSinkage;
 use analytic::{Load, Soil, Towing};
-use glam::DVec3;
-use physics::shape::SurfacePoint;
-use std::f64::consts::PI;
-
-/// Points across the diameter of a body that is known by the points of its surface.
-const POINTS_ACROSS: f64 = 40.0;
-/// Diameter times length over the spacing squared, at most.
-const MOST_POINTS: f64 = 2000.0;
 
 /// A case in the form of the models, and what had to be decided for that.
 #[derive(Clone, Debug)]
@@ -26,6 +18,8 @@ pub struct Setting {
     pub kind: &'static str,
     /// The body under tow.
     pub towing: Towing,
+    /// Whether it is towed along −x, so that the models see its mirror image.
+    pub mirrored: bool,
     /// Load on a free heave besides the weight m g, downwards [N].
     pub extra_load: f64,
     /// What was decided, in words.
@@ -40,7 +34,7 @@ pub fn setting(case: &Case) -> Result<Setting, String> {
     let mut remarks = Vec::new();
     let (bodies, assembly) = bodies(case, &mut remarks)?;
     let first = *bodies.first().ok_or("the case has no body under tow")?;
-    let (mut body, kind) = body(case, first, &mut remarks)?;
+    let (mut body, kind, mirrored) = body(case, first, &mut remarks)?;
     let ground = ground(case, &body)?;
     let soil = soil(case, first, &mut remarks)?;
     let count = bodies.len() as f64;
@@ -72,85 +66,8 @@ pub fn setting(case: &Case) -> Result<Setting, String> {
         (Load::Weight(weight), gravity) => weight - count * first.mass * gravity,
         _ => 0.0,
     };
-    Ok(Setting { bodies: bodies.iter().map(|b| b.name.clone()).collect(), kind, towing, extra_load, remarks })
-}
-
-/// A disc, or a cylinder across the tow, which meets the soil as a disc does.
-fn disc(body: &Towed) -> Option<Disc> {
-    match body.shape {
-        Shape::Disc { diameter, thickness }
-        | Shape::Cylinder { diameter, length: thickness, axis: Axis::Y } => {
-            Some(Disc { diameter, thickness })
-        }
-        _ => None,
-    }
-}
-
-/// The body as the models see it, and what it is in one word.
-fn body(case: &Case, body: &Towed, remarks: &mut Vec<String>) -> Result<(Body, &'static str), String> {
-    let kind = match body.shape {
-        Shape::Disc { .. } => "disc",
-        Shape::Block { .. } => "block",
-        Shape::Cylinder { .. } => "cylinder",
-        Shape::Ball { .. } => "ball",
-    };
-    if let Some(disc) = disc(body) {
-        if case.domain.plane_strain {
-            return Err(format!("the case is plane strain; the models are for a {kind} of finite width"));
-        }
-        return Ok((disc.into(), kind));
-    }
-    let towed_forwards = match body.translation[0] {
-        Freedom::Fixed => None,
-        Freedom::Prescribed { speed, .. } => Some(speed).filter(|v| *v != 0.0).map(|v| v > 0.0),
-        Freedom::Free { load, .. } => Some(load >= 0.0),
-    };
-    let Some(towed_forwards) = towed_forwards else {
-        let name = &body.name;
-        return Err(format!(
-            "`{name}` is not towed; what is pressed straight down is a footing, which has no forecast"
-        ));
-    };
-    let (length, width) = match body.shape {
-        Shape::Block { size, orientation } => {
-            let across =
-                if case.domain.plane_strain { case.domain.high.y - case.domain.low.y } else { size.y };
-            if case.domain.plane_strain {
-                remarks.push(format!("plane strain: the forces are those on a slab {across:.4} m wide"));
-            }
-            // Towed the other way it is its own mirror image.
-            let orientation = if towed_forwards { orientation } else { -orientation };
-            let block = Block {
-                size: [size.x, across, size.z],
-                orientation: (orientation + PI).rem_euclid(2.0 * PI) - PI,
-                endless: case.domain.plane_strain,
-                has_base: true,
-            };
-            return Ok((block.into(), kind));
-        }
-        Shape::Cylinder { diameter, length, axis: Axis::X } => (diameter.max(length), diameter),
-        Shape::Cylinder { diameter, .. } | Shape::Ball { diameter } | Shape::Disc { diameter, .. } => {
-            (diameter, diameter)
-        }
-    };
-    Ok((Body::Round(round(body, width, length)), kind))
-}
-
-/// A body by the points of its surface.
-fn round(body: &Towed, diameter: f64, longest: f64) -> Round {
-    let solid = body.shape.solid();
-    let (low, high) = solid.bounds();
-    // Some thousand points at most, however slender the body is.
-    let spacing =
-        (diameter / POINTS_ACROSS).max((diameter * longest.max(high.z - low.z) / MOST_POINTS).sqrt());
-    let facet = |p: SurfacePoint| Facet {
-        middle: p.position.to_array(),
-        normal: p.normal.to_array(),
-        area: p.area,
-        rise: 0.5 * (p.area * (1.0 - p.normal.z.powi(2)).max(0.0)).sqrt(),
-    };
-    let facets = solid.surface_points(spacing, DVec3::ZERO).into_iter().map(facet).collect();
-    Round { length: diameter, width: diameter, height: high.z - low.z, facets }
+    let bodies = bodies.iter().map(|b| b.name.clone()).collect();
+    Ok(Setting { bodies, kind, towing, mirrored, extra_load, remarks })
 }
 
 /// A remark on the keys of `[forecast]` that no model of such a body asks for.
@@ -218,52 +135,6 @@ fn ground(case: &Case, body: &Body) -> Result<LevelGround, String> {
         }
         Ground::Column { .. } => Err("the soil is heaped up in a box; the models need level ground".into()),
     }
-}
-
-/// The bodies of the case: one, or several equal discs side by side, which count as an assembly on one axle.
-fn bodies<'a>(
-    case: &'a Case,
-    remarks: &mut Vec<String>,
-) -> Result<(Vec<&'a Towed>, Option<Assembly>), String> {
-    let mut discs: Vec<&Towed> = case.bodies.iter().collect();
-    if discs.len() > 1
-        && let Some(other) = discs.iter().find(|b| disc(b).is_none())
-    {
-        return Err(format!(
-            "`{}` moves beside another body; the closed forms know one body, or equal discs",
-            other.name
-        ));
-    }
-    discs.sort_by(|a, b| a.position.y.total_cmp(&b.position.y));
-    let Some([first, second]) = discs.first_chunk::<2>().copied() else { return Ok((discs, None)) };
-    let spacing = second.position.y - first.position.y;
-    let alike = |b: &&Towed| {
-        b.shape == first.shape
-            && b.friction == first.friction
-            && b.translation == first.translation
-            && b.spin == first.spin
-            && (b.position.x - first.position.x).abs() < 1e-9
-            && (b.position.z - first.position.z).abs() < 1e-9
-    };
-    let even = discs.windows(2).all(|pair| {
-        let gap = pair[1].position.y - pair[0].position.y;
-        (gap - spacing).abs() < 1e-6 * spacing
-    });
-    if !(discs.iter().all(alike) && even && spacing > 0.0) {
-        return Err(format!(
-            "the case has {} discs that are not alike or not evenly spaced side by side; the closed forms know one \
-             disc, or a row of equal ones",
-            discs.len()
-        ));
-    }
-    let count = discs.len();
-    remarks.push(format!(
-        "{count} equal discs at a spacing of {:.4} m: taken as one assembly; drag, vertical force and weight are those \
-         of all of them",
-        spacing
-    ));
-    let assembly = Assembly { count: u32::try_from(count).unwrap_or(u32::MAX), spacing };
-    Ok((discs, Some(assembly)))
 }
 
 fn soil(case: &Case, body: &Towed, remarks: &mut Vec<String>) -> Result<Soil, String> {

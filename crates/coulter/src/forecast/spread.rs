@@ -69,7 +69,7 @@ impl Stated {
     fn distribution(&self, setting: &Setting) -> (Parameter, Distribution) {
         let at = |x: f64| self.variable.model_value(setting, x);
         let (mean, above) = (at(self.mean), at(self.mean + self.deviation));
-        (self.variable.parameter, Distribution::Normal { mean, deviation: above - mean })
+        (self.variable.parameter, Distribution::Normal { mean, deviation: (above - mean).abs() })
     }
 }
 

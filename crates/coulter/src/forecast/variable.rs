@@ -212,10 +212,10 @@ impl Variable {
 
     /// The value that the models know it by.
     pub(super) fn model_value(&self, setting: &Setting, value: f64) -> f64 {
-        if self.parameter == Parameter::Weight {
-            value * setting.bodies.len() as f64 + setting.extra_load
-        } else {
-            value
+        match self.parameter {
+            Parameter::Weight => value * setting.bodies.len() as f64 + setting.extra_load,
+            Parameter::Orientation if setting.mirrored => -value,
+            _ => value,
         }
     }
 
@@ -232,7 +232,9 @@ impl Variable {
             Parameter::BodyFriction => Some(towing.soil.body_friction),
             Parameter::Diameter => towing.body.disc().map(|disc| disc.diameter),
             Parameter::Thickness => towing.body.disc().map(|disc| disc.thickness),
-            Parameter::Orientation => towing.body.block().map(|block| block.orientation),
+            Parameter::Orientation => {
+                towing.body.block().map(|block| self.model_value(setting, block.orientation))
+            }
             Parameter::HeapFraction => Some(towing.heap_fraction),
             Parameter::Backfill => Some(towing.backfill),
             Parameter::Weight => match towing.load {
