@@ -71,6 +71,19 @@ impl Grid {
         self.width(0, i) * self.width(1, j) * self.width(2, k)
     }
 
+    /// Volume of the cell at a place in memory [m³].
+    #[must_use]
+    pub fn volume_of(&self, index: usize) -> f64 {
+        let [i, j, k] = self.place(index);
+        self.volume(i, j, k)
+    }
+
+    /// The smallest cell width along `axis` [m].
+    #[must_use]
+    pub fn finest_along(&self, axis: usize) -> f64 {
+        self.faces[axis].windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min)
+    }
+
     /// The smallest cell width [m].
     #[must_use]
     pub fn finest(&self) -> f64 {

@@ -105,7 +105,7 @@ impl Default for Method {
             bulk_viscosity: [0.02, 1.2],
             contact: ContactMethod::Impulse,
             edge_inset: 0.5,
-            point_spacing: 0.5,
+            point_spacing: 0.25,
         }
     }
 }

@@ -18,6 +18,7 @@ use glam::DVec3;
 pub fn step(model: &Model, state: &mut State, workspace: &mut Workspace) -> Result<(), Breakdown> {
     let dt = model.time_step();
     if state.step == 0 {
+        contact::occupy_all(model, state, workspace);
         contact::locate(model, state, workspace);
     }
     // Lagrangian stage: the soil moves, the grid waits.

@@ -233,6 +233,12 @@ const GRID: &[Key] = &[
         "1.12",
         "Largest ratio of neighbouring cells outside the fine zone, 1 to 1.5.",
     ),
+    key(
+        "fit",
+        Kind::Flag,
+        "true",
+        "Make cells up to 1.25 times wider or narrower along an axis so that the flat faces of bodies that do not move along it lie between cells.",
+    ),
     key("fine_x", Kind::Range(LENGTH), "the bodies' path ± 0.5 body lengths", "Fine zone along x."),
     key("fine_y", Kind::Range(LENGTH), "the bodies' path ± 0.25 body lengths", "Fine zone along y."),
     key(
@@ -350,7 +356,7 @@ const NUMERICS: &[Key] = &[
     key("bulk_viscosity_quadratic", Kind::Number, "1.2", "Quadratic coefficient b₂ of bulk viscosity."),
     key("contact", Kind::Choice(&CONTACTS), "\"impulse\"", "Contact method."),
     key("edge_inset", Kind::Number, "0.5", "Distance of contact points from sharp edges, in cell widths."),
-    key("point_spacing", Kind::Number, "0.5", "Spacing of contact points, in cell widths."),
+    key("point_spacing", Kind::Number, "0.25", "Spacing of contact points, in cell widths."),
     key("threads", Kind::Count, "0", "Threads; 0 for one per core."),
 ];
 

@@ -222,9 +222,9 @@ fn describe_cost(text: &mut String, case: &Case, cost: &Estimate, seconds: Optio
     )?;
     writeln!(
         text,
-        "grid     {nx} × {ny} × {nz} = {} cells of {:.4} mm and more, {} with soil, {:.0} MB",
+        "grid     {nx} × {ny} × {nz} = {} cells of {} mm and more, {} with soil, {:.0} MB",
         cost.cells,
-        1e3 * cost.smallest_cell_m,
+        finest(case),
         cost.filled_cells,
         cost.memory_bytes / 1e6
     )?;
@@ -237,4 +237,13 @@ fn describe_cost(text: &mut String, case: &Case, cost: &Estimate, seconds: Optio
         Some(seconds) => writeln!(text, "run time about {seconds:.0} s on this machine"),
         None => writeln!(text, "run time {:.3e} cell steps", cost.steps * cost.filled_cells),
     }
+}
+
+/// The smallest widths of the cells along x, y, z [mm]; one number where they are the same.
+fn finest(case: &Case) -> String {
+    let widths = case.grid.faces.each_ref().map(|faces| {
+        let finest = faces.windows(2).map(|f| f[1] - f[0]).fold(f64::INFINITY, f64::min);
+        format!("{:.4}", 1e3 * finest)
+    });
+    if widths[0] == widths[1] && widths[1] == widths[2] { widths[0].clone() } else { widths.join(" × ") }
 }

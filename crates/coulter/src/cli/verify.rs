@@ -81,7 +81,7 @@ pub(super) fn verify(arguments: &Arguments) -> Result<(), Failure> {
     let mut complaints: Vec<String> =
         findings.broken.iter().map(|(id, why)| format!("{id} broke down: {why}")).collect();
     if arguments.strict {
-        complaints.extend(known::disagreements(&findings.rows, &known));
+        complaints.extend(known::disagreements(&findings.rows, &known, arguments.fast));
     }
     if complaints.is_empty() { Ok(()) } else { Err(Failure::Physics(complaints.join("\n       "))) }
 }

@@ -1,6 +1,7 @@
 //! The bench that benchmarks run on: it runs cases through the users' door, keeps their ledgers and collects rows.
 
 use super::kept::{Found, Kept};
+use super::plot::Trace;
 use super::row::Row;
 use crate::case::resolved::Law;
 use crate::case::{self, CaseError};
@@ -68,6 +69,8 @@ pub struct Ledgers {
     pub bodies: Vec<BodySample>,
     /// Wall clock [s].
     pub seconds: f64,
+    /// What the run did.
+    pub trace: Trace,
 }
 
 /// Runs cases and collects what comes out.
@@ -166,11 +169,26 @@ impl<'a> Bench<'a> {
         variant: &str,
         simulation: &mut Simulation,
     ) -> Result<(), VerifyError> {
+        self.finish_watched(id, variant, simulation, |_| {})
+    }
+
+    /// The same, with a look at every sample.
+    ///
+    /// # Errors
+    /// [`VerifyError::Physics`] when the physics fails.
+    pub fn finish_watched(
+        &mut self,
+        id: &'static str,
+        variant: &str,
+        simulation: &mut Simulation,
+        mut watch: impl FnMut(&Simulation),
+    ) -> Result<(), VerifyError> {
         const NEWS: Duration = Duration::from_secs(15);
         let clock = Instant::now();
         let mut told = Instant::now();
         while !simulation.is_done() {
             simulation.advance()?;
+            watch(simulation);
             if told.elapsed() > NEWS {
                 told = Instant::now();
                 let share = 1e2 * simulation.state.time / simulation.case.duration;
@@ -204,6 +222,7 @@ impl<'a> Bench<'a> {
             dilates: matches!(simulation.case.soil.law, Law::MohrCoulomb { dilation_angle, .. } if dilation_angle > 0.0),
             bodies: history.bodies.iter().filter_map(|b| b.last().copied()).collect(),
             seconds: simulation.wall_s,
+            trace: Trace::of(simulation),
         });
     }
 }

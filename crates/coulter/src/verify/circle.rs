@@ -95,7 +95,7 @@ pub(super) fn sand(bench: &mut Bench) -> Result<(), VerifyError> {
         for is_rough in [false, true] {
             let variant = format!("{}, φ = ψ = {angle}°, D/h = {cells}", word(is_rough));
             let (factor, seconds) = on_sand(bench, &variant, angle, cells, is_rough)?;
-            let row = Row::note("B3γ", variant, "N_γ at no penetration", factor);
+            let row = Row::note("B3γ", variant, "bearing capacity factor N_γ", factor);
             bench.rows.push(row.within(exact[usize::from(is_rough)], 0.12, WEIGHT).took(seconds));
         }
     }

@@ -89,14 +89,11 @@ fn collapse(bench: &mut Bench, angle: u32, a: f64, cells: u32) -> Result<(), Ver
     }
     let mut simulation = bench.simulation(CASE, &overrides)?;
     let mut late = f64::NAN;
-    while !simulation.is_done() {
-        simulation.advance()?;
-        if late.is_nan() && simulation.state.time >= 0.9 * simulation.case.duration {
-            late = front(&simulation, FRONT * simulation.case.grid.cell);
+    bench.finish_watched("C1", &variant, &mut simulation, |now| {
+        if late.is_nan() && now.state.time >= 0.9 * now.case.duration {
+            late = front(now, FRONT * now.case.grid.cell);
         }
-    }
-    bench.tell(&format!("C1: {variant}, {} steps in {:.1} s", simulation.state.step, simulation.wall_s));
-    bench.keep("C1", &variant, &simulation);
+    })?;
     let cell = simulation.case.grid.cell;
     let end = front(&simulation, FRONT * cell);
     let fixed = front(&simulation, FRONT_FIXED * WIDTH);

@@ -1,9 +1,11 @@
 //! The table in the project's documents: between two markers in README.md, and in docs/verification.md.
 
+use super::bench::Ledgers;
 use super::known::Known;
+use super::plot;
 use super::row::Row;
 use super::table;
-use super::{BENCHMARKS, Findings};
+use super::{BENCHMARKS, Benchmark, Findings};
 use std::fmt::Write;
 use std::path::Path;
 
@@ -15,9 +17,41 @@ const END: &str = "<!-- verify:end -->";
 pub fn between_markers(text: &str, rows: &[Row]) -> Option<String> {
     let (before, rest) = text.split_once(BEGIN)?;
     let (_, after) = rest.split_once(END)?;
-    let judged: Vec<Row> = rows.iter().filter(|row| row.passes().is_some()).cloned().collect();
-    let table = table::markdown(&judged);
+    let table = summary(rows);
     Some(format!("{before}{BEGIN}\n{table}\n{}.\n{END}{after}", table::closing(rows)))
+}
+
+/// One line for every benchmark: how many of its figures pass, and the one that is farthest from what was expected.
+fn summary(rows: &[Row]) -> String {
+    let mut text = String::from(
+        "| id | benchmark | pass | fall short | nearest to its limit, or farthest beyond it | expected | obtained | error over tolerance |\n\
+         | --- | --- | --: | --: | --- | --: | --: | --: |\n",
+    );
+    for benchmark in BENCHMARKS {
+        let judged: Vec<(&Row, f64)> = rows
+            .iter()
+            .filter(|row| row.id == benchmark.id)
+            .filter_map(|row| Some((row, plot::over_tolerance(row)?)))
+            .collect();
+        let Some((worst, ratio)) = judged.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())) else {
+            continue;
+        };
+        let pass = judged.iter().filter(|(row, _)| row.passes() == Some(true)).count();
+        let short = judged.len() - pass;
+        let short = if short > 0 { format!("**{short}**") } else { "0".to_owned() };
+        let _ = writeln!(
+            text,
+            "| {} | {} | {pass} | {short} | {}, {} | {} | {} | {:.2} |",
+            benchmark.id,
+            benchmark.title,
+            worst.case,
+            worst.quantity,
+            table::expected(worst),
+            table::figure(worst.obtained),
+            ratio.abs()
+        );
+    }
+    text
 }
 
 /// The text of docs/verification.md.
@@ -40,6 +74,9 @@ pub fn page(findings: &Findings, known: &[Known]) -> String {
         if let Some(folder) = benchmark.folder {
             let _ = writeln!(text, "More in [validation/{folder}](../validation/{folder}/README.md).\n");
         }
+        for picture in pictures(benchmark, findings) {
+            let _ = writeln!(text, "![{}]({})\n", picture.what, picture.place);
+        }
         text.push_str(&table::markdown(&rows));
         text.push('\n');
         sources(&rows, &mut text);
@@ -49,6 +86,32 @@ pub fn page(findings: &Findings, known: &[Known]) -> String {
         let _ = writeln!(text, "**{id} gave no figures: {why}**\n");
     }
     text
+}
+
+/// A picture of a benchmark.
+struct Picture {
+    what: String,
+    /// Where it lies, seen from docs/.
+    place: String,
+    svg: String,
+}
+
+/// How near the figures of a benchmark came to their tolerances, and what its runs did.
+fn pictures(benchmark: &Benchmark, findings: &Findings) -> Vec<Picture> {
+    let rows: Vec<Row> = findings.rows.iter().filter(|row| row.id == benchmark.id).cloned().collect();
+    let ledgers: Vec<&Ledgers> = findings.ledgers.iter().filter(|run| run.id == benchmark.id).collect();
+    let name = format!("{} {}", benchmark.id, benchmark.title);
+    let file = benchmark.id.replace('γ', "g");
+    let both = [
+        (plot::figures(&rows), "errors over tolerances", "figures"),
+        (plot::runs(&name, &ledgers), "what the runs did", "runs"),
+    ];
+    both.into_iter()
+        .filter_map(|(svg, what, kind)| {
+            let place = format!("images/verification/{file}_{kind}.svg");
+            Some(Picture { what: format!("{name}: {what}"), place, svg: svg? })
+        })
+        .collect()
 }
 
 fn sources(rows: &[Row], text: &mut String) {
@@ -64,10 +127,17 @@ fn sources(rows: &[Row], text: &mut String) {
 }
 
 fn reasons(rows: &[Row], known: &[Known], text: &mut String) {
-    let short: Vec<&Row> = rows.iter().filter(|row| row.passes() == Some(false)).collect();
-    for row in short {
-        let reason = known.iter().find(|k| k.is_about(row)).map_or("not yet explained", |k| &k.reason);
-        let _ = writeln!(text, "* Falls short, {}, {}: {}", row.case, row.quantity, reason.trim());
+    let mut short: Vec<(&str, Vec<String>)> = Vec::new();
+    for row in rows.iter().filter(|row| row.passes() == Some(false)) {
+        let reason = known.iter().find(|k| k.is_about(row)).map_or("not yet explained", |k| k.reason.trim());
+        let name = format!("{}, {}", row.case, row.quantity);
+        match short.iter_mut().find(|(known, _)| *known == reason) {
+            Some((_, names)) => names.push(name),
+            None => short.push((reason, vec![name])),
+        }
+    }
+    for (reason, names) in short {
+        let _ = writeln!(text, "* Falls short ({}): {reason}", names.join("; "));
     }
     text.push('\n');
 }
@@ -81,6 +151,15 @@ pub fn write(root: &Path, findings: &Findings, known: &[Known]) -> std::io::Resu
     std::fs::create_dir_all(root.join("docs"))?;
     std::fs::write(root.join("docs/verification.md"), page(findings, known))?;
     written.push("docs/verification.md".to_owned());
+    let folder = root.join("docs/images/verification");
+    if folder.exists() {
+        std::fs::remove_dir_all(&folder)?;
+    }
+    std::fs::create_dir_all(&folder)?;
+    for picture in BENCHMARKS.iter().flat_map(|b| pictures(b, findings)) {
+        std::fs::write(root.join("docs").join(&picture.place), picture.svg)?;
+    }
+    written.push("docs/images/verification".to_owned());
     if let Ok(readme) = std::fs::read_to_string(root.join("README.md"))
         && let Some(new) = between_markers(&readme, &findings.rows)
     {

@@ -23,6 +23,7 @@ mod moving;
 mod peers;
 mod places;
 mod plate;
+pub mod plot;
 pub mod refine;
 mod repeat;
 mod rest;
@@ -39,7 +40,7 @@ mod turning;
 mod wall;
 mod wave;
 
-use bench::{Bench, VerifyError, Wish};
+use bench::{Bench, Ledgers, VerifyError, Wish};
 use row::Row;
 use std::time::Instant;
 
@@ -126,6 +127,8 @@ pub const BENCHMARKS: &[Benchmark] = &[
 /// What the suite found.
 #[derive(Debug, Default)]
 pub struct Findings {
+    /// The ledgers of the runs.
+    pub ledgers: Vec<Ledgers>,
     /// The rows, in the order of the benchmarks.
     pub rows: Vec<Row>,
     /// Benchmarks that gave no figures, and why.
@@ -159,7 +162,7 @@ pub fn verify(ids: &[&'static str], wish: &Wish, tell: &mut dyn FnMut(&str)) -> 
     let mut rows = bench.rows;
     rows.retain(|row| ids.is_empty() || ids.contains(&row.id));
     rows.sort_by_key(|row| BENCHMARKS.iter().position(|b| b.id == row.id));
-    Findings { rows, broken }
+    Findings { ledgers: bench.ledgers, rows, broken }
 }
 
 /// The id of a benchmark as typed, in either case.

@@ -101,7 +101,7 @@ pub fn refine(ids: &[&'static str], meshes: u32, wish: &Wish, tell: &mut dyn FnM
             broken.push((study.id, error.to_string()));
         }
     }
-    Findings { rows: bench.rows, broken }
+    Findings { ledgers: bench.ledgers, rows: bench.rows, broken }
 }
 
 impl Study {
@@ -123,7 +123,7 @@ impl Study {
         let Some(last) = figures.last_chunk::<3>() else { return Ok(()) };
         let (order, limit) = richardson(*last, f64::from(up) / f64::from(down));
         let note = |quantity, value| Row::note(self.id, "finest three meshes", quantity, value);
-        bench.rows.push(note("observed order of convergence (NaN: not monotonic)", order));
+        bench.rows.push(note("observed order of convergence (NaN: the differences do not shrink)", order));
         bench.rows.push(note("Richardson's value for h → 0", limit));
         Ok(())
     }

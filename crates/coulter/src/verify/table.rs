@@ -30,7 +30,9 @@ fn per_cent(share: f64) -> String {
     }
 }
 
-fn expected(row: &Row) -> String {
+/// What was expected, in words of the table.
+#[must_use]
+pub fn expected(row: &Row) -> String {
     match row.expected {
         Expected::Value(value) => figure(value),
         Expected::AtLeast(value) => format!("≥ {}", figure(value)),

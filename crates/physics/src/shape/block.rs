@@ -1,6 +1,6 @@
 //! The block: a rectangular box with sharp edges; a footing, a wall or a plate.
 
-use super::{Mesh, Shape, SurfacePoint, middle, paired};
+use super::{Mesh, Shape, SurfacePoint, middle, paired, parts};
 use glam::DVec3;
 
 /// A box centred on the origin.
@@ -37,7 +37,7 @@ impl Shape for Block {
             if width <= 0.0 || height <= 0.0 {
                 continue;
             }
-            let (columns, rows) = ((width / spacing).ceil().max(1.0), (height / spacing).ceil().max(1.0));
+            let (columns, rows) = (parts(width, spacing), parts(height, spacing));
             for side in [-1.0, 1.0] {
                 for n in 0..(columns * rows) as usize {
                     let (column, row) = (n % columns as usize, n / columns as usize);

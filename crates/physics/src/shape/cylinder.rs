@@ -1,6 +1,6 @@
 //! The cylinder: sharp rims, its axis along x, y or z; a pile, a pipe, a circular footing.
 
-use super::{Disc, Mesh, Shape, SurfacePoint, middle, paired, ring};
+use super::{Disc, Mesh, Shape, SurfacePoint, middle, paired, parts, ring};
 use glam::DVec3;
 use serde::Serialize;
 use std::f64::consts::TAU;
@@ -93,7 +93,8 @@ impl Shape for Cylinder {
         let mut points = Vec::new();
         let width = self.length - 2.0 * inset.y;
         if width > 0.0 {
-            let rows = (width / spacing).ceil();
+            // An even number: points in the middle plane, where two cells may meet, would belong to one of them.
+            let rows = 2.0 * parts(0.5 * width, spacing);
             let around = ring(TAU * radius, spacing);
             let area = TAU * radius * width / (rows * around.len() as f64);
             for row in 0..rows as usize {
@@ -105,7 +106,7 @@ impl Shape for Cylinder {
             }
         }
         let outer = (radius - inset.x).max(0.0);
-        let rings = (outer / spacing).ceil();
+        let rings = if outer > 0.0 { parts(outer, spacing) } else { 0.0 };
         for n in 0..rings as usize {
             let radius = outer * (n as f64 + 0.5) / rings;
             let around = ring(TAU * radius, spacing);

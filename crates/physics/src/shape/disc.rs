@@ -1,6 +1,6 @@
 //! The disc: a flat cylinder with sharp rims, its axle along `y`.
 
-use super::{Mesh, Shape, SurfacePoint, middle, paired};
+use super::{Mesh, Shape, SurfacePoint, middle, paired, parts};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
 
@@ -76,8 +76,9 @@ fn rim_points(disc: &Disc, spacing: f64, inset: f64, points: &mut Vec<SurfacePoi
     if width <= 0.0 {
         return;
     }
-    let rows = (width / spacing).ceil().max(1.0);
-    let columns = (PI * disc.diameter / spacing).ceil();
+    // An even number: points in the middle plane, where two cells may meet, would belong to one of them.
+    let rows = 2.0 * parts(0.5 * width, spacing);
+    let columns = parts(PI * disc.diameter, spacing);
     let area = width / rows * PI * disc.diameter / columns;
     for row in 0..rows as usize {
         let y = width * middle(row, rows);
@@ -92,10 +93,10 @@ fn rim_points(disc: &Disc, spacing: f64, inset: f64, points: &mut Vec<SurfacePoi
 /// Points on one flat face, in rings.
 fn face_points(disc: &Disc, side: f64, spacing: f64, inset: f64, points: &mut Vec<SurfacePoint>) {
     let outer = disc.radius() - inset;
-    let rings = (outer / spacing).ceil().max(1.0);
+    let rings = parts(outer, spacing);
     for ring in 0..rings as usize {
         let radius = outer * (ring as f64 + 0.5) / rings;
-        let count = (TAU * radius / spacing).ceil().max(1.0);
+        let count = parts(TAU * radius, spacing);
         let area = TAU * radius * outer / rings / count;
         for n in 0..count as usize {
             let (sin, cos) = (TAU * (n as f64 + 0.5) / count).sin_cos();

@@ -38,13 +38,18 @@ fn middle(n: usize, count: f64) -> f64 {
 /// Directions round a circle of this circumference, at most `spacing` apart [m]. A quarter is laid out and reflected, so
 /// that the ring is its own mirror image across both axes to the bit, and no direction lies on an axis.
 fn ring(circumference: f64, spacing: f64) -> Vec<[f64; 2]> {
-    let quarter = (0.25 * circumference / spacing).ceil().max(1.0);
+    let quarter = parts(0.25 * circumference, spacing);
     let mut directions = Vec::with_capacity(4 * quarter as usize);
     for n in 0..quarter as usize {
         let (sin, cos) = (FRAC_PI_2 * (n as f64 + 0.5) / quarter).sin_cos();
         directions.extend([[cos, sin], [cos, -sin], [-cos, sin], [-cos, -sin]]);
     }
     directions
+}
+
+/// Number of equal parts, none longer than `spacing`, of a length; rounding makes no further part.
+fn parts(length: f64, spacing: f64) -> f64 {
+    (length / spacing * (1.0 - 1e-9)).ceil().max(1.0)
 }
 
 /// Puts points that are each other's mirror image in y side by side, in the order of the first of each pair.

@@ -6,7 +6,7 @@
 use super::threads::Cut;
 use super::transport::{Sweep, carry_mass, carry_momentum, difference, dual_fluxes, dual_reaches};
 use super::workspace::Workspace;
-use super::{energy, lagrange_mass};
+use super::{contact, energy, lagrange_mass};
 use crate::grid::Grid;
 use crate::model::{FRACTION_KEPT, FRACTION_STRESSED, Model};
 use crate::state::{Nodes, Soil, State};
@@ -44,6 +44,7 @@ pub fn remap(model: &Model, state: &mut State, workspace: &mut Workspace) -> Rem
         u.fill(0.0);
     }
     lagrange_mass(&model.grid, &state.soil.mass, &mut state.nodes.mass);
+    contact::expel(model, state, workspace);
     stop_massless(model, state);
     workspace.find_soil(&model.grid, &state.soil.fraction);
     state.remaps += 1;
@@ -199,7 +200,7 @@ fn settle(model: &Model, soil: &mut Soil, volume: &[f64]) -> RemapLoss {
     loss
 }
 
-fn settle_cell(model: &Model, soil: &mut Soil, c: usize, volume: f64) {
+pub(crate) fn settle_cell(model: &Model, soil: &mut Soil, c: usize, volume: f64) {
     if soil.fraction[c] <= FRACTION_STRESSED {
         for s in &mut soil.stress {
             s[c] = 0.0;

@@ -131,8 +131,10 @@ impl Sweep<'_> {
             let low = middle - REACH * stride;
             let (bottom, top) = (self.fraction[low], self.fraction[low + 2 * REACH * stride]);
             let full_to_void = (bottom > FULL && top == 0.0) || (bottom == 0.0 && top > FULL);
-            let sum = (0..=2 * REACH).map(|n| self.fraction[low + n * stride]).sum::<f64>();
-            full_to_void.then_some(sum)
+            // From both ends to the middle: upside down the sum is the same to the bit.
+            let pair =
+                |n: usize| self.fraction[low + n * stride] + self.fraction[low + (2 * REACH - n) * stride];
+            full_to_void.then_some((pair(0) + pair(1)) + self.fraction[middle])
         };
         let slope = |axis: usize| -> Option<f64> {
             if cells[axis] == 1 {
@@ -165,13 +167,14 @@ impl Sweep<'_> {
         const WEIGHT: [f64; 3] = [1.0, 2.0, 1.0];
         let mut gradient = [0.0; 3];
         for (z, dz) in offset[2].iter().enumerate() {
-            for (y, dy) in offset[1].iter().enumerate() {
-                for (x, dx) in offset[0].iter().enumerate() {
-                    let f = self.fraction[c.wrapping_add_signed(dx + dy + dz)];
-                    gradient[0] += f * WEIGHT[y] * WEIGHT[z] * (x as f64 - 1.0);
-                    gradient[1] += f * WEIGHT[x] * WEIGHT[z] * (y as f64 - 1.0);
-                    gradient[2] += f * WEIGHT[x] * WEIGHT[y] * (z as f64 - 1.0);
-                }
+            for (x, dx) in offset[0].iter().enumerate() {
+                // The two sides of y are added first: a mirror in y then changes no bit.
+                let [low, middle, high] =
+                    offset[1].map(|dy| self.fraction[c.wrapping_add_signed(dx + dy + dz)]);
+                let sum = (low + high) + 2.0 * middle;
+                gradient[0] += sum * WEIGHT[z] * (x as f64 - 1.0);
+                gradient[1] += (high - low) * WEIGHT[x] * WEIGHT[z];
+                gradient[2] += sum * WEIGHT[x] * (z as f64 - 1.0);
             }
         }
         gradient.map(|g| -g)

@@ -1,6 +1,6 @@
 //! Memory that the step works in and that is worth nothing between steps.
 
-use crate::cpu::contact::{self, ContactLaw, TouchedNode};
+use crate::cpu::contact::{self, BodyCell, ContactLaw, TouchedNode};
 use crate::cpu::stopwatch::Stopwatch;
 use crate::cpu::stress::Block;
 use crate::cpu::threads::{Cut, Team};
@@ -26,6 +26,10 @@ pub struct Workspace {
     pub(crate) row_has_soil: Vec<bool>,
     /// Nodal velocities of the step before; room for the remap between steps.
     pub(crate) velocity_before: [Vec<f64>; 3],
+    /// Share of each cell that bodies take up.
+    pub(crate) occupied: Vec<f64>,
+    /// The cells in which it is not zero, body by body.
+    pub(crate) body_cells: Vec<BodyCell>,
     /// Arrays for the remap.
     pub(crate) scratch: [Vec<f64>; 3],
     /// One for each worker.
@@ -42,6 +46,8 @@ pub struct Workspace {
     pub(crate) touched: Vec<TouchedNode>,
     /// For each contact, the places of its cell's nodes among them.
     pub(crate) corner_nodes: Vec<[u32; 8]>,
+    /// For each contact in soil the number of its patch, and how many patches there are.
+    pub(crate) patch: (Vec<Option<usize>>, usize),
     /// Frictional impulse at each contact in the last step [N s].
     pub(crate) friction: Vec<DVec3>,
 }
@@ -114,6 +120,8 @@ impl Workspace {
             cut: Cut::new(1, &vec![1.0; planes], threads, plane),
             row_has_soil: vec![false; rows * (planes + 1)],
             velocity_before: state.nodes.velocity.clone(),
+            occupied: zeros(),
+            body_cells: Vec::new(),
             scratch: std::array::from_fn(|_| zeros()),
             workers: (0..threads).map(worker).collect(),
             row_sums: vec![RowSums::default(); rows * (planes + 1)],
@@ -122,6 +130,7 @@ impl Workspace {
             points: model.bodies.iter().map(|b| contact::surface_points(model, b)).collect(),
             touched,
             corner_nodes,
+            patch: contact::number_patches(&state.contacts),
             friction: Vec::new(),
         };
         workspace.find_soil(grid, &state.soil.fraction);

@@ -2,6 +2,7 @@
 
 use super::Frame;
 use super::extent::{Extent, body_length, paths, range};
+use super::fit::fit;
 use super::grading::{self, Axis};
 use crate::case::problem::Problems;
 use crate::case::ranges::{self, GROWTH};
@@ -25,19 +26,21 @@ pub(super) fn usual_fine_zone(frame: &Frame, domain: &Domain, bodies: &[Body], d
 pub(super) fn grid(
     section: &Section,
     frame: &Frame,
-    domain: &Domain,
-    ground: &Ground,
+    (domain, ground): (&Domain, &Ground),
+    bodies: &[Body],
     usual: Extent,
     problems: &mut Problems,
 ) -> Option<Grid> {
     let growth = ranges::or(section, "growth", 1.12, &GROWTH, problems)?;
     let anchors = anchors(ground, domain);
-    let axis = |axis: usize| Axis {
-        ends: [domain.low[axis], domain.high[axis]],
-        fine: [usual.low[axis], usual.high[axis]],
-        anchor: anchors[axis],
-        cell: frame.cell,
-        growth,
+    let fits = section.flag("fit").is_none_or(|f| f.value);
+    let axis = |axis: usize| {
+        let ends = [domain.low[axis], domain.high[axis]];
+        let fine = [usual.low[axis], usual.high[axis]];
+        let plain = Axis { ends, fine, anchor: anchors[axis], cell: frame.cell, growth };
+        let fitted = fit(bodies, domain, axis, (anchors[axis], needed(ground, domain, axis)), frame.cell)
+            .filter(|_| fits);
+        [fitted.map_or(plain, |[cell, anchor]| Axis { anchor, cell, ..plain }), plain]
     };
     let x = faces(section, "fine_x", axis(0), problems);
     // In plane strain the slab is one cell.
@@ -60,22 +63,32 @@ pub(super) fn grid(
 fn faces(
     section: &Section,
     key: &str,
-    mut axis: Axis,
+    [mut axis, unfitted]: [Axis; 2],
     problems: &mut Problems,
 ) -> Option<(Vec<f64>, [f64; 2])> {
     axis.fine = range(section, key, Some(axis.fine), problems)?;
+    let unfitted = Axis { fine: axis.fine, ..unfitted };
     let [low, high] = axis.ends;
     if axis.fine[0] < low || axis.fine[1] > high {
         let message = format!("the fine zone is partly outside the box, {low} to {high} m");
         problems.add(section.place_of(key), message, format!("change grid.{key} or the domain"));
         return None;
     }
+    // Where fitted cells cannot fill the box, the plain ones may.
     grading::faces(&axis)
+        .or_else(|_| grading::faces(&unfitted))
         .map_err(|message| {
             let cure = "change grid.cell, grid.growth or the box; a whole number of cells always fits";
             problems.add(section.place_of("cell"), format!("{key}: {message}"), cure);
         })
         .ok()
+}
+
+/// Where a face along an axis must lie, if it must anywhere.
+fn needed(ground: &Ground, domain: &Domain, axis: usize) -> Option<f64> {
+    let anchor = anchors(ground, domain)[axis];
+    let is_level = matches!(ground, Ground::Level { .. });
+    (axis == 2 || axis == 1 && domain.symmetric || !is_level && anchor != 0.0).then_some(anchor)
 }
 
 /// Where faces should lie: at the soil's surface, at y = 0, and at the side of a bank.

@@ -3,6 +3,7 @@
 pub(super) mod body;
 mod checks;
 pub(super) mod extent;
+mod fit;
 mod forecast;
 mod grading;
 mod mesh;
@@ -69,7 +70,7 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
     let overburden = soil::overburden(&schema.ground, &soil, ground.surface(), &domain, problems)?;
     checks::bodies_fit(schema, &bodies, &domain, duration, problems);
     let usual = mesh::usual_fine_zone(&frame, &domain, &bodies, duration);
-    let grid = mesh::grid(&schema.grid, &frame, &domain, &ground, usual, problems)?;
+    let grid = mesh::grid(&schema.grid, &frame, (&domain, &ground), &bodies, usual, problems)?;
     checks::fits_into_memory(&schema.grid, &grid, problems);
     let name = name?;
     let case = Case {
@@ -104,10 +105,10 @@ fn frame(schema: &Schema, gravity: f64, law: Option<Law>, problems: &mut Problem
         return None;
     }
     let cell = cell?;
-    let inset = cell * schema.numerics.number("edge_inset").map_or(EDGE_INSET, |n| n.value);
+    let inset = schema.numerics.number("edge_inset").map_or(EDGE_INSET, |n| n.value);
     let slab = if plane_strain {
         let [low, high] = extent::range(&schema.domain, "y", Some([0.0, cell]), problems)?;
-        Some(Slab { width: high - low, middle: 0.5 * (low + high), inset })
+        Some(Slab { width: high - low, middle: 0.5 * (low + high), inset: inset * (high - low) })
     } else {
         None
     };
@@ -159,7 +160,7 @@ fn numerics(section: &Section, law: Option<Law>, problems: &mut Problems) -> Opt
     let bulk_viscosity_linear = or("bulk_viscosity_linear", viscosity, &NOT_NEGATIVE);
     let bulk_viscosity_quadratic = or("bulk_viscosity_quadratic", 1.2, &NOT_NEGATIVE);
     let edge_inset = or("edge_inset", EDGE_INSET, &NOT_NEGATIVE);
-    let point_spacing = or("point_spacing", 0.5, &ranges::SPACING);
+    let point_spacing = or("point_spacing", 0.25, &ranges::SPACING);
     let threads = or("threads", 0.0, &NOT_NEGATIVE);
     let contact = match section.text("contact") {
         Some(typed) if typed.value == "penalty" => Contact::Penalty,

@@ -1,6 +1,6 @@
 //! Where the contact points lie in the grid, how far the soil is from them, and how much soil is inside a body.
 
-use super::{ContactLaw, TouchedNode, corners};
+use super::{ContactLaw, TouchedNode, corners, over_corners};
 use crate::cpu::workspace::Workspace;
 use crate::grid::Grid;
 use crate::model::{BodyModel, Model, Wall};
@@ -9,13 +9,8 @@ use glam::DVec3;
 
 /// Finds every contact point's cell, weights and gap anew; measures leaked and embedded volumes. Done at every remap.
 pub(crate) fn locate(model: &Model, state: &mut State, workspace: &mut Workspace) {
-    let Workspace { scratch, points, contact_law, touched, corner_nodes, .. } = workspace;
-    let occupied = &mut scratch[2];
-    occupied.fill(0.0);
-    for (fixed, body) in model.bodies.iter().zip(&mut state.bodies) {
-        occupy(&model.grid, fixed, body, &state.soil, occupied);
-        body.located = (body.position, body.angle);
-    }
+    let Workspace { occupied, body_cells, points, contact_law, touched, corner_nodes, patch, .. } = workspace;
+    measure_leak(&model.grid, &state.soil, body_cells, &mut state.bodies);
     let view = View { model, soil: &state.soil, node_mass: &state.nodes.mass, occupied };
     for contact in &mut state.contacts {
         let point = &points[contact.body][contact.point];
@@ -31,8 +26,44 @@ pub(crate) fn locate(model: &Model, state: &mut State, workspace: &mut Workspace
         contact.area *= point.area;
     }
     (*touched, *corner_nodes) = touched_nodes(model, &state.contacts);
-    // The scratch array goes back to the remap clean.
-    occupied.fill(0.0);
+    *patch = super::number_patches(&state.contacts);
+}
+
+/// Finds anew which share of each cell the bodies take up.
+pub(crate) fn occupy_all(model: &Model, state: &mut State, workspace: &mut Workspace) {
+    let Workspace { occupied, body_cells, .. } = workspace;
+    for c in body_cells.drain(..) {
+        occupied[c.cell] = 0.0;
+    }
+    for (n, (fixed, body)) in model.bodies.iter().zip(&mut state.bodies).enumerate() {
+        occupy(&model.grid, fixed, body, |cell, share| {
+            occupied[cell] = (occupied[cell] + share).min(1.0);
+            body_cells.push(BodyCell { body: n, cell, share });
+        });
+        body.located = (body.position, body.angle);
+    }
+}
+
+/// A cell of which a body takes up a share.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct BodyCell {
+    /// Which body.
+    pub(crate) body: usize,
+    /// Place in memory.
+    pub(crate) cell: usize,
+    /// Share of the cell.
+    pub(crate) share: f64,
+}
+
+/// Measures the soil inside the bodies: what is more than fits beside them in their cells.
+fn measure_leak(grid: &Grid, soil: &Soil, body_cells: &[BodyCell], bodies: &mut [Body]) {
+    for body in bodies.iter_mut() {
+        body.leaked_volume = 0.0;
+    }
+    for c in body_cells {
+        bodies[c.body].leaked_volume +=
+            (soil.fraction[c.cell] + c.share - 1.0).max(0.0) * grid.volume_of(c.cell);
+    }
 }
 
 /// The nodes that contact acts on, in memory order, and for each contact the places of its cell's nodes among them.
@@ -78,6 +109,18 @@ fn layer(faces: &[f64], x: f64) -> Option<usize> {
     (n >= 1 && n < faces.len()).then(|| n - 1)
 }
 
+/// Axis of the largest component.
+pub(super) fn largest_axis(v: DVec3) -> usize {
+    let size = v.abs();
+    if size.x >= size.y && size.x >= size.z {
+        0
+    } else if size.y >= size.z {
+        1
+    } else {
+        2
+    }
+}
+
 struct View<'a> {
     model: &'a Model,
     soil: &'a Soil,
@@ -100,8 +143,10 @@ impl View<'_> {
         let travel = (place - contact.anchor).length();
         (contact.arm, contact.normal, contact.anchor) = (arm, normal, place);
         contact.in_soil = false;
-        // A point on a face between two cells acts in the outer one.
-        let probe = place + normal * (1e-9 * self.model.grid.finest());
+        // A point on a face between two cells acts in the outer one; one on an edge between cells of a row in that
+        // nearer to the body's middle, so that mirror images act in mirror images of cells.
+        let finest = self.model.grid.finest();
+        let probe = place + 1e-9 * finest * (normal - 0.5 * arm.signum() * (DVec3::ONE - normal.abs()));
         let faces = &self.model.grid.faces;
         let (Some(i), Some(j), Some(k)) =
             (layer(&faces[0], probe.x), layer(&faces[1], probe.y), layer(&faces[2], probe.z))
@@ -128,19 +173,21 @@ impl View<'_> {
         const MASS_RATIO: f64 = 2.5;
         let grid = &self.model.grid;
         let base = grid.index(cell[0], cell[1], cell[2]);
-        let t: [f64; 3] = std::array::from_fn(|axis| {
-            ((place[axis] - grid.faces[axis][cell[axis]]) / grid.width(axis, cell[axis])).clamp(0.0, 1.0)
+        // The parts of the low and the high node, each from the other's face: a mirror in y only exchanges them.
+        let parts: [[f64; 2]; 3] = std::array::from_fn(|axis| {
+            let (faces, n) = (&grid.faces[axis], cell[axis]);
+            let part = |distance: f64| (distance / grid.width(axis, n)).clamp(0.0, 1.0);
+            [part(faces[n + 1] - place[axis]), part(place[axis] - faces[n])]
         });
         let mut weight = [0.0; 8];
-        let mut sum = 0.0;
         for (n, offset) in corners(grid.stride).iter().enumerate() {
-            let side = |axis: usize| if n >> axis & 1 == 0 { 1.0 - t[axis] } else { t[axis] };
+            let part = |axis: usize| parts[axis][n >> axis & 1];
             let full = self.model.density * self.node_volume(cell, n);
             let mass = self.node_mass[base + offset];
             let bears = mass > self.model.mass_moved();
-            weight[n] = if bears { (side(0) * side(1) * side(2)).min(MASS_RATIO * mass / full) } else { 0.0 };
-            sum += weight[n];
+            weight[n] = if bears { (part(0) * part(1) * part(2)).min(MASS_RATIO * mass / full) } else { 0.0 };
         }
+        let sum = over_corners(weight);
         (sum > 1e-3).then(|| (weight.map(|w| w / sum), (2.0 * sum).min(1.0)))
     }
 
@@ -160,14 +207,7 @@ impl View<'_> {
     /// Void between body and soil along the normal [m], negative where they overlap. A void counts only when it lies
     /// between the two: behind the soil it is none of the contact's business.
     fn gap(&self, cell: [usize; 3], normal: DVec3) -> f64 {
-        let size = normal.abs();
-        let axis = if size.x >= size.y && size.x >= size.z {
-            0
-        } else if size.y >= size.z {
-            1
-        } else {
-            2
-        };
+        let axis = largest_axis(normal);
         let grid = &self.model.grid;
         let outward = normal[axis] > 0.0;
         let neighbour = |out: bool| -> Option<[usize; 3]> {
@@ -197,7 +237,7 @@ impl View<'_> {
             let beyond = if side_out < ALONG { void_out } else { void_out.min(0.0) };
             gap += void_own + void_in.max(0.0) + if soil_out > SOME_SOIL { beyond } else { width_out };
         }
-        gap * size[axis]
+        gap * normal[axis].abs()
     }
 
     /// Unit direction from soil to void round a cell; zero where there is none.
@@ -211,21 +251,22 @@ impl View<'_> {
         });
         let mut gradient = DVec3::ZERO;
         for (z, dz) in offset[2].iter().enumerate() {
-            for (y, dy) in offset[1].iter().enumerate() {
-                for (x, dx) in offset[0].iter().enumerate() {
-                    let f = self.soil.fraction[c.wrapping_add_signed(dx + dy + dz)];
-                    gradient.x += f * WEIGHT[y] * WEIGHT[z] * (x as f64 - 1.0);
-                    gradient.y += f * WEIGHT[x] * WEIGHT[z] * (y as f64 - 1.0);
-                    gradient.z += f * WEIGHT[x] * WEIGHT[y] * (z as f64 - 1.0);
-                }
+            for (x, dx) in offset[0].iter().enumerate() {
+                // The two sides of y are added first: a mirror in y then changes no bit.
+                let [low, middle, high] =
+                    offset[1].map(|dy| self.soil.fraction[c.wrapping_add_signed(dx + dy + dz)]);
+                let sum = (low + high) + 2.0 * middle;
+                gradient.x += sum * WEIGHT[z] * (x as f64 - 1.0);
+                gradient.y += (high - low) * WEIGHT[x] * WEIGHT[z];
+                gradient.z += sum * WEIGHT[x] * (z as f64 - 1.0);
             }
         }
         (-gradient).normalize_or_zero()
     }
 }
 
-/// Adds the share of each cell that a body takes up; measures the soil inside it and its volume below z = 0.
-fn occupy(grid: &Grid, fixed: &BodyModel, body: &mut Body, soil: &Soil, occupied: &mut [f64]) {
+/// Calls `each(cell, share)` for the cells that a body takes up a share of; measures the body's volume below z = 0.
+fn occupy(grid: &Grid, fixed: &BodyModel, body: &mut Body, mut each: impl FnMut(usize, f64)) {
     let (low, high) = fixed.shape.bounds();
     let reach = if fixed.shape.is_revolved() { high } else { DVec3::splat(low.length().max(high.length())) };
     let ranges: [std::ops::Range<usize>; 3] = std::array::from_fn(|axis| {
@@ -235,7 +276,7 @@ fn occupy(grid: &Grid, fixed: &BodyModel, body: &mut Body, soil: &Soil, occupied
         first..last.min(grid.cells()[axis])
     });
     let turn = glam::DQuat::from_rotation_y(if fixed.shape.is_revolved() { 0.0 } else { -body.angle });
-    (body.leaked_volume, body.embedded_volume) = (0.0, 0.0);
+    body.embedded_volume = 0.0;
     for k in ranges[2].clone() {
         let below = ((0.0 - grid.faces[2][k]) / grid.width(2, k)).clamp(0.0, 1.0);
         for j in ranges[1].clone() {
@@ -244,9 +285,8 @@ fn occupy(grid: &Grid, fixed: &BodyModel, body: &mut Body, soil: &Soil, occupied
                     covered(grid, [i, j, k], |x| fixed.shape.signed_distance(turn * (x - body.position)));
                 if share > 0.0 {
                     let (c, volume) = (grid.index(i, j, k), grid.volume(i, j, k));
-                    occupied[c] = (occupied[c] + share).min(1.0);
+                    each(c, share);
                     body.embedded_volume += share * below * volume;
-                    body.leaked_volume += (soil.fraction[c] + share - 1.0).max(0.0) * volume;
                 }
             }
         }
@@ -256,8 +296,10 @@ fn occupy(grid: &Grid, fixed: &BodyModel, body: &mut Body, soil: &Soil, occupied
 /// Share of a cell with a negative distance, by 4³ samples; each counts in part when the surface is near it.
 fn covered(grid: &Grid, cell: [usize; 3], distance: impl Fn(DVec3) -> f64) -> f64 {
     const SAMPLES: usize = 4;
+    // Every place is found from both faces, and layers in y are added up in pairs: a mirror in y changes no bit.
     let at = |axis: usize, n: f64| {
-        grid.faces[axis][cell[axis]] + grid.width(axis, cell[axis]) * n / SAMPLES as f64
+        let (part, faces) = (n / SAMPLES as f64, &grid.faces[axis]);
+        faces[cell[axis]] * (1.0 - part) + faces[cell[axis] + 1] * part
     };
     let width = DVec3::from_array(std::array::from_fn(|axis| grid.width(axis, cell[axis])));
     let middle = distance(DVec3::new(at(0, 2.0), at(1, 2.0), at(2, 2.0)));
@@ -265,20 +307,21 @@ fn covered(grid: &Grid, cell: [usize; 3], distance: impl Fn(DVec3) -> f64) -> f6
         return if middle < 0.0 { 1.0 } else { 0.0 };
     }
     let sample = width.min_element() / SAMPLES as f64;
-    let mut sum = 0.0;
+    let mut layers = [0.0; SAMPLES];
     for n in 0..SAMPLES.pow(3) {
-        let [x, y, z] = [n % SAMPLES, n / SAMPLES % SAMPLES, n / SAMPLES / SAMPLES].map(|n| n as f64 + 0.5);
-        let d = distance(DVec3::new(at(0, x), at(1, y), at(2, z)));
-        sum += (0.5 - d / sample).clamp(0.0, 1.0);
+        let [x, y, z] = [n % SAMPLES, n / SAMPLES % SAMPLES, n / SAMPLES / SAMPLES];
+        let place = |axis: usize, n: usize| at(axis, n as f64 + 0.5);
+        let d = distance(DVec3::new(place(0, x), place(1, y), place(2, z)));
+        layers[y] += (0.5 - d / sample).clamp(0.0, 1.0);
     }
-    sum / SAMPLES.pow(3) as f64
+    ((layers[0] + layers[3]) + (layers[1] + layers[2])) / SAMPLES.pow(3) as f64
 }
 
 /// Takes the soil out of the space that the bodies take up, before the run begins.
 pub(crate) fn carve(model: &Model, soil: &mut Soil, bodies: &mut [Body]) {
     let mut occupied = vec![0.0; model.grid.entries];
     for (fixed, body) in model.bodies.iter().zip(bodies) {
-        occupy(&model.grid, fixed, body, soil, &mut occupied);
+        occupy(&model.grid, fixed, body, |c, share| occupied[c] = (occupied[c] + share).min(1.0));
     }
     for (f, share) in soil.fraction.iter_mut().zip(&occupied) {
         *f = f.min(1.0 - share);

@@ -7,7 +7,8 @@
 //! volume fractions show that soil has got into the body, it is pushed out as the body moves on; a body at rest pushes
 //! nothing, so that its load does not drift.
 
-use super::{ContactLaw, Scene};
+use super::patch::{Patch, touching};
+use super::{ContactLaw, Grip, Scene, over_corners};
 use crate::state::Contact;
 use glam::DVec3;
 
@@ -40,44 +41,49 @@ impl ContactLaw for Impulses {
     }
 
     fn act(&self, scene: &mut Scene) {
-        let near: Vec<Near> = (0..scene.contacts.len())
-            .filter(|n| {
-                scene.contacts[*n].in_soil
-                    && scene.contacts[*n].penetration > -REACH * scene.contacts[*n].width
-            })
-            .filter_map(|n| Near::new(scene, n))
-            .collect();
-        for near in &near {
-            let contact = scene.contacts[near.contact];
-            scene.exchange(near.contact, contact.impulse);
+        let touches = |n: usize| {
+            let c = &scene.contacts[n];
+            let closing = || scene.slip_velocity(&scene.grip(n)).dot(c.normal);
+            c.penetration >= 0.0
+                || c.penetration > -REACH * c.width && c.penetration + closing() * scene.dt > 0.0
+        };
+        let (mut patches, patch_of) = touching(scene, touches);
+        let terms: Vec<Option<Terms>> = patches.iter().map(|p| Terms::new(scene, p)).collect();
+        let groups = mirrored_groups(scene, &patches, &terms);
+        for group in &groups {
+            group.give(scene, &patches, [group.first, group.second].map(|n| patches[n].impulse));
         }
-        let groups = mirrored_groups(scene, &near);
         for _ in 0..SWEEPS {
             for group in groups.iter().chain(groups.iter().rev()) {
-                group.relax(scene, &near);
+                group.relax(scene, &mut patches, &terms);
             }
         }
-        for near in &near {
-            let c = scene.contacts[near.contact];
-            let normal = c.impulse.dot(c.normal) * c.normal;
-            scene.note(near.contact, normal, c.impulse - normal);
-        }
-        for n in 0..scene.contacts.len() {
-            let c = scene.contacts[n];
-            if c.in_soil {
-                let closing = scene.slip_velocity(n).dot(c.normal);
-                let penetration = (c.penetration + closing * scene.dt).min(c.penetration.max(0.0));
-                // Rounding must not let go of a point that is held.
-                let held = c.impulse.dot(c.normal) > 0.0;
-                scene.contacts[n].penetration = if held { penetration.max(0.0) } else { penetration };
+        for (n, patch) in patch_of.into_iter().enumerate() {
+            if scene.contacts[n].in_soil {
+                remember(scene, n, patch.map(|p| &patches[p]));
             }
         }
     }
 }
 
-/// What does not change about a point that may touch, during the sweeps of a step.
-struct Near {
-    contact: usize,
+/// Gives a point its share of its patch's impulse, if it has one, and carries its distance on.
+fn remember(scene: &mut Scene, n: usize, patch: Option<&Patch>) {
+    let c = scene.contacts[n];
+    let impulse = patch.map_or(DVec3::ZERO, |p| (c.area / p.area) * p.impulse);
+    if let Some(patch) = patch {
+        let normal = impulse.dot(patch.normal) * patch.normal;
+        scene.note(n, normal, impulse - normal);
+    }
+    let closing = scene.slip_velocity(&scene.grip(n)).dot(c.normal);
+    let penetration = (c.penetration + closing * scene.dt).min(c.penetration.max(0.0));
+    // Rounding must not let go of a point that is held.
+    let held = patch.is_some_and(|p| p.impulse.dot(p.normal) > 0.0);
+    scene.contacts[n].penetration = if held { penetration.max(0.0) } else { penetration };
+    scene.contacts[n].impulse = impulse;
+}
+
+/// What does not change about a patch during the sweeps of a step.
+struct Terms {
     /// Inverse of the velocity that an impulse along the normal makes [kg].
     along: f64,
     /// The same across the normal, where it makes the most [kg].
@@ -89,133 +95,132 @@ struct Near {
     shear_limit: f64,
 }
 
-impl Near {
+impl Terms {
     /// `None` where neither soil nor body can give way along the normal: there is nothing to solve for.
-    fn new(scene: &Scene, contact: usize) -> Option<Self> {
-        let c = &scene.contacts[contact];
-        let mobility = mobility(scene, contact);
-        let along = mobility.dot(c.normal * c.normal);
-        if along <= 0.0 {
-            return None;
-        }
-        let body = &scene.bodies[c.body];
-        // Overlap is pushed out, a gap may be closed.
-        let allowed = if c.penetration > 0.0 {
-            -PUSH * c.penetration / c.width * body.velocity.length()
-        } else {
-            -c.penetration / scene.dt
-        };
-        Some(Self {
-            contact,
+    fn new(scene: &Scene, patch: &Patch) -> Option<Self> {
+        let mobility = mobility(scene, &patch.grip);
+        let along = mobility.dot(patch.normal * patch.normal);
+        (along > 0.0).then(|| Self {
             along: 1.0 / along,
             across: 1.0 / mobility.max_element(),
-            allowed,
-            friction: scene.model.bodies[c.body].friction.min(1e6),
-            shear_limit: scene.model.bodies[c.body].shear_limit * c.area * scene.dt,
+            allowed: -PUSH * patch.overlap * scene.bodies[patch.grip.body].velocity.length(),
+            friction: scene.model.bodies[patch.grip.body].friction.min(1e6),
+            shear_limit: scene.model.bodies[patch.grip.body].shear_limit * patch.area * scene.dt,
         })
     }
 
     /// Impulse that the present relative velocity asks for, `share` of the whole correction.
-    fn wanted(&self, scene: &Scene, share: f64) -> DVec3 {
-        let c = &scene.contacts[self.contact];
-        let relative = scene.slip_velocity(self.contact);
-        let closing = relative.dot(c.normal);
-        let old_normal = c.impulse.dot(c.normal);
+    fn wanted(&self, scene: &Scene, patch: &Patch, share: f64) -> DVec3 {
+        let relative = scene.slip_velocity(&patch.grip);
+        let closing = relative.dot(patch.normal);
+        let old_normal = patch.impulse.dot(patch.normal);
         let new_normal = (old_normal + share * (closing - self.allowed) * self.along).max(0.0);
         if new_normal == 0.0 && old_normal == 0.0 {
             return DVec3::ZERO;
         }
-        let old_friction = c.impulse - old_normal * c.normal;
-        let sliding = relative - closing * c.normal;
+        let old_friction = patch.impulse - old_normal * patch.normal;
+        let sliding = relative - closing * patch.normal;
         let limit = (self.friction * new_normal).min(self.shear_limit);
         let friction = (old_friction + share * sliding * self.across).clamp_length_max(limit);
-        new_normal * c.normal + friction
-    }
-
-    /// Sets the impulse of the point.
-    fn set(&self, scene: &mut Scene, impulse: DVec3) {
-        let change = impulse - scene.contacts[self.contact].impulse;
-        if change != DVec3::ZERO {
-            scene.contacts[self.contact].impulse = impulse;
-            scene.exchange(self.contact, change);
-        }
+        new_normal * patch.normal + friction
     }
 }
 
-/// One point, or two that are each other's mirror image in y. Two are relaxed together, each from what was before the
-/// other: a case and its mirror image then take the same course, which the order of the points would otherwise spoil.
+/// One patch (then both places are the same), or two on opposite sides of the body's middle. Two are relaxed together,
+/// each from what was before the other: a case and its mirror image then take the same course, which the order of the
+/// patches would otherwise spoil.
 struct Group {
-    /// Places among the near points.
+    /// Places among the patches.
     first: usize,
-    second: Option<usize>,
+    second: usize,
     /// Share of the correction that each takes, so that two that push the same soil or body do not overshoot.
     share: f64,
 }
 
 impl Group {
-    fn relax(&self, scene: &mut Scene, near: &[Near]) {
-        let first = near[self.first].wanted(scene, self.share);
-        let second = self.second.map(|n| (n, near[n].wanted(scene, self.share)));
-        near[self.first].set(scene, first);
-        if let Some((n, impulse)) = second {
-            near[n].set(scene, impulse);
+    fn relax(&self, scene: &mut Scene, patches: &mut [Patch], terms: &[Option<Terms>]) {
+        let places = [self.first, self.second];
+        let new = places.map(|n| {
+            let old = patches[n].impulse;
+            terms[n].as_ref().map_or(old, |t| t.wanted(scene, &patches[n], self.share))
+        });
+        let change = [new[0] - patches[self.first].impulse, new[1] - patches[self.second].impulse];
+        self.give(scene, patches, change);
+        for (n, impulse) in places.into_iter().zip(new) {
+            patches[n].impulse = impulse;
+        }
+    }
+
+    /// Lets impulses act at the patches.
+    fn give(&self, scene: &mut Scene, patches: &[Patch], impulse: [DVec3; 2]) {
+        let [first, second] = [self.first, self.second].map(|n| &patches[n].grip);
+        if impulse == [DVec3::ZERO; 2] {
+            return;
+        }
+        if self.first == self.second {
+            scene.exchange(first, impulse[0]);
+        } else {
+            scene.exchange_both((first, impulse[0]), (second, impulse[1]));
         }
     }
 }
 
-/// The near points in groups. Mirror images stand side by side in the list of surface points.
-fn mirrored_groups(scene: &Scene, near: &[Near]) -> Vec<Group> {
-    let mut groups = Vec::with_capacity(near.len());
-    let mut n = 0;
-    while n < near.len() {
-        let partner = (n + 1 < near.len() && are_mirrored(scene, near[n].contact, near[n + 1].contact))
-            .then_some(n + 1);
-        let share = partner.map_or(1.0, |p| 1.0 / (1.0 + coupling(scene, &near[n], &near[p])));
-        groups.push(Group { first: n, second: partner, share });
-        n += if partner.is_some() { 2 } else { 1 };
+/// The patches in groups. Mirror images stand side by side, as surface points do.
+fn mirrored_groups(scene: &Scene, patches: &[Patch], terms: &[Option<Terms>]) -> Vec<Group> {
+    let mut groups = Vec::with_capacity(patches.len());
+    let mut first = 0;
+    while first < patches.len() {
+        let next = first + 1;
+        let is_pair = next < patches.len() && are_mirrored(scene, &patches[first], &patches[next]);
+        let second = if is_pair { next } else { first };
+        let share = match (&terms[first], &terms[second]) {
+            (Some(a), Some(b)) if is_pair => {
+                1.0 / (1.0 + coupling(scene, (&patches[first], a), (&patches[second], b)))
+            }
+            _ => 1.0,
+        };
+        groups.push(Group { first, second, share });
+        first = second + 1;
     }
     groups
 }
 
-fn are_mirrored(scene: &Scene, first: usize, second: usize) -> bool {
-    let (a, b) = (&scene.contacts[first], &scene.contacts[second]);
+/// Whether two patches began with points that are each other's mirror image. In the mirror image of the case they stand the
+/// other way round, also when the grid cuts the two sides of the body differently.
+fn are_mirrored(scene: &Scene, a: &Patch, b: &Patch) -> bool {
+    let (p, q) = (&scene.contacts[a.first], &scene.contacts[b.first]);
     let flip = |v: DVec3| DVec3::new(v.x, -v.y, v.z);
-    a.body == b.body && flip(a.arm) == b.arm && flip(a.normal) == b.normal
+    b.first == a.first + 1 && p.body == q.body && flip(p.arm) == q.arm && flip(p.normal) == q.normal
 }
 
-/// How far an impulse at one point moves the other, over how far it moves itself; 0 to 1.
-fn coupling(scene: &Scene, first: &Near, second: &Near) -> f64 {
-    let (a, b) = (&scene.contacts[first.contact], &scene.contacts[second.contact]);
-    let (nodes_a, nodes_b) = (&scene.corner_nodes[first.contact], &scene.corner_nodes[second.contact]);
-    let mut shared = DVec3::ZERO;
-    for (n, w) in nodes_a.iter().zip(a.weight) {
-        for (_, other) in nodes_b.iter().zip(b.weight).filter(|(m, _)| *m == n) {
-            shared += w * other * scene.nodes[*n as usize].inverse_mass;
-        }
-    }
-    let through_body = mobility_of_body(scene, a.body, a.arm);
-    let size = (shared + through_body).dot((a.normal * b.normal).abs());
-    (size * first.along.max(second.along)).clamp(0.0, 1.0)
+/// How far an impulse at one patch moves the other, over how far it moves itself; 0 to 1.
+fn coupling(scene: &Scene, (a, terms_a): (&Patch, &Terms), (b, terms_b): (&Patch, &Terms)) -> f64 {
+    let shared = |n: usize| {
+        let node = a.grip.nodes[n];
+        let place = b.grip.nodes.iter().position(|m| *m == node);
+        place.map_or(DVec3::ZERO, |m| {
+            (a.grip.weight[n] * b.grip.weight[m]) * scene.nodes[node as usize].inverse_mass
+        })
+    };
+    let through_soil = over_corners(std::array::from_fn(shared));
+    let through_body = 0.5 * (mobility_of_body(scene, &a.grip) + mobility_of_body(scene, &b.grip));
+    let size = (through_soil + through_body).dot((a.normal * b.normal).abs());
+    (size * terms_a.along.max(terms_b.along)).clamp(0.0, 1.0)
 }
 
-/// Velocity per impulse along x, y, z, of soil and body together [1/kg] (diagonal of the point's mobility).
-fn mobility(scene: &Scene, contact: usize) -> DVec3 {
-    let c = &scene.contacts[contact];
-    let nodes = scene.corner_nodes[contact];
-    let each = nodes.iter().zip(c.weight);
-    let soil = each.fold(DVec3::ZERO, |sum, (n, w)| sum + w * w * scene.nodes[*n as usize].inverse_mass);
-    soil + mobility_of_body(scene, c.body, c.arm)
+/// Velocity per impulse along x, y, z, of soil and body together [1/kg] (diagonal of the mobility).
+fn mobility(scene: &Scene, grip: &Grip) -> DVec3 {
+    let soil = |n: usize| grip.weight[n] * grip.weight[n] * scene.nodes[grip.nodes[n] as usize].inverse_mass;
+    over_corners(std::array::from_fn(soil)) + mobility_of_body(scene, grip)
 }
 
 /// The body's part of it.
-fn mobility_of_body(scene: &Scene, body: usize, arm: DVec3) -> DVec3 {
-    let fixed = &scene.model.bodies[body];
+fn mobility_of_body(scene: &Scene, grip: &Grip) -> DVec3 {
+    let fixed = &scene.model.bodies[grip.body];
     let share = scene.model.share;
     DVec3::from_array(std::array::from_fn(|axis| {
         let push = if fixed.translation[axis].is_free() { 1.0 / (fixed.mass * share) } else { 0.0 };
-        let mut unit = DVec3::ZERO;
-        unit[axis] = 1.0;
-        let lever = arm.cross(unit).y;
+        let lever = grip.arm.cross(DVec3::AXES[axis]).y;
         let turn = if fixed.spin.is_free() { lever * lever / (fixed.axle_inertia * share) } else { 0.0 };
         push + turn
     }))

@@ -4,11 +4,15 @@
 //! every remap and kept till the next. How soil and body act on each other there is a `ContactLaw`'s business; two
 //! were built: penalty with a history, and velocity impulses.
 
+mod expel;
 mod geometry;
 mod impulse;
+mod patch;
 mod penalty;
 
-pub(crate) use geometry::{carve as carve_soil, locate, touched_nodes};
+pub(crate) use expel::expel;
+pub(crate) use geometry::{BodyCell, carve as carve_soil, locate, occupy_all, touched_nodes};
+pub(crate) use patch::number as number_patches;
 
 use crate::cpu::workspace::Workspace;
 use crate::model::{BodyModel, ContactMethod, Model};
@@ -35,6 +39,10 @@ pub(crate) struct Scene<'a> {
     pub(crate) nodes: &'a mut [TouchedNode],
     /// For each contact the places of its cell's nodes among them.
     pub(crate) corner_nodes: &'a [[u32; 8]],
+    /// For each contact in soil the number of its patch.
+    pub(crate) patch: &'a [Option<usize>],
+    /// How many patches there are.
+    pub(crate) patches: usize,
     /// Frictional impulse on the soil at each contact in this step [N s].
     pub(crate) friction: &'a mut [DVec3],
     /// Time step [s].
@@ -63,27 +71,69 @@ fn corners([x, y, z]: [usize; 3]) -> [usize; 8] {
     [0, x, y, x + y, z, x + z, y + z, x + y + z]
 }
 
+/// Sum over a cell's corners, in an order that a mirror in y changes no bit of.
+fn over_corners<T: Copy + std::ops::Add<Output = T>>(v: [T; 8]) -> T {
+    ((v[0] + v[2]) + (v[1] + v[3])) + ((v[4] + v[6]) + (v[5] + v[7]))
+}
+
+/// Where an impulse acts: on a body at a point, and on the nodes of a cell.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Grip {
+    /// Which body.
+    pub(crate) body: usize,
+    /// From the body's reference point [m].
+    pub(crate) arm: DVec3,
+    /// Places of the nodes among the touched ones.
+    pub(crate) nodes: [u32; 8],
+    /// Their weights.
+    pub(crate) weight: [f64; 8],
+}
+
 impl Scene<'_> {
-    /// Velocity of the soil at a point [m/s].
-    fn soil_velocity(&self, contact: usize) -> DVec3 {
-        let nodes = self.corner_nodes[contact].iter().zip(self.contacts[contact].weight);
-        nodes.fold(DVec3::ZERO, |v, (n, w)| v + w * self.nodes[*n as usize].velocity)
+    /// Where a contact acts.
+    fn grip(&self, contact: usize) -> Grip {
+        let Contact { body, arm, weight, .. } = self.contacts[contact];
+        Grip { body, arm, nodes: self.corner_nodes[contact], weight }
     }
 
-    /// Velocity of the body minus that of the soil at a point [m/s].
-    fn slip_velocity(&self, contact: usize) -> DVec3 {
-        let c = &self.contacts[contact];
-        velocity_at(&self.bodies[c.body], c.arm) - self.soil_velocity(contact)
+    /// Velocity of the body minus that of the soil [m/s].
+    fn slip_velocity(&self, grip: &Grip) -> DVec3 {
+        let soil = |n: usize| grip.weight[n] * self.nodes[grip.nodes[n] as usize].velocity;
+        velocity_at(&self.bodies[grip.body], grip.arm) - over_corners(std::array::from_fn(soil))
     }
 
-    /// Gives an impulse [N s] to the soil at a point and takes it from the body, as far as the body is free.
-    fn exchange(&mut self, contact: usize, impulse: DVec3) {
-        let c = &self.contacts[contact];
-        for (n, w) in self.corner_nodes[contact].iter().zip(c.weight) {
+    /// Gives an impulse [N s] to the soil and takes it from the body, as far as the body is free.
+    fn exchange(&mut self, grip: &Grip, impulse: DVec3) {
+        for (n, w) in grip.nodes.iter().zip(grip.weight) {
             let node = &mut self.nodes[*n as usize];
             node.velocity += w * node.inverse_mass * impulse;
         }
-        push(&self.model.bodies[c.body], &mut self.bodies[c.body], self.model.share, c.arm, -impulse);
+        push(
+            &self.model.bodies[grip.body],
+            &mut self.bodies[grip.body],
+            self.model.share,
+            [(grip.arm, -impulse)],
+        );
+    }
+
+    /// Does so at two places of one body at once; which of them is named first makes no difference to the bit.
+    fn exchange_both(&mut self, first: (&Grip, DVec3), second: (&Grip, DVec3)) {
+        let gain = |nodes: &[TouchedNode], (grip, impulse): (&Grip, DVec3), n: usize| {
+            grip.weight[n] * nodes[grip.nodes[n] as usize].inverse_mass * impulse
+        };
+        for (n, node) in first.0.nodes.iter().enumerate() {
+            let own = gain(self.nodes, first, n);
+            let shared = second.0.nodes.iter().position(|other| other == node);
+            let both = shared.map_or(own, |m| own + gain(self.nodes, second, m));
+            self.nodes[*node as usize].velocity += both;
+        }
+        for (n, node) in second.0.nodes.iter().enumerate().filter(|(_, node)| !first.0.nodes.contains(node)) {
+            let own = gain(self.nodes, second, n);
+            self.nodes[*node as usize].velocity += own;
+        }
+        let body = first.0.body;
+        let impulses = [(first.0.arm, -first.1), (second.0.arm, -second.1)];
+        push(&self.model.bodies[body], &mut self.bodies[body], self.model.share, impulses);
     }
 
     /// Notes what the soil gave to a body at a point in this step: the reaction to these impulses on the soil [N s].
@@ -102,15 +152,16 @@ pub(crate) fn velocity_at(body: &Body, arm: DVec3) -> DVec3 {
     body.velocity + (DVec3::Y * body.spin).cross(arm)
 }
 
-/// Gives an impulse [N s] to the modelled share of a body at `arm`; only free motions answer.
-fn push(fixed: &BodyModel, body: &mut Body, share: f64, arm: DVec3, impulse: DVec3) {
-    for axis in 0..3 {
+/// Gives impulses [N s], each with its arm, to the modelled share of a body; only free motions answer.
+fn push<const N: usize>(fixed: &BodyModel, body: &mut Body, share: f64, impulses: [(DVec3, DVec3); N]) {
+    let sum = |value: fn(&(DVec3, DVec3)) -> f64| impulses.iter().map(value).sum::<f64>();
+    for (axis, impulse) in [sum(|i| i.1.x), sum(|i| i.1.y), sum(|i| i.1.z)].into_iter().enumerate() {
         if fixed.translation[axis].is_free() {
-            body.velocity[axis] += impulse[axis] / (fixed.mass * share);
+            body.velocity[axis] += impulse / (fixed.mass * share);
         }
     }
     if fixed.spin.is_free() {
-        body.spin += arm.cross(impulse).y / (fixed.axle_inertia * share);
+        body.spin += sum(|(arm, impulse)| arm.cross(*impulse).y) / (fixed.axle_inertia * share);
     }
 }
 
@@ -122,10 +173,11 @@ pub(crate) fn law(model: &Model) -> Box<dyn ContactLaw> {
     }
 }
 
-/// Surface points of a body for a grid whose cells near it have the width `cell` [m].
+/// Surface points of a body; the cells near it are the narrowest along each axis.
 pub(crate) fn surface_points(model: &Model, body: &BodyModel) -> Vec<SurfacePoint> {
-    let cell = model.grid.finest();
-    body.shape.surface_points(model.method.point_spacing * cell, DVec3::splat(model.method.edge_inset * cell))
+    let finest = DVec3::from_array(std::array::from_fn(|axis| model.grid.finest_along(axis)));
+    let spacing = model.method.point_spacing * model.grid.finest();
+    body.shape.surface_points(spacing, model.method.edge_inset * finest)
 }
 
 /// Lets soil and bodies act on each other for one step. Returns what that did, for the ledger.
@@ -140,7 +192,7 @@ pub(crate) fn contact(
     if state.contacts.is_empty() {
         return ContactWork::default();
     }
-    let Workspace { touched, corner_nodes, velocity_before, friction, .. } = workspace;
+    let Workspace { touched, corner_nodes, patch, velocity_before, friction, .. } = workspace;
     let before: Vec<(DVec3, f64)> = state.bodies.iter().map(|b| (b.velocity, b.spin)).collect();
     let received: Vec<_> = state.bodies.iter().map(|b| b.received).collect();
     let velocity = &mut state.nodes.velocity;
@@ -161,6 +213,8 @@ pub(crate) fn contact(
         bodies,
         nodes: touched,
         corner_nodes,
+        patch: &patch.0,
+        patches: patch.1,
         friction,
         dt,
     });

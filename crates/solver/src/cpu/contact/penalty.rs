@@ -72,7 +72,7 @@ impl ContactLaw for Penalty {
         let mut given = Vec::with_capacity(scene.contacts.len());
         for n in 0..scene.contacts.len() {
             if scene.contacts[n].in_soil {
-                let relative = scene.slip_velocity(n);
+                let relative = scene.slip_velocity(&scene.grip(n));
                 let body = &scene.model.bodies[scene.contacts[n].body];
                 let friction = [body.friction.min(1e6), body.shear_limit];
                 let (normal, tangential) = self.tractions(&mut scene.contacts[n], relative, friction);
@@ -82,12 +82,13 @@ impl ContactLaw for Penalty {
         }
         for (n, normal, friction) in &given {
             if *normal != DVec3::ZERO {
-                scene.exchange(*n, *normal + *friction);
+                let grip = scene.grip(*n);
+                scene.exchange(&grip, *normal + *friction);
                 scene.note(*n, *normal, *friction);
             }
         }
         for (n, ..) in given {
-            let relative = scene.slip_velocity(n);
+            let relative = scene.slip_velocity(&scene.grip(n));
             remember(&mut scene.contacts[n], relative, scene.dt);
         }
     }

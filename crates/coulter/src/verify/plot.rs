@@ -1,0 +1,191 @@
+//! Pictures of the verification: how near every figure came to its tolerance, and what the runs behind them did.
+
+use super::bench::Ledgers;
+use super::row::{Row, Tolerance};
+use super::table::figure;
+use crate::output::chart::{Chart, Curve};
+use crate::simulation::Simulation;
+use serde::{Deserialize, Serialize};
+use std::fmt::Write as _;
+
+/// A run has at most so many points in a picture.
+const MOST_POINTS: usize = 120;
+/// A benchmark has at most so many runs in a picture; more could not be told apart.
+const MOST_RUNS: usize = 8;
+/// Layout of the picture of the figures [pixels].
+const WIDTH: f64 = 860.0;
+const LINE: f64 = 18.0;
+const LEFT: f64 = 570.0;
+const RIGHT: f64 = 44.0;
+/// Errors beyond so many tolerances are drawn at the edge.
+const EDGE: f64 = 2.0;
+
+/// What a run did, in one line.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub enum Trace {
+    /// Nothing that could be drawn.
+    #[default]
+    None,
+    /// Force against the motion [N], in plane strain per length [N/m], over the way along it [m].
+    Force(Vec<[f64; 2]>),
+    /// Thickness of the soil at the end [m] along x [m], in the first layer of cells along y.
+    Heap(Vec<[f64; 2]>),
+}
+
+impl Trace {
+    /// The trace of a run that has come to its end.
+    #[must_use]
+    pub fn of(simulation: &Simulation) -> Self {
+        match simulation.history.bodies.first().filter(|samples| samples.len() > 1) {
+            Some(samples) => {
+                let (first, last) = (samples[0], samples[samples.len() - 1]);
+                let sinks =
+                    (last.sinkage - first.sinkage).abs() > (last.displacement - first.displacement).abs();
+                let domain = &simulation.case.domain;
+                let per = if domain.plane_strain { domain.high.y - domain.low.y } else { 1.0 };
+                let points = samples.iter().map(|s| {
+                    if sinks { [s.sinkage, s.vertical / per] } else { [s.displacement, s.drag / per] }
+                });
+                Self::Force(averaged(&points.collect::<Vec<_>>()))
+            }
+            None if simulation.case.bodies.is_empty() => Self::Heap(heap(simulation)),
+            None => Self::None,
+        }
+    }
+}
+
+/// Means over groups of neighbours, so that no more points are left than can be seen.
+fn averaged(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let group = points.len().div_ceil(MOST_POINTS).max(1);
+    let mean = |part: &[[f64; 2]], n: usize| part.iter().map(|p| p[n]).sum::<f64>() / part.len() as f64;
+    points.chunks(group).map(|part| [mean(part, 0), mean(part, 1)]).collect()
+}
+
+fn heap(simulation: &Simulation) -> Vec<[f64; 2]> {
+    let (grid, fraction) = (&simulation.model.grid, &simulation.state.soil.fraction);
+    let thickness =
+        |i: usize| (0..grid.cells()[2]).map(|k| fraction[grid.index(i, 0, k)] * grid.width(2, k)).sum();
+    averaged(&(0..grid.cells()[0]).map(|i| [grid.centre(0, i), thickness(i)]).collect::<Vec<_>>())
+}
+
+/// What the runs of a benchmark did, as SVG; `None` if nothing of it can be drawn.
+#[must_use]
+pub fn runs(title: &str, ledgers: &[&Ledgers]) -> Option<String> {
+    let curves = |pick: fn(&Trace) -> Option<&Vec<[f64; 2]>>| -> Vec<Curve> {
+        let all = ledgers.iter().filter_map(|run| Some((run, pick(&run.trace)?)));
+        let drawn = all.take(MOST_RUNS).enumerate();
+        drawn.map(|(n, (run, points))| Curve::solid(&run.case, n, points.clone())).collect()
+    };
+    let forces = curves(|trace| if let Trace::Force(points) = trace { Some(points) } else { None });
+    let heaps = curves(|trace| if let Trace::Heap(points) = trace { Some(points) } else { None });
+    let (x_label, y_label, curves) = if forces.is_empty() {
+        ("x [m]", "thickness of the soil at the end [m]", heaps)
+    } else {
+        ("way of the body [m]", "force against its motion [N; plane strain: N/m]", forces)
+    };
+    if curves.is_empty() {
+        return None;
+    }
+    let chart = Chart {
+        title: title.to_owned(),
+        x_label: x_label.to_owned(),
+        y_label: y_label.to_owned(),
+        with_zero: true,
+        curves,
+        ..Chart::default()
+    };
+    Some(on_paper(&chart.svg()))
+}
+
+/// How near the judged figures of a benchmark came: their errors over their tolerances, as SVG; `None` if none is judged.
+#[must_use]
+pub fn figures(rows: &[Row]) -> Option<String> {
+    let judged: Vec<(&Row, f64, bool)> =
+        rows.iter().filter_map(|r| Some((r, over_tolerance(r)?, r.passes()?))).collect();
+    if judged.is_empty() {
+        return None;
+    }
+    let height = LINE * judged.len() as f64 + 46.0;
+    let x_at = |ratio: f64| LEFT + (WIDTH - LEFT - RIGHT) * (ratio.clamp(-EDGE, EDGE) + EDGE) / (2.0 * EDGE);
+    let bottom = height - 30.0;
+    let mut svg = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height}\" role=\"img\" aria-label=\"errors over \
+         tolerances\" font-family=\"system-ui, 'Segoe UI', 'DejaVu Sans', sans-serif\" font-size=\"12\" fill=\"currentColor\">\n\
+         <rect x=\"{:.1}\" y=\"8\" width=\"{:.1}\" height=\"{:.1}\" fill=\"#2a9d5c\" fill-opacity=\"0.15\"/>\n",
+        x_at(-1.0),
+        x_at(1.0) - x_at(-1.0),
+        bottom - 8.0
+    );
+    for tick in [-EDGE, -1.0, 0.0, 1.0, EDGE] {
+        let x = x_at(tick);
+        let _ = writeln!(
+            svg,
+            "<path d=\"M{x:.1} 8V{bottom:.1}\" stroke=\"currentColor\" stroke-opacity=\"0.2\"/><text x=\"{x:.1}\" y=\"{:.1}\" \
+             text-anchor=\"middle\" opacity=\"0.8\">{}</text>",
+            bottom + 16.0,
+            if tick.abs() == EDGE { format!("beyond {tick}") } else { format!("{tick}") }
+        );
+    }
+    for (n, (row, ratio, passes)) in judged.iter().enumerate() {
+        let y = 8.0 + LINE * (n as f64 + 0.5);
+        let colour = if *passes { "#1d7a45" } else { "#c0392b" };
+        let text = escaped(&format!("{} · {}: {}", row.case, row.quantity, figure(row.obtained)));
+        let _ = writeln!(
+            svg,
+            "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\" font-size=\"11\">{text}</text><circle cx=\"{:.1}\" cy=\"{y:.1}\" \
+             r=\"4\" fill=\"{colour}\"/>",
+            LEFT - 8.0,
+            y + 4.0,
+            x_at(*ratio)
+        );
+    }
+    svg.push_str("</svg>\n");
+    Some(on_paper(&svg))
+}
+
+/// The error of a judged row in units of its tolerance.
+pub(super) fn over_tolerance(row: &Row) -> Option<f64> {
+    let (Tolerance::Relative(limit) | Tolerance::Absolute(limit)) = row.tolerance else { return None };
+    let error = row.error()?;
+    Some(match () {
+        () if error.is_nan() => EDGE,
+        () if error == 0.0 => 0.0,
+        () if limit == 0.0 => EDGE.copysign(error),
+        () => error / limit,
+    })
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
+/// A picture in the colours of print: pages that show it as an image have no text colour to hand on to it.
+fn on_paper(svg: &str) -> String {
+    let paper = "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
+    match svg.split_once(">\n") {
+        Some((head, rest)) => format!("{head} color=\"#222\">\n{paper}{rest}"),
+        None => svg.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pictures_hold_what_they_show_and_nothing_strange() {
+        let row = |obtained| Row::note("X1", "a < b", "N & c", obtained).within(5.0, 0.02, "");
+        let svg = figures(&[row(5.05), row(f64::NAN), row(-1e9), Row::note("X1", "", "told", 1.0)]).unwrap();
+        assert_eq!(svg.matches("<circle").count(), 3);
+        assert!(svg.contains("a &lt; b · N &amp; c") && !svg.contains("cx=\"NaN"));
+        assert_eq!(figures(&[Row::note("X1", "", "told", 1.0)]), None);
+        assert_eq!(runs("X1", &[]), None);
+    }
+
+    #[test]
+    fn a_long_run_is_thinned_to_its_means() {
+        let points: Vec<[f64; 2]> = (0..1000).map(|n| [f64::from(n), 1.0]).collect();
+        let thin = averaged(&points);
+        assert!(thin.len() <= MOST_POINTS && thin.iter().all(|p| p[1] == 1.0) && thin[0][0] == 4.0);
+    }
+}

@@ -1,0 +1,185 @@
+//! Soil that has got into a body is put back outside, into the void beside it.
+//!
+//! The soil's velocity is continuous. Near a sharp edge it therefore lags behind the body on the inner side and is dragged
+//! along on the outer: what enters the body is what goes missing beside it. After a remap, soil that overlaps a body (volume
+//! fraction and share of the body above 1) moves to neighbouring cells that hold soil and have room, with its mass, its
+//! momentum, its stress and history. Soil for which there is no room stays.
+//!
+//! All sums run over neighbours in an order that a mirror in y does not change to the bit.
+
+use super::geometry::occupy_all;
+use super::over_corners;
+use crate::cpu::remap::settle_cell;
+use crate::cpu::workspace::Workspace;
+use crate::grid::Grid;
+use crate::model::Model;
+use crate::state::{Nodes, Soil, State};
+use glam::DVec3;
+use std::collections::BTreeMap;
+
+/// Rounds of sharing out; each serves what the last left over.
+const ROUNDS: usize = 3;
+/// Overlap and room below this share of a cell are rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// Finds anew where the bodies are, and puts overlapping soil back outside them.
+pub(crate) fn expel(model: &Model, state: &mut State, workspace: &mut Workspace) {
+    occupy_all(model, state, workspace);
+    let mut cells: Vec<usize> = workspace.body_cells.iter().map(|c| c.cell).collect();
+    cells.sort_unstable();
+    cells.dedup();
+    for _ in 0..ROUNDS {
+        let transfers = share_out(&model.grid, &state.soil.fraction, &workspace.occupied, &cells);
+        if transfers.is_empty() {
+            break;
+        }
+        carry(model, state, &transfers);
+    }
+}
+
+/// Soil that goes from one cell to another.
+#[derive(Clone, Copy, Debug)]
+struct Transfer {
+    from: usize,
+    to: usize,
+    /// Layers that it moves by along y, plus 1.
+    side: usize,
+    /// Volume [m³].
+    volume: f64,
+}
+
+/// A sum whose terms come from three layers in y.
+#[derive(Clone, Copy, Debug, Default)]
+struct Layered<T>([T; 3]);
+
+impl<T: Copy + std::ops::Add<Output = T>> Layered<T> {
+    fn add(&mut self, layer: usize, value: T) {
+        self.0[layer] = self.0[layer] + value;
+    }
+
+    fn total(&self) -> T {
+        (self.0[0] + self.0[2]) + self.0[1]
+    }
+}
+
+/// Places of a cell's 26 neighbours inside the grid, and their layer in y (0 to 2).
+fn neighbours(grid: &Grid, cell: usize) -> impl Iterator<Item = (usize, usize)> + '_ {
+    let (place, cells) = (grid.place(cell), grid.cells());
+    (0..27).filter(|n| *n != 13).filter_map(move |n| {
+        let step = [n % 3, n / 3 % 3, n / 9];
+        let mut at = [0; 3];
+        for axis in 0..3 {
+            at[axis] = (place[axis] + step[axis]).checked_sub(1).filter(|p| *p < cells[axis])?;
+        }
+        Some((grid.index(at[0], at[1], at[2]), step[1]))
+    })
+}
+
+/// Which soil goes where: every overlap asks all neighbours that have room, in proportion to it; a cell that is asked for
+/// more than it can take gives each the same share.
+fn share_out(grid: &Grid, fraction: &[f64], occupied: &[f64], cells: &[usize]) -> Vec<Transfer> {
+    let room = |c: usize| (1.0 - occupied[c] - fraction[c]) * grid.volume_of(c);
+    let mut asked: BTreeMap<usize, Layered<f64>> = BTreeMap::new();
+    let mut transfers = Vec::new();
+    for &from in cells {
+        let smallest = ROUNDING * grid.volume_of(from);
+        let excess = (-room(from)).min(fraction[from] * grid.volume_of(from));
+        if excess <= smallest {
+            continue;
+        }
+        // Soil only joins soil: it would else be thrown into the air.
+        let takers = || neighbours(grid, from).filter(|(n, _)| fraction[*n] > 0.0 && room(*n) > smallest);
+        let mut total = Layered::default();
+        takers().for_each(|(n, side)| total.add(side, room(n)));
+        let total = total.total();
+        for (to, side) in takers() {
+            let volume = excess.min(total) * room(to) / total;
+            asked.entry(to).or_default().add(side, volume);
+            transfers.push(Transfer { from, to, side, volume });
+        }
+    }
+    for t in &mut transfers {
+        t.volume *= (room(t.to) / asked[&t.to].total()).min(1.0);
+    }
+    transfers
+}
+
+/// What comes into a cell and leaves it.
+#[derive(Clone, Copy, Debug, Default)]
+struct Change {
+    volume_out: Layered<f64>,
+    volume_in: Layered<f64>,
+    mass_in: Layered<f64>,
+    momentum_in: Layered<DVec3>,
+    /// Stress, plastic strain and gap strain, each times the volume.
+    carried_in: [Layered<f64>; 8],
+}
+
+/// What a cell's soil carries by volume.
+fn carried(soil: &mut Soil) -> [&mut Vec<f64>; 8] {
+    let [xx, yy, zz, xy, yz, xz] = &mut soil.stress;
+    [xx, yy, zz, xy, yz, xz, &mut soil.plastic_strain, &mut soil.gap_strain]
+}
+
+/// Moves soil with all that it carries.
+fn carry(model: &Model, state: &mut State, transfers: &[Transfer]) {
+    let grid = &model.grid;
+    let State { soil, nodes, .. } = state;
+    let mut changes: BTreeMap<usize, Change> = BTreeMap::new();
+    for t in transfers {
+        changes.entry(t.from).or_default().volume_out.add(t.side, t.volume);
+        let held = soil.fraction[t.from] * grid.volume_of(t.from);
+        let mass = soil.mass[t.from] * t.volume / held;
+        let velocity = 0.125 * over_corners(super::corners(grid.stride).map(|n| velocity(nodes, t.from + n)));
+        let change = changes.entry(t.to).or_default();
+        change.volume_in.add(t.side, t.volume);
+        change.mass_in.add(t.side, mass);
+        change.momentum_in.add(t.side, mass * velocity);
+        for (sum, field) in change.carried_in.iter_mut().zip(carried(soil)) {
+            sum.add(t.side, t.volume * field[t.from]);
+        }
+    }
+    let mut masses = BTreeMap::new();
+    for (c, change) in &changes {
+        let held = soil.fraction[*c] * grid.volume_of(*c);
+        let (out, into) = (change.volume_out.total(), change.volume_in.total());
+        let mass_out = soil.mass[*c] * out / held;
+        let mass_in = change.mass_in.total();
+        soil.fraction[*c] = (held + (into - out)) / grid.volume_of(*c);
+        soil.mass[*c] += mass_in - mass_out;
+        if into > 0.0 {
+            for (field, sum) in carried(soil).into_iter().zip(&change.carried_in) {
+                field[*c] = (field[*c] * held + sum.total()) / (held + into);
+            }
+            settle_cell(model, soil, *c, model.grid.volume_of(*c));
+        }
+        masses.insert(*c, (mass_out, mass_in, change.momentum_in.total()));
+    }
+    move_nodes(grid, nodes, &masses);
+}
+
+fn velocity(nodes: &Nodes, n: usize) -> DVec3 {
+    DVec3::new(nodes.velocity[0][n], nodes.velocity[1][n], nodes.velocity[2][n])
+}
+
+/// An eighth of a cell's mass hangs on each corner: what leaves takes its momentum with it, what comes mixes.
+fn move_nodes(grid: &Grid, nodes: &mut Nodes, changes: &BTreeMap<usize, (f64, f64, DVec3)>) {
+    let corners = super::corners(grid.stride);
+    let mut touched: Vec<usize> = changes.keys().flat_map(|c| corners.map(|n| c + n)).collect();
+    touched.sort_unstable();
+    touched.dedup();
+    for n in touched {
+        let of = corners.map(|back| changes.get(&(n - back)).copied().unwrap_or_default());
+        let out = 0.125 * over_corners(of.map(|c| c.0));
+        let mass_in = 0.125 * over_corners(of.map(|c| c.1));
+        let momentum = 0.125 * over_corners(of.map(|c| c.2));
+        let left = (nodes.mass[n] - out).max(0.0);
+        nodes.mass[n] = left + mass_in;
+        if mass_in > 0.0 {
+            let new = (left * velocity(nodes, n) + momentum) / nodes.mass[n];
+            for (v, new) in nodes.velocity.iter_mut().zip(new.to_array()) {
+                v[n] = new;
+            }
+        }
+    }
+}

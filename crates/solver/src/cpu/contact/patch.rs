@@ -1,0 +1,107 @@
+//! Patches: the parts of a body's faces that lie in one cell and touch the soil.
+//!
+//! The soil's velocity is one trilinear field in a cell, so the flow through a face there is one condition, and the surface
+//! points of the face in the cell are its quadrature. Their weights, each by its area, make the mean velocity of the soil
+//! over the patch; an impulse on the patch acts like a uniform pressure on it.
+
+use super::{Grip, Scene};
+use crate::state::Contact;
+use glam::DVec3;
+use std::collections::HashMap;
+
+/// A patch that touches, during one step.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Patch {
+    /// The contact that it began with.
+    pub(super) first: usize,
+    /// Where it acts: the mean over its points.
+    pub(super) grip: Grip,
+    /// Unit normal out of the body.
+    pub(super) normal: DVec3,
+    /// Area [m²].
+    pub(super) area: f64,
+    /// Mean overlap of body and soil, in cells.
+    pub(super) overlap: f64,
+    /// Impulse on the soil in this step [N s].
+    pub(super) impulse: DVec3,
+}
+
+/// Sums over the points of a patch.
+#[derive(Clone, Copy, Debug, Default)]
+struct Sums {
+    area: f64,
+    weight: [f64; 8],
+    normal: DVec3,
+    arm: DVec3,
+    overlap: f64,
+    impulse: DVec3,
+}
+
+impl Sums {
+    fn add(&mut self, c: &Contact) {
+        self.area += c.area;
+        for (sum, w) in self.weight.iter_mut().zip(c.weight) {
+            *sum += c.area * w;
+        }
+        self.normal += c.area * c.normal;
+        self.arm += c.area * c.arm;
+        self.overlap += c.area * c.penetration.max(0.0) / c.width;
+        self.impulse += c.impulse;
+    }
+
+    fn plus(&self, other: &Self) -> Self {
+        Self {
+            area: self.area + other.area,
+            weight: std::array::from_fn(|n| self.weight[n] + other.weight[n]),
+            normal: self.normal + other.normal,
+            arm: self.arm + other.arm,
+            overlap: self.overlap + other.overlap,
+            impulse: self.impulse + other.impulse,
+        }
+    }
+}
+
+/// The patches made of the points that touch, in the order of their first points, and for each contact the place of its
+/// patch among them.
+pub(super) fn touching(scene: &Scene, touches: impl Fn(usize) -> bool) -> (Vec<Patch>, Vec<Option<usize>>) {
+    let mut patches: Vec<Patch> = Vec::new();
+    // Points on the two sides of the body's middle are added up apart: a mirror in y then changes no bit of the sum.
+    let mut sums: Vec<[Sums; 3]> = Vec::new();
+    let mut place = vec![None; scene.patches];
+    let mut patch_of = vec![None; scene.contacts.len()];
+    for (n, c) in scene.contacts.iter().enumerate() {
+        let Some(number) = scene.patch[n].filter(|_| touches(n)) else { continue };
+        let at = *place[number].get_or_insert(patches.len());
+        if at == patches.len() {
+            let grip = Grip { body: c.body, nodes: scene.corner_nodes[n], ..Grip::default() };
+            patches.push(Patch { first: n, grip, ..Patch::default() });
+            sums.push(Default::default());
+        }
+        patch_of[n] = Some(at);
+        let side = if c.arm.y == 0.0 { 2 } else { usize::from(c.arm.y < 0.0) };
+        sums[at][side].add(c);
+    }
+    for (patch, [left, right, middle]) in patches.iter_mut().zip(sums) {
+        let all = left.plus(&right).plus(&middle);
+        patch.area = all.area;
+        patch.grip.weight = all.weight.map(|w| w / all.area);
+        patch.grip.arm = all.arm / all.area;
+        patch.normal = all.normal.normalize_or_zero();
+        patch.overlap = all.overlap / all.area;
+        patch.impulse = all.impulse;
+    }
+    (patches, patch_of)
+}
+
+/// For each contact the number of its patch (that of its body, face and cell), and how many patches there are.
+pub(crate) fn number(contacts: &[Contact]) -> (Vec<Option<usize>>, usize) {
+    let mut numbers = HashMap::new();
+    let each = contacts.iter().map(|c| {
+        c.in_soil.then(|| {
+            let axis = super::geometry::largest_axis(c.normal);
+            let next = numbers.len();
+            *numbers.entry((c.body, c.base, axis, c.normal[axis] > 0.0)).or_insert(next)
+        })
+    });
+    (each.collect(), numbers.len())
+}

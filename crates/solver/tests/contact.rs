@@ -1,0 +1,72 @@
+//! A disc pushed into sand and towed: no soil is left inside it, none is lost, and left and right are alike.
+#![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
+
+mod common;
+
+use common::{below, sand, uniform};
+use glam::DVec3;
+use physics::rigid::Freedom;
+use physics::shape::Disc;
+use solver::cpu::energy::soil_mass;
+use solver::cpu::workspace::Workspace;
+use solver::grid::Grid;
+use solver::model::{BodyModel, ContactMethod, Model};
+use solver::start::start;
+use solver::state::State;
+use solver::step::step;
+
+fn moving(speed: f64) -> Freedom {
+    Freedom::Prescribed { speed, start: 0.0, ramp: 0.01, end: f64::INFINITY }
+}
+
+/// After `steps` steps with the disc's middle at `y`.
+fn towed(method: ContactMethod, y: f64, steps: usize) -> (Model, State) {
+    // Faces that are each other's mirror image to the bit.
+    let across = (-8..=8).map(|n| 0.02 * f64::from(n)).collect();
+    let mut model = sand([uniform(-0.2, 0.24, 22), across, uniform(-0.12, 0.06, 9)]);
+    model.method.contact = method;
+    let disc = Disc { diameter: 0.2, thickness: 0.08 };
+    model.bodies.push(BodyModel {
+        name: "disc".into(),
+        shape: Box::new(disc),
+        start: DVec3::new(0.0, y, 0.1),
+        mass: 1.0,
+        axle_inertia: 0.005,
+        friction: 0.3,
+        translation: [moving(0.3), Freedom::Fixed, moving(-0.15)],
+        spin: Freedom::Free { load: 0.0, start: 0.0, ramp: 0.0 },
+    });
+    let mut state = start(&model, &below(0.0));
+    let mut workspace = Workspace::new(&model, &state, 1);
+    for _ in 0..steps {
+        step(&model, &mut state, &mut workspace).unwrap();
+    }
+    (model, state)
+}
+
+#[test]
+fn no_soil_is_left_in_the_body_and_none_is_lost() {
+    for method in [ContactMethod::Impulse, ContactMethod::Penalty] {
+        let (model, state) = towed(method, 0.0, 800);
+        let body = &state.bodies[0];
+        assert!(body.embedded_volume > 5e-5, "{method:?}: the disc is in the sand");
+        let leak = body.leaked_volume / body.embedded_volume;
+        assert!(leak < 1e-3, "{method:?}: {leak:e} of the embedded volume is soil");
+        let before = model.density * state.ledger.volume_start;
+        let mass = soil_mass(&state.soil) + state.ledger.crumbs_mass;
+        assert!((mass / before - 1.0).abs() < 1e-12, "{method:?}: {mass} kg of {before} kg");
+    }
+}
+
+#[test]
+fn the_mirror_image_of_a_case_has_the_mirror_image_of_its_course() {
+    let (left, right) =
+        (towed(ContactMethod::Impulse, -0.007, 300), towed(ContactMethod::Impulse, 0.007, 300));
+    let grid: &Grid = &left.0.grid;
+    let [nx, ny, nz] = grid.cells();
+    for (i, j, k) in (0..nx * ny * nz).map(|n| (n % nx, n / nx % ny, n / nx / ny)) {
+        let (cell, image) = (grid.index(i, j, k), grid.index(i, ny - 1 - j, k));
+        assert_eq!(left.1.soil.fraction[cell], right.1.soil.fraction[image], "cell {i} {j} {k}");
+    }
+    assert_eq!(left.1.bodies[0].spin, right.1.bodies[0].spin);
+}
