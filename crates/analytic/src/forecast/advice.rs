@@ -71,9 +71,9 @@ fn leading(towing: &Towing, sideways: f64) -> String {
 }
 
 /// What is said where resistive force theory stands alone.
-const RESISTIVE: &str = "Believe 3D-RFT, for want of another: it is a fit to plates in sand. Where it can be compared, on \
-    upright blocks, it gives 1 to 2 times the passive thrust at a width of half the depth, 3 to 8 times at ten depths. Believe \
-    the trend rather than the number.";
+const RESISTIVE: &str = "Believe 3D-RFT, for want of another: it is a fit to plates in sand. Where it can be compared, \
+    on upright blocks, it gives 1 to 2 times the passive thrust at a width of half the depth, 3 to 8 times at ten depths. \
+    Believe the trend rather than the number.";
 
 /// What to believe of a block, and how far.
 fn before_block(towing: &Towing, block: &Block, best: Candidate, found: &Prediction) -> String {
@@ -98,11 +98,15 @@ fn before_block(towing: &Towing, block: &Block, best: Candidate, found: &Predict
              formula for slabs gives less: how far the two lie apart is the least that is unknown."
         ),
         Candidate::McKyesAli => format!(
-            "Believe McKyes-Ali: the front has a rake of {rake:.1}°, where the exact field ends and the plane slip surface of \
-             the blade models is at its best. It was made for tools that cut the ground; as an upper bound of plane wedges it errs to the high side in plane strain."
+            "Believe McKyes-Ali: the front has a rake of {rake:.1}°, which the exact field does not reach and where a plane \
+             slip surface is at its best. It was made for tools that cut the ground. With a plane slip surface it can only \
+             err to the high side in plane strain."
         ),
         _ => RESISTIVE.into(),
     };
+    if best == Candidate::SpatialResistive {
+        return words;
+    }
     if let Load::Sinkage(z) = towing.load {
         words.push_str(
             " The forces are those on the front before soil heaps up; in a long tow they grow with the heap.",
@@ -113,7 +117,7 @@ fn before_block(towing: &Towing, block: &Block, best: Candidate, found: &Predict
                  be braked by the friction of that: the blade models leave it out."
             ));
         }
-    } else if best != Candidate::SpatialResistive {
+    } else {
         words.push_str(if (block.front().rake - FRAC_PI_2).abs() < 1e-9 {
             " It sinks until front and base carry the weight; the base counts as a footing under a load inclined by its \
              friction, an assumption that has not been validated."
@@ -138,7 +142,8 @@ fn warnings(towing: &Towing) -> Vec<String> {
                 .into(),
         );
     }
-    if towing.soil.dilation_angle < towing.soil.friction_angle - 1e-9 {
+    let is_plastic = !matches!(towing.body, Body::Round(_));
+    if is_plastic && towing.soil.dilation_angle < towing.soil.friction_angle - 1e-9 {
         warnings.push(
             "The flow is non-associated: the plasticity models use Davis' angle; the values at the full friction angle \
              stand beside them: a stronger soil, into which the same weight sinks less."

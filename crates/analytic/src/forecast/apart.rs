@@ -53,7 +53,9 @@ pub(super) fn set_apart(models: &mut [ModelForecast], towing: &Towing) {
                 model.exclude(TOO_DEEP)
             }
             Candidate::PlanarResistive if matches!(towing.body, Body::Round(_)) => {
-                model.exclude("its surface is turned sideways: the law, taken in slices along the tow, was not made for that");
+                model.exclude(
+                    "its surface is turned sideways: the law, taken in slices along the tow, was not made for that",
+                );
             }
             _ => {}
         }
