@@ -246,3 +246,18 @@ fn coulomb_on_the_overhanging_face_is_far_too_large_or_missing() {
         assert!(coulomb(&Face::degrees(phi, delta, alpha, 0.0)).is_err());
     }
 }
+
+/// Work for a stopwatch: `time` this test alone, its user seconds are the milliseconds of one coefficient.
+#[test]
+#[ignore = "a measurement"]
+fn a_thousand_fields() {
+    let ratios = [-0.4, 0.0, 0.3, 0.6, 1.0];
+    let mut sum = 0.0;
+    for n in 0..1000 {
+        let phi = 25.0 + 20.0 * f64::from(n % 40) / 39.0;
+        let ratio = ratios[n as usize % 5];
+        let surface = if ratio < 0.0 { 15.0 + f64::from(n % 30) } else { 15.0 + f64::from(n % 76) };
+        sum += sokolovskii(&Face::degrees(phi, ratio * phi, surface, 0.0)).unwrap().coefficient;
+    }
+    assert!(sum.is_finite());
+}

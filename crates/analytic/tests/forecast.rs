@@ -11,6 +11,8 @@ use analytic::wheel::TERRAINS;
 use analytic::{Load, Soil, Towing, forecast};
 use std::time::Instant;
 
+const DISC: Disc = Disc { diameter: 0.2, thickness: 0.05 };
+
 fn towing(degrees: f64, load: Load, drive: Drive) -> Towing {
     let angle = degrees.to_radians();
     let soil = Soil {
@@ -20,7 +22,7 @@ fn towing(degrees: f64, load: Load, drive: Drive) -> Towing {
         unit_weight: 16e3,
         body_friction: 0.3,
     };
-    Towing::new(soil, Disc { diameter: 0.2, thickness: 0.05 }, load, drive)
+    Towing::new(soil, DISC, load, drive)
 }
 
 #[test]
@@ -78,9 +80,9 @@ fn thin_discs_fail_sideways_and_thick_ones_forwards() {
     let rows =
         [(0.05, 3.22, 25.5), (0.1, 3.36, 13.6), (0.25, 4.83, 6.44), (0.5, 7.19, 4.05), (1.0, 6.30, 2.86)];
     for (thickness, bearing, wedge) in rows {
-        let case = case.with(Parameter::Thickness, 0.2 * thickness);
-        let setting = Setting::new(case.soil, case.disc, Drive::Free);
-        let scale = case.disc.force_scale(16e3);
+        let disc = *case.with(Parameter::Thickness, 0.2 * thickness).body.disc().unwrap();
+        let setting = Setting::new(case.soil, disc, Drive::Free);
+        let scale = disc.force_scale(16e3);
         let lift = |model| disc_forces(model, &setting, 0.04).unwrap().vertical / scale;
         let (bc, pw) = (lift(Model::Bearing), lift(Model::Wedge));
         println!("t/d={thickness}: BC {bc:.3} for {bearing}, PW {pw:.3} for {wedge}");
@@ -167,7 +169,7 @@ fn the_weaker_way_out_is_below_both_and_joins_them() {
 #[test]
 fn braked_and_driven_discs_lie_between_free_and_locked() {
     let case = towing(35.0, Load::Sinkage(0.03), Drive::Free);
-    let at = |drive| disc_forces(Model::Bearing, &Setting::new(case.soil, case.disc, drive), 0.03).unwrap();
+    let at = |drive| disc_forces(Model::Bearing, &Setting::new(case.soil, DISC, drive), 0.03).unwrap();
     let (free, locked) = (at(Drive::Free), at(Drive::Locked));
     let braked = at(Drive::Braked(0.5 * locked.rim_torque));
     assert!((braked.rim_torque / locked.rim_torque - 0.5).abs() < 1e-9);
@@ -186,12 +188,12 @@ fn braked_and_driven_discs_lie_between_free_and_locked() {
 #[test]
 fn assemblies_join_their_two_limits() {
     let case = towing(35.0, Load::Sinkage(0.03), Drive::Free);
-    let setting = Setting::new(case.soil, case.disc, Drive::Free);
+    let setting = Setting::new(case.soil, DISC, Drive::Free);
     let group = |count, spacing| {
         assembly_forces(Model::Weaker, &setting, &Assembly { count, spacing }, 0.03).unwrap()
     };
     let alone = disc_forces(Model::Weaker, &setting, 0.03).unwrap();
-    let wide = Setting { disc: Disc { thickness: 0.15, ..case.disc }, ..setting };
+    let wide = Setting { disc: Disc { thickness: 0.15, ..DISC }, ..setting };
     let joined = disc_forces(Model::Weaker, &wide, 0.03).unwrap();
     assert!((group(3, 0.05).drag / joined.drag - 1.0).abs() < 1e-12);
     assert!((group(3, 2.0).drag / (3.0 * alone.drag) - 1.0).abs() < 1e-12);
@@ -210,9 +212,8 @@ fn the_measured_wheel_is_forecast_as_noted() {
     let wheel = Disc { diameter: 0.116, thickness: 0.05 };
     for (phi, z, drag) in [(30., 0.172, 9.7), (32., 0.133, 8.5), (33., 0.116, 8.0), (34., 0.101, 7.4)] {
         let mut case = towing(phi, Load::Weight(24.0), Drive::Free);
-        (case.disc, case.soil.unit_weight) = (wheel, 13.03e3);
-        let found =
-            equilibrium(Model::Bearing, &Setting::new(case.soil, case.disc, case.drive), 24.0).unwrap();
+        (case.body, case.soil.unit_weight) = (wheel.into(), 13.03e3);
+        let found = equilibrium(Model::Bearing, &Setting::new(case.soil, wheel, case.drive), 24.0).unwrap();
         let Equilibrium::At { sinkage, forces } = found else { panic!("no equilibrium") };
         assert!(
             (sinkage / 0.116 - z).abs() < 1e-3 && (forces.drag - drag).abs() < 0.06,

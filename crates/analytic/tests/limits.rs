@@ -165,7 +165,7 @@ fn inputs_out_of_range_are_refused_with_the_range() {
     refuse(&|case| case.soil.dilation_angle = 0.7, "dilation angle");
     refuse(&|case| case.soil.unit_weight = 0.0, "unit weight");
     refuse(&|case| case.soil.cohesion = f64::NAN, "cohesion");
-    refuse(&|case| case.disc.thickness = f64::INFINITY, "thickness");
+    refuse(&|case| case.body = Disc { thickness: f64::INFINITY, ..disc(0.25) }.into(), "thickness");
     refuse(&|case| case.load = Load::Sinkage(0.3), "sinkage");
     refuse(&|case| case.drive = Drive::Slip(-2.0), "slip");
     refuse(&|case| case.gravity = -1.0, "gravity");

@@ -98,9 +98,9 @@ fn the_axle_and_the_heave_are_understood() {
 
 #[test]
 fn what_it_cannot_answer_is_refused_with_the_reason() {
-    for name in ["column_collapse.toml", "passive_wall.toml", "strip_footing.toml"] {
+    for (name, word) in [("column_collapse.toml", "no body"), ("strip_footing.toml", "not towed")] {
         let why = refusal(coulter().arg("forecast").arg(shipped(name)));
-        assert!(why.contains("no disc"), "{why}");
+        assert!(why.contains(word), "{why}");
     }
     let weightless = ["--set", "soil.unit_weight=0 N/m^3", "--set", "soil.density=1600 kg/m^3"];
     for (keys, word) in [
@@ -263,4 +263,178 @@ fn pressure_gives_null_and_a_reason() {
         let why = refusal(coulter().arg("pressure").args(angles));
         assert!(why.contains(word), "{why}");
     }
+}
+
+/// A blade 0.3 m wide, 0.1 m deep, and what else is towed, as a case file.
+fn tool(changes: &[(&str, &str)]) -> (tempfile::TempDir, String) {
+    let mut text = String::from(
+        r#"
+title = "A tool"
+[soil]
+law = "mohr-coulomb"
+friction_angle = "35 deg"
+dilation_angle = "35 deg"
+unit_weight = "16 kN/m^3"
+young_modulus = "5 MPa"
+[domain]
+x = ["-0.5 m", "1 m"]
+y = ["-0.6 m", "0.6 m"]
+z = ["-0.4 m", "0.3 m"]
+[grid]
+cell = "20 mm"
+[body.tool]
+shape = "block"
+size = ["0.06 m", "0.3 m", "0.25 m"]
+sinkage = "0.1 m"
+friction = 0.4
+forward = { speed = "0.2 m/s", ramp = "0.1 s" }
+heave = "fixed"
+[run]
+duration = "1 s"
+"#,
+    );
+    for (old, new) in changes {
+        assert!(text.contains(old), "{old}");
+        text = text.replace(old, new);
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("tool.toml");
+    std::fs::write(&path, text).unwrap();
+    let path = path.display().to_string();
+    (folder, path)
+}
+
+fn told(path: &str, arguments: &[&str]) -> Value {
+    let output = coulter().args(["forecast", path, "--json"]).args(arguments).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+/// The wall of `cases`: Rankine's thrust on its slab, at the full friction angle and at Davis'.
+#[test]
+fn the_passive_wall_is_rankines() {
+    let seen = told(&shipped("passive_wall.toml"), &[]);
+    assert_eq!((&seen["kind"], &seen["recommended"]), (&"block".into(), &"PW plane strain".into()));
+    let slab = 0.0625;
+    let full = seen["models_full_friction"].as_array().unwrap();
+    let full = full.iter().find(|m| m["name"] == "PW plane strain").unwrap();
+    assert!((number(&full["drag_N"]) / (0.5 * 16e3 * 3.0 * slab) - 1.0).abs() < 1e-4);
+    let davis = number(&seen["operative_friction_angle_rad"]);
+    let passive = (0.25 * std::f64::consts::PI + 0.5 * davis).tan().powi(2);
+    let drag = number(&model(&seen, "PW plane strain")["drag_N"]);
+    assert!((drag / (0.5 * 16e3 * passive * slab) - 1.0).abs() < 1e-4);
+    assert!(seen["remarks"].to_string().contains("floor"));
+}
+
+#[test]
+fn a_blade_has_a_forecast_with_its_lengths() {
+    let (folder, path) = tool(&[]);
+    let seen = told(&path, &[]);
+    assert_eq!(seen["recommended"], "PW");
+    assert!((number(&seen["groups"]["t_bar"]) - 1.2).abs() < 1e-12);
+    let scale = 16e3 * 0.3 * 0.25 * 0.25;
+    assert!((number(&seen["groups"]["force_scale_N"]) - scale).abs() < 1e-9);
+    for applied in seen["models"].as_array().unwrap().iter().filter(|m| m["applicable"] == true) {
+        let drag = number(&applied["drag_N"]);
+        assert!((number(&applied["F_H_bar"]) - drag / scale).abs() < 1e-12);
+        assert!((number(&applied["Z"]) - 0.4).abs() < 1e-12);
+        let [low, high] = ["low", "high"].map(|end| number(&applied["interval"]["drag_N"][end]));
+        assert!(low < drag && drag < high, "{applied}");
+    }
+    for name in ["Wismer-Luth", "BC", "McKyes-Ali", "3D-RFT", "PW plane strain"] {
+        let absent = model(&seen, name);
+        assert!(absent["applicable"] == false && !absent["note"].as_str().unwrap().is_empty(), "{absent}");
+    }
+    for against in [
+        "Z=0.05..0.9",
+        "soil.friction_angle=\"25 deg\"..\"44 deg\"",
+        "orientation=-60 deg..30 deg",
+        "backfill=0 deg..15 deg",
+    ] {
+        let mut command = coulter();
+        command.current_dir(&folder).args([
+            "forecast",
+            &path,
+            "--points",
+            "7",
+            "--force",
+            "--against",
+            against,
+        ]);
+        command.assert().success();
+    }
+    let written = folder.path().join("results/tool-forecast");
+    let curve = std::fs::read_to_string(written.join("curve.csv")).unwrap();
+    assert!(curve.contains("PW drag F_H [N]") && curve.lines().count() == 8);
+    assert!(std::fs::read_to_string(written.join("drag_dimensionless.svg")).unwrap().contains("PW"));
+    let text = coulter().args(["forecast", &path]).assert().success();
+    let text = String::from_utf8_lossy(&text.get_output().stdout).into_owned();
+    for word in ["not turning", "Believe PW", "Brinch Hansen", "under its base"] {
+        assert!(text.contains(word), "{word} is missing in\n{text}");
+    }
+    for (arguments, word) in [
+        (["--against", "diameter=0.1 m..0.2 m"], "no model of a block"),
+        (["--against", "Z=0.1..2"], "at most 0.25 m"),
+        (["--set", "body.tool.heave={ speed = \"-0.28 m/s\" }"], "at most 0.25 m"),
+        (["--set", "body.tool.forward=\"fixed\""], "not towed"),
+        (["--set", "soil.friction_angle=\"52 deg\""], "10°"),
+    ] {
+        let why = refusal(coulter().args(["forecast", &path]).args(arguments));
+        assert!(why.contains(word), "{word} is missing in {why}");
+    }
+}
+
+#[test]
+fn blocks_sink_and_lean_and_are_uncertain() {
+    let free = ("heave = \"fixed\"", "heave = \"free\"\nweight = \"600 N\"");
+    let (_folder, path) = tool(&[free, ("sinkage = \"0.1 m\"", "")]);
+    let spread = ["--uncertainty", "--spread", "weight=20 N", "--spread", "friction_angle=2 deg"];
+    let seen = told(&path, &spread);
+    let best = model(&seen, seen["recommended"].as_str().unwrap());
+    assert!((number(&best["vertical_N"]) - 600.0).abs() < 1e-6 && number(&best["sinkage_m"]) > 1e-3);
+    // The friction of all that the base carries is a part of the drag.
+    assert!(number(&best["drag_N"]) > 0.4 * 600.0 * 0.9);
+    let all = seen["uncertainty"]["quantities"].as_array().unwrap();
+    assert_eq!(all.iter().filter(|q| q["model"] == "PW").count(), 2);
+    // Leaning back it is McKyes and Ali's, unless it is thick; leaning forward the exact one.
+    let (_folder, path) = tool(&[("size = [\"0.06 m\"", "orientation = \"-30 deg\"\nsize = [\"0.06 m\"")]);
+    assert_eq!(told(&path, &[])["recommended"], "3D-RFT");
+    assert_eq!(told(&path, &["--set", "body.tool.orientation=-10 deg"])["recommended"], "McKyes-Ali");
+    assert_eq!(told(&path, &["--set", "body.tool.orientation=20 deg"])["recommended"], "PW");
+    // Towed the other way it is its own mirror image.
+    let mirrored = ["--set", "body.tool.forward.speed=-0.2 m/s", "--set", "body.tool.orientation=-20 deg"];
+    let ahead = told(&path, &["--set", "body.tool.orientation=20 deg"]);
+    assert_eq!(told(&path, &mirrored)["models"], ahead["models"]);
+}
+
+#[test]
+fn round_bodies_have_resistive_force_theory() {
+    let block = "shape = \"block\"\nsize = [\"0.06 m\", \"0.3 m\", \"0.25 m\"]";
+    let ball = "shape = \"ball\"\ndiameter = \"0.2 m\"\nspin = \"free\"\nweight = \"60 N\"";
+    let (_folder, path) =
+        tool(&[(block, ball), ("heave = \"fixed\"", "heave = \"free\""), ("sinkage = \"0.1 m\"", "")]);
+    let seen = told(&path, &[]);
+    assert_eq!((&seen["kind"], &seen["recommended"]), (&"ball".into(), &"3D-RFT".into()));
+    let best = model(&seen, "3D-RFT");
+    assert!((number(&best["vertical_N"]) / 60.0 - 1.0).abs() < 1e-3 && number(&best["skid"]) < 0.0);
+    assert!(number(&model(&seen, "2-D RFT")["drag_N"]) > 0.0);
+    assert!(model(&seen, "PW")["note"].as_str().unwrap().contains("plane front"));
+    for axis in ["x", "z"] {
+        let shape =
+            format!("shape = \"cylinder\"\naxis = \"{axis}\"\ndiameter = \"0.1 m\"\nlength = \"0.2 m\"");
+        let (_folder, path) = tool(&[(block, &shape), ("sinkage = \"0.1 m\"", "sinkage = \"0.05 m\"")]);
+        let seen = told(&path, &[]);
+        let best = model(&seen, "3D-RFT");
+        assert!(best["applicable"] == true && number(&best["drag_N"]) > 0.0 && best["skid"].is_null());
+    }
+    // Across the tow it is a disc as thick as it is long.
+    let roller = "shape = \"cylinder\"\naxis = \"y\"\ndiameter = \"0.2 m\"\nlength = \"0.3 m\"";
+    let disc = "shape = \"disc\"\ndiameter = \"0.2 m\"\nthickness = \"0.3 m\"";
+    let sinkage = ("sinkage = \"0.1 m\"", "sinkage = \"0.04 m\"");
+    let [roller, disc] = [roller, disc].map(|shape| {
+        let (_folder, path) = tool(&[(block, shape), sinkage]);
+        told(&path, &[])
+    });
+    assert_eq!(roller["models"], disc["models"]);
+    assert_eq!(roller["recommended"], "weaker of BC and PW");
 }

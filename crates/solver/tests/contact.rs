@@ -33,6 +33,7 @@ fn towed(method: ContactMethod, y: f64, steps: usize) -> (Model, State) {
         mass: 1.0,
         axle_inertia: 0.005,
         friction: 0.3,
+        shear_limit: f64::INFINITY,
         translation: [moving(0.3), Freedom::Fixed, moving(-0.15)],
         spin: Freedom::Free { load: 0.0, start: 0.0, ramp: 0.0 },
     });

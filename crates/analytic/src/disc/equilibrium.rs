@@ -53,7 +53,7 @@ pub fn equilibrium_of(
     disc.check()?;
     // An answer at some depth is asked for first, so that a bad input is refused with its own reason.
     vertical(0.1 * disc.diameter)?;
-    match first_depth(disc, weight, 1e-15, |z| vertical(z).unwrap_or(f64::NAN)) {
+    match first_depth(disc.diameter, weight, 1e-15, |z| vertical(z).unwrap_or(f64::NAN)) {
         Ok(sinkage) => {
             let forces = forces(sinkage)?;
             carries(weight, forces.vertical, 1e-6)?;
@@ -81,17 +81,17 @@ pub(crate) fn carries(weight: f64, vertical: f64, tolerance: f64) -> Answer<()> 
 /// The least sinkage [m] at which `vertical` reaches `weight` [N]; otherwise the largest value met, and where.
 ///
 /// Where `vertical` is not a number the model has no answer, and the search goes on beyond. `precision`, as a fraction of
-/// the diameter, should not be finer than `vertical` is smooth, or the search takes long.
+/// the diameter (of another body: its height), should not be finer than `vertical` is smooth, or the search takes long.
 ///
 /// # Errors
 /// The largest vertical force [N] and its sinkage [m], if no sinkage up to [`DEEPEST`] carries the weight.
 pub fn first_depth(
-    disc: &Disc,
+    diameter: f64,
     weight: f64,
     precision: f64,
     vertical: impl Fn(f64) -> f64,
 ) -> Result<f64, (f64, f64)> {
-    let excess = |relative: f64| vertical(relative * disc.diameter) / weight - 1.0;
+    let excess = |relative: f64| vertical(relative * diameter) / weight - 1.0;
     let shallow = (0..9).map(|n| 1e-9 * 8_f64.powi(n));
     // Beyond, steps short enough not to jump over a locked disc's shallow summit.
     let deep = (0..24).map(|n| 0.05 + 0.037 * f64::from(n));
@@ -100,7 +100,7 @@ pub fn first_depth(
         let here = excess(relative);
         if here >= 0.0 {
             let bracketed = if last > 0.0 { root(last, relative, precision, excess) } else { None };
-            return Ok(bracketed.unwrap_or(relative) * disc.diameter);
+            return Ok(bracketed.unwrap_or(relative) * diameter);
         }
         if here.is_finite() {
             last = relative;
@@ -109,5 +109,5 @@ pub fn first_depth(
             }
         }
     }
-    Err(((1.0 + most.0.max(-1.0)) * weight, most.1 * disc.diameter))
+    Err(((1.0 + most.0.max(-1.0)) * weight, most.1 * diameter))
 }

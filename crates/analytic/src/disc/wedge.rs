@@ -9,7 +9,7 @@ use std::f64::consts::FRAC_PI_2;
 /// Where the passive coefficient comes from.
 #[derive(Clone, Copy, Debug, Default)]
 pub enum Passive<'a> {
-    /// Solve the field each time (half a millisecond).
+    /// Solve the field each time (a quarter of a millisecond).
     #[default]
     Solve,
     /// Look it up (a microsecond), for sweeps; a face outside the table is solved.

@@ -37,6 +37,20 @@ pub fn coulomb(face: &Face) -> Answer<f64> {
     Ok(coulomb_total(face)? * face.wall_friction.cos() * face.surface.sin().powi(2))
 }
 
+/// Coulomb's total active coefficient of an upright wall under level ground, for the thrust at δ to its normal.
+///
+/// K_a = cos²φ / {cos δ [1 + √(sin(φ+δ) sin φ / cos δ)]²}, angles in radians. Source: as [`coulomb_total`].
+///
+/// # Errors
+/// Unless 0 < φ < 90° and |δ| ≤ φ.
+pub fn coulomb_active(friction_angle: f64, wall_friction: f64) -> Answer<f64> {
+    let upright = std::f64::consts::FRAC_PI_2;
+    Face { friction_angle, wall_friction, surface: upright, backfill: 0.0 }.check()?;
+    let (phi, delta) = (friction_angle, wall_friction);
+    let root = ((phi + delta).sin() * phi.sin() / delta.cos()).sqrt();
+    Ok(phi.cos().powi(2) / (delta.cos() * (1.0 + root).powi(2)))
+}
+
 fn no_wedge(face: &Face) -> String {
     let limit = (face.friction_angle + face.wall_friction).to_degrees();
     format!(

@@ -22,7 +22,7 @@ mod sokolovskii;
 mod table;
 
 pub use comparison::{Comparison, compare};
-pub use coulomb::{coulomb, coulomb_total};
+pub use coulomb::{coulomb, coulomb_active, coulomb_total};
 pub use eurocode::{eurocode, eurocode_surcharge};
 pub use face::Face;
 pub use lancellotta::{cohesion_coefficient, lancellotta, surcharge_coefficient};

@@ -7,7 +7,7 @@ pub enum Candidate {
     Weaker,
     /// BC: bearing capacity on the arc.
     Bearing,
-    /// PW: passive wedge on the chord, with ends.
+    /// PW: passive wedge before the chord of a disc or the front of a block, with ends.
     Wedge,
     /// PW in plane strain.
     PlaneStrain,
@@ -29,11 +29,13 @@ pub enum Candidate {
     McKyesAli,
     /// Godwin & Spoor (1977).
     GodwinSpoor,
+    /// Brinch Hansen (1966), Ovesen (1964).
+    BrinchHansen,
 }
 
 impl Candidate {
     /// Every model, the one to look at first in front.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::Weaker,
         Self::Bearing,
         Self::Wedge,
@@ -47,6 +49,7 @@ impl Candidate {
         Self::Brixius,
         Self::McKyesAli,
         Self::GodwinSpoor,
+        Self::BrinchHansen,
     ];
 
     /// The name that tables, files and scripts use.
@@ -66,6 +69,7 @@ impl Candidate {
             Self::Brixius => "Brixius",
             Self::McKyesAli => "McKyes-Ali",
             Self::GodwinSpoor => "Godwin-Spoor",
+            Self::BrinchHansen => "Brinch Hansen",
         }
     }
 
@@ -74,7 +78,12 @@ impl Candidate {
     pub fn is_plastic(self) -> bool {
         matches!(
             self,
-            Self::Weaker | Self::Bearing | Self::Wedge | Self::PlaneStrain | Self::HetheringtonLittleton
+            Self::Weaker
+                | Self::Bearing
+                | Self::Wedge
+                | Self::PlaneStrain
+                | Self::HetheringtonLittleton
+                | Self::BrinchHansen
         )
     }
 }

@@ -7,7 +7,7 @@ use super::{Load, ModelForecast, Towing};
 pub struct Groups {
     /// Sinkage Z = z/d.
     pub sinkage: Option<f64>,
-    /// Thickness t̄ = t/d.
+    /// Thickness or width t̄ = t/d.
     pub thickness: f64,
     /// Weight W̄ = W/(γ t d²).
     pub weight: Option<f64>,
@@ -22,17 +22,18 @@ pub struct Groups {
 }
 
 impl Groups {
-    pub(super) fn of(towing: &Towing, models: &[ModelForecast]) -> Self {
-        let found = models.iter().find(|model| model.applicable).and_then(|model| model.prediction);
-        let (d, gamma) = (towing.disc.diameter, towing.soil.unit_weight);
-        let scale = towing.disc.force_scale(gamma);
+    /// The groups of a case and of the answer of its best model.
+    pub(super) fn of(towing: &Towing, best: Option<&ModelForecast>) -> Self {
+        let found = best.and_then(|model| model.prediction);
+        let (d, gamma) = (towing.body.length(), towing.soil.unit_weight);
+        let scale = towing.body.force_scale(gamma);
         let (held, weight) = match towing.load {
             Load::Weight(weight) => (None, Some(weight / scale)),
             Load::Sinkage(z) => (Some(z / d), None),
         };
         Self {
             sinkage: held.or_else(|| found.and_then(|p| p.sinkage).map(|z| z / d)),
-            thickness: towing.disc.thickness / d,
+            thickness: towing.body.width() / d,
             weight,
             stiffness: towing.elastic_modulus.map(|modulus| modulus / (gamma * d)),
             cohesion: towing.soil.cohesion / (gamma * d),
@@ -78,10 +79,12 @@ pub struct Spread {
 }
 
 impl Spread {
-    /// Over the applicable models; BC and PW count once, as the weaker of them.
+    /// Over the applicable models; BC and PW of a disc count once, as the weaker of them.
     pub(super) fn of(models: &[ModelForecast]) -> Option<Self> {
-        use super::Candidate::{Bearing, Wedge};
-        let counted = models.iter().filter(|m| m.applicable && !matches!(m.model, Bearing | Wedge));
+        use super::Candidate::{Bearing, Weaker, Wedge};
+        let joined = models.iter().any(|m| m.model == Weaker && m.applicable);
+        let counted =
+            models.iter().filter(|m| m.applicable && !(joined && matches!(m.model, Bearing | Wedge)));
         let found: Vec<_> = counted.filter_map(|m| m.prediction).collect();
         Some(Self {
             count: found.len(),

@@ -1,6 +1,9 @@
-//! The front door: every closed form that applies to one towed disc, side by side.
+//! The front door: every closed form that applies to one towed body, side by side.
 
 mod advice;
+mod apart;
+mod blade;
+mod body;
 mod candidate;
 mod curve;
 mod groups;
@@ -8,6 +11,7 @@ mod predict;
 mod rivals;
 mod towing;
 
+pub use body::{Block, Body, Front, Round};
 pub use candidate::Candidate;
 pub use curve::{CurvePoint, curve};
 pub use groups::{Groups, Range, Spread};
@@ -17,10 +21,10 @@ pub use towing::{Load, Parameter, Towing};
 use crate::disc::{SideFaces, side_faces};
 use crate::error::Answer;
 
-/// What the closed forms say about one towed disc.
+/// What the closed forms say about one towed body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Forecast {
-    /// Dimensionless groups of the case and of its first applicable model.
+    /// Dimensionless groups of the case and of its model to believe.
     pub groups: Groups,
     /// Every model, evaluated at Davis' operative friction angle where the soil is non-associated.
     pub models: Vec<ModelForecast>,
@@ -30,8 +34,10 @@ pub struct Forecast {
     pub operative_friction_angle: f64,
     /// Spread over the applicable models.
     pub spread: Option<Spread>,
-    /// Friction on the flat faces, which no model includes.
+    /// Friction on the flat faces of a disc, which no model includes.
     pub side_faces: Option<SideFaces>,
+    /// The model to believe; none where it has no answer.
+    pub recommended: Option<Candidate>,
     /// Which model to believe, and why, in plain words.
     pub recommendation: String,
 }
@@ -46,16 +52,19 @@ pub fn forecast(towing: &Towing) -> Answer<Forecast> {
     let models = every_model(&operative, towing);
     let associated = (towing.soil.dilation_angle - towing.soil.friction_angle).abs() < 1e-12;
     let models_full_friction = if associated { Vec::new() } else { every_model(towing, towing) };
-    let groups = Groups::of(towing, &models);
-    let best = models.iter().find(|model| model.applicable);
+    let recommended = advice::recommended(towing, &models);
+    let best = models.iter().find(|model| Some(model.model) == recommended);
+    let best = best.or_else(|| models.iter().find(|model| model.applicable));
+    let groups = Groups::of(towing, best);
     let faces = best.and_then(|model| model.prediction).and_then(|found| {
         let turn = towing.drive.turning_ratio(found.skid.unwrap_or(0.0));
-        side_faces(&towing.soil, &towing.disc, found.sinkage?, turn, 0.5).ok()
+        side_faces(&towing.soil, towing.body.disc()?, found.sinkage?, turn, 0.5).ok()
     });
     Ok(Forecast {
         groups,
         spread: Spread::of(&models),
         side_faces: faces,
+        recommended,
         recommendation: advice::recommend(towing, &models),
         operative_friction_angle: operative.soil.friction_angle,
         models,
@@ -71,6 +80,6 @@ fn every_model(plastic: &Towing, measured: &Towing) -> Vec<ModelForecast> {
         ModelForecast::of(candidate, predict(candidate, case, table.as_ref()))
     };
     let mut models: Vec<ModelForecast> = Candidate::ALL.into_iter().map(one).collect();
-    predict::set_apart(&mut models, plastic);
+    apart::set_apart(&mut models, measured);
     models
 }

@@ -1,9 +1,9 @@
 //! One model's answer.
 
-use super::rivals;
-use super::{Candidate, Load, Towing};
+use super::{Body, Candidate, Load, Towing};
+use super::{blade, rivals};
 use crate::disc::{
-    DiscForces, Drive, Equilibrium, Mechanism, Model, Passive, Setting, assembly_forces, disc_forces,
+    Disc, DiscForces, Drive, Equilibrium, Mechanism, Model, Passive, Setting, assembly_forces, disc_forces,
     equilibrium_of, vertical_force,
 };
 use crate::earth_pressure::{PressureTable, TableRange};
@@ -55,7 +55,7 @@ impl ModelForecast {
         Self { model, name: model.name(), applicable: prediction.is_some(), prediction, note }
     }
 
-    fn exclude(&mut self, why: &str) {
+    pub(super) fn exclude(&mut self, why: &str) {
         if self.applicable {
             self.applicable = false;
             self.note = why.into();
@@ -63,18 +63,26 @@ impl ModelForecast {
     }
 }
 
+/// Why a ball has resistive force theory only.
+const ROUND: &str = "it is for a plane front or that of a disc across the tow";
+
 /// The answer of one model, with the soil's friction angle as it is; `table` speeds up the wedge where it covers the case.
 ///
 /// # Errors
 /// If the model does not apply to the case or has no answer.
 pub fn predict(model: Candidate, towing: &Towing, table: Option<&PressureTable>) -> Answer<Prediction> {
     towing.check()?;
-    let found = match model {
-        Candidate::Weaker => disc(Model::Weaker, towing, table),
-        Candidate::Bearing => disc(Model::Bearing, towing, table),
-        Candidate::Wedge => disc(Model::Wedge, towing, table),
-        Candidate::PlaneStrain => disc(Model::PlaneStrain, towing, table),
-        _ => rivals::predict(model, towing),
+    let found = match (&towing.body, model) {
+        (_, Candidate::SpatialResistive | Candidate::PlanarResistive) => rivals::predict(model, towing),
+        (Body::Block(block), _) => blade::predict(model, towing, block, table),
+        (Body::Round(_), _) => none(model.name(), ROUND),
+        (Body::Disc(body), _) => match model {
+            Candidate::Weaker => disc(Model::Weaker, towing, body, table),
+            Candidate::Bearing => disc(Model::Bearing, towing, body, table),
+            Candidate::Wedge => disc(Model::Wedge, towing, body, table),
+            Candidate::PlaneStrain => disc(Model::PlaneStrain, towing, body, table),
+            _ => rivals::predict(model, towing),
+        },
     }?;
     if found.drag.is_finite() && found.vertical.is_finite() {
         Ok(found)
@@ -95,10 +103,10 @@ pub(super) fn level_table(towing: &Towing) -> Option<PressureTable> {
     if towing.drive == Drive::Free { PressureTable::new(range).ok() } else { None }
 }
 
-fn disc(model: Model, towing: &Towing, table: Option<&PressureTable>) -> Answer<Prediction> {
+fn disc(model: Model, towing: &Towing, disc: &Disc, table: Option<&PressureTable>) -> Answer<Prediction> {
     let setting = Setting {
         soil: towing.soil,
-        disc: towing.disc,
+        disc: *disc,
         drive: towing.drive,
         heap_fraction: towing.heap_fraction,
         backfill: towing.backfill,
@@ -115,7 +123,7 @@ fn disc(model: Model, towing: &Towing, table: Option<&PressureTable>) -> Answer<
     };
     match towing.load {
         Load::Sinkage(z) => Ok(prediction(&at(z)?, z)),
-        Load::Weight(weight) => match equilibrium_of(&towing.disc, weight, carried, at)? {
+        Load::Weight(weight) => match equilibrium_of(disc, weight, carried, at)? {
             Equilibrium::At { sinkage, forces } => Ok(prediction(&forces, sinkage)),
             Equilibrium::None { largest_weight, .. } => none(
                 "the equilibrium sinkage",
@@ -135,41 +143,5 @@ fn prediction(forces: &DiscForces, sinkage: f64) -> Prediction {
         skid: Some(forces.skid),
         mechanism: Some(forces.mechanism),
         sideways_share: Some(forces.sideways_share),
-    }
-}
-
-/// Marks the answers that exist but are not to be believed for this case.
-pub(super) fn set_apart(models: &mut [ModelForecast], towing: &Towing) {
-    let governing =
-        models.iter().find(|m| m.model == Candidate::Weaker).and_then(|m| m.prediction?.mechanism);
-    let d = towing.disc;
-    for model in models {
-        let sinkage = model.prediction.and_then(|p| p.sinkage).unwrap_or(0.0);
-        match model.model {
-            Candidate::Bearing if governing == Some(Mechanism::Forwards) => {
-                model.exclude(
-                    "most of the thrust is met where the soil fails forwards, which takes less (see PW)",
-                );
-            }
-            Candidate::Wedge if governing == Some(Mechanism::Sideways) => {
-                model.exclude(
-                    "most of the thrust is met where the soil escapes sideways, which takes less (see BC)",
-                );
-            }
-            Candidate::PlaneStrain if d.thickness < 3.0 * (sinkage * d.diameter).sqrt() => {
-                model.exclude(
-                    "narrower than three contact chords: the ends of the wedge carry much of the force",
-                );
-            }
-            Candidate::HetheringtonLittleton if sinkage > 0.2 * d.diameter => {
-                model.exclude("made for shallow sinkage, up to about a fifth of the diameter");
-            }
-            Candidate::SpatialResistive | Candidate::PlanarResistive if sinkage > 1.5 * d.thickness => {
-                model.exclude(
-                    "deeper than one and a half thicknesses: resistive force theory has no width term",
-                );
-            }
-            _ => {}
-        }
     }
 }

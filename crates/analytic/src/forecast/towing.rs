@@ -1,12 +1,13 @@
-//! One disc under tow, as the forecast takes it.
+//! One body under tow, as the forecast takes it.
 
+use super::Body;
 use crate::bearing::Method;
 use crate::disc::{Assembly, Disc, Drive};
 use crate::error::{Answer, positive, within};
 use crate::soil::Soil;
 use crate::wheel::PressureSinkage;
 
-/// What presses the disc into the soil.
+/// What presses the body into the soil.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Load {
     /// It carries this weight [N] and sinks as it must.
@@ -15,13 +16,13 @@ pub enum Load {
     Sinkage(f64),
 }
 
-/// A disc under tow.
+/// A body under tow.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Towing {
     /// The soil.
     pub soil: Soil,
-    /// The disc.
-    pub disc: Disc,
+    /// The body.
+    pub body: Body,
     /// Weight (of the whole assembly) or sinkage.
     pub load: Load,
     /// What happens at the axle.
@@ -59,13 +60,15 @@ pub enum Parameter {
     UnitWeight,
     /// μ.
     BodyFriction,
-    /// d [m].
+    /// d [m]; of a disc alone, as the thickness.
     Diameter,
     /// t [m].
     Thickness,
+    /// Angle by which a block is turned about y [rad], its top towards the tow if positive.
+    Orientation,
     /// W [N]; releases a held sinkage.
     Weight,
-    /// z [m]; holds the disc.
+    /// z [m]; holds the body.
     Sinkage,
     /// Slip s = ωr/v − 1; replaces the drive.
     Slip,
@@ -90,12 +93,12 @@ pub enum Parameter {
 }
 
 impl Towing {
-    /// A single disc on level ground, Earth gravity, nothing measured beyond the soil.
+    /// A single body on level ground, Earth gravity, nothing measured beyond the soil.
     #[must_use]
-    pub fn new(soil: Soil, disc: Disc, load: Load, drive: Drive) -> Self {
+    pub fn new(soil: Soil, body: impl Into<Body>, load: Load, drive: Drive) -> Self {
         Self {
             soil,
-            disc,
+            body: body.into(),
             load,
             drive,
             gravity: 9.81,
@@ -116,17 +119,17 @@ impl Towing {
     /// Naming the first input out of range, with its valid range.
     pub fn check(&self) -> Answer<()> {
         self.soil.check()?;
-        self.disc.check()?;
+        self.body.check()?;
         self.drive.check()?;
         match self.load {
             Load::Weight(weight) => positive("weight [N]", weight)?,
-            Load::Sinkage(z) => within("sinkage [m]", z, f64::MIN_POSITIVE, 0.95 * self.disc.diameter)?,
+            Load::Sinkage(z) => within("sinkage [m]", z, f64::MIN_POSITIVE, self.body.deepest())?,
         };
         positive("gravity [m/s^2]", self.gravity)?;
         within("heap fraction", self.heap_fraction, 0.0, 1.0)?;
         within("backfill [rad]", self.backfill, -10_f64.to_radians(), 25_f64.to_radians())?;
-        if let Some(assembly) = self.assembly {
-            assembly.check(&self.disc)?;
+        if let (Some(assembly), Some(disc)) = (self.assembly, self.body.disc()) {
+            assembly.check(disc)?;
         }
         if let Some(modulus) = self.elastic_modulus {
             positive("elastic modulus [Pa]", modulus)?;
@@ -150,8 +153,13 @@ impl Towing {
             Parameter::Cohesion => case.soil.cohesion = value,
             Parameter::UnitWeight => case.soil.unit_weight = value,
             Parameter::BodyFriction => case.soil.body_friction = value,
-            Parameter::Diameter => case.disc.diameter = value,
-            Parameter::Thickness => case.disc.thickness = value,
+            Parameter::Diameter => case.change_disc(|disc| disc.diameter = value),
+            Parameter::Thickness => case.change_disc(|disc| disc.thickness = value),
+            Parameter::Orientation => {
+                if let Body::Block(block) = &mut case.body {
+                    block.orientation = value;
+                }
+            }
             Parameter::Weight => case.load = Load::Weight(value),
             Parameter::Sinkage => case.load = Load::Sinkage(value),
             Parameter::Slip => case.drive = Drive::Slip(value),
@@ -166,6 +174,12 @@ impl Towing {
             Parameter::ShearModulus => case.change_terrain(|t| t.shear_modulus = value),
         }
         case
+    }
+
+    fn change_disc(&mut self, change: impl FnOnce(&mut Disc)) {
+        if let Body::Disc(disc) = &mut self.body {
+            change(disc);
+        }
     }
 
     fn change_terrain(&mut self, change: impl FnOnce(&mut PressureSinkage)) {

@@ -14,6 +14,33 @@ pub struct Facet {
     pub normal: [f64; 3],
     /// Area [m²].
     pub area: f64,
+    /// Half of its extent in height [m], by which one that the ground line cuts counts with its lower part; 0 for a point.
+    pub rise: f64,
+}
+
+impl Facet {
+    /// Depth [m] that, over the whole area, gives the mean of the depth of what lies below ground, for its middle at
+    /// `depth` [m]; exact for a rectangle with a level edge.
+    fn mean_depth(&self, depth: f64) -> f64 {
+        if depth >= self.rise {
+            depth
+        } else if depth <= -self.rise {
+            0.0
+        } else {
+            (depth + self.rise).powi(2) / (4.0 * self.rise)
+        }
+    }
+
+    /// The same piece as a 2-D law sees it in slices along the tow: its area and normal in the plane of tow and gravity.
+    #[must_use]
+    pub fn sliced(&self) -> Self {
+        let [x, _, z] = self.normal;
+        let share = x.hypot(z);
+        if share < 1e-12 {
+            return Self { area: 0.0, ..*self };
+        }
+        Self { normal: [x / share, 0.0, z / share], area: self.area * share, ..*self }
+    }
 }
 
 /// Where the body is and how it moves.
@@ -41,7 +68,7 @@ pub struct Load {
 pub fn load(law: &impl Traction, facets: &[Facet], motion: &Motion) -> Load {
     let mut load = Load { force: [0.0; 3], torque: [0.0; 3] };
     for facet in facets {
-        let depth = -(motion.height + facet.middle[2]);
+        let depth = facet.mean_depth(-(motion.height + facet.middle[2]));
         if depth <= 0.0 {
             continue;
         }
@@ -72,7 +99,7 @@ pub fn rim_facets(disc: &Disc, from: f64, to: f64) -> Vec<Facet> {
     let facet = |(theta, weight): (f64, f64)| {
         let normal = [theta.sin(), 0.0, -theta.cos()];
         let area = weight * radius * disc.thickness;
-        Facet { middle: normal.map(|n| n * radius), normal, area }
+        Facet { middle: normal.map(|n| n * radius), normal, area, rise: 0.0 }
     };
     gauss_points(from, to).map(facet).collect()
 }
@@ -92,7 +119,7 @@ pub fn facets_of_triangles(points: &[[f64; 3]], triangles: &[[u32; 3]]) -> Answe
         let size = dot(twice, twice).sqrt();
         if size > 0.0 {
             let middle = [0, 1, 2].map(|i| (a[i] + b[i] + c[i]) / 3.0);
-            facets.push(Facet { middle, normal: twice.map(|x| x / size), area: 0.5 * size });
+            facets.push(Facet { middle, normal: twice.map(|x| x / size), area: 0.5 * size, rise: 0.0 });
         }
     }
     Ok(facets)

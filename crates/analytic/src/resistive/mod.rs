@@ -12,7 +12,7 @@ mod towed;
 pub use body::{Facet, Load, Motion, facets_of_triangles, load, rim_facets};
 pub use planar::PlanarLaw;
 pub use spatial::{SpatialLaw, strength_scale};
-pub use towed::{Rolled, at_depth, under_weight};
+pub use towed::{Rolled, at_depth, body_at_depth, body_under_weight, under_weight};
 
 /// A law for the traction on a piece of surface.
 pub trait Traction {

@@ -1,6 +1,6 @@
 //! A towed disc in resistive force theory.
 
-use super::{Load, Motion, Traction, load, rim_facets};
+use super::{Facet, Load, Motion, Traction, load, rim_facets};
 use crate::disc::{Disc, Drive, carries, first_depth};
 use crate::error::{Answer, none, positive, within};
 use crate::numeric::root;
@@ -29,7 +29,11 @@ pub struct Rolled {
 pub fn at_depth(law: &impl Traction, disc: &Disc, sinkage: f64, drive: Drive) -> Answer<Rolled> {
     drive.check()?;
     let z = within("sinkage [m]", sinkage, f64::MIN_POSITIVE, 0.95 * disc.diameter)?;
-    let turned = |slip: f64| rolled(law, disc, z, slip);
+    balanced(drive, |slip| rolled(law, disc, z, slip))
+}
+
+/// The motion, among those at every slip, whose torque the drive balances.
+fn balanced(drive: Drive, turned: impl Fn(f64) -> Rolled) -> Answer<Rolled> {
     let wanted = match drive {
         Drive::Locked => return Ok(turned(-1.0)),
         Drive::Slip(slip) => return Ok(turned(slip)),
@@ -48,24 +52,69 @@ pub fn at_depth(law: &impl Traction, disc: &Disc, sinkage: f64, drive: Drive) ->
     }
 }
 
+/// Forces on a body of any shape, centred on its origin, whose lowest point is at a sinkage [m]; with a drive other than
+/// locked it turns about y, and slip and torque refer to the radius ½ `height` [m].
+///
+/// # Errors
+/// If the sinkage or the drive is out of range, or no slip balances the torque.
+pub fn body_at_depth(
+    law: &impl Traction,
+    facets: &[Facet],
+    height: f64,
+    sinkage: f64,
+    drive: Drive,
+) -> Answer<Rolled> {
+    drive.check()?;
+    let z = within("sinkage [m]", sinkage, f64::MIN_POSITIVE, height)?;
+    let radius = 0.5 * height;
+    balanced(drive, |slip| {
+        let spin = [0.0, (1.0 + slip) / radius, 0.0];
+        let motion = Motion { height: radius - z, velocity: [1.0, 0.0, 0.0], spin };
+        let Load { force, torque } = load(law, facets, &motion);
+        Rolled { drag: -force[0], vertical: force[2], torque: torque[1], sinkage: z, slip }
+    })
+}
+
 /// Sinkage and forces under a weight [N].
 ///
 /// # Errors
 /// If an input is out of range or no sinkage up to 0.9 d carries the weight.
 pub fn under_weight(law: &impl Traction, disc: &Disc, weight: f64, drive: Drive) -> Answer<Rolled> {
-    positive("weight [N]", weight)?;
     disc.check()?;
     drive.check()?;
-    let vertical = |z: f64| at_depth(law, disc, z, drive).map_or(f64::NAN, |found| found.vertical);
-    match first_depth(disc, weight, 1e-9, vertical) {
+    carried(disc.diameter, weight, |z| at_depth(law, disc, z, drive))
+}
+
+/// Sinkage and forces of a body of any shape under a weight [N]; arguments as for [`body_at_depth`].
+///
+/// # Errors
+/// If an input is out of range or no sinkage up to 0.9 of its height carries the weight.
+pub fn body_under_weight(
+    law: &impl Traction,
+    facets: &[Facet],
+    height: f64,
+    weight: f64,
+    drive: Drive,
+) -> Answer<Rolled> {
+    drive.check()?;
+    carried(positive("height of the body [m]", height)?, weight, |z| {
+        body_at_depth(law, facets, height, z, drive)
+    })
+}
+
+/// The least sinkage at which `at` carries the weight [N], for a body of the height [m].
+fn carried(height: f64, weight: f64, at: impl Fn(f64) -> Answer<Rolled>) -> Answer<Rolled> {
+    positive("weight [N]", weight)?;
+    match first_depth(height, weight, 1e-9, |z| at(z).map_or(f64::NAN, |found| found.vertical)) {
         Ok(sinkage) => {
-            let found = at_depth(law, disc, sinkage, drive)?;
+            let found = at(sinkage)?;
             carries(weight, found.vertical, 1e-4)?;
             Ok(found)
         }
-        Err((most, _)) => {
-            none("the equilibrium sinkage", format!("at most {most:.3} N are carried up to 0.9 d"))
-        }
+        Err((most, _)) => none(
+            "the equilibrium sinkage",
+            format!("at most {:.3} N are carried down to 0.9 of the height", most.max(0.0)),
+        ),
     }
 }
 

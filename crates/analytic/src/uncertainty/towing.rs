@@ -4,7 +4,8 @@ use super::{Spread, Uncertainty, propagate};
 use crate::disc::Drive;
 use crate::earth_pressure::{PressureTable, TableRange};
 use crate::error::Answer;
-use crate::forecast::{Candidate, Parameter, Towing, predict};
+use crate::forecast::{Block, Body, Candidate, Parameter, Towing, predict};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Distributions of one model's answer.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,14 +61,10 @@ pub fn sweep_table(base: &Towing, spreads: &[(Parameter, Spread)]) -> Option<Pre
         return None;
     }
     let corners = corners(base, spreads);
-    let soils: Vec<_> = corners.iter().filter_map(|case| case.soil.operative().ok()).collect();
-    let extent = |values: &mut dyn Iterator<Item = f64>| {
-        values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
-    };
-    let (low, high) = extent(&mut soils.iter().map(|soil| soil.friction_angle));
-    let friction_angle = (low.max(10_f64.to_radians()), high.min(50_f64.to_radians()));
-    let (_, steepest) =
-        extent(&mut soils.iter().map(|soil| soil.shared_friction().atan() / soil.friction_angle));
+    if let Body::Block(block) = &base.body {
+        return block_table(block, base.backfill, &corners, spreads);
+    }
+    let (friction_angle, (_, steepest)) = frictions(&corners);
     let most = steepest.min(2.0 / 3.0);
     let sliding = |drive: Drive| match drive {
         Drive::Free => (0.0, 0.0),
@@ -75,7 +72,7 @@ pub fn sweep_table(base: &Towing, spreads: &[(Parameter, Spread)]) -> Option<Pre
         Drive::Driven(_) => (0.0, steepest.min(1.0)),
         Drive::Slip(_) => (-most, steepest.min(1.0)),
     };
-    let (first, last) = extent(&mut corners.iter().flat_map(|case| {
+    let (first, last) = extent(corners.iter().flat_map(|case| {
         let (first, last) = sliding(case.drive);
         [first, last]
     }));
@@ -89,6 +86,37 @@ pub fn sweep_table(base: &Towing, spreads: &[(Parameter, Spread)]) -> Option<Pre
         })
         .ok()
     })
+}
+
+/// [`sweep_table`] of the front of a block, which keeps its inclination; none where that is spread, too.
+fn block_table(
+    block: &Block,
+    backfill: f64,
+    corners: &[Towing],
+    spreads: &[(Parameter, Spread)],
+) -> Option<PressureTable> {
+    let surface = PI - block.front().rake;
+    if surface > FRAC_PI_2 + 1e-9 || spreads.iter().any(|(parameter, _)| *parameter == Parameter::Orientation)
+    {
+        return None;
+    }
+    let (friction_angle, wall_friction_ratio) = frictions(corners);
+    let surface = surface.min(FRAC_PI_2);
+    let range = TableRange { friction_angle, wall_friction_ratio, surface: (surface, surface), backfill };
+    PressureTable::new(range).ok()
+}
+
+fn extent(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
+}
+
+/// Least and largest friction angle [rad], and wall friction as a fraction of it, of the soils as limit analysis sees
+/// them.
+fn frictions(cases: &[Towing]) -> ((f64, f64), (f64, f64)) {
+    let soils: Vec<_> = cases.iter().filter_map(|case| case.soil.operative().ok()).collect();
+    let (low, high) = extent(soils.iter().map(|soil| soil.friction_angle));
+    let ratios = extent(soils.iter().map(|soil| soil.shared_friction().atan() / soil.friction_angle));
+    ((low.max(10_f64.to_radians()), high.min(50_f64.to_radians())), ratios)
 }
 
 /// The cases with every combination of the spreads' ends.

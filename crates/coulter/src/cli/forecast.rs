@@ -4,10 +4,9 @@ use super::{Failure, say, say_json};
 use crate::case::{self, Spread};
 use crate::forecast::{self, Effort, Intervals, Outlook, Range, Stated};
 use crate::output::{Sheets, write_forecast};
+use analytic::forecast::Body;
 use std::path::{Path, PathBuf};
 
-/// The curve that is drawn unless another one is asked for.
-const USUAL_CURVE: &str = "Z=0.01..0.4";
 const USUAL_POINTS: u16 = 41;
 
 #[derive(Debug, clap::Args)]
@@ -105,6 +104,14 @@ fn stated(arguments: &Arguments, spreads: &[Spread], outlook: &Outlook) -> Resul
     Ok(stated)
 }
 
+/// The curve that is drawn unless another one is asked for.
+fn usual_curve(body: &Body) -> String {
+    match body {
+        Body::Disc(_) => "Z=0.01..0.4".into(),
+        _ => format!("Z=0.01..{:.4}", 0.95 * body.height() / body.length()),
+    }
+}
+
 /// Where to write, if at all.
 fn folder(arguments: &Arguments, name: &str) -> Option<PathBuf> {
     let usual = || PathBuf::from("results").join(format!("{name}-forecast"));
@@ -118,7 +125,8 @@ fn write(
     document: &serde_json::Value,
     folder: &Path,
 ) -> Result<Vec<PathBuf>, Failure> {
-    let asked = arguments.against.as_deref().unwrap_or(USUAL_CURVE);
+    let usual = usual_curve(&outlook.setting.towing.body);
+    let asked = arguments.against.as_deref().unwrap_or(&usual);
     let points = usize::from(arguments.points.unwrap_or(USUAL_POINTS));
     let range = Range::read(asked, &outlook.setting, points, arguments.log)
         .map_err(|why| Failure::Request(why.to_string()))?;

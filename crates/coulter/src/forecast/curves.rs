@@ -34,10 +34,12 @@ pub struct Curves {
     pub group: Vec<f64>,
     /// Force γ t d² that makes forces dimensionless [N], by point.
     pub force_scale: Vec<f64>,
-    /// Diameter that makes lengths dimensionless [m], by point.
+    /// Reference length that makes lengths dimensionless [m], by point.
     pub length_scale: Vec<f64>,
-    /// Whether the disc sinks under its weight, so that sinkage is an answer.
+    /// Whether the body sinks under its weight, so that sinkage is an answer.
     pub sinks: bool,
+    /// Name of the model to believe; empty if there is none.
+    pub believed: &'static str,
     /// Whether the axes are to be logarithmic.
     pub logarithmic: bool,
     /// One per model that has an answer anywhere.
@@ -62,9 +64,10 @@ pub fn curves(outlook: &Outlook, range: &Range, logarithmic: bool) -> Result<Cur
         values: range.values.iter().map(|v| v / variable.size).collect(),
         group: group.unwrap_or_else(|| range.values.iter().map(|v| v / variable.size).collect()),
         group_label,
-        force_scale: cases.iter().map(|c| c.disc.force_scale(c.soil.unit_weight)).collect(),
-        length_scale: cases.iter().map(|c| c.disc.diameter).collect(),
+        force_scale: cases.iter().map(|c| c.body.force_scale(c.soil.unit_weight)).collect(),
+        length_scale: cases.iter().map(|c| c.body.length()).collect(),
         sinks: cases.iter().all(|c| matches!(c.load, Load::Weight(_))),
+        believed: outlook.recommended().map_or("", |m| m.name),
         logarithmic,
         series: Candidate::ALL.into_iter().filter_map(|model| series(model, &points)).collect(),
     })
@@ -74,23 +77,23 @@ pub fn curves(outlook: &Outlook, range: &Range, logarithmic: bool) -> Result<Cur
 fn group(parameter: Parameter, cases: &[Towing], label: &'static str) -> (&'static str, Option<Vec<f64>>) {
     let of = |f: fn(&Towing) -> Option<f64>| cases.iter().map(f).collect::<Option<Vec<f64>>>();
     let weight = |c: &Towing| match c.load {
-        Load::Weight(weight) => Some(weight / c.disc.force_scale(c.soil.unit_weight)),
+        Load::Weight(weight) => Some(weight / c.body.force_scale(c.soil.unit_weight)),
         Load::Sinkage(_) => None,
     };
     let (name, values) = match parameter {
         Parameter::Sinkage => (
             "Z = z/d",
             of(|c| match c.load {
-                Load::Sinkage(z) => Some(z / c.disc.diameter),
+                Load::Sinkage(z) => Some(z / c.body.length()),
                 Load::Weight(_) => None,
             }),
         ),
         Parameter::Weight | Parameter::UnitWeight => ("W̄ = W/(γ t d²)", of(weight)),
         Parameter::Thickness | Parameter::Diameter => {
-            ("t̄ = t/d", of(|c| Some(c.disc.thickness / c.disc.diameter)))
+            ("t̄ = t/d", of(|c| Some(c.body.width() / c.body.length())))
         }
         Parameter::Cohesion => {
-            ("c/(γ d)", of(|c| Some(c.soil.cohesion / (c.soil.unit_weight * c.disc.diameter))))
+            ("c/(γ d)", of(|c| Some(c.soil.cohesion / (c.soil.unit_weight * c.body.length()))))
         }
         _ => (label, None),
     };

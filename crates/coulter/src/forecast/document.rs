@@ -27,7 +27,8 @@ pub fn document(outlook: &Outlook, intervals: &Intervals, in_full: bool) -> Valu
         .map(|f| json!({ "drag_N": f.drag, "vertical_N": f.vertical, "torque_Nm": f.torque }));
     let mut document = json!({
         "case": outlook.case,
-        "discs": outlook.setting.discs,
+        "kind": outlook.setting.kind,
+        "bodies": outlook.setting.bodies,
         "groups": groups(outlook),
         "load": load(outlook),
         "drive": drive(outlook.setting.towing.drive),
@@ -41,6 +42,9 @@ pub fn document(outlook: &Outlook, intervals: &Intervals, in_full: bool) -> Valu
         "remarks": outlook.setting.remarks,
         "interval_inputs": inputs(intervals),
     });
+    if outlook.setting.towing.body.disc().is_some() {
+        document["discs"] = json!(outlook.setting.bodies);
+    }
     if in_full {
         document["uncertainty"] = json!({ "inputs": inputs(intervals), "quantities": intervals.list });
     }
@@ -75,7 +79,7 @@ fn drive(drive: Drive) -> Value {
 fn model(outlook: &Outlook, model: &ModelForecast) -> Value {
     let found = model.prediction;
     let scale = outlook.force_scale();
-    let diameter = outlook.setting.towing.disc.diameter;
+    let length = outlook.setting.towing.body.length();
     json!({
         "name": model.name,
         "applicable": model.applicable,
@@ -89,7 +93,7 @@ fn model(outlook: &Outlook, model: &ModelForecast) -> Value {
         "sideways_share": found.and_then(|p| p.sideways_share),
         "F_H_bar": found.map(|p| p.drag / scale),
         "F_V_bar": found.map(|p| p.vertical / scale),
-        "Z": found.and_then(|p| p.sinkage).map(|z| z / diameter),
+        "Z": found.and_then(|p| p.sinkage).map(|z| z / length),
         "note": model.note,
     })
 }

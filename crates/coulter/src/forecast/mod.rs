@@ -1,4 +1,4 @@
-//! The closed forms for the same case that the solver runs: what every applicable model says of its disc.
+//! The closed forms for the same case that the solver runs: what every applicable model says of its body.
 
 mod curves;
 mod document;
@@ -8,6 +8,7 @@ mod setting;
 mod sheet;
 mod spread;
 mod tables;
+mod towed;
 mod variable;
 
 pub use curves::{Curves, Series, curves};
@@ -35,7 +36,7 @@ pub struct Outlook {
     pub forecast: Forecast,
 }
 
-/// Evaluates every closed form for the disc of `case`.
+/// Evaluates every closed form for the body of `case`.
 ///
 /// # Errors
 /// The reason, in words, why no closed form can take the case.
@@ -53,7 +54,7 @@ pub fn outlook(case: &Case) -> Result<Outlook, String> {
 /// Which key would let a model speak that the case gives too little.
 fn missing_key(model: Candidate, setting: &Setting) -> Option<&'static str> {
     let towing = &setting.towing;
-    if towing.drive != Drive::Free || towing.assembly.is_some() {
+    if towing.body.disc().is_none() || towing.drive != Drive::Free || towing.assembly.is_some() {
         return None;
     }
     match model {
@@ -71,19 +72,19 @@ fn missing_key(model: Candidate, setting: &Setting) -> Option<&'static str> {
 }
 
 impl Outlook {
-    /// The model to believe: the weaker of BC and PW; none where it has no answer.
+    /// The model to believe; none where it has no answer.
     #[must_use]
     pub fn recommended(&self) -> Option<&ModelForecast> {
-        self.forecast.models.iter().find(|m| m.model == Candidate::Weaker && m.prediction.is_some())
+        self.forecast.models.iter().find(|m| Some(m.model) == self.forecast.recommended)
     }
 
-    /// The force that makes forces dimensionless: γ t d² of one disc [N].
+    /// The force that makes forces dimensionless: γ t d² of one body [N].
     #[must_use]
     pub fn force_scale(&self) -> f64 {
-        self.setting.towing.disc.force_scale(self.setting.towing.soil.unit_weight)
+        self.setting.towing.body.force_scale(self.setting.towing.soil.unit_weight)
     }
 
-    /// Whether the disc sinks under its weight.
+    /// Whether the body sinks under its weight.
     #[must_use]
     pub fn sinks(&self) -> bool {
         matches!(self.setting.towing.load, Load::Weight(_))

@@ -16,12 +16,14 @@ const BEYOND: f64 = 1.25;
 /// The reason why the closed forms have nothing to say of the case.
 pub fn overlays(case: &Case) -> Result<Vec<Overlay>, String> {
     let outlook = outlook(case)?;
-    let [body] = &outlook.setting.discs[..] else {
-        return Err("the overlay is for a single disc".into());
+    let [body] = &outlook.setting.bodies[..] else {
+        return Err("the overlay is for a single body".into());
     };
+    let best = outlook.recommended();
+    let is_rival = |m: &&ModelForecast| m.model == Candidate::SpatialResistive && m.applicable;
     let rival =
-        outlook.forecast.models.iter().find(|m| m.model == Candidate::SpatialResistive && m.applicable);
-    let models: Vec<&ModelForecast> = outlook.recommended().into_iter().chain(rival).collect();
+        outlook.forecast.models.iter().find(is_rival).filter(|m| Some(m.model) != best.map(|b| b.model));
+    let models: Vec<&ModelForecast> = best.into_iter().chain(rival).collect();
     if models.is_empty() {
         return Err("no closed form applies".into());
     }
@@ -49,8 +51,12 @@ fn levels(outlook: &Outlook, model: &ModelForecast, body: &str) -> Vec<Overlay> 
 
 fn force_sinkage(outlook: &Outlook, models: &[&ModelForecast], body: &str) -> Result<Vec<Overlay>, String> {
     let towing = &outlook.setting.towing;
+    // A block that sinks rests on its base, too, which the force on its front at a sinkage leaves out.
+    if outlook.sinks() && towing.body.block().is_some() {
+        return Ok(Vec::new());
+    }
     let deepest = models.iter().filter_map(|m| m.prediction?.sinkage).fold(0.0, f64::max);
-    let end = (BEYOND * deepest).min(0.9 * towing.disc.diameter);
+    let end = (BEYOND * deepest).min(0.9 * towing.body.height());
     if end <= 0.0 {
         return Ok(Vec::new());
     }

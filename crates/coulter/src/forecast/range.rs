@@ -35,7 +35,7 @@ impl Range {
         let read = |end: &str| {
             if relative {
                 let z = number(end).ok_or_else(|| wrong(&format!("`{end}` is no number")))?;
-                return Ok(z * setting.towing.disc.diameter);
+                return Ok(z * setting.towing.body.length());
             }
             value(end, &variable).map_err(|why| wrong(&why))
         };
@@ -57,11 +57,15 @@ impl Range {
 
 /// The variable of that name.
 pub(super) fn known(key: &str, setting: &Setting) -> Result<Variable, Unreadable> {
-    let Some(found) = find(key, &setting.discs) else {
-        let names: Vec<String> = variables().iter().map(|v| v.dotted(setting)).collect();
-        let names = names.join(", ");
+    let Some(found) = find(key, &setting.bodies) else {
+        let own = variables().iter().filter(|v| v.belongs(setting));
+        let names = own.map(|v| v.dotted(setting)).collect::<Vec<_>>().join(", ");
         return Err(Unreadable(format!("the models have no `{key}` to change; possible: Z, {names}")));
     };
+    if !found.belongs(setting) {
+        let kind = setting.kind;
+        return Err(Unreadable(format!("{key}: no model of a {kind} here asks for it")));
+    }
     if found.has_effect(setting) {
         return Ok(found);
     }

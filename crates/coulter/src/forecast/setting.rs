@@ -1,19 +1,25 @@
-//! A case as the closed forms take it: one disc, or a row of equal ones, in level Mohr–Coulomb soil.
+//! A case as the closed forms take it: one body, or a row of equal discs, in level Mohr–Coulomb soil.
 
-use crate::case::resolved::{Body, Case, Factors, Freedom, Ground, Law, Measured, Shape};
+use super::towed::{bodies, body};
+use crate::case::resolved::{Body as Towed, Case, Factors, Freedom, Ground, Law, Measured, Shape};
 use crate::case::travel;
 use analytic::bearing::Method;
-use analytic::disc::{Assembly, Disc, Drive};
+use analytic::disc::Drive;
+use analytic::forecast::Body;
 use analytic::wheel::PressureSinkage;
 use analytic::{Load, Soil, Towing};
 
 /// A case in the form of the models, and what had to be decided for that.
 #[derive(Clone, Debug)]
 pub struct Setting {
-    /// Names of the discs.
-    pub discs: Vec<String>,
-    /// The disc under tow.
+    /// Names of the bodies: one, or several equal discs.
+    pub bodies: Vec<String>,
+    /// What they are, in one word.
+    pub kind: &'static str,
+    /// The body under tow.
     pub towing: Towing,
+    /// Whether it is towed along −x, so that the models see its mirror image.
+    pub mirrored: bool,
     /// Load on a free heave besides the weight m g, downwards [N].
     pub extra_load: f64,
     /// What was decided, in words.
@@ -26,23 +32,33 @@ pub struct Setting {
 /// The reason, in words, why they cannot take it.
 pub fn setting(case: &Case) -> Result<Setting, String> {
     let mut remarks = Vec::new();
-    let (bodies, assembly) = discs(case, &mut remarks)?;
-    let surface = level_surface(case)?;
-    let first = *bodies.first().ok_or("the case has no disc")?;
-    let Shape::Disc { diameter, thickness } = first.shape else {
-        return Err(format!("`{}` is no disc", first.name));
-    };
+    let (bodies, assembly) = bodies(case, &mut remarks)?;
+    let first = *bodies.first().ok_or("the case has no body under tow")?;
+    let (mut body, kind, mirrored) = body(case, first, &mut remarks)?;
+    let ground = ground(case, &body)?;
     let soil = soil(case, first, &mut remarks)?;
     let count = bodies.len() as f64;
-    let load = load(case, first, surface, diameter, count, &mut remarks)?;
-    let drive = drive(first)?;
-    if matches!(first.translation[0], Freedom::Fixed) {
+    let load = load(case, first, &ground, count, &mut remarks)?;
+    if let (Body::Block(block), Load::Sinkage(z)) = (&mut body, load) {
+        block.has_base = z < ground.depth() * (1.0 - 1e-9);
+    }
+    let drive = match &body {
+        Body::Block(_) => Drive::Locked,
+        Body::Disc(_) => drive(first, 0.5 * body.length())?,
+        Body::Round(_) if matches!(first.shape, Shape::Ball { .. }) => drive(first, 0.5 * body.length())?,
+        Body::Round(_) => Drive::Locked,
+    };
+    if drive == Drive::Locked && !matches!(first.spin, Freedom::Fixed) {
+        remarks.push(format!("`{}` may turn; the models take it as held upright", first.name));
+    }
+    if body.disc().is_some() && matches!(first.translation[0], Freedom::Fixed) {
         remarks.push(format!("the case does not tow `{}`; the forces are those of a steady tow", first.name));
     }
-    let mut towing = Towing::new(soil, Disc { diameter, thickness }, load, drive);
+    let mut towing = Towing::new(soil, body, load, drive);
     towing.assembly = assembly;
     towing.elastic_modulus = Some(case.soil.young_modulus);
     add_measured(&mut towing, &case.forecast, &mut remarks);
+    remarks.extend(idle_keys(&towing, kind));
     if case.gravity > 0.0 {
         towing.gravity = case.gravity;
     }
@@ -50,7 +66,23 @@ pub fn setting(case: &Case) -> Result<Setting, String> {
         (Load::Weight(weight), gravity) => weight - count * first.mass * gravity,
         _ => 0.0,
     };
-    Ok(Setting { discs: bodies.iter().map(|b| b.name.clone()).collect(), towing, extra_load, remarks })
+    let bodies = bodies.iter().map(|b| b.name.clone()).collect();
+    Ok(Setting { bodies, kind, towing, mirrored, extra_load, remarks })
+}
+
+/// A remark on the keys of `[forecast]` that no model of such a body asks for.
+fn idle_keys(towing: &Towing, kind: &str) -> Option<String> {
+    let is_round = matches!(towing.body, Body::Round(_));
+    let given = [
+        ("heap", towing.heap_fraction != 0.0),
+        ("backfill", is_round && towing.backfill != 0.0),
+        ("factors", is_round && towing.method != Method::default()),
+        ("cone_index", towing.cone_index.is_some()),
+        ("plate constants", towing.terrain.is_some()),
+    ];
+    let idle: Vec<&str> = given.iter().filter(|(_, given)| *given).map(|(key, _)| *key).collect();
+    (towing.body.disc().is_none() && !idle.is_empty())
+        .then(|| format!("no model of a {kind} asks for {} in [forecast]", idle.join(", ")))
 }
 
 /// What the section `[forecast]` of the case says.
@@ -76,60 +108,36 @@ fn add_measured(towing: &mut Towing, measured: &Measured, remarks: &mut Vec<Stri
     }
 }
 
-/// Height of the soil's surface [m].
-fn level_surface(case: &Case) -> Result<f64, String> {
-    if case.domain.plane_strain {
-        return Err("the case is plane strain; the models are for a disc of finite thickness".into());
+/// The level ground before the body.
+struct LevelGround {
+    /// Height of its surface [m].
+    surface: f64,
+    /// Height at which the soil ends below [m].
+    floor: f64,
+}
+
+impl LevelGround {
+    /// How deep the soil is [m].
+    fn depth(&self) -> f64 {
+        self.surface - self.floor
+    }
+}
+
+/// The ground; a bank of soil counts before a block, as high as it is.
+fn ground(case: &Case, body: &Body) -> Result<LevelGround, String> {
+    if case.overburden > 0.0 {
+        return Err("the soil lies under an overburden; the models are for free ground".into());
     }
     match case.ground {
-        Ground::Level { surface } => Ok(surface),
+        Ground::Level { surface } => Ok(LevelGround { surface, floor: case.domain.low.z }),
+        Ground::Column { low, high } if body.block().is_some() => {
+            Ok(LevelGround { surface: high.z, floor: low.z.max(case.domain.low.z) })
+        }
         Ground::Column { .. } => Err("the soil is heaped up in a box; the models need level ground".into()),
     }
 }
 
-/// The discs of the case: one, or several equal ones side by side, which count as an assembly on one axle.
-fn discs<'a>(case: &'a Case, remarks: &mut Vec<String>) -> Result<(Vec<&'a Body>, Option<Assembly>), String> {
-    let is_disc = |b: &&Body| matches!(b.shape, Shape::Disc { .. });
-    let mut discs: Vec<&Body> = case.bodies.iter().filter(is_disc).collect();
-    if discs.is_empty() {
-        return Err("the case has no disc; the closed forms are for discs under tow (for an upright face: coulter pressure)".into());
-    }
-    if let Some(other) = case.bodies.iter().find(|b| !is_disc(b)) {
-        return Err(format!("`{}` moves beside the disc; the closed forms know discs only", other.name));
-    }
-    discs.sort_by(|a, b| a.position.y.total_cmp(&b.position.y));
-    let Some([first, second]) = discs.first_chunk::<2>().copied() else { return Ok((discs, None)) };
-    let spacing = second.position.y - first.position.y;
-    let alike = |b: &&Body| {
-        b.shape == first.shape
-            && b.friction == first.friction
-            && b.translation == first.translation
-            && b.spin == first.spin
-            && (b.position.x - first.position.x).abs() < 1e-9
-            && (b.position.z - first.position.z).abs() < 1e-9
-    };
-    let even = discs.windows(2).all(|pair| {
-        let gap = pair[1].position.y - pair[0].position.y;
-        (gap - spacing).abs() < 1e-6 * spacing
-    });
-    if !(discs.iter().all(alike) && even && spacing > 0.0) {
-        return Err(format!(
-            "the case has {} discs that are not alike or not evenly spaced side by side; the closed forms know one \
-             disc, or a row of equal ones",
-            discs.len()
-        ));
-    }
-    let count = discs.len();
-    remarks.push(format!(
-        "{count} equal discs at a spacing of {:.4} m: taken as one assembly; drag, vertical force and weight are those \
-         of all of them",
-        spacing
-    ));
-    let assembly = Assembly { count: u32::try_from(count).unwrap_or(u32::MAX), spacing };
-    Ok((discs, Some(assembly)))
-}
-
-fn soil(case: &Case, body: &Body, remarks: &mut Vec<String>) -> Result<Soil, String> {
+fn soil(case: &Case, body: &Towed, remarks: &mut Vec<String>) -> Result<Soil, String> {
     let Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, .. } = case.soil.law else {
         let law = if matches!(case.soil.law, Law::Elastic) { "elastic" } else { "undrained (tresca)" };
         return Err(format!("the soil is {law}; the closed forms are for Mohr-Coulomb soil"));
@@ -150,14 +158,13 @@ fn soil(case: &Case, body: &Body, remarks: &mut Vec<String>) -> Result<Soil, Str
 /// The load of a free heave, or the deepest sinkage [m] that the motion prescribes.
 fn load(
     case: &Case,
-    body: &Body,
-    surface: f64,
-    diameter: f64,
+    body: &Towed,
+    ground: &LevelGround,
     count: f64,
     remarks: &mut Vec<String>,
 ) -> Result<Load, String> {
     let name = &body.name;
-    let start = surface - (body.position.z - 0.5 * diameter);
+    let start = ground.surface - (body.position.z + body.shape.solid().bounds().0.z);
     let heave = &body.translation[2];
     match *heave {
         Freedom::Free { load, .. } if load < 0.0 => return Ok(Load::Weight(-load * count)),
@@ -175,6 +182,13 @@ fn load(
     if deepest <= 0.0 {
         return Err(format!("`{name}` never comes below the surface of the soil"));
     }
+    let soil = ground.depth();
+    if deepest >= soil {
+        remarks.push(format!(
+            "`{name}` reaches through the soil to its floor: a sinkage of {soil:.4} m, all the soil that there is"
+        ));
+        return Ok(Load::Sinkage(soil));
+    }
     remarks.push(format!(
         "the heave of `{name}` is prescribed: held at its deepest position, a sinkage of {:.4} m",
         deepest
@@ -182,16 +196,15 @@ fn load(
     Ok(Load::Sinkage(deepest))
 }
 
-/// What happens at the axle; a prescribed turn is a slip.
-fn drive(body: &Body) -> Result<Drive, String> {
+/// What happens at the axle of a body of this radius [m]; a prescribed turn is a slip.
+fn drive(body: &Towed, radius: f64) -> Result<Drive, String> {
     match (&body.spin, &body.translation[0]) {
         (Freedom::Free { load, .. }, _) if *load > 0.0 => Ok(Drive::Driven(*load)),
         (Freedom::Free { load, .. }, _) if *load < 0.0 => Ok(Drive::Braked(-load)),
         (Freedom::Free { .. }, _) => Ok(Drive::Free),
         (Freedom::Fixed, _) => Ok(Drive::Locked),
         (Freedom::Prescribed { speed: spin, .. }, Freedom::Prescribed { speed, .. }) if *speed != 0.0 => {
-            let Shape::Disc { diameter, .. } = body.shape else { return Err("no disc".into()) };
-            Ok(Drive::Slip(spin * 0.5 * diameter / speed - 1.0))
+            Ok(Drive::Slip(spin * radius / speed - 1.0))
         }
         _ => Err(format!(
             "`{}` is turned at a given rate, but not towed at one: its slip is unknown",

@@ -12,7 +12,7 @@ drag 5 % [N],drag 95 % [N],vertical 5 % [N],vertical 95 % [N],sinkage 5 % [m],si
 #[must_use]
 pub fn models_table(outlook: &Outlook, intervals: &Intervals) -> String {
     let mut text = format!("{HEADER}\n");
-    let (scale, diameter) = (outlook.force_scale(), outlook.setting.towing.disc.diameter);
+    let (scale, length) = (outlook.force_scale(), outlook.setting.towing.body.length());
     for model in &outlook.forecast.models {
         let found = model.prediction;
         let sinkage = found.and_then(|p| p.sinkage);
@@ -28,7 +28,7 @@ pub fn models_table(outlook: &Outlook, intervals: &Intervals) -> String {
             found.and_then(|p| p.sideways_share),
             found.map(|p| p.drag / scale),
             found.map(|p| p.vertical / scale),
-            sinkage.map(|z| z / diameter),
+            sinkage.map(|z| z / length),
         ];
         let ends = |quantity: &str| {
             let found = intervals.of(model.name, quantity);

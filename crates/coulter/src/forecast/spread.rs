@@ -53,8 +53,10 @@ impl Stated {
             return Err("a standard deviation must be above 0".into());
         }
         let mean = variable.value(setting).ok_or("the case gives it no value")?;
-        let may_be_negative =
-            matches!(variable.parameter, Parameter::DilationAngle | Parameter::Backfill | Parameter::Slip);
+        let may_be_negative = matches!(
+            variable.parameter,
+            Parameter::DilationAngle | Parameter::Backfill | Parameter::Slip | Parameter::Orientation
+        );
         if mean < deviation && !may_be_negative {
             return Err(
                 "the spread reaches below 0 within one standard deviation; --against shows what it does"
@@ -67,7 +69,7 @@ impl Stated {
     fn distribution(&self, setting: &Setting) -> (Parameter, Distribution) {
         let at = |x: f64| self.variable.model_value(setting, x);
         let (mean, above) = (at(self.mean), at(self.mean + self.deviation));
-        (self.variable.parameter, Distribution::Normal { mean, deviation: above - mean })
+        (self.variable.parameter, Distribution::Normal { mean, deviation: (above - mean).abs() })
     }
 }
 
@@ -119,12 +121,21 @@ pub enum Effort {
 }
 
 impl Effort {
-    /// Resistive force theory and Wong and Reece's wheel take a millisecond each time, the others some microseconds; a
-    /// wedge without a table solves its stress field and takes ten milliseconds.
+    /// Resistive force theory and Wong and Reece's wheel take a millisecond each time, Godwin and Spoor's blade, which
+    /// solves its stress field, a third of one, the others some microseconds; a disc's wedge without a table solves many
+    /// fields and takes ten milliseconds.
     fn evaluations(self, model: Candidate, has_table: bool) -> usize {
-        let is_slow =
-            matches!(model, Candidate::SpatialResistive | Candidate::PlanarResistive | Candidate::WongReece);
-        let needs_table = matches!(model, Candidate::Weaker | Candidate::Wedge | Candidate::PlaneStrain);
+        let is_slow = matches!(
+            model,
+            Candidate::SpatialResistive
+                | Candidate::PlanarResistive
+                | Candidate::WongReece
+                | Candidate::GodwinSpoor
+        );
+        let needs_table = matches!(
+            model,
+            Candidate::Weaker | Candidate::Wedge | Candidate::PlaneStrain | Candidate::BrinchHansen
+        );
         match self {
             Self::Glance if is_slow || (needs_table && !has_table) => 96,
             Self::Glance => 1024,

@@ -83,13 +83,14 @@ fn heading(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
         Load::Sinkage(z) => format!("held at a sinkage of {:.4} mm", 1e3 * z),
     };
     let axle = match towing.drive {
+        Drive::Locked if towing.body.disc().is_none() => "not turning".to_owned(),
         Drive::Free => "free to turn".to_owned(),
         Drive::Locked => "locked".to_owned(),
         Drive::Braked(torque) => format!("braked with {torque:.4} N m"),
         Drive::Driven(torque) => format!("driven with {torque:.4} N m"),
         Drive::Slip(slip) => format!("turned at the slip {slip:.4}"),
     };
-    writeln!(text, "{}: {}, {pressed}, {axle}", outlook.case, outlook.setting.discs.join(", "))?;
+    writeln!(text, "{}: {}, {pressed}, {axle}", outlook.case, outlook.setting.bodies.join(", "))?;
     let g = &outlook.forecast.groups;
     let mut list = format!("t̄ = {:.4}", g.thickness);
     let known = [
@@ -174,7 +175,8 @@ fn closing(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
         }
         writeln!(text, " (they are not independent: no confidence interval)")?;
     }
-    if let Some(full) = forecast.models_full_friction.first().and_then(|m| m.prediction) {
+    let full = forecast.models_full_friction.iter().find(|m| Some(m.model) == forecast.recommended);
+    if let Some(full) = full.filter(|m| m.model.is_plastic()).and_then(|m| m.prediction) {
         let angle = forecast.operative_friction_angle.to_degrees();
         write!(
             text,

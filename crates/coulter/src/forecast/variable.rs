@@ -4,7 +4,7 @@ use super::Setting;
 use crate::case::keys::Kind;
 use crate::case::quantity::{ANGLE, FORCE, LENGTH, STRESS, TORQUE, UNIT_WEIGHT};
 use analytic::Towing;
-use analytic::forecast::Parameter;
+use analytic::forecast::{Body, Parameter};
 
 /// One of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,7 +38,7 @@ const fn variable(
 }
 
 const BARE: (&str, f64) = ("-", 1.0);
-const ALL: [Variable; 19] = [
+const ALL: [Variable; 20] = [
     variable(Parameter::Sinkage, ("", "z"), Kind::Quantity(LENGTH), "sinkage z", ("m", 1.0)),
     variable(
         Parameter::FrictionAngle,
@@ -65,6 +65,13 @@ const ALL: [Variable; 19] = [
     variable(Parameter::BodyFriction, ("body", "friction"), Kind::Number, "friction μ", BARE),
     variable(Parameter::Diameter, ("body", "diameter"), Kind::Quantity(LENGTH), "diameter d", ("m", 1.0)),
     variable(Parameter::Thickness, ("body", "thickness"), Kind::Quantity(LENGTH), "thickness t", ("m", 1.0)),
+    variable(
+        Parameter::Orientation,
+        ("body", "orientation"),
+        Kind::Quantity(ANGLE),
+        "orientation",
+        ("deg", DEGREE),
+    ),
     variable(Parameter::Weight, ("body", "weight"), Kind::Quantity(FORCE), "weight W", ("N", 1.0)),
     variable(Parameter::Slip, ("", "slip"), Kind::Number, "slip ωr/v − 1", BARE),
     variable(
@@ -134,15 +141,18 @@ pub fn variables() -> &'static [Variable] {
 
 /// The variable that `key` names: `Z`, `soil.friction_angle`, `body.disc.weight`, or the last part alone.
 #[must_use]
-pub fn find(key: &str, discs: &[String]) -> Option<Variable> {
+pub fn find(key: &str, bodies: &[String]) -> Option<Variable> {
     if matches!(key, "Z" | "z" | "sinkage") {
         return Some(ALL[0]);
     }
     let parts: Vec<&str> = key.split('.').collect();
     let fits = |v: &&Variable| match parts[..] {
+        // A roller across the tow has a length where a disc has a thickness.
+        ["length"] => v.parameter == Parameter::Thickness,
+        ["body", body, "length"] => v.parameter == Parameter::Thickness && bodies.iter().any(|b| b == body),
         [name] => name == v.key,
         [section @ ("soil" | "forecast"), name] => v.section == section && name == v.key,
-        ["body", body, name] => v.section == "body" && name == v.key && discs.iter().any(|d| d == body),
+        ["body", body, name] => v.section == "body" && name == v.key && bodies.iter().any(|b| b == body),
         _ => false,
     };
     ALL.iter().find(fits).copied()
@@ -160,9 +170,31 @@ impl Variable {
     pub fn dotted(&self, setting: &Setting) -> String {
         match self.section {
             "" => self.key.to_owned(),
-            "body" => format!("body.{}.{}", setting.discs.first().map_or("disc", String::as_str), self.key),
+            "body" => format!("body.{}.{}", setting.bodies.first().map_or("disc", String::as_str), self.key),
             section => format!("{section}.{}", self.key),
         }
+    }
+
+    /// Whether a model of such a body asks for it.
+    #[must_use]
+    pub fn belongs(&self, setting: &Setting) -> bool {
+        let any_body = matches!(
+            self.parameter,
+            Parameter::Sinkage
+                | Parameter::FrictionAngle
+                | Parameter::DilationAngle
+                | Parameter::Cohesion
+                | Parameter::UnitWeight
+                | Parameter::BodyFriction
+                | Parameter::Weight
+                | Parameter::PlateStiffness
+        );
+        any_body
+            || match setting.towing.body {
+                Body::Disc(_) => self.parameter != Parameter::Orientation,
+                Body::Block(_) => matches!(self.parameter, Parameter::Orientation | Parameter::Backfill),
+                Body::Round(_) => matches!(self.parameter, Parameter::Slip | Parameter::BrakeTorque),
+            }
     }
 
     /// Whether the case has what the variable is a part of: plate constants, for one of them.
@@ -180,10 +212,10 @@ impl Variable {
 
     /// The value that the models know it by.
     pub(super) fn model_value(&self, setting: &Setting, value: f64) -> f64 {
-        if self.parameter == Parameter::Weight {
-            value * setting.discs.len() as f64 + setting.extra_load
-        } else {
-            value
+        match self.parameter {
+            Parameter::Weight => value * setting.bodies.len() as f64 + setting.extra_load,
+            Parameter::Orientation if setting.mirrored => -value,
+            _ => value,
         }
     }
 
@@ -198,12 +230,15 @@ impl Variable {
             Parameter::Cohesion => Some(towing.soil.cohesion),
             Parameter::UnitWeight => Some(towing.soil.unit_weight),
             Parameter::BodyFriction => Some(towing.soil.body_friction),
-            Parameter::Diameter => Some(towing.disc.diameter),
-            Parameter::Thickness => Some(towing.disc.thickness),
+            Parameter::Diameter => towing.body.disc().map(|disc| disc.diameter),
+            Parameter::Thickness => towing.body.disc().map(|disc| disc.thickness),
+            Parameter::Orientation => {
+                towing.body.block().map(|block| self.model_value(setting, block.orientation))
+            }
             Parameter::HeapFraction => Some(towing.heap_fraction),
             Parameter::Backfill => Some(towing.backfill),
             Parameter::Weight => match towing.load {
-                Load::Weight(weight) => Some((weight - setting.extra_load) / setting.discs.len() as f64),
+                Load::Weight(weight) => Some((weight - setting.extra_load) / setting.bodies.len() as f64),
                 Load::Sinkage(_) => None,
             },
             Parameter::Sinkage => match towing.load {

@@ -11,10 +11,8 @@ use std::path::{Path, PathBuf};
 const MODELS: &str = "models.csv";
 const DOCUMENT: &str = "forecast.json";
 const CURVE: &str = "curve.csv";
-/// The one to believe, the only line that is drawn through.
-const BELIEVED: &str = "weaker of BC and PW";
 /// They are drawn wherever they have an answer, so that their crossing is seen; the others only where they apply.
-const ALWAYS_DRAWN: [&str; 3] = [BELIEVED, "BC", "PW"];
+const ALWAYS_DRAWN: [&str; 3] = ["weaker of BC and PW", "BC", "PW"];
 
 /// What a forecast leaves behind.
 #[derive(Clone, Copy, Debug)]
@@ -121,7 +119,8 @@ fn chart(curves: &Curves, x_label: &str, along: &[f64], ordinate: Ordinate<'_>) 
         let points: Vec<[f64; 2]> =
             values.iter().zip(along).zip(scale).map(|((y, x), scale)| [*x, y / scale]).collect();
         let stroke = match series.name {
-            BELIEVED => Stroke::Solid,
+            // The one to believe is the only line that is drawn through.
+            name if name == curves.believed => Stroke::Solid,
             _ if colour < CURVES.len() => Stroke::Dashed,
             _ => Stroke::Dotted,
         };

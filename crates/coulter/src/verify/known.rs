@@ -100,7 +100,7 @@ mod tests {
         assert!(!known.is_about(&Row::note("C4", "B5, H/h = 8", "q", 1.0)));
         assert!(!known.is_about(&Row::note("C4", "B1", "another", 1.0)));
         let passes = [Row::note("C4", "B1, B/h = 8", "q", 1.0).within(1.0, 0.1, "")];
-        assert_eq!(disagreements(&passes, &[known.clone()], false).len(), 1);
+        assert_eq!(disagreements(&passes, std::slice::from_ref(&known), false).len(), 1);
         assert!(disagreements(&passes, &[known], true).is_empty());
     }
 }

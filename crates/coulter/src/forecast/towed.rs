@@ -1,0 +1,146 @@
+//! The bodies of a case as the closed forms see them.
+
+use crate::case::resolved::{Axis, Body as Towed, Case, Freedom, Shape};
+use analytic::disc::{Assembly, Disc};
+use analytic::forecast::{Block, Body, Round};
+use analytic::resistive::Facet;
+use glam::DVec3;
+use physics::shape::SurfacePoint;
+use std::f64::consts::PI;
+
+/// Points across the diameter of a body that is known by the points of its surface.
+const POINTS_ACROSS: f64 = 40.0;
+/// Diameter times length over the spacing squared, at most.
+const MOST_POINTS: f64 = 2000.0;
+
+/// The bodies of the case: one, or several equal discs side by side, which count as an assembly on one axle.
+///
+/// # Errors
+/// If there are several that are not equal discs, evenly spaced side by side.
+pub(super) fn bodies<'a>(
+    case: &'a Case,
+    remarks: &mut Vec<String>,
+) -> Result<(Vec<&'a Towed>, Option<Assembly>), String> {
+    let mut discs: Vec<&Towed> = case.bodies.iter().collect();
+    if discs.len() > 1
+        && let Some(other) = discs.iter().find(|b| disc(b).is_none())
+    {
+        return Err(format!(
+            "`{}` moves beside another body; the closed forms know one body, or equal discs",
+            other.name
+        ));
+    }
+    discs.sort_by(|a, b| a.position.y.total_cmp(&b.position.y));
+    let Some([first, second]) = discs.first_chunk::<2>().copied() else { return Ok((discs, None)) };
+    let spacing = second.position.y - first.position.y;
+    let alike = |b: &&Towed| {
+        b.shape == first.shape
+            && b.friction == first.friction
+            && b.translation == first.translation
+            && b.spin == first.spin
+            && (b.position.x - first.position.x).abs() < 1e-9
+            && (b.position.z - first.position.z).abs() < 1e-9
+    };
+    let even = discs.windows(2).all(|pair| {
+        let gap = pair[1].position.y - pair[0].position.y;
+        (gap - spacing).abs() < 1e-6 * spacing
+    });
+    if !(discs.iter().all(alike) && even && spacing > 0.0) {
+        return Err(format!(
+            "the case has {} discs that are not alike or not evenly spaced side by side; the closed forms know one \
+             disc, or a row of equal ones",
+            discs.len()
+        ));
+    }
+    let count = discs.len();
+    remarks.push(format!(
+        "{count} equal discs at a spacing of {:.4} m: taken as one assembly; drag, vertical force and weight are those \
+         of all of them",
+        spacing
+    ));
+    let assembly = Assembly { count: u32::try_from(count).unwrap_or(u32::MAX), spacing };
+    Ok((discs, Some(assembly)))
+}
+
+/// A disc, or a cylinder across the tow, which meets the soil as a disc does.
+fn disc(body: &Towed) -> Option<Disc> {
+    match body.shape {
+        Shape::Disc { diameter, thickness }
+        | Shape::Cylinder { diameter, length: thickness, axis: Axis::Y } => {
+            Some(Disc { diameter, thickness })
+        }
+        _ => None,
+    }
+}
+
+/// The body as the models see it, what it is in one word, and whether it is towed backwards, so that the models see its
+/// mirror image.
+///
+/// # Errors
+/// If it is a disc in plane strain, or anything else that is not towed.
+pub(super) fn body(
+    case: &Case,
+    body: &Towed,
+    remarks: &mut Vec<String>,
+) -> Result<(Body, &'static str, bool), String> {
+    let kind = match body.shape {
+        Shape::Disc { .. } => "disc",
+        Shape::Block { .. } => "block",
+        Shape::Cylinder { .. } => "cylinder",
+        Shape::Ball { .. } => "ball",
+    };
+    if let Some(disc) = disc(body) {
+        if case.domain.plane_strain {
+            return Err(format!("the case is plane strain; the models are for a {kind} of finite width"));
+        }
+        return Ok((disc.into(), kind, false));
+    }
+    let is_mirrored = match body.translation[0] {
+        Freedom::Prescribed { speed, .. } if speed != 0.0 => speed < 0.0,
+        Freedom::Free { load, .. } => load < 0.0,
+        _ => {
+            return Err(format!(
+                "`{}` is not towed; what is pressed straight down is a footing, which has no forecast",
+                body.name
+            ));
+        }
+    };
+    let as_seen = match body.shape {
+        Shape::Block { size, orientation } => {
+            let orientation = if is_mirrored { -orientation } else { orientation };
+            block(case, size, orientation, remarks).into()
+        }
+        Shape::Cylinder { diameter, length, .. } => Body::Round(round(body, diameter, length)),
+        Shape::Ball { diameter } | Shape::Disc { diameter, .. } => {
+            Body::Round(round(body, diameter, diameter))
+        }
+    };
+    Ok((as_seen, kind, is_mirrored))
+}
+
+/// A block turned by `orientation` [rad]; in plane strain as wide as the slab.
+fn block(case: &Case, size: DVec3, orientation: f64, remarks: &mut Vec<String>) -> Block {
+    let endless = case.domain.plane_strain;
+    let across = if endless { case.domain.high.y - case.domain.low.y } else { size.y };
+    if endless {
+        remarks.push(format!("plane strain: the forces are those on a slab {across:.4} m wide"));
+    }
+    let orientation = (orientation + PI).rem_euclid(2.0 * PI) - PI;
+    Block { size: [size.x, across, size.z], orientation, endless, has_base: true }
+}
+
+/// A body by the points of its surface.
+fn round(body: &Towed, diameter: f64, length: f64) -> Round {
+    let solid = body.shape.solid();
+    let (low, high) = solid.bounds();
+    // Some thousand points at most, however slender the body is.
+    let spacing = (diameter / POINTS_ACROSS).max((diameter * length / MOST_POINTS).sqrt());
+    let facet = |p: SurfacePoint| Facet {
+        middle: p.position.to_array(),
+        normal: p.normal.to_array(),
+        area: p.area,
+        rise: 0.5 * (p.area * (1.0 - p.normal.z.powi(2)).max(0.0)).sqrt(),
+    };
+    let facets = solid.surface_points(spacing, DVec3::ZERO).into_iter().map(facet).collect();
+    Round { length: diameter, width: diameter, height: high.z - low.z, facets }
+}
