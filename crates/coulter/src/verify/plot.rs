@@ -81,7 +81,11 @@ pub fn runs(title: &str, ledgers: &[&Ledgers]) -> Option<String> {
     let (x_label, y_label, curves) = if forces.is_empty() {
         ("x [m]", "thickness of the soil at the end [m]", heaps)
     } else {
-        ("way of the body [m]", "force against its motion [N; plane strain: N/m]", forces)
+        (
+            "way of the body [m]",
+            "force [N; plane strain: N/m]",
+            forces.into_iter().map(from_its_start).collect(),
+        )
     };
     if curves.is_empty() {
         return None;
@@ -95,6 +99,13 @@ pub fn runs(title: &str, ledgers: &[&Ledgers]) -> Option<String> {
         ..Chart::default()
     };
     Some(on_paper(&chart.svg()))
+}
+
+/// A body's way counts from where it began.
+fn from_its_start(mut curve: Curve) -> Curve {
+    let start = curve.points.first().map_or(0.0, |p| p[0]);
+    curve.points.iter_mut().for_each(|p| p[0] -= start);
+    curve
 }
 
 /// How near the judged figures of a benchmark came: their errors over their tolerances, as SVG; `None` if none is judged.
