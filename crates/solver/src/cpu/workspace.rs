@@ -155,6 +155,7 @@ impl Workspace {
             + self.workers.iter().map(own).sum::<usize>()
             + size_of_val(self.row_sums.as_slice())
             + size_of_val(self.row_has_soil.as_slice())
+            + size_of_val(self.occupied.as_slice())
     }
 
     /// Where the time of the calling thread goes.
