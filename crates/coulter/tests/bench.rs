@@ -23,9 +23,9 @@ fn the_stages_keep_their_proportions() {
     assert!(number("/filled_cells") > 20e3 && number("/million_cell_steps_per_core_second") > 0.0, "{m:#}");
     // Measured: 314 on this small grid, where ghosts and contact points weigh most.
     assert!(number("/bytes_per_cell") < 330.0, "{m:#}");
-    // Measured: 7 to 15 % of the multiply-adds that the machine can do; 2 % without vectors.
+    // Measured: 7 to 20 % of the multiply-adds that the machine can do; 2 % without vectors.
     assert!(number("/achieved_GFLOP_per_s/lagrange") > 0.03 * number("/fma_GFLOP_per_s"), "{m:#}");
-    // Measured: 0.4, 0.6 and 0.3 of the Lagrangian stage.
+    // Measured: 0.4 to 0.5, 0.6 to 0.8 and 0.3 to 0.5 of the Lagrangian stage.
     for (stage, bound) in [("plasticity", 1.0), ("nodes", 1.5), ("remap", 1.0)] {
         assert!(share(stage) < bound * share("lagrange"), "{stage}: {m:#}");
     }

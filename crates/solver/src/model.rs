@@ -118,6 +118,25 @@ pub const FRACTION_STRESSED: f64 = 1e-3;
 pub const FRACTION_KEPT: f64 = 1e-6;
 
 impl Model {
+    /// Weightless, elastic soil between smooth walls, without bodies: what a test or a benchmark starts from.
+    #[must_use]
+    pub fn bare(grid: Grid, elastic: Elastic, density: f64) -> Self {
+        Self {
+            grid,
+            elastic,
+            strength: None,
+            critical_density: None,
+            density,
+            gravity: 0.0,
+            surface: 0.0,
+            rest_pressure_ratio: 1.0,
+            walls: [[Wall::Smooth; 2]; 3],
+            bodies: Vec::new(),
+            share: 1.0,
+            method: Method::default(),
+        }
+    }
+
     /// Speed of the compression wave [m/s].
     #[must_use]
     pub fn wave_speed(&self) -> f64 {

@@ -5,7 +5,7 @@ use physics::elastic::Elastic;
 use solver::cpu::remap::remap;
 use solver::cpu::workspace::Workspace;
 use solver::grid::Grid;
-use solver::model::{Method, Model, Wall};
+use solver::model::Model;
 use solver::start::{Filling, start};
 use solver::state::State;
 use std::f64::consts::PI;
@@ -156,18 +156,5 @@ pub(super) fn fill(grid: &Grid, inside: impl Fn(DVec3) -> bool, fraction: &mut [
 fn space([nx, ny, nz]: [usize; 3]) -> Model {
     let h = 1.0 / nx as f64;
     let faces = |n: usize| (0..=n).map(|i| i as f64 * h).collect::<Vec<f64>>();
-    Model {
-        grid: Grid::new([faces(nx), faces(ny), faces(nz)]),
-        elastic: Elastic::new(1e6, 0.3),
-        strength: None,
-        critical_density: None,
-        density: 1000.0,
-        gravity: 0.0,
-        surface: 0.0,
-        rest_pressure_ratio: 1.0,
-        walls: [[Wall::Smooth; 2]; 3],
-        bodies: Vec::new(),
-        share: 1.0,
-        method: Method::default(),
-    }
+    Model::bare(Grid::new([faces(nx), faces(ny), faces(nz)]), Elastic::new(1e6, 0.3), 1000.0)
 }

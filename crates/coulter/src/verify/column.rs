@@ -99,7 +99,7 @@ fn collapse(bench: &mut Bench, angle: u32, a: f64, cells: u32) -> Result<(), Ver
     let fixed = front(&simulation, FRONT_FIXED * WIDTH);
     let note = |quantity, value| Row::note("C1", variant.as_str(), quantity, value).took(simulation.wall_s);
     let run_out = note(RUN_OUT, (end - WIDTH) / WIDTH);
-    let height = note("final height over L₀", thickness(&simulation, 0) / WIDTH);
+    let height = note("final height over L₀", thickness(&simulation, 0, 0) / WIDTH);
     // The coarsest grid only shows where the others come from.
     let ([near, far], [low, high]) = (run_outs(a), heights(a));
     bench.rows.extend([
@@ -111,21 +111,21 @@ fn collapse(bench: &mut Bench, angle: u32, a: f64, cells: u32) -> Result<(), Ver
     Ok(())
 }
 
-/// Thickness of the soil in column `i` [m].
-fn thickness(simulation: &Simulation, i: usize) -> f64 {
+/// Thickness of the soil in the column of cells `(i, j)` [m].
+pub(super) fn thickness(simulation: &Simulation, i: usize, j: usize) -> f64 {
     let (grid, fraction) = (&simulation.model.grid, &simulation.state.soil.fraction);
-    (0..grid.cells()[2]).map(|k| fraction[grid.index(i, 0, k)] * grid.width(2, k)).sum()
+    (0..grid.cells()[2]).map(|k| fraction[grid.index(i, j, k)] * grid.width(2, k)).sum()
 }
 
 /// Where the soil's thickness falls below `limit` [m], from the plane of symmetry outwards [m].
 fn front(simulation: &Simulation, limit: f64) -> f64 {
     let grid = &simulation.model.grid;
     let columns = grid.cells()[0];
-    let Some(first) = (0..columns).find(|i| thickness(simulation, *i) < limit) else { return f64::NAN };
+    let Some(first) = (0..columns).find(|i| thickness(simulation, *i, 0) < limit) else { return f64::NAN };
     if first == 0 {
         return f64::NAN;
     }
-    let (inner, outer) = (thickness(simulation, first - 1), thickness(simulation, first));
+    let (inner, outer) = (thickness(simulation, first - 1, 0), thickness(simulation, first, 0));
     let share = (inner - limit) / (inner - outer);
     grid.centre(0, first - 1) * (1.0 - share) + grid.centre(0, first) * share
 }

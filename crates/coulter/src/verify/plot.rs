@@ -1,6 +1,7 @@
 //! Pictures of the verification: how near every figure came to its tolerance, and what the runs behind them did.
 
 use super::bench::Ledgers;
+use super::column::thickness;
 use super::row::{Row, Tolerance};
 use super::table::figure;
 use crate::output::chart::{Chart, Curve};
@@ -62,10 +63,9 @@ fn averaged(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
 }
 
 fn heap(simulation: &Simulation) -> Vec<[f64; 2]> {
-    let (grid, fraction) = (&simulation.model.grid, &simulation.state.soil.fraction);
-    let thickness =
-        |i: usize| (0..grid.cells()[2]).map(|k| fraction[grid.index(i, 0, k)] * grid.width(2, k)).sum();
-    averaged(&(0..grid.cells()[0]).map(|i| [grid.centre(0, i), thickness(i)]).collect::<Vec<_>>())
+    let grid = &simulation.model.grid;
+    let column = |i: usize| [grid.centre(0, i), thickness(simulation, i, 0)];
+    averaged(&(0..grid.cells()[0]).map(column).collect::<Vec<_>>())
 }
 
 /// What the runs of a benchmark did, as SVG; `None` if nothing of it can be drawn.

@@ -2,6 +2,7 @@
 
 use super::bench::{Bench, VerifyError};
 use super::carried::fill;
+use super::column::thickness;
 use super::row::Row;
 use crate::simulation::Simulation;
 use glam::DVec3;
@@ -87,12 +88,6 @@ fn collapse(bench: &mut Bench, variant: &str, [a, angle, cells]: [f64; 3]) -> Re
 
 fn run_out(a: f64) -> f64 {
     if a < 1.7 { 1.24 * a } else { 1.6 * a.sqrt() }
-}
-
-/// Thickness of the sand in a column of cells [m].
-fn thickness(simulation: &Simulation, i: usize, j: usize) -> f64 {
-    let (grid, fraction) = (&simulation.model.grid, &simulation.state.soil.fraction);
-    (0..grid.cells()[2]).map(|k| fraction[grid.index(i, j, k)] * grid.width(2, k)).sum()
 }
 
 /// Area in which the sand is thicker than `limit` [m²].

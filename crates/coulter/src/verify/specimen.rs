@@ -7,7 +7,7 @@ use physics::strength::{Law, Strength};
 use physics::tensor::{Symmetric, deviator, mean};
 use solver::cpu::workspace::Workspace;
 use solver::grid::Grid;
-use solver::model::{Method, Model, Wall};
+use solver::model::{Method, Model};
 use solver::start::{Filling, start};
 use solver::state::State;
 use solver::step::step;
@@ -59,19 +59,10 @@ impl Cell {
     pub(super) fn new(elastic: Elastic, law: Law, stress: Symmetric) -> Self {
         let faces = || vec![0.0, 1.0];
         let model = Model {
-            grid: Grid::new([faces(), faces(), faces()]),
-            elastic,
             strength: Some(law),
-            critical_density: None,
-            density: 1600.0,
-            gravity: 0.0,
-            surface: 0.0,
-            rest_pressure_ratio: 1.0,
-            walls: [[Wall::Smooth; 2]; 3],
-            bodies: Vec::new(),
-            share: 1.0,
             // The strain of a whole test stays on one grid.
             method: Method { remap_displacement: 1.0, ..Method::default() },
+            ..Model::bare(Grid::new([faces(), faces(), faces()]), elastic, 1600.0)
         };
         let everywhere = Filling { low: DVec3::splat(-1e9), high: DVec3::splat(1e9) };
         let mut state = start(&model, &everywhere);

@@ -10,7 +10,7 @@ use solver::audit::kinetic_energy;
 use solver::cpu::energy::soil_volume;
 use solver::cpu::workspace::Workspace;
 use solver::grid::Grid;
-use solver::model::{Method, Model, Wall};
+use solver::model::Model;
 use solver::start::start_filled;
 use solver::state::State;
 use solver::step::step;
@@ -98,18 +98,6 @@ fn space(cell: f64) -> Model {
         let count = (to - from).round() as usize;
         (0..=count).map(|i| (from + i as f64) * cell).collect::<Vec<f64>>()
     };
-    Model {
-        grid: Grid::new([faces(-n, n), faces(-0.5, 0.5), faces(-n, n)]),
-        elastic: Elastic::new(YOUNG, 0.3),
-        strength: None,
-        critical_density: None,
-        density: 1600.0,
-        gravity: 0.0,
-        surface: 0.0,
-        rest_pressure_ratio: 1.0,
-        walls: [[Wall::Smooth; 2]; 3],
-        bodies: Vec::new(),
-        share: 1.0,
-        method: Method::default(),
-    }
+    let grid = Grid::new([faces(-n, n), faces(-0.5, 0.5), faces(-n, n)]);
+    Model::bare(grid, Elastic::new(YOUNG, 0.3), 1600.0)
 }

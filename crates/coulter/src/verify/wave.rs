@@ -6,7 +6,7 @@ use glam::DVec3;
 use physics::elastic::Elastic;
 use solver::cpu::workspace::Workspace;
 use solver::grid::Grid;
-use solver::model::{Method, Model, Wall};
+use solver::model::{Method, Model};
 use solver::start::{Filling, start};
 use solver::state::State;
 use solver::step::step;
@@ -88,20 +88,9 @@ fn travel(refinement: usize, bulk_viscosity: [f64; 2], remap: Option<f64>) -> Re
 fn bar(cells: usize, bulk_viscosity: [f64; 2]) -> Model {
     let h = 1.0 / cells as f64;
     let along = (0..=cells).map(|n| n as f64 * h).collect();
-    Model {
-        grid: Grid::new([along, vec![0.0, h], vec![0.0, h]]),
-        elastic: Elastic::new(20e6, 0.3),
-        strength: None,
-        critical_density: None,
-        density: 1600.0,
-        gravity: 0.0,
-        surface: 0.0,
-        rest_pressure_ratio: 1.0,
-        walls: [[Wall::Smooth; 2]; 3],
-        bodies: Vec::new(),
-        share: 1.0,
-        method: Method { hourglass: 0.0, bulk_viscosity, ..Method::default() },
-    }
+    let grid = Grid::new([along, vec![0.0, h], vec![0.0, h]]);
+    let method = Method { hourglass: 0.0, bulk_viscosity, ..Method::default() };
+    Model { method, ..Model::bare(grid, Elastic::new(20e6, 0.3), 1600.0) }
 }
 
 /// Velocities of a wave that runs to the right, and its stresses −ρ c v.

@@ -6,7 +6,7 @@ use physics::elastic::Elastic;
 use physics::mohr_coulomb::MohrCoulomb;
 use physics::strength::Law;
 use solver::grid::Grid;
-use solver::model::{Method, Model, Wall};
+use solver::model::Model;
 use solver::start::Filling;
 
 /// Equally spaced faces.
@@ -18,18 +18,10 @@ pub fn uniform(low: f64, high: f64, cells: usize) -> Vec<f64> {
 pub fn sand(faces: [Vec<f64>; 3]) -> Model {
     let elastic = Elastic::new(5e6, 0.3);
     Model {
-        grid: Grid::new(faces),
-        elastic,
         strength: Some(Law::MohrCoulomb(MohrCoulomb::new(elastic, 35_f64.to_radians(), 0.0, 0.0, 0.0))),
-        critical_density: None,
-        density: 1600.0,
         gravity: 9.81,
-        surface: 0.0,
         rest_pressure_ratio: 0.43,
-        walls: [[Wall::Smooth; 2]; 3],
-        bodies: Vec::new(),
-        share: 1.0,
-        method: Method::default(),
+        ..Model::bare(Grid::new(faces), elastic, 1600.0)
     }
 }
 
