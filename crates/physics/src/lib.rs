@@ -14,3 +14,4 @@ pub mod shape;
 pub mod strength;
 pub mod tensor;
 pub mod viscosity;
+pub mod von_mises;

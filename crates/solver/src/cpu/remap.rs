@@ -222,10 +222,10 @@ pub(crate) fn settle_cell(model: &Model, soil: &mut Soil, c: usize, volume: f64)
         }
     }
     if let Some(strength) = &model.strength
-        && strength.may_yield(stress)
+        && strength.may_yield(stress, soil.plastic_strain[c])
     {
         let critical = model.critical_density.unwrap_or(0.0) * soil.fraction[c] * volume;
-        let back = strength.return_map(stress, soil.mass[c] >= critical);
+        let back = strength.return_map(stress, soil.plastic_strain[c], soil.mass[c] >= critical);
         stress = back.stress;
         gap += back.gap_strain;
     }
