@@ -95,7 +95,7 @@ pub fn kinetic_energy(model: &Model, state: &State) -> f64 {
             0.5 * model.share * (fixed.mass * (free(0) + free(1) + free(2)) + spin)
         })
         .sum();
-    energy::kinetic(&state.nodes) + bodies
+    energy::kinetic(&model.grid, &state.nodes) + bodies
 }
 
 /// Elastic energy of the soil now [J].

@@ -7,8 +7,8 @@
 
 use super::stopwatch::Stage;
 use super::stress::{CellRow, NodeRows, RowConstants, strain_row};
-use super::threads::Cut;
-use super::workspace::{COEFFICIENTS, NODE_SUMS, RowSums, WorkerScratch, Workspace, lane_sum, split_rows};
+use super::threads::{Cut, parts_of};
+use super::workspace::{COEFFICIENTS, NODE_SUMS, RowSums, WorkerScratch, Workspace, lane_sum};
 use crate::grid::{Grid, LANES};
 use crate::model::{Model, Wall};
 use crate::state::{Soil, State};
@@ -62,30 +62,27 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
         rows,
         dt,
     };
-    let mut stress = stress.each_mut().map(|s| cut.split(s).into_iter());
-    let mut displacement = state.nodes.displacement.each_mut().map(|u| cut.split(u).into_iter());
-    let mut velocity = state.nodes.velocity.each_mut().map(|v| cut.split(v).into_iter());
-    let mut plastic_strain = cut.split(plastic_strain).into_iter();
-    let mut gap_strain = cut.split(gap_strain).into_iter();
-    let mut sums = split_rows(cut, rows, row_sums).into_iter();
-    let mut parts: Vec<Part> = cut
-        .ranges()
-        .zip(workers.iter_mut())
-        .map(|(planes, scratch)| Part {
-            planes,
-            stress: stress.each_mut().map(|s| s.next().unwrap_or_default()),
-            plastic_strain: plastic_strain.next().unwrap_or_default(),
-            gap_strain: gap_strain.next().unwrap_or_default(),
-            displacement: displacement.each_mut().map(|u| u.next().unwrap_or_default()),
-            velocity: velocity.each_mut().map(|v| v.next().unwrap_or_default()),
-            sums: sums.next().unwrap_or_default(),
-            scratch,
-        })
-        .collect();
-    team.share(&mut parts, |part| strain_and_move(&inputs, part));
-    pass_up(&mut parts);
-    team.share(&mut parts, |part| move_waiting(&inputs, part));
-    drop(parts);
+    let mut stress = stress.each_mut().map(|s| cut.split(s));
+    let mut displacement = state.nodes.displacement.each_mut().map(|u| cut.split(u));
+    let mut velocity = state.nodes.velocity.each_mut().map(|v| cut.split(v));
+    let mut plastic_strain = cut.split(plastic_strain);
+    let mut gap_strain = cut.split(gap_strain);
+    let mut sums = cut.split_by(rows, row_sums);
+    let each = cut.ranges().zip(workers.iter_mut()).map(move |(planes, scratch)| Part {
+        planes,
+        stress: stress.each_mut().map(|s| s.next().unwrap_or_default()),
+        plastic_strain: plastic_strain.next().unwrap_or_default(),
+        gap_strain: gap_strain.next().unwrap_or_default(),
+        displacement: displacement.each_mut().map(|u| u.next().unwrap_or_default()),
+        velocity: velocity.each_mut().map(|v| v.next().unwrap_or_default()),
+        sums: sums.next().unwrap_or_default(),
+        scratch,
+    });
+    let mut parts = parts_of(each);
+    let parts = &mut parts[..cut.ranges().len()];
+    team.share(parts, |part| part.iter_mut().for_each(|part| strain_and_move(&inputs, part)));
+    pass_up(parts);
+    team.share(parts, |part| part.iter_mut().for_each(|part| move_waiting(&inputs, part)));
     workers[0].stopwatch.lap(Stage::Nodes);
     total(cut, rows, row_sums)
 }
@@ -133,12 +130,14 @@ fn strain_and_move(inputs: &Inputs, part: &mut Part) {
 }
 
 /// Hands every part the forces of the cells below its lowest plane of nodes, which the part below has worked out.
-fn pass_up(parts: &mut [Part]) {
+fn pass_up(parts: &mut [Option<Part>]) {
     for n in (1..parts.len()).rev() {
         let (low, high) = parts.split_at_mut(n);
-        std::mem::swap(&mut low[n - 1].scratch.below, &mut high[0].scratch.below);
+        if let (Some(low), Some(high)) = (&mut low[n - 1], &mut high[0]) {
+            std::mem::swap(&mut low.scratch.below, &mut high.scratch.below);
+        }
     }
-    if let Some(lowest) = parts.first_mut() {
+    if let Some(Some(lowest)) = parts.first_mut() {
         lowest.scratch.below.fill(0.0);
     }
 }

@@ -3,7 +3,7 @@
 use crate::cpu::contact::{self, BodyCell, ContactLaw, TouchedNode};
 use crate::cpu::stopwatch::Stopwatch;
 use crate::cpu::stress::Block;
-use crate::cpu::threads::{Cut, Team};
+use crate::cpu::threads::{Cut, MOST, Team};
 use crate::grid::Grid;
 use crate::model::Model;
 use crate::state::{Contact, State};
@@ -24,18 +24,17 @@ pub struct Workspace {
     pub(crate) cut: Cut,
     /// Whether a row of cells holds soil, by storage plane and row.
     pub(crate) row_has_soil: Vec<bool>,
-    /// Nodal velocities of the step before; room for the remap between steps.
+    /// Nodal velocities of the step before. Between steps they are worth nothing, and room for others: for the remap, and
+    /// the first, from then till the contact points are located, for the share of each cell that bodies take up.
     pub(crate) velocity_before: [Vec<f64>; 3],
-    /// Share of each cell that bodies take up.
-    pub(crate) occupied: Vec<f64>,
-    /// The cells in which it is not zero, body by body.
+    /// The cells of which bodies take up a share, body by body.
     pub(crate) body_cells: Vec<BodyCell>,
-    /// Arrays for the remap.
-    pub(crate) scratch: [Vec<f64>; 3],
     /// One for each worker.
     pub(crate) workers: Vec<WorkerScratch>,
     /// Sums over rows of the Lagrangian step.
     pub(crate) row_sums: Vec<RowSums>,
+    /// Two values for each row, to be added up.
+    pub(crate) row_values: Vec<[f64; 2]>,
     /// Widths of the cell layers along x [m], in storage columns (0 in ghosts), and ¼ over them.
     pub(crate) width_x: [Vec<f64>; 2],
     /// How soil and bodies act on each other.
@@ -103,7 +102,6 @@ impl Workspace {
     #[must_use]
     pub fn new(model: &Model, state: &State, threads: usize) -> Self {
         let grid = &model.grid;
-        let zeros = || vec![0.0; grid.entries];
         let plane = grid.stride[2];
         let planes = grid.cells()[2] + 1;
         let rows = plane / grid.stride[1];
@@ -115,18 +113,17 @@ impl Workspace {
             block: Block::new(),
             stopwatch: Stopwatch::default(),
         };
-        let threads = threads.clamp(1, planes);
+        let threads = threads.clamp(1, planes.min(MOST));
         let (touched, corner_nodes) = contact::touched_nodes(model, &state.contacts);
         let mut workspace = Self {
             team: Team::new(threads),
             cut: Cut::new(1, &vec![1.0; planes], threads, plane),
             row_has_soil: vec![false; rows * (planes + 1)],
             velocity_before: state.nodes.velocity.clone(),
-            occupied: zeros(),
             body_cells: Vec::new(),
-            scratch: std::array::from_fn(|_| zeros()),
             workers: (0..threads).map(worker).collect(),
             row_sums: vec![RowSums::default(); rows * (planes + 1)],
+            row_values: vec![[0.0; 2]; rows * (planes + 1)],
             width_x: column_widths(grid),
             contact_law: contact::law(model),
             points: model.bodies.iter().map(|b| contact::surface_points(model, b)).collect(),
@@ -153,17 +150,21 @@ impl Workspace {
             let rows = w.coefficients.iter().chain([&w.below, &w.waiting, &w.row]);
             rows.map(|row| size_of_val(row.as_slice())).sum::<usize>() + size_of_val(&*w.block)
         };
-        let fields = self.scratch.iter().chain(&self.velocity_before);
-        fields.map(|field| size_of_val(field.as_slice())).sum::<usize>()
+        self.velocity_before.iter().map(|field| size_of_val(field.as_slice())).sum::<usize>()
             + self.workers.iter().map(own).sum::<usize>()
             + size_of_val(self.row_sums.as_slice())
             + size_of_val(self.row_has_soil.as_slice())
-            + size_of_val(self.occupied.as_slice())
+            + size_of_val(self.row_values.as_slice())
     }
 
     /// Where the time of the calling thread goes.
     pub fn stopwatch(&mut self) -> &mut Stopwatch {
         &mut self.workers[0].stopwatch
+    }
+
+    /// Sums over all rows, in the order of the memory.
+    pub(crate) fn total_of_rows(&self) -> [f64; 2] {
+        self.row_values.iter().fold([0.0; 2], |sum, own| [sum[0] + own[0], sum[1] + own[1]])
     }
 
     /// Rows per plane.
@@ -195,18 +196,6 @@ fn column_widths(grid: &Grid) -> [Vec<f64>; 2] {
     }
     let per_width = widths.iter().map(|w| if *w > 0.0 { 0.25 / w } else { 0.0 }).collect();
     [widths, per_width]
-}
-
-/// Splits any per-row array like the planes.
-pub(crate) fn split_rows<'a, T>(cut: &Cut, rows: usize, array: &'a mut [T]) -> Vec<&'a mut [T]> {
-    let mut rest = &mut array[cut.bounds[0] * rows..];
-    let mut parts = Vec::with_capacity(cut.bounds.len() - 1);
-    for range in cut.ranges() {
-        let (part, after) = rest.split_at_mut(range.len() * rows);
-        parts.push(part);
-        rest = after;
-    }
-    parts
 }
 
 /// Sum in eight lanes that are added up at the end: the same whatever the processor's vectors are.
