@@ -1,6 +1,6 @@
 //! Memory that the step works in and that is worth nothing between steps.
 
-use crate::cpu::contact::{self, BodyCell, ContactLaw, TouchedNode};
+use crate::cpu::contact::{self, BodyCell, ContactLaw, Drive, TouchedNode};
 use crate::cpu::stopwatch::Stopwatch;
 use crate::cpu::stress::Block;
 use crate::cpu::threads::{Cut, MOST, Team};
@@ -51,6 +51,8 @@ pub struct Workspace {
     pub(crate) patch: (Vec<usize>, usize),
     /// Frictional impulse at each contact in the last step [N s].
     pub(crate) friction: Vec<DVec3>,
+    /// How each body came through the last step.
+    pub(crate) drives: Vec<Drive>,
 }
 
 impl std::fmt::Debug for Workspace {
@@ -132,6 +134,7 @@ impl Workspace {
             corner_nodes,
             patch: contact::number_patches(&state.contacts),
             friction: Vec::new(),
+            drives: vec![Drive::default(); model.bodies.len()],
         };
         workspace.find_soil(grid, &state.soil.fraction);
         workspace
