@@ -44,6 +44,7 @@ pub fn remap(model: &Model, state: &mut State, workspace: &mut Workspace) -> Rem
     contact::expel(model, state, workspace);
     stop_massless(model, state, workspace);
     workspace.find_soil(&model.grid, &state.soil.fraction);
+    workspace.clear = 2;
     state.remaps += 1;
     loss.energy = before - energy::total(model, state, workspace);
     loss

@@ -161,6 +161,7 @@ pub(crate) fn strain_row(
                 Law::MenetreyWillam(law) => menetrey_willam(constants, law, cells, block),
             };
             stopwatch.count_returned(returned);
+            sums.yields += returned as u32;
             stopwatch.lap(Stage::Plasticity);
         }
         let [plastic, viscous, hourglass] = bear(constants, cells, block);

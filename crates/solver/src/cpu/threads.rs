@@ -238,8 +238,17 @@ impl Cut {
     /// Deals planes `first..` with the given costs to `workers` so that each has about the same.
     #[must_use]
     pub fn new(first: usize, cost: &[f64], workers: usize, stride: usize) -> Self {
+        let mut cut = Self { bounds: Vec::with_capacity(workers + 1), stride };
+        cut.deal(first, cost, workers);
+        cut
+    }
+
+    /// Does so anew.
+    pub fn deal(&mut self, first: usize, cost: &[f64], workers: usize) {
+        let Self { bounds, .. } = self;
         let total: f64 = cost.iter().sum();
-        let mut bounds = vec![first];
+        bounds.clear();
+        bounds.push(first);
         let mut sum = 0.0;
         for (n, c) in cost.iter().enumerate() {
             sum += c;
@@ -249,7 +258,6 @@ impl Cut {
             }
         }
         bounds.push(first + cost.len());
-        Self { bounds, stride }
     }
 
     /// The planes of every worker.
