@@ -59,7 +59,9 @@ fn at_rest(model: &Model, fraction: Vec<f64>, overburden: f64) -> State {
     relieve_void(&mut soil);
     weigh(model, &mut soil);
     let mut nodes = Nodes::at_rest(&model.grid);
-    lagrange_mass(&model.grid, &soil.mass, &mut nodes.mass);
+    for (n, plane) in nodes.mass.chunks_exact_mut(model.grid.stride[2]).enumerate().skip(1) {
+        lagrange_mass(&model.grid, n, &soil.mass, plane);
+    }
     let ledger = Ledger {
         elastic_start: energy::elastic(model, &soil),
         volume_start: energy::soil_volume(&model.grid, &soil),

@@ -13,17 +13,18 @@ pub mod workspace;
 
 use crate::grid::Grid;
 
-/// Nodal masses from the masses of the cells [kg].
-pub(crate) fn lagrange_mass(grid: &Grid, cell_mass: &[f64], node_mass: &mut [f64]) {
-    let [nx, ny, nz] = grid.cells();
+/// Masses of a storage plane of nodes from those of the cells [kg].
+pub(crate) fn lagrange_mass(grid: &Grid, plane: usize, cell_mass: &[f64], node_mass: &mut [f64]) {
+    let [nx, ny, _] = grid.cells();
     let [x, y, z] = grid.stride;
-    for k in 0..=nz {
-        for j in 0..=ny {
-            for i in 0..=nx {
-                let n = grid.index(i, j, k);
-                let at = |offset: usize| cell_mass[n - offset] + cell_mass[n - offset - x];
-                node_mass[n] = 0.125 * ((at(0) + at(y)) + (at(z) + at(y + z)));
-            }
+    for j in 0..=ny {
+        for i in 0..=nx {
+            let n = (j + 1) * y + i + 1;
+            let at = |offset: usize| {
+                let c = plane * z + n - offset;
+                cell_mass[c] + cell_mass[c - x]
+            };
+            node_mass[n] = 0.125 * ((at(0) + at(y)) + (at(z) + at(y + z)));
         }
     }
 }

@@ -163,6 +163,7 @@ pub(crate) fn strain_row(
                 Law::VonMises(law) => von_mises(constants, law, cells, block),
             };
             stopwatch.count_returned(returned);
+            sums.yields += returned as u32;
             stopwatch.lap(Stage::Plasticity);
         }
         let [plastic, viscous, hourglass] = bear(constants, cells, block);
