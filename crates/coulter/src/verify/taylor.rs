@@ -18,7 +18,7 @@ const SPEED: f64 = 227.0;
 pub(super) const ABOUT: &str = "x";
 
 pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
-    let meshes: &[u32] = if bench.wish.fast { &[8] } else { &[8, 16, 4] };
+    let meshes: &[u32] = if bench.wish.fast { &[8] } else { &[8, 16] };
     for cells in meshes {
         impact(bench, *cells)?;
     }
