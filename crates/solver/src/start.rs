@@ -1,10 +1,10 @@
 //! The state before the first step: soil at rest under its own weight, bodies where the case puts them.
 
-use crate::cpu::contact::{self, carve_soil};
+use crate::cpu::contact::carve_soil;
 use crate::cpu::{energy, lagrange_mass};
 use crate::grid::Grid;
 use crate::model::Model;
-use crate::state::{Body, Contact, Ledger, Nodes, Received, Soil, State};
+use crate::state::{Body, Ledger, Nodes, Received, Soil, State};
 use glam::DVec3;
 
 /// Where soil is at the start.
@@ -65,15 +65,7 @@ fn at_rest(model: &Model, fraction: Vec<f64>, overburden: f64) -> State {
         volume_start: energy::soil_volume(&model.grid, &soil),
         ..Ledger::default()
     };
-    let contacts = contacts(model);
-    State { time: 0.0, step: 0, soil, nodes, bodies, contacts, remaps: 0, ledger }
-}
-
-fn contacts(model: &Model) -> Vec<Contact> {
-    let all = model.bodies.iter().enumerate().flat_map(|(body, fixed)| {
-        (0..contact::surface_points(model, fixed).len()).map(move |point| (body, point))
-    });
-    all.map(|(body, point)| Contact { body, point, ..Contact::default() }).collect()
+    State { time: 0.0, step: 0, soil, nodes, bodies, contacts: Vec::new(), remaps: 0, ledger }
 }
 
 /// Volume fractions of a box of soil.
