@@ -119,7 +119,12 @@ const TOP: &[Key] = &[
 ];
 
 const SOIL: &[Key] = &[
-    key("law", Kind::Choice(&LAWS), "required", "Strength: frictional, undrained, that of a metal, or none (elastic)."),
+    key(
+        "law",
+        Kind::Choice(&LAWS),
+        "required",
+        "Strength: frictional, undrained, that of a metal, or none (elastic).",
+    ),
     key(
         "friction_angle",
         Kind::Quantity(ANGLE),
@@ -202,6 +207,18 @@ const GROUND: &[Key] = &[
         "Where along x there is soil, e.g. a bank in front of a wall.",
     ),
     key("y", Kind::Range(LENGTH), "the whole domain", "Where along y there is soil."),
+    key(
+        "radius",
+        Kind::Quantity(LENGTH),
+        "none",
+        "Soil only so near to the axis x = y = 0: a round column or bar.",
+    ),
+    key(
+        "velocity",
+        Kind::Vector(SPEED),
+        "at rest",
+        "Velocity of the soil at the start along x, y, z; along x, z in plane strain.",
+    ),
     key(
         "overburden",
         Kind::Quantity(STRESS),
