@@ -1,8 +1,9 @@
 //! What stress soil bears, and how the rest of a trial stress flows away.
 
-use crate::menetrey_willam::MenetreyWillam;
-use crate::mohr_coulomb::MohrCoulomb;
-use crate::tensor::Symmetric;
+use super::Real;
+use super::menetrey_willam::MenetreyWillam;
+use super::mohr_coulomb::MohrCoulomb;
+use super::tensor::Symmetric;
 
 /// What a return to the admissible set gives back.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -10,9 +11,9 @@ pub struct Returned {
     /// Admissible stress [Pa].
     pub stress: Symmetric,
     /// Increment of equivalent plastic strain √(⅔ e:e).
-    pub plastic_strain: f64,
+    pub plastic_strain: Real,
     /// Increment of stress-free volumetric opening.
-    pub gap_strain: f64,
+    pub gap_strain: Real,
 }
 
 /// A yield surface with its flow rule. Both functions are written without branches, so that a loop over cells vectorises.
@@ -32,6 +33,18 @@ pub enum Law {
     MohrCoulomb(MohrCoulomb),
     /// Mohr–Coulomb with the smooth flow potential of Menétrey and Willam.
     MenetreyWillam(MenetreyWillam),
+}
+
+impl Law {
+    /// A law known in double precision, in the one at hand.
+    #[must_use]
+    pub fn rounded(exact: &crate::double::strength::Law) -> Self {
+        use crate::double::strength::Law as Exact;
+        match exact {
+            Exact::MohrCoulomb(law) => Self::MohrCoulomb(MohrCoulomb::rounded(law)),
+            Exact::MenetreyWillam(law) => Self::MenetreyWillam(MenetreyWillam::rounded(law)),
+        }
+    }
 }
 
 impl Strength for Law {

@@ -163,3 +163,12 @@ impl Model {
         BulkViscosity::new(b1, b2, self.density, self.wave_speed())
     }
 }
+
+/// Where soil is at the start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Filling {
+    /// Low corner of the box that is full of soil [m].
+    pub low: DVec3,
+    /// High corner [m].
+    pub high: DVec3,
+}

@@ -1,20 +1,13 @@
 //! The state before the first step: soil at rest under its own weight, bodies where the case puts them.
 
-use crate::cpu::contact::{self, carve_soil};
-use crate::cpu::{energy, lagrange_mass};
+use super::contact::{self, carve_soil};
+use super::remap::lagrange_mass;
+use super::{Nodes, Real, Soil, State, energy};
 use crate::grid::Grid;
+pub use crate::model::Filling;
 use crate::model::Model;
-use crate::state::{Body, Contact, Ledger, Nodes, Received, Soil, State};
+use crate::state::{Body, Contact, Ledger, Received};
 use glam::DVec3;
-
-/// Where soil is at the start.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Filling {
-    /// Low corner of the box that is full of soil [m].
-    pub low: DVec3,
-    /// High corner [m].
-    pub high: DVec3,
-}
 
 /// The state at rest of a box of soil.
 #[must_use]
@@ -26,18 +19,18 @@ pub fn start(model: &Model, filling: &Filling) -> State {
 /// lid of the box, which does not move, bears the pressure from then on.
 #[must_use]
 pub fn start_under(model: &Model, filling: &Filling, overburden: f64) -> State {
-    let mut fraction = vec![0.0; model.grid.entries];
+    let mut fraction: Vec<Real> = vec![0.0; model.grid.entries];
     fill(&model.grid, filling, &mut fraction);
     at_rest(model, fraction, overburden)
 }
 
 /// The state at rest of soil of any shape: its volume fraction in every cell (see [`Grid::index`]).
 #[must_use]
-pub fn start_filled(model: &Model, fraction: Vec<f64>) -> State {
+pub fn start_filled(model: &Model, fraction: Vec<Real>) -> State {
     at_rest(model, fraction, 0.0)
 }
 
-fn at_rest(model: &Model, fraction: Vec<f64>, overburden: f64) -> State {
+fn at_rest(model: &Model, fraction: Vec<Real>, overburden: f64) -> State {
     let mut bodies: Vec<Body> = model
         .bodies
         .iter()
@@ -77,7 +70,7 @@ fn contacts(model: &Model) -> Vec<Contact> {
 }
 
 /// Volume fractions of a box of soil.
-fn fill(grid: &Grid, filling: &Filling, fraction: &mut [f64]) {
+fn fill(grid: &Grid, filling: &Filling, fraction: &mut [Real]) {
     let [nx, ny, nz] = grid.cells();
     let share = |axis: usize, n: usize| {
         let (low, high) =
@@ -95,7 +88,7 @@ fn fill(grid: &Grid, filling: &Filling, fraction: &mut [f64]) {
     for k in 0..nz {
         for j in 0..ny {
             for i in 0..nx {
-                fraction[grid.index(i, j, k)] = share(0, i) * share(1, j) * share(2, k);
+                fraction[grid.index(i, j, k)] = (share(0, i) * share(1, j) * share(2, k)) as Real;
             }
         }
     }
@@ -117,7 +110,7 @@ fn weigh(model: &Model, soil: &mut Soil) {
         for j in 0..ny {
             for i in 0..nx {
                 let c = grid.index(i, j, k);
-                soil.mass[c] = model.density * soil.fraction[c] * grid.volume(i, j, k);
+                soil.mass[c] = (model.density * f64::from(soil.fraction[c]) * grid.volume(i, j, k)) as Real;
             }
         }
     }
@@ -135,12 +128,13 @@ fn rest_stress(model: &Model, soil: &mut Soil, overburden: f64) {
             let (mut force, mut mass_above) = (0.0, 0.0);
             for k in (0..nz).rev() {
                 let c = grid.index(i, j, k);
-                force -= 0.5 * (soil.mass[c] + mass_above) * model.gravity;
-                mass_above = soil.mass[c];
-                if soil.fraction[c] > 0.0 {
-                    let vertical = force / (area * soil.fraction[c]) - overburden;
-                    soil.stress[2][c] = vertical;
-                    soil.stress[0][c] = model.rest_pressure_ratio * vertical;
+                let (mass, fraction) = (f64::from(soil.mass[c]), f64::from(soil.fraction[c]));
+                force -= 0.5 * (mass + mass_above) * model.gravity;
+                mass_above = mass;
+                if fraction > 0.0 {
+                    let vertical = force / (area * fraction) - overburden;
+                    soil.stress[2][c] = vertical as Real;
+                    soil.stress[0][c] = (model.rest_pressure_ratio * vertical) as Real;
                     soil.stress[1][c] = soil.stress[0][c];
                 }
             }

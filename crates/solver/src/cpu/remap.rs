@@ -3,13 +3,11 @@
 //! One conservative sweep along each axis, the order changing from remap to remap. The volume fraction is carried with
 //! a reconstructed interface, stress and history with the soil volume at second order, momentum on the dual grid.
 
-use super::threads::Cut;
 use super::transport::{Sweep, carry_mass, carry_momentum, difference, dual_fluxes, dual_reaches};
 use super::workspace::Workspace;
-use super::{contact, energy, lagrange_mass};
+use super::{Nodes, Real, Soil, State, contact, energy};
 use crate::grid::Grid;
 use crate::model::{FRACTION_KEPT, FRACTION_STRESSED, Model};
-use crate::state::{Nodes, Soil, State};
 use physics::strength::Strength;
 use physics::tensor::mean;
 
@@ -70,20 +68,20 @@ fn spread(grid: &Grid, row_has_soil: &[bool]) -> Vec<bool> {
 /// The arrays of a remap. The old velocities are worth nothing between steps: their memory is used again.
 struct Room<'a> {
     /// Soil volume of the cells on the displaced grid [m³].
-    soil: &'a mut Vec<f64>,
+    soil: &'a mut Vec<Real>,
     /// Volume of the displaced cells [m³].
-    cell: &'a mut Vec<f64>,
+    cell: &'a mut Vec<Real>,
     /// Soil volume that crosses the faces [m³], later the mass that crosses the dual faces [kg].
-    flux: &'a mut Vec<f64>,
+    flux: &'a mut Vec<Real>,
     /// Volume that the faces sweep [m³].
-    swept: &'a mut Vec<f64>,
+    swept: &'a mut Vec<Real>,
     /// How far along a slope the value lies that a flux carries [cells].
-    reach: &'a mut Vec<f64>,
-    spare: &'a mut Vec<f64>,
+    reach: &'a mut Vec<Real>,
+    spare: &'a mut Vec<Real>,
 }
 
 impl<'a> Room<'a> {
-    fn of(scratch: &'a mut [Vec<f64>; 3], velocity_before: &'a mut [Vec<f64>; 3]) -> Self {
+    fn of(scratch: &'a mut [Vec<Real>; 3], velocity_before: &'a mut [Vec<Real>; 3]) -> Self {
         let [soil, flux, spare] = scratch;
         let [cell, swept, reach] = velocity_before;
         Self { soil, cell, flux, swept, reach, spare }
@@ -104,7 +102,8 @@ fn displaced_volumes(model: &Model, state: &State, workspace: &mut Workspace) {
             for i in 0..nx {
                 let c = grid.index(i, j, k);
                 let own = c - plane * grid.stride[2];
-                cell[own] = grid.volume(i, j, k) + swollen(grid, state, [i, j, k]);
+                let volume = grid.volume(i, j, k) + swollen(grid, state, [i, j, k]);
+                cell[own] = volume as Real;
                 soil[own] = state.soil.fraction[c] * cell[own];
             }
         }
@@ -119,7 +118,8 @@ fn swollen(grid: &Grid, state: &State, [i, j, k]: [usize; 3]) -> f64 {
     for axis in 0..3 {
         let (a, b) = (grid.stride[(axis + 1) % 3], grid.stride[(axis + 2) % 3]);
         let u = &state.nodes.displacement[axis];
-        let face = |c: usize| (u[c] + u[c + a]) + (u[c + b] + u[c + a + b]);
+        let u = |c: usize| f64::from(u[c]);
+        let face = |c: usize| (u(c) + u(c + a)) + (u(c + b) + u(c + a + b));
         let area = widths[(axis + 1) % 3] * widths[(axis + 2) % 3];
         gain += 0.25 * area * (face(c + grid.stride[axis]) - face(c));
     }
@@ -150,7 +150,7 @@ fn sweep(model: &Model, state: &mut State, workspace: &mut Workspace, axis: usiz
     };
     team.planes2(cut, flux, swept, |plane, flux, swept| sweep.volume_fluxes(plane, flux, swept));
     team.planes(cut, reach, |plane, out| sweep.reaches(plane, flux, out));
-    let faces: [&[f64]; 2] = [flux, reach];
+    let faces: [&[Real]; 2] = [flux, reach];
     for field in stress.iter_mut().chain([plastic_strain, gap_strain]) {
         team.planes(cut, spare, |plane, out| sweep.carry(plane, field, faces, out));
         std::mem::swap(field, spare);
@@ -165,10 +165,10 @@ fn sweep(model: &Model, state: &mut State, workspace: &mut Workspace, axis: usiz
     // The mass flux is in `spare`; the volume flux is done with and makes room for the dual flux.
     team.planes(cut, flux, |plane, out| dual_fluxes(grid, axis, plane, spare, out));
     let Nodes { velocity, mass, .. } = &mut state.nodes;
-    let mass_moved = model.mass_moved();
+    let mass_moved = model.mass_moved() as Real;
     team.planes(cut, reach, |plane, out| dual_reaches(grid, axis, plane, [mass, flux], mass_moved, out));
     for velocity in velocity {
-        let inputs: [&[f64]; 4] = [velocity, mass, flux, reach];
+        let inputs: [&[Real]; 4] = [velocity, mass, flux, reach];
         team.planes(cut, spare, |plane, out| carry_momentum(grid, axis, plane, inputs, out));
         std::mem::swap(velocity, spare);
     }
@@ -178,7 +178,7 @@ fn sweep(model: &Model, state: &mut State, workspace: &mut Workspace, axis: usiz
 
 /// Back to volume fractions: takes crumbs out, closes gaps that stand under pressure, returns stresses to the yield
 /// surface.
-fn settle(model: &Model, soil: &mut Soil, volume: &[f64]) -> RemapLoss {
+fn settle(model: &Model, soil: &mut Soil, volume: &[Real]) -> RemapLoss {
     let grid = &model.grid;
     let [nx, ny, nz] = grid.cells();
     let mut loss = RemapLoss::default();
@@ -186,11 +186,11 @@ fn settle(model: &Model, soil: &mut Soil, volume: &[f64]) -> RemapLoss {
         for j in 0..ny {
             for i in 0..nx {
                 let c = grid.index(i, j, k);
-                let fraction = volume[c] / grid.volume(i, j, k);
-                soil.fraction[c] = fraction;
+                let fraction = f64::from(volume[c]) / grid.volume(i, j, k);
+                soil.fraction[c] = fraction as Real;
                 if fraction < FRACTION_KEPT {
-                    loss.volume += volume[c];
-                    loss.mass += soil.mass[c];
+                    loss.volume += f64::from(volume[c]);
+                    loss.mass += f64::from(soil.mass[c]);
                     (soil.fraction[c], soil.mass[c]) = (0.0, 0.0);
                 }
                 settle_cell(model, soil, c, grid.volume(i, j, k));
@@ -201,16 +201,17 @@ fn settle(model: &Model, soil: &mut Soil, volume: &[f64]) -> RemapLoss {
 }
 
 pub(crate) fn settle_cell(model: &Model, soil: &mut Soil, c: usize, volume: f64) {
-    if soil.fraction[c] <= FRACTION_STRESSED {
+    let fraction = f64::from(soil.fraction[c]);
+    if fraction <= FRACTION_STRESSED {
         for s in &mut soil.stress {
             s[c] = 0.0;
         }
         soil.gap_strain[c] = 0.0;
-        soil.plastic_strain[c] = if soil.fraction[c] > 0.0 { soil.plastic_strain[c] } else { 0.0 };
+        soil.plastic_strain[c] = if fraction > 0.0 { soil.plastic_strain[c] } else { 0.0 };
         return;
     }
-    let mut stress = soil.stress.each_ref().map(|s| s[c]);
-    let mut gap = soil.gap_strain[c].max(0.0);
+    let mut stress = soil.stress.each_ref().map(|s| f64::from(s[c]));
+    let mut gap = f64::from(soil.gap_strain[c]).max(0.0);
     // Soil with a gap was mixed with soil under pressure: let the pressure close the gap, or its volume is lost.
     let bulk = model.elastic.bulk;
     let pressure = -mean(stress);
@@ -224,20 +225,20 @@ pub(crate) fn settle_cell(model: &Model, soil: &mut Soil, c: usize, volume: f64)
     if let Some(strength) = &model.strength
         && strength.may_yield(stress)
     {
-        let critical = model.critical_density.unwrap_or(0.0) * soil.fraction[c] * volume;
-        let back = strength.return_map(stress, soil.mass[c] >= critical);
+        let critical = model.critical_density.unwrap_or(0.0) * fraction * volume;
+        let back = strength.return_map(stress, f64::from(soil.mass[c]) >= critical);
         stress = back.stress;
         gap += back.gap_strain;
     }
     for (field, value) in soil.stress.iter_mut().zip(stress) {
-        field[c] = value;
+        field[c] = value as Real;
     }
-    soil.gap_strain[c] = gap;
+    soil.gap_strain[c] = gap as Real;
 }
 
 /// Nodes that have lost their soil stop; only now, not between sweeps.
 fn stop_massless(model: &Model, state: &mut State) {
-    let mass_moved = model.mass_moved();
+    let mass_moved = model.mass_moved() as Real;
     for v in &mut state.nodes.velocity {
         for (v, m) in v.iter_mut().zip(&state.nodes.mass) {
             if *m <= mass_moved {
@@ -247,23 +248,17 @@ fn stop_massless(model: &Model, state: &mut State) {
     }
 }
 
-/// Deals out planes; kept here so that the remap's helpers read like its text.
-impl super::threads::Team {
-    /// Like [`super::threads::Team::planes`] for two arrays that are written together.
-    fn planes2(
-        &self,
-        cut: &Cut,
-        first: &mut [f64],
-        second: &mut [f64],
-        job: impl Fn(usize, &mut [f64], &mut [f64]) + Sync,
-    ) {
-        let pairs = cut.split(first).into_iter().zip(cut.split(second));
-        let mut parts: Vec<_> = pairs.zip(cut.ranges()).collect();
-        self.share(&mut parts, |((first, second), range)| {
-            for (n, plane) in range.clone().enumerate() {
-                let own = n * cut.stride..(n + 1) * cut.stride;
-                job(plane, &mut first[own.clone()], &mut second[own]);
+/// Nodal masses from the masses of the cells [kg].
+pub(crate) fn lagrange_mass(grid: &Grid, cell_mass: &[Real], node_mass: &mut [Real]) {
+    let [nx, ny, nz] = grid.cells();
+    let [x, y, z] = grid.stride;
+    for k in 0..=nz {
+        for j in 0..=ny {
+            for i in 0..=nx {
+                let n = grid.index(i, j, k);
+                let at = |offset: usize| cell_mass[n - offset] + cell_mass[n - offset - x];
+                node_mass[n] = 0.125 * ((at(0) + at(y)) + (at(z) + at(y + z)));
             }
-        });
+        }
     }
 }

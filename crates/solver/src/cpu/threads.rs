@@ -113,11 +113,29 @@ impl Team {
     }
 
     /// Calls `job(plane, output)` for every plane that `cut` hands out, in parallel, with the planes of `output`.
-    pub fn planes(&self, cut: &Cut, output: &mut [f64], job: impl Fn(usize, &mut [f64]) + Sync) {
+    pub fn planes<T: Send>(&self, cut: &Cut, output: &mut [T], job: impl Fn(usize, &mut [T]) + Sync) {
         let mut parts: Vec<_> = cut.split(output).into_iter().zip(cut.ranges()).collect();
         self.share(&mut parts, |(part, range)| {
             for (n, plane) in range.clone().enumerate() {
                 job(plane, &mut part[n * cut.stride..(n + 1) * cut.stride]);
+            }
+        });
+    }
+
+    /// Like [`Team::planes`] for two arrays that are written together.
+    pub(crate) fn planes2<T: Send>(
+        &self,
+        cut: &Cut,
+        first: &mut [T],
+        second: &mut [T],
+        job: impl Fn(usize, &mut [T], &mut [T]) + Sync,
+    ) {
+        let pairs = cut.split(first).into_iter().zip(cut.split(second));
+        let mut parts: Vec<_> = pairs.zip(cut.ranges()).collect();
+        self.share(&mut parts, |((first, second), range)| {
+            for (n, plane) in range.clone().enumerate() {
+                let own = n * cut.stride..(n + 1) * cut.stride;
+                job(plane, &mut first[own.clone()], &mut second[own]);
             }
         });
     }
@@ -228,7 +246,7 @@ impl Cut {
 
     /// Splits an array into the workers' planes.
     #[must_use]
-    pub fn split<'a>(&self, array: &'a mut [f64]) -> Vec<&'a mut [f64]> {
+    pub fn split<'a, T>(&self, array: &'a mut [T]) -> Vec<&'a mut [T]> {
         let mut rest = &mut array[self.bounds[0] * self.stride..];
         let mut parts = Vec::with_capacity(self.bounds.len() - 1);
         for range in self.ranges() {

@@ -1,12 +1,12 @@
 //! Memory that the step works in and that is worth nothing between steps.
 
-use crate::cpu::contact::{self, BodyCell, ContactLaw, TouchedNode};
+use super::contact::{self, BodyCell, ContactLaw, TouchedNode};
+use super::stress::Block;
+use super::{Real, State};
 use crate::cpu::stopwatch::Stopwatch;
-use crate::cpu::stress::Block;
 use crate::cpu::threads::{Cut, Team};
 use crate::grid::Grid;
 use crate::model::Model;
-use crate::state::State;
 use glam::DVec3;
 use physics::shape::SurfacePoint;
 
@@ -25,19 +25,19 @@ pub struct Workspace {
     /// Whether a row of cells holds soil, by storage plane and row.
     pub(crate) row_has_soil: Vec<bool>,
     /// Nodal velocities of the step before; room for the remap between steps.
-    pub(crate) velocity_before: [Vec<f64>; 3],
+    pub(crate) velocity_before: [Vec<Real>; 3],
     /// Share of each cell that bodies take up.
-    pub(crate) occupied: Vec<f64>,
+    pub(crate) occupied: Vec<Real>,
     /// The cells in which it is not zero, body by body.
     pub(crate) body_cells: Vec<BodyCell>,
     /// Arrays for the remap.
-    pub(crate) scratch: [Vec<f64>; 3],
+    pub(crate) scratch: [Vec<Real>; 3],
     /// One for each worker.
     pub(crate) workers: Vec<WorkerScratch>,
     /// Sums over rows of the Lagrangian step.
     pub(crate) row_sums: Vec<RowSums>,
     /// Widths of the cell layers along x [m], in storage columns (0 in ghosts), and ¼ over them.
-    pub(crate) width_x: [Vec<f64>; 2],
+    pub(crate) width_x: [Vec<Real>; 2],
     /// How soil and bodies act on each other.
     pub(crate) contact_law: Box<dyn ContactLaw>,
     /// Surface points of the bodies.
@@ -61,13 +61,13 @@ impl std::fmt::Debug for Workspace {
 /// What a worker needs for itself.
 pub(crate) struct WorkerScratch {
     /// Force coefficients of two rows of cells in turn.
-    pub(crate) coefficients: [Vec<f64>; 2],
+    pub(crate) coefficients: [Vec<Real>; 2],
     /// Force and damping (four rows for each row of nodes) on a plane of nodes by the cells below it.
-    pub(crate) below: Vec<f64>,
+    pub(crate) below: Vec<Real>,
     /// The same on the lowest plane of nodes by the cells above it.
-    pub(crate) waiting: Vec<f64>,
+    pub(crate) waiting: Vec<Real>,
     /// Row buffers of the nodes.
-    pub(crate) row: Vec<f64>,
+    pub(crate) row: Vec<Real>,
     /// Block of cells.
     pub(crate) block: Box<Block>,
     /// Where this worker's time goes.
@@ -169,7 +169,7 @@ impl Workspace {
     }
 
     /// Notes which rows hold soil, and deals the planes out anew.
-    pub(crate) fn find_soil(&mut self, grid: &Grid, fraction: &[f64]) {
+    pub(crate) fn find_soil(&mut self, grid: &Grid, fraction: &[Real]) {
         let (row, rows) = (grid.stride[1], Self::rows(grid));
         let planes = grid.cells()[2] + 1;
         let mut cost = vec![0.0; planes];
@@ -185,13 +185,13 @@ impl Workspace {
     }
 }
 
-fn column_widths(grid: &Grid) -> [Vec<f64>; 2] {
+fn column_widths(grid: &Grid) -> [Vec<Real>; 2] {
     let mut widths = vec![0.0; grid.stride[1] + crate::grid::LANES];
     for i in 0..grid.cells()[0] {
         widths[i + 1] = grid.width(0, i);
     }
-    let per_width = widths.iter().map(|w| if *w > 0.0 { 0.25 / w } else { 0.0 }).collect();
-    [widths, per_width]
+    let per_width = widths.iter().map(|w| if *w > 0.0 { (0.25 / w) as Real } else { 0.0 }).collect();
+    [widths.into_iter().map(|w: f64| w as Real).collect(), per_width]
 }
 
 /// Splits any per-row array like the planes.
@@ -208,13 +208,14 @@ pub(crate) fn split_rows<'a, T>(cut: &Cut, rows: usize, array: &'a mut [T]) -> V
 
 /// Sum in eight lanes that are added up at the end: the same whatever the processor's vectors are.
 #[inline(always)]
-pub(crate) fn lane_sum(values: &[f64]) -> f64 {
-    let mut lanes = [0.0; 8];
+pub(crate) fn lane_sum(values: &[Real]) -> f64 {
+    let mut lanes: [Real; 8] = [0.0; 8];
     for chunk in values.chunks_exact(8) {
         for (lane, value) in lanes.iter_mut().zip(chunk) {
             *lane += value;
         }
     }
-    let tail: f64 = values.chunks_exact(8).remainder().iter().sum();
+    let tail: Real = values.chunks_exact(8).remainder().iter().sum();
+    let (lanes, tail) = (lanes.map(f64::from), f64::from(tail));
     ((lanes[0] + lanes[4]) + (lanes[1] + lanes[5])) + ((lanes[2] + lanes[6]) + (lanes[3] + lanes[7])) + tail
 }
