@@ -8,6 +8,7 @@ use physics::elastic::Elastic;
 use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
 use physics::mohr_coulomb::MohrCoulomb;
 use physics::strength::Law as Strength;
+use physics::von_mises::VonMises;
 use solver::audit::{elastic_energy, kinetic_energy};
 use solver::cpu::energy::soil_volume;
 use solver::cpu::stopwatch::Stopwatch;
@@ -238,7 +239,7 @@ pub fn model(case: &Case) -> Model {
         strength: strength(elastic, case.soil.law),
         critical_density: match case.soil.law {
             Law::MohrCoulomb { critical_density, .. } => critical_density,
-            Law::Elastic | Law::Tresca { .. } => None,
+            Law::Elastic | Law::Tresca { .. } | Law::VonMises { .. } => None,
         },
         density: case.soil.density,
         gravity: if case.soil.unit_weight > 0.0 { case.soil.unit_weight / case.soil.density } else { 0.0 },
@@ -267,6 +268,9 @@ fn strength(elastic: Elastic, law: Law) -> Option<Strength> {
         Law::Elastic => None,
         Law::Tresca { shear_strength } => {
             Some(Strength::MohrCoulomb(MohrCoulomb::tresca(elastic, shear_strength)))
+        }
+        Law::VonMises { yield_stress, hardening_modulus } => {
+            Some(Strength::VonMises(VonMises::new(elastic, yield_stress, hardening_modulus)))
         }
         Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_limit, potential, .. } => {
             let (phi, psi) = (friction_angle, dilation_angle);

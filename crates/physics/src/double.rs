@@ -19,3 +19,5 @@ pub mod strength;
 pub mod tensor;
 #[path = "viscosity.rs"]
 pub mod viscosity;
+#[path = "von_mises.rs"]
+pub mod von_mises;

@@ -14,4 +14,6 @@ pub mod rigid;
 pub mod shape;
 pub mod single;
 
-pub use double::{brick, elastic, limiter, menetrey_willam, mohr_coulomb, strength, tensor, viscosity};
+pub use double::{
+    brick, elastic, limiter, menetrey_willam, mohr_coulomb, strength, tensor, viscosity, von_mises,
+};

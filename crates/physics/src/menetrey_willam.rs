@@ -167,12 +167,12 @@ impl MenetreyWillam {
 
 impl Strength for MenetreyWillam {
     #[inline(always)]
-    fn may_yield(&self, stress: Symmetric) -> bool {
-        self.surface.may_yield(stress)
+    fn may_yield(&self, stress: Symmetric, plastic_strain: Real) -> bool {
+        self.surface.may_yield(stress, plastic_strain)
     }
 
     #[inline(always)]
-    fn return_map(&self, trial: Symmetric, dilates: bool) -> Returned {
+    fn return_map(&self, trial: Symmetric, _plastic_strain: Real, dilates: bool) -> Returned {
         let spectrum = Spectrum::of(trial);
         let start = Place { x: spectrum.norm, y: 0.0, pressure: -spectrum.mean, lode: spectrum.lode() };
         // Steps one after the other, not in a loop: the compiler then sees a loop over cells that it can vectorise. In an

@@ -224,7 +224,7 @@ impl MohrCoulomb {
 impl Strength for MohrCoulomb {
     /// Compares with the cone inscribed in the pyramid.
     #[inline(always)]
-    fn may_yield(&self, stress: Symmetric) -> bool {
+    fn may_yield(&self, stress: Symmetric, _plastic_strain: Real) -> bool {
         let s = deviator(stress);
         let p = mean(stress);
         let root = (0.5 * contract(s, s)).sqrt();
@@ -236,7 +236,7 @@ impl Strength for MohrCoulomb {
     }
 
     #[inline(always)]
-    fn return_map(&self, trial: Symmetric, dilates: bool) -> Returned {
+    fn return_map(&self, trial: Symmetric, _plastic_strain: Real, dilates: bool) -> Returned {
         let spectrum = Spectrum::of(trial);
         let value = self.capped(self.sheared(spectrum.principal, dilates));
         self.returned(&spectrum, value)

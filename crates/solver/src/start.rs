@@ -1,12 +1,12 @@
 //! The state before the first step: soil at rest under its own weight, bodies where the case puts them.
 
-use super::contact::{self, carve_soil};
+use super::contact::carve_soil;
 use super::remap::lagrange_mass;
 use super::{Nodes, Real, Soil, State, energy};
 use crate::grid::Grid;
 pub use crate::model::Filling;
 use crate::model::Model;
-use crate::state::{Body, Contact, Ledger, Received};
+use crate::state::{Body, Ledger, Received};
 use glam::DVec3;
 
 /// The state at rest of a box of soil.
@@ -58,15 +58,7 @@ fn at_rest(model: &Model, fraction: Vec<Real>, overburden: f64) -> State {
         volume_start: energy::soil_volume(&model.grid, &soil),
         ..Ledger::default()
     };
-    let contacts = contacts(model);
-    State { time: 0.0, step: 0, soil, nodes, bodies, contacts, remaps: 0, ledger }
-}
-
-fn contacts(model: &Model) -> Vec<Contact> {
-    let all = model.bodies.iter().enumerate().flat_map(|(body, fixed)| {
-        (0..contact::surface_points(model, fixed).len()).map(move |point| (body, point))
-    });
-    all.map(|(body, point)| Contact { body, point, ..Contact::default() }).collect()
+    State { time: 0.0, step: 0, soil, nodes, bodies, contacts: Vec::new(), remaps: 0, ledger }
 }
 
 /// Volume fractions of a box of soil.

@@ -66,15 +66,13 @@ pub struct Received {
     pub axle: f64,
 }
 
-/// One point of contact: what it remembers, and where it sits in the grid until the next remap.
+/// A point of a body's surface in the grid with soil to act on: what it remembers, and where it sits until the next remap.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Contact {
     /// Which body.
     pub body: usize,
     /// Which of its surface points.
     pub point: usize,
-    /// Whether the point is in the grid, with soil to act on.
-    pub in_soil: bool,
     /// Place of the cell's low node.
     pub base: usize,
     /// Weights of the cell's eight nodes.
@@ -139,7 +137,7 @@ pub struct State<R = f64> {
     pub nodes: Nodes<R>,
     /// The bodies, in the order of the model's.
     pub bodies: Vec<Body>,
-    /// The contact points of all bodies.
+    /// The contact points that have soil to act on, body by body, in the order of their points.
     pub contacts: Vec<Contact>,
     /// Number of remaps done.
     pub remaps: u64,

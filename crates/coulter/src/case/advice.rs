@@ -118,6 +118,8 @@ fn speed(case: &Case, body: &Body, notes: &mut Vec<String>) {
             case.soil.unit_weight * deep * passive + 2.0 * cohesion * passive.sqrt()
         }
         Law::Tresca { shear_strength } => 5.0 * shear_strength,
+        // Half the yield stress in shear, give or take.
+        Law::VonMises { yield_stress, .. } => 2.5 * yield_stress,
         Law::Elastic => f64::INFINITY,
     };
     let wave_speed = estimate(case).wave_speed_m_per_s;

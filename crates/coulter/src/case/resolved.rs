@@ -65,6 +65,13 @@ pub enum Law {
         /// Undrained shear strength s_u [Pa].
         shear_strength: f64,
     },
+    /// Von Mises with linear isotropic hardening.
+    VonMises {
+        /// Yield stress in plain tension σ_y [Pa].
+        yield_stress: f64,
+        /// Its slope over the equivalent plastic strain, H ≥ 0 [Pa].
+        hardening_modulus: f64,
+    },
     /// Mohr–Coulomb.
     MohrCoulomb {
         /// Friction angle φ [rad].
@@ -282,7 +289,7 @@ pub struct Numerics {
     pub remap_displacement: f64,
     /// Coefficient of hourglass viscosity (0.01).
     pub hourglass: f64,
-    /// Linear coefficient of bulk viscosity b₁ (0.02; 0.06 for Tresca).
+    /// Linear coefficient of bulk viscosity b₁ (0.02; 0.06 for Tresca and von Mises).
     pub bulk_viscosity_linear: f64,
     /// Quadratic coefficient of bulk viscosity b₂ (1.2).
     pub bulk_viscosity_quadratic: f64,

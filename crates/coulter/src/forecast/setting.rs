@@ -139,7 +139,11 @@ fn ground(case: &Case, body: &Body) -> Result<LevelGround, String> {
 
 fn soil(case: &Case, body: &Towed, remarks: &mut Vec<String>) -> Result<Soil, String> {
     let Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, .. } = case.soil.law else {
-        let law = if matches!(case.soil.law, Law::Elastic) { "elastic" } else { "undrained (tresca)" };
+        let law = match case.soil.law {
+            Law::Elastic => "elastic",
+            Law::VonMises { .. } => "metal (von-mises)",
+            _ => "undrained (tresca)",
+        };
         return Err(format!("the soil is {law}; the closed forms are for Mohr-Coulomb soil"));
     };
     if case.soil.unit_weight <= 0.0 {

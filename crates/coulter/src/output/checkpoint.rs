@@ -11,7 +11,7 @@ use solver::state::{Received, State};
 use std::path::{Path, PathBuf};
 use xxhash_rust::xxh3::xxh3_64;
 
-const MAGIC: &[u8; 8] = b"COULTER1";
+const MAGIC: &[u8; 8] = b"COULTER2";
 const FILE: &str = "last.checkpoint";
 /// Level 1 is as fast as the disc.
 const LEVEL: i32 = 1;

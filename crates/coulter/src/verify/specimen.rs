@@ -35,7 +35,7 @@ impl Specimen for Point {
         let pressed = 3.0 * self.elastic.bulk * mean(increment);
         let trial: Symmetric =
             std::array::from_fn(|n| self.stress[n] + shear[n] + if n < 3 { pressed } else { 0.0 });
-        Ok(if self.law.may_yield(trial) { self.law.return_map(trial, true).stress } else { trial })
+        Ok(if self.law.may_yield(trial, 0.0) { self.law.return_map(trial, 0.0, true).stress } else { trial })
     }
 
     fn take(&mut self, increment: Symmetric) -> Result<(), VerifyError> {

@@ -222,11 +222,12 @@ pub(crate) fn settle_cell(model: &Model, soil: &mut Soil, c: usize, volume: f64)
             *s += bulk * closed;
         }
     }
+    let plastic_strain = f64::from(soil.plastic_strain[c]);
     if let Some(strength) = &model.strength
-        && strength.may_yield(stress)
+        && strength.may_yield(stress, plastic_strain)
     {
         let critical = model.critical_density.unwrap_or(0.0) * fraction * volume;
-        let back = strength.return_map(stress, f64::from(soil.mass[c]) >= critical);
+        let back = strength.return_map(stress, plastic_strain, f64::from(soil.mass[c]) >= critical);
         stress = back.stress;
         gap += back.gap_strain;
     }

@@ -13,6 +13,7 @@ use super::physics::mohr_coulomb::MohrCoulomb;
 use super::physics::strength::{Law, Strength};
 use super::physics::tensor::{Symmetric, deviator, jaumann};
 use super::physics::viscosity::BulkViscosity;
+use super::physics::von_mises::VonMises;
 use super::workspace::{COEFFICIENTS, RowSums, lane_sum};
 use crate::cpu::stopwatch::{Stage, Stopwatch};
 use crate::grid::LANES;
@@ -165,6 +166,7 @@ pub(crate) fn strain_row(
             let returned = match strength {
                 Law::MohrCoulomb(law) => mohr_coulomb(constants, law, cells, block),
                 Law::MenetreyWillam(law) => menetrey_willam(constants, law, cells, block),
+                Law::VonMises(law) => von_mises(constants, law, cells, block),
             };
             stopwatch.count_returned(returned);
             stopwatch.lap(Stage::Plasticity);
@@ -259,9 +261,10 @@ fn apply_strength(
     b: &mut Block,
 ) -> usize {
     let n = b.n.min(BLOCK);
+    let plastic_strain = &cells.plastic_strain[b.start..b.start + n];
     for i in 0..n {
         let trial = tensor(&b.trial, i);
-        b.yields[i] = if strength.may_yield(trial) { b.alive[i] } else { 0.0 };
+        b.yields[i] = if strength.may_yield(trial, plastic_strain[i]) { b.alive[i] } else { 0.0 };
     }
     let (mut place, mut count) = ([0_u8; BLOCK], 0);
     for i in 0..n {
@@ -281,6 +284,7 @@ fn apply_strength(
             }
             let volume = constants.width_x[b.start + i] * constants.width_y * constants.width_z;
             let critical = constants.critical_density * cells.fraction[b.start + i] * volume;
+            together.plastic_strain[l] = cells.plastic_strain[b.start + i];
             together.dilates[l] = if cells.mass[b.start + i] >= critical { 1.0 } else { 0.0 };
         }
         together.return_stress(&constants.elastic, strength);
@@ -288,7 +292,7 @@ fn apply_strength(
             for c in 0..6 {
                 b.trial[c][i] = together.trial[c][l];
             }
-            cells.plastic_strain[b.start + i] += together.plastic_strain[l];
+            cells.plastic_strain[b.start + i] = together.plastic_strain[l];
             b.gap_strain[i] += together.gap_strain[l];
             b.work[i] = together.work[l];
         }
@@ -311,6 +315,11 @@ fn menetrey_willam(
     apply_strength(constants, law, cells, b)
 }
 
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn von_mises(constants: &RowConstants, law: &VonMises, cells: &mut CellRow, b: &mut Block) -> usize {
+    apply_strength(constants, law, cells, b)
+}
+
 /// As many yielding cells as a vector holds.
 #[derive(Default)]
 struct Yielding {
@@ -320,8 +329,9 @@ struct Yielding {
     old: [[Real; LANES]; 6],
     /// 1 where the soil dilates, 0 at its critical density.
     dilates: [Real; LANES],
-    /// Increments.
+    /// Equivalent plastic strain at the start of the step, later at its end.
     plastic_strain: [Real; LANES],
+    /// Increment.
     gap_strain: [Real; LANES],
     /// Plastic work per volume [J/m³].
     work: [Real; LANES],
@@ -333,7 +343,7 @@ impl Yielding {
         for l in 0..LANES {
             let trial = tensor(&self.trial, l);
             let old = tensor(&self.old, l);
-            let back = strength.return_map(trial, self.dilates[l] > 0.0);
+            let back = strength.return_map(trial, self.plastic_strain[l], self.dilates[l] > 0.0);
             let mut middle: Symmetric = [0.0; 6];
             let mut change: Symmetric = [0.0; 6];
             for c in 0..6 {
@@ -341,7 +351,7 @@ impl Yielding {
                 change[c] = trial[c] - back.stress[c];
                 self.trial[c][l] = back.stress[c];
             }
-            self.plastic_strain[l] = back.plastic_strain;
+            self.plastic_strain[l] += back.plastic_strain;
             self.gap_strain[l] = back.gap_strain;
             // The average of old and new stress makes the sum over steps exact for central differences.
             self.work[l] = elastic.compliance(middle, change);
@@ -487,17 +497,17 @@ mod tests {
         let (returned, together) = in_vectors(strength, &apply, yielding);
         let one_by_one = best(|| {
             for i in 0..BLOCK {
-                black_box(strength.return_map(black_box(yielding(i)), true));
+                black_box(strength.return_map(black_box(yielding(i)), 0.0, true));
             }
         });
         let (left_alone, checked) = in_vectors(strength, &apply, resting);
         let checked_one_by_one = best(|| {
             for i in 0..BLOCK {
-                black_box(strength.may_yield(black_box(resting(i))));
+                black_box(strength.may_yield(black_box(resting(i)), 0.0));
             }
         });
         for i in 0..BLOCK {
-            assert_eq!(tensor(&returned, i), strength.return_map(yielding(i), true).stress);
+            assert_eq!(tensor(&returned, i), strength.return_map(yielding(i), 0.0, true).stress);
             assert_eq!(tensor(&left_alone, i), resting(i));
         }
         #[cfg(target_arch = "x86_64")]

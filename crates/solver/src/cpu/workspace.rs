@@ -7,6 +7,7 @@ use crate::cpu::stopwatch::Stopwatch;
 use crate::cpu::threads::{Cut, Team};
 use crate::grid::Grid;
 use crate::model::Model;
+use crate::state::Contact;
 use glam::DVec3;
 use physics::shape::SurfacePoint;
 
@@ -42,12 +43,14 @@ pub struct Workspace {
     pub(crate) contact_law: Box<dyn ContactLaw>,
     /// Surface points of the bodies.
     pub(crate) points: Vec<Vec<SurfacePoint>>,
+    /// Room for the contact points that are located anew.
+    pub(crate) located: Vec<Contact>,
     /// Nodes that contact acts on.
     pub(crate) touched: Vec<TouchedNode>,
     /// For each contact, the places of its cell's nodes among them.
     pub(crate) corner_nodes: Vec<[u32; 8]>,
-    /// For each contact in soil the number of its patch, and how many patches there are.
-    pub(crate) patch: (Vec<Option<usize>>, usize),
+    /// For each contact the number of its patch, and how many patches there are.
+    pub(crate) patch: (Vec<usize>, usize),
     /// Frictional impulse at each contact in the last step [N s].
     pub(crate) friction: Vec<DVec3>,
 }
@@ -128,6 +131,7 @@ impl Workspace {
             width_x: column_widths(grid),
             contact_law: contact::law(model),
             points: model.bodies.iter().map(|b| contact::surface_points(model, b)).collect(),
+            located: Vec::new(),
             touched,
             corner_nodes,
             patch: contact::number_patches(&state.contacts),

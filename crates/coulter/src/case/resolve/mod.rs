@@ -151,8 +151,8 @@ const MOST_LETTERS: usize = 100;
 const EDGE_INSET: f64 = 0.5;
 
 fn numerics(section: &Section, law: Option<Law>, problems: &mut Problems) -> Option<Numerics> {
-    // Undrained soil bears more viscosity, and needs it: its contact pressure does not vanish at the surface.
-    let viscosity = if matches!(law, Some(Law::Tresca { .. })) { 0.06 } else { 0.02 };
+    // Undrained soil bears more viscosity, and needs it: its contact pressure does not vanish at the surface. Metal is alike.
+    let viscosity = if matches!(law, Some(Law::Tresca { .. } | Law::VonMises { .. })) { 0.06 } else { 0.02 };
     let mut or = |key, default, allowed| ranges::or(section, key, default, allowed, problems);
     let courant = or("courant", 0.5, &SHARE);
     let remap_displacement = or("remap_displacement", 0.1, &SHARE);

@@ -28,14 +28,14 @@ const PUSH: f64 = 1.0;
 const REACH: f64 = 0.05;
 
 impl ContactLaw for Impulses {
-    fn relocate(&self, c: &mut Contact, gap: f64, travel: f64, was_in_soil: bool) {
-        let touches = was_in_soil && c.penetration >= 0.0;
+    fn relocate(&self, c: &mut Contact, gap: f64, travel: Option<f64>) {
+        let touches = travel.is_some() && c.penetration >= 0.0;
         if touches && gap < LET_GO * c.width {
             c.penetration = (-gap).max(0.0);
             return;
         }
-        let known = was_in_soil && !touches;
-        let pull = if known { (PULL * travel / (0.1 * c.width)).min(1.0) } else { 1.0 };
+        let apart = travel.filter(|_| !touches);
+        let pull = apart.map_or(1.0, |travel| (PULL * travel / (0.1 * c.width)).min(1.0));
         c.penetration = (c.penetration + pull * (-gap - c.penetration)).min(0.0);
         c.impulse = DVec3::ZERO;
     }
@@ -59,9 +59,7 @@ impl ContactLaw for Impulses {
             }
         }
         for (n, patch) in patch_of.into_iter().enumerate() {
-            if scene.contacts[n].in_soil {
-                remember(scene, n, patch.map(|p| &patches[p]));
-            }
+            remember(scene, n, patch.map(|p| &patches[p]));
         }
     }
 }

@@ -24,8 +24,8 @@ use physics::shape::SurfacePoint;
 /// How soil and body act on each other at the contact points.
 pub(crate) trait ContactLaw {
     /// Called for each point when it has been located anew; `gap` is the void between body and soil [m], negative when
-    /// they overlap.
-    fn relocate(&self, contact: &mut Contact, gap: f64, travel: f64, was_in_soil: bool);
+    /// they overlap, `travel` how far the point has come since the last time [m], if it had soil to act on then.
+    fn relocate(&self, contact: &mut Contact, gap: f64, travel: Option<f64>);
     /// Changes the velocities of nodes and bodies for one step.
     fn act(&self, scene: &mut Scene);
 }
@@ -40,8 +40,8 @@ pub(crate) struct Scene<'a> {
     pub(crate) nodes: &'a mut [TouchedNode],
     /// For each contact the places of its cell's nodes among them.
     pub(crate) corner_nodes: &'a [[u32; 8]],
-    /// For each contact in soil the number of its patch.
-    pub(crate) patch: &'a [Option<usize>],
+    /// For each contact the number of its patch.
+    pub(crate) patch: &'a [usize],
     /// How many patches there are.
     pub(crate) patches: usize,
     /// Frictional impulse on the soil at each contact in this step [N s].
@@ -190,7 +190,7 @@ pub(crate) fn contact(
     at_start: &[(DVec3, f64)],
     dt: f64,
 ) -> ContactWork {
-    if state.contacts.is_empty() {
+    if state.bodies.is_empty() {
         return ContactWork::default();
     }
     let Workspace { touched, corner_nodes, patch, velocity_before, friction, .. } = workspace;

@@ -70,8 +70,10 @@ pub(super) fn touching(scene: &Scene, touches: impl Fn(usize) -> bool) -> (Vec<P
     let mut place = vec![None; scene.patches];
     let mut patch_of = vec![None; scene.contacts.len()];
     for (n, c) in scene.contacts.iter().enumerate() {
-        let Some(number) = scene.patch[n].filter(|_| touches(n)) else { continue };
-        let at = *place[number].get_or_insert(patches.len());
+        if !touches(n) {
+            continue;
+        }
+        let at = *place[scene.patch[n]].get_or_insert(patches.len());
         if at == patches.len() {
             let grip = Grip { body: c.body, nodes: scene.corner_nodes[n], ..Grip::default() };
             patches.push(Patch { first: n, grip, ..Patch::default() });
@@ -94,14 +96,12 @@ pub(super) fn touching(scene: &Scene, touches: impl Fn(usize) -> bool) -> (Vec<P
 }
 
 /// For each contact the number of its patch (that of its body, face and cell), and how many patches there are.
-pub(crate) fn number(contacts: &[Contact]) -> (Vec<Option<usize>>, usize) {
+pub(crate) fn number(contacts: &[Contact]) -> (Vec<usize>, usize) {
     let mut numbers = HashMap::new();
     let each = contacts.iter().map(|c| {
-        c.in_soil.then(|| {
-            let axis = super::geometry::largest_axis(c.normal);
-            let next = numbers.len();
-            *numbers.entry((c.body, c.base, axis, c.normal[axis] > 0.0)).or_insert(next)
-        })
+        let axis = super::geometry::largest_axis(c.normal);
+        let next = numbers.len();
+        *numbers.entry((c.body, c.base, axis, c.normal[axis] > 0.0)).or_insert(next)
     });
     (each.collect(), numbers.len())
 }

@@ -58,8 +58,8 @@ fn remember(c: &mut Contact, relative: DVec3, dt: f64) {
 }
 
 impl ContactLaw for Penalty {
-    fn relocate(&self, c: &mut Contact, gap: f64, travel: f64, was_in_soil: bool) {
-        if was_in_soil {
+    fn relocate(&self, c: &mut Contact, gap: f64, travel: Option<f64>) {
+        if let Some(travel) = travel {
             let pull = PULL * (travel / (0.1 * c.width)).min(3.0);
             c.penetration += pull * (-gap - c.penetration);
         } else {
@@ -71,14 +71,12 @@ impl ContactLaw for Penalty {
         // All forces follow from the velocities before any of them acts: the order of the points does not matter.
         let mut given = Vec::with_capacity(scene.contacts.len());
         for n in 0..scene.contacts.len() {
-            if scene.contacts[n].in_soil {
-                let relative = scene.slip_velocity(&scene.grip(n));
-                let body = &scene.model.bodies[scene.contacts[n].body];
-                let friction = [body.friction.min(1e6), body.shear_limit];
-                let (normal, tangential) = self.tractions(&mut scene.contacts[n], relative, friction);
-                let scale = scene.contacts[n].area * scene.dt;
-                given.push((n, normal * scale, tangential * scale));
-            }
+            let relative = scene.slip_velocity(&scene.grip(n));
+            let body = &scene.model.bodies[scene.contacts[n].body];
+            let friction = [body.friction.min(1e6), body.shear_limit];
+            let (normal, tangential) = self.tractions(&mut scene.contacts[n], relative, friction);
+            let scale = scene.contacts[n].area * scene.dt;
+            given.push((n, normal * scale, tangential * scale));
         }
         for (n, normal, friction) in &given {
             if *normal != DVec3::ZERO {
