@@ -7,10 +7,10 @@
 
 use super::stress::{CellRow, NodeRows, RowConstants, strain_row};
 use super::workspace::{COEFFICIENTS, NODE_SUMS, RowSums, WorkerScratch, Workspace, lane_sum, split_rows};
-use super::{Real, Soil, State};
+use super::{LANES, Real, Soil, State};
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::threads::Cut;
-use crate::grid::{Grid, LANES};
+use crate::grid::{self, Grid};
 use crate::model::{Model, Wall};
 use multiversion::multiversion;
 use std::ops::Range;
@@ -107,7 +107,10 @@ fn total(cut: &Cut, rows: usize, row_sums: &[RowSums]) -> RowSums {
 /// Strains all cells of a part and moves all its nodes but the lowest plane.
 fn strain_and_move(inputs: &Inputs, part: &mut Part) {
     let row = inputs.grid.stride[1];
-    let [_, ny, _] = inputs.grid.cells();
+    let [nx, ny, _] = inputs.grid.cells();
+    // Whole vectors of nodes from the first one on, where the row has room for them.
+    let whole = (nx + 1).next_multiple_of(LANES);
+    let nodes = if whole < row { whole } else { nx + 1 };
     part.scratch.below.fill(0.0);
     for plane in part.planes.clone() {
         part.scratch.coefficients[0].fill(0.0);
@@ -119,7 +122,7 @@ fn strain_and_move(inputs: &Inputs, part: &mut Part) {
             let waits = plane == part.planes.start;
             let sum = if waits { &mut waiting[own.clone()] } else { &mut buffer[..NODE_SUMS * row] };
             if nodes_have_soil(inputs, [q, plane]) {
-                gather_forces([behind, ahead], row, &mut below[own], sum);
+                gather_forces([behind, ahead], nodes, &mut below[own], sum);
             } else {
                 below[own].fill(0.0);
             }
@@ -169,8 +172,8 @@ fn nodes_have_soil(inputs: &Inputs, [q, plane]: [usize; 2]) -> bool {
 fn strain_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2]) {
     let grid = inputs.grid;
     let [_, row, stride] = grid.stride;
-    let [nx, ny, nz] = grid.cells();
-    let n = nx.next_multiple_of(LANES);
+    let [_, ny, nz] = grid.cells();
+    let n = grid.padded_row();
     let sums = &mut part.sums[(plane - part.planes.start) * inputs.rows + q];
     let WorkerScratch { coefficients: [_, ahead], block, stopwatch, .. } = &mut *part.scratch;
     let has_soil = inputs.row_has_soil[plane * inputs.rows + q];
@@ -235,13 +238,14 @@ fn move_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2]) {
 /// high z: into `below`, for the next plane. Pairs that mirror each other are added first, so that a mirrored case
 /// gives mirrored sums to the bit.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn gather_forces([behind, ahead]: [&[Real]; 2], n: usize, below: &mut [Real], sum: &mut [Real]) {
+fn gather_forces([behind, ahead]: [&[Real]; 2], nodes: usize, below: &mut [Real], sum: &mut [Real]) {
+    let (n, end) = (sum.len() / NODE_SUMS, nodes + 1);
     for q in 0..3 {
-        let (out, below) = (&mut sum[q * n..(q + 1) * n], &mut below[q * n..(q + 1) * n]);
+        let (out, below) = (&mut sum[q * n..][..end], &mut below[q * n..][..end]);
         // Plain part and parts signed by the side.
-        let [p0, x0, y0, z0] = [0, 1, 2, 3].map(|c| &behind[(4 * q + c) * n..(4 * q + c + 1) * n]);
-        let [p1, x1, y1, z1] = [0, 1, 2, 3].map(|c| &ahead[(4 * q + c) * n..(4 * q + c + 1) * n]);
-        for i in 1..n {
+        let [p0, x0, y0, z0] = [0, 1, 2, 3].map(|c| &behind[(4 * q + c) * n..][..end]);
+        let [p1, x1, y1, z1] = [0, 1, 2, 3].map(|c| &ahead[(4 * q + c) * n..][..end]);
+        for i in 1..end {
             let behind = [p0[i - 1] + x0[i - 1] + y0[i - 1], p0[i] - x0[i] + y0[i]];
             let ahead = [p1[i - 1] + x1[i - 1] - y1[i - 1], p1[i] - x1[i] - y1[i]];
             let low = ((behind[0] - z0[i - 1]) + (behind[1] - z0[i]))
@@ -252,9 +256,9 @@ fn gather_forces([behind, ahead]: [&[Real]; 2], n: usize, below: &mut [Real], su
             below[i] = high;
         }
     }
-    let (out, below) = (&mut sum[3 * n..4 * n], &mut below[3 * n..4 * n]);
-    let (d0, d1) = (&behind[12 * n..13 * n], &ahead[12 * n..13 * n]);
-    for i in 1..n {
+    let (out, below) = (&mut sum[3 * n..][..end], &mut below[3 * n..][..end]);
+    let (d0, d1) = (&behind[12 * n..][..end], &ahead[12 * n..][..end]);
+    for i in 1..end {
         let both = (d0[i - 1] + d0[i]) + (d1[i - 1] + d1[i]);
         out[i] = below[i] + both;
         below[i] = both;
@@ -360,10 +364,10 @@ fn kinetic_energies(mass: &[Real], velocity: &[&mut [Real]; 3], out: &mut [Real]
 /// Largest displacement component of the nodes heavier, and lighter, than `light`.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn largest(mass: &[Real], light: Real, displacement: [&[Real]; 3]) -> [Real; 2] {
-    let [ux, uy, uz] = displacement.map(|u| u.chunks_exact(LANES));
-    let (mut heavy_lanes, mut light_lanes) = ([0.0; LANES], [0.0; LANES]);
-    for (((m, x), y), z) in mass.chunks_exact(LANES).zip(ux).zip(uy).zip(uz) {
-        for l in 0..LANES {
+    let [ux, uy, uz] = displacement.map(|u| u.chunks_exact(grid::LANES));
+    let (mut heavy_lanes, mut light_lanes) = ([0.0; grid::LANES], [0.0; grid::LANES]);
+    for (((m, x), y), z) in mass.chunks_exact(grid::LANES).zip(ux).zip(uy).zip(uz) {
+        for l in 0..grid::LANES {
             let xy = if x[l].abs() > y[l].abs() { x[l].abs() } else { y[l].abs() };
             let u = if z[l].abs() > xy { z[l].abs() } else { xy };
             let (heavy, light) = if m[l] > light { (u, 0.0) } else { (0.0, u) };
