@@ -1,11 +1,12 @@
-//! Sums over the whole grid: energies, mass and volume of the soil. Taken at samples and round a remap, not every step.
+//! Sums over the whole grid, always in double precision: energies, mass and volume of the soil. Taken at samples and round
+//! a remap, not every step.
 //!
 //! Every row is added up by itself, then the rows in the order of the memory: the same whoever adds them up.
 
 use super::workspace::Workspace;
+use super::{Nodes, Real, Soil, State};
 use crate::grid::Grid;
 use crate::model::Model;
-use crate::state::{Nodes, Soil, State};
 
 /// Elastic energy of the soil [J].
 pub(crate) fn elastic(model: &Model, soil: &Soil) -> f64 {
@@ -34,8 +35,8 @@ pub(crate) fn total(model: &Model, state: &State, workspace: &mut Workspace) -> 
 /// Elastic energy of the soil in row `q` of a storage plane [J].
 fn elastic_of(model: &Model, soil: &Soil, place: [usize; 2]) -> f64 {
     sum_cells(&model.grid, &soil.fraction, place, |c, volume| {
-        let stress = soil.stress.each_ref().map(|s| s[c]);
-        soil.fraction[c] * volume * model.elastic.energy(stress)
+        let stress = soil.stress.each_ref().map(|s| f64::from(s[c]));
+        f64::from(soil.fraction[c]) * volume * model.elastic.energy(stress)
     })
 }
 
@@ -45,19 +46,23 @@ fn kinetic_of(grid: &Grid, nodes: &Nodes, [q, plane]: [usize; 2]) -> f64 {
     let own = plane * stride + q * row..plane * stride + (q + 1) * row;
     let [x, y, z] = nodes.velocity.each_ref().map(|v| &v[own.clone()]);
     let each = nodes.mass[own].iter().zip(x).zip(y).zip(z);
-    each.map(|(((m, x), y), z)| 0.5 * m * (x * x + y * y + z * z)).sum()
+    each.map(|(((m, x), y), z)| [m, x, y, z].map(|value| f64::from(*value)))
+        .map(|[m, x, y, z]| 0.5 * m * (x * x + y * y + z * z))
+        .sum()
 }
 
 /// Volume of the soil [m³].
 #[must_use]
 pub fn soil_volume(grid: &Grid, soil: &Soil) -> f64 {
-    sum_rows(grid, |place| sum_cells(grid, &soil.fraction, place, |c, volume| soil.fraction[c] * volume))
+    sum_rows(grid, |place| {
+        sum_cells(grid, &soil.fraction, place, |c, volume| f64::from(soil.fraction[c]) * volume)
+    })
 }
 
 /// Mass of the soil [kg].
 #[must_use]
 pub fn soil_mass(soil: &Soil) -> f64 {
-    soil.mass.iter().sum()
+    soil.mass.iter().map(|mass| f64::from(*mass)).sum()
 }
 
 /// Sum over the rows `[q, plane]` of the grid, of cells and of nodes, in memory order.
@@ -69,7 +74,7 @@ fn sum_rows(grid: &Grid, of_row: impl Fn([usize; 2]) -> f64) -> f64 {
 /// Sum of `value(cell, cell volume)` over the cells with soil of row `q` of a storage plane.
 fn sum_cells(
     grid: &Grid,
-    fraction: &[f64],
+    fraction: &[Real],
     [q, plane]: [usize; 2],
     value: impl Fn(usize, f64) -> f64,
 ) -> f64 {
