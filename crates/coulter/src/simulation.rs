@@ -4,6 +4,7 @@ use crate::case::Case;
 use crate::case::resolved::{self, Ground, Law, Potential};
 use crate::output::checkpoint::Checkpoint;
 use crate::output::record::{BodySample, EnergySample, History};
+use glam::DVec3;
 use physics::elastic::Elastic;
 use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
 use physics::mohr_coulomb::MohrCoulomb;
@@ -40,7 +41,10 @@ impl<R: Precision> Simulation<R> {
     #[must_use]
     pub fn new(case: &Case) -> Self {
         let model = model(case, R::LANES);
-        let state = R::start_under(&model, &filling(&case.ground), case.overburden);
+        let mut state = R::start_under(&model, &filling(&case.ground), case.overburden);
+        if case.velocity != DVec3::ZERO {
+            R::set_in_motion(&model, &mut state, case.velocity);
+        }
         Self::with_state(case, model, state)
     }
 
@@ -316,9 +320,7 @@ fn body(body: &resolved::Body) -> BodyModel {
 fn filling(ground: &Ground) -> Filling {
     const FAR: f64 = 1e9;
     match *ground {
-        Ground::Level { surface } => {
-            Filling { low: glam::DVec3::splat(-FAR), high: glam::DVec3::new(FAR, FAR, surface) }
-        }
-        Ground::Column { low, high } => Filling { low, high },
+        Ground::Level { surface } => Filling::between(DVec3::splat(-FAR), DVec3::new(FAR, FAR, surface)),
+        Ground::Column { low, high, radius } => Filling { low, high, radius },
     }
 }

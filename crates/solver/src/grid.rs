@@ -1,12 +1,12 @@
 //! The Eulerian grid: a rectilinear, graded box of cells that never moves.
 //!
-//! Cells and nodes share one numbering: x fastest, one ghost layer on every side, rows padded to whole vectors. Node
+//! Cells and nodes share one numbering: x fastest, one ghost layer on every side, rows of whole vectors and two ghosts. Node
 //! `(i, j, k)` is the low corner of cell `(i, j, k)`, so a cell's corners and a node's cells are constant offsets.
 
 use serde::{Deserialize, Serialize};
 
-/// Rows are padded to this many entries, or twice as many, so that vector loops have no remainder: as many numbers in
-/// double precision as the widest vector holds.
+/// Rows hold a multiple of this many cells, or twice as many, so that vector loops over cells have no remainder: as many
+/// numbers of double precision as the widest vector holds.
 pub const LANES: usize = 8;
 
 /// A rectilinear grid.
@@ -34,8 +34,8 @@ impl Grid {
     /// The same with rows for vectors of `lanes` numbers, a multiple of [`LANES`].
     #[must_use]
     pub fn padded(faces: [Vec<f64>; 3], lanes: usize) -> Self {
-        // One ghost before, one after, and whole vectors of cells from the first cell on.
-        let row = ((faces[0].len() - 1).next_multiple_of(lanes) + 2).next_multiple_of(lanes);
+        // One ghost before, one after, and whole vectors of cells between them.
+        let row = (faces[0].len() - 1).next_multiple_of(lanes) + 2;
         let plane = row * (faces[1].len() + 1);
         let entries = plane * (faces[2].len() + 1) + lanes;
         let finest =

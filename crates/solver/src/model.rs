@@ -171,4 +171,14 @@ pub struct Filling {
     pub low: DVec3,
     /// High corner [m].
     pub high: DVec3,
+    /// Only what is so near to the z axis is full: a round column [m].
+    pub radius: Option<f64>,
+}
+
+impl Filling {
+    /// All of a box.
+    #[must_use]
+    pub fn between(low: DVec3, high: DVec3) -> Self {
+        Self { low, high, radius: None }
+    }
 }

@@ -5,6 +5,7 @@ use crate::error::Breakdown;
 use crate::model::{Filling, Model};
 use crate::state::State;
 use crate::{double, single};
+use glam::DVec3;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::fmt::Debug;
@@ -26,6 +27,8 @@ pub trait Precision:
     fn start_under(model: &Model, filling: &Filling, overburden: f64) -> State<Self>;
     /// See [`double::start::start_filled`].
     fn start_filled(model: &Model, fraction: Vec<Self>) -> State<Self>;
+    /// See [`double::start::set_in_motion`].
+    fn set_in_motion(model: &Model, state: &mut State<Self>, velocity: DVec3);
     /// See [`double::workspace::Workspace::new`].
     fn workspace(model: &Model, state: &State<Self>, threads: usize) -> Self::Workspace;
     /// See [`double::step::step`].
@@ -65,6 +68,10 @@ macro_rules! precision {
 
             fn start_filled(model: &Model, fraction: Vec<Self>) -> State<Self> {
                 $module::start::start_filled(model, fraction)
+            }
+
+            fn set_in_motion(model: &Model, state: &mut State<Self>, velocity: DVec3) {
+                $module::start::set_in_motion(model, state, velocity);
             }
 
             fn workspace(model: &Model, state: &State<Self>, threads: usize) -> Self::Workspace {

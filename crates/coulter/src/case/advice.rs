@@ -4,6 +4,7 @@ use super::Case;
 use super::estimate::estimate;
 use super::resolve::extent::{body_length, path};
 use super::resolved::{Body, Freedom, Law, Potential};
+use glam::DVec3;
 use physics::elastic::Elastic;
 use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
 
@@ -20,7 +21,7 @@ pub fn advice(case: &Case) -> Vec<String> {
     overlaps(case, &mut notes);
     timing(case, &mut notes);
     strength(case, &mut notes);
-    if case.bodies.is_empty() && case.soil.unit_weight == 0.0 {
+    if case.bodies.is_empty() && case.soil.unit_weight == 0.0 && case.velocity == DVec3::ZERO {
         notes.push("There is no body and the soil has no weight: nothing will happen.".into());
     }
     notes

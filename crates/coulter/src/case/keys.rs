@@ -210,6 +210,18 @@ const GROUND: &[Key] = &[
     ),
     key("y", Kind::Range(LENGTH), "the whole domain", "Where along y there is soil."),
     key(
+        "radius",
+        Kind::Quantity(LENGTH),
+        "none",
+        "Soil only so near to the axis x = y = 0: a round column or bar.",
+    ),
+    key(
+        "velocity",
+        Kind::Vector(SPEED),
+        "at rest",
+        "Velocity of the soil at the start along x, y, z; along x, z in plane strain.",
+    ),
+    key(
         "overburden",
         Kind::Quantity(STRESS),
         "0 Pa",

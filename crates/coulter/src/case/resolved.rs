@@ -21,6 +21,8 @@ pub struct Case {
     pub ground: Ground,
     /// Vertical pressure of the lid on the soil at the start [Pa].
     pub overburden: f64,
+    /// Velocity of the soil at the start [m/s].
+    pub velocity: DVec3,
     /// The box that is modelled.
     pub domain: Domain,
     /// Cell sizes.
@@ -113,12 +115,14 @@ pub enum Ground {
         /// Height of the surface [m].
         surface: f64,
     },
-    /// Soil only in a box: between two corners [m] (a column that will collapse, a bank before a wall).
+    /// Soil only in a box (a column that will collapse, a bank before a wall), or in the round column inside it.
     Column {
         /// Low corner [m].
         low: DVec3,
         /// High corner [m].
         high: DVec3,
+        /// Radius of the round column about the z axis [m].
+        radius: Option<f64>,
     },
 }
 

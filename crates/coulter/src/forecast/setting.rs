@@ -130,10 +130,10 @@ fn ground(case: &Case, body: &Body) -> Result<LevelGround, String> {
     }
     match case.ground {
         Ground::Level { surface } => Ok(LevelGround { surface, floor: case.domain.low.z }),
-        Ground::Column { low, high } if body.block().is_some() => {
+        Ground::Column { low, high, radius: None } if body.block().is_some() => {
             Ok(LevelGround { surface: high.z, floor: low.z.max(case.domain.low.z) })
         }
-        Ground::Column { .. } => Err("the soil is heaped up in a box; the models need level ground".into()),
+        Ground::Column { .. } => Err("the soil is heaped up; the models need level ground".into()),
     }
 }
 

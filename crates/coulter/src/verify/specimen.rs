@@ -64,7 +64,7 @@ impl Cell {
             method: Method { remap_displacement: 1.0, ..Method::default() },
             ..Model::bare(Grid::new([faces(), faces(), faces()]), elastic, 1600.0)
         };
-        let everywhere = Filling { low: DVec3::splat(-1e9), high: DVec3::splat(1e9) };
+        let everywhere = Filling::between(DVec3::splat(-1e9), DVec3::splat(1e9));
         let mut state = start(&model, &everywhere);
         let cell = model.grid.index(0, 0, 0);
         for (field, value) in state.soil.stress.iter_mut().zip(stress) {

@@ -168,6 +168,7 @@ pub(crate) fn strain_row(
                 Law::VonMises(law) => von_mises(constants, law, cells, block),
             };
             stopwatch.count_returned(returned);
+            sums.yields += returned as u32;
             stopwatch.lap(Stage::Plasticity);
         }
         let [plastic, viscous, hourglass] = bear(constants, cells, block);
@@ -486,6 +487,7 @@ mod tests {
             for c in 0..6 {
                 block.trial[c].copy_from_slice(cells.stress[c]);
             }
+            cells.plastic_strain.fill(0.0);
             black_box(apply(&constants, strength, &mut cells, &mut block));
         });
         (block.trial, seconds)
@@ -526,5 +528,6 @@ mod tests {
         goes_in_vectors(&MohrCoulomb::new(elastic, 0.6, 0.0, 100.0, 50.0), mohr_coulomb);
         let smooth = MenetreyWillam::new(elastic, 0.6, 0.1, 100.0, 50.0, Eccentricity::usual(0.6));
         goes_in_vectors(&smooth, menetrey_willam);
+        goes_in_vectors(&VonMises::new(elastic, 3e3, 1e3), von_mises);
     }
 }

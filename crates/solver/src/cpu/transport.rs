@@ -11,31 +11,32 @@ use multiversion::multiversion;
 use physics::interface::Plane;
 
 /// A sweep along one axis.
+#[derive(Clone, Copy)]
 pub(crate) struct Sweep<'a> {
     pub(crate) grid: &'a Grid,
     /// The axis: 0, 1, 2.
     pub(crate) axis: usize,
-    /// Nodal displacement along the axis since the last remap [m].
-    pub(crate) displacement: &'a [Real],
-    /// Volume fraction at the start of the sweep.
-    pub(crate) fraction: &'a [Real],
-    /// Soil volume in the (displaced) cell at the start of the sweep [m³].
-    pub(crate) soil: &'a [Real],
-    /// Volume of the displaced cell at the start of the sweep [m³].
-    pub(crate) cell: &'a [Real],
     /// Rows that may hold soil now or after the sweep, by plane and row.
     pub(crate) row_active: &'a [bool],
+}
+
+/// What the fluxes follow from, at the start of a sweep.
+pub(crate) struct Filling<'a> {
+    pub(crate) sweep: Sweep<'a>,
+    /// Nodal displacement along the axis since the last remap [m].
+    pub(crate) displacement: &'a [Real],
+    /// Volume fraction.
+    pub(crate) fraction: &'a [Real],
+    /// Soil volume in the (displaced) cell [m³].
+    pub(crate) soil: &'a [Real],
+    /// Volume of the displaced cell [m³].
+    pub(crate) cell: &'a [Real],
 }
 
 /// Above this a cell counts as full: no interface is looked for.
 const FULL: f64 = if size_of::<Real>() == 8 { 1.0 - 1e-9 } else { 1.0 - 1e-5 };
 
 impl Sweep<'_> {
-    /// Distance in memory to the next cell along the axis.
-    pub(crate) fn stride(&self) -> usize {
-        self.grid.stride[self.axis]
-    }
-
     /// Calls `job(cell, [i, j])` for the active cells (0-based layers along x and y) of a storage plane.
     fn each_cell(&self, plane: usize, mut job: impl FnMut(usize, [usize; 2])) {
         let [nx, ny, nz] = self.grid.cells();
@@ -53,33 +54,89 @@ impl Sweep<'_> {
         }
     }
 
-    /// Layer of a cell along the axis.
-    fn layer(&self, plane: usize, [i, j]: [usize; 2]) -> usize {
-        [i, j, plane - 1][self.axis]
-    }
-
-    /// Volume swept by the low face of a cell [m³]: face area times the mean displacement of its four nodes.
-    fn swept(&self, c: usize, plane: usize, [i, j]: [usize; 2]) -> f64 {
+    /// Volume swept by the face of a cell whose lowest node is `n` [m³]: face area times the mean displacement of its four
+    /// nodes.
+    fn swept(&self, u: &[Real], n: usize, plane: usize, [i, j]: [usize; 2]) -> f64 {
         let [first, second] = [(self.axis + 1) % 3, (self.axis + 2) % 3];
         let layers = [i, j, plane - 1];
         let area = self.grid.width(first, layers[first]) * self.grid.width(second, layers[second]);
         let (a, b) = (self.grid.stride[first], self.grid.stride[second]);
-        let u = |c: usize| f64::from(self.displacement[c]);
-        0.25 * area * ((u(c) + u(c + a)) + (u(c + b) + u(c + a + b)))
+        let u = |n: usize| f64::from(u[n]);
+        0.25 * area * ((u(n) + u(n + a)) + (u(n + b) + u(n + a + b)))
     }
 
-    /// Soil volume that crosses the low faces of a plane of cells [m³], and in `swept` the volume that they sweep.
-    pub(crate) fn volume_fluxes(&self, plane: usize, flux: &mut [Real], swept: &mut [Real]) {
-        let base = plane * self.grid.stride[2];
-        flux.fill(0.0);
-        swept.fill(0.0);
-        let stride = self.stride();
+    /// Takes off what the high faces of a plane of cells sweep and adds what the low ones do: new volumes of the displaced
+    /// cells.
+    pub(crate) fn undo_displacement(&self, plane: usize, displacement: &[Real], cell: &mut [Real]) {
+        let (base, stride) = (plane * self.grid.stride[2], self.grid.stride[self.axis]);
+        let layers = self.grid.cells()[self.axis];
         self.each_cell(plane, |c, place| {
-            if self.layer(plane, place) == 0 {
+            let layer = [place[0], place[1], plane - 1][self.axis];
+            // Nothing is swept by the walls of the box.
+            let swept =
+                |moves: bool, n: usize| if moves { self.swept(displacement, n, plane, place) } else { 0.0 };
+            cell[c - base] -= (swept(layer + 1 < layers, c + stride) - swept(layer > 0, c)) as Real;
+        });
+    }
+
+    /// How far along its slope, in cells, the value carried through the low faces of a plane lies from the middle of the
+    /// donor: half of what the flux leaves behind; 0 where the donor is not full or a neighbour holds little soil.
+    pub(crate) fn reaches(&self, plane: usize, [flux, fraction, soil]: [&[Real]; 3], out: &mut [Real]) {
+        self.each_row(plane, out, |row, own| {
+            reach_row(row.of(flux), row.round(fraction), row.round(soil), own)
+        });
+    }
+
+    /// Mass that crosses the low faces of a plane of cells [kg], with `soil` volumes as they were before the sweep.
+    pub(crate) fn mass_fluxes(
+        &self,
+        plane: usize,
+        [soil, mass]: [&[Real]; 2],
+        [flux, reach]: [&[Real]; 2],
+        out: &mut [Real],
+    ) {
+        self.each_row(plane, out, |row, own| {
+            mass_row(row.of(flux), row.of(reach), row.round(mass), row.round(soil), own)
+        });
+    }
+
+    /// New value of a carried field in a plane of cells, with `soil` volumes as they were before the sweep.
+    pub(crate) fn carry(
+        &self,
+        plane: usize,
+        [soil, field]: [&[Real]; 2],
+        [flux, reach]: [&[Real]; 2],
+        out: &mut [Real],
+    ) {
+        let base = plane * self.grid.stride[2];
+        out.copy_from_slice(&field[base..base + out.len()]);
+        self.each_row(plane, out, |row, own| {
+            let faces = [row.of(flux), row.above(flux), row.of(reach), row.above(reach)];
+            carry_row(faces, row.round(field), row.of(soil), own);
+        });
+    }
+
+    /// Calls `job(row, part of out)` for the active rows of a storage plane of cells.
+    fn each_row(&self, plane: usize, out: &mut [Real], job: impl Fn(Row, &mut [Real])) {
+        let [_, ny, nz] = self.grid.cells();
+        let [_, row, stride] = self.grid.stride;
+        for q in (1..=ny).filter(|q| plane <= nz && self.row_active[plane * (stride / row) + q]) {
+            job(Row::new(self.grid, self.axis, [q, plane]), &mut out[q * row..(q + 1) * row]);
+        }
+    }
+}
+
+impl Filling<'_> {
+    /// Soil volume that crosses the low faces of a plane of cells [m³].
+    pub(crate) fn volume_fluxes(&self, plane: usize, flux: &mut [Real]) {
+        let Sweep { grid, axis, .. } = self.sweep;
+        let (base, stride) = (plane * grid.stride[2], grid.stride[axis]);
+        flux.fill(0.0);
+        self.sweep.each_cell(plane, |c, place| {
+            if [place[0], place[1], plane - 1][axis] == 0 {
                 return;
             }
-            let phi = self.swept(c, plane, place);
-            swept[c - base] = phi as Real;
+            let phi = self.sweep.swept(self.displacement, c, plane, place);
             if phi == 0.0 {
                 return;
             }
@@ -93,7 +150,7 @@ impl Sweep<'_> {
             } else {
                 let plane = Plane::new(self.normal(donor), fraction);
                 let share = phi.abs() / cell;
-                plane.slab(self.axis, phi > 0.0, share) * cell
+                plane.slab(axis, phi > 0.0, share) * cell
             };
             // The void must not be overdrawn either: these bounds keep the fraction between 0 and 1.
             let void = cell - soil;
@@ -121,14 +178,14 @@ impl Sweep<'_> {
         } else {
             2
         };
-        let place = self.grid.place(c);
-        let cells = self.grid.cells();
+        let grid = self.sweep.grid;
+        let (place, cells) = (grid.place(c), grid.cells());
         let [first, second] = [(up + 1) % 3, (up + 2) % 3];
         let inside = |axis: usize, reach: usize| place[axis] >= reach && place[axis] + reach < cells[axis];
         if !inside(up, REACH) {
             return None;
         }
-        let stride = self.grid.stride[up];
+        let stride = grid.stride[up];
         let height = |middle: usize| {
             let low = middle - REACH * stride;
             let fraction = |n: usize| f64::from(self.fraction[low + n * stride]);
@@ -142,7 +199,7 @@ impl Sweep<'_> {
             if cells[axis] == 1 {
                 return Some(0.0);
             }
-            let s = self.grid.stride[axis];
+            let s = grid.stride[axis];
             inside(axis, 1).then_some(())?;
             Some(0.5 * (height(c + s)? - height(c - s)?))
         };
@@ -156,7 +213,7 @@ impl Sweep<'_> {
     /// Normal from the gradient of the volume fraction over 27 cells (Youngs 1984); neighbours outside the grid are taken
     /// equal to the cells inside.
     fn normal_from_gradient(&self, c: usize) -> [f64; 3] {
-        let grid = self.grid;
+        let grid = self.sweep.grid;
         let place = grid.place(c);
         let cells = grid.cells();
         // Offsets to the neighbours, or 0 where there is none.
@@ -180,46 +237,6 @@ impl Sweep<'_> {
             }
         }
         gradient.map(|g| -g)
-    }
-
-    /// How far along its slope, in cells, the value carried through the low faces of a plane lies from the middle of the
-    /// donor: half of what the flux leaves behind; 0 where the donor is not full or a neighbour holds little soil.
-    pub(crate) fn reaches(&self, plane: usize, flux: &[Real], out: &mut [Real]) {
-        self.each_row(plane, out, |row, own| {
-            reach_row(row.of(flux), row.round(self.fraction), row.round(self.soil), own)
-        });
-    }
-
-    /// Mass that crosses the low faces of a plane of cells [kg].
-    pub(crate) fn mass_fluxes(
-        &self,
-        plane: usize,
-        mass: &[Real],
-        [flux, reach]: [&[Real]; 2],
-        out: &mut [Real],
-    ) {
-        self.each_row(plane, out, |row, own| {
-            mass_row(row.of(flux), row.of(reach), row.round(mass), row.round(self.soil), own)
-        });
-    }
-
-    /// New value of a carried field in a plane of cells.
-    pub(crate) fn carry(&self, plane: usize, field: &[Real], [flux, reach]: [&[Real]; 2], out: &mut [Real]) {
-        let base = plane * self.grid.stride[2];
-        out.copy_from_slice(&field[base..base + out.len()]);
-        self.each_row(plane, out, |row, own| {
-            let faces = [row.of(flux), row.above(flux), row.of(reach), row.above(reach)];
-            carry_row(faces, row.round(field), row.of(self.soil), own);
-        });
-    }
-
-    /// Calls `job(row, part of out)` for the active rows of a storage plane of cells.
-    fn each_row(&self, plane: usize, out: &mut [Real], job: impl Fn(Row, &mut [Real])) {
-        let [_, ny, nz] = self.grid.cells();
-        let [_, row, stride] = self.grid.stride;
-        for q in (1..=ny).filter(|q| plane <= nz && self.row_active[plane * (stride / row) + q]) {
-            job(Row::new(self.grid, self.axis, [q, plane]), &mut out[q * row..(q + 1) * row]);
-        }
     }
 }
 

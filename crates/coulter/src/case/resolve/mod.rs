@@ -67,6 +67,7 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
     let domain = extent::domain(&schema.domain, &frame, &bodies, duration, problems)?;
     let ground = extent::ground(&schema.ground, frame.surface, &domain, problems)?;
     let soil = soil?;
+    let velocity = extent::velocity(&schema.ground, &domain, problems)?;
     let overburden = soil::overburden(&schema.ground, &soil, ground.surface(), &domain, problems)?;
     checks::bodies_fit(schema, &bodies, &domain, duration, problems);
     let usual = mesh::usual_fine_zone(&frame, &domain, &bodies, duration);
@@ -80,6 +81,7 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
         soil,
         ground,
         overburden,
+        velocity,
         domain,
         grid,
         bodies,

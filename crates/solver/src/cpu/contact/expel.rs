@@ -29,7 +29,7 @@ pub(crate) fn expel(model: &Model, state: &mut State, workspace: &mut Workspace)
     cells.sort_unstable();
     cells.dedup();
     for _ in 0..ROUNDS {
-        let transfers = share_out(&model.grid, &state.soil.fraction, &workspace.occupied, &cells);
+        let transfers = share_out(&model.grid, &state.soil.fraction, &workspace.velocity_before[0], &cells);
         if transfers.is_empty() {
             break;
         }

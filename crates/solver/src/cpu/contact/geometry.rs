@@ -12,7 +12,15 @@ use glam::DVec3;
 /// volumes. Done at every remap.
 pub(crate) fn locate(model: &Model, state: &mut State, workspace: &mut Workspace) {
     let Workspace {
-        occupied, body_cells, points, located, contact_law, touched, corner_nodes, patch, ..
+        velocity_before: [occupied, ..],
+        body_cells,
+        points,
+        located,
+        contact_law,
+        touched,
+        corner_nodes,
+        patch,
+        ..
     } = workspace;
     measure_leak(&model.grid, &state.soil, body_cells, &mut state.bodies);
     let view = View { model, soil: &state.soil, node_mass: &state.nodes.mass, occupied };
@@ -31,16 +39,17 @@ pub(crate) fn locate(model: &Model, state: &mut State, workspace: &mut Workspace
         }
     }
     std::mem::swap(&mut state.contacts, located);
+    for c in body_cells {
+        occupied[c.cell] = 0.0;
+    }
     (*touched, *corner_nodes) = touched_nodes(model, &state.contacts);
     *patch = super::number_patches(&state.contacts);
 }
 
-/// Finds anew which share of each cell the bodies take up.
+/// Finds anew which share of each cell the bodies take up. It is noted in memory that is free only till [`locate`].
 pub(crate) fn occupy_all(model: &Model, state: &mut State, workspace: &mut Workspace) {
-    let Workspace { occupied, body_cells, .. } = workspace;
-    for c in body_cells.drain(..) {
-        occupied[c.cell] = 0.0;
-    }
+    let Workspace { velocity_before: [occupied, ..], body_cells, .. } = workspace;
+    body_cells.clear();
     for (n, (fixed, body)) in model.bodies.iter().zip(&mut state.bodies).enumerate() {
         occupy(model, fixed, body, |cell, share| {
             occupied[cell] = (occupied[cell] + share as Real).min(1.0);
