@@ -4,8 +4,8 @@
 //! "Low face" of a cell is the one towards smaller coordinates; face values are kept at the cell above it, those of dual
 //! faces at the node below. Rows are gone through with their ghosts, through which nothing flows.
 
-use super::Real;
 use super::physics::limiter::monotonised_central;
+use super::{FULL, Real};
 use crate::grid::Grid;
 use multiversion::multiversion;
 use physics::interface::Plane;
@@ -32,9 +32,6 @@ pub(crate) struct Filling<'a> {
     /// Volume of the displaced cell [m³].
     pub(crate) cell: &'a [Real],
 }
-
-/// Above this a cell counts as full: no interface is looked for.
-const FULL: f64 = if size_of::<Real>() == 8 { 1.0 - 1e-9 } else { 1.0 - 1e-5 };
 
 impl Sweep<'_> {
     /// Calls `job(cell, [i, j])` for the active cells (0-based layers along x and y) of a storage plane.
