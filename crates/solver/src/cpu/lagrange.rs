@@ -388,11 +388,8 @@ fn kinetic_energies(mass: &[Real], velocity: &[&mut [Real]; 3], out: &mut [Real]
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn largest(mass: &[Real], light: Real, displacement: [&[Real]; 3]) -> [Real; 2] {
     let (mut heavy_lanes, mut light_lanes) = ([0.0; LANES], [0.0; LANES]);
-    // A row is longer than a vector. The last may overlap the one before: a maximum takes no harm.
-    let last = mass.len() - LANES;
-    for start in (0..last).step_by(LANES).chain([last]) {
-        let own = start..start + LANES;
-        let (m, [x, y, z]) = (&mass[own.clone()], displacement.map(|u| &u[own.clone()]));
+    let [ux, uy, uz] = displacement.map(vectors);
+    for (((m, x), y), z) in vectors(mass).zip(ux).zip(uy).zip(uz) {
         for l in 0..LANES {
             let xy = if x[l].abs() > y[l].abs() { x[l].abs() } else { y[l].abs() };
             let u = if z[l].abs() > xy { z[l].abs() } else { xy };
@@ -402,4 +399,10 @@ fn largest(mass: &[Real], light: Real, displacement: [&[Real]; 3]) -> [Real; 2] 
         }
     }
     [heavy_lanes, light_lanes].map(|lanes| lanes.into_iter().fold(0.0, Real::max))
+}
+
+/// The vectors of a row, which is longer than one. The last may overlap the one before: a maximum takes no harm.
+#[inline(always)]
+fn vectors(row: &[Real]) -> impl Iterator<Item = &[Real; LANES]> {
+    row.as_chunks().0.iter().chain(row.last_chunk())
 }
