@@ -78,6 +78,11 @@ fn sum_cells(
         return 0.0;
     }
     let start = plane * grid.stride[2] + q * grid.stride[1] + 1;
-    let cells = (0..nx).filter(|i| fraction[start + i] > 0.0);
-    cells.map(|i| value(start + i, grid.volume(i, q - 1, plane - 1))).fold(0.0, |a, b| a + b)
+    let mut sum = 0.0;
+    for i in 0..nx {
+        if fraction[start + i] > 0.0 {
+            sum += value(start + i, grid.volume(i, q - 1, plane - 1));
+        }
+    }
+    sum
 }
