@@ -2,10 +2,11 @@
 //!
 //! Every row is added up by itself, then the rows in the order of the memory: the same whoever adds them up.
 
-use super::workspace::Workspace;
-use crate::grid::Grid;
+use super::workspace::{Workspace, lane_sum};
+use crate::grid::{Grid, LANES};
 use crate::model::Model;
 use crate::state::{Nodes, Soil, State};
+use multiversion::multiversion;
 
 /// Elastic energy of the soil [J].
 pub(crate) fn elastic(model: &Model, soil: &Soil) -> f64 {
@@ -44,8 +45,23 @@ fn kinetic_of(grid: &Grid, nodes: &Nodes, [q, plane]: [usize; 2]) -> f64 {
     let [_, row, stride] = grid.stride;
     let own = plane * stride + q * row..plane * stride + (q + 1) * row;
     let [x, y, z] = nodes.velocity.each_ref().map(|v| &v[own.clone()]);
-    let each = nodes.mass[own].iter().zip(x).zip(y).zip(z);
-    each.map(|(((m, x), y), z)| 0.5 * m * (x * x + y * y + z * z)).sum()
+    kinetic_row(&nodes.mass[own], [x, y, z])
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn kinetic_row(mass: &[f64], [x, y, z]: [&[f64]; 3]) -> f64 {
+    let mut lanes = [0.0; LANES];
+    let [vx, vy, vz] = [x, y, z].map(|v| v.chunks_exact(LANES));
+    for (((m, x), y), z) in mass.chunks_exact(LANES).zip(vx).zip(vy).zip(vz) {
+        for l in 0..LANES {
+            lanes[l] += 0.5 * m[l] * (x[l] * x[l] + y[l] * y[l] + z[l] * z[l]);
+        }
+    }
+    let mut sum = lane_sum(&lanes);
+    for i in mass.len() - mass.len() % LANES..mass.len() {
+        sum += 0.5 * mass[i] * (x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
+    }
+    sum
 }
 
 /// Volume of the soil [m³].

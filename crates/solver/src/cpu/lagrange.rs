@@ -386,7 +386,9 @@ fn kinetic_energies(mass: &[f64], velocity: &[&mut [f64]; 3], out: &mut [f64]) {
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn largest(mass: &[f64], light: f64, displacement: [&[f64]; 3]) -> [f64; 2] {
     let (mut heavy_lanes, mut light_lanes) = ([0.0; LANES], [0.0; LANES]);
-    let mut look = |m: &[f64], [x, y, z]: [&[f64]; 3]| {
+    let whole = mass.len() - mass.len() % LANES;
+    let [ux, uy, uz] = displacement.map(|u| u.chunks_exact(LANES));
+    for (((m, x), y), z) in mass.chunks_exact(LANES).zip(ux).zip(uy).zip(uz) {
         for l in 0..LANES {
             let xy = if x[l].abs() > y[l].abs() { x[l].abs() } else { y[l].abs() };
             let u = if z[l].abs() > xy { z[l].abs() } else { xy };
@@ -394,13 +396,11 @@ fn largest(mass: &[f64], light: f64, displacement: [&[f64]; 3]) -> [f64; 2] {
             heavy_lanes[l] = if heavy > heavy_lanes[l] { heavy } else { heavy_lanes[l] };
             light_lanes[l] = if light > light_lanes[l] { light } else { light_lanes[l] };
         }
-    };
-    let [ux, uy, uz] = displacement.map(|u| u.chunks_exact(LANES));
-    for (((m, x), y), z) in mass.chunks_exact(LANES).zip(ux).zip(uy).zip(uz) {
-        look(m, [x, y, z]);
     }
-    // The last vector overlaps the one before: a maximum takes no harm.
-    let last = mass.len() - LANES;
-    look(&mass[last..], displacement.map(|u| &u[last..]));
+    for i in whole..mass.len() {
+        let u = displacement.map(|u| u[i].abs()).into_iter().fold(0.0, f64::max);
+        let lane = if mass[i] > light { &mut heavy_lanes[0] } else { &mut light_lanes[0] };
+        *lane = f64::max(*lane, u);
+    }
     [heavy_lanes, light_lanes].map(|lanes| lanes.into_iter().fold(0.0, f64::max))
 }

@@ -55,7 +55,7 @@ impl Sweep<'_> {
 
     /// Volume swept by the face of a cell whose lowest node is `n` [m³]: face area times the mean displacement of its four
     /// nodes.
-    #[inline]
+    #[inline(always)]
     fn swept(&self, u: &[f64], n: usize, plane: usize, [i, j]: [usize; 2]) -> f64 {
         let [first, second] = [(self.axis + 1) % 3, (self.axis + 2) % 3];
         let layers = [i, j, plane - 1];
