@@ -3,10 +3,11 @@
 //!
 //! Every row is added up by itself, then the rows in the order of the memory: the same whoever adds them up.
 
-use super::workspace::Workspace;
+use super::workspace::{Workspace, add_up};
 use super::{Nodes, Real, Soil, State};
-use crate::grid::Grid;
+use crate::grid::{Grid, LANES};
 use crate::model::Model;
+use multiversion::multiversion;
 
 /// Elastic energy of the soil [J].
 pub(crate) fn elastic(model: &Model, soil: &Soil) -> f64 {
@@ -45,10 +46,27 @@ fn kinetic_of(grid: &Grid, nodes: &Nodes, [q, plane]: [usize; 2]) -> f64 {
     let [_, row, stride] = grid.stride;
     let own = plane * stride + q * row..plane * stride + (q + 1) * row;
     let [x, y, z] = nodes.velocity.each_ref().map(|v| &v[own.clone()]);
-    let each = nodes.mass[own].iter().zip(x).zip(y).zip(z);
-    each.map(|(((m, x), y), z)| [m, x, y, z].map(|value| f64::from(*value)))
-        .map(|[m, x, y, z]| 0.5 * m * (x * x + y * y + z * z))
-        .sum()
+    kinetic_row(&nodes.mass[own], [x, y, z])
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn kinetic_row(mass: &[Real], [x, y, z]: [&[Real]; 3]) -> f64 {
+    let energy = |values: [Real; 4]| {
+        let [m, x, y, z] = values.map(f64::from);
+        0.5 * m * (x * x + y * y + z * z)
+    };
+    let mut lanes = [0.0; LANES];
+    let [vx, vy, vz] = [x, y, z].map(|v| v.chunks_exact(LANES));
+    for (((m, x), y), z) in mass.chunks_exact(LANES).zip(vx).zip(vy).zip(vz) {
+        for l in 0..LANES {
+            lanes[l] += energy([m[l], x[l], y[l], z[l]]);
+        }
+    }
+    let mut sum = add_up(lanes);
+    for i in mass.len() - mass.len() % LANES..mass.len() {
+        sum += energy([mass[i], x[i], y[i], z[i]]);
+    }
+    sum
 }
 
 /// Volume of the soil [m³].
@@ -83,6 +101,11 @@ fn sum_cells(
         return 0.0;
     }
     let start = plane * grid.stride[2] + q * grid.stride[1] + 1;
-    let cells = (0..nx).filter(|i| fraction[start + i] > 0.0);
-    cells.map(|i| value(start + i, grid.volume(i, q - 1, plane - 1))).fold(0.0, |a, b| a + b)
+    let mut sum = 0.0;
+    for i in 0..nx {
+        if fraction[start + i] > 0.0 {
+            sum += value(start + i, grid.volume(i, q - 1, plane - 1));
+        }
+    }
+    sum
 }
