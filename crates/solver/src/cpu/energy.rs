@@ -7,6 +7,7 @@ use crate::grid::{Grid, LANES};
 use crate::model::Model;
 use crate::state::{Nodes, Soil, State};
 use multiversion::multiversion;
+use physics::elastic::Elastic;
 
 /// Elastic energy of the soil [J].
 pub(crate) fn elastic(model: &Model, soil: &Soil) -> f64 {
@@ -33,11 +34,36 @@ pub(crate) fn total(model: &Model, state: &State, workspace: &mut Workspace) -> 
 }
 
 /// Elastic energy of the soil in row `q` of a storage plane [J].
-fn elastic_of(model: &Model, soil: &Soil, place: [usize; 2]) -> f64 {
-    sum_cells(&model.grid, &soil.fraction, place, |c, volume| {
-        let stress = soil.stress.each_ref().map(|s| s[c]);
-        soil.fraction[c] * volume * model.elastic.energy(stress)
-    })
+fn elastic_of(model: &Model, soil: &Soil, [q, plane]: [usize; 2]) -> f64 {
+    let grid = &model.grid;
+    let [nx, ny, nz] = grid.cells();
+    if !(1..=ny).contains(&q) || plane > nz {
+        return 0.0;
+    }
+    let start = plane * grid.stride[2] + q * grid.stride[1] + 1;
+    let own = start..start + nx.next_multiple_of(LANES);
+    let across = grid.width(1, q - 1) * grid.width(2, plane - 1);
+    let stress = soil.stress.each_ref().map(|s| &s[own.clone()]);
+    elastic_row(&model.elastic, [&grid.faces[0], &soil.fraction[own]], stress, across)
+}
+
+/// The cells beyond the last face are ghosts without soil.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn elastic_row(elastic: &Elastic, [faces, fraction]: [&[f64]; 2], stress: [&[f64]; 6], across: f64) -> f64 {
+    let mut lanes = [0.0; LANES];
+    for start in (0..fraction.len()).step_by(LANES) {
+        let mut width = [0.0; LANES];
+        for (width, pair) in width.iter_mut().zip(faces[start..].windows(2)) {
+            *width = pair[1] - pair[0];
+        }
+        let f = &fraction[start..start + LANES];
+        let [xx, yy, zz, xy, yz, xz] = stress.map(|s| &s[start..start + LANES]);
+        for l in 0..LANES {
+            let energy = elastic.energy([xx[l], yy[l], zz[l], xy[l], yz[l], xz[l]]);
+            lanes[l] += f[l] * (width[l] * across) * energy;
+        }
+    }
+    lane_sum(&lanes)
 }
 
 /// Kinetic energy of row `q` of a storage plane of nodes [J].
@@ -67,7 +93,7 @@ fn kinetic_row(mass: &[f64], [x, y, z]: [&[f64]; 3]) -> f64 {
 /// Volume of the soil [m³].
 #[must_use]
 pub fn soil_volume(grid: &Grid, soil: &Soil) -> f64 {
-    sum_rows(grid, |place| sum_cells(grid, &soil.fraction, place, |c, volume| soil.fraction[c] * volume))
+    sum_rows(grid, |place| volume_of(grid, &soil.fraction, place))
 }
 
 /// Mass of the soil [kg].
@@ -82,23 +108,12 @@ fn sum_rows(grid: &Grid, of_row: impl Fn([usize; 2]) -> f64) -> f64 {
     (1..=nz + 1).flat_map(|plane| (1..=ny + 1).map(move |q| [q, plane])).map(of_row).fold(0.0, |a, b| a + b)
 }
 
-/// Sum of `value(cell, cell volume)` over the cells with soil of row `q` of a storage plane.
-fn sum_cells(
-    grid: &Grid,
-    fraction: &[f64],
-    [q, plane]: [usize; 2],
-    value: impl Fn(usize, f64) -> f64,
-) -> f64 {
+/// Volume of the soil in row `q` of a storage plane of cells [m³].
+fn volume_of(grid: &Grid, fraction: &[f64], [q, plane]: [usize; 2]) -> f64 {
     let [nx, ny, nz] = grid.cells();
     if !(1..=ny).contains(&q) || plane > nz {
         return 0.0;
     }
     let start = plane * grid.stride[2] + q * grid.stride[1] + 1;
-    let mut sum = 0.0;
-    for i in 0..nx {
-        if fraction[start + i] > 0.0 {
-            sum += value(start + i, grid.volume(i, q - 1, plane - 1));
-        }
-    }
-    sum
+    (0..nx).map(|i| fraction[start + i] * grid.volume(i, q - 1, plane - 1)).fold(0.0, |a, b| a + b)
 }
