@@ -4,10 +4,12 @@ use crate::case::Case;
 use crate::case::resolved::{self, Ground, Law, Potential};
 use crate::output::checkpoint::Checkpoint;
 use crate::output::record::{BodySample, EnergySample, History};
+use glam::DVec3;
 use physics::elastic::Elastic;
 use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
 use physics::mohr_coulomb::MohrCoulomb;
 use physics::strength::Law as Strength;
+use physics::von_mises::VonMises;
 use solver::audit::{elastic_energy, kinetic_energy};
 use solver::cpu::energy::soil_volume;
 use solver::cpu::stopwatch::Stopwatch;
@@ -15,7 +17,7 @@ use solver::cpu::workspace::Workspace;
 use solver::error::Breakdown;
 use solver::grid::Grid;
 use solver::model::{BodyModel, ContactMethod, Method, Model, Wall};
-use solver::start::{Filling, start_filled, start_under};
+use solver::start::{Filling, set_in_motion, start_filled, start_under};
 use solver::state::{Received, State};
 use solver::step::step;
 
@@ -42,7 +44,10 @@ impl Simulation {
     #[must_use]
     pub fn new(case: &Case) -> Self {
         let model = model(case);
-        let state = start_under(&model, &filling(&case.ground), case.overburden);
+        let mut state = start_under(&model, &filling(&case.ground), case.overburden);
+        if case.velocity != DVec3::ZERO {
+            set_in_motion(&model, &mut state, case.velocity);
+        }
         Self::with_state(case, model, state)
     }
 
@@ -238,7 +243,7 @@ pub fn model(case: &Case) -> Model {
         strength: strength(elastic, case.soil.law),
         critical_density: match case.soil.law {
             Law::MohrCoulomb { critical_density, .. } => critical_density,
-            Law::Elastic | Law::Tresca { .. } => None,
+            Law::Elastic | Law::Tresca { .. } | Law::VonMises { .. } => None,
         },
         density: case.soil.density,
         gravity: if case.soil.unit_weight > 0.0 { case.soil.unit_weight / case.soil.density } else { 0.0 },
@@ -267,6 +272,9 @@ fn strength(elastic: Elastic, law: Law) -> Option<Strength> {
         Law::Elastic => None,
         Law::Tresca { shear_strength } => {
             Some(Strength::MohrCoulomb(MohrCoulomb::tresca(elastic, shear_strength)))
+        }
+        Law::VonMises { yield_stress, hardening_modulus } => {
+            Some(Strength::VonMises(VonMises::new(elastic, yield_stress, hardening_modulus)))
         }
         Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_limit, potential, .. } => {
             let (phi, psi) = (friction_angle, dilation_angle);
@@ -314,9 +322,7 @@ fn body(body: &resolved::Body) -> BodyModel {
 fn filling(ground: &Ground) -> Filling {
     const FAR: f64 = 1e9;
     match *ground {
-        Ground::Level { surface } => {
-            Filling { low: glam::DVec3::splat(-FAR), high: glam::DVec3::new(FAR, FAR, surface) }
-        }
-        Ground::Column { low, high } => Filling { low, high },
+        Ground::Level { surface } => Filling::between(DVec3::splat(-FAR), DVec3::new(FAR, FAR, surface)),
+        Ground::Column { low, high, radius } => Filling { low, high, radius },
     }
 }

@@ -2,6 +2,7 @@
 
 use super::resolved::{Case, Grid, Ground};
 use serde::Serialize;
+use std::f64::consts::FRAC_PI_4;
 
 /// Memory per cell, all fields and scratch together [bytes]; chosen on the safe side.
 const BYTES_PER_CELL: f64 = 400.0;
@@ -57,14 +58,15 @@ pub(super) fn memory(grid: &Grid) -> f64 {
 }
 
 fn filled_cells(case: &Case) -> f64 {
-    let (low, high) = match case.ground {
-        Ground::Level { surface } => (case.domain.low, case.domain.high.with_z(surface)),
-        Ground::Column { low, high } => (low, high),
+    let (low, high, share) = match case.ground {
+        Ground::Level { surface } => (case.domain.low, case.domain.high.with_z(surface), 1.0),
+        Ground::Column { low, high, radius: None } => (low, high, 1.0),
+        Ground::Column { low, high, radius: Some(_) } => (low, high, FRAC_PI_4),
     };
     let inside = |axis: usize| {
         case.grid.faces[axis].windows(2).filter(|w| w[1] > low[axis] && w[0] < high[axis]).count() as f64
     };
-    inside(0) * inside(1) * inside(2)
+    share * inside(0) * inside(1) * inside(2)
 }
 
 /// Memory that this machine has to spare [bytes], where the system says so.

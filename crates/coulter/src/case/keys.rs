@@ -73,7 +73,7 @@ const fn key(name: &'static str, kind: Kind, default: &'static str, meaning: &'s
 }
 
 /// Soil laws.
-pub const LAWS: [&str; 3] = ["mohr-coulomb", "tresca", "elastic"];
+pub const LAWS: [&str; 4] = ["mohr-coulomb", "tresca", "von-mises", "elastic"];
 /// Body shapes.
 pub const SHAPES: [&str; 4] = ["disc", "block", "cylinder", "ball"];
 /// Axes of a cylinder.
@@ -119,7 +119,12 @@ const TOP: &[Key] = &[
 ];
 
 const SOIL: &[Key] = &[
-    key("law", Kind::Choice(&LAWS), "required", "Strength: frictional, undrained, or none (elastic)."),
+    key(
+        "law",
+        Kind::Choice(&LAWS),
+        "required",
+        "Strength: frictional, undrained, that of a metal, or none (elastic).",
+    ),
     key(
         "friction_angle",
         Kind::Quantity(ANGLE),
@@ -160,6 +165,18 @@ const SOIL: &[Key] = &[
         "Undrained shear strength s_u (tresca).",
     ),
     key(
+        "yield_stress",
+        Kind::Quantity(STRESS),
+        "required for von-mises",
+        "Stress σ_y at which a bar in plain tension first yields (von-mises).",
+    ),
+    key(
+        "hardening_modulus",
+        Kind::Quantity(STRESS),
+        "0 Pa",
+        "How fast the yield stress grows with the plastic strain, H (von-mises).",
+    ),
+    key(
         "unit_weight",
         Kind::Quantity(UNIT_WEIGHT),
         "density × gravity",
@@ -176,7 +193,7 @@ const SOIL: &[Key] = &[
     key(
         "rest_pressure_ratio",
         Kind::Number,
-        "1 − sin φ (Jaky 1944); tresca and elastic: ν/(1 − ν)",
+        "1 − sin φ (Jaky 1944); else ν/(1 − ν)",
         "Horizontal over vertical stress at the start, K₀.",
     ),
 ];
@@ -190,6 +207,18 @@ const GROUND: &[Key] = &[
         "Where along x there is soil, e.g. a bank in front of a wall.",
     ),
     key("y", Kind::Range(LENGTH), "the whole domain", "Where along y there is soil."),
+    key(
+        "radius",
+        Kind::Quantity(LENGTH),
+        "none",
+        "Soil only so near to the axis x = y = 0: a round column or bar.",
+    ),
+    key(
+        "velocity",
+        Kind::Vector(SPEED),
+        "at rest",
+        "Velocity of the soil at the start along x, y, z; along x, z in plane strain.",
+    ),
     key(
         "overburden",
         Kind::Quantity(STRESS),
@@ -350,7 +379,7 @@ const NUMERICS: &[Key] = &[
     key(
         "bulk_viscosity_linear",
         Kind::Number,
-        "0.02; tresca 0.06",
+        "0.02; tresca and von-mises 0.06",
         "Linear coefficient b₁ of bulk viscosity.",
     ),
     key("bulk_viscosity_quadratic", Kind::Number, "1.2", "Quadratic coefficient b₂ of bulk viscosity."),

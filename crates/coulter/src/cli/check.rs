@@ -86,6 +86,7 @@ fn groups(case: &Case, body: &Body) -> Groups {
     let strength = match case.soil.law {
         Law::MohrCoulomb { cohesion, .. } => Some(cohesion),
         Law::Tresca { shear_strength } => Some(shear_strength),
+        Law::VonMises { yield_stress, .. } => Some(0.5 * yield_stress),
         Law::Elastic => None,
     };
     let heavy = |x: f64| (gamma > 0.0).then_some(x / gamma);
@@ -114,6 +115,9 @@ fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
     let strength = match soil.law {
         Law::Elastic => "elastic".to_owned(),
         Law::Tresca { shear_strength } => format!("tresca, s_u = {shear_strength} Pa"),
+        Law::VonMises { yield_stress, hardening_modulus } => {
+            format!("von-mises, σ_y = {yield_stress} Pa, H = {hardening_modulus} Pa")
+        }
         Law::MohrCoulomb {
             friction_angle,
             dilation_angle,

@@ -35,6 +35,7 @@ mod scaling;
 mod specimen;
 mod strip_sand;
 pub mod table;
+mod taylor;
 mod transport;
 mod turning;
 mod wall;
@@ -101,6 +102,7 @@ pub const BENCHMARKS: &[Benchmark] = &[
     run("A7", "One case at several scales", "A7_scaling", scaling::ABOUT, scaling::run),
     run("A8", "Repeatability and mirror image", "A8_repeatability", repeat::ABOUT, repeat::run),
     ledgers("A9", "Energy ledger", ledger::ABOUT_ENERGY, ledger::energy),
+    run("A10", "Taylor bar", "A10_taylor_bar", taylor::ABOUT, taylor::run),
     run("A11", "Place and direction", "A11_place_and_direction", places::ABOUT, places::run),
     run("A12", "Light bodies", "A12_light_body", light::ABOUT, light::run),
     run("B1", "Smooth strip footing, Tresca", "B1_strip_footing", footing::ABOUT, footing::run),

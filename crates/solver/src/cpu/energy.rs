@@ -1,11 +1,12 @@
-//! Sums over the whole grid: energies, mass and volume of the soil. Taken at samples and round a remap, not every step.
+//! Sums over the whole grid, always in double precision: energies, mass and volume of the soil. Taken at samples and round
+//! a remap, not every step.
 //!
 //! Every row is added up by itself, then the rows in the order of the memory: the same whoever adds them up.
 
-use super::workspace::{Workspace, lane_sum};
+use super::workspace::Workspace;
+use super::{Nodes, Real, Soil, State};
 use crate::grid::{Grid, LANES};
 use crate::model::Model;
-use crate::state::{Nodes, Soil, State};
 use multiversion::multiversion;
 use physics::elastic::Elastic;
 
@@ -44,12 +45,17 @@ fn elastic_of(model: &Model, soil: &Soil, [q, plane]: [usize; 2]) -> f64 {
     let own = start..start + nx.next_multiple_of(LANES);
     let across = grid.width(1, q - 1) * grid.width(2, plane - 1);
     let stress = soil.stress.each_ref().map(|s| &s[own.clone()]);
-    elastic_row(&model.elastic, [&grid.faces[0], &soil.fraction[own]], stress, across)
+    elastic_row(&model.elastic, (&grid.faces[0], &soil.fraction[own]), stress, across)
 }
 
 /// The cells beyond the last face are ghosts without soil.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn elastic_row(elastic: &Elastic, [faces, fraction]: [&[f64]; 2], stress: [&[f64]; 6], across: f64) -> f64 {
+fn elastic_row(
+    elastic: &Elastic,
+    (faces, fraction): (&[f64], &[Real]),
+    stress: [&[Real]; 6],
+    across: f64,
+) -> f64 {
     let mut lanes = [0.0; LANES];
     for start in (0..fraction.len()).step_by(LANES) {
         let mut width = [0.0; LANES];
@@ -59,11 +65,18 @@ fn elastic_row(elastic: &Elastic, [faces, fraction]: [&[f64]; 2], stress: [&[f64
         let f = &fraction[start..start + LANES];
         let [xx, yy, zz, xy, yz, xz] = stress.map(|s| &s[start..start + LANES]);
         for l in 0..LANES {
-            let energy = elastic.energy([xx[l], yy[l], zz[l], xy[l], yz[l], xz[l]]);
-            lanes[l] += f[l] * (width[l] * across) * energy;
+            let stress = [
+                f64::from(xx[l]),
+                f64::from(yy[l]),
+                f64::from(zz[l]),
+                f64::from(xy[l]),
+                f64::from(yz[l]),
+                f64::from(xz[l]),
+            ];
+            lanes[l] += f64::from(f[l]) * (width[l] * across) * elastic.energy(stress);
         }
     }
-    lane_sum(&lanes)
+    total_of(lanes)
 }
 
 /// Kinetic energy of row `q` of a storage plane of nodes [J].
@@ -75,19 +88,21 @@ fn kinetic_of(grid: &Grid, nodes: &Nodes, [q, plane]: [usize; 2]) -> f64 {
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn kinetic_row(mass: &[f64], [x, y, z]: [&[f64]; 3]) -> f64 {
+fn kinetic_row(mass: &[Real], velocity: [&[Real]; 3]) -> f64 {
     let mut lanes = [0.0; LANES];
-    let [vx, vy, vz] = [x, y, z].map(|v| v.chunks_exact(LANES));
-    for (((m, x), y), z) in mass.chunks_exact(LANES).zip(vx).zip(vy).zip(vz) {
-        for l in 0..LANES {
-            lanes[l] += 0.5 * m[l] * (x[l] * x[l] + y[l] * y[l] + z[l] * z[l]);
+    let [x, y, z] = velocity.map(|v| v.chunks(LANES));
+    for (((m, x), y), z) in mass.chunks(LANES).zip(x).zip(y).zip(z) {
+        for (l, lane) in lanes.iter_mut().enumerate().take(m.len()) {
+            let [m, x, y, z] = [f64::from(m[l]), f64::from(x[l]), f64::from(y[l]), f64::from(z[l])];
+            *lane += 0.5 * m * (x * x + y * y + z * z);
         }
     }
-    let mut sum = lane_sum(&lanes);
-    for i in mass.len() - mass.len() % LANES..mass.len() {
-        sum += 0.5 * mass[i] * (x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
-    }
-    sum
+    total_of(lanes)
+}
+
+/// Sum of a vector's lanes.
+fn total_of(lanes: [f64; LANES]) -> f64 {
+    lanes.into_iter().fold(0.0, |a, b| a + b)
 }
 
 /// Volume of the soil [m³].
@@ -99,7 +114,7 @@ pub fn soil_volume(grid: &Grid, soil: &Soil) -> f64 {
 /// Mass of the soil [kg].
 #[must_use]
 pub fn soil_mass(soil: &Soil) -> f64 {
-    soil.mass.iter().sum()
+    soil.mass.iter().map(|mass| f64::from(*mass)).sum()
 }
 
 /// Sum over the rows `[q, plane]` of the grid, of cells and of nodes, in memory order.
@@ -109,11 +124,11 @@ fn sum_rows(grid: &Grid, of_row: impl Fn([usize; 2]) -> f64) -> f64 {
 }
 
 /// Volume of the soil in row `q` of a storage plane of cells [m³].
-fn volume_of(grid: &Grid, fraction: &[f64], [q, plane]: [usize; 2]) -> f64 {
+fn volume_of(grid: &Grid, fraction: &[Real], [q, plane]: [usize; 2]) -> f64 {
     let [nx, ny, nz] = grid.cells();
     if !(1..=ny).contains(&q) || plane > nz {
         return 0.0;
     }
     let start = plane * grid.stride[2] + q * grid.stride[1] + 1;
-    (0..nx).map(|i| fraction[start + i] * grid.volume(i, q - 1, plane - 1)).fold(0.0, |a, b| a + b)
+    (0..nx).map(|i| f64::from(fraction[start + i]) * grid.volume(i, q - 1, plane - 1)).fold(0.0, |a, b| a + b)
 }

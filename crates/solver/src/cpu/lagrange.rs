@@ -5,24 +5,24 @@
 //! so nobody reads what another writes; only the lowest plane of nodes of each worker has to wait for the plane of cells
 //! below, which is a neighbour's.
 
-use super::stopwatch::Stage;
 use super::stress::{CellRow, NodeRows, RowConstants, strain_row};
-use super::threads::{Cut, parts_of};
 use super::workspace::{COEFFICIENTS, Coefficients, NODE_SUMS, RowSums, WorkerScratch, Workspace, lane_sum};
+use super::{Real, Soil, State};
+use crate::cpu::stopwatch::Stage;
+use crate::cpu::threads::{Cut, parts_of};
 use crate::grid::{Grid, LANES};
 use crate::model::{Model, Wall};
-use crate::state::{Soil, State};
 use multiversion::multiversion;
 use std::ops::Range;
 
 /// A worker's planes of everything that the stage writes.
 struct Part<'a> {
     planes: Range<usize>,
-    stress: [&'a mut [f64]; 6],
-    plastic_strain: &'a mut [f64],
-    gap_strain: &'a mut [f64],
-    displacement: [&'a mut [f64]; 3],
-    velocity: [&'a mut [f64]; 3],
+    stress: [&'a mut [Real]; 6],
+    plastic_strain: &'a mut [Real],
+    gap_strain: &'a mut [Real],
+    displacement: [&'a mut [Real]; 3],
+    velocity: [&'a mut [Real]; 3],
     sums: &'a mut [RowSums],
     scratch: &'a mut WorkerScratch,
 }
@@ -31,14 +31,14 @@ struct Part<'a> {
 struct Inputs<'a> {
     model: &'a Model,
     grid: &'a Grid,
-    fraction: &'a [f64],
-    soil_mass: &'a [f64],
-    mass: &'a [f64],
-    velocity: [&'a [f64]; 3],
+    fraction: &'a [Real],
+    soil_mass: &'a [Real],
+    mass: &'a [Real],
+    velocity: [&'a [Real]; 3],
     row_has_soil: &'a [bool],
     /// Whether velocities where no soil is must still be set to zero.
     clears: bool,
-    width_x: [&'a [f64]; 2],
+    width_x: [&'a [Real]; 2],
     rows: usize,
     dt: f64,
 }
@@ -204,8 +204,8 @@ fn strain_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2]) {
         return;
     }
     let mut constants = RowConstants::new(inputs.model, inputs.width_x, inputs.dt);
-    constants.width_y = grid.width(1, q - 1);
-    constants.width_z = grid.width(2, plane - 1);
+    constants.width_y = grid.width(1, q - 1) as Real;
+    constants.width_z = grid.width(2, plane - 1) as Real;
     let at = |dq: usize, dp: usize| (plane + dp) * stride + (q + dq) * row + 1;
     let node_rows: NodeRows = [at(0, 0), at(1, 0), at(0, 1), at(1, 1)]
         .map(|start| inputs.velocity.map(|v| &v[start..start + n + 1]));
@@ -221,7 +221,7 @@ fn strain_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2]) {
     };
     ahead.are_zero = false;
     let mut out = ahead.values.chunks_exact_mut(row);
-    let mut forces: [&mut [f64]; COEFFICIENTS] =
+    let mut forces: [&mut [Real]; COEFFICIENTS] =
         std::array::from_fn(|_| out.next().map_or(Default::default(), |f| &mut f[1..1 + n]));
     let strained = strain_row(&constants, &node_rows, &mut cell_row, (block, stopwatch), &mut forces);
     (sums.plastic, sums.viscous, sums.hourglass) = (strained.plastic, strained.viscous, strained.hourglass);
@@ -248,7 +248,7 @@ fn move_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2]) {
         before: inputs.velocity.map(|v| &v[start..start + row]),
         displacement: part.displacement.each_mut().map(|u| &mut u[own.clone()]),
     };
-    let constants = [inputs.dt, inputs.model.gravity, inputs.model.mass_moved()];
+    let constants = [inputs.dt, inputs.model.gravity, inputs.model.mass_moved()].map(|x| x as Real);
     move_row(constants, nodes, &mut velocity, sum, rest);
     apply_walls(inputs, [q, plane], &mut velocity);
     let displacement = part.displacement.each_ref().map(|u| &u[own.clone()]);
@@ -260,7 +260,7 @@ fn move_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2]) {
 /// high z: into `below`, for the next plane. Pairs that mirror each other are added first, so that a mirrored case
 /// gives mirrored sums to the bit.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn gather_forces([behind, ahead]: [&[f64]; 2], n: usize, below: &mut [f64], sum: &mut [f64]) {
+fn gather_forces([behind, ahead]: [&[Real]; 2], n: usize, below: &mut [Real], sum: &mut [Real]) {
     for q in 0..3 {
         let (out, below) = (&mut sum[q * n..(q + 1) * n], &mut below[q * n..(q + 1) * n]);
         // Plain part and parts signed by the side.
@@ -287,19 +287,19 @@ fn gather_forces([behind, ahead]: [&[f64]; 2], n: usize, below: &mut [f64], sum:
 }
 
 struct NodeRow<'a> {
-    mass: &'a [f64],
-    before: [&'a [f64]; 3],
-    displacement: [&'a mut [f64]; 3],
+    mass: &'a [Real],
+    before: [&'a [Real]; 3],
+    displacement: [&'a mut [Real]; 3],
 }
 
 /// Moves a row of nodes: `u += v dt`, `v += (F/m + g) dt`; nodes without mass stay.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn move_row(
-    constants: [f64; 3],
+    constants: [Real; 3],
     nodes: NodeRow,
-    velocity: &mut [&mut [f64]; 3],
-    sum: &[f64],
-    gravity: &mut [f64],
+    velocity: &mut [&mut [Real]; 3],
+    sum: &[Real],
+    gravity: &mut [Real],
 ) {
     let n = nodes.mass.len();
     let [dt, fall, mass_moved] = constants;
@@ -326,7 +326,7 @@ fn move_row(
 }
 
 /// Takes away the motion through (and along) the walls that a row of nodes lies on.
-fn apply_walls(inputs: &Inputs, [q, plane]: [usize; 2], velocity: &mut [&mut [f64]; 3]) {
+fn apply_walls(inputs: &Inputs, [q, plane]: [usize; 2], velocity: &mut [&mut [Real]; 3]) {
     let [nx, ny, nz] = inputs.grid.cells();
     let walls = &inputs.model.walls;
     let mut stop = |wall: Wall, axis: usize, columns: Range<usize>| {
@@ -353,9 +353,9 @@ fn apply_walls(inputs: &Inputs, [q, plane]: [usize; 2], velocity: &mut [&mut [f6
 fn finish_row(
     inputs: &Inputs,
     start: usize,
-    velocity: &[&mut [f64]; 3],
-    displacement: [&[f64]; 3],
-    buffer: &mut [f64],
+    velocity: &[&mut [Real]; 3],
+    displacement: [&[Real]; 3],
+    buffer: &mut [Real],
     sums: &mut RowSums,
 ) {
     let n = displacement[0].len();
@@ -366,7 +366,7 @@ fn finish_row(
     let kinetic = &mut rest[..n];
     kinetic_energies(mass, velocity, kinetic);
     sums.kinetic = lane_sum(kinetic);
-    [sums.displacement, sums.displacement_light] = largest(mass, light, displacement);
+    [sums.displacement, sums.displacement_light] = largest(mass, light as Real, displacement).map(f64::from);
 }
 
 /// Nodes lighter than this share of a full node's mass may be carried farther before a remap is due: a few grains in
@@ -374,7 +374,7 @@ fn finish_row(
 const LIGHT: f64 = 0.02;
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn kinetic_energies(mass: &[f64], velocity: &[&mut [f64]; 3], out: &mut [f64]) {
+fn kinetic_energies(mass: &[Real], velocity: &[&mut [Real]; 3], out: &mut [Real]) {
     let n = out.len();
     let (mass, vx, vy, vz) = (&mass[..n], &velocity[0][..n], &velocity[1][..n], &velocity[2][..n]);
     for i in 0..n {
@@ -384,7 +384,7 @@ fn kinetic_energies(mass: &[f64], velocity: &[&mut [f64]; 3], out: &mut [f64]) {
 
 /// Largest displacement component of the nodes heavier, and lighter, than `light`.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn largest(mass: &[f64], light: f64, displacement: [&[f64]; 3]) -> [f64; 2] {
+fn largest(mass: &[Real], light: Real, displacement: [&[Real]; 3]) -> [Real; 2] {
     let (mut heavy_lanes, mut light_lanes) = ([0.0; LANES], [0.0; LANES]);
     let whole = mass.len() - mass.len() % LANES;
     let [ux, uy, uz] = displacement.map(|u| u.chunks_exact(LANES));
@@ -398,9 +398,9 @@ fn largest(mass: &[f64], light: f64, displacement: [&[f64]; 3]) -> [f64; 2] {
         }
     }
     for i in whole..mass.len() {
-        let u = displacement.map(|u| u[i].abs()).into_iter().fold(0.0, f64::max);
+        let u = displacement.map(|u| u[i].abs()).into_iter().fold(0.0, Real::max);
         let lane = if mass[i] > light { &mut heavy_lanes[0] } else { &mut light_lanes[0] };
-        *lane = f64::max(*lane, u);
+        *lane = Real::max(*lane, u);
     }
-    [heavy_lanes, light_lanes].map(|lanes| lanes.into_iter().fold(0.0, f64::max))
+    [heavy_lanes, light_lanes].map(|lanes| lanes.into_iter().fold(0.0, Real::max))
 }

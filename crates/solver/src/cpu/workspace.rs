@@ -1,12 +1,13 @@
 //! Memory that the step works in and that is worth nothing between steps.
 
-use crate::cpu::contact::{self, BodyCell, ContactLaw, Drive, TouchedNode};
+use super::contact::{self, BodyCell, ContactLaw, Drive, TouchedNode};
+use super::stress::Block;
+use super::{Real, State};
 use crate::cpu::stopwatch::Stopwatch;
-use crate::cpu::stress::Block;
 use crate::cpu::threads::{Cut, MOST, Team};
 use crate::grid::Grid;
 use crate::model::Model;
-use crate::state::{Contact, State};
+use crate::state::Contact;
 use glam::DVec3;
 use physics::shape::SurfacePoint;
 
@@ -30,7 +31,7 @@ pub struct Workspace {
     pub(crate) clear: u8,
     /// Nodal velocities of the step before. Between steps they are worth nothing, and room for others: for the remap, and
     /// the first, from then till the contact points are located, for the share of each cell that bodies take up.
-    pub(crate) velocity_before: [Vec<f64>; 3],
+    pub(crate) velocity_before: [Vec<Real>; 3],
     /// The cells of which bodies take up a share, body by body.
     pub(crate) body_cells: Vec<BodyCell>,
     /// One for each worker.
@@ -40,7 +41,7 @@ pub struct Workspace {
     /// Two values for each row, to be added up.
     pub(crate) row_values: Vec<[f64; 2]>,
     /// Widths of the cell layers along x [m], in storage columns (0 in ghosts), and ¼ over them.
-    pub(crate) width_x: [Vec<f64>; 2],
+    pub(crate) width_x: [Vec<Real>; 2],
     /// How soil and bodies act on each other.
     pub(crate) contact_law: Box<dyn ContactLaw>,
     /// Surface points of the bodies.
@@ -70,11 +71,11 @@ pub(crate) struct WorkerScratch {
     /// Force coefficients of two rows of cells in turn.
     pub(crate) coefficients: [Coefficients; 2],
     /// Force and damping (four rows for each row of nodes) on a plane of nodes by the cells below it.
-    pub(crate) below: Vec<f64>,
+    pub(crate) below: Vec<Real>,
     /// The same on the lowest plane of nodes by the cells above it; the first worker's nodes wait for nobody.
-    pub(crate) waiting: Vec<f64>,
+    pub(crate) waiting: Vec<Real>,
     /// Row buffers of the nodes.
-    pub(crate) row: Vec<f64>,
+    pub(crate) row: Vec<Real>,
     /// Block of cells.
     pub(crate) block: Box<Block>,
     /// Where this worker's time goes.
@@ -84,7 +85,7 @@ pub(crate) struct WorkerScratch {
 /// Force coefficients of a row of cells.
 pub(crate) struct Coefficients {
     /// One row after the other.
-    pub(crate) values: Vec<f64>,
+    pub(crate) values: Vec<Real>,
     /// Whether all are zero.
     pub(crate) are_zero: bool,
 }
@@ -201,7 +202,7 @@ impl Workspace {
     }
 
     /// Notes which rows hold soil, and deals the planes out anew.
-    pub(crate) fn find_soil(&mut self, grid: &Grid, fraction: &[f64]) {
+    pub(crate) fn find_soil(&mut self, grid: &Grid, fraction: &[Real]) {
         for (n, cells) in fraction.chunks_exact(grid.stride[1]).take(self.row_has_soil.len()).enumerate() {
             self.row_has_soil[n] = cells.iter().any(|f| *f > 0.0);
             if !self.row_has_soil[n] {
@@ -230,24 +231,25 @@ impl Workspace {
     }
 }
 
-fn column_widths(grid: &Grid) -> [Vec<f64>; 2] {
+fn column_widths(grid: &Grid) -> [Vec<Real>; 2] {
     let mut widths = vec![0.0; grid.stride[1] + crate::grid::LANES];
     for i in 0..grid.cells()[0] {
         widths[i + 1] = grid.width(0, i);
     }
-    let per_width = widths.iter().map(|w| if *w > 0.0 { 0.25 / w } else { 0.0 }).collect();
-    [widths, per_width]
+    let per_width = widths.iter().map(|w| if *w > 0.0 { (0.25 / w) as Real } else { 0.0 }).collect();
+    [widths.into_iter().map(|w: f64| w as Real).collect(), per_width]
 }
 
 /// Sum in eight lanes that are added up at the end: the same whatever the processor's vectors are.
 #[inline(always)]
-pub(crate) fn lane_sum(values: &[f64]) -> f64 {
-    let mut lanes = [0.0; 8];
+pub(crate) fn lane_sum(values: &[Real]) -> f64 {
+    let mut lanes: [Real; 8] = [0.0; 8];
     for chunk in values.chunks_exact(8) {
         for (lane, value) in lanes.iter_mut().zip(chunk) {
             *lane += value;
         }
     }
-    let tail: f64 = values.chunks_exact(8).remainder().iter().sum();
+    let tail: Real = values.chunks_exact(8).remainder().iter().sum();
+    let (lanes, tail) = (lanes.map(f64::from), f64::from(tail));
     ((lanes[0] + lanes[4]) + (lanes[1] + lanes[5])) + ((lanes[2] + lanes[6]) + (lanes[3] + lanes[7])) + tail
 }

@@ -14,9 +14,10 @@ pub(crate) use expel::expel;
 pub(crate) use geometry::{BodyCell, carve as carve_soil, locate, occupy_all, touched_nodes};
 pub(crate) use patch::number as number_patches;
 
-use crate::cpu::workspace::Workspace;
+use super::workspace::Workspace;
+use super::{Real, State};
 use crate::model::{BodyModel, ContactMethod, Model};
-use crate::state::{Body, Contact, Received, State};
+use crate::state::{Body, Contact, Received};
 use glam::DVec3;
 use physics::rigid::Freedom;
 use physics::shape::SurfacePoint;
@@ -203,7 +204,7 @@ pub(crate) fn contact(model: &Model, state: &mut State, workspace: &mut Workspac
     let velocity = &mut state.nodes.velocity;
     let mass_moved = model.mass_moved();
     for t in touched.iter_mut() {
-        let mass = state.nodes.mass[t.node];
+        let mass = f64::from(state.nodes.mass[t.node]);
         t.velocity = velocity_of(velocity, t.node);
         t.free = t.velocity;
         t.before = velocity_of(velocity_before, t.node);
@@ -227,9 +228,10 @@ pub(crate) fn contact(model: &Model, state: &mut State, workspace: &mut Workspac
     let mut on_soil = 0.0;
     for t in touched.iter() {
         for (v, new) in velocity.iter_mut().zip(t.velocity.to_array()) {
-            v[t.node] = new;
+            v[t.node] = new as Real;
         }
-        on_soil += state.nodes.mass[t.node] * (t.velocity - t.free).dot(0.5 * (t.velocity + t.before));
+        on_soil +=
+            f64::from(state.nodes.mass[t.node]) * (t.velocity - t.free).dot(0.5 * (t.velocity + t.before));
     }
     let rubbed = rubbed(state, touched, corner_nodes, friction, drives);
     for (drive, body) in drives.iter_mut().zip(&state.bodies) {
@@ -270,8 +272,8 @@ fn rubbed(
     sum
 }
 
-fn velocity_of(velocity: &[Vec<f64>; 3], node: usize) -> DVec3 {
-    DVec3::new(velocity[0][node], velocity[1][node], velocity[2][node])
+fn velocity_of(velocity: &[Vec<Real>; 3], node: usize) -> DVec3 {
+    DVec3::from_array(velocity.each_ref().map(|component| f64::from(component[node])))
 }
 
 /// What contact did in one step.
