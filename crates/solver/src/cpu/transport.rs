@@ -320,10 +320,10 @@ fn undo_row([low, high]: [[&[Real]; 4]; 2], x_faces: Option<&[f64]>, across: f64
     let n = cell.len();
     let ([l0, l1, l2, l3], [h0, h1, h2, h3]) = (low.map(|u| &u[..n]), high.map(|u| &u[..n]));
     let mut undo = |i: usize, area: f64| {
-        let area = area as Real;
-        let low = 0.25 * area * ((l0[i] + l1[i]) + (l2[i] + l3[i]));
-        let high = 0.25 * area * ((h0[i] + h1[i]) + (h2[i] + h3[i]));
-        cell[i] -= high - low;
+        let low = [f64::from(l0[i]), f64::from(l1[i]), f64::from(l2[i]), f64::from(l3[i])];
+        let high = [f64::from(h0[i]), f64::from(h1[i]), f64::from(h2[i]), f64::from(h3[i])];
+        let swept = |u: [f64; 4]| 0.25 * area * ((u[0] + u[1]) + (u[2] + u[3]));
+        cell[i] -= (swept(high) - swept(low)) as Real;
     };
     match x_faces.map(|x| &x[..=n]) {
         Some(x) => (0..n).for_each(|i| undo(i, (x[i + 1] - x[i]) * across)),
