@@ -1,11 +1,11 @@
 //! The Eulerian grid: a rectilinear, graded box of cells that never moves.
 //!
-//! Cells and nodes share one numbering: x fastest, one ghost layer on every side, rows padded to whole vectors. Node
+//! Cells and nodes share one numbering: x fastest, one ghost layer on every side, rows of whole vectors and two ghosts. Node
 //! `(i, j, k)` is the low corner of cell `(i, j, k)`, so a cell's corners and a node's cells are constant offsets.
 
 use serde::{Deserialize, Serialize};
 
-/// Rows are padded to this many entries so that vector loops have no remainder.
+/// Rows hold a multiple of this many cells so that vector loops over cells have no remainder.
 pub const LANES: usize = 8;
 
 /// A rectilinear grid.
@@ -25,8 +25,8 @@ impl Grid {
     /// A grid with the given face positions [m]; each must be increasing and hold at least two.
     #[must_use]
     pub fn new(faces: [Vec<f64>; 3]) -> Self {
-        // One ghost before, one after, and whole vectors of cells from the first cell on.
-        let row = ((faces[0].len() - 1).next_multiple_of(LANES) + 2).next_multiple_of(LANES);
+        // One ghost before, one after, and whole vectors of cells between them.
+        let row = (faces[0].len() - 1).next_multiple_of(LANES) + 2;
         let plane = row * (faces[1].len() + 1);
         let entries = plane * (faces[2].len() + 1) + LANES;
         let finest =

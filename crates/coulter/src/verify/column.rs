@@ -25,7 +25,7 @@ pub(super) const ABOUT: &str = "A column of dry sand (aspect a = H/L₀, one sid
 
 /// Aspects that are run with φ = 37°, and those with 31°.
 const STEEP: [f64; 5] = [0.5, 1.0, 2.0, 3.0, 4.0];
-const FLAT: [f64; 2] = [1.0, 2.0];
+const FLAT: [f64; 4] = [1.0, 2.0, 3.0, 4.0];
 const RUN_OUT: &str = "run-out (L − L₀)/L₀";
 const RUN_OUT_FIXED: &str = "run-out, front where 0.025 L₀ thick";
 

@@ -4,37 +4,39 @@
 //! "Low face" of a cell is the one towards smaller coordinates; face values are kept at the cell above it, those of dual
 //! faces at the node below. Rows are gone through with their ghosts, through which nothing flows.
 
+use super::Real;
+use super::physics::limiter::monotonised_central;
 use crate::grid::Grid;
 use multiversion::multiversion;
 use physics::interface::Plane;
-use physics::limiter::monotonised_central;
 
 /// A sweep along one axis.
+#[derive(Clone, Copy)]
 pub(crate) struct Sweep<'a> {
     pub(crate) grid: &'a Grid,
     /// The axis: 0, 1, 2.
     pub(crate) axis: usize,
-    /// Nodal displacement along the axis since the last remap [m].
-    pub(crate) displacement: &'a [f64],
-    /// Volume fraction at the start of the sweep.
-    pub(crate) fraction: &'a [f64],
-    /// Soil volume in the (displaced) cell at the start of the sweep [m³].
-    pub(crate) soil: &'a [f64],
-    /// Volume of the displaced cell at the start of the sweep [m³].
-    pub(crate) cell: &'a [f64],
     /// Rows that may hold soil now or after the sweep, by plane and row.
     pub(crate) row_active: &'a [bool],
+}
+
+/// What the fluxes follow from, at the start of a sweep.
+pub(crate) struct Filling<'a> {
+    pub(crate) sweep: Sweep<'a>,
+    /// Nodal displacement along the axis since the last remap [m].
+    pub(crate) displacement: &'a [Real],
+    /// Volume fraction.
+    pub(crate) fraction: &'a [Real],
+    /// Soil volume in the (displaced) cell [m³].
+    pub(crate) soil: &'a [Real],
+    /// Volume of the displaced cell [m³].
+    pub(crate) cell: &'a [Real],
 }
 
 /// Above this a cell counts as full: no interface is looked for.
 const FULL: f64 = 1.0 - 1e-9;
 
 impl Sweep<'_> {
-    /// Distance in memory to the next cell along the axis.
-    pub(crate) fn stride(&self) -> usize {
-        self.grid.stride[self.axis]
-    }
-
     /// Calls `job(cell, [i, j])` for the active cells (0-based layers along x and y) of a storage plane.
     fn each_cell(&self, plane: usize, mut job: impl FnMut(usize, [usize; 2])) {
         let [nx, ny, nz] = self.grid.cells();
@@ -52,51 +54,108 @@ impl Sweep<'_> {
         }
     }
 
-    /// Layer of a cell along the axis.
-    fn layer(&self, plane: usize, [i, j]: [usize; 2]) -> usize {
-        [i, j, plane - 1][self.axis]
-    }
-
-    /// Volume swept by the low face of a cell [m³]: face area times the mean displacement of its four nodes.
-    fn swept(&self, c: usize, plane: usize, [i, j]: [usize; 2]) -> f64 {
+    /// Volume swept by the face of a cell whose lowest node is `n` [m³]: face area times the mean displacement of its four
+    /// nodes.
+    fn swept(&self, u: &[Real], n: usize, plane: usize, [i, j]: [usize; 2]) -> f64 {
         let [first, second] = [(self.axis + 1) % 3, (self.axis + 2) % 3];
         let layers = [i, j, plane - 1];
         let area = self.grid.width(first, layers[first]) * self.grid.width(second, layers[second]);
         let (a, b) = (self.grid.stride[first], self.grid.stride[second]);
-        let u = self.displacement;
-        0.25 * area * ((u[c] + u[c + a]) + (u[c + b] + u[c + a + b]))
+        let u = |n: usize| f64::from(u[n]);
+        0.25 * area * ((u(n) + u(n + a)) + (u(n + b) + u(n + a + b)))
     }
 
-    /// Soil volume that crosses the low faces of a plane of cells [m³], and in `swept` the volume that they sweep.
-    pub(crate) fn volume_fluxes(&self, plane: usize, flux: &mut [f64], swept: &mut [f64]) {
-        let base = plane * self.grid.stride[2];
-        flux.fill(0.0);
-        swept.fill(0.0);
-        let stride = self.stride();
+    /// Takes off what the high faces of a plane of cells sweep and adds what the low ones do: new volumes of the displaced
+    /// cells.
+    pub(crate) fn undo_displacement(&self, plane: usize, displacement: &[Real], cell: &mut [Real]) {
+        let (base, stride) = (plane * self.grid.stride[2], self.grid.stride[self.axis]);
+        let layers = self.grid.cells()[self.axis];
         self.each_cell(plane, |c, place| {
-            if self.layer(plane, place) == 0 {
+            let layer = [place[0], place[1], plane - 1][self.axis];
+            // Nothing is swept by the walls of the box.
+            let swept =
+                |moves: bool, n: usize| if moves { self.swept(displacement, n, plane, place) } else { 0.0 };
+            cell[c - base] -= (swept(layer + 1 < layers, c + stride) - swept(layer > 0, c)) as Real;
+        });
+    }
+
+    /// How far along its slope, in cells, the value carried through the low faces of a plane lies from the middle of the
+    /// donor: half of what the flux leaves behind; 0 where the donor is not full or a neighbour holds little soil.
+    pub(crate) fn reaches(&self, plane: usize, [flux, fraction, soil]: [&[Real]; 3], out: &mut [Real]) {
+        self.each_row(plane, out, |row, own| {
+            reach_row(row.of(flux), row.round(fraction), row.round(soil), own)
+        });
+    }
+
+    /// Mass that crosses the low faces of a plane of cells [kg], with `soil` volumes as they were before the sweep.
+    pub(crate) fn mass_fluxes(
+        &self,
+        plane: usize,
+        [soil, mass]: [&[Real]; 2],
+        [flux, reach]: [&[Real]; 2],
+        out: &mut [Real],
+    ) {
+        self.each_row(plane, out, |row, own| {
+            mass_row(row.of(flux), row.of(reach), row.round(mass), row.round(soil), own)
+        });
+    }
+
+    /// New value of a carried field in a plane of cells, with `soil` volumes as they were before the sweep.
+    pub(crate) fn carry(
+        &self,
+        plane: usize,
+        [soil, field]: [&[Real]; 2],
+        [flux, reach]: [&[Real]; 2],
+        out: &mut [Real],
+    ) {
+        let base = plane * self.grid.stride[2];
+        out.copy_from_slice(&field[base..base + out.len()]);
+        self.each_row(plane, out, |row, own| {
+            let faces = [row.of(flux), row.above(flux), row.of(reach), row.above(reach)];
+            carry_row(faces, row.round(field), row.of(soil), own);
+        });
+    }
+
+    /// Calls `job(row, part of out)` for the active rows of a storage plane of cells.
+    fn each_row(&self, plane: usize, out: &mut [Real], job: impl Fn(Row, &mut [Real])) {
+        let [_, ny, nz] = self.grid.cells();
+        let [_, row, stride] = self.grid.stride;
+        for q in (1..=ny).filter(|q| plane <= nz && self.row_active[plane * (stride / row) + q]) {
+            job(Row::new(self.grid, self.axis, [q, plane]), &mut out[q * row..(q + 1) * row]);
+        }
+    }
+}
+
+impl Filling<'_> {
+    /// Soil volume that crosses the low faces of a plane of cells [m³].
+    pub(crate) fn volume_fluxes(&self, plane: usize, flux: &mut [Real]) {
+        let Sweep { grid, axis, .. } = self.sweep;
+        let (base, stride) = (plane * grid.stride[2], grid.stride[axis]);
+        flux.fill(0.0);
+        self.sweep.each_cell(plane, |c, place| {
+            if [place[0], place[1], plane - 1][axis] == 0 {
                 return;
             }
-            let phi = self.swept(c, plane, place);
-            swept[c - base] = phi;
+            let phi = self.sweep.swept(self.displacement, c, plane, place);
             if phi == 0.0 {
                 return;
             }
             let donor = if phi > 0.0 { c - stride } else { c };
-            let fraction = self.fraction[donor];
+            let fraction = f64::from(self.fraction[donor]);
+            let (soil, cell) = (f64::from(self.soil[donor]), f64::from(self.cell[donor]));
             let through = if fraction >= FULL {
                 phi.abs()
             } else if fraction <= 0.0 {
                 0.0
             } else {
                 let plane = Plane::new(self.normal(donor), fraction);
-                let share = phi.abs() / self.cell[donor];
-                plane.slab(self.axis, phi > 0.0, share) * self.cell[donor]
+                let share = phi.abs() / cell;
+                plane.slab(axis, phi > 0.0, share) * cell
             };
             // The void must not be overdrawn either: these bounds keep the fraction between 0 and 1.
-            let void = self.cell[donor] - self.soil[donor];
-            let bounded = through.max(phi.abs() - void).max(0.0).min(self.soil[donor]).min(phi.abs());
-            flux[c - base] = bounded.copysign(phi);
+            let void = cell - soil;
+            let bounded = through.max(phi.abs() - void).max(0.0).min(soil).min(phi.abs());
+            flux[c - base] = bounded.copysign(phi) as Real;
         });
     }
 
@@ -119,28 +178,28 @@ impl Sweep<'_> {
         } else {
             2
         };
-        let place = self.grid.place(c);
-        let cells = self.grid.cells();
+        let grid = self.sweep.grid;
+        let (place, cells) = (grid.place(c), grid.cells());
         let [first, second] = [(up + 1) % 3, (up + 2) % 3];
         let inside = |axis: usize, reach: usize| place[axis] >= reach && place[axis] + reach < cells[axis];
         if !inside(up, REACH) {
             return None;
         }
-        let stride = self.grid.stride[up];
+        let stride = grid.stride[up];
         let height = |middle: usize| {
             let low = middle - REACH * stride;
-            let (bottom, top) = (self.fraction[low], self.fraction[low + 2 * REACH * stride]);
+            let fraction = |n: usize| f64::from(self.fraction[low + n * stride]);
+            let (bottom, top) = (fraction(0), fraction(2 * REACH));
             let full_to_void = (bottom > FULL && top == 0.0) || (bottom == 0.0 && top > FULL);
             // From both ends to the middle: upside down the sum is the same to the bit.
-            let pair =
-                |n: usize| self.fraction[low + n * stride] + self.fraction[low + (2 * REACH - n) * stride];
-            full_to_void.then_some((pair(0) + pair(1)) + self.fraction[middle])
+            let pair = |n: usize| fraction(n) + fraction(2 * REACH - n);
+            full_to_void.then_some((pair(0) + pair(1)) + fraction(REACH))
         };
         let slope = |axis: usize| -> Option<f64> {
             if cells[axis] == 1 {
                 return Some(0.0);
             }
-            let s = self.grid.stride[axis];
+            let s = grid.stride[axis];
             inside(axis, 1).then_some(())?;
             Some(0.5 * (height(c + s)? - height(c - s)?))
         };
@@ -154,7 +213,7 @@ impl Sweep<'_> {
     /// Normal from the gradient of the volume fraction over 27 cells (Youngs 1984); neighbours outside the grid are taken
     /// equal to the cells inside.
     fn normal_from_gradient(&self, c: usize) -> [f64; 3] {
-        let grid = self.grid;
+        let grid = self.sweep.grid;
         let place = grid.place(c);
         let cells = grid.cells();
         // Offsets to the neighbours, or 0 where there is none.
@@ -170,7 +229,7 @@ impl Sweep<'_> {
             for (x, dx) in offset[0].iter().enumerate() {
                 // The two sides of y are added first: a mirror in y then changes no bit.
                 let [low, middle, high] =
-                    offset[1].map(|dy| self.fraction[c.wrapping_add_signed(dx + dy + dz)]);
+                    offset[1].map(|dy| f64::from(self.fraction[c.wrapping_add_signed(dx + dy + dz)]));
                 let sum = (low + high) + 2.0 * middle;
                 gradient[0] += sum * WEIGHT[z] * (x as f64 - 1.0);
                 gradient[1] += (high - low) * WEIGHT[x] * WEIGHT[z];
@@ -178,46 +237,6 @@ impl Sweep<'_> {
             }
         }
         gradient.map(|g| -g)
-    }
-
-    /// How far along its slope, in cells, the value carried through the low faces of a plane lies from the middle of the
-    /// donor: half of what the flux leaves behind; 0 where the donor is not full or a neighbour holds little soil.
-    pub(crate) fn reaches(&self, plane: usize, flux: &[f64], out: &mut [f64]) {
-        self.each_row(plane, out, |row, own| {
-            reach_row(row.of(flux), row.round(self.fraction), row.round(self.soil), own)
-        });
-    }
-
-    /// Mass that crosses the low faces of a plane of cells [kg].
-    pub(crate) fn mass_fluxes(
-        &self,
-        plane: usize,
-        mass: &[f64],
-        [flux, reach]: [&[f64]; 2],
-        out: &mut [f64],
-    ) {
-        self.each_row(plane, out, |row, own| {
-            mass_row(row.of(flux), row.of(reach), row.round(mass), row.round(self.soil), own)
-        });
-    }
-
-    /// New value of a carried field in a plane of cells.
-    pub(crate) fn carry(&self, plane: usize, field: &[f64], [flux, reach]: [&[f64]; 2], out: &mut [f64]) {
-        let base = plane * self.grid.stride[2];
-        out.copy_from_slice(&field[base..base + out.len()]);
-        self.each_row(plane, out, |row, own| {
-            let faces = [row.of(flux), row.above(flux), row.of(reach), row.above(reach)];
-            carry_row(faces, row.round(field), row.of(self.soil), own);
-        });
-    }
-
-    /// Calls `job(row, part of out)` for the active rows of a storage plane of cells.
-    fn each_row(&self, plane: usize, out: &mut [f64], job: impl Fn(Row, &mut [f64])) {
-        let [_, ny, nz] = self.grid.cells();
-        let [_, row, stride] = self.grid.stride;
-        for q in (1..=ny).filter(|q| plane <= nz && self.row_active[plane * (stride / row) + q]) {
-            job(Row::new(self.grid, self.axis, [q, plane]), &mut out[q * row..(q + 1) * row]);
-        }
     }
 }
 
@@ -237,25 +256,25 @@ impl Row {
     }
 
     /// The row of an array at a place; beyond the array that of the lowest plane, which is all ghosts.
-    fn at(self, array: &[f64], start: Option<usize>) -> &[f64] {
+    fn at(self, array: &[Real], start: Option<usize>) -> &[Real] {
         let start = start.filter(|s| s + self.length <= array.len()).unwrap_or(self.start % self.plane);
         &array[start..start + self.length]
     }
 
-    fn of(self, array: &[f64]) -> &[f64] {
+    fn of(self, array: &[Real]) -> &[Real] {
         self.at(array, Some(self.start))
     }
 
-    fn above(self, array: &[f64]) -> &[f64] {
+    fn above(self, array: &[Real]) -> &[Real] {
         self.at(array, Some(self.start + self.stride))
     }
 
-    fn below(self, array: &[f64]) -> &[f64] {
+    fn below(self, array: &[Real]) -> &[Real] {
         self.at(array, self.start.checked_sub(self.stride))
     }
 
     /// The rows from two below to two above.
-    fn round(self, array: &[f64]) -> [&[f64]; 5] {
+    fn round(self, array: &[Real]) -> [&[Real]; 5] {
         let (start, s) = (self.start, self.stride);
         let places = [start.checked_sub(2 * s), start.checked_sub(s)].into_iter();
         let mut places = places.chain([start, start + s, start + 2 * s].map(Some));
@@ -266,7 +285,7 @@ impl Row {
 /// Value carried over a face by `flux`, from the values in the two cells below it and the two above: the donor's, moved
 /// by `reach` of its limited slope.
 #[inline(always)]
-fn carried([far_low, low, high, far_high]: [f64; 4], flux: f64, reach: f64) -> f64 {
+fn carried([far_low, low, high, far_high]: [Real; 4], flux: Real, reach: Real) -> Real {
     let forward = flux > 0.0;
     let own = if forward { low } else { high };
     let behind = if forward { low - far_low } else { high - low };
@@ -275,7 +294,7 @@ fn carried([far_low, low, high, far_high]: [f64; 4], flux: f64, reach: f64) -> f
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn reach_row(flux: &[f64], fraction: [&[f64]; 5], soil: [&[f64]; 5], out: &mut [f64]) {
+fn reach_row(flux: &[Real], fraction: [&[Real]; 5], soil: [&[Real]; 5], out: &mut [Real]) {
     let n = out.len();
     let ([f0, f1, f2, f3, _], [_, v1, v2, ..]) = (fraction.map(|f| &f[..n]), soil.map(|v| &v[..n]));
     let flux = &flux[..n];
@@ -290,11 +309,11 @@ fn reach_row(flux: &[f64], fraction: [&[f64]; 5], soil: [&[f64]; 5], out: &mut [
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn mass_row(flux: &[f64], reach: &[f64], mass: [&[f64]; 5], soil: [&[f64]; 5], out: &mut [f64]) {
+fn mass_row(flux: &[Real], reach: &[Real], mass: [&[Real]; 5], soil: [&[Real]; 5], out: &mut [Real]) {
     let n = out.len();
     let (flux, reach) = (&flux[..n], &reach[..n]);
     let ([m0, m1, m2, m3, _], [v0, v1, v2, v3, _]) = (mass.map(|m| &m[..n]), soil.map(|v| &v[..n]));
-    let density = |mass: f64, volume: f64| if volume > 0.0 { mass / volume } else { 0.0 };
+    let density = |mass: Real, volume: Real| if volume > 0.0 { mass / volume } else { 0.0 };
     for i in 0..n {
         let densities =
             [density(m0[i], v0[i]), density(m1[i], v1[i]), density(m2[i], v2[i]), density(m3[i], v3[i])];
@@ -303,7 +322,7 @@ fn mass_row(flux: &[f64], reach: &[f64], mass: [&[f64]; 5], soil: [&[f64]; 5], o
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn carry_row(faces: [&[f64]; 4], field: [&[f64]; 5], soil: &[f64], out: &mut [f64]) {
+fn carry_row(faces: [&[Real]; 4], field: [&[Real]; 5], soil: &[Real], out: &mut [Real]) {
     let n = out.len();
     let [low, high, reach_low, reach_high] = faces.map(|f| &f[..n]);
     let ([q0, q1, q2, q3, q4], soil) = (field.map(|q| &q[..n]), &soil[..n]);
@@ -318,7 +337,7 @@ fn carry_row(faces: [&[f64]; 4], field: [&[f64]; 5], soil: &[f64], out: &mut [f6
 }
 
 /// Takes off what flows out through the high faces of a plane and adds what flows in through the low ones.
-pub(crate) fn difference(grid: &Grid, axis: usize, plane: usize, face: &[f64], out: &mut [f64]) {
+pub(crate) fn difference(grid: &Grid, axis: usize, plane: usize, face: &[Real], out: &mut [Real]) {
     let (base, s) = (plane * grid.stride[2], grid.stride[axis]);
     let n = out.len().min(face.len() - base - s);
     let (low, high) = (&face[base..base + n], &face[base + s..base + s + n]);
@@ -328,7 +347,7 @@ pub(crate) fn difference(grid: &Grid, axis: usize, plane: usize, face: &[f64], o
 }
 
 /// Calls `job(row, part of out)` for the rows of nodes in a storage plane.
-fn each_node_row(grid: &Grid, axis: usize, plane: usize, out: &mut [f64], job: impl Fn(Row, &mut [f64])) {
+fn each_node_row(grid: &Grid, axis: usize, plane: usize, out: &mut [Real], job: impl Fn(Row, &mut [Real])) {
     let row = grid.stride[1];
     for q in 1..=grid.cells()[1] + 1 {
         job(Row::new(grid, axis, [q, plane]), &mut out[q * row..(q + 1) * row]);
@@ -336,7 +355,7 @@ fn each_node_row(grid: &Grid, axis: usize, plane: usize, out: &mut [f64], job: i
 }
 
 /// Mass that crosses the dual faces between node `n` and the next along the axis [kg], for a plane of nodes.
-pub(crate) fn dual_fluxes(grid: &Grid, axis: usize, plane: usize, mass_flux: &[f64], out: &mut [f64]) {
+pub(crate) fn dual_fluxes(grid: &Grid, axis: usize, plane: usize, mass_flux: &[Real], out: &mut [Real]) {
     out.fill(0.0);
     if axis == 2 && plane > grid.cells()[2] {
         return;
@@ -352,7 +371,7 @@ pub(crate) fn dual_fluxes(grid: &Grid, axis: usize, plane: usize, mass_flux: &[f
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn dual_flux_row(faces: [[&[f64]; 2]; 4], out: &mut [f64]) {
+fn dual_flux_row(faces: [[&[Real]; 2]; 4], out: &mut [Real]) {
     let n = out.len();
     let [[a0, a1], [b0, b1], [c0, c1], [d0, d1]] = faces.map(|pair| pair.map(|f| &f[..n]));
     for i in 0..n {
@@ -365,9 +384,9 @@ pub(crate) fn dual_reaches(
     grid: &Grid,
     axis: usize,
     plane: usize,
-    [mass, flux]: [&[f64]; 2],
-    mass_moved: f64,
-    out: &mut [f64],
+    [mass, flux]: [&[Real]; 2],
+    mass_moved: Real,
+    out: &mut [Real],
 ) {
     each_node_row(grid, axis, plane, out, |row, own| {
         dual_reach_row(row.of(flux), row.round(mass), mass_moved, own);
@@ -375,7 +394,7 @@ pub(crate) fn dual_reaches(
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn dual_reach_row(flux: &[f64], mass: [&[f64]; 5], mass_moved: f64, out: &mut [f64]) {
+fn dual_reach_row(flux: &[Real], mass: [&[Real]; 5], mass_moved: Real, out: &mut [Real]) {
     let n = out.len();
     let ([_, m0, m1, m2, m3], flux) = (mass.map(|m| &m[..n]), &flux[..n]);
     for i in 0..n {
@@ -389,7 +408,7 @@ fn dual_reach_row(flux: &[f64], mass: [&[f64]; 5], mass_moved: f64, out: &mut [f
 }
 
 /// New masses of a plane of nodes after the dual fluxes.
-pub(crate) fn carry_mass(grid: &Grid, axis: usize, plane: usize, flux: &[f64], out: &mut [f64]) {
+pub(crate) fn carry_mass(grid: &Grid, axis: usize, plane: usize, flux: &[Real], out: &mut [Real]) {
     each_node_row(grid, axis, plane, out, |row, own| {
         for ((mass, low), high) in own.iter_mut().zip(row.below(flux)).zip(row.of(flux)) {
             *mass -= high - low;
@@ -402,8 +421,8 @@ pub(crate) fn carry_momentum(
     grid: &Grid,
     axis: usize,
     plane: usize,
-    [velocity, mass, flux, reach]: [&[f64]; 4],
-    out: &mut [f64],
+    [velocity, mass, flux, reach]: [&[Real]; 4],
+    out: &mut [Real],
 ) {
     let base = plane * grid.stride[2];
     out.copy_from_slice(&velocity[base..base + out.len()]);
@@ -414,12 +433,12 @@ pub(crate) fn carry_momentum(
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn momentum_row(faces: [&[f64]; 4], velocity: [&[f64]; 5], mass: &[f64], out: &mut [f64]) {
+fn momentum_row(faces: [&[Real]; 4], velocity: [&[Real]; 5], mass: &[Real], out: &mut [Real]) {
     let n = out.len();
     let [low, high, reach_low, reach_high] = faces.map(|f| &f[..n]);
     let ([v0, v1, v2, v3, v4], mass) = (velocity.map(|v| &v[..n]), &mass[..n]);
-    let least = |a: f64, b: f64| if b < a { b } else { a };
-    let most = |a: f64, b: f64| if b > a { b } else { a };
+    let least = |a: Real, b: Real| if b < a { b } else { a };
+    let most = |a: Real, b: Real| if b > a { b } else { a };
     for i in 0..n {
         let into = carried([v0[i], v1[i], v2[i], v3[i]], low[i], reach_low[i]);
         let out_of = carried([v1[i], v2[i], v3[i], v4[i]], high[i], reach_high[i]);

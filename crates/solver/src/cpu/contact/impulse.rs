@@ -7,14 +7,18 @@
 //! volume fractions show that soil has got into the body, it is pushed out as the body moves on; a body at rest pushes
 //! nothing, so that its load does not drift.
 
-use super::patch::{Patch, touching};
+use super::patch::{Patch, Patches};
 use super::{ContactLaw, Grip, Scene, over_corners};
 use crate::state::Contact;
 use glam::DVec3;
 
-/// Impulse contact.
-#[derive(Debug)]
-pub(super) struct Impulses;
+/// Impulse contact: room for the patches that touch in a step, and what is known of them.
+#[derive(Debug, Default)]
+pub(super) struct Impulses {
+    patches: Patches,
+    terms: Vec<Option<Terms>>,
+    groups: Vec<Group>,
+}
 
 /// Symmetric sweeps per step; fewer than two give wrong forces.
 const SWEEPS: usize = 4;
@@ -40,25 +44,28 @@ impl ContactLaw for Impulses {
         c.impulse = DVec3::ZERO;
     }
 
-    fn act(&self, scene: &mut Scene) {
+    fn act(&mut self, scene: &mut Scene) {
         let touches = |n: usize| {
             let c = &scene.contacts[n];
             let closing = || scene.slip_velocity(&scene.grip(n)).dot(c.normal);
             c.penetration >= 0.0
                 || c.penetration > -REACH * c.width && c.penetration + closing() * scene.dt > 0.0
         };
-        let (mut patches, patch_of) = touching(scene, touches);
-        let terms: Vec<Option<Terms>> = patches.iter().map(|p| Terms::new(scene, p)).collect();
-        let groups = mirrored_groups(scene, &patches, &terms);
-        for group in &groups {
-            group.give(scene, &patches, [group.first, group.second].map(|n| patches[n].impulse));
+        let Self { patches, terms, groups } = self;
+        patches.find(scene, touches);
+        let (patches, patch_of) = (&mut patches.each, &patches.of_contact);
+        terms.clear();
+        terms.extend(patches.iter().map(|p| Terms::new(scene, p)));
+        mirrored_groups(scene, patches, terms, groups);
+        for group in groups.iter() {
+            group.give(scene, patches, [group.first, group.second].map(|n| patches[n].impulse));
         }
         for _ in 0..SWEEPS {
             for group in groups.iter().chain(groups.iter().rev()) {
-                group.relax(scene, &mut patches, &terms);
+                group.relax(scene, patches, terms);
             }
         }
-        for (n, patch) in patch_of.into_iter().enumerate() {
+        for (n, patch) in patch_of.iter().enumerate() {
             remember(scene, n, patch.map(|p| &patches[p]));
         }
     }
@@ -81,6 +88,7 @@ fn remember(scene: &mut Scene, n: usize, patch: Option<&Patch>) {
 }
 
 /// What does not change about a patch during the sweeps of a step.
+#[derive(Debug)]
 struct Terms {
     /// Inverse of the velocity that an impulse along the normal makes [kg].
     along: f64,
@@ -127,6 +135,7 @@ impl Terms {
 /// One patch (then both places are the same), or two on opposite sides of the body's middle. Two are relaxed together,
 /// each from what was before the other: a case and its mirror image then take the same course, which the order of the
 /// patches would otherwise spoil.
+#[derive(Debug)]
 struct Group {
     /// Places among the patches.
     first: usize,
@@ -163,9 +172,9 @@ impl Group {
     }
 }
 
-/// The patches in groups. Mirror images stand side by side, as surface points do.
-fn mirrored_groups(scene: &Scene, patches: &[Patch], terms: &[Option<Terms>]) -> Vec<Group> {
-    let mut groups = Vec::with_capacity(patches.len());
+/// Puts the patches into groups. Mirror images stand side by side, as surface points do.
+fn mirrored_groups(scene: &Scene, patches: &[Patch], terms: &[Option<Terms>], groups: &mut Vec<Group>) {
+    groups.clear();
     let mut first = 0;
     while first < patches.len() {
         let next = first + 1;
@@ -180,7 +189,6 @@ fn mirrored_groups(scene: &Scene, patches: &[Patch], terms: &[Option<Terms>]) ->
         groups.push(Group { first, second, share });
         first = second + 1;
     }
-    groups
 }
 
 /// Whether two patches began with points that are each other's mirror image. In the mirror image of the case they stand the

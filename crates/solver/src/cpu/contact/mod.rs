@@ -14,9 +14,10 @@ pub(crate) use expel::expel;
 pub(crate) use geometry::{BodyCell, carve as carve_soil, locate, occupy_all, touched_nodes};
 pub(crate) use patch::number as number_patches;
 
-use crate::cpu::workspace::Workspace;
+use super::workspace::Workspace;
+use super::{Real, State};
 use crate::model::{BodyModel, ContactMethod, Model};
-use crate::state::{Body, Contact, State};
+use crate::state::{Body, Contact, Received};
 use glam::DVec3;
 use physics::shape::SurfacePoint;
 
@@ -26,7 +27,7 @@ pub(crate) trait ContactLaw {
     /// they overlap, `travel` how far the point has come since the last time [m], if it had soil to act on then.
     fn relocate(&self, contact: &mut Contact, gap: f64, travel: Option<f64>);
     /// Changes the velocities of nodes and bodies for one step.
-    fn act(&self, scene: &mut Scene);
+    fn act(&mut self, scene: &mut Scene);
 }
 
 /// What a contact law works on during a step. The velocities of the nodes are those before contact; what the law makes
@@ -169,7 +170,7 @@ fn push<const N: usize>(fixed: &BodyModel, body: &mut Body, share: f64, impulses
 pub(crate) fn law(model: &Model) -> Box<dyn ContactLaw> {
     match model.method.contact {
         ContactMethod::Penalty => Box::new(penalty::Penalty::new(model)),
-        ContactMethod::Impulse => Box::new(impulse::Impulses),
+        ContactMethod::Impulse => Box::new(impulse::Impulses::default()),
     }
 }
 
@@ -180,25 +181,20 @@ pub(crate) fn surface_points(model: &Model, body: &BodyModel) -> Vec<SurfacePoin
     body.shape.surface_points(spacing, model.method.edge_inset * finest)
 }
 
-/// Lets soil and bodies act on each other for one step. Returns what that did, for the ledger.
-/// `at_start` holds velocity and spin of each body at the end of the last step.
-pub(crate) fn contact(
-    model: &Model,
-    state: &mut State,
-    workspace: &mut Workspace,
-    at_start: &[(DVec3, f64)],
-    dt: f64,
-) -> ContactWork {
+/// Lets soil and bodies act on each other for one step. Returns what that did, for the ledger; what each body received is in
+/// the workspace.
+pub(crate) fn contact(model: &Model, state: &mut State, workspace: &mut Workspace, dt: f64) -> ContactWork {
     if state.bodies.is_empty() {
         return ContactWork::default();
     }
-    let Workspace { touched, corner_nodes, patch, velocity_before, friction, .. } = workspace;
-    let before: Vec<(DVec3, f64)> = state.bodies.iter().map(|b| (b.velocity, b.spin)).collect();
-    let received: Vec<_> = state.bodies.iter().map(|b| b.received).collect();
+    let Workspace { touched, corner_nodes, patch, velocity_before, friction, drives, .. } = workspace;
+    for (drive, body) in drives.iter_mut().zip(&state.bodies) {
+        (drive.velocity_free, drive.spin_free, drive.received) = (body.velocity, body.spin, body.received);
+    }
     let velocity = &mut state.nodes.velocity;
     let mass_moved = model.mass_moved();
     for t in touched.iter_mut() {
-        let mass = state.nodes.mass[t.node];
+        let mass = f64::from(state.nodes.mass[t.node]);
         t.velocity = velocity_of(velocity, t.node);
         t.free = t.velocity;
         t.before = velocity_of(velocity_before, t.node);
@@ -222,24 +218,21 @@ pub(crate) fn contact(
     let mut on_soil = 0.0;
     for t in touched.iter() {
         for (v, new) in velocity.iter_mut().zip(t.velocity.to_array()) {
-            v[t.node] = new;
+            v[t.node] = new as Real;
         }
-        on_soil += state.nodes.mass[t.node] * (t.velocity - t.free).dot(0.5 * (t.velocity + t.before));
+        on_soil +=
+            f64::from(state.nodes.mass[t.node]) * (t.velocity - t.free).dot(0.5 * (t.velocity + t.before));
     }
-    let rubbed = rubbed(state, touched, corner_nodes, friction, at_start);
-    let mut on_bodies = Vec::with_capacity(state.bodies.len());
-    for (n, body) in state.bodies.iter().enumerate() {
-        let force =
-            (body.received.normal - received[n].normal) + (body.received.friction - received[n].friction);
-        let axle = body.received.axle - received[n].axle;
-        on_bodies.push(BodyImpulse {
-            force: force * model.share,
-            axle: axle * model.share,
-            velocity_free: before[n].0,
-            spin_free: before[n].1,
-        });
+    let rubbed = rubbed(state, touched, corner_nodes, friction, drives);
+    for (drive, body) in drives.iter_mut().zip(&state.bodies) {
+        let (now, then) = (body.received, drive.received);
+        drive.received = Received {
+            normal: (now.normal - then.normal) * model.share,
+            friction: (now.friction - then.friction) * model.share,
+            axle: (now.axle - then.axle) * model.share,
+        };
     }
-    ContactWork { on_soil, rubbed, on_bodies }
+    ContactWork { on_soil, rubbed }
 }
 
 /// Dissipation by friction [J]: frictional impulses times the slip, which is taken as the mean of those before and after
@@ -249,14 +242,14 @@ fn rubbed(
     nodes: &[TouchedNode],
     corner_nodes: &[[u32; 8]],
     friction: &[DVec3],
-    at_start: &[(DVec3, f64)],
+    drives: &[Drive],
 ) -> f64 {
     let mut sum = 0.0;
     for ((c, corners), impulse) in state.contacts.iter().zip(corner_nodes).zip(friction) {
         if *impulse != DVec3::ZERO {
             let body = &state.bodies[c.body];
-            let (velocity, spin) = at_start[c.body];
-            let before = velocity + (DVec3::Y * spin).cross(c.arm);
+            let drive = &drives[c.body];
+            let before = drive.velocity_before + (DVec3::Y * drive.spin_before).cross(c.arm);
             let of_body = 0.5 * (velocity_at(body, c.arm) + before);
             let each = corners.iter().zip(c.weight);
             let of_soil = each.fold(DVec3::ZERO, |v, (n, w)| {
@@ -269,30 +262,30 @@ fn rubbed(
     sum
 }
 
-fn velocity_of(velocity: &[Vec<f64>; 3], node: usize) -> DVec3 {
-    DVec3::new(velocity[0][node], velocity[1][node], velocity[2][node])
+fn velocity_of(velocity: &[Vec<Real>; 3], node: usize) -> DVec3 {
+    DVec3::from_array(velocity.each_ref().map(|component| f64::from(component[node])))
 }
 
 /// What contact did in one step.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct ContactWork {
     /// Work done on the soil [J].
     pub(crate) on_soil: f64,
     /// Dissipation by friction [J].
     pub(crate) rubbed: f64,
-    /// What each body received.
-    pub(crate) on_bodies: Vec<BodyImpulse>,
 }
 
-/// What a body received in one step (modelled share).
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct BodyImpulse {
-    /// Impulse [N s].
-    pub(crate) force: DVec3,
-    /// Impulse about the axle [N m s].
-    pub(crate) axle: f64,
-    /// Velocity before contact [m/s].
+/// How a body came through one step.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Drive {
+    /// Velocity at the end of the last step [m/s].
+    pub(crate) velocity_before: DVec3,
+    /// Spin then [rad/s].
+    pub(crate) spin_before: f64,
+    /// Velocity that loads and drives gave it, before contact [m/s].
     pub(crate) velocity_free: DVec3,
-    /// Spin before contact [rad/s].
+    /// Spin then [rad/s].
     pub(crate) spin_free: f64,
+    /// What the modelled share of it received from the soil.
+    pub(crate) received: Received,
 }

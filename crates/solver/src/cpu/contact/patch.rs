@@ -61,38 +61,50 @@ impl Sums {
     }
 }
 
-/// The patches made of the points that touch, in the order of their first points, and for each contact the place of its
-/// patch among them.
-pub(super) fn touching(scene: &Scene, touches: impl Fn(usize) -> bool) -> (Vec<Patch>, Vec<Option<usize>>) {
-    let mut patches: Vec<Patch> = Vec::new();
-    // Points on the two sides of the body's middle are added up apart: a mirror in y then changes no bit of the sum.
-    let mut sums: Vec<[Sums; 3]> = Vec::new();
-    let mut place = vec![None; scene.patches];
-    let mut patch_of = vec![None; scene.contacts.len()];
-    for (n, c) in scene.contacts.iter().enumerate() {
-        if !touches(n) {
-            continue;
+/// The patches made of the points that touch in a step.
+#[derive(Debug, Default)]
+pub(super) struct Patches {
+    /// In the order of their first points.
+    pub(super) each: Vec<Patch>,
+    /// For each contact the place of its patch among them, if it touches.
+    pub(super) of_contact: Vec<Option<usize>>,
+    /// For the number of a patch its place among them.
+    place: Vec<Option<usize>>,
+    /// Points on the two sides of the body's middle are added up apart: a mirror in y then changes no bit of the sum.
+    sums: Vec<[Sums; 3]>,
+}
+
+impl Patches {
+    /// Finds them.
+    pub(super) fn find(&mut self, scene: &Scene, touches: impl Fn(usize) -> bool) {
+        let Self { each: patches, of_contact, place, sums } = self;
+        patches.clear();
+        sums.clear();
+        for (list, length) in [(&mut *place, scene.patches), (&mut *of_contact, scene.contacts.len())] {
+            list.clear();
+            list.resize(length, None);
         }
-        let at = *place[scene.patch[n]].get_or_insert(patches.len());
-        if at == patches.len() {
-            let grip = Grip { body: c.body, nodes: scene.corner_nodes[n], ..Grip::default() };
-            patches.push(Patch { first: n, grip, ..Patch::default() });
-            sums.push(Default::default());
+        for (n, c) in scene.contacts.iter().enumerate().filter(|(n, _)| touches(*n)) {
+            let at = *place[scene.patch[n]].get_or_insert(patches.len());
+            if at == patches.len() {
+                let grip = Grip { body: c.body, nodes: scene.corner_nodes[n], ..Grip::default() };
+                patches.push(Patch { first: n, grip, ..Patch::default() });
+                sums.push(Default::default());
+            }
+            of_contact[n] = Some(at);
+            let side = if c.arm.y == 0.0 { 2 } else { usize::from(c.arm.y < 0.0) };
+            sums[at][side].add(c);
         }
-        patch_of[n] = Some(at);
-        let side = if c.arm.y == 0.0 { 2 } else { usize::from(c.arm.y < 0.0) };
-        sums[at][side].add(c);
+        for (patch, [left, right, middle]) in patches.iter_mut().zip(sums) {
+            let all = left.plus(right).plus(middle);
+            patch.area = all.area;
+            patch.grip.weight = all.weight.map(|w| w / all.area);
+            patch.grip.arm = all.arm / all.area;
+            patch.normal = all.normal.normalize_or_zero();
+            patch.overlap = all.overlap / all.area;
+            patch.impulse = all.impulse;
+        }
     }
-    for (patch, [left, right, middle]) in patches.iter_mut().zip(sums) {
-        let all = left.plus(&right).plus(&middle);
-        patch.area = all.area;
-        patch.grip.weight = all.weight.map(|w| w / all.area);
-        patch.grip.arm = all.arm / all.area;
-        patch.normal = all.normal.normalize_or_zero();
-        patch.overlap = all.overlap / all.area;
-        patch.impulse = all.impulse;
-    }
-    (patches, patch_of)
 }
 
 /// For each contact the number of its patch (that of its body, face and cell), and how many patches there are.

@@ -1,0 +1,23 @@
+//! What happens at one point of soil, in single precision.
+
+/// The precision of the numbers.
+pub type Real = f32;
+
+#[path = "brick.rs"]
+pub mod brick;
+#[path = "elastic.rs"]
+pub mod elastic;
+#[path = "limiter.rs"]
+pub mod limiter;
+#[path = "menetrey_willam.rs"]
+pub mod menetrey_willam;
+#[path = "mohr_coulomb.rs"]
+pub mod mohr_coulomb;
+#[path = "strength.rs"]
+pub mod strength;
+#[path = "tensor.rs"]
+pub mod tensor;
+#[path = "viscosity.rs"]
+pub mod viscosity;
+#[path = "von_mises.rs"]
+pub mod von_mises;
