@@ -194,8 +194,8 @@ fn plane_is_void(inputs: &Inputs, plane: usize) -> bool {
 fn strain_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2]) {
     let grid = inputs.grid;
     let [_, row, stride] = grid.stride;
-    let [nx, ny, nz] = grid.cells();
-    let n = nx.next_multiple_of(LANES);
+    let [_, ny, nz] = grid.cells();
+    let n = grid.padded_row();
     let sums = &mut part.sums[(plane - part.planes.start) * inputs.rows + q];
     let WorkerScratch { coefficients: [_, ahead], block, stopwatch, .. } = &mut *part.scratch;
     let has_soil = inputs.row_has_soil[plane * inputs.rows + q];
@@ -262,10 +262,10 @@ fn move_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2]) {
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn gather_forces([behind, ahead]: [&[Real]; 2], n: usize, below: &mut [Real], sum: &mut [Real]) {
     for q in 0..3 {
-        let (out, below) = (&mut sum[q * n..(q + 1) * n], &mut below[q * n..(q + 1) * n]);
+        let (out, below) = (&mut sum[q * n..][..n], &mut below[q * n..][..n]);
         // Plain part and parts signed by the side.
-        let [p0, x0, y0, z0] = [0, 1, 2, 3].map(|c| &behind[(4 * q + c) * n..(4 * q + c + 1) * n]);
-        let [p1, x1, y1, z1] = [0, 1, 2, 3].map(|c| &ahead[(4 * q + c) * n..(4 * q + c + 1) * n]);
+        let [p0, x0, y0, z0] = [0, 1, 2, 3].map(|c| &behind[(4 * q + c) * n..][..n]);
+        let [p1, x1, y1, z1] = [0, 1, 2, 3].map(|c| &ahead[(4 * q + c) * n..][..n]);
         for i in 1..n {
             let behind = [p0[i - 1] + x0[i - 1] + y0[i - 1], p0[i] - x0[i] + y0[i]];
             let ahead = [p1[i - 1] + x1[i - 1] - y1[i - 1], p1[i] - x1[i] - y1[i]];
@@ -277,8 +277,8 @@ fn gather_forces([behind, ahead]: [&[Real]; 2], n: usize, below: &mut [Real], su
             below[i] = high;
         }
     }
-    let (out, below) = (&mut sum[3 * n..4 * n], &mut below[3 * n..4 * n]);
-    let (d0, d1) = (&behind[12 * n..13 * n], &ahead[12 * n..13 * n]);
+    let (out, below) = (&mut sum[3 * n..][..n], &mut below[3 * n..][..n]);
+    let (d0, d1) = (&behind[12 * n..][..n], &ahead[12 * n..][..n]);
     for i in 1..n {
         let both = (d0[i - 1] + d0[i]) + (d1[i - 1] + d1[i]);
         out[i] = below[i] + both;

@@ -34,7 +34,7 @@ pub(crate) struct Filling<'a> {
 }
 
 /// Above this a cell counts as full: no interface is looked for.
-const FULL: f64 = 1.0 - 1e-9;
+const FULL: f64 = if size_of::<Real>() == 8 { 1.0 - 1e-9 } else { 1.0 - 1e-5 };
 
 impl Sweep<'_> {
     /// Calls `job(cell, [i, j])` for the active cells (0-based layers along x and y) of a storage plane.
@@ -350,7 +350,9 @@ fn reach_row(flux: &[Real], fraction: [&[Real]; 5], soil: [&[Real]; 5], out: &mu
 fn mass_row(flux: &[Real], reach: &[Real], mass: [&[Real]; 5], soil: [&[Real]; 5], out: &mut [Real]) {
     let n = out.len();
     let (flux, reach) = (&flux[..n], &reach[..n]);
-    let ([m0, m1, m2, m3, _], [v0, v1, v2, v3, _]) = (mass.map(|m| &m[..n]), soil.map(|v| &v[..n]));
+    let ([m0, m1, m2, m3, _], [v0, v1, v2, v3, _]) = (mass, soil);
+    let (m0, m1, m2, m3) = (&m0[..n], &m1[..n], &m2[..n], &m3[..n]);
+    let (v0, v1, v2, v3) = (&v0[..n], &v1[..n], &v2[..n], &v3[..n]);
     let density = |mass: Real, volume: Real| if volume > 0.0 { mass / volume } else { 0.0 };
     for i in 0..n {
         let densities =
@@ -362,8 +364,9 @@ fn mass_row(flux: &[Real], reach: &[Real], mass: [&[Real]; 5], soil: [&[Real]; 5
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn carry_row(faces: [&[Real]; 4], field: [&[Real]; 5], soil: &[Real], out: &mut [Real]) {
     let n = out.len();
-    let [low, high, reach_low, reach_high] = faces.map(|f| &f[..n]);
-    let ([q0, q1, q2, q3, q4], soil) = (field.map(|q| &q[..n]), &soil[..n]);
+    let ([low, high, reach_low, reach_high], [q0, q1, q2, q3, q4]) = (faces, field);
+    let (low, high, reach_low, reach_high) = (&low[..n], &high[..n], &reach_low[..n], &reach_high[..n]);
+    let (q0, q1, q2, q3, q4, soil) = (&q0[..n], &q1[..n], &q2[..n], &q3[..n], &q4[..n], &soil[..n]);
     for i in 0..n {
         let into = low[i] * carried([q0[i], q1[i], q2[i], q3[i]], low[i], reach_low[i]);
         let out_of = high[i] * carried([q1[i], q2[i], q3[i], q4[i]], high[i], reach_high[i]);
@@ -411,7 +414,9 @@ pub(crate) fn dual_fluxes(grid: &Grid, axis: usize, plane: usize, mass_flux: &[R
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn dual_flux_row(faces: [[&[Real]; 2]; 4], out: &mut [Real]) {
     let n = out.len();
-    let [[a0, a1], [b0, b1], [c0, c1], [d0, d1]] = faces.map(|pair| pair.map(|f| &f[..n]));
+    let [[a0, a1], [b0, b1], [c0, c1], [d0, d1]] = faces;
+    let (a0, a1, b0, b1) = (&a0[..n], &a1[..n], &b0[..n], &b1[..n]);
+    let (c0, c1, d0, d1) = (&c0[..n], &c1[..n], &d0[..n], &d1[..n]);
     for i in 0..n {
         out[i] = 0.125 * (((a0[i] + a1[i]) + (b0[i] + b1[i])) + ((c0[i] + c1[i]) + (d0[i] + d1[i])));
     }
@@ -473,8 +478,9 @@ pub(crate) fn carry_momentum(
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn momentum_row(faces: [&[Real]; 4], velocity: [&[Real]; 5], mass: &[Real], out: &mut [Real]) {
     let n = out.len();
-    let [low, high, reach_low, reach_high] = faces.map(|f| &f[..n]);
-    let ([v0, v1, v2, v3, v4], mass) = (velocity.map(|v| &v[..n]), &mass[..n]);
+    let ([low, high, reach_low, reach_high], [v0, v1, v2, v3, v4]) = (faces, velocity);
+    let (low, high, reach_low, reach_high) = (&low[..n], &high[..n], &reach_low[..n], &reach_high[..n]);
+    let (v0, v1, v2, v3, v4, mass) = (&v0[..n], &v1[..n], &v2[..n], &v3[..n], &v4[..n], &mass[..n]);
     let least = |a: Real, b: Real| if b < a { b } else { a };
     let most = |a: Real, b: Real| if b > a { b } else { a };
     for i in 0..n {
