@@ -128,7 +128,7 @@ fn strain_and_move(inputs: &Inputs, part: &mut Part) {
             let WorkerScratch { coefficients: [behind, ahead], below, waiting, row: buffer, .. } =
                 &mut *part.scratch;
             let own = NODE_SUMS * q * row..NODE_SUMS * (q + 1) * row;
-            let waits = plane == part.planes.start;
+            let waits = plane == part.planes.start && plane > 1;
             let sum = if waits { &mut waiting[own.clone()] } else { &mut buffer[..NODE_SUMS * row] };
             if nodes_have_soil(inputs, [q, plane]) {
                 gather_forces([&behind.values, &ahead.values], row, &mut below[own], sum);
@@ -152,16 +152,14 @@ fn pass_up(parts: &mut [Option<Part>]) {
             std::mem::swap(&mut low.scratch.below, &mut high.scratch.below);
         }
     }
-    if let Some(Some(lowest)) = parts.first_mut() {
-        lowest.scratch.below.fill(0.0);
-    }
 }
 
-/// Moves the lowest plane of nodes of a part, now that the cells below are done.
+/// Moves the lowest plane of nodes of a part, if it had to wait, now that the cells below are done.
 fn move_waiting(inputs: &Inputs, part: &mut Part) {
     let row = inputs.grid.stride[1];
     let plane = part.planes.start;
-    if part.planes.is_empty() {
+    // Below the lowest plane of all there is nothing to wait for.
+    if part.planes.is_empty() || plane == 1 {
         return;
     }
     for q in 1..=inputs.grid.cells()[1] + 1 {
@@ -388,8 +386,9 @@ fn kinetic_energies(mass: &[Real], velocity: &[&mut [Real]; 3], out: &mut [Real]
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn largest(mass: &[Real], light: Real, displacement: [&[Real]; 3]) -> [Real; 2] {
     let (mut heavy_lanes, mut light_lanes) = ([0.0; LANES], [0.0; LANES]);
-    let [ux, uy, uz] = displacement.map(vectors);
-    for (((m, x), y), z) in vectors(mass).zip(ux).zip(uy).zip(uz) {
+    let whole = mass.len() - mass.len() % LANES;
+    let [ux, uy, uz] = displacement.map(|u| u.chunks_exact(LANES));
+    for (((m, x), y), z) in mass.chunks_exact(LANES).zip(ux).zip(uy).zip(uz) {
         for l in 0..LANES {
             let xy = if x[l].abs() > y[l].abs() { x[l].abs() } else { y[l].abs() };
             let u = if z[l].abs() > xy { z[l].abs() } else { xy };
@@ -398,11 +397,10 @@ fn largest(mass: &[Real], light: Real, displacement: [&[Real]; 3]) -> [Real; 2] 
             light_lanes[l] = if light > light_lanes[l] { light } else { light_lanes[l] };
         }
     }
+    for i in whole..mass.len() {
+        let u = displacement.map(|u| u[i].abs()).into_iter().fold(0.0, Real::max);
+        let lane = if mass[i] > light { &mut heavy_lanes[0] } else { &mut light_lanes[0] };
+        *lane = Real::max(*lane, u);
+    }
     [heavy_lanes, light_lanes].map(|lanes| lanes.into_iter().fold(0.0, Real::max))
-}
-
-/// The vectors of a row, which is longer than one. The last may overlap the one before: a maximum takes no harm.
-#[inline(always)]
-fn vectors(row: &[Real]) -> impl Iterator<Item = &[Real; LANES]> {
-    row.as_chunks().0.iter().chain(row.last_chunk())
 }

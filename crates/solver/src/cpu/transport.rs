@@ -53,6 +53,7 @@ impl Sweep<'_> {
 
     /// Volume swept by the face of a cell whose lowest node is `n` [m³]: face area times the mean displacement of its four
     /// nodes.
+    #[inline(always)]
     fn swept(&self, u: &[Real], n: usize, plane: usize, [i, j]: [usize; 2]) -> f64 {
         let [first, second] = [(self.axis + 1) % 3, (self.axis + 2) % 3];
         let layers = [i, j, plane - 1];
@@ -65,15 +66,34 @@ impl Sweep<'_> {
     /// Takes off what the high faces of a plane of cells sweep and adds what the low ones do: new volumes of the displaced
     /// cells.
     pub(crate) fn undo_displacement(&self, plane: usize, displacement: &[Real], cell: &mut [Real]) {
-        let (base, stride) = (plane * self.grid.stride[2], self.grid.stride[self.axis]);
-        let layers = self.grid.cells()[self.axis];
-        self.each_cell(plane, |c, place| {
-            let layer = [place[0], place[1], plane - 1][self.axis];
-            // Nothing is swept by the walls of the box.
-            let swept =
-                |moves: bool, n: usize| if moves { self.swept(displacement, n, plane, place) } else { 0.0 };
-            cell[c - base] -= (swept(layer + 1 < layers, c + stride) - swept(layer > 0, c)) as Real;
-        });
+        let Self { grid, axis, .. } = *self;
+        let ([nx, ny, nz], [_, row, base]) = (grid.cells(), grid.stride);
+        let base = plane * base;
+        // Nothing is swept by the walls of the box; those across x are at the ends of the rows.
+        let ends = usize::from(axis == 0);
+        let (own, x_faces) = (ends..nx - ends, &grid.faces[0][ends..=nx - ends]);
+        for j in (0..ny).filter(|j| plane <= nz && self.row_active[(base + (j + 1) * row) / row]) {
+            let (start, layer) = (base + (j + 1) * row + 1, [ends, j, plane - 1][axis]);
+            let four = |open: bool, n: usize| {
+                let [a, b] = [(axis + 1) % 3, (axis + 2) % 3].map(|other| grid.stride[other]);
+                // The lowest plane is all ghosts, which do not move.
+                [0, a, b, a + b].map(|corner| if open { n + corner } else { 0 })
+            };
+            let swept = |places: [usize; 4]| places.map(|n| &displacement[n..n + own.len()]);
+            let (c, s) = (start + own.start, grid.stride[axis]);
+            let faces = [four(layer > 0, c), four(layer + 1 < grid.cells()[axis], c + s)].map(swept);
+            let across = match axis {
+                0 => grid.width(1, j) * grid.width(2, plane - 1),
+                1 => grid.width(2, plane - 1),
+                _ => grid.width(1, j),
+            };
+            undo_row(faces, (axis > 0).then_some(x_faces), across, &mut cell[c - base..][..own.len()]);
+            if axis == 0 {
+                let [first, last] = [start, start + nx - 1];
+                cell[first - base] -= self.swept(displacement, first + 1, plane, [0, j]) as Real;
+                cell[last - base] += self.swept(displacement, last, plane, [nx - 1, j]) as Real;
+            }
+        }
     }
 
     /// How far along its slope, in cells, the value carried through the low faces of a plane lies from the middle of the
@@ -288,6 +308,24 @@ fn carried([far_low, low, high, far_high]: [Real; 4], flux: Real, reach: Real) -
     let behind = if forward { low - far_low } else { high - low };
     let ahead = if forward { high - low } else { far_high - high };
     own + reach * monotonised_central(behind, ahead)
+}
+
+/// Takes off the volumes swept by the high faces of a row and adds those by the low ones; the faces' areas are `across` times
+/// the widths along x, if there are any.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn undo_row([low, high]: [[&[Real]; 4]; 2], x_faces: Option<&[f64]>, across: f64, cell: &mut [Real]) {
+    let n = cell.len();
+    let ([l0, l1, l2, l3], [h0, h1, h2, h3]) = (low.map(|u| &u[..n]), high.map(|u| &u[..n]));
+    let mut undo = |i: usize, area: f64| {
+        let low = [f64::from(l0[i]), f64::from(l1[i]), f64::from(l2[i]), f64::from(l3[i])];
+        let high = [f64::from(h0[i]), f64::from(h1[i]), f64::from(h2[i]), f64::from(h3[i])];
+        let swept = |u: [f64; 4]| 0.25 * area * ((u[0] + u[1]) + (u[2] + u[3]));
+        cell[i] -= (swept(high) - swept(low)) as Real;
+    };
+    match x_faces.map(|x| &x[..=n]) {
+        Some(x) => (0..n).for_each(|i| undo(i, (x[i + 1] - x[i]) * across)),
+        None => (0..n).for_each(|i| undo(i, across)),
+    }
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
