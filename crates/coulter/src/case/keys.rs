@@ -393,7 +393,7 @@ const NUMERICS: &[Key] = &[
         "precision",
         Kind::Choice(&PRECISIONS),
         "\"double\"",
-        "Precision of the soil's fields; in single the run takes about half the time and memory.",
+        "Precision of the soil's fields; single takes two thirds of the time and about half the memory.",
     ),
 ];
 
