@@ -3,6 +3,9 @@
 /// The precision of the soil's fields.
 pub type Real = f64;
 
+/// Numbers in the widest vector.
+pub const LANES: usize = 64 / size_of::<Real>();
+
 type State = crate::state::State<Real>;
 type Soil = crate::state::Soil<Real>;
 type Nodes = crate::state::Nodes<Real>;

@@ -13,6 +13,7 @@ pub mod double;
 pub mod error;
 pub mod grid;
 pub mod model;
+pub mod precision;
 pub mod single;
 pub mod state;
 

@@ -128,7 +128,7 @@ fn strain_and_move(inputs: &Inputs, part: &mut Part) {
             let WorkerScratch { coefficients: [behind, ahead], below, waiting, row: buffer, .. } =
                 &mut *part.scratch;
             let own = NODE_SUMS * q * row..NODE_SUMS * (q + 1) * row;
-            let waits = plane == part.planes.start;
+            let waits = plane == part.planes.start && plane > 1;
             let sum = if waits { &mut waiting[own.clone()] } else { &mut buffer[..NODE_SUMS * row] };
             if nodes_have_soil(inputs, [q, plane]) {
                 gather_forces([&behind.values, &ahead.values], row, &mut below[own], sum);
@@ -152,16 +152,14 @@ fn pass_up(parts: &mut [Option<Part>]) {
             std::mem::swap(&mut low.scratch.below, &mut high.scratch.below);
         }
     }
-    if let Some(Some(lowest)) = parts.first_mut() {
-        lowest.scratch.below.fill(0.0);
-    }
 }
 
-/// Moves the lowest plane of nodes of a part, now that the cells below are done.
+/// Moves the lowest plane of nodes of a part, if it had to wait, now that the cells below are done.
 fn move_waiting(inputs: &Inputs, part: &mut Part) {
     let row = inputs.grid.stride[1];
     let plane = part.planes.start;
-    if part.planes.is_empty() {
+    // Below the lowest plane of all there is nothing to wait for.
+    if part.planes.is_empty() || plane == 1 {
         return;
     }
     for q in 1..=inputs.grid.cells()[1] + 1 {
@@ -196,8 +194,8 @@ fn plane_is_void(inputs: &Inputs, plane: usize) -> bool {
 fn strain_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2]) {
     let grid = inputs.grid;
     let [_, row, stride] = grid.stride;
-    let [nx, ny, nz] = grid.cells();
-    let n = nx.next_multiple_of(LANES);
+    let [_, ny, nz] = grid.cells();
+    let n = grid.padded_row();
     let sums = &mut part.sums[(plane - part.planes.start) * inputs.rows + q];
     let WorkerScratch { coefficients: [_, ahead], block, stopwatch, .. } = &mut *part.scratch;
     let has_soil = inputs.row_has_soil[plane * inputs.rows + q];
@@ -264,10 +262,10 @@ fn move_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2]) {
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn gather_forces([behind, ahead]: [&[Real]; 2], n: usize, below: &mut [Real], sum: &mut [Real]) {
     for q in 0..3 {
-        let (out, below) = (&mut sum[q * n..(q + 1) * n], &mut below[q * n..(q + 1) * n]);
+        let (out, below) = (&mut sum[q * n..][..n], &mut below[q * n..][..n]);
         // Plain part and parts signed by the side.
-        let [p0, x0, y0, z0] = [0, 1, 2, 3].map(|c| &behind[(4 * q + c) * n..(4 * q + c + 1) * n]);
-        let [p1, x1, y1, z1] = [0, 1, 2, 3].map(|c| &ahead[(4 * q + c) * n..(4 * q + c + 1) * n]);
+        let [p0, x0, y0, z0] = [0, 1, 2, 3].map(|c| &behind[(4 * q + c) * n..][..n]);
+        let [p1, x1, y1, z1] = [0, 1, 2, 3].map(|c| &ahead[(4 * q + c) * n..][..n]);
         for i in 1..n {
             let behind = [p0[i - 1] + x0[i - 1] + y0[i - 1], p0[i] - x0[i] + y0[i]];
             let ahead = [p1[i - 1] + x1[i - 1] - y1[i - 1], p1[i] - x1[i] - y1[i]];
@@ -279,8 +277,8 @@ fn gather_forces([behind, ahead]: [&[Real]; 2], n: usize, below: &mut [Real], su
             below[i] = high;
         }
     }
-    let (out, below) = (&mut sum[3 * n..4 * n], &mut below[3 * n..4 * n]);
-    let (d0, d1) = (&behind[12 * n..13 * n], &ahead[12 * n..13 * n]);
+    let (out, below) = (&mut sum[3 * n..][..n], &mut below[3 * n..][..n]);
+    let (d0, d1) = (&behind[12 * n..][..n], &ahead[12 * n..][..n]);
     for i in 1..n {
         let both = (d0[i - 1] + d0[i]) + (d1[i - 1] + d1[i]);
         out[i] = below[i] + both;
@@ -388,11 +386,9 @@ fn kinetic_energies(mass: &[Real], velocity: &[&mut [Real]; 3], out: &mut [Real]
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn largest(mass: &[Real], light: Real, displacement: [&[Real]; 3]) -> [Real; 2] {
     let (mut heavy_lanes, mut light_lanes) = ([0.0; LANES], [0.0; LANES]);
-    // A row is longer than a vector. The last may overlap the one before: a maximum takes no harm.
-    let last = mass.len() - LANES;
-    for start in (0..last).step_by(LANES).chain([last]) {
-        let own = start..start + LANES;
-        let (m, [x, y, z]) = (&mass[own.clone()], displacement.map(|u| &u[own.clone()]));
+    let whole = mass.len() - mass.len() % LANES;
+    let [ux, uy, uz] = displacement.map(|u| u.chunks_exact(LANES));
+    for (((m, x), y), z) in mass.chunks_exact(LANES).zip(ux).zip(uy).zip(uz) {
         for l in 0..LANES {
             let xy = if x[l].abs() > y[l].abs() { x[l].abs() } else { y[l].abs() };
             let u = if z[l].abs() > xy { z[l].abs() } else { xy };
@@ -400,6 +396,11 @@ fn largest(mass: &[Real], light: Real, displacement: [&[Real]; 3]) -> [Real; 2] 
             heavy_lanes[l] = if heavy > heavy_lanes[l] { heavy } else { heavy_lanes[l] };
             light_lanes[l] = if light > light_lanes[l] { light } else { light_lanes[l] };
         }
+    }
+    for i in whole..mass.len() {
+        let u = displacement.map(|u| u[i].abs()).into_iter().fold(0.0, Real::max);
+        let lane = if mass[i] > light { &mut heavy_lanes[0] } else { &mut light_lanes[0] };
+        *lane = Real::max(*lane, u);
     }
     [heavy_lanes, light_lanes].map(|lanes| lanes.into_iter().fold(0.0, Real::max))
 }

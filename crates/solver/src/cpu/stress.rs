@@ -5,7 +5,6 @@
 //! compiler sees that nothing overlaps and vectorises them. Each is compiled for what the processor has; `mul_add` is not
 //! used, so the result is the same to the bit.
 
-use super::Real;
 use super::physics::brick::{Sums, hourglass_coefficient};
 use super::physics::elastic::Elastic;
 use super::physics::menetrey_willam::MenetreyWillam;
@@ -15,8 +14,8 @@ use super::physics::tensor::{Symmetric, deviator, jaumann};
 use super::physics::viscosity::BulkViscosity;
 use super::physics::von_mises::VonMises;
 use super::workspace::{COEFFICIENTS, RowSums, lane_sum};
+use super::{LANES, Real};
 use crate::cpu::stopwatch::{Stage, Stopwatch};
-use crate::grid::LANES;
 use crate::model::{FRACTION_STRESSED, Model};
 use multiversion::multiversion;
 
@@ -195,9 +194,10 @@ fn corner_sums(nodes: &NodeRows, b: &mut Block) {
 
 #[inline(always)]
 fn component_sums(v: [&[Real]; 4], plain: &mut Lane, [x, y, z]: &mut [Lane; 3], hourglass: &mut Lane) {
-    let [v0, v1, v2, v3] = v;
-    let n = v0.len() - 1;
-    for i in 0..n.min(BLOCK) {
+    let n = (v[0].len() - 1).min(BLOCK);
+    // Of one length to the compiler's eye: it would else leave a vector's worth of cells to be done one by one.
+    let (v0, v1, v2, v3) = (&v[0][..=n], &v[1][..=n], &v[2][..=n], &v[3][..=n]);
+    for i in 0..n {
         let corners = [[v0[i], v0[i + 1]], [v1[i], v1[i + 1]], [v2[i], v2[i + 1]], [v3[i], v3[i + 1]]];
         let sums = Sums::of(corners);
         plain[i] = sums.plain;
@@ -214,7 +214,9 @@ fn trial_stress(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
     let own = start..start + n;
     let (per_width, fraction) = (&constants.per_width_x[own.clone()], &cells.fraction[own.clone()]);
     let gap_strain = &cells.gap_strain[own.clone()];
-    let stress = cells.stress.each_ref().map(|s| &s[own.clone()]);
+    let [xx, yy, zz, xy, yz, xz] = &cells.stress;
+    let (old_xx, old_yy, old_zz) = (&xx[own.clone()], &yy[own.clone()], &zz[own.clone()]);
+    let (old_xy, old_yz, old_xz) = (&xy[own.clone()], &yz[own.clone()], &xz[own]);
     let (dt, elastic) = (constants.dt, constants.elastic);
     let (per_y, per_z) = (0.25 / constants.width_y, 0.25 / constants.width_z);
     for i in 0..n {
@@ -234,7 +236,7 @@ fn trial_stress(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
         let closing = if open < 0.0 { open } else { 0.0 };
         let squeeze = if has_gap { closing } else { volumetric * dt };
         b.gap_strain[i] = if stays_open & stressed { open } else { 0.0 };
-        let old = [stress[0][i], stress[1][i], stress[2][i], stress[3][i], stress[4][i], stress[5][i]];
+        let old = [old_xx[i], old_yy[i], old_zz[i], old_xy[i], old_yz[i], old_xz[i]];
         let shear = deviator(strain_rate);
         let turned = jaumann(old, spin);
         let pressed = elastic.bulk * squeeze;

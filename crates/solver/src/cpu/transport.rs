@@ -34,7 +34,7 @@ pub(crate) struct Filling<'a> {
 }
 
 /// Above this a cell counts as full: no interface is looked for.
-const FULL: f64 = 1.0 - 1e-9;
+const FULL: f64 = if size_of::<Real>() == 8 { 1.0 - 1e-9 } else { 1.0 - 1e-5 };
 
 impl Sweep<'_> {
     /// Calls `job(cell, [i, j])` for the active cells (0-based layers along x and y) of a storage plane.
@@ -56,6 +56,7 @@ impl Sweep<'_> {
 
     /// Volume swept by the face of a cell whose lowest node is `n` [m³]: face area times the mean displacement of its four
     /// nodes.
+    #[inline(always)]
     fn swept(&self, u: &[Real], n: usize, plane: usize, [i, j]: [usize; 2]) -> f64 {
         let [first, second] = [(self.axis + 1) % 3, (self.axis + 2) % 3];
         let layers = [i, j, plane - 1];
@@ -68,15 +69,34 @@ impl Sweep<'_> {
     /// Takes off what the high faces of a plane of cells sweep and adds what the low ones do: new volumes of the displaced
     /// cells.
     pub(crate) fn undo_displacement(&self, plane: usize, displacement: &[Real], cell: &mut [Real]) {
-        let (base, stride) = (plane * self.grid.stride[2], self.grid.stride[self.axis]);
-        let layers = self.grid.cells()[self.axis];
-        self.each_cell(plane, |c, place| {
-            let layer = [place[0], place[1], plane - 1][self.axis];
-            // Nothing is swept by the walls of the box.
-            let swept =
-                |moves: bool, n: usize| if moves { self.swept(displacement, n, plane, place) } else { 0.0 };
-            cell[c - base] -= (swept(layer + 1 < layers, c + stride) - swept(layer > 0, c)) as Real;
-        });
+        let Self { grid, axis, .. } = *self;
+        let ([nx, ny, nz], [_, row, base]) = (grid.cells(), grid.stride);
+        let base = plane * base;
+        // Nothing is swept by the walls of the box; those across x are at the ends of the rows.
+        let ends = usize::from(axis == 0);
+        let (own, x_faces) = (ends..nx - ends, &grid.faces[0][ends..=nx - ends]);
+        for j in (0..ny).filter(|j| plane <= nz && self.row_active[(base + (j + 1) * row) / row]) {
+            let (start, layer) = (base + (j + 1) * row + 1, [ends, j, plane - 1][axis]);
+            let four = |open: bool, n: usize| {
+                let [a, b] = [(axis + 1) % 3, (axis + 2) % 3].map(|other| grid.stride[other]);
+                // The lowest plane is all ghosts, which do not move.
+                [0, a, b, a + b].map(|corner| if open { n + corner } else { 0 })
+            };
+            let swept = |places: [usize; 4]| places.map(|n| &displacement[n..n + own.len()]);
+            let (c, s) = (start + own.start, grid.stride[axis]);
+            let faces = [four(layer > 0, c), four(layer + 1 < grid.cells()[axis], c + s)].map(swept);
+            let across = match axis {
+                0 => grid.width(1, j) * grid.width(2, plane - 1),
+                1 => grid.width(2, plane - 1),
+                _ => grid.width(1, j),
+            };
+            undo_row(faces, (axis > 0).then_some(x_faces), across, &mut cell[c - base..][..own.len()]);
+            if axis == 0 {
+                let [first, last] = [start, start + nx - 1];
+                cell[first - base] -= self.swept(displacement, first + 1, plane, [0, j]) as Real;
+                cell[last - base] += self.swept(displacement, last, plane, [nx - 1, j]) as Real;
+            }
+        }
     }
 
     /// How far along its slope, in cells, the value carried through the low faces of a plane lies from the middle of the
@@ -293,6 +313,24 @@ fn carried([far_low, low, high, far_high]: [Real; 4], flux: Real, reach: Real) -
     own + reach * monotonised_central(behind, ahead)
 }
 
+/// Takes off the volumes swept by the high faces of a row and adds those by the low ones; the faces' areas are `across` times
+/// the widths along x, if there are any.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn undo_row([low, high]: [[&[Real]; 4]; 2], x_faces: Option<&[f64]>, across: f64, cell: &mut [Real]) {
+    let n = cell.len();
+    let ([l0, l1, l2, l3], [h0, h1, h2, h3]) = (low.map(|u| &u[..n]), high.map(|u| &u[..n]));
+    let mut undo = |i: usize, area: f64| {
+        let low = [f64::from(l0[i]), f64::from(l1[i]), f64::from(l2[i]), f64::from(l3[i])];
+        let high = [f64::from(h0[i]), f64::from(h1[i]), f64::from(h2[i]), f64::from(h3[i])];
+        let swept = |u: [f64; 4]| 0.25 * area * ((u[0] + u[1]) + (u[2] + u[3]));
+        cell[i] -= (swept(high) - swept(low)) as Real;
+    };
+    match x_faces.map(|x| &x[..=n]) {
+        Some(x) => (0..n).for_each(|i| undo(i, (x[i + 1] - x[i]) * across)),
+        None => (0..n).for_each(|i| undo(i, across)),
+    }
+}
+
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn reach_row(flux: &[Real], fraction: [&[Real]; 5], soil: [&[Real]; 5], out: &mut [Real]) {
     let n = out.len();
@@ -312,7 +350,9 @@ fn reach_row(flux: &[Real], fraction: [&[Real]; 5], soil: [&[Real]; 5], out: &mu
 fn mass_row(flux: &[Real], reach: &[Real], mass: [&[Real]; 5], soil: [&[Real]; 5], out: &mut [Real]) {
     let n = out.len();
     let (flux, reach) = (&flux[..n], &reach[..n]);
-    let ([m0, m1, m2, m3, _], [v0, v1, v2, v3, _]) = (mass.map(|m| &m[..n]), soil.map(|v| &v[..n]));
+    let ([m0, m1, m2, m3, _], [v0, v1, v2, v3, _]) = (mass, soil);
+    let (m0, m1, m2, m3) = (&m0[..n], &m1[..n], &m2[..n], &m3[..n]);
+    let (v0, v1, v2, v3) = (&v0[..n], &v1[..n], &v2[..n], &v3[..n]);
     let density = |mass: Real, volume: Real| if volume > 0.0 { mass / volume } else { 0.0 };
     for i in 0..n {
         let densities =
@@ -324,8 +364,9 @@ fn mass_row(flux: &[Real], reach: &[Real], mass: [&[Real]; 5], soil: [&[Real]; 5
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn carry_row(faces: [&[Real]; 4], field: [&[Real]; 5], soil: &[Real], out: &mut [Real]) {
     let n = out.len();
-    let [low, high, reach_low, reach_high] = faces.map(|f| &f[..n]);
-    let ([q0, q1, q2, q3, q4], soil) = (field.map(|q| &q[..n]), &soil[..n]);
+    let ([low, high, reach_low, reach_high], [q0, q1, q2, q3, q4]) = (faces, field);
+    let (low, high, reach_low, reach_high) = (&low[..n], &high[..n], &reach_low[..n], &reach_high[..n]);
+    let (q0, q1, q2, q3, q4, soil) = (&q0[..n], &q1[..n], &q2[..n], &q3[..n], &q4[..n], &soil[..n]);
     for i in 0..n {
         let into = low[i] * carried([q0[i], q1[i], q2[i], q3[i]], low[i], reach_low[i]);
         let out_of = high[i] * carried([q1[i], q2[i], q3[i], q4[i]], high[i], reach_high[i]);
@@ -373,7 +414,9 @@ pub(crate) fn dual_fluxes(grid: &Grid, axis: usize, plane: usize, mass_flux: &[R
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn dual_flux_row(faces: [[&[Real]; 2]; 4], out: &mut [Real]) {
     let n = out.len();
-    let [[a0, a1], [b0, b1], [c0, c1], [d0, d1]] = faces.map(|pair| pair.map(|f| &f[..n]));
+    let [[a0, a1], [b0, b1], [c0, c1], [d0, d1]] = faces;
+    let (a0, a1, b0, b1) = (&a0[..n], &a1[..n], &b0[..n], &b1[..n]);
+    let (c0, c1, d0, d1) = (&c0[..n], &c1[..n], &d0[..n], &d1[..n]);
     for i in 0..n {
         out[i] = 0.125 * (((a0[i] + a1[i]) + (b0[i] + b1[i])) + ((c0[i] + c1[i]) + (d0[i] + d1[i])));
     }
@@ -435,8 +478,9 @@ pub(crate) fn carry_momentum(
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn momentum_row(faces: [&[Real]; 4], velocity: [&[Real]; 5], mass: &[Real], out: &mut [Real]) {
     let n = out.len();
-    let [low, high, reach_low, reach_high] = faces.map(|f| &f[..n]);
-    let ([v0, v1, v2, v3, v4], mass) = (velocity.map(|v| &v[..n]), &mass[..n]);
+    let ([low, high, reach_low, reach_high], [v0, v1, v2, v3, v4]) = (faces, velocity);
+    let (low, high, reach_low, reach_high) = (&low[..n], &high[..n], &reach_low[..n], &reach_high[..n]);
+    let (v0, v1, v2, v3, v4, mass) = (&v0[..n], &v1[..n], &v2[..n], &v3[..n], &v4[..n], &mass[..n]);
     let least = |a: Real, b: Real| if b < a { b } else { a };
     let most = |a: Real, b: Real| if b > a { b } else { a };
     for i in 0..n {

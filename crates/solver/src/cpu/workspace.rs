@@ -72,7 +72,7 @@ pub(crate) struct WorkerScratch {
     pub(crate) coefficients: [Coefficients; 2],
     /// Force and damping (four rows for each row of nodes) on a plane of nodes by the cells below it.
     pub(crate) below: Vec<Real>,
-    /// The same on the lowest plane of nodes by the cells above it.
+    /// The same on the lowest plane of nodes by the cells above it; the first worker's nodes wait for nobody.
     pub(crate) waiting: Vec<Real>,
     /// Row buffers of the nodes.
     pub(crate) row: Vec<Real>,
@@ -124,10 +124,10 @@ impl Workspace {
         let rows = plane / grid.stride[1];
         let coefficients =
             |_| Coefficients { values: vec![0.0; COEFFICIENTS * grid.stride[1]], are_zero: true };
-        let worker = |_| WorkerScratch {
+        let worker = |n| WorkerScratch {
             coefficients: std::array::from_fn(coefficients),
             below: vec![0.0; NODE_SUMS * plane],
-            waiting: vec![0.0; NODE_SUMS * plane],
+            waiting: vec![0.0; if n > 0 { NODE_SUMS * plane } else { 0 }],
             row: vec![0.0; ROW_BUFFERS * grid.stride[1]],
             block: Block::new(),
             stopwatch: Stopwatch::default(),
@@ -165,7 +165,7 @@ impl Workspace {
         self.team.size()
     }
 
-    /// Memory that it takes up [bytes], but for what grows with the bodies' surfaces.
+    /// Memory that it takes up [bytes], but for what the contact law keeps during a step.
     #[must_use]
     pub fn memory(&self) -> usize {
         let own = |w: &WorkerScratch| {
@@ -177,6 +177,13 @@ impl Workspace {
             + size_of_val(self.row_sums.as_slice())
             + size_of_val(self.row_has_soil.as_slice())
             + size_of_val(self.row_values.as_slice())
+            + self.points.iter().map(|points| size_of_val(points.as_slice())).sum::<usize>()
+            + size_of_val(self.body_cells.as_slice())
+            + self.located.capacity() * size_of::<Contact>()
+            + size_of_val(self.touched.as_slice())
+            + size_of_val(self.corner_nodes.as_slice())
+            + size_of_val(self.patch.0.as_slice())
+            + size_of_val(self.friction.as_slice())
     }
 
     /// Where the time of the calling thread goes.

@@ -13,7 +13,7 @@ mod timing;
 
 use super::problem::Problems;
 use super::ranges::{self, ANY, NOT_NEGATIVE, POSITIVE, SHARE};
-use super::resolved::{Body, Case, Contact, Law, Numerics};
+use super::resolved::{Body, Case, Contact, Law, Numerics, Precision};
 use super::schema::{Schema, Section};
 
 /// What the parts of a case share.
@@ -168,6 +168,10 @@ fn numerics(section: &Section, law: Option<Law>, problems: &mut Problems) -> Opt
         Some(typed) if typed.value == "penalty" => Contact::Penalty,
         _ => Contact::Impulse,
     };
+    let precision = match section.text("precision") {
+        Some(typed) if typed.value == "single" => Precision::Single,
+        _ => Precision::Double,
+    };
     Some(Numerics {
         courant: courant?,
         remap_displacement: remap_displacement?,
@@ -178,5 +182,6 @@ fn numerics(section: &Section, law: Option<Law>, problems: &mut Problems) -> Opt
         edge_inset: edge_inset?,
         point_spacing: point_spacing?,
         threads: threads? as usize,
+        precision,
     })
 }

@@ -19,6 +19,7 @@ use super::{Real, State};
 use crate::model::{BodyModel, ContactMethod, Model};
 use crate::state::{Body, Contact, Received};
 use glam::DVec3;
+use physics::rigid::Freedom;
 use physics::shape::SurfacePoint;
 
 /// How soil and body act on each other at the contact points.
@@ -174,11 +175,20 @@ pub(crate) fn law(model: &Model) -> Box<dyn ContactLaw> {
     }
 }
 
-/// Surface points of a body; the cells near it are the narrowest along each axis.
+/// Surface points of a body, but for those that stay beside the box for ever, as behind a plane of symmetry; the cells near it
+/// are the narrowest along each axis.
 pub(crate) fn surface_points(model: &Model, body: &BodyModel) -> Vec<SurfacePoint> {
     let finest = DVec3::from_array(std::array::from_fn(|axis| model.grid.finest_along(axis)));
     let spacing = model.method.point_spacing * model.grid.finest();
-    body.shape.surface_points(spacing, model.method.edge_inset * finest)
+    let mut points = body.shape.surface_points(spacing, model.method.edge_inset * finest);
+    if body.translation[1] == Freedom::Fixed {
+        // It turns about an axle along y.
+        let faces = &model.grid.faces[1];
+        let (low, high) = (faces[0] - spacing, faces[faces.len() - 1] + spacing);
+        points.retain(|p| (low..=high).contains(&(body.start.y + p.position.y)));
+        points.shrink_to_fit();
+    }
+    points
 }
 
 /// Lets soil and bodies act on each other for one step. Returns what that did, for the ledger; what each body received is in
