@@ -250,11 +250,6 @@ pub(crate) fn lane_sum(values: &[Real]) -> f64 {
         }
     }
     let tail: Real = values.chunks_exact(8).remainder().iter().sum();
-    add_up(lanes.map(f64::from)) + f64::from(tail)
-}
-
-/// Sum of eight lanes.
-#[inline(always)]
-pub(crate) fn add_up(lanes: [f64; 8]) -> f64 {
-    ((lanes[0] + lanes[4]) + (lanes[1] + lanes[5])) + ((lanes[2] + lanes[6]) + (lanes[3] + lanes[7]))
+    let (lanes, tail) = (lanes.map(f64::from), f64::from(tail));
+    ((lanes[0] + lanes[4]) + (lanes[1] + lanes[5])) + ((lanes[2] + lanes[6]) + (lanes[3] + lanes[7])) + tail
 }
