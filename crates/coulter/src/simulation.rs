@@ -85,6 +85,14 @@ impl<R: Precision> Simulation<R> {
         Self { history, sampled, wall_s, ..simulation }
     }
 
+    /// The same run with its fields in double precision, to be looked at.
+    #[must_use]
+    pub fn widened(&self) -> Simulation {
+        let Self { case, history, sampled, wall_s, .. } = self;
+        let simulation = Simulation::with_state(case, model(case, R::LANES), self.state.widened());
+        Simulation { history: history.clone(), sampled: sampled.clone(), wall_s: *wall_s, ..simulation }
+    }
+
     /// Everything that is needed to go on from here.
     #[must_use]
     pub fn checkpoint(&self) -> Checkpoint<R> {

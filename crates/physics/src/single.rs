@@ -3,6 +3,11 @@
 /// The precision of the numbers.
 pub type Real = f32;
 
+/// A stress below this [Pa] has no direction; its square is still a number.
+const NO_STRESS: Real = 1e-18;
+/// Below this sin 3θ/√6 is rounding: the stress lies on a meridian.
+const MERIDIAN: Real = 1e-6;
+
 #[path = "brick.rs"]
 pub mod brick;
 #[path = "elastic.rs"]

@@ -1,6 +1,6 @@
 //! Symmetric second-order tensors as six numbers: xx, yy, zz, xy, yz, xz.
 
-use super::Real;
+use super::{MERIDIAN, NO_STRESS, Real};
 
 /// A symmetric tensor: xx, yy, zz, xy, yz, xz.
 pub type Symmetric = [Real; 6];
@@ -104,7 +104,7 @@ impl Spectrum {
         let mean = mean(a);
         let s = deviator(a);
         let norm = contract(s, s).sqrt();
-        let inverse = if norm > 1e-150 { 1.0 / norm } else { 0.0 };
+        let inverse = if norm > NO_STRESS { 1.0 / norm } else { 0.0 };
         let radial = s.map(|x| x * inverse);
         // t = r² − ⅓ I, split along r: its part at a right angle to r has the size sin 3θ / √6.
         let mut t = square(radial);
@@ -118,7 +118,7 @@ impl Spectrum {
             cross[n] = t[n] - along * radial[n];
         }
         let cross_norm = contract(cross, cross).sqrt();
-        let cross_inverse = if cross_norm > 1e-14 { -1.0 / cross_norm } else { 0.0 };
+        let cross_inverse = if cross_norm > MERIDIAN { -1.0 / cross_norm } else { 0.0 };
         let hoop = cross.map(|x| x * cross_inverse);
         let (cos, sin) = cube_root(along, cross_norm);
         let radial_principal = spread(cos, sin);

@@ -6,6 +6,11 @@ pub type Real = f64;
 /// Numbers in the widest vector.
 pub const LANES: usize = 64 / size_of::<Real>();
 
+/// A cell with more soil than this counts as full: no interface is looked for.
+const FULL: f64 = 1.0 - 1e-9;
+/// A difference of volume fractions below this is rounding.
+const ROUNDING: f64 = 1e-12;
+
 type State = crate::state::State<Real>;
 type Soil = crate::state::Soil<Real>;
 type Nodes = crate::state::Nodes<Real>;

@@ -158,6 +158,35 @@ impl<R> State<R> {
     }
 }
 
+impl<R: Copy + Into<f64>> State<R> {
+    /// The same with its fields in double precision.
+    #[must_use]
+    pub fn widened(&self) -> State {
+        let wide = |field: &Vec<R>| field.iter().map(|value| (*value).into()).collect();
+        let Soil { fraction, mass, stress, plastic_strain, gap_strain } = &self.soil;
+        State {
+            soil: Soil {
+                fraction: wide(fraction),
+                mass: wide(mass),
+                stress: stress.each_ref().map(wide),
+                plastic_strain: wide(plastic_strain),
+                gap_strain: wide(gap_strain),
+            },
+            nodes: Nodes {
+                velocity: self.nodes.velocity.each_ref().map(wide),
+                displacement: self.nodes.displacement.each_ref().map(wide),
+                mass: wide(&self.nodes.mass),
+            },
+            bodies: self.bodies.clone(),
+            contacts: self.contacts.clone(),
+            time: self.time,
+            step: self.step,
+            remaps: self.remaps,
+            ledger: self.ledger,
+        }
+    }
+}
+
 impl<R: Copy + Default> Soil<R> {
     /// No soil anywhere.
     #[must_use]

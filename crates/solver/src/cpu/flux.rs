@@ -1,8 +1,8 @@
 //! The soil volume that crosses the faces of cells in a sweep along one axis, from the surface that is reconstructed in each
 //! partly filled cell.
 
-use super::Real;
 use super::transport::Sweep;
+use super::{FULL, Real};
 use physics::interface::Plane;
 
 /// What the fluxes follow from, at the start of a sweep.
@@ -17,9 +17,6 @@ pub(crate) struct Filling<'a> {
     /// Volume of the displaced cell [m³].
     pub(crate) cell: &'a [Real],
 }
-
-/// Above this a cell counts as full: no interface is looked for.
-const FULL: f64 = if size_of::<Real>() == 8 { 1.0 - 1e-9 } else { 1.0 - 1e-5 };
 
 impl Filling<'_> {
     /// Soil volume that crosses the low faces of a plane of cells [m³].

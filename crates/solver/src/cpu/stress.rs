@@ -1,6 +1,6 @@
 //! One row of cells: velocity gradient → trial stress → strength → nodal force coefficients.
 //!
-//! A row is worked on in blocks of up to 96 cells whose working numbers lie in the first-level cache. A few plain loops go
+//! A row is worked on in blocks of up to 96 cells (192 in single precision) whose working numbers lie in the first-level cache. A few plain loops go
 //! over a block; the formulas are branch-free and what a loop writes lies in the block or in one array, so that the
 //! compiler sees that nothing overlaps and vectorises them. Each is compiled for what the processor has; `mul_add` is not
 //! used, so the result is the same to the bit.
@@ -75,7 +75,7 @@ impl<'a> RowConstants<'a> {
 }
 
 /// Most cells in a block: as many as leave its working numbers in a first-level cache of 32 KiB.
-const BLOCK: usize = 96;
+const BLOCK: usize = 768 / size_of::<Real>();
 
 type Lane = [Real; BLOCK];
 

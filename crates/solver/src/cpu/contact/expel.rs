@@ -9,7 +9,7 @@
 
 use super::super::remap::settle_cell;
 use super::super::workspace::Workspace;
-use super::super::{Nodes, Real, Soil, State};
+use super::super::{Nodes, ROUNDING, Real, Soil, State};
 use super::geometry::occupy_all;
 use super::over_corners;
 use crate::grid::Grid;
@@ -19,8 +19,6 @@ use std::collections::BTreeMap;
 
 /// Rounds of sharing out; each serves what the last left over.
 const ROUNDS: usize = 3;
-/// Overlap and room below this share of a cell are rounding.
-const ROUNDING: f64 = 1e-12;
 
 /// Finds anew where the bodies are, and puts overlapping soil back outside them.
 pub(crate) fn expel(model: &Model, state: &mut State, workspace: &mut Workspace) {
