@@ -72,7 +72,7 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
     checks::bodies_fit(schema, &bodies, &domain, duration, problems);
     let usual = mesh::usual_fine_zone(&frame, &domain, &bodies, duration);
     let grid = mesh::grid(&schema.grid, &frame, (&domain, &ground), &bodies, usual, problems)?;
-    checks::fits_into_memory(&schema.grid, &grid, problems);
+    checks::fits_into_memory(&schema.grid, &grid, numerics.as_ref()?.precision, problems);
     let name = name?;
     let case = Case {
         title: schema.top.text("title").map_or_else(|| name.clone(), |t| t.value),
