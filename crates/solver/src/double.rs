@@ -22,6 +22,8 @@ pub mod audit;
 pub mod contact;
 #[path = "cpu/energy.rs"]
 pub mod energy;
+#[path = "cpu/flux.rs"]
+pub mod flux;
 #[path = "cpu/lagrange.rs"]
 pub mod lagrange;
 #[path = "cpu/remap.rs"]

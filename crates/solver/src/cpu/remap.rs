@@ -3,7 +3,8 @@
 //! One conservative sweep along each axis, the order changing from remap to remap. The volume fraction is carried with
 //! a reconstructed interface, stress and history with the soil volume at second order, momentum on the dual grid.
 
-use super::transport::{Filling, Sweep, carry_mass, carry_momentum, difference, dual_fluxes, dual_reaches};
+use super::flux::Filling;
+use super::transport::{Sweep, carry_mass, carry_momentum, difference, dual_fluxes, dual_reaches};
 use super::workspace::Workspace;
 use super::{Nodes, Real, Soil, State, contact, energy};
 use crate::grid::Grid;

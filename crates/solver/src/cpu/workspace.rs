@@ -7,7 +7,6 @@ use crate::cpu::stopwatch::Stopwatch;
 use crate::cpu::threads::{Cut, MOST, Team};
 use crate::grid::Grid;
 use crate::model::Model;
-use crate::state::Contact;
 use glam::DVec3;
 use physics::shape::SurfacePoint;
 
@@ -46,8 +45,6 @@ pub struct Workspace {
     pub(crate) contact_law: Box<dyn ContactLaw>,
     /// Surface points of the bodies.
     pub(crate) points: Vec<Vec<SurfacePoint>>,
-    /// Room for the contact points that are located anew.
-    pub(crate) located: Vec<Contact>,
     /// Nodes that contact acts on.
     pub(crate) touched: Vec<TouchedNode>,
     /// For each contact, the places of its cell's nodes among them.
@@ -148,7 +145,6 @@ impl Workspace {
             width_x: column_widths(grid),
             contact_law: contact::law(model),
             points: model.bodies.iter().map(|b| contact::surface_points(model, b)).collect(),
-            located: Vec::new(),
             touched,
             corner_nodes,
             patch: contact::number_patches(&state.contacts),
@@ -179,7 +175,6 @@ impl Workspace {
             + size_of_val(self.row_values.as_slice())
             + self.points.iter().map(|points| size_of_val(points.as_slice())).sum::<usize>()
             + size_of_val(self.body_cells.as_slice())
-            + self.located.capacity() * size_of::<Contact>()
             + size_of_val(self.touched.as_slice())
             + size_of_val(self.corner_nodes.as_slice())
             + size_of_val(self.patch.0.as_slice())

@@ -15,7 +15,6 @@ pub(crate) fn locate(model: &Model, state: &mut State, workspace: &mut Workspace
         velocity_before: [occupied, ..],
         body_cells,
         points,
-        located,
         contact_law,
         touched,
         corner_nodes,
@@ -24,7 +23,7 @@ pub(crate) fn locate(model: &Model, state: &mut State, workspace: &mut Workspace
     } = workspace;
     measure_leak(&model.grid, &state.soil, body_cells, &mut state.bodies);
     let view = View { model, soil: &state.soil, node_mass: &state.nodes.mass, occupied };
-    located.clear();
+    let mut located = Vec::with_capacity(state.contacts.len());
     let mut known = state.contacts.iter().peekable();
     for (n, points) in points.iter().enumerate() {
         let (fixed, body) = (&model.bodies[n], &state.bodies[n]);
@@ -38,7 +37,7 @@ pub(crate) fn locate(model: &Model, state: &mut State, workspace: &mut Workspace
             }
         }
     }
-    std::mem::swap(&mut state.contacts, located);
+    state.contacts = located;
     for c in body_cells {
         occupied[c.cell] = 0.0;
     }
