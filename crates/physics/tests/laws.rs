@@ -89,6 +89,25 @@ fn never_outside_the_yield_surface() {
 }
 
 #[test]
+fn single_precision_returns_the_same_stress() {
+    use physics::single::strength::{Law as Single, Strength as _};
+    let most = |stress: Symmetric| stress.into_iter().fold(0.0, |most: f64, s| most.max(s.abs()));
+    for (s, law) in everything() {
+        let single = Single::rounded(&law);
+        for trial in stresses() {
+            let exact = law.return_map(trial, 0.0, true);
+            let rounded = single.return_map(trial.map(|s| s as f32), 0.0, true);
+            for n in 0..6 {
+                let off = (f64::from(rounded.stress[n]) - exact.stress[n]).abs() / most(trial);
+                assert!(off < 1e-5, "{}: {off:e} in component {n} of {trial:?}", s.name);
+            }
+            let flow = f64::from(rounded.plastic_strain) - exact.plastic_strain;
+            assert!(flow.abs() < 1e-5 * most(trial) / elastic().shear, "{}: {flow:e}", s.name);
+        }
+    }
+}
+
+#[test]
 fn an_elastic_state_stays_and_the_cheap_check_never_misses() {
     for (s, law) in everything() {
         for trial in stresses() {

@@ -1,11 +1,11 @@
 //! The books: where the energy went, and whether the state is still one to believe.
 
-use crate::cpu::contact::{ContactWork, Drive};
-use crate::cpu::energy;
-use crate::cpu::workspace::RowSums;
+use super::State;
+use super::contact::{ContactWork, Drive};
+use super::energy;
+use super::workspace::RowSums;
 use crate::error::Breakdown;
 use crate::model::Model;
-use crate::state::State;
 use glam::DVec3;
 
 /// Enters the step into the ledger.
@@ -69,7 +69,7 @@ pub(crate) fn check(model: &Model, state: &State, sums: &RowSums, dt: f64) -> Re
 
 /// The first node whose velocity has a component like this.
 fn place_of(model: &Model, state: &State, is_bad: impl Fn(f64) -> bool) -> DVec3 {
-    let bad = |n: usize| state.nodes.velocity.iter().any(|v| is_bad(v[n]));
+    let bad = |n: usize| state.nodes.velocity.iter().any(|v| is_bad(f64::from(v[n])));
     let [_, row, plane] = model.grid.stride;
     let found = (plane + row + 1..model.grid.entries).find(|n| bad(*n));
     let Some(n) = found else { return DVec3::NAN };

@@ -1,31 +1,14 @@
 //! The state before the first step: soil at rest under its own weight, bodies where the case puts them.
 
-use crate::audit::kinetic_energy;
-use crate::cpu::contact::carve_soil;
-use crate::cpu::{energy, lagrange_mass};
+use super::audit::kinetic_energy;
+use super::contact::carve_soil;
+use super::remap::lagrange_mass;
+use super::{Nodes, Real, Soil, State, energy};
 use crate::grid::Grid;
+pub use crate::model::Filling;
 use crate::model::{Model, Wall};
-use crate::state::{Body, Ledger, Nodes, Received, Soil, State};
+use crate::state::{Body, Ledger, Received};
 use glam::DVec3;
-
-/// Where soil is at the start.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Filling {
-    /// Low corner of the box that is full of soil [m].
-    pub low: DVec3,
-    /// High corner [m].
-    pub high: DVec3,
-    /// Only what is so near to the z axis is full: a round column [m].
-    pub radius: Option<f64>,
-}
-
-impl Filling {
-    /// All of a box.
-    #[must_use]
-    pub fn between(low: DVec3, high: DVec3) -> Self {
-        Self { low, high, radius: None }
-    }
-}
 
 /// The state at rest of a box of soil.
 #[must_use]
@@ -37,18 +20,18 @@ pub fn start(model: &Model, filling: &Filling) -> State {
 /// lid of the box, which does not move, bears the pressure from then on.
 #[must_use]
 pub fn start_under(model: &Model, filling: &Filling, overburden: f64) -> State {
-    let mut fraction = vec![0.0; model.grid.entries];
+    let mut fraction: Vec<Real> = vec![0.0; model.grid.entries];
     fill(&model.grid, filling, &mut fraction);
     at_rest(model, fraction, overburden)
 }
 
 /// The state at rest of soil of any shape: its volume fraction in every cell (see [`Grid::index`]).
 #[must_use]
-pub fn start_filled(model: &Model, fraction: Vec<f64>) -> State {
+pub fn start_filled(model: &Model, fraction: Vec<Real>) -> State {
     at_rest(model, fraction, 0.0)
 }
 
-fn at_rest(model: &Model, fraction: Vec<f64>, overburden: f64) -> State {
+fn at_rest(model: &Model, fraction: Vec<Real>, overburden: f64) -> State {
     let mut bodies: Vec<Body> = model
         .bodies
         .iter()
@@ -98,14 +81,14 @@ pub fn set_in_motion(model: &Model, state: &mut State, velocity: DVec3) {
             }
         }
         for (field, value) in state.nodes.velocity.iter_mut().zip(own.to_array()) {
-            field[n] = value;
+            field[n] = value as Real;
         }
     }
     state.ledger.kinetic_start = kinetic_energy(model, state);
 }
 
 /// Volume fractions of a box of soil, or of the round column inside it.
-fn fill(grid: &Grid, filling: &Filling, fraction: &mut [f64]) {
+fn fill(grid: &Grid, filling: &Filling, fraction: &mut [Real]) {
     let [nx, ny, nz] = grid.cells();
     let range = |axis: usize, n: usize| {
         [grid.faces[axis][n].max(filling.low[axis]), grid.faces[axis][n + 1].min(filling.high[axis])]
@@ -132,7 +115,7 @@ fn fill(grid: &Grid, filling: &Filling, fraction: &mut [f64]) {
             };
             let plan = filling.radius.map_or_else(|| share(0, i) * share(1, j), round);
             for k in 0..nz {
-                fraction[grid.index(i, j, k)] = plan * share(2, k);
+                fraction[grid.index(i, j, k)] = (plan * share(2, k)) as Real;
             }
         }
     }
@@ -174,7 +157,7 @@ fn weigh(model: &Model, soil: &mut Soil) {
         for j in 0..ny {
             for i in 0..nx {
                 let c = grid.index(i, j, k);
-                soil.mass[c] = model.density * soil.fraction[c] * grid.volume(i, j, k);
+                soil.mass[c] = (model.density * f64::from(soil.fraction[c]) * grid.volume(i, j, k)) as Real;
             }
         }
     }
@@ -192,12 +175,13 @@ fn rest_stress(model: &Model, soil: &mut Soil, overburden: f64) {
             let (mut force, mut mass_above) = (0.0, 0.0);
             for k in (0..nz).rev() {
                 let c = grid.index(i, j, k);
-                force -= 0.5 * (soil.mass[c] + mass_above) * model.gravity;
-                mass_above = soil.mass[c];
-                if soil.fraction[c] > 0.0 {
-                    let vertical = force / (area * soil.fraction[c]) - overburden;
-                    soil.stress[2][c] = vertical;
-                    soil.stress[0][c] = model.rest_pressure_ratio * vertical;
+                let (mass, fraction) = (f64::from(soil.mass[c]), f64::from(soil.fraction[c]));
+                force -= 0.5 * (mass + mass_above) * model.gravity;
+                mass_above = mass;
+                if fraction > 0.0 {
+                    let vertical = force / (area * fraction) - overburden;
+                    soil.stress[2][c] = vertical as Real;
+                    soil.stress[0][c] = (model.rest_pressure_ratio * vertical) as Real;
                     soil.stress[1][c] = soil.stress[0][c];
                 }
             }

@@ -1,14 +1,14 @@
 //! The time step, on one page.
 
-use crate::audit::{account, check};
-use crate::cpu::contact;
-use crate::cpu::lagrange::lagrange;
-use crate::cpu::remap::remap;
+use super::State;
+use super::audit::{account, check};
+use super::contact;
+use super::lagrange::lagrange;
+use super::remap::remap;
+use super::workspace::{RowSums, Workspace};
 use crate::cpu::stopwatch::Stage;
-use crate::cpu::workspace::{RowSums, Workspace};
 use crate::error::Breakdown;
 use crate::model::Model;
-use crate::state::State;
 
 /// Takes one step.
 ///

@@ -284,6 +284,17 @@ pub enum Contact {
     Impulse,
 }
 
+/// Precision of the soil's fields and of what is done with them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Precision {
+    /// 64 bits.
+    #[default]
+    Double,
+    /// 32 bits.
+    Single,
+}
+
 /// Parameters of the method. The defaults are the parameter card of the docs; change them to study the method.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Numerics {
@@ -305,6 +316,8 @@ pub struct Numerics {
     pub point_spacing: f64,
     /// Threads; 0 for one per core.
     pub threads: usize,
+    /// Precision of the soil's fields.
+    pub precision: Precision,
 }
 
 /// What the closed forms of `coulter forecast` want to know besides the rest; the solver takes no notice of it.

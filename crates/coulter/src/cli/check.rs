@@ -2,6 +2,7 @@
 
 use super::{Failure, say};
 use crate::case::estimate::{Estimate, estimate};
+use crate::case::resolved::Precision;
 use crate::case::resolved::{Body, Freedom, Law, Measured, Potential, Shape};
 use crate::case::{self, Case};
 use crate::output::reference::Reference;
@@ -63,7 +64,10 @@ pub(super) fn check(arguments: &Arguments) -> Result<(), Failure> {
 fn measured_rate(case: &Case) -> Option<f64> {
     const LATER_STEPS: f64 = 1.7;
     const MOMENT: Duration = Duration::from_millis(400);
-    let rate = Simulation::new(case).speed(MOMENT)?;
+    let rate = match case.numerics.precision {
+        Precision::Double => Simulation::<f64>::new(case).speed(MOMENT)?,
+        Precision::Single => Simulation::<f32>::new(case).speed(MOMENT)?,
+    };
     Some(rate / LATER_STEPS)
 }
 

@@ -24,6 +24,7 @@ mod peers;
 mod places;
 mod plate;
 pub mod plot;
+mod precision;
 pub mod refine;
 mod repeat;
 mod rest;
@@ -123,6 +124,7 @@ pub const BENCHMARKS: &[Benchmark] = &[
     run("E1", "Column of sand, as other codes ran it", "E1_sand_column", peers::ABOUT_COLUMN, peers::column),
     run("E2", "Disc drag, as another code ran it", "E2_disc_drag", peers::ABOUT_DISC, peers::disc),
     run("E3", "Smooth wall in the sand of E1", "E3_wall", peers::ABOUT_WALL, peers::wall),
+    run("P1", "Single precision", "P1_single_precision", precision::ABOUT, precision::run),
     run("N1", "Negative control", "N1_wrong_angle", control::ABOUT, control::run),
 ];
 

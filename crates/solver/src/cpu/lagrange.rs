@@ -5,24 +5,24 @@
 //! so nobody reads what another writes; only the lowest plane of nodes of each worker has to wait for the plane of cells
 //! below, which is a neighbour's.
 
-use super::stopwatch::Stage;
 use super::stress::{CellRow, NodeRows, RowConstants, strain_row};
-use super::threads::{Cut, parts_of};
 use super::workspace::{COEFFICIENTS, Coefficients, NODE_SUMS, RowSums, WorkerScratch, Workspace, lane_sum};
+use super::{Real, Soil, State};
+use crate::cpu::stopwatch::Stage;
+use crate::cpu::threads::{Cut, parts_of};
 use crate::grid::{Grid, LANES};
 use crate::model::{Model, Wall};
-use crate::state::{Soil, State};
 use multiversion::multiversion;
 use std::ops::Range;
 
 /// A worker's planes of everything that the stage writes.
 struct Part<'a> {
     planes: Range<usize>,
-    stress: [&'a mut [f64]; 6],
-    plastic_strain: &'a mut [f64],
-    gap_strain: &'a mut [f64],
-    displacement: [&'a mut [f64]; 3],
-    velocity: [&'a mut [f64]; 3],
+    stress: [&'a mut [Real]; 6],
+    plastic_strain: &'a mut [Real],
+    gap_strain: &'a mut [Real],
+    displacement: [&'a mut [Real]; 3],
+    velocity: [&'a mut [Real]; 3],
     sums: &'a mut [RowSums],
     scratch: &'a mut WorkerScratch,
 }
@@ -31,14 +31,14 @@ struct Part<'a> {
 struct Inputs<'a> {
     model: &'a Model,
     grid: &'a Grid,
-    fraction: &'a [f64],
-    soil_mass: &'a [f64],
-    mass: &'a [f64],
-    velocity: [&'a [f64]; 3],
+    fraction: &'a [Real],
+    soil_mass: &'a [Real],
+    mass: &'a [Real],
+    velocity: [&'a [Real]; 3],
     row_has_soil: &'a [bool],
     /// Whether velocities where no soil is must still be set to zero.
     clears: bool,
-    width_x: [&'a [f64]; 2],
+    width_x: [&'a [Real]; 2],
     rows: usize,
     dt: f64,
 }
@@ -128,7 +128,7 @@ fn strain_and_move(inputs: &Inputs, part: &mut Part) {
             let WorkerScratch { coefficients: [behind, ahead], below, waiting, row: buffer, .. } =
                 &mut *part.scratch;
             let own = NODE_SUMS * q * row..NODE_SUMS * (q + 1) * row;
-            let waits = plane == part.planes.start;
+            let waits = plane == part.planes.start && plane > 1;
             let sum = if waits { &mut waiting[own.clone()] } else { &mut buffer[..NODE_SUMS * row] };
             if nodes_have_soil(inputs, [q, plane]) {
                 gather_forces([&behind.values, &ahead.values], row, &mut below[own], sum);
@@ -152,16 +152,14 @@ fn pass_up(parts: &mut [Option<Part>]) {
             std::mem::swap(&mut low.scratch.below, &mut high.scratch.below);
         }
     }
-    if let Some(Some(lowest)) = parts.first_mut() {
-        lowest.scratch.below.fill(0.0);
-    }
 }
 
-/// Moves the lowest plane of nodes of a part, now that the cells below are done.
+/// Moves the lowest plane of nodes of a part, if it had to wait, now that the cells below are done.
 fn move_waiting(inputs: &Inputs, part: &mut Part) {
     let row = inputs.grid.stride[1];
     let plane = part.planes.start;
-    if part.planes.is_empty() {
+    // Below the lowest plane of all there is nothing to wait for.
+    if part.planes.is_empty() || plane == 1 {
         return;
     }
     for q in 1..=inputs.grid.cells()[1] + 1 {
@@ -196,8 +194,8 @@ fn plane_is_void(inputs: &Inputs, plane: usize) -> bool {
 fn strain_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2]) {
     let grid = inputs.grid;
     let [_, row, stride] = grid.stride;
-    let [nx, ny, nz] = grid.cells();
-    let n = nx.next_multiple_of(LANES);
+    let [_, ny, nz] = grid.cells();
+    let n = grid.padded_row();
     let sums = &mut part.sums[(plane - part.planes.start) * inputs.rows + q];
     let WorkerScratch { coefficients: [_, ahead], block, stopwatch, .. } = &mut *part.scratch;
     let has_soil = inputs.row_has_soil[plane * inputs.rows + q];
@@ -206,8 +204,8 @@ fn strain_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2]) {
         return;
     }
     let mut constants = RowConstants::new(inputs.model, inputs.width_x, inputs.dt);
-    constants.width_y = grid.width(1, q - 1);
-    constants.width_z = grid.width(2, plane - 1);
+    constants.width_y = grid.width(1, q - 1) as Real;
+    constants.width_z = grid.width(2, plane - 1) as Real;
     let at = |dq: usize, dp: usize| (plane + dp) * stride + (q + dq) * row + 1;
     let node_rows: NodeRows = [at(0, 0), at(1, 0), at(0, 1), at(1, 1)]
         .map(|start| inputs.velocity.map(|v| &v[start..start + n + 1]));
@@ -223,7 +221,7 @@ fn strain_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2]) {
     };
     ahead.are_zero = false;
     let mut out = ahead.values.chunks_exact_mut(row);
-    let mut forces: [&mut [f64]; COEFFICIENTS] =
+    let mut forces: [&mut [Real]; COEFFICIENTS] =
         std::array::from_fn(|_| out.next().map_or(Default::default(), |f| &mut f[1..1 + n]));
     let strained = strain_row(&constants, &node_rows, &mut cell_row, (block, stopwatch), &mut forces);
     (sums.plastic, sums.viscous, sums.hourglass) = (strained.plastic, strained.viscous, strained.hourglass);
@@ -250,7 +248,7 @@ fn move_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2]) {
         before: inputs.velocity.map(|v| &v[start..start + row]),
         displacement: part.displacement.each_mut().map(|u| &mut u[own.clone()]),
     };
-    let constants = [inputs.dt, inputs.model.gravity, inputs.model.mass_moved()];
+    let constants = [inputs.dt, inputs.model.gravity, inputs.model.mass_moved()].map(|x| x as Real);
     move_row(constants, nodes, &mut velocity, sum, rest);
     apply_walls(inputs, [q, plane], &mut velocity);
     let displacement = part.displacement.each_ref().map(|u| &u[own.clone()]);
@@ -262,12 +260,12 @@ fn move_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2]) {
 /// high z: into `below`, for the next plane. Pairs that mirror each other are added first, so that a mirrored case
 /// gives mirrored sums to the bit.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn gather_forces([behind, ahead]: [&[f64]; 2], n: usize, below: &mut [f64], sum: &mut [f64]) {
+fn gather_forces([behind, ahead]: [&[Real]; 2], n: usize, below: &mut [Real], sum: &mut [Real]) {
     for q in 0..3 {
-        let (out, below) = (&mut sum[q * n..(q + 1) * n], &mut below[q * n..(q + 1) * n]);
+        let (out, below) = (&mut sum[q * n..][..n], &mut below[q * n..][..n]);
         // Plain part and parts signed by the side.
-        let [p0, x0, y0, z0] = [0, 1, 2, 3].map(|c| &behind[(4 * q + c) * n..(4 * q + c + 1) * n]);
-        let [p1, x1, y1, z1] = [0, 1, 2, 3].map(|c| &ahead[(4 * q + c) * n..(4 * q + c + 1) * n]);
+        let [p0, x0, y0, z0] = [0, 1, 2, 3].map(|c| &behind[(4 * q + c) * n..][..n]);
+        let [p1, x1, y1, z1] = [0, 1, 2, 3].map(|c| &ahead[(4 * q + c) * n..][..n]);
         for i in 1..n {
             let behind = [p0[i - 1] + x0[i - 1] + y0[i - 1], p0[i] - x0[i] + y0[i]];
             let ahead = [p1[i - 1] + x1[i - 1] - y1[i - 1], p1[i] - x1[i] - y1[i]];
@@ -279,8 +277,8 @@ fn gather_forces([behind, ahead]: [&[f64]; 2], n: usize, below: &mut [f64], sum:
             below[i] = high;
         }
     }
-    let (out, below) = (&mut sum[3 * n..4 * n], &mut below[3 * n..4 * n]);
-    let (d0, d1) = (&behind[12 * n..13 * n], &ahead[12 * n..13 * n]);
+    let (out, below) = (&mut sum[3 * n..][..n], &mut below[3 * n..][..n]);
+    let (d0, d1) = (&behind[12 * n..][..n], &ahead[12 * n..][..n]);
     for i in 1..n {
         let both = (d0[i - 1] + d0[i]) + (d1[i - 1] + d1[i]);
         out[i] = below[i] + both;
@@ -289,19 +287,19 @@ fn gather_forces([behind, ahead]: [&[f64]; 2], n: usize, below: &mut [f64], sum:
 }
 
 struct NodeRow<'a> {
-    mass: &'a [f64],
-    before: [&'a [f64]; 3],
-    displacement: [&'a mut [f64]; 3],
+    mass: &'a [Real],
+    before: [&'a [Real]; 3],
+    displacement: [&'a mut [Real]; 3],
 }
 
 /// Moves a row of nodes: `u += v dt`, `v += (F/m + g) dt`; nodes without mass stay.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn move_row(
-    constants: [f64; 3],
+    constants: [Real; 3],
     nodes: NodeRow,
-    velocity: &mut [&mut [f64]; 3],
-    sum: &[f64],
-    gravity: &mut [f64],
+    velocity: &mut [&mut [Real]; 3],
+    sum: &[Real],
+    gravity: &mut [Real],
 ) {
     let n = nodes.mass.len();
     let [dt, fall, mass_moved] = constants;
@@ -328,7 +326,7 @@ fn move_row(
 }
 
 /// Takes away the motion through (and along) the walls that a row of nodes lies on.
-fn apply_walls(inputs: &Inputs, [q, plane]: [usize; 2], velocity: &mut [&mut [f64]; 3]) {
+fn apply_walls(inputs: &Inputs, [q, plane]: [usize; 2], velocity: &mut [&mut [Real]; 3]) {
     let [nx, ny, nz] = inputs.grid.cells();
     let walls = &inputs.model.walls;
     let mut stop = |wall: Wall, axis: usize, columns: Range<usize>| {
@@ -355,9 +353,9 @@ fn apply_walls(inputs: &Inputs, [q, plane]: [usize; 2], velocity: &mut [&mut [f6
 fn finish_row(
     inputs: &Inputs,
     start: usize,
-    velocity: &[&mut [f64]; 3],
-    displacement: [&[f64]; 3],
-    buffer: &mut [f64],
+    velocity: &[&mut [Real]; 3],
+    displacement: [&[Real]; 3],
+    buffer: &mut [Real],
     sums: &mut RowSums,
 ) {
     let n = displacement[0].len();
@@ -368,7 +366,7 @@ fn finish_row(
     let kinetic = &mut rest[..n];
     kinetic_energies(mass, velocity, kinetic);
     sums.kinetic = lane_sum(kinetic);
-    [sums.displacement, sums.displacement_light] = largest(mass, light, displacement);
+    [sums.displacement, sums.displacement_light] = largest(mass, light as Real, displacement).map(f64::from);
 }
 
 /// Nodes lighter than this share of a full node's mass may be carried farther before a remap is due: a few grains in
@@ -376,7 +374,7 @@ fn finish_row(
 const LIGHT: f64 = 0.02;
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn kinetic_energies(mass: &[f64], velocity: &[&mut [f64]; 3], out: &mut [f64]) {
+fn kinetic_energies(mass: &[Real], velocity: &[&mut [Real]; 3], out: &mut [Real]) {
     let n = out.len();
     let (mass, vx, vy, vz) = (&mass[..n], &velocity[0][..n], &velocity[1][..n], &velocity[2][..n]);
     for i in 0..n {
@@ -386,13 +384,11 @@ fn kinetic_energies(mass: &[f64], velocity: &[&mut [f64]; 3], out: &mut [f64]) {
 
 /// Largest displacement component of the nodes heavier, and lighter, than `light`.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn largest(mass: &[f64], light: f64, displacement: [&[f64]; 3]) -> [f64; 2] {
+fn largest(mass: &[Real], light: Real, displacement: [&[Real]; 3]) -> [Real; 2] {
     let (mut heavy_lanes, mut light_lanes) = ([0.0; LANES], [0.0; LANES]);
-    // A row is longer than a vector. The last may overlap the one before: a maximum takes no harm.
-    let last = mass.len() - LANES;
-    for start in (0..last).step_by(LANES).chain([last]) {
-        let own = start..start + LANES;
-        let (m, [x, y, z]) = (&mass[own.clone()], displacement.map(|u| &u[own.clone()]));
+    let whole = mass.len() - mass.len() % LANES;
+    let [ux, uy, uz] = displacement.map(|u| u.chunks_exact(LANES));
+    for (((m, x), y), z) in mass.chunks_exact(LANES).zip(ux).zip(uy).zip(uz) {
         for l in 0..LANES {
             let xy = if x[l].abs() > y[l].abs() { x[l].abs() } else { y[l].abs() };
             let u = if z[l].abs() > xy { z[l].abs() } else { xy };
@@ -401,5 +397,10 @@ fn largest(mass: &[f64], light: f64, displacement: [&[f64]; 3]) -> [f64; 2] {
             light_lanes[l] = if light > light_lanes[l] { light } else { light_lanes[l] };
         }
     }
-    [heavy_lanes, light_lanes].map(|lanes| lanes.into_iter().fold(0.0, f64::max))
+    for i in whole..mass.len() {
+        let u = displacement.map(|u| u[i].abs()).into_iter().fold(0.0, Real::max);
+        let lane = if mass[i] > light { &mut heavy_lanes[0] } else { &mut light_lanes[0] };
+        *lane = Real::max(*lane, u);
+    }
+    [heavy_lanes, light_lanes].map(|lanes| lanes.into_iter().fold(0.0, Real::max))
 }

@@ -3,12 +3,12 @@
 //! One conservative sweep along each axis, the order changing from remap to remap. The volume fraction is carried with
 //! a reconstructed interface, stress and history with the soil volume at second order, momentum on the dual grid.
 
-use super::transport::{Filling, Sweep, carry_mass, carry_momentum, difference, dual_fluxes, dual_reaches};
+use super::flux::Filling;
+use super::transport::{Sweep, carry_mass, carry_momentum, difference, dual_fluxes, dual_reaches};
 use super::workspace::Workspace;
-use super::{contact, energy, lagrange_mass};
+use super::{Nodes, Real, Soil, State, contact, energy};
 use crate::grid::Grid;
 use crate::model::{FRACTION_KEPT, FRACTION_STRESSED, Model};
-use crate::state::{Nodes, Soil, State};
 use physics::strength::Strength;
 use physics::tensor::{Symmetric, mean};
 use std::ops::Range;
@@ -68,15 +68,15 @@ fn spread(grid: &Grid, row_has_soil: &[bool]) -> Vec<bool> {
 /// The arrays of a remap. The old velocities are worth nothing between steps: their memory is used again.
 struct Room<'a> {
     /// Soil volume of the cells on the displaced grid [m³].
-    soil: &'a mut Vec<f64>,
+    soil: &'a mut Vec<Real>,
     /// Volume of the displaced cells [m³].
-    cell: &'a mut Vec<f64>,
+    cell: &'a mut Vec<Real>,
     /// Soil volume that crosses the faces [m³], later the mass that crosses the dual faces [kg].
-    flux: &'a mut Vec<f64>,
+    flux: &'a mut Vec<Real>,
 }
 
 impl<'a> Room<'a> {
-    fn of([soil, cell, flux]: &'a mut [Vec<f64>; 3]) -> Self {
+    fn of([soil, cell, flux]: &'a mut [Vec<Real>; 3]) -> Self {
         Self { soil, cell, flux }
     }
 }
@@ -95,7 +95,8 @@ fn displaced_volumes(model: &Model, state: &State, workspace: &mut Workspace) {
             for i in 0..nx {
                 let c = grid.index(i, j, k);
                 let own = c - plane * grid.stride[2];
-                cell[own] = grid.volume(i, j, k) + swollen(grid, state, [i, j, k]);
+                let volume = grid.volume(i, j, k) + swollen(grid, state, [i, j, k]);
+                cell[own] = volume as Real;
                 soil[own] = state.soil.fraction[c] * cell[own];
             }
         }
@@ -110,7 +111,8 @@ fn swollen(grid: &Grid, state: &State, [i, j, k]: [usize; 3]) -> f64 {
     for axis in 0..3 {
         let (a, b) = (grid.stride[(axis + 1) % 3], grid.stride[(axis + 2) % 3]);
         let u = &state.nodes.displacement[axis];
-        let face = |c: usize| (u[c] + u[c + a]) + (u[c + b] + u[c + a + b]);
+        let u = |c: usize| f64::from(u[c]);
+        let face = |c: usize| (u(c) + u(c + a)) + (u(c + b) + u(c + a + b));
         let area = widths[(axis + 1) % 3] * widths[(axis + 2) % 3];
         gain += 0.25 * area * (face(c + grid.stride[axis]) - face(c));
     }
@@ -140,7 +142,7 @@ fn sweep(model: &Model, state: &mut State, workspace: &mut Workspace, axis: usiz
     let reach = displacement;
     team.planes(cut, reach, |plane, out| sweep.reaches(plane, [flux, fraction, soil], out));
     let spare = fraction;
-    let faces: [&[f64]; 2] = [flux, reach];
+    let faces: [&[Real]; 2] = [flux, reach];
     for field in stress.iter_mut().chain([plastic_strain, gap_strain]) {
         team.planes(cut, spare, |plane, out| sweep.carry(plane, [soil, field], faces, out));
         std::mem::swap(field, spare);
@@ -153,10 +155,10 @@ fn sweep(model: &Model, state: &mut State, workspace: &mut Workspace, axis: usiz
     team.planes(cut, soil, |plane, out| difference(grid, axis, plane, flux, out));
     // The mass flux is in `spare`; the volume flux is done with and makes room for the dual flux.
     team.planes(cut, flux, |plane, out| dual_fluxes(grid, axis, plane, spare, out));
-    let mass_moved = model.mass_moved();
+    let mass_moved = model.mass_moved() as Real;
     team.planes(cut, reach, |plane, out| dual_reaches(grid, axis, plane, [node_mass, flux], mass_moved, out));
     for velocity in velocity {
-        let inputs: [&[f64]; 4] = [velocity, node_mass, flux, reach];
+        let inputs: [&[Real]; 4] = [velocity, node_mass, flux, reach];
         team.planes(cut, spare, |plane, out| carry_momentum(grid, axis, plane, inputs, out));
         std::mem::swap(velocity, spare);
     }
@@ -166,11 +168,11 @@ fn sweep(model: &Model, state: &mut State, workspace: &mut Workspace, axis: usiz
 /// A worker's planes of what the cells hold.
 struct Part<'a> {
     planes: Range<usize>,
-    fraction: &'a mut [f64],
-    mass: &'a mut [f64],
-    stress: [&'a mut [f64]; 6],
-    plastic_strain: &'a mut [f64],
-    gap_strain: &'a mut [f64],
+    fraction: &'a mut [Real],
+    mass: &'a mut [Real],
+    stress: [&'a mut [Real]; 6],
+    plastic_strain: &'a mut [Real],
+    gap_strain: &'a mut [Real],
     /// Volume and mass of the crumbs by row.
     crumbs: &'a mut [[f64; 2]],
 }
@@ -197,7 +199,7 @@ fn settle(model: &Model, soil: &mut Soil, workspace: &mut Workspace) -> RemapLos
     RemapLoss { energy: 0.0, volume, mass }
 }
 
-fn settle_part(model: &Model, volume: &[f64], part: &mut Part) {
+fn settle_part(model: &Model, volume: &[Real], part: &mut Part) {
     let grid = &model.grid;
     let [nx, ny, nz] = grid.cells();
     let [_, row, stride] = grid.stride;
@@ -213,24 +215,24 @@ fn settle_part(model: &Model, volume: &[f64], part: &mut Part) {
                 let (c, own) = (plane * stride + n, local + n);
                 let whole = grid.volume(i, j, plane - 1);
                 let mut cell = Cell {
-                    fraction: volume[c] / whole,
-                    mass: part.mass[own],
-                    stress: part.stress.each_ref().map(|s| s[own]),
-                    plastic_strain: part.plastic_strain[own],
-                    gap_strain: part.gap_strain[own],
+                    fraction: f64::from(volume[c]) / whole,
+                    mass: part.mass[own].into(),
+                    stress: part.stress.each_ref().map(|s| s[own].into()),
+                    plastic_strain: part.plastic_strain[own].into(),
+                    gap_strain: part.gap_strain[own].into(),
                 };
                 if cell.fraction < FRACTION_KEPT {
-                    crumbs[0] += volume[c];
+                    crumbs[0] += f64::from(volume[c]);
                     crumbs[1] += cell.mass;
                     (cell.fraction, cell.mass) = (0.0, 0.0);
                 }
                 let cell = cell.settled(model, whole);
-                part.fraction[own] = cell.fraction;
-                part.mass[own] = cell.mass;
-                part.plastic_strain[own] = cell.plastic_strain;
-                part.gap_strain[own] = cell.gap_strain;
+                part.fraction[own] = cell.fraction as Real;
+                part.mass[own] = cell.mass as Real;
+                part.plastic_strain[own] = cell.plastic_strain as Real;
+                part.gap_strain[own] = cell.gap_strain as Real;
                 for (field, value) in part.stress.iter_mut().zip(cell.stress) {
-                    field[own] = value;
+                    field[own] = value as Real;
                 }
             }
         }
@@ -280,17 +282,17 @@ impl Cell {
 /// Settles a cell that soil has come into.
 pub(crate) fn settle_cell(model: &Model, soil: &mut Soil, c: usize, volume: f64) {
     let cell = Cell {
-        fraction: soil.fraction[c],
-        mass: soil.mass[c],
-        stress: soil.stress.each_ref().map(|s| s[c]),
-        plastic_strain: soil.plastic_strain[c],
-        gap_strain: soil.gap_strain[c],
+        fraction: soil.fraction[c].into(),
+        mass: soil.mass[c].into(),
+        stress: soil.stress.each_ref().map(|s| s[c].into()),
+        plastic_strain: soil.plastic_strain[c].into(),
+        gap_strain: soil.gap_strain[c].into(),
     };
     let cell = cell.settled(model, volume);
-    soil.plastic_strain[c] = cell.plastic_strain;
-    soil.gap_strain[c] = cell.gap_strain;
+    soil.plastic_strain[c] = cell.plastic_strain as Real;
+    soil.gap_strain[c] = cell.gap_strain as Real;
     for (field, value) in soil.stress.iter_mut().zip(cell.stress) {
-        field[c] = value;
+        field[c] = value as Real;
     }
 }
 
@@ -305,10 +307,26 @@ fn begin_anew(grid: &Grid, state: &mut State, workspace: &mut Workspace) {
     team.planes(cut, &mut state.nodes.mass, |plane, out| lagrange_mass(grid, plane, cells, out));
 }
 
+/// Masses of a storage plane of nodes from those of the cells [kg].
+pub(crate) fn lagrange_mass(grid: &Grid, plane: usize, cell_mass: &[Real], node_mass: &mut [Real]) {
+    let [nx, ny, _] = grid.cells();
+    let [x, y, z] = grid.stride;
+    for j in 0..=ny {
+        for i in 0..=nx {
+            let n = (j + 1) * y + i + 1;
+            let at = |offset: usize| {
+                let c = plane * z + n - offset;
+                cell_mass[c] + cell_mass[c - x]
+            };
+            node_mass[n] = 0.125 * ((at(0) + at(y)) + (at(z) + at(y + z)));
+        }
+    }
+}
+
 /// Nodes that have lost their soil stop; only now, not between sweeps.
 fn stop_massless(model: &Model, state: &mut State, workspace: &Workspace) {
     let Workspace { team, cut, .. } = workspace;
-    let (mass_moved, mass) = (model.mass_moved(), &state.nodes.mass);
+    let (mass_moved, mass) = (model.mass_moved() as Real, &state.nodes.mass);
     for v in &mut state.nodes.velocity {
         team.planes(cut, v, |plane, out| {
             for (v, m) in out.iter_mut().zip(&mass[plane * cut.stride..]) {

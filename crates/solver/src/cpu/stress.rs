@@ -1,34 +1,34 @@
 //! One row of cells: velocity gradient → trial stress → strength → nodal force coefficients.
 //!
-//! A row is worked on in blocks of up to 96 cells whose working numbers lie in the first-level cache. A few plain loops go
+//! A row is worked on in blocks of up to 96 cells (192 in single precision) whose working numbers lie in the first-level cache. A few plain loops go
 //! over a block; the formulas are branch-free and what a loop writes lies in the block or in one array, so that the
 //! compiler sees that nothing overlaps and vectorises them. Each is compiled for what the processor has; `mul_add` is not
 //! used, so the result is the same to the bit.
 
-use super::stopwatch::{Stage, Stopwatch};
+use super::physics::brick::{Sums, hourglass_coefficient};
+use super::physics::elastic::Elastic;
+use super::physics::menetrey_willam::MenetreyWillam;
+use super::physics::mohr_coulomb::MohrCoulomb;
+use super::physics::strength::{Law, Strength};
+use super::physics::tensor::{Symmetric, deviator, jaumann};
+use super::physics::viscosity::BulkViscosity;
+use super::physics::von_mises::VonMises;
 use super::workspace::{COEFFICIENTS, RowSums, lane_sum};
-use crate::grid::LANES;
+use super::{LANES, Real};
+use crate::cpu::stopwatch::{Stage, Stopwatch};
 use crate::model::{FRACTION_STRESSED, Model};
 use multiversion::multiversion;
-use physics::brick::{Sums, hourglass_coefficient};
-use physics::elastic::Elastic;
-use physics::menetrey_willam::MenetreyWillam;
-use physics::mohr_coulomb::MohrCoulomb;
-use physics::strength::{Law, Strength};
-use physics::tensor::{Symmetric, deviator, jaumann};
-use physics::viscosity::BulkViscosity;
-use physics::von_mises::VonMises;
 
 /// The nodal velocities at the four node rows round a row of cells: (y, z) = (0,0), (1,0), (0,1), (1,1).
-pub(crate) type NodeRows<'a> = [[&'a [f64]; 3]; 4];
+pub(crate) type NodeRows<'a> = [[&'a [Real]; 3]; 4];
 
 /// The cells of a row.
 pub(crate) struct CellRow<'a> {
-    pub(crate) fraction: &'a [f64],
-    pub(crate) mass: &'a [f64],
-    pub(crate) stress: [&'a mut [f64]; 6],
-    pub(crate) plastic_strain: &'a mut [f64],
-    pub(crate) gap_strain: &'a mut [f64],
+    pub(crate) fraction: &'a [Real],
+    pub(crate) mass: &'a [Real],
+    pub(crate) stress: [&'a mut [Real]; 6],
+    pub(crate) plastic_strain: &'a mut [Real],
+    pub(crate) gap_strain: &'a mut [Real],
 }
 
 /// Everything about a row that does not change.
@@ -36,48 +36,53 @@ pub(crate) struct RowConstants<'a> {
     pub(crate) elastic: Elastic,
     pub(crate) strength: Option<Law>,
     /// Density below which soil dilates no more [kg/m³]; 0 where it always may.
-    pub(crate) critical_density: f64,
+    pub(crate) critical_density: Real,
     pub(crate) viscosity: BulkViscosity,
     /// ε ρ c / 4 [kg/(s m²)].
-    pub(crate) hourglass: f64,
+    pub(crate) hourglass: Real,
     /// Widths of the cells along x [m], 0 in ghosts.
-    pub(crate) width_x: &'a [f64],
+    pub(crate) width_x: &'a [Real],
     /// ¼ over the widths, 0 in ghosts [1/m].
-    pub(crate) per_width_x: &'a [f64],
+    pub(crate) per_width_x: &'a [Real],
     /// Widths along y and z [m].
-    pub(crate) width_y: f64,
-    pub(crate) width_z: f64,
+    pub(crate) width_y: Real,
+    pub(crate) width_z: Real,
     /// Time step [s].
-    pub(crate) dt: f64,
+    pub(crate) dt: Real,
 }
 
 impl<'a> RowConstants<'a> {
-    pub(crate) fn new(model: &Model, [width_x, per_width_x]: [&'a [f64]; 2], dt: f64) -> Self {
-        let hourglass = hourglass_coefficient(model.method.hourglass, model.density, model.wave_speed(), 1.0);
+    pub(crate) fn new(model: &Model, [width_x, per_width_x]: [&'a [Real]; 2], dt: f64) -> Self {
+        let hourglass = hourglass_coefficient(
+            model.method.hourglass as Real,
+            model.density as Real,
+            model.wave_speed() as Real,
+            1.0,
+        );
         Self {
-            elastic: model.elastic,
-            strength: model.strength,
-            critical_density: model.critical_density.unwrap_or(0.0),
-            viscosity: model.viscosity(),
+            elastic: Elastic::rounded(&model.elastic),
+            strength: model.strength.as_ref().map(Law::rounded),
+            critical_density: model.critical_density.unwrap_or(0.0) as Real,
+            viscosity: BulkViscosity::rounded(&model.viscosity()),
             hourglass,
             width_x,
             per_width_x,
             width_y: 0.0,
             width_z: 0.0,
-            dt,
+            dt: dt as Real,
         }
     }
 }
 
 /// Most cells in a block: as many as leave its working numbers in a first-level cache of 32 KiB.
-const BLOCK: usize = 96;
+const BLOCK: usize = 768 / size_of::<Real>();
 
-type Lane = [f64; BLOCK];
+type Lane = [Real; BLOCK];
 
 /// The tensor of one cell from arrays of its components. Spelt out: a closure here is not always compiled into the loop,
 /// which then does not vectorise.
 #[inline(always)]
-fn tensor<const N: usize>(components: &[[f64; N]; 6], i: usize) -> Symmetric {
+fn tensor<const N: usize>(components: &[[Real; N]; 6], i: usize) -> Symmetric {
     let [xx, yy, zz, xy, yz, xz] = components;
     [xx[i], yy[i], zz[i], xy[i], yz[i], xz[i]]
 }
@@ -145,7 +150,7 @@ pub(crate) fn strain_row(
     nodes: &NodeRows,
     cells: &mut CellRow,
     (block, stopwatch): (&mut Block, &mut Stopwatch),
-    forces: &mut [&mut [f64]; COEFFICIENTS],
+    forces: &mut [&mut [Real]; COEFFICIENTS],
 ) -> RowSums {
     let mut sums = RowSums::default();
     let n = cells.fraction.len();
@@ -168,8 +173,8 @@ pub(crate) fn strain_row(
         }
         let [plastic, viscous, hourglass] = bear(constants, cells, block);
         sums.plastic += plastic;
-        sums.viscous += viscous * constants.dt;
-        sums.hourglass += hourglass * constants.dt;
+        sums.viscous += viscous * f64::from(constants.dt);
+        sums.hourglass += hourglass * f64::from(constants.dt);
         force_coefficients(block, forces);
         stopwatch.lap(Stage::Lagrange);
     }
@@ -188,10 +193,11 @@ fn corner_sums(nodes: &NodeRows, b: &mut Block) {
 }
 
 #[inline(always)]
-fn component_sums(v: [&[f64]; 4], plain: &mut Lane, [x, y, z]: &mut [Lane; 3], hourglass: &mut Lane) {
-    let [v0, v1, v2, v3] = v;
-    let n = v0.len() - 1;
-    for i in 0..n.min(BLOCK) {
+fn component_sums(v: [&[Real]; 4], plain: &mut Lane, [x, y, z]: &mut [Lane; 3], hourglass: &mut Lane) {
+    let n = (v[0].len() - 1).min(BLOCK);
+    // Of one length to the compiler's eye: it would else leave a vector's worth of cells to be done one by one.
+    let (v0, v1, v2, v3) = (&v[0][..=n], &v[1][..=n], &v[2][..=n], &v[3][..=n]);
+    for i in 0..n {
         let corners = [[v0[i], v0[i + 1]], [v1[i], v1[i + 1]], [v2[i], v2[i + 1]], [v3[i], v3[i + 1]]];
         let sums = Sums::of(corners);
         plain[i] = sums.plain;
@@ -208,7 +214,9 @@ fn trial_stress(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
     let own = start..start + n;
     let (per_width, fraction) = (&constants.per_width_x[own.clone()], &cells.fraction[own.clone()]);
     let gap_strain = &cells.gap_strain[own.clone()];
-    let stress = cells.stress.each_ref().map(|s| &s[own.clone()]);
+    let [xx, yy, zz, xy, yz, xz] = &cells.stress;
+    let (old_xx, old_yy, old_zz) = (&xx[own.clone()], &yy[own.clone()], &zz[own.clone()]);
+    let (old_xy, old_yz, old_xz) = (&xy[own.clone()], &yz[own.clone()], &xz[own]);
     let (dt, elastic) = (constants.dt, constants.elastic);
     let (per_y, per_z) = (0.25 / constants.width_y, 0.25 / constants.width_z);
     for i in 0..n {
@@ -223,12 +231,12 @@ fn trial_stress(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
         let gap = gap_strain[i];
         let open = gap + volumetric * dt;
         let has_gap = gap > 0.0;
-        let stressed = fraction[i] > FRACTION_STRESSED;
+        let stressed = fraction[i] > FRACTION_STRESSED as Real;
         let stays_open = has_gap & (open > 0.0);
         let closing = if open < 0.0 { open } else { 0.0 };
         let squeeze = if has_gap { closing } else { volumetric * dt };
         b.gap_strain[i] = if stays_open & stressed { open } else { 0.0 };
-        let old = [stress[0][i], stress[1][i], stress[2][i], stress[3][i], stress[4][i], stress[5][i]];
+        let old = [old_xx[i], old_yy[i], old_zz[i], old_xy[i], old_yz[i], old_xz[i]];
         let shear = deviator(strain_rate);
         let turned = jaumann(old, spin);
         let pressed = elastic.bulk * squeeze;
@@ -319,17 +327,17 @@ fn von_mises(constants: &RowConstants, law: &VonMises, cells: &mut CellRow, b: &
 #[derive(Default)]
 struct Yielding {
     /// Trial stress, later the returned one [Pa].
-    trial: [[f64; LANES]; 6],
+    trial: [[Real; LANES]; 6],
     /// Stress at the start of the step [Pa].
-    old: [[f64; LANES]; 6],
+    old: [[Real; LANES]; 6],
     /// 1 where the soil dilates, 0 at its critical density.
-    dilates: [f64; LANES],
+    dilates: [Real; LANES],
     /// Equivalent plastic strain at the start of the step, later at its end.
-    plastic_strain: [f64; LANES],
+    plastic_strain: [Real; LANES],
     /// Increment.
-    gap_strain: [f64; LANES],
+    gap_strain: [Real; LANES],
     /// Plastic work per volume [J/m³].
-    work: [f64; LANES],
+    work: [Real; LANES],
 }
 
 impl Yielding {
@@ -392,7 +400,7 @@ fn bear(constants: &RowConstants, cells: &mut CellRow, b: &mut Block) -> [f64; 3
 /// Coefficients of the nodal forces: what stress and hourglass viscosity contribute to the plain part and to the parts
 /// signed by the corner's side.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn force_coefficients(b: &Block, forces: &mut [&mut [f64]; COEFFICIENTS]) {
+fn force_coefficients(b: &Block, forces: &mut [&mut [Real]; COEFFICIENTS]) {
     let (start, n) = (b.start, b.n.min(BLOCK));
     let own = start..start + n;
     /// Place of a component in a symmetric tensor, by row and column.
@@ -420,14 +428,14 @@ fn force_coefficients(b: &Block, forces: &mut [&mut [f64]; COEFFICIENTS]) {
 /// Harmonic mean of the widths of a cell, 0 in a ghost: about the cube root of the volume, smaller in a stretched cell,
 /// and needs no root.
 #[inline(always)]
-fn mean_width(hx: f64, hy: f64, hz: f64) -> f64 {
+fn mean_width(hx: Real, hy: Real, hz: Real) -> Real {
     3.0 * hx * hy * hz / (hx * hy + hy * hz + hx * hz)
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::physics::menetrey_willam::Eccentricity;
     use super::*;
-    use physics::menetrey_willam::Eccentricity;
     use std::hint::black_box;
     use std::time::Instant;
 
@@ -464,7 +472,7 @@ mod tests {
             width_z: 1.0,
             dt: 1.0,
         };
-        let mut fields: [Vec<f64>; 6] = std::array::from_fn(|c| (0..BLOCK).map(|i| stress(i)[c]).collect());
+        let mut fields: [Vec<Real>; 6] = std::array::from_fn(|c| (0..BLOCK).map(|i| stress(i)[c]).collect());
         let (mut plastic, mut gap) = (vec![0.0; BLOCK], vec![0.0; BLOCK]);
         let mut cells = CellRow {
             fraction: &ones,
@@ -488,8 +496,8 @@ mod tests {
     /// Ratios within one run, so that they hold on any machine: check and return in vectors against the same formulas cell
     /// by cell.
     fn goes_in_vectors<S: Strength>(strength: &S, apply: impl Apply<S>) {
-        let yielding = |i: usize| [-1e3, -4e3 - i as f64, -9e3, 500.0, 10.0 * i as f64, -300.0];
-        let resting = |i: usize| [-5e3, -4e3 - i as f64, -6e3, 50.0, i as f64, -30.0];
+        let yielding = |i: usize| [-1e3, -4e3 - i as Real, -9e3, 500.0, 10.0 * i as Real, -300.0];
+        let resting = |i: usize| [-5e3, -4e3 - i as Real, -6e3, 50.0, i as Real, -30.0];
         let (returned, together) = in_vectors(strength, &apply, yielding);
         let one_by_one = best(|| {
             for i in 0..BLOCK {

@@ -1,12 +1,12 @@
 //! Memory that the step works in and that is worth nothing between steps.
 
-use crate::cpu::contact::{self, BodyCell, ContactLaw, Drive, TouchedNode};
+use super::contact::{self, BodyCell, ContactLaw, Drive, TouchedNode};
+use super::stress::Block;
+use super::{Real, State};
 use crate::cpu::stopwatch::Stopwatch;
-use crate::cpu::stress::Block;
 use crate::cpu::threads::{Cut, MOST, Team};
 use crate::grid::Grid;
 use crate::model::Model;
-use crate::state::{Contact, State};
 use glam::DVec3;
 use physics::shape::SurfacePoint;
 
@@ -30,7 +30,7 @@ pub struct Workspace {
     pub(crate) clear: u8,
     /// Nodal velocities of the step before. Between steps they are worth nothing, and room for others: for the remap, and
     /// the first, from then till the contact points are located, for the share of each cell that bodies take up.
-    pub(crate) velocity_before: [Vec<f64>; 3],
+    pub(crate) velocity_before: [Vec<Real>; 3],
     /// The cells of which bodies take up a share, body by body.
     pub(crate) body_cells: Vec<BodyCell>,
     /// One for each worker.
@@ -40,13 +40,11 @@ pub struct Workspace {
     /// Two values for each row, to be added up.
     pub(crate) row_values: Vec<[f64; 2]>,
     /// Widths of the cell layers along x [m], in storage columns (0 in ghosts), and ¼ over them.
-    pub(crate) width_x: [Vec<f64>; 2],
+    pub(crate) width_x: [Vec<Real>; 2],
     /// How soil and bodies act on each other.
     pub(crate) contact_law: Box<dyn ContactLaw>,
     /// Surface points of the bodies.
     pub(crate) points: Vec<Vec<SurfacePoint>>,
-    /// Room for the contact points that are located anew.
-    pub(crate) located: Vec<Contact>,
     /// Nodes that contact acts on.
     pub(crate) touched: Vec<TouchedNode>,
     /// For each contact, the places of its cell's nodes among them.
@@ -70,11 +68,11 @@ pub(crate) struct WorkerScratch {
     /// Force coefficients of two rows of cells in turn.
     pub(crate) coefficients: [Coefficients; 2],
     /// Force and damping (four rows for each row of nodes) on a plane of nodes by the cells below it.
-    pub(crate) below: Vec<f64>,
-    /// The same on the lowest plane of nodes by the cells above it.
-    pub(crate) waiting: Vec<f64>,
+    pub(crate) below: Vec<Real>,
+    /// The same on the lowest plane of nodes by the cells above it; the first worker's nodes wait for nobody.
+    pub(crate) waiting: Vec<Real>,
     /// Row buffers of the nodes.
-    pub(crate) row: Vec<f64>,
+    pub(crate) row: Vec<Real>,
     /// Block of cells.
     pub(crate) block: Box<Block>,
     /// Where this worker's time goes.
@@ -84,7 +82,7 @@ pub(crate) struct WorkerScratch {
 /// Force coefficients of a row of cells.
 pub(crate) struct Coefficients {
     /// One row after the other.
-    pub(crate) values: Vec<f64>,
+    pub(crate) values: Vec<Real>,
     /// Whether all are zero.
     pub(crate) are_zero: bool,
 }
@@ -123,10 +121,10 @@ impl Workspace {
         let rows = plane / grid.stride[1];
         let coefficients =
             |_| Coefficients { values: vec![0.0; COEFFICIENTS * grid.stride[1]], are_zero: true };
-        let worker = |_| WorkerScratch {
+        let worker = |n| WorkerScratch {
             coefficients: std::array::from_fn(coefficients),
             below: vec![0.0; NODE_SUMS * plane],
-            waiting: vec![0.0; NODE_SUMS * plane],
+            waiting: vec![0.0; if n > 0 { NODE_SUMS * plane } else { 0 }],
             row: vec![0.0; ROW_BUFFERS * grid.stride[1]],
             block: Block::new(),
             stopwatch: Stopwatch::default(),
@@ -147,7 +145,6 @@ impl Workspace {
             width_x: column_widths(grid),
             contact_law: contact::law(model),
             points: model.bodies.iter().map(|b| contact::surface_points(model, b)).collect(),
-            located: Vec::new(),
             touched,
             corner_nodes,
             patch: contact::number_patches(model, &state.soil, &state.bodies, &state.contacts),
@@ -164,7 +161,7 @@ impl Workspace {
         self.team.size()
     }
 
-    /// Memory that it takes up [bytes], but for what grows with the bodies' surfaces.
+    /// Memory that it takes up [bytes], but for what the contact law keeps during a step.
     #[must_use]
     pub fn memory(&self) -> usize {
         let own = |w: &WorkerScratch| {
@@ -176,6 +173,12 @@ impl Workspace {
             + size_of_val(self.row_sums.as_slice())
             + size_of_val(self.row_has_soil.as_slice())
             + size_of_val(self.row_values.as_slice())
+            + self.points.iter().map(|points| size_of_val(points.as_slice())).sum::<usize>()
+            + size_of_val(self.body_cells.as_slice())
+            + size_of_val(self.touched.as_slice())
+            + size_of_val(self.corner_nodes.as_slice())
+            + size_of_val(self.patch.0.as_slice())
+            + size_of_val(self.friction.as_slice())
     }
 
     /// Where the time of the calling thread goes.
@@ -194,7 +197,7 @@ impl Workspace {
     }
 
     /// Notes which rows hold soil, and deals the planes out anew.
-    pub(crate) fn find_soil(&mut self, grid: &Grid, fraction: &[f64]) {
+    pub(crate) fn find_soil(&mut self, grid: &Grid, fraction: &[Real]) {
         for (n, cells) in fraction.chunks_exact(grid.stride[1]).take(self.row_has_soil.len()).enumerate() {
             self.row_has_soil[n] = cells.iter().any(|f| *f > 0.0);
             if !self.row_has_soil[n] {
@@ -223,24 +226,25 @@ impl Workspace {
     }
 }
 
-fn column_widths(grid: &Grid) -> [Vec<f64>; 2] {
+fn column_widths(grid: &Grid) -> [Vec<Real>; 2] {
     let mut widths = vec![0.0; grid.stride[1] + crate::grid::LANES];
     for i in 0..grid.cells()[0] {
         widths[i + 1] = grid.width(0, i);
     }
-    let per_width = widths.iter().map(|w| if *w > 0.0 { 0.25 / w } else { 0.0 }).collect();
-    [widths, per_width]
+    let per_width = widths.iter().map(|w| if *w > 0.0 { (0.25 / w) as Real } else { 0.0 }).collect();
+    [widths.into_iter().map(|w: f64| w as Real).collect(), per_width]
 }
 
 /// Sum in eight lanes that are added up at the end: the same whatever the processor's vectors are.
 #[inline(always)]
-pub(crate) fn lane_sum(values: &[f64]) -> f64 {
-    let mut lanes = [0.0; 8];
+pub(crate) fn lane_sum(values: &[Real]) -> f64 {
+    let mut lanes: [Real; 8] = [0.0; 8];
     for chunk in values.chunks_exact(8) {
         for (lane, value) in lanes.iter_mut().zip(chunk) {
             *lane += value;
         }
     }
-    let tail: f64 = values.chunks_exact(8).remainder().iter().sum();
+    let tail: Real = values.chunks_exact(8).remainder().iter().sum();
+    let (lanes, tail) = (lanes.map(f64::from), f64::from(tail));
     ((lanes[0] + lanes[4]) + (lanes[1] + lanes[5])) + ((lanes[2] + lanes[6]) + (lanes[3] + lanes[7])) + tail
 }

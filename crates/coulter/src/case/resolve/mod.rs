@@ -13,7 +13,7 @@ mod timing;
 
 use super::problem::Problems;
 use super::ranges::{self, ANY, NOT_NEGATIVE, POSITIVE, SHARE};
-use super::resolved::{Body, Case, Contact, Law, Numerics};
+use super::resolved::{Body, Case, Contact, Law, Numerics, Precision};
 use super::schema::{Schema, Section};
 
 /// What the parts of a case share.
@@ -72,7 +72,7 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
     checks::bodies_fit(schema, &bodies, &domain, duration, problems);
     let usual = mesh::usual_fine_zone(&frame, &domain, &bodies, duration);
     let grid = mesh::grid(&schema.grid, &frame, (&domain, &ground), &bodies, usual, problems)?;
-    checks::fits_into_memory(&schema.grid, &grid, problems);
+    checks::fits_into_memory(&schema.grid, &grid, numerics.as_ref()?.precision, problems);
     let name = name?;
     let case = Case {
         title: schema.top.text("title").map_or_else(|| name.clone(), |t| t.value),
@@ -168,6 +168,10 @@ fn numerics(section: &Section, law: Option<Law>, problems: &mut Problems) -> Opt
         Some(typed) if typed.value == "penalty" => Contact::Penalty,
         _ => Contact::Impulse,
     };
+    let precision = match section.text("precision") {
+        Some(typed) if typed.value == "single" => Precision::Single,
+        _ => Precision::Double,
+    };
     Some(Numerics {
         courant: courant?,
         remap_displacement: remap_displacement?,
@@ -178,5 +182,6 @@ fn numerics(section: &Section, law: Option<Law>, problems: &mut Problems) -> Opt
         edge_inset: edge_inset?,
         point_spacing: point_spacing?,
         threads: threads? as usize,
+        precision,
     })
 }

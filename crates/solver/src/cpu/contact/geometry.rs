@@ -1,10 +1,11 @@
 //! Where the contact points lie in the grid, how far the soil is from them, and how much soil is inside a body.
 
+use super::super::workspace::Workspace;
+use super::super::{Real, Soil, State};
 use super::{ContactLaw, TouchedNode, corners, over_corners};
-use crate::cpu::workspace::Workspace;
 use crate::grid::Grid;
 use crate::model::{BodyModel, Model, Wall};
-use crate::state::{Body, Contact, Soil, State};
+use crate::state::{Body, Contact};
 use glam::DVec3;
 
 /// Finds anew which contact points have soil to act on, with their cells, weights and gaps; measures leaked and embedded
@@ -14,7 +15,6 @@ pub(crate) fn locate(model: &Model, state: &mut State, workspace: &mut Workspace
         velocity_before: [occupied, ..],
         body_cells,
         points,
-        located,
         contact_law,
         touched,
         corner_nodes,
@@ -23,7 +23,7 @@ pub(crate) fn locate(model: &Model, state: &mut State, workspace: &mut Workspace
     } = workspace;
     measure_leak(&model.grid, &state.soil, body_cells, &mut state.bodies);
     let view = View { model, soil: &state.soil, node_mass: &state.nodes.mass, occupied };
-    located.clear();
+    let mut located = Vec::with_capacity(state.contacts.len());
     let mut known = state.contacts.iter().peekable();
     for (n, points) in points.iter().enumerate() {
         let (fixed, body) = (&model.bodies[n], &state.bodies[n]);
@@ -37,7 +37,7 @@ pub(crate) fn locate(model: &Model, state: &mut State, workspace: &mut Workspace
             }
         }
     }
-    std::mem::swap(&mut state.contacts, located);
+    state.contacts = located;
     for c in body_cells {
         occupied[c.cell] = 0.0;
     }
@@ -51,7 +51,7 @@ pub(crate) fn occupy_all(model: &Model, state: &mut State, workspace: &mut Works
     body_cells.clear();
     for (n, (fixed, body)) in model.bodies.iter().zip(&mut state.bodies).enumerate() {
         occupy(model, fixed, body, |cell, share| {
-            occupied[cell] = (occupied[cell] + share).min(1.0);
+            occupied[cell] = (occupied[cell] + share as Real).min(1.0);
             body_cells.push(BodyCell { body: n, cell, share });
         });
         body.located = (body.position, body.angle);
@@ -76,7 +76,7 @@ fn measure_leak(grid: &Grid, soil: &Soil, body_cells: &[BodyCell], bodies: &mut 
     }
     for c in body_cells {
         bodies[c.body].leaked_volume +=
-            (soil.fraction[c.cell] + c.share - 1.0).max(0.0) * grid.volume_of(c.cell);
+            (f64::from(soil.fraction[c.cell]) + c.share - 1.0).max(0.0) * grid.volume_of(c.cell);
     }
 }
 
@@ -138,9 +138,9 @@ pub(super) fn largest_axis(v: DVec3) -> usize {
 struct View<'a> {
     model: &'a Model,
     soil: &'a Soil,
-    node_mass: &'a [f64],
+    node_mass: &'a [Real],
     /// Share of each cell that bodies take up.
-    occupied: &'a [f64],
+    occupied: &'a [Real],
 }
 
 impl View<'_> {
@@ -192,7 +192,7 @@ impl View<'_> {
         for (n, offset) in corners(grid.stride).iter().enumerate() {
             let part = |axis: usize| parts[axis][n >> axis & 1];
             let full = self.model.density * self.node_volume(cell, n);
-            let mass = self.node_mass[base + offset];
+            let mass = f64::from(self.node_mass[base + offset]);
             let bears = mass > self.model.mass_moved();
             weight[n] = if bears { (part(0) * part(1) * part(2)).min(MASS_RATIO * mass / full) } else { 0.0 };
         }
@@ -230,8 +230,9 @@ impl View<'_> {
             Some(at) => {
                 let c = grid.index(at[0], at[1], at[2]);
                 let width = grid.width(axis, at[axis]);
-                let void = (1.0 - self.occupied[c] - self.soil.fraction[c]) * width;
-                (void, self.soil.fraction[c], normal.dot(self.void_direction(at)), width)
+                let fraction = f64::from(self.soil.fraction[c]);
+                let void = (1.0 - f64::from(self.occupied[c]) - fraction) * width;
+                (void, fraction, normal.dot(self.void_direction(at)), width)
             }
         };
         let (void_in, ..) = look(neighbour(false));
@@ -263,7 +264,7 @@ impl View<'_> {
             for (x, dx) in offset[0].iter().enumerate() {
                 // The two sides of y are added first: a mirror in y then changes no bit.
                 let [low, middle, high] =
-                    offset[1].map(|dy| self.soil.fraction[c.wrapping_add_signed(dx + dy + dz)]);
+                    offset[1].map(|dy| f64::from(self.soil.fraction[c.wrapping_add_signed(dx + dy + dz)]));
                 let sum = (low + high) + 2.0 * middle;
                 gradient.x += sum * WEIGHT[z] * (x as f64 - 1.0);
                 gradient.y += (high - low) * WEIGHT[x] * WEIGHT[z];
@@ -335,6 +336,6 @@ pub(crate) fn carve(model: &Model, soil: &mut Soil, bodies: &mut [Body]) {
         occupy(model, fixed, body, |c, share| occupied[c] = (occupied[c] + share).min(1.0));
     }
     for (f, share) in soil.fraction.iter_mut().zip(&occupied) {
-        *f = f.min(1.0 - share);
+        *f = f.min((1.0 - share) as Real);
     }
 }

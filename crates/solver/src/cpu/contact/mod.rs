@@ -15,10 +15,12 @@ pub(crate) use expel::expel;
 pub(crate) use geometry::{BodyCell, carve as carve_soil, locate, occupy_all, touched_nodes};
 pub(crate) use patch::number as number_patches;
 
-use crate::cpu::workspace::Workspace;
+use super::workspace::Workspace;
+use super::{Real, State};
 use crate::model::{BodyModel, ContactMethod, Model};
-use crate::state::{Body, Contact, Received, State};
+use crate::state::{Body, Contact, Received};
 use glam::DVec3;
+use physics::rigid::Freedom;
 use physics::shape::SurfacePoint;
 
 /// How soil and body act on each other at the contact points.
@@ -196,11 +198,20 @@ pub(crate) fn law(model: &Model) -> Box<dyn ContactLaw> {
     }
 }
 
-/// Surface points of a body; the cells near it are the narrowest along each axis.
+/// Surface points of a body, but for those that stay beside the box for ever, as behind a plane of symmetry; the cells near it
+/// are the narrowest along each axis.
 pub(crate) fn surface_points(model: &Model, body: &BodyModel) -> Vec<SurfacePoint> {
     let finest = DVec3::from_array(std::array::from_fn(|axis| model.grid.finest_along(axis)));
     let spacing = model.method.point_spacing * model.grid.finest();
-    body.shape.surface_points(spacing, model.method.edge_inset * finest)
+    let mut points = body.shape.surface_points(spacing, model.method.edge_inset * finest);
+    if body.translation[1] == Freedom::Fixed {
+        // It turns about an axle along y.
+        let faces = &model.grid.faces[1];
+        let (low, high) = (faces[0] - spacing, faces[faces.len() - 1] + spacing);
+        points.retain(|p| (low..=high).contains(&(body.start.y + p.position.y)));
+        points.shrink_to_fit();
+    }
+    points
 }
 
 /// Lets soil and bodies act on each other for one step. Returns what that did, for the ledger; what each body received is in
@@ -216,7 +227,7 @@ pub(crate) fn contact(model: &Model, state: &mut State, workspace: &mut Workspac
     let velocity = &mut state.nodes.velocity;
     let mass_moved = model.mass_moved();
     for t in touched.iter_mut() {
-        let mass = state.nodes.mass[t.node];
+        let mass = f64::from(state.nodes.mass[t.node]);
         t.velocity = velocity_of(velocity, t.node);
         t.free = t.velocity;
         t.before = velocity_of(velocity_before, t.node);
@@ -240,9 +251,10 @@ pub(crate) fn contact(model: &Model, state: &mut State, workspace: &mut Workspac
     let mut on_soil = 0.0;
     for t in touched.iter() {
         for (v, new) in velocity.iter_mut().zip(t.velocity.to_array()) {
-            v[t.node] = new;
+            v[t.node] = new as Real;
         }
-        on_soil += state.nodes.mass[t.node] * (t.velocity - t.free).dot(0.5 * (t.velocity + t.before));
+        on_soil +=
+            f64::from(state.nodes.mass[t.node]) * (t.velocity - t.free).dot(0.5 * (t.velocity + t.before));
     }
     let rubbed = rubbed(state, touched, corner_nodes, friction, drives);
     for (drive, body) in drives.iter_mut().zip(&state.bodies) {
@@ -283,8 +295,8 @@ fn rubbed(
     sum
 }
 
-fn velocity_of(velocity: &[Vec<f64>; 3], node: usize) -> DVec3 {
-    DVec3::new(velocity[0][node], velocity[1][node], velocity[2][node])
+fn velocity_of(velocity: &[Vec<Real>; 3], node: usize) -> DVec3 {
+    DVec3::from_array(velocity.each_ref().map(|component| f64::from(component[node])))
 }
 
 /// What contact did in one step.
