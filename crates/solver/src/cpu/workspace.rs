@@ -49,8 +49,8 @@ pub struct Workspace {
     pub(crate) touched: Vec<TouchedNode>,
     /// For each contact, the places of its cell's nodes among them.
     pub(crate) corner_nodes: Vec<[u32; 8]>,
-    /// For each contact the number of its patch, and how many patches there are.
-    pub(crate) patch: (Vec<usize>, usize),
+    /// For each contact the number of its patch; for each patch the forces that are missing at its nodes.
+    pub(crate) patch: (Vec<usize>, Vec<[DVec3; 8]>),
     /// Frictional impulse at each contact in the last step [N s].
     pub(crate) friction: Vec<DVec3>,
     /// How each body came through the last step.
@@ -147,7 +147,7 @@ impl Workspace {
             points: model.bodies.iter().map(|b| contact::surface_points(model, b)).collect(),
             touched,
             corner_nodes,
-            patch: contact::number_patches(&state.contacts),
+            patch: contact::number_patches(model, &state.soil, &state.bodies, &state.contacts),
             friction: Vec::new(),
             drives: vec![Drive::default(); model.bodies.len()],
         };

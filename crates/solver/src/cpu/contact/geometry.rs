@@ -42,7 +42,7 @@ pub(crate) fn locate(model: &Model, state: &mut State, workspace: &mut Workspace
         occupied[c.cell] = 0.0;
     }
     (*touched, *corner_nodes) = touched_nodes(model, &state.contacts);
-    *patch = super::number_patches(&state.contacts);
+    *patch = super::number_patches(model, &state.soil, &state.bodies, &state.contacts);
 }
 
 /// Finds anew which share of each cell the bodies take up. It is noted in memory that is free only till [`locate`].

@@ -22,8 +22,9 @@ pub(super) struct Impulses {
 
 /// Symmetric sweeps per step; fewer than two give wrong forces.
 const SWEEPS: usize = 4;
-/// A touching point is let go when the volume fractions show a void of this many cells before it.
-const LET_GO: f64 = 0.5;
+/// A touching point is let go when the volume fractions show a void of this many cells before it: a wheel that rolls would
+/// else open a void under itself and climb on it.
+const LET_GO: f64 = 0.05;
 /// Share of the difference to the geometric gap that a point at a distance takes over per tenth of a cell of travel.
 const PULL: f64 = 0.3;
 /// Share of an overlap that is pushed out while the body moves on by one cell.
@@ -76,13 +77,13 @@ fn remember(scene: &mut Scene, n: usize, patch: Option<&Patch>) {
     let c = scene.contacts[n];
     let impulse = patch.map_or(DVec3::ZERO, |p| (c.area / p.area) * p.impulse);
     if let Some(patch) = patch {
-        let normal = impulse.dot(patch.normal) * patch.normal;
+        let normal = impulse.dot(patch.grip.normal) * patch.grip.normal;
         scene.note(n, normal, impulse - normal);
     }
     let closing = scene.slip_velocity(&scene.grip(n)).dot(c.normal);
     let penetration = (c.penetration + closing * scene.dt).min(c.penetration.max(0.0));
     // Rounding must not let go of a point that is held.
-    let held = patch.is_some_and(|p| p.impulse.dot(p.normal) > 0.0);
+    let held = patch.is_some_and(|p| p.impulse.dot(p.grip.normal) > 0.0);
     scene.contacts[n].penetration = if held { penetration.max(0.0) } else { penetration };
     scene.contacts[n].impulse = impulse;
 }
@@ -104,8 +105,14 @@ struct Terms {
 impl Terms {
     /// `None` where neither soil nor body can give way along the normal: there is nothing to solve for.
     fn new(scene: &Scene, patch: &Patch) -> Option<Self> {
-        let mobility = mobility(scene, &patch.grip);
-        let along = mobility.dot(patch.normal * patch.normal);
+        let (grip, normal) = (&patch.grip, patch.grip.normal);
+        let mobility = mobility(scene, grip);
+        let soil = |n: usize| {
+            let impulse = grip.on_node(n, normal);
+            (impulse * impulse).dot(scene.nodes[grip.nodes[n] as usize].inverse_mass)
+        };
+        let along =
+            over_corners(std::array::from_fn(soil)) + mobility_of_body(scene, grip).dot(normal * normal);
         (along > 0.0).then(|| Self {
             along: 1.0 / along,
             across: 1.0 / mobility.max_element(),
@@ -117,18 +124,18 @@ impl Terms {
 
     /// Impulse that the present relative velocity asks for, `share` of the whole correction.
     fn wanted(&self, scene: &Scene, patch: &Patch, share: f64) -> DVec3 {
-        let relative = scene.slip_velocity(&patch.grip);
-        let closing = relative.dot(patch.normal);
-        let old_normal = patch.impulse.dot(patch.normal);
+        let relative = scene.slip_velocity_of_patch(&patch.grip);
+        let closing = relative.dot(patch.grip.normal);
+        let old_normal = patch.impulse.dot(patch.grip.normal);
         let new_normal = (old_normal + share * (closing - self.allowed) * self.along).max(0.0);
         if new_normal == 0.0 && old_normal == 0.0 {
             return DVec3::ZERO;
         }
-        let old_friction = patch.impulse - old_normal * patch.normal;
-        let sliding = relative - closing * patch.normal;
+        let old_friction = patch.impulse - old_normal * patch.grip.normal;
+        let sliding = relative - closing * patch.grip.normal;
         let limit = (self.friction * new_normal).min(self.shear_limit);
         let friction = (old_friction + share * sliding * self.across).clamp_length_max(limit);
-        new_normal * patch.normal + friction
+        new_normal * patch.grip.normal + friction
     }
 }
 
@@ -204,13 +211,14 @@ fn coupling(scene: &Scene, (a, terms_a): (&Patch, &Terms), (b, terms_b): (&Patch
     let shared = |n: usize| {
         let node = a.grip.nodes[n];
         let place = b.grip.nodes.iter().position(|m| *m == node);
-        place.map_or(DVec3::ZERO, |m| {
-            (a.grip.weight[n] * b.grip.weight[m]) * scene.nodes[node as usize].inverse_mass
+        place.map_or(0.0, |m| {
+            let both = a.grip.on_node(n, a.grip.normal) * b.grip.on_node(m, b.grip.normal);
+            both.abs().dot(scene.nodes[node as usize].inverse_mass)
         })
     };
     let through_soil = over_corners(std::array::from_fn(shared));
     let through_body = 0.5 * (mobility_of_body(scene, &a.grip) + mobility_of_body(scene, &b.grip));
-    let size = (through_soil + through_body).dot((a.normal * b.normal).abs());
+    let size = through_soil + through_body.dot((a.grip.normal * b.grip.normal).abs());
     (size * terms_a.along.max(terms_b.along)).clamp(0.0, 1.0)
 }
 

@@ -4,6 +4,7 @@
 //! every remap and kept till the next. How soil and body act on each other there is a `ContactLaw`'s business; two
 //! were built: penalty with a history, and velocity impulses.
 
+mod cut;
 mod expel;
 mod geometry;
 mod impulse;
@@ -43,8 +44,8 @@ pub(crate) struct Scene<'a> {
     pub(crate) corner_nodes: &'a [[u32; 8]],
     /// For each contact the number of its patch.
     pub(crate) patch: &'a [usize],
-    /// How many patches there are.
-    pub(crate) patches: usize,
+    /// For each patch the forces that are missing at its cell's nodes, over the force on it.
+    pub(crate) missing: &'a [[DVec3; 8]],
     /// Frictional impulse on the soil at each contact in this step [N s].
     pub(crate) friction: &'a mut [DVec3],
     /// Time step [s].
@@ -78,6 +79,11 @@ fn over_corners<T: Copy + std::ops::Add<Output = T>>(v: [T; 8]) -> T {
     ((v[0] + v[2]) + (v[1] + v[3])) + ((v[4] + v[6]) + (v[5] + v[7]))
 }
 
+/// Side of the body's middle that a point lies on: 0 and 1, or 2 in the middle.
+fn side(c: &Contact) -> usize {
+    if c.arm.y == 0.0 { 2 } else { usize::from(c.arm.y < 0.0) }
+}
+
 /// Where an impulse acts: on a body at a point, and on the nodes of a cell.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Grip {
@@ -89,13 +95,24 @@ pub(crate) struct Grip {
     pub(crate) nodes: [u32; 8],
     /// Their weights.
     pub(crate) weight: [f64; 8],
+    /// Unit normal of a patch out of the body; 0 for a point.
+    pub(crate) normal: DVec3,
+    /// Forces that are missing at the nodes, over the force along the normal.
+    pub(crate) missing: [DVec3; 8],
+}
+
+impl Grip {
+    /// What a node takes of an impulse [N s].
+    fn on_node(&self, n: usize, impulse: DVec3) -> DVec3 {
+        self.weight[n] * impulse + impulse.dot(self.normal) * self.missing[n]
+    }
 }
 
 impl Scene<'_> {
     /// Where a contact acts.
     fn grip(&self, contact: usize) -> Grip {
         let Contact { body, arm, weight, .. } = self.contacts[contact];
-        Grip { body, arm, nodes: self.corner_nodes[contact], weight }
+        Grip { body, arm, nodes: self.corner_nodes[contact], weight, ..Grip::default() }
     }
 
     /// Velocity of the body minus that of the soil [m/s].
@@ -104,11 +121,17 @@ impl Scene<'_> {
         velocity_at(&self.bodies[grip.body], grip.arm) - over_corners(std::array::from_fn(soil))
     }
 
+    /// The same at a patch, as what is missing at its nodes sees it: an impulse along the normal changes it by its work.
+    fn slip_velocity_of_patch(&self, grip: &Grip) -> DVec3 {
+        let stirred = |n: usize| grip.missing[n].dot(self.nodes[grip.nodes[n] as usize].velocity);
+        self.slip_velocity(grip) - over_corners(std::array::from_fn(stirred)) * grip.normal
+    }
+
     /// Gives an impulse [N s] to the soil and takes it from the body, as far as the body is free.
     fn exchange(&mut self, grip: &Grip, impulse: DVec3) {
-        for (n, w) in grip.nodes.iter().zip(grip.weight) {
-            let node = &mut self.nodes[*n as usize];
-            node.velocity += w * node.inverse_mass * impulse;
+        for (n, place) in grip.nodes.iter().enumerate() {
+            let node = &mut self.nodes[*place as usize];
+            node.velocity += node.inverse_mass * grip.on_node(n, impulse);
         }
         push(
             &self.model.bodies[grip.body],
@@ -121,7 +144,7 @@ impl Scene<'_> {
     /// Does so at two places of one body at once; which of them is named first makes no difference to the bit.
     fn exchange_both(&mut self, first: (&Grip, DVec3), second: (&Grip, DVec3)) {
         let gain = |nodes: &[TouchedNode], (grip, impulse): (&Grip, DVec3), n: usize| {
-            grip.weight[n] * nodes[grip.nodes[n] as usize].inverse_mass * impulse
+            nodes[grip.nodes[n] as usize].inverse_mass * grip.on_node(n, impulse)
         };
         for (n, node) in first.0.nodes.iter().enumerate() {
             let own = gain(self.nodes, first, n);
@@ -220,7 +243,7 @@ pub(crate) fn contact(model: &Model, state: &mut State, workspace: &mut Workspac
         nodes: touched,
         corner_nodes,
         patch: &patch.0,
-        patches: patch.1,
+        missing: &patch.1,
         friction,
         dt,
     });

@@ -5,7 +5,8 @@
 //! over the patch; an impulse on the patch acts like a uniform pressure on it.
 
 use super::{Grip, Scene};
-use crate::state::Contact;
+use crate::model::Model;
+use crate::state::{Body, Contact, Soil};
 use glam::DVec3;
 use std::collections::HashMap;
 
@@ -16,8 +17,6 @@ pub(super) struct Patch {
     pub(super) first: usize,
     /// Where it acts: the mean over its points.
     pub(super) grip: Grip,
-    /// Unit normal out of the body.
-    pub(super) normal: DVec3,
     /// Area [m²].
     pub(super) area: f64,
     /// Mean overlap of body and soil, in cells.
@@ -80,40 +79,48 @@ impl Patches {
         let Self { each: patches, of_contact, place, sums } = self;
         patches.clear();
         sums.clear();
-        for (list, length) in [(&mut *place, scene.patches), (&mut *of_contact, scene.contacts.len())] {
+        for (list, length) in [(&mut *place, scene.missing.len()), (&mut *of_contact, scene.contacts.len())] {
             list.clear();
             list.resize(length, None);
         }
         for (n, c) in scene.contacts.iter().enumerate().filter(|(n, _)| touches(*n)) {
             let at = *place[scene.patch[n]].get_or_insert(patches.len());
             if at == patches.len() {
-                let grip = Grip { body: c.body, nodes: scene.corner_nodes[n], ..Grip::default() };
+                let (nodes, missing) = (scene.corner_nodes[n], scene.missing[scene.patch[n]]);
+                let grip = Grip { body: c.body, nodes, missing, ..Grip::default() };
                 patches.push(Patch { first: n, grip, ..Patch::default() });
                 sums.push(Default::default());
             }
             of_contact[n] = Some(at);
-            let side = if c.arm.y == 0.0 { 2 } else { usize::from(c.arm.y < 0.0) };
-            sums[at][side].add(c);
+            sums[at][super::side(c)].add(c);
         }
         for (patch, [left, right, middle]) in patches.iter_mut().zip(sums) {
             let all = left.plus(right).plus(middle);
             patch.area = all.area;
             patch.grip.weight = all.weight.map(|w| w / all.area);
             patch.grip.arm = all.arm / all.area;
-            patch.normal = all.normal.normalize_or_zero();
+            patch.grip.normal = all.normal.normalize_or_zero();
             patch.overlap = all.overlap / all.area;
             patch.impulse = all.impulse;
         }
     }
 }
 
-/// For each contact the number of its patch (that of its body, face and cell), and how many patches there are.
-pub(crate) fn number(contacts: &[Contact]) -> (Vec<usize>, usize) {
+/// For each contact the number of its patch (that of its body, face and cell), and for each patch the forces that are missing
+/// at its nodes, over the force on it.
+pub(crate) fn number(
+    model: &Model,
+    soil: &Soil,
+    bodies: &[Body],
+    contacts: &[Contact],
+) -> (Vec<usize>, Vec<[DVec3; 8]>) {
     let mut numbers = HashMap::new();
     let each = contacts.iter().map(|c| {
         let axis = super::geometry::largest_axis(c.normal);
         let next = numbers.len();
         *numbers.entry((c.body, c.base, axis, c.normal[axis] > 0.0)).or_insert(next)
     });
-    (each.collect(), numbers.len())
+    let each: Vec<usize> = each.collect();
+    let missing = super::cut::corrections(model, soil, bodies, contacts, (&each, numbers.len()));
+    (each, missing)
 }
