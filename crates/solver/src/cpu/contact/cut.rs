@@ -6,9 +6,10 @@
 //! cell to cell, do not cancel, and stir the soil the more the higher the pressure. It is the body that holds this
 //! pressure, so contact gives to the nodes what is missing, in proportion to the pressure on the patch.
 
+use super::super::Soil;
 use crate::grid::Grid;
 use crate::model::Model;
-use crate::state::{Body, Contact, Soil};
+use crate::state::{Body, Contact};
 use glam::DVec3;
 use std::collections::HashMap;
 
@@ -45,7 +46,7 @@ pub(super) fn corrections(
             if touched < WHOLE * whole {
                 return none;
             }
-            cell.missing(soil.fraction[c.base]).map(|force| force / touched.max(whole))
+            cell.missing(f64::from(soil.fraction[c.base])).map(|force| force / touched.max(whole))
         });
     }
     corrections.into_iter().map(Option::unwrap_or_default).collect()

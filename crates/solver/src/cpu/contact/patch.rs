@@ -4,9 +4,10 @@
 //! points of the face in the cell are its quadrature. Their weights, each by its area, make the mean velocity of the soil
 //! over the patch; an impulse on the patch acts like a uniform pressure on it.
 
+use super::super::Soil;
 use super::{Grip, Scene};
 use crate::model::Model;
-use crate::state::{Body, Contact, Soil};
+use crate::state::{Body, Contact};
 use glam::DVec3;
 use std::collections::HashMap;
 
