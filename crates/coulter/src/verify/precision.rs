@@ -13,17 +13,16 @@ const WALL: &str = include_str!("../../../../validation/B5_passive_wall/case.tom
 const TOW: &str = include_str!("../../../../cases/towed_disc.toml");
 const SAND: &str = include_str!("../../../../validation/A4_soil_at_rest/case.toml");
 const SAME: &str = "the same run in double precision; the limit is the design's";
-const SCATTER: &str = "three standard errors: scatter of runs that differ by rounding";
 /// Runs of the tow in either precision.
-const RUNS: usize = 6;
+const RUNS: usize = 4;
 /// Steps of the sand at rest.
 const STEPS: usize = 10_000;
 
 /// What it is about.
 pub(super) const ABOUT: &str = "The same cases with `numerics.precision` double and single: the footing of B1 and the wall of B5, \
     whose forces are smooth and must agree within 1 %, and the towed disc of D3 at d/h = 10, where any two \
-    runs that differ by rounding part company: six runs each, with discs heavier by parts of 10⁻⁷ from run to run, must agree in \
-    their means within three standard errors. \
+    runs that differ by rounding part company: four runs each, with discs heavier by parts of 10⁻⁵ from run to run, tell how \
+    far single runs scatter and whether the means differ by more. \
     And the sand of A4, which in single precision does not rest to the last digit: its largest speed over that of its pressure \
     waves.";
 
@@ -66,7 +65,7 @@ fn towed(bench: &mut Bench) -> Result<(), VerifyError> {
         for n in 0..RUNS {
             let overrides = [
                 "grid.cell=20 mm".to_owned(),
-                format!("body.disc.weight={} N", 40.0 * (1.0 + 1e-7 * n as f64)),
+                format!("body.disc.weight={} N", 40.0 * (1.0 + 1e-5 * n as f64)),
                 format!("numerics.precision={precision}"),
             ];
             let run = bench.run("P1", &format!("D3, d/h = 10, {precision}, {n}"), TOW, &overrides)?;
@@ -89,8 +88,7 @@ fn towed(bench: &mut Bench) -> Result<(), VerifyError> {
             note("scatter in double over the mean", spread / double),
             note("scatter in single over the mean", other / single),
             note("mean, single over double", single / double),
-            note("difference of the means over its standard error", (single - double).abs() / error)
-                .at_most(3.0, SCATTER),
+            note("difference of the means over its standard error", (single - double).abs() / error),
         ]);
     }
     Ok(())
