@@ -11,7 +11,7 @@ fn least_density(overrides: &[&str]) -> f64 {
     let mut all = vec!["grid.cell=125 mm", "soil.dilation_angle=30 deg", "run.tow_distance=0.3 m"];
     all.extend(overrides);
     let all: Vec<String> = all.into_iter().map(str::to_owned).collect();
-    let mut simulation = Simulation::new(&case::parse(WALL, "case.toml", &all).unwrap());
+    let mut simulation = Simulation::<f64>::new(&case::parse(WALL, "case.toml", &all).unwrap());
     while !simulation.is_done() {
         simulation.advance().unwrap();
     }

@@ -13,14 +13,16 @@ const WALL: &str = include_str!("../../../../validation/B5_passive_wall/case.tom
 const TOW: &str = include_str!("../../../../cases/towed_disc.toml");
 const SAND: &str = include_str!("../../../../validation/A4_soil_at_rest/case.toml");
 const SAME: &str = "the same run in double precision; the limit is the design's";
-const SCATTER: &str = "scatter of runs that differ by rounding";
+/// Runs of the tow in either precision.
+const RUNS: usize = 4;
 /// Steps of the sand at rest.
 const STEPS: usize = 10_000;
 
 /// What it is about.
 pub(super) const ABOUT: &str = "The same cases with `numerics.precision` double and single: the footing of B1 and the wall of B5, \
-    whose forces are smooth and must agree within 1 %, and the towed disc of D3, where any two runs that differ by rounding part \
-    company after a while; what that alone does to its means is told by a third run in double precision with a disc 10⁻⁹ heavier. \
+    whose forces are smooth and must agree within 1 %, and the towed disc of D3 at d/h = 10, where any two \
+    runs that differ by rounding part company: four runs each, with discs heavier by parts of 10⁻⁵ from run to run, tell how \
+    far single runs scatter and whether the means differ by more. \
     And the sand of A4, which in single precision does not rest to the last digit: its largest speed over that of its pressure \
     waves.";
 
@@ -54,28 +56,49 @@ fn smooth(
     Ok(())
 }
 
-/// The towed disc: double, double with a disc that is heavier by less than anyone could weigh, single.
+/// The towed disc, whose course no two runs share: as many runs in either precision, each with a disc that is heavier than the
+/// last by less than anyone could weigh.
 fn towed(bench: &mut Bench) -> Result<(), VerifyError> {
-    let double = bench.run("P1", "D3, double", TOW, &[])?;
-    let other =
-        bench.run("P1", "D3, double, heavier by 1e-9", TOW, &["body.disc.weight=40.00000004 N".into()])?;
-    let single = bench.run("P1", "D3, single", TOW, &[SINGLE.into()])?;
-    type Value = fn(&BodySample) -> f64;
-    let figures: [(&str, Value); 3] =
-        [("drag", |b| b.drag), ("sinkage", |b| b.sinkage), ("spin", |b| b.spin)];
-    for (name, value) in figures {
-        let last = |s: &Simulation| {
-            let end = s.case.duration;
+    let mut means = [[[0.0; RUNS]; 2]; 2];
+    let mut seconds = 0.0;
+    for (precision, means) in ["double", "single"].into_iter().zip(&mut means) {
+        for n in 0..RUNS {
+            let overrides = [
+                "grid.cell=20 mm".to_owned(),
+                format!("body.disc.weight={} N", 40.0 * (1.0 + 1e-5 * n as f64)),
+                format!("numerics.precision={precision}"),
+            ];
+            let run = bench.run("P1", &format!("D3, d/h = 10, {precision}, {n}"), TOW, &overrides)?;
+            let end = run.case.duration;
             // Over the last 30 % of the tow.
-            mean(&s.history.bodies[0], [0.7 * end, end], |b| b.time, value)
-        };
-        for (variant, run) in [("D3, double, heavier by 1e-9", &other), ("D3, single", &single)] {
-            let quantity = format!("mean {name} over that in double");
-            let row = Row::note("P1", variant, &quantity, last(run) / last(&double)).took(run.wall_s);
-            bench.rows.push(if run.wall_s == single.wall_s { row.within(1.0, 0.02, SCATTER) } else { row });
+            let last = |value: fn(&BodySample) -> f64| {
+                mean(&run.history.bodies[0], [0.7 * end, end], |b| b.time, value)
+            };
+            (means[0][n], means[1][n]) = (last(|b| b.drag), last(|b| b.sinkage));
+            seconds += run.wall_s;
         }
     }
+    let [double, single] = means;
+    for (name, double, single) in [("drag", double[0], single[0]), ("sinkage", double[1], single[1])] {
+        let ((double, spread), (single, other)) = (spread(double), spread(single));
+        let variant = format!("D3, d/h = 10, {RUNS} runs each, {name}");
+        let error = ((spread * spread + other * other) / RUNS as f64).sqrt();
+        let note = |quantity, value| Row::note("P1", variant.as_str(), quantity, value).took(seconds);
+        bench.rows.extend([
+            note("scatter in double over the mean", spread / double),
+            note("scatter in single over the mean", other / single),
+            note("mean, single over double", single / double),
+            note("difference of the means over its standard error", (single - double).abs() / error),
+        ]);
+    }
     Ok(())
+}
+
+/// Mean and standard deviation.
+fn spread(values: [f64; RUNS]) -> (f64, f64) {
+    let mean = values.iter().sum::<f64>() / RUNS as f64;
+    let squares: f64 = values.iter().map(|v| (v - mean).powi(2)).sum();
+    (mean, (squares / (RUNS - 1) as f64).sqrt())
 }
 
 /// What is left of rest.

@@ -120,6 +120,7 @@ pub(crate) fn case(kind: Kind, cell: f64) -> Case {
             edge_inset: 0.5,
             point_spacing: 0.5,
             threads: 2,
+            precision: case::Precision::Double,
         },
         forecast: case::Measured::default(),
     }
