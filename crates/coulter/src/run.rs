@@ -1,6 +1,6 @@
 //! A run from case to results: steps, samples, fields, checkpoints, report.
 
-use crate::case::{self, Case};
+use crate::case::{self, Case, resolved};
 use crate::forecast;
 use crate::output::OutputError;
 use crate::output::Results;
@@ -8,8 +8,9 @@ use crate::output::checkpoint::Checkpoint;
 use crate::output::progress::Progress;
 use crate::output::run_record::{Outcome, RunStatistics};
 use crate::output::summary::Summary;
-use crate::simulation::Simulation;
+use crate::simulation::{Simulation, case_text};
 use solver::error::Breakdown;
+use solver::precision::Precision;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
@@ -66,7 +67,14 @@ pub enum RunError {
 /// # Errors
 /// [`RunError`] when the physics fails or the results cannot be written.
 pub fn run(case: &Case, options: &Options) -> Result<End, RunError> {
-    let (mut simulation, mut results) = open(case, options)?;
+    match case.numerics.precision {
+        resolved::Precision::Double => run_in::<f64>(case, options),
+        resolved::Precision::Single => run_in::<f32>(case, options),
+    }
+}
+
+fn run_in<R: Precision>(case: &Case, options: &Options) -> Result<End, RunError> {
+    let (mut simulation, mut results) = open::<R>(case, options)?;
     let mut progress = Progress::start(case, simulation.state.time, options.quiet);
     let outcome = drive(&mut simulation, &mut results, &mut progress, options)?;
     let statistics = RunStatistics {
@@ -113,10 +121,10 @@ enum Ended {
 }
 
 /// The simulation and its folder, new or where they were left.
-fn open(case: &Case, options: &Options) -> Result<(Simulation, Results), RunError> {
+fn open<R: Precision>(case: &Case, options: &Options) -> Result<(Simulation<R>, Results), RunError> {
     if options.resume {
         let checkpoint = Checkpoint::read(options.folder)?;
-        if checkpoint.case != Simulation::case_text(case) {
+        if checkpoint.case != case_text(case) {
             return Err(RunError::OtherCase(options.folder.to_path_buf()));
         }
         let simulation = Simulation::resume(case, checkpoint);
@@ -131,7 +139,10 @@ fn open(case: &Case, options: &Options) -> Result<(Simulation, Results), RunErro
     let [nx, ny, nz] = simulation.model.grid.cells();
     let (dt, threads) = (simulation.model.time_step(), simulation.threads());
     results.log(&format!("{} version {}", case.name, env!("CARGO_PKG_VERSION")))?;
-    results.log(&format!("grid {nx} x {ny} x {nz}, time step {dt:.4e} s, {threads} threads"))?;
+    results.log(&format!(
+        "grid {nx} x {ny} x {nz}, time step {dt:.4e} s, {} precision, {threads} threads",
+        R::NAME
+    ))?;
     for note in case::advice(case) {
         results.log(&format!("note: {note}"))?;
     }
@@ -150,7 +161,7 @@ fn overlay_forecast(case: &Case, results: &mut Results) -> Result<(), OutputErro
 
 /// Goes from sample to sample until the end, a stop or a breakdown.
 fn drive(
-    simulation: &mut Simulation,
+    simulation: &mut Simulation<impl Precision>,
     results: &mut Results,
     progress: &mut Progress,
     options: &Options,
@@ -180,7 +191,7 @@ fn drive(
 }
 
 /// Doubts that the run itself has raised.
-fn warnings(simulation: &Simulation) -> Vec<String> {
+fn warnings(simulation: &Simulation<impl Precision>) -> Vec<String> {
     let mut warnings = Vec::new();
     let Some(energy) = simulation.history.energy.last() else { return warnings };
     let share = |part: f64| if energy.external.abs() > 0.0 { part / energy.external.abs() } else { 0.0 };

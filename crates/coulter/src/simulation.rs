@@ -4,60 +4,62 @@ use crate::case::Case;
 use crate::case::resolved::{self, Ground, Law, Potential};
 use crate::output::checkpoint::Checkpoint;
 use crate::output::record::{BodySample, EnergySample, History};
+use glam::DVec3;
 use physics::elastic::Elastic;
 use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
 use physics::mohr_coulomb::MohrCoulomb;
 use physics::strength::Law as Strength;
-use solver::audit::{elastic_energy, kinetic_energy};
-use solver::cpu::energy::soil_volume;
+use physics::von_mises::VonMises;
 use solver::cpu::stopwatch::Stopwatch;
-use solver::cpu::workspace::Workspace;
 use solver::error::Breakdown;
 use solver::grid::Grid;
 use solver::model::{BodyModel, ContactMethod, Method, Model, Wall};
-use solver::start::{Filling, start_filled, start_under};
+use solver::precision::Precision;
+use solver::start::Filling;
 use solver::state::{Received, State};
-use solver::step::step;
 
-/// A run of a case.
+/// A run of a case, its fields in double or in single precision.
 #[derive(Debug)]
-pub struct Simulation {
+pub struct Simulation<R: Precision = f64> {
     /// The case.
     pub case: Case,
     /// What is fixed.
     pub model: Model,
     /// What changes.
-    pub state: State,
+    pub state: State<R>,
     /// What the probes saw.
     pub history: History,
     /// Seconds of wall clock spent in steps.
     pub wall_s: f64,
-    workspace: Workspace,
+    workspace: R::Workspace,
     /// Time and impulses at the last sample.
     sampled: (f64, Vec<Received>),
 }
 
-impl Simulation {
+impl<R: Precision> Simulation<R> {
     /// A run from the start.
     #[must_use]
     pub fn new(case: &Case) -> Self {
-        let model = model(case);
-        let state = start_under(&model, &filling(&case.ground), case.overburden);
+        let model = model(case, R::LANES);
+        let mut state = R::start_under(&model, &filling(&case.ground), case.overburden);
+        if case.velocity != DVec3::ZERO {
+            R::set_in_motion(&model, &mut state, case.velocity);
+        }
         Self::with_state(case, model, state)
     }
 
     /// A run from the start with soil of another shape than the case's ground: its volume fraction in every cell.
     #[must_use]
-    pub fn filled(case: &Case, fraction: impl FnOnce(&Grid) -> Vec<f64>) -> Self {
-        let model = model(case);
-        let state = start_filled(&model, fraction(&model.grid));
+    pub fn filled(case: &Case, fraction: impl FnOnce(&Grid) -> Vec<R>) -> Self {
+        let model = model(case, R::LANES);
+        let state = R::start_filled(&model, fraction(&model.grid));
         Self::with_state(case, model, state)
     }
 
-    fn with_state(case: &Case, model: Model, state: State) -> Self {
+    fn with_state(case: &Case, model: Model, state: State<R>) -> Self {
         let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
         let threads = if case.numerics.threads == 0 { cores } else { case.numerics.threads };
-        let workspace = Workspace::new(&model, &state, threads);
+        let workspace = R::workspace(&model, &state, threads);
         let names: Vec<String> = case.bodies.iter().map(|b| b.name.clone()).collect();
         let history = History { bodies: vec![Vec::new(); names.len()], names, energy: Vec::new() };
         let sampled = (state.time, state.bodies.iter().map(|b| b.received).collect());
@@ -70,39 +72,38 @@ impl Simulation {
     }
 
     /// Sets soil and bodies in motion before the first step; the ledger counts their energy as put in from outside.
-    pub fn set_in_motion(&mut self, push: impl FnOnce(&mut State)) {
+    pub fn set_in_motion(&mut self, push: impl FnOnce(&mut State<R>)) {
         push(&mut self.state);
-        self.state.ledger.kinetic_start = kinetic_energy(&self.model, &self.state);
+        self.state.ledger.kinetic_start = R::kinetic_energy(&self.model, &self.state);
     }
 
     /// A run that goes on from a checkpoint.
     #[must_use]
-    pub fn resume(case: &Case, checkpoint: Checkpoint) -> Self {
+    pub fn resume(case: &Case, checkpoint: Checkpoint<R>) -> Self {
         let Checkpoint { state, history, sampled, wall_s, .. } = checkpoint;
-        let simulation = Self::with_state(case, model(case), state);
+        let simulation = Self::with_state(case, model(case, R::LANES), state);
         Self { history, sampled, wall_s, ..simulation }
+    }
+
+    /// The same run with its fields in double precision, to be looked at.
+    #[must_use]
+    pub fn widened(&self) -> Simulation {
+        let Self { case, history, sampled, wall_s, .. } = self;
+        let simulation = Simulation::with_state(case, model(case, R::LANES), self.state.widened());
+        Simulation { history: history.clone(), sampled: sampled.clone(), wall_s: *wall_s, ..simulation }
     }
 
     /// Everything that is needed to go on from here.
     #[must_use]
-    pub fn checkpoint(&self) -> Checkpoint {
+    pub fn checkpoint(&self) -> Checkpoint<R> {
         Checkpoint {
-            case: Self::case_text(&self.case),
+            precision: R::NAME.to_owned(),
+            case: case_text(&self.case),
             state: self.state.clone(),
             history: self.history.clone(),
             sampled: self.sampled.clone(),
             wall_s: self.wall_s,
         }
-    }
-
-    /// The resolved case as text, but for what makes no difference to the physics.
-    #[must_use]
-    pub fn case_text(case: &Case) -> String {
-        let mut case = case.clone();
-        case.numerics.threads = 0;
-        case.forecast = resolved::Measured::default();
-        // A case is made of numbers, names and lists: it always has a text.
-        serde_json::to_string(&case).unwrap_or_default()
     }
 
     /// Whether the run has reached its end.
@@ -114,7 +115,7 @@ impl Simulation {
     /// Number of threads at work.
     #[must_use]
     pub fn threads(&self) -> usize {
-        self.workspace.threads()
+        R::threads(&self.workspace)
     }
 
     /// Goes on to the next sample of the history (or to the end).
@@ -126,7 +127,7 @@ impl Simulation {
         let due = self.sampled.0 + self.case.output.history_interval - 0.5 * self.model.time_step();
         let mut result = Ok(());
         while result.is_ok() && !self.is_done() {
-            result = step(&self.model, &mut self.state, &mut self.workspace);
+            result = R::step(&self.model, &mut self.state, &mut self.workspace);
             if self.state.time >= due {
                 break;
             }
@@ -143,28 +144,28 @@ impl Simulation {
     /// # Errors
     /// [`Breakdown`] when the physics fails.
     pub fn steps(&mut self, number: u32) -> Result<(), Breakdown> {
-        (0..number).try_for_each(|_| step(&self.model, &mut self.state, &mut self.workspace))
+        (0..number).try_for_each(|_| R::step(&self.model, &mut self.state, &mut self.workspace))
     }
 
     /// Where the time of the calling thread goes.
     pub fn stopwatch(&mut self) -> &mut Stopwatch {
-        self.workspace.stopwatch()
+        R::stopwatch(&mut self.workspace)
     }
 
     /// Memory that state and workspace take up [bytes].
     #[must_use]
     pub fn memory(&self) -> usize {
-        self.workspace.memory() + self.state.memory()
+        R::memory(&self.workspace) + self.state.memory()
     }
 
     /// Cell-steps per second over the cells with soil, measured by going on for a while; `None` if not one step can be
     /// taken. The state is of no use afterwards.
     pub fn speed(&mut self, while_: std::time::Duration) -> Option<f64> {
-        let filled = self.state.soil.fraction.iter().filter(|f| **f > 0.0).count();
+        let filled = self.state.soil.fraction.iter().filter(|f| **f != R::default()).count();
         let clock = std::time::Instant::now();
         let mut steps = 0_u32;
         while clock.elapsed() < while_ {
-            step(&self.model, &mut self.state, &mut self.workspace).ok()?;
+            R::step(&self.model, &mut self.state, &mut self.workspace).ok()?;
             steps += 1;
         }
         Some(filled as f64 * f64::from(steps) / clock.elapsed().as_secs_f64())
@@ -215,30 +216,40 @@ impl Simulation {
         EnergySample {
             time: self.state.time,
             external: (ledger.external + ledger.kinetic_start) * whole,
-            kinetic: kinetic_energy(&self.model, &self.state) * whole,
-            elastic: (elastic_energy(&self.model, &self.state) - ledger.elastic_start) * whole,
+            kinetic: R::kinetic_energy(&self.model, &self.state) * whole,
+            elastic: (R::elastic_energy(&self.model, &self.state) - ledger.elastic_start) * whole,
             plastic: ledger.plastic * whole,
             friction: ledger.friction * whole,
             contact: ledger.contact * whole,
             viscous: ledger.viscous * whole,
             hourglass: ledger.hourglass * whole,
             remap_loss: ledger.remap * whole,
-            volume_ratio: soil_volume(&self.model.grid, &self.state.soil) / ledger.volume_start,
+            volume_ratio: R::soil_volume(&self.model, &self.state) / ledger.volume_start,
         }
     }
 }
 
-/// The model that a case means.
+/// The resolved case as text, but for what makes no difference to the physics.
 #[must_use]
-pub fn model(case: &Case) -> Model {
+pub fn case_text(case: &Case) -> String {
+    let mut case = case.clone();
+    case.numerics.threads = 0;
+    case.forecast = resolved::Measured::default();
+    // A case is made of numbers, names and lists: it always has a text.
+    serde_json::to_string(&case).unwrap_or_default()
+}
+
+/// The model that a case means, its grid laid out for vectors of `lanes` numbers.
+#[must_use]
+pub fn model(case: &Case, lanes: usize) -> Model {
     let elastic = Elastic::new(case.soil.young_modulus, case.soil.poisson_ratio);
     Model {
-        grid: Grid::new(case.grid.faces.clone()),
+        grid: Grid::padded(case.grid.faces.clone(), lanes),
         elastic,
         strength: strength(elastic, case.soil.law),
         critical_density: match case.soil.law {
             Law::MohrCoulomb { critical_density, .. } => critical_density,
-            Law::Elastic | Law::Tresca { .. } => None,
+            Law::Elastic | Law::Tresca { .. } | Law::VonMises { .. } => None,
         },
         density: case.soil.density,
         gravity: if case.soil.unit_weight > 0.0 { case.soil.unit_weight / case.soil.density } else { 0.0 },
@@ -268,6 +279,9 @@ fn strength(elastic: Elastic, law: Law) -> Option<Strength> {
         Law::Elastic => None,
         Law::Tresca { shear_strength } => {
             Some(Strength::MohrCoulomb(MohrCoulomb::tresca(elastic, shear_strength)))
+        }
+        Law::VonMises { yield_stress, hardening_modulus } => {
+            Some(Strength::VonMises(VonMises::new(elastic, yield_stress, hardening_modulus)))
         }
         Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_limit, potential, .. } => {
             let (phi, psi) = (friction_angle, dilation_angle);
@@ -315,9 +329,7 @@ fn body(body: &resolved::Body) -> BodyModel {
 fn filling(ground: &Ground) -> Filling {
     const FAR: f64 = 1e9;
     match *ground {
-        Ground::Level { surface } => {
-            Filling { low: glam::DVec3::splat(-FAR), high: glam::DVec3::new(FAR, FAR, surface) }
-        }
-        Ground::Column { low, high } => Filling { low, high },
+        Ground::Level { surface } => Filling::between(DVec3::splat(-FAR), DVec3::new(FAR, FAR, surface)),
+        Ground::Column { low, high, radius } => Filling { low, high, radius },
     }
 }

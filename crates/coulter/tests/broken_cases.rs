@@ -8,6 +8,7 @@ use proptest::prelude::*;
 const TOWED_DISC: &str = include_str!("../../../cases/towed_disc.toml");
 const FOOTING: &str = include_str!("../../../cases/strip_footing.toml");
 const WALL: &str = include_str!("../../../cases/passive_wall.toml");
+const BAR: &str = include_str!("../../../validation/A10_taylor_bar/case.toml");
 
 /// What `coulter check` says to standard error about a file with this content, which it must refuse.
 fn complaint_about(content: &[u8]) -> String {
@@ -154,6 +155,31 @@ fn a_key_of_another_law_or_shape() {
         "size = [\"1 m\", \"1 m\", \"1 m\"]",
         &["no meaning for shape = \"disc\""],
     );
+}
+
+#[test]
+fn metal_that_makes_no_sense() {
+    refused(BAR, "\"400 MPa\"", "\"0 MPa\"", &["soil.yield_stress", "above 0"]);
+    refused(BAR, "\"100 MPa\"", "\"-100 MPa\"", &["soil.hardening_modulus", "0 or more"]);
+    refused(BAR, "yield_stress =", "shear_strength =", &["no meaning for law = \"von-mises\""]);
+    refused_at(BAR, "yield_stress = \"400 MPa\"\n", "", "[soil]", &["`soil.yield_stress` is missing"]);
+    refused(
+        BAR,
+        "law = \"von-mises\"\nyield_stress",
+        "law = \"tresca\"\nyield_stress",
+        &["no meaning for law"],
+    );
+}
+
+#[test]
+fn soil_that_cannot_move_so() {
+    let still = "[\"0 m/s\", \"0 m/s\", \"-227 m/s\"]";
+    refused(BAR, still, "[\"0 m/s\", \"1 m/s\", \"0 m/s\"]", &["through a plane of symmetry"]);
+    refused(BAR, still, "[\"0 m/s\", \"1 m/s\"]", &["2 components", "along x, y and z"]);
+    refused(BAR, still, "[\"0 m/s\", \"1 m\", \"0 m/s\"]", &["speed"]);
+    refused(BAR, "\"3.2 mm\"", "\"0 mm\"", &["ground.radius", "above 0"]);
+    let slab = FOOTING.replacen("[grid]", "[ground]\nradius = \"1 m\"\n[grid]", 1);
+    refused(&slab, "radius = \"1 m\"", "radius = \"2 m\"", &["no round column"]);
 }
 
 #[test]

@@ -5,6 +5,7 @@
 use coulter::case::{self, Case};
 use coulter::output::checkpoint::Checkpoint;
 use coulter::simulation::Simulation;
+use solver::precision::Precision;
 use std::path::{Path, PathBuf};
 
 const FILES: [&str; 3] = ["std::fs", "fs::", "File::"];
@@ -126,11 +127,11 @@ fn short_tow(contact: &str, threads: usize) -> Case {
 }
 
 /// State and history to the bit.
-fn bits(simulation: &Simulation) -> Vec<u8> {
+fn bits(simulation: &Simulation<impl Precision>) -> Vec<u8> {
     postcard::to_stdvec(&(&simulation.state, &simulation.history)).unwrap()
 }
 
-fn to_the_end(mut simulation: Simulation) -> Simulation {
+fn to_the_end<R: Precision>(mut simulation: Simulation<R>) -> Simulation<R> {
     while !simulation.is_done() {
         simulation.advance().unwrap();
     }
@@ -138,31 +139,42 @@ fn to_the_end(mut simulation: Simulation) -> Simulation {
     simulation
 }
 
-#[test]
-fn the_number_of_threads_changes_no_bit() {
-    for contact in ["penalty", "impulse"] {
-        let alone = bits(&to_the_end(Simulation::new(&short_tow(contact, 1))));
-        for threads in [2, 3] {
-            let team = to_the_end(Simulation::new(&short_tow(contact, threads)));
-            assert_eq!(team.threads(), threads);
-            assert!(bits(&team) == alone, "{contact}: {threads} threads differ from one");
-        }
+fn threads_change_no_bit<R: Precision>(contact: &str) {
+    let alone = bits(&to_the_end(Simulation::<R>::new(&short_tow(contact, 1))));
+    for threads in [2, 3] {
+        let team = to_the_end(Simulation::<R>::new(&short_tow(contact, threads)));
+        assert_eq!(team.threads(), threads);
+        assert!(bits(&team) == alone, "{contact}: {threads} threads differ from one");
     }
 }
 
 #[test]
-fn a_restart_changes_no_bit() {
-    for contact in ["penalty", "impulse"] {
-        let case = short_tow(contact, 1);
-        let folder = tempfile::tempdir().unwrap();
-        let mut whole = Simulation::new(&case);
-        for _ in 0..5 {
-            whole.advance().unwrap();
-        }
-        whole.checkpoint().write(folder.path()).unwrap();
-        let whole = to_the_end(whole);
-        let resumed = Simulation::resume(&case, Checkpoint::read(folder.path()).unwrap());
-        assert!(resumed.state.step > 0 && resumed.state.step < whole.state.step);
-        assert!(bits(&to_the_end(resumed)) == bits(&whole), "{contact}: the resumed run differs");
+fn the_number_of_threads_changes_no_bit() {
+    threads_change_no_bit::<f64>("penalty");
+    threads_change_no_bit::<f64>("impulse");
+    threads_change_no_bit::<f32>("impulse");
+}
+
+/// A run, stopped and resumed; leaves its checkpoint in the folder.
+fn restart_changes_no_bit<R: Precision>(contact: &str, folder: &Path) {
+    let case = short_tow(contact, 1);
+    let mut whole = Simulation::<R>::new(&case);
+    for _ in 0..5 {
+        whole.advance().unwrap();
     }
+    whole.checkpoint().write(folder).unwrap();
+    let whole = to_the_end(whole);
+    let resumed = Simulation::<R>::resume(&case, Checkpoint::read(folder).unwrap());
+    assert!(resumed.state.step > 0 && resumed.state.step < whole.state.step);
+    assert!(bits(&to_the_end(resumed)) == bits(&whole), "{contact}: the resumed run differs");
+}
+
+#[test]
+fn a_restart_changes_no_bit() {
+    let folder = tempfile::tempdir().unwrap();
+    restart_changes_no_bit::<f64>("penalty", folder.path());
+    restart_changes_no_bit::<f64>("impulse", folder.path());
+    restart_changes_no_bit::<f32>("impulse", folder.path());
+    let other = Checkpoint::<f64>::read(folder.path()).unwrap_err().to_string();
+    assert!(other.contains("in single precision, the case asks for double"), "{other}");
 }

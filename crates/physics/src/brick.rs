@@ -5,15 +5,17 @@
 //! an orthogonal basis of the corner values, so what the four sums leave over *is* the hourglass part: a viscous
 //! force against it needs no hourglass vectors.
 
+use super::Real;
+
 /// Sums of one velocity component over the corners of a cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sums {
     /// Plain sum Σ v.
-    pub plain: f64,
+    pub plain: Real,
     /// Sums signed by the side: Σ ±v along x, y, z.
-    pub side: [f64; 3],
+    pub side: [Real; 3],
     /// Sum of squares Σ v².
-    pub square: f64,
+    pub square: Real,
 }
 
 impl Sums {
@@ -21,7 +23,7 @@ impl Sums {
     /// (1,1).
     #[inline(always)]
     #[must_use]
-    pub fn of(v: [[f64; 2]; 4]) -> Self {
+    pub fn of(v: [[Real; 2]; 4]) -> Self {
         let sum = v.map(|[low, high]| low + high);
         let difference = v.map(|[low, high]| high - low);
         let square = v.map(|[low, high]| low * low + high * high);
@@ -39,7 +41,7 @@ impl Sums {
     /// Sum of squares of the hourglass part, times eight: Σ over the patterns of (Γ·v)².
     #[inline(always)]
     #[must_use]
-    pub fn hourglass(&self) -> f64 {
+    pub fn hourglass(&self) -> Real {
         let [x, y, z] = self.side;
         8.0 * self.square - self.plain * self.plain - (x * x + y * y + z * z)
     }
@@ -49,7 +51,7 @@ impl Sums {
 /// fraction. The force on a corner is −coefficient · (8 v − plain ∓ side_x ∓ side_y ∓ side_z).
 #[inline(always)]
 #[must_use]
-pub fn hourglass_coefficient(epsilon: f64, density: f64, wave_speed: f64, length: f64) -> f64 {
+pub fn hourglass_coefficient(epsilon: Real, density: Real, wave_speed: Real, length: Real) -> Real {
     0.25 * epsilon * density * wave_speed * length * length
 }
 
@@ -60,7 +62,7 @@ mod tests {
     #[test]
     fn a_linear_field_has_its_gradient_and_no_hourglass() {
         // v = 2 + 3x − 5y + 7z on the unit cube.
-        let v = |x: f64, y: f64, z: f64| 2.0 + 3.0 * x - 5.0 * y + 7.0 * z;
+        let v = |x: Real, y: Real, z: Real| 2.0 + 3.0 * x - 5.0 * y + 7.0 * z;
         let row = |y, z| [v(0.0, y, z), v(1.0, y, z)];
         let sums = Sums::of([row(0.0, 0.0), row(1.0, 0.0), row(0.0, 1.0), row(1.0, 1.0)]);
         assert_eq!(sums.side.map(|s| s / 4.0), [3.0, -5.0, 7.0]);

@@ -3,43 +3,50 @@
 //! σ̇ = λ tr(D) I + 2 G D (hypoelastic with the Jaumann rate). Valid for small elastic strains, which soil at these
 //! pressures never leaves (p/E ≈ 10⁻³).
 
-use crate::tensor::{Symmetric, contract, deviator, mean};
+use super::Real;
+use super::tensor::{Symmetric, contract, deviator, mean};
 
 /// Isotropic elastic moduli.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Elastic {
     /// Bulk modulus K [Pa].
-    pub bulk: f64,
+    pub bulk: Real,
     /// Shear modulus G [Pa].
-    pub shear: f64,
+    pub shear: Real,
 }
 
 impl Elastic {
     /// From Young's modulus E > 0 [Pa] and Poisson's ratio −1 < ν < ½.
     #[must_use]
-    pub fn new(young_modulus: f64, poisson_ratio: f64) -> Self {
+    pub fn new(young_modulus: Real, poisson_ratio: Real) -> Self {
         Self {
             bulk: young_modulus / (3.0 * (1.0 - 2.0 * poisson_ratio)),
             shear: young_modulus / (2.0 * (1.0 + poisson_ratio)),
         }
     }
 
+    /// Moduli known in double precision, in the one at hand.
+    #[must_use]
+    pub fn rounded(exact: &crate::double::elastic::Elastic) -> Self {
+        Self { bulk: exact.bulk as Real, shear: exact.shear as Real }
+    }
+
     /// Modulus of constrained compression M = K + 4 G/3 [Pa].
     #[must_use]
-    pub fn constrained(&self) -> f64 {
+    pub fn constrained(&self) -> Real {
         self.bulk + 4.0 * self.shear / 3.0
     }
 
     /// Speed of the compression wave √(M/ρ) [m/s] at density ρ [kg/m³].
     #[must_use]
-    pub fn wave_speed(&self, density: f64) -> f64 {
+    pub fn wave_speed(&self, density: Real) -> Real {
         (self.constrained() / density).sqrt()
     }
 
     /// Strain that goes with a stress, contracted with another stress: `a : C⁻¹ : b` [Pa].
     #[inline(always)]
     #[must_use]
-    pub fn compliance(&self, a: Symmetric, b: Symmetric) -> f64 {
+    pub fn compliance(&self, a: Symmetric, b: Symmetric) -> Real {
         let (per_shear, per_bulk) = (0.5 / self.shear, 1.0 / self.bulk);
         contract(deviator(a), deviator(b)) * per_shear + mean(a) * mean(b) * per_bulk
     }
@@ -47,7 +54,7 @@ impl Elastic {
     /// Energy stored per volume, ½ σ : C⁻¹ : σ [J/m³].
     #[inline(always)]
     #[must_use]
-    pub fn energy(&self, stress: Symmetric) -> f64 {
+    pub fn energy(&self, stress: Symmetric) -> Real {
         0.5 * self.compliance(stress, stress)
     }
 }

@@ -1,9 +1,11 @@
 //! Slopes for second-order transport that make no new extrema.
 
+use super::Real;
+
 /// Monotonised central slope (van Leer 1977) from the differences to the neighbours on either side.
 #[inline(always)]
 #[must_use]
-pub fn monotonised_central(left: f64, right: f64) -> f64 {
+pub fn monotonised_central(left: Real, right: Real) -> Real {
     let central = 0.5 * (left + right);
     let bound = 2.0 * left.abs().min(right.abs());
     let size = central.abs().min(bound);

@@ -6,45 +6,46 @@
 //! formula serves the whole surface: a cutting-plane return (Ortiz and Simo 1986) in the plane of the deviator, then the
 //! radial scaling that puts F = 0 to the last digit, which is exact because F is homogeneous in q.
 
-use crate::elastic::Elastic;
-use crate::mohr_coulomb::MohrCoulomb;
-use crate::strength::{Returned, Strength};
-use crate::tensor::{Spectrum, Symmetric};
+use super::Real;
+use super::elastic::Elastic;
+use super::mohr_coulomb::MohrCoulomb;
+use super::strength::{Returned, Strength};
+use super::tensor::{Spectrum, Symmetric};
 
-const SQRT_1_5: f64 = 1.224_744_871_391_589;
+const SQRT_1_5: Real = 1.224_744_871_391_589;
 
 /// Mohr–Coulomb with the potential of Menétrey and Willam.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MenetreyWillam {
-    elastic: Elastic,
+    pub(crate) elastic: Elastic,
     /// The yield surface.
-    surface: MohrCoulomb,
-    tan_friction: f64,
-    tan_dilation: f64,
-    cohesion: f64,
+    pub(crate) surface: MohrCoulomb,
+    pub(crate) tan_friction: Real,
+    pub(crate) tan_dilation: Real,
+    pub(crate) cohesion: Real,
     /// R_mc = along sin Θ + across cos Θ.
-    hexagon: [f64; 2],
+    pub(crate) hexagon: [Real; 2],
     /// R_mc on the compression meridian, which R_mw is scaled by.
-    meridian: f64,
+    pub(crate) meridian: Real,
     /// 1 − e² and 2e − 1.
-    ellipse: [f64; 2],
+    pub(crate) ellipse: [Real; 2],
     /// (ε c tan ψ)² [Pa²].
-    offset: f64,
+    pub(crate) offset: Real,
 }
 
 /// Shape of the potential: Abaqus' names and defaults.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Eccentricity {
     /// ε ≥ 0: how fast the hyperbola in the meridional plane nears its asymptote.
-    pub meridional: f64,
+    pub meridional: Real,
     /// e, ½ < e ≤ 1: the ellipse in the deviatoric plane; 1 is a circle.
-    pub deviatoric: f64,
+    pub deviatoric: Real,
 }
 
 impl Eccentricity {
     /// ε = 0.1, and e = (3 − sin φ)/(3 + sin φ): the ellipse goes through the hexagon's corners.
     #[must_use]
-    pub fn usual(friction: f64) -> Self {
+    pub fn usual(friction: Real) -> Self {
         Self { meridional: 0.1, deviatoric: (3.0 - friction.sin()) / (3.0 + friction.sin()) }
     }
 }
@@ -55,14 +56,14 @@ impl MenetreyWillam {
     #[must_use]
     pub fn new(
         elastic: Elastic,
-        friction: f64,
-        dilation: f64,
-        cohesion: f64,
-        tension_limit: f64,
+        friction: Real,
+        dilation: Real,
+        cohesion: Real,
+        tension_limit: Real,
         shape: Eccentricity,
     ) -> Self {
-        let (a, b) = (1.0 / (3_f64.sqrt() * friction.cos()), friction.tan() / 3.0);
-        let root = 0.5 * 3_f64.sqrt();
+        let (a, b) = (1.0 / (Real::sqrt(3.0) * friction.cos()), friction.tan() / 3.0);
+        let root = 0.5 * Real::sqrt(3.0);
         let e = shape.deviatoric;
         Self {
             elastic,
@@ -77,6 +78,22 @@ impl MenetreyWillam {
         }
     }
 
+    /// Strength known in double precision, in the one at hand.
+    #[must_use]
+    pub fn rounded(exact: &crate::double::menetrey_willam::MenetreyWillam) -> Self {
+        Self {
+            elastic: Elastic::rounded(&exact.elastic),
+            surface: MohrCoulomb::rounded(&exact.surface),
+            tan_friction: exact.tan_friction as Real,
+            tan_dilation: exact.tan_dilation as Real,
+            cohesion: exact.cohesion as Real,
+            hexagon: exact.hexagon.map(|factor| factor as Real),
+            meridian: exact.meridian as Real,
+            ellipse: exact.ellipse.map(|factor| factor as Real),
+            offset: exact.offset as Real,
+        }
+    }
+
     /// The yield surface.
     #[must_use]
     pub fn surface(&self) -> &MohrCoulomb {
@@ -86,18 +103,18 @@ impl MenetreyWillam {
     /// The least work of plastic flow over all Lode angles, c = 0: tan φ R_mw/R_mc − tan ψ, over tan φ. Below 0, which is so
     /// for ψ near φ because the ellipse bulges beyond the hexagon's sides, some flow would create energy.
     #[must_use]
-    pub fn least_dissipation(&self) -> f64 {
-        let at = |degrees: u32| {
-            let (sin, cos) = f64::from(degrees).to_radians().sin_cos();
+    pub fn least_dissipation(&self) -> Real {
+        let at = |degrees: u16| {
+            let (sin, cos) = Real::from(degrees).to_radians().sin_cos();
             self.ellipse(cos, sin).0 / self.hexagon(cos, sin).0
         };
-        let ratio = (0..=60).map(at).fold(f64::INFINITY, f64::min);
+        let ratio = (0..=60).map(at).fold(Real::INFINITY, Real::min);
         if self.tan_friction > 0.0 { ratio - self.tan_dilation / self.tan_friction } else { ratio }
     }
 
     /// One cutting-plane step. `trial` is the Lode angle of the trial stress.
     #[inline(always)]
-    fn cut(&self, from: Place, trial: (f64, f64), dilates: bool) -> Place {
+    fn cut(&self, from: Place, trial: (Real, Real), dilates: bool) -> Place {
         let (bulk, shear) = (self.elastic.bulk, self.elastic.shear);
         let tan_dilation = if dilates { self.tan_dilation } else { 0.0 };
         let offset = if dilates { self.offset } else { 0.0 };
@@ -127,14 +144,14 @@ impl MenetreyWillam {
 
     /// R_mc and its slope over Θ.
     #[inline(always)]
-    fn hexagon(&self, cos: f64, sin: f64) -> (f64, f64) {
+    fn hexagon(&self, cos: Real, sin: Real) -> (Real, Real) {
         let [along, across] = self.hexagon;
         (along * sin + across * cos, along * cos - across * sin)
     }
 
     /// R_mw and its slope over Θ.
     #[inline(always)]
-    fn ellipse(&self, cos: f64, sin: f64) -> (f64, f64) {
+    fn ellipse(&self, cos: Real, sin: Real) -> (Real, Real) {
         let [a, b] = self.ellipse;
         // 4(1 − e²) cos²Θ + 5e² − 4e, where 5e² − 4e = (2e − 1)² − (1 − e²).
         let root = (4.0 * a * cos * cos + b * b - a).max(0.0).sqrt();
@@ -150,12 +167,12 @@ impl MenetreyWillam {
 
 impl Strength for MenetreyWillam {
     #[inline(always)]
-    fn may_yield(&self, stress: Symmetric) -> bool {
-        self.surface.may_yield(stress)
+    fn may_yield(&self, stress: Symmetric, plastic_strain: Real) -> bool {
+        self.surface.may_yield(stress, plastic_strain)
     }
 
     #[inline(always)]
-    fn return_map(&self, trial: Symmetric, dilates: bool) -> Returned {
+    fn return_map(&self, trial: Symmetric, _plastic_strain: Real, dilates: bool) -> Returned {
         let spectrum = Spectrum::of(trial);
         let start = Place { x: spectrum.norm, y: 0.0, pressure: -spectrum.mean, lode: spectrum.lode() };
         // Steps one after the other, not in a loop: the compiler then sees a loop over cells that it can vectorise. In an
@@ -178,18 +195,18 @@ impl Strength for MenetreyWillam {
 /// the Mises stress is √1.5 times the distance from the origin.
 #[derive(Clone, Copy)]
 struct Place {
-    x: f64,
-    y: f64,
-    pressure: f64,
+    x: Real,
+    y: Real,
+    pressure: Real,
     /// Cosine and sine of the Lode angle.
-    lode: (f64, f64),
+    lode: (Real, Real),
 }
 
 /// Keeps a point of the deviatoric plane within the sextant 0 ≤ Θ ≤ 60° of its trial, whose Lode angle has this cosine and
 /// sine: neither surface nor potential is met beyond a meridian. Returns it with cosine and sine of its own angle.
 #[inline(always)]
-fn within_sextant(x: f64, y: f64, cos: f64, sin: f64) -> (f64, f64, (f64, f64)) {
-    const HALF_SQRT_3: f64 = 0.866_025_403_784_438_6;
+fn within_sextant(x: Real, y: Real, cos: Real, sin: Real) -> (Real, Real, (Real, Real)) {
+    const HALF_SQRT_3: Real = 0.866_025_403_784_438_6;
     let distance = (x * x + y * y).sqrt();
     let inverse = if distance > 0.0 { 1.0 / distance } else { 0.0 };
     let (ux, uy) = (x * inverse, y * inverse);

@@ -6,44 +6,45 @@
 //! the stress-free state, and what opens beyond it is kept as gap strain. Written without branches, so that a loop
 //! over it vectorises.
 
-use crate::elastic::Elastic;
-use crate::strength::{Returned, Strength};
-use crate::tensor::{Spectrum, Symmetric, THIRD, contract, deviator, mean};
+use super::Real;
+use super::elastic::Elastic;
+use super::strength::{Returned, Strength};
+use super::tensor::{Spectrum, Symmetric, THIRD, contract, deviator, mean};
 
 /// Strength parameters, with the sums of moduli that the return needs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MohrCoulomb {
-    elastic: Elastic,
-    sin_friction: f64,
+    pub(crate) elastic: Elastic,
+    pub(crate) sin_friction: Real,
     /// 2 c cos φ [Pa].
-    cohesive: f64,
+    pub(crate) cohesive: Real,
     /// c cot φ [Pa], infinite for φ = 0.
-    apex: f64,
+    pub(crate) apex: Real,
     /// Largest tension [Pa].
-    tension_limit: f64,
+    pub(crate) tension_limit: Real,
     /// The return of soil that dilates, and of soil at its critical density.
-    dilating: Flow,
-    level: Flow,
+    pub(crate) dilating: Flow,
+    pub(crate) level: Flow,
 }
 
 /// Where a trial stress flows, and how stiff the return is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Flow {
-    sin_dilation: f64,
+pub(crate) struct Flow {
+    pub(crate) sin_dilation: Real,
     /// Moduli of the return: A, B at either edge [Pa].
-    plane: f64,
-    right: f64,
-    left: f64,
+    pub(crate) plane: Real,
+    pub(crate) right: Real,
+    pub(crate) left: Real,
     /// 1/A [1/Pa] and 1/(A² − B²) at either edge [1/Pa²].
-    per_plane: f64,
-    per_right: f64,
-    per_left: f64,
+    pub(crate) per_plane: Real,
+    pub(crate) per_right: Real,
+    pub(crate) per_left: Real,
     /// Stress taken off σ₁, given to σ₂ and to σ₃ per unit of plastic multiplier [Pa].
-    taken: [f64; 3],
+    pub(crate) taken: [Real; 3],
 }
 
 impl Flow {
-    fn new(elastic: Elastic, sp: f64, sy: f64) -> Self {
+    fn new(elastic: Elastic, sp: Real, sy: Real) -> Self {
         let (k, g) = (elastic.bulk, elastic.shear);
         let plane = 4.0 * g * (1.0 + sp * sy / 3.0) + 4.0 * k * sp * sy;
         let right = 2.0 * g * (1.0 + sp + sy - sp * sy / 3.0) + 4.0 * k * sp * sy;
@@ -63,15 +64,34 @@ impl Flow {
             ],
         }
     }
+
+    fn rounded(exact: &crate::double::mohr_coulomb::Flow) -> Self {
+        Self {
+            sin_dilation: exact.sin_dilation as Real,
+            plane: exact.plane as Real,
+            right: exact.right as Real,
+            left: exact.left as Real,
+            per_plane: exact.per_plane as Real,
+            per_right: exact.per_right as Real,
+            per_left: exact.per_left as Real,
+            taken: exact.taken.map(|modulus| modulus as Real),
+        }
+    }
 }
 
 impl MohrCoulomb {
     /// Strength from friction angle 0 ≤ φ < 90° [rad], dilation angle 0 ≤ ψ ≤ φ [rad], cohesion c ≥ 0 [Pa] and the
     /// largest tension that is borne [Pa] (no more than c cot φ has any effect).
     #[must_use]
-    pub fn new(elastic: Elastic, friction: f64, dilation: f64, cohesion: f64, tension_limit: f64) -> Self {
+    pub fn new(
+        elastic: Elastic,
+        friction: Real,
+        dilation: Real,
+        cohesion: Real,
+        tension_limit: Real,
+    ) -> Self {
         let (sp, sy) = (friction.sin(), dilation.sin());
-        let apex = if sp > 0.0 { cohesion * friction.cos() / sp } else { f64::INFINITY };
+        let apex = if sp > 0.0 { cohesion * friction.cos() / sp } else { Real::INFINITY };
         Self {
             elastic,
             sin_friction: sp,
@@ -85,27 +105,41 @@ impl MohrCoulomb {
 
     /// Tresca: undrained shear strength s_u > 0 [Pa].
     #[must_use]
-    pub fn tresca(elastic: Elastic, shear_strength: f64) -> Self {
-        Self::new(elastic, 0.0, 0.0, shear_strength, f64::INFINITY)
+    pub fn tresca(elastic: Elastic, shear_strength: Real) -> Self {
+        Self::new(elastic, 0.0, 0.0, shear_strength, Real::INFINITY)
+    }
+
+    /// Strength known in double precision, in the one at hand.
+    #[must_use]
+    pub fn rounded(exact: &crate::double::mohr_coulomb::MohrCoulomb) -> Self {
+        Self {
+            elastic: Elastic::rounded(&exact.elastic),
+            sin_friction: exact.sin_friction as Real,
+            cohesive: exact.cohesive as Real,
+            apex: exact.apex as Real,
+            tension_limit: exact.tension_limit as Real,
+            dilating: Flow::rounded(&exact.dilating),
+            level: Flow::rounded(&exact.level),
+        }
     }
 
     /// Yield function (σ₁ − σ₃) + (σ₁ + σ₃) sin φ − 2 c cos φ [Pa] of principal stresses, largest first.
     #[inline(always)]
     #[must_use]
-    pub fn yield_function(&self, [s1, _, s3]: [f64; 3]) -> f64 {
+    pub fn yield_function(&self, [s1, _, s3]: [Real; 3]) -> Real {
         (s1 - s3) + (s1 + s3) * self.sin_friction - self.cohesive
     }
 
     /// The hydrostatic tension that the soil bears, c cot φ [Pa]; infinite for φ = 0.
     #[inline(always)]
     #[must_use]
-    pub fn apex(&self) -> f64 {
+    pub fn apex(&self) -> Real {
         self.apex
     }
 
     /// The return that leads from a trial stress to these principal stresses along the same axes.
     #[inline(always)]
-    pub(crate) fn returned(&self, trial: &Spectrum, value: [f64; 3]) -> Returned {
+    pub(crate) fn returned(&self, trial: &Spectrum, value: [Real; 3]) -> Returned {
         let stress = trial.with_principal(value);
         let new_mean = (value[0] + value[1] + value[2]) * THIRD;
         let (per_bulk, per_shear) = (1.0 / self.elastic.bulk, 0.5 / self.elastic.shear);
@@ -123,7 +157,7 @@ impl MohrCoulomb {
     /// Value by value, so that the compiler makes a blend of it.
     #[inline(always)]
     fn flow(&self, dilates: bool) -> Flow {
-        let pick = |a: f64, b: f64| if dilates { a } else { b };
+        let pick = |a: Real, b: Real| if dilates { a } else { b };
         let (a, b) = (&self.dilating, &self.level);
         Flow {
             sin_dilation: pick(a.sin_dilation, b.sin_dilation),
@@ -139,7 +173,7 @@ impl MohrCoulomb {
 
     /// Return in principal stresses: plane, else edge, else apex.
     #[inline(always)]
-    fn sheared(&self, [s1, s2, s3]: [f64; 3], dilates: bool) -> [f64; 3] {
+    fn sheared(&self, [s1, s2, s3]: [Real; 3], dilates: bool) -> [Real; 3] {
         let flow = self.flow(dilates);
         let [c1, c2, c3] = flow.taken;
         let (sp, sy) = (self.sin_friction, flow.sin_dilation);
@@ -166,7 +200,7 @@ impl MohrCoulomb {
             if to_right { [right[0], right_pair, right_pair] } else { [left_pair, left_pair, left[2]] };
         let on_edge = (edge[0] >= edge[2]) & (edge[0] <= self.apex);
 
-        let apex = if self.apex < f64::INFINITY { self.apex } else { 0.0 };
+        let apex = if self.apex < Real::INFINITY { self.apex } else { 0.0 };
         let mut value = [0.0; 3];
         for n in 0..3 {
             value[n] = if on_plane {
@@ -182,7 +216,7 @@ impl MohrCoulomb {
 
     /// No principal stress above the tension limit.
     #[inline(always)]
-    pub(crate) fn capped(&self, value: [f64; 3]) -> [f64; 3] {
+    pub(crate) fn capped(&self, value: [Real; 3]) -> [Real; 3] {
         value.map(|s| if s < self.tension_limit { s } else { self.tension_limit })
     }
 }
@@ -190,7 +224,7 @@ impl MohrCoulomb {
 impl Strength for MohrCoulomb {
     /// Compares with the cone inscribed in the pyramid.
     #[inline(always)]
-    fn may_yield(&self, stress: Symmetric) -> bool {
+    fn may_yield(&self, stress: Symmetric, _plastic_strain: Real) -> bool {
         let s = deviator(stress);
         let p = mean(stress);
         let root = (0.5 * contract(s, s)).sqrt();
@@ -202,7 +236,7 @@ impl Strength for MohrCoulomb {
     }
 
     #[inline(always)]
-    fn return_map(&self, trial: Symmetric, dilates: bool) -> Returned {
+    fn return_map(&self, trial: Symmetric, _plastic_strain: Real, dilates: bool) -> Returned {
         let spectrum = Spectrum::of(trial);
         let value = self.capped(self.sheared(spectrum.principal, dilates));
         self.returned(&spectrum, value)

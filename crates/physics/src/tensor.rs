@@ -1,15 +1,17 @@
 //! Symmetric second-order tensors as six numbers: xx, yy, zz, xy, yz, xz.
 
+use super::{MERIDIAN, NO_STRESS, Real};
+
 /// A symmetric tensor: xx, yy, zz, xy, yz, xz.
-pub type Symmetric = [f64; 6];
+pub type Symmetric = [Real; 6];
 
 /// Multiplied by, not divided: a division takes as long as a dozen multiplications.
-pub(crate) const THIRD: f64 = 1.0 / 3.0;
+pub(crate) const THIRD: Real = 1.0 / 3.0;
 
 /// One third of the trace.
 #[inline(always)]
 #[must_use]
-pub fn mean(a: Symmetric) -> f64 {
+pub fn mean(a: Symmetric) -> Real {
     (a[0] + a[1] + a[2]) * THIRD
 }
 
@@ -24,7 +26,7 @@ pub fn deviator(a: Symmetric) -> Symmetric {
 /// Double contraction `a : b`.
 #[inline(always)]
 #[must_use]
-pub fn contract(a: Symmetric, b: Symmetric) -> f64 {
+pub fn contract(a: Symmetric, b: Symmetric) -> Real {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + 2.0 * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5])
 }
 
@@ -46,7 +48,7 @@ pub fn square(a: Symmetric) -> Symmetric {
 /// Mises equivalent √(3 J₂) of a stress.
 #[inline(always)]
 #[must_use]
-pub fn mises(a: Symmetric) -> f64 {
+pub fn mises(a: Symmetric) -> Real {
     let s = deviator(a);
     (1.5 * contract(s, s)).sqrt()
 }
@@ -55,7 +57,7 @@ pub fn mises(a: Symmetric) -> f64 {
 /// upper half of the skew part of the velocity gradient, `w_ij = ½(∂v_i/∂x_j − ∂v_j/∂x_i)`.
 #[inline(always)]
 #[must_use]
-pub fn jaumann(a: Symmetric, w: [f64; 3]) -> Symmetric {
+pub fn jaumann(a: Symmetric, w: [Real; 3]) -> Symmetric {
     let [xx, yy, zz, xy, yz, xz] = a;
     let [wxy, wyz, wxz] = w;
     [
@@ -76,23 +78,23 @@ pub fn jaumann(a: Symmetric, w: [f64; 3]) -> Symmetric {
 #[derive(Clone, Copy, Debug)]
 pub struct Spectrum {
     /// Mean value.
-    pub mean: f64,
+    pub mean: Real,
     /// Size of the deviator, √(s:s).
-    pub norm: f64,
+    pub norm: Real,
     /// Principal values, largest first.
-    pub principal: [f64; 3],
+    pub principal: [Real; 3],
     /// Unit tensor along the deviator.
     pub radial: Symmetric,
     /// Unit tensor at a right angle to it, towards larger Lode angle; 0 on a meridian.
     pub hoop: Symmetric,
     /// Principal values of `radial`.
-    pub radial_principal: [f64; 3],
+    pub radial_principal: [Real; 3],
     /// Principal values of `hoop`.
-    pub hoop_principal: [f64; 3],
+    pub hoop_principal: [Real; 3],
 }
 
-const SQRT_3: f64 = 1.732_050_807_568_877_2;
-const SQRT_2_3: f64 = 0.816_496_580_927_726;
+const SQRT_3: Real = 1.732_050_807_568_877_2;
+const SQRT_2_3: Real = 0.816_496_580_927_726;
 
 impl Spectrum {
     /// Spectrum of `a`. Finite for every finite `a`.
@@ -102,7 +104,7 @@ impl Spectrum {
         let mean = mean(a);
         let s = deviator(a);
         let norm = contract(s, s).sqrt();
-        let inverse = if norm > 1e-150 { 1.0 / norm } else { 0.0 };
+        let inverse = if norm > NO_STRESS { 1.0 / norm } else { 0.0 };
         let radial = s.map(|x| x * inverse);
         // t = r² − ⅓ I, split along r: its part at a right angle to r has the size sin 3θ / √6.
         let mut t = square(radial);
@@ -116,7 +118,7 @@ impl Spectrum {
             cross[n] = t[n] - along * radial[n];
         }
         let cross_norm = contract(cross, cross).sqrt();
-        let cross_inverse = if cross_norm > 1e-14 { -1.0 / cross_norm } else { 0.0 };
+        let cross_inverse = if cross_norm > MERIDIAN { -1.0 / cross_norm } else { 0.0 };
         let hoop = cross.map(|x| x * cross_inverse);
         let (cos, sin) = cube_root(along, cross_norm);
         let radial_principal = spread(cos, sin);
@@ -128,14 +130,14 @@ impl Spectrum {
     /// Cosine and sine of the Lode angle Θ: 0 where the two smaller principal values are equal, 60° where the two larger are.
     #[inline(always)]
     #[must_use]
-    pub fn lode(&self) -> (f64, f64) {
+    pub fn lode(&self) -> (Real, Real) {
         (self.radial_principal[0] / SQRT_2_3, -self.hoop_principal[0] / SQRT_2_3)
     }
 
     /// Principal values of the tensor with this mean and a deviator of `along` the present one and `across` it.
     #[inline(always)]
     #[must_use]
-    pub fn principal_at(&self, mean: f64, along: f64, across: f64) -> [f64; 3] {
+    pub fn principal_at(&self, mean: Real, along: Real, across: Real) -> [Real; 3] {
         let (a, b) = (self.radial_principal, self.hoop_principal);
         [
             mean + along * a[0] + across * b[0],
@@ -147,10 +149,10 @@ impl Spectrum {
     /// The tensor with the same axes and other principal values.
     #[inline(always)]
     #[must_use]
-    pub fn with_principal(&self, value: [f64; 3]) -> Symmetric {
+    pub fn with_principal(&self, value: [Real; 3]) -> Symmetric {
         let mean = (value[0] + value[1] + value[2]) * THIRD;
         let dot =
-            |b: [f64; 3]| (value[0] - mean) * b[0] + (value[1] - mean) * b[1] + (value[2] - mean) * b[2];
+            |b: [Real; 3]| (value[0] - mean) * b[0] + (value[1] - mean) * b[1] + (value[2] - mean) * b[2];
         let (along, across) = (dot(self.radial_principal), dot(self.hoop_principal));
         let mut out: Symmetric = [mean, mean, mean, 0.0, 0.0, 0.0];
         for n in 0..6 {
@@ -162,7 +164,7 @@ impl Spectrum {
 
 /// Cosine and sine of θ in [0, 60°], given numbers in the ratio cos 3θ : sin 3θ (sine not negative).
 #[inline(always)]
-fn cube_root(cos3: f64, sin3: f64) -> (f64, f64) {
+fn cube_root(cos3: Real, sin3: Real) -> (Real, Real) {
     let size = (cos3 * cos3 + sin3 * sin3).sqrt();
     let scale = if size > 1e-12 { 1.0 / size } else { 0.0 };
     let (a, b) = if size > 1e-12 { (cos3 * scale, sin3 * scale) } else { (1.0, 0.0) };
@@ -183,7 +185,7 @@ fn cube_root(cos3: f64, sin3: f64) -> (f64, f64) {
 
 /// Principal values of the unit deviator at Lode angle θ, largest first.
 #[inline(always)]
-fn spread(cos: f64, sin: f64) -> [f64; 3] {
+fn spread(cos: Real, sin: Real) -> [Real; 3] {
     [
         SQRT_2_3 * cos,
         SQRT_2_3 * (-0.5 * cos + 0.5 * SQRT_3 * sin),
@@ -195,11 +197,14 @@ fn spread(cos: f64, sin: f64) -> [f64; 3] {
 mod tests {
     use super::*;
 
+    /// What rounding may leave, over the size of the numbers.
+    const ROUNDING: Real = 20.0 * Real::EPSILON;
+
     fn samples() -> Vec<Symmetric> {
         let mut seed = 7_u64;
         let mut next = || {
             seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (seed >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
+            (seed >> 11) as Real / (1_u64 << 53) as Real - 0.5
         };
         let mut all: Vec<Symmetric> = (0..2000).map(|_| std::array::from_fn(|_| 1e5 * next())).collect();
         all.extend([
@@ -217,13 +222,13 @@ mod tests {
             let p = Spectrum::of(a).principal;
             let scale = 1.0 + mises(a);
             assert!(p[0] >= p[1] && p[1] >= p[2], "{a:?} {p:?}");
-            assert!((p[0] + p[1] + p[2] - 3.0 * mean(a)).abs() < 1e-12 * scale);
+            assert!((p[0] + p[1] + p[2] - 3.0 * mean(a)).abs() < ROUNDING * scale);
             let q = (0.5 * ((p[0] - p[1]).powi(2) + (p[1] - p[2]).powi(2) + (p[2] - p[0]).powi(2))).sqrt();
-            assert!((q - mises(a)).abs() < 1e-12 * scale);
+            assert!((q - mises(a)).abs() < ROUNDING * scale);
             let s = deviator(a);
             let j3 = contract(square(s), s) / 3.0;
             let m = mean(a);
-            assert!(((p[0] - m) * (p[1] - m) * (p[2] - m) - j3).abs() < 1e-11 * scale.powi(3));
+            assert!(((p[0] - m) * (p[1] - m) * (p[2] - m) - j3).abs() < ROUNDING * scale.powi(3));
         }
     }
 
@@ -233,7 +238,7 @@ mod tests {
             let spectrum = Spectrum::of(a);
             let b = spectrum.with_principal(spectrum.principal);
             for n in 0..6 {
-                assert!((a[n] - b[n]).abs() < 1e-11 * (1.0 + mises(a)), "{a:?} {b:?}");
+                assert!((a[n] - b[n]).abs() < ROUNDING * (1.0 + mises(a)), "{a:?} {b:?}");
             }
         }
     }
@@ -242,7 +247,8 @@ mod tests {
     fn spin_keeps_the_invariants() {
         for a in samples() {
             let rate = jaumann(a, [0.3, -0.7, 0.2]);
-            assert!(mean(rate).abs() < 1e-9 && contract(rate, a).abs() < 1e-9 * (1.0 + contract(a, a)));
+            let size = 1.0 + contract(a, a);
+            assert!(mean(rate).abs() < ROUNDING * size.sqrt() && contract(rate, a).abs() < ROUNDING * size);
         }
     }
 }

@@ -4,26 +4,34 @@
 //! positive. The linear part also acts in expansion: without it a dilating soil rings. It must stay small beside the
 //! contact stress, for in frictional soil it acts like confinement.
 
+use super::Real;
+
 /// Coefficients of bulk viscosity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BulkViscosity {
     /// b₁ ρ c [Pa s/m].
-    pub linear: f64,
+    pub linear: Real,
     /// b₂² ρ [kg/m³].
-    pub quadratic: f64,
+    pub quadratic: Real,
 }
 
 impl BulkViscosity {
     /// From the dimensionless b₁ and b₂, density [kg/m³] and wave speed [m/s].
     #[must_use]
-    pub fn new(b1: f64, b2: f64, density: f64, wave_speed: f64) -> Self {
+    pub fn new(b1: Real, b2: Real, density: Real, wave_speed: Real) -> Self {
         Self { linear: b1 * density * wave_speed, quadratic: b2 * b2 * density }
+    }
+
+    /// Coefficients known in double precision, in the one at hand.
+    #[must_use]
+    pub fn rounded(exact: &crate::double::viscosity::BulkViscosity) -> Self {
+        Self { linear: exact.linear as Real, quadratic: exact.quadratic as Real }
     }
 
     /// Viscous stress [Pa], negative in compression, for a cell of size `length` [m] at volumetric rate ε̇ᵥ [1/s].
     #[inline(always)]
     #[must_use]
-    pub fn stress(&self, length: f64, volumetric_rate: f64) -> f64 {
+    pub fn stress(&self, length: Real, volumetric_rate: Real) -> Real {
         let speed = length * volumetric_rate;
         let squeezed = if speed < 0.0 { speed } else { 0.0 };
         self.linear * speed - self.quadratic * squeezed * squeezed

@@ -1,11 +1,11 @@
 //! The books: where the energy went, and whether the state is still one to believe.
 
-use crate::cpu::contact::ContactWork;
-use crate::cpu::energy;
-use crate::cpu::workspace::RowSums;
+use super::State;
+use super::contact::{ContactWork, Drive};
+use super::energy;
+use super::workspace::RowSums;
 use crate::error::Breakdown;
 use crate::model::Model;
-use crate::state::State;
 use glam::DVec3;
 
 /// Enters the step into the ledger.
@@ -13,7 +13,7 @@ pub(crate) fn account(
     model: &Model,
     state: &mut State,
     sums: &RowSums,
-    drive: &[(DVec3, f64)],
+    drives: &[Drive],
     work: &ContactWork,
 ) {
     let ledger = &mut state.ledger;
@@ -23,25 +23,24 @@ pub(crate) fn account(
     ledger.external += sums.gravity;
     ledger.friction += work.rubbed;
     ledger.contact -= work.on_soil + work.rubbed;
-    for (((fixed, body), drive), received) in
-        model.bodies.iter().zip(&state.bodies).zip(drive).zip(&work.on_bodies)
-    {
-        let share = model.share;
+    for ((fixed, body), drive) in model.bodies.iter().zip(&state.bodies).zip(drives) {
+        let (share, received) = (model.share, &drive.received);
+        let force = received.normal + received.friction;
         for axis in 0..3 {
-            let (before, after) = (drive.0[axis], body.velocity[axis]);
+            let (before, after) = (drive.velocity_before[axis], body.velocity[axis]);
             let middle = 0.5 * (before + after);
             // What the load gave is what is left of the change of momentum when contact is taken off.
             let load = if fixed.translation[axis].is_free() {
-                fixed.mass * share * (received.velocity_free[axis] - before)
+                fixed.mass * share * (drive.velocity_free[axis] - before)
             } else {
-                -received.force[axis]
+                -force[axis]
             };
             ledger.external += load * middle;
-            ledger.contact -= received.force[axis] * middle;
+            ledger.contact -= force[axis] * middle;
         }
-        let middle = 0.5 * (drive.1 + body.spin);
+        let middle = 0.5 * (drive.spin_before + body.spin);
         let load = if fixed.spin.is_free() {
-            fixed.axle_inertia * share * (received.spin_free - drive.1)
+            fixed.axle_inertia * share * (drive.spin_free - drive.spin_before)
         } else {
             -received.axle
         };
@@ -70,7 +69,7 @@ pub(crate) fn check(model: &Model, state: &State, sums: &RowSums, dt: f64) -> Re
 
 /// The first node whose velocity has a component like this.
 fn place_of(model: &Model, state: &State, is_bad: impl Fn(f64) -> bool) -> DVec3 {
-    let bad = |n: usize| state.nodes.velocity.iter().any(|v| is_bad(v[n]));
+    let bad = |n: usize| state.nodes.velocity.iter().any(|v| is_bad(f64::from(v[n])));
     let [_, row, plane] = model.grid.stride;
     let found = (plane + row + 1..model.grid.entries).find(|n| bad(*n));
     let Some(n) = found else { return DVec3::NAN };
@@ -95,7 +94,7 @@ pub fn kinetic_energy(model: &Model, state: &State) -> f64 {
             0.5 * model.share * (fixed.mass * (free(0) + free(1) + free(2)) + spin)
         })
         .sum();
-    energy::kinetic(&state.nodes) + bodies
+    energy::kinetic(&model.grid, &state.nodes) + bodies
 }
 
 /// Elastic energy of the soil now [J].

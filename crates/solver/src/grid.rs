@@ -1,11 +1,12 @@
 //! The Eulerian grid: a rectilinear, graded box of cells that never moves.
 //!
-//! Cells and nodes share one numbering: x fastest, one ghost layer on every side, rows padded to whole vectors. Node
+//! Cells and nodes share one numbering: x fastest, one ghost layer on every side, rows of whole vectors and two ghosts. Node
 //! `(i, j, k)` is the low corner of cell `(i, j, k)`, so a cell's corners and a node's cells are constant offsets.
 
 use serde::{Deserialize, Serialize};
 
-/// Rows are padded to this many entries so that vector loops have no remainder.
+/// Rows hold a multiple of this many cells, or twice as many, so that vector loops over cells have no remainder: as many
+/// numbers of double precision as the widest vector holds.
 pub const LANES: usize = 8;
 
 /// A rectilinear grid.
@@ -19,25 +20,39 @@ pub struct Grid {
     pub entries: usize,
     /// The smallest cell width [m].
     finest: f64,
+    /// Rows are padded to a multiple of this.
+    lanes: usize,
 }
 
 impl Grid {
     /// A grid with the given face positions [m]; each must be increasing and hold at least two.
     #[must_use]
     pub fn new(faces: [Vec<f64>; 3]) -> Self {
-        // One ghost before, one after, and whole vectors of cells from the first cell on.
-        let row = ((faces[0].len() - 1).next_multiple_of(LANES) + 2).next_multiple_of(LANES);
+        Self::padded(faces, LANES)
+    }
+
+    /// The same with rows for vectors of `lanes` numbers, a multiple of [`LANES`].
+    #[must_use]
+    pub fn padded(faces: [Vec<f64>; 3], lanes: usize) -> Self {
+        // One ghost before, one after, and whole vectors of cells between them.
+        let row = (faces[0].len() - 1).next_multiple_of(lanes) + 2;
         let plane = row * (faces[1].len() + 1);
-        let entries = plane * (faces[2].len() + 1) + LANES;
+        let entries = plane * (faces[2].len() + 1) + lanes;
         let finest =
             faces.iter().flat_map(|f| f.windows(2).map(|w| w[1] - w[0])).fold(f64::INFINITY, f64::min);
-        Self { faces, stride: [1, row, plane], entries, finest }
+        Self { faces, stride: [1, row, plane], entries, finest, lanes }
     }
 
     /// Number of cells along x, y, z.
     #[must_use]
     pub fn cells(&self) -> [usize; 3] {
         [self.faces[0].len() - 1, self.faces[1].len() - 1, self.faces[2].len() - 1]
+    }
+
+    /// Number of cells in a row with those that pad it to whole vectors.
+    #[must_use]
+    pub fn padded_row(&self) -> usize {
+        self.cells()[0].next_multiple_of(self.lanes)
     }
 
     /// Place in memory of cell (or node) `(i, j, k)`.

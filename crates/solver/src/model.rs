@@ -166,3 +166,22 @@ impl Model {
         BulkViscosity::new(b1, b2, self.density, self.wave_speed())
     }
 }
+
+/// Where soil is at the start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Filling {
+    /// Low corner of the box that is full of soil [m].
+    pub low: DVec3,
+    /// High corner [m].
+    pub high: DVec3,
+    /// Only what is so near to the z axis is full: a round column [m].
+    pub radius: Option<f64>,
+}
+
+impl Filling {
+    /// All of a box.
+    #[must_use]
+    pub fn between(low: DVec3, high: DVec3) -> Self {
+        Self { low, high, radius: None }
+    }
+}

@@ -1,20 +1,14 @@
 //! The state before the first step: soil at rest under its own weight, bodies where the case puts them.
 
-use crate::cpu::contact::{self, carve_soil};
-use crate::cpu::{energy, lagrange_mass};
+use super::audit::kinetic_energy;
+use super::contact::carve_soil;
+use super::remap::lagrange_mass;
+use super::{Nodes, Real, Soil, State, energy};
 use crate::grid::Grid;
-use crate::model::Model;
-use crate::state::{Body, Contact, Ledger, Nodes, Received, Soil, State};
+pub use crate::model::Filling;
+use crate::model::{Model, Wall};
+use crate::state::{Body, Ledger, Received};
 use glam::DVec3;
-
-/// Where soil is at the start.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Filling {
-    /// Low corner of the box that is full of soil [m].
-    pub low: DVec3,
-    /// High corner [m].
-    pub high: DVec3,
-}
 
 /// The state at rest of a box of soil.
 #[must_use]
@@ -26,18 +20,18 @@ pub fn start(model: &Model, filling: &Filling) -> State {
 /// lid of the box, which does not move, bears the pressure from then on.
 #[must_use]
 pub fn start_under(model: &Model, filling: &Filling, overburden: f64) -> State {
-    let mut fraction = vec![0.0; model.grid.entries];
+    let mut fraction: Vec<Real> = vec![0.0; model.grid.entries];
     fill(&model.grid, filling, &mut fraction);
     at_rest(model, fraction, overburden)
 }
 
 /// The state at rest of soil of any shape: its volume fraction in every cell (see [`Grid::index`]).
 #[must_use]
-pub fn start_filled(model: &Model, fraction: Vec<f64>) -> State {
+pub fn start_filled(model: &Model, fraction: Vec<Real>) -> State {
     at_rest(model, fraction, 0.0)
 }
 
-fn at_rest(model: &Model, fraction: Vec<f64>, overburden: f64) -> State {
+fn at_rest(model: &Model, fraction: Vec<Real>, overburden: f64) -> State {
     let mut bodies: Vec<Body> = model
         .bodies
         .iter()
@@ -59,31 +53,48 @@ fn at_rest(model: &Model, fraction: Vec<f64>, overburden: f64) -> State {
     relieve_void(&mut soil);
     weigh(model, &mut soil);
     let mut nodes = Nodes::at_rest(&model.grid);
-    lagrange_mass(&model.grid, &soil.mass, &mut nodes.mass);
+    for (n, plane) in nodes.mass.chunks_exact_mut(model.grid.stride[2]).enumerate().skip(1) {
+        lagrange_mass(&model.grid, n, &soil.mass, plane);
+    }
     let ledger = Ledger {
         elastic_start: energy::elastic(model, &soil),
         volume_start: energy::soil_volume(&model.grid, &soil),
         ..Ledger::default()
     };
-    let contacts = contacts(model);
-    State { time: 0.0, step: 0, soil, nodes, bodies, contacts, remaps: 0, ledger }
+    State { time: 0.0, step: 0, soil, nodes, bodies, contacts: Vec::new(), remaps: 0, ledger }
 }
 
-fn contacts(model: &Model) -> Vec<Contact> {
-    let all = model.bodies.iter().enumerate().flat_map(|(body, fixed)| {
-        (0..contact::surface_points(model, fixed).len()).map(move |point| (body, point))
-    });
-    all.map(|(body, point)| Contact { body, point, ..Contact::default() }).collect()
+/// Sets all soil in motion with a velocity [m/s], but for what the walls hold; the ledger counts its energy as put in from
+/// outside.
+pub fn set_in_motion(model: &Model, state: &mut State, velocity: DVec3) {
+    let cells = model.grid.cells();
+    for n in (0..model.grid.entries).filter(|n| state.nodes.mass[*n] > 0.0) {
+        let place = model.grid.place(n);
+        let mut own = velocity;
+        for axis in 0..3 {
+            for (wall, layer) in model.walls[axis].iter().zip([0, cells[axis]]) {
+                match wall {
+                    _ if place[axis] != layer => {}
+                    Wall::Smooth => own[axis] = 0.0,
+                    Wall::Fixed => own = DVec3::ZERO,
+                }
+            }
+        }
+        for (field, value) in state.nodes.velocity.iter_mut().zip(own.to_array()) {
+            field[n] = value as Real;
+        }
+    }
+    state.ledger.kinetic_start = kinetic_energy(model, state);
 }
 
-/// Volume fractions of a box of soil.
-fn fill(grid: &Grid, filling: &Filling, fraction: &mut [f64]) {
+/// Volume fractions of a box of soil, or of the round column inside it.
+fn fill(grid: &Grid, filling: &Filling, fraction: &mut [Real]) {
     let [nx, ny, nz] = grid.cells();
-    let share = |axis: usize, n: usize| {
-        let (low, high) =
-            (grid.faces[axis][n].max(filling.low[axis]), grid.faces[axis][n + 1].min(filling.high[axis]));
-        let share = ((high - low) / grid.width(axis, n)).clamp(0.0, 1.0);
-        // A surface that lies on a face up to rounding lies on it.
+    let range = |axis: usize, n: usize| {
+        [grid.faces[axis][n].max(filling.low[axis]), grid.faces[axis][n + 1].min(filling.high[axis])]
+    };
+    // A surface that lies on a face up to rounding lies on it.
+    let snapped = |share: f64| {
         if share < 1e-9 {
             0.0
         } else if share > 1.0 - 1e-9 {
@@ -92,13 +103,42 @@ fn fill(grid: &Grid, filling: &Filling, fraction: &mut [f64]) {
             share
         }
     };
-    for k in 0..nz {
-        for j in 0..ny {
-            for i in 0..nx {
-                fraction[grid.index(i, j, k)] = share(0, i) * share(1, j) * share(2, k);
+    let share = |axis: usize, n: usize| {
+        let [low, high] = range(axis, n);
+        snapped(((high - low) / grid.width(axis, n)).clamp(0.0, 1.0))
+    };
+    for j in 0..ny {
+        for i in 0..nx {
+            let round = |radius: f64| {
+                let area = area_in_disc(radius, range(0, i), range(1, j));
+                snapped(area / (grid.width(0, i) * grid.width(1, j)))
+            };
+            let plan = filling.radius.map_or_else(|| share(0, i) * share(1, j), round);
+            for k in 0..nz {
+                fraction[grid.index(i, j, k)] = (plan * share(2, k)) as Real;
             }
         }
     }
+}
+
+/// Area [m²] of the part of a rectangle that lies in a disc round the origin. The two sides along each axis come in as a
+/// difference, so that a mirror changes no bit.
+fn area_in_disc(radius: f64, [x0, x1]: [f64; 2], [y0, y1]: [f64; 2]) -> f64 {
+    if x1 <= x0 || y1 <= y0 {
+        return 0.0;
+    }
+    // ∫ √(r² − x²) from 0 to x.
+    let under = |x: f64| {
+        0.5 * (x * (radius * radius - x * x).max(0.0).sqrt() + radius * radius * (x / radius).asin())
+    };
+    // From the axes to a corner, with the sign of its quadrant.
+    let corner = |x: f64, y: f64| {
+        let (a, b) = (x.abs().min(radius), y.abs().min(radius));
+        let flat = (radius * radius - b * b).sqrt().min(a);
+        (b * flat + (under(a) - under(flat))) * x.signum() * y.signum()
+    };
+    let below = |y: f64| corner(x1, y) - corner(x0, y);
+    below(y1) - below(y0)
 }
 
 /// No stress where no soil is left.
@@ -117,7 +157,7 @@ fn weigh(model: &Model, soil: &mut Soil) {
         for j in 0..ny {
             for i in 0..nx {
                 let c = grid.index(i, j, k);
-                soil.mass[c] = model.density * soil.fraction[c] * grid.volume(i, j, k);
+                soil.mass[c] = (model.density * f64::from(soil.fraction[c]) * grid.volume(i, j, k)) as Real;
             }
         }
     }
@@ -135,15 +175,42 @@ fn rest_stress(model: &Model, soil: &mut Soil, overburden: f64) {
             let (mut force, mut mass_above) = (0.0, 0.0);
             for k in (0..nz).rev() {
                 let c = grid.index(i, j, k);
-                force -= 0.5 * (soil.mass[c] + mass_above) * model.gravity;
-                mass_above = soil.mass[c];
-                if soil.fraction[c] > 0.0 {
-                    let vertical = force / (area * soil.fraction[c]) - overburden;
-                    soil.stress[2][c] = vertical;
-                    soil.stress[0][c] = model.rest_pressure_ratio * vertical;
+                let (mass, fraction) = (f64::from(soil.mass[c]), f64::from(soil.fraction[c]));
+                force -= 0.5 * (mass + mass_above) * model.gravity;
+                mass_above = mass;
+                if fraction > 0.0 {
+                    let vertical = force / (area * fraction) - overburden;
+                    soil.stress[2][c] = vertical as Real;
+                    soil.stress[0][c] = (model.rest_pressure_ratio * vertical) as Real;
                     soil.stress[1][c] = soil.stress[0][c];
                 }
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+
+    #[test]
+    fn a_disc_is_cut_into_cells_whose_areas_add_up() {
+        let radius = 3.2;
+        let cell = |i: i32, j: i32| {
+            let range = |n: i32| [f64::from(n) * 0.5, f64::from(n + 1) * 0.5];
+            area_in_disc(radius, range(i), range(j))
+        };
+        let all: f64 = (-8..8).flat_map(|i| (-8..8).map(move |j| cell(i, j))).sum();
+        assert!((all - PI * radius * radius).abs() < 1e-12 * all, "{all}");
+        for (i, j) in (0..8).flat_map(|i| (0..8).map(move |j| (i, j))) {
+            let one = cell(i, j);
+            assert!((-1e-14..=0.25 + 1e-14).contains(&one), "{i} {j} {one}");
+            // Mirror images in either axis: the same bits.
+            assert_eq!([one; 3], [cell(-1 - i, j), cell(i, -1 - j), cell(-1 - i, -1 - j)]);
+        }
+        // A rectangle of its own, by hand: the quarter disc to the right of x = r/2 is r² (π/6 − √3/8).
+        let right = area_in_disc(radius, [0.5 * radius, 9.0], [0.0, 9.0]);
+        assert!((right - radius * radius * (PI / 6.0 - 3_f64.sqrt() / 8.0)).abs() < 1e-13);
     }
 }

@@ -1,4 +1,4 @@
-//! Everything that changes during a run. A checkpoint is this.
+//! Everything that changes during a run. A checkpoint is this. The fields of the soil are `f64` or `f32`; all else is `f64`.
 
 use crate::grid::Grid;
 use glam::DVec3;
@@ -9,28 +9,28 @@ pub const STRESS_NAMES: [&str; 6] = ["xx", "yy", "zz", "xy", "yz", "xz"];
 
 /// What the cells hold. Each array covers the grid (see [`Grid::index`]).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Soil {
+pub struct Soil<R = f64> {
     /// Eulerian volume fraction, 0 to 1.
-    pub fraction: Vec<f64>,
+    pub fraction: Vec<R>,
     /// Mass of soil in the cell [kg].
-    pub mass: Vec<f64>,
+    pub mass: Vec<R>,
     /// Cauchy stress of the soil (not scaled by the fraction), tension positive: xx, yy, zz, xy, yz, xz [Pa].
-    pub stress: [Vec<f64>; 6],
+    pub stress: [Vec<R>; 6],
     /// Equivalent plastic strain.
-    pub plastic_strain: Vec<f64>,
+    pub plastic_strain: Vec<R>,
     /// Stress-free volumetric opening that has to close before pressure can build.
-    pub gap_strain: Vec<f64>,
+    pub gap_strain: Vec<R>,
 }
 
 /// What the nodes hold.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Nodes {
+pub struct Nodes<R = f64> {
     /// Velocity along x, y, z [m/s].
-    pub velocity: [Vec<f64>; 3],
+    pub velocity: [Vec<R>; 3],
     /// Displacement since the last remap along x, y, z [m].
-    pub displacement: [Vec<f64>; 3],
+    pub displacement: [Vec<R>; 3],
     /// Mass lumped from the eight cells round the node [kg].
-    pub mass: Vec<f64>,
+    pub mass: Vec<R>,
 }
 
 /// Where a body is and how it moves. The whole body, also when only half of it is modelled.
@@ -66,15 +66,13 @@ pub struct Received {
     pub axle: f64,
 }
 
-/// One point of contact: what it remembers, and where it sits in the grid until the next remap.
+/// A point of a body's surface in the grid with soil to act on: what it remembers, and where it sits until the next remap.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Contact {
     /// Which body.
     pub body: usize,
     /// Which of its surface points.
     pub point: usize,
-    /// Whether the point is in the grid, with soil to act on.
-    pub in_soil: bool,
     /// Place of the cell's low node.
     pub base: usize,
     /// Weights of the cell's eight nodes.
@@ -128,18 +126,18 @@ pub struct Ledger {
 
 /// Everything that changes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct State {
+pub struct State<R = f64> {
     /// Time since the start [s].
     pub time: f64,
     /// Number of steps taken.
     pub step: u64,
     /// The cells.
-    pub soil: Soil,
+    pub soil: Soil<R>,
     /// The nodes.
-    pub nodes: Nodes,
+    pub nodes: Nodes<R>,
     /// The bodies, in the order of the model's.
     pub bodies: Vec<Body>,
-    /// The contact points of all bodies.
+    /// The contact points that have soil to act on, body by body, in the order of their points.
     pub contacts: Vec<Contact>,
     /// Number of remaps done.
     pub remaps: u64,
@@ -147,7 +145,7 @@ pub struct State {
     pub ledger: Ledger,
 }
 
-impl State {
+impl<R> State<R> {
     /// Memory that it takes up [bytes].
     #[must_use]
     pub fn memory(&self) -> usize {
@@ -160,11 +158,40 @@ impl State {
     }
 }
 
-impl Soil {
+impl<R: Copy + Into<f64>> State<R> {
+    /// The same with its fields in double precision.
+    #[must_use]
+    pub fn widened(&self) -> State {
+        let wide = |field: &Vec<R>| field.iter().map(|value| (*value).into()).collect();
+        let Soil { fraction, mass, stress, plastic_strain, gap_strain } = &self.soil;
+        State {
+            soil: Soil {
+                fraction: wide(fraction),
+                mass: wide(mass),
+                stress: stress.each_ref().map(wide),
+                plastic_strain: wide(plastic_strain),
+                gap_strain: wide(gap_strain),
+            },
+            nodes: Nodes {
+                velocity: self.nodes.velocity.each_ref().map(wide),
+                displacement: self.nodes.displacement.each_ref().map(wide),
+                mass: wide(&self.nodes.mass),
+            },
+            bodies: self.bodies.clone(),
+            contacts: self.contacts.clone(),
+            time: self.time,
+            step: self.step,
+            remaps: self.remaps,
+            ledger: self.ledger,
+        }
+    }
+}
+
+impl<R: Copy + Default> Soil<R> {
     /// No soil anywhere.
     #[must_use]
     pub fn empty(grid: &Grid) -> Self {
-        let zeros = || vec![0.0; grid.entries];
+        let zeros = || vec![R::default(); grid.entries];
         Self {
             fraction: zeros(),
             mass: zeros(),
@@ -175,11 +202,11 @@ impl Soil {
     }
 }
 
-impl Nodes {
+impl<R: Copy + Default> Nodes<R> {
     /// Nodes at rest, without mass.
     #[must_use]
     pub fn at_rest(grid: &Grid) -> Self {
-        let zeros = || vec![0.0; grid.entries];
+        let zeros = || vec![R::default(); grid.entries];
         Self {
             velocity: std::array::from_fn(|_| zeros()),
             displacement: std::array::from_fn(|_| zeros()),

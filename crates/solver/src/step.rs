@@ -1,15 +1,14 @@
 //! The time step, on one page.
 
-use crate::audit::{account, check};
-use crate::cpu::contact;
-use crate::cpu::lagrange::lagrange;
-use crate::cpu::remap::remap;
+use super::State;
+use super::audit::{account, check};
+use super::contact;
+use super::lagrange::lagrange;
+use super::remap::remap;
+use super::workspace::{RowSums, Workspace};
 use crate::cpu::stopwatch::Stage;
-use crate::cpu::workspace::{RowSums, Workspace};
 use crate::error::Breakdown;
 use crate::model::Model;
-use crate::state::State;
-use glam::DVec3;
 
 /// Takes one step.
 ///
@@ -23,11 +22,11 @@ pub fn step(model: &Model, state: &mut State, workspace: &mut Workspace) -> Resu
     }
     // Lagrangian stage: the soil moves, the grid waits.
     let sums = lagrange(model, state, workspace, dt);
-    let drive = drive_bodies(model, state, dt);
-    let work = contact::contact(model, state, workspace, &drive, dt);
+    drive_bodies(model, state, workspace, dt);
+    let work = contact::contact(model, state, workspace, dt);
     workspace.stopwatch().lap(Stage::Contact);
     move_bodies(state, dt);
-    account(model, state, &sums, &drive, &work);
+    account(model, state, &sums, &workspace.drives, &work);
     state.time += dt;
     state.step += 1;
     // Eulerian stage, only when the soil has moved far enough to need it.
@@ -44,11 +43,11 @@ pub fn step(model: &Model, state: &mut State, workspace: &mut Workspace) -> Resu
     check(model, state, &sums, dt)
 }
 
-/// Velocities of the bodies without contact: as prescribed, or as the loads make them. Returns velocity and spin before.
-fn drive_bodies(model: &Model, state: &mut State, dt: f64) -> Vec<(DVec3, f64)> {
+/// Velocities of the bodies without contact: as prescribed, or as the loads make them.
+fn drive_bodies(model: &Model, state: &mut State, workspace: &mut Workspace, dt: f64) {
     let middle = state.time + 0.5 * dt;
-    let each = model.bodies.iter().zip(&mut state.bodies).map(|(fixed, body)| {
-        let before = (body.velocity, body.spin);
+    for ((fixed, body), drive) in model.bodies.iter().zip(&mut state.bodies).zip(&mut workspace.drives) {
+        (drive.velocity_before, drive.spin_before) = (body.velocity, body.spin);
         for axis in 0..3 {
             let freedom = fixed.translation[axis];
             body.velocity[axis] = if freedom.is_free() {
@@ -63,9 +62,7 @@ fn drive_bodies(model: &Model, state: &mut State, dt: f64) -> Vec<(DVec3, f64)> 
         } else {
             turn.speed(middle)
         };
-        before
-    });
-    each.collect()
+    }
 }
 
 /// Moves the bodies with their new velocities.

@@ -5,13 +5,14 @@ mod work;
 
 pub use table::table;
 
-use crate::case::Case;
+use crate::case::{Case, resolved};
 use crate::simulation::Simulation;
 use cpu_time::ProcessTime;
 use serde::Serialize;
 use solver::cpu::machine;
 use solver::cpu::stopwatch::{Stage, Stopwatch};
 use solver::error::Breakdown;
+use solver::precision::Precision;
 use std::time::Instant;
 use work::Work;
 
@@ -56,6 +57,12 @@ pub struct Measurement {
     pub steps: u32,
     /// Remaps among them.
     pub remaps: u64,
+    /// In single precision: speed of one thread over that in double precision.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub times_double: Option<f64>,
+    /// In single precision: memory over that of double precision.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub memory_of_double: Option<f64>,
     /// Million steps of a cell with soil per second of processor time, one thread.
     pub million_cell_steps_per_core_second: f64,
     /// The same of all threads together.
@@ -121,20 +128,41 @@ pub struct Operations {
 /// # Errors
 /// [`Breakdown`] when the physics fails.
 pub fn measure(wish: &Wish) -> Result<Measurement, Breakdown> {
+    match wish.case.numerics.precision {
+        resolved::Precision::Double => measure_in::<f64>(wish),
+        resolved::Precision::Single => {
+            let mut double = Simulation::<f64>::new(&case_for(wish, 1));
+            double.steps(wish.warm_up)?;
+            let seconds = timed(&mut double, wish.steps)?.processor;
+            let bytes = double.memory() as f64;
+            drop(double);
+            let single = measure_in::<f32>(wish)?;
+            let cells = single.cells.iter().product::<usize>() as f64;
+            let rate = 1e-6 * single.filled_cells as f64 * f64::from(wish.steps) / seconds;
+            Ok(Measurement {
+                times_double: Some(single.million_cell_steps_per_core_second / rate),
+                memory_of_double: Some(single.bytes_per_cell * cells / bytes),
+                ..single
+            })
+        }
+    }
+}
+
+fn measure_in<R: Precision>(wish: &Wish) -> Result<Measurement, Breakdown> {
     let limits = [1, wish.threads].map(machine::measure);
-    let mut single = Simulation::new(&case_for(wish, 1));
-    single.steps(wish.warm_up)?;
-    let moving = single.checkpoint();
-    let before = single.state.remaps;
-    let alone = timed(&mut single, wish.steps)?;
-    let remaps = single.state.remaps - before;
-    let filled = single.state.soil.fraction.iter().filter(|f| **f > 0.0).count();
-    let bytes = single.memory() as f64;
+    let mut lone = Simulation::<R>::new(&case_for(wish, 1));
+    lone.steps(wish.warm_up)?;
+    let moving = lone.checkpoint();
+    let before = lone.state.remaps;
+    let alone = timed(&mut lone, wish.steps)?;
+    let remaps = lone.state.remaps - before;
+    let filled = lone.state.soil.fraction.iter().filter(|f| **f != R::default()).count();
+    let bytes = lone.memory() as f64;
     // Reading the clock takes time, so the split is measured by itself.
-    single.stopwatch().start();
-    single.steps(wish.steps)?;
-    let stopwatch = single.stopwatch().clone();
-    drop(single);
+    lone.stopwatch().start();
+    lone.steps(wish.steps)?;
+    let stopwatch = lone.stopwatch().clone();
+    drop(lone);
     let mut team = Simulation::resume(&case_for(wish, wish.threads), moving);
     let together = timed(&mut team, wish.steps)?;
     let cells = team.model.grid.cells();
@@ -142,10 +170,12 @@ pub fn measure(wish: &Wish) -> Result<Measurement, Breakdown> {
     let split = split(&stopwatch);
     let returned = stopwatch.returned() as f64;
     // Shares of the processor time: the clock also runs while others have the processor.
-    let work = Work { cell_steps, returned, seconds: alone.processor };
+    let work = Work { cell_steps, returned, seconds: alone.processor, bytes: size_of::<R>() };
     Ok(Measurement {
         case: wish.case.name.clone(),
-        precision: "double",
+        precision: R::NAME,
+        times_double: None,
+        memory_of_double: None,
         threads: team.threads(),
         cells,
         filled_cells: filled,
@@ -174,7 +204,7 @@ struct Taken {
     processor: f64,
 }
 
-fn timed(simulation: &mut Simulation, steps: u32) -> Result<Taken, Breakdown> {
+fn timed(simulation: &mut Simulation<impl Precision>, steps: u32) -> Result<Taken, Breakdown> {
     let (wall, processor) = (Instant::now(), ProcessTime::now());
     simulation.steps(steps)?;
     Ok(Taken { wall: wall.elapsed().as_secs_f64(), processor: processor.elapsed().as_secs_f64() })

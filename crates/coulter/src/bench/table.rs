@@ -30,6 +30,12 @@ pub fn table(m: &Measurement) -> String {
         let each = speed(m.million_cell_steps_per_core_second_threads);
         line("", &format!("{} threads: {each}, {:.2} times as fast as one", m.threads, m.speed_up));
     }
+    if let (Some(speed), Some(memory)) = (m.times_double, m.memory_of_double) {
+        line(
+            "",
+            &format!("1 thread: {speed:.2} times as fast as in double precision, {memory:.2} of its memory"),
+        );
+    }
     text.push('\n');
     text.push_str(&stages(m));
     text

@@ -11,9 +11,9 @@ const CHECK: f64 = 27.0;
 const RETURN: f64 = 400.0;
 /// Operations per node and step: forces gathered 73, motion 27, sums 9.
 const NODES: f64 = 109.0;
-/// Bytes per cell and step that cross the bus if each array does so once. Read: fraction, stress (6), gap, mass,
+/// Numbers per cell and step that cross the bus if each array does so once. Read: fraction, stress (6), gap, mass,
 /// velocity (3), displacement (3). Written: stress (6), gap, velocity (3), displacement (3).
-const BYTES: f64 = 8.0 * (15.0 + 13.0);
+const NUMBERS: f64 = 15.0 + 13.0;
 
 /// What was done in how long.
 pub(super) struct Work {
@@ -22,6 +22,8 @@ pub(super) struct Work {
     pub(super) returned: f64,
     /// Processor time [s].
     pub(super) seconds: f64,
+    /// Size of a number [bytes].
+    pub(super) bytes: usize,
 }
 
 impl Work {
@@ -38,6 +40,6 @@ impl Work {
     /// Traffic of the Lagrangian stage as a whole [GB/s].
     pub(super) fn traffic(&self, split: &Split) -> f64 {
         let share = split.lagrange + split.plasticity + split.nodes;
-        1e-9 * BYTES * self.cell_steps / (share * self.seconds)
+        1e-9 * NUMBERS * self.bytes as f64 * self.cell_steps / (share * self.seconds)
     }
 }

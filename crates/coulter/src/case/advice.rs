@@ -4,6 +4,7 @@ use super::Case;
 use super::estimate::estimate;
 use super::resolve::extent::{body_length, path};
 use super::resolved::{Body, Freedom, Law, Potential};
+use glam::DVec3;
 use physics::elastic::Elastic;
 use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
 
@@ -20,7 +21,7 @@ pub fn advice(case: &Case) -> Vec<String> {
     overlaps(case, &mut notes);
     timing(case, &mut notes);
     strength(case, &mut notes);
-    if case.bodies.is_empty() && case.soil.unit_weight == 0.0 {
+    if case.bodies.is_empty() && case.soil.unit_weight == 0.0 && case.velocity == DVec3::ZERO {
         notes.push("There is no body and the soil has no weight: nothing will happen.".into());
     }
     notes
@@ -118,6 +119,8 @@ fn speed(case: &Case, body: &Body, notes: &mut Vec<String>) {
             case.soil.unit_weight * deep * passive + 2.0 * cohesion * passive.sqrt()
         }
         Law::Tresca { shear_strength } => 5.0 * shear_strength,
+        // Half the yield stress in shear, give or take.
+        Law::VonMises { yield_stress, .. } => 2.5 * yield_stress,
         Law::Elastic => f64::INFINITY,
     };
     let wave_speed = estimate(case).wave_speed_m_per_s;

@@ -1,10 +1,13 @@
 //! What a case will cost: cells, memory, time step, number of steps.
 
-use super::resolved::{Case, Grid, Ground};
+use super::resolved::{Case, Grid, Ground, Precision};
 use serde::Serialize;
+use std::f64::consts::FRAC_PI_4;
 
-/// Memory per cell, all fields and scratch together [bytes]; chosen on the safe side.
+/// Memory per cell, all fields and scratch together, in double precision [bytes]; chosen on the safe side.
 const BYTES_PER_CELL: f64 = 400.0;
+/// Share of it that single precision takes; what does not halve is on the safe side too.
+const SINGLE: f64 = 0.55;
 
 /// What a case will cost.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -38,7 +41,7 @@ pub fn estimate(case: &Case) -> Estimate {
     Estimate {
         cells: cells(&case.grid),
         filled_cells: filled_cells(case),
-        memory_bytes: memory(&case.grid),
+        memory_bytes: memory(&case.grid, case.numerics.precision),
         smallest_cell_m: smallest,
         wave_speed_m_per_s: wave_speed,
         time_step_s: time_step,
@@ -52,19 +55,21 @@ pub(super) fn cells(grid: &Grid) -> f64 {
 }
 
 /// Memory with the ghost layer all round [bytes].
-pub(super) fn memory(grid: &Grid) -> f64 {
-    BYTES_PER_CELL * grid.faces.iter().map(|f| f.len() as f64 + 1.0).product::<f64>()
+pub(super) fn memory(grid: &Grid, precision: Precision) -> f64 {
+    let share = if precision == Precision::Single { SINGLE } else { 1.0 };
+    share * BYTES_PER_CELL * grid.faces.iter().map(|f| f.len() as f64 + 1.0).product::<f64>()
 }
 
 fn filled_cells(case: &Case) -> f64 {
-    let (low, high) = match case.ground {
-        Ground::Level { surface } => (case.domain.low, case.domain.high.with_z(surface)),
-        Ground::Column { low, high } => (low, high),
+    let (low, high, share) = match case.ground {
+        Ground::Level { surface } => (case.domain.low, case.domain.high.with_z(surface), 1.0),
+        Ground::Column { low, high, radius: None } => (low, high, 1.0),
+        Ground::Column { low, high, radius: Some(_) } => (low, high, FRAC_PI_4),
     };
     let inside = |axis: usize| {
         case.grid.faces[axis].windows(2).filter(|w| w[1] > low[axis] && w[0] < high[axis]).count() as f64
     };
-    inside(0) * inside(1) * inside(2)
+    share * inside(0) * inside(1) * inside(2)
 }
 
 /// Memory that this machine has to spare [bytes], where the system says so.

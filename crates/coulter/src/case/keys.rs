@@ -73,7 +73,7 @@ const fn key(name: &'static str, kind: Kind, default: &'static str, meaning: &'s
 }
 
 /// Soil laws.
-pub const LAWS: [&str; 3] = ["mohr-coulomb", "tresca", "elastic"];
+pub const LAWS: [&str; 4] = ["mohr-coulomb", "tresca", "von-mises", "elastic"];
 /// Body shapes.
 pub const SHAPES: [&str; 4] = ["disc", "block", "cylinder", "ball"];
 /// Axes of a cylinder.
@@ -82,6 +82,8 @@ pub const AXES: [&str; 3] = ["x", "y", "z"];
 pub const POTENTIALS: [&str; 2] = ["mohr-coulomb", "menetrey-willam"];
 /// Contact methods.
 pub const CONTACTS: [&str; 2] = ["penalty", "impulse"];
+/// Precisions of the soil's fields.
+pub const PRECISIONS: [&str; 2] = ["double", "single"];
 /// What a wall may be.
 pub const WALLS: [&str; 2] = ["smooth", "fixed"];
 /// Whose factors of shape, depth and inclination the bearing model takes.
@@ -119,7 +121,12 @@ const TOP: &[Key] = &[
 ];
 
 const SOIL: &[Key] = &[
-    key("law", Kind::Choice(&LAWS), "required", "Strength: frictional, undrained, or none (elastic)."),
+    key(
+        "law",
+        Kind::Choice(&LAWS),
+        "required",
+        "Strength: frictional, undrained, that of a metal, or none (elastic).",
+    ),
     key(
         "friction_angle",
         Kind::Quantity(ANGLE),
@@ -160,6 +167,18 @@ const SOIL: &[Key] = &[
         "Undrained shear strength s_u (tresca).",
     ),
     key(
+        "yield_stress",
+        Kind::Quantity(STRESS),
+        "required for von-mises",
+        "Stress σ_y at which a bar in plain tension first yields (von-mises).",
+    ),
+    key(
+        "hardening_modulus",
+        Kind::Quantity(STRESS),
+        "0 Pa",
+        "How fast the yield stress grows with the plastic strain, H (von-mises).",
+    ),
+    key(
         "unit_weight",
         Kind::Quantity(UNIT_WEIGHT),
         "density × gravity",
@@ -176,7 +195,7 @@ const SOIL: &[Key] = &[
     key(
         "rest_pressure_ratio",
         Kind::Number,
-        "1 − sin φ (Jaky 1944); tresca and elastic: ν/(1 − ν)",
+        "1 − sin φ (Jaky 1944); else ν/(1 − ν)",
         "Horizontal over vertical stress at the start, K₀.",
     ),
 ];
@@ -190,6 +209,18 @@ const GROUND: &[Key] = &[
         "Where along x there is soil, e.g. a bank in front of a wall.",
     ),
     key("y", Kind::Range(LENGTH), "the whole domain", "Where along y there is soil."),
+    key(
+        "radius",
+        Kind::Quantity(LENGTH),
+        "none",
+        "Soil only so near to the axis x = y = 0: a round column or bar.",
+    ),
+    key(
+        "velocity",
+        Kind::Vector(SPEED),
+        "at rest",
+        "Velocity of the soil at the start along x, y, z; along x, z in plane strain.",
+    ),
     key(
         "overburden",
         Kind::Quantity(STRESS),
@@ -351,7 +382,7 @@ const NUMERICS: &[Key] = &[
     key(
         "bulk_viscosity_linear",
         Kind::Number,
-        "0.02; tresca 0.06",
+        "0.02; tresca and von-mises 0.06",
         "Linear coefficient b₁ of bulk viscosity.",
     ),
     key("bulk_viscosity_quadratic", Kind::Number, "1.2", "Quadratic coefficient b₂ of bulk viscosity."),
@@ -359,6 +390,12 @@ const NUMERICS: &[Key] = &[
     key("edge_inset", Kind::Number, "0.5", "Distance of contact points from sharp edges, in cell widths."),
     key("point_spacing", Kind::Number, "0.25", "Spacing of contact points, in cell widths."),
     key("threads", Kind::Count, "0", "Threads; 0 for one per core."),
+    key(
+        "precision",
+        Kind::Choice(&PRECISIONS),
+        "\"double\"",
+        "Precision of the soil's fields; single takes two thirds of the time and about half the memory.",
+    ),
 ];
 
 const FORECAST: &[Key] = &[

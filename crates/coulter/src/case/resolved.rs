@@ -21,6 +21,8 @@ pub struct Case {
     pub ground: Ground,
     /// Vertical pressure of the lid on the soil at the start [Pa].
     pub overburden: f64,
+    /// Velocity of the soil at the start [m/s].
+    pub velocity: DVec3,
     /// The box that is modelled.
     pub domain: Domain,
     /// Cell sizes.
@@ -65,6 +67,13 @@ pub enum Law {
         /// Undrained shear strength s_u [Pa].
         shear_strength: f64,
     },
+    /// Von Mises with linear isotropic hardening.
+    VonMises {
+        /// Yield stress in plain tension σ_y [Pa].
+        yield_stress: f64,
+        /// Its slope over the equivalent plastic strain, H ≥ 0 [Pa].
+        hardening_modulus: f64,
+    },
     /// Mohr–Coulomb.
     MohrCoulomb {
         /// Friction angle φ [rad].
@@ -106,12 +115,14 @@ pub enum Ground {
         /// Height of the surface [m].
         surface: f64,
     },
-    /// Soil only in a box: between two corners [m] (a column that will collapse, a bank before a wall).
+    /// Soil only in a box (a column that will collapse, a bank before a wall), or in the round column inside it.
     Column {
         /// Low corner [m].
         low: DVec3,
         /// High corner [m].
         high: DVec3,
+        /// Radius of the round column about the z axis [m].
+        radius: Option<f64>,
     },
 }
 
@@ -273,6 +284,17 @@ pub enum Contact {
     Impulse,
 }
 
+/// Precision of the soil's fields and of what is done with them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Precision {
+    /// 64 bits.
+    #[default]
+    Double,
+    /// 32 bits.
+    Single,
+}
+
 /// Parameters of the method. The defaults are the parameter card of the docs; change them to study the method.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Numerics {
@@ -284,7 +306,7 @@ pub struct Numerics {
     pub hourglass: f64,
     /// Share of the hourglass viscosity that acts in cells that yield (1).
     pub hourglass_yielding: f64,
-    /// Linear coefficient of bulk viscosity b₁ (0.02; 0.06 for Tresca).
+    /// Linear coefficient of bulk viscosity b₁ (0.02; 0.06 for Tresca and von Mises).
     pub bulk_viscosity_linear: f64,
     /// Quadratic coefficient of bulk viscosity b₂ (1.2).
     pub bulk_viscosity_quadratic: f64,
@@ -296,6 +318,8 @@ pub struct Numerics {
     pub point_spacing: f64,
     /// Threads; 0 for one per core.
     pub threads: usize,
+    /// Precision of the soil's fields.
+    pub precision: Precision,
 }
 
 /// What the closed forms of `coulter forecast` want to know besides the rest; the solver takes no notice of it.

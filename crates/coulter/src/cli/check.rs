@@ -2,6 +2,7 @@
 
 use super::{Failure, say};
 use crate::case::estimate::{Estimate, estimate};
+use crate::case::resolved::Precision;
 use crate::case::resolved::{Body, Freedom, Law, Measured, Potential, Shape};
 use crate::case::{self, Case};
 use crate::output::reference::Reference;
@@ -63,7 +64,10 @@ pub(super) fn check(arguments: &Arguments) -> Result<(), Failure> {
 fn measured_rate(case: &Case) -> Option<f64> {
     const LATER_STEPS: f64 = 1.7;
     const MOMENT: Duration = Duration::from_millis(400);
-    let rate = Simulation::new(case).speed(MOMENT)?;
+    let rate = match case.numerics.precision {
+        Precision::Double => Simulation::<f64>::new(case).speed(MOMENT)?,
+        Precision::Single => Simulation::<f32>::new(case).speed(MOMENT)?,
+    };
     Some(rate / LATER_STEPS)
 }
 
@@ -86,6 +90,7 @@ fn groups(case: &Case, body: &Body) -> Groups {
     let strength = match case.soil.law {
         Law::MohrCoulomb { cohesion, .. } => Some(cohesion),
         Law::Tresca { shear_strength } => Some(shear_strength),
+        Law::VonMises { yield_stress, .. } => Some(0.5 * yield_stress),
         Law::Elastic => None,
     };
     let heavy = |x: f64| (gamma > 0.0).then_some(x / gamma);
@@ -114,6 +119,9 @@ fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
     let strength = match soil.law {
         Law::Elastic => "elastic".to_owned(),
         Law::Tresca { shear_strength } => format!("tresca, s_u = {shear_strength} Pa"),
+        Law::VonMises { yield_stress, hardening_modulus } => {
+            format!("von-mises, σ_y = {yield_stress} Pa, H = {hardening_modulus} Pa")
+        }
         Law::MohrCoulomb {
             friction_angle,
             dilation_angle,

@@ -130,16 +130,20 @@ fn ground(case: &Case, body: &Body) -> Result<LevelGround, String> {
     }
     match case.ground {
         Ground::Level { surface } => Ok(LevelGround { surface, floor: case.domain.low.z }),
-        Ground::Column { low, high } if body.block().is_some() => {
+        Ground::Column { low, high, radius: None } if body.block().is_some() => {
             Ok(LevelGround { surface: high.z, floor: low.z.max(case.domain.low.z) })
         }
-        Ground::Column { .. } => Err("the soil is heaped up in a box; the models need level ground".into()),
+        Ground::Column { .. } => Err("the soil is heaped up; the models need level ground".into()),
     }
 }
 
 fn soil(case: &Case, body: &Towed, remarks: &mut Vec<String>) -> Result<Soil, String> {
     let Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, .. } = case.soil.law else {
-        let law = if matches!(case.soil.law, Law::Elastic) { "elastic" } else { "undrained (tresca)" };
+        let law = match case.soil.law {
+            Law::Elastic => "elastic",
+            Law::VonMises { .. } => "metal (von-mises)",
+            _ => "undrained (tresca)",
+        };
         return Err(format!("the soil is {law}; the closed forms are for Mohr-Coulomb soil"));
     };
     if case.soil.unit_weight <= 0.0 {

@@ -7,22 +7,25 @@ use super::error::{OutputError, make_folder, write_whole};
 use super::folder::CHECKPOINTS;
 use super::record::History;
 use serde::{Deserialize, Serialize};
+use solver::precision::Precision;
 use solver::state::{Received, State};
 use std::path::{Path, PathBuf};
 use xxhash_rust::xxh3::xxh3_64;
 
-const MAGIC: &[u8; 8] = b"COULTER1";
+const MAGIC: &[u8; 8] = b"COULTER3";
 const FILE: &str = "last.checkpoint";
 /// Level 1 is as fast as the disc.
 const LEVEL: i32 = 1;
 
 /// What a checkpoint holds.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Checkpoint {
+pub struct Checkpoint<R = f64> {
+    /// Name of the precision of its fields. It stands first, so that it can be read whatever it is.
+    pub precision: String,
     /// The resolved case, as text; a run must not go on with another.
     pub case: String,
     /// The state of the solver.
-    pub state: State,
+    pub state: State<R>,
     /// The history so far.
     pub history: History,
     /// Time and impulses at the last sample.
@@ -37,7 +40,7 @@ pub fn path(dir: &Path) -> PathBuf {
     dir.join(CHECKPOINTS).join(FILE)
 }
 
-impl Checkpoint {
+impl<R: Precision> Checkpoint<R> {
     /// Writes the checkpoint of a results folder; returns its path.
     ///
     /// # Errors
@@ -58,7 +61,7 @@ impl Checkpoint {
     /// Reads the checkpoint of a results folder.
     ///
     /// # Errors
-    /// When there is none, or it is not whole, or it was written by another version.
+    /// When there is none, or it is not whole, or it was written by another version or in another precision.
     pub fn read(dir: &Path) -> Result<Self, OutputError> {
         let path = path(dir);
         let broken = |what: &str| OutputError::content(&path, what);
@@ -76,6 +79,14 @@ impl Checkpoint {
             return Err(broken("the checkpoint is damaged (its hash is wrong)"));
         }
         let plain = zstd::decode_all(packed).map_err(|e| broken(&e.to_string()))?;
-        postcard::from_bytes(&plain).map_err(|e| broken(&format!("cannot be read: {e}")))
+        let unreadable = |e: postcard::Error| broken(&format!("cannot be read: {e}"));
+        let (precision, _) = postcard::take_from_bytes::<String>(&plain).map_err(unreadable)?;
+        if precision != R::NAME {
+            let wanted = R::NAME;
+            return Err(broken(&format!(
+                "the checkpoint is in {precision} precision, the case asks for {wanted}"
+            )));
+        }
+        postcard::from_bytes(&plain).map_err(unreadable)
     }
 }

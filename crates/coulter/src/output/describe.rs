@@ -31,6 +31,9 @@ fn soil(case: &Case) -> String {
     let law = match soil.law {
         Law::Elastic => "linear elastic".to_owned(),
         Law::Tresca { shear_strength } => format!("Tresca, sᵤ = {}", stress(shear_strength)),
+        Law::VonMises { yield_stress, hardening_modulus } => {
+            format!("von Mises, σ_y = {}, H = {}", stress(yield_stress), stress(hardening_modulus))
+        }
         Law::MohrCoulomb {
             friction_angle, dilation_angle, cohesion, potential, critical_density, ..
         } => {

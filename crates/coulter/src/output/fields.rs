@@ -6,6 +6,7 @@ use super::vtk::{Appended, Dataset};
 use glam::{DMat3, DVec3};
 use physics::shape::Shape;
 use solver::grid::Grid;
+use solver::precision::Precision;
 use solver::state::{Body, State};
 use std::path::Path;
 
@@ -30,20 +31,20 @@ pub(super) struct CellView {
 
 impl CellView {
     /// What cell `(i, j, k)` holds.
-    pub(super) fn of(grid: &Grid, state: &State, [i, j, k]: [usize; 3]) -> Self {
+    pub(super) fn of(grid: &Grid, state: &State<impl Precision>, [i, j, k]: [usize; 3]) -> Self {
         let n = grid.index(i, j, k);
         let soil = &state.soil;
-        let fraction = soil.fraction[n];
+        let fraction = soil.fraction[n].into();
         if fraction < VOID {
             return Self::default();
         }
         Self {
             fraction,
             velocity: cell_velocity(grid, state, n),
-            stress: std::array::from_fn(|c| soil.stress[c][n]),
-            plastic_strain: soil.plastic_strain[n],
-            density: soil.mass[n] / (fraction * grid.volume(i, j, k)),
-            gap: soil.gap_strain[n],
+            stress: std::array::from_fn(|c| soil.stress[c][n].into()),
+            plastic_strain: soil.plastic_strain[n].into(),
+            density: soil.mass[n].into() / (fraction * grid.volume(i, j, k)),
+            gap: soil.gap_strain[n].into(),
         }
     }
 
@@ -61,20 +62,20 @@ impl CellView {
 }
 
 /// Mean velocity of a cell's nodes [m/s]. Nodes without mass do not move and do not count.
-fn cell_velocity(grid: &Grid, state: &State, n: usize) -> DVec3 {
+fn cell_velocity(grid: &Grid, state: &State<impl Precision>, n: usize) -> DVec3 {
     let [dx, dy, dz] = grid.stride;
     let corners = [0, dx, dy, dx + dy, dz, dx + dz, dy + dz, dx + dy + dz].map(|offset| n + offset);
     let mut sum = DVec3::ZERO;
     let mut count = 0.0;
-    for node in corners.into_iter().filter(|&node| state.nodes.mass[node] > 0.0) {
+    for node in corners.into_iter().filter(|&node| state.nodes.mass[node].into() > 0.0) {
         sum += node_velocity(state, node);
         count += 1.0;
     }
     if count > 0.0 { sum / count } else { DVec3::ZERO }
 }
 
-fn node_velocity(state: &State, node: usize) -> DVec3 {
-    DVec3::from_array(std::array::from_fn(|axis| state.nodes.velocity[axis][node]))
+fn node_velocity(state: &State<impl Precision>, node: usize) -> DVec3 {
+    DVec3::from_array(std::array::from_fn(|axis| state.nodes.velocity[axis][node].into()))
 }
 
 fn each_place([columns, rows, layers]: [usize; 3]) -> impl Iterator<Item = [usize; 3]> {
@@ -82,7 +83,7 @@ fn each_place([columns, rows, layers]: [usize; 3]) -> impl Iterator<Item = [usiz
 }
 
 /// Writes the soil: `.vtr`.
-pub(super) fn write_soil(path: &Path, grid: &Grid, state: &State) -> Result<(), OutputError> {
+pub(super) fn write_soil(path: &Path, grid: &Grid, state: &State<impl Precision>) -> Result<(), OutputError> {
     let mut data = Appended::default();
     let mut set = Dataset::default();
     let cells: Vec<CellView> = each_place(grid.cells()).map(|at| CellView::of(grid, state, at)).collect();

@@ -11,6 +11,7 @@ use crate::case::resolved::{Case, Ground};
 use glam::DVec3;
 use physics::shape::Shape;
 use solver::grid::Grid;
+use solver::precision::Precision;
 use solver::state::{Body, State};
 use std::path::Path;
 
@@ -77,10 +78,10 @@ pub const PICTURES: [Caption; 7] = [
 ];
 
 /// What the pictures are made from.
-pub(super) struct Scene<'a> {
+pub(super) struct Scene<'a, R> {
     pub(super) case: &'a Case,
     pub(super) grid: &'a Grid,
-    pub(super) state: &'a State,
+    pub(super) state: &'a State<R>,
     pub(super) shapes: Vec<Box<dyn Shape>>,
     pub(super) row: usize,
     pub(super) across: [f64; 2],
@@ -91,7 +92,12 @@ pub(super) struct Scene<'a> {
 ///
 /// # Errors
 /// When a file cannot be written.
-pub fn write_pictures(dir: &Path, case: &Case, grid: &Grid, state: &State) -> Result<(), OutputError> {
+pub fn write_pictures(
+    dir: &Path,
+    case: &Case,
+    grid: &Grid,
+    state: &State<impl Precision>,
+) -> Result<(), OutputError> {
     make_folder(dir)?;
     let scene = Scene::new(case, grid, state);
     let map = HeightMap::of(case, grid, state);
@@ -108,8 +114,8 @@ pub fn write_pictures(dir: &Path, case: &Case, grid: &Grid, state: &State) -> Re
     Ok(())
 }
 
-impl<'a> Scene<'a> {
-    fn new(case: &'a Case, grid: &'a Grid, state: &'a State) -> Self {
+impl<'a, R: Precision> Scene<'a, R> {
+    fn new(case: &'a Case, grid: &'a Grid, state: &'a State<R>) -> Self {
         let middle = 0.5 * (case.domain.low.y + case.domain.high.y);
         let plane = match state.bodies.first() {
             _ if case.domain.symmetric => 0.0,

@@ -14,6 +14,7 @@ use super::surface::HeightMap;
 use super::vtk::{Frame, read_time_list, write_time_list};
 use crate::case::Case;
 use solver::grid::Grid;
+use solver::precision::Precision;
 use solver::state::State;
 use std::path::{Path, PathBuf};
 
@@ -128,7 +129,12 @@ impl Results {
     ///
     /// # Errors
     /// When a file cannot be written.
-    pub fn write_fields(&mut self, case: &Case, grid: &Grid, state: &State) -> Result<(), OutputError> {
+    pub fn write_fields(
+        &mut self,
+        case: &Case,
+        grid: &Grid,
+        state: &State<impl Precision>,
+    ) -> Result<(), OutputError> {
         let (time, n) = (state.time, self.next_frame);
         if self.frames[0].last().is_some_and(|frame| frame.time == time) {
             return Ok(());
@@ -162,7 +168,7 @@ impl Results {
         &mut self,
         case: &Case,
         grid: &Grid,
-        state: &State,
+        state: &State<impl Precision>,
         history: &History,
         statistics: &RunStatistics,
     ) -> Result<Summary, OutputError> {
@@ -210,12 +216,13 @@ fn report(dir: &Path, record: &RunRecord, summary: &Summary, history: &History) 
     write_report(dir, record, summary, history, &text)
 }
 
-fn filled_cells(grid: &Grid, state: &State) -> u64 {
+fn filled_cells(grid: &Grid, state: &State<impl Precision>) -> u64 {
     let [columns, rows, layers] = grid.cells();
     let mut filled = 0;
     for (k, j) in (0..layers).flat_map(|k| (0..rows).map(move |j| (k, j))) {
         let start = grid.index(0, j, k);
-        filled += state.soil.fraction[start..start + columns].iter().filter(|f| **f > VOID).count() as u64;
+        filled +=
+            state.soil.fraction[start..start + columns].iter().filter(|f| (**f).into() > VOID).count() as u64;
     }
     filled
 }

@@ -11,10 +11,11 @@ use super::surface::HeightMap;
 use super::table::push_line;
 use crate::case::resolved::{Case, Ground};
 use physics::shape::Shape;
+use solver::precision::Precision;
 use solver::state::{Body, State};
 use std::path::Path;
 
-impl Scene<'_> {
+impl<R: Precision> Scene<'_, R> {
     /// The free surface from above.
     pub(super) fn plan(&self, map: &HeightMap) -> View {
         let across = self.across;
@@ -69,7 +70,7 @@ pub(super) struct Profile {
 }
 
 /// The profile along the tow in the mid-plane, and the cross-section of the rut behind the first body.
-pub(super) fn profiles(case: &Case, state: &State, map: &HeightMap) -> Vec<Profile> {
+pub(super) fn profiles(case: &Case, state: &State<impl Precision>, map: &HeightMap) -> Vec<Profile> {
     let rise = |points: Vec<[f64; 2]>| points.into_iter().map(|p| [p[0], p[1] - map.reference]).collect();
     let y = state
         .bodies
@@ -138,7 +139,7 @@ impl Profile {
 }
 
 /// Where the cross-section is taken, along x [m].
-fn section_place(case: &Case, state: &State) -> [f64; 2] {
+fn section_place(case: &Case, state: &State<impl Precision>) -> [f64; 2] {
     let Some((body, described)) = state.bodies.first().zip(case.bodies.first()) else {
         return [case.domain.low.x, case.domain.high.x];
     };

@@ -3,6 +3,7 @@
 use crate::case::resolved::{Case, Ground};
 use serde::{Deserialize, Serialize};
 use solver::grid::Grid;
+use solver::precision::Precision;
 use solver::state::State;
 
 /// Height of the free surface over each column of cells.
@@ -44,7 +45,7 @@ pub fn reference_height(case: &Case) -> f64 {
 impl HeightMap {
     /// The free surface of a state.
     #[must_use]
-    pub fn of(case: &Case, grid: &Grid, state: &State) -> Self {
+    pub fn of(case: &Case, grid: &Grid, state: &State<impl Precision>) -> Self {
         let [columns, rows, _] = grid.cells();
         let mut rows_shown: Vec<usize> = (0..rows).collect();
         let mut edges_y = grid.faces[1].clone();
@@ -122,9 +123,10 @@ fn nearest(edges: &[f64], value: f64) -> usize {
 
 /// Height of the surface in one column [m]: from above, the first cell at least half full; its soil and that of the
 /// partial cell on it are heaped on its floor. Spray above and loose spots below do not count.
-fn column_height(grid: &Grid, state: &State, i: usize, j: usize) -> f64 {
+fn column_height(grid: &Grid, state: &State<impl Precision>, i: usize, j: usize) -> f64 {
     let layers = grid.cells()[2];
-    let fraction = |k: usize| state.soil.fraction.get(grid.index(i, j, k)).map_or(0.0, |f| f.clamp(0.0, 1.0));
+    let fraction =
+        |k: usize| state.soil.fraction.get(grid.index(i, j, k)).map_or(0.0, |f| (*f).into().clamp(0.0, 1.0));
     let Some(top) = (0..layers).rev().find(|&k| fraction(k) >= 0.5) else {
         return grid.faces[2][0] + fraction(0) * grid.width(2, 0);
     };

@@ -3,8 +3,8 @@
 use super::kept::{Found, Kept};
 use super::plot::Trace;
 use super::row::Row;
-use crate::case::resolved::Law;
-use crate::case::{self, CaseError};
+use crate::case::resolved::{Law, Precision};
+use crate::case::{self, Case, CaseError};
 use crate::output::OutputError;
 use crate::output::record::{BodySample, EnergySample};
 use crate::simulation::Simulation;
@@ -23,6 +23,9 @@ pub enum VerifyError {
     /// The physics failed.
     #[error(transparent)]
     Physics(#[from] Breakdown),
+    /// This part was asked for in single precision.
+    #[error("this is verified in double precision alone")]
+    DoubleOnly,
     /// A checkpoint could not be written or read.
     #[error(transparent)]
     Output(#[from] OutputError),
@@ -130,17 +133,27 @@ impl<'a> Bench<'a> {
         (self.tell)(text);
     }
 
-    /// A simulation of a case file's text with overrides; those of the request come last.
-    ///
-    /// # Errors
-    /// [`VerifyError::Case`] when the case is refused.
-    pub fn simulation(&self, text: &str, overrides: &[String]) -> Result<Simulation, VerifyError> {
+    /// A case file's text with overrides; those of the request come last.
+    fn case(&self, text: &str, overrides: &[String]) -> Result<Case, VerifyError> {
         let all: Vec<String> = overrides.iter().chain(&self.wish.overrides).cloned().collect();
         let mut case = case::parse(text, "case.toml", &all)?;
         if case.numerics.threads == 0 {
             case.numerics.threads = self.wish.threads;
         }
-        Ok(Simulation::new(&case))
+        Ok(case)
+    }
+
+    /// A simulation of a case file's text with overrides, to be taken through time by the benchmark itself: that is done in
+    /// double precision alone.
+    ///
+    /// # Errors
+    /// [`VerifyError`] when the case is refused or asks for single precision.
+    pub fn simulation(&self, text: &str, overrides: &[String]) -> Result<Simulation, VerifyError> {
+        let case = self.case(text, overrides)?;
+        match case.numerics.precision {
+            Precision::Double => Ok(Simulation::new(&case)),
+            Precision::Single => Err(VerifyError::DoubleOnly),
+        }
     }
 
     /// Runs a case to its end and keeps its ledgers.
@@ -154,8 +167,20 @@ impl<'a> Bench<'a> {
         text: &str,
         overrides: &[String],
     ) -> Result<Simulation, VerifyError> {
-        let mut simulation = self.simulation(text, overrides)?;
-        self.finish(id, variant, &mut simulation)?;
+        let case = self.case(text, overrides)?;
+        let simulation = match case.numerics.precision {
+            Precision::Double => {
+                let mut simulation = Simulation::<f64>::new(&case);
+                self.advance(id, variant, &mut simulation, |_| {})?;
+                simulation
+            }
+            Precision::Single => {
+                let mut simulation = Simulation::<f32>::new(&case);
+                self.advance(id, variant, &mut simulation, |_| {})?;
+                simulation.widened()
+            }
+        };
+        self.keep(id, variant, &simulation);
         Ok(simulation)
     }
 
@@ -181,7 +206,20 @@ impl<'a> Bench<'a> {
         id: &'static str,
         variant: &str,
         simulation: &mut Simulation,
-        mut watch: impl FnMut(&Simulation),
+        watch: impl FnMut(&Simulation),
+    ) -> Result<(), VerifyError> {
+        self.advance(id, variant, simulation, watch)?;
+        self.keep(id, variant, simulation);
+        Ok(())
+    }
+
+    /// Takes a simulation to its end and says how it goes.
+    fn advance<R: solver::precision::Precision>(
+        &mut self,
+        id: &'static str,
+        variant: &str,
+        simulation: &mut Simulation<R>,
+        mut watch: impl FnMut(&Simulation<R>),
     ) -> Result<(), VerifyError> {
         const NEWS: Duration = Duration::from_secs(15);
         let clock = Instant::now();
@@ -197,7 +235,6 @@ impl<'a> Bench<'a> {
         }
         let seconds = clock.elapsed().as_secs_f64();
         self.tell(&format!("{id}: {variant}, {} steps in {seconds:.1} s", simulation.state.step));
-        self.keep(id, variant, simulation);
         Ok(())
     }
 

@@ -55,7 +55,7 @@ pub(super) fn carry(flow: &Flow, inside: impl Fn(DVec3) -> bool) -> Carried {
     let clock = Instant::now();
     let model = space(flow.box_cells);
     let grid = &model.grid;
-    let mut state = start(&model, &Filling { low: DVec3::ZERO, high: DVec3::ZERO });
+    let mut state = start(&model, &Filling::between(DVec3::ZERO, DVec3::ZERO));
     fill(grid, inside, &mut state.soil.fraction);
     for c in 0..grid.entries {
         state.soil.mass[c] = model.density * state.soil.fraction[c] * grid.finest().powi(3);

@@ -24,6 +24,7 @@ mod peers;
 mod places;
 mod plate;
 pub mod plot;
+mod precision;
 pub mod refine;
 mod repeat;
 mod rest;
@@ -35,6 +36,7 @@ mod scaling;
 mod specimen;
 mod strip_sand;
 pub mod table;
+mod taylor;
 mod transport;
 mod turning;
 mod wall;
@@ -101,6 +103,7 @@ pub const BENCHMARKS: &[Benchmark] = &[
     run("A7", "One case at several scales", "A7_scaling", scaling::ABOUT, scaling::run),
     run("A8", "Repeatability and mirror image", "A8_repeatability", repeat::ABOUT, repeat::run),
     ledgers("A9", "Energy ledger", ledger::ABOUT_ENERGY, ledger::energy),
+    run("A10", "Taylor bar", "A10_taylor_bar", taylor::ABOUT, taylor::run),
     run("A11", "Place and direction", "A11_place_and_direction", places::ABOUT, places::run),
     run("A12", "Light bodies", "A12_light_body", light::ABOUT, light::run),
     run("B1", "Smooth strip footing, Tresca", "B1_strip_footing", footing::ABOUT, footing::run),
@@ -121,6 +124,7 @@ pub const BENCHMARKS: &[Benchmark] = &[
     run("E1", "Column of sand, as other codes ran it", "E1_sand_column", peers::ABOUT_COLUMN, peers::column),
     run("E2", "Disc drag, as another code ran it", "E2_disc_drag", peers::ABOUT_DISC, peers::disc),
     run("E3", "Smooth wall in the sand of E1", "E3_wall", peers::ABOUT_WALL, peers::wall),
+    run("P1", "Single precision", "P1_single_precision", precision::ABOUT, precision::run),
     run("N1", "Negative control", "N1_wrong_angle", control::ABOUT, control::run),
 ];
 

@@ -7,10 +7,11 @@ use crate::simulation::Simulation;
 
 const BLOCK: &str = include_str!("../../../../validation/A11_place_and_direction/block.toml");
 const CYLINDER: &str = include_str!("../../../../validation/A11_place_and_direction/cylinder.toml");
+const TURNED_BLOCK: &str = include_str!("../../../../validation/A11_place_and_direction/turned_block.toml");
 const SOURCE: &str = "the soil knows no grid; the limit is the design's";
-/// Cell of both case files [m].
+/// Cell of the case files [m].
 const CELL: f64 = 0.0625;
-/// Strength times width of both case files [N/m].
+/// Strength times width of the case files [N/m].
 const UNIT: f64 = 1e3;
 const SPEED: f64 = 0.02;
 
@@ -18,11 +19,16 @@ const SPEED: f64 = 0.02;
 pub(super) const ABOUT: &str = "Deep in weightless clay, where no surface and no depth tell places apart. A sharp-edged block, 16 \
     cells across, starts at 0, ¼, ½ and ¾ of a cell in x, and in z, and is pushed along x: the largest departure of its mean drag \
     (from 0.05 to 0.1 widths, less than a cell) from the mean of the four. A cylinder with d/h = 16 is pushed at 0°, 15°, 30° and 45° to \
-    the grid: the drag along its way (mean from 0.1 to 0.2 diameters) off that at 0°, and the force across its way over the drag.";
+    the grid, and so is a sharp-edged block that is turned with its way: the drag along the way (mean from 0.1 to 0.2 widths) off \
+    that at 0°, and the force across the way over the drag.";
 
 pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
     bench.part("A11", "places", places)?;
-    if bench.wish.fast { Ok(()) } else { bench.part("A11", "directions", directions) }
+    if bench.wish.fast {
+        return Ok(());
+    }
+    bench.part("A11", "directions", |bench| directions(bench, "cylinder", CYLINDER))?;
+    bench.part("A11", "directions of a block", |bench| directions(bench, "block", TURNED_BLOCK))
 }
 
 fn places(bench: &mut Bench) -> Result<(), VerifyError> {
@@ -56,16 +62,28 @@ fn places(bench: &mut Bench) -> Result<(), VerifyError> {
     Ok(())
 }
 
-fn directions(bench: &mut Bench) -> Result<(), VerifyError> {
+/// Drag over s_u d of the block on a mesh of so many cells across it.
+pub(super) fn block_on(bench: &mut Bench, cells: u32) -> Result<f64, VerifyError> {
+    let cell = format!("grid.cell={} m", 1.0 / f64::from(cells));
+    let simulation = bench.run("A11", &format!("d/h = {cells}"), BLOCK, &[cell])?;
+    Ok(force(&simulation, [0.05, 0.1], 1.0, |s| s.drag))
+}
+
+/// Pushes a body at several angles to the grid; a block is turned with its way.
+fn directions(bench: &mut Bench, body: &str, text: &str) -> Result<(), VerifyError> {
     let mut straight = f64::NAN;
     for angle in [0.0_f64, 15.0, 30.0, 45.0] {
         let (sin, cos) = angle.to_radians().sin_cos();
-        let changes = [
-            format!("body.cylinder.forward={{ speed = '{} m/s', ramp = '0.6 s' }}", SPEED * cos),
-            format!("body.cylinder.heave={{ speed = '{} m/s', ramp = '0.6 s' }}", SPEED * sin),
+        let mut changes = vec![
+            format!("body.{body}.forward={{ speed = '{} m/s', ramp = '0.6 s' }}", SPEED * cos),
+            format!("body.{body}.heave={{ speed = '{} m/s', ramp = '0.6 s' }}", SPEED * sin),
         ];
-        let variant = format!("cylinder pushed at {angle}°");
-        let simulation = bench.run("A11", &variant, CYLINDER, &changes)?;
+        if body == "block" {
+            // Positive turns the face from x downwards.
+            changes.push(format!("body.block.orientation={} deg", -angle));
+        }
+        let variant = format!("{body} pushed at {angle}°");
+        let simulation = bench.run("A11", &variant, text, &changes)?;
         // The drag is against x, the vertical force along z.
         let along = force(&simulation, [0.1, 0.2], cos, |s| s.drag * cos - s.vertical * sin);
         let across = force(&simulation, [0.1, 0.2], cos, |s| s.drag * sin + s.vertical * cos);

@@ -3,7 +3,7 @@
 
 use super::bench::{Bench, VerifyError, Wish};
 use super::row::Row;
-use super::{Findings, circle, flow, footing, plate, rough_wall, strip_sand};
+use super::{Findings, circle, column, disc, flow, footing, places, plate, rough_wall, strip_sand, wall};
 
 /// A figure that can be had on meshes of different fineness.
 struct Study {
@@ -20,7 +20,16 @@ struct Study {
 }
 
 /// Meshes of plane strain are halved, those in 3D made finer by a half: time grows with the third and fourth power.
-const STUDIES: [Study; 7] = [
+const STUDIES: [Study; 11] = [
+    Study {
+        id: "A11",
+        cells: "d/h",
+        quantity: "block pushed along the grid, drag over s_u d",
+        coarsest: 8,
+        ratio: [2, 1],
+        expected: f64::NAN,
+        figure: places::block_on,
+    },
     Study {
         id: "B1",
         cells: "B/h",
@@ -58,6 +67,15 @@ const STUDIES: [Study; 7] = [
         figure: strip_sand::smooth_on,
     },
     Study {
+        id: "B5",
+        cells: "H/h",
+        quantity: "φ = ψ = 30°, K_p, heave counted",
+        coarsest: 8,
+        ratio: [2, 1],
+        expected: 3.0,
+        figure: wall::associated_on,
+    },
+    Study {
         id: "B6",
         cells: "H/h",
         quantity: "φ = ψ = 30°, δ = 15°, K_n",
@@ -83,6 +101,24 @@ const STUDIES: [Study; 7] = [
         ratio: [2, 1],
         expected: 9.20117,
         figure: flow::smooth_on,
+    },
+    Study {
+        id: "C1",
+        cells: "L₀/h",
+        quantity: "a = 1, φ = 37°, run-out, front where 0.025 L₀ thick",
+        coarsest: 10,
+        ratio: [2, 1],
+        expected: f64::NAN,
+        figure: column::run_out_on,
+    },
+    Study {
+        id: "D3",
+        cells: "d/h",
+        quantity: "towed disc, drag [N]",
+        coarsest: 16,
+        ratio: [5, 4],
+        expected: f64::NAN,
+        figure: disc::drag_on,
     },
 ];
 

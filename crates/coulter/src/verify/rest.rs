@@ -51,7 +51,7 @@ fn rest(bench: &mut Bench, height: f64, every_step: bool) -> Result<(f64, [f64; 
     if every_step {
         model.method.remap_displacement = -1.0;
     }
-    let mut state = start(&model, &Filling { low: DVec3::splat(-1e9), high: DVec3::new(1e9, 1e9, surface) });
+    let mut state = start(&model, &Filling::between(DVec3::splat(-1e9), DVec3::new(1e9, 1e9, surface)));
     let mut workspace = Workspace::new(&model, &state, 1);
     let mut speed = 0.0_f64;
     for _ in 0..STEPS {

@@ -35,7 +35,7 @@ impl Specimen for Point {
         let pressed = 3.0 * self.elastic.bulk * mean(increment);
         let trial: Symmetric =
             std::array::from_fn(|n| self.stress[n] + shear[n] + if n < 3 { pressed } else { 0.0 });
-        Ok(if self.law.may_yield(trial) { self.law.return_map(trial, true).stress } else { trial })
+        Ok(if self.law.may_yield(trial, 0.0) { self.law.return_map(trial, 0.0, true).stress } else { trial })
     }
 
     fn take(&mut self, increment: Symmetric) -> Result<(), VerifyError> {
@@ -64,7 +64,7 @@ impl Cell {
             method: Method { remap_displacement: 1.0, ..Method::default() },
             ..Model::bare(Grid::new([faces(), faces(), faces()]), elastic, 1600.0)
         };
-        let everywhere = Filling { low: DVec3::splat(-1e9), high: DVec3::splat(1e9) };
+        let everywhere = Filling::between(DVec3::splat(-1e9), DVec3::splat(1e9));
         let mut state = start(&model, &everywhere);
         let cell = model.grid.index(0, 0, 0);
         for (field, value) in state.soil.stress.iter_mut().zip(stress) {

@@ -35,15 +35,45 @@ pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
     Ok(())
 }
 
+/// Pushes the wall into sand and judges what it bears.
+fn push(bench: &mut Bench, angles_and_cells: [u32; 3], from_to: [f64; 2]) -> Result<(), VerifyError> {
+    let [angle, dilation, _] = angles_and_cells;
+    let is_long = from_to[1] > FROM_TO[0][1];
+    let thrust = thrust(bench, angles_and_cells, from_to)?;
+    let exact = (std::f64::consts::FRAC_PI_4 + 0.5 * f64::from(angle).to_radians()).tan().powi(2);
+    let note =
+        |quantity, value| Row::note("B5", thrust.variant.as_str(), quantity, value).took(thrust.seconds);
+    let plain = note("K_p over the undisturbed height", thrust.plain);
+    bench.rows.push(note("K_p, heave counted", thrust.heaved).within(exact, 0.02, SOURCE));
+    // Soil that dilates, or is pushed far, heaves so much that its undisturbed height says nothing.
+    bench.rows.push(if dilation == 0 && !is_long { plain.within(exact, 0.02, SOURCE) } else { plain });
+    Ok(())
+}
+
+/// K_p with φ = ψ = 30° and the heave counted, on a mesh of so many cells over the height.
+pub(super) fn associated_on(bench: &mut Bench, cells: u32) -> Result<f64, VerifyError> {
+    Ok(thrust(bench, [30, 30, cells], FROM_TO[0])?.heaved)
+}
+
+/// Horizontal thrust over what it would be with K_p = 1.
+struct Thrust {
+    variant: String,
+    /// Over the undisturbed height.
+    plain: f64,
+    /// Over the weight of the wedge, heave counted.
+    heaved: f64,
+    /// Wall clock [s].
+    seconds: f64,
+}
+
 /// Pushes the wall into sand of these angles of friction and dilation [°], with so many cells over the height.
 /// The thrust is read between the displacements `from` and `to` [m].
-fn push(
+fn thrust(
     bench: &mut Bench,
     [angle, dilation, cells]: [u32; 3],
     [from, to]: [f64; 2],
-) -> Result<(), VerifyError> {
-    let is_long = to > FROM_TO[0][1];
-    let how = if is_long { ", pushed 0.3 H" } else { "" };
+) -> Result<Thrust, VerifyError> {
+    let how = if to > FROM_TO[0][1] { ", pushed 0.3 H" } else { "" };
     let variant = format!("φ = {angle}°, ψ = {dilation}°, H/h = {cells}{how}");
     let overrides = [
         format!("soil.friction_angle={angle} deg"),
@@ -70,14 +100,7 @@ fn push(
     }
     bench.tell(&format!("B5: {variant}, {} steps in {:.1} s", simulation.state.step, simulation.wall_s));
     bench.keep("B5", &variant, &simulation);
-    let exact = 1.0 / (rise * rise);
-    let note =
-        |quantity, sum: f64| Row::note("B5", variant.as_str(), quantity, sum / time).took(simulation.wall_s);
-    let plain = note("K_p over the undisturbed height", plain);
-    bench.rows.push(note("K_p, heave counted", heaved).within(exact, 0.02, SOURCE));
-    // Soil that dilates, or is pushed far, heaves so much that its undisturbed height says nothing.
-    bench.rows.push(if dilation == 0 && !is_long { plain.within(exact, 0.02, SOURCE) } else { plain });
-    Ok(())
+    Ok(Thrust { variant, plain: plain / time, heaved: heaved / time, seconds: simulation.wall_s })
 }
 
 /// Area that the soil above a plane would have at its initial density [m²]: its mass over that density and the slab's

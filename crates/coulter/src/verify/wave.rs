@@ -63,7 +63,7 @@ fn travel(refinement: usize, bulk_viscosity: [f64; 2], remap: Option<f64>) -> Re
     if let Some(displacement) = remap {
         model.method.remap_displacement = displacement;
     }
-    let everywhere = Filling { low: DVec3::splat(-1e9), high: DVec3::splat(1e9) };
+    let everywhere = Filling::between(DVec3::splat(-1e9), DVec3::splat(1e9));
     let mut state = start(&model, &everywhere);
     let (c, dt) = (model.wave_speed(), model.time_step());
     // Velocities are half a step ahead of stresses.

@@ -76,11 +76,13 @@ pub(crate) fn case(kind: Kind, cell: f64) -> Case {
         },
         ground: match kind {
             Kind::Column => {
-                case::Ground::Column { low: DVec3::new(-0.4, -0.3, -0.35), high: DVec3::new(0.0, 0.3, 0.0) }
+                let (low, high) = (DVec3::new(-0.4, -0.3, -0.35), DVec3::new(0.0, 0.3, 0.0));
+                case::Ground::Column { low, high, radius: None }
             }
             _ => case::Ground::Level { surface: 0.0 },
         },
         overburden: 0.0,
+        velocity: DVec3::ZERO,
         domain: case::Domain {
             low,
             high,

@@ -1,51 +1,134 @@
-//! Sums over the whole grid: energies, mass and volume of the soil. Taken at samples and round a remap, not every step.
+//! Sums over the whole grid, always in double precision: energies, mass and volume of the soil. Taken at samples and round
+//! a remap, not every step.
+//!
+//! Every row is added up by itself, then the rows in the order of the memory: the same whoever adds them up.
 
-use crate::grid::Grid;
+use super::workspace::Workspace;
+use super::{Nodes, Real, Soil, State};
+use crate::grid::{Grid, LANES};
 use crate::model::Model;
-use crate::state::{Nodes, Soil};
+use multiversion::multiversion;
+use physics::elastic::Elastic;
 
 /// Elastic energy of the soil [J].
 pub(crate) fn elastic(model: &Model, soil: &Soil) -> f64 {
-    sum_cells(&model.grid, &soil.fraction, |c, volume| {
-        let stress = soil.stress.each_ref().map(|s| s[c]);
-        soil.fraction[c] * volume * model.elastic.energy(stress)
-    })
+    sum_rows(&model.grid, |place| elastic_of(model, soil, place))
 }
 
 /// Kinetic energy of the nodes [J].
-pub(crate) fn kinetic(nodes: &Nodes) -> f64 {
-    let [vx, vy, vz] = &nodes.velocity;
-    let each = nodes.mass.iter().zip(vx).zip(vy).zip(vz);
-    each.filter(|(((m, _), _), _)| **m > 0.0).map(|(((m, x), y), z)| 0.5 * m * (x * x + y * y + z * z)).sum()
+pub(crate) fn kinetic(grid: &Grid, nodes: &Nodes) -> f64 {
+    sum_rows(grid, |place| kinetic_of(grid, nodes, place))
+}
+
+/// Elastic and kinetic energy of the soil [J], by the whole team.
+pub(crate) fn total(model: &Model, state: &State, workspace: &mut Workspace) -> f64 {
+    let rows = Workspace::rows(&model.grid);
+    let Workspace { team, cut, row_values, .. } = workspace;
+    team.deal(cut.split_by(rows, row_values).zip(cut.ranges()), |(values, planes)| {
+        for (n, value) in values.iter_mut().enumerate() {
+            let place = [n % rows, planes.start + n / rows];
+            *value = [elastic_of(model, &state.soil, place), kinetic_of(&model.grid, &state.nodes, place)];
+        }
+    });
+    let [elastic, kinetic] = workspace.total_of_rows();
+    elastic + kinetic
+}
+
+/// Elastic energy of the soil in row `q` of a storage plane [J].
+fn elastic_of(model: &Model, soil: &Soil, [q, plane]: [usize; 2]) -> f64 {
+    let grid = &model.grid;
+    let [nx, ny, nz] = grid.cells();
+    if !(1..=ny).contains(&q) || plane > nz {
+        return 0.0;
+    }
+    let start = plane * grid.stride[2] + q * grid.stride[1] + 1;
+    let own = start..start + nx.next_multiple_of(LANES);
+    let across = grid.width(1, q - 1) * grid.width(2, plane - 1);
+    let stress = soil.stress.each_ref().map(|s| &s[own.clone()]);
+    elastic_row(&model.elastic, (&grid.faces[0], &soil.fraction[own]), stress, across)
+}
+
+/// The cells beyond the last face are ghosts without soil.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn elastic_row(
+    elastic: &Elastic,
+    (faces, fraction): (&[f64], &[Real]),
+    stress: [&[Real]; 6],
+    across: f64,
+) -> f64 {
+    let mut lanes = [0.0; LANES];
+    for start in (0..fraction.len()).step_by(LANES) {
+        let mut width = [0.0; LANES];
+        for (width, pair) in width.iter_mut().zip(faces[start..].windows(2)) {
+            *width = pair[1] - pair[0];
+        }
+        let f = &fraction[start..start + LANES];
+        let [xx, yy, zz, xy, yz, xz] = stress.map(|s| &s[start..start + LANES]);
+        for l in 0..LANES {
+            let stress = [
+                f64::from(xx[l]),
+                f64::from(yy[l]),
+                f64::from(zz[l]),
+                f64::from(xy[l]),
+                f64::from(yz[l]),
+                f64::from(xz[l]),
+            ];
+            lanes[l] += f64::from(f[l]) * (width[l] * across) * elastic.energy(stress);
+        }
+    }
+    total_of(lanes)
+}
+
+/// Kinetic energy of row `q` of a storage plane of nodes [J].
+fn kinetic_of(grid: &Grid, nodes: &Nodes, [q, plane]: [usize; 2]) -> f64 {
+    let [_, row, stride] = grid.stride;
+    let own = plane * stride + q * row..plane * stride + (q + 1) * row;
+    let [x, y, z] = nodes.velocity.each_ref().map(|v| &v[own.clone()]);
+    kinetic_row(&nodes.mass[own], [x, y, z])
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn kinetic_row(mass: &[Real], velocity: [&[Real]; 3]) -> f64 {
+    let mut lanes = [0.0; LANES];
+    let [x, y, z] = velocity.map(|v| v.chunks(LANES));
+    for (((m, x), y), z) in mass.chunks(LANES).zip(x).zip(y).zip(z) {
+        for (l, lane) in lanes.iter_mut().enumerate().take(m.len()) {
+            let [m, x, y, z] = [f64::from(m[l]), f64::from(x[l]), f64::from(y[l]), f64::from(z[l])];
+            *lane += 0.5 * m * (x * x + y * y + z * z);
+        }
+    }
+    total_of(lanes)
+}
+
+/// Sum of a vector's lanes.
+fn total_of(lanes: [f64; LANES]) -> f64 {
+    lanes.into_iter().fold(0.0, |a, b| a + b)
 }
 
 /// Volume of the soil [m³].
 #[must_use]
 pub fn soil_volume(grid: &Grid, soil: &Soil) -> f64 {
-    sum_cells(grid, &soil.fraction, |c, volume| soil.fraction[c] * volume)
+    sum_rows(grid, |place| volume_of(grid, &soil.fraction, place))
 }
 
 /// Mass of the soil [kg].
 #[must_use]
 pub fn soil_mass(soil: &Soil) -> f64 {
-    soil.mass.iter().sum()
+    soil.mass.iter().map(|mass| f64::from(*mass)).sum()
 }
 
-/// Sum of `value(cell, cell volume)` over the cells with soil, in memory order.
-fn sum_cells(grid: &Grid, fraction: &[f64], value: impl Fn(usize, f64) -> f64) -> f64 {
+/// Sum over the rows `[q, plane]` of the grid, of cells and of nodes, in memory order.
+fn sum_rows(grid: &Grid, of_row: impl Fn([usize; 2]) -> f64) -> f64 {
+    let [_, ny, nz] = grid.cells();
+    (1..=nz + 1).flat_map(|plane| (1..=ny + 1).map(move |q| [q, plane])).map(of_row).fold(0.0, |a, b| a + b)
+}
+
+/// Volume of the soil in row `q` of a storage plane of cells [m³].
+fn volume_of(grid: &Grid, fraction: &[Real], [q, plane]: [usize; 2]) -> f64 {
     let [nx, ny, nz] = grid.cells();
-    let mut sum = 0.0;
-    for k in 0..nz {
-        for j in 0..ny {
-            let mut row = 0.0;
-            for i in 0..nx {
-                let c = grid.index(i, j, k);
-                if fraction[c] > 0.0 {
-                    row += value(c, grid.volume(i, j, k));
-                }
-            }
-            sum += row;
-        }
+    if !(1..=ny).contains(&q) || plane > nz {
+        return 0.0;
     }
-    sum
+    let start = plane * grid.stride[2] + q * grid.stride[1] + 1;
+    (0..nx).map(|i| f64::from(fraction[start + i]) * grid.volume(i, q - 1, plane - 1)).fold(0.0, |a, b| a + b)
 }

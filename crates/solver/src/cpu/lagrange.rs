@@ -5,24 +5,24 @@
 //! so nobody reads what another writes; only the lowest plane of nodes of each worker has to wait for the plane of cells
 //! below, which is a neighbour's.
 
-use super::stopwatch::Stage;
 use super::stress::{CellRow, NodeRows, RowConstants, strain_row};
-use super::threads::Cut;
-use super::workspace::{COEFFICIENTS, NODE_SUMS, RowSums, WorkerScratch, Workspace, lane_sum, split_rows};
+use super::workspace::{COEFFICIENTS, Coefficients, NODE_SUMS, RowSums, WorkerScratch, Workspace, lane_sum};
+use super::{Real, Soil, State};
+use crate::cpu::stopwatch::Stage;
+use crate::cpu::threads::{Cut, parts_of};
 use crate::grid::{Grid, LANES};
 use crate::model::{Model, Wall};
-use crate::state::{Soil, State};
 use multiversion::multiversion;
 use std::ops::Range;
 
 /// A worker's planes of everything that the stage writes.
 struct Part<'a> {
     planes: Range<usize>,
-    stress: [&'a mut [f64]; 6],
-    plastic_strain: &'a mut [f64],
-    gap_strain: &'a mut [f64],
-    displacement: [&'a mut [f64]; 3],
-    velocity: [&'a mut [f64]; 3],
+    stress: [&'a mut [Real]; 6],
+    plastic_strain: &'a mut [Real],
+    gap_strain: &'a mut [Real],
+    displacement: [&'a mut [Real]; 3],
+    velocity: [&'a mut [Real]; 3],
     sums: &'a mut [RowSums],
     scratch: &'a mut WorkerScratch,
 }
@@ -31,21 +31,31 @@ struct Part<'a> {
 struct Inputs<'a> {
     model: &'a Model,
     grid: &'a Grid,
-    fraction: &'a [f64],
-    soil_mass: &'a [f64],
-    mass: &'a [f64],
-    velocity: [&'a [f64]; 3],
+    fraction: &'a [Real],
+    soil_mass: &'a [Real],
+    mass: &'a [Real],
+    velocity: [&'a [Real]; 3],
     row_has_soil: &'a [bool],
-    width_x: [&'a [f64]; 2],
+    /// Whether velocities where no soil is must still be set to zero.
+    clears: bool,
+    width_x: [&'a [Real]; 2],
     rows: usize,
     dt: f64,
 }
+
+/// Steps after which the planes are dealt out anew, for what yields moves on.
+const DEALS: u64 = 64;
 
 /// Strains the soil and moves the nodes by one step of `dt` [s]: stresses and displacements at the end of the step,
 /// free velocities (before contact) half a step later. Returns the sums over all rows.
 pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspace, dt: f64) -> RowSums {
     let grid = &model.grid;
     let rows = Workspace::rows(grid);
+    if state.step.is_multiple_of(DEALS) {
+        workspace.deal(grid);
+    }
+    let clears = workspace.clear < 2;
+    workspace.clear += u8::from(clears);
     let Workspace { team, cut, row_has_soil, velocity_before, workers, row_sums, width_x, .. } = workspace;
     // From here on the new velocities are in the state, the old ones in the workspace.
     std::mem::swap(&mut state.nodes.velocity, velocity_before);
@@ -58,34 +68,32 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
         mass: &state.nodes.mass,
         velocity: velocity_before.each_ref().map(Vec::as_slice),
         row_has_soil,
+        clears,
         width_x: width_x.each_ref().map(|w| &w[1..]),
         rows,
         dt,
     };
-    let mut stress = stress.each_mut().map(|s| cut.split(s).into_iter());
-    let mut displacement = state.nodes.displacement.each_mut().map(|u| cut.split(u).into_iter());
-    let mut velocity = state.nodes.velocity.each_mut().map(|v| cut.split(v).into_iter());
-    let mut plastic_strain = cut.split(plastic_strain).into_iter();
-    let mut gap_strain = cut.split(gap_strain).into_iter();
-    let mut sums = split_rows(cut, rows, row_sums).into_iter();
-    let mut parts: Vec<Part> = cut
-        .ranges()
-        .zip(workers.iter_mut())
-        .map(|(planes, scratch)| Part {
-            planes,
-            stress: stress.each_mut().map(|s| s.next().unwrap_or_default()),
-            plastic_strain: plastic_strain.next().unwrap_or_default(),
-            gap_strain: gap_strain.next().unwrap_or_default(),
-            displacement: displacement.each_mut().map(|u| u.next().unwrap_or_default()),
-            velocity: velocity.each_mut().map(|v| v.next().unwrap_or_default()),
-            sums: sums.next().unwrap_or_default(),
-            scratch,
-        })
-        .collect();
-    team.share(&mut parts, |part| strain_and_move(&inputs, part));
-    pass_up(&mut parts);
-    team.share(&mut parts, |part| move_waiting(&inputs, part));
-    drop(parts);
+    let mut stress = stress.each_mut().map(|s| cut.split(s));
+    let mut displacement = state.nodes.displacement.each_mut().map(|u| cut.split(u));
+    let mut velocity = state.nodes.velocity.each_mut().map(|v| cut.split(v));
+    let mut plastic_strain = cut.split(plastic_strain);
+    let mut gap_strain = cut.split(gap_strain);
+    let mut sums = cut.split_by(rows, row_sums);
+    let each = cut.ranges().zip(workers.iter_mut()).map(move |(planes, scratch)| Part {
+        planes,
+        stress: stress.each_mut().map(|s| s.next().unwrap_or_default()),
+        plastic_strain: plastic_strain.next().unwrap_or_default(),
+        gap_strain: gap_strain.next().unwrap_or_default(),
+        displacement: displacement.each_mut().map(|u| u.next().unwrap_or_default()),
+        velocity: velocity.each_mut().map(|v| v.next().unwrap_or_default()),
+        sums: sums.next().unwrap_or_default(),
+        scratch,
+    });
+    let mut parts = parts_of(each);
+    let parts = &mut parts[..cut.ranges().len()];
+    team.share(parts, |part| part.iter_mut().for_each(|part| strain_and_move(&inputs, part)));
+    pass_up(parts);
+    team.share(parts, |part| part.iter_mut().for_each(|part| move_waiting(&inputs, part)));
     workers[0].stopwatch.lap(Stage::Nodes);
     total(cut, rows, row_sums)
 }
@@ -101,6 +109,7 @@ fn total(cut: &Cut, rows: usize, row_sums: &[RowSums]) -> RowSums {
         kinetic: a.kinetic + b.kinetic,
         displacement: a.displacement.max(b.displacement),
         displacement_light: a.displacement_light.max(b.displacement_light),
+        yields: a.yields + b.yields,
     })
 }
 
@@ -110,16 +119,19 @@ fn strain_and_move(inputs: &Inputs, part: &mut Part) {
     let [_, ny, _] = inputs.grid.cells();
     part.scratch.below.fill(0.0);
     for plane in part.planes.clone() {
-        part.scratch.coefficients[0].fill(0.0);
+        if !inputs.clears && plane_is_void(inputs, plane) {
+            continue;
+        }
+        blank(&mut part.scratch.coefficients[0]);
         for q in 1..=ny + 1 {
             strain_row_of(inputs, part, [q, plane]);
             let WorkerScratch { coefficients: [behind, ahead], below, waiting, row: buffer, .. } =
                 &mut *part.scratch;
             let own = NODE_SUMS * q * row..NODE_SUMS * (q + 1) * row;
-            let waits = plane == part.planes.start;
+            let waits = plane == part.planes.start && plane > 1;
             let sum = if waits { &mut waiting[own.clone()] } else { &mut buffer[..NODE_SUMS * row] };
             if nodes_have_soil(inputs, [q, plane]) {
-                gather_forces([behind, ahead], row, &mut below[own], sum);
+                gather_forces([&behind.values, &ahead.values], row, &mut below[own], sum);
             } else {
                 below[own].fill(0.0);
             }
@@ -133,21 +145,21 @@ fn strain_and_move(inputs: &Inputs, part: &mut Part) {
 }
 
 /// Hands every part the forces of the cells below its lowest plane of nodes, which the part below has worked out.
-fn pass_up(parts: &mut [Part]) {
+fn pass_up(parts: &mut [Option<Part>]) {
     for n in (1..parts.len()).rev() {
         let (low, high) = parts.split_at_mut(n);
-        std::mem::swap(&mut low[n - 1].scratch.below, &mut high[0].scratch.below);
-    }
-    if let Some(lowest) = parts.first_mut() {
-        lowest.scratch.below.fill(0.0);
+        if let (Some(low), Some(high)) = (&mut low[n - 1], &mut high[0]) {
+            std::mem::swap(&mut low.scratch.below, &mut high.scratch.below);
+        }
     }
 }
 
-/// Moves the lowest plane of nodes of a part, now that the cells below are done.
+/// Moves the lowest plane of nodes of a part, if it had to wait, now that the cells below are done.
 fn move_waiting(inputs: &Inputs, part: &mut Part) {
     let row = inputs.grid.stride[1];
     let plane = part.planes.start;
-    if part.planes.is_empty() {
+    // Below the lowest plane of all there is nothing to wait for.
+    if part.planes.is_empty() || plane == 1 {
         return;
     }
     for q in 1..=inputs.grid.cells()[1] + 1 {
@@ -159,29 +171,41 @@ fn move_waiting(inputs: &Inputs, part: &mut Part) {
     }
 }
 
+/// No forces.
+fn blank(coefficients: &mut Coefficients) {
+    if !coefficients.are_zero {
+        coefficients.values.fill(0.0);
+        coefficients.are_zero = true;
+    }
+}
+
 /// Whether there is soil round a row of nodes.
 fn nodes_have_soil(inputs: &Inputs, [q, plane]: [usize; 2]) -> bool {
     let has_soil = |p: usize, q: usize| inputs.row_has_soil[p * inputs.rows + q];
     [(plane - 1, q - 1), (plane - 1, q), (plane, q - 1), (plane, q)].iter().any(|(p, q)| has_soil(*p, *q))
 }
 
+/// Whether there is no soil round a plane of nodes: none of its rows needs a look, and nothing comes from below.
+fn plane_is_void(inputs: &Inputs, plane: usize) -> bool {
+    !inputs.row_has_soil[(plane - 1) * inputs.rows..(plane + 1) * inputs.rows].contains(&true)
+}
+
 /// Strains one row of cells into the second row of coefficients.
 fn strain_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2]) {
     let grid = inputs.grid;
     let [_, row, stride] = grid.stride;
-    let [nx, ny, nz] = grid.cells();
-    let n = nx.next_multiple_of(LANES);
+    let [_, ny, nz] = grid.cells();
+    let n = grid.padded_row();
     let sums = &mut part.sums[(plane - part.planes.start) * inputs.rows + q];
     let WorkerScratch { coefficients: [_, ahead], block, stopwatch, .. } = &mut *part.scratch;
     let has_soil = inputs.row_has_soil[plane * inputs.rows + q];
     if !has_soil || plane > nz || q > ny {
-        (sums.plastic, sums.viscous, sums.hourglass) = (0.0, 0.0, 0.0);
-        ahead.fill(0.0);
+        blank(ahead);
         return;
     }
     let mut constants = RowConstants::new(inputs.model, inputs.width_x, inputs.dt);
-    constants.width_y = grid.width(1, q - 1);
-    constants.width_z = grid.width(2, plane - 1);
+    constants.width_y = grid.width(1, q - 1) as Real;
+    constants.width_z = grid.width(2, plane - 1) as Real;
     let at = |dq: usize, dp: usize| (plane + dp) * stride + (q + dq) * row + 1;
     let node_rows: NodeRows = [at(0, 0), at(1, 0), at(0, 1), at(1, 1)]
         .map(|start| inputs.velocity.map(|v| &v[start..start + n + 1]));
@@ -195,11 +219,13 @@ fn strain_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2]) {
         plastic_strain: &mut part.plastic_strain[own.clone()],
         gap_strain: &mut part.gap_strain[own],
     };
-    let mut out = ahead.chunks_exact_mut(row);
-    let mut forces: [&mut [f64]; COEFFICIENTS] =
+    ahead.are_zero = false;
+    let mut out = ahead.values.chunks_exact_mut(row);
+    let mut forces: [&mut [Real]; COEFFICIENTS] =
         std::array::from_fn(|_| out.next().map_or(Default::default(), |f| &mut f[1..1 + n]));
     let strained = strain_row(&constants, &node_rows, &mut cell_row, (block, stopwatch), &mut forces);
     (sums.plastic, sums.viscous, sums.hourglass) = (strained.plastic, strained.viscous, strained.hourglass);
+    sums.yields = strained.yields;
 }
 
 /// Moves one row of nodes under the sums in the row buffer.
@@ -210,10 +236,9 @@ fn move_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2]) {
     let sums = &mut part.sums[(plane - part.planes.start) * inputs.rows + q];
     let mut velocity = part.velocity.each_mut().map(|v| &mut v[own.clone()]);
     if !nodes_have_soil(inputs, [q, plane]) {
-        for v in &mut velocity {
-            v.fill(0.0);
+        if inputs.clears {
+            velocity.iter_mut().for_each(|v| v.fill(0.0));
         }
-        (sums.gravity, sums.kinetic, sums.displacement, sums.displacement_light) = (0.0, 0.0, 0.0, 0.0);
         return;
     }
     let (sum, rest) = part.scratch.row.split_at_mut(NODE_SUMS * row);
@@ -223,7 +248,7 @@ fn move_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2]) {
         before: inputs.velocity.map(|v| &v[start..start + row]),
         displacement: part.displacement.each_mut().map(|u| &mut u[own.clone()]),
     };
-    let constants = [inputs.dt, inputs.model.gravity, inputs.model.mass_moved()];
+    let constants = [inputs.dt, inputs.model.gravity, inputs.model.mass_moved()].map(|x| x as Real);
     move_row(constants, nodes, &mut velocity, sum, rest);
     apply_walls(inputs, [q, plane], &mut velocity);
     let displacement = part.displacement.each_ref().map(|u| &u[own.clone()]);
@@ -235,12 +260,12 @@ fn move_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2]) {
 /// high z: into `below`, for the next plane. Pairs that mirror each other are added first, so that a mirrored case
 /// gives mirrored sums to the bit.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn gather_forces([behind, ahead]: [&[f64]; 2], n: usize, below: &mut [f64], sum: &mut [f64]) {
+fn gather_forces([behind, ahead]: [&[Real]; 2], n: usize, below: &mut [Real], sum: &mut [Real]) {
     for q in 0..3 {
-        let (out, below) = (&mut sum[q * n..(q + 1) * n], &mut below[q * n..(q + 1) * n]);
+        let (out, below) = (&mut sum[q * n..][..n], &mut below[q * n..][..n]);
         // Plain part and parts signed by the side.
-        let [p0, x0, y0, z0] = [0, 1, 2, 3].map(|c| &behind[(4 * q + c) * n..(4 * q + c + 1) * n]);
-        let [p1, x1, y1, z1] = [0, 1, 2, 3].map(|c| &ahead[(4 * q + c) * n..(4 * q + c + 1) * n]);
+        let [p0, x0, y0, z0] = [0, 1, 2, 3].map(|c| &behind[(4 * q + c) * n..][..n]);
+        let [p1, x1, y1, z1] = [0, 1, 2, 3].map(|c| &ahead[(4 * q + c) * n..][..n]);
         for i in 1..n {
             let behind = [p0[i - 1] + x0[i - 1] + y0[i - 1], p0[i] - x0[i] + y0[i]];
             let ahead = [p1[i - 1] + x1[i - 1] - y1[i - 1], p1[i] - x1[i] - y1[i]];
@@ -252,8 +277,8 @@ fn gather_forces([behind, ahead]: [&[f64]; 2], n: usize, below: &mut [f64], sum:
             below[i] = high;
         }
     }
-    let (out, below) = (&mut sum[3 * n..4 * n], &mut below[3 * n..4 * n]);
-    let (d0, d1) = (&behind[12 * n..13 * n], &ahead[12 * n..13 * n]);
+    let (out, below) = (&mut sum[3 * n..][..n], &mut below[3 * n..][..n]);
+    let (d0, d1) = (&behind[12 * n..][..n], &ahead[12 * n..][..n]);
     for i in 1..n {
         let both = (d0[i - 1] + d0[i]) + (d1[i - 1] + d1[i]);
         out[i] = below[i] + both;
@@ -262,19 +287,19 @@ fn gather_forces([behind, ahead]: [&[f64]; 2], n: usize, below: &mut [f64], sum:
 }
 
 struct NodeRow<'a> {
-    mass: &'a [f64],
-    before: [&'a [f64]; 3],
-    displacement: [&'a mut [f64]; 3],
+    mass: &'a [Real],
+    before: [&'a [Real]; 3],
+    displacement: [&'a mut [Real]; 3],
 }
 
 /// Moves a row of nodes: `u += v dt`, `v += (F/m + g) dt`; nodes without mass stay.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn move_row(
-    constants: [f64; 3],
+    constants: [Real; 3],
     nodes: NodeRow,
-    velocity: &mut [&mut [f64]; 3],
-    sum: &[f64],
-    gravity: &mut [f64],
+    velocity: &mut [&mut [Real]; 3],
+    sum: &[Real],
+    gravity: &mut [Real],
 ) {
     let n = nodes.mass.len();
     let [dt, fall, mass_moved] = constants;
@@ -301,7 +326,7 @@ fn move_row(
 }
 
 /// Takes away the motion through (and along) the walls that a row of nodes lies on.
-fn apply_walls(inputs: &Inputs, [q, plane]: [usize; 2], velocity: &mut [&mut [f64]; 3]) {
+fn apply_walls(inputs: &Inputs, [q, plane]: [usize; 2], velocity: &mut [&mut [Real]; 3]) {
     let [nx, ny, nz] = inputs.grid.cells();
     let walls = &inputs.model.walls;
     let mut stop = |wall: Wall, axis: usize, columns: Range<usize>| {
@@ -328,9 +353,9 @@ fn apply_walls(inputs: &Inputs, [q, plane]: [usize; 2], velocity: &mut [&mut [f6
 fn finish_row(
     inputs: &Inputs,
     start: usize,
-    velocity: &[&mut [f64]; 3],
-    displacement: [&[f64]; 3],
-    buffer: &mut [f64],
+    velocity: &[&mut [Real]; 3],
+    displacement: [&[Real]; 3],
+    buffer: &mut [Real],
     sums: &mut RowSums,
 ) {
     let n = displacement[0].len();
@@ -341,7 +366,7 @@ fn finish_row(
     let kinetic = &mut rest[..n];
     kinetic_energies(mass, velocity, kinetic);
     sums.kinetic = lane_sum(kinetic);
-    [sums.displacement, sums.displacement_light] = largest(mass, light, displacement);
+    [sums.displacement, sums.displacement_light] = largest(mass, light as Real, displacement).map(f64::from);
 }
 
 /// Nodes lighter than this share of a full node's mass may be carried farther before a remap is due: a few grains in
@@ -349,7 +374,7 @@ fn finish_row(
 const LIGHT: f64 = 0.02;
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn kinetic_energies(mass: &[f64], velocity: &[&mut [f64]; 3], out: &mut [f64]) {
+fn kinetic_energies(mass: &[Real], velocity: &[&mut [Real]; 3], out: &mut [Real]) {
     let n = out.len();
     let (mass, vx, vy, vz) = (&mass[..n], &velocity[0][..n], &velocity[1][..n], &velocity[2][..n]);
     for i in 0..n {
@@ -359,9 +384,10 @@ fn kinetic_energies(mass: &[f64], velocity: &[&mut [f64]; 3], out: &mut [f64]) {
 
 /// Largest displacement component of the nodes heavier, and lighter, than `light`.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn largest(mass: &[f64], light: f64, displacement: [&[f64]; 3]) -> [f64; 2] {
-    let [ux, uy, uz] = displacement.map(|u| u.chunks_exact(LANES));
+fn largest(mass: &[Real], light: Real, displacement: [&[Real]; 3]) -> [Real; 2] {
     let (mut heavy_lanes, mut light_lanes) = ([0.0; LANES], [0.0; LANES]);
+    let whole = mass.len() - mass.len() % LANES;
+    let [ux, uy, uz] = displacement.map(|u| u.chunks_exact(LANES));
     for (((m, x), y), z) in mass.chunks_exact(LANES).zip(ux).zip(uy).zip(uz) {
         for l in 0..LANES {
             let xy = if x[l].abs() > y[l].abs() { x[l].abs() } else { y[l].abs() };
@@ -371,5 +397,10 @@ fn largest(mass: &[f64], light: f64, displacement: [&[f64]; 3]) -> [f64; 2] {
             light_lanes[l] = if light > light_lanes[l] { light } else { light_lanes[l] };
         }
     }
-    [heavy_lanes, light_lanes].map(|lanes| lanes.into_iter().fold(0.0, f64::max))
+    for i in whole..mass.len() {
+        let u = displacement.map(|u| u[i].abs()).into_iter().fold(0.0, Real::max);
+        let lane = if mass[i] > light { &mut heavy_lanes[0] } else { &mut light_lanes[0] };
+        *lane = Real::max(*lane, u);
+    }
+    [heavy_lanes, light_lanes].map(|lanes| lanes.into_iter().fold(0.0, Real::max))
 }

@@ -1,33 +1,34 @@
 //! One row of cells: velocity gradient → trial stress → strength → nodal force coefficients.
 //!
-//! A row is worked on in blocks of up to 96 cells whose working numbers lie in the first-level cache. A few plain loops go
+//! A row is worked on in blocks of up to 96 cells (192 in single precision) whose working numbers lie in the first-level cache. A few plain loops go
 //! over a block; the formulas are branch-free and what a loop writes lies in the block or in one array, so that the
 //! compiler sees that nothing overlaps and vectorises them. Each is compiled for what the processor has; `mul_add` is not
 //! used, so the result is the same to the bit.
 
-use super::stopwatch::{Stage, Stopwatch};
+use super::physics::brick::{Sums, hourglass_coefficient};
+use super::physics::elastic::Elastic;
+use super::physics::menetrey_willam::MenetreyWillam;
+use super::physics::mohr_coulomb::MohrCoulomb;
+use super::physics::strength::{Law, Strength};
+use super::physics::tensor::{Symmetric, deviator, jaumann};
+use super::physics::viscosity::BulkViscosity;
+use super::physics::von_mises::VonMises;
 use super::workspace::{COEFFICIENTS, RowSums, lane_sum};
-use crate::grid::LANES;
+use super::{LANES, Real};
+use crate::cpu::stopwatch::{Stage, Stopwatch};
 use crate::model::{FRACTION_STRESSED, Model};
 use multiversion::multiversion;
-use physics::brick::{Sums, hourglass_coefficient};
-use physics::elastic::Elastic;
-use physics::menetrey_willam::MenetreyWillam;
-use physics::mohr_coulomb::MohrCoulomb;
-use physics::strength::{Law, Strength};
-use physics::tensor::{Symmetric, deviator, jaumann};
-use physics::viscosity::BulkViscosity;
 
 /// The nodal velocities at the four node rows round a row of cells: (y, z) = (0,0), (1,0), (0,1), (1,1).
-pub(crate) type NodeRows<'a> = [[&'a [f64]; 3]; 4];
+pub(crate) type NodeRows<'a> = [[&'a [Real]; 3]; 4];
 
 /// The cells of a row.
 pub(crate) struct CellRow<'a> {
-    pub(crate) fraction: &'a [f64],
-    pub(crate) mass: &'a [f64],
-    pub(crate) stress: [&'a mut [f64]; 6],
-    pub(crate) plastic_strain: &'a mut [f64],
-    pub(crate) gap_strain: &'a mut [f64],
+    pub(crate) fraction: &'a [Real],
+    pub(crate) mass: &'a [Real],
+    pub(crate) stress: [&'a mut [Real]; 6],
+    pub(crate) plastic_strain: &'a mut [Real],
+    pub(crate) gap_strain: &'a mut [Real],
 }
 
 /// Everything about a row that does not change.
@@ -35,51 +36,56 @@ pub(crate) struct RowConstants<'a> {
     pub(crate) elastic: Elastic,
     pub(crate) strength: Option<Law>,
     /// Density below which soil dilates no more [kg/m³]; 0 where it always may.
-    pub(crate) critical_density: f64,
+    pub(crate) critical_density: Real,
     pub(crate) viscosity: BulkViscosity,
     /// ε ρ c / 4 [kg/(s m²)].
-    pub(crate) hourglass: f64,
+    pub(crate) hourglass: Real,
     /// Share of it that acts in cells that yield.
-    pub(crate) hourglass_yielding: f64,
+    pub(crate) hourglass_yielding: Real,
     /// Widths of the cells along x [m], 0 in ghosts.
-    pub(crate) width_x: &'a [f64],
+    pub(crate) width_x: &'a [Real],
     /// ¼ over the widths, 0 in ghosts [1/m].
-    pub(crate) per_width_x: &'a [f64],
+    pub(crate) per_width_x: &'a [Real],
     /// Widths along y and z [m].
-    pub(crate) width_y: f64,
-    pub(crate) width_z: f64,
+    pub(crate) width_y: Real,
+    pub(crate) width_z: Real,
     /// Time step [s].
-    pub(crate) dt: f64,
+    pub(crate) dt: Real,
 }
 
 impl<'a> RowConstants<'a> {
-    pub(crate) fn new(model: &Model, [width_x, per_width_x]: [&'a [f64]; 2], dt: f64) -> Self {
-        let hourglass = hourglass_coefficient(model.method.hourglass, model.density, model.wave_speed(), 1.0);
+    pub(crate) fn new(model: &Model, [width_x, per_width_x]: [&'a [Real]; 2], dt: f64) -> Self {
+        let hourglass = hourglass_coefficient(
+            model.method.hourglass as Real,
+            model.density as Real,
+            model.wave_speed() as Real,
+            1.0,
+        );
         Self {
-            elastic: model.elastic,
-            strength: model.strength,
-            critical_density: model.critical_density.unwrap_or(0.0),
-            viscosity: model.viscosity(),
+            elastic: Elastic::rounded(&model.elastic),
+            strength: model.strength.as_ref().map(Law::rounded),
+            critical_density: model.critical_density.unwrap_or(0.0) as Real,
+            viscosity: BulkViscosity::rounded(&model.viscosity()),
             hourglass,
-            hourglass_yielding: model.method.hourglass_yielding,
+            hourglass_yielding: model.method.hourglass_yielding as Real,
             width_x,
             per_width_x,
             width_y: 0.0,
             width_z: 0.0,
-            dt,
+            dt: dt as Real,
         }
     }
 }
 
 /// Most cells in a block: as many as leave its working numbers in a first-level cache of 32 KiB.
-const BLOCK: usize = 96;
+const BLOCK: usize = 768 / size_of::<Real>();
 
-type Lane = [f64; BLOCK];
+type Lane = [Real; BLOCK];
 
 /// The tensor of one cell from arrays of its components. Spelt out: a closure here is not always compiled into the loop,
 /// which then does not vectorise.
 #[inline(always)]
-fn tensor<const N: usize>(components: &[[f64; N]; 6], i: usize) -> Symmetric {
+fn tensor<const N: usize>(components: &[[Real; N]; 6], i: usize) -> Symmetric {
     let [xx, yy, zz, xy, yz, xz] = components;
     [xx[i], yy[i], zz[i], xy[i], yz[i], xz[i]]
 }
@@ -147,7 +153,7 @@ pub(crate) fn strain_row(
     nodes: &NodeRows,
     cells: &mut CellRow,
     (block, stopwatch): (&mut Block, &mut Stopwatch),
-    forces: &mut [&mut [f64]; COEFFICIENTS],
+    forces: &mut [&mut [Real]; COEFFICIENTS],
 ) -> RowSums {
     let mut sums = RowSums::default();
     let n = cells.fraction.len();
@@ -162,14 +168,16 @@ pub(crate) fn strain_row(
             let returned = match strength {
                 Law::MohrCoulomb(law) => mohr_coulomb(constants, law, cells, block),
                 Law::MenetreyWillam(law) => menetrey_willam(constants, law, cells, block),
+                Law::VonMises(law) => von_mises(constants, law, cells, block),
             };
             stopwatch.count_returned(returned);
+            sums.yields += returned as u32;
             stopwatch.lap(Stage::Plasticity);
         }
         let [plastic, viscous, hourglass] = bear(constants, cells, block);
         sums.plastic += plastic;
-        sums.viscous += viscous * constants.dt;
-        sums.hourglass += hourglass * constants.dt;
+        sums.viscous += viscous * f64::from(constants.dt);
+        sums.hourglass += hourglass * f64::from(constants.dt);
         force_coefficients(block, forces);
         stopwatch.lap(Stage::Lagrange);
     }
@@ -188,10 +196,11 @@ fn corner_sums(nodes: &NodeRows, b: &mut Block) {
 }
 
 #[inline(always)]
-fn component_sums(v: [&[f64]; 4], plain: &mut Lane, [x, y, z]: &mut [Lane; 3], hourglass: &mut Lane) {
-    let [v0, v1, v2, v3] = v;
-    let n = v0.len() - 1;
-    for i in 0..n.min(BLOCK) {
+fn component_sums(v: [&[Real]; 4], plain: &mut Lane, [x, y, z]: &mut [Lane; 3], hourglass: &mut Lane) {
+    let n = (v[0].len() - 1).min(BLOCK);
+    // Of one length to the compiler's eye: it would else leave a vector's worth of cells to be done one by one.
+    let (v0, v1, v2, v3) = (&v[0][..=n], &v[1][..=n], &v[2][..=n], &v[3][..=n]);
+    for i in 0..n {
         let corners = [[v0[i], v0[i + 1]], [v1[i], v1[i + 1]], [v2[i], v2[i + 1]], [v3[i], v3[i + 1]]];
         let sums = Sums::of(corners);
         plain[i] = sums.plain;
@@ -208,7 +217,9 @@ fn trial_stress(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
     let own = start..start + n;
     let (per_width, fraction) = (&constants.per_width_x[own.clone()], &cells.fraction[own.clone()]);
     let gap_strain = &cells.gap_strain[own.clone()];
-    let stress = cells.stress.each_ref().map(|s| &s[own.clone()]);
+    let [xx, yy, zz, xy, yz, xz] = &cells.stress;
+    let (old_xx, old_yy, old_zz) = (&xx[own.clone()], &yy[own.clone()], &zz[own.clone()]);
+    let (old_xy, old_yz, old_xz) = (&xy[own.clone()], &yz[own.clone()], &xz[own]);
     let (dt, elastic) = (constants.dt, constants.elastic);
     let (per_y, per_z) = (0.25 / constants.width_y, 0.25 / constants.width_z);
     for i in 0..n {
@@ -223,12 +234,12 @@ fn trial_stress(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
         let gap = gap_strain[i];
         let open = gap + volumetric * dt;
         let has_gap = gap > 0.0;
-        let stressed = fraction[i] > FRACTION_STRESSED;
+        let stressed = fraction[i] > FRACTION_STRESSED as Real;
         let stays_open = has_gap & (open > 0.0);
         let closing = if open < 0.0 { open } else { 0.0 };
         let squeeze = if has_gap { closing } else { volumetric * dt };
         b.gap_strain[i] = if stays_open & stressed { open } else { 0.0 };
-        let old = [stress[0][i], stress[1][i], stress[2][i], stress[3][i], stress[4][i], stress[5][i]];
+        let old = [old_xx[i], old_yy[i], old_zz[i], old_xy[i], old_yz[i], old_xz[i]];
         let shear = deviator(strain_rate);
         let turned = jaumann(old, spin);
         let pressed = elastic.bulk * squeeze;
@@ -256,9 +267,10 @@ fn apply_strength(
     b: &mut Block,
 ) -> usize {
     let n = b.n.min(BLOCK);
+    let plastic_strain = &cells.plastic_strain[b.start..b.start + n];
     for i in 0..n {
         let trial = tensor(&b.trial, i);
-        b.yields[i] = if strength.may_yield(trial) { b.alive[i] } else { 0.0 };
+        b.yields[i] = if strength.may_yield(trial, plastic_strain[i]) { b.alive[i] } else { 0.0 };
     }
     let (mut place, mut count) = ([0_u8; BLOCK], 0);
     for i in 0..n {
@@ -278,6 +290,7 @@ fn apply_strength(
             }
             let volume = constants.width_x[b.start + i] * constants.width_y * constants.width_z;
             let critical = constants.critical_density * cells.fraction[b.start + i] * volume;
+            together.plastic_strain[l] = cells.plastic_strain[b.start + i];
             together.dilates[l] = if cells.mass[b.start + i] >= critical { 1.0 } else { 0.0 };
         }
         together.return_stress(&constants.elastic, strength);
@@ -285,7 +298,7 @@ fn apply_strength(
             for c in 0..6 {
                 b.trial[c][i] = together.trial[c][l];
             }
-            cells.plastic_strain[b.start + i] += together.plastic_strain[l];
+            cells.plastic_strain[b.start + i] = together.plastic_strain[l];
             b.gap_strain[i] += together.gap_strain[l];
             b.work[i] = together.work[l];
         }
@@ -308,20 +321,26 @@ fn menetrey_willam(
     apply_strength(constants, law, cells, b)
 }
 
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn von_mises(constants: &RowConstants, law: &VonMises, cells: &mut CellRow, b: &mut Block) -> usize {
+    apply_strength(constants, law, cells, b)
+}
+
 /// As many yielding cells as a vector holds.
 #[derive(Default)]
 struct Yielding {
     /// Trial stress, later the returned one [Pa].
-    trial: [[f64; LANES]; 6],
+    trial: [[Real; LANES]; 6],
     /// Stress at the start of the step [Pa].
-    old: [[f64; LANES]; 6],
+    old: [[Real; LANES]; 6],
     /// 1 where the soil dilates, 0 at its critical density.
-    dilates: [f64; LANES],
-    /// Increments.
-    plastic_strain: [f64; LANES],
-    gap_strain: [f64; LANES],
+    dilates: [Real; LANES],
+    /// Equivalent plastic strain at the start of the step, later at its end.
+    plastic_strain: [Real; LANES],
+    /// Increment.
+    gap_strain: [Real; LANES],
     /// Plastic work per volume [J/m³].
-    work: [f64; LANES],
+    work: [Real; LANES],
 }
 
 impl Yielding {
@@ -330,7 +349,7 @@ impl Yielding {
         for l in 0..LANES {
             let trial = tensor(&self.trial, l);
             let old = tensor(&self.old, l);
-            let back = strength.return_map(trial, self.dilates[l] > 0.0);
+            let back = strength.return_map(trial, self.plastic_strain[l], self.dilates[l] > 0.0);
             let mut middle: Symmetric = [0.0; 6];
             let mut change: Symmetric = [0.0; 6];
             for c in 0..6 {
@@ -338,7 +357,7 @@ impl Yielding {
                 change[c] = trial[c] - back.stress[c];
                 self.trial[c][l] = back.stress[c];
             }
-            self.plastic_strain[l] = back.plastic_strain;
+            self.plastic_strain[l] += back.plastic_strain;
             self.gap_strain[l] = back.gap_strain;
             // The average of old and new stress makes the sum over steps exact for central differences.
             self.work[l] = elastic.compliance(middle, change);
@@ -386,7 +405,7 @@ fn bear(constants: &RowConstants, cells: &mut CellRow, b: &mut Block) -> [f64; 3
 /// Coefficients of the nodal forces: what stress and hourglass viscosity contribute to the plain part and to the parts
 /// signed by the corner's side.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn force_coefficients(b: &Block, forces: &mut [&mut [f64]; COEFFICIENTS]) {
+fn force_coefficients(b: &Block, forces: &mut [&mut [Real]; COEFFICIENTS]) {
     let (start, n) = (b.start, b.n.min(BLOCK));
     let own = start..start + n;
     /// Place of a component in a symmetric tensor, by row and column.
@@ -414,14 +433,14 @@ fn force_coefficients(b: &Block, forces: &mut [&mut [f64]; COEFFICIENTS]) {
 /// Harmonic mean of the widths of a cell, 0 in a ghost: about the cube root of the volume, smaller in a stretched cell,
 /// and needs no root.
 #[inline(always)]
-fn mean_width(hx: f64, hy: f64, hz: f64) -> f64 {
+fn mean_width(hx: Real, hy: Real, hz: Real) -> Real {
     3.0 * hx * hy * hz / (hx * hy + hy * hz + hx * hz)
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::physics::menetrey_willam::Eccentricity;
     use super::*;
-    use physics::menetrey_willam::Eccentricity;
     use std::hint::black_box;
     use std::time::Instant;
 
@@ -459,7 +478,7 @@ mod tests {
             width_z: 1.0,
             dt: 1.0,
         };
-        let mut fields: [Vec<f64>; 6] = std::array::from_fn(|c| (0..BLOCK).map(|i| stress(i)[c]).collect());
+        let mut fields: [Vec<Real>; 6] = std::array::from_fn(|c| (0..BLOCK).map(|i| stress(i)[c]).collect());
         let (mut plastic, mut gap) = (vec![0.0; BLOCK], vec![0.0; BLOCK]);
         let mut cells = CellRow {
             fraction: &ones,
@@ -474,6 +493,7 @@ mod tests {
             for c in 0..6 {
                 block.trial[c].copy_from_slice(cells.stress[c]);
             }
+            cells.plastic_strain.fill(0.0);
             black_box(apply(&constants, strength, &mut cells, &mut block));
         });
         (block.trial, seconds)
@@ -482,22 +502,22 @@ mod tests {
     /// Ratios within one run, so that they hold on any machine: check and return in vectors against the same formulas cell
     /// by cell.
     fn goes_in_vectors<S: Strength>(strength: &S, apply: impl Apply<S>) {
-        let yielding = |i: usize| [-1e3, -4e3 - i as f64, -9e3, 500.0, 10.0 * i as f64, -300.0];
-        let resting = |i: usize| [-5e3, -4e3 - i as f64, -6e3, 50.0, i as f64, -30.0];
+        let yielding = |i: usize| [-1e3, -4e3 - i as Real, -9e3, 500.0, 10.0 * i as Real, -300.0];
+        let resting = |i: usize| [-5e3, -4e3 - i as Real, -6e3, 50.0, i as Real, -30.0];
         let (returned, together) = in_vectors(strength, &apply, yielding);
         let one_by_one = best(|| {
             for i in 0..BLOCK {
-                black_box(strength.return_map(black_box(yielding(i)), true));
+                black_box(strength.return_map(black_box(yielding(i)), 0.0, true));
             }
         });
         let (left_alone, checked) = in_vectors(strength, &apply, resting);
         let checked_one_by_one = best(|| {
             for i in 0..BLOCK {
-                black_box(strength.may_yield(black_box(resting(i))));
+                black_box(strength.may_yield(black_box(resting(i)), 0.0));
             }
         });
         for i in 0..BLOCK {
-            assert_eq!(tensor(&returned, i), strength.return_map(yielding(i), true).stress);
+            assert_eq!(tensor(&returned, i), strength.return_map(yielding(i), 0.0, true).stress);
             assert_eq!(tensor(&left_alone, i), resting(i));
         }
         #[cfg(target_arch = "x86_64")]
@@ -514,5 +534,6 @@ mod tests {
         goes_in_vectors(&MohrCoulomb::new(elastic, 0.6, 0.0, 100.0, 50.0), mohr_coulomb);
         let smooth = MenetreyWillam::new(elastic, 0.6, 0.1, 100.0, 50.0, Eccentricity::usual(0.6));
         goes_in_vectors(&smooth, menetrey_willam);
+        goes_in_vectors(&VonMises::new(elastic, 3e3, 1e3), von_mises);
     }
 }

@@ -45,7 +45,7 @@ const SPINS: u32 = 4000;
 const YIELDS: u32 = 200;
 
 impl Team {
-    /// A team of `size` workers (at least one).
+    /// A team of `size` workers (at least one, at most 64).
     #[must_use]
     pub fn new(size: usize) -> Self {
         let shared = Arc::new(Shared {
@@ -57,7 +57,7 @@ impl Team {
             asleep: Mutex::new(()),
             wake: Condvar::new(),
         });
-        let threads = (1..size.max(1))
+        let threads = (1..size.clamp(1, MOST))
             .map(|worker| {
                 let shared = Arc::clone(&shared);
                 std::thread::spawn(move || serve(&shared, worker))
@@ -112,15 +112,46 @@ impl Team {
         });
     }
 
+    /// Gives every worker one of `parts`, of which there must be at most as many as workers.
+    pub fn deal<T: Send>(&self, parts: impl Iterator<Item = T>, job: impl Fn(&mut T) + Sync) {
+        let mut parts = parts_of(parts);
+        let (given, left_over) = parts.split_at_mut(self.size());
+        assert!(left_over.iter().all(Option::is_none), "more parts than workers");
+        self.share(given, |part| part.iter_mut().for_each(&job));
+    }
+
     /// Calls `job(plane, output)` for every plane that `cut` hands out, in parallel, with the planes of `output`.
-    pub fn planes(&self, cut: &Cut, output: &mut [f64], job: impl Fn(usize, &mut [f64]) + Sync) {
-        let mut parts: Vec<_> = cut.split(output).into_iter().zip(cut.ranges()).collect();
-        self.share(&mut parts, |(part, range)| {
+    pub fn planes<T: Send>(&self, cut: &Cut, output: &mut [T], job: impl Fn(usize, &mut [T]) + Sync) {
+        self.deal(cut.split(output).zip(cut.ranges()), |(part, range)| {
             for (n, plane) in range.clone().enumerate() {
                 job(plane, &mut part[n * cut.stride..(n + 1) * cut.stride]);
             }
         });
     }
+
+    /// Like [`Team::planes`] for two arrays that are written together.
+    pub(crate) fn planes2<T: Send>(
+        &self,
+        cut: &Cut,
+        first: &mut [T],
+        second: &mut [T],
+        job: impl Fn(usize, &mut [T], &mut [T]) + Sync,
+    ) {
+        self.deal(cut.split(first).zip(cut.split(second)).zip(cut.ranges()), |((first, second), range)| {
+            for (n, plane) in range.clone().enumerate() {
+                let own = n * cut.stride..(n + 1) * cut.stride;
+                job(plane, &mut first[own.clone()], &mut second[own]);
+            }
+        });
+    }
+}
+
+/// Most workers of a team: their parts lie on the stack, so that no step asks for memory.
+pub(crate) const MOST: usize = 64;
+
+/// What the workers get, one after the other; `None` for those that are left over.
+pub(crate) fn parts_of<T>(mut parts: impl Iterator<Item = T>) -> [Option<T>; MOST] {
+    std::array::from_fn(|_| parts.next())
 }
 
 struct PartsPointer<T>(*mut T);
@@ -207,8 +238,17 @@ impl Cut {
     /// Deals planes `first..` with the given costs to `workers` so that each has about the same.
     #[must_use]
     pub fn new(first: usize, cost: &[f64], workers: usize, stride: usize) -> Self {
+        let mut cut = Self { bounds: Vec::with_capacity(workers + 1), stride };
+        cut.deal(first, cost, workers);
+        cut
+    }
+
+    /// Does so anew.
+    pub fn deal(&mut self, first: usize, cost: &[f64], workers: usize) {
+        let Self { bounds, .. } = self;
         let total: f64 = cost.iter().sum();
-        let mut bounds = vec![first];
+        bounds.clear();
+        bounds.push(first);
         let mut sum = 0.0;
         for (n, c) in cost.iter().enumerate() {
             sum += c;
@@ -218,25 +258,30 @@ impl Cut {
             }
         }
         bounds.push(first + cost.len());
-        Self { bounds, stride }
     }
 
     /// The planes of every worker.
-    pub fn ranges(&self) -> impl Iterator<Item = Range<usize>> + '_ {
+    pub fn ranges(&self) -> impl ExactSizeIterator<Item = Range<usize>> + '_ {
         self.bounds.windows(2).map(|b| b[0]..b[1])
     }
 
     /// Splits an array into the workers' planes.
-    #[must_use]
-    pub fn split<'a>(&self, array: &'a mut [f64]) -> Vec<&'a mut [f64]> {
-        let mut rest = &mut array[self.bounds[0] * self.stride..];
-        let mut parts = Vec::with_capacity(self.bounds.len() - 1);
-        for range in self.ranges() {
-            let (part, after) = rest.split_at_mut(range.len() * self.stride);
-            parts.push(part);
+    pub fn split<'a, T>(&'a self, array: &'a mut [T]) -> impl Iterator<Item = &'a mut [T]> {
+        self.split_by(self.stride, array)
+    }
+
+    /// The same for an array that has `stride` entries for each plane.
+    pub(crate) fn split_by<'a, T>(
+        &'a self,
+        stride: usize,
+        array: &'a mut [T],
+    ) -> impl Iterator<Item = &'a mut [T]> {
+        let mut rest = &mut array[self.bounds[0] * stride..];
+        self.ranges().map(move |range| {
+            let (part, after) = std::mem::take(&mut rest).split_at_mut(range.len() * stride);
             rest = after;
-        }
-        parts
+            part
+        })
     }
 }
 

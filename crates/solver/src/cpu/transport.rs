@@ -1,42 +1,27 @@
-//! Transport along one axis: the soil that crosses the faces, and what it carries.
+//! Transport along one axis: what the soil carries that crosses the faces.
 //!
 //! All functions work on one plane of cells (or nodes) and read whole arrays; they write only the plane they are given.
 //! "Low face" of a cell is the one towards smaller coordinates; face values are kept at the cell above it, those of dual
 //! faces at the node below. Rows are gone through with their ghosts, through which nothing flows.
 
+use super::Real;
+use super::physics::limiter::monotonised_central;
 use crate::grid::Grid;
 use multiversion::multiversion;
-use physics::interface::Plane;
-use physics::limiter::monotonised_central;
 
 /// A sweep along one axis.
+#[derive(Clone, Copy)]
 pub(crate) struct Sweep<'a> {
     pub(crate) grid: &'a Grid,
     /// The axis: 0, 1, 2.
     pub(crate) axis: usize,
-    /// Nodal displacement along the axis since the last remap [m].
-    pub(crate) displacement: &'a [f64],
-    /// Volume fraction at the start of the sweep.
-    pub(crate) fraction: &'a [f64],
-    /// Soil volume in the (displaced) cell at the start of the sweep [m³].
-    pub(crate) soil: &'a [f64],
-    /// Volume of the displaced cell at the start of the sweep [m³].
-    pub(crate) cell: &'a [f64],
     /// Rows that may hold soil now or after the sweep, by plane and row.
     pub(crate) row_active: &'a [bool],
 }
 
-/// Above this a cell counts as full: no interface is looked for.
-const FULL: f64 = 1.0 - 1e-9;
-
 impl Sweep<'_> {
-    /// Distance in memory to the next cell along the axis.
-    pub(crate) fn stride(&self) -> usize {
-        self.grid.stride[self.axis]
-    }
-
     /// Calls `job(cell, [i, j])` for the active cells (0-based layers along x and y) of a storage plane.
-    fn each_cell(&self, plane: usize, mut job: impl FnMut(usize, [usize; 2])) {
+    pub(crate) fn each_cell(&self, plane: usize, mut job: impl FnMut(usize, [usize; 2])) {
         let [nx, ny, nz] = self.grid.cells();
         let [_, row, stride] = self.grid.stride;
         if plane > nz {
@@ -52,167 +37,90 @@ impl Sweep<'_> {
         }
     }
 
-    /// Layer of a cell along the axis.
-    fn layer(&self, plane: usize, [i, j]: [usize; 2]) -> usize {
-        [i, j, plane - 1][self.axis]
-    }
-
-    /// Volume swept by the low face of a cell [m³]: face area times the mean displacement of its four nodes.
-    fn swept(&self, c: usize, plane: usize, [i, j]: [usize; 2]) -> f64 {
+    /// Volume swept by the face of a cell whose lowest node is `n` [m³]: face area times the mean displacement of its four
+    /// nodes.
+    #[inline(always)]
+    pub(crate) fn swept(&self, u: &[Real], n: usize, plane: usize, [i, j]: [usize; 2]) -> f64 {
         let [first, second] = [(self.axis + 1) % 3, (self.axis + 2) % 3];
         let layers = [i, j, plane - 1];
         let area = self.grid.width(first, layers[first]) * self.grid.width(second, layers[second]);
         let (a, b) = (self.grid.stride[first], self.grid.stride[second]);
-        let u = self.displacement;
-        0.25 * area * ((u[c] + u[c + a]) + (u[c + b] + u[c + a + b]))
+        let u = |n: usize| f64::from(u[n]);
+        0.25 * area * ((u(n) + u(n + a)) + (u(n + b) + u(n + a + b)))
     }
 
-    /// Soil volume that crosses the low faces of a plane of cells [m³], and in `swept` the volume that they sweep.
-    pub(crate) fn volume_fluxes(&self, plane: usize, flux: &mut [f64], swept: &mut [f64]) {
-        let base = plane * self.grid.stride[2];
-        flux.fill(0.0);
-        swept.fill(0.0);
-        let stride = self.stride();
-        self.each_cell(plane, |c, place| {
-            if self.layer(plane, place) == 0 {
-                return;
-            }
-            let phi = self.swept(c, plane, place);
-            swept[c - base] = phi;
-            if phi == 0.0 {
-                return;
-            }
-            let donor = if phi > 0.0 { c - stride } else { c };
-            let fraction = self.fraction[donor];
-            let through = if fraction >= FULL {
-                phi.abs()
-            } else if fraction <= 0.0 {
-                0.0
-            } else {
-                let plane = Plane::new(self.normal(donor), fraction);
-                let share = phi.abs() / self.cell[donor];
-                plane.slab(self.axis, phi > 0.0, share) * self.cell[donor]
+    /// Takes off what the high faces of a plane of cells sweep and adds what the low ones do: new volumes of the displaced
+    /// cells.
+    pub(crate) fn undo_displacement(&self, plane: usize, displacement: &[Real], cell: &mut [Real]) {
+        let Self { grid, axis, .. } = *self;
+        let ([nx, ny, nz], [_, row, base]) = (grid.cells(), grid.stride);
+        let base = plane * base;
+        // Nothing is swept by the walls of the box; those across x are at the ends of the rows.
+        let ends = usize::from(axis == 0);
+        let (own, x_faces) = (ends..nx - ends, &grid.faces[0][ends..=nx - ends]);
+        for j in (0..ny).filter(|j| plane <= nz && self.row_active[(base + (j + 1) * row) / row]) {
+            let (start, layer) = (base + (j + 1) * row + 1, [ends, j, plane - 1][axis]);
+            let four = |open: bool, n: usize| {
+                let [a, b] = [(axis + 1) % 3, (axis + 2) % 3].map(|other| grid.stride[other]);
+                // The lowest plane is all ghosts, which do not move.
+                [0, a, b, a + b].map(|corner| if open { n + corner } else { 0 })
             };
-            // The void must not be overdrawn either: these bounds keep the fraction between 0 and 1.
-            let void = self.cell[donor] - self.soil[donor];
-            let bounded = through.max(phi.abs() - void).max(0.0).min(self.soil[donor]).min(phi.abs());
-            flux[c - base] = bounded.copysign(phi);
-        });
-    }
-
-    /// Normal of the surface in a cell, from soil to void, in unit-cell coordinates: from the heights of the columns round
-    /// it where the surface is a graph there, else from the smoothed gradient of the volume fraction.
-    fn normal(&self, c: usize) -> [f64; 3] {
-        let youngs = self.normal_from_gradient(c);
-        self.normal_from_heights(c, youngs).unwrap_or(youngs)
-    }
-
-    /// Second-order normal from the heights of soil in the four columns beside the cell (Cummins, Francois & Kothe 2005);
-    /// `None` where a column does not reach from full to void within three cells up and down.
-    fn normal_from_heights(&self, c: usize, rough: [f64; 3]) -> Option<[f64; 3]> {
-        const REACH: usize = 2;
-        let size = rough.map(f64::abs);
-        let up = if size[0] >= size[1] && size[0] >= size[2] {
-            0
-        } else if size[1] >= size[2] {
-            1
-        } else {
-            2
-        };
-        let place = self.grid.place(c);
-        let cells = self.grid.cells();
-        let [first, second] = [(up + 1) % 3, (up + 2) % 3];
-        let inside = |axis: usize, reach: usize| place[axis] >= reach && place[axis] + reach < cells[axis];
-        if !inside(up, REACH) {
-            return None;
-        }
-        let stride = self.grid.stride[up];
-        let height = |middle: usize| {
-            let low = middle - REACH * stride;
-            let (bottom, top) = (self.fraction[low], self.fraction[low + 2 * REACH * stride]);
-            let full_to_void = (bottom > FULL && top == 0.0) || (bottom == 0.0 && top > FULL);
-            // From both ends to the middle: upside down the sum is the same to the bit.
-            let pair =
-                |n: usize| self.fraction[low + n * stride] + self.fraction[low + (2 * REACH - n) * stride];
-            full_to_void.then_some((pair(0) + pair(1)) + self.fraction[middle])
-        };
-        let slope = |axis: usize| -> Option<f64> {
-            if cells[axis] == 1 {
-                return Some(0.0);
-            }
-            let s = self.grid.stride[axis];
-            inside(axis, 1).then_some(())?;
-            Some(0.5 * (height(c + s)? - height(c - s)?))
-        };
-        let mut normal = [0.0; 3];
-        normal[up] = rough[up].signum();
-        normal[first] = -slope(first)?;
-        normal[second] = -slope(second)?;
-        Some(normal)
-    }
-
-    /// Normal from the gradient of the volume fraction over 27 cells (Youngs 1984); neighbours outside the grid are taken
-    /// equal to the cells inside.
-    fn normal_from_gradient(&self, c: usize) -> [f64; 3] {
-        let grid = self.grid;
-        let place = grid.place(c);
-        let cells = grid.cells();
-        // Offsets to the neighbours, or 0 where there is none.
-        let offset: [[isize; 3]; 3] = std::array::from_fn(|axis| {
-            let s = grid.stride[axis].cast_signed();
-            let low = if place[axis] > 0 { -s } else { 0 };
-            let high = if place[axis] + 1 < cells[axis] { s } else { 0 };
-            [low, 0, high]
-        });
-        const WEIGHT: [f64; 3] = [1.0, 2.0, 1.0];
-        let mut gradient = [0.0; 3];
-        for (z, dz) in offset[2].iter().enumerate() {
-            for (x, dx) in offset[0].iter().enumerate() {
-                // The two sides of y are added first: a mirror in y then changes no bit.
-                let [low, middle, high] =
-                    offset[1].map(|dy| self.fraction[c.wrapping_add_signed(dx + dy + dz)]);
-                let sum = (low + high) + 2.0 * middle;
-                gradient[0] += sum * WEIGHT[z] * (x as f64 - 1.0);
-                gradient[1] += (high - low) * WEIGHT[x] * WEIGHT[z];
-                gradient[2] += sum * WEIGHT[x] * (z as f64 - 1.0);
+            let swept = |places: [usize; 4]| places.map(|n| &displacement[n..n + own.len()]);
+            let (c, s) = (start + own.start, grid.stride[axis]);
+            let faces = [four(layer > 0, c), four(layer + 1 < grid.cells()[axis], c + s)].map(swept);
+            let across = match axis {
+                0 => grid.width(1, j) * grid.width(2, plane - 1),
+                1 => grid.width(2, plane - 1),
+                _ => grid.width(1, j),
+            };
+            undo_row(faces, (axis > 0).then_some(x_faces), across, &mut cell[c - base..][..own.len()]);
+            if axis == 0 {
+                let [first, last] = [start, start + nx - 1];
+                cell[first - base] -= self.swept(displacement, first + 1, plane, [0, j]) as Real;
+                cell[last - base] += self.swept(displacement, last, plane, [nx - 1, j]) as Real;
             }
         }
-        gradient.map(|g| -g)
     }
 
     /// How far along its slope, in cells, the value carried through the low faces of a plane lies from the middle of the
     /// donor: half of what the flux leaves behind; 0 where the donor is not full or a neighbour holds little soil.
-    pub(crate) fn reaches(&self, plane: usize, flux: &[f64], out: &mut [f64]) {
+    pub(crate) fn reaches(&self, plane: usize, [flux, fraction, soil]: [&[Real]; 3], out: &mut [Real]) {
         self.each_row(plane, out, |row, own| {
-            reach_row(row.of(flux), row.round(self.fraction), row.round(self.soil), own)
+            reach_row(row.of(flux), row.round(fraction), row.round(soil), own)
         });
     }
 
-    /// Mass that crosses the low faces of a plane of cells [kg].
+    /// Mass that crosses the low faces of a plane of cells [kg], with `soil` volumes as they were before the sweep.
     pub(crate) fn mass_fluxes(
         &self,
         plane: usize,
-        mass: &[f64],
-        [flux, reach]: [&[f64]; 2],
-        out: &mut [f64],
+        [soil, mass]: [&[Real]; 2],
+        [flux, reach]: [&[Real]; 2],
+        out: &mut [Real],
     ) {
         self.each_row(plane, out, |row, own| {
-            mass_row(row.of(flux), row.of(reach), row.round(mass), row.round(self.soil), own)
+            mass_row(row.of(flux), row.of(reach), row.round(mass), row.round(soil), own)
         });
     }
 
-    /// New value of a carried field in a plane of cells.
-    pub(crate) fn carry(&self, plane: usize, field: &[f64], [flux, reach]: [&[f64]; 2], out: &mut [f64]) {
+    /// New value of a carried field in a plane of cells, with `soil` volumes as they were before the sweep.
+    pub(crate) fn carry(
+        &self,
+        plane: usize,
+        [soil, field]: [&[Real]; 2],
+        [flux, reach]: [&[Real]; 2],
+        out: &mut [Real],
+    ) {
         let base = plane * self.grid.stride[2];
         out.copy_from_slice(&field[base..base + out.len()]);
         self.each_row(plane, out, |row, own| {
             let faces = [row.of(flux), row.above(flux), row.of(reach), row.above(reach)];
-            carry_row(faces, row.round(field), row.of(self.soil), own);
+            carry_row(faces, row.round(field), row.of(soil), own);
         });
     }
 
     /// Calls `job(row, part of out)` for the active rows of a storage plane of cells.
-    fn each_row(&self, plane: usize, out: &mut [f64], job: impl Fn(Row, &mut [f64])) {
+    fn each_row(&self, plane: usize, out: &mut [Real], job: impl Fn(Row, &mut [Real])) {
         let [_, ny, nz] = self.grid.cells();
         let [_, row, stride] = self.grid.stride;
         for q in (1..=ny).filter(|q| plane <= nz && self.row_active[plane * (stride / row) + q]) {
@@ -237,25 +145,25 @@ impl Row {
     }
 
     /// The row of an array at a place; beyond the array that of the lowest plane, which is all ghosts.
-    fn at(self, array: &[f64], start: Option<usize>) -> &[f64] {
+    fn at(self, array: &[Real], start: Option<usize>) -> &[Real] {
         let start = start.filter(|s| s + self.length <= array.len()).unwrap_or(self.start % self.plane);
         &array[start..start + self.length]
     }
 
-    fn of(self, array: &[f64]) -> &[f64] {
+    fn of(self, array: &[Real]) -> &[Real] {
         self.at(array, Some(self.start))
     }
 
-    fn above(self, array: &[f64]) -> &[f64] {
+    fn above(self, array: &[Real]) -> &[Real] {
         self.at(array, Some(self.start + self.stride))
     }
 
-    fn below(self, array: &[f64]) -> &[f64] {
+    fn below(self, array: &[Real]) -> &[Real] {
         self.at(array, self.start.checked_sub(self.stride))
     }
 
     /// The rows from two below to two above.
-    fn round(self, array: &[f64]) -> [&[f64]; 5] {
+    fn round(self, array: &[Real]) -> [&[Real]; 5] {
         let (start, s) = (self.start, self.stride);
         let places = [start.checked_sub(2 * s), start.checked_sub(s)].into_iter();
         let mut places = places.chain([start, start + s, start + 2 * s].map(Some));
@@ -266,7 +174,7 @@ impl Row {
 /// Value carried over a face by `flux`, from the values in the two cells below it and the two above: the donor's, moved
 /// by `reach` of its limited slope.
 #[inline(always)]
-fn carried([far_low, low, high, far_high]: [f64; 4], flux: f64, reach: f64) -> f64 {
+fn carried([far_low, low, high, far_high]: [Real; 4], flux: Real, reach: Real) -> Real {
     let forward = flux > 0.0;
     let own = if forward { low } else { high };
     let behind = if forward { low - far_low } else { high - low };
@@ -274,8 +182,26 @@ fn carried([far_low, low, high, far_high]: [f64; 4], flux: f64, reach: f64) -> f
     own + reach * monotonised_central(behind, ahead)
 }
 
+/// Takes off the volumes swept by the high faces of a row and adds those by the low ones; the faces' areas are `across` times
+/// the widths along x, if there are any.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn reach_row(flux: &[f64], fraction: [&[f64]; 5], soil: [&[f64]; 5], out: &mut [f64]) {
+fn undo_row([low, high]: [[&[Real]; 4]; 2], x_faces: Option<&[f64]>, across: f64, cell: &mut [Real]) {
+    let n = cell.len();
+    let ([l0, l1, l2, l3], [h0, h1, h2, h3]) = (low.map(|u| &u[..n]), high.map(|u| &u[..n]));
+    let mut undo = |i: usize, area: f64| {
+        let low = [f64::from(l0[i]), f64::from(l1[i]), f64::from(l2[i]), f64::from(l3[i])];
+        let high = [f64::from(h0[i]), f64::from(h1[i]), f64::from(h2[i]), f64::from(h3[i])];
+        let swept = |u: [f64; 4]| 0.25 * area * ((u[0] + u[1]) + (u[2] + u[3]));
+        cell[i] -= (swept(high) - swept(low)) as Real;
+    };
+    match x_faces.map(|x| &x[..=n]) {
+        Some(x) => (0..n).for_each(|i| undo(i, (x[i + 1] - x[i]) * across)),
+        None => (0..n).for_each(|i| undo(i, across)),
+    }
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn reach_row(flux: &[Real], fraction: [&[Real]; 5], soil: [&[Real]; 5], out: &mut [Real]) {
     let n = out.len();
     let ([f0, f1, f2, f3, _], [_, v1, v2, ..]) = (fraction.map(|f| &f[..n]), soil.map(|v| &v[..n]));
     let flux = &flux[..n];
@@ -290,11 +216,13 @@ fn reach_row(flux: &[f64], fraction: [&[f64]; 5], soil: [&[f64]; 5], out: &mut [
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn mass_row(flux: &[f64], reach: &[f64], mass: [&[f64]; 5], soil: [&[f64]; 5], out: &mut [f64]) {
+fn mass_row(flux: &[Real], reach: &[Real], mass: [&[Real]; 5], soil: [&[Real]; 5], out: &mut [Real]) {
     let n = out.len();
     let (flux, reach) = (&flux[..n], &reach[..n]);
-    let ([m0, m1, m2, m3, _], [v0, v1, v2, v3, _]) = (mass.map(|m| &m[..n]), soil.map(|v| &v[..n]));
-    let density = |mass: f64, volume: f64| if volume > 0.0 { mass / volume } else { 0.0 };
+    let ([m0, m1, m2, m3, _], [v0, v1, v2, v3, _]) = (mass, soil);
+    let (m0, m1, m2, m3) = (&m0[..n], &m1[..n], &m2[..n], &m3[..n]);
+    let (v0, v1, v2, v3) = (&v0[..n], &v1[..n], &v2[..n], &v3[..n]);
+    let density = |mass: Real, volume: Real| if volume > 0.0 { mass / volume } else { 0.0 };
     for i in 0..n {
         let densities =
             [density(m0[i], v0[i]), density(m1[i], v1[i]), density(m2[i], v2[i]), density(m3[i], v3[i])];
@@ -303,10 +231,11 @@ fn mass_row(flux: &[f64], reach: &[f64], mass: [&[f64]; 5], soil: [&[f64]; 5], o
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn carry_row(faces: [&[f64]; 4], field: [&[f64]; 5], soil: &[f64], out: &mut [f64]) {
+fn carry_row(faces: [&[Real]; 4], field: [&[Real]; 5], soil: &[Real], out: &mut [Real]) {
     let n = out.len();
-    let [low, high, reach_low, reach_high] = faces.map(|f| &f[..n]);
-    let ([q0, q1, q2, q3, q4], soil) = (field.map(|q| &q[..n]), &soil[..n]);
+    let ([low, high, reach_low, reach_high], [q0, q1, q2, q3, q4]) = (faces, field);
+    let (low, high, reach_low, reach_high) = (&low[..n], &high[..n], &reach_low[..n], &reach_high[..n]);
+    let (q0, q1, q2, q3, q4, soil) = (&q0[..n], &q1[..n], &q2[..n], &q3[..n], &q4[..n], &soil[..n]);
     for i in 0..n {
         let into = low[i] * carried([q0[i], q1[i], q2[i], q3[i]], low[i], reach_low[i]);
         let out_of = high[i] * carried([q1[i], q2[i], q3[i], q4[i]], high[i], reach_high[i]);
@@ -318,7 +247,7 @@ fn carry_row(faces: [&[f64]; 4], field: [&[f64]; 5], soil: &[f64], out: &mut [f6
 }
 
 /// Takes off what flows out through the high faces of a plane and adds what flows in through the low ones.
-pub(crate) fn difference(grid: &Grid, axis: usize, plane: usize, face: &[f64], out: &mut [f64]) {
+pub(crate) fn difference(grid: &Grid, axis: usize, plane: usize, face: &[Real], out: &mut [Real]) {
     let (base, s) = (plane * grid.stride[2], grid.stride[axis]);
     let n = out.len().min(face.len() - base - s);
     let (low, high) = (&face[base..base + n], &face[base + s..base + s + n]);
@@ -328,7 +257,7 @@ pub(crate) fn difference(grid: &Grid, axis: usize, plane: usize, face: &[f64], o
 }
 
 /// Calls `job(row, part of out)` for the rows of nodes in a storage plane.
-fn each_node_row(grid: &Grid, axis: usize, plane: usize, out: &mut [f64], job: impl Fn(Row, &mut [f64])) {
+fn each_node_row(grid: &Grid, axis: usize, plane: usize, out: &mut [Real], job: impl Fn(Row, &mut [Real])) {
     let row = grid.stride[1];
     for q in 1..=grid.cells()[1] + 1 {
         job(Row::new(grid, axis, [q, plane]), &mut out[q * row..(q + 1) * row]);
@@ -336,7 +265,7 @@ fn each_node_row(grid: &Grid, axis: usize, plane: usize, out: &mut [f64], job: i
 }
 
 /// Mass that crosses the dual faces between node `n` and the next along the axis [kg], for a plane of nodes.
-pub(crate) fn dual_fluxes(grid: &Grid, axis: usize, plane: usize, mass_flux: &[f64], out: &mut [f64]) {
+pub(crate) fn dual_fluxes(grid: &Grid, axis: usize, plane: usize, mass_flux: &[Real], out: &mut [Real]) {
     out.fill(0.0);
     if axis == 2 && plane > grid.cells()[2] {
         return;
@@ -352,9 +281,11 @@ pub(crate) fn dual_fluxes(grid: &Grid, axis: usize, plane: usize, mass_flux: &[f
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn dual_flux_row(faces: [[&[f64]; 2]; 4], out: &mut [f64]) {
+fn dual_flux_row(faces: [[&[Real]; 2]; 4], out: &mut [Real]) {
     let n = out.len();
-    let [[a0, a1], [b0, b1], [c0, c1], [d0, d1]] = faces.map(|pair| pair.map(|f| &f[..n]));
+    let [[a0, a1], [b0, b1], [c0, c1], [d0, d1]] = faces;
+    let (a0, a1, b0, b1) = (&a0[..n], &a1[..n], &b0[..n], &b1[..n]);
+    let (c0, c1, d0, d1) = (&c0[..n], &c1[..n], &d0[..n], &d1[..n]);
     for i in 0..n {
         out[i] = 0.125 * (((a0[i] + a1[i]) + (b0[i] + b1[i])) + ((c0[i] + c1[i]) + (d0[i] + d1[i])));
     }
@@ -365,9 +296,9 @@ pub(crate) fn dual_reaches(
     grid: &Grid,
     axis: usize,
     plane: usize,
-    [mass, flux]: [&[f64]; 2],
-    mass_moved: f64,
-    out: &mut [f64],
+    [mass, flux]: [&[Real]; 2],
+    mass_moved: Real,
+    out: &mut [Real],
 ) {
     each_node_row(grid, axis, plane, out, |row, own| {
         dual_reach_row(row.of(flux), row.round(mass), mass_moved, own);
@@ -375,7 +306,7 @@ pub(crate) fn dual_reaches(
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn dual_reach_row(flux: &[f64], mass: [&[f64]; 5], mass_moved: f64, out: &mut [f64]) {
+fn dual_reach_row(flux: &[Real], mass: [&[Real]; 5], mass_moved: Real, out: &mut [Real]) {
     let n = out.len();
     let ([_, m0, m1, m2, m3], flux) = (mass.map(|m| &m[..n]), &flux[..n]);
     for i in 0..n {
@@ -389,7 +320,7 @@ fn dual_reach_row(flux: &[f64], mass: [&[f64]; 5], mass_moved: f64, out: &mut [f
 }
 
 /// New masses of a plane of nodes after the dual fluxes.
-pub(crate) fn carry_mass(grid: &Grid, axis: usize, plane: usize, flux: &[f64], out: &mut [f64]) {
+pub(crate) fn carry_mass(grid: &Grid, axis: usize, plane: usize, flux: &[Real], out: &mut [Real]) {
     each_node_row(grid, axis, plane, out, |row, own| {
         for ((mass, low), high) in own.iter_mut().zip(row.below(flux)).zip(row.of(flux)) {
             *mass -= high - low;
@@ -402,8 +333,8 @@ pub(crate) fn carry_momentum(
     grid: &Grid,
     axis: usize,
     plane: usize,
-    [velocity, mass, flux, reach]: [&[f64]; 4],
-    out: &mut [f64],
+    [velocity, mass, flux, reach]: [&[Real]; 4],
+    out: &mut [Real],
 ) {
     let base = plane * grid.stride[2];
     out.copy_from_slice(&velocity[base..base + out.len()]);
@@ -414,12 +345,13 @@ pub(crate) fn carry_momentum(
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn momentum_row(faces: [&[f64]; 4], velocity: [&[f64]; 5], mass: &[f64], out: &mut [f64]) {
+fn momentum_row(faces: [&[Real]; 4], velocity: [&[Real]; 5], mass: &[Real], out: &mut [Real]) {
     let n = out.len();
-    let [low, high, reach_low, reach_high] = faces.map(|f| &f[..n]);
-    let ([v0, v1, v2, v3, v4], mass) = (velocity.map(|v| &v[..n]), &mass[..n]);
-    let least = |a: f64, b: f64| if b < a { b } else { a };
-    let most = |a: f64, b: f64| if b > a { b } else { a };
+    let ([low, high, reach_low, reach_high], [v0, v1, v2, v3, v4]) = (faces, velocity);
+    let (low, high, reach_low, reach_high) = (&low[..n], &high[..n], &reach_low[..n], &reach_high[..n]);
+    let (v0, v1, v2, v3, v4, mass) = (&v0[..n], &v1[..n], &v2[..n], &v3[..n], &v4[..n], &mass[..n]);
+    let least = |a: Real, b: Real| if b < a { b } else { a };
+    let most = |a: Real, b: Real| if b > a { b } else { a };
     for i in 0..n {
         let into = carried([v0[i], v1[i], v2[i], v3[i]], low[i], reach_low[i]);
         let out_of = carried([v1[i], v2[i], v3[i], v4[i]], high[i], reach_high[i]);

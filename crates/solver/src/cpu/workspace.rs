@@ -1,12 +1,12 @@
 //! Memory that the step works in and that is worth nothing between steps.
 
-use crate::cpu::contact::{self, BodyCell, ContactLaw, TouchedNode};
+use super::contact::{self, BodyCell, ContactLaw, Drive, TouchedNode};
+use super::stress::Block;
+use super::{Real, State};
 use crate::cpu::stopwatch::Stopwatch;
-use crate::cpu::stress::Block;
-use crate::cpu::threads::{Cut, Team};
+use crate::cpu::threads::{Cut, MOST, Team};
 use crate::grid::Grid;
 use crate::model::Model;
-use crate::state::State;
 use glam::DVec3;
 use physics::shape::SurfacePoint;
 
@@ -22,22 +22,25 @@ pub struct Workspace {
     pub(crate) team: Team,
     /// How planes (storage planes 1 to nz + 1: nodes, and the cells above them) are dealt out.
     pub(crate) cut: Cut,
+    /// Cost of each plane when they were dealt out last.
+    pub(crate) costs: Vec<f64>,
     /// Whether a row of cells holds soil, by storage plane and row.
     pub(crate) row_has_soil: Vec<bool>,
-    /// Nodal velocities of the step before; room for the remap between steps.
-    pub(crate) velocity_before: [Vec<f64>; 3],
-    /// Share of each cell that bodies take up.
-    pub(crate) occupied: Vec<f64>,
-    /// The cells in which it is not zero, body by body.
+    /// How many of the two arrays of velocities are known to be zero where no soil is.
+    pub(crate) clear: u8,
+    /// Nodal velocities of the step before. Between steps they are worth nothing, and room for others: for the remap, and
+    /// the first, from then till the contact points are located, for the share of each cell that bodies take up.
+    pub(crate) velocity_before: [Vec<Real>; 3],
+    /// The cells of which bodies take up a share, body by body.
     pub(crate) body_cells: Vec<BodyCell>,
-    /// Arrays for the remap.
-    pub(crate) scratch: [Vec<f64>; 3],
     /// One for each worker.
     pub(crate) workers: Vec<WorkerScratch>,
     /// Sums over rows of the Lagrangian step.
     pub(crate) row_sums: Vec<RowSums>,
+    /// Two values for each row, to be added up.
+    pub(crate) row_values: Vec<[f64; 2]>,
     /// Widths of the cell layers along x [m], in storage columns (0 in ghosts), and ¼ over them.
-    pub(crate) width_x: [Vec<f64>; 2],
+    pub(crate) width_x: [Vec<Real>; 2],
     /// How soil and bodies act on each other.
     pub(crate) contact_law: Box<dyn ContactLaw>,
     /// Surface points of the bodies.
@@ -46,10 +49,12 @@ pub struct Workspace {
     pub(crate) touched: Vec<TouchedNode>,
     /// For each contact, the places of its cell's nodes among them.
     pub(crate) corner_nodes: Vec<[u32; 8]>,
-    /// For each contact in soil the number of its patch, and how many patches there are.
-    pub(crate) patch: (Vec<Option<usize>>, usize),
+    /// For each contact the number of its patch; for each patch the forces that are missing at its nodes.
+    pub(crate) patch: (Vec<usize>, Vec<[DVec3; 8]>),
     /// Frictional impulse at each contact in the last step [N s].
     pub(crate) friction: Vec<DVec3>,
+    /// How each body came through the last step.
+    pub(crate) drives: Vec<Drive>,
 }
 
 impl std::fmt::Debug for Workspace {
@@ -61,17 +66,25 @@ impl std::fmt::Debug for Workspace {
 /// What a worker needs for itself.
 pub(crate) struct WorkerScratch {
     /// Force coefficients of two rows of cells in turn.
-    pub(crate) coefficients: [Vec<f64>; 2],
+    pub(crate) coefficients: [Coefficients; 2],
     /// Force and damping (four rows for each row of nodes) on a plane of nodes by the cells below it.
-    pub(crate) below: Vec<f64>,
-    /// The same on the lowest plane of nodes by the cells above it.
-    pub(crate) waiting: Vec<f64>,
+    pub(crate) below: Vec<Real>,
+    /// The same on the lowest plane of nodes by the cells above it; the first worker's nodes wait for nobody.
+    pub(crate) waiting: Vec<Real>,
     /// Row buffers of the nodes.
-    pub(crate) row: Vec<f64>,
+    pub(crate) row: Vec<Real>,
     /// Block of cells.
     pub(crate) block: Box<Block>,
     /// Where this worker's time goes.
     pub(crate) stopwatch: Stopwatch,
+}
+
+/// Force coefficients of a row of cells.
+pub(crate) struct Coefficients {
+    /// One row after the other.
+    pub(crate) values: Vec<Real>,
+    /// Whether all are zero.
+    pub(crate) are_zero: bool,
 }
 
 /// Sums over a row, in an order that does not depend on the number of threads.
@@ -91,6 +104,8 @@ pub struct RowSums {
     pub displacement: f64,
     /// The same of the nodes that only a few grains hang on [m].
     pub displacement_light: f64,
+    /// Number of cells whose stress was returned to the strength.
+    pub yields: u32,
 }
 
 /// Row buffers that the Lagrangian step needs, in rows.
@@ -101,37 +116,40 @@ impl Workspace {
     #[must_use]
     pub fn new(model: &Model, state: &State, threads: usize) -> Self {
         let grid = &model.grid;
-        let zeros = || vec![0.0; grid.entries];
         let plane = grid.stride[2];
         let planes = grid.cells()[2] + 1;
         let rows = plane / grid.stride[1];
-        let worker = |_| WorkerScratch {
-            coefficients: std::array::from_fn(|_| vec![0.0; COEFFICIENTS * grid.stride[1]]),
+        let coefficients =
+            |_| Coefficients { values: vec![0.0; COEFFICIENTS * grid.stride[1]], are_zero: true };
+        let worker = |n| WorkerScratch {
+            coefficients: std::array::from_fn(coefficients),
             below: vec![0.0; NODE_SUMS * plane],
-            waiting: vec![0.0; NODE_SUMS * plane],
+            waiting: vec![0.0; if n > 0 { NODE_SUMS * plane } else { 0 }],
             row: vec![0.0; ROW_BUFFERS * grid.stride[1]],
             block: Block::new(),
             stopwatch: Stopwatch::default(),
         };
-        let threads = threads.clamp(1, planes);
+        let threads = threads.clamp(1, planes.min(MOST));
         let (touched, corner_nodes) = contact::touched_nodes(model, &state.contacts);
         let mut workspace = Self {
             team: Team::new(threads),
             cut: Cut::new(1, &vec![1.0; planes], threads, plane),
+            costs: vec![0.0; planes],
             row_has_soil: vec![false; rows * (planes + 1)],
+            clear: 0,
             velocity_before: state.nodes.velocity.clone(),
-            occupied: zeros(),
             body_cells: Vec::new(),
-            scratch: std::array::from_fn(|_| zeros()),
             workers: (0..threads).map(worker).collect(),
             row_sums: vec![RowSums::default(); rows * (planes + 1)],
+            row_values: vec![[0.0; 2]; rows * (planes + 1)],
             width_x: column_widths(grid),
             contact_law: contact::law(model),
             points: model.bodies.iter().map(|b| contact::surface_points(model, b)).collect(),
             touched,
             corner_nodes,
-            patch: contact::number_patches(&state.contacts),
+            patch: contact::number_patches(model, &state.soil, &state.bodies, &state.contacts),
             friction: Vec::new(),
+            drives: vec![Drive::default(); model.bodies.len()],
         };
         workspace.find_soil(grid, &state.soil.fraction);
         workspace
@@ -143,24 +161,34 @@ impl Workspace {
         self.team.size()
     }
 
-    /// Memory that it takes up [bytes], but for what grows with the bodies' surfaces.
+    /// Memory that it takes up [bytes], but for what the contact law keeps during a step.
     #[must_use]
     pub fn memory(&self) -> usize {
         let own = |w: &WorkerScratch| {
-            let rows = w.coefficients.iter().chain([&w.below, &w.waiting, &w.row]);
+            let rows = w.coefficients.iter().map(|c| &c.values).chain([&w.below, &w.waiting, &w.row]);
             rows.map(|row| size_of_val(row.as_slice())).sum::<usize>() + size_of_val(&*w.block)
         };
-        let fields = self.scratch.iter().chain(&self.velocity_before);
-        fields.map(|field| size_of_val(field.as_slice())).sum::<usize>()
+        self.velocity_before.iter().map(|field| size_of_val(field.as_slice())).sum::<usize>()
             + self.workers.iter().map(own).sum::<usize>()
             + size_of_val(self.row_sums.as_slice())
             + size_of_val(self.row_has_soil.as_slice())
-            + size_of_val(self.occupied.as_slice())
+            + size_of_val(self.row_values.as_slice())
+            + self.points.iter().map(|points| size_of_val(points.as_slice())).sum::<usize>()
+            + size_of_val(self.body_cells.as_slice())
+            + size_of_val(self.touched.as_slice())
+            + size_of_val(self.corner_nodes.as_slice())
+            + size_of_val(self.patch.0.as_slice())
+            + size_of_val(self.friction.as_slice())
     }
 
     /// Where the time of the calling thread goes.
     pub fn stopwatch(&mut self) -> &mut Stopwatch {
         &mut self.workers[0].stopwatch
+    }
+
+    /// Sums over all rows, in the order of the memory.
+    pub(crate) fn total_of_rows(&self) -> [f64; 2] {
+        self.row_values.iter().fold([0.0; 2], |sum, own| [sum[0] + own[0], sum[1] + own[1]])
     }
 
     /// Rows per plane.
@@ -169,52 +197,54 @@ impl Workspace {
     }
 
     /// Notes which rows hold soil, and deals the planes out anew.
-    pub(crate) fn find_soil(&mut self, grid: &Grid, fraction: &[f64]) {
-        let (row, rows) = (grid.stride[1], Self::rows(grid));
-        let planes = grid.cells()[2] + 1;
-        let mut cost = vec![0.0; planes];
-        self.row_has_soil.fill(false);
-        for (n, cells) in fraction[..rows * (planes + 1) * row].chunks_exact(row).enumerate() {
+    pub(crate) fn find_soil(&mut self, grid: &Grid, fraction: &[Real]) {
+        for (n, cells) in fraction.chunks_exact(grid.stride[1]).take(self.row_has_soil.len()).enumerate() {
             self.row_has_soil[n] = cells.iter().any(|f| *f > 0.0);
-            let plane = n / rows;
-            if plane >= 1 {
-                cost[plane - 1] += if self.row_has_soil[n] { 1.0 } else { 0.02 };
+            if !self.row_has_soil[n] {
+                self.row_sums[n] = RowSums::default();
             }
         }
-        self.cut = Cut::new(1, &cost, self.team.size(), grid.stride[2]);
+        self.deal(grid);
+    }
+
+    /// Deals the planes out to the workers by what they cost: rows with soil, and cells that yield.
+    pub(crate) fn deal(&mut self, grid: &Grid) {
+        /// A row without soil, over one with soil.
+        const VOID: f64 = 0.02;
+        /// Return of one cell's stress to the strength, over all else that is done for a cell.
+        const RETURN: f64 = 1.2;
+        let rows = Self::rows(grid);
+        let per_cell = RETURN / grid.cells()[0] as f64;
+        for (plane, cost) in self.costs.iter_mut().enumerate() {
+            let own = (plane + 1) * rows..(plane + 2) * rows;
+            let each = self.row_has_soil[own.clone()].iter().zip(&self.row_sums[own]);
+            *cost = each
+                .map(|(soil, sums)| if *soil { 1.0 + per_cell * f64::from(sums.yields) } else { VOID })
+                .sum();
+        }
+        self.cut.deal(1, &self.costs, self.team.size());
     }
 }
 
-fn column_widths(grid: &Grid) -> [Vec<f64>; 2] {
+fn column_widths(grid: &Grid) -> [Vec<Real>; 2] {
     let mut widths = vec![0.0; grid.stride[1] + crate::grid::LANES];
     for i in 0..grid.cells()[0] {
         widths[i + 1] = grid.width(0, i);
     }
-    let per_width = widths.iter().map(|w| if *w > 0.0 { 0.25 / w } else { 0.0 }).collect();
-    [widths, per_width]
-}
-
-/// Splits any per-row array like the planes.
-pub(crate) fn split_rows<'a, T>(cut: &Cut, rows: usize, array: &'a mut [T]) -> Vec<&'a mut [T]> {
-    let mut rest = &mut array[cut.bounds[0] * rows..];
-    let mut parts = Vec::with_capacity(cut.bounds.len() - 1);
-    for range in cut.ranges() {
-        let (part, after) = rest.split_at_mut(range.len() * rows);
-        parts.push(part);
-        rest = after;
-    }
-    parts
+    let per_width = widths.iter().map(|w| if *w > 0.0 { (0.25 / w) as Real } else { 0.0 }).collect();
+    [widths.into_iter().map(|w: f64| w as Real).collect(), per_width]
 }
 
 /// Sum in eight lanes that are added up at the end: the same whatever the processor's vectors are.
 #[inline(always)]
-pub(crate) fn lane_sum(values: &[f64]) -> f64 {
-    let mut lanes = [0.0; 8];
+pub(crate) fn lane_sum(values: &[Real]) -> f64 {
+    let mut lanes: [Real; 8] = [0.0; 8];
     for chunk in values.chunks_exact(8) {
         for (lane, value) in lanes.iter_mut().zip(chunk) {
             *lane += value;
         }
     }
-    let tail: f64 = values.chunks_exact(8).remainder().iter().sum();
+    let tail: Real = values.chunks_exact(8).remainder().iter().sum();
+    let (lanes, tail) = (lanes.map(f64::from), f64::from(tail));
     ((lanes[0] + lanes[4]) + (lanes[1] + lanes[5])) + ((lanes[2] + lanes[6]) + (lanes[3] + lanes[7])) + tail
 }

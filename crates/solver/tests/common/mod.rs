@@ -27,5 +27,5 @@ pub fn sand(faces: [Vec<f64>; 3]) -> Model {
 
 /// Soil everywhere below a height.
 pub fn below(height: f64) -> Filling {
-    Filling { low: DVec3::splat(-1e9), high: DVec3::new(1e9, 1e9, height) }
+    Filling::between(DVec3::splat(-1e9), DVec3::new(1e9, 1e9, height))
 }

@@ -3,7 +3,7 @@
 use super::extent::path;
 use crate::case::estimate;
 use crate::case::problem::Problems;
-use crate::case::resolved::{Body, Case, Domain, Freedom, Grid, Shape};
+use crate::case::resolved::{Body, Case, Domain, Freedom, Grid, Precision, Shape};
 use crate::case::schema::{Schema, Section};
 
 /// More time steps than any machine would finish.
@@ -148,8 +148,13 @@ pub(super) fn can_be_computed(schema: &Schema, case: &Case, problems: &mut Probl
 }
 
 /// Refuses a grid for which this machine has no memory; nothing of that size has been allocated yet.
-pub(super) fn fits_into_memory(section: &Section, grid: &Grid, problems: &mut Problems) {
-    let needed = estimate::memory(grid);
+pub(super) fn fits_into_memory(
+    section: &Section,
+    grid: &Grid,
+    precision: Precision,
+    problems: &mut Problems,
+) {
+    let needed = estimate::memory(grid, precision);
     let Some(available) = estimate::memory_available() else { return };
     if needed > available {
         let gigabyte = |bytes: f64| bytes / 1e9;

@@ -95,7 +95,7 @@ fn needed(ground: &Ground, domain: &Domain, axis: usize) -> Option<f64> {
 fn anchors(ground: &Ground, domain: &Domain) -> [f64; 3] {
     match *ground {
         Ground::Level { surface } => [0.0, 0.0, surface],
-        Ground::Column { low, high } => {
+        Ground::Column { low, high, .. } => {
             let side = |axis: usize| {
                 if low[axis] > domain.low[axis] {
                     low[axis]

@@ -13,7 +13,7 @@ mod timing;
 
 use super::problem::Problems;
 use super::ranges::{self, ANY, NOT_NEGATIVE, POSITIVE, SHARE};
-use super::resolved::{Body, Case, Contact, Law, Numerics};
+use super::resolved::{Body, Case, Contact, Law, Numerics, Precision};
 use super::schema::{Schema, Section};
 
 /// What the parts of a case share.
@@ -67,11 +67,12 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
     let domain = extent::domain(&schema.domain, &frame, &bodies, duration, problems)?;
     let ground = extent::ground(&schema.ground, frame.surface, &domain, problems)?;
     let soil = soil?;
+    let velocity = extent::velocity(&schema.ground, &domain, problems)?;
     let overburden = soil::overburden(&schema.ground, &soil, ground.surface(), &domain, problems)?;
     checks::bodies_fit(schema, &bodies, &domain, duration, problems);
     let usual = mesh::usual_fine_zone(&frame, &domain, &bodies, duration);
     let grid = mesh::grid(&schema.grid, &frame, (&domain, &ground), &bodies, usual, problems)?;
-    checks::fits_into_memory(&schema.grid, &grid, problems);
+    checks::fits_into_memory(&schema.grid, &grid, numerics.as_ref()?.precision, problems);
     let name = name?;
     let case = Case {
         title: schema.top.text("title").map_or_else(|| name.clone(), |t| t.value),
@@ -80,6 +81,7 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
         soil,
         ground,
         overburden,
+        velocity,
         domain,
         grid,
         bodies,
@@ -151,8 +153,8 @@ const MOST_LETTERS: usize = 100;
 const EDGE_INSET: f64 = 0.5;
 
 fn numerics(section: &Section, law: Option<Law>, problems: &mut Problems) -> Option<Numerics> {
-    // Undrained soil bears more viscosity, and needs it: its contact pressure does not vanish at the surface.
-    let viscosity = if matches!(law, Some(Law::Tresca { .. })) { 0.06 } else { 0.02 };
+    // Undrained soil bears more viscosity, and needs it: its contact pressure does not vanish at the surface. Metal is alike.
+    let viscosity = if matches!(law, Some(Law::Tresca { .. } | Law::VonMises { .. })) { 0.06 } else { 0.02 };
     let mut or = |key, default, allowed| ranges::or(section, key, default, allowed, problems);
     let courant = or("courant", 0.5, &SHARE);
     let remap_displacement = or("remap_displacement", 0.1, &SHARE);
@@ -167,6 +169,10 @@ fn numerics(section: &Section, law: Option<Law>, problems: &mut Problems) -> Opt
         Some(typed) if typed.value == "penalty" => Contact::Penalty,
         _ => Contact::Impulse,
     };
+    let precision = match section.text("precision") {
+        Some(typed) if typed.value == "single" => Precision::Single,
+        _ => Precision::Double,
+    };
     Some(Numerics {
         courant: courant?,
         remap_displacement: remap_displacement?,
@@ -178,5 +184,6 @@ fn numerics(section: &Section, law: Option<Law>, problems: &mut Problems) -> Opt
         edge_inset: edge_inset?,
         point_spacing: point_spacing?,
         threads: threads? as usize,
+        precision,
     })
 }

@@ -18,6 +18,7 @@ const FRICTIONAL: [&str; 8] = [
 ];
 const SMOOTH: [&str; 2] = ["meridional_eccentricity", "deviatoric_eccentricity"];
 const UNDRAINED: [&str; 1] = ["shear_strength"];
+const METAL: [&str; 2] = ["yield_stress", "hardening_modulus"];
 
 /// The soil under `gravity` [m/s²].
 pub(super) fn soil(section: &Section, gravity: f64, problems: &mut Problems) -> Option<Soil> {
@@ -29,7 +30,7 @@ pub(super) fn soil(section: &Section, gravity: f64, problems: &mut Problems) -> 
         (young_modulus?, poisson_ratio?, weight?, law?);
     let at_rest = match law {
         Law::MohrCoulomb { friction_angle, .. } => 1.0 - friction_angle.sin(),
-        Law::Tresca { .. } | Law::Elastic => poisson_ratio / (1.0 - poisson_ratio),
+        Law::Tresca { .. } | Law::VonMises { .. } | Law::Elastic => poisson_ratio / (1.0 - poisson_ratio),
     };
     let rest_pressure_ratio = ranges::or(section, "rest_pressure_ratio", at_rest, &NOT_NEGATIVE, problems)?;
     Some(Soil { law, density, unit_weight, young_modulus, poisson_ratio, rest_pressure_ratio })
@@ -62,6 +63,7 @@ pub(super) fn overburden(
     let is_borne = match soil.law {
         Law::Elastic => true,
         Law::Tresca { shear_strength } => most - least <= 2.0 * shear_strength,
+        Law::VonMises { yield_stress, .. } => most - least <= yield_stress,
         Law::MohrCoulomb { friction_angle, cohesion, .. } => {
             let (sin, cos) = friction_angle.sin_cos();
             most - least <= (most + least) * sin + 2.0 * cohesion * cos
@@ -113,16 +115,26 @@ fn law(section: &Section, density: Option<f64>, problems: &mut Problems) -> Opti
     match law.as_str() {
         "mohr-coulomb" => {
             refuse(section, &UNDRAINED, &law, problems);
+            refuse(section, &METAL, &law, problems);
             mohr_coulomb(section, density, problems)
         }
         "tresca" => {
             refuse(section, &FRICTIONAL, &law, problems);
+            refuse(section, &METAL, &law, problems);
             let shear_strength = ranges::required(section, "shear_strength", &POSITIVE, problems)?;
             Some(Law::Tresca { shear_strength })
+        }
+        "von-mises" => {
+            refuse(section, &FRICTIONAL, &law, problems);
+            refuse(section, &UNDRAINED, &law, problems);
+            let yield_stress = ranges::required(section, "yield_stress", &POSITIVE, problems);
+            let hardening = ranges::or(section, "hardening_modulus", 0.0, &NOT_NEGATIVE, problems);
+            Some(Law::VonMises { yield_stress: yield_stress?, hardening_modulus: hardening? })
         }
         _ => {
             refuse(section, &FRICTIONAL, &law, problems);
             refuse(section, &UNDRAINED, &law, problems);
+            refuse(section, &METAL, &law, problems);
             Some(Law::Elastic)
         }
     }

@@ -7,20 +7,18 @@
 //!
 //! All sums run over neighbours in an order that a mirror in y does not change to the bit.
 
+use super::super::remap::settle_cell;
+use super::super::workspace::Workspace;
+use super::super::{Nodes, ROUNDING, Real, Soil, State};
 use super::geometry::occupy_all;
 use super::over_corners;
-use crate::cpu::remap::settle_cell;
-use crate::cpu::workspace::Workspace;
 use crate::grid::Grid;
 use crate::model::Model;
-use crate::state::{Nodes, Soil, State};
 use glam::DVec3;
 use std::collections::BTreeMap;
 
 /// Rounds of sharing out; each serves what the last left over.
 const ROUNDS: usize = 3;
-/// Overlap and room below this share of a cell are rounding.
-const ROUNDING: f64 = 1e-12;
 
 /// Finds anew where the bodies are, and puts overlapping soil back outside them.
 pub(crate) fn expel(model: &Model, state: &mut State, workspace: &mut Workspace) {
@@ -29,7 +27,7 @@ pub(crate) fn expel(model: &Model, state: &mut State, workspace: &mut Workspace)
     cells.sort_unstable();
     cells.dedup();
     for _ in 0..ROUNDS {
-        let transfers = share_out(&model.grid, &state.soil.fraction, &workspace.occupied, &cells);
+        let transfers = share_out(&model.grid, &state.soil.fraction, &workspace.velocity_before[0], &cells);
         if transfers.is_empty() {
             break;
         }
@@ -77,13 +75,14 @@ fn neighbours(grid: &Grid, cell: usize) -> impl Iterator<Item = (usize, usize)> 
 
 /// Which soil goes where: every overlap asks all neighbours that have room, in proportion to it; a cell that is asked for
 /// more than it can take gives each the same share.
-fn share_out(grid: &Grid, fraction: &[f64], occupied: &[f64], cells: &[usize]) -> Vec<Transfer> {
-    let room = |c: usize| (1.0 - occupied[c] - fraction[c]) * grid.volume_of(c);
+fn share_out(grid: &Grid, fraction: &[Real], occupied: &[Real], cells: &[usize]) -> Vec<Transfer> {
+    let held = |c: usize| f64::from(fraction[c]);
+    let room = |c: usize| (1.0 - f64::from(occupied[c]) - held(c)) * grid.volume_of(c);
     let mut asked: BTreeMap<usize, Layered<f64>> = BTreeMap::new();
     let mut transfers = Vec::new();
     for &from in cells {
         let smallest = ROUNDING * grid.volume_of(from);
-        let excess = (-room(from)).min(fraction[from] * grid.volume_of(from));
+        let excess = (-room(from)).min(held(from) * grid.volume_of(from));
         if excess <= smallest {
             continue;
         }
@@ -116,7 +115,7 @@ struct Change {
 }
 
 /// What a cell's soil carries by volume.
-fn carried(soil: &mut Soil) -> [&mut Vec<f64>; 8] {
+fn carried(soil: &mut Soil) -> [&mut Vec<Real>; 8] {
     let [xx, yy, zz, xy, yz, xz] = &mut soil.stress;
     [xx, yy, zz, xy, yz, xz, &mut soil.plastic_strain, &mut soil.gap_strain]
 }
@@ -128,28 +127,28 @@ fn carry(model: &Model, state: &mut State, transfers: &[Transfer]) {
     let mut changes: BTreeMap<usize, Change> = BTreeMap::new();
     for t in transfers {
         changes.entry(t.from).or_default().volume_out.add(t.side, t.volume);
-        let held = soil.fraction[t.from] * grid.volume_of(t.from);
-        let mass = soil.mass[t.from] * t.volume / held;
+        let held = f64::from(soil.fraction[t.from]) * grid.volume_of(t.from);
+        let mass = f64::from(soil.mass[t.from]) * t.volume / held;
         let velocity = 0.125 * over_corners(super::corners(grid.stride).map(|n| velocity(nodes, t.from + n)));
         let change = changes.entry(t.to).or_default();
         change.volume_in.add(t.side, t.volume);
         change.mass_in.add(t.side, mass);
         change.momentum_in.add(t.side, mass * velocity);
         for (sum, field) in change.carried_in.iter_mut().zip(carried(soil)) {
-            sum.add(t.side, t.volume * field[t.from]);
+            sum.add(t.side, t.volume * f64::from(field[t.from]));
         }
     }
     let mut masses = BTreeMap::new();
     for (c, change) in &changes {
-        let held = soil.fraction[*c] * grid.volume_of(*c);
+        let held = f64::from(soil.fraction[*c]) * grid.volume_of(*c);
         let (out, into) = (change.volume_out.total(), change.volume_in.total());
-        let mass_out = soil.mass[*c] * out / held;
+        let mass_out = f64::from(soil.mass[*c]) * out / held;
         let mass_in = change.mass_in.total();
-        soil.fraction[*c] = (held + (into - out)) / grid.volume_of(*c);
-        soil.mass[*c] += mass_in - mass_out;
+        soil.fraction[*c] = ((held + (into - out)) / grid.volume_of(*c)) as Real;
+        soil.mass[*c] = (f64::from(soil.mass[*c]) + (mass_in - mass_out)) as Real;
         if into > 0.0 {
             for (field, sum) in carried(soil).into_iter().zip(&change.carried_in) {
-                field[*c] = (field[*c] * held + sum.total()) / (held + into);
+                field[*c] = ((f64::from(field[*c]) * held + sum.total()) / (held + into)) as Real;
             }
             settle_cell(model, soil, *c, model.grid.volume_of(*c));
         }
@@ -159,7 +158,7 @@ fn carry(model: &Model, state: &mut State, transfers: &[Transfer]) {
 }
 
 fn velocity(nodes: &Nodes, n: usize) -> DVec3 {
-    DVec3::new(nodes.velocity[0][n], nodes.velocity[1][n], nodes.velocity[2][n])
+    DVec3::from_array(nodes.velocity.each_ref().map(|component| f64::from(component[n])))
 }
 
 /// An eighth of a cell's mass hangs on each corner: what leaves takes its momentum with it, what comes mixes.
@@ -173,12 +172,12 @@ fn move_nodes(grid: &Grid, nodes: &mut Nodes, changes: &BTreeMap<usize, (f64, f6
         let out = 0.125 * over_corners(of.map(|c| c.0));
         let mass_in = 0.125 * over_corners(of.map(|c| c.1));
         let momentum = 0.125 * over_corners(of.map(|c| c.2));
-        let left = (nodes.mass[n] - out).max(0.0);
-        nodes.mass[n] = left + mass_in;
+        let left = (f64::from(nodes.mass[n]) - out).max(0.0);
+        nodes.mass[n] = (left + mass_in) as Real;
         if mass_in > 0.0 {
-            let new = (left * velocity(nodes, n) + momentum) / nodes.mass[n];
+            let new = (left * velocity(nodes, n) + momentum) / (left + mass_in);
             for (v, new) in nodes.velocity.iter_mut().zip(new.to_array()) {
-                v[n] = new;
+                v[n] = new as Real;
             }
         }
     }

@@ -1,43 +1,57 @@
 //! Where the contact points lie in the grid, how far the soil is from them, and how much soil is inside a body.
 
+use super::super::workspace::Workspace;
+use super::super::{Real, Soil, State};
 use super::{ContactLaw, TouchedNode, corners, over_corners};
-use crate::cpu::workspace::Workspace;
 use crate::grid::Grid;
 use crate::model::{BodyModel, Model, Wall};
-use crate::state::{Body, Contact, Soil, State};
+use crate::state::{Body, Contact};
 use glam::DVec3;
 
-/// Finds every contact point's cell, weights and gap anew; measures leaked and embedded volumes. Done at every remap.
+/// Finds anew which contact points have soil to act on, with their cells, weights and gaps; measures leaked and embedded
+/// volumes. Done at every remap.
 pub(crate) fn locate(model: &Model, state: &mut State, workspace: &mut Workspace) {
-    let Workspace { occupied, body_cells, points, contact_law, touched, corner_nodes, patch, .. } = workspace;
+    let Workspace {
+        velocity_before: [occupied, ..],
+        body_cells,
+        points,
+        contact_law,
+        touched,
+        corner_nodes,
+        patch,
+        ..
+    } = workspace;
     measure_leak(&model.grid, &state.soil, body_cells, &mut state.bodies);
     let view = View { model, soil: &state.soil, node_mass: &state.nodes.mass, occupied };
-    for contact in &mut state.contacts {
-        let point = &points[contact.body][contact.point];
-        let fixed = &model.bodies[contact.body];
-        let body = &state.bodies[contact.body];
-        view.locate_one(
-            contact,
-            turned(fixed, body, point.position),
-            turned(fixed, body, point.normal),
-            body,
-            contact_law.as_ref(),
-        );
-        contact.area *= point.area;
+    let mut located = Vec::with_capacity(state.contacts.len());
+    let mut known = state.contacts.iter().peekable();
+    for (n, points) in points.iter().enumerate() {
+        let (fixed, body) = (&model.bodies[n], &state.bodies[n]);
+        for (p, point) in points.iter().enumerate() {
+            let known = known.next_if(|c| (c.body, c.point) == (n, p));
+            let place = [point.position, point.normal].map(|v| turned(fixed, body, v));
+            if let Some(mut contact) = view.locate_one(known, place, body, contact_law.as_ref()) {
+                (contact.body, contact.point) = (n, p);
+                contact.area *= point.area;
+                located.push(contact);
+            }
+        }
     }
-    (*touched, *corner_nodes) = touched_nodes(model, &state.contacts);
-    *patch = super::number_patches(&state.contacts);
-}
-
-/// Finds anew which share of each cell the bodies take up.
-pub(crate) fn occupy_all(model: &Model, state: &mut State, workspace: &mut Workspace) {
-    let Workspace { occupied, body_cells, .. } = workspace;
-    for c in body_cells.drain(..) {
+    state.contacts = located;
+    for c in body_cells {
         occupied[c.cell] = 0.0;
     }
+    (*touched, *corner_nodes) = touched_nodes(model, &state.contacts);
+    *patch = super::number_patches(model, &state.soil, &state.bodies, &state.contacts);
+}
+
+/// Finds anew which share of each cell the bodies take up. It is noted in memory that is free only till [`locate`].
+pub(crate) fn occupy_all(model: &Model, state: &mut State, workspace: &mut Workspace) {
+    let Workspace { velocity_before: [occupied, ..], body_cells, .. } = workspace;
+    body_cells.clear();
     for (n, (fixed, body)) in model.bodies.iter().zip(&mut state.bodies).enumerate() {
         occupy(model, fixed, body, |cell, share| {
-            occupied[cell] = (occupied[cell] + share).min(1.0);
+            occupied[cell] = (occupied[cell] + share as Real).min(1.0);
             body_cells.push(BodyCell { body: n, cell, share });
         });
         body.located = (body.position, body.angle);
@@ -62,7 +76,7 @@ fn measure_leak(grid: &Grid, soil: &Soil, body_cells: &[BodyCell], bodies: &mut 
     }
     for c in body_cells {
         bodies[c.body].leaked_volume +=
-            (soil.fraction[c.cell] + c.share - 1.0).max(0.0) * grid.volume_of(c.cell);
+            (f64::from(soil.fraction[c.cell]) + c.share - 1.0).max(0.0) * grid.volume_of(c.cell);
     }
 }
 
@@ -70,11 +84,11 @@ fn measure_leak(grid: &Grid, soil: &Soil, body_cells: &[BodyCell], bodies: &mut 
 pub(crate) fn touched_nodes(model: &Model, contacts: &[Contact]) -> (Vec<TouchedNode>, Vec<[u32; 8]>) {
     let grid = &model.grid;
     let of = |c: &Contact| corners(grid.stride).map(|offset| c.base + offset);
-    let mut nodes: Vec<usize> = contacts.iter().filter(|c| c.in_soil).flat_map(of).collect();
+    let mut nodes: Vec<usize> = contacts.iter().flat_map(of).collect();
     nodes.sort_unstable();
     nodes.dedup();
     let place = |node: usize| nodes.partition_point(|n| *n < node) as u32;
-    let corner_nodes = contacts.iter().map(|c| if c.in_soil { of(c).map(place) } else { [0; 8] }).collect();
+    let corner_nodes = contacts.iter().map(|c| of(c).map(place)).collect();
     let touched =
         |node| TouchedNode { node, free_of_walls: free_of_walls(model, node), ..TouchedNode::default() };
     (nodes.into_iter().map(touched).collect(), corner_nodes)
@@ -124,47 +138,42 @@ pub(super) fn largest_axis(v: DVec3) -> usize {
 struct View<'a> {
     model: &'a Model,
     soil: &'a Soil,
-    node_mass: &'a [f64],
+    node_mass: &'a [Real],
     /// Share of each cell that bodies take up.
-    occupied: &'a [f64],
+    occupied: &'a [Real],
 }
 
 impl View<'_> {
+    /// A contact point on a body, if it is in the grid with soil to act on; `known` is what it was the last time, if it was
+    /// so then.
     fn locate_one(
         &self,
-        contact: &mut Contact,
-        arm: DVec3,
-        normal: DVec3,
+        known: Option<&Contact>,
+        [arm, normal]: [DVec3; 2],
         body: &Body,
         law: &dyn ContactLaw,
-    ) {
-        let was_in_soil = contact.in_soil;
+    ) -> Option<Contact> {
         let place = body.position + arm;
-        let travel = (place - contact.anchor).length();
-        (contact.arm, contact.normal, contact.anchor) = (arm, normal, place);
-        contact.in_soil = false;
         // A point on a face between two cells acts in the outer one; one on an edge between cells of a row in that
         // nearer to the body's middle, so that mirror images act in mirror images of cells.
         let finest = self.model.grid.finest();
         let probe = place + 1e-9 * finest * (normal - 0.5 * arm.signum() * (DVec3::ONE - normal.abs()));
         let faces = &self.model.grid.faces;
-        let (Some(i), Some(j), Some(k)) =
-            (layer(&faces[0], probe.x), layer(&faces[1], probe.y), layer(&faces[2], probe.z))
-        else {
-            return;
+        let cell = [layer(&faces[0], probe.x)?, layer(&faces[1], probe.y)?, layer(&faces[2], probe.z)?];
+        let (weight, coverage) = self.weights(cell, place)?;
+        let mut contact = Contact {
+            base: self.model.grid.index(cell[0], cell[1], cell[2]),
+            weight,
+            area: coverage,
+            width: (0..3).map(|axis| self.model.grid.width(axis, cell[axis])).fold(f64::INFINITY, f64::min),
+            arm,
+            normal,
+            anchor: place,
+            ..known.copied().unwrap_or_default()
         };
-        let cell = [i, j, k];
-        if let Some((weight, coverage)) = self.weights(cell, place) {
-            contact.area = coverage;
-            contact.base = self.model.grid.index(i, j, k);
-            contact.weight = weight;
-            contact.width =
-                (0..3).map(|axis| self.model.grid.width(axis, cell[axis])).fold(f64::INFINITY, f64::min);
-            contact.in_soil = true;
-        }
-        if contact.in_soil {
-            law.relocate(contact, self.gap(cell, normal), travel, was_in_soil);
-        }
+        let travel = known.map(|c| (place - c.anchor).length());
+        law.relocate(&mut contact, self.gap(cell, normal), travel);
+        Some(contact)
     }
 
     /// Trilinear weights of the cell's nodes, cut down at nodes that have hardly any mass to push against, and the share
@@ -183,7 +192,7 @@ impl View<'_> {
         for (n, offset) in corners(grid.stride).iter().enumerate() {
             let part = |axis: usize| parts[axis][n >> axis & 1];
             let full = self.model.density * self.node_volume(cell, n);
-            let mass = self.node_mass[base + offset];
+            let mass = f64::from(self.node_mass[base + offset]);
             let bears = mass > self.model.mass_moved();
             weight[n] = if bears { (part(0) * part(1) * part(2)).min(MASS_RATIO * mass / full) } else { 0.0 };
         }
@@ -221,8 +230,9 @@ impl View<'_> {
             Some(at) => {
                 let c = grid.index(at[0], at[1], at[2]);
                 let width = grid.width(axis, at[axis]);
-                let void = (1.0 - self.occupied[c] - self.soil.fraction[c]) * width;
-                (void, self.soil.fraction[c], normal.dot(self.void_direction(at)), width)
+                let fraction = f64::from(self.soil.fraction[c]);
+                let void = (1.0 - f64::from(self.occupied[c]) - fraction) * width;
+                (void, fraction, normal.dot(self.void_direction(at)), width)
             }
         };
         let (void_in, ..) = look(neighbour(false));
@@ -254,7 +264,7 @@ impl View<'_> {
             for (x, dx) in offset[0].iter().enumerate() {
                 // The two sides of y are added first: a mirror in y then changes no bit.
                 let [low, middle, high] =
-                    offset[1].map(|dy| self.soil.fraction[c.wrapping_add_signed(dx + dy + dz)]);
+                    offset[1].map(|dy| f64::from(self.soil.fraction[c.wrapping_add_signed(dx + dy + dz)]));
                 let sum = (low + high) + 2.0 * middle;
                 gradient.x += sum * WEIGHT[z] * (x as f64 - 1.0);
                 gradient.y += (high - low) * WEIGHT[x] * WEIGHT[z];
@@ -326,6 +336,6 @@ pub(crate) fn carve(model: &Model, soil: &mut Soil, bodies: &mut [Body]) {
         occupy(model, fixed, body, |c, share| occupied[c] = (occupied[c] + share).min(1.0));
     }
     for (f, share) in soil.fraction.iter_mut().zip(&occupied) {
-        *f = f.min(1.0 - share);
+        *f = f.min((1.0 - share) as Real);
     }
 }

@@ -7,19 +7,24 @@
 //! volume fractions show that soil has got into the body, it is pushed out as the body moves on; a body at rest pushes
 //! nothing, so that its load does not drift.
 
-use super::patch::{Patch, touching};
+use super::patch::{Patch, Patches};
 use super::{ContactLaw, Grip, Scene, over_corners};
 use crate::state::Contact;
 use glam::DVec3;
 
-/// Impulse contact.
-#[derive(Debug)]
-pub(super) struct Impulses;
+/// Impulse contact: room for the patches that touch in a step, and what is known of them.
+#[derive(Debug, Default)]
+pub(super) struct Impulses {
+    patches: Patches,
+    terms: Vec<Option<Terms>>,
+    groups: Vec<Group>,
+}
 
 /// Symmetric sweeps per step; fewer than two give wrong forces.
 const SWEEPS: usize = 4;
-/// A touching point is let go when the volume fractions show a void of this many cells before it.
-const LET_GO: f64 = 0.5;
+/// A touching point is let go when the volume fractions show a void of this many cells before it: a wheel that rolls would
+/// else open a void under itself and climb on it.
+const LET_GO: f64 = 0.05;
 /// Share of the difference to the geometric gap that a point at a distance takes over per tenth of a cell of travel.
 const PULL: f64 = 0.3;
 /// Share of an overlap that is pushed out while the body moves on by one cell.
@@ -28,40 +33,41 @@ const PUSH: f64 = 1.0;
 const REACH: f64 = 0.05;
 
 impl ContactLaw for Impulses {
-    fn relocate(&self, c: &mut Contact, gap: f64, travel: f64, was_in_soil: bool) {
-        let touches = was_in_soil && c.penetration >= 0.0;
+    fn relocate(&self, c: &mut Contact, gap: f64, travel: Option<f64>) {
+        let touches = travel.is_some() && c.penetration >= 0.0;
         if touches && gap < LET_GO * c.width {
             c.penetration = (-gap).max(0.0);
             return;
         }
-        let known = was_in_soil && !touches;
-        let pull = if known { (PULL * travel / (0.1 * c.width)).min(1.0) } else { 1.0 };
+        let apart = travel.filter(|_| !touches);
+        let pull = apart.map_or(1.0, |travel| (PULL * travel / (0.1 * c.width)).min(1.0));
         c.penetration = (c.penetration + pull * (-gap - c.penetration)).min(0.0);
         c.impulse = DVec3::ZERO;
     }
 
-    fn act(&self, scene: &mut Scene) {
+    fn act(&mut self, scene: &mut Scene) {
         let touches = |n: usize| {
             let c = &scene.contacts[n];
             let closing = || scene.slip_velocity(&scene.grip(n)).dot(c.normal);
             c.penetration >= 0.0
                 || c.penetration > -REACH * c.width && c.penetration + closing() * scene.dt > 0.0
         };
-        let (mut patches, patch_of) = touching(scene, touches);
-        let terms: Vec<Option<Terms>> = patches.iter().map(|p| Terms::new(scene, p)).collect();
-        let groups = mirrored_groups(scene, &patches, &terms);
-        for group in &groups {
-            group.give(scene, &patches, [group.first, group.second].map(|n| patches[n].impulse));
+        let Self { patches, terms, groups } = self;
+        patches.find(scene, touches);
+        let (patches, patch_of) = (&mut patches.each, &patches.of_contact);
+        terms.clear();
+        terms.extend(patches.iter().map(|p| Terms::new(scene, p)));
+        mirrored_groups(scene, patches, terms, groups);
+        for group in groups.iter() {
+            group.give(scene, patches, [group.first, group.second].map(|n| patches[n].impulse));
         }
         for _ in 0..SWEEPS {
             for group in groups.iter().chain(groups.iter().rev()) {
-                group.relax(scene, &mut patches, &terms);
+                group.relax(scene, patches, terms);
             }
         }
-        for (n, patch) in patch_of.into_iter().enumerate() {
-            if scene.contacts[n].in_soil {
-                remember(scene, n, patch.map(|p| &patches[p]));
-            }
+        for (n, patch) in patch_of.iter().enumerate() {
+            remember(scene, n, patch.map(|p| &patches[p]));
         }
     }
 }
@@ -71,18 +77,19 @@ fn remember(scene: &mut Scene, n: usize, patch: Option<&Patch>) {
     let c = scene.contacts[n];
     let impulse = patch.map_or(DVec3::ZERO, |p| (c.area / p.area) * p.impulse);
     if let Some(patch) = patch {
-        let normal = impulse.dot(patch.normal) * patch.normal;
+        let normal = impulse.dot(patch.grip.normal) * patch.grip.normal;
         scene.note(n, normal, impulse - normal);
     }
     let closing = scene.slip_velocity(&scene.grip(n)).dot(c.normal);
     let penetration = (c.penetration + closing * scene.dt).min(c.penetration.max(0.0));
     // Rounding must not let go of a point that is held.
-    let held = patch.is_some_and(|p| p.impulse.dot(p.normal) > 0.0);
+    let held = patch.is_some_and(|p| p.impulse.dot(p.grip.normal) > 0.0);
     scene.contacts[n].penetration = if held { penetration.max(0.0) } else { penetration };
     scene.contacts[n].impulse = impulse;
 }
 
 /// What does not change about a patch during the sweeps of a step.
+#[derive(Debug)]
 struct Terms {
     /// Inverse of the velocity that an impulse along the normal makes [kg].
     along: f64,
@@ -98,8 +105,14 @@ struct Terms {
 impl Terms {
     /// `None` where neither soil nor body can give way along the normal: there is nothing to solve for.
     fn new(scene: &Scene, patch: &Patch) -> Option<Self> {
-        let mobility = mobility(scene, &patch.grip);
-        let along = mobility.dot(patch.normal * patch.normal);
+        let (grip, normal) = (&patch.grip, patch.grip.normal);
+        let mobility = mobility(scene, grip);
+        let soil = |n: usize| {
+            let impulse = grip.on_node(n, normal);
+            (impulse * impulse).dot(scene.nodes[grip.nodes[n] as usize].inverse_mass)
+        };
+        let along =
+            over_corners(std::array::from_fn(soil)) + mobility_of_body(scene, grip).dot(normal * normal);
         (along > 0.0).then(|| Self {
             along: 1.0 / along,
             across: 1.0 / mobility.max_element(),
@@ -111,24 +124,25 @@ impl Terms {
 
     /// Impulse that the present relative velocity asks for, `share` of the whole correction.
     fn wanted(&self, scene: &Scene, patch: &Patch, share: f64) -> DVec3 {
-        let relative = scene.slip_velocity(&patch.grip);
-        let closing = relative.dot(patch.normal);
-        let old_normal = patch.impulse.dot(patch.normal);
+        let relative = scene.slip_velocity_of_patch(&patch.grip);
+        let closing = relative.dot(patch.grip.normal);
+        let old_normal = patch.impulse.dot(patch.grip.normal);
         let new_normal = (old_normal + share * (closing - self.allowed) * self.along).max(0.0);
         if new_normal == 0.0 && old_normal == 0.0 {
             return DVec3::ZERO;
         }
-        let old_friction = patch.impulse - old_normal * patch.normal;
-        let sliding = relative - closing * patch.normal;
+        let old_friction = patch.impulse - old_normal * patch.grip.normal;
+        let sliding = relative - closing * patch.grip.normal;
         let limit = (self.friction * new_normal).min(self.shear_limit);
         let friction = (old_friction + share * sliding * self.across).clamp_length_max(limit);
-        new_normal * patch.normal + friction
+        new_normal * patch.grip.normal + friction
     }
 }
 
 /// One patch (then both places are the same), or two on opposite sides of the body's middle. Two are relaxed together,
 /// each from what was before the other: a case and its mirror image then take the same course, which the order of the
 /// patches would otherwise spoil.
+#[derive(Debug)]
 struct Group {
     /// Places among the patches.
     first: usize,
@@ -165,9 +179,9 @@ impl Group {
     }
 }
 
-/// The patches in groups. Mirror images stand side by side, as surface points do.
-fn mirrored_groups(scene: &Scene, patches: &[Patch], terms: &[Option<Terms>]) -> Vec<Group> {
-    let mut groups = Vec::with_capacity(patches.len());
+/// Puts the patches into groups. Mirror images stand side by side, as surface points do.
+fn mirrored_groups(scene: &Scene, patches: &[Patch], terms: &[Option<Terms>], groups: &mut Vec<Group>) {
+    groups.clear();
     let mut first = 0;
     while first < patches.len() {
         let next = first + 1;
@@ -182,7 +196,6 @@ fn mirrored_groups(scene: &Scene, patches: &[Patch], terms: &[Option<Terms>]) ->
         groups.push(Group { first, second, share });
         first = second + 1;
     }
-    groups
 }
 
 /// Whether two patches began with points that are each other's mirror image. In the mirror image of the case they stand the
@@ -198,13 +211,14 @@ fn coupling(scene: &Scene, (a, terms_a): (&Patch, &Terms), (b, terms_b): (&Patch
     let shared = |n: usize| {
         let node = a.grip.nodes[n];
         let place = b.grip.nodes.iter().position(|m| *m == node);
-        place.map_or(DVec3::ZERO, |m| {
-            (a.grip.weight[n] * b.grip.weight[m]) * scene.nodes[node as usize].inverse_mass
+        place.map_or(0.0, |m| {
+            let both = a.grip.on_node(n, a.grip.normal) * b.grip.on_node(m, b.grip.normal);
+            both.abs().dot(scene.nodes[node as usize].inverse_mass)
         })
     };
     let through_soil = over_corners(std::array::from_fn(shared));
     let through_body = 0.5 * (mobility_of_body(scene, &a.grip) + mobility_of_body(scene, &b.grip));
-    let size = (through_soil + through_body).dot((a.normal * b.normal).abs());
+    let size = through_soil + through_body.dot((a.grip.normal * b.grip.normal).abs());
     (size * terms_a.along.max(terms_b.along)).clamp(0.0, 1.0)
 }
 

@@ -4,6 +4,7 @@
 //! every remap and kept till the next. How soil and body act on each other there is a `ContactLaw`'s business; two
 //! were built: penalty with a history, and velocity impulses.
 
+mod cut;
 mod expel;
 mod geometry;
 mod impulse;
@@ -14,19 +15,21 @@ pub(crate) use expel::expel;
 pub(crate) use geometry::{BodyCell, carve as carve_soil, locate, occupy_all, touched_nodes};
 pub(crate) use patch::number as number_patches;
 
-use crate::cpu::workspace::Workspace;
+use super::workspace::Workspace;
+use super::{Real, State};
 use crate::model::{BodyModel, ContactMethod, Model};
-use crate::state::{Body, Contact, State};
+use crate::state::{Body, Contact, Received};
 use glam::DVec3;
+use physics::rigid::Freedom;
 use physics::shape::SurfacePoint;
 
 /// How soil and body act on each other at the contact points.
 pub(crate) trait ContactLaw {
     /// Called for each point when it has been located anew; `gap` is the void between body and soil [m], negative when
-    /// they overlap.
-    fn relocate(&self, contact: &mut Contact, gap: f64, travel: f64, was_in_soil: bool);
+    /// they overlap, `travel` how far the point has come since the last time [m], if it had soil to act on then.
+    fn relocate(&self, contact: &mut Contact, gap: f64, travel: Option<f64>);
     /// Changes the velocities of nodes and bodies for one step.
-    fn act(&self, scene: &mut Scene);
+    fn act(&mut self, scene: &mut Scene);
 }
 
 /// What a contact law works on during a step. The velocities of the nodes are those before contact; what the law makes
@@ -39,10 +42,10 @@ pub(crate) struct Scene<'a> {
     pub(crate) nodes: &'a mut [TouchedNode],
     /// For each contact the places of its cell's nodes among them.
     pub(crate) corner_nodes: &'a [[u32; 8]],
-    /// For each contact in soil the number of its patch.
-    pub(crate) patch: &'a [Option<usize>],
-    /// How many patches there are.
-    pub(crate) patches: usize,
+    /// For each contact the number of its patch.
+    pub(crate) patch: &'a [usize],
+    /// For each patch the forces that are missing at its cell's nodes, over the force on it.
+    pub(crate) missing: &'a [[DVec3; 8]],
     /// Frictional impulse on the soil at each contact in this step [N s].
     pub(crate) friction: &'a mut [DVec3],
     /// Time step [s].
@@ -76,6 +79,11 @@ fn over_corners<T: Copy + std::ops::Add<Output = T>>(v: [T; 8]) -> T {
     ((v[0] + v[2]) + (v[1] + v[3])) + ((v[4] + v[6]) + (v[5] + v[7]))
 }
 
+/// Side of the body's middle that a point lies on: 0 and 1, or 2 in the middle.
+fn side(c: &Contact) -> usize {
+    if c.arm.y == 0.0 { 2 } else { usize::from(c.arm.y < 0.0) }
+}
+
 /// Where an impulse acts: on a body at a point, and on the nodes of a cell.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Grip {
@@ -87,13 +95,24 @@ pub(crate) struct Grip {
     pub(crate) nodes: [u32; 8],
     /// Their weights.
     pub(crate) weight: [f64; 8],
+    /// Unit normal of a patch out of the body; 0 for a point.
+    pub(crate) normal: DVec3,
+    /// Forces that are missing at the nodes, over the force along the normal.
+    pub(crate) missing: [DVec3; 8],
+}
+
+impl Grip {
+    /// What a node takes of an impulse [N s].
+    fn on_node(&self, n: usize, impulse: DVec3) -> DVec3 {
+        self.weight[n] * impulse + impulse.dot(self.normal) * self.missing[n]
+    }
 }
 
 impl Scene<'_> {
     /// Where a contact acts.
     fn grip(&self, contact: usize) -> Grip {
         let Contact { body, arm, weight, .. } = self.contacts[contact];
-        Grip { body, arm, nodes: self.corner_nodes[contact], weight }
+        Grip { body, arm, nodes: self.corner_nodes[contact], weight, ..Grip::default() }
     }
 
     /// Velocity of the body minus that of the soil [m/s].
@@ -102,11 +121,17 @@ impl Scene<'_> {
         velocity_at(&self.bodies[grip.body], grip.arm) - over_corners(std::array::from_fn(soil))
     }
 
+    /// The same at a patch, as what is missing at its nodes sees it: an impulse along the normal changes it by its work.
+    fn slip_velocity_of_patch(&self, grip: &Grip) -> DVec3 {
+        let stirred = |n: usize| grip.missing[n].dot(self.nodes[grip.nodes[n] as usize].velocity);
+        self.slip_velocity(grip) - over_corners(std::array::from_fn(stirred)) * grip.normal
+    }
+
     /// Gives an impulse [N s] to the soil and takes it from the body, as far as the body is free.
     fn exchange(&mut self, grip: &Grip, impulse: DVec3) {
-        for (n, w) in grip.nodes.iter().zip(grip.weight) {
-            let node = &mut self.nodes[*n as usize];
-            node.velocity += w * node.inverse_mass * impulse;
+        for (n, place) in grip.nodes.iter().enumerate() {
+            let node = &mut self.nodes[*place as usize];
+            node.velocity += node.inverse_mass * grip.on_node(n, impulse);
         }
         push(
             &self.model.bodies[grip.body],
@@ -119,7 +144,7 @@ impl Scene<'_> {
     /// Does so at two places of one body at once; which of them is named first makes no difference to the bit.
     fn exchange_both(&mut self, first: (&Grip, DVec3), second: (&Grip, DVec3)) {
         let gain = |nodes: &[TouchedNode], (grip, impulse): (&Grip, DVec3), n: usize| {
-            grip.weight[n] * nodes[grip.nodes[n] as usize].inverse_mass * impulse
+            nodes[grip.nodes[n] as usize].inverse_mass * grip.on_node(n, impulse)
         };
         for (n, node) in first.0.nodes.iter().enumerate() {
             let own = gain(self.nodes, first, n);
@@ -169,36 +194,40 @@ fn push<const N: usize>(fixed: &BodyModel, body: &mut Body, share: f64, impulses
 pub(crate) fn law(model: &Model) -> Box<dyn ContactLaw> {
     match model.method.contact {
         ContactMethod::Penalty => Box::new(penalty::Penalty::new(model)),
-        ContactMethod::Impulse => Box::new(impulse::Impulses),
+        ContactMethod::Impulse => Box::new(impulse::Impulses::default()),
     }
 }
 
-/// Surface points of a body; the cells near it are the narrowest along each axis.
+/// Surface points of a body, but for those that stay beside the box for ever, as behind a plane of symmetry; the cells near it
+/// are the narrowest along each axis.
 pub(crate) fn surface_points(model: &Model, body: &BodyModel) -> Vec<SurfacePoint> {
     let finest = DVec3::from_array(std::array::from_fn(|axis| model.grid.finest_along(axis)));
     let spacing = model.method.point_spacing * model.grid.finest();
-    body.shape.surface_points(spacing, model.method.edge_inset * finest)
+    let mut points = body.shape.surface_points(spacing, model.method.edge_inset * finest);
+    if body.translation[1] == Freedom::Fixed {
+        // It turns about an axle along y.
+        let faces = &model.grid.faces[1];
+        let (low, high) = (faces[0] - spacing, faces[faces.len() - 1] + spacing);
+        points.retain(|p| (low..=high).contains(&(body.start.y + p.position.y)));
+        points.shrink_to_fit();
+    }
+    points
 }
 
-/// Lets soil and bodies act on each other for one step. Returns what that did, for the ledger.
-/// `at_start` holds velocity and spin of each body at the end of the last step.
-pub(crate) fn contact(
-    model: &Model,
-    state: &mut State,
-    workspace: &mut Workspace,
-    at_start: &[(DVec3, f64)],
-    dt: f64,
-) -> ContactWork {
-    if state.contacts.is_empty() {
+/// Lets soil and bodies act on each other for one step. Returns what that did, for the ledger; what each body received is in
+/// the workspace.
+pub(crate) fn contact(model: &Model, state: &mut State, workspace: &mut Workspace, dt: f64) -> ContactWork {
+    if state.bodies.is_empty() {
         return ContactWork::default();
     }
-    let Workspace { touched, corner_nodes, patch, velocity_before, friction, .. } = workspace;
-    let before: Vec<(DVec3, f64)> = state.bodies.iter().map(|b| (b.velocity, b.spin)).collect();
-    let received: Vec<_> = state.bodies.iter().map(|b| b.received).collect();
+    let Workspace { touched, corner_nodes, patch, velocity_before, friction, drives, .. } = workspace;
+    for (drive, body) in drives.iter_mut().zip(&state.bodies) {
+        (drive.velocity_free, drive.spin_free, drive.received) = (body.velocity, body.spin, body.received);
+    }
     let velocity = &mut state.nodes.velocity;
     let mass_moved = model.mass_moved();
     for t in touched.iter_mut() {
-        let mass = state.nodes.mass[t.node];
+        let mass = f64::from(state.nodes.mass[t.node]);
         t.velocity = velocity_of(velocity, t.node);
         t.free = t.velocity;
         t.before = velocity_of(velocity_before, t.node);
@@ -214,7 +243,7 @@ pub(crate) fn contact(
         nodes: touched,
         corner_nodes,
         patch: &patch.0,
-        patches: patch.1,
+        missing: &patch.1,
         friction,
         dt,
     });
@@ -222,24 +251,21 @@ pub(crate) fn contact(
     let mut on_soil = 0.0;
     for t in touched.iter() {
         for (v, new) in velocity.iter_mut().zip(t.velocity.to_array()) {
-            v[t.node] = new;
+            v[t.node] = new as Real;
         }
-        on_soil += state.nodes.mass[t.node] * (t.velocity - t.free).dot(0.5 * (t.velocity + t.before));
+        on_soil +=
+            f64::from(state.nodes.mass[t.node]) * (t.velocity - t.free).dot(0.5 * (t.velocity + t.before));
     }
-    let rubbed = rubbed(state, touched, corner_nodes, friction, at_start);
-    let mut on_bodies = Vec::with_capacity(state.bodies.len());
-    for (n, body) in state.bodies.iter().enumerate() {
-        let force =
-            (body.received.normal - received[n].normal) + (body.received.friction - received[n].friction);
-        let axle = body.received.axle - received[n].axle;
-        on_bodies.push(BodyImpulse {
-            force: force * model.share,
-            axle: axle * model.share,
-            velocity_free: before[n].0,
-            spin_free: before[n].1,
-        });
+    let rubbed = rubbed(state, touched, corner_nodes, friction, drives);
+    for (drive, body) in drives.iter_mut().zip(&state.bodies) {
+        let (now, then) = (body.received, drive.received);
+        drive.received = Received {
+            normal: (now.normal - then.normal) * model.share,
+            friction: (now.friction - then.friction) * model.share,
+            axle: (now.axle - then.axle) * model.share,
+        };
     }
-    ContactWork { on_soil, rubbed, on_bodies }
+    ContactWork { on_soil, rubbed }
 }
 
 /// Dissipation by friction [J]: frictional impulses times the slip, which is taken as the mean of those before and after
@@ -249,14 +275,14 @@ fn rubbed(
     nodes: &[TouchedNode],
     corner_nodes: &[[u32; 8]],
     friction: &[DVec3],
-    at_start: &[(DVec3, f64)],
+    drives: &[Drive],
 ) -> f64 {
     let mut sum = 0.0;
     for ((c, corners), impulse) in state.contacts.iter().zip(corner_nodes).zip(friction) {
         if *impulse != DVec3::ZERO {
             let body = &state.bodies[c.body];
-            let (velocity, spin) = at_start[c.body];
-            let before = velocity + (DVec3::Y * spin).cross(c.arm);
+            let drive = &drives[c.body];
+            let before = drive.velocity_before + (DVec3::Y * drive.spin_before).cross(c.arm);
             let of_body = 0.5 * (velocity_at(body, c.arm) + before);
             let each = corners.iter().zip(c.weight);
             let of_soil = each.fold(DVec3::ZERO, |v, (n, w)| {
@@ -269,30 +295,30 @@ fn rubbed(
     sum
 }
 
-fn velocity_of(velocity: &[Vec<f64>; 3], node: usize) -> DVec3 {
-    DVec3::new(velocity[0][node], velocity[1][node], velocity[2][node])
+fn velocity_of(velocity: &[Vec<Real>; 3], node: usize) -> DVec3 {
+    DVec3::from_array(velocity.each_ref().map(|component| f64::from(component[node])))
 }
 
 /// What contact did in one step.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct ContactWork {
     /// Work done on the soil [J].
     pub(crate) on_soil: f64,
     /// Dissipation by friction [J].
     pub(crate) rubbed: f64,
-    /// What each body received.
-    pub(crate) on_bodies: Vec<BodyImpulse>,
 }
 
-/// What a body received in one step (modelled share).
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct BodyImpulse {
-    /// Impulse [N s].
-    pub(crate) force: DVec3,
-    /// Impulse about the axle [N m s].
-    pub(crate) axle: f64,
-    /// Velocity before contact [m/s].
+/// How a body came through one step.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Drive {
+    /// Velocity at the end of the last step [m/s].
+    pub(crate) velocity_before: DVec3,
+    /// Spin then [rad/s].
+    pub(crate) spin_before: f64,
+    /// Velocity that loads and drives gave it, before contact [m/s].
     pub(crate) velocity_free: DVec3,
-    /// Spin before contact [rad/s].
+    /// Spin then [rad/s].
     pub(crate) spin_free: f64,
+    /// What the modelled share of it received from the soil.
+    pub(crate) received: Received,
 }

@@ -4,8 +4,10 @@
 //! points of the face in the cell are its quadrature. Their weights, each by its area, make the mean velocity of the soil
 //! over the patch; an impulse on the patch acts like a uniform pressure on it.
 
+use super::super::Soil;
 use super::{Grip, Scene};
-use crate::state::Contact;
+use crate::model::Model;
+use crate::state::{Body, Contact};
 use glam::DVec3;
 use std::collections::HashMap;
 
@@ -16,8 +18,6 @@ pub(super) struct Patch {
     pub(super) first: usize,
     /// Where it acts: the mean over its points.
     pub(super) grip: Grip,
-    /// Unit normal out of the body.
-    pub(super) normal: DVec3,
     /// Area [m²].
     pub(super) area: f64,
     /// Mean overlap of body and soil, in cells.
@@ -61,47 +61,67 @@ impl Sums {
     }
 }
 
-/// The patches made of the points that touch, in the order of their first points, and for each contact the place of its
-/// patch among them.
-pub(super) fn touching(scene: &Scene, touches: impl Fn(usize) -> bool) -> (Vec<Patch>, Vec<Option<usize>>) {
-    let mut patches: Vec<Patch> = Vec::new();
-    // Points on the two sides of the body's middle are added up apart: a mirror in y then changes no bit of the sum.
-    let mut sums: Vec<[Sums; 3]> = Vec::new();
-    let mut place = vec![None; scene.patches];
-    let mut patch_of = vec![None; scene.contacts.len()];
-    for (n, c) in scene.contacts.iter().enumerate() {
-        let Some(number) = scene.patch[n].filter(|_| touches(n)) else { continue };
-        let at = *place[number].get_or_insert(patches.len());
-        if at == patches.len() {
-            let grip = Grip { body: c.body, nodes: scene.corner_nodes[n], ..Grip::default() };
-            patches.push(Patch { first: n, grip, ..Patch::default() });
-            sums.push(Default::default());
-        }
-        patch_of[n] = Some(at);
-        let side = if c.arm.y == 0.0 { 2 } else { usize::from(c.arm.y < 0.0) };
-        sums[at][side].add(c);
-    }
-    for (patch, [left, right, middle]) in patches.iter_mut().zip(sums) {
-        let all = left.plus(&right).plus(&middle);
-        patch.area = all.area;
-        patch.grip.weight = all.weight.map(|w| w / all.area);
-        patch.grip.arm = all.arm / all.area;
-        patch.normal = all.normal.normalize_or_zero();
-        patch.overlap = all.overlap / all.area;
-        patch.impulse = all.impulse;
-    }
-    (patches, patch_of)
+/// The patches made of the points that touch in a step.
+#[derive(Debug, Default)]
+pub(super) struct Patches {
+    /// In the order of their first points.
+    pub(super) each: Vec<Patch>,
+    /// For each contact the place of its patch among them, if it touches.
+    pub(super) of_contact: Vec<Option<usize>>,
+    /// For the number of a patch its place among them.
+    place: Vec<Option<usize>>,
+    /// Points on the two sides of the body's middle are added up apart: a mirror in y then changes no bit of the sum.
+    sums: Vec<[Sums; 3]>,
 }
 
-/// For each contact the number of its patch (that of its body, face and cell), and how many patches there are.
-pub(crate) fn number(contacts: &[Contact]) -> (Vec<Option<usize>>, usize) {
+impl Patches {
+    /// Finds them.
+    pub(super) fn find(&mut self, scene: &Scene, touches: impl Fn(usize) -> bool) {
+        let Self { each: patches, of_contact, place, sums } = self;
+        patches.clear();
+        sums.clear();
+        for (list, length) in [(&mut *place, scene.missing.len()), (&mut *of_contact, scene.contacts.len())] {
+            list.clear();
+            list.resize(length, None);
+        }
+        for (n, c) in scene.contacts.iter().enumerate().filter(|(n, _)| touches(*n)) {
+            let at = *place[scene.patch[n]].get_or_insert(patches.len());
+            if at == patches.len() {
+                let (nodes, missing) = (scene.corner_nodes[n], scene.missing[scene.patch[n]]);
+                let grip = Grip { body: c.body, nodes, missing, ..Grip::default() };
+                patches.push(Patch { first: n, grip, ..Patch::default() });
+                sums.push(Default::default());
+            }
+            of_contact[n] = Some(at);
+            sums[at][super::side(c)].add(c);
+        }
+        for (patch, [left, right, middle]) in patches.iter_mut().zip(sums) {
+            let all = left.plus(right).plus(middle);
+            patch.area = all.area;
+            patch.grip.weight = all.weight.map(|w| w / all.area);
+            patch.grip.arm = all.arm / all.area;
+            patch.grip.normal = all.normal.normalize_or_zero();
+            patch.overlap = all.overlap / all.area;
+            patch.impulse = all.impulse;
+        }
+    }
+}
+
+/// For each contact the number of its patch (that of its body, face and cell), and for each patch the forces that are missing
+/// at its nodes, over the force on it.
+pub(crate) fn number(
+    model: &Model,
+    soil: &Soil,
+    bodies: &[Body],
+    contacts: &[Contact],
+) -> (Vec<usize>, Vec<[DVec3; 8]>) {
     let mut numbers = HashMap::new();
     let each = contacts.iter().map(|c| {
-        c.in_soil.then(|| {
-            let axis = super::geometry::largest_axis(c.normal);
-            let next = numbers.len();
-            *numbers.entry((c.body, c.base, axis, c.normal[axis] > 0.0)).or_insert(next)
-        })
+        let axis = super::geometry::largest_axis(c.normal);
+        let next = numbers.len();
+        *numbers.entry((c.body, c.base, axis, c.normal[axis] > 0.0)).or_insert(next)
     });
-    (each.collect(), numbers.len())
+    let each: Vec<usize> = each.collect();
+    let missing = super::cut::corrections(model, soil, bodies, contacts, (&each, numbers.len()));
+    (each, missing)
 }

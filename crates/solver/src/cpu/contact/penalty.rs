@@ -15,6 +15,8 @@ pub(super) struct Penalty {
     modulus: f64,
     /// Density times wave speed [kg/(m² s)].
     impedance: f64,
+    /// Impulses on the soil at each contact in this step, normal and frictional [N s].
+    given: Vec<[DVec3; 2]>,
 }
 
 /// Stiffness over M/h; anything from 0.2 to 3 gave the same forces.
@@ -26,7 +28,11 @@ const PULL: f64 = 0.1;
 
 impl Penalty {
     pub(super) fn new(model: &Model) -> Self {
-        Self { modulus: model.elastic.constrained(), impedance: model.density * model.wave_speed() }
+        Self {
+            modulus: model.elastic.constrained(),
+            impedance: model.density * model.wave_speed(),
+            given: Vec::new(),
+        }
     }
 
     /// Tractions on the soil [Pa], normal and frictional; cuts the elastic slip back to the Coulomb cone
@@ -58,8 +64,8 @@ fn remember(c: &mut Contact, relative: DVec3, dt: f64) {
 }
 
 impl ContactLaw for Penalty {
-    fn relocate(&self, c: &mut Contact, gap: f64, travel: f64, was_in_soil: bool) {
-        if was_in_soil {
+    fn relocate(&self, c: &mut Contact, gap: f64, travel: Option<f64>) {
+        if let Some(travel) = travel {
             let pull = PULL * (travel / (0.1 * c.width)).min(3.0);
             c.penetration += pull * (-gap - c.penetration);
         } else {
@@ -67,27 +73,25 @@ impl ContactLaw for Penalty {
         }
     }
 
-    fn act(&self, scene: &mut Scene) {
+    fn act(&mut self, scene: &mut Scene) {
         // All forces follow from the velocities before any of them acts: the order of the points does not matter.
-        let mut given = Vec::with_capacity(scene.contacts.len());
+        self.given.clear();
         for n in 0..scene.contacts.len() {
-            if scene.contacts[n].in_soil {
-                let relative = scene.slip_velocity(&scene.grip(n));
-                let body = &scene.model.bodies[scene.contacts[n].body];
-                let friction = [body.friction.min(1e6), body.shear_limit];
-                let (normal, tangential) = self.tractions(&mut scene.contacts[n], relative, friction);
-                let scale = scene.contacts[n].area * scene.dt;
-                given.push((n, normal * scale, tangential * scale));
-            }
+            let relative = scene.slip_velocity(&scene.grip(n));
+            let body = &scene.model.bodies[scene.contacts[n].body];
+            let friction = [body.friction.min(1e6), body.shear_limit];
+            let (normal, tangential) = self.tractions(&mut scene.contacts[n], relative, friction);
+            let scale = scene.contacts[n].area * scene.dt;
+            self.given.push([normal * scale, tangential * scale]);
         }
-        for (n, normal, friction) in &given {
+        for (n, [normal, friction]) in self.given.iter().enumerate() {
             if *normal != DVec3::ZERO {
-                let grip = scene.grip(*n);
+                let grip = scene.grip(n);
                 scene.exchange(&grip, *normal + *friction);
-                scene.note(*n, *normal, *friction);
+                scene.note(n, *normal, *friction);
             }
         }
-        for (n, ..) in given {
+        for n in 0..scene.contacts.len() {
             let relative = scene.slip_velocity(&scene.grip(n));
             remember(&mut scene.contacts[n], relative, scene.dt);
         }

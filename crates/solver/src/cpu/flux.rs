@@ -1,0 +1,133 @@
+//! The soil volume that crosses the faces of cells in a sweep along one axis, from the surface that is reconstructed in each
+//! partly filled cell.
+
+use super::transport::Sweep;
+use super::{FULL, Real};
+use physics::interface::Plane;
+
+/// What the fluxes follow from, at the start of a sweep.
+pub(crate) struct Filling<'a> {
+    pub(crate) sweep: Sweep<'a>,
+    /// Nodal displacement along the axis since the last remap [m].
+    pub(crate) displacement: &'a [Real],
+    /// Volume fraction.
+    pub(crate) fraction: &'a [Real],
+    /// Soil volume in the (displaced) cell [m³].
+    pub(crate) soil: &'a [Real],
+    /// Volume of the displaced cell [m³].
+    pub(crate) cell: &'a [Real],
+}
+
+impl Filling<'_> {
+    /// Soil volume that crosses the low faces of a plane of cells [m³].
+    pub(crate) fn volume_fluxes(&self, plane: usize, flux: &mut [Real]) {
+        let Sweep { grid, axis, .. } = self.sweep;
+        let (base, stride) = (plane * grid.stride[2], grid.stride[axis]);
+        flux.fill(0.0);
+        self.sweep.each_cell(plane, |c, place| {
+            if [place[0], place[1], plane - 1][axis] == 0 {
+                return;
+            }
+            let phi = self.sweep.swept(self.displacement, c, plane, place);
+            if phi == 0.0 {
+                return;
+            }
+            let donor = if phi > 0.0 { c - stride } else { c };
+            let fraction = f64::from(self.fraction[donor]);
+            let (soil, cell) = (f64::from(self.soil[donor]), f64::from(self.cell[donor]));
+            let through = if fraction >= FULL {
+                phi.abs()
+            } else if fraction <= 0.0 {
+                0.0
+            } else {
+                let plane = Plane::new(self.normal(donor), fraction);
+                let share = phi.abs() / cell;
+                plane.slab(axis, phi > 0.0, share) * cell
+            };
+            // The void must not be overdrawn either: these bounds keep the fraction between 0 and 1.
+            let void = cell - soil;
+            let bounded = through.max(phi.abs() - void).max(0.0).min(soil).min(phi.abs());
+            flux[c - base] = bounded.copysign(phi) as Real;
+        });
+    }
+
+    /// Normal of the surface in a cell, from soil to void, in unit-cell coordinates: from the heights of the columns round
+    /// it where the surface is a graph there, else from the smoothed gradient of the volume fraction.
+    fn normal(&self, c: usize) -> [f64; 3] {
+        let youngs = self.normal_from_gradient(c);
+        self.normal_from_heights(c, youngs).unwrap_or(youngs)
+    }
+
+    /// Second-order normal from the heights of soil in the four columns beside the cell (Cummins, Francois & Kothe 2005);
+    /// `None` where a column does not reach from full to void within three cells up and down.
+    fn normal_from_heights(&self, c: usize, rough: [f64; 3]) -> Option<[f64; 3]> {
+        const REACH: usize = 2;
+        let size = rough.map(f64::abs);
+        let up = if size[0] >= size[1] && size[0] >= size[2] {
+            0
+        } else if size[1] >= size[2] {
+            1
+        } else {
+            2
+        };
+        let grid = self.sweep.grid;
+        let (place, cells) = (grid.place(c), grid.cells());
+        let [first, second] = [(up + 1) % 3, (up + 2) % 3];
+        let inside = |axis: usize, reach: usize| place[axis] >= reach && place[axis] + reach < cells[axis];
+        if !inside(up, REACH) {
+            return None;
+        }
+        let stride = grid.stride[up];
+        let height = |middle: usize| {
+            let low = middle - REACH * stride;
+            let fraction = |n: usize| f64::from(self.fraction[low + n * stride]);
+            let (bottom, top) = (fraction(0), fraction(2 * REACH));
+            let full_to_void = (bottom > FULL && top == 0.0) || (bottom == 0.0 && top > FULL);
+            // From both ends to the middle: upside down the sum is the same to the bit.
+            let pair = |n: usize| fraction(n) + fraction(2 * REACH - n);
+            full_to_void.then_some((pair(0) + pair(1)) + fraction(REACH))
+        };
+        let slope = |axis: usize| -> Option<f64> {
+            if cells[axis] == 1 {
+                return Some(0.0);
+            }
+            let s = grid.stride[axis];
+            inside(axis, 1).then_some(())?;
+            Some(0.5 * (height(c + s)? - height(c - s)?))
+        };
+        let mut normal = [0.0; 3];
+        normal[up] = rough[up].signum();
+        normal[first] = -slope(first)?;
+        normal[second] = -slope(second)?;
+        Some(normal)
+    }
+
+    /// Normal from the gradient of the volume fraction over 27 cells (Youngs 1984); neighbours outside the grid are taken
+    /// equal to the cells inside.
+    fn normal_from_gradient(&self, c: usize) -> [f64; 3] {
+        let grid = self.sweep.grid;
+        let place = grid.place(c);
+        let cells = grid.cells();
+        // Offsets to the neighbours, or 0 where there is none.
+        let offset: [[isize; 3]; 3] = std::array::from_fn(|axis| {
+            let s = grid.stride[axis].cast_signed();
+            let low = if place[axis] > 0 { -s } else { 0 };
+            let high = if place[axis] + 1 < cells[axis] { s } else { 0 };
+            [low, 0, high]
+        });
+        const WEIGHT: [f64; 3] = [1.0, 2.0, 1.0];
+        let mut gradient = [0.0; 3];
+        for (z, dz) in offset[2].iter().enumerate() {
+            for (x, dx) in offset[0].iter().enumerate() {
+                // The two sides of y are added first: a mirror in y then changes no bit.
+                let [low, middle, high] =
+                    offset[1].map(|dy| f64::from(self.fraction[c.wrapping_add_signed(dx + dy + dz)]));
+                let sum = (low + high) + 2.0 * middle;
+                gradient[0] += sum * WEIGHT[z] * (x as f64 - 1.0);
+                gradient[1] += (high - low) * WEIGHT[x] * WEIGHT[z];
+                gradient[2] += sum * WEIGHT[x] * (z as f64 - 1.0);
+            }
+        }
+        gradient.map(|g| -g)
+    }
+}

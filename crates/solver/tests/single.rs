@@ -1,0 +1,85 @@
+//! In single precision soil rests, moves and keeps its mass to about seven digits, and mirror images and threads still agree
+//! to the bit.
+#![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
+
+mod common;
+
+use common::{below, sand, uniform};
+use glam::DVec3;
+use physics::rigid::Freedom;
+use physics::shape::Disc;
+use solver::model::{BodyModel, Model};
+use solver::precision::Precision;
+use solver::state::State;
+
+/// After so many steps on a number of threads.
+fn after(model: &Model, surface: f64, threads: usize, steps: usize) -> State<f32> {
+    let mut state = f32::start_under(model, &below(surface), 0.0);
+    let mut workspace = f32::workspace(model, &state, threads);
+    for _ in 0..steps {
+        f32::step(model, &mut state, &mut workspace).unwrap();
+    }
+    state
+}
+
+/// A disc, its middle at `y`, that is pushed into sand and towed.
+fn tow(y: f64) -> Model {
+    let moving = |speed| Freedom::Prescribed { speed, start: 0.0, ramp: 0.01, end: f64::INFINITY };
+    let across = (-8..=8).map(|n| 0.02 * f64::from(n)).collect();
+    let mut model = sand([uniform(-0.2, 0.24, 22), across, uniform(-0.12, 0.06, 9)]);
+    model.bodies.push(BodyModel {
+        name: "disc".into(),
+        shape: Box::new(Disc { diameter: 0.2, thickness: 0.08 }),
+        start: DVec3::new(0.0, y, 0.1),
+        mass: 1.0,
+        axle_inertia: 0.005,
+        friction: 0.3,
+        shear_limit: f64::INFINITY,
+        translation: [moving(0.3), Freedom::Fixed, moving(-0.15)],
+        spin: Freedom::Free { load: 0.0, start: 0.0, ramp: 0.0 },
+    });
+    model
+}
+
+#[test]
+fn soil_at_rest_hardly_moves() {
+    for surface in [0.4, 0.425, 0.4005, 0.4495] {
+        for every_step in [false, true] {
+            let mut model = sand([uniform(0.0, 0.3, 6), uniform(0.0, 0.2, 4), uniform(0.0, 0.5, 10)]);
+            if every_step {
+                model.method.remap_displacement = -1.0;
+            }
+            let state = after(&model, surface, 1, 500);
+            let speed = state.nodes.velocity.iter().flatten().fold(0.0_f32, |a, v| v.abs().max(a));
+            assert!(speed < 1e-6, "{speed:e} m/s with the surface at {surface} m, remap {every_step}");
+        }
+    }
+}
+
+#[test]
+fn a_tow_keeps_the_soil() {
+    let model = tow(0.0);
+    let state = after(&model, 0.0, 1, 800);
+    let body = &state.bodies[0];
+    let leak = body.leaked_volume / body.embedded_volume;
+    assert!(leak < 1e-3, "{leak:e} of the embedded volume is soil");
+    let before = model.density * state.ledger.volume_start;
+    let mass: f64 = state.soil.mass.iter().map(|mass| f64::from(*mass)).sum();
+    let lost = (mass + state.ledger.crumbs_mass) / before - 1.0;
+    assert!(lost.abs() < 1e-6, "{lost:e} of the mass");
+}
+
+#[test]
+fn threads_and_mirror_images_agree_to_the_bit() {
+    let (left, right) = (tow(-0.007), tow(0.007));
+    let (one, two, image) =
+        (after(&left, 0.0, 1, 300), after(&left, 0.0, 2, 300), after(&right, 0.0, 1, 300));
+    assert_eq!(one, two);
+    let grid = &left.grid;
+    let [nx, ny, nz] = grid.cells();
+    for (i, j, k) in (0..nx * ny * nz).map(|n| (n % nx, n / nx % ny, n / nx / ny)) {
+        let (cell, other) = (grid.index(i, j, k), grid.index(i, ny - 1 - j, k));
+        assert_eq!(one.soil.fraction[cell], image.soil.fraction[other], "cell {i} {j} {k}");
+    }
+    assert_eq!(one.bodies[0].spin, image.bodies[0].spin);
+}
