@@ -262,6 +262,7 @@ pub fn model(case: &Case, lanes: usize) -> Model {
             courant: case.numerics.courant,
             remap_displacement: case.numerics.remap_displacement,
             hourglass: case.numerics.hourglass,
+            hourglass_yielding: case.numerics.hourglass_yielding,
             bulk_viscosity: [case.numerics.bulk_viscosity_linear, case.numerics.bulk_viscosity_quadratic],
             contact: match case.numerics.contact {
                 resolved::Contact::Penalty => ContactMethod::Penalty,

@@ -87,6 +87,8 @@ pub struct Method {
     pub remap_displacement: f64,
     /// Coefficient ε of hourglass viscosity.
     pub hourglass: f64,
+    /// Share of it that acts in cells that yield.
+    pub hourglass_yielding: f64,
     /// Bulk viscosity b₁, b₂.
     pub bulk_viscosity: [f64; 2],
     /// Contact method.
@@ -104,6 +106,7 @@ impl Default for Method {
             courant: 0.5,
             remap_displacement: 0.1,
             hourglass: 0.01,
+            hourglass_yielding: 1.0,
             bulk_viscosity: [0.02, 1.2],
             contact: ContactMethod::Impulse,
             edge_inset: 0.5,

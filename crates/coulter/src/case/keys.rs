@@ -378,6 +378,7 @@ const NUMERICS: &[Key] = &[
         "Displacement in cell widths at which the soil is remapped.",
     ),
     key("hourglass", Kind::Number, "0.01", "Coefficient of hourglass viscosity."),
+    key("hourglass_yielding", Kind::Number, "1", "Share of it that acts in cells that yield, 0 to 1."),
     key(
         "bulk_viscosity_linear",
         Kind::Number,

@@ -304,6 +304,8 @@ pub struct Numerics {
     pub remap_displacement: f64,
     /// Coefficient of hourglass viscosity (0.01).
     pub hourglass: f64,
+    /// Share of the hourglass viscosity that acts in cells that yield (1).
+    pub hourglass_yielding: f64,
     /// Linear coefficient of bulk viscosity b₁ (0.02; 0.06 for Tresca and von Mises).
     pub bulk_viscosity_linear: f64,
     /// Quadratic coefficient of bulk viscosity b₂ (1.2).

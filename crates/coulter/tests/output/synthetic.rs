@@ -114,6 +114,7 @@ pub(crate) fn case(kind: Kind, cell: f64) -> Case {
             courant: 0.5,
             remap_displacement: 0.1,
             hourglass: 0.03,
+            hourglass_yielding: 1.0,
             bulk_viscosity_linear: 0.02,
             bulk_viscosity_quadratic: 1.2,
             contact: case::Contact::Penalty,

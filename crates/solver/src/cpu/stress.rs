@@ -40,6 +40,8 @@ pub(crate) struct RowConstants<'a> {
     pub(crate) viscosity: BulkViscosity,
     /// ε ρ c / 4 [kg/(s m²)].
     pub(crate) hourglass: Real,
+    /// Share of it that acts in cells that yield.
+    pub(crate) hourglass_yielding: Real,
     /// Widths of the cells along x [m], 0 in ghosts.
     pub(crate) width_x: &'a [Real],
     /// ¼ over the widths, 0 in ghosts [1/m].
@@ -65,6 +67,7 @@ impl<'a> RowConstants<'a> {
             critical_density: model.critical_density.unwrap_or(0.0) as Real,
             viscosity: BulkViscosity::rounded(&model.viscosity()),
             hourglass,
+            hourglass_yielding: model.method.hourglass_yielding as Real,
             width_x,
             per_width_x,
             width_y: 0.0,
@@ -376,7 +379,9 @@ fn bear(constants: &RowConstants, cells: &mut CellRow, b: &mut Block) -> [f64; 3
         let length = mean_width(hx, hy, hz);
         let f = if b.alive[i] > 0.0 { fraction[i] } else { 0.0 };
         let viscous = constants.viscosity.stress(length, b.rate[i]);
-        let h = f * constants.hourglass * length * length;
+        // Soil that flows resists shear with its strength alone, whatever its stiffness; so should its hourglass modes.
+        let share = if b.yields[i] > 0.0 { constants.hourglass_yielding } else { 1.0 };
+        let h = f * share * constants.hourglass * length * length;
         b.area[0][i] = -0.25 * f * hy * hz;
         b.area[1][i] = -0.25 * f * hx * hz;
         b.area[2][i] = -0.25 * f * hx * hy;
@@ -466,6 +471,7 @@ mod tests {
             critical_density: 0.0,
             viscosity: BulkViscosity { linear: 0.0, quadratic: 0.0 },
             hourglass: 0.0,
+            hourglass_yielding: 1.0,
             width_x: &ones,
             per_width_x: &[0.25; BLOCK],
             width_y: 1.0,

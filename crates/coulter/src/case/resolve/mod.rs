@@ -159,6 +159,7 @@ fn numerics(section: &Section, law: Option<Law>, problems: &mut Problems) -> Opt
     let courant = or("courant", 0.5, &SHARE);
     let remap_displacement = or("remap_displacement", 0.1, &SHARE);
     let hourglass = or("hourglass", 0.01, &NOT_NEGATIVE);
+    let hourglass_yielding = or("hourglass_yielding", 1.0, &ranges::FRACTION);
     let bulk_viscosity_linear = or("bulk_viscosity_linear", viscosity, &NOT_NEGATIVE);
     let bulk_viscosity_quadratic = or("bulk_viscosity_quadratic", 1.2, &NOT_NEGATIVE);
     let edge_inset = or("edge_inset", EDGE_INSET, &NOT_NEGATIVE);
@@ -176,6 +177,7 @@ fn numerics(section: &Section, law: Option<Law>, problems: &mut Problems) -> Opt
         courant: courant?,
         remap_displacement: remap_displacement?,
         hourglass: hourglass?,
+        hourglass_yielding: hourglass_yielding?,
         bulk_viscosity_linear: bulk_viscosity_linear?,
         bulk_viscosity_quadratic: bulk_viscosity_quadratic?,
         contact,
