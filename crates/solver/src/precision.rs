@@ -21,8 +21,6 @@ pub trait Precision:
     /// Memory that steps work in.
     type Workspace: Debug;
 
-    /// The nearest number of this precision.
-    fn nearest(value: f64) -> Self;
     /// See [`double::start::start_under`].
     fn start_under(model: &Model, filling: &Filling, overburden: f64) -> State<Self>;
     /// See [`double::start::start_filled`].
@@ -57,10 +55,6 @@ macro_rules! precision {
             const NAME: &'static str = $name;
             const LANES: usize = $module::LANES;
             type Workspace = $module::workspace::Workspace;
-
-            fn nearest(value: f64) -> Self {
-                value as Self
-            }
 
             fn start_under(model: &Model, filling: &Filling, overburden: f64) -> State<Self> {
                 $module::start::start_under(model, filling, overburden)
