@@ -28,6 +28,8 @@ pub mod flux;
 pub mod lagrange;
 #[path = "cpu/remap.rs"]
 pub mod remap;
+#[path = "cpu/returns.rs"]
+pub mod returns;
 #[path = "start.rs"]
 pub mod start;
 #[path = "step.rs"]

@@ -1,0 +1,236 @@
+//! The strength of a block of cells: its trial stresses are brought back to the admissible set.
+
+use super::physics::elastic::Elastic;
+use super::physics::menetrey_willam::MenetreyWillam;
+use super::physics::mohr_coulomb::MohrCoulomb;
+use super::physics::strength::{Law, Strength};
+use super::physics::tensor::Symmetric;
+use super::physics::von_mises::VonMises;
+use super::stress::{BLOCK, Block, CellRow, RowConstants, tensor};
+use super::{LANES, Real};
+use multiversion::multiversion;
+
+/// Brings the stresses that lie outside the strength back to it; returns how many there were. One function for each law, so
+/// that each loop is compiled for itself.
+pub(super) fn apply(
+    constants: &RowConstants,
+    strength: &Law,
+    cells: &mut CellRow,
+    block: &mut Block,
+) -> usize {
+    match strength {
+        Law::MohrCoulomb(law) => mohr_coulomb(constants, law, cells, block),
+        Law::MenetreyWillam(law) => menetrey_willam(constants, law, cells, block),
+        Law::VonMises(law) => von_mises(constants, law, cells, block),
+    }
+}
+
+/// The same for a law, cell by cell: most cells are elastic. Those that yield are moved together, so that no vector of the return is half empty.
+#[inline(always)]
+fn apply_strength(
+    constants: &RowConstants,
+    strength: &impl Strength,
+    cells: &mut CellRow,
+    b: &mut Block,
+) -> usize {
+    let n = b.n.min(BLOCK);
+    let plastic_strain = &cells.plastic_strain[b.start..b.start + n];
+    for i in 0..n {
+        let trial = tensor(&b.trial, i);
+        b.yields[i] = if strength.may_yield(trial, plastic_strain[i]) { b.alive[i] } else { 0.0 };
+    }
+    let (mut place, mut count) = ([0_u8; BLOCK], 0);
+    for i in 0..n {
+        place[count] = i as u8;
+        count += usize::from(b.yields[i] > 0.0);
+    }
+    if count == 0 {
+        return 0;
+    }
+    let mut together = Yielding::default();
+    for places in place[..count].chunks(LANES) {
+        let places = || places.iter().map(|i| usize::from(*i)).enumerate();
+        for (l, i) in places() {
+            for c in 0..6 {
+                together.trial[c][l] = b.trial[c][i];
+                together.old[c][l] = cells.stress[c][b.start + i];
+            }
+            let volume = constants.width_x[b.start + i] * constants.width_y * constants.width_z;
+            let critical = constants.critical_density * cells.fraction[b.start + i] * volume;
+            together.plastic_strain[l] = cells.plastic_strain[b.start + i];
+            together.dilates[l] = if cells.mass[b.start + i] >= critical { 1.0 } else { 0.0 };
+        }
+        together.return_stress(&constants.elastic, strength);
+        for (l, i) in places() {
+            for c in 0..6 {
+                b.trial[c][i] = together.trial[c][l];
+            }
+            cells.plastic_strain[b.start + i] = together.plastic_strain[l];
+            b.gap_strain[i] += together.gap_strain[l];
+            b.work[i] = together.work[l];
+        }
+    }
+    count
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn mohr_coulomb(constants: &RowConstants, law: &MohrCoulomb, cells: &mut CellRow, b: &mut Block) -> usize {
+    apply_strength(constants, law, cells, b)
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn menetrey_willam(
+    constants: &RowConstants,
+    law: &MenetreyWillam,
+    cells: &mut CellRow,
+    b: &mut Block,
+) -> usize {
+    apply_strength(constants, law, cells, b)
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn von_mises(constants: &RowConstants, law: &VonMises, cells: &mut CellRow, b: &mut Block) -> usize {
+    apply_strength(constants, law, cells, b)
+}
+
+/// As many yielding cells as a vector holds.
+#[derive(Default)]
+struct Yielding {
+    /// Trial stress, later the returned one [Pa].
+    trial: [[Real; LANES]; 6],
+    /// Stress at the start of the step [Pa].
+    old: [[Real; LANES]; 6],
+    /// 1 where the soil dilates, 0 at its critical density.
+    dilates: [Real; LANES],
+    /// Equivalent plastic strain at the start of the step, later at its end.
+    plastic_strain: [Real; LANES],
+    /// Increment.
+    gap_strain: [Real; LANES],
+    /// Plastic work per volume [J/m³].
+    work: [Real; LANES],
+}
+
+impl Yielding {
+    #[inline(always)]
+    fn return_stress(&mut self, elastic: &Elastic, strength: &impl Strength) {
+        for l in 0..LANES {
+            let trial = tensor(&self.trial, l);
+            let old = tensor(&self.old, l);
+            let back = strength.return_map(trial, self.plastic_strain[l], self.dilates[l] > 0.0);
+            let mut middle: Symmetric = [0.0; 6];
+            let mut change: Symmetric = [0.0; 6];
+            for c in 0..6 {
+                middle[c] = 0.5 * (old[c] + back.stress[c]);
+                change[c] = trial[c] - back.stress[c];
+                self.trial[c][l] = back.stress[c];
+            }
+            self.plastic_strain[l] += back.plastic_strain;
+            self.gap_strain[l] = back.gap_strain;
+            // The average of old and new stress makes the sum over steps exact for central differences.
+            self.work[l] = elastic.compliance(middle, change);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::physics::menetrey_willam::Eccentricity;
+    use super::super::physics::viscosity::BulkViscosity;
+    use super::super::stress::Lane;
+    use super::*;
+    use std::hint::black_box;
+    use std::time::Instant;
+
+    /// The best of many goes, for what disturbs a measurement can only slow it down [s].
+    fn best(mut go: impl FnMut()) -> f64 {
+        let time = |_| {
+            let clock = Instant::now();
+            go();
+            clock.elapsed().as_secs_f64()
+        };
+        (0..2000).map(time).fold(f64::INFINITY, f64::min)
+    }
+
+    /// A law as the step calls it, for a row of cells.
+    trait Apply<S>: Fn(&RowConstants, &S, &mut CellRow, &mut Block) -> usize {}
+    impl<S, F: Fn(&RowConstants, &S, &mut CellRow, &mut Block) -> usize> Apply<S> for F {}
+
+    /// Stresses of a block when a law was applied to it, and the time that takes [s].
+    fn in_vectors<S>(
+        strength: &S,
+        law: &impl Apply<S>,
+        stress: impl Fn(usize) -> Symmetric,
+    ) -> ([Lane; 6], f64) {
+        let ones = [1.0; BLOCK];
+        let constants = RowConstants {
+            elastic: Elastic::new(5e6, 0.3),
+            strength: None,
+            critical_density: 0.0,
+            viscosity: BulkViscosity { linear: 0.0, quadratic: 0.0 },
+            hourglass: 0.0,
+            hourglass_yielding: 1.0,
+            width_x: &ones,
+            per_width_x: &[0.25; BLOCK],
+            width_y: 1.0,
+            width_z: 1.0,
+            dt: 1.0,
+        };
+        let mut fields: [Vec<Real>; 6] = std::array::from_fn(|c| (0..BLOCK).map(|i| stress(i)[c]).collect());
+        let (mut plastic, mut gap) = (vec![0.0; BLOCK], vec![0.0; BLOCK]);
+        let mut cells = CellRow {
+            fraction: &ones,
+            mass: &ones,
+            stress: fields.each_mut().map(Vec::as_mut_slice),
+            plastic_strain: &mut plastic,
+            gap_strain: &mut gap,
+        };
+        let mut block = Block::new();
+        (block.n, block.alive) = (BLOCK, ones);
+        let seconds = best(|| {
+            for c in 0..6 {
+                block.trial[c].copy_from_slice(cells.stress[c]);
+            }
+            cells.plastic_strain.fill(0.0);
+            black_box(law(&constants, strength, &mut cells, &mut block));
+        });
+        (block.trial, seconds)
+    }
+
+    /// Ratios within one run, so that they hold on any machine: check and return in vectors against the same formulas cell
+    /// by cell.
+    fn goes_in_vectors<S: Strength>(strength: &S, law: impl Apply<S>) {
+        let yielding = |i: usize| [-1e3, -4e3 - i as Real, -9e3, 500.0, 10.0 * i as Real, -300.0];
+        let resting = |i: usize| [-5e3, -4e3 - i as Real, -6e3, 50.0, i as Real, -30.0];
+        let (returned, together) = in_vectors(strength, &law, yielding);
+        let one_by_one = best(|| {
+            for i in 0..BLOCK {
+                black_box(strength.return_map(black_box(yielding(i)), 0.0, true));
+            }
+        });
+        let (left_alone, checked) = in_vectors(strength, &law, resting);
+        let checked_one_by_one = best(|| {
+            for i in 0..BLOCK {
+                black_box(strength.may_yield(black_box(resting(i)), 0.0));
+            }
+        });
+        for i in 0..BLOCK {
+            assert_eq!(tensor(&returned, i), strength.return_map(yielding(i), 0.0, true).stress);
+            assert_eq!(tensor(&left_alone, i), resting(i));
+        }
+        #[cfg(target_arch = "x86_64")]
+        let wide = std::arch::is_x86_feature_detected!("avx2");
+        #[cfg(not(target_arch = "x86_64"))]
+        let wide = false;
+        let (gain, gain_check) = (one_by_one / together, checked_one_by_one / checked);
+        assert!(!wide || (gain > 2.0 && gain_check > 3.0), "return {gain} times, check {gain_check} times");
+    }
+
+    #[test]
+    fn the_returns_go_in_vectors() {
+        let elastic = Elastic::new(5e6, 0.3);
+        goes_in_vectors(&MohrCoulomb::new(elastic, 0.6, 0.0, 100.0, 50.0), mohr_coulomb);
+        let smooth = MenetreyWillam::new(elastic, 0.6, 0.1, 100.0, 50.0, Eccentricity::usual(0.6));
+        goes_in_vectors(&smooth, menetrey_willam);
+        goes_in_vectors(&VonMises::new(elastic, 3e3, 1e3), von_mises);
+    }
+}
