@@ -132,9 +132,8 @@ impl<D: Fn(DVec3) -> f64> Cell<'_, D> {
         let odd = |n: usize| {
             per * (local(3) * (layers[3][n] - layers[0][n]) + local(2) * (layers[2][n] - layers[1][n]))
         };
-        // What expelling leaves of the soil can be less than nothing by a rounding.
-        let (fraction, room) = (fraction.max(0.0), 1.0 - even(0));
-        let filled = if fraction < room { fraction / room } else { 1.0 };
+        let room = 1.0 - even(0);
+        let filled = if room > 0.0 && fraction < room { fraction / room } else { 1.0 };
         let ([x, z, xz], [y, xy, yz]) = ([1, 2, 3].map(even), [0, 1, 2].map(odd));
         let volume = self.width.x * self.width.y * self.width.z;
         std::array::from_fn(|n| {

@@ -144,8 +144,9 @@ fn carry(model: &Model, state: &mut State, transfers: &[Transfer]) {
         let (out, into) = (change.volume_out.total(), change.volume_in.total());
         let mass_out = f64::from(soil.mass[*c]) * out / held;
         let mass_in = change.mass_in.total();
-        soil.fraction[*c] = ((held + (into - out)) / grid.volume_of(*c)) as Real;
-        soil.mass[*c] = (f64::from(soil.mass[*c]) + (mass_in - mass_out)) as Real;
+        // A cell that is emptied must not hold less than nothing by a rounding.
+        soil.fraction[*c] = ((held + (into - out)).max(0.0) / grid.volume_of(*c)) as Real;
+        soil.mass[*c] = (f64::from(soil.mass[*c]) + (mass_in - mass_out)).max(0.0) as Real;
         if into > 0.0 {
             for (field, sum) in carried(soil).into_iter().zip(&change.carried_in) {
                 field[*c] = ((f64::from(field[*c]) * held + sum.total()) / (held + into)) as Real;
