@@ -76,7 +76,8 @@ pub fn runs(title: &str, ledgers: &[&Ledgers]) -> Option<String> {
         let drawn = all.take(MOST_RUNS).enumerate();
         drawn.map(|(n, (run, points))| Curve::solid(&run.case, n, points.clone())).collect()
     };
-    let forces = curves(|trace| if let Trace::Force(points) = trace { Some(points) } else { None });
+    let forces =
+        curves(|trace| if let Trace::Force(points) = trace { Some(points).filter(moves) } else { None });
     let heaps = curves(|trace| if let Trace::Heap(points) = trace { Some(points) } else { None });
     let (x_label, y_label, curves) = if forces.is_empty() {
         ("x [m]", "thickness of the soil at the end [m]", heaps)
@@ -99,6 +100,11 @@ pub fn runs(title: &str, ledgers: &[&Ledgers]) -> Option<String> {
         ..Chart::default()
     };
     Some(on_paper(&chart.svg()))
+}
+
+/// Whether a body gets anywhere; the force on one that is held has no way to be drawn over.
+fn moves(points: &&Vec<[f64; 2]>) -> bool {
+    points.iter().any(|p| p[0] != points[0][0])
 }
 
 /// A body's way counts from where it began.
