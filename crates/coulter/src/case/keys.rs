@@ -389,7 +389,7 @@ const NUMERICS: &[Key] = &[
     key("contact", Kind::Choice(&CONTACTS), "\"impulse\"", "Contact method."),
     key("edge_inset", Kind::Number, "0.5", "Distance of contact points from sharp edges, in cell widths."),
     key("point_spacing", Kind::Number, "0.25", "Spacing of contact points, in cell widths."),
-    key("threads", Kind::Count, "0", "Threads; 0 for one per core."),
+    key("threads", Kind::Count, "0", "Threads, at most 64; 0 for one per core."),
     key(
         "precision",
         Kind::Choice(&PRECISIONS),

@@ -3,6 +3,7 @@
 use super::keys::{self, Kind};
 use super::problem::Problems;
 use super::schema::Section;
+use solver::cpu::threads::MOST;
 
 /// Which values a key allows.
 pub(super) struct Allowed {
@@ -32,6 +33,8 @@ pub(super) const BACKFILL: Allowed = Allowed {
     test: |x| (-10.000_001..=25.000_001).contains(&x.to_degrees()),
     words: "from -10 deg to 25 deg",
 };
+/// As many threads as a team may have: `solver::cpu::threads::MOST`.
+pub(super) const THREADS: Allowed = Allowed { test: |x| x >= 0.0 && x <= MOST as f64, words: "from 0 to 64" };
 pub(super) const ANY: Allowed = Allowed { test: |_| true, words: "any number" };
 
 /// The number that the key holds, if it is given and allowed.

@@ -67,6 +67,11 @@ pub fn run(arguments: &Arguments) -> ExitCode {
     }
 }
 
+/// Numbers of threads that a team may have.
+fn threads() -> clap::builder::RangedI64ValueParser<u16> {
+    clap::value_parser!(u16).range(0..=solver::cpu::threads::MOST as i64)
+}
+
 /// Prints to standard output. A reader that has gone away (`| head`) is no error.
 fn say(text: &str) {
     let mut out = std::io::stdout().lock();

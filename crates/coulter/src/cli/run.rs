@@ -17,7 +17,7 @@ pub(super) struct Arguments {
     #[arg(long, conflicts_with = "resume")]
     force: bool,
     /// Threads; 0 for one per core
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = super::threads())]
     threads: Option<u16>,
     /// Sets a key, such as soil.friction_angle="38 deg"; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]

@@ -31,8 +31,8 @@ pub(super) struct Arguments {
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
     /// Threads; 0 for one per core
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    threads: usize,
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = super::threads())]
+    threads: u16,
     /// Where finished parts are kept; the same request goes on from them after a stop
     #[arg(short, long, value_name = "DIR", default_value = "results/verify")]
     output: PathBuf,
@@ -50,7 +50,7 @@ pub(super) fn verify(arguments: &Arguments) -> Result<(), Failure> {
     let wish = Wish {
         fast: arguments.fast,
         overrides: arguments.overrides.clone(),
-        threads: arguments.threads,
+        threads: usize::from(arguments.threads),
         folder: Some(arguments.output.clone()),
         fresh: arguments.fresh,
     };

@@ -56,8 +56,7 @@ pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
 /// Run-out for a = 1, φ = 37° on a mesh of so many cells over L₀; the front is where the sand is 0.025 L₀ thick.
 pub(super) fn run_out_on(bench: &mut Bench, cells: u32) -> Result<f64, VerifyError> {
     collapse(bench, 37, 1.0, cells)?;
-    let figure = bench.obtained("C1", &name(37, 1.0, cells), RUN_OUT_FIXED);
-    Ok(figure)
+    Ok(bench.obtained("C1", &name(37, 1.0, cells), RUN_OUT_FIXED))
 }
 
 fn name(angle: u32, a: f64, cells: u32) -> String {

@@ -147,7 +147,7 @@ impl Team {
 }
 
 /// Most workers of a team: their parts lie on the stack, so that no step asks for memory.
-pub(crate) const MOST: usize = 64;
+pub const MOST: usize = 64;
 
 /// What the workers get, one after the other; `None` for those that are left over.
 pub(crate) fn parts_of<T>(mut parts: impl Iterator<Item = T>) -> [Option<T>; MOST] {

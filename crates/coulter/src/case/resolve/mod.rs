@@ -164,7 +164,7 @@ fn numerics(section: &Section, law: Option<Law>, problems: &mut Problems) -> Opt
     let bulk_viscosity_quadratic = or("bulk_viscosity_quadratic", 1.2, &NOT_NEGATIVE);
     let edge_inset = or("edge_inset", EDGE_INSET, &NOT_NEGATIVE);
     let point_spacing = or("point_spacing", 0.25, &ranges::SPACING);
-    let threads = or("threads", 0.0, &NOT_NEGATIVE);
+    let threads = or("threads", 0.0, &ranges::THREADS);
     let contact = match section.text("contact") {
         Some(typed) if typed.value == "penalty" => Contact::Penalty,
         _ => Contact::Impulse,
