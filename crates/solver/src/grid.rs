@@ -55,6 +55,12 @@ impl Grid {
         self.cells()[0].next_multiple_of(self.lanes)
     }
 
+    /// Number of nodes in a row with those that pad it to whole vectors, if there is room for them.
+    #[must_use]
+    pub fn padded_nodes(&self) -> usize {
+        (self.cells()[0] + 1).next_multiple_of(self.lanes).min(self.stride[1] - 1)
+    }
+
     /// Place in memory of cell (or node) `(i, j, k)`.
     #[must_use]
     pub fn index(&self, i: usize, j: usize, k: usize) -> usize {
@@ -66,6 +72,18 @@ impl Grid {
     pub fn place(&self, index: usize) -> [usize; 3] {
         let [_, row, plane] = self.stride;
         [index % row - 1, index % plane / row - 1, index / plane - 1]
+    }
+
+    /// Number of rows in a plane of the memory, ghosts among them.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        self.stride[2] / self.stride[1]
+    }
+
+    /// Row within its plane, and plane, of a row of the memory; those of cell `(i, j, k)` are j + 1 and k + 1.
+    #[must_use]
+    pub fn row_place(&self, row: usize) -> [usize; 2] {
+        [row % self.rows(), row / self.rows()]
     }
 
     /// Width of cell layer `n` along `axis` [m].

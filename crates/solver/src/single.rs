@@ -26,10 +26,14 @@ pub mod energy;
 pub mod flux;
 #[path = "cpu/lagrange.rs"]
 pub mod lagrange;
+#[path = "cpu/nodes.rs"]
+pub mod nodes;
 #[path = "cpu/remap.rs"]
 pub mod remap;
 #[path = "cpu/returns.rs"]
 pub mod returns;
+#[path = "cpu/settle.rs"]
+pub mod settle;
 #[path = "start.rs"]
 pub mod start;
 #[path = "step.rs"]

@@ -53,8 +53,9 @@ fn at_rest(model: &Model, fraction: Vec<Real>, overburden: f64) -> State {
     relieve_void(&mut soil);
     weigh(model, &mut soil);
     let mut nodes = Nodes::at_rest(&model.grid);
-    for (n, plane) in nodes.mass.chunks_exact_mut(model.grid.stride[2]).enumerate().skip(1) {
-        lagrange_mass(&model.grid, n, &soil.mass, plane);
+    let rows = nodes.mass.chunks_exact_mut(model.grid.stride[1]).enumerate();
+    for (n, row) in rows.skip(model.grid.rows()) {
+        lagrange_mass(&model.grid, n, &soil.mass, row);
     }
     let ledger = Ledger {
         elastic_start: energy::elastic(model, &soil),

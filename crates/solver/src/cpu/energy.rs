@@ -22,11 +22,10 @@ pub(crate) fn kinetic(grid: &Grid, nodes: &Nodes) -> f64 {
 
 /// Elastic and kinetic energy of the soil [J], by the whole team.
 pub(crate) fn total(model: &Model, state: &State, workspace: &mut Workspace) -> f64 {
-    let rows = Workspace::rows(&model.grid);
     let Workspace { team, cut, row_values, .. } = workspace;
-    team.deal(cut.split_by(rows, row_values).zip(cut.ranges()), |(values, planes)| {
-        for (n, value) in values.iter_mut().enumerate() {
-            let place = [n % rows, planes.start + n / rows];
+    team.deal(cut.split_by(1, row_values).zip(cut.ranges()), |(values, rows)| {
+        for (value, row) in values.iter_mut().zip(rows.clone()) {
+            let place = model.grid.row_place(row);
             *value = [elastic_of(model, &state.soil, place), kinetic_of(&model.grid, &state.nodes, place)];
         }
     });

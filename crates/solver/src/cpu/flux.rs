@@ -19,16 +19,16 @@ pub(crate) struct Filling<'a> {
 }
 
 impl Filling<'_> {
-    /// Soil volume that crosses the low faces of a plane of cells [m³].
-    pub(crate) fn volume_fluxes(&self, plane: usize, flux: &mut [Real]) {
+    /// Soil volume that crosses the low faces of a row of cells [m³].
+    pub(crate) fn volume_fluxes(&self, row: usize, flux: &mut [Real]) {
         let Sweep { grid, axis, .. } = self.sweep;
-        let (base, stride) = (plane * grid.stride[2], grid.stride[axis]);
+        let (base, stride) = (row * grid.stride[1], grid.stride[axis]);
         flux.fill(0.0);
-        self.sweep.each_cell(plane, |c, place| {
-            if [place[0], place[1], plane - 1][axis] == 0 {
+        self.sweep.each_cell(row, |c, layers| {
+            if layers[axis] == 0 {
                 return;
             }
-            let phi = self.sweep.swept(self.displacement, c, plane, place);
+            let phi = self.sweep.swept(self.displacement, c, layers);
             if phi == 0.0 {
                 return;
             }

@@ -55,7 +55,7 @@ fn apply_strength(
                 together.trial[c][l] = b.trial[c][i];
                 together.old[c][l] = cells.stress[c][b.start + i];
             }
-            let volume = constants.width_x[b.start + i] * constants.width_y * constants.width_z;
+            let volume = constants.width_x[b.start + i] * cells.width_y * cells.width_z;
             let critical = constants.critical_density * cells.fraction[b.start + i] * volume;
             together.plastic_strain[l] = cells.plastic_strain[b.start + i];
             together.dilates[l] = if cells.mass[b.start + i] >= critical { 1.0 } else { 0.0 };
@@ -171,8 +171,6 @@ mod tests {
             hourglass_yielding: 1.0,
             width_x: &ones,
             per_width_x: &[0.25; BLOCK],
-            width_y: 1.0,
-            width_z: 1.0,
             dt: 1.0,
         };
         let mut fields: [Vec<Real>; 6] = std::array::from_fn(|c| (0..BLOCK).map(|i| stress(i)[c]).collect());
@@ -183,6 +181,8 @@ mod tests {
             stress: fields.each_mut().map(Vec::as_mut_slice),
             plastic_strain: &mut plastic,
             gap_strain: &mut gap,
+            width_y: 1.0,
+            width_z: 1.0,
         };
         let mut block = Block::new();
         (block.n, block.alive) = (BLOCK, ones);

@@ -27,9 +27,12 @@ pub(crate) struct CellRow<'a> {
     pub(crate) stress: [&'a mut [Real]; 6],
     pub(crate) plastic_strain: &'a mut [Real],
     pub(crate) gap_strain: &'a mut [Real],
+    /// Widths along y and z [m].
+    pub(crate) width_y: Real,
+    pub(crate) width_z: Real,
 }
 
-/// Everything about a row that does not change.
+/// What is the same for all rows.
 pub(crate) struct RowConstants<'a> {
     pub(crate) elastic: Elastic,
     pub(crate) strength: Option<Law>,
@@ -44,9 +47,6 @@ pub(crate) struct RowConstants<'a> {
     pub(crate) width_x: &'a [Real],
     /// ¼ over the widths, 0 in ghosts [1/m].
     pub(crate) per_width_x: &'a [Real],
-    /// Widths along y and z [m].
-    pub(crate) width_y: Real,
-    pub(crate) width_z: Real,
     /// Time step [s].
     pub(crate) dt: Real,
 }
@@ -68,8 +68,6 @@ impl<'a> RowConstants<'a> {
             hourglass_yielding: model.method.hourglass_yielding as Real,
             width_x,
             per_width_x,
-            width_y: 0.0,
-            width_z: 0.0,
             dt: dt as Real,
         }
     }
@@ -215,7 +213,7 @@ fn trial_stress(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
     let (old_xx, old_yy, old_zz) = (&xx[own.clone()], &yy[own.clone()], &zz[own.clone()]);
     let (old_xy, old_yz, old_xz) = (&xy[own.clone()], &yz[own.clone()], &xz[own]);
     let (dt, elastic) = (constants.dt, constants.elastic);
-    let (per_y, per_z) = (0.25 / constants.width_y, 0.25 / constants.width_z);
+    let (per_y, per_z) = (0.25 / cells.width_y, 0.25 / cells.width_z);
     for i in 0..n {
         let per_x = per_width[i];
         let (xx, xy, xz) = (b.side[0][0][i] * per_x, b.side[0][1][i] * per_y, b.side[0][2][i] * per_z);
@@ -257,7 +255,7 @@ fn bear(constants: &RowConstants, cells: &mut CellRow, b: &mut Block) -> [f64; 3
     let (start, n) = (b.start, b.n.min(BLOCK));
     let own = start..start + n;
     let (width, fraction) = (&constants.width_x[own.clone()], &cells.fraction[own.clone()]);
-    let (hy, hz) = (constants.width_y, constants.width_z);
+    let (hy, hz) = (cells.width_y, cells.width_z);
     for i in 0..n {
         let hx = width[i];
         let volume = hx * hy * hz;

@@ -4,7 +4,7 @@
 //! the team spins for a while, then yields, before it goes to sleep.
 #![allow(unsafe_code)]
 
-use std::ops::Range;
+use super::cut::Cut;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Condvar, Mutex};
 use std::thread::JoinHandle;
@@ -120,17 +120,17 @@ impl Team {
         self.share(given, |part| part.iter_mut().for_each(&job));
     }
 
-    /// Calls `job(plane, output)` for every plane that `cut` hands out, in parallel, with the planes of `output`.
-    pub fn planes<T: Send>(&self, cut: &Cut, output: &mut [T], job: impl Fn(usize, &mut [T]) + Sync) {
+    /// Calls `job(row, output)` for every row that `cut` hands out, in parallel, with the row of `output`.
+    pub fn rows<T: Send>(&self, cut: &Cut, output: &mut [T], job: impl Fn(usize, &mut [T]) + Sync) {
         self.deal(cut.split(output).zip(cut.ranges()), |(part, range)| {
-            for (n, plane) in range.clone().enumerate() {
-                job(plane, &mut part[n * cut.stride..(n + 1) * cut.stride]);
+            for (row, own) in range.clone().zip(part.chunks_exact_mut(cut.stride)) {
+                job(row, own);
             }
         });
     }
 
-    /// Like [`Team::planes`] for two arrays that are written together.
-    pub(crate) fn planes2<T: Send>(
+    /// Like [`Team::rows`] for two arrays that are written together.
+    pub(crate) fn rows2<T: Send>(
         &self,
         cut: &Cut,
         first: &mut [T],
@@ -138,9 +138,9 @@ impl Team {
         job: impl Fn(usize, &mut [T], &mut [T]) + Sync,
     ) {
         self.deal(cut.split(first).zip(cut.split(second)).zip(cut.ranges()), |((first, second), range)| {
-            for (n, plane) in range.clone().enumerate() {
-                let own = n * cut.stride..(n + 1) * cut.stride;
-                job(plane, &mut first[own.clone()], &mut second[own]);
+            let own = first.chunks_exact_mut(cut.stride).zip(second.chunks_exact_mut(cut.stride));
+            for (row, (first, second)) in range.clone().zip(own) {
+                job(row, first, second);
             }
         });
     }
@@ -225,66 +225,6 @@ fn wait_for_turn(shared: &Shared, turn: usize) {
     }
 }
 
-/// How the planes of the grid are dealt out to the workers: contiguous runs, so that arrays can be split safely.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Cut {
-    /// First plane of every worker, and the end.
-    pub bounds: Vec<usize>,
-    /// Entries per plane.
-    pub stride: usize,
-}
-
-impl Cut {
-    /// Deals planes `first..` with the given costs to `workers` so that each has about the same.
-    #[must_use]
-    pub fn new(first: usize, cost: &[f64], workers: usize, stride: usize) -> Self {
-        let mut cut = Self { bounds: Vec::with_capacity(workers + 1), stride };
-        cut.deal(first, cost, workers);
-        cut
-    }
-
-    /// Does so anew.
-    pub fn deal(&mut self, first: usize, cost: &[f64], workers: usize) {
-        let Self { bounds, .. } = self;
-        let total: f64 = cost.iter().sum();
-        bounds.clear();
-        bounds.push(first);
-        let mut sum = 0.0;
-        for (n, c) in cost.iter().enumerate() {
-            sum += c;
-            let due = total * bounds.len() as f64 / workers as f64;
-            if bounds.len() < workers && sum >= due && total > 0.0 {
-                bounds.push(first + n + 1);
-            }
-        }
-        bounds.push(first + cost.len());
-    }
-
-    /// The planes of every worker.
-    pub fn ranges(&self) -> impl ExactSizeIterator<Item = Range<usize>> + '_ {
-        self.bounds.windows(2).map(|b| b[0]..b[1])
-    }
-
-    /// Splits an array into the workers' planes.
-    pub fn split<'a, T>(&'a self, array: &'a mut [T]) -> impl Iterator<Item = &'a mut [T]> {
-        self.split_by(self.stride, array)
-    }
-
-    /// The same for an array that has `stride` entries for each plane.
-    pub(crate) fn split_by<'a, T>(
-        &'a self,
-        stride: usize,
-        array: &'a mut [T],
-    ) -> impl Iterator<Item = &'a mut [T]> {
-        let mut rest = &mut array[self.bounds[0] * stride..];
-        self.ranges().map(move |range| {
-            let (part, after) = std::mem::take(&mut rest).split_at_mut(range.len() * stride);
-            rest = after;
-            part
-        })
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -302,15 +242,14 @@ mod tests {
     }
 
     #[test]
-    fn planes_are_dealt_out_whole_and_once() {
-        let cut = Cut::new(2, &[0.0, 1.0, 5.0, 1.0, 1.0, 0.0], 3, 4);
-        assert_eq!((cut.bounds[0], cut.bounds[cut.bounds.len() - 1]), (2, 8));
+    fn rows_are_dealt_out_whole_and_once() {
+        let cut = Cut::new(2, &[0.0, 1.0, 5.0, 1.0, 1.0, 0.0], [3, 1], 4);
+        assert_eq!(cut.all(), 2..8);
         let mut array = vec![0.0; 40];
-        Team::new(3)
-            .planes(&cut, &mut array, |plane, output| output.iter_mut().for_each(|x| *x += plane as f64));
-        for plane in 0..10 {
-            let expected = if (2..8).contains(&plane) { plane as f64 } else { 0.0 };
-            assert!(array[plane * 4..plane * 4 + 4].iter().all(|x| *x == expected));
+        Team::new(3).rows(&cut, &mut array, |row, output| output.iter_mut().for_each(|x| *x += row as f64));
+        for row in 0..10 {
+            let expected = if (2..8).contains(&row) { row as f64 } else { 0.0 };
+            assert!(array[row * 4..row * 4 + 4].iter().all(|x| *x == expected));
         }
     }
 }

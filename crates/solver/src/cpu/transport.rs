@@ -1,6 +1,7 @@
 //! Transport along one axis: what the soil carries that crosses the faces.
 //!
-//! All functions work on one plane of cells (or nodes) and read whole arrays; they write only the plane they are given.
+//! All functions work on one row of cells (or nodes), given by its place among all rows, and read whole arrays; they write only
+//! the row they are given.
 //! "Low face" of a cell is the one towards smaller coordinates; face values are kept at the cell above it, those of dual
 //! faces at the node below. Rows are gone through with their ghosts, through which nothing flows.
 
@@ -20,19 +21,18 @@ pub(crate) struct Sweep<'a> {
 }
 
 impl Sweep<'_> {
-    /// Calls `job(cell, [i, j])` for the active cells (0-based layers along x and y) of a storage plane.
-    pub(crate) fn each_cell(&self, plane: usize, mut job: impl FnMut(usize, [usize; 2])) {
-        let [nx, ny, nz] = self.grid.cells();
-        let [_, row, stride] = self.grid.stride;
-        if plane > nz {
-            return;
-        }
-        for j in 0..ny {
-            if self.row_active[plane * (stride / row) + j + 1] {
-                let start = plane * stride + (j + 1) * row + 1;
-                for i in 0..nx {
-                    job(start + i, [i, j]);
-                }
+    /// 0-based layers along y and z of a row of cells, if it is active.
+    fn layers(&self, row: usize) -> Option<[usize; 2]> {
+        let ([_, ny, nz], [q, plane]) = (self.grid.cells(), self.grid.row_place(row));
+        (self.row_active[row] && (1..=ny).contains(&q) && plane <= nz).then(|| [q - 1, plane - 1])
+    }
+
+    /// Calls `job(cell, its 0-based layers)` for the cells of a row, if it is active.
+    pub(crate) fn each_cell(&self, row: usize, mut job: impl FnMut(usize, [usize; 3])) {
+        if let Some([j, k]) = self.layers(row) {
+            let start = row * self.grid.stride[1] + 1;
+            for i in 0..self.grid.cells()[0] {
+                job(start + i, [i, j, k]);
             }
         }
     }
@@ -40,92 +40,96 @@ impl Sweep<'_> {
     /// Volume swept by the face of a cell whose lowest node is `n` [m³]: face area times the mean displacement of its four
     /// nodes.
     #[inline(always)]
-    pub(crate) fn swept(&self, u: &[Real], n: usize, plane: usize, [i, j]: [usize; 2]) -> f64 {
+    pub(crate) fn swept(&self, u: &[Real], n: usize, layers: [usize; 3]) -> f64 {
         let [first, second] = [(self.axis + 1) % 3, (self.axis + 2) % 3];
-        let layers = [i, j, plane - 1];
         let area = self.grid.width(first, layers[first]) * self.grid.width(second, layers[second]);
         let (a, b) = (self.grid.stride[first], self.grid.stride[second]);
         let u = |n: usize| f64::from(u[n]);
         0.25 * area * ((u(n) + u(n + a)) + (u(n + b) + u(n + a + b)))
     }
 
-    /// Takes off what the high faces of a plane of cells sweep and adds what the low ones do: new volumes of the displaced
+    /// Takes off what the high faces of a row of cells sweep and adds what the low ones do: new volumes of the displaced
     /// cells.
-    pub(crate) fn undo_displacement(&self, plane: usize, displacement: &[Real], cell: &mut [Real]) {
+    pub(crate) fn undo_displacement(&self, row: usize, displacement: &[Real], cell: &mut [Real]) {
         let Self { grid, axis, .. } = *self;
-        let ([nx, ny, nz], [_, row, base]) = (grid.cells(), grid.stride);
-        let base = plane * base;
+        let Some([j, k]) = self.layers(row) else { return };
+        let ([nx, ..], [_, length, _]) = (grid.cells(), grid.stride);
         // Nothing is swept by the walls of the box; those across x are at the ends of the rows.
         let ends = usize::from(axis == 0);
-        let (own, x_faces) = (ends..nx - ends, &grid.faces[0][ends..=nx - ends]);
-        for j in (0..ny).filter(|j| plane <= nz && self.row_active[(base + (j + 1) * row) / row]) {
-            let (start, layer) = (base + (j + 1) * row + 1, [ends, j, plane - 1][axis]);
-            let four = |open: bool, n: usize| {
-                let [a, b] = [(axis + 1) % 3, (axis + 2) % 3].map(|other| grid.stride[other]);
-                // The lowest plane is all ghosts, which do not move.
-                [0, a, b, a + b].map(|corner| if open { n + corner } else { 0 })
-            };
-            let swept = |places: [usize; 4]| places.map(|n| &displacement[n..n + own.len()]);
-            let (c, s) = (start + own.start, grid.stride[axis]);
-            let faces = [four(layer > 0, c), four(layer + 1 < grid.cells()[axis], c + s)].map(swept);
-            let across = match axis {
-                0 => grid.width(1, j) * grid.width(2, plane - 1),
-                1 => grid.width(2, plane - 1),
-                _ => grid.width(1, j),
-            };
-            undo_row(faces, (axis > 0).then_some(x_faces), across, &mut cell[c - base..][..own.len()]);
-            if axis == 0 {
-                let [first, last] = [start, start + nx - 1];
-                cell[first - base] -= self.swept(displacement, first + 1, plane, [0, j]) as Real;
-                cell[last - base] += self.swept(displacement, last, plane, [nx - 1, j]) as Real;
-            }
+        let (own, x_faces) = (1 + ends..1 + nx - ends, &grid.faces[0][ends..=nx - ends]);
+        let layer = [ends, j, k][axis];
+        let four = |open: bool, n: usize| {
+            let [a, b] = [(axis + 1) % 3, (axis + 2) % 3].map(|other| grid.stride[other]);
+            // The lowest plane is all ghosts, which do not move.
+            [0, a, b, a + b].map(|corner| if open { n + corner } else { 0 })
+        };
+        let swept = |places: [usize; 4]| places.map(|n| &displacement[n..n + own.len()]);
+        let (c, s) = (row * length + own.start, grid.stride[axis]);
+        let faces = [four(layer > 0, c), four(layer + 1 < grid.cells()[axis], c + s)].map(swept);
+        let across = match axis {
+            0 => grid.width(1, j) * grid.width(2, k),
+            1 => grid.width(2, k),
+            _ => grid.width(1, j),
+        };
+        undo_row(faces, (axis > 0).then_some(x_faces), across, &mut cell[own]);
+        if axis == 0 {
+            let first = row * length + 1;
+            cell[1] -= self.swept(displacement, first + 1, [0, j, k]) as Real;
+            cell[nx] += self.swept(displacement, first + nx - 1, [nx - 1, j, k]) as Real;
         }
     }
 
-    /// How far along its slope, in cells, the value carried through the low faces of a plane lies from the middle of the
+    /// How far along its slope, in cells, the value carried through the low faces of a row lies from the middle of the
     /// donor: half of what the flux leaves behind; 0 where the donor is not full or a neighbour holds little soil.
-    pub(crate) fn reaches(&self, plane: usize, [flux, fraction, soil]: [&[Real]; 3], out: &mut [Real]) {
-        self.each_row(plane, out, |row, own| {
-            reach_row(row.of(flux), row.round(fraction), row.round(soil), own)
-        });
+    pub(crate) fn reaches(&self, row: usize, [flux, fraction, soil]: [&[Real]; 3], out: &mut [Real]) {
+        if let Some(row) = self.active(row) {
+            reach_row(row.of(flux), row.round(fraction), row.round(soil), out);
+        }
     }
 
-    /// Mass that crosses the low faces of a plane of cells [kg], with `soil` volumes as they were before the sweep.
+    /// Mass that crosses the low faces of a row of cells [kg], with `soil` volumes as they were before the sweep.
     pub(crate) fn mass_fluxes(
         &self,
-        plane: usize,
+        row: usize,
         [soil, mass]: [&[Real]; 2],
         [flux, reach]: [&[Real]; 2],
         out: &mut [Real],
     ) {
-        self.each_row(plane, out, |row, own| {
-            mass_row(row.of(flux), row.of(reach), row.round(mass), row.round(soil), own)
-        });
+        match self.active(row) {
+            Some(row) => mass_row(row.of(flux), row.of(reach), row.round(mass), row.round(soil), out),
+            None => out.fill(0.0),
+        }
     }
 
-    /// New value of a carried field in a plane of cells, with `soil` volumes as they were before the sweep.
+    /// New value of a carried field in a row of cells, with `soil` volumes as they were before the sweep.
     pub(crate) fn carry(
         &self,
-        plane: usize,
+        row: usize,
         [soil, field]: [&[Real]; 2],
         [flux, reach]: [&[Real]; 2],
         out: &mut [Real],
     ) {
-        let base = plane * self.grid.stride[2];
-        out.copy_from_slice(&field[base..base + out.len()]);
-        self.each_row(plane, out, |row, own| {
-            let faces = [row.of(flux), row.above(flux), row.of(reach), row.above(reach)];
-            carry_row(faces, row.round(field), row.of(soil), own);
-        });
+        match self.active(row) {
+            Some(row) => {
+                let faces = [row.of(flux), row.above(flux), row.of(reach), row.above(reach)];
+                carry_row(faces, row.round(field), row.of(soil), out);
+            }
+            None => out.copy_from_slice(&field[row * out.len()..][..out.len()]),
+        }
     }
 
-    /// Calls `job(row, part of out)` for the active rows of a storage plane of cells.
-    fn each_row(&self, plane: usize, out: &mut [Real], job: impl Fn(Row, &mut [Real])) {
-        let [_, ny, nz] = self.grid.cells();
-        let [_, row, stride] = self.grid.stride;
-        for q in (1..=ny).filter(|q| plane <= nz && self.row_active[plane * (stride / row) + q]) {
-            job(Row::new(self.grid, self.axis, [q, plane]), &mut out[q * row..(q + 1) * row]);
+    /// Takes off what flows out through the high faces of a row and adds what flows in through the low ones.
+    pub(crate) fn difference(&self, row: usize, face: &[Real], out: &mut [Real]) {
+        if let Some(row) = self.active(row) {
+            for ((value, low), high) in out.iter_mut().zip(row.of(face)).zip(row.above(face)) {
+                *value -= high - low;
+            }
         }
+    }
+
+    /// A row of cells with its neighbours, if it is active.
+    fn active(&self, row: usize) -> Option<Row> {
+        self.layers(row).map(|_| Row::new(self.grid, self.axis, row))
     }
 }
 
@@ -139,9 +143,15 @@ struct Row {
 }
 
 impl Row {
-    fn new(grid: &Grid, axis: usize, [q, plane]: [usize; 2]) -> Self {
-        let [_, length, stride] = grid.stride;
-        Self { start: plane * stride + q * length, length, stride: grid.stride[axis], plane: stride }
+    fn new(grid: &Grid, axis: usize, row: usize) -> Self {
+        let [_, length, plane] = grid.stride;
+        Self { start: row * length, length, stride: grid.stride[axis], plane }
+    }
+
+    /// A row of nodes, if it is one.
+    fn of_nodes(grid: &Grid, axis: usize, row: usize) -> Option<Self> {
+        let ([q, _], [_, ny, _]) = (grid.row_place(row), grid.cells());
+        (1..=ny + 1).contains(&q).then(|| Self::new(grid, axis, row))
     }
 
     /// The row of an array at a place; beyond the array that of the lowest plane, which is all ghosts.
@@ -246,38 +256,20 @@ fn carry_row(faces: [&[Real]; 4], field: [&[Real]; 5], soil: &[Real], out: &mut 
     }
 }
 
-/// Takes off what flows out through the high faces of a plane and adds what flows in through the low ones.
-pub(crate) fn difference(grid: &Grid, axis: usize, plane: usize, face: &[Real], out: &mut [Real]) {
-    let (base, s) = (plane * grid.stride[2], grid.stride[axis]);
-    let n = out.len().min(face.len() - base - s);
-    let (low, high) = (&face[base..base + n], &face[base + s..base + s + n]);
-    for ((value, low), high) in out.iter_mut().zip(low).zip(high) {
-        *value -= high - low;
-    }
-}
-
-/// Calls `job(row, part of out)` for the rows of nodes in a storage plane.
-fn each_node_row(grid: &Grid, axis: usize, plane: usize, out: &mut [Real], job: impl Fn(Row, &mut [Real])) {
-    let row = grid.stride[1];
-    for q in 1..=grid.cells()[1] + 1 {
-        job(Row::new(grid, axis, [q, plane]), &mut out[q * row..(q + 1) * row]);
-    }
-}
-
-/// Mass that crosses the dual faces between node `n` and the next along the axis [kg], for a plane of nodes.
-pub(crate) fn dual_fluxes(grid: &Grid, axis: usize, plane: usize, mass_flux: &[Real], out: &mut [Real]) {
-    out.fill(0.0);
-    if axis == 2 && plane > grid.cells()[2] {
+/// Mass that crosses the dual faces between node `n` and the next along the axis [kg], for a row of nodes.
+pub(crate) fn dual_fluxes(grid: &Grid, axis: usize, row: usize, mass_flux: &[Real], out: &mut [Real]) {
+    let [_, plane] = grid.row_place(row);
+    let row = Row::of_nodes(grid, axis, row).filter(|_| axis < 2 || plane <= grid.cells()[2]);
+    let Some(row) = row else {
+        out.fill(0.0);
         return;
-    }
+    };
     let [a, b] = [grid.stride[(axis + 1) % 3], grid.stride[(axis + 2) % 3]];
-    each_node_row(grid, axis, plane, out, |row, own| {
-        let pair = |back: usize| {
-            let row = Row { start: row.start - back, ..row };
-            [row.of(mass_flux), row.above(mass_flux)]
-        };
-        dual_flux_row([pair(0), pair(a), pair(b), pair(a + b)], own);
-    });
+    let pair = |back: usize| {
+        let row = Row { start: row.start - back, ..row };
+        [row.of(mass_flux), row.above(mass_flux)]
+    };
+    dual_flux_row([pair(0), pair(a), pair(b), pair(a + b)], out);
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
@@ -291,18 +283,18 @@ fn dual_flux_row(faces: [[&[Real]; 2]; 4], out: &mut [Real]) {
     }
 }
 
-/// As [`Sweep::reaches`] for the dual faces above a plane of nodes: 0 where a neighbour of the donor has no mass.
+/// As [`Sweep::reaches`] for the dual faces above a row of nodes: 0 where a neighbour of the donor has no mass.
 pub(crate) fn dual_reaches(
     grid: &Grid,
     axis: usize,
-    plane: usize,
+    row: usize,
     [mass, flux]: [&[Real]; 2],
     mass_moved: Real,
     out: &mut [Real],
 ) {
-    each_node_row(grid, axis, plane, out, |row, own| {
-        dual_reach_row(row.of(flux), row.round(mass), mass_moved, own);
-    });
+    if let Some(row) = Row::of_nodes(grid, axis, row) {
+        dual_reach_row(row.of(flux), row.round(mass), mass_moved, out);
+    }
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
@@ -319,29 +311,30 @@ fn dual_reach_row(flux: &[Real], mass: [&[Real]; 5], mass_moved: Real, out: &mut
     }
 }
 
-/// New masses of a plane of nodes after the dual fluxes.
-pub(crate) fn carry_mass(grid: &Grid, axis: usize, plane: usize, flux: &[Real], out: &mut [Real]) {
-    each_node_row(grid, axis, plane, out, |row, own| {
-        for ((mass, low), high) in own.iter_mut().zip(row.below(flux)).zip(row.of(flux)) {
+/// New masses of a row of nodes after the dual fluxes.
+pub(crate) fn carry_mass(grid: &Grid, axis: usize, row: usize, flux: &[Real], out: &mut [Real]) {
+    if let Some(row) = Row::of_nodes(grid, axis, row) {
+        for ((mass, low), high) in out.iter_mut().zip(row.below(flux)).zip(row.of(flux)) {
             *mass -= high - low;
         }
-    });
+    }
 }
 
-/// New velocity component of a plane of nodes after the dual fluxes have carried momentum.
+/// New velocity component of a row of nodes after the dual fluxes have carried momentum.
 pub(crate) fn carry_momentum(
     grid: &Grid,
     axis: usize,
-    plane: usize,
+    row: usize,
     [velocity, mass, flux, reach]: [&[Real]; 4],
     out: &mut [Real],
 ) {
-    let base = plane * grid.stride[2];
-    out.copy_from_slice(&velocity[base..base + out.len()]);
-    each_node_row(grid, axis, plane, out, |row, own| {
-        let faces = [row.below(flux), row.of(flux), row.below(reach), row.of(reach)];
-        momentum_row(faces, row.round(velocity), row.of(mass), own);
-    });
+    match Row::of_nodes(grid, axis, row) {
+        Some(row) => {
+            let faces = [row.below(flux), row.of(flux), row.below(reach), row.of(reach)];
+            momentum_row(faces, row.round(velocity), row.of(mass), out);
+        }
+        None => out.copy_from_slice(&velocity[row * out.len()..][..out.len()]),
+    }
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]

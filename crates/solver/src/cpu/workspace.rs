@@ -3,8 +3,9 @@
 use super::contact::{self, BodyCell, ContactLaw, Drive, TouchedNode};
 use super::stress::Block;
 use super::{Real, State};
+use crate::cpu::cut::{Cut, Pace};
 use crate::cpu::stopwatch::Stopwatch;
-use crate::cpu::threads::{Cut, MOST, Team};
+use crate::cpu::threads::{MOST, Team};
 use crate::grid::Grid;
 use crate::model::Model;
 use glam::DVec3;
@@ -20,9 +21,9 @@ pub(crate) const NODE_SUMS: usize = 4;
 /// Threads, scratch arrays and the bookkeeping of which rows hold soil.
 pub struct Workspace {
     pub(crate) team: Team,
-    /// How planes (storage planes 1 to nz + 1: nodes, and the cells above them) are dealt out.
+    /// How rows (of storage planes 1 to nz + 1: nodes, and the cells above them) are dealt out.
     pub(crate) cut: Cut,
-    /// Cost of each plane when they were dealt out last.
+    /// Cost of each row when they were dealt out last.
     pub(crate) costs: Vec<f64>,
     /// Whether a row of cells holds soil, by storage plane and row.
     pub(crate) row_has_soil: Vec<bool>,
@@ -63,18 +64,24 @@ impl std::fmt::Debug for Workspace {
     }
 }
 
-/// What a worker needs for itself.
+/// What a worker needs for itself, on cache lines of its own: it is written in every row, and two workers that write to one
+/// line wait for each other.
+#[repr(align(128))]
 pub(crate) struct WorkerScratch {
     /// Force coefficients of two rows of cells in turn.
     pub(crate) coefficients: [Coefficients; 2],
+    /// Those of the worker's first row.
+    pub(crate) first: Coefficients,
     /// Force and damping (four rows for each row of nodes) on a plane of nodes by the cells below it.
     pub(crate) below: Vec<Real>,
-    /// The same on the lowest plane of nodes by the cells above it; the first worker's nodes wait for nobody.
+    /// The same, row by row, on those of the worker's first nodes that wait for other cells; the first worker's wait for nobody.
     pub(crate) waiting: Vec<Real>,
     /// Row buffers of the nodes.
     pub(crate) row: Vec<Real>,
     /// Block of cells.
     pub(crate) block: Box<Block>,
+    /// How fast this worker is.
+    pub(crate) pace: Pace,
     /// Where this worker's time goes.
     pub(crate) stopwatch: Stopwatch,
 }
@@ -85,6 +92,14 @@ pub(crate) struct Coefficients {
     pub(crate) values: Vec<Real>,
     /// Whether all are zero.
     pub(crate) are_zero: bool,
+}
+
+impl Coefficients {
+    /// Takes over another row's.
+    pub(crate) fn copy_from(&mut self, other: &Self) {
+        self.values.copy_from_slice(&other.values);
+        self.are_zero = other.are_zero;
+    }
 }
 
 /// Sums over a row, in an order that does not depend on the number of threads.
@@ -116,25 +131,28 @@ impl Workspace {
     #[must_use]
     pub fn new(model: &Model, state: &State, threads: usize) -> Self {
         let grid = &model.grid;
-        let plane = grid.stride[2];
+        let [_, row, plane] = grid.stride;
         let planes = grid.cells()[2] + 1;
-        let rows = plane / grid.stride[1];
-        let coefficients =
-            |_| Coefficients { values: vec![0.0; COEFFICIENTS * grid.stride[1]], are_zero: true };
+        let rows = plane / row;
+        let coefficients = || Coefficients { values: vec![0.0; COEFFICIENTS * row], are_zero: true };
         let worker = |n| WorkerScratch {
-            coefficients: std::array::from_fn(coefficients),
+            coefficients: [coefficients(), coefficients()],
+            first: coefficients(),
             below: vec![0.0; NODE_SUMS * plane],
-            waiting: vec![0.0; if n > 0 { NODE_SUMS * plane } else { 0 }],
-            row: vec![0.0; ROW_BUFFERS * grid.stride[1]],
+            waiting: vec![0.0; if n > 0 { NODE_SUMS * (plane + row) } else { 0 }],
+            row: vec![0.0; ROW_BUFFERS * row],
             block: Block::new(),
+            pace: Pace::default(),
             stopwatch: Stopwatch::default(),
         };
-        let threads = threads.clamp(1, planes.min(MOST));
+        // The nodes that wait for a worker's cells must not wait for those of another besides.
+        let least = rows + 1;
+        let threads = threads.clamp(1, (planes * rows / least).min(MOST));
         let (touched, corner_nodes) = contact::touched_nodes(model, &state.contacts);
         let mut workspace = Self {
             team: Team::new(threads),
-            cut: Cut::new(1, &vec![1.0; planes], threads, plane),
-            costs: vec![0.0; planes],
+            cut: Cut::new(rows, &vec![1.0; planes * rows], [threads, least], row),
+            costs: vec![0.0; planes * rows],
             row_has_soil: vec![false; rows * (planes + 1)],
             clear: 0,
             velocity_before: state.nodes.velocity.clone(),
@@ -165,12 +183,14 @@ impl Workspace {
     #[must_use]
     pub fn memory(&self) -> usize {
         let own = |w: &WorkerScratch| {
-            let rows = w.coefficients.iter().map(|c| &c.values).chain([&w.below, &w.waiting, &w.row]);
+            let coefficients = w.coefficients.iter().chain([&w.first]).map(|c| &c.values);
+            let rows = coefficients.chain([&w.below, &w.waiting, &w.row]);
             rows.map(|row| size_of_val(row.as_slice())).sum::<usize>() + size_of_val(&*w.block)
         };
         self.velocity_before.iter().map(|field| size_of_val(field.as_slice())).sum::<usize>()
             + self.workers.iter().map(own).sum::<usize>()
             + size_of_val(self.row_sums.as_slice())
+            + size_of_val(self.costs.as_slice())
             + size_of_val(self.row_has_soil.as_slice())
             + size_of_val(self.row_values.as_slice())
             + self.points.iter().map(|points| size_of_val(points.as_slice())).sum::<usize>()
@@ -191,12 +211,7 @@ impl Workspace {
         self.row_values.iter().fold([0.0; 2], |sum, own| [sum[0] + own[0], sum[1] + own[1]])
     }
 
-    /// Rows per plane.
-    pub(crate) fn rows(grid: &Grid) -> usize {
-        grid.stride[2] / grid.stride[1]
-    }
-
-    /// Notes which rows hold soil, and deals the planes out anew.
+    /// Notes which rows hold soil, and deals the rows out anew.
     pub(crate) fn find_soil(&mut self, grid: &Grid, fraction: &[Real]) {
         for (n, cells) in fraction.chunks_exact(grid.stride[1]).take(self.row_has_soil.len()).enumerate() {
             self.row_has_soil[n] = cells.iter().any(|f| *f > 0.0);
@@ -207,22 +222,24 @@ impl Workspace {
         self.deal(grid);
     }
 
-    /// Deals the planes out to the workers by what they cost: rows with soil, and cells that yield.
+    /// Deals the rows out to the workers by what they cost: those with soil, and cells that yield. Faster workers get more.
     pub(crate) fn deal(&mut self, grid: &Grid) {
         /// A row without soil, over one with soil.
         const VOID: f64 = 0.02;
         /// Return of one cell's stress to the strength, over all else that is done for a cell.
-        const RETURN: f64 = 1.2;
-        let rows = Self::rows(grid);
+        const RETURN: f64 = 1.8;
         let per_cell = RETURN / grid.cells()[0] as f64;
-        for (plane, cost) in self.costs.iter_mut().enumerate() {
-            let own = (plane + 1) * rows..(plane + 2) * rows;
-            let each = self.row_has_soil[own.clone()].iter().zip(&self.row_sums[own]);
-            *cost = each
-                .map(|(soil, sums)| if *soil { 1.0 + per_cell * f64::from(sums.yields) } else { VOID })
-                .sum();
+        let Self { cut, costs, row_has_soil, row_sums, workers, .. } = self;
+        let first = cut.all().start;
+        let each = row_has_soil[first..].iter().zip(&row_sums[first..]);
+        for (cost, (has_soil, sums)) in costs.iter_mut().zip(each) {
+            *cost = if *has_soil { 1.0 + per_cell * f64::from(sums.yields) } else { VOID };
         }
-        self.cut.deal(1, &self.costs, self.team.size());
+        let all_known = workers.iter().all(|worker| worker.pace.speed().is_some());
+        cut.deal(costs, |n| workers[n].pace.speed().filter(|_| all_known).unwrap_or(1.0));
+        for (worker, load) in workers.iter_mut().zip(cut.loads(costs)) {
+            worker.pace.turn_to(load);
+        }
     }
 }
 

@@ -7,7 +7,7 @@
 //!
 //! All sums run over neighbours in an order that a mirror in y does not change to the bit.
 
-use super::super::remap::settle_cell;
+use super::super::settle::settle_cell;
 use super::super::workspace::Workspace;
 use super::super::{Nodes, ROUNDING, Real, Soil, State};
 use super::geometry::occupy_all;
@@ -31,7 +31,7 @@ pub(crate) fn expel(model: &Model, state: &mut State, workspace: &mut Workspace)
         if transfers.is_empty() {
             break;
         }
-        carry(model, state, &transfers);
+        carry(model, state, workspace, &transfers);
     }
 }
 
@@ -121,7 +121,7 @@ fn carried(soil: &mut Soil) -> [&mut Vec<Real>; 8] {
 }
 
 /// Moves soil with all that it carries.
-fn carry(model: &Model, state: &mut State, transfers: &[Transfer]) {
+fn carry(model: &Model, state: &mut State, workspace: &mut Workspace, transfers: &[Transfer]) {
     let grid = &model.grid;
     let State { soil, nodes, .. } = state;
     let mut changes: BTreeMap<usize, Change> = BTreeMap::new();
@@ -151,7 +151,7 @@ fn carry(model: &Model, state: &mut State, transfers: &[Transfer]) {
             for (field, sum) in carried(soil).into_iter().zip(&change.carried_in) {
                 field[*c] = ((f64::from(field[*c]) * held + sum.total()) / (held + into)) as Real;
             }
-            settle_cell(model, soil, *c, model.grid.volume_of(*c));
+            settle_cell(model, soil, workspace, *c);
         }
         masses.insert(*c, (mass_out, mass_in, change.momentum_in.total()));
     }

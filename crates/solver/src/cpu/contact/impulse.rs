@@ -52,7 +52,7 @@ impl ContactLaw for Impulses {
     fn act(&mut self, scene: &mut Scene) {
         let touches = |n: usize| {
             let c = &scene.contacts[n];
-            let closing = || scene.slip_velocity(&scene.grip(n)).dot(c.normal);
+            let closing = || scene.slip_velocity_of(n).dot(c.normal);
             c.penetration >= 0.0
                 || c.penetration > -REACH * c.width && c.penetration + closing() * scene.dt > 0.0
         };
@@ -78,18 +78,19 @@ impl ContactLaw for Impulses {
 
 /// Gives a point its share of its patch's impulse, if it has one, and carries its distance on.
 fn remember(scene: &mut Scene, n: usize, patch: Option<&Patch>) {
-    let c = scene.contacts[n];
-    let impulse = patch.map_or(DVec3::ZERO, |p| (c.area / p.area) * p.impulse);
+    let area = scene.contacts[n].area;
+    let impulse = patch.map_or(DVec3::ZERO, |p| (area / p.area) * p.impulse);
     if let Some(patch) = patch {
         let normal = impulse.dot(patch.grip.normal) * patch.grip.normal;
         scene.note(n, normal, impulse - normal);
     }
-    let closing = scene.slip_velocity(&scene.grip(n)).dot(c.normal);
-    let penetration = (c.penetration + closing * scene.dt).min(c.penetration.max(0.0));
+    let slip = scene.slip_velocity_of(n);
+    let c = &mut scene.contacts[n];
+    let penetration = (c.penetration + slip.dot(c.normal) * scene.dt).min(c.penetration.max(0.0));
     // Rounding must not let go of a point that is held.
     let held = patch.is_some_and(|p| p.impulse.dot(p.grip.normal) > 0.0);
-    scene.contacts[n].penetration = if held { penetration.max(0.0) } else { penetration };
-    scene.contacts[n].impulse = impulse;
+    c.penetration = if held { penetration.max(0.0) } else { penetration };
+    c.impulse = impulse;
 }
 
 /// What does not change about a patch during the sweeps of a step.

@@ -117,8 +117,18 @@ impl Scene<'_> {
 
     /// Velocity of the body minus that of the soil [m/s].
     fn slip_velocity(&self, grip: &Grip) -> DVec3 {
-        let soil = |n: usize| grip.weight[n] * self.nodes[grip.nodes[n] as usize].velocity;
-        velocity_at(&self.bodies[grip.body], grip.arm) - over_corners(std::array::from_fn(soil))
+        self.slip_velocity_at((grip.body, grip.arm), &grip.nodes, &grip.weight)
+    }
+
+    /// The same at a contact.
+    fn slip_velocity_of(&self, contact: usize) -> DVec3 {
+        let Contact { body, arm, weight, .. } = &self.contacts[contact];
+        self.slip_velocity_at((*body, *arm), &self.corner_nodes[contact], weight)
+    }
+
+    fn slip_velocity_at(&self, (body, arm): (usize, DVec3), nodes: &[u32; 8], weight: &[f64; 8]) -> DVec3 {
+        let soil = |n: usize| weight[n] * self.nodes[nodes[n] as usize].velocity;
+        velocity_at(&self.bodies[body], arm) - over_corners(std::array::from_fn(soil))
     }
 
     /// The same at a patch, as what is missing at its nodes sees it: an impulse along the normal changes it by its work.

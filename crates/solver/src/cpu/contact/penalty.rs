@@ -77,7 +77,7 @@ impl ContactLaw for Penalty {
         // All forces follow from the velocities before any of them acts: the order of the points does not matter.
         self.given.clear();
         for n in 0..scene.contacts.len() {
-            let relative = scene.slip_velocity(&scene.grip(n));
+            let relative = scene.slip_velocity_of(n);
             let body = &scene.model.bodies[scene.contacts[n].body];
             let friction = [body.friction.min(1e6), body.shear_limit];
             let (normal, tangential) = self.tractions(&mut scene.contacts[n], relative, friction);
@@ -92,7 +92,7 @@ impl ContactLaw for Penalty {
             }
         }
         for n in 0..scene.contacts.len() {
-            let relative = scene.slip_velocity(&scene.grip(n));
+            let relative = scene.slip_velocity_of(n);
             remember(&mut scene.contacts[n], relative, scene.dt);
         }
     }

@@ -1,0 +1,148 @@
+//! Which rows of the grid each worker goes through.
+
+use std::ops::Range;
+
+/// How the rows of the grid are dealt out to the workers: contiguous runs, so that arrays can be split safely.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cut {
+    /// First row of every worker, and the end.
+    bounds: Vec<usize>,
+    /// Fewest rows that a worker gets.
+    least: usize,
+    /// Entries per row.
+    pub stride: usize,
+}
+
+impl Cut {
+    /// Deals rows `first..` with the given costs to `workers` so that each has about the same, and `least` rows or more.
+    ///
+    /// # Panics
+    /// When there are too few rows for that.
+    #[must_use]
+    pub fn new(first: usize, cost: &[f64], [workers, least]: [usize; 2], stride: usize) -> Self {
+        assert!(workers > 0 && workers * least <= cost.len(), "too few rows for {workers} workers");
+        let mut cut = Self { bounds: vec![first; workers + 1], least, stride };
+        cut.deal(cost, |_| 1.0);
+        cut
+    }
+
+    /// Does so anew, so that workers of the given speeds take about the same time.
+    pub fn deal(&mut self, cost: &[f64], speed: impl Fn(usize) -> f64) {
+        let (first, workers) = (self.bounds[0], self.bounds.len() - 1);
+        let (total, all): (f64, f64) = (cost.iter().sum(), (0..workers).map(&speed).sum());
+        let (mut row, mut sum, mut faster) = (0, 0.0, 0.0);
+        for worker in 1..workers {
+            faster += speed(worker - 1);
+            let due = total * faster / all;
+            // To the side of a row that is nearer.
+            while row < cost.len() && sum + 0.5 * cost[row] < due {
+                sum += cost[row];
+                row += 1;
+            }
+            let [low, high] =
+                [self.bounds[worker - 1] + self.least, first + cost.len() - (workers - worker) * self.least];
+            self.bounds[worker] = (first + row).clamp(low, high);
+        }
+        self.bounds[workers] = first + cost.len();
+    }
+
+    /// What every worker has to do, with the costs by which the rows were dealt out.
+    pub fn loads<'a>(&'a self, cost: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
+        let first = self.bounds[0];
+        self.ranges().map(move |rows| cost[rows.start - first..rows.end - first].iter().sum())
+    }
+
+    /// All rows.
+    #[must_use]
+    pub fn all(&self) -> Range<usize> {
+        self.bounds[0]..self.bounds[self.bounds.len() - 1]
+    }
+
+    /// The rows of every worker.
+    pub fn ranges(&self) -> impl ExactSizeIterator<Item = Range<usize>> + '_ {
+        self.bounds.windows(2).map(|b| b[0]..b[1])
+    }
+
+    /// Splits an array into the workers' rows.
+    pub fn split<'a, T>(&'a self, array: &'a mut [T]) -> impl Iterator<Item = &'a mut [T]> {
+        self.split_by(self.stride, array)
+    }
+
+    /// The same for an array that has `stride` entries for each row.
+    pub(crate) fn split_by<'a, T>(
+        &'a self,
+        stride: usize,
+        array: &'a mut [T],
+    ) -> impl Iterator<Item = &'a mut [T]> {
+        let mut rest = &mut array[self.bounds[0] * stride..];
+        self.ranges().map(move |range| {
+            let (part, after) = std::mem::take(&mut rest).split_at_mut(range.len() * stride);
+            rest = after;
+            part
+        })
+    }
+}
+
+/// How fast a worker is: cores differ, and other programs want some of them. What lies longer back counts less.
+#[derive(Clone, Debug, Default)]
+pub struct Pace {
+    /// What the worker has to do each time.
+    load: f64,
+    /// What it has done.
+    done: f64,
+    /// How long that took [s].
+    seconds: f64,
+}
+
+impl Pace {
+    /// Share of the past that is forgotten whenever the rows are dealt out.
+    const FORGOTTEN: f64 = 0.3;
+
+    /// Notes how long it took to do all once [s].
+    pub fn note(&mut self, seconds: f64) {
+        self.done += self.load;
+        self.seconds += seconds;
+    }
+
+    /// Gives the worker something else to do.
+    pub fn turn_to(&mut self, load: f64) {
+        self.load = load;
+        self.done *= 1.0 - Self::FORGOTTEN;
+        self.seconds *= 1.0 - Self::FORGOTTEN;
+    }
+
+    /// What is done in a second, if anything was done yet.
+    #[must_use]
+    pub fn speed(&self) -> Option<f64> {
+        (self.done > 0.0 && self.seconds > 0.0).then(|| self.done / self.seconds)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_are_dealt_out_by_cost_but_none_gets_too_few() {
+        let ranges = |cost: &[f64], share| Cut::new(1, cost, share, 4).ranges().collect::<Vec<_>>();
+        assert_eq!(ranges(&[1.0; 9], [2, 1]), [1..5, 5..10]);
+        assert_eq!(ranges(&[0.0, 0.0, 2.0, 1.0, 1.0, 0.0], [2, 1]), [1..4, 4..7]);
+        assert_eq!(ranges(&[9.0, 1.0, 1.0, 1.0, 1.0, 1.0], [3, 2]), [1..3, 3..5, 5..7]);
+        assert_eq!(ranges(&[0.0; 6], [2, 3]), [1..4, 4..7]);
+    }
+
+    #[test]
+    fn who_is_slower_gets_less() {
+        let cost = [1.0; 12];
+        let mut cut = Cut::new(0, &cost, [3, 1], 1);
+        assert_eq!(cut.loads(&cost).collect::<Vec<_>>(), [4.0, 4.0, 4.0]);
+        let mut pace: [Pace; 3] = Default::default();
+        for (pace, seconds) in pace.iter_mut().zip([1.0, 2.0, 1.0]) {
+            assert_eq!(pace.speed(), None);
+            pace.turn_to(4.0);
+            pace.note(seconds);
+        }
+        cut.deal(&cost, |worker| pace[worker].speed().unwrap_or(1.0));
+        assert_eq!(cut.ranges().collect::<Vec<_>>(), [0..5, 5..7, 7..12]);
+    }
+}

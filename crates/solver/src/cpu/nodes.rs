@@ -1,0 +1,182 @@
+//! One row of nodes: forces of the cells round it → velocity, displacement, and what the row did. A row is here without its
+//! first ghost.
+
+use super::workspace::{NODE_SUMS, RowSums, lane_sum};
+use super::{LANES, Real};
+use crate::model::Model;
+use multiversion::multiversion;
+
+/// What is the same for all rows.
+pub(crate) struct RowConstants {
+    /// Time step [s].
+    dt: Real,
+    /// Gravity, downwards [m/s²].
+    gravity: Real,
+    /// Mass from which on a node moves [kg].
+    mass_moved: Real,
+    /// Nodes lighter than this [kg] may be carried farther before a remap is due: a few grains in flight would else make the
+    /// whole soil be remapped every few steps.
+    light: Real,
+}
+
+impl RowConstants {
+    pub(crate) fn new(model: &Model, dt: f64) -> Self {
+        /// Share of the mass of a full node.
+        const LIGHT: f64 = 0.02;
+        let light = LIGHT * model.density * model.grid.finest().powi(3);
+        let [dt, gravity, mass_moved, light] =
+            [dt, model.gravity, model.mass_moved(), light].map(|x| x as Real);
+        Self { dt, gravity, mass_moved, light }
+    }
+}
+
+/// A row of nodes.
+pub(crate) struct NodeRow<'a> {
+    /// [kg].
+    pub(crate) mass: &'a [Real],
+    /// Velocity half a step ago [m/s].
+    pub(crate) before: [&'a [Real]; 3],
+    /// Displacement since the last remap [m].
+    pub(crate) displacement: [&'a mut [Real]; 3],
+    /// Velocity half a step ahead [m/s].
+    pub(crate) velocity: [&'a mut [Real]; 3],
+}
+
+/// Sums up the forces (x, y, z) and the damping that two rows of cells, behind and ahead along y, exert on the rows of
+/// nodes between them. On the nodes at their low z: added to what the cells `below` exert, into `sum`. On those at their
+/// high z: into `below`, for the next plane. Arrays are rows of `stride` with `nodes` nodes after the first ghost. Pairs that mirror each other are added first, so that a mirrored case
+/// gives mirrored sums to the bit.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+pub(crate) fn gather_forces(
+    [behind, ahead]: [&[Real]; 2],
+    [stride, nodes]: [usize; 2],
+    below: &mut [Real],
+    sum: &mut [Real],
+) {
+    for q in 0..3 {
+        let own = q * stride + 1..q * stride + 1 + nodes;
+        let (behind, ahead) = (&behind[4 * q * stride..], &ahead[4 * q * stride..]);
+        gather_component([behind, ahead], stride, &mut below[own.clone()], &mut sum[own]);
+    }
+    let own = 3 * stride + 1..3 * stride + 1 + nodes;
+    gather_damping([&behind[12 * stride..], &ahead[12 * stride..]], &mut below[own.clone()], &mut sum[own]);
+}
+
+const LONGEST: usize = 1 << 40;
+
+/// One component of the force.
+#[inline(always)]
+fn gather_component([behind, ahead]: [&[Real]; 2], stride: usize, below: &mut [Real], out: &mut [Real]) {
+    // No row is longer than that: the compiler must know that no index can overflow.
+    let n = out.len().min(LONGEST);
+    let (below, out) = (&mut below[..n], &mut out[..n]);
+    // Plain part and parts signed by the side; node i has cell i on its low side along x and cell i + 1 on its high side.
+    let [p, x, y, z] = [0, 1, 2, 3].map(|c| &behind[c * stride..][..=n]);
+    let [r, s, t, u] = [0, 1, 2, 3].map(|c| &ahead[c * stride..][..=n]);
+    for i in 0..n {
+        let behind = [p[i] + x[i] + y[i], p[i + 1] - x[i + 1] + y[i + 1]];
+        let ahead = [r[i] + s[i] - t[i], r[i + 1] - s[i + 1] - t[i + 1]];
+        let low = ((behind[0] - z[i]) + (behind[1] - z[i + 1])) + ((ahead[0] - u[i]) + (ahead[1] - u[i + 1]));
+        let high =
+            ((behind[0] + z[i]) + (behind[1] + z[i + 1])) + ((ahead[0] + u[i]) + (ahead[1] + u[i + 1]));
+        out[i] = below[i] + low;
+        below[i] = high;
+    }
+}
+
+#[inline(always)]
+fn gather_damping([behind, ahead]: [&[Real]; 2], below: &mut [Real], out: &mut [Real]) {
+    let n = out.len().min(LONGEST);
+    let (behind, ahead, below, out) = (&behind[..=n], &ahead[..=n], &mut below[..n], &mut out[..n]);
+    for i in 0..n {
+        let both = (behind[i] + behind[i + 1]) + (ahead[i] + ahead[i + 1]);
+        out[i] = below[i] + both;
+        below[i] = both;
+    }
+}
+
+/// Moves a row of nodes: `u += v dt`, `v += (F/m + g) dt`; nodes without mass stay. The sums are rows of `stride`.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+pub(crate) fn move_row(constants: &RowConstants, nodes: &mut NodeRow, (sum, stride): (&[Real], usize)) {
+    let n = nodes.mass.len();
+    let sum_of = |q: usize| &sum[q * stride + 1..][..n];
+    for q in 0..3 {
+        let inputs = [nodes.mass, nodes.before[q], sum_of(q), sum_of(NODE_SUMS - 1)];
+        let pull = if q == 2 { -constants.gravity * constants.dt } else { 0.0 };
+        move_component(constants, inputs, pull, nodes.displacement[q], nodes.velocity[q]);
+    }
+}
+
+#[inline(always)]
+fn move_component(
+    constants: &RowConstants,
+    [mass, before, force, damping]: [&[Real]; 4],
+    pull: Real,
+    u: &mut [Real],
+    v: &mut [Real],
+) {
+    let n = v.len();
+    let RowConstants { dt, mass_moved, .. } = *constants;
+    let (mass, before, force, damping) = (&mass[..n], &before[..n], &force[..n], &damping[..n]);
+    let u = &mut u[..n];
+    for i in 0..n {
+        let new = before[i] + dt * (force[i] - before[i] * damping[i]) / mass[i] + pull;
+        u[i] += dt * before[i];
+        v[i] = if mass[i] > mass_moved { new } else { 0.0 };
+    }
+}
+
+/// Sums up what a row of nodes did.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+pub(crate) fn finish_row(constants: &RowConstants, nodes: &NodeRow, buffer: &mut [Real], sums: &mut RowSums) {
+    let n = nodes.mass.len();
+    let (gravity, rest) = buffer.split_at_mut(n);
+    let (kinetic, rest) = rest.split_at_mut(n);
+    let (heavy, rest) = rest.split_at_mut(n);
+    let light = &mut rest[..n];
+    measure_nodes(constants, nodes, gravity, kinetic, [heavy, light]);
+    sums.gravity = lane_sum(gravity);
+    sums.kinetic = lane_sum(kinetic);
+    sums.displacement = lane_max(heavy).into();
+    sums.displacement_light = lane_max(light).into();
+}
+
+/// Node by node: work of gravity, kinetic energy, and the largest component of the displacement of heavy nodes and of light
+/// ones.
+#[inline(always)]
+fn measure_nodes(
+    constants: &RowConstants,
+    nodes: &NodeRow,
+    gravity: &mut [Real],
+    kinetic: &mut [Real],
+    [heavy, light]: [&mut [Real]; 2],
+) {
+    let n = gravity.len();
+    let (mass, down) = (&nodes.mass[..n], &nodes.before[2][..n]);
+    let [vx, vy, vz] = nodes.velocity.each_ref().map(|v| &v[..n]);
+    let [ux, uy, uz] = nodes.displacement.each_ref().map(|u| &u[..n]);
+    let (kinetic, heavy, light) = (&mut kinetic[..n], &mut heavy[..n], &mut light[..n]);
+    let fallen = -constants.gravity * constants.dt;
+    for i in 0..n {
+        gravity[i] = fallen * mass[i] * down[i];
+        kinetic[i] = 0.5 * mass[i] * (vx[i] * vx[i] + vy[i] * vy[i] + vz[i] * vz[i]);
+        let xy = if ux[i].abs() > uy[i].abs() { ux[i].abs() } else { uy[i].abs() };
+        let u = if uz[i].abs() > xy { uz[i].abs() } else { xy };
+        let is_heavy = mass[i] > constants.light;
+        heavy[i] = if is_heavy { u } else { 0.0 };
+        light[i] = if is_heavy { 0.0 } else { u };
+    }
+}
+
+/// Largest of values that are not negative.
+#[inline(always)]
+fn lane_max(values: &[Real]) -> Real {
+    let mut lanes = [0.0; LANES];
+    for chunk in values.chunks_exact(LANES) {
+        for (lane, value) in lanes.iter_mut().zip(chunk) {
+            *lane = if *value > *lane { *value } else { *lane };
+        }
+    }
+    let tail = values.chunks_exact(LANES).remainder();
+    lanes.iter().chain(tail).fold(0.0, |a, b| if *b > a { *b } else { a })
+}
