@@ -1,6 +1,6 @@
 //! Memory that the step works in and that is worth nothing between steps.
 
-use super::contact::{self, BodyCell, ContactLaw, Drive, TouchedNode};
+use super::contact::{self, BodyCell, ContactLaw, Drive, Surface, TouchedNode};
 use super::stress::Block;
 use super::{Real, State};
 use crate::cpu::cut::{Cut, Pace};
@@ -9,7 +9,6 @@ use crate::cpu::threads::{MOST, Team};
 use crate::grid::Grid;
 use crate::model::Model;
 use glam::DVec3;
-use physics::shape::SurfacePoint;
 
 /// Coefficients of the nodal force of one plane of cells: for each component the plain part and the parts signed by the
 /// corner's side along x, y, z; last the hourglass damping.
@@ -44,8 +43,8 @@ pub struct Workspace {
     pub(crate) width_x: [Vec<Real>; 2],
     /// How soil and bodies act on each other.
     pub(crate) contact_law: Box<dyn ContactLaw>,
-    /// Surface points of the bodies.
-    pub(crate) points: Vec<Vec<SurfacePoint>>,
+    /// Surfaces of the bodies.
+    pub(crate) surfaces: Vec<Surface>,
     /// Nodes that contact acts on.
     pub(crate) touched: Vec<TouchedNode>,
     /// For each contact, the places of its cell's nodes among them.
@@ -162,7 +161,7 @@ impl Workspace {
             row_values: vec![[0.0; 2]; rows * (planes + 1)],
             width_x: column_widths(grid),
             contact_law: contact::law(model),
-            points: model.bodies.iter().map(|b| contact::surface_points(model, b)).collect(),
+            surfaces: model.bodies.iter().map(|body| Surface::new(model, body)).collect(),
             touched,
             corner_nodes,
             patch: contact::number_patches(model, &state.soil, &state.bodies, &state.contacts),
@@ -193,7 +192,7 @@ impl Workspace {
             + size_of_val(self.costs.as_slice())
             + size_of_val(self.row_has_soil.as_slice())
             + size_of_val(self.row_values.as_slice())
-            + self.points.iter().map(|points| size_of_val(points.as_slice())).sum::<usize>()
+            + self.surfaces.iter().map(Surface::memory).sum::<usize>()
             + size_of_val(self.body_cells.as_slice())
             + size_of_val(self.touched.as_slice())
             + size_of_val(self.corner_nodes.as_slice())

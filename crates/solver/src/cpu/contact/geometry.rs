@@ -14,7 +14,7 @@ pub(crate) fn locate(model: &Model, state: &mut State, workspace: &mut Workspace
     let Workspace {
         velocity_before: [occupied, ..],
         body_cells,
-        points,
+        surfaces,
         contact_law,
         touched,
         corner_nodes,
@@ -25,9 +25,9 @@ pub(crate) fn locate(model: &Model, state: &mut State, workspace: &mut Workspace
     let view = View { model, soil: &state.soil, node_mass: &state.nodes.mass, occupied };
     let mut located = Vec::with_capacity(state.contacts.len());
     let mut known = state.contacts.iter().peekable();
-    for (n, points) in points.iter().enumerate() {
+    for (n, surface) in surfaces.iter().enumerate() {
         let (fixed, body) = (&model.bodies[n], &state.bodies[n]);
-        for (p, point) in points.iter().enumerate() {
+        for (p, point) in surface.points().enumerate() {
             let known = known.next_if(|c| (c.body, c.point) == (n, p));
             let place = [point.position, point.normal].map(|v| turned(fixed, body, v));
             if let Some(mut contact) = view.locate_one(known, place, body, contact_law.as_ref()) {

@@ -10,18 +10,18 @@ mod geometry;
 mod impulse;
 mod patch;
 mod penalty;
+mod surface;
 
 pub(crate) use expel::expel;
 pub(crate) use geometry::{BodyCell, carve as carve_soil, locate, occupy_all, touched_nodes};
 pub(crate) use patch::number as number_patches;
+pub(crate) use surface::Surface;
 
 use super::workspace::Workspace;
 use super::{Real, State};
 use crate::model::{BodyModel, ContactMethod, Model};
 use crate::state::{Body, Contact, Received};
 use glam::DVec3;
-use physics::rigid::Freedom;
-use physics::shape::SurfacePoint;
 
 /// How soil and body act on each other at the contact points.
 pub(crate) trait ContactLaw {
@@ -206,22 +206,6 @@ pub(crate) fn law(model: &Model) -> Box<dyn ContactLaw> {
         ContactMethod::Penalty => Box::new(penalty::Penalty::new(model)),
         ContactMethod::Impulse => Box::new(impulse::Impulses::default()),
     }
-}
-
-/// Surface points of a body, but for those that stay beside the box for ever, as behind a plane of symmetry; the cells near it
-/// are the narrowest along each axis.
-pub(crate) fn surface_points(model: &Model, body: &BodyModel) -> Vec<SurfacePoint> {
-    let finest = DVec3::from_array(std::array::from_fn(|axis| model.grid.finest_along(axis)));
-    let spacing = model.method.point_spacing * model.grid.finest();
-    let mut points = body.shape.surface_points(spacing, model.method.edge_inset * finest);
-    if body.translation[1] == Freedom::Fixed {
-        // It turns about an axle along y.
-        let faces = &model.grid.faces[1];
-        let (low, high) = (faces[0] - spacing, faces[faces.len() - 1] + spacing);
-        points.retain(|p| (low..=high).contains(&(body.start.y + p.position.y)));
-        points.shrink_to_fit();
-    }
-    points
 }
 
 /// Lets soil and bodies act on each other for one step. Returns what that did, for the ledger; what each body received is in

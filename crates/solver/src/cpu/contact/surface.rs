@@ -1,0 +1,75 @@
+//! The points at which a body's surface may touch the soil, kept in little room: most of them never do.
+
+use crate::model::{BodyModel, Model};
+use glam::DVec3;
+use physics::rigid::Freedom;
+use physics::shape::SurfacePoint;
+use std::collections::BTreeMap;
+
+/// Surface points of a body. Many have the same normal and area, which are kept once.
+#[derive(Debug)]
+pub(crate) struct Surface {
+    /// Position in the body frame [m], and place among the kinds.
+    points: Vec<(DVec3, u32)>,
+    /// Normals and areas [m²].
+    kinds: Vec<(DVec3, f64)>,
+}
+
+impl Surface {
+    /// Surface points of a body, but for those that stay beside the box for ever, as behind a plane of symmetry; the cells near
+    /// it are the narrowest along each axis.
+    pub(crate) fn new(model: &Model, body: &BodyModel) -> Self {
+        let finest = DVec3::from_array(std::array::from_fn(|axis| model.grid.finest_along(axis)));
+        let spacing = model.method.point_spacing * model.grid.finest();
+        let mut points = body.shape.surface_points(spacing, model.method.edge_inset * finest);
+        if body.translation[1] == Freedom::Fixed {
+            // It turns about an axle along y.
+            let faces = &model.grid.faces[1];
+            let (low, high) = (faces[0] - spacing, faces[faces.len() - 1] + spacing);
+            points.retain(|p| (low..=high).contains(&(body.start.y + p.position.y)));
+        }
+        Self::of(&points)
+    }
+
+    fn of(points: &[SurfacePoint]) -> Self {
+        let (mut places, mut kinds) = (BTreeMap::new(), Vec::new());
+        let kept = points.iter().map(|p| {
+            let key = [p.normal.x, p.normal.y, p.normal.z, p.area].map(f64::to_bits);
+            let place = *places.entry(key).or_insert(kinds.len());
+            if place == kinds.len() {
+                kinds.push((p.normal, p.area));
+            }
+            (p.position, place as u32)
+        });
+        let points = kept.collect();
+        kinds.shrink_to_fit();
+        Self { points, kinds }
+    }
+
+    /// The points, in the order of their numbers.
+    pub(crate) fn points(&self) -> impl Iterator<Item = SurfacePoint> + '_ {
+        self.points.iter().map(|(position, kind)| {
+            let (normal, area) = self.kinds[*kind as usize];
+            SurfacePoint { position: *position, normal, area }
+        })
+    }
+
+    /// Memory that it takes up [bytes].
+    pub(crate) fn memory(&self) -> usize {
+        size_of_val(self.points.as_slice()) + size_of_val(self.kinds.as_slice())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use physics::shape::{Disc, Shape};
+
+    #[test]
+    fn a_surface_gives_back_the_points_that_it_was_made_of() {
+        let points = Disc { diameter: 0.2, thickness: 0.05 }.surface_points(0.004, DVec3::splat(0.002));
+        let surface = Surface::of(&points);
+        assert!(surface.points().eq(points.iter().copied()));
+        assert!(surface.memory() < 2 * size_of_val(points.as_slice()) / 3);
+    }
+}
