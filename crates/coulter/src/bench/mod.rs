@@ -74,7 +74,7 @@ pub struct Measurement {
     /// Traffic with the main memory that one thread can have [GB/s].
     #[serde(rename = "triad_GB_per_s")]
     pub triad: f64,
-    /// Multiply-adds that one thread can do [GFLOP/s].
+    /// Multiply-adds that one thread can do in this precision [GFLOP/s]; measured in double precision.
     #[serde(rename = "fma_GFLOP_per_s")]
     pub fma: f64,
     /// The same of all threads.
@@ -150,6 +150,8 @@ pub fn measure(wish: &Wish) -> Result<Measurement, Breakdown> {
 
 fn measure_in<R: Precision>(wish: &Wish) -> Result<Measurement, Breakdown> {
     let limits = [1, wish.threads].map(machine::measure);
+    // A vector holds as many more numbers as they are shorter.
+    let wider = (size_of::<f64>() / size_of::<R>()) as f64;
     let mut lone = Simulation::<R>::new(&case_for(wish, 1));
     lone.steps(wish.warm_up)?;
     let moving = lone.checkpoint();
@@ -186,9 +188,9 @@ fn measure_in<R: Precision>(wish: &Wish) -> Result<Measurement, Breakdown> {
         speed_up: alone.wall / together.wall,
         bytes_per_cell: bytes / cells.iter().product::<usize>() as f64,
         triad: limits[0].triad,
-        fma: limits[0].fma,
+        fma: wider * limits[0].fma,
         triad_threads: limits[1].triad,
-        fma_threads: limits[1].fma,
+        fma_threads: wider * limits[1].fma,
         yielding: returned / cell_steps,
         split,
         operations: work.operations(&split),
