@@ -181,10 +181,11 @@ fn corner_sums(nodes: &NodeRows, b: &mut Block) {
     let (start, n) = (b.start, b.n.min(BLOCK));
     b.hourglass = [0.0; BLOCK];
     let Block { plain: [px, py, pz], side: [sx, sy, sz], hourglass, .. } = b;
-    let rows = |q: usize| [0, 1, 2, 3].map(|row| &nodes[row][q][start..start + n + 1]);
-    component_sums(rows(0), px, sx, hourglass);
-    component_sums(rows(1), py, sy, hourglass);
-    component_sums(rows(2), pz, sz, hourglass);
+    let own = start..start + n + 1;
+    let row = |row: usize, q: usize| &nodes[row][q][own.clone()];
+    component_sums([row(0, 0), row(1, 0), row(2, 0), row(3, 0)], px, sx, hourglass);
+    component_sums([row(0, 1), row(1, 1), row(2, 1), row(3, 1)], py, sy, hourglass);
+    component_sums([row(0, 2), row(1, 2), row(2, 2), row(3, 2)], pz, sz, hourglass);
 }
 
 #[inline(always)]
@@ -274,42 +275,74 @@ fn bear(constants: &RowConstants, cells: &mut CellRow, b: &mut Block) -> [f64; 3
         b.viscous_power[i] = viscous * b.rate[i] * f * volume;
         b.damped_power[i] = h * b.hourglass[i];
     }
-    for (stress, trial) in cells.stress.iter_mut().zip(&mut b.trial) {
-        let stress = &mut stress[own.clone()];
-        for i in 0..n {
-            let s = if b.alive[i] > 0.0 { trial[i] } else { 0.0 };
-            (stress[i], trial[i]) = (s, s);
-        }
-    }
+    let [xx, yy, zz, xy, yz, xz] = &mut cells.stress;
+    bear_normal(b, &mut xx[own.clone()], &mut yy[own.clone()], &mut zz[own.clone()]);
+    bear_shear(b, &mut xy[own.clone()], &mut yz[own.clone()], &mut xz[own.clone()]);
     cells.gap_strain[own].copy_from_slice(&b.gap_strain[..n]);
     [&b.work, &b.viscous_power, &b.damped_power].map(|lane| lane_sum(&lane[..n]))
+}
+
+#[inline(always)]
+fn bear_normal(b: &mut Block, xx: &mut [Real], yy: &mut [Real], zz: &mut [Real]) {
+    let n = xx.len().min(BLOCK);
+    let (xx, yy, zz) = (&mut xx[..n], &mut yy[..n], &mut zz[..n]);
+    for i in 0..n {
+        let s = |c: usize| if b.alive[i] > 0.0 { b.trial[c][i] } else { 0.0 };
+        (xx[i], yy[i], zz[i]) = (s(0), s(1), s(2));
+        (b.trial[0][i], b.trial[1][i], b.trial[2][i]) = (xx[i], yy[i], zz[i]);
+    }
+}
+
+#[inline(always)]
+fn bear_shear(b: &mut Block, xy: &mut [Real], yz: &mut [Real], xz: &mut [Real]) {
+    let n = xy.len().min(BLOCK);
+    let (xy, yz, xz) = (&mut xy[..n], &mut yz[..n], &mut xz[..n]);
+    for i in 0..n {
+        let s = |c: usize| if b.alive[i] > 0.0 { b.trial[c][i] } else { 0.0 };
+        (xy[i], yz[i], xz[i]) = (s(3), s(4), s(5));
+        (b.trial[3][i], b.trial[4][i], b.trial[5][i]) = (xy[i], yz[i], xz[i]);
+    }
 }
 
 /// Coefficients of the nodal forces: what stress and hourglass viscosity contribute to the plain part and to the parts
 /// signed by the corner's side.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn force_coefficients(b: &Block, forces: &mut [&mut [Real]; COEFFICIENTS]) {
-    let (start, n) = (b.start, b.n.min(BLOCK));
-    let own = start..start + n;
+    let own = b.start..b.start + b.n.min(BLOCK);
+    let [px, xx, xy, xz, py, yx, yy, yz, pz, zx, zy, zz, damping] = forces;
+    let [px, xx, xy, xz] = [px, xx, xy, xz].map(|row| &mut row[own.clone()]);
+    let [py, yx, yy, yz] = [py, yx, yy, yz].map(|row| &mut row[own.clone()]);
+    let [pz, zx, zy, zz] = [pz, zx, zy, zz].map(|row| &mut row[own.clone()]);
+    component_coefficients(b, 0, px, xx, xy, xz);
+    component_coefficients(b, 1, py, yx, yy, yz);
+    component_coefficients(b, 2, pz, zx, zy, zz);
+    for (out, damping) in damping[own].iter_mut().zip(&b.damping) {
+        *out = 8.0 * damping;
+    }
+}
+
+/// Of one component `q` of the force: the plain part, and those signed by the side x, y, z.
+#[inline(always)]
+fn component_coefficients(
+    b: &Block,
+    q: usize,
+    plain: &mut [Real],
+    x: &mut [Real],
+    y: &mut [Real],
+    z: &mut [Real],
+) {
     /// Place of a component in a symmetric tensor, by row and column.
     const PLACE: [[usize; 3]; 3] = [[0, 3, 5], [3, 1, 4], [5, 4, 2]];
-    for q in 0..3 {
-        let plain = &mut forces[4 * q][own.clone()];
-        for i in 0..n {
-            plain[i] = b.damping[i] * b.plain[q][i];
-        }
-        for side in 0..3 {
-            let out = &mut forces[4 * q + 1 + side][own.clone()];
-            let (stress, velocity, area) = (&b.trial[PLACE[q][side]], &b.side[q][side], &b.area[side]);
-            for i in 0..n {
-                let s = if q == side { stress[i] + b.viscous[i] } else { stress[i] };
-                out[i] = b.damping[i] * velocity[i] + area[i] * s;
-            }
-        }
-    }
-    let out = &mut forces[12][own];
+    let n = plain.len().min(BLOCK);
+    let (plain, x, y, z) = (&mut plain[..n], &mut x[..n], &mut y[..n], &mut z[..n]);
+    let [sx, sy, sz] = [&b.trial[PLACE[q][0]], &b.trial[PLACE[q][1]], &b.trial[PLACE[q][2]]];
+    let stress = |side: usize, s: Real, i: usize| if q == side { s + b.viscous[i] } else { s };
     for i in 0..n {
-        out[i] = 8.0 * b.damping[i];
+        let damping = b.damping[i];
+        plain[i] = damping * b.plain[q][i];
+        x[i] = damping * b.side[q][0][i] + b.area[0][i] * stress(0, sx[i], i);
+        y[i] = damping * b.side[q][1][i] + b.area[1][i] * stress(1, sy[i], i);
+        z[i] = damping * b.side[q][2][i] + b.area[2][i] * stress(2, sz[i], i);
     }
 }
 
