@@ -57,6 +57,9 @@ pub struct Measurement {
     pub steps: u32,
     /// Remaps among them.
     pub remaps: u64,
+    /// How many steps take as long as a remap, one thread.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub steps_in_remap: Option<f64>,
     /// In single precision: speed of one thread over that in double precision.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub times_double: Option<f64>,
@@ -160,7 +163,9 @@ fn measure_in<R: Precision>(wish: &Wish) -> Result<Measurement, Breakdown> {
     let remaps = lone.state.remaps - before;
     let filled = lone.state.soil.fraction.iter().filter(|f| **f != R::default()).count();
     let bytes = lone.memory() as f64;
-    // Reading the clock takes time, so the split is measured by itself.
+    drop(lone);
+    // Reading the clock takes time, so the split is measured by itself, on the same steps.
+    let mut lone = Simulation::<R>::resume(&case_for(wish, 1), moving.clone());
     lone.stopwatch().start();
     lone.steps(wish.steps)?;
     let stopwatch = lone.stopwatch().clone();
@@ -170,6 +175,8 @@ fn measure_in<R: Precision>(wish: &Wish) -> Result<Measurement, Breakdown> {
     let cells = team.model.grid.cells();
     let cell_steps = filled as f64 * f64::from(wish.steps);
     let split = split(&stopwatch);
+    let of_one_remap = split.remap / remaps as f64;
+    let of_one_step = (1.0 - split.remap) / f64::from(wish.steps);
     let returned = stopwatch.returned() as f64;
     // Shares of the processor time: the clock also runs while others have the processor.
     let work = Work { cell_steps, returned, seconds: alone.processor, bytes: size_of::<R>() };
@@ -183,6 +190,7 @@ fn measure_in<R: Precision>(wish: &Wish) -> Result<Measurement, Breakdown> {
         filled_cells: filled,
         steps: wish.steps,
         remaps,
+        steps_in_remap: (remaps > 0).then(|| of_one_remap / of_one_step),
         million_cell_steps_per_core_second: 1e-6 * cell_steps / alone.processor,
         million_cell_steps_per_core_second_threads: 1e-6 * cell_steps / together.processor,
         speed_up: alone.wall / together.wall,

@@ -14,9 +14,10 @@ pub fn table(m: &Measurement) -> String {
     };
     line("case", &format!("{}, {} precision", m.case, m.precision));
     line("grid", &format!("{nx} × {ny} × {nz} cells, {} with soil", m.filled_cells));
+    let each = m.steps_in_remap.map_or(String::new(), |steps| format!(", each as long as {steps:.1} steps"));
     line(
         "steps",
-        &format!("{}, {} remaps; {:.1} % of the soil yields", m.steps, m.remaps, 100.0 * m.yielding),
+        &format!("{}, {} remaps{each}; {:.1} % of the soil yields", m.steps, m.remaps, 100.0 * m.yielding),
     );
     line("memory", &format!("{:.0} bytes per cell", m.bytes_per_cell));
     let limits = |triad: f64, fma: f64| format!("triad {triad:.1} GB/s, multiply-add {fma:.1} GFLOP/s");
