@@ -148,6 +148,14 @@ fn threads_change_no_bit<R: Precision>(contact: &str) {
     }
 }
 
+/// So many that each has the fewest rows that one may have.
+#[test]
+fn many_threads_change_no_bit() {
+    let [few, many] = [1, 64].map(|n| to_the_end(Simulation::<f64>::new(&short_tow("impulse", n))));
+    assert!((4..64).contains(&many.threads()), "{} threads", many.threads());
+    assert!(bits(&many) == bits(&few), "{} threads differ from one", many.threads());
+}
+
 #[test]
 fn the_number_of_threads_changes_no_bit() {
     threads_change_no_bit::<f64>("penalty");

@@ -276,31 +276,21 @@ fn bear(constants: &RowConstants, cells: &mut CellRow, b: &mut Block) -> [f64; 3
         b.damped_power[i] = h * b.hourglass[i];
     }
     let [xx, yy, zz, xy, yz, xz] = &mut cells.stress;
-    bear_normal(b, &mut xx[own.clone()], &mut yy[own.clone()], &mut zz[own.clone()]);
-    bear_shear(b, &mut xy[own.clone()], &mut yz[own.clone()], &mut xz[own.clone()]);
+    bear_three(b, 0, &mut xx[own.clone()], &mut yy[own.clone()], &mut zz[own.clone()]);
+    bear_three(b, 3, &mut xy[own.clone()], &mut yz[own.clone()], &mut xz[own.clone()]);
     cells.gap_strain[own].copy_from_slice(&b.gap_strain[..n]);
     [&b.work, &b.viscous_power, &b.damped_power].map(|lane| lane_sum(&lane[..n]))
 }
 
+/// Three components of the stress from `first` on.
 #[inline(always)]
-fn bear_normal(b: &mut Block, xx: &mut [Real], yy: &mut [Real], zz: &mut [Real]) {
-    let n = xx.len().min(BLOCK);
-    let (xx, yy, zz) = (&mut xx[..n], &mut yy[..n], &mut zz[..n]);
+fn bear_three(b: &mut Block, first: usize, one: &mut [Real], two: &mut [Real], three: &mut [Real]) {
+    let n = one.len().min(BLOCK);
+    let (one, two, three) = (&mut one[..n], &mut two[..n], &mut three[..n]);
     for i in 0..n {
-        let s = |c: usize| if b.alive[i] > 0.0 { b.trial[c][i] } else { 0.0 };
-        (xx[i], yy[i], zz[i]) = (s(0), s(1), s(2));
-        (b.trial[0][i], b.trial[1][i], b.trial[2][i]) = (xx[i], yy[i], zz[i]);
-    }
-}
-
-#[inline(always)]
-fn bear_shear(b: &mut Block, xy: &mut [Real], yz: &mut [Real], xz: &mut [Real]) {
-    let n = xy.len().min(BLOCK);
-    let (xy, yz, xz) = (&mut xy[..n], &mut yz[..n], &mut xz[..n]);
-    for i in 0..n {
-        let s = |c: usize| if b.alive[i] > 0.0 { b.trial[c][i] } else { 0.0 };
-        (xy[i], yz[i], xz[i]) = (s(3), s(4), s(5));
-        (b.trial[3][i], b.trial[4][i], b.trial[5][i]) = (xy[i], yz[i], xz[i]);
+        let s = |c: usize| if b.alive[i] > 0.0 { b.trial[first + c][i] } else { 0.0 };
+        (one[i], two[i], three[i]) = (s(0), s(1), s(2));
+        (b.trial[first][i], b.trial[first + 1][i], b.trial[first + 2][i]) = (one[i], two[i], three[i]);
     }
 }
 
