@@ -22,13 +22,14 @@ impl Cut {
     pub fn new(first: usize, cost: &[f64], [workers, least]: [usize; 2], stride: usize) -> Self {
         assert!(workers > 0 && workers * least <= cost.len(), "too few rows for {workers} workers");
         let mut cut = Self { bounds: vec![first; workers + 1], least, stride };
-        cut.deal(cost, |_| 1.0);
+        cut.deal(cost, workers, |_| 1.0);
         cut
     }
 
-    /// Does so anew, so that workers of the given speeds take about the same time.
-    pub fn deal(&mut self, cost: &[f64], speed: impl Fn(usize) -> f64) {
-        let (first, workers) = (self.bounds[0], self.bounds.len() - 1);
+    /// Does so anew, to at most as many workers as at first, so that workers of the given speeds take about the same time.
+    pub fn deal(&mut self, cost: &[f64], workers: usize, speed: impl Fn(usize) -> f64) {
+        let first = self.bounds[0];
+        self.bounds.resize(workers + 1, first);
         let (total, all): (f64, f64) = (cost.iter().sum(), (0..workers).map(&speed).sum());
         let (mut row, mut sum, mut faster) = (0, 0.0, 0.0);
         for worker in 1..workers {
@@ -111,10 +112,59 @@ impl Pace {
         self.seconds *= 1.0 - Self::FORGOTTEN;
     }
 
+    /// What the worker has to do each time.
+    #[must_use]
+    pub fn load(&self) -> f64 {
+        self.load
+    }
+
     /// What is done in a second, if anything was done yet.
     #[must_use]
     pub fn speed(&self) -> Option<f64> {
         (self.done > 0.0 && self.seconds > 0.0).then(|| self.done / self.seconds)
+    }
+}
+
+/// Whether working together pays. Where other programs want the cores, each round of the team waits till the scheduler has
+/// given all of them their turn, and one thread alone can be faster.
+#[derive(Clone, Debug, Default)]
+pub struct Company {
+    /// How long the work took together [s].
+    together: f64,
+    /// How long it would have taken the caller alone [s].
+    alone: f64,
+    /// How often the rows were dealt to all.
+    tried: u32,
+    /// How often they are still to be dealt to the caller alone.
+    apart: u32,
+}
+
+impl Company {
+    /// How often the rows are dealt to all before company may be left.
+    const FIRST: u32 = 5;
+    /// How often they are dealt to the caller alone before company is tried again.
+    const APART: u32 = 32;
+
+    /// Notes how long a piece of work took together, and how long it would have taken the caller alone [s].
+    pub fn note(&mut self, together: f64, alone: f64) {
+        self.together += together;
+        self.alone += alone;
+    }
+
+    /// Whether the caller had better work alone, to be asked whenever the rows are dealt out.
+    pub fn is_left(&mut self) -> bool {
+        if self.apart == 0 {
+            self.tried = self.tried.saturating_add(1);
+            if self.tried > Self::FIRST && self.together > self.alone {
+                self.apart = Self::APART + 1;
+            }
+        }
+        self.apart = self.apart.saturating_sub(1);
+        // What was learnt counts for less from time to time, and for nothing when it was long ago.
+        let kept = if self.apart > 0 { 0.0 } else { 1.0 - Pace::FORGOTTEN };
+        self.together *= kept;
+        self.alone *= kept;
+        self.apart > 0
     }
 }
 
@@ -142,7 +192,23 @@ mod tests {
             pace.turn_to(4.0);
             pace.note(seconds);
         }
-        cut.deal(&cost, |worker| pace[worker].speed().unwrap_or(1.0));
+        cut.deal(&cost, 3, |worker| pace[worker].speed().unwrap_or(1.0));
         assert_eq!(cut.ranges().collect::<Vec<_>>(), [0..5, 5..7, 7..12]);
+        cut.deal(&cost, 1, |_| 1.0);
+        assert_eq!(cut.ranges().collect::<Vec<_>>(), [0..12]);
+    }
+
+    #[test]
+    fn company_that_does_not_pay_is_left_for_a_while() {
+        let mut company = Company::default();
+        for _ in 0..Company::FIRST {
+            company.note(3.0, 1.7);
+            assert!(!company.is_left(), "it is too early to tell");
+        }
+        let alone = (0..1000).take_while(|_| company.is_left()).count();
+        assert_eq!(alone, Company::APART as usize);
+        // Then it is given another chance.
+        company.note(1.0, 1.7);
+        assert!(!company.is_left());
     }
 }

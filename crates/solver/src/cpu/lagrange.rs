@@ -59,7 +59,8 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
     }
     let clears = workspace.clear < 2;
     workspace.clear += u8::from(clears);
-    let Workspace { team, cut, row_has_soil, velocity_before, workers, row_sums, width_x, .. } = workspace;
+    let Workspace { team, cut, company, row_has_soil, velocity_before, workers, row_sums, width_x, .. } =
+        workspace;
     // From here on the new velocities are in the state, the old ones in the workspace.
     std::mem::swap(&mut state.nodes.velocity, velocity_before);
     let Soil { fraction, mass, stress, plastic_strain, gap_strain, .. } = &mut state.soil;
@@ -94,9 +95,16 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
     });
     let mut parts = parts_of(each);
     let parts = &mut parts[..cut.ranges().len()];
+    let clock = Instant::now();
     team.share(parts, |part| part.iter_mut().for_each(|part| strain_and_move(&inputs, part)));
     pass_on(parts);
     team.share(parts, |part| part.iter_mut().for_each(|part| move_waiting(&inputs, part)));
+    if parts.len() > 1
+        && let Some(speed) = workers[0].pace.speed()
+    {
+        let load: f64 = workers.iter().map(|worker| worker.pace.load()).sum();
+        company.note(clock.elapsed().as_secs_f64(), load / speed);
+    }
     workers[0].stopwatch.lap(Stage::Nodes);
     total(cut, row_sums)
 }

@@ -99,9 +99,14 @@ impl Team {
         assert!(!self.shared.failed.load(Ordering::Relaxed), "a worker thread panicked");
     }
 
-    /// Gives every worker its own part: `job(&mut parts[worker])`. There must be at most as many parts as workers.
+    /// Gives every worker its own part: `job(&mut parts[worker])`. There must be at most as many parts as workers; a single
+    /// one is the caller's, who waits for nobody.
     pub fn share<T: Send>(&self, parts: &mut [T], job: impl Fn(&mut T) + Sync) {
         assert!(parts.len() <= self.size(), "more parts than workers");
+        if let [part] = parts {
+            job(part);
+            return;
+        }
         let base = PartsPointer(parts.as_mut_ptr());
         let count = parts.len();
         self.run(&|worker| {
@@ -115,9 +120,8 @@ impl Team {
     /// Gives every worker one of `parts`, of which there must be at most as many as workers.
     pub fn deal<T: Send>(&self, parts: impl Iterator<Item = T>, job: impl Fn(&mut T) + Sync) {
         let mut parts = parts_of(parts);
-        let (given, left_over) = parts.split_at_mut(self.size());
-        assert!(left_over.iter().all(Option::is_none), "more parts than workers");
-        self.share(given, |part| part.iter_mut().for_each(&job));
+        let given = parts.iter().take_while(|part| part.is_some()).count();
+        self.share(&mut parts[..given], |part| part.iter_mut().for_each(&job));
     }
 
     /// Calls `job(row, output)` for every row that `cut` hands out, in parallel, with the row of `output`.

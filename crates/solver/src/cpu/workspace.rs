@@ -3,7 +3,7 @@
 use super::contact::{self, BodyCell, ContactLaw, Drive, Surface, TouchedNode};
 use super::stress::Block;
 use super::{Real, State};
-use crate::cpu::cut::{Cut, Pace};
+use crate::cpu::cut::{Company, Cut, Pace};
 use crate::cpu::stopwatch::Stopwatch;
 use crate::cpu::threads::{MOST, Team};
 use crate::grid::Grid;
@@ -22,6 +22,8 @@ pub struct Workspace {
     pub(crate) team: Team,
     /// How rows (of storage planes 1 to nz + 1: nodes, and the cells above them) are dealt out.
     pub(crate) cut: Cut,
+    /// Whether the team is worth having.
+    pub(crate) company: Company,
     /// Cost of each row when they were dealt out last.
     pub(crate) costs: Vec<f64>,
     /// Whether a row of cells holds soil, by storage plane and row.
@@ -151,6 +153,7 @@ impl Workspace {
         let mut workspace = Self {
             team: Team::new(threads),
             cut: Cut::new(rows, &vec![1.0; planes * rows], [threads, least], row),
+            company: Company::default(),
             costs: vec![0.0; planes * rows],
             row_has_soil: vec![false; rows * (planes + 1)],
             clear: 0,
@@ -221,21 +224,23 @@ impl Workspace {
         self.deal(grid);
     }
 
-    /// Deals the rows out to the workers by what they cost: those with soil, and cells that yield. Faster workers get more.
+    /// Deals the rows out to the workers by what they cost: those with soil, and cells that yield. Faster workers get more; if
+    /// working together does not pay, the caller gets all.
     pub(crate) fn deal(&mut self, grid: &Grid) {
         /// A row without soil, over one with soil.
         const VOID: f64 = 0.02;
         /// Return of one cell's stress to the strength, over all else that is done for a cell.
         const RETURN: f64 = 1.8;
         let per_cell = RETURN / grid.cells()[0] as f64;
-        let Self { cut, costs, row_has_soil, row_sums, workers, .. } = self;
+        let Self { cut, company, costs, row_has_soil, row_sums, workers, .. } = self;
         let first = cut.all().start;
         let each = row_has_soil[first..].iter().zip(&row_sums[first..]);
         for (cost, (has_soil, sums)) in costs.iter_mut().zip(each) {
             *cost = if *has_soil { 1.0 + per_cell * f64::from(sums.yields) } else { VOID };
         }
         let all_known = workers.iter().all(|worker| worker.pace.speed().is_some());
-        cut.deal(costs, |n| workers[n].pace.speed().filter(|_| all_known).unwrap_or(1.0));
+        let size = if company.is_left() { 1 } else { workers.len() };
+        cut.deal(costs, size, |n| workers[n].pace.speed().filter(|_| all_known).unwrap_or(1.0));
         for (worker, load) in workers.iter_mut().zip(cut.loads(costs)) {
             worker.pace.turn_to(load);
         }
