@@ -44,8 +44,8 @@ pub(crate) struct NodeRow<'a> {
 
 /// Sums up the forces (x, y, z) and the damping that two rows of cells, behind and ahead along y, exert on the rows of
 /// nodes between them. On the nodes at their low z: added to what the cells `below` exert, into `sum`. On those at their
-/// high z: into `below`, for the next plane. Arrays are rows of `stride` with `nodes` nodes after the first ghost. Pairs that mirror each other are added first, so that a mirrored case
-/// gives mirrored sums to the bit.
+/// high z: into `below`, for the next plane. Arrays are rows of `stride` with `nodes` nodes after the first ghost. Pairs that
+/// mirror each other are added first, so that a mirrored case gives mirrored sums to the bit.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 pub(crate) fn gather_forces(
     [behind, ahead]: [&[Real]; 2],
@@ -62,12 +62,12 @@ pub(crate) fn gather_forces(
     gather_damping([&behind[12 * stride..], &ahead[12 * stride..]], &mut below[own.clone()], &mut sum[own]);
 }
 
+/// No row is longer: from this the compiler knows that no index can overflow.
 const LONGEST: usize = 1 << 40;
 
 /// One component of the force.
 #[inline(always)]
 fn gather_component([behind, ahead]: [&[Real]; 2], stride: usize, below: &mut [Real], out: &mut [Real]) {
-    // No row is longer than that: the compiler must know that no index can overflow.
     let n = out.len().min(LONGEST);
     let (below, out) = (&mut below[..n], &mut out[..n]);
     // Plain part and parts signed by the side; node i has cell i on its low side along x and cell i + 1 on its high side.
