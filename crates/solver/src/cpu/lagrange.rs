@@ -5,7 +5,7 @@
 //! writes. Only the first rows of nodes of each worker, as many as a plane has and one more, have to wait for cells below or
 //! behind them, which are a neighbour's.
 
-use super::nodes::{NodeRow, RowConstants as NodeConstants, finish_row, gather_forces, move_row};
+use super::nodes::{NodeConstants, NodeRow, finish_row, gather_forces, move_row};
 use super::stress::{CellRow, NodeRows, RowConstants, strain_row};
 use super::workspace::{COEFFICIENTS, Coefficients, NODE_SUMS, RowSums, WorkerScratch, Workspace};
 use super::{Real, Soil, State};
@@ -42,8 +42,6 @@ struct Inputs<'a> {
     clears: bool,
     cells: RowConstants<'a>,
     nodes: NodeConstants,
-    /// Rows in a plane.
-    rows: usize,
 }
 
 /// Steps after which the rows are dealt out anew, for what yields moves on.
@@ -53,7 +51,6 @@ const DEALS: u64 = 64;
 /// free velocities (before contact) half a step later. Returns the sums over all rows.
 pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspace, dt: f64) -> RowSums {
     let grid = &model.grid;
-    let rows = grid.rows();
     if state.step.is_multiple_of(DEALS) {
         workspace.deal(grid);
     }
@@ -75,7 +72,6 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
         clears,
         cells: RowConstants::new(model, width_x.each_ref().map(|w| &w[1..]), dt),
         nodes: NodeConstants::new(model, dt),
-        rows,
     };
     let mut stress = stress.each_mut().map(|s| cut.split(s));
     let mut displacement = state.nodes.displacement.each_mut().map(|u| cut.split(u));
@@ -125,7 +121,15 @@ fn total(cut: &Cut, row_sums: &[RowSums]) -> RowSums {
 impl Inputs<'_> {
     /// How many rows of nodes of a part have to wait. Below the lowest plane there is nothing to wait for.
     fn waiting(&self, part: &Part) -> usize {
-        if part.rows.start > self.rows { self.rows + 1 } else { 0 }
+        let rows = self.grid.rows();
+        if part.rows.start > rows { rows + 1 } else { 0 }
+    }
+
+    /// Whether there is soil round a row of nodes. If not, the cells below have passed nothing on to it.
+    fn nodes_have_soil(&self, [q, plane]: [usize; 2]) -> bool {
+        let rows = self.grid.rows();
+        let cells = |p: usize, q: usize| self.row_has_soil[p * rows + q];
+        q > 0 && (cells(plane - 1, q - 1) || cells(plane - 1, q) || cells(plane, q - 1) || cells(plane, q))
     }
 }
 
@@ -202,17 +206,6 @@ fn blank(coefficients: &mut Coefficients) {
     }
 }
 
-impl Inputs<'_> {
-    /// Whether there is soil round a row of nodes. If not, the cells below have passed nothing on to it.
-    fn nodes_have_soil(&self, [q, plane]: [usize; 2]) -> bool {
-        let has_soil = |p: usize, q: usize| self.row_has_soil[p * self.rows + q];
-        q > 0
-            && [(plane - 1, q - 1), (plane - 1, q), (plane, q - 1), (plane, q)]
-                .iter()
-                .any(|(p, q)| has_soil(*p, *q))
-    }
-}
-
 /// Strains the `n`th row of cells of a part into the second row of coefficients.
 fn strain_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2], n: usize) {
     let grid = inputs.grid;
@@ -220,7 +213,7 @@ fn strain_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2], n: us
     let [_, ny, nz] = grid.cells();
     let length = grid.padded_row();
     let WorkerScratch { coefficients: [_, ahead], block, stopwatch, .. } = &mut *part.scratch;
-    let has_soil = inputs.row_has_soil[plane * inputs.rows + q];
+    let has_soil = inputs.row_has_soil[plane * grid.rows() + q];
     if !has_soil || plane > nz || q > ny {
         blank(ahead);
         return;

@@ -7,7 +7,7 @@ use crate::model::Model;
 use multiversion::multiversion;
 
 /// What is the same for all rows.
-pub(crate) struct RowConstants {
+pub(crate) struct NodeConstants {
     /// Time step [s].
     dt: Real,
     /// Gravity, downwards [m/s²].
@@ -19,7 +19,7 @@ pub(crate) struct RowConstants {
     light: Real,
 }
 
-impl RowConstants {
+impl NodeConstants {
     pub(crate) fn new(model: &Model, dt: f64) -> Self {
         /// Share of the mass of a full node.
         const LIGHT: f64 = 0.02;
@@ -97,7 +97,7 @@ fn gather_damping([behind, ahead]: [&[Real]; 2], below: &mut [Real], out: &mut [
 
 /// Moves a row of nodes: `u += v dt`, `v += (F/m + g) dt`; nodes without mass stay. The sums are rows of `stride`.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-pub(crate) fn move_row(constants: &RowConstants, nodes: &mut NodeRow, (sum, stride): (&[Real], usize)) {
+pub(crate) fn move_row(constants: &NodeConstants, nodes: &mut NodeRow, (sum, stride): (&[Real], usize)) {
     let n = nodes.mass.len();
     let sum_of = |q: usize| &sum[q * stride + 1..][..n];
     for q in 0..3 {
@@ -109,14 +109,14 @@ pub(crate) fn move_row(constants: &RowConstants, nodes: &mut NodeRow, (sum, stri
 
 #[inline(always)]
 fn move_component(
-    constants: &RowConstants,
+    constants: &NodeConstants,
     [mass, before, force, damping]: [&[Real]; 4],
     pull: Real,
     u: &mut [Real],
     v: &mut [Real],
 ) {
     let n = v.len();
-    let RowConstants { dt, mass_moved, .. } = *constants;
+    let NodeConstants { dt, mass_moved, .. } = *constants;
     let (mass, before, force, damping) = (&mass[..n], &before[..n], &force[..n], &damping[..n]);
     let u = &mut u[..n];
     for i in 0..n {
@@ -128,7 +128,12 @@ fn move_component(
 
 /// Sums up what a row of nodes did.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-pub(crate) fn finish_row(constants: &RowConstants, nodes: &NodeRow, buffer: &mut [Real], sums: &mut RowSums) {
+pub(crate) fn finish_row(
+    constants: &NodeConstants,
+    nodes: &NodeRow,
+    buffer: &mut [Real],
+    sums: &mut RowSums,
+) {
     let n = nodes.mass.len();
     let (gravity, rest) = buffer.split_at_mut(n);
     let (kinetic, rest) = rest.split_at_mut(n);
@@ -145,7 +150,7 @@ pub(crate) fn finish_row(constants: &RowConstants, nodes: &NodeRow, buffer: &mut
 /// ones.
 #[inline(always)]
 fn measure_nodes(
-    constants: &RowConstants,
+    constants: &NodeConstants,
     nodes: &NodeRow,
     gravity: &mut [Real],
     kinetic: &mut [Real],

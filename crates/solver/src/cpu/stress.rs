@@ -1,9 +1,9 @@
 //! One row of cells: velocity gradient → trial stress → strength → nodal force coefficients.
 //!
 //! A row is worked on in blocks of up to 96 cells (192 in single precision) whose working numbers lie in the first-level
-//! cache. A few plain loops go over a block; the formulas are branch-free and what a loop writes lies in the block or in one
-//! array, so that the compiler sees that nothing overlaps and vectorises them. Each is compiled for what the processor has;
-//! `mul_add` is not used, so the result is the same to the bit.
+//! cache. A few plain loops go over a block; the formulas are branch-free, and what a loop writes lies in the block or comes as
+//! arguments of a function of its own, so that the compiler sees that nothing overlaps and vectorises them. Each is compiled
+//! for what the processor has; `mul_add` is not used, so the result is the same to the bit.
 
 use super::physics::brick::{Sums, hourglass_coefficient};
 use super::physics::elastic::Elastic;

@@ -115,26 +115,23 @@ impl Scene<'_> {
         Grip { body, arm, nodes: self.corner_nodes[contact], weight, ..Grip::default() }
     }
 
-    /// Velocity of the body minus that of the soil [m/s].
-    fn slip_velocity(&self, grip: &Grip) -> DVec3 {
-        self.slip_velocity_at((grip.body, grip.arm), &grip.nodes, &grip.weight)
-    }
-
-    /// The same at a contact.
-    fn slip_velocity_of(&self, contact: usize) -> DVec3 {
-        let Contact { body, arm, weight, .. } = &self.contacts[contact];
-        self.slip_velocity_at((*body, *arm), &self.corner_nodes[contact], weight)
-    }
-
-    fn slip_velocity_at(&self, (body, arm): (usize, DVec3), nodes: &[u32; 8], weight: &[f64; 8]) -> DVec3 {
+    /// Velocity of a body at `arm` minus that of the soil in a cell, from the cell's nodes and their weights [m/s].
+    fn slip_velocity(&self, (body, arm): (usize, DVec3), nodes: &[u32; 8], weight: &[f64; 8]) -> DVec3 {
         let soil = |n: usize| weight[n] * self.nodes[nodes[n] as usize].velocity;
         velocity_at(&self.bodies[body], arm) - over_corners(std::array::from_fn(soil))
     }
 
-    /// The same at a patch, as what is missing at its nodes sees it: an impulse along the normal changes it by its work.
+    /// That at a contact.
+    fn slip_velocity_of(&self, contact: usize) -> DVec3 {
+        let Contact { body, arm, weight, .. } = &self.contacts[contact];
+        self.slip_velocity((*body, *arm), &self.corner_nodes[contact], weight)
+    }
+
+    /// That at a patch, as what is missing at its nodes sees it: an impulse along the normal changes it by its work.
     fn slip_velocity_of_patch(&self, grip: &Grip) -> DVec3 {
         let stirred = |n: usize| grip.missing[n].dot(self.nodes[grip.nodes[n] as usize].velocity);
-        self.slip_velocity(grip) - over_corners(std::array::from_fn(stirred)) * grip.normal
+        self.slip_velocity((grip.body, grip.arm), &grip.nodes, &grip.weight)
+            - over_corners(std::array::from_fn(stirred)) * grip.normal
     }
 
     /// Gives an impulse [N s] to the soil and takes it from the body, as far as the body is free.
