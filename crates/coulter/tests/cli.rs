@@ -186,10 +186,20 @@ fn a_breakdown_exits_with_1_and_leaves_what_there_is() {
         .assert()
         .code(1);
     let told = String::from_utf8_lossy(&failure.get_output().stderr).into_owned();
-    for word in ["moved", "t = ", "step", "last.checkpoint"] {
+    for word in ["moved", "t = ", "step", "near (", "failed.checkpoint"] {
         assert!(told.contains(word), "`{word}` is not in: {told}");
     }
-    for file in ["report.html", "forces.csv", "summary.json", "checkpoints/last.checkpoint"] {
+    // The last good checkpoint, here that of the start, is not overwritten by the state that failed.
+    for file in [
+        "report.html",
+        "forces.csv",
+        "summary.json",
+        "checkpoints/last.checkpoint",
+        "checkpoints/failed.checkpoint",
+    ] {
         assert!(out.join(file).is_file(), "{file} is missing");
     }
+    let summary = std::fs::read_to_string(out.join("summary.json")).unwrap();
+    let summary: Value = serde_json::from_str(&summary).unwrap();
+    assert_eq!(summary["trust"]["verdict"], "broken");
 }

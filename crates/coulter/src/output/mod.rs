@@ -15,6 +15,7 @@ mod folder;
 mod forecast_files;
 mod frame;
 pub mod ledger_plot;
+pub mod lock;
 pub mod log;
 pub mod picture;
 pub mod plot;
@@ -34,8 +35,9 @@ pub mod table;
 mod vtk;
 
 pub use error::OutputError;
-pub use folder::CHECKPOINTS;
+pub use folder::{CHECKPOINTS, Holds, look};
 pub use forecast_files::{Sheets, write_forecast};
+pub use lock::Lock;
 pub use progress::Progress;
 pub use results::{Results, rebuild_report};
 pub use run_record::{Outcome, Overlay, PlotKind, RunRecord, RunStatistics};
