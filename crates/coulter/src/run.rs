@@ -81,7 +81,7 @@ pub enum RunError {
     )]
     Physics {
         /// How.
-        cause: Breakdown,
+        cause: Box<Breakdown>,
         /// Where the results so far are.
         folder: PathBuf,
         /// The checkpoint of the state that failed.
@@ -182,7 +182,11 @@ fn run_in<R: Precision>(case: &Case, options: &Options) -> Result<End, RunError>
         Ended::Broken(cause) => {
             results.log(&format!("broke down: {cause}"))?;
             progress.finish("broke down");
-            Err(RunError::Physics { cause, folder: options.folder.to_path_buf(), checkpoint })
+            Err(RunError::Physics {
+                cause: Box::new(cause),
+                folder: options.folder.to_path_buf(),
+                checkpoint,
+            })
         }
     }
 }
