@@ -109,7 +109,7 @@ impl Row {
         }
     }
 
-    /// The same figure beside what somebody else got; no judgement.
+    /// The same figure beside what somebody else got: inside that range or outside, which is neither pass nor failure.
     #[must_use]
     pub fn beside(self, low: f64, high: f64, source: &'static str) -> Self {
         Self {
@@ -143,11 +143,64 @@ impl Row {
         Some(if is_absolute || scale == 0.0 { off } else { off / scale.abs() })
     }
 
+    /// Whether a figure without tolerance lies in the range that it stands beside; `None` for one that is judged, and for one
+    /// that has only a single value beside it, which no figure without tolerance can be inside.
+    #[must_use]
+    pub fn is_inside(&self) -> Option<bool> {
+        match (self.tolerance, self.expected) {
+            (Tolerance::None, Expected::Between(low, high)) if low < high => {
+                Some((low..=high).contains(&self.obtained))
+            }
+            _ => None,
+        }
+    }
+
+    /// What is said of it.
+    #[must_use]
+    pub fn verdict(&self) -> Verdict {
+        match (self.passes(), self.is_inside()) {
+            (Some(true), _) => Verdict::Pass,
+            (Some(false), _) => Verdict::FallsShort,
+            (None, Some(true)) => Verdict::Inside,
+            (None, Some(false)) => Verdict::Outside,
+            (None, None) => Verdict::None,
+        }
+    }
+
     /// Whether it is near enough; `None` for a figure that is only told.
     #[must_use]
     pub fn passes(&self) -> Option<bool> {
         let (Tolerance::Relative(limit) | Tolerance::Absolute(limit)) = self.tolerance else { return None };
         self.error().map(|error| error.abs() <= limit)
+    }
+}
+
+/// What is said of a row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// Within its tolerance.
+    Pass,
+    /// Outside it.
+    FallsShort,
+    /// Without a tolerance, and within the range that others published.
+    Inside,
+    /// Without a tolerance, and outside that range.
+    Outside,
+    /// There is nothing to compare it with.
+    None,
+}
+
+impl Verdict {
+    /// The word of the tables.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Pass => "pass",
+            Self::FallsShort => "falls short",
+            Self::Inside => "inside",
+            Self::Outside => "outside",
+            Self::None => "–",
+        }
     }
 }
 
@@ -162,6 +215,7 @@ pub struct Plain<'a> {
     error: Option<f64>,
     tolerance: Option<f64>,
     pass: Option<bool>,
+    inside: Option<bool>,
     source: &'a str,
     seconds: f64,
 }
@@ -187,6 +241,7 @@ impl Row {
                 Tolerance::None => None,
             },
             pass: self.passes(),
+            inside: self.is_inside(),
             source: &self.source,
             seconds: self.seconds,
         }
@@ -211,6 +266,20 @@ mod tests {
         assert_eq!(row(1.1).between(1.2, 1.8, 0.1, "").passes(), Some(true));
         assert_eq!(row(2.1).between(1.2, 1.8, 0.1, "").passes(), Some(false));
         assert_eq!(row(2.1).passes(), None);
+    }
+
+    #[test]
+    fn a_figure_beside_a_range_is_inside_or_outside_it() {
+        let verdict = |obtained: f64| row(obtained).beside(15.0, 17.0, "").verdict();
+        assert_eq!(
+            [16.0, 14.4, f64::NAN].map(verdict),
+            [Verdict::Inside, Verdict::Outside, Verdict::Outside]
+        );
+        assert_eq!(row(1.0).verdict(), Verdict::None);
+        assert_eq!(row(5.0).beside(5.1, 5.1, "").is_inside(), None, "a single value is no range");
+        assert_eq!(row(5.2).within(5.0, 0.05, "").is_inside(), None);
+        let plain = serde_json::to_value(row(14.4).beside(15.0, 17.0, "").plain()).unwrap();
+        assert!(plain["inside"] == false && plain["pass"].is_null());
     }
 
     #[test]
