@@ -91,11 +91,13 @@ fn a_driven_disc_has_the_textbooks_slip_and_keeps_its_older_key() {
 
 #[test]
 fn a_sideways_tow_is_refused() {
-    let refusal =
-        forecast(&["--set", "body.disc.lateral={ speed = \"0.1 m/s\" }", "--set", "domain.symmetric=false"])
-            .assert()
-            .code(2);
-    let told = String::from_utf8_lossy(&refusal.get_output().stderr).into_owned();
+    let sets = [
+        "body.disc.lateral={ speed = \"0.1 m/s\" }",
+        "domain.symmetric=false",
+        "domain.y=[\"-0.3 m\", \"0.6 m\"]",
+        "grid.fine_y=[\"-0.15 m\", \"0.4 m\"]",
+    ];
+    let told = refusal(&mut forecast(&sets.map(|set| ["--set", set]).concat()));
     assert!(told.contains("sideways") && told.contains("lateral = \"fixed\""), "{told}");
 }
 

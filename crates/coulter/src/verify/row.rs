@@ -204,50 +204,6 @@ impl Verdict {
     }
 }
 
-/// What `coulter verify --json` prints of a row.
-#[derive(Debug, Serialize)]
-pub struct Plain<'a> {
-    id: &'a str,
-    case: &'a str,
-    quantity: &'a str,
-    expected: serde_json::Value,
-    obtained: Option<f64>,
-    error: Option<f64>,
-    tolerance: Option<f64>,
-    pass: Option<bool>,
-    inside: Option<bool>,
-    source: &'a str,
-    seconds: f64,
-}
-
-impl Row {
-    /// The row for readers of JSON, which knows no number that is not finite.
-    #[must_use]
-    pub fn plain(&self) -> Plain<'_> {
-        let finite = |value: f64| value.is_finite().then_some(value);
-        Plain {
-            id: self.id,
-            case: &self.case,
-            quantity: &self.quantity,
-            expected: match self.expected {
-                Expected::Value(value) | Expected::AtLeast(value) => value.into(),
-                Expected::Between(low, high) => vec![low, high].into(),
-                Expected::Nothing => serde_json::Value::Null,
-            },
-            obtained: finite(self.obtained),
-            error: self.error().and_then(finite),
-            tolerance: match self.tolerance {
-                Tolerance::Relative(limit) | Tolerance::Absolute(limit) => Some(limit),
-                Tolerance::None => None,
-            },
-            pass: self.passes(),
-            inside: self.is_inside(),
-            source: &self.source,
-            seconds: self.seconds,
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -278,8 +234,6 @@ mod tests {
         assert_eq!(row(1.0).verdict(), Verdict::None);
         assert_eq!(row(5.0).beside(5.1, 5.1, "").is_inside(), None, "a single value is no range");
         assert_eq!(row(5.2).within(5.0, 0.05, "").is_inside(), None);
-        let plain = serde_json::to_value(row(14.4).beside(15.0, 17.0, "").plain()).unwrap();
-        assert!(plain["inside"] == false && plain["pass"].is_null());
     }
 
     #[test]
