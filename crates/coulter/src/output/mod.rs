@@ -32,6 +32,7 @@ pub mod steady;
 pub mod summary;
 pub mod surface;
 pub mod table;
+pub mod validate;
 mod vtk;
 
 pub use error::OutputError;
