@@ -122,11 +122,11 @@ impl<R: Precision> Simulation<R> {
         &self.setting
     }
 
-    /// The grade of the run so far.
+    /// The grade of the run so far; `failure` says why it was stopped, if it was.
     #[must_use]
-    pub fn trust(&self) -> Trust {
+    pub fn trust(&self, failure: Option<&str>) -> Trust {
         let references = Reference::all(&self.case);
-        Trust::grade(&self.setting, &self.history, &references, self.case.output.steady_share, None)
+        Trust::grade(&self.setting, &self.history, &references, self.case.output.steady_share, failure)
     }
 
     /// Whether the run has reached its end.

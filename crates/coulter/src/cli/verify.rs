@@ -3,7 +3,7 @@
 use super::{Failure, say};
 use crate::verify::bench::Wish;
 use crate::verify::row::Row;
-use crate::verify::{self, document, known, refine, table};
+use crate::verify::{self, document, grades, known, refine, table};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -72,6 +72,7 @@ pub(super) fn verify(arguments: &Arguments) -> Result<(), Failure> {
         super::say_json(&findings.rows.iter().map(Row::plain).collect::<Vec<_>>())?;
     } else {
         say(&format!("{}\n{}\n", table::plain(&findings.rows), table::closing(&findings.rows)));
+        say(&format!("{}\n", grades::closing(&findings)));
     }
     if arguments.write {
         let written = document::write(Path::new("."), &findings, &known);

@@ -23,7 +23,7 @@ hourglass [J],remap loss [J],closure [-],volume ratio [-]";
 
 /// Header of the file about the faces of the box.
 pub const BOUNDARIES_HEADER: &str =
-    "time [s],lid area [m^2],lid force [N],bare wall area [m^2],stress rise [Pa],contact area [m^2]";
+    "time [s],lid area [m^2],lid force [N],bare wall area [m^2],stress rise [Pa]";
 
 /// Name of the file about the energy.
 pub(super) const ENERGY: &str = "energy.csv";
@@ -154,8 +154,8 @@ fn energy_line(s: &EnergySample) -> [f64; 12] {
     ]
 }
 
-fn boundary_line(s: &BoundarySample) -> [f64; 6] {
-    [s.time, s.lid_area, s.lid_force, s.wall_area, s.stress_rise, s.contact_area]
+fn boundary_line(s: &BoundarySample) -> [f64; 5] {
+    [s.time, s.lid_area, s.lid_force, s.wall_area, s.stress_rise]
 }
 
 /// Reads a body's file back.
@@ -226,7 +226,6 @@ pub fn read_boundaries(path: &Path, is_whole: bool) -> Result<Vec<BoundarySample
             lid_force: cell("lid force [N]", n)?,
             wall_area: cell("bare wall area [m^2]", n)?,
             stress_rise: cell("stress rise [Pa]", n)?,
-            contact_area: cell("contact area [m^2]", n)?,
         })
     };
     (0..table.rows()).map(line).collect()

@@ -56,7 +56,7 @@ fn curve_text(curves: &Curves) -> String {
             "drag F_H [N]",
             "vertical F_V [N]",
             "sinkage z [m]",
-            "skid [-]",
+            "slip [-]",
             "F_H_bar [-]",
             "F_V_bar [-]",
             "Z [-]",
@@ -69,7 +69,7 @@ fn curve_text(curves: &Curves) -> String {
         let (force, length) = (curves.force_scale[n], curves.length_scale[n]);
         for s in &curves.series {
             let applies = if s.applicable[n] { 1.0 } else { 0.0 };
-            line.extend([applies, s.drag[n], s.vertical[n], s.sinkage[n], s.skid[n]]);
+            line.extend([applies, s.drag[n], s.vertical[n], s.sinkage[n], s.slip[n]]);
             line.extend([s.drag[n] / force, s.vertical[n] / force, s.sinkage[n] / length]);
         }
         push_line(&mut text, &line);

@@ -108,8 +108,6 @@ pub struct BoundarySample {
     pub wall_area: f64,
     /// Largest rise of the normal pressure on floor and side walls above that at rest [Pa].
     pub stress_rise: f64,
-    /// Area of the bodies that is in the soil [m²].
-    pub contact_area: f64,
 }
 
 /// What a run has seen so far.

@@ -91,6 +91,8 @@ pub(super) fn body_rows(reference: &Reference, body: &BodySummary) -> Vec<Row> {
     if reference.radius.is_some() {
         let note = "1 rolls, 0 slides".to_owned();
         rows.push(row("Turn ratio", "ω r / v", NONE.into(), bare(steady.turn_ratio), note));
+        let note = "−1 locked, 0 rolls, above 0 driven".to_owned();
+        rows.push(row("Slip", "s", NONE.into(), bare(steady.slip), note));
         let note = "steady mean; forward positive; group M / (γ t d³)".to_owned();
         rows.push(row(
             "Axle torque",

@@ -11,6 +11,7 @@ use super::report::{ReportText, write_report};
 use super::run_record::{Outcome, Overlay, RunRecord, RunStatistics};
 use super::summary::Summary;
 use super::surface::HeightMap;
+use super::validate::validate_history;
 use super::vtk::{Frame, read_time_list, write_time_list};
 use crate::case::Case;
 use solver::grid::Grid;
@@ -222,6 +223,9 @@ pub fn rebuild_report(dir: &Path) -> Result<PathBuf, OutputError> {
     let names: Vec<String> = record.bodies.iter().map(|b| b.name.clone()).collect();
     let is_whole = matches!(record.statistics.outcome, Outcome::Finished | Outcome::BrokeDown(_));
     let history = read_history(dir, &names, is_whole)?;
+    if record.statistics.outcome == Outcome::Finished {
+        validate_history(&history).map_err(|problem| OutputError::content(dir, problem))?;
+    }
     let summary = if is_whole {
         Summary::read(dir)?
     } else {

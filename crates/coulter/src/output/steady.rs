@@ -37,6 +37,8 @@ pub struct Steady {
     pub sinkage: Option<f64>,
     /// Mean turn ratio ω r / v, from the angle turned and the way made.
     pub turn_ratio: Option<f64>,
+    /// Slip that goes with it: 1 − v/(ωr) where ωr > v, otherwise ωr/v − 1.
+    pub slip: Option<f64>,
     /// Mean torque about the axle [N m].
     #[serde(rename = "axle_torque_Nm")]
     pub axle_torque: Option<f64>,
@@ -116,6 +118,8 @@ pub fn steady(samples: &[BodySample], reference: &Reference, window: Range<usize
     };
     let drag = mean(|s| s.drag);
     let (first, last) = (&inside[0], &inside[inside.len() - 1]);
+    let turn_ratio =
+        mean(|s| s.spin).zip(mean(|s| s.speed)).and_then(|(spin, speed)| reference.turn_ratio(spin, speed));
     Steady {
         from_m: finite(first.displacement),
         to_m: finite(last.displacement),
@@ -124,9 +128,8 @@ pub fn steady(samples: &[BodySample], reference: &Reference, window: Range<usize
         drag,
         vertical: mean(|s| s.vertical),
         sinkage: mean(|s| s.sinkage),
-        turn_ratio: mean(|s| s.spin)
-            .zip(mean(|s| s.speed))
-            .and_then(|(spin, speed)| reference.turn_ratio(spin, speed)),
+        turn_ratio,
+        slip: turn_ratio.map(analytic::slip),
         axle_torque: mean(|s| s.axle_torque),
         // Of a body that is pushed down the drag is next to nothing, and its noise over it means nothing.
         drag_noise: drag

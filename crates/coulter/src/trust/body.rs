@@ -27,7 +27,7 @@ impl Scene<'_> {
         if is_tow(self.samples, self.reference) {
             checks.extend(self.trends(inside, &steady));
             checks.extend(steady.drag_noise.map(|noise| self.check(&limits::NOISE, 100.0 * noise)));
-            checks.extend(self.froude(inside, &steady));
+            checks.extend(self.inertia(inside, &steady));
             checks.extend(self.free_wheel(&steady));
         }
         checks.extend(self.heave(&steady));
@@ -71,11 +71,13 @@ impl Scene<'_> {
         checks
     }
 
-    fn froude(&self, inside: &[BodySample], steady: &Steady) -> Option<Check> {
+    /// What the soil's momentum adds to the force: its pressure on the part of the front that is in the ground.
+    fn inertia(&self, inside: &[BodySample], steady: &Steady) -> Option<Check> {
         let depth = steady.sinkage.filter(|z| *z > 0.0)?;
+        let force = steady.drag?.hypot(steady.vertical?);
         let speed = inside.iter().map(|s| s.speed.abs()).sum::<f64>() / inside.len().max(1) as f64;
-        let froude = speed.powi(2) / (self.setting.gravity * depth);
-        (self.setting.gravity > 0.0).then(|| self.check(&limits::FROUDE, froude))
+        let added = analytic::inertia_pressure(self.setting.density, speed) * depth * self.reference.width;
+        (force > 0.0).then(|| self.check(&limits::INERTIA, 100.0 * added / force))
     }
 
     /// How far a wheel without torque is from what such a wheel can do.

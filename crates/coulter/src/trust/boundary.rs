@@ -40,7 +40,6 @@ pub fn sample<R: Precision>(case: &Case, model: &Model, state: &State<R>) -> Bou
             sample.stress_rise = sample.stress_rise.max(rise);
         });
     }
-    sample.contact_area = state.contacts.iter().map(|c| c.area).sum::<f64>() * whole;
     sample
 }
 

@@ -1,7 +1,7 @@
 //! Checks of what the whole model conserves, and of what it does at the faces of the box.
 
 use super::limits::{self, Limit};
-use super::{Check, Setting};
+use super::{BodySetting, Check, Setting};
 use crate::output::record::{BodySample, EnergySample, History};
 
 /// Energy and volume at the end of the run.
@@ -27,7 +27,7 @@ fn volume_change(setting: &Setting, end: &EnergySample) -> f64 {
 }
 
 /// Lid, walls and floor.
-pub(super) fn boundary_checks(_setting: &Setting, history: &History) -> Vec<Check> {
+pub(super) fn boundary_checks(setting: &Setting, history: &History) -> Vec<Check> {
     let samples = &history.boundaries;
     if samples.is_empty() {
         return Vec::new();
@@ -39,7 +39,7 @@ pub(super) fn boundary_checks(_setting: &Setting, history: &History) -> Vec<Chec
         Check::of(&limits::LID, None, lid_share(most(|s| s.lid_force), most(|s| s.lid_area), history)),
         Check::of(&limits::WALLS, None, 1e4 * most(|s| s.wall_area)),
     ];
-    if let Some(share) = stress_share(history) {
+    if let Some(share) = stress_share(setting, history) {
         checks.push(Check::of(&limits::BOUNDARY_STRESS, None, share));
     }
     checks
@@ -63,13 +63,25 @@ fn body_force(history: &History, n: usize) -> f64 {
     history.bodies.iter().filter_map(|samples| samples.get(n)).map(size).sum()
 }
 
-/// Rise of the pressure at walls and floor over the mean contact pressure [%], over the last third of the run.
-fn stress_share(history: &History) -> Option<f64> {
+/// Rise of the pressure at walls and floor over the contact pressure [%], over the last third of the run. The contact
+/// pressure is that of the forces on the bodies over the area that they turn towards them.
+fn stress_share(setting: &Setting, history: &History) -> Option<f64> {
     let count = history.boundaries.len();
     let last = 2 * count / 3..count;
     let mean = |value: &dyn Fn(usize) -> f64| last.clone().map(value).sum::<f64>() / last.len() as f64;
-    let force = mean(&|n| body_force(history, n));
-    let area = mean(&|n| history.boundaries[n].contact_area);
-    let rise = mean(&|n| history.boundaries[n].stress_rise);
-    (force > 0.0 && area > 0.0).then(|| 100.0 * rise.max(0.0) * area / force)
+    let pressure = |n: usize| -> f64 {
+        let bodies = setting.bodies.iter().zip(&history.bodies);
+        bodies.filter_map(|(body, samples)| Some(contact_pressure(body, samples.get(n)?))).sum()
+    };
+    let (pressure, rise) = (mean(&pressure), mean(&|n| history.boundaries[n].stress_rise));
+    (pressure > 0.0).then(|| 100.0 * rise.max(0.0) / pressure)
+}
+
+/// Force on a body over the area that it turns towards it: its front in the ground, and what it stands on [Pa].
+fn contact_pressure(body: &BodySetting, sample: &BodySample) -> f64 {
+    let [length, width, height] = [0, 1, 2].map(|axis| body.extent[axis].unwrap_or(body.slab));
+    let depth = sample.sinkage.clamp(body.cell[2], height);
+    // Of a body that is round the chord at this depth.
+    let base = body.diameter.map_or(length, |d| 2.0 * (depth.min(0.5 * d) * (d - depth.min(0.5 * d))).sqrt());
+    (sample.drag / (depth * width)).hypot(sample.vertical / (base * width))
 }

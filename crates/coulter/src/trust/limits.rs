@@ -139,14 +139,14 @@ pub const LEAK: Limit = Limit {
 };
 
 /// Froude number.
-pub const FROUDE: Limit = Limit {
-    name: "Froude number",
-    unit: "",
-    good: 0.3,
+pub const INERTIA: Limit = Limit {
+    name: "inertia (Froude number)",
+    unit: "%",
+    good: 10.0,
     doubtful: NEVER,
     more_is_better: false,
-    meaning: "v²/(g z) of speed and sinkage in the steady window",
-    reason: "inertia adds about ρ v² to a passive pressure γ z K_p, that is Fr/K_p: at 0.3 and φ = 35° 8 %; it is physics, not an error, but no quasi-static force",
+    meaning: "momentum of the soil set in motion, 2 ρ v² on the embedded front, over the force on the body; of a passive wedge 4 Fr/K_p with Fr = v²/(g z)",
+    reason: "it is physics, not an error, but a force with more than a tenth of it is no quasi-static one",
     advice: "tow more slowly if a quasi-static force is wanted",
 };
 
@@ -289,7 +289,7 @@ pub const BOUNDARY_STRESS: Limit = Limit {
     good: 20.0,
     doubtful: NEVER,
     more_is_better: false,
-    meaning: "largest rise of the normal pressure on floor and side walls over the mean contact pressure, in the steady window",
+    meaning: "largest rise of the normal pressure on floor and side walls over the contact pressure (force over the embedded front and the base), in the last third of the run",
     reason: "in an elastic half space the pressure under a load on the area A falls to 20 % at a depth of 1.5 √A (Boussinesq 1885); nearer walls stiffen the ground",
     advice: "make domain larger on the side that advice names",
 };
@@ -322,7 +322,7 @@ pub const ALL: [&Limit; 22] = [
     &STEADY_DRAG,
     &STEADY_SINKAGE,
     &NOISE,
-    &FROUDE,
+    &INERTIA,
     &RIDING_HEIGHT,
     &FREE_WHEEL,
     &BODY_IN_BOX,

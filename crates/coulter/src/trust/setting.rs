@@ -10,6 +10,8 @@ use serde::{Deserialize, Serialize};
 pub struct Setting {
     /// Acceleration of gravity on the soil [m/s²].
     pub gravity: f64,
+    /// Density of the soil [kg/m³].
+    pub density: f64,
     /// Courant number.
     pub courant: f64,
     /// Whether the soil's volume is meant to grow.
@@ -32,6 +34,8 @@ pub struct BodySetting {
     pub cell: [f64; 3],
     /// Its extent along x, y, z [m]; none across the slab of plane strain.
     pub extent: [Option<f64>; 3],
+    /// Width of the slab of plane strain [m].
+    pub slab: f64,
     /// Diameter of a body that is round in the plane of the tow [m].
     pub diameter: Option<f64>,
     /// Whether it moves up and down.
@@ -54,6 +58,7 @@ impl Setting {
             } else {
                 0.0
             },
+            density: case.soil.density,
             courant: case.numerics.courant,
             dilates: matches!(case.soil.law, Law::MohrCoulomb { dilation_angle, .. } if dilation_angle > 0.0),
             energy_floor: 1e-12 * weight * size.z,
@@ -82,6 +87,7 @@ impl BodySetting {
             name: body.name.clone(),
             cell: case.grid.faces.each_ref().map(finest),
             extent,
+            slab: case.domain.high.y - case.domain.low.y,
             diameter,
             heaves: !matches!(heave, Freedom::Fixed),
             heaves_freely: heave.is_free(),

@@ -8,6 +8,8 @@ use crate::case::{self, Case, CaseError};
 use crate::output::OutputError;
 use crate::output::record::{BodySample, EnergySample};
 use crate::simulation::Simulation;
+use crate::trust::Trust;
+use crate::trust::watch::watch as would_stop;
 use serde::{Deserialize, Serialize};
 use solver::cpu::energy::soil_mass;
 use solver::error::Breakdown;
@@ -74,6 +76,8 @@ pub struct Ledgers {
     pub seconds: f64,
     /// What the run did.
     pub trace: Trace,
+    /// Whether it would be believed.
+    pub trust: Trust,
 }
 
 /// Runs cases and collects what comes out.
@@ -84,6 +88,8 @@ pub struct Bench<'a> {
     pub rows: Vec<Row>,
     /// The ledgers of the runs so far.
     pub ledgers: Vec<Ledgers>,
+    /// Why a user's run would have been stopped, if the one under way would.
+    stopped: Option<String>,
     kept: Option<Kept>,
     tell: &'a mut dyn FnMut(&str),
 }
@@ -98,7 +104,7 @@ impl<'a> Bench<'a> {
     /// An empty bench; `tell` hears what it is doing.
     pub fn new(wish: &'a Wish, tell: &'a mut dyn FnMut(&str)) -> Self {
         let kept = wish.folder.as_ref().and_then(|folder| Kept::new(folder, wish));
-        Self { wish, rows: Vec::new(), ledgers: Vec::new(), kept, tell }
+        Self { wish, rows: Vec::new(), ledgers: Vec::new(), stopped: None, kept, tell }
     }
 
     /// Does a part of a benchmark, unless an earlier verification by this very program, asked for the same, has done it:
@@ -227,6 +233,9 @@ impl<'a> Bench<'a> {
         while !simulation.is_done() {
             simulation.advance()?;
             watch(simulation);
+            if self.stopped.is_none() {
+                self.stopped = would_stop(simulation).err().map(|why| why.to_string());
+            }
             if told.elapsed() > NEWS {
                 told = Instant::now();
                 let share = 1e2 * simulation.state.time / simulation.case.duration;
@@ -248,6 +257,7 @@ impl<'a> Bench<'a> {
     /// Keeps the ledgers of a run that has come to its end.
     pub fn keep(&mut self, id: &'static str, variant: &str, simulation: &Simulation) {
         let history = &simulation.history;
+        let stopped = self.stopped.take();
         let off = history.energy.iter().map(|e| (e.volume_ratio - 1.0).abs());
         self.ledgers.push(Ledgers {
             id,
@@ -260,6 +270,7 @@ impl<'a> Bench<'a> {
             bodies: history.bodies.iter().filter_map(|b| b.last().copied()).collect(),
             seconds: simulation.wall_s,
             trace: Trace::of(simulation),
+            trust: simulation.trust(stopped.as_deref()),
         });
     }
 }

@@ -1,6 +1,7 @@
 //! The table in the project's documents: between two markers in README.md, and in docs/verification.md.
 
 use super::bench::Ledgers;
+use super::grades;
 use super::known::Known;
 use super::plot;
 use super::row::{Row, Verdict};
@@ -92,6 +93,7 @@ pub fn page(findings: &Findings, known: &[Known]) -> String {
         sources(&rows, &mut text);
         reasons(&rows, known, &mut text);
     }
+    text.push_str(&grades::section(findings));
     for (id, why) in &findings.broken {
         let _ = writeln!(text, "**{id} gave no figures: {why}**\n");
     }

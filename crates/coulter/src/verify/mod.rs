@@ -14,6 +14,7 @@ pub mod document;
 mod element;
 mod flow;
 mod footing;
+pub mod grades;
 mod kept;
 pub mod known;
 mod ledger;
