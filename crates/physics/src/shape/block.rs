@@ -58,7 +58,11 @@ impl Shape for Block {
         let room = self.size - 2.0 * inset;
         let both_sides = |axis: usize| {
             let (width, height) = (room[(axis + 1) % 3], room[(axis + 2) % 3]);
-            if width > 0.0 && height > 0.0 { 2.0 * parts(width, spacing) * parts(height, spacing) } else { 0.0 }
+            if width > 0.0 && height > 0.0 {
+                2.0 * parts(width, spacing) * parts(height, spacing)
+            } else {
+                0.0
+            }
         };
         (0..3).map(both_sides).sum()
     }
