@@ -1,16 +1,14 @@
 //! `coulter check`: the case as understood, what it will cost, and doubts about it.
 
-use super::{Failure, say};
+use super::{Failure, say, speed};
 use crate::case::estimate::{Estimate, estimate};
-use crate::case::resolved::Precision;
 use crate::case::resolved::{Body, Freedom, Law, Measured, Potential, Shape};
-use crate::case::{self, Case};
+use crate::case::room::{self, words};
+use crate::case::{self, Case, machine};
 use crate::output::reference::Reference;
-use crate::simulation::Simulation;
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;
-use std::time::Duration;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -44,8 +42,10 @@ struct Groups {
 pub(super) fn check(arguments: &Arguments) -> Result<(), Failure> {
     let case = case::load(&arguments.case, &arguments.overrides)?;
     let cost = estimate(&case);
-    let seconds = measured_rate(&case).map(|rate| cost.steps * cost.filled_cells / rate);
-    let warnings = case::advice(&case);
+    let seconds = speed::wall_time(&case, &cost);
+    let folder = PathBuf::from("results").join(&case.name);
+    let mut warnings = case::advice(&case);
+    warnings.extend(room::doubts(&case, &folder));
     if arguments.json {
         return as_json(&case, &cost, seconds, &warnings);
     }
@@ -59,24 +59,12 @@ pub(super) fn check(arguments: &Arguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Cell steps per second of this machine on this case: its first steps are taken for a moment and thrown away. They are
-/// cheaper than those to come, when soil yields and is remapped; on the towed disc (34 s in all) by this much.
-fn measured_rate(case: &Case) -> Option<f64> {
-    const LATER_STEPS: f64 = 1.7;
-    const MOMENT: Duration = Duration::from_millis(400);
-    let rate = match case.numerics.precision {
-        Precision::Double => Simulation::<f64>::new(case).speed(MOMENT)?,
-        Precision::Single => Simulation::<f32>::new(case).speed(MOMENT)?,
-    };
-    Some(rate / LATER_STEPS)
-}
-
 fn as_json(case: &Case, cost: &Estimate, seconds: Option<f64>, warnings: &[String]) -> Result<(), Failure> {
     let groups: serde_json::Map<String, serde_json::Value> =
         case.bodies.iter().map(|b| (b.name.clone(), serde_json::json!(groups(case, b)))).collect();
     let document = serde_json::json!({
         "case": case.name, "groups": groups, "cost": cost, "estimated_wall_s": seconds,
-        "warnings": warnings, "resolved": case,
+        "memory_available_bytes": machine::memory_available(), "warnings": warnings, "resolved": case,
     });
     let text = serde_json::to_string_pretty(&document).map_err(|e| Failure::Request(e.to_string()))?;
     say(&format!("{text}\n"));
@@ -230,11 +218,30 @@ fn describe_cost(text: &mut String, case: &Case, cost: &Estimate, seconds: Optio
     )?;
     writeln!(
         text,
-        "grid     {nx} × {ny} × {nz} = {} cells of {} mm and more, {} with soil, {:.0} MB",
+        "grid     {nx} × {ny} × {nz} = {} cells of {} mm and more, {} with soil",
         cost.cells,
         finest(case),
-        cost.filled_cells,
-        cost.memory_bytes / 1e6
+        cost.filled_cells
+    )?;
+    let memory = &cost.memory;
+    writeln!(
+        text,
+        "memory   {}: grid {}, contact points {}, outputs {}, program {}",
+        words(cost.memory_bytes),
+        words(memory.grid_bytes),
+        words(memory.contact_bytes),
+        words(memory.outputs_bytes),
+        words(memory.program_bytes)
+    )?;
+    let output = &cost.output;
+    writeln!(
+        text,
+        "results  {}: fields {} in {} files, histories {}, checkpoints {}",
+        words(output.total_bytes),
+        words(output.fields_bytes),
+        output.frames,
+        words(output.histories_bytes),
+        words(output.checkpoints_bytes)
     )?;
     writeln!(
         text,

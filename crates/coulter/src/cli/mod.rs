@@ -9,6 +9,7 @@ mod pressure;
 mod report;
 mod run;
 mod schema;
+mod speed;
 mod verify;
 
 use clap::{Parser, Subcommand};

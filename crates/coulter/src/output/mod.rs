@@ -31,6 +31,7 @@ pub mod steady;
 pub mod summary;
 pub mod surface;
 pub mod table;
+pub mod volume;
 mod vtk;
 
 pub use error::OutputError;

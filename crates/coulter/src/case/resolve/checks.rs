@@ -2,8 +2,10 @@
 
 use super::extent::path;
 use crate::case::estimate;
+use crate::case::machine;
 use crate::case::problem::Problems;
-use crate::case::resolved::{Body, Case, Domain, Freedom, Grid, Precision, Shape};
+use crate::case::resolved::{Body, Case, Domain, Freedom, Shape};
+use crate::case::room::words;
 use crate::case::schema::{Schema, Section};
 
 /// More time steps than any machine would finish.
@@ -147,27 +149,36 @@ pub(super) fn can_be_computed(schema: &Schema, case: &Case, problems: &mut Probl
     }
 }
 
-/// Refuses a grid for which this machine has no memory; nothing of that size has been allocated yet.
-pub(super) fn fits_into_memory(
-    section: &Section,
-    grid: &Grid,
-    precision: Precision,
-    problems: &mut Problems,
-) {
-    let needed = estimate::memory(grid, precision);
-    let Some(available) = estimate::memory_available() else { return };
-    if needed > available {
-        let gigabyte = |bytes: f64| bytes / 1e9;
-        let message = format!(
-            "the grid of {:.3e} cells needs {:.1} GB of memory, and {:.1} GB are free",
-            estimate::cells(grid),
-            gigabyte(needed),
-            gigabyte(available)
-        );
-        problems.add(
-            section.place_of("cell"),
-            message,
-            "make grid.cell larger, or the box or the fine zone smaller",
-        );
+/// Contact points of one body beyond which it is refused: they take some 2 GB while they are laid out.
+const MOST_POINTS: f64 = 1e7;
+
+/// Refuses bodies with more contact points than can be laid out.
+pub(super) fn contact_points_can_be_laid_out(schema: &Schema, case: &Case, problems: &mut Problems) {
+    let Some((name, points)) = estimate::most_contact_points(case) else { return };
+    if points <= MOST_POINTS {
+        return;
     }
+    let message =
+        format!("body `{name}` would have {points:.1e} contact points; {MOST_POINTS:.0e} are the most");
+    let cure = "make grid.cell or numerics.point_spacing larger, or the body smaller";
+    problems.add(schema.grid.place_of("cell"), message, cure);
+}
+
+/// Refuses a case for which this machine has no memory; nothing of that size has been allocated yet.
+pub(super) fn fits_into_memory(schema: &Schema, case: &Case, problems: &mut Problems) {
+    let cost = estimate::estimate(case);
+    let Some(available) = machine::memory_available() else { return };
+    if cost.memory_bytes <= available {
+        return;
+    }
+    let message = format!(
+        "the grid of {:.3e} cells needs {} of memory, the contact points {}, writing {}; {} are free",
+        cost.cells,
+        words(cost.memory.grid_bytes),
+        words(cost.memory.contact_bytes),
+        words(cost.memory.outputs_bytes),
+        words(available)
+    );
+    let cure = "make grid.cell larger, or the box or the fine zone smaller";
+    problems.add(schema.grid.place_of("cell"), message, cure);
 }

@@ -72,7 +72,6 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
     checks::bodies_fit(schema, &bodies, &domain, duration, problems);
     let usual = mesh::usual_fine_zone(&frame, &domain, &bodies, duration);
     let grid = mesh::grid(&schema.grid, &frame, (&domain, &ground), &bodies, usual, problems)?;
-    checks::fits_into_memory(&schema.grid, &grid, numerics.as_ref()?.precision, problems);
     let name = name?;
     let case = Case {
         title: schema.top.text("title").map_or_else(|| name.clone(), |t| t.value),
@@ -92,6 +91,8 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
     };
     checks::contact_points_remain(schema, &case, problems);
     checks::can_be_computed(schema, &case, problems);
+    checks::contact_points_can_be_laid_out(schema, &case, problems);
+    checks::fits_into_memory(schema, &case, problems);
     Some(case)
 }
 
