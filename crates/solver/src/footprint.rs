@@ -38,20 +38,19 @@ pub(crate) fn fields<R>(entries: usize) -> [f64; 2] {
     [arrays * one, (arrays - WRITTEN) * one]
 }
 
-/// Contact points of all bodies: what is kept for them, and what laying out the largest takes besides; `per_patch` is what the
-/// contact law keeps of a patch.
+/// Contact points of all bodies, each at last so far from its start [m]: what is kept for them, and what laying out the
+/// largest takes besides; `per_patch` is what the contact law keeps of a patch.
 #[must_use]
-pub(crate) fn contact(model: &Model, [per_surface_point, per_patch]: [f64; 2]) -> [f64; 2] {
+pub(crate) fn contact(model: &Model, moved: &[DVec3], [per_point, per_patch]: [f64; 2]) -> [f64; 2] {
     /// Of a shape's list of points, its copy in pairs, and the tree that finds the pairs.
-    const LAID_OUT: f64 = 2.0 * size_of::<SurfacePoint>() as f64 * GROWN + 100.0;
+    const LAID_OUT: f64 = 2.0 * size_of::<SurfacePoint>() as f64 + 60.0;
+    let points_per_patch = model.method.point_spacing.min(1.0).powi(-2);
     let mut sums = [0.0_f64; 2];
-    for body in &model.bodies {
+    for (n, body) in model.bodies.iter().enumerate() {
         let all = surface_points(model, body);
-        let kept = all * within(model, body);
-        let touching = kept * wetted(model, body);
-        let spacing = model.method.point_spacing;
-        let patches = touching * spacing.min(1.0).powi(2);
-        sums[0] += kept * per_surface_point + touching * per_contact() + patches * per_patch;
+        let [kept, touching] = shares(model, body, moved.get(n).copied().unwrap_or_default());
+        let each = per_contact() + per_patch / points_per_patch;
+        sums[0] += all * (kept * per_point + touching * each);
         sums[1] = sums[1].max(all * LAID_OUT);
     }
     sums
@@ -97,32 +96,25 @@ pub(crate) fn per_patch(touched_node: usize) -> f64 {
     NODES_PER_PATCH * touched_node as f64 + missing as f64 + 120.0
 }
 
-/// Share of a body's points that are not behind a plane of symmetry.
-fn within(model: &Model, body: &BodyModel) -> f64 {
-    if body.translation[1] != Freedom::Fixed {
-        return 1.0;
-    }
+/// Share of a body's points that are kept, and of those that have soil to act on at its start or when it has moved so far
+/// [m], whichever is more: by the area of a few points that stand for all.
+fn shares(model: &Model, body: &BodyModel, moved: DVec3) -> [f64; 2] {
+    /// Points along the diagonal.
+    const FEW: f64 = 16.0;
     let (low, high) = body.shape.bounds();
-    let faces = &model.grid.faces[1];
-    share([body.start.y + low.y, body.start.y + high.y], [faces[0], faces[faces.len() - 1]])
-}
-
-/// Share of them that lie in soil at the deepest place that can be told beforehand. A body that is free to sink is taken to
-/// do so by a tenth of its height.
-fn wetted(model: &Model, body: &BodyModel) -> f64 {
-    let (low, high) = body.shape.bounds();
-    let height = high.z - low.z;
-    let faces = &model.grid.faces[2];
-    let sunk = match body.translation[2] {
-        Freedom::Fixed => 0.0,
-        Freedom::Free { .. } => 0.1 * height,
-        Freedom::Prescribed { .. } => 0.5 * height,
+    let points = body.shape.surface_points((high - low).length() / FEW, DVec3::ZERO);
+    let spacing = model.method.point_spacing * model.grid.finest();
+    let stays = body.translation[1] == Freedom::Fixed;
+    let is_in = |axis: usize, x: DVec3, margin: f64| {
+        let faces = &model.grid.faces[axis];
+        (faces[0] - margin..=faces[faces.len() - 1] + margin).contains(&x[axis])
     };
-    let z = body.start.z - sunk;
-    share([z + low.z, z + high.z], [faces[0], model.surface.min(faces[faces.len() - 1])])
-}
-
-/// Share of a range that lies in another.
-fn share([low, high]: [f64; 2], [from, to]: [f64; 2]) -> f64 {
-    ((high.min(to) - low.max(from)) / (high - low)).clamp(0.0, 1.0)
+    let share = |of: &dyn Fn(DVec3) -> bool| {
+        let area = |p: &&SurfacePoint| p.area;
+        let those = points.iter().filter(|p| of(body.start + p.position));
+        those.map(|p| area(&p)).sum::<f64>() / points.iter().map(|p| p.area).sum::<f64>()
+    };
+    let in_soil = |x: DVec3| x.z <= model.surface && (0..3).all(|axis| is_in(axis, x, 0.0));
+    let touching = share(&in_soil).max(share(&|x| in_soil(x + moved)));
+    [share(&|x| !stays || is_in(1, x, spacing)), touching]
 }

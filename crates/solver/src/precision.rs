@@ -41,7 +41,7 @@ pub trait Precision:
     /// Memory that a workspace takes up [bytes].
     fn memory(workspace: &Self::Workspace) -> usize;
     /// See [`double::footprint::footprint`].
-    fn footprint(model: &Model, threads: usize) -> Footprint;
+    fn footprint(model: &Model, threads: usize, moved: &[DVec3]) -> Footprint;
     /// Where the time of the calling thread goes.
     fn stopwatch(workspace: &mut Self::Workspace) -> &mut Stopwatch;
     /// Kinetic energy of soil and bodies [J] (modelled share).
@@ -91,8 +91,8 @@ macro_rules! precision {
                 workspace.memory()
             }
 
-            fn footprint(model: &Model, threads: usize) -> Footprint {
-                $module::footprint::footprint(model, threads)
+            fn footprint(model: &Model, threads: usize, moved: &[DVec3]) -> Footprint {
+                $module::footprint::footprint(model, threads, moved)
             }
 
             fn stopwatch(workspace: &mut Self::Workspace) -> &mut Stopwatch {

@@ -50,7 +50,7 @@ fn told_is_real<R: Precision>(threads: usize) {
         let bare = Model { grid: Grid::padded(bare.grid.faces.clone(), R::LANES), ..bare };
         let state = R::start_under(&bare, &below(0.0), 0.0);
         let workspace = R::workspace(&bare, &state, threads);
-        let told = R::footprint(&bare, threads);
+        let told = R::footprint(&bare, threads, &[]);
         near(told.fields, state.memory(), 1e-9);
         near(told.workspace, R::memory(&workspace), 1e-9);
         assert_eq!((told.contact, told.layout), (0.0, 0.0));
@@ -61,7 +61,7 @@ fn told_is_real<R: Precision>(threads: usize) {
         while state.remaps < 2 {
             R::step(&model, &mut state, &mut workspace).unwrap();
         }
-        let told = R::footprint(&model, threads);
+        let told = R::footprint(&model, threads, &[]);
         let fields = state.memory() - size_of_val(state.contacts.as_slice());
         near(told.fields, fields, 1e-9);
         let contact = R::memory(&workspace) + state.memory() - fields;

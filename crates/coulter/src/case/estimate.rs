@@ -1,8 +1,10 @@
 //! What a case will cost: cells, memory, time step, number of steps.
 
-use super::resolved::{Case, Grid, Ground, Precision};
+use super::resolve::extent::travel;
+use super::resolved::{Body, Case, Grid, Ground, Precision};
 use crate::output::volume::{self, Volume};
 use crate::simulation::model;
+use glam::DVec3;
 use serde::Serialize;
 use solver::footprint::{Footprint, surface_points};
 use solver::grid::LANES;
@@ -113,11 +115,21 @@ pub(super) fn most_contact_points(case: &Case) -> Option<(String, f64)> {
     points.max_by(|a, b| a.1.total_cmp(&b.1))
 }
 
+/// How far a body is from its start at the end [m], as far as that can be told: one that is free to sink is taken to do so by
+/// a tenth of its height.
+fn moved(body: &Body, duration: f64) -> DVec3 {
+    let (low, high) = body.shape.solid().bounds();
+    let [x, y, z] = body.translation.each_ref().map(|freedom| travel(freedom, duration));
+    let sunk = if body.translation[2].is_free() { -0.1 * (high.z - low.z) } else { z };
+    DVec3::new(x, y, sunk)
+}
+
 fn footprint(case: &Case) -> Footprint {
     let threads = threads(case);
+    let moved: Vec<DVec3> = case.bodies.iter().map(|body| moved(body, case.duration)).collect();
     match case.numerics.precision {
-        Precision::Double => f64::footprint(&model(case, f64::LANES), threads),
-        Precision::Single => f32::footprint(&model(case, f32::LANES), threads),
+        Precision::Double => f64::footprint(&model(case, f64::LANES), threads, &moved),
+        Precision::Single => f32::footprint(&model(case, f32::LANES), threads, &moved),
     }
 }
 

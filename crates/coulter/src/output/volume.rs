@@ -72,6 +72,6 @@ pub fn memory(case: &Case, cells: f64, filled: f64, fields: f64) -> f64 {
     let lines = (case.duration / case.output.history_interval).ceil();
     let shown = (size_of::<CellView>() as f64 + RAW_CELL) * cells + 2.0 * PACKED_CELL * filled;
     // The report reads the histories as text and draws them.
-    let report = PICTURES + 2.0 * lines * (LINES[0] * case.bodies.len() as f64 + LINES[1]);
+    let report = PICTURES + lines * (LINES[0] * case.bodies.len() as f64 + LINES[1]);
     shown.max(report).max(CHECKPOINT * fields)
 }

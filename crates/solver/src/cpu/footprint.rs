@@ -17,14 +17,14 @@ pub(crate) fn team_size(grid: &Grid, threads: usize) -> usize {
     threads.clamp(1, (planes * rows / (rows + 1)).min(MOST))
 }
 
-/// What a run of a model by so many threads will take up.
+/// What a run of a model by so many threads will take up, each body being at last so far from its start [m].
 #[must_use]
-pub fn footprint(model: &Model, threads: usize) -> Footprint {
+pub fn footprint(model: &Model, threads: usize, moved: &[DVec3]) -> Footprint {
     let grid = &model.grid;
     let [fields, fields_of_soil] = footprint::fields::<Real>(grid.entries);
     let per_surface_point = size_of::<(DVec3, u32)>() as f64;
     let per_patch = footprint::per_patch(size_of::<TouchedNode>()) + kept_per_patch(model);
-    let [contact, layout] = footprint::contact(model, [per_surface_point, per_patch]);
+    let [contact, layout] = footprint::contact(model, moved, [per_surface_point, per_patch]);
     let workspace = workspace(grid, team_size(grid, threads));
     let body_cells = footprint::body_cells(model) * size_of::<BodyCell>() as f64;
     Footprint { fields, fields_of_soil, workspace, contact: contact + body_cells, layout }
