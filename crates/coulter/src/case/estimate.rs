@@ -35,19 +35,13 @@ impl Memory {
     }
 }
 
-/// What a case will cost.
+/// Cells and steps of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Estimate {
     /// Cells of the grid.
     pub cells: f64,
     /// Cells with soil at the start, whole or partly.
     pub filled_cells: f64,
-    /// Memory, all in all [bytes].
-    pub memory_bytes: f64,
-    /// Its parts.
-    pub memory: Memory,
-    /// What the run will write.
-    pub output: Volume,
     /// The smallest cell width [m].
     pub smallest_cell_m: f64,
     /// Speed of pressure waves in the soil [m/s].
@@ -58,7 +52,30 @@ pub struct Estimate {
     pub steps: f64,
 }
 
-/// What `case` will cost.
+/// What a case will cost in time, memory and room.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Cost {
+    /// Cells and steps.
+    #[serde(flatten)]
+    pub estimate: Estimate,
+    /// Memory, all in all [bytes].
+    pub memory_bytes: f64,
+    /// Its parts.
+    pub memory: Memory,
+    /// What the run will write.
+    pub output: Volume,
+}
+
+/// What `case` will cost in all. This takes some time where there are many bodies.
+#[must_use]
+pub fn cost(case: &Case) -> Cost {
+    let estimate = estimate(case);
+    let memory = memory(case, estimate.cells, estimate.filled_cells);
+    let output = volume::volume(case, estimate.cells, estimate.filled_cells);
+    Cost { estimate, memory_bytes: memory.total(), memory, output }
+}
+
+/// Cells and steps of `case`.
 #[must_use]
 pub fn estimate(case: &Case) -> Estimate {
     let (young, nu) = (case.soil.young_modulus, case.soil.poisson_ratio);
@@ -69,13 +86,9 @@ pub fn estimate(case: &Case) -> Estimate {
     let smallest = widths.fold(f64::INFINITY, f64::min);
     let time_step = case.numerics.courant * smallest / wave_speed;
     let (cells, filled_cells) = (cells(&case.grid), filled_cells(case));
-    let memory = memory(case, cells, filled_cells);
     Estimate {
         cells,
         filled_cells,
-        memory_bytes: memory.total(),
-        memory,
-        output: volume::volume(case, cells, filled_cells),
         smallest_cell_m: smallest,
         wave_speed_m_per_s: wave_speed,
         time_step_s: time_step,

@@ -1,17 +1,15 @@
 //! Whether memory and disc suffice for a run: doubts, told before it begins.
 
-use super::estimate::estimate;
+use super::estimate::Cost;
 use super::machine::{memory_available, room_for};
-use super::resolved::Case;
 use std::path::Path;
 
 /// Share of the free memory or room above which there is a doubt.
 const MUCH: f64 = 0.8;
 
-/// Doubts whether this machine has the memory for a case, and the disc of its results folder the room.
+/// Doubts whether this machine has the memory for what a case costs, and the disc of its results folder the room.
 #[must_use]
-pub fn doubts(case: &Case, folder: &Path) -> Vec<String> {
-    let cost = estimate(case);
+pub fn doubts(cost: &Cost, folder: &Path) -> Vec<String> {
     let memory = memory_available().filter(|free| cost.memory_bytes > MUCH * free).map(|free| {
         format!(
             "The run needs about {} of memory, and {} are free here: a larger grid.cell or a smaller fine zone needs less.",
@@ -47,6 +45,7 @@ pub fn words(bytes: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::case::estimate::cost;
 
     #[test]
     fn bytes_are_told_in_two_digits_or_three() {
@@ -60,9 +59,9 @@ mod tests {
     fn a_run_that_writes_more_than_fits_is_doubted() {
         let text = include_str!("../../../../cases/towed_disc.toml");
         let mut case = crate::case::parse(text, "case.toml", &[]).unwrap();
-        assert!(doubts(&case, Path::new("results")).is_empty());
+        assert!(doubts(&cost(&case), Path::new("results")).is_empty());
         case.output.field_interval = 1e-9;
-        let told = doubts(&case, Path::new("results")).concat();
+        let told = doubts(&cost(&case), Path::new("results")).concat();
         assert!(told.contains("free on the disc") && told.contains("output.field_interval"), "{told}");
     }
 }

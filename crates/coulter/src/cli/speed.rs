@@ -1,6 +1,6 @@
 //! How fast this machine is on a case, found on a small part of it.
 
-use crate::case::estimate::Estimate;
+use crate::case::estimate::{Cost, Estimate};
 use crate::case::resolved::{Case, Ground, Precision};
 use crate::simulation::Simulation;
 use glam::DVec3;
@@ -17,9 +17,10 @@ const LATER_STEPS: f64 = 1.5;
 const WRITING: [f64; 2] = [0.6, 1.3e-6];
 
 /// How long a run of the case will take on this machine [s]; `None` if not one step can be taken.
-pub(super) fn wall_time(case: &Case, cost: &Estimate) -> Option<f64> {
-    let writing = WRITING[0] + WRITING[1] * cost.cells * cost.output.frames;
-    measured(case).map(|rate| writing + cost.steps * cost.filled_cells * LATER_STEPS / rate)
+pub(super) fn wall_time(case: &Case, cost: &Cost) -> Option<f64> {
+    let Estimate { cells, filled_cells, steps, .. } = cost.estimate;
+    let writing = WRITING[0] + WRITING[1] * cells * cost.output.frames;
+    measured(case).map(|rate| writing + steps * filled_cells * LATER_STEPS / rate)
 }
 
 /// Cell steps per second over the cells with soil: the first steps of a part of the case are taken and thrown away.

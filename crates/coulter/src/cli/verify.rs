@@ -71,7 +71,7 @@ pub(super) fn verify(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.json {
         super::say_json(&findings.rows.iter().map(Row::plain).collect::<Vec<_>>())?;
     } else {
-        say(&format!("{}\n{}\n", table::plain(&findings.rows), table::closing(&findings.rows)));
+        say(&format!("{}\n{}\n", table::plain(&findings.rows), table::closing(&findings.rows)))?;
     }
     if arguments.write {
         let written = document::write(Path::new("."), &findings, &known);

@@ -4,6 +4,7 @@ use super::extent::path;
 use crate::case::estimate;
 use crate::case::machine;
 use crate::case::problem::Problems;
+use crate::case::quantity::plain;
 use crate::case::resolved::{Body, Case, Domain, Freedom, Shape};
 use crate::case::room::words;
 use crate::case::schema::{Schema, Section};
@@ -33,7 +34,8 @@ pub(super) fn bodies_fit(
 fn keeps_to_the_plane(section: &Section, body: &Body, domain: &Domain, problems: &mut Problems) {
     let plane = if domain.symmetric { "a symmetric" } else { "a plane strain" };
     if domain.symmetric && body.position.y != 0.0 {
-        let message = format!("the body stands at y = {} m, off the plane of symmetry", body.position.y);
+        let message =
+            format!("the body stands at y = {} m, off the plane of symmetry", plain(body.position.y));
         problems.add(section.place_of("y"), message, "take `y` out, or symmetric = true");
     }
     if body.translation[1] != Freedom::Fixed {
@@ -49,7 +51,8 @@ fn keeps_to_the_plane(section: &Section, body: &Body, domain: &Domain, problems:
 /// A plane of symmetry across the tow: no tow, and no turning about y.
 fn keeps_to_the_middle(section: &Section, body: &Body, problems: &mut Problems) {
     if body.position.x != 0.0 {
-        let message = format!("the body stands at x = {} m, off the plane of symmetry", body.position.x);
+        let message =
+            format!("the body stands at x = {} m, off the plane of symmetry", plain(body.position.x));
         problems.add(section.place_of("x"), message, "take `x` out, or symmetric_x = true");
     }
     if matches!(body.shape, Shape::Block { orientation, .. } if orientation != 0.0) {
@@ -91,7 +94,11 @@ fn stays_inside(section: &Section, body: &Body, domain: &Domain, duration: f64, 
         };
         let message = format!(
             "[{}] {message}: it spans {name} = {:.4} to {:.4} m, the box {} to {} m",
-            section.path, whole.low[axis], whole.high[axis], domain.low[axis], domain.high[axis]
+            section.path,
+            whole.low[axis],
+            whole.high[axis],
+            plain(domain.low[axis]),
+            plain(domain.high[axis])
         );
         problems.add(section.place_of(key), message, format!("make domain.{name} wider, or shorten the way"));
     }
@@ -100,7 +107,11 @@ fn stays_inside(section: &Section, body: &Body, domain: &Domain, duration: f64, 
     if through_the_floor || start.high.z <= domain.low.z || start.low.z >= domain.high.z {
         let message = format!(
             "[{}] spans z = {:.4} to {:.4} m, but the box {} to {} m",
-            section.path, whole.low.z, whole.high.z, domain.low.z, domain.high.z
+            section.path,
+            whole.low.z,
+            whole.high.z,
+            plain(domain.low.z),
+            plain(domain.high.z)
         );
         let key = if start.low.z < domain.low.z { "sinkage" } else { "heave" };
         problems.add(section.place_of(key), message, "make domain.z deeper, or start the body higher");
@@ -166,14 +177,14 @@ pub(super) fn contact_points_can_be_laid_out(schema: &Schema, case: &Case, probl
 
 /// Refuses a case for which this machine has no memory; nothing of that size has been allocated yet.
 pub(super) fn fits_into_memory(schema: &Schema, case: &Case, problems: &mut Problems) {
-    let cost = estimate::estimate(case);
+    let cost = estimate::cost(case);
     let Some(available) = machine::memory_available() else { return };
     if cost.memory_bytes <= available {
         return;
     }
     let message = format!(
         "the grid of {:.3e} cells needs {} of memory, the contact points {}, writing {}; {} are free",
-        cost.cells,
+        cost.estimate.cells,
         words(cost.memory.grid_bytes),
         words(cost.memory.contact_bytes),
         words(cost.memory.outputs_bytes),

@@ -11,6 +11,7 @@ mod motion;
 mod soil;
 mod timing;
 
+use super::is_device;
 use super::problem::Problems;
 use super::ranges::{self, ANY, NOT_NEGATIVE, POSITIVE, SHARE};
 use super::resolved::{Body, Case, Contact, Law, Numerics, Precision};
@@ -137,14 +138,20 @@ fn name(top: &Section, source_name: &str, problems: &mut Problems) -> Option<Str
             .map_or_else(String::new, |s| s.to_string_lossy().into());
         let plain: String =
             stem.chars().map(|c| if is_plain(c) { c } else { '-' }).take(MOST_LETTERS).collect();
+        let plain = if is_device(&plain) { format!("{plain}-case") } else { plain };
         return Some(if plain.is_empty() { "case".to_owned() } else { plain });
     }
     let typed = top.text("name")?;
-    if !typed.value.is_empty() && typed.value.len() <= MOST_LETTERS && typed.value.chars().all(is_plain) {
+    let fits = !typed.value.is_empty() && typed.value.len() <= MOST_LETTERS;
+    if fits && typed.value.chars().all(is_plain) && !is_device(&typed.value) {
         return Some(typed.value);
     }
     let message = format!("\"{}\" cannot be the name of a folder here", typed.value);
-    problems.add(&typed.place, message, "use 1 to 100 letters, digits, `-` and `_`");
+    problems.add(
+        &typed.place,
+        message,
+        "use 1 to 100 letters, digits, `-` and `_`, and no name of a Windows device",
+    );
     None
 }
 
