@@ -68,9 +68,9 @@ shape = "block"
 size = ["14 m", "14 m", "14 m"]
 friction = 0.3
 sinkage = "0.5 m"
-heave = { speed = "-0.2 m/s", ramp = "1 s" }
+heave = { speed = "-10 m/s" }
 [run]
-duration = "3 ms"
+duration = "6 ms"
 """
 
 

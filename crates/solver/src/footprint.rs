@@ -26,11 +26,6 @@ pub struct Footprint {
 const WRITTEN: f64 = 9.0;
 /// Sharing of a cell's nodes by neighbouring patches: about so many nodes for each patch of points.
 const NODES_PER_PATCH: f64 = 2.5;
-/// A list that grows leaves up to half of its room unused, a third in the mean of all lengths.
-const GROWN: f64 = 4.0 / 3.0;
-
-/// Room that the allocator keeps between the lists of contact points, over what is in them; measured with a large block.
-const ROUGHLY: f64 = 1.17;
 
 /// Fields of a state whose grid has so many entries, and those that only soil touches; `R` is their precision.
 #[must_use]
@@ -90,7 +85,7 @@ fn per_contact() -> f64 {
     let one = size_of::<Contact>() as f64;
     let lists =
         size_of::<[u32; 8]>() + 2 * size_of::<Option<usize>>() + size_of::<DVec3>() + size_of::<[usize; 8]>();
-    ROUGHLY * (one * (1.0 + GROWN) + lists as f64)
+    2.0 * one + lists as f64
 }
 
 /// What is kept for a patch besides what the contact law keeps: the nodes, the forces that are missing, and how it is found.
