@@ -11,6 +11,7 @@ pub mod earth_pressure;
 pub mod error;
 pub mod exact;
 pub mod forecast;
+mod motion;
 mod numeric;
 pub mod resistive;
 mod soil;
@@ -19,4 +20,5 @@ pub mod wheel;
 
 pub use error::{Answer, Refusal};
 pub use forecast::{Forecast, Load, Towing, forecast};
+pub use motion::{froude, inertia_pressure, slip, turn_ratio};
 pub use soil::Soil;

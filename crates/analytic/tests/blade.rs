@@ -164,7 +164,7 @@ fn a_body_of_points_is_a_disc_where_it_is_one() {
         for (a, b) in [(seen.drag, exact.drag), (seen.vertical, exact.vertical)] {
             assert!((a / b - 1.0).abs() < 4e-3, "{drive:?}: {a} for {b}");
         }
-        assert!(seen.skid.is_none_or(|slip| (slip - exact.slip).abs() < 5e-3));
+        assert!(seen.slip.is_none_or(|slip| (slip - exact.slip).abs() < 5e-3));
     }
     let weighed = Towing::new(soil, Body::Round(round), Load::Weight(40.0), Drive::Locked);
     let all = forecast(&weighed).unwrap();

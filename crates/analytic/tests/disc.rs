@@ -122,7 +122,7 @@ fn the_worked_example_matches_step_by_step() {
     println!("split of the friction: {drag:.2} N, {lift:.2} N at {:.2}°", median.to_degrees());
     assert!((drag - 4.5).abs() < 0.6 && (lift - 10.2).abs() < 0.6);
     let locked = disc_forces(Model::Bearing, &Setting::new(soil, DISC, Drive::Locked), 0.04).unwrap();
-    assert!((locked.force_inclination.to_degrees() - 38.5).abs() < 0.1 && locked.skid == -1.0);
+    assert!((locked.force_inclination.to_degrees() - 38.5).abs() < 0.1 && locked.slip == -1.0);
     let wedge = disc_forces(Model::Wedge, &Setting::new(soil, DISC, Drive::Free), 0.04).unwrap();
     assert!(wedge.vertical > free.vertical);
 }

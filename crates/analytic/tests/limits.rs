@@ -116,7 +116,7 @@ proptest! {
                     if let Load::Weight(weight) = load {
                         prop_assert!((p.vertical / weight - 1.0).abs() < 1e-3, "{model:?} under {weight} N");
                     }
-                    for x in [Some(p.drag), Some(p.vertical), p.sinkage, p.contact_angle, Some(p.force_inclination), p.skid] {
+                    for x in [Some(p.drag), Some(p.vertical), p.sinkage, p.contact_angle, Some(p.force_inclination), p.slip] {
                         prop_assert!(x.is_none_or(f64::is_finite), "{model:?}");
                     }
                 }

@@ -2,32 +2,45 @@
 
 use crate::case::{self, Case, resolved};
 use crate::forecast;
-use crate::output::OutputError;
-use crate::output::Results;
-use crate::output::checkpoint::Checkpoint;
+use crate::interrupts::{Interrupts, Request};
+use crate::output::checkpoint::{self, Checkpoint};
 use crate::output::progress::Progress;
-use crate::output::run_record::{Outcome, RunStatistics};
+use crate::output::run_record::{Outcome, RunRecord, RunStatistics, hash_of};
 use crate::output::summary::Summary;
+use crate::output::{Holds, Lock, OutputError, Results, look};
 use crate::simulation::{Simulation, case_text};
+use crate::trust::Verdict;
+use crate::trust::watch::watch;
 use solver::error::Breakdown;
 use solver::precision::Precision;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Instant;
+use std::time::{Duration, Instant};
+
+/// What to do with a folder that holds a run already.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Start {
+    /// Refuse.
+    Anew,
+    /// Replace it.
+    Replace,
+    /// Go on with it from its last checkpoint; start if there is nothing.
+    Resume,
+    /// The same, for schedulers: a run that has come to its end is left as it is, checkpoints that cannot be read are no
+    /// reason to fail, and a lock that goes away within a minute is waited for.
+    AutoResume,
+}
 
 /// How to run.
 #[derive(Debug)]
 pub struct Options<'a> {
     /// Results folder.
     pub folder: &'a Path,
-    /// Replace a result that is there.
-    pub force: bool,
-    /// Go on from the checkpoint in the folder.
-    pub resume: bool,
+    /// What to do with what is there.
+    pub start: Start,
     /// Show no progress.
     pub quiet: bool,
-    /// Set from outside to stop.
-    pub stop: &'a AtomicBool,
+    /// What is asked from outside while it runs.
+    pub interrupts: &'a Interrupts,
     /// The case file as typed, with overrides written in; kept beside the results.
     pub typed: &'a str,
 }
@@ -35,10 +48,10 @@ pub struct Options<'a> {
 /// How a run ended.
 #[derive(Debug)]
 pub enum End {
-    /// It came to its end.
+    /// It came to its end, now or before.
     Finished(Box<Summary>),
-    /// It was stopped; here is the checkpoint to go on from.
-    Stopped(PathBuf),
+    /// It was stopped by this signal; here is the checkpoint to go on from.
+    Stopped(i32, PathBuf),
 }
 
 /// Why a run did not come to its end.
@@ -47,14 +60,28 @@ pub enum RunError {
     /// Results could not be read or written.
     #[error(transparent)]
     Output(#[from] OutputError),
-    /// The checkpoint belongs to another case.
-    #[error("the checkpoint in {} belongs to another case file; run with --force to start anew", .0.display())]
+    /// The folder belongs to another case.
+    #[error(
+        "{} holds the run of another case file (or of other values of its keys); run with --force to start anew, or write \
+         somewhere else with -o DIR", .0.display()
+    )]
     OtherCase(PathBuf),
+    /// The physics failed before, and would again.
+    #[error("the run in {} broke down before: {cause}; run with --force to start anew", .folder.display())]
+    BrokeDownBefore {
+        /// How.
+        cause: String,
+        /// Where it is.
+        folder: PathBuf,
+    },
     /// The physics failed.
-    #[error("{cause}\nthe state at that time is in {}, the checkpoint in {}", .folder.display(), .checkpoint.display())]
+    #[error(
+        "{cause}\nthe state at that time is in {} and {}; the last good checkpoint is kept beside it",
+        .folder.display(), .checkpoint.display()
+    )]
     Physics {
         /// How.
-        cause: Breakdown,
+        cause: Box<Breakdown>,
         /// Where the results so far are.
         folder: PathBuf,
         /// The checkpoint of the state that failed.
@@ -62,83 +89,200 @@ pub enum RunError {
     },
 }
 
+/// Time that an automatic restart waits for the run before to go away.
+const PATIENCE: Duration = Duration::from_secs(60);
+
 /// Runs a case and writes its results.
 ///
 /// # Errors
-/// [`RunError`] when the physics fails or the results cannot be written.
+/// [`RunError`] when the physics fails or the results cannot be read or written.
 pub fn run(case: &Case, options: &Options) -> Result<End, RunError> {
+    let _lock = lock(options)?;
+    if options.start == Start::AutoResume
+        && let Some(summary) = ended_before(case, options.folder)?
+    {
+        return Ok(End::Finished(Box::new(summary)));
+    }
     match case.numerics.precision {
         resolved::Precision::Double => run_in::<f64>(case, options),
         resolved::Precision::Single => run_in::<f32>(case, options),
     }
 }
 
-fn run_in<R: Precision>(case: &Case, options: &Options) -> Result<End, RunError> {
-    let (mut simulation, mut results) = open::<R>(case, options)?;
-    let mut progress = Progress::start(case, simulation.state.time, options.quiet);
-    let outcome = drive(&mut simulation, &mut results, &mut progress, options)?;
-    let statistics = RunStatistics {
-        steps: simulation.state.step,
-        wall_seconds: simulation.wall_s,
-        threads: simulation.threads(),
-        outcome: match &outcome {
-            Ended::Finished => Outcome::Finished,
-            Ended::Stopped => Outcome::Interrupted,
-            Ended::Broken(cause) => Outcome::BrokeDown(cause.to_string()),
-        },
-        warnings: warnings(&simulation),
-        advice: case::advice(case),
-    };
-    let Simulation { model, state, history, .. } = &simulation;
-    let checkpoint = simulation.checkpoint().write(options.folder)?;
-    let summary = results.finish(case, &model.grid, state, history, &statistics)?;
-    let folder = options.folder.to_path_buf();
-    let report = folder.join("report.html");
-    match outcome {
-        Ended::Finished => {
-            let wall = simulation.wall_s;
-            results.log(&format!("finished after {} steps and {wall:.1} s", state.step))?;
-            progress.finish(&format!("done in {wall:.1} s; the report is {}", report.display()));
-            Ok(End::Finished(Box::new(summary)))
-        }
-        Ended::Stopped => {
-            results.log(&format!("stopped at t = {} s", state.time))?;
-            progress.finish("stopped; --resume goes on from here");
-            Ok(End::Stopped(checkpoint))
-        }
-        Ended::Broken(cause) => {
-            results.log(&format!("broke down: {cause}"))?;
-            progress.finish("broke down");
-            Err(RunError::Physics { cause, folder, checkpoint })
+/// The folder for this run alone.
+fn lock(options: &Options) -> Result<Lock, OutputError> {
+    if let Holds::Others = look(options.folder)? {
+        return Err(OutputError::Foreign { path: options.folder.to_path_buf() });
+    }
+    let began = Instant::now();
+    loop {
+        match Lock::take(options.folder) {
+            Err(OutputError::Busy { .. })
+                if options.start == Start::AutoResume && began.elapsed() < PATIENCE =>
+            {
+                std::thread::sleep(Duration::from_millis(200));
+            }
+            other => return other,
         }
     }
 }
 
+/// The summary of the same run, if it has come to its end before.
+fn ended_before(case: &Case, folder: &Path) -> Result<Option<Summary>, RunError> {
+    let Holds::Run(record) = look(folder)? else { return Ok(None) };
+    same_case(case, &record, folder)?;
+    match record.statistics.outcome {
+        Outcome::Finished => Ok(Some(Summary::read(folder)?)),
+        Outcome::BrokeDown(cause) => Err(RunError::BrokeDownBefore { cause, folder: folder.to_path_buf() }),
+        Outcome::Running | Outcome::Interrupted => Ok(None),
+    }
+}
+
+fn same_case(case: &Case, record: &RunRecord, folder: &Path) -> Result<(), RunError> {
+    if record.case_hash == hash_of(case) {
+        return Ok(());
+    }
+    Err(RunError::OtherCase(folder.to_path_buf()))
+}
+
+fn run_in<R: Precision>(case: &Case, options: &Options) -> Result<End, RunError> {
+    let began = Instant::now();
+    let (mut simulation, mut results) = open::<R>(case, options)?;
+    let mut progress = Progress::start(case, simulation.state.time, options.quiet);
+    let ended = drive(&mut simulation, &mut results, &mut progress, options)?;
+    let outcome = match &ended {
+        Ended::Finished => Outcome::Finished,
+        Ended::Stopped(_) => Outcome::Interrupted,
+        Ended::Broken(cause) => Outcome::BrokeDown(cause.to_string()),
+    };
+    let statistics = statistics(&simulation, outcome);
+    // The state first: the rest can be made again from it.
+    let checkpoint = match ended {
+        Ended::Broken(_) => simulation.checkpoint().write_failed(options.folder)?,
+        Ended::Finished | Ended::Stopped(_) => simulation.checkpoint().write(options.folder)?,
+    };
+    let Simulation { model, state, history, .. } = &simulation;
+    let summary = results.finish(case, &model.grid, state, history, &statistics)?;
+    let seconds = began.elapsed().as_secs_f64();
+    match ended {
+        Ended::Finished => {
+            checkpoint::forget_previous(options.folder)?;
+            results.log(&format!("finished after {} steps, {seconds:.1} s since the start", state.step))?;
+            for line in verdict(&summary) {
+                results.log(&line)?;
+            }
+            progress.finish(&last_words(&summary, seconds, options.folder));
+            Ok(End::Finished(Box::new(summary)))
+        }
+        Ended::Stopped(signal) => {
+            results.log(&format!("stopped by signal {signal} at t = {} s", state.time))?;
+            progress.finish("stopped; --resume goes on from here");
+            Ok(End::Stopped(signal, checkpoint))
+        }
+        Ended::Broken(cause) => {
+            results.log(&format!("broke down: {cause}"))?;
+            progress.finish("broke down");
+            Err(RunError::Physics {
+                cause: Box::new(cause),
+                folder: options.folder.to_path_buf(),
+                checkpoint,
+            })
+        }
+    }
+}
+
+fn statistics(simulation: &Simulation<impl Precision>, outcome: Outcome) -> RunStatistics {
+    RunStatistics {
+        steps: simulation.state.step,
+        wall_seconds: simulation.wall_s,
+        threads: simulation.threads(),
+        outcome,
+        advice: case::advice(&simulation.case),
+    }
+}
+
+/// What a run that came to its end says of itself.
+fn last_words(summary: &Summary, seconds: f64, folder: &Path) -> String {
+    let begin = match summary.trust.verdict {
+        Verdict::Broken => "ended, but the result is not to be used",
+        Verdict::Good | Verdict::Doubtful => "done",
+    };
+    let report = folder.join("report.html");
+    let mut lines = vec![format!("{begin}; {seconds:.1} s; the report is {}", report.display())];
+    lines.extend(verdict(summary));
+    lines.join("\n")
+}
+
+/// The verdict and what is behind it, a line each.
+#[must_use]
+pub fn verdict(summary: &Summary) -> Vec<String> {
+    let trust = &summary.trust;
+    let mut lines = vec![format!("trust: {}", trust.verdict.name())];
+    lines
+        .extend(trust.doubts().iter().map(|c| format!("  {}: {}; {}", c.verdict.name(), c.line(), c.advice)));
+    lines
+}
+
 enum Ended {
     Finished,
-    Stopped,
+    Stopped(i32),
     Broken(Breakdown),
 }
 
 /// The simulation and its folder, new or where they were left.
 fn open<R: Precision>(case: &Case, options: &Options) -> Result<(Simulation<R>, Results), RunError> {
-    if options.resume {
-        let checkpoint = Checkpoint::read(options.folder)?;
-        if checkpoint.case != case_text(case) {
-            return Err(RunError::OtherCase(options.folder.to_path_buf()));
+    let goes_on = matches!(options.start, Start::Resume | Start::AutoResume);
+    if goes_on && let Holds::Run(record) = look(options.folder)? {
+        same_case(case, &record, options.folder)?;
+        if checkpoint::exists(options.folder) {
+            match resume(case, options, record.statistics.wall_seconds) {
+                Err(RunError::Output(OutputError::Content { path, problem }))
+                    if options.start == Start::AutoResume =>
+                {
+                    let why = format!("started anew, for {} cannot be used: {problem}", path.display());
+                    return create(case, options, Some(&why));
+                }
+                other => return other,
+            }
         }
-        let simulation = Simulation::resume(case, checkpoint);
-        let mut results = Results::resume(options.folder, case, &simulation.history, simulation.state.time)?;
-        results
-            .log(&format!("resumed at t = {} s, step {}", simulation.state.time, simulation.state.step))?;
-        return Ok((simulation, results));
+        return create(case, options, Some("started anew, for there was no checkpoint yet"));
     }
-    let mut results = Results::create(options.folder, case, options.force)?;
+    create(case, options, None)
+}
+
+fn resume<R: Precision>(
+    case: &Case,
+    options: &Options,
+    wall_s: f64,
+) -> Result<(Simulation<R>, Results), RunError> {
+    let (checkpoint, damaged) = Checkpoint::read(options.folder)?;
+    if checkpoint.case != case_text(case) {
+        return Err(RunError::OtherCase(options.folder.to_path_buf()));
+    }
+    let simulation = Simulation::resume(case, checkpoint, wall_s);
+    let mut results = Results::resume(options.folder, case, &simulation.history, simulation.state.time)?;
+    if let Some(problem) = damaged {
+        results.log(&format!("went back to the checkpoint before the last: {problem}"))?;
+    }
+    results.log(&format!("resumed at t = {} s, step {}", simulation.state.time, simulation.state.step))?;
+    Ok((simulation, results))
+}
+
+fn create<R: Precision>(
+    case: &Case,
+    options: &Options,
+    why: Option<&str>,
+) -> Result<(Simulation<R>, Results), RunError> {
+    let may_replace = options.start == Start::Replace || why.is_some();
+    let mut results = Results::create(options.folder, case, may_replace)?;
     results.keep_case_file(options.typed)?;
     let simulation = Simulation::new(case);
     let [nx, ny, nz] = simulation.model.grid.cells();
     let (dt, threads) = (simulation.model.time_step(), simulation.threads());
     results.log(&format!("{} version {}", case.name, env!("CARGO_PKG_VERSION")))?;
+    if let Some(why) = why {
+        results.log(why)?;
+    }
     results.log(&format!(
         "grid {nx} x {ny} x {nz}, time step {dt:.4e} s, {} precision, {threads} threads",
         R::NAME
@@ -148,6 +292,7 @@ fn open<R: Precision>(case: &Case, options: &Options) -> Result<(Simulation<R>, 
     }
     overlay_forecast(case, &mut results)?;
     results.write_fields(case, &simulation.model.grid, &simulation.state)?;
+    simulation.checkpoint().write(options.folder)?;
     Ok((simulation, results))
 }
 
@@ -167,55 +312,34 @@ fn drive(
     options: &Options,
 ) -> Result<Ended, RunError> {
     let interval = simulation.case.output.field_interval;
-    let mut next_fields = (simulation.state.time / interval).floor() * interval + interval;
+    let between = simulation.case.output.checkpoint_interval;
     let mut last_checkpoint = Instant::now();
     while !simulation.is_done() {
-        if options.stop.load(Ordering::Relaxed) {
-            return Ok(Ended::Stopped);
+        let is_due = || last_checkpoint.elapsed().as_secs_f64() >= between;
+        match simulation.advance_unless(|| options.interrupts.is_pending() || is_due()) {
+            Err(cause) => return Ok(Ended::Broken(cause)),
+            Ok(false) => {}
+            Ok(true) => {
+                results.append(&simulation.history)?;
+                progress.update(simulation.state.time, &simulation.history);
+                if let Err(cause) = watch(simulation) {
+                    return Ok(Ended::Broken(cause));
+                }
+                if results.fields_are_due(simulation.state.time, interval) {
+                    results.write_fields(&simulation.case, &simulation.model.grid, &simulation.state)?;
+                }
+            }
         }
-        if let Err(cause) = simulation.advance() {
-            return Ok(Ended::Broken(cause));
+        let request = options.interrupts.take();
+        if let Some(Request::Stop(signal)) = request {
+            return Ok(Ended::Stopped(signal));
         }
-        results.append(&simulation.history)?;
-        progress.update(simulation.state.time, &simulation.history);
-        if simulation.state.time >= next_fields {
-            next_fields += interval;
-            results.write_fields(&simulation.case, &simulation.model.grid, &simulation.state)?;
-        }
-        if last_checkpoint.elapsed().as_secs_f64() >= simulation.case.output.checkpoint_interval {
+        if request.is_some() || is_due() {
             simulation.checkpoint().write(options.folder)?;
+            results.keep_statistics(&statistics(simulation, Outcome::Running))?;
+            results.log(&format!("checkpoint at t = {} s", simulation.state.time))?;
             last_checkpoint = Instant::now();
         }
     }
     Ok(Ended::Finished)
-}
-
-/// Doubts that the run itself has raised.
-fn warnings(simulation: &Simulation<impl Precision>) -> Vec<String> {
-    let mut warnings = Vec::new();
-    let Some(energy) = simulation.history.energy.last() else { return warnings };
-    let share = |part: f64| if energy.external.abs() > 0.0 { part / energy.external.abs() } else { 0.0 };
-    if energy.closure().abs() > 0.01 {
-        warnings.push(format!("{:.1} % of the external work is not accounted for", 100.0 * energy.closure()));
-    }
-    if share(energy.hourglass) > 0.02 {
-        warnings.push(format!(
-            "hourglass viscosity took {:.1} % of the external work; above 2 % a finer grid is called for",
-            100.0 * share(energy.hourglass)
-        ));
-    }
-    if (energy.volume_ratio - 1.0).abs() > 0.005 {
-        warnings.push(format!("the soil volume changed by {:.2} %", 100.0 * (energy.volume_ratio - 1.0)));
-    }
-    for (name, samples) in simulation.history.names.iter().zip(&simulation.history.bodies) {
-        if let Some(last) = samples.last()
-            && last.leaked_volume > 0.001 * last.embedded_volume
-        {
-            warnings.push(format!(
-                "{:.1} % of the embedded volume of `{name}` is soil that has leaked into it (wanted: 0.1 %)",
-                100.0 * last.leaked_volume / last.embedded_volume
-            ));
-        }
-    }
-    warnings
 }

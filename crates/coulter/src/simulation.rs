@@ -2,8 +2,10 @@
 
 use crate::case::Case;
 use crate::case::resolved::{self, Ground, Law, Potential};
-use crate::output::checkpoint::Checkpoint;
+use crate::output::checkpoint::{Checkpoint, CheckpointView};
 use crate::output::record::{BodySample, EnergySample, History};
+use crate::output::reference::Reference;
+use crate::trust::{Setting, Trust, boundary};
 use glam::DVec3;
 use physics::elastic::Elastic;
 use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
@@ -31,6 +33,7 @@ pub struct Simulation<R: Precision = f64> {
     pub history: History,
     /// Seconds of wall clock spent in steps.
     pub wall_s: f64,
+    setting: Setting,
     workspace: R::Workspace,
     /// Time and impulses at the last sample.
     sampled: (f64, Vec<Received>),
@@ -61,10 +64,18 @@ impl<R: Precision> Simulation<R> {
         let threads = if case.numerics.threads == 0 { cores } else { case.numerics.threads };
         let workspace = R::workspace(&model, &state, threads);
         let names: Vec<String> = case.bodies.iter().map(|b| b.name.clone()).collect();
-        let history = History { bodies: vec![Vec::new(); names.len()], names, energy: Vec::new() };
+        let history = History { bodies: vec![Vec::new(); names.len()], names, ..History::default() };
         let sampled = (state.time, state.bodies.iter().map(|b| b.received).collect());
-        let mut simulation =
-            Self { case: case.clone(), model, state, history, wall_s: 0.0, workspace, sampled };
+        let mut simulation = Self {
+            case: case.clone(),
+            model,
+            state,
+            history,
+            wall_s: 0.0,
+            setting: Setting::of(case),
+            workspace,
+            sampled,
+        };
         if simulation.state.step == 0 {
             simulation.sample();
         }
@@ -77,10 +88,10 @@ impl<R: Precision> Simulation<R> {
         self.state.ledger.kinetic_start = R::kinetic_energy(&self.model, &self.state);
     }
 
-    /// A run that goes on from a checkpoint.
+    /// A run that goes on from a checkpoint; `wall_s` seconds of wall clock have been spent on it.
     #[must_use]
-    pub fn resume(case: &Case, checkpoint: Checkpoint<R>) -> Self {
-        let Checkpoint { state, history, sampled, wall_s, .. } = checkpoint;
+    pub fn resume(case: &Case, checkpoint: Checkpoint<R>, wall_s: f64) -> Self {
+        let Checkpoint { state, history, sampled, .. } = checkpoint;
         let simulation = Self::with_state(case, model(case, R::LANES), state);
         Self { history, sampled, wall_s, ..simulation }
     }
@@ -95,15 +106,27 @@ impl<R: Precision> Simulation<R> {
 
     /// Everything that is needed to go on from here.
     #[must_use]
-    pub fn checkpoint(&self) -> Checkpoint<R> {
-        Checkpoint {
-            precision: R::NAME.to_owned(),
+    pub fn checkpoint(&self) -> CheckpointView<'_, R> {
+        CheckpointView {
+            precision: R::NAME,
             case: case_text(&self.case),
-            state: self.state.clone(),
-            history: self.history.clone(),
-            sampled: self.sampled.clone(),
-            wall_s: self.wall_s,
+            state: &self.state,
+            history: &self.history,
+            sampled: &self.sampled,
         }
+    }
+
+    /// What the checks of the run must know of its case.
+    #[must_use]
+    pub fn setting(&self) -> &Setting {
+        &self.setting
+    }
+
+    /// The grade of the run so far.
+    #[must_use]
+    pub fn trust(&self) -> Trust {
+        let references = Reference::all(&self.case);
+        Trust::grade(&self.setting, &self.history, &references, self.case.output.steady_share, None)
     }
 
     /// Whether the run has reached its end.
@@ -123,20 +146,29 @@ impl<R: Precision> Simulation<R> {
     /// # Errors
     /// [`Breakdown`] when the physics fails.
     pub fn advance(&mut self) -> Result<(), Breakdown> {
+        self.advance_unless(|| false).map(|_| ())
+    }
+
+    /// The same, but stops between two steps when `interrupted` says so; returns whether the sample was reached. A
+    /// checkpoint may be taken either way.
+    ///
+    /// # Errors
+    /// [`Breakdown`] when the physics fails.
+    pub fn advance_unless(&mut self, interrupted: impl Fn() -> bool) -> Result<bool, Breakdown> {
         let clock = std::time::Instant::now();
         let due = self.sampled.0 + self.case.output.history_interval - 0.5 * self.model.time_step();
+        let mut is_due = self.is_done();
         let mut result = Ok(());
-        while result.is_ok() && !self.is_done() {
+        while result.is_ok() && !is_due && !interrupted() {
             result = R::step(&self.model, &mut self.state, &mut self.workspace);
-            if self.state.time >= due {
-                break;
-            }
+            is_due = self.state.time >= due || self.is_done();
         }
         self.wall_s += clock.elapsed().as_secs_f64();
-        if result.is_ok() {
+        result?;
+        if is_due {
             self.sample();
         }
-        result
+        Ok(is_due)
     }
 
     /// Takes a number of steps, without samples.
@@ -180,6 +212,7 @@ impl<R: Precision> Simulation<R> {
         }
         let energy = self.energy_sample();
         self.history.energy.push(energy);
+        self.history.boundaries.push(boundary::sample(&self.case, &self.model, &self.state));
         self.sampled = (self.state.time, self.state.bodies.iter().map(|b| b.received).collect());
     }
 
@@ -193,14 +226,14 @@ impl<R: Precision> Simulation<R> {
         BodySample {
             time: self.state.time,
             displacement: body.position.x - fixed.start.x,
-            sinkage: -(body.position.z + fixed.shape.bounds().0.z),
+            sinkage: self.model.surface - (body.position.z + fixed.shape.bounds().0.z),
             // In a symmetric case the halves' forces across the plane cancel.
             drag: if self.case.domain.symmetric_x { 0.0 } else { -force.x },
             lateral: if self.case.domain.symmetric { 0.0 } else { force.y },
             vertical: force.z,
             drag_normal: if self.case.domain.symmetric_x { 0.0 } else { -normal.x },
             vertical_normal: normal.z,
-            axle_torque: (now.axle - then.axle) * rate,
+            axle_torque: if self.case.domain.symmetric_x { 0.0 } else { (now.axle - then.axle) * rate },
             rotation: body.angle,
             spin: body.spin,
             speed: body.velocity.x,

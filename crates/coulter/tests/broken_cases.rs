@@ -179,7 +179,7 @@ fn soil_that_cannot_move_so() {
     refused(BAR, still, "[\"0 m/s\", \"1 m\", \"0 m/s\"]", &["speed"]);
     refused(BAR, "\"3.2 mm\"", "\"0 mm\"", &["ground.radius", "above 0"]);
     let slab = FOOTING.replacen("[grid]", "[ground]\nradius = \"1 m\"\n[grid]", 1);
-    refused(&slab, "radius = \"1 m\"", "radius = \"2 m\"", &["no round column"]);
+    refused(&slab, "radius = \"1 m\"", "radius = \"2 m\"", &["round column cannot be combined"]);
 }
 
 #[test]
@@ -320,7 +320,7 @@ fn what_a_case_symmetric_about_x_cannot_be() {
 fn shapes_that_do_not_fit() {
     let ball = "shape = \"ball\"\ndiameter = \"1 m\"";
     let block = "shape = \"block\"\nsize = [\"1 m\", \"0.5 m\"]         # along x and z";
-    refused_at(FOOTING, block, ball, "shape = \"ball\"", &["no plane strain"]);
+    refused_at(FOOTING, block, ball, "shape = \"ball\"", &["cannot be combined with plane_strain"]);
     let pile = "diameter = \"1 m\"\nshape = \"cylinder\"\naxis = \"z\"";
     refused(FOOTING, block, pile, &["lies across the slab"]);
     refused(

@@ -139,6 +139,29 @@ fn doubts_are_told() {
 }
 
 #[test]
+fn the_shipped_cases_raise_no_doubts() {
+    for file in ["towed_disc.toml", "passive_wall.toml", "strip_footing.toml", "column_collapse.toml"] {
+        let seen = checked(&[&shipped(file)]);
+        assert_eq!(seen["warnings"], serde_json::json!([]), "{file}");
+    }
+}
+
+#[test]
+fn a_fast_tow_is_warned_of_by_what_inertia_adds() {
+    let told = |sets: &[&str]| {
+        checked(&[&[shipped("towed_disc.toml").as_str()], sets].concat())["warnings"].to_string()
+    };
+    // Held 60 mm deep at 0.5 m/s: 2 ρ v² is 816 Pa, the mean of γ z K_p 1771 Pa: 46 %.
+    let held = ["--set", "body.disc.heave=fixed", "--set", "body.disc.sinkage=60 mm", "--set"];
+    let fast = told(&[&held[..], &["body.disc.forward={ speed = '0.5 m/s' }"]].concat());
+    assert!(fast.contains("v²/(g z) = 0.42 at z = 0.060 m") && fast.contains("some 46 %"), "{fast}");
+    assert!(!told(&[&held[..], &["body.disc.forward={ speed = '0.1 m/s' }"]].concat()).contains("Froude"));
+    // Free to sink under 40 N it carries them at any speed: 10 % of them is 4 N = 2 ρ v² z t, at 1.1 m/s and z = 20 mm.
+    assert!(!told(&["--set", "body.disc.forward={ speed = '1 m/s' }"]).contains("Froude"));
+    assert!(told(&["--set", "body.disc.forward={ speed = '1.2 m/s' }"]).contains("Froude"));
+}
+
+#[test]
 fn run_does_not_overwrite_unasked() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("run.json"), "{}").unwrap();
@@ -186,10 +209,20 @@ fn a_breakdown_exits_with_1_and_leaves_what_there_is() {
         .assert()
         .code(1);
     let told = String::from_utf8_lossy(&failure.get_output().stderr).into_owned();
-    for word in ["moved", "t = ", "step", "last.checkpoint"] {
+    for word in ["moved", "t = ", "step", "near (", "failed.checkpoint"] {
         assert!(told.contains(word), "`{word}` is not in: {told}");
     }
-    for file in ["report.html", "forces.csv", "summary.json", "checkpoints/last.checkpoint"] {
+    // The last good checkpoint, here that of the start, is not overwritten by the state that failed.
+    for file in [
+        "report.html",
+        "forces.csv",
+        "summary.json",
+        "checkpoints/last.checkpoint",
+        "checkpoints/failed.checkpoint",
+    ] {
         assert!(out.join(file).is_file(), "{file} is missing");
     }
+    let summary = std::fs::read_to_string(out.join("summary.json")).unwrap();
+    let summary: Value = serde_json::from_str(&summary).unwrap();
+    assert_eq!(summary["trust"]["verdict"], "broken");
 }

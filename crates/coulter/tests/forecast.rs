@@ -42,7 +42,7 @@ fn the_table_says_what_to_believe() {
     let told = forecast(&[]).assert().success();
     let text = String::from_utf8_lossy(&told.get_output().stdout).into_owned();
     for word in
-        ["F_H [N]", "skid", "way out", "3D-RFT", "do not apply here", "cone_index = ", "5–95 %", "Believe"]
+        ["F_H [N]", "slip", "way out", "3D-RFT", "do not apply here", "cone_index = ", "5–95 %", "Believe"]
     {
         assert!(text.contains(word), "{word} is missing in\n{text}");
     }
@@ -59,7 +59,7 @@ fn the_document_keeps_its_names() {
     assert_eq!(best["applicable"], true);
     // It carries the weight, and does not roll quite as fast as it is towed.
     assert!((number(&best["vertical_N"]) - 40.0).abs() < 1e-3);
-    assert!((-0.5..0.0).contains(&number(&best["skid"])));
+    assert!((-0.5..0.0).contains(&number(&best["slip"])));
     assert!((number(&best["Z"]) - number(&best["sinkage_m"]) / 0.2).abs() < 1e-12);
     assert!((number(&best["F_H_bar"]) - number(&best["drag_N"]) / 32.0).abs() < 1e-9);
     let inclination = (number(&best["drag_N"]) / number(&best["vertical_N"])).atan();
@@ -78,6 +78,27 @@ fn the_document_keeps_its_names() {
     }
     let absent = model(&seen, "Brixius");
     assert!(absent["drag_N"].is_null() && !absent["note"].as_str().unwrap().is_empty());
+}
+
+#[test]
+fn a_driven_disc_has_the_textbooks_slip_and_keeps_its_older_key() {
+    // ωr/v = 1/0.7: a slip of 0.3, which is 0.4286 as ωr/v − 1.
+    let driven = json(&["--set", "body.disc.spin={ speed = \"2.857142857142857 rad/s\" }"]);
+    assert!((number(&driven["drive"]["slip"]) - 0.3).abs() < 1e-12);
+    let best = driven["models"].as_array().unwrap().iter().find(|m| !m["slip"].is_null()).unwrap().clone();
+    assert!((number(&best["slip"]) - 0.3).abs() < 1e-9 && (number(&best["skid"]) - 3.0 / 7.0).abs() < 1e-9);
+}
+
+#[test]
+fn a_sideways_tow_is_refused() {
+    let sets = [
+        "body.disc.lateral={ speed = \"0.1 m/s\" }",
+        "domain.symmetric=false",
+        "domain.y=[\"-0.3 m\", \"0.6 m\"]",
+        "grid.fine_y=[\"-0.15 m\", \"0.4 m\"]",
+    ];
+    let told = refusal(&mut forecast(&sets.map(|set| ["--set", set]).concat()));
+    assert!(told.contains("sideways") && told.contains("lateral = \"fixed\""), "{told}");
 }
 
 #[test]
@@ -416,7 +437,7 @@ fn round_bodies_have_resistive_force_theory() {
     let seen = told(&path, &[]);
     assert_eq!((&seen["kind"], &seen["recommended"]), (&"ball".into(), &"3D-RFT".into()));
     let best = model(&seen, "3D-RFT");
-    assert!((number(&best["vertical_N"]) / 60.0 - 1.0).abs() < 1e-3 && number(&best["skid"]) < 0.0);
+    assert!((number(&best["vertical_N"]) / 60.0 - 1.0).abs() < 1e-3 && number(&best["slip"]) < 0.0);
     assert!(number(&model(&seen, "2-D RFT")["drag_N"]) > 0.0);
     assert!(model(&seen, "PW")["note"].as_str().unwrap().contains("plane front"));
     for axis in ["x", "z"] {
@@ -425,7 +446,7 @@ fn round_bodies_have_resistive_force_theory() {
         let (_folder, path) = tool(&[(block, &shape), ("sinkage = \"0.1 m\"", "sinkage = \"0.05 m\"")]);
         let seen = told(&path, &[]);
         let best = model(&seen, "3D-RFT");
-        assert!(best["applicable"] == true && number(&best["drag_N"]) > 0.0 && best["skid"].is_null());
+        assert!(best["applicable"] == true && number(&best["drag_N"]) > 0.0 && best["slip"].is_null());
     }
     // Across the tow it is a disc as thick as it is long.
     let roller = "shape = \"cylinder\"\naxis = \"y\"\ndiameter = \"0.2 m\"\nlength = \"0.3 m\"";

@@ -172,7 +172,7 @@ fn restart_changes_no_bit<R: Precision>(contact: &str, folder: &Path) {
     }
     whole.checkpoint().write(folder).unwrap();
     let whole = to_the_end(whole);
-    let resumed = Simulation::<R>::resume(&case, Checkpoint::read(folder).unwrap());
+    let resumed = Simulation::<R>::resume(&case, Checkpoint::read(folder).unwrap().0, 0.0);
     assert!(resumed.state.step > 0 && resumed.state.step < whole.state.step);
     assert!(bits(&to_the_end(resumed)) == bits(&whole), "{contact}: the resumed run differs");
 }

@@ -48,7 +48,7 @@ pub struct Body {
     pub received: Received,
     /// Soil found inside the body at the last remap [m³].
     pub leaked_volume: f64,
-    /// Volume of the body below z = 0 at the last remap [m³].
+    /// Volume of the body below the undisturbed surface at the last remap [m³].
     pub embedded_volume: f64,
     /// Position [m] and angle [rad] at which its contact points were last located.
     pub located: (DVec3, f64),

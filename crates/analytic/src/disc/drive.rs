@@ -2,6 +2,9 @@
 
 use crate::error::{Answer, not_negative, within};
 
+/// Slip at a turn ratio of 3, beyond which nothing here was ever compared with a measurement.
+pub(crate) const MOST_SLIP: f64 = 1.0 - 1.0 / 3.0;
+
 /// What happens at the axle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Drive {
@@ -14,12 +17,12 @@ pub enum Drive {
     Braked(f64),
     /// An engine turns it forwards with this torque [N m]; it spins if the soil cannot hold it.
     Driven(f64),
-    /// Turned at a given slip s = ω r / v − 1: −1 is locked, 0 rolls, more spins.
+    /// Turned at a given [`crate::slip`]: −1 is locked, 0 rolls, above 0 it is driven.
     Slip(f64),
 }
 
 impl Drive {
-    /// Refuses a torque below zero and a slip outside −1 to 2.
+    /// Refuses a torque below zero and a slip outside −1 to 2/3, where the rim turns three times as fast as it rolls.
     ///
     /// # Errors
     /// As said.
@@ -29,7 +32,7 @@ impl Drive {
             Self::Braked(torque) | Self::Driven(torque) => {
                 not_negative("axle torque [N m]", torque).map(|_| ())
             }
-            Self::Slip(slip) => within("slip", slip, -1.0, 2.0).map(|_| ()),
+            Self::Slip(slip) => within("slip", slip, -1.0, MOST_SLIP).map(|_| ()),
         }
     }
 }

@@ -93,8 +93,8 @@ pub struct DiscForces {
     pub force_inclination: f64,
     /// Angle θ₀ at which the friction on the rim changes sign [rad].
     pub transition_angle: f64,
-    /// Slip s = ω r / v − 1 that goes with θ₀: −1 locked.
-    pub skid: f64,
+    /// The [`crate::slip`] that goes with θ₀: −1 locked.
+    pub slip: f64,
     /// How the soil fails under more than half of the thrust.
     pub mechanism: Mechanism,
     /// Share of the thrust under which it escapes sideways, 0 to 1.
@@ -199,7 +199,7 @@ fn assemble(model: Model, setting: &Setting<'_>, rim: &RimLoad, friction: f64) -
         _ if friction == 0.0 => share_angle(rim, 0.5),
         _ => share_angle(rim, 0.5 * (1.0 + friction / setting.soil.shared_friction())),
     };
-    let skid = match setting.drive {
+    let slip = match setting.drive {
         Drive::Slip(slip) => slip,
         _ if friction > 0.0 && friction >= setting.soil.shared_friction() => -1.0,
         _ => slip_from_transition(transition_angle, phi),
@@ -218,7 +218,7 @@ fn assemble(model: Model, setting: &Setting<'_>, rim: &RimLoad, friction: f64) -
         contact_angle: rim.angle(),
         force_inclination: drag.atan2(lift),
         transition_angle,
-        skid,
+        slip,
         mechanism: Mechanism::of_share(sideways_share),
         sideways_share,
     }

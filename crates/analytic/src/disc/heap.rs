@@ -3,7 +3,7 @@
 /// Height of the heap at the contact [m]: √(χ t z tan φ_r / 2).
 ///
 /// Mass balance of steady towing: the swept section t z leaves as two berms at the angle of repose φ_r [rad]; a fraction
-/// χ of it (0 rolling in loose sand, 0.25 to 0.5 skidding) stands at the contact. Source: a hypothesis of this project,
+/// χ of it (0 rolling in loose sand, 0.25 to 0.5 sliding) stands at the contact. Source: a hypothesis of this project,
 /// not validated. `thickness` and `sinkage` in metres.
 #[must_use]
 pub fn heap_height(fraction: f64, thickness: f64, sinkage: f64, repose_angle: f64) -> f64 {

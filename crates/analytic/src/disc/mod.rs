@@ -18,6 +18,7 @@ mod wedge;
 pub use assembly::{Assembly, assembly_forces};
 pub use bearing_arc::bearing_arc;
 pub use drive::Drive;
+pub(crate) use drive::MOST_SLIP;
 pub(crate) use equilibrium::carries;
 pub use equilibrium::{DEEPEST, Equilibrium, equilibrium, equilibrium_of, first_depth};
 pub use forces::{DiscForces, Mechanism, Model, Setting, disc_forces, vertical_force};

@@ -2,6 +2,7 @@
 
 use super::{Disc, Drive};
 use crate::error::{Answer, within};
+use crate::motion::turn_ratio;
 use crate::numeric::gauss_points;
 use crate::soil::Soil;
 
@@ -56,12 +57,12 @@ pub fn side_faces(
 }
 
 impl Drive {
-    /// The turning ratio ωr/v of the drive, given the slip that a model found.
+    /// The turn ratio ωr/v of the drive, given the slip that a model found.
     #[must_use]
-    pub fn turning_ratio(&self, skid: f64) -> f64 {
+    pub fn turning_ratio(&self, slip: f64) -> f64 {
         match self {
             Self::Locked => 0.0,
-            _ => (1.0 + skid).clamp(0.0, 3.0),
+            _ => turn_ratio(slip).clamp(0.0, 3.0),
         }
     }
 }

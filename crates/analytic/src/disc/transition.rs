@@ -1,6 +1,7 @@
 //! Where the friction on the rim of a rolling disc changes sign.
 
 use super::RimLoad;
+use crate::motion::{slip, turn_ratio};
 use crate::numeric::root;
 use std::f64::consts::FRAC_PI_4;
 
@@ -20,13 +21,13 @@ pub(super) fn share_angle(rim: &RimLoad, share: f64) -> f64 {
     root(0.0, rim.angle(), 1e-12, miss).unwrap_or(if share > 0.5 { rim.angle() } else { 0.0 })
 }
 
-/// Slip s = ω r / v − 1 at which the friction changes sign at θ₀ [rad]: cos θ₀ − tan(45° − φ/2) sin θ₀ − 1.
+/// Slip s at which the friction changes sign at θ₀ [rad]: ωr/v = cos θ₀ − tan(45° − φ/2) sin θ₀.
 ///
 /// Source: Wong & Reece (1967), II; the transition from the kinematics of a towed wheel. Untested for a disc: no
-/// torque-free skid has been measured in the data known to us. Valid for a towed disc, −1 ≤ s ≤ 0.
+/// torque-free slip has been measured in the data known to us. Valid for a towed disc, −1 ≤ s ≤ 0.
 #[must_use]
 pub fn slip_from_transition(transition: f64, friction_angle: f64) -> f64 {
-    transition.cos() - (FRAC_PI_4 - 0.5 * friction_angle).tan() * transition.sin() - 1.0
+    slip(transition.cos() - (FRAC_PI_4 - 0.5 * friction_angle).tan() * transition.sin())
 }
 
 /// Transition angle θ₀ [rad] at slip s, the inverse of [`slip_from_transition`], kept within the contact 0 to `limit`.
@@ -35,7 +36,7 @@ pub fn slip_from_transition(transition: f64, friction_angle: f64) -> f64 {
 #[must_use]
 pub fn transition_from_slip(slip: f64, friction_angle: f64, limit: f64) -> f64 {
     let tilt = FRAC_PI_4 - 0.5 * friction_angle;
-    let cosine = ((1.0 + slip) * tilt.cos()).clamp(-1.0, 1.0);
+    let cosine = (turn_ratio(slip) * tilt.cos()).clamp(-1.0, 1.0);
     (cosine.acos() - tilt).clamp(0.0, limit)
 }
 

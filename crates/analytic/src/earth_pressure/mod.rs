@@ -9,7 +9,7 @@
 //!
 //! The total thrust, inclined at the wall friction δ, is P_n / cos δ. δ is positive when the face pushes the soil down
 //! along itself (the classical passive case, the soil slides up), negative when it drags the soil upwards and forwards
-//! (a skidding disc).
+//! (a sliding disc).
 
 mod comparison;
 mod coulomb;

@@ -36,7 +36,7 @@ pub(super) fn recommend(towing: &Towing, models: &[ModelForecast]) -> String {
         (Body::Round(_), Some(_), _) => RESISTIVE.into(),
         _ => "No model applies. Only the solver can say what happens here.".into(),
     };
-    for warning in warnings(towing) {
+    for warning in warnings(towing).into_iter().chain(sideways_alone(towing, models)) {
         words.push(' ');
         words.push_str(&warning);
     }
@@ -126,6 +126,24 @@ fn before_block(towing: &Towing, block: &Block, best: Candidate, found: &Predict
         });
     }
     words
+}
+
+/// What is said where the weaker of two ways out is the only one that has an answer: PW ends at a wall friction of two
+/// thirds of φ, and on steep chords. Beyond, BC alone is no lower bound, and the answer jumps where PW begins to have one.
+pub(super) fn sideways_alone(towing: &Towing, models: &[ModelForecast]) -> Option<String> {
+    let found = |candidate: Candidate| models.iter().find(|m| m.model == candidate);
+    let stands = found(Candidate::Weaker).is_some_and(|m| m.prediction.is_some());
+    let wedge = found(Candidate::Wedge).filter(|m| m.prediction.is_none())?;
+    if !stands || towing.body.disc().is_none() {
+        return None;
+    }
+    let from = (1.5 * towing.soil.shared_friction().atan()).to_degrees();
+    Some(format!(
+        "BC stands alone here: PW has no answer ({}), though the soil may well fail forwards. Where PW has one (a friction \
+         angle in the models from {from:.1}° on, by its wall friction of at most two thirds of it) the weaker of both is far \
+         less, a jump of the models and not of the soil; an interval that reaches across it may leave the value shown out.",
+        wedge.note
+    ))
 }
 
 fn warnings(towing: &Towing) -> Vec<String> {

@@ -53,7 +53,7 @@ pub(super) fn predict(
         sinkage: Some(sinkage),
         contact_angle: None,
         force_inclination: drag.atan2(vertical),
-        skid: None,
+        slip: None,
         mechanism: None,
         sideways_share: None,
     })

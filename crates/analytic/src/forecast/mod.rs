@@ -57,7 +57,7 @@ pub fn forecast(towing: &Towing) -> Answer<Forecast> {
     let best = best.or_else(|| models.iter().find(|model| model.applicable));
     let groups = Groups::of(towing, best);
     let faces = best.and_then(|model| model.prediction).and_then(|found| {
-        let turn = towing.drive.turning_ratio(found.skid.unwrap_or(0.0));
+        let turn = towing.drive.turning_ratio(found.slip.unwrap_or(0.0));
         side_faces(&towing.soil, towing.body.disc()?, found.sinkage?, turn, 0.5).ok()
     });
     Ok(Forecast {
@@ -81,5 +81,9 @@ fn every_model(plastic: &Towing, measured: &Towing) -> Vec<ModelForecast> {
     };
     let mut models: Vec<ModelForecast> = Candidate::ALL.into_iter().map(one).collect();
     apart::set_apart(&mut models, measured);
+    let alone = advice::sideways_alone(plastic, &models);
+    if let (Some(why), Some(weaker)) = (alone, models.iter_mut().find(|m| m.model == Candidate::Weaker)) {
+        weaker.note = why;
+    }
     models
 }

@@ -22,8 +22,8 @@ pub struct Prediction {
     pub contact_angle: Option<f64>,
     /// Inclination η of the force to the vertical [rad].
     pub force_inclination: f64,
-    /// Slip s = ωr/v − 1.
-    pub skid: Option<f64>,
+    /// Its [`crate::slip`]: −1 locked, 0 rolling, above 0 driven.
+    pub slip: Option<f64>,
     /// How the soil fails under more than half of the thrust, where the model says.
     pub mechanism: Option<Mechanism>,
     /// Share of the thrust under which it escapes sideways, 0 to 1, where the model says.
@@ -140,7 +140,7 @@ fn prediction(forces: &DiscForces, sinkage: f64) -> Prediction {
         sinkage: Some(sinkage),
         contact_angle: Some(forces.contact_angle),
         force_inclination: forces.force_inclination,
-        skid: Some(forces.skid),
+        slip: Some(forces.slip),
         mechanism: Some(forces.mechanism),
         sideways_share: Some(forces.sideways_share),
     }

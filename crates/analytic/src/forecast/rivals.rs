@@ -137,7 +137,7 @@ fn prediction(
     drag: f64,
     vertical: f64,
     sinkage: Option<f64>,
-    skid: Option<f64>,
+    slip: Option<f64>,
 ) -> Answer<Prediction> {
     let contact_angle = match (sinkage, towing.body.disc()) {
         (Some(z), Some(disc)) if z > 0.0 => Some(disc.contact(z, 0.0)?.angle),
@@ -151,7 +151,7 @@ fn prediction(
         sinkage,
         contact_angle,
         force_inclination,
-        skid,
+        slip,
         mechanism,
         sideways_share,
     })

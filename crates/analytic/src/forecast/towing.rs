@@ -70,7 +70,7 @@ pub enum Parameter {
     Weight,
     /// z [m]; holds the body.
     Sinkage,
-    /// Slip s = ωr/v − 1; replaces the drive.
+    /// The [`crate::slip`]; replaces the drive.
     Slip,
     /// Torque that brakes the axle [N m]; replaces the drive.
     BrakeTorque,

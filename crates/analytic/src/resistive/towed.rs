@@ -1,8 +1,9 @@
 //! A towed disc in resistive force theory.
 
 use super::{Facet, Load, Motion, Traction, load, rim_facets};
-use crate::disc::{Disc, Drive, carries, first_depth};
+use crate::disc::{Disc, Drive, MOST_SLIP, carries, first_depth};
 use crate::error::{Answer, none, positive, within};
+use crate::motion::turn_ratio;
 use crate::numeric::root;
 
 /// A towed disc in steady motion.
@@ -16,13 +17,13 @@ pub struct Rolled {
     pub torque: f64,
     /// Sinkage [m].
     pub sinkage: f64,
-    /// Slip s = ωr/v − 1.
+    /// Its [`crate::slip`].
     pub slip: f64,
 }
 
 /// Forces at a sinkage [m] under a drive; a free, braked or driven disc finds the slip that balances its torque.
 ///
-/// A braked disc that no slip holds is locked; a driven one that spins beyond s = 2 is refused.
+/// A braked disc that no slip holds is locked; a driven one that spins more than three times as fast as it rolls is refused.
 ///
 /// # Errors
 /// If the sinkage or the drive is out of range, or no slip balances the torque.
@@ -41,14 +42,14 @@ fn balanced(drive: Drive, turned: impl Fn(f64) -> Rolled) -> Answer<Rolled> {
         Drive::Braked(torque) => torque,
         Drive::Driven(torque) => -torque,
     };
-    // The soil turns a skidding disc forwards and holds a spinning one back: the torque falls as the slip grows.
+    // The soil turns a sliding disc forwards and holds a spinning one back: the torque falls as the slip grows.
     let surplus = |slip: f64| turned(slip).torque - wanted;
     if wanted > 0.0 && surplus(-1.0) <= 0.0 {
         return Ok(turned(-1.0));
     }
-    match root(-1.0, 2.0, 1e-10, surplus) {
+    match root(-1.0, MOST_SLIP, 1e-10, surplus) {
         Some(slip) => Ok(turned(slip)),
-        None => none("the slip", "no slip between -1 and 2 balances the torque on the axle"),
+        None => none("the slip", "no slip between -1 and 2/3 balances the torque on the axle"),
     }
 }
 
@@ -68,7 +69,7 @@ pub fn body_at_depth(
     let z = within("sinkage [m]", sinkage, f64::MIN_POSITIVE, height)?;
     let radius = 0.5 * height;
     balanced(drive, |slip| {
-        let spin = [0.0, (1.0 + slip) / radius, 0.0];
+        let spin = [0.0, turn_ratio(slip) / radius, 0.0];
         let motion = Motion { height: radius - z, velocity: [1.0, 0.0, 0.0], spin };
         let Load { force, torque } = load(law, facets, &motion);
         Rolled { drag: -force[0], vertical: force[2], torque: torque[1], sinkage: z, slip }
@@ -126,11 +127,11 @@ fn rolled(law: &impl Traction, disc: &Disc, sinkage: f64, slip: f64) -> Rolled {
     let motion = Motion {
         height: radius - sinkage,
         velocity: [1.0, 0.0, 0.0],
-        spin: [0.0, (1.0 + slip) / radius, 0.0],
+        spin: [0.0, turn_ratio(slip) / radius, 0.0],
     };
     // The rear of the rim moves away from the soil whatever the slip. On the front the friction changes its sense where
     // the rim moves straight into the soil; with a piece across that point the forces would jump as the slip changes.
-    let turn = (1.0 + slip).clamp(0.0, 1.0).acos().min(reach);
+    let turn = turn_ratio(slip).clamp(0.0, 1.0).acos().min(reach);
     let mut front = rim_facets(disc, 0.0, turn);
     front.extend(rim_facets(disc, turn, reach));
     let Load { force, torque } = load(law, &front, &motion);

@@ -1,4 +1,4 @@
-//! Wong and Reece: stresses round a towed wheel, with the skid at which its torque vanishes.
+//! Wong and Reece: stresses round a towed wheel, with the slip at which its torque vanishes.
 
 use super::{PressureSinkage, janosi_shear};
 use crate::disc::{Disc, transition_from_slip};
@@ -18,7 +18,7 @@ pub struct WheelState {
     pub entry_angle: f64,
     /// Transition angle θ₀ [rad], where the pressure peaks and the friction changes sign.
     pub transition_angle: f64,
-    /// Slip s = ωr/v − 1 (negative: the wheel skids).
+    /// Its [`crate::slip`], negative.
     pub slip: f64,
 }
 
@@ -30,17 +30,17 @@ struct Sums {
     torque: f64,
 }
 
-/// Drag, sinkage and skid of a towed rigid wheel under a load W [N].
+/// Drag, sinkage and slip of a towed rigid wheel under a load W [N].
 ///
 /// Front (θ₀ < θ < θ₁): σ = (k_c/b + k_φ) rⁿ (cos θ − cos θ₁)ⁿ; behind, the same at θ₁ − θ (θ₁ − θ₀)/θ₀ (no rear contact).
 /// τ by Janosi–Hanamoto with the slides j = r[(θ₁−θ)(1 + K_v(1+i)) − (1+i)(sin θ₁ − sin θ)] in front and
 /// r[(θ₀−θ) − (1+i)(sin θ₀ − sin θ)] behind, of opposite sense, v = rω(1+i), K_v so that the first is 0 at θ₀;
-/// tan(45° − φ/2) = (cos θ₀ − 1/(1+i))/sin θ₀. Load fixes θ₁, no torque fixes the skid.
+/// tan(45° − φ/2) = (cos θ₀ − 1/(1+i))/sin θ₀. Load fixes θ₁, no torque fixes the slip.
 /// Source: Wong & Reece (1967), J. Terramech. 4(2), Part II; towed slides read in jcmadsen/pyTerramechanics. Bekker's
 /// modulus is used in place of Reece's, so that the published constants apply. Valid for z ≲ 0.3 d.
 ///
 /// # Errors
-/// If an input is out of range, or no entry angle or skid balances the wheel.
+/// If an input is out of range, or no entry angle or slip balances the wheel.
 pub fn wong_reece_towed(soil: &PressureSinkage, disc: &Disc, weight: f64) -> Answer<WheelState> {
     soil.check()?;
     disc.check()?;
@@ -50,8 +50,8 @@ pub fn wong_reece_towed(soil: &PressureSinkage, disc: &Disc, weight: f64) -> Ans
         root(1e-3, 1.4, 1e-11, excess)
     };
     let torque = |slip: f64| entry(slip).map_or(f64::NAN, |theta| sums(soil, disc, theta, slip).torque);
-    let Some(slip) = skid(torque) else {
-        return none("the wheel of Wong and Reece", "no skid leaves it without torque under this load");
+    let Some(slip) = torque_free_slip(torque) else {
+        return none("the wheel of Wong and Reece", "no slip leaves it without torque under this load");
     };
     let Some(entry_angle) = entry(slip) else {
         return none("the wheel of Wong and Reece", "it sinks to the axle under this load");
@@ -69,16 +69,16 @@ pub fn wong_reece_towed(soil: &PressureSinkage, disc: &Disc, weight: f64) -> Ans
 pub fn wong_reece_at_depth(soil: &PressureSinkage, disc: &Disc, sinkage: f64) -> Answer<WheelState> {
     soil.check()?;
     let entry_angle = disc.contact(sinkage, 0.0)?.angle;
-    let Some(slip) = skid(|slip| sums(soil, disc, entry_angle, slip).torque) else {
-        return none("the wheel of Wong and Reece", "no skid leaves it without torque at this sinkage");
+    let Some(slip) = torque_free_slip(|slip| sums(soil, disc, entry_angle, slip).torque) else {
+        return none("the wheel of Wong and Reece", "no slip leaves it without torque at this sinkage");
     };
     let Sums { drag, vertical, .. } = sums(soil, disc, entry_angle, slip);
     let transition_angle = transition_from_slip(slip, soil.friction_angle, entry_angle);
     Ok(WheelState { drag, vertical, sinkage, entry_angle, transition_angle, slip })
 }
 
-/// The least skid without torque: rolling, the front brakes the wheel; skidding, the bottom turns it.
-fn skid(torque: impl Fn(f64) -> f64) -> Option<f64> {
+/// The slip nearest to rolling that needs no torque: rolling, the front brakes the wheel; sliding, the bottom turns it.
+fn torque_free_slip(torque: impl Fn(f64) -> f64) -> Option<f64> {
     let steps = (0..=30).map(|n| -0.002 - 0.02 * f64::from(n));
     let mut last: Option<(f64, f64)> = None;
     for slip in steps {

@@ -157,7 +157,7 @@ fn measure_in<R: Precision>(wish: &Wish) -> Result<Measurement, Breakdown> {
     let wider = (size_of::<f64>() / size_of::<R>()) as f64;
     let mut lone = Simulation::<R>::new(&case_for(wish, 1));
     lone.steps(wish.warm_up)?;
-    let moving = lone.checkpoint();
+    let moving = lone.checkpoint().kept();
     let before = lone.state.remaps;
     let alone = timed(&mut lone, wish.steps)?;
     let remaps = lone.state.remaps - before;
@@ -165,12 +165,12 @@ fn measure_in<R: Precision>(wish: &Wish) -> Result<Measurement, Breakdown> {
     let bytes = lone.memory() as f64;
     drop(lone);
     // Reading the clock takes time, so the split is measured by itself, on the same steps.
-    let mut lone = Simulation::<R>::resume(&case_for(wish, 1), moving.clone());
+    let mut lone = Simulation::<R>::resume(&case_for(wish, 1), moving.clone(), 0.0);
     lone.stopwatch().start();
     lone.steps(wish.steps)?;
     let stopwatch = lone.stopwatch().clone();
     drop(lone);
-    let mut team = Simulation::resume(&case_for(wish, wish.threads), moving);
+    let mut team = Simulation::resume(&case_for(wish, wish.threads), moving, 0.0);
     let together = timed(&mut team, wish.steps)?;
     let cells = team.model.grid.cells();
     let cell_steps = filled as f64 * f64::from(wish.steps);

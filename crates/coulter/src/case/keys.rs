@@ -233,19 +233,19 @@ const DOMAIN: &[Key] = &[
     key(
         "x",
         Kind::Range(LENGTH),
-        "the bodies' path and 1.5 body lengths at each end",
+        "the bodies' path and 1.5 body lengths at each end, ahead more where the failing soil needs it",
         "The box along the tow; from 0 if symmetric_x.",
     ),
     key(
         "y",
         Kind::Range(LENGTH),
-        "the bodies and 1.5 body lengths at each side",
+        "the bodies and 1.5 body lengths at each side, more where the failing soil needs it",
         "The box across; from 0 if symmetric.",
     ),
     key(
         "z",
         Kind::Range(LENGTH),
-        "1.25 body lengths of soil, 0.4 of headroom",
+        "1.25 body lengths of soil, 0.4 of headroom, more where the heap of soil needs it",
         "The box in height: floor and lid.",
     ),
     key("symmetric", Kind::Flag, "false", "Model only y ≥ 0, y = 0 being a plane of symmetry."),
@@ -275,7 +275,7 @@ const GRID: &[Key] = &[
     key(
         "fine_z",
         Kind::Range(LENGTH),
-        "the bodies' path below, 0.25 body lengths above the soil",
+        "0.5 body lengths below the bodies' path; 0.25 above the soil, up to 0.5 where a heap is expected",
         "Fine zone in z.",
     ),
 ];

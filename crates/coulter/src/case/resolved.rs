@@ -314,7 +314,7 @@ pub struct Numerics {
     pub contact: Contact,
     /// Distance kept between contact points and sharp edges, in cell widths (0.5).
     pub edge_inset: f64,
-    /// Spacing of contact points, in cell widths (0.5).
+    /// Spacing of contact points, in cell widths (0.25).
     pub point_spacing: f64,
     /// Threads; 0 for one per core.
     pub threads: usize,

@@ -17,18 +17,23 @@ pub enum Failure {
     /// The request was right, but the physics failed.
     #[error("{0}")]
     Physics(String),
-    /// Somebody stopped it.
-    #[error("{0}")]
-    Stopped(String),
+    /// A signal stopped it.
+    #[error("{message}")]
+    Stopped {
+        /// Number of the signal.
+        signal: i32,
+        /// What was written, and how to go on.
+        message: String,
+    },
 }
 
 impl Failure {
-    /// 1 if the physics failed, 2 if the request was wrong, 130 if it was stopped.
+    /// 1 if the physics failed, 2 if the request was wrong, 128 and the number of the signal if it was stopped by one.
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Physics(_) => 1,
-            Self::Stopped(_) => 130,
+            Self::Stopped { signal, .. } => u8::try_from(128 + signal).unwrap_or(130),
             Self::Case(_) | Self::Request(_) => 2,
         }
     }
@@ -38,7 +43,7 @@ impl Failure {
         let text = match self {
             Self::Case(error) => render(error, is_colourful()),
             Self::Request(message) | Self::Physics(message) => format!("error: {message}\n"),
-            Self::Stopped(message) => format!("{message}\n"),
+            Self::Stopped { message, .. } => format!("{message}\n"),
         };
         let _ = std::io::stderr().lock().write_all(text.as_bytes());
         ExitCode::from(self.exit_code())

@@ -9,6 +9,7 @@ mod pressure;
 mod report;
 mod run;
 mod schema;
+mod signals;
 mod speed;
 mod verify;
 
@@ -21,7 +22,10 @@ use std::process::ExitCode;
 /// Predicts how a rigid object moves through soil.
 #[derive(Debug, Parser)]
 #[command(name = "coulter", version, arg_required_else_help = true)]
-#[command(after_help = "Exit codes: 0 done; 1 the physics failed; 2 the request was wrong.")]
+#[command(
+    after_help = "Exit codes: 0 done (good or doubtful); 1 broken: the result is not to be used; 2 the request was wrong; \
+130, 143, 129 stopped by SIGINT, SIGTERM, SIGHUP."
+)]
 pub struct Arguments {
     #[command(subcommand)]
     command: Command,

@@ -1,10 +1,10 @@
 //! `coulter run`: runs a case.
 
-use super::{Failure, say_json};
+use super::{Failure, say_json, signals};
 use crate::case;
-use crate::run::{self, End, Options, RunError};
+use crate::run::{self, End, Options, RunError, Start};
+use crate::trust::Verdict;
 use std::path::PathBuf;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -14,7 +14,7 @@ pub(super) struct Arguments {
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
     /// Overwrite existing results
-    #[arg(long, conflicts_with = "resume")]
+    #[arg(long, conflicts_with_all = ["resume", "auto_resume"])]
     force: bool,
     /// Threads; 0 for one per core
     #[arg(long, value_name = "N", value_parser = super::threads())]
@@ -22,15 +22,31 @@ pub(super) struct Arguments {
     /// Sets a key, such as soil.friction_angle="38 deg"; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
-    /// Go on from the last checkpoint
+    /// Go on from the last checkpoint; start if there is nothing yet
     #[arg(long)]
     resume: bool,
+    /// For schedulers: start, go on, or leave a finished run as it is
+    #[arg(long, conflicts_with = "resume")]
+    auto_resume: bool,
     /// Print summary.json at the end
     #[arg(long)]
     json: bool,
 }
 
+impl Arguments {
+    fn start(&self) -> Start {
+        match (self.force, self.resume, self.auto_resume) {
+            (true, ..) => Start::Replace,
+            (_, true, _) => Start::Resume,
+            (.., true) => Start::AutoResume,
+            _ => Start::Anew,
+        }
+    }
+}
+
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    // From the first moment on: a signal during the start must not leave less than one later.
+    let interrupts = signals::listen();
     let mut case = case::load(&arguments.case, &arguments.overrides)?;
     if let Some(threads) = arguments.threads {
         case.numerics.threads = usize::from(threads);
@@ -40,33 +56,32 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let typed = case::overridden(&text, &arguments.case.display().to_string(), &arguments.overrides)?;
     let options = Options {
         folder: &folder,
-        force: arguments.force,
-        resume: arguments.resume,
+        start: arguments.start(),
         quiet: arguments.json,
-        stop: stop_on_signal(),
+        interrupts: &interrupts,
         typed: &typed,
     };
     match run::run(&case, &options) {
-        Ok(End::Finished(summary)) if arguments.json => say_json(&*summary),
-        Ok(End::Finished(_)) => Ok(()),
-        Ok(End::Stopped(checkpoint)) => Err(Failure::Stopped(format!(
-            "stopped; what there is was written, --resume goes on from {}",
-            checkpoint.display()
-        ))),
-        Err(error @ RunError::Physics { .. }) => Err(Failure::Physics(error.to_string())),
+        Ok(End::Finished(summary)) => {
+            if arguments.json {
+                say_json(&*summary)?;
+            }
+            if summary.trust.verdict == Verdict::Broken {
+                let why = run::verdict(&summary).join("\n");
+                return Err(Failure::Physics(format!("the result is not to be used\n{why}")));
+            }
+            Ok(())
+        }
+        Ok(End::Stopped(signal, checkpoint)) => Err(Failure::Stopped {
+            signal,
+            message: format!(
+                "stopped; what there is was written, --resume goes on from {}",
+                checkpoint.display()
+            ),
+        }),
+        Err(error @ (RunError::Physics { .. } | RunError::BrokeDownBefore { .. })) => {
+            Err(Failure::Physics(error.to_string()))
+        }
         Err(error) => Err(Failure::Request(error.to_string())),
     }
-}
-
-/// A flag that the first Ctrl-C (or a batch system's SIGTERM) sets; the second ends the program at once.
-fn stop_on_signal() -> &'static AtomicBool {
-    static STOP: AtomicBool = AtomicBool::new(false);
-    let heard = || {
-        if STOP.swap(true, Ordering::Relaxed) {
-            std::process::exit(130);
-        }
-    };
-    // Without a handler the signal simply ends the program: nothing that was written is lost.
-    let _ = ctrlc::set_handler(heard);
-    &STOP
 }

@@ -17,7 +17,9 @@ pub struct Series {
     pub vertical: Vec<f64>,
     /// Sinkage [m].
     pub sinkage: Vec<f64>,
-    /// Slip ωr/v − 1.
+    /// The slip, [`analytic::slip`].
+    pub slip: Vec<f64>,
+    /// ωr/v − 1, also of a driven body.
     pub skid: Vec<f64>,
 }
 
@@ -113,6 +115,7 @@ fn series(model: Candidate, points: &[CurvePoint]) -> Option<Series> {
         drag,
         vertical: column(|p| Some(p.vertical)),
         sinkage: column(|p| p.sinkage),
-        skid: column(|p| p.skid),
+        slip: column(|p| p.slip),
+        skid: column(|p| p.slip.map(|slip| analytic::turn_ratio(slip) - 1.0)),
     })
 }

@@ -88,7 +88,9 @@ fn model(outlook: &Outlook, model: &ModelForecast) -> Value {
         "sinkage_m": found.and_then(|p| p.sinkage),
         "contact_angle_rad": found.and_then(|p| p.contact_angle),
         "force_inclination_rad": found.map(|p| p.force_inclination),
-        "skid": found.and_then(|p| p.skid),
+        "slip": found.and_then(|p| p.slip),
+        // ωr/v − 1 at any slip: an older name that scripts rely on.
+        "skid": found.and_then(|p| p.slip).map(|slip| analytic::turn_ratio(slip) - 1.0),
         "mechanism": found.and_then(|p| p.mechanism).map(mechanism_word),
         "sideways_share": found.and_then(|p| p.sideways_share),
         "F_H_bar": found.map(|p| p.drag / scale),

@@ -35,6 +35,7 @@ pub fn setting(case: &Case) -> Result<Setting, String> {
     let (bodies, assembly) = bodies(case, &mut remarks)?;
     let first = *bodies.first().ok_or("the case has no body under tow")?;
     let (mut body, kind, mirrored) = body(case, first, &mut remarks)?;
+    no_lateral_tow(&bodies)?;
     let ground = ground(case, &body)?;
     let soil = soil(case, first, &mut remarks)?;
     let count = bodies.len() as f64;
@@ -68,6 +69,23 @@ pub fn setting(case: &Case) -> Result<Setting, String> {
     };
     let bodies = bodies.iter().map(|b| b.name.clone()).collect();
     Ok(Setting { bodies, kind, towing, mirrored, extra_load, remarks })
+}
+
+/// Refuses a body that is moved, or pulled, sideways: the models know a tow along x only.
+fn no_lateral_tow(bodies: &[&Towed]) -> Result<(), String> {
+    let is_moved = |b: &&&Towed| match b.translation[1] {
+        Freedom::Prescribed { speed, .. } => speed != 0.0,
+        Freedom::Free { load, .. } => load != 0.0,
+        Freedom::Fixed => false,
+    };
+    match bodies.iter().find(is_moved) {
+        Some(body) => Err(format!(
+            "`{}` moves sideways (lateral), and the closed forms know a tow along x only; write lateral = \"fixed\" for \
+             a forecast of the motion along x",
+            body.name
+        )),
+        None => Ok(()),
+    }
 }
 
 /// A remark on the keys of `[forecast]` that no model of such a body asks for.
@@ -208,7 +226,7 @@ fn drive(body: &Towed, radius: f64) -> Result<Drive, String> {
         (Freedom::Free { .. }, _) => Ok(Drive::Free),
         (Freedom::Fixed, _) => Ok(Drive::Locked),
         (Freedom::Prescribed { speed: spin, .. }, Freedom::Prescribed { speed, .. }) if *speed != 0.0 => {
-            Ok(Drive::Slip(spin * radius / speed - 1.0))
+            Ok(Drive::Slip(analytic::slip(spin * radius / speed)))
         }
         _ => Err(format!(
             "`{}` is turned at a given rate, but not towed at one: its slip is unknown",

@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 /// Header of `models.csv`.
 const HEADER: &str = "model,applicable,drag F_H [N],vertical F_V [N],sinkage z [m],contact angle [deg],\
-force inclination [deg],skid [-],mechanism,sideways share [-],F_H_bar [-],F_V_bar [-],Z [-],\
+force inclination [deg],slip [-],mechanism,sideways share [-],F_H_bar [-],F_V_bar [-],Z [-],\
 drag 5 % [N],drag 95 % [N],vertical 5 % [N],vertical 95 % [N],sinkage 5 % [m],sinkage 95 % [m],note";
 
 /// The text of `models.csv`: one line per model.
@@ -22,7 +22,7 @@ pub fn models_table(outlook: &Outlook, intervals: &Intervals) -> String {
             sinkage,
             found.and_then(|p| p.contact_angle).map(f64::to_degrees),
             found.map(|p| p.force_inclination.to_degrees()),
-            found.and_then(|p| p.skid),
+            found.and_then(|p| p.slip),
         ];
         let groups = [
             found.and_then(|p| p.sideways_share),

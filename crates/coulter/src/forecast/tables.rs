@@ -24,7 +24,7 @@ pub fn table(outlook: &Outlook, intervals: &Intervals) -> String {
         depths,
         "θ_f [°]",
         "η [°]",
-        "skid",
+        "slip",
         "F̄_H",
         "F̄_V"
     );
@@ -88,7 +88,7 @@ fn heading(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
         Drive::Locked => "locked".to_owned(),
         Drive::Braked(torque) => format!("braked with {torque:.4} N m"),
         Drive::Driven(torque) => format!("driven with {torque:.4} N m"),
-        Drive::Slip(slip) => format!("turned at the slip {slip:.4}"),
+        Drive::Slip(slip) => format!("turned at a slip of {slip:.4}"),
     };
     writeln!(text, "{}: {}, {pressed}, {axle}", outlook.case, outlook.setting.bodies.join(", "))?;
     let g = &outlook.forecast.groups;
@@ -135,7 +135,7 @@ fn line(outlook: &Outlook, intervals: &Intervals, model: &ModelForecast) -> Stri
         range("sinkage_m", 1e-3, 15),
         shown(found.and_then(|p| p.contact_angle).map(f64::to_degrees), 6),
         shown(found.map(|p| p.force_inclination.to_degrees()), 6),
-        shown(found.and_then(|p| p.skid), 7),
+        shown(found.and_then(|p| p.slip), 7),
         shown(drag.map(|f| f / scale), 8),
         shown(vertical.map(|f| f / scale), 8),
     ];

@@ -73,7 +73,7 @@ const ALL: [Variable; 20] = [
         ("deg", DEGREE),
     ),
     variable(Parameter::Weight, ("body", "weight"), Kind::Quantity(FORCE), "weight W", ("N", 1.0)),
-    variable(Parameter::Slip, ("", "slip"), Kind::Number, "slip ωr/v − 1", BARE),
+    variable(Parameter::Slip, ("", "slip"), Kind::Number, "slip s", BARE),
     variable(
         Parameter::BrakeTorque,
         ("", "brake_torque"),

@@ -1,24 +1,32 @@
 //! Checkpoints: everything that changes, so that a run can go on as if it had never stopped.
 //!
-//! A file holds a magic word, the hash of what follows, and a compressed record of the state, the history and the case
-//! that they belong to. It is written beside the old one and then moved over it: a kill at any time leaves one whole.
+//! A file holds a magic word with the version of its contents, a compressed record of the state, the history and the case
+//! that they belong to, and at its end the hash of the compressed record. It is written beside the last one, brought to the
+//! disk and then moved over it; the last becomes the one before. A kill at any time leaves one whole.
 
-use super::error::{OutputError, make_folder, write_whole};
+use super::error::{Named, OutputError, make_folder, sync_folder};
 use super::folder::CHECKPOINTS;
 use super::record::History;
 use serde::{Deserialize, Serialize};
 use solver::precision::Precision;
 use solver::state::{Received, State};
+use std::fs::{self, File};
+use std::io::{BufWriter, IntoInnerError, Write};
 use std::path::{Path, PathBuf};
-use xxhash_rust::xxh3::xxh3_64;
+use xxhash_rust::xxh3::{Xxh3, xxh3_64};
 
-const MAGIC: &[u8; 8] = b"COULTER3";
-const FILE: &str = "last.checkpoint";
+/// What every checkpoint begins with.
+const MAGIC: &[u8; 7] = b"COULTER";
+/// Version of what follows; a checkpoint of another version cannot be resumed.
+const VERSION: u8 = b'4';
+const LAST: &str = "last.checkpoint";
+const PREVIOUS: &str = "previous.checkpoint";
+const FAILED: &str = "failed.checkpoint";
 /// Level 1 is as fast as the disc.
 const LEVEL: i32 = 1;
 
 /// What a checkpoint holds.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 pub struct Checkpoint<R = f64> {
     /// Name of the precision of its fields. It stands first, so that it can be read whatever it is.
     pub precision: String,
@@ -30,51 +38,166 @@ pub struct Checkpoint<R = f64> {
     pub history: History,
     /// Time and impulses at the last sample.
     pub sampled: (f64, Vec<Received>),
-    /// Wall clock spent [s].
-    pub wall_s: f64,
 }
 
-/// Path of the checkpoint of a results folder.
+/// The same, borrowed from a run that goes on.
+#[derive(Clone, Debug, Serialize)]
+pub struct CheckpointView<'a, R> {
+    /// Name of the precision of its fields.
+    pub precision: &'static str,
+    /// The resolved case, as text.
+    pub case: String,
+    /// The state of the solver.
+    pub state: &'a State<R>,
+    /// The history so far.
+    pub history: &'a History,
+    /// Time and impulses at the last sample.
+    pub sampled: &'a (f64, Vec<Received>),
+}
+
+/// Path of the last checkpoint of a results folder.
 #[must_use]
 pub fn path(dir: &Path) -> PathBuf {
-    dir.join(CHECKPOINTS).join(FILE)
+    dir.join(CHECKPOINTS).join(LAST)
 }
 
-impl<R: Precision> Checkpoint<R> {
-    /// Writes the checkpoint of a results folder; returns its path.
+/// Whether a results folder has a checkpoint to go on from.
+#[must_use]
+pub fn exists(dir: &Path) -> bool {
+    [LAST, PREVIOUS].iter().any(|name| dir.join(CHECKPOINTS).join(name).is_file())
+}
+
+/// Removes the checkpoint before the last: a run that has come to its end needs no other to fall back on.
+///
+/// # Errors
+/// When it is there and cannot be removed.
+pub fn forget_previous(dir: &Path) -> Result<(), OutputError> {
+    let path = dir.join(CHECKPOINTS).join(PREVIOUS);
+    if path.is_file() { fs::remove_file(&path).named("remove", &path) } else { Ok(()) }
+}
+
+impl<R: Precision> CheckpointView<'_, R> {
+    /// The same as something of its own.
+    #[must_use]
+    pub fn kept(&self) -> Checkpoint<R> {
+        Checkpoint {
+            precision: self.precision.to_owned(),
+            case: self.case.clone(),
+            state: self.state.clone(),
+            history: self.history.clone(),
+            sampled: self.sampled.clone(),
+        }
+    }
+
+    /// Writes the last checkpoint of a results folder and keeps the one before; returns its path.
     ///
     /// # Errors
-    /// When the file cannot be written.
+    /// When the file cannot be written; the checkpoints that are there stay.
     pub fn write(&self, dir: &Path) -> Result<PathBuf, OutputError> {
-        let path = path(dir);
-        make_folder(&dir.join(CHECKPOINTS))?;
-        let plain = postcard::to_stdvec(self).map_err(|e| OutputError::content(&path, e))?;
-        let packed = zstd::encode_all(&plain[..], LEVEL).map_err(|e| OutputError::content(&path, e))?;
-        let mut file = Vec::with_capacity(packed.len() + 16);
-        file.extend_from_slice(MAGIC);
-        file.extend_from_slice(&xxh3_64(&packed).to_le_bytes());
-        file.extend_from_slice(&packed);
-        write_whole(&path, &file)?;
+        let (path, previous) = (path(dir), dir.join(CHECKPOINTS).join(PREVIOUS));
+        self.write_to(dir, &path, || {
+            if path.is_file() { fs::rename(&path, &previous).named("replace", &previous) } else { Ok(()) }
+        })?;
         Ok(path)
     }
 
-    /// Reads the checkpoint of a results folder.
+    /// Writes the state of a run that broke down, beside the last good checkpoints; returns its path.
     ///
     /// # Errors
-    /// When there is none, or it is not whole, or it was written by another version or in another precision.
-    pub fn read(dir: &Path) -> Result<Self, OutputError> {
-        let path = path(dir);
-        let broken = |what: &str| OutputError::content(&path, what);
-        let file = std::fs::read(&path).map_err(|e| broken(&format!("no checkpoint to go on from ({e})")))?;
-        let Some((magic, rest)) = file.split_first_chunk::<8>() else {
-            return Err(broken("this is no checkpoint"));
-        };
-        let Some((hash, packed)) = rest.split_first_chunk::<8>() else {
-            return Err(broken("this is no checkpoint"));
-        };
-        if magic != MAGIC {
-            return Err(broken("this is no checkpoint of this version of Coulter"));
+    /// When the file cannot be written.
+    pub fn write_failed(&self, dir: &Path) -> Result<PathBuf, OutputError> {
+        let path = dir.join(CHECKPOINTS).join(FAILED);
+        self.write_to(dir, &path, || Ok(()))?;
+        Ok(path)
+    }
+
+    /// Writes the whole file beside `path`, makes room and moves it there.
+    fn write_to(
+        &self,
+        dir: &Path,
+        path: &Path,
+        make_room: impl FnOnce() -> Result<(), OutputError>,
+    ) -> Result<(), OutputError> {
+        let folder = dir.join(CHECKPOINTS);
+        make_folder(&folder)?;
+        let part = path.with_extension("checkpoint.part");
+        let written = self.write_part(&part).and_then(|()| make_room());
+        if let Err(error) = written {
+            // What could not be written whole is of no use; that it cannot be removed either is no news.
+            let _ = fs::remove_file(&part);
+            return Err(error);
         }
+        fs::rename(&part, path).named("replace", path)?;
+        sync_folder(&folder)
+    }
+
+    fn write_part(&self, part: &Path) -> Result<(), OutputError> {
+        let file = File::create(part).named("create", part)?;
+        let mut out = BufWriter::with_capacity(1 << 20, file);
+        out.write_all(MAGIC).and_then(|()| out.write_all(&[VERSION])).named("write", part)?;
+        let mut hashed = Hashed { out, hash: Xxh3::new() };
+        let encoder = zstd::Encoder::new(&mut hashed, LEVEL).named("write", part)?;
+        // Numbers come one by one.
+        let buffer = BufWriter::with_capacity(1 << 16, encoder);
+        let buffer = postcard::to_io(self, buffer).map_err(|e| OutputError::content(part, e))?;
+        let encoder = buffer.into_inner().map_err(IntoInnerError::into_error).named("write", part)?;
+        encoder.finish().named("write", part)?;
+        let Hashed { mut out, hash } = hashed;
+        out.write_all(&hash.digest().to_le_bytes()).named("write", part)?;
+        let file = out.into_inner().map_err(IntoInnerError::into_error).named("write", part)?;
+        file.sync_all().named("write", part)
+    }
+}
+
+/// Passes on what is written and keeps its hash.
+struct Hashed<W> {
+    out: W,
+    hash: Xxh3,
+}
+
+impl<W: Write> Write for Hashed<W> {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        let count = self.out.write(bytes)?;
+        self.hash.update(&bytes[..count]);
+        Ok(count)
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.out.flush()
+    }
+}
+
+impl<R: Precision> Checkpoint<R> {
+    /// Reads the last checkpoint of a results folder or, where that is not whole, the one before; with what is wrong with the
+    /// last one in that case.
+    ///
+    /// # Errors
+    /// When there is none, or none is whole, or it was written by another version or in another precision.
+    pub fn read(dir: &Path) -> Result<(Self, Option<OutputError>), OutputError> {
+        let last = match Self::read_file(&path(dir)) {
+            Ok(checkpoint) => return Ok((checkpoint, None)),
+            Err(error) => error,
+        };
+        let previous = dir.join(CHECKPOINTS).join(PREVIOUS);
+        if !previous.is_file() {
+            return Err(last);
+        }
+        Self::read_file(&previous).map(|checkpoint| (checkpoint, Some(last)))
+    }
+
+    fn read_file(path: &Path) -> Result<Self, OutputError> {
+        let broken = |what: &str| OutputError::content(path, what);
+        let file = fs::read(path).map_err(|e| broken(&format!("no checkpoint to go on from ({e})")))?;
+        let header = file.split_first_chunk::<8>().filter(|(magic, _)| magic.starts_with(MAGIC));
+        let Some((magic, rest)) = header else { return Err(broken("not a Coulter checkpoint")) };
+        if magic[7] != VERSION {
+            return Err(broken(
+                "written by another version of Coulter, which stores checkpoints in another way; run with --force to start anew",
+            ));
+        }
+        let Some((packed, hash)) = rest.split_last_chunk::<8>() else {
+            return Err(broken("the checkpoint is cut off"));
+        };
         if xxh3_64(packed).to_le_bytes() != *hash {
             return Err(broken("the checkpoint is damaged (its hash is wrong)"));
         }

@@ -1,10 +1,10 @@
-//! `forces.csv` and `energy.csv`: the histories as tables with units in the header.
+//! `forces.csv`, `energy.csv` and `boundaries.csv`: the histories as tables with units in the header.
 //!
 //! The file is kept open during the run and flushed after every block, so that a killed run leaves whole lines; a
 //! resumed run rewrites it from the history of the checkpoint.
 
 use super::error::{Named, OutputError};
-use super::record::{BodySample, EnergySample, History};
+use super::record::{BodySample, BoundarySample, EnergySample, History};
 use super::reference::Reference;
 use super::table::{Table, push_line};
 use std::fs::File;
@@ -20,6 +20,15 @@ F_H_bar [-],F_V_bar [-]";
 /// Header of the energy ledger's file.
 pub const ENERGY_HEADER: &str = "time [s],external [J],kinetic [J],elastic [J],plastic [J],friction [J],contact method [J],viscous [J],\
 hourglass [J],remap loss [J],closure [-],volume ratio [-]";
+
+/// Header of the file about the faces of the box.
+pub const BOUNDARIES_HEADER: &str =
+    "time [s],lid area [m^2],lid force [N],bare wall area [m^2],stress rise [Pa],contact area [m^2]";
+
+/// Name of the file about the energy.
+pub(super) const ENERGY: &str = "energy.csv";
+/// Name of the file about the faces of the box.
+pub(super) const BOUNDARIES: &str = "boundaries.csv";
 
 /// Name of the file that holds a body's history: `forces.csv`, or `forces_NAME.csv` when there are several bodies.
 #[must_use]
@@ -40,6 +49,7 @@ pub(super) fn file_safe(name: &str) -> String {
 pub struct HistoryFiles {
     bodies: Vec<HistoryFile>,
     energy: HistoryFile,
+    boundaries: HistoryFile,
     references: Vec<Reference>,
 }
 
@@ -60,8 +70,9 @@ impl HistoryFiles {
         let bodies = (0..names.len())
             .map(|n| HistoryFile::create(dir.join(forces_name(&names, n)), FORCES_HEADER))
             .collect::<Result<_, _>>()?;
-        let energy = HistoryFile::create(dir.join("energy.csv"), ENERGY_HEADER)?;
-        Ok(Self { bodies, energy, references: references.to_vec() })
+        let energy = HistoryFile::create(dir.join(ENERGY), ENERGY_HEADER)?;
+        let boundaries = HistoryFile::create(dir.join(BOUNDARIES), BOUNDARIES_HEADER)?;
+        Ok(Self { bodies, energy, boundaries, references: references.to_vec() })
     }
 
     /// Adds the lines of `history` that are not in the files yet.
@@ -73,7 +84,8 @@ impl HistoryFiles {
         {
             file.append(samples, |sample| forces_line(sample, reference).to_vec())?;
         }
-        self.energy.append(&history.energy, |sample| energy_line(sample).to_vec())
+        self.energy.append(&history.energy, |sample| energy_line(sample).to_vec())?;
+        self.boundaries.append(&history.boundaries, |sample| boundary_line(sample).to_vec())
     }
 }
 
@@ -142,12 +154,16 @@ fn energy_line(s: &EnergySample) -> [f64; 12] {
     ]
 }
 
+fn boundary_line(s: &BoundarySample) -> [f64; 6] {
+    [s.time, s.lid_area, s.lid_force, s.wall_area, s.stress_rise, s.contact_area]
+}
+
 /// Reads a body's file back.
 ///
 /// # Errors
 /// When the file cannot be read or a column is missing.
-pub fn read_forces(path: &Path) -> Result<Vec<BodySample>, OutputError> {
-    let table = Table::read(path)?;
+pub fn read_forces(path: &Path, is_whole: bool) -> Result<Vec<BodySample>, OutputError> {
+    let table = Table::read_history(path, is_whole)?;
     let cell = cells(&table, path);
     let line = |n: usize| -> Result<BodySample, OutputError> {
         Ok(BodySample {
@@ -175,8 +191,8 @@ pub fn read_forces(path: &Path) -> Result<Vec<BodySample>, OutputError> {
 ///
 /// # Errors
 /// When the file cannot be read or a column is missing.
-pub fn read_energy(path: &Path) -> Result<Vec<EnergySample>, OutputError> {
-    let table = Table::read(path)?;
+pub fn read_energy(path: &Path, is_whole: bool) -> Result<Vec<EnergySample>, OutputError> {
+    let table = Table::read_history(path, is_whole)?;
     let cell = cells(&table, path);
     let line = |n: usize| -> Result<EnergySample, OutputError> {
         Ok(EnergySample {
@@ -196,6 +212,26 @@ pub fn read_energy(path: &Path) -> Result<Vec<EnergySample>, OutputError> {
     (0..table.rows()).map(line).collect()
 }
 
+/// Reads the samples of the faces of the box back.
+///
+/// # Errors
+/// When the file cannot be read or a column is missing.
+pub fn read_boundaries(path: &Path, is_whole: bool) -> Result<Vec<BoundarySample>, OutputError> {
+    let table = Table::read_history(path, is_whole)?;
+    let cell = cells(&table, path);
+    let line = |n: usize| -> Result<BoundarySample, OutputError> {
+        Ok(BoundarySample {
+            time: cell("time [s]", n)?,
+            lid_area: cell("lid area [m^2]", n)?,
+            lid_force: cell("lid force [N]", n)?,
+            wall_area: cell("bare wall area [m^2]", n)?,
+            stress_rise: cell("stress rise [Pa]", n)?,
+            contact_area: cell("contact area [m^2]", n)?,
+        })
+    };
+    (0..table.rows()).map(line).collect()
+}
+
 fn cells<'a>(table: &'a Table, path: &'a Path) -> impl Fn(&str, usize) -> Result<f64, OutputError> + 'a {
     move |name, n| {
         let column = table.column(name);
@@ -205,12 +241,28 @@ fn cells<'a>(table: &'a Table, path: &'a Path) -> impl Fn(&str, usize) -> Result
     }
 }
 
-/// Reads all histories of a results folder back.
+/// Reads all histories of a results folder back. Those of a run that was killed may end in the middle of a line, and one
+/// file may have more lines than another: `is_whole` says that they do not.
 ///
 /// # Errors
 /// When a file is missing or broken.
-pub fn read_history(dir: &Path, names: &[String]) -> Result<History, OutputError> {
-    let bodies =
-        (0..names.len()).map(|n| read_forces(&dir.join(forces_name(names, n)))).collect::<Result<_, _>>()?;
-    Ok(History { names: names.to_vec(), bodies, energy: read_energy(&dir.join("energy.csv"))? })
+pub fn read_history(dir: &Path, names: &[String], is_whole: bool) -> Result<History, OutputError> {
+    let bodies = (0..names.len())
+        .map(|n| read_forces(&dir.join(forces_name(names, n)), is_whole))
+        .collect::<Result<_, _>>()?;
+    let mut history = History {
+        names: names.to_vec(),
+        bodies,
+        energy: read_energy(&dir.join(ENERGY), is_whole)?,
+        boundaries: read_boundaries(&dir.join(BOUNDARIES), is_whole)?,
+    };
+    if !is_whole {
+        let lines =
+            history.bodies.iter().map(Vec::len).chain([history.energy.len(), history.boundaries.len()]);
+        let lines = lines.min().unwrap_or(0);
+        history.bodies.iter_mut().for_each(|samples| samples.truncate(lines));
+        history.energy.truncate(lines);
+        history.boundaries.truncate(lines);
+    }
+    Ok(history)
 }

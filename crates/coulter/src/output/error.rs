@@ -27,6 +27,27 @@ pub enum OutputError {
         /// The folder.
         path: PathBuf,
     },
+    /// Another run is at work in the folder.
+    #[error(
+        "another run is at work in {path} ({holder}); wait for its end, or write somewhere else with -o DIR",
+        path = path.display()
+    )]
+    Busy {
+        /// The folder.
+        path: PathBuf,
+        /// What the lock says of the run.
+        holder: String,
+    },
+    /// The folder holds a run that has not come to its end, and nobody said what is to become of it.
+    #[error(
+        "{path} holds a run that was stopped before its end; --resume goes on with it, --force starts anew, -o DIR writes \
+         somewhere else",
+        path = path.display()
+    )]
+    Unfinished {
+        /// The folder.
+        path: PathBuf,
+    },
     /// The folder has files in it that did not come from a run; they are never touched, forced or not.
     #[error(
         "{path} holds files that are not a result of Coulter; choose an empty or a new folder with -o DIR",
@@ -93,6 +114,11 @@ pub(super) fn write_whole(path: &Path, content: &[u8]) -> Result<(), OutputError
         let _ = fs::remove_file(&neighbour);
     }
     done
+}
+
+/// Brings the names in a folder to the disk, where the system can (not on Windows, which does so by itself).
+pub(super) fn sync_folder(path: &Path) -> Result<(), OutputError> {
+    if cfg!(unix) { fs::File::open(path).and_then(|f| f.sync_all()).named("write", path) } else { Ok(()) }
 }
 
 /// Reads a text file.

@@ -80,12 +80,36 @@ impl EnergySample {
         self.external - known
     }
 
+    /// What the entries are measured against [J]: the external work, or the plastic dissipation or kinetic energy where that
+    /// is larger.
+    #[must_use]
+    pub fn scale(&self) -> f64 {
+        self.external.abs().max(self.plastic.abs()).max(self.kinetic.abs())
+    }
+
     /// Energy that nobody can account for, over the external work (0 = closed).
     #[must_use]
     pub fn closure(&self) -> f64 {
-        let scale = self.external.abs().max(self.plastic.abs()).max(self.kinetic.abs());
+        let scale = self.scale();
         if scale > 0.0 { self.unexplained() / scale } else { 0.0 }
     }
+}
+
+/// What the soil does at the faces of the box at one time; of the whole, not of the part modelled.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct BoundarySample {
+    /// Time [s].
+    pub time: f64,
+    /// Area of the lid that soil has come to [m²]; 0 where the soil reaches up to the lid from the start.
+    pub lid_area: f64,
+    /// Force of the soil on that area [N].
+    pub lid_force: f64,
+    /// Area of the side walls that was bare at the start and that soil has come to [m²].
+    pub wall_area: f64,
+    /// Largest rise of the normal pressure on floor and side walls above that at rest [Pa].
+    pub stress_rise: f64,
+    /// Area of the bodies that is in the soil [m²].
+    pub contact_area: f64,
 }
 
 /// What a run has seen so far.
@@ -97,4 +121,6 @@ pub struct History {
     pub bodies: Vec<Vec<BodySample>>,
     /// The energy ledger.
     pub energy: Vec<EnergySample>,
+    /// The faces of the box.
+    pub boundaries: Vec<BoundarySample>,
 }

@@ -7,10 +7,12 @@ use super::plot::{BodyHistory, Plot};
 use super::record::History;
 use super::reference::Reference;
 use super::report_rows::{
-    Row, body_rows, energy_rows, facts, ledger_rows, scales_text, statistics, window_text,
+    CheckRow, Row, body_rows, check_rows, energy_rows, facts, ledger_rows, scales_text, statistics,
+    window_text,
 };
 use super::run_record::{Outcome, RunRecord};
 use super::summary::{BodySummary, Summary};
+use crate::trust::Verdict;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde::Serialize;
@@ -51,6 +53,8 @@ struct Page<'a> {
     record: &'a RunRecord,
     facts: Vec<[String; 2]>,
     trouble: Option<String>,
+    verdict: Verdict,
+    checks: Vec<CheckRow>,
     bodies: Vec<BodyPart>,
     pictures: Vec<Figure>,
     energy: Vec<Row>,
@@ -83,6 +87,8 @@ pub(super) fn write_report(
     let page = Page {
         facts: facts(record, summary),
         trouble: trouble(&record.statistics.outcome),
+        verdict: summary.trust.verdict,
+        checks: check_rows(&summary.trust),
         bodies,
         pictures: pictures(dir)?,
         energy: energy_rows(summary),

@@ -4,6 +4,7 @@ use super::reference::Reference;
 use super::run_record::RunRecord;
 use super::scale::{Unit, digits};
 use super::summary::{BodySummary, Summary};
+use crate::trust::{Check, Trust, Verdict};
 use serde::Serialize;
 
 const NONE: &str = "–";
@@ -16,6 +17,38 @@ pub(super) struct Row {
     pub(super) value: String,
     pub(super) group: String,
     pub(super) note: String,
+}
+
+/// One check of the run.
+#[derive(Debug, Serialize)]
+pub(super) struct CheckRow {
+    pub(super) verdict: &'static str,
+    pub(super) name: String,
+    pub(super) body: String,
+    pub(super) value: String,
+    pub(super) good: String,
+    pub(super) doubtful: String,
+    pub(super) advice: String,
+}
+
+/// The checks of a run, those that are not good first.
+pub(super) fn check_rows(trust: &Trust) -> Vec<CheckRow> {
+    let good = trust.checks.iter().filter(|c| c.verdict == Verdict::Good);
+    let row = |check: &Check| {
+        let number = |v: Option<f64>, none: &str| {
+            v.map_or(none.to_owned(), |v| format!("{} {}", digits(v), check.unit).trim_end().to_owned())
+        };
+        CheckRow {
+            verdict: check.verdict.name(),
+            name: check.name.clone(),
+            body: check.body.clone().unwrap_or_default(),
+            value: number(check.value, "not a number"),
+            good: number(check.limits[0], NONE),
+            doubtful: number(check.limits[1], NONE),
+            advice: check.advice.clone(),
+        }
+    };
+    trust.doubts().into_iter().chain(good).map(row).collect()
 }
 
 pub(super) fn body_rows(reference: &Reference, body: &BodySummary) -> Vec<Row> {

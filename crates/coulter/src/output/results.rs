@@ -3,12 +3,12 @@
 use super::csv::{HistoryFiles, file_safe, read_history};
 use super::error::{OutputError, make_folder, read_text, write_whole};
 use super::fields::{VOID, write_body, write_soil, write_surface};
-use super::folder::{FIELDS, LISTS, LOG, PICTURES, PLOTS, REPORT, RESOLVED, TYPED, clear};
+use super::folder::{FIELDS, LISTS, LOG, PICTURES, PLOTS, REPORT, RESOLVED, TYPED, clear, remove_parts};
 use super::log::Log;
 use super::picture::write_pictures;
 use super::record::History;
 use super::report::{ReportText, write_report};
-use super::run_record::{Overlay, RunRecord, RunStatistics};
+use super::run_record::{Outcome, Overlay, RunRecord, RunStatistics};
 use super::summary::Summary;
 use super::surface::HeightMap;
 use super::vtk::{Frame, read_time_list, write_time_list};
@@ -37,14 +37,14 @@ impl Results {
     /// When the folder is taken or cannot be written.
     pub fn create(dir: &Path, case: &Case, force: bool) -> Result<Self, OutputError> {
         clear(dir, force)?;
-        for folder in [dir.to_path_buf(), dir.join(FIELDS)] {
-            make_folder(&folder)?;
-        }
+        make_folder(dir)?;
+        // First of all: it says whose folder this is, should the run be killed at once.
+        let record = RunRecord::of(case);
+        record.write(dir)?;
+        make_folder(&dir.join(FIELDS))?;
         let resolved = toml::to_string(case).map_err(|e| OutputError::content(&dir.join(RESOLVED), e))?;
         let header = "# The case as it was understood: SI units, radians, every default filled in. Written by Coulter.\n";
         write_whole(&dir.join(RESOLVED), format!("{header}{resolved}").as_bytes())?;
-        let record = RunRecord::of(case);
-        record.write(dir)?;
         Ok(Self {
             histories: HistoryFiles::create(dir, &record.bodies)?,
             log: Log::create(&dir.join(LOG))?,
@@ -62,7 +62,9 @@ impl Results {
     /// When there is no result in the folder or it cannot be written.
     pub fn resume(dir: &Path, case: &Case, history: &History, time: f64) -> Result<Self, OutputError> {
         let before = RunRecord::read(dir)?;
-        let record = RunRecord { overlays: before.overlays, ..RunRecord::of(case) };
+        remove_parts(dir)?;
+        let statistics = RunStatistics { outcome: Outcome::Running, ..before.statistics };
+        let record = RunRecord { overlays: before.overlays, statistics, ..RunRecord::of(case) };
         let mut frames: [Vec<Frame>; 3] = Default::default();
         for (list, name) in frames.iter_mut().zip(LISTS) {
             *list = read_time_list(&dir.join(name))?;
@@ -125,6 +127,24 @@ impl Results {
         self.histories.append(history)
     }
 
+    /// Keeps in `run.json` how far the run is.
+    ///
+    /// # Errors
+    /// When the file cannot be written.
+    pub fn keep_statistics(&mut self, statistics: &RunStatistics) -> Result<(), OutputError> {
+        self.record.statistics = statistics.clone();
+        self.record.write(&self.dir)
+    }
+
+    /// Whether fields are due at `time` [s]: the first after every whole multiple of `interval` [s].
+    #[must_use]
+    pub fn fields_are_due(&self, time: f64, interval: f64) -> bool {
+        let Some(last) = self.frames[0].last() else { return true };
+        // Nothing but the time of the last fields decides, so that a resumed run writes the same.
+        let next = ((last.time / interval + 1e-9).floor() + 1.0) * interval;
+        time >= next * (1.0 - 1e-12)
+    }
+
     /// Writes the fields as they are now, unless files of this very time exist, and brings the time lists up to date.
     ///
     /// # Errors
@@ -160,7 +180,8 @@ impl Results {
     }
 
     /// Writes everything that a run leaves at its end: the last fields, the summary, the pictures and the report. Also
-    /// to be called for a run that broke down or was stopped; the statistics say so.
+    /// to be called for a run that broke down or was stopped; the statistics say so. A run that will go on leaves no fields
+    /// of the time at which it was stopped.
     ///
     /// # Errors
     /// When a file cannot be written.
@@ -173,36 +194,42 @@ impl Results {
         statistics: &RunStatistics,
     ) -> Result<Summary, OutputError> {
         self.append(history)?;
-        self.write_fields(case, grid, state)?;
+        if statistics.outcome != Outcome::Interrupted {
+            self.write_fields(case, grid, state)?;
+        }
         self.record.statistics = statistics.clone();
-        self.record.write(&self.dir)?;
         let mut summary = Summary {
-            case: case.name.clone(),
-            version: self.record.version.clone(),
-            cells: grid.cells().iter().map(|n| *n as u64).product(),
             filled_cells: filled_cells(grid, state),
-            steps: statistics.steps,
-            wall_s: statistics.wall_seconds,
             surface: HeightMap::of(case, grid, state).figures(),
-            ..Summary::default()
+            ..Summary::of(&self.record)
         };
-        summary.fill(history, &self.record.bodies, self.record.steady_share);
+        summary.fill(history, &self.record);
         summary.write(&self.dir)?;
         write_pictures(&self.dir.join(PICTURES), case, grid, state)?;
         report(&self.dir, &self.record, &summary, history)?;
+        // Last: as long as it does not say how the run ended, a resumed run does all this again.
+        self.record.write(&self.dir)?;
         Ok(summary)
     }
 }
 
-/// Writes `report.html` anew from the other files of a results folder.
+/// Writes `report.html` anew from the other files of a results folder; of a run that was killed, from what there is.
 ///
 /// # Errors
-/// When the folder holds no finished result, or a file is broken.
+/// When the folder holds no result, or a file is broken.
 pub fn rebuild_report(dir: &Path) -> Result<PathBuf, OutputError> {
     let record = RunRecord::read(dir)?;
     let names: Vec<String> = record.bodies.iter().map(|b| b.name.clone()).collect();
-    let history = read_history(dir, &names)?;
-    report(dir, &record, &Summary::read(dir)?, &history)?;
+    let is_whole = matches!(record.statistics.outcome, Outcome::Finished | Outcome::BrokeDown(_));
+    let history = read_history(dir, &names, is_whole)?;
+    let summary = if is_whole {
+        Summary::read(dir)?
+    } else {
+        let mut summary = Summary::of(&record);
+        summary.fill(&history, &record);
+        summary
+    };
+    report(dir, &record, &summary, &history)?;
     Ok(dir.join(REPORT))
 }
 

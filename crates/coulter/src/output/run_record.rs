@@ -3,11 +3,15 @@
 
 use super::describe::describe;
 use super::error::{OutputError, read_json, write_json};
+use super::record::History;
 use super::reference::Reference;
 use crate::case::Case;
 use crate::case::resolved::Ground;
+use crate::simulation::case_text;
+use crate::trust::{Setting, Trust};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
+use xxhash_rust::xxh3::xxh3_64;
 
 /// Name of the file.
 pub const RUN_RECORD: &str = "run.json";
@@ -39,9 +43,7 @@ pub struct RunStatistics {
     pub threads: usize,
     /// How it ended.
     pub outcome: Outcome,
-    /// What the reader should know before trusting the numbers.
-    pub warnings: Vec<String>,
-    /// What the reader may do about it.
+    /// Doubts about the case that were there before the run.
     pub advice: Vec<String>,
 }
 
@@ -85,6 +87,8 @@ pub struct RunRecord {
     pub version: String,
     /// Name of the case.
     pub case: String,
+    /// Hash of all of the case that makes a difference to the physics.
+    pub case_hash: String,
     /// Title of the case.
     pub title: String,
     /// Soil and bodies in words: what, how.
@@ -110,8 +114,16 @@ pub struct RunRecord {
     pub bodies: Vec<Reference>,
     /// Curves laid over the plots.
     pub overlays: Vec<Overlay>,
+    /// What the checks of the run must know of the case.
+    pub setting: Setting,
     /// What the run was like.
     pub statistics: RunStatistics,
+}
+
+/// Hash of all of a case that makes a difference to the physics.
+#[must_use]
+pub fn hash_of(case: &Case) -> String {
+    format!("{:016x}", xxh3_64(case_text(case).as_bytes()))
 }
 
 impl RunRecord {
@@ -123,6 +135,7 @@ impl RunRecord {
         Self {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             case: case.name.clone(),
+            case_hash: hash_of(case),
             title: case.title.clone(),
             facts: describe(case),
             cells: std::array::from_fn(|axis| faces[axis].len().saturating_sub(1)),
@@ -135,8 +148,19 @@ impl RunRecord {
             plane_strain: case.domain.plane_strain,
             bodies: Reference::all(case),
             overlays: Vec::new(),
+            setting: Setting::of(case),
             statistics: RunStatistics::default(),
         }
+    }
+
+    /// The grade of what the run has seen.
+    #[must_use]
+    pub fn trust(&self, history: &History) -> Trust {
+        let failure = match &self.statistics.outcome {
+            Outcome::BrokeDown(why) => Some(why.as_str()),
+            Outcome::Running | Outcome::Finished | Outcome::Interrupted => None,
+        };
+        Trust::grade(&self.setting, history, &self.bodies, self.steady_share, failure)
     }
 
     pub(super) fn write(&self, dir: &Path) -> Result<(), OutputError> {

@@ -43,6 +43,8 @@ pub struct Steady {
     /// Scatter of the drag: root mean square of the drag less its moving average over 0.02 d (at least five samples),
     /// over the mean drag.
     pub drag_noise: Option<f64>,
+    /// Whether drag and sinkage change by less than their limits over the window; `null` without a tow.
+    pub is_steady: Option<bool>,
 }
 
 /// Largest values of a run, with their sign; `null` in JSON where there is none.
@@ -130,6 +132,8 @@ pub fn steady(samples: &[BodySample], reference: &Reference, window: Range<usize
         drag_noise: drag
             .filter(|drag| drag.abs() > NO_DRAG * mean(|s| s.vertical).unwrap_or(0.0).abs())
             .and_then(|drag| noise(inside, reference, drag)),
+        // The grade of the run tells.
+        is_steady: None,
     }
 }
 

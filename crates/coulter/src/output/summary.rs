@@ -2,9 +2,11 @@
 
 use super::error::{OutputError, read_json, write_json};
 use super::record::{EnergySample, History};
-use super::reference::Reference;
+use super::run_record::RunRecord;
 use super::steady::{Peak, Steady, peak, steady, window};
 use super::surface::SurfaceFigures;
+use crate::trust::Trust;
+use crate::trust::body::Mesh;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -36,6 +38,8 @@ pub struct Summary {
     pub surface: SurfaceFigures,
     /// The bodies by name.
     pub bodies: BTreeMap<String, BodySummary>,
+    /// Whether the run can be believed.
+    pub trust: Trust,
 }
 
 /// What became of the soil.
@@ -91,6 +95,18 @@ pub struct BodySummary {
     pub steady: Steady,
     /// Largest values.
     pub peak: Peak,
+    /// How well the grid resolves it.
+    pub mesh: MeshSummary,
+}
+
+/// How well the grid resolves a body's contact with the ground; `null` in JSON where that does not matter.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct MeshSummary {
+    /// Sinkage in the steady window over the cell height.
+    pub cells_over_sinkage: Option<f64>,
+    /// Length of the contact along the tow over the cell width.
+    pub cells_over_chord: Option<f64>,
 }
 
 impl From<&EnergySample> for EnergySummary {
@@ -112,16 +128,35 @@ impl From<&EnergySample> for EnergySummary {
 }
 
 impl Summary {
-    /// Fills in what follows from the histories: the bodies, the ledgers, the leak.
-    pub fn fill(&mut self, history: &History, references: &[Reference], steady_share: f64) {
+    /// What the record of a run tells.
+    #[must_use]
+    pub fn of(record: &RunRecord) -> Self {
+        Self {
+            case: record.case.clone(),
+            version: record.version.clone(),
+            cells: record.cells.iter().map(|n| *n as u64).product(),
+            steps: record.statistics.steps,
+            wall_s: record.statistics.wall_seconds,
+            ..Self::default()
+        }
+    }
+
+    /// Fills in what follows from the histories: the bodies, the ledgers, the leak, the grade.
+    pub fn fill(&mut self, history: &History, record: &RunRecord) {
+        self.trust = record.trust(history);
         self.bodies = history
             .bodies
             .iter()
-            .zip(references)
-            .map(|(samples, reference)| {
-                let range = window(samples, reference, steady_share);
-                let summary = BodySummary { steady: steady(samples, reference, range), peak: peak(samples) };
-                (reference.name.clone(), summary)
+            .zip(&record.bodies)
+            .zip(&record.setting.bodies)
+            .map(|((samples, reference), setting)| {
+                let range = window(samples, reference, record.steady_share);
+                let mut steady = steady(samples, reference, range);
+                steady.is_steady = self.trust.is_steady(&reference.name);
+                let Mesh { cells_over_sinkage, cells_over_chord } =
+                    Mesh::of(setting, reference, samples, &steady);
+                let mesh = MeshSummary { cells_over_sinkage, cells_over_chord };
+                (reference.name.clone(), BodySummary { steady, peak: peak(samples), mesh })
             })
             .collect();
         let last = history.energy.last();

@@ -22,6 +22,13 @@ impl Table {
         Self::parse(&read_text(path)?).map_err(|problem| OutputError::content(path, problem))
     }
 
+    /// Reads the table of a run; that of a run that was killed (not `is_whole`) without a last line that is cut off.
+    pub(super) fn read_history(path: &Path, is_whole: bool) -> Result<Self, OutputError> {
+        let text = read_text(path)?;
+        let end = if is_whole { text.len() } else { text.rfind('\n').map_or(0, |n| n + 1) };
+        Self::parse(&text[..end]).map_err(|problem| OutputError::content(path, problem))
+    }
+
     fn parse(text: &str) -> Result<Self, String> {
         let mut lines =
             text.lines().enumerate().filter(|(_, line)| !line.starts_with('#') && !line.trim().is_empty());

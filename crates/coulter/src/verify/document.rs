@@ -3,7 +3,7 @@
 use super::bench::Ledgers;
 use super::known::Known;
 use super::plot;
-use super::row::Row;
+use super::row::{Row, Verdict};
 use super::table;
 use super::{BENCHMARKS, Benchmark, Findings};
 use std::fmt::Write;
@@ -24,34 +24,43 @@ pub fn between_markers(text: &str, rows: &[Row]) -> Option<String> {
 /// One line for every benchmark: how many of its figures pass, and the one that is farthest from what was expected.
 fn summary(rows: &[Row]) -> String {
     let mut text = String::from(
-        "| id | benchmark | pass | fall short | nearest to its limit, or farthest beyond it | expected | obtained | error over tolerance |\n\
-         | --- | --- | --: | --: | --- | --: | --: | --: |\n",
+        "| id | benchmark | pass | fall short | outside | nearest to its limit, or farthest beyond it | expected | obtained | error over tolerance |\n\
+         | --- | --- | --: | --: | --: | --- | --: | --: | --: |\n",
     );
     for benchmark in BENCHMARKS {
-        let judged: Vec<(&Row, f64)> = rows
-            .iter()
-            .filter(|row| row.id == benchmark.id)
-            .filter_map(|row| Some((row, plot::over_tolerance(row)?)))
-            .collect();
-        let Some((worst, ratio)) = judged.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())) else {
-            continue;
-        };
-        let pass = judged.iter().filter(|(row, _)| row.passes() == Some(true)).count();
-        let short = judged.len() - pass;
-        let short = if short > 0 { format!("**{short}**") } else { "0".to_owned() };
-        let _ = writeln!(
-            text,
-            "| {} | {} | {pass} | {short} | {}, {} | {} | {} | {:.2} |",
-            benchmark.id,
-            benchmark.title,
-            worst.case,
-            worst.quantity,
-            table::expected(worst),
-            table::figure(worst.obtained),
-            ratio.abs()
-        );
+        let own: Vec<&Row> = rows.iter().filter(|row| row.id == benchmark.id).collect();
+        if own.iter().any(|row| row.verdict() != Verdict::None) {
+            text.push_str(&summary_line(benchmark, &own));
+        }
     }
     text
+}
+
+/// The line of one benchmark: its counts, and of its judged figures the farthest; else one outside a published range, else
+/// any beside one.
+fn summary_line(benchmark: &Benchmark, rows: &[&Row]) -> String {
+    let count = |verdict: Verdict| rows.iter().filter(|row| row.verdict() == verdict).count();
+    let stands_out = |count: usize| if count > 0 { format!("**{count}**") } else { "0".to_owned() };
+    let judged = rows.iter().filter_map(|row| Some((*row, plot::over_tolerance(row)?.abs())));
+    let worst = judged.max_by(|a, b| a.1.total_cmp(&b.1));
+    let beside = |verdict: Verdict| rows.iter().find(|row| row.verdict() == verdict).copied();
+    let (row, ratio) = match worst {
+        Some((row, ratio)) => (Some(row), format!("{ratio:.2}")),
+        None => (beside(Verdict::Outside).or_else(|| beside(Verdict::Inside)), String::new()),
+    };
+    let Some(row) = row else { return String::new() };
+    format!(
+        "| {} | {} | {} | {} | {} | {}, {} | {} | {} | {ratio} |\n",
+        benchmark.id,
+        benchmark.title,
+        count(Verdict::Pass),
+        stands_out(count(Verdict::FallsShort)),
+        stands_out(count(Verdict::Outside)),
+        row.case,
+        row.quantity,
+        table::expected(row),
+        table::figure(row.obtained)
+    )
 }
 
 /// The text of docs/verification.md.
@@ -61,7 +70,8 @@ pub fn page(findings: &Findings, known: &[Known]) -> String {
         "# Verification\n\n\
          Made by `coulter verify --write`; do not edit. Every figure is computed by this version of the solver. \
          Expected values and tolerances are never changed to make a case pass: a case that falls short stays here, \
-         marked as falling short. Rows without a verdict are for information. The error is a share of the expected value \
+         marked as falling short. Where others published a range without a tolerance a row says whether it lies inside it or \
+         outside; rows with – are for information. The error is a share of the expected value \
          where the tolerance is one, else in the unit of the quantity.\n\n",
     );
     let _ = writeln!(text, "{}.\n", table::closing(&findings.rows));
@@ -172,6 +182,15 @@ pub fn write(root: &Path, findings: &Findings, known: &[Known]) -> std::io::Resu
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_benchmark_outside_a_published_range_says_so() {
+        let drag = Row::note("D3", "disc", "drag", 14.4).beside(15.0, 17.0, "trial");
+        let torque = Row::note("D3", "disc", "torque", 0.0).at_most(0.01, "equilibrium");
+        assert!(summary(&[torque, drag.clone()]).contains("| 1 | 0 | **1** | disc, torque | 0 | 0 | 0.00 |"));
+        assert!(summary(&[drag]).contains("| 0 | 0 | **1** | disc, drag | 15.00 to 17.00 | 14.40 |  |"));
+        assert!(!summary(&[Row::note("D3", "disc", "ratio", 1.0)]).contains("D3"));
+    }
 
     #[test]
     fn only_what_is_between_the_markers_changes() {

@@ -22,6 +22,7 @@ mod line;
 mod moving;
 mod peers;
 mod places;
+pub mod plain;
 mod plate;
 pub mod plot;
 mod precision;

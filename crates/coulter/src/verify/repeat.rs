@@ -57,7 +57,7 @@ fn resumed(bench: &mut Bench) -> Result<Simulation, VerifyError> {
     let read = Checkpoint::read(&folder);
     // A folder that stays behind does no harm.
     let _ = std::fs::remove_dir_all(&folder);
-    let mut second = Simulation::resume(&first.case, read?);
+    let mut second = Simulation::resume(&first.case, read?.0, first.wall_s);
     while !second.is_done() {
         second.advance()?;
     }

@@ -109,7 +109,7 @@ impl Row {
         }
     }
 
-    /// The same figure beside what somebody else got; no judgement.
+    /// The same figure beside what somebody else got: inside that range or outside, which is neither pass nor failure.
     #[must_use]
     pub fn beside(self, low: f64, high: f64, source: &'static str) -> Self {
         Self {
@@ -143,6 +143,30 @@ impl Row {
         Some(if is_absolute || scale == 0.0 { off } else { off / scale.abs() })
     }
 
+    /// Whether a figure without tolerance lies in the range that it stands beside; `None` for one that is judged, and for one
+    /// that has only a single value beside it, which no figure without tolerance can be inside.
+    #[must_use]
+    pub fn is_inside(&self) -> Option<bool> {
+        match (self.tolerance, self.expected) {
+            (Tolerance::None, Expected::Between(low, high)) if low < high => {
+                Some((low..=high).contains(&self.obtained))
+            }
+            _ => None,
+        }
+    }
+
+    /// What is said of it.
+    #[must_use]
+    pub fn verdict(&self) -> Verdict {
+        match (self.passes(), self.is_inside()) {
+            (Some(true), _) => Verdict::Pass,
+            (Some(false), _) => Verdict::FallsShort,
+            (None, Some(true)) => Verdict::Inside,
+            (None, Some(false)) => Verdict::Outside,
+            (None, None) => Verdict::None,
+        }
+    }
+
     /// Whether it is near enough; `None` for a figure that is only told.
     #[must_use]
     pub fn passes(&self) -> Option<bool> {
@@ -151,44 +175,31 @@ impl Row {
     }
 }
 
-/// What `coulter verify --json` prints of a row.
-#[derive(Debug, Serialize)]
-pub struct Plain<'a> {
-    id: &'a str,
-    case: &'a str,
-    quantity: &'a str,
-    expected: serde_json::Value,
-    obtained: Option<f64>,
-    error: Option<f64>,
-    tolerance: Option<f64>,
-    pass: Option<bool>,
-    source: &'a str,
-    seconds: f64,
+/// What is said of a row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// Within its tolerance.
+    Pass,
+    /// Outside it.
+    FallsShort,
+    /// Without a tolerance, and within the range that others published.
+    Inside,
+    /// Without a tolerance, and outside that range.
+    Outside,
+    /// There is nothing to compare it with.
+    None,
 }
 
-impl Row {
-    /// The row for readers of JSON, which knows no number that is not finite.
+impl Verdict {
+    /// The word of the tables.
     #[must_use]
-    pub fn plain(&self) -> Plain<'_> {
-        let finite = |value: f64| value.is_finite().then_some(value);
-        Plain {
-            id: self.id,
-            case: &self.case,
-            quantity: &self.quantity,
-            expected: match self.expected {
-                Expected::Value(value) | Expected::AtLeast(value) => value.into(),
-                Expected::Between(low, high) => vec![low, high].into(),
-                Expected::Nothing => serde_json::Value::Null,
-            },
-            obtained: finite(self.obtained),
-            error: self.error().and_then(finite),
-            tolerance: match self.tolerance {
-                Tolerance::Relative(limit) | Tolerance::Absolute(limit) => Some(limit),
-                Tolerance::None => None,
-            },
-            pass: self.passes(),
-            source: &self.source,
-            seconds: self.seconds,
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Pass => "pass",
+            Self::FallsShort => "falls short",
+            Self::Inside => "inside",
+            Self::Outside => "outside",
+            Self::None => "–",
         }
     }
 }
@@ -211,6 +222,18 @@ mod tests {
         assert_eq!(row(1.1).between(1.2, 1.8, 0.1, "").passes(), Some(true));
         assert_eq!(row(2.1).between(1.2, 1.8, 0.1, "").passes(), Some(false));
         assert_eq!(row(2.1).passes(), None);
+    }
+
+    #[test]
+    fn a_figure_beside_a_range_is_inside_or_outside_it() {
+        let verdict = |obtained: f64| row(obtained).beside(15.0, 17.0, "").verdict();
+        assert_eq!(
+            [16.0, 14.4, f64::NAN].map(verdict),
+            [Verdict::Inside, Verdict::Outside, Verdict::Outside]
+        );
+        assert_eq!(row(1.0).verdict(), Verdict::None);
+        assert_eq!(row(5.0).beside(5.1, 5.1, "").is_inside(), None, "a single value is no range");
+        assert_eq!(row(5.2).within(5.0, 0.05, "").is_inside(), None);
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The rows as a table: for the terminal and for Markdown.
 
-use super::row::{Expected, Row, Tolerance};
+use super::row::{Expected, Row, Tolerance, Verdict};
 
 const HEADS: [&str; 9] =
     ["id", "case", "quantity", "expected", "obtained", "error", "tolerance", "verdict", "s"];
@@ -42,16 +42,6 @@ pub fn expected(row: &Row) -> String {
     }
 }
 
-/// What is said of a row.
-#[must_use]
-pub fn verdict(row: &Row) -> &'static str {
-    match row.passes() {
-        Some(true) => "pass",
-        Some(false) => "falls short",
-        None => "–",
-    }
-}
-
 fn cells(row: &Row) -> [String; 9] {
     let (error, tolerance) = match (row.tolerance, row.error()) {
         (Tolerance::Relative(limit), Some(error)) => (per_cent(error), format!("{} %", figure(1e2 * limit))),
@@ -70,7 +60,7 @@ fn cells(row: &Row) -> [String; 9] {
         obtained,
         error,
         tolerance,
-        verdict(row).to_owned(),
+        row.verdict().word().to_owned(),
         seconds,
     ]
 }
@@ -104,7 +94,7 @@ pub fn markdown(rows: &[Row]) -> String {
     text.push_str(&line(&RIGHT.map(|right| if right { "--:" } else { "---" }.to_owned())));
     for row in rows {
         let mut cells = cells(row);
-        if row.passes() == Some(false) {
+        if matches!(row.verdict(), Verdict::FallsShort | Verdict::Outside) {
             cells[7] = format!("**{}**", cells[7]);
         }
         text.push_str(&line(&cells));
@@ -115,8 +105,14 @@ pub fn markdown(rows: &[Row]) -> String {
 /// The closing line.
 #[must_use]
 pub fn closing(rows: &[Row]) -> String {
-    let count = |verdict| rows.iter().filter(|row| row.passes() == Some(verdict)).count();
-    format!("{} passed, {} falling short", count(true), count(false))
+    let count = |verdict| rows.iter().filter(|row| row.verdict() == verdict).count();
+    format!(
+        "{} passed, {} falling short; beside published ranges without a tolerance {} inside, {} outside",
+        count(Verdict::Pass),
+        count(Verdict::FallsShort),
+        count(Verdict::Inside),
+        count(Verdict::Outside)
+    )
 }
 
 #[cfg(test)]
@@ -141,7 +137,14 @@ mod tests {
         ];
         let text = plain(&rows);
         assert!(text.contains("1.14 %") && text.contains("pass"), "{text}");
-        assert_eq!(closing(&rows), "1 passed, 0 falling short");
+        assert!(closing(&rows).starts_with("1 passed, 0 falling short;"));
         assert_eq!(markdown(&rows).lines().count(), 4);
+    }
+
+    #[test]
+    fn what_lies_outside_a_published_range_is_counted_and_stands_out() {
+        let rows = [14.4, 16.0].map(|drag| Row::note("D3", "disc", "drag", drag).beside(15.0, 17.0, "trial"));
+        assert!(closing(&rows).ends_with("1 inside, 1 outside"), "{}", closing(&rows));
+        assert!(markdown(&rows).contains("**outside**") && plain(&rows).contains("inside"));
     }
 }

@@ -156,7 +156,7 @@ fn histories_grow_during_the_run_and_read_back() {
     assert_eq!(Table::read(&dir.path().join("forces_disc.csv")).unwrap().rows(), 20);
     results.append(&full).unwrap();
     results.append(&full).unwrap();
-    let back = read_history(dir.path(), &full.names).unwrap();
+    let back = read_history(dir.path(), &full.names, true).unwrap();
     assert_eq!(back.bodies[1].len(), 50);
     assert!((back.bodies[1][30].drag - full.bodies[1][30].drag).abs() < 1e-6);
     let disc = Table::read(&dir.path().join("forces_disc.csv")).unwrap();

@@ -244,7 +244,12 @@ pub(crate) fn history(case: &Case, count: usize) -> History {
             volume_ratio: 1.0 + 2e-4 * time / 6.0,
         });
     }
-    History { names: case.bodies.iter().map(|b| b.name.clone()).collect(), bodies, energy }
+    History {
+        names: case.bodies.iter().map(|b| b.name.clone()).collect(),
+        bodies,
+        energy,
+        ..History::default()
+    }
 }
 
 fn samples(count: usize) -> Vec<BodySample> {
@@ -288,9 +293,6 @@ pub(crate) fn statistics() -> RunStatistics {
         wall_seconds: 1734.2,
         threads: 8,
         outcome: Outcome::Finished,
-        warnings: vec![
-            "The cell size is more than a tenth of the thickness t: the drag may be 10 % too high.".into(),
-        ],
         advice: vec![
             "Run once more with grid.cell = \"3 mm\" to see how much the drag depends on the grid.".into(),
         ],

@@ -4,7 +4,7 @@ use super::Frame;
 use super::motion::{freedom, is_free};
 use crate::case::problem::Problems;
 use crate::case::ranges::{self, ANY, FRACTION, NOT_NEGATIVE, POSITIVE};
-use crate::case::resolved::{Axis, Body, Shape};
+use crate::case::resolved::{Axis, Body, Law, Shape};
 use crate::case::schema::Section;
 use glam::DVec3;
 
@@ -107,7 +107,7 @@ fn cylinder(section: &Section, frame: &Frame, problems: &mut Problems) -> Option
 fn ball(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Shape> {
     let diameter = ranges::required(section, "diameter", &POSITIVE, problems)?;
     if frame.slab.is_some() {
-        let message = "a ball has no plane strain";
+        let message = "shape = \"ball\" cannot be combined with plane_strain = true";
         problems.add(section.place_of("shape"), message, "take plane_strain out, or choose a disc");
         return None;
     }
@@ -170,7 +170,7 @@ fn wide_enough(section: &Section, key: &str, width: f64, frame: &Frame, problems
         return true;
     }
     let message = format!(
-        "only {cells:.2} cells across {}: the grid would not feel the body",
+        "only {cells:.2} cells across {}: too few to resolve the contact with the body",
         ranges::dotted(section, key)
     );
     let cure = format!(
@@ -191,13 +191,13 @@ fn shear_limit(section: &Section, frame: &Frame, problems: &mut Problems) -> Opt
         return Some(f64::INFINITY);
     }
     let factor = ranges::given(section, "adhesion_factor", &FRACTION, problems);
-    let Some(strength) = frame.shear_strength else {
+    let Some(Law::Tresca { shear_strength }) = frame.law else {
         let message = "`adhesion_factor` has a meaning only for soil with an undrained shear strength";
         let cure = "take it out, or choose law = \"tresca\"";
         problems.add(section.place_of("adhesion_factor"), message, cure);
         return None;
     };
-    Some(factor? * strength)
+    Some(factor? * shear_strength)
 }
 
 /// The mass, if it can be known; `None` outside when it was given wrongly.

@@ -1,9 +1,10 @@
-//! Where everything is: the bodies' path, the box, the fine zone, the ground.
+//! Where everything is: the bodies' path and the box.
 
 use super::Frame;
+use super::room::{Room, room};
 use crate::case::problem::Problems;
-use crate::case::ranges::{self, POSITIVE};
-use crate::case::resolved::{Body, Domain, Freedom, Ground, Wall};
+use crate::case::ranges;
+use crate::case::resolved::{Body, Domain, Freedom, Wall};
 use crate::case::schema::Section;
 use glam::DVec3;
 
@@ -53,6 +54,35 @@ pub(in crate::case) fn body_length(bodies: &[Body]) -> f64 {
     bodies.iter().map(length).fold(0.0, f64::max)
 }
 
+/// Soil below the bodies, and beside them, unless more is needed [body lengths]; chosen: the ground fails over some three
+/// sinkages, and a disc seldom sinks deeper than a third of its diameter.
+const LEAST_BELOW: f64 = 1.25;
+const LEAST_BESIDE: f64 = 1.5;
+/// Room above the soil unless more is needed [body lengths]; chosen: what a free disc pushes up stays far below it.
+const LEAST_ABOVE: f64 = 0.4;
+/// Cells that stay empty over the heap that is expected; chosen: a remap spreads its top over two.
+const OVER_HEAP: f64 = 2.0;
+
+/// The box unless the case says otherwise, cut by no plane of symmetry yet; `None` without bodies.
+///
+/// Room as [`room`] estimates it, and never less than what is usual.
+fn usual_box(frame: &Frame, bodies: &[Body], duration: f64) -> Option<Extent> {
+    let around = paths(bodies, duration)?;
+    let length = body_length(bodies);
+    let need = bodies.iter().map(|b| room(b, &frame.soil(), duration)).fold(Room::default(), Room::and);
+    let beside = |needed: f64| needed.max(LEAST_BESIDE * length);
+    let floor = around.low.z.min(frame.surface) - need.below.max(LEAST_BELOW * length);
+    let lid = (LEAST_ABOVE * length).max(need.above + OVER_HEAP * frame.cell);
+    Some(Extent {
+        low: DVec3::new(around.low.x - beside(need.along[0]), around.low.y - beside(need.beside), floor),
+        high: DVec3::new(
+            around.high.x + beside(need.along[1]),
+            around.high.y + beside(need.beside),
+            frame.surface + lid,
+        ),
+    })
+}
+
 /// The box that is modelled.
 pub(super) fn domain(
     section: &Section,
@@ -61,22 +91,15 @@ pub(super) fn domain(
     duration: f64,
     problems: &mut Problems,
 ) -> Option<Domain> {
-    let length = body_length(bodies);
-    let around = paths(bodies, duration);
+    let usual = usual_box(frame, bodies, duration);
     let least = |is_cut: bool| if is_cut { 0.0 } else { f64::NEG_INFINITY };
     let (low_x, low_y) = (least(frame.symmetric_x), least(frame.symmetric));
-    let default = around.map(|p| [low_x.max(p.low.x - 1.5 * length), p.high.x + 1.5 * length]);
-    let x = range(section, "x", default, problems);
+    let x = range(section, "x", usual.map(|u| [low_x.max(u.low.x), u.high.x]), problems);
     let y = match frame.slab {
         Some(slab) => Some([slab.middle - 0.5 * slab.width, slab.middle + 0.5 * slab.width]),
-        None => {
-            let default = around.map(|p| [low_y.max(p.low.y - 1.5 * length), p.high.y + 1.5 * length]);
-            range(section, "y", default, problems)
-        }
+        None => range(section, "y", usual.map(|u| [low_y.max(u.low.y), u.high.y]), problems),
     };
-    let lowest = around.map_or(frame.surface, |p| p.low.z.min(frame.surface));
-    let default = around.map(|_| [lowest - 1.25 * length, frame.surface + 0.4 * length]);
-    let z = range(section, "z", default, problems);
+    let z = range(section, "z", usual.map(|u| [u.low.z, u.high.z]), problems);
     let walls = walls(section, frame, problems);
     let ([x0, x1], [y0, y1], [z0, z1]) = (x?, y?, z?);
     for (is_cut, key, low) in [(frame.symmetric_x, "x", x0), (frame.symmetric, "y", y0)] {
@@ -139,85 +162,6 @@ fn walls(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<[[
         return None;
     }
     Some(walls)
-}
-
-/// Where soil is.
-pub(super) fn ground(
-    section: &Section,
-    surface: f64,
-    domain: &Domain,
-    problems: &mut Problems,
-) -> Option<Ground> {
-    if surface <= domain.low.z || surface > domain.high.z {
-        let message = format!(
-            "the soil's surface z = {surface} m is not inside the box, z = {} to {} m",
-            domain.low.z, domain.high.z
-        );
-        problems.add(section.place_of("surface"), message, "change ground.surface or domain.z");
-        return None;
-    }
-    if !["x", "y", "radius"].iter().any(|key| section.has(key)) {
-        return Some(Ground::Level { surface });
-    }
-    let radius = ranges::given(section, "radius", &POSITIVE, problems);
-    if section.has("radius") {
-        radius?;
-    }
-    if radius.is_some() && domain.plane_strain {
-        let message = "plane strain has no round column";
-        problems.add(section.place_of("radius"), message, "take `radius` out, and give ground.x");
-        return None;
-    }
-    let within = |axis: usize| {
-        let [low, high] = [domain.low[axis], domain.high[axis]];
-        radius.map_or([low, high], |r| [low.max(-r), high.min(r)])
-    };
-    let x = range(section, "x", Some(within(0)), problems);
-    let y = range(section, "y", Some(within(1)), problems);
-    let ([x0, x1], [y0, y1]) = (x?, y?);
-    for (axis, key, low, high) in [(0, "x", x0, x1), (1, "y", y0, y1)] {
-        if low < domain.low[axis] || high > domain.high[axis] {
-            let message = format!("the soil is partly outside the box along {key}");
-            problems.add(section.place_of(key), message, format!("change ground.{key} or domain.{key}"));
-            return None;
-        }
-    }
-    let (low, high) = (DVec3::new(x0, y0, domain.low.z), DVec3::new(x1, y1, surface));
-    Some(Ground::Column { low, high, radius })
-}
-
-/// Velocity of the soil at the start [m/s]: none through a plane of symmetry.
-pub(super) fn velocity(section: &Section, domain: &Domain, problems: &mut Problems) -> Option<DVec3> {
-    if !section.has("velocity") {
-        return Some(DVec3::ZERO);
-    }
-    let typed = section.list("velocity")?;
-    let parts: Vec<f64> = typed.value.iter().map(|part| part.value).collect();
-    let velocity = match (parts.as_slice(), domain.plane_strain) {
-        (&[x, z], true) => DVec3::new(x, 0.0, z),
-        (&[x, y, z], false) => DVec3::new(x, y, z),
-        (_, plane_strain) => {
-            let cure = if plane_strain {
-                "in plane strain give it along x and z"
-            } else {
-                "give it along x, y and z"
-            };
-            problems.add(&typed.place, format!("a velocity of {} components", parts.len()), cure);
-            return None;
-        }
-    };
-    for (is_cut, axis) in [(domain.symmetric_x, 0), (domain.symmetric, 1)] {
-        if is_cut && velocity[axis] != 0.0 {
-            let message = "the soil moves through a plane of symmetry";
-            problems.add(
-                &typed.value[axis].place,
-                message,
-                "write \"0 m/s\" there, or model the whole width",
-            );
-            return None;
-        }
-    }
-    Some(velocity)
 }
 
 #[cfg(test)]

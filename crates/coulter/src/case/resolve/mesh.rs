@@ -4,12 +4,17 @@ use super::Frame;
 use super::extent::{Extent, body_length, paths, range};
 use super::fit::fit;
 use super::grading::{self, Axis};
+use super::room::room;
 use crate::case::problem::Problems;
 use crate::case::quantity::plain;
 use crate::case::ranges::{self, GROWTH};
 use crate::case::resolved::{Body, Domain, Grid, Ground};
 use crate::case::schema::Section;
 use glam::DVec3;
+
+/// How far the fine zone reaches above the soil at least, and at most where a higher heap is expected [body lengths];
+/// chosen: the heap's foot carries its weight, and its top little.
+const FINE_ABOVE: [f64; 2] = [0.25, 0.5];
 
 /// The fine zone unless the case says otherwise: round the path of the bodies, or everywhere without any.
 pub(super) fn usual_fine_zone(frame: &Frame, domain: &Domain, bodies: &[Body], duration: f64) -> Extent {
@@ -19,7 +24,9 @@ pub(super) fn usual_fine_zone(frame: &Frame, domain: &Domain, bodies: &[Body], d
     let length = body_length(bodies);
     let low = path.low - length * DVec3::new(0.5, 0.25, 0.5);
     let high = path.high + length * DVec3::new(0.5, 0.25, 0.0);
-    let high = high.with_z(frame.surface + 0.25 * length);
+    let heap = bodies.iter().map(|b| room(b, &frame.soil(), duration).above).fold(0.0, f64::max);
+    let [least, most] = FINE_ABOVE.map(|share| share * length);
+    let high = high.with_z(frame.surface + heap.clamp(least, most));
     Extent { low: low.max(domain.low), high: high.min(domain.high) }
 }
 

@@ -6,8 +6,10 @@ pub(super) mod extent;
 mod fit;
 mod forecast;
 mod grading;
+mod ground;
 mod mesh;
 mod motion;
+pub(super) mod room;
 mod soil;
 mod timing;
 
@@ -16,6 +18,7 @@ use super::problem::Problems;
 use super::ranges::{self, ANY, NOT_NEGATIVE, POSITIVE, SHARE};
 use super::resolved::{Body, Case, Contact, Law, Numerics, Precision};
 use super::schema::{Schema, Section};
+use glam::DVec3;
 
 /// What the parts of a case share.
 pub(super) struct Frame {
@@ -28,10 +31,27 @@ pub(super) struct Frame {
     symmetric: bool,
     /// Whether x = 0 is a plane of symmetry.
     symmetric_x: bool,
-    /// Undrained shear strength of the soil [Pa], if it has one.
-    shear_strength: Option<f64>,
+    /// Strength of the soil, if it could be read.
+    law: Option<Law>,
+    /// Velocity of the soil at the start [m/s], as typed.
+    velocity: DVec3,
     /// The slab of a plane strain case.
     slab: Option<Slab>,
+}
+
+impl Frame {
+    /// The soil as far as the room depends on it that it needs.
+    fn soil(&self) -> room::Soil {
+        room::Soil {
+            law: self.law.unwrap_or(Law::Elastic),
+            surface: self.surface,
+            floor: f64::NEG_INFINITY,
+            velocity: self.velocity,
+            gravity: self.gravity,
+            plane_strain: self.slab.is_some(),
+            confined: false,
+        }
+    }
 }
 
 /// The slab of a plane strain case.
@@ -66,9 +86,9 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
     let output = duration.and_then(|d| timing::output(&schema.output, d, problems));
     let (frame, bodies, duration) = (frame?, bodies?, duration?);
     let domain = extent::domain(&schema.domain, &frame, &bodies, duration, problems)?;
-    let ground = extent::ground(&schema.ground, frame.surface, &domain, problems)?;
+    let ground = ground::ground(&schema.ground, frame.surface, &domain, problems)?;
     let soil = soil?;
-    let velocity = extent::velocity(&schema.ground, &domain, problems)?;
+    let velocity = ground::velocity(&schema.ground, &domain, problems)?;
     let overburden = soil::overburden(&schema.ground, &soil, ground.surface(), &domain, problems)?;
     checks::bodies_fit(schema, &bodies, &domain, duration, problems);
     let usual = mesh::usual_fine_zone(&frame, &domain, &bodies, duration);
@@ -116,11 +136,9 @@ fn frame(schema: &Schema, gravity: f64, law: Option<Law>, problems: &mut Problem
     } else {
         None
     };
-    let shear_strength = match law {
-        Some(Law::Tresca { shear_strength }) => Some(shear_strength),
-        _ => None,
-    };
-    Some(Frame { gravity, cell, surface: surface?, symmetric, symmetric_x, shear_strength, slab })
+    let velocity = ground::typed_velocity(&schema.ground);
+    let surface = surface?;
+    Some(Frame { gravity, cell, surface, symmetric, symmetric_x, law, velocity, slab })
 }
 
 /// All bodies, or `None` if any of them is wrong.

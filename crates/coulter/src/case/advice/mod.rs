@@ -1,12 +1,17 @@
 //! Doubts about a case that can be run: is the grid fine enough, the tow slow enough, the box large enough?
 
+mod pace;
+mod space;
+
 use super::Case;
 use super::estimate::estimate;
 use super::resolve::extent::{body_length, path};
 use super::resolved::{Body, Freedom, Law, Potential};
+use analytic::earth_pressure::{Face, rankine};
 use glam::DVec3;
 use physics::elastic::Elastic;
 use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
+use std::f64::consts::FRAC_PI_2;
 
 /// Warnings, each a sentence or two; empty for a case without doubts.
 #[must_use]
@@ -15,8 +20,8 @@ pub fn advice(case: &Case) -> Vec<String> {
     for body in &case.bodies {
         resolution(case, body, &mut notes);
         fine_zone(case, body, &mut notes);
-        room(case, body, &mut notes);
-        speed(case, body, &mut notes);
+        space::walls_and_lid(case, body, &mut notes);
+        pace::speed(case, body, &mut notes);
     }
     overlaps(case, &mut notes);
     timing(case, &mut notes);
@@ -27,14 +32,16 @@ pub fn advice(case: &Case) -> Vec<String> {
     notes
 }
 
-/// Bodies whose boxes overlap at the start; they do not feel each other.
+/// Bodies whose boxes overlap at the start: contact between bodies is not modelled.
 fn overlaps(case: &Case, notes: &mut Vec<String>) {
     for (n, one) in case.bodies.iter().enumerate() {
         for other in case.bodies.iter().skip(n + 1) {
             let (a, b) = (path(one, 0.0), path(other, 0.0));
             if a.low.cmplt(b.high).all() && b.low.cmplt(a.high).all() {
-                notes
-                    .push(format!("{} and {} overlap; bodies do not feel each other.", one.name, other.name));
+                notes.push(format!(
+                    "{} and {} may overlap (the boxes round them do): contact between bodies is not modelled.",
+                    one.name, other.name
+                ));
             }
         }
     }
@@ -73,76 +80,6 @@ fn fine_zone(case: &Case, body: &Body, notes: &mut Vec<String>) {
     }
 }
 
-/// Body lengths to a wall below which it is mentioned; chosen: soil fails over some three sinkages, and a disc seldom
-/// sinks deeper than a third of its diameter.
-const NEAR: f64 = 1.2;
-
-fn room(case: &Case, body: &Body, notes: &mut Vec<String>) {
-    let way = path(body, case.duration);
-    let length = body_length(std::slice::from_ref(body));
-    let (box_low, box_high) = (case.domain.low, case.domain.high);
-    let mut gaps = vec![("ahead", box_high.x - way.high.x), ("below", way.low.z - box_low.z)];
-    if !case.domain.plane_strain {
-        gaps.push(("beside", box_high.y - way.high.y));
-    }
-    let near: Vec<String> = gaps
-        .iter()
-        .filter(|(_, gap)| *gap > 0.0 && *gap < NEAR * length)
-        .map(|(side, gap)| format!("{:.2} body lengths {side}", gap / length))
-        .collect();
-    if !near.is_empty() {
-        notes.push(format!(
-            "{}: the walls are near ({}); try a larger box: 2 body lengths are on the safe side.",
-            body.name,
-            near.join(", ")
-        ));
-    }
-}
-
-/// Whether the motion is slow enough to be quasi-static.
-fn speed(case: &Case, body: &Body, notes: &mut Vec<String>) {
-    let fastest = body.translation.iter().map(prescribed_speed).fold(0.0, f64::max);
-    let length = body_length(std::slice::from_ref(body));
-    let deep = (-path(body, 0.0).low.z).max(0.1 * length);
-    let gravity = case.soil.unit_weight / case.soil.density;
-    let froude = fastest.powi(2) / (gravity * deep);
-    if gravity > 0.0 && froude > 0.2 {
-        notes.push(format!(
-            "{}: Froude number v²/(g z) = {froude:.2} taking z = {deep:.3} m: inertia will add to the force.",
-            body.name
-        ));
-    }
-    // Ordinary contact pressure of soil failing round the body, to compare numerical stresses with.
-    let pressure = match case.soil.law {
-        Law::MohrCoulomb { friction_angle, cohesion, .. } => {
-            let passive = (std::f64::consts::FRAC_PI_4 + 0.5 * friction_angle).tan().powi(2);
-            case.soil.unit_weight * deep * passive + 2.0 * cohesion * passive.sqrt()
-        }
-        Law::Tresca { shear_strength } => 5.0 * shear_strength,
-        // Half the yield stress in shear, give or take.
-        Law::VonMises { yield_stress, .. } => 2.5 * yield_stress,
-        Law::Elastic => f64::INFINITY,
-    };
-    let wave_speed = estimate(case).wave_speed_m_per_s;
-    // The strain rate is the speed over the length of the contact, √(z d), not over one cell: on the towed disc, where a
-    // cell's would make a third of the pressure, switching the viscosity off changes the drag by less than 1 %.
-    let contact = (deep * length).sqrt().max(case.grid.cell);
-    let speed_difference = fastest * case.grid.cell / contact;
-    let viscous = case.soil.density * wave_speed * case.numerics.bulk_viscosity_linear * speed_difference;
-    if viscous > 0.1 * pressure {
-        notes.push(format!(
-            "{}: bulk viscosity of {viscous:.0} Pa is {:.0} % of a contact pressure of about {pressure:.0} Pa; \
-             a slower motion or a smaller numerics.bulk_viscosity_linear makes it less.",
-            body.name,
-            100.0 * viscous / pressure
-        ));
-    }
-}
-
-fn prescribed_speed(freedom: &Freedom) -> f64 {
-    if let Freedom::Prescribed { speed, .. } = freedom { speed.abs() } else { 0.0 }
-}
-
 /// Whether ramps are gentle and intervals no shorter than a step.
 fn timing(case: &Case, notes: &mut Vec<String>) {
     let cost = estimate(case);
@@ -167,6 +104,13 @@ fn timing(case: &Case, notes: &mut Vec<String>) {
             cost.time_step_s
         ));
     }
+}
+
+/// Rankine's K_p; infinite where the closed form refuses the angle.
+fn passive_coefficient(friction_angle: f64) -> f64 {
+    let face = Face { friction_angle, wall_friction: 0.0, surface: FRAC_PI_2, backfill: 0.0 };
+    // Without friction the formula has nothing to say: soil at rest, K_p = 1.
+    if friction_angle == 0.0 { 1.0 } else { rankine(&face).unwrap_or(f64::INFINITY) }
 }
 
 fn strength(case: &Case, notes: &mut Vec<String>) {
@@ -201,7 +145,7 @@ fn strength(case: &Case, notes: &mut Vec<String>) {
             ));
         }
     }
-    let passive = (std::f64::consts::FRAC_PI_4 + 0.5 * friction_angle).tan().powi(2);
+    let passive = passive_coefficient(friction_angle);
     let at_rest = case.soil.rest_pressure_ratio;
     if cohesion == 0.0 && case.soil.unit_weight > 0.0 && !(1.0 / passive..=passive).contains(&at_rest) {
         notes.push(format!(

@@ -1,0 +1,40 @@
+//! What is asked of a run from outside while it goes on: to stop, or to write a checkpoint.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+/// A request.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Request {
+    /// To stop, by the signal of this number.
+    Stop(i32),
+    /// To write a checkpoint and go on.
+    Checkpoint,
+}
+
+/// Requests that have come in. Signal handlers set them, a run looks between two steps.
+#[derive(Clone, Debug, Default)]
+pub struct Interrupts {
+    /// Number of the signal that asks to stop; 0 for none.
+    pub stop: Arc<AtomicUsize>,
+    /// Whether a checkpoint is asked for.
+    pub checkpoint: Arc<AtomicBool>,
+}
+
+impl Interrupts {
+    /// Whether something is asked.
+    #[must_use]
+    pub fn is_pending(&self) -> bool {
+        self.stop.load(Ordering::Relaxed) != 0 || self.checkpoint.load(Ordering::Relaxed)
+    }
+
+    /// What is asked, if anything is. A stop stays asked for.
+    #[must_use]
+    pub fn take(&self) -> Option<Request> {
+        let signal = self.stop.load(Ordering::Relaxed);
+        if signal != 0 {
+            return Some(Request::Stop(i32::try_from(signal).unwrap_or(i32::MAX)));
+        }
+        self.checkpoint.swap(false, Ordering::Relaxed).then_some(Request::Checkpoint)
+    }
+}

@@ -1,0 +1,153 @@
+//! Whether a history that was read back from files can be one that a run wrote.
+
+use super::csv::forces_name;
+use super::record::{BodySample, EnergySample, History};
+
+/// Refuses a history that no run writes: without lines, with times that are not finite or do not increase, with forces,
+/// sinkages or energies that are not numbers.
+///
+/// Lines are counted as an editor does: the header is line 1.
+///
+/// # Errors
+/// Says file, line and column, what stands there, and what to do.
+pub fn validate_history(history: &History) -> Result<(), String> {
+    if history.bodies.len() != history.names.len() {
+        return Err(format!(
+            "the history has {} bodies and {} names; run the case again",
+            history.bodies.len(),
+            history.names.len()
+        ));
+    }
+    for (body, samples) in history.bodies.iter().enumerate() {
+        let file = forces_name(&history.names, body);
+        increasing(&file, samples, |s| s.time)?;
+        samples.iter().enumerate().try_for_each(|(n, s)| finite(&file, n, &body_columns(s)))?;
+    }
+    increasing("energy.csv", &history.energy, |s| s.time)?;
+    let mut lines = history.energy.iter().enumerate();
+    lines.try_for_each(|(n, s)| finite("energy.csv", n, &energy_columns(s)))
+}
+
+/// What every line of a body's history must hold; the turn ratio and the dimensionless columns may be empty.
+fn body_columns(s: &BodySample) -> [(&'static str, f64); 6] {
+    [
+        ("displacement u [m]", s.displacement),
+        ("sinkage z [m]", s.sinkage),
+        ("drag F_H [N]", s.drag),
+        ("vertical F_V [N]", s.vertical),
+        ("lateral [N]", s.lateral),
+        ("axle torque [N m]", s.axle_torque),
+    ]
+}
+
+fn energy_columns(s: &EnergySample) -> [(&'static str, f64); 5] {
+    [
+        ("external [J]", s.external),
+        ("kinetic [J]", s.kinetic),
+        ("elastic [J]", s.elastic),
+        ("plastic [J]", s.plastic),
+        ("volume ratio [-]", s.volume_ratio),
+    ]
+}
+
+/// Refuses no lines at all, and times that are not finite or not later than the one before.
+fn increasing<S>(file: &str, samples: &[S], time: impl Fn(&S) -> f64) -> Result<(), String> {
+    if samples.is_empty() {
+        return Err(format!(
+            "{file} has no line below its header; run the case, or go on with it by --resume"
+        ));
+    }
+    let mut last = f64::NEG_INFINITY;
+    for (n, now) in samples.iter().map(time).enumerate() {
+        if !now.is_finite() {
+            return Err(damaged(file, n, "time [s]", &format!("{now}, where a finite number is expected")));
+        }
+        if now <= last {
+            let why = format!("{now}, where a time later than {last} s on the line before is expected");
+            return Err(damaged(file, n, "time [s]", &why));
+        }
+        last = now;
+    }
+    Ok(())
+}
+
+fn finite(file: &str, sample: usize, columns: &[(&str, f64)]) -> Result<(), String> {
+    match columns.iter().find(|(_, value)| !value.is_finite()) {
+        Some((name, value)) => {
+            Err(damaged(file, sample, name, &format!("{value}, where a finite number is expected")))
+        }
+        None => Ok(()),
+    }
+}
+
+fn damaged(file: &str, sample: usize, column: &str, what: &str) -> String {
+    format!(
+        "{file}, line {}, column `{column}`: {what}; the file is damaged: take it from a backup, or run the case again \
+         with --force",
+        sample + 2
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn history(lines: u32) -> History {
+        let time = |n: u32| 0.1 * f64::from(n);
+        let body = (1..=lines).map(|n| BodySample { time: time(n), ..BodySample::default() }).collect();
+        let energy = (1..=lines).map(|n| EnergySample { time: time(n), ..EnergySample::default() }).collect();
+        History { names: vec!["disc".into()], bodies: vec![body], energy }
+    }
+
+    fn refusal(damage: impl Fn(&mut History)) -> String {
+        let mut damaged = history(3);
+        damage(&mut damaged);
+        validate_history(&damaged).unwrap_err()
+    }
+
+    #[test]
+    fn what_a_run_writes_is_taken() {
+        assert_eq!(validate_history(&history(3)), Ok(()));
+        let without_bodies = History { names: vec![], bodies: vec![], ..history(2) };
+        assert_eq!(validate_history(&without_bodies), Ok(()), "a column has no body");
+    }
+
+    #[test]
+    fn a_header_alone_is_refused() {
+        assert!(refusal(|h| h.bodies[0].clear()).starts_with("forces.csv has no line"));
+        assert!(refusal(|h| h.energy.clear()).starts_with("energy.csv has no line"));
+    }
+
+    #[test]
+    fn what_is_not_a_number_is_named_with_line_and_column() {
+        let told = refusal(|h| h.bodies[0][1].drag = f64::NAN);
+        assert!(told.starts_with("forces.csv, line 3, column `drag F_H [N]`: NaN"), "{told}");
+        let told = refusal(|h| h.bodies[0][2].sinkage = f64::INFINITY);
+        assert!(told.contains("line 4, column `sinkage z [m]`: inf"), "{told}");
+        let told = refusal(|h| h.energy[0].plastic = f64::NAN);
+        assert!(told.starts_with("energy.csv, line 2, column `plastic [J]`"), "{told}");
+    }
+
+    #[test]
+    fn time_that_stands_still_or_runs_backwards_is_refused() {
+        for time in [0.2, 0.1] {
+            let told = refusal(|h| h.bodies[0][2].time = time);
+            assert!(
+                told.contains("line 4, column `time [s]`") && told.contains("later than 0.2 s"),
+                "{told}"
+            );
+        }
+        assert!(
+            refusal(|h| h.energy[1].time = f64::NAN).contains("energy.csv, line 3, column `time [s]`: NaN")
+        );
+    }
+
+    #[test]
+    fn files_of_several_bodies_are_named() {
+        let mut two = history(2);
+        two.names.push("block".into());
+        two.bodies.push(two.bodies[0].clone());
+        two.bodies[1][0].vertical = f64::NAN;
+        assert!(validate_history(&two).unwrap_err().starts_with("forces_block.csv, line 2"));
+    }
+}

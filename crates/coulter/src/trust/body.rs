@@ -1,0 +1,136 @@
+//! Checks of one body: its motion, its forces, and how well the grid resolves it.
+
+use super::limits::{self, Limit};
+use super::steadiness::Trend;
+use super::{BodySetting, Check, Setting};
+use crate::output::record::{BodySample, History};
+use crate::output::reference::Reference;
+use crate::output::steady::{Steady, is_tow, steady, window};
+
+/// A body with everything that is known of it.
+pub(super) struct Scene<'a> {
+    pub(super) setting: &'a Setting,
+    pub(super) body: &'a BodySetting,
+    pub(super) reference: &'a Reference,
+    pub(super) samples: &'a [BodySample],
+    pub(super) history: &'a History,
+    pub(super) share: f64,
+}
+
+impl Scene<'_> {
+    pub(super) fn checks(&self) -> Vec<Check> {
+        let range = window(self.samples, self.reference, self.share);
+        let steady = steady(self.samples, self.reference, range.clone());
+        let inside = self.samples.get(range).unwrap_or_default();
+        let mut checks = vec![self.check(&limits::LEAK, self.leak())];
+        checks.extend(self.resolution(&steady));
+        if is_tow(self.samples, self.reference) {
+            checks.extend(self.trends(inside, &steady));
+            checks.extend(steady.drag_noise.map(|noise| self.check(&limits::NOISE, 100.0 * noise)));
+            checks.extend(self.froude(inside, &steady));
+            checks.extend(self.free_wheel(&steady));
+        }
+        checks.extend(self.heave(&steady));
+        checks
+    }
+
+    fn check(&self, limit: &'static Limit, value: f64) -> Check {
+        Check::of(limit, Some(&self.body.name), value)
+    }
+
+    /// Soil inside the body over its embedded volume at the end [%]; a body that hardly touches the soil has none.
+    fn leak(&self) -> f64 {
+        let Some(end) = self.samples.last() else { return 0.0 };
+        let cell: f64 = self.body.cell.iter().product();
+        if end.leaked_volume <= 1e-3 * cell { 0.0 } else { 100.0 * end.leaked_volume / end.embedded_volume }
+    }
+
+    /// Cells over sinkage, contact chord and width, where the force depends on them.
+    fn resolution(&self, steady: &Steady) -> Vec<Check> {
+        let mesh = Mesh::of(self.body, self.reference, self.samples, steady);
+        let mut checks = Vec::new();
+        checks.extend(mesh.cells_over_sinkage.map(|n| self.check(&limits::SINKAGE_CELLS, n)));
+        checks.extend(mesh.cells_over_chord.map(|n| self.check(&limits::CHORD_CELLS, n)));
+        checks.extend(self.body.extent[1].map(|y| self.check(&limits::WIDTH_CELLS, y / self.body.cell[1])));
+        checks
+    }
+
+    fn trends(&self, inside: &[BodySample], steady: &Steady) -> Vec<Check> {
+        let trend = |value: fn(&BodySample) -> f64| {
+            Trend::of(&inside.iter().map(value).collect::<Vec<_>>()).map_or(f64::INFINITY, |t| t.change.abs())
+        };
+        let vertical = steady.vertical.unwrap_or(0.0).abs();
+        // Of a body that hardly drags the drag is compared with what it carries.
+        let drag = steady.drag.unwrap_or(0.0).abs().max(0.1 * vertical);
+        let share = |change: f64, scale: f64| if scale > 0.0 { 100.0 * change / scale } else { 0.0 };
+        let mut checks = vec![self.check(&limits::STEADY_DRAG, share(trend(|s| s.drag), drag))];
+        if self.body.heaves_freely {
+            let depth = steady.sinkage.unwrap_or(0.0).abs().max(self.body.cell[2]);
+            checks.push(self.check(&limits::STEADY_SINKAGE, share(trend(|s| s.sinkage), depth)));
+        }
+        checks
+    }
+
+    fn froude(&self, inside: &[BodySample], steady: &Steady) -> Option<Check> {
+        let depth = steady.sinkage.filter(|z| *z > 0.0)?;
+        let speed = inside.iter().map(|s| s.speed.abs()).sum::<f64>() / inside.len().max(1) as f64;
+        let froude = speed.powi(2) / (self.setting.gravity * depth);
+        (self.setting.gravity > 0.0).then(|| self.check(&limits::FROUDE, froude))
+    }
+
+    /// How far a wheel without torque is from what such a wheel can do.
+    fn free_wheel(&self, steady: &Steady) -> Option<Check> {
+        let ratio = steady.turn_ratio.filter(|_| self.body.turns_freely)?;
+        Some(self.check(&limits::FREE_WHEEL, (-ratio).max(ratio - 1.0).max(0.0)))
+    }
+
+    /// A body that moves up and down stays in the ground, and above the floor.
+    fn heave(&self, steady: &Steady) -> Vec<Check> {
+        let mut checks = Vec::new();
+        if self.body.heaves_freely
+            && self.has_touched()
+            && let (Some(sinkage), Some(height)) = (steady.sinkage, self.body.extent[2])
+        {
+            checks.push(self.check(&limits::RIDING_HEIGHT, (-100.0 * sinkage / height).max(0.0)));
+        }
+        if self.body.heaves {
+            let deepest = self.samples.iter().map(|s| s.sinkage).fold(f64::NEG_INFINITY, f64::max);
+            let room = (self.setting.floor_depth - deepest) / self.body.cell[2];
+            checks.push(self.check(&limits::BODY_IN_BOX, room));
+        }
+        checks
+    }
+
+    /// Whether the body has been in the soil.
+    fn has_touched(&self) -> bool {
+        !self.history.boundaries.is_empty()
+            && self.samples.iter().any(|s| s.sinkage > 0.0 || s.vertical > 0.0)
+    }
+}
+
+/// How well the grid resolves a body's contact with the ground.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Mesh {
+    /// Sinkage in the steady window over the cell height; `None` where the force does not depend on it.
+    pub cells_over_sinkage: Option<f64>,
+    /// Length of the contact along the tow over the cell width.
+    pub cells_over_chord: Option<f64>,
+}
+
+impl Mesh {
+    /// The sinkage counts for what is towed and for what has a round bottom, not for a flat base that is pressed down.
+    #[must_use]
+    pub fn of(body: &BodySetting, reference: &Reference, samples: &[BodySample], steady: &Steady) -> Self {
+        let depth = steady.sinkage.map(|z| z.max(0.0));
+        let matters = is_tow(samples, reference) || body.diameter.is_some();
+        let chord = match (body.diameter, depth) {
+            (Some(d), Some(z)) if z < 0.5 * d => Some(2.0 * (z * (d - z)).sqrt()),
+            (Some(d), _) => Some(d),
+            (None, _) => body.extent[0],
+        };
+        Self {
+            cells_over_sinkage: depth.filter(|_| matters).map(|z| z / body.cell[2]),
+            cells_over_chord: chord.map(|c| c / body.cell[0]),
+        }
+    }
+}

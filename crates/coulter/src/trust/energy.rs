@@ -1,0 +1,75 @@
+//! Checks of what the whole model conserves, and of what it does at the faces of the box.
+
+use super::limits::{self, Limit};
+use super::{Check, Setting};
+use crate::output::record::{BodySample, EnergySample, History};
+
+/// Energy and volume at the end of the run.
+pub(super) fn checks(setting: &Setting, history: &History) -> Vec<Check> {
+    let Some(end) = history.energy.last() else { return Vec::new() };
+    let scale = end.scale();
+    let share = |energy: f64| if scale > setting.energy_floor { 100.0 * energy.abs() / scale } else { 0.0 };
+    let check = |limit: &'static Limit, value: f64| Check::of(limit, None, value);
+    vec![
+        check(&limits::ENERGY_BALANCE, share(end.unexplained())),
+        check(&limits::HOURGLASS, share(end.hourglass)),
+        check(&limits::VISCOUS, share(end.viscous)),
+        check(&limits::REMAP_LOSS, share(end.remap_loss)),
+        check(&limits::CONTACT_ENERGY, share(end.contact)),
+        check(&limits::VOLUME, volume_change(setting, end)),
+    ]
+}
+
+/// Change of the soil volume [%]; of soil that dilates only what is lost.
+fn volume_change(setting: &Setting, end: &EnergySample) -> f64 {
+    let change = 100.0 * (end.volume_ratio - 1.0);
+    if setting.dilates && change > 0.0 { 0.0 } else { change.abs() }
+}
+
+/// Lid, walls and floor.
+pub(super) fn boundary_checks(_setting: &Setting, history: &History) -> Vec<Check> {
+    let samples = &history.boundaries;
+    if samples.is_empty() {
+        return Vec::new();
+    }
+    let most = |value: fn(&crate::output::record::BoundarySample) -> f64| {
+        samples.iter().map(value).fold(0.0, |most: f64, v| if v > most || v.is_nan() { v } else { most })
+    };
+    let mut checks = vec![
+        Check::of(&limits::LID, None, lid_share(most(|s| s.lid_force), most(|s| s.lid_area), history)),
+        Check::of(&limits::WALLS, None, 1e4 * most(|s| s.wall_area)),
+    ];
+    if let Some(share) = stress_share(history) {
+        checks.push(Check::of(&limits::BOUNDARY_STRESS, None, share));
+    }
+    checks
+}
+
+/// Force on the lid over that on the bodies [%]; without a body the weight of the argument is the area alone.
+fn lid_share(force: f64, area: f64, history: &History) -> f64 {
+    let most = (0..history.boundaries.len()).map(|n| body_force(history, n)).fold(0.0, f64::max);
+    if most > 0.0 {
+        100.0 * force / most
+    } else if area > 0.0 {
+        1.0
+    } else {
+        0.0
+    }
+}
+
+/// Sum of the forces on the bodies at one sample [N].
+fn body_force(history: &History, n: usize) -> f64 {
+    let size = |s: &BodySample| s.drag.hypot(s.vertical).hypot(s.lateral);
+    history.bodies.iter().filter_map(|samples| samples.get(n)).map(size).sum()
+}
+
+/// Rise of the pressure at walls and floor over the mean contact pressure [%], over the last third of the run.
+fn stress_share(history: &History) -> Option<f64> {
+    let count = history.boundaries.len();
+    let last = 2 * count / 3..count;
+    let mean = |value: &dyn Fn(usize) -> f64| last.clone().map(value).sum::<f64>() / last.len() as f64;
+    let force = mean(&|n| body_force(history, n));
+    let area = mean(&|n| history.boundaries[n].contact_area);
+    let rise = mean(&|n| history.boundaries[n].stress_rise);
+    (force > 0.0 && area > 0.0).then(|| 100.0 * rise.max(0.0) * area / force)
+}

@@ -1,0 +1,333 @@
+//! The one table of limits: what is good, what is doubtful, and why there.
+
+use super::Verdict;
+
+/// What a figure is held against.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limit {
+    /// Name of the check.
+    pub name: &'static str,
+    /// Unit of figure and limits.
+    pub unit: &'static str,
+    /// Up to (or, where more is better, down to) here it is good.
+    pub good: f64,
+    /// Beyond that, up to here it is doubtful, and then broken; infinite for never broken.
+    pub doubtful: f64,
+    /// Whether a large figure is the better one.
+    pub more_is_better: bool,
+    /// What the figure is.
+    pub meaning: &'static str,
+    /// Why the limits are where they are.
+    pub reason: &'static str,
+    /// What to do when the figure is not good.
+    pub advice: &'static str,
+}
+
+impl Limit {
+    /// The verdict on a figure; what is not a number is broken.
+    #[must_use]
+    pub fn verdict(&self, value: f64) -> Verdict {
+        let sign = if self.more_is_better { -1.0 } else { 1.0 };
+        if value.is_nan() {
+            Verdict::Broken
+        } else if sign * value <= sign * self.good {
+            Verdict::Good
+        } else if self.doubtful.is_infinite() || sign * value <= sign * self.doubtful {
+            Verdict::Doubtful
+        } else {
+            Verdict::Broken
+        }
+    }
+}
+
+const NEVER: f64 = f64::INFINITY;
+
+/// Whether the run came to its end without a breakdown.
+pub const COMPLETED: Limit = Limit {
+    name: "completed",
+    unit: "",
+    good: 0.0,
+    doubtful: 0.0,
+    more_is_better: false,
+    meaning: "1 if the run was stopped because it could not be believed any more",
+    reason: "what broke down is not a result",
+    advice: "",
+};
+
+/// Energy that no entry of the balance explains.
+pub const ENERGY_BALANCE: Limit = Limit {
+    name: "energy balance",
+    unit: "%",
+    good: 1.0,
+    doubtful: 5.0,
+    more_is_better: false,
+    meaning: "unexplained energy over the largest of external work, plastic dissipation and kinetic energy",
+    reason: "runs of the verification suite that agree with exact solutions stay below 1 %; 5 % is the error that is asked of forces",
+    advice: "take a smaller numerics.courant, a slower motion or a finer grid",
+};
+
+/// Share of hourglass viscosity.
+pub const HOURGLASS: Limit = Limit {
+    name: "hourglass energy",
+    unit: "%",
+    good: 2.0,
+    doubtful: 10.0,
+    more_is_better: false,
+    meaning: "work of hourglass viscosity over the external work",
+    reason: "a force that does this share of the work is in the result; 10 % is the bound that finite-element practice sets",
+    advice: "take a finer grid, or a smaller numerics.hourglass_yielding",
+};
+
+/// Share of bulk viscosity.
+pub const VISCOUS: Limit = Limit {
+    name: "viscous energy",
+    unit: "%",
+    good: 5.0,
+    doubtful: 20.0,
+    more_is_better: false,
+    meaning: "work of bulk viscosity over the external work",
+    reason: "as for hourglass energy; bulk viscosity also damps waves that are there, so more of it is harmless",
+    advice: "move more slowly, or take a smaller numerics.bulk_viscosity_linear",
+};
+
+/// Energy lost in remaps.
+pub const REMAP_LOSS: Limit = Limit {
+    name: "remap loss",
+    unit: "%",
+    good: 10.0,
+    doubtful: NEVER,
+    more_is_better: false,
+    meaning: "kinetic and elastic energy lost (or, with ψ > 0, gained) in remaps over the external work",
+    reason: "what mixing destroys did not become force; the loss falls with the cell size",
+    advice: "take a finer grid; with ψ > 0 set soil.critical_density",
+};
+
+/// Energy of the contact method.
+pub const CONTACT_ENERGY: Limit = Limit {
+    name: "contact energy",
+    unit: "%",
+    good: 5.0,
+    doubtful: 20.0,
+    more_is_better: false,
+    meaning: "work that the contact method itself stores, takes or gives over the external work",
+    reason: "it stands for corrections of overlap and gap, not for soil; 5 % is the error that is asked of forces",
+    advice: "take a finer grid, or move more slowly",
+};
+
+/// Soil volume.
+pub const VOLUME: Limit = Limit {
+    name: "soil volume",
+    unit: "%",
+    good: 0.5,
+    doubtful: 2.0,
+    more_is_better: false,
+    meaning: "change of the soil volume since the start (with ψ > 0 only its loss)",
+    reason: "0.5 % is the tolerance of the verification suite (C3); elastic compression under loads is far below",
+    advice: "take a finer grid; a stiffer soil compresses less",
+};
+
+/// Soil inside a body.
+pub const LEAK: Limit = Limit {
+    name: "leak",
+    unit: "%",
+    good: 0.1,
+    doubtful: 1.0,
+    more_is_better: false,
+    meaning: "soil inside the body over the body's volume below the surface",
+    reason: "soil that leaks into a body is not pushed by it; the verification suite asks for 0.1 % (C4)",
+    advice: "take a finer grid, or a body with fewer sharp edges off the grid",
+};
+
+/// Froude number.
+pub const FROUDE: Limit = Limit {
+    name: "Froude number",
+    unit: "",
+    good: 0.3,
+    doubtful: NEVER,
+    more_is_better: false,
+    meaning: "v²/(g z) of speed and sinkage in the steady window",
+    reason: "inertia adds about ρ v² to a passive pressure γ z K_p, that is Fr/K_p: at 0.3 and φ = 35° 8 %; it is physics, not an error, but no quasi-static force",
+    advice: "tow more slowly if a quasi-static force is wanted",
+};
+
+/// Noise of the drag.
+pub const NOISE: Limit = Limit {
+    name: "drag noise",
+    unit: "%",
+    good: 10.0,
+    doubtful: NEVER,
+    more_is_better: false,
+    meaning: "scatter of the drag about its moving average over 0.02 d, over its mean",
+    reason: "the mean over a window of ten independent swings is then known to 3 %",
+    advice: "take a finer grid or a longer tow",
+};
+
+/// Trend of the drag.
+pub const STEADY_DRAG: Limit = Limit {
+    name: "steady drag",
+    unit: "%",
+    good: 10.0,
+    doubtful: NEVER,
+    more_is_better: false,
+    meaning: "change of the drag over the steady window: the trend of eight block averages, over their mean",
+    reason: "a mean over a window in which the force changes by 10 % is within 5 % of either end",
+    advice: "tow farther; the average is that of a force that still changes",
+};
+
+/// Trend of the sinkage.
+pub const STEADY_SINKAGE: Limit = Limit {
+    name: "steady sinkage",
+    unit: "%",
+    good: 10.0,
+    doubtful: NEVER,
+    more_is_better: false,
+    meaning: "change of the sinkage over the steady window: the trend of eight block averages, over their mean (at least one cell)",
+    reason: "as for the drag",
+    advice: "tow farther; the body still sinks or rises",
+};
+
+/// Resolution of the sinkage.
+pub const SINKAGE_CELLS: Limit = Limit {
+    name: "cells over sinkage",
+    unit: "cells",
+    good: 4.0,
+    doubtful: NEVER,
+    more_is_better: true,
+    meaning: "sinkage in the steady window over the cell height",
+    reason: "sinkage of the shipped disc changes by 20 % while it is about one cell, drag of embedded bodies by a few per cent from four cells on",
+    advice: "make grid.cell smaller",
+};
+
+/// Resolution of the contact.
+pub const CHORD_CELLS: Limit = Limit {
+    name: "cells over contact chord",
+    unit: "cells",
+    good: 8.0,
+    doubtful: NEVER,
+    more_is_better: true,
+    meaning: "length of the contact with the ground along the tow over the cell width",
+    reason: "forces of the verification suite's footings, plates and cylinders are within some 5 % from 8 cells on",
+    advice: "make grid.cell smaller",
+};
+
+/// Resolution of the width.
+pub const WIDTH_CELLS: Limit = Limit {
+    name: "cells over width",
+    unit: "cells",
+    good: 4.0,
+    doubtful: NEVER,
+    more_is_better: true,
+    meaning: "width of the body over the cell width, across the tow",
+    reason: "below 4 cells forces are uncertain by tens of per cent",
+    advice: "make grid.cell smaller",
+};
+
+/// Whether a free body is lifted off the ground.
+pub const RIDING_HEIGHT: Limit = Limit {
+    name: "riding height",
+    unit: "%",
+    good: 5.0,
+    doubtful: 25.0,
+    more_is_better: false,
+    meaning: "height of a free body's lowest point above the undisturbed surface in the steady window, over the body's height",
+    reason: "a heavy body sinks; it rides up on a heap of a few per cent of its height at most",
+    advice: "look at the pictures: soil with ψ > 0 that dilates without end, or numerical forces, may carry it",
+};
+
+/// Turning of a free wheel.
+pub const FREE_WHEEL: Limit = Limit {
+    name: "turn ratio of a free wheel",
+    unit: "",
+    good: 0.1,
+    doubtful: 0.5,
+    more_is_better: false,
+    meaning: "how far ω r/v of a body that turns freely lies outside 0 to 1 in the steady window",
+    reason: "without a torque on its axle a towed wheel turns forward and slides: 0 ≤ ω r/v ≤ 1",
+    advice: "look at the axle torque; a tow that has just begun or a coarse grid may do this",
+};
+
+/// Room between a body and the end of the box.
+pub const BODY_IN_BOX: Limit = Limit {
+    name: "room for the body",
+    unit: "cells",
+    good: 4.0,
+    doubtful: 0.0,
+    more_is_better: true,
+    meaning: "least distance of a body that moves up or down from the floor, over the cell height",
+    reason: "nearer than a few cells the floor carries it; below the floor it has left the box",
+    advice: "make domain.z deeper",
+};
+
+/// Soil at the lid.
+pub const LID: Limit = Limit {
+    name: "soil at the lid",
+    unit: "%",
+    good: 0.1,
+    doubtful: 2.0,
+    more_is_better: false,
+    meaning: "largest force of the soil on the lid over the largest force on the bodies",
+    reason: "the lid is no part of the problem: what it holds back loads the soil before the body",
+    advice: "raise the upper end of domain.z and of grid.fine_z",
+};
+
+/// Soil at a wall that was bare.
+pub const WALLS: Limit = Limit {
+    name: "soil at bare walls",
+    unit: "cm²",
+    good: 0.0,
+    doubtful: NEVER,
+    more_is_better: false,
+    meaning: "largest area of side wall without soil at the start that soil has come to",
+    reason: "soil that reaches a wall would have gone on without it",
+    advice: "make domain.x or domain.y larger",
+};
+
+/// Stress at the boundaries.
+pub const BOUNDARY_STRESS: Limit = Limit {
+    name: "stress at the boundaries",
+    unit: "%",
+    good: 20.0,
+    doubtful: NEVER,
+    more_is_better: false,
+    meaning: "largest rise of the normal pressure on floor and side walls over the mean contact pressure, in the steady window",
+    reason: "in an elastic half space the pressure under a load on the area A falls to 20 % at a depth of 1.5 √A (Boussinesq 1885); nearer walls stiffen the ground",
+    advice: "make domain larger on the side that advice names",
+};
+
+/// Courant number.
+pub const STEP_SIZE: Limit = Limit {
+    name: "step size",
+    unit: "",
+    good: 0.6,
+    doubtful: 0.9,
+    more_is_better: false,
+    meaning: "Courant number of the time step",
+    reason: "elastic waves are stable up to 1, less what viscosity and partly filled cells take",
+    advice: "leave numerics.courant at its default, 0.5",
+};
+
+/// Every limit, in the order of the checks.
+pub const ALL: [&Limit; 22] = [
+    &COMPLETED,
+    &ENERGY_BALANCE,
+    &HOURGLASS,
+    &VISCOUS,
+    &REMAP_LOSS,
+    &CONTACT_ENERGY,
+    &VOLUME,
+    &LEAK,
+    &SINKAGE_CELLS,
+    &CHORD_CELLS,
+    &WIDTH_CELLS,
+    &STEADY_DRAG,
+    &STEADY_SINKAGE,
+    &NOISE,
+    &FROUDE,
+    &RIDING_HEIGHT,
+    &FREE_WHEEL,
+    &BODY_IN_BOX,
+    &LID,
+    &WALLS,
+    &BOUNDARY_STRESS,
+    &STEP_SIZE,
+];

@@ -1,0 +1,91 @@
+//! What the checks must know of a case besides the histories; kept in `run.json`.
+
+use crate::case::Case;
+use crate::case::resolved::{Axis, Body, Freedom, Law, Shape};
+use serde::{Deserialize, Serialize};
+
+/// Facts about a case.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Setting {
+    /// Acceleration of gravity on the soil [m/s²].
+    pub gravity: f64,
+    /// Courant number.
+    pub courant: f64,
+    /// Whether the soil's volume is meant to grow.
+    pub dilates: bool,
+    /// Energies below this are rounding [J]: a millionth of a millionth of the soil's weight times the box's height.
+    pub energy_floor: f64,
+    /// Depth of the floor below the undisturbed surface [m].
+    pub floor_depth: f64,
+    /// The bodies, in the order of the case.
+    pub bodies: Vec<BodySetting>,
+}
+
+/// Facts about a body.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct BodySetting {
+    /// Its name.
+    pub name: String,
+    /// Smallest cell widths along x, y, z [m].
+    pub cell: [f64; 3],
+    /// Its extent along x, y, z [m]; none across the slab of plane strain.
+    pub extent: [Option<f64>; 3],
+    /// Diameter of a body that is round in the plane of the tow [m].
+    pub diameter: Option<f64>,
+    /// Whether it moves up and down.
+    pub heaves: bool,
+    /// Whether it is free to.
+    pub heaves_freely: bool,
+    /// Whether it turns freely.
+    pub turns_freely: bool,
+}
+
+impl Setting {
+    /// The facts about a case.
+    #[must_use]
+    pub fn of(case: &Case) -> Self {
+        let size = case.domain.high - case.domain.low;
+        let weight = case.soil.unit_weight * size.x * size.y * size.z;
+        Self {
+            gravity: if case.soil.unit_weight > 0.0 {
+                case.soil.unit_weight / case.soil.density
+            } else {
+                0.0
+            },
+            courant: case.numerics.courant,
+            dilates: matches!(case.soil.law, Law::MohrCoulomb { dilation_angle, .. } if dilation_angle > 0.0),
+            energy_floor: 1e-12 * weight * size.z,
+            floor_depth: case.ground.surface() - case.domain.low.z,
+            bodies: case.bodies.iter().map(|body| BodySetting::of(case, body)).collect(),
+        }
+    }
+}
+
+impl BodySetting {
+    fn of(case: &Case, body: &Body) -> Self {
+        let (low, high) = body.shape.solid().bounds();
+        let mut extent = (high - low).to_array().map(Some);
+        if case.domain.plane_strain {
+            extent[1] = None;
+        }
+        let diameter = match body.shape {
+            Shape::Disc { diameter, .. }
+            | Shape::Ball { diameter }
+            | Shape::Cylinder { diameter, axis: Axis::Y, .. } => Some(diameter),
+            Shape::Block { .. } | Shape::Cylinder { .. } => None,
+        };
+        let finest = |faces: &Vec<f64>| faces.windows(2).map(|f| f[1] - f[0]).fold(f64::INFINITY, f64::min);
+        let heave = &body.translation[2];
+        Self {
+            name: body.name.clone(),
+            cell: case.grid.faces.each_ref().map(finest),
+            extent,
+            diameter,
+            heaves: !matches!(heave, Freedom::Fixed),
+            heaves_freely: heave.is_free(),
+            turns_freely: body.spin.is_free(),
+        }
+    }
+}
