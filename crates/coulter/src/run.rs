@@ -39,6 +39,8 @@ pub struct Options<'a> {
     pub start: Start,
     /// Show no progress.
     pub quiet: bool,
+    /// Doubts whether the machine suffices, for the log.
+    pub doubts: &'a [String],
     /// What is asked from outside while it runs.
     pub interrupts: &'a Interrupts,
     /// The case file as typed, with overrides written in; kept beside the results.
@@ -287,7 +289,7 @@ fn create<R: Precision>(
         "grid {nx} x {ny} x {nz}, time step {dt:.4e} s, {} precision, {threads} threads",
         R::NAME
     ))?;
-    for note in case::advice(case) {
+    for note in case::advice(case).iter().chain(options.doubts) {
         results.log(&format!("note: {note}"))?;
     }
     overlay_forecast(case, &mut results)?;

@@ -56,6 +56,20 @@ fn an_inset_keeps_points_from_sharp_edges() {
 }
 
 #[test]
+fn points_are_counted_without_being_laid_out() {
+    for (shape, _) in shapes() {
+        for (spacing, inset) in [(0.006, 0.0), (0.007, 0.003), (0.0021, 0.026), (0.3, 0.01), (0.011, 0.2)] {
+            let laid_out = shape.surface_points(spacing, DVec3::splat(inset)).len();
+            let counted = shape.surface_point_count(spacing, DVec3::splat(inset));
+            assert_eq!(counted, laid_out as f64, "{shape:?} {spacing} {inset}");
+        }
+        // At once, however many: 10¹⁸ for a metre.
+        let many = shape.surface_point_count(1e-9, DVec3::ZERO);
+        assert!((1e15..1e18).contains(&many), "{shape:?} {many}");
+    }
+}
+
+#[test]
 fn mirror_images_stand_side_by_side() {
     let flip = |v: DVec3| DVec3::new(v.x, -v.y, v.z);
     for (shape, _) in shapes() {

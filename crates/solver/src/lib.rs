@@ -11,6 +11,7 @@
 pub mod cpu;
 pub mod double;
 pub mod error;
+pub mod footprint;
 pub mod grid;
 pub mod model;
 pub mod precision;

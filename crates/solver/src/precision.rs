@@ -2,6 +2,7 @@
 
 use crate::cpu::stopwatch::Stopwatch;
 use crate::error::Breakdown;
+use crate::footprint::Footprint;
 use crate::model::{Filling, Model};
 use crate::state::State;
 use crate::{double, single};
@@ -39,6 +40,8 @@ pub trait Precision:
     fn threads(workspace: &Self::Workspace) -> usize;
     /// Memory that a workspace takes up [bytes].
     fn memory(workspace: &Self::Workspace) -> usize;
+    /// See [`double::footprint::footprint`].
+    fn footprint(model: &Model, threads: usize, moved: &[DVec3]) -> Footprint;
     /// Where the time of the calling thread goes.
     fn stopwatch(workspace: &mut Self::Workspace) -> &mut Stopwatch;
     /// Kinetic energy of soil and bodies [J] (modelled share).
@@ -86,6 +89,10 @@ macro_rules! precision {
 
             fn memory(workspace: &Self::Workspace) -> usize {
                 workspace.memory()
+            }
+
+            fn footprint(model: &Model, threads: usize, moved: &[DVec3]) -> Footprint {
+                $module::footprint::footprint(model, threads, moved)
             }
 
             fn stopwatch(workspace: &mut Self::Workspace) -> &mut Stopwatch {

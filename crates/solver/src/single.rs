@@ -24,6 +24,8 @@ pub mod contact;
 pub mod energy;
 #[path = "cpu/flux.rs"]
 pub mod flux;
+#[path = "cpu/footprint.rs"]
+pub mod footprint;
 #[path = "cpu/lagrange.rs"]
 pub mod lagrange;
 #[path = "cpu/nodes.rs"]

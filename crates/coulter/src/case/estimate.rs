@@ -1,23 +1,47 @@
 //! What a case will cost: cells, memory, time step, number of steps.
 
-use super::resolved::{Case, Grid, Ground, Precision};
+use super::resolve::extent::travel;
+use super::resolved::{Body, Case, Grid, Ground, Precision};
+use crate::output::volume::{self, Volume};
+use crate::simulation::model;
+use glam::DVec3;
 use serde::Serialize;
+use solver::footprint::{Footprint, surface_points};
+use solver::grid::LANES;
+use solver::precision::Precision as _;
 use std::f64::consts::FRAC_PI_4;
 
-/// Memory per cell, all fields and scratch together, in double precision [bytes]; chosen on the safe side.
-const BYTES_PER_CELL: f64 = 400.0;
-/// Share of it that single precision takes; what does not halve is on the safe side too.
-const SINGLE: f64 = 0.55;
+/// The program itself, its libraries and what it has read [bytes]; measured on Linux.
+const PROGRAM: f64 = 10.5e6;
 
-/// What a case will cost.
+/// Memory of a run [bytes].
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Memory {
+    /// The program itself.
+    pub program_bytes: f64,
+    /// Fields on the grid, and what the step works in.
+    pub grid_bytes: f64,
+    /// Contact points of the bodies.
+    pub contact_bytes: f64,
+    /// What writing takes, for a moment.
+    pub outputs_bytes: f64,
+}
+
+impl Memory {
+    /// All of it [bytes].
+    #[must_use]
+    pub fn total(&self) -> f64 {
+        self.program_bytes + self.grid_bytes + self.contact_bytes + self.outputs_bytes
+    }
+}
+
+/// Cells and steps of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Estimate {
     /// Cells of the grid.
     pub cells: f64,
     /// Cells with soil at the start, whole or partly.
     pub filled_cells: f64,
-    /// Memory [bytes].
-    pub memory_bytes: f64,
     /// The smallest cell width [m].
     pub smallest_cell_m: f64,
     /// Speed of pressure waves in the soil [m/s].
@@ -28,7 +52,30 @@ pub struct Estimate {
     pub steps: f64,
 }
 
-/// What `case` will cost.
+/// What a case will cost in time, memory and room.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Cost {
+    /// Cells and steps.
+    #[serde(flatten)]
+    pub estimate: Estimate,
+    /// Memory, all in all [bytes].
+    pub memory_bytes: f64,
+    /// Its parts.
+    pub memory: Memory,
+    /// What the run will write.
+    pub output: Volume,
+}
+
+/// What `case` will cost in all. This takes some time where there are many bodies.
+#[must_use]
+pub fn cost(case: &Case) -> Cost {
+    let estimate = estimate(case);
+    let memory = memory(case, estimate.cells, estimate.filled_cells);
+    let output = volume::volume(case, estimate.cells, estimate.filled_cells);
+    Cost { estimate, memory_bytes: memory.total(), memory, output }
+}
+
+/// Cells and steps of `case`.
 #[must_use]
 pub fn estimate(case: &Case) -> Estimate {
     let (young, nu) = (case.soil.young_modulus, case.soil.poisson_ratio);
@@ -38,10 +85,10 @@ pub fn estimate(case: &Case) -> Estimate {
     let widths = case.grid.faces.iter().flat_map(|f| f.windows(2).map(|w| w[1] - w[0]));
     let smallest = widths.fold(f64::INFINITY, f64::min);
     let time_step = case.numerics.courant * smallest / wave_speed;
+    let (cells, filled_cells) = (cells(&case.grid), filled_cells(case));
     Estimate {
-        cells: cells(&case.grid),
-        filled_cells: filled_cells(case),
-        memory_bytes: memory(&case.grid, case.numerics.precision),
+        cells,
+        filled_cells,
         smallest_cell_m: smallest,
         wave_speed_m_per_s: wave_speed,
         time_step_s: time_step,
@@ -54,10 +101,49 @@ pub(super) fn cells(grid: &Grid) -> f64 {
     grid.faces.iter().map(|f| f.len().saturating_sub(1) as f64).product()
 }
 
-/// Memory with the ghost layer all round [bytes].
-pub(super) fn memory(grid: &Grid, precision: Precision) -> f64 {
-    let share = if precision == Precision::Single { SINGLE } else { 1.0 };
-    share * BYTES_PER_CELL * grid.faces.iter().map(|f| f.len() as f64 + 1.0).product::<f64>()
+/// Memory that a run takes, without taking it.
+fn memory(case: &Case, cells: f64, filled: f64) -> Memory {
+    let Footprint { fields, fields_of_soil, workspace, contact, layout } = footprint(case);
+    let void = 1.0 - (filled / cells).clamp(0.0, 1.0);
+    let outputs = volume::memory(case, cells, filled, fields);
+    Memory {
+        program_bytes: PROGRAM,
+        grid_bytes: fields - void * fields_of_soil + workspace,
+        contact_bytes: contact,
+        // The points of a body are laid out before anything is written.
+        outputs_bytes: outputs.max(layout - contact),
+    }
+}
+
+/// Threads that a run is given.
+fn threads(case: &Case) -> usize {
+    let cores = || std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    if case.numerics.threads == 0 { cores() } else { case.numerics.threads }
+}
+
+/// The largest number of contact points that is laid out on a body of the case, with its name.
+pub(super) fn most_contact_points(case: &Case) -> Option<(String, f64)> {
+    let model = model(case, LANES);
+    let points = model.bodies.iter().map(|body| (body.name.clone(), surface_points(&model, body)));
+    points.max_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+/// How far a body is from its start at the end [m], as far as that can be told: one that is free to sink is taken to do so by
+/// a tenth of its height.
+fn moved(body: &Body, duration: f64) -> DVec3 {
+    let (low, high) = body.shape.solid().bounds();
+    let [x, y, z] = body.translation.each_ref().map(|freedom| travel(freedom, duration));
+    let sunk = if body.translation[2].is_free() { -0.1 * (high.z - low.z) } else { z };
+    DVec3::new(x, y, sunk)
+}
+
+fn footprint(case: &Case) -> Footprint {
+    let threads = threads(case);
+    let moved: Vec<DVec3> = case.bodies.iter().map(|body| moved(body, case.duration)).collect();
+    match case.numerics.precision {
+        Precision::Double => f64::footprint(&model(case, f64::LANES), threads, &moved),
+        Precision::Single => f32::footprint(&model(case, f32::LANES), threads, &moved),
+    }
 }
 
 fn filled_cells(case: &Case) -> f64 {
@@ -70,12 +156,4 @@ fn filled_cells(case: &Case) -> f64 {
         case.grid.faces[axis].windows(2).filter(|w| w[1] > low[axis] && w[0] < high[axis]).count() as f64
     };
     share * inside(0) * inside(1) * inside(2)
-}
-
-/// Memory that this machine has to spare [bytes], where the system says so.
-pub(super) fn memory_available() -> Option<f64> {
-    let text = std::fs::read_to_string("/proc/meminfo").ok()?;
-    let line = text.lines().find(|l| l.starts_with("MemAvailable:"))?;
-    let kilobytes: f64 = line.split_whitespace().nth(1)?.parse().ok()?;
-    Some(1024.0 * kilobytes)
 }

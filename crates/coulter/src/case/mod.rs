@@ -5,12 +5,14 @@ pub mod documentation;
 pub mod estimate;
 pub mod json_schema;
 pub mod keys;
+pub mod machine;
 mod overrides;
 mod problem;
 pub mod quantity;
 mod ranges;
 mod resolve;
 pub mod resolved;
+pub mod room;
 mod schema;
 mod spread;
 mod tree;
@@ -41,7 +43,7 @@ pub fn load(path: &Path, overrides: &[String]) -> Result<Case, CaseError> {
 /// As [`load`].
 pub fn load_with_spreads(path: &Path, overrides: &[String]) -> Result<(Case, Vec<Spread>), CaseError> {
     let name = path.display().to_string();
-    let bytes = std::fs::read(path).map_err(|error| unreadable(path, &name, &error))?;
+    let bytes = read(path).map_err(|error| unreadable(path, &name, &error))??;
     let text = String::from_utf8(bytes).map_err(|error| {
         let valid = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         let line = valid.iter().filter(|b| **b == b'\n').count() + 1;
@@ -49,6 +51,24 @@ pub fn load_with_spreads(path: &Path, overrides: &[String]) -> Result<(Case, Vec
         CaseError::unreadable(&name, message, "save the file as UTF-8 text")
     })?;
     parse_with_spreads(&text, &name, overrides)
+}
+
+/// The largest case file that is read [bytes]; the shipped ones have some 2 kB, 500 bodies some 150 kB.
+const MOST_BYTES: u64 = 1 << 20;
+
+/// The content of a case file. What is no ordinary file (a pipe, a device) could go on for ever and is refused.
+fn read(path: &Path) -> std::io::Result<Result<Vec<u8>, CaseError>> {
+    let (name, about) = (path.display().to_string(), std::fs::metadata(path)?);
+    if !about.is_file() && !about.is_dir() {
+        let message = format!("{name}: a pipe or a device, not a case file");
+        return Ok(Err(CaseError::unreadable(&name, message, "write the case into an ordinary file")));
+    }
+    if about.is_file() && about.len() > MOST_BYTES {
+        let message =
+            format!("{name}: too large for a case file: {} bytes, {MOST_BYTES} are the most", about.len());
+        return Ok(Err(CaseError::unreadable(&name, message, "check the path: this may be another file")));
+    }
+    std::fs::read(path).map(Ok)
 }
 
 fn unreadable(path: &Path, name: &str, error: &std::io::Error) -> CaseError {
@@ -97,6 +117,14 @@ fn parse_with_spreads(
         Some(case) if problems.is_empty() => Ok((case, spreads)),
         _ => Err(problems.into_error()),
     }
+}
+
+/// Whether Windows keeps a name for a device: no file or folder there can be called so.
+fn is_device(name: &str) -> bool {
+    let upper = name.to_ascii_uppercase();
+    let numbered =
+        |kind: &str| upper.strip_prefix(kind).is_some_and(|n| n.len() == 1 && ("1"..="9").contains(&n));
+    ["CON", "PRN", "AUX", "NUL"].contains(&upper.as_str()) || numbered("COM") || numbered("LPT")
 }
 
 /// The candidate that `typed` resembles most, if it resembles any.

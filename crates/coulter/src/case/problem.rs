@@ -71,9 +71,14 @@ impl Diagnostic for Problem {
 pub struct CaseError {
     /// What the case is called: the path of its file.
     pub name: String,
-    /// All that was found, in the order of the file.
+    /// What was found, in the order of the file: the first few.
     pub problems: Vec<Problem>,
+    /// How many more there are.
+    pub unseen: usize,
 }
+
+/// Problems that are told at once.
+const MOST_TOLD: usize = 20;
 
 impl CaseError {
     /// A case that could not even be read, e.g. because the file is missing.
@@ -81,7 +86,7 @@ impl CaseError {
     pub fn unreadable(name: &str, message: String, cure: &str) -> Self {
         let source = Arc::new(NamedSource::new(name, String::new()));
         let problem = Problem { message, cure: cure.to_owned(), line: 0, column: 0, span: 0..0, source };
-        Self { name: name.to_owned(), problems: vec![problem] }
+        Self { name: name.to_owned(), problems: vec![problem], unseen: 0 }
     }
 }
 
@@ -89,7 +94,7 @@ impl fmt::Display for CaseError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.problems.as_slice() {
             [one] => write!(f, "{}: {}", self.name, one.message),
-            many => write!(f, "{}: {} problems", self.name, many.len()),
+            many => write!(f, "{}: {} problems", self.name, many.len() + self.unseen),
         }
     }
 }
@@ -145,6 +150,8 @@ impl Problems {
     pub(super) fn into_error(mut self) -> CaseError {
         self.found.sort_by_key(|(place, ..)| (place.source, place.span.start));
         self.found.dedup();
+        let unseen = self.found.len().saturating_sub(MOST_TOLD);
+        self.found.truncate(MOST_TOLD);
         let sources: Vec<_> =
             self.sources.iter().map(|s| Arc::new(NamedSource::new(&s.name, s.text.clone()))).collect();
         let name = self.sources.first().map_or(String::new(), |s| s.name.clone());
@@ -158,7 +165,7 @@ impl Problems {
             let (line, column) = line_and_column(&text.text, span.start);
             problems.push(Problem { message, cure, line, column, span, source: source.clone() });
         }
-        CaseError { name, problems }
+        CaseError { name, problems, unseen }
     }
 }
 

@@ -207,8 +207,21 @@ pub(super) fn split_number(text: &str) -> (&str, &str) {
     text.split_at(bytes.get(n).map_or(text.len(), |(place, _)| *place))
 }
 
+/// A number for people, in seven digits and without the traces of rounding: `0.35`, not `0.35000000000000003`.
+#[must_use]
+pub fn plain(number: f64) -> String {
+    format!("{number:.6e}").parse::<f64>().unwrap_or(number).to_string()
+}
+
 #[cfg(test)]
 mod tests {
+    #[test]
+    fn numbers_for_people_have_no_traces_of_rounding() {
+        let shown =
+            [0.350_000_000_000_000_03, -0.1, 1e-9, 0.1 + 0.2, 1234.5, f64::INFINITY].map(super::plain);
+        assert_eq!(shown, ["0.35", "-0.1", "0.000000001", "0.3", "1234.5", "inf"]);
+    }
+
     use super::*;
     use proptest::prelude::*;
 

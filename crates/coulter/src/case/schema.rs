@@ -1,10 +1,10 @@
 //! What was typed: the tree, checked against the table of keys. Nothing is interpreted here.
 
 use super::keys;
-use super::nearest;
 use super::problem::{Place, Problems};
 use super::tree::{Entry, Value};
 use super::values::value;
+use super::{is_device, nearest};
 use std::collections::BTreeMap;
 
 /// A value and where it was typed.
@@ -135,18 +135,30 @@ pub(super) fn read(root: &[Entry], problems: &mut Problems) -> Schema {
     Schema { top, soil, ground, domain, grid, bodies, run, output, numerics, forecast }
 }
 
+/// Most bodies of a case; with more, the text and the report can no longer be read.
+const MOST_BODIES: usize = 500;
+
 fn bodies(entry: &Entry, problems: &mut Problems) -> Vec<Section> {
     let Value::Table(table) = &entry.node.value else {
         let message = format!("`body` must be a table, not {}", entry.node.value.kind());
         problems.add(&entry.node.place, message, "give every body a section of its own: [body.disc]");
         return Vec::new();
     };
+    if table.len() > MOST_BODIES {
+        let message = format!("{} bodies; {MOST_BODIES} are the most", table.len());
+        problems.add(&entry.key_place, message, "model fewer of them, or each group in a case of its own");
+        return Vec::new();
+    }
     let mut list = Vec::new();
     for named in table {
         let is_plain = named.key.chars().all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '_');
-        if named.key.is_empty() || !is_plain {
+        if named.key.is_empty() || !is_plain || is_device(&named.key) {
             let message = format!("a body cannot be called \"{}\"", named.key);
-            problems.add(&named.key_place, message, "use letters, digits, `-` and `_`");
+            problems.add(
+                &named.key_place,
+                message,
+                "use letters, digits, `-` and `_`, and no name of a Windows device",
+            );
         } else if matches!(named.node.value, Value::Table(_)) {
             list.push(section(named, "body", &format!("body.{}", named.key), problems));
         } else {

@@ -1,5 +1,6 @@
 //! The text of a case as a tree in which every key and value knows where it was typed.
 
+use super::nearest;
 use super::problem::{Place, Problems, Source};
 use toml::{Spanned, de::DeTable, de::DeValue};
 
@@ -60,6 +61,11 @@ pub(super) fn read(problems: &mut Problems, overrides: &[String]) -> Vec<Entry> 
     }
     let mut root = if problems.is_empty() { entries(document.get_ref(), 0, 0) } else { Vec::new() };
     for text in overrides {
+        if let Some(cure) = starts_a_body_unasked(&root, overrides, text) {
+            let source = problems.add_source(Source { name: format!("--set {text}"), text: text.clone() });
+            problems.add(&Place { source, span: 0..text.len() }, "there is no such body", cure);
+            continue;
+        }
         override_one(problems, &mut root, text);
     }
     root
@@ -79,6 +85,32 @@ fn cure(message: &str) -> &'static str {
 
 /// No key has more names than this, `body.NAME.forward.speed` having four.
 const DEEPEST_KEY: usize = 6;
+
+/// Whether an override would start a new body that nobody gives a shape: a slip in a name; then its cure.
+fn starts_a_body_unasked(root: &[Entry], overrides: &[String], text: &str) -> Option<String> {
+    let (own, _) = split_override(text)?;
+    let [first, name, _, ..] = own.as_slice() else { return None };
+    let gets_shape = |other: &String| {
+        split_override(other).is_some_and(|(k, _)| k == ["body", *name, "shape"] || k == ["body", *name])
+    };
+    let known = root.iter().find(|e| e.key == "body").and_then(|e| match &e.node.value {
+        Value::Table(bodies) => Some(bodies.iter().map(|b| b.key.as_str()).collect::<Vec<_>>()),
+        _ => None,
+    });
+    let known = known.unwrap_or_default();
+    if *first != "body" || known.contains(name) || overrides.iter().any(gets_shape) {
+        return None;
+    }
+    Some(match nearest(name, known.iter().copied()) {
+        Some(near) => {
+            format!("did you mean `body.{near}`? a new body needs its shape: --set body.{name}.shape=disc")
+        }
+        None => format!(
+            "a new body needs its shape: --set body.{name}.shape=disc; there are: {}",
+            known.join(", ")
+        ),
+    })
+}
 
 /// Sets one key, as `--set key=value` asks.
 fn override_one(problems: &mut Problems, root: &mut Vec<Entry>, text: &str) {

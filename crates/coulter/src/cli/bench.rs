@@ -43,6 +43,5 @@ pub(super) fn bench(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.json {
         return say_json(&measured);
     }
-    say(&bench::table(&measured));
-    Ok(())
+    say(&bench::table(&measured))
 }

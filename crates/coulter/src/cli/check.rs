@@ -1,16 +1,15 @@
 //! `coulter check`: the case as understood, what it will cost, and doubts about it.
 
-use super::{Failure, say};
-use crate::case::estimate::{Estimate, estimate};
-use crate::case::resolved::Precision;
+use super::{Failure, say, speed};
+use crate::case::estimate::{self, Cost};
+use crate::case::quantity::plain;
 use crate::case::resolved::{Body, Freedom, Law, Measured, Potential, Shape};
-use crate::case::{self, Case};
+use crate::case::room::{self, words};
+use crate::case::{self, Case, machine};
 use crate::output::reference::Reference;
-use crate::simulation::Simulation;
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;
-use std::time::Duration;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -23,6 +22,9 @@ pub(super) struct Arguments {
     #[arg(long)]
     json: bool,
 }
+
+/// Warnings that are printed at once.
+const MOST_WARNINGS: usize = 20;
 
 /// Dimensionless groups of one body; absent where the soil is weightless.
 #[derive(Debug, Serialize)]
@@ -43,44 +45,35 @@ struct Groups {
 
 pub(super) fn check(arguments: &Arguments) -> Result<(), Failure> {
     let case = case::load(&arguments.case, &arguments.overrides)?;
-    let cost = estimate(&case);
-    let seconds = measured_rate(&case).map(|rate| cost.steps * cost.filled_cells / rate);
-    let warnings = case::advice(&case);
+    let cost = estimate::cost(&case);
+    let seconds = speed::wall_time(&case, &cost);
+    let folder = PathBuf::from("results").join(&case.name);
+    let mut warnings = case::advice(&case);
+    warnings.extend(room::doubts(&cost, &folder));
     if arguments.json {
         return as_json(&case, &cost, seconds, &warnings);
     }
     let mut text = String::new();
     // Writing to a string cannot fail.
     let _ = describe(&mut text, &case).and_then(|()| describe_cost(&mut text, &case, &cost, seconds));
-    for warning in &warnings {
+    for warning in warnings.iter().take(MOST_WARNINGS) {
         let _ = writeln!(text, "warning  {warning}");
     }
-    say(&text);
-    Ok(())
+    if let Some(more) = warnings.len().checked_sub(MOST_WARNINGS).filter(|more| *more > 0) {
+        let _ = writeln!(text, "warning  … and {more} more; --json tells all");
+    }
+    say(&text)
 }
 
-/// Cell steps per second of this machine on this case: its first steps are taken for a moment and thrown away. They are
-/// cheaper than those to come, when soil yields and is remapped; on the towed disc (34 s in all) by this much.
-fn measured_rate(case: &Case) -> Option<f64> {
-    const LATER_STEPS: f64 = 1.7;
-    const MOMENT: Duration = Duration::from_millis(400);
-    let rate = match case.numerics.precision {
-        Precision::Double => Simulation::<f64>::new(case).speed(MOMENT)?,
-        Precision::Single => Simulation::<f32>::new(case).speed(MOMENT)?,
-    };
-    Some(rate / LATER_STEPS)
-}
-
-fn as_json(case: &Case, cost: &Estimate, seconds: Option<f64>, warnings: &[String]) -> Result<(), Failure> {
+fn as_json(case: &Case, cost: &Cost, seconds: Option<f64>, warnings: &[String]) -> Result<(), Failure> {
     let groups: serde_json::Map<String, serde_json::Value> =
         case.bodies.iter().map(|b| (b.name.clone(), serde_json::json!(groups(case, b)))).collect();
     let document = serde_json::json!({
         "case": case.name, "groups": groups, "cost": cost, "estimated_wall_s": seconds,
-        "warnings": warnings, "resolved": case,
+        "memory_available_bytes": machine::memory_available(), "warnings": warnings, "resolved": case,
     });
     let text = serde_json::to_string_pretty(&document).map_err(|e| Failure::Request(e.to_string()))?;
-    say(&format!("{text}\n"));
-    Ok(())
+    say(&format!("{text}\n"))
 }
 
 fn groups(case: &Case, body: &Body) -> Groups {
@@ -145,7 +138,11 @@ fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
     writeln!(
         text,
         "         γ = {} N/m³, ρ = {:.1} kg/m³, E = {} Pa, ν = {}, K₀ = {:.3}",
-        soil.unit_weight, soil.density, soil.young_modulus, soil.poisson_ratio, soil.rest_pressure_ratio
+        plain(soil.unit_weight),
+        soil.density,
+        plain(soil.young_modulus),
+        plain(soil.poisson_ratio),
+        soil.rest_pressure_ratio
     )?;
     for body in &case.bodies {
         describe_body(text, case, body)?;
@@ -161,19 +158,21 @@ fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
 
 fn describe_body(text: &mut String, case: &Case, body: &Body) -> std::fmt::Result {
     let shape = match body.shape {
-        Shape::Disc { diameter, thickness } => format!("disc, d = {diameter} m, t = {thickness} m"),
+        Shape::Disc { diameter, thickness } => {
+            format!("disc, d = {} m, t = {} m", plain(diameter), plain(thickness))
+        }
         Shape::Block { size, orientation } => {
             let turned = if orientation == 0.0 {
                 String::new()
             } else {
                 format!(", turned {:.1}°", orientation.to_degrees())
             };
-            format!("block, {} × {} × {} m{turned}", size.x, size.y, size.z)
+            format!("block, {} × {} × {} m{turned}", plain(size.x), plain(size.y), plain(size.z))
         }
         Shape::Cylinder { diameter, length, axis } => {
-            format!("cylinder along {axis}, d = {diameter} m, l = {length} m")
+            format!("cylinder along {axis}, d = {} m, l = {} m", plain(diameter), plain(length))
         }
-        Shape::Ball { diameter } => format!("ball, d = {diameter} m"),
+        Shape::Ball { diameter } => format!("ball, d = {} m", plain(diameter)),
     };
     let mut friction =
         if body.friction.is_finite() { format!("μ = {}", body.friction) } else { "rough".into() };
@@ -203,17 +202,17 @@ fn describe_freedom(freedom: &Freedom, speed_unit: &str, load_unit: &str) -> Str
     match *freedom {
         Freedom::Fixed => "fixed".into(),
         Freedom::Prescribed { speed, start, ramp, end } => {
-            let until = if end.is_finite() { format!(" until {end} s") } else { String::new() };
-            format!("{speed} {speed_unit}, from {start} s within {ramp} s{until}")
+            let until = if end.is_finite() { format!(" until {} s", plain(end)) } else { String::new() };
+            format!("{} {speed_unit}, from {} s within {} s{until}", plain(speed), plain(start), plain(ramp))
         }
         Freedom::Free { load: 0.0, .. } => "free".into(),
         Freedom::Free { load, start, ramp } => {
-            format!("free, load {load:.4} {load_unit} from {start} s within {ramp} s")
+            format!("free, load {load:.4} {load_unit} from {} s within {} s", plain(start), plain(ramp))
         }
     }
 }
 
-fn describe_cost(text: &mut String, case: &Case, cost: &Estimate, seconds: Option<f64>) -> std::fmt::Result {
+fn describe_cost(text: &mut String, case: &Case, cost: &Cost, seconds: Option<f64>) -> std::fmt::Result {
     let [nx, ny, nz] = std::array::from_fn(|axis| case.grid.faces[axis].len().saturating_sub(1));
     let (low, high) = (case.domain.low, case.domain.high);
     let kind = match (case.domain.plane_strain, case.domain.share()) {
@@ -226,24 +225,50 @@ fn describe_cost(text: &mut String, case: &Case, cost: &Estimate, seconds: Optio
     writeln!(
         text,
         "box      x {} to {} m, y {} to {} m, z {} to {} m{kind}",
-        low.x, high.x, low.y, high.y, low.z, high.z
+        plain(low.x),
+        plain(high.x),
+        plain(low.y),
+        plain(high.y),
+        plain(low.z),
+        plain(high.z)
     )?;
     writeln!(
         text,
-        "grid     {nx} × {ny} × {nz} = {} cells of {} mm and more, {} with soil, {:.0} MB",
-        cost.cells,
+        "grid     {nx} × {ny} × {nz} = {} cells of {} mm and more, {} with soil",
+        cost.estimate.cells,
         finest(case),
-        cost.filled_cells,
-        cost.memory_bytes / 1e6
+        cost.estimate.filled_cells
+    )?;
+    let memory = &cost.memory;
+    writeln!(
+        text,
+        "memory   {}: grid {}, contact points {}, outputs {}, program {}",
+        words(cost.memory_bytes),
+        words(memory.grid_bytes),
+        words(memory.contact_bytes),
+        words(memory.outputs_bytes),
+        words(memory.program_bytes)
+    )?;
+    let output = &cost.output;
+    writeln!(
+        text,
+        "results  {}: fields {} in {} files, histories {}, checkpoints {}",
+        words(output.total_bytes),
+        words(output.fields_bytes),
+        output.frames,
+        words(output.histories_bytes),
+        words(output.checkpoints_bytes)
     )?;
     writeln!(
         text,
         "time     {:.4} s in {} steps of {:.3e} s (waves run at {:.1} m/s)",
-        case.duration, cost.steps, cost.time_step_s, cost.wave_speed_m_per_s
+        case.duration, cost.estimate.steps, cost.estimate.time_step_s, cost.estimate.wave_speed_m_per_s
     )?;
     match seconds {
         Some(seconds) => writeln!(text, "run time about {seconds:.0} s on this machine"),
-        None => writeln!(text, "run time {:.3e} cell steps", cost.steps * cost.filled_cells),
+        None => {
+            writeln!(text, "run time {:.3e} cell steps", cost.estimate.steps * cost.estimate.filled_cells)
+        }
     }
 }
 

@@ -50,9 +50,11 @@ impl Failure {
     }
 }
 
-/// Whether colours are wanted: on a terminal, unless <https://no-color.org> says otherwise.
+/// Whether colours are wanted: on a terminal that knows them, unless <https://no-color.org> says otherwise.
 fn is_colourful() -> bool {
-    std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())
+    let is_plain = std::env::var_os("TERM").is_some_and(|name| name == "dumb")
+        || std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
+    std::io::stderr().is_terminal() && !is_plain
 }
 
 /// Every problem with its line, and a count.
@@ -66,7 +68,10 @@ pub(crate) fn render(error: &CaseError, colour: bool) -> String {
         }
         text.push('\n');
     }
-    let count = match error.problems.len() {
+    if error.unseen > 0 {
+        text.push_str(&format!("… and {} more\n\n", error.unseen));
+    }
+    let count = match error.problems.len() + error.unseen {
         1 => "one problem".to_owned(),
         many => format!("{many} problems"),
     };

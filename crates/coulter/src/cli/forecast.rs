@@ -1,6 +1,6 @@
 //! `coulter forecast`: what the closed-form models say of a case.
 
-use super::{Failure, say, say_json};
+use super::{Failure, is_no_file, say, say_json};
 use crate::case::{self, Spread};
 use crate::forecast::{self, Effort, Intervals, Outlook, Range, Stated};
 use crate::output::{Sheets, write_forecast};
@@ -52,19 +52,21 @@ pub(super) fn forecast(arguments: &Arguments) -> Result<(), Failure> {
     let intervals = forecast::intervals(&outlook, stated, effort);
     let document = forecast::document(&outlook, &intervals, arguments.uncertainty);
     let files = match folder(arguments, &case.name) {
-        Some(folder) => write(arguments, &outlook, &intervals, &document, &folder)?,
+        Some(folder) => {
+            is_no_file(&folder).and_then(|()| write(arguments, &outlook, &intervals, &document, &folder))?
+        }
         None => Vec::new(),
     };
     if arguments.json {
         return say_json(&document);
     }
-    say(&forecast::table(&outlook, &intervals));
+    say(&forecast::table(&outlook, &intervals))?;
     if arguments.uncertainty {
-        say(&forecast::uncertainty_table(&intervals));
+        say(&forecast::uncertainty_table(&intervals))?;
     }
     if !files.is_empty() {
         let list: Vec<String> = files.iter().map(|f| f.display().to_string()).collect();
-        say(&format!("\nwrote {}\n", list.join("\n      ")));
+        say(&format!("\nwrote {}\n", list.join("\n      ")))?;
     }
     Ok(())
 }

@@ -10,11 +10,13 @@ mod report;
 mod run;
 mod schema;
 mod signals;
+mod speed;
 mod verify;
 
 use clap::{Parser, Subcommand};
 pub use failure::Failure;
 use std::io::Write;
+use std::path::Path;
 use std::process::ExitCode;
 
 /// Predicts how a rigid object moves through soil.
@@ -51,6 +53,24 @@ enum Command {
     Schema,
 }
 
+/// Reads the command line and does what it asks; the exit code says how it went.
+#[must_use]
+pub fn main() -> ExitCode {
+    match Arguments::try_parse() {
+        Ok(arguments) => run(&arguments),
+        // Help and version go to standard output, which may be full.
+        Err(told) if !told.use_stderr() => match say(&told.render().to_string()) {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(failure) => failure.tell(),
+        },
+        Err(told) => {
+            // Where standard error cannot be written, the exit code is all there is.
+            let _ = told.print();
+            ExitCode::from(2)
+        }
+    }
+}
+
 /// Does what was asked; the exit code says how it went.
 #[must_use]
 pub fn run(arguments: &Arguments) -> ExitCode {
@@ -77,14 +97,29 @@ fn threads() -> clap::builder::RangedI64ValueParser<u16> {
 }
 
 /// Prints to standard output. A reader that has gone away (`| head`) is no error.
-fn say(text: &str) {
+fn say(text: &str) -> Result<(), Failure> {
     let mut out = std::io::stdout().lock();
-    let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+            Err(Failure::Request(format!("cannot write to standard output: {error}")))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Refuses a file where a folder of results is to be.
+fn is_no_file(folder: &Path) -> Result<(), Failure> {
+    if !folder.exists() || folder.is_dir() {
+        return Ok(());
+    }
+    let shown = folder.display();
+    Err(Failure::Request(format!(
+        "{shown} is a file, not a folder; name a folder for the results with -o DIR"
+    )))
 }
 
 /// Prints one JSON document.
 fn say_json(value: &impl serde::Serialize) -> Result<(), Failure> {
     let text = serde_json::to_string_pretty(value).map_err(|e| Failure::Request(e.to_string()))?;
-    say(&format!("{text}\n"));
-    Ok(())
+    say(&format!("{text}\n"))
 }

@@ -16,6 +16,9 @@ pub(super) struct Arguments {
     force: bool,
 }
 
+/// The first line of the shipped cases.
+const SCHEMA: &str = "#:schema ./schema.json\n";
+
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
 enum Template {
     /// A free disc towed over dry sand
@@ -42,6 +45,8 @@ impl Template {
 
 pub(super) fn new(arguments: &Arguments) -> Result<(), Failure> {
     let (name, text) = arguments.template.file();
+    // The shipped cases name the schema beside them; beside the new file there is none.
+    let text = text.strip_prefix(SCHEMA).unwrap_or(text);
     let path = arguments.output.clone().unwrap_or_else(|| name.into());
     let shown = path.display();
     let mut options = std::fs::OpenOptions::new();
@@ -55,10 +60,7 @@ pub(super) fn new(arguments: &Arguments) -> Result<(), Failure> {
     let written =
         options.open(&path).and_then(|mut file| std::io::Write::write_all(&mut file, text.as_bytes()));
     match written {
-        Ok(()) => {
-            say(&format!("wrote {shown}; next: coulter check {shown}\n"));
-            Ok(())
-        }
+        Ok(()) => say(&format!("wrote {shown}; next: coulter check {shown}\n")),
         Err(error) if error.kind() == std::io::ErrorKind::AlreadyExists => Err(Failure::Request(format!(
             "{shown} exists; --force overwrites it, -o FILE writes another one"
         ))),

@@ -98,6 +98,5 @@ fn table(face: &Face, found: &Comparison) -> Result<(), Failure> {
     if let Ok(field) = &found.sokolovskii {
         let _ = writeln!(text, "\nthe ground breaks up to {:.3} face lengths away", field.rupture_ratio);
     }
-    say(&text);
-    Ok(())
+    say(&text)
 }

@@ -17,6 +17,5 @@ pub(super) fn report(arguments: &Arguments) -> Result<(), Failure> {
         return Err(Failure::Request(format!("{shown} is no folder; name the one that `coulter run` wrote")));
     }
     let report = rebuild_report(&arguments.folder).map_err(|e| Failure::Request(e.to_string()))?;
-    say(&format!("{}\n", report.display()));
-    Ok(())
+    say(&format!("{}\n", report.display()))
 }

@@ -4,6 +4,7 @@ use super::{Failure, say_json, signals};
 use crate::case;
 use crate::run::{self, End, Options, RunError, Start};
 use crate::trust::Verdict;
+use std::io::Write;
 use std::path::PathBuf;
 
 #[derive(Debug, clap::Args)]
@@ -52,12 +53,19 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         case.numerics.threads = usize::from(threads);
     }
     let folder = arguments.output.clone().unwrap_or_else(|| PathBuf::from("results").join(&case.name));
+    super::is_no_file(&folder)?;
+    let doubts = case::room::doubts(&case::estimate::cost(&case), &folder);
+    for doubt in &doubts {
+        // Where standard error cannot be written, the log still has it.
+        let _ = writeln!(std::io::stderr().lock(), "warning: {doubt}");
+    }
     let text = std::fs::read_to_string(&arguments.case).map_err(|e| Failure::Request(e.to_string()))?;
     let typed = case::overridden(&text, &arguments.case.display().to_string(), &arguments.overrides)?;
     let options = Options {
         folder: &folder,
         start: arguments.start(),
         quiet: arguments.json,
+        doubts: &doubts,
         interrupts: &interrupts,
         typed: &typed,
     };

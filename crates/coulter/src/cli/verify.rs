@@ -71,8 +71,18 @@ pub(super) fn verify(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.json {
         super::say_json(&findings.rows.iter().map(Row::plain).collect::<Vec<_>>())?;
     } else {
-        say(&format!("{}\n{}\n", table::plain(&findings.rows), table::closing(&findings.rows)));
-        say(&format!("{}\n", grades::closing(&findings)));
+        say(&format!(
+            "{}
+{}
+",
+            table::plain(&findings.rows),
+            table::closing(&findings.rows)
+        ))?;
+        say(&format!(
+            "{}
+",
+            grades::closing(&findings)
+        ))?;
     }
     if arguments.write {
         let written = document::write(Path::new("."), &findings, &known);

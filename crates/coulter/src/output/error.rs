@@ -1,5 +1,6 @@
 //! What can go wrong when results are written or read, and the few file habits shared by all writers.
 
+use super::folder::{CHECKPOINTS, FIELDS, PICTURES, PLOTS};
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -56,6 +57,12 @@ pub enum OutputError {
         /// The folder.
         path: PathBuf,
     },
+    /// A folder inside a results folder leads elsewhere.
+    #[error("{path} is a link to somewhere else; remove it, or choose another folder with -o DIR", path = path.display())]
+    Link {
+        /// The folder.
+        path: PathBuf,
+    },
     /// The folder holds no result to work on.
     #[error("{path} holds no result of Coulter (there is no run.json in it)", path = path.display())]
     NoResult {
@@ -71,6 +78,9 @@ pub enum OutputError {
         problem: String,
     },
 }
+
+/// Folders inside a results folder.
+const INNER: [&str; 4] = [CHECKPOINTS, FIELDS, PICTURES, PLOTS];
 
 impl OutputError {
     pub(super) fn content(path: &Path, problem: impl std::fmt::Display) -> Self {
@@ -96,9 +106,14 @@ pub(super) fn write_whole(path: &Path, content: &[u8]) -> Result<(), OutputError
     name.push(".part");
     let neighbour = path.with_file_name(name);
     let mut file = fs::File::create(&neighbour).named("create", &neighbour)?;
-    file.write_all(content).named("write", &neighbour)?;
+    let written = file.write_all(content).named("write", path);
     drop(file);
-    fs::rename(&neighbour, path).named("replace", path)
+    let done = written.and_then(|()| fs::rename(&neighbour, path).named("replace", path));
+    if done.is_err() {
+        // On a full disc half a file would only be in the way.
+        let _ = fs::remove_file(&neighbour);
+    }
+    done
 }
 
 /// Brings the names in a folder to the disk, where the system can (not on Windows, which does so by itself).
@@ -111,8 +126,12 @@ pub(super) fn read_text(path: &Path) -> Result<String, OutputError> {
     fs::read_to_string(path).named("read", path)
 }
 
-/// Makes a folder and those above it.
+/// Makes a folder and those above it. One inside a results folder must not be a link to somewhere else.
 pub(super) fn make_folder(path: &Path) -> Result<(), OutputError> {
+    let is_inner = path.file_name().is_some_and(|name| INNER.iter().any(|inner| name == *inner));
+    if is_inner && path.is_symlink() {
+        return Err(OutputError::Link { path: path.to_path_buf() });
+    }
     fs::create_dir_all(path).named("create the folder", path)
 }
 
@@ -126,4 +145,34 @@ pub(super) fn write_json<T: serde::Serialize>(path: &Path, value: &T) -> Result<
 /// Reads a value from JSON.
 pub(super) fn read_json<T: serde::de::DeserializeOwned>(path: &Path) -> Result<T, OutputError> {
     serde_json::from_str(&read_text(path)?).map_err(|e| OutputError::content(path, e))
+}
+
+#[cfg(all(test, target_os = "linux"))]
+mod tests {
+    use super::*;
+    use std::os::unix::fs::symlink;
+
+    #[test]
+    fn a_full_disc_leaves_what_was_there_and_no_half_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("summary.json");
+        fs::write(&path, "before").unwrap();
+        symlink("/dev/full", folder.path().join("summary.json.part")).unwrap();
+        let told = write_whole(&path, b"after").unwrap_err().to_string();
+        assert!(told.contains("summary.json") && told.contains("No space left"), "{told}");
+        assert_eq!(fs::read_to_string(&path).unwrap(), "before");
+        assert!(!folder.path().join("summary.json.part").is_symlink());
+    }
+
+    #[test]
+    fn a_linked_folder_of_results_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let elsewhere = tempfile::tempdir().unwrap();
+        for name in INNER {
+            symlink(elsewhere.path(), folder.path().join(name)).unwrap();
+            let told = make_folder(&folder.path().join(name)).unwrap_err().to_string();
+            assert!(told.contains("is a link"), "{told}");
+        }
+        assert!(make_folder(&folder.path().join("other")).is_ok());
+    }
 }

@@ -33,6 +33,7 @@ pub mod summary;
 pub mod surface;
 pub mod table;
 pub mod validate;
+pub mod volume;
 mod vtk;
 
 pub use error::OutputError;

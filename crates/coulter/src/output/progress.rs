@@ -5,7 +5,7 @@ use super::reference::Reference;
 use super::scale::{Unit, digits};
 use crate::case::Case;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use std::io::IsTerminal;
+use std::io::{IsTerminal, Write};
 use std::time::{Duration, Instant};
 
 /// Ticks of the bar.
@@ -38,7 +38,7 @@ impl Progress {
     pub fn start(case: &Case, time: f64, quiet: bool) -> Self {
         let show = if quiet {
             Show::Nothing
-        } else if std::io::stderr().is_terminal() {
+        } else if std::io::stderr().is_terminal() && !is_plain() {
             Show::Bar(bar())
         } else {
             Show::Lines { last_share: -1.0, last_time: Instant::now() }
@@ -65,7 +65,7 @@ impl Progress {
                 let due = share - *last_share >= LINE_SHARE && last_time.elapsed() >= LINE_PAUSE;
                 if due || *last_share < 0.0 {
                     (*last_share, *last_time) = (share, Instant::now());
-                    eprintln!("{}", self.line(time, share, history));
+                    tell(&self.line(time, share, history));
                 }
             }
         }
@@ -77,9 +77,9 @@ impl Progress {
             Show::Nothing => {}
             Show::Bar(bar) => {
                 bar.finish_and_clear();
-                eprintln!("{message}");
+                tell(message);
             }
-            Show::Lines { .. } => eprintln!("{message}"),
+            Show::Lines { .. } => tell(message),
         }
     }
 
@@ -95,6 +95,17 @@ impl Progress {
         let live = live(history, &self.references);
         format!("{:3.0} %  t = {} s  {}  left {left}  {live}", 100.0 * share, digits(time), clock(spent))
     }
+}
+
+/// A line on standard error. Where that cannot be written (a closed pipe, a lost terminal) the run goes on without.
+fn tell(line: &str) {
+    let _ = writeln!(std::io::stderr().lock(), "{line}");
+}
+
+/// Whether the terminal, or its owner, wants plain lines: no colours, nothing that moves.
+fn is_plain() -> bool {
+    std::env::var_os("TERM").is_some_and(|name| name == "dumb")
+        || std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty())
 }
 
 fn bar() -> ProgressBar {

@@ -96,7 +96,7 @@ mod tests {
         let time = |n: u32| 0.1 * f64::from(n);
         let body = (1..=lines).map(|n| BodySample { time: time(n), ..BodySample::default() }).collect();
         let energy = (1..=lines).map(|n| EnergySample { time: time(n), ..EnergySample::default() }).collect();
-        History { names: vec!["disc".into()], bodies: vec![body], energy }
+        History { names: vec!["disc".into()], bodies: vec![body], energy, ..History::default() }
     }
 
     fn refusal(damage: impl Fn(&mut History)) -> String {

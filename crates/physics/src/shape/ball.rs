@@ -1,6 +1,6 @@
 //! The ball.
 
-use super::{Mesh, Shape, SurfacePoint, middle, paired, ring};
+use super::{Mesh, Shape, SurfacePoint, middle, paired, ring, ring_count, ring_points};
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 
@@ -14,6 +14,11 @@ pub struct Ball {
 impl Ball {
     fn radius(&self) -> f64 {
         0.5 * self.diameter
+    }
+
+    /// Number of rings of contact points.
+    fn rings(&self, spacing: f64) -> f64 {
+        (PI * self.radius() / spacing).ceil().max(2.0)
     }
 }
 
@@ -37,7 +42,7 @@ impl Shape for Ball {
     /// Rings of equal width between the poles on the z axis; a point stands for its part of the zone's true area.
     fn surface_points(&self, spacing: f64, _inset: DVec3) -> Vec<SurfacePoint> {
         let radius = self.radius();
-        let rings = (PI * radius / spacing).ceil().max(2.0);
+        let rings = self.rings(spacing);
         let mut points = Vec::new();
         for n in 0..rings as usize {
             // From the equator, so that north and south are each other's mirror image.
@@ -52,6 +57,13 @@ impl Shape for Ball {
             }));
         }
         paired(points)
+    }
+
+    fn surface_point_count(&self, spacing: f64, _inset: DVec3) -> f64 {
+        let (radius, rings) = (self.radius(), self.rings(spacing));
+        let ring_radius = |n: f64| radius * (PI * (2.0 * n + 1.0 - rings) / (2.0 * rings)).cos();
+        let area = 4.0 * PI * (radius / spacing).powi(2);
+        ring_points(rings, ring_radius, |length| ring_count(length, spacing), area)
     }
 
     fn is_revolved(&self) -> bool {

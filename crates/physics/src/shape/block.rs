@@ -54,6 +54,19 @@ impl Shape for Block {
         paired(points)
     }
 
+    fn surface_point_count(&self, spacing: f64, inset: DVec3) -> f64 {
+        let room = self.size - 2.0 * inset;
+        let both_sides = |axis: usize| {
+            let (width, height) = (room[(axis + 1) % 3], room[(axis + 2) % 3]);
+            if width > 0.0 && height > 0.0 {
+                2.0 * parts(width, spacing) * parts(height, spacing)
+            } else {
+                0.0
+            }
+        };
+        (0..3).map(both_sides).sum()
+    }
+
     fn is_revolved(&self) -> bool {
         false
     }

@@ -1,9 +1,9 @@
 //! The cylinder: sharp rims, its axis along x, y or z; a pile, a pipe, a circular footing.
 
-use super::{Disc, Mesh, Shape, SurfacePoint, middle, paired, parts, ring};
+use super::{Disc, Mesh, Shape, SurfacePoint, middle, paired, parts, ring, ring_count, ring_points};
 use glam::DVec3;
 use serde::Serialize;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// Along what a cylinder lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -120,6 +120,17 @@ impl Shape for Cylinder {
             }
         }
         paired(points)
+    }
+
+    fn surface_point_count(&self, spacing: f64, inset: DVec3) -> f64 {
+        let (radius, inset) = (0.5 * self.diameter, self.disc_frame(inset));
+        let (width, outer) = (self.length - 2.0 * inset.y, (radius - inset.x).max(0.0));
+        let side = 2.0 * parts(0.5 * width, spacing) * ring_count(TAU * radius, spacing);
+        let rings = if outer > 0.0 { parts(outer, spacing) } else { 0.0 };
+        let area = PI * (outer / spacing).powi(2);
+        let around = |length: f64| ring_count(length, spacing);
+        let end = ring_points(rings, |n| outer * (n + 0.5) / rings, around, area);
+        if width > 0.0 { side + 2.0 * end } else { 2.0 * end }
     }
 
     fn is_revolved(&self) -> bool {

@@ -1,6 +1,6 @@
 //! The disc: a flat cylinder with sharp rims, its axle along `y`.
 
-use super::{Mesh, Shape, SurfacePoint, middle, paired, parts};
+use super::{Mesh, Shape, SurfacePoint, middle, paired, parts, ring_points};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
 
@@ -45,6 +45,17 @@ impl Shape for Disc {
             face_points(self, side, spacing, inset.x, &mut points);
         }
         paired(points)
+    }
+
+    fn surface_point_count(&self, spacing: f64, inset: DVec3) -> f64 {
+        let width = self.thickness - 2.0 * inset.y;
+        let rim = 2.0 * parts(0.5 * width, spacing) * parts(PI * self.diameter, spacing);
+        let outer = self.radius() - inset.x;
+        let rings = parts(outer, spacing);
+        let area = PI * (outer / spacing).powi(2);
+        let around = |length: f64| parts(length, spacing);
+        let face = ring_points(rings, |n| outer * (n + 0.5) / rings, around, area);
+        if width > 0.0 { rim + 2.0 * face } else { 2.0 * face }
     }
 
     fn is_revolved(&self) -> bool {

@@ -15,7 +15,7 @@ pub use cylinder::{Axis, Cylinder};
 pub use disc::Disc;
 use glam::DVec3;
 use std::collections::BTreeMap;
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, TAU};
 pub use turned::Turned;
 
 /// A point of the surface at which contact is integrated.
@@ -50,6 +50,20 @@ fn ring(circumference: f64, spacing: f64) -> Vec<[f64; 2]> {
 /// Number of equal parts, none longer than `spacing`, of a length; rounding makes no further part.
 fn parts(length: f64, spacing: f64) -> f64 {
     (length / spacing * (1.0 - 1e-9)).ceil().max(1.0)
+}
+
+/// Number of points in rings of the given radii, each laid out by `around`; beyond what could ever be laid out the area tells.
+fn ring_points(rings: f64, radius: impl Fn(f64) -> f64, around: impl Fn(f64) -> f64, area: f64) -> f64 {
+    const MOST_RINGS: f64 = 1e5;
+    if rings > MOST_RINGS {
+        return area;
+    }
+    (0..rings as usize).map(|n| around(TAU * radius(n as f64))).sum()
+}
+
+/// Number of directions of a [`ring`].
+fn ring_count(circumference: f64, spacing: f64) -> f64 {
+    4.0 * parts(0.25 * circumference, spacing)
 }
 
 /// Puts points that are each other's mirror image in y side by side, in the order of the first of each pair.
@@ -96,6 +110,9 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
     /// The inset takes away the cell's half width by which a row of points at a sharp edge makes the body too wide.
     /// Points that are each other's mirror image in y stand side by side, so that contact can treat them alike.
     fn surface_points(&self, spacing: f64, inset: DVec3) -> Vec<SurfacePoint>;
+    /// Number of points that [`Shape::surface_points`] lays out, found without laying them out; a float, since it may be
+    /// beyond all bounds.
+    fn surface_point_count(&self, spacing: f64, inset: DVec3) -> f64;
     /// Whether a turn about the axle leaves the shape as it is; its contact points then need not turn with it.
     fn is_revolved(&self) -> bool;
     /// A closed triangle mesh of the surface.

@@ -45,6 +45,10 @@ impl<S: Shape> Shape for Turned<S> {
         points
     }
 
+    fn surface_point_count(&self, spacing: f64, inset: DVec3) -> f64 {
+        self.shape.surface_point_count(spacing, inset)
+    }
+
     fn is_revolved(&self) -> bool {
         self.shape.is_revolved()
     }

@@ -1,11 +1,12 @@
 //! Memory that the step works in and that is worth nothing between steps.
 
 use super::contact::{self, BodyCell, ContactLaw, Drive, Surface, TouchedNode};
+use super::footprint::team_size;
 use super::stress::Block;
 use super::{Real, State};
 use crate::cpu::cut::{Company, Cut, Pace};
 use crate::cpu::stopwatch::Stopwatch;
-use crate::cpu::threads::{MOST, Team};
+use crate::cpu::threads::Team;
 use crate::grid::Grid;
 use crate::model::Model;
 use glam::DVec3;
@@ -146,9 +147,8 @@ impl Workspace {
             pace: Pace::default(),
             stopwatch: Stopwatch::default(),
         };
-        // The nodes that wait for a worker's cells must not wait for those of another besides.
         let least = rows + 1;
-        let threads = threads.clamp(1, (planes * rows / least).min(MOST));
+        let threads = team_size(grid, threads);
         let (touched, corner_nodes) = contact::touched_nodes(model, &state.contacts);
         let mut workspace = Self {
             team: Team::new(threads),
@@ -179,28 +179,6 @@ impl Workspace {
     #[must_use]
     pub fn threads(&self) -> usize {
         self.team.size()
-    }
-
-    /// Memory that it takes up [bytes], but for what the contact law keeps during a step.
-    #[must_use]
-    pub fn memory(&self) -> usize {
-        let own = |w: &WorkerScratch| {
-            let coefficients = w.coefficients.iter().chain([&w.first]).map(|c| &c.values);
-            let rows = coefficients.chain([&w.below, &w.waiting, &w.row]);
-            rows.map(|row| size_of_val(row.as_slice())).sum::<usize>() + size_of_val(&*w.block)
-        };
-        self.velocity_before.iter().map(|field| size_of_val(field.as_slice())).sum::<usize>()
-            + self.workers.iter().map(own).sum::<usize>()
-            + size_of_val(self.row_sums.as_slice())
-            + size_of_val(self.costs.as_slice())
-            + size_of_val(self.row_has_soil.as_slice())
-            + size_of_val(self.row_values.as_slice())
-            + self.surfaces.iter().map(Surface::memory).sum::<usize>()
-            + size_of_val(self.body_cells.as_slice())
-            + size_of_val(self.touched.as_slice())
-            + size_of_val(self.corner_nodes.as_slice())
-            + size_of_val(self.patch.0.as_slice())
-            + size_of_val(self.friction.as_slice())
     }
 
     /// Where the time of the calling thread goes.

@@ -2,8 +2,11 @@
 
 use super::extent::path;
 use crate::case::estimate;
+use crate::case::machine;
 use crate::case::problem::Problems;
-use crate::case::resolved::{Body, Case, Domain, Freedom, Grid, Precision, Shape};
+use crate::case::quantity::plain;
+use crate::case::resolved::{Body, Case, Domain, Freedom, Shape};
+use crate::case::room::words;
 use crate::case::schema::{Schema, Section};
 
 /// More time steps than any machine would finish.
@@ -31,7 +34,8 @@ pub(super) fn bodies_fit(
 fn keeps_to_the_plane(section: &Section, body: &Body, domain: &Domain, problems: &mut Problems) {
     let plane = if domain.symmetric { "a symmetric" } else { "a plane strain" };
     if domain.symmetric && body.position.y != 0.0 {
-        let message = format!("the body stands at y = {} m, off the plane of symmetry", body.position.y);
+        let message =
+            format!("the body stands at y = {} m, off the plane of symmetry", plain(body.position.y));
         problems.add(section.place_of("y"), message, "take `y` out, or symmetric = true");
     }
     if body.translation[1] != Freedom::Fixed {
@@ -47,7 +51,8 @@ fn keeps_to_the_plane(section: &Section, body: &Body, domain: &Domain, problems:
 /// A plane of symmetry across the tow: no tow, and no turning about y.
 fn keeps_to_the_middle(section: &Section, body: &Body, problems: &mut Problems) {
     if body.position.x != 0.0 {
-        let message = format!("the body stands at x = {} m, off the plane of symmetry", body.position.x);
+        let message =
+            format!("the body stands at x = {} m, off the plane of symmetry", plain(body.position.x));
         problems.add(section.place_of("x"), message, "take `x` out, or symmetric_x = true");
     }
     if matches!(body.shape, Shape::Block { orientation, .. } if orientation != 0.0) {
@@ -89,7 +94,11 @@ fn stays_inside(section: &Section, body: &Body, domain: &Domain, duration: f64, 
         };
         let message = format!(
             "[{}] {message}: it spans {name} = {:.4} to {:.4} m, the box {} to {} m",
-            section.path, whole.low[axis], whole.high[axis], domain.low[axis], domain.high[axis]
+            section.path,
+            whole.low[axis],
+            whole.high[axis],
+            plain(domain.low[axis]),
+            plain(domain.high[axis])
         );
         problems.add(section.place_of(key), message, format!("make domain.{name} wider, or shorten the way"));
     }
@@ -98,7 +107,11 @@ fn stays_inside(section: &Section, body: &Body, domain: &Domain, duration: f64, 
     if through_the_floor || start.high.z <= domain.low.z || start.low.z >= domain.high.z {
         let message = format!(
             "[{}] spans z = {:.4} to {:.4} m, but the box {} to {} m",
-            section.path, whole.low.z, whole.high.z, domain.low.z, domain.high.z
+            section.path,
+            whole.low.z,
+            whole.high.z,
+            plain(domain.low.z),
+            plain(domain.high.z)
         );
         let key = if start.low.z < domain.low.z { "sinkage" } else { "heave" };
         problems.add(section.place_of(key), message, "make domain.z deeper, or start the body higher");
@@ -147,27 +160,36 @@ pub(super) fn can_be_computed(schema: &Schema, case: &Case, problems: &mut Probl
     }
 }
 
-/// Refuses a grid for which this machine has no memory; nothing of that size has been allocated yet.
-pub(super) fn fits_into_memory(
-    section: &Section,
-    grid: &Grid,
-    precision: Precision,
-    problems: &mut Problems,
-) {
-    let needed = estimate::memory(grid, precision);
-    let Some(available) = estimate::memory_available() else { return };
-    if needed > available {
-        let gigabyte = |bytes: f64| bytes / 1e9;
-        let message = format!(
-            "the grid of {:.3e} cells needs {:.1} GB of memory, and {:.1} GB are free",
-            estimate::cells(grid),
-            gigabyte(needed),
-            gigabyte(available)
-        );
-        problems.add(
-            section.place_of("cell"),
-            message,
-            "make grid.cell larger, or the box or the fine zone smaller",
-        );
+/// Contact points of one body beyond which it is refused: they take some 2 GB while they are laid out.
+const MOST_POINTS: f64 = 1e7;
+
+/// Refuses bodies with more contact points than can be laid out.
+pub(super) fn contact_points_can_be_laid_out(schema: &Schema, case: &Case, problems: &mut Problems) {
+    let Some((name, points)) = estimate::most_contact_points(case) else { return };
+    if points <= MOST_POINTS {
+        return;
     }
+    let message =
+        format!("body `{name}` would have {points:.1e} contact points; {MOST_POINTS:.0e} are the most");
+    let cure = "make grid.cell or numerics.point_spacing larger, or the body smaller";
+    problems.add(schema.grid.place_of("cell"), message, cure);
+}
+
+/// Refuses a case for which this machine has no memory; nothing of that size has been allocated yet.
+pub(super) fn fits_into_memory(schema: &Schema, case: &Case, problems: &mut Problems) {
+    let cost = estimate::cost(case);
+    let Some(available) = machine::memory_available() else { return };
+    if cost.memory_bytes <= available {
+        return;
+    }
+    let message = format!(
+        "the grid of {:.3e} cells needs {} of memory, the contact points {}, writing {}; {} are free",
+        cost.estimate.cells,
+        words(cost.memory.grid_bytes),
+        words(cost.memory.contact_bytes),
+        words(cost.memory.outputs_bytes),
+        words(available)
+    );
+    let cure = "make grid.cell larger, or the box or the fine zone smaller";
+    problems.add(schema.grid.place_of("cell"), message, cure);
 }

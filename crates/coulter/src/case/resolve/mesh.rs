@@ -6,6 +6,7 @@ use super::fit::fit;
 use super::grading::{self, Axis};
 use super::room::room;
 use crate::case::problem::Problems;
+use crate::case::quantity::plain;
 use crate::case::ranges::{self, GROWTH};
 use crate::case::resolved::{Body, Domain, Grid, Ground};
 use crate::case::schema::Section;
@@ -77,7 +78,7 @@ fn faces(
     let unfitted = Axis { fine: axis.fine, ..unfitted };
     let [low, high] = axis.ends;
     if axis.fine[0] < low || axis.fine[1] > high {
-        let message = format!("the fine zone is partly outside the box, {low} to {high} m");
+        let message = format!("the fine zone is partly outside the box, {} to {} m", plain(low), plain(high));
         problems.add(section.place_of(key), message, format!("change grid.{key} or the domain"));
         return None;
     }

@@ -13,6 +13,7 @@ pub(super) mod room;
 mod soil;
 mod timing;
 
+use super::is_device;
 use super::problem::Problems;
 use super::ranges::{self, ANY, NOT_NEGATIVE, POSITIVE, SHARE};
 use super::resolved::{Body, Case, Contact, Law, Numerics, Precision};
@@ -92,7 +93,6 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
     checks::bodies_fit(schema, &bodies, &domain, duration, problems);
     let usual = mesh::usual_fine_zone(&frame, &domain, &bodies, duration);
     let grid = mesh::grid(&schema.grid, &frame, (&domain, &ground), &bodies, usual, problems)?;
-    checks::fits_into_memory(&schema.grid, &grid, numerics.as_ref()?.precision, problems);
     let name = name?;
     let case = Case {
         title: schema.top.text("title").map_or_else(|| name.clone(), |t| t.value),
@@ -112,6 +112,8 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
     };
     checks::contact_points_remain(schema, &case, problems);
     checks::can_be_computed(schema, &case, problems);
+    checks::contact_points_can_be_laid_out(schema, &case, problems);
+    checks::fits_into_memory(schema, &case, problems);
     Some(case)
 }
 
@@ -154,14 +156,20 @@ fn name(top: &Section, source_name: &str, problems: &mut Problems) -> Option<Str
             .map_or_else(String::new, |s| s.to_string_lossy().into());
         let plain: String =
             stem.chars().map(|c| if is_plain(c) { c } else { '-' }).take(MOST_LETTERS).collect();
+        let plain = if is_device(&plain) { format!("{plain}-case") } else { plain };
         return Some(if plain.is_empty() { "case".to_owned() } else { plain });
     }
     let typed = top.text("name")?;
-    if !typed.value.is_empty() && typed.value.len() <= MOST_LETTERS && typed.value.chars().all(is_plain) {
+    let fits = !typed.value.is_empty() && typed.value.len() <= MOST_LETTERS;
+    if fits && typed.value.chars().all(is_plain) && !is_device(&typed.value) {
         return Some(typed.value);
     }
     let message = format!("\"{}\" cannot be the name of a folder here", typed.value);
-    problems.add(&typed.place, message, "use 1 to 100 letters, digits, `-` and `_`");
+    problems.add(
+        &typed.place,
+        message,
+        "use 1 to 100 letters, digits, `-` and `_`, and no name of a Windows device",
+    );
     None
 }
 

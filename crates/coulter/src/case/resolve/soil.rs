@@ -1,6 +1,7 @@
 //! The soil: its law and its parameters.
 
 use crate::case::problem::Problems;
+use crate::case::quantity::plain;
 use crate::case::ranges::{self, ACUTE, BELOW_HALF, ECCENTRICITY, NOT_NEGATIVE, POSITIVE};
 use crate::case::resolved::{Domain, Law, Potential, Soil};
 use crate::case::schema::Section;
@@ -51,8 +52,9 @@ pub(super) fn overburden(
     }
     if surface < domain.high.z {
         let message = format!(
-            "an overburden needs a lid to hold it: the soil ends at z = {surface} m, the box at {} m",
-            domain.high.z
+            "an overburden needs a lid to hold it: the soil ends at z = {} m, the box at {} m",
+            plain(surface),
+            plain(domain.high.z)
         );
         let cure = "let domain.z end at ground.surface, or take `overburden` out";
         problems.add(section.place_of("overburden"), message, cure);

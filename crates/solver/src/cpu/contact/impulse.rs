@@ -20,6 +20,10 @@ pub(super) struct Impulses {
     groups: Vec<Group>,
 }
 
+/// What is kept for each patch [bytes].
+pub(super) const PER_PATCH: f64 =
+    (super::patch::PER_PATCH + size_of::<Option<Terms>>() + size_of::<Group>()) as f64;
+
 /// Symmetric sweeps per step; fewer than two give wrong forces.
 const SWEEPS: usize = 4;
 /// A touching point of a curved or inclined face is let go when the volume fractions show a void of this many cells before it:

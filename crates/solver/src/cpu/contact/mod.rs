@@ -205,6 +205,14 @@ pub(crate) fn law(model: &Model) -> Box<dyn ContactLaw> {
     }
 }
 
+/// What the contact law of a model keeps for each patch of points that touch [bytes].
+pub(crate) fn kept_per_patch(model: &Model) -> f64 {
+    match model.method.contact {
+        ContactMethod::Penalty => 0.0,
+        ContactMethod::Impulse => impulse::PER_PATCH,
+    }
+}
+
 /// Lets soil and bodies act on each other for one step. Returns what that did, for the ledger; what each body received is in
 /// the workspace.
 pub(crate) fn contact(model: &Model, state: &mut State, workspace: &mut Workspace, dt: f64) -> ContactWork {

@@ -61,6 +61,9 @@ impl Sums {
     }
 }
 
+/// What is kept for each patch [bytes].
+pub(super) const PER_PATCH: usize = size_of::<Patch>() + size_of::<[Sums; 3]>() + size_of::<Option<usize>>();
+
 /// The patches made of the points that touch in a step.
 #[derive(Debug, Default)]
 pub(super) struct Patches {

@@ -1,0 +1,127 @@
+//! What this machine has to spare: memory, under the limits of its containers and job schedulers, and room on a disc.
+//!
+//! Tried on Linux; what other systems say of their free memory is the business of the crate `sysinfo`, untested here.
+
+use std::path::Path;
+
+/// Where Linux shows its control groups.
+const GROUPS: &str = "/sys/fs/cgroup";
+
+/// Memory that a new program can have here [bytes], where the system says so: what is free, or less where a control group
+/// (of a container, of a SLURM job) allows less.
+#[must_use]
+pub fn memory_available() -> Option<f64> {
+    let free = sysinfo::System::new().ok().and_then(|mut system| {
+        system.refresh_memory();
+        Some(system.available_memory() as f64).filter(|bytes| *bytes > 0.0)
+    });
+    let own = std::fs::read_to_string("/proc/self/cgroup").unwrap_or_default();
+    let limit = left_in_groups(Path::new(GROUPS), &own);
+    [free, limit].into_iter().flatten().reduce(f64::min)
+}
+
+/// Room that is left on the file system that a folder is, or will be, on [bytes], where it can be known.
+#[must_use]
+pub fn room_for(folder: &Path) -> Option<f64> {
+    let absolute = std::path::absolute(folder).ok()?;
+    let there = absolute.ancestors().find(|path| path.exists())?;
+    fs4::available_space(there).ok().map(|bytes| bytes as f64)
+}
+
+/// Names of the files of a control group: its limit, what is used of it, and what of that is only cached [bytes].
+struct Names {
+    limit: &'static str,
+    used: &'static str,
+    cached: [&'static str; 2],
+}
+
+const FIRST: Names = Names {
+    limit: "memory.limit_in_bytes",
+    used: "memory.usage_in_bytes",
+    cached: ["total_inactive_file", "total_active_file"],
+};
+const SECOND: Names =
+    Names { limit: "memory.max", used: "memory.current", cached: ["inactive_file", "active_file"] };
+
+/// What the control groups of this program, as `/proc/self/cgroup` names them, and those above them leave to it [bytes];
+/// `None` where none has a limit.
+fn left_in_groups(mount: &Path, own: &str) -> Option<f64> {
+    let groups = own.lines().filter_map(|line| {
+        let (_, rest) = line.split_once(':')?;
+        let (controllers, path) = rest.split_once(':')?;
+        match controllers {
+            "" => Some((mount.to_path_buf(), path, &SECOND)),
+            _ if controllers.split(',').any(|c| c == "memory") => Some((mount.join("memory"), path, &FIRST)),
+            _ => None,
+        }
+    });
+    let left = groups.flat_map(|(top, path, names)| {
+        let below = Path::new(path.trim_start_matches('/')).ancestors().map(Path::to_path_buf);
+        below.filter_map(move |folder| left_in(&top.join(folder), names)).collect::<Vec<_>>()
+    });
+    left.reduce(f64::min)
+}
+
+/// What is left in one group [bytes]; cached files make room when asked to.
+fn left_in(group: &Path, names: &Names) -> Option<f64> {
+    let number = |name| std::fs::read_to_string(group.join(name)).ok()?.trim().parse::<f64>().ok();
+    // Without a limit the first version names the largest number that it can, the second `max`.
+    let limit = number(names.limit).filter(|bytes| *bytes < 1e18)?;
+    let text = std::fs::read_to_string(group.join("memory.stat")).unwrap_or_default();
+    let value = |line: &str| {
+        let (name, value) = line.split_once(' ')?;
+        names.cached.contains(&name).then(|| value.trim().parse::<f64>().ok())?
+    };
+    let cached: f64 = text.lines().filter_map(value).sum();
+    Some((limit - number(names.used)? + cached).clamp(0.0, limit))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn group(at: &Path, files: &[(&str, &str)]) {
+        std::fs::create_dir_all(at).unwrap();
+        for (name, text) in files {
+            std::fs::write(at.join(name), text).unwrap();
+        }
+    }
+
+    #[test]
+    fn the_narrowest_group_counts() {
+        let top = tempfile::tempdir().unwrap();
+        let job = top.path().join("slurm/job_7");
+        group(&job, &[("memory.max", "4000000\n"), ("memory.current", "1500000\n")]);
+        group(&job, &[("memory.stat", "anon 1\ninactive_file 300000\nactive_file 200000\nfile 9\n")]);
+        group(&job.join("step_0"), &[("memory.max", "max\n"), ("memory.current", "10\n")]);
+        let left = || left_in_groups(top.path(), "0::/slurm/job_7/step_0\n");
+        assert_eq!(left(), Some(3e6));
+        group(&top.path().join("slurm"), &[("memory.max", "2000000"), ("memory.current", "1900000")]);
+        assert_eq!(left(), Some(1e5));
+        assert_eq!(left_in_groups(top.path(), "0::/elsewhere\n"), None);
+        assert_eq!(left_in_groups(top.path(), "no such\nfile"), None);
+    }
+
+    #[test]
+    fn the_first_version_of_control_groups_is_read_too() {
+        let top = tempfile::tempdir().unwrap();
+        let memory = top.path().join("memory");
+        let own = "5:cpu,memory:/docker/ab\n1:name=systemd:/\n";
+        let none = [("memory.limit_in_bytes", "9223372036854771712"), ("memory.usage_in_bytes", "7")];
+        group(&memory, &none);
+        assert_eq!(left_in_groups(top.path(), own), None);
+        // A container sees its own group as the top.
+        group(&memory, &[("memory.limit_in_bytes", "1000000"), ("memory.usage_in_bytes", "1200000")]);
+        assert_eq!(left_in_groups(top.path(), own), Some(0.0));
+        group(&memory, &[("memory.stat", "inactive_file 1\ntotal_inactive_file 700000\n")]);
+        assert_eq!(left_in_groups(top.path(), own), Some(5e5));
+    }
+
+    #[test]
+    fn this_machine_has_something_to_spare() {
+        if cfg!(target_os = "linux") {
+            assert!(memory_available().unwrap() > 1e6);
+        }
+        assert!(room_for(Path::new("no/such/folder/yet")).is_some_and(|bytes| bytes > 0.0));
+    }
+}

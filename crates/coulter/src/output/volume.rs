@@ -1,0 +1,77 @@
+//! How much a run will write, and how much memory it takes to write it, told from the case.
+
+use super::fields::CellView;
+use crate::case::resolved::{Case, Precision};
+use serde::Serialize;
+
+/// A cell with soil in a file of fields [bytes]: 18 numbers of 32 bits, packed; measured (towed disc 59, column 61).
+const PACKED_CELL: f64 = 60.0;
+/// The same without soil: all zeros; measured.
+const PACKED_VOID: f64 = 0.5;
+/// A column of cells in a file of the free surface [bytes]; measured on the towed disc.
+const PACKED_COLUMN: f64 = 21.0;
+/// A body in its own file [bytes]; measured.
+const PACKED_BODY: f64 = 6e3;
+/// A line of a body's history, and one of the energy's [bytes]; measured.
+const LINES: [f64; 2] = [236.0, 155.0];
+/// Share of the state that is left of it in a checkpoint, for cells with soil; measured.
+const PACKED_STATE: f64 = 0.93;
+/// Report, pictures and plots [bytes]; measured.
+const REPORT: f64 = 0.8e6;
+/// The largest array of a file of fields before it is packed, stress, for each cell [bytes].
+const RAW_CELL: f64 = 6.0 * size_of::<f32>() as f64;
+/// Arrays in the state.
+const STATE_ARRAYS: f64 = 17.0;
+/// Memory for pictures, plots and the report, whatever the case [bytes]; measured.
+const PICTURES: f64 = 14e6;
+/// Memory to write a checkpoint, over that of the fields: it is written bit by bit.
+const CHECKPOINT: f64 = 0.1;
+
+/// What a run will leave on the disc [bytes].
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Volume {
+    /// Number of field files.
+    pub frames: f64,
+    /// All files of fields: soil, surface and bodies.
+    pub fields_bytes: f64,
+    /// Histories of bodies and of the energy.
+    pub histories_bytes: f64,
+    /// The checkpoint, twice: the new one is written beside the old one.
+    pub checkpoints_bytes: f64,
+    /// Everything.
+    pub total_bytes: f64,
+}
+
+/// What a run of a case with so many cells, and so many with soil, will leave.
+#[must_use]
+pub fn volume(case: &Case, cells: f64, filled: f64) -> Volume {
+    let (bodies, layers) = (case.bodies.len() as f64, case.grid.faces[2].len() as f64 - 1.0);
+    let mirrored = if case.domain.symmetric { 2.0 } else { 1.0 };
+    let soil = PACKED_CELL * filled + PACKED_VOID * (cells - filled);
+    let one = soil + PACKED_COLUMN * mirrored * cells / layers.max(1.0) + PACKED_BODY * bodies;
+    let frames = (case.duration / case.output.field_interval).floor() + 2.0;
+    let lines = (case.duration / case.output.history_interval).ceil() + 1.0;
+    let fields_bytes = frames * one;
+    let histories_bytes = lines * (LINES[0] * bodies + LINES[1]);
+    let checkpoints_bytes = 2.0 * PACKED_STATE * STATE_ARRAYS * width(case) * filled;
+    let total_bytes = fields_bytes + histories_bytes + checkpoints_bytes + REPORT;
+    Volume { frames, fields_bytes, histories_bytes, checkpoints_bytes, total_bytes }
+}
+
+fn width(case: &Case) -> f64 {
+    match case.numerics.precision {
+        Precision::Double => 8.0,
+        Precision::Single => 4.0,
+    }
+}
+
+/// Memory that writing takes at most [bytes]: for a file of fields (all cells as they are shown, one array, then the packed
+/// arrays and the file that they go into), for a checkpoint, or for pictures and report at the end.
+#[must_use]
+pub fn memory(case: &Case, cells: f64, filled: f64, fields: f64) -> f64 {
+    let lines = (case.duration / case.output.history_interval).ceil();
+    let shown = (size_of::<CellView>() as f64 + RAW_CELL) * cells + 2.0 * PACKED_CELL * filled;
+    // The report reads the histories as text and draws them.
+    let report = PICTURES + lines * (LINES[0] * case.bodies.len() as f64 + LINES[1]);
+    shown.max(report).max(CHECKPOINT * fields)
+}

@@ -1,0 +1,118 @@
+//! What a run will take up in memory, told from its model before any of it exists. All in bytes, as floats: what nobody could
+//! ever hold has a number too.
+
+use crate::model::{BodyModel, Model};
+use crate::state::{Contact, Nodes, Soil};
+use glam::DVec3;
+use physics::rigid::Freedom;
+use physics::shape::SurfacePoint;
+
+/// Memory of a run [bytes].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Footprint {
+    /// Fields of the state.
+    pub fields: f64,
+    /// Those of them that stay untouched where no soil has ever been: a system lends no memory for them.
+    pub fields_of_soil: f64,
+    /// What the step works in, but for contact.
+    pub workspace: f64,
+    /// Surfaces of the bodies, and what is kept for their points that have soil to act on.
+    pub contact: f64,
+    /// More that is needed for a moment, when the points of the body with the most are laid out.
+    pub layout: f64,
+}
+
+/// Arrays of the state that are written in every cell at the start: fraction, mass, stress, and the mass of the nodes.
+const WRITTEN: f64 = 9.0;
+/// Sharing of a cell's nodes by neighbouring patches: about so many nodes for each patch of points.
+const NODES_PER_PATCH: f64 = 2.5;
+
+/// Fields of a state whose grid has so many entries, and those that only soil touches; `R` is their precision.
+#[must_use]
+pub(crate) fn fields<R>(entries: usize) -> [f64; 2] {
+    // All that Soil and Nodes hold are arrays over the grid.
+    let arrays = ((size_of::<Soil<R>>() + size_of::<Nodes<R>>()) / size_of::<Vec<R>>()) as f64;
+    let one = (entries * size_of::<R>()) as f64;
+    [arrays * one, (arrays - WRITTEN) * one]
+}
+
+/// Contact points of all bodies, each at last so far from its start [m]: what is kept for them, and what laying out the
+/// largest takes besides; `per_patch` is what the contact law keeps of a patch.
+#[must_use]
+pub(crate) fn contact(model: &Model, moved: &[DVec3], [per_point, per_patch]: [f64; 2]) -> [f64; 2] {
+    /// Of a shape's list of points, its copy in pairs, and the tree that finds the pairs.
+    const LAID_OUT: f64 = 2.0 * size_of::<SurfacePoint>() as f64 + 60.0;
+    let points_per_patch = model.method.point_spacing.min(1.0).powi(-2);
+    let mut sums = [0.0_f64; 2];
+    for (n, body) in model.bodies.iter().enumerate() {
+        let all = surface_points(model, body);
+        let [kept, touching] = shares(model, body, moved.get(n).copied().unwrap_or_default());
+        let each = per_contact() + per_patch / points_per_patch;
+        sums[0] += all * (kept * per_point + touching * each);
+        sums[1] = sums[1].max(all * LAID_OUT);
+    }
+    sums
+}
+
+/// Number of surface points that are laid out on a body.
+#[must_use]
+pub fn surface_points(model: &Model, body: &BodyModel) -> f64 {
+    let finest = DVec3::from_array(std::array::from_fn(|axis| model.grid.finest_along(axis)));
+    let spacing = model.method.point_spacing * model.grid.finest();
+    body.shape.surface_point_count(spacing, model.method.edge_inset * finest)
+}
+
+/// Cells that bodies take up, in the box.
+#[must_use]
+pub(crate) fn body_cells(model: &Model) -> f64 {
+    let cells = |body: &BodyModel| {
+        let (low, high) = body.shape.bounds();
+        let size = high - low;
+        let filling = body.shape.volume() / size.element_product();
+        let layers = |axis: usize| {
+            let faces = &model.grid.faces[axis];
+            let first = faces.partition_point(|f| *f <= body.start[axis] + low[axis]).saturating_sub(1);
+            let last = faces.partition_point(|f| *f < body.start[axis] + high[axis]);
+            last.min(faces.len() - 1).saturating_sub(first) as f64
+        };
+        filling * (0..3).map(layers).product::<f64>()
+    };
+    model.bodies.iter().map(cells).sum()
+}
+
+/// What is kept for a point with soil to act on, old and new: itself, its corners, its patch, its friction.
+fn per_contact() -> f64 {
+    let one = size_of::<Contact>() as f64;
+    let lists =
+        size_of::<[u32; 8]>() + 2 * size_of::<Option<usize>>() + size_of::<DVec3>() + size_of::<[usize; 8]>();
+    2.0 * one + lists as f64
+}
+
+/// What is kept for a patch besides what the contact law keeps: the nodes, the forces that are missing, and how it is found.
+pub(crate) fn per_patch(touched_node: usize) -> f64 {
+    let missing = size_of::<[DVec3; 8]>() + size_of::<Option<[DVec3; 8]>>();
+    NODES_PER_PATCH * touched_node as f64 + missing as f64 + 120.0
+}
+
+/// Share of a body's points that are kept, and of those that have soil to act on at its start or when it has moved so far
+/// [m], whichever is more: by the area of a few points that stand for all.
+fn shares(model: &Model, body: &BodyModel, moved: DVec3) -> [f64; 2] {
+    /// Points along the diagonal.
+    const FEW: f64 = 16.0;
+    let (low, high) = body.shape.bounds();
+    let points = body.shape.surface_points((high - low).length() / FEW, DVec3::ZERO);
+    let spacing = model.method.point_spacing * model.grid.finest();
+    let stays = body.translation[1] == Freedom::Fixed;
+    let is_in = |axis: usize, x: DVec3, margin: f64| {
+        let faces = &model.grid.faces[axis];
+        (faces[0] - margin..=faces[faces.len() - 1] + margin).contains(&x[axis])
+    };
+    let share = |of: &dyn Fn(DVec3) -> bool| {
+        let area = |p: &&SurfacePoint| p.area;
+        let those = points.iter().filter(|p| of(body.start + p.position));
+        those.map(|p| area(&p)).sum::<f64>() / points.iter().map(|p| p.area).sum::<f64>()
+    };
+    let in_soil = |x: DVec3| x.z <= model.surface && (0..3).all(|axis| is_in(axis, x, 0.0));
+    let touching = share(&in_soil).max(share(&|x| in_soil(x + moved)));
+    [share(&|x| !stays || is_in(1, x, spacing)), touching]
+}

@@ -1,0 +1,81 @@
+//! What is told of the memory beforehand is what a run then takes up.
+#![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
+
+mod common;
+
+use common::{below, sand, uniform};
+use glam::DVec3;
+use physics::rigid::Freedom;
+use physics::shape::{Block, Disc, Shape};
+use solver::footprint::surface_points;
+use solver::grid::Grid;
+use solver::model::{BodyModel, Model};
+use solver::precision::Precision;
+
+fn body(shape: Box<dyn Shape>, start: DVec3) -> BodyModel {
+    BodyModel {
+        name: "body".into(),
+        shape,
+        start,
+        mass: 1.0,
+        axle_inertia: 0.005,
+        friction: 0.3,
+        shear_limit: f64::INFINITY,
+        translation: [
+            Freedom::Prescribed { speed: 0.3, start: 0.0, ramp: 0.01, end: f64::INFINITY },
+            Freedom::Fixed,
+            Freedom::Fixed,
+        ],
+        spin: Freedom::Fixed,
+    }
+}
+
+fn model(lanes: usize, shape: Box<dyn Shape>) -> Model {
+    let mut model = sand([uniform(-0.2, 0.24, 44), uniform(-0.16, 0.16, 32), uniform(-0.14, 0.06, 20)]);
+    model.grid = Grid::padded(model.grid.faces, lanes);
+    model.bodies.push(body(shape, DVec3::ZERO));
+    model
+}
+
+#[track_caller]
+fn near(told: f64, real: usize, tolerance: f64) {
+    assert!((told / real as f64 - 1.0).abs() <= tolerance, "told {told}, in fact {real}");
+}
+
+fn told_is_real<R: Precision>(threads: usize) {
+    let shapes: [Box<dyn Shape>; 2] =
+        [Box::new(Disc { diameter: 0.16, thickness: 0.08 }), Box::new(Block { size: DVec3::splat(0.12) })];
+    for shape in shapes {
+        let bare = sand([uniform(-0.2, 0.24, 44), uniform(-0.16, 0.16, 32), uniform(-0.14, 0.06, 20)]);
+        let bare = Model { grid: Grid::padded(bare.grid.faces.clone(), R::LANES), ..bare };
+        let state = R::start_under(&bare, &below(0.0), 0.0);
+        let workspace = R::workspace(&bare, &state, threads);
+        let told = R::footprint(&bare, threads, &[]);
+        near(told.fields, state.memory(), 1e-9);
+        near(told.workspace, R::memory(&workspace), 1e-9);
+        assert_eq!((told.contact, told.layout), (0.0, 0.0));
+
+        let model = model(R::LANES, shape);
+        let mut state = R::start_under(&model, &below(0.0), 0.0);
+        let mut workspace = R::workspace(&model, &state, threads);
+        while state.remaps < 2 {
+            R::step(&model, &mut state, &mut workspace).unwrap();
+        }
+        let told = R::footprint(&model, threads, &[]);
+        let fields = state.memory() - size_of_val(state.contacts.as_slice());
+        near(told.fields, fields, 1e-9);
+        let contact = R::memory(&workspace) + state.memory() - fields;
+        // The law's own memory, and what is held twice for a moment, are in what is told, but not in what is counted here.
+        let told = told.workspace + told.contact;
+        assert!((contact as f64..2.0 * contact as f64).contains(&told), "told {told}, kept {contact}");
+        let points = surface_points(&model, &model.bodies[0]);
+        assert!(state.contacts.len() as f64 > 0.3 * points && state.contacts.len() as f64 <= points);
+    }
+}
+
+#[test]
+fn what_is_told_is_what_is_taken() {
+    told_is_real::<f64>(1);
+    told_is_real::<f64>(2);
+    told_is_real::<f32>(3);
+}
