@@ -205,14 +205,13 @@ fn statistics(simulation: &Simulation<impl Precision>, outcome: Outcome) -> RunS
 
 /// What a run that came to its end says of itself.
 fn last_words(summary: &Summary, seconds: f64, folder: &Path) -> String {
-    let begin = match summary.trust.verdict {
-        Verdict::Broken => "ended, but the result is not to be used",
-        Verdict::Good | Verdict::Doubtful => "done",
-    };
     let report = folder.join("report.html");
-    let mut lines = vec![format!("{begin}; {seconds:.1} s; the report is {}", report.display())];
-    lines.extend(verdict(summary));
-    lines.join("\n")
+    let end = format!("in {seconds:.1} s; the report is {}", report.display());
+    match summary.trust.verdict {
+        // Why it is broken is an error, and told as one.
+        Verdict::Broken => format!("ended {end}"),
+        Verdict::Good | Verdict::Doubtful => format!("done {end}\n{}", verdict(summary).join("\n")),
+    }
 }
 
 /// The verdict and what is behind it, a line each.

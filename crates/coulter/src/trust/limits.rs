@@ -286,12 +286,12 @@ pub const WALLS: Limit = Limit {
 pub const BOUNDARY_STRESS: Limit = Limit {
     name: "stress at the boundaries",
     unit: "%",
-    good: 20.0,
+    good: 30.0,
     doubtful: NEVER,
     more_is_better: false,
     meaning: "largest rise of the normal pressure on floor and side walls over the contact pressure (force over the embedded front and the base), in the last third of the run",
-    reason: "in an elastic half space the pressure under a load on the area A falls to 20 % at a depth of 1.5 √A (Boussinesq 1885); nearer walls stiffen the ground",
-    advice: "make domain larger on the side that advice names",
+    reason: "in nine random cases below 40 % a box 1.7 times as wide and 1.5 times as deep changed the force by 0 to 6 %, in one by 29 %",
+    advice: "make domain larger, most of all where `coulter check` names a near wall",
 };
 
 /// Courant number.

@@ -1,0 +1,197 @@
+//! The grade of a run: each check speaks up when, and only when, it should.
+#![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
+
+use coulter::case::{self, Case};
+use coulter::output::record::{BodySample, BoundarySample, EnergySample, History};
+use coulter::output::reference::Reference;
+use coulter::simulation::Simulation;
+use coulter::trust::{Setting, Trust, Verdict};
+
+/// The shipped tow on cells fine enough for its sinkage.
+fn tow(overrides: &[&str]) -> Case {
+    let path = format!("{}/../../cases/towed_disc.toml", env!("CARGO_MANIFEST_DIR"));
+    let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
+    case::load(path.as_ref(), &overrides).unwrap()
+}
+
+/// A history that nothing is wrong with: 40 N on a disc that is 60 mm deep, towed 0.3 m.
+fn history() -> History {
+    let time = |n: i32| f64::from(n) * 0.004;
+    let body = (0..400).map(|n| BodySample {
+        time: time(n),
+        displacement: 0.2 * time(n),
+        sinkage: 0.06,
+        drag: 15.0,
+        vertical: 40.0,
+        speed: 0.2,
+        spin: 1.4,
+        embedded_volume: 1e-4,
+        ..BodySample::default()
+    });
+    let energy = (0..400).map(|n| EnergySample {
+        time: time(n),
+        external: time(n),
+        plastic: 0.99 * time(n),
+        hourglass: 0.01 * time(n),
+        volume_ratio: 1.0,
+        ..EnergySample::default()
+    });
+    let boundaries = (0..400).map(|n| BoundarySample { time: time(n), ..BoundarySample::default() });
+    History {
+        names: vec!["disc".into()],
+        bodies: vec![body.collect()],
+        energy: energy.collect(),
+        boundaries: boundaries.collect(),
+    }
+}
+
+fn grade(case: &Case, history: &History) -> Trust {
+    Trust::grade(&Setting::of(case), history, &Reference::all(case), case.output.steady_share, None)
+}
+
+/// The verdict on one check of a history in which one thing is wrong; all others must be good.
+fn only(name: &str, damage: impl Fn(&mut History)) -> Verdict {
+    let mut damaged = history();
+    damage(&mut damaged);
+    let trust = grade(&tow(&[]), &damaged);
+    let doubts: Vec<&str> = trust.doubts().iter().map(|c| c.name.as_str()).collect();
+    assert_eq!(doubts, [name]);
+    assert!(!trust.doubts()[0].advice.is_empty(), "{name}: no advice");
+    trust.verdict
+}
+
+#[test]
+fn a_run_without_fault_is_good() {
+    let trust = grade(&tow(&[]), &history());
+    assert_eq!(trust.verdict, Verdict::Good, "{:#?}", trust.doubts());
+    assert_eq!(trust.is_steady("disc"), Some(true));
+    assert!(trust.checks.iter().all(|c| c.advice.is_empty()));
+    assert!(trust.checks.len() > 15, "{} checks", trust.checks.len());
+}
+
+#[test]
+fn energy_volume_and_leak_are_judged_by_their_shares() {
+    for (share, verdict) in [(0.03, Verdict::Doubtful), (0.2, Verdict::Broken)] {
+        let off =
+            only("energy balance", |h| h.energy.last_mut().unwrap().plastic = 0.99 * 1.596 * (1.0 - share));
+        assert_eq!(off, verdict);
+    }
+    let hourglass = |share: f64| {
+        only("hourglass energy", |h| {
+            let e = h.energy.last_mut().unwrap();
+            (e.hourglass, e.plastic) = (share * e.external, (1.0 - share) * e.external);
+        })
+    };
+    assert_eq!([hourglass(0.05), hourglass(0.2)], [Verdict::Doubtful, Verdict::Broken]);
+    let volume = |ratio: f64| only("soil volume", |h| h.energy.last_mut().unwrap().volume_ratio = ratio);
+    assert_eq!([volume(0.99), volume(1.03)], [Verdict::Doubtful, Verdict::Broken]);
+    let leak = |share: f64| only("leak", |h| h.bodies[0].last_mut().unwrap().leaked_volume = share * 1e-4);
+    assert_eq!([leak(0.005), leak(0.05)], [Verdict::Doubtful, Verdict::Broken]);
+}
+
+#[test]
+fn what_is_not_a_number_is_broken() {
+    let mut damaged = history();
+    damaged.energy.last_mut().unwrap().plastic = f64::NAN;
+    assert_eq!(grade(&tow(&[]), &damaged).verdict, Verdict::Broken);
+}
+
+#[test]
+fn soil_at_lid_and_walls_is_told() {
+    let lid = |force: f64| {
+        only("soil at the lid", |h| {
+            h.boundaries[200] = BoundarySample { lid_force: force, lid_area: 1e-3, ..h.boundaries[200] }
+        })
+    };
+    assert_eq!([lid(0.4), lid(10.0)], [Verdict::Doubtful, Verdict::Broken]);
+    assert_eq!(only("soil at bare walls", |h| h.boundaries[100].wall_area = 1e-4), Verdict::Doubtful);
+    let pressed = |h: &mut History| h.boundaries.iter_mut().for_each(|b| b.stress_rise = 20e3);
+    assert_eq!(only("stress at the boundaries", pressed), Verdict::Doubtful);
+}
+
+#[test]
+fn a_drag_that_still_changes_is_not_steady() {
+    let rises = |h: &mut History| h.bodies[0].iter_mut().for_each(|s| s.drag = 15.0 * (1.0 + s.displacement));
+    let mut rising = history();
+    rises(&mut rising);
+    assert_eq!(grade(&tow(&[]), &rising).is_steady("disc"), Some(true), "7 % over the window");
+    let climbs = |h: &mut History| h.bodies[0].iter_mut().for_each(|s| s.drag = 15.0 + 60.0 * s.displacement);
+    assert_eq!(only("steady drag", climbs), Verdict::Doubtful);
+    let sinks = |h: &mut History| {
+        h.bodies[0].iter_mut().for_each(|s| s.sinkage = 0.06 * (1.0 + 3.0 * s.displacement))
+    };
+    assert_eq!(only("steady sinkage", sinks), Verdict::Doubtful);
+}
+
+#[test]
+fn motion_that_no_free_body_makes_is_told() {
+    let backwards = |h: &mut History| h.bodies[0].iter_mut().for_each(|s| s.spin = -2.0);
+    assert_eq!(only("turn ratio of a free wheel", backwards), Verdict::Broken);
+    let mut lifted = history();
+    lifted.bodies[0].iter_mut().for_each(|s| s.sinkage = -0.017);
+    let trust = grade(&tow(&[]), &lifted);
+    assert!(trust.doubts().iter().any(|c| c.name == "riding height"), "{:#?}", trust.doubts());
+    assert_eq!(only("room for the body", |h| h.bodies[0][30].sinkage = 0.22), Verdict::Doubtful);
+}
+
+#[test]
+fn noise_and_step_size_are_told() {
+    let noisy = |h: &mut History| {
+        h.bodies[0].iter_mut().enumerate().for_each(|(n, s)| s.drag = if n % 2 == 0 { 12.0 } else { 18.0 });
+    };
+    assert_eq!(only("drag noise", noisy), Verdict::Doubtful);
+    for (courant, verdict) in [("0.7", Verdict::Doubtful), ("0.95", Verdict::Broken)] {
+        let case = tow(&[&format!("numerics.courant={courant}")]);
+        assert_eq!(grade(&case, &history()).verdict, verdict);
+    }
+}
+
+#[test]
+fn a_run_that_was_stopped_is_broken_and_says_why() {
+    let case = tow(&[]);
+    let why = "12 % of the energy is unexplained";
+    let trust = Trust::grade(
+        &Setting::of(&case),
+        &history(),
+        &Reference::all(&case),
+        case.output.steady_share,
+        Some(why),
+    );
+    assert_eq!(trust.verdict, Verdict::Broken);
+    assert!(trust.doubts()[0].line().contains("completed") && trust.doubts()[0].advice.contains(why));
+}
+
+/// Sinkage was measured from z = 0, wherever the surface was.
+#[test]
+fn sinkage_is_measured_from_the_soils_own_surface() {
+    let shift = [
+        "ground.surface=\"0.05 m\"",
+        "domain.z=[\"-0.2 m\", \"0.125 m\"]",
+        "grid.fine_z=[\"-0.15 m\", \"0.125 m\"]",
+    ];
+    let coarse = ["grid.cell=\"25 mm\"", "body.disc.sinkage=\"10 mm\""];
+    let run = |more: &[&str]| {
+        let mut simulation = Simulation::<f64>::new(&tow(&[&coarse, more].concat()));
+        (0..5).for_each(|_| simulation.advance().unwrap());
+        *simulation.history.bodies[0].last().unwrap()
+    };
+    let (level, raised) = (run(&[]), run(&shift));
+    assert!((level.sinkage - 0.01).abs() < 2e-3, "{}", level.sinkage);
+    assert!((raised.sinkage - level.sinkage).abs() < 1e-6, "{} and {}", raised.sinkage, level.sinkage);
+    assert!((raised.embedded_volume / level.embedded_volume - 1.0).abs() < 1e-6);
+}
+
+/// The torques of both halves cancel where x = 0 is a plane of symmetry.
+#[test]
+fn a_plane_of_symmetry_across_the_tow_leaves_no_torque() {
+    let case = "[soil]\nlaw = 'mohr-coulomb'\nfriction_angle = '30 deg'\nunit_weight = '16 kN/m^3'\n\
+        young_modulus = '5 MPa'\n[domain]\nsymmetric = true\nsymmetric_x = true\n[grid]\ncell = '25 mm'\n\
+        [body.disc]\nshape = 'disc'\ndiameter = '0.2 m'\nthickness = '0.1 m'\nfriction = 0.3\nsinkage = '10 mm'\n\
+        heave = { speed = '-0.1 m/s' }\n[run]\nduration = '0.5 s'\n[output]\nhistory_interval = '4 ms'\n";
+    let case = case::parse(case, "disc.toml", &[]).unwrap();
+    let mut simulation = Simulation::<f64>::new(&case);
+    (0..20).for_each(|_| simulation.advance().unwrap());
+    let samples = &simulation.history.bodies[0];
+    assert!(samples.iter().any(|s| s.vertical > 1.0), "the disc must stand on the soil");
+    assert!(samples.iter().all(|s| s.axle_torque == 0.0 && s.drag == 0.0));
+}
