@@ -24,7 +24,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 TIME_LIMIT = 240  # seconds for one run; the longest takes a quarter of it on an idle core
-WORK_LIMIT = 1.5e8  # cell-steps above which a case is drawn again
+WORK_LIMIT = 1e8  # cell-steps above which a case is drawn again
 
 
 def si(value, unit):

@@ -56,19 +56,30 @@ impl Scene<'_> {
     }
 
     fn trends(&self, inside: &[BodySample], steady: &Steady) -> Vec<Check> {
-        let trend = |value: fn(&BodySample) -> f64| {
-            Trend::of(&inside.iter().map(value).collect::<Vec<_>>()).map_or(f64::INFINITY, |t| t.change.abs())
-        };
+        let trend = |value: fn(&BodySample) -> f64| Trend::of(&inside.iter().map(value).collect::<Vec<_>>());
         let vertical = steady.vertical.unwrap_or(0.0).abs();
         // Of a body that hardly drags the drag is compared with what it carries.
         let drag = steady.drag.unwrap_or(0.0).abs().max(0.1 * vertical);
-        let share = |change: f64, scale: f64| if scale > 0.0 { 100.0 * change / scale } else { 0.0 };
-        let mut checks = vec![self.check(&limits::STEADY_DRAG, share(trend(|s| s.drag), drag))];
+        let mut checks = vec![self.trend(&limits::STEADY_DRAG, trend(|s| s.drag), drag)];
         if self.body.heaves_freely {
             let depth = steady.sinkage.unwrap_or(0.0).abs().max(self.body.cell[2]);
-            checks.push(self.check(&limits::STEADY_SINKAGE, share(trend(|s| s.sinkage), depth)));
+            checks.push(self.trend(&limits::STEADY_SINKAGE, trend(|s| s.sinkage), depth));
         }
         checks
+    }
+
+    /// The change of a quantity over the window against its size; doubtful where the window has too few lines to tell.
+    fn trend(&self, limit: &'static Limit, trend: Option<Trend>, scale: f64) -> Check {
+        match trend {
+            Some(trend) if scale > 0.0 => self.check(limit, 100.0 * trend.change.abs() / scale),
+            Some(_) => self.check(limit, 0.0),
+            None => Check {
+                advice: "the window has too few lines for eight averages: take a shorter output.history_interval or a \
+                         longer tow"
+                    .to_owned(),
+                ..self.check(limit, f64::INFINITY)
+            },
+        }
     }
 
     /// What the soil's momentum adds to the force: its pressure on the part of the front that is in the ground.
@@ -120,14 +131,17 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// The sinkage counts for what is towed and for what has a round bottom, not for a flat base that is pressed down.
+    /// The sinkage counts for what is towed and for what has a round bottom, not for a flat base that is pressed down; the
+    /// chord for all but the front of what is towed.
     #[must_use]
     pub fn of(body: &BodySetting, reference: &Reference, samples: &[BodySample], steady: &Steady) -> Self {
         let depth = steady.sinkage.map(|z| z.max(0.0));
-        let matters = is_tow(samples, reference) || body.diameter.is_some();
+        let is_towed = is_tow(samples, reference);
+        let matters = is_towed || body.diameter.is_some();
         let chord = match (body.diameter, depth) {
             (Some(d), Some(z)) if z < 0.5 * d => Some(2.0 * (z * (d - z)).sqrt()),
             (Some(d), _) => Some(d),
+            (None, _) if is_towed => None,
             (None, _) => body.extent[0],
         };
         Self {

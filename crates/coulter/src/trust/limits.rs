@@ -205,7 +205,7 @@ pub const CHORD_CELLS: Limit = Limit {
     good: 8.0,
     doubtful: NEVER,
     more_is_better: true,
-    meaning: "length of the contact with the ground along the tow over the cell width",
+    meaning: "length of the contact with the ground along the tow over the cell width; not of an upright face that is towed",
     reason: "forces of the verification suite's footings, plates and cylinders are within some 5 % from 8 cells on",
     advice: "make grid.cell smaller",
 };
@@ -286,11 +286,11 @@ pub const WALLS: Limit = Limit {
 pub const BOUNDARY_STRESS: Limit = Limit {
     name: "stress at the boundaries",
     unit: "%",
-    good: 30.0,
+    good: 40.0,
     doubtful: NEVER,
     more_is_better: false,
     meaning: "largest rise of the normal pressure on floor and side walls over the contact pressure (force over the embedded front and the base), in the last third of the run",
-    reason: "in nine random cases below 40 % a box 1.7 times as wide and 1.5 times as deep changed the force by 0 to 6 %, in one by 29 %",
+    reason: "footings and cylinders of the verification suite with 34 to 39 % meet exact solutions within 5 %; of twelve random cases below 50 % a box 1.7 times as wide and 1.5 times as deep changed the force by 0 to 8 % in eleven, by 29 % in one",
     advice: "make domain larger, most of all where `coulter check` names a near wall",
 };
 

@@ -83,7 +83,7 @@ impl Check {
     pub fn line(&self) -> String {
         let body = self.body.as_ref().map_or(String::new(), |body| format!(" ({body})"));
         let unit = if self.unit.is_empty() { String::new() } else { format!(" {}", self.unit) };
-        let value = self.value.map_or("not a number".to_owned(), |v| format!("{}{unit}", short(v)));
+        let value = self.value.map_or("no figure".to_owned(), |v| format!("{}{unit}", short(v)));
         let [good, doubtful] = self.limits.map(|l| l.map(short));
         let wanted = match (good, doubtful) {
             (Some(good), Some(doubtful)) => format!("good to {good}{unit}, doubtful to {doubtful}{unit}"),

@@ -69,9 +69,8 @@ pub fn section(findings: &Findings) -> String {
 }
 
 fn told(check: &trust::Check) -> String {
-    let value = check
-        .value
-        .map_or("not a number".to_owned(), |v| format!("{} {}", super::table::figure(v), check.unit));
+    let value =
+        check.value.map_or("no figure".to_owned(), |v| format!("{} {}", super::table::figure(v), check.unit));
     let mark = if check.verdict == trust::Verdict::Broken { "**" } else { "" };
     format!("{mark}{} {}{mark}", check.name, value.trim_end())
 }
