@@ -2,6 +2,7 @@
 
 use super::extent::range;
 use crate::case::problem::Problems;
+use crate::case::quantity::plain;
 use crate::case::ranges::{self, POSITIVE};
 use crate::case::resolved::{Domain, Ground};
 use crate::case::schema::Section;
@@ -16,8 +17,10 @@ pub(super) fn ground(
 ) -> Option<Ground> {
     if surface <= domain.low.z || surface > domain.high.z {
         let message = format!(
-            "the soil's surface z = {surface} m is not inside the box, z = {} to {} m",
-            domain.low.z, domain.high.z
+            "the soil's surface z = {} m is not inside the box, z = {} to {} m",
+            plain(surface),
+            plain(domain.low.z),
+            plain(domain.high.z)
         );
         problems.add(section.place_of("surface"), message, "change ground.surface or domain.z");
         return None;
