@@ -25,15 +25,21 @@ impl Interrupts {
     /// Whether something is asked.
     #[must_use]
     pub fn is_pending(&self) -> bool {
-        self.stop.load(Ordering::Relaxed) != 0 || self.checkpoint.load(Ordering::Relaxed)
+        self.stopped_by().is_some() || self.checkpoint.load(Ordering::Relaxed)
+    }
+
+    /// The signal that asks to stop, if one does.
+    #[must_use]
+    pub fn stopped_by(&self) -> Option<i32> {
+        let signal = self.stop.load(Ordering::Relaxed);
+        (signal != 0).then(|| i32::try_from(signal).unwrap_or(i32::MAX))
     }
 
     /// What is asked, if anything is. A stop stays asked for.
     #[must_use]
     pub fn take(&self) -> Option<Request> {
-        let signal = self.stop.load(Ordering::Relaxed);
-        if signal != 0 {
-            return Some(Request::Stop(i32::try_from(signal).unwrap_or(i32::MAX)));
+        if let Some(signal) = self.stopped_by() {
+            return Some(Request::Stop(signal));
         }
         self.checkpoint.swap(false, Ordering::Relaxed).then_some(Request::Checkpoint)
     }

@@ -68,6 +68,14 @@ pub enum RunError {
          somewhere else with -o DIR", .0.display()
     )]
     OtherCase(PathBuf),
+    /// There is nothing whole to go on from.
+    #[error("{}: {problem}; run with --force to start anew", .path.display())]
+    Unusable {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        problem: String,
+    },
     /// The physics failed before, and would again.
     #[error("the run in {} broke down before: {cause}; run with --force to start anew", .folder.display())]
     BrokeDownBefore {
@@ -120,7 +128,9 @@ fn lock(options: &Options) -> Result<Lock, OutputError> {
     loop {
         match Lock::take(options.folder) {
             Err(OutputError::Busy { .. })
-                if options.start == Start::AutoResume && began.elapsed() < PATIENCE =>
+                if options.start == Start::AutoResume
+                    && began.elapsed() < PATIENCE
+                    && options.interrupts.stopped_by().is_none() =>
             {
                 std::thread::sleep(Duration::from_millis(200));
             }
@@ -243,6 +253,9 @@ fn open<R: Precision>(case: &Case, options: &Options) -> Result<(Simulation<R>, 
                     let why = format!("started anew, for {} cannot be used: {problem}", path.display());
                     return create(case, options, Some(&why));
                 }
+                Err(RunError::Output(OutputError::Content { path, problem })) => {
+                    return Err(RunError::Unusable { path, problem });
+                }
                 other => return other,
             }
         }
@@ -263,6 +276,7 @@ fn resume<R: Precision>(
     let simulation = Simulation::resume(case, checkpoint, wall_s);
     let mut results = Results::resume(options.folder, case, &simulation.history, simulation.state.time)?;
     if let Some(problem) = damaged {
+        checkpoint::forget_last(options.folder)?;
         results.log(&format!("went back to the checkpoint before the last: {problem}"))?;
     }
     results.log(&format!("resumed at t = {} s, step {}", simulation.state.time, simulation.state.step))?;

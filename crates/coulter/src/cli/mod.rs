@@ -74,6 +74,7 @@ pub fn main() -> ExitCode {
 /// Does what was asked; the exit code says how it went.
 #[must_use]
 pub fn run(arguments: &Arguments) -> ExitCode {
+    signals::outlive_file_limits();
     let outcome = match &arguments.command {
         Command::New(arguments) => new::new(arguments),
         Command::Check(arguments) => check::check(arguments),

@@ -2,6 +2,7 @@
 
 use super::{Failure, say_json, signals};
 use crate::case;
+use crate::output::{OutputError, checkpoint};
 use crate::run::{self, End, Options, RunError, Start};
 use crate::trust::Verdict;
 use std::io::Write;
@@ -90,6 +91,21 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Err(error @ (RunError::Physics { .. } | RunError::BrokeDownBefore { .. })) => {
             Err(Failure::Physics(error.to_string()))
         }
-        Err(error) => Err(Failure::Request(error.to_string())),
+        Err(error) => Err(refusal(&error, &options)),
+    }
+}
+
+/// How a run could not be started, or its results not be written.
+fn refusal(error: &RunError, options: &Options) -> Failure {
+    let message = error.to_string();
+    match (error, options.interrupts.stopped_by()) {
+        // Stopped while it waited.
+        (RunError::Output(OutputError::Busy { .. }), Some(signal)) => Failure::Stopped { signal, message },
+        (RunError::Output(OutputError::File { .. }), _) if checkpoint::exists(options.folder) => {
+            Failure::Request(format!(
+                "{message}\nwhat was written before is unharmed; once this is mended, --resume goes on from the last checkpoint"
+            ))
+        }
+        _ => Failure::Request(message),
     }
 }

@@ -1,5 +1,5 @@
 //! Signals: SIGINT, SIGTERM and SIGHUP stop a run at its next step, SIGUSR1 has it write a checkpoint and go on. A second
-//! stop ends the program at once.
+//! stop ends the program at once. SIGXFSZ is an error of the write that meets it.
 
 use crate::interrupts::Interrupts;
 use signal_hook::consts::{SIGINT, SIGTERM};
@@ -26,6 +26,18 @@ pub(super) fn listen() -> Interrupts {
     on_request(&interrupts);
     interrupts
 }
+
+/// Has a write beyond a limit on the size of files (`ulimit -f`) fail, as one on a full disc does, instead of ending the
+/// program by SIGXFSZ.
+#[cfg(unix)]
+pub(super) fn outlive_file_limits() {
+    // The handler has nothing to do: that there is one is enough. Where it cannot be set the signal does what it always does.
+    let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, Arc::default());
+}
+
+/// There is no such signal (untested).
+#[cfg(not(unix))]
+pub(super) fn outlive_file_limits() {}
 
 #[cfg(unix)]
 fn hangup() -> Option<i32> {

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use solver::precision::Precision;
 use solver::state::{Received, State};
 use std::fs::{self, File};
-use std::io::{BufWriter, IntoInnerError, Write};
+use std::io::{self, BufWriter, IntoInnerError, Write};
 use std::path::{Path, PathBuf};
 use xxhash_rust::xxh3::{Xxh3, xxh3_64};
 
@@ -65,6 +65,15 @@ pub fn path(dir: &Path) -> PathBuf {
 #[must_use]
 pub fn exists(dir: &Path) -> bool {
     [LAST, PREVIOUS].iter().any(|name| dir.join(CHECKPOINTS).join(name).is_file())
+}
+
+/// Removes the last checkpoint: where it is damaged it must not take the place of the one before.
+///
+/// # Errors
+/// When it is there and cannot be removed.
+pub fn forget_last(dir: &Path) -> Result<(), OutputError> {
+    let path = path(dir);
+    if path.is_file() { fs::remove_file(&path).named("remove", &path) } else { Ok(()) }
 }
 
 /// Removes the checkpoint before the last: a run that has come to its end needs no other to fall back on.
@@ -135,17 +144,30 @@ impl<R: Precision> CheckpointView<'_, R> {
         let file = File::create(part).named("create", part)?;
         let mut out = BufWriter::with_capacity(1 << 20, file);
         out.write_all(MAGIC).and_then(|()| out.write_all(&[VERSION])).named("write", part)?;
-        let mut hashed = Hashed { out, hash: Xxh3::new() };
-        let encoder = zstd::Encoder::new(&mut hashed, LEVEL).named("write", part)?;
-        // Numbers come one by one.
-        let buffer = BufWriter::with_capacity(1 << 16, encoder);
-        let buffer = postcard::to_io(self, buffer).map_err(|e| OutputError::content(part, e))?;
-        let encoder = buffer.into_inner().map_err(IntoInnerError::into_error).named("write", part)?;
-        encoder.finish().named("write", part)?;
-        let Hashed { mut out, hash } = hashed;
+        let mut hashed = Hashed { out, hash: Xxh3::new(), failure: None };
+        self.pack(&mut hashed, part)?;
+        let Hashed { mut out, hash, .. } = hashed;
         out.write_all(&hash.digest().to_le_bytes()).named("write", part)?;
         let file = out.into_inner().map_err(IntoInnerError::into_error).named("write", part)?;
         file.sync_all().named("write", part)
+    }
+
+    /// Packs the record; a full disc is called by its name.
+    fn pack(&self, hashed: &mut Hashed<impl Write>, part: &Path) -> Result<(), OutputError> {
+        let encoder = zstd::Encoder::new(&mut *hashed, LEVEL).named("write", part)?;
+        // Numbers come one by one.
+        let buffer = BufWriter::with_capacity(1 << 16, encoder);
+        let packed = match postcard::to_io(self, buffer) {
+            Ok(buffer) => {
+                let encoder = buffer.into_inner().map_err(IntoInnerError::into_error);
+                encoder.and_then(|encoder| encoder.finish().map(drop)).named("write", part)
+            }
+            Err(error) => Err(OutputError::content(part, error)),
+        };
+        // What the operating system said has more to tell.
+        packed.or_else(|error| {
+            hashed.failure.take().map_or(Err(error), |failure| Err(failure).named("write", part))
+        })
     }
 }
 
@@ -153,18 +175,25 @@ impl<R: Precision> CheckpointView<'_, R> {
 struct Hashed<W> {
     out: W,
     hash: Xxh3,
+    /// What the operating system said; those who write through this may forget it.
+    failure: Option<io::Error>,
 }
 
 impl<W: Write> Write for Hashed<W> {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
-        let count = self.out.write(bytes)?;
+        let count = self.out.write(bytes).inspect_err(|error| self.failure = Some(same(error)))?;
         self.hash.update(&bytes[..count]);
         Ok(count)
     }
 
     fn flush(&mut self) -> std::io::Result<()> {
-        self.out.flush()
+        self.out.flush().inspect_err(|error| self.failure = Some(same(error)))
     }
+}
+
+/// The error once more.
+fn same(error: &io::Error) -> io::Error {
+    error.raw_os_error().map_or_else(|| error.kind().into(), io::Error::from_raw_os_error)
 }
 
 impl<R: Precision> Checkpoint<R> {
@@ -192,7 +221,7 @@ impl<R: Precision> Checkpoint<R> {
         let Some((magic, rest)) = header else { return Err(broken("not a Coulter checkpoint")) };
         if magic[7] != VERSION {
             return Err(broken(
-                "written by another version of Coulter, which stores checkpoints in another way; run with --force to start anew",
+                "written by another version of Coulter, which stores checkpoints in another way",
             ));
         }
         let Some((packed, hash)) = rest.split_last_chunk::<8>() else {
