@@ -262,11 +262,12 @@ impl<R: Precision> Simulation<R> {
     }
 }
 
-/// The resolved case as text, but for what makes no difference to the physics.
+/// The resolved case as text, but for what makes no difference to the results.
 #[must_use]
 pub fn case_text(case: &Case) -> String {
     let mut case = case.clone();
     case.numerics.threads = 0;
+    case.output.checkpoint_interval = 0.0;
     case.forecast = resolved::Measured::default();
     // A case is made of numbers, names and lists: it always has a text.
     serde_json::to_string(&case).unwrap_or_default()
