@@ -1,0 +1,149 @@
+//! How a run begins: anew, or where an earlier one was left.
+
+use super::{Options, RunError};
+use crate::case::{self, Case};
+use crate::forecast;
+use crate::output::checkpoint::{self, Checkpoint};
+use crate::output::run_record::{Outcome, RunRecord, hash_of};
+use crate::output::{Holds, Lock, OutputError, Results, Summary, look};
+use crate::simulation::{Simulation, case_text};
+use solver::precision::Precision;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+/// Time that an automatic restart waits for the run before to go away.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// What to do with a folder that holds a run already.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Start {
+    /// Refuse.
+    Anew,
+    /// Replace it.
+    Replace,
+    /// Go on with it from its last checkpoint; start if there is nothing.
+    Resume,
+    /// The same, for schedulers: a run that has come to its end is left as it is, checkpoints that cannot be read are no
+    /// reason to fail, and a lock that goes away within a minute is waited for.
+    AutoResume,
+}
+
+/// The folder for this run alone.
+pub(super) fn lock(options: &Options) -> Result<Lock, OutputError> {
+    if let Holds::Others = look(options.folder)? {
+        return Err(OutputError::Foreign { path: options.folder.to_path_buf() });
+    }
+    let began = Instant::now();
+    loop {
+        match Lock::take(options.folder) {
+            Err(OutputError::Busy { .. })
+                if options.start == Start::AutoResume
+                    && began.elapsed() < PATIENCE
+                    && options.interrupts.stopped_by().is_none() =>
+            {
+                std::thread::sleep(Duration::from_millis(200));
+            }
+            other => return other,
+        }
+    }
+}
+
+/// The summary of the same run, if it has come to its end before.
+pub(super) fn ended_before(case: &Case, folder: &Path) -> Result<Option<Summary>, RunError> {
+    let Holds::Run(record) = look(folder)? else { return Ok(None) };
+    same_case(case, &record, folder)?;
+    match record.statistics.outcome {
+        Outcome::Finished => Ok(Some(Summary::read(folder)?)),
+        Outcome::BrokeDown(cause) => Err(RunError::BrokeDownBefore { cause, folder: folder.to_path_buf() }),
+        Outcome::Running | Outcome::Interrupted => Ok(None),
+    }
+}
+
+fn same_case(case: &Case, record: &RunRecord, folder: &Path) -> Result<(), RunError> {
+    if record.case_hash == hash_of(case) {
+        return Ok(());
+    }
+    Err(RunError::OtherCase(folder.to_path_buf()))
+}
+
+/// The simulation and its folder, new or where they were left.
+pub(super) fn open<R: Precision>(
+    case: &Case,
+    options: &Options,
+) -> Result<(Simulation<R>, Results), RunError> {
+    let goes_on = matches!(options.start, Start::Resume | Start::AutoResume);
+    if goes_on && let Holds::Run(record) = look(options.folder)? {
+        same_case(case, &record, options.folder)?;
+        if checkpoint::exists(options.folder) {
+            match resume(case, options, record.statistics.wall_seconds) {
+                Err(RunError::Output(OutputError::Content { path, problem }))
+                    if options.start == Start::AutoResume =>
+                {
+                    let why = format!("started anew, for {} cannot be used: {problem}", path.display());
+                    return create(case, options, Some(&why));
+                }
+                Err(RunError::Output(OutputError::Content { path, problem })) => {
+                    return Err(RunError::Unusable { path, problem });
+                }
+                other => return other,
+            }
+        }
+        return create(case, options, Some("started anew, for there was no checkpoint yet"));
+    }
+    create(case, options, None)
+}
+
+fn resume<R: Precision>(
+    case: &Case,
+    options: &Options,
+    wall_s: f64,
+) -> Result<(Simulation<R>, Results), RunError> {
+    let (checkpoint, damaged) = Checkpoint::read(options.folder)?;
+    if checkpoint.case != case_text(case) {
+        return Err(RunError::OtherCase(options.folder.to_path_buf()));
+    }
+    let simulation = Simulation::resume(case, checkpoint, wall_s);
+    let mut results = Results::resume(options.folder, case, &simulation.history, simulation.state.time)?;
+    if let Some(problem) = damaged {
+        checkpoint::forget_last(options.folder)?;
+        results.log(&format!("went back to the checkpoint before the last: {problem}"))?;
+    }
+    results.log(&format!("resumed at t = {} s, step {}", simulation.state.time, simulation.state.step))?;
+    Ok((simulation, results))
+}
+
+fn create<R: Precision>(
+    case: &Case,
+    options: &Options,
+    why: Option<&str>,
+) -> Result<(Simulation<R>, Results), RunError> {
+    let may_replace = options.start == Start::Replace || why.is_some();
+    let mut results = Results::create(options.folder, case, may_replace)?;
+    results.keep_case_file(options.typed)?;
+    let simulation = Simulation::new(case);
+    let [nx, ny, nz] = simulation.model.grid.cells();
+    let (dt, threads) = (simulation.model.time_step(), simulation.threads());
+    results.log(&format!("{} version {}", case.name, env!("CARGO_PKG_VERSION")))?;
+    if let Some(why) = why {
+        results.log(why)?;
+    }
+    results.log(&format!(
+        "grid {nx} x {ny} x {nz}, time step {dt:.4e} s, {} precision, {threads} threads",
+        R::NAME
+    ))?;
+    for note in case::advice(case).iter().chain(options.doubts) {
+        results.log(&format!("note: {note}"))?;
+    }
+    overlay_forecast(case, &mut results)?;
+    results.write_fields(case, &simulation.model.grid, &simulation.state)?;
+    simulation.checkpoint().write(options.folder)?;
+    Ok((simulation, results))
+}
+
+/// Lays the closed forms over the plots. Where they do not apply the log says why; the run does not depend on them.
+fn overlay_forecast(case: &Case, results: &mut Results) -> Result<(), OutputError> {
+    match forecast::overlay::overlays(case) {
+        Ok(overlays) => results.overlay(overlays),
+        Err(why) => results.log(&format!("no forecast beside the results: {why}")),
+    }
+}
