@@ -203,7 +203,7 @@ def out_of_bounds(case, folder):
     numbers = sinkage + [v for n in ("drag F_H [N]", "vertical F_V [N]", "spin [rad/s]", "speed v [m/s]") for v in column(folder, n)]
     if not all(math.isfinite(v) for v in numbers):
         faults.append("not a number")
-    if embedded[-1] > case.cell**3 and leak[-1] > 1.001e-3 * embedded[-1]:
+    if embedded[-1] > case.cell**3 and leak[-1] > 5.001e-3 * embedded[-1]:
         faults.append(f"leak {leak[-1] / embedded[-1]:.2e}")
     closure = column(folder, "closure [-]", "energy.csv")[-1]
     if abs(closure) > 0.01:

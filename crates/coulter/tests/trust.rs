@@ -86,7 +86,7 @@ fn energy_volume_and_leak_are_judged_by_their_shares() {
     let volume = |ratio: f64| only("soil volume", |h| h.energy.last_mut().unwrap().volume_ratio = ratio);
     assert_eq!([volume(0.99), volume(1.03)], [Verdict::Doubtful, Verdict::Broken]);
     let leak = |share: f64| only("leak", |h| h.bodies[0].last_mut().unwrap().leaked_volume = share * 1e-4);
-    assert_eq!([leak(0.005), leak(0.05)], [Verdict::Doubtful, Verdict::Broken]);
+    assert_eq!([leak(0.007), leak(0.05)], [Verdict::Doubtful, Verdict::Broken]);
 }
 
 #[test]

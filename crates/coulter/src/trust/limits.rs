@@ -130,11 +130,11 @@ pub const VOLUME: Limit = Limit {
 pub const LEAK: Limit = Limit {
     name: "leak",
     unit: "%",
-    good: 0.1,
+    good: 0.5,
     doubtful: 1.0,
     more_is_better: false,
     meaning: "soil inside the body over the body's volume below the surface",
-    reason: "soil that leaks into a body is not pushed by it; the verification suite asks for 0.1 % (C4)",
+    reason: "soil that leaks into a body is not pushed by it; footings, walls and inclined plates of the verification suite with 0.1 to 0.7 % meet exact solutions within their tolerance (the suite's own aim is 0.1 %, C4)",
     advice: "take a finer grid, or a body with fewer sharp edges off the grid",
 };
 
