@@ -195,3 +195,20 @@ fn a_plane_of_symmetry_across_the_tow_leaves_no_torque() {
     assert!(samples.iter().any(|s| s.vertical > 1.0), "the disc must stand on the soil");
     assert!(samples.iter().all(|s| s.axle_torque == 0.0 && s.drag == 0.0));
 }
+
+/// The table of limits in the documentation is that of the program; with `COULTER_UPDATE=1` it is written instead.
+#[test]
+fn the_documented_limits_are_up_to_date() {
+    const BEGIN: &str = "<!-- limits:begin (written by a test with COULTER_UPDATE=1) -->\n";
+    const END: &str = "<!-- limits:end -->";
+    let path = format!("{}/../../docs/reliability.md", env!("CARGO_MANIFEST_DIR"));
+    let shipped = std::fs::read_to_string(&path).unwrap();
+    let (before, rest) = shipped.split_once(BEGIN).expect("the mark is gone");
+    let (_, after) = rest.split_once(END).expect("the mark is gone");
+    let expected = format!("{before}{BEGIN}{}{END}{after}", coulter::trust::documentation::table());
+    if std::env::var_os("COULTER_UPDATE").is_some() {
+        std::fs::write(&path, &expected).unwrap();
+    }
+    let shipped = std::fs::read_to_string(&path).unwrap();
+    assert!(shipped == expected, "run the tests with COULTER_UPDATE=1");
+}
