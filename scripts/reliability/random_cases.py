@@ -104,6 +104,8 @@ class Case:
         self.sections["domain"] = {}
         if self.plane_strain:
             self.sections["domain"]["plane_strain"] = "true"
+            # The slab stays as wide when the cells get smaller, and so its forces and masses.
+            self.sections["domain"]["y"] = f'["0 m", {si(self.cell, "m")}]'
         elif draw.random() < 0.8:
             self.sections["domain"]["symmetric"] = "true"
 
