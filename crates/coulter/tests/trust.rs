@@ -94,6 +94,15 @@ fn what_is_not_a_number_is_broken() {
     let mut damaged = history();
     damaged.energy.last_mut().unwrap().plastic = f64::NAN;
     assert_eq!(grade(&tow(&[]), &damaged).verdict, Verdict::Broken);
+    let nothing = f64::NAN;
+    *damaged.energy.last_mut().unwrap() = EnergySample {
+        external: nothing,
+        plastic: nothing,
+        kinetic: nothing,
+        volume_ratio: 1.0,
+        ..EnergySample::default()
+    };
+    assert_eq!(grade(&tow(&[]), &damaged).verdict, Verdict::Broken);
 }
 
 #[test]

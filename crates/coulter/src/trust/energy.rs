@@ -8,7 +8,8 @@ use crate::output::record::{BodySample, EnergySample, History};
 pub(super) fn checks(setting: &Setting, history: &History) -> Vec<Check> {
     let Some(end) = history.energy.last() else { return Vec::new() };
     let scale = end.scale();
-    let share = |energy: f64| if scale > setting.energy_floor { 100.0 * energy.abs() / scale } else { 0.0 };
+    // A scale that is not a number must not pass for one that is too small to matter.
+    let share = |energy: f64| if scale <= setting.energy_floor { 0.0 } else { 100.0 * energy.abs() / scale };
     let check = |limit: &'static Limit, value: f64| Check::of(limit, None, value);
     vec![
         check(&limits::ENERGY_BALANCE, share(end.unexplained())),
@@ -45,7 +46,7 @@ pub(super) fn boundary_checks(setting: &Setting, history: &History) -> Vec<Check
     checks
 }
 
-/// Force on the lid over that on the bodies [%]; without a body the weight of the argument is the area alone.
+/// Force on the lid over that on the bodies [%]; without a body, 1 as soon as soil touches the lid.
 fn lid_share(force: f64, area: f64, history: &History) -> f64 {
     let most = (0..history.boundaries.len()).map(|n| body_force(history, n)).fold(0.0, f64::max);
     if most > 0.0 {
@@ -58,7 +59,7 @@ fn lid_share(force: f64, area: f64, history: &History) -> f64 {
 }
 
 /// Sum of the forces on the bodies at one sample [N].
-fn body_force(history: &History, n: usize) -> f64 {
+pub(super) fn body_force(history: &History, n: usize) -> f64 {
     let size = |s: &BodySample| s.drag.hypot(s.vertical).hypot(s.lateral);
     history.bodies.iter().filter_map(|samples| samples.get(n)).map(size).sum()
 }
@@ -80,7 +81,7 @@ fn stress_share(setting: &Setting, history: &History) -> Option<f64> {
 /// Force on a body over the area that it turns towards it: its front in the ground, and what it stands on [Pa].
 fn contact_pressure(body: &BodySetting, sample: &BodySample) -> f64 {
     let [length, width, height] = [0, 1, 2].map(|axis| body.extent[axis].unwrap_or(body.slab));
-    let depth = sample.sinkage.clamp(body.cell[2], height);
+    let depth = sample.sinkage.min(height).max(body.cell[2]);
     // Of a body that is round the chord at this depth.
     let base = body.diameter.map_or(length, |d| 2.0 * (depth.min(0.5 * d) * (d - depth.min(0.5 * d))).sqrt());
     (sample.drag / (depth * width)).hypot(sample.vertical / (base * width))

@@ -1,8 +1,9 @@
 //! Checks of a run that is going on: what cannot be mended any more stops it, with place, time and cause.
 
 use super::boundary::most_pressed_lid_cell;
+use super::energy::body_force;
 use super::limits;
-use crate::output::record::{BodySample, BoundarySample, EnergySample};
+use crate::output::record::{EnergySample, History};
 use crate::simulation::Simulation;
 use glam::DVec3;
 use solver::error::{Breakdown, Place};
@@ -30,7 +31,7 @@ pub fn watch<R: Precision>(simulation: &Simulation<R>) -> Result<(), Breakdown> 
         let what = format!("{:.0} % of the energy is unexplained", 100.0 * share);
         return broken(what, limits::ENERGY_BALANCE.advice, middle);
     }
-    if let Some(share) = pressed_lid(&history.boundaries, &history.bodies) {
+    if let Some(share) = pressed_lid(history) {
         let limit = limits::LID.doubtful;
         let what = format!(
             "soil presses against the lid with {share:.1} % of the force on the bodies (limit {limit} %)"
@@ -54,16 +55,13 @@ fn hopeless_balance(energy: &[EnergySample], floor: f64) -> Option<f64> {
 
 /// Least share of the lid's force over the largest force on the bodies of late [%], if it is broken in all of the last
 /// samples.
-fn pressed_lid(boundaries: &[BoundarySample], bodies: &[Vec<BodySample>]) -> Option<f64> {
-    let force = latest(boundaries)?.iter().map(|b| b.lid_force).fold(f64::INFINITY, f64::min);
+fn pressed_lid(history: &History) -> Option<f64> {
+    let count = history.boundaries.len();
+    let force = latest(&history.boundaries)?.iter().map(|b| b.lid_force).fold(f64::INFINITY, f64::min);
     if force <= 0.0 {
         return None;
     }
-    let at = |n: usize| {
-        bodies.iter().filter_map(|b| b.get(n)).map(|s| s.drag.hypot(s.vertical).hypot(s.lateral)).sum::<f64>()
-    };
-    let recent = boundaries.len().saturating_sub(RECENT)..boundaries.len();
-    let most = recent.map(at).fold(0.0, f64::max);
+    let most = (count.saturating_sub(RECENT)..count).map(|n| body_force(history, n)).fold(0.0, f64::max);
     let share = 100.0 * force / most;
     (most > 0.0 && share > limits::LID.doubtful).then_some(share)
 }
