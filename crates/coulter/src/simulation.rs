@@ -12,13 +12,17 @@ use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
 use physics::mohr_coulomb::MohrCoulomb;
 use physics::strength::Law as Strength;
 use physics::von_mises::VonMises;
+use solver::balance;
 use solver::cpu::stopwatch::Stopwatch;
+use solver::energy::soil_volume;
 use solver::error::Breakdown;
 use solver::grid::Grid;
+use solver::initial::{self, Filling};
 use solver::model::{BodyModel, ContactMethod, Method, Model, Wall};
 use solver::precision::Precision;
-use solver::start::Filling;
 use solver::state::{Received, State};
+use solver::step::step;
+use solver::workspace::Workspace;
 
 /// A run of a case, its fields in double or in single precision.
 #[derive(Debug)]
@@ -34,7 +38,7 @@ pub struct Simulation<R: Precision = f64> {
     /// Seconds of wall clock spent in steps.
     pub wall_s: f64,
     setting: Setting,
-    workspace: R::Workspace,
+    workspace: Workspace<R>,
     /// Time and impulses at the last sample.
     sampled: (f64, Vec<Received>),
 }
@@ -44,9 +48,9 @@ impl<R: Precision> Simulation<R> {
     #[must_use]
     pub fn new(case: &Case) -> Self {
         let model = model(case, R::LANES);
-        let mut state = R::start_under(&model, &filling(&case.ground), case.overburden);
+        let mut state = initial::at_rest_under(&model, &filling(&case.ground), case.overburden);
         if case.velocity != DVec3::ZERO {
-            R::set_in_motion(&model, &mut state, case.velocity);
+            initial::set_in_motion(&model, &mut state, case.velocity);
         }
         Self::with_state(case, model, state)
     }
@@ -55,14 +59,14 @@ impl<R: Precision> Simulation<R> {
     #[must_use]
     pub fn filled(case: &Case, fraction: impl FnOnce(&Grid) -> Vec<R>) -> Self {
         let model = model(case, R::LANES);
-        let state = R::start_filled(&model, fraction(&model.grid));
+        let state = initial::at_rest_filled(&model, fraction(&model.grid));
         Self::with_state(case, model, state)
     }
 
-    fn with_state(case: &Case, model: Model, state: State<R>) -> Self {
+    fn with_state(case: &Case, model: Model, mut state: State<R>) -> Self {
         let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
         let threads = if case.numerics.threads == 0 { cores } else { case.numerics.threads };
-        let workspace = R::workspace(&model, &state, threads);
+        let workspace = Workspace::new(&model, &mut state, threads);
         let names: Vec<String> = case.bodies.iter().map(|b| b.name.clone()).collect();
         let history = History { bodies: vec![Vec::new(); names.len()], names, ..History::default() };
         let sampled = (state.time, state.bodies.iter().map(|b| b.received).collect());
@@ -85,7 +89,7 @@ impl<R: Precision> Simulation<R> {
     /// Sets soil and bodies in motion before the first step; the ledger counts their energy as put in from outside.
     pub fn set_in_motion(&mut self, push: impl FnOnce(&mut State<R>)) {
         push(&mut self.state);
-        self.state.ledger.kinetic_start = R::kinetic_energy(&self.model, &self.state);
+        self.state.ledger.kinetic_start = balance::kinetic_energy(&self.model, &self.state);
     }
 
     /// A run that goes on from a checkpoint; `wall_s` seconds of wall clock have been spent on it.
@@ -138,7 +142,7 @@ impl<R: Precision> Simulation<R> {
     /// Number of threads at work.
     #[must_use]
     pub fn threads(&self) -> usize {
-        R::threads(&self.workspace)
+        self.workspace.threads()
     }
 
     /// Goes on to the next sample of the history (or to the end).
@@ -160,7 +164,7 @@ impl<R: Precision> Simulation<R> {
         let mut is_due = self.is_done();
         let mut result = Ok(());
         while result.is_ok() && !is_due && !interrupted() {
-            result = R::step(&self.model, &mut self.state, &mut self.workspace);
+            result = step(&self.model, &mut self.state, &mut self.workspace);
             is_due = self.state.time >= due || self.is_done();
         }
         self.wall_s += clock.elapsed().as_secs_f64();
@@ -176,18 +180,18 @@ impl<R: Precision> Simulation<R> {
     /// # Errors
     /// [`Breakdown`] when the physics fails.
     pub fn steps(&mut self, number: u32) -> Result<(), Breakdown> {
-        (0..number).try_for_each(|_| R::step(&self.model, &mut self.state, &mut self.workspace))
+        (0..number).try_for_each(|_| step(&self.model, &mut self.state, &mut self.workspace))
     }
 
     /// Where the time of the calling thread goes.
     pub fn stopwatch(&mut self) -> &mut Stopwatch {
-        R::stopwatch(&mut self.workspace)
+        self.workspace.stopwatch()
     }
 
     /// Memory that state and workspace take up [bytes].
     #[must_use]
     pub fn memory(&self) -> usize {
-        R::memory(&self.workspace) + self.state.memory()
+        self.workspace.memory() + self.state.memory()
     }
 
     /// Cell-steps per second over the cells with soil, measured by going on for a while; `None` if not one step can be
@@ -197,7 +201,7 @@ impl<R: Precision> Simulation<R> {
         let clock = std::time::Instant::now();
         let mut steps = 0_u32;
         while clock.elapsed() < while_ {
-            R::step(&self.model, &mut self.state, &mut self.workspace).ok()?;
+            step(&self.model, &mut self.state, &mut self.workspace).ok()?;
             steps += 1;
         }
         Some(filled as f64 * f64::from(steps) / clock.elapsed().as_secs_f64())
@@ -249,15 +253,15 @@ impl<R: Precision> Simulation<R> {
         EnergySample {
             time: self.state.time,
             external: (ledger.external + ledger.kinetic_start) * whole,
-            kinetic: R::kinetic_energy(&self.model, &self.state) * whole,
-            elastic: (R::elastic_energy(&self.model, &self.state) - ledger.elastic_start) * whole,
+            kinetic: balance::kinetic_energy(&self.model, &self.state) * whole,
+            elastic: (balance::elastic_energy(&self.model, &self.state) - ledger.elastic_start) * whole,
             plastic: ledger.plastic * whole,
             friction: ledger.friction * whole,
             contact: ledger.contact * whole,
             viscous: ledger.viscous * whole,
             hourglass: ledger.hourglass * whole,
             remap_loss: ledger.remap * whole,
-            volume_ratio: R::soil_volume(&self.model, &self.state) / ledger.volume_start,
+            volume_ratio: soil_volume(&self.model.grid, &self.state.soil) / ledger.volume_start,
         }
     }
 }

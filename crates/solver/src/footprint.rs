@@ -1,7 +1,10 @@
 //! What a run will take up in memory, told from its model before any of it exists. All in bytes, as floats: what nobody could
 //! ever hold has a number too.
 
+use crate::contact::{BodyCell, TouchedNode, kept_per_patch};
+use crate::cpu::workspace;
 use crate::model::{BodyModel, Model};
+use crate::real::Real;
 use crate::state::{Contact, Nodes, Soil};
 use glam::DVec3;
 use physics::rigid::Freedom;
@@ -27,9 +30,21 @@ const WRITTEN: f64 = 9.0;
 /// Sharing of a cell's nodes by neighbouring patches: about so many nodes for each patch of points.
 const NODES_PER_PATCH: f64 = 2.5;
 
-/// Fields of a state whose grid has so many entries, and those that only soil touches; `R` is their precision.
+/// What a run of a model by so many threads will take up, each body being at last so far from its start [m].
 #[must_use]
-pub(crate) fn fields<R>(entries: usize) -> [f64; 2] {
+pub fn footprint<R: Real>(model: &Model, threads: usize, moved: &[DVec3]) -> Footprint {
+    let grid = &model.grid;
+    let [fields, fields_of_soil] = self::fields::<R>(grid.entries);
+    let per_surface_point = size_of::<(DVec3, u32)>() as f64;
+    let per_patch = per_patch(size_of::<TouchedNode>()) + kept_per_patch(model);
+    let [contact, layout] = contact(model, moved, [per_surface_point, per_patch]);
+    let workspace = workspace::footprint::<R>(grid, workspace::team_size(grid, threads));
+    let body_cells = body_cells(model) * size_of::<BodyCell>() as f64;
+    Footprint { fields, fields_of_soil, workspace, contact: contact + body_cells, layout }
+}
+
+/// Fields of a state whose grid has so many entries, and those that only soil touches; `R` is their precision.
+fn fields<R>(entries: usize) -> [f64; 2] {
     // All that Soil and Nodes hold are arrays over the grid.
     let arrays = ((size_of::<Soil<R>>() + size_of::<Nodes<R>>()) / size_of::<Vec<R>>()) as f64;
     let one = (entries * size_of::<R>()) as f64;
@@ -38,8 +53,7 @@ pub(crate) fn fields<R>(entries: usize) -> [f64; 2] {
 
 /// Contact points of all bodies, each at last so far from its start [m]: what is kept for them, and what laying out the
 /// largest takes besides; `per_patch` is what the contact law keeps of a patch.
-#[must_use]
-pub(crate) fn contact(model: &Model, moved: &[DVec3], [per_point, per_patch]: [f64; 2]) -> [f64; 2] {
+fn contact(model: &Model, moved: &[DVec3], [per_point, per_patch]: [f64; 2]) -> [f64; 2] {
     /// Of a shape's list of points, its copy in pairs, and the tree that finds the pairs.
     const LAID_OUT: f64 = 2.0 * size_of::<SurfacePoint>() as f64 + 60.0;
     let points_per_patch = model.method.point_spacing.min(1.0).powi(-2);
@@ -63,8 +77,7 @@ pub fn surface_points(model: &Model, body: &BodyModel) -> f64 {
 }
 
 /// Cells that bodies take up, in the box.
-#[must_use]
-pub(crate) fn body_cells(model: &Model) -> f64 {
+fn body_cells(model: &Model) -> f64 {
     let cells = |body: &BodyModel| {
         let (low, high) = body.shape.bounds();
         let size = high - low;
@@ -89,7 +102,7 @@ fn per_contact() -> f64 {
 }
 
 /// What is kept for a patch besides what the contact law keeps: the nodes, the forces that are missing, and how it is found.
-pub(crate) fn per_patch(touched_node: usize) -> f64 {
+fn per_patch(touched_node: usize) -> f64 {
     let missing = size_of::<[DVec3; 8]>() + size_of::<Option<[DVec3; 8]>>();
     NODES_PER_PATCH * touched_node as f64 + missing as f64 + 120.0
 }

@@ -1,21 +1,23 @@
 //! What happens in one time step of the coupled Eulerian–Lagrangian method.
 //!
 //! [`model::Model`] is what stays fixed during a run, [`state::State`] is everything that changes, [`step::step`] is the
-//! step. Loops over cells live in `cpu`.
-//!
-//! The step and its loops are written once, for fields of the type `Real`, and compiled twice: in [`double`] precision
-//! and in [`single`].
-// The same files on purpose; what widens a number in single precision does nothing in double.
-#![allow(clippy::duplicate_mod, clippy::useless_conversion)]
+//! step. The loops over cells that vectorise are the kernels in `cpu`: they alone are compiled for each precision of the
+//! fields, and [`precision::Precision`] is what the step asks of them.
 
+pub mod balance;
+pub mod bodies;
+mod check;
+mod contact;
 pub mod cpu;
-pub mod double;
+pub mod energy;
 pub mod error;
 pub mod footprint;
 pub mod grid;
+pub mod initial;
 pub mod model;
 pub mod precision;
-pub mod single;
+mod real;
+pub mod remap;
 pub mod state;
-
-pub use double::{audit, start, step};
+pub mod step;
+pub mod workspace;

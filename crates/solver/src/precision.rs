@@ -1,118 +1,130 @@
-//! The two precisions of the soil's fields, for those who hold a state of either and need not know which.
+//! The seam under the soil: what the time step asks of the kernels of either precision.
 
-use crate::cpu::stopwatch::Stopwatch;
-use crate::error::Breakdown;
-use crate::footprint::Footprint;
-use crate::model::{Filling, Model};
-use crate::state::State;
-use crate::{double, single};
-use glam::DVec3;
-use serde::Serialize;
-use serde::de::DeserializeOwned;
-use std::fmt::Debug;
+use crate::cpu::kernels::{double, single};
+use crate::cpu::workspace::{RowSums, SoilWorkspace};
+use crate::grid::Grid;
+use crate::model::Model;
+pub use crate::real::Real;
+use crate::state::{Nodes, Soil, State};
 
-/// `f64` or `f32`.
-pub trait Precision:
-    Copy + Default + PartialEq + Debug + Into<f64> + Send + Sync + Serialize + DeserializeOwned + 'static
-{
-    /// Its name in case files and reports.
-    const NAME: &'static str;
-    /// Numbers in the widest vector.
-    const LANES: usize;
-    /// Memory that steps work in.
-    type Workspace: Debug;
+/// A number type with its kernels. Rows are numbered in the order of the memory (see [`Grid::row_place`]).
+pub trait Precision: Real {
+    /// Strains the soil and moves its nodes by one step of `dt` [s]: stresses and displacements at the end of the step,
+    /// velocities without contact half a step later.
+    fn lagrangian_stage(
+        model: &Model,
+        state: &mut State<Self>,
+        workspace: &mut SoilWorkspace<Self>,
+        dt: f64,
+    ) -> RowSums;
 
-    /// See [`double::start::start_under`].
-    fn start_under(model: &Model, filling: &Filling, overburden: f64) -> State<Self>;
-    /// See [`double::start::start_filled`].
-    fn start_filled(model: &Model, fraction: Vec<Self>) -> State<Self>;
-    /// See [`double::start::set_in_motion`].
-    fn set_in_motion(model: &Model, state: &mut State<Self>, velocity: DVec3);
-    /// See [`double::workspace::Workspace::new`].
-    fn workspace(model: &Model, state: &State<Self>, threads: usize) -> Self::Workspace;
-    /// See [`double::step::step`].
-    ///
-    /// # Errors
-    /// [`Breakdown`] when the state has become unphysical.
-    fn step(model: &Model, state: &mut State<Self>, workspace: &mut Self::Workspace)
-    -> Result<(), Breakdown>;
-    /// Number of threads.
-    fn threads(workspace: &Self::Workspace) -> usize;
-    /// Memory that a workspace takes up [bytes].
-    fn memory(workspace: &Self::Workspace) -> usize;
-    /// See [`double::footprint::footprint`].
-    fn footprint(model: &Model, threads: usize, moved: &[DVec3]) -> Footprint;
-    /// Where the time of the calling thread goes.
-    fn stopwatch(workspace: &mut Self::Workspace) -> &mut Stopwatch;
-    /// Kinetic energy of soil and bodies [J] (modelled share).
-    fn kinetic_energy(model: &Model, state: &State<Self>) -> f64;
-    /// Elastic energy of the soil [J].
-    fn elastic_energy(model: &Model, state: &State<Self>) -> f64;
-    /// Volume of the soil [m³].
-    fn soil_volume(model: &Model, state: &State<Self>) -> f64;
+    /// Volumes of cells and of the soil in them on the displaced grid, from which the sweeps of a remap start [m³].
+    fn displaced_volumes(model: &Model, state: &State<Self>, workspace: &mut SoilWorkspace<Self>);
+
+    /// One sweep of a remap along `axis`, over the `active` rows.
+    fn sweep(
+        model: &Model,
+        state: &mut State<Self>,
+        workspace: &mut SoilWorkspace<Self>,
+        axis: usize,
+        active: &[bool],
+    );
+
+    /// Volume fractions from the volumes that the sweeps have left, and admissible stresses. Returns volume [m³] and mass
+    /// [kg] of the debris that it removed.
+    fn update_after_remap(
+        model: &Model,
+        soil: &mut Soil<Self>,
+        workspace: &mut SoilWorkspace<Self>,
+        active: &[bool],
+    ) -> [f64; 2];
+
+    /// Admissible stress of one cell that soil was moved into.
+    fn update_cell(model: &Model, soil: &mut Soil<Self>, workspace: &mut SoilWorkspace<Self>, cell: usize);
+
+    /// Masses of a row of nodes from those of the cells [kg].
+    fn nodal_masses(grid: &Grid, row: usize, cell_mass: &[Self], node_mass: &mut [Self]);
+
+    /// Elastic energy of the soil in a row of cells [J].
+    fn elastic_energy(model: &Model, soil: &Soil<Self>, row: [usize; 2]) -> f64;
+
+    /// Kinetic energy of a row of nodes [J].
+    fn kinetic_energy(grid: &Grid, nodes: &Nodes<Self>, row: [usize; 2]) -> f64;
 }
 
 macro_rules! precision {
-    ($module:ident, $name:literal) => {
-        impl Precision for $module::Real {
+    ($module:ident, $name:literal, $round_off:literal) => {
+        impl Real for $module::Real {
             const NAME: &'static str = $name;
             const LANES: usize = $module::LANES;
-            type Workspace = $module::workspace::Workspace;
+            const ROUND_OFF: f64 = $round_off;
+            type CellBlock = $module::stress::Block;
 
-            fn start_under(model: &Model, filling: &Filling, overburden: f64) -> State<Self> {
-                $module::start::start_under(model, filling, overburden)
+            fn cast(value: f64) -> Self {
+                value as Self
             }
 
-            fn start_filled(model: &Model, fraction: Vec<Self>) -> State<Self> {
-                $module::start::start_filled(model, fraction)
+            fn cell_block() -> Box<Self::CellBlock> {
+                $module::stress::Block::new()
             }
+        }
 
-            fn set_in_motion(model: &Model, state: &mut State<Self>, velocity: DVec3) {
-                $module::start::set_in_motion(model, state, velocity);
-            }
-
-            fn workspace(model: &Model, state: &State<Self>, threads: usize) -> Self::Workspace {
-                Self::Workspace::new(model, state, threads)
-            }
-
-            fn step(
+        impl Precision for $module::Real {
+            fn lagrangian_stage(
                 model: &Model,
                 state: &mut State<Self>,
-                workspace: &mut Self::Workspace,
-            ) -> Result<(), Breakdown> {
-                $module::step::step(model, state, workspace)
+                workspace: &mut SoilWorkspace<Self>,
+                dt: f64,
+            ) -> RowSums {
+                $module::lagrange::lagrange(model, state, workspace, dt)
             }
 
-            fn threads(workspace: &Self::Workspace) -> usize {
-                workspace.threads()
+            fn displaced_volumes(model: &Model, state: &State<Self>, workspace: &mut SoilWorkspace<Self>) {
+                $module::sweep::displaced_volumes(model, state, workspace);
             }
 
-            fn memory(workspace: &Self::Workspace) -> usize {
-                workspace.memory()
+            fn sweep(
+                model: &Model,
+                state: &mut State<Self>,
+                workspace: &mut SoilWorkspace<Self>,
+                axis: usize,
+                active: &[bool],
+            ) {
+                $module::sweep::sweep(model, state, workspace, axis, active);
             }
 
-            fn footprint(model: &Model, threads: usize, moved: &[DVec3]) -> Footprint {
-                $module::footprint::footprint(model, threads, moved)
+            fn update_after_remap(
+                model: &Model,
+                soil: &mut Soil<Self>,
+                workspace: &mut SoilWorkspace<Self>,
+                active: &[bool],
+            ) -> [f64; 2] {
+                $module::post_remap::update_after_remap(model, soil, workspace, active)
             }
 
-            fn stopwatch(workspace: &mut Self::Workspace) -> &mut Stopwatch {
-                workspace.stopwatch()
+            fn update_cell(
+                model: &Model,
+                soil: &mut Soil<Self>,
+                workspace: &mut SoilWorkspace<Self>,
+                cell: usize,
+            ) {
+                $module::post_remap::update_cell(model, soil, workspace, cell);
             }
 
-            fn kinetic_energy(model: &Model, state: &State<Self>) -> f64 {
-                $module::audit::kinetic_energy(model, state)
+            fn nodal_masses(grid: &Grid, row: usize, cell_mass: &[Self], node_mass: &mut [Self]) {
+                $module::sweep::nodal_masses(grid, row, cell_mass, node_mass);
             }
 
-            fn elastic_energy(model: &Model, state: &State<Self>) -> f64 {
-                $module::audit::elastic_energy(model, state)
+            fn elastic_energy(model: &Model, soil: &Soil<Self>, row: [usize; 2]) -> f64 {
+                $module::energy::elastic(model, soil, row)
             }
 
-            fn soil_volume(model: &Model, state: &State<Self>) -> f64 {
-                $module::energy::soil_volume(&model.grid, &state.soil)
+            fn kinetic_energy(grid: &Grid, nodes: &Nodes<Self>, row: [usize; 2]) -> f64 {
+                $module::energy::kinetic(grid, nodes, row)
             }
         }
     };
 }
 
-precision!(double, "double");
-precision!(single, "single");
+precision!(double, "double", 1e-12);
+precision!(single, "single", 1e-6);

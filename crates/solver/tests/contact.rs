@@ -7,13 +7,13 @@ use common::{below, sand, uniform};
 use glam::DVec3;
 use physics::rigid::Freedom;
 use physics::shape::Disc;
-use solver::cpu::energy::soil_mass;
-use solver::cpu::workspace::Workspace;
+use solver::energy::soil_mass;
 use solver::grid::Grid;
+use solver::initial::at_rest;
 use solver::model::{BodyModel, ContactMethod, Model};
-use solver::start::start;
 use solver::state::State;
 use solver::step::step;
+use solver::workspace::Workspace;
 
 fn moving(speed: f64) -> Freedom {
     Freedom::Prescribed { speed, start: 0.0, ramp: 0.01, end: f64::INFINITY }
@@ -37,8 +37,8 @@ fn towed(method: ContactMethod, y: f64, steps: usize) -> (Model, State) {
         translation: [moving(0.3), Freedom::Fixed, moving(-0.15)],
         spin: Freedom::Free { load: 0.0, start: 0.0, ramp: 0.0 },
     });
-    let mut state = start(&model, &below(0.0));
-    let mut workspace = Workspace::new(&model, &state, 1);
+    let mut state = at_rest(&model, &below(0.0));
+    let mut workspace = Workspace::new(&model, &mut state, 1);
     for _ in 0..steps {
         step(&model, &mut state, &mut workspace).unwrap();
     }

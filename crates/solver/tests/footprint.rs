@@ -7,10 +7,13 @@ use common::{below, sand, uniform};
 use glam::DVec3;
 use physics::rigid::Freedom;
 use physics::shape::{Block, Disc, Shape};
-use solver::footprint::surface_points;
+use solver::footprint::{footprint, surface_points};
 use solver::grid::Grid;
 use solver::model::{BodyModel, Model};
+use solver::initial::at_rest_under;
 use solver::precision::Precision;
+use solver::step::step;
+use solver::workspace::Workspace;
 
 fn body(shape: Box<dyn Shape>, start: DVec3) -> BodyModel {
     BodyModel {
@@ -48,23 +51,23 @@ fn told_is_real<R: Precision>(threads: usize) {
     for shape in shapes {
         let bare = sand([uniform(-0.2, 0.24, 44), uniform(-0.16, 0.16, 32), uniform(-0.14, 0.06, 20)]);
         let bare = Model { grid: Grid::padded(bare.grid.faces.clone(), R::LANES), ..bare };
-        let state = R::start_under(&bare, &below(0.0), 0.0);
-        let workspace = R::workspace(&bare, &state, threads);
-        let told = R::footprint(&bare, threads, &[]);
+        let mut state = at_rest_under::<R>(&bare, &below(0.0), 0.0);
+        let workspace = Workspace::new(&bare, &mut state, threads);
+        let told = footprint::<R>(&bare, threads, &[]);
         near(told.fields, state.memory(), 1e-9);
-        near(told.workspace, R::memory(&workspace), 1e-9);
+        near(told.workspace, workspace.memory(), 1e-9);
         assert_eq!((told.contact, told.layout), (0.0, 0.0));
 
         let model = model(R::LANES, shape);
-        let mut state = R::start_under(&model, &below(0.0), 0.0);
-        let mut workspace = R::workspace(&model, &state, threads);
+        let mut state = at_rest_under::<R>(&model, &below(0.0), 0.0);
+        let mut workspace = Workspace::new(&model, &mut state, threads);
         while state.remaps < 2 {
-            R::step(&model, &mut state, &mut workspace).unwrap();
+            step(&model, &mut state, &mut workspace).unwrap();
         }
-        let told = R::footprint(&model, threads, &[]);
+        let told = footprint::<R>(&model, threads, &[]);
         let fields = state.memory() - size_of_val(state.contacts.as_slice());
         near(told.fields, fields, 1e-9);
-        let contact = R::memory(&workspace) + state.memory() - fields;
+        let contact = workspace.memory() + state.memory() - fields;
         // The law's own memory, and what is held twice for a moment, are in what is told, but not in what is counted here.
         let told = told.workspace + told.contact;
         assert!((contact as f64..2.0 * contact as f64).contains(&told), "told {told}, kept {contact}");

@@ -7,10 +7,10 @@ use common::{below, sand, uniform};
 use glam::DVec3;
 use physics::rigid::Freedom;
 use physics::shape::Disc;
-use solver::cpu::workspace::Workspace;
+use solver::initial::at_rest;
 use solver::model::{BodyModel, ContactMethod};
-use solver::start::start;
 use solver::step::step;
+use solver::workspace::Workspace;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -54,8 +54,8 @@ fn a_step_asks_for_no_memory() {
             ],
             spin: Freedom::Free { load: 0.0, start: 0.0, ramp: 0.0 },
         });
-        let mut state = start(&model, &below(0.0));
-        let mut workspace = Workspace::new(&model, &state, 2);
+        let mut state = at_rest::<f64>(&model, &below(0.0));
+        let mut workspace = Workspace::new(&model, &mut state, 2);
         let (mut steps, mut greedy) = (0, 0);
         for _ in 0..600 {
             let (remaps, asked) = (state.remaps, ASKED.load(Ordering::Relaxed));

@@ -4,9 +4,9 @@
 mod common;
 
 use common::{below, sand, uniform};
-use solver::cpu::workspace::Workspace;
-use solver::start::start;
+use solver::initial::at_rest;
 use solver::step::step;
+use solver::workspace::Workspace;
 
 fn largest_speed(surface: f64, threads: usize, every_step: bool) -> f64 {
     let mut x = uniform(0.0, 0.3, 6);
@@ -15,8 +15,8 @@ fn largest_speed(surface: f64, threads: usize, every_step: bool) -> f64 {
     if every_step {
         model.method.remap_displacement = -1.0;
     }
-    let mut state = start(&model, &below(surface));
-    let mut workspace = Workspace::new(&model, &state, threads);
+    let mut state = at_rest::<f64>(&model, &below(surface));
+    let mut workspace = Workspace::new(&model, &mut state, threads);
     for _ in 0..500 {
         step(&model, &mut state, &mut workspace).unwrap();
     }

@@ -8,16 +8,18 @@ use common::{below, sand, uniform};
 use glam::DVec3;
 use physics::rigid::Freedom;
 use physics::shape::Disc;
+use solver::initial::at_rest_under;
 use solver::model::{BodyModel, Model};
-use solver::precision::Precision;
 use solver::state::State;
+use solver::step::step;
+use solver::workspace::Workspace;
 
 /// After so many steps on a number of threads.
 fn after(model: &Model, surface: f64, threads: usize, steps: usize) -> State<f32> {
-    let mut state = f32::start_under(model, &below(surface), 0.0);
-    let mut workspace = f32::workspace(model, &state, threads);
+    let mut state = at_rest_under::<f32>(model, &below(surface), 0.0);
+    let mut workspace = Workspace::new(model, &mut state, threads);
     for _ in 0..steps {
-        f32::step(model, &mut state, &mut workspace).unwrap();
+        step(model, &mut state, &mut workspace).unwrap();
     }
     state
 }

@@ -5,11 +5,11 @@ mod common;
 
 use common::{sand, uniform};
 use glam::DVec3;
-use solver::cpu::energy::soil_volume;
-use solver::cpu::remap::remap;
-use solver::cpu::workspace::Workspace;
+use solver::energy::soil_volume;
 use solver::grid::Grid;
-use solver::start::{Filling, start};
+use solver::initial::{Filling, at_rest};
+use solver::remap::remap;
+use solver::workspace::Workspace;
 
 /// Volume fractions of a sphere, by 8³ samples in the cells that its surface cuts.
 fn sphere(grid: &Grid, middle: DVec3, radius: f64) -> Vec<f64> {
@@ -33,7 +33,7 @@ fn sphere(grid: &Grid, middle: DVec3, radius: f64) -> Vec<f64> {
 fn flight(cells: usize, radius: f64, eta: f64) -> (f64, f64) {
     let mut model = sand(std::array::from_fn(|_| uniform(0.0, 1.0, cells)));
     model.gravity = 0.0;
-    let mut state = start(&model, &Filling::between(DVec3::splat(2.0), DVec3::splat(3.0)));
+    let mut state = at_rest(&model, &Filling::between(DVec3::splat(2.0), DVec3::splat(3.0)));
     let from = DVec3::splat(0.3);
     let way = DVec3::new(0.4, 0.25, 0.15);
     state.soil.fraction = sphere(&model.grid, from, radius);
@@ -41,20 +41,19 @@ fn flight(cells: usize, radius: f64, eta: f64) -> (f64, f64) {
     state.soil.mass = state.soil.fraction.iter().map(|f| f * cell * model.density).collect();
     let volume = soil_volume(&model.grid, &state.soil);
     let steps = (way.x * cells as f64 / eta).round();
-    let mut workspace = Workspace::new(&model, &state, 2);
-    let mut crumbs = 0.0;
+    let mut workspace = Workspace::new(&model, &mut state, 2);
     for _ in 0..steps as usize {
         for axis in 0..3 {
             state.nodes.displacement[axis].fill(way[axis] / steps);
         }
-        crumbs += remap(&model, &mut state, &mut workspace).volume;
+        remap(&model, &mut state, &mut workspace);
     }
     let target = sphere(&model.grid, from + way, radius);
     let error: f64 =
         state.soil.fraction.iter().zip(&target).map(|(a, b)| (a - b).abs()).sum::<f64>() * cell / volume;
     assert!(state.soil.fraction.iter().all(|f| (0.0..=1.0 + 1e-12).contains(f)));
     // What remaps take out as crumbs is counted; with it nothing is lost.
-    let lost = 1.0 - (soil_volume(&model.grid, &state.soil) + crumbs) / volume;
+    let lost = 1.0 - (soil_volume(&model.grid, &state.soil) + state.ledger.crumbs_volume) / volume;
     (error, lost)
 }
 

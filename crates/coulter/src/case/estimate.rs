@@ -6,9 +6,9 @@ use crate::output::volume::{self, Volume};
 use crate::simulation::model;
 use glam::DVec3;
 use serde::Serialize;
-use solver::footprint::{Footprint, surface_points};
+use solver::footprint::{self, Footprint, surface_points};
 use solver::grid::LANES;
-use solver::precision::Precision as _;
+use solver::precision::Real as _;
 use std::f64::consts::FRAC_PI_4;
 
 /// The program itself, its libraries and what it has read [bytes]; measured on Linux.
@@ -141,8 +141,8 @@ fn footprint(case: &Case) -> Footprint {
     let threads = threads(case);
     let moved: Vec<DVec3> = case.bodies.iter().map(|body| moved(body, case.duration)).collect();
     match case.numerics.precision {
-        Precision::Double => f64::footprint(&model(case, f64::LANES), threads, &moved),
-        Precision::Single => f32::footprint(&model(case, f32::LANES), threads, &moved),
+        Precision::Double => footprint::footprint::<f64>(&model(case, f64::LANES), threads, &moved),
+        Precision::Single => footprint::footprint::<f32>(&model(case, f32::LANES), threads, &moved),
     }
 }
 

@@ -11,7 +11,7 @@ use crate::simulation::Simulation;
 use crate::trust::Trust;
 use crate::trust::watch::watch as would_stop;
 use serde::{Deserialize, Serialize};
-use solver::cpu::energy::soil_mass;
+use solver::energy::soil_mass;
 use solver::error::Breakdown;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};

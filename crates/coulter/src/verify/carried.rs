@@ -2,12 +2,12 @@
 
 use glam::DVec3;
 use physics::elastic::Elastic;
-use solver::cpu::remap::remap;
-use solver::cpu::workspace::Workspace;
 use solver::grid::Grid;
+use solver::initial::{Filling, at_rest};
 use solver::model::Model;
-use solver::start::{Filling, start};
+use solver::remap::remap;
 use solver::state::State;
+use solver::workspace::Workspace;
 use std::f64::consts::PI;
 use std::time::Instant;
 
@@ -55,28 +55,28 @@ pub(super) fn carry(flow: &Flow, inside: impl Fn(DVec3) -> bool) -> Carried {
     let clock = Instant::now();
     let model = space(flow.box_cells);
     let grid = &model.grid;
-    let mut state = start(&model, &Filling::between(DVec3::ZERO, DVec3::ZERO));
+    let mut state = at_rest(&model, &Filling::between(DVec3::ZERO, DVec3::ZERO));
     fill(grid, inside, &mut state.soil.fraction);
     for c in 0..grid.entries {
         state.soil.mass[c] = model.density * state.soil.fraction[c] * grid.finest().powi(3);
     }
-    let mut workspace = Workspace::new(&model, &state, 1);
+    let mut workspace = Workspace::new(&model, &mut state, 1);
     let volume = |state: &State| over_cells(grid, |c, volume| state.soil.fraction[c] * volume);
     let before = volume(&state);
-    let (mut crumbs, mut beyond) = (0.0, 0.0_f64);
+    let mut beyond = 0.0_f64;
     let steps = (flow.period * fastest(flow, grid) / (flow.pace * grid.finest())).ceil();
     let dt = flow.period / steps;
     for n in 0..steps as usize {
         let middle = (n as f64 + 0.5) * dt;
         let slowing = if flow.turns_back { (PI * middle / flow.period).cos() } else { 1.0 };
         displace(flow, grid, &mut state, dt * slowing);
-        crumbs += remap(&model, &mut state, &mut workspace).volume;
+        remap(&model, &mut state, &mut workspace);
         let off = |f: f64| (-f).max(f - 1.0);
         beyond = state.soil.fraction.iter().map(|f| off(*f)).fold(beyond, f64::max);
     }
     let after = volume(&state);
     let seconds = clock.elapsed().as_secs_f64();
-    Carried { before, after, crumbs, beyond, seconds, state, model }
+    Carried { before, after, crumbs: state.ledger.crumbs_volume, beyond, seconds, state, model }
 }
 
 /// Largest component of a velocity at the nodes.

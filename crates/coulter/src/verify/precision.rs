@@ -5,8 +5,9 @@ use super::row::Row;
 use crate::output::record::BodySample;
 use crate::simulation::Simulation;
 use glam::DVec3;
-use solver::precision::Precision;
-use solver::start::Filling;
+use solver::initial::{Filling, at_rest_under};
+use solver::step::step;
+use solver::workspace::Workspace;
 
 const FOOTING: &str = include_str!("../../../../validation/B1_strip_footing/case.toml");
 const WALL: &str = include_str!("../../../../validation/B5_passive_wall/case.toml");
@@ -106,11 +107,11 @@ fn at_rest(bench: &mut Bench) -> Result<(), VerifyError> {
     let model = bench.simulation(SAND, &[])?.model;
     let surface = 0.5 * model.grid.finest();
     let filling = Filling::between(DVec3::splat(-1e9), DVec3::new(1e9, 1e9, surface));
-    let mut state = f32::start_under(&model, &filling, 0.0);
-    let mut workspace = f32::workspace(&model, &state, 1);
+    let mut state = at_rest_under::<f32>(&model, &filling, 0.0);
+    let mut workspace = Workspace::new(&model, &mut state, 1);
     let mut speed = 0.0_f32;
     for _ in 0..STEPS {
-        f32::step(&model, &mut state, &mut workspace)?;
+        step(&model, &mut state, &mut workspace)?;
         speed = state.nodes.velocity.iter().flatten().fold(speed, |most, v| most.max(v.abs()));
     }
     let speed = f64::from(speed) / model.wave_speed();

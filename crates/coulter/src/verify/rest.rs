@@ -4,9 +4,9 @@ use super::bench::{Bench, VerifyError};
 use super::row::Row;
 use crate::simulation::Simulation;
 use glam::DVec3;
-use solver::cpu::workspace::Workspace;
-use solver::start::{Filling, start};
+use solver::initial::{Filling, at_rest};
 use solver::step::step;
+use solver::workspace::Workspace;
 use std::time::Instant;
 
 const CASE: &str = include_str!("../../../../validation/A4_soil_at_rest/case.toml");
@@ -51,8 +51,9 @@ fn rest(bench: &mut Bench, height: f64, every_step: bool) -> Result<(f64, [f64; 
     if every_step {
         model.method.remap_displacement = -1.0;
     }
-    let mut state = start(&model, &Filling::between(DVec3::splat(-1e9), DVec3::new(1e9, 1e9, surface)));
-    let mut workspace = Workspace::new(&model, &state, 1);
+    let mut state =
+        at_rest::<f64>(&model, &Filling::between(DVec3::splat(-1e9), DVec3::new(1e9, 1e9, surface)));
+    let mut workspace = Workspace::new(&model, &mut state, 1);
     let mut speed = 0.0_f64;
     for _ in 0..STEPS {
         step(&model, &mut state, &mut workspace)?;

@@ -5,12 +5,12 @@ use glam::DVec3;
 use physics::elastic::Elastic;
 use physics::strength::{Law, Strength};
 use physics::tensor::{Symmetric, deviator, mean};
-use solver::cpu::workspace::Workspace;
 use solver::grid::Grid;
+use solver::initial::{Filling, at_rest};
 use solver::model::{Method, Model};
-use solver::start::{Filling, start};
 use solver::state::State;
 use solver::step::step;
+use solver::workspace::Workspace;
 
 /// Something that answers a small strain with a stress.
 pub(super) trait Specimen: Sized {
@@ -65,7 +65,7 @@ impl Cell {
             ..Model::bare(Grid::new([faces(), faces(), faces()]), elastic, 1600.0)
         };
         let everywhere = Filling::between(DVec3::splat(-1e9), DVec3::splat(1e9));
-        let mut state = start(&model, &everywhere);
+        let mut state = at_rest(&model, &everywhere);
         let cell = model.grid.index(0, 0, 0);
         for (field, value) in state.soil.stress.iter_mut().zip(stress) {
             field[cell] = value;
@@ -89,7 +89,7 @@ impl Cell {
             }
         }
         // A workspace of its own: the one step must not remember another.
-        let mut workspace = Workspace::new(&self.model, &state, 1);
+        let mut workspace = Workspace::new(&self.model, &mut state, 1);
         step(&self.model, &mut state, &mut workspace)?;
         for u in &mut state.nodes.displacement {
             u.fill(0.0);

@@ -6,14 +6,14 @@ use super::row::Row;
 use glam::DVec2;
 use physics::elastic::Elastic;
 use physics::tensor::contract;
-use solver::audit::kinetic_energy;
-use solver::cpu::energy::soil_volume;
-use solver::cpu::workspace::Workspace;
+use solver::balance::kinetic_energy;
+use solver::energy::soil_volume;
 use solver::grid::Grid;
+use solver::initial::at_rest_filled;
 use solver::model::Model;
-use solver::start::start_filled;
 use solver::state::State;
 use solver::step::step;
+use solver::workspace::Workspace;
 use std::f64::consts::TAU;
 use std::time::{Duration, Instant};
 
@@ -44,7 +44,7 @@ fn turn(bench: &mut Bench, cells: u32) -> Result<(), VerifyError> {
     let grid = &model.grid;
     let mut fraction = vec![0.0; grid.entries];
     fill(grid, |x| x.x.abs() <= HALF.x && x.z.abs() <= HALF.y, &mut fraction);
-    let mut state = start_filled(&model, fraction.clone());
+    let mut state = at_rest_filled(&model, fraction.clone());
     let rate = MACH * model.wave_speed() / HALF.length();
     each_node(grid, |n, x| {
         if state.nodes.mass[n] > 0.0 {
@@ -53,7 +53,7 @@ fn turn(bench: &mut Bench, cells: u32) -> Result<(), VerifyError> {
         }
     });
     let (volume, kinetic) = (soil_volume(grid, &state.soil), kinetic_energy(&model, &state));
-    let mut workspace = Workspace::new(&model, &state, 1);
+    let mut workspace = Workspace::new(&model, &mut state, 1);
     let mut told = Instant::now();
     let mut stress = 0.0_f64;
     while state.time < TAU / rate {

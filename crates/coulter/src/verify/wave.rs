@@ -4,12 +4,12 @@ use super::bench::{Bench, VerifyError};
 use super::row::Row;
 use glam::DVec3;
 use physics::elastic::Elastic;
-use solver::cpu::workspace::Workspace;
 use solver::grid::Grid;
+use solver::initial::{Filling, at_rest};
 use solver::model::{Method, Model};
-use solver::start::{Filling, start};
 use solver::state::State;
 use solver::step::step;
+use solver::workspace::Workspace;
 use std::time::Instant;
 
 const SOURCE: &str = "d'Alembert: v(x, t) = f(x − ct), c = √(M/ρ), exact";
@@ -64,7 +64,7 @@ fn travel(refinement: usize, bulk_viscosity: [f64; 2], remap: Option<f64>) -> Re
         model.method.remap_displacement = displacement;
     }
     let everywhere = Filling::between(DVec3::splat(-1e9), DVec3::splat(1e9));
-    let mut state = start(&model, &everywhere);
+    let mut state = at_rest(&model, &everywhere);
     let (c, dt) = (model.wave_speed(), model.time_step());
     // Velocities are half a step ahead of stresses.
     let pulse = |x: f64, time: f64| {
@@ -73,7 +73,7 @@ fn travel(refinement: usize, bulk_viscosity: [f64; 2], remap: Option<f64>) -> Re
     };
     set(&model, &mut state, |x| pulse(x, 0.5 * dt), |x| pulse(x, 0.0));
     let begin = centre(&model, &state);
-    let mut workspace = Workspace::new(&model, &state, 1);
+    let mut workspace = Workspace::new(&model, &mut state, 1);
     let steps = (TRAVEL * coarse / (c * dt)).round() as usize;
     for _ in 0..steps {
         step(&model, &mut state, &mut workspace)?;

@@ -1,9 +1,8 @@
-//! The loops over cells and nodes, on the processor's cores. Those over fields are compiled twice, for
-//! [`double`](crate::double) and [`single`](crate::single) precision; the names here are those of double precision.
+//! The loops over cells and nodes, on the processor's cores.
 
-pub mod cut;
+pub(crate) mod kernels;
 pub mod machine;
+pub mod partition;
 pub mod stopwatch;
 pub mod threads;
-
-pub use crate::double::{energy, remap, workspace};
+pub(crate) mod workspace;

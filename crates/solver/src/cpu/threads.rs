@@ -4,7 +4,7 @@
 //! the team spins for a while, then yields, before it goes to sleep.
 #![allow(unsafe_code)]
 
-use super::cut::Cut;
+use super::partition::Cut;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Condvar, Mutex};
 use std::thread::JoinHandle;

@@ -1,15 +1,11 @@
-//! Memory that the step works in and that is worth nothing between steps.
+//! Memory that the loops over cells work in and that is worth nothing between steps.
 
-use super::contact::{self, BodyCell, ContactLaw, Drive, Surface, TouchedNode};
-use super::footprint::team_size;
-use super::stress::Block;
-use super::{Real, State};
-use crate::cpu::cut::{Company, Cut, Pace};
-use crate::cpu::stopwatch::Stopwatch;
-use crate::cpu::threads::Team;
+use super::partition::{Company, Cut, Pace};
+use super::stopwatch::Stopwatch;
+use super::threads::{MOST, Team};
 use crate::grid::Grid;
-use crate::model::Model;
-use glam::DVec3;
+use crate::real::Real;
+use crate::state::State;
 
 /// Coefficients of the nodal force of one plane of cells: for each component the plain part and the parts signed by the
 /// corner's side along x, y, z; last the hourglass damping.
@@ -19,7 +15,7 @@ pub(crate) const COEFFICIENTS: usize = 13;
 pub(crate) const NODE_SUMS: usize = 4;
 
 /// Threads, scratch arrays and the bookkeeping of which rows hold soil.
-pub struct Workspace {
+pub struct SoilWorkspace<R: Real> {
     pub(crate) team: Team,
     /// How rows (of storage planes 1 to nz + 1: nodes, and the cells above them) are dealt out.
     pub(crate) cut: Cut,
@@ -33,55 +29,39 @@ pub struct Workspace {
     pub(crate) clear: u8,
     /// Nodal velocities of the step before. Between steps they are worth nothing, and room for others: for the remap, and
     /// the first, from then till the contact points are located, for the share of each cell that bodies take up.
-    pub(crate) velocity_before: [Vec<Real>; 3],
-    /// The cells of which bodies take up a share, body by body.
-    pub(crate) body_cells: Vec<BodyCell>,
+    pub(crate) velocity_before: [Vec<R>; 3],
     /// One for each worker.
-    pub(crate) workers: Vec<WorkerScratch>,
+    pub(crate) workers: Vec<WorkerScratch<R>>,
     /// Sums over rows of the Lagrangian step.
     pub(crate) row_sums: Vec<RowSums>,
     /// Two values for each row, to be added up.
     pub(crate) row_values: Vec<[f64; 2]>,
     /// Widths of the cell layers along x [m], in storage columns (0 in ghosts), and ¼ over them.
-    pub(crate) width_x: [Vec<Real>; 2],
-    /// How soil and bodies act on each other.
-    pub(crate) contact_law: Box<dyn ContactLaw>,
-    /// Surfaces of the bodies.
-    pub(crate) surfaces: Vec<Surface>,
-    /// Nodes that contact acts on.
-    pub(crate) touched: Vec<TouchedNode>,
-    /// For each contact, the places of its cell's nodes among them.
-    pub(crate) corner_nodes: Vec<[u32; 8]>,
-    /// For each contact the number of its patch; for each patch the forces that are missing at its nodes.
-    pub(crate) patch: (Vec<usize>, Vec<[DVec3; 8]>),
-    /// Frictional impulse at each contact in the last step [N s].
-    pub(crate) friction: Vec<DVec3>,
-    /// How each body came through the last step.
-    pub(crate) drives: Vec<Drive>,
+    pub(crate) width_x: [Vec<R>; 2],
 }
 
-impl std::fmt::Debug for Workspace {
+impl<R: Real> std::fmt::Debug for SoilWorkspace<R> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "Workspace for {:?}", self.team)
+        write!(f, "SoilWorkspace for {:?}", self.team)
     }
 }
 
 /// What a worker needs for itself, on cache lines of its own: it is written in every row, and two workers that write to one
 /// line wait for each other.
 #[repr(align(128))]
-pub(crate) struct WorkerScratch {
+pub(crate) struct WorkerScratch<R: Real> {
     /// Force coefficients of two rows of cells in turn.
-    pub(crate) coefficients: [Coefficients; 2],
+    pub(crate) coefficients: [Coefficients<R>; 2],
     /// Those of the worker's first row.
-    pub(crate) first: Coefficients,
+    pub(crate) first: Coefficients<R>,
     /// Force and damping (four rows for each row of nodes) on a plane of nodes by the cells below it.
-    pub(crate) below: Vec<Real>,
+    pub(crate) below: Vec<R>,
     /// The same, row by row, on those of the worker's first nodes that wait for other cells; the first worker's wait for nobody.
-    pub(crate) waiting: Vec<Real>,
+    pub(crate) waiting: Vec<R>,
     /// Row buffers of the nodes.
-    pub(crate) row: Vec<Real>,
+    pub(crate) row: Vec<R>,
     /// Block of cells.
-    pub(crate) block: Box<Block>,
+    pub(crate) block: Box<R::CellBlock>,
     /// How fast this worker is.
     pub(crate) pace: Pace,
     /// Where this worker's time goes.
@@ -89,14 +69,14 @@ pub(crate) struct WorkerScratch {
 }
 
 /// Force coefficients of a row of cells.
-pub(crate) struct Coefficients {
+pub(crate) struct Coefficients<R> {
     /// One row after the other.
-    pub(crate) values: Vec<Real>,
+    pub(crate) values: Vec<R>,
     /// Whether all are zero.
     pub(crate) are_zero: bool,
 }
 
-impl Coefficients {
+impl<R: Copy> Coefficients<R> {
     /// Takes over another row's.
     pub(crate) fn copy_from(&mut self, other: &Self) {
         self.values.copy_from_slice(&other.values);
@@ -128,28 +108,26 @@ pub struct RowSums {
 /// Row buffers that the Lagrangian step needs, in rows.
 pub(crate) const ROW_BUFFERS: usize = 6;
 
-impl Workspace {
-    /// Memory for a model and a team of `threads`.
+impl<R: Real> SoilWorkspace<R> {
+    /// Memory for a grid and a team of `threads`.
     #[must_use]
-    pub fn new(model: &Model, state: &State, threads: usize) -> Self {
-        let grid = &model.grid;
+    pub(crate) fn new(grid: &Grid, state: &State<R>, threads: usize) -> Self {
         let [_, row, plane] = grid.stride;
         let planes = grid.cells()[2] + 1;
         let rows = plane / row;
-        let coefficients = || Coefficients { values: vec![0.0; COEFFICIENTS * row], are_zero: true };
+        let coefficients = || Coefficients { values: vec![R::default(); COEFFICIENTS * row], are_zero: true };
         let worker = |n| WorkerScratch {
             coefficients: [coefficients(), coefficients()],
             first: coefficients(),
-            below: vec![0.0; NODE_SUMS * plane],
-            waiting: vec![0.0; if n > 0 { NODE_SUMS * (plane + row) } else { 0 }],
-            row: vec![0.0; ROW_BUFFERS * row],
-            block: Block::new(),
+            below: vec![R::default(); NODE_SUMS * plane],
+            waiting: vec![R::default(); if n > 0 { NODE_SUMS * (plane + row) } else { 0 }],
+            row: vec![R::default(); ROW_BUFFERS * row],
+            block: R::cell_block(),
             pace: Pace::default(),
             stopwatch: Stopwatch::default(),
         };
         let least = rows + 1;
         let threads = team_size(grid, threads);
-        let (touched, corner_nodes) = contact::touched_nodes(model, &state.contacts);
         let mut workspace = Self {
             team: Team::new(threads),
             cut: Cut::new(rows, &vec![1.0; planes * rows], [threads, least], row),
@@ -158,18 +136,10 @@ impl Workspace {
             row_has_soil: vec![false; rows * (planes + 1)],
             clear: 0,
             velocity_before: state.nodes.velocity.clone(),
-            body_cells: Vec::new(),
             workers: (0..threads).map(worker).collect(),
             row_sums: vec![RowSums::default(); rows * (planes + 1)],
             row_values: vec![[0.0; 2]; rows * (planes + 1)],
             width_x: column_widths(grid),
-            contact_law: contact::law(model),
-            surfaces: model.bodies.iter().map(|body| Surface::new(model, body)).collect(),
-            touched,
-            corner_nodes,
-            patch: contact::number_patches(model, &state.soil, &state.bodies, &state.contacts),
-            friction: Vec::new(),
-            drives: vec![Drive::default(); model.bodies.len()],
         };
         workspace.find_soil(grid, &state.soil.fraction);
         workspace
@@ -177,13 +147,29 @@ impl Workspace {
 
     /// Number of threads.
     #[must_use]
-    pub fn threads(&self) -> usize {
+    pub(crate) fn threads(&self) -> usize {
         self.team.size()
     }
 
     /// Where the time of the calling thread goes.
-    pub fn stopwatch(&mut self) -> &mut Stopwatch {
+    pub(crate) fn stopwatch(&mut self) -> &mut Stopwatch {
         &mut self.workers[0].stopwatch
+    }
+
+    /// Memory that it takes up [bytes].
+    #[must_use]
+    pub(crate) fn memory(&self) -> usize {
+        let own = |w: &WorkerScratch<R>| {
+            let coefficients = w.coefficients.iter().chain([&w.first]).map(|c| &c.values);
+            let rows = coefficients.chain([&w.below, &w.waiting, &w.row]);
+            rows.map(|row| size_of_val(row.as_slice())).sum::<usize>() + size_of_val(&*w.block)
+        };
+        self.velocity_before.iter().map(|field| size_of_val(field.as_slice())).sum::<usize>()
+            + self.workers.iter().map(own).sum::<usize>()
+            + size_of_val(self.row_sums.as_slice())
+            + size_of_val(self.costs.as_slice())
+            + size_of_val(self.row_has_soil.as_slice())
+            + size_of_val(self.row_values.as_slice())
     }
 
     /// Sums over all rows, in the order of the memory.
@@ -192,9 +178,9 @@ impl Workspace {
     }
 
     /// Notes which rows hold soil, and deals the rows out anew.
-    pub(crate) fn find_soil(&mut self, grid: &Grid, fraction: &[Real]) {
+    pub(crate) fn find_soil(&mut self, grid: &Grid, fraction: &[R]) {
         for (n, cells) in fraction.chunks_exact(grid.stride[1]).take(self.row_has_soil.len()).enumerate() {
-            self.row_has_soil[n] = cells.iter().any(|f| *f > 0.0);
+            self.row_has_soil[n] = cells.iter().any(|f| *f > R::default());
             if !self.row_has_soil[n] {
                 self.row_sums[n] = RowSums::default();
             }
@@ -225,25 +211,30 @@ impl Workspace {
     }
 }
 
-fn column_widths(grid: &Grid) -> [Vec<Real>; 2] {
+fn column_widths<R: Real>(grid: &Grid) -> [Vec<R>; 2] {
     let mut widths = vec![0.0; grid.stride[1] + crate::grid::LANES];
     for i in 0..grid.cells()[0] {
         widths[i + 1] = grid.width(0, i);
     }
-    let per_width = widths.iter().map(|w| if *w > 0.0 { (0.25 / w) as Real } else { 0.0 }).collect();
-    [widths.into_iter().map(|w: f64| w as Real).collect(), per_width]
+    let per_width = widths.iter().map(|w| if *w > 0.0 { R::cast(0.25 / w) } else { R::default() }).collect();
+    [widths.into_iter().map(|w: f64| R::cast(w)).collect(), per_width]
 }
 
-/// Sum in eight lanes that are added up at the end: the same whatever the processor's vectors are.
-#[inline(always)]
-pub(crate) fn lane_sum(values: &[Real]) -> f64 {
-    let mut lanes: [Real; 8] = [0.0; 8];
-    for chunk in values.chunks_exact(8) {
-        for (lane, value) in lanes.iter_mut().zip(chunk) {
-            *lane += value;
-        }
-    }
-    let tail: Real = values.chunks_exact(8).remainder().iter().sum();
-    let (lanes, tail) = (lanes.map(f64::from), f64::from(tail));
-    ((lanes[0] + lanes[4]) + (lanes[1] + lanes[5])) + ((lanes[2] + lanes[6]) + (lanes[3] + lanes[7])) + tail
+/// Number of threads that a team gets which is asked for.
+pub(crate) fn team_size(grid: &Grid, threads: usize) -> usize {
+    let (rows, planes) = (grid.rows(), grid.cells()[2] + 1);
+    // The nodes that wait for a worker's cells must not wait for those of another besides.
+    threads.clamp(1, (planes * rows / (rows + 1)).min(MOST))
+}
+
+/// Memory that the workspace of a grid will take up [bytes].
+pub(crate) fn footprint<R: Real>(grid: &Grid, threads: usize) -> f64 {
+    let [_, row, plane] = grid.stride;
+    let (threads, rows, planes) = (threads as f64, grid.rows(), grid.cells()[2] + 1);
+    let own = 3 * COEFFICIENTS * row + NODE_SUMS * plane + ROW_BUFFERS * row;
+    let waiting = NODE_SUMS * (plane + row);
+    let per_row = size_of::<RowSums>() + size_of::<bool>() + size_of::<[f64; 2]>();
+    let of_rows = rows * (planes + 1) * per_row + rows * planes * size_of::<f64>();
+    let reals = 3.0 * grid.entries as f64 + threads * own as f64 + (threads - 1.0) * waiting as f64;
+    reals * size_of::<R>() as f64 + threads * size_of::<R::CellBlock>() as f64 + of_rows as f64
 }

@@ -6,8 +6,8 @@ use physics::elastic::Elastic;
 use physics::mohr_coulomb::MohrCoulomb;
 use physics::strength::Law;
 use solver::grid::Grid;
+use solver::initial::Filling;
 use solver::model::Model;
-use solver::start::Filling;
 
 /// Equally spaced faces.
 pub fn uniform(low: f64, high: f64, cells: usize) -> Vec<f64> {

@@ -6,7 +6,7 @@
 //! cell to cell, do not cancel, and stir the soil the more the higher the pressure. It is the body that holds this
 //! pressure, so contact gives to the nodes what is missing, in proportion to the pressure on the patch.
 
-use super::super::Soil;
+use super::scene::side;
 use crate::grid::Grid;
 use crate::model::Model;
 use crate::state::{Body, Contact};
@@ -21,18 +21,17 @@ const WHOLE: f64 = 0.75;
 /// For each patch the forces that are missing at the eight nodes of its cell, over the force on the patch.
 pub(super) fn corrections(
     model: &Model,
-    soil: &Soil,
     bodies: &[Body],
-    contacts: &[Contact],
+    (contacts, fraction): (&[Contact], &[f64]),
     (patch, patches): (&[usize], usize),
 ) -> Vec<[DVec3; 8]> {
     // The two sides of the body's middle are added up apart: a mirror in y then changes no bit of the sum.
     let mut area: HashMap<(usize, usize), [f64; 3]> = HashMap::new();
     for c in contacts {
-        area.entry((c.body, c.base)).or_default()[super::side(c)] += c.area;
+        area.entry((c.body, c.base)).or_default()[side(c)] += c.area;
     }
     let mut corrections = vec![None; patches];
-    for (c, number) in contacts.iter().zip(patch) {
+    for ((c, fraction), number) in contacts.iter().zip(fraction).zip(patch) {
         corrections[*number].get_or_insert_with(|| {
             let none = [DVec3::ZERO; 8];
             // Along a face that lies in the grid all cells are cut alike: what is missing cancels but at the face's edges.
@@ -46,7 +45,7 @@ pub(super) fn corrections(
             if touched < WHOLE * whole {
                 return none;
             }
-            cell.missing(f64::from(soil.fraction[c.base])).map(|force| force / touched.max(whole))
+            cell.missing(*fraction).map(|force| force / touched.max(whole))
         });
     }
     corrections.into_iter().map(Option::unwrap_or_default).collect()

@@ -5,15 +5,16 @@
 //! arguments of a function of its own, so that the compiler sees that nothing overlaps and vectorises them. Each is compiled
 //! for what the processor has; `mul_add` is not used, so the result is the same to the bit.
 
+use super::lanes::lane_sum;
 use super::physics::brick::{Sums, hourglass_coefficient};
 use super::physics::elastic::Elastic;
 use super::physics::strength::Law;
 use super::physics::tensor::{Symmetric, deviator, jaumann};
 use super::physics::viscosity::BulkViscosity;
-use super::returns::apply;
-use super::workspace::{COEFFICIENTS, RowSums, lane_sum};
+use super::return_mapping::apply;
 use super::{LANES, Real};
 use crate::cpu::stopwatch::{Stage, Stopwatch};
+use crate::cpu::workspace::{COEFFICIENTS, RowSums};
 use crate::model::{FRACTION_STRESSED, Model};
 use multiversion::multiversion;
 
@@ -87,7 +88,7 @@ pub(super) fn tensor<const N: usize>(components: &[[Real; N]; 6], i: usize) -> S
 }
 
 /// The working numbers of a block of cells, in one piece of memory.
-pub(crate) struct Block {
+pub struct Block {
     /// Place in the row of the first cell.
     pub(super) start: usize,
     /// Number of cells in use, a multiple of the vector length.

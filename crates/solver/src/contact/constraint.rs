@@ -4,8 +4,8 @@
 //! points of the face in the cell are its quadrature. Their weights, each by its area, make the mean velocity of the soil
 //! over the patch; an impulse on the patch acts like a uniform pressure on it.
 
-use super::super::Soil;
-use super::{Grip, Scene};
+use super::cut_cell;
+use super::scene::{Grip, Scene, largest_axis, side};
 use crate::model::Model;
 use crate::state::{Body, Contact};
 use glam::DVec3;
@@ -96,7 +96,7 @@ impl Patches {
                 sums.push(Default::default());
             }
             of_contact[n] = Some(at);
-            sums[at][super::side(c)].add(c);
+            sums[at][side(c)].add(c);
         }
         for (patch, [left, right, middle]) in patches.iter_mut().zip(sums) {
             let all = left.plus(right).plus(middle);
@@ -111,20 +111,20 @@ impl Patches {
 }
 
 /// For each contact the number of its patch (that of its body, face and cell), and for each patch the forces that are missing
-/// at its nodes, over the force on it.
+/// at its nodes, over the force on it; `fraction` is the volume fraction in the cell of each contact.
 pub(crate) fn number(
     model: &Model,
-    soil: &Soil,
     bodies: &[Body],
     contacts: &[Contact],
+    fraction: &[f64],
 ) -> (Vec<usize>, Vec<[DVec3; 8]>) {
     let mut numbers = HashMap::new();
     let each = contacts.iter().map(|c| {
-        let axis = super::geometry::largest_axis(c.normal);
+        let axis = largest_axis(c.normal);
         let next = numbers.len();
         *numbers.entry((c.body, c.base, axis, c.normal[axis] > 0.0)).or_insert(next)
     });
     let each: Vec<usize> = each.collect();
-    let missing = super::cut::corrections(model, soil, bodies, contacts, (&each, numbers.len()));
+    let missing = cut_cell::corrections(model, bodies, (contacts, fraction), (&each, numbers.len()));
     (each, missing)
 }

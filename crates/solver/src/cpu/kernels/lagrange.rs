@@ -7,11 +7,11 @@
 
 use super::nodes::{NodeConstants, NodeRow, finish_row, gather_forces, move_row};
 use super::stress::{CellRow, NodeRows, RowConstants, strain_row};
-use super::workspace::{COEFFICIENTS, Coefficients, NODE_SUMS, RowSums, WorkerScratch, Workspace};
-use super::{Real, Soil, State};
-use crate::cpu::cut::Cut;
+use super::{Coefficients, Real, Soil, State, WorkerScratch, Workspace};
+use crate::cpu::partition::Cut;
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::threads::parts_of;
+use crate::cpu::workspace::{COEFFICIENTS, NODE_SUMS, RowSums};
 use crate::grid::Grid;
 use crate::model::{Model, Wall};
 use std::ops::Range;
@@ -51,6 +51,7 @@ const DEALS: u64 = 64;
 /// free velocities (before contact) half a step later. Returns the sums over all rows.
 pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspace, dt: f64) -> RowSums {
     let grid = &model.grid;
+    workspace.stopwatch().lap(Stage::Other);
     if state.step.is_multiple_of(DEALS) {
         workspace.deal(grid);
     }

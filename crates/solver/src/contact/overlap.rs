@@ -7,13 +7,15 @@
 //!
 //! All sums run over neighbours in an order that a mirror in y does not change to the bit.
 
-use super::super::settle::settle_cell;
-use super::super::workspace::Workspace;
-use super::super::{Nodes, ROUNDING, Real, Soil, State};
-use super::geometry::occupy_all;
-use super::over_corners;
+use super::body_fraction::find_bodies;
+use super::scene::{corners, over_corners};
+use super::workspace::ContactWorkspace;
+use crate::cpu::workspace::SoilWorkspace;
 use crate::grid::Grid;
 use crate::model::Model;
+use crate::precision::Precision;
+use crate::real::Real;
+use crate::state::{Nodes, Soil, State};
 use glam::DVec3;
 use std::collections::BTreeMap;
 
@@ -21,17 +23,22 @@ use std::collections::BTreeMap;
 const ROUNDS: usize = 3;
 
 /// Finds anew where the bodies are, and puts overlapping soil back outside them.
-pub(crate) fn expel(model: &Model, state: &mut State, workspace: &mut Workspace) {
-    occupy_all(model, state, workspace);
-    let mut cells: Vec<usize> = workspace.body_cells.iter().map(|c| c.cell).collect();
+pub(crate) fn remove_overlap<R: Precision>(
+    model: &Model,
+    state: &mut State<R>,
+    soil: &mut SoilWorkspace<R>,
+    contact: &mut ContactWorkspace,
+) {
+    find_bodies(model, &mut state.bodies, &mut soil.velocity_before[0], &mut contact.body_cells);
+    let mut cells: Vec<usize> = contact.body_cells.iter().map(|c| c.cell).collect();
     cells.sort_unstable();
     cells.dedup();
     for _ in 0..ROUNDS {
-        let transfers = share_out(&model.grid, &state.soil.fraction, &workspace.velocity_before[0], &cells);
+        let transfers = share_out(&model.grid, &state.soil.fraction, &soil.velocity_before[0], &cells);
         if transfers.is_empty() {
             break;
         }
-        carry(model, state, workspace, &transfers);
+        carry(model, state, soil, &transfers);
     }
 }
 
@@ -75,19 +82,20 @@ fn neighbours(grid: &Grid, cell: usize) -> impl Iterator<Item = (usize, usize)> 
 
 /// Which soil goes where: every overlap asks all neighbours that have room, in proportion to it; a cell that is asked for
 /// more than it can take gives each the same share.
-fn share_out(grid: &Grid, fraction: &[Real], occupied: &[Real], cells: &[usize]) -> Vec<Transfer> {
-    let held = |c: usize| f64::from(fraction[c]);
-    let room = |c: usize| (1.0 - f64::from(occupied[c]) - held(c)) * grid.volume_of(c);
+fn share_out<R: Real>(grid: &Grid, fraction: &[R], occupied: &[R], cells: &[usize]) -> Vec<Transfer> {
+    let held = |c: usize| fraction[c].to_f64();
+    let room = |c: usize| (1.0 - occupied[c].to_f64() - held(c)) * grid.volume_of(c);
     let mut asked: BTreeMap<usize, Layered<f64>> = BTreeMap::new();
     let mut transfers = Vec::new();
     for &from in cells {
-        let smallest = ROUNDING * grid.volume_of(from);
+        let smallest = R::ROUND_OFF * grid.volume_of(from);
         let excess = (-room(from)).min(held(from) * grid.volume_of(from));
         if excess <= smallest {
             continue;
         }
         // Soil only joins soil: it would else be thrown into the air.
-        let takers = || neighbours(grid, from).filter(|(n, _)| fraction[*n] > 0.0 && room(*n) > smallest);
+        let takers =
+            || neighbours(grid, from).filter(|(n, _)| fraction[*n] > R::default() && room(*n) > smallest);
         let mut total = Layered::default();
         takers().for_each(|(n, side)| total.add(side, room(n)));
         let total = total.total();
@@ -115,56 +123,61 @@ struct Change {
 }
 
 /// What a cell's soil carries by volume.
-fn carried(soil: &mut Soil) -> [&mut Vec<Real>; 8] {
+fn carried<R>(soil: &mut Soil<R>) -> [&mut Vec<R>; 8] {
     let [xx, yy, zz, xy, yz, xz] = &mut soil.stress;
     [xx, yy, zz, xy, yz, xz, &mut soil.plastic_strain, &mut soil.gap_strain]
 }
 
 /// Moves soil with all that it carries.
-fn carry(model: &Model, state: &mut State, workspace: &mut Workspace, transfers: &[Transfer]) {
+fn carry<R: Precision>(
+    model: &Model,
+    state: &mut State<R>,
+    workspace: &mut SoilWorkspace<R>,
+    transfers: &[Transfer],
+) {
     let grid = &model.grid;
     let State { soil, nodes, .. } = state;
     let mut changes: BTreeMap<usize, Change> = BTreeMap::new();
     for t in transfers {
         changes.entry(t.from).or_default().volume_out.add(t.side, t.volume);
-        let held = f64::from(soil.fraction[t.from]) * grid.volume_of(t.from);
-        let mass = f64::from(soil.mass[t.from]) * t.volume / held;
-        let velocity = 0.125 * over_corners(super::corners(grid.stride).map(|n| velocity(nodes, t.from + n)));
+        let held = soil.fraction[t.from].to_f64() * grid.volume_of(t.from);
+        let mass = soil.mass[t.from].to_f64() * t.volume / held;
+        let velocity = 0.125 * over_corners(corners(grid.stride).map(|n| velocity(nodes, t.from + n)));
         let change = changes.entry(t.to).or_default();
         change.volume_in.add(t.side, t.volume);
         change.mass_in.add(t.side, mass);
         change.momentum_in.add(t.side, mass * velocity);
         for (sum, field) in change.carried_in.iter_mut().zip(carried(soil)) {
-            sum.add(t.side, t.volume * f64::from(field[t.from]));
+            sum.add(t.side, t.volume * field[t.from].to_f64());
         }
     }
     let mut masses = BTreeMap::new();
     for (c, change) in &changes {
-        let held = f64::from(soil.fraction[*c]) * grid.volume_of(*c);
+        let held = soil.fraction[*c].to_f64() * grid.volume_of(*c);
         let (out, into) = (change.volume_out.total(), change.volume_in.total());
-        let mass_out = f64::from(soil.mass[*c]) * out / held;
+        let mass_out = soil.mass[*c].to_f64() * out / held;
         let mass_in = change.mass_in.total();
         // A cell that is emptied must not hold less than nothing by a rounding.
-        soil.fraction[*c] = ((held + (into - out)).max(0.0) / grid.volume_of(*c)) as Real;
-        soil.mass[*c] = (f64::from(soil.mass[*c]) + (mass_in - mass_out)).max(0.0) as Real;
+        soil.fraction[*c] = R::cast((held + (into - out)).max(0.0) / grid.volume_of(*c));
+        soil.mass[*c] = R::cast((soil.mass[*c].to_f64() + (mass_in - mass_out)).max(0.0));
         if into > 0.0 {
             for (field, sum) in carried(soil).into_iter().zip(&change.carried_in) {
-                field[*c] = ((f64::from(field[*c]) * held + sum.total()) / (held + into)) as Real;
+                field[*c] = R::cast((field[*c].to_f64() * held + sum.total()) / (held + into));
             }
-            settle_cell(model, soil, workspace, *c);
+            R::update_cell(model, soil, workspace, *c);
         }
         masses.insert(*c, (mass_out, mass_in, change.momentum_in.total()));
     }
     move_nodes(grid, nodes, &masses);
 }
 
-fn velocity(nodes: &Nodes, n: usize) -> DVec3 {
-    DVec3::from_array(nodes.velocity.each_ref().map(|component| f64::from(component[n])))
+fn velocity<R: Real>(nodes: &Nodes<R>, n: usize) -> DVec3 {
+    DVec3::from_array(nodes.velocity.each_ref().map(|component| component[n].to_f64()))
 }
 
 /// An eighth of a cell's mass hangs on each corner: what leaves takes its momentum with it, what comes mixes.
-fn move_nodes(grid: &Grid, nodes: &mut Nodes, changes: &BTreeMap<usize, (f64, f64, DVec3)>) {
-    let corners = super::corners(grid.stride);
+fn move_nodes<R: Real>(grid: &Grid, nodes: &mut Nodes<R>, changes: &BTreeMap<usize, (f64, f64, DVec3)>) {
+    let corners = corners(grid.stride);
     let mut touched: Vec<usize> = changes.keys().flat_map(|c| corners.map(|n| c + n)).collect();
     touched.sort_unstable();
     touched.dedup();
@@ -173,12 +186,12 @@ fn move_nodes(grid: &Grid, nodes: &mut Nodes, changes: &BTreeMap<usize, (f64, f6
         let out = 0.125 * over_corners(of.map(|c| c.0));
         let mass_in = 0.125 * over_corners(of.map(|c| c.1));
         let momentum = 0.125 * over_corners(of.map(|c| c.2));
-        let left = (f64::from(nodes.mass[n]) - out).max(0.0);
-        nodes.mass[n] = (left + mass_in) as Real;
+        let left = (nodes.mass[n].to_f64() - out).max(0.0);
+        nodes.mass[n] = R::cast(left + mass_in);
         if mass_in > 0.0 {
             let new = (left * velocity(nodes, n) + momentum) / (left + mass_in);
             for (v, new) in nodes.velocity.iter_mut().zip(new.to_array()) {
-                v[n] = new as Real;
+                v[n] = R::cast(new);
             }
         }
     }

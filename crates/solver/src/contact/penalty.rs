@@ -3,7 +3,8 @@
 //! The penetration of a point follows the relative motion of body and soil, and is pulled slowly to the gap that the
 //! volume fractions show; the pull is measured by how far the point has moved, so that a body at rest keeps its load.
 
-use super::{ContactLaw, Scene};
+use super::law::ContactLaw;
+use super::scene::Scene;
 use crate::model::Model;
 use crate::state::Contact;
 use glam::DVec3;

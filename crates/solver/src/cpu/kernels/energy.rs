@@ -1,40 +1,13 @@
-//! Sums over the whole grid, always in double precision: energies, mass and volume of the soil. Taken at samples and round
-//! a remap, not every step.
-//!
-//! Every row is added up by itself, then the rows in the order of the memory: the same whoever adds them up.
+//! Energies of a row, always in double precision.
 
-use super::workspace::Workspace;
-use super::{Nodes, Real, Soil, State};
+use super::{Nodes, Real, Soil};
 use crate::grid::{Grid, LANES};
 use crate::model::Model;
 use multiversion::multiversion;
 use physics::elastic::Elastic;
 
-/// Elastic energy of the soil [J].
-pub(crate) fn elastic(model: &Model, soil: &Soil) -> f64 {
-    sum_rows(&model.grid, |place| elastic_of(model, soil, place))
-}
-
-/// Kinetic energy of the nodes [J].
-pub(crate) fn kinetic(grid: &Grid, nodes: &Nodes) -> f64 {
-    sum_rows(grid, |place| kinetic_of(grid, nodes, place))
-}
-
-/// Elastic and kinetic energy of the soil [J], by the whole team.
-pub(crate) fn total(model: &Model, state: &State, workspace: &mut Workspace) -> f64 {
-    let Workspace { team, cut, row_values, .. } = workspace;
-    team.deal(cut.split_by(1, row_values).zip(cut.ranges()), |(values, rows)| {
-        for (value, row) in values.iter_mut().zip(rows.clone()) {
-            let place = model.grid.row_place(row);
-            *value = [elastic_of(model, &state.soil, place), kinetic_of(&model.grid, &state.nodes, place)];
-        }
-    });
-    let [elastic, kinetic] = workspace.total_of_rows();
-    elastic + kinetic
-}
-
 /// Elastic energy of the soil in row `q` of a storage plane [J].
-fn elastic_of(model: &Model, soil: &Soil, [q, plane]: [usize; 2]) -> f64 {
+pub(crate) fn elastic(model: &Model, soil: &Soil, [q, plane]: [usize; 2]) -> f64 {
     let grid = &model.grid;
     let [nx, ny, nz] = grid.cells();
     if !(1..=ny).contains(&q) || plane > nz {
@@ -79,7 +52,7 @@ fn elastic_row(
 }
 
 /// Kinetic energy of row `q` of a storage plane of nodes [J].
-fn kinetic_of(grid: &Grid, nodes: &Nodes, [q, plane]: [usize; 2]) -> f64 {
+pub(crate) fn kinetic(grid: &Grid, nodes: &Nodes, [q, plane]: [usize; 2]) -> f64 {
     let [_, row, stride] = grid.stride;
     let own = plane * stride + q * row..plane * stride + (q + 1) * row;
     let [x, y, z] = nodes.velocity.each_ref().map(|v| &v[own.clone()]);
@@ -102,32 +75,4 @@ fn kinetic_row(mass: &[Real], velocity: [&[Real]; 3]) -> f64 {
 /// Sum of a vector's lanes.
 fn total_of(lanes: [f64; LANES]) -> f64 {
     lanes.into_iter().fold(0.0, |a, b| a + b)
-}
-
-/// Volume of the soil [m³].
-#[must_use]
-pub fn soil_volume(grid: &Grid, soil: &Soil) -> f64 {
-    sum_rows(grid, |place| volume_of(grid, &soil.fraction, place))
-}
-
-/// Mass of the soil [kg].
-#[must_use]
-pub fn soil_mass(soil: &Soil) -> f64 {
-    soil.mass.iter().map(|mass| f64::from(*mass)).sum()
-}
-
-/// Sum over the rows `[q, plane]` of the grid, of cells and of nodes, in memory order.
-fn sum_rows(grid: &Grid, of_row: impl Fn([usize; 2]) -> f64) -> f64 {
-    let [_, ny, nz] = grid.cells();
-    (1..=nz + 1).flat_map(|plane| (1..=ny + 1).map(move |q| [q, plane])).map(of_row).fold(0.0, |a, b| a + b)
-}
-
-/// Volume of the soil in row `q` of a storage plane of cells [m³].
-fn volume_of(grid: &Grid, fraction: &[Real], [q, plane]: [usize; 2]) -> f64 {
-    let [nx, ny, nz] = grid.cells();
-    if !(1..=ny).contains(&q) || plane > nz {
-        return 0.0;
-    }
-    let start = plane * grid.stride[2] + q * grid.stride[1] + 1;
-    (0..nx).map(|i| f64::from(fraction[start + i]) * grid.volume(i, q - 1, plane - 1)).fold(0.0, |a, b| a + b)
 }

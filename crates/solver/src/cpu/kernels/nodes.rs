@@ -1,8 +1,9 @@
 //! One row of nodes: forces of the cells round it → velocity, displacement, and what the row did. A row is here without its
 //! first ghost.
 
-use super::workspace::{NODE_SUMS, RowSums, lane_sum};
-use super::{LANES, Real};
+use super::Real;
+use super::lanes::{lane_max, lane_sum};
+use crate::cpu::workspace::{NODE_SUMS, RowSums};
 use crate::model::Model;
 use multiversion::multiversion;
 
@@ -171,17 +172,4 @@ fn measure_nodes(
         heavy[i] = if is_heavy { u } else { 0.0 };
         light[i] = if is_heavy { 0.0 } else { u };
     }
-}
-
-/// Largest of values that are not negative.
-#[inline(always)]
-fn lane_max(values: &[Real]) -> Real {
-    let mut lanes = [0.0; LANES];
-    for chunk in values.chunks_exact(LANES) {
-        for (lane, value) in lanes.iter_mut().zip(chunk) {
-            *lane = if *value > *lane { *value } else { *lane };
-        }
-    }
-    let tail = values.chunks_exact(LANES).remainder();
-    lanes.iter().chain(tail).fold(0.0, |a, b| if *b > a { *b } else { a })
 }

@@ -1,10 +1,9 @@
 //! The end of the Eulerian stage: from carried volumes back to volume fractions and admissible stresses.
 
 use super::physics::tensor::mean;
-use super::returns::apply;
+use super::return_mapping::apply;
 use super::stress::{BLOCK, Block, CellRow, RowConstants};
-use super::workspace::{WorkerScratch, Workspace};
-use super::{Real, Soil};
+use super::{Real, Soil, WorkerScratch, Workspace};
 use crate::model::{FRACTION_KEPT, FRACTION_STRESSED, Model};
 use multiversion::multiversion;
 use std::ops::Range;
@@ -24,7 +23,12 @@ struct Part<'a> {
 
 /// Takes crumbs out, closes gaps that stand under pressure, returns stresses to the yield surface; in the `active` rows, the
 /// only ones with soil. Returns volume [m³] and mass [kg] of the crumbs.
-pub(crate) fn settle(model: &Model, soil: &mut Soil, workspace: &mut Workspace, active: &[bool]) -> [f64; 2] {
+pub(crate) fn update_after_remap(
+    model: &Model,
+    soil: &mut Soil,
+    workspace: &mut Workspace,
+    active: &[bool],
+) -> [f64; 2] {
     let Workspace { team, cut, velocity_before: [volume, ..], row_values, workers, width_x, .. } = workspace;
     let Soil { fraction, mass, stress, plastic_strain, gap_strain } = soil;
     let mut stress = stress.each_mut().map(|s| cut.split(s));
@@ -38,11 +42,11 @@ pub(crate) fn settle(model: &Model, soil: &mut Soil, workspace: &mut Workspace, 
         },
     );
     let constants = RowConstants::new(model, width_x.each_ref().map(|w| &w[1..]), 0.0);
-    team.deal(parts, |part| settle_part(model, &constants, (volume, active), part));
+    team.deal(parts, |part| update_part(model, &constants, (volume, active), part));
     workspace.total_of_rows()
 }
 
-fn settle_part(
+fn update_part(
     model: &Model,
     constants: &RowConstants,
     (volume, active): (&[Real], &[bool]),
@@ -80,12 +84,12 @@ fn settle_part(
             width_z: grid.width(2, plane - 1) as Real,
         };
         let columns = 0..cells.fraction.len();
-        settle_cells(constants, &mut cells, columns, part.scratch);
+        update_cells(constants, &mut cells, columns, part.scratch);
     }
 }
 
-/// Settles a cell that soil has come into.
-pub(crate) fn settle_cell(model: &Model, soil: &mut Soil, workspace: &mut Workspace, c: usize) {
+/// Updates a cell that soil was moved into.
+pub(crate) fn update_cell(model: &Model, soil: &mut Soil, workspace: &mut Workspace, c: usize) {
     let grid = &model.grid;
     let Workspace { width_x, workers, .. } = workspace;
     let constants = RowConstants::new(model, width_x.each_ref().map(|w| &w[1..]), 0.0);
@@ -100,11 +104,11 @@ pub(crate) fn settle_cell(model: &Model, soil: &mut Soil, workspace: &mut Worksp
         width_y: grid.width(1, j) as Real,
         width_z: grid.width(2, k) as Real,
     };
-    settle_cells(&constants, &mut cells, i..i + 1, &mut workers[0]);
+    update_cells(&constants, &mut cells, i..i + 1, &mut workers[0]);
 }
 
-/// Settles some cells of a row.
-fn settle_cells(
+/// Updates some cells of a row.
+fn update_cells(
     constants: &RowConstants,
     cells: &mut CellRow,
     columns: Range<usize>,

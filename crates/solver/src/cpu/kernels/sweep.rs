@@ -1,66 +1,13 @@
-//! The Eulerian stage: what the soil has become on the displaced grid is carried back to the grid that stands.
+//! One sweep of a remap: volume, mass, stress and history, and momentum are carried along one axis.
 //!
-//! One conservative sweep along each axis, the order changing from remap to remap. The volume fraction is carried with
-//! a reconstructed interface, stress and history with the soil volume at second order, momentum on the dual grid.
+//! The volume fraction is carried with a reconstructed interface, stress and history with the soil volume at second
+//! order, momentum on the dual grid.
 
 use super::flux::Filling;
-use super::settle::settle;
 use super::transport::{Sweep, carry_mass, carry_momentum, dual_fluxes, dual_reaches};
-use super::workspace::Workspace;
-use super::{Nodes, Real, Soil, State, contact, energy};
+use super::{Nodes, Real, Soil, State, Workspace};
 use crate::grid::Grid;
 use crate::model::Model;
-
-/// What a remap has taken away.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct RemapLoss {
-    /// Kinetic and elastic energy [J].
-    pub energy: f64,
-    /// Volume of the crumbs that were taken out [m³].
-    pub volume: f64,
-    /// Their mass [kg].
-    pub mass: f64,
-}
-
-/// The six orders of the axes; each begins where the last ended, so that no axis is favoured.
-const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [2, 0, 1], [1, 2, 0], [2, 1, 0], [0, 2, 1], [1, 0, 2]];
-
-/// Carries everything back to the grid. Afterwards the displacement is zero, the nodal masses are those of the cells,
-/// and every stress is admissible.
-pub fn remap(model: &Model, state: &mut State, workspace: &mut Workspace) -> RemapLoss {
-    let before = energy::total(model, state, workspace);
-    let active = spread(&model.grid, &workspace.row_has_soil);
-    displaced_volumes(model, state, workspace);
-    let order = ORDERS[(state.remaps % 6) as usize];
-    for axis in order {
-        if model.grid.cells()[axis] > 1 {
-            sweep(model, state, workspace, axis, &active);
-        }
-    }
-    let [volume, mass] = settle(model, &mut state.soil, workspace, &active);
-    begin_anew(&model.grid, state, workspace);
-    contact::expel(model, state, workspace);
-    stop_massless(model, state, workspace);
-    workspace.find_soil(&model.grid, &state.soil.fraction);
-    workspace.clear = 2;
-    state.remaps += 1;
-    RemapLoss { energy: before - energy::total(model, state, workspace), volume, mass }
-}
-
-/// Rows that hold soil or lie beside one that does.
-fn spread(grid: &Grid, row_has_soil: &[bool]) -> Vec<bool> {
-    let rows = grid.rows();
-    let planes = row_has_soil.len() / rows;
-    let mut active = vec![false; row_has_soil.len()];
-    for plane in 0..planes {
-        for row in 0..rows {
-            let near = |p: usize, r: usize| row_has_soil.get(p * rows + r).copied().unwrap_or(false);
-            active[plane * rows + row] = (plane.saturating_sub(1)..=plane + 1)
-                .any(|p| (row.saturating_sub(1)..=(row + 1).min(rows - 1)).any(|r| near(p, r)));
-        }
-    }
-    active
-}
 
 /// The arrays of a remap. The old velocities are worth nothing between steps: their memory is used again.
 struct Room<'a> {
@@ -79,7 +26,7 @@ impl<'a> Room<'a> {
 }
 
 /// Volumes of soil and cells on the displaced grid.
-fn displaced_volumes(model: &Model, state: &State, workspace: &mut Workspace) {
+pub(crate) fn displaced_volumes(model: &Model, state: &State, workspace: &mut Workspace) {
     let grid = &model.grid;
     let [nx, ny, nz] = grid.cells();
     let Workspace { team, cut, velocity_before, .. } = workspace;
@@ -117,7 +64,13 @@ fn swollen(grid: &Grid, displacement: &[Vec<Real>; 3], [i, j, k]: [usize; 3]) ->
 
 /// One sweep: volume, mass, stress and history, momentum. Arrays that have served their purpose make room for others: the
 /// displacement along the axis for the reaches, the volume fractions for what is being carried.
-fn sweep(model: &Model, state: &mut State, workspace: &mut Workspace, axis: usize, active: &[bool]) {
+pub(crate) fn sweep(
+    model: &Model,
+    state: &mut State,
+    workspace: &mut Workspace,
+    axis: usize,
+    active: &[bool],
+) {
     let grid = &model.grid;
     let Workspace { team, cut, velocity_before, .. } = workspace;
     let Room { soil, cell, flux } = Room::of(velocity_before);
@@ -157,19 +110,8 @@ fn sweep(model: &Model, state: &mut State, workspace: &mut Workspace, axis: usiz
     team.rows(cut, node_mass, |row, out| carry_mass(grid, axis, row, flux, out));
 }
 
-/// The displacement begins anew, the nodes get the masses of the cells round them, and the room is left as it was found:
-/// zero where no soil is.
-fn begin_anew(grid: &Grid, state: &mut State, workspace: &mut Workspace) {
-    let Workspace { team, cut, velocity_before, .. } = workspace;
-    for array in state.nodes.displacement.iter_mut().chain(velocity_before) {
-        team.rows(cut, array, |_, out| out.fill(0.0));
-    }
-    let cells = &state.soil.mass;
-    team.rows(cut, &mut state.nodes.mass, |row, out| lagrange_mass(grid, row, cells, out));
-}
-
 /// Masses of a row of nodes from those of the cells [kg].
-pub(crate) fn lagrange_mass(grid: &Grid, row: usize, cell_mass: &[Real], node_mass: &mut [Real]) {
+pub(crate) fn nodal_masses(grid: &Grid, row: usize, cell_mass: &[Real], node_mass: &mut [Real]) {
     let [nx, ny, _] = grid.cells();
     let [x, y, z] = grid.stride;
     if (1..=ny + 1).contains(&grid.row_place(row)[0]) {
@@ -180,21 +122,6 @@ pub(crate) fn lagrange_mass(grid: &Grid, row: usize, cell_mass: &[Real], node_ma
             };
             node_mass[i + 1] = 0.125 * ((at(0) + at(y)) + (at(z) + at(y + z)));
         }
-    }
-}
-
-/// Nodes that have lost their soil stop; only now, not between sweeps.
-fn stop_massless(model: &Model, state: &mut State, workspace: &Workspace) {
-    let Workspace { team, cut, .. } = workspace;
-    let (mass_moved, mass) = (model.mass_moved() as Real, &state.nodes.mass);
-    for v in &mut state.nodes.velocity {
-        team.rows(cut, v, |row, out| {
-            for (v, m) in out.iter_mut().zip(&mass[row * cut.stride..]) {
-                if *m <= mass_moved {
-                    *v = 0.0;
-                }
-            }
-        });
     }
 }
 

@@ -1,26 +1,38 @@
-//! Where the contact points lie in the grid, how far the soil is from them, and how much soil is inside a body.
+//! Contact search: where the contact points lie in the grid, and how far the soil is from them.
 
-use super::super::workspace::Workspace;
-use super::super::{Real, Soil, State};
-use super::{ContactLaw, TouchedNode, corners, over_corners};
+use super::body_fraction::{BodyCell, find_bodies};
+use super::law::ContactLaw;
+use super::scene::{corners, largest_axis, over_corners};
+use super::workspace::ContactWorkspace;
+use crate::cpu::stopwatch::Stage;
+use crate::cpu::workspace::SoilWorkspace;
 use crate::grid::Grid;
-use crate::model::{BodyModel, Model, Wall};
-use crate::state::{Body, Contact};
+use crate::model::{BodyModel, Model};
+use crate::real::Real;
+use crate::state::{Body, Contact, Soil, State};
 use glam::DVec3;
+
+/// The first search of a run, which finds the bodies in the grid as well.
+pub(crate) fn first_search<R: Real>(
+    model: &Model,
+    state: &mut State<R>,
+    soil: &mut SoilWorkspace<R>,
+    workspace: &mut ContactWorkspace,
+) {
+    find_bodies(model, &mut state.bodies, &mut soil.velocity_before[0], &mut workspace.body_cells);
+    search(model, state, soil, workspace);
+}
 
 /// Finds anew which contact points have soil to act on, with their cells, weights and gaps; measures leaked and embedded
 /// volumes. Done at every remap.
-pub(crate) fn locate(model: &Model, state: &mut State, workspace: &mut Workspace) {
-    let Workspace {
-        velocity_before: [occupied, ..],
-        body_cells,
-        surfaces,
-        contact_law,
-        touched,
-        corner_nodes,
-        patch,
-        ..
-    } = workspace;
+pub(crate) fn search<R: Real>(
+    model: &Model,
+    state: &mut State<R>,
+    soil: &mut SoilWorkspace<R>,
+    workspace: &mut ContactWorkspace,
+) {
+    let [occupied, ..] = &mut soil.velocity_before;
+    let ContactWorkspace { body_cells, surfaces, law, .. } = workspace;
     measure_leak(&model.grid, &state.soil, body_cells, &mut state.bodies);
     let view = View { model, soil: &state.soil, node_mass: &state.nodes.mass, occupied };
     let mut located = Vec::with_capacity(state.contacts.len());
@@ -30,7 +42,7 @@ pub(crate) fn locate(model: &Model, state: &mut State, workspace: &mut Workspace
         for (p, point) in surface.points().enumerate() {
             let known = known.next_if(|c| (c.body, c.point) == (n, p));
             let place = [point.position, point.normal].map(|v| turned(fixed, body, v));
-            if let Some(mut contact) = view.locate_one(known, place, body, contact_law.as_ref()) {
+            if let Some(mut contact) = view.locate_one(known, place, body, law.as_ref()) {
                 (contact.body, contact.point) = (n, p);
                 contact.area *= point.area;
                 located.push(contact);
@@ -39,76 +51,21 @@ pub(crate) fn locate(model: &Model, state: &mut State, workspace: &mut Workspace
     }
     state.contacts = located;
     for c in body_cells {
-        occupied[c.cell] = 0.0;
+        occupied[c.cell] = R::default();
     }
-    (*touched, *corner_nodes) = touched_nodes(model, &state.contacts);
-    *patch = super::number_patches(model, &state.soil, &state.bodies, &state.contacts);
-}
-
-/// Finds anew which share of each cell the bodies take up. It is noted in memory that is free only till [`locate`].
-pub(crate) fn occupy_all(model: &Model, state: &mut State, workspace: &mut Workspace) {
-    let Workspace { velocity_before: [occupied, ..], body_cells, .. } = workspace;
-    body_cells.clear();
-    for (n, (fixed, body)) in model.bodies.iter().zip(&mut state.bodies).enumerate() {
-        occupy(model, fixed, body, |cell, share| {
-            occupied[cell] = (occupied[cell] + share as Real).min(1.0);
-            body_cells.push(BodyCell { body: n, cell, share });
-        });
-        body.located = (body.position, body.angle);
-    }
-}
-
-/// A cell of which a body takes up a share.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct BodyCell {
-    /// Which body.
-    pub(crate) body: usize,
-    /// Place in memory.
-    pub(crate) cell: usize,
-    /// Share of the cell.
-    pub(crate) share: f64,
+    workspace.connect(model, state);
+    soil.stopwatch().lap(Stage::Contact);
 }
 
 /// Measures the soil inside the bodies: what is more than fits beside them in their cells.
-fn measure_leak(grid: &Grid, soil: &Soil, body_cells: &[BodyCell], bodies: &mut [Body]) {
+fn measure_leak<R: Real>(grid: &Grid, soil: &Soil<R>, body_cells: &[BodyCell], bodies: &mut [Body]) {
     for body in bodies.iter_mut() {
         body.leaked_volume = 0.0;
     }
     for c in body_cells {
         bodies[c.body].leaked_volume +=
-            (f64::from(soil.fraction[c.cell]) + c.share - 1.0).max(0.0) * grid.volume_of(c.cell);
+            (soil.fraction[c.cell].to_f64() + c.share - 1.0).max(0.0) * grid.volume_of(c.cell);
     }
-}
-
-/// The nodes that contact acts on, in memory order, and for each contact the places of its cell's nodes among them.
-pub(crate) fn touched_nodes(model: &Model, contacts: &[Contact]) -> (Vec<TouchedNode>, Vec<[u32; 8]>) {
-    let grid = &model.grid;
-    let of = |c: &Contact| corners(grid.stride).map(|offset| c.base + offset);
-    let mut nodes: Vec<usize> = contacts.iter().flat_map(of).collect();
-    nodes.sort_unstable();
-    nodes.dedup();
-    let place = |node: usize| nodes.partition_point(|n| *n < node) as u32;
-    let corner_nodes = contacts.iter().map(|c| of(c).map(place)).collect();
-    let touched =
-        |node| TouchedNode { node, free_of_walls: free_of_walls(model, node), ..TouchedNode::default() };
-    (nodes.into_iter().map(touched).collect(), corner_nodes)
-}
-
-/// 1 along the axes in which no wall stops a node, 0 along the others.
-fn free_of_walls(model: &Model, node: usize) -> DVec3 {
-    let place = model.grid.place(node);
-    let cells = model.grid.cells();
-    let mut free = DVec3::ONE;
-    for axis in 0..3 {
-        for (wall, at) in model.walls[axis].iter().zip([0, cells[axis]]) {
-            match wall {
-                Wall::Smooth if place[axis] == at => free[axis] = 0.0,
-                Wall::Fixed if place[axis] == at => free = DVec3::ZERO,
-                _ => {}
-            }
-        }
-    }
-    free
 }
 
 /// A direction of the body frame in space. The points of a body of revolution stay where they are when it turns: in
@@ -123,27 +80,15 @@ fn layer(faces: &[f64], x: f64) -> Option<usize> {
     (n >= 1 && n < faces.len()).then(|| n - 1)
 }
 
-/// Axis of the largest component.
-pub(super) fn largest_axis(v: DVec3) -> usize {
-    let size = v.abs();
-    if size.x >= size.y && size.x >= size.z {
-        0
-    } else if size.y >= size.z {
-        1
-    } else {
-        2
-    }
-}
-
-struct View<'a> {
+struct View<'a, R> {
     model: &'a Model,
-    soil: &'a Soil,
-    node_mass: &'a [Real],
+    soil: &'a Soil<R>,
+    node_mass: &'a [R],
     /// Share of each cell that bodies take up.
-    occupied: &'a [Real],
+    occupied: &'a [R],
 }
 
-impl View<'_> {
+impl<R: Real> View<'_, R> {
     /// A contact point on a body, if it is in the grid with soil to act on; `known` is what it was the last time, if it was
     /// so then.
     fn locate_one(
@@ -192,7 +137,7 @@ impl View<'_> {
         for (n, offset) in corners(grid.stride).iter().enumerate() {
             let part = |axis: usize| parts[axis][n >> axis & 1];
             let full = self.model.density * self.node_volume(cell, n);
-            let mass = f64::from(self.node_mass[base + offset]);
+            let mass = self.node_mass[base + offset].to_f64();
             let bears = mass > self.model.mass_moved();
             weight[n] = if bears { (part(0) * part(1) * part(2)).min(MASS_RATIO * mass / full) } else { 0.0 };
         }
@@ -230,8 +175,8 @@ impl View<'_> {
             Some(at) => {
                 let c = grid.index(at[0], at[1], at[2]);
                 let width = grid.width(axis, at[axis]);
-                let fraction = f64::from(self.soil.fraction[c]);
-                let void = (1.0 - f64::from(self.occupied[c]) - fraction) * width;
+                let fraction = self.soil.fraction[c].to_f64();
+                let void = (1.0 - self.occupied[c].to_f64() - fraction) * width;
                 (void, fraction, normal.dot(self.void_direction(at)), width)
             }
         };
@@ -264,7 +209,7 @@ impl View<'_> {
             for (x, dx) in offset[0].iter().enumerate() {
                 // The two sides of y are added first: a mirror in y then changes no bit.
                 let [low, middle, high] =
-                    offset[1].map(|dy| f64::from(self.soil.fraction[c.wrapping_add_signed(dx + dy + dz)]));
+                    offset[1].map(|dy| self.soil.fraction[c.wrapping_add_signed(dx + dy + dz)].to_f64());
                 let sum = (low + high) + 2.0 * middle;
                 gradient.x += sum * WEIGHT[z] * (x as f64 - 1.0);
                 gradient.y += (high - low) * WEIGHT[x] * WEIGHT[z];
@@ -272,70 +217,5 @@ impl View<'_> {
             }
         }
         (-gradient).normalize_or_zero()
-    }
-}
-
-/// Calls `each(cell, share)` for the cells that a body takes up a share of; measures the body's volume below the undisturbed
-/// surface.
-fn occupy(model: &Model, fixed: &BodyModel, body: &mut Body, mut each: impl FnMut(usize, f64)) {
-    let grid = &model.grid;
-    let (low, high) = fixed.shape.bounds();
-    let reach = if fixed.shape.is_revolved() { high } else { DVec3::splat(low.length().max(high.length())) };
-    let ranges: [std::ops::Range<usize>; 3] = std::array::from_fn(|axis| {
-        let faces = &grid.faces[axis];
-        let first = faces.partition_point(|f| *f <= body.position[axis] - reach[axis]).saturating_sub(1);
-        let last = faces.partition_point(|f| *f < body.position[axis] + reach[axis]);
-        first..last.min(grid.cells()[axis])
-    });
-    let turn = glam::DQuat::from_rotation_y(if fixed.shape.is_revolved() { 0.0 } else { -body.angle });
-    body.embedded_volume = 0.0;
-    for k in ranges[2].clone() {
-        let below = ((model.surface - grid.faces[2][k]) / grid.width(2, k)).clamp(0.0, 1.0);
-        for j in ranges[1].clone() {
-            for i in ranges[0].clone() {
-                let share =
-                    covered(grid, [i, j, k], |x| fixed.shape.signed_distance(turn * (x - body.position)));
-                if share > 0.0 {
-                    let (c, volume) = (grid.index(i, j, k), grid.volume(i, j, k));
-                    each(c, share);
-                    body.embedded_volume += share * below * volume;
-                }
-            }
-        }
-    }
-}
-
-/// Share of a cell with a negative distance, by 4³ samples; each counts in part when the surface is near it.
-fn covered(grid: &Grid, cell: [usize; 3], distance: impl Fn(DVec3) -> f64) -> f64 {
-    const SAMPLES: usize = 4;
-    // Every place is found from both faces, and layers in y are added up in pairs: a mirror in y changes no bit.
-    let at = |axis: usize, n: f64| {
-        let (part, faces) = (n / SAMPLES as f64, &grid.faces[axis]);
-        faces[cell[axis]] * (1.0 - part) + faces[cell[axis] + 1] * part
-    };
-    let width = DVec3::from_array(std::array::from_fn(|axis| grid.width(axis, cell[axis])));
-    let middle = distance(DVec3::new(at(0, 2.0), at(1, 2.0), at(2, 2.0)));
-    if middle.abs() > 0.5 * width.length() {
-        return if middle < 0.0 { 1.0 } else { 0.0 };
-    }
-    let sample = width.min_element() / SAMPLES as f64;
-    let mut layers = [0.0; SAMPLES];
-    for n in 0..SAMPLES.pow(3) {
-        let [x, y, z] = [n % SAMPLES, n / SAMPLES % SAMPLES, n / SAMPLES / SAMPLES];
-        let place = |axis: usize, n: usize| at(axis, n as f64 + 0.5);
-        let d = distance(DVec3::new(place(0, x), place(1, y), place(2, z)));
-        layers[y] += (0.5 - d / sample).clamp(0.0, 1.0);
-    }
-    ((layers[0] + layers[3]) + (layers[1] + layers[2])) / SAMPLES.pow(3) as f64
-}
-
-/// Takes the soil out of the space that the bodies take up, before the run begins.
-pub(crate) fn carve(model: &Model, soil: &mut Soil, bodies: &mut [Body]) {
-    let mut occupied = vec![0.0; model.grid.entries];
-    for (fixed, body) in model.bodies.iter().zip(bodies) {
-        occupy(model, fixed, body, |c, share| occupied[c] = (occupied[c] + share).min(1.0));
-    }
-    for (f, share) in soil.fraction.iter_mut().zip(&occupied) {
-        *f = f.min((1.0 - share) as Real);
     }
 }

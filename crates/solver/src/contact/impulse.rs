@@ -7,8 +7,9 @@
 //! volume fractions show that soil has got into the body, it is pushed out as the body moves on; a body at rest pushes
 //! nothing, so that its load does not drift.
 
-use super::patch::{Patch, Patches};
-use super::{ContactLaw, Grip, Scene, over_corners};
+use super::constraint::{self, Patch, Patches};
+use super::law::ContactLaw;
+use super::scene::{Grip, Scene, over_corners};
 use crate::state::Contact;
 use glam::DVec3;
 
@@ -22,7 +23,7 @@ pub(super) struct Impulses {
 
 /// What is kept for each patch [bytes].
 pub(super) const PER_PATCH: f64 =
-    (super::patch::PER_PATCH + size_of::<Option<Terms>>() + size_of::<Group>()) as f64;
+    (constraint::PER_PATCH + size_of::<Option<Terms>>() + size_of::<Group>()) as f64;
 
 /// Symmetric sweeps per step; fewer than two give wrong forces.
 const SWEEPS: usize = 4;

@@ -1,37 +1,38 @@
 //! The state before the first step: soil at rest under its own weight, bodies where the case puts them.
 
-use super::audit::kinetic_energy;
-use super::contact::carve_soil;
-use super::remap::lagrange_mass;
-use super::{Nodes, Real, Soil, State, energy};
+use crate::balance::kinetic_energy;
+use crate::contact::cut_out_bodies;
+use crate::energy;
 use crate::grid::Grid;
 pub use crate::model::Filling;
 use crate::model::{Model, Wall};
-use crate::state::{Body, Ledger, Received};
+use crate::precision::Precision;
+use crate::real::Real;
+use crate::state::{Body, Ledger, Nodes, Received, Soil, State};
 use glam::DVec3;
 
 /// The state at rest of a box of soil.
 #[must_use]
-pub fn start(model: &Model, filling: &Filling) -> State {
-    start_under(model, filling, 0.0)
+pub fn at_rest<R: Precision>(model: &Model, filling: &Filling) -> State<R> {
+    at_rest_under(model, filling, 0.0)
 }
 
 /// The state at rest under a lid that presses on the soil with `overburden` [Pa]. The soil reaches up to it, and the
 /// lid of the box, which does not move, bears the pressure from then on.
 #[must_use]
-pub fn start_under(model: &Model, filling: &Filling, overburden: f64) -> State {
-    let mut fraction: Vec<Real> = vec![0.0; model.grid.entries];
+pub fn at_rest_under<R: Precision>(model: &Model, filling: &Filling, overburden: f64) -> State<R> {
+    let mut fraction = vec![R::default(); model.grid.entries];
     fill(&model.grid, filling, &mut fraction);
-    at_rest(model, fraction, overburden)
+    of_fraction(model, fraction, overburden)
 }
 
 /// The state at rest of soil of any shape: its volume fraction in every cell (see [`Grid::index`]).
 #[must_use]
-pub fn start_filled(model: &Model, fraction: Vec<Real>) -> State {
-    at_rest(model, fraction, 0.0)
+pub fn at_rest_filled<R: Precision>(model: &Model, fraction: Vec<R>) -> State<R> {
+    of_fraction(model, fraction, 0.0)
 }
 
-fn at_rest(model: &Model, fraction: Vec<Real>, overburden: f64) -> State {
+fn of_fraction<R: Precision>(model: &Model, fraction: Vec<R>, overburden: f64) -> State<R> {
     let mut bodies: Vec<Body> = model
         .bodies
         .iter()
@@ -49,13 +50,13 @@ fn at_rest(model: &Model, fraction: Vec<Real>, overburden: f64) -> State {
     let mut soil = Soil { fraction, ..Soil::empty(&model.grid) };
     weigh(model, &mut soil);
     rest_stress(model, &mut soil, overburden);
-    carve_soil(model, &mut soil, &mut bodies);
+    cut_out_bodies(model, &mut soil, &mut bodies);
     relieve_void(&mut soil);
     weigh(model, &mut soil);
     let mut nodes = Nodes::at_rest(&model.grid);
     let rows = nodes.mass.chunks_exact_mut(model.grid.stride[1]).enumerate();
     for (n, row) in rows.skip(model.grid.rows()) {
-        lagrange_mass(&model.grid, n, &soil.mass, row);
+        R::nodal_masses(&model.grid, n, &soil.mass, row);
     }
     let ledger = Ledger {
         elastic_start: energy::elastic(model, &soil),
@@ -67,9 +68,9 @@ fn at_rest(model: &Model, fraction: Vec<Real>, overburden: f64) -> State {
 
 /// Sets all soil in motion with a velocity [m/s], but for what the walls hold; the ledger counts its energy as put in from
 /// outside.
-pub fn set_in_motion(model: &Model, state: &mut State, velocity: DVec3) {
+pub fn set_in_motion<R: Precision>(model: &Model, state: &mut State<R>, velocity: DVec3) {
     let cells = model.grid.cells();
-    for n in (0..model.grid.entries).filter(|n| state.nodes.mass[*n] > 0.0) {
+    for n in (0..model.grid.entries).filter(|n| state.nodes.mass[*n] > R::default()) {
         let place = model.grid.place(n);
         let mut own = velocity;
         for axis in 0..3 {
@@ -82,14 +83,14 @@ pub fn set_in_motion(model: &Model, state: &mut State, velocity: DVec3) {
             }
         }
         for (field, value) in state.nodes.velocity.iter_mut().zip(own.to_array()) {
-            field[n] = value as Real;
+            field[n] = R::cast(value);
         }
     }
     state.ledger.kinetic_start = kinetic_energy(model, state);
 }
 
 /// Volume fractions of a box of soil, or of the round column inside it.
-fn fill(grid: &Grid, filling: &Filling, fraction: &mut [Real]) {
+fn fill<R: Real>(grid: &Grid, filling: &Filling, fraction: &mut [R]) {
     let [nx, ny, nz] = grid.cells();
     let range = |axis: usize, n: usize| {
         [grid.faces[axis][n].max(filling.low[axis]), grid.faces[axis][n + 1].min(filling.high[axis])]
@@ -116,7 +117,7 @@ fn fill(grid: &Grid, filling: &Filling, fraction: &mut [Real]) {
             };
             let plan = filling.radius.map_or_else(|| share(0, i) * share(1, j), round);
             for k in 0..nz {
-                fraction[grid.index(i, j, k)] = (plan * share(2, k)) as Real;
+                fraction[grid.index(i, j, k)] = R::cast(plan * share(2, k));
             }
         }
     }
@@ -143,22 +144,22 @@ fn area_in_disc(radius: f64, [x0, x1]: [f64; 2], [y0, y1]: [f64; 2]) -> f64 {
 }
 
 /// No stress where no soil is left.
-fn relieve_void(soil: &mut Soil) {
+fn relieve_void<R: Real>(soil: &mut Soil<R>) {
     for (c, fraction) in soil.fraction.iter().enumerate() {
-        if *fraction == 0.0 {
-            soil.stress.iter_mut().for_each(|component| component[c] = 0.0);
+        if *fraction == R::default() {
+            soil.stress.iter_mut().for_each(|component| component[c] = R::default());
         }
     }
 }
 
-fn weigh(model: &Model, soil: &mut Soil) {
+fn weigh<R: Real>(model: &Model, soil: &mut Soil<R>) {
     let grid = &model.grid;
     let [nx, ny, nz] = grid.cells();
     for k in 0..nz {
         for j in 0..ny {
             for i in 0..nx {
                 let c = grid.index(i, j, k);
-                soil.mass[c] = (model.density * f64::from(soil.fraction[c]) * grid.volume(i, j, k)) as Real;
+                soil.mass[c] = R::cast(model.density * soil.fraction[c].to_f64() * grid.volume(i, j, k));
             }
         }
     }
@@ -167,7 +168,7 @@ fn weigh(model: &Model, soil: &mut Soil) {
 /// Stresses at rest: σ_z from the discrete balance of each node, from the top down, `f_k σ_k = f_{k+1} σ_{k+1} −
 /// (m_k + m_{k+1}) g / 2A`, so that the first step moves nothing; σ_x = σ_y = K₀ σ_z. Taken before the bodies' space is
 /// carved out: soil beside and under a body that starts in it bears what it bore before the body was there.
-fn rest_stress(model: &Model, soil: &mut Soil, overburden: f64) {
+fn rest_stress<R: Real>(model: &Model, soil: &mut Soil<R>, overburden: f64) {
     let grid = &model.grid;
     let [nx, ny, nz] = grid.cells();
     for j in 0..ny {
@@ -176,13 +177,13 @@ fn rest_stress(model: &Model, soil: &mut Soil, overburden: f64) {
             let (mut force, mut mass_above) = (0.0, 0.0);
             for k in (0..nz).rev() {
                 let c = grid.index(i, j, k);
-                let (mass, fraction) = (f64::from(soil.mass[c]), f64::from(soil.fraction[c]));
+                let (mass, fraction): (f64, f64) = (soil.mass[c].to_f64(), soil.fraction[c].to_f64());
                 force -= 0.5 * (mass + mass_above) * model.gravity;
                 mass_above = mass;
                 if fraction > 0.0 {
                     let vertical = force / (area * fraction) - overburden;
-                    soil.stress[2][c] = vertical as Real;
-                    soil.stress[0][c] = (model.rest_pressure_ratio * vertical) as Real;
+                    soil.stress[2][c] = R::cast(vertical);
+                    soil.stress[0][c] = R::cast(model.rest_pressure_ratio * vertical);
                     soil.stress[1][c] = soil.stress[0][c];
                 }
             }

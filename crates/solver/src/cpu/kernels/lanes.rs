@@ -1,0 +1,30 @@
+//! Reductions over a row, in the lanes of a vector.
+
+use super::{LANES, Real};
+
+/// Sum in eight lanes that are added up at the end: the same whatever the processor's vectors are.
+#[inline(always)]
+pub(crate) fn lane_sum(values: &[Real]) -> f64 {
+    let mut lanes: [Real; 8] = [0.0; 8];
+    for chunk in values.chunks_exact(8) {
+        for (lane, value) in lanes.iter_mut().zip(chunk) {
+            *lane += value;
+        }
+    }
+    let tail: Real = values.chunks_exact(8).remainder().iter().sum();
+    let (lanes, tail) = (lanes.map(f64::from), f64::from(tail));
+    ((lanes[0] + lanes[4]) + (lanes[1] + lanes[5])) + ((lanes[2] + lanes[6]) + (lanes[3] + lanes[7])) + tail
+}
+
+/// Largest of values that are not negative.
+#[inline(always)]
+pub(crate) fn lane_max(values: &[Real]) -> Real {
+    let mut lanes = [0.0; LANES];
+    for chunk in values.chunks_exact(LANES) {
+        for (lane, value) in lanes.iter_mut().zip(chunk) {
+            *lane = if *value > *lane { *value } else { *lane };
+        }
+    }
+    let tail = values.chunks_exact(LANES).remainder();
+    lanes.iter().chain(tail).fold(0.0, |a, b| if *b > a { *b } else { a })
+}

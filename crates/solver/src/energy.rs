@@ -1,0 +1,65 @@
+//! Sums over the whole grid, always in double precision: energies, mass and volume of the soil. Taken at samples and before
+//! and after a remap, not every step.
+//!
+//! Every row is added up by itself, then the rows in the order of the memory: the same whoever adds them up.
+
+use crate::cpu::workspace::SoilWorkspace;
+use crate::grid::Grid;
+use crate::model::Model;
+use crate::precision::Precision;
+use crate::real::Real;
+use crate::state::{Soil, State};
+
+/// Elastic energy of the soil [J].
+pub(crate) fn elastic<R: Precision>(model: &Model, soil: &Soil<R>) -> f64 {
+    sum_rows(&model.grid, |row| R::elastic_energy(model, soil, row))
+}
+
+/// Kinetic energy of the soil [J].
+pub(crate) fn kinetic<R: Precision>(model: &Model, state: &State<R>) -> f64 {
+    sum_rows(&model.grid, |row| R::kinetic_energy(&model.grid, &state.nodes, row))
+}
+
+/// Elastic and kinetic energy of the soil [J], by the whole team.
+pub(crate) fn total<R: Precision>(model: &Model, state: &State<R>, workspace: &mut SoilWorkspace<R>) -> f64 {
+    let SoilWorkspace { team, cut, row_values, .. } = workspace;
+    team.deal(cut.split_by(1, row_values).zip(cut.ranges()), |(values, rows)| {
+        for (value, row) in values.iter_mut().zip(rows.clone()) {
+            let place = model.grid.row_place(row);
+            *value = [
+                R::elastic_energy(model, &state.soil, place),
+                R::kinetic_energy(&model.grid, &state.nodes, place),
+            ];
+        }
+    });
+    let [elastic, kinetic] = workspace.total_of_rows();
+    elastic + kinetic
+}
+
+/// Volume of the soil [m³].
+#[must_use]
+pub fn soil_volume<R: Real>(grid: &Grid, soil: &Soil<R>) -> f64 {
+    sum_rows(grid, |row| volume_of_row(grid, &soil.fraction, row))
+}
+
+/// Mass of the soil [kg].
+#[must_use]
+pub fn soil_mass<R: Real>(soil: &Soil<R>) -> f64 {
+    soil.mass.iter().map(|mass| (*mass).to_f64()).sum()
+}
+
+/// Sum over the rows `[q, plane]` of the grid, of cells and of nodes, in memory order.
+fn sum_rows(grid: &Grid, of_row: impl Fn([usize; 2]) -> f64) -> f64 {
+    let [_, ny, nz] = grid.cells();
+    (1..=nz + 1).flat_map(|plane| (1..=ny + 1).map(move |q| [q, plane])).map(of_row).fold(0.0, |a, b| a + b)
+}
+
+/// Volume of the soil in row `q` of a storage plane of cells [m³].
+fn volume_of_row<R: Real>(grid: &Grid, fraction: &[R], [q, plane]: [usize; 2]) -> f64 {
+    let [nx, ny, nz] = grid.cells();
+    if !(1..=ny).contains(&q) || plane > nz {
+        return 0.0;
+    }
+    let start = plane * grid.stride[2] + q * grid.stride[1] + 1;
+    (0..nx).map(|i| fraction[start + i].to_f64() * grid.volume(i, q - 1, plane - 1)).fold(0.0, |a, b| a + b)
+}

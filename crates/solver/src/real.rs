@@ -1,0 +1,30 @@
+//! The number type of the soil's fields.
+
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use std::fmt::Debug;
+
+/// `f64` or `f32`.
+pub trait Real:
+    Copy + Default + PartialOrd + Debug + Into<f64> + Send + Sync + Serialize + DeserializeOwned + 'static
+{
+    /// Its name in case files and reports.
+    const NAME: &'static str;
+    /// Numbers in the widest vector.
+    const LANES: usize;
+    /// A difference of volume fractions below this is round-off.
+    const ROUND_OFF: f64;
+    /// What a kernel keeps of a block of cells while it works on it.
+    type CellBlock: Send;
+
+    /// The nearest number of this type.
+    fn cast(value: f64) -> Self;
+
+    /// This number in double precision.
+    fn to_f64(self) -> f64 {
+        self.into()
+    }
+
+    /// Working memory for a block of cells.
+    fn cell_block() -> Box<Self::CellBlock>;
+}

@@ -1,0 +1,83 @@
+//! The Eulerian stage: what the soil has become on the displaced grid is carried back to the grid.
+//!
+//! One conservative sweep along each axis, the order changing from remap to remap; then volume fractions, admissible
+//! stresses and nodal masses anew, and the soil that overlaps a body is moved out of it.
+
+use crate::contact;
+use crate::cpu::stopwatch::Stage;
+use crate::cpu::workspace::SoilWorkspace;
+use crate::energy;
+use crate::grid::Grid;
+use crate::model::Model;
+use crate::precision::Precision;
+use crate::state::State;
+use crate::workspace::Workspace;
+
+/// The six orders of the axes; each begins where the last ended, so that no axis is favoured.
+const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [2, 0, 1], [1, 2, 0], [2, 1, 0], [0, 2, 1], [1, 0, 2]];
+
+/// Carries everything back to the grid. Afterwards the displacement is zero, the nodal masses are those of the cells,
+/// and every stress is admissible. What is lost is entered into the energy balance.
+pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut Workspace<R>) {
+    let soil = &mut workspace.soil;
+    let before = energy::total(model, state, soil);
+    let active = rows_near_soil(&model.grid, &soil.row_has_soil);
+    R::displaced_volumes(model, state, soil);
+    for axis in ORDERS[(state.remaps % 6) as usize] {
+        if model.grid.cells()[axis] > 1 {
+            R::sweep(model, state, soil, axis, &active);
+        }
+    }
+    let [volume, mass] = R::update_after_remap(model, &mut state.soil, soil, &active);
+    reset_nodes(&model.grid, state, soil);
+    contact::remove_overlap(model, state, soil, &mut workspace.contact);
+    stop_massless_nodes(model, state, soil);
+    soil.find_soil(&model.grid, &state.soil.fraction);
+    soil.clear = 2;
+    state.remaps += 1;
+    state.ledger.remap += before - energy::total(model, state, soil);
+    state.ledger.crumbs_volume += volume;
+    state.ledger.crumbs_mass += mass;
+    soil.stopwatch().lap(Stage::Remap);
+}
+
+/// Rows that hold soil or lie beside one that does.
+fn rows_near_soil(grid: &Grid, row_has_soil: &[bool]) -> Vec<bool> {
+    let rows = grid.rows();
+    let planes = row_has_soil.len() / rows;
+    let mut active = vec![false; row_has_soil.len()];
+    for plane in 0..planes {
+        for row in 0..rows {
+            let near = |p: usize, r: usize| row_has_soil.get(p * rows + r).copied().unwrap_or(false);
+            active[plane * rows + row] = (plane.saturating_sub(1)..=plane + 1)
+                .any(|p| (row.saturating_sub(1)..=(row + 1).min(rows - 1)).any(|r| near(p, r)));
+        }
+    }
+    active
+}
+
+/// Sets the displacement to zero, gives the nodes the masses of the cells round them, and leaves the scratch arrays zero
+/// where there is no soil, as the Lagrangian stage expects them.
+fn reset_nodes<R: Precision>(grid: &Grid, state: &mut State<R>, workspace: &mut SoilWorkspace<R>) {
+    let SoilWorkspace { team, cut, velocity_before, .. } = workspace;
+    for array in state.nodes.displacement.iter_mut().chain(velocity_before) {
+        team.rows(cut, array, |_, out| out.fill(R::default()));
+    }
+    let cells = &state.soil.mass;
+    team.rows(cut, &mut state.nodes.mass, |row, out| R::nodal_masses(grid, row, cells, out));
+}
+
+/// Stops nodes that have lost their soil; only now, not between sweeps.
+fn stop_massless_nodes<R: Precision>(model: &Model, state: &mut State<R>, workspace: &SoilWorkspace<R>) {
+    let SoilWorkspace { team, cut, .. } = workspace;
+    let (mass_moved, mass) = (R::cast(model.mass_moved()), &state.nodes.mass);
+    for v in &mut state.nodes.velocity {
+        team.rows(cut, v, |row, out| {
+            for (v, m) in out.iter_mut().zip(&mass[row * cut.stride..]) {
+                if *m <= mass_moved {
+                    *v = R::default();
+                }
+            }
+        });
+    }
+}

@@ -1,0 +1,60 @@
+//! Memory that the step works in and that is worth nothing between steps.
+
+use crate::bodies::BodyStep;
+use crate::contact;
+use crate::contact::workspace::ContactWorkspace;
+use crate::cpu::stopwatch::Stopwatch;
+use crate::cpu::workspace::SoilWorkspace;
+use crate::model::Model;
+use crate::precision::Precision;
+use crate::state::State;
+
+/// Threads and scratch memory of a run.
+#[derive(Debug)]
+pub struct Workspace<R: Precision = f64> {
+    /// For the loops over cells.
+    pub(crate) soil: SoilWorkspace<R>,
+    /// For contact.
+    pub(crate) contact: ContactWorkspace,
+    /// What happened to each body in the last step.
+    pub(crate) body_steps: Vec<BodyStep>,
+}
+
+impl<R: Precision> Workspace<R> {
+    /// Memory for a model and a team of `threads`. Finds the contact points of a state that has not taken a step yet.
+    #[must_use]
+    pub fn new(model: &Model, state: &mut State<R>, threads: usize) -> Self {
+        let mut workspace = Self {
+            soil: SoilWorkspace::new(&model.grid, state, threads),
+            contact: ContactWorkspace::new(model, state),
+            body_steps: vec![BodyStep::default(); model.bodies.len()],
+        };
+        if state.step == 0 {
+            contact::first_search(model, state, &mut workspace.soil, &mut workspace.contact);
+        }
+        workspace
+    }
+
+    /// Number of threads.
+    #[must_use]
+    pub fn threads(&self) -> usize {
+        self.soil.threads()
+    }
+
+    /// Where the time of the calling thread goes.
+    pub fn stopwatch(&mut self) -> &mut Stopwatch {
+        self.soil.stopwatch()
+    }
+
+    /// Memory that it takes up [bytes], but for what the contact law keeps during a step.
+    #[must_use]
+    pub fn memory(&self) -> usize {
+        self.soil.memory() + self.contact.memory()
+    }
+
+    /// Memory for surfaces and contact points among it [bytes].
+    #[must_use]
+    pub fn contact_memory(&self) -> usize {
+        self.contact.memory()
+    }
+}
