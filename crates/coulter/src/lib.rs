@@ -5,6 +5,7 @@ pub mod case;
 pub mod cli;
 pub mod forecast;
 pub mod interrupts;
+pub mod model;
 pub mod output;
 pub mod run;
 pub mod simulation;

@@ -1,24 +1,20 @@
 //! A case on its way through time: the model and state that it means, and the history that its probes write.
 
 use crate::case::Case;
-use crate::case::resolved::{self, Ground, Law, Potential};
+use crate::case::resolved;
+use crate::model::{filling, model};
 use crate::output::checkpoint::{Checkpoint, CheckpointView};
 use crate::output::record::{BodySample, EnergySample, History};
 use crate::output::reference::Reference;
 use crate::trust::{Setting, Trust, boundary};
 use glam::DVec3;
-use physics::elastic::Elastic;
-use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
-use physics::mohr_coulomb::MohrCoulomb;
-use physics::strength::Law as Strength;
-use physics::von_mises::VonMises;
 use solver::balance;
 use solver::cpu::stopwatch::Stopwatch;
 use solver::energy::soil_volume;
 use solver::error::Breakdown;
 use solver::grid::Grid;
-use solver::initial::{self, Filling};
-use solver::model::{BodyModel, ContactMethod, Method, Model, Wall};
+use solver::initial;
+use solver::model::Model;
 use solver::precision::Precision;
 use solver::state::{Received, State};
 use solver::step::step;
@@ -48,7 +44,7 @@ impl<R: Precision> Simulation<R> {
     #[must_use]
     pub fn new(case: &Case) -> Self {
         let model = model(case, R::LANES);
-        let mut state = initial::at_rest_under(&model, &filling(&case.ground), case.overburden);
+        let mut state = initial::at_rest_under(&model, &[filling(&case.ground)], case.overburden);
         if case.velocity != DVec3::ZERO {
             initial::set_in_motion(&model, &mut state, case.velocity);
         }
@@ -100,11 +96,11 @@ impl<R: Precision> Simulation<R> {
         Self { history, sampled, wall_s, ..simulation }
     }
 
-    /// The same run with its fields in double precision, to be looked at.
+    /// The same run with its fields in double precision, for inspection.
     #[must_use]
-    pub fn widened(&self) -> Simulation {
+    pub fn to_f64(&self) -> Simulation {
         let Self { case, history, sampled, wall_s, .. } = self;
-        let simulation = Simulation::with_state(case, model(case, R::LANES), self.state.widened());
+        let simulation = Simulation::with_state(case, model(case, R::LANES), self.state.to_f64());
         Simulation { history: history.clone(), sampled: sampled.clone(), wall_s: *wall_s, ..simulation }
     }
 
@@ -226,30 +222,31 @@ impl<R: Precision> Simulation<R> {
         let rate = if interval > 0.0 { 1.0 / interval } else { 0.0 };
         let normal = (now.normal - then.normal) * rate;
         let friction = (now.friction - then.friction) * rate;
-        let force = normal + friction;
+        let symmetry = self.model.symmetry();
+        let normal = symmetry.of_whole(normal);
+        let force = symmetry.of_whole(normal + friction);
         BodySample {
             time: self.state.time,
             displacement: body.position.x - fixed.start.x,
             sinkage: self.model.surface - (body.position.z + fixed.shape.bounds().0.z),
-            // In a symmetric case the halves' forces across the plane cancel.
-            drag: if self.case.domain.symmetric_x { 0.0 } else { -force.x },
-            lateral: if self.case.domain.symmetric { 0.0 } else { force.y },
+            drag: 0.0 - force.x,
+            lateral: force.y,
             vertical: force.z,
-            drag_normal: if self.case.domain.symmetric_x { 0.0 } else { -normal.x },
+            drag_normal: 0.0 - normal.x,
             vertical_normal: normal.z,
-            axle_torque: if self.case.domain.symmetric_x { 0.0 } else { (now.axle - then.axle) * rate },
+            axle_torque: symmetry.moment_of_whole(DVec3::Y * (now.axle - then.axle) * rate).y,
             rotation: body.angle,
             spin: body.spin,
             speed: body.velocity.x,
             heave_speed: body.velocity.z,
-            leaked_volume: body.leaked_volume / self.model.share,
-            embedded_volume: body.embedded_volume / self.model.share,
+            leaked_volume: body.leaked_volume / self.model.share(),
+            embedded_volume: body.embedded_volume / self.model.share(),
         }
     }
 
     fn energy_sample(&self) -> EnergySample {
         let ledger = &self.state.ledger;
-        let whole = 1.0 / self.model.share;
+        let whole = 1.0 / self.model.share();
         EnergySample {
             time: self.state.time,
             external: (ledger.external + ledger.kinetic_start) * whole,
@@ -275,99 +272,4 @@ pub fn case_text(case: &Case) -> String {
     case.forecast = resolved::Measured::default();
     // A case is made of numbers, names and lists: it always has a text.
     serde_json::to_string(&case).unwrap_or_default()
-}
-
-/// The model that a case means, its grid laid out for vectors of `lanes` numbers.
-#[must_use]
-pub fn model(case: &Case, lanes: usize) -> Model {
-    let elastic = Elastic::new(case.soil.young_modulus, case.soil.poisson_ratio);
-    Model {
-        grid: Grid::padded(case.grid.faces.clone(), lanes),
-        elastic,
-        strength: strength(elastic, case.soil.law),
-        critical_density: match case.soil.law {
-            Law::MohrCoulomb { critical_density, .. } => critical_density,
-            Law::Elastic | Law::Tresca { .. } | Law::VonMises { .. } => None,
-        },
-        density: case.soil.density,
-        gravity: if case.soil.unit_weight > 0.0 { case.soil.unit_weight / case.soil.density } else { 0.0 },
-        surface: case.ground.surface(),
-        rest_pressure_ratio: case.soil.rest_pressure_ratio,
-        walls: case.domain.walls.map(|pair| pair.map(wall)),
-        bodies: case.bodies.iter().map(body).collect(),
-        share: case.domain.share(),
-        method: Method {
-            courant: case.numerics.courant,
-            remap_displacement: case.numerics.remap_displacement,
-            hourglass: case.numerics.hourglass,
-            hourglass_yielding: case.numerics.hourglass_yielding,
-            bulk_viscosity: [case.numerics.bulk_viscosity_linear, case.numerics.bulk_viscosity_quadratic],
-            contact: match case.numerics.contact {
-                resolved::Contact::Penalty => ContactMethod::Penalty,
-                resolved::Contact::Impulse => ContactMethod::Impulse,
-            },
-            edge_inset: case.numerics.edge_inset,
-            point_spacing: case.numerics.point_spacing,
-        },
-    }
-}
-
-fn strength(elastic: Elastic, law: Law) -> Option<Strength> {
-    match law {
-        Law::Elastic => None,
-        Law::Tresca { shear_strength } => {
-            Some(Strength::MohrCoulomb(MohrCoulomb::tresca(elastic, shear_strength)))
-        }
-        Law::VonMises { yield_stress, hardening_modulus } => {
-            Some(Strength::VonMises(VonMises::new(elastic, yield_stress, hardening_modulus)))
-        }
-        Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_limit, potential, .. } => {
-            let (phi, psi) = (friction_angle, dilation_angle);
-            Some(match potential {
-                Potential::MohrCoulomb => {
-                    Strength::MohrCoulomb(MohrCoulomb::new(elastic, phi, psi, cohesion, tension_limit))
-                }
-                Potential::MenetreyWillam { meridional, deviatoric } => {
-                    let shape = Eccentricity { meridional, deviatoric };
-                    Strength::MenetreyWillam(MenetreyWillam::new(
-                        elastic,
-                        phi,
-                        psi,
-                        cohesion,
-                        tension_limit,
-                        shape,
-                    ))
-                }
-            })
-        }
-    }
-}
-
-fn wall(wall: resolved::Wall) -> Wall {
-    match wall {
-        resolved::Wall::Smooth => Wall::Smooth,
-        resolved::Wall::Fixed => Wall::Fixed,
-    }
-}
-
-fn body(body: &resolved::Body) -> BodyModel {
-    BodyModel {
-        name: body.name.clone(),
-        shape: body.shape.solid(),
-        start: body.position,
-        mass: body.mass,
-        axle_inertia: body.axle_inertia,
-        friction: body.friction,
-        shear_limit: body.shear_limit,
-        translation: body.translation,
-        spin: body.spin,
-    }
-}
-
-fn filling(ground: &Ground) -> Filling {
-    const FAR: f64 = 1e9;
-    match *ground {
-        Ground::Level { surface } => Filling::between(DVec3::splat(-FAR), DVec3::new(FAR, FAR, surface)),
-        Ground::Column { low, high, radius } => Filling { low, high, radius },
-    }
 }

@@ -10,6 +10,7 @@
 
 use coulter::case;
 use coulter::simulation::Simulation;
+use solver::fields::{GAP_STRAIN, PLASTIC_STRAIN};
 use solver::grid::Grid;
 use solver::precision::Precision;
 use std::fmt::Write as _;
@@ -148,8 +149,8 @@ fn quantities<R: Precision>(run: &Simulation<R>) -> Vec<(String, u64)> {
     let mut all = vec![
         ("volume fraction".to_owned(), field(grid, &state.soil.fraction, false)),
         ("mass".to_owned(), field(grid, &state.soil.mass, false)),
-        ("plastic strain".to_owned(), field(grid, &state.soil.plastic_strain, false)),
-        ("gap strain".to_owned(), field(grid, &state.soil.gap_strain, false)),
+        ("plastic strain".to_owned(), field(grid, &state.soil.history[PLASTIC_STRAIN], false)),
+        ("gap strain".to_owned(), field(grid, &state.soil.history[GAP_STRAIN], false)),
         ("nodal mass".to_owned(), field(grid, &state.nodes.mass, true)),
     ];
     for (name, stress) in ["xx", "yy", "zz", "xy", "yz", "xz"].iter().zip(&state.soil.stress) {

@@ -24,7 +24,7 @@ pub(crate) fn account<R: Precision>(
     ledger.friction += work.rubbed;
     ledger.contact -= work.on_soil + work.rubbed;
     for ((fixed, body), step) in model.bodies.iter().zip(&state.bodies).zip(steps) {
-        let (share, received) = (model.share, &step.received);
+        let (share, received) = (model.share(), &step.received);
         let force = received.normal + received.friction;
         for axis in 0..3 {
             let (before, after) = (step.velocity_before[axis], body.velocity[axis]);
@@ -61,7 +61,7 @@ pub fn kinetic_energy<R: Precision>(model: &Model, state: &State<R>) -> f64 {
                 if fixed.translation[axis].is_free() { body.velocity[axis].powi(2) } else { 0.0 }
             };
             let spin = if fixed.spin.is_free() { fixed.axle_inertia * body.spin.powi(2) } else { 0.0 };
-            0.5 * model.share * (fixed.mass * (free(0) + free(1) + free(2)) + spin)
+            0.5 * model.share() * (fixed.mass * (free(0) + free(1) + free(2)) + spin)
         })
         .sum();
     energy::kinetic(model, state) + bodies

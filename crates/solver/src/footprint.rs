@@ -3,9 +3,10 @@
 
 use crate::contact::{BodyCell, TouchedNode, kept_per_patch};
 use crate::cpu::workspace;
+use crate::fields::ARRAYS;
 use crate::model::{BodyModel, Model};
 use crate::real::Real;
-use crate::state::{Contact, Nodes, Soil};
+use crate::state::Contact;
 use glam::DVec3;
 use physics::rigid::Freedom;
 use physics::shape::SurfacePoint;
@@ -34,7 +35,7 @@ const NODES_PER_PATCH: f64 = 2.5;
 #[must_use]
 pub fn footprint<R: Real>(model: &Model, threads: usize, moved: &[DVec3]) -> Footprint {
     let grid = &model.grid;
-    let [fields, fields_of_soil] = self::fields::<R>(grid.entries);
+    let [fields, fields_of_soil] = self::fields::<R>(grid.entries, model.materials.len());
     let per_surface_point = size_of::<(DVec3, u32)>() as f64;
     let per_patch = per_patch(size_of::<TouchedNode>()) + kept_per_patch(model);
     let [contact, layout] = contact(model, moved, [per_surface_point, per_patch]);
@@ -44,9 +45,8 @@ pub fn footprint<R: Real>(model: &Model, threads: usize, moved: &[DVec3]) -> Foo
 }
 
 /// Fields of a state whose grid has so many entries, and those that only soil touches; `R` is their precision.
-fn fields<R>(entries: usize) -> [f64; 2] {
-    // All that Soil and Nodes hold are arrays over the grid.
-    let arrays = ((size_of::<Soil<R>>() + size_of::<Nodes<R>>()) / size_of::<Vec<R>>()) as f64;
+fn fields<R>(entries: usize, materials: usize) -> [f64; 2] {
+    let arrays = (ARRAYS + materials - 1) as f64;
     let one = (entries * size_of::<R>()) as f64;
     [arrays * one, (arrays - WRITTEN) * one]
 }

@@ -5,7 +5,7 @@ use crate::contact::cut_out_bodies;
 use crate::energy;
 use crate::grid::Grid;
 pub use crate::model::Filling;
-use crate::model::{Model, Wall};
+use crate::model::Model;
 use crate::precision::Precision;
 use crate::real::Real;
 use crate::state::{Body, Ledger, Nodes, Received, Soil, State};
@@ -14,25 +14,46 @@ use glam::DVec3;
 /// The state at rest of a box of soil.
 #[must_use]
 pub fn at_rest<R: Precision>(model: &Model, filling: &Filling) -> State<R> {
-    at_rest_under(model, filling, 0.0)
+    at_rest_under(model, std::slice::from_ref(filling), 0.0)
 }
 
-/// The state at rest under a lid that presses on the soil with `overburden` [Pa]. The soil reaches up to it, and the
-/// lid of the box, which does not move, bears the pressure from then on.
+/// The state at rest of several bodies of soil, each in what the ones before it have left free, under a lid that presses on
+/// the soil with `overburden` [Pa]. The soil reaches up to it, and the lid of the box, which does not move, bears the
+/// pressure from then on.
 #[must_use]
-pub fn at_rest_under<R: Precision>(model: &Model, filling: &Filling, overburden: f64) -> State<R> {
-    let mut fraction = vec![R::default(); model.grid.entries];
-    fill(&model.grid, filling, &mut fraction);
-    of_fraction(model, fraction, overburden)
+pub fn at_rest_under<R: Precision>(model: &Model, fillings: &[Filling], overburden: f64) -> State<R> {
+    let mut soil = Soil::empty(&model.grid, model.materials.len());
+    for filling in fillings {
+        let mut own = vec![R::default(); model.grid.entries];
+        fill(&model.grid, filling, &mut own);
+        add(&mut soil, &own, filling.material);
+    }
+    of_soil(model, soil, overburden)
 }
 
-/// The state at rest of soil of any shape: its volume fraction in every cell (see [`Grid::index`]).
+/// The state at rest of soil of any shape, of the first material: its volume fraction in every cell (see [`Grid::index`]).
 #[must_use]
 pub fn at_rest_filled<R: Precision>(model: &Model, fraction: Vec<R>) -> State<R> {
-    of_fraction(model, fraction, 0.0)
+    of_soil(model, Soil { fraction, ..Soil::empty(&model.grid, model.materials.len()) }, 0.0)
 }
 
-fn of_fraction<R: Precision>(model: &Model, fraction: Vec<R>, overburden: f64) -> State<R> {
+/// Adds soil of a material where there is still room for it.
+fn add<R: Real>(soil: &mut Soil<R>, fraction: &[R], material: usize) {
+    for (c, own) in fraction.iter().enumerate() {
+        let held = soil.fraction[c].to_f64();
+        let added = own.to_f64().min(1.0 - held);
+        if added > 0.0 {
+            let all = held + added;
+            for (n, portion) in soil.composition.iter_mut().enumerate() {
+                let own = if n + 1 == material { added } else { 0.0 };
+                portion[c] = R::cast((portion[c].to_f64() * held + own) / all);
+            }
+            soil.fraction[c] = R::cast(all);
+        }
+    }
+}
+
+fn of_soil<R: Precision>(model: &Model, mut soil: Soil<R>, overburden: f64) -> State<R> {
     let mut bodies: Vec<Body> = model
         .bodies
         .iter()
@@ -47,7 +68,6 @@ fn of_fraction<R: Precision>(model: &Model, fraction: Vec<R>, overburden: f64) -
             located: (b.start, 0.0),
         })
         .collect();
-    let mut soil = Soil { fraction, ..Soil::empty(&model.grid) };
     weigh(model, &mut soil);
     rest_stress(model, &mut soil, overburden);
     cut_out_bodies(model, &mut soil, &mut bodies);
@@ -72,16 +92,8 @@ pub fn set_in_motion<R: Precision>(model: &Model, state: &mut State<R>, velocity
     let cells = model.grid.cells();
     for n in (0..model.grid.entries).filter(|n| state.nodes.mass[*n] > R::default()) {
         let place = model.grid.place(n);
-        let mut own = velocity;
-        for axis in 0..3 {
-            for (wall, layer) in model.walls[axis].iter().zip([0, cells[axis]]) {
-                match wall {
-                    _ if place[axis] != layer => {}
-                    Wall::Smooth => own[axis] = 0.0,
-                    Wall::Fixed => own = DVec3::ZERO,
-                }
-            }
-        }
+        // Plus zero: no component is −0.
+        let own = velocity * model.boundaries.free_components(place, cells) + DVec3::ZERO;
         for (field, value) in state.nodes.velocity.iter_mut().zip(own.to_array()) {
             field[n] = R::cast(value);
         }
@@ -152,6 +164,13 @@ fn relieve_void<R: Real>(soil: &mut Soil<R>) {
     }
 }
 
+/// Density of the undeformed soil in a cell [kg/m³].
+fn density<R: Real>(model: &Model, soil: &Soil<R>, c: usize) -> f64 {
+    let first = model.material().density;
+    let others = model.materials[1..].iter().zip(&soil.composition);
+    others.fold(first, |sum, (material, portion)| sum + portion[c].to_f64() * (material.density - first))
+}
+
 fn weigh<R: Real>(model: &Model, soil: &mut Soil<R>) {
     let grid = &model.grid;
     let [nx, ny, nz] = grid.cells();
@@ -159,7 +178,8 @@ fn weigh<R: Real>(model: &Model, soil: &mut Soil<R>) {
         for j in 0..ny {
             for i in 0..nx {
                 let c = grid.index(i, j, k);
-                soil.mass[c] = R::cast(model.density * soil.fraction[c].to_f64() * grid.volume(i, j, k));
+                soil.mass[c] =
+                    R::cast(density(model, soil, c) * soil.fraction[c].to_f64() * grid.volume(i, j, k));
             }
         }
     }
@@ -183,7 +203,7 @@ fn rest_stress<R: Real>(model: &Model, soil: &mut Soil<R>, overburden: f64) {
                 if fraction > 0.0 {
                     let vertical = force / (area * fraction) - overburden;
                     soil.stress[2][c] = R::cast(vertical);
-                    soil.stress[0][c] = R::cast(model.rest_pressure_ratio * vertical);
+                    soil.stress[0][c] = R::cast(model.materials[soil.main_material(c)].k0 * vertical);
                     soil.stress[1][c] = soil.stress[0][c];
                 }
             }

@@ -6,14 +6,17 @@
 
 pub mod balance;
 pub mod bodies;
+pub mod boundary;
 mod check;
 mod contact;
 pub mod cpu;
 pub mod energy;
 pub mod error;
+pub mod fields;
 pub mod footprint;
 pub mod grid;
 pub mod initial;
+pub mod material;
 pub mod model;
 pub mod precision;
 mod real;

@@ -1,49 +1,29 @@
-//! What is fixed during a run: grid, soil law, walls, bodies, parameters of the method.
+//! What is fixed during a run: grid, boundaries, materials, bodies, parameters of the method.
 
+use crate::boundary::{Boundaries, Boundary, Symmetry};
 use crate::grid::Grid;
+use crate::material::Material;
 use glam::DVec3;
-use physics::elastic::Elastic;
 use physics::rigid::Freedom;
 use physics::shape::Shape;
-use physics::strength::Law;
-use physics::viscosity::BulkViscosity;
 
 /// Everything that does not change during a run.
 #[derive(Debug)]
 pub struct Model {
     /// The Eulerian grid.
     pub grid: Grid,
-    /// Elastic moduli.
-    pub elastic: Elastic,
-    /// Strength; `None` for linear elastic soil.
-    pub strength: Option<Law>,
-    /// Density below which the soil dilates no more [kg/m³].
-    pub critical_density: Option<f64>,
-    /// Density of the undeformed soil [kg/m³].
-    pub density: f64,
+    /// What the soil is made of; at least one.
+    pub materials: Vec<Material>,
     /// Acceleration of gravity [m/s²], downwards.
     pub gravity: f64,
     /// Height of the undisturbed surface of the soil [m].
     pub surface: f64,
-    /// Ratio K₀ of horizontal to vertical stress at rest.
-    pub rest_pressure_ratio: f64,
-    /// Walls by axis: at the low end and at the high end.
-    pub walls: [[Wall; 2]; 3],
+    /// The faces of the grid.
+    pub boundaries: Boundaries,
     /// Rigid bodies.
     pub bodies: Vec<BodyModel>,
-    /// Share of each body that is modelled: halved by each plane of symmetry, x = 0 and y = 0.
-    pub share: f64,
     /// Parameters of the method.
     pub method: Method,
-}
-
-/// What a face of the box does to the soil that touches it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Wall {
-    /// No motion through it, no friction along it.
-    Smooth,
-    /// No motion at all.
-    Fixed,
 }
 
 /// What is fixed about a body.
@@ -121,29 +101,48 @@ pub const FRACTION_STRESSED: f64 = 1e-3;
 pub const FRACTION_KEPT: f64 = 1e-6;
 
 impl Model {
-    /// Weightless, elastic soil between smooth walls, without bodies: what a test or a benchmark starts from.
+    /// Weightless soil between smooth walls, without bodies: what a test or a benchmark starts from.
     #[must_use]
-    pub fn bare(grid: Grid, elastic: Elastic, density: f64) -> Self {
+    pub fn bare(grid: Grid, material: Material) -> Self {
         Self {
             grid,
-            elastic,
-            strength: None,
-            critical_density: None,
-            density,
+            materials: vec![material],
             gravity: 0.0,
             surface: 0.0,
-            rest_pressure_ratio: 1.0,
-            walls: [[Wall::Smooth; 2]; 3],
+            boundaries: Boundaries([[Boundary::SmoothWall; 2]; 3]),
             bodies: Vec::new(),
-            share: 1.0,
             method: Method::default(),
         }
     }
 
-    /// Speed of the compression wave [m/s].
+    /// The first material: the only one of most models.
+    #[must_use]
+    pub fn material(&self) -> &Material {
+        &self.materials[0]
+    }
+
+    /// Planes of symmetry.
+    #[must_use]
+    pub fn symmetry(&self) -> Symmetry {
+        self.boundaries.symmetry()
+    }
+
+    /// Portion of each body that is modelled: halved by each plane of symmetry.
+    #[must_use]
+    pub fn share(&self) -> f64 {
+        self.symmetry().modelled()
+    }
+
+    /// Speed of the fastest compression wave [m/s].
     #[must_use]
     pub fn wave_speed(&self) -> f64 {
-        self.elastic.wave_speed(self.density)
+        self.materials.iter().map(Material::wave_speed).fold(0.0, f64::max)
+    }
+
+    /// Density of the lightest material [kg/m³].
+    #[must_use]
+    pub fn least_density(&self) -> f64 {
+        self.materials.iter().map(|m| m.density).fold(f64::INFINITY, f64::min)
     }
 
     /// Time step [s]. It never changes: the grid does not deform, and force and mass of a cell scale alike with the
@@ -156,14 +155,7 @@ impl Model {
     /// Nodes lighter than this do not move [kg].
     #[must_use]
     pub fn mass_moved(&self) -> f64 {
-        1e-7 * self.density * self.grid.finest().powi(3)
-    }
-
-    /// Bulk viscosity of the soil.
-    #[must_use]
-    pub fn viscosity(&self) -> BulkViscosity {
-        let [b1, b2] = self.method.bulk_viscosity;
-        BulkViscosity::new(b1, b2, self.density, self.wave_speed())
+        1e-7 * self.least_density() * self.grid.finest().powi(3)
     }
 }
 
@@ -176,12 +168,14 @@ pub struct Filling {
     pub high: DVec3,
     /// Only what is so near to the z axis is full: a round column [m].
     pub radius: Option<f64>,
+    /// Number of its material.
+    pub material: usize,
 }
 
 impl Filling {
     /// All of a box.
     #[must_use]
     pub fn between(low: DVec3, high: DVec3) -> Self {
-        Self { low, high, radius: None }
+        Self { low, high, radius: None, material: 0 }
     }
 }

@@ -60,6 +60,12 @@ macro_rules! precision {
             const ROUND_OFF: f64 = $round_off;
             type CellBlock = $module::stress::Block;
 
+            type Materials = Vec<$module::stress::MaterialConstants>;
+
+            fn materials(model: &Model) -> Self::Materials {
+                $module::stress::materials(model)
+            }
+
             fn cast(value: f64) -> Self {
                 value as Self
             }

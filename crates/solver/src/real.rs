@@ -1,5 +1,6 @@
 //! The number type of the soil's fields.
 
+use crate::model::Model;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::fmt::Debug;
@@ -17,6 +18,9 @@ pub trait Real:
     /// What a kernel keeps of a block of cells while it works on it.
     type CellBlock: Send;
 
+    /// The materials of a model, as the kernels need them.
+    type Materials: Send + Sync;
+
     /// The nearest number of this type.
     fn cast(value: f64) -> Self;
 
@@ -24,6 +28,9 @@ pub trait Real:
     fn to_f64(self) -> f64 {
         self.into()
     }
+
+    /// The materials of a model, as the kernels need them.
+    fn materials(model: &Model) -> Self::Materials;
 
     /// Working memory for a block of cells.
     fn cell_block() -> Box<Self::CellBlock>;

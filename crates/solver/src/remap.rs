@@ -32,7 +32,7 @@ pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut 
     reset_nodes(&model.grid, state, soil);
     contact::remove_overlap(model, state, soil, &mut workspace.contact);
     stop_massless_nodes(model, state, soil);
-    soil.find_soil(&model.grid, &state.soil.fraction);
+    soil.find_soil(&model.grid, &state.soil);
     soil.clear = 2;
     state.remaps += 1;
     state.ledger.remap += before - energy::total(model, state, soil);

@@ -1,37 +1,8 @@
 //! Everything that changes during a run. A checkpoint is this. The fields of the soil are `f64` or `f32`; all else is `f64`.
 
-use crate::grid::Grid;
+pub use crate::fields::{Nodes, STRESS_NAMES, Soil};
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
-
-/// Names of the stress components, in the order of [`Soil::stress`].
-pub const STRESS_NAMES: [&str; 6] = ["xx", "yy", "zz", "xy", "yz", "xz"];
-
-/// What the cells hold. Each array covers the grid (see [`Grid::index`]).
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Soil<R = f64> {
-    /// Eulerian volume fraction, 0 to 1.
-    pub fraction: Vec<R>,
-    /// Mass of soil in the cell [kg].
-    pub mass: Vec<R>,
-    /// Cauchy stress of the soil (not scaled by the fraction), tension positive: xx, yy, zz, xy, yz, xz [Pa].
-    pub stress: [Vec<R>; 6],
-    /// Equivalent plastic strain.
-    pub plastic_strain: Vec<R>,
-    /// Stress-free volumetric opening that has to close before pressure can build.
-    pub gap_strain: Vec<R>,
-}
-
-/// What the nodes hold.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Nodes<R = f64> {
-    /// Velocity along x, y, z [m/s].
-    pub velocity: [Vec<R>; 3],
-    /// Displacement since the last remap along x, y, z [m].
-    pub displacement: [Vec<R>; 3],
-    /// Mass lumped from the eight cells round the node [kg].
-    pub mass: Vec<R>,
-}
 
 /// Where a body is and how it moves. The whole body, also when only half of it is modelled.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -73,6 +44,8 @@ pub struct Contact {
     pub body: usize,
     /// Which of its surface points.
     pub point: usize,
+    /// Which material it touches.
+    pub material: usize,
     /// Place of the cell's low node.
     pub base: usize,
     /// Weights of the cell's eight nodes.
@@ -149,10 +122,7 @@ impl<R> State<R> {
     /// Memory that it takes up [bytes].
     #[must_use]
     pub fn memory(&self) -> usize {
-        let Soil { fraction, mass, stress, plastic_strain, gap_strain } = &self.soil;
-        let Nodes { velocity, displacement, mass: node_mass } = &self.nodes;
-        let singles = [fraction, mass, plastic_strain, gap_strain, node_mass];
-        let fields = singles.into_iter().chain(stress).chain(velocity).chain(displacement);
+        let fields = self.soil.arrays().chain(self.nodes.arrays());
         fields.map(|field| size_of_val(field.as_slice())).sum::<usize>()
             + size_of_val(self.contacts.as_slice())
     }
@@ -161,56 +131,16 @@ impl<R> State<R> {
 impl<R: Copy + Into<f64>> State<R> {
     /// The same with its fields in double precision.
     #[must_use]
-    pub fn widened(&self) -> State {
-        let wide = |field: &Vec<R>| field.iter().map(|value| (*value).into()).collect();
-        let Soil { fraction, mass, stress, plastic_strain, gap_strain } = &self.soil;
+    pub fn to_f64(&self) -> State {
         State {
-            soil: Soil {
-                fraction: wide(fraction),
-                mass: wide(mass),
-                stress: stress.each_ref().map(wide),
-                plastic_strain: wide(plastic_strain),
-                gap_strain: wide(gap_strain),
-            },
-            nodes: Nodes {
-                velocity: self.nodes.velocity.each_ref().map(wide),
-                displacement: self.nodes.displacement.each_ref().map(wide),
-                mass: wide(&self.nodes.mass),
-            },
+            soil: self.soil.to_f64(),
+            nodes: self.nodes.to_f64(),
             bodies: self.bodies.clone(),
             contacts: self.contacts.clone(),
             time: self.time,
             step: self.step,
             remaps: self.remaps,
             ledger: self.ledger,
-        }
-    }
-}
-
-impl<R: Copy + Default> Soil<R> {
-    /// No soil anywhere.
-    #[must_use]
-    pub fn empty(grid: &Grid) -> Self {
-        let zeros = || vec![R::default(); grid.entries];
-        Self {
-            fraction: zeros(),
-            mass: zeros(),
-            stress: std::array::from_fn(|_| zeros()),
-            plastic_strain: zeros(),
-            gap_strain: zeros(),
-        }
-    }
-}
-
-impl<R: Copy + Default> Nodes<R> {
-    /// Nodes at rest, without mass.
-    #[must_use]
-    pub fn at_rest(grid: &Grid) -> Self {
-        let zeros = || vec![R::default(); grid.entries];
-        Self {
-            velocity: std::array::from_fn(|_| zeros()),
-            displacement: std::array::from_fn(|_| zeros()),
-            mass: zeros(),
         }
     }
 }

@@ -25,7 +25,7 @@ impl<R: Precision> Workspace<R> {
     #[must_use]
     pub fn new(model: &Model, state: &mut State<R>, threads: usize) -> Self {
         let mut workspace = Self {
-            soil: SoilWorkspace::new(&model.grid, state, threads),
+            soil: SoilWorkspace::new(model, state, threads),
             contact: ContactWorkspace::new(model, state),
             body_steps: vec![BodyStep::default(); model.bodies.len()],
         };

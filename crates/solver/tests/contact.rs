@@ -53,7 +53,7 @@ fn no_soil_is_left_in_the_body_and_none_is_lost() {
         assert!(body.embedded_volume > 5e-5, "{method:?}: the disc is in the sand");
         let leak = body.leaked_volume / body.embedded_volume;
         assert!(leak < 1e-3, "{method:?}: {leak:e} of the embedded volume is soil");
-        let before = model.density * state.ledger.volume_start;
+        let before = model.material().density * state.ledger.volume_start;
         let mass = soil_mass(&state.soil) + state.ledger.crumbs_mass;
         assert!((mass / before - 1.0).abs() < 1e-12, "{method:?}: {mass} kg of {before} kg");
     }

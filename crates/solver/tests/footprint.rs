@@ -9,8 +9,8 @@ use physics::rigid::Freedom;
 use physics::shape::{Block, Disc, Shape};
 use solver::footprint::{footprint, surface_points};
 use solver::grid::Grid;
+use solver::initial::at_rest;
 use solver::model::{BodyModel, Model};
-use solver::initial::at_rest_under;
 use solver::precision::Precision;
 use solver::step::step;
 use solver::workspace::Workspace;
@@ -51,7 +51,7 @@ fn told_is_real<R: Precision>(threads: usize) {
     for shape in shapes {
         let bare = sand([uniform(-0.2, 0.24, 44), uniform(-0.16, 0.16, 32), uniform(-0.14, 0.06, 20)]);
         let bare = Model { grid: Grid::padded(bare.grid.faces.clone(), R::LANES), ..bare };
-        let mut state = at_rest_under::<R>(&bare, &below(0.0), 0.0);
+        let mut state = at_rest::<R>(&bare, &below(0.0));
         let workspace = Workspace::new(&bare, &mut state, threads);
         let told = footprint::<R>(&bare, threads, &[]);
         near(told.fields, state.memory(), 1e-9);
@@ -59,7 +59,7 @@ fn told_is_real<R: Precision>(threads: usize) {
         assert_eq!((told.contact, told.layout), (0.0, 0.0));
 
         let model = model(R::LANES, shape);
-        let mut state = at_rest_under::<R>(&model, &below(0.0), 0.0);
+        let mut state = at_rest::<R>(&model, &below(0.0));
         let mut workspace = Workspace::new(&model, &mut state, threads);
         while state.remaps < 2 {
             step(&model, &mut state, &mut workspace).unwrap();

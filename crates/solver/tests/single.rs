@@ -8,7 +8,7 @@ use common::{below, sand, uniform};
 use glam::DVec3;
 use physics::rigid::Freedom;
 use physics::shape::Disc;
-use solver::initial::at_rest_under;
+use solver::initial::at_rest;
 use solver::model::{BodyModel, Model};
 use solver::state::State;
 use solver::step::step;
@@ -16,7 +16,7 @@ use solver::workspace::Workspace;
 
 /// After so many steps on a number of threads.
 fn after(model: &Model, surface: f64, threads: usize, steps: usize) -> State<f32> {
-    let mut state = at_rest_under::<f32>(model, &below(surface), 0.0);
+    let mut state = at_rest::<f32>(model, &below(surface));
     let mut workspace = Workspace::new(model, &mut state, threads);
     for _ in 0..steps {
         step(model, &mut state, &mut workspace).unwrap();
@@ -65,7 +65,7 @@ fn a_tow_keeps_the_soil() {
     let body = &state.bodies[0];
     let leak = body.leaked_volume / body.embedded_volume;
     assert!(leak < 1e-3, "{leak:e} of the embedded volume is soil");
-    let before = model.density * state.ledger.volume_start;
+    let before = model.material().density * state.ledger.volume_start;
     let mass: f64 = state.soil.mass.iter().map(|mass| f64::from(*mass)).sum();
     let lost = (mass + state.ledger.crumbs_mass) / before - 1.0;
     assert!(lost.abs() < 1e-6, "{lost:e} of the mass");

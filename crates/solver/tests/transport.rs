@@ -38,7 +38,7 @@ fn flight(cells: usize, radius: f64, eta: f64) -> (f64, f64) {
     let way = DVec3::new(0.4, 0.25, 0.15);
     state.soil.fraction = sphere(&model.grid, from, radius);
     let cell = (1.0 / cells as f64).powi(3);
-    state.soil.mass = state.soil.fraction.iter().map(|f| f * cell * model.density).collect();
+    state.soil.mass = state.soil.fraction.iter().map(|f| f * cell * model.material().density).collect();
     let volume = soil_volume(&model.grid, &state.soil);
     let steps = (way.x * cells as f64 / eta).round();
     let mut workspace = Workspace::new(&model, &mut state, 2);

@@ -2,8 +2,8 @@
 
 use super::resolve::extent::travel;
 use super::resolved::{Body, Case, Grid, Ground, Precision};
+use crate::model::model;
 use crate::output::volume::{self, Volume};
-use crate::simulation::model;
 use glam::DVec3;
 use serde::Serialize;
 use solver::footprint::{self, Footprint, surface_points};

@@ -5,6 +5,7 @@ use super::surface::HeightMap;
 use super::vtk::{Appended, Dataset};
 use glam::{DMat3, DVec3};
 use physics::shape::Shape;
+use solver::fields::{GAP_STRAIN, PLASTIC_STRAIN};
 use solver::grid::Grid;
 use solver::precision::Precision;
 use solver::state::{Body, State};
@@ -42,9 +43,9 @@ impl CellView {
             fraction,
             velocity: cell_velocity(grid, state, n),
             stress: std::array::from_fn(|c| soil.stress[c][n].into()),
-            plastic_strain: soil.plastic_strain[n].into(),
+            plastic_strain: soil.history[PLASTIC_STRAIN][n].into(),
             density: soil.mass[n].into() / (fraction * grid.volume(i, j, k)),
-            gap: soil.gap_strain[n].into(),
+            gap: soil.history[GAP_STRAIN][n].into(),
         }
     }
 

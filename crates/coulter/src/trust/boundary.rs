@@ -18,7 +18,7 @@ type Face = (usize, bool);
 /// The faces of the box as the soil feels them now; forces and areas are those of the whole, not of the part modelled.
 #[must_use]
 pub fn sample<R: Precision>(case: &Case, model: &Model, state: &State<R>) -> BoundarySample {
-    let whole = 1.0 / model.share;
+    let whole = 1.0 / model.share();
     let mut sample = BoundarySample { time: state.time, ..BoundarySample::default() };
     if !is_covered(case) {
         over((2, true), model, |cell| {
@@ -94,8 +94,8 @@ fn pressure_at_rest(case: &Case, model: &Model, cell: &FaceCell) -> f64 {
         return 0.0;
     }
     let depth = (model.surface - cell.centre.z).max(0.0);
-    let vertical = model.density * model.gravity * depth + case.overburden;
-    if cell.axis == 2 { vertical } else { model.rest_pressure_ratio * vertical }
+    let vertical = model.material().density * model.gravity * depth + case.overburden;
+    if cell.axis == 2 { vertical } else { model.material().k0 * vertical }
 }
 
 /// A cell at a face of the box.

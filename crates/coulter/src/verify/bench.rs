@@ -183,7 +183,7 @@ impl<'a> Bench<'a> {
             Precision::Single => {
                 let mut simulation = Simulation::<f32>::new(&case);
                 self.advance(id, variant, &mut simulation, |_| {})?;
-                simulation.widened()
+                simulation.to_f64()
             }
         };
         self.keep(id, variant, &simulation);
@@ -279,7 +279,7 @@ impl<'a> Bench<'a> {
 fn mass_off(simulation: &Simulation) -> f64 {
     let Simulation { model, state, .. } = simulation;
     // Mass and volume of the soil at the start go together by its density.
-    let before = model.density * state.ledger.volume_start;
+    let before = model.material().density * state.ledger.volume_start;
     (soil_mass(&state.soil) + state.ledger.crumbs_mass - before) / before
 }
 

@@ -4,6 +4,7 @@ use glam::DVec3;
 use physics::elastic::Elastic;
 use solver::grid::Grid;
 use solver::initial::{Filling, at_rest};
+use solver::material::Material;
 use solver::model::Model;
 use solver::remap::remap;
 use solver::state::State;
@@ -58,7 +59,7 @@ pub(super) fn carry(flow: &Flow, inside: impl Fn(DVec3) -> bool) -> Carried {
     let mut state = at_rest(&model, &Filling::between(DVec3::ZERO, DVec3::ZERO));
     fill(grid, inside, &mut state.soil.fraction);
     for c in 0..grid.entries {
-        state.soil.mass[c] = model.density * state.soil.fraction[c] * grid.finest().powi(3);
+        state.soil.mass[c] = model.material().density * state.soil.fraction[c] * grid.finest().powi(3);
     }
     let mut workspace = Workspace::new(&model, &mut state, 1);
     let volume = |state: &State| over_cells(grid, |c, volume| state.soil.fraction[c] * volume);
@@ -156,5 +157,8 @@ pub(super) fn fill(grid: &Grid, inside: impl Fn(DVec3) -> bool, fraction: &mut [
 fn space([nx, ny, nz]: [usize; 3]) -> Model {
     let h = 1.0 / nx as f64;
     let faces = |n: usize| (0..=n).map(|i| i as f64 * h).collect::<Vec<f64>>();
-    Model::bare(Grid::new([faces(nx), faces(ny), faces(nz)]), Elastic::new(1e6, 0.3), 1000.0)
+    Model::bare(
+        Grid::new([faces(nx), faces(ny), faces(nz)]),
+        Material::linear_elastic(Elastic::new(1e6, 0.3), 1000.0),
+    )
 }

@@ -5,7 +5,7 @@ use super::row::Row;
 use crate::output::record::BodySample;
 use crate::simulation::Simulation;
 use glam::DVec3;
-use solver::initial::{Filling, at_rest_under};
+use solver::initial::{self, Filling};
 use solver::step::step;
 use solver::workspace::Workspace;
 
@@ -107,7 +107,7 @@ fn at_rest(bench: &mut Bench) -> Result<(), VerifyError> {
     let model = bench.simulation(SAND, &[])?.model;
     let surface = 0.5 * model.grid.finest();
     let filling = Filling::between(DVec3::splat(-1e9), DVec3::new(1e9, 1e9, surface));
-    let mut state = at_rest_under::<f32>(&model, &filling, 0.0);
+    let mut state = initial::at_rest::<f32>(&model, &filling);
     let mut workspace = Workspace::new(&model, &mut state, 1);
     let mut speed = 0.0_f32;
     for _ in 0..STEPS {

@@ -82,9 +82,10 @@ fn differences(a: &Simulation, b: &Simulation) -> f64 {
 fn fields(state: &State) -> impl Iterator<Item = &Vec<f64>> {
     let soil = &state.soil;
     let nodes = &state.nodes;
-    [&soil.fraction, &soil.mass, &soil.plastic_strain, &soil.gap_strain, &nodes.mass]
+    [&soil.fraction, &soil.mass, &nodes.mass]
         .into_iter()
         .chain(&soil.stress)
+        .chain(&soil.history)
         .chain(&nodes.velocity)
         .chain(&nodes.displacement)
 }

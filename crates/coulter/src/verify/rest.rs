@@ -60,7 +60,7 @@ fn rest(bench: &mut Bench, height: f64, every_step: bool) -> Result<(f64, [f64; 
         speed = state.nodes.velocity.iter().flatten().fold(speed, |most, v| most.max(v.abs()));
     }
     let grid = &model.grid;
-    let weight = model.density * model.gravity;
+    let weight = model.material().density * model.gravity;
     let scale = weight * (surface - grid.faces[2][0]);
     let mut off = [0.0_f64; 2];
     for k in 0..grid.cells()[2] {
@@ -68,7 +68,7 @@ fn rest(bench: &mut Bench, height: f64, every_step: bool) -> Result<(f64, [f64; 
         if state.soil.fraction[c] == 1.0 {
             let vertical = -weight * (surface - grid.centre(2, k));
             off[0] = off[0].max((state.soil.stress[2][c] - vertical).abs() / scale);
-            let horizontal = model.rest_pressure_ratio * vertical;
+            let horizontal = model.material().k0 * vertical;
             off[1] = off[1].max((state.soil.stress[0][c] - horizontal).abs() / scale);
         }
     }

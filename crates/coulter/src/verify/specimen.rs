@@ -7,6 +7,7 @@ use physics::strength::{Law, Strength};
 use physics::tensor::{Symmetric, deviator, mean};
 use solver::grid::Grid;
 use solver::initial::{Filling, at_rest};
+use solver::material::Material;
 use solver::model::{Method, Model};
 use solver::state::State;
 use solver::step::step;
@@ -58,11 +59,11 @@ impl Cell {
     /// A cell of 1 m with a stress in it.
     pub(super) fn new(elastic: Elastic, law: Law, stress: Symmetric) -> Self {
         let faces = || vec![0.0, 1.0];
+        let material = Material { strength: Some(law), ..Material::linear_elastic(elastic, 1600.0) };
         let model = Model {
-            strength: Some(law),
             // The strain of a whole test stays on one grid.
             method: Method { remap_displacement: 1.0, ..Method::default() },
-            ..Model::bare(Grid::new([faces(), faces(), faces()]), elastic, 1600.0)
+            ..Model::bare(Grid::new([faces(), faces(), faces()]), material)
         };
         let everywhere = Filling::between(DVec3::splat(-1e9), DVec3::splat(1e9));
         let mut state = at_rest(&model, &everywhere);

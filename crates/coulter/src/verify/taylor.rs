@@ -4,6 +4,7 @@ use super::bench::{Bench, VerifyError};
 use super::column::thickness;
 use super::row::Row;
 use crate::simulation::Simulation;
+use solver::fields::PLASTIC_STRAIN;
 use std::f64::consts::PI;
 
 const CASE: &str = include_str!("../../../../validation/A10_taylor_bar/case.toml");
@@ -43,7 +44,8 @@ fn impact(bench: &mut Bench, variant: &str, case: &str, cells: u32) -> Result<()
     })?;
     let note = |quantity, value| Row::note("A10", variant, quantity, value).took(simulation.wall_s);
     let soil = &simulation.state.soil;
-    let strains = soil.plastic_strain.iter().zip(&soil.fraction).filter(|(_, fraction)| **fraction > 0.5);
+    let strains =
+        soil.history[PLASTIC_STRAIN].iter().zip(&soil.fraction).filter(|(_, fraction)| **fraction > 0.5);
     bench.rows.extend([
         note("final length [mm]", length(&simulation)).between(21.4, 21.5, 0.015, LENGTH),
         note("radius of the foot [mm]", foot(&simulation)).between(6.8, 7.2, 0.015, RADIUS),

@@ -10,6 +10,7 @@ use solver::balance::kinetic_energy;
 use solver::energy::soil_volume;
 use solver::grid::Grid;
 use solver::initial::at_rest_filled;
+use solver::material::Material;
 use solver::model::Model;
 use solver::state::State;
 use solver::step::step;
@@ -99,5 +100,5 @@ fn space(cell: f64) -> Model {
         (0..=count).map(|i| (from + i as f64) * cell).collect::<Vec<f64>>()
     };
     let grid = Grid::new([faces(-n, n), faces(-0.5, 0.5), faces(-n, n)]);
-    Model::bare(grid, Elastic::new(YOUNG, 0.3), 1600.0)
+    Model::bare(grid, Material::linear_elastic(Elastic::new(YOUNG, 0.3), 1600.0))
 }

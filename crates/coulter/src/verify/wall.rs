@@ -117,5 +117,5 @@ fn wedge(simulation: &Simulation, displacement: f64, slope: f64) -> f64 {
             sum += mass[grid.index(i, 0, k)] * above.clamp(0.0, 1.0);
         }
     }
-    sum / (simulation.model.density * grid.width(1, 0))
+    sum / (simulation.model.material().density * grid.width(1, 0))
 }

@@ -6,6 +6,7 @@ use glam::DVec3;
 use physics::elastic::Elastic;
 use solver::grid::Grid;
 use solver::initial::{Filling, at_rest};
+use solver::material::Material;
 use solver::model::{Method, Model};
 use solver::state::State;
 use solver::step::step;
@@ -90,21 +91,21 @@ fn bar(cells: usize, bulk_viscosity: [f64; 2]) -> Model {
     let along = (0..=cells).map(|n| n as f64 * h).collect();
     let grid = Grid::new([along, vec![0.0, h], vec![0.0, h]]);
     let method = Method { hourglass: 0.0, bulk_viscosity, ..Method::default() };
-    Model { method, ..Model::bare(grid, Elastic::new(20e6, 0.3), 1600.0) }
+    Model { method, ..Model::bare(grid, Material::linear_elastic(Elastic::new(20e6, 0.3), 1600.0)) }
 }
 
 /// Velocities of a wave that runs to the right, and its stresses −ρ c v.
 fn set(model: &Model, state: &mut State, velocity: impl Fn(f64) -> f64, at_stress: impl Fn(f64) -> f64) {
     let grid = &model.grid;
-    let (lateral, axial) =
-        (model.elastic.bulk - 2.0 / 3.0 * model.elastic.shear, model.elastic.constrained());
+    let elastic = &model.material().elastic;
+    let (lateral, axial) = (elastic.bulk - 2.0 / 3.0 * elastic.shear, elastic.constrained());
     for i in 0..=grid.cells()[0] {
         for (j, k) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
             state.nodes.velocity[0][grid.index(i, j, k)] = velocity(grid.faces[0][i]);
         }
         if i < grid.cells()[0] {
             let cell = grid.index(i, 0, 0);
-            let stress = -model.density * model.wave_speed() * at_stress(grid.centre(0, i));
+            let stress = -model.material().density * model.wave_speed() * at_stress(grid.centre(0, i));
             state.soil.stress[0][cell] = stress;
             state.soil.stress[1][cell] = stress * lateral / axial;
             state.soil.stress[2][cell] = stress * lateral / axial;

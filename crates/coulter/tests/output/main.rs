@@ -269,7 +269,7 @@ fn strange_runs_are_reported_too() {
             samples[7].drag = f64::NAN;
             samples[29].displacement = f64::NAN;
         }
-        state.soil.plastic_strain.fill(f64::NAN);
+        state.soil.history[solver::fields::PLASTIC_STRAIN].fill(f64::NAN);
         state.soil.stress[2].fill(f64::INFINITY);
         if let Some(body) = state.bodies.first_mut() {
             body.position = glam::DVec3::new(1e30, f64::NAN, f64::NEG_INFINITY);

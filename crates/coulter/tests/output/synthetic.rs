@@ -162,7 +162,7 @@ fn height(kind: Kind, x: f64, y: f64) -> f64 {
 /// The grid and the state at time `time` [s].
 pub(crate) fn state(case: &Case, kind: Kind, time: f64) -> (Grid, State) {
     let grid = Grid::new(case.grid.faces.clone());
-    let (mut soil, mut nodes) = (Soil::empty(&grid), Nodes::at_rest(&grid));
+    let (mut soil, mut nodes) = (Soil::empty(&grid, 1), Nodes::at_rest(&grid));
     let [columns, rows, layers] = grid.cells();
     let toe = DVec3::new(TRAVEL + 0.04, 0.0, -DEPTH);
     for (k, j, i) in triples(layers, rows, columns) {
@@ -180,7 +180,8 @@ pub(crate) fn state(case: &Case, kind: Kind, time: f64) -> (Grid, State) {
         let band = ((x.z + DEPTH) - 0.55 * (x.x - TRAVEL)).abs() / 0.012;
         let wake = if x.x < TRAVEL && x.x > -0.05 { (-(x.z + DEPTH).abs() / 0.012).exp() } else { 0.0 };
         let ahead = if x.x > TRAVEL && x.x < TRAVEL + 0.16 { (-band * band).exp() } else { 0.0 };
-        soil.plastic_strain[n] = (0.9 * ahead + 1.4 * wake) * (-(x.y / 0.05).powi(2)).exp();
+        soil.history[solver::fields::PLASTIC_STRAIN][n] =
+            (0.9 * ahead + 1.4 * wake) * (-(x.y / 0.05).powi(2)).exp();
     }
     for (k, j, i) in triples(layers + 1, rows + 1, columns + 1) {
         let n = grid.index(i, j, k);

@@ -241,7 +241,7 @@ fn mobility(scene: &Scene, grip: &Grip) -> DVec3 {
 /// The body's part of it.
 fn mobility_of_body(scene: &Scene, grip: &Grip) -> DVec3 {
     let fixed = &scene.model.bodies[grip.body];
-    let share = scene.model.share;
+    let share = scene.model.share();
     DVec3::from_array(std::array::from_fn(|axis| {
         let push = if fixed.translation[axis].is_free() { 1.0 / (fixed.mass * share) } else { 0.0 };
         let lever = grip.arm.cross(DVec3::AXES[axis]).y;

@@ -11,11 +11,12 @@ use super::body_fraction::find_bodies;
 use super::scene::{corners, over_corners};
 use super::workspace::ContactWorkspace;
 use crate::cpu::workspace::SoilWorkspace;
+use crate::fields::Carrier;
 use crate::grid::Grid;
 use crate::model::Model;
 use crate::precision::Precision;
 use crate::real::Real;
-use crate::state::{Nodes, Soil, State};
+use crate::state::{Nodes, State};
 use glam::DVec3;
 use std::collections::BTreeMap;
 
@@ -112,20 +113,14 @@ fn share_out<R: Real>(grid: &Grid, fraction: &[R], occupied: &[R], cells: &[usiz
 }
 
 /// What comes into a cell and leaves it.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 struct Change {
     volume_out: Layered<f64>,
     volume_in: Layered<f64>,
     mass_in: Layered<f64>,
     momentum_in: Layered<DVec3>,
-    /// Stress, plastic strain and gap strain, each times the volume.
-    carried_in: [Layered<f64>; 8],
-}
-
-/// What a cell's soil carries by volume.
-fn carried<R>(soil: &mut Soil<R>) -> [&mut Vec<R>; 8] {
-    let [xx, yy, zz, xy, yz, xz] = &mut soil.stress;
-    [xx, yy, zz, xy, yz, xz, &mut soil.plastic_strain, &mut soil.gap_strain]
+    /// All that soil carries, each times its volume or mass.
+    carried_in: Vec<Layered<f64>>,
 }
 
 /// Moves soil with all that it carries.
@@ -147,8 +142,10 @@ fn carry<R: Precision>(
         change.volume_in.add(t.side, t.volume);
         change.mass_in.add(t.side, mass);
         change.momentum_in.add(t.side, mass * velocity);
-        for (sum, field) in change.carried_in.iter_mut().zip(carried(soil)) {
-            sum.add(t.side, t.volume * field[t.from].to_f64());
+        change.carried_in.resize_with(soil.carried().count(), Layered::default);
+        for (sum, (carrier, field)) in change.carried_in.iter_mut().zip(soil.carried()) {
+            let amount = if carrier == Carrier::Volume { t.volume } else { mass };
+            sum.add(t.side, amount * field[t.from].to_f64());
         }
     }
     let mut masses = BTreeMap::new();
@@ -157,12 +154,17 @@ fn carry<R: Precision>(
         let (out, into) = (change.volume_out.total(), change.volume_in.total());
         let mass_out = soil.mass[*c].to_f64() * out / held;
         let mass_in = change.mass_in.total();
+        let held_mass = soil.mass[*c].to_f64();
         // A cell that is emptied must not hold less than nothing by a rounding.
         soil.fraction[*c] = R::cast((held + (into - out)).max(0.0) / grid.volume_of(*c));
-        soil.mass[*c] = R::cast((soil.mass[*c].to_f64() + (mass_in - mass_out)).max(0.0));
+        soil.mass[*c] = R::cast((held_mass + (mass_in - mass_out)).max(0.0));
         if into > 0.0 {
-            for (field, sum) in carried(soil).into_iter().zip(&change.carried_in) {
-                field[*c] = R::cast((field[*c].to_f64() * held + sum.total()) / (held + into));
+            for ((carrier, field), sum) in soil.carried_mut().zip(&change.carried_in) {
+                let [own, added] = match carrier {
+                    Carrier::Volume => [held, into],
+                    Carrier::Mass => [held_mass, mass_in],
+                };
+                field[*c] = R::cast((field[*c].to_f64() * own + sum.total()) / (own + added));
             }
             R::update_cell(model, soil, workspace, *c);
         }

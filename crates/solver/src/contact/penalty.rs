@@ -12,10 +12,8 @@ use glam::DVec3;
 /// Penalty contact.
 #[derive(Debug)]
 pub(super) struct Penalty {
-    /// Constrained modulus M [Pa].
-    modulus: f64,
-    /// Density times wave speed [kg/(m² s)].
-    impedance: f64,
+    /// Of each material the constrained modulus M [Pa], and density times wave speed [kg/(m² s)].
+    materials: Vec<[f64; 2]>,
     /// Impulses on the soil at each contact in this step, normal and frictional [N s].
     given: Vec<[DVec3; 2]>,
 }
@@ -30,8 +28,11 @@ const PULL: f64 = 0.1;
 impl Penalty {
     pub(super) fn new(model: &Model) -> Self {
         Self {
-            modulus: model.elastic.constrained(),
-            impedance: model.density * model.wave_speed(),
+            materials: model
+                .materials
+                .iter()
+                .map(|m| [m.elastic.constrained(), m.density * m.wave_speed()])
+                .collect(),
             given: Vec::new(),
         }
     }
@@ -43,9 +44,10 @@ impl Penalty {
             c.slip = DVec3::ZERO;
             return (DVec3::ZERO, DVec3::ZERO);
         }
-        let stiffness = STIFFNESS * self.modulus / c.width;
+        let [modulus, impedance] = self.materials[c.material];
+        let stiffness = STIFFNESS * modulus / c.width;
         let closing = relative.dot(c.normal);
-        let pressure = (stiffness * c.penetration + DAMPING * self.impedance * closing).max(0.0);
+        let pressure = (stiffness * c.penetration + DAMPING * impedance * closing).max(0.0);
         let limit = (friction * pressure).min(most);
         let held = 0.5 * stiffness * c.slip.length();
         if held > limit {

@@ -122,7 +122,7 @@ impl Scene<'_> {
         push(
             &self.model.bodies[grip.body],
             &mut self.bodies[grip.body],
-            self.model.share,
+            self.model.share(),
             [(grip.arm, -impulse)],
         );
     }
@@ -144,16 +144,16 @@ impl Scene<'_> {
         }
         let body = first.0.body;
         let impulses = [(first.0.arm, -first.1), (second.0.arm, -second.1)];
-        push(&self.model.bodies[body], &mut self.bodies[body], self.model.share, impulses);
+        push(&self.model.bodies[body], &mut self.bodies[body], self.model.share(), impulses);
     }
 
     /// Notes what the soil gave to a body at a point in this step: the reaction to these impulses on the soil [N s].
     pub(crate) fn note(&mut self, contact: usize, normal: DVec3, friction: DVec3) {
         let c = &self.contacts[contact];
         let received = &mut self.bodies[c.body].received;
-        received.normal -= normal / self.model.share;
-        received.friction -= friction / self.model.share;
-        received.axle -= c.arm.cross(normal + friction).y / self.model.share;
+        received.normal -= normal / self.model.share();
+        received.friction -= friction / self.model.share();
+        received.axle -= c.arm.cross(normal + friction).y / self.model.share();
         self.friction[contact] += friction;
     }
 }

@@ -31,10 +31,10 @@ pub(crate) fn search<R: Real>(
     soil: &mut SoilWorkspace<R>,
     workspace: &mut ContactWorkspace,
 ) {
-    let [occupied, ..] = &mut soil.velocity_before;
+    let SoilWorkspace { velocity_before: [occupied, ..], material, .. } = &mut *soil;
     let ContactWorkspace { body_cells, surfaces, law, .. } = workspace;
     measure_leak(&model.grid, &state.soil, body_cells, &mut state.bodies);
-    let view = View { model, soil: &state.soil, node_mass: &state.nodes.mass, occupied };
+    let view = View { model, soil: &state.soil, node_mass: &state.nodes.mass, occupied, material };
     let mut located = Vec::with_capacity(state.contacts.len());
     let mut known = state.contacts.iter().peekable();
     for (n, surface) in surfaces.iter().enumerate() {
@@ -86,6 +86,8 @@ struct View<'a, R> {
     node_mass: &'a [R],
     /// Share of each cell that bodies take up.
     occupied: &'a [R],
+    /// Material of each cell; empty where there is one alone.
+    material: &'a [u8],
 }
 
 impl<R: Real> View<'_, R> {
@@ -105,9 +107,11 @@ impl<R: Real> View<'_, R> {
         let probe = place + 1e-9 * finest * (normal - 0.5 * arm.signum() * (DVec3::ONE - normal.abs()));
         let faces = &self.model.grid.faces;
         let cell = [layer(&faces[0], probe.x)?, layer(&faces[1], probe.y)?, layer(&faces[2], probe.z)?];
+        let base = self.model.grid.index(cell[0], cell[1], cell[2]);
         let (weight, coverage) = self.weights(cell, place)?;
         let mut contact = Contact {
-            base: self.model.grid.index(cell[0], cell[1], cell[2]),
+            base,
+            material: self.material_of(base),
             weight,
             area: coverage,
             width: (0..3).map(|axis| self.model.grid.width(axis, cell[axis])).fold(f64::INFINITY, f64::min),
@@ -127,6 +131,7 @@ impl<R: Real> View<'_, R> {
         const MASS_RATIO: f64 = 2.5;
         let grid = &self.model.grid;
         let base = grid.index(cell[0], cell[1], cell[2]);
+        let density = self.model.materials[self.material_of(base)].density;
         // The parts of the low and the high node, each from the other's face: a mirror in y only exchanges them.
         let parts: [[f64; 2]; 3] = std::array::from_fn(|axis| {
             let (faces, n) = (&grid.faces[axis], cell[axis]);
@@ -136,13 +141,17 @@ impl<R: Real> View<'_, R> {
         let mut weight = [0.0; 8];
         for (n, offset) in corners(grid.stride).iter().enumerate() {
             let part = |axis: usize| parts[axis][n >> axis & 1];
-            let full = self.model.density * self.node_volume(cell, n);
+            let full = density * self.node_volume(cell, n);
             let mass = self.node_mass[base + offset].to_f64();
             let bears = mass > self.model.mass_moved();
             weight[n] = if bears { (part(0) * part(1) * part(2)).min(MASS_RATIO * mass / full) } else { 0.0 };
         }
         let sum = over_corners(weight);
         (sum > 1e-3).then(|| (weight.map(|w| w / sum), (2.0 * sum).min(1.0)))
+    }
+
+    fn material_of(&self, cell: usize) -> usize {
+        self.material.get(cell).map_or(0, |m| usize::from(*m))
     }
 
     /// Volume of the eight half cells round corner `n` of a cell [m³].

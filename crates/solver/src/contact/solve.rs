@@ -55,9 +55,9 @@ pub(crate) fn solve<R: Real>(
     for (step, body) in steps.iter_mut().zip(&state.bodies) {
         let (now, then) = (body.received, step.received);
         step.received = Received {
-            normal: (now.normal - then.normal) * model.share,
-            friction: (now.friction - then.friction) * model.share,
-            axle: (now.axle - then.axle) * model.share,
+            normal: (now.normal - then.normal) * model.share(),
+            friction: (now.friction - then.friction) * model.share(),
+            axle: (now.axle - then.axle) * model.share(),
         };
     }
     soil.stopwatch().lap(Stage::Contact);

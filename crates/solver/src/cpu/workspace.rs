@@ -3,7 +3,9 @@
 use super::partition::{Company, Cut, Pace};
 use super::stopwatch::Stopwatch;
 use super::threads::{MOST, Team};
+use crate::fields::Soil;
 use crate::grid::Grid;
+use crate::model::Model;
 use crate::real::Real;
 use crate::state::State;
 
@@ -25,6 +27,10 @@ pub struct SoilWorkspace<R: Real> {
     pub(crate) costs: Vec<f64>,
     /// Whether a row of cells holds soil, by storage plane and row.
     pub(crate) row_has_soil: Vec<bool>,
+    /// Number of the material that most of the soil in each cell is of; empty where there is one alone.
+    pub(crate) material: Vec<u8>,
+    /// The materials as the kernels need them.
+    pub(crate) materials: R::Materials,
     /// How many of the two arrays of velocities are known to be zero where no soil is.
     pub(crate) clear: u8,
     /// Nodal velocities of the step before. Between steps they are worth nothing, and room for others: for the remap, and
@@ -109,9 +115,10 @@ pub struct RowSums {
 pub(crate) const ROW_BUFFERS: usize = 6;
 
 impl<R: Real> SoilWorkspace<R> {
-    /// Memory for a grid and a team of `threads`.
+    /// Memory for a model and a team of `threads`.
     #[must_use]
-    pub(crate) fn new(grid: &Grid, state: &State<R>, threads: usize) -> Self {
+    pub(crate) fn new(model: &Model, state: &State<R>, threads: usize) -> Self {
+        let grid = &model.grid;
         let [_, row, plane] = grid.stride;
         let planes = grid.cells()[2] + 1;
         let rows = plane / row;
@@ -134,6 +141,8 @@ impl<R: Real> SoilWorkspace<R> {
             company: Company::default(),
             costs: vec![0.0; planes * rows],
             row_has_soil: vec![false; rows * (planes + 1)],
+            material: Vec::new(),
+            materials: R::materials(model),
             clear: 0,
             velocity_before: state.nodes.velocity.clone(),
             workers: (0..threads).map(worker).collect(),
@@ -141,7 +150,7 @@ impl<R: Real> SoilWorkspace<R> {
             row_values: vec![[0.0; 2]; rows * (planes + 1)],
             width_x: column_widths(grid),
         };
-        workspace.find_soil(grid, &state.soil.fraction);
+        workspace.find_soil(grid, &state.soil);
         workspace
     }
 
@@ -177,9 +186,14 @@ impl<R: Real> SoilWorkspace<R> {
         self.row_values.iter().fold([0.0; 2], |sum, own| [sum[0] + own[0], sum[1] + own[1]])
     }
 
-    /// Notes which rows hold soil, and deals the rows out anew.
-    pub(crate) fn find_soil(&mut self, grid: &Grid, fraction: &[R]) {
-        for (n, cells) in fraction.chunks_exact(grid.stride[1]).take(self.row_has_soil.len()).enumerate() {
+    /// Finds which rows hold soil and of which material, and deals the rows out anew.
+    pub(crate) fn find_soil(&mut self, grid: &Grid, soil: &Soil<R>) {
+        if !soil.composition.is_empty() {
+            self.material.clear();
+            self.material.extend((0..grid.entries).map(|c| soil.main_material(c) as u8));
+        }
+        for (n, cells) in soil.fraction.chunks_exact(grid.stride[1]).take(self.row_has_soil.len()).enumerate()
+        {
             self.row_has_soil[n] = cells.iter().any(|f| *f > R::default());
             if !self.row_has_soil[n] {
                 self.row_sums[n] = RowSums::default();

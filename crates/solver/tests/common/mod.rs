@@ -7,6 +7,7 @@ use physics::mohr_coulomb::MohrCoulomb;
 use physics::strength::Law;
 use solver::grid::Grid;
 use solver::initial::Filling;
+use solver::material::Material;
 use solver::model::Model;
 
 /// Equally spaced faces.
@@ -17,12 +18,13 @@ pub fn uniform(low: f64, high: f64, cells: usize) -> Vec<f64> {
 /// Dry sand without bodies, between smooth walls.
 pub fn sand(faces: [Vec<f64>; 3]) -> Model {
     let elastic = Elastic::new(5e6, 0.3);
-    Model {
-        strength: Some(Law::MohrCoulomb(MohrCoulomb::new(elastic, 35_f64.to_radians(), 0.0, 0.0, 0.0))),
-        gravity: 9.81,
-        rest_pressure_ratio: 0.43,
-        ..Model::bare(Grid::new(faces), elastic, 1600.0)
-    }
+    let law = MohrCoulomb::new(elastic, 35_f64.to_radians(), 0.0, 0.0, 0.0);
+    let material = Material {
+        strength: Some(Law::MohrCoulomb(law)),
+        k0: 0.43,
+        ..Material::linear_elastic(elastic, 1600.0)
+    };
+    Model { gravity: 9.81, ..Model::bare(Grid::new(faces), material) }
 }
 
 /// Soil everywhere below a height.

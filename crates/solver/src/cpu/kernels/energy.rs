@@ -2,6 +2,7 @@
 
 use super::{Nodes, Real, Soil};
 use crate::grid::{Grid, LANES};
+use crate::material::Material;
 use crate::model::Model;
 use multiversion::multiversion;
 use physics::elastic::Elastic;
@@ -17,7 +18,17 @@ pub(crate) fn elastic(model: &Model, soil: &Soil, [q, plane]: [usize; 2]) -> f64
     let own = start..start + nx.next_multiple_of(LANES);
     let across = grid.width(1, q - 1) * grid.width(2, plane - 1);
     let stress = soil.stress.each_ref().map(|s| &s[own.clone()]);
-    elastic_row(&model.elastic, (&grid.faces[0], &soil.fraction[own]), stress, across)
+    let (faces, fraction) = (&grid.faces[0], &soil.fraction[own.clone()]);
+    if let [material] = model.materials.as_slice() {
+        return elastic_row(&material.elastic, (faces, fraction), stress, across);
+    }
+    let of_material = |(number, material): (usize, &Material)| {
+        let each = fraction.iter().zip(own.clone());
+        let own: Vec<Real> =
+            each.map(|(f, c)| if soil.main_material(c) == number { *f } else { 0.0 }).collect();
+        elastic_row(&material.elastic, (faces, &own), stress, across)
+    };
+    model.materials.iter().enumerate().map(of_material).sum()
 }
 
 /// The cells beyond the last face are ghosts without soil.

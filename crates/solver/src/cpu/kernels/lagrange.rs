@@ -6,14 +6,15 @@
 //! behind them, which are a neighbour's.
 
 use super::nodes::{NodeConstants, NodeRow, finish_row, gather_forces, move_row};
-use super::stress::{CellRow, NodeRows, RowConstants, strain_row};
+use super::stress::{CellRow, MaterialConstants, NodeRows, RowConstants, runs, strain_cells};
 use super::{Coefficients, Real, Soil, State, WorkerScratch, Workspace};
 use crate::cpu::partition::Cut;
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::threads::parts_of;
 use crate::cpu::workspace::{COEFFICIENTS, NODE_SUMS, RowSums};
+use crate::fields::HISTORY_COUNT;
 use crate::grid::Grid;
-use crate::model::{Model, Wall};
+use crate::model::Model;
 use std::ops::Range;
 use std::time::Instant;
 
@@ -21,8 +22,7 @@ use std::time::Instant;
 struct Part<'a> {
     rows: Range<usize>,
     stress: [&'a mut [Real]; 6],
-    plastic_strain: &'a mut [Real],
-    gap_strain: &'a mut [Real],
+    history: [&'a mut [Real]; HISTORY_COUNT],
     displacement: [&'a mut [Real]; 3],
     velocity: [&'a mut [Real]; 3],
     sums: &'a mut [RowSums],
@@ -38,6 +38,9 @@ struct Inputs<'a> {
     mass: &'a [Real],
     velocity: [&'a [Real]; 3],
     row_has_soil: &'a [bool],
+    /// Material of each cell; empty where there is one alone.
+    material: &'a [u8],
+    materials: &'a [MaterialConstants],
     /// Whether velocities where no soil is must still be set to zero.
     clears: bool,
     cells: RowConstants<'a>,
@@ -57,11 +60,22 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
     }
     let clears = workspace.clear < 2;
     workspace.clear += u8::from(clears);
-    let Workspace { team, cut, company, row_has_soil, velocity_before, workers, row_sums, width_x, .. } =
-        workspace;
+    let Workspace {
+        team,
+        cut,
+        company,
+        row_has_soil,
+        velocity_before,
+        workers,
+        row_sums,
+        width_x,
+        material,
+        materials,
+        ..
+    } = workspace;
     // From here on the new velocities are in the state, the old ones in the workspace.
     std::mem::swap(&mut state.nodes.velocity, velocity_before);
-    let Soil { fraction, mass, stress, plastic_strain, gap_strain, .. } = &mut state.soil;
+    let Soil { fraction, mass, stress, history, .. } = &mut state.soil;
     let inputs = Inputs {
         model,
         grid,
@@ -70,21 +84,21 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
         mass: &state.nodes.mass,
         velocity: velocity_before.each_ref().map(Vec::as_slice),
         row_has_soil,
+        material,
+        materials,
         clears,
-        cells: RowConstants::new(model, width_x.each_ref().map(|w| &w[1..]), dt),
+        cells: RowConstants::new(model, materials, width_x, dt),
         nodes: NodeConstants::new(model, dt),
     };
     let mut stress = stress.each_mut().map(|s| cut.split(s));
     let mut displacement = state.nodes.displacement.each_mut().map(|u| cut.split(u));
     let mut velocity = state.nodes.velocity.each_mut().map(|v| cut.split(v));
-    let mut plastic_strain = cut.split(plastic_strain);
-    let mut gap_strain = cut.split(gap_strain);
+    let mut history = history.each_mut().map(|h| cut.split(h));
     let mut sums = cut.split_by(1, row_sums);
     let each = cut.ranges().zip(workers.iter_mut()).map(move |(rows, scratch)| Part {
         rows,
         stress: stress.each_mut().map(|s| s.next().unwrap_or_default()),
-        plastic_strain: plastic_strain.next().unwrap_or_default(),
-        gap_strain: gap_strain.next().unwrap_or_default(),
+        history: history.each_mut().map(|h| h.next().unwrap_or_default()),
         displacement: displacement.each_mut().map(|u| u.next().unwrap_or_default()),
         velocity: velocity.each_mut().map(|v| v.next().unwrap_or_default()),
         sums: sums.next().unwrap_or_default(),
@@ -228,8 +242,7 @@ fn strain_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2], n: us
         fraction: &inputs.fraction[start..start + length],
         mass: &inputs.soil_mass[start..start + length],
         stress: part.stress.each_mut().map(|s| &mut s[own.clone()]),
-        plastic_strain: &mut part.plastic_strain[own.clone()],
-        gap_strain: &mut part.gap_strain[own],
+        history: part.history.each_mut().map(|h| &mut h[own.clone()]),
         width_y: grid.width(1, q - 1) as Real,
         width_z: grid.width(2, plane - 1) as Real,
     };
@@ -237,10 +250,14 @@ fn strain_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2], n: us
     let mut out = ahead.values.chunks_exact_mut(row);
     let mut forces: [&mut [Real]; COEFFICIENTS] =
         std::array::from_fn(|_| out.next().map_or(Default::default(), |f| &mut f[1..1 + length]));
-    let strained = strain_row(&inputs.cells, &node_rows, &mut cell_row, (block, stopwatch), &mut forces);
     let sums = &mut part.sums[n];
-    (sums.plastic, sums.viscous, sums.hourglass) = (strained.plastic, strained.viscous, strained.hourglass);
-    sums.yields = strained.yields;
+    (sums.plastic, sums.viscous, sums.hourglass, sums.yields) = (0.0, 0.0, 0.0, 0);
+    let material = inputs.material.get(start..start + length).unwrap_or_default();
+    for (run, number) in runs(material, length) {
+        let constants = inputs.cells.of(&inputs.materials[number]);
+        let work = (&mut **block, &mut *stopwatch);
+        strain_cells(&constants, &node_rows, (&mut cell_row, run), work, &mut forces, sums);
+    }
 }
 
 /// Moves the `n`th row of nodes of a part under the sums in the row buffer.
@@ -263,30 +280,29 @@ fn move_row_of(inputs: &Inputs, part: &mut Part, place: [usize; 2], n: usize) {
         velocity,
     };
     move_row(&inputs.nodes, &mut nodes, (&part.scratch.row, row));
-    apply_walls(inputs, place, &mut nodes.velocity);
+    apply_boundaries(inputs, place, &mut nodes.velocity);
     finish_row(&inputs.nodes, &nodes, &mut part.scratch.row, &mut part.sums[n]);
 }
 
-/// Takes away the motion through (and along) the walls that a row of nodes lies on.
-fn apply_walls(inputs: &Inputs, [q, plane]: [usize; 2], velocity: &mut [&mut [Real]; 3]) {
+/// Takes away the motion that the boundaries hold at which a row of nodes ends or lies.
+fn apply_boundaries(inputs: &Inputs, [q, plane]: [usize; 2], velocity: &mut [&mut [Real]; 3]) {
     let [nx, ny, nz] = inputs.grid.cells();
-    let walls = &inputs.model.walls;
-    let mut stop = |wall: Wall, axis: usize, columns: Range<usize>| {
-        for (component, v) in velocity.iter_mut().enumerate() {
-            if component == axis || wall == Wall::Fixed {
+    let boundaries = &inputs.model.boundaries.0;
+    let mut hold = |[axis, end]: [usize; 2], columns: Range<usize>| {
+        for (v, held) in velocity.iter_mut().zip(boundaries[axis][end].holds(axis)) {
+            if held {
                 v[columns.clone()].fill(0.0);
             }
         }
     };
-    let all = 0..nx + 1;
     for (axis, at, last) in [(1, q, ny), (2, plane, nz)] {
         if at == 1 {
-            stop(walls[axis][0], axis, all.clone());
+            hold([axis, 0], 0..nx + 1);
         }
         if at == last + 1 {
-            stop(walls[axis][1], axis, all.clone());
+            hold([axis, 1], 0..nx + 1);
         }
     }
-    stop(walls[0][0], 0, 0..1);
-    stop(walls[0][1], 0, nx..nx + 1);
+    hold([0, 0], 0..1);
+    hold([0, 1], nx..nx + 1);
 }

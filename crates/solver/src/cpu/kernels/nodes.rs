@@ -24,7 +24,7 @@ impl NodeConstants {
     pub(crate) fn new(model: &Model, dt: f64) -> Self {
         /// Share of the mass of a full node.
         const LIGHT: f64 = 0.02;
-        let light = LIGHT * model.density * model.grid.finest().powi(3);
+        let light = LIGHT * model.least_density() * model.grid.finest().powi(3);
         let [dt, gravity, mass_moved, light] =
             [dt, model.gravity, model.mass_moved(), light].map(|x| x as Real);
         Self { dt, gravity, mass_moved, light }

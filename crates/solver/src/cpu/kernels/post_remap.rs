@@ -2,8 +2,10 @@
 
 use super::physics::tensor::mean;
 use super::return_mapping::apply;
-use super::stress::{BLOCK, Block, CellRow, RowConstants};
+use super::stress::{BLOCK, Block, CellRow, MaterialConstants, RowConstants, runs};
 use super::{Real, Soil, WorkerScratch, Workspace};
+use crate::fields::{GAP_STRAIN, HISTORY, HISTORY_COUNT, main_material};
+use crate::grid::Grid;
 use crate::model::{FRACTION_KEPT, FRACTION_STRESSED, Model};
 use multiversion::multiversion;
 use std::ops::Range;
@@ -14,116 +16,136 @@ struct Part<'a> {
     fraction: &'a mut [Real],
     mass: &'a mut [Real],
     stress: [&'a mut [Real]; 6],
-    plastic_strain: &'a mut [Real],
-    gap_strain: &'a mut [Real],
-    /// Volume and mass of the crumbs by row.
-    crumbs: &'a mut [[f64; 2]],
+    history: [&'a mut [Real]; HISTORY_COUNT],
+    /// Volume and mass of the debris by row.
+    debris: &'a mut [[f64; 2]],
     scratch: &'a mut WorkerScratch,
 }
 
-/// Takes crumbs out, closes gaps that stand under pressure, returns stresses to the yield surface; in the `active` rows, the
-/// only ones with soil. Returns volume [m³] and mass [kg] of the crumbs.
+/// Everything that the update only reads.
+struct Inputs<'a> {
+    grid: &'a Grid,
+    constants: RowConstants<'a>,
+    materials: &'a [MaterialConstants],
+    /// Portions of the second material, the third, … in each cell.
+    composition: &'a [Vec<Real>],
+    /// Volume of the soil in each cell [m³].
+    volume: &'a [Real],
+    /// Rows that may hold soil.
+    active: &'a [bool],
+}
+
+/// Removes debris, closes gaps that stand under pressure, returns stresses to the yield surface; in the `active` rows, the
+/// only ones with soil. Returns volume [m³] and mass [kg] of the debris.
 pub(crate) fn update_after_remap(
     model: &Model,
     soil: &mut Soil,
     workspace: &mut Workspace,
     active: &[bool],
 ) -> [f64; 2] {
-    let Workspace { team, cut, velocity_before: [volume, ..], row_values, workers, width_x, .. } = workspace;
-    let Soil { fraction, mass, stress, plastic_strain, gap_strain } = soil;
+    let Workspace {
+        team, cut, velocity_before: [volume, ..], row_values, workers, width_x, materials, ..
+    } = workspace;
+    let Soil { fraction, mass, stress, history, composition } = soil;
     let mut stress = stress.each_mut().map(|s| cut.split(s));
-    let fields =
-        cut.split(fraction).zip(cut.split(mass)).zip(cut.split(plastic_strain)).zip(cut.split(gap_strain));
+    let mut history = history.each_mut().map(|h| cut.split(h));
+    let fields = cut.split(fraction).zip(cut.split(mass));
     let own = cut.split_by(1, row_values).zip(workers);
-    let parts = cut.ranges().zip(fields).zip(own).map(
-        move |((rows, (((fraction, mass), plastic_strain), gap_strain)), (crumbs, scratch))| {
+    let parts =
+        cut.ranges().zip(fields).zip(own).map(move |((rows, (fraction, mass)), (debris, scratch))| {
             let stress = stress.each_mut().map(|s| s.next().unwrap_or_default());
-            Part { rows, fraction, mass, stress, plastic_strain, gap_strain, crumbs, scratch }
-        },
-    );
-    let constants = RowConstants::new(model, width_x.each_ref().map(|w| &w[1..]), 0.0);
-    team.deal(parts, |part| update_part(model, &constants, (volume, active), part));
+            let history = history.each_mut().map(|h| h.next().unwrap_or_default());
+            Part { rows, fraction, mass, stress, history, debris, scratch }
+        });
+    let constants = RowConstants::new(model, materials, width_x, 0.0);
+    let inputs = Inputs { grid: &model.grid, constants, materials, composition, volume, active };
+    team.deal(parts, |part| update_part(&inputs, part));
     workspace.total_of_rows()
 }
 
-fn update_part(
-    model: &Model,
-    constants: &RowConstants,
-    (volume, active): (&[Real], &[bool]),
-    part: &mut Part,
-) {
-    let grid = &model.grid;
-    let [nx, ny, nz] = grid.cells();
+fn update_part(inputs: &Inputs, part: &mut Part) {
+    let grid = inputs.grid;
+    let [_, ny, nz] = grid.cells();
     let row = grid.stride[1];
     // What was carried last lies in the fractions' memory, ghosts and all.
     part.fraction.fill(0.0);
-    part.crumbs.fill([0.0; 2]);
+    part.debris.fill([0.0; 2]);
     for (n, r) in part.rows.clone().enumerate() {
         let [q, plane] = grid.row_place(r);
-        if !active[r] || !(1..=ny).contains(&q) || plane > nz {
+        if !inputs.active[r] || !(1..=ny).contains(&q) || plane > nz {
             continue;
         }
-        let (own, crumbs) = (n * row + 1..n * row + 1 + grid.padded_row(), &mut part.crumbs[n]);
+        let own = n * row + 1..n * row + 1 + grid.padded_row();
         let (fraction, mass) = (&mut part.fraction[own.clone()], &mut part.mass[own.clone()]);
-        let volume = &volume[r * row + 1..][..nx];
-        for (i, (volume, fraction)) in volume.iter().zip(&mut *fraction).enumerate() {
-            *fraction = (f64::from(*volume) / grid.volume(i, q - 1, plane - 1)) as Real;
-            if f64::from(*fraction) < FRACTION_KEPT {
-                crumbs[0] += f64::from(*volume);
-                crumbs[1] += f64::from(mass[i]);
-                (*fraction, mass[i]) = (0.0, 0.0);
-            }
-        }
+        part.debris[n] = new_fractions(inputs, [r, q, plane], fraction, mass);
         let mut cells = CellRow {
             fraction,
             mass,
             stress: part.stress.each_mut().map(|s| &mut s[own.clone()]),
-            plastic_strain: &mut part.plastic_strain[own.clone()],
-            gap_strain: &mut part.gap_strain[own],
+            history: part.history.each_mut().map(|h| &mut h[own.clone()]),
             width_y: grid.width(1, q - 1) as Real,
             width_z: grid.width(2, plane - 1) as Real,
         };
-        let columns = 0..cells.fraction.len();
-        update_cells(constants, &mut cells, columns, part.scratch);
+        let start = r * row + 1;
+        let material: Vec<u8> = if inputs.composition.is_empty() {
+            Vec::new()
+        } else {
+            (start..start + own.len()).map(|c| main_material(inputs.composition, c) as u8).collect()
+        };
+        for (run, number) in runs(&material, own.len()) {
+            let constants = inputs.constants.of(&inputs.materials[number]);
+            update_cells(&constants, &mut cells, run, &mut part.scratch.block);
+        }
     }
+}
+
+/// Volume fractions of a row of cells from their volumes of soil; returns volume and mass of the debris, which is removed.
+fn new_fractions(
+    inputs: &Inputs,
+    [r, q, plane]: [usize; 3],
+    fraction: &mut [Real],
+    mass: &mut [Real],
+) -> [f64; 2] {
+    let grid = inputs.grid;
+    let volume = &inputs.volume[r * grid.stride[1] + 1..][..grid.cells()[0]];
+    let mut debris = [0.0; 2];
+    for (i, (volume, fraction)) in volume.iter().zip(fraction).enumerate() {
+        *fraction = (f64::from(*volume) / grid.volume(i, q - 1, plane - 1)) as Real;
+        if f64::from(*fraction) < FRACTION_KEPT {
+            debris[0] += f64::from(*volume);
+            debris[1] += f64::from(mass[i]);
+            (*fraction, mass[i]) = (0.0, 0.0);
+        }
+    }
+    debris
 }
 
 /// Updates a cell that soil was moved into.
 pub(crate) fn update_cell(model: &Model, soil: &mut Soil, workspace: &mut Workspace, c: usize) {
     let grid = &model.grid;
-    let Workspace { width_x, workers, .. } = workspace;
-    let constants = RowConstants::new(model, width_x.each_ref().map(|w| &w[1..]), 0.0);
+    let Workspace { width_x, workers, materials, .. } = workspace;
+    let material = &materials[soil.main_material(c)];
+    let constants = RowConstants::new(model, materials, width_x, 0.0).of(material);
     let [i, j, k] = grid.place(c);
     let own = c - i..c - i + grid.padded_row();
     let mut cells = CellRow {
         fraction: &soil.fraction[own.clone()],
         mass: &soil.mass[own.clone()],
         stress: soil.stress.each_mut().map(|s| &mut s[own.clone()]),
-        plastic_strain: &mut soil.plastic_strain[own.clone()],
-        gap_strain: &mut soil.gap_strain[own],
+        history: soil.history.each_mut().map(|h| &mut h[own.clone()]),
         width_y: grid.width(1, j) as Real,
         width_z: grid.width(2, k) as Real,
     };
-    update_cells(&constants, &mut cells, i..i + 1, &mut workers[0]);
+    update_cells(&constants, &mut cells, i..i + 1, &mut workers[0].block);
 }
 
-/// Updates some cells of a row.
-fn update_cells(
-    constants: &RowConstants,
-    cells: &mut CellRow,
-    columns: Range<usize>,
-    scratch: &mut WorkerScratch,
-) {
-    let WorkerScratch { block, row, .. } = scratch;
+/// Updates some cells of a row, of one material.
+fn update_cells(constants: &RowConstants, cells: &mut CellRow, columns: Range<usize>, block: &mut Block) {
     for start in columns.clone().step_by(BLOCK) {
         (block.start, block.n) = (start, BLOCK.min(columns.end - start));
         close_gaps(constants, cells, block);
-        if let Some(strength) = &constants.strength {
-            // What mixing has put outside the strength is no strain of the soil.
-            let before = &mut row[..cells.plastic_strain.len()];
-            before.copy_from_slice(cells.plastic_strain);
+        if let Some(strength) = &constants.material.strength {
             apply(constants, strength, cells, block);
-            cells.plastic_strain.copy_from_slice(before);
         }
         put_back(cells, block);
     }
@@ -134,9 +156,9 @@ fn update_cells(
 fn close_gaps(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
     let (start, n) = (b.start, b.n.min(BLOCK));
     let own = start..start + n;
-    let (fraction, gap_strain) = (&cells.fraction[own.clone()], &cells.gap_strain[own.clone()]);
+    let (fraction, gap_strain) = (&cells.fraction[own.clone()], &cells.history[GAP_STRAIN][own.clone()]);
     let stress = cells.stress.each_ref().map(|s| &s[own.clone()]);
-    let bulk = constants.elastic.bulk;
+    let bulk = constants.material.elastic.bulk;
     for i in 0..n {
         let [xx, yy, zz, xy, yz, xz] = [0, 1, 2, 3, 4, 5].map(|c| stress[c][i]);
         let gap = if gap_strain[i] > 0.0 { gap_strain[i] } else { 0.0 };
@@ -165,10 +187,13 @@ fn put_back(cells: &mut CellRow, b: &Block) {
             stress[i] = if b.alive[i] > 0.0 { trial[i] } else { 0.0 };
         }
     }
-    let (fraction, gap) = (&cells.fraction[own.clone()], &mut cells.gap_strain[own.clone()]);
-    let plastic_strain = &mut cells.plastic_strain[own];
-    for i in 0..n {
-        gap[i] = if b.alive[i] > 0.0 { b.gap_strain[i] } else { 0.0 };
-        plastic_strain[i] = if fraction[i] > 0.0 { plastic_strain[i] } else { 0.0 };
+    cells.history[GAP_STRAIN][own.clone()].copy_from_slice(&b.gap_strain[..n]);
+    let fraction = &cells.fraction[own.clone()];
+    for (history, variable) in cells.history.iter_mut().zip(HISTORY) {
+        let history = &mut history[own.clone()];
+        for i in 0..n {
+            let stays = if variable.outlives_stress { fraction[i] } else { b.alive[i] };
+            history[i] = if stays > 0.0 { history[i] } else { 0.0 };
+        }
     }
 }

@@ -8,6 +8,7 @@ use super::physics::tensor::Symmetric;
 use super::physics::von_mises::VonMises;
 use super::stress::{BLOCK, Block, CellRow, RowConstants, tensor};
 use super::{LANES, Real};
+use crate::fields::PLASTIC_STRAIN;
 use multiversion::multiversion;
 
 /// Brings the stresses that lie outside the strength back to it; returns how many there were. One function for each law, so
@@ -34,7 +35,7 @@ fn apply_strength(
     b: &mut Block,
 ) -> usize {
     let n = b.n.min(BLOCK);
-    let plastic_strain = &cells.plastic_strain[b.start..b.start + n];
+    let plastic_strain = &cells.history[PLASTIC_STRAIN][b.start..b.start + n];
     for i in 0..n {
         let trial = tensor(&b.trial, i);
         b.yields[i] = if strength.may_yield(trial, plastic_strain[i]) { b.alive[i] } else { 0.0 };
@@ -56,16 +57,18 @@ fn apply_strength(
                 together.old[c][l] = cells.stress[c][b.start + i];
             }
             let volume = constants.width_x[b.start + i] * cells.width_y * cells.width_z;
-            let critical = constants.critical_density * cells.fraction[b.start + i] * volume;
-            together.plastic_strain[l] = cells.plastic_strain[b.start + i];
+            let critical = constants.material.critical_density * cells.fraction[b.start + i] * volume;
+            together.plastic_strain[l] = cells.history[PLASTIC_STRAIN][b.start + i];
             together.dilates[l] = if cells.mass[b.start + i] >= critical { 1.0 } else { 0.0 };
         }
-        together.return_stress(&constants.elastic, strength);
+        together.return_stress(&constants.material.elastic, strength);
         for (l, i) in places() {
             for c in 0..6 {
                 b.trial[c][i] = together.trial[c][l];
             }
-            cells.plastic_strain[b.start + i] = together.plastic_strain[l];
+            if constants.strains() {
+                cells.history[PLASTIC_STRAIN][b.start + i] = together.plastic_strain[l];
+            }
             b.gap_strain[i] += together.gap_strain[l];
             b.work[i] = together.work[l];
         }
@@ -136,8 +139,9 @@ impl Yielding {
 mod tests {
     use super::super::physics::menetrey_willam::Eccentricity;
     use super::super::physics::viscosity::BulkViscosity;
-    use super::super::stress::Lane;
+    use super::super::stress::{Lane, MaterialConstants};
     use super::*;
+    use crate::fields::HISTORY_COUNT;
     use std::hint::black_box;
     use std::time::Instant;
 
@@ -162,25 +166,27 @@ mod tests {
         stress: impl Fn(usize) -> Symmetric,
     ) -> ([Lane; 6], f64) {
         let ones = [1.0; BLOCK];
-        let constants = RowConstants {
+        let material = MaterialConstants {
             elastic: Elastic::new(5e6, 0.3),
             strength: None,
             critical_density: 0.0,
             viscosity: BulkViscosity { linear: 0.0, quadratic: 0.0 },
             hourglass: 0.0,
+        };
+        let constants = RowConstants {
+            material: &material,
             hourglass_yielding: 1.0,
             width_x: &ones,
             per_width_x: &[0.25; BLOCK],
             dt: 1.0,
         };
         let mut fields: [Vec<Real>; 6] = std::array::from_fn(|c| (0..BLOCK).map(|i| stress(i)[c]).collect());
-        let (mut plastic, mut gap) = (vec![0.0; BLOCK], vec![0.0; BLOCK]);
+        let mut history: [Vec<Real>; HISTORY_COUNT] = std::array::from_fn(|_| vec![0.0; BLOCK]);
         let mut cells = CellRow {
             fraction: &ones,
             mass: &ones,
             stress: fields.each_mut().map(Vec::as_mut_slice),
-            plastic_strain: &mut plastic,
-            gap_strain: &mut gap,
+            history: history.each_mut().map(Vec::as_mut_slice),
             width_y: 1.0,
             width_z: 1.0,
         };
@@ -190,7 +196,7 @@ mod tests {
             for c in 0..6 {
                 block.trial[c].copy_from_slice(cells.stress[c]);
             }
-            cells.plastic_strain.fill(0.0);
+            cells.history[PLASTIC_STRAIN].fill(0.0);
             black_box(law(&constants, strength, &mut cells, &mut block));
         });
         (block.trial, seconds)

@@ -15,8 +15,11 @@ use super::return_mapping::apply;
 use super::{LANES, Real};
 use crate::cpu::stopwatch::{Stage, Stopwatch};
 use crate::cpu::workspace::{COEFFICIENTS, RowSums};
-use crate::model::{FRACTION_STRESSED, Model};
+use crate::fields::{GAP_STRAIN, HISTORY_COUNT};
+use crate::material::Material;
+use crate::model::{FRACTION_STRESSED, Method, Model};
 use multiversion::multiversion;
+use std::ops::Range;
 
 /// The nodal velocities at the four node rows round a row of cells: (y, z) = (0,0), (1,0), (0,1), (1,1).
 pub(crate) type NodeRows<'a> = [[&'a [Real]; 3]; 4];
@@ -26,23 +29,52 @@ pub(crate) struct CellRow<'a> {
     pub(crate) fraction: &'a [Real],
     pub(crate) mass: &'a [Real],
     pub(crate) stress: [&'a mut [Real]; 6],
-    pub(crate) plastic_strain: &'a mut [Real],
-    pub(crate) gap_strain: &'a mut [Real],
+    pub(crate) history: [&'a mut [Real]; HISTORY_COUNT],
     /// Widths along y and z [m].
     pub(crate) width_y: Real,
     pub(crate) width_z: Real,
 }
 
-/// What is the same for all rows.
-pub(crate) struct RowConstants<'a> {
-    pub(crate) elastic: Elastic,
-    pub(crate) strength: Option<Law>,
+/// A material, in the precision of the kernels.
+#[derive(Debug)]
+pub struct MaterialConstants {
+    pub(super) elastic: Elastic,
+    pub(super) strength: Option<Law>,
     /// Density below which soil dilates no more [kg/m³]; 0 where it always may.
-    pub(crate) critical_density: Real,
-    pub(crate) viscosity: BulkViscosity,
+    pub(super) critical_density: Real,
+    pub(super) viscosity: BulkViscosity,
     /// ε ρ c / 4 [kg/(s m²)].
-    pub(crate) hourglass: Real,
-    /// Share of it that acts in cells that yield.
+    pub(super) hourglass: Real,
+}
+
+impl MaterialConstants {
+    fn new(material: &Material, method: &Method) -> Self {
+        let hourglass = hourglass_coefficient(
+            method.hourglass as Real,
+            material.density as Real,
+            material.wave_speed() as Real,
+            1.0,
+        );
+        Self {
+            elastic: Elastic::rounded(&material.elastic),
+            strength: material.strength.as_ref().map(Law::rounded),
+            critical_density: material.critical_density.unwrap_or(0.0) as Real,
+            viscosity: BulkViscosity::rounded(&material.viscosity(method.bulk_viscosity)),
+            hourglass,
+        }
+    }
+}
+
+/// The materials of a model.
+pub(crate) fn materials(model: &Model) -> Vec<MaterialConstants> {
+    model.materials.iter().map(|material| MaterialConstants::new(material, &model.method)).collect()
+}
+
+/// What is the same for all cells of one material.
+#[derive(Clone, Copy)]
+pub(crate) struct RowConstants<'a> {
+    pub(crate) material: &'a MaterialConstants,
+    /// Share of the hourglass viscosity that acts in cells that yield.
     pub(crate) hourglass_yielding: Real,
     /// Widths of the cells along x [m], 0 in ghosts.
     pub(crate) width_x: &'a [Real],
@@ -53,25 +85,39 @@ pub(crate) struct RowConstants<'a> {
 }
 
 impl<'a> RowConstants<'a> {
-    pub(crate) fn new(model: &Model, [width_x, per_width_x]: [&'a [Real]; 2], dt: f64) -> Self {
-        let hourglass = hourglass_coefficient(
-            model.method.hourglass as Real,
-            model.density as Real,
-            model.wave_speed() as Real,
-            1.0,
-        );
-        Self {
-            elastic: Elastic::rounded(&model.elastic),
-            strength: model.strength.as_ref().map(Law::rounded),
-            critical_density: model.critical_density.unwrap_or(0.0) as Real,
-            viscosity: BulkViscosity::rounded(&model.viscosity()),
-            hourglass,
-            hourglass_yielding: model.method.hourglass_yielding as Real,
-            width_x,
-            per_width_x,
-            dt: dt as Real,
-        }
+    /// Those of the first material; `width_x` are the widths of the columns and ¼ over them.
+    pub(crate) fn new(
+        model: &Model,
+        materials: &'a [MaterialConstants],
+        width_x: &'a [Vec<Real>; 2],
+        dt: f64,
+    ) -> Self {
+        let [width_x, per_width_x] = width_x.each_ref().map(|w| &w[1..]);
+        let hourglass_yielding = model.method.hourglass_yielding as Real;
+        Self { material: &materials[0], hourglass_yielding, width_x, per_width_x, dt: dt as Real }
     }
+
+    /// Whether the soil is strained. In a remap no time passes: what mixing puts outside the yield surface is no strain.
+    pub(super) fn strains(&self) -> bool {
+        self.dt > 0.0
+    }
+
+    /// Those of another material.
+    pub(crate) fn of(self, material: &'a MaterialConstants) -> Self {
+        Self { material, ..self }
+    }
+}
+
+/// Runs of cells of one material in a row of `n` cells, with the number of the material; `material` has that of each cell,
+/// and is empty where there is one alone.
+pub(crate) fn runs(material: &[u8], n: usize) -> impl Iterator<Item = (Range<usize>, usize)> + '_ {
+    let mut start = 0;
+    std::iter::from_fn(move || {
+        let first = start;
+        let own = material.get(first).copied();
+        start = own.map_or(n, |own| (first..n).find(|i| material[*i] != own).unwrap_or(n));
+        (first < n).then(|| (first..start, own.map_or(0, usize::from)))
+    })
 }
 
 /// Most cells in a block: as many as leave its working numbers in a first-level cache of 32 KiB.
@@ -143,24 +189,24 @@ impl Block {
     }
 }
 
-/// Strains a row of cells (a multiple of the vector length) for one step: updates its stresses and writes the
-/// coefficients of its nodal forces, one row of `forces` after the other. Returns what the row dissipated.
-pub(crate) fn strain_row(
+/// Strains a run of cells of one material for one step: updates their stresses and writes the coefficients of the nodal
+/// forces, one row of `forces` after the other. Adds what the cells dissipated to `sums`.
+pub(crate) fn strain_cells(
     constants: &RowConstants,
     nodes: &NodeRows,
-    cells: &mut CellRow,
+    (cells, run): (&mut CellRow, Range<usize>),
     (block, stopwatch): (&mut Block, &mut Stopwatch),
     forces: &mut [&mut [Real]; COEFFICIENTS],
-) -> RowSums {
-    let mut sums = RowSums::default();
-    let n = cells.fraction.len();
+    sums: &mut RowSums,
+) {
     // Blocks of about the same size: a short one would cost nearly as much as a long one.
+    let n = run.len();
     let size = n.div_ceil(n.div_ceil(BLOCK)).next_multiple_of(LANES);
-    for start in (0..n).step_by(size) {
-        (block.start, block.n) = (start, size.min(n - start));
+    for start in run.clone().step_by(size) {
+        (block.start, block.n) = (start, size.min(run.end - start));
         corner_sums(nodes, block);
         trial_stress(constants, cells, block);
-        if let Some(strength) = &constants.strength {
+        if let Some(strength) = &constants.material.strength {
             stopwatch.lap(Stage::Lagrange);
             let returned = apply(constants, strength, cells, block);
             stopwatch.count_returned(returned);
@@ -174,7 +220,6 @@ pub(crate) fn strain_row(
         force_coefficients(block, forces);
         stopwatch.lap(Stage::Lagrange);
     }
-    sums
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
@@ -210,11 +255,11 @@ fn trial_stress(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
     let (start, n) = (b.start, b.n.min(BLOCK));
     let own = start..start + n;
     let (per_width, fraction) = (&constants.per_width_x[own.clone()], &cells.fraction[own.clone()]);
-    let gap_strain = &cells.gap_strain[own.clone()];
+    let gap_strain = &cells.history[GAP_STRAIN][own.clone()];
     let [xx, yy, zz, xy, yz, xz] = &cells.stress;
     let (old_xx, old_yy, old_zz) = (&xx[own.clone()], &yy[own.clone()], &zz[own.clone()]);
     let (old_xy, old_yz, old_xz) = (&xy[own.clone()], &yz[own.clone()], &xz[own]);
-    let (dt, elastic) = (constants.dt, constants.elastic);
+    let (dt, elastic) = (constants.dt, constants.material.elastic);
     let (per_y, per_z) = (0.25 / cells.width_y, 0.25 / cells.width_z);
     for i in 0..n {
         let per_x = per_width[i];
@@ -263,10 +308,10 @@ fn bear(constants: &RowConstants, cells: &mut CellRow, b: &mut Block) -> [f64; 3
         let volume = hx * hy * hz;
         let length = mean_width(hx, hy, hz);
         let f = if b.alive[i] > 0.0 { fraction[i] } else { 0.0 };
-        let viscous = constants.viscosity.stress(length, b.rate[i]);
+        let viscous = constants.material.viscosity.stress(length, b.rate[i]);
         // Soil that flows resists shear with its strength alone, whatever its stiffness; so should its hourglass modes.
         let share = if b.yields[i] > 0.0 { constants.hourglass_yielding } else { 1.0 };
-        let h = f * share * constants.hourglass * length * length;
+        let h = f * share * constants.material.hourglass * length * length;
         b.area[0][i] = -0.25 * f * hy * hz;
         b.area[1][i] = -0.25 * f * hx * hz;
         b.area[2][i] = -0.25 * f * hx * hy;
@@ -279,7 +324,7 @@ fn bear(constants: &RowConstants, cells: &mut CellRow, b: &mut Block) -> [f64; 3
     let [xx, yy, zz, xy, yz, xz] = &mut cells.stress;
     bear_three(b, 0, &mut xx[own.clone()], &mut yy[own.clone()], &mut zz[own.clone()]);
     bear_three(b, 3, &mut xy[own.clone()], &mut yz[own.clone()], &mut xz[own.clone()]);
-    cells.gap_strain[own].copy_from_slice(&b.gap_strain[..n]);
+    cells.history[GAP_STRAIN][own].copy_from_slice(&b.gap_strain[..n]);
     [&b.work, &b.viscous_power, &b.damped_power].map(|lane| lane_sum(&lane[..n]))
 }
 

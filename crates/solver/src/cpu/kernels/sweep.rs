@@ -6,6 +6,7 @@
 use super::flux::Filling;
 use super::transport::{Sweep, carry_mass, carry_momentum, dual_fluxes, dual_reaches};
 use super::{Nodes, Real, Soil, State, Workspace};
+use crate::fields::{Carrier, HISTORY, HistoryVariable};
 use crate::grid::Grid;
 use crate::model::Model;
 
@@ -80,7 +81,7 @@ pub(crate) fn sweep(
             *f = if *cell > 0.0 { soil / cell } else { 0.0 };
         }
     });
-    let Soil { fraction, mass, stress, plastic_strain, gap_strain } = &mut state.soil;
+    let Soil { fraction, mass, stress, history, composition } = &mut state.soil;
     let Nodes { velocity, displacement, mass: node_mass } = &mut state.nodes;
     let displacement = &mut displacement[axis];
     let sweep = Sweep { grid, axis, row_active: active };
@@ -91,14 +92,23 @@ pub(crate) fn sweep(
     team.rows(cut, reach, |row, out| sweep.reaches(row, [flux, fraction, soil], out));
     let spare = fraction;
     let faces: [&[Real]; 2] = [flux, reach];
-    for field in stress.iter_mut().chain([plastic_strain, gap_strain]) {
+    let (by_volume, by_mass): (Vec<_>, Vec<_>) =
+        history.iter_mut().zip(HISTORY).partition(|(_, variable)| variable.carrier == Carrier::Volume);
+    let fields = |list: Vec<(_, HistoryVariable)>| list.into_iter().map(|(field, _)| field);
+    for field in stress.iter_mut().chain(fields(by_volume)).chain(composition) {
         team.rows(cut, spare, |row, out| sweep.carry(row, [soil, field], faces, out));
         std::mem::swap(field, spare);
     }
     team.rows(cut, spare, |row, out| sweep.mass_fluxes(row, [soil, mass], faces, out));
-    team.rows(cut, mass, |row, out| sweep.difference(row, spare, out));
     team.rows(cut, soil, |row, out| sweep.difference(row, flux, out));
-    // The mass flux is in `spare`; the volume flux is done with and makes room for the dual flux.
+    // The volume flux is done with: room for what the mass carries, then for the dual flux.
+    for field in fields(by_mass) {
+        let faces: [&[Real]; 2] = [spare, reach];
+        team.rows(cut, flux, |row, out| sweep.carry(row, [mass, field], faces, out));
+        std::mem::swap(field, flux);
+    }
+    team.rows(cut, mass, |row, out| sweep.difference(row, spare, out));
+    // The mass flux is in `spare`.
     team.rows(cut, flux, |row, out| dual_fluxes(grid, axis, row, spare, out));
     let mass_moved = model.mass_moved() as Real;
     team.rows(cut, reach, |row, out| dual_reaches(grid, axis, row, [node_mass, flux], mass_moved, out));

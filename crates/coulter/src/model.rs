@@ -1,0 +1,125 @@
+//! The solver's model of a case.
+
+use crate::case::Case;
+use crate::case::resolved::{self, Ground, Law, Potential};
+use glam::DVec3;
+use physics::elastic::Elastic;
+use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
+use physics::mohr_coulomb::MohrCoulomb;
+use physics::strength::Law as Strength;
+use physics::von_mises::VonMises;
+use solver::boundary::{Boundaries, Boundary};
+use solver::grid::Grid;
+use solver::initial::Filling;
+use solver::material::Material;
+use solver::model::{BodyModel, ContactMethod, Method, Model};
+
+/// The model that a case means, its grid laid out for vectors of `lanes` numbers.
+#[must_use]
+pub fn model(case: &Case, lanes: usize) -> Model {
+    Model {
+        grid: Grid::padded(case.grid.faces.clone(), lanes),
+        materials: vec![material(&case.soil)],
+        gravity: if case.soil.unit_weight > 0.0 { case.soil.unit_weight / case.soil.density } else { 0.0 },
+        surface: case.ground.surface(),
+        boundaries: boundaries(&case.domain),
+        bodies: case.bodies.iter().map(body).collect(),
+        method: Method {
+            courant: case.numerics.courant,
+            remap_displacement: case.numerics.remap_displacement,
+            hourglass: case.numerics.hourglass,
+            hourglass_yielding: case.numerics.hourglass_yielding,
+            bulk_viscosity: [case.numerics.bulk_viscosity_linear, case.numerics.bulk_viscosity_quadratic],
+            contact: match case.numerics.contact {
+                resolved::Contact::Penalty => ContactMethod::Penalty,
+                resolved::Contact::Impulse => ContactMethod::Impulse,
+            },
+            edge_inset: case.numerics.edge_inset,
+            point_spacing: case.numerics.point_spacing,
+        },
+    }
+}
+
+fn material(soil: &resolved::Soil) -> Material {
+    let elastic = Elastic::new(soil.young_modulus, soil.poisson_ratio);
+    Material {
+        elastic,
+        strength: strength(elastic, soil.law),
+        critical_density: match soil.law {
+            Law::MohrCoulomb { critical_density, .. } => critical_density,
+            Law::Elastic | Law::Tresca { .. } | Law::VonMises { .. } => None,
+        },
+        density: soil.density,
+        k0: soil.rest_pressure_ratio,
+    }
+}
+
+/// Walls, and planes of symmetry at the low ends along x and y.
+fn boundaries(domain: &resolved::Domain) -> Boundaries {
+    let mut boundaries = domain.walls.map(|pair| {
+        pair.map(|wall| match wall {
+            resolved::Wall::Smooth => Boundary::SmoothWall,
+            resolved::Wall::Fixed => Boundary::RoughWall,
+        })
+    });
+    for (axis, is_plane) in [(0, domain.symmetric_x), (1, domain.symmetric)] {
+        if is_plane {
+            boundaries[axis][0] = Boundary::Symmetry;
+        }
+    }
+    Boundaries(boundaries)
+}
+
+fn strength(elastic: Elastic, law: Law) -> Option<Strength> {
+    match law {
+        Law::Elastic => None,
+        Law::Tresca { shear_strength } => {
+            Some(Strength::MohrCoulomb(MohrCoulomb::tresca(elastic, shear_strength)))
+        }
+        Law::VonMises { yield_stress, hardening_modulus } => {
+            Some(Strength::VonMises(VonMises::new(elastic, yield_stress, hardening_modulus)))
+        }
+        Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_limit, potential, .. } => {
+            let (phi, psi) = (friction_angle, dilation_angle);
+            Some(match potential {
+                Potential::MohrCoulomb => {
+                    Strength::MohrCoulomb(MohrCoulomb::new(elastic, phi, psi, cohesion, tension_limit))
+                }
+                Potential::MenetreyWillam { meridional, deviatoric } => {
+                    let shape = Eccentricity { meridional, deviatoric };
+                    Strength::MenetreyWillam(MenetreyWillam::new(
+                        elastic,
+                        phi,
+                        psi,
+                        cohesion,
+                        tension_limit,
+                        shape,
+                    ))
+                }
+            })
+        }
+    }
+}
+
+fn body(body: &resolved::Body) -> BodyModel {
+    BodyModel {
+        name: body.name.clone(),
+        shape: body.shape.solid(),
+        start: body.position,
+        mass: body.mass,
+        axle_inertia: body.axle_inertia,
+        friction: body.friction,
+        shear_limit: body.shear_limit,
+        translation: body.translation,
+        spin: body.spin,
+    }
+}
+
+/// Where the soil of a case is at the start.
+pub(crate) fn filling(ground: &Ground) -> Filling {
+    const FAR: f64 = 1e9;
+    match *ground {
+        Ground::Level { surface } => Filling::between(DVec3::splat(-FAR), DVec3::new(FAR, FAR, surface)),
+        Ground::Column { low, high, radius } => Filling { low, high, radius, material: 0 },
+    }
+}

@@ -1,0 +1,197 @@
+//! The fields of the soil, and the one table that says what a cell carries from the past.
+//!
+//! A history variable is one line of [`HISTORY`]: it is then kept, carried by remaps and by overlap removal, written to the
+//! field files and to checkpoints.
+
+use crate::grid::Grid;
+use serde::{Deserialize, Serialize};
+
+/// Names of the stress components, in the order of [`Soil::stress`].
+pub const STRESS_NAMES: [&str; 6] = ["xx", "yy", "zz", "xy", "yz", "xz"];
+
+/// By what a quantity of the soil is averaged when soils mix.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Carrier {
+    /// By volume.
+    Volume,
+    /// By mass.
+    Mass,
+}
+
+/// A history variable of the soil.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct HistoryVariable {
+    /// Its name in field files.
+    pub name: &'static str,
+    /// Its unit, "" where it has none.
+    pub unit: &'static str,
+    /// What carries it.
+    pub carrier: Carrier,
+    /// Where it stays when the stress is cut off, in cells with next to no soil; else it is set to zero there.
+    pub outlives_stress: bool,
+}
+
+macro_rules! history {
+    ($($(#[$doc:meta])* $name:ident = $file:literal [$unit:literal] by $carrier:ident, outlives_stress: $outlives:literal;)*) => {
+        #[allow(non_camel_case_types, clippy::upper_case_acronyms)]
+        enum Number { $($name,)* Count }
+        $($(#[$doc])* pub const $name: usize = Number::$name as usize;)*
+        /// Number of history variables.
+        pub const HISTORY_COUNT: usize = Number::Count as usize;
+        /// The history variables, in the order of [`Soil::history`].
+        pub const HISTORY: [HistoryVariable; HISTORY_COUNT] = [$(HistoryVariable {
+            name: $file,
+            unit: $unit,
+            carrier: Carrier::$carrier,
+            outlives_stress: $outlives,
+        },)*];
+    };
+}
+
+history! {
+    /// Equivalent plastic strain, √(⅔ e:e) added up.
+    PLASTIC_STRAIN = "plastic_strain" [""] by Volume, outlives_stress: true;
+    /// Stress-free volumetric opening that has to close before pressure can build.
+    GAP_STRAIN = "gap" [""] by Volume, outlives_stress: false;
+}
+
+/// What the cells hold. Each array covers the grid (see [`Grid::index`]).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Soil<R = f64> {
+    /// Eulerian volume fraction, 0 to 1.
+    pub fraction: Vec<R>,
+    /// Mass of soil in the cell [kg].
+    pub mass: Vec<R>,
+    /// Cauchy stress of the soil (not scaled by the fraction), tension positive: xx, yy, zz, xy, yz, xz [Pa].
+    pub stress: [Vec<R>; 6],
+    /// History variables, in the order of [`HISTORY`].
+    pub history: [Vec<R>; HISTORY_COUNT],
+    /// Portion of the soil in the cell that is of the second material, of the third, …; the rest is of the first.
+    pub composition: Vec<Vec<R>>,
+}
+
+/// What the nodes hold.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Nodes<R = f64> {
+    /// Velocity along x, y, z [m/s].
+    pub velocity: [Vec<R>; 3],
+    /// Displacement since the last remap along x, y, z [m].
+    pub displacement: [Vec<R>; 3],
+    /// Mass lumped from the eight cells round the node [kg].
+    pub mass: Vec<R>,
+}
+
+impl<R> Soil<R> {
+    /// All that the soil carries with it besides volume and mass: stress, history, composition.
+    pub fn carried(&self) -> impl Iterator<Item = (Carrier, &Vec<R>)> {
+        let history = HISTORY.iter().map(|h| h.carrier).zip(&self.history);
+        self.stress.iter().chain(&self.composition).map(|field| (Carrier::Volume, field)).chain(history)
+    }
+
+    /// The same, to be changed.
+    pub fn carried_mut(&mut self) -> impl Iterator<Item = (Carrier, &mut Vec<R>)> {
+        let history = HISTORY.iter().map(|h| h.carrier).zip(&mut self.history);
+        let rest = self.stress.iter_mut().chain(&mut self.composition);
+        rest.map(|field| (Carrier::Volume, field)).chain(history)
+    }
+
+    /// All arrays.
+    pub fn arrays(&self) -> impl Iterator<Item = &Vec<R>> {
+        [&self.fraction, &self.mass].into_iter().chain(self.carried().map(|(_, field)| field))
+    }
+
+    /// All arrays, to be changed.
+    pub fn arrays_mut(&mut self) -> impl Iterator<Item = &mut Vec<R>> {
+        let Self { fraction, mass, stress, history, composition } = self;
+        [fraction, mass].into_iter().chain(stress).chain(composition).chain(history)
+    }
+}
+
+impl<R: Copy + Into<f64>> Soil<R> {
+    /// Number of the material that most of the soil in a cell is of.
+    #[must_use]
+    pub fn main_material(&self, cell: usize) -> usize {
+        main_material(&self.composition, cell)
+    }
+}
+
+/// The same from the portions of the second material, of the third, ….
+pub(crate) fn main_material<R: Copy + Into<f64>>(composition: &[Vec<R>], cell: usize) -> usize {
+    let others = || composition.iter().map(|portion| portion[cell].into());
+    let first = (0, 1.0 - others().sum::<f64>());
+    let most = |a: (usize, f64), b: (usize, f64)| if b.1 > a.1 { b } else { a };
+    others().enumerate().map(|(n, portion)| (n + 1, portion)).fold(first, most).0
+}
+
+impl<R> Nodes<R> {
+    /// All arrays.
+    pub fn arrays(&self) -> impl Iterator<Item = &Vec<R>> {
+        self.velocity.iter().chain(&self.displacement).chain([&self.mass])
+    }
+
+    /// All arrays, to be changed.
+    pub fn arrays_mut(&mut self) -> impl Iterator<Item = &mut Vec<R>> {
+        self.velocity.iter_mut().chain(&mut self.displacement).chain([&mut self.mass])
+    }
+}
+
+/// Arrays of a state of one material.
+pub const ARRAYS: usize = 2 + 6 + HISTORY_COUNT + 7;
+
+impl<R: Copy + Default> Soil<R> {
+    /// No soil anywhere, of so many materials.
+    #[must_use]
+    pub fn empty(grid: &Grid, materials: usize) -> Self {
+        let zeros = || vec![R::default(); grid.entries];
+        Self {
+            fraction: zeros(),
+            mass: zeros(),
+            stress: std::array::from_fn(|_| zeros()),
+            history: std::array::from_fn(|_| zeros()),
+            composition: (1..materials).map(|_| zeros()).collect(),
+        }
+    }
+}
+
+impl<R: Copy + Into<f64>> Soil<R> {
+    /// The same in double precision.
+    #[must_use]
+    pub fn to_f64(&self) -> Soil {
+        Soil {
+            fraction: to_f64(&self.fraction),
+            mass: to_f64(&self.mass),
+            stress: self.stress.each_ref().map(to_f64),
+            history: self.history.each_ref().map(to_f64),
+            composition: self.composition.iter().map(to_f64).collect(),
+        }
+    }
+}
+
+impl<R: Copy + Default> Nodes<R> {
+    /// Nodes at rest, without mass.
+    #[must_use]
+    pub fn at_rest(grid: &Grid) -> Self {
+        let zeros = || vec![R::default(); grid.entries];
+        Self {
+            velocity: std::array::from_fn(|_| zeros()),
+            displacement: std::array::from_fn(|_| zeros()),
+            mass: zeros(),
+        }
+    }
+}
+
+impl<R: Copy + Into<f64>> Nodes<R> {
+    /// The same in double precision.
+    #[must_use]
+    pub fn to_f64(&self) -> Nodes {
+        Nodes {
+            velocity: self.velocity.each_ref().map(to_f64),
+            displacement: self.displacement.each_ref().map(to_f64),
+            mass: to_f64(&self.mass),
+        }
+    }
+}
+
+fn to_f64<R: Copy + Into<f64>>(field: &Vec<R>) -> Vec<f64> {
+    field.iter().map(|value| (*value).into()).collect()
+}

@@ -1,0 +1,40 @@
+//! What soil is made of.
+
+use physics::elastic::Elastic;
+use physics::strength::Law;
+use physics::viscosity::BulkViscosity;
+
+/// A soil.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material {
+    /// Elastic moduli.
+    pub elastic: Elastic,
+    /// Yield law; `None` for linear elastic soil.
+    pub strength: Option<Law>,
+    /// Density below which the soil dilates no more [kg/m³].
+    pub critical_density: Option<f64>,
+    /// Density of the undeformed soil [kg/m³].
+    pub density: f64,
+    /// Coefficient of earth pressure at rest K₀: ratio of horizontal to vertical stress at the start.
+    pub k0: f64,
+}
+
+impl Material {
+    /// Linear elastic soil.
+    #[must_use]
+    pub fn linear_elastic(elastic: Elastic, density: f64) -> Self {
+        Self { elastic, strength: None, critical_density: None, density, k0: 1.0 }
+    }
+
+    /// Speed of the compression wave [m/s].
+    #[must_use]
+    pub fn wave_speed(&self) -> f64 {
+        self.elastic.wave_speed(self.density)
+    }
+
+    /// Bulk viscosity with coefficients b₁ and b₂.
+    #[must_use]
+    pub fn viscosity(&self, [b1, b2]: [f64; 2]) -> BulkViscosity {
+        BulkViscosity::new(b1, b2, self.density, self.wave_speed())
+    }
+}
