@@ -9,17 +9,23 @@ within 25 % in nine of ten.
 
     random_cases.py path/to/coulter [--count 500] [--finer 60] [--seed 1] [--jobs 2] [--short] [--keep DIR]
 
+With --keep every outcome is written down as soon as it is known; given again, the same command goes on from there, as
+long as the program is the same to the byte.
+
 Exits with 1 if a promise is broken. Python 3, standard library only.
 """
 
 import argparse
 import csv
+import hashlib
 import json
 import math
 import random
+import shutil
 import subprocess
 import sys
 import tempfile
+import threading
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -223,6 +229,43 @@ def force(case, summary):
     return body["steady"]["drag_N" if case.towed else "vertical_N"]
 
 
+class Outcomes:
+    """What came of the runs of one program; kept in a file, one line of JSON for each, if there is a folder for it."""
+
+    def __init__(self, program, keep):
+        self.program, self.known, self.file, self.lock = program, {}, None, threading.Lock()
+        if keep:
+            Path(keep).mkdir(parents=True, exist_ok=True)
+            digest = hashlib.sha256(Path(program).read_bytes()).hexdigest()
+            path = Path(keep) / f"outcomes-{digest[:12]}.jsonl"
+            if path.exists():
+                # The last line may have been cut short.
+                lines = (line for line in path.read_text().splitlines() if line.endswith("}"))
+                self.known = {entry["case"]: entry for entry in map(json.loads, lines)}
+            self.file = open(path, "a")
+
+    def of(self, case, text, folder):
+        """Exit code, summary, standard error, and what is wrong with a run that is graded good."""
+        key = hashlib.sha256(text.encode()).hexdigest()
+        if key not in self.known:
+            code, summary, told = run(self.program, text, folder)
+            is_good = summary is not None and code in (0, 1) and summary["trust"]["verdict"] == "good"
+            entry = {
+                "case": key,
+                "code": code,
+                "summary": summary and {name: summary[name] for name in ("trust", "bodies")},
+                "told": told[-400:],
+                "wrong": out_of_bounds(case, folder) if is_good else [],
+            }
+            shutil.rmtree(folder, ignore_errors=True)
+            with self.lock:
+                self.known[key] = entry
+                if self.file:
+                    print(json.dumps(entry), file=self.file, flush=True)
+        entry = self.known[key]
+        return entry["code"], entry["summary"], entry["told"], entry["wrong"]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program")
@@ -236,6 +279,7 @@ def main():
     if options.short:
         options.count, options.finer = 50, 0
     faults, refused, records = [], [], []
+    outcomes = Outcomes(options.program, options.keep)
     with tempfile.TemporaryDirectory() as scratch:
         scratch = Path(scratch)
 
@@ -249,7 +293,7 @@ def main():
                 elif cost["filled_cells"] * cost["steps"] <= WORK_LIMIT:
                     break
             folder = scratch / f"case-{n}"
-            code, summary, told = run(options.program, case.text(), folder)
+            code, summary, told, wrong = outcomes.of(case, case.text(), folder)
             record = {"n": n, "kind": case.kind, "careful": case.careful, "code": code, "verdict": None}
             if code not in (0, 1):
                 faults.append(f"case {n}: ends with {code}: {told[-400:]}\n{case.text()}")
@@ -263,17 +307,14 @@ def main():
                 record["force"] = force(case, summary)
                 if (code == 1) != (trust["verdict"] == "broken"):
                     faults.append(f"case {n}: graded {trust['verdict']}, exit code {code}")
-                if trust["verdict"] == "good":
-                    faults.extend(f"case {n}: graded good with {w}" for w in out_of_bounds(case, folder))
+                faults.extend(f"case {n}: graded good with {w}" for w in wrong)
             records.append(record)
-            for path in folder.rglob("*"):
-                if path.suffix in (".vtr", ".checkpoint", ".png"):
-                    path.unlink()
             return case, record
 
         def finer(pair):
             case, record = pair
-            code, summary, told = run(options.program, case.text(case.cell / 1.5), scratch / f"finer-{record['n']}")
+            text = case.text(case.cell / 1.5)
+            code, summary, told, _ = outcomes.of(case, text, scratch / f"finer-{record['n']}")
             if summary is None or code not in (0, 1):
                 faults.append(f"case {record['n']}, finer: ends with {code}: {told[-400:]}")
                 return
@@ -290,7 +331,6 @@ def main():
                 good += [pair for pair in more if pair[1]["verdict"] == "good"]
             list(team.map(finer, good[: options.finer]))
         if options.keep:
-            Path(options.keep).mkdir(parents=True, exist_ok=True)
             lines = [json.dumps(record) + "\n" for record in sorted(records, key=lambda r: r["n"])]
             (Path(options.keep) / f"seed-{options.seed}.jsonl").write_text("".join(lines))
             for case, record in done:

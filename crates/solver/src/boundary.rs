@@ -30,16 +30,16 @@ impl Boundary {
 pub struct Boundaries(pub [[Boundary; 2]; 3]);
 
 impl Boundaries {
-    /// 1 along the axes in which a node may move, 0 along those in which a boundary that it lies on holds it; `layer` is the
-    /// node's layer along each axis, `last` the highest one.
+    /// Which velocity components no boundary holds at a node; `layer` is the node's layer along each axis in the whole grid,
+    /// `last` the highest one.
     #[must_use]
-    pub fn free_components(&self, layer: [usize; 3], last: [usize; 3]) -> DVec3 {
-        let mut free = DVec3::ONE;
+    pub fn free_components(&self, layer: [usize; 3], last: [usize; 3]) -> [bool; 3] {
+        let mut free = [true; 3];
         for axis in 0..3 {
             for (boundary, at) in self.0[axis].iter().zip([0, last[axis]]) {
                 if layer[axis] == at {
                     for (component, _) in boundary.holds(axis).iter().enumerate().filter(|(_, held)| **held) {
-                        free[component] = 0.0;
+                        free[component] = false;
                     }
                 }
             }
@@ -91,11 +91,11 @@ mod tests {
     #[test]
     fn nodes_are_held_by_what_they_lie_on() {
         let boundaries = Boundaries([[Plane, SmoothWall], [SmoothWall; 2], [RoughWall, SmoothWall]]);
-        let free = |layer| boundaries.free_components(layer, [9, 5, 4]).to_array();
-        assert_eq!(free([3, 2, 2]), [1.0; 3]);
-        assert_eq!(free([0, 2, 2]), [0.0, 1.0, 1.0]);
-        assert_eq!(free([9, 5, 4]), [0.0; 3]);
-        assert_eq!(free([3, 2, 0]), [0.0; 3]);
+        let free = |layer| boundaries.free_components(layer, [9, 5, 4]);
+        assert_eq!(free([3, 2, 2]), [true; 3]);
+        assert_eq!(free([0, 2, 2]), [false, true, true]);
+        assert_eq!(free([9, 5, 4]), [false; 3]);
+        assert_eq!(free([3, 2, 0]), [false; 3]);
     }
 
     #[test]

@@ -40,8 +40,7 @@ fn stays_inside<R>(model: &Model, state: &State<R>) -> Result<(), Breakdown> {
     for (fixed, body) in model.bodies.iter().zip(&state.bodies) {
         let (low, high) = fixed.shape.bounds();
         for axis in (0..3).filter(|axis| fixed.translation[*axis].is_free()) {
-            let faces = &model.grid.faces[axis];
-            let ends = [faces[0], faces[faces.len() - 1]];
+            let ends = model.grid.ends(axis);
             let at = [body.position[axis] + low[axis], body.position[axis] + high[axis]];
             // Upwards a body is gone only when none of it is left in the box: most reach above the lid from the start.
             let gone = [at[0] < ends[0], if axis == 2 { at[0] > ends[1] } else { at[1] > ends[1] }];

@@ -5,6 +5,7 @@
 
 use crate::cpu::workspace::SoilWorkspace;
 use crate::grid::Grid;
+use crate::halo::Halo;
 use crate::model::Model;
 use crate::precision::Precision;
 use crate::real::Real;
@@ -21,7 +22,12 @@ pub(crate) fn kinetic<R: Precision>(model: &Model, state: &State<R>) -> f64 {
 }
 
 /// Elastic and kinetic energy of the soil [J], by the whole team.
-pub(crate) fn total<R: Precision>(model: &Model, state: &State<R>, workspace: &mut SoilWorkspace<R>) -> f64 {
+pub(crate) fn total<R: Precision>(
+    model: &Model,
+    state: &State<R>,
+    workspace: &mut SoilWorkspace<R>,
+    halo: &mut dyn Halo,
+) -> f64 {
     let SoilWorkspace { team, cut, row_values, .. } = workspace;
     team.deal(cut.split_by(1, row_values).zip(cut.ranges()), |(values, rows)| {
         for (value, row) in values.iter_mut().zip(rows.clone()) {
@@ -32,7 +38,7 @@ pub(crate) fn total<R: Precision>(model: &Model, state: &State<R>, workspace: &m
             ];
         }
     });
-    let [elastic, kinetic] = workspace.total_of_rows();
+    let [elastic, kinetic] = workspace.total_of_rows(&model.grid, halo);
     elastic + kinetic
 }
 
@@ -48,10 +54,12 @@ pub fn soil_mass<R: Real>(soil: &Soil<R>) -> f64 {
     soil.mass.iter().map(|mass| (*mass).to_f64()).sum()
 }
 
-/// Sum over the rows `[q, plane]` of the grid, of cells and of nodes, in memory order.
+/// Sum over the rows `[q, plane]` of cells and of nodes that the block owns, in memory order.
 fn sum_rows(grid: &Grid, of_row: impl Fn([usize; 2]) -> f64) -> f64 {
     let [_, ny, nz] = grid.cells();
-    (1..=nz + 1).flat_map(|plane| (1..=ny + 1).map(move |q| [q, plane])).map(of_row).fold(0.0, |a, b| a + b)
+    let rows = (1..=nz + 1).flat_map(|plane| (1..=ny + 1).map(move |q| [q, plane]));
+    let owned = rows.filter(|[q, plane]| grid.owned_row(plane * grid.rows() + q).is_some());
+    owned.map(of_row).fold(0.0, |a, b| a + b)
 }
 
 /// Volume of the soil in row `q` of a storage plane of cells [m³].

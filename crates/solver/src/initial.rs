@@ -89,13 +89,12 @@ fn of_soil<R: Precision>(model: &Model, mut soil: Soil<R>, overburden: f64) -> S
 /// Sets all soil in motion with a velocity [m/s], but for what the walls hold; the ledger counts its energy as put in from
 /// outside.
 pub fn set_in_motion<R: Precision>(model: &Model, state: &mut State<R>, velocity: DVec3) {
-    let cells = model.grid.cells();
+    let cells = model.grid.whole_cells();
     for n in (0..model.grid.entries).filter(|n| state.nodes.mass[*n] > R::default()) {
         let place = model.grid.place(n);
-        // Plus zero: no component is −0.
-        let own = velocity * model.boundaries.free_components(place, cells) + DVec3::ZERO;
-        for (field, value) in state.nodes.velocity.iter_mut().zip(own.to_array()) {
-            field[n] = R::cast(value);
+        let free = model.boundaries.free_components(model.grid.in_whole(place), cells);
+        for ((field, own), free) in state.nodes.velocity.iter_mut().zip(velocity.to_array()).zip(free) {
+            field[n] = R::cast(if free { own } else { 0.0 });
         }
     }
     state.ledger.kinetic_start = kinetic_energy(model, state);

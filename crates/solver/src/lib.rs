@@ -15,6 +15,7 @@ pub mod error;
 pub mod fields;
 pub mod footprint;
 pub mod grid;
+pub mod halo;
 pub mod initial;
 pub mod material;
 pub mod model;

@@ -1,7 +1,7 @@
 //! The seam under the soil: what the time step asks of the kernels of either precision.
 
 use crate::cpu::kernels::{double, single};
-use crate::cpu::workspace::{RowSums, SoilWorkspace};
+use crate::cpu::workspace::SoilWorkspace;
 use crate::grid::Grid;
 use crate::model::Model;
 pub use crate::real::Real;
@@ -11,12 +11,7 @@ use crate::state::{Nodes, Soil, State};
 pub trait Precision: Real {
     /// Strains the soil and moves its nodes by one step of `dt` [s]: stresses and displacements at the end of the step,
     /// velocities without contact half a step later.
-    fn lagrangian_stage(
-        model: &Model,
-        state: &mut State<Self>,
-        workspace: &mut SoilWorkspace<Self>,
-        dt: f64,
-    ) -> RowSums;
+    fn lagrangian_stage(model: &Model, state: &mut State<Self>, workspace: &mut SoilWorkspace<Self>, dt: f64);
 
     /// Volumes of cells and of the soil in them on the displaced grid, from which the sweeps of a remap start [m³].
     fn displaced_volumes(model: &Model, state: &State<Self>, workspace: &mut SoilWorkspace<Self>);
@@ -30,14 +25,14 @@ pub trait Precision: Real {
         active: &[bool],
     );
 
-    /// Volume fractions from the volumes that the sweeps have left, and admissible stresses. Returns volume [m³] and mass
-    /// [kg] of the debris that it removed.
+    /// Volume fractions from the volumes that the sweeps have left, and admissible stresses. Volume [m³] and mass [kg] of the
+    /// debris that it removed are in the rows' values.
     fn update_after_remap(
         model: &Model,
         soil: &mut Soil<Self>,
         workspace: &mut SoilWorkspace<Self>,
         active: &[bool],
-    ) -> [f64; 2];
+    );
 
     /// Admissible stress of one cell that soil was moved into.
     fn update_cell(model: &Model, soil: &mut Soil<Self>, workspace: &mut SoilWorkspace<Self>, cell: usize);
@@ -81,8 +76,8 @@ macro_rules! precision {
                 state: &mut State<Self>,
                 workspace: &mut SoilWorkspace<Self>,
                 dt: f64,
-            ) -> RowSums {
-                $module::lagrange::lagrange(model, state, workspace, dt)
+            ) {
+                $module::lagrange::lagrange(model, state, workspace, dt);
             }
 
             fn displaced_volumes(model: &Model, state: &State<Self>, workspace: &mut SoilWorkspace<Self>) {
@@ -104,8 +99,8 @@ macro_rules! precision {
                 soil: &mut Soil<Self>,
                 workspace: &mut SoilWorkspace<Self>,
                 active: &[bool],
-            ) -> [f64; 2] {
-                $module::post_remap::update_after_remap(model, soil, workspace, active)
+            ) {
+                $module::post_remap::update_after_remap(model, soil, workspace, active);
             }
 
             fn update_cell(

@@ -8,6 +8,7 @@ use crate::cpu::stopwatch::Stage;
 use crate::cpu::workspace::SoilWorkspace;
 use crate::energy;
 use crate::grid::Grid;
+use crate::halo::{self, At, Halo};
 use crate::model::Model;
 use crate::precision::Precision;
 use crate::state::State;
@@ -19,26 +20,45 @@ const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [2, 0, 1], [1, 2, 0], [2, 1, 0], [0,
 /// Carries everything back to the grid. Afterwards the displacement is zero, the nodal masses are those of the cells,
 /// and every stress is admissible. What is lost is entered into the energy balance.
 pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut Workspace<R>) {
-    let soil = &mut workspace.soil;
-    let before = energy::total(model, state, soil);
-    let active = rows_near_soil(&model.grid, &soil.row_has_soil);
+    let Workspace { soil, contact, halo, .. } = workspace;
+    let (grid, halo) = (&model.grid, halo.as_mut());
+    let before = energy::total(model, state, soil, halo);
+    let active = rows_near_soil(grid, &soil.row_has_soil);
+    halo::fill(halo, grid, At::Nodes, &mut state.nodes.displacement);
     R::displaced_volumes(model, state, soil);
     for axis in ORDERS[(state.remaps % 6) as usize] {
-        if model.grid.cells()[axis] > 1 {
+        if grid.whole_cells()[axis] > 1 {
             R::sweep(model, state, soil, axis, &active);
+            fill_swept(grid, state, soil, halo);
         }
     }
-    let [volume, mass] = R::update_after_remap(model, &mut state.soil, soil, &active);
-    reset_nodes(&model.grid, state, soil);
-    contact::remove_overlap(model, state, soil, &mut workspace.contact);
+    R::update_after_remap(model, &mut state.soil, soil, &active);
+    let [volume, mass] = soil.total_of_rows(grid, halo);
+    reset_nodes(grid, state, soil);
+    halo::fill(halo, grid, At::Nodes, [&mut state.nodes.mass]);
+    contact::remove_overlap(model, state, soil, contact, halo);
     stop_massless_nodes(model, state, soil);
-    soil.find_soil(&model.grid, &state.soil);
+    soil.find_soil(grid, &state.soil);
     soil.clear = 2;
     state.remaps += 1;
-    state.ledger.remap += before - energy::total(model, state, soil);
+    state.ledger.remap += before - energy::total(model, state, soil, halo);
     state.ledger.crumbs_volume += volume;
     state.ledger.crumbs_mass += mass;
     soil.stopwatch().lap(Stage::Remap);
+}
+
+/// Fills the ghost layers with what a sweep has carried.
+fn fill_swept<R: Precision>(
+    grid: &Grid,
+    state: &mut State<R>,
+    workspace: &mut SoilWorkspace<R>,
+    halo: &mut dyn Halo,
+) {
+    let [soil, cell, _] = &mut workspace.velocity_before;
+    let State { soil: fields, nodes, .. } = state;
+    let cells = fields.arrays_mut().chain([soil, cell]);
+    halo::fill(halo, grid, At::Cells, cells);
+    halo::fill(halo, grid, At::Nodes, nodes.velocity.iter_mut().chain([&mut nodes.mass]));
 }
 
 /// Rows that hold soil or lie beside one that does.

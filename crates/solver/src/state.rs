@@ -1,6 +1,7 @@
 //! Everything that changes during a run. A checkpoint is this. The fields of the soil are `f64` or `f32`; all else is `f64`.
 
 pub use crate::fields::{Nodes, STRESS_NAMES, Soil};
+use crate::grid::Grid;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
@@ -46,8 +47,8 @@ pub struct Contact {
     pub point: usize,
     /// Which material it touches.
     pub material: usize,
-    /// Place of the cell's low node.
-    pub base: usize,
+    /// Layers of its cell in the whole grid.
+    pub cell: [u32; 3],
     /// Weights of the cell's eight nodes.
     pub weight: [f64; 8],
     /// Normal out of the body.
@@ -66,6 +67,41 @@ pub struct Contact {
     pub impulse: DVec3,
     /// Position at the last remap [m].
     pub anchor: DVec3,
+}
+
+impl Contact {
+    /// Its numbers but for those of body and point.
+    pub(crate) fn to_array(self) -> [f64; 30] {
+        let mut values = [0.0; 30];
+        let [i, j, k] = self.cell.map(f64::from);
+        let scalars = [self.material as f64, i, j, k, self.area, self.width, self.penetration];
+        let vectors = [self.normal, self.arm, self.slip, self.impulse, self.anchor];
+        let all =
+            scalars.into_iter().chain(self.weight).chain(vectors.into_iter().flat_map(|v| v.to_array()));
+        values.iter_mut().zip(all).for_each(|(value, new)| *value = new);
+        values
+    }
+
+    /// The contact of a body and point with these numbers.
+    pub(crate) fn of([body, point]: [usize; 2], values: [f64; 30]) -> Self {
+        let [material, i, j, k, area, width, penetration, ..] = values;
+        let vector = |n: usize| DVec3::from_slice(&values[15 + 3 * n..]);
+        Self {
+            body,
+            point,
+            material: material as usize,
+            cell: [i, j, k].map(|layer| layer as u32),
+            weight: std::array::from_fn(|n| values[7 + n]),
+            normal: vector(0),
+            arm: vector(1),
+            area,
+            width,
+            penetration,
+            slip: vector(2),
+            impulse: vector(3),
+            anchor: vector(4),
+        }
+    }
 }
 
 /// Where the energy went since the start, and what was lost on the way. Of the part that is modelled [J].
@@ -125,6 +161,32 @@ impl<R> State<R> {
         let fields = self.soil.arrays().chain(self.nodes.arrays());
         fields.map(|field| size_of_val(field.as_slice())).sum::<usize>()
             + size_of_val(self.contacts.as_slice())
+    }
+}
+
+impl<R: Copy + Default> State<R> {
+    /// The part of a state of the `whole` grid that a `block` and its ghost layers hold; bodies, contacts and energy balance
+    /// every block knows.
+    #[must_use]
+    pub fn of_block(&self, whole: &Grid, block: &Grid) -> Self {
+        let mut part = Self {
+            soil: Soil::empty(block, self.soil.composition.len() + 1),
+            nodes: Nodes::at_rest(block),
+            bodies: self.bodies.clone(),
+            contacts: self.contacts.clone(),
+            ..*self
+        };
+        let copy = |from: &Vec<R>, to: &mut Vec<R>, beyond: usize| {
+            let [nx, ny, nz] = block.cells().map(|n| n + beyond);
+            for (j, k) in (0..nz).flat_map(|k| (0..ny).map(move |j| (j, k))) {
+                let [i, there_j, there_k] = block.in_whole([0, j, k]);
+                let (here, there) = (block.index(0, j, k), whole.index(i, there_j, there_k));
+                to[here..here + nx].copy_from_slice(&from[there..there + nx]);
+            }
+        };
+        self.soil.arrays().zip(part.soil.arrays_mut()).for_each(|(from, to)| copy(from, to, 0));
+        self.nodes.arrays().zip(part.nodes.arrays_mut()).for_each(|(from, to)| copy(from, to, 1));
+        part
     }
 }
 

@@ -6,6 +6,7 @@ use crate::check::check;
 use crate::contact;
 use crate::cpu::workspace::RowSums;
 use crate::error::Breakdown;
+use crate::halo::{self, At};
 use crate::model::Model;
 use crate::precision::Precision;
 use crate::remap::remap;
@@ -23,18 +24,21 @@ pub fn step<R: Precision>(
 ) -> Result<(), Breakdown> {
     let dt = model.time_step();
     // Lagrangian stage: the soil moves, the grid waits.
-    let sums = R::lagrangian_stage(model, state, &mut workspace.soil, dt);
-    bodies::predict(model, &mut state.bodies, &mut workspace.body_steps, state.time, dt);
-    let Workspace { soil, contact, body_steps } = workspace;
-    let work = contact::solve(model, state, soil, contact, body_steps, dt);
+    R::lagrangian_stage(model, state, &mut workspace.soil, dt);
+    let Workspace { soil, contact, body_steps, halo } = workspace;
+    let sums = soil.total_of_stage(&model.grid, halo.as_mut());
+    bodies::predict(model, &mut state.bodies, body_steps, state.time, dt);
+    let work = contact::solve(model, state, (soil, halo.as_mut()), contact, body_steps);
     bodies::advance(&mut state.bodies, dt);
-    account(model, state, &sums, &workspace.body_steps, &work);
+    halo::fill(halo.as_mut(), &model.grid, At::Nodes, &mut state.nodes.velocity);
+    account(model, state, &sums, body_steps, &work);
     state.time += dt;
     state.step += 1;
     // Eulerian stage, only when the soil has moved far enough to need it.
     if is_remap_due(model, state, &sums) {
         remap(model, state, workspace);
-        contact::search(model, state, &mut workspace.soil, &mut workspace.contact);
+        let Workspace { soil, contact, halo, .. } = workspace;
+        contact::search(model, state, soil, contact, halo.as_mut());
     }
     check(model, state, &sums, dt)
 }

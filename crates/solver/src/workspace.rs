@@ -5,12 +5,12 @@ use crate::contact;
 use crate::contact::workspace::ContactWorkspace;
 use crate::cpu::stopwatch::Stopwatch;
 use crate::cpu::workspace::SoilWorkspace;
+use crate::halo::{Halo, Whole};
 use crate::model::Model;
 use crate::precision::Precision;
 use crate::state::State;
 
 /// Threads and scratch memory of a run.
-#[derive(Debug)]
 pub struct Workspace<R: Precision = f64> {
     /// For the loops over cells.
     pub(crate) soil: SoilWorkspace<R>,
@@ -18,19 +18,36 @@ pub struct Workspace<R: Precision = f64> {
     pub(crate) contact: ContactWorkspace,
     /// What happened to each body in the last step.
     pub(crate) body_steps: Vec<BodyStep>,
+    /// The way to the other blocks of the grid.
+    pub(crate) halo: Box<dyn Halo>,
+}
+
+impl<R: Precision> std::fmt::Debug for Workspace<R> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Workspace with {:?}, {:?}", self.soil, self.contact)
+    }
 }
 
 impl<R: Precision> Workspace<R> {
     /// Memory for a model and a team of `threads`. Finds the contact points of a state that has not taken a step yet.
     #[must_use]
     pub fn new(model: &Model, state: &mut State<R>, threads: usize) -> Self {
+        Self::of_block(model, state, threads, Box::new(Whole))
+    }
+
+    /// The same for one of the blocks into which the grid is cut.
+    #[must_use]
+    pub fn of_block(model: &Model, state: &mut State<R>, threads: usize, halo: Box<dyn Halo>) -> Self {
+        let mut halo = halo;
         let mut workspace = Self {
             soil: SoilWorkspace::new(model, state, threads),
-            contact: ContactWorkspace::new(model, state),
+            contact: ContactWorkspace::new(model, state, halo.as_mut()),
             body_steps: vec![BodyStep::default(); model.bodies.len()],
+            halo,
         };
         if state.step == 0 {
-            contact::first_search(model, state, &mut workspace.soil, &mut workspace.contact);
+            let Self { soil, contact, halo, .. } = &mut workspace;
+            contact::first_search(model, state, soil, contact, halo.as_mut());
         }
         workspace
     }

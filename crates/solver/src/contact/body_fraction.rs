@@ -1,6 +1,7 @@
 //! Body volume fraction: the part of each cell that the bodies take up.
 
 use crate::grid::Grid;
+use crate::halo::{self, Halo};
 use crate::model::{BodyModel, Model};
 use crate::real::Real;
 use crate::state::{Body, Soil};
@@ -35,9 +36,8 @@ pub(crate) struct BodyCell {
     pub(crate) share: f64,
 }
 
-/// Calls `each(cell, share)` for the cells that a body takes up a share of; measures the body's volume below the undisturbed
-/// surface.
-fn occupy(model: &Model, fixed: &BodyModel, body: &mut Body, mut each: impl FnMut(usize, f64)) {
+/// Calls `each(cell, share)` for the cells that a body takes up a share of.
+fn occupy(model: &Model, fixed: &BodyModel, body: &Body, mut each: impl FnMut(usize, f64)) {
     let grid = &model.grid;
     let (low, high) = fixed.shape.bounds();
     let reach = if fixed.shape.is_revolved() { high } else { DVec3::splat(low.length().max(high.length())) };
@@ -48,20 +48,46 @@ fn occupy(model: &Model, fixed: &BodyModel, body: &mut Body, mut each: impl FnMu
         first..last.min(grid.cells()[axis])
     });
     let turn = glam::DQuat::from_rotation_y(if fixed.shape.is_revolved() { 0.0 } else { -body.angle });
-    body.embedded_volume = 0.0;
     for k in ranges[2].clone() {
-        let below = ((model.surface - grid.faces[2][k]) / grid.width(2, k)).clamp(0.0, 1.0);
         for j in ranges[1].clone() {
             for i in ranges[0].clone() {
                 let share =
                     covered(grid, [i, j, k], |x| fixed.shape.signed_distance(turn * (x - body.position)));
                 if share > 0.0 {
-                    let (c, volume) = (grid.index(i, j, k), grid.volume(i, j, k));
-                    each(c, share);
-                    body.embedded_volume += share * below * volume;
+                    each(grid.index(i, j, k), share);
                 }
             }
         }
+    }
+}
+
+/// Measures the volume of each body below the undisturbed surface, and the soil inside it: what is more than fits beside it
+/// in its cells.
+pub(super) fn measure_bodies<R: Real>(
+    model: &Model,
+    soil: &Soil<R>,
+    bodies: &mut [Body],
+    body_cells: &[BodyCell],
+    halo: &mut dyn Halo,
+) {
+    let grid = &model.grid;
+    let [nx, ny, nz] = grid.whole_cells();
+    let terms = body_cells.iter().filter_map(|c| {
+        let place = grid.place(c.cell);
+        let whole @ [i, j, k] = grid.in_whole(place);
+        let below = ((model.surface - grid.faces[2][place[2]]) / grid.width(2, place[2])).clamp(0.0, 1.0);
+        let volume = grid.volume_of(c.cell);
+        let leaked = (soil.fraction[c.cell].to_f64() + c.share - 1.0).max(0.0) * volume;
+        let number = ((c.body * nz + k) * ny + j) * nx + i;
+        grid.owns(whole).then_some((number, [c.share * below * volume, leaked]))
+    });
+    for body in bodies.iter_mut() {
+        (body.embedded_volume, body.leaked_volume) = (0.0, 0.0);
+    }
+    for (number, [embedded, leaked]) in halo::in_order(halo, terms) {
+        let body = &mut bodies[number / (nx * ny * nz)];
+        body.embedded_volume += embedded;
+        body.leaked_volume += leaked;
     }
 }
 
@@ -90,7 +116,7 @@ fn covered(grid: &Grid, cell: [usize; 3], distance: impl Fn(DVec3) -> f64) -> f6
 }
 
 /// Takes the soil out of the space that the bodies take up, before the run begins.
-pub(crate) fn cut_out_bodies<R: Real>(model: &Model, soil: &mut Soil<R>, bodies: &mut [Body]) {
+pub(crate) fn cut_out_bodies<R: Real>(model: &Model, soil: &mut Soil<R>, bodies: &[Body]) {
     let mut occupied = vec![0.0; model.grid.entries];
     for (fixed, body) in model.bodies.iter().zip(bodies) {
         occupy(model, fixed, body, |c, share| occupied[c] = (occupied[c] + share).min(1.0));

@@ -122,7 +122,7 @@ pub(crate) fn number(
     let each = contacts.iter().map(|c| {
         let axis = largest_axis(c.normal);
         let next = numbers.len();
-        *numbers.entry((c.body, c.base, axis, c.normal[axis] > 0.0)).or_insert(next)
+        *numbers.entry((c.body, c.cell, axis, c.normal[axis] > 0.0)).or_insert(next)
     });
     let each: Vec<usize> = each.collect();
     let missing = cut_cell::corrections(model, bodies, (contacts, fraction), (&each, numbers.len()));

@@ -26,9 +26,9 @@ pub(super) fn corrections(
     (patch, patches): (&[usize], usize),
 ) -> Vec<[DVec3; 8]> {
     // The two sides of the body's middle are added up apart: a mirror in y then changes no bit of the sum.
-    let mut area: HashMap<(usize, usize), [f64; 3]> = HashMap::new();
+    let mut area: HashMap<(usize, [u32; 3]), [f64; 3]> = HashMap::new();
     for c in contacts {
-        area.entry((c.body, c.base)).or_default()[side(c)] += c.area;
+        area.entry((c.body, c.cell)).or_default()[side(c)] += c.area;
     }
     let mut corrections = vec![None; patches];
     for ((c, fraction), number) in contacts.iter().zip(fraction).zip(patch) {
@@ -39,7 +39,7 @@ pub(super) fn corrections(
                 return none;
             }
             let cell = Cell::new(model, bodies, c);
-            let [left, right, middle] = area[&(c.body, c.base)];
+            let [left, right, middle] = area[&(c.body, c.cell)];
             let (touched, whole) = (left + right + middle, cell.area());
             // Edges are what the inset of the points takes care of.
             if touched < WHOLE * whole {
@@ -64,8 +64,11 @@ impl<'a> Cell<'a, ()> {
     fn new(model: &'a Model, bodies: &[Body], c: &Contact) -> Cell<'a, impl Fn(DVec3) -> f64 + 'a> {
         let (fixed, (position, angle)) = (&model.bodies[c.body], bodies[c.body].located);
         let turn = glam::DQuat::from_rotation_y(if fixed.shape.is_revolved() { 0.0 } else { -angle });
-        let place = model.grid.place(c.base);
-        let width = DVec3::from_array(std::array::from_fn(|axis| model.grid.width(axis, place[axis])));
+        let place = c.cell.map(|layer| layer as usize);
+        let width = DVec3::from_array(std::array::from_fn(|axis| {
+            let faces = &model.grid.whole[axis];
+            faces[place[axis] + 1] - faces[place[axis]]
+        }));
         let distance = move |x: DVec3| fixed.shape.signed_distance(turn * (x - position));
         Cell { grid: &model.grid, place, width, distance }
     }
@@ -74,7 +77,7 @@ impl<'a> Cell<'a, ()> {
 impl<D: Fn(DVec3) -> f64> Cell<'_, D> {
     /// Coordinate that lies so many samples from the low face, found from both faces: a mirror in y changes no bit.
     fn at(&self, axis: usize, samples: f64) -> f64 {
-        let (part, faces) = (samples / SAMPLES as f64, &self.grid.faces[axis]);
+        let (part, faces) = (samples / SAMPLES as f64, &self.grid.whole[axis]);
         faces[self.place[axis]] * (1.0 - part) + faces[self.place[axis] + 1] * part
     }
 

@@ -1,22 +1,40 @@
 //! The nodes that contact acts on.
 
 use super::scene::{TouchedNode, corners};
+use crate::grid::Grid;
 use crate::model::Model;
 use crate::state::Contact;
 
-/// The nodes that contact acts on, in memory order, and for each contact the places of its cell's nodes among them.
+/// The nodes that contact acts on, in the order of the whole grid, and for each contact the places of its cell's nodes among
+/// them.
 pub(super) fn contact_nodes(model: &Model, contacts: &[Contact]) -> (Vec<TouchedNode>, Vec<[u32; 8]>) {
-    let grid = &model.grid;
-    let of = |c: &Contact| corners(grid.stride).map(|offset| c.base + offset);
+    let [nx, ny, _] = model.grid.whole_cells().map(|n| n + 1);
+    let stride = [1, nx, nx * ny];
+    let number = |c: &Contact| (0..3).map(|axis| c.cell[axis] as usize * stride[axis]).sum::<usize>();
+    let of = |c: &Contact| corners(stride).map(|offset| number(c) + offset);
     let mut nodes: Vec<usize> = contacts.iter().flat_map(of).collect();
     nodes.sort_unstable();
     nodes.dedup();
     let place = |node: usize| nodes.partition_point(|n| *n < node) as u32;
     let corner_nodes = contacts.iter().map(|c| of(c).map(place)).collect();
-    let touched = |node| TouchedNode {
-        node,
-        free_of_walls: model.boundaries.free_components(grid.place(node), grid.cells()),
+    let layers = |node: usize| [node % nx, node / nx % ny, node / (nx * ny)];
+    (nodes.iter().map(|node| contact_node(model, layers(*node))).collect(), corner_nodes)
+}
+
+/// A node of the whole grid.
+fn contact_node(model: &Model, whole: [usize; 3]) -> TouchedNode {
+    let grid = &model.grid;
+    TouchedNode {
+        node: local_node(grid, whole),
+        is_owned: grid.owns_node(whole),
+        is_free: model.boundaries.free_components(whole, grid.whole_cells()),
         ..TouchedNode::default()
-    };
-    (nodes.into_iter().map(touched).collect(), corner_nodes)
+    }
+}
+
+/// Place in memory of a node of the whole grid, if it is in the block or its ghost layers.
+fn local_node(grid: &Grid, whole: [usize; 3]) -> Option<usize> {
+    let cells = grid.cells();
+    let layer = |axis: usize| whole[axis].checked_sub(grid.first[axis]).filter(|n| *n <= cells[axis]);
+    Some(grid.index(layer(0)?, layer(1)?, layer(2)?))
 }

@@ -13,6 +13,7 @@ use super::workspace::ContactWorkspace;
 use crate::cpu::workspace::SoilWorkspace;
 use crate::fields::Carrier;
 use crate::grid::Grid;
+use crate::halo::{self, At, Halo};
 use crate::model::Model;
 use crate::precision::Precision;
 use crate::real::Real;
@@ -29,6 +30,7 @@ pub(crate) fn remove_overlap<R: Precision>(
     state: &mut State<R>,
     soil: &mut SoilWorkspace<R>,
     contact: &mut ContactWorkspace,
+    halo: &mut dyn Halo,
 ) {
     find_bodies(model, &mut state.bodies, &mut soil.velocity_before[0], &mut contact.body_cells);
     let mut cells: Vec<usize> = contact.body_cells.iter().map(|c| c.cell).collect();
@@ -36,10 +38,14 @@ pub(crate) fn remove_overlap<R: Precision>(
     cells.dedup();
     for _ in 0..ROUNDS {
         let transfers = share_out(&model.grid, &state.soil.fraction, &soil.velocity_before[0], &cells);
-        if transfers.is_empty() {
+        let is_done = halo::in_order(halo, std::iter::once((0, [transfers.len() as f64])));
+        if is_done.iter().all(|(_, [left])| *left == 0.0) {
             break;
         }
         carry(model, state, soil, &transfers);
+        halo::fill(halo, &model.grid, At::Cells, state.soil.arrays_mut());
+        let nodes = state.nodes.velocity.iter_mut().chain([&mut state.nodes.mass]);
+        halo::fill(halo, &model.grid, At::Nodes, nodes);
     }
 }
 

@@ -27,14 +27,16 @@ pub(crate) struct Scene<'a> {
 /// A node that contact acts on.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct TouchedNode {
-    /// Place in memory.
-    pub(crate) node: usize,
+    /// Place in memory, if it is in this block.
+    pub(crate) node: Option<usize>,
+    /// Whether this block owns it.
+    pub(crate) is_owned: bool,
     /// Velocity [m/s].
     pub(crate) velocity: DVec3,
     /// One over the mass along x, y, z [1/kg]; 0 where the node does not move, for want of mass or because of a wall.
     pub(crate) inverse_mass: DVec3,
-    /// 1 where no wall stops the node, else 0.
-    pub(crate) free_of_walls: DVec3,
+    /// Which velocity components no boundary holds.
+    pub(crate) is_free: [bool; 3],
     /// Mass [kg].
     pub(crate) mass: f64,
     /// Velocity before contact [m/s].

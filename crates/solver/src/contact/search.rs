@@ -1,12 +1,12 @@
 //! Contact search: where the contact points lie in the grid, and how far the soil is from them.
 
-use super::body_fraction::{BodyCell, find_bodies};
+use super::body_fraction::{find_bodies, measure_bodies};
 use super::law::ContactLaw;
 use super::scene::{corners, largest_axis, over_corners};
 use super::workspace::ContactWorkspace;
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::workspace::SoilWorkspace;
-use crate::grid::Grid;
+use crate::halo::{self, Halo};
 use crate::model::{BodyModel, Model};
 use crate::real::Real;
 use crate::state::{Body, Contact, Soil, State};
@@ -18,9 +18,10 @@ pub(crate) fn first_search<R: Real>(
     state: &mut State<R>,
     soil: &mut SoilWorkspace<R>,
     workspace: &mut ContactWorkspace,
+    halo: &mut dyn Halo,
 ) {
     find_bodies(model, &mut state.bodies, &mut soil.velocity_before[0], &mut workspace.body_cells);
-    search(model, state, soil, workspace);
+    search(model, state, soil, workspace, halo);
 }
 
 /// Finds anew which contact points have soil to act on, with their cells, weights and gaps; measures leaked and embedded
@@ -30,12 +31,13 @@ pub(crate) fn search<R: Real>(
     state: &mut State<R>,
     soil: &mut SoilWorkspace<R>,
     workspace: &mut ContactWorkspace,
+    halo: &mut dyn Halo,
 ) {
     let SoilWorkspace { velocity_before: [occupied, ..], material, .. } = &mut *soil;
     let ContactWorkspace { body_cells, surfaces, law, .. } = workspace;
-    measure_leak(&model.grid, &state.soil, body_cells, &mut state.bodies);
+    measure_bodies(model, &state.soil, &mut state.bodies, body_cells, halo);
     let view = View { model, soil: &state.soil, node_mass: &state.nodes.mass, occupied, material };
-    let mut located = Vec::with_capacity(state.contacts.len());
+    let mut found = Vec::with_capacity(state.contacts.len());
     let mut known = state.contacts.iter().peekable();
     for (n, surface) in surfaces.iter().enumerate() {
         let (fixed, body) = (&model.bodies[n], &state.bodies[n]);
@@ -45,27 +47,28 @@ pub(crate) fn search<R: Real>(
             if let Some(mut contact) = view.locate_one(known, place, body, law.as_ref()) {
                 (contact.body, contact.point) = (n, p);
                 contact.area *= point.area;
-                located.push(contact);
+                found.push(contact);
             }
         }
     }
-    state.contacts = located;
     for c in body_cells {
         occupied[c.cell] = R::default();
     }
-    workspace.connect(model, state);
+    state.contacts = all_contacts(found, halo);
+    workspace.connect(model, state, halo);
     soil.stopwatch().lap(Stage::Contact);
 }
 
-/// Measures the soil inside the bodies: what is more than fits beside them in their cells.
-fn measure_leak<R: Real>(grid: &Grid, soil: &Soil<R>, body_cells: &[BodyCell], bodies: &mut [Body]) {
-    for body in bodies.iter_mut() {
-        body.leaked_volume = 0.0;
+/// The contacts that all blocks have found, in the order of bodies and points.
+fn all_contacts(found: Vec<Contact>, halo: &mut dyn Halo) -> Vec<Contact> {
+    if halo.is_alone() {
+        return found;
     }
-    for c in body_cells {
-        bodies[c.body].leaked_volume +=
-            (soil.fraction[c.cell].to_f64() + c.share - 1.0).max(0.0) * grid.volume_of(c.cell);
-    }
+    /// More points than this no body has.
+    const POINTS: usize = 1 << 32;
+    let own = found.iter().map(|c| (c.body * POINTS + c.point, c.to_array()));
+    let of = |(number, values): (usize, _)| Contact::of([number / POINTS, number % POINTS], values);
+    halo::in_order(halo, own).into_iter().map(of).collect()
 }
 
 /// A direction of the body frame in space. The points of a body of revolution stay where they are when it turns: in
@@ -91,8 +94,8 @@ struct View<'a, R> {
 }
 
 impl<R: Real> View<'_, R> {
-    /// A contact point on a body, if it is in the grid with soil to act on; `known` is what it was the last time, if it was
-    /// so then.
+    /// A contact point on a body, if it is in the block with soil to act on; `known` is what it was the last time, if it
+    /// was so then.
     fn locate_one(
         &self,
         known: Option<&Contact>,
@@ -107,10 +110,14 @@ impl<R: Real> View<'_, R> {
         let probe = place + 1e-9 * finest * (normal - 0.5 * arm.signum() * (DVec3::ONE - normal.abs()));
         let faces = &self.model.grid.faces;
         let cell = [layer(&faces[0], probe.x)?, layer(&faces[1], probe.y)?, layer(&faces[2], probe.z)?];
-        let base = self.model.grid.index(cell[0], cell[1], cell[2]);
+        let (base, whole) =
+            (self.model.grid.index(cell[0], cell[1], cell[2]), self.model.grid.in_whole(cell));
+        if !self.model.grid.owns(whole) {
+            return None;
+        }
         let (weight, coverage) = self.weights(cell, place)?;
         let mut contact = Contact {
-            base,
+            cell: whole.map(|layer| layer as u32),
             material: self.material_of(base),
             weight,
             area: coverage,

@@ -5,6 +5,7 @@ use super::workspace::ContactWorkspace;
 use crate::bodies::BodyStep;
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::workspace::SoilWorkspace;
+use crate::halo::{self, Halo};
 use crate::model::Model;
 use crate::real::Real;
 use crate::state::{Nodes, Received, State};
@@ -24,10 +25,9 @@ pub(crate) struct ContactWork {
 pub(crate) fn solve<R: Real>(
     model: &Model,
     state: &mut State<R>,
-    soil: &mut SoilWorkspace<R>,
+    (soil, halo): (&mut SoilWorkspace<R>, &mut dyn Halo),
     workspace: &mut ContactWorkspace,
     steps: &mut [BodyStep],
-    dt: f64,
 ) -> ContactWork {
     if state.bodies.is_empty() {
         return ContactWork::default();
@@ -36,7 +36,8 @@ pub(crate) fn solve<R: Real>(
         step.received = body.received;
     }
     let ContactWorkspace { law, nodes, corner_nodes, patch, friction, .. } = workspace;
-    gather(model, &state.nodes, &soil.velocity_before, nodes);
+    gather(&state.nodes, &soil.velocity_before, nodes, halo);
+    find_mobility(model, nodes);
     friction.clear();
     friction.resize(state.contacts.len(), DVec3::ZERO);
     law.act(&mut Scene {
@@ -48,7 +49,7 @@ pub(crate) fn solve<R: Real>(
         patch: &patch.0,
         missing: &patch.1,
         friction,
-        dt,
+        dt: model.time_step(),
     });
     let on_soil = scatter(&mut state.nodes, nodes);
     let rubbed = rubbed(state, nodes, corner_nodes, friction, steps);
@@ -64,15 +65,34 @@ pub(crate) fn solve<R: Real>(
     ContactWork { on_soil, rubbed }
 }
 
-/// Takes velocities and masses of the contact nodes from the grid.
-fn gather<R: Real>(model: &Model, grid: &Nodes<R>, before: &[Vec<R>; 3], nodes: &mut [TouchedNode]) {
+/// Takes velocities and masses of the contact nodes from the blocks that own them.
+fn gather<R: Real>(grid: &Nodes<R>, before: &[Vec<R>; 3], nodes: &mut [TouchedNode], halo: &mut dyn Halo) {
+    for node in nodes.iter_mut() {
+        if let Some(n) = node.node {
+            node.mass = grid.mass[n].to_f64();
+            (node.velocity, node.before) = (velocity_of(&grid.velocity, n), velocity_of(before, n));
+        }
+    }
+    if !halo.is_alone() {
+        let owned = nodes.iter().enumerate().filter(|(_, node)| node.is_owned);
+        let values = owned.map(|(n, node)| {
+            let ([vx, vy, vz], [bx, by, bz]) = (node.velocity.to_array(), node.before.to_array());
+            (n, [node.mass, vx, vy, vz, bx, by, bz])
+        });
+        for (n, [mass, vx, vy, vz, bx, by, bz]) in halo::in_order(halo, values) {
+            nodes[n].mass = mass;
+            (nodes[n].velocity, nodes[n].before) = (DVec3::new(vx, vy, vz), DVec3::new(bx, by, bz));
+        }
+    }
+}
+
+/// How the nodes answer an impulse.
+fn find_mobility(model: &Model, nodes: &mut [TouchedNode]) {
     let mass_moved = model.mass_moved();
     for node in nodes {
-        node.mass = grid.mass[node.node].to_f64();
-        node.velocity = velocity_of(&grid.velocity, node.node);
         node.free = node.velocity;
-        node.before = velocity_of(before, node.node);
-        node.inverse_mass = if node.mass > mass_moved { node.free_of_walls / node.mass } else { DVec3::ZERO };
+        let free = DVec3::from_array(node.is_free.map(|is_free| if is_free { 1.0 } else { 0.0 }));
+        node.inverse_mass = if node.mass > mass_moved { free / node.mass } else { DVec3::ZERO };
     }
 }
 
@@ -85,8 +105,10 @@ fn velocity_of<R: Real>(velocity: &[Vec<R>; 3], node: usize) -> DVec3 {
 fn scatter<R: Real>(grid: &mut Nodes<R>, nodes: &[TouchedNode]) -> f64 {
     let mut work = 0.0;
     for node in nodes {
-        for (v, new) in grid.velocity.iter_mut().zip(node.velocity.to_array()) {
-            v[node.node] = R::cast(new);
+        if let Some(n) = node.node {
+            for (v, new) in grid.velocity.iter_mut().zip(node.velocity.to_array()) {
+                v[n] = R::cast(new);
+            }
         }
         work += node.mass * (node.velocity - node.free).dot(0.5 * (node.velocity + node.before));
     }

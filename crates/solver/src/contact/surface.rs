@@ -24,8 +24,8 @@ impl Surface {
         let mut points = body.shape.surface_points(spacing, model.method.edge_inset * finest);
         if body.translation[1] == Freedom::Fixed {
             // It turns about an axle along y.
-            let faces = &model.grid.faces[1];
-            let (low, high) = (faces[0] - spacing, faces[faces.len() - 1] + spacing);
+            let [low, high] = model.grid.ends(1);
+            let (low, high) = (low - spacing, high + spacing);
             points.retain(|p| (low..=high).contains(&(body.start.y + p.position.y)));
         }
         Self::of(&points)

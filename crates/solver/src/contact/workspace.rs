@@ -6,6 +6,7 @@ use super::law::{ContactLaw, law};
 use super::nodes::contact_nodes;
 use super::scene::TouchedNode;
 use super::surface::Surface;
+use crate::halo::{self, Halo};
 use crate::model::Model;
 use crate::real::Real;
 use crate::state::State;
@@ -37,7 +38,7 @@ impl std::fmt::Debug for ContactWorkspace {
 
 impl ContactWorkspace {
     /// Memory for the bodies of a model and the contacts of a state.
-    pub(crate) fn new<R: Real>(model: &Model, state: &State<R>) -> Self {
+    pub(crate) fn new<R: Real>(model: &Model, state: &State<R>, halo: &mut dyn Halo) -> Self {
         let mut workspace = Self {
             law: law(model),
             surfaces: model.bodies.iter().map(|body| Surface::new(model, body)).collect(),
@@ -47,16 +48,15 @@ impl ContactWorkspace {
             patch: (Vec::new(), Vec::new()),
             friction: Vec::new(),
         };
-        workspace.connect(model, state);
+        workspace.connect(model, state, halo);
         workspace
     }
 
     /// Connects the contacts with the nodes and with each other, after a search.
-    pub(super) fn connect<R: Real>(&mut self, model: &Model, state: &State<R>) {
+    pub(super) fn connect<R: Real>(&mut self, model: &Model, state: &State<R>, halo: &mut dyn Halo) {
         (self.nodes, self.corner_nodes) = contact_nodes(model, &state.contacts);
-        let fraction: Vec<f64> =
-            state.contacts.iter().map(|c| state.soil.fraction[c.base].to_f64()).collect();
-        self.patch = constraint::number(model, &state.bodies, &state.contacts, &fraction);
+        let fractions = fractions(model, state, halo);
+        self.patch = constraint::number(model, &state.bodies, &state.contacts, &fractions);
     }
 
     /// Memory that it takes up [bytes], but for what the contact law keeps during a step.
@@ -69,4 +69,15 @@ impl ContactWorkspace {
             + size_of_val(self.patch.1.as_slice())
             + size_of_val(self.friction.as_slice())
     }
+}
+
+/// Volume fractions in the cells of all contacts.
+fn fractions<R: Real>(model: &Model, state: &State<R>, halo: &mut dyn Halo) -> Vec<f64> {
+    let grid = &model.grid;
+    let own = state.contacts.iter().enumerate().filter_map(|(n, contact)| {
+        let whole = contact.cell.map(|layer| layer as usize);
+        let [i, j, k] = grid.in_block(whole).filter(|_| grid.owns(whole))?;
+        Some((n, [state.soil.fraction[grid.index(i, j, k)].to_f64()]))
+    });
+    halo::in_order(halo, own).into_iter().map(|(_, [fraction])| fraction).collect()
 }

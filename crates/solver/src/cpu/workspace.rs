@@ -5,6 +5,7 @@ use super::stopwatch::Stopwatch;
 use super::threads::{MOST, Team};
 use crate::fields::Soil;
 use crate::grid::Grid;
+use crate::halo::{self, Halo};
 use crate::model::Model;
 use crate::real::Real;
 use crate::state::State;
@@ -92,7 +93,7 @@ impl<R: Copy> Coefficients<R> {
 
 /// Sums over a row, in an order that does not depend on the number of threads.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct RowSums {
+pub(crate) struct RowSums {
     /// Plastic dissipation [J].
     pub plastic: f64,
     /// Dissipation by bulk viscosity [J].
@@ -109,6 +110,34 @@ pub struct RowSums {
     pub displacement_light: f64,
     /// Number of cells whose stress was returned to the strength.
     pub yields: u32,
+}
+
+impl RowSums {
+    fn plus(self, other: Self) -> Self {
+        Self {
+            plastic: self.plastic + other.plastic,
+            viscous: self.viscous + other.viscous,
+            hourglass: self.hourglass + other.hourglass,
+            gravity: self.gravity + other.gravity,
+            kinetic: self.kinetic + other.kinetic,
+            displacement: self.displacement.max(other.displacement),
+            displacement_light: self.displacement_light.max(other.displacement_light),
+            yields: self.yields + other.yields,
+        }
+    }
+
+    fn to_array(self) -> [f64; 8] {
+        let Self { plastic, viscous, hourglass, gravity, kinetic, .. } = self;
+        let yields = f64::from(self.yields);
+        [plastic, viscous, hourglass, gravity, kinetic, self.displacement, self.displacement_light, yields]
+    }
+
+    fn of(
+        [plastic, viscous, hourglass, gravity, kinetic, displacement, displacement_light, yields]: [f64; 8],
+    ) -> Self {
+        let yields = yields as u32;
+        Self { plastic, viscous, hourglass, gravity, kinetic, displacement, displacement_light, yields }
+    }
 }
 
 /// Row buffers that the Lagrangian step needs, in rows.
@@ -181,9 +210,26 @@ impl<R: Real> SoilWorkspace<R> {
             + size_of_val(self.row_values.as_slice())
     }
 
-    /// Sums over all rows, in the order of the memory.
-    pub(crate) fn total_of_rows(&self) -> [f64; 2] {
-        self.row_values.iter().fold([0.0; 2], |sum, own| [sum[0] + own[0], sum[1] + own[1]])
+    /// Sums of the rows' two values over the whole grid, in the order of its rows.
+    pub(crate) fn total_of_rows(&self, grid: &Grid, halo: &mut dyn Halo) -> [f64; 2] {
+        let add = |sum: [f64; 2], own: &[f64; 2]| [sum[0] + own[0], sum[1] + own[1]];
+        if halo.is_alone() {
+            return self.row_values.iter().fold([0.0; 2], add);
+        }
+        let own = self.row_values.iter().enumerate();
+        let rows = halo::in_order(halo, own.filter_map(|(row, v)| Some((grid.owned_row(row)?, *v))));
+        rows.iter().fold([0.0; 2], |sum, (_, own)| add(sum, own))
+    }
+
+    /// What the Lagrangian stage did in all rows of the whole grid.
+    pub(crate) fn total_of_stage(&self, grid: &Grid, halo: &mut dyn Halo) -> RowSums {
+        if halo.is_alone() {
+            return self.row_sums[self.cut.all()].iter().copied().fold(RowSums::default(), RowSums::plus);
+        }
+        let own = self.row_sums.iter().enumerate();
+        let own = own.filter_map(|(row, sums)| Some((grid.owned_row(row)?, sums.to_array())));
+        let rows = halo::in_order(halo, own);
+        rows.into_iter().map(|(_, sums)| RowSums::of(sums)).fold(RowSums::default(), RowSums::plus)
     }
 
     /// Finds which rows hold soil and of which material, and deals the rows out anew.

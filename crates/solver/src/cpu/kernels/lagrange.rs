@@ -8,7 +8,6 @@
 use super::nodes::{NodeConstants, NodeRow, finish_row, gather_forces, move_row};
 use super::stress::{CellRow, MaterialConstants, NodeRows, RowConstants, runs, strain_cells};
 use super::{Coefficients, Real, Soil, State, WorkerScratch, Workspace};
-use crate::cpu::partition::Cut;
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::threads::parts_of;
 use crate::cpu::workspace::{COEFFICIENTS, NODE_SUMS, RowSums};
@@ -51,8 +50,8 @@ struct Inputs<'a> {
 const DEALS: u64 = 64;
 
 /// Strains the soil and moves the nodes by one step of `dt` [s]: stresses and displacements at the end of the step,
-/// free velocities (before contact) half a step later. Returns the sums over all rows.
-pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspace, dt: f64) -> RowSums {
+/// free velocities (before contact) half a step later. What the rows did is in their sums.
+pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspace, dt: f64) {
     let grid = &model.grid;
     workspace.stopwatch().lap(Stage::Other);
     if state.step.is_multiple_of(DEALS) {
@@ -117,20 +116,6 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
         company.note(clock.elapsed().as_secs_f64(), load / speed);
     }
     workers[0].stopwatch.lap(Stage::Nodes);
-    total(cut, row_sums)
-}
-
-fn total(cut: &Cut, row_sums: &[RowSums]) -> RowSums {
-    row_sums[cut.all()].iter().fold(RowSums::default(), |a, b| RowSums {
-        plastic: a.plastic + b.plastic,
-        viscous: a.viscous + b.viscous,
-        hourglass: a.hourglass + b.hourglass,
-        gravity: a.gravity + b.gravity,
-        kinetic: a.kinetic + b.kinetic,
-        displacement: a.displacement.max(b.displacement),
-        displacement_light: a.displacement_light.max(b.displacement_light),
-        yields: a.yields + b.yields,
-    })
 }
 
 impl Inputs<'_> {

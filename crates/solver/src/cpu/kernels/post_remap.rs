@@ -36,13 +36,8 @@ struct Inputs<'a> {
 }
 
 /// Removes debris, closes gaps that stand under pressure, returns stresses to the yield surface; in the `active` rows, the
-/// only ones with soil. Returns volume [m³] and mass [kg] of the debris.
-pub(crate) fn update_after_remap(
-    model: &Model,
-    soil: &mut Soil,
-    workspace: &mut Workspace,
-    active: &[bool],
-) -> [f64; 2] {
+/// only ones with soil. Volume [m³] and mass [kg] of the debris are in the rows' values.
+pub(crate) fn update_after_remap(model: &Model, soil: &mut Soil, workspace: &mut Workspace, active: &[bool]) {
     let Workspace {
         team, cut, velocity_before: [volume, ..], row_values, workers, width_x, materials, ..
     } = workspace;
@@ -60,7 +55,6 @@ pub(crate) fn update_after_remap(
     let constants = RowConstants::new(model, materials, width_x, 0.0);
     let inputs = Inputs { grid: &model.grid, constants, materials, composition, volume, active };
     team.deal(parts, |part| update_part(&inputs, part));
-    workspace.total_of_rows()
 }
 
 fn update_part(inputs: &Inputs, part: &mut Part) {

@@ -1,0 +1,141 @@
+//! A grid that is cut into blocks, each on a thread of its own, takes the same course to the bit as the whole.
+#![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
+
+mod common;
+
+use common::{below, sand, uniform};
+use glam::DVec3;
+use physics::rigid::Freedom;
+use physics::shape::{Block, Disc, Shape};
+use solver::fields::Nodes;
+use solver::grid::Grid;
+use solver::halo::in_process::cut;
+use solver::initial::{at_rest, set_in_motion};
+use solver::model::{BodyModel, ContactMethod, Model};
+use solver::precision::Precision;
+use solver::state::State;
+use solver::step::step;
+use solver::workspace::Workspace;
+
+const STEPS: usize = 160;
+
+fn body(name: &str, shape: Box<dyn Shape>, start: DVec3) -> BodyModel {
+    let free = |load| Freedom::Free { load, start: 0.0, ramp: 0.005 };
+    BodyModel {
+        name: name.into(),
+        shape,
+        start,
+        mass: 2.0,
+        axle_inertia: 0.01,
+        friction: 0.3,
+        shear_limit: f64::INFINITY,
+        translation: [
+            Freedom::Prescribed { speed: 0.4, start: 0.0, ramp: 0.01, end: f64::INFINITY },
+            Freedom::Fixed,
+            free(-30.0),
+        ],
+        spin: free(0.0),
+    }
+}
+
+/// A towed disc and a towed block in sand that moves, both across cuts.
+fn model(contact: ContactMethod, lanes: usize) -> Model {
+    let mut model = sand([uniform(-0.2, 0.26, 23), uniform(-0.2, 0.2, 20), uniform(-0.16, 0.08, 12)]);
+    model.grid = Grid::padded(model.grid.faces.clone(), lanes);
+    model.method.contact = contact;
+    model.method.remap_displacement = 0.02;
+    let disc = Box::new(Disc { diameter: 0.2, thickness: 0.08 });
+    model.bodies.push(body("disc", disc, DVec3::new(-0.04, -0.03, 0.08)));
+    let block = Box::new(Block { size: DVec3::new(0.08, 0.1, 0.06) });
+    model.bodies.push(body("block", block, DVec3::new(0.12, 0.11, 0.01)));
+    model
+}
+
+fn start<R: Precision>(model: &Model) -> State<R> {
+    let mut state = at_rest::<R>(model, &below(0.0));
+    set_in_motion(model, &mut state, DVec3::new(0.05, 0.1, 0.02));
+    state
+}
+
+fn go<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut Workspace<R>) {
+    for _ in 0..STEPS {
+        step(model, state, workspace).unwrap();
+    }
+}
+
+/// What a block owns is what the whole has there.
+fn assert_same<R: Precision>(whole: (&Grid, &State<R>), block: (&Grid, &State<R>)) {
+    let (grid, own) = (block.0, block.1.soil.arrays().zip(whole.1.soil.arrays()));
+    let nodes = block.1.nodes.arrays().zip(whole.1.nodes.arrays());
+    let each = own.map(|pair| (0, pair)).chain(nodes.map(|pair| (1, pair)));
+    for (number, (beyond, (part, all))) in each.enumerate() {
+        for k in grid.own[2].start..grid.own[2].end + beyond {
+            for j in grid.own[1].start..grid.own[1].end + beyond {
+                for i in 0..grid.cells()[0] + beyond {
+                    let here = grid.index(i, j - grid.first[1], k - grid.first[2]);
+                    let there = whole.0.index(i, j, k);
+                    assert_eq!(part[here], all[there], "array {number}, layers {i} {j} {k}");
+                }
+            }
+        }
+    }
+    assert_eq!(block.1.bodies, whole.1.bodies);
+    assert_eq!(block.1.contacts, whole.1.contacts);
+    assert_eq!(block.1.ledger, whole.1.ledger);
+    assert_eq!((block.1.remaps, block.1.time), (whole.1.remaps, whole.1.time));
+}
+
+fn blocks_are_the_whole<R: Precision>(contact: ContactMethod, cuts: [&[usize]; 2], threads: usize) {
+    let whole = model(contact, R::LANES);
+    let mut state = start::<R>(&whole);
+    let mut workspace = Workspace::new(&whole, &mut state, 1);
+    let begin = start::<R>(&whole);
+    go(&whole, &mut state, &mut workspace);
+    assert!(state.remaps > 10 && state.contacts.len() > 100, "{} remaps", state.remaps);
+    let still: Nodes<R> = Nodes::at_rest(&whole.grid);
+    assert!(state.nodes.velocity != still.velocity);
+    let blocks = cut(&whole.grid.whole, cuts, R::LANES);
+    assert_eq!(blocks.len(), (cuts[0].len() + 1) * (cuts[1].len() + 1));
+    std::thread::scope(|scope| {
+        for (grid, halo) in blocks {
+            let (begin, state, whole) = (&begin, &state, &whole.grid);
+            scope.spawn(move || {
+                let mut own = begin.of_block(whole, &grid);
+                let model = Model { grid, ..model(contact, R::LANES) };
+                let mut workspace = Workspace::of_block(&model, &mut own, threads, Box::new(halo));
+                go(&model, &mut own, &mut workspace);
+                assert_same((whole, state), (&model.grid, &own));
+            });
+        }
+    });
+}
+
+#[test]
+fn two_blocks_side_by_side() {
+    blocks_are_the_whole::<f64>(ContactMethod::Impulse, [&[9], &[]], 1);
+}
+
+#[test]
+fn three_uneven_blocks_side_by_side() {
+    blocks_are_the_whole::<f64>(ContactMethod::Impulse, [&[4, 13], &[]], 2);
+}
+
+#[test]
+fn two_blocks_one_above_the_other() {
+    blocks_are_the_whole::<f64>(ContactMethod::Impulse, [&[], &[7]], 1);
+}
+
+#[test]
+fn six_blocks_that_meet_at_edges() {
+    blocks_are_the_whole::<f64>(ContactMethod::Impulse, [&[5, 11], &[7]], 1);
+}
+
+#[test]
+fn blocks_with_penalty_contact() {
+    blocks_are_the_whole::<f64>(ContactMethod::Penalty, [&[8], &[6]], 1);
+}
+
+#[test]
+fn blocks_in_single_precision() {
+    blocks_are_the_whole::<f32>(ContactMethod::Impulse, [&[6, 12], &[]], 1);
+}
