@@ -21,8 +21,8 @@ pub(crate) fn account<R: Precision>(
     ledger.viscous += sums.viscous;
     ledger.hourglass += sums.hourglass;
     ledger.external += sums.gravity;
-    ledger.friction += work.rubbed;
-    ledger.contact -= work.on_soil + work.rubbed;
+    ledger.friction += work.friction_work;
+    ledger.contact -= work.on_soil + work.friction_work;
     for ((fixed, body), step) in model.bodies.iter().zip(&state.bodies).zip(steps) {
         let (share, received) = (model.share(), &step.received);
         let force = received.normal + received.friction;

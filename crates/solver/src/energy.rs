@@ -28,8 +28,8 @@ pub(crate) fn total<R: Precision>(
     workspace: &mut SoilWorkspace<R>,
     halo: &mut dyn Halo,
 ) -> f64 {
-    let SoilWorkspace { team, cut, row_values, .. } = workspace;
-    team.deal(cut.split_by(1, row_values).zip(cut.ranges()), |(values, rows)| {
+    let SoilWorkspace { team, partition, row_values, .. } = workspace;
+    team.distribute(partition.split_by(1, row_values).zip(partition.ranges()), |(values, rows)| {
         for (value, row) in values.iter_mut().zip(rows.clone()) {
             let place = model.grid.row_place(row);
             *value = [

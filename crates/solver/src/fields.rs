@@ -160,9 +160,9 @@ impl<R: Copy + Into<f64>> Soil<R> {
         Soil {
             fraction: to_f64(&self.fraction),
             mass: to_f64(&self.mass),
-            stress: self.stress.each_ref().map(to_f64),
-            history: self.history.each_ref().map(to_f64),
-            composition: self.composition.iter().map(to_f64).collect(),
+            stress: self.stress.each_ref().map(|field| to_f64(field)),
+            history: self.history.each_ref().map(|field| to_f64(field)),
+            composition: self.composition.iter().map(|field| to_f64(field)).collect(),
         }
     }
 }
@@ -185,13 +185,13 @@ impl<R: Copy + Into<f64>> Nodes<R> {
     #[must_use]
     pub fn to_f64(&self) -> Nodes {
         Nodes {
-            velocity: self.velocity.each_ref().map(to_f64),
-            displacement: self.displacement.each_ref().map(to_f64),
+            velocity: self.velocity.each_ref().map(|field| to_f64(field)),
+            displacement: self.displacement.each_ref().map(|field| to_f64(field)),
             mass: to_f64(&self.mass),
         }
     }
 }
 
-fn to_f64<R: Copy + Into<f64>>(field: &Vec<R>) -> Vec<f64> {
+fn to_f64<R: Copy + Into<f64>>(field: &[R]) -> Vec<f64> {
     field.iter().map(|value| (*value).into()).collect()
 }

@@ -1,7 +1,7 @@
 //! What a run will take up in memory, told from its model before any of it exists. All in bytes, as floats: what nobody could
 //! ever hold has a number too.
 
-use crate::contact::{BodyCell, TouchedNode, kept_per_patch};
+use crate::contact::{BodyCell, ContactNode, kept_per_constraint};
 use crate::cpu::workspace;
 use crate::fields::ARRAYS;
 use crate::model::{BodyModel, Model};
@@ -29,7 +29,7 @@ pub struct Footprint {
 /// Arrays of the state that are written in every cell at the start: fraction, mass, stress, and the mass of the nodes.
 const WRITTEN: f64 = 9.0;
 /// Sharing of a cell's nodes by neighbouring patches: about so many nodes for each patch of points.
-const NODES_PER_PATCH: f64 = 2.5;
+const NODES_PER_CONSTRAINT: f64 = 2.5;
 
 /// What a run of a model by so many threads will take up, each body being at last so far from its start [m].
 #[must_use]
@@ -37,8 +37,8 @@ pub fn footprint<R: Real>(model: &Model, threads: usize, moved: &[DVec3]) -> Foo
     let grid = &model.grid;
     let [fields, fields_of_soil] = self::fields::<R>(grid.entries, model.materials.len());
     let per_surface_point = size_of::<(DVec3, u32)>() as f64;
-    let per_patch = per_patch(size_of::<TouchedNode>()) + kept_per_patch(model);
-    let [contact, layout] = contact(model, moved, [per_surface_point, per_patch]);
+    let per_constraint = per_constraint(size_of::<ContactNode>()) + kept_per_constraint(model);
+    let [contact, layout] = contact(model, moved, [per_surface_point, per_constraint]);
     let workspace = workspace::footprint::<R>(grid, workspace::team_size(grid, threads));
     let body_cells = body_cells(model) * size_of::<BodyCell>() as f64;
     Footprint { fields, fields_of_soil, workspace, contact: contact + body_cells, layout }
@@ -52,16 +52,16 @@ fn fields<R>(entries: usize, materials: usize) -> [f64; 2] {
 }
 
 /// Contact points of all bodies, each at last so far from its start [m]: what is kept for them, and what laying out the
-/// largest takes besides; `per_patch` is what the contact law keeps of a patch.
-fn contact(model: &Model, moved: &[DVec3], [per_point, per_patch]: [f64; 2]) -> [f64; 2] {
+/// largest takes besides; `per_constraint` is what the contact law keeps of a patch.
+fn contact(model: &Model, moved: &[DVec3], [per_point, per_constraint]: [f64; 2]) -> [f64; 2] {
     /// Of a shape's list of points, its copy in pairs, and the tree that finds the pairs.
     const LAID_OUT: f64 = 2.0 * size_of::<SurfacePoint>() as f64 + 60.0;
-    let points_per_patch = model.method.point_spacing.min(1.0).powi(-2);
+    let points_per_constraint = model.method.point_spacing.min(1.0).powi(-2);
     let mut sums = [0.0_f64; 2];
     for (n, body) in model.bodies.iter().enumerate() {
         let all = surface_points(model, body);
         let [kept, touching] = shares(model, body, moved.get(n).copied().unwrap_or_default());
-        let each = per_contact() + per_patch / points_per_patch;
+        let each = per_contact() + per_constraint / points_per_constraint;
         sums[0] += all * (kept * per_point + touching * each);
         sums[1] = sums[1].max(all * LAID_OUT);
     }
@@ -101,10 +101,10 @@ fn per_contact() -> f64 {
     2.0 * one + lists as f64
 }
 
-/// What is kept for a patch besides what the contact law keeps: the nodes, the forces that are missing, and how it is found.
-fn per_patch(touched_node: usize) -> f64 {
-    let missing = size_of::<[DVec3; 8]>() + size_of::<Option<[DVec3; 8]>>();
-    NODES_PER_PATCH * touched_node as f64 + missing as f64 + 120.0
+/// What is kept for a patch besides what the contact law keeps: the nodes, the forces that are hourglass_correction, and how it is found.
+fn per_constraint(contact_node: usize) -> f64 {
+    let hourglass_correction = size_of::<[DVec3; 8]>() + size_of::<Option<[DVec3; 8]>>();
+    NODES_PER_CONSTRAINT * contact_node as f64 + hourglass_correction as f64 + 120.0
 }
 
 /// Share of a body's points that are kept, and of those that have soil to act on at its start or when it has moved so far

@@ -54,7 +54,7 @@ fn add<R: Real>(soil: &mut Soil<R>, fraction: &[R], material: usize) {
 }
 
 fn of_soil<R: Precision>(model: &Model, mut soil: Soil<R>, overburden: f64) -> State<R> {
-    let mut bodies: Vec<Body> = model
+    let bodies: Vec<Body> = model
         .bodies
         .iter()
         .map(|b| Body {
@@ -70,7 +70,7 @@ fn of_soil<R: Precision>(model: &Model, mut soil: Soil<R>, overburden: f64) -> S
         .collect();
     weigh(model, &mut soil);
     rest_stress(model, &mut soil, overburden);
-    cut_out_bodies(model, &mut soil, &mut bodies);
+    cut_out_bodies(model, &mut soil, &bodies);
     relieve_void(&mut soil);
     weigh(model, &mut soil);
     let mut nodes = Nodes::at_rest(&model.grid);

@@ -79,21 +79,21 @@ fn rows_near_soil(grid: &Grid, row_has_soil: &[bool]) -> Vec<bool> {
 /// Sets the displacement to zero, gives the nodes the masses of the cells round them, and leaves the scratch arrays zero
 /// where there is no soil, as the Lagrangian stage expects them.
 fn reset_nodes<R: Precision>(grid: &Grid, state: &mut State<R>, workspace: &mut SoilWorkspace<R>) {
-    let SoilWorkspace { team, cut, velocity_before, .. } = workspace;
+    let SoilWorkspace { team, partition, velocity_before, .. } = workspace;
     for array in state.nodes.displacement.iter_mut().chain(velocity_before) {
-        team.rows(cut, array, |_, out| out.fill(R::default()));
+        team.rows(partition, array, |_, out| out.fill(R::default()));
     }
     let cells = &state.soil.mass;
-    team.rows(cut, &mut state.nodes.mass, |row, out| R::nodal_masses(grid, row, cells, out));
+    team.rows(partition, &mut state.nodes.mass, |row, out| R::nodal_masses(grid, row, cells, out));
 }
 
 /// Stops nodes that have lost their soil; only now, not between sweeps.
 fn stop_massless_nodes<R: Precision>(model: &Model, state: &mut State<R>, workspace: &SoilWorkspace<R>) {
-    let SoilWorkspace { team, cut, .. } = workspace;
+    let SoilWorkspace { team, partition, .. } = workspace;
     let (mass_moved, mass) = (R::cast(model.mass_moved()), &state.nodes.mass);
     for v in &mut state.nodes.velocity {
-        team.rows(cut, v, |row, out| {
-            for (v, m) in out.iter_mut().zip(&mass[row * cut.stride..]) {
+        team.rows(partition, v, |row, out| {
+            for (v, m) in out.iter_mut().zip(&mass[row * partition.stride..]) {
                 if *m <= mass_moved {
                     *v = R::default();
                 }

@@ -1,4 +1,4 @@
-//! Body volume fraction: the part of each cell that the bodies take up.
+//! Body volume fraction: the fraction of each cell that bodies each_occupied_cell.
 
 use crate::grid::Grid;
 use crate::halo::{self, Halo};
@@ -7,37 +7,37 @@ use crate::real::Real;
 use crate::state::{Body, Soil};
 use glam::DVec3;
 
-/// Finds anew which share of each cell the bodies take up. It is noted in memory that is free only till [`locate`].
+/// Updates the body volume fractions of all cells, in scratch memory that is free until the contact search.
 pub(crate) fn find_bodies<R: Real>(
     model: &Model,
     bodies: &mut [Body],
-    occupied: &mut [R],
+    body_fraction: &mut [R],
     body_cells: &mut Vec<BodyCell>,
 ) {
     body_cells.clear();
     for (n, (fixed, body)) in model.bodies.iter().zip(bodies).enumerate() {
-        occupy(model, fixed, body, |cell, share| {
-            let sum = occupied[cell].to_f64() + R::cast(share).to_f64();
-            occupied[cell] = R::cast(sum.min(1.0));
-            body_cells.push(BodyCell { body: n, cell, share });
+        each_occupied_cell(model, fixed, body, |cell, fraction| {
+            let sum = body_fraction[cell].to_f64() + R::cast(fraction).to_f64();
+            body_fraction[cell] = R::cast(sum.min(1.0));
+            body_cells.push(BodyCell { body: n, cell, fraction });
         });
         body.located = (body.position, body.angle);
     }
 }
 
-/// A cell of which a body takes up a share.
+/// A cell that a body occupies, wholly or in part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BodyCell {
     /// Which body.
     pub(crate) body: usize,
-    /// Place in memory.
+    /// Index in memory.
     pub(crate) cell: usize,
-    /// Share of the cell.
-    pub(crate) share: f64,
+    /// Volume fraction of the body in it.
+    pub(crate) fraction: f64,
 }
 
-/// Calls `each(cell, share)` for the cells that a body takes up a share of.
-fn occupy(model: &Model, fixed: &BodyModel, body: &Body, mut each: impl FnMut(usize, f64)) {
+/// Calls `each(cell, fraction)` for the cells that a body occupies, wholly or in part.
+fn each_occupied_cell(model: &Model, fixed: &BodyModel, body: &Body, mut each: impl FnMut(usize, f64)) {
     let grid = &model.grid;
     let (low, high) = fixed.shape.bounds();
     let reach = if fixed.shape.is_revolved() { high } else { DVec3::splat(low.length().max(high.length())) };
@@ -51,18 +51,18 @@ fn occupy(model: &Model, fixed: &BodyModel, body: &Body, mut each: impl FnMut(us
     for k in ranges[2].clone() {
         for j in ranges[1].clone() {
             for i in ranges[0].clone() {
-                let share =
+                let fraction =
                     covered(grid, [i, j, k], |x| fixed.shape.signed_distance(turn * (x - body.position)));
-                if share > 0.0 {
-                    each(grid.index(i, j, k), share);
+                if fraction > 0.0 {
+                    each(grid.index(i, j, k), fraction);
                 }
             }
         }
     }
 }
 
-/// Measures the volume of each body below the undisturbed surface, and the soil inside it: what is more than fits beside it
-/// in its cells.
+/// Measures the volume of each body below the undisturbed surface, and the soil inside it: the volume by which soil and body
+/// together exceed their cells.
 pub(super) fn measure_bodies<R: Real>(
     model: &Model,
     soil: &Soil<R>,
@@ -77,9 +77,9 @@ pub(super) fn measure_bodies<R: Real>(
         let whole @ [i, j, k] = grid.in_whole(place);
         let below = ((model.surface - grid.faces[2][place[2]]) / grid.width(2, place[2])).clamp(0.0, 1.0);
         let volume = grid.volume_of(c.cell);
-        let leaked = (soil.fraction[c.cell].to_f64() + c.share - 1.0).max(0.0) * volume;
+        let leaked = (soil.fraction[c.cell].to_f64() + c.fraction - 1.0).max(0.0) * volume;
         let number = ((c.body * nz + k) * ny + j) * nx + i;
-        grid.owns(whole).then_some((number, [c.share * below * volume, leaked]))
+        grid.owns(whole).then_some((number, [c.fraction * below * volume, leaked]))
     });
     for body in bodies.iter_mut() {
         (body.embedded_volume, body.leaked_volume) = (0.0, 0.0);
@@ -91,10 +91,10 @@ pub(super) fn measure_bodies<R: Real>(
     }
 }
 
-/// Share of a cell with a negative distance, by 4³ samples; each counts in part when the surface is near it.
+/// Fraction of a cell with a negative distance, by 4³ samples; samples near the surface count in part.
 fn covered(grid: &Grid, cell: [usize; 3], distance: impl Fn(DVec3) -> f64) -> f64 {
     const SAMPLES: usize = 4;
-    // Every place is found from both faces, and layers in y are added up in pairs: a mirror in y changes no bit.
+    // Positions are interpolated from both faces and layers in y summed in pairs, so that mirroring in y changes no bit.
     let at = |axis: usize, n: f64| {
         let (part, faces) = (n / SAMPLES as f64, &grid.faces[axis]);
         faces[cell[axis]] * (1.0 - part) + faces[cell[axis] + 1] * part
@@ -115,14 +115,16 @@ fn covered(grid: &Grid, cell: [usize; 3], distance: impl Fn(DVec3) -> f64) -> f6
     ((layers[0] + layers[3]) + (layers[1] + layers[2])) / SAMPLES.pow(3) as f64
 }
 
-/// Takes the soil out of the space that the bodies take up, before the run begins.
+/// Cuts the bodies out of the soil before the run begins.
 pub(crate) fn cut_out_bodies<R: Real>(model: &Model, soil: &mut Soil<R>, bodies: &[Body]) {
-    let mut occupied = vec![0.0; model.grid.entries];
+    let mut body_fraction = vec![0.0; model.grid.entries];
     for (fixed, body) in model.bodies.iter().zip(bodies) {
-        occupy(model, fixed, body, |c, share| occupied[c] = (occupied[c] + share).min(1.0));
+        each_occupied_cell(model, fixed, body, |c, fraction| {
+            body_fraction[c] = (body_fraction[c] + fraction).min(1.0)
+        });
     }
-    for (f, share) in soil.fraction.iter_mut().zip(&occupied) {
-        let room = R::cast(1.0 - share);
+    for (f, fraction) in soil.fraction.iter_mut().zip(&body_fraction) {
+        let room = R::cast(1.0 - fraction);
         if *f > room {
             *f = room;
         }

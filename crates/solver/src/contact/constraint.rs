@@ -1,23 +1,23 @@
-//! Patches: the parts of a body's faces that lie in one cell and touch the soil.
+//! Contact constraints: one for each body face in each cell.
 //!
-//! The soil's velocity is one trilinear field in a cell, so the flow through a face there is one condition, and the surface
-//! points of the face in the cell are its quadrature. Their weights, each by its area, make the mean velocity of the soil
-//! over the patch; an impulse on the patch acts like a uniform pressure on it.
+//! The soil's velocity is a single trilinear field within a cell, so non-penetration of a face there is a single condition;
+//! the face's contact points in the cell are its quadrature points. The area-weighted mean of their shape functions gives the
+//! mean soil velocity over the face; an impulse on the constraint acts like a uniform pressure on the face.
 
 use super::cut_cell;
-use super::scene::{Grip, Scene, largest_axis, side};
+use super::scene::{ContactJacobian, Scene, largest_axis, side};
 use crate::model::Model;
 use crate::state::{Body, Contact};
 use glam::DVec3;
 use std::collections::HashMap;
 
-/// A patch that touches, during one step.
+/// An active constraint of one step.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Patch {
-    /// The contact that it began with.
+pub(super) struct Constraint {
+    /// Its first contact point.
     pub(super) first: usize,
-    /// Where it acts: the mean over its points.
-    pub(super) grip: Grip,
+    /// Mean Jacobian of its points.
+    pub(super) jacobian: ContactJacobian,
     /// Area [m²].
     pub(super) area: f64,
     /// Mean overlap of body and soil, in cells.
@@ -26,7 +26,7 @@ pub(super) struct Patch {
     pub(super) impulse: DVec3,
 }
 
-/// Sums over the points of a patch.
+/// Sums over the points of a constraint.
 #[derive(Clone, Copy, Debug, Default)]
 struct Sums {
     area: f64,
@@ -61,57 +61,66 @@ impl Sums {
     }
 }
 
-/// What is kept for each patch [bytes].
-pub(super) const PER_PATCH: usize = size_of::<Patch>() + size_of::<[Sums; 3]>() + size_of::<Option<usize>>();
+/// Memory for each constraint [bytes].
+pub(super) const PER_CONSTRAINT: usize =
+    size_of::<Constraint>() + size_of::<[Sums; 3]>() + size_of::<Option<usize>>();
 
-/// The patches made of the points that touch in a step.
+/// The active constraints of a step.
 #[derive(Debug, Default)]
-pub(super) struct Patches {
+pub(super) struct Constraints {
     /// In the order of their first points.
-    pub(super) each: Vec<Patch>,
-    /// For each contact the place of its patch among them, if it touches.
+    pub(super) each: Vec<Constraint>,
+    /// For each contact point the index of its constraint, if it is active.
     pub(super) of_contact: Vec<Option<usize>>,
-    /// For the number of a patch its place among them.
-    place: Vec<Option<usize>>,
-    /// Points on the two sides of the body's middle are added up apart: a mirror in y then changes no bit of the sum.
+    /// For the number of a constraint its index, if it is active.
+    index: Vec<Option<usize>>,
+    /// Points on the two sides of the body's mid-plane are summed separately, so that mirroring in y changes no bit.
     sums: Vec<[Sums; 3]>,
 }
 
-impl Patches {
-    /// Finds them.
-    pub(super) fn find(&mut self, scene: &Scene, touches: impl Fn(usize) -> bool) {
-        let Self { each: patches, of_contact, place, sums } = self;
-        patches.clear();
+impl Constraints {
+    /// Collects the active points into constraints.
+    pub(super) fn find(&mut self, scene: &Scene, is_active: impl Fn(usize) -> bool) {
+        let Self { each: constraints, of_contact, index, sums } = self;
+        constraints.clear();
         sums.clear();
-        for (list, length) in [(&mut *place, scene.missing.len()), (&mut *of_contact, scene.contacts.len())] {
+        for (list, length) in
+            [(&mut *index, scene.hourglass_correction.len()), (&mut *of_contact, scene.contacts.len())]
+        {
             list.clear();
             list.resize(length, None);
         }
-        for (n, c) in scene.contacts.iter().enumerate().filter(|(n, _)| touches(*n)) {
-            let at = *place[scene.patch[n]].get_or_insert(patches.len());
-            if at == patches.len() {
-                let (nodes, missing) = (scene.corner_nodes[n], scene.missing[scene.patch[n]]);
-                let grip = Grip { body: c.body, nodes, missing, ..Grip::default() };
-                patches.push(Patch { first: n, grip, ..Patch::default() });
+        for (n, c) in scene.contacts.iter().enumerate().filter(|(n, _)| is_active(*n)) {
+            let at = *index[scene.constraint[n]].get_or_insert(constraints.len());
+            if at == constraints.len() {
+                let (nodes, hourglass_correction) =
+                    (scene.corner_nodes[n], scene.hourglass_correction[scene.constraint[n]]);
+                let jacobian = ContactJacobian {
+                    body: c.body,
+                    nodes,
+                    hourglass_correction,
+                    ..ContactJacobian::default()
+                };
+                constraints.push(Constraint { first: n, jacobian, ..Constraint::default() });
                 sums.push(Default::default());
             }
             of_contact[n] = Some(at);
             sums[at][side(c)].add(c);
         }
-        for (patch, [left, right, middle]) in patches.iter_mut().zip(sums) {
+        for (constraint, [left, right, middle]) in constraints.iter_mut().zip(sums) {
             let all = left.plus(right).plus(middle);
-            patch.area = all.area;
-            patch.grip.weight = all.weight.map(|w| w / all.area);
-            patch.grip.arm = all.arm / all.area;
-            patch.grip.normal = all.normal.normalize_or_zero();
-            patch.overlap = all.overlap / all.area;
-            patch.impulse = all.impulse;
+            constraint.area = all.area;
+            constraint.jacobian.weight = all.weight.map(|w| w / all.area);
+            constraint.jacobian.arm = all.arm / all.area;
+            constraint.jacobian.normal = all.normal.normalize_or_zero();
+            constraint.overlap = all.overlap / all.area;
+            constraint.impulse = all.impulse;
         }
     }
 }
 
-/// For each contact the number of its patch (that of its body, face and cell), and for each patch the forces that are missing
-/// at its nodes, over the force on it; `fraction` is the volume fraction in the cell of each contact.
+/// For each contact point the number of its constraint (by body, face and cell), and for each constraint its cut-cell
+/// hourglass correction; `fraction` is the volume fraction in the cell of each contact point.
 pub(crate) fn number(
     model: &Model,
     bodies: &[Body],
@@ -125,6 +134,7 @@ pub(crate) fn number(
         *numbers.entry((c.body, c.cell, axis, c.normal[axis] > 0.0)).or_insert(next)
     });
     let each: Vec<usize> = each.collect();
-    let missing = cut_cell::corrections(model, bodies, (contacts, fraction), (&each, numbers.len()));
-    (each, missing)
+    let hourglass_correction =
+        cut_cell::corrections(model, bodies, (contacts, fraction), (&each, numbers.len()));
+    (each, hourglass_correction)
 }

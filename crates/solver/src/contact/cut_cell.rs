@@ -1,10 +1,10 @@
-//! What contact makes up for in a cell that a body's surface cuts.
+//! Cut-cell hourglass correction: what one-point integration lacks in a cell that a body's surface cuts.
 //!
-//! The pressure p of the soil acts on the nodes of its cell as if the soil were spread evenly over it: the force on node a is
-//! p f V ∇N_a at the cell's middle, where p ∫ ∇N_a over the soil's own part of the cell would be right. What is missing neither
-//! pushes, turns nor stretches the cell as a whole: it is hourglass forces. Along a surface that cuts cells askew they differ from
-//! cell to cell, do not cancel, and stir the soil the more the higher the pressure. It is the body that holds this
-//! pressure, so contact gives to the nodes what is missing, in proportion to the pressure on the patch.
+//! With one-point integration the pressure p of the soil in a cell exerts p f V ∇N_a(centre) on node a, as if the soil filled
+//! the cell evenly; p ∫ ∇N_a over the part of the cell that the soil fills would be right. The difference annihilates every
+//! linear velocity field: it consists of hourglass forces. Along a surface that cuts cells obliquely it differs from cell to
+//! cell, does not cancel, and drives hourglass modes in proportion to the pressure. The body supports this pressure, so the
+//! contact constraint applies the difference, in proportion to its normal force.
 
 use super::scene::side;
 use crate::grid::Grid;
@@ -15,43 +15,43 @@ use std::collections::HashMap;
 
 /// Samples of a cell along each axis.
 const SAMPLES: usize = 4;
-/// A surface has an edge in a cell where its points stand for less than this share of it.
+/// A surface has an edge in a cell where its contact points represent less than this fraction of its area there.
 const WHOLE: f64 = 0.75;
 
-/// For each patch the forces that are missing at the eight nodes of its cell, over the force on the patch.
+/// For each constraint the correction at the eight nodes of its cell per unit normal force.
 pub(super) fn corrections(
     model: &Model,
     bodies: &[Body],
     (contacts, fraction): (&[Contact], &[f64]),
-    (patch, patches): (&[usize], usize),
+    (constraint, constraints): (&[usize], usize),
 ) -> Vec<[DVec3; 8]> {
-    // The two sides of the body's middle are added up apart: a mirror in y then changes no bit of the sum.
+    // The two sides of the body's mid-plane are summed separately, so that mirroring in y changes no bit.
     let mut area: HashMap<(usize, [u32; 3]), [f64; 3]> = HashMap::new();
     for c in contacts {
         area.entry((c.body, c.cell)).or_default()[side(c)] += c.area;
     }
-    let mut corrections = vec![None; patches];
-    for ((c, fraction), number) in contacts.iter().zip(fraction).zip(patch) {
+    let mut corrections = vec![None; constraints];
+    for ((c, fraction), number) in contacts.iter().zip(fraction).zip(constraint) {
         corrections[*number].get_or_insert_with(|| {
             let none = [DVec3::ZERO; 8];
-            // Along a face that lies in the grid all cells are cut alike: what is missing cancels but at the face's edges.
+            // Along a face that is aligned with the grid all cells are cut alike: the corrections cancel, except at its edges.
             if c.normal.abs().max_element() == 1.0 {
                 return none;
             }
             let cell = Cell::new(model, bodies, c);
             let [left, right, middle] = area[&(c.body, c.cell)];
-            let (touched, whole) = (left + right + middle, cell.area());
-            // Edges are what the inset of the points takes care of.
-            if touched < WHOLE * whole {
+            let (sampled, whole) = (left + right + middle, cell.area());
+            // The inset of the contact points takes care of edges.
+            if sampled < WHOLE * whole {
                 return none;
             }
-            cell.missing(*fraction).map(|force| force / touched.max(whole))
+            cell.hourglass_correction(*fraction).map(|force| force / sampled.max(whole))
         });
     }
     corrections.into_iter().map(Option::unwrap_or_default).collect()
 }
 
-/// A cell with a body in it.
+/// A cell that a body occupies in part.
 struct Cell<'a, D> {
     grid: &'a Grid,
     place: [usize; 3],
@@ -75,13 +75,13 @@ impl<'a> Cell<'a, ()> {
 }
 
 impl<D: Fn(DVec3) -> f64> Cell<'_, D> {
-    /// Coordinate that lies so many samples from the low face, found from both faces: a mirror in y changes no bit.
+    /// Coordinate a number of samples from the low face, interpolated from both faces so that mirroring in y changes no bit.
     fn at(&self, axis: usize, samples: f64) -> f64 {
         let (part, faces) = (samples / SAMPLES as f64, &self.grid.whole[axis]);
         faces[self.place[axis]] * (1.0 - part) + faces[self.place[axis] + 1] * part
     }
 
-    /// 1 inside the body, 0 outside, in part near its surface.
+    /// 1 inside the body, 0 outside, between the two near its surface.
     fn inside(&self, place: DVec3) -> f64 {
         let sample = self.width.min_element() / SAMPLES as f64;
         (0.5 - (self.distance)(place) / sample).clamp(0.0, 1.0)
@@ -109,11 +109,10 @@ impl<D: Fn(DVec3) -> f64> Cell<'_, D> {
         DVec3::from_array(std::array::from_fn(|axis| open(axis, 0) - open(axis, 1))).length()
     }
 
-    /// What is missing at the nodes at unit pressure [m²]. With soil in all of the cell but the share β that the body takes up
-    /// it is β V ∇N_a at the middle, less ∫ ∇N_a over the body's part; with less soil, a volume fraction below 1 − β, as
-    /// much less.
-    fn missing(&self, fraction: f64) -> [DVec3; 8] {
-        // With ξ, η, ζ from −1 to 1 it is made of the body's means of ξ, η, ζ, ξη, ηζ, ξζ over the cell. Per layer in y:
+    /// The correction at the nodes at unit pressure [m²]: β V ∇N_a(centre) − ∫ ∇N_a over the body, where the body occupies the
+    /// fraction β of the cell and soil the rest; reduced in proportion where the volume fraction is below 1 − β.
+    fn hourglass_correction(&self, fraction: f64) -> [DVec3; 8] {
+        // It follows from the means over the body of ξ, η, ζ, ξη, ηζ, ξζ, with ξ, η, ζ from −1 to 1. Per layer in y:
         let mut layers = [[0.0; 4]; SAMPLES];
         let local = |n: usize| (n as f64 + 0.5) * 2.0 / SAMPLES as f64 - 1.0;
         for n in 0..SAMPLES.pow(3) {
@@ -168,7 +167,7 @@ mod tests {
         let grid = Grid::new(std::array::from_fn(|_| vec![0.0, 1.0]));
         let cell = Cell { grid: &grid, place: [0; 3], width: DVec3::ONE, distance };
         let room = 0.1;
-        let (full, thin) = (cell.missing(1.0), cell.missing(room));
+        let (full, thin) = (cell.hourglass_correction(1.0), cell.hourglass_correction(room));
         let points = || (0..fine * fine * fine).map(|n| [n % fine, n / fine % fine, n / fine / fine]);
         let inside = || {
             points()
@@ -192,6 +191,6 @@ mod tests {
         assert!(full.iter().sum::<DVec3>().length() < 1e-15);
         // No soil at all, and a cell that the body fills.
         let filled = Cell { grid: &grid, place: [0; 3], width: DVec3::ONE, distance: |_| -1.0 };
-        assert!(filled.missing(-1e-20).iter().all(|f| f.length() < 1e-15));
+        assert!(filled.hourglass_correction(-1e-20).iter().all(|f| f.length() < 1e-15));
     }
 }

@@ -1,4 +1,4 @@
-//! The contact laws, and what they have in common.
+//! The contact laws, and the interface they share.
 
 use super::impulse::{self, Impulses};
 use super::penalty::Penalty;
@@ -8,9 +8,9 @@ use crate::state::Contact;
 
 /// How soil and body act on each other at the contact points.
 pub(crate) trait ContactLaw {
-    /// Called for each point when it has been located anew; `gap` is the void between body and soil [m], negative when
-    /// they overlap, `travel` how far the point has come since the last time [m], if it had soil to act on then.
-    fn relocate(&self, contact: &mut Contact, gap: f64, travel: Option<f64>);
+    /// Called for each point after a contact search; `gap` is the gap between body and soil [m], negative where they overlap,
+    /// `travel` the distance the point has moved since the last search [m], if it was in contact with soil then.
+    fn update(&self, contact: &mut Contact, gap: f64, travel: Option<f64>);
     /// Changes the velocities of nodes and bodies for one step.
     fn act(&mut self, scene: &mut Scene);
 }
@@ -23,10 +23,10 @@ pub(crate) fn law(model: &Model) -> Box<dyn ContactLaw> {
     }
 }
 
-/// What the contact law of a model keeps for each patch of points that touch [bytes].
-pub(crate) fn kept_per_patch(model: &Model) -> f64 {
+/// Memory of the contact law for each active constraint [bytes].
+pub(crate) fn kept_per_constraint(model: &Model) -> f64 {
     match model.method.contact {
         ContactMethod::Penalty => 0.0,
-        ContactMethod::Impulse => impulse::PER_PATCH,
+        ContactMethod::Impulse => impulse::PER_CONSTRAINT,
     }
 }

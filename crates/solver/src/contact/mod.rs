@@ -1,8 +1,8 @@
-//! Contact between soil and bodies at points of the bodies' surfaces.
+//! Contact between soil and bodies, at points of the bodies' surfaces.
 //!
-//! A point acts on the eight nodes of the cell that it lies in. Where it lies, and with which weights, is found at
-//! every remap and kept till the next. How soil and body act on each other there is a `ContactLaw`'s business; two
-//! were built: penalty with a history, and velocity impulses.
+//! A contact point acts on the eight nodes of its cell. The contact search finds its cell and weights at every remap; they stay
+//! the same until the next. A contact law says how soil and body act on each other there: velocity impulses, or penalty with
+//! history.
 
 mod body_fraction;
 mod constraint;
@@ -19,8 +19,8 @@ mod surface;
 pub(crate) mod workspace;
 
 pub(crate) use body_fraction::{BodyCell, cut_out_bodies};
-pub(crate) use law::kept_per_patch;
+pub(crate) use law::kept_per_constraint;
 pub(crate) use overlap::remove_overlap;
-pub(crate) use scene::TouchedNode;
+pub(crate) use scene::ContactNode;
 pub(crate) use search::{first_search, search};
 pub(crate) use solve::{ContactWork, solve};

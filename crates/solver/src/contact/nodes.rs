@@ -1,13 +1,13 @@
 //! The nodes that contact acts on.
 
-use super::scene::{TouchedNode, corners};
+use super::scene::{ContactNode, corners};
 use crate::grid::Grid;
 use crate::model::Model;
 use crate::state::Contact;
 
 /// The nodes that contact acts on, in the order of the whole grid, and for each contact the places of its cell's nodes among
 /// them.
-pub(super) fn contact_nodes(model: &Model, contacts: &[Contact]) -> (Vec<TouchedNode>, Vec<[u32; 8]>) {
+pub(super) fn contact_nodes(model: &Model, contacts: &[Contact]) -> (Vec<ContactNode>, Vec<[u32; 8]>) {
     let [nx, ny, _] = model.grid.whole_cells().map(|n| n + 1);
     let stride = [1, nx, nx * ny];
     let number = |c: &Contact| (0..3).map(|axis| c.cell[axis] as usize * stride[axis]).sum::<usize>();
@@ -22,13 +22,13 @@ pub(super) fn contact_nodes(model: &Model, contacts: &[Contact]) -> (Vec<Touched
 }
 
 /// A node of the whole grid.
-fn contact_node(model: &Model, whole: [usize; 3]) -> TouchedNode {
+fn contact_node(model: &Model, whole: [usize; 3]) -> ContactNode {
     let grid = &model.grid;
-    TouchedNode {
+    ContactNode {
         node: local_node(grid, whole),
         is_owned: grid.owns_node(whole),
         is_free: model.boundaries.free_components(whole, grid.whole_cells()),
-        ..TouchedNode::default()
+        ..ContactNode::default()
     }
 }
 

@@ -1,11 +1,11 @@
-//! Soil that has got into a body is put back outside, into the void beside it.
+//! Overlap removal: soil inside a body is moved to the void beside it.
 //!
 //! The soil's velocity is continuous. Near a sharp edge it therefore lags behind the body on the inner side and is dragged
-//! along on the outer: what enters the body is what goes missing beside it. After a remap, soil that overlaps a body (volume
-//! fraction and share of the body above 1) moves to neighbouring cells that hold soil and have room, with its mass, its
-//! momentum, its stress and history. Soil for which there is no room stays.
+//! along on the outer: the soil that enters the body is missing beside it. After a remap, soil that overlaps a body (volume
+//! fractions of soil and bodies add up to more than 1) moves to neighbouring cells that hold soil and have space, with its
+//! mass, momentum, stress and history. Soil for which there is no space stays.
 //!
-//! All sums run over neighbours in an order that a mirror in y does not change to the bit.
+//! All sums over neighbours are taken in an order for which mirroring in y changes no bit.
 
 use super::body_fraction::find_bodies;
 use super::scene::{corners, over_corners};
@@ -21,10 +21,10 @@ use crate::state::{Nodes, State};
 use glam::DVec3;
 use std::collections::BTreeMap;
 
-/// Rounds of sharing out; each serves what the last left over.
+/// Rounds of redistribution; each takes what the last has left.
 const ROUNDS: usize = 3;
 
-/// Finds anew where the bodies are, and puts overlapping soil back outside them.
+/// Updates the body volume fractions and moves overlapping soil out of the bodies.
 pub(crate) fn remove_overlap<R: Precision>(
     model: &Model,
     state: &mut State<R>,
@@ -37,19 +37,19 @@ pub(crate) fn remove_overlap<R: Precision>(
     cells.sort_unstable();
     cells.dedup();
     for _ in 0..ROUNDS {
-        let transfers = share_out(&model.grid, &state.soil.fraction, &soil.velocity_before[0], &cells);
+        let transfers = distribute(&model.grid, &state.soil.fraction, &soil.velocity_before[0], &cells);
         let is_done = halo::in_order(halo, std::iter::once((0, [transfers.len() as f64])));
         if is_done.iter().all(|(_, [left])| *left == 0.0) {
             break;
         }
-        carry(model, state, soil, &transfers);
+        transfer(model, state, soil, &transfers);
         halo::fill(halo, &model.grid, At::Cells, state.soil.arrays_mut());
         let nodes = state.nodes.velocity.iter_mut().chain([&mut state.nodes.mass]);
         halo::fill(halo, &model.grid, At::Nodes, nodes);
     }
 }
 
-/// Soil that goes from one cell to another.
+/// Soil that moves from one cell to another.
 #[derive(Clone, Copy, Debug)]
 struct Transfer {
     from: usize,
@@ -74,7 +74,7 @@ impl<T: Copy + std::ops::Add<Output = T>> Layered<T> {
     }
 }
 
-/// Places of a cell's 26 neighbours inside the grid, and their layer in y (0 to 2).
+/// Indices of a cell's 26 neighbours inside the grid, and their layer in y (0 to 2).
 fn neighbours(grid: &Grid, cell: usize) -> impl Iterator<Item = (usize, usize)> + '_ {
     let (place, cells) = (grid.place(cell), grid.cells());
     (0..27).filter(|n| *n != 13).filter_map(move |n| {
@@ -87,50 +87,50 @@ fn neighbours(grid: &Grid, cell: usize) -> impl Iterator<Item = (usize, usize)> 
     })
 }
 
-/// Which soil goes where: every overlap asks all neighbours that have room, in proportion to it; a cell that is asked for
-/// more than it can take gives each the same share.
-fn share_out<R: Real>(grid: &Grid, fraction: &[R], occupied: &[R], cells: &[usize]) -> Vec<Transfer> {
+/// Which soil moves where: an overlap is distributed over all neighbours with space, in proportion to it; a cell that would
+/// receive more than it has space for reduces all transfers to it by the same factor.
+fn distribute<R: Real>(grid: &Grid, fraction: &[R], body_fraction: &[R], cells: &[usize]) -> Vec<Transfer> {
     let held = |c: usize| fraction[c].to_f64();
-    let room = |c: usize| (1.0 - occupied[c].to_f64() - held(c)) * grid.volume_of(c);
-    let mut asked: BTreeMap<usize, Layered<f64>> = BTreeMap::new();
+    let space = |c: usize| (1.0 - body_fraction[c].to_f64() - held(c)) * grid.volume_of(c);
+    let mut demand: BTreeMap<usize, Layered<f64>> = BTreeMap::new();
     let mut transfers = Vec::new();
     for &from in cells {
         let smallest = R::ROUND_OFF * grid.volume_of(from);
-        let excess = (-room(from)).min(held(from) * grid.volume_of(from));
+        let excess = (-space(from)).min(held(from) * grid.volume_of(from));
         if excess <= smallest {
             continue;
         }
-        // Soil only joins soil: it would else be thrown into the air.
-        let takers =
-            || neighbours(grid, from).filter(|(n, _)| fraction[*n] > R::default() && room(*n) > smallest);
+        // Only into cells with soil: it would otherwise be ejected into the void.
+        let receivers =
+            || neighbours(grid, from).filter(|(n, _)| fraction[*n] > R::default() && space(*n) > smallest);
         let mut total = Layered::default();
-        takers().for_each(|(n, side)| total.add(side, room(n)));
+        receivers().for_each(|(n, side)| total.add(side, space(n)));
         let total = total.total();
-        for (to, side) in takers() {
-            let volume = excess.min(total) * room(to) / total;
-            asked.entry(to).or_default().add(side, volume);
+        for (to, side) in receivers() {
+            let volume = excess.min(total) * space(to) / total;
+            demand.entry(to).or_default().add(side, volume);
             transfers.push(Transfer { from, to, side, volume });
         }
     }
     for t in &mut transfers {
-        t.volume *= (room(t.to) / asked[&t.to].total()).min(1.0);
+        t.volume *= (space(t.to) / demand[&t.to].total()).min(1.0);
     }
     transfers
 }
 
-/// What comes into a cell and leaves it.
+/// Gains and losses of a cell.
 #[derive(Clone, Debug, Default)]
 struct Change {
     volume_out: Layered<f64>,
     volume_in: Layered<f64>,
     mass_in: Layered<f64>,
     momentum_in: Layered<DVec3>,
-    /// All that soil carries, each times its volume or mass.
+    /// Carried quantities, each times its volume or mass.
     carried_in: Vec<Layered<f64>>,
 }
 
-/// Moves soil with all that it carries.
-fn carry<R: Precision>(
+/// Moves soil with all its carried quantities.
+fn transfer<R: Precision>(
     model: &Model,
     state: &mut State<R>,
     workspace: &mut SoilWorkspace<R>,
@@ -161,7 +161,7 @@ fn carry<R: Precision>(
         let mass_out = soil.mass[*c].to_f64() * out / held;
         let mass_in = change.mass_in.total();
         let held_mass = soil.mass[*c].to_f64();
-        // A cell that is emptied must not hold less than nothing by a rounding.
+        // Round-off must not leave an emptied cell with a negative volume.
         soil.fraction[*c] = R::cast((held + (into - out)).max(0.0) / grid.volume_of(*c));
         soil.mass[*c] = R::cast((held_mass + (mass_in - mass_out)).max(0.0));
         if into > 0.0 {
@@ -183,7 +183,8 @@ fn velocity<R: Real>(nodes: &Nodes<R>, n: usize) -> DVec3 {
     DVec3::from_array(nodes.velocity.each_ref().map(|component| component[n].to_f64()))
 }
 
-/// An eighth of a cell's mass hangs on each corner: what leaves takes its momentum with it, what comes mixes.
+/// Nodal masses and momenta: an eighth of a cell's mass is lumped at each corner; soil that leaves takes its momentum along, soil
+/// that arrives mixes.
 fn move_nodes<R: Real>(grid: &Grid, nodes: &mut Nodes<R>, changes: &BTreeMap<usize, (f64, f64, DVec3)>) {
     let corners = corners(grid.stride);
     let mut touched: Vec<usize> = changes.keys().flat_map(|c| corners.map(|n| c + n)).collect();

@@ -1,7 +1,7 @@
-//! Penalty contact with a history.
+//! Penalty contact with history.
 //!
-//! The penetration of a point follows the relative motion of body and soil, and is pulled slowly to the gap that the
-//! volume fractions show; the pull is measured by how far the point has moved, so that a body at rest keeps its load.
+//! The penetration of a point integrates the relative motion of body and soil, and is relaxed towards the gap that the volume
+//! fractions show. The relaxation is per distance travelled, so that a body at rest keeps its load.
 
 use super::law::ContactLaw;
 use super::scene::Scene;
@@ -22,8 +22,8 @@ pub(super) struct Penalty {
 const STIFFNESS: f64 = 1.0;
 /// Damping over ρc.
 const DAMPING: f64 = 0.2;
-/// Share of the difference to the geometric gap that is taken back per tenth of a cell of travel.
-const PULL: f64 = 0.1;
+/// Gap relaxation: fraction of the difference to the geometric gap that is recovered per tenth of a cell of travel.
+const GAP_RELAXATION: f64 = 0.1;
 
 impl Penalty {
     pub(super) fn new(model: &Model) -> Self {
@@ -37,8 +37,8 @@ impl Penalty {
         }
     }
 
-    /// Tractions on the soil [Pa], normal and frictional; cuts the elastic slip back to the Coulomb cone
-    /// (coefficient) and to the largest frictional traction [Pa].
+    /// Normal and frictional traction on the soil [Pa]; projects the elastic slip on the Coulomb cone (coefficient) and on the
+    /// limit of the frictional traction [Pa].
     fn tractions(&self, c: &mut Contact, relative: DVec3, [friction, most]: [f64; 2]) -> (DVec3, DVec3) {
         if c.penetration <= 0.0 {
             c.slip = DVec3::ZERO;
@@ -57,8 +57,8 @@ impl Penalty {
     }
 }
 
-/// Penetration and slip grow with the motion that really takes place, which is that after contact has acted: with any
-/// other velocity the spring would not be conservative, and contact would pump energy into the soil.
+/// Penetration and slip integrate the velocities after contact, which are those of the motion that takes place: with any other
+/// velocity the springs are not conservative and contact feeds energy into the soil.
 fn remember(c: &mut Contact, relative: DVec3, dt: f64) {
     let closing = relative.dot(c.normal);
     c.penetration += closing * dt;
@@ -67,17 +67,17 @@ fn remember(c: &mut Contact, relative: DVec3, dt: f64) {
 }
 
 impl ContactLaw for Penalty {
-    fn relocate(&self, c: &mut Contact, gap: f64, travel: Option<f64>) {
+    fn update(&self, c: &mut Contact, gap: f64, travel: Option<f64>) {
         if let Some(travel) = travel {
-            let pull = PULL * (travel / (0.1 * c.width)).min(3.0);
-            c.penetration += pull * (-gap - c.penetration);
+            let relaxation = GAP_RELAXATION * (travel / (0.1 * c.width)).min(3.0);
+            c.penetration += relaxation * (-gap - c.penetration);
         } else {
             (c.penetration, c.slip) = (-gap, DVec3::ZERO);
         }
     }
 
     fn act(&mut self, scene: &mut Scene) {
-        // All forces follow from the velocities before any of them acts: the order of the points does not matter.
+        // All tractions follow from the velocities without contact, so the order of the points does not matter.
         self.given.clear();
         for n in 0..scene.contacts.len() {
             let relative = scene.slip_velocity_of(n);
@@ -89,9 +89,9 @@ impl ContactLaw for Penalty {
         }
         for (n, [normal, friction]) in self.given.iter().enumerate() {
             if *normal != DVec3::ZERO {
-                let grip = scene.grip(n);
-                scene.exchange(&grip, *normal + *friction);
-                scene.note(n, *normal, *friction);
+                let jacobian = scene.jacobian(n);
+                scene.exchange(&jacobian, *normal + *friction);
+                scene.record(n, *normal, *friction);
             }
         }
         for n in 0..scene.contacts.len() {

@@ -1,45 +1,47 @@
-//! What a contact law works on during a step: nodes, bodies, and the points where an impulse acts on both.
+//! The contact problem of one step: contact nodes, bodies, and the Jacobians that map impulses to their velocities.
 
 use crate::model::{BodyModel, Model};
 use crate::state::{Body, Contact};
 use glam::DVec3;
 
-/// What a contact law works on during a step. The velocities of the nodes are those before contact; what the law makes
-/// of them is written back afterwards.
+/// The contact problem of one step. The nodal velocities are those without contact; the contact law changes them, and they are
+/// written back to the grid afterwards.
 pub(crate) struct Scene<'a> {
     pub(crate) model: &'a Model,
     pub(crate) contacts: &'a mut [Contact],
     pub(crate) bodies: &'a mut [Body],
-    /// The nodes that contact acts on.
-    pub(crate) nodes: &'a mut [TouchedNode],
-    /// For each contact the places of its cell's nodes among them.
+    /// Contact nodes.
+    pub(crate) nodes: &'a mut [ContactNode],
+    /// For each contact point the indices of its cell's nodes among them.
     pub(crate) corner_nodes: &'a [[u32; 8]],
-    /// For each contact the number of its patch.
-    pub(crate) patch: &'a [usize],
-    /// For each patch the forces that are missing at its cell's nodes, over the force on it.
-    pub(crate) missing: &'a [[DVec3; 8]],
-    /// Frictional impulse on the soil at each contact in this step [N s].
+    /// For each contact point the number of its constraint.
+    pub(crate) constraint: &'a [usize],
+    /// For each constraint the cut-cell hourglass correction: forces at its cell's nodes per unit normal force.
+    pub(crate) hourglass_correction: &'a [[DVec3; 8]],
+    /// Frictional impulse on the soil at each contact point in this step [N s].
     pub(crate) friction: &'a mut [DVec3],
+    /// Portion of the bodies that is modelled.
+    pub(crate) modelled: f64,
     /// Time step [s].
     pub(crate) dt: f64,
 }
 
-/// A node that contact acts on.
+/// A contact node: a node of a cell that holds a contact point.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct TouchedNode {
-    /// Place in memory, if it is in this block.
+pub(crate) struct ContactNode {
+    /// Index in memory, if it is in this block.
     pub(crate) node: Option<usize>,
     /// Whether this block owns it.
     pub(crate) is_owned: bool,
     /// Velocity [m/s].
     pub(crate) velocity: DVec3,
-    /// One over the mass along x, y, z [1/kg]; 0 where the node does not move, for want of mass or because of a wall.
+    /// Inverse mass along x, y, z [1/kg]; 0 where the node does not move, having no mass or being held by a boundary.
     pub(crate) inverse_mass: DVec3,
-    /// Which velocity components no boundary holds.
+    /// Velocity components that no boundary holds.
     pub(crate) is_free: [bool; 3],
     /// Mass [kg].
     pub(crate) mass: f64,
-    /// Velocity before contact [m/s].
+    /// Velocity without contact [m/s].
     pub(crate) free: DVec3,
     /// Velocity at the end of the last step [m/s].
     pub(crate) before: DVec3,
@@ -50,45 +52,46 @@ pub(crate) fn corners([x, y, z]: [usize; 3]) -> [usize; 8] {
     [0, x, y, x + y, z, x + z, y + z, x + y + z]
 }
 
-/// Sum over a cell's corners, in an order that a mirror in y changes no bit of.
+/// Sum over a cell's corners, in an order for which mirroring in y changes no bit.
 pub(crate) fn over_corners<T: Copy + std::ops::Add<Output = T>>(v: [T; 8]) -> T {
     ((v[0] + v[2]) + (v[1] + v[3])) + ((v[4] + v[6]) + (v[5] + v[7]))
 }
 
-/// Side of the body's middle that a point lies on: 0 and 1, or 2 in the middle.
+/// Side of the body's mid-plane y = 0 on which a point lies: 0 and 1, or 2 on the plane.
 pub(crate) fn side(c: &Contact) -> usize {
     if c.arm.y == 0.0 { 2 } else { usize::from(c.arm.y < 0.0) }
 }
 
-/// Where an impulse acts: on a body at a point, and on the nodes of a cell.
+/// Contact Jacobian: how an impulse at a point acts on a body and on the nodes of a cell; its transpose gives the relative
+/// velocity from theirs.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Grip {
+pub(crate) struct ContactJacobian {
     /// Which body.
     pub(crate) body: usize,
-    /// From the body's reference point [m].
+    /// Lever arm from the body's reference point [m].
     pub(crate) arm: DVec3,
-    /// Places of the nodes among the touched ones.
+    /// Indices among the contact nodes.
     pub(crate) nodes: [u32; 8],
     /// Their weights.
     pub(crate) weight: [f64; 8],
-    /// Unit normal of a patch out of the body; 0 for a point.
+    /// Unit normal of a constraint, out of the body; 0 for a point.
     pub(crate) normal: DVec3,
-    /// Forces that are missing at the nodes, over the force along the normal.
-    pub(crate) missing: [DVec3; 8],
+    /// Cut-cell hourglass correction at the nodes per unit normal force.
+    pub(crate) hourglass_correction: [DVec3; 8],
 }
 
-impl Grip {
-    /// What a node takes of an impulse [N s].
+impl ContactJacobian {
+    /// Portion of an impulse that acts on a node [N s].
     pub(crate) fn on_node(&self, n: usize, impulse: DVec3) -> DVec3 {
-        self.weight[n] * impulse + impulse.dot(self.normal) * self.missing[n]
+        self.weight[n] * impulse + impulse.dot(self.normal) * self.hourglass_correction[n]
     }
 }
 
 impl Scene<'_> {
-    /// Where a contact acts.
-    pub(crate) fn grip(&self, contact: usize) -> Grip {
+    /// Jacobian of a contact point.
+    pub(crate) fn jacobian(&self, contact: usize) -> ContactJacobian {
         let Contact { body, arm, weight, .. } = self.contacts[contact];
-        Grip { body, arm, nodes: self.corner_nodes[contact], weight, ..Grip::default() }
+        ContactJacobian { body, arm, nodes: self.corner_nodes[contact], weight, ..ContactJacobian::default() }
     }
 
     /// Velocity of a body at `arm` minus that of the soil in a cell, from the cell's nodes and their weights [m/s].
@@ -102,37 +105,42 @@ impl Scene<'_> {
         velocity_at(&self.bodies[body], arm) - over_corners(std::array::from_fn(soil))
     }
 
-    /// That at a contact.
+    /// The same at a contact point.
     pub(crate) fn slip_velocity_of(&self, contact: usize) -> DVec3 {
         let Contact { body, arm, weight, .. } = &self.contacts[contact];
         self.slip_velocity((*body, *arm), &self.corner_nodes[contact], weight)
     }
 
-    /// That at a patch, as what is missing at its nodes sees it: an impulse along the normal changes it by its work.
-    pub(crate) fn slip_velocity_of_patch(&self, grip: &Grip) -> DVec3 {
-        let stirred = |n: usize| grip.missing[n].dot(self.nodes[grip.nodes[n] as usize].velocity);
-        self.slip_velocity((grip.body, grip.arm), &grip.nodes, &grip.weight)
-            - over_corners(std::array::from_fn(stirred)) * grip.normal
+    /// The same at a constraint, with the transpose of the cut-cell correction, so that impulse and velocity are conjugate in work.
+    pub(crate) fn slip_velocity_of_constraint(&self, jacobian: &ContactJacobian) -> DVec3 {
+        let corrected =
+            |n: usize| jacobian.hourglass_correction[n].dot(self.nodes[jacobian.nodes[n] as usize].velocity);
+        self.slip_velocity((jacobian.body, jacobian.arm), &jacobian.nodes, &jacobian.weight)
+            - over_corners(std::array::from_fn(corrected)) * jacobian.normal
     }
 
-    /// Gives an impulse [N s] to the soil and takes it from the body, as far as the body is free.
-    pub(crate) fn exchange(&mut self, grip: &Grip, impulse: DVec3) {
-        for (n, place) in grip.nodes.iter().enumerate() {
+    /// Applies an impulse [N s] to the soil and its reaction to the free motions of the body.
+    pub(crate) fn exchange(&mut self, jacobian: &ContactJacobian, impulse: DVec3) {
+        for (n, place) in jacobian.nodes.iter().enumerate() {
             let node = &mut self.nodes[*place as usize];
-            node.velocity += node.inverse_mass * grip.on_node(n, impulse);
+            node.velocity += node.inverse_mass * jacobian.on_node(n, impulse);
         }
-        push(
-            &self.model.bodies[grip.body],
-            &mut self.bodies[grip.body],
-            self.model.share(),
-            [(grip.arm, -impulse)],
+        apply(
+            &self.model.bodies[jacobian.body],
+            &mut self.bodies[jacobian.body],
+            self.modelled,
+            [(jacobian.arm, -impulse)],
         );
     }
 
-    /// Does so at two places of one body at once; which of them is named first makes no difference to the bit.
-    pub(crate) fn exchange_both(&mut self, first: (&Grip, DVec3), second: (&Grip, DVec3)) {
-        let gain = |nodes: &[TouchedNode], (grip, impulse): (&Grip, DVec3), n: usize| {
-            nodes[grip.nodes[n] as usize].inverse_mass * grip.on_node(n, impulse)
+    /// The same at two points of one body simultaneously; swapping them changes no bit.
+    pub(crate) fn exchange_both(
+        &mut self,
+        first: (&ContactJacobian, DVec3),
+        second: (&ContactJacobian, DVec3),
+    ) {
+        let gain = |nodes: &[ContactNode], (jacobian, impulse): (&ContactJacobian, DVec3), n: usize| {
+            nodes[jacobian.nodes[n] as usize].inverse_mass * jacobian.on_node(n, impulse)
         };
         for (n, node) in first.0.nodes.iter().enumerate() {
             let own = gain(self.nodes, first, n);
@@ -146,16 +154,16 @@ impl Scene<'_> {
         }
         let body = first.0.body;
         let impulses = [(first.0.arm, -first.1), (second.0.arm, -second.1)];
-        push(&self.model.bodies[body], &mut self.bodies[body], self.model.share(), impulses);
+        apply(&self.model.bodies[body], &mut self.bodies[body], self.modelled, impulses);
     }
 
-    /// Notes what the soil gave to a body at a point in this step: the reaction to these impulses on the soil [N s].
-    pub(crate) fn note(&mut self, contact: usize, normal: DVec3, friction: DVec3) {
+    /// Records the contact impulse on a body at a point in this step: the reaction to these impulses on the soil [N s].
+    pub(crate) fn record(&mut self, contact: usize, normal: DVec3, friction: DVec3) {
         let c = &self.contacts[contact];
         let received = &mut self.bodies[c.body].received;
-        received.normal -= normal / self.model.share();
-        received.friction -= friction / self.model.share();
-        received.axle -= c.arm.cross(normal + friction).y / self.model.share();
+        received.normal -= normal / self.modelled;
+        received.friction -= friction / self.modelled;
+        received.axle -= c.arm.cross(normal + friction).y / self.modelled;
         self.friction[contact] += friction;
     }
 }
@@ -165,16 +173,16 @@ pub(crate) fn velocity_at(body: &Body, arm: DVec3) -> DVec3 {
     body.velocity + (DVec3::Y * body.spin).cross(arm)
 }
 
-/// Gives impulses [N s], each with its arm, to the modelled share of a body; only free motions answer.
-fn push<const N: usize>(fixed: &BodyModel, body: &mut Body, share: f64, impulses: [(DVec3, DVec3); N]) {
+/// Applies impulses [N s], each with its lever arm, to the free motions of the modelled portion of a body.
+fn apply<const N: usize>(fixed: &BodyModel, body: &mut Body, modelled: f64, impulses: [(DVec3, DVec3); N]) {
     let sum = |value: fn(&(DVec3, DVec3)) -> f64| impulses.iter().map(value).sum::<f64>();
     for (axis, impulse) in [sum(|i| i.1.x), sum(|i| i.1.y), sum(|i| i.1.z)].into_iter().enumerate() {
         if fixed.translation[axis].is_free() {
-            body.velocity[axis] += impulse / (fixed.mass * share);
+            body.velocity[axis] += impulse / (fixed.mass * modelled);
         }
     }
     if fixed.spin.is_free() {
-        body.spin += sum(|(arm, impulse)| arm.cross(*impulse).y) / (fixed.axle_inertia * share);
+        body.spin += sum(|(arm, impulse)| arm.cross(*impulse).y) / (fixed.axle_inertia * modelled);
     }
 }
 

@@ -1,4 +1,4 @@
-//! Contact search: where the contact points lie in the grid, and how far the soil is from them.
+//! Contact search: the cells in which contact points lie, and the gaps between body and soil.
 
 use super::body_fraction::{find_bodies, measure_bodies};
 use super::law::ContactLaw;
@@ -24,8 +24,8 @@ pub(crate) fn first_search<R: Real>(
     search(model, state, soil, workspace, halo);
 }
 
-/// Finds anew which contact points have soil to act on, with their cells, weights and gaps; measures leaked and embedded
-/// volumes. Done at every remap.
+/// Finds the contact points that have soil to act on, with their cells, weights and gaps; measures leaked and embedded volumes.
+/// Done after every remap.
 pub(crate) fn search<R: Real>(
     model: &Model,
     state: &mut State<R>,
@@ -33,18 +33,18 @@ pub(crate) fn search<R: Real>(
     workspace: &mut ContactWorkspace,
     halo: &mut dyn Halo,
 ) {
-    let SoilWorkspace { velocity_before: [occupied, ..], material, .. } = &mut *soil;
+    let SoilWorkspace { velocity_before: [body_fraction, ..], material, .. } = &mut *soil;
     let ContactWorkspace { body_cells, surfaces, law, .. } = workspace;
     measure_bodies(model, &state.soil, &mut state.bodies, body_cells, halo);
-    let view = View { model, soil: &state.soil, node_mass: &state.nodes.mass, occupied, material };
+    let view = View { model, soil: &state.soil, node_mass: &state.nodes.mass, body_fraction, material };
     let mut found = Vec::with_capacity(state.contacts.len());
     let mut known = state.contacts.iter().peekable();
     for (n, surface) in surfaces.iter().enumerate() {
         let (fixed, body) = (&model.bodies[n], &state.bodies[n]);
         for (p, point) in surface.points().enumerate() {
             let known = known.next_if(|c| (c.body, c.point) == (n, p));
-            let place = [point.position, point.normal].map(|v| turned(fixed, body, v));
-            if let Some(mut contact) = view.locate_one(known, place, body, law.as_ref()) {
+            let place = [point.position, point.normal].map(|v| rotated(fixed, body, v));
+            if let Some(mut contact) = view.find_contact(known, place, body, law.as_ref()) {
                 (contact.body, contact.point) = (n, p);
                 contact.area *= point.area;
                 found.push(contact);
@@ -52,7 +52,7 @@ pub(crate) fn search<R: Real>(
         }
     }
     for c in body_cells {
-        occupied[c.cell] = R::default();
+        body_fraction[c.cell] = R::default();
     }
     state.contacts = all_contacts(found, halo);
     workspace.connect(model, state, halo);
@@ -64,16 +64,16 @@ fn all_contacts(found: Vec<Contact>, halo: &mut dyn Halo) -> Vec<Contact> {
     if halo.is_alone() {
         return found;
     }
-    /// More points than this no body has.
+    /// No body has more points than this.
     const POINTS: usize = 1 << 32;
     let own = found.iter().map(|c| (c.body * POINTS + c.point, c.to_array()));
     let of = |(number, values): (usize, _)| Contact::of([number / POINTS, number % POINTS], values);
     halo::in_order(halo, own).into_iter().map(of).collect()
 }
 
-/// A direction of the body frame in space. The points of a body of revolution stay where they are when it turns: in
-/// steady rolling they then see a steady contact.
-fn turned(fixed: &BodyModel, body: &Body, v: DVec3) -> DVec3 {
+/// A direction of the body frame in space. The contact points of a body of revolution do not rotate with it, so that contact is
+/// steady in steady rolling.
+fn rotated(fixed: &BodyModel, body: &Body, v: DVec3) -> DVec3 {
     if fixed.shape.is_revolved() { v } else { glam::DQuat::from_rotation_y(body.angle) * v }
 }
 
@@ -87,16 +87,16 @@ struct View<'a, R> {
     model: &'a Model,
     soil: &'a Soil<R>,
     node_mass: &'a [R],
-    /// Share of each cell that bodies take up.
-    occupied: &'a [R],
-    /// Material of each cell; empty where there is one alone.
+    /// Fraction of each cell that bodies occupy.
+    body_fraction: &'a [R],
+    /// Material of each cell; empty where there is only one.
     material: &'a [u8],
 }
 
 impl<R: Real> View<'_, R> {
-    /// A contact point on a body, if it is in the block with soil to act on; `known` is what it was the last time, if it
-    /// was so then.
-    fn locate_one(
+    /// A contact point of a body, if it lies in the block with soil to act on; `known` is the same point at the last search, if
+    /// it was in contact with soil then.
+    fn find_contact(
         &self,
         known: Option<&Contact>,
         [arm, normal]: [DVec3; 2],
@@ -104,8 +104,8 @@ impl<R: Real> View<'_, R> {
         law: &dyn ContactLaw,
     ) -> Option<Contact> {
         let place = body.position + arm;
-        // A point on a face between two cells acts in the outer one; one on an edge between cells of a row in that
-        // nearer to the body's middle, so that mirror images act in mirror images of cells.
+        // A point on a face between two cells belongs to the outer one, a point on an edge to the cell nearer to the body's
+        // centre, so that mirror images belong to mirror images of cells.
         let finest = self.model.grid.finest();
         let probe = place + 1e-9 * finest * (normal - 0.5 * arm.signum() * (DVec3::ONE - normal.abs()));
         let faces = &self.model.grid.faces;
@@ -128,18 +128,18 @@ impl<R: Real> View<'_, R> {
             ..known.copied().unwrap_or_default()
         };
         let travel = known.map(|c| (place - c.anchor).length());
-        law.relocate(&mut contact, self.gap(cell, normal), travel);
+        law.update(&mut contact, self.gap(cell, normal), travel);
         Some(contact)
     }
 
-    /// Trilinear weights of the cell's nodes, cut down at nodes that have hardly any mass to push against, and the share
-    /// of its area that a point among such nodes acts with: without that, a few grains would have to bear it all.
+    /// Trilinear weights of the cell's nodes, reduced at nodes with little mass, and the fraction of its area that a point among
+    /// such nodes represents: a few grains must not carry the whole contact pressure.
     fn weights(&self, cell: [usize; 3], place: DVec3) -> Option<([f64; 8], f64)> {
         const MASS_RATIO: f64 = 2.5;
         let grid = &self.model.grid;
         let base = grid.index(cell[0], cell[1], cell[2]);
         let density = self.model.materials[self.material_of(base)].density;
-        // The parts of the low and the high node, each from the other's face: a mirror in y only exchanges them.
+        // Shape functions of the low and the high node, each from the opposite face: mirroring in y only swaps them.
         let parts: [[f64; 2]; 3] = std::array::from_fn(|axis| {
             let (faces, n) = (&grid.faces[axis], cell[axis]);
             let part = |distance: f64| (distance / grid.width(axis, n)).clamp(0.0, 1.0);
@@ -174,8 +174,8 @@ impl<R: Real> View<'_, R> {
             .product()
     }
 
-    /// Void between body and soil along the normal [m], negative where they overlap. A void counts only when it lies
-    /// between the two: behind the soil it is none of the contact's business.
+    /// Gap between body and soil along the normal [m], negative where they overlap. Only void between the two counts, not void
+    /// beyond the soil.
     fn gap(&self, cell: [usize; 3], normal: DVec3) -> f64 {
         let axis = largest_axis(normal);
         let grid = &self.model.grid;
@@ -186,13 +186,13 @@ impl<R: Real> View<'_, R> {
             (next[axis] < grid.cells()[axis]).then_some(next)
         };
         let look = |at: Option<[usize; 3]>| match at {
-            // Outside the grid is a wall: nothing is void there.
+            // Beyond the grid is a wall: no void.
             None => (0.0, 1.0, 1.0, 0.0),
             Some(at) => {
                 let c = grid.index(at[0], at[1], at[2]);
                 let width = grid.width(axis, at[axis]);
                 let fraction = self.soil.fraction[c].to_f64();
-                let void = (1.0 - self.occupied[c].to_f64() - fraction) * width;
+                let void = (1.0 - self.body_fraction[c].to_f64() - fraction) * width;
                 (void, fraction, normal.dot(self.void_direction(at)), width)
             }
         };
@@ -211,7 +211,7 @@ impl<R: Real> View<'_, R> {
         gap * normal[axis].abs()
     }
 
-    /// Unit direction from soil to void round a cell; zero where there is none.
+    /// Unit vector from soil to void around a cell; zero where there is no void.
     fn void_direction(&self, cell: [usize; 3]) -> DVec3 {
         let grid = &self.model.grid;
         let c = grid.index(cell[0], cell[1], cell[2]);
@@ -223,7 +223,7 @@ impl<R: Real> View<'_, R> {
         let mut gradient = DVec3::ZERO;
         for (z, dz) in offset[2].iter().enumerate() {
             for (x, dx) in offset[0].iter().enumerate() {
-                // The two sides of y are added first: a mirror in y then changes no bit.
+                // The two sides in y are summed first, so that mirroring in y changes no bit.
                 let [low, middle, high] =
                     offset[1].map(|dy| self.soil.fraction[c.wrapping_add_signed(dx + dy + dz)].to_f64());
                 let sum = (low + high) + 2.0 * middle;

@@ -1,6 +1,6 @@
 //! Contact in one step: the contact law changes the velocities of nodes and bodies.
 
-use super::scene::{Scene, TouchedNode, velocity_at};
+use super::scene::{ContactNode, Scene, velocity_at};
 use super::workspace::ContactWorkspace;
 use crate::bodies::BodyStep;
 use crate::cpu::stopwatch::Stage;
@@ -17,7 +17,7 @@ pub(crate) struct ContactWork {
     /// Work done on the soil [J].
     pub(crate) on_soil: f64,
     /// Dissipation by friction [J].
-    pub(crate) rubbed: f64,
+    pub(crate) friction_work: f64,
 }
 
 /// Lets soil and bodies act on each other for one step. Returns the work that was done; what each body received is entered
@@ -35,7 +35,7 @@ pub(crate) fn solve<R: Real>(
     for (step, body) in steps.iter_mut().zip(&state.bodies) {
         step.received = body.received;
     }
-    let ContactWorkspace { law, nodes, corner_nodes, patch, friction, .. } = workspace;
+    let ContactWorkspace { law, nodes, corner_nodes, constraint, friction, .. } = workspace;
     gather(&state.nodes, &soil.velocity_before, nodes, halo);
     find_mobility(model, nodes);
     friction.clear();
@@ -46,27 +46,29 @@ pub(crate) fn solve<R: Real>(
         bodies: &mut state.bodies,
         nodes,
         corner_nodes,
-        patch: &patch.0,
-        missing: &patch.1,
+        constraint: &constraint.0,
+        hourglass_correction: &constraint.1,
         friction,
+        modelled: model.share(),
         dt: model.time_step(),
     });
     let on_soil = scatter(&mut state.nodes, nodes);
-    let rubbed = rubbed(state, nodes, corner_nodes, friction, steps);
+    let friction_work = friction_work(state, nodes, corner_nodes, friction, steps);
+    let modelled = model.share();
     for (step, body) in steps.iter_mut().zip(&state.bodies) {
         let (now, then) = (body.received, step.received);
         step.received = Received {
-            normal: (now.normal - then.normal) * model.share(),
-            friction: (now.friction - then.friction) * model.share(),
-            axle: (now.axle - then.axle) * model.share(),
+            normal: (now.normal - then.normal) * modelled,
+            friction: (now.friction - then.friction) * modelled,
+            axle: (now.axle - then.axle) * modelled,
         };
     }
     soil.stopwatch().lap(Stage::Contact);
-    ContactWork { on_soil, rubbed }
+    ContactWork { on_soil, friction_work }
 }
 
 /// Takes velocities and masses of the contact nodes from the blocks that own them.
-fn gather<R: Real>(grid: &Nodes<R>, before: &[Vec<R>; 3], nodes: &mut [TouchedNode], halo: &mut dyn Halo) {
+fn gather<R: Real>(grid: &Nodes<R>, before: &[Vec<R>; 3], nodes: &mut [ContactNode], halo: &mut dyn Halo) {
     for node in nodes.iter_mut() {
         if let Some(n) = node.node {
             node.mass = grid.mass[n].to_f64();
@@ -87,7 +89,7 @@ fn gather<R: Real>(grid: &Nodes<R>, before: &[Vec<R>; 3], nodes: &mut [TouchedNo
 }
 
 /// How the nodes answer an impulse.
-fn find_mobility(model: &Model, nodes: &mut [TouchedNode]) {
+fn find_mobility(model: &Model, nodes: &mut [ContactNode]) {
     let mass_moved = model.mass_moved();
     for node in nodes {
         node.free = node.velocity;
@@ -102,7 +104,7 @@ fn velocity_of<R: Real>(velocity: &[Vec<R>; 3], node: usize) -> DVec3 {
 
 /// Returns the velocities to the grid, and the work on the soil: impulse on each node times the mean of its velocities
 /// before and after the step [J].
-fn scatter<R: Real>(grid: &mut Nodes<R>, nodes: &[TouchedNode]) -> f64 {
+fn scatter<R: Real>(grid: &mut Nodes<R>, nodes: &[ContactNode]) -> f64 {
     let mut work = 0.0;
     for node in nodes {
         if let Some(n) = node.node {
@@ -117,9 +119,9 @@ fn scatter<R: Real>(grid: &mut Nodes<R>, nodes: &[TouchedNode]) -> f64 {
 
 /// Dissipation by friction [J]: frictional impulses times the slip, which is taken as the mean of those before and after
 /// the step, like every other work.
-fn rubbed<R>(
+fn friction_work<R>(
     state: &State<R>,
-    nodes: &[TouchedNode],
+    nodes: &[ContactNode],
     corner_nodes: &[[u32; 8]],
     friction: &[DVec3],
     steps: &[BodyStep],

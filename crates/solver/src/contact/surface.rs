@@ -1,4 +1,4 @@
-//! The points at which a body's surface may touch the soil, kept in little room: most of them never do.
+//! Contact points of a body's surface, stored compactly: most of them never touch soil.
 
 use crate::model::{BodyModel, Model};
 use glam::DVec3;
@@ -9,15 +9,15 @@ use std::collections::BTreeMap;
 /// Surface points of a body. Many have the same normal and area, which are kept once.
 #[derive(Debug)]
 pub(crate) struct Surface {
-    /// Position in the body frame [m], and place among the kinds.
+    /// Position in the body frame [m], and index among the kinds.
     points: Vec<(DVec3, u32)>,
     /// Normals and areas [m²].
     kinds: Vec<(DVec3, f64)>,
 }
 
 impl Surface {
-    /// Surface points of a body, but for those that stay beside the box for ever, as behind a plane of symmetry; the cells near
-    /// it are the narrowest along each axis.
+    /// Surface points of a body, except those that stay outside the grid throughout, as beyond a plane of symmetry; the cells
+    /// near the body are the narrowest along each axis.
     pub(crate) fn new(model: &Model, body: &BodyModel) -> Self {
         let finest = DVec3::from_array(std::array::from_fn(|axis| model.grid.finest_along(axis)));
         let spacing = model.method.point_spacing * model.grid.finest();

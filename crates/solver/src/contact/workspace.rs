@@ -4,7 +4,7 @@ use super::body_fraction::BodyCell;
 use super::constraint;
 use super::law::{ContactLaw, law};
 use super::nodes::contact_nodes;
-use super::scene::TouchedNode;
+use super::scene::ContactNode;
 use super::surface::Surface;
 use crate::halo::{self, Halo};
 use crate::model::Model;
@@ -21,11 +21,11 @@ pub(crate) struct ContactWorkspace {
     /// The cells of which bodies take up a share, body by body.
     pub(crate) body_cells: Vec<BodyCell>,
     /// Nodes that contact acts on.
-    pub(crate) nodes: Vec<TouchedNode>,
+    pub(crate) nodes: Vec<ContactNode>,
     /// For each contact, the places of its cell's nodes among them.
     pub(crate) corner_nodes: Vec<[u32; 8]>,
-    /// For each contact the number of its patch; for each patch the forces that are missing at its nodes.
-    pub(crate) patch: (Vec<usize>, Vec<[DVec3; 8]>),
+    /// For each contact the number of its constraint; for each constraint the forces that are missing at its nodes.
+    pub(crate) constraint: (Vec<usize>, Vec<[DVec3; 8]>),
     /// Frictional impulse at each contact in the last step [N s].
     pub(crate) friction: Vec<DVec3>,
 }
@@ -45,7 +45,7 @@ impl ContactWorkspace {
             body_cells: Vec::new(),
             nodes: Vec::new(),
             corner_nodes: Vec::new(),
-            patch: (Vec::new(), Vec::new()),
+            constraint: (Vec::new(), Vec::new()),
             friction: Vec::new(),
         };
         workspace.connect(model, state, halo);
@@ -56,7 +56,7 @@ impl ContactWorkspace {
     pub(super) fn connect<R: Real>(&mut self, model: &Model, state: &State<R>, halo: &mut dyn Halo) {
         (self.nodes, self.corner_nodes) = contact_nodes(model, &state.contacts);
         let fractions = fractions(model, state, halo);
-        self.patch = constraint::number(model, &state.bodies, &state.contacts, &fractions);
+        self.constraint = constraint::number(model, &state.bodies, &state.contacts, &fractions);
     }
 
     /// Memory that it takes up [bytes], but for what the contact law keeps during a step.
@@ -65,8 +65,8 @@ impl ContactWorkspace {
             + size_of_val(self.body_cells.as_slice())
             + size_of_val(self.nodes.as_slice())
             + size_of_val(self.corner_nodes.as_slice())
-            + size_of_val(self.patch.0.as_slice())
-            + size_of_val(self.patch.1.as_slice())
+            + size_of_val(self.constraint.0.as_slice())
+            + size_of_val(self.constraint.1.as_slice())
             + size_of_val(self.friction.as_slice())
     }
 }

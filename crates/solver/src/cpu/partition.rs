@@ -4,7 +4,7 @@ use std::ops::Range;
 
 /// How the rows of the grid are dealt out to the workers: contiguous runs, so that arrays can be split safely.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Cut {
+pub struct RowPartition {
     /// First row of every worker, and the end.
     bounds: Vec<usize>,
     /// Fewest rows that a worker gets.
@@ -13,7 +13,7 @@ pub struct Cut {
     pub stride: usize,
 }
 
-impl Cut {
+impl RowPartition {
     /// Deals rows `first..` with the given costs to `workers` so that each has about the same, and `least` rows or more.
     ///
     /// # Panics
@@ -21,13 +21,13 @@ impl Cut {
     #[must_use]
     pub fn new(first: usize, cost: &[f64], [workers, least]: [usize; 2], stride: usize) -> Self {
         assert!(workers > 0 && workers * least <= cost.len(), "too few rows for {workers} workers");
-        let mut cut = Self { bounds: vec![first; workers + 1], least, stride };
-        cut.deal(cost, workers, |_| 1.0);
-        cut
+        let mut partition = Self { bounds: vec![first; workers + 1], least, stride };
+        partition.rebalance(cost, workers, |_| 1.0);
+        partition
     }
 
     /// Does so anew, to at most as many workers as at first, so that workers of the given speeds take about the same time.
-    pub fn deal(&mut self, cost: &[f64], workers: usize, speed: impl Fn(usize) -> f64) {
+    pub fn rebalance(&mut self, cost: &[f64], workers: usize, speed: impl Fn(usize) -> f64) {
         let first = self.bounds[0];
         self.bounds.resize(workers + 1, first);
         let (total, all): (f64, f64) = (cost.iter().sum(), (0..workers).map(&speed).sum());
@@ -86,7 +86,7 @@ impl Cut {
 
 /// How fast a worker is: cores differ, and other programs want some of them. What lies longer back counts less.
 #[derive(Clone, Debug, Default)]
-pub struct Pace {
+pub struct Throughput {
     /// What the worker has to do each time.
     load: f64,
     /// What it has done.
@@ -95,7 +95,7 @@ pub struct Pace {
     seconds: f64,
 }
 
-impl Pace {
+impl Throughput {
     /// Share of the past that is forgotten whenever the rows are dealt out.
     const FORGOTTEN: f64 = 0.3;
 
@@ -128,7 +128,7 @@ impl Pace {
 /// Whether working together pays. Where other programs want the cores, each round of the team waits till the scheduler has
 /// given all of them their turn, and one thread alone can be faster.
 #[derive(Clone, Debug, Default)]
-pub struct Company {
+pub struct SerialFallback {
     /// How long the work took together [s].
     together: f64,
     /// How long it would have taken the caller alone [s].
@@ -139,10 +139,10 @@ pub struct Company {
     apart: u32,
 }
 
-impl Company {
-    /// How often the rows are dealt to all before company may be left.
+impl SerialFallback {
+    /// How often the rows are dealt to all before serial_fallback may be left.
     const FIRST: u32 = 5;
-    /// How often they are dealt to the caller alone before company is tried again.
+    /// How often they are dealt to the caller alone before serial_fallback is tried again.
     const APART: u32 = 32;
 
     /// Notes how long a piece of work took together, and how long it would have taken the caller alone [s].
@@ -161,7 +161,7 @@ impl Company {
         }
         self.apart = self.apart.saturating_sub(1);
         // What was learnt counts for less from time to time, and for nothing when it was long ago.
-        let kept = if self.apart > 0 { 0.0 } else { 1.0 - Pace::FORGOTTEN };
+        let kept = if self.apart > 0 { 0.0 } else { 1.0 - Throughput::FORGOTTEN };
         self.together *= kept;
         self.alone *= kept;
         self.apart > 0
@@ -174,7 +174,7 @@ mod tests {
 
     #[test]
     fn rows_are_dealt_out_by_cost_but_none_gets_too_few() {
-        let ranges = |cost: &[f64], share| Cut::new(1, cost, share, 4).ranges().collect::<Vec<_>>();
+        let ranges = |cost: &[f64], share| RowPartition::new(1, cost, share, 4).ranges().collect::<Vec<_>>();
         assert_eq!(ranges(&[1.0; 9], [2, 1]), [1..5, 5..10]);
         assert_eq!(ranges(&[0.0, 0.0, 2.0, 1.0, 1.0, 0.0], [2, 1]), [1..4, 4..7]);
         assert_eq!(ranges(&[9.0, 1.0, 1.0, 1.0, 1.0, 1.0], [3, 2]), [1..3, 3..5, 5..7]);
@@ -184,31 +184,31 @@ mod tests {
     #[test]
     fn who_is_slower_gets_less() {
         let cost = [1.0; 12];
-        let mut cut = Cut::new(0, &cost, [3, 1], 1);
-        assert_eq!(cut.loads(&cost).collect::<Vec<_>>(), [4.0, 4.0, 4.0]);
-        let mut pace: [Pace; 3] = Default::default();
-        for (pace, seconds) in pace.iter_mut().zip([1.0, 2.0, 1.0]) {
-            assert_eq!(pace.speed(), None);
-            pace.turn_to(4.0);
-            pace.note(seconds);
+        let mut partition = RowPartition::new(0, &cost, [3, 1], 1);
+        assert_eq!(partition.loads(&cost).collect::<Vec<_>>(), [4.0, 4.0, 4.0]);
+        let mut throughput: [Throughput; 3] = Default::default();
+        for (throughput, seconds) in throughput.iter_mut().zip([1.0, 2.0, 1.0]) {
+            assert_eq!(throughput.speed(), None);
+            throughput.turn_to(4.0);
+            throughput.note(seconds);
         }
-        cut.deal(&cost, 3, |worker| pace[worker].speed().unwrap_or(1.0));
-        assert_eq!(cut.ranges().collect::<Vec<_>>(), [0..5, 5..7, 7..12]);
-        cut.deal(&cost, 1, |_| 1.0);
-        assert_eq!((cut.ranges().len(), cut.all()), (1, 0..12));
+        partition.rebalance(&cost, 3, |worker| throughput[worker].speed().unwrap_or(1.0));
+        assert_eq!(partition.ranges().collect::<Vec<_>>(), [0..5, 5..7, 7..12]);
+        partition.rebalance(&cost, 1, |_| 1.0);
+        assert_eq!((partition.ranges().len(), partition.all()), (1, 0..12));
     }
 
     #[test]
     fn company_that_does_not_pay_is_left_for_a_while() {
-        let mut company = Company::default();
-        for _ in 0..Company::FIRST {
-            company.note(3.0, 1.7);
-            assert!(!company.is_left(), "it is too early to tell");
+        let mut serial_fallback = SerialFallback::default();
+        for _ in 0..SerialFallback::FIRST {
+            serial_fallback.note(3.0, 1.7);
+            assert!(!serial_fallback.is_left(), "it is too early to tell");
         }
-        let alone = (0..1000).take_while(|_| company.is_left()).count();
-        assert_eq!(alone, Company::APART as usize);
+        let alone = (0..1000).take_while(|_| serial_fallback.is_left()).count();
+        assert_eq!(alone, SerialFallback::APART as usize);
         // Then it is given another chance.
-        company.note(1.0, 1.7);
-        assert!(!company.is_left());
+        serial_fallback.note(1.0, 1.7);
+        assert!(!serial_fallback.is_left());
     }
 }

@@ -4,7 +4,7 @@
 //! the team spins for a while, then yields, before it goes to sleep.
 #![allow(unsafe_code)]
 
-use super::partition::Cut;
+use super::partition::RowPartition;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Condvar, Mutex};
 use std::thread::JoinHandle;
@@ -118,16 +118,21 @@ impl Team {
     }
 
     /// Gives every worker one of `parts`, of which there must be at most as many as workers.
-    pub fn deal<T: Send>(&self, parts: impl Iterator<Item = T>, job: impl Fn(&mut T) + Sync) {
+    pub fn distribute<T: Send>(&self, parts: impl Iterator<Item = T>, job: impl Fn(&mut T) + Sync) {
         let mut parts = parts_of(parts);
         let given = parts.iter().take_while(|part| part.is_some()).count();
         self.share(&mut parts[..given], |part| part.iter_mut().for_each(&job));
     }
 
     /// Calls `job(row, output)` for every row that `cut` hands out, in parallel, with the row of `output`.
-    pub fn rows<T: Send>(&self, cut: &Cut, output: &mut [T], job: impl Fn(usize, &mut [T]) + Sync) {
-        self.deal(cut.split(output).zip(cut.ranges()), |(part, range)| {
-            for (row, own) in range.clone().zip(part.chunks_exact_mut(cut.stride)) {
+    pub fn rows<T: Send>(
+        &self,
+        partition: &RowPartition,
+        output: &mut [T],
+        job: impl Fn(usize, &mut [T]) + Sync,
+    ) {
+        self.distribute(partition.split(output).zip(partition.ranges()), |(part, range)| {
+            for (row, own) in range.clone().zip(part.chunks_exact_mut(partition.stride)) {
                 job(row, own);
             }
         });
@@ -136,17 +141,21 @@ impl Team {
     /// Like [`Team::rows`] for two arrays that are written together.
     pub(crate) fn rows2<T: Send>(
         &self,
-        cut: &Cut,
+        partition: &RowPartition,
         first: &mut [T],
         second: &mut [T],
         job: impl Fn(usize, &mut [T], &mut [T]) + Sync,
     ) {
-        self.deal(cut.split(first).zip(cut.split(second)).zip(cut.ranges()), |((first, second), range)| {
-            let own = first.chunks_exact_mut(cut.stride).zip(second.chunks_exact_mut(cut.stride));
-            for (row, (first, second)) in range.clone().zip(own) {
-                job(row, first, second);
-            }
-        });
+        self.distribute(
+            partition.split(first).zip(partition.split(second)).zip(partition.ranges()),
+            |((first, second), range)| {
+                let own =
+                    first.chunks_exact_mut(partition.stride).zip(second.chunks_exact_mut(partition.stride));
+                for (row, (first, second)) in range.clone().zip(own) {
+                    job(row, first, second);
+                }
+            },
+        );
     }
 }
 
@@ -247,10 +256,11 @@ mod tests {
 
     #[test]
     fn rows_are_dealt_out_whole_and_once() {
-        let cut = Cut::new(2, &[0.0, 1.0, 5.0, 1.0, 1.0, 0.0], [3, 1], 4);
-        assert_eq!(cut.all(), 2..8);
+        let partition = RowPartition::new(2, &[0.0, 1.0, 5.0, 1.0, 1.0, 0.0], [3, 1], 4);
+        assert_eq!(partition.all(), 2..8);
         let mut array = vec![0.0; 40];
-        Team::new(3).rows(&cut, &mut array, |row, output| output.iter_mut().for_each(|x| *x += row as f64));
+        Team::new(3)
+            .rows(&partition, &mut array, |row, output| output.iter_mut().for_each(|x| *x += row as f64));
         for row in 0..10 {
             let expected = if (2..8).contains(&row) { row as f64 } else { 0.0 };
             assert!(array[row * 4..row * 4 + 4].iter().all(|x| *x == expected));

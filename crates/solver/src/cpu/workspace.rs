@@ -1,6 +1,6 @@
 //! Memory that the loops over cells work in and that is worth nothing between steps.
 
-use super::partition::{Company, Cut, Pace};
+use super::partition::{RowPartition, SerialFallback, Throughput};
 use super::stopwatch::Stopwatch;
 use super::threads::{MOST, Team};
 use crate::fields::Soil;
@@ -21,9 +21,9 @@ pub(crate) const NODE_SUMS: usize = 4;
 pub struct SoilWorkspace<R: Real> {
     pub(crate) team: Team,
     /// How rows (of storage planes 1 to nz + 1: nodes, and the cells above them) are dealt out.
-    pub(crate) cut: Cut,
+    pub(crate) partition: RowPartition,
     /// Whether the team is worth having.
-    pub(crate) company: Company,
+    pub(crate) serial_fallback: SerialFallback,
     /// Cost of each row when they were dealt out last.
     pub(crate) costs: Vec<f64>,
     /// Whether a row of cells holds soil, by storage plane and row.
@@ -70,7 +70,7 @@ pub(crate) struct WorkerScratch<R: Real> {
     /// Block of cells.
     pub(crate) block: Box<R::CellBlock>,
     /// How fast this worker is.
-    pub(crate) pace: Pace,
+    pub(crate) throughput: Throughput,
     /// Where this worker's time goes.
     pub(crate) stopwatch: Stopwatch,
 }
@@ -159,15 +159,15 @@ impl<R: Real> SoilWorkspace<R> {
             waiting: vec![R::default(); if n > 0 { NODE_SUMS * (plane + row) } else { 0 }],
             row: vec![R::default(); ROW_BUFFERS * row],
             block: R::cell_block(),
-            pace: Pace::default(),
+            throughput: Throughput::default(),
             stopwatch: Stopwatch::default(),
         };
         let least = rows + 1;
         let threads = team_size(grid, threads);
         let mut workspace = Self {
             team: Team::new(threads),
-            cut: Cut::new(rows, &vec![1.0; planes * rows], [threads, least], row),
-            company: Company::default(),
+            partition: RowPartition::new(rows, &vec![1.0; planes * rows], [threads, least], row),
+            serial_fallback: SerialFallback::default(),
             costs: vec![0.0; planes * rows],
             row_has_soil: vec![false; rows * (planes + 1)],
             material: Vec::new(),
@@ -224,7 +224,10 @@ impl<R: Real> SoilWorkspace<R> {
     /// What the Lagrangian stage did in all rows of the whole grid.
     pub(crate) fn total_of_stage(&self, grid: &Grid, halo: &mut dyn Halo) -> RowSums {
         if halo.is_alone() {
-            return self.row_sums[self.cut.all()].iter().copied().fold(RowSums::default(), RowSums::plus);
+            return self.row_sums[self.partition.all()]
+                .iter()
+                .copied()
+                .fold(RowSums::default(), RowSums::plus);
         }
         let own = self.row_sums.iter().enumerate();
         let own = own.filter_map(|(row, sums)| Some((grid.owned_row(row)?, sums.to_array())));
@@ -245,28 +248,29 @@ impl<R: Real> SoilWorkspace<R> {
                 self.row_sums[n] = RowSums::default();
             }
         }
-        self.deal(grid);
+        self.rebalance(grid);
     }
 
     /// Deals the rows out to the workers by what they cost: those with soil, and cells that yield. Faster workers get more; if
     /// working together does not pay, the caller gets all.
-    pub(crate) fn deal(&mut self, grid: &Grid) {
+    pub(crate) fn rebalance(&mut self, grid: &Grid) {
         /// A row without soil, over one with soil.
         const VOID: f64 = 0.02;
         /// Return of one cell's stress to the strength, over all else that is done for a cell.
         const RETURN: f64 = 1.8;
         let per_cell = RETURN / grid.cells()[0] as f64;
-        let Self { cut, company, costs, row_has_soil, row_sums, workers, .. } = self;
-        let first = cut.all().start;
+        let Self { partition, serial_fallback, costs, row_has_soil, row_sums, workers, .. } = self;
+        let first = partition.all().start;
         let each = row_has_soil[first..].iter().zip(&row_sums[first..]);
         for (cost, (has_soil, sums)) in costs.iter_mut().zip(each) {
             *cost = if *has_soil { 1.0 + per_cell * f64::from(sums.yields) } else { VOID };
         }
-        let all_known = workers.iter().all(|worker| worker.pace.speed().is_some());
-        let size = if company.is_left() { 1 } else { workers.len() };
-        cut.deal(costs, size, |n| workers[n].pace.speed().filter(|_| all_known).unwrap_or(1.0));
-        for (worker, load) in workers.iter_mut().zip(cut.loads(costs)) {
-            worker.pace.turn_to(load);
+        let all_known = workers.iter().all(|worker| worker.throughput.speed().is_some());
+        let size = if serial_fallback.is_left() { 1 } else { workers.len() };
+        partition
+            .rebalance(costs, size, |n| workers[n].throughput.speed().filter(|_| all_known).unwrap_or(1.0));
+        for (worker, load) in workers.iter_mut().zip(partition.loads(costs)) {
+            worker.throughput.turn_to(load);
         }
     }
 }

@@ -6,12 +6,15 @@ use std::ops::Range;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Barrier, Mutex, PoisonError};
 
+/// To and from a neighbour.
+type Link = (Sender<Vec<f64>>, Receiver<Vec<f64>>);
+
 /// One of several blocks.
 #[derive(Debug)]
 pub struct InProcess {
     number: usize,
     /// To and from the neighbours along y and z, at the low end and at the high end.
-    neighbours: [[Option<(Sender<Vec<f64>>, Receiver<Vec<f64>>)>; 2]; 2],
+    neighbours: [[Option<Link>; 2]; 2],
     board: Arc<Board>,
 }
 

@@ -47,22 +47,22 @@ struct Inputs<'a> {
 }
 
 /// Steps after which the rows are dealt out anew, for what yields moves on.
-const DEALS: u64 = 64;
+const REBALANCES: u64 = 64;
 
 /// Strains the soil and moves the nodes by one step of `dt` [s]: stresses and displacements at the end of the step,
 /// free velocities (before contact) half a step later. What the rows did is in their sums.
 pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspace, dt: f64) {
     let grid = &model.grid;
     workspace.stopwatch().lap(Stage::Other);
-    if state.step.is_multiple_of(DEALS) {
-        workspace.deal(grid);
+    if state.step.is_multiple_of(REBALANCES) {
+        workspace.rebalance(grid);
     }
     let clears = workspace.clear < 2;
     workspace.clear += u8::from(clears);
     let Workspace {
         team,
-        cut,
-        company,
+        partition,
+        serial_fallback,
         row_has_soil,
         velocity_before,
         workers,
@@ -89,12 +89,12 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
         cells: RowConstants::new(model, materials, width_x, dt),
         nodes: NodeConstants::new(model, dt),
     };
-    let mut stress = stress.each_mut().map(|s| cut.split(s));
-    let mut displacement = state.nodes.displacement.each_mut().map(|u| cut.split(u));
-    let mut velocity = state.nodes.velocity.each_mut().map(|v| cut.split(v));
-    let mut history = history.each_mut().map(|h| cut.split(h));
-    let mut sums = cut.split_by(1, row_sums);
-    let each = cut.ranges().zip(workers.iter_mut()).map(move |(rows, scratch)| Part {
+    let mut stress = stress.each_mut().map(|s| partition.split(s));
+    let mut displacement = state.nodes.displacement.each_mut().map(|u| partition.split(u));
+    let mut velocity = state.nodes.velocity.each_mut().map(|v| partition.split(v));
+    let mut history = history.each_mut().map(|h| partition.split(h));
+    let mut sums = partition.split_by(1, row_sums);
+    let each = partition.ranges().zip(workers.iter_mut()).map(move |(rows, scratch)| Part {
         rows,
         stress: stress.each_mut().map(|s| s.next().unwrap_or_default()),
         history: history.each_mut().map(|h| h.next().unwrap_or_default()),
@@ -104,16 +104,16 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
         scratch,
     });
     let mut parts = parts_of(each);
-    let parts = &mut parts[..cut.ranges().len()];
+    let parts = &mut parts[..partition.ranges().len()];
     let clock = Instant::now();
     team.share(parts, |part| part.iter_mut().for_each(|part| strain_and_move(&inputs, part)));
     pass_on(parts);
     team.share(parts, |part| part.iter_mut().for_each(|part| move_waiting(&inputs, part)));
     if parts.len() > 1
-        && let Some(speed) = workers[0].pace.speed()
+        && let Some(speed) = workers[0].throughput.speed()
     {
-        let load: f64 = workers.iter().map(|worker| worker.pace.load()).sum();
-        company.note(clock.elapsed().as_secs_f64(), load / speed);
+        let load: f64 = workers.iter().map(|worker| worker.throughput.load()).sum();
+        serial_fallback.note(clock.elapsed().as_secs_f64(), load / speed);
     }
     workers[0].stopwatch.lap(Stage::Nodes);
 }
@@ -163,7 +163,7 @@ fn strain_and_move(inputs: &Inputs, part: &mut Part) {
         }
         part.scratch.stopwatch.lap(Stage::Nodes);
     }
-    part.scratch.pace.note(clock.elapsed().as_secs_f64());
+    part.scratch.throughput.note(clock.elapsed().as_secs_f64());
 }
 
 /// Hands every part what the part before it has worked out for its waiting nodes: the forces of the cells below, and the

@@ -39,22 +39,29 @@ struct Inputs<'a> {
 /// only ones with soil. Volume [m³] and mass [kg] of the debris are in the rows' values.
 pub(crate) fn update_after_remap(model: &Model, soil: &mut Soil, workspace: &mut Workspace, active: &[bool]) {
     let Workspace {
-        team, cut, velocity_before: [volume, ..], row_values, workers, width_x, materials, ..
+        team,
+        partition,
+        velocity_before: [volume, ..],
+        row_values,
+        workers,
+        width_x,
+        materials,
+        ..
     } = workspace;
     let Soil { fraction, mass, stress, history, composition } = soil;
-    let mut stress = stress.each_mut().map(|s| cut.split(s));
-    let mut history = history.each_mut().map(|h| cut.split(h));
-    let fields = cut.split(fraction).zip(cut.split(mass));
-    let own = cut.split_by(1, row_values).zip(workers);
+    let mut stress = stress.each_mut().map(|s| partition.split(s));
+    let mut history = history.each_mut().map(|h| partition.split(h));
+    let fields = partition.split(fraction).zip(partition.split(mass));
+    let own = partition.split_by(1, row_values).zip(workers);
     let parts =
-        cut.ranges().zip(fields).zip(own).map(move |((rows, (fraction, mass)), (debris, scratch))| {
+        partition.ranges().zip(fields).zip(own).map(move |((rows, (fraction, mass)), (debris, scratch))| {
             let stress = stress.each_mut().map(|s| s.next().unwrap_or_default());
             let history = history.each_mut().map(|h| h.next().unwrap_or_default());
             Part { rows, fraction, mass, stress, history, debris, scratch }
         });
     let constants = RowConstants::new(model, materials, width_x, 0.0);
     let inputs = Inputs { grid: &model.grid, constants, materials, composition, volume, active };
-    team.deal(parts, |part| update_part(&inputs, part));
+    team.distribute(parts, |part| update_part(&inputs, part));
 }
 
 fn update_part(inputs: &Inputs, part: &mut Part) {

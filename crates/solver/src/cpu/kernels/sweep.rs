@@ -11,7 +11,7 @@ use crate::grid::Grid;
 use crate::model::Model;
 
 /// The arrays of a remap. The old velocities are worth nothing between steps: their memory is used again.
-struct Room<'a> {
+struct Scratch<'a> {
     /// Soil volume of the cells on the displaced grid [m³].
     soil: &'a mut Vec<Real>,
     /// Volume of the displaced cells [m³].
@@ -20,7 +20,7 @@ struct Room<'a> {
     flux: &'a mut Vec<Real>,
 }
 
-impl<'a> Room<'a> {
+impl<'a> Scratch<'a> {
     fn of([soil, cell, flux]: &'a mut [Vec<Real>; 3]) -> Self {
         Self { soil, cell, flux }
     }
@@ -30,10 +30,10 @@ impl<'a> Room<'a> {
 pub(crate) fn displaced_volumes(model: &Model, state: &State, workspace: &mut Workspace) {
     let grid = &model.grid;
     let [nx, ny, nz] = grid.cells();
-    let Workspace { team, cut, velocity_before, .. } = workspace;
-    let Room { soil, cell, .. } = Room::of(velocity_before);
+    let Workspace { team, partition, velocity_before, .. } = workspace;
+    let Scratch { soil, cell, .. } = Scratch::of(velocity_before);
     let displacement = &state.nodes.displacement;
-    team.rows2(cut, soil, cell, |row, soil, cell| {
+    team.rows2(partition, soil, cell, |row, soil, cell| {
         soil.fill(0.0);
         cell.fill(0.0);
         let [q, plane] = grid.row_place(row);
@@ -73,9 +73,9 @@ pub(crate) fn sweep(
     active: &[bool],
 ) {
     let grid = &model.grid;
-    let Workspace { team, cut, velocity_before, .. } = workspace;
-    let Room { soil, cell, flux } = Room::of(velocity_before);
-    team.rows(cut, &mut state.soil.fraction, |row, out| {
+    let Workspace { team, partition, velocity_before, .. } = workspace;
+    let Scratch { soil, cell, flux } = Scratch::of(velocity_before);
+    team.rows(partition, &mut state.soil.fraction, |row, out| {
         let own = row * out.len()..(row + 1) * out.len();
         for ((f, soil), cell) in out.iter_mut().zip(&soil[own.clone()]).zip(&cell[own]) {
             *f = if *cell > 0.0 { soil / cell } else { 0.0 };
@@ -86,38 +86,38 @@ pub(crate) fn sweep(
     let displacement = &mut displacement[axis];
     let sweep = Sweep { grid, axis, row_active: active };
     let filling = Filling { sweep, displacement, fraction, soil, cell };
-    team.rows(cut, flux, |row, out| filling.volume_fluxes(row, out));
-    team.rows(cut, cell, |row, out| sweep.undo_displacement(row, displacement, out));
+    team.rows(partition, flux, |row, out| filling.volume_fluxes(row, out));
+    team.rows(partition, cell, |row, out| sweep.undo_displacement(row, displacement, out));
     let reach = displacement;
-    team.rows(cut, reach, |row, out| sweep.reaches(row, [flux, fraction, soil], out));
+    team.rows(partition, reach, |row, out| sweep.reaches(row, [flux, fraction, soil], out));
     let spare = fraction;
     let faces: [&[Real]; 2] = [flux, reach];
     let (by_volume, by_mass): (Vec<_>, Vec<_>) =
         history.iter_mut().zip(HISTORY).partition(|(_, variable)| variable.carrier == Carrier::Volume);
     let fields = |list: Vec<(_, HistoryVariable)>| list.into_iter().map(|(field, _)| field);
     for field in stress.iter_mut().chain(fields(by_volume)).chain(composition) {
-        team.rows(cut, spare, |row, out| sweep.carry(row, [soil, field], faces, out));
+        team.rows(partition, spare, |row, out| sweep.carry(row, [soil, field], faces, out));
         std::mem::swap(field, spare);
     }
-    team.rows(cut, spare, |row, out| sweep.mass_fluxes(row, [soil, mass], faces, out));
-    team.rows(cut, soil, |row, out| sweep.difference(row, flux, out));
+    team.rows(partition, spare, |row, out| sweep.mass_fluxes(row, [soil, mass], faces, out));
+    team.rows(partition, soil, |row, out| sweep.difference(row, flux, out));
     // The volume flux is done with: room for what the mass carries, then for the dual flux.
     for field in fields(by_mass) {
         let faces: [&[Real]; 2] = [spare, reach];
-        team.rows(cut, flux, |row, out| sweep.carry(row, [mass, field], faces, out));
+        team.rows(partition, flux, |row, out| sweep.carry(row, [mass, field], faces, out));
         std::mem::swap(field, flux);
     }
-    team.rows(cut, mass, |row, out| sweep.difference(row, spare, out));
+    team.rows(partition, mass, |row, out| sweep.difference(row, spare, out));
     // The mass flux is in `spare`.
-    team.rows(cut, flux, |row, out| dual_fluxes(grid, axis, row, spare, out));
+    team.rows(partition, flux, |row, out| dual_fluxes(grid, axis, row, spare, out));
     let mass_moved = model.mass_moved() as Real;
-    team.rows(cut, reach, |row, out| dual_reaches(grid, axis, row, [node_mass, flux], mass_moved, out));
+    team.rows(partition, reach, |row, out| dual_reaches(grid, axis, row, [node_mass, flux], mass_moved, out));
     for velocity in velocity {
         let inputs: [&[Real]; 4] = [velocity, node_mass, flux, reach];
-        team.rows(cut, spare, |row, out| carry_momentum(grid, axis, row, inputs, out));
+        team.rows(partition, spare, |row, out| carry_momentum(grid, axis, row, inputs, out));
         std::mem::swap(velocity, spare);
     }
-    team.rows(cut, node_mass, |row, out| carry_mass(grid, axis, row, flux, out));
+    team.rows(partition, node_mass, |row, out| carry_mass(grid, axis, row, flux, out));
 }
 
 /// Masses of a row of nodes from those of the cells [kg].
