@@ -1,8 +1,8 @@
-//! What the textbooks predict, in closed form.
+//! Closed-form models of soil–body interaction, from the literature and derived for this project.
 //!
-//! This crate shares nothing with the solver but parameters: their agreement is a scientific claim only because of that.
-//! SI units and radians throughout; drag is positive when it resists the tow, vertical force positive when the soil
-//! pushes the body up, sinkage positive downwards. A request outside a formula's range is refused, never clamped.
+//! This crate shares no code with the solver, so that agreement between the two says something about the soil. SI units
+//! and radians throughout; drag is positive when it resists the tow, vertical force positive when the soil pushes the
+//! body up, sinkage positive downwards. An input outside the range of a formula is an error; it is never clamped.
 
 pub mod bearing;
 pub mod cutting;
@@ -18,7 +18,7 @@ mod soil;
 pub mod uncertainty;
 pub mod wheel;
 
-pub use error::{Answer, Refusal};
+pub use error::{ModelError, ModelResult};
 pub use forecast::{Forecast, Load, Towing, forecast};
 pub use motion::{froude, inertia_pressure, slip, turn_ratio};
 pub use soil::Soil;

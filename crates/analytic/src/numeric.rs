@@ -1,4 +1,4 @@
-//! The few numerical tools that the models share: roots, minima, quadrature.
+//! Numerical tools shared by the models: roots, minima, quadrature.
 
 /// Abscissae of the 16-point Gauss–Legendre rule on (−1, 1), positive half (Abramowitz & Stegun 1964, table 25.4).
 const GAUSS_NODES: [f64; 8] = [
@@ -32,8 +32,10 @@ pub(crate) fn gauss_points(from: f64, to: f64) -> impl Iterator<Item = (f64, f64
         .flat_map(move |(x, w)| [(middle - half * x, half * w), (middle + half * x, half * w)])
 }
 
-/// A root of `f` between `a` and `b`, where the signs differ, by the Anderson–Björck variant of false position
-/// with bisection as a safeguard. `None` if the signs do not differ or `f` is not a number there.
+/// A root of `f` between `a` and `b`, where its signs differ, by the Anderson–Björck variant of false position with
+/// bisection as a safeguard. `None` if the signs do not differ or `f` is not a number there.
+///
+/// Source: Anderson & Björck (1973), BIT 13, 253–264.
 pub(crate) fn root(mut a: f64, mut b: f64, tolerance: f64, mut f: impl FnMut(f64) -> f64) -> Option<f64> {
     let (mut fa, mut fb) = (f(a), f(b));
     if fa == 0.0 {
@@ -47,12 +49,12 @@ pub(crate) fn root(mut a: f64, mut b: f64, tolerance: f64, mut f: impl FnMut(f64
     }
     let mut best = if fa.abs() < fb.abs() { (a, fa.abs()) } else { (b, fb.abs()) };
     for step in 0..200 {
-        // Every fourth step halves the bracket whatever the curve looks like.
+        // Every fourth step bisects, so that the bracket shrinks for any `f`.
         let secant = (fa * b - fb * a) / (fa - fb);
-        let halved = step % 4 == 3 || !secant.is_finite();
-        let c = if halved { 0.5 * (a + b) } else { secant };
-        // Two secant steps this close are already far closer to the root: the answer changes smoothly with the curve.
-        if !halved && (c - b).abs() <= tolerance {
+        let bisect = step % 4 == 3 || !secant.is_finite();
+        let c = if bisect { 0.5 * (a + b) } else { secant };
+        // When two secant steps are this close, the last is far closer to the root than the tolerance.
+        if !bisect && (c - b).abs() <= tolerance {
             return Some(c);
         }
         let fc = f(c);
@@ -79,7 +81,7 @@ pub(crate) fn root(mut a: f64, mut b: f64, tolerance: f64, mut f: impl FnMut(f64
     Some(best.0)
 }
 
-/// The place in `[a, b]` where `f` is smallest and its value there, by golden section; right for one valley.
+/// Position and value of the minimum of a unimodal `f` on `[a, b]`, by golden-section search.
 pub(crate) fn minimum(mut a: f64, mut b: f64, steps: usize, f: impl Fn(f64) -> f64) -> (f64, f64) {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
     let (mut c, mut d) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
@@ -109,14 +111,14 @@ mod tests {
     }
 
     #[test]
-    fn a_root_is_found_and_a_missing_one_is_not_invented() {
+    fn a_root_is_found_where_there_is_one() {
         let found = root(0.0, 2.0, 1e-13, |x| x * x - 2.0).unwrap();
         assert!((found - 2.0_f64.sqrt()).abs() < 1e-12);
         assert!(root(0.0, 1.0, 1e-12, |x| x + 1.0).is_none());
     }
 
     #[test]
-    fn a_valley_is_found() {
+    fn a_minimum_is_found() {
         assert!((minimum(0.0, 3.0, 60, |x| (x - 1.3).powi(2)).0 - 1.3).abs() < 1e-7);
     }
 }

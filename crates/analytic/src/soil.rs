@@ -1,9 +1,9 @@
-//! The soil as the closed forms see it.
+//! Soil parameters of the closed-form models.
 
 use crate::bearing::davis_friction_angle;
-use crate::error::{Answer, not_negative, positive, within};
+use crate::error::{ModelResult, non_negative, positive, within};
 
-/// Rigid, perfectly plastic Mohr–Coulomb soil and its friction on the body.
+/// Rigid–perfectly plastic Mohr–Coulomb soil and its friction on the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Soil {
     /// Friction angle φ [rad].
@@ -19,35 +19,35 @@ pub struct Soil {
 }
 
 impl Soil {
-    /// Refuses a soil that no model here can take.
+    /// Checks that the parameters lie in the range of the models.
     ///
     /// # Errors
     /// Unless 10° ≤ φ ≤ 50°, −φ ≤ ψ ≤ φ, c ≥ 0, γ > 0 and 0 ≤ μ ≤ 2.
-    pub fn check(&self) -> Answer<()> {
+    pub fn check(&self) -> ModelResult<()> {
         let phi =
             within("friction angle [rad]", self.friction_angle, 10_f64.to_radians(), 50_f64.to_radians())?;
         within("dilation angle [rad]", self.dilation_angle, -phi, phi)?;
-        not_negative("cohesion [Pa]", self.cohesion)?;
+        non_negative("cohesion [Pa]", self.cohesion)?;
         positive("unit weight [N/m^3]", self.unit_weight)?;
         within("body friction", self.body_friction, 0.0, 2.0)?;
         Ok(())
     }
 
-    /// The same soil with Davis' operative friction angle φ* and cohesion c* in place of φ and c, associated.
+    /// The equivalent associated soil with Davis' operative friction angle φ* and cohesion c* in place of φ and c.
     ///
     /// tan φ*/tan φ = c*/c. Source: Davis (1968), see [`davis_friction_angle`].
     ///
     /// # Errors
     /// If φ or ψ is out of range.
-    pub fn operative(&self) -> Answer<Self> {
+    pub fn operative(&self) -> ModelResult<Self> {
         let angle = davis_friction_angle(self.friction_angle, self.dilation_angle)?;
         let cohesion = self.cohesion * angle.tan() / self.friction_angle.tan();
         Ok(Self { friction_angle: angle, dilation_angle: angle, cohesion, ..*self })
     }
 
-    /// The friction that soil and body can share: μ, but no more than the soil's own tan φ.
+    /// Friction coefficient of the interface: μ, but at most tan φ, at which the soil itself fails.
     #[must_use]
-    pub fn shared_friction(&self) -> f64 {
+    pub fn interface_friction(&self) -> f64 {
         self.body_friction.min(self.friction_angle.tan())
     }
 }

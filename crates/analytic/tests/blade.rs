@@ -1,11 +1,11 @@
-//! Blocks and round bodies in the forecast, against worked numbers and closed forms.
-#![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
+//! Blocks and faceted bodies in the forecast, against worked examples and closed forms.
+#![allow(clippy::unwrap_used)] // clippy does not recognise test helpers
 
 use analytic::cutting::{Blade, mckyes_ali};
 use analytic::disc::{Disc, Drive};
-use analytic::forecast::{Block, Body, Candidate, ModelForecast, Parameter, Prediction, Round, curve};
+use analytic::forecast::{Block, Body, Candidate, FacetedBody, ModelForecast, Parameter, Prediction, curve};
 use analytic::resistive::{Facet, SpatialLaw, Traction, at_depth};
-use analytic::uncertainty::{Spread, propagate_towing, sweep_table};
+use analytic::uncertainty::{Distribution, propagate_towing, sweep_table};
 use analytic::{Load, Soil, Towing, forecast};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -22,7 +22,12 @@ fn soil(degrees: f64, friction: f64) -> Soil {
 
 /// A block 0.06 m long, 0.25 m high.
 fn block(width: f64, orientation: f64) -> Block {
-    Block { size: [0.06, width, 0.25], orientation: orientation.to_radians(), endless: false, has_base: true }
+    Block {
+        size: [0.06, width, 0.25],
+        orientation: orientation.to_radians(),
+        plane_strain: false,
+        has_base: true,
+    }
 }
 
 fn held(soil: Soil, body: impl Into<Body>, z: f64) -> Towing {
@@ -38,9 +43,9 @@ fn found(towing: &Towing, model: Candidate) -> Prediction {
     entry.prediction.unwrap_or_else(|| panic!("{}: {}", entry.name, entry.note))
 }
 
-/// The design note's table of end ratios (φ = 35°, δ = ⅔φ), times its thrusts in plane strain: 7.773 exact, 9.962 Coulomb.
+/// The end factors of the derivation (φ = 35°, δ = ⅔φ), times the thrusts in plane strain: 7.773 exact, 9.962 Coulomb.
 #[test]
-fn upright_blades_reproduce_the_table_of_end_ratios() {
+fn upright_blades_reproduce_the_table_of_end_factors() {
     let delta = 70_f64.to_radians() / 3.0;
     let z = 0.1;
     // w/d, McKyes–Ali, PW with crescents, Godwin–Spoor, Brinch Hansen
@@ -68,10 +73,10 @@ fn upright_blades_reproduce_the_table_of_end_ratios() {
     }
 }
 
-/// Rankine's wall, Coulomb's and the exact one in plane strain.
+/// A wall in plane strain: Rankine's, Coulomb's and the exact thrust.
 #[test]
-fn an_endless_wall_is_the_exact_one() {
-    let wall = Block { endless: true, ..block(0.5, 0.0) };
+fn a_wall_in_plane_strain_has_the_exact_thrust() {
+    let wall = Block { plane_strain: true, ..block(0.5, 0.0) };
     let case = held(soil(30.0, 0.0), wall, 0.2);
     let rankine = 0.5 * 16e3 * 0.2 * 0.2 * 0.5 * 3.0;
     for model in [Candidate::PlaneStrain, Candidate::McKyesAli] {
@@ -79,7 +84,7 @@ fn an_endless_wall_is_the_exact_one() {
     }
     assert!(entry(&case, Candidate::Wedge).note.contains("no ends"));
     assert_eq!(forecast(&case).unwrap().recommended, Some(Candidate::PlaneStrain));
-    // Rough: the exact K_p = 6.548 of the design note, against Coulomb's 10.095.
+    // Rough: the exact K_p = 6.548 of the derivation, against Coulomb's 10.095.
     let rough = held(soil(30.0, 2.0), wall, 0.2);
     let exact = found(&rough, Candidate::PlaneStrain);
     assert!((exact.drag.hypot(exact.vertical) / rankine * 3.0 - 6.548).abs() < 1e-3);
@@ -89,10 +94,10 @@ fn an_endless_wall_is_the_exact_one() {
     assert!((coulomb.drag.hypot(coulomb.vertical) / rankine * 3.0 - 10.095).abs() < 2e-2);
 }
 
-/// A plate turned so that its front overhangs the soil meets K_n of its inclination (design note: φ = 35°, α = 70°, δ = 0).
+/// A rotated plate whose front overhangs the soil has the K_n of its inclination (derivation: φ = 35°, α = 70°, δ = 0).
 #[test]
 fn an_overhanging_front_is_pressed_up_and_a_raked_one_drawn_down() {
-    let plate = Block { endless: true, ..block(0.4, 20.0) };
+    let plate = Block { plane_strain: true, ..block(0.4, 20.0) };
     let case = held(soil(35.0, 0.0), plate, 0.1);
     let exact = found(&case, Candidate::PlaneStrain);
     let length = 0.1 / 70_f64.to_radians().sin();
@@ -102,7 +107,7 @@ fn an_overhanging_front_is_pressed_up_and_a_raked_one_drawn_down() {
     // Leaning back 30° it is a blade of rake 60°, whose lower front edge is higher than the lowest one.
     let raked = block(0.4, -30.0);
     assert!((raked.front().rake.to_degrees() - 60.0).abs() < 1e-9);
-    assert!((raked.front().lift - 0.03).abs() < 1e-12);
+    assert!((raked.front().lower_edge - 0.03).abs() < 1e-12);
     let soil = soil(35.0, 0.2);
     let case = held(soil, raked, 0.16);
     let seen = found(&case, Candidate::McKyesAli);
@@ -117,18 +122,18 @@ fn an_overhanging_front_is_pressed_up_and_a_raked_one_drawn_down() {
     assert!(shallow.note.contains("30.0000 mm") || shallow.note.contains("30 mm"), "{}", shallow.note);
 }
 
-/// A flat plate lying on its side is a low block: the front is the face with the largest height.
+/// A plate rotated by 90° is a low block: the front is the face of the largest height.
 #[test]
 fn the_front_is_the_face_with_the_largest_height() {
     let lying = block(0.3, 90.0);
     let front = lying.front();
-    assert!((front.rake - FRAC_PI_2).abs() < 1e-9 && (front.top - 0.06).abs() < 1e-9);
-    assert!((front.behind - 0.25).abs() < 1e-9 && (lying.height() - 0.06).abs() < 1e-9);
+    assert!((front.rake - FRAC_PI_2).abs() < 1e-9 && (front.upper_edge - 0.06).abs() < 1e-9);
+    assert!((front.length_behind - 0.25).abs() < 1e-9 && (lying.height() - 0.06).abs() < 1e-9);
     let steep = block(0.3, -60.0).front();
     assert!((steep.rake.to_degrees() - 30.0).abs() < 1e-9);
 }
 
-/// 3D-RFT and 2-D RFT of a block: its front and its base, each at the traction of its law.
+/// 3D-RFT and 2-D RFT of a block: the sum of the tractions on its front and its base.
 #[test]
 fn resistive_force_theory_sums_front_and_base() {
     let (soil, z) = (soil(35.0, 0.4), 0.1);
@@ -142,31 +147,31 @@ fn resistive_force_theory_sums_front_and_base() {
     assert!(found(&held(soil, block(0.3, 0.0), z), Candidate::PlanarResistive).drag > 0.0);
 }
 
-/// The rim of a disc as points of a round body gives what the disc gives, locked and turning freely.
+/// A faceted body with the facets of a disc's rim has the forces of the disc, locked and free.
 #[test]
-fn a_body_of_points_is_a_disc_where_it_is_one() {
+fn a_faceted_disc_has_the_forces_of_the_disc() {
     let disc = Disc { diameter: 0.2, thickness: 0.05 };
     let count = 720;
     let facets = (0..count).map(|n| {
         let angle = 2.0 * PI * (f64::from(n) + 0.5) / f64::from(count);
         let normal = [angle.cos(), 0.0, angle.sin()];
         let area = 0.05 * 0.2 * PI / f64::from(count);
-        let rise = 0.5 * (area / 0.05) * normal[0].abs();
-        Facet { middle: normal.map(|n| 0.1 * n), normal, area, rise }
+        let half_height = 0.5 * (area / 0.05) * normal[0].abs();
+        Facet { centroid: normal.map(|n| 0.1 * n), normal, area, half_height }
     });
-    let round = Round { length: 0.2, width: 0.05, height: 0.2, facets: facets.collect() };
+    let round = FacetedBody { length: 0.2, width: 0.05, height: 0.2, facets: facets.collect() };
     let soil = soil(35.0, 0.3);
     let law = SpatialLaw::new(soil.friction_angle, 16e3, 0.3).unwrap();
     for drive in [Drive::Locked, Drive::Slip(-0.3), Drive::Free] {
         let exact = at_depth(&law, &disc, 0.04, drive).unwrap();
-        let towing = Towing::new(soil, Body::Round(round.clone()), Load::Sinkage(0.04), drive);
+        let towing = Towing::new(soil, Body::Faceted(round.clone()), Load::Sinkage(0.04), drive);
         let seen = found(&towing, Candidate::SpatialResistive);
         for (a, b) in [(seen.drag, exact.drag), (seen.vertical, exact.vertical)] {
             assert!((a / b - 1.0).abs() < 4e-3, "{drive:?}: {a} for {b}");
         }
         assert!(seen.slip.is_none_or(|slip| (slip - exact.slip).abs() < 5e-3));
     }
-    let weighed = Towing::new(soil, Body::Round(round), Load::Weight(40.0), Drive::Locked);
+    let weighed = Towing::new(soil, Body::Faceted(round), Load::Weight(40.0), Drive::Locked);
     let all = forecast(&weighed).unwrap();
     assert_eq!(all.recommended, Some(Candidate::SpatialResistive));
     assert!((found(&weighed, Candidate::SpatialResistive).vertical / 40.0 - 1.0).abs() < 1e-4);
@@ -175,9 +180,9 @@ fn a_body_of_points_is_a_disc_where_it_is_one() {
     }
 }
 
-/// A block that is free to sink rests where front and base carry it; more weight, more sinkage and drag.
+/// A block that is free to sink is in equilibrium where front and base carry it; sinkage and drag increase with weight.
 #[test]
-fn a_block_sinks_until_it_is_carried() {
+fn a_block_sinks_to_its_equilibrium() {
     let at = |weight: f64, model| {
         let case = Towing::new(soil(32.0, 0.3), block(0.3, 0.0), Load::Weight(weight), Drive::Locked);
         found(&case, model)
@@ -197,9 +202,9 @@ fn a_block_sinks_until_it_is_carried() {
     assert!(entry(&heavy, Candidate::Wedge).note.contains("at most"));
 }
 
-/// Nothing is a number that is none, over all orientations, sinkages and frictions.
+/// Predictions are finite for all orientations, sinkages and frictions.
 #[test]
-fn no_answer_is_not_a_number() {
+fn no_prediction_is_not_a_number() {
     for orientation in [-170.0, -80.0, -45.0, -10.0, 0.0, 0.5, 15.0, 40.0, 89.0, 180.0] {
         for (z, friction) in [(1e-6, 0.0), (0.03, 0.7), (0.055, 2.0)] {
             let case = held(soil(38.0, friction), block(0.2, orientation), z);
@@ -218,17 +223,17 @@ fn no_answer_is_not_a_number() {
     assert!(message.contains("above 0 and at most 0.25 m"), "{message}");
 }
 
-/// A table over the spread of the friction angle answers as the field itself does; curves go over every model.
+/// A table over the range of the friction angle gives the result of the field itself; curves exist for all models.
 #[test]
 fn blades_have_curves_and_uncertainty() {
     let case = held(soil(35.0, 0.4), block(0.3, 0.0), 0.1);
     let deviation = 2_f64.to_radians();
-    let spreads = [(Parameter::FrictionAngle, Spread::Normal { mean: 35_f64.to_radians(), deviation })];
-    let table = sweep_table(&case, &spreads);
+    let inputs = [(Parameter::FrictionAngle, Distribution::Normal { mean: 35_f64.to_radians(), deviation })];
+    let table = sweep_table(&case, &inputs);
     assert!(table.is_some());
     let with =
-        propagate_towing(&case, &spreads, Candidate::Wedge, 256, 1, table.as_ref()).unwrap().drag.quantiles;
-    let without = propagate_towing(&case, &spreads, Candidate::Wedge, 256, 1, None).unwrap().drag.quantiles;
+        propagate_towing(&case, &inputs, Candidate::Wedge, 256, 1, table.as_ref()).unwrap().drag.quantiles;
+    let without = propagate_towing(&case, &inputs, Candidate::Wedge, 256, 1, None).unwrap().drag.quantiles;
     for (a, b) in with.into_iter().zip(without) {
         assert!((a / b - 1.0).abs() < 1e-4, "{a} for {b}");
     }
@@ -238,6 +243,6 @@ fn blades_have_curves_and_uncertainty() {
             |n: usize| points[n].models.iter().find(|m| m.model == model).unwrap().prediction.unwrap().drag;
         assert!(of(0) < of(1) && of(1) < of(2) && of(2) < of(3), "{model:?}");
     }
-    let turned = curve(&case, Parameter::Orientation, &[-0.3, 0.0, 0.3], &[Candidate::McKyesAli]).unwrap();
-    assert!(turned[0].models[0].prediction.is_some() && turned[2].models[0].prediction.is_none());
+    let rotated = curve(&case, Parameter::Orientation, &[-0.3, 0.0, 0.3], &[Candidate::McKyesAli]).unwrap();
+    assert!(rotated[0].models[0].prediction.is_some() && rotated[2].models[0].prediction.is_none());
 }

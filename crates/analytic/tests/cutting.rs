@@ -1,4 +1,4 @@
-//! Narrow blades: the comparison table of the design note (vertical face, φ = 35°, δ = ⅔φ).
+//! Narrow blades: the comparison table of the derivation (vertical face, φ = 35°, δ = ⅔φ).
 
 use analytic::cutting::{effective_width, hansen_end_factor, mckyes_ali_factors};
 use analytic::disc::end_factor;

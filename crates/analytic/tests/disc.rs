@@ -1,9 +1,9 @@
-//! The worked example of the design note: BC, PW, weights, Hetherington–Littleton.
+//! The worked example of the derivation: BC, PW, equilibrium, Hetherington–Littleton.
 
 use analytic::Soil;
 use analytic::disc::{
     Disc, Drive, Equilibrium, Model, RimLoad, Setting, bearing_arc, disc_forces, end_factor, equilibrium,
-    median_angle, rolling_split, side_faces,
+    median_angle, opposed_friction_forces, side_faces,
 };
 use analytic::earth_pressure::{Face, sokolovskii};
 use analytic::wheel::{
@@ -62,7 +62,7 @@ fn forces_match_the_table() {
         for (n, (model, drive)) in columns.into_iter().enumerate() {
             for (got, want) in forces(model, phi, z, drive).into_iter().zip(&row[2 * n..2 * n + 2]) {
                 let last = if *want < 100.0 { 0.05 } else { 0.5 };
-                // The note's wedge rows took α rounded to a tenth of a degree (next test): up to 0.3 %.
+                // The table's wedge used α rounded to a tenth of a degree (next test): up to 0.3 %.
                 let allowed = if model == Model::Bearing { 1.02 * last } else { last + 0.0035 * want };
                 let beyond = ((got - want).abs() - last).max(0.0) / want;
                 worst[usize::from(model != Model::Bearing)] =
@@ -78,7 +78,7 @@ fn forces_match_the_table() {
 }
 
 #[test]
-fn the_wedge_rows_of_the_note_took_a_rounded_chord_angle() {
+fn the_tabulated_wedge_used_a_rounded_chord_angle() {
     let mut misses = 0;
     for (phi, z, row) in TABLE {
         for (friction, at) in [(0.0, 2), (0.3, 8)] {
@@ -118,7 +118,7 @@ fn the_worked_example_matches_step_by_step() {
     assert!((free.force_inclination.to_degrees() - 23.2).abs() < 0.1);
     let median = median_angle(&rim);
     assert!((median.to_degrees() - 22.0).abs() < 0.1);
-    let (drag, lift) = rolling_split(&rim, median, 0.3);
+    let (drag, lift) = opposed_friction_forces(&rim, median, 0.3);
     println!("split of the friction: {drag:.2} N, {lift:.2} N at {:.2}°", median.to_degrees());
     assert!((drag - 4.5).abs() < 0.6 && (lift - 10.2).abs() < 0.6);
     let locked = disc_forces(Model::Bearing, &Setting::new(soil, DISC, Drive::Locked), 0.04).unwrap();
@@ -249,8 +249,8 @@ fn sinkage_under_weight_matches() {
                     }
                 }
             }
-            let rival = hetherington_littleton(f64::to_radians(phi), 16e3, &DISC, weight).unwrap().resistance;
-            assert!((rival / row[4] - 1.0).abs() < 7e-3, "HL φ={phi} W={weight}: {rival}");
+            let other = hetherington_littleton(f64::to_radians(phi), 16e3, &DISC, weight).unwrap().resistance;
+            assert!((other / row[4] - 1.0).abs() < 7e-3, "HL φ={phi} W={weight}: {other}");
         }
     }
 }
@@ -282,7 +282,7 @@ fn side_faces_match() {
 }
 
 #[test]
-fn cohesion_raises_the_vertical_force_as_noted() {
+fn cohesion_raises_the_vertical_force_as_tabulated() {
     let rows = [
         (20., [1.05, 1.04, 1.03]),
         (50., [1.13, 1.10, 1.07]),
@@ -303,7 +303,7 @@ fn cohesion_raises_the_vertical_force_as_noted() {
 }
 
 #[test]
-fn non_associated_flow_weakens_as_noted() {
+fn non_associated_flow_reduces_the_force_as_tabulated() {
     for (psi, want) in [(35., 154.6), (10., 98.7), (5., 84.1), (0., 70.7)] {
         let soil = Soil { dilation_angle: f64::to_radians(psi), ..sand(35.0) }.operative().unwrap();
         let got = disc_forces(Model::Bearing, &Setting::new(soil, DISC, Drive::Free), 0.04).unwrap().vertical;

@@ -1,4 +1,4 @@
-//! The tables of the design note: K_p of vertical walls, K_n of the faces of a disc, Martin's N_γ.
+//! The tables of the derivation: K_p of vertical walls, K_n of the faces of a disc, Martin's N_γ.
 
 use analytic::earth_pressure::{Face, coulomb, coulomb_total, lancellotta, log_spiral, rankine, sokolovskii};
 
@@ -247,8 +247,8 @@ fn coulomb_on_the_overhanging_face_is_far_too_large_or_missing() {
     }
 }
 
-/// A field is found at every one of a thousand faces. Also work for a stopwatch: `time` this test alone, its user seconds
-/// are the milliseconds of one coefficient.
+/// The field is found for each of a thousand faces. Also a benchmark: the user time of this test in seconds is the time of
+/// one coefficient in milliseconds.
 #[test]
 fn a_thousand_fields() {
     let ratios = [-0.4, 0.0, 0.3, 0.6, 1.0];

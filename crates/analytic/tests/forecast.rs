@@ -1,4 +1,4 @@
-//! The front door: every model side by side, with reasons.
+//! The forecast: all models for a disc, their limits and their uncertainty.
 
 use analytic::disc::{
     Assembly, Disc, Drive, Equilibrium, Mechanism, Model, Passive, Setting, assembly_forces, disc_forces,
@@ -6,7 +6,7 @@ use analytic::disc::{
 };
 use analytic::earth_pressure::{PressureTable, TableRange};
 use analytic::forecast::{Candidate, Parameter, curve, predict};
-use analytic::uncertainty::{Spread, propagate, propagate_towing, sweep_table};
+use analytic::uncertainty::{Distribution, propagate, propagate_towing, sweep_table};
 use analytic::wheel::TERRAINS;
 use analytic::{Load, Soil, Towing, forecast};
 use std::time::Instant;
@@ -38,7 +38,7 @@ fn a_free_disc_under_weight_is_forecast_by_every_model_it_suits() {
         println!("{:24} {:5} {:?} {}", model.name, model.applicable, model.prediction, model.note);
         assert!(model.applicable || !model.note.is_empty());
     }
-    println!("{:?}\n{:?}\n{:?}\n{}", found.groups, found.spread, found.side_faces, found.recommendation);
+    println!("{:?}\n{:?}\n{:?}\n{}", found.groups, found.scatter, found.side_faces, found.recommendation);
     let bearing = found.models[1].prediction.unwrap();
     assert!((bearing.sinkage.unwrap() / 0.2 - 0.050).abs() < 6e-4 && (bearing.drag - 10.8).abs() < 0.06);
     assert_eq!(found.models.iter().filter(|model| model.applicable).count(), 8);
@@ -63,7 +63,7 @@ fn non_associated_soil_is_shown_at_both_angles() {
 }
 
 #[test]
-fn a_locked_disc_too_heavy_finds_no_rest() {
+fn a_locked_disc_that_is_too_heavy_has_no_equilibrium() {
     let found = forecast(&towing(30.0, Load::Weight(200.0), Drive::Locked)).unwrap();
     println!("{:#?}", found.models.iter().map(|m| (m.name, m.applicable, &m.note)).collect::<Vec<_>>());
     assert!(
@@ -87,17 +87,17 @@ fn thin_discs_fail_sideways_and_thick_ones_forwards() {
         let (bc, pw) = (lift(Model::Bearing), lift(Model::Wedge));
         println!("t/d={thickness}: BC {bc:.3} for {bearing}, PW {pw:.3} for {wedge}");
         assert!((bc / bearing - 1.0).abs() < 3e-3 && (pw / wedge - 1.0).abs() < 5e-3);
-        let weaker = disc_forces(Model::Weaker, &setting, 0.04).unwrap();
+        let governing = disc_forces(Model::Governing, &setting, 0.04).unwrap();
         assert_eq!(
-            weaker.mechanism,
+            governing.mechanism,
             if thickness < 0.34 { Mechanism::Sideways } else { Mechanism::Forwards }
         );
     }
 }
 
-/// Where the vertical forces of BC and PW cross, their drags differ by half; what the soil does must not jump there.
+/// Where the vertical forces of BC and PW cross, their drags differ by half; the prediction must be continuous there.
 #[test]
-fn sinkage_and_drag_are_continuous_where_the_ways_out_cross() {
+fn sinkage_and_drag_are_continuous_where_the_mechanisms_cross() {
     let cases = [
         (29.84, Drive::Free, 160),
         (35.0, Drive::Free, 160),
@@ -117,7 +117,7 @@ fn sinkage_and_drag_are_continuous_where_the_ways_out_cross() {
         for thickness in [0.02, 0.05, 0.08, 0.15] {
             let mut setting = Setting::new(case.soil, Disc { diameter: 0.2, thickness }, drive);
             setting.passive = Passive::Table(&table);
-            let rest = |weight: f64| match equilibrium(Model::Weaker, &setting, weight).unwrap() {
+            let rest = |weight: f64| match equilibrium(Model::Governing, &setting, weight).unwrap() {
                 Equilibrium::At { sinkage, forces } => [sinkage, forces.drag],
                 Equilibrium::None { .. } => [f64::NAN; 2],
             };
@@ -142,16 +142,16 @@ fn sinkage_and_drag_are_continuous_where_the_ways_out_cross() {
     }
 }
 
-/// The soil never needs more than its easier way out alone, and both limits are reached.
+/// The forces of the governing mechanism never exceed those of BC or PW alone, and reach both limits.
 #[test]
-fn the_weaker_way_out_is_below_both_and_joins_them() {
+fn the_governing_mechanism_is_a_lower_envelope() {
     for thickness in [1e-4, 0.05, 0.07, 100.0] {
         let case = towing(35.0, Load::Sinkage(0.04), Drive::Free);
         let setting = Setting::new(case.soil, Disc { diameter: 0.2, thickness }, Drive::Free);
         let of = |model| disc_forces(model, &setting, 0.04).unwrap();
-        let (bearing, wedge, weaker) = (of(Model::Bearing), of(Model::Wedge), of(Model::Weaker));
-        assert!(weaker.vertical <= bearing.vertical.min(wedge.vertical) * (1.0 + 1e-12));
-        assert!(weaker.normal <= bearing.normal.min(wedge.normal) * (1.0 + 1e-12));
+        let (bearing, wedge, governing) = (of(Model::Bearing), of(Model::Wedge), of(Model::Governing));
+        assert!(governing.vertical <= bearing.vertical.min(wedge.vertical) * (1.0 + 1e-12));
+        assert!(governing.normal <= bearing.normal.min(wedge.normal) * (1.0 + 1e-12));
         let limit = if thickness < 1e-3 {
             Some(bearing)
         } else if thickness > 1.0 {
@@ -160,8 +160,8 @@ fn the_weaker_way_out_is_below_both_and_joins_them() {
             None
         };
         if let Some(limit) = limit {
-            assert!((weaker.vertical / limit.vertical - 1.0).abs() < 1e-3);
-            assert!((weaker.drag / limit.drag - 1.0).abs() < 1e-3);
+            assert!((governing.vertical / limit.vertical - 1.0).abs() < 1e-3);
+            assert!((governing.drag / limit.drag - 1.0).abs() < 1e-3);
         }
     }
 }
@@ -190,17 +190,19 @@ fn assemblies_join_their_two_limits() {
     let case = towing(35.0, Load::Sinkage(0.03), Drive::Free);
     let setting = Setting::new(case.soil, DISC, Drive::Free);
     let group = |count, spacing| {
-        assembly_forces(Model::Weaker, &setting, &Assembly { count, spacing }, 0.03).unwrap()
+        assembly_forces(Model::Governing, &setting, &Assembly { count, spacing }, 0.03).unwrap()
     };
-    let alone = disc_forces(Model::Weaker, &setting, 0.03).unwrap();
+    let alone = disc_forces(Model::Governing, &setting, 0.03).unwrap();
     let wide = Setting { disc: Disc { thickness: 0.15, ..DISC }, ..setting };
-    let joined = disc_forces(Model::Weaker, &wide, 0.03).unwrap();
+    let joined = disc_forces(Model::Governing, &wide, 0.03).unwrap();
     assert!((group(3, 0.05).drag / joined.drag - 1.0).abs() < 1e-12);
     assert!((group(3, 2.0).drag / (3.0 * alone.drag) - 1.0).abs() < 1e-12);
     assert!((group(1, 0.05).drag / alone.drag - 1.0).abs() < 1e-12);
     let middle = group(3, 0.2).drag;
     assert!((middle - joined.drag) * (middle - 3.0 * alone.drag) < 0.0);
-    assert!(assembly_forces(Model::Weaker, &setting, &Assembly { count: 2, spacing: 0.01 }, 0.03).is_err());
+    assert!(
+        assembly_forces(Model::Governing, &setting, &Assembly { count: 2, spacing: 0.01 }, 0.03).is_err()
+    );
     let mut case = towing(35.0, Load::Weight(150.0), Drive::Free);
     case.assembly = Some(Assembly { count: 3, spacing: 0.2 });
     let found = forecast(&case).unwrap();
@@ -208,7 +210,7 @@ fn assemblies_join_their_two_limits() {
 }
 
 #[test]
-fn the_measured_wheel_is_forecast_as_noted() {
+fn the_measured_wheel_is_forecast_as_tabulated() {
     let wheel = Disc { diameter: 0.116, thickness: 0.05 };
     for (phi, z, drag) in [(30., 0.172, 9.7), (32., 0.133, 8.5), (33., 0.116, 8.0), (34., 0.101, 7.4)] {
         let mut case = towing(phi, Load::Weight(24.0), Drive::Free);
@@ -224,11 +226,12 @@ fn the_measured_wheel_is_forecast_as_noted() {
 }
 
 #[test]
-fn curves_rise_with_sinkage_and_carry_their_refusals() {
+fn curves_rise_with_sinkage_and_give_reasons_for_gaps() {
     let case = towing(35.0, Load::Weight(50.0), Drive::Free);
     let depths: Vec<f64> = (1..=20).map(|n| 0.004 * f64::from(n)).collect();
     let found =
-        curve(&case, Parameter::Sinkage, &depths, &[Candidate::Weaker, Candidate::SpatialResistive]).unwrap();
+        curve(&case, Parameter::Sinkage, &depths, &[Candidate::Governing, Candidate::SpatialResistive])
+            .unwrap();
     for pair in found.windows(2) {
         for (low, high) in pair[0].models.iter().zip(&pair[1].models) {
             assert!(low.prediction.unwrap().vertical < high.prediction.unwrap().vertical);
@@ -245,7 +248,7 @@ fn curves_rise_with_sinkage_and_carry_their_refusals() {
 #[test]
 fn ishigamis_indices_are_found() {
     let pi = std::f64::consts::PI;
-    let input = Spread::Uniform { low: -pi, high: pi };
+    let input = Distribution::Uniform { low: -pi, high: pi };
     let model = |x: &[f64]| Some([x[0].sin() + 7.0 * x[1].sin().powi(2) + 0.1 * x[2].powi(4) * x[0].sin()]);
     let [found] = propagate(&[input; 3], 100_000, 3, model).unwrap();
     println!("{found:?}");
@@ -259,47 +262,47 @@ fn ishigamis_indices_are_found() {
 }
 
 #[test]
-fn the_friction_angle_rules_the_uncertainty() {
+fn the_friction_angle_dominates_the_uncertainty() {
     let mut case = towing(35.0, Load::Sinkage(0.03), Drive::Free);
     case.soil.dilation_angle = 5_f64.to_radians();
-    let spreads = [
+    let inputs = [
         (
             Parameter::FrictionAngle,
-            Spread::Normal { mean: 35_f64.to_radians(), deviation: 2_f64.to_radians() },
+            Distribution::Normal { mean: 35_f64.to_radians(), deviation: 2_f64.to_radians() },
         ),
-        (Parameter::UnitWeight, Spread::Normal { mean: 16e3, deviation: 500.0 }),
-        (Parameter::Thickness, Spread::Uniform { low: 0.045, high: 0.055 }),
+        (Parameter::UnitWeight, Distribution::Normal { mean: 16e3, deviation: 500.0 }),
+        (Parameter::Thickness, Distribution::Uniform { low: 0.045, high: 0.055 }),
     ];
-    let table = sweep_table(&case, &spreads);
+    let table = sweep_table(&case, &inputs);
     assert!(table.is_some());
-    let weaker = |case: &Towing, count| {
-        propagate_towing(case, &spreads, Candidate::Weaker, count, 1, table.as_ref()).unwrap()
+    let governing = |case: &Towing, count| {
+        propagate_towing(case, &inputs, Candidate::Governing, count, 1, table.as_ref()).unwrap()
     };
-    let found = weaker(&case, 50_000).drag;
+    let found = governing(&case, 50_000).drag;
     assert!(found.first_order[0] > 0.7 && found.first_order.iter().sum::<f64>() < 1.02);
     assert!(found.quantiles[0] < found.quantiles[1] && found.quantiles[1] < found.quantiles[2]);
-    assert_eq!(found.refused, 0.0);
-    assert_eq!(found, weaker(&case, 50_000).drag);
+    assert_eq!(found.failed, 0.0);
+    assert_eq!(found, governing(&case, 50_000).drag);
 }
 
-/// Every model that answers has a distribution, and the table changes nothing that can be seen.
+/// Every model with a prediction has a distribution, which the table does not change noticeably.
 #[test]
 fn every_model_has_its_uncertainty() {
     let mut case = towing(35.0, Load::Weight(50.0), Drive::Free);
     case.terrain = Some(TERRAINS[0].soil);
     case.cone_index = Some(300e3);
-    let spreads = [
+    let inputs = [
         (
             Parameter::FrictionAngle,
-            Spread::Normal { mean: 35_f64.to_radians(), deviation: 2_f64.to_radians() },
+            Distribution::Normal { mean: 35_f64.to_radians(), deviation: 2_f64.to_radians() },
         ),
-        (Parameter::Weight, Spread::Normal { mean: 50.0, deviation: 4.0 }),
+        (Parameter::Weight, Distribution::Normal { mean: 50.0, deviation: 4.0 }),
     ];
-    let table = sweep_table(&case, &spreads);
+    let table = sweep_table(&case, &inputs);
     for model in Candidate::ALL {
         let Ok(answer) = predict(model, &case, None) else { continue };
         let start = Instant::now();
-        let found = propagate_towing(&case, &spreads, model, 400, 1, table.as_ref()).unwrap();
+        let found = propagate_towing(&case, &inputs, model, 400, 1, table.as_ref()).unwrap();
         println!("{:24} {:.2} µs", model.name(), start.elapsed().as_secs_f64() * 1e6 / 400.0);
         let [low, middle, high] = found.drag.quantiles;
         assert!(
@@ -307,19 +310,19 @@ fn every_model_has_its_uncertainty() {
             "{model:?}: {found:?}"
         );
         assert_eq!(found.sinkage.is_some(), answer.sinkage.is_some());
-        if matches!(model, Candidate::Weaker | Candidate::Wedge) {
-            let solved = propagate_towing(&case, &spreads, model, 64, 1, None).unwrap();
-            let looked_up = propagate_towing(&case, &spreads, model, 64, 1, table.as_ref()).unwrap();
+        if matches!(model, Candidate::Governing | Candidate::Wedge) {
+            let solved = propagate_towing(&case, &inputs, model, 64, 1, None).unwrap();
+            let looked_up = propagate_towing(&case, &inputs, model, 64, 1, table.as_ref()).unwrap();
             let (one, other) = (solved.drag.quantiles[1], looked_up.drag.quantiles[1]);
             assert!((one / other - 1.0).abs() < 1e-4, "{model:?}: {one} {other}");
         }
     }
 }
 
-/// Held at 50.3 mm the recommended answer for a locked wheel jumps from 28 to 9 N between φ = 32 and 33°: PW has no
-/// answer below φ = 1.5 atan μ = 32.7°, and BC is left alone. The forecast says so on the side where it is so.
+/// At a sinkage of 50.3 mm the recommended drag of a locked wheel jumps from 28 to 9 N between φ = 32 and 33°: PW has no
+/// solution below φ = 1.5 atan μ = 32.7°, where only BC is left, and the forecast must say so.
 #[test]
-fn a_locked_disc_without_a_wedge_says_that_bc_stands_alone() {
+fn a_locked_disc_without_a_wedge_has_a_caveat() {
     let disc = Disc { diameter: 0.116, thickness: 0.05 };
     let at = |degrees: f64| {
         let phi = degrees.to_radians();
@@ -331,14 +334,14 @@ fn a_locked_disc_without_a_wedge_says_that_bc_stands_alone() {
             body_friction: 0.4,
         };
         let found = forecast(&Towing::new(soil, disc, Load::Sinkage(0.0503), Drive::Locked)).unwrap();
-        let weaker = found.models.iter().find(|m| m.model == Candidate::Weaker).unwrap().clone();
-        (weaker.prediction.unwrap().drag, weaker.note, found.recommendation)
+        let governing = found.models.iter().find(|m| m.model == Candidate::Governing).unwrap().clone();
+        (governing.prediction.unwrap().drag, governing.note, found.recommendation)
     };
     let (alone, note, words) = at(32.0);
     assert!(
-        (alone - 28.13).abs() < 0.01 && note.contains("32.7°") && words.contains("BC stands alone"),
+        (alone - 28.13).abs() < 0.01 && note.contains("32.7°") && words.contains("Only BC has a solution"),
         "{note}"
     );
     let (both, note, words) = at(33.0);
-    assert!((both - 8.60).abs() < 0.01 && note.is_empty() && !words.contains("stands alone"), "{note}");
+    assert!((both - 8.60).abs() < 0.01 && note.is_empty() && !words.contains("Only BC"), "{note}");
 }

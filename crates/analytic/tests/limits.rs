@@ -1,4 +1,4 @@
-//! What must hold everywhere: finite, monotone, free of scale, refused outside.
+//! General properties: finite, monotone, independent of scale, errors outside the valid range.
 
 use analytic::bearing::Method;
 use analytic::disc::{Assembly, Disc, Drive, Equilibrium, Model, Setting, disc_forces, equilibrium};
@@ -35,7 +35,7 @@ proptest! {
         phi in 15.0..49.0_f64, thickness in 0.03..1.5_f64, z in 0.01..0.27_f64,
     ) {
         prop_assert!(vertical(Model::Bearing, phi, thickness, 2.2 * z) > vertical(Model::Bearing, phi, thickness, 2.1 * z));
-        for model in [Model::Bearing, Model::Wedge, Model::PlaneStrain, Model::Weaker] {
+        for model in [Model::Bearing, Model::Wedge, Model::PlaneStrain, Model::Governing] {
             let here = vertical(model, phi, thickness, z);
             prop_assert!(here > 0.0);
             prop_assert!(vertical(model, phi + 0.5, thickness, z) > here, "{model:?} in φ");
@@ -45,7 +45,7 @@ proptest! {
     }
 
     #[test]
-    fn heavier_discs_sink_deeper_and_pull_harder(
+    fn heavier_discs_sink_deeper_and_have_more_drag(
         phi in 20.0..48.0_f64, thickness in 0.05..1.0_f64, weight in 0.01..2.0_f64,
     ) {
         let setting = Setting::new(soil(phi, 0.3, 0.0), disc(thickness), Drive::Free);
@@ -64,7 +64,7 @@ proptest! {
     fn nothing_depends_on_the_scale(
         phi in 20.0..45.0_f64, thickness in 0.05..1.0_f64, z in 0.02..0.5_f64, c in 0.0..0.05_f64, size in 0.01..100.0_f64,
     ) {
-        for (model, drive) in [(Model::Bearing, Drive::Free), (Model::Wedge, Drive::Free), (Model::Bearing, Drive::Locked), (Model::Weaker, Drive::Free), (Model::Weaker, Drive::Locked)] {
+        for (model, drive) in [(Model::Bearing, Drive::Free), (Model::Wedge, Drive::Free), (Model::Bearing, Drive::Locked), (Model::Governing, Drive::Free), (Model::Governing, Drive::Locked)] {
             let groups = |size: f64, gamma: f64| {
                 let body = Disc { diameter: size, thickness: thickness * size };
                 let ground = Soil { unit_weight: gamma, ..soil(phi, 0.3, c * gamma * size) };
@@ -103,7 +103,7 @@ proptest! {
         let mut case = Towing::new(ground, Disc { diameter, thickness }, load, drive);
         case.terrain = Some(TERRAINS[choice].soil);
         case.cone_index = Some(200e3);
-        case.heap_fraction = (0.1 * extra).max(0.0);
+        case.bow_wave_fraction = (0.1 * extra).max(0.0);
         case.method = [Method::Meyerhof, Method::HansenVesic, Method::Lyamin][choice % 3];
         case.backfill = 0.05 * extra;
         if choice % 4 == 1 {
@@ -146,7 +146,7 @@ fn the_wedge_forms_match_their_closed_integrals() {
 }
 
 #[test]
-fn inputs_out_of_range_are_refused_with_the_range() {
+fn inputs_out_of_range_are_errors_with_the_range() {
     let good = Towing::new(soil(35.0, 0.3, 0.0), disc(0.25), Load::Weight(50.0), Drive::Free);
     let refuse = |change: &dyn Fn(&mut Towing), word: &str| {
         let mut case = good.clone();
@@ -171,16 +171,16 @@ fn inputs_out_of_range_are_refused_with_the_range() {
     refuse(&|case| case.gravity = -1.0, "gravity");
 }
 
-/// F_V of the wedge has a summit: shallower the stronger the sand. Beyond it a heavier disc digs in.
+/// F_V of the wedge has a maximum, shallower in stronger sand, beyond which a heavier disc digs in.
 #[test]
-fn the_summits_of_the_vertical_force_are_where_the_page_says() {
+fn the_maxima_of_the_vertical_force_are_where_the_documentation_says() {
     let rows = [(30., 72, 82), (35., 60, 72), (40., 48, 59), (45., 36, 46)];
     for (phi, plane, ends) in rows {
-        let summit = |model| {
+        let maximum = |model| {
             let lift = |n: i32| vertical(model, phi, 0.25, 0.01 * f64::from(n));
             (1..94).find(|n| lift(n + 1) <= lift(*n)).unwrap_or(94)
         };
-        assert_eq!((summit(Model::PlaneStrain), summit(Model::Wedge)), (plane, ends));
-        assert!(summit(Model::Bearing) >= 80);
+        assert_eq!((maximum(Model::PlaneStrain), maximum(Model::Wedge)), (plane, ends));
+        assert!(maximum(Model::Bearing) >= 80);
     }
 }

@@ -1,4 +1,4 @@
-//! The exact coefficient over the whole box it claims: found wherever the field exists, smooth, bounded, fast.
+//! The exact coefficient over its whole range: found wherever the field exists, smooth, bounded, fast.
 
 use analytic::earth_pressure::{
     Face, PressureTable, TableRange, compare, coulomb, eurocode, log_spiral, sokolovskii,
@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use std::time::Instant;
 
 #[test]
-fn every_face_of_the_box_is_solved_or_has_a_negative_fan() {
+fn every_face_in_range_is_solved_or_has_a_negative_fan() {
     let (mut count, mut refused, mut wrong) = (0, 0, 0);
     for phi in [10., 15., 25., 35., 45., 50.] {
         for ratio in [-2. / 3., -1. / 3., 0., 0.3, 0.9, 1.0] {
@@ -20,7 +20,7 @@ fn every_face_of_the_box_is_solved_or_has_a_negative_fan() {
                     count += 1;
                     let face = Face::degrees(phi, phi * ratio, alpha, beta);
                     match sokolovskii(&face) {
-                        Ok(field) => wrong += doubts(&face, field.coefficient),
+                        Ok(field) => wrong += violations(&face, field.coefficient),
                         Err(why) if why.to_string().contains("discontinuity") => refused += 1,
                         Err(why) => {
                             wrong += 1;
@@ -35,33 +35,33 @@ fn every_face_of_the_box_is_solved_or_has_a_negative_fan() {
     assert_eq!(wrong, 0);
 }
 
-/// How many of the known bounds and trends the coefficient breaks.
-fn doubts(face: &Face, k: f64) -> usize {
-    let mut doubts = Vec::new();
+/// Number of known bounds and trends that the coefficient violates.
+fn violations(face: &Face, k: f64) -> usize {
+    let mut violations = Vec::new();
     if log_spiral(face).is_ok_and(|bound| k > bound * (1.0 + 1e-5)) {
-        doubts.push("above the upper bound");
+        violations.push("above the upper bound");
     }
     if eurocode(face).is_ok_and(|bound| k < bound * (1.0 - 1e-6)) {
-        doubts.push("below the overburden estimate");
+        violations.push("below the overburden estimate");
     }
     let other = |face: Face| sokolovskii(&face).map_or(f64::INFINITY, |field| field.coefficient);
     if other(Face { wall_friction: face.wall_friction + 0.01, ..*face }) <= k {
-        doubts.push("not rising with wall friction");
+        violations.push("not rising with wall friction");
     }
     let phi = face.friction_angle + 0.005;
     if other(Face { friction_angle: phi, ..*face }) <= k {
-        doubts.push("not rising with friction");
+        violations.push("not rising with friction");
     }
     if other(Face { backfill: face.backfill + 0.01, ..*face }) <= k {
-        doubts.push("not rising with the backfill");
+        violations.push("not rising with the backfill");
     }
-    for doubt in &doubts {
-        println!("doubt {face:?} {k}: {doubt}");
+    for violation in &violations {
+        println!("violation {face:?} {k}: {violation}");
     }
-    doubts.len()
+    violations.len()
 }
 
-/// A millisecond of a present core is some 10⁵ sines: against them, so that a busy machine does not matter.
+/// A millisecond of a current core is about 10⁵ sines; the comparison is independent of the load of the machine.
 #[test]
 fn one_solution_takes_less_than_a_hundred_thousand_sines() {
     let start = Instant::now();
@@ -88,9 +88,9 @@ fn the_table_agrees_with_the_solver() {
     let table = PressureTable::new(range).unwrap();
     let mut worst = [0.0_f64; 2];
     for n in 0..300 {
-        let part = |prime: f64| (f64::from(n) * prime.sqrt()).fract();
-        let phi = 25.0 + 20.0 * part(2.0);
-        let face = Face::degrees(phi, phi * 0.5 * part(3.0), 5.0 + 55.0 * part(5.0), 0.0);
+        let sample = |prime: f64| (f64::from(n) * prime.sqrt()).fract();
+        let phi = 25.0 + 20.0 * sample(2.0);
+        let face = Face::degrees(phi, phi * 0.5 * sample(3.0), 5.0 + 55.0 * sample(5.0), 0.0);
         let (quick, exact) = (table.field(&face).unwrap(), sokolovskii(&face).unwrap());
         worst[0] = worst[0].max((quick.coefficient / exact.coefficient - 1.0).abs());
         worst[1] = worst[1].max((quick.rupture_ratio / exact.rupture_ratio - 1.0).abs());

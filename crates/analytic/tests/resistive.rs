@@ -1,9 +1,9 @@
-//! Resistive force theory: the published row of figures and the disc's table.
+//! Resistive force theory: the published stiffnesses and the table of the disc.
 
 use analytic::disc::{Disc, Drive};
 use analytic::resistive::{
-    Motion, PlanarLaw, SpatialLaw, Traction, at_depth, facets_of_triangles, load, strength_scale,
-    under_weight,
+    Motion, PlanarLaw, SpatialLaw, Traction, at_depth, facets_of_triangles, stiffness_per_unit_weight,
+    under_weight, wrench,
 };
 
 const DISC: Disc = Disc { diameter: 0.2, thickness: 0.05 };
@@ -12,11 +12,11 @@ const DISC: Disc = Disc { diameter: 0.2, thickness: 0.05 };
 fn stiffness_row_matches() {
     let rows = [(0.3, 16.1), (0.4, 31.1), (0.5, 59.8), (0.6, 107.5), (0.7, 179.8)];
     for (mu, want) in rows {
-        assert!((strength_scale(f64::atan(mu)).unwrap() - want).abs() < 0.06, "{mu}");
+        assert!((stiffness_per_unit_weight(f64::atan(mu)).unwrap() - want).abs() < 0.06, "{mu}");
     }
-    assert!((strength_scale(29_f64.to_radians()).unwrap() - 83.0).abs() < 0.06);
-    assert!((strength_scale(30_f64.to_radians()).unwrap() - 94.8).abs() < 0.06);
-    assert!(strength_scale(45_f64.to_radians()).is_err());
+    assert!((stiffness_per_unit_weight(29_f64.to_radians()).unwrap() - 83.0).abs() < 0.06);
+    assert!((stiffness_per_unit_weight(30_f64.to_radians()).unwrap() - 94.8).abs() < 0.06);
+    assert!(stiffness_per_unit_weight(45_f64.to_radians()).is_err());
 }
 
 #[test]
@@ -74,7 +74,7 @@ fn the_cmu_wheel_skids_a_little() {
             && (free.sinkage / 0.116 - 0.162).abs() < 1.5e-3
             && (free.slip + 0.08).abs() < 5e-3
     );
-    // With the friction's change of sense resolved: 8.11 N, Z = 0.1631, slip −0.084 (the note: 8.1, 0.162, −0.08).
+    // With the sign change of the friction resolved: 8.11 N, Z = 0.1631, slip −0.084 (the derivation: 8.1, 0.162, −0.08).
     println!("free {:.4} N, Z {:.4}, slip {:.4}", free.drag, free.sinkage / 0.116, free.slip);
     let locked = under_weight(&law, &wheel, 19.5, Drive::Locked).unwrap();
     assert!((locked.drag - 18.5).abs() < 0.05 && (locked.sinkage - 0.0336).abs() < 1e-4);
@@ -89,9 +89,9 @@ fn the_planar_law_drags_and_lifts_a_disc() {
     assert!(free.drag > 0.0 && locked.drag > free.drag && locked.sinkage > free.sinkage && free.slip < 0.0);
 }
 
-/// A closed box of triangles: the same plate as one facet, and a sphere's worth of generality in the mesh reader.
+/// A closed box of triangles moved downwards has at least the force on its bottom.
 #[test]
-fn a_box_of_triangles_feels_what_its_bottom_feels() {
+fn a_box_of_triangles_has_the_force_on_its_bottom() {
     let corner = |n: u32| [0, 1, 2].map(|bit| if n & (1 << bit) == 0 { -0.05 } else { 0.05 });
     let points: Vec<[f64; 3]> = (0..8).map(corner).collect();
     let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
@@ -101,8 +101,8 @@ fn a_box_of_triangles_feels_what_its_bottom_feels() {
     assert!((facets.iter().map(|f| f.area).sum::<f64>() - 0.06).abs() < 1e-12);
     let law = SpatialLaw::new(30_f64.to_radians(), 16e3, 0.3).unwrap();
     let motion = Motion { height: 0.03, velocity: [0.0, 0.0, -1.0], spin: [0.0; 3] };
-    let found = load(&law, &facets, &motion);
-    // Sides slide straight down: they add what the law gives a vertical wall, the bottom 0.875 ξ z A.
+    let found = wrench(&law, &facets, &motion);
+    // The sides move in their own plane and contribute as vertical walls, the bottom 0.875 ξ z A.
     let bottom = 0.875 * law.stiffness * 0.02 * 0.01;
     println!("{found:?}, bottom alone {bottom:.3} N");
     assert!(found.force[2] > bottom && found.force[2] < 1.5 * bottom);

@@ -38,12 +38,19 @@ fn model<'a>(document: &'a Value, name: &str) -> &'a Value {
 }
 
 #[test]
-fn the_table_says_what_to_believe() {
+fn the_table_has_a_recommendation() {
     let told = forecast(&[]).assert().success();
     let text = String::from_utf8_lossy(&told.get_output().stdout).into_owned();
-    for word in
-        ["F_H [N]", "slip", "way out", "3D-RFT", "do not apply here", "cone_index = ", "5–95 %", "Believe"]
-    {
+    for word in [
+        "F_H [N]",
+        "slip",
+        "way out",
+        "3D-RFT",
+        "do not apply here",
+        "cone_index = ",
+        "5–95 %",
+        "Recommended",
+    ] {
         assert!(text.contains(word), "{word} is missing in\n{text}");
     }
 }
@@ -390,7 +397,7 @@ fn a_blade_has_a_forecast_with_its_lengths() {
     assert!(std::fs::read_to_string(written.join("drag_dimensionless.svg")).unwrap().contains("PW"));
     let text = coulter().args(["forecast", &path]).assert().success();
     let text = String::from_utf8_lossy(&text.get_output().stdout).into_owned();
-    for word in ["not turning", "Believe PW", "Brinch Hansen", "under its base"] {
+    for word in ["not turning", "Recommended: PW", "Brinch Hansen", "under its base"] {
         assert!(text.contains(word), "{word} is missing in\n{text}");
     }
     for (arguments, word) in [

@@ -1,9 +1,9 @@
-//! The one-point eight-node brick on a box cell: velocity gradient and hourglass control.
+//! The eight-node brick with one integration point on a box cell: velocity gradient and hourglass control.
 //!
-//! On a box the gradient at the centre needs only four sums over the eight corners (Q1P0; Flanagan & Belytschko 1981):
-//! the plain sum and the sums signed by the side along x, y, z. These four patterns and the four hourglass patterns are
-//! an orthogonal basis of the corner values, so what the four sums leave over *is* the hourglass part: a viscous
-//! force against it needs no hourglass vectors.
+//! On a box the gradient at the centre needs only four sums over the eight corners (Q1P0; Flanagan & Belytschko 1981): the
+//! plain sum and the sums signed by the side along x, y, z. These four patterns and the four hourglass patterns are an
+//! orthogonal basis of the corner values, so the hourglass component is what remains after subtracting the four sums: a
+//! viscous force against it needs no hourglass vectors.
 
 use super::Real;
 
@@ -38,7 +38,7 @@ impl Sums {
         }
     }
 
-    /// Sum of squares of the hourglass part, times eight: Σ over the patterns of (Γ·v)².
+    /// Sum of squares of the hourglass component, times eight: Σ over the patterns of (Γ·v)².
     #[inline(always)]
     #[must_use]
     pub fn hourglass(&self) -> Real {

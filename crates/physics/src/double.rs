@@ -1,28 +1,30 @@
-//! What happens at one point of soil, in double precision.
+//! The material point in double precision.
 
-/// The precision of the numbers.
+/// Floating-point type of the soil's fields.
 pub type Real = f64;
 
-/// A stress below this [Pa] has no direction; its square is still a number.
+/// Smallest norm of a stress deviator that has a direction [Pa]; its square does not underflow.
 const NO_STRESS: Real = 1e-150;
-/// Below this sin 3θ/√6 is rounding: the stress lies on a meridian.
+/// Value of sin 3θ/√6 below which it is rounding error and the stress lies on a meridian.
 const MERIDIAN: Real = 1e-14;
 
 #[path = "brick.rs"]
 pub mod brick;
 #[path = "elastic.rs"]
 pub mod elastic;
+#[path = "law.rs"]
+pub mod law;
 #[path = "limiter.rs"]
 pub mod limiter;
 #[path = "menetrey_willam.rs"]
 pub mod menetrey_willam;
 #[path = "mohr_coulomb.rs"]
 pub mod mohr_coulomb;
-#[path = "strength.rs"]
-pub mod strength;
 #[path = "tensor.rs"]
 pub mod tensor;
 #[path = "viscosity.rs"]
 pub mod viscosity;
 #[path = "von_mises.rs"]
 pub mod von_mises;
+#[path = "yield_law.rs"]
+pub mod yield_law;

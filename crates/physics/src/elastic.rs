@@ -1,7 +1,7 @@
 //! Isotropic linear elasticity, in rate form.
 //!
-//! σ̇ = λ tr(D) I + 2 G D (hypoelastic with the Jaumann rate). Valid for small elastic strains, which soil at these
-//! pressures never leaves (p/E ≈ 10⁻³).
+//! σ̇ = λ tr(D) I + 2 G D (hypoelastic with the Jaumann rate). Valid for small elastic strains,
+//! as in soil at these pressures (p/E ≈ 10⁻³).
 
 use super::Real;
 use super::tensor::{Symmetric, contract, deviator, mean};
@@ -25,9 +25,9 @@ impl Elastic {
         }
     }
 
-    /// Moduli known in double precision, in the one at hand.
+    /// Double-precision moduli, cast to this precision.
     #[must_use]
-    pub fn rounded(exact: &crate::double::elastic::Elastic) -> Self {
+    pub fn cast(exact: &crate::double::elastic::Elastic) -> Self {
         Self { bulk: exact.bulk as Real, shear: exact.shear as Real }
     }
 
@@ -43,7 +43,7 @@ impl Elastic {
         (self.constrained() / density).sqrt()
     }
 
-    /// Strain that goes with a stress, contracted with another stress: `a : C⁻¹ : b` [Pa].
+    /// Contraction of a stress with the elastic strain of another: `a : C⁻¹ : b` [Pa], for stresses in [Pa].
     #[inline(always)]
     #[must_use]
     pub fn compliance(&self, a: Symmetric, b: Symmetric) -> Real {
@@ -51,7 +51,7 @@ impl Elastic {
         contract(deviator(a), deviator(b)) * per_shear + mean(a) * mean(b) * per_bulk
     }
 
-    /// Energy stored per volume, ½ σ : C⁻¹ : σ [J/m³].
+    /// Elastic energy density ½ σ : C⁻¹ : σ [J/m³].
     #[inline(always)]
     #[must_use]
     pub fn energy(&self, stress: Symmetric) -> Real {

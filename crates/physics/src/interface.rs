@@ -3,20 +3,19 @@
 //! Normal from the volume fractions round the cell (Youngs 1984); plane constant and cut volume in closed form
 //! (Scardovelli & Zaleski 2000). Everything is done in the cell's own unit coordinates.
 
-/// A plane in a unit cell; the soil is where `normal · x ≤ constant`, after the axes with a negative normal have been
-/// mirrored.
+/// A plane in a unit cell: soil is where `normal · x ≤ constant`, with the axes of negative normal components mirrored.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane {
-    /// Size of the normal's components, adding up to 1.
+    /// Absolute values of the normal's components, scaled to the sum 1.
     size: [f64; 3],
-    /// Whether an axis is mirrored.
+    /// Whether each axis is mirrored.
     mirrored: [bool; 3],
     /// Plane constant in mirrored coordinates.
     constant: f64,
 }
 
 impl Plane {
-    /// The plane with a normal (pointing from soil to void, any length) that holds the volume fraction `fraction`.
+    /// The plane with the given normal (from soil to void, of any length) that encloses the volume fraction `fraction`.
     #[must_use]
     pub fn new(normal: [f64; 3], fraction: f64) -> Self {
         let sum = normal[0].abs() + normal[1].abs() + normal[2].abs();
@@ -24,7 +23,7 @@ impl Plane {
         Self { size, mirrored: normal.map(|n| n < 0.0), constant: constant(size, fraction) }
     }
 
-    /// Soil volume in the slab of the unit cell that lies within `width` (0 to 1) of the low (or high) face of `axis`.
+    /// Soil volume in the slab of the unit cell within `width` (0 to 1) of the low (or high) face of `axis`.
     #[must_use]
     pub fn slab(&self, axis: usize, high: bool, width: f64) -> f64 {
         let far = high != self.mirrored[axis];
@@ -131,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn the_plane_holds_its_volume_fraction() {
+    fn the_plane_encloses_its_volume_fraction() {
         for n in normals() {
             for step in 1..200 {
                 let fraction = f64::from(step) / 200.0;
@@ -139,8 +138,8 @@ mod tests {
                 for axis in 0..3 {
                     let whole = plane.slab(axis, true, 1.0);
                     assert!((whole - fraction).abs() < 1e-9, "{n:?} {fraction} {whole}");
-                    let parts = plane.slab(axis, true, 0.3) + plane.slab(axis, false, 0.7);
-                    assert!((parts - fraction).abs() < 1e-9, "{n:?} {fraction} {parts}");
+                    let sum = plane.slab(axis, true, 0.3) + plane.slab(axis, false, 0.7);
+                    assert!((sum - fraction).abs() < 1e-9, "{n:?} {fraction} {sum}");
                 }
             }
         }

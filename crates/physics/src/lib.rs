@@ -1,11 +1,11 @@
-//! What happens at one point of soil, or on the skin of one body.
+//! Material-point physics of soil, and the geometry of rigid bodies.
 //!
-//! Nothing here knows a grid, a file, a thread or the heap of a running simulation: every function takes the numbers
-//! of one point and returns the numbers of one point. SI units, radians, tension positive.
+//! Functions take and return the quantities of one point; there are no grids, files, threads or heap allocations in them
+//! (shapes allocate when they lay out points or meshes). SI units, radians, tension positive.
 //!
-//! The formulas of the soil are written once, for numbers of the type `Real`, and compiled twice: in [`double`]
-//! precision and in [`single`].
-// The same files on purpose; a digit that single precision cannot hold is none too many for double.
+//! The constitutive formulas are written once, for numbers of the type `Real`, and compiled in [`double`] and in [`single`]
+//! precision.
+// The same files are included on purpose; constants have the digits of double precision.
 #![allow(clippy::duplicate_mod, clippy::excessive_precision)]
 
 pub mod double;
@@ -15,5 +15,5 @@ pub mod shape;
 pub mod single;
 
 pub use double::{
-    brick, elastic, limiter, menetrey_willam, mohr_coulomb, strength, tensor, viscosity, von_mises,
+    brick, elastic, law, limiter, menetrey_willam, mohr_coulomb, tensor, viscosity, von_mises, yield_law,
 };

@@ -1,8 +1,8 @@
-//! Slopes for second-order transport that make no new extrema.
+//! Slope limiter for second-order transport without new extrema.
 
 use super::Real;
 
-/// Monotonised central slope (van Leer 1977) from the differences to the neighbours on either side.
+/// Monotonised central slope (van Leer 1977) from the differences to the left and right neighbours, in their unit.
 #[inline(always)]
 #[must_use]
 pub fn monotonised_central(left: Real, right: Real) -> Real {

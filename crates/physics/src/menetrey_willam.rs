@@ -1,16 +1,16 @@
-//! Mohr–Coulomb's yield surface with the smooth flow potential of Menétrey and Willam (1995), as Abaqus has it.
+//! The Mohr–Coulomb yield surface with the smooth flow potential of Menétrey and Willam (1995), as in Abaqus.
 //!
 //! With p the pressure, q the Mises stress and Θ the Lode angle (0 in triaxial extension, 60° in compression):
 //! yield F = R_mc q − p tan φ − c; flow G = √((ε c tan ψ)² + (R_mw q)²) − p tan ψ. R_mc is the hexagon, R_mw an ellipse
-//! through its corners on both meridians (for the default eccentricity e). The potential has no corners, so that one
-//! formula serves the whole surface: a cutting-plane return (Ortiz and Simo 1986) in the plane of the deviator, then the
-//! radial scaling that puts F = 0 to the last digit, which is exact because F is homogeneous in q.
+//! through its corners on both meridians (for the default eccentricity e). The potential has no corners, so one
+//! formula covers the whole surface: a cutting-plane return mapping (Ortiz and Simo 1986) in the deviatoric plane, followed
+//! by a radial scaling to F = 0, which is exact because F is homogeneous in q.
 
 use super::Real;
 use super::elastic::Elastic;
 use super::mohr_coulomb::MohrCoulomb;
-use super::strength::{Returned, Strength};
 use super::tensor::{Spectrum, Symmetric};
+use super::yield_law::{Returned, YieldLaw};
 
 const SQRT_1_5: Real = 1.224_744_871_391_589;
 
@@ -23,9 +23,9 @@ pub struct MenetreyWillam {
     pub(crate) tan_friction: Real,
     pub(crate) tan_dilation: Real,
     pub(crate) cohesion: Real,
-    /// R_mc = along sin Θ + across cos Θ.
+    /// Coefficients of R_mc over sin Θ and cos Θ.
     pub(crate) hexagon: [Real; 2],
-    /// R_mc on the compression meridian, which R_mw is scaled by.
+    /// R_mc on the compression meridian, the scale of R_mw.
     pub(crate) meridian: Real,
     /// 1 − e² and 2e − 1.
     pub(crate) ellipse: [Real; 2],
@@ -33,17 +33,18 @@ pub struct MenetreyWillam {
     pub(crate) offset: Real,
 }
 
-/// Shape of the potential: Abaqus' names and defaults.
+/// Eccentricities of the flow potential, with the names and defaults of Abaqus.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Eccentricity {
-    /// ε ≥ 0: how fast the hyperbola in the meridional plane nears its asymptote.
+    /// ε ≥ 0: the rate at which the hyperbola in the meridional plane approaches its asymptote.
     pub meridional: Real,
-    /// e, ½ < e ≤ 1: the ellipse in the deviatoric plane; 1 is a circle.
+    /// e, ½ < e ≤ 1: the out-of-roundness of the ellipse in the deviatoric plane; 1 is a circle.
     pub deviatoric: Real,
 }
 
 impl Eccentricity {
-    /// ε = 0.1, and e = (3 − sin φ)/(3 + sin φ): the ellipse goes through the hexagon's corners.
+    /// The default: ε = 0.1 and e = (3 − sin φ)/(3 + sin φ), for which the ellipse passes through the hexagon's corners; φ in
+    /// radians.
     #[must_use]
     pub fn usual(friction: Real) -> Self {
         Self { meridional: 0.1, deviatoric: (3.0 - friction.sin()) / (3.0 + friction.sin()) }
@@ -51,8 +52,8 @@ impl Eccentricity {
 }
 
 impl MenetreyWillam {
-    /// Strength from friction angle 0 ≤ φ < 90° [rad], dilation angle 0 ≤ ψ ≤ φ [rad], cohesion c ≥ 0 [Pa], the largest
-    /// tension that is borne [Pa] (no more than c cot φ has any effect) and the shape of the potential.
+    /// From the friction angle 0 ≤ φ < 90° [rad], dilation angle 0 ≤ ψ ≤ φ [rad], cohesion c ≥ 0 [Pa], tension cut-off [Pa]
+    /// (at most c cot φ has an effect) and the eccentricities of the potential.
     #[must_use]
     pub fn new(
         elastic: Elastic,
@@ -78,12 +79,12 @@ impl MenetreyWillam {
         }
     }
 
-    /// Strength known in double precision, in the one at hand.
+    /// Double-precision parameters, cast to this precision.
     #[must_use]
-    pub fn rounded(exact: &crate::double::menetrey_willam::MenetreyWillam) -> Self {
+    pub fn cast(exact: &crate::double::menetrey_willam::MenetreyWillam) -> Self {
         Self {
-            elastic: Elastic::rounded(&exact.elastic),
-            surface: MohrCoulomb::rounded(&exact.surface),
+            elastic: Elastic::cast(&exact.elastic),
+            surface: MohrCoulomb::cast(&exact.surface),
             tan_friction: exact.tan_friction as Real,
             tan_dilation: exact.tan_dilation as Real,
             cohesion: exact.cohesion as Real,
@@ -100,8 +101,8 @@ impl MenetreyWillam {
         &self.surface
     }
 
-    /// The least work of plastic flow over all Lode angles, c = 0: tan φ R_mw/R_mc − tan ψ, over tan φ. Below 0, which is so
-    /// for ψ near φ because the ellipse bulges beyond the hexagon's sides, some flow would create energy.
+    /// Smallest plastic dissipation over all Lode angles for c = 0: (tan φ R_mw/R_mc − tan ψ)/tan φ. Negative for ψ close to
+    /// φ, where flow would create energy, because the ellipse lies outside the hexagon's sides.
     #[must_use]
     pub fn least_dissipation(&self) -> Real {
         let at = |degrees: u16| {
@@ -112,13 +113,13 @@ impl MenetreyWillam {
         if self.tan_friction > 0.0 { ratio - self.tan_dilation / self.tan_friction } else { ratio }
     }
 
-    /// One cutting-plane step. `trial` is the Lode angle of the trial stress.
+    /// One cutting-plane step; `trial` is cosine and sine of the Lode angle of the trial stress.
     #[inline(always)]
-    fn cut(&self, from: Place, trial: (Real, Real), dilates: bool) -> Place {
+    fn cutting_plane_step(&self, from: Iterate, trial: (Real, Real), dilates: bool) -> Iterate {
         let (bulk, shear) = (self.elastic.bulk, self.elastic.shear);
         let tan_dilation = if dilates { self.tan_dilation } else { 0.0 };
         let offset = if dilates { self.offset } else { 0.0 };
-        let Place { x, y, pressure, lode } = from;
+        let Iterate { x, y, pressure, lode } = from;
         let distance = (x * x + y * y).sqrt();
         let q = SQRT_1_5 * distance;
         let (hexagon, hexagon_slope) = self.hexagon(lode.0, lode.1);
@@ -129,43 +130,44 @@ impl MenetreyWillam {
         let excess = hexagon * q - pressure * self.tan_friction - self.cohesion;
         let stiffness =
             3.0 * shear * (hexagon * radial + hexagon_slope * hoop) + bulk * self.tan_friction * tan_dilation;
-        // Without shear stress there is no direction to flow in: the apex takes what is too much.
+        // Without shear stress the flow has no direction; the excess is removed at the apex.
         let multiplier = if (excess > 0.0) & (stiffness > 0.0) { excess / stiffness } else { 0.0 };
         let step = 2.0 * shear * SQRT_1_5 * multiplier;
         let inward = step * radial;
         let inverse = if distance > 0.0 { 1.0 / distance } else { 0.0 };
         let (ux, uy) = (x * inverse, y * inverse);
-        let left = if distance > inward { distance - inward } else { 0.0 };
-        let along = if left > 0.0 { -step * hoop } else { 0.0 };
-        let (x, y) = (left * ux - along * uy, left * uy + along * ux);
+        let radius = if distance > inward { distance - inward } else { 0.0 };
+        let across = if radius > 0.0 { -step * hoop } else { 0.0 };
+        let (x, y) = (radius * ux - across * uy, radius * uy + across * ux);
         let (x, y, lode) = within_sextant(x, y, trial.0, trial.1);
-        Place { x, y, pressure: pressure + bulk * tan_dilation * multiplier, lode }
+        Iterate { x, y, pressure: pressure + bulk * tan_dilation * multiplier, lode }
     }
 
-    /// R_mc and its slope over Θ.
+    /// R_mc and its derivative with respect to Θ.
     #[inline(always)]
     fn hexagon(&self, cos: Real, sin: Real) -> (Real, Real) {
-        let [along, across] = self.hexagon;
-        (along * sin + across * cos, along * cos - across * sin)
+        let [of_sin, of_cos] = self.hexagon;
+        (of_sin * sin + of_cos * cos, of_sin * cos - of_cos * sin)
     }
 
-    /// R_mw and its slope over Θ.
+    /// R_mw and its derivative with respect to Θ.
     #[inline(always)]
     fn ellipse(&self, cos: Real, sin: Real) -> (Real, Real) {
         let [a, b] = self.ellipse;
         // 4(1 − e²) cos²Θ + 5e² − 4e, where 5e² − 4e = (2e − 1)² − (1 − e²).
         let root = (4.0 * a * cos * cos + b * b - a).max(0.0).sqrt();
-        let over = 4.0 * a * cos * cos + b * b;
-        let under = 2.0 * a * cos + b * root;
-        let steepness = if root > 0.0 { cos / root } else { 0.0 };
-        let over_slope = 8.0 * a * cos;
-        let under_slope = 2.0 * a + 4.0 * a * b * steepness;
-        let value = over / under;
-        (self.meridian * value, -sin * self.meridian * (over_slope - value * under_slope) / under)
+        let numerator = 4.0 * a * cos * cos + b * b;
+        let denominator = 2.0 * a * cos + b * root;
+        let root_slope = if root > 0.0 { cos / root } else { 0.0 };
+        let numerator_slope = 8.0 * a * cos;
+        let denominator_slope = 2.0 * a + 4.0 * a * b * root_slope;
+        let value = numerator / denominator;
+        let slope = -sin * self.meridian * (numerator_slope - value * denominator_slope) / denominator;
+        (self.meridian * value, slope)
     }
 }
 
-impl Strength for MenetreyWillam {
+impl YieldLaw for MenetreyWillam {
     #[inline(always)]
     fn may_yield(&self, stress: Symmetric, plastic_strain: Real) -> bool {
         self.surface.may_yield(stress, plastic_strain)
@@ -174,27 +176,27 @@ impl Strength for MenetreyWillam {
     #[inline(always)]
     fn return_map(&self, trial: Symmetric, _plastic_strain: Real, dilates: bool) -> Returned {
         let spectrum = Spectrum::of(trial);
-        let start = Place { x: spectrum.norm, y: 0.0, pressure: -spectrum.mean, lode: spectrum.lode() };
-        // Steps one after the other, not in a loop: the compiler then sees a loop over cells that it can vectorise. In an
-        // explicit time step the second leaves 1e-6 of the yield stress; the scaling at the end takes what is left.
-        let once = self.cut(start, start.lode, dilates);
-        let twice = self.cut(once, start.lode, dilates);
-        let Place { x, y, pressure, lode } = self.cut(twice, start.lode, dilates);
+        let start = Iterate { x: spectrum.norm, y: 0.0, pressure: -spectrum.mean, lode: spectrum.lode() };
+        // Unrolled, so that the compiler can vectorise the loop over cells. In an explicit time step the second step leaves an
+        // error of 1e-6 of the yield stress; the scaling at the end removes the rest.
+        let once = self.cutting_plane_step(start, start.lode, dilates);
+        let twice = self.cutting_plane_step(once, start.lode, dilates);
+        let Iterate { x, y, pressure, lode } = self.cutting_plane_step(twice, start.lode, dilates);
         let apex = -self.surface.apex();
         let pressure = if pressure > apex { pressure } else { apex };
         let (hexagon, _) = self.hexagon(lode.0, lode.1);
         let q = SQRT_1_5 * (x * x + y * y).sqrt();
-        let borne = pressure * self.tan_friction + self.cohesion;
-        let share = if hexagon * q > borne { (borne / (hexagon * q)).max(0.0) } else { 1.0 };
-        let value = self.surface.capped(spectrum.principal_at(-pressure, share * x, share * y));
+        let strength = pressure * self.tan_friction + self.cohesion;
+        let scale = if hexagon * q > strength { (strength / (hexagon * q)).max(0.0) } else { 1.0 };
+        let value = self.surface.cut_off(spectrum.principal_at(-pressure, scale * x, scale * y));
         self.surface.returned(&spectrum, value)
     }
 }
 
-/// Where a return is: in the plane spanned by the trial's deviator (x) and the direction at a right angle to it (y), where
-/// the Mises stress is √1.5 times the distance from the origin.
+/// An iterate of the return mapping, in the deviatoric plane spanned by the trial deviator (x) and the direction
+/// perpendicular to it (y); the Mises stress is √1.5 times the distance from the origin.
 #[derive(Clone, Copy)]
-struct Place {
+struct Iterate {
     x: Real,
     y: Real,
     pressure: Real,
@@ -202,8 +204,8 @@ struct Place {
     lode: (Real, Real),
 }
 
-/// Keeps a point of the deviatoric plane within the sextant 0 ≤ Θ ≤ 60° of its trial, whose Lode angle has this cosine and
-/// sine: neither surface nor potential is met beyond a meridian. Returns it with cosine and sine of its own angle.
+/// Restricts a point of the deviatoric plane to the sextant 0 ≤ Θ ≤ 60° of the trial stress, whose Lode angle has this
+/// cosine and sine. Returns the point with the cosine and sine of its own Lode angle.
 #[inline(always)]
 fn within_sextant(x: Real, y: Real, cos: Real, sin: Real) -> (Real, Real, (Real, Real)) {
     const HALF_SQRT_3: Real = 0.866_025_403_784_438_6;
@@ -212,8 +214,8 @@ fn within_sextant(x: Real, y: Real, cos: Real, sin: Real) -> (Real, Real, (Real,
     let (ux, uy) = (x * inverse, y * inverse);
     let (c, s) = (cos * ux - sin * uy, sin * ux + cos * uy);
     let (low, high) = (s < 0.0, c < 0.5);
-    let still = distance == 0.0;
-    let c = if still {
+    let is_origin = distance == 0.0;
+    let c = if is_origin {
         cos
     } else if low {
         1.0
@@ -222,7 +224,7 @@ fn within_sextant(x: Real, y: Real, cos: Real, sin: Real) -> (Real, Real, (Real,
     } else {
         c
     };
-    let s = if still {
+    let s = if is_origin {
         sin
     } else if low {
         0.0
@@ -231,6 +233,6 @@ fn within_sextant(x: Real, y: Real, cos: Real, sin: Real) -> (Real, Real, (Real,
     } else {
         s
     };
-    // Back from its own angle to that of the trial.
+    // From its own Lode angle back to the axes of the trial stress.
     (distance * (c * cos + s * sin), distance * (s * cos - c * sin), (c, s))
 }

@@ -1,17 +1,17 @@
 //! Mohr–Coulomb plasticity with a non-associated flow rule and a tension limit; Tresca is its case φ = ψ = 0.
 //!
 //! Yield: (σ₁ − σ₃) + (σ₁ + σ₃) sin φ = 2 c cos φ, σ₁ ≥ σ₂ ≥ σ₃, tension positive. Flow: the same with ψ for φ.
-//! The return is the closed form in principal stresses of de Souza Neto, Perić & Owen (2008, ch. 8): main plane, two
-//! edges, apex, then a cut of the principal stresses at the tension limit. c = 0 is an ordinary case: the apex is then
-//! the stress-free state, and what opens beyond it is kept as gap strain. Written without branches, so that a loop
-//! over it vectorises.
+//! The return mapping is the closed form in principal stresses of de Souza Neto, Perić & Owen (2008, ch. 8): main plane, two
+//! edges, apex, then a cut-off of the principal stresses at the tension limit. c = 0 needs no special treatment: the apex is
+//! then the stress-free state, and the opening beyond it is recorded as gap strain. Free of branches, so that loops
+//! vectorise.
 
 use super::Real;
 use super::elastic::Elastic;
-use super::strength::{Returned, Strength};
 use super::tensor::{Spectrum, Symmetric, THIRD, contract, deviator, mean};
+use super::yield_law::{Returned, YieldLaw};
 
-/// Strength parameters, with the sums of moduli that the return needs.
+/// Strength parameters, and the moduli of the return mapping.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MohrCoulomb {
     pub(crate) elastic: Elastic,
@@ -20,18 +20,18 @@ pub struct MohrCoulomb {
     pub(crate) cohesive: Real,
     /// c cot φ [Pa], infinite for φ = 0.
     pub(crate) apex: Real,
-    /// Largest tension [Pa].
+    /// Tension cut-off [Pa].
     pub(crate) tension_limit: Real,
-    /// The return of soil that dilates, and of soil at its critical density.
+    /// The return mapping of dilating soil, and of soil at its critical density.
     pub(crate) dilating: Flow,
-    pub(crate) level: Flow,
+    pub(crate) critical: Flow,
 }
 
-/// Where a trial stress flows, and how stiff the return is.
+/// Direction and stiffness of the return mapping.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Flow {
     pub(crate) sin_dilation: Real,
-    /// Moduli of the return: A, B at either edge [Pa].
+    /// Moduli of the return mapping: A, and B at either edge [Pa].
     pub(crate) plane: Real,
     pub(crate) right: Real,
     pub(crate) left: Real,
@@ -39,8 +39,8 @@ pub(crate) struct Flow {
     pub(crate) per_plane: Real,
     pub(crate) per_right: Real,
     pub(crate) per_left: Real,
-    /// Stress taken off σ₁, given to σ₂ and to σ₃ per unit of plastic multiplier [Pa].
-    pub(crate) taken: [Real; 3],
+    /// Decrease of σ₁ and increases of σ₂ and σ₃ per unit of the plastic multiplier [Pa].
+    pub(crate) correction: [Real; 3],
 }
 
 impl Flow {
@@ -57,7 +57,7 @@ impl Flow {
             per_plane: 1.0 / plane,
             per_right: 1.0 / (plane * plane - right * right),
             per_left: 1.0 / (plane * plane - left * left),
-            taken: [
+            correction: [
                 2.0 * g * (1.0 + sy / 3.0) + 2.0 * k * sy,
                 (4.0 * g / 3.0 - 2.0 * k) * sy,
                 2.0 * g * (1.0 - sy / 3.0) - 2.0 * k * sy,
@@ -65,7 +65,7 @@ impl Flow {
         }
     }
 
-    fn rounded(exact: &crate::double::mohr_coulomb::Flow) -> Self {
+    fn cast(exact: &crate::double::mohr_coulomb::Flow) -> Self {
         Self {
             sin_dilation: exact.sin_dilation as Real,
             plane: exact.plane as Real,
@@ -74,14 +74,14 @@ impl Flow {
             per_plane: exact.per_plane as Real,
             per_right: exact.per_right as Real,
             per_left: exact.per_left as Real,
-            taken: exact.taken.map(|modulus| modulus as Real),
+            correction: exact.correction.map(|modulus| modulus as Real),
         }
     }
 }
 
 impl MohrCoulomb {
-    /// Strength from friction angle 0 ≤ φ < 90° [rad], dilation angle 0 ≤ ψ ≤ φ [rad], cohesion c ≥ 0 [Pa] and the
-    /// largest tension that is borne [Pa] (no more than c cot φ has any effect).
+    /// From the friction angle 0 ≤ φ < 90° [rad], dilation angle 0 ≤ ψ ≤ φ [rad], cohesion c ≥ 0 [Pa] and tension cut-off [Pa]
+    /// (at most c cot φ has an effect).
     #[must_use]
     pub fn new(
         elastic: Elastic,
@@ -99,45 +99,45 @@ impl MohrCoulomb {
             apex,
             tension_limit: tension_limit.min(apex),
             dilating: Flow::new(elastic, sp, sy),
-            level: Flow::new(elastic, sp, 0.0),
+            critical: Flow::new(elastic, sp, 0.0),
         }
     }
 
-    /// Tresca: undrained shear strength s_u > 0 [Pa].
+    /// Tresca, from the undrained shear strength s_u > 0 [Pa].
     #[must_use]
     pub fn tresca(elastic: Elastic, shear_strength: Real) -> Self {
         Self::new(elastic, 0.0, 0.0, shear_strength, Real::INFINITY)
     }
 
-    /// Strength known in double precision, in the one at hand.
+    /// Double-precision parameters, cast to this precision.
     #[must_use]
-    pub fn rounded(exact: &crate::double::mohr_coulomb::MohrCoulomb) -> Self {
+    pub fn cast(exact: &crate::double::mohr_coulomb::MohrCoulomb) -> Self {
         Self {
-            elastic: Elastic::rounded(&exact.elastic),
+            elastic: Elastic::cast(&exact.elastic),
             sin_friction: exact.sin_friction as Real,
             cohesive: exact.cohesive as Real,
             apex: exact.apex as Real,
             tension_limit: exact.tension_limit as Real,
-            dilating: Flow::rounded(&exact.dilating),
-            level: Flow::rounded(&exact.level),
+            dilating: Flow::cast(&exact.dilating),
+            critical: Flow::cast(&exact.critical),
         }
     }
 
-    /// Yield function (σ₁ − σ₃) + (σ₁ + σ₃) sin φ − 2 c cos φ [Pa] of principal stresses, largest first.
+    /// Yield function (σ₁ − σ₃) + (σ₁ + σ₃) sin φ − 2 c cos φ [Pa] of the principal stresses [Pa], largest first.
     #[inline(always)]
     #[must_use]
     pub fn yield_function(&self, [s1, _, s3]: [Real; 3]) -> Real {
         (s1 - s3) + (s1 + s3) * self.sin_friction - self.cohesive
     }
 
-    /// The hydrostatic tension that the soil bears, c cot φ [Pa]; infinite for φ = 0.
+    /// Hydrostatic tensile strength c cot φ [Pa]; infinite for φ = 0.
     #[inline(always)]
     #[must_use]
     pub fn apex(&self) -> Real {
         self.apex
     }
 
-    /// The return that leads from a trial stress to these principal stresses along the same axes.
+    /// The result for a trial stress that is mapped to these principal stresses, with the same principal axes.
     #[inline(always)]
     pub(crate) fn returned(&self, trial: &Spectrum, value: [Real; 3]) -> Returned {
         let stress = trial.with_principal(value);
@@ -145,20 +145,20 @@ impl MohrCoulomb {
         let (per_bulk, per_shear) = (1.0 / self.elastic.bulk, 0.5 / self.elastic.shear);
         let open = (value[0] >= self.tension_limit) & (value[2] >= self.tension_limit);
         let gap_strain = if open { ((trial.mean - new_mean) * per_bulk).max(0.0) } else { 0.0 };
-        let mut lost = 0.0;
+        let mut square = 0.0;
         for n in 0..3 {
             let change = (trial.principal[n] - trial.mean) - (value[n] - new_mean);
-            lost += change * change;
+            square += change * change;
         }
-        let plastic_strain = (lost * (2.0 / 3.0)).sqrt() * per_shear;
+        let plastic_strain = (square * (2.0 / 3.0)).sqrt() * per_shear;
         Returned { stress, plastic_strain, gap_strain }
     }
 
-    /// Value by value, so that the compiler makes a blend of it.
+    /// Selected value by value, which the compiler turns into blends.
     #[inline(always)]
     fn flow(&self, dilates: bool) -> Flow {
         let pick = |a: Real, b: Real| if dilates { a } else { b };
-        let (a, b) = (&self.dilating, &self.level);
+        let (a, b) = (&self.dilating, &self.critical);
         Flow {
             sin_dilation: pick(a.sin_dilation, b.sin_dilation),
             plane: pick(a.plane, b.plane),
@@ -167,15 +167,19 @@ impl MohrCoulomb {
             per_plane: pick(a.per_plane, b.per_plane),
             per_right: pick(a.per_right, b.per_right),
             per_left: pick(a.per_left, b.per_left),
-            taken: [pick(a.taken[0], b.taken[0]), pick(a.taken[1], b.taken[1]), pick(a.taken[2], b.taken[2])],
+            correction: [
+                pick(a.correction[0], b.correction[0]),
+                pick(a.correction[1], b.correction[1]),
+                pick(a.correction[2], b.correction[2]),
+            ],
         }
     }
 
-    /// Return in principal stresses: plane, else edge, else apex.
+    /// Return mapping of principal stresses [Pa] in shear: to the plane, else an edge, else the apex.
     #[inline(always)]
-    fn sheared(&self, [s1, s2, s3]: [Real; 3], dilates: bool) -> [Real; 3] {
+    fn shear_return(&self, [s1, s2, s3]: [Real; 3], dilates: bool) -> [Real; 3] {
         let flow = self.flow(dilates);
-        let [c1, c2, c3] = flow.taken;
+        let [c1, c2, c3] = flow.correction;
         let (sp, sy) = (self.sin_friction, flow.sin_dilation);
         let fa = self.yield_function([s1, s2, s3]);
         let g = fa.max(0.0) * flow.per_plane;
@@ -194,7 +198,7 @@ impl MohrCoulomb {
         let (ga, gb) = ((a * fa - b * fb) * per, (a * fb - b * fa) * per);
         let right = [s1 - c1 * (ga + gb), s2 + c2 * ga + c3 * gb, s3 + c3 * ga + c2 * gb];
         let left = [s1 - c1 * ga + c2 * gb, s2 + c2 * ga - c1 * gb, s3 + c3 * (ga + gb)];
-        // Two equal stresses on an edge: make them equal to the bit, so that rounding leaves the order alone.
+        // On an edge two stresses are equal: bitwise, so that rounding cannot change their order.
         let (right_pair, left_pair) = (0.5 * (right[1] + right[2]), 0.5 * (left[0] + left[1]));
         let edge =
             if to_right { [right[0], right_pair, right_pair] } else { [left_pair, left_pair, left[2]] };
@@ -214,14 +218,14 @@ impl MohrCoulomb {
         value
     }
 
-    /// No principal stress above the tension limit.
+    /// Tension cut-off of the principal stresses [Pa].
     #[inline(always)]
-    pub(crate) fn capped(&self, value: [Real; 3]) -> [Real; 3] {
+    pub(crate) fn cut_off(&self, value: [Real; 3]) -> [Real; 3] {
         value.map(|s| if s < self.tension_limit { s } else { self.tension_limit })
     }
 }
 
-impl Strength for MohrCoulomb {
+impl YieldLaw for MohrCoulomb {
     /// Compares with the cone inscribed in the pyramid.
     #[inline(always)]
     fn may_yield(&self, stress: Symmetric, _plastic_strain: Real) -> bool {
@@ -230,15 +234,15 @@ impl Strength for MohrCoulomb {
         let root = (0.5 * contract(s, s)).sqrt();
         let sp = self.sin_friction;
         // 1.1548 ≥ 2/√3 bounds the largest principal deviator by √J₂.
-        let sheared = 2.0 * root * (1.0 + sp * sp / 3.0).sqrt() > self.cohesive - 2.0 * p * sp;
-        let pulled = p + 1.1548 * root > self.tension_limit;
-        sheared | pulled
+        let shears = 2.0 * root * (1.0 + sp * sp / 3.0).sqrt() > self.cohesive - 2.0 * p * sp;
+        let opens = p + 1.1548 * root > self.tension_limit;
+        shears | opens
     }
 
     #[inline(always)]
     fn return_map(&self, trial: Symmetric, _plastic_strain: Real, dilates: bool) -> Returned {
         let spectrum = Spectrum::of(trial);
-        let value = self.capped(self.sheared(spectrum.principal, dilates));
+        let value = self.cut_off(self.shear_return(spectrum.principal, dilates));
         self.returned(&spectrum, value)
     }
 }

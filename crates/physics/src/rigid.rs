@@ -2,65 +2,65 @@
 
 use serde::{Deserialize, Serialize};
 
-/// What one degree of freedom does.
+/// The condition on one degree of freedom.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Freedom {
-    /// No motion.
+    /// Held fixed.
     Fixed,
-    /// A given speed [m/s or rad/s], reached by a smooth ramp.
+    /// A prescribed speed [m/s or rad/s], reached by a smooth ramp.
     Prescribed {
         /// Speed after the ramp [m/s or rad/s].
         speed: f64,
-        /// When the ramp begins [s].
+        /// Start of the ramp [s].
         start: f64,
-        /// How long it lasts [s].
+        /// Duration of the ramp [s].
         ramp: f64,
-        /// When the ramp back to rest begins (it takes as long) [s]; infinite for never.
+        /// Start of the ramp back to rest, of the same duration [s]; infinite for none.
         end: f64,
     },
-    /// Moves as the forces on it say. `load` [N or N m] acts besides the soil (a weight is negative along z) and is
-    /// brought on by a smooth ramp of `ramp` [s] from `start` [s].
+    /// Free to move under the forces of the soil and `load` (a weight is negative along z), which is applied by a smooth
+    /// ramp.
     Free {
         /// Load [N or N m].
         load: f64,
-        /// When the load begins to act [s].
+        /// Start of the ramp [s].
         start: f64,
-        /// How long it takes to come on [s].
+        /// Duration of the ramp [s].
         ramp: f64,
     },
 }
 
 impl Freedom {
-    /// Whether the forces on the body decide this motion.
+    /// Whether the motion follows from the forces on the body.
     #[must_use]
     pub fn is_free(&self) -> bool {
         matches!(self, Self::Free { .. })
     }
 
-    /// Speed at a time [m/s or rad/s]; 0 for a free one.
+    /// Prescribed speed at a time [s], in [m/s or rad/s]; 0 unless prescribed.
     #[must_use]
     pub fn speed(&self, time: f64) -> f64 {
         match *self {
             Self::Prescribed { speed, start, ramp, end } => {
-                speed * (rise(time, start, ramp) - rise(time, end, ramp))
+                speed * (smooth_step(time, start, ramp) - smooth_step(time, end, ramp))
             }
             _ => 0.0,
         }
     }
 
-    /// Load at a time [N or N m]; 0 for one that is not free.
+    /// Load at a time [s], in [N or N m]; 0 unless free.
     #[must_use]
     pub fn load(&self, time: f64) -> f64 {
         match *self {
-            Self::Free { load, start, ramp } => load * rise(time, start, ramp),
+            Self::Free { load, start, ramp } => load * smooth_step(time, start, ramp),
             _ => 0.0,
         }
     }
 }
 
-/// Smooth rise from 0 at `start` to 1 at `start + ramp` (3τ² − 2τ³).
-fn rise(time: f64, start: f64, ramp: f64) -> f64 {
+/// Smooth step from 0 at `start` to 1 at `start + ramp`: 3τ² − 2τ³.
+fn smooth_step(time: f64, start: f64, ramp: f64) -> f64 {
     if time <= start {
         0.0
     } else if time >= start + ramp {

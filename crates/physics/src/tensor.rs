@@ -5,7 +5,7 @@ use super::{MERIDIAN, NO_STRESS, Real};
 /// A symmetric tensor: xx, yy, zz, xy, yz, xz.
 pub type Symmetric = [Real; 6];
 
-/// Multiplied by, not divided: a division takes as long as a dozen multiplications.
+/// A factor, since a division takes as long as a dozen multiplications.
 pub(crate) const THIRD: Real = 1.0 / 3.0;
 
 /// One third of the trace.
@@ -15,7 +15,7 @@ pub fn mean(a: Symmetric) -> Real {
     (a[0] + a[1] + a[2]) * THIRD
 }
 
-/// The part that is left when the mean is taken off the diagonal.
+/// The deviator: the tensor minus its mean on the diagonal.
 #[inline(always)]
 #[must_use]
 pub fn deviator(a: Symmetric) -> Symmetric {
@@ -45,7 +45,7 @@ pub fn square(a: Symmetric) -> Symmetric {
     ]
 }
 
-/// Mises equivalent √(3 J₂) of a stress.
+/// Von Mises equivalent stress √(3 J₂).
 #[inline(always)]
 #[must_use]
 pub fn mises(a: Symmetric) -> Real {
@@ -53,8 +53,8 @@ pub fn mises(a: Symmetric) -> Real {
     (1.5 * contract(s, s)).sqrt()
 }
 
-/// Rate of a tensor that spins with the material (Jaumann): `w a − a w`, with the spin `w = [w_xy, w_yz, w_xz]`, the
-/// upper half of the skew part of the velocity gradient, `w_ij = ½(∂v_i/∂x_j − ∂v_j/∂x_i)`.
+/// Jaumann rate of a tensor that rotates with the material: `w a − a w`, with the spin `w = [w_xy, w_yz, w_xz]`, the
+/// upper triangle of the skew-symmetric part of the velocity gradient, `w_ij = ½(∂v_i/∂x_j − ∂v_j/∂x_i)`.
 #[inline(always)]
 #[must_use]
 pub fn jaumann(a: Symmetric, w: [Real; 3]) -> Symmetric {
@@ -70,22 +70,22 @@ pub fn jaumann(a: Symmetric, w: [Real; 3]) -> Symmetric {
     ]
 }
 
-/// Principal values in closed form and the two deviatoric directions that they are measured along.
+/// Principal values in closed form, and the two deviatoric directions in which they are expressed.
 ///
-/// No eigenvectors and no trigonometric functions: `cos 3θ` and `sin 3θ` come from two invariants that are both
-/// accurate at the meridians (where the arc cosine of the usual formula loses half the digits), and the complex cube
-/// root by three Newton steps.
+/// Without eigenvectors and trigonometric functions: `cos 3θ` and `sin 3θ` follow from two invariants that are accurate at
+/// the meridians (where the arc cosine of the usual formula loses half the digits), the complex cube root from three Newton
+/// steps.
 #[derive(Clone, Copy, Debug)]
 pub struct Spectrum {
     /// Mean value.
     pub mean: Real,
-    /// Size of the deviator, √(s:s).
+    /// Norm of the deviator, √(s:s).
     pub norm: Real,
     /// Principal values, largest first.
     pub principal: [Real; 3],
     /// Unit tensor along the deviator.
     pub radial: Symmetric,
-    /// Unit tensor at a right angle to it, towards larger Lode angle; 0 on a meridian.
+    /// Deviatoric unit tensor perpendicular to it, towards larger Lode angles; 0 on a meridian.
     pub hoop: Symmetric,
     /// Principal values of `radial`.
     pub radial_principal: [Real; 3],
@@ -106,7 +106,7 @@ impl Spectrum {
         let norm = contract(s, s).sqrt();
         let inverse = if norm > NO_STRESS { 1.0 / norm } else { 0.0 };
         let radial = s.map(|x| x * inverse);
-        // t = r² − ⅓ I, split along r: its part at a right angle to r has the size sin 3θ / √6.
+        // t = r² − ⅓ I has a component perpendicular to r of the norm sin 3θ / √6.
         let mut t = square(radial);
         let third = contract(radial, radial) * THIRD;
         t[0] -= third;
@@ -121,8 +121,8 @@ impl Spectrum {
         let cross_inverse = if cross_norm > MERIDIAN { -1.0 / cross_norm } else { 0.0 };
         let hoop = cross.map(|x| x * cross_inverse);
         let (cos, sin) = cube_root(along, cross_norm);
-        let radial_principal = spread(cos, sin);
-        let hoop_principal = spread(-sin, cos);
+        let radial_principal = deviator_values(cos, sin);
+        let hoop_principal = deviator_values(-sin, cos);
         let principal = radial_principal.map(|x| mean + norm * x);
         Self { mean, norm, principal, radial, hoop, radial_principal, hoop_principal }
     }
@@ -134,7 +134,7 @@ impl Spectrum {
         (self.radial_principal[0] / SQRT_2_3, -self.hoop_principal[0] / SQRT_2_3)
     }
 
-    /// Principal values of the tensor with this mean and a deviator of `along` the present one and `across` it.
+    /// Principal values of the tensor with this mean and the deviator components `along` `radial` and `across`, along `hoop`.
     #[inline(always)]
     #[must_use]
     pub fn principal_at(&self, mean: Real, along: Real, across: Real) -> [Real; 3] {
@@ -162,7 +162,7 @@ impl Spectrum {
     }
 }
 
-/// Cosine and sine of θ in [0, 60°], given numbers in the ratio cos 3θ : sin 3θ (sine not negative).
+/// Cosine and sine of θ in [0, 60°] from numbers in the ratio cos 3θ : sin 3θ (sine not negative).
 #[inline(always)]
 fn cube_root(cos3: Real, sin3: Real) -> (Real, Real) {
     let size = (cos3 * cos3 + sin3 * sin3).sqrt();
@@ -170,8 +170,8 @@ fn cube_root(cos3: Real, sin3: Real) -> (Real, Real) {
     let (a, b) = if size > 1e-12 { (cos3 * scale, sin3 * scale) } else { (1.0, 0.0) };
     let mut c = 0.75 + 0.25 * a;
     let mut s = (1.0 - c * c).max(0.0).sqrt();
-    // Newton for z³ = w on the unit circle, where 1/z² is the conjugate's square. An error e in the angle becomes e³/3; the
-    // first guess is within 0.21, so that the third step is exact to rounding.
+    // Newton for z³ = w on the unit circle, where 1/z² is the conjugate's square. An error e of the angle becomes e³/3; the
+    // initial error is below 0.21, so the third step is exact to rounding.
     for _ in 0..3 {
         let (re, im) = (c * c - s * s, 2.0 * c * s);
         let x = 2.0 * c + a * re + b * im;
@@ -185,7 +185,7 @@ fn cube_root(cos3: Real, sin3: Real) -> (Real, Real) {
 
 /// Principal values of the unit deviator at Lode angle θ, largest first.
 #[inline(always)]
-fn spread(cos: Real, sin: Real) -> [Real; 3] {
+fn deviator_values(cos: Real, sin: Real) -> [Real; 3] {
     [
         SQRT_2_3 * cos,
         SQRT_2_3 * (-0.5 * cos + 0.5 * SQRT_3 * sin),
@@ -197,7 +197,7 @@ fn spread(cos: Real, sin: Real) -> [Real; 3] {
 mod tests {
     use super::*;
 
-    /// What rounding may leave, over the size of the numbers.
+    /// Tolerance for rounding, relative to the size of the numbers.
     const ROUNDING: Real = 20.0 * Real::EPSILON;
 
     fn samples() -> Vec<Symmetric> {
@@ -233,7 +233,7 @@ mod tests {
     }
 
     #[test]
-    fn the_same_principal_values_give_back_the_tensor() {
+    fn the_same_principal_values_restore_the_tensor() {
         for a in samples() {
             let spectrum = Spectrum::of(a);
             let b = spectrum.with_principal(spectrum.principal);

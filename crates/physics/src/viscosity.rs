@@ -1,8 +1,8 @@
 //! Bulk viscosity: a pressure that resists fast changes of volume.
 //!
 //! q = ρ b₁ c l ε̇ᵥ − ρ (b₂ l ε̇ᵥ)² for compression (von Neumann & Richtmyer 1950; Landshoff 1955), as a stress, tension
-//! positive. The linear part also acts in expansion: without it a dilating soil rings. It must stay small beside the
-//! contact stress, for in frictional soil it acts like confinement.
+//! positive. The linear term also acts in expansion, against oscillations of dilating soil. It must stay small beside the
+//! contact stress: in frictional soil it acts like a confining pressure.
 
 use super::Real;
 
@@ -22,9 +22,9 @@ impl BulkViscosity {
         Self { linear: b1 * density * wave_speed, quadratic: b2 * b2 * density }
     }
 
-    /// Coefficients known in double precision, in the one at hand.
+    /// Double-precision coefficients, cast to this precision.
     #[must_use]
-    pub fn rounded(exact: &crate::double::viscosity::BulkViscosity) -> Self {
+    pub fn cast(exact: &crate::double::viscosity::BulkViscosity) -> Self {
         Self { linear: exact.linear as Real, quadratic: exact.quadratic as Real }
     }
 
@@ -33,7 +33,7 @@ impl BulkViscosity {
     #[must_use]
     pub fn stress(&self, length: Real, volumetric_rate: Real) -> Real {
         let speed = length * volumetric_rate;
-        let squeezed = if speed < 0.0 { speed } else { 0.0 };
-        self.linear * speed - self.quadratic * squeezed * squeezed
+        let compression = if speed < 0.0 { speed } else { 0.0 };
+        self.linear * speed - self.quadratic * compression * compression
     }
 }

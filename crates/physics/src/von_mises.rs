@@ -1,16 +1,16 @@
 //! Von Mises plasticity with linear isotropic hardening: metals.
 //!
-//! Yield: q = √(3/2 s:s) = σ_y + H ε̄ₚ (von Mises 1913), ε̄ₚ = ∫√(⅔ ε̇ₚ:ε̇ₚ) dt, with the flow normal to it. The
-//! deviator of the trial stress is scaled back along itself (Wilkins 1964), which for a straight hardening curve is the
-//! implicit return in closed form (Krieg & Key 1976): Δε̄ₚ = (q − σ_y − H ε̄ₚ)/(3 G + H). Pressure is borne without
-//! limit, and so is tension. Written without branches, so that a loop over it vectorises.
+//! Yield: q = √(3/2 s:s) = σ_y + H ε̄ₚ (von Mises 1913), ε̄ₚ = ∫√(⅔ ε̇ₚ:ε̇ₚ) dt, with associated flow. The
+//! deviator of the trial stress is scaled radially (Wilkins 1964), which for linear hardening is the implicit return in
+//! closed form (Krieg & Key 1976): Δε̄ₚ = (q − σ_y − H ε̄ₚ)/(3 G + H). Pressure and hydrostatic tension are unlimited. Free
+//! of branches, so that loops vectorise.
 
 use super::Real;
 use super::elastic::Elastic;
-use super::strength::{Returned, Strength};
 use super::tensor::{Symmetric, contract, deviator, mean, mises};
+use super::yield_law::{Returned, YieldLaw};
 
-/// Strength parameters, with the sums of moduli that the return needs.
+/// Strength parameters, and the moduli of the return mapping.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VonMises {
     /// σ_y [Pa].
@@ -24,17 +24,17 @@ pub struct VonMises {
 }
 
 impl VonMises {
-    /// From the yield stress of an untouched specimen in uniaxial tension σ_y > 0 [Pa] and the slope H ≥ 0 of that
-    /// stress over the plastic strain [Pa].
+    /// From the initial yield stress in uniaxial tension σ_y > 0 [Pa] and the hardening modulus H ≥ 0 [Pa], the slope of the
+    /// flow stress over the plastic strain.
     #[must_use]
     pub fn new(elastic: Elastic, yield_stress: Real, hardening: Real) -> Self {
         let stiffness = 3.0 * elastic.shear;
         Self { yield_stress, hardening, stiffness, per_return: 1.0 / (stiffness + hardening) }
     }
 
-    /// Strength known in double precision, in the one at hand.
+    /// Double-precision parameters, cast to this precision.
     #[must_use]
-    pub fn rounded(exact: &crate::double::von_mises::VonMises) -> Self {
+    pub fn cast(exact: &crate::double::von_mises::VonMises) -> Self {
         Self {
             yield_stress: exact.yield_stress as Real,
             hardening: exact.hardening as Real,
@@ -43,31 +43,31 @@ impl VonMises {
         }
     }
 
-    /// Uniaxial stress borne after an equivalent plastic strain [Pa].
+    /// Flow stress [Pa] at an equivalent plastic strain: the uniaxial stress at which it yields.
     #[inline(always)]
     #[must_use]
-    pub fn bears(&self, plastic_strain: Real) -> Real {
+    pub fn flow_stress(&self, plastic_strain: Real) -> Real {
         self.yield_stress + self.hardening * plastic_strain
     }
 }
 
-impl Strength for VonMises {
+impl YieldLaw for VonMises {
     #[inline(always)]
     fn may_yield(&self, stress: Symmetric, plastic_strain: Real) -> bool {
         let s = deviator(stress);
-        let borne = self.bears(plastic_strain);
-        1.5 * contract(s, s) > borne * borne
+        let limit = self.flow_stress(plastic_strain);
+        1.5 * contract(s, s) > limit * limit
     }
 
-    /// The volume does not take part: `dilates` makes no difference.
+    /// Isochoric: `dilates` has no effect.
     #[inline(always)]
     fn return_map(&self, trial: Symmetric, plastic_strain: Real, _dilates: bool) -> Returned {
         let (s, p, q) = (deviator(trial), mean(trial), mises(trial));
-        let excess = q - self.bears(plastic_strain);
+        let excess = q - self.flow_stress(plastic_strain);
         let flow = if excess > 0.0 { excess * self.per_return } else { 0.0 };
-        let kept = 1.0 - self.stiffness * flow / if q > 0.0 { q } else { 1.0 };
+        let scale = 1.0 - self.stiffness * flow / if q > 0.0 { q } else { 1.0 };
         let stress =
-            [s[0] * kept + p, s[1] * kept + p, s[2] * kept + p, s[3] * kept, s[4] * kept, s[5] * kept];
+            [s[0] * scale + p, s[1] * scale + p, s[2] * scale + p, s[3] * scale, s[4] * scale, s[5] * scale];
         Returned { stress, plastic_strain: flow, gap_strain: 0.0 }
     }
 }

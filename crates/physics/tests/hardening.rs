@@ -1,9 +1,9 @@
-//! Von Mises with linear isotropic hardening against closed forms.
+//! Von Mises with linear isotropic hardening, against closed-form solutions.
 
 use physics::elastic::Elastic;
-use physics::strength::Strength;
 use physics::tensor::{Symmetric, contract, deviator, mean, mises};
 use physics::von_mises::VonMises;
+use physics::yield_law::YieldLaw;
 
 const YIELD: f64 = 400e6;
 const HARDENING: f64 = 100e6;
@@ -29,9 +29,9 @@ impl Point {
     /// The point after a strain increment.
     fn strained(self, increment: Symmetric) -> Self {
         let shear = deviator(increment).map(|d| 2.0 * elastic().shear * d);
-        let pressed = 3.0 * elastic().bulk * mean(increment);
+        let volumetric = 3.0 * elastic().bulk * mean(increment);
         let trial: Symmetric =
-            std::array::from_fn(|n| self.stress[n] + shear[n] + if n < 3 { pressed } else { 0.0 });
+            std::array::from_fn(|n| self.stress[n] + shear[n] + if n < 3 { volumetric } else { 0.0 });
         let back = copper().return_map(trial, self.plastic_strain, true);
         let middle: Symmetric = std::array::from_fn(|n| 0.5 * (self.stress[n] + back.stress[n]));
         let lost: Symmetric = std::array::from_fn(|n| trial[n] - back.stress[n]);
@@ -42,8 +42,8 @@ impl Point {
         }
     }
 
-    /// The same with the lateral strain that leaves the sides free.
-    fn pulled(self, axial: f64) -> Self {
+    /// The same with the lateral strain of free lateral surfaces.
+    fn uniaxial(self, axial: f64) -> Self {
         let at = |lateral: f64| self.strained([axial, lateral, lateral, 0.0, 0.0, 0.0]);
         let (mut low, mut high) = (-axial, axial);
         for _ in 0..200 {
@@ -66,35 +66,35 @@ fn stresses() -> Vec<Symmetric> {
 }
 
 #[test]
-fn tension_goes_along_the_two_lines_of_the_curve_and_back() {
+fn uniaxial_tension_and_unloading_follow_the_bilinear_curve() {
     let young = 117e9;
     let mut point = Point::default();
     let mut strain = 0.0;
     for _ in 0..400 {
-        point = point.pulled(5e-5);
+        point = point.uniaxial(5e-5);
         strain += 5e-5;
         let tangent = young * HARDENING / (young + HARDENING);
         let exact = (young * strain).min(YIELD + tangent * (strain - YIELD / young));
         assert!((point.stress[0] - exact).abs() < 1e-10 * YIELD, "{strain}: {} {exact}", point.stress[0]);
     }
-    // The plastic strain is what the elastic strain leaves over; it costs the area under the curve.
+    // The plastic strain is the total minus the elastic strain; its work is the area under the curve.
     let plastic = strain - point.stress[0] / young;
     assert!((point.plastic_strain - plastic).abs() < 1e-10 * plastic);
     let work = (YIELD + 0.5 * HARDENING * plastic) * plastic;
-    // The one step on which it first yields counts half of its elastic part.
+    // The step in which it first yields includes half of its elastic work.
     assert!((point.work - work).abs() < 1e-5 * work, "{} {work}", point.work);
-    // Pushed back it is elastic over twice the stress it bore last, and yields there: isotropic hardening.
-    let borne = point.stress[0];
-    let steps = 2.0 * borne / young / 1e-5;
+    // On reversal it is elastic over twice the last stress, then yields: isotropic hardening.
+    let last = point.stress[0];
+    let steps = 2.0 * last / young / 1e-5;
     for _ in 0..steps.floor() as usize {
-        point = point.pulled(-1e-5);
+        point = point.uniaxial(-1e-5);
     }
     assert!((point.plastic_strain - plastic).abs() < 1e-10 * plastic);
     for _ in 0..50 {
-        point = point.pulled(-1e-5);
+        point = point.uniaxial(-1e-5);
     }
     assert!(point.plastic_strain > plastic);
-    assert!((point.stress[0] + copper().bears(point.plastic_strain)).abs() < 1e-10 * borne);
+    assert!((point.stress[0] + copper().flow_stress(point.plastic_strain)).abs() < 1e-10 * last);
 }
 
 #[test]
@@ -116,21 +116,21 @@ fn simple_shear_hardens_by_a_third_of_the_modulus() {
 }
 
 #[test]
-fn the_return_is_radial_ends_on_the_hardened_surface_and_leaves_the_pressure() {
+fn the_return_is_radial_ends_on_the_hardened_surface_and_keeps_the_pressure() {
     for trial in stresses() {
         for before in [0.0, 0.7, 3.0] {
             let law = copper();
             let back = law.return_map(trial, before, true);
             assert_eq!(back, law.return_map(trial, before, false));
             assert!(back.gap_strain == 0.0 && (mean(back.stress) - mean(trial)).abs() < 1e-6);
-            if mises(trial) <= law.bears(before) {
+            if mises(trial) <= law.flow_stress(before) {
                 assert!(back.plastic_strain == 0.0 && !law.may_yield(trial, before));
                 let moved = (0..6).map(|n| (back.stress[n] - trial[n]).abs()).fold(0.0, f64::max);
                 assert!(moved < 1e-6, "{moved}");
                 continue;
             }
             assert!(law.may_yield(trial, before));
-            let now = law.bears(before + back.plastic_strain);
+            let now = law.flow_stress(before + back.plastic_strain);
             assert!((mises(back.stress) - now).abs() < 1e-10 * now, "{trial:?}");
             // Along the deviator of the trial, by 2 G times the plastic strain of size √(3/2) Δε̄ₚ.
             let (s, left) = (deviator(trial), deviator(back.stress));
@@ -139,7 +139,7 @@ fn the_return_is_radial_ends_on_the_hardened_surface_and_leaves_the_pressure() {
             let off: Symmetric = std::array::from_fn(|n| (s[n] - left[n]) / (2.0 * elastic().shear));
             let size = (2.0 / 3.0 * contract(off, off)).sqrt();
             assert!((size - back.plastic_strain).abs() < 1e-10 * size);
-            // The work is the stress that is borne times the strain: never negative.
+            // The work is the flow stress times the plastic strain, never negative.
             let change: Symmetric = std::array::from_fn(|n| trial[n] - back.stress[n]);
             let work = elastic().compliance(back.stress, change);
             assert!(work > 0.0 && (work - now * back.plastic_strain).abs() < 1e-9 * work);

@@ -1,10 +1,11 @@
-//! One battery of tests for every strength: never outside, consistent with the flow rule, objective, dissipative.
+//! Tests of every law: admissible stresses, consistent with the flow rule, objective, dissipative.
 
 use physics::elastic::Elastic;
+use physics::law::Law;
 use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
 use physics::mohr_coulomb::MohrCoulomb;
-use physics::strength::{Law, Strength};
 use physics::tensor::{Spectrum, Symmetric, contract, deviator, mean, mises};
+use physics::yield_law::YieldLaw;
 
 struct Sample {
     name: &'static str,
@@ -90,10 +91,11 @@ fn never_outside_the_yield_surface() {
 
 #[test]
 fn single_precision_returns_the_same_stress() {
-    use physics::single::strength::{Law as Single, Strength as _};
+    use physics::single::law::Law as Single;
+    use physics::single::yield_law::YieldLaw as _;
     let most = |stress: Symmetric| stress.into_iter().fold(0.0, |most: f64, s| most.max(s.abs()));
     for (s, law) in everything() {
-        let single = Single::rounded(&law);
+        let single = Single::cast(&law);
         for trial in stresses() {
             let exact = law.return_map(trial, 0.0, true);
             let rounded = single.return_map(trial.map(|s| s as f32), 0.0, true);
@@ -141,13 +143,13 @@ fn a_second_return_changes_nothing() {
 #[test]
 fn plastic_work_is_never_negative() {
     for (s, law) in everything() {
-        // A smooth potential bulges beyond the hexagon's sides: with a dilation angle near φ, energy comes out of nothing.
+        // A smooth potential lies outside the hexagon's sides: with a dilation angle near φ the flow would create energy.
         if matches!(law, Law::MenetreyWillam(law) if law.least_dissipation() < 0.0) {
             continue;
         }
         for far in stresses() {
-            // The smooth return follows the gradients on its way, not the one at its end: it is for the small steps of an
-            // explicit method, and right to second order of them. The closed form takes any step.
+            // The smooth return follows the gradients along its path, not the final one: it is accurate to second order in the
+            // small steps of an explicit method. The closed form is exact for any step.
             let on = law.return_map(far, 0.0, true).stress;
             let trial = match law {
                 Law::MohrCoulomb(_) | Law::VonMises(_) => far,
@@ -165,10 +167,10 @@ fn plastic_work_is_never_negative() {
 }
 
 #[test]
-fn soil_at_its_critical_density_flows_as_if_it_had_no_dilation_angle() {
+fn soil_at_its_critical_density_flows_without_dilation() {
     for s in &SAMPLES {
-        let level = Sample { name: s.name, dilation: 0.0, ..*s };
-        for (law, without) in laws(s).into_iter().zip(laws(&level)) {
+        let critical = Sample { name: s.name, dilation: 0.0, ..*s };
+        for (law, without) in laws(s).into_iter().zip(laws(&critical)) {
             for trial in stresses() {
                 let (a, b) = (law.return_map(trial, 0.0, false), without.return_map(trial, 0.0, true));
                 assert_eq!(a, b, "{}", s.name);
@@ -184,7 +186,7 @@ fn plastic_strain(trial: Symmetric, new: Symmetric) -> (Symmetric, f64) {
 }
 
 #[test]
-fn shear_flow_dilates_as_the_dilation_angle_says() {
+fn shear_flow_dilates_with_the_dilation_angle() {
     // Plane return: volumetric plastic strain = 2 sin ψ · γ, σ₁ part (1 + sin ψ) γ, σ₃ part −(1 − sin ψ) γ.
     for s in &SAMPLES {
         let trial: Symmetric = [-6e4, -2.3e5, -4e5, 0.0, 0.0, 0.0];
@@ -215,14 +217,14 @@ fn potential(s: &Sample, shape: Eccentricity, stress: Symmetric) -> f64 {
 }
 
 #[test]
-fn the_smooth_potential_is_what_the_flow_is_normal_to() {
+fn the_flow_is_normal_to_the_smooth_potential() {
     for s in &SAMPLES {
         let usual = Eccentricity::usual(s.friction.to_radians());
         for shape in
             [usual, Eccentricity { deviatoric: 1.0, ..usual }, Eccentricity { meridional: 2.0, ..usual }]
         {
             let law = smooth(s, shape);
-            // On the surface, then a little beyond it: the return is along the potential's gradient there.
+            // A trial stress slightly outside the surface: the return follows the gradient of the potential there.
             for direction in [
                 [1.0, 0.2, -0.7, 0.3, -0.2, 0.1],
                 [0.2, 0.5, -0.3, 0.0, 0.4, 0.6],
@@ -246,7 +248,7 @@ fn the_smooth_potential_is_what_the_flow_is_normal_to() {
                         x[n] += by;
                         potential(s, shape, x)
                     };
-                    // A shear stress stands in the tensor twice.
+                    // A shear stress appears twice in the tensor.
                     (moved(h) - moved(-h)) / (2.0 * h) * if n < 3 { 1.0 } else { 0.5 }
                 });
                 let size = |a: Symmetric| contract(a, a).sqrt();
@@ -259,7 +261,7 @@ fn the_smooth_potential_is_what_the_flow_is_normal_to() {
 
 #[test]
 fn with_a_circle_the_smooth_return_is_the_closed_form() {
-    // e = 1, ε = 0: Θ stays, q falls by 3 G Δλ R, the pressure grows by K tan ψ Δλ (one shot).
+    // e = 1, ε = 0: Θ is constant, q decreases by 3 G Δλ R, the pressure increases by K tan ψ Δλ in one step.
     for s in SAMPLES.iter().filter(|s| s.friction > 5.0) {
         let law = smooth(s, Eccentricity { meridional: 0.0, deviatoric: 1.0 });
         let (phi, psi) = (s.friction.to_radians(), s.dilation.to_radians());
@@ -285,7 +287,7 @@ fn with_a_circle_the_smooth_return_is_the_closed_form() {
 }
 
 #[test]
-fn the_response_turns_with_the_axes() {
+fn the_response_is_objective() {
     // Rotation by 30° about z.
     let (sin, cos) = 30.0_f64.to_radians().sin_cos();
     let turn = |a: Symmetric| {
@@ -311,7 +313,7 @@ fn the_response_turns_with_the_axes() {
 }
 
 #[test]
-fn cohesionless_soil_bears_no_tension_and_remembers_the_gap() {
+fn cohesionless_soil_has_no_tensile_strength_and_records_the_gap() {
     for law in laws(&SAMPLES[0]) {
         let back = law.return_map([1e4, 1.1e4, 0.9e4, 10.0, 0.0, 0.0], 0.0, true);
         assert!(contract(back.stress, back.stress) < 1e-12);

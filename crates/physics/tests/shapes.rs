@@ -1,9 +1,9 @@
-//! One battery of tests for every shape: points lie on the surface, normals point out, areas and volumes are right.
+//! Tests of every shape: points lie on the surface, normals point outwards, areas and volumes are exact.
 
 #![allow(missing_docs, clippy::unwrap_used)]
 
 use glam::DVec3;
-use physics::shape::{Axis, Ball, Block, Cylinder, Disc, Shape, Turned};
+use physics::shape::{Axis, Block, Cylinder, Disc, Rotated, Shape, Sphere};
 use std::f64::consts::PI;
 
 /// Every shape with the area of its surface [m²].
@@ -18,8 +18,8 @@ fn shapes() -> Vec<(Box<dyn Shape>, f64)> {
         (Box::new(cylinder(Axis::Y)), round),
         (Box::new(cylinder(Axis::Z)), round),
         (Box::new(block), edged),
-        (Box::new(Turned::new(block, 0.6)), edged),
-        (Box::new(Ball { diameter: 0.2 }), PI * 0.04),
+        (Box::new(Rotated::new(block, 0.6)), edged),
+        (Box::new(Sphere { diameter: 0.2 }), PI * 0.04),
     ]
 }
 
@@ -39,38 +39,38 @@ fn contact_points_cover_the_surface() {
 }
 
 #[test]
-fn an_inset_keeps_points_from_sharp_edges() {
+fn an_inset_keeps_points_away_from_sharp_edges() {
     let inset = 0.004;
     for (shape, area) in shapes() {
         let points = shape.surface_points(0.006, DVec3::splat(inset));
         let sum: f64 = points.iter().map(|p| p.area).sum();
-        // A ball, whose area is π d², has no edges to keep away from.
+        // A sphere, whose area is π d², has no edges.
         assert!(sum < area || (area - PI * 0.04).abs() < 1e-12, "{shape:?}");
         let (_, high) = shape.bounds();
         for p in &points {
             let near = |axis: usize| high[axis] - p.position[axis].abs() < inset * 0.999;
-            // On a face of its own a point may be at the bound; along y no point of another face is nearer than the inset.
+            // Points of the end faces lie at the bound; along y all others keep the inset.
             assert!(p.normal.y.abs() > 0.5 || !near(1), "{shape:?} {p:?}");
         }
     }
 }
 
 #[test]
-fn points_are_counted_without_being_laid_out() {
+fn points_are_counted_without_laying_them_out() {
     for (shape, _) in shapes() {
         for (spacing, inset) in [(0.006, 0.0), (0.007, 0.003), (0.0021, 0.026), (0.3, 0.01), (0.011, 0.2)] {
             let laid_out = shape.surface_points(spacing, DVec3::splat(inset)).len();
             let counted = shape.surface_point_count(spacing, DVec3::splat(inset));
             assert_eq!(counted, laid_out as f64, "{shape:?} {spacing} {inset}");
         }
-        // At once, however many: 10¹⁸ for a metre.
+        // Without delay for any number: 10¹⁸ for a metre.
         let many = shape.surface_point_count(1e-9, DVec3::ZERO);
         assert!((1e15..1e18).contains(&many), "{shape:?} {many}");
     }
 }
 
 #[test]
-fn mirror_images_stand_side_by_side() {
+fn mirror_images_are_adjacent() {
     let flip = |v: DVec3| DVec3::new(v.x, -v.y, v.z);
     for (shape, _) in shapes() {
         let points = shape.surface_points(0.007, DVec3::splat(0.003));
@@ -87,7 +87,7 @@ fn mirror_images_stand_side_by_side() {
 }
 
 #[test]
-fn the_mesh_is_closed_and_holds_the_volume() {
+fn the_mesh_is_closed_and_encloses_the_volume() {
     for (shape, _) in shapes() {
         let mesh = shape.mesh();
         let volume: f64 = mesh
@@ -105,23 +105,24 @@ fn the_mesh_is_closed_and_holds_the_volume() {
 }
 
 #[test]
-fn inertia_about_the_axle_is_that_of_a_solid() {
+fn inertia_about_the_axle_is_that_of_a_homogeneous_solid() {
     let disc = Disc { diameter: 0.2, thickness: 0.05 };
     assert!((disc.axle_inertia_per_mass() - 0.5 * 0.01).abs() < 1e-15);
     let block = Block { size: DVec3::new(0.3, 0.2, 0.1) };
     assert!((block.axle_inertia_per_mass() - (0.09 + 0.01) / 12.0).abs() < 1e-15);
-    let lying = |axis| Cylinder { diameter: 0.2, length: 0.06, axis }.axle_inertia_per_mass();
-    assert_eq!(lying(Axis::Y), disc.axle_inertia_per_mass());
+    let inertia = |axis| Cylinder { diameter: 0.2, length: 0.06, axis }.axle_inertia_per_mass();
+    assert_eq!(inertia(Axis::Y), disc.axle_inertia_per_mass());
     assert!(
-        (lying(Axis::Z) - (0.01 / 4.0 + 0.0036 / 12.0)).abs() < 1e-15 && lying(Axis::X) == lying(Axis::Z)
+        (inertia(Axis::Z) - (0.01 / 4.0 + 0.0036 / 12.0)).abs() < 1e-15
+            && inertia(Axis::X) == inertia(Axis::Z)
     );
-    assert!((Ball { diameter: 0.2 }.axle_inertia_per_mass() - 0.4 * 0.01).abs() < 1e-15);
+    assert!((Sphere { diameter: 0.2 }.axle_inertia_per_mass() - 0.4 * 0.01).abs() < 1e-15);
 }
 
 #[test]
-fn a_quarter_of_a_round_body_has_a_quarter_of_its_points() {
+fn a_quarter_of_a_symmetric_body_has_a_quarter_of_its_points() {
     let upright = Cylinder { diameter: 0.2, length: 0.05, axis: Axis::Z };
-    let round: [Box<dyn Shape>; 2] = [Box::new(upright), Box::new(Ball { diameter: 0.2 })];
+    let round: [Box<dyn Shape>; 2] = [Box::new(upright), Box::new(Sphere { diameter: 0.2 })];
     for shape in round {
         let points = shape.surface_points(0.007, DVec3::splat(0.003));
         let quarter = points.iter().filter(|p| p.position.x > 0.0 && p.position.y > 0.0);
@@ -130,8 +131,8 @@ fn a_quarter_of_a_round_body_has_a_quarter_of_its_points() {
 }
 
 #[test]
-fn a_turned_block_leans_forward() {
-    let plate = Turned::new(Block { size: DVec3::new(0.02, 0.2, 0.4) }, 0.5);
+fn a_rotated_block_leans_forward() {
+    let plate = Rotated::new(Block { size: DVec3::new(0.02, 0.2, 0.4) }, 0.5);
     let top = DVec3::new(0.2 * f64::sin(0.5), 0.0, 0.2 * f64::cos(0.5));
     assert!(plate.signed_distance(top).abs() < 1e-12 && plate.signed_distance(0.99 * top) < 0.0);
     let (low, high) = plate.bounds();

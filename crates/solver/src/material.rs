@@ -1,7 +1,7 @@
 //! What soil is made of.
 
 use physics::elastic::Elastic;
-use physics::strength::Law;
+use physics::law::Law;
 use physics::viscosity::BulkViscosity;
 
 /// A soil.

@@ -1,10 +1,10 @@
-//! Shape, depth and inclination of a footing.
+//! Correction factors for the shape and depth of a footing and the inclination of its load.
 
 use super::surcharge_factor;
-use crate::error::{Answer, not_negative, positive, within};
+use crate::error::{ModelResult, non_negative, positive, within};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
-/// Whose correction factors.
+/// Author of the correction factors.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Method {
     /// Meyerhof (1963).
@@ -12,7 +12,7 @@ pub enum Method {
     Meyerhof,
     /// Hansen (1970) shape and depth, Vesić (1973) inclination.
     HansenVesic,
-    /// Lyamin et al. (2007), three-dimensional limit analysis; has no inclination factor and takes Meyerhof's.
+    /// Lyamin et al. (2007), three-dimensional limit analysis, with Meyerhof's inclination factor as it has none.
     Lyamin,
 }
 
@@ -29,7 +29,7 @@ pub struct Footing {
     pub load_inclination: f64,
 }
 
-/// Products of shape, depth and inclination factors, one for each of the three terms.
+/// Products of the shape, depth and inclination factors of the three terms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corrections {
     /// s_c d_c i_c.
@@ -51,12 +51,12 @@ pub struct Corrections {
 ///
 /// # Errors
 /// If φ or the footing is out of range, and for Lyamin outside 25° to 45°.
-pub fn corrections(method: Method, friction_angle: f64, footing: &Footing) -> Answer<Corrections> {
+pub fn corrections(method: Method, friction_angle: f64, footing: &Footing) -> ModelResult<Corrections> {
     let (low, high) = if method == Method::Lyamin { (25_f64, 45_f64) } else { (10_f64, 50_f64) };
     let phi = within("friction angle [rad]", friction_angle, low.to_radians(), high.to_radians())?;
     let width = positive("footing width [m]", footing.width)?;
     let slenderness = width / within("footing length [m]", footing.length, width, f64::MAX)?;
-    let depth = not_negative("footing depth [m]", footing.depth)? / width;
+    let depth = non_negative("footing depth [m]", footing.depth)? / width;
     let load = within("load inclination [rad]", footing.load_inclination, 0.0, FRAC_PI_2 - 1e-9)?;
     Ok(match method {
         Method::Meyerhof => meyerhof(phi, slenderness, depth, load),
@@ -69,11 +69,11 @@ fn meyerhof(phi: f64, slenderness: f64, depth: f64, load: f64) -> Corrections {
     let (i_q, i_gamma) = meyerhof_inclination(phi, load);
     let root = (FRAC_PI_4 + 0.5 * phi).tan();
     let passive = root * root;
-    let shared = (1.0 + 0.1 * passive * slenderness) * (1.0 + 0.1 * root * depth);
+    let shape_depth = (1.0 + 0.1 * passive * slenderness) * (1.0 + 0.1 * root * depth);
     Corrections {
         cohesion: (1.0 + 0.2 * passive * slenderness) * (1.0 + 0.2 * root * depth) * i_q,
-        surcharge: shared * i_q,
-        weight: shared * i_gamma,
+        surcharge: shape_depth * i_q,
+        weight: shape_depth * i_gamma,
     }
 }
 
@@ -81,27 +81,27 @@ fn meyerhof_inclination(phi: f64, load: f64) -> (f64, f64) {
     ((1.0 - load / FRAC_PI_2).powi(2), (1.0 - load / phi).max(0.0).powi(2))
 }
 
-fn hansen_vesic(phi: f64, slenderness: f64, depth: f64, load: f64) -> Answer<Corrections> {
+fn hansen_vesic(phi: f64, slenderness: f64, depth: f64, load: f64) -> ModelResult<Corrections> {
     let n_q = surcharge_factor(phi)?;
     let n_c = (n_q - 1.0) / phi.tan();
     let k = if depth <= 1.0 { depth } else { depth.atan() };
     let m = (2.0 * slenderness + 1.0) / (slenderness + 1.0);
-    let left = (1.0 - load.tan()).max(0.0);
-    let i_q = left.powf(m);
+    let reduction = (1.0 - load.tan()).max(0.0);
+    let i_q = reduction.powf(m);
     let i_c = (i_q - (1.0 - i_q) / (n_q - 1.0)).max(0.0);
     Ok(Corrections {
         cohesion: (1.0 + n_q / n_c * slenderness) * (1.0 + 0.4 * k) * i_c,
         surcharge: (1.0 + phi.tan() * slenderness)
             * (1.0 + 2.0 * phi.tan() * (1.0 - phi.sin()).powi(2) * k)
             * i_q,
-        weight: (1.0 - 0.4 * slenderness) * left.powf(m + 1.0),
+        weight: (1.0 - 0.4 * slenderness) * reduction.powf(m + 1.0),
     })
 }
 
 fn lyamin(phi: f64, slenderness: f64, depth: f64, load: f64) -> Corrections {
     let (i_q, i_gamma) = meyerhof_inclination(phi, load);
     let degrees = phi.to_degrees();
-    // The fits are singular at no embedment; below D/B = 0.01 the surcharge itself is nothing.
+    // The fits are singular at zero embedment; below D/B = 0.01 the surcharge term is negligible.
     let depth = depth.max(0.01);
     let s_q = 1.0
         + (0.098 * degrees - 1.64)
@@ -109,11 +109,11 @@ fn lyamin(phi: f64, slenderness: f64, depth: f64, load: f64) -> Corrections {
             * slenderness.powf((1.0 - 0.16 * depth).max(0.0));
     let d_q = 1.0 + (0.0044 * degrees + 0.356) * depth.powf(-0.28);
     let n_q = (std::f64::consts::PI * phi.tan()).exp() * (FRAC_PI_4 + 0.5 * phi).tan().powi(2);
-    let shared = s_q * d_q;
+    let shape_depth = s_q * d_q;
     Corrections {
         // Caquot's theorem of corresponding states: c N_c* = c cot φ (N_q* − 1).
-        cohesion: (shared * n_q - 1.0) / (n_q - 1.0) * i_q,
-        surcharge: shared * i_q,
+        cohesion: (shape_depth * n_q - 1.0) / (n_q - 1.0) * i_q,
+        surcharge: shape_depth * i_q,
         weight: (1.0 + (0.0336 * degrees - 1.0) * slenderness).max(0.0) * i_gamma,
     }
 }
@@ -127,10 +127,10 @@ mod tests {
         let footing = Footing { width: 0.05, length: 0.089_443, depth: 0.02, load_inclination: 0.0 };
         let found = corrections(Method::Meyerhof, 35_f64.to_radians(), &footing).unwrap();
         assert!((found.surcharge / (1.2063 * 1.0768) - 1.0).abs() < 1e-4);
-        let locked = Footing { load_inclination: 0.3_f64.atan(), ..footing };
-        let turned = corrections(Method::Meyerhof, 35_f64.to_radians(), &locked).unwrap();
-        assert!((turned.surcharge / found.surcharge - 0.663).abs() < 1e-3);
-        assert!((turned.weight / found.weight - 0.273).abs() < 1e-3);
+        let inclined = Footing { load_inclination: 0.3_f64.atan(), ..footing };
+        let reduced = corrections(Method::Meyerhof, 35_f64.to_radians(), &inclined).unwrap();
+        assert!((reduced.surcharge / found.surcharge - 0.663).abs() < 1e-3);
+        assert!((reduced.weight / found.weight - 0.273).abs() < 1e-3);
     }
 
     #[test]

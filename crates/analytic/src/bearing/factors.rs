@@ -1,13 +1,13 @@
-//! The factors N_q, N_c and N_γ of a strip footing.
+//! Bearing capacity factors N_q, N_c and N_γ of a strip footing.
 
 use crate::earth_pressure::{Face, sokolovskii};
-use crate::error::{Answer, within};
+use crate::error::{ModelResult, within};
 use std::f64::consts::FRAC_PI_4;
 
-/// Least and largest friction angle of the algebraic factors [rad]: 0.1° and 55°.
+/// Range of the friction angle for the algebraic factors [rad]: 0.1° to 55°.
 const RANGE: (f64, f64) = (0.001_745, 0.959_932);
 
-fn friction(angle: f64) -> Answer<f64> {
+fn friction(angle: f64) -> ModelResult<f64> {
     within("friction angle [rad]", angle, RANGE.0, RANGE.1)
 }
 
@@ -17,7 +17,7 @@ fn friction(angle: f64) -> Answer<f64> {
 ///
 /// # Errors
 /// If φ is out of range.
-pub fn surcharge_factor(friction_angle: f64) -> Answer<f64> {
+pub fn surcharge_factor(friction_angle: f64) -> ModelResult<f64> {
     let phi = friction(friction_angle)?;
     Ok((std::f64::consts::PI * phi.tan()).exp() * (FRAC_PI_4 + 0.5 * phi).tan().powi(2))
 }
@@ -26,7 +26,7 @@ pub fn surcharge_factor(friction_angle: f64) -> Answer<f64> {
 ///
 /// # Errors
 /// If φ is out of range.
-pub fn cohesion_factor(friction_angle: f64) -> Answer<f64> {
+pub fn cohesion_factor(friction_angle: f64) -> ModelResult<f64> {
     Ok((surcharge_factor(friction_angle)? - 1.0) / friction_angle.tan())
 }
 
@@ -34,7 +34,7 @@ pub fn cohesion_factor(friction_angle: f64) -> Answer<f64> {
 ///
 /// # Errors
 /// If φ is out of range.
-pub fn weight_factor_meyerhof(friction_angle: f64) -> Answer<f64> {
+pub fn weight_factor_meyerhof(friction_angle: f64) -> ModelResult<f64> {
     Ok((surcharge_factor(friction_angle)? - 1.0) * (1.4 * friction_angle).tan())
 }
 
@@ -42,7 +42,7 @@ pub fn weight_factor_meyerhof(friction_angle: f64) -> Answer<f64> {
 ///
 /// # Errors
 /// If φ is out of range.
-pub fn weight_factor_hansen(friction_angle: f64) -> Answer<f64> {
+pub fn weight_factor_hansen(friction_angle: f64) -> ModelResult<f64> {
     Ok(1.5 * (surcharge_factor(friction_angle)? - 1.0) * friction_angle.tan())
 }
 
@@ -50,7 +50,7 @@ pub fn weight_factor_hansen(friction_angle: f64) -> Answer<f64> {
 ///
 /// # Errors
 /// If φ is out of range.
-pub fn weight_factor_vesic(friction_angle: f64) -> Answer<f64> {
+pub fn weight_factor_vesic(friction_angle: f64) -> ModelResult<f64> {
     Ok(2.0 * (surcharge_factor(friction_angle)? + 1.0) * friction_angle.tan())
 }
 
@@ -59,7 +59,7 @@ pub fn weight_factor_vesic(friction_angle: f64) -> Answer<f64> {
 ///
 /// # Errors
 /// If φ is out of range.
-pub fn weight_factor_lyamin(friction_angle: f64) -> Answer<f64> {
+pub fn weight_factor_lyamin(friction_angle: f64) -> ModelResult<f64> {
     Ok((surcharge_factor(friction_angle)? - 1.0) * (1.32 * friction_angle).tan())
 }
 
@@ -69,12 +69,12 @@ pub fn weight_factor_lyamin(friction_angle: f64) -> Answer<f64> {
 ///
 /// # Errors
 /// If φ is out of range.
-pub fn weight_factor_exact_smooth(friction_angle: f64) -> Answer<f64> {
+pub fn weight_factor_exact_smooth(friction_angle: f64) -> ModelResult<f64> {
     let face = Face { friction_angle, wall_friction: 0.0, surface: 0.0, backfill: 0.0 };
     Ok(0.5 * sokolovskii(&face)?.coefficient)
 }
 
-/// Martin's N_γ of a rough strip at 5°, 10° … 50°.
+/// Martin's N_γ of a rough strip at φ = 5°, 10° … 50°.
 const MARTIN_ROUGH: [f64; 10] = [0.1134, 0.4332, 1.181, 2.839, 6.491, 14.75, 34.48, 85.57, 234.2, 742.9];
 
 /// Weight factor N_γ of a rough strip: Martin's exact values, ln N_γ interpolated by cubics in φ.
@@ -83,12 +83,12 @@ const MARTIN_ROUGH: [f64; 10] = [0.1134, 0.4332, 1.181, 2.839, 6.491, 14.75, 34.
 ///
 /// # Errors
 /// If φ is out of range.
-pub fn weight_factor_martin_rough(friction_angle: f64) -> Answer<f64> {
+pub fn weight_factor_martin_rough(friction_angle: f64) -> ModelResult<f64> {
     let phi = within("friction angle [rad]", friction_angle, 5_f64.to_radians(), 50_f64.to_radians())?;
-    let place = (phi.to_degrees() / 5.0 - 1.0).clamp(0.0, 9.0);
-    let first = (place.floor() as usize).saturating_sub(1).min(6);
-    let x = place - first as f64;
-    // Lagrange's cubic through the four nearest values.
+    let position = (phi.to_degrees() / 5.0 - 1.0).clamp(0.0, 9.0);
+    let first = (position.floor() as usize).saturating_sub(1).min(6);
+    let x = position - first as f64;
+    // Cubic Lagrange interpolation through the four nearest values.
     let log = (0..4).map(|i| {
         let others = (0..4).filter(|j| *j != i);
         let weight: f64 = others.map(|j| (x - j as f64) / (i as f64 - j as f64)).product();

@@ -1,6 +1,6 @@
-//! Narrow blades: the recognised three-dimensional rivals on the steep part of a face.
+//! Soil-cutting models of narrow blades, in three dimensions.
 //!
-//! None of them exists for a face that overhangs the soil (the front of a disc): their rake ends at 90°.
+//! None of them covers a face that overhangs the soil (the front of a disc): their rake is at most 90°.
 
 mod godwin_spoor;
 mod hansen;
@@ -10,40 +10,40 @@ pub use godwin_spoor::{effective_width, godwin_spoor};
 pub use hansen::hansen_end_factor;
 pub use mckyes_ali::{CuttingFactors, mckyes_ali, mckyes_ali_factors};
 
-use crate::error::{Answer, positive, within};
+use crate::error::{ModelResult, positive, within};
 use crate::soil::Soil;
 use std::f64::consts::FRAC_PI_2;
 
-/// A flat blade that cuts soil.
+/// A flat blade cutting soil.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Blade {
     /// Width w across the tow [m].
     pub width: f64,
     /// Working depth [m].
     pub depth: f64,
-    /// Rake: angle of the blade to the horizontal, forwards [rad]; 90° is upright, less undercuts the soil.
+    /// Rake angle of the blade to the horizontal, forwards [rad]: 90° is upright, less undercuts the soil.
     pub rake: f64,
     /// Surcharge on the ground q [Pa].
     pub surcharge: f64,
 }
 
-/// Force on a blade.
+/// Soil reaction on a blade.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CuttingForce {
     /// Draught H [N].
     pub drag: f64,
     /// Vertical force [N]; positive when the soil pushes the blade up.
     pub vertical: f64,
-    /// How far before the blade the ground breaks [m].
+    /// Rupture distance: from the blade to where the slip surface reaches the ground surface [m].
     pub reach: f64,
 }
 
 impl Blade {
-    /// Refuses a blade that these models cannot take.
+    /// Checks that the blade lies in the range of the models.
     ///
     /// # Errors
     /// Unless w > 0, depth > 0, 10° ≤ rake ≤ 90° and q ≥ 0.
-    pub fn check(&self) -> Answer<()> {
+    pub fn check(&self) -> ModelResult<()> {
         positive("blade width [m]", self.width)?;
         positive("blade depth [m]", self.depth)?;
         within("blade rake [rad]", self.rake, 10_f64.to_radians(), FRAC_PI_2)?;
@@ -54,5 +54,5 @@ impl Blade {
 
 /// The wall friction δ of a soil on a blade [rad].
 fn wall_friction(soil: &Soil) -> f64 {
-    soil.shared_friction().atan()
+    soil.interface_friction().atan()
 }

@@ -2,22 +2,23 @@
 
 use super::{Disc, DiscForces, Mechanism, Model, Setting, disc_forces};
 use crate::earth_pressure::Face;
-use crate::error::{Answer, Refusal, within};
+use crate::error::{ModelError, ModelResult, within};
 
-/// Equal discs side by side, at one sinkage.
+/// Equal discs side by side at the same sinkage.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Assembly {
     /// Number of discs n.
     pub count: u32,
-    /// Distance between the middles of neighbours s [m], at least the thickness.
+    /// Centre-to-centre spacing s [m], at least the thickness.
     pub spacing: f64,
 }
 
 /// Forces on the whole assembly [N]; angles and mechanism are those of one disc.
 ///
-/// Group rule, an assumption of this project: touching discs (s = t) act as one disc of the thickness n t; discs whose
-/// gap exceeds twice the reach r_f of the failure act alone; in between the two are mixed in proportion to the gap,
-/// F = (1 − w) n F(t) + w F(n t), w = 1 − (s − t)/(2 r_f). Both ends are exact for the model; the middle is not tested.
+/// Group rule, an assumption of this project: touching discs (s = t) act as one disc of thickness n t; discs whose gap
+/// exceeds twice the rupture distance r_f act independently; in between the forces are interpolated linearly in the gap,
+/// F = (1 − w) n F(t) + w F(n t), w = 1 − (s − t)/(2 r_f). Both limits are exact for the model; the interpolation has
+/// not been validated.
 ///
 /// # Errors
 /// Unless 1 ≤ n ≤ 1000 and s ≥ t, and as [`disc_forces`].
@@ -26,23 +27,23 @@ pub fn assembly_forces(
     setting: &Setting<'_>,
     assembly: &Assembly,
     sinkage: f64,
-) -> Answer<DiscForces> {
+) -> ModelResult<DiscForces> {
     let count = within("number of discs", f64::from(assembly.count), 1.0, 1000.0)?;
     let thickness = setting.disc.thickness;
     let gap = within("disc spacing [m]", assembly.spacing, thickness, f64::MAX)? - thickness;
-    let alone = disc_forces(model, setting, sinkage)?;
-    let independent = 2.0 * reach(setting, sinkage)?;
+    let single = disc_forces(model, setting, sinkage)?;
+    let independent = 2.0 * rupture_distance(setting, sinkage)?;
     let wide = Disc { thickness: count * thickness, ..setting.disc };
-    let share = (1.0 - gap / independent).max(0.0);
-    if share == 0.0 || assembly.count == 1 {
-        return Ok(scaled(&alone, count));
+    let weight = (1.0 - gap / independent).max(0.0);
+    if weight == 0.0 || assembly.count == 1 {
+        return Ok(scaled(&single, count));
     }
     let together = disc_forces(model, &Setting { disc: wide, ..*setting }, sinkage)?;
-    Ok(mixed(&scaled(&alone, count), &together, share))
+    Ok(interpolated(&scaled(&single, count), &together, weight))
 }
 
-/// How far before the disc the ground breaks [m]: the reach of the exact field without wall friction.
-fn reach(setting: &Setting<'_>, sinkage: f64) -> Answer<f64> {
+/// Rupture distance before the disc [m]: that of the exact field without wall friction.
+fn rupture_distance(setting: &Setting<'_>, sinkage: f64) -> ModelResult<f64> {
     let contact = setting.disc.contact(sinkage, 0.0)?;
     let face = Face {
         friction_angle: setting.soil.friction_angle,
@@ -65,29 +66,31 @@ fn scaled(one: &DiscForces, count: f64) -> DiscForces {
     }
 }
 
-fn mixed(apart: &DiscForces, together: &DiscForces, share: f64) -> DiscForces {
-    let mix = |a: f64, b: f64| (1.0 - share) * a + share * b;
-    let sideways_share = mix(apart.sideways_share, together.sideways_share);
-    let (drag, vertical) = (mix(apart.drag, together.drag), mix(apart.vertical, together.vertical));
+/// Forces between those of independent discs and those of one wide disc, which has this weight.
+fn interpolated(independent: &DiscForces, together: &DiscForces, weight: f64) -> DiscForces {
+    let mix = |a: f64, b: f64| (1.0 - weight) * a + weight * b;
+    let sideways_fraction = mix(independent.sideways_fraction, together.sideways_fraction);
+    let (drag, vertical) =
+        (mix(independent.drag, together.drag), mix(independent.vertical, together.vertical));
     DiscForces {
         drag,
         vertical,
-        normal: mix(apart.normal, together.normal),
-        friction: mix(apart.friction, together.friction),
-        rim_torque: mix(apart.rim_torque, together.rim_torque),
+        normal: mix(independent.normal, together.normal),
+        friction: mix(independent.friction, together.friction),
+        rim_torque: mix(independent.rim_torque, together.rim_torque),
         force_inclination: drag.atan2(vertical),
-        sideways_share,
-        mechanism: Mechanism::of_share(sideways_share),
-        ..if share < 0.5 { *apart } else { *together }
+        sideways_fraction,
+        mechanism: Mechanism::governing(sideways_fraction),
+        ..if weight < 0.5 { *independent } else { *together }
     }
 }
 
 impl Assembly {
-    /// The sinkage-independent part of the rule's range, for a message before anything runs.
+    /// Checks count and spacing, which do not depend on the sinkage.
     ///
     /// # Errors
     /// Unless 1 ≤ n ≤ 1000 and s ≥ t.
-    pub fn check(&self, disc: &Disc) -> Result<(), Refusal> {
+    pub fn check(&self, disc: &Disc) -> Result<(), ModelError> {
         within("number of discs", f64::from(self.count), 1.0, 1000.0)?;
         within("disc spacing [m]", self.spacing, disc.thickness, f64::MAX)?;
         Ok(())

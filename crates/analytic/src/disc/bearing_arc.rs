@@ -1,21 +1,21 @@
-//! Model BC: bearing capacity along the arc; the soil escapes sideways from under the disc.
+//! Model BC: bearing capacity along the contact arc, for soil that fails sideways from under the disc.
 
 use super::{Contact, Disc, RimPressure};
 use crate::bearing::{
     Footing, Method, cohesion_factor, corrections, surcharge_factor, weight_factor_hansen,
     weight_factor_lyamin, weight_factor_meyerhof,
 };
-use crate::error::Answer;
+use crate::error::ModelResult;
 use crate::soil::Soil;
 
-/// Pressure on the rim when every part of the arc is a strip of the disc's thickness at its own depth.
+/// Pressure on the rim if every element of the arc is a strip footing of the disc's thickness at its own depth.
 ///
 /// σ(θ) = ½ γ B′ N_γ* + c N_c* + γ N_q* h(θ), B′ = min(t, L), N* = N s d i at the mean depth z/2 with sides min(t, L)
 /// and max(t, L) and the load inclined by atan |μ_m|. Without friction and cohesion, dimensionless:
 /// F̄_H = ½ min(t̄, √Z) N_γ* Z + ½ N_q* Z², F̄_V = ½ min(t̄, √Z) N_γ* √(Z(1−Z)) + (N_q*/8)(θ_f − sin θ_f cos θ_f).
 /// Source: derived for this project after the structure of Hambleton & Drescher (2009), J. Terramech. 46, 35–47, with
-/// Meyerhof's (1963) factors; our guess of its error is 30 to 50 % on force at a given friction angle. Valid for the
-/// friction angles of the factors, 0 < z ≤ 0.95 d.
+/// Meyerhof's (1963) factors; estimated error 30 to 50 % of the force at a given friction angle. Valid for the friction
+/// angles of the factors and 0 < z ≤ 0.95 d.
 ///
 /// # Errors
 /// If the soil is outside the range of the factors.
@@ -25,7 +25,7 @@ pub fn bearing_arc(
     contact: &Contact,
     mobilised_friction: f64,
     method: Method,
-) -> Answer<RimPressure> {
+) -> ModelResult<RimPressure> {
     let phi = soil.friction_angle;
     let (width, length) = (disc.thickness.min(contact.chord), disc.thickness.max(contact.chord));
     let load_inclination = mobilised_friction.abs().atan();

@@ -1,38 +1,39 @@
-//! What holds or turns the axle.
+//! Torque or slip prescribed at the axle.
 
-use crate::error::{Answer, not_negative, within};
+use crate::error::{ModelResult, non_negative, within};
 
-/// Slip at a turn ratio of 3, beyond which nothing here was ever compared with a measurement.
-pub(crate) const MOST_SLIP: f64 = 1.0 - 1.0 / 3.0;
+/// Slip at a turn ratio of 3; the models have not been compared with measurements beyond it.
+pub(crate) const MAX_SLIP: f64 = 1.0 - 1.0 / 3.0;
 
-/// What happens at the axle.
+/// How the axle is driven.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Drive {
-    /// Free to turn: no torque about the axle.
+    /// Free to rotate: no torque about the axle.
     #[default]
     Free,
-    /// Cannot turn: the rim slides with all its friction.
+    /// Locked: the rim slides with fully mobilised friction.
     Locked,
-    /// A brake or a stiff bearing resists forward rolling with this torque [N m]; it locks the disc if it can.
+    /// A brake or a stiff bearing resists forward rolling with this torque [N m]; it locks the disc where friction does not
+    /// overcome it.
     Braked(f64),
-    /// An engine turns it forwards with this torque [N m]; it spins if the soil cannot hold it.
+    /// A motor drives it forwards with this torque [N m]; the disc spins where friction does not balance it.
     Driven(f64),
-    /// Turned at a given [`crate::slip`]: −1 is locked, 0 rolls, above 0 it is driven.
+    /// Rotation at a given [`crate::slip`]: −1 is locked, 0 free rolling, above 0 driven.
     Slip(f64),
 }
 
 impl Drive {
-    /// Refuses a torque below zero and a slip outside −1 to 2/3, where the rim turns three times as fast as it rolls.
+    /// Checks the torque or the slip.
     ///
     /// # Errors
-    /// As said.
-    pub fn check(&self) -> Answer<()> {
+    /// If the torque is negative or the slip is not within −1 to 2/3 (the turn ratio 3).
+    pub fn check(&self) -> ModelResult<()> {
         match *self {
             Self::Free | Self::Locked => Ok(()),
             Self::Braked(torque) | Self::Driven(torque) => {
-                not_negative("axle torque [N m]", torque).map(|_| ())
+                non_negative("axle torque [N m]", torque).map(|_| ())
             }
-            Self::Slip(slip) => within("slip", slip, -1.0, MOST_SLIP).map(|_| ()),
+            Self::Slip(slip) => within("slip", slip, -1.0, MAX_SLIP).map(|_| ()),
         }
     }
 }

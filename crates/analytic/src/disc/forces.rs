@@ -1,34 +1,34 @@
-//! Drag and lift of a disc at a given sinkage.
+//! Drag and vertical force of a disc at a given sinkage.
 
-use super::transition::share_angle;
+use super::transition::angle_at_fraction;
 use super::{
-    Contact, Disc, Drive, Passive, Reaction, RimLoad, bearing_arc, heap_height, slip_from_transition,
-    transition_from_slip, wedge,
+    Contact, Disc, Drive, Ends, Passive, Reaction, RimLoad, WedgeFace, bearing_arc, bow_wave_height,
+    slip_from_transition, transition_from_slip, wedge,
 };
 use crate::bearing::Method;
-use crate::error::{Answer, within};
+use crate::error::{ModelResult, within};
 use crate::numeric::root;
 use crate::soil::Soil;
 
-/// Which closed form gives the pressure on the rim.
+/// Closed form of the pressure on the rim.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Model {
-    /// BC: the soil escapes sideways; narrow discs.
+    /// BC: the soil fails sideways; narrow discs.
     Bearing,
-    /// PW: the soil fails forwards, with crescents at the ends; wide discs.
+    /// PW: the soil fails forwards, with side crescents; wide discs.
     Wedge,
-    /// PW without ends: a disc as wide as the ground.
+    /// PW in plane strain: without end effects.
     PlaneStrain,
-    /// At every place of the rim the smaller pressure of BC and PW: the soil takes the weaker way out there.
+    /// The governing mechanism at every point of the rim: the lower of the pressures of BC and PW.
     ///
-    /// Near the surface that is mostly forwards, deeper under a thin disc sideways. The exact field of PW makes this
-    /// possible: it grows from the free surface, and the pressure at a place does not depend on what happens deeper.
-    /// Forces are never above those of either model and change continuously with everything.
+    /// Near the surface the soil mostly fails forwards, deeper under a thin disc sideways. The pointwise minimum is
+    /// justified by the exact field of PW, which develops from the free surface: the pressure at a point does not depend on
+    /// what happens deeper. The forces never exceed those of either model and are continuous in all parameters.
     #[default]
-    Weaker,
+    Governing,
 }
 
-/// How the soil fails.
+/// Failure mechanism of the soil.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mechanism {
     /// Sideways from under the disc.
@@ -38,37 +38,37 @@ pub enum Mechanism {
 }
 
 impl Mechanism {
-    /// The one under more than half of the thrust, from the share under which the soil escapes sideways.
-    pub(super) fn of_share(sideways: f64) -> Self {
+    /// The mechanism of more than half of the thrust, from the fraction under which the soil fails sideways.
+    pub(super) fn governing(sideways: f64) -> Self {
         if sideways > 0.5 { Self::Sideways } else { Self::Forwards }
     }
 }
 
-/// Everything but the sinkage.
+/// A disc in its soil: all parameters but the sinkage.
 #[derive(Clone, Copy, Debug)]
 pub struct Setting<'a> {
-    /// The soil; its friction angle is used as it is (see [`Soil::operative`]).
+    /// The soil; its friction angle is used as given (see [`Soil::operative`]).
     pub soil: Soil,
     /// The disc.
     pub disc: Disc,
-    /// What happens at the axle.
+    /// How the axle is driven.
     pub drive: Drive,
-    /// Fraction χ of the soil swept aside that heaps up before the disc, 0 to 1 (see [`heap_height`]).
-    pub heap_fraction: f64,
-    /// Rise β of the ground before the disc [rad]; only the wedge knows it.
+    /// Fraction χ of the displaced soil that stands as a bow wave before the disc, 0 to 1 (see [`bow_wave_height`]).
+    pub bow_wave_fraction: f64,
+    /// Slope β of the ground before the disc [rad], rising forwards; used by the wedge only.
     pub backfill: f64,
     /// Correction factors of the bearing model.
     pub method: Method,
-    /// Source of the passive coefficient.
+    /// How the passive coefficient is evaluated.
     pub passive: Passive<'a>,
 }
 
 impl Setting<'_> {
-    /// A disc on level ground without heap, Meyerhof's factors, the field solved each time.
+    /// A disc on level ground without a bow wave, with Meyerhof's factors and the passive field solved for each face.
     #[must_use]
     pub fn new(soil: Soil, disc: Disc, drive: Drive) -> Self {
         let (method, passive) = (Method::default(), Passive::default());
-        Self { soil, disc, drive, heap_fraction: 0.0, backfill: 0.0, method, passive }
+        Self { soil, disc, drive, bow_wave_fraction: 0.0, backfill: 0.0, method, passive }
     }
 }
 
@@ -81,9 +81,9 @@ pub struct DiscForces {
     pub vertical: f64,
     /// Normal thrust P_n on the rim [N].
     pub normal: f64,
-    /// Net friction on the rim F_f = μ_m P_n [N]; positive against the tow.
+    /// Net friction force on the rim F_f = μ_m P_n [N]; positive against the tow.
     pub friction: f64,
-    /// Torque of that friction about the axle [N m]; positive when it turns the disc forwards.
+    /// Torque of that friction about the axle [N m]; positive when it rotates the disc forwards.
     pub rim_torque: f64,
     /// Mobilised friction μ_m: 0 free, μ locked, negative driven.
     pub mobilised_friction: f64,
@@ -93,87 +93,94 @@ pub struct DiscForces {
     pub force_inclination: f64,
     /// Angle θ₀ at which the friction on the rim changes sign [rad].
     pub transition_angle: f64,
-    /// The [`crate::slip`] that goes with θ₀: −1 locked.
+    /// The [`crate::slip`] corresponding to θ₀: −1 locked.
     pub slip: f64,
-    /// How the soil fails under more than half of the thrust.
+    /// Failure mechanism under more than half of the thrust.
     pub mechanism: Mechanism,
-    /// Share of the thrust under which it escapes sideways, 0 to 1.
-    pub sideways_share: f64,
+    /// Fraction of the thrust under which the soil fails sideways, 0 to 1.
+    pub sideways_fraction: f64,
 }
 
 /// Forces on the disc at sinkage z [m].
 ///
-/// F_H = H + μ_m V, F_V = V − μ_m H, with V and H the sums of the normal pressure and μ_m the mobilised friction: 0 for
-/// a free disc, μ for a locked one, M/(R P_n) under an axle torque M (μ at most: then the disc slides), and at a given
+/// F_H = H + μ_m V, F_V = V − μ_m H, with V and H the resultants of the normal pressure and μ_m the mobilised friction: 0 for
+/// a free disc, μ for a locked one, M/(R P_n) under an axle torque M (at most μ, where the disc slides), and at a given
 /// slip the balance of the two friction zones. μ is never more than tan φ.
 /// Source: derived for this project; models BC ([`bearing_arc`]) and PW ([`wedge`]).
 ///
 /// # Errors
-/// If an input is out of range or the model has no answer there.
-pub fn disc_forces(model: Model, setting: &Setting<'_>, sinkage: f64) -> Answer<DiscForces> {
+/// If an input is out of range or the model has no result there.
+pub fn disc_forces(model: Model, setting: &Setting<'_>, sinkage: f64) -> ModelResult<DiscForces> {
     let (rim, friction) = loaded_rim(model, setting, sinkage)?;
     Ok(assemble(model, setting, &rim, friction))
 }
 
-/// The vertical force of [`disc_forces`] alone [N], for a search over the sinkage.
+/// The vertical force of [`disc_forces`] alone [N], for searches over the sinkage.
 ///
 /// # Errors
 /// As [`disc_forces`].
-pub fn vertical_force(model: Model, setting: &Setting<'_>, sinkage: f64) -> Answer<f64> {
+pub fn vertical_force(model: Model, setting: &Setting<'_>, sinkage: f64) -> ModelResult<f64> {
     let (rim, friction) = loaded_rim(model, setting, sinkage)?;
     let Reaction { vertical, horizontal, .. } = rim.reaction();
     Ok(vertical - friction * horizontal)
 }
 
-/// The pressure on the rim and the friction μ_m that goes with it.
-fn loaded_rim(model: Model, setting: &Setting<'_>, sinkage: f64) -> Answer<(RimLoad, f64)> {
+/// The pressure on the rim and the mobilised friction μ_m.
+fn loaded_rim(model: Model, setting: &Setting<'_>, sinkage: f64) -> ModelResult<(RimLoad, f64)> {
     setting.soil.check()?;
     setting.drive.check()?;
-    within("heap fraction", setting.heap_fraction, 0.0, 1.0)?;
-    let heap =
-        heap_height(setting.heap_fraction, setting.disc.thickness, sinkage, setting.soil.friction_angle);
-    let contact = setting.disc.contact(sinkage, heap)?;
+    within("bow wave fraction", setting.bow_wave_fraction, 0.0, 1.0)?;
+    let bow_wave = bow_wave_height(
+        setting.bow_wave_fraction,
+        setting.disc.thickness,
+        sinkage,
+        setting.soil.friction_angle,
+    );
+    let contact = setting.disc.contact(sinkage, bow_wave)?;
     let pressure = |friction: f64| rim(model, setting, &contact, friction);
     let friction = mobilised(setting, &pressure)?;
     Ok((pressure(friction)?, friction))
 }
 
-fn rim(model: Model, setting: &Setting<'_>, contact: &Contact, friction: f64) -> Answer<RimLoad> {
+fn rim(model: Model, setting: &Setting<'_>, contact: &Contact, friction: f64) -> ModelResult<RimLoad> {
     let (soil, disc) = (&setting.soil, &setting.disc);
     let sideways = || bearing_arc(soil, disc, contact, friction, setting.method);
-    let forwards = |ends| wedge(soil, disc, contact, friction, setting.backfill, ends, setting.passive);
+    let forwards = |ends| {
+        let face = WedgeFace { backfill: setting.backfill, ends, passive: setting.passive };
+        wedge(soil, disc, contact, friction, &face)
+    };
     Ok(match model {
         Model::Bearing => sideways()?.into(),
-        Model::Wedge => forwards(true)?.into(),
-        Model::PlaneStrain => forwards(false)?.into(),
-        Model::Weaker => match (sideways()?, forwards(true)) {
-            (sideways, Ok(forwards)) => RimLoad::weaker(sideways, forwards),
-            // Where the wedge has no field (a locked disc on a steep chord) the soil still has the other way out.
+        Model::Wedge => forwards(Ends::Crescents)?.into(),
+        Model::PlaneStrain => forwards(Ends::PlaneStrain)?.into(),
+        Model::Governing => match (sideways()?, forwards(Ends::Crescents)) {
+            (sideways, Ok(forwards)) => RimLoad::lower_envelope(sideways, forwards),
+            // Where no wedge exists (a locked disc with a steep chord) the soil can still fail sideways.
             (sideways, Err(_)) => sideways.into(),
         },
     })
 }
 
 /// The friction μ_m that the drive mobilises.
-fn mobilised(setting: &Setting<'_>, pressure: &impl Fn(f64) -> Answer<RimLoad>) -> Answer<f64> {
-    let most = setting.soil.shared_friction();
+fn mobilised(setting: &Setting<'_>, pressure: &impl Fn(f64) -> ModelResult<RimLoad>) -> ModelResult<f64> {
+    let most = setting.soil.interface_friction();
     match setting.drive {
         Drive::Free => Ok(0.0),
         Drive::Locked => Ok(most),
         Drive::Braked(torque) => Ok(balance(torque, most, 1.0, pressure)),
         Drive::Driven(torque) => Ok(balance(torque, most, -1.0, pressure)),
         Drive::Slip(slip) => {
-            // The pressure depends on μ_m only weakly, and only its shape counts here: one pass is enough.
+            // Only the shape of the pressure matters here, and it depends weakly on μ_m: one pass is enough.
             let rim = pressure(0.0)?;
-            let turn = transition_from_slip(slip, setting.soil.friction_angle, rim.angle());
-            let share = rim.thrust(0.0, turn) / rim.thrust(0.0, rim.angle());
-            Ok(most * (2.0 * share - 1.0))
+            let transition = transition_from_slip(slip, setting.soil.friction_angle, rim.angle());
+            let behind = rim.thrust(0.0, transition) / rim.thrust(0.0, rim.angle());
+            Ok(most * (2.0 * behind - 1.0))
         }
     }
 }
 
-/// The least |μ_m| whose friction holds the axle torque, or all of `most` where none does: the disc slides.
-fn balance(torque: f64, most: f64, sign: f64, pressure: &impl Fn(f64) -> Answer<RimLoad>) -> f64 {
+/// The least |μ_m| whose friction balances the axle torque, or `most` where none does and the disc slides.
+fn balance(torque: f64, most: f64, sign: f64, pressure: &impl Fn(f64) -> ModelResult<RimLoad>) -> f64 {
     let surplus = |friction: f64| match pressure(sign * friction) {
         Ok(rim) => friction * rim.reaction().normal * rim.radius() - torque,
         Err(_) => f64::NAN,
@@ -196,16 +203,16 @@ fn assemble(model: Model, setting: &Setting<'_>, rim: &RimLoad, friction: f64) -
     let transition_angle = match setting.drive {
         Drive::Locked => rim.angle(),
         Drive::Slip(slip) => transition_from_slip(slip, phi, rim.angle()),
-        _ if friction == 0.0 => share_angle(rim, 0.5),
-        _ => share_angle(rim, 0.5 * (1.0 + friction / setting.soil.shared_friction())),
+        _ if friction == 0.0 => angle_at_fraction(rim, 0.5),
+        _ => angle_at_fraction(rim, 0.5 * (1.0 + friction / setting.soil.interface_friction())),
     };
     let slip = match setting.drive {
         Drive::Slip(slip) => slip,
-        _ if friction > 0.0 && friction >= setting.soil.shared_friction() => -1.0,
+        _ if friction > 0.0 && friction >= setting.soil.interface_friction() => -1.0,
         _ => slip_from_transition(transition_angle, phi),
     };
-    let sideways_share = match model {
-        Model::Bearing | Model::Weaker => rim.share_of_first(),
+    let sideways_fraction = match model {
+        Model::Bearing | Model::Governing => rim.fraction_of_first(),
         Model::Wedge | Model::PlaneStrain => 0.0,
     };
     DiscForces {
@@ -219,7 +226,7 @@ fn assemble(model: Model, setting: &Setting<'_>, rim: &RimLoad, friction: f64) -
         force_inclination: drag.atan2(lift),
         transition_angle,
         slip,
-        mechanism: Mechanism::of_share(sideways_share),
-        sideways_share,
+        mechanism: Mechanism::governing(sideways_fraction),
+        sideways_fraction,
     }
 }

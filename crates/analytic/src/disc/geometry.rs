@@ -1,8 +1,8 @@
-//! The disc and the arc of it that touches the soil.
+//! The disc and its contact arc.
 
-use crate::error::{Answer, none, positive, within};
+use crate::error::{ModelResult, positive, undefined, within};
 
-/// A flat cylinder with its axle across the tow.
+/// A flat cylinder with its axle perpendicular to the tow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Disc {
     /// Diameter d [m].
@@ -11,50 +11,51 @@ pub struct Disc {
     pub thickness: f64,
 }
 
-/// The arc of a disc's rim that touches the soil in front of the axle, and its chord.
+/// The arc of a disc's rim in contact with the soil in front of the axle, and its chord.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
-    /// Depth of the lowest point below the ground (or heap) at the leading contact z [m].
+    /// Depth z of the lowest point below the ground (or bow wave) at the leading contact point [m].
     pub depth: f64,
     /// Contact angle θ_f [rad]: cos θ_f = 1 − 2z/d.
     pub angle: f64,
-    /// Chord from the lowest point to the leading contact L = √(z d) [m].
+    /// Chord from the lowest point to the leading contact point L = √(z d) [m].
     pub chord: f64,
     /// Inclination of the chord to the horizontal α = θ_f/2 [rad]: sin²α = z/d.
     pub inclination: f64,
 }
 
 impl Disc {
-    /// Refuses a disc without size.
+    /// Checks the dimensions.
     ///
     /// # Errors
     /// Unless d > 0 and t > 0.
-    pub fn check(&self) -> Answer<()> {
+    pub fn check(&self) -> ModelResult<()> {
         positive("disc diameter [m]", self.diameter)?;
         positive("disc thickness [m]", self.thickness)?;
         Ok(())
     }
 
-    /// The contact arc at sinkage z [m], 0 < z ≤ 0.95 d, in ground that has heaped up by `heap` [m] at the contact.
+    /// The contact arc at sinkage z [m], 0 < z ≤ 0.95 d, with a bow wave of height `bow_wave` [m] at the leading contact
+    /// point.
     ///
     /// # Errors
-    /// If the disc has no size, or sinkage and heap bury it deeper than that.
-    pub fn contact(&self, sinkage: f64, heap: f64) -> Answer<Contact> {
+    /// If a dimension is not positive, or sinkage and bow wave together exceed that depth.
+    pub fn contact(&self, sinkage: f64, bow_wave: f64) -> ModelResult<Contact> {
         self.check()?;
         let depth = within("sinkage [m]", sinkage, f64::MIN_POSITIVE, 0.95 * self.diameter)?
-            + within("heap height [m]", heap, 0.0, self.diameter)?;
+            + within("bow wave height [m]", bow_wave, 0.0, self.diameter)?;
         let relative = depth / self.diameter;
         if !(relative > 0.0 && relative <= 0.95 + 1e-9) {
-            return none(
+            return undefined(
                 "the contact arc",
-                "sinkage and heap together bury the disc deeper than 0.95 of its diameter",
+                "sinkage and bow wave together are deeper than 0.95 of the diameter",
             );
         }
         let inclination = relative.sqrt().asin();
         Ok(Contact { depth, angle: 2.0 * inclination, chord: (depth * self.diameter).sqrt(), inclination })
     }
 
-    /// The force that makes every force of this disc dimensionless: γ t d² [N].
+    /// Force scale γ t d² [N] of dimensionless forces, for the unit weight γ [N/m³].
     #[must_use]
     pub fn force_scale(&self, unit_weight: f64) -> f64 {
         unit_weight * self.thickness * self.diameter * self.diameter

@@ -1,7 +1,7 @@
 //! Friction on the two flat faces of a disc.
 
 use super::{Disc, Drive};
-use crate::error::{Answer, within};
+use crate::error::{ModelResult, within};
 use crate::motion::turn_ratio;
 use crate::numeric::gauss_points;
 use crate::soil::Soil;
@@ -13,26 +13,26 @@ pub struct SideFaces {
     pub drag: f64,
     /// Vertical force [N].
     pub vertical: f64,
-    /// Torque about the axle [N m]; positive when it turns the disc forwards.
+    /// Torque about the axle [N m]; positive when it rotates the disc forwards.
     pub torque: f64,
 }
 
-/// Friction on the whole embedded segment of both faces at sinkage z [m] and turning ratio ωr/v (1 rolls, 0 is locked).
+/// Friction on the embedded segments of both faces at sinkage z [m] and rate ratio ωr/v (1 free rolling, 0 locked).
 ///
-/// F = −2 μ K_s γ ∬ h v/|v| dA, v = (V + ω y, −ω x), h the depth, K_s the ratio of lateral to vertical stress (0.5 if
-/// nothing better is known). Source: derived for this project. Next to the rim forces it is negligible unless t < 0.05 d.
+/// F = −2 μ K_s γ ∬ h v/|v| dA, v = (V + ω y, −ω x), h the depth, K_s the ratio of lateral to vertical stress (0.5
+/// without better knowledge). Source: derived for this project. Negligible beside the rim forces unless t < 0.05 d.
 ///
 /// # Errors
-/// If the disc, the sinkage (0 < z ≤ 0.95 d), the lateral ratio (0 to 5) or the turning ratio (−1 to 3) is out of range.
+/// If the disc, the sinkage (0 < z ≤ 0.95 d), the stress ratio (0 to 5) or the rate ratio (−1 to 3) is out of range.
 pub fn side_faces(
     soil: &Soil,
     disc: &Disc,
     sinkage: f64,
-    turning_ratio: f64,
+    turn_ratio: f64,
     lateral: f64,
-) -> Answer<SideFaces> {
+) -> ModelResult<SideFaces> {
     disc.contact(sinkage, 0.0)?;
-    let turn = within("turning ratio", turning_ratio, -1.0, 3.0)? * 2.0 / disc.diameter;
+    let rate = within("rate ratio", turn_ratio, -1.0, 3.0)? * 2.0 / disc.diameter;
     let scale =
         2.0 * soil.body_friction * within("lateral stress ratio", lateral, 0.0, 5.0)? * soil.unit_weight;
     let radius = 0.5 * disc.diameter;
@@ -41,7 +41,7 @@ pub fn side_faces(
     for (y, height) in gauss_points(-radius, top) {
         let half = (radius * radius - y * y).max(0.0).sqrt();
         for (x, width) in gauss_points(-half, half) {
-            let velocity = (1.0 + turn * y, -turn * x);
+            let velocity = (1.0 + rate * y, -rate * x);
             let speed = velocity.0.hypot(velocity.1);
             if speed < 1e-12 {
                 continue;
@@ -49,7 +49,7 @@ pub fn side_faces(
             let force = scale * (top - y) * height * width / speed;
             sum.drag += force * velocity.0;
             sum.vertical -= force * velocity.1;
-            // Forward rolling turns clockwise: torque = z F_x − x F_z with the force against the velocity.
+            // Forward rolling is clockwise: torque = z F_x − x F_z with the force against the velocity.
             sum.torque += force * (x * velocity.1 - y * velocity.0);
         }
     }
@@ -57,9 +57,9 @@ pub fn side_faces(
 }
 
 impl Drive {
-    /// The turn ratio ωr/v of the drive, given the slip that a model found.
+    /// Turn ratio ωr/v of the disc, given the slip predicted by a model.
     #[must_use]
-    pub fn turning_ratio(&self, slip: f64) -> f64 {
+    pub fn turn_ratio(&self, slip: f64) -> f64 {
         match self {
             Self::Locked => 0.0,
             _ => turn_ratio(slip).clamp(0.0, 3.0),

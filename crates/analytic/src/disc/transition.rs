@@ -1,4 +1,4 @@
-//! Where the friction on the rim of a rolling disc changes sign.
+//! The transition angle: where the friction on the rim of a rolling disc changes sign.
 
 use super::RimLoad;
 use crate::motion::{slip, turn_ratio};
@@ -7,32 +7,33 @@ use std::f64::consts::FRAC_PI_4;
 
 /// Transition angle θ₀ [rad] of a disc without axle torque: the median of its pressure, ∫₀^θ₀ σ = ∫_θ₀^θ_f σ.
 ///
-/// Soil slides up the front of the rim and is overrun at the bottom; with friction fully mobilised on both sides the
-/// torques cancel there. Normal pressures pass through the axle and never turn a disc.
+/// Soil slides up the front of the rim and backwards under its bottom; with friction fully mobilised on both sides the
+/// torques of the two zones cancel for this θ₀. Normal pressures act through the axle and exert no torque.
 #[must_use]
 pub fn median_angle(rim: &RimLoad) -> f64 {
-    share_angle(rim, 0.5)
+    angle_at_fraction(rim, 0.5)
 }
 
-/// The angle behind which the fraction `share` of the normal thrust lies [rad].
-pub(super) fn share_angle(rim: &RimLoad, share: f64) -> f64 {
-    let wanted = share * rim.thrust(0.0, rim.angle());
-    let miss = |theta: f64| rim.thrust(0.0, theta) - wanted;
-    root(0.0, rim.angle(), 1e-12, miss).unwrap_or(if share > 0.5 { rim.angle() } else { 0.0 })
+/// The angle [rad] below which this fraction of the normal thrust acts.
+pub(super) fn angle_at_fraction(rim: &RimLoad, fraction: f64) -> f64 {
+    let target = fraction * rim.thrust(0.0, rim.angle());
+    let excess = |theta: f64| rim.thrust(0.0, theta) - target;
+    root(0.0, rim.angle(), 1e-12, excess).unwrap_or(if fraction > 0.5 { rim.angle() } else { 0.0 })
 }
 
 /// Slip s at which the friction changes sign at θ₀ [rad]: ωr/v = cos θ₀ − tan(45° − φ/2) sin θ₀.
 ///
-/// Source: Wong & Reece (1967), II; the transition from the kinematics of a towed wheel. Untested for a disc: no
-/// torque-free slip has been measured in the data known to us. Valid for a towed disc, −1 ≤ s ≤ 0.
+/// Source: Wong & Reece (1967), Part II, from the kinematics of a towed wheel. Not validated for a disc: no measured
+/// torque-free slip is known to us. Valid for a towed disc, −1 ≤ s ≤ 0.
 #[must_use]
 pub fn slip_from_transition(transition: f64, friction_angle: f64) -> f64 {
     slip(transition.cos() - (FRAC_PI_4 - 0.5 * friction_angle).tan() * transition.sin())
 }
 
-/// Transition angle θ₀ [rad] at slip s, the inverse of [`slip_from_transition`], kept within the contact 0 to `limit`.
+/// Transition angle θ₀ [rad] at slip s, the inverse of [`slip_from_transition`], limited to the contact arc 0 to `limit`
+/// [rad].
 ///
-/// A driven disc (s ≥ 0) has none: θ₀ = 0. A locked one (s = −1) has θ₀ = 45° + φ/2, usually beyond the contact.
+/// A driven disc (s ≥ 0) has no transition: θ₀ = 0. A locked one (s = −1) has θ₀ = 45° + φ/2, usually beyond the contact.
 #[must_use]
 pub fn transition_from_slip(slip: f64, friction_angle: f64, limit: f64) -> f64 {
     let tilt = FRAC_PI_4 - 0.5 * friction_angle;
@@ -40,13 +41,13 @@ pub fn transition_from_slip(slip: f64, friction_angle: f64, limit: f64) -> f64 {
     (cosine.acos() - tilt).clamp(0.0, limit)
 }
 
-/// What the two opposed friction zones of a free disc add to (drag, vertical force) [N], an upper bound.
+/// Contribution of the two opposed friction zones of a free disc to (drag, vertical force) [N]; an upper bound.
 ///
-/// ΔF_H = μ(∫₀^θ₀ σ cos θ − ∫_θ₀^θ_f σ cos θ), ΔF_V = μ(∫_θ₀^θ_f σ sin θ − ∫₀^θ₀ σ sin θ). A few per cent of the whole;
-/// the models leave it out.
+/// ΔF_H = μ(∫₀^θ₀ σ cos θ − ∫_θ₀^θ_f σ cos θ), ΔF_V = μ(∫_θ₀^θ_f σ sin θ − ∫₀^θ₀ σ sin θ). A few per cent of the total,
+/// which the models neglect.
 #[must_use]
-pub fn rolling_split(rim: &RimLoad, transition: f64, friction: f64) -> (f64, f64) {
-    let part = |f: fn(f64, f64) -> f64| (rim.sum(0.0, transition, f), rim.sum(transition, rim.angle(), f));
-    let (behind, ahead) = (part(|_, cos| cos), part(|sin, _| sin));
-    (friction * (behind.0 - behind.1), friction * (ahead.1 - ahead.0))
+pub fn opposed_friction_forces(rim: &RimLoad, transition: f64, friction: f64) -> (f64, f64) {
+    let zones = |f: fn(f64, f64) -> f64| (rim.sum(0.0, transition, f), rim.sum(transition, rim.angle(), f));
+    let (vertical, horizontal) = (zones(|_, cos| cos), zones(|sin, _| sin));
+    (friction * (vertical.0 - vertical.1), friction * (horizontal.1 - horizontal.0))
 }

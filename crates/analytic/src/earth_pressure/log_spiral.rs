@@ -1,51 +1,51 @@
-//! The rotating log-spiral block: an upper bound.
+//! Upper bound from a block rotating on a log-spiral slip surface.
 
 use super::Face;
-use crate::error::{Answer, none};
+use crate::error::{ModelResult, undefined};
 use crate::numeric::minimum;
 
-/// A point or vector of the plane, x into the soil and z up, lengths in units of the face length.
+/// A point or vector in the plane, x into the soil and z up, in units of the face length.
 type Vector = (f64, f64);
 
-/// Upper bound on K_n from one block that turns on a log-spiral slip surface from the toe to the ground.
+/// Upper bound on K_n from one block that rotates on a log-spiral slip surface from the toe to the ground.
 ///
-/// r = r_A e^{ω tan φ}; the reactions on such a spiral pass at φ to its normal, hence through its pole, so moments about
-/// the pole give the thrust (at two thirds of the face from its top edge) from the weight alone. The least thrust over
-/// the exit point and the swept angle is the answer; a straight slip surface is the limit of no sweep.
+/// r = r_A e^{ω tan φ}; the reactions on such a spiral act at φ to its normal, hence through its pole, so the moments
+/// about the pole give the thrust (at two thirds of the face from its top edge) from the weight alone. The bound is the
+/// minimum over the exit point and the swept angle; a plane slip surface is the limit of zero sweep.
 /// Source: Rendulic (1935), Terzaghi (1943), as a kinematic bound Chen (1975) (recalled, not re-read).
 /// Valid for 5° ≤ φ ≤ 55°, |δ| ≤ φ, 10° ≤ α ≤ 90°, β ≤ α − 5°.
 ///
 /// # Errors
 /// Outside that range, or if the angles are not physical.
-pub fn log_spiral(face: &Face) -> Answer<f64> {
+pub fn log_spiral(face: &Face) -> ModelResult<f64> {
     face.check()?;
     let degrees = face.friction_angle.to_degrees();
     if !(5.0..=55.0).contains(&degrees)
         || face.surface.to_degrees() < 10.0 - 1e-9
         || (face.surface - face.backfill).to_degrees() < 5.0 - 1e-9
     {
-        return none("the log-spiral bound", "it needs 5° ≤ φ ≤ 55°, α ≥ 10° and β ≤ α − 5°");
+        return undefined("the log-spiral bound", "it needs 5° ≤ φ ≤ 55°, α ≥ 10° and β ≤ α − 5°");
     }
     let block = Block::of(face);
-    // ln of the exit distance in face lengths; then the swept angle [rad]. A negative sweep (pole below the ground)
-    // lets the far end sink, and the thrust at its fixed point would then no longer be a bound.
-    let least = |exit: f64| valley((0.0, 0.12, 26), |sweep| block.thrust(exit.exp(), sweep));
-    match valley((-1.5, 0.125, 40), least) {
+    // ln of the exit distance in face lengths; then the swept angle [rad]. With a negative sweep (pole below the ground)
+    // the far end would move down, and the thrust at a fixed point would be no bound.
+    let least = |exit: f64| scanned_minimum((0.0, 0.12, 26), |sweep| block.thrust(exit.exp(), sweep));
+    match scanned_minimum((-1.5, 0.125, 40), least) {
         k if k.is_finite() => Ok(k),
-        _ => none("the log-spiral bound", "no block turns here"),
+        _ => undefined("the log-spiral bound", "there is no admissible block"),
     }
 }
 
-/// The least value of `f`: a walk of (start, step, count), then a golden section round the best of it.
+/// The minimum of `f`: a scan of (start, step, count), then a golden-section search around its best point.
 ///
-/// Where no block turns `f` is infinite, which would blind a golden section without the walk.
-fn valley((start, step, count): (f64, f64, u32), f: impl Fn(f64) -> f64) -> f64 {
-    let walk = (0..count).map(|n| start + step * f64::from(n)).map(|x| (x, f(x)));
-    let (x, value) = walk.fold((0.0, f64::INFINITY), |best, here| if here.1 < best.1 { here } else { best });
+/// `f` is infinite where the block is not admissible, which a golden-section search alone cannot handle.
+fn scanned_minimum((start, step, count): (f64, f64, u32), f: impl Fn(f64) -> f64) -> f64 {
+    let scan = (0..count).map(|n| start + step * f64::from(n)).map(|x| (x, f(x)));
+    let (x, value) = scan.fold((0.0, f64::INFINITY), |best, here| if here.1 < best.1 { here } else { best });
     if value.is_finite() { minimum((x - step).max(start), x + step, 20, f).1.min(value) } else { value }
 }
 
-/// The face, in units of its length, as the moment balance needs it.
+/// Geometry of the moment balance, in units of the face length.
 struct Block {
     slope: f64,     // tan φ
     toe: Vector,    // A
@@ -67,9 +67,9 @@ impl Block {
         }
     }
 
-    /// K_n that turns the block which leaves the ground at `exit` after a sweep of `sweep` [rad] about its pole.
+    /// K_n for the block that exits the ground at the distance `exit` after a sweep of `sweep` [rad] about its pole.
     fn thrust(&self, exit: f64, sweep: f64) -> f64 {
-        // Without a sweep the pole is at infinity; a hair of sweep changes the thrust by less than 1e-5.
+        // At zero sweep the pole is at infinity; this small sweep changes the thrust by less than 1e-5.
         let sweep = sweep.max(3e-3);
         let exit = (exit * self.ground.0, exit * self.ground.1);
         // Complex arithmetic: AB = r_A (e^{(tan φ + i) sweep} − 1).
@@ -78,7 +78,7 @@ impl Block {
         let arm = divide(chord, (grown * sweep.cos() - 1.0, grown * sweep.sin()));
         let pole = (self.toe.0 - arm.0, self.toe.1 - arm.1);
         let from_pole = |p: Vector| (p.0 - pole.0, p.1 - pole.1);
-        if !self.is_pushed(pole) {
+        if !self.is_admissible(pole) {
             return f64::INFINITY;
         }
         let weight = spiral_moment(arm, self.slope, sweep)
@@ -90,14 +90,14 @@ impl Block {
 }
 
 impl Block {
-    /// Whether the block, turning about `pole`, is pushed by the whole face and slides up along it.
+    /// Whether the block, rotating about `pole`, is pushed by the whole face and slides upwards along it.
     ///
-    /// Otherwise the thrust would not be inclined as assumed, and its value would bound nothing.
-    fn is_pushed(&self, pole: Vector) -> bool {
+    /// Otherwise the thrust would not be inclined as assumed, and its value would be no bound.
+    fn is_admissible(&self, pole: Vector) -> bool {
         let normal = (-self.toe.1, self.toe.0);
-        let speed = |p: Vector| (pole.1 - p.1, p.0 - pole.0);
+        let velocity = |p: Vector| (pole.1 - p.1, p.0 - pole.0);
         let dot = |a: Vector, b: Vector| a.0 * b.0 + a.1 * b.1;
-        let (top, toe) = (speed((0.0, 0.0)), speed(self.toe));
+        let (top, toe) = (velocity((0.0, 0.0)), velocity(self.toe));
         dot(top, normal) >= 0.0 && dot(toe, normal) >= 0.0 && dot(top, self.toe) <= 0.0
     }
 }
@@ -105,11 +105,11 @@ impl Block {
 /// ∬ x dA of the sector between the pole and the spiral that starts at `arm`.
 fn spiral_moment(arm: Vector, slope: f64, sweep: f64) -> f64 {
     let grown = (3.0 * slope * sweep).exp();
-    let whole = divide((grown * sweep.cos() - 1.0, grown * sweep.sin()), (3.0 * slope, 1.0));
-    (arm.0 * arm.0 + arm.1 * arm.1) / 3.0 * (arm.0 * whole.0 - arm.1 * whole.1)
+    let integral = divide((grown * sweep.cos() - 1.0, grown * sweep.sin()), (3.0 * slope, 1.0));
+    (arm.0 * arm.0 + arm.1 * arm.1) / 3.0 * (arm.0 * integral.0 - arm.1 * integral.1)
 }
 
-/// ∬ x dA of the triangle from the pole to the edge `from`–`to`, signed by its sense.
+/// ∬ x dA of the triangle from the pole to the edge `from`–`to`, signed by its orientation.
 fn triangle_moment(from: Vector, to: Vector) -> f64 {
     cross(from, to) * (from.0 + to.0) / 6.0
 }

@@ -1,27 +1,26 @@
-//! An interpolant of the exact coefficient, for sweeps that need millions.
+//! An interpolant of the exact coefficient, for millions of evaluations.
 
 use super::{Face, PassiveField, sokolovskii};
-use crate::error::{Answer, none, within};
+use crate::error::{ModelResult, undefined, within};
 use std::f64::consts::PI;
 
-/// The box of faces that a [`PressureTable`] covers; the backfill is one number.
+/// Range of faces covered by a [`PressureTable`], with a single backfill.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TableRange {
-    /// Friction angles, least and largest [rad].
+    /// Smallest and largest friction angle [rad].
     pub friction_angle: (f64, f64),
-    /// Wall friction as a fraction of the friction angle, least and largest.
+    /// Smallest and largest wall friction angle relative to the friction angle.
     pub wall_friction_ratio: (f64, f64),
-    /// Face inclinations, least and largest [rad].
+    /// Smallest and largest face inclination [rad].
     pub surface: (f64, f64),
-    /// Rise of the ground [rad].
+    /// Slope of the ground [rad].
     pub backfill: f64,
 }
 
 const NODES: (usize, usize, usize) = (9, 7, 9);
 
-/// Chebyshev interpolant of ln K_n and ln(r_f/L) over (φ, δ/φ, α); better than 1e-4 over 25° ≤ φ ≤ 45°, |δ| ≤ ½φ.
-///
-/// A sweep that keeps the wall friction costs one by one the time of about 60 multiplications.
+/// Chebyshev interpolant of ln K_n and ln(r_f/L) over (φ, δ/φ, α); relative error below 1e-4 for 25° ≤ φ ≤ 45°,
+/// |δ| ≤ ½φ.
 #[derive(Clone, Debug)]
 pub struct PressureTable {
     range: TableRange,
@@ -30,11 +29,11 @@ pub struct PressureTable {
 }
 
 impl PressureTable {
-    /// Solves the field at every node of the box; half a second for the whole range.
+    /// Solves the field at every node of the range; half a second for the largest range.
     ///
     /// # Errors
-    /// If any node of the box has no field: make the box smaller (δ < 0 exists only on faces that are not too steep).
-    pub fn new(range: TableRange) -> Answer<Self> {
+    /// If the field does not exist at some node: choose a smaller range (δ < 0 needs faces that are not too steep).
+    pub fn new(range: TableRange) -> ModelResult<Self> {
         let count = |(low, high): (f64, f64), n: usize| if high > low { n } else { 1 };
         let nodes = [
             count(range.friction_angle, NODES.0),
@@ -64,8 +63,8 @@ impl PressureTable {
     /// The interpolated field of `face`.
     ///
     /// # Errors
-    /// If the face lies outside the box of the table.
-    pub fn field(&self, face: &Face) -> Answer<PassiveField> {
+    /// If the face lies outside the range of the table.
+    pub fn field(&self, face: &Face) -> ModelResult<PassiveField> {
         let range = &self.range;
         let phi = within(
             "friction angle [rad]",
@@ -77,7 +76,7 @@ impl PressureTable {
         let ratio = within("wall friction ratio", face.wall_friction / phi, bounds.0, bounds.1)?;
         let alpha = within("surface inclination [rad]", face.surface, range.surface.0, range.surface.1)?;
         if (face.backfill - range.backfill).abs() > 1e-12 {
-            return none("the tabulated coefficient", "the table was made for another backfill");
+            return undefined("the tabulated coefficient", "the table is for another backfill");
         }
         let weights = [
             weights(range.friction_angle, self.nodes[0], phi),
@@ -117,14 +116,14 @@ fn weights(range: (f64, f64), count: usize, x: f64) -> [f64; 9] {
     let mut weights = [0.0; 9];
     let mut total = 0.0;
     for i in 0..count {
-        let gap = x - node(range, count, i);
-        if gap.abs() < 1e-13 || count == 1 {
+        let distance = x - node(range, count, i);
+        if distance.abs() < 1e-13 || count == 1 {
             weights = [0.0; 9];
             weights[i] = 1.0;
             return weights;
         }
         let end = if i == 0 || i == count - 1 { 0.5 } else { 1.0 };
-        weights[i] = if i % 2 == 0 { end / gap } else { -end / gap };
+        weights[i] = if i % 2 == 0 { end / distance } else { -end / distance };
         total += weights[i];
     }
     weights.map(|w| w / total)

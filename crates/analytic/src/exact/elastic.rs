@@ -1,17 +1,17 @@
-//! Elastic waves and the stress at rest.
+//! Elastic wave speeds and the stress at rest.
 
-use crate::error::{Answer, positive, within};
+use crate::error::{ModelResult, positive, within};
 
-fn constants(modulus: f64, ratio: f64, density: f64) -> Answer<(f64, f64, f64)> {
+fn constants(modulus: f64, ratio: f64, density: f64) -> ModelResult<(f64, f64, f64)> {
     let ratio = within("Poisson's ratio", ratio, 0.0, 0.499)?;
     Ok((positive("Young's modulus [Pa]", modulus)?, ratio, positive("density [kg/m^3]", density)?))
 }
 
-/// Speed of a pressure wave √(E(1−ν)/(ρ(1+ν)(1−2ν))) [m/s].
+/// Speed of a compression wave √(E(1−ν)/(ρ(1+ν)(1−2ν))) [m/s].
 ///
 /// # Errors
 /// Unless E > 0, 0 ≤ ν < 0.5, ρ > 0.
-pub fn pressure_wave_speed(modulus: f64, ratio: f64, density: f64) -> Answer<f64> {
+pub fn pressure_wave_speed(modulus: f64, ratio: f64, density: f64) -> ModelResult<f64> {
     let (e, nu, rho) = constants(modulus, ratio, density)?;
     Ok((e * (1.0 - nu) / (rho * (1.0 + nu) * (1.0 - 2.0 * nu))).sqrt())
 }
@@ -20,7 +20,7 @@ pub fn pressure_wave_speed(modulus: f64, ratio: f64, density: f64) -> Answer<f64
 ///
 /// # Errors
 /// As [`pressure_wave_speed`].
-pub fn shear_wave_speed(modulus: f64, ratio: f64, density: f64) -> Answer<f64> {
+pub fn shear_wave_speed(modulus: f64, ratio: f64, density: f64) -> ModelResult<f64> {
     let (e, nu, rho) = constants(modulus, ratio, density)?;
     Ok((e / (2.0 * rho * (1.0 + nu))).sqrt())
 }
@@ -29,16 +29,16 @@ pub fn shear_wave_speed(modulus: f64, ratio: f64, density: f64) -> Answer<f64> {
 ///
 /// # Errors
 /// As [`pressure_wave_speed`].
-pub fn bar_wave_speed(modulus: f64, density: f64) -> Answer<f64> {
+pub fn bar_wave_speed(modulus: f64, density: f64) -> ModelResult<f64> {
     let (e, _, rho) = constants(modulus, 0.0, density)?;
     Ok((e / rho).sqrt())
 }
 
-/// Ratio of lateral to vertical stress of elastic ground at rest K₀ = ν/(1 − ν).
+/// Coefficient of earth pressure at rest of elastic ground, K₀ = ν/(1 − ν).
 ///
 /// # Errors
 /// Unless 0 ≤ ν < 0.5.
-pub fn at_rest_coefficient(ratio: f64) -> Answer<f64> {
+pub fn at_rest_coefficient(ratio: f64) -> ModelResult<f64> {
     let nu = within("Poisson's ratio", ratio, 0.0, 0.499)?;
     Ok(nu / (1.0 - nu))
 }

@@ -1,4 +1,4 @@
-//! Truths for tests: motions and states known exactly, and scaling laws measured often enough to check against.
+//! Exact solutions and established scaling laws, for verification.
 
 mod collapse;
 mod elastic;

@@ -1,29 +1,30 @@
-//! Rigid motion.
+//! Motion of rigid bodies.
 
-use crate::error::{Answer, not_negative, positive, within};
+use crate::error::{ModelResult, non_negative, positive, within};
 use std::f64::consts::FRAC_PI_2;
 
-/// Distance fallen from rest after t [s] under gravity g [m/s²]: ½ g t² [m].
+/// Free-fall distance from rest after t [s] under gravity g [m/s²]: ½ g t² [m].
 ///
 /// # Errors
 /// If g or t is negative or not finite.
-pub fn fall_distance(gravity: f64, time: f64) -> Answer<f64> {
-    Ok(0.5 * not_negative("gravity [m/s^2]", gravity)? * not_negative("time [s]", time)?.powi(2))
+pub fn fall_distance(gravity: f64, time: f64) -> ModelResult<f64> {
+    Ok(0.5 * non_negative("gravity [m/s^2]", gravity)? * non_negative("time [s]", time)?.powi(2))
 }
 
-/// Distance slid from rest after t [s] down a slope of angle θ [rad] with friction μ: ½ g (sin θ − μ cos θ) t², or 0 [m].
+/// Sliding distance from rest after t [s] down a slope of angle θ [rad] with friction μ: ½ g (sin θ − μ cos θ) t² [m], or 0
+/// where friction holds the body.
 ///
 /// # Errors
 /// Unless 0 ≤ θ ≤ 90° and g, μ, t are not negative.
-pub fn slide_distance(gravity: f64, slope: f64, friction: f64, time: f64) -> Answer<f64> {
+pub fn slide_distance(gravity: f64, slope: f64, friction: f64, time: f64) -> ModelResult<f64> {
     let (sin, cos) = within("slope [rad]", slope, 0.0, FRAC_PI_2)?.sin_cos();
-    let drive = sin - not_negative("friction", friction)? * cos;
-    Ok(fall_distance(gravity, time)? * drive.max(0.0))
+    let excess = sin - non_negative("friction", friction)? * cos;
+    Ok(fall_distance(gravity, time)? * excess.max(0.0))
 }
 
-/// Acceleration of a body that rolls down a slope without slip: g sin θ / (1 + I/(m R²)) [m/s²].
+/// Acceleration of a body rolling down a slope without slip: g sin θ / (1 + I/(m R²)) [m/s²].
 ///
-/// `inertia` I [kg m²], `mass` m [kg], `radius` R [m]. A solid disc rolls at ⅔ g sin θ.
+/// `inertia` I [kg m²], `mass` m [kg], `radius` R [m]. ⅔ g sin θ for a solid disc.
 ///
 /// # Errors
 /// If a quantity is out of range.
@@ -33,11 +34,11 @@ pub fn rolling_fall_acceleration(
     inertia: f64,
     mass: f64,
     radius: f64,
-) -> Answer<f64> {
+) -> ModelResult<f64> {
     let sin = within("slope [rad]", slope, 0.0, FRAC_PI_2)?.sin();
     let arm = positive("mass [kg]", mass)? * positive("radius [m]", radius)?.powi(2);
-    Ok(not_negative("gravity [m/s^2]", gravity)? * sin
-        / (1.0 + not_negative("inertia [kg m^2]", inertia)? / arm))
+    Ok(non_negative("gravity [m/s^2]", gravity)? * sin
+        / (1.0 + non_negative("inertia [kg m^2]", inertia)? / arm))
 }
 
 #[cfg(test)]

@@ -1,59 +1,59 @@
-//! What is under tow: a disc, or any other rigid body by the pieces of its surface.
+//! The towed body: a disc, a block, or any rigid body by the facets of its surface.
 
 use crate::disc::Disc;
-use crate::error::{Answer, positive, within};
+use crate::error::{ModelResult, positive, within};
 use crate::resistive::Facet;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
-/// The body under tow.
+/// The towed body.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Body {
-    /// A disc, or a roller across the tow.
+    /// A disc, or a roller with its axis perpendicular to the tow.
     Disc(Disc),
     /// A body with a plane front.
     Block(Block),
     /// A body whose front is neither plane nor that of a disc.
-    Round(Round),
+    Faceted(FacetedBody),
 }
 
 /// A rectangular block across the tow: a blade, a plate, a tool.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Block {
-    /// Edges along x, y and z before it is turned [m].
+    /// Edge lengths along x, y and z before rotation [m].
     pub size: [f64; 3],
-    /// Angle by which it is turned about y [rad], its top towards the tow if positive.
+    /// Rotation about y [rad], positive when the top moves in the tow direction.
     pub orientation: f64,
-    /// Whether it stands for a slab cut from an endless one, so that it has no ends.
-    pub endless: bool,
-    /// Whether there is soil under its base.
+    /// Whether it is a slice of an infinitely wide block, without end effects.
+    pub plane_strain: bool,
+    /// Whether its base rests on soil.
     pub has_base: bool,
 }
 
-/// A body of any shape, centred on its origin and alike in front and behind.
+/// A body of any shape by its facets, centred on its origin and symmetric fore and aft.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Round {
+pub struct FacetedBody {
     /// Reference length d [m]: its diameter.
     pub length: f64,
     /// Width t across the tow [m].
     pub width: f64,
-    /// Height of the box round it [m].
+    /// Height of its bounding box [m].
     pub height: f64,
-    /// Pieces of its surface.
+    /// Facets of its surface.
     pub facets: Arc<[Facet]>,
 }
 
 /// The plane front of a block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Front {
-    /// Rake [rad]: 90° is upright, less leans back over what it has cut, more overhangs the soil.
+    /// Rake angle [rad]: 90° is upright, less leans back, more overhangs the soil ahead.
     pub rake: f64,
     /// Height of its lower edge above the lowest edge of the block [m].
-    pub lift: f64,
+    pub lower_edge: f64,
     /// Height of its upper edge above the lowest edge of the block [m].
-    pub top: f64,
-    /// Length of the block behind it [m]: that of the base of an upright block.
-    pub behind: f64,
+    pub upper_edge: f64,
+    /// Length of the block behind the front [m]; for an upright block the length of its base.
+    pub length_behind: f64,
 }
 
 impl From<Disc> for Body {
@@ -69,13 +69,13 @@ impl From<Block> for Body {
 }
 
 impl Body {
-    /// Reference length d [m]: the diameter, a block's edge along z.
+    /// Reference length d [m]: the diameter, or a block's edge along z.
     #[must_use]
     pub fn length(&self) -> f64 {
         match self {
             Self::Disc(disc) => disc.diameter,
             Self::Block(block) => block.size[2],
-            Self::Round(round) => round.length,
+            Self::Faceted(body) => body.length,
         }
     }
 
@@ -85,21 +85,21 @@ impl Body {
         match self {
             Self::Disc(disc) => disc.thickness,
             Self::Block(block) => block.size[1],
-            Self::Round(round) => round.width,
+            Self::Faceted(body) => body.width,
         }
     }
 
-    /// Height of the box round it [m].
+    /// Height of its bounding box [m].
     #[must_use]
     pub fn height(&self) -> f64 {
         match self {
             Self::Disc(disc) => disc.diameter,
             Self::Block(block) => block.height(),
-            Self::Round(round) => round.height,
+            Self::Faceted(body) => body.height,
         }
     }
 
-    /// Deepest sinkage that the models take [m].
+    /// Largest sinkage in the range of the models [m].
     #[must_use]
     pub fn deepest(&self) -> f64 {
         match self {
@@ -108,7 +108,7 @@ impl Body {
         }
     }
 
-    /// The force γ t d² [N] that makes forces dimensionless, for the unit weight [N/m³].
+    /// Force scale γ t d² [N] of dimensionless forces, for the unit weight γ [N/m³].
     #[must_use]
     pub fn force_scale(&self, unit_weight: f64) -> f64 {
         unit_weight * self.width() * self.length().powi(2)
@@ -132,11 +132,11 @@ impl Body {
         }
     }
 
-    /// Refuses a body without size.
+    /// Checks the dimensions.
     ///
     /// # Errors
-    /// Unless every length is above 0 and a block's orientation lies between −180° and 180°.
-    pub fn check(&self) -> Answer<()> {
+    /// Unless every length is positive and a block's orientation lies between −180° and 180°.
+    pub fn check(&self) -> ModelResult<()> {
         match self {
             Self::Disc(disc) => disc.check(),
             Self::Block(block) => {
@@ -145,8 +145,8 @@ impl Body {
                 }
                 within("orientation [rad]", block.orientation, -PI, PI).map(|_| ())
             }
-            Self::Round(round) => {
-                for length in [round.length, round.width, round.height] {
+            Self::Faceted(body) => {
+                for length in [body.length, body.width, body.height] {
                     positive("length of the body [m]", length)?;
                 }
                 Ok(())
@@ -156,18 +156,18 @@ impl Body {
 }
 
 impl Block {
-    /// Height of the box round the turned block [m].
+    /// Height of the bounding box of the rotated block [m].
     #[must_use]
     pub fn height(&self) -> f64 {
         let (sin, cos) = self.orientation.sin_cos();
         self.size[0] * sin.abs() + self.size[2] * cos.abs()
     }
 
-    /// The four faces across the tow by outward normal, distance from the origin and length in the plane of the tow.
+    /// The four faces parallel to y: outward normal, distance from the origin [m] and length in the x–z plane [m].
     fn faces(&self) -> [([f64; 3], f64, f64); 4] {
         let (sin, cos) = self.orientation.sin_cos();
         let [long, _, high] = self.size;
-        // Turned with its top towards x: the x axis of the block dips.
+        // With its top rotated towards x, the x axis of the block points downwards.
         let (forward, up) = ([cos, 0.0, -sin], [sin, 0.0, cos]);
         let back = |n: [f64; 3]| n.map(|x| -x);
         [
@@ -178,7 +178,7 @@ impl Block {
         ]
     }
 
-    /// The face that meets the soil with the largest height.
+    /// The front: the forward-facing face of the largest height.
     #[must_use]
     pub fn front(&self) -> Front {
         let frontal = |face: &([f64; 3], f64, f64)| face.0[0] * face.2;
@@ -188,20 +188,25 @@ impl Block {
         let elevation = normal[2].atan2(normal[0]);
         let middle = 0.5 * self.height() + distance * normal[2];
         let half = 0.5 * length * normal[0];
-        // What is level to rounding is level.
-        let lift = middle - half;
-        let lift = if lift.abs() < 1e-12 * length { 0.0 } else { lift };
-        Front { rake: FRAC_PI_2 - elevation, lift, top: middle + half, behind: 2.0 * distance }
+        // Zero to rounding counts as zero.
+        let lower_edge = middle - half;
+        let lower_edge = if lower_edge.abs() < 1e-12 * length { 0.0 } else { lower_edge };
+        Front {
+            rake: FRAC_PI_2 - elevation,
+            lower_edge,
+            upper_edge: middle + half,
+            length_behind: 2.0 * distance,
+        }
     }
 
-    /// Its faces across the tow as pieces of surface; those along the tow slide past the soil and feel nothing.
+    /// The faces parallel to y as facets; resistive force theory assigns no force to faces that move in their own plane.
     #[must_use]
     pub fn facets(&self) -> [Facet; 4] {
         self.faces().map(|(normal, distance, length)| Facet {
-            middle: normal.map(|n| n * distance),
+            centroid: normal.map(|n| n * distance),
             normal,
             area: length * self.size[1],
-            rise: 0.5 * length * normal[0].abs(),
+            half_height: 0.5 * length * normal[0].abs(),
         })
     }
 }

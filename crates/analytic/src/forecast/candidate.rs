@@ -1,10 +1,10 @@
-//! The models that the forecast knows by name.
+//! The models of the forecast and their names.
 
 /// A closed-form model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Candidate {
-    /// The weaker of [`Candidate::Bearing`] and [`Candidate::Wedge`].
-    Weaker,
+    /// The governing one of [`Candidate::Bearing`] and [`Candidate::Wedge`] at every point of the rim.
+    Governing,
     /// BC: bearing capacity on the arc.
     Bearing,
     /// PW: passive wedge before the chord of a disc or the front of a block, with ends.
@@ -34,9 +34,9 @@ pub enum Candidate {
 }
 
 impl Candidate {
-    /// Every model, the one to look at first in front.
+    /// All models, in the order of the tables.
     pub const ALL: [Self; 14] = [
-        Self::Weaker,
+        Self::Governing,
         Self::Bearing,
         Self::Wedge,
         Self::PlaneStrain,
@@ -52,11 +52,11 @@ impl Candidate {
         Self::BrinchHansen,
     ];
 
-    /// The name that tables, files and scripts use.
+    /// The name in tables and files; scripts rely on it.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
-            Self::Weaker => "weaker of BC and PW",
+            Self::Governing => "weaker of BC and PW",
             Self::Bearing => "BC",
             Self::Wedge => "PW",
             Self::PlaneStrain => "PW plane strain",
@@ -73,12 +73,12 @@ impl Candidate {
         }
     }
 
-    /// Whether it is a limit analysis, to be evaluated at Davis' friction angle; the others are fits to measurements.
+    /// Whether it is a plasticity solution, to be evaluated at Davis' friction angle; the others are fits to measurements.
     #[must_use]
     pub fn is_plastic(self) -> bool {
         matches!(
             self,
-            Self::Weaker
+            Self::Governing
                 | Self::Bearing
                 | Self::Wedge
                 | Self::PlaneStrain

@@ -1,35 +1,35 @@
-//! A model's answer against any parameter.
+//! Predictions as a function of one parameter.
 
-use super::{Candidate, ModelForecast, Parameter, Towing, every_model, predict};
-use crate::error::Answer;
+use super::{Candidate, ModelForecast, Parameter, Towing, evaluate_all, predict};
+use crate::error::ModelResult;
 
-/// The models' answers at one value of the parameter.
+/// The predictions at one value of the parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurvePoint {
     /// The value, in the parameter's unit.
     pub value: f64,
-    /// One entry per model asked for, in that order.
+    /// One entry per requested model, in that order.
     pub models: Vec<ModelForecast>,
 }
 
-/// The answers of `candidates` (all, if empty) as `parameter` takes each of `values`.
+/// The predictions of `candidates` (all, if empty) for each of `values` of `parameter`, in its SI unit.
 ///
-/// Against [`Parameter::Sinkage`] it is the force–sinkage curve. As in [`super::forecast`], plasticity models use Davis'
-/// angle. A value out of a model's range is refused in that model's entry.
+/// For [`Parameter::Sinkage`] this is the force–sinkage curve. As in [`super::forecast`], plasticity models use Davis'
+/// angle. Where a value is out of range for a model, its entry gives the reason.
 ///
 /// # Errors
-/// If the operative soil of a value cannot be formed (angles out of range).
+/// If Davis' angle does not exist for a value (angles out of range).
 pub fn curve(
     base: &Towing,
     parameter: Parameter,
     values: &[f64],
     candidates: &[Candidate],
-) -> Answer<Vec<CurvePoint>> {
+) -> ModelResult<Vec<CurvePoint>> {
     let point = |value: &f64| {
         let case = base.with(parameter, *value);
         let plastic = Towing { soil: case.soil.operative()?, ..case.clone() };
         let models = if candidates.is_empty() {
-            every_model(&plastic, &case)
+            evaluate_all(&plastic, &case)
         } else {
             let table = predict::level_table(&plastic);
             let one = |candidate: &Candidate| {

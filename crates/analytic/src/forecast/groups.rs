@@ -1,4 +1,4 @@
-//! Dimensionless groups, and the spread over the models.
+//! Dimensionless groups of a case.
 
 use super::{Load, ModelForecast, Towing};
 
@@ -22,7 +22,7 @@ pub struct Groups {
 }
 
 impl Groups {
-    /// The groups of a case and of the answer of its best model.
+    /// The groups of a case and of the prediction of its recommended model.
     pub(super) fn of(towing: &Towing, best: Option<&ModelForecast>) -> Self {
         let found = best.and_then(|model| model.prediction);
         let (d, gamma) = (towing.body.length(), towing.soil.unit_weight);
@@ -40,57 +40,5 @@ impl Groups {
             drag: found.map(|p| p.drag / scale),
             vertical: found.map(|p| p.vertical / scale),
         }
-    }
-}
-
-/// Least, middle and largest of several values.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Range {
-    /// Least.
-    pub low: f64,
-    /// Median.
-    pub middle: f64,
-    /// Largest.
-    pub high: f64,
-}
-
-impl Range {
-    fn of(mut values: Vec<f64>) -> Option<Self> {
-        values.sort_by(f64::total_cmp);
-        let (low, high) = (*values.first()?, *values.last()?);
-        let half = values.len() / 2;
-        let middle =
-            if values.len() % 2 == 1 { values[half] } else { 0.5 * (values[half - 1] + values[half]) };
-        Some(Self { low, middle, high })
-    }
-}
-
-/// How far the applicable models lie apart; the models are not independent, so this is no confidence interval.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spread {
-    /// How many models.
-    pub count: usize,
-    /// Drag [N].
-    pub drag: Range,
-    /// Vertical force [N].
-    pub vertical: Range,
-    /// Sinkage [m].
-    pub sinkage: Option<Range>,
-}
-
-impl Spread {
-    /// Over the applicable models; BC and PW of a disc count once, as the weaker of them.
-    pub(super) fn of(models: &[ModelForecast]) -> Option<Self> {
-        use super::Candidate::{Bearing, Weaker, Wedge};
-        let joined = models.iter().any(|m| m.model == Weaker && m.applicable);
-        let counted =
-            models.iter().filter(|m| m.applicable && !(joined && matches!(m.model, Bearing | Wedge)));
-        let found: Vec<_> = counted.filter_map(|m| m.prediction).collect();
-        Some(Self {
-            count: found.len(),
-            drag: Range::of(found.iter().map(|p| p.drag).collect())?,
-            vertical: Range::of(found.iter().map(|p| p.vertical).collect())?,
-            sinkage: Range::of(found.iter().filter_map(|p| p.sinkage).collect()),
-        })
     }
 }

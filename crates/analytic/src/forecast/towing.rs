@@ -1,22 +1,22 @@
-//! One body under tow, as the forecast takes it.
+//! The input of the forecast: a towed body in its soil.
 
 use super::Body;
 use crate::bearing::Method;
 use crate::disc::{Assembly, Disc, Drive};
-use crate::error::{Answer, positive, within};
+use crate::error::{ModelResult, positive, within};
 use crate::soil::Soil;
 use crate::wheel::PressureSinkage;
 
-/// What presses the body into the soil.
+/// The vertical condition of the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Load {
-    /// It carries this weight [N] and sinks as it must.
+    /// Free to sink under this weight [N].
     Weight(f64),
-    /// It is held at this sinkage [m].
+    /// Held at this sinkage [m].
     Sinkage(f64),
 }
 
-/// A body under tow.
+/// A towed body and its soil.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Towing {
     /// The soil.
@@ -25,32 +25,32 @@ pub struct Towing {
     pub body: Body,
     /// Weight (of the whole assembly) or sinkage.
     pub load: Load,
-    /// What happens at the axle.
+    /// How the axle is driven.
     pub drive: Drive,
-    /// Gravity [m/s²]; only to turn weights into masses.
+    /// Gravity [m/s²]; converts weights to masses only.
     pub gravity: f64,
-    /// Fraction of the swept soil that heaps up before the disc, 0 to 1.
-    pub heap_fraction: f64,
-    /// Rise of the ground before the disc [rad].
+    /// Fraction of the displaced soil that stands as a bow wave before the disc, 0 to 1.
+    pub bow_wave_fraction: f64,
+    /// Slope of the ground before the body [rad], rising forwards.
     pub backfill: f64,
     /// Correction factors of the bearing model.
     pub method: Method,
-    /// Several discs on one axle, if so.
+    /// Several discs on one axle.
     pub assembly: Option<Assembly>,
-    /// Young's modulus of the soil [Pa], for the group Ē only.
+    /// Young's modulus of the soil [Pa]; for the group Ē only.
     pub elastic_modulus: Option<f64>,
-    /// Plate constants, for Bekker and Wong–Reece; their c and φ are replaced by those of the soil.
+    /// Bekker's plate constants, for Bekker and Wong–Reece; their c and φ are replaced by those of the soil.
     pub terrain: Option<PressureSinkage>,
     /// Cone index [Pa], for Wismer–Luth and Brixius.
     pub cone_index: Option<f64>,
-    /// Pressure over depth under a level plate [N/m³], for 2-D RFT; otherwise 3D-RFT's own is used.
+    /// Pressure over depth under a level plate [N/m³], for 2-D RFT; by default that of 3D-RFT.
     pub plate_stiffness: Option<f64>,
 }
 
-/// A number of the case that a curve or an uncertainty may change; units as in [`Towing`].
+/// An input of a curve or an uncertainty analysis; units as in [`Towing`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Parameter {
-    /// φ [rad]; the dilation angle is kept, but never above φ.
+    /// φ [rad]; the dilation angle stays, but is limited to φ.
     FrictionAngle,
     /// ψ [rad].
     DilationAngle,
@@ -60,29 +60,29 @@ pub enum Parameter {
     UnitWeight,
     /// μ.
     BodyFriction,
-    /// d [m]; of a disc alone, as the thickness.
+    /// d [m]; of a disc only.
     Diameter,
-    /// t [m].
+    /// t [m]; of a disc only.
     Thickness,
-    /// Angle by which a block is turned about y [rad], its top towards the tow if positive.
+    /// Rotation of a block about y [rad], positive when the top moves in the tow direction.
     Orientation,
-    /// W [N]; releases a held sinkage.
+    /// W [N]; replaces a prescribed sinkage.
     Weight,
-    /// z [m]; holds the body.
+    /// z [m]; replaces a weight.
     Sinkage,
     /// The [`crate::slip`]; replaces the drive.
     Slip,
-    /// Torque that brakes the axle [N m]; replaces the drive.
+    /// Braking torque at the axle [N m]; replaces the drive.
     BrakeTorque,
-    /// Heap fraction χ.
-    HeapFraction,
+    /// Fraction χ of the bow wave.
+    BowWaveFraction,
     /// β [rad].
     Backfill,
     /// Cone index [Pa].
     ConeIndex,
     /// Pressure over depth under a level plate [N/m³].
     PlateStiffness,
-    /// Sinkage exponent n; as the other plate constants it changes only a case that has plate constants.
+    /// Sinkage exponent n; like the other plate constants without effect in a case that has none.
     PlateExponent,
     /// k_c [N/m^{n+1}].
     PlateCohesive,
@@ -93,7 +93,7 @@ pub enum Parameter {
 }
 
 impl Towing {
-    /// A single body on level ground, Earth gravity, nothing measured beyond the soil.
+    /// A single body on level ground under Earth's gravity, without measured plate constants or cone index.
     #[must_use]
     pub fn new(soil: Soil, body: impl Into<Body>, load: Load, drive: Drive) -> Self {
         Self {
@@ -102,7 +102,7 @@ impl Towing {
             load,
             drive,
             gravity: 9.81,
-            heap_fraction: 0.0,
+            bow_wave_fraction: 0.0,
             backfill: 0.0,
             method: Method::default(),
             assembly: None,
@@ -113,11 +113,11 @@ impl Towing {
         }
     }
 
-    /// Refuses a case that no model can take.
+    /// Checks the inputs that all models share.
     ///
     /// # Errors
-    /// Naming the first input out of range, with its valid range.
-    pub fn check(&self) -> Answer<()> {
+    /// The first input out of range, with its valid range.
+    pub fn check(&self) -> ModelResult<()> {
         self.soil.check()?;
         self.body.check()?;
         self.drive.check()?;
@@ -126,7 +126,7 @@ impl Towing {
             Load::Sinkage(z) => within("sinkage [m]", z, f64::MIN_POSITIVE, self.body.deepest())?,
         };
         positive("gravity [m/s^2]", self.gravity)?;
-        within("heap fraction", self.heap_fraction, 0.0, 1.0)?;
+        within("bow wave fraction", self.bow_wave_fraction, 0.0, 1.0)?;
         within("backfill [rad]", self.backfill, -10_f64.to_radians(), 25_f64.to_radians())?;
         if let (Some(assembly), Some(disc)) = (self.assembly, self.body.disc()) {
             assembly.check(disc)?;
@@ -137,14 +137,14 @@ impl Towing {
         Ok(())
     }
 
-    /// The same case with one number changed; the dilation angle is kept at or below the friction angle.
+    /// The same case with one parameter changed; the dilation angle is limited to the friction angle.
     #[must_use]
     pub fn with(&self, parameter: Parameter, value: f64) -> Self {
         let mut case = self.clone();
         match parameter {
             Parameter::FrictionAngle => {
                 case.soil.friction_angle = value;
-                // An associated soil stays associated, any other keeps its dilation.
+                // Associated flow stays associated; otherwise the dilation angle stays.
                 let associated = self.soil.dilation_angle >= self.soil.friction_angle;
                 case.soil.dilation_angle =
                     if associated { value } else { self.soil.dilation_angle.min(value) };
@@ -164,7 +164,7 @@ impl Towing {
             Parameter::Sinkage => case.load = Load::Sinkage(value),
             Parameter::Slip => case.drive = Drive::Slip(value),
             Parameter::BrakeTorque => case.drive = Drive::Braked(value),
-            Parameter::HeapFraction => case.heap_fraction = value,
+            Parameter::BowWaveFraction => case.bow_wave_fraction = value,
             Parameter::Backfill => case.backfill = value,
             Parameter::ConeIndex => case.cone_index = Some(value),
             Parameter::PlateStiffness => case.plate_stiffness = Some(value),

@@ -1,24 +1,24 @@
-//! Resistive force theory: every piece of a surface pushes on the soil by itself.
+//! Resistive force theory (RFT): the soil exerts a traction on every surface element, independently of the others.
 //!
-//! Traction grows with depth and depends on the tilt of the piece and the direction of its motion only. There is no
-//! width term: shallow wide bodies come out too weak, deep narrow ones too strong next to model BC. Quasi-static, dry,
-//! loose to medium sand; depth up to about the width of the body.
+//! The traction is proportional to depth and otherwise depends on the inclination of the element and its direction of
+//! motion only. There is no width term: compared with model BC, forces on shallow wide bodies are too low and on deep narrow
+//! ones too high. For quasi-static motion in dry, loose to medium sand, at depths up to about the width of the body.
 
 mod body;
 mod planar;
 mod spatial;
 mod towed;
 
-pub use body::{Facet, Load, Motion, facets_of_triangles, load, rim_facets};
+pub use body::{Facet, Motion, Wrench, facets_of_triangles, rim_facets, wrench};
 pub use planar::PlanarLaw;
-pub use spatial::{SpatialLaw, strength_scale};
-pub use towed::{Rolled, at_depth, body_at_depth, body_under_weight, under_weight};
+pub use spatial::{SpatialLaw, stiffness_per_unit_weight};
+pub use towed::{SteadyTow, at_depth, body_at_depth, body_under_weight, under_weight};
 
-/// A law for the traction on a piece of surface.
+/// A law for the traction on a surface element.
 pub trait Traction {
-    /// Traction on the body [Pa] at the depth [m], for the outward unit normal and the unit direction of motion.
+    /// Traction on the body [Pa] at a depth [m], for the outward unit normal and the unit direction of motion.
     ///
-    /// x is the tow direction, z points up. Zero where the piece moves away from the soil.
+    /// x is the tow direction, z points up. Zero where the element moves away from the soil.
     fn traction(&self, depth: f64, normal: [f64; 3], direction: [f64; 3]) -> [f64; 3];
 }
 

@@ -1,7 +1,7 @@
-//! 3D-RFT: any surface, any motion.
+//! 3D-RFT: three-dimensional RFT for any surface and motion.
 
 use super::{Traction, dot};
-use crate::error::{Answer, positive, within};
+use crate::error::{ModelResult, positive, within};
 
 /// Coefficients of f₁, f₂, f₃ over the twenty monomials of (x₁, x₂, x₃).
 const COEFFICIENTS: [[f64; 20]; 3] = [
@@ -21,10 +21,11 @@ const COEFFICIENTS: [[f64; 20]; 3] = [
 
 /// Three-dimensional resistive force theory.
 ///
-/// α = f₁ ñ + f₂ v − f₃ z with x₁ = −v_z, x₂ = −ñ_z, x₃ = ñ·v, ñ the normal turned to look down, f_i cubic polynomials;
-/// traction = ξ_n α |z|, its tangential part no more than μ times the normal one.
+/// α = f₁ ñ + f₂ v − f₃ z with x₁ = −v_z, x₂ = −ñ_z, x₃ = ñ·v, ñ the normal or its opposite, whichever points down, and
+/// cubic polynomials f_i;
+/// traction = ξ_n α |z|, its tangential component at most μ times the normal one.
 /// Source: Agarwal, Goldman & Kamrin (2023), PNAS 120, arXiv 2205.14920; coefficients read in KKKobefeng/3D-RFT. That the
-/// published angles β, γ, ψ reduce to these three products is our reading. Valid for tan φ up to 0.8, quasi-static.
+/// published angles β, γ, ψ reduce to these three products is our interpretation. Valid for tan φ up to 0.8, quasi-static.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpatialLaw {
     /// Stiffness ξ_n [N/m³].
@@ -35,30 +36,31 @@ pub struct SpatialLaw {
 
 /// Stiffness over unit weight ξ_n/(ρ g) = 894 μ³ − 386 μ² + 89 μ, μ = tan φ. Source: Agarwal et al. (2023), a cubic fit.
 ///
-/// φ in radians; refused above tan φ = 0.85, where the fit is not to be extrapolated (it was made up to about 0.8).
+/// φ in radians; the fit covers tan φ up to about 0.8 and is not extrapolated beyond 0.85.
 ///
 /// # Errors
 /// Unless 0.1 ≤ tan φ ≤ 0.85.
-pub fn strength_scale(friction_angle: f64) -> Answer<f64> {
+pub fn stiffness_per_unit_weight(friction_angle: f64) -> ModelResult<f64> {
     let mu = within("internal friction tan φ for 3D-RFT", friction_angle.tan(), 0.1, 0.85)?;
     Ok(894.0 * mu.powi(3) - 386.0 * mu * mu + 89.0 * mu)
 }
 
 impl SpatialLaw {
-    /// The law of a soil of friction angle φ [rad] and unit weight γ [N/m³] on a surface of friction μ.
+    /// The law for soil of friction angle φ [rad] and unit weight γ [N/m³] on a surface with the friction coefficient μ.
     ///
     /// # Errors
-    /// If φ is beyond the fit of [`strength_scale`], γ ≤ 0 or μ is not in 0 to 2.
-    pub fn new(friction_angle: f64, unit_weight: f64, friction: f64) -> Answer<Self> {
-        let stiffness = strength_scale(friction_angle)? * positive("unit weight [N/m^3]", unit_weight)?;
+    /// If φ is beyond the fit of [`stiffness_per_unit_weight`], γ ≤ 0 or μ is not in 0 to 2.
+    pub fn new(friction_angle: f64, unit_weight: f64, friction: f64) -> ModelResult<Self> {
+        let stiffness =
+            stiffness_per_unit_weight(friction_angle)? * positive("unit weight [N/m^3]", unit_weight)?;
         Ok(Self { stiffness, friction: within("surface friction", friction, 0.0, 2.0)? })
     }
 
-    /// Dimensionless traction α for a normal and a direction of motion.
+    /// Generic (dimensionless) traction α for a unit normal and a unit direction of motion.
     #[must_use]
     pub fn generic(normal: [f64; 3], direction: [f64; 3]) -> [f64; 3] {
         let down = if normal[2] < 0.0 { normal } else { normal.map(|x| -x) };
-        let f = functions(-direction[2], -down[2], dot(down, direction));
+        let f = response_functions(-direction[2], -down[2], dot(down, direction));
         let mut alpha = [0.0; 3];
         for i in 0..3 {
             alpha[i] = f[0] * down[i] + f[1] * direction[i];
@@ -77,16 +79,16 @@ impl Traction for SpatialLaw {
         let along = dot(alpha, normal);
         let tangent = [0, 1, 2].map(|i| alpha[i] - along * normal[i]);
         let size = dot(tangent, tangent).sqrt();
-        // The soil can only push on the surface, and its friction can only brake.
-        let push = along.abs();
+        // The normal traction is compressive, and friction opposes the motion.
+        let pressure = along.abs();
         let sense = if dot(tangent, direction) > 0.0 { -1.0 } else { 1.0 };
-        let kept = if size > 0.0 { sense * (self.friction * push / size).min(1.0) } else { 0.0 };
-        [0, 1, 2].map(|i| self.stiffness * depth * (kept * tangent[i] - push * normal[i]))
+        let scale = if size > 0.0 { sense * (self.friction * pressure / size).min(1.0) } else { 0.0 };
+        [0, 1, 2].map(|i| self.stiffness * depth * (scale * tangent[i] - pressure * normal[i]))
     }
 }
 
-/// f₁, f₂, f₃ of the three products.
-fn functions(x: f64, y: f64, z: f64) -> [f64; 3] {
+/// f₁, f₂, f₃ of x₁, x₂, x₃.
+fn response_functions(x: f64, y: f64, z: f64) -> [f64; 3] {
     let terms = [
         1.0,
         x,

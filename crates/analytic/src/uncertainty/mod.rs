@@ -1,11 +1,11 @@
-//! What the spread of the inputs makes of the answer.
+//! Propagation of input uncertainties: intervals and Sobol indices.
 
+mod distribution;
 mod propagate;
 mod sequence;
-mod spread;
 mod towing;
 
+pub use distribution::Distribution;
 pub use propagate::{Uncertainty, propagate};
 pub use sequence::Sequence;
-pub use spread::Spread;
 pub use towing::{TowingUncertainty, propagate_towing, sweep_table};

@@ -1,9 +1,9 @@
-//! Sobol's sequence.
+//! Sobol sequence.
 
-/// Most dimensions of a [`Sequence`].
+/// Largest number of dimensions of a [`Sequence`].
 pub(super) const DIMENSIONS: usize = 20;
 
-/// Degree and coefficients of the primitive polynomial, and the first direction numbers, from the second dimension on.
+/// Degree and coefficients of the primitive polynomial, and the initial direction numbers, from the second dimension on.
 ///
 /// Source: Joe & Kuo (2008), file new-joe-kuo-6 (compared with public copies of that file, all nineteen rows).
 const DIRECTIONS: [(usize, u32, [u32; 7]); DIMENSIONS - 1] = [
@@ -28,7 +28,7 @@ const DIRECTIONS: [(usize, u32, [u32; 7]); DIMENSIONS - 1] = [
     (7, 1, [1, 3, 7, 11, 23, 15, 103]),
 ];
 
-/// A low-discrepancy sequence in up to twenty dimensions, shifted digit by digit so that no point lies on the edge.
+/// A low-discrepancy sequence in up to twenty dimensions, with a random digital shift; no point lies on the boundary.
 ///
 /// Source: Sobol (1967) in Gray-code order (Antonov & Saleev 1979); direction numbers of Joe & Kuo (2008).
 #[derive(Clone, Debug)]
@@ -40,7 +40,7 @@ pub struct Sequence {
 }
 
 impl Sequence {
-    /// A sequence of `dimensions` (at most twenty; more are left out) with a shift drawn from `seed`.
+    /// A sequence in `dimensions` dimensions (at most twenty, more are ignored), its shift drawn from `seed`.
     #[must_use]
     pub fn new(dimensions: usize, seed: u64) -> Self {
         let dimensions = dimensions.min(DIMENSIONS);
@@ -106,14 +106,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_dimension_meets_every_cell_once() {
+    fn every_dimension_visits_every_cell_once() {
         let mut sequence = Sequence::new(DIMENSIONS, 7);
-        let mut met = vec![[false; 1024]; DIMENSIONS];
+        let mut visited = vec![[false; 1024]; DIMENSIONS];
         let mut point = [0.0; DIMENSIONS];
         for _ in 0..1024 {
             sequence.next_point(&mut point);
-            for (met, x) in met.iter_mut().zip(point) {
-                let cell = &mut met[(x * 1024.0) as usize];
+            for (visited, x) in visited.iter_mut().zip(point) {
+                let cell = &mut visited[(x * 1024.0) as usize];
                 assert!(!*cell && x > 0.0 && x < 1.0);
                 *cell = true;
             }

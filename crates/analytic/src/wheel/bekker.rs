@@ -1,9 +1,9 @@
-//! Bekker: pressure and sinkage of a plate, rolled up into a wheel.
+//! Bekker: the pressure–sinkage relation of a plate, applied to a wheel.
 
 use crate::disc::Disc;
-use crate::error::{Answer, finite, positive, within};
+use crate::error::{ModelResult, finite, positive, within};
 
-/// Plate constants of a terrain.
+/// Plate constants of a terrain (Bekker's pressure–sinkage parameters).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PressureSinkage {
     /// Sinkage exponent n.
@@ -22,19 +22,19 @@ pub struct PressureSinkage {
 
 /// Resistance and sinkage of a towed wheel.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rolling {
-    /// Rolling resistance R [N].
+pub struct RollingResistance {
+    /// RollingResistance resistance R [N].
     pub resistance: f64,
     /// Sinkage z [m].
     pub sinkage: f64,
 }
 
 impl PressureSinkage {
-    /// Refuses constants that no terrain has.
+    /// Checks the range of the constants.
     ///
     /// # Errors
     /// Unless 0.05 ≤ n ≤ 2.5, k_c ≥ 0, k_φ > 0, c ≥ 0, 0 ≤ φ ≤ 55° and K > 0.
-    pub fn check(&self) -> Answer<()> {
+    pub fn check(&self) -> ModelResult<()> {
         within("sinkage exponent", self.exponent, 0.05, 2.5)?;
         within("cohesive modulus", self.cohesive, 0.0, f64::MAX)?;
         positive("frictional modulus", self.frictional)?;
@@ -55,11 +55,11 @@ impl PressureSinkage {
 ///
 /// z = [3W / ((3−n)(k_c + b k_φ) √d)]^{2/(2n+1)}, R = b (k_c/b + k_φ) z^{n+1}/(n+1).
 /// Source: Bekker (1956, 1969), as in Wong, Theory of Ground Vehicles (recalled, not re-read). Wong advises d > 0.5 m and
-/// z ≪ d; refused for z > d/2, where the parabola that replaces the rim has left it. `weight` in N.
+/// z ≪ d. For z > d/2, where the parabola no longer approximates the rim, there is no result. `weight` in N.
 ///
 /// # Errors
 /// If an input is out of range, or the wheel would sink deeper than half its diameter.
-pub fn bekker_towed(soil: &PressureSinkage, disc: &Disc, weight: f64) -> Answer<Rolling> {
+pub fn bekker_towed(soil: &PressureSinkage, disc: &Disc, weight: f64) -> ModelResult<RollingResistance> {
     soil.check()?;
     disc.check()?;
     let w = positive("weight [N]", weight)?;
@@ -67,28 +67,32 @@ pub fn bekker_towed(soil: &PressureSinkage, disc: &Disc, weight: f64) -> Answer<
     let sinkage = (3.0 * w / ((3.0 - n) * modulus * disc.diameter.sqrt())).powf(2.0 / (2.0 * n + 1.0));
     within("Bekker's sinkage [m]", sinkage, 0.0, 0.5 * disc.diameter)?;
     let resistance = modulus * sinkage.powf(n + 1.0) / (n + 1.0);
-    Ok(Rolling { resistance: finite("the rolling resistance", resistance)?, sinkage })
+    Ok(RollingResistance { resistance: finite("the rolling resistance", resistance)?, sinkage })
 }
 
-/// The same at a given sinkage z [m]: the resistance, and the weight W = (3−n)/3 (k_c + b k_φ) √d z^{n+½} [N] it carries.
+/// The same at a given sinkage z [m]: the resistance, and the weight carried, W = (3−n)/3 (k_c + b k_φ) √d z^{n+½} [N].
 ///
 /// # Errors
 /// If an input is out of range.
-pub fn bekker_at_depth(soil: &PressureSinkage, disc: &Disc, sinkage: f64) -> Answer<(Rolling, f64)> {
+pub fn bekker_at_depth(
+    soil: &PressureSinkage,
+    disc: &Disc,
+    sinkage: f64,
+) -> ModelResult<(RollingResistance, f64)> {
     soil.check()?;
     disc.check()?;
     let z = within("Bekker's sinkage [m]", sinkage, 0.0, 0.5 * disc.diameter)?;
     let (n, modulus) = (soil.exponent, soil.cohesive + disc.thickness * soil.frictional);
     let resistance = finite("the rolling resistance", modulus * z.powf(n + 1.0) / (n + 1.0))?;
     let weight = finite("the weight", (3.0 - n) / 3.0 * modulus * disc.diameter.sqrt() * z.powf(n + 0.5))?;
-    Ok((Rolling { resistance, sinkage: z }, weight))
+    Ok((RollingResistance { resistance, sinkage: z }, weight))
 }
 
-/// Shear stress after a slide of j [m] under the normal pressure σ [Pa]: (c + σ tan φ)(1 − e^{−j/K}) [Pa].
+/// Shear stress at the shear displacement j [m] under the normal pressure σ [Pa]: (c + σ tan φ)(1 − e^{−|j|/K}) [Pa].
 ///
-/// Source: Janosi & Hanamoto (1961). For soil without a peak; j ≥ 0, a negative slide is taken by its size.
+/// Source: Janosi & Hanamoto (1961). For soil without a peak strength.
 #[must_use]
-pub fn janosi_shear(soil: &PressureSinkage, normal: f64, slide: f64) -> f64 {
+pub fn janosi_shear(soil: &PressureSinkage, normal: f64, displacement: f64) -> f64 {
     let strength = soil.cohesion + normal * soil.friction_angle.tan();
-    -strength * (-slide.abs() / soil.shear_modulus).exp_m1()
+    -strength * (-displacement.abs() / soil.shear_modulus).exp_m1()
 }

@@ -1,10 +1,10 @@
 //! Empirical mobility numbers: resistance from the cone index.
 
-use super::Rolling;
+use super::RollingResistance;
 use crate::disc::Disc;
-use crate::error::{Answer, positive, within};
+use crate::error::{ModelResult, positive, within};
 
-/// Dimensionless group of a wheel on a soil of cone index CI.
+/// Dimensionless groups of a wheel on soil of cone index CI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MobilityGroup {
     /// Wheel numeric C_n = CI b d / W.
@@ -14,11 +14,11 @@ pub struct MobilityGroup {
 }
 
 impl MobilityGroup {
-    /// From the cone index [Pa] and the weight [N], for a rigid wheel.
+    /// The groups of a rigid wheel from the cone index [Pa] and the weight [N].
     ///
     /// # Errors
-    /// If an input is not positive, or the group is so small (C_n < 1) that the wheel would be lost.
-    pub fn rigid(cone_index: f64, disc: &Disc, weight: f64) -> Answer<Self> {
+    /// If an input is not positive, or C_n < 1, where the wheel would be immobile.
+    pub fn rigid(cone_index: f64, disc: &Disc, weight: f64) -> ModelResult<Self> {
         disc.check()?;
         let area = disc.thickness * disc.diameter;
         let numeric = positive("cone index [Pa]", cone_index)? * area / positive("weight [N]", weight)?;
@@ -28,26 +28,28 @@ impl MobilityGroup {
     }
 }
 
-/// Towed force of Wismer & Luth: R/W = 1.2/C_n + 0.04 [N]. They say nothing of the sinkage (0 is returned).
+/// Towed force of Wismer & Luth: R/W = 1.2/C_n + 0.04, R in N; without a sinkage (0 is returned).
 ///
-/// Source: Wismer & Luth (1973) (recalled; the same 1.2/C_n + 0.04 read in public code for tractors). Made for tyres with b/d ≈ 0.3 on cohesive-frictional soil.
+/// Source: Wismer & Luth (1973) (recalled; the same 1.2/C_n + 0.04 read in public code for tractors). For tyres
+/// with b/d ≈ 0.3 on cohesive-frictional soil.
 ///
 /// # Errors
 /// As [`MobilityGroup::rigid`].
-pub fn wismer_luth_towed(cone_index: f64, disc: &Disc, weight: f64) -> Answer<Rolling> {
+pub fn wismer_luth_towed(cone_index: f64, disc: &Disc, weight: f64) -> ModelResult<RollingResistance> {
     let group = MobilityGroup::rigid(cone_index, disc, weight)?;
-    Ok(Rolling { resistance: weight * (1.2 / group.wheel_numeric + 0.04), sinkage: 0.0 })
+    Ok(RollingResistance { resistance: weight * (1.2 / group.wheel_numeric + 0.04), sinkage: 0.0 })
 }
 
-/// Motion resistance of Brixius (NRMM family): R/W = 1/B_n + 0.04 + 0.5 s/√B_n [N] at slip s (0 to 1); no sinkage.
+/// Motion resistance of Brixius (NRMM family): R/W = 1/B_n + 0.04 + 0.5 s/√B_n, R in N, at slip s (0 to 1);
+/// without a sinkage (0 is returned).
 ///
-/// Source: Brixius (1987), ASAE 87-1622 (recalled, medium confidence). Made for tyres, B_n > 1.
+/// Source: Brixius (1987), ASAE 87-1622 (recalled, medium confidence). For tyres, B_n > 1.
 ///
 /// # Errors
 /// As [`MobilityGroup::rigid`], and for a slip outside 0 to 1.
-pub fn brixius_towed(cone_index: f64, disc: &Disc, weight: f64, slip: f64) -> Answer<Rolling> {
+pub fn brixius_towed(cone_index: f64, disc: &Disc, weight: f64, slip: f64) -> ModelResult<RollingResistance> {
     let group = MobilityGroup::rigid(cone_index, disc, weight)?;
     let s = within("slip", slip, 0.0, 1.0)?;
     let b = within("mobility number", group.mobility_number, 0.2, f64::MAX)?;
-    Ok(Rolling { resistance: weight * (1.0 / b + 0.04 + 0.5 * s / b.sqrt()), sinkage: 0.0 })
+    Ok(RollingResistance { resistance: weight * (1.0 / b + 0.04 + 0.5 * s / b.sqrt()), sinkage: 0.0 })
 }

@@ -253,10 +253,10 @@ impl Shape {
             Self::Disc { diameter, thickness } => Box::new(shape::Disc { diameter, thickness }),
             Self::Block { size, orientation: 0.0 } => Box::new(shape::Block { size }),
             Self::Block { size, orientation } => {
-                Box::new(shape::Turned::new(shape::Block { size }, orientation))
+                Box::new(shape::Rotated::new(shape::Block { size }, orientation))
             }
             Self::Cylinder { diameter, length, axis } => Box::new(shape::Cylinder { diameter, length, axis }),
-            Self::Ball { diameter } => Box::new(shape::Ball { diameter }),
+            Self::Ball { diameter } => Box::new(shape::Sphere { diameter }),
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::{Failure, say, say_json};
 use crate::case::quantity::{self, ANGLE};
 use analytic::earth_pressure::{Comparison, Face, PassiveField, compare};
-use analytic::error::Answer;
+use analytic::error::ModelResult;
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 
@@ -30,7 +30,7 @@ pub(super) struct Arguments {
 struct Entry {
     key: &'static str,
     name: &'static str,
-    answer: Answer<f64>,
+    answer: ModelResult<f64>,
 }
 
 pub(super) fn pressure(arguments: &Arguments) -> Result<(), Failure> {

@@ -15,7 +15,7 @@ pub fn document(outlook: &Outlook, intervals: &Intervals, in_full: bool) -> Valu
         entry
     };
     let full_friction: Vec<Value> = forecast.models_full_friction.iter().map(|m| model(outlook, m)).collect();
-    let spread = forecast.spread.as_ref().map(|s| {
+    let spread = forecast.scatter.as_ref().map(|s| {
         json!({
             "count": s.count, "drag_N": range(&s.drag), "vertical_N": range(&s.vertical),
             "sinkage_m": s.sinkage.as_ref().map(range),
@@ -92,7 +92,7 @@ fn model(outlook: &Outlook, model: &ModelForecast) -> Value {
         // ωr/v − 1 at any slip: an older name that scripts rely on.
         "skid": found.and_then(|p| p.slip).map(|slip| analytic::turn_ratio(slip) - 1.0),
         "mechanism": found.and_then(|p| p.mechanism).map(mechanism_word),
-        "sideways_share": found.and_then(|p| p.sideways_share),
+        "sideways_share": found.and_then(|p| p.sideways_fraction),
         "F_H_bar": found.map(|p| p.drag / scale),
         "F_V_bar": found.map(|p| p.vertical / scale),
         "Z": found.and_then(|p| p.sinkage).map(|z| z / length),

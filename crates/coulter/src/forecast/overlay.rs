@@ -34,7 +34,7 @@ pub fn overlays(case: &Case) -> Result<Vec<Overlay>, String> {
 
 fn levels(outlook: &Outlook, model: &ModelForecast, body: &str) -> Vec<Overlay> {
     let Some(found) = model.prediction else { return Vec::new() };
-    let turn = found.slip.map(|slip| outlook.setting.towing.drive.turning_ratio(slip));
+    let turn = found.slip.map(|slip| outlook.setting.towing.drive.turn_ratio(slip));
     // The load of a free disc is known: no model has to say it.
     let vertical = (!outlook.sinks()).then_some(found.vertical);
     let entries = [

@@ -46,8 +46,8 @@ pub fn setting(case: &Case) -> Result<Setting, String> {
     let drive = match &body {
         Body::Block(_) => Drive::Locked,
         Body::Disc(_) => drive(first, 0.5 * body.length())?,
-        Body::Round(_) if matches!(first.shape, Shape::Ball { .. }) => drive(first, 0.5 * body.length())?,
-        Body::Round(_) => Drive::Locked,
+        Body::Faceted(_) if matches!(first.shape, Shape::Ball { .. }) => drive(first, 0.5 * body.length())?,
+        Body::Faceted(_) => Drive::Locked,
     };
     if drive == Drive::Locked && !matches!(first.spin, Freedom::Fixed) {
         remarks.push(format!("`{}` may turn; the models take it as held upright", first.name));
@@ -90,9 +90,9 @@ fn no_lateral_tow(bodies: &[&Towed]) -> Result<(), String> {
 
 /// A remark on the keys of `[forecast]` that no model of such a body asks for.
 fn idle_keys(towing: &Towing, kind: &str) -> Option<String> {
-    let is_round = matches!(towing.body, Body::Round(_));
+    let is_round = matches!(towing.body, Body::Faceted(_));
     let given = [
-        ("heap", towing.heap_fraction != 0.0),
+        ("heap", towing.bow_wave_fraction != 0.0),
         ("backfill", is_round && towing.backfill != 0.0),
         ("factors", is_round && towing.method != Method::default()),
         ("cone_index", towing.cone_index.is_some()),
@@ -105,7 +105,7 @@ fn idle_keys(towing: &Towing, kind: &str) -> Option<String> {
 
 /// What the section `[forecast]` of the case says.
 fn add_measured(towing: &mut Towing, measured: &Measured, remarks: &mut Vec<String>) {
-    (towing.heap_fraction, towing.backfill) = (measured.heap, measured.backfill);
+    (towing.bow_wave_fraction, towing.backfill) = (measured.heap, measured.backfill);
     (towing.cone_index, towing.plate_stiffness) = (measured.cone_index, measured.plate_stiffness);
     towing.method = match measured.factors {
         Factors::Meyerhof => Method::Meyerhof,

@@ -25,7 +25,7 @@ pub fn models_table(outlook: &Outlook, intervals: &Intervals) -> String {
             found.and_then(|p| p.slip),
         ];
         let groups = [
-            found.and_then(|p| p.sideways_share),
+            found.and_then(|p| p.sideways_fraction),
             found.map(|p| p.drag / scale),
             found.map(|p| p.vertical / scale),
             sinkage.map(|z| z / length),

@@ -5,7 +5,7 @@ use super::range::{Unreadable, known, value};
 use super::{Setting, Variable};
 use crate::case::Spread;
 use analytic::forecast::{Candidate, Parameter};
-use analytic::uncertainty::{Spread as Distribution, Uncertainty, propagate_towing, sweep_table};
+use analytic::uncertainty::{Distribution, Uncertainty, propagate_towing, sweep_table};
 use serde::Serialize;
 
 /// The same number for everybody, so that an answer can be repeated.
@@ -134,7 +134,7 @@ impl Effort {
         );
         let needs_table = matches!(
             model,
-            Candidate::Weaker | Candidate::Wedge | Candidate::PlaneStrain | Candidate::BrinchHansen
+            Candidate::Governing | Candidate::Wedge | Candidate::PlaneStrain | Candidate::BrinchHansen
         );
         match self {
             Self::Glance if is_slow || (needs_table && !has_table) => 96,
@@ -198,7 +198,7 @@ fn interval(quantity: &'static str, model: &'static str, found: Uncertainty) -> 
         high,
         first_order: found.first_order,
         total: found.total,
-        refused: found.refused,
+        refused: found.failed,
         evaluations: found.evaluations,
     }
 }

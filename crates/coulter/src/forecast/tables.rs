@@ -150,7 +150,7 @@ fn fixed(value: f64) -> String {
 
 /// How the soil fails, with the share of the thrust where there are two ways.
 fn way_out(found: &Prediction) -> String {
-    match (found.mechanism, found.sideways_share) {
+    match (found.mechanism, found.sideways_fraction) {
         (Some(mechanism), Some(sideways)) => {
             let share = if mechanism == Mechanism::Sideways { sideways } else { 1.0 - sideways };
             let word = mechanism_word(mechanism);
@@ -162,7 +162,7 @@ fn way_out(found: &Prediction) -> String {
 
 fn closing(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
     let forecast = &outlook.forecast;
-    if let Some(spread) = forecast.spread.as_ref().filter(|s| s.count > 1) {
+    if let Some(spread) = forecast.scatter.as_ref().filter(|s| s.count > 1) {
         write!(
             text,
             "\nspread over {} models: drag {:.3} to {:.3} N",

@@ -2,7 +2,7 @@
 
 use crate::case::resolved::{Axis, Body as Towed, Case, Freedom, Shape};
 use analytic::disc::{Assembly, Disc};
-use analytic::forecast::{Block, Body, Round};
+use analytic::forecast::{Block, Body, FacetedBody};
 use analytic::resistive::Facet;
 use glam::DVec3;
 use physics::shape::SurfacePoint;
@@ -110,9 +110,9 @@ pub(super) fn body(
             let orientation = if is_mirrored { -orientation } else { orientation };
             block(case, size, orientation, remarks).into()
         }
-        Shape::Cylinder { diameter, length, .. } => Body::Round(round(body, diameter, length)),
+        Shape::Cylinder { diameter, length, .. } => Body::Faceted(faceted(body, diameter, length)),
         Shape::Ball { diameter } | Shape::Disc { diameter, .. } => {
-            Body::Round(round(body, diameter, diameter))
+            Body::Faceted(faceted(body, diameter, diameter))
         }
     };
     Ok((as_seen, kind, is_mirrored))
@@ -120,27 +120,27 @@ pub(super) fn body(
 
 /// A block turned by `orientation` [rad]; in plane strain as wide as the slab.
 fn block(case: &Case, size: DVec3, orientation: f64, remarks: &mut Vec<String>) -> Block {
-    let endless = case.domain.plane_strain;
-    let across = if endless { case.domain.high.y - case.domain.low.y } else { size.y };
-    if endless {
+    let plane_strain = case.domain.plane_strain;
+    let across = if plane_strain { case.domain.high.y - case.domain.low.y } else { size.y };
+    if plane_strain {
         remarks.push(format!("plane strain: the forces are those on a slab {across:.4} m wide"));
     }
     let orientation = (orientation + PI).rem_euclid(2.0 * PI) - PI;
-    Block { size: [size.x, across, size.z], orientation, endless, has_base: true }
+    Block { size: [size.x, across, size.z], orientation, plane_strain, has_base: true }
 }
 
 /// A body by the points of its surface.
-fn round(body: &Towed, diameter: f64, length: f64) -> Round {
+fn faceted(body: &Towed, diameter: f64, length: f64) -> FacetedBody {
     let solid = body.shape.solid();
     let (low, high) = solid.bounds();
     // Some thousand points at most, however slender the body is.
     let spacing = (diameter / POINTS_ACROSS).max((diameter * length / MOST_POINTS).sqrt());
     let facet = |p: SurfacePoint| Facet {
-        middle: p.position.to_array(),
+        centroid: p.position.to_array(),
         normal: p.normal.to_array(),
         area: p.area,
-        rise: 0.5 * (p.area * (1.0 - p.normal.z.powi(2)).max(0.0)).sqrt(),
+        half_height: 0.5 * (p.area * (1.0 - p.normal.z.powi(2)).max(0.0)).sqrt(),
     };
     let facets = solid.surface_points(spacing, DVec3::ZERO).into_iter().map(facet).collect();
-    Round { length: diameter, width: diameter, height: high.z - low.z, facets }
+    FacetedBody { length: diameter, width: diameter, height: high.z - low.z, facets }
 }

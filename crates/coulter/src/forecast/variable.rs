@@ -81,7 +81,7 @@ const ALL: [Variable; 20] = [
         "brake torque M",
         ("N m", 1.0),
     ),
-    variable(Parameter::HeapFraction, ("forecast", "heap"), Kind::Number, "heap fraction χ", BARE),
+    variable(Parameter::BowWaveFraction, ("forecast", "heap"), Kind::Number, "heap fraction χ", BARE),
     variable(
         Parameter::Backfill,
         ("forecast", "backfill"),
@@ -193,7 +193,7 @@ impl Variable {
             || match setting.towing.body {
                 Body::Disc(_) => self.parameter != Parameter::Orientation,
                 Body::Block(_) => matches!(self.parameter, Parameter::Orientation | Parameter::Backfill),
-                Body::Round(_) => matches!(self.parameter, Parameter::Slip | Parameter::BrakeTorque),
+                Body::Faceted(_) => matches!(self.parameter, Parameter::Slip | Parameter::BrakeTorque),
             }
     }
 
@@ -235,7 +235,7 @@ impl Variable {
             Parameter::Orientation => {
                 towing.body.block().map(|block| self.model_value(setting, block.orientation))
             }
-            Parameter::HeapFraction => Some(towing.heap_fraction),
+            Parameter::BowWaveFraction => Some(towing.bow_wave_fraction),
             Parameter::Backfill => Some(towing.backfill),
             Parameter::Weight => match towing.load {
                 Load::Weight(weight) => Some((weight - setting.extra_load) / setting.bodies.len() as f64),

@@ -4,8 +4,8 @@ use super::bench::VerifyError;
 use super::element::CONFINEMENT;
 use super::specimen::Specimen;
 use physics::elastic::Elastic;
+use physics::law::Law;
 use physics::mohr_coulomb::MohrCoulomb;
-use physics::strength::Law;
 use physics::tensor::Symmetric;
 
 const INCREMENTS: usize = 600;

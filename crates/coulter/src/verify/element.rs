@@ -5,9 +5,9 @@ use super::confined::{isotropic, oedometer};
 use super::row::Row;
 use super::specimen::{Cell, Point, Specimen};
 use physics::elastic::Elastic;
+use physics::law::Law;
 use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
 use physics::mohr_coulomb::MohrCoulomb;
-use physics::strength::Law;
 use physics::tensor::{Spectrum, Symmetric};
 use std::time::Instant;
 

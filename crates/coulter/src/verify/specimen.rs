@@ -3,8 +3,9 @@
 use super::bench::VerifyError;
 use glam::DVec3;
 use physics::elastic::Elastic;
-use physics::strength::{Law, Strength};
+use physics::law::Law;
 use physics::tensor::{Symmetric, deviator, mean};
+use physics::yield_law::YieldLaw;
 use solver::grid::Grid;
 use solver::initial::{Filling, at_rest};
 use solver::material::Material;

@@ -1,6 +1,6 @@
-//! The block: a rectangular box with sharp edges; a footing, a wall or a plate.
+//! The block: a rectangular box with sharp edges, such as a footing, a wall or a plate.
 
-use super::{Mesh, Shape, SurfacePoint, middle, paired, parts};
+use super::{Mesh, Shape, SurfacePoint, divisions, midpoint, paired};
 use glam::DVec3;
 
 /// A box centred on the origin.
@@ -37,14 +37,14 @@ impl Shape for Block {
             if width <= 0.0 || height <= 0.0 {
                 continue;
             }
-            let (columns, rows) = (parts(width, spacing), parts(height, spacing));
+            let (columns, rows) = (divisions(width, spacing), divisions(height, spacing));
             for side in [-1.0, 1.0] {
                 for n in 0..(columns * rows) as usize {
                     let (column, row) = (n % columns as usize, n / columns as usize);
                     let mut position = DVec3::ZERO;
                     position[axis] = side * 0.5 * self.size[axis];
-                    position[first] = width * middle(column, columns);
-                    position[second] = height * middle(row, rows);
+                    position[first] = width * midpoint(column, columns);
+                    position[second] = height * midpoint(row, rows);
                     let mut normal = DVec3::ZERO;
                     normal[axis] = side;
                     points.push(SurfacePoint { position, normal, area: width * height / (columns * rows) });
@@ -55,11 +55,11 @@ impl Shape for Block {
     }
 
     fn surface_point_count(&self, spacing: f64, inset: DVec3) -> f64 {
-        let room = self.size - 2.0 * inset;
+        let usable = self.size - 2.0 * inset;
         let both_sides = |axis: usize| {
-            let (width, height) = (room[(axis + 1) % 3], room[(axis + 2) % 3]);
+            let (width, height) = (usable[(axis + 1) % 3], usable[(axis + 2) % 3]);
             if width > 0.0 && height > 0.0 {
-                2.0 * parts(width, spacing) * parts(height, spacing)
+                2.0 * divisions(width, spacing) * divisions(height, spacing)
             } else {
                 0.0
             }

@@ -1,19 +1,19 @@
-//! The cylinder: sharp rims, its axis along x, y or z; a pile, a pipe, a circular footing.
+//! The cylinder: with sharp rims and its axis along x, y or z, such as a pile, a pipe or a circular footing.
 
-use super::{Disc, Mesh, Shape, SurfacePoint, middle, paired, parts, ring, ring_count, ring_points};
+use super::{Disc, Mesh, Shape, SurfacePoint, divisions, midpoint, paired, ring, ring_count, ring_points};
 use glam::DVec3;
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
 
-/// Along what a cylinder lies.
+/// Direction of a cylinder's axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Axis {
-    /// Along the tow.
+    /// In the tow direction.
     X,
-    /// Across it, like a disc's axle.
+    /// Horizontal, perpendicular to the tow, like a disc's axle.
     Y,
-    /// Upright.
+    /// Vertical.
     Z,
 }
 
@@ -27,15 +27,15 @@ impl std::fmt::Display for Axis {
     }
 }
 
-/// A cylinder centred on the origin. It is a disc with another axis, its contact points arranged so that they are their
-/// own mirror image across both planes through the axis: half or a quarter of it can be modelled.
+/// A cylinder centred on the origin: a disc with another axis, and with contact points that are symmetric about both planes
+/// through the axis, so that half or a quarter of it can be modelled.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cylinder {
     /// Diameter [m].
     pub diameter: f64,
     /// Length along the axis [m].
     pub length: f64,
-    /// Along what it lies.
+    /// Direction of the axis.
     pub axis: Axis,
 }
 
@@ -53,7 +53,7 @@ impl Cylinder {
         }
     }
 
-    /// The way back.
+    /// From the frame of the disc to the body frame.
     fn body_frame(self, x: DVec3) -> DVec3 {
         match self.axis {
             Axis::X => DVec3::new(x.y, x.z, x.x),
@@ -93,12 +93,12 @@ impl Shape for Cylinder {
         let mut points = Vec::new();
         let width = self.length - 2.0 * inset.y;
         if width > 0.0 {
-            // An even number: points in the middle plane, where two cells may meet, would belong to one of them.
-            let rows = 2.0 * parts(0.5 * width, spacing);
+            // An even number: points on the centre plane, where two cells may meet, would be assigned to one of them.
+            let rows = 2.0 * divisions(0.5 * width, spacing);
             let around = ring(TAU * radius, spacing);
             let area = TAU * radius * width / (rows * around.len() as f64);
             for row in 0..rows as usize {
-                let along = DVec3::Y * (width * middle(row, rows));
+                let along = DVec3::Y * (width * midpoint(row, rows));
                 points.extend(around.iter().map(|[a, b]| {
                     let normal = DVec3::new(*a, 0.0, *b);
                     self.point(radius * normal + along, normal, area)
@@ -106,7 +106,7 @@ impl Shape for Cylinder {
             }
         }
         let outer = (radius - inset.x).max(0.0);
-        let rings = if outer > 0.0 { parts(outer, spacing) } else { 0.0 };
+        let rings = if outer > 0.0 { divisions(outer, spacing) } else { 0.0 };
         for n in 0..rings as usize {
             let radius = outer * (n as f64 + 0.5) / rings;
             let around = ring(TAU * radius, spacing);
@@ -125,8 +125,8 @@ impl Shape for Cylinder {
     fn surface_point_count(&self, spacing: f64, inset: DVec3) -> f64 {
         let (radius, inset) = (0.5 * self.diameter, self.disc_frame(inset));
         let (width, outer) = (self.length - 2.0 * inset.y, (radius - inset.x).max(0.0));
-        let side = 2.0 * parts(0.5 * width, spacing) * ring_count(TAU * radius, spacing);
-        let rings = if outer > 0.0 { parts(outer, spacing) } else { 0.0 };
+        let side = 2.0 * divisions(0.5 * width, spacing) * ring_count(TAU * radius, spacing);
+        let rings = if outer > 0.0 { divisions(outer, spacing) } else { 0.0 };
         let area = PI * (outer / spacing).powi(2);
         let around = |length: f64| ring_count(length, spacing);
         let end = ring_points(rings, |n| outer * (n + 0.5) / rings, around, area);

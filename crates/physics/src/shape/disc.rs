@@ -1,6 +1,6 @@
-//! The disc: a flat cylinder with sharp rims, its axle along `y`.
+//! The disc: a flat cylinder with sharp rims and its axle along `y`.
 
-use super::{Mesh, Shape, SurfacePoint, middle, paired, parts, ring_points};
+use super::{Mesh, Shape, SurfacePoint, divisions, midpoint, paired, ring_points};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
 
@@ -49,11 +49,11 @@ impl Shape for Disc {
 
     fn surface_point_count(&self, spacing: f64, inset: DVec3) -> f64 {
         let width = self.thickness - 2.0 * inset.y;
-        let rim = 2.0 * parts(0.5 * width, spacing) * parts(PI * self.diameter, spacing);
+        let rim = 2.0 * divisions(0.5 * width, spacing) * divisions(PI * self.diameter, spacing);
         let outer = self.radius() - inset.x;
-        let rings = parts(outer, spacing);
+        let rings = divisions(outer, spacing);
         let area = PI * (outer / spacing).powi(2);
-        let around = |length: f64| parts(length, spacing);
+        let around = |length: f64| divisions(length, spacing);
         let face = ring_points(rings, |n| outer * (n + 0.5) / rings, around, area);
         if width > 0.0 { rim + 2.0 * face } else { 2.0 * face }
     }
@@ -81,18 +81,18 @@ impl Shape for Disc {
     }
 }
 
-/// Points on the cylindrical tread, in rows across the thickness.
+/// Points on the rim, in rows across the thickness.
 fn rim_points(disc: &Disc, spacing: f64, inset: f64, points: &mut Vec<SurfacePoint>) {
     let width = disc.thickness - 2.0 * inset;
     if width <= 0.0 {
         return;
     }
-    // An even number: points in the middle plane, where two cells may meet, would belong to one of them.
-    let rows = 2.0 * parts(0.5 * width, spacing);
-    let columns = parts(PI * disc.diameter, spacing);
+    // An even number: points on the centre plane, where two cells may meet, would be assigned to one of them.
+    let rows = 2.0 * divisions(0.5 * width, spacing);
+    let columns = divisions(PI * disc.diameter, spacing);
     let area = width / rows * PI * disc.diameter / columns;
     for row in 0..rows as usize {
-        let y = width * middle(row, rows);
+        let y = width * midpoint(row, rows);
         for column in 0..columns as usize {
             let (sin, cos) = (TAU * (column as f64 + 0.5) / columns).sin_cos();
             let normal = DVec3::new(sin, 0.0, cos);
@@ -104,10 +104,10 @@ fn rim_points(disc: &Disc, spacing: f64, inset: f64, points: &mut Vec<SurfacePoi
 /// Points on one flat face, in rings.
 fn face_points(disc: &Disc, side: f64, spacing: f64, inset: f64, points: &mut Vec<SurfacePoint>) {
     let outer = disc.radius() - inset;
-    let rings = parts(outer, spacing);
+    let rings = divisions(outer, spacing);
     for ring in 0..rings as usize {
         let radius = outer * (ring as f64 + 0.5) / rings;
-        let count = parts(TAU * radius, spacing);
+        let count = divisions(TAU * radius, spacing);
         let area = TAU * radius * outer / rings / count;
         for n in 0..count as usize {
             let (sin, cos) = (TAU * (n as f64 + 0.5) / count).sin_cos();

@@ -3,8 +3,8 @@
 
 use glam::DVec3;
 use physics::elastic::Elastic;
+use physics::law::Law;
 use physics::mohr_coulomb::MohrCoulomb;
-use physics::strength::Law;
 use solver::grid::Grid;
 use solver::initial::Filling;
 use solver::material::Material;

@@ -1,11 +1,12 @@
 //! The strength of a block of cells: its trial stresses are brought back to the admissible set.
 
 use super::physics::elastic::Elastic;
+use super::physics::law::Law;
 use super::physics::menetrey_willam::MenetreyWillam;
 use super::physics::mohr_coulomb::MohrCoulomb;
-use super::physics::strength::{Law, Strength};
 use super::physics::tensor::Symmetric;
 use super::physics::von_mises::VonMises;
+use super::physics::yield_law::YieldLaw;
 use super::stress::{BLOCK, Block, CellRow, RowConstants, tensor};
 use super::{LANES, Real};
 use crate::fields::PLASTIC_STRAIN;
@@ -30,7 +31,7 @@ pub(super) fn apply(
 #[inline(always)]
 fn apply_strength(
     constants: &RowConstants,
-    strength: &impl Strength,
+    strength: &impl YieldLaw,
     cells: &mut CellRow,
     b: &mut Block,
 ) -> usize {
@@ -115,7 +116,7 @@ struct Yielding {
 
 impl Yielding {
     #[inline(always)]
-    fn return_stress(&mut self, elastic: &Elastic, strength: &impl Strength) {
+    fn return_stress(&mut self, elastic: &Elastic, strength: &impl YieldLaw) {
         for l in 0..LANES {
             let trial = tensor(&self.trial, l);
             let old = tensor(&self.old, l);
@@ -204,7 +205,7 @@ mod tests {
 
     /// Ratios within one run, so that they hold on any machine: check and return in vectors against the same formulas cell
     /// by cell.
-    fn goes_in_vectors<S: Strength>(strength: &S, law: impl Apply<S>) {
+    fn goes_in_vectors<S: YieldLaw>(strength: &S, law: impl Apply<S>) {
         let yielding = |i: usize| [-1e3, -4e3 - i as Real, -9e3, 500.0, 10.0 * i as Real, -300.0];
         let resting = |i: usize| [-5e3, -4e3 - i as Real, -6e3, 50.0, i as Real, -30.0];
         let (returned, together) = in_vectors(strength, &law, yielding);

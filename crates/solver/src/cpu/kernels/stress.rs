@@ -8,7 +8,7 @@
 use super::lanes::lane_sum;
 use super::physics::brick::{Sums, hourglass_coefficient};
 use super::physics::elastic::Elastic;
-use super::physics::strength::Law;
+use super::physics::law::Law;
 use super::physics::tensor::{Symmetric, deviator, jaumann};
 use super::physics::viscosity::BulkViscosity;
 use super::return_mapping::apply;
@@ -56,10 +56,10 @@ impl MaterialConstants {
             1.0,
         );
         Self {
-            elastic: Elastic::rounded(&material.elastic),
-            strength: material.strength.as_ref().map(Law::rounded),
+            elastic: Elastic::cast(&material.elastic),
+            strength: material.strength.as_ref().map(Law::cast),
             critical_density: material.critical_density.unwrap_or(0.0) as Real,
-            viscosity: BulkViscosity::rounded(&material.viscosity(method.bulk_viscosity)),
+            viscosity: BulkViscosity::cast(&material.viscosity(method.bulk_viscosity)),
             hourglass,
         }
     }

@@ -1,22 +1,22 @@
-//! The rival models, brought to the form of the forecast.
+//! Wheel models and resistive force theory as models of the forecast.
 
 use super::{Body, Candidate, Load, Prediction, Towing};
 use crate::disc::{Disc, Drive};
-use crate::error::{Answer, none};
+use crate::error::{ModelResult, undefined};
 use crate::resistive::{
-    Facet, PlanarLaw, Rolled, SpatialLaw, Traction, at_depth, body_at_depth, body_under_weight,
-    strength_scale, under_weight,
+    Facet, PlanarLaw, SpatialLaw, SteadyTow, Traction, at_depth, body_at_depth, body_under_weight,
+    stiffness_per_unit_weight, under_weight,
 };
 use crate::soil::Soil;
 use crate::wheel::{
-    PressureSinkage, Rolling, bekker_at_depth, bekker_towed, brixius_towed, hetherington_littleton,
+    PressureSinkage, RollingResistance, bekker_at_depth, bekker_towed, brixius_towed, hetherington_littleton,
     hetherington_littleton_at_depth, wismer_luth_towed, wong_reece_at_depth, wong_reece_towed,
 };
 
-/// Pressure over depth under a level plate in 3D-RFT, per unit of its stiffness ξ_n.
+/// Pressure over depth under a level plate in 3D-RFT, relative to its stiffness ξ_n.
 const LEVEL_PLATE: f64 = 0.875;
 
-pub(super) fn predict(model: Candidate, towing: &Towing) -> Answer<Prediction> {
+pub(super) fn predict(model: Candidate, towing: &Towing) -> ModelResult<Prediction> {
     if model == Candidate::SpatialResistive {
         let (soil, friction) = (&towing.soil, towing.soil.body_friction);
         return resistive(
@@ -29,20 +29,20 @@ pub(super) fn predict(model: Candidate, towing: &Towing) -> Answer<Prediction> {
         return resistive(&PlanarLaw::new(plate_stiffness(towing)?)?, towing, Facet::sliced);
     }
     let Body::Disc(disc) = &towing.body else {
-        return none(model.name(), "it is for a wheel");
+        return undefined(model.name(), "it is for a wheel");
     };
     if towing.assembly.is_some_and(|assembly| assembly.count > 1) {
-        return none(model.name(), "it knows a single disc only");
+        return undefined(model.name(), "it is for a single disc");
     }
     if towing.soil.cohesion > 0.0 && matches!(model, Candidate::HetheringtonLittleton) {
-        return none(model.name(), "it is for cohesionless soil");
+        return undefined(model.name(), "it is for cohesionless soil");
     }
     match model {
-        Candidate::McKyesAli | Candidate::GodwinSpoor | Candidate::BrinchHansen => none(
+        Candidate::McKyesAli | Candidate::GodwinSpoor | Candidate::BrinchHansen => undefined(
             model.name(),
-            "the front of a disc overhangs the soil (rake beyond 90°), where this blade model ends",
+            "the front of a disc overhangs the soil (rake above 90°), beyond the range of this blade model",
         ),
-        _ if towing.drive != Drive::Free => none(model.name(), "it is for a towed wheel that turns freely"),
+        _ if towing.drive != Drive::Free => undefined(model.name(), "it is for a free-rolling towed wheel"),
         Candidate::HetheringtonLittleton => hetherington(towing, disc),
         Candidate::Bekker => bekker(towing, disc),
         Candidate::WongReece => wong_reece(towing, disc),
@@ -50,64 +50,71 @@ pub(super) fn predict(model: Candidate, towing: &Towing) -> Answer<Prediction> {
     }
 }
 
-fn plate_stiffness(towing: &Towing) -> Answer<f64> {
+fn plate_stiffness(towing: &Towing) -> ModelResult<f64> {
     match towing.plate_stiffness {
         Some(stiffness) => Ok(stiffness),
-        None => Ok(LEVEL_PLATE * strength_scale(towing.soil.friction_angle)? * towing.soil.unit_weight),
+        None => {
+            Ok(LEVEL_PLATE * stiffness_per_unit_weight(towing.soil.friction_angle)? * towing.soil.unit_weight)
+        }
     }
 }
 
-/// The answer of a law; `seen` is how it sees a piece of a surface.
-fn resistive(law: &impl Traction, towing: &Towing, seen: fn(&Facet) -> Facet) -> Answer<Prediction> {
+/// The prediction of a traction law; `projected` maps the facets to those of the law.
+fn resistive(
+    law: &impl Traction,
+    towing: &Towing,
+    projected: fn(&Facet) -> Facet,
+) -> ModelResult<Prediction> {
     if towing.assembly.is_some_and(|assembly| assembly.count > 1) {
-        return none("resistive force theory", "it knows a single disc only");
+        return undefined("resistive force theory", "it is for a single disc");
     }
     if towing.soil.cohesion > 0.0 {
-        return none("resistive force theory", "it is for cohesionless soil");
+        return undefined("resistive force theory", "it is for cohesionless soil");
     }
-    let of_pieces = |facets: &[Facet], drive: Drive| {
-        let (facets, height): (Vec<Facet>, f64) = (facets.iter().map(seen).collect(), towing.body.height());
+    let of_facets = |facets: &[Facet], drive: Drive| {
+        let (facets, height): (Vec<Facet>, f64) =
+            (facets.iter().map(projected).collect(), towing.body.height());
         match towing.load {
             Load::Weight(weight) => body_under_weight(law, &facets, height, weight, drive),
             Load::Sinkage(z) => body_at_depth(law, &facets, height, z, drive),
         }
     };
-    let Rolled { drag, vertical, sinkage, slip, .. } = match (&towing.body, towing.load) {
+    let SteadyTow { drag, vertical, sinkage, slip, .. } = match (&towing.body, towing.load) {
         (Body::Disc(disc), Load::Weight(weight)) => under_weight(law, disc, weight, towing.drive)?,
         (Body::Disc(disc), Load::Sinkage(z)) => at_depth(law, disc, z, towing.drive)?,
-        (Body::Block(block), _) => of_pieces(&block.facets(), Drive::Locked)?,
-        (Body::Round(round), _) => of_pieces(&round.facets, towing.drive)?,
+        (Body::Block(block), _) => of_facets(&block.facets(), Drive::Locked)?,
+        (Body::Faceted(body), _) => of_facets(&body.facets, towing.drive)?,
     };
-    let turns = towing.body.disc().is_some() || towing.drive != Drive::Locked;
-    prediction(towing, drag, vertical, Some(sinkage), turns.then_some(slip))
+    let rotates = towing.body.disc().is_some() || towing.drive != Drive::Locked;
+    prediction(towing, drag, vertical, Some(sinkage), rotates.then_some(slip))
 }
 
-fn hetherington(towing: &Towing, disc: &Disc) -> Answer<Prediction> {
+fn hetherington(towing: &Towing, disc: &Disc) -> ModelResult<Prediction> {
     let (phi, gamma) = (towing.soil.friction_angle, towing.soil.unit_weight);
-    let (Rolling { resistance, sinkage }, weight) = match towing.load {
+    let (RollingResistance { resistance, sinkage }, weight) = match towing.load {
         Load::Weight(weight) => (hetherington_littleton(phi, gamma, disc, weight)?, weight),
         Load::Sinkage(z) => hetherington_littleton_at_depth(phi, gamma, disc, z)?,
     };
     if sinkage > 0.95 * disc.diameter {
-        return none("Hetherington and Littleton's sinkage", "the wheel would be buried");
+        return undefined("Hetherington and Littleton's sinkage", "the wheel would be buried");
     }
     prediction(towing, resistance, weight, Some(sinkage), None)
 }
 
-fn bekker(towing: &Towing, disc: &Disc) -> Answer<Prediction> {
+fn bekker(towing: &Towing, disc: &Disc) -> ModelResult<Prediction> {
     let Some(terrain) = &towing.terrain else {
-        return none("Bekker's wheel", "no plate constants (k_c, k_φ, n) are given");
+        return undefined("Bekker's wheel", "no plate constants (k_c, k_φ, n) are given");
     };
-    let (Rolling { resistance, sinkage }, weight) = match towing.load {
+    let (RollingResistance { resistance, sinkage }, weight) = match towing.load {
         Load::Weight(weight) => (bekker_towed(terrain, disc, weight)?, weight),
         Load::Sinkage(z) => bekker_at_depth(terrain, disc, z)?,
     };
     prediction(towing, resistance, weight, Some(sinkage), None)
 }
 
-fn wong_reece(towing: &Towing, disc: &Disc) -> Answer<Prediction> {
+fn wong_reece(towing: &Towing, disc: &Disc) -> ModelResult<Prediction> {
     let Some(terrain) = towing.terrain else {
-        return none("Wong and Reece's wheel", "no plate constants (k_c, k_φ, n) are given");
+        return undefined("Wong and Reece's wheel", "no plate constants (k_c, k_φ, n) are given");
     };
     let Soil { cohesion, friction_angle, .. } = towing.soil;
     let terrain = PressureSinkage { cohesion, friction_angle, ..terrain };
@@ -118,12 +125,12 @@ fn wong_reece(towing: &Towing, disc: &Disc) -> Answer<Prediction> {
     prediction(towing, wheel.drag, wheel.vertical, Some(wheel.sinkage), Some(wheel.slip))
 }
 
-fn mobility(model: Candidate, towing: &Towing, disc: &Disc) -> Answer<Prediction> {
+fn mobility(model: Candidate, towing: &Towing, disc: &Disc) -> ModelResult<Prediction> {
     let Load::Weight(weight) = towing.load else {
-        return none(model.name(), "it gives the drag under a weight; it knows no sinkage");
+        return undefined(model.name(), "it gives the drag under a weight, not at a sinkage");
     };
     let Some(cone_index) = towing.cone_index else {
-        return none(model.name(), "no cone index is given");
+        return undefined(model.name(), "no cone index is given");
     };
     let found = match model {
         Candidate::WismerLuth => wismer_luth_towed(cone_index, disc, weight)?,
@@ -138,13 +145,13 @@ fn prediction(
     vertical: f64,
     sinkage: Option<f64>,
     slip: Option<f64>,
-) -> Answer<Prediction> {
+) -> ModelResult<Prediction> {
     let contact_angle = match (sinkage, towing.body.disc()) {
         (Some(z), Some(disc)) if z > 0.0 => Some(disc.contact(z, 0.0)?.angle),
         _ => None,
     };
     let force_inclination = drag.atan2(vertical);
-    let (mechanism, sideways_share) = (None, None);
+    let (mechanism, sideways_fraction) = (None, None);
     Ok(Prediction {
         drag,
         vertical,
@@ -153,6 +160,6 @@ fn prediction(
         force_inclination,
         slip,
         mechanism,
-        sideways_share,
+        sideways_fraction,
     })
 }

@@ -1,17 +1,17 @@
-//! The ball.
+//! The sphere.
 
-use super::{Mesh, Shape, SurfacePoint, middle, paired, ring, ring_count, ring_points};
+use super::{Mesh, Shape, SurfacePoint, midpoint, paired, ring, ring_count, ring_points};
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 
-/// A ball centred on the origin. It has no sharp edges: its contact points keep no inset.
+/// A sphere centred on the origin. It has no sharp edges, so its contact points have no inset.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ball {
+pub struct Sphere {
     /// Diameter [m].
     pub diameter: f64,
 }
 
-impl Ball {
+impl Sphere {
     fn radius(&self) -> f64 {
         0.5 * self.diameter
     }
@@ -22,7 +22,7 @@ impl Ball {
     }
 }
 
-impl Shape for Ball {
+impl Shape for Sphere {
     fn signed_distance(&self, x: DVec3) -> f64 {
         x.length() - self.radius()
     }
@@ -39,14 +39,14 @@ impl Shape for Ball {
         0.4 * self.radius().powi(2)
     }
 
-    /// Rings of equal width between the poles on the z axis; a point stands for its part of the zone's true area.
+    /// Rings of equal width between the poles on the z axis; the points of a ring share the exact area of its zone.
     fn surface_points(&self, spacing: f64, _inset: DVec3) -> Vec<SurfacePoint> {
         let radius = self.radius();
         let rings = self.rings(spacing);
         let mut points = Vec::new();
         for n in 0..rings as usize {
-            // From the equator, so that north and south are each other's mirror image.
-            let latitude = PI * middle(n, rings);
+            // Relative to the equator, so that the hemispheres are symmetric to the bit.
+            let latitude = PI * midpoint(n, rings);
             let half = 0.5 * PI / rings;
             let zone = TAU * radius.powi(2) * 2.0 * latitude.cos() * half.sin();
             let around = ring(TAU * radius * latitude.cos(), spacing);

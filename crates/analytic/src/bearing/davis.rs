@@ -1,6 +1,6 @@
-//! Davis: what a flow rule that dilates less than it rubs takes from the strength.
+//! Davis' operative friction angle: the loss of strength due to non-associated flow.
 
-use crate::error::{Answer, within};
+use crate::error::{ModelResult, within};
 use std::f64::consts::FRAC_PI_2;
 
 /// Operative friction angle φ* [rad] of soil that dilates at ψ < φ: tan φ* = cos ψ cos φ tan φ / (1 − sin ψ sin φ).
@@ -10,7 +10,7 @@ use std::f64::consts::FRAC_PI_2;
 ///
 /// # Errors
 /// If φ or ψ is out of range.
-pub fn davis_friction_angle(friction_angle: f64, dilation_angle: f64) -> Answer<f64> {
+pub fn davis_friction_angle(friction_angle: f64, dilation_angle: f64) -> ModelResult<f64> {
     let phi = within("friction angle [rad]", friction_angle, 0.0, FRAC_PI_2 - 1e-6)?;
     let psi = within("dilation angle [rad]", dilation_angle, -phi, phi)?;
     Ok((psi.cos() * phi.sin() / (1.0 - psi.sin() * phi.sin())).atan())

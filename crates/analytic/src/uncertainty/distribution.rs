@@ -1,25 +1,25 @@
-//! How an input is spread.
+//! Distributions of the inputs.
 
-use crate::error::{Answer, positive, within};
+use crate::error::{ModelResult, positive, within};
 
 /// The distribution of an input.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Spread {
-    /// Every value between the two is as likely.
+pub enum Distribution {
+    /// Uniform between two values.
     Uniform {
-        /// Least value.
+        /// Smallest value.
         low: f64,
         /// Largest value.
         high: f64,
     },
-    /// Gaussian, cut off at three standard deviations.
+    /// Normal, truncated at three standard deviations.
     Normal {
         /// Mean.
         mean: f64,
         /// Standard deviation.
         deviation: f64,
     },
-    /// Logarithm Gaussian, cut off at three standard deviations; for what cannot be negative.
+    /// Log-normal, truncated at three standard deviations; for quantities that cannot be negative.
     LogNormal {
         /// Median.
         median: f64,
@@ -28,19 +28,19 @@ pub enum Spread {
     },
 }
 
-/// Probability below three standard deviations.
+/// Probability below −3 standard deviations.
 const TAIL: f64 = 0.001_349_898_031_630_094_6;
 
-impl Spread {
-    /// Refuses a spread without width or with nonsense in it.
+impl Distribution {
+    /// Checks the parameters.
     ///
     /// # Errors
-    /// As said.
-    pub fn check(&self) -> Answer<()> {
+    /// If a parameter is not finite or a width is not positive.
+    pub fn check(&self) -> ModelResult<()> {
         match *self {
             Self::Uniform { low, high } => {
-                within("least value", low, f64::MIN, f64::MAX)?;
-                positive("width of the spread", high - low)?;
+                within("smallest value", low, f64::MIN, f64::MAX)?;
+                positive("width of the distribution", high - low)?;
             }
             Self::Normal { mean, deviation } => {
                 within("mean", mean, f64::MIN, f64::MAX)?;
@@ -54,14 +54,14 @@ impl Spread {
         Ok(())
     }
 
-    /// The value below which the share `p` (0 to 1) of the distribution lies.
+    /// The quantile of the probability `p` (0 to 1).
     #[must_use]
     pub fn quantile(&self, p: f64) -> f64 {
-        let gauss = || inverse_normal(TAIL + (1.0 - 2.0 * TAIL) * p);
+        let normal = || inverse_normal(TAIL + (1.0 - 2.0 * TAIL) * p);
         match *self {
             Self::Uniform { low, high } => low + p * (high - low),
-            Self::Normal { mean, deviation } => mean + deviation * gauss(),
-            Self::LogNormal { median, log_deviation } => median * (log_deviation * gauss()).exp(),
+            Self::Normal { mean, deviation } => mean + deviation * normal(),
+            Self::LogNormal { median, log_deviation } => median * (log_deviation * normal()).exp(),
         }
     }
 }

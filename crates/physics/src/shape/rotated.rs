@@ -1,28 +1,28 @@
-//! A shape that is turned about y: an inclined plate.
+//! A shape rotated about y, such as an inclined plate.
 
 use super::{Mesh, Shape, SurfacePoint};
 use glam::{DMat3, DVec3};
 
-/// Another shape, turned about the y axis through its origin.
+/// Another shape, rotated about the y axis through its origin.
 #[derive(Debug)]
-pub struct Turned<S> {
+pub struct Rotated<S> {
     shape: S,
-    turn: DMat3,
+    rotation: DMat3,
 }
 
-impl<S: Shape> Turned<S> {
-    /// `shape` turned by `angle` [rad], positive as a body that rolls forward turns: its top moves towards x.
+impl<S: Shape> Rotated<S> {
+    /// `shape` rotated by `angle` [rad], positive in the sense of forward rolling: the top moves towards x.
     pub fn new(shape: S, angle: f64) -> Self {
-        Self { shape, turn: DMat3::from_rotation_y(angle) }
+        Self { shape, rotation: DMat3::from_rotation_y(angle) }
     }
 }
 
-impl<S: Shape> Shape for Turned<S> {
+impl<S: Shape> Shape for Rotated<S> {
     fn signed_distance(&self, x: DVec3) -> f64 {
-        self.shape.signed_distance(self.turn.transpose() * x)
+        self.shape.signed_distance(self.rotation.transpose() * x)
     }
 
-    /// The box round the corners of the drawn surface.
+    /// The bounding box of the mesh.
     fn bounds(&self) -> (DVec3, DVec3) {
         let corners = self.mesh().points;
         let box_of = |(low, high): (DVec3, DVec3), x: &DVec3| (low.min(*x), high.max(*x));
@@ -40,7 +40,7 @@ impl<S: Shape> Shape for Turned<S> {
     fn surface_points(&self, spacing: f64, inset: DVec3) -> Vec<SurfacePoint> {
         let mut points = self.shape.surface_points(spacing, inset);
         for point in &mut points {
-            (point.position, point.normal) = (self.turn * point.position, self.turn * point.normal);
+            (point.position, point.normal) = (self.rotation * point.position, self.rotation * point.normal);
         }
         points
     }
@@ -55,6 +55,6 @@ impl<S: Shape> Shape for Turned<S> {
 
     fn mesh(&self) -> Mesh {
         let mesh = self.shape.mesh();
-        Mesh { points: mesh.points.into_iter().map(|x| self.turn * x).collect(), ..mesh }
+        Mesh { points: mesh.points.into_iter().map(|x| self.rotation * x).collect(), ..mesh }
     }
 }

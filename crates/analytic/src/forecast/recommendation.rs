@@ -1,0 +1,189 @@
+//! The recommended model, and the reasons in words.
+
+use super::{Block, Body, Candidate, Load, ModelForecast, Prediction, Towing, blade};
+use crate::disc::Drive;
+use std::f64::consts::FRAC_PI_2;
+
+/// The recommended model for the body: the first applicable one.
+pub(super) fn recommended(towing: &Towing, models: &[ModelForecast]) -> Option<Candidate> {
+    let is_applicable =
+        |candidate: Candidate| models.iter().any(|model| model.model == candidate && model.applicable);
+    let order: &[Candidate] = match &towing.body {
+        Body::Disc(_) => &[Candidate::Governing],
+        Body::Block(block) if block.plane_strain => {
+            &[Candidate::PlaneStrain, Candidate::McKyesAli, Candidate::SpatialResistive]
+        }
+        Body::Block(_) => &[Candidate::Wedge, Candidate::McKyesAli, Candidate::SpatialResistive],
+        Body::Faceted(_) => &[Candidate::SpatialResistive],
+    };
+    order.iter().copied().find(|candidate| is_applicable(*candidate))
+}
+
+/// The recommendation for the case, with the reasons and the caveats.
+pub(super) fn recommend(towing: &Towing, models: &[ModelForecast]) -> String {
+    let best = recommended(towing, models);
+    let found = models.iter().find(|model| Some(model.model) == best).and_then(|model| model.prediction);
+    let mut text = match (&towing.body, best, found) {
+        (Body::Disc(_), _, Some(found)) => for_disc(towing, found.sideways_fraction.unwrap_or(1.0)),
+        (Body::Disc(_), ..) => {
+            let governing = models.iter().find(|model| model.model == Candidate::Governing);
+            let why = governing.map_or("", |model| model.note.as_str());
+            format!("The plasticity models have no solution ({why}). Run the solver for this case.")
+        }
+        (Body::Block(block), Some(best), Some(found)) => for_block(towing, block, best, &found),
+        (Body::Faceted(_), Some(_), _) => RESISTIVE.into(),
+        _ => "No model applies. Run the solver for this case.".into(),
+    };
+    for warning in warnings(towing).into_iter().chain(bearing_only_note(towing, models)) {
+        text.push(' ');
+        text.push_str(&warning);
+    }
+    text
+}
+
+/// The recommendation for a disc; `sideways` is the fraction of the thrust under which the soil fails sideways.
+fn for_disc(towing: &Towing, sideways: f64) -> String {
+    let thickness = towing.body.width() / towing.body.length();
+    let (percent, rest) = (100.0 * sideways, 100.0 * (1.0 - sideways));
+    let mechanism = if sideways > 0.95 {
+        format!(
+            "At t/d = {thickness:.2} the soil fails sideways from under nearly the whole rim, as in BC, at a lower \
+             pressure than forwards."
+        )
+    } else if sideways < 0.05 {
+        format!(
+            "At t/d = {thickness:.2} the soil fails forwards in a passive wedge before nearly the whole rim, as in PW, at \
+             a lower pressure than sideways."
+        )
+    } else {
+        format!(
+            "At t/d = {thickness:.2} the soil fails sideways under {percent:.0} % of the thrust, at depth (BC), and \
+             forwards under the other {rest:.0} %, near the surface (PW)."
+        )
+    };
+    format!(
+        "Recommended: the weaker of BC and PW at every point of the rim. {mechanism} Expect an error of 30 to 50 % in the \
+         forces, and a factor of 2.1 to 2.7 for 5° in the friction angle at a given sinkage. The other models are fits to \
+         other bodies or soils; their scatter shows the model uncertainty."
+    )
+}
+
+/// The recommendation where only resistive force theory applies.
+const RESISTIVE: &str = "Recommended: 3D-RFT, the only model that applies, a fit to plates in sand. For upright blocks, \
+    where it can be compared, it gives 1 to 2 times the passive thrust at a width of half the depth and 3 to 8 times at \
+    ten depths. Trust its trends more than its values.";
+
+/// The recommendation for a block.
+fn for_block(towing: &Towing, block: &Block, best: Candidate, found: &Prediction) -> String {
+    let sinkage = found.sinkage.unwrap_or(0.0);
+    if sinkage < 1e-6 * block.height() && matches!(towing.load, Load::Weight(_)) {
+        return "The base carries the block at the surface: it does not sink, and its drag is the friction on the base. \
+                The base is treated as a footing under a load inclined by its friction angle, an assumption that has not \
+                been validated; 3D-RFT predicts sinkage."
+            .into();
+    }
+    let rake = block.front().rake.to_degrees();
+    let text = match best {
+        Candidate::PlaneStrain => format!(
+            "Recommended: PW plane strain. For a plane front at a rake of {rake:.1}° in level soil it is the exact passive \
+             thrust of Mohr-Coulomb soil with associated flow, before a bow wave has formed. The remaining uncertainty is \
+             that of the friction angle: see the columns 5 to 95 %."
+        ),
+        Candidate::Wedge => format!(
+            "Recommended: PW, the exact passive thrust on the front, with side crescents. In plane strain it is exact; at \
+             z/b = {:.2} the end effects are an approximation without an exact solution to compare with. Brinch Hansen's \
+             formula for slabs gives less; the difference is the least uncertainty.",
+            sinkage / block.size[1]
+        ),
+        Candidate::McKyesAli => format!(
+            "Recommended: McKyes-Ali. The front has a rake of {rake:.1}°, outside the range of the exact field and where a \
+             plane slip surface is most accurate. The model was made for tillage tools. In plane strain it is an upper \
+             bound."
+        ),
+        _ => return RESISTIVE.into(),
+    };
+    text + &conditions_of_block(towing, block)
+}
+
+/// What the prediction for a block includes at its load.
+fn conditions_of_block(towing: &Towing, block: &Block) -> String {
+    let Load::Sinkage(z) = towing.load else {
+        let is_upright = (block.front().rake - FRAC_PI_2).abs() < 1e-9;
+        return if is_upright {
+            " It sinks until front and base carry the weight; the base is treated as a footing under a load inclined by \
+             its friction angle, an assumption that has not been validated."
+        } else {
+            " It sinks until the front carries the weight; its lower edge is treated as sharp."
+        }
+        .into();
+    };
+    let mut text = String::from(
+        " The forces are those on the front before a bow wave has formed; in a long tow they increase with it.",
+    );
+    if let Some(capacity) = blade::base_capacity(towing, block, z).ok().filter(|capacity| *capacity > 0.0) {
+        text.push_str(&format!(
+            " At a prescribed sinkage the soil may also exert an upward force of 0 to {capacity:.3} N under its base, with \
+             the corresponding friction; the blade models neglect it."
+        ));
+    }
+    text
+}
+
+/// The caveat where the governing mechanism of a disc is that of BC only because PW has no solution: for wall friction angles
+/// above two thirds of φ, and for steep chords. The prediction is then no lower bound, and it is discontinuous at the limit
+/// of PW.
+pub(super) fn bearing_only_note(towing: &Towing, models: &[ModelForecast]) -> Option<String> {
+    let found = |candidate: Candidate| models.iter().find(|m| m.model == candidate);
+    let is_predicted = found(Candidate::Governing).is_some_and(|m| m.prediction.is_some());
+    let wedge = found(Candidate::Wedge).filter(|m| m.prediction.is_none())?;
+    if !is_predicted || towing.body.disc().is_none() {
+        return None;
+    }
+    let from = (1.5 * towing.soil.interface_friction().atan()).to_degrees();
+    Some(format!(
+        "Only BC has a solution here: PW has none ({}), though the soil may well fail forwards. Where PW has one (from an \
+         operative friction angle of {from:.1}°, for its wall friction angle is at most two thirds of it) the weaker of the \
+         two is far lower: a discontinuity of the models, not of the soil. An interval that reaches across it may not \
+         contain the value shown.",
+        wedge.note
+    ))
+}
+
+/// Caveats that do not depend on the predictions.
+fn warnings(towing: &Towing) -> Vec<String> {
+    let mut warnings = Vec::new();
+    let slides = match towing.drive {
+        Drive::Locked => true,
+        Drive::Slip(slip) => slip < -0.5,
+        _ => false,
+    };
+    if slides && towing.body.disc().is_some() {
+        warnings.push(
+            "The disc slides: no closed form reproduces the drag measured on locked wheels, all are too low; take the drag \
+             as a lower estimate."
+                .into(),
+        );
+    }
+    let is_plastic = !matches!(towing.body, Body::Faceted(_));
+    if is_plastic && towing.soil.dilation_angle < towing.soil.friction_angle - 1e-9 {
+        warnings.push(
+            "The flow is non-associated: the plasticity models use Davis' angle. The values at the full friction angle are \
+             given as well: those of a stronger soil, in which the same weight sinks less."
+                .into(),
+        );
+    }
+    let cohesion = towing.soil.cohesion / (towing.soil.unit_weight * towing.body.length());
+    if cohesion > 0.006 && towing.body.disc().is_some() {
+        warnings.push(format!(
+            "Cohesion matters: c/(γ d) = {cohesion:.3} raises the vertical force by more than 5 %."
+        ));
+    }
+    if towing.bow_wave_fraction > 0.0 {
+        warnings.push("The bow wave (heap) is a hypothesis that has not been validated.".into());
+    }
+    if towing.assembly.is_some_and(|assembly| assembly.count > 1) {
+        warnings
+            .push("The group rule for several discs is an interpolation between two exact limits.".into());
+    }
+    warnings
+}

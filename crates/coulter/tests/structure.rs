@@ -1,0 +1,141 @@
+//! The structure of the source of every crate: no circular dependencies, short functions, one public type per name.
+//!
+//! **No circular dependencies.** The files and sub-folders of a folder must not depend on each other in a circle; a sub-folder
+//! counts as one node. A file depends on every file that defines an item it names: in a `use`, in a path, in the arguments of
+//! a macro. Names are resolved through `use` and `pub use` to the file that defines the item.
+//!
+//! A `mod.rs` is one of the files of its folder. Declaring children (`mod`) and re-exporting their items (`pub use`) is not a
+//! dependency, so the usual idiom, in which children use what `super` defines, is allowed. It is a circle if code of `mod.rs`
+//! itself also uses such a child: then move the shared definitions to a file of their own. Method calls and the expansion of
+//! macros are not followed. Test code (`#[cfg(test)]`) is exempt.
+//!
+//! **Short functions.** At most 60 lines from the signature to the closing brace, and at most 6 parameters besides `self`.
+//! Closures and test code are exempt.
+//!
+//! **One public type per name.** Within a crate no two types that are `pub` or `pub(crate)` have the same name. A file that is
+//! included twice (`#[path]`) defines its types once, and the two files that include it count as one.
+//!
+//! The lists below are the known violations. An entry that is no longer needed is an error, too.
+#![allow(clippy::unwrap_used)] // clippy does not recognise test helpers
+
+#[path = "structure/circles.rs"]
+mod circles;
+#[path = "structure/items.rs"]
+mod items;
+#[path = "structure/modules.rs"]
+mod modules;
+#[path = "structure/samples.rs"]
+mod samples;
+#[path = "structure/uses.rs"]
+mod uses;
+
+use modules::{Modules, Sources};
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+/// Dependencies that close a circle: crate, from, to (files or folders below `src`; `*` is everything that `from` uses).
+const CIRCLES: &[(&str, &str, &str)] = &[
+    ("coulter", "bench/mod.rs", "*"),
+    ("coulter", "case", "model.rs"),
+    ("coulter", "case", "output"),
+    ("coulter", "case/advice/mod.rs", "*"),
+    ("coulter", "case/mod.rs", "*"),
+    ("coulter", "case/resolve/mod.rs", "*"),
+    ("coulter", "case/estimate.rs", "case/resolve"),
+    ("coulter", "case/resolve/room.rs", "case/resolve/extent.rs"),
+    ("coulter", "case/units.rs", "case/quantity.rs"),
+    ("coulter", "case/values.rs", "case/schema.rs"),
+    ("coulter", "cli/mod.rs", "*"),
+    ("coulter", "output", "forecast"),
+    ("coulter", "output", "simulation.rs"),
+    ("coulter", "output", "trust"),
+    ("coulter", "output/error.rs", "output/folder.rs"),
+    ("coulter", "output/chart_marks.rs", "output/chart.rs"),
+    ("coulter", "output/rut.rs", "output/picture.rs"),
+    ("coulter", "run/mod.rs", "*"),
+    ("coulter", "trust/mod.rs", "*"),
+    ("coulter", "trust", "simulation.rs"),
+    ("coulter", "verify/element.rs", "verify/confined.rs"),
+    ("coulter", "verify/kept.rs", "verify/bench.rs"),
+    ("coulter", "verify/plot.rs", "verify/bench.rs"),
+    ("coulter", "verify/plot.rs", "verify/column.rs"),
+    ("solver", "contact/law.rs", "*"),
+    ("solver", "cpu/kernels/return_mapping.rs", "cpu/kernels/stress.rs"),
+];
+/// Functions with too many lines or parameters: crate, file below `src`, name.
+const FUNCTIONS: &[(&str, &str, &str)] =
+    &[("coulter", "output/report_rows.rs", "body_rows"), ("solver", "cpu/kernels/lagrange.rs", "lagrange")];
+/// Names of several public types: crate, name.
+const TYPES: &[(&str, &str)] = &[
+    ("coulter", "Setting"),
+    ("coulter", "Verdict"),
+    ("coulter", "Wish"),
+    ("solver", "Filling"),
+    ("solver", "Real"),
+];
+
+/// Name and folder of every crate.
+fn crates() -> Vec<(String, PathBuf)> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut found: Vec<_> = std::fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap())
+        .filter(|entry| entry.path().join("src").is_dir())
+        .map(|entry| (entry.file_name().to_string_lossy().into_owned(), entry.path()))
+        .collect();
+    found.sort();
+    assert!(found.len() >= 4, "{found:?}");
+    found
+}
+
+/// Fails with the violations of a rule in all crates.
+fn check(rule: impl Fn(&Sources, &Modules) -> Vec<String>) {
+    let mut violations = Vec::new();
+    for (name, folder) in crates() {
+        let sources = Sources::read(&name, &folder.join("src"));
+        violations.extend(rule(&sources, &Modules::of(&sources)));
+    }
+    assert!(violations.is_empty(), "\n{}\n", violations.join("\n"));
+}
+
+/// The entries of a list for one crate.
+fn entries<'a>(list: &[(&str, &'a str, &'a str)], name: &str) -> Vec<(&'a str, &'a str)> {
+    list.iter().filter(|(of, ..)| *of == name).map(|(_, first, second)| (*first, *second)).collect()
+}
+
+#[test]
+fn there_are_no_circular_dependencies() {
+    check(|sources, modules| {
+        circles::circles(&sources.name, &uses::uses(modules), &entries(CIRCLES, &sources.name))
+    });
+}
+
+#[test]
+fn functions_are_short_and_have_few_parameters() {
+    check(|sources, modules| items::functions(modules, sources, &entries(FUNCTIONS, &sources.name)));
+}
+
+#[test]
+fn no_two_public_types_of_a_crate_share_a_name() {
+    check(|sources, modules| {
+        let own = TYPES.iter().filter(|(of, _)| *of == sources.name).map(|(_, name)| *name);
+        items::types(modules, sources, &own.collect::<Vec<_>>())
+    });
+}
+
+#[test]
+fn every_file_belongs_to_a_module() {
+    check(|sources, modules| {
+        let known: BTreeSet<&String> = modules.list.iter().map(|m| &m.file).chain(&modules.tests).collect();
+        let orphans = sources.files.keys().filter(|file| !known.contains(file));
+        orphans.map(|file| format!("crates/{}/src/{file} belongs to no module", sources.name)).collect()
+    });
+}
+
+#[test]
+fn every_exception_names_a_crate() {
+    let crates: BTreeSet<String> = crates().into_iter().map(|(name, _)| name).collect();
+    let named = CIRCLES.iter().chain(FUNCTIONS).map(|e| e.0).chain(TYPES.iter().map(|e| e.0));
+    let unknown: Vec<&str> = named.filter(|name| !crates.contains(*name)).collect();
+    assert!(unknown.is_empty(), "{unknown:?}");
+}

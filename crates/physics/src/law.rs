@@ -1,0 +1,50 @@
+//! The constitutive laws that the soil may have, as one type.
+
+use super::Real;
+use super::menetrey_willam::MenetreyWillam;
+use super::mohr_coulomb::MohrCoulomb;
+use super::tensor::Symmetric;
+use super::von_mises::VonMises;
+use super::yield_law::{Returned, YieldLaw};
+
+/// A constitutive law.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Law {
+    /// Mohr–Coulomb with a flow potential of the same form; closed-form return mapping.
+    MohrCoulomb(MohrCoulomb),
+    /// Mohr–Coulomb with the smooth flow potential of Menétrey and Willam.
+    MenetreyWillam(MenetreyWillam),
+    /// Von Mises with linear isotropic hardening.
+    VonMises(VonMises),
+}
+
+impl Law {
+    /// A double-precision law, cast to this precision.
+    #[must_use]
+    pub fn cast(exact: &crate::double::law::Law) -> Self {
+        use crate::double::law::Law as Exact;
+        match exact {
+            Exact::MohrCoulomb(law) => Self::MohrCoulomb(MohrCoulomb::cast(law)),
+            Exact::MenetreyWillam(law) => Self::MenetreyWillam(MenetreyWillam::cast(law)),
+            Exact::VonMises(law) => Self::VonMises(VonMises::cast(law)),
+        }
+    }
+}
+
+impl YieldLaw for Law {
+    fn may_yield(&self, stress: Symmetric, plastic_strain: Real) -> bool {
+        match self {
+            Self::MohrCoulomb(law) => law.may_yield(stress, plastic_strain),
+            Self::MenetreyWillam(law) => law.may_yield(stress, plastic_strain),
+            Self::VonMises(law) => law.may_yield(stress, plastic_strain),
+        }
+    }
+
+    fn return_map(&self, trial: Symmetric, plastic_strain: Real, dilates: bool) -> Returned {
+        match self {
+            Self::MohrCoulomb(law) => law.return_map(trial, plastic_strain, dilates),
+            Self::MenetreyWillam(law) => law.return_map(trial, plastic_strain, dilates),
+            Self::VonMises(law) => law.return_map(trial, plastic_strain, dilates),
+        }
+    }
+}
