@@ -126,7 +126,7 @@ impl<R: Precision> Simulation<R> {
     #[must_use]
     pub fn trust(&self, failure: Option<&str>) -> Trust {
         let references = Reference::all(&self.case);
-        Trust::grade(&self.setting, &self.history, &references, self.case.output.steady_share, failure)
+        Trust::grade(&self.setting, &self.history, &references, self.case.output.steady_fraction, failure)
     }
 
     /// Whether the run has reached its end.
@@ -288,7 +288,7 @@ pub fn model(case: &Case, lanes: usize) -> Model {
         density: case.soil.density,
         gravity: if case.soil.unit_weight > 0.0 { case.soil.unit_weight / case.soil.density } else { 0.0 },
         surface: case.ground.surface(),
-        rest_pressure_ratio: case.soil.rest_pressure_ratio,
+        rest_pressure_ratio: case.soil.k0,
         walls: case.domain.walls.map(|pair| pair.map(wall)),
         bodies: case.bodies.iter().map(body).collect(),
         share: case.domain.share(),
@@ -317,11 +317,11 @@ fn strength(elastic: Elastic, law: Law) -> Option<Strength> {
         Law::VonMises { yield_stress, hardening_modulus } => {
             Some(Strength::VonMises(VonMises::new(elastic, yield_stress, hardening_modulus)))
         }
-        Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_limit, potential, .. } => {
+        Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_cutoff, potential, .. } => {
             let (phi, psi) = (friction_angle, dilation_angle);
             Some(match potential {
                 Potential::MohrCoulomb => {
-                    Strength::MohrCoulomb(MohrCoulomb::new(elastic, phi, psi, cohesion, tension_limit))
+                    Strength::MohrCoulomb(MohrCoulomb::new(elastic, phi, psi, cohesion, tension_cutoff))
                 }
                 Potential::MenetreyWillam { meridional, deviatoric } => {
                     let shape = Eccentricity { meridional, deviatoric };
@@ -330,7 +330,7 @@ fn strength(elastic: Elastic, law: Law) -> Option<Strength> {
                         phi,
                         psi,
                         cohesion,
-                        tension_limit,
+                        tension_cutoff,
                         shape,
                     ))
                 }

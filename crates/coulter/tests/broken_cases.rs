@@ -84,7 +84,7 @@ fn impossible_stiffness_density_cohesion() {
     refused(TOWED_DISC, "\"5 MPa\"", "\"0 MPa\"", &["soil.young_modulus", "above 0"]);
     refused(FOOTING, "\"2000 kg/m^3\"", "\"-2000 kg/m^3\"", &["soil.density", "above 0"]);
     refused(TOWED_DISC, "cohesion = \"0 Pa\"", "cohesion = \"-1 Pa\"", &["soil.cohesion", "0 or more"]);
-    refused(TOWED_DISC, "cohesion = \"0 Pa\"", "tension_limit = \"5 Pa\"", &["apex", "c cot φ"]);
+    refused(TOWED_DISC, "cohesion = \"0 Pa\"", "tension_cutoff = \"5 Pa\"", &["apex", "c cot φ"]);
     refused(TOWED_DISC, "\"5 MPa\"", "\"1e999 MPa\"", &["finite"]);
 }
 
@@ -139,6 +139,21 @@ fn unknown_key_section_and_word() {
     );
     refused(TOWED_DISC, "spin = \"free\"", "spin = \"fre\"", &["\"locked\", \"free\""]);
     refused(TOWED_DISC, "\"0.4 s\", ramp", "\"0.4 s\", rampe", &["did you mean `ramp`?"]);
+}
+
+#[test]
+fn a_file_of_the_old_format_is_refused_with_all_that_has_to_change() {
+    refused(TOWED_DISC, "poisson_ratio = 0.3", "rest_pressure_ratio = 0.4", &["`soil.k0`", "write k0"]);
+    refused(TOWED_DISC, "shape = \"disc\"", "shape = \"ball\"", &["now called \"sphere\""]);
+    refused(TOWED_DISC, "format = 2", "format = 1", &["no longer read", "format = 2"]);
+    refused(TOWED_DISC, "format = 2", "format = 3", &["newer than this version of Coulter"]);
+    let old = TOWED_DISC.replace("format = 2\n", "").replace("[output]", "[output]\nsteady_share = 0.5");
+    let text = complaint_about(old.as_bytes());
+    for word in
+        ["`format` is missing", "add  format = 2  at the top", "`output.steady_fraction`", "2 problems"]
+    {
+        assert!(text.contains(word), "`{word}` is not in: {text}");
+    }
 }
 
 #[test]
@@ -318,9 +333,9 @@ fn what_a_case_symmetric_about_x_cannot_be() {
 
 #[test]
 fn shapes_that_do_not_fit() {
-    let ball = "shape = \"ball\"\ndiameter = \"1 m\"";
+    let sphere = "shape = \"sphere\"\ndiameter = \"1 m\"";
     let block = "shape = \"block\"\nsize = [\"1 m\", \"0.5 m\"]         # along x and z";
-    refused_at(FOOTING, block, ball, "shape = \"ball\"", &["cannot be combined with plane_strain"]);
+    refused_at(FOOTING, block, sphere, "shape = \"sphere\"", &["cannot be combined with plane_strain"]);
     let pile = "diameter = \"1 m\"\nshape = \"cylinder\"\naxis = \"z\"";
     refused(FOOTING, block, pile, &["lies across the slab"]);
     refused(
@@ -401,7 +416,9 @@ fn files_that_are_no_case() {
     assert!(complaint_about(b"title = \"an open string").contains("broken.toml:1:"));
     assert!(complaint_about("a=[".repeat(5000).as_bytes()).contains("not valid TOML"));
     assert!(complaint_about("[".repeat(100_000).as_bytes()).contains("not valid TOML"));
-    assert!(complaint_about(b"soil = 3\ngrid = 4\nrun = []\nbody = 5").contains("must be a section"));
+    assert!(
+        complaint_about(b"format = 2\nsoil = 3\ngrid = 4\nrun = []\nbody = 5").contains("must be a section")
+    );
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().to_str().unwrap();
     assert!(complaint(&["check", path]).contains("a directory"));

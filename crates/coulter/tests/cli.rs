@@ -56,7 +56,7 @@ fn the_towed_disc_is_understood() {
     let seen = checked(&[&shipped("towed_disc.toml")]);
     let case = &seen["resolved"];
     close(&case["soil"]["density"], 16e3 / 9.81);
-    close(&case["soil"]["rest_pressure_ratio"], 1.0 - 35f64.to_radians().sin());
+    close(&case["soil"]["k0"], 1.0 - 35f64.to_radians().sin());
     let disc = &case["bodies"][0];
     assert_eq!(disc["name"], "disc");
     close(&disc["mass"], 40.0 / 9.81);
@@ -105,7 +105,7 @@ fn overrides_take_effect() {
 fn box_and_fine_zone_follow_from_the_bodies() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("short.toml");
-    let case = "[soil]\nlaw = 'mohr-coulomb'\nfriction_angle = '30 deg'\nunit_weight = '16 kN/m^3'\nyoung_modulus = '5 MPa'\n\
+    let case = "format = 2\n[soil]\nlaw = 'mohr-coulomb'\nfriction_angle = '30 deg'\nunit_weight = '16 kN/m^3'\nyoung_modulus = '5 MPa'\n\
         [grid]\ncell = '20 mm'\n[body.a]\nshape = 'disc'\ndiameter = '0.2 m'\nthickness = '80 mm'\nfriction = 0.3\n\
         forward = { speed = '0.1 m/s' }\n[run]\nduration = '1 s'\n";
     std::fs::write(&path, case).unwrap();

@@ -134,11 +134,13 @@ fn what_it_cannot_answer_is_refused_with_the_reason() {
         (&["--log"], "--against"),
         (&["--points", "9"], "--against"),
         (&["--force"], "--against"),
-        (&["--against", "plate_exponent=0.5..1.5"], "plate ="),
-        (&["--set", "forecast.plate_exponent=1.1"], "forecast.plate_cohesive"),
-        (&["--set", "forecast.plate_frictional=5 kN/m^3"], "n is needed"),
-        (&["--set", "forecast.plate=\"LETE\""], "LETE sand"),
-        (&["--set", "forecast.shear_displacement=5 mm"], "does nothing"),
+        (&["--against", "sinkage_exponent=0.5..1.5"], "terrain ="),
+        (&["--against", "plate_exponent=0.5..1.5"], "now called `sinkage_exponent`"),
+        (&["--spread", "forecast.plate_cohesive=1", "--uncertainty"], "`forecast.cohesive_modulus`"),
+        (&["--set", "forecast.sinkage_exponent=1.1"], "forecast.cohesive_modulus"),
+        (&["--set", "forecast.frictional_modulus=5 kN/m^3"], "n is needed"),
+        (&["--set", "forecast.terrain=\"LETE\""], "LETE sand"),
+        (&["--set", "forecast.shear_deformation_modulus=5 mm"], "does nothing"),
         (&["--set", "forecast.backfill=40 deg"], "from -10 deg to 25 deg"),
         (&["--uncertainty", "--spread", "soil.friction_angle=2 m"], "an angle is needed"),
     ] {
@@ -214,18 +216,18 @@ fn spreads_become_intervals() {
 /// The section `[forecast]` lets the rivals speak, and is no business of a run.
 #[test]
 fn plate_constants_and_cone_index_let_the_rivals_speak() {
-    let given = ["--set", "forecast.plate=\"LETE sand\"", "--set", "forecast.cone_index=300 kPa"];
+    let given = ["--set", "forecast.terrain=\"LETE sand\"", "--set", "forecast.cone_index=300 kPa"];
     let seen = json(&given);
     for name in ["Bekker", "Wong-Reece", "Wismer-Luth", "Brixius"] {
         assert_eq!(model(&seen, name)["applicable"], true, "{name}");
     }
     let typed = json(&[
         "--set",
-        "forecast.plate_exponent=0.793",
+        "forecast.sinkage_exponent=0.793",
         "--set",
-        "forecast.plate_cohesive=102 kN/m^(n+1)",
+        "forecast.cohesive_modulus=102 kN/m^(n+1)",
         "--set",
-        "forecast.plate_frictional=5301 kPa/m^n",
+        "forecast.frictional_modulus=5301 kPa/m^n",
         "--set",
         "forecast.cone_index=0.3 MPa",
     ]);
@@ -290,6 +292,7 @@ fn pressure_gives_null_and_a_reason() {
 fn tool(changes: &[(&str, &str)]) -> (tempfile::TempDir, String) {
     let mut text = String::from(
         r#"
+format = 2
 title = "A tool"
 [soil]
 law = "mohr-coulomb"
@@ -431,11 +434,11 @@ fn blocks_sink_and_lean_and_are_uncertain() {
 #[test]
 fn round_bodies_have_resistive_force_theory() {
     let block = "shape = \"block\"\nsize = [\"0.06 m\", \"0.3 m\", \"0.25 m\"]";
-    let ball = "shape = \"ball\"\ndiameter = \"0.2 m\"\nspin = \"free\"\nweight = \"60 N\"";
+    let ball = "shape = \"sphere\"\ndiameter = \"0.2 m\"\nspin = \"free\"\nweight = \"60 N\"";
     let (_folder, path) =
         tool(&[(block, ball), ("heave = \"fixed\"", "heave = \"free\""), ("sinkage = \"0.1 m\"", "")]);
     let seen = told(&path, &[]);
-    assert_eq!((&seen["kind"], &seen["recommended"]), (&"ball".into(), &"3D-RFT".into()));
+    assert_eq!((&seen["kind"], &seen["recommended"]), (&"sphere".into(), &"3D-RFT".into()));
     let best = model(&seen, "3D-RFT");
     assert!((number(&best["vertical_N"]) / 60.0 - 1.0).abs() < 1e-3 && number(&best["slip"]) < 0.0);
     assert!(number(&model(&seen, "2-D RFT")["drag_N"]) > 0.0);

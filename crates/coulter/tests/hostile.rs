@@ -72,13 +72,13 @@ fn many_keys_and_many_bodies_are_answered_soon() {
     }
     refused_soon(&keys, &["unknown key `nonsense_0`", "… and 9980 more", "10000 problems"]);
     for n in 0..2000 {
-        writeln!(bodies, "[body.b{n}]\nshape = 'ball'\ndiameter = '0.1 m'\nfriction = 0.3").unwrap();
+        writeln!(bodies, "[body.b{n}]\nshape = 'sphere'\ndiameter = '0.1 m'\nfriction = 0.3").unwrap();
     }
     refused_soon(&bodies, &["2001 bodies", "500 are the most"]);
 }
 
 /// A block of 14 m on cells of 50 mm: 7.5 million points, 2 GB; of 40 mm: 12 million.
-const BLOCK: &str = "[soil]\nlaw = 'mohr-coulomb'\nfriction_angle = '35 deg'\nunit_weight = '16 kN/m^3'\n\
+const BLOCK: &str = "format = 2\n[soil]\nlaw = 'mohr-coulomb'\nfriction_angle = '35 deg'\nunit_weight = '16 kN/m^3'\n\
     young_modulus = '5 MPa'\n[domain]\nx = ['-9 m', '9 m']\ny = ['-9 m', '9 m']\nz = ['-5 m', '1 m']\n[grid]\n\
     cell = '40 mm'\nfine_x = ['-1 m', '1 m']\nfine_y = ['-1 m', '1 m']\n[body.b]\nshape = 'block'\n\
     size = ['14 m', '14 m', '14 m']\nfriction = 0.3\n[run]\nduration = '3 ms'\n";
@@ -91,7 +91,7 @@ fn a_body_with_too_many_points_is_refused_before_they_are_laid_out() {
 #[test]
 fn names_of_devices_are_refused() {
     refused(&coulter(&["check", &disc(), "--set", "name=CON"]), &["\"CON\" cannot be the name"]);
-    let body = ["--set", "body.com1.shape=ball"];
+    let body = ["--set", "body.com1.shape=sphere"];
     refused(&coulter(&[&["check", &disc()], &body[..]].concat()), &["cannot be called \"com1\""]);
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("nul.toml");

@@ -46,7 +46,7 @@ fn history() -> History {
 }
 
 fn grade(case: &Case, history: &History) -> Trust {
-    Trust::grade(&Setting::of(case), history, &Reference::all(case), case.output.steady_share, None)
+    Trust::grade(&Setting::of(case), history, &Reference::all(case), case.output.steady_fraction, None)
 }
 
 /// The verdict on one check of a history in which one thing is wrong; all others must be good.
@@ -163,7 +163,7 @@ fn a_run_that_was_stopped_is_broken_and_says_why() {
         &Setting::of(&case),
         &history(),
         &Reference::all(&case),
-        case.output.steady_share,
+        case.output.steady_fraction,
         Some(why),
     );
     assert_eq!(trust.verdict, Verdict::Broken);
@@ -193,7 +193,7 @@ fn sinkage_is_measured_from_the_soils_own_surface() {
 /// The torques of both halves cancel where x = 0 is a plane of symmetry.
 #[test]
 fn a_plane_of_symmetry_across_the_tow_leaves_no_torque() {
-    let case = "[soil]\nlaw = 'mohr-coulomb'\nfriction_angle = '30 deg'\nunit_weight = '16 kN/m^3'\n\
+    let case = "format = 2\n[soil]\nlaw = 'mohr-coulomb'\nfriction_angle = '30 deg'\nunit_weight = '16 kN/m^3'\n\
         young_modulus = '5 MPa'\n[domain]\nsymmetric = true\nsymmetric_x = true\n[grid]\ncell = '25 mm'\n\
         [body.disc]\nshape = 'disc'\ndiameter = '0.2 m'\nthickness = '0.1 m'\nfriction = 0.3\nsinkage = '10 mm'\n\
         heave = { speed = '-0.1 m/s' }\n[run]\nduration = '0.5 s'\n[output]\nhistory_interval = '4 ms'\n";

@@ -3,6 +3,7 @@
 mod advice;
 pub mod documentation;
 pub mod estimate;
+pub mod format;
 pub mod json_schema;
 pub mod keys;
 pub mod machine;
@@ -20,6 +21,7 @@ mod units;
 mod values;
 
 pub use advice::advice;
+pub use format::FORMAT;
 pub use overrides::overridden;
 pub use problem::{CaseError, Problem};
 pub(crate) use resolve::extent::travel;

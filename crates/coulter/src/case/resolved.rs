@@ -52,8 +52,8 @@ pub struct Soil {
     pub young_modulus: f64,
     /// Poisson's ratio ν, 0 ≤ ν < 0.5.
     pub poisson_ratio: f64,
-    /// Ratio K₀ of horizontal to vertical stress at rest.
-    pub rest_pressure_ratio: f64,
+    /// Coefficient of earth pressure at rest K₀: horizontal over vertical stress at the start.
+    pub k0: f64,
 }
 
 /// The strength of the soil.
@@ -82,8 +82,8 @@ pub enum Law {
         dilation_angle: f64,
         /// Cohesion c [Pa]; 0 is allowed.
         cohesion: f64,
-        /// Largest tension that the soil bears [Pa]; at most c cot φ.
-        tension_limit: f64,
+        /// Tension cut-off: the largest tensile stress [Pa]; at most c cot φ.
+        tension_cutoff: f64,
         /// Where yielding soil flows to.
         potential: Potential,
         /// Density below which the soil dilates no more [kg/m³].
@@ -238,8 +238,8 @@ pub enum Shape {
         /// Along what it lies.
         axis: Axis,
     },
-    /// A ball.
-    Ball {
+    /// A sphere.
+    Sphere {
         /// Diameter d [m].
         diameter: f64,
     },
@@ -256,7 +256,7 @@ impl Shape {
                 Box::new(shape::Turned::new(shape::Block { size }, orientation))
             }
             Self::Cylinder { diameter, length, axis } => Box::new(shape::Cylinder { diameter, length, axis }),
-            Self::Ball { diameter } => Box::new(shape::Ball { diameter }),
+            Self::Sphere { diameter } => Box::new(shape::Ball { diameter }),
         }
     }
 }
@@ -270,8 +270,8 @@ pub struct Output {
     pub field_interval: f64,
     /// Time between checkpoints, in seconds of wall clock; infinite for none but at the end.
     pub checkpoint_interval: f64,
-    /// Share of the run's end that the steady averages are taken over, 0 to 1.
-    pub steady_share: f64,
+    /// Fraction of the run, at its end, over which steady averages are taken, 0 to 1.
+    pub steady_fraction: f64,
 }
 
 /// How the soil and a body act on each other.
@@ -350,8 +350,8 @@ pub struct Plate {
     pub cohesive: f64,
     /// Frictional modulus k_φ [N/m^(n+2)].
     pub frictional: f64,
-    /// Shear displacement modulus K [m].
-    pub shear_displacement: f64,
+    /// Shear deformation modulus K [m].
+    pub shear_deformation_modulus: f64,
 }
 
 /// Whose factors of shape, depth and inclination the bearing model takes.

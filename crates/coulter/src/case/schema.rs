@@ -1,5 +1,6 @@
 //! What was typed: the tree, checked against the table of keys. Nothing is interpreted here.
 
+use super::format;
 use super::keys;
 use super::problem::{Place, Problems};
 use super::tree::{Entry, Value};
@@ -125,6 +126,9 @@ pub(super) fn read(root: &[Entry], problems: &mut Problems) -> Schema {
             }
         }
     }
+    if !top.has("format") {
+        format::missing(problems);
+    }
     let mut one = |name: &str| match sections.iter().find(|e| e.key == name) {
         Some(entry) => section(entry, name, name, problems),
         None => Section::empty(name, Place::file()),
@@ -181,6 +185,12 @@ fn section(entry: &Entry, kind: &str, path: &str, problems: &mut Problems) -> Se
         return read;
     };
     for inner in table {
+        if let Some(new) = format::new_key(path, &inner.key) {
+            let message = format!("`{path}.{}` is now called `{path}.{new}`", inner.key);
+            problems.add(&inner.key_place, message, format!("write {new} instead of {}", inner.key));
+            read.values.insert(new, Typed { value: Given::Broken, place: inner.key_place.clone() });
+            continue;
+        }
         match known.iter().find(|k| k.name == inner.key) {
             Some(key) => {
                 let value = value(&inner.node, &key.kind, &format!("{path}.{}", key.name), problems);

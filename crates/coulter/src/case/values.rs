@@ -1,6 +1,8 @@
 //! One value of the tree → a value of the kind its key wants, in SI units; or what is wrong with it.
 
-use super::keys::{Kind, MOTION_KEYS, WALLS};
+use super::format;
+use super::keys::Kind;
+use super::keys::words::{MOTION_KEYS, WALLS};
 use super::nearest;
 use super::problem::{Place, Problems};
 use super::quantity::{self, Measure, TIME};
@@ -21,11 +23,15 @@ type Read<T> = Result<T, Complaint>;
 pub(super) fn value(node: &Node, kind: &Kind, path: &str, problems: &mut Problems) -> Given {
     let read = match kind {
         Kind::Text => text(node).map(|t| Given::Text(t.to_owned())),
+        Kind::Format => {
+            format::check(node, problems);
+            return Given::Number(f64::from(format::FORMAT));
+        }
         Kind::Number => number(node).map(Given::Number),
         Kind::Count => count(node).map(Given::Number),
         Kind::Flag => flag(node).map(Given::Flag),
         Kind::Quantity(measure) => quantity(node, measure).map(Given::Number),
-        Kind::Choice(words) => choice(node, words).map(Given::Text),
+        Kind::Choice(words) => current_word(node, path).and_then(|()| choice(node, words)).map(Given::Text),
         Kind::Modulus(offset) => modulus(node, *offset).map(Given::Number),
         Kind::Friction => friction(node).map(Given::Number),
         Kind::Range(measure) => list(node, measure, 2..=2).map(Given::List),
@@ -99,7 +105,7 @@ fn quantity(node: &Node, measure: &Measure) -> Read<f64> {
 
 fn modulus(node: &Node, offset: i32) -> Read<f64> {
     let cure =
-        format!("write it with its unit, such as \"102 kN/m^(n+{offset})\"; `n` stands for plate_exponent");
+        format!("write it with its unit, such as \"102 kN/m^(n+{offset})\"; `n` stands for sinkage_exponent");
     match &node.value {
         Value::Text(text) => {
             quantity::parse_modulus(text, offset).or_else(|e| complain(node, e.to_string(), cure))
@@ -120,6 +126,17 @@ fn choice(node: &Node, words: &[&str]) -> Read<String> {
     let hint =
         nearest(text, words.iter().copied()).map_or(String::new(), |n| format!("did you mean \"{n}\"? "));
     complain(node, format!("\"{text}\" is not known here"), format!("{hint}possible: {all}"))
+}
+
+/// Refuses a word that has been replaced, with the one to write instead.
+fn current_word(node: &Node, path: &str) -> Read<()> {
+    let Value::Text(text) = &node.value else { return Ok(()) };
+    match format::new_value(path, text) {
+        Some(new) => {
+            complain(node, format!("\"{text}\" is now called \"{new}\""), format!("write \"{new}\""))
+        }
+        None => Ok(()),
+    }
 }
 
 fn friction(node: &Node) -> Read<f64> {

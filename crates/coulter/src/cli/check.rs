@@ -119,11 +119,11 @@ fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
             friction_angle,
             dilation_angle,
             cohesion,
-            tension_limit,
+            tension_cutoff,
             potential,
             critical_density,
         } => format!(
-            "mohr-coulomb, φ = {:.4}°, ψ = {:.4}°{}, c = {cohesion} Pa, tension up to {tension_limit} Pa{}",
+            "mohr-coulomb, φ = {:.4}°, ψ = {:.4}°{}, c = {cohesion} Pa, tension up to {tension_cutoff} Pa{}",
             friction_angle.to_degrees(),
             dilation_angle.to_degrees(),
             critical_density.map_or(String::new(), |rho| format!(" down to {rho:.1} kg/m³")),
@@ -142,7 +142,7 @@ fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
         soil.density,
         plain(soil.young_modulus),
         plain(soil.poisson_ratio),
-        soil.rest_pressure_ratio
+        soil.k0
     )?;
     for body in &case.bodies {
         describe_body(text, case, body)?;
@@ -172,7 +172,7 @@ fn describe_body(text: &mut String, case: &Case, body: &Body) -> std::fmt::Resul
         Shape::Cylinder { diameter, length, axis } => {
             format!("cylinder along {axis}, d = {} m, l = {} m", plain(diameter), plain(length))
         }
-        Shape::Ball { diameter } => format!("ball, d = {} m", plain(diameter)),
+        Shape::Sphere { diameter } => format!("sphere, d = {} m", plain(diameter)),
     };
     let mut friction =
         if body.friction.is_finite() { format!("μ = {}", body.friction) } else { "rough".into() };

@@ -59,8 +59,8 @@ fn missing_key(model: Candidate, setting: &Setting) -> Option<&'static str> {
     }
     match model {
         Candidate::Bekker | Candidate::WongReece if towing.terrain.is_none() => Some(
-            "needs plate constants: [forecast] plate = \"LETE sand\" (or another published soil), or plate_exponent, \
-             plate_cohesive and plate_frictional",
+            "needs plate constants: [forecast] terrain = \"LETE sand\" (or another published soil), or \
+             sinkage_exponent, cohesive_modulus and frictional_modulus",
         ),
         Candidate::WismerLuth | Candidate::Brixius
             if towing.cone_index.is_none() && matches!(towing.load, Load::Weight(_)) =>

@@ -1,6 +1,7 @@
 //! What is typed on the command line about a variable: `Z=0.02..0.4`, `soil.friction_angle="30 deg".."45 deg"`.
 
 use super::{Setting, Variable, find, variables};
+use crate::case::format::new_name;
 use crate::case::keys::Kind;
 use crate::case::quantity;
 
@@ -57,6 +58,9 @@ impl Range {
 
 /// The variable of that name.
 pub(super) fn known(key: &str, setting: &Setting) -> Result<Variable, Unreadable> {
+    if let Some(new) = new_name(key) {
+        return Err(Unreadable(format!("`{key}` is now called `{new}`; write {new}")));
+    }
     let Some(found) = find(key, &setting.bodies) else {
         let own = variables().iter().filter(|v| v.belongs(setting));
         let names = own.map(|v| v.dotted(setting)).collect::<Vec<_>>().join(", ");
@@ -69,7 +73,7 @@ pub(super) fn known(key: &str, setting: &Setting) -> Result<Variable, Unreadable
     if found.has_effect(setting) {
         return Ok(found);
     }
-    let cure = "give it some: plate = \"LETE sand\" in [forecast], or another published soil";
+    let cure = "give it some: terrain = \"LETE sand\" in [forecast], or another published soil";
     Err(Unreadable(format!("{key}: the case has no plate constants; {cure}")))
 }
 

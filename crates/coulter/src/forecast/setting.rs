@@ -46,7 +46,7 @@ pub fn setting(case: &Case) -> Result<Setting, String> {
     let drive = match &body {
         Body::Block(_) => Drive::Locked,
         Body::Disc(_) => drive(first, 0.5 * body.length())?,
-        Body::Round(_) if matches!(first.shape, Shape::Ball { .. }) => drive(first, 0.5 * body.length())?,
+        Body::Round(_) if matches!(first.shape, Shape::Sphere { .. }) => drive(first, 0.5 * body.length())?,
         Body::Round(_) => Drive::Locked,
     };
     if drive == Drive::Locked && !matches!(first.spin, Freedom::Fixed) {
@@ -119,7 +119,7 @@ fn add_measured(towing: &mut Towing, measured: &Measured, remarks: &mut Vec<Stri
         frictional: plate.frictional,
         cohesion: towing.soil.cohesion,
         friction_angle: towing.soil.friction_angle,
-        shear_modulus: plate.shear_displacement,
+        shear_modulus: plate.shear_deformation_modulus,
     });
     if let Some(name) = &plate.name {
         remarks.push(format!("plate constants of {name}, as published; c and φ are those of the case"));

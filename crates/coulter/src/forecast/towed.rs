@@ -87,7 +87,7 @@ pub(super) fn body(
         Shape::Disc { .. } => "disc",
         Shape::Block { .. } => "block",
         Shape::Cylinder { .. } => "cylinder",
-        Shape::Ball { .. } => "ball",
+        Shape::Sphere { .. } => "sphere",
     };
     if let Some(disc) = disc(body) {
         if case.domain.plane_strain {
@@ -111,7 +111,7 @@ pub(super) fn body(
             block(case, size, orientation, remarks).into()
         }
         Shape::Cylinder { diameter, length, .. } => Body::Round(round(body, diameter, length)),
-        Shape::Ball { diameter } | Shape::Disc { diameter, .. } => {
+        Shape::Sphere { diameter } | Shape::Disc { diameter, .. } => {
             Body::Round(round(body, diameter, diameter))
         }
     };

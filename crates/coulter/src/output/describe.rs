@@ -72,7 +72,7 @@ fn describe_body(body: &Body) -> String {
         Shape::Cylinder { diameter, length: along, axis } => {
             format!("cylinder along {axis}, d = {}, l = {}", length(diameter), length(along))
         }
-        Shape::Ball { diameter } => format!("ball, d = {}", length(diameter)),
+        Shape::Sphere { diameter } => format!("sphere, d = {}", length(diameter)),
     };
     let mut friction = if body.friction.is_finite() {
         format!("μ = {}", digits(body.friction))

@@ -12,7 +12,7 @@ const REST: f64 = 1e-6;
 pub struct Reference {
     /// Name of the body.
     pub name: String,
-    /// What it is, in words: "disc", "block", "cylinder", "ball".
+    /// What it is, in words: "disc", "block", "cylinder", "sphere".
     pub kind: String,
     /// Reference length d [m]: the diameter, a block's height.
     pub length: f64,
@@ -39,7 +39,7 @@ impl Reference {
                 ("cylinder", diameter, length, Some(0.5 * diameter))
             }
             Shape::Cylinder { diameter, .. } => ("cylinder", diameter, diameter, None),
-            Shape::Ball { diameter } => ("ball", diameter, diameter, Some(0.5 * diameter)),
+            Shape::Sphere { diameter } => ("sphere", diameter, diameter, Some(0.5 * diameter)),
         };
         let slab = case.domain.high.y - case.domain.low.y;
         Self {

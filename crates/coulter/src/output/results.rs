@@ -13,7 +13,7 @@ use super::summary::Summary;
 use super::surface::HeightMap;
 use super::validate::validate_history;
 use super::vtk::{Frame, read_time_list, write_time_list};
-use crate::case::Case;
+use crate::case::{Case, FORMAT};
 use solver::grid::Grid;
 use solver::precision::Precision;
 use solver::state::State;
@@ -45,7 +45,7 @@ impl Results {
         make_folder(&dir.join(FIELDS))?;
         let resolved = toml::to_string(case).map_err(|e| OutputError::content(&dir.join(RESOLVED), e))?;
         let header = "# The case as it was understood: SI units, radians, every default filled in. Written by Coulter.\n";
-        write_whole(&dir.join(RESOLVED), format!("{header}{resolved}").as_bytes())?;
+        write_whole(&dir.join(RESOLVED), format!("{header}format = {FORMAT}\n{resolved}").as_bytes())?;
         Ok(Self {
             histories: HistoryFiles::create(dir, &record.bodies)?,
             log: Log::create(&dir.join(LOG))?,

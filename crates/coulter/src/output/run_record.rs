@@ -99,8 +99,9 @@ pub struct RunRecord {
     pub finest_cell: f64,
     /// Duration of the run [s].
     pub duration: f64,
-    /// Share of the tow that steady averages are taken over.
-    pub steady_share: f64,
+    /// Fraction of the tow over which steady averages are taken.
+    #[serde(alias = "steady_share")]
+    pub steady_fraction: f64,
     /// Whether only y ≥ 0 is modelled.
     pub symmetric: bool,
     /// Whether only x ≥ 0 is modelled.
@@ -141,7 +142,7 @@ impl RunRecord {
             cells: std::array::from_fn(|axis| faces[axis].len().saturating_sub(1)),
             finest_cell: widths.reduce(f64::min).unwrap_or(case.grid.cell),
             duration: case.duration,
-            steady_share: case.output.steady_share,
+            steady_fraction: case.output.steady_fraction,
             symmetric: case.domain.symmetric,
             symmetric_x: case.domain.symmetric_x,
             heaped: matches!(case.ground, Ground::Column { .. }),
@@ -160,7 +161,7 @@ impl RunRecord {
             Outcome::BrokeDown(why) => Some(why.as_str()),
             Outcome::Running | Outcome::Finished | Outcome::Interrupted => None,
         };
-        Trust::grade(&self.setting, history, &self.bodies, self.steady_share, failure)
+        Trust::grade(&self.setting, history, &self.bodies, self.steady_fraction, failure)
     }
 
     pub(super) fn write(&self, dir: &Path) -> Result<(), OutputError> {

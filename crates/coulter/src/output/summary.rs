@@ -5,6 +5,7 @@ use super::record::{EnergySample, History};
 use super::run_record::RunRecord;
 use super::steady::{Peak, Steady, peak, steady, window};
 use super::surface::SurfaceFigures;
+use crate::case::FORMAT;
 use crate::trust::Trust;
 use crate::trust::body::Mesh;
 use serde::{Deserialize, Serialize};
@@ -18,6 +19,8 @@ pub const SUMMARY: &str = "summary.json";
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Summary {
+    /// Version of the case-file format that the case was written in; 0 in summaries of format 1, which do not say.
+    pub format: u32,
     /// Name of the case.
     pub case: String,
     /// Version of Coulter.
@@ -132,6 +135,7 @@ impl Summary {
     #[must_use]
     pub fn of(record: &RunRecord) -> Self {
         Self {
+            format: FORMAT,
             case: record.case.clone(),
             version: record.version.clone(),
             cells: record.cells.iter().map(|n| *n as u64).product(),
@@ -150,7 +154,7 @@ impl Summary {
             .zip(&record.bodies)
             .zip(&record.setting.bodies)
             .map(|((samples, reference), setting)| {
-                let range = window(samples, reference, record.steady_share);
+                let range = window(samples, reference, record.steady_fraction);
                 let mut steady = steady(samples, reference, range);
                 steady.is_steady = self.trust.is_steady(&reference.name);
                 let Mesh { cells_over_sinkage, cells_over_chord } =

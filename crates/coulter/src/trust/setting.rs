@@ -77,7 +77,7 @@ impl BodySetting {
         }
         let diameter = match body.shape {
             Shape::Disc { diameter, .. }
-            | Shape::Ball { diameter }
+            | Shape::Sphere { diameter }
             | Shape::Cylinder { diameter, axis: Axis::Y, .. } => Some(diameter),
             Shape::Block { .. } | Shape::Cylinder { .. } => None,
         };

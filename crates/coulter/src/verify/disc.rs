@@ -44,7 +44,7 @@ fn tow(bench: &mut Bench, variant: &str, overrides: &[String]) -> Result<(Steady
     let simulation = bench.run("D3", variant, CASE, overrides)?;
     let reference = &Reference::all(&simulation.case)[0];
     let samples = &simulation.history.bodies[0];
-    let window = window(samples, reference, simulation.case.output.steady_share);
+    let window = window(samples, reference, simulation.case.output.steady_fraction);
     Ok((steady(samples, reference, window), simulation))
 }
 

@@ -76,6 +76,7 @@ fn a_disc_leaves_all_its_files() {
         let size = fs::metadata(root.join(file)).map(|m| m.len()).unwrap_or(0);
         assert!(size > 0, "{file} is missing or empty");
     }
+    assert!(fs::read_to_string(root.join("resolved.toml")).unwrap().contains("\nformat = 2\n"));
     let steady = &summary.bodies["disc"].steady;
     assert!((steady.drag.unwrap() - 38.0).abs() < 1.0);
     assert!((steady.turn_ratio.unwrap() - 0.85).abs() < 0.01);
@@ -95,6 +96,7 @@ fn the_summary_keeps_its_names() {
     write(dir.path(), Kind::Disc, 0.03, 100);
     let json: serde_json::Value =
         serde_json::from_str(&fs::read_to_string(dir.path().join("summary.json")).unwrap()).unwrap();
+    assert_eq!(json["format"], coulter::case::FORMAT);
     for pointer in [
         "/case",
         "/version",

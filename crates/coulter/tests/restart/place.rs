@@ -9,6 +9,8 @@ use tempfile::TempDir;
 
 /// A second or two of work; checkpoints and fields come often.
 const CASE: &str = r#"
+format = 2
+
 [soil]
 law = "mohr-coulomb"
 friction_angle = "35 deg"

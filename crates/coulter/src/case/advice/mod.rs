@@ -146,11 +146,11 @@ fn strength(case: &Case, notes: &mut Vec<String>) {
         }
     }
     let passive = passive_coefficient(friction_angle);
-    let at_rest = case.soil.rest_pressure_ratio;
+    let at_rest = case.soil.k0;
     if cohesion == 0.0 && case.soil.unit_weight > 0.0 && !(1.0 / passive..=passive).contains(&at_rest) {
         notes.push(format!(
-            "The rest pressure ratio {at_rest:.3} is beyond the soil's strength ({:.3} to {passive:.3}): it will move \
-             at once.",
+            "K₀ = {at_rest:.3} is outside the range that the soil can sustain ({:.3} to {passive:.3}): it will fail at \
+             once.",
             1.0 / passive
         ));
     }

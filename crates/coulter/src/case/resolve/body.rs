@@ -67,7 +67,7 @@ fn shape(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Sh
         "disc" => disc(section, frame, problems),
         "block" => block(section, frame, problems),
         "cylinder" => cylinder(section, frame, problems),
-        _ => ball(section, frame, problems),
+        _ => sphere(section, frame, problems),
     }
 }
 
@@ -104,14 +104,14 @@ fn cylinder(section: &Section, frame: &Frame, problems: &mut Problems) -> Option
     enough.then_some(Shape::Cylinder { diameter, length, axis })
 }
 
-fn ball(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Shape> {
+fn sphere(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Shape> {
     let diameter = ranges::required(section, "diameter", &POSITIVE, problems)?;
     if frame.slab.is_some() {
-        let message = "shape = \"ball\" cannot be combined with plane_strain = true";
+        let message = "shape = \"sphere\" cannot be combined with plane_strain = true";
         problems.add(section.place_of("shape"), message, "take plane_strain out, or choose a disc");
         return None;
     }
-    wide_enough(section, "diameter", diameter, frame, problems).then_some(Shape::Ball { diameter })
+    wide_enough(section, "diameter", diameter, frame, problems).then_some(Shape::Sphere { diameter })
 }
 
 fn disc(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<Shape> {

@@ -47,7 +47,7 @@ fn flat_faces(body: &Body, axis: usize) -> Option<[f64; 2]> {
             Axis::Y => axis == 1,
             Axis::Z => axis == 2 && body.spin == Freedom::Fixed,
         },
-        Shape::Ball { .. } => false,
+        Shape::Sphere { .. } => false,
     };
     let (low, high) = body.shape.solid().bounds();
     let stays = body.translation[axis] == Freedom::Fixed;
@@ -60,7 +60,7 @@ mod tests {
 
     fn case(thickness: &str, more: &str) -> Case {
         let text = format!(
-            "gravity = \"9.81 m/s^2\"\n[soil]\nlaw = \"tresca\"\nshear_strength = \"1 kPa\"\nunit_weight = \"16 kN/m^3\"\n\
+            "format = 2\ngravity = \"9.81 m/s^2\"\n[soil]\nlaw = \"tresca\"\nshear_strength = \"1 kPa\"\nunit_weight = \"16 kN/m^3\"\n\
              young_modulus = \"1 MPa\"\n[domain]\nx = [\"-0.5 m\", \"0.5 m\"]\ny = [\"0 m\", \"0.3 m\"]\n\
              z = [\"-0.3 m\", \"0.1 m\"]\nsymmetric = true\n[grid]\ncell = \"10 mm\"\n{more}\n[body.disc]\nshape = \"disc\"\n\
              diameter = \"0.2 m\"\nthickness = \"{thickness}\"\nfriction = 0.3\nweight = \"40 N\"\n[run]\nduration = \"0.1 s\"\n"

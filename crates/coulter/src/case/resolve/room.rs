@@ -204,7 +204,7 @@ fn breadth(body: &Body, soil: &Soil, depth: f64) -> f64 {
     let size = high - low;
     let chord = |d: f64| 2.0 * (depth.min(0.5 * d) * (d - depth.min(0.5 * d))).sqrt();
     let along = match body.shape {
-        Shape::Disc { diameter, .. } | Shape::Ball { diameter } => chord(diameter),
+        Shape::Disc { diameter, .. } | Shape::Sphere { diameter } => chord(diameter),
         Shape::Cylinder { diameter, axis: Axis::Y, .. } => chord(diameter),
         Shape::Block { .. } | Shape::Cylinder { .. } => size.x,
     };
@@ -220,7 +220,7 @@ mod tests {
     /// A blade of 40 × 100 × 200 mm that leans back by 45°, 60 mm deep in sand, towed so far [m].
     fn blade(way: &str, more: &str) -> Case {
         let text = format!(
-            "[soil]\nlaw = 'mohr-coulomb'\nfriction_angle = '35 deg'\nunit_weight = '16 kN/m^3'\nyoung_modulus = '5 MPa'\n\
+            "format = 2\n[soil]\nlaw = 'mohr-coulomb'\nfriction_angle = '35 deg'\nunit_weight = '16 kN/m^3'\nyoung_modulus = '5 MPa'\n\
              [domain]\nsymmetric = true\n{more}\n[grid]\ncell = '12.5 mm'\n[body.blade]\nshape = 'block'\n\
              size = ['40 mm', '100 mm', '200 mm']\norientation = '-45 deg'\nsinkage = '60 mm'\nfriction = 0.3\n\
              forward = {{ speed = '0.2 m/s' }}\n[run]\ntow_distance = '{way}'\n"

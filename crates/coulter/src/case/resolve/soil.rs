@@ -11,7 +11,7 @@ const FRICTIONAL: [&str; 8] = [
     "friction_angle",
     "dilation_angle",
     "cohesion",
-    "tension_limit",
+    "tension_cutoff",
     "flow_potential",
     "meridional_eccentricity",
     "deviatoric_eccentricity",
@@ -33,8 +33,8 @@ pub(super) fn soil(section: &Section, gravity: f64, problems: &mut Problems) -> 
         Law::MohrCoulomb { friction_angle, .. } => 1.0 - friction_angle.sin(),
         Law::Tresca { .. } | Law::VonMises { .. } | Law::Elastic => poisson_ratio / (1.0 - poisson_ratio),
     };
-    let rest_pressure_ratio = ranges::or(section, "rest_pressure_ratio", at_rest, &NOT_NEGATIVE, problems)?;
-    Some(Soil { law, density, unit_weight, young_modulus, poisson_ratio, rest_pressure_ratio })
+    let k0 = ranges::or(section, "k0", at_rest, &NOT_NEGATIVE, problems)?;
+    Some(Soil { law, density, unit_weight, young_modulus, poisson_ratio, k0 })
 }
 
 /// Vertical pressure of the lid on the soil at the start [Pa]. The soil must reach up to the lid and bear the state of
@@ -60,7 +60,7 @@ pub(super) fn overburden(
         problems.add(section.place_of("overburden"), message, cure);
         return None;
     }
-    let ratio = soil.rest_pressure_ratio;
+    let ratio = soil.k0;
     let [most, least] = [ratio.max(1.0) * overburden, ratio.min(1.0) * overburden];
     let is_borne = match soil.law {
         Law::Elastic => true,
@@ -74,7 +74,7 @@ pub(super) fn overburden(
     if !is_borne {
         let message =
             format!("the soil cannot bear this overburden with K₀ = {ratio:.3}: it would fail at once");
-        let cure = "add  rest_pressure_ratio = 1  to [soil], or lower it";
+        let cure = "add  k0 = 1  to [soil], or lower the overburden";
         problems.add(section.place_of("overburden"), message, cure);
         return None;
     }
@@ -146,9 +146,9 @@ fn mohr_coulomb(section: &Section, density: Option<f64>, problems: &mut Problems
     let friction = ranges::required(section, "friction_angle", &ACUTE, problems);
     let dilation = ranges::or(section, "dilation_angle", 0.0, &ACUTE, problems);
     let cohesion = ranges::or(section, "cohesion", 0.0, &NOT_NEGATIVE, problems);
-    let tension = ranges::or(section, "tension_limit", 0.0, &NOT_NEGATIVE, problems);
+    let tension = ranges::or(section, "tension_cutoff", 0.0, &NOT_NEGATIVE, problems);
     let critical_density = critical_density(section, density, dilation, problems);
-    let (friction_angle, dilation_angle, cohesion, tension_limit) =
+    let (friction_angle, dilation_angle, cohesion, tension_cutoff) =
         (friction?, dilation?, cohesion?, tension?);
     let potential = potential(section, friction_angle, problems);
     if dilation_angle > friction_angle {
@@ -163,11 +163,11 @@ fn mohr_coulomb(section: &Section, density: Option<f64>, problems: &mut Problems
     }
     // The apex of the cone; for φ = 0 there is none.
     let apex = if friction_angle > 0.0 { cohesion / friction_angle.tan() } else { f64::INFINITY };
-    if tension_limit > apex {
+    if tension_cutoff > apex {
         let message =
-            format!("the tension limit is beyond the apex of the yield cone, c cot φ = {apex:.4} Pa");
+            format!("the tension cut-off is beyond the apex of the yield cone, c cot φ = {apex:.4} Pa");
         problems.add(
-            section.place_of("tension_limit"),
+            section.place_of("tension_cutoff"),
             message,
             "lower it, or leave it out for no tension at all",
         );
@@ -177,7 +177,7 @@ fn mohr_coulomb(section: &Section, density: Option<f64>, problems: &mut Problems
         friction_angle,
         dilation_angle,
         cohesion,
-        tension_limit,
+        tension_cutoff,
         potential: potential?,
         critical_density: critical_density?,
     })

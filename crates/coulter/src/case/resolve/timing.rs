@@ -68,7 +68,7 @@ pub(super) fn output(section: &Section, duration: f64, problems: &mut Problems) 
     let history = ranges::or(section, "history_interval", duration / 500.0, &POSITIVE, problems);
     let field = ranges::or(section, "field_interval", duration / 20.0, &POSITIVE, problems);
     let checkpoint = ranges::or(section, "checkpoint_interval", 600.0, &POSITIVE, problems);
-    let steady_share = ranges::or(section, "steady_share", 0.3, &SHARE, problems);
+    let steady_fraction = ranges::or(section, "steady_fraction", 0.3, &SHARE, problems);
     let (history_interval, field_interval) = (history?, field?);
     for (key, interval) in [("history_interval", history_interval), ("field_interval", field_interval)] {
         let count = duration / interval;
@@ -82,6 +82,6 @@ pub(super) fn output(section: &Section, duration: f64, problems: &mut Problems) 
         history_interval,
         field_interval,
         checkpoint_interval: checkpoint?,
-        steady_share: steady_share?,
+        steady_fraction: steady_fraction?,
     })
 }
