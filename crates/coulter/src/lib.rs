@@ -4,6 +4,7 @@ pub mod bench;
 pub mod case;
 pub mod cli;
 pub mod forecast;
+pub mod history;
 pub mod interrupts;
 pub mod output;
 pub mod run;

@@ -2,9 +2,9 @@
 
 use crate::case::Case;
 use crate::case::resolved::{self, Ground, Law, Potential};
+use crate::history::reference::Reference;
+use crate::history::{BodySample, EnergySample, History};
 use crate::output::checkpoint::{Checkpoint, CheckpointView};
-use crate::output::record::{BodySample, EnergySample, History};
-use crate::output::reference::Reference;
 use crate::trust::{Setting, Trust, boundary};
 use glam::DVec3;
 use physics::elastic::Elastic;

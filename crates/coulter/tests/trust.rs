@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 use coulter::case::{self, Case};
-use coulter::output::record::{BodySample, BoundarySample, EnergySample, History};
-use coulter::output::reference::Reference;
+use coulter::history::reference::Reference;
+use coulter::history::{BodySample, BoundarySample, EnergySample, History};
 use coulter::simulation::Simulation;
 use coulter::trust::{Setting, Trust, Verdict};
 

@@ -1,8 +1,8 @@
 //! What a case will cost: cells, memory, time step, number of steps.
 
-use super::resolve::extent::travel;
+use super::path::travel;
 use super::resolved::{Body, Case, Grid, Ground, Precision};
-use crate::output::volume::{self, Volume};
+use super::volume::{self, Volume};
 use crate::simulation::model;
 use glam::DVec3;
 use serde::Serialize;

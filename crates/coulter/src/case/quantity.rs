@@ -3,6 +3,7 @@
 //! Grammar: a number, then symbols joined by `*`, `·`, a space or `/` (which divides by the one symbol that follows),
 //! each with an optional whole exponent: `16 kN/m^3`, `35 deg`, `2 N*m`, `9.81 m/s²`.
 
+pub use super::units::QuantityError;
 use super::units::{self, Dimension};
 
 /// What a key measures: its name in messages, its dimension and an example to imitate.
@@ -63,55 +64,6 @@ const NAMED: [Measure; 13] = [
     UNIT_WEIGHT,
     INERTIA,
 ];
-
-/// What is wrong with a quantity.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum QuantityError {
-    /// There is no number at the start.
-    #[error("`{text}` does not start with a number")]
-    NoNumber {
-        /// What was typed.
-        text: String,
-    },
-    /// Infinite, or too large to be represented.
-    #[error("`{text}` is not a finite number")]
-    NotFinite {
-        /// What was typed.
-        text: String,
-    },
-    /// A number and nothing else.
-    #[error("`{text}` has no unit")]
-    NoUnit {
-        /// What was typed.
-        text: String,
-    },
-    /// A symbol that is not known.
-    #[error("unknown unit `{unit}`{}", nearest.as_ref().map_or(String::new(), |n| format!("; did you mean `{n}`?")))]
-    UnknownUnit {
-        /// The symbol.
-        unit: String,
-        /// The nearest symbol that is known.
-        nearest: Option<String>,
-    },
-    /// The unit does not follow the grammar.
-    #[error("cannot read the unit `{unit}`: {why}")]
-    Malformed {
-        /// The text after the number.
-        unit: String,
-        /// What is wrong with it.
-        why: &'static str,
-    },
-    /// A unit, but of something else.
-    #[error("`{text}` is {found}, but {needed} is needed")]
-    WrongDimension {
-        /// What was typed.
-        text: String,
-        /// What it measures.
-        found: String,
-        /// What is needed.
-        needed: &'static str,
-    },
-}
 
 /// Reads `text` as `measure`; the value in SI units.
 ///

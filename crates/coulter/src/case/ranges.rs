@@ -2,7 +2,7 @@
 
 use super::keys::{self, Kind};
 use super::problem::Problems;
-use super::schema::Section;
+use super::typed::Section;
 use solver::cpu::threads::MOST;
 
 /// Which values a key allows.
@@ -81,6 +81,29 @@ pub(super) fn missing(section: &Section, key: &str, problems: &mut Problems) {
 /// `soil.cohesion`, or `gravity` at the top.
 pub(super) fn dotted(section: &Section, key: &str) -> String {
     if section.path.is_empty() { key.to_owned() } else { format!("{}.{key}", section.path) }
+}
+
+/// A low and a high end; reported if they are the wrong way round, or missing without a default.
+pub(super) fn range(
+    section: &Section,
+    key: &str,
+    default: Option<[f64; 2]>,
+    problems: &mut Problems,
+) -> Option<[f64; 2]> {
+    if !section.has(key) {
+        if default.is_none() {
+            missing(section, key, problems);
+        }
+        return default;
+    }
+    let typed = section.list(key)?;
+    let (low, high) = (typed.value.first()?.value, typed.value.last()?.value);
+    if low < high {
+        return Some([low, high]);
+    }
+    let message = format!("{} is empty: its low end is not below its high end", dotted(section, key));
+    problems.add(&typed.place, message, "write the lower value first");
+    None
 }
 
 /// A value for the key as one would type it.

@@ -2,112 +2,12 @@
 
 use super::format;
 use super::keys;
+use super::names::is_device;
 use super::problem::{Place, Problems};
 use super::tree::{Entry, Value};
+use super::typed::{Given, Schema, Section};
+use super::unknown::unknown;
 use super::values::value;
-use super::{is_device, nearest};
-use std::collections::BTreeMap;
-
-/// A value and where it was typed.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Typed<T> {
-    pub(super) value: T,
-    pub(super) place: Place,
-}
-
-/// A value of the right type, in SI units.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Given {
-    Text(String),
-    Number(f64),
-    Flag(bool),
-    List(Vec<Typed<f64>>),
-    Words(Vec<String>),
-    Motion(Motion),
-    /// Reported already; counts as given so that it is not reported as missing too.
-    Broken,
-}
-
-/// How a degree of freedom moves, as typed.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Motion {
-    pub(super) word: Option<String>,
-    pub(super) speed: Option<Typed<f64>>,
-    pub(super) load: Option<Typed<f64>>,
-    pub(super) start: Option<Typed<f64>>,
-    pub(super) ramp: Option<Typed<f64>>,
-    pub(super) end: Option<Typed<f64>>,
-}
-
-/// A section as typed.
-#[derive(Clone, Debug)]
-pub(super) struct Section {
-    /// `soil`, or `body.disc`.
-    pub(super) path: String,
-    /// Its heading.
-    pub(super) place: Place,
-    values: BTreeMap<&'static str, Typed<Given>>,
-}
-
-impl Section {
-    fn empty(path: &str, place: Place) -> Self {
-        Self { path: path.to_owned(), place, values: BTreeMap::new() }
-    }
-
-    /// Whether the key stands in the file, right or wrong.
-    pub(super) fn has(&self, key: &str) -> bool {
-        self.values.contains_key(key)
-    }
-
-    /// Where the value of the key stands, or the section's heading.
-    pub(super) fn place_of(&self, key: &str) -> &Place {
-        self.values.get(key).map_or(&self.place, |v| &v.place)
-    }
-
-    fn get<T>(&self, key: &str, pick: impl Fn(&Given) -> Option<T>) -> Option<Typed<T>> {
-        let typed = self.values.get(key)?;
-        Some(Typed { value: pick(&typed.value)?, place: typed.place.clone() })
-    }
-
-    pub(super) fn number(&self, key: &str) -> Option<Typed<f64>> {
-        self.get(key, |v| if let Given::Number(n) = v { Some(*n) } else { None })
-    }
-
-    pub(super) fn text(&self, key: &str) -> Option<Typed<String>> {
-        self.get(key, |v| if let Given::Text(t) = v { Some(t.clone()) } else { None })
-    }
-
-    pub(super) fn flag(&self, key: &str) -> Option<Typed<bool>> {
-        self.get(key, |v| if let Given::Flag(f) = v { Some(*f) } else { None })
-    }
-
-    pub(super) fn list(&self, key: &str) -> Option<Typed<Vec<Typed<f64>>>> {
-        self.get(key, |v| if let Given::List(l) = v { Some(l.clone()) } else { None })
-    }
-
-    pub(super) fn words(&self, key: &str) -> Option<Typed<Vec<String>>> {
-        self.get(key, |v| if let Given::Words(w) = v { Some(w.clone()) } else { None })
-    }
-
-    pub(super) fn motion(&self, key: &str) -> Option<Typed<Motion>> {
-        self.get(key, |v| if let Given::Motion(m) = v { Some(m.clone()) } else { None })
-    }
-}
-
-/// A whole file as typed.
-#[derive(Clone, Debug)]
-pub(super) struct Schema {
-    pub(super) top: Section,
-    pub(super) soil: Section,
-    pub(super) ground: Section,
-    pub(super) domain: Section,
-    pub(super) grid: Section,
-    pub(super) bodies: Vec<Section>,
-    pub(super) run: Section,
-    pub(super) output: Section,
-    pub(super) numerics: Section,
-    pub(super) forecast: Section,
-}
 
 /// Checks the tree against the table of keys.
 pub(super) fn read(root: &[Entry], problems: &mut Problems) -> Schema {
@@ -119,7 +19,7 @@ pub(super) fn read(root: &[Entry], problems: &mut Problems) -> Schema {
         match top_keys.iter().find(|k| k.name == entry.key) {
             Some(key) => {
                 let value = value(&entry.node, &key.kind, key.name, problems);
-                top.values.insert(key.name, Typed { value, place: entry.node.place.clone() });
+                top.insert(key.name, value, entry.node.place.clone());
             }
             None => {
                 unknown(entry, "", top_keys.iter().map(|k| k.name).chain(names.iter().copied()), problems)
@@ -180,7 +80,7 @@ fn section(entry: &Entry, kind: &str, path: &str, problems: &mut Problems) -> Se
         let message = format!("`{path}` must be a section, not {}", entry.node.value.kind());
         problems.add(&entry.node.place, message, format!("write it as a heading: [{path}]"));
         for key in known {
-            read.values.insert(key.name, Typed { value: Given::Broken, place: entry.node.place.clone() });
+            read.insert(key.name, Given::Broken, entry.node.place.clone());
         }
         return read;
     };
@@ -188,31 +88,16 @@ fn section(entry: &Entry, kind: &str, path: &str, problems: &mut Problems) -> Se
         if let Some(new) = format::new_key(path, &inner.key) {
             let message = format!("`{path}.{}` is now called `{path}.{new}`", inner.key);
             problems.add(&inner.key_place, message, format!("write {new} instead of {}", inner.key));
-            read.values.insert(new, Typed { value: Given::Broken, place: inner.key_place.clone() });
+            read.insert(new, Given::Broken, inner.key_place.clone());
             continue;
         }
         match known.iter().find(|k| k.name == inner.key) {
             Some(key) => {
                 let value = value(&inner.node, &key.kind, &format!("{path}.{}", key.name), problems);
-                read.values.insert(key.name, Typed { value, place: inner.node.place.clone() });
+                read.insert(key.name, value, inner.node.place.clone());
             }
             None => unknown(inner, path, known.iter().map(|k| k.name), problems),
         }
     }
     read
-}
-
-pub(super) fn unknown<'a>(
-    entry: &Entry,
-    path: &str,
-    known: impl Iterator<Item = &'a str>,
-    problems: &mut Problems,
-) {
-    let known: Vec<&str> = known.collect();
-    let place = if path.is_empty() { "at the top of the file".to_owned() } else { format!("in [{path}]") };
-    let cure = match nearest(&entry.key, known.iter().copied()) {
-        Some(near) => format!("did you mean `{near}`?"),
-        None => format!("known here: {}", known.join(", ")),
-    };
-    problems.add(&entry.key_place, format!("unknown key `{}` {place}", entry.key), cure);
 }

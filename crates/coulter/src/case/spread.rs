@@ -99,12 +99,13 @@ fn read(section: &str, key: &str, mean: &str, deviation: &str) -> Result<(Value,
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Case, parse_with_spreads};
+    use super::super::load::parse_with_spreads;
+    use super::super::{Case, CaseError};
     use super::*;
 
     const TOWED_DISC: &str = include_str!("../../../../cases/towed_disc.toml");
 
-    fn with(overrides: &[&str]) -> Result<(Case, Vec<Spread>), super::super::CaseError> {
+    fn with(overrides: &[&str]) -> Result<(Case, Vec<Spread>), CaseError> {
         let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
         parse_with_spreads(TOWED_DISC, "case.toml", &overrides)
     }

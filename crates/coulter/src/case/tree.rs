@@ -1,6 +1,6 @@
 //! The text of a case as a tree in which every key and value knows where it was typed.
 
-use super::nearest;
+use super::names::nearest;
 use super::problem::{Place, Problems, Source};
 use toml::{Spanned, de::DeTable, de::DeValue};
 

@@ -1,6 +1,6 @@
 //! Unit symbols: their size in SI units and their dimension.
 
-use super::quantity::QuantityError;
+use super::names::nearest;
 
 /// Exponents of length, mass, time and angle. The angle counts, so that a bare number is not taken for one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,6 +21,55 @@ impl std::fmt::Display for Dimension {
         f.write_str(if parts.is_empty() { "no unit" } else { "" })?;
         f.write_str(&parts.join(" "))
     }
+}
+
+/// What is wrong with a quantity.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum QuantityError {
+    /// There is no number at the start.
+    #[error("`{text}` does not start with a number")]
+    NoNumber {
+        /// What was typed.
+        text: String,
+    },
+    /// Infinite, or too large to be represented.
+    #[error("`{text}` is not a finite number")]
+    NotFinite {
+        /// What was typed.
+        text: String,
+    },
+    /// A number and nothing else.
+    #[error("`{text}` has no unit")]
+    NoUnit {
+        /// What was typed.
+        text: String,
+    },
+    /// A symbol that is not known.
+    #[error("unknown unit `{unit}`{}", nearest.as_ref().map_or(String::new(), |n| format!("; did you mean `{n}`?")))]
+    UnknownUnit {
+        /// The symbol.
+        unit: String,
+        /// The nearest symbol that is known.
+        nearest: Option<String>,
+    },
+    /// The unit does not follow the grammar.
+    #[error("cannot read the unit `{unit}`: {why}")]
+    Malformed {
+        /// The text after the number.
+        unit: String,
+        /// What is wrong with it.
+        why: &'static str,
+    },
+    /// A unit, but of something else.
+    #[error("`{text}` is {found}, but {needed} is needed")]
+    WrongDimension {
+        /// What was typed.
+        text: String,
+        /// What it measures.
+        found: String,
+        /// What is needed.
+        needed: &'static str,
+    },
 }
 
 struct Unit {
@@ -144,6 +193,6 @@ fn look_up(symbol: &str) -> Result<(f64, [i32; 4]), QuantityError> {
     }
     Err(QuantityError::UnknownUnit {
         unit: symbol.to_owned(),
-        nearest: super::nearest(symbol, COMMON.iter().copied()).map(str::to_owned),
+        nearest: nearest(symbol, COMMON.iter().copied()).map(str::to_owned),
     })
 }

@@ -3,11 +3,12 @@
 use super::format;
 use super::keys::Kind;
 use super::keys::words::{MOTION_KEYS, WALLS};
-use super::nearest;
+use super::names::nearest;
 use super::problem::{Place, Problems};
 use super::quantity::{self, Measure, TIME};
-use super::schema::{Given, Motion, Typed, unknown};
 use super::tree::{Entry, Node, Value};
+use super::typed::{Given, Motion, Typed};
+use super::unknown::unknown;
 use std::ops::RangeInclusive;
 
 /// A value that is not what its key wants.

@@ -6,7 +6,7 @@ use crate::case::quantity::plain;
 use crate::case::resolved::{Body, Freedom, Law, Measured, Potential, Shape};
 use crate::case::room::{self, words};
 use crate::case::{self, Case, machine};
-use crate::output::reference::Reference;
+use crate::history::reference::Reference;
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;

@@ -1,6 +1,7 @@
 //! The answers of every model as one number of the case changes.
 
-use super::{Outlook, Range};
+use super::outlook::Outlook;
+use super::range::Range;
 use analytic::forecast::{Candidate, CurvePoint, Parameter, Prediction, curve};
 use analytic::{Load, Towing};
 

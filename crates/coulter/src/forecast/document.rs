@@ -1,6 +1,7 @@
 //! The forecast as one JSON document: a contract, scripts rely on its names.
 
-use super::{Interval, Intervals, Outlook, mechanism_word};
+use super::outlook::{Outlook, mechanism_word};
+use super::spread::{Interval, Intervals, Stated};
 use analytic::disc::Drive;
 use analytic::forecast::{Load, ModelForecast, Range};
 use serde_json::{Value, json};
@@ -115,7 +116,7 @@ fn interval(intervals: &Intervals, model: &str) -> Value {
 }
 
 fn inputs(intervals: &Intervals) -> Vec<Value> {
-    let one = |s: &super::Stated| {
+    let one = |s: &Stated| {
         json!({
             "key": s.key, "mean": s.mean, "deviation": s.deviation, "distribution": "normal",
             "assumed": intervals.assumed,

@@ -1,6 +1,7 @@
 //! What is typed on the command line about a variable: `Z=0.02..0.4`, `soil.friction_angle="30 deg".."45 deg"`.
 
-use super::{Setting, Variable, find, variables};
+use super::setting::Setting;
+use super::variable::{Variable, find, variables};
 use crate::case::format::new_name;
 use crate::case::keys::Kind;
 use crate::case::quantity;

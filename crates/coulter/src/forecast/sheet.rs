@@ -1,6 +1,7 @@
 //! The models of a forecast as comma-separated text.
 
-use super::{Intervals, Outlook, mechanism_word};
+use super::outlook::{Outlook, mechanism_word};
+use super::spread::Intervals;
 use std::fmt::Write;
 
 /// Header of `models.csv`.

@@ -1,8 +1,9 @@
 //! What the spread of the inputs makes of the answer.
 
-use super::Outlook;
+use super::outlook::Outlook;
 use super::range::{Unreadable, known, value};
-use super::{Setting, Variable};
+use super::setting::Setting;
+use super::variable::Variable;
 use crate::case::Spread;
 use analytic::forecast::{Candidate, Parameter};
 use analytic::uncertainty::{Spread as Distribution, Uncertainty, propagate_towing, sweep_table};

@@ -1,6 +1,7 @@
 //! The forecast as text: what is told on the terminal, and the table that is written to a file.
 
-use super::{Intervals, Outlook, Stated, mechanism_word};
+use super::outlook::{Outlook, mechanism_word};
+use super::spread::{Intervals, Stated};
 use analytic::disc::{Drive, Mechanism};
 use analytic::forecast::{Load, ModelForecast, Prediction};
 use std::fmt::Write;

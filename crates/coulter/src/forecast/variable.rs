@@ -1,6 +1,6 @@
 //! The numbers of a case that a curve or a spread may change, by the names that the case file has for them.
 
-use super::Setting;
+use super::setting::Setting;
 use crate::case::keys::Kind;
 use crate::case::quantity::{ANGLE, FORCE, LENGTH, STRESS, TORQUE, UNIT_WEIGHT};
 use analytic::Towing;

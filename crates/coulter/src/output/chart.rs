@@ -2,51 +2,9 @@
 //! them, so that a chart is at home on light and dark pages and on paper.
 
 use super::chart_marks::{BOTTOM, Frame, LEFT, RIGHT, WIDTH, draw_curve, draw_level, key, marked, plain};
+use super::curve::{Curve, Level};
 use super::scale::{labelled_ticks, logarithm, padded_range};
 use std::fmt::Write as _;
-
-/// How a curve is drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stroke {
-    /// A strong line.
-    Solid,
-    /// A thin pale line: raw data behind a smoothed curve.
-    Faint,
-    /// A dashed line: a forecast or another source.
-    Dashed,
-    /// A dotted line: one more source, where the colours begin anew.
-    Dotted,
-    /// Dots: a measurement.
-    Dots,
-}
-
-/// A curve.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Curve {
-    /// Name in the legend; nothing for no entry.
-    pub name: String,
-    /// Points; a gap where one is not a number.
-    pub points: Vec<[f64; 2]>,
-    /// Number of its colour.
-    pub colour: usize,
-    /// How it is drawn.
-    pub stroke: Stroke,
-}
-
-/// A level with its name, drawn over a part of the x axis.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Level {
-    /// What it says at its end.
-    pub label: String,
-    /// Height on the y axis.
-    pub value: f64,
-    /// Where it begins on the x axis.
-    pub from: f64,
-    /// Where it ends.
-    pub to: f64,
-    /// Number of its colour.
-    pub colour: usize,
-}
 
 /// A chart of curves over two axes, linear unless it says otherwise. Labels may hold subscripts: `F_H`.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -73,14 +31,6 @@ pub struct Chart {
     pub shaded: Option<[f64; 2]>,
     /// Levels.
     pub levels: Vec<Level>,
-}
-
-impl Curve {
-    /// A strong line.
-    #[must_use]
-    pub fn solid(name: &str, colour: usize, points: Vec<[f64; 2]>) -> Self {
-        Self { name: name.to_owned(), points, colour, stroke: Stroke::Solid }
-    }
 }
 
 impl Chart {
@@ -250,6 +200,7 @@ fn widened([low, high]: [f64; 2], span: f64) -> [f64; 2] {
 
 #[cfg(test)]
 mod tests {
+    use super::super::curve::Stroke;
     use super::*;
 
     #[test]

@@ -1,7 +1,7 @@
 //! What is drawn inside the axes of a chart: curves, levels, text with subscripts.
 
-use super::chart::{Curve, Level, Stroke};
 use super::colour::CURVES;
+use super::curve::{Curve, Level, Stroke};
 use std::fmt::Write as _;
 
 /// A curve has at most so many points when drawn; more could not be seen.

@@ -4,9 +4,9 @@
 //! resumed run rewrites it from the history of the checkpoint.
 
 use super::error::{Named, OutputError};
-use super::record::{BodySample, BoundarySample, EnergySample, History};
-use super::reference::Reference;
 use super::table::{Table, push_line};
+use crate::history::reference::Reference;
+use crate::history::{BodySample, BoundarySample, EnergySample, History};
 use std::fs::File;
 use std::io::Write;
 use std::path::{Path, PathBuf};

@@ -1,6 +1,6 @@
 //! What can go wrong when results are written or read, and the few file habits shared by all writers.
 
-use super::folder::{CHECKPOINTS, FIELDS, PICTURES, PLOTS};
+use super::names::{CHECKPOINTS, FIELDS, PICTURES, PLOTS};
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};

@@ -1,23 +1,14 @@
-//! The names inside a results folder, and making room for a new result.
+//! What a results folder holds, and clearing it for a new result.
 
 use super::csv::{BOUNDARIES, ENERGY, forces_name};
 use super::error::{Named, OutputError};
 use super::lock::LOCK;
+pub use super::names::CHECKPOINTS;
+use super::names::{FIELDS, LISTS, LOG, PICTURES, PLOTS, REPORT, RESOLVED, TYPED};
 use super::run_record::{Outcome, RUN_RECORD, RunRecord};
 use super::summary::SUMMARY;
 use std::fs;
 use std::path::Path;
-
-/// Folder of checkpoints inside a results folder.
-pub const CHECKPOINTS: &str = "checkpoints";
-pub(super) const FIELDS: &str = "fields";
-pub(super) const PICTURES: &str = "pictures";
-pub(super) const PLOTS: &str = "plots";
-pub(super) const RESOLVED: &str = "resolved.toml";
-pub(super) const TYPED: &str = "case.toml";
-pub(super) const REPORT: &str = "report.html";
-pub(super) const LOG: &str = "run.log";
-pub(super) const LISTS: [&str; 3] = ["soil.pvd", "surface.pvd", "body.pvd"];
 
 /// What a results folder holds.
 #[derive(Debug)]

@@ -1,7 +1,8 @@
 //! The files of a forecast: the models as a table and a document, their curves as a table and as plots.
 
-use super::chart::{Chart, Curve, Stroke};
+use super::chart::Chart;
 use super::colour::CURVES;
+use super::curve::{Curve, Stroke};
 use super::error::{OutputError, make_folder, write_json, write_whole};
 use super::scale::{Unit, largest};
 use super::table::push_line;

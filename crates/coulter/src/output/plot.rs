@@ -1,11 +1,12 @@
 //! The plots of a run: forces, sinkage, rotation, torque and the energy ledger.
 
-use super::chart::{Chart, Curve, Level, Stroke};
-use super::record::BodySample;
-use super::reference::Reference;
-use super::run_record::{Overlay, PlotKind};
+use super::chart::Chart;
+use super::curve::{Curve, Level, Stroke};
+use super::overlay::{Overlay, PlotKind};
 use super::scale::{Unit, digits, largest};
-use super::steady::{Steady, is_tow, moving_average};
+use crate::history::BodySample;
+use crate::history::reference::Reference;
+use crate::history::steady::{Steady, is_tow, moving_average};
 
 /// Width of the moving average of the strong force curves, over the reference length d (chosen: hides the grid's
 /// rhythm, keeps what a cell width or more of tow does).

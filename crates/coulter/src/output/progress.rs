@@ -1,9 +1,9 @@
 //! How far a run is: a bar on a terminal, now and then a line elsewhere.
 
-use super::record::History;
-use super::reference::Reference;
 use super::scale::{Unit, digits};
 use crate::case::Case;
+use crate::history::reference::Reference;
+use crate::history::{BodySample, History};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::{IsTerminal, Write};
 use std::time::{Duration, Instant};
@@ -118,7 +118,7 @@ fn bar() -> ProgressBar {
 
 /// The latest forces, sinkage and turn ratio of each body.
 fn live(history: &History, references: &[Reference]) -> String {
-    let one = |(samples, reference): (&Vec<super::record::BodySample>, &Reference)| {
+    let one = |(samples, reference): (&Vec<BodySample>, &Reference)| {
         let s = samples.last()?;
         let force = |f: f64| {
             let unit = Unit::force(f.abs());

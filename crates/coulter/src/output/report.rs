@@ -1,17 +1,17 @@
 //! `report.html`: one page with everything in it, made from the histories, the summary and the pictures.
 
+use super::energy_plot::{closure_plot, energy_plot};
 use super::error::{Named, OutputError, read_text, write_whole};
-use super::ledger_plot::{closure_plot, energy_plot};
 use super::picture::PICTURES;
 use super::plot::{BodyHistory, Plot};
-use super::record::History;
-use super::reference::Reference;
 use super::report_rows::{
     CheckRow, Row, body_rows, check_rows, energy_rows, facts, ledger_rows, scales_text, statistics,
     window_text,
 };
 use super::run_record::{Outcome, RunRecord};
 use super::summary::{BodySummary, Summary};
+use crate::history::History;
+use crate::history::reference::Reference;
 use crate::trust::Verdict;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;

@@ -1,9 +1,9 @@
 //! The tables of a report.
 
-use super::reference::Reference;
 use super::run_record::RunRecord;
 use super::scale::{Unit, digits};
 use super::summary::{BodySummary, Summary};
+use crate::history::reference::Reference;
 use crate::trust::{Check, Trust, Verdict};
 use serde::Serialize;
 

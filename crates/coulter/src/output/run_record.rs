@@ -3,10 +3,11 @@
 
 use super::describe::describe;
 use super::error::{OutputError, read_json, write_json};
-use super::record::History;
-use super::reference::Reference;
+use super::overlay::Overlay;
 use crate::case::Case;
 use crate::case::resolved::Ground;
+use crate::history::History;
+use crate::history::reference::Reference;
 use crate::simulation::case_text;
 use crate::trust::{Setting, Trust};
 use serde::{Deserialize, Serialize};
@@ -45,38 +46,6 @@ pub struct RunStatistics {
     pub outcome: Outcome,
     /// Doubts about the case that were there before the run.
     pub advice: Vec<String>,
-}
-
-/// Which plot an overlay belongs to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum PlotKind {
-    /// Forces [N] against displacement [m].
-    ForceDisplacement,
-    /// Forces [N] against sinkage [m].
-    ForceSinkage,
-    /// Sinkage [m] against displacement [m].
-    SinkageDisplacement,
-    /// Turn ratio against displacement [m].
-    TurnRatio,
-    /// Axle torque [N m] against displacement [m].
-    AxleTorque,
-}
-
-/// A curve laid over a plot: a forecast, a measurement, another run.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Overlay {
-    /// Name in the legend.
-    pub name: String,
-    /// The plot it belongs to.
-    pub plot: PlotKind,
-    /// The body it belongs to; all bodies when none is named.
-    pub body: Option<String>,
-    /// Whether it was measured: drawn as dots, not as a line.
-    #[serde(default)]
-    pub measured: bool,
-    /// Points in SI units. A single point is drawn as a level across the plot.
-    pub points: Vec<[f64; 2]>,
 }
 
 /// The run as the report sees it.

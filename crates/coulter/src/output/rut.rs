@@ -1,12 +1,13 @@
 //! The rut: seen from above, and in cross-section.
 
-use super::chart::{Chart, Curve, Stroke};
+use super::chart::Chart;
 use super::colour::ColourMap;
+use super::curve::{Curve, Stroke};
 use super::error::{OutputError, write_whole};
 use super::fields::attitude;
 use super::frame::{Scale, View};
-use super::picture::{OUTLINE, Scene, find};
 use super::scale::{digits, largest};
+use super::scene::{OUTLINE, Scene, find};
 use super::surface::HeightMap;
 use super::table::push_line;
 use crate::case::resolved::{Case, Ground};
@@ -15,28 +16,26 @@ use solver::precision::Precision;
 use solver::state::{Body, State};
 use std::path::Path;
 
-impl<R: Precision> Scene<'_, R> {
-    /// The free surface from above.
-    pub(super) fn plan(&self, map: &HeightMap) -> View {
-        let across = self.across;
-        let fine = [self.case.grid.fine_low.y, self.case.grid.fine_high.y];
-        let (first, last) = (map.edges[1][0], map.edges[1][map.edges[1].len() - 1]);
-        let reach = 1.1 * fine[1].abs().max(fine[0].abs());
-        let sideways = if reach > 0.0 { [first.max(-reach), last.min(reach)] } else { [first, last] };
-        let mut view = View::new(across, sideways);
-        let level = matches!(self.case.ground, Ground::Level { .. });
-        let scale = height_scale(map, level, across, sideways);
-        view.paint(|x, y| {
-            let (i, j) = (find(&map.edges[0], x)?, find(&map.edges[1], y)?);
-            Some(scale.colour(1e3 * (map.at(i, j) - map.reference)))
-        });
-        for (body, shape) in self.state.bodies.iter().zip(&self.shapes) {
-            view.line(&outline(shape.as_ref(), body), OUTLINE, 2.0);
-        }
-        let title = if level { "Rut and berm from above" } else { "Height of the soil from above" };
-        view.finish(title, ["x [m]", "y [m]"], &scale);
-        view
+/// The free surface from above.
+pub(super) fn plan<R: Precision>(scene: &Scene<'_, R>, map: &HeightMap) -> View {
+    let across = scene.across;
+    let fine = [scene.case.grid.fine_low.y, scene.case.grid.fine_high.y];
+    let (first, last) = (map.edges[1][0], map.edges[1][map.edges[1].len() - 1]);
+    let reach = 1.1 * fine[1].abs().max(fine[0].abs());
+    let sideways = if reach > 0.0 { [first.max(-reach), last.min(reach)] } else { [first, last] };
+    let mut view = View::new(across, sideways);
+    let level = matches!(scene.case.ground, Ground::Level { .. });
+    let scale = height_scale(map, level, across, sideways);
+    view.paint(|x, y| {
+        let (i, j) = (find(&map.edges[0], x)?, find(&map.edges[1], y)?);
+        Some(scale.colour(1e3 * (map.at(i, j) - map.reference)))
+    });
+    for (body, shape) in scene.state.bodies.iter().zip(&scene.shapes) {
+        view.line(&outline(shape.as_ref(), body), OUTLINE, 2.0);
     }
+    let title = if level { "Rut and berm from above" } else { "Height of the soil from above" };
+    view.finish(title, ["x [m]", "y [m]"], &scale);
+    view
 }
 
 /// Colours for heights [mm]: both ends alike about the undisturbed surface, or from the floor up for a column.

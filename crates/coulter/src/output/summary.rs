@@ -1,11 +1,11 @@
 //! `summary.json`: the few numbers that scripts ask for. The names are a contract.
 
 use super::error::{OutputError, read_json, write_json};
-use super::record::{EnergySample, History};
 use super::run_record::RunRecord;
-use super::steady::{Peak, Steady, peak, steady, window};
 use super::surface::SurfaceFigures;
 use crate::case::FORMAT;
+use crate::history::steady::{Peak, Steady, peak, steady, window};
+use crate::history::{EnergySample, History};
 use crate::trust::Trust;
 use crate::trust::body::Mesh;
 use serde::{Deserialize, Serialize};

@@ -1,7 +1,7 @@
 //! Whether a history that was read back from files can be one that a run wrote.
 
 use super::csv::forces_name;
-use super::record::{BodySample, EnergySample, History};
+use crate::history::{BodySample, EnergySample, History};
 
 /// Refuses a history that no run writes: without lines, with times that are not finite or do not increase, with forces,
 /// sinkages or energies that are not numbers.

@@ -1,93 +1,26 @@
 //! A run from case to results: steps, samples, fields, checkpoints, report.
 
+mod options;
 mod start;
+pub mod watch;
 
 use crate::case::{self, Case, resolved};
-use crate::interrupts::{Interrupts, Request};
+use crate::interrupts::Request;
+use crate::output::Results;
 use crate::output::checkpoint;
 use crate::output::progress::Progress;
 use crate::output::run_record::{Outcome, RunStatistics};
 use crate::output::summary::Summary;
-use crate::output::{OutputError, Results};
 use crate::simulation::Simulation;
 use crate::trust::Verdict;
-use crate::trust::watch::watch;
 use solver::error::Breakdown;
 use solver::precision::Precision;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Instant;
 
-pub use start::Start;
+pub use options::{End, Options, RunError, Start};
 use start::{ended_before, lock, open};
-
-/// How to run.
-#[derive(Debug)]
-pub struct Options<'a> {
-    /// Results folder.
-    pub folder: &'a Path,
-    /// What to do with what is there.
-    pub start: Start,
-    /// Show no progress.
-    pub quiet: bool,
-    /// Doubts whether the machine suffices, for the log.
-    pub doubts: &'a [String],
-    /// What is asked from outside while it runs.
-    pub interrupts: &'a Interrupts,
-    /// The case file as typed, with overrides written in; kept beside the results.
-    pub typed: &'a str,
-}
-
-/// How a run ended.
-#[derive(Debug)]
-pub enum End {
-    /// It came to its end, now or before.
-    Finished(Box<Summary>),
-    /// It was stopped by this signal; here is the checkpoint to go on from.
-    Stopped(i32, PathBuf),
-}
-
-/// Why a run did not come to its end.
-#[derive(Debug, thiserror::Error)]
-pub enum RunError {
-    /// Results could not be read or written.
-    #[error(transparent)]
-    Output(#[from] OutputError),
-    /// The folder belongs to another case.
-    #[error(
-        "{} holds the run of another case file (or of other values of its keys); run with --force to start anew, or write \
-         somewhere else with -o DIR", .0.display()
-    )]
-    OtherCase(PathBuf),
-    /// There is nothing whole to go on from.
-    #[error("{}: {problem}; run with --force to start anew", .path.display())]
-    Unusable {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong with it.
-        problem: String,
-    },
-    /// The physics failed before, and would again.
-    #[error("the run in {} broke down before: {cause}; run with --force to start anew", .folder.display())]
-    BrokeDownBefore {
-        /// How.
-        cause: String,
-        /// Where it is.
-        folder: PathBuf,
-    },
-    /// The physics failed.
-    #[error(
-        "{cause}\nthe state at that time is in {} and {}; the last good checkpoint is kept beside it",
-        .folder.display(), .checkpoint.display()
-    )]
-    Physics {
-        /// How.
-        cause: Box<Breakdown>,
-        /// Where the results so far are.
-        folder: PathBuf,
-        /// The checkpoint of the state that failed.
-        checkpoint: PathBuf,
-    },
-}
+use watch::watch;
 
 /// Runs a case and writes its results.
 ///

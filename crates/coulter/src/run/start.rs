@@ -1,11 +1,10 @@
 //! How a run begins: anew, or where an earlier one was left.
 
-use super::{Options, RunError};
+use super::options::{Options, RunError, Start};
 use crate::case::{self, Case};
-use crate::forecast;
 use crate::output::checkpoint::{self, Checkpoint};
 use crate::output::run_record::{Outcome, RunRecord, hash_of};
-use crate::output::{Holds, Lock, OutputError, Results, Summary, look};
+use crate::output::{Holds, Lock, OutputError, Results, Summary, look, overlays};
 use crate::simulation::{Simulation, case_text};
 use solver::precision::Precision;
 use std::path::Path;
@@ -13,20 +12,6 @@ use std::time::{Duration, Instant};
 
 /// Time that an automatic restart waits for the run before to go away.
 const PATIENCE: Duration = Duration::from_secs(60);
-
-/// What to do with a folder that holds a run already.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Start {
-    /// Refuse.
-    Anew,
-    /// Replace it.
-    Replace,
-    /// Go on with it from its last checkpoint; start if there is nothing.
-    Resume,
-    /// The same, for schedulers: a run that has come to its end is left as it is, checkpoints that cannot be read are no
-    /// reason to fail, and a lock that goes away within a minute is waited for.
-    AutoResume,
-}
 
 /// The folder for this run alone.
 pub(super) fn lock(options: &Options) -> Result<Lock, OutputError> {
@@ -142,7 +127,7 @@ fn create<R: Precision>(
 
 /// Lays the closed forms over the plots. Where they do not apply the log says why; the run does not depend on them.
 fn overlay_forecast(case: &Case, results: &mut Results) -> Result<(), OutputError> {
-    match forecast::overlay::overlays(case) {
+    match overlays(case) {
         Ok(overlays) => results.overlay(overlays),
         Err(why) => results.log(&format!("no forecast beside the results: {why}")),
     }

@@ -1,11 +1,12 @@
 //! Checks of one body: its motion, its forces, and how well the grid resolves it.
 
+use super::check::Check;
 use super::limits::{self, Limit};
+use super::setting::{BodySetting, Setting};
 use super::steadiness::Trend;
-use super::{BodySetting, Check, Setting};
-use crate::output::record::{BodySample, History};
-use crate::output::reference::Reference;
-use crate::output::steady::{Steady, is_tow, steady, window};
+use crate::history::reference::Reference;
+use crate::history::steady::{Steady, is_tow, steady, window};
+use crate::history::{BodySample, History};
 
 /// A body with everything that is known of it.
 pub(super) struct Scene<'a> {

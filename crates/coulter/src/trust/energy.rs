@@ -1,8 +1,9 @@
 //! Checks of what the whole model conserves, and of what it does at the faces of the box.
 
+use super::check::Check;
 use super::limits::{self, Limit};
-use super::{BodySetting, Check, Setting};
-use crate::output::record::{BodySample, EnergySample, History};
+use super::setting::{BodySetting, Setting};
+use crate::history::{BodySample, EnergySample, History};
 
 /// Energy and volume at the end of the run.
 pub(super) fn checks(setting: &Setting, history: &History) -> Vec<Check> {
@@ -33,7 +34,7 @@ pub(super) fn boundary_checks(setting: &Setting, history: &History) -> Vec<Check
     if samples.is_empty() {
         return Vec::new();
     }
-    let most = |value: fn(&crate::output::record::BoundarySample) -> f64| {
+    let most = |value: fn(&crate::history::BoundarySample) -> f64| {
         samples.iter().map(value).fold(0.0, |most: f64, v| if v > most || v.is_nan() { v } else { most })
     };
     let mut checks = vec![
@@ -59,7 +60,7 @@ fn lid_share(force: f64, area: f64, history: &History) -> f64 {
 }
 
 /// Sum of the forces on the bodies at one sample [N].
-pub(super) fn body_force(history: &History, n: usize) -> f64 {
+pub(crate) fn body_force(history: &History, n: usize) -> f64 {
     let size = |s: &BodySample| s.drag.hypot(s.vertical).hypot(s.lateral);
     history.bodies.iter().filter_map(|samples| samples.get(n)).map(size).sum()
 }

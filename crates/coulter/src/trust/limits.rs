@@ -1,6 +1,6 @@
 //! The one table of limits: what is good, what is doubtful, and why there.
 
-use super::Verdict;
+use super::verdict::Verdict;
 
 /// What a figure is held against.
 #[derive(Clone, Copy, Debug, PartialEq)]

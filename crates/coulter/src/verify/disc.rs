@@ -2,8 +2,8 @@
 
 use super::bench::{Bench, VerifyError};
 use super::row::Row;
-use crate::output::reference::Reference;
-use crate::output::steady::{Steady, steady, window};
+use crate::history::reference::Reference;
+use crate::history::steady::{Steady, steady, window};
 use crate::simulation::Simulation;
 
 const CASE: &str = include_str!("../../../../cases/towed_disc.toml");

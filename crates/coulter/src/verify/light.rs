@@ -2,7 +2,7 @@
 
 use super::bench::{Bench, VerifyError};
 use super::row::Row;
-use crate::output::record::BodySample;
+use crate::history::BodySample;
 use std::f64::consts::PI;
 
 const CASE: &str = include_str!("../../../../validation/A12_light_body/case.toml");

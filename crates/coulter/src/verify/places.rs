@@ -2,7 +2,7 @@
 
 use super::bench::{Bench, VerifyError, mean};
 use super::row::Row;
-use crate::output::record::BodySample;
+use crate::history::BodySample;
 use crate::simulation::Simulation;
 
 const BLOCK: &str = include_str!("../../../../validation/A11_place_and_direction/block.toml");

@@ -3,7 +3,7 @@
 use super::bench::{Bench, VerifyError};
 use super::line::at_zero;
 use super::row::Row;
-use crate::output::record::BodySample;
+use crate::history::BodySample;
 use analytic::bearing::davis_friction_angle;
 use analytic::earth_pressure::{Face, sokolovskii};
 

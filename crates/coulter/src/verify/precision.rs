@@ -2,7 +2,7 @@
 
 use super::bench::{Bench, VerifyError, mean};
 use super::row::Row;
-use crate::output::record::BodySample;
+use crate::history::BodySample;
 use crate::simulation::Simulation;
 use glam::DVec3;
 use solver::precision::Precision;

@@ -2,8 +2,8 @@
 
 use super::bench::{Bench, VerifyError, mean};
 use super::row::Row;
+use crate::history::BodySample;
 use crate::output::checkpoint::Checkpoint;
-use crate::output::record::BodySample;
 use crate::simulation::Simulation;
 use solver::state::State;
 

@@ -2,7 +2,7 @@
 
 use super::bench::{Bench, VerifyError};
 use super::row::Row;
-use crate::output::record::BodySample;
+use crate::history::BodySample;
 use crate::simulation::Simulation;
 use std::f64::consts::PI;
 

@@ -2,7 +2,7 @@
 
 use super::bench::{Bench, VerifyError};
 use super::row::Row;
-use crate::output::record::BodySample;
+use crate::history::BodySample;
 use crate::simulation::Simulation;
 
 const CASE: &str = include_str!("../../../../validation/A7_scaling/case.toml");

@@ -277,7 +277,7 @@ fn strange_runs_are_reported_too() {
             body.position = glam::DVec3::new(1e30, f64::NAN, f64::NEG_INFINITY);
             body.angle = f64::NAN;
         }
-        let empty = coulter::output::record::History { energy: vec![], ..history(&case, 0) };
+        let empty = coulter::history::History { energy: vec![], ..history(&case, 0) };
         let constant = history(&case, 1);
         for history in [&broken, &empty, &constant] {
             let dir = tempfile::tempdir().unwrap();
@@ -316,7 +316,7 @@ fn a_body_that_is_only_pushed_down_is_plotted_over_time() {
 #[test]
 fn progress_is_shown_without_a_terminal_and_without_history() {
     let case = case(Kind::Two, 0.04);
-    let empty = coulter::output::record::History::default();
+    let empty = coulter::history::History::default();
     for quiet in [false, true] {
         let mut progress = coulter::output::Progress::start(&case, 0.0, quiet);
         for history in [&empty, &history(&case, 0), &history(&case, 40)] {

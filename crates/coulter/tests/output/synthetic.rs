@@ -2,7 +2,7 @@
 
 use coulter::case::Case;
 use coulter::case::resolved as case;
-use coulter::output::record::{BodySample, EnergySample, History};
+use coulter::history::{BodySample, EnergySample, History};
 use coulter::output::{Outcome, RunStatistics};
 use glam::DVec3;
 use solver::grid::Grid;

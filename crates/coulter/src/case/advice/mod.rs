@@ -1,17 +1,16 @@
 //! Doubts about a case that can be run: is the grid fine enough, the tow slow enough, the box large enough?
 
 mod pace;
+mod passive;
 mod space;
 
-use super::Case;
 use super::estimate::estimate;
-use super::resolve::extent::{body_length, path};
-use super::resolved::{Body, Freedom, Law, Potential};
-use analytic::earth_pressure::{Face, rankine};
+use super::path::{body_length, path};
+use super::resolved::{Body, Case, Freedom, Law, Potential};
 use glam::DVec3;
+use passive::passive_coefficient;
 use physics::elastic::Elastic;
 use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
-use std::f64::consts::FRAC_PI_2;
 
 /// Warnings, each a sentence or two; empty for a case without doubts.
 #[must_use]
@@ -104,13 +103,6 @@ fn timing(case: &Case, notes: &mut Vec<String>) {
             cost.time_step_s
         ));
     }
-}
-
-/// Rankine's K_p; infinite where the closed form refuses the angle.
-fn passive_coefficient(friction_angle: f64) -> f64 {
-    let face = Face { friction_angle, wall_friction: 0.0, surface: FRAC_PI_2, backfill: 0.0 };
-    // Without friction the formula has nothing to say: soil at rest, K_p = 1.
-    if friction_angle == 0.0 { 1.0 } else { rankine(&face).unwrap_or(f64::INFINITY) }
 }
 
 fn strength(case: &Case, notes: &mut Vec<String>) {

@@ -1,10 +1,9 @@
 //! Whether a motion is slow enough: what inertia and bulk viscosity add to the force.
 
-use super::passive_coefficient;
-use crate::case::Case;
-use crate::case::resolve::extent::body_length;
+use super::passive::passive_coefficient;
+use crate::case::path::body_length;
 use crate::case::resolve::room::{Soil, deepest};
-use crate::case::resolved::{Body, Freedom, Law};
+use crate::case::resolved::{Body, Case, Freedom, Law};
 use physics::elastic::Elastic;
 
 /// Share of the force above which what inertia or viscosity adds to it is mentioned; chosen: less is lost in what the grid

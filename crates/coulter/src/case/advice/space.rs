@@ -1,9 +1,8 @@
 //! Whether the soil that a body pushes aside has room: up to the lid, and to the walls.
 
-use crate::case::Case;
-use crate::case::resolve::extent::{body_length, path};
+use crate::case::path::{body_length, path};
 use crate::case::resolve::room::{Soil, room};
-use crate::case::resolved::Body;
+use crate::case::resolved::{Body, Case};
 
 /// Body lengths to a wall below which it is mentioned; chosen: soil fails over some three sinkages, and a disc seldom
 /// sinks deeper than a third of its diameter.

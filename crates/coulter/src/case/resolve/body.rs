@@ -1,11 +1,11 @@
 //! A rigid body: shape, mass, place and motion.
 
-use super::Frame;
+use super::frame::Frame;
 use super::motion::{freedom, is_free};
 use crate::case::problem::Problems;
 use crate::case::ranges::{self, ANY, FRACTION, NOT_NEGATIVE, POSITIVE};
 use crate::case::resolved::{Axis, Body, Law, Shape};
-use crate::case::schema::Section;
+use crate::case::typed::Section;
 use glam::DVec3;
 
 /// Mass of a body that never moves freely: that of solid steel [kg/m³]. Nothing depends on it.

@@ -1,13 +1,13 @@
 //! Whether everything fits: the bodies into the box, their motion to its symmetry, the grid into memory.
 
-use super::extent::path;
 use crate::case::estimate;
 use crate::case::machine;
+use crate::case::path::path;
 use crate::case::problem::Problems;
 use crate::case::quantity::plain;
 use crate::case::resolved::{Body, Case, Domain, Freedom, Shape};
 use crate::case::room::words;
-use crate::case::schema::{Schema, Section};
+use crate::case::typed::{Schema, Section};
 
 /// More time steps than any machine would finish.
 const MOST_STEPS: f64 = 1e12;

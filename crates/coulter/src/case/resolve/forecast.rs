@@ -3,7 +3,7 @@
 use crate::case::problem::Problems;
 use crate::case::ranges::{self, Allowed, BACKFILL, EXPONENT, FRACTION, NOT_NEGATIVE, POSITIVE};
 use crate::case::resolved::{Factors, Measured, Plate};
-use crate::case::schema::Section;
+use crate::case::typed::Section;
 use analytic::wheel::{CMU_SAND, TERRAINS, Terrain};
 
 /// Shear deformation modulus where none is given [m]; recalled for sand: 10 to 25 mm.

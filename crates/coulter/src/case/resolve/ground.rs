@@ -1,11 +1,10 @@
 //! Where soil is at the start, and how it moves.
 
-use super::extent::range;
 use crate::case::problem::Problems;
 use crate::case::quantity::plain;
-use crate::case::ranges::{self, POSITIVE};
+use crate::case::ranges::{self, POSITIVE, range};
 use crate::case::resolved::{Domain, Ground};
-use crate::case::schema::Section;
+use crate::case::typed::Section;
 use glam::DVec3;
 
 /// Where soil is.

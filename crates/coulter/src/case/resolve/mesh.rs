@@ -1,15 +1,15 @@
 //! The fine zone and the faces of the cells.
 
-use super::Frame;
-use super::extent::{Extent, body_length, paths, range};
 use super::fit::fit;
+use super::frame::Frame;
 use super::grading::{self, Axis};
 use super::room::room;
+use crate::case::path::{Extent, body_length, paths};
 use crate::case::problem::Problems;
 use crate::case::quantity::plain;
-use crate::case::ranges::{self, GROWTH};
+use crate::case::ranges::{self, GROWTH, range};
 use crate::case::resolved::{Body, Domain, Grid, Ground};
-use crate::case::schema::Section;
+use crate::case::typed::Section;
 use glam::DVec3;
 
 /// How far the fine zone reaches above the soil at least, and at most where a higher heap is expected [body lengths];

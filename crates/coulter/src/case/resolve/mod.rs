@@ -1,10 +1,11 @@
 //! What was typed → what it means: defaults filled in, everything checked, SI units.
 
-pub(super) mod body;
+mod body;
 mod checks;
-pub(super) mod extent;
+mod domain;
 mod fit;
 mod forecast;
+mod frame;
 mod grading;
 mod ground;
 mod mesh;
@@ -13,65 +14,12 @@ pub(super) mod room;
 mod soil;
 mod timing;
 
-use super::is_device;
+use super::names::is_device;
 use super::problem::Problems;
 use super::ranges::{self, ANY, NOT_NEGATIVE, POSITIVE, SHARE};
 use super::resolved::{Body, Case, Contact, Law, Numerics, Precision};
-use super::schema::{Schema, Section};
-use glam::DVec3;
-
-/// What the parts of a case share.
-pub(super) struct Frame {
-    /// Acceleration of gravity [m/s²].
-    gravity: f64,
-    /// Cell size in the fine zone [m].
-    cell: f64,
-    /// Height of the soil's surface [m].
-    surface: f64,
-    symmetric: bool,
-    /// Whether x = 0 is a plane of symmetry.
-    symmetric_x: bool,
-    /// Strength of the soil, if it could be read.
-    law: Option<Law>,
-    /// Velocity of the soil at the start [m/s], as typed.
-    velocity: DVec3,
-    /// The slab of a plane strain case.
-    slab: Option<Slab>,
-}
-
-impl Frame {
-    /// The soil as far as the room depends on it that it needs.
-    fn soil(&self) -> room::Soil {
-        room::Soil {
-            law: self.law.unwrap_or(Law::Elastic),
-            surface: self.surface,
-            floor: f64::NEG_INFINITY,
-            velocity: self.velocity,
-            gravity: self.gravity,
-            plane_strain: self.slab.is_some(),
-            confined: false,
-        }
-    }
-}
-
-/// The slab of a plane strain case.
-#[derive(Clone, Copy)]
-pub(super) struct Slab {
-    /// Its width along y [m].
-    width: f64,
-    /// Its middle [m].
-    middle: f64,
-    /// Distance that contact points keep from sharp edges [m].
-    inset: f64,
-}
-
-impl Slab {
-    /// Width of a body [m]: that of the slab and of the inset that contact points keep from the body's edges, so
-    /// that they cover the slab exactly.
-    fn covering_width(&self) -> f64 {
-        self.width + 2.0 * self.inset
-    }
-}
+use super::typed::{Schema, Section};
+use frame::{Frame, Slab};
 
 /// The case that was typed, or `None` with problems added.
 pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problems) -> Option<Case> {
@@ -85,7 +33,7 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
     let forecast = forecast::measured(&schema.forecast, problems);
     let output = duration.and_then(|d| timing::output(&schema.output, d, problems));
     let (frame, bodies, duration) = (frame?, bodies?, duration?);
-    let domain = extent::domain(&schema.domain, &frame, &bodies, duration, problems)?;
+    let domain = domain::domain(&schema.domain, &frame, &bodies, duration, problems)?;
     let ground = ground::ground(&schema.ground, frame.surface, &domain, problems)?;
     let soil = soil?;
     let velocity = ground::velocity(&schema.ground, &domain, problems)?;
@@ -131,7 +79,7 @@ fn frame(schema: &Schema, gravity: f64, law: Option<Law>, problems: &mut Problem
     let cell = cell?;
     let inset = schema.numerics.number("edge_inset").map_or(EDGE_INSET, |n| n.value);
     let slab = if plane_strain {
-        let [low, high] = extent::range(&schema.domain, "y", Some([0.0, cell]), problems)?;
+        let [low, high] = ranges::range(&schema.domain, "y", Some([0.0, cell]), problems)?;
         Some(Slab { width: high - low, middle: 0.5 * (low + high), inset: inset * (high - low) })
     } else {
         None

@@ -3,7 +3,7 @@
 use crate::case::problem::Problems;
 use crate::case::ranges;
 use crate::case::resolved::Freedom;
-use crate::case::schema::{Motion, Section, Typed};
+use crate::case::typed::{Motion, Section, Typed};
 
 /// Time over which a load comes on and a speed is reached unless the case says otherwise [s].
 const RAMP: f64 = 0.1;

@@ -2,7 +2,7 @@
 //!
 //! Rough estimates, meant to be too large rather than too small: soil that meets a lid or a wall adds to the force.
 
-use super::extent::{path, travel};
+use crate::case::path::{path, travel};
 use crate::case::resolved::{Axis, Body, Case, Freedom, Law, Shape};
 use glam::DVec3;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};

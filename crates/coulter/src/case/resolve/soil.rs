@@ -4,7 +4,7 @@ use crate::case::problem::Problems;
 use crate::case::quantity::plain;
 use crate::case::ranges::{self, ACUTE, BELOW_HALF, ECCENTRICITY, NOT_NEGATIVE, POSITIVE};
 use crate::case::resolved::{Domain, Law, Potential, Soil};
-use crate::case::schema::Section;
+use crate::case::typed::Section;
 use physics::menetrey_willam::Eccentricity;
 
 const FRICTIONAL: [&str; 8] = [

@@ -1,10 +1,10 @@
 //! How long to run, and how often to write.
 
-use super::extent::travel;
+use crate::case::path::travel;
 use crate::case::problem::Problems;
 use crate::case::ranges::{self, POSITIVE, SHARE};
 use crate::case::resolved::{Body, Freedom, Output};
-use crate::case::schema::Section;
+use crate::case::typed::Section;
 
 /// More lines of history than anyone could read, or hold in memory.
 const MOST_LINES: f64 = 1e7;

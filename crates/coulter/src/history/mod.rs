@@ -1,5 +1,8 @@
 //! The history of a run: what the probes saw.
 
+pub mod reference;
+pub mod steady;
+
 use serde::{Deserialize, Serialize};
 
 /// One line of a body's history. Forces are the soil's on the whole body, averaged over the interval that ends at

@@ -1,8 +1,8 @@
 //! The forecast as curves over the plots of a run.
 
-use super::{Outlook, outlook};
+use super::overlay::{Overlay, PlotKind};
 use crate::case::Case;
-use crate::output::{Overlay, PlotKind};
+use crate::forecast::{Outlook, outlook};
 use analytic::forecast::{Candidate, ModelForecast, Parameter, curve};
 
 /// Points of a force–sinkage curve.

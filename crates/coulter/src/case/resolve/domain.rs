@@ -1,58 +1,13 @@
-//! Where everything is: the bodies' path and the box.
+//! The box that is modelled.
 
-use super::Frame;
+use super::frame::Frame;
 use super::room::{Room, room};
+use crate::case::path::{Extent, body_length, paths};
 use crate::case::problem::Problems;
-use crate::case::ranges;
-use crate::case::resolved::{Body, Domain, Freedom, Wall};
-use crate::case::schema::Section;
+use crate::case::ranges::range;
+use crate::case::resolved::{Body, Domain, Wall};
+use crate::case::typed::Section;
 use glam::DVec3;
-
-/// A box round something.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::case) struct Extent {
-    /// Low corner [m].
-    pub(in crate::case) low: DVec3,
-    /// High corner [m].
-    pub(in crate::case) high: DVec3,
-}
-
-/// How far a prescribed motion has gone after `time` [m or rad]; 0 for any other.
-pub(crate) fn travel(freedom: &Freedom, time: f64) -> f64 {
-    let Freedom::Prescribed { speed, start, ramp, end } = *freedom else { return 0.0 };
-    // Integral of the smooth step 3x² − 2x³ over a ramp, then of 1.
-    let ramped = |since: f64| {
-        let x = if ramp > 0.0 { (since / ramp).clamp(0.0, 1.0) } else { 1.0 };
-        ramp * (x.powi(3) - 0.5 * x.powi(4)) + (since - ramp).max(0.0)
-    };
-    let since = |event: f64| if time > event { ramped(time - event) } else { 0.0 };
-    speed * (since(start) - since(end))
-}
-
-/// The box round a body on its whole way.
-pub(in crate::case) fn path(body: &Body, duration: f64) -> Extent {
-    let (low, high) = body.shape.solid().bounds();
-    let moved = DVec3::from_array(std::array::from_fn(|axis| travel(&body.translation[axis], duration)));
-    let (start, end) = (body.position, body.position + moved);
-    Extent { low: start.min(end) + low, high: start.max(end) + high }
-}
-
-/// The box round all bodies on their whole way.
-pub(in crate::case) fn paths(bodies: &[Body], duration: f64) -> Option<Extent> {
-    bodies
-        .iter()
-        .map(|b| path(b, duration))
-        .reduce(|a, b| Extent { low: a.low.min(b.low), high: a.high.max(b.high) })
-}
-
-/// The largest edge of any body in the plane of the tow [m].
-pub(in crate::case) fn body_length(bodies: &[Body]) -> f64 {
-    let length = |b: &Body| {
-        let (low, high) = b.shape.solid().bounds();
-        (high - low).x.max((high - low).z)
-    };
-    bodies.iter().map(length).fold(0.0, f64::max)
-}
 
 /// Soil below the bodies, and beside them, unless more is needed [body lengths]; chosen: the ground fails over some three
 /// sinkages, and a disc seldom sinks deeper than a third of its diameter.
@@ -115,29 +70,6 @@ pub(super) fn domain(
     Some(Domain { low, high, walls: walls?, symmetric, symmetric_x, plane_strain })
 }
 
-/// A low and a high end; reported if they are the wrong way round, or missing without a default.
-pub(super) fn range(
-    section: &Section,
-    key: &str,
-    default: Option<[f64; 2]>,
-    problems: &mut Problems,
-) -> Option<[f64; 2]> {
-    if !section.has(key) {
-        if default.is_none() {
-            ranges::missing(section, key, problems);
-        }
-        return default;
-    }
-    let typed = section.list(key)?;
-    let (low, high) = (typed.value.first()?.value, typed.value.last()?.value);
-    if low < high {
-        return Some([low, high]);
-    }
-    let message = format!("{} is empty: its low end is not below its high end", ranges::dotted(section, key));
-    problems.add(&typed.place, message, "write the lower value first");
-    None
-}
-
 fn walls(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<[[Wall; 2]; 3]> {
     let default = [[Wall::Smooth; 2], [Wall::Smooth; 2], [Wall::Fixed, Wall::Smooth]];
     let mut walls = default;
@@ -162,26 +94,4 @@ fn walls(section: &Section, frame: &Frame, problems: &mut Problems) -> Option<[[
         return None;
     }
     Some(walls)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn travel_is_the_integral_of_the_speed() {
-        let towed = Freedom::Prescribed { speed: 0.2, start: 0.4, ramp: 0.1, end: 1.0 };
-        let at = |time: f64| travel(&towed, time);
-        assert!((at(0.4), at(0.3)) == (0.0, 0.0));
-        assert!((at(0.45) - 0.2 * 0.1 * (0.125 - 0.03125)).abs() < 1e-15, "inside the ramp");
-        assert!((at(0.5) - 0.2 * 0.05).abs() < 1e-15, "a ramp covers half of what the full speed would");
-        assert!((at(0.9) - 0.2 * 0.45).abs() < 1e-15);
-        assert!(
-            (at(5.0) - 0.2 * 0.6).abs() < 1e-15,
-            "from start to end, the two ramps making up for each other"
-        );
-        assert_eq!(travel(&Freedom::Fixed, 9.0), 0.0);
-        let at_once = Freedom::Prescribed { speed: -1.0, start: 0.0, ramp: 0.0, end: f64::INFINITY };
-        assert_eq!(travel(&at_once, 2.0), -2.0);
-    }
 }

@@ -1,6 +1,6 @@
 //! The steady end of a run: which samples belong to it, their averages, and how noisy the drag is.
 
-use super::record::BodySample;
+use super::BodySample;
 use super::reference::Reference;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;

@@ -1,9 +1,10 @@
 //! The plots of the ledgers: where the work went, and what nobody can account for.
 
-use super::chart::{Chart, Curve, Stroke};
+use super::chart::Chart;
+use super::curve::{Curve, Stroke};
 use super::plot::Plot;
-use super::record::EnergySample;
 use super::scale::{Unit, largest};
+use crate::history::EnergySample;
 
 /// An entry of the ledger with its name.
 type Entry = (&'static str, fn(&EnergySample) -> f64);

@@ -1,10 +1,10 @@
 //! Checks of a run that is going on: what cannot be mended any more stops it, with place, time and cause.
 
-use super::boundary::most_pressed_lid_cell;
-use super::energy::body_force;
-use super::limits;
-use crate::output::record::{EnergySample, History};
+use crate::history::{EnergySample, History};
 use crate::simulation::Simulation;
+use crate::trust::boundary::most_pressed_lid_cell;
+use crate::trust::energy::body_force;
+use crate::trust::limits;
 use glam::DVec3;
 use solver::error::{Breakdown, Place};
 use solver::precision::Precision;

@@ -1,7 +1,7 @@
 //! The lengths and the force that make a body's numbers dimensionless, and its rolling radius.
 
+use super::BodySample;
 use crate::case::resolved::{Axis, Body, Case, Freedom, Shape};
-use crate::output::record::BodySample;
 use serde::{Deserialize, Serialize};
 
 /// Speeds below this [m/s] are rest: a turn ratio would be noise over noise.
