@@ -1,7 +1,7 @@
 //! `coulter verify`: the verification suite.
 
 use super::{Failure, say};
-use crate::verify::bench::Wish;
+use crate::verify::options::Wish;
 use crate::verify::row::Row;
 use crate::verify::{self, document, grades, known, refine, table};
 use std::io::Write;

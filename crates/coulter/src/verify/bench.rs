@@ -1,84 +1,17 @@
 //! The bench that benchmarks run on: it runs cases through the users' door, keeps their ledgers and collects rows.
 
+use super::error::VerifyError;
 use super::kept::{Found, Kept};
-use super::plot::Trace;
+use super::options::Wish;
 use super::row::Row;
+use super::run_ledgers::Ledgers;
+use super::trace::Trace;
 use crate::case::resolved::{Law, Precision};
-use crate::case::{self, Case, CaseError};
-use crate::history::{BodySample, EnergySample};
-use crate::output::OutputError;
+use crate::case::{self, Case};
 use crate::run::watch::watch as would_stop;
 use crate::simulation::Simulation;
-use crate::trust::Trust;
-use serde::{Deserialize, Serialize};
 use solver::cpu::energy::soil_mass;
-use solver::error::Breakdown;
-use std::path::PathBuf;
 use std::time::{Duration, Instant};
-
-/// Why a benchmark gave no figure.
-#[derive(Debug, thiserror::Error)]
-pub enum VerifyError {
-    /// Its case cannot be run with these overrides.
-    #[error("the case is refused: {0}")]
-    Case(String),
-    /// The physics failed.
-    #[error(transparent)]
-    Physics(#[from] Breakdown),
-    /// This part was asked for in single precision.
-    #[error("this is verified in double precision alone")]
-    DoubleOnly,
-    /// A checkpoint could not be written or read.
-    #[error(transparent)]
-    Output(#[from] OutputError),
-}
-
-impl From<CaseError> for VerifyError {
-    fn from(error: CaseError) -> Self {
-        Self::Case(error.problems.iter().map(|p| p.message.clone()).collect::<Vec<_>>().join("; "))
-    }
-}
-
-/// What the suite is asked to do.
-#[derive(Clone, Debug, Default)]
-pub struct Wish {
-    /// Only what takes about a minute in all.
-    pub fast: bool,
-    /// Overrides for every case that is run from a case file.
-    pub overrides: Vec<String>,
-    /// Threads; 0 for one per core.
-    pub threads: usize,
-    /// Folder in which findings are kept, to go on from after a stop; `None` to keep nothing.
-    pub folder: Option<PathBuf>,
-    /// Takes no notice of findings that are kept already.
-    pub fresh: bool,
-}
-
-/// The ledgers of one run at its end.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct Ledgers {
-    /// Benchmark.
-    #[serde(skip)]
-    pub id: &'static str,
-    /// Which variant.
-    pub case: String,
-    /// Energy.
-    pub energy: EnergySample,
-    /// Largest departure of the soil volume from that at the start, at any time, as a share.
-    pub volume_off: f64,
-    /// Change of the soil's mass, crumbs counted, as a share.
-    pub mass_off: f64,
-    /// Whether the soil dilates, so that its volume is meant to grow.
-    pub dilates: bool,
-    /// The bodies at the end.
-    pub bodies: Vec<BodySample>,
-    /// Wall clock [s].
-    pub seconds: f64,
-    /// What the run did.
-    pub trace: Trace,
-    /// Whether it would be believed.
-    pub trust: Trust,
-}
 
 /// Runs cases and collects what comes out.
 pub struct Bench<'a> {
@@ -281,25 +214,4 @@ fn mass_off(simulation: &Simulation) -> f64 {
     // Mass and volume of the soil at the start go together by its density.
     let before = model.density * state.ledger.volume_start;
     (soil_mass(&state.soil) + state.ledger.crumbs_mass - before) / before
-}
-
-/// Mean of a figure over the samples whose abscissa lies in `from..=to`, each weighing as the interval that it stands
-/// for; not a number if there are none.
-#[must_use]
-pub fn mean(
-    samples: &[BodySample],
-    [from, to]: [f64; 2],
-    along: impl Fn(&BodySample) -> f64,
-    value: impl Fn(&BodySample) -> f64,
-) -> f64 {
-    let (mut sum, mut weight) = (0.0, 0.0);
-    for pair in samples.windows(2) {
-        let at = along(&pair[1]);
-        if at >= from && at <= to {
-            let interval = pair[1].time - pair[0].time;
-            sum += value(&pair[1]) * interval;
-            weight += interval;
-        }
-    }
-    sum / weight
 }

@@ -1,7 +1,9 @@
 //! B3, B3γ: circular and square footings, on undrained soil and on sand.
 
-use super::bench::{Bench, VerifyError, mean};
+use super::bench::Bench;
+use super::error::VerifyError;
 use super::line::at_zero;
+use super::probe::mean;
 use super::row::Row;
 use std::f64::consts::PI;
 

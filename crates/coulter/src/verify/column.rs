@@ -1,6 +1,8 @@
 //! C1: collapse of a column of sand in plane strain.
 
-use super::bench::{Bench, VerifyError};
+use super::bench::Bench;
+use super::error::VerifyError;
+use super::probe::thickness;
 use super::row::Row;
 use crate::simulation::Simulation;
 
@@ -116,12 +118,6 @@ fn collapse(bench: &mut Bench, angle: u32, a: f64, cells: u32) -> Result<(), Ver
         note("front's way in the last tenth of the time [cells]", (end - late) / cell),
     ]);
     Ok(())
-}
-
-/// Thickness of the soil in the column of cells `(i, j)` [m].
-pub(super) fn thickness(simulation: &Simulation, i: usize, j: usize) -> f64 {
-    let (grid, fraction) = (&simulation.model.grid, &simulation.state.soil.fraction);
-    (0..grid.cells()[2]).map(|k| fraction[grid.index(i, j, k)] * grid.width(2, k)).sum()
 }
 
 /// Where the soil's thickness falls below `limit` [m], from the plane of symmetry outwards [m].

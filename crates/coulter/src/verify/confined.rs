@@ -1,8 +1,7 @@
 //! A5, the rest: oedometer and isotropic tests, where every strain is given.
 
-use super::bench::VerifyError;
-use super::element::CONFINEMENT;
-use super::specimen::Specimen;
+use super::error::VerifyError;
+use super::specimen::{CONFINEMENT, Specimen};
 use physics::elastic::Elastic;
 use physics::mohr_coulomb::MohrCoulomb;
 use physics::strength::Law;

@@ -1,6 +1,8 @@
 //! N1: a test that cannot fail proves nothing. The wrong friction angle must fail.
 
-use super::bench::{Bench, VerifyError, Wish};
+use super::bench::Bench;
+use super::error::VerifyError;
+use super::options::Wish;
 use super::row::Row;
 use super::{column, wall};
 

@@ -1,6 +1,7 @@
 //! D3: the disc that is free to sink and to turn, towed over sand: the main job.
 
-use super::bench::{Bench, VerifyError};
+use super::bench::Bench;
+use super::error::VerifyError;
 use super::row::Row;
 use crate::history::reference::Reference;
 use crate::history::steady::{Steady, steady, window};

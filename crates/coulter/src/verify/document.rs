@@ -1,12 +1,13 @@
 //! The table in the project's documents: between two markers in README.md, and in docs/verification.md.
 
-use super::bench::Ledgers;
+use super::findings::Findings;
 use super::grades;
 use super::known::Known;
+use super::list::{BENCHMARKS, Benchmark};
 use super::plot;
 use super::row::{Row, Verdict};
+use super::run_ledgers::Ledgers;
 use super::table;
-use super::{BENCHMARKS, Benchmark, Findings};
 use std::fmt::Write;
 use std::path::Path;
 

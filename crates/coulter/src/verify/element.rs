@@ -1,9 +1,10 @@
 //! A5: element tests of the soil law.
 
-use super::bench::{Bench, VerifyError};
+use super::bench::Bench;
 use super::confined::{isotropic, oedometer};
+use super::error::VerifyError;
 use super::row::Row;
-use super::specimen::{Cell, Point, Specimen};
+use super::specimen::{CONFINEMENT, Cell, Point, Specimen};
 use physics::elastic::Elastic;
 use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
 use physics::mohr_coulomb::MohrCoulomb;
@@ -23,8 +24,6 @@ const SOILS: [[f64; 3]; 6] = [
     [25.0, 5.0, 1e4],
     [0.0, 0.0, 2e4],
 ];
-/// Confining pressure [Pa].
-pub(super) const CONFINEMENT: f64 = 1e5;
 /// Strain increments, and the size of one.
 const INCREMENTS: usize = 600;
 const INCREMENT: f64 = 1e-4;

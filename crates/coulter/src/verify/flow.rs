@@ -1,6 +1,8 @@
 //! B8: deep flow of undrained soil round a cylinder and a ball.
 
-use super::bench::{Bench, VerifyError, mean};
+use super::bench::Bench;
+use super::error::VerifyError;
+use super::probe::mean;
 use super::row::Row;
 use std::f64::consts::PI;
 

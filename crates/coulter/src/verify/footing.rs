@@ -1,6 +1,8 @@
 //! B1, B2, B9: a strip footing on weightless undrained soil: smooth, rough, and nearly incompressible soil.
 
-use super::bench::{Bench, VerifyError, mean};
+use super::bench::Bench;
+use super::error::VerifyError;
+use super::probe::mean;
 use super::row::Row;
 use std::f64::consts::PI;
 

@@ -1,8 +1,8 @@
 //! How the runs of the suite are graded: whether those with the right answer are believed, and what the others are told.
 
-use super::Findings;
-use super::bench::Ledgers;
+use super::findings::Findings;
 use super::row::{Row, Verdict};
+use super::run_ledgers::Ledgers;
 use crate::trust;
 use std::fmt::Write;
 

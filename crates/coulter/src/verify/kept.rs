@@ -4,8 +4,9 @@
 //! hash of the program itself (and so of the cases in it) and of the request. Another program, or another request,
 //! takes no notice of it and overwrites it.
 
-use super::bench::{Ledgers, Wish};
+use super::options::Wish;
 use super::row::Row;
+use super::run_ledgers::Ledgers;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use xxhash_rust::xxh3::{Xxh3, xxh3_64};

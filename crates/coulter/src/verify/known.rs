@@ -1,5 +1,6 @@
 //! The rows that are known to fall short, each with its reason: kept in one file, and kept honest.
 
+use super::list::find;
 use super::row::Row;
 use serde::Deserialize;
 
@@ -37,7 +38,7 @@ impl Known {
 
     /// Whether a row is a ledger's, named after its benchmark and the worst run, and meant by the benchmark alone.
     fn is_about_worst_run(&self, row: &Row) -> bool {
-        let benchmark = row.case.split(',').next().and_then(super::find);
+        let benchmark = row.case.split(',').next().and_then(find);
         benchmark.is_some_and(|id| self.cases.iter().any(|case| case == id))
     }
 }

@@ -1,7 +1,8 @@
 //! A9, C3, C4: the ledgers of every case that the suite runs: energy, soil volume, soil inside the bodies.
 
-use super::bench::{Bench, Ledgers};
+use super::bench::Bench;
 use super::row::Row;
+use super::run_ledgers::Ledgers;
 
 const OWN: &str = "conservation; the limit is the design's";
 

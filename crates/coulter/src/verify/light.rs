@@ -1,6 +1,7 @@
 //! A12: free bodies that are much lighter than the soil they displace.
 
-use super::bench::{Bench, VerifyError};
+use super::bench::Bench;
+use super::error::VerifyError;
 use super::row::Row;
 use crate::history::BodySample;
 use std::f64::consts::PI;

@@ -1,6 +1,8 @@
 //! A8, the rest: the whole set-up moved at constant velocity.
 
-use super::bench::{Bench, VerifyError, mean};
+use super::bench::Bench;
+use super::error::VerifyError;
+use super::probe::mean;
 use super::row::Row;
 use crate::simulation::Simulation;
 

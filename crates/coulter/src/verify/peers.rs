@@ -1,7 +1,9 @@
 //! E1 to E3: the problems that other codes were run on too. Nothing is judged but the wall, whose answer is exact: the codes
 //! differ among themselves by more than any tolerance. Their figures and run times are in `docs/performance.md`.
 
-use super::bench::{Bench, VerifyError, mean};
+use super::bench::Bench;
+use super::error::VerifyError;
+use super::probe::mean;
 use super::row::Row;
 use crate::simulation::Simulation;
 

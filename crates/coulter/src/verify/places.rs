@@ -1,6 +1,8 @@
 //! A11: the place of a body within its cell and its direction to the grid must not matter.
 
-use super::bench::{Bench, VerifyError, mean};
+use super::bench::Bench;
+use super::error::VerifyError;
+use super::probe::mean;
 use super::row::Row;
 use crate::history::BodySample;
 use crate::simulation::Simulation;

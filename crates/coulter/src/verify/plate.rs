@@ -1,6 +1,7 @@
 //! B7: a smooth inclined plate pushed along its normal.
 
-use super::bench::{Bench, VerifyError};
+use super::bench::Bench;
+use super::error::VerifyError;
 use super::line::at_zero;
 use super::row::Row;
 use crate::history::BodySample;

@@ -1,17 +1,13 @@
 //! Pictures of the verification: how near every figure came to its tolerance, and what the runs behind them did.
 
-use super::bench::Ledgers;
-use super::column::thickness;
 use super::row::{Row, Tolerance};
+use super::run_ledgers::Ledgers;
 use super::table::figure;
+use super::trace::Trace;
 use crate::output::chart::Chart;
 use crate::output::curve::Curve;
-use crate::simulation::Simulation;
-use serde::{Deserialize, Serialize};
 use std::fmt::Write as _;
 
-/// A run has at most so many points in a picture.
-const MOST_POINTS: usize = 120;
 /// A benchmark has at most so many runs in a picture; more could not be told apart.
 const MOST_RUNS: usize = 8;
 /// Layout of the picture of the figures [pixels].
@@ -21,53 +17,6 @@ const LEFT: f64 = 570.0;
 const RIGHT: f64 = 44.0;
 /// Errors beyond so many tolerances are drawn at the edge.
 const EDGE: f64 = 2.0;
-
-/// What a run did, in one line.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub enum Trace {
-    /// Nothing that could be drawn.
-    #[default]
-    None,
-    /// Force against the motion [N], in plane strain per length [N/m], over the way along it [m].
-    Force(Vec<[f64; 2]>),
-    /// Thickness of the soil at the end [m] along x [m], in the first layer of cells along y.
-    Heap(Vec<[f64; 2]>),
-}
-
-impl Trace {
-    /// The trace of a run that has come to its end.
-    #[must_use]
-    pub fn of(simulation: &Simulation) -> Self {
-        match simulation.history.bodies.first().filter(|samples| samples.len() > 1) {
-            Some(samples) => {
-                let (first, last) = (samples[0], samples[samples.len() - 1]);
-                let sinks =
-                    (last.sinkage - first.sinkage).abs() > (last.displacement - first.displacement).abs();
-                let domain = &simulation.case.domain;
-                let per = if domain.plane_strain { domain.high.y - domain.low.y } else { 1.0 };
-                let points = samples.iter().map(|s| {
-                    if sinks { [s.sinkage, s.vertical / per] } else { [s.displacement, s.drag / per] }
-                });
-                Self::Force(averaged(&points.collect::<Vec<_>>()))
-            }
-            None if simulation.case.bodies.is_empty() => Self::Heap(heap(simulation)),
-            None => Self::None,
-        }
-    }
-}
-
-/// Means over groups of neighbours, so that no more points are left than can be seen.
-fn averaged(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let group = points.len().div_ceil(MOST_POINTS).max(1);
-    let mean = |part: &[[f64; 2]], n: usize| part.iter().map(|p| p[n]).sum::<f64>() / part.len() as f64;
-    points.chunks(group).map(|part| [mean(part, 0), mean(part, 1)]).collect()
-}
-
-fn heap(simulation: &Simulation) -> Vec<[f64; 2]> {
-    let grid = &simulation.model.grid;
-    let column = |i: usize| [grid.centre(0, i), thickness(simulation, i, 0)];
-    averaged(&(0..grid.cells()[0]).map(column).collect::<Vec<_>>())
-}
 
 /// What the runs of a benchmark did, as SVG; `None` if nothing of it can be drawn.
 #[must_use]
@@ -198,12 +147,5 @@ mod tests {
         assert!(svg.contains("a &lt; b · N &amp; c") && !svg.contains("cx=\"NaN"));
         assert_eq!(figures(&[Row::note("X1", "", "told", 1.0)]), None);
         assert_eq!(runs("X1", &[]), None);
-    }
-
-    #[test]
-    fn a_long_run_is_thinned_to_its_means() {
-        let points: Vec<[f64; 2]> = (0..1000).map(|n| [f64::from(n), 1.0]).collect();
-        let thin = averaged(&points);
-        assert!(thin.len() <= MOST_POINTS && thin.iter().all(|p| p[1] == 1.0) && thin[0][0] == 4.0);
     }
 }

@@ -1,6 +1,8 @@
 //! P1: single precision beside double.
 
-use super::bench::{Bench, VerifyError, mean};
+use super::bench::Bench;
+use super::error::VerifyError;
+use super::probe::mean;
 use super::row::Row;
 use crate::history::BodySample;
 use crate::simulation::Simulation;

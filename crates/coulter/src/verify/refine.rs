@@ -1,9 +1,12 @@
 //! `coulter verify --refine`: the same benchmark on ever finer meshes, the observed order of convergence and Richardson's
 //! value.
 
-use super::bench::{Bench, VerifyError, Wish};
+use super::bench::Bench;
+use super::error::VerifyError;
+use super::findings::Findings;
+use super::options::Wish;
 use super::row::Row;
-use super::{Findings, circle, column, disc, flow, footing, places, plate, rough_wall, strip_sand, wall};
+use super::{circle, column, disc, flow, footing, places, plate, rough_wall, strip_sand, wall};
 
 /// A figure that can be had on meshes of different fineness.
 struct Study {

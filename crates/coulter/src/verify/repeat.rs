@@ -1,6 +1,8 @@
 //! A8: the same case gives the same bits, and its mirror image the mirrored result.
 
-use super::bench::{Bench, VerifyError, mean};
+use super::bench::Bench;
+use super::error::VerifyError;
+use super::probe::mean;
 use super::row::Row;
 use crate::history::BodySample;
 use crate::output::checkpoint::Checkpoint;

@@ -1,6 +1,7 @@
 //! A4: sand at rest stays at rest.
 
-use super::bench::{Bench, VerifyError};
+use super::bench::Bench;
+use super::error::VerifyError;
 use super::row::Row;
 use crate::simulation::Simulation;
 use glam::DVec3;

@@ -1,6 +1,7 @@
 //! A6: the mechanics of rigid bodies, and Coulomb's friction.
 
-use super::bench::{Bench, VerifyError};
+use super::bench::Bench;
+use super::error::VerifyError;
 use super::row::Row;
 use crate::history::BodySample;
 use crate::simulation::Simulation;

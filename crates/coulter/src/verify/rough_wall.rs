@@ -1,6 +1,8 @@
 //! B6: a rough vertical wall pushed into sand.
 
-use super::bench::{Bench, VerifyError, mean};
+use super::bench::Bench;
+use super::error::VerifyError;
+use super::probe::mean;
 use super::row::Row;
 use analytic::bearing::davis_friction_angle;
 use analytic::earth_pressure::{Face, sokolovskii};

@@ -1,8 +1,9 @@
 //! C2: collapse of a round column of sand, in three dimensions.
 
-use super::bench::{Bench, VerifyError};
+use super::bench::Bench;
 use super::carried::fill;
-use super::column::thickness;
+use super::error::VerifyError;
+use super::probe::thickness;
 use super::row::Row;
 use crate::simulation::Simulation;
 use glam::DVec3;

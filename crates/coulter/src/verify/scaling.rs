@@ -1,6 +1,7 @@
 //! A7: the same case at several scales, its dimensionless groups kept.
 
-use super::bench::{Bench, VerifyError};
+use super::bench::Bench;
+use super::error::VerifyError;
 use super::row::Row;
 use crate::history::BodySample;
 use crate::simulation::Simulation;

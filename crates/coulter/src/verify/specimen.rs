@@ -1,6 +1,6 @@
 //! Soil specimens for element tests: one point of the law, and one cell of the solver with its nodes driven.
 
-use super::bench::VerifyError;
+use super::error::VerifyError;
 use glam::DVec3;
 use physics::elastic::Elastic;
 use physics::strength::{Law, Strength};
@@ -11,6 +11,9 @@ use solver::model::{Method, Model};
 use solver::start::{Filling, start};
 use solver::state::State;
 use solver::step::step;
+
+/// Confining pressure of the tests [Pa].
+pub(super) const CONFINEMENT: f64 = 1e5;
 
 /// Something that answers a small strain with a stress.
 pub(super) trait Specimen: Sized {

@@ -1,6 +1,7 @@
 //! B4: a strip footing on sand without cohesion.
 
-use super::bench::{Bench, VerifyError};
+use super::bench::Bench;
+use super::error::VerifyError;
 use super::line::at_zero;
 use super::row::Row;
 use analytic::bearing::{davis_friction_angle, weight_factor_exact_smooth, weight_factor_martin_rough};

@@ -1,7 +1,8 @@
 //! A10: a copper bar hits a rigid wall end on.
 
-use super::bench::{Bench, VerifyError};
-use super::column::thickness;
+use super::bench::Bench;
+use super::error::VerifyError;
+use super::probe::thickness;
 use super::row::Row;
 use crate::simulation::Simulation;
 use std::f64::consts::PI;

@@ -1,7 +1,8 @@
 //! A2: the volume fraction is carried along by prescribed motions, and should keep its shape.
 
-use super::bench::{Bench, VerifyError};
+use super::bench::Bench;
 use super::carried::{Flow, carry};
+use super::error::VerifyError;
 use super::row::Row;
 use glam::DVec3;
 use std::f64::consts::PI;

@@ -1,7 +1,8 @@
 //! A3: a free elastic block turns once round.
 
-use super::bench::{Bench, VerifyError};
+use super::bench::Bench;
 use super::carried::{each_node, fill, over_cells};
+use super::error::VerifyError;
 use super::row::Row;
 use glam::DVec2;
 use physics::elastic::Elastic;

@@ -1,6 +1,7 @@
 //! B5: a smooth vertical wall pushed into a bank of sand.
 
-use super::bench::{Bench, VerifyError};
+use super::bench::Bench;
+use super::error::VerifyError;
 use super::row::Row;
 use crate::simulation::Simulation;
 

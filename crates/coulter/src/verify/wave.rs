@@ -1,6 +1,7 @@
 //! A1: an elastic wave along a bar.
 
-use super::bench::{Bench, VerifyError};
+use super::bench::Bench;
+use super::error::VerifyError;
 use super::row::Row;
 use glam::DVec3;
 use physics::elastic::Elastic;
