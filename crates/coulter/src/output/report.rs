@@ -5,7 +5,7 @@ use super::error::{Named, OutputError, read_text, write_whole};
 use super::picture::PICTURES;
 use super::plot::{BodyHistory, Plot};
 use super::report_rows::{
-    CheckRow, Row, body_rows, check_rows, energy_rows, facts, ledger_rows, scales_text, statistics,
+    CheckRow, TableRow, body_rows, check_rows, energy_rows, facts, ledger_rows, scales_text, statistics,
     window_text,
 };
 use super::run_record::{Outcome, RunRecord};
@@ -44,7 +44,7 @@ struct BodyPart {
     kind: String,
     window: String,
     scales: String,
-    rows: Vec<Row>,
+    rows: Vec<TableRow>,
     plots: Vec<Figure>,
 }
 
@@ -57,8 +57,8 @@ struct Page<'a> {
     checks: Vec<CheckRow>,
     bodies: Vec<BodyPart>,
     pictures: Vec<Figure>,
-    energy: Vec<Row>,
-    ledgers: Vec<Row>,
+    energy: Vec<TableRow>,
+    ledgers: Vec<TableRow>,
     ledger_plots: Vec<Figure>,
     statistics: Vec<[String; 2]>,
     resolved: Option<String>,
