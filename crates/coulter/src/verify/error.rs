@@ -1,10 +1,10 @@
-//! Why a benchmark gave no figure.
+//! Why a benchmark produced no figure.
 
 use crate::case::CaseError;
 use crate::output::OutputError;
 use solver::error::Breakdown;
 
-/// Why a benchmark gave no figure.
+/// Why a benchmark produced no figure.
 #[derive(Debug, thiserror::Error)]
 pub enum VerifyError {
     /// Its case cannot be run with these overrides.
@@ -13,8 +13,8 @@ pub enum VerifyError {
     /// The physics failed.
     #[error(transparent)]
     Physics(#[from] Breakdown),
-    /// This part was asked for in single precision.
-    #[error("this is verified in double precision alone")]
+    /// The case asks for single precision.
+    #[error("this benchmark runs in double precision only")]
     DoubleOnly,
     /// A checkpoint could not be written or read.
     #[error(transparent)]

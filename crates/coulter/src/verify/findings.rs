@@ -1,15 +1,15 @@
-//! What the suite found.
+//! The results of the suite.
 
 use super::row::Row;
-use super::run_ledgers::Ledgers;
+use super::run_balances::RunBalances;
 
-/// What the suite found.
+/// The results of the suite.
 #[derive(Debug, Default)]
 pub struct Findings {
-    /// The ledgers of the runs.
-    pub ledgers: Vec<Ledgers>,
+    /// The balances of the runs.
+    pub balances: Vec<RunBalances>,
     /// The rows, in the order of the benchmarks.
     pub rows: Vec<Row>,
-    /// Benchmarks that gave no figures, and why.
+    /// Benchmarks that produced no figures, and why.
     pub broken: Vec<(&'static str, String)>,
 }

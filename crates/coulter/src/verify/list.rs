@@ -1,32 +1,32 @@
 //! The benchmarks, in the order of the tables.
 
-use super::bench::Bench;
 use super::error::VerifyError;
+use super::runner::Runner;
 use super::{
-    circle, column, control, disc, element, flow, footing, ledger, light, peers, places, plate, precision,
-    repeat, rest, rigid, rough_wall, round_column, scaling, strip_sand, taylor, transport, turning, wall,
-    wave,
+    circle, column, conservation, control, disc, element, flow, footing, light, other_codes, plate,
+    positions, precision, repeat, rest, rigid, rotating, rough_wall, round_column, scaling, strip_sand,
+    taylor, transport, wall, wave,
 };
 
 /// One benchmark.
 pub struct Benchmark {
     /// As in the design's list.
     pub id: &'static str,
-    /// What it is, in a few words.
+    /// A short title.
     pub title: &'static str,
     /// A few sentences for the documentation.
     pub about: &'static str,
     /// Its folder in `validation/`, if it has one.
     pub folder: Option<&'static str>,
-    pub(super) work: Work,
+    pub(super) work: Procedure,
 }
 
-/// How a benchmark comes to its rows.
-pub(super) enum Work {
+/// How a benchmark obtains its rows.
+pub(super) enum Procedure {
     /// By running something.
-    Run(fn(&mut Bench) -> Result<(), VerifyError>),
-    /// From the ledgers of all runs.
-    Ledgers(fn(&mut Bench)),
+    Run(fn(&mut Runner) -> Result<(), VerifyError>),
+    /// From the balances of all runs.
+    Balances(fn(&mut Runner)),
 }
 
 impl std::fmt::Debug for Benchmark {
@@ -40,33 +40,33 @@ const fn run(
     title: &'static str,
     folder: &'static str,
     about: &'static str,
-    work: fn(&mut Bench) -> Result<(), VerifyError>,
+    work: fn(&mut Runner) -> Result<(), VerifyError>,
 ) -> Benchmark {
-    Benchmark { id, title, about, folder: Some(folder), work: Work::Run(work) }
+    Benchmark { id, title, about, folder: Some(folder), work: Procedure::Run(work) }
 }
 
-const fn ledgers(
+const fn balances(
     id: &'static str,
     title: &'static str,
     about: &'static str,
-    work: fn(&mut Bench),
+    work: fn(&mut Runner),
 ) -> Benchmark {
-    Benchmark { id, title, about, folder: None, work: Work::Ledgers(work) }
+    Benchmark { id, title, about, folder: None, work: Procedure::Balances(work) }
 }
 
 /// All benchmarks, in the order of the tables.
 pub const BENCHMARKS: &[Benchmark] = &[
     run("A1", "Elastic wave", "A1_elastic_wave", wave::ABOUT, wave::run),
     run("A2", "Transport of the volume fraction", "A2_transport", transport::ABOUT, transport::run),
-    run("A3", "Turning block", "A3_rotating_block", turning::ABOUT, turning::run),
+    run("A3", "Rotating block", "A3_rotating_block", rotating::ABOUT, rotating::run),
     run("A4", "Sand at rest", "A4_soil_at_rest", rest::ABOUT, rest::run),
     run("A5", "Element tests of the soil law", "A5_element_tests", element::ABOUT, element::run),
     run("A6", "Rigid bodies and friction", "A6_rigid_mechanics", rigid::ABOUT, rigid::run),
     run("A7", "One case at several scales", "A7_scaling", scaling::ABOUT, scaling::run),
     run("A8", "Repeatability and mirror image", "A8_repeatability", repeat::ABOUT, repeat::run),
-    ledgers("A9", "Energy ledger", ledger::ABOUT_ENERGY, ledger::energy),
+    balances("A9", "Energy balance", conservation::ABOUT_ENERGY, conservation::energy),
     run("A10", "Taylor bar", "A10_taylor_bar", taylor::ABOUT, taylor::run),
-    run("A11", "Place and direction", "A11_place_and_direction", places::ABOUT, places::run),
+    run("A11", "Position and direction", "A11_place_and_direction", positions::ABOUT, positions::run),
     run("A12", "Light bodies", "A12_light_body", light::ABOUT, light::run),
     run("B1", "Smooth strip footing, Tresca", "B1_strip_footing", footing::ABOUT, footing::run),
     run("B2", "Rough strip footing, Tresca", "B2_rough_strip_footing", footing::ABOUT_ROUGH, footing::rough),
@@ -80,12 +80,24 @@ pub const BENCHMARKS: &[Benchmark] = &[
     run("B9", "Nearly incompressible soil", "B9_locking", footing::ABOUT_LOCKING, footing::locking),
     run("C1", "Collapse of a column of sand", "C1_column_collapse", column::ABOUT, column::run),
     run("C2", "Collapse of a round column", "C2_round_column", round_column::ABOUT, round_column::run),
-    ledgers("C3", "Soil volume", ledger::ABOUT_VOLUME, ledger::volume),
-    ledgers("C4", "Soil inside the bodies", ledger::ABOUT_LEAK, ledger::leak),
+    balances("C3", "Soil volume", conservation::ABOUT_VOLUME, conservation::volume),
+    balances("C4", "Soil inside the bodies", conservation::ABOUT_LEAK, conservation::leak),
     run("D3", "Free disc, towed", "D3_towed_disc", disc::ABOUT, disc::run),
-    run("E1", "Column of sand, as other codes ran it", "E1_sand_column", peers::ABOUT_COLUMN, peers::column),
-    run("E2", "Disc drag, as another code ran it", "E2_disc_drag", peers::ABOUT_DISC, peers::disc),
-    run("E3", "Smooth wall in the sand of E1", "E3_wall", peers::ABOUT_WALL, peers::wall),
+    run(
+        "E1",
+        "Column of sand, as other codes ran it",
+        "E1_sand_column",
+        other_codes::ABOUT_COLUMN,
+        other_codes::column,
+    ),
+    run(
+        "E2",
+        "Disc drag, as another code ran it",
+        "E2_disc_drag",
+        other_codes::ABOUT_DISC,
+        other_codes::disc,
+    ),
+    run("E3", "Smooth wall in the sand of E1", "E3_wall", other_codes::ABOUT_WALL, other_codes::wall),
     run("P1", "Single precision", "P1_single_precision", precision::ABOUT, precision::run),
     run("N1", "Negative control", "N1_wrong_angle", control::ABOUT, control::run),
 ];

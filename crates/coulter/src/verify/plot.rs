@@ -1,28 +1,28 @@
-//! Pictures of the verification: how near every figure came to its tolerance, and what the runs behind them did.
+//! Pictures of the verification: errors over tolerances, and what the runs behind them did.
 
 use super::row::{Row, Tolerance};
-use super::run_ledgers::Ledgers;
+use super::run_balances::RunBalances;
 use super::table::figure;
 use super::trace::Trace;
 use crate::output::chart::Chart;
 use crate::output::curve::Curve;
 use std::fmt::Write as _;
 
-/// A benchmark has at most so many runs in a picture; more could not be told apart.
+/// Runs of a benchmark in one picture at most; more could not be distinguished.
 const MOST_RUNS: usize = 8;
 /// Layout of the picture of the figures [pixels].
 const WIDTH: f64 = 860.0;
 const LINE: f64 = 18.0;
 const LEFT: f64 = 570.0;
 const RIGHT: f64 = 44.0;
-/// Errors beyond so many tolerances are drawn at the edge.
+/// Errors beyond this many tolerances are drawn at the edge.
 const EDGE: f64 = 2.0;
 
 /// What the runs of a benchmark did, as SVG; `None` if nothing of it can be drawn.
 #[must_use]
-pub fn runs(title: &str, ledgers: &[&Ledgers]) -> Option<String> {
+pub fn runs(title: &str, balances: &[&RunBalances]) -> Option<String> {
     let curves = |pick: fn(&Trace) -> Option<&Vec<[f64; 2]>>| -> Vec<Curve> {
-        let all = ledgers.iter().filter_map(|run| Some((run, pick(&run.trace)?)));
+        let all = balances.iter().filter_map(|run| Some((run, pick(&run.trace)?)));
         let drawn = all.take(MOST_RUNS).enumerate();
         drawn.map(|(n, (run, points))| Curve::solid(&run.case, n, points.clone())).collect()
     };
@@ -33,9 +33,9 @@ pub fn runs(title: &str, ledgers: &[&Ledgers]) -> Option<String> {
         ("x [m]", "thickness of the soil at the end [m]", heaps)
     } else {
         (
-            "way of the body [m]",
+            "displacement of the body [m]",
             "force [N; plane strain: N/m]",
-            forces.into_iter().map(from_its_start).collect(),
+            forces.into_iter().map(from_start).collect(),
         )
     };
     if curves.is_empty() {
@@ -52,19 +52,19 @@ pub fn runs(title: &str, ledgers: &[&Ledgers]) -> Option<String> {
     Some(on_paper(&chart.svg()))
 }
 
-/// Whether a body gets anywhere; the force on one that is held has no way to be drawn over.
+/// Whether a body moves at all; the force on one that is held has no abscissa.
 fn moves(points: &&Vec<[f64; 2]>) -> bool {
     points.iter().any(|p| p[0] != points[0][0])
 }
 
-/// A body's way counts from where it began.
-fn from_its_start(mut curve: Curve) -> Curve {
+/// The curve with displacements counted from its first point.
+fn from_start(mut curve: Curve) -> Curve {
     let start = curve.points.first().map_or(0.0, |p| p[0]);
     curve.points.iter_mut().for_each(|p| p[0] -= start);
     curve
 }
 
-/// How near the judged figures of a benchmark came: their errors over their tolerances, as SVG; `None` if none is judged.
+/// The errors of the judged figures of a benchmark over their tolerances, as SVG; `None` if none is judged.
 #[must_use]
 pub fn figures(rows: &[Row]) -> Option<String> {
     let judged: Vec<(&Row, f64, bool)> =
@@ -126,7 +126,7 @@ fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
-/// A picture in the colours of print: pages that show it as an image have no text colour to hand on to it.
+/// A picture with a white background and dark text: an image cannot inherit the text colour of its page.
 fn on_paper(svg: &str) -> String {
     let paper = "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
     match svg.split_once(">\n") {
@@ -140,12 +140,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn pictures_hold_what_they_show_and_nothing_strange() {
-        let row = |obtained| Row::note("X1", "a < b", "N & c", obtained).within(5.0, 0.02, "");
-        let svg = figures(&[row(5.05), row(f64::NAN), row(-1e9), Row::note("X1", "", "told", 1.0)]).unwrap();
+    fn pictures_show_the_judged_rows_and_nothing_invalid() {
+        let row = |obtained| Row::info("X1", "a < b", "N & c", obtained).within(5.0, 0.02, "");
+        let svg = figures(&[row(5.05), row(f64::NAN), row(-1e9), Row::info("X1", "", "info", 1.0)]).unwrap();
         assert_eq!(svg.matches("<circle").count(), 3);
         assert!(svg.contains("a &lt; b · N &amp; c") && !svg.contains("cx=\"NaN"));
-        assert_eq!(figures(&[Row::note("X1", "", "told", 1.0)]), None);
+        assert_eq!(figures(&[Row::info("X1", "", "info", 1.0)]), None);
         assert_eq!(runs("X1", &[]), None);
     }
 }

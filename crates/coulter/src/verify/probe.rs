@@ -3,8 +3,8 @@
 use crate::history::BodySample;
 use crate::simulation::Simulation;
 
-/// Mean of a figure over the samples whose abscissa lies in `from..=to`, each weighing as the interval that it stands
-/// for; not a number if there are none.
+/// Mean of a figure over the samples whose abscissa lies in `from..=to`, each weighted by its interval; not a number if
+/// there are none.
 #[must_use]
 pub(super) fn mean(
     samples: &[BodySample],

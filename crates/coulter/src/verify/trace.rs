@@ -1,10 +1,10 @@
-//! What a run did, thinned to what a picture can show.
+//! What a run did, reduced to what a picture can show.
 
 use super::probe::thickness;
 use crate::simulation::Simulation;
 use serde::{Deserialize, Serialize};
 
-/// A run has at most so many points in a picture.
+/// Points of a run in one picture at most.
 const MOST_POINTS: usize = 120;
 
 /// What a run did, in one line.
@@ -13,14 +13,14 @@ pub enum Trace {
     /// Nothing that could be drawn.
     #[default]
     None,
-    /// Force against the motion [N], in plane strain per length [N/m], over the way along it [m].
+    /// Force against the motion [N], in plane strain per width [N/m], over the displacement along it [m].
     Force(Vec<[f64; 2]>),
     /// Thickness of the soil at the end [m] along x [m], in the first layer of cells along y.
     Heap(Vec<[f64; 2]>),
 }
 
 impl Trace {
-    /// The trace of a run that has come to its end.
+    /// The trace of a run that has reached its end.
     #[must_use]
     pub fn of(simulation: &Simulation) -> Self {
         match simulation.history.bodies.first().filter(|samples| samples.len() > 1) {
@@ -41,11 +41,11 @@ impl Trace {
     }
 }
 
-/// Means over groups of neighbours, so that no more points are left than can be seen.
+/// Means over groups of neighbouring points.
 fn averaged(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let group = points.len().div_ceil(MOST_POINTS).max(1);
-    let mean = |part: &[[f64; 2]], n: usize| part.iter().map(|p| p[n]).sum::<f64>() / part.len() as f64;
-    points.chunks(group).map(|part| [mean(part, 0), mean(part, 1)]).collect()
+    let size = points.len().div_ceil(MOST_POINTS).max(1);
+    let mean = |group: &[[f64; 2]], n: usize| group.iter().map(|p| p[n]).sum::<f64>() / group.len() as f64;
+    points.chunks(size).map(|group| [mean(group, 0), mean(group, 1)]).collect()
 }
 
 fn heap(simulation: &Simulation) -> Vec<[f64; 2]> {

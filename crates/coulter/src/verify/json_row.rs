@@ -1,11 +1,11 @@
-//! A row as readers of JSON see it.
+//! A row as JSON.
 
 use super::row::{Expected, Row, Tolerance};
 use serde::Serialize;
 
-/// What `coulter verify --json` prints of a row.
+/// What `coulter verify --json` prints for a row.
 #[derive(Debug, Serialize)]
-pub struct Plain<'a> {
+pub struct JsonRow<'a> {
     id: &'a str,
     case: &'a str,
     quantity: &'a str,
@@ -20,11 +20,11 @@ pub struct Plain<'a> {
 }
 
 impl Row {
-    /// The row for readers of JSON, which knows no number that is not finite.
+    /// The row for JSON, in which a number that is not finite becomes `null`.
     #[must_use]
-    pub fn plain(&self) -> Plain<'_> {
+    pub fn json(&self) -> JsonRow<'_> {
         let finite = |value: f64| value.is_finite().then_some(value);
-        Plain {
+        JsonRow {
             id: self.id,
             case: &self.case,
             quantity: &self.quantity,
@@ -52,11 +52,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_figure_outside_a_published_range_says_so() {
-        let row = Row::note("D3", "disc", "drag", 14.4).beside(15.0, 17.0, "");
-        let plain = serde_json::to_value(row.plain()).unwrap();
-        assert!(plain["inside"] == false && plain["pass"].is_null());
-        let judged = serde_json::to_value(row.within(15.0, 0.1, "").plain()).unwrap();
+    fn a_comparison_row_says_whether_it_is_inside() {
+        let row = Row::info("D3", "disc", "drag", 14.4).compared_with(15.0, 17.0, "");
+        let compared = serde_json::to_value(row.json()).unwrap();
+        assert!(compared["inside"] == false && compared["pass"].is_null());
+        let judged = serde_json::to_value(row.within(15.0, 0.1, "").json()).unwrap();
         assert!(judged["inside"].is_null() && judged["pass"] == true);
     }
 }

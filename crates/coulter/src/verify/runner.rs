@@ -1,10 +1,10 @@
-//! The bench that benchmarks run on: it runs cases through the users' door, keeps their ledgers and collects rows.
+//! Runs the cases of the benchmarks, through the same public API as a user's, and collects their rows and balances.
 
+use super::cache::{CachedPart, ResultCache};
 use super::error::VerifyError;
-use super::kept::{Found, Kept};
-use super::options::Wish;
+use super::options::SuiteOptions;
 use super::row::Row;
-use super::run_ledgers::Ledgers;
+use super::run_balances::RunBalances;
 use super::trace::Trace;
 use crate::case::resolved::{Law, Precision};
 use crate::case::{self, Case};
@@ -13,77 +13,79 @@ use crate::simulation::Simulation;
 use solver::cpu::energy::soil_mass;
 use std::time::{Duration, Instant};
 
-/// Runs cases and collects what comes out.
-pub struct Bench<'a> {
+/// Runs cases and collects the results.
+pub struct Runner<'a> {
     /// What was asked for.
-    pub wish: &'a Wish,
+    pub options: &'a SuiteOptions,
     /// The rows so far.
     pub rows: Vec<Row>,
-    /// The ledgers of the runs so far.
-    pub ledgers: Vec<Ledgers>,
-    /// Why a user's run would have been stopped, if the one under way would.
+    /// The balances of the runs so far.
+    pub balances: Vec<RunBalances>,
+    /// Why a user's run would have been stopped, if the current one would.
     stopped: Option<String>,
-    kept: Option<Kept>,
-    tell: &'a mut dyn FnMut(&str),
+    cache: Option<ResultCache>,
+    progress: &'a mut dyn FnMut(&str),
 }
 
-impl std::fmt::Debug for Bench<'_> {
+impl std::fmt::Debug for Runner<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "Bench with {} rows", self.rows.len())
+        write!(f, "Runner with {} rows", self.rows.len())
     }
 }
 
-impl<'a> Bench<'a> {
-    /// An empty bench; `tell` hears what it is doing.
-    pub fn new(wish: &'a Wish, tell: &'a mut dyn FnMut(&str)) -> Self {
-        let kept = wish.folder.as_ref().and_then(|folder| Kept::new(folder, wish));
-        Self { wish, rows: Vec::new(), ledgers: Vec::new(), stopped: None, kept, tell }
+impl<'a> Runner<'a> {
+    /// A runner without results; `progress` is called with a line of text whenever there is something to report.
+    pub fn new(options: &'a SuiteOptions, progress: &'a mut dyn FnMut(&str)) -> Self {
+        let cache = options.folder.as_ref().and_then(|folder| ResultCache::new(folder, options));
+        Self { options, rows: Vec::new(), balances: Vec::new(), stopped: None, cache, progress }
     }
 
-    /// Does a part of a benchmark, unless an earlier verification by this very program, asked for the same, has done it:
-    /// then its rows and ledgers are those that were kept.
+    /// Does one part of a benchmark, unless the cache holds its results from this very program with the same options;
+    /// then the cached rows and balances are taken.
     ///
     /// # Errors
-    /// What `work` returns; a part that fails is not kept.
+    /// What `work` returns; a part that fails is not cached.
     pub fn part(
         &mut self,
         id: &'static str,
         part: &str,
         work: impl FnOnce(&mut Self) -> Result<(), VerifyError>,
     ) -> Result<(), VerifyError> {
-        let known = self.kept.as_ref().filter(|_| !self.wish.fresh).and_then(|kept| kept.read(id, part));
-        if let Some(found) = known {
-            self.tell(&format!("{id}: {part}: as found before by this program (--fresh does it again)"));
+        let cached =
+            self.cache.as_ref().filter(|_| !self.options.fresh).and_then(|cache| cache.read(id, part));
+        if let Some(found) = cached {
+            self.report_progress(&format!("{id}: {part}: from the cache (--fresh runs it again)"));
             self.rows.extend(found.rows);
-            self.ledgers.extend(found.ledgers);
+            self.balances.extend(found.balances);
             return Ok(());
         }
-        let (rows, ledgers) = (self.rows.len(), self.ledgers.len());
+        let (rows, balances) = (self.rows.len(), self.balances.len());
         work(self)?;
-        let found = Found { rows: self.rows[rows..].to_vec(), ledgers: self.ledgers[ledgers..].to_vec() };
-        if let Some(Err(error)) = self.kept.as_ref().map(|kept| kept.write(id, part, &found)) {
-            self.tell(&format!("{id}: {part}: cannot be kept for another time: {error}"));
+        let found =
+            CachedPart { rows: self.rows[rows..].to_vec(), balances: self.balances[balances..].to_vec() };
+        if let Some(Err(error)) = self.cache.as_ref().map(|cache| cache.write(id, part, &found)) {
+            self.report_progress(&format!("{id}: {part}: cannot be cached: {error}"));
         }
         Ok(())
     }
 
-    /// Says what is going on.
-    pub fn tell(&mut self, text: &str) {
-        (self.tell)(text);
+    /// Passes a line on progress to whoever started the suite.
+    pub fn report_progress(&mut self, text: &str) {
+        (self.progress)(text);
     }
 
-    /// A case file's text with overrides; those of the request come last.
+    /// The case of a file's text with overrides; those of the request come last.
     fn case(&self, text: &str, overrides: &[String]) -> Result<Case, VerifyError> {
-        let all: Vec<String> = overrides.iter().chain(&self.wish.overrides).cloned().collect();
+        let all: Vec<String> = overrides.iter().chain(&self.options.overrides).cloned().collect();
         let mut case = case::parse(text, "case.toml", &all)?;
         if case.numerics.threads == 0 {
-            case.numerics.threads = self.wish.threads;
+            case.numerics.threads = self.options.threads;
         }
         Ok(case)
     }
 
-    /// A simulation of a case file's text with overrides, to be taken through time by the benchmark itself: that is done in
-    /// double precision alone.
+    /// A simulation of a case file's text with overrides, which the benchmark itself advances in time; in double precision
+    /// only.
     ///
     /// # Errors
     /// [`VerifyError`] when the case is refused or asks for single precision.
@@ -95,7 +97,7 @@ impl<'a> Bench<'a> {
         }
     }
 
-    /// Runs a case to its end and keeps its ledgers.
+    /// Runs a case to its end and records its balances.
     ///
     /// # Errors
     /// [`VerifyError`] when the case is refused or the physics fails.
@@ -119,11 +121,11 @@ impl<'a> Bench<'a> {
                 simulation.widened()
             }
         };
-        self.keep(id, variant, &simulation);
+        self.record(id, variant, &simulation);
         Ok(simulation)
     }
 
-    /// Runs a simulation to its end and keeps its ledgers.
+    /// Runs a simulation to its end and records its balances.
     ///
     /// # Errors
     /// [`VerifyError::Physics`] when the physics fails.
@@ -136,7 +138,7 @@ impl<'a> Bench<'a> {
         self.finish_watched(id, variant, simulation, |_| {})
     }
 
-    /// The same, with a look at every sample.
+    /// As [`Runner::finish`], with a callback at every sample.
     ///
     /// # Errors
     /// [`VerifyError::Physics`] when the physics fails.
@@ -148,11 +150,11 @@ impl<'a> Bench<'a> {
         watch: impl FnMut(&Simulation),
     ) -> Result<(), VerifyError> {
         self.advance(id, variant, simulation, watch)?;
-        self.keep(id, variant, simulation);
+        self.record(id, variant, simulation);
         Ok(())
     }
 
-    /// Takes a simulation to its end and says how it goes.
+    /// Advances a simulation to its end and reports progress.
     fn advance<R: solver::precision::Precision>(
         &mut self,
         id: &'static str,
@@ -160,23 +162,23 @@ impl<'a> Bench<'a> {
         simulation: &mut Simulation<R>,
         mut watch: impl FnMut(&Simulation<R>),
     ) -> Result<(), VerifyError> {
-        const NEWS: Duration = Duration::from_secs(15);
+        const INTERVAL: Duration = Duration::from_secs(15);
         let clock = Instant::now();
-        let mut told = Instant::now();
+        let mut reported = Instant::now();
         while !simulation.is_done() {
             simulation.advance()?;
             watch(simulation);
             if self.stopped.is_none() {
                 self.stopped = would_stop(simulation).err().map(|why| why.to_string());
             }
-            if told.elapsed() > NEWS {
-                told = Instant::now();
-                let share = 1e2 * simulation.state.time / simulation.case.duration;
-                self.tell(&format!("{id}: {variant}, {share:.0} %"));
+            if reported.elapsed() > INTERVAL {
+                reported = Instant::now();
+                let per_cent = 1e2 * simulation.state.time / simulation.case.duration;
+                self.report_progress(&format!("{id}: {variant}, {per_cent:.0} %"));
             }
         }
         let seconds = clock.elapsed().as_secs_f64();
-        self.tell(&format!("{id}: {variant}, {} steps in {seconds:.1} s", simulation.state.step));
+        self.report_progress(&format!("{id}: {variant}, {} steps in {seconds:.1} s", simulation.state.step));
         Ok(())
     }
 
@@ -187,18 +189,18 @@ impl<'a> Bench<'a> {
         row.map_or(f64::NAN, |r| r.obtained)
     }
 
-    /// Keeps the ledgers of a run that has come to its end.
-    pub fn keep(&mut self, id: &'static str, variant: &str, simulation: &Simulation) {
+    /// Records the balances of a run that has reached its end.
+    pub fn record(&mut self, id: &'static str, variant: &str, simulation: &Simulation) {
         let history = &simulation.history;
         let stopped = self.stopped.take();
-        let off = history.energy.iter().map(|e| (e.volume_ratio - 1.0).abs());
-        self.ledgers.push(Ledgers {
+        let errors = history.energy.iter().map(|e| (e.volume_ratio - 1.0).abs());
+        self.balances.push(RunBalances {
             id,
             case: variant.to_owned(),
             energy: history.energy.last().copied().unwrap_or_default(),
             // `max` would drop what is not a number.
-            volume_off: off.fold(0.0, |most, v| if v > most || v.is_nan() { v } else { most }),
-            mass_off: mass_off(simulation),
+            volume_error: errors.fold(0.0, |most, v| if v > most || v.is_nan() { v } else { most }),
+            mass_error: mass_error(simulation),
             dilates: matches!(simulation.case.soil.law, Law::MohrCoulomb { dilation_angle, .. } if dilation_angle > 0.0),
             bodies: history.bodies.iter().filter_map(|b| b.last().copied()).collect(),
             seconds: simulation.wall_s,
@@ -208,10 +210,9 @@ impl<'a> Bench<'a> {
     }
 }
 
-/// Change of the soil's mass since the start, with what the remaps took out, as a share.
-fn mass_off(simulation: &Simulation) -> f64 {
+/// Relative change of the soil's mass since the start, VOF debris included.
+fn mass_error(simulation: &Simulation) -> f64 {
     let Simulation { model, state, .. } = simulation;
-    // Mass and volume of the soil at the start go together by its density.
     let before = model.density * state.ledger.volume_start;
     (soil_mass(&state.soil) + state.ledger.crumbs_mass - before) / before
 }

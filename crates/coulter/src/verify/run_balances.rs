@@ -1,13 +1,13 @@
-//! The ledgers of a run that a benchmark made.
+//! The balances of a run that a benchmark made: energy, volume, mass.
 
 use super::trace::Trace;
 use crate::history::{BodySample, EnergySample};
 use crate::trust::Trust;
 use serde::{Deserialize, Serialize};
 
-/// The ledgers of one run at its end.
+/// The balances of one run at its end.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct Ledgers {
+pub struct RunBalances {
     /// Benchmark.
     #[serde(skip)]
     pub id: &'static str,
@@ -15,18 +15,18 @@ pub struct Ledgers {
     pub case: String,
     /// Energy.
     pub energy: EnergySample,
-    /// Largest departure of the soil volume from that at the start, at any time, as a share.
-    pub volume_off: f64,
-    /// Change of the soil's mass, crumbs counted, as a share.
-    pub mass_off: f64,
-    /// Whether the soil dilates, so that its volume is meant to grow.
+    /// Largest relative change of the soil volume since the start, at any time.
+    pub volume_error: f64,
+    /// Relative change of the soil's mass, VOF debris included.
+    pub mass_error: f64,
+    /// Whether the soil dilates, so that its volume is expected to grow.
     pub dilates: bool,
     /// The bodies at the end.
     pub bodies: Vec<BodySample>,
-    /// Wall clock [s].
+    /// Wall-clock time [s].
     pub seconds: f64,
     /// What the run did.
     pub trace: Trace,
-    /// Whether it would be believed.
+    /// The grade that a user would be given.
     pub trust: Trust,
 }

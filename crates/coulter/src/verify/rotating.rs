@@ -1,9 +1,9 @@
-//! A3: a free elastic block turns once round.
+//! A3: a free elastic block makes one revolution.
 
-use super::bench::Bench;
-use super::carried::{each_node, fill, over_cells};
+use super::advection::{each_node, fill, over_cells};
 use super::error::VerifyError;
 use super::row::Row;
+use super::runner::Runner;
 use glam::DVec2;
 use physics::elastic::Elastic;
 use physics::tensor::contract;
@@ -18,30 +18,30 @@ use solver::step::step;
 use std::f64::consts::TAU;
 use std::time::{Duration, Instant};
 
-const SOURCE: &str = "a rigid motion, exact; the limits are the design's";
+const SOURCE: &str = "a rigid motion, exact; limits of the design";
 const YOUNG: f64 = 1e7;
 /// Half edges of the block [m].
 const HALF: DVec2 = DVec2::new(0.5, 0.25);
 /// Speed of its corners over that of the compression wave.
 const MACH: f64 = 0.01;
 
-/// What it is about.
-pub(super) const ABOUT: &str = "A free elastic block (2 : 1, in plane strain, without weight) is set turning and turns once round, its \
-    corners moving at 1 % of the wave speed. It must keep its volume to 1 % and stay free of stress: root of the mean squared stress \
-    over E, of which 5·10⁻⁵ are the centrifugal stress itself. The shape error is half the soil that is not where it was, over the volume.";
+/// Text for the documentation.
+pub(super) const ABOUT: &str = "A free elastic block (2 : 1, in plane strain, without weight) makes one revolution, its \
+    corners moving at 1 % of the wave speed. It must keep its volume within 1 % and stay free of stress: root mean square of the stress \
+    over E, of which 5·10⁻⁵ are the centrifugal stress itself. The shape error is half the volume that is not where it was, over the volume.";
 
-pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
-    let meshes: &[u32] = if bench.wish.fast { &[16] } else { &[16, 32] };
+pub(super) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
+    let meshes: &[u32] = if runner.options.fast { &[16] } else { &[16, 32] };
     for &cells in meshes {
-        turn(bench, cells)?;
+        rotate(runner, cells)?;
     }
     Ok(())
 }
 
-fn turn(bench: &mut Bench, cells: u32) -> Result<(), VerifyError> {
+fn rotate(runner: &mut Runner, cells: u32) -> Result<(), VerifyError> {
     let clock = Instant::now();
     let variant = format!("{cells} cells along the block");
-    let model = space(1.0 / f64::from(cells));
+    let model = empty_slab(1.0 / f64::from(cells));
     let grid = &model.grid;
     let mut fraction = vec![0.0; grid.entries];
     fill(grid, |x| x.x.abs() <= HALF.x && x.z.abs() <= HALF.y, &mut fraction);
@@ -55,29 +55,29 @@ fn turn(bench: &mut Bench, cells: u32) -> Result<(), VerifyError> {
     });
     let (volume, kinetic) = (soil_volume(grid, &state.soil), kinetic_energy(&model, &state));
     let mut workspace = Workspace::new(&model, &state, 1);
-    let mut told = Instant::now();
+    let mut reported = Instant::now();
     let mut stress = 0.0_f64;
     while state.time < TAU / rate {
         step(&model, &mut state, &mut workspace)?;
         if state.step.is_multiple_of(100) {
             stress = stress.max(root_mean_square(&model, &state));
         }
-        if told.elapsed() > Duration::from_secs(15) {
-            told = Instant::now();
-            bench.tell(&format!("A3: {variant}, {:.0} %", 1e2 * state.time * rate / TAU));
+        if reported.elapsed() > Duration::from_secs(15) {
+            reported = Instant::now();
+            runner.report_progress(&format!("A3: {variant}, {:.0} %", 1e2 * state.time * rate / TAU));
         }
     }
     let seconds = clock.elapsed().as_secs_f64();
-    bench.tell(&format!("A3: {variant}, {} steps in {seconds:.1} s", state.step));
+    runner.report_progress(&format!("A3: {variant}, {} steps in {seconds:.1} s", state.step));
     let misplaced =
         0.5 * over_cells(grid, |c, size| (state.soil.fraction[c] - fraction[c]).abs() * size) / volume;
-    let note = |quantity, value| Row::note("A3", variant.as_str(), quantity, value).took(seconds);
-    bench.rows.extend([
-        note("volume over that at the start", soil_volume(grid, &state.soil) / volume)
+    let info = |quantity, value| Row::info("A3", variant.as_str(), quantity, value).took(seconds);
+    runner.rows.extend([
+        info("volume over the initial volume", soil_volume(grid, &state.soil) / volume)
             .within(1.0, 0.01, SOURCE),
-        note("largest stress, root mean square over E", stress / YOUNG).at_most(1e-3, SOURCE),
-        note("shape error", misplaced),
-        note("kinetic energy over that at the start", kinetic_energy(&model, &state) / kinetic),
+        info("largest stress, root mean square over E", stress / YOUNG).at_most(1e-3, SOURCE),
+        info("shape error", misplaced),
+        info("kinetic energy over the initial energy", kinetic_energy(&model, &state) / kinetic),
     ]);
     Ok(())
 }
@@ -92,8 +92,8 @@ fn root_mean_square(model: &Model, state: &State) -> f64 {
     (squared / soil_volume(&model.grid, soil)).sqrt()
 }
 
-/// An empty slab round the origin, one cell thick.
-fn space(cell: f64) -> Model {
+/// The model of an empty slab round the origin, one cell thick.
+fn empty_slab(cell: f64) -> Model {
     let n = (0.625 / cell).round();
     let faces = |from: f64, to: f64| {
         let count = (to - from).round() as usize;

@@ -1,4 +1,4 @@
-//! A shape that a prescribed motion of the nodes carries through the unit box, remap by remap.
+//! Advection of a shape through the unit box by a prescribed motion of the nodes, remap by remap.
 
 use glam::DVec3;
 use physics::elastic::Elastic;
@@ -14,31 +14,31 @@ use std::time::Instant;
 /// A motion of the unit box (or of a slab of it).
 pub(super) struct Flow {
     pub(super) box_cells: [usize; 3],
-    /// How long it lasts.
+    /// Duration.
     pub(super) period: f64,
-    /// Whether it is slowed down by cos(πt/T), so that everything comes back.
-    pub(super) turns_back: bool,
+    /// Whether it is multiplied by cos(πt/T), so that everything returns to where it started.
+    pub(super) returns: bool,
     pub(super) velocity: fn(DVec3) -> DVec3,
     /// Largest displacement between two remaps, in cells.
-    pub(super) pace: f64,
+    pub(super) cells_per_remap: f64,
 }
 
-/// Where the soil has been carried.
-pub(super) struct Carried {
+/// The result of an advection.
+pub(super) struct Advected {
     pub(super) model: Model,
     state: State,
-    /// Soil volume before and after [m³], and that of the crumbs.
+    /// Soil volume before and after [m³], and that of the VOF debris that was removed.
     pub(super) before: f64,
     after: f64,
-    pub(super) crumbs: f64,
-    /// How far a volume fraction was ever below 0 or above 1.
+    pub(super) debris: f64,
+    /// Largest excess of a volume fraction beyond 0 or 1.
     pub(super) beyond: f64,
     pub(super) seconds: f64,
 }
 
-impl Carried {
+impl Advected {
     pub(super) fn volume_change(&self) -> f64 {
-        ((self.after + self.crumbs) - self.before).abs() / self.before
+        ((self.after + self.debris) - self.before).abs() / self.before
     }
 
     /// Σ|f − f_shape| V [m³].
@@ -50,10 +50,10 @@ impl Carried {
     }
 }
 
-/// Carries a shape along with a flow.
-pub(super) fn carry(flow: &Flow, inside: impl Fn(DVec3) -> bool) -> Carried {
+/// Advects a shape with a flow.
+pub(super) fn advect(flow: &Flow, inside: impl Fn(DVec3) -> bool) -> Advected {
     let clock = Instant::now();
-    let model = space(flow.box_cells);
+    let model = unit_box(flow.box_cells);
     let grid = &model.grid;
     let mut state = start(&model, &Filling::between(DVec3::ZERO, DVec3::ZERO));
     fill(grid, inside, &mut state.soil.fraction);
@@ -63,20 +63,20 @@ pub(super) fn carry(flow: &Flow, inside: impl Fn(DVec3) -> bool) -> Carried {
     let mut workspace = Workspace::new(&model, &state, 1);
     let volume = |state: &State| over_cells(grid, |c, volume| state.soil.fraction[c] * volume);
     let before = volume(&state);
-    let (mut crumbs, mut beyond) = (0.0, 0.0_f64);
-    let steps = (flow.period * fastest(flow, grid) / (flow.pace * grid.finest())).ceil();
+    let (mut debris, mut beyond) = (0.0, 0.0_f64);
+    let steps = (flow.period * fastest(flow, grid) / (flow.cells_per_remap * grid.finest())).ceil();
     let dt = flow.period / steps;
     for n in 0..steps as usize {
         let middle = (n as f64 + 0.5) * dt;
-        let slowing = if flow.turns_back { (PI * middle / flow.period).cos() } else { 1.0 };
-        displace(flow, grid, &mut state, dt * slowing);
-        crumbs += remap(&model, &mut state, &mut workspace).volume;
+        let factor = if flow.returns { (PI * middle / flow.period).cos() } else { 1.0 };
+        displace(flow, grid, &mut state, dt * factor);
+        debris += remap(&model, &mut state, &mut workspace).volume;
         let off = |f: f64| (-f).max(f - 1.0);
         beyond = state.soil.fraction.iter().map(|f| off(*f)).fold(beyond, f64::max);
     }
     let after = volume(&state);
     let seconds = clock.elapsed().as_secs_f64();
-    Carried { before, after, crumbs, beyond, seconds, state, model }
+    Advected { before, after, debris, beyond, seconds, state, model }
 }
 
 /// Largest component of a velocity at the nodes.
@@ -130,30 +130,30 @@ pub(super) fn fill(grid: &Grid, inside: impl Fn(DVec3) -> bool, fraction: &mut [
         for j in 0..ny {
             for i in 0..nx {
                 let at = |n: [f64; 3]| {
-                    let place = |axis: usize, layer: usize| {
+                    let coordinate = |axis: usize, layer: usize| {
                         grid.faces[axis][layer] + n[axis] * grid.width(axis, layer)
                     };
-                    DVec3::new(place(0, i), place(1, j), place(2, k))
+                    DVec3::new(coordinate(0, i), coordinate(1, j), coordinate(2, k))
                 };
-                let share = |samples: [usize; 3]| {
+                let fraction_inside = |samples: [usize; 3]| {
                     let count = samples.iter().product::<usize>();
                     let each = (0..count).map(|n| {
-                        let place =
+                        let sample =
                             [n % samples[0], n / samples[0] % samples[1], n / samples[0] / samples[1]];
-                        at(std::array::from_fn(|axis| (place[axis] as f64 + 0.5) / samples[axis] as f64))
+                        at(std::array::from_fn(|axis| (sample[axis] as f64 + 0.5) / samples[axis] as f64))
                     });
                     each.filter(|x| inside(*x)).count() as f64 / count as f64
                 };
-                let rough = share(samples.map(|n| n.min(8)));
+                let rough = fraction_inside(samples.map(|n| n.min(8)));
                 fraction[grid.index(i, j, k)] =
-                    if rough > 0.0 && rough < 1.0 { share(samples) } else { rough };
+                    if rough > 0.0 && rough < 1.0 { fraction_inside(samples) } else { rough };
             }
         }
     }
 }
 
-/// The unit box, or a slab of it one cell thick; without weight or strength.
-fn space([nx, ny, nz]: [usize; 3]) -> Model {
+/// A model of the unit box, or of a slab of it one cell thick; without gravity and without a yield law.
+fn unit_box([nx, ny, nz]: [usize; 3]) -> Model {
     let h = 1.0 / nx as f64;
     let faces = |n: usize| (0..=n).map(|i| i as f64 * h).collect::<Vec<f64>>();
     Model::bare(Grid::new([faces(nx), faces(ny), faces(nz)]), Elastic::new(1e6, 0.3), 1000.0)
