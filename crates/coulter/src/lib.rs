@@ -1,4 +1,4 @@
-//! From case file to report: the library's front door and the `coulter` command.
+//! From case file to report: the public API of the library, and the `coulter` command.
 
 pub mod bench;
 pub mod case;

@@ -291,7 +291,7 @@ pub fn model(case: &Case, lanes: usize) -> Model {
         rest_pressure_ratio: case.soil.k0,
         walls: case.domain.walls.map(|pair| pair.map(wall)),
         bodies: case.bodies.iter().map(body).collect(),
-        share: case.domain.share(),
+        share: case.domain.modelled_fraction(),
         method: Method {
             courant: case.numerics.courant,
             remap_displacement: case.numerics.remap_displacement,

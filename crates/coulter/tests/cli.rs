@@ -117,7 +117,7 @@ fn box_and_fine_zone_follow_from_the_bodies() {
 }
 
 #[test]
-fn doubts_are_told() {
+fn warnings_are_given() {
     let file = shipped("towed_disc.toml");
     let sets = [
         "--set",
@@ -139,7 +139,7 @@ fn doubts_are_told() {
 }
 
 #[test]
-fn the_shipped_cases_raise_no_doubts() {
+fn the_shipped_cases_raise_no_warnings() {
     for file in ["towed_disc.toml", "passive_wall.toml", "strip_footing.toml", "column_collapse.toml"] {
         let seen = checked(&[&shipped(file)]);
         assert_eq!(seen["warnings"], serde_json::json!([]), "{file}");

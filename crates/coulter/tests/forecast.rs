@@ -30,7 +30,7 @@ fn refusal(command: &mut Command) -> String {
 }
 
 fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
+    value.as_f64().unwrap_or_else(|| panic!("{value} is not a number"))
 }
 
 fn model<'a>(document: &'a Value, name: &str) -> &'a Value {
@@ -38,11 +38,11 @@ fn model<'a>(document: &'a Value, name: &str) -> &'a Value {
 }
 
 #[test]
-fn the_table_says_what_to_believe() {
+fn the_table_recommends_a_model() {
     let told = forecast(&[]).assert().success();
     let text = String::from_utf8_lossy(&told.get_output().stdout).into_owned();
     for word in
-        ["F_H [N]", "slip", "way out", "3D-RFT", "do not apply here", "cone_index = ", "5–95 %", "Believe"]
+        ["F_H [N]", "slip", "mechanism", "3D-RFT", "do not apply here", "cone_index = ", "5–95 %", "Believe"]
     {
         assert!(text.contains(word), "{word} is missing in\n{text}");
     }
@@ -126,7 +126,7 @@ fn what_it_cannot_answer_is_refused_with_the_reason() {
     let weightless = ["--set", "soil.unit_weight=0 N/m^3", "--set", "soil.density=1600 kg/m^3"];
     for (keys, word) in [
         (&weightless[..], "weightless"),
-        (&["--set", "body.disc.heave=\"fixed\""], "never comes below"),
+        (&["--set", "body.disc.heave=\"fixed\""], "never moves below"),
         (&["--against", "Z=0.1"], "Z=0.02..0.4"),
         (&["--against", "soil.colour=1..2", "-o", "nowhere"], "soil.friction_angle"),
         (&["--against", "soil.cohesion=\"0 Pa\"..\"5 kPa\"", "--log"], "above 0"),
@@ -138,7 +138,7 @@ fn what_it_cannot_answer_is_refused_with_the_reason() {
         (&["--against", "plate_exponent=0.5..1.5"], "now called `sinkage_exponent`"),
         (&["--spread", "forecast.plate_cohesive=1", "--uncertainty"], "`forecast.cohesive_modulus`"),
         (&["--set", "forecast.sinkage_exponent=1.1"], "forecast.cohesive_modulus"),
-        (&["--set", "forecast.frictional_modulus=5 kN/m^3"], "n is needed"),
+        (&["--set", "forecast.frictional_modulus=5 kN/m^3"], "must contain n"),
         (&["--set", "forecast.terrain=\"LETE\""], "LETE sand"),
         (&["--set", "forecast.shear_deformation_modulus=5 mm"], "does nothing"),
         (&["--set", "forecast.backfill=40 deg"], "from -10 deg to 25 deg"),
@@ -192,7 +192,7 @@ fn curves_are_written_and_not_overwritten_unasked() {
 }
 
 #[test]
-fn spreads_become_intervals() {
+fn standard_deviations_become_intervals() {
     let typed =
         ["--uncertainty", "--spread", "soil.friction_angle=2 deg", "--spread", "body.disc.weight=2 N"];
     let seen = json(&typed);
@@ -200,8 +200,8 @@ fn spreads_become_intervals() {
     let sinkage = all.iter().find(|q| q["quantity"] == "sinkage_m").unwrap();
     assert!(number(&sinkage["low"]) < number(&sinkage["middle"]));
     assert!(number(&sinkage["middle"]) < number(&sinkage["high"]));
-    let shares: Vec<f64> = sinkage["first_order"].as_array().unwrap().iter().map(number).collect();
-    assert!(shares[0] > 0.8 && shares[1] < 0.2, "{shares:?}");
+    let indices: Vec<f64> = sinkage["first_order"].as_array().unwrap().iter().map(number).collect();
+    assert!(indices[0] > 0.8 && indices[1] < 0.2, "{indices:?}");
     // The same from the case itself, whose means are what a run takes.
     let stated =
         ["--set", "soil.friction_angle=35 ± 2 deg", "--set", "body.disc.weight=40 ± 2 N", "--uncertainty"];
@@ -213,9 +213,9 @@ fn spreads_become_intervals() {
     }
 }
 
-/// The section `[forecast]` lets the rivals speak, and is no business of a run.
+/// The section `[forecast]` makes more models apply, and does not affect a run.
 #[test]
-fn plate_constants_and_cone_index_let_the_rivals_speak() {
+fn plate_constants_and_cone_index_make_more_models_apply() {
     let given = ["--set", "forecast.terrain=\"LETE sand\"", "--set", "forecast.cone_index=300 kPa"];
     let seen = json(&given);
     for name in ["Bekker", "Wong-Reece", "Wismer-Luth", "Brixius"] {
@@ -234,7 +234,7 @@ fn plate_constants_and_cone_index_let_the_rivals_speak() {
     assert_eq!(model(&typed, "Bekker"), model(&seen, "Bekker"));
     let checked = coulter().arg("check").arg(shipped("towed_disc.toml")).args(given).output().unwrap();
     assert!(checked.status.success());
-    assert!(String::from_utf8_lossy(&checked.stdout).contains("alone"));
+    assert!(String::from_utf8_lossy(&checked.stdout).contains("`coulter forecast` only"));
     let heaped = json(&["--set", "forecast.heap=0.3", "--set", "forecast.factors=\"lyamin\""]);
     let (before, after) = (model(&seen, "BC"), model(&heaped, "BC"));
     assert!(number(&before["sinkage_m"]) != number(&after["sinkage_m"]));
@@ -258,7 +258,7 @@ fn equal_discs_in_a_row_are_an_assembly() {
     assert!((number(&seen["load"]["weight_N"]) - 80.0).abs() < 1e-9);
     assert!(seen["remarks"][0].as_str().unwrap().contains("assembly"));
     std::fs::write(&path, whole.replace("[run]", &second.replace("0.05 m", "0.06 m"))).unwrap();
-    assert!(refusal(coulter().arg("forecast").arg(&path)).contains("not alike"));
+    assert!(refusal(coulter().arg("forecast").arg(&path)).contains("not equal"));
 }
 
 #[test]
@@ -393,7 +393,7 @@ fn a_blade_has_a_forecast_with_its_lengths() {
     assert!(std::fs::read_to_string(written.join("drag_dimensionless.svg")).unwrap().contains("PW"));
     let text = coulter().args(["forecast", &path]).assert().success();
     let text = String::from_utf8_lossy(&text.get_output().stdout).into_owned();
-    for word in ["not turning", "Believe PW", "Brinch Hansen", "under its base"] {
+    for word in ["not rotating", "Believe PW", "Brinch Hansen", "under its base"] {
         assert!(text.contains(word), "{word} is missing in\n{text}");
     }
     for (arguments, word) in [

@@ -79,7 +79,7 @@ fn the_arrows_between_the_crates_hold() {
 }
 
 #[test]
-fn below_the_front_door_nobody_touches_files_or_prints() {
+fn below_the_public_api_nothing_touches_files_or_prints() {
     for name in ["physics", "solver", "analytic"] {
         let found = offenders(name, &[&FILES[..], &PRINTING].concat(), nobody);
         assert!(found.is_empty(), "{found:#?}");

@@ -1,4 +1,4 @@
-//! The tables of docs/case-file.md, from the table of keys.
+//! The tables of docs/case-file.md, generated from the tables of keys.
 
 use super::format::{FORMAT, RENAMED_KEYS, RENAMED_VALUES};
 use super::keys::{self, Kind};
@@ -36,7 +36,7 @@ pub fn tables() -> String {
     text
 }
 
-/// What has changed since the format before.
+/// The names that have changed since the previous format.
 fn renamed() -> String {
     let mut text = format!(
         "### Renamed in format {FORMAT}\nAn old name is refused with its new one.\n\n| format 1 | format 2 |\n|---|---|\n"
@@ -74,7 +74,7 @@ fn kind(kind: &Kind) -> String {
 
 #[cfg(test)]
 mod tests {
-    /// Compares a shipped file with what the table of keys says; with `COULTER_UPDATE=1` it is written instead.
+    /// Compares a shipped file with the tables of keys; with `COULTER_UPDATE=1` it is written instead.
     fn same(path: &str, expected: &str) {
         let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path);
         if std::env::var_os("COULTER_UPDATE").is_some() {

@@ -1,6 +1,6 @@
 //! The version of the case-file format, and the names that have changed since the version before.
 
-use super::problem::{Place, Problems};
+use super::problem::{Location, Problems};
 use super::tree::{Node, Value};
 
 /// Version of the case-file format that this program reads and writes.
@@ -72,7 +72,7 @@ pub(crate) fn new_name(typed: &str) -> Option<String> {
 /// Reports a file that does not say in which format it is written.
 pub(super) fn missing(problems: &mut Problems) {
     problems.add(
-        &Place::file(),
+        &Location::file(),
         "`format` is missing: the file does not say in which version of the case-file format it is written",
         format!("add  format = {FORMAT}  at the top of the file, before the first section"),
     );
@@ -99,7 +99,7 @@ pub(super) fn check(node: &Node, problems: &mut Problems) {
             format!("write  format = {FORMAT}"),
         ),
     };
-    problems.add(&node.place, message, cure);
+    problems.add(&node.location, message, cure);
 }
 
 #[cfg(test)]

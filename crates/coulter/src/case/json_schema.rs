@@ -1,4 +1,4 @@
-//! The JSON schema of a case file, from the table of keys: editors complete and check case files with it.
+//! The JSON schema of a case file, generated from the tables of keys: editors use it to complete and check case files.
 
 use super::format::FORMAT;
 use super::keys::words::WALLS;

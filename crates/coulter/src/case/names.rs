@@ -1,6 +1,6 @@
 //! Names that are reserved, and names that were probably meant.
 
-/// Whether Windows keeps a name for a device: no file or folder there can be called so.
+/// Whether Windows reserves a name for a device: no file or folder there can have it.
 pub(super) fn is_device(name: &str) -> bool {
     let upper = name.to_ascii_uppercase();
     let numbered =
@@ -8,7 +8,7 @@ pub(super) fn is_device(name: &str) -> bool {
     ["CON", "PRN", "AUX", "NUL"].contains(&upper.as_str()) || numbered("COM") || numbered("LPT")
 }
 
-/// The candidate that `typed` resembles most, if it resembles any.
+/// The candidate that is most similar to `typed`, if any is similar.
 pub(super) fn nearest<'a>(typed: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     let lower = typed.to_lowercase();
     candidates

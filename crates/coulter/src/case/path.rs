@@ -3,7 +3,7 @@
 use super::resolved::{Body, Freedom};
 use glam::DVec3;
 
-/// A box round something.
+/// A box with faces along the axes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Extent {
     /// Low corner [m].
@@ -12,7 +12,7 @@ pub(super) struct Extent {
     pub(super) high: DVec3,
 }
 
-/// How far a prescribed motion has gone after `time` [m or rad]; 0 for any other.
+/// Displacement of a prescribed motion after `time` [m or rad]; 0 for any other.
 pub(crate) fn travel(freedom: &Freedom, time: f64) -> f64 {
     let Freedom::Prescribed { speed, start, ramp, end } = *freedom else { return 0.0 };
     // Integral of the smooth step 3x² − 2x³ over a ramp, then of 1.
@@ -24,7 +24,7 @@ pub(crate) fn travel(freedom: &Freedom, time: f64) -> f64 {
     speed * (since(start) - since(end))
 }
 
-/// The box round a body on its whole way.
+/// The box that encloses a body on its whole path.
 pub(super) fn path(body: &Body, duration: f64) -> Extent {
     let (low, high) = body.shape.solid().bounds();
     let moved = DVec3::from_array(std::array::from_fn(|axis| travel(&body.translation[axis], duration)));
@@ -32,7 +32,7 @@ pub(super) fn path(body: &Body, duration: f64) -> Extent {
     Extent { low: start.min(end) + low, high: start.max(end) + high }
 }
 
-/// The box round all bodies on their whole way.
+/// The box that encloses all bodies on their whole paths.
 pub(super) fn paths(bodies: &[Body], duration: f64) -> Option<Extent> {
     bodies
         .iter()
@@ -63,7 +63,7 @@ mod tests {
         assert!((at(0.9) - 0.2 * 0.45).abs() < 1e-15);
         assert!(
             (at(5.0) - 0.2 * 0.6).abs() < 1e-15,
-            "from start to end, the two ramps making up for each other"
+            "from start to end: the two ramps compensate each other"
         );
         assert_eq!(travel(&Freedom::Fixed, 9.0), 0.0);
         let at_once = Freedom::Prescribed { speed: -1.0, start: 0.0, ramp: 0.0, end: f64::INFINITY };

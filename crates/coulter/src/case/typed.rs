@@ -1,13 +1,13 @@
-//! What a case file holds, as typed: sections, values and where they stand.
+//! The content of a case file as typed: sections, values and their locations.
 
-use super::problem::Place;
+use super::problem::Location;
 use std::collections::BTreeMap;
 
-/// A value and where it was typed.
+/// A value and its location.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Typed<T> {
     pub(super) value: T,
-    pub(super) place: Place,
+    pub(super) location: Location,
 }
 
 /// A value of the right type, in SI units.
@@ -19,7 +19,7 @@ pub(super) enum Given {
     List(Vec<Typed<f64>>),
     Words(Vec<String>),
     Motion(Motion),
-    /// Reported already; counts as given so that it is not reported as missing too.
+    /// Reported already; counts as given, so that it is not reported as missing as well.
     Broken,
 }
 
@@ -37,36 +37,36 @@ pub(super) struct Motion {
 /// A section as typed.
 #[derive(Clone, Debug)]
 pub(super) struct Section {
-    /// `soil`, or `body.disc`.
+    /// Its path: `soil`, or `body.disc`.
     pub(super) path: String,
-    /// Its heading.
-    pub(super) place: Place,
+    /// Location of its heading.
+    pub(super) location: Location,
     values: BTreeMap<&'static str, Typed<Given>>,
 }
 
 impl Section {
-    pub(super) fn empty(path: &str, place: Place) -> Self {
-        Self { path: path.to_owned(), place, values: BTreeMap::new() }
+    pub(super) fn empty(path: &str, location: Location) -> Self {
+        Self { path: path.to_owned(), location, values: BTreeMap::new() }
     }
 
     /// Enters the value of a key.
-    pub(super) fn insert(&mut self, key: &'static str, value: Given, place: Place) {
-        self.values.insert(key, Typed { value, place });
+    pub(super) fn insert(&mut self, key: &'static str, value: Given, location: Location) {
+        self.values.insert(key, Typed { value, location });
     }
 
-    /// Whether the key stands in the file, right or wrong.
+    /// Whether the key is given, right or wrong.
     pub(super) fn has(&self, key: &str) -> bool {
         self.values.contains_key(key)
     }
 
-    /// Where the value of the key stands, or the section's heading.
-    pub(super) fn place_of(&self, key: &str) -> &Place {
-        self.values.get(key).map_or(&self.place, |v| &v.place)
+    /// Location of the value of the key, or of the section's heading.
+    pub(super) fn location_of(&self, key: &str) -> &Location {
+        self.values.get(key).map_or(&self.location, |v| &v.location)
     }
 
     fn get<T>(&self, key: &str, pick: impl Fn(&Given) -> Option<T>) -> Option<Typed<T>> {
         let typed = self.values.get(key)?;
-        Some(Typed { value: pick(&typed.value)?, place: typed.place.clone() })
+        Some(Typed { value: pick(&typed.value)?, location: typed.location.clone() })
     }
 
     pub(super) fn number(&self, key: &str) -> Option<Typed<f64>> {

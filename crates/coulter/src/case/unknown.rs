@@ -12,10 +12,10 @@ pub(super) fn unknown<'a>(
     problems: &mut Problems,
 ) {
     let known: Vec<&str> = known.collect();
-    let place = if path.is_empty() { "at the top of the file".to_owned() } else { format!("in [{path}]") };
+    let location = if path.is_empty() { "at the top of the file".to_owned() } else { format!("in [{path}]") };
     let cure = match nearest(&entry.key, known.iter().copied()) {
         Some(near) => format!("did you mean `{near}`?"),
         None => format!("known here: {}", known.join(", ")),
     };
-    problems.add(&entry.key_place, format!("unknown key `{}` {place}", entry.key), cure);
+    problems.add(&entry.key_location, format!("unknown key `{}` {location}", entry.key), cure);
 }

@@ -1,22 +1,22 @@
-//! The closed forms for the same case that the solver runs: what every applicable model says of its body.
+//! The closed-form models, applied to the same case as the solver.
 
 mod curves;
 mod document;
+mod model_input;
+mod models_csv;
 mod outlook;
 mod range;
-mod setting;
-mod sheet;
-mod spread;
 mod tables;
 mod towed;
+mod uncertainty;
 mod variable;
 
 pub use curves::{Curves, Series, curves};
 pub use document::document;
+pub use model_input::{ModelInput, model_input};
+pub use models_csv::models_csv;
 pub use outlook::{Outlook, outlook};
 pub use range::{Range, Unreadable};
-pub use setting::{Setting, setting};
-pub use sheet::models_table;
-pub use spread::{Effort, Interval, Intervals, Stated, intervals};
 pub use tables::{table, uncertainty_table};
+pub use uncertainty::{Effort, InputDeviation, Interval, Intervals, intervals};
 pub use variable::{Variable, find, variables};

@@ -1,40 +1,40 @@
 //! What the closed-form models say of a case.
 
-use super::setting::{Setting, setting};
+use super::model_input::{ModelInput, model_input};
 use crate::case::Case;
 use analytic::Forecast;
 use analytic::disc::{Drive, Mechanism};
 use analytic::forecast::{Candidate, Load, ModelForecast};
 
-/// The answer to a case.
+/// The forecast for a case.
 #[derive(Clone, Debug)]
 pub struct Outlook {
     /// Name of the case.
     pub case: String,
-    /// How the case was brought to the form of the models.
-    pub setting: Setting,
-    /// What the models say.
+    /// The input of the models.
+    pub input: ModelInput,
+    /// The results of the models.
     pub forecast: Forecast,
 }
 
-/// Evaluates every closed form for the body of `case`.
+/// Evaluates every closed-form model for the body of `case`.
 ///
 /// # Errors
-/// The reason, in words, why no closed form can take the case.
+/// The reason, in words, why no closed form applies to the case.
 pub fn outlook(case: &Case) -> Result<Outlook, String> {
-    let setting = setting(case)?;
-    let mut forecast = analytic::forecast(&setting.towing).map_err(|why| why.to_string())?;
+    let input = model_input(case)?;
+    let mut forecast = analytic::forecast(&input.towing).map_err(|why| why.to_string())?;
     for model in forecast.models.iter_mut().chain(&mut forecast.models_full_friction) {
-        if let Some(key) = missing_key(model.model, &setting) {
+        if let Some(key) = missing_key(model.model, &input) {
             model.note = key.to_owned();
         }
     }
-    Ok(Outlook { case: case.name.clone(), setting, forecast })
+    Ok(Outlook { case: case.name.clone(), input, forecast })
 }
 
-/// Which key would let a model speak that the case gives too little.
-fn missing_key(model: Candidate, setting: &Setting) -> Option<&'static str> {
-    let towing = &setting.towing;
+/// The key that a model needs and the case lacks, if that is why the model does not apply.
+fn missing_key(model: Candidate, input: &ModelInput) -> Option<&'static str> {
+    let towing = &input.towing;
     if towing.body.disc().is_none() || towing.drive != Drive::Free || towing.assembly.is_some() {
         return None;
     }
@@ -53,22 +53,22 @@ fn missing_key(model: Candidate, setting: &Setting) -> Option<&'static str> {
 }
 
 impl Outlook {
-    /// The model to believe; none where it has no answer.
+    /// The recommended model; `None` if there is none, or it has no answer.
     #[must_use]
     pub fn recommended(&self) -> Option<&ModelForecast> {
         self.forecast.models.iter().find(|m| Some(m.model) == self.forecast.recommended)
     }
 
-    /// The force that makes forces dimensionless: γ t d² of one body [N].
+    /// The reference force γ t d² of one body [N].
     #[must_use]
     pub fn force_scale(&self) -> f64 {
-        self.setting.towing.body.force_scale(self.setting.towing.soil.unit_weight)
+        self.input.towing.body.force_scale(self.input.towing.soil.unit_weight)
     }
 
     /// Whether the body sinks under its weight.
     #[must_use]
     pub fn sinks(&self) -> bool {
-        matches!(self.setting.towing.load, Load::Weight(_))
+        matches!(self.input.towing.load, Load::Weight(_))
     }
 }
 

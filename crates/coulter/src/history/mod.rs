@@ -1,4 +1,4 @@
-//! The history of a run: what the probes saw.
+//! The history of a run: samples of bodies, energy and boundaries.
 
 pub mod reference;
 pub mod steady;
@@ -21,9 +21,9 @@ pub struct BodySample {
     pub lateral: f64,
     /// Vertical force F_V: positive when the soil pushes the body up [N].
     pub vertical: f64,
-    /// Share of the drag that comes from pressure normal to the surface [N]; the rest is friction.
+    /// Drag due to pressure normal to the surface [N]; the rest is friction.
     pub drag_normal: f64,
-    /// Share of the vertical force that comes from pressure normal to the surface [N].
+    /// Vertical force due to pressure normal to the surface [N]; the rest is friction.
     pub vertical_normal: f64,
     /// Torque of the soil about the axle [N m], positive when it makes the body roll forward.
     pub axle_torque: f64,
@@ -41,12 +41,12 @@ pub struct BodySample {
     pub embedded_volume: f64,
 }
 
-/// The energy ledger at one time: work and energy since the start, of the whole model [J].
+/// The energy balance at one time: work and energy since the start, of the whole case [J].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct EnergySample {
     /// Time [s].
     pub time: f64,
-    /// Work of loads, drives and gravity, and what was in motion at the start.
+    /// Work of loads, prescribed motions and gravity, and the initial kinetic energy.
     pub external: f64,
     /// Kinetic energy of soil and bodies.
     pub kinetic: f64,
@@ -56,7 +56,7 @@ pub struct EnergySample {
     pub plastic: f64,
     /// Dissipation by friction on the bodies.
     pub friction: f64,
-    /// What the contact method itself stores, takes or gives; should be small.
+    /// Energy that the contact method itself stores, dissipates or adds; should be small.
     pub contact: f64,
     /// Dissipation by bulk viscosity.
     pub viscous: f64,
@@ -69,10 +69,10 @@ pub struct EnergySample {
 }
 
 impl EnergySample {
-    /// Energy that nobody can account for [J].
+    /// The error of the energy balance: energy that no entry explains [J].
     #[must_use]
     pub fn unexplained(&self) -> f64 {
-        let known = self.kinetic
+        let explained = self.kinetic
             + self.elastic
             + self.plastic
             + self.friction
@@ -80,17 +80,16 @@ impl EnergySample {
             + self.viscous
             + self.hourglass
             + self.remap_loss;
-        self.external - known
+        self.external - explained
     }
 
-    /// What the entries are measured against [J]: the external work, or the plastic dissipation or kinetic energy where that
-    /// is larger.
+    /// Reference energy for relative figures [J]: the largest of external work, plastic dissipation and kinetic energy.
     #[must_use]
     pub fn scale(&self) -> f64 {
         self.external.abs().max(self.plastic.abs()).max(self.kinetic.abs())
     }
 
-    /// Energy that nobody can account for, over the external work (0 = closed).
+    /// Relative error of the energy balance: [`Self::unexplained`] over [`Self::scale`].
     #[must_use]
     pub fn closure(&self) -> f64 {
         let scale = self.scale();
@@ -98,29 +97,29 @@ impl EnergySample {
     }
 }
 
-/// What the soil does at the faces of the box at one time; of the whole, not of the part modelled.
+/// The soil at the faces of the box at one time; of the whole case, not only of the modelled half or quarter.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct BoundarySample {
     /// Time [s].
     pub time: f64,
-    /// Area of the lid that soil has come to [m²]; 0 where the soil reaches up to the lid from the start.
+    /// Area of the lid that soil has reached [m²]; 0 where the soil reaches up to the lid from the start.
     pub lid_area: f64,
     /// Force of the soil on that area [N].
     pub lid_force: f64,
-    /// Area of the side walls that was bare at the start and that soil has come to [m²].
+    /// Area of the side walls that soil has reached and that was bare at the start [m²].
     pub wall_area: f64,
     /// Largest rise of the normal pressure on floor and side walls above that at rest [Pa].
     pub stress_rise: f64,
 }
 
-/// What a run has seen so far.
+/// All samples of a run so far.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct History {
     /// Names of the bodies.
     pub names: Vec<String>,
     /// Samples of each body, in the order of `names`.
     pub bodies: Vec<Vec<BodySample>>,
-    /// The energy ledger.
+    /// The energy balance.
     pub energy: Vec<EnergySample>,
     /// The faces of the box.
     pub boundaries: Vec<BoundarySample>,

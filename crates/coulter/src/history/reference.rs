@@ -1,30 +1,31 @@
-//! The lengths and the force that make a body's numbers dimensionless, and its rolling radius.
+//! The reference lengths and force that make a body's results dimensionless, and its rolling radius.
 
 use super::BodySample;
 use crate::case::resolved::{Axis, Body, Case, Freedom, Shape};
 use serde::{Deserialize, Serialize};
 
-/// Speeds below this [m/s] are rest: a turn ratio would be noise over noise.
+/// Speeds below this [m/s] count as rest, where the turn ratio is not defined.
 const REST: f64 = 1e-6;
 
-/// What a body's results are measured against.
+/// The reference quantities of a body.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Reference {
     /// Name of the body.
     pub name: String,
-    /// What it is, in words: "disc", "block", "cylinder", "sphere".
+    /// Its kind: "disc", "block", "cylinder", "sphere".
     pub kind: String,
     /// Reference length d [m]: the diameter, a block's height.
     pub length: f64,
-    /// Reference width t [m]: a disc's thickness, a block's width, the length of a cylinder along y, else the diameter; in plane strain the width of the slab.
+    /// Reference width t [m]: a disc's thickness, a block's width, the length of a cylinder along y, otherwise the diameter; in
+    /// plane strain the width of the slab.
     pub width: f64,
     /// Unit weight γ of the soil [N/m³]; 0 when it is weightless.
     pub unit_weight: f64,
-    /// Rolling radius r [m]; none for a body that cannot roll.
+    /// Rolling radius r [m]; `None` for a body that cannot roll.
     pub radius: Option<f64>,
-    /// Whether it is driven along x or free to move along it.
+    /// Whether it moves along x, prescribed or free.
     pub towed: bool,
-    /// Whether it can turn about its axle.
+    /// Whether it rotates about its axle.
     pub turns: bool,
 }
 
@@ -60,7 +61,7 @@ impl Reference {
         case.bodies.iter().map(|body| Self::of(case, body)).collect()
     }
 
-    /// Reference force γ t d² [N]; none for weightless soil.
+    /// Reference force γ t d² [N]; `None` for weightless soil.
     #[must_use]
     pub fn force(&self) -> Option<f64> {
         let force = self.unit_weight * self.width * self.length * self.length;
@@ -79,7 +80,7 @@ impl Reference {
         (self.length > 0.0).then(|| length / self.length)
     }
 
-    /// Turn ratio ω r / v: 1 rolls without slip, 0 slides without turning; none at rest or without a radius.
+    /// Turn ratio ω r / v: 1 rolls without slip, 0 slides without rotation; `None` at rest or without a radius.
     #[must_use]
     pub fn turn_ratio(&self, spin: f64, speed: f64) -> Option<f64> {
         self.radius.filter(|_| speed.abs() > REST).map(|radius| spin * radius / speed)

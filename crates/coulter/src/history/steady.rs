@@ -1,17 +1,17 @@
-//! The steady end of a run: which samples belong to it, their averages, and how noisy the drag is.
+//! The steady window at the end of a run: its samples, their averages, and the noise of the drag.
 
 use super::BodySample;
 use super::reference::Reference;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
-/// Width of the moving average that the noise is measured against, over the reference length d.
+/// Width of the moving average about which the noise is measured, over the reference length d.
 pub const NOISE_WIDTH: f64 = 0.02;
-/// The moving average takes at least so many samples, else noise would be nothing by construction.
+/// Least number of samples in the moving average; with fewer the noise would vanish by construction.
 pub const NOISE_SAMPLES: usize = 5;
-/// A mean drag below this share of the vertical force is no drag.
+/// Ratio of drag to vertical force below which there is no noticeable drag.
 const NO_DRAG: f64 = 1e-3;
-/// Displacements below this share of the reference length are no tow.
+/// Displacement over the reference length below which a body does not count as towed.
 const NO_TOW: f64 = 1e-3;
 
 /// Averages over the steady window; `null` in JSON where there is nothing to average.
@@ -35,9 +35,9 @@ pub struct Steady {
     /// Mean sinkage [m].
     #[serde(rename = "sinkage_m")]
     pub sinkage: Option<f64>,
-    /// Mean turn ratio ω r / v, from the angle turned and the way made.
+    /// Mean turn ratio ω r / v, from the mean rotation rate and speed.
     pub turn_ratio: Option<f64>,
-    /// Slip that goes with it: 1 − v/(ωr) where ωr > v, otherwise ωr/v − 1.
+    /// The corresponding slip: 1 − v/(ωr) where ωr > v, otherwise ωr/v − 1.
     pub slip: Option<f64>,
     /// Mean torque about the axle [N m].
     #[serde(rename = "axle_torque_Nm")]
@@ -76,8 +76,8 @@ pub struct Peak {
 /// Whether the body moves along x far enough for displacement to be the abscissa of its plots and averages.
 #[must_use]
 pub fn is_tow(samples: &[BodySample], reference: &Reference) -> bool {
-    let way = extent(samples.iter().map(|s| s.displacement));
-    way > NO_TOW * reference.length
+    let travel = extent(samples.iter().map(|s| s.displacement));
+    travel > NO_TOW * reference.length
 }
 
 fn extent(values: impl Iterator<Item = f64>) -> f64 {
@@ -87,25 +87,25 @@ fn extent(values: impl Iterator<Item = f64>) -> f64 {
     (high - low).max(0.0)
 }
 
-/// The samples of the steady window: the last `share` of the tow, or of the time when the body does not tow.
+/// The samples of the steady window: the last `fraction` of the tow, or of the time for a body that is not towed.
 #[must_use]
-pub fn window(samples: &[BodySample], reference: &Reference, share: f64) -> Range<usize> {
+pub fn window(samples: &[BodySample], reference: &Reference, fraction: f64) -> Range<usize> {
     let along: Vec<f64> = if is_tow(samples, reference) {
         samples.iter().map(|s| s.displacement).collect()
     } else {
         samples.iter().map(|s| s.time).collect()
     };
     let (Some(first), Some(last)) = (along.first(), along.last()) else { return 0..0 };
-    let way = last - first;
-    let passed = |x: f64, at: f64| if way >= 0.0 { x >= at } else { x <= at };
-    let begin = last - share.clamp(0.0, 1.0) * way;
-    // A body that is stopped before the end of the run is not towed any more: the rest is cut off.
-    let end = along.iter().position(|x| passed(*x, last - 1e-6 * way)).map_or(along.len(), |n| n + 1);
+    let span = last - first;
+    let passed = |x: f64, at: f64| if span >= 0.0 { x >= at } else { x <= at };
+    let begin = last - fraction.clamp(0.0, 1.0) * span;
+    // A body that stops before the end of the run is no longer towed: the rest is cut off.
+    let end = along.iter().position(|x| passed(*x, last - 1e-6 * span)).map_or(along.len(), |n| n + 1);
     let from = along.iter().position(|x| passed(*x, begin)).unwrap_or(0);
     from.min(end.saturating_sub(1))..end
 }
 
-/// Averages over the samples of `window`. Each sample weighs as much as the interval that it is the average of.
+/// Averages over the samples of `window`. Each sample is weighted by the interval that it averages over.
 #[must_use]
 pub fn steady(samples: &[BodySample], reference: &Reference, window: Range<usize>) -> Steady {
     let Some(inside) = samples.get(window.clone()).filter(|inside| !inside.is_empty()) else {
@@ -131,16 +131,16 @@ pub fn steady(samples: &[BodySample], reference: &Reference, window: Range<usize
         turn_ratio,
         slip: turn_ratio.map(analytic::slip),
         axle_torque: mean(|s| s.axle_torque),
-        // Of a body that is pushed down the drag is next to nothing, and its noise over it means nothing.
+        // The drag of a body that is pushed down is almost zero, and noise relative to it is meaningless.
         drag_noise: drag
             .filter(|drag| drag.abs() > NO_DRAG * mean(|s| s.vertical).unwrap_or(0.0).abs())
             .and_then(|drag| noise(inside, reference, drag)),
-        // The grade of the run tells.
+        // Filled in from the grade of the run.
         is_steady: None,
     }
 }
 
-/// Interval behind each sample of the window; all alike when there is none.
+/// Interval of each sample of the window; equal weights if all intervals vanish.
 fn weights(samples: &[BodySample], window: Range<usize>) -> Vec<f64> {
     let interval = |n: usize| if n == 0 { 0.0 } else { (samples[n].time - samples[n - 1].time).max(0.0) };
     let weights: Vec<f64> = window.map(interval).collect();
@@ -164,7 +164,7 @@ fn finite(value: f64) -> Option<f64> {
 }
 
 /// Moving average of `values` centred on each sample over a width of `width` along `along`, at least
-/// [`NOISE_SAMPLES`] samples. Centred and symmetric, so it shifts nothing (zero phase); shorter at the ends.
+/// [`NOISE_SAMPLES`] samples. Centred and symmetric, hence without phase shift; shorter at the ends.
 #[must_use]
 pub fn moving_average(along: &[f64], values: &[f64], width: f64) -> Vec<f64> {
     let count = along.len().min(values.len());
@@ -175,17 +175,17 @@ pub fn moving_average(along: &[f64], values: &[f64], width: f64) -> Vec<f64> {
     let mut reach = 0;
     (0..count)
         .map(|n| {
-            let room = n.min(count - 1 - n);
+            let limit = n.min(count - 1 - n);
             let fits = |r: usize| (along[n + r] - along[n - r]).abs() <= width;
-            // From sample to sample the reach changes little: grow or shrink it from where it was.
-            reach = reach.min(room);
-            while reach < room && fits(reach + 1) {
+            // The half width changes little from sample to sample: grow or shrink the previous one.
+            reach = reach.min(limit);
+            while reach < limit && fits(reach + 1) {
                 reach += 1;
             }
             while reach > 0 && !fits(reach) {
                 reach -= 1;
             }
-            let reach = reach.max(NOISE_SAMPLES / 2).min(room);
+            let reach = reach.max(NOISE_SAMPLES / 2).min(limit);
             (sums[n + reach + 1] - sums[n - reach]) / (2 * reach + 1) as f64
         })
         .collect()
@@ -246,7 +246,7 @@ mod tests {
     }
 
     #[test]
-    fn the_window_is_the_last_share_of_the_tow() {
+    fn the_window_is_the_last_fraction_of_the_tow() {
         let mut samples = tow(1001, |_| 5.0);
         assert_eq!(window(&samples, &disc(), 0.3), 700..1001);
         // Resting at the end does not count.
@@ -269,7 +269,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_and_not_a_number_are_survived() {
+    fn empty_and_invalid_histories_are_handled() {
         assert_eq!(window(&[], &disc(), 0.3), 0..0);
         assert_eq!(steady(&[], &disc(), 0..0), Steady::default());
         let broken = vec![BodySample { drag: f64::NAN, time: f64::NAN, ..Default::default() }; 3];

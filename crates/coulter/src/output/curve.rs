@@ -1,15 +1,15 @@
-//! What a chart shows: curves and levels.
+//! The content of a chart: curves and levels.
 
 /// How a curve is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stroke {
-    /// A strong line.
+    /// A solid line.
     Solid,
-    /// A thin pale line: raw data behind a smoothed curve.
+    /// A thin, pale line: raw data behind a smoothed curve.
     Faint,
     /// A dashed line: a forecast or another source.
     Dashed,
-    /// A dotted line: one more source, where the colours begin anew.
+    /// A dotted line: another source, when the colours repeat.
     Dotted,
     /// Dots: a measurement.
     Dots,
@@ -18,7 +18,7 @@ pub enum Stroke {
 /// A curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
-    /// Name in the legend; nothing for no entry.
+    /// Name in the legend; empty for no entry.
     pub name: String,
     /// Points; a gap where one is not a number.
     pub points: Vec<[f64; 2]>,
@@ -28,23 +28,23 @@ pub struct Curve {
     pub stroke: Stroke,
 }
 
-/// A level with its name, drawn over a part of the x axis.
+/// A level with its label, drawn over a range of the x axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Level {
-    /// What it says at its end.
+    /// Label at its end.
     pub label: String,
-    /// Height on the y axis.
+    /// Value on the y axis.
     pub value: f64,
-    /// Where it begins on the x axis.
+    /// Start on the x axis.
     pub from: f64,
-    /// Where it ends.
+    /// End on the x axis.
     pub to: f64,
     /// Number of its colour.
     pub colour: usize,
 }
 
 impl Curve {
-    /// A strong line.
+    /// A solid curve.
     #[must_use]
     pub fn solid(name: &str, colour: usize, points: Vec<[f64; 2]>) -> Self {
         Self { name: name.to_owned(), points, colour, stroke: Stroke::Solid }

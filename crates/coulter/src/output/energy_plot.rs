@@ -1,4 +1,4 @@
-//! The plots of the ledgers: where the work went, and what nobody can account for.
+//! The plots of the energy balance and of its error.
 
 use super::chart::Chart;
 use super::curve::{Curve, Stroke};
@@ -6,10 +6,10 @@ use super::plot::Plot;
 use super::scale::{Unit, largest};
 use crate::history::EnergySample;
 
-/// An entry of the ledger with its name.
+/// An entry of the energy balance with its name.
 type Entry = (&'static str, fn(&EnergySample) -> f64);
 
-/// The energy ledger against time: where the work went.
+/// The energy balance against time.
 #[must_use]
 pub fn energy_plot(energy: &[EnergySample]) -> Plot {
     let entries: [Entry; 9] = [
@@ -27,7 +27,7 @@ pub fn energy_plot(energy: &[EnergySample]) -> Plot {
     let curve = |(n, (name, value)): (usize, &Entry)| Curve {
         name: (*name).to_owned(),
         points: energy.iter().map(|e| [e.time, value(e) / unit.size]).collect(),
-        // Seven colours, nine entries: the last two are told apart by their dashes.
+        // Seven colours, nine entries: the last two are dashed.
         colour: n,
         stroke: if n >= 7 { Stroke::Dashed } else { Stroke::Solid },
     };
@@ -35,10 +35,15 @@ pub fn energy_plot(energy: &[EnergySample]) -> Plot {
     let explained = energy.iter().map(|e| [e.time, (e.external - e.unexplained()) / unit.size]).collect();
     curves.insert(
         1,
-        Curve { name: "sum of the rest".into(), points: explained, colour: 6, stroke: Stroke::Dashed },
+        Curve {
+            name: "sum of the other entries".into(),
+            points: explained,
+            colour: 6,
+            stroke: Stroke::Dashed,
+        },
     );
     let chart = Chart {
-        title: "Energy ledger".to_owned(),
+        title: "Energy balance".to_owned(),
         x_label: "time [s]".to_owned(),
         y_label: format!("energy since the start [{}]", unit.name),
         with_zero: true,
@@ -46,19 +51,19 @@ pub fn energy_plot(energy: &[EnergySample]) -> Plot {
         curves,
         ..Chart::default()
     };
-    let caption = "Work put in, and where it went. The sum of the rest should lie on the external work; what lies between \
-                   them is the closure error."
+    let caption = "External work, and how it is stored and dissipated. The sum of the other entries should coincide with the external work; \
+                   the difference is the error of the balance."
         .to_owned();
     Plot { name: "energy".to_owned(), svg: chart.svg(), caption }
 }
 
-/// The closure of the energy ledger against time, in percent.
+/// The errors of the energy and volume balances against time, in percent.
 #[must_use]
 pub fn closure_plot(energy: &[EnergySample]) -> Plot {
     let points = energy.iter().map(|e| [e.time, 100.0 * e.closure()]).collect();
     let volume = energy.iter().map(|e| [e.time, 100.0 * (e.volume_ratio - 1.0)]).collect();
     let chart = Chart {
-        title: "Closure of the ledgers".to_owned(),
+        title: "Errors of the balances".to_owned(),
         x_label: "time [s]".to_owned(),
         y_label: "error [%]".to_owned(),
         with_zero: true,
@@ -69,8 +74,8 @@ pub fn closure_plot(energy: &[EnergySample]) -> Plot {
         ],
         ..Chart::default()
     };
-    let caption = "Energy that no ledger entry explains, over the external work; and the change of the soil's volume (dilation \
-                   and elastic compression belong to it)."
+    let caption = "Energy that no entry of the balance explains, over the external work; and the change of the soil's volume (which \
+                   includes dilation and elastic compression)."
         .to_owned();
     Plot { name: "closure".to_owned(), svg: chart.svg(), caption }
 }

@@ -7,23 +7,23 @@ use analytic::forecast::{Candidate, ModelForecast, Parameter, curve};
 
 /// Points of a force–sinkage curve.
 const POINTS: usize = 41;
-/// How far beyond the deepest forecast the force–sinkage curve reaches.
+/// How far the force–sinkage curve extends beyond the deepest forecast.
 const BEYOND: f64 = 1.25;
 
-/// What the recommended model and 3D-RFT say, as overlays: levels in tow, and curves against sinkage.
+/// The recommended model and 3D-RFT as overlays: levels for the tow, and curves against sinkage.
 ///
 /// # Errors
-/// The reason why the closed forms have nothing to say of the case.
+/// The reason why the closed forms do not apply to the case.
 pub fn overlays(case: &Case) -> Result<Vec<Overlay>, String> {
     let outlook = outlook(case)?;
-    let [body] = &outlook.setting.bodies[..] else {
-        return Err("the overlay is for a single body".into());
+    let [body] = &outlook.input.bodies[..] else {
+        return Err("overlays are for a single body".into());
     };
     let best = outlook.recommended();
-    let is_rival = |m: &&ModelForecast| m.model == Candidate::SpatialResistive && m.applicable;
-    let rival =
-        outlook.forecast.models.iter().find(is_rival).filter(|m| Some(m.model) != best.map(|b| b.model));
-    let models: Vec<&ModelForecast> = best.into_iter().chain(rival).collect();
+    let is_rft = |m: &&ModelForecast| m.model == Candidate::SpatialResistive && m.applicable;
+    let second =
+        outlook.forecast.models.iter().find(is_rft).filter(|m| Some(m.model) != best.map(|b| b.model));
+    let models: Vec<&ModelForecast> = best.into_iter().chain(second).collect();
     if models.is_empty() {
         return Err("no closed form applies".into());
     }
@@ -34,8 +34,8 @@ pub fn overlays(case: &Case) -> Result<Vec<Overlay>, String> {
 
 fn levels(outlook: &Outlook, model: &ModelForecast, body: &str) -> Vec<Overlay> {
     let Some(found) = model.prediction else { return Vec::new() };
-    let turn = found.slip.map(|slip| outlook.setting.towing.drive.turning_ratio(slip));
-    // The load of a free disc is known: no model has to say it.
+    let turn = found.slip.map(|slip| outlook.input.towing.drive.turning_ratio(slip));
+    // The load of a free disc is known and not a result.
     let vertical = (!outlook.sinks()).then_some(found.vertical);
     let entries = [
         (PlotKind::ForceDisplacement, "F_H", Some(found.drag)),
@@ -50,8 +50,8 @@ fn levels(outlook: &Outlook, model: &ModelForecast, body: &str) -> Vec<Overlay> 
 }
 
 fn force_sinkage(outlook: &Outlook, models: &[&ModelForecast], body: &str) -> Result<Vec<Overlay>, String> {
-    let towing = &outlook.setting.towing;
-    // A block that sinks rests on its base, too, which the force on its front at a sinkage leaves out.
+    let towing = &outlook.input.towing;
+    // A block that sinks also rests on its base, which the force on its front at a given sinkage does not include.
     if outlook.sinks() && towing.body.block().is_some() {
         return Ok(Vec::new());
     }

@@ -1,6 +1,6 @@
-//! What a run leaves behind: histories, fields, pictures, a summary and a report.
+//! The output of a run: histories, fields, pictures, a summary and a report.
 //!
-//! [`Results`] is the front door: it owns the folder of a run. The other modules are its rooms, usable on their own.
+//! [`Results`] is the facade: it owns the folder of a run. The other modules can also be used on their own.
 
 mod canvas;
 pub mod chart;
@@ -38,8 +38,8 @@ pub mod validate;
 mod vtk;
 
 pub use error::OutputError;
-pub use folder::{CHECKPOINTS, Holds, look};
-pub use forecast_files::{Sheets, write_forecast};
+pub use folder::{CHECKPOINTS, Contents, inspect};
+pub use forecast_files::{ForecastFiles, write_forecast};
 pub use forecast_overlay::overlays;
 pub use lock::Lock;
 pub use overlay::{Overlay, PlotKind};
@@ -52,6 +52,6 @@ pub use summary::Summary;
 mod tests {
     #[test]
     fn the_memory_of_a_cell_view_is_what_the_estimate_assumes() {
-        assert_eq!(size_of::<super::fields::CellView>(), crate::case::volume::SHOWN_CELL);
+        assert_eq!(size_of::<super::fields::CellView>(), crate::case::output_size::SHOWN_CELL);
     }
 }

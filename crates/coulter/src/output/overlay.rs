@@ -25,9 +25,9 @@ pub struct Overlay {
     pub name: String,
     /// The plot it belongs to.
     pub plot: PlotKind,
-    /// The body it belongs to; all bodies when none is named.
+    /// The body it belongs to; `None` for all bodies.
     pub body: Option<String>,
-    /// Whether it was measured: drawn as dots, not as a line.
+    /// Whether it was measured: then it is drawn as dots, not as a line.
     #[serde(default)]
     pub measured: bool,
     /// Points in SI units. A single point is drawn as a level across the plot.

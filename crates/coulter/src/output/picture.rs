@@ -27,19 +27,19 @@ pub const PICTURES: [Caption; 7] = [
         file: "soil_plastic_strain.png",
         title: "Where the soil has yielded",
         text: "Equivalent plastic strain in the vertical mid-plane, logarithmic colours. Look for the slip surface that \
-               rises from the body's toe to the free surface ahead of it, and for the disturbed layer left behind.",
+               rises from the body's toe to the free surface ahead of it, and for the disturbed layer behind it.",
     },
     Caption {
         file: "soil_speed.png",
-        title: "What moves",
+        title: "Velocity",
         text: "Speed of the soil. Colours end at the 99.9th percentile. The moving wedge ahead of the body should be bounded \
                and lie well inside the fine zone of the grid.",
     },
     Caption {
         file: "soil_pressure.png",
         title: "Pressure",
-        text: "Mean pressure, compression positive. Colours end at the 99.9th percentile. Speckle means noise; pressure that \
-               reaches the walls of the box means that the box is too small.",
+        text: "Mean pressure, compression positive. Colours end at the 99.9th percentile. Speckle is numerical noise; pressure that \
+               extends to the walls of the box means that the box is too small.",
     },
     Caption {
         file: "soil_fraction.png",
@@ -50,8 +50,8 @@ pub const PICTURES: [Caption; 7] = [
     Caption {
         file: "rut_plan.png",
         title: "The surface from above",
-        text: "Height of the free surface against the undisturbed one: blue is below (rut), brown above (berm); of soil that \
-               was heaped on a floor, the height above the floor. The dark outline is the body.",
+        text: "Height of the free surface against the undisturbed one: blue is below (rut), brown above (berm); for soil \
+               heaped on a floor, the height above the floor. The dark outline is the body.",
     },
     Caption {
         file: "profile.svg",

@@ -31,7 +31,7 @@ pub(super) struct CheckRow {
     pub(super) advice: String,
 }
 
-/// The checks of a run, those that are not good first.
+/// The checks of a run, first those that are not good.
 pub(super) fn check_rows(trust: &Trust) -> Vec<CheckRow> {
     let good = trust.checks.iter().filter(|c| c.verdict == Verdict::Good);
     let row = |check: &Check| {
@@ -42,16 +42,16 @@ pub(super) fn check_rows(trust: &Trust) -> Vec<CheckRow> {
             verdict: check.verdict.name(),
             name: check.name.clone(),
             body: check.body.clone().unwrap_or_default(),
-            value: number(check.value, "no figure"),
+            value: number(check.value, "not a number"),
             good: number(check.limits[0], NONE),
             doubtful: number(check.limits[1], NONE),
             advice: check.advice.clone(),
         }
     };
-    trust.doubts().into_iter().chain(good).map(row).collect()
+    trust.concerns().into_iter().chain(good).map(row).collect()
 }
 
-/// Writes the rows of one body: a quantity with its unit, and the dimensionless group beside it.
+/// Collects the rows of one body: a quantity with its unit, and its dimensionless group.
 struct BodyRows<'a> {
     reference: &'a Reference,
     rows: Vec<TableRow>,
@@ -108,12 +108,14 @@ pub(super) fn facts(record: &RunRecord, summary: &Summary) -> Vec<[String; 2]> {
     let [x, y, z] = record.cells;
     let kind = match (record.plane_strain, record.symmetric, record.symmetric_x) {
         _ if record.bodies.is_empty() => "no body",
-        (true, _, false) => "plane strain; forces of the slab modelled",
-        (true, _, true) => "plane strain, half modelled (symmetry at x = 0); forces of the whole in the slab",
-        (false, true, false) => "half of the body modelled (symmetry at y = 0); forces of the whole",
-        (false, false, true) => "half of the body modelled (symmetry at x = 0); forces of the whole",
+        (true, _, false) => "plane strain; forces on the modelled slab",
+        (true, _, true) => {
+            "plane strain, half modelled (symmetry at x = 0); forces on the whole body in the slab"
+        }
+        (false, true, false) => "half of the body modelled (symmetry at y = 0); forces on the whole body",
+        (false, false, true) => "half of the body modelled (symmetry at x = 0); forces on the whole body",
         (false, true, true) => {
-            "a quarter of the body modelled (symmetry at x = 0 and y = 0); forces of the whole"
+            "a quarter of the body modelled (symmetry at x = 0 and y = 0); forces on the whole body"
         }
         (false, false, false) => "whole body modelled",
     };
@@ -155,18 +157,18 @@ pub(super) fn scales_text(record: &RunRecord, reference: &Reference) -> String {
     let lengths = format!("d = {d} mm ({length}), t = {t} mm ({width})");
     match reference.force() {
         Some(force) => format!("{lengths}, γ t d² = {}", value(Some(force), Unit::force)),
-        None => format!("{lengths}; the soil is weightless, so forces have no group"),
+        None => format!("{lengths}; forces have no dimensionless form because the soil is weightless"),
     }
 }
 
 pub(super) fn energy_rows(summary: &Summary) -> Vec<TableRow> {
     let energy = &summary.energy;
-    let share = |e: Option<f64>| {
+    let per_cent = |e: Option<f64>| {
         let ratio = e.zip(energy.external).filter(|(_, all)| *all != 0.0).map(|(e, all)| e / all);
         ratio.map_or(NONE.to_owned(), |r| format!("{} %", digits(100.0 * r)))
     };
     let entries = [
-        ("External work", energy.external, "loads, drives and gravity"),
+        ("External work", energy.external, "loads, prescribed motions and gravity"),
         ("Plastic", energy.plastic, ""),
         ("Friction", energy.friction, "on the bodies"),
         ("Contact method", energy.contact, "numerical: springs, damping, corrections"),
@@ -180,19 +182,19 @@ pub(super) fn energy_rows(summary: &Summary) -> Vec<TableRow> {
         name: name.into(),
         symbol: "",
         value: value(e, Unit::energy),
-        group: share(e),
+        group: per_cent(e),
         note: note.into(),
     };
     let mut rows: Vec<TableRow> = entries.into_iter().map(row).collect();
     let closure = energy.closure.map_or(NONE.to_owned(), |c| format!("{} %", digits(100.0 * c)));
-    let note = "what no entry explains".to_owned();
-    let known: Option<f64> = entries[1..].iter().map(|(_, e, _)| *e).sum();
-    let rest = value(energy.external.zip(known).map(|(all, known)| all - known), Unit::energy);
+    let note = "not explained by any entry".to_owned();
+    let explained: Option<f64> = entries[1..].iter().map(|(_, e, _)| *e).sum();
+    let rest = value(energy.external.zip(explained).map(|(all, explained)| all - explained), Unit::energy);
     rows.push(TableRow { name: "Unexplained".into(), symbol: "", value: rest, group: closure, note });
     rows
 }
 
-pub(super) fn ledger_rows(record: &RunRecord, summary: &Summary) -> Vec<TableRow> {
+pub(super) fn balance_rows(record: &RunRecord, summary: &Summary) -> Vec<TableRow> {
     let row = |name: &str, value: String, note: &str| TableRow {
         name: name.into(),
         symbol: "",
@@ -207,8 +209,8 @@ pub(super) fn ledger_rows(record: &RunRecord, summary: &Summary) -> Vec<TableRow
     let change =
         summary.soil.volume_ratio.map_or(NONE.to_owned(), |v| format!("{v:.6}").replace('-', "\u{2212}"));
     let mut rows = vec![
-        row("Soil volume ratio", change, "end over start; dilation and elasticity included"),
-        row("Soil inside the bodies", litres(summary.soil.leaked_m3), "leakage at the end; 0 is right"),
+        row("Soil volume ratio", change, "end over start; includes dilation and elastic compression"),
+        row("Soil inside the bodies", litres(summary.soil.leaked_m3), "leakage at the end; ideally 0"),
     ];
     let height = format!("{} mm", digits(1e3 * surface.berm_height_m));
     if record.heaped {

@@ -1,5 +1,5 @@
-//! `run.json`: what a report needs besides the histories, the summary and the pictures. It also marks a folder as a
-//! result of Coulter.
+//! `run.json`: what a report needs in addition to the histories, the summary and the pictures. It also identifies a folder
+//! as a result of Coulter.
 
 use super::describe::describe;
 use super::error::{OutputError, read_json, write_json};
@@ -21,34 +21,34 @@ pub const RUN_RECORD: &str = "run.json";
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Outcome {
-    /// It has not.
+    /// It is still running.
     #[default]
     Running,
-    /// It came to its end.
+    /// It reached its end.
     Finished,
-    /// It was stopped from outside and can go on.
+    /// It was stopped from outside and can be resumed.
     Interrupted,
     /// The physics failed; the message says how.
     BrokeDown(String),
 }
 
-/// What the run was like, apart from its physics.
+/// Statistics of the run.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct RunStatistics {
     /// Steps taken.
     pub steps: u64,
-    /// Wall clock time of the time loop [s], of all legs of a resumed run.
+    /// Wall-clock time of the time loop [s], over all restarts.
     pub wall_seconds: f64,
     /// Threads.
     pub threads: usize,
     /// How it ended.
     pub outcome: Outcome,
-    /// Doubts about the case that were there before the run.
+    /// Warnings about the case from before the run.
     pub advice: Vec<String>,
 }
 
-/// The run as the report sees it.
+/// The record of a run.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct RunRecord {
@@ -56,11 +56,11 @@ pub struct RunRecord {
     pub version: String,
     /// Name of the case.
     pub case: String,
-    /// Hash of all of the case that makes a difference to the physics.
+    /// Hash of everything in the case that affects the physics.
     pub case_hash: String,
     /// Title of the case.
     pub title: String,
-    /// Soil and bodies in words: what, how.
+    /// Soil and bodies in words: name and description.
     pub facts: Vec<[String; 2]>,
     /// Cells along x, y, z.
     pub cells: [usize; 3],
@@ -82,15 +82,15 @@ pub struct RunRecord {
     pub plane_strain: bool,
     /// The bodies.
     pub bodies: Vec<Reference>,
-    /// Curves laid over the plots.
+    /// Curves overlaid on the plots.
     pub overlays: Vec<Overlay>,
-    /// What the checks of the run must know of the case.
+    /// Facts about the case that the checks need.
     pub setting: Setting,
-    /// What the run was like.
+    /// Statistics of the run.
     pub statistics: RunStatistics,
 }
 
-/// Hash of all of a case that makes a difference to the physics.
+/// Hash of everything in a case that affects the physics.
 #[must_use]
 pub fn hash_of(case: &Case) -> String {
     format!("{:016x}", xxh3_64(case_text(case).as_bytes()))
@@ -123,7 +123,7 @@ impl RunRecord {
         }
     }
 
-    /// The grade of what the run has seen.
+    /// The grade of the run with this history.
     #[must_use]
     pub fn trust(&self, history: &History) -> Trust {
         let failure = match &self.statistics.outcome {
@@ -140,7 +140,7 @@ impl RunRecord {
     /// Reads `run.json` from a results folder.
     ///
     /// # Errors
-    /// When the file is missing or is no record of a run.
+    /// When the file is missing or is not a record of a run.
     pub fn read(dir: &Path) -> Result<Self, OutputError> {
         let path = dir.join(RUN_RECORD);
         if !path.is_file() {

@@ -16,10 +16,10 @@ use solver::state::{Body, State};
 const STEEL: Rgb = [196, 202, 210];
 pub(super) const OUTLINE: Rgb = [25, 28, 35];
 const SURFACE: Rgb = [70, 70, 70];
-/// Cells with less soil than this are left out of the pictures of what the soil does.
+/// Cells with less soil than this are left out, except in the picture of the volume fraction.
 const SHOWN: f64 = 0.5;
 
-/// What the pictures are made from.
+/// The state from which the pictures are made, and the part of space that they show.
 pub(super) struct Scene<'a, R> {
     pub(super) case: &'a Case,
     pub(super) grid: &'a Grid,
@@ -47,27 +47,27 @@ impl<'a, R: Precision> Scene<'a, R> {
         scene
     }
 
-    /// The part of space to show along an axis: the fine zone with some of what is round it, and the bodies.
+    /// The range to show along an axis: the fine zone with a margin, and the bodies.
     fn range(&self, axis: usize) -> [f64; 2] {
         let (low, high) = (self.case.grid.fine_low[axis], self.case.grid.fine_high[axis]);
-        let room = 0.1 * (high - low).abs();
+        let margin = 0.1 * (high - low).abs();
         let faces = &self.grid.faces[axis];
         let (first, last) = (faces[0], faces[faces.len() - 1]);
-        let mut range = [(low - room).max(first), (high + room).min(last)];
+        let mut range = [(low - margin).max(first), (high + margin).min(last)];
         if range[1] <= range[0] || self.case.bodies.is_empty() {
             range = [first, last];
         }
-        // A body that has flown off (a run that broke down) must not drag the view along.
+        // A body that has moved far away (in a run that broke down) must not enlarge the view.
         let far = [first - 0.5 * (last - first), last + 0.5 * (last - first)];
         for (body, shape) in self.state.bodies.iter().zip(&self.shapes) {
             let reach = reach(shape.as_ref(), body, axis);
-            range = [range[0].min(reach[0] - 0.2 * room), range[1].max(reach[1] + 0.2 * room)];
+            range = [range[0].min(reach[0] - 0.2 * margin), range[1].max(reach[1] + 0.2 * margin)];
             range = [range[0].max(far[0]), range[1].min(far[1])];
         }
         range
     }
 
-    /// A slice coloured by what `value` makes of a cell; `None` is left white.
+    /// A slice coloured by the `value` of each cell; `None` is left white.
     fn slice(&self, title: &str, scale: &Scale, value: impl Fn(&CellView) -> Option<f64>) -> Canvas {
         let mut view = View::new(self.across, self.upward);
         let [columns, _, layers] = self.grid.cells();
@@ -103,7 +103,7 @@ impl<'a, R: Precision> Scene<'a, R> {
         if distance.abs() < 1.2 * pixel { Some(OUTLINE) } else { (distance < 0.0).then_some(STEEL) }
     }
 
-    /// A mark on each round body that turns with it; the others show by themselves how they are turned.
+    /// A mark on each round body that rotates with it; the orientation of other bodies is visible anyway.
     fn spokes(&self, view: &mut View) {
         for (body, shape) in self.state.bodies.iter().zip(&self.shapes).filter(|(_, s)| s.is_revolved()) {
             let top = 0.5 * shape.bounds().1.z;
@@ -112,7 +112,7 @@ impl<'a, R: Precision> Scene<'a, R> {
         }
     }
 
-    /// Values of the shown cells of the slice, inside the shown part of space.
+    /// Values of the cells of the slice within the shown range, sorted.
     fn values(&self, value: impl Fn(&CellView) -> f64) -> Vec<f64> {
         let [columns, _, layers] = self.grid.cells();
         let inside = |axis: usize, range: [f64; 2]| {
@@ -171,18 +171,18 @@ impl<'a, R: Precision> Scene<'a, R> {
     }
 }
 
-/// The number of the interval of `edges` that holds `value`.
+/// The index of the interval of `edges` that contains `value`.
 pub(super) fn find(edges: &[f64], value: f64) -> Option<usize> {
     let n = edges.partition_point(|edge| *edge <= value);
     (n > 0 && n < edges.len()).then(|| n - 1)
 }
 
-/// How far a body reaches along an axis [m].
+/// Extent of a body along an axis [m].
 fn reach(shape: &dyn Shape, body: &Body, axis: usize) -> [f64; 2] {
-    let turn = attitude(body);
+    let rotation = attitude(body);
     let points = shape.mesh().points;
     points
         .iter()
-        .map(|p| (body.position + turn * *p)[axis])
+        .map(|p| (body.position + rotation * *p)[axis])
         .fold([f64::INFINITY, f64::NEG_INFINITY], |r, v| [r[0].min(v), r[1].max(v)])
 }

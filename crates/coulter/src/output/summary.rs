@@ -1,4 +1,4 @@
-//! `summary.json`: the few numbers that scripts ask for. The names are a contract.
+//! `summary.json`: the main results for scripts. The names are a contract.
 
 use super::error::{OutputError, read_json, write_json};
 use super::run_record::RunRecord;
@@ -15,7 +15,7 @@ use std::path::Path;
 /// Name of the file.
 pub const SUMMARY: &str = "summary.json";
 
-/// What a run amounts to.
+/// The main results of a run.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Summary {
@@ -27,25 +27,25 @@ pub struct Summary {
     pub version: String,
     /// Cells of the grid.
     pub cells: u64,
-    /// Cells with soil in them at the end.
+    /// Cells that contain soil at the end.
     pub filled_cells: u64,
     /// Steps taken.
     pub steps: u64,
-    /// Wall clock time [s].
+    /// Wall-clock time [s].
     pub wall_s: f64,
     /// The soil.
     pub soil: SoilSummary,
-    /// The energy ledger at the end.
+    /// The energy balance at the end.
     pub energy: EnergySummary,
     /// The free surface at the end.
     pub surface: SurfaceFigures,
     /// The bodies by name.
     pub bodies: BTreeMap<String, BodySummary>,
-    /// Whether the run can be believed.
+    /// Whether the results can be trusted.
     pub trust: Trust,
 }
 
-/// What became of the soil.
+/// Results on the soil.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct SoilSummary {
@@ -55,11 +55,11 @@ pub struct SoilSummary {
     pub leaked_m3: f64,
 }
 
-/// The energy ledger at the end [J].
+/// The energy balance at the end [J].
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct EnergySummary {
-    /// Work of loads, drives and gravity [J].
+    /// Work of loads, prescribed motions and gravity [J].
     #[serde(rename = "external_J")]
     pub external: Option<f64>,
     /// Kinetic energy [J].
@@ -74,7 +74,7 @@ pub struct EnergySummary {
     /// Dissipation by friction on the bodies [J].
     #[serde(rename = "friction_J")]
     pub friction: Option<f64>,
-    /// What the contact method itself stores, takes or gives [J].
+    /// Energy that the contact method itself stores, dissipates or adds [J].
     #[serde(rename = "contact_J")]
     pub contact: Option<f64>,
     /// Dissipation by bulk viscosity [J].
@@ -86,11 +86,11 @@ pub struct EnergySummary {
     /// Kinetic and elastic energy lost in remaps [J].
     #[serde(rename = "remap_loss_J")]
     pub remap_loss: Option<f64>,
-    /// Unexplained energy over the external work.
+    /// Relative error of the energy balance: unexplained energy over the external work.
     pub closure: Option<f64>,
 }
 
-/// What became of a body.
+/// Results on a body.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct BodySummary {
@@ -102,7 +102,7 @@ pub struct BodySummary {
     pub mesh: MeshSummary,
 }
 
-/// How well the grid resolves a body's contact with the ground; `null` in JSON where that does not matter.
+/// How well the grid resolves a body's contact with the ground; `null` in JSON where it does not matter.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct MeshSummary {
@@ -131,7 +131,7 @@ impl From<&EnergySample> for EnergySummary {
 }
 
 impl Summary {
-    /// What the record of a run tells.
+    /// The summary of a run as far as its record determines it.
     #[must_use]
     pub fn of(record: &RunRecord) -> Self {
         Self {
@@ -145,7 +145,7 @@ impl Summary {
         }
     }
 
-    /// Fills in what follows from the histories: the bodies, the ledgers, the leak, the grade.
+    /// Fills in what follows from the histories: bodies, energy balance, leakage, grade.
     pub fn fill(&mut self, history: &History, record: &RunRecord) {
         self.trust = record.trust(history);
         self.bodies = history
@@ -170,7 +170,7 @@ impl Summary {
         self.soil.leaked_m3 = leaks.map(|s| s.leaked_volume).filter(|v| v.is_finite()).sum::<f64>() + 0.0;
     }
 
-    /// Cells with soil times steps, per second of wall clock.
+    /// Cells with soil times steps, per second of wall-clock time.
     #[must_use]
     pub fn cell_steps_per_second(&self) -> Option<f64> {
         (self.wall_s > 0.0).then(|| self.filled_cells as f64 * self.steps as f64 / self.wall_s)
@@ -187,7 +187,7 @@ impl Summary {
     /// Reads `summary.json` from a results folder.
     ///
     /// # Errors
-    /// When the file cannot be read or is no summary.
+    /// When the file cannot be read or is not a summary.
     pub fn read(dir: &Path) -> Result<Self, OutputError> {
         read_json(&dir.join(SUMMARY))
     }

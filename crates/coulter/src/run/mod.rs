@@ -18,7 +18,7 @@ use solver::precision::Precision;
 use std::path::Path;
 use std::time::Instant;
 
-pub use options::{End, Options, RunError, Start};
+pub use options::{End, RunError, RunOptions, Start};
 use start::{ended_before, lock, open};
 use watch::watch;
 
@@ -26,7 +26,7 @@ use watch::watch;
 ///
 /// # Errors
 /// [`RunError`] when the physics fails or the results cannot be read or written.
-pub fn run(case: &Case, options: &Options) -> Result<End, RunError> {
+pub fn run(case: &Case, options: &RunOptions) -> Result<End, RunError> {
     let _lock = lock(options)?;
     if options.start == Start::AutoResume
         && let Some(summary) = ended_before(case, options.folder)?
@@ -39,18 +39,18 @@ pub fn run(case: &Case, options: &Options) -> Result<End, RunError> {
     }
 }
 
-fn run_in<R: Precision>(case: &Case, options: &Options) -> Result<End, RunError> {
+fn run_in<R: Precision>(case: &Case, options: &RunOptions) -> Result<End, RunError> {
     let began = Instant::now();
     let (mut simulation, mut results) = open::<R>(case, options)?;
     let mut progress = Progress::start(case, simulation.state.time, options.quiet);
-    let ended = drive(&mut simulation, &mut results, &mut progress, options)?;
+    let ended = advance(&mut simulation, &mut results, &mut progress, options)?;
     let outcome = match &ended {
         Ended::Finished => Outcome::Finished,
         Ended::Stopped(_) => Outcome::Interrupted,
         Ended::Broken(cause) => Outcome::BrokeDown(cause.to_string()),
     };
     let statistics = statistics(&simulation, outcome);
-    // The state first: the rest can be made again from it.
+    // The state first: everything else can be rebuilt from it.
     let checkpoint = match ended {
         Ended::Broken(_) => simulation.checkpoint().write_failed(options.folder)?,
         Ended::Finished | Ended::Stopped(_) => simulation.checkpoint().write(options.folder)?,
@@ -65,12 +65,12 @@ fn run_in<R: Precision>(case: &Case, options: &Options) -> Result<End, RunError>
             for line in verdict(&summary) {
                 results.log(&line)?;
             }
-            progress.finish(&last_words(&summary, seconds, options.folder));
+            progress.finish(&closing_message(&summary, seconds, options.folder));
             Ok(End::Finished(Box::new(summary)))
         }
         Ended::Stopped(signal) => {
             results.log(&format!("stopped by signal {signal} at t = {} s", state.time))?;
-            progress.finish("stopped; --resume goes on from here");
+            progress.finish("stopped; --resume continues from here");
             Ok(End::Stopped(signal, checkpoint))
         }
         Ended::Broken(cause) => {
@@ -95,24 +95,25 @@ fn statistics(simulation: &Simulation<impl Precision>, outcome: Outcome) -> RunS
     }
 }
 
-/// What a run that came to its end says of itself.
-fn last_words(summary: &Summary, seconds: f64, folder: &Path) -> String {
+/// The last message of a finished run.
+fn closing_message(summary: &Summary, seconds: f64, folder: &Path) -> String {
     let report = folder.join("report.html");
     let end = format!("in {seconds:.1} s; the report is {}", report.display());
     match summary.trust.verdict {
-        // Why it is broken is an error, and told as one.
+        // Why it is broken is reported as an error.
         Verdict::Broken => format!("ended {end}"),
         Verdict::Good | Verdict::Doubtful => format!("done {end}\n{}", verdict(summary).join("\n")),
     }
 }
 
-/// The verdict and what is behind it, a line each.
+/// The verdict and the checks behind it, one line each.
 #[must_use]
 pub fn verdict(summary: &Summary) -> Vec<String> {
     let trust = &summary.trust;
     let mut lines = vec![format!("trust: {}", trust.verdict.name())];
-    lines
-        .extend(trust.doubts().iter().map(|c| format!("  {}: {}; {}", c.verdict.name(), c.line(), c.advice)));
+    lines.extend(
+        trust.concerns().iter().map(|c| format!("  {}: {}; {}", c.verdict.name(), c.line(), c.advice)),
+    );
     lines
 }
 
@@ -122,12 +123,12 @@ enum Ended {
     Broken(Breakdown),
 }
 
-/// Goes from sample to sample until the end, a stop or a breakdown.
-fn drive(
+/// Advances from sample to sample until the end, a stop or a breakdown.
+fn advance(
     simulation: &mut Simulation<impl Precision>,
     results: &mut Results,
     progress: &mut Progress,
-    options: &Options,
+    options: &RunOptions,
 ) -> Result<Ended, RunError> {
     let interval = simulation.case.output.field_interval;
     let between = simulation.case.output.checkpoint_interval;
@@ -154,7 +155,7 @@ fn drive(
         }
         if request.is_some() || is_due() {
             simulation.checkpoint().write(options.folder)?;
-            results.keep_statistics(&statistics(simulation, Outcome::Running))?;
+            results.write_statistics(&statistics(simulation, Outcome::Running))?;
             results.log(&format!("checkpoint at t = {} s", simulation.state.time))?;
             last_checkpoint = Instant::now();
         }

@@ -6,83 +6,83 @@ use crate::output::summary::Summary;
 use solver::error::Breakdown;
 use std::path::{Path, PathBuf};
 
-/// What to do with a folder that holds a run already.
+/// What to do with a folder that already holds a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Start {
-    /// Refuse.
+    /// Refuse to start.
     Anew,
     /// Replace it.
     Replace,
-    /// Go on with it from its last checkpoint; start if there is nothing.
+    /// Continue it from its last checkpoint; start if there is none.
     Resume,
-    /// The same, for schedulers: a run that has come to its end is left as it is, checkpoints that cannot be read are no
-    /// reason to fail, and a lock that goes away within a minute is waited for.
+    /// The same, for schedulers: a finished run is left unchanged, unreadable checkpoints lead to a new start, and a lock is
+    /// waited for up to a minute.
     AutoResume,
 }
 
 /// How to run.
 #[derive(Debug)]
-pub struct Options<'a> {
+pub struct RunOptions<'a> {
     /// Results folder.
     pub folder: &'a Path,
-    /// What to do with what is there.
+    /// What to do with an existing run.
     pub start: Start,
     /// Show no progress.
     pub quiet: bool,
-    /// Doubts whether the machine suffices, for the log.
-    pub doubts: &'a [String],
-    /// What is asked from outside while it runs.
+    /// Warnings that memory or disk space may not suffice, for the log.
+    pub warnings: &'a [String],
+    /// Requests from outside during the run.
     pub interrupts: &'a Interrupts,
-    /// The case file as typed, with overrides written in; kept beside the results.
+    /// The case file as typed, with overrides written into it; stored with the results.
     pub typed: &'a str,
 }
 
 /// How a run ended.
 #[derive(Debug)]
 pub enum End {
-    /// It came to its end, now or before.
+    /// It reached its end, now or before.
     Finished(Box<Summary>),
-    /// It was stopped by this signal; here is the checkpoint to go on from.
+    /// It was stopped by this signal; the checkpoint from which it can be resumed.
     Stopped(i32, PathBuf),
 }
 
-/// Why a run did not come to its end.
+/// Why a run did not reach its end.
 #[derive(Debug, thiserror::Error)]
 pub enum RunError {
     /// Results could not be read or written.
     #[error(transparent)]
     Output(#[from] OutputError),
-    /// The folder belongs to another case.
+    /// The folder holds the run of another case.
     #[error(
-        "{} holds the run of another case file (or of other values of its keys); run with --force to start anew, or write \
-         somewhere else with -o DIR", .0.display()
+        "{} holds the run of another case file (or of other values of its keys); use --force to start again, or another \
+         folder with -o DIR", .0.display()
     )]
     OtherCase(PathBuf),
-    /// There is nothing whole to go on from.
-    #[error("{}: {problem}; run with --force to start anew", .path.display())]
+    /// There is no intact checkpoint to resume from.
+    #[error("{}: {problem}; use --force to start again", .path.display())]
     Unusable {
         /// The file.
         path: PathBuf,
         /// What is wrong with it.
         problem: String,
     },
-    /// The physics failed before, and would again.
-    #[error("the run in {} broke down before: {cause}; run with --force to start anew", .folder.display())]
+    /// The physics failed in an earlier run, and would fail again.
+    #[error("the run in {} broke down before: {cause}; use --force to start again", .folder.display())]
     BrokeDownBefore {
-        /// How.
+        /// The cause.
         cause: String,
-        /// Where it is.
+        /// Its folder.
         folder: PathBuf,
     },
     /// The physics failed.
     #[error(
-        "{cause}\nthe state at that time is in {} and {}; the last good checkpoint is kept beside it",
+        "{cause}\nthe state at that time is in {} and {}; the last good checkpoint is unchanged",
         .folder.display(), .checkpoint.display()
     )]
     Physics {
-        /// How.
+        /// The cause.
         cause: Box<Breakdown>,
-        /// Where the results so far are.
+        /// Folder of the results so far.
         folder: PathBuf,
         /// The checkpoint of the state that failed.
         checkpoint: PathBuf,

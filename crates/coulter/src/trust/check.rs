@@ -10,22 +10,22 @@ use serde::{Deserialize, Serialize};
 pub struct Check {
     /// Its name, as in the table of limits.
     pub name: String,
-    /// The body that it is about, if it is about one.
+    /// The body that it concerns, if it concerns one.
     pub body: Option<String>,
     /// The figure, in the unit of the table of limits; `None` where it is not a number.
     pub value: Option<f64>,
     /// Unit of value and limits.
     pub unit: String,
-    /// Up to where it is good, and up to where it is doubtful (`None`: never broken).
+    /// Limits of good and of doubtful (`None`: never broken).
     pub limits: [Option<f64>; 2],
-    /// What follows.
+    /// The verdict.
     pub verdict: Verdict,
-    /// What to do about it; empty where it is good.
+    /// What to do if it is not good; otherwise empty.
     pub advice: String,
 }
 
 impl Check {
-    /// Holds a figure against its limit.
+    /// Compares a figure with its limit.
     pub(super) fn of(limit: &'static Limit, body: Option<&str>, value: f64) -> Self {
         let verdict = limit.verdict(value);
         Self {
@@ -39,19 +39,19 @@ impl Check {
         }
     }
 
-    /// One line for people: what, how much, and what was wanted.
+    /// One line of text: the check, its figure and its limits.
     #[must_use]
     pub fn line(&self) -> String {
         let body = self.body.as_ref().map_or(String::new(), |body| format!(" ({body})"));
         let unit = if self.unit.is_empty() { String::new() } else { format!(" {}", self.unit) };
-        let value = self.value.map_or("no figure".to_owned(), |v| format!("{}{unit}", short(v)));
+        let value = self.value.map_or("not a number".to_owned(), |v| format!("{}{unit}", short(v)));
         let [good, doubtful] = self.limits.map(|l| l.map(short));
-        let wanted = match (good, doubtful) {
+        let limits = match (good, doubtful) {
             (Some(good), Some(doubtful)) => format!("good to {good}{unit}, doubtful to {doubtful}{unit}"),
             (Some(good), None) => format!("good to {good}{unit}"),
             _ => String::new(),
         };
-        format!("{}{body}: {value} ({wanted})", self.name)
+        format!("{}{body}: {value} ({limits})", self.name)
     }
 }
 

@@ -1,7 +1,7 @@
-//! Whether a run can be believed: a verdict per check, and of all of them.
+//! Whether the results of a run can be trusted: a verdict for every check, and an overall one.
 //!
-//! The checks look at histories and at a few facts about the case ([`Setting`]), so a killed run, a finished one and one
-//! that is still going are graded by the same rules. What they are held against stands in [`limits`], in one table.
+//! The checks use histories and a few facts about the case ([`Setting`]), so that a killed run, a finished one and one that
+//! is still running are graded by the same rules. Their limits are in one table, [`limits`].
 
 pub mod body;
 pub mod boundary;
@@ -32,13 +32,13 @@ pub struct Trust {
 }
 
 impl Trust {
-    /// Grades what a run has seen. `outcome` is why it broke down, if it did.
+    /// Grades a run by its history; `fraction` is that of the steady window, `failure` says why the run broke down, if it did.
     #[must_use]
     pub fn grade(
         setting: &Setting,
         history: &History,
         references: &[Reference],
-        share: f64,
+        fraction: f64,
         failure: Option<&str>,
     ) -> Self {
         let mut checks = Vec::new();
@@ -48,8 +48,8 @@ impl Trust {
         checks.extend(energy::checks(setting, history));
         for (n, reference) in references.iter().enumerate() {
             if let (Some(body), Some(samples)) = (setting.bodies.get(n), history.bodies.get(n)) {
-                let scene = body::Scene { setting, body, reference, samples, history, share };
-                checks.extend(scene.checks());
+                let body_checks = body::BodyChecks { setting, body, reference, samples, history, fraction };
+                checks.extend(body_checks.checks());
             }
         }
         checks.extend(energy::boundary_checks(setting, history));
@@ -60,13 +60,13 @@ impl Trust {
 
     /// The checks that are not good, the worst first.
     #[must_use]
-    pub fn doubts(&self) -> Vec<&Check> {
-        let mut doubts: Vec<&Check> = self.checks.iter().filter(|c| c.verdict > Verdict::Good).collect();
-        doubts.sort_by_key(|c| std::cmp::Reverse(c.verdict));
-        doubts
+    pub fn concerns(&self) -> Vec<&Check> {
+        let mut concerns: Vec<&Check> = self.checks.iter().filter(|c| c.verdict > Verdict::Good).collect();
+        concerns.sort_by_key(|c| std::cmp::Reverse(c.verdict));
+        concerns
     }
 
-    /// Whether the towed body of this name is in a steady state; `None` where that was not tested.
+    /// Whether the towed body of this name is in a steady state; `None` where this was not checked.
     #[must_use]
     pub fn is_steady(&self, body: &str) -> Option<bool> {
         let steady = |limit: &Limit| {

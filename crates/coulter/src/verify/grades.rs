@@ -52,7 +52,7 @@ pub fn section(findings: &Findings) -> String {
         closing(findings)
     );
     for run in &findings.balances {
-        let checks: Vec<String> = run.trust.doubts().iter().map(|c| described(c)).collect();
+        let checks: Vec<String> = run.trust.concerns().iter().map(|c| described(c)).collect();
         let figures = if passes(run, &findings.rows) { "pass" } else { "fail, or are not judged" };
         // Writing to a string cannot fail.
         let _ = writeln!(

@@ -32,7 +32,7 @@ fn a_damaged_checkpoint_gives_way_to_the_one_before() {
         damage(&place, "last", harm);
         place.run(&["--resume"]).is(0, &["done"]);
         let log = place.text("run.log");
-        let line = log.lines().find(|line| line.contains("went back to the checkpoint before the last"));
+        let line = log.lines().find(|line| line.contains("fell back to the previous checkpoint"));
         assert!(line.is_some_and(|l| l.contains(word) && l.contains("last.checkpoint")), "{log}");
         assert!(log.contains("resumed at t = ") && place.histories() == whole.histories());
     }
@@ -54,17 +54,17 @@ fn a_damaged_checkpoint_never_takes_the_place_of_a_good_one() {
 }
 
 #[test]
-fn without_a_whole_checkpoint_a_person_is_asked_and_a_scheduler_starts_anew() {
+fn without_a_whole_checkpoint_a_person_is_asked_and_a_scheduler_starts_again() {
     let place = Place::new();
     place.killed(&[]);
     damage(&place, "last", FLIPPED);
     damage(&place, "previous", CUT);
-    place.run(&["--resume"]).is(2, &["checkpoint", "damaged", "run with --force to start anew"]);
+    place.run(&["--resume"]).is(2, &["checkpoint", "damaged", "use --force to start again"]);
     place
         .start(&["--auto-resume"])
-        .wait_for("a new run", |p| p.text("run.log").contains("started anew") && p.lines() > 5);
+        .wait_for("a new run", |p| p.text("run.log").contains("started again") && p.lines() > 5);
     let log = place.text("run.log");
-    assert!(log.contains("started anew, for ") && log.contains("damaged"), "{log}");
+    assert!(log.contains("started again, because ") && log.contains("damaged"), "{log}");
 }
 
 #[test]

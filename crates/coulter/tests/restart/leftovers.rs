@@ -69,7 +69,7 @@ fn a_stopped_run_wants_a_word_and_the_same_case() {
     let mut run = place.start(&[]);
     run.wait_until_under_way();
     run.signal("INT");
-    run.end().is(130, &["--resume goes on from"]);
+    run.end().is(130, &["--resume continues from"]);
     let before = place.files();
     place.run(&[]).is(2, &["stopped before its end", "--resume", "--force"]);
     for start in ["--resume", "--auto-resume"] {

@@ -12,7 +12,7 @@ fn a_run_at_work_is_not_disturbed() {
     run.hold();
     for start in [&[][..], &["--force"], &["--resume"]] {
         let before = place.files();
-        place.run(start).is(2, &["another run is at work in out (process ", "-o DIR"]);
+        place.run(start).is(2, &["another run is using out (process ", "-o DIR"]);
         assert!(place.files() == before, "{start:?} has changed a file");
     }
     run.go_on();
@@ -29,7 +29,7 @@ fn a_scheduler_waits_for_the_run_before_unless_it_is_stopped() {
     let mut stopped = place.start(&["--auto-resume"]);
     std::thread::sleep(std::time::Duration::from_millis(300));
     stopped.signal("TERM");
-    stopped.end().is(143, &["another run is at work"]);
+    stopped.end().is(143, &["another run is using"]);
     let waiting = place.start(&["--auto-resume", "--json"]);
     run.go_on();
     run.end().is(0, &["done"]);

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 mod checkpoints;
-mod full_disc;
+mod full_disk;
 mod leftovers;
 mod locks;
 mod place;

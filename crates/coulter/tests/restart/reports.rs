@@ -29,7 +29,7 @@ fn a_killed_run_is_reported_from_what_there_is() {
         place.report().is(0, &[]);
         let html = place.text("report.html");
         assert!(
-            html.contains("The run has not come to its end.") && html.trim_end().ends_with("</html>"),
+            html.contains("The run has not reached its end.") && html.trim_end().ends_with("</html>"),
             "{step}"
         );
     }
@@ -45,7 +45,7 @@ fn a_stopped_run_is_reported_as_one() {
     run.signal("TERM");
     run.end().is(143, &[]);
     place.report().is(0, &[]);
-    assert!(place.text("report.html").contains("it can go on with --resume"));
+    assert!(place.text("report.html").contains("--resume continues it"));
 }
 
 /// Replaces a field of a line of a table, all numbers as an editor counts them.

@@ -1,4 +1,4 @@
-//! What the closed forms know of the soil besides its strength.
+//! The parameters of the closed-form models.
 
 use crate::case::problem::Problems;
 use crate::case::ranges::{self, Allowed, BACKFILL, EXPONENT, FRACTION, NOT_NEGATIVE, POSITIVE};
@@ -6,7 +6,7 @@ use crate::case::resolved::{Factors, Measured, Plate};
 use crate::case::typed::Section;
 use analytic::wheel::{CMU_SAND, TERRAINS, Terrain};
 
-/// Shear deformation modulus where none is given [m]; recalled for sand: 10 to 25 mm.
+/// Default shear deformation modulus [m]; recalled for sand: 10 to 25 mm.
 const SHEAR_DEFORMATION_MODULUS: f64 = 0.015;
 
 /// The section `[forecast]`, or `None` with problems added.
@@ -34,13 +34,13 @@ pub(super) fn measured(section: &Section, problems: &mut Problems) -> Option<Mea
 
 const CONSTANTS: [&str; 3] = ["sinkage_exponent", "cohesive_modulus", "frictional_modulus"];
 
-/// Plate constants, by the name of a published soil or typed.
+/// Pressure–sinkage parameters, by the name of a published soil or as typed.
 fn plate(section: &Section, problems: &mut Problems) -> Option<Plate> {
     let shear_deformation_modulus = ranges::given(section, "shear_deformation_modulus", &POSITIVE, problems);
     if let Some(name) = section.text("terrain") {
         for key in CONSTANTS.iter().filter(|key| section.has(key)) {
             let message = format!("`{key}` is given, and `terrain` provides one too");
-            problems.add(section.place_of(key), message, "take one of them out");
+            problems.add(section.location_of(key), message, "remove one of them");
         }
         let Terrain { name, soil } = *TERRAINS.iter().chain([&CMU_SAND]).find(|t| t.name == name.value)?;
         return Some(Plate {
@@ -56,7 +56,7 @@ fn plate(section: &Section, problems: &mut Problems) -> Option<Plate> {
             let message = "`shear_deformation_modulus` does nothing without the other plate constants";
             let cure = "add  terrain = \"LETE sand\"  or another published soil, or sinkage_exponent, cohesive_modulus and \
                  frictional_modulus";
-            problems.add(section.place_of("shear_deformation_modulus"), message, cure);
+            problems.add(section.location_of("shear_deformation_modulus"), message, cure);
         }
         return None;
     }

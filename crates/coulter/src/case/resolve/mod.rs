@@ -1,46 +1,46 @@
-//! What was typed → what it means: defaults filled in, everything checked, SI units.
+//! From what was typed to what it means: defaults filled in, everything checked, SI units.
 
 mod body;
 mod checks;
+pub(super) mod clearance;
+mod context;
 mod domain;
-mod fit;
+mod fitting;
 mod forecast;
-mod frame;
 mod grading;
 mod ground;
 mod mesh;
 mod motion;
-pub(super) mod room;
 mod soil;
 mod timing;
 
 use super::names::is_device;
 use super::problem::Problems;
-use super::ranges::{self, ANY, NOT_NEGATIVE, POSITIVE, SHARE};
+use super::ranges::{self, ANY, NOT_NEGATIVE, POSITIVE, POSITIVE_FRACTION};
 use super::resolved::{Body, Case, Contact, Law, Numerics, Precision};
 use super::typed::{Schema, Section};
-use frame::{Frame, Slab};
+use context::{Context, Slab};
 
 /// The case that was typed, or `None` with problems added.
 pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problems) -> Option<Case> {
     let gravity = ranges::or(&schema.top, "gravity", 9.81, &NOT_NEGATIVE, problems);
     let soil = gravity.and_then(|g| soil::soil(&schema.soil, g, problems));
     let numerics = numerics(&schema.numerics, soil.as_ref().map(|s| s.law), problems);
-    let frame = gravity.and_then(|g| frame(schema, g, soil.as_ref().map(|s| s.law), problems));
-    let bodies = frame.as_ref().and_then(|frame| bodies(schema, frame, problems));
+    let context = gravity.and_then(|g| context(schema, g, soil.as_ref().map(|s| s.law), problems));
+    let bodies = context.as_ref().and_then(|context| bodies(schema, context, problems));
     let name = name(&schema.top, source_name, problems);
     let duration = bodies.as_ref().and_then(|b| timing::duration(&schema.run, b, problems));
     let forecast = forecast::measured(&schema.forecast, problems);
     let output = duration.and_then(|d| timing::output(&schema.output, d, problems));
-    let (frame, bodies, duration) = (frame?, bodies?, duration?);
-    let domain = domain::domain(&schema.domain, &frame, &bodies, duration, problems)?;
-    let ground = ground::ground(&schema.ground, frame.surface, &domain, problems)?;
+    let (context, bodies, duration) = (context?, bodies?, duration?);
+    let domain = domain::domain(&schema.domain, &context, &bodies, duration, problems)?;
+    let ground = ground::ground(&schema.ground, context.surface, &domain, problems)?;
     let soil = soil?;
     let velocity = ground::velocity(&schema.ground, &domain, problems)?;
     let overburden = soil::overburden(&schema.ground, &soil, ground.surface(), &domain, problems)?;
     checks::bodies_fit(schema, &bodies, &domain, duration, problems);
-    let usual = mesh::usual_fine_zone(&frame, &domain, &bodies, duration);
-    let grid = mesh::grid(&schema.grid, &frame, (&domain, &ground), &bodies, usual, problems)?;
+    let fine_zone = mesh::default_fine_zone(&context, &domain, &bodies, duration);
+    let grid = mesh::grid(&schema.grid, &context, (&domain, &ground), &bodies, fine_zone, problems)?;
     let name = name?;
     let case = Case {
         title: schema.top.text("title").map_or_else(|| name.clone(), |t| t.value),
@@ -60,20 +60,20 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
     };
     checks::contact_points_remain(schema, &case, problems);
     checks::can_be_computed(schema, &case, problems);
-    checks::contact_points_can_be_laid_out(schema, &case, problems);
+    checks::contact_points_are_not_too_many(schema, &case, problems);
     checks::fits_into_memory(schema, &case, problems);
     Some(case)
 }
 
-fn frame(schema: &Schema, gravity: f64, law: Option<Law>, problems: &mut Problems) -> Option<Frame> {
+fn context(schema: &Schema, gravity: f64, law: Option<Law>, problems: &mut Problems) -> Option<Context> {
     let cell = ranges::required(&schema.grid, "cell", &POSITIVE, problems);
     let surface = ranges::or(&schema.ground, "surface", 0.0, &ANY, problems);
     let symmetric = schema.domain.flag("symmetric").is_some_and(|f| f.value);
     let symmetric_x = schema.domain.flag("symmetric_x").is_some_and(|f| f.value);
     let plane_strain = schema.domain.flag("plane_strain").is_some_and(|f| f.value);
     if symmetric && plane_strain {
-        let message = "plane strain has no plane of symmetry y = 0 besides";
-        problems.add(schema.domain.place_of("symmetric"), message, "take `symmetric` out");
+        let message = "symmetric = true cannot be combined with plane_strain = true";
+        problems.add(schema.domain.location_of("symmetric"), message, "remove `symmetric`");
         return None;
     }
     let cell = cell?;
@@ -86,16 +86,16 @@ fn frame(schema: &Schema, gravity: f64, law: Option<Law>, problems: &mut Problem
     };
     let velocity = ground::typed_velocity(&schema.ground);
     let surface = surface?;
-    Some(Frame { gravity, cell, surface, symmetric, symmetric_x, law, velocity, slab })
+    Some(Context { gravity, cell, surface, symmetric, symmetric_x, law, velocity, slab })
 }
 
 /// All bodies, or `None` if any of them is wrong.
-fn bodies(schema: &Schema, frame: &Frame, problems: &mut Problems) -> Option<Vec<Body>> {
-    let all: Vec<_> = schema.bodies.iter().map(|section| body::body(section, frame, problems)).collect();
+fn bodies(schema: &Schema, context: &Context, problems: &mut Problems) -> Option<Vec<Body>> {
+    let all: Vec<_> = schema.bodies.iter().map(|section| body::body(section, context, problems)).collect();
     all.into_iter().collect()
 }
 
-/// The name, which becomes that of a folder.
+/// The name of the case, which becomes that of a folder.
 fn name(top: &Section, source_name: &str, problems: &mut Problems) -> Option<String> {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
     if !top.has("name") {
@@ -103,35 +103,35 @@ fn name(top: &Section, source_name: &str, problems: &mut Problems) -> Option<Str
             .file_stem()
             .map_or_else(String::new, |s| s.to_string_lossy().into());
         let plain: String =
-            stem.chars().map(|c| if is_plain(c) { c } else { '-' }).take(MOST_LETTERS).collect();
+            stem.chars().map(|c| if is_plain(c) { c } else { '-' }).take(MAX_LETTERS).collect();
         let plain = if is_device(&plain) { format!("{plain}-case") } else { plain };
         return Some(if plain.is_empty() { "case".to_owned() } else { plain });
     }
     let typed = top.text("name")?;
-    let fits = !typed.value.is_empty() && typed.value.len() <= MOST_LETTERS;
+    let fits = !typed.value.is_empty() && typed.value.len() <= MAX_LETTERS;
     if fits && typed.value.chars().all(is_plain) && !is_device(&typed.value) {
         return Some(typed.value);
     }
-    let message = format!("\"{}\" cannot be the name of a folder here", typed.value);
+    let message = format!("\"{}\" is not a valid name for the results folder", typed.value);
     problems.add(
-        &typed.place,
+        &typed.location,
         message,
-        "use 1 to 100 letters, digits, `-` and `_`, and no name of a Windows device",
+        "use 1 to 100 letters, digits, `-` and `_`, but not the name of a Windows device",
     );
     None
 }
 
-const MOST_LETTERS: usize = 100;
+const MAX_LETTERS: usize = 100;
 
-/// Distance of contact points from sharp edges unless the case says otherwise [cell widths].
+/// Default distance of contact points from sharp edges [cell widths].
 const EDGE_INSET: f64 = 0.5;
 
 fn numerics(section: &Section, law: Option<Law>, problems: &mut Problems) -> Option<Numerics> {
-    // Undrained soil bears more viscosity, and needs it: its contact pressure does not vanish at the surface. Metal is alike.
+    // Undrained soil tolerates and needs more viscosity: its contact pressure does not vanish at the surface. So does metal.
     let viscosity = if matches!(law, Some(Law::Tresca { .. } | Law::VonMises { .. })) { 0.06 } else { 0.02 };
     let mut or = |key, default, allowed| ranges::or(section, key, default, allowed, problems);
-    let courant = or("courant", 0.5, &SHARE);
-    let remap_displacement = or("remap_displacement", 0.1, &SHARE);
+    let courant = or("courant", 0.5, &POSITIVE_FRACTION);
+    let remap_displacement = or("remap_displacement", 0.1, &POSITIVE_FRACTION);
     let hourglass = or("hourglass", 0.01, &NOT_NEGATIVE);
     let hourglass_yielding = or("hourglass_yielding", 1.0, &ranges::FRACTION);
     let bulk_viscosity_linear = or("bulk_viscosity_linear", viscosity, &NOT_NEGATIVE);

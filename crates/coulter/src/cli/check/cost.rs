@@ -1,9 +1,9 @@
-//! What the case will cost, in words.
+//! The cost of the case, in words.
 
 use crate::case::Case;
 use crate::case::estimate::Cost;
 use crate::case::quantity::plain;
-use crate::case::room::words;
+use crate::case::resources::format_bytes;
 use std::fmt::Write;
 
 /// Box, grid, memory, results and time of a case; `seconds` is the estimated time of the run [s].
@@ -15,7 +15,7 @@ pub(super) fn describe_cost(
 ) -> std::fmt::Result {
     let [nx, ny, nz] = std::array::from_fn(|axis| case.grid.faces[axis].len().saturating_sub(1));
     let (low, high) = (case.domain.low, case.domain.high);
-    let kind = match (case.domain.plane_strain, case.domain.share()) {
+    let kind = match (case.domain.plane_strain, case.domain.modelled_fraction()) {
         (true, 1.0) => ", plane strain",
         (true, _) => ", plane strain, symmetric half",
         (false, 1.0) => "",
@@ -61,7 +61,7 @@ pub(super) fn describe_cost(
     )?;
     writeln!(
         text,
-        "time     {:.4} s in {} steps of {:.3e} s (waves run at {:.1} m/s)",
+        "time     {:.4} s in {} steps of {:.3e} s (wave speed {:.1} m/s)",
         case.duration, cost.estimate.steps, cost.estimate.time_step_s, cost.estimate.wave_speed_m_per_s
     )?;
     match seconds {

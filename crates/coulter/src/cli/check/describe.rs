@@ -51,7 +51,7 @@ pub(super) fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
     if case.forecast != Measured::default() {
         writeln!(
             text,
-            "note     the keys of [forecast] are for `coulter forecast` alone; a run takes no notice of them"
+            "note     the keys of [forecast] are used by `coulter forecast` only; a run ignores them"
         )?;
     }
     Ok(())
@@ -63,12 +63,12 @@ fn describe_body(text: &mut String, case: &Case, body: &Body) -> std::fmt::Resul
             format!("disc, d = {} m, t = {} m", plain(diameter), plain(thickness))
         }
         Shape::Block { size, orientation } => {
-            let turned = if orientation == 0.0 {
+            let rotation = if orientation == 0.0 {
                 String::new()
             } else {
-                format!(", turned {:.1}°", orientation.to_degrees())
+                format!(", rotated {:.1}°", orientation.to_degrees())
             };
-            format!("block, {} × {} × {} m{turned}", plain(size.x), plain(size.y), plain(size.z))
+            format!("block, {} × {} × {} m{rotation}", plain(size.x), plain(size.y), plain(size.z))
         }
         Shape::Cylinder { diameter, length, axis } => {
             format!("cylinder along {axis}, d = {} m, l = {} m", plain(diameter), plain(length))

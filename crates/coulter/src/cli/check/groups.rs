@@ -5,7 +5,7 @@ use crate::case::resolved::{Body, Freedom, Law};
 use crate::history::reference::Reference;
 use serde::Serialize;
 
-/// Dimensionless groups of one body; absent where the soil is weightless.
+/// Dimensionless groups of one body; `None` where the soil is weightless.
 #[derive(Debug, Serialize)]
 pub(super) struct Groups {
     /// t/d.
@@ -33,13 +33,13 @@ pub(super) fn groups(case: &Case, body: &Body) -> Groups {
         Law::VonMises { yield_stress, .. } => Some(0.5 * yield_stress),
         Law::Elastic => None,
     };
-    let heavy = |x: f64| (gamma > 0.0).then_some(x / gamma);
+    let over_weight = |x: f64| (gamma > 0.0).then_some(x / gamma);
     let speed = body.translation.iter().map(prescribed_speed).fold(0.0, f64::max);
     Groups {
         t_bar: t / d,
-        w_bar: downward_load(body).and_then(|w| heavy(w / (t * d * d))),
-        e_bar: heavy(case.soil.young_modulus / d),
-        c_bar: strength.and_then(|c| heavy(c / d)),
+        w_bar: downward_load(body).and_then(|w| over_weight(w / (t * d * d))),
+        e_bar: over_weight(case.soil.young_modulus / d),
+        c_bar: strength.and_then(|c| over_weight(c / d)),
         froude: (case.gravity > 0.0).then_some(speed.powi(2) / (case.gravity * d)),
     }
 }
@@ -48,7 +48,7 @@ fn prescribed_speed(freedom: &Freedom) -> f64 {
     if let Freedom::Prescribed { speed, .. } = freedom { speed.abs() } else { 0.0 }
 }
 
-/// The load that presses a body that is free to sink [N].
+/// The downward load on a body that is free to sink [N].
 fn downward_load(body: &Body) -> Option<f64> {
     if let Freedom::Free { load, .. } = body.translation[2] { Some(-load) } else { None }
 }

@@ -1,12 +1,12 @@
-//! `coulter check`: the case as understood, what it will cost, and doubts about it.
+//! `coulter check`: the case as understood, its cost, and warnings about it.
 
 mod cost;
 mod describe;
 mod groups;
 
-use super::{Failure, say, speed};
+use super::{Failure, run_time, say};
 use crate::case::estimate::{self, Cost};
-use crate::case::{self, Case, machine, room};
+use crate::case::{self, Case, machine, resources};
 use cost::describe_cost;
 use describe::describe;
 use groups::groups;
@@ -25,27 +25,27 @@ pub(super) struct Arguments {
     json: bool,
 }
 
-/// Warnings that are printed at once.
-const MOST_WARNINGS: usize = 20;
+/// Largest number of warnings that are printed.
+const MAX_WARNINGS: usize = 20;
 
 pub(super) fn check(arguments: &Arguments) -> Result<(), Failure> {
     let case = case::load(&arguments.case, &arguments.overrides)?;
     let cost = estimate::cost(&case);
-    let seconds = speed::wall_time(&case, &cost);
+    let seconds = run_time::estimate(&case, &cost);
     let folder = PathBuf::from("results").join(&case.name);
     let mut warnings = case::advice(&case);
-    warnings.extend(room::doubts(&cost, &folder));
+    warnings.extend(resources::warnings(&cost, &folder));
     if arguments.json {
         return as_json(&case, &cost, seconds, &warnings);
     }
     let mut text = String::new();
     // Writing to a string cannot fail.
     let _ = describe(&mut text, &case).and_then(|()| describe_cost(&mut text, &case, &cost, seconds));
-    for warning in warnings.iter().take(MOST_WARNINGS) {
+    for warning in warnings.iter().take(MAX_WARNINGS) {
         let _ = writeln!(text, "warning  {warning}");
     }
-    if let Some(more) = warnings.len().checked_sub(MOST_WARNINGS).filter(|more| *more > 0) {
-        let _ = writeln!(text, "warning  … and {more} more; --json tells all");
+    if let Some(more) = warnings.len().checked_sub(MAX_WARNINGS).filter(|more| *more > 0) {
+        let _ = writeln!(text, "warning  … and {more} more; --json lists all");
     }
     say(&text)
 }

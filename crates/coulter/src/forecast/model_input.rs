@@ -1,4 +1,4 @@
-//! A case as the closed forms take it: one body, or a row of equal discs, in level Mohr–Coulomb soil.
+//! A case as input of the closed-form models: one body, or a row of equal discs, in level Mohr–Coulomb soil.
 
 use super::towed::{bodies, body};
 use crate::case::resolved::{Body as Towed, Case, Factors, Freedom, Ground, Law, Measured, Shape};
@@ -9,28 +9,28 @@ use analytic::forecast::Body;
 use analytic::wheel::PressureSinkage;
 use analytic::{Load, Soil, Towing};
 
-/// A case in the form of the models, and what had to be decided for that.
+/// The input of the closed-form models, and the assumptions made to obtain it.
 #[derive(Clone, Debug)]
-pub struct Setting {
+pub struct ModelInput {
     /// Names of the bodies: one, or several equal discs.
     pub bodies: Vec<String>,
     /// What they are, in one word.
     pub kind: &'static str,
     /// The body under tow.
     pub towing: Towing,
-    /// Whether it is towed along −x, so that the models see its mirror image.
+    /// Whether it is towed along −x, so that the models are given its mirror image.
     pub mirrored: bool,
-    /// Load on a free heave besides the weight m g, downwards [N].
+    /// Load on a free heave in addition to the weight m g, downwards [N].
     pub extra_load: f64,
-    /// What was decided, in words.
+    /// The assumptions, in words.
     pub remarks: Vec<String>,
 }
 
-/// Brings a case to the form of the models.
+/// The input of the closed-form models for a case.
 ///
 /// # Errors
-/// The reason, in words, why they cannot take it.
-pub fn setting(case: &Case) -> Result<Setting, String> {
+/// The reason, in words, why they do not apply.
+pub fn model_input(case: &Case) -> Result<ModelInput, String> {
     let mut remarks = Vec::new();
     let (bodies, assembly) = bodies(case, &mut remarks)?;
     let first = *bodies.first().ok_or("the case has no body under tow")?;
@@ -50,7 +50,7 @@ pub fn setting(case: &Case) -> Result<Setting, String> {
         Body::Round(_) => Drive::Locked,
     };
     if drive == Drive::Locked && !matches!(first.spin, Freedom::Fixed) {
-        remarks.push(format!("`{}` may turn; the models take it as held upright", first.name));
+        remarks.push(format!("`{}` may rotate; the models assume that it does not", first.name));
     }
     if body.disc().is_some() && matches!(first.translation[0], Freedom::Fixed) {
         remarks.push(format!("the case does not tow `{}`; the forces are those of a steady tow", first.name));
@@ -59,7 +59,7 @@ pub fn setting(case: &Case) -> Result<Setting, String> {
     towing.assembly = assembly;
     towing.elastic_modulus = Some(case.soil.young_modulus);
     add_measured(&mut towing, &case.forecast, &mut remarks);
-    remarks.extend(idle_keys(&towing, kind));
+    remarks.extend(unused_keys(&towing, kind));
     if case.gravity > 0.0 {
         towing.gravity = case.gravity;
     }
@@ -68,10 +68,10 @@ pub fn setting(case: &Case) -> Result<Setting, String> {
         _ => 0.0,
     };
     let bodies = bodies.iter().map(|b| b.name.clone()).collect();
-    Ok(Setting { bodies, kind, towing, mirrored, extra_load, remarks })
+    Ok(ModelInput { bodies, kind, towing, mirrored, extra_load, remarks })
 }
 
-/// Refuses a body that is moved, or pulled, sideways: the models know a tow along x only.
+/// Refuses a body that is moved or loaded sideways: the models are for a tow along x only.
 fn no_lateral_tow(bodies: &[&Towed]) -> Result<(), String> {
     let is_moved = |b: &&&Towed| match b.translation[1] {
         Freedom::Prescribed { speed, .. } => speed != 0.0,
@@ -80,7 +80,7 @@ fn no_lateral_tow(bodies: &[&Towed]) -> Result<(), String> {
     };
     match bodies.iter().find(is_moved) {
         Some(body) => Err(format!(
-            "`{}` moves sideways (lateral), and the closed forms know a tow along x only; write lateral = \"fixed\" for \
+            "`{}` moves sideways (lateral), but the closed forms are for a tow along x only; write lateral = \"fixed\" for \
              a forecast of the motion along x",
             body.name
         )),
@@ -88,8 +88,8 @@ fn no_lateral_tow(bodies: &[&Towed]) -> Result<(), String> {
     }
 }
 
-/// A remark on the keys of `[forecast]` that no model of such a body asks for.
-fn idle_keys(towing: &Towing, kind: &str) -> Option<String> {
+/// A remark on the keys of `[forecast]` that no model of such a body uses.
+fn unused_keys(towing: &Towing, kind: &str) -> Option<String> {
     let is_round = matches!(towing.body, Body::Round(_));
     let given = [
         ("heap", towing.heap_fraction != 0.0),
@@ -98,12 +98,12 @@ fn idle_keys(towing: &Towing, kind: &str) -> Option<String> {
         ("cone_index", towing.cone_index.is_some()),
         ("plate constants", towing.terrain.is_some()),
     ];
-    let idle: Vec<&str> = given.iter().filter(|(_, given)| *given).map(|(key, _)| *key).collect();
-    (towing.body.disc().is_none() && !idle.is_empty())
-        .then(|| format!("no model of a {kind} asks for {} in [forecast]", idle.join(", ")))
+    let unused: Vec<&str> = given.iter().filter(|(_, given)| *given).map(|(key, _)| *key).collect();
+    (towing.body.disc().is_none() && !unused.is_empty())
+        .then(|| format!("no model of a {kind} uses {} in [forecast]", unused.join(", ")))
 }
 
-/// What the section `[forecast]` of the case says.
+/// Adds the parameters of the section `[forecast]`.
 fn add_measured(towing: &mut Towing, measured: &Measured, remarks: &mut Vec<String>) {
     (towing.heap_fraction, towing.backfill) = (measured.heap, measured.backfill);
     (towing.cone_index, towing.plate_stiffness) = (measured.cone_index, measured.plate_stiffness);
@@ -126,32 +126,32 @@ fn add_measured(towing: &mut Towing, measured: &Measured, remarks: &mut Vec<Stri
     }
 }
 
-/// The level ground before the body.
+/// The level ground in front of the body.
 struct LevelGround {
     /// Height of its surface [m].
     surface: f64,
-    /// Height at which the soil ends below [m].
+    /// Height of the floor [m].
     floor: f64,
 }
 
 impl LevelGround {
-    /// How deep the soil is [m].
+    /// Depth of the soil [m].
     fn depth(&self) -> f64 {
         self.surface - self.floor
     }
 }
 
-/// The ground; a bank of soil counts before a block, as high as it is.
+/// The ground; for a block also a bank of soil, with its height.
 fn ground(case: &Case, body: &Body) -> Result<LevelGround, String> {
     if case.overburden > 0.0 {
-        return Err("the soil lies under an overburden; the models are for free ground".into());
+        return Err("the soil is under an overburden; the models are for a free surface".into());
     }
     match case.ground {
         Ground::Level { surface } => Ok(LevelGround { surface, floor: case.domain.low.z }),
         Ground::Column { low, high, radius: None } if body.block().is_some() => {
             Ok(LevelGround { surface: high.z, floor: low.z.max(case.domain.low.z) })
         }
-        Ground::Column { .. } => Err("the soil is heaped up; the models need level ground".into()),
+        Ground::Column { .. } => Err("the soil is heaped up; the models are for level ground".into()),
     }
 }
 
@@ -165,12 +165,12 @@ fn soil(case: &Case, body: &Towed, remarks: &mut Vec<String>) -> Result<Soil, St
         return Err(format!("the soil is {law}; the closed forms are for Mohr-Coulomb soil"));
     };
     if case.soil.unit_weight <= 0.0 {
-        return Err("the soil is weightless; the strength of the closed forms comes from its weight".into());
+        return Err("the soil is weightless; in the closed forms strength comes from weight".into());
     }
     let body_friction = if body.friction.is_finite() {
         body.friction
     } else {
-        remarks.push("a rough surface: friction tan φ".into());
+        remarks.push("rough surface: friction tan φ".into());
         friction_angle.tan()
     };
     let unit_weight = case.soil.unit_weight;
@@ -192,7 +192,7 @@ fn load(
         Freedom::Free { load, .. } if load < 0.0 => return Ok(Load::Weight(-load * count)),
         Freedom::Free { .. } => {
             return Err(format!(
-                "nothing presses `{name}` into the soil: its weight and load are not downwards"
+                "`{name}` is not pressed into the soil: its weight and load are not directed downwards"
             ));
         }
         Freedom::Fixed => {}
@@ -202,23 +202,23 @@ fn load(
     let at = |n: u32| start - travel(heave, case.duration * f64::from(n) / f64::from(steps));
     let deepest = (0..=steps).map(at).fold(f64::NEG_INFINITY, f64::max);
     if deepest <= 0.0 {
-        return Err(format!("`{name}` never comes below the surface of the soil"));
+        return Err(format!("`{name}` never moves below the surface of the soil"));
     }
     let soil = ground.depth();
     if deepest >= soil {
         remarks.push(format!(
-            "`{name}` reaches through the soil to its floor: a sinkage of {soil:.4} m, all the soil that there is"
+            "`{name}` extends through the soil to its floor: a sinkage of {soil:.4} m, the whole depth of the soil"
         ));
         return Ok(Load::Sinkage(soil));
     }
     remarks.push(format!(
-        "the heave of `{name}` is prescribed: held at its deepest position, a sinkage of {:.4} m",
+        "the heave of `{name}` is prescribed: evaluated at its deepest position, a sinkage of {:.4} m",
         deepest
     ));
     Ok(Load::Sinkage(deepest))
 }
 
-/// What happens at the axle of a body of this radius [m]; a prescribed turn is a slip.
+/// The condition at the axle of a body of this radius [m]; a prescribed rotation gives the slip.
 fn drive(body: &Towed, radius: f64) -> Result<Drive, String> {
     match (&body.spin, &body.translation[0]) {
         (Freedom::Free { load, .. }, _) if *load > 0.0 => Ok(Drive::Driven(*load)),
@@ -229,7 +229,7 @@ fn drive(body: &Towed, radius: f64) -> Result<Drive, String> {
             Ok(Drive::Slip(analytic::slip(spin * radius / speed)))
         }
         _ => Err(format!(
-            "`{}` is turned at a given rate, but not towed at one: its slip is unknown",
+            "`{}` rotates at a given rate, but is not towed at a given speed: its slip is unknown",
             body.name
         )),
     }

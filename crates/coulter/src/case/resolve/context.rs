@@ -1,11 +1,11 @@
-//! What the parts of a case have in common.
+//! What the sections of a case have in common.
 
-use super::room;
+use super::clearance::SoilConditions;
 use crate::case::resolved::Law;
 use glam::DVec3;
 
-/// What the parts of a case share.
-pub(super) struct Frame {
+/// What the sections of a case have in common.
+pub(super) struct Context {
     /// Acceleration of gravity [m/s²].
     pub(super) gravity: f64,
     /// Cell size in the fine zone [m].
@@ -15,18 +15,18 @@ pub(super) struct Frame {
     pub(super) symmetric: bool,
     /// Whether x = 0 is a plane of symmetry.
     pub(super) symmetric_x: bool,
-    /// Strength of the soil, if it could be read.
+    /// Yield law of the soil, if it could be read.
     pub(super) law: Option<Law>,
-    /// Velocity of the soil at the start [m/s], as typed.
+    /// Initial velocity of the soil [m/s], as typed.
     pub(super) velocity: DVec3,
     /// The slab of a plane strain case.
     pub(super) slab: Option<Slab>,
 }
 
-impl Frame {
-    /// The soil as far as the room depends on it that it needs.
-    pub(super) fn soil(&self) -> room::Soil {
-        room::Soil {
+impl Context {
+    /// What the clearance round a body depends on.
+    pub(super) fn soil_conditions(&self) -> SoilConditions {
+        SoilConditions {
             law: self.law.unwrap_or(Law::Elastic),
             surface: self.surface,
             floor: f64::NEG_INFINITY,
@@ -45,13 +45,13 @@ pub(super) struct Slab {
     pub(super) width: f64,
     /// Its middle [m].
     pub(super) middle: f64,
-    /// Distance that contact points keep from sharp edges [m].
+    /// Distance of contact points from sharp edges [m].
     pub(super) inset: f64,
 }
 
 impl Slab {
-    /// Width of a body [m]: that of the slab and of the inset that contact points keep from the body's edges, so
-    /// that they cover the slab exactly.
+    /// Width of a body [m]: that of the slab plus the inset of the contact points at both edges, so that the points cover
+    /// the slab exactly.
     pub(super) fn covering_width(&self) -> f64 {
         self.width + 2.0 * self.inset
     }

@@ -1,7 +1,7 @@
-//! The models of a forecast as comma-separated text.
+//! The models of a forecast as comma-separated values.
 
 use super::outlook::{Outlook, mechanism_word};
-use super::spread::Intervals;
+use super::uncertainty::Intervals;
 use std::fmt::Write;
 
 /// Header of `models.csv`.
@@ -11,9 +11,9 @@ drag 5 % [N],drag 95 % [N],vertical 5 % [N],vertical 95 % [N],sinkage 5 % [m],si
 
 /// The text of `models.csv`: one line per model.
 #[must_use]
-pub fn models_table(outlook: &Outlook, intervals: &Intervals) -> String {
+pub fn models_csv(outlook: &Outlook, intervals: &Intervals) -> String {
     let mut text = format!("{HEADER}\n");
-    let (scale, length) = (outlook.force_scale(), outlook.setting.towing.body.length());
+    let (scale, length) = (outlook.force_scale(), outlook.input.towing.body.length());
     for model in &outlook.forecast.models {
         let found = model.prediction;
         let sinkage = found.and_then(|p| p.sinkage);

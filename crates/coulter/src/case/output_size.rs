@@ -1,51 +1,51 @@
-//! How much a run will write, and how much memory it takes to write it, told from the case.
+//! Estimates of how much a run will write, and of the memory that writing takes.
 
 use super::resolved::{Case, Precision};
 use serde::Serialize;
 
-/// A cell with soil in a file of fields [bytes]: 18 numbers of 32 bits, packed; measured (towed disc 59, column 61).
+/// A cell with soil in a field file [bytes]: 18 numbers of 32 bits, compressed; measured (towed disc 59, column 61).
 const PACKED_CELL: f64 = 60.0;
 /// The same without soil: all zeros; measured.
 const PACKED_VOID: f64 = 0.5;
-/// A column of cells in a file of the free surface [bytes]; measured on the towed disc.
+/// A column of cells in a free-surface file [bytes]; measured on the towed disc.
 const PACKED_COLUMN: f64 = 21.0;
-/// A body in its own file [bytes]; measured.
+/// A body in its file [bytes]; measured.
 const PACKED_BODY: f64 = 6e3;
-/// A line of a body's history, and one of the energy's [bytes]; measured.
+/// A line of a body's history, and of the energy history [bytes]; measured.
 const LINES: [f64; 2] = [236.0, 155.0];
-/// Share of the state that is left of it in a checkpoint, for cells with soil; measured.
+/// Compressed over uncompressed size of the state in a checkpoint, for cells with soil; measured.
 const PACKED_STATE: f64 = 0.93;
 /// Report, pictures and plots [bytes]; measured.
 const REPORT: f64 = 0.8e6;
-/// The largest array of a file of fields before it is packed, stress, for each cell [bytes].
+/// The largest array of a field file before compression, stress, for each cell [bytes].
 const RAW_CELL: f64 = 6.0 * size_of::<f32>() as f64;
-/// A cell as it is put together for a file of fields [bytes]: `output::fields::CellView`, which a test compares.
+/// A cell as it is prepared for a field file [bytes]: the size of `output::fields::CellView`, which a test compares.
 pub(crate) const SHOWN_CELL: usize = 104;
 /// Arrays in the state.
 const STATE_ARRAYS: f64 = 17.0;
-/// Memory for pictures, plots and the report, whatever the case [bytes]; measured.
+/// Memory for pictures, plots and the report of any case [bytes]; measured.
 const PICTURES: f64 = 14e6;
-/// Memory to write a checkpoint, over that of the fields: it is written bit by bit.
+/// Memory to write a checkpoint, over that of the fields: it is written in small blocks.
 const CHECKPOINT: f64 = 0.1;
 
-/// What a run will leave on the disc [bytes].
+/// What a run will write to disk.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Volume {
+pub struct OutputSize {
     /// Number of field files.
     pub frames: f64,
-    /// All files of fields: soil, surface and bodies.
+    /// All field files: soil, surface and bodies [bytes].
     pub fields_bytes: f64,
-    /// Histories of bodies and of the energy.
+    /// Histories of bodies and of the energy [bytes].
     pub histories_bytes: f64,
-    /// The checkpoint, twice: the new one is written beside the old one.
+    /// Two checkpoints: the new one is written beside the old one [bytes].
     pub checkpoints_bytes: f64,
-    /// Everything.
+    /// Everything [bytes].
     pub total_bytes: f64,
 }
 
-/// What a run of a case with so many cells, and so many with soil, will leave.
+/// Output of a run of a case with `cells` cells, `filled` of them with soil.
 #[must_use]
-pub fn volume(case: &Case, cells: f64, filled: f64) -> Volume {
+pub fn output_size(case: &Case, cells: f64, filled: f64) -> OutputSize {
     let (bodies, layers) = (case.bodies.len() as f64, case.grid.faces[2].len() as f64 - 1.0);
     let mirrored = if case.domain.symmetric { 2.0 } else { 1.0 };
     let soil = PACKED_CELL * filled + PACKED_VOID * (cells - filled);
@@ -56,7 +56,7 @@ pub fn volume(case: &Case, cells: f64, filled: f64) -> Volume {
     let histories_bytes = lines * (LINES[0] * bodies + LINES[1]);
     let checkpoints_bytes = 2.0 * PACKED_STATE * STATE_ARRAYS * width(case) * filled;
     let total_bytes = fields_bytes + histories_bytes + checkpoints_bytes + REPORT;
-    Volume { frames, fields_bytes, histories_bytes, checkpoints_bytes, total_bytes }
+    OutputSize { frames, fields_bytes, histories_bytes, checkpoints_bytes, total_bytes }
 }
 
 fn width(case: &Case) -> f64 {
@@ -66,8 +66,8 @@ fn width(case: &Case) -> f64 {
     }
 }
 
-/// Memory that writing takes at most [bytes]: for a file of fields (all cells as they are shown, one array, then the packed
-/// arrays and the file that they go into), for a checkpoint, or for pictures and report at the end.
+/// Peak memory for writing [bytes]: for a field file (all cells as they are shown, one array, the compressed arrays and the
+/// file), for a checkpoint, or for pictures and report at the end.
 #[must_use]
 pub fn memory(case: &Case, cells: f64, filled: f64, fields: f64) -> f64 {
     let lines = (case.duration / case.output.history_interval).ceil();

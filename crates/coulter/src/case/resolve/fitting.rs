@@ -1,18 +1,18 @@
 //! Grid lines on the flat faces of bodies, along the axes in which they do not move.
 //!
-//! Contact acts on whole cells, so a body whose side lies within a cell is too wide or too thin by a part of it. Where the
-//! side stays in its place, the cells can be made a little wider or narrower along that axis so that it lies between them.
+//! Contact acts on whole cells, so that a body whose flat face lies within a cell is effectively too wide or too narrow.
+//! Where the face does not move, the cell width along that axis can be adjusted so that the face coincides with a cell face.
 
 use crate::case::resolved::{Axis, Body, Domain, Freedom, Shape};
 
-/// How much wider or narrower a cell may become.
-const MOST: f64 = 1.25;
-/// Share of a cell below which two positions are the same.
-const SAME: f64 = 1e-6;
+/// Largest factor by which a cell may become wider or narrower.
+const MAX_CHANGE: f64 = 1.25;
+/// Fraction of a cell below which two positions coincide.
+const COINCIDE: f64 = 1e-6;
 
-/// Cell width along an axis, and a position where a face must lie [m], such that faces lie on `fixed` positions and on the
-/// flat faces of the bodies that do not move along the axis; `None` if there are no such faces, or no such cells, or if
-/// cells counted from `usual` do as they are.
+/// Cell width along an axis and position of one cell face [m] such that cell faces lie on the `fixed` position and on the
+/// flat faces of the bodies that do not move along the axis; `None` if there are no such faces, if no cell width fits, or if
+/// unchanged cells counted from `usual` fit already.
 pub(super) fn fit(
     bodies: &[Body],
     domain: &Domain,
@@ -20,24 +20,26 @@ pub(super) fn fit(
     (usual, fixed): (f64, Option<f64>),
     cell: f64,
 ) -> Option<[f64; 2]> {
-    let inside = |x: &f64| *x > domain.low[axis] + SAME * cell && *x < domain.high[axis] - SAME * cell;
+    let inside =
+        |x: &f64| *x > domain.low[axis] + COINCIDE * cell && *x < domain.high[axis] - COINCIDE * cell;
     let sides: Vec<f64> = bodies.iter().flat_map(|b| flat_faces(b, axis)).flatten().filter(inside).collect();
-    let is_near_whole = |layers: f64| (layers - layers.round()).abs() < SAME;
+    let is_near_whole = |layers: f64| (layers - layers.round()).abs() < COINCIDE;
     if sides.iter().all(|x| is_near_whole((x - usual) / cell)) {
         return None;
     }
     let anchor = fixed.or(sides.first().copied())?;
-    let distances: Vec<f64> = sides.iter().map(|x| (x - anchor).abs()).filter(|d| *d > SAME * cell).collect();
+    let distances: Vec<f64> =
+        sides.iter().map(|x| (x - anchor).abs()).filter(|d| *d > COINCIDE * cell).collect();
     let shortest = distances.iter().copied().reduce(f64::min)?;
     let layers = shortest / cell;
     let candidates = [layers.floor(), layers.ceil()].into_iter().filter(|n| *n >= 1.0).map(|n| shortest / n);
     let is_whole = |width: f64| distances.iter().all(|d| is_near_whole(d / width));
     let change = |width: f64| (width / cell).ln().abs();
     let best = candidates.filter(|w| is_whole(*w)).min_by(|a, b| change(*a).total_cmp(&change(*b)))?;
-    (change(best) <= MOST.ln() + SAME).then_some([best, anchor])
+    (change(best) <= MAX_CHANGE.ln() + COINCIDE).then_some([best, anchor])
 }
 
-/// Where the flat faces of a body lie across an axis, if they stay there.
+/// Positions of the flat faces of a body across an axis [m], if they do not move.
 fn flat_faces(body: &Body, axis: usize) -> Option<[f64; 2]> {
     let is_flat = match body.shape {
         Shape::Disc { .. } => axis == 1,
@@ -73,7 +75,7 @@ mod tests {
     }
 
     #[test]
-    fn a_side_that_stays_lies_between_cells() {
+    fn a_face_that_does_not_move_lies_between_cells() {
         let fitted = case("50 mm", "");
         assert!(fitted.grid.faces[1].iter().any(|y| (y - 0.025).abs() < 1e-12), "{:?}", fitted.grid.faces[1]);
         assert!((narrowest(&fitted, 1) - 0.025 / 3.0).abs() < 1e-9);
@@ -84,7 +86,7 @@ mod tests {
     }
 
     #[test]
-    fn what_fits_stays_and_what_cannot_fit_too() {
+    fn cells_that_fit_or_cannot_fit_are_unchanged() {
         assert!((narrowest(&case("60 mm", ""), 1) - 0.01).abs() < 1e-9);
         assert!((narrowest(&case("50 mm", "fit = false"), 1) - 0.01).abs() < 1e-9);
     }

@@ -1,4 +1,4 @@
-//! A full disc, a limit on the size of files, folders that cannot be written: clear words, and nothing is lost.
+//! A full disk, a limit on the size of files, folders that cannot be written: clear words, and nothing is lost.
 
 use super::place::{Place, TINY};
 use std::fs;
@@ -7,7 +7,7 @@ use std::os::unix::fs::symlink;
 /// Runs with files of 100 KiB at most; checkpoints and fields grow beyond that soon after the start.
 fn limited(place: &Place, trap: &str, arguments: &[&str]) -> String {
     let told = place.script(&format!("ulimit -f 100; {trap} exec \"$@\""), arguments);
-    told.is(2, &["cannot write", "File too large", "--resume goes on"]).err
+    told.is(2, &["cannot write", "File too large", "--resume continues"]).err
 }
 
 /// Whether every history is how that of the whole run begins, and the run goes on to the same end.
@@ -50,7 +50,7 @@ fn fields_that_do_not_fit_leave_the_run_to_go_on_with() {
 }
 
 #[test]
-fn a_disc_that_is_full_when_a_run_goes_on_costs_nothing() {
+fn a_disk_that_is_full_when_a_run_goes_on_costs_nothing() {
     let (whole, place) = (Place::new(), Place::new());
     whole.run(&[]).is(0, &[]);
     place.killed(&[]);
@@ -60,7 +60,7 @@ fn a_disc_that_is_full_when_a_run_goes_on_costs_nothing() {
         symlink("/dev/full", &path).unwrap();
         place
             .run(&["--resume"])
-            .is(2, &["cannot write", name, "No space left on device", "--resume goes on"]);
+            .is(2, &["cannot write", name, "No space left on device", "--resume continues"]);
         fs::rename(&aside, &path).unwrap();
     }
     place.run(&["--resume"]).is(0, &["done"]);

@@ -2,53 +2,53 @@
 
 use super::passive::passive_coefficient;
 use crate::case::path::body_length;
-use crate::case::resolve::room::{Soil, deepest};
+use crate::case::resolve::clearance::{SoilConditions, deepest};
 use crate::case::resolved::{Body, Case, Freedom, Law};
 use physics::elastic::Elastic;
 
-/// Share of the force above which what inertia or viscosity adds to it is mentioned; chosen: less is lost in what the grid
-/// and the friction angle leave uncertain.
+/// Fraction of the force above which the contribution of inertia or viscosity is mentioned; chosen: less is below the
+/// uncertainty due to grid and friction angle.
 const NOTABLE: f64 = 0.1;
 
 /// Whether the motion is slow enough to be quasi-static.
 pub(super) fn speed(case: &Case, body: &Body, notes: &mut Vec<String>) {
     let fastest = body.translation.iter().map(prescribed_speed).fold(0.0, f64::max);
     let length = body_length(std::slice::from_ref(body));
-    // A body that goes into the soil later, by its own motion, is not in it now: a tenth of it stands for that.
-    let depth = deepest(body, &Soil::of(case), case.duration).max(0.1 * length);
+    // A body that enters the soil later is not in it yet: a tenth of its length is assumed.
+    let depth = deepest(body, &SoilConditions::of(case), case.duration).max(0.1 * length);
     inertia(case, body, (fastest, depth), notes);
     viscosity(case, body, (fastest, depth), notes);
 }
 
-/// What the soil's inertia adds to the force. On a body that is free to sink the ground bears its load whatever the speed,
-/// so that the load is what inertia is compared with; on any other body it is the passive thrust.
+/// What the soil's inertia adds to the force. The ground carries the load of a body that is free to sink at any speed, so
+/// that inertia is compared with this load; for any other body it is compared with the passive thrust.
 fn inertia(case: &Case, body: &Body, (speed, depth): (f64, f64), notes: &mut Vec<String>) {
     if case.gravity <= 0.0 || case.soil.unit_weight <= 0.0 || speed <= 0.0 {
         return;
     }
     let froude = analytic::froude(speed, case.gravity, depth);
     let added = analytic::inertia_pressure(case.soil.density, speed);
-    let share = match body.translation[2] {
+    let ratio = match body.translation[2] {
         Freedom::Free { load, .. } if load < 0.0 => {
             let (low, high) = body.shape.solid().bounds();
             let slab = case.domain.high.y - case.domain.low.y;
             let width = if case.domain.plane_strain { slab } else { (high - low).y };
             added * depth * width / -load
         }
-        // Pressure that the soil's weight makes grows from 0 at the surface: its mean is that at half the depth.
+        // Pressure due to the soil's weight grows from 0 at the surface: its mean is that at half the depth.
         _ => added / contact_pressure(case, 0.5 * depth),
     };
-    if share > NOTABLE {
+    if ratio > NOTABLE {
         notes.push(format!(
             "{}: Froude number v²/(g z) = {froude:.2} at z = {depth:.3} m: inertia will add some {:.0} % to the force; a \
-             slower motion has less of it.",
+             slower motion reduces it.",
             body.name,
-            100.0 * share
+            100.0 * ratio
         ));
     }
 }
 
-/// Ordinary contact pressure of soil failing round a body so deep [Pa]; infinite for soil that does not fail.
+/// Typical contact pressure of soil failing round a body at this depth [Pa]; infinite for soil that does not fail.
 fn contact_pressure(case: &Case, depth: f64) -> f64 {
     match case.soil.law {
         Law::MohrCoulomb { friction_angle, cohesion, .. } => {
@@ -56,7 +56,7 @@ fn contact_pressure(case: &Case, depth: f64) -> f64 {
             case.soil.unit_weight * depth * passive + 2.0 * cohesion * passive.sqrt()
         }
         Law::Tresca { shear_strength } => 5.0 * shear_strength,
-        // Half the yield stress in shear, give or take.
+        // The shear strength is about half the yield stress.
         Law::VonMises { yield_stress, .. } => 2.5 * yield_stress,
         Law::Elastic => f64::INFINITY,
     }
@@ -75,7 +75,7 @@ fn viscosity(case: &Case, body: &Body, (speed, depth): (f64, f64), notes: &mut V
     if viscous > NOTABLE * pressure {
         notes.push(format!(
             "{}: bulk viscosity of {viscous:.0} Pa is {:.0} % of a contact pressure of about {pressure:.0} Pa; \
-             a slower motion or a smaller numerics.bulk_viscosity_linear makes it less.",
+             a slower motion or a smaller numerics.bulk_viscosity_linear reduces it.",
             body.name,
             100.0 * viscous / pressure
         ));
