@@ -1,4 +1,4 @@
-//! No case file, however broken, may run or cause a panic: each is refused with its place and a cure, exit code 2.
+//! No case file, however broken, may run or cause a panic: each is refused with line and cure, exit code 2.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 use assert_cmd::Command;
@@ -10,7 +10,7 @@ const FOOTING: &str = include_str!("../../../cases/strip_footing.toml");
 const WALL: &str = include_str!("../../../cases/passive_wall.toml");
 const BAR: &str = include_str!("../../../validation/A10_taylor_bar/case.toml");
 
-/// What `coulter check` says to standard error about a file with this content, which it must refuse.
+/// What `coulter check` prints to standard error for a file with this content, which it must refuse.
 fn complaint_about(content: &[u8]) -> String {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("broken.toml");
@@ -26,8 +26,7 @@ fn complaint(arguments: &[&str]) -> String {
     text
 }
 
-/// Replaces `old` by `new` in `case`, and expects a complaint about the line that `new` stands in, which also holds
-/// all of `words`.
+/// Replaces `old` by `new` in `case`, and expects a message about the line of `new` that contains all of `words`.
 #[track_caller]
 fn refused(case: &str, old: &str, new: &str, words: &[&str]) {
     assert!(case.contains(old), "the case has no `{old}`");
@@ -42,7 +41,7 @@ fn refused(case: &str, old: &str, new: &str, words: &[&str]) {
     }
 }
 
-/// As [`refused`], where the complaint is about another place than what was changed.
+/// As [`refused`], where the message is about another line than the changed one.
 #[track_caller]
 fn refused_at(case: &str, old: &str, new: &str, place: &str, words: &[&str]) {
     assert!(case.contains(old), "the case has no `{old}`");
@@ -439,7 +438,7 @@ fn overrides_are_checked_like_the_file() {
     assert!(message("a.b.c.d.e.f.g.h=1").contains("is not a key"));
 }
 
-/// Garbles a case: lines or characters are deleted, doubled or replaced.
+/// Garbles a case: lines or characters are deleted, duplicated or replaced.
 fn garbled() -> impl Strategy<Value = String> {
     let change = (0usize..6, any::<prop::sample::Index>(), any::<prop::sample::Index>(), "\\PC{0,3}");
     let cases = prop::sample::select(vec![TOWED_DISC, FOOTING, WALL]);

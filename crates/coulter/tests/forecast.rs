@@ -39,8 +39,8 @@ fn model<'a>(document: &'a Value, name: &str) -> &'a Value {
 
 #[test]
 fn the_table_recommends_a_model() {
-    let told = forecast(&[]).assert().success();
-    let text = String::from_utf8_lossy(&told.get_output().stdout).into_owned();
+    let reply = forecast(&[]).assert().success();
+    let text = String::from_utf8_lossy(&reply.get_output().stdout).into_owned();
     for word in
         ["F_H [N]", "slip", "mechanism", "3D-RFT", "do not apply here", "cone_index = ", "5–95 %", "Believe"]
     {
@@ -67,7 +67,7 @@ fn the_document_keeps_its_names() {
     assert!((number(&best["contact_angle_rad"]).cos() - (1.0 - 2.0 * number(&best["Z"]))).abs() < 1e-9);
     assert!(["sideways", "forwards"].contains(&best["mechanism"].as_str().unwrap()));
     assert!(number(&seen["spread"]["count"]) >= 2.0);
-    // Every model that applies shows its spread, here for an assumed uncertainty of the friction angle.
+    // Every model that applies shows an interval, here for an assumed uncertainty of the friction angle.
     assert_eq!(seen["interval_inputs"][0]["assumed"], true);
     for applied in seen["models"].as_array().unwrap().iter().filter(|m| m["applicable"] == true) {
         for quantity in ["drag_N", "sinkage_m"] {
@@ -97,15 +97,15 @@ fn a_sideways_tow_is_refused() {
         "domain.y=[\"-0.3 m\", \"0.6 m\"]",
         "grid.fine_y=[\"-0.15 m\", \"0.4 m\"]",
     ];
-    let told = refusal(&mut forecast(&sets.map(|set| ["--set", set]).concat()));
-    assert!(told.contains("sideways") && told.contains("lateral = \"fixed\""), "{told}");
+    let reply = refusal(&mut forecast(&sets.map(|set| ["--set", set]).concat()));
+    assert!(reply.contains("sideways") && reply.contains("lateral = \"fixed\""), "{reply}");
 }
 
 #[test]
 fn the_axle_and_the_heave_are_understood() {
     assert_eq!(json(&["--set", "body.disc.spin=\"locked\""])["drive"]["kind"], "locked");
-    let turned = json(&["--set", "body.disc.spin={ speed = \"1 rad/s\" }"]);
-    assert!((number(&turned["drive"]["slip"]) + 0.5).abs() < 1e-12);
+    let rotated = json(&["--set", "body.disc.spin={ speed = \"1 rad/s\" }"]);
+    assert!((number(&rotated["drive"]["slip"]) + 0.5).abs() < 1e-12);
     let held = ["--set", "body.disc.heave=\"fixed\"", "--set", "body.disc.sinkage=\"20 mm\""];
     let held = json(&held);
     assert!((number(&held["load"]["sinkage_m"]) - 0.02).abs() < 1e-12);
@@ -202,7 +202,7 @@ fn standard_deviations_become_intervals() {
     assert!(number(&sinkage["middle"]) < number(&sinkage["high"]));
     let indices: Vec<f64> = sinkage["first_order"].as_array().unwrap().iter().map(number).collect();
     assert!(indices[0] > 0.8 && indices[1] < 0.2, "{indices:?}");
-    // The same from the case itself, whose means are what a run takes.
+    // The same from the case itself; a run uses the means.
     let stated =
         ["--set", "soil.friction_angle=35 ± 2 deg", "--set", "body.disc.weight=40 ± 2 N", "--uncertainty"];
     let same = json(&stated);
@@ -288,7 +288,7 @@ fn pressure_gives_null_and_a_reason() {
     }
 }
 
-/// A blade 0.3 m wide, 0.1 m deep, and what else is towed, as a case file.
+/// A case file with a blade 0.3 m wide and 0.1 m deep, or with another towed body.
 fn tool(changes: &[(&str, &str)]) -> (tempfile::TempDir, String) {
     let mut text = String::from(
         r#"
@@ -328,7 +328,7 @@ duration = "1 s"
     (folder, path)
 }
 
-fn told(path: &str, arguments: &[&str]) -> Value {
+fn forecast_of(path: &str, arguments: &[&str]) -> Value {
     let output = coulter().args(["forecast", path, "--json"]).args(arguments).output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     serde_json::from_slice(&output.stdout).unwrap()
@@ -337,7 +337,7 @@ fn told(path: &str, arguments: &[&str]) -> Value {
 /// The wall of `cases`: Rankine's thrust on its slab, at the full friction angle and at Davis'.
 #[test]
 fn the_passive_wall_is_rankines() {
-    let seen = told(&shipped("passive_wall.toml"), &[]);
+    let seen = forecast_of(&shipped("passive_wall.toml"), &[]);
     assert_eq!((&seen["kind"], &seen["recommended"]), (&"block".into(), &"PW plane strain".into()));
     let slab = 0.0625;
     let full = seen["models_full_friction"].as_array().unwrap();
@@ -353,7 +353,7 @@ fn the_passive_wall_is_rankines() {
 #[test]
 fn a_blade_has_a_forecast_with_its_lengths() {
     let (folder, path) = tool(&[]);
-    let seen = told(&path, &[]);
+    let seen = forecast_of(&path, &[]);
     assert_eq!(seen["recommended"], "PW");
     assert!((number(&seen["groups"]["t_bar"]) - 1.2).abs() < 1e-12);
     let scale = 16e3 * 0.3 * 0.25 * 0.25;
@@ -413,31 +413,31 @@ fn blocks_sink_and_lean_and_are_uncertain() {
     let free = ("heave = \"fixed\"", "heave = \"free\"\nweight = \"600 N\"");
     let (_folder, path) = tool(&[free, ("sinkage = \"0.1 m\"", "")]);
     let spread = ["--uncertainty", "--spread", "weight=20 N", "--spread", "friction_angle=2 deg"];
-    let seen = told(&path, &spread);
+    let seen = forecast_of(&path, &spread);
     let best = model(&seen, seen["recommended"].as_str().unwrap());
     assert!((number(&best["vertical_N"]) - 600.0).abs() < 1e-6 && number(&best["sinkage_m"]) > 1e-3);
-    // The friction of all that the base carries is a part of the drag.
+    // The drag includes friction on the base, which carries the load.
     assert!(number(&best["drag_N"]) > 0.4 * 600.0 * 0.9);
     let all = seen["uncertainty"]["quantities"].as_array().unwrap();
     assert_eq!(all.iter().filter(|q| q["model"] == "PW").count(), 2);
     // Leaning back it is McKyes and Ali's, unless it is thick; leaning forward the exact one.
     let (_folder, path) = tool(&[("size = [\"0.06 m\"", "orientation = \"-30 deg\"\nsize = [\"0.06 m\"")]);
-    assert_eq!(told(&path, &[])["recommended"], "3D-RFT");
-    assert_eq!(told(&path, &["--set", "body.tool.orientation=-10 deg"])["recommended"], "McKyes-Ali");
-    assert_eq!(told(&path, &["--set", "body.tool.orientation=20 deg"])["recommended"], "PW");
+    assert_eq!(forecast_of(&path, &[])["recommended"], "3D-RFT");
+    assert_eq!(forecast_of(&path, &["--set", "body.tool.orientation=-10 deg"])["recommended"], "McKyes-Ali");
+    assert_eq!(forecast_of(&path, &["--set", "body.tool.orientation=20 deg"])["recommended"], "PW");
     // Towed the other way it is its own mirror image.
     let mirrored = ["--set", "body.tool.forward.speed=-0.2 m/s", "--set", "body.tool.orientation=-20 deg"];
-    let ahead = told(&path, &["--set", "body.tool.orientation=20 deg"]);
-    assert_eq!(told(&path, &mirrored)["models"], ahead["models"]);
+    let ahead = forecast_of(&path, &["--set", "body.tool.orientation=20 deg"]);
+    assert_eq!(forecast_of(&path, &mirrored)["models"], ahead["models"]);
 }
 
 #[test]
 fn round_bodies_have_resistive_force_theory() {
     let block = "shape = \"block\"\nsize = [\"0.06 m\", \"0.3 m\", \"0.25 m\"]";
-    let ball = "shape = \"sphere\"\ndiameter = \"0.2 m\"\nspin = \"free\"\nweight = \"60 N\"";
+    let sphere = "shape = \"sphere\"\ndiameter = \"0.2 m\"\nspin = \"free\"\nweight = \"60 N\"";
     let (_folder, path) =
-        tool(&[(block, ball), ("heave = \"fixed\"", "heave = \"free\""), ("sinkage = \"0.1 m\"", "")]);
-    let seen = told(&path, &[]);
+        tool(&[(block, sphere), ("heave = \"fixed\"", "heave = \"free\""), ("sinkage = \"0.1 m\"", "")]);
+    let seen = forecast_of(&path, &[]);
     assert_eq!((&seen["kind"], &seen["recommended"]), (&"sphere".into(), &"3D-RFT".into()));
     let best = model(&seen, "3D-RFT");
     assert!((number(&best["vertical_N"]) / 60.0 - 1.0).abs() < 1e-3 && number(&best["slip"]) < 0.0);
@@ -447,7 +447,7 @@ fn round_bodies_have_resistive_force_theory() {
         let shape =
             format!("shape = \"cylinder\"\naxis = \"{axis}\"\ndiameter = \"0.1 m\"\nlength = \"0.2 m\"");
         let (_folder, path) = tool(&[(block, &shape), ("sinkage = \"0.1 m\"", "sinkage = \"0.05 m\"")]);
-        let seen = told(&path, &[]);
+        let seen = forecast_of(&path, &[]);
         let best = model(&seen, "3D-RFT");
         assert!(best["applicable"] == true && number(&best["drag_N"]) > 0.0 && best["slip"].is_null());
     }
@@ -457,7 +457,7 @@ fn round_bodies_have_resistive_force_theory() {
     let sinkage = ("sinkage = \"0.1 m\"", "sinkage = \"0.04 m\"");
     let [roller, disc] = [roller, disc].map(|shape| {
         let (_folder, path) = tool(&[(block, shape), sinkage]);
-        told(&path, &[])
+        forecast_of(&path, &[])
     });
     assert_eq!(roller["models"], disc["models"]);
     assert_eq!(roller["recommended"], "weaker of BC and PW");

@@ -1,4 +1,4 @@
-//! Hostile input and output, through the binary: each is answered at once, in clear words and with the right exit code.
+//! Hostile input and output, through the binary: each is answered immediately, with a clear message and the right exit code.
 #![cfg(target_os = "linux")]
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
@@ -16,7 +16,7 @@ fn coulter(arguments: &[&str]) -> Output {
     Command::cargo_bin("coulter").unwrap().args(arguments).timeout(Duration::from_secs(60)).output().unwrap()
 }
 
-/// What a shell says that calls the program as `$0`, the disc's case being `$1` and a folder `$2`.
+/// Output of a shell script in which `$0` is the program, `$1` the disc's case and `$2` a folder.
 fn shell(script: &str, folder: &Path) -> Output {
     let program = assert_cmd::cargo::cargo_bin("coulter");
     let mut shell = Command::new("sh");
@@ -32,12 +32,12 @@ fn shell(script: &str, folder: &Path) -> Output {
 
 #[track_caller]
 fn refused(output: &Output, words: &[&str]) -> String {
-    let told = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!(output.status.code(), Some(2), "{told}");
+    let reply = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{reply}");
     for word in words {
-        assert!(told.contains(word), "`{word}` is not in: {told}");
+        assert!(reply.contains(word), "`{word}` is not in: {reply}");
     }
-    told
+    reply
 }
 
 #[test]
@@ -51,16 +51,16 @@ fn what_is_no_file_is_refused_at_once() {
     refused(&coulter(&["check", large.to_str().unwrap()]), &["too large", "1048576"]);
 }
 
-/// Refused within a second or two, whatever the machine.
+/// Refused within a second or two, on any machine.
 #[track_caller]
 fn refused_soon(text: &str, words: &[&str]) {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("case.toml");
     std::fs::write(&path, text).unwrap();
     let clock = Instant::now();
-    let told = refused(&coulter(&["check", path.to_str().unwrap()]), words);
+    let reply = refused(&coulter(&["check", path.to_str().unwrap()]), words);
     assert!(clock.elapsed() < Duration::from_secs(3), "{:?}", clock.elapsed());
-    assert!(told.lines().count() < 250, "{} lines", told.lines().count());
+    assert!(reply.lines().count() < 250, "{} lines", reply.lines().count());
 }
 
 #[test]
@@ -177,7 +177,7 @@ fn a_file_where_results_should_go_is_called_one() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("taken");
     std::fs::write(&path, "mine").unwrap();
-    let told = coulter(&["forecast", &disc(), "-o", path.to_str().unwrap()]);
-    refused(&told, &["is a file, not a folder"]);
+    let reply = coulter(&["forecast", &disc(), "-o", path.to_str().unwrap()]);
+    refused(&reply, &["is a file, not a folder"]);
     assert_eq!(std::fs::read_to_string(&path).unwrap(), "mine");
 }

@@ -14,7 +14,7 @@ fn tow(overrides: &[&str]) -> Case {
     case::load(path.as_ref(), &overrides).unwrap()
 }
 
-/// A history that nothing is wrong with: 40 N on a disc that is 60 mm deep, towed 0.3 m.
+/// A history without faults: 40 N on a disc that is 60 mm deep, towed 0.3 m.
 fn history() -> History {
     let time = |n: i32| f64::from(n) * 0.004;
     let body = (0..400).map(|n| BodySample {

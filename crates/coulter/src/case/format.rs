@@ -117,7 +117,7 @@ mod tests {
 
     /// The problem whose message and cure contain these words.
     #[track_caller]
-    fn told(error: &CaseError, message: &[&str], cure: &str) -> usize {
+    fn problem_line(error: &CaseError, message: &[&str], cure: &str) -> usize {
         let fits = |p: &&super::super::Problem| {
             message.iter().all(|word| p.message.contains(word)) && p.cure.contains(cure)
         };
@@ -139,7 +139,8 @@ mod tests {
                 format!("{TOWED_DISC}\n{heading}\n{old} = 1\n")
             };
             let error = parse(&text, "case.toml", &[]).unwrap_err();
-            let line = told(&error, &[&format!("`{section}.{old}`"), &format!("`{section}.{new}`")], new);
+            let line =
+                problem_line(&error, &[&format!("`{section}.{old}`"), &format!("`{section}.{new}`")], new);
             assert_eq!(line, line_of(&text, &format!("{old} = 1")), "{old}");
             // The constants of `[forecast]` belong together: the others are missing then.
             assert!(
@@ -147,7 +148,7 @@ mod tests {
                 "{old}: nothing else is wrong: {error:?}"
             );
             let set = parse(TOWED_DISC, "case.toml", &[format!("{section}.{old}=1")]).unwrap_err();
-            told(&set, &[&format!("`{section}.{new}`")], new);
+            problem_line(&set, &[&format!("`{section}.{new}`")], new);
             assert_eq!(new_name(old).as_deref(), Some(new));
             assert_eq!(new_name(&format!("{section}.{old}")), Some(format!("{section}.{new}")));
         }
@@ -159,22 +160,29 @@ mod tests {
         for RenamedValue { section, key, old, new } in RENAMED_VALUES {
             let path = if section == "body" { "body.disc" } else { section };
             let set = parse(TOWED_DISC, "case.toml", &[format!("{path}.{key}={old}")]).unwrap_err();
-            told(&set, &[&format!("{path}.{key}"), &format!("\"{old}\""), &format!("\"{new}\"")], new);
+            problem_line(
+                &set,
+                &[&format!("{path}.{key}"), &format!("\"{old}\""), &format!("\"{new}\"")],
+                new,
+            );
         }
         let error = refused("shape = \"disc\"", "shape = \"ball\"", &[]);
-        assert_eq!(told(&error, &["\"ball\"", "\"sphere\""], "sphere"), line_of(TOWED_DISC, "shape ="));
+        assert_eq!(
+            problem_line(&error, &["\"ball\"", "\"sphere\""], "sphere"),
+            line_of(TOWED_DISC, "shape =")
+        );
     }
 
     #[test]
     fn a_file_without_its_format_is_refused_with_the_line_to_add() {
         let error = refused("format = 2\n", "", &[]);
-        assert_eq!(told(&error, &["`format` is missing"], "format = 2"), 1);
+        assert_eq!(problem_line(&error, &["`format` is missing"], "format = 2"), 1);
         assert_eq!(error.problems.len(), 1);
         let old =
             TOWED_DISC.replace("format = 2\n", "").replacen("[soil]", "[soil]\ntension_limit = \"0 Pa\"", 1);
         let error = parse(&old, "case.toml", &[]).unwrap_err();
-        told(&error, &["`format` is missing"], "format = 2");
-        told(&error, &["`soil.tension_limit`", "`soil.tension_cutoff`"], "tension_cutoff");
+        problem_line(&error, &["`format` is missing"], "format = 2");
+        problem_line(&error, &["`soil.tension_limit`", "`soil.tension_cutoff`"], "tension_cutoff");
     }
 
     #[test]
@@ -189,9 +197,9 @@ mod tests {
             ("\"2\"", "expected a whole number, found text", "format = 2"),
         ] {
             let error = refused("format = 2", &format!("format = {typed}"), &[]);
-            assert_eq!(told(&error, &[words], cure), line, "{typed}");
+            assert_eq!(problem_line(&error, &[words], cure), line, "{typed}");
         }
         let set = refused("format = 2", "format = 2", &["format=3".to_owned()]);
-        told(&set, &["newer than this version"], "newer version of Coulter");
+        problem_line(&set, &["newer than this version"], "newer version of Coulter");
     }
 }

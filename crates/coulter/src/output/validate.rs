@@ -118,21 +118,21 @@ mod tests {
 
     #[test]
     fn what_is_not_a_number_is_named_with_line_and_column() {
-        let told = refusal(|h| h.bodies[0][1].drag = f64::NAN);
-        assert!(told.starts_with("forces.csv, line 3, column `drag F_H [N]`: NaN"), "{told}");
-        let told = refusal(|h| h.bodies[0][2].sinkage = f64::INFINITY);
-        assert!(told.contains("line 4, column `sinkage z [m]`: inf"), "{told}");
-        let told = refusal(|h| h.energy[0].plastic = f64::NAN);
-        assert!(told.starts_with("energy.csv, line 2, column `plastic [J]`"), "{told}");
+        let message = refusal(|h| h.bodies[0][1].drag = f64::NAN);
+        assert!(message.starts_with("forces.csv, line 3, column `drag F_H [N]`: NaN"), "{message}");
+        let message = refusal(|h| h.bodies[0][2].sinkage = f64::INFINITY);
+        assert!(message.contains("line 4, column `sinkage z [m]`: inf"), "{message}");
+        let message = refusal(|h| h.energy[0].plastic = f64::NAN);
+        assert!(message.starts_with("energy.csv, line 2, column `plastic [J]`"), "{message}");
     }
 
     #[test]
     fn time_that_stands_still_or_runs_backwards_is_refused() {
         for time in [0.2, 0.1] {
-            let told = refusal(|h| h.bodies[0][2].time = time);
+            let message = refusal(|h| h.bodies[0][2].time = time);
             assert!(
-                told.contains("line 4, column `time [s]`") && told.contains("later than 0.2 s"),
-                "{told}"
+                message.contains("line 4, column `time [s]`") && message.contains("later than 0.2 s"),
+                "{message}"
             );
         }
         assert!(

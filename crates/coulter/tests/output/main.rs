@@ -1,4 +1,4 @@
-//! What a run leaves behind, made from made-up data.
+//! The output of a run, from made-up data.
 
 #![allow(clippy::unwrap_used)]
 
@@ -254,7 +254,7 @@ fn a_report_needs_nothing_from_outside() {
     }
     assert!(html.contains("data:image/png;base64,") && html.contains("<svg"));
     assert!(!html.contains("NaN"));
-    // Long histories are thinned in the plots.
+    // Long histories are reduced in the plots.
     let svg = fs::metadata(dir.path().join("plots/disc_forces.svg")).unwrap().len();
     assert!(svg < 200_000, "{svg} bytes");
 }

@@ -7,7 +7,7 @@ use std::thread::sleep;
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
-/// A second or two of work; checkpoints and fields come often.
+/// A second or two of work, with frequent checkpoints and fields.
 const CASE: &str = r#"
 format = 2
 
@@ -46,7 +46,7 @@ field_interval = "50 ms"
 checkpoint_interval = "0.05 s"
 "#;
 
-/// What makes the case a matter of a moment.
+/// Overrides for a very short run.
 pub(crate) const TINY: [&str; 4] = [
     "--set",
     "run.tow_distance=1 mm",
@@ -54,15 +54,15 @@ pub(crate) const TINY: [&str; 4] = [
     r#"body.disc.forward={ speed = "0.2 m/s", start = "0.01 s", ramp = "0.01 s" }"#,
 ];
 
-/// No machine is so busy that something takes longer.
+/// Time limit for any event, even on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(60);
 
 /// A folder with a case file in it; results go to `out`.
-pub(crate) struct Place {
+pub(crate) struct Sandbox {
     folder: TempDir,
 }
 
-impl Place {
+impl Sandbox {
     pub(crate) fn new() -> Self {
         let folder = tempfile::tempdir().unwrap();
         fs::write(folder.path().join("case.toml"), CASE).unwrap();
@@ -83,7 +83,7 @@ impl Place {
         serde_json::from_str(&self.text("summary.json")).unwrap()
     }
 
-    /// `coulter run` on one thread, so that a busy machine does not matter to the others.
+    /// `coulter run` on one thread, so that it does not slow down other tests.
     fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(assert_cmd::cargo::cargo_bin("coulter"));
         command.current_dir(&self.folder).args(["run", "case.toml", "-o", "out", "--threads", "1"]);
@@ -92,35 +92,35 @@ impl Place {
     }
 
     /// Runs to the end.
-    pub(crate) fn run(&self, arguments: &[&str]) -> Told {
+    pub(crate) fn run(&self, arguments: &[&str]) -> Reply {
         self.command(arguments).output().unwrap().into()
     }
 
     /// `coulter report` on the results.
-    pub(crate) fn report(&self) -> Told {
+    pub(crate) fn report(&self) -> Reply {
         let mut command = Command::new(assert_cmd::cargo::cargo_bin("coulter"));
         command.current_dir(&self.folder).args(["report", "out"]).output().unwrap().into()
     }
 
-    /// What a bash script says, in which `$@` runs the case.
-    pub(crate) fn script(&self, script: &str, arguments: &[&str]) -> Told {
+    /// Output of a bash script in which `$@` runs the case.
+    pub(crate) fn script(&self, script: &str, arguments: &[&str]) -> Reply {
         let run = self.command(arguments);
         let mut bash = Command::new("bash");
         bash.current_dir(&self.folder).args(["-c", script, "bash"]).arg(run.get_program());
         bash.args(run.get_args()).stdin(Stdio::null()).output().unwrap().into()
     }
 
-    /// Starts a run, which is killed when its test has seen enough.
+    /// Starts a run, which is killed at the end of its test.
     pub(crate) fn start(&self, arguments: &[&str]) -> Running<'_> {
         let mut command = self.command(arguments);
         let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-        Running { place: self, child: Some(child) }
+        Running { sandbox: self, child: Some(child) }
     }
 
-    /// Starts a run and kills it when it has gone on from so many lines of its history and has two checkpoints.
+    /// Starts a run and kills it when it has two checkpoints and some lines of history.
     pub(crate) fn killed(&self, arguments: &[&str]) {
         let mut run = self.start(arguments);
-        run.wait_for("two checkpoints", |place| place.has_checkpoints() && place.lines() > 20);
+        run.wait_for("two checkpoints", |sandbox| sandbox.has_checkpoints() && sandbox.lines() > 20);
         run.signal("KILL");
         assert_eq!(run.end().code, None);
     }
@@ -163,21 +163,21 @@ impl Place {
     }
 }
 
-/// A run that goes on; it does not outlive its test.
+/// A run in progress; it does not outlive its test.
 pub(crate) struct Running<'a> {
-    place: &'a Place,
+    sandbox: &'a Sandbox,
     child: Option<Child>,
 }
 
 impl Running<'_> {
-    /// Waits until something is so.
+    /// Waits for a condition.
     #[track_caller]
-    pub(crate) fn wait_for(&mut self, what: &str, is_so: impl Fn(&Place) -> bool) {
+    pub(crate) fn wait_for(&mut self, what: &str, is_so: impl Fn(&Sandbox) -> bool) {
         let began = Instant::now();
-        while !is_so(self.place) {
+        while !is_so(self.sandbox) {
             let ended = self.child.as_mut().unwrap().try_wait().unwrap();
-            assert!(ended.is_none(), "the run ended without: {what}; {}", self.place.text("run.log"));
-            assert!(began.elapsed() < PATIENCE, "no sign of: {what}; {}", self.place.text("run.log"));
+            assert!(ended.is_none(), "the run ended without: {what}; {}", self.sandbox.text("run.log"));
+            assert!(began.elapsed() < PATIENCE, "no sign of: {what}; {}", self.sandbox.text("run.log"));
             sleep(Duration::from_millis(2));
         }
     }
@@ -185,7 +185,7 @@ impl Running<'_> {
     /// Waits until the first lines of the history are there.
     #[track_caller]
     pub(crate) fn wait_until_under_way(&mut self) {
-        self.wait_for("lines of the history", |place| place.lines() > 5);
+        self.wait_for("lines of the history", |sandbox| sandbox.lines() > 5);
     }
 
     pub(crate) fn signal(&mut self, name: &str) {
@@ -193,7 +193,7 @@ impl Running<'_> {
         assert!(Command::new("kill").args(["-s", name, &id]).status().unwrap().success());
     }
 
-    /// Stops it where it is, as nothing that the program could notice, or lets it go on.
+    /// Suspends the process, unnoticed by the program, or lets it continue.
     pub(crate) fn hold(&mut self) {
         self.signal("STOP");
     }
@@ -202,7 +202,7 @@ impl Running<'_> {
         self.signal("CONT");
     }
 
-    pub(crate) fn end(mut self) -> Told {
+    pub(crate) fn end(mut self) -> Reply {
         self.child.take().unwrap().wait_with_output().unwrap().into()
     }
 }
@@ -216,22 +216,22 @@ impl Drop for Running<'_> {
     }
 }
 
-/// What a program said, and its exit code; none when a signal ended it.
-pub(crate) struct Told {
+/// The output of a program and its exit code; `None` when a signal ended it.
+pub(crate) struct Reply {
     pub(crate) code: Option<i32>,
     pub(crate) out: String,
     pub(crate) err: String,
 }
 
-impl From<Output> for Told {
+impl From<Output> for Reply {
     fn from(output: Output) -> Self {
         let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
         Self { code: output.status.code(), out: text(&output.stdout), err: text(&output.stderr) }
     }
 }
 
-impl Told {
-    /// Checks the exit code, and the words on standard error.
+impl Reply {
+    /// Checks the exit code and words on standard error.
     #[track_caller]
     pub(crate) fn is(self, code: i32, words: &[&str]) -> Self {
         assert_eq!(self.code, Some(code), "{}", self.err);
