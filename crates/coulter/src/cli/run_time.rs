@@ -32,7 +32,8 @@ fn measured(case: &Case) -> Option<f64> {
     }
 }
 
-fn usual_speed<R: solver::precision::Precision>(mut simulation: Simulation<R>) -> Option<f64> {
+/// Cell-steps per second: the upper quartile of the trials.
+fn typical_speed<R: solver::precision::Precision>(mut simulation: Simulation<R>) -> Option<f64> {
     let mut speeds: Vec<f64> = (0..TRIALS).filter_map(|_| simulation.speed(TRIAL_TIME)).collect();
     speeds.sort_by(f64::total_cmp);
     speeds.get(3 * speeds.len() / 4).copied()

@@ -43,21 +43,21 @@ pub(super) fn describe_cost(
     writeln!(
         text,
         "memory   {}: grid {}, contact points {}, outputs {}, program {}",
-        words(cost.memory_bytes),
-        words(memory.grid_bytes),
-        words(memory.contact_bytes),
-        words(memory.outputs_bytes),
-        words(memory.program_bytes)
+        format_bytes(cost.memory_bytes),
+        format_bytes(memory.grid_bytes),
+        format_bytes(memory.contact_bytes),
+        format_bytes(memory.outputs_bytes),
+        format_bytes(memory.program_bytes)
     )?;
     let output = &cost.output;
     writeln!(
         text,
         "results  {}: fields {} in {} files, histories {}, checkpoints {}",
-        words(output.total_bytes),
-        words(output.fields_bytes),
+        format_bytes(output.total_bytes),
+        format_bytes(output.fields_bytes),
         output.frames,
-        words(output.histories_bytes),
-        words(output.checkpoints_bytes)
+        format_bytes(output.histories_bytes),
+        format_bytes(output.checkpoints_bytes)
     )?;
     writeln!(
         text,
