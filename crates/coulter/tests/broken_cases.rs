@@ -235,7 +235,7 @@ fn missing_values() {
         "soil]",
         &["`soil.young_modulus` is missing", "add"],
     );
-    refused_at(TOWED_DISC, "weight = \"40 N\"", "", "body.disc]", &["has no weight", "mass ="]);
+    refused_at(TOWED_DISC, "weight = \"40 N\"", "", "body.disc]", &["its weight is not given", "mass ="]);
     refused_at(TOWED_DISC, "diameter = \"0.2 m\"", "", "body.disc]", &["`body.disc.diameter` is missing"]);
     refused_at(TOWED_DISC, "tow_distance = \"0.32 m\"", "", "run]", &["`run.duration` is missing"]);
 }
