@@ -142,7 +142,7 @@ fn motion_that_is_impossible_for_a_free_body_is_reported() {
     lifted.bodies[0].iter_mut().for_each(|s| s.sinkage = -0.017);
     let trust = grade(&tow(&[]), &lifted);
     assert!(trust.concerns().iter().any(|c| c.name == "riding height"), "{:#?}", trust.concerns());
-    assert_eq!(only("room for the body", |h| h.bodies[0][30].sinkage = 0.22), Verdict::Doubtful);
+    assert_eq!(only("clearance from the floor", |h| h.bodies[0][30].sinkage = 0.22), Verdict::Doubtful);
 }
 
 #[test]

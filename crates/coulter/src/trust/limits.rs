@@ -248,7 +248,7 @@ pub const FREE_WHEEL: Limit = Limit {
 
 /// Distance between a body and the floor of the box.
 pub const BODY_IN_BOX: Limit = Limit {
-    name: "room for the body",
+    name: "clearance from the floor",
     unit: "cells",
     good: 4.0,
     doubtful: 0.0,

@@ -15,22 +15,16 @@ pub(super) fn describe_cost(
 ) -> std::fmt::Result {
     let [nx, ny, nz] = std::array::from_fn(|axis| case.grid.faces[axis].len().saturating_sub(1));
     let (low, high) = (case.domain.low, case.domain.high);
-    let kind = match (case.domain.plane_strain, case.domain.modelled_fraction()) {
-        (true, 1.0) => ", plane strain",
-        (true, _) => ", plane strain, symmetric half",
-        (false, 1.0) => "",
-        (false, 0.5) => ", symmetric half",
-        (false, _) => ", symmetric quarter",
-    };
     writeln!(
         text,
-        "box      x {} to {} m, y {} to {} m, z {} to {} m{kind}",
+        "box      x {} to {} m, y {} to {} m, z {} to {} m{}",
         plain(low.x),
         plain(high.x),
         plain(low.y),
         plain(high.y),
         plain(low.z),
-        plain(high.z)
+        plain(high.z),
+        symmetry(case)
     )?;
     writeln!(
         text,
@@ -69,6 +63,17 @@ pub(super) fn describe_cost(
         None => {
             writeln!(text, "run time {:.3e} cell steps", cost.estimate.steps * cost.estimate.filled_cells)
         }
+    }
+}
+
+/// Plane strain and planes of symmetry.
+fn symmetry(case: &Case) -> &'static str {
+    match (case.domain.plane_strain, case.domain.modelled_fraction()) {
+        (true, 1.0) => ", plane strain",
+        (true, _) => ", plane strain, symmetric half",
+        (false, 1.0) => "",
+        (false, 0.5) => ", symmetric half",
+        (false, _) => ", symmetric quarter",
     }
 }
 
