@@ -21,6 +21,8 @@ import time
 from pathlib import Path
 
 CASE = """
+format = 2
+
 [soil]
 law = "mohr-coulomb"
 friction_angle = "35 deg"

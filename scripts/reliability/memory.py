@@ -22,7 +22,8 @@ SOON = 'body.disc.forward={ speed = "0.2 m/s", start = "0.02 s", ramp = "0.01 s"
 
 def many_discs(number):
     """A case of overlapping discs: contact points outweigh the grid."""
-    text = """[soil]
+    text = """format = 2
+[soil]
 law = "mohr-coulomb"
 friction_angle = "35 deg"
 unit_weight = "16 kN/m^3"
@@ -50,7 +51,8 @@ forward = {{ speed = "0.2 m/s", ramp = "1 s" }}
     return text
 
 
-BLOCK = """[soil]
+BLOCK = """format = 2
+[soil]
 law = "mohr-coulomb"
 friction_angle = "35 deg"
 unit_weight = "16 kN/m^3"

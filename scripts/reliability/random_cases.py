@@ -73,8 +73,8 @@ class Case:
         draw, body = self.draw, {}
         scale = 10 ** draw.uniform(-1.3, 0.0)
         self.sections["soil"]["young_modulus"] = si(self.stiffness * self.gamma * scale, "Pa")
-        shape = draw.choice(["disc", "block", "cylinder", "ball"])
-        self.plane_strain = shape != "ball" and draw.random() < (0.6 if self.careful else 0.3)
+        shape = draw.choice(["disc", "block", "cylinder", "sphere"])
+        self.plane_strain = shape != "sphere" and draw.random() < (0.6 if self.careful else 0.3)
         self.diameter = None
         body["shape"] = f'"{shape}"'
         slender = draw.uniform(0.35, 1.5)
@@ -168,7 +168,7 @@ class Case:
         self.sections["output"] = {"field_interval": '"1 h"'}
 
     def text(self, cell=None):
-        lines = []
+        lines = ["format = 2", ""]
         for name, keys in self.sections.items():
             lines.append(f"[{name}]")
             lines += [f"{key} = {value}" for key, value in keys.items()]

@@ -1,4 +1,4 @@
-//! What is asked of a run from outside while it goes on: to stop, or to write a checkpoint.
+//! Requests from outside to a run: to stop, or to write a checkpoint.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -8,21 +8,21 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 pub enum Request {
     /// To stop, by the signal of this number.
     Stop(i32),
-    /// To write a checkpoint and go on.
+    /// To write a checkpoint and continue.
     Checkpoint,
 }
 
-/// Requests that have come in. Signal handlers set them, a run looks between two steps.
+/// Pending requests. Signal handlers set them, a run polls them between two steps.
 #[derive(Clone, Debug, Default)]
 pub struct Interrupts {
     /// Number of the signal that asks to stop; 0 for none.
     pub stop: Arc<AtomicUsize>,
-    /// Whether a checkpoint is asked for.
+    /// Whether a checkpoint is requested.
     pub checkpoint: Arc<AtomicBool>,
 }
 
 impl Interrupts {
-    /// Whether something is asked.
+    /// Whether there is a request.
     #[must_use]
     pub fn is_pending(&self) -> bool {
         self.stopped_by().is_some() || self.checkpoint.load(Ordering::Relaxed)
@@ -35,7 +35,7 @@ impl Interrupts {
         (signal != 0).then(|| i32::try_from(signal).unwrap_or(i32::MAX))
     }
 
-    /// What is asked, if anything is. A stop stays asked for.
+    /// The next request, if there is one. A request to stop remains pending.
     #[must_use]
     pub fn take(&self) -> Option<Request> {
         if let Some(signal) = self.stopped_by() {

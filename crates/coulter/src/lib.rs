@@ -1,9 +1,10 @@
-//! From case file to report: the library's front door and the `coulter` command.
+//! From case file to report: the public API of the library, and the `coulter` command.
 
 pub mod bench;
 pub mod case;
 pub mod cli;
 pub mod forecast;
+pub mod history;
 pub mod interrupts;
 pub mod model;
 pub mod output;

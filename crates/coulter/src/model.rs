@@ -50,7 +50,7 @@ fn material(soil: &resolved::Soil) -> Material {
             Law::Elastic | Law::Tresca { .. } | Law::VonMises { .. } => None,
         },
         density: soil.density,
-        k0: soil.rest_pressure_ratio,
+        k0: soil.k0,
     }
 }
 
@@ -79,11 +79,11 @@ fn strength(elastic: Elastic, law: Law) -> Option<Strength> {
         Law::VonMises { yield_stress, hardening_modulus } => {
             Some(Strength::VonMises(VonMises::new(elastic, yield_stress, hardening_modulus)))
         }
-        Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_limit, potential, .. } => {
+        Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_cutoff, potential, .. } => {
             let (phi, psi) = (friction_angle, dilation_angle);
             Some(match potential {
                 Potential::MohrCoulomb => {
-                    Strength::MohrCoulomb(MohrCoulomb::new(elastic, phi, psi, cohesion, tension_limit))
+                    Strength::MohrCoulomb(MohrCoulomb::new(elastic, phi, psi, cohesion, tension_cutoff))
                 }
                 Potential::MenetreyWillam { meridional, deviatoric } => {
                     let shape = Eccentricity { meridional, deviatoric };
@@ -92,7 +92,7 @@ fn strength(elastic: Elastic, law: Law) -> Option<Strength> {
                         phi,
                         psi,
                         cohesion,
-                        tension_limit,
+                        tension_cutoff,
                         shape,
                     ))
                 }

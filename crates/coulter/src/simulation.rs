@@ -2,10 +2,10 @@
 
 use crate::case::Case;
 use crate::case::resolved;
+use crate::history::reference::Reference;
+use crate::history::{BodySample, EnergySample, History};
 use crate::model::{filling, model};
 use crate::output::checkpoint::{Checkpoint, CheckpointView};
-use crate::output::record::{BodySample, EnergySample, History};
-use crate::output::reference::Reference;
 use crate::trust::{Setting, Trust, boundary};
 use glam::DVec3;
 use solver::balance;
@@ -126,7 +126,7 @@ impl<R: Precision> Simulation<R> {
     #[must_use]
     pub fn trust(&self, failure: Option<&str>) -> Trust {
         let references = Reference::all(&self.case);
-        Trust::grade(&self.setting, &self.history, &references, self.case.output.steady_share, failure)
+        Trust::grade(&self.setting, &self.history, &references, self.case.output.steady_fraction, failure)
     }
 
     /// Whether the run has reached its end.

@@ -1,4 +1,4 @@
-//! `coulter bench` through the binary: what it says, and ratios within one run that no change may spoil.
+//! `coulter bench` through the binary: its output, and ratios within one run that no change may spoil.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 use assert_cmd::Command;
@@ -12,7 +12,7 @@ fn measured(arguments: &[&str]) -> Value {
 }
 
 /// Loops that are no longer vectorised, or a stage that has become several times slower than the others, show in
-/// ratios of one run, whatever the machine and whoever else is at work on it.
+/// ratios within one run, on any machine and at any load.
 #[test]
 fn the_stages_keep_their_proportions() {
     let m = measured(&["--warm-up", "200", "--steps", "400", "--threads", "2"]);

@@ -1,4 +1,4 @@
-//! The commands that run nothing, through the binary.
+//! Commands that run no simulation, through the binary.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 use assert_cmd::Command;
@@ -56,7 +56,7 @@ fn the_towed_disc_is_understood() {
     let seen = checked(&[&shipped("towed_disc.toml")]);
     let case = &seen["resolved"];
     close(&case["soil"]["density"], 16e3 / 9.81);
-    close(&case["soil"]["rest_pressure_ratio"], 1.0 - 35f64.to_radians().sin());
+    close(&case["soil"]["k0"], 1.0 - 35f64.to_radians().sin());
     let disc = &case["bodies"][0];
     assert_eq!(disc["name"], "disc");
     close(&disc["mass"], 40.0 / 9.81);
@@ -64,7 +64,7 @@ fn the_towed_disc_is_understood() {
     close(&disc["position"][2], 0.1);
     close(&disc["translation"][2]["free"]["load"], -40.0);
     close(&disc["spin"]["free"]["ramp"], 0.1);
-    // 0.4 s to settle, a ramp that covers half its way, then 0.2 m/s.
+    // 0.4 s to settle, a ramp over half the distance of the full speed, then 0.2 m/s.
     close(&case["duration"], 0.4 + 0.05 + 1.6);
     close(&seen["groups"]["disc"]["W_bar"], 40.0 / (16e3 * 0.05 * 0.2 * 0.2));
     close(&seen["groups"]["disc"]["E_bar"], 5e6 / (16e3 * 0.2));
@@ -105,7 +105,7 @@ fn overrides_take_effect() {
 fn box_and_fine_zone_follow_from_the_bodies() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("short.toml");
-    let case = "[soil]\nlaw = 'mohr-coulomb'\nfriction_angle = '30 deg'\nunit_weight = '16 kN/m^3'\nyoung_modulus = '5 MPa'\n\
+    let case = "format = 2\n[soil]\nlaw = 'mohr-coulomb'\nfriction_angle = '30 deg'\nunit_weight = '16 kN/m^3'\nyoung_modulus = '5 MPa'\n\
         [grid]\ncell = '20 mm'\n[body.a]\nshape = 'disc'\ndiameter = '0.2 m'\nthickness = '80 mm'\nfriction = 0.3\n\
         forward = { speed = '0.1 m/s' }\n[run]\nduration = '1 s'\n";
     std::fs::write(&path, case).unwrap();
@@ -117,7 +117,7 @@ fn box_and_fine_zone_follow_from_the_bodies() {
 }
 
 #[test]
-fn doubts_are_told() {
+fn warnings_are_given() {
     let file = shipped("towed_disc.toml");
     let sets = [
         "--set",
@@ -139,7 +139,7 @@ fn doubts_are_told() {
 }
 
 #[test]
-fn the_shipped_cases_raise_no_doubts() {
+fn the_shipped_cases_raise_no_warnings() {
     for file in ["towed_disc.toml", "passive_wall.toml", "strip_footing.toml", "column_collapse.toml"] {
         let seen = checked(&[&shipped(file)]);
         assert_eq!(seen["warnings"], serde_json::json!([]), "{file}");
@@ -148,17 +148,17 @@ fn the_shipped_cases_raise_no_doubts() {
 
 #[test]
 fn a_fast_tow_is_warned_of_by_what_inertia_adds() {
-    let told = |sets: &[&str]| {
+    let reply = |sets: &[&str]| {
         checked(&[&[shipped("towed_disc.toml").as_str()], sets].concat())["warnings"].to_string()
     };
     // Held 60 mm deep at 0.5 m/s: 2 ρ v² is 816 Pa, the mean of γ z K_p 1771 Pa: 46 %.
     let held = ["--set", "body.disc.heave=fixed", "--set", "body.disc.sinkage=60 mm", "--set"];
-    let fast = told(&[&held[..], &["body.disc.forward={ speed = '0.5 m/s' }"]].concat());
+    let fast = reply(&[&held[..], &["body.disc.forward={ speed = '0.5 m/s' }"]].concat());
     assert!(fast.contains("v²/(g z) = 0.42 at z = 0.060 m") && fast.contains("some 46 %"), "{fast}");
-    assert!(!told(&[&held[..], &["body.disc.forward={ speed = '0.1 m/s' }"]].concat()).contains("Froude"));
+    assert!(!reply(&[&held[..], &["body.disc.forward={ speed = '0.1 m/s' }"]].concat()).contains("Froude"));
     // Free to sink under 40 N it carries them at any speed: 10 % of them is 4 N = 2 ρ v² z t, at 1.1 m/s and z = 20 mm.
-    assert!(!told(&["--set", "body.disc.forward={ speed = '1 m/s' }"]).contains("Froude"));
-    assert!(told(&["--set", "body.disc.forward={ speed = '1.2 m/s' }"]).contains("Froude"));
+    assert!(!reply(&["--set", "body.disc.forward={ speed = '1 m/s' }"]).contains("Froude"));
+    assert!(reply(&["--set", "body.disc.forward={ speed = '1.2 m/s' }"]).contains("Froude"));
 }
 
 #[test]
@@ -208,9 +208,9 @@ fn a_breakdown_exits_with_1_and_leaves_what_there_is() {
         .arg(&out)
         .assert()
         .code(1);
-    let told = String::from_utf8_lossy(&failure.get_output().stderr).into_owned();
+    let reply = String::from_utf8_lossy(&failure.get_output().stderr).into_owned();
     for word in ["moved", "t = ", "step", "near (", "failed.checkpoint"] {
-        assert!(told.contains(word), "`{word}` is not in: {told}");
+        assert!(reply.contains(word), "`{word}` is not in: {reply}");
     }
     // The last good checkpoint, here that of the start, is not overwritten by the state that failed.
     for file in [

@@ -114,7 +114,7 @@ const SMOOTH: &[&str] = &[
     "body.disc.heave={ load = \"0 N\", ramp = \"0.02 s\" }",
 ];
 const TWO: &[&str] = &[
-    "body.ball={ shape = \"ball\", diameter = \"0.1 m\", x = \"0.2 m\", sinkage = \"20 mm\", friction = 0.2, heave = { speed = \"-0.1 m/s\", ramp = \"20 ms\" } }",
+    "body.ball={ shape = \"sphere\", diameter = \"0.1 m\", x = \"0.2 m\", sinkage = \"20 mm\", friction = 0.2, heave = { speed = \"-0.1 m/s\", ramp = \"20 ms\" } }",
 ];
 
 fn root() -> PathBuf {

@@ -30,7 +30,7 @@ fn refusal(command: &mut Command) -> String {
 }
 
 fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
+    value.as_f64().unwrap_or_else(|| panic!("{value} is not a number"))
 }
 
 fn model<'a>(document: &'a Value, name: &str) -> &'a Value {
@@ -38,13 +38,13 @@ fn model<'a>(document: &'a Value, name: &str) -> &'a Value {
 }
 
 #[test]
-fn the_table_has_a_recommendation() {
-    let told = forecast(&[]).assert().success();
-    let text = String::from_utf8_lossy(&told.get_output().stdout).into_owned();
+fn the_table_recommends_a_model() {
+    let reply = forecast(&[]).assert().success();
+    let text = String::from_utf8_lossy(&reply.get_output().stdout).into_owned();
     for word in [
         "F_H [N]",
         "slip",
-        "way out",
+        "mechanism",
         "3D-RFT",
         "do not apply here",
         "cone_index = ",
@@ -74,7 +74,7 @@ fn the_document_keeps_its_names() {
     assert!((number(&best["contact_angle_rad"]).cos() - (1.0 - 2.0 * number(&best["Z"]))).abs() < 1e-9);
     assert!(["sideways", "forwards"].contains(&best["mechanism"].as_str().unwrap()));
     assert!(number(&seen["spread"]["count"]) >= 2.0);
-    // Every model that applies shows its spread, here for an assumed uncertainty of the friction angle.
+    // Every model that applies shows an interval, here for an assumed uncertainty of the friction angle.
     assert_eq!(seen["interval_inputs"][0]["assumed"], true);
     for applied in seen["models"].as_array().unwrap().iter().filter(|m| m["applicable"] == true) {
         for quantity in ["drag_N", "sinkage_m"] {
@@ -104,15 +104,15 @@ fn a_sideways_tow_is_refused() {
         "domain.y=[\"-0.3 m\", \"0.6 m\"]",
         "grid.fine_y=[\"-0.15 m\", \"0.4 m\"]",
     ];
-    let told = refusal(&mut forecast(&sets.map(|set| ["--set", set]).concat()));
-    assert!(told.contains("sideways") && told.contains("lateral = \"fixed\""), "{told}");
+    let reply = refusal(&mut forecast(&sets.map(|set| ["--set", set]).concat()));
+    assert!(reply.contains("sideways") && reply.contains("lateral = \"fixed\""), "{reply}");
 }
 
 #[test]
 fn the_axle_and_the_heave_are_understood() {
     assert_eq!(json(&["--set", "body.disc.spin=\"locked\""])["drive"]["kind"], "locked");
-    let turned = json(&["--set", "body.disc.spin={ speed = \"1 rad/s\" }"]);
-    assert!((number(&turned["drive"]["slip"]) + 0.5).abs() < 1e-12);
+    let rotated = json(&["--set", "body.disc.spin={ speed = \"1 rad/s\" }"]);
+    assert!((number(&rotated["drive"]["slip"]) + 0.5).abs() < 1e-12);
     let held = ["--set", "body.disc.heave=\"fixed\"", "--set", "body.disc.sinkage=\"20 mm\""];
     let held = json(&held);
     assert!((number(&held["load"]["sinkage_m"]) - 0.02).abs() < 1e-12);
@@ -133,7 +133,7 @@ fn what_it_cannot_answer_is_refused_with_the_reason() {
     let weightless = ["--set", "soil.unit_weight=0 N/m^3", "--set", "soil.density=1600 kg/m^3"];
     for (keys, word) in [
         (&weightless[..], "weightless"),
-        (&["--set", "body.disc.heave=\"fixed\""], "never comes below"),
+        (&["--set", "body.disc.heave=\"fixed\""], "never moves below"),
         (&["--against", "Z=0.1"], "Z=0.02..0.4"),
         (&["--against", "soil.colour=1..2", "-o", "nowhere"], "soil.friction_angle"),
         (&["--against", "soil.cohesion=\"0 Pa\"..\"5 kPa\"", "--log"], "above 0"),
@@ -141,11 +141,13 @@ fn what_it_cannot_answer_is_refused_with_the_reason() {
         (&["--log"], "--against"),
         (&["--points", "9"], "--against"),
         (&["--force"], "--against"),
-        (&["--against", "plate_exponent=0.5..1.5"], "plate ="),
-        (&["--set", "forecast.plate_exponent=1.1"], "forecast.plate_cohesive"),
-        (&["--set", "forecast.plate_frictional=5 kN/m^3"], "n is needed"),
-        (&["--set", "forecast.plate=\"LETE\""], "LETE sand"),
-        (&["--set", "forecast.shear_displacement=5 mm"], "does nothing"),
+        (&["--against", "sinkage_exponent=0.5..1.5"], "terrain ="),
+        (&["--against", "plate_exponent=0.5..1.5"], "now called `sinkage_exponent`"),
+        (&["--spread", "forecast.plate_cohesive=1", "--uncertainty"], "`forecast.cohesive_modulus`"),
+        (&["--set", "forecast.sinkage_exponent=1.1"], "forecast.cohesive_modulus"),
+        (&["--set", "forecast.frictional_modulus=5 kN/m^3"], "must contain n"),
+        (&["--set", "forecast.terrain=\"LETE\""], "LETE sand"),
+        (&["--set", "forecast.shear_deformation_modulus=5 mm"], "does nothing"),
         (&["--set", "forecast.backfill=40 deg"], "from -10 deg to 25 deg"),
         (&["--uncertainty", "--spread", "soil.friction_angle=2 m"], "an angle is needed"),
     ] {
@@ -197,7 +199,7 @@ fn curves_are_written_and_not_overwritten_unasked() {
 }
 
 #[test]
-fn spreads_become_intervals() {
+fn standard_deviations_become_intervals() {
     let typed =
         ["--uncertainty", "--spread", "soil.friction_angle=2 deg", "--spread", "body.disc.weight=2 N"];
     let seen = json(&typed);
@@ -205,9 +207,9 @@ fn spreads_become_intervals() {
     let sinkage = all.iter().find(|q| q["quantity"] == "sinkage_m").unwrap();
     assert!(number(&sinkage["low"]) < number(&sinkage["middle"]));
     assert!(number(&sinkage["middle"]) < number(&sinkage["high"]));
-    let shares: Vec<f64> = sinkage["first_order"].as_array().unwrap().iter().map(number).collect();
-    assert!(shares[0] > 0.8 && shares[1] < 0.2, "{shares:?}");
-    // The same from the case itself, whose means are what a run takes.
+    let indices: Vec<f64> = sinkage["first_order"].as_array().unwrap().iter().map(number).collect();
+    assert!(indices[0] > 0.8 && indices[1] < 0.2, "{indices:?}");
+    // The same from the case itself; a run uses the means.
     let stated =
         ["--set", "soil.friction_angle=35 ± 2 deg", "--set", "body.disc.weight=40 ± 2 N", "--uncertainty"];
     let same = json(&stated);
@@ -218,28 +220,28 @@ fn spreads_become_intervals() {
     }
 }
 
-/// The section `[forecast]` lets the rivals speak, and is no business of a run.
+/// The section `[forecast]` makes more models apply, and does not affect a run.
 #[test]
-fn plate_constants_and_cone_index_let_the_rivals_speak() {
-    let given = ["--set", "forecast.plate=\"LETE sand\"", "--set", "forecast.cone_index=300 kPa"];
+fn plate_constants_and_cone_index_make_more_models_apply() {
+    let given = ["--set", "forecast.terrain=\"LETE sand\"", "--set", "forecast.cone_index=300 kPa"];
     let seen = json(&given);
     for name in ["Bekker", "Wong-Reece", "Wismer-Luth", "Brixius"] {
         assert_eq!(model(&seen, name)["applicable"], true, "{name}");
     }
     let typed = json(&[
         "--set",
-        "forecast.plate_exponent=0.793",
+        "forecast.sinkage_exponent=0.793",
         "--set",
-        "forecast.plate_cohesive=102 kN/m^(n+1)",
+        "forecast.cohesive_modulus=102 kN/m^(n+1)",
         "--set",
-        "forecast.plate_frictional=5301 kPa/m^n",
+        "forecast.frictional_modulus=5301 kPa/m^n",
         "--set",
         "forecast.cone_index=0.3 MPa",
     ]);
     assert_eq!(model(&typed, "Bekker"), model(&seen, "Bekker"));
     let checked = coulter().arg("check").arg(shipped("towed_disc.toml")).args(given).output().unwrap();
     assert!(checked.status.success());
-    assert!(String::from_utf8_lossy(&checked.stdout).contains("alone"));
+    assert!(String::from_utf8_lossy(&checked.stdout).contains("`coulter forecast` only"));
     let heaped = json(&["--set", "forecast.heap=0.3", "--set", "forecast.factors=\"lyamin\""]);
     let (before, after) = (model(&seen, "BC"), model(&heaped, "BC"));
     assert!(number(&before["sinkage_m"]) != number(&after["sinkage_m"]));
@@ -263,7 +265,7 @@ fn equal_discs_in_a_row_are_an_assembly() {
     assert!((number(&seen["load"]["weight_N"]) - 80.0).abs() < 1e-9);
     assert!(seen["remarks"][0].as_str().unwrap().contains("assembly"));
     std::fs::write(&path, whole.replace("[run]", &second.replace("0.05 m", "0.06 m"))).unwrap();
-    assert!(refusal(coulter().arg("forecast").arg(&path)).contains("not alike"));
+    assert!(refusal(coulter().arg("forecast").arg(&path)).contains("not equal"));
 }
 
 #[test]
@@ -293,10 +295,11 @@ fn pressure_gives_null_and_a_reason() {
     }
 }
 
-/// A blade 0.3 m wide, 0.1 m deep, and what else is towed, as a case file.
+/// A case file with a blade 0.3 m wide and 0.1 m deep, or with another towed body.
 fn tool(changes: &[(&str, &str)]) -> (tempfile::TempDir, String) {
     let mut text = String::from(
         r#"
+format = 2
 title = "A tool"
 [soil]
 law = "mohr-coulomb"
@@ -332,7 +335,7 @@ duration = "1 s"
     (folder, path)
 }
 
-fn told(path: &str, arguments: &[&str]) -> Value {
+fn forecast_of(path: &str, arguments: &[&str]) -> Value {
     let output = coulter().args(["forecast", path, "--json"]).args(arguments).output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     serde_json::from_slice(&output.stdout).unwrap()
@@ -341,7 +344,7 @@ fn told(path: &str, arguments: &[&str]) -> Value {
 /// The wall of `cases`: Rankine's thrust on its slab, at the full friction angle and at Davis'.
 #[test]
 fn the_passive_wall_is_rankines() {
-    let seen = told(&shipped("passive_wall.toml"), &[]);
+    let seen = forecast_of(&shipped("passive_wall.toml"), &[]);
     assert_eq!((&seen["kind"], &seen["recommended"]), (&"block".into(), &"PW plane strain".into()));
     let slab = 0.0625;
     let full = seen["models_full_friction"].as_array().unwrap();
@@ -357,7 +360,7 @@ fn the_passive_wall_is_rankines() {
 #[test]
 fn a_blade_has_a_forecast_with_its_lengths() {
     let (folder, path) = tool(&[]);
-    let seen = told(&path, &[]);
+    let seen = forecast_of(&path, &[]);
     assert_eq!(seen["recommended"], "PW");
     assert!((number(&seen["groups"]["t_bar"]) - 1.2).abs() < 1e-12);
     let scale = 16e3 * 0.3 * 0.25 * 0.25;
@@ -397,7 +400,7 @@ fn a_blade_has_a_forecast_with_its_lengths() {
     assert!(std::fs::read_to_string(written.join("drag_dimensionless.svg")).unwrap().contains("PW"));
     let text = coulter().args(["forecast", &path]).assert().success();
     let text = String::from_utf8_lossy(&text.get_output().stdout).into_owned();
-    for word in ["not turning", "Recommended: PW", "Brinch Hansen", "under its base"] {
+    for word in ["not rotating", "Recommended: PW", "Brinch Hansen", "under its base"] {
         assert!(text.contains(word), "{word} is missing in\n{text}");
     }
     for (arguments, word) in [
@@ -417,32 +420,32 @@ fn blocks_sink_and_lean_and_are_uncertain() {
     let free = ("heave = \"fixed\"", "heave = \"free\"\nweight = \"600 N\"");
     let (_folder, path) = tool(&[free, ("sinkage = \"0.1 m\"", "")]);
     let spread = ["--uncertainty", "--spread", "weight=20 N", "--spread", "friction_angle=2 deg"];
-    let seen = told(&path, &spread);
+    let seen = forecast_of(&path, &spread);
     let best = model(&seen, seen["recommended"].as_str().unwrap());
     assert!((number(&best["vertical_N"]) - 600.0).abs() < 1e-6 && number(&best["sinkage_m"]) > 1e-3);
-    // The friction of all that the base carries is a part of the drag.
+    // The drag includes friction on the base, which carries the load.
     assert!(number(&best["drag_N"]) > 0.4 * 600.0 * 0.9);
     let all = seen["uncertainty"]["quantities"].as_array().unwrap();
     assert_eq!(all.iter().filter(|q| q["model"] == "PW").count(), 2);
     // Leaning back it is McKyes and Ali's, unless it is thick; leaning forward the exact one.
     let (_folder, path) = tool(&[("size = [\"0.06 m\"", "orientation = \"-30 deg\"\nsize = [\"0.06 m\"")]);
-    assert_eq!(told(&path, &[])["recommended"], "3D-RFT");
-    assert_eq!(told(&path, &["--set", "body.tool.orientation=-10 deg"])["recommended"], "McKyes-Ali");
-    assert_eq!(told(&path, &["--set", "body.tool.orientation=20 deg"])["recommended"], "PW");
+    assert_eq!(forecast_of(&path, &[])["recommended"], "3D-RFT");
+    assert_eq!(forecast_of(&path, &["--set", "body.tool.orientation=-10 deg"])["recommended"], "McKyes-Ali");
+    assert_eq!(forecast_of(&path, &["--set", "body.tool.orientation=20 deg"])["recommended"], "PW");
     // Towed the other way it is its own mirror image.
     let mirrored = ["--set", "body.tool.forward.speed=-0.2 m/s", "--set", "body.tool.orientation=-20 deg"];
-    let ahead = told(&path, &["--set", "body.tool.orientation=20 deg"]);
-    assert_eq!(told(&path, &mirrored)["models"], ahead["models"]);
+    let ahead = forecast_of(&path, &["--set", "body.tool.orientation=20 deg"]);
+    assert_eq!(forecast_of(&path, &mirrored)["models"], ahead["models"]);
 }
 
 #[test]
 fn round_bodies_have_resistive_force_theory() {
     let block = "shape = \"block\"\nsize = [\"0.06 m\", \"0.3 m\", \"0.25 m\"]";
-    let ball = "shape = \"ball\"\ndiameter = \"0.2 m\"\nspin = \"free\"\nweight = \"60 N\"";
+    let sphere = "shape = \"sphere\"\ndiameter = \"0.2 m\"\nspin = \"free\"\nweight = \"60 N\"";
     let (_folder, path) =
-        tool(&[(block, ball), ("heave = \"fixed\"", "heave = \"free\""), ("sinkage = \"0.1 m\"", "")]);
-    let seen = told(&path, &[]);
-    assert_eq!((&seen["kind"], &seen["recommended"]), (&"ball".into(), &"3D-RFT".into()));
+        tool(&[(block, sphere), ("heave = \"fixed\"", "heave = \"free\""), ("sinkage = \"0.1 m\"", "")]);
+    let seen = forecast_of(&path, &[]);
+    assert_eq!((&seen["kind"], &seen["recommended"]), (&"sphere".into(), &"3D-RFT".into()));
     let best = model(&seen, "3D-RFT");
     assert!((number(&best["vertical_N"]) / 60.0 - 1.0).abs() < 1e-3 && number(&best["slip"]) < 0.0);
     assert!(number(&model(&seen, "2-D RFT")["drag_N"]) > 0.0);
@@ -451,7 +454,7 @@ fn round_bodies_have_resistive_force_theory() {
         let shape =
             format!("shape = \"cylinder\"\naxis = \"{axis}\"\ndiameter = \"0.1 m\"\nlength = \"0.2 m\"");
         let (_folder, path) = tool(&[(block, &shape), ("sinkage = \"0.1 m\"", "sinkage = \"0.05 m\"")]);
-        let seen = told(&path, &[]);
+        let seen = forecast_of(&path, &[]);
         let best = model(&seen, "3D-RFT");
         assert!(best["applicable"] == true && number(&best["drag_N"]) > 0.0 && best["slip"].is_null());
     }
@@ -461,7 +464,7 @@ fn round_bodies_have_resistive_force_theory() {
     let sinkage = ("sinkage = \"0.1 m\"", "sinkage = \"0.04 m\"");
     let [roller, disc] = [roller, disc].map(|shape| {
         let (_folder, path) = tool(&[(block, shape), sinkage]);
-        told(&path, &[])
+        forecast_of(&path, &[])
     });
     assert_eq!(roller["models"], disc["models"]);
     assert_eq!(roller["recommended"], "weaker of BC and PW");

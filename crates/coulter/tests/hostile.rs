@@ -1,4 +1,4 @@
-//! Hostile input and output, through the binary: each is answered at once, in clear words and with the right exit code.
+//! Hostile input and output, through the binary: each is answered immediately, with a clear message and the right exit code.
 #![cfg(target_os = "linux")]
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
@@ -16,7 +16,7 @@ fn coulter(arguments: &[&str]) -> Output {
     Command::cargo_bin("coulter").unwrap().args(arguments).timeout(Duration::from_secs(60)).output().unwrap()
 }
 
-/// What a shell says that calls the program as `$0`, the disc's case being `$1` and a folder `$2`.
+/// Output of a shell script in which `$0` is the program, `$1` the disc's case and `$2` a folder.
 fn shell(script: &str, folder: &Path) -> Output {
     let program = assert_cmd::cargo::cargo_bin("coulter");
     let mut shell = Command::new("sh");
@@ -32,12 +32,12 @@ fn shell(script: &str, folder: &Path) -> Output {
 
 #[track_caller]
 fn refused(output: &Output, words: &[&str]) -> String {
-    let told = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!(output.status.code(), Some(2), "{told}");
+    let reply = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{reply}");
     for word in words {
-        assert!(told.contains(word), "`{word}` is not in: {told}");
+        assert!(reply.contains(word), "`{word}` is not in: {reply}");
     }
-    told
+    reply
 }
 
 #[test]
@@ -51,16 +51,16 @@ fn what_is_no_file_is_refused_at_once() {
     refused(&coulter(&["check", large.to_str().unwrap()]), &["too large", "1048576"]);
 }
 
-/// Refused within a second or two, whatever the machine.
+/// Refused within a second or two, on any machine.
 #[track_caller]
 fn refused_soon(text: &str, words: &[&str]) {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("case.toml");
     std::fs::write(&path, text).unwrap();
     let clock = Instant::now();
-    let told = refused(&coulter(&["check", path.to_str().unwrap()]), words);
+    let reply = refused(&coulter(&["check", path.to_str().unwrap()]), words);
     assert!(clock.elapsed() < Duration::from_secs(3), "{:?}", clock.elapsed());
-    assert!(told.lines().count() < 250, "{} lines", told.lines().count());
+    assert!(reply.lines().count() < 250, "{} lines", reply.lines().count());
 }
 
 #[test]
@@ -72,27 +72,27 @@ fn many_keys_and_many_bodies_are_answered_soon() {
     }
     refused_soon(&keys, &["unknown key `nonsense_0`", "… and 9980 more", "10000 problems"]);
     for n in 0..2000 {
-        writeln!(bodies, "[body.b{n}]\nshape = 'ball'\ndiameter = '0.1 m'\nfriction = 0.3").unwrap();
+        writeln!(bodies, "[body.b{n}]\nshape = 'sphere'\ndiameter = '0.1 m'\nfriction = 0.3").unwrap();
     }
-    refused_soon(&bodies, &["2001 bodies", "500 are the most"]);
+    refused_soon(&bodies, &["2001 bodies", "at most 500"]);
 }
 
 /// A block of 14 m on cells of 50 mm: 7.5 million points, 2 GB; of 40 mm: 12 million.
-const BLOCK: &str = "[soil]\nlaw = 'mohr-coulomb'\nfriction_angle = '35 deg'\nunit_weight = '16 kN/m^3'\n\
+const BLOCK: &str = "format = 2\n[soil]\nlaw = 'mohr-coulomb'\nfriction_angle = '35 deg'\nunit_weight = '16 kN/m^3'\n\
     young_modulus = '5 MPa'\n[domain]\nx = ['-9 m', '9 m']\ny = ['-9 m', '9 m']\nz = ['-5 m', '1 m']\n[grid]\n\
     cell = '40 mm'\nfine_x = ['-1 m', '1 m']\nfine_y = ['-1 m', '1 m']\n[body.b]\nshape = 'block'\n\
     size = ['14 m', '14 m', '14 m']\nfriction = 0.3\n[run]\nduration = '3 ms'\n";
 
 #[test]
 fn a_body_with_too_many_points_is_refused_before_they_are_laid_out() {
-    refused_soon(BLOCK, &["1.2e7 contact points; 1e7 are the most", "numerics.point_spacing larger"]);
+    refused_soon(BLOCK, &["1.2e7 contact points; at most 1e7 are allowed", "numerics.point_spacing larger"]);
 }
 
 #[test]
 fn names_of_devices_are_refused() {
-    refused(&coulter(&["check", &disc(), "--set", "name=CON"]), &["\"CON\" cannot be the name"]);
-    let body = ["--set", "body.com1.shape=ball"];
-    refused(&coulter(&[&["check", &disc()], &body[..]].concat()), &["cannot be called \"com1\""]);
+    refused(&coulter(&["check", &disc(), "--set", "name=CON"]), &["\"CON\" is not a valid name"]);
+    let body = ["--set", "body.com1.shape=sphere"];
+    refused(&coulter(&[&["check", &disc()], &body[..]].concat()), &["\"com1\" is not a valid name"]);
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("nul.toml");
     std::fs::copy(disc(), &path).unwrap();
@@ -104,7 +104,7 @@ fn names_of_devices_are_refused() {
 fn a_slip_in_the_name_of_a_body_is_told() {
     refused(
         &coulter(&["check", &disc(), "--set", "body.disk.weight=60 N"]),
-        &["no such body", "did you mean `body.disc`?"],
+        &["no body of this name", "did you mean `body.disc`?"],
     );
 }
 
@@ -177,7 +177,7 @@ fn a_file_where_results_should_go_is_called_one() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("taken");
     std::fs::write(&path, "mine").unwrap();
-    let told = coulter(&["forecast", &disc(), "-o", path.to_str().unwrap()]);
-    refused(&told, &["is a file, not a folder"]);
+    let reply = coulter(&["forecast", &disc(), "-o", path.to_str().unwrap()]);
+    refused(&reply, &["is a file, not a folder"]);
     assert_eq!(std::fs::read_to_string(&path).unwrap(), "mine");
 }

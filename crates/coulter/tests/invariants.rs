@@ -38,7 +38,7 @@ fn sources(name: &str) -> Vec<(String, String)> {
     found
 }
 
-/// The files of a crate that use one of these words, but for the ones that may.
+/// The files of a crate that use one of these words, except those that may.
 fn offenders(name: &str, words: &[&str], may: impl Fn(&str) -> bool) -> Vec<String> {
     let uses = |code: &str| words.iter().find(|word| code.contains(**word)).copied();
     sources(name)
@@ -79,7 +79,7 @@ fn the_arrows_between_the_crates_hold() {
 }
 
 #[test]
-fn below_the_front_door_nobody_touches_files_or_prints() {
+fn below_the_public_api_nothing_touches_files_or_prints() {
     for name in ["physics", "solver", "analytic"] {
         let found = offenders(name, &[&FILES[..], &PRINTING].concat(), nobody);
         assert!(found.is_empty(), "{found:#?}");
@@ -148,7 +148,7 @@ fn threads_change_no_bit<R: Precision>(contact: &str) {
     }
 }
 
-/// So many that each has the fewest rows that one may have.
+/// So many threads that each has the least number of rows.
 #[test]
 fn many_threads_change_no_bit() {
     let [few, many] = [1, 64].map(|n| to_the_end(Simulation::<f64>::new(&short_tow("impulse", n))));

@@ -1,4 +1,4 @@
-//! What soil laws do to a whole run.
+//! Effects of soil laws on a whole run.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 use coulter::case;

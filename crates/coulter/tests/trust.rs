@@ -1,9 +1,9 @@
-//! The grade of a run: each check speaks up when, and only when, it should.
+//! The grade of a run: each check reports a problem when, and only when, it should.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 use coulter::case::{self, Case};
-use coulter::output::record::{BodySample, BoundarySample, EnergySample, History};
-use coulter::output::reference::Reference;
+use coulter::history::reference::Reference;
+use coulter::history::{BodySample, BoundarySample, EnergySample, History};
 use coulter::simulation::Simulation;
 use coulter::trust::{Setting, Trust, Verdict};
 
@@ -14,7 +14,7 @@ fn tow(overrides: &[&str]) -> Case {
     case::load(path.as_ref(), &overrides).unwrap()
 }
 
-/// A history that nothing is wrong with: 40 N on a disc that is 60 mm deep, towed 0.3 m.
+/// A history without faults: 40 N on a disc that is 60 mm deep, towed 0.3 m.
 fn history() -> History {
     let time = |n: i32| f64::from(n) * 0.004;
     let body = (0..400).map(|n| BodySample {
@@ -46,7 +46,7 @@ fn history() -> History {
 }
 
 fn grade(case: &Case, history: &History) -> Trust {
-    Trust::grade(&Setting::of(case), history, &Reference::all(case), case.output.steady_share, None)
+    Trust::grade(&Setting::of(case), history, &Reference::all(case), case.output.steady_fraction, None)
 }
 
 /// The verdict on one check of a history in which one thing is wrong; all others must be good.
@@ -54,38 +54,40 @@ fn only(name: &str, damage: impl Fn(&mut History)) -> Verdict {
     let mut damaged = history();
     damage(&mut damaged);
     let trust = grade(&tow(&[]), &damaged);
-    let doubts: Vec<&str> = trust.doubts().iter().map(|c| c.name.as_str()).collect();
-    assert_eq!(doubts, [name]);
-    assert!(!trust.doubts()[0].advice.is_empty(), "{name}: no advice");
+    let concerns: Vec<&str> = trust.concerns().iter().map(|c| c.name.as_str()).collect();
+    assert_eq!(concerns, [name]);
+    assert!(!trust.concerns()[0].advice.is_empty(), "{name}: no advice");
     trust.verdict
 }
 
 #[test]
 fn a_run_without_fault_is_good() {
     let trust = grade(&tow(&[]), &history());
-    assert_eq!(trust.verdict, Verdict::Good, "{:#?}", trust.doubts());
+    assert_eq!(trust.verdict, Verdict::Good, "{:#?}", trust.concerns());
     assert_eq!(trust.is_steady("disc"), Some(true));
     assert!(trust.checks.iter().all(|c| c.advice.is_empty()));
     assert!(trust.checks.len() > 15, "{} checks", trust.checks.len());
 }
 
 #[test]
-fn energy_volume_and_leak_are_judged_by_their_shares() {
-    for (share, verdict) in [(0.03, Verdict::Doubtful), (0.2, Verdict::Broken)] {
-        let off =
-            only("energy balance", |h| h.energy.last_mut().unwrap().plastic = 0.99 * 1.596 * (1.0 - share));
+fn energy_volume_and_leak_are_judged_relatively() {
+    for (fraction, verdict) in [(0.03, Verdict::Doubtful), (0.2, Verdict::Broken)] {
+        let off = only("energy balance", |h| {
+            h.energy.last_mut().unwrap().plastic = 0.99 * 1.596 * (1.0 - fraction)
+        });
         assert_eq!(off, verdict);
     }
-    let hourglass = |share: f64| {
+    let hourglass = |fraction: f64| {
         only("hourglass energy", |h| {
             let e = h.energy.last_mut().unwrap();
-            (e.hourglass, e.plastic) = (share * e.external, (1.0 - share) * e.external);
+            (e.hourglass, e.plastic) = (fraction * e.external, (1.0 - fraction) * e.external);
         })
     };
     assert_eq!([hourglass(0.05), hourglass(0.2)], [Verdict::Doubtful, Verdict::Broken]);
     let volume = |ratio: f64| only("soil volume", |h| h.energy.last_mut().unwrap().volume_ratio = ratio);
     assert_eq!([volume(0.99), volume(1.03)], [Verdict::Doubtful, Verdict::Broken]);
-    let leak = |share: f64| only("leak", |h| h.bodies[0].last_mut().unwrap().leaked_volume = share * 1e-4);
+    let leak =
+        |fraction: f64| only("leak", |h| h.bodies[0].last_mut().unwrap().leaked_volume = fraction * 1e-4);
     assert_eq!([leak(0.007), leak(0.05)], [Verdict::Doubtful, Verdict::Broken]);
 }
 
@@ -106,7 +108,7 @@ fn what_is_not_a_number_is_broken() {
 }
 
 #[test]
-fn soil_at_lid_and_walls_is_told() {
+fn soil_at_lid_and_walls_is_reported() {
     let lid = |force: f64| {
         only("soil at the lid", |h| {
             h.boundaries[200] = BoundarySample { lid_force: force, lid_area: 1e-3, ..h.boundaries[200] }
@@ -133,18 +135,18 @@ fn a_drag_that_still_changes_is_not_steady() {
 }
 
 #[test]
-fn motion_that_no_free_body_makes_is_told() {
+fn motion_that_is_impossible_for_a_free_body_is_reported() {
     let backwards = |h: &mut History| h.bodies[0].iter_mut().for_each(|s| s.spin = -2.0);
     assert_eq!(only("turn ratio of a free wheel", backwards), Verdict::Broken);
     let mut lifted = history();
     lifted.bodies[0].iter_mut().for_each(|s| s.sinkage = -0.017);
     let trust = grade(&tow(&[]), &lifted);
-    assert!(trust.doubts().iter().any(|c| c.name == "riding height"), "{:#?}", trust.doubts());
-    assert_eq!(only("room for the body", |h| h.bodies[0][30].sinkage = 0.22), Verdict::Doubtful);
+    assert!(trust.concerns().iter().any(|c| c.name == "riding height"), "{:#?}", trust.concerns());
+    assert_eq!(only("clearance from the floor", |h| h.bodies[0][30].sinkage = 0.22), Verdict::Doubtful);
 }
 
 #[test]
-fn noise_and_step_size_are_told() {
+fn noise_and_step_size_are_reported() {
     let noisy = |h: &mut History| {
         h.bodies[0].iter_mut().enumerate().for_each(|(n, s)| s.drag = if n % 2 == 0 { 12.0 } else { 18.0 });
     };
@@ -163,11 +165,11 @@ fn a_run_that_was_stopped_is_broken_and_says_why() {
         &Setting::of(&case),
         &history(),
         &Reference::all(&case),
-        case.output.steady_share,
+        case.output.steady_fraction,
         Some(why),
     );
     assert_eq!(trust.verdict, Verdict::Broken);
-    assert!(trust.doubts()[0].line().contains("completed") && trust.doubts()[0].advice.contains(why));
+    assert!(trust.concerns()[0].line().contains("completed") && trust.concerns()[0].advice.contains(why));
 }
 
 /// Sinkage was measured from z = 0, wherever the surface was.
@@ -193,7 +195,7 @@ fn sinkage_is_measured_from_the_soils_own_surface() {
 /// The torques of both halves cancel where x = 0 is a plane of symmetry.
 #[test]
 fn a_plane_of_symmetry_across_the_tow_leaves_no_torque() {
-    let case = "[soil]\nlaw = 'mohr-coulomb'\nfriction_angle = '30 deg'\nunit_weight = '16 kN/m^3'\n\
+    let case = "format = 2\n[soil]\nlaw = 'mohr-coulomb'\nfriction_angle = '30 deg'\nunit_weight = '16 kN/m^3'\n\
         young_modulus = '5 MPa'\n[domain]\nsymmetric = true\nsymmetric_x = true\n[grid]\ncell = '25 mm'\n\
         [body.disc]\nshape = 'disc'\ndiameter = '0.2 m'\nthickness = '0.1 m'\nfriction = 0.3\nsinkage = '10 mm'\n\
         heave = { speed = '-0.1 m/s' }\n[run]\nduration = '0.5 s'\n[output]\nhistory_interval = '4 ms'\n";

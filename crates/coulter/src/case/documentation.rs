@@ -1,5 +1,6 @@
-//! The tables of docs/case-file.md, from the table of keys.
+//! The tables of docs/case-file.md, generated from the tables of keys.
 
+use super::format::{FORMAT, RENAMED_KEYS, RENAMED_VALUES};
 use super::keys::{self, Kind};
 use std::fmt::Write;
 
@@ -31,12 +32,30 @@ pub fn tables() -> String {
         }
         text.push('\n');
     }
+    text.push_str(&renamed());
+    text
+}
+
+/// The names that have changed since the previous format.
+fn renamed() -> String {
+    let mut text = format!(
+        "### Renamed in format {FORMAT}\nAn old name is refused with its new one.\n\n| format 1 | format 2 |\n|---|---|\n"
+    );
+    for r in RENAMED_KEYS {
+        let _ = writeln!(text, "| `{0}.{1}` | `{0}.{2}` |", r.section, r.old, r.new);
+    }
+    for r in RENAMED_VALUES {
+        let (section, key) = (if r.section == "body" { "body.NAME" } else { r.section }, r.key);
+        let _ = writeln!(text, "| `{section}.{key} = \"{}\"` | `{section}.{key} = \"{}\"` |", r.old, r.new);
+    }
+    text.push('\n');
     text
 }
 
 fn kind(kind: &Kind) -> String {
     match kind {
         Kind::Text => "text".into(),
+        Kind::Format => format!("`{FORMAT}`"),
         Kind::Number => "number".into(),
         Kind::Count => "whole number".into(),
         Kind::Flag => "`true` or `false`".into(),
@@ -55,7 +74,7 @@ fn kind(kind: &Kind) -> String {
 
 #[cfg(test)]
 mod tests {
-    /// Compares a shipped file with what the table of keys says; with `COULTER_UPDATE=1` it is written instead.
+    /// Compares a shipped file with the tables of keys; with `COULTER_UPDATE=1` it is written instead.
     fn same(path: &str, expected: &str) {
         let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path);
         if std::env::var_os("COULTER_UPDATE").is_some() {

@@ -1,9 +1,9 @@
 //! What a case will cost: cells, memory, time step, number of steps.
 
-use super::resolve::extent::travel;
+use super::output_size::{self, OutputSize};
+use super::path::travel;
 use super::resolved::{Body, Case, Grid, Ground, Precision};
 use crate::model::model;
-use crate::output::volume::{self, Volume};
 use glam::DVec3;
 use serde::Serialize;
 use solver::footprint::{self, Footprint, surface_points};
@@ -11,7 +11,7 @@ use solver::grid::LANES;
 use solver::precision::Real as _;
 use std::f64::consts::FRAC_PI_4;
 
-/// The program itself, its libraries and what it has read [bytes]; measured on Linux.
+/// The program itself, its libraries and its input [bytes]; measured on Linux.
 const PROGRAM: f64 = 10.5e6;
 
 /// Memory of a run [bytes].
@@ -19,16 +19,16 @@ const PROGRAM: f64 = 10.5e6;
 pub struct Memory {
     /// The program itself.
     pub program_bytes: f64,
-    /// Fields on the grid, and what the step works in.
+    /// Fields on the grid, and the workspace of the step.
     pub grid_bytes: f64,
     /// Contact points of the bodies.
     pub contact_bytes: f64,
-    /// What writing takes, for a moment.
+    /// Peak memory for writing results.
     pub outputs_bytes: f64,
 }
 
 impl Memory {
-    /// All of it [bytes].
+    /// Total [bytes].
     #[must_use]
     pub fn total(&self) -> f64 {
         self.program_bytes + self.grid_bytes + self.contact_bytes + self.outputs_bytes
@@ -40,7 +40,7 @@ impl Memory {
 pub struct Estimate {
     /// Cells of the grid.
     pub cells: f64,
-    /// Cells with soil at the start, whole or partly.
+    /// Cells that contain soil at the start.
     pub filled_cells: f64,
     /// The smallest cell width [m].
     pub smallest_cell_m: f64,
@@ -52,26 +52,26 @@ pub struct Estimate {
     pub steps: f64,
 }
 
-/// What a case will cost in time, memory and room.
+/// What a case will cost in time, memory and disk space.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Cost {
     /// Cells and steps.
     #[serde(flatten)]
     pub estimate: Estimate,
-    /// Memory, all in all [bytes].
+    /// Total memory [bytes].
     pub memory_bytes: f64,
-    /// Its parts.
+    /// Its components.
     pub memory: Memory,
     /// What the run will write.
-    pub output: Volume,
+    pub output: OutputSize,
 }
 
-/// What `case` will cost in all. This takes some time where there are many bodies.
+/// The cost of a case. This takes some time where there are many bodies.
 #[must_use]
 pub fn cost(case: &Case) -> Cost {
     let estimate = estimate(case);
     let memory = memory(case, estimate.cells, estimate.filled_cells);
-    let output = volume::volume(case, estimate.cells, estimate.filled_cells);
+    let output = output_size::output_size(case, estimate.cells, estimate.filled_cells);
     Cost { estimate, memory_bytes: memory.total(), memory, output }
 }
 
@@ -96,21 +96,21 @@ pub fn estimate(case: &Case) -> Estimate {
     }
 }
 
-/// Number of cells, as a float that cannot overflow.
+/// Number of cells, as a floating-point number, which cannot overflow.
 pub(super) fn cells(grid: &Grid) -> f64 {
     grid.faces.iter().map(|f| f.len().saturating_sub(1) as f64).product()
 }
 
-/// Memory that a run takes, without taking it.
+/// Memory that a run will take; nothing is allocated.
 fn memory(case: &Case, cells: f64, filled: f64) -> Memory {
     let Footprint { fields, fields_of_soil, workspace, contact, layout } = footprint(case);
     let void = 1.0 - (filled / cells).clamp(0.0, 1.0);
-    let outputs = volume::memory(case, cells, filled, fields);
+    let outputs = output_size::memory(case, cells, filled, fields);
     Memory {
         program_bytes: PROGRAM,
         grid_bytes: fields - void * fields_of_soil + workspace,
         contact_bytes: contact,
-        // The points of a body are laid out before anything is written.
+        // The contact points are generated before anything is written.
         outputs_bytes: outputs.max(layout - contact),
     }
 }
@@ -121,15 +121,14 @@ fn threads(case: &Case) -> usize {
     if case.numerics.threads == 0 { cores() } else { case.numerics.threads }
 }
 
-/// The largest number of contact points that is laid out on a body of the case, with its name.
+/// The body with the most contact points: its name and their number.
 pub(super) fn most_contact_points(case: &Case) -> Option<(String, f64)> {
     let model = model(case, LANES);
     let points = model.bodies.iter().map(|body| (body.name.clone(), surface_points(&model, body)));
     points.max_by(|a, b| a.1.total_cmp(&b.1))
 }
 
-/// How far a body is from its start at the end [m], as far as that can be told: one that is free to sink is taken to do so by
-/// a tenth of its height.
+/// Estimated displacement of a body at the end [m]: one that is free to sink is assumed to do so by a tenth of its height.
 fn moved(body: &Body, duration: f64) -> DVec3 {
     let (low, high) = body.shape.solid().bounds();
     let [x, y, z] = body.translation.each_ref().map(|freedom| travel(freedom, duration));
@@ -147,7 +146,7 @@ fn footprint(case: &Case) -> Footprint {
 }
 
 fn filled_cells(case: &Case) -> f64 {
-    let (low, high, share) = match case.ground {
+    let (low, high, fraction) = match case.ground {
         Ground::Level { surface } => (case.domain.low, case.domain.high.with_z(surface), 1.0),
         Ground::Column { low, high, radius: None } => (low, high, 1.0),
         Ground::Column { low, high, radius: Some(_) } => (low, high, FRAC_PI_4),
@@ -155,5 +154,5 @@ fn filled_cells(case: &Case) -> f64 {
     let inside = |axis: usize| {
         case.grid.faces[axis].windows(2).filter(|w| w[1] > low[axis] && w[0] < high[axis]).count() as f64
     };
-    share * inside(0) * inside(1) * inside(2)
+    fraction * inside(0) * inside(1) * inside(2)
 }

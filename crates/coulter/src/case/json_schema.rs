@@ -1,6 +1,8 @@
-//! The JSON schema of a case file, from the table of keys: editors complete and check case files with it.
+//! The JSON schema of a case file, generated from the tables of keys: editors use it to complete and check case files.
 
-use super::keys::{self, Kind, Section, WALLS};
+use super::format::FORMAT;
+use super::keys::words::WALLS;
+use super::keys::{self, KeyTable, Kind};
 use serde_json::{Map, Value, json};
 
 /// The schema as pretty text with a newline at the end; `cases/schema.json` holds it.
@@ -29,12 +31,12 @@ fn schema() -> Value {
         "title": "A case for Coulter",
         "type": "object",
         "properties": properties,
-        "required": ["soil", "grid", "run"],
+        "required": ["format", "soil", "grid", "run"],
         "additionalProperties": false,
     })
 }
 
-fn object(section: &Section) -> Value {
+fn object(section: &KeyTable) -> Value {
     let required: Vec<&str> =
         section.keys.iter().filter(|k| k.default == "required").map(|k| k.name).collect();
     json!({
@@ -46,7 +48,7 @@ fn object(section: &Section) -> Value {
     })
 }
 
-fn keys_of(section: &Section) -> Map<String, Value> {
+fn keys_of(section: &KeyTable) -> Map<String, Value> {
     let one = |key: &keys::Key| {
         let mut value = kind(&key.kind);
         if let Value::Object(map) = &mut value {
@@ -61,6 +63,7 @@ fn kind(kind: &Kind) -> Value {
     let quantity = |example: &str| json!({ "type": "string", "examples": [example] });
     match kind {
         Kind::Text => json!({ "type": "string" }),
+        Kind::Format => json!({ "const": FORMAT }),
         Kind::Number => json!({ "type": "number" }),
         Kind::Count => json!({ "type": "integer", "minimum": 0 }),
         Kind::Flag => json!({ "type": "boolean" }),

@@ -1,14 +1,14 @@
-//! What this machine has to spare: memory, under the limits of its containers and job schedulers, and room on a disc.
+//! What this machine has available: memory, within the limits of containers and job schedulers, and disk space.
 //!
-//! Tried on Linux; what other systems say of their free memory is the business of the crate `sysinfo`, untested here.
+//! Tested on Linux; on other systems the crate `sysinfo` reports the free memory, which is untested here.
 
 use std::path::Path;
 
-/// Where Linux shows its control groups.
+/// Where Linux mounts its control groups.
 const GROUPS: &str = "/sys/fs/cgroup";
 
-/// Memory that a new program can have here [bytes], where the system says so: what is free, or less where a control group
-/// (of a container, of a SLURM job) allows less.
+/// Memory that is available to a new program [bytes], where the system reports it: the free memory, or less where a control
+/// group (of a container, of a SLURM job) allows less.
 #[must_use]
 pub fn memory_available() -> Option<f64> {
     let free = sysinfo::System::new().ok().and_then(|mut system| {
@@ -20,15 +20,15 @@ pub fn memory_available() -> Option<f64> {
     [free, limit].into_iter().flatten().reduce(f64::min)
 }
 
-/// Room that is left on the file system that a folder is, or will be, on [bytes], where it can be known.
+/// Free space on the file system of a folder, which need not exist yet [bytes]; `None` where it is not known.
 #[must_use]
-pub fn room_for(folder: &Path) -> Option<f64> {
+pub fn free_space(folder: &Path) -> Option<f64> {
     let absolute = std::path::absolute(folder).ok()?;
     let there = absolute.ancestors().find(|path| path.exists())?;
     fs4::available_space(there).ok().map(|bytes| bytes as f64)
 }
 
-/// Names of the files of a control group: its limit, what is used of it, and what of that is only cached [bytes].
+/// Names of the files of a control group: its limit, its usage, and the part of it that is only cached [bytes].
 struct Names {
     limit: &'static str,
     used: &'static str,
@@ -43,8 +43,8 @@ const FIRST: Names = Names {
 const SECOND: Names =
     Names { limit: "memory.max", used: "memory.current", cached: ["inactive_file", "active_file"] };
 
-/// What the control groups of this program, as `/proc/self/cgroup` names them, and those above them leave to it [bytes];
-/// `None` where none has a limit.
+/// Memory that is left in the control groups of this program, as `/proc/self/cgroup` names them, and in those above them
+/// [bytes]; `None` where none has a limit.
 fn left_in_groups(mount: &Path, own: &str) -> Option<f64> {
     let groups = own.lines().filter_map(|line| {
         let (_, rest) = line.split_once(':')?;
@@ -62,10 +62,10 @@ fn left_in_groups(mount: &Path, own: &str) -> Option<f64> {
     left.reduce(f64::min)
 }
 
-/// What is left in one group [bytes]; cached files make room when asked to.
+/// Memory that is left in one group [bytes]; cached files are released on demand.
 fn left_in(group: &Path, names: &Names) -> Option<f64> {
     let number = |name| std::fs::read_to_string(group.join(name)).ok()?.trim().parse::<f64>().ok();
-    // Without a limit the first version names the largest number that it can, the second `max`.
+    // Without a limit version 1 states the largest possible number, version 2 `max`.
     let limit = number(names.limit).filter(|bytes| *bytes < 1e18)?;
     let text = std::fs::read_to_string(group.join("memory.stat")).unwrap_or_default();
     let value = |line: &str| {
@@ -118,10 +118,10 @@ mod tests {
     }
 
     #[test]
-    fn this_machine_has_something_to_spare() {
+    fn this_machine_has_memory_and_disk_space() {
         if cfg!(target_os = "linux") {
             assert!(memory_available().unwrap() > 1e6);
         }
-        assert!(room_for(Path::new("no/such/folder/yet")).is_some_and(|bytes| bytes > 0.0));
+        assert!(free_space(Path::new("no/such/folder/yet")).is_some_and(|bytes| bytes > 0.0));
     }
 }

@@ -3,136 +3,34 @@
 mod advice;
 pub mod documentation;
 pub mod estimate;
+pub mod format;
 pub mod json_schema;
 pub mod keys;
+mod load;
 pub mod machine;
+mod names;
+pub mod output_size;
 mod overrides;
+mod path;
 mod problem;
 pub mod quantity;
 mod ranges;
 mod resolve;
 pub mod resolved;
-pub mod room;
+pub mod resources;
 mod schema;
-mod spread;
 mod tree;
+mod typed;
+mod uncertainty;
 mod units;
+mod unknown;
 mod values;
 
 pub use advice::advice;
+pub use format::FORMAT;
+pub use load::{load, load_with_deviations, parse};
 pub use overrides::overridden;
+pub(crate) use path::travel;
 pub use problem::{CaseError, Problem};
-pub(crate) use resolve::extent::travel;
 pub use resolved::Case;
-pub use spread::Spread;
-
-use problem::{Problems, Source};
-use std::path::Path;
-
-/// Reads the case file at `path`, with overrides such as `soil.friction_angle=38 deg`.
-///
-/// # Errors
-/// [`CaseError`] holds everything that is wrong, with its place in the file.
-pub fn load(path: &Path, overrides: &[String]) -> Result<Case, CaseError> {
-    load_with_spreads(path, overrides).map(|(case, _)| case)
-}
-
-/// As [`load`], with the spreads that the file states, such as `"35 ± 2 deg"`; the case holds the means.
-///
-/// # Errors
-/// As [`load`].
-pub fn load_with_spreads(path: &Path, overrides: &[String]) -> Result<(Case, Vec<Spread>), CaseError> {
-    let name = path.display().to_string();
-    let bytes = read(path).map_err(|error| unreadable(path, &name, &error))??;
-    let text = String::from_utf8(bytes).map_err(|error| {
-        let valid = &error.as_bytes()[..error.utf8_error().valid_up_to()];
-        let line = valid.iter().filter(|b| **b == b'\n').count() + 1;
-        let message = format!("{name}: not a text file: line {line} is not UTF-8");
-        CaseError::unreadable(&name, message, "save the file as UTF-8 text")
-    })?;
-    parse_with_spreads(&text, &name, overrides)
-}
-
-/// The largest case file that is read [bytes]; the shipped ones have some 2 kB, 500 bodies some 150 kB.
-const MOST_BYTES: u64 = 1 << 20;
-
-/// The content of a case file. What is no ordinary file (a pipe, a device) could go on for ever and is refused.
-fn read(path: &Path) -> std::io::Result<Result<Vec<u8>, CaseError>> {
-    let (name, about) = (path.display().to_string(), std::fs::metadata(path)?);
-    if !about.is_file() && !about.is_dir() {
-        let message = format!("{name}: a pipe or a device, not a case file");
-        return Ok(Err(CaseError::unreadable(&name, message, "write the case into an ordinary file")));
-    }
-    if about.is_file() && about.len() > MOST_BYTES {
-        let message =
-            format!("{name}: too large for a case file: {} bytes, {MOST_BYTES} are the most", about.len());
-        return Ok(Err(CaseError::unreadable(&name, message, "check the path: this may be another file")));
-    }
-    std::fs::read(path).map(Ok)
-}
-
-fn unreadable(path: &Path, name: &str, error: &std::io::Error) -> CaseError {
-    if path.is_dir() {
-        let cure = "name the case file in it, such as cases/towed_disc.toml";
-        return CaseError::unreadable(name, format!("{name}: a directory, not a case file"), cure);
-    }
-    let cure = match error.kind() {
-        std::io::ErrorKind::NotFound => {
-            "check the path; `coulter new towed-disc` writes a case file to start from"
-        }
-        _ => "check that the file can be read",
-    };
-    CaseError::unreadable(name, format!("{name}: cannot be read: {error}"), cure)
-}
-
-/// Reads a case from its text; `source_name` is what to call it in messages.
-///
-/// # Errors
-/// [`CaseError`] holds everything that is wrong, with its place in the text.
-pub fn parse(text: &str, source_name: &str, overrides: &[String]) -> Result<Case, CaseError> {
-    parse_with_spreads(text, source_name, overrides).map(|(case, _)| case)
-}
-
-fn parse_with_spreads(
-    text: &str,
-    source_name: &str,
-    overrides: &[String],
-) -> Result<(Case, Vec<Spread>), CaseError> {
-    let mut problems = Problems::new(Source { name: source_name.to_owned(), text: text.to_owned() });
-    let mut root = tree::read(&mut problems, overrides);
-    if !problems.is_empty() {
-        return Err(problems.into_error());
-    }
-    if root.is_empty() {
-        let message = format!("{source_name}: the case is empty");
-        return Err(CaseError::unreadable(
-            source_name,
-            message,
-            "`coulter new towed-disc` writes one to start from",
-        ));
-    }
-    let spreads = spread::settle(&mut root, &mut problems);
-    let schema = schema::read(&root, &mut problems);
-    match resolve::resolve(&schema, source_name, &mut problems) {
-        Some(case) if problems.is_empty() => Ok((case, spreads)),
-        _ => Err(problems.into_error()),
-    }
-}
-
-/// Whether Windows keeps a name for a device: no file or folder there can be called so.
-fn is_device(name: &str) -> bool {
-    let upper = name.to_ascii_uppercase();
-    let numbered =
-        |kind: &str| upper.strip_prefix(kind).is_some_and(|n| n.len() == 1 && ("1"..="9").contains(&n));
-    ["CON", "PRN", "AUX", "NUL"].contains(&upper.as_str()) || numbered("COM") || numbered("LPT")
-}
-
-/// The candidate that `typed` resembles most, if it resembles any.
-fn nearest<'a>(typed: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    let lower = typed.to_lowercase();
-    candidates
-        .map(|name| (strsim::jaro_winkler(&lower, &name.to_lowercase()), name))
-        .filter(|(likeness, _)| *likeness > 0.7)
-        .max_by(|a, b| a.0.total_cmp(&b.0))
-        .map(|(_, name)| name)
-}
+pub use uncertainty::StandardDeviation;

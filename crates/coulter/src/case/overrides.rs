@@ -1,7 +1,8 @@
 //! The text of a case with overrides written into it, so that a result can be repeated from one file.
 
+use super::load::parse;
+use super::problem::CaseError;
 use super::tree;
-use super::{CaseError, parse};
 use toml_edit::{DocumentMut, Item, Table, TableLike, Value};
 
 /// The text of a case with its overrides in it; comments stay.

@@ -6,23 +6,23 @@ use std::{fmt, ops::Range, sync::Arc};
 /// A text that was typed: the case file, or one `--set`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Source {
-    /// What to call it: the path of the file, or `--set soil.cohesion`.
+    /// Its name: the path of the file, or `--set soil.cohesion`.
     pub(super) name: String,
     /// The text.
     pub(super) text: String,
 }
 
-/// A stretch of a source.
+/// A range of a source.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Place {
+pub(super) struct Location {
     /// Number of the source; 0 is the file.
     pub(super) source: usize,
-    /// Bytes of its text.
+    /// Range of bytes in its text.
     pub(super) span: Range<usize>,
 }
 
-impl Place {
-    /// The first byte of the file: for what concerns the file as a whole.
+impl Location {
+    /// The first byte of the file: for problems that concern the file as a whole.
     pub(super) fn file() -> Self {
         Self { source: 0, span: 0..0 }
     }
@@ -33,9 +33,9 @@ impl Place {
 pub struct Problem {
     /// What is wrong.
     pub message: String,
-    /// What to do about it.
+    /// How to fix it.
     pub cure: String,
-    /// Line, counted from 1; 0 where the trouble is not in the text.
+    /// Line, counted from 1; 0 where the problem is not in the text.
     pub line: usize,
     /// Column in characters, counted from 1.
     pub column: usize,
@@ -69,16 +69,16 @@ impl Diagnostic for Problem {
 /// A case that cannot be run: everything that is wrong with it.
 #[derive(Clone, Debug)]
 pub struct CaseError {
-    /// What the case is called: the path of its file.
+    /// Name of the case: the path of its file.
     pub name: String,
-    /// What was found, in the order of the file: the first few.
+    /// The first few problems, in the order of the file.
     pub problems: Vec<Problem>,
     /// How many more there are.
     pub unseen: usize,
 }
 
-/// Problems that are told at once.
-const MOST_TOLD: usize = 20;
+/// Problems that are reported at once.
+const MAX_REPORTED: usize = 20;
 
 impl CaseError {
     /// A case that could not even be read, e.g. because the file is missing.
@@ -107,11 +107,11 @@ impl Diagnostic for CaseError {
     }
 }
 
-/// Collects problems while a case is read, so that one look shows them all.
+/// Collects problems while a case is read, so that all are reported at once.
 #[derive(Debug)]
 pub(super) struct Problems {
     sources: Vec<Source>,
-    found: Vec<(Place, String, String)>,
+    found: Vec<(Location, String, String)>,
 }
 
 impl Problems {
@@ -119,7 +119,7 @@ impl Problems {
         Self { sources: vec![file], found: Vec::new() }
     }
 
-    /// Takes in another text; returns its number.
+    /// Adds another text; returns its number.
     pub(super) fn add_source(&mut self, source: Source) -> usize {
         self.sources.push(source);
         self.sources.len() - 1
@@ -129,8 +129,8 @@ impl Problems {
         self.sources.get(source).map_or("", |s| s.text.as_str())
     }
 
-    pub(super) fn add(&mut self, place: &Place, message: impl Into<String>, cure: impl Into<String>) {
-        self.found.push((place.clone(), message.into(), cure.into()));
+    pub(super) fn add(&mut self, location: &Location, message: impl Into<String>, cure: impl Into<String>) {
+        self.found.push((location.clone(), message.into(), cure.into()));
     }
 
     pub(super) fn is_empty(&self) -> bool {
@@ -141,27 +141,28 @@ impl Problems {
         self.found.len()
     }
 
-    /// The text at a place, as typed.
-    pub(super) fn typed(&self, place: &Place) -> &str {
-        self.text(place.source).get(place.span.clone()).unwrap_or_default()
+    /// The text at a location, as typed.
+    pub(super) fn typed(&self, location: &Location) -> &str {
+        self.text(location.source).get(location.span.clone()).unwrap_or_default()
     }
 
-    /// The error that holds all that was found, in the order of the text.
+    /// The error with all problems, in the order of the text.
     pub(super) fn into_error(mut self) -> CaseError {
-        self.found.sort_by_key(|(place, ..)| (place.source, place.span.start));
+        self.found.sort_by_key(|(location, ..)| (location.source, location.span.start));
         self.found.dedup();
-        let unseen = self.found.len().saturating_sub(MOST_TOLD);
-        self.found.truncate(MOST_TOLD);
+        let unseen = self.found.len().saturating_sub(MAX_REPORTED);
+        self.found.truncate(MAX_REPORTED);
         let sources: Vec<_> =
             self.sources.iter().map(|s| Arc::new(NamedSource::new(&s.name, s.text.clone()))).collect();
         let name = self.sources.first().map_or(String::new(), |s| s.name.clone());
         let mut problems = Vec::new();
-        for (place, message, cure) in self.found {
-            let (Some(source), Some(text)) = (sources.get(place.source), self.sources.get(place.source))
+        for (location, message, cure) in self.found {
+            let (Some(source), Some(text)) =
+                (sources.get(location.source), self.sources.get(location.source))
             else {
                 continue;
             };
-            let span = within(&text.text, place.span);
+            let span = within(&text.text, location.span);
             let (line, column) = line_and_column(&text.text, span.start);
             problems.push(Problem { message, cure, line, column, span, source: source.clone() });
         }
@@ -169,7 +170,7 @@ impl Problems {
     }
 }
 
-/// The span, moved to lie inside the text and between characters.
+/// The span, moved inside the text and onto character boundaries.
 fn within(text: &str, span: Range<usize>) -> Range<usize> {
     let floor = |mut n: usize| {
         n = n.min(text.len());
@@ -180,7 +181,7 @@ fn within(text: &str, span: Range<usize>) -> Range<usize> {
     };
     let start = floor(span.start);
     if start == text.len() {
-        // Behind the end there is nothing to point at: point at the last character.
+        // There is nothing to point at beyond the end: point at the last character.
         return floor(start.saturating_sub(1))..start;
     }
     start..floor(span.end).max(start)

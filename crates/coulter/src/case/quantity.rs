@@ -1,18 +1,19 @@
-//! Text with a unit → a number in SI units. The only place that knows units other than SI.
+//! Text with a unit → a number in SI units. The only module that uses units other than SI.
 //!
 //! Grammar: a number, then symbols joined by `*`, `·`, a space or `/` (which divides by the one symbol that follows),
 //! each with an optional whole exponent: `16 kN/m^3`, `35 deg`, `2 N*m`, `9.81 m/s²`.
 
+pub use super::units::QuantityError;
 use super::units::{self, Dimension};
 
-/// What a key measures: its name in messages, its dimension and an example to imitate.
+/// A measurable quantity: its name in messages, its dimension and an example.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Measure {
-    /// With its article: `a length`.
+    /// Its name with the article: `a length`.
     pub name: &'static str,
     /// Its dimension.
     pub dimension: Dimension,
-    /// A value as one would type it.
+    /// A value as one would write it.
     pub example: &'static str,
 }
 
@@ -47,7 +48,7 @@ pub const UNIT_WEIGHT: Measure = measure("a unit weight", [-2, 1, -2, 0], "16 kN
 /// A moment of inertia [kg m²].
 pub const INERTIA: Measure = measure("a moment of inertia", [2, 1, 0, 0], "0.02 kg*m^2");
 
-/// Every measure that has a name, to say what a wrong one is.
+/// Every measure that has a name, to name a wrong one.
 const NAMED: [Measure; 13] = [
     LENGTH,
     MASS,
@@ -64,55 +65,6 @@ const NAMED: [Measure; 13] = [
     INERTIA,
 ];
 
-/// What is wrong with a quantity.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum QuantityError {
-    /// There is no number at the start.
-    #[error("`{text}` does not start with a number")]
-    NoNumber {
-        /// What was typed.
-        text: String,
-    },
-    /// Infinite, or too large to be represented.
-    #[error("`{text}` is not a finite number")]
-    NotFinite {
-        /// What was typed.
-        text: String,
-    },
-    /// A number and nothing else.
-    #[error("`{text}` has no unit")]
-    NoUnit {
-        /// What was typed.
-        text: String,
-    },
-    /// A symbol that is not known.
-    #[error("unknown unit `{unit}`{}", nearest.as_ref().map_or(String::new(), |n| format!("; did you mean `{n}`?")))]
-    UnknownUnit {
-        /// The symbol.
-        unit: String,
-        /// The nearest symbol that is known.
-        nearest: Option<String>,
-    },
-    /// The unit does not follow the grammar.
-    #[error("cannot read the unit `{unit}`: {why}")]
-    Malformed {
-        /// The text after the number.
-        unit: String,
-        /// What is wrong with it.
-        why: &'static str,
-    },
-    /// A unit, but of something else.
-    #[error("`{text}` is {found}, but {needed} is needed")]
-    WrongDimension {
-        /// What was typed.
-        text: String,
-        /// What it measures.
-        found: String,
-        /// What is needed.
-        needed: &'static str,
-    },
-}
-
 /// Reads `text` as `measure`; the value in SI units.
 ///
 /// # Errors
@@ -126,7 +78,7 @@ pub fn parse(text: &str, measure: &Measure) -> Result<f64, QuantityError> {
     Err(QuantityError::WrongDimension { text: text.trim().to_owned(), found, needed: measure.name })
 }
 
-/// Reads `text` as a quantity of whatever dimension; the value in SI units.
+/// Reads `text` as a quantity of any dimension; the value in SI units.
 ///
 /// # Errors
 /// [`QuantityError`] where the text is not a number with a known unit.
@@ -145,8 +97,8 @@ pub fn parse_any(text: &str) -> Result<(f64, Dimension), QuantityError> {
     if value.is_finite() { Ok((value, dimension)) } else { Err(QuantityError::NotFinite { text: owned() }) }
 }
 
-/// Reads one of Bekker's moduli, whose unit has the sinkage exponent n in it: `102 kN/m^(n+1)`, or `102 kPa/m^(n-1)`.
-/// `offset` is i in N/m^(n+i); the value is in that unit, whatever n.
+/// Reads one of Bekker's moduli, whose unit contains the sinkage exponent n: `102 kN/m^(n+1)`, or `102 kPa/m^(n-1)`.
+/// `offset` is i in N/m^(n+i); the value is in that unit, for any n.
 ///
 /// # Errors
 /// [`QuantityError`] says what is wrong.
@@ -156,14 +108,14 @@ pub fn parse_modulus(text: &str, offset: i32) -> Result<f64, QuantityError> {
         return parse_any(text).map(|(value, _)| value);
     }
     let malformed = |why| QuantityError::Malformed { unit: unit.trim().to_owned(), why };
-    let whole = "an exponent with n is needed, such as kN/m^(n+1)";
+    let whole = "the exponent must contain n, as in kN/m^(n+1)";
     let (load, power) = unit.split_once("/m^").ok_or_else(|| malformed(whole))?;
     let (value, dimension) = parse_any(&format!("{number} {load}"))?;
     // N/m² over m^(n+i-2) is N over m^(n+i).
     let folded = match dimension {
         _ if dimension == FORCE.dimension => 0,
         _ if dimension == STRESS.dimension => 2,
-        _ => return Err(malformed("a force or a stress must stand before /m^")),
+        _ => return Err(malformed("a force or a stress is needed before /m^")),
     };
     let power: String = power.chars().filter(|c| !c.is_whitespace() && !"()".contains(*c)).collect();
     let beyond_n = power.strip_prefix('n').ok_or_else(|| malformed(whole))?.replace('−', "-");
@@ -176,16 +128,16 @@ pub fn parse_modulus(text: &str, offset: i32) -> Result<f64, QuantityError> {
     }
 }
 
-/// Names a dimension: `a length`, or `something in m^2 kg s^-1` where it has no name.
+/// Names a dimension: `a length`, or `a quantity in m^2 kg s^-1` where it has no name.
 #[must_use]
 pub fn describe(dimension: Dimension) -> String {
     match NAMED.iter().find(|m| m.dimension == dimension) {
         Some(measure) => measure.name.to_owned(),
-        None => format!("something in {dimension}"),
+        None => format!("a quantity in {dimension}"),
     }
 }
 
-/// Splits `12.5e-3 mm` behind the number; an `e` belongs to it only when an exponent follows.
+/// Splits `12.5e-3 mm` after the number; an `e` belongs to it only when an exponent follows.
 pub(super) fn split_number(text: &str) -> (&str, &str) {
     let bytes: Vec<(usize, char)> = text.char_indices().collect();
     let at = |n: usize| bytes.get(n).map(|(_, c)| *c);
@@ -204,10 +156,10 @@ pub(super) fn split_number(text: &str) -> (&str, &str) {
             }
         }
     }
-    text.split_at(bytes.get(n).map_or(text.len(), |(place, _)| *place))
+    text.split_at(bytes.get(n).map_or(text.len(), |(index, _)| *index))
 }
 
-/// A number for people, in seven digits and without the traces of rounding: `0.35`, not `0.35000000000000003`.
+/// A number for display, in seven digits and without rounding noise: `0.35`, not `0.35000000000000003`.
 #[must_use]
 pub fn plain(number: f64) -> String {
     format!("{number:.6e}").parse::<f64>().unwrap_or(number).to_string()
@@ -216,7 +168,7 @@ pub fn plain(number: f64) -> String {
 #[cfg(test)]
 mod tests {
     #[test]
-    fn numbers_for_people_have_no_traces_of_rounding() {
+    fn displayed_numbers_have_no_rounding_noise() {
         let shown =
             [0.350_000_000_000_000_03, -0.1, 1e-9, 0.1 + 0.2, 1234.5, f64::INFINITY].map(super::plain);
         assert_eq!(shown, ["0.35", "-0.1", "0.000000001", "0.3", "1234.5", "inf"]);
@@ -289,7 +241,7 @@ mod tests {
         let complaint = |text: &str, measure: &Measure| parse(text, measure).unwrap_err().to_string();
         assert!(complaint("16 kN/mm", &UNIT_WEIGHT).contains("a unit weight is needed"));
         assert!(complaint("5 MPa", &LENGTH).contains("is a stress, but a length is needed"));
-        assert!(complaint("5 m^7", &LENGTH).contains("something in m^7"));
+        assert!(complaint("5 m^7", &LENGTH).contains("a quantity in m^7"));
         assert!(complaint("5", &LENGTH).contains("no unit"));
         assert!(complaint("5 kPaa", &STRESS).contains("did you mean `kPa`?"));
         assert!(complaint("5 kn", &FORCE).contains("did you mean `kN`?"));

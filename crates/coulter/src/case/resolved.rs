@@ -9,7 +9,7 @@ use serde::Serialize;
 /// A case, ready to be simulated.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Case {
-    /// Short name; the results folder is called after it. Letters, digits, `-` and `_`.
+    /// Short name, also of the results folder. Letters, digits, `-` and `_`.
     pub name: String,
     /// One line for the report.
     pub title: String,
@@ -17,32 +17,32 @@ pub struct Case {
     pub gravity: f64,
     /// The soil.
     pub soil: Soil,
-    /// Where soil is at the start.
+    /// Where there is soil at the start.
     pub ground: Ground,
     /// Vertical pressure of the lid on the soil at the start [Pa].
     pub overburden: f64,
-    /// Velocity of the soil at the start [m/s].
+    /// Initial velocity of the soil [m/s].
     pub velocity: DVec3,
     /// The box that is modelled.
     pub domain: Domain,
     /// Cell sizes.
     pub grid: Grid,
-    /// Rigid bodies by the order in the file; may be empty.
+    /// Rigid bodies in the order of the file; may be empty.
     pub bodies: Vec<Body>,
-    /// How long to run.
+    /// Duration of the run [s].
     pub duration: f64,
     /// What to write, and how often.
     pub output: Output,
     /// Parameters of the method.
     pub numerics: Numerics,
-    /// What the closed forms alone want to know.
+    /// Parameters of the closed-form models only.
     pub forecast: Measured,
 }
 
 /// Parameters of the soil.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Soil {
-    /// Which law.
+    /// Yield law.
     pub law: Law,
     /// Inertial density ρ [kg/m³] (γ/g unless given).
     pub density: f64,
@@ -52,11 +52,11 @@ pub struct Soil {
     pub young_modulus: f64,
     /// Poisson's ratio ν, 0 ≤ ν < 0.5.
     pub poisson_ratio: f64,
-    /// Ratio K₀ of horizontal to vertical stress at rest.
-    pub rest_pressure_ratio: f64,
+    /// Coefficient of earth pressure at rest K₀: horizontal over vertical stress at the start.
+    pub k0: f64,
 }
 
-/// The strength of the soil.
+/// The yield law of the soil.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Law {
@@ -71,7 +71,7 @@ pub enum Law {
     VonMises {
         /// Yield stress in plain tension σ_y [Pa].
         yield_stress: f64,
-        /// Its slope over the equivalent plastic strain, H ≥ 0 [Pa].
+        /// Hardening modulus: its slope over the equivalent plastic strain, H ≥ 0 [Pa].
         hardening_modulus: f64,
     },
     /// Mohr–Coulomb.
@@ -82,11 +82,11 @@ pub enum Law {
         dilation_angle: f64,
         /// Cohesion c [Pa]; 0 is allowed.
         cohesion: f64,
-        /// Largest tension that the soil bears [Pa]; at most c cot φ.
-        tension_limit: f64,
-        /// Where yielding soil flows to.
+        /// Tension cut-off: the largest tensile stress [Pa]; at most c cot φ.
+        tension_cutoff: f64,
+        /// Plastic flow potential.
         potential: Potential,
-        /// Density below which the soil dilates no more [kg/m³].
+        /// Density below which the soil no longer dilates [kg/m³].
         critical_density: Option<f64>,
     },
 }
@@ -95,7 +95,7 @@ pub enum Law {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Potential {
-    /// Of the form of the yield surface, with ψ for φ.
+    /// Of the form of the yield surface, with ψ in place of φ.
     MohrCoulomb,
     /// Menétrey and Willam (1995).
     MenetreyWillam {
@@ -106,7 +106,7 @@ pub enum Potential {
     },
 }
 
-/// Where soil is at the start. Its surface is at z = 0 unless it says otherwise.
+/// Where there is soil at the start.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Ground {
@@ -115,7 +115,7 @@ pub enum Ground {
         /// Height of the surface [m].
         surface: f64,
     },
-    /// Soil only in a box (a column that will collapse, a bank before a wall), or in the round column inside it.
+    /// Soil only in a box (a column that will collapse, a bank in front of a wall), or in the round column inside it.
     Column {
         /// Low corner [m].
         low: DVec3,
@@ -127,7 +127,7 @@ pub enum Ground {
 }
 
 impl Ground {
-    /// Height of its level top [m].
+    /// Height of its level surface [m].
     #[must_use]
     pub fn surface(&self) -> f64 {
         match *self {
@@ -137,7 +137,7 @@ impl Ground {
     }
 }
 
-/// What a face of the box does to the soil that touches it.
+/// Boundary condition at a face of the box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Wall {
@@ -158,16 +158,16 @@ pub struct Domain {
     pub walls: [[Wall; 2]; 3],
     /// Whether y = 0 is a plane of symmetry and only y ≥ 0 is modelled. Forces are reported for the whole body.
     pub symmetric: bool,
-    /// The same of x = 0 and x ≥ 0.
+    /// The same for x = 0 and x ≥ 0.
     pub symmetric_x: bool,
     /// Whether the case is plane strain: a slab one cell thick in y. Forces are per `high.y - low.y` metre of width.
     pub plane_strain: bool,
 }
 
 impl Domain {
-    /// Share of each body that is modelled: halved by each plane of symmetry.
+    /// Fraction of each body that is modelled: halved by each plane of symmetry.
     #[must_use]
-    pub fn share(&self) -> f64 {
+    pub fn modelled_fraction(&self) -> f64 {
         let half = |is_cut: bool| if is_cut { 0.5 } else { 1.0 };
         half(self.symmetric) * half(self.symmetric_x)
     }
@@ -207,7 +207,7 @@ pub struct Body {
     pub shear_limit: f64,
     /// Motion along x (tow), y (lateral), z (heave).
     pub translation: [Freedom; 3],
-    /// Turning about the axle; positive when it rolls forward.
+    /// Rotation about the axle; positive when it rolls forward.
     pub spin: Freedom,
 }
 
@@ -226,7 +226,7 @@ pub enum Shape {
     Block {
         /// Edge lengths [m].
         size: DVec3,
-        /// Angle by which it is turned about y at the start [rad], its top towards x if positive.
+        /// Rotation about y at the start [rad], positive when it tips the top towards +x.
         orientation: f64,
     },
     /// A cylinder.
@@ -235,18 +235,18 @@ pub enum Shape {
         diameter: f64,
         /// Length along its axis [m].
         length: f64,
-        /// Along what it lies.
+        /// Direction of its axis.
         axis: Axis,
     },
-    /// A ball.
-    Ball {
+    /// A sphere.
+    Sphere {
         /// Diameter d [m].
         diameter: f64,
     },
 }
 
 impl Shape {
-    /// The shape as something that can be measured, touched and drawn.
+    /// The shape with its geometry: distances, contact points, mesh.
     #[must_use]
     pub fn solid(&self) -> Box<dyn shape::Shape> {
         match *self {
@@ -256,7 +256,7 @@ impl Shape {
                 Box::new(shape::Rotated::new(shape::Block { size }, orientation))
             }
             Self::Cylinder { diameter, length, axis } => Box::new(shape::Cylinder { diameter, length, axis }),
-            Self::Ball { diameter } => Box::new(shape::Sphere { diameter }),
+            Self::Sphere { diameter } => Box::new(shape::Sphere { diameter }),
         }
     }
 }
@@ -270,21 +270,21 @@ pub struct Output {
     pub field_interval: f64,
     /// Time between checkpoints, in seconds of wall clock; infinite for none but at the end.
     pub checkpoint_interval: f64,
-    /// Share of the run's end that the steady averages are taken over, 0 to 1.
-    pub steady_share: f64,
+    /// Fraction of the run, at its end, over which steady averages are taken, 0 to 1.
+    pub steady_fraction: f64,
 }
 
-/// How the soil and a body act on each other.
+/// Contact method between soil and bodies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Contact {
-    /// Penalty with a history penetration that follows the geometric gap.
+    /// Penalty method with a penetration history that follows the geometric gap.
     Penalty,
-    /// Velocity impulses with the body inside the iteration.
+    /// Velocity impulses, iterated together with the motion of the body.
     Impulse,
 }
 
-/// Precision of the soil's fields and of what is done with them.
+/// Precision of the soil's fields and of the arithmetic on them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Precision {
@@ -304,7 +304,7 @@ pub struct Numerics {
     pub remap_displacement: f64,
     /// Coefficient of hourglass viscosity (0.01).
     pub hourglass: f64,
-    /// Share of the hourglass viscosity that acts in cells that yield (1).
+    /// Fraction of the hourglass viscosity that acts in cells that yield (1).
     pub hourglass_yielding: f64,
     /// Linear coefficient of bulk viscosity b₁ (0.02; 0.06 for Tresca and von Mises).
     pub bulk_viscosity_linear: f64,
@@ -312,7 +312,7 @@ pub struct Numerics {
     pub bulk_viscosity_quadratic: f64,
     /// Contact method.
     pub contact: Contact,
-    /// Distance kept between contact points and sharp edges, in cell widths (0.5).
+    /// Distance of contact points from sharp edges, in cell widths (0.5).
     pub edge_inset: f64,
     /// Spacing of contact points, in cell widths (0.25).
     pub point_spacing: f64,
@@ -322,27 +322,27 @@ pub struct Numerics {
     pub precision: Precision,
 }
 
-/// What the closed forms of `coulter forecast` want to know besides the rest; the solver takes no notice of it.
+/// Parameters of the closed-form models of `coulter forecast`; the solver ignores them.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Measured {
-    /// Rise β of the ground before the disc [rad].
+    /// Inclination β of the ground in front of the disc [rad].
     pub backfill: f64,
-    /// Share χ of the soil swept aside that heaps up before the disc.
+    /// Fraction χ of the soil swept aside that heaps up in front of the disc.
     pub heap: f64,
-    /// Whose factors of shape, depth and inclination.
+    /// Shape, depth and inclination factors of the bearing capacity.
     pub factors: Factors,
     /// Cone index CI [Pa].
     pub cone_index: Option<f64>,
     /// Pressure over depth under a level plate pushed down [N/m³].
     pub plate_stiffness: Option<f64>,
-    /// Plate constants.
+    /// Pressure–sinkage parameters.
     pub plate: Option<Plate>,
 }
 
-/// Constants of Bekker's plate, p = (k_c/b + k_φ) zⁿ, and of Janosi and Hanamoto's shear curve.
+/// Pressure–sinkage parameters of Bekker, p = (k_c/b + k_φ) zⁿ, and shear deformation modulus of Janosi and Hanamoto.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Plate {
-    /// The published soil that they are of, if so.
+    /// The published soil that they belong to, if any.
     pub name: Option<String>,
     /// Sinkage exponent n.
     pub exponent: f64,
@@ -350,11 +350,11 @@ pub struct Plate {
     pub cohesive: f64,
     /// Frictional modulus k_φ [N/m^(n+2)].
     pub frictional: f64,
-    /// Shear displacement modulus K [m].
-    pub shear_displacement: f64,
+    /// Shear deformation modulus K [m].
+    pub shear_deformation_modulus: f64,
 }
 
-/// Whose factors of shape, depth and inclination the bearing model takes.
+/// Shape, depth and inclination factors of the bearing capacity model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Factors {

@@ -1,14 +1,14 @@
-//! The text of a case as a tree in which every key and value knows where it was typed.
+//! The text of a case as a tree of keys and values with their locations.
 
-use super::nearest;
-use super::problem::{Place, Problems, Source};
+use super::names::nearest;
+use super::problem::{Location, Problems, Source};
 use toml::{Spanned, de::DeTable, de::DeValue};
 
-/// A value and its place.
+/// A value and its location.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Node {
     pub(super) value: Value,
-    pub(super) place: Place,
+    pub(super) location: Location,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -23,7 +23,7 @@ pub(super) enum Value {
 }
 
 impl Value {
-    /// What it is, with its article, for messages.
+    /// Its type with the article, for messages.
     pub(super) fn kind(&self) -> &'static str {
         match self {
             Self::Text(_) => "text",
@@ -40,7 +40,7 @@ impl Value {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Entry {
     pub(super) key: String,
-    pub(super) key_place: Place,
+    pub(super) key_location: Location,
     pub(super) node: Node,
 }
 
@@ -51,19 +51,19 @@ pub(super) fn read(problems: &mut Problems, overrides: &[String]) -> Vec<Entry> 
     let mut lines = Vec::new();
     for error in &errors {
         let span = error.span().unwrap_or(0..0);
-        // One slip makes many errors: the first one of a line says it, and three lines are enough at once.
+        // One mistake causes many errors: the first one of each line is reported, for three lines at most.
         let line = text.bytes().take(span.start).filter(|b| *b == b'\n').count();
         if lines.contains(&line) || lines.len() == 3 {
             continue;
         }
         lines.push(line);
-        problems.add(&Place { source: 0, span }, sentence(error.message()), cure(error.message()));
+        problems.add(&Location { source: 0, span }, sentence(error.message()), cure(error.message()));
     }
     let mut root = if problems.is_empty() { entries(document.get_ref(), 0, 0) } else { Vec::new() };
     for text in overrides {
-        if let Some(cure) = starts_a_body_unasked(&root, overrides, text) {
+        if let Some(cure) = fix_for_unknown_body(&root, overrides, text) {
             let source = problems.add_source(Source { name: format!("--set {text}"), text: text.clone() });
-            problems.add(&Place { source, span: 0..text.len() }, "there is no such body", cure);
+            problems.add(&Location { source, span: 0..text.len() }, "there is no body of this name", cure);
             continue;
         }
         override_one(problems, &mut root, text);
@@ -79,15 +79,15 @@ fn cure(message: &str) -> &'static str {
     if message.contains("duplicate") {
         "the key is set twice in this table: keep one of them"
     } else {
-        "a line is `key = value` or `[section]`; text and quantities stand in quotes: cell = \"12.5 mm\""
+        "a line is `key = value` or `[section]`; text and quantities are in quotes: cell = \"12.5 mm\""
     }
 }
 
-/// No key has more names than this, `body.NAME.forward.speed` having four.
+/// Largest number of names in a dotted key; `body.NAME.forward.speed` has four.
 const DEEPEST_KEY: usize = 6;
 
-/// Whether an override would start a new body that nobody gives a shape: a slip in a name; then its cure.
-fn starts_a_body_unasked(root: &[Entry], overrides: &[String], text: &str) -> Option<String> {
+/// How to fix an override that would start a new body without a shape: probably a misspelt name.
+fn fix_for_unknown_body(root: &[Entry], overrides: &[String], text: &str) -> Option<String> {
     let (own, _) = split_override(text)?;
     let [first, name, _, ..] = own.as_slice() else { return None };
     let gets_shape = |other: &String| {
@@ -103,10 +103,10 @@ fn starts_a_body_unasked(root: &[Entry], overrides: &[String], text: &str) -> Op
     }
     Some(match nearest(name, known.iter().copied()) {
         Some(near) => {
-            format!("did you mean `body.{near}`? a new body needs its shape: --set body.{name}.shape=disc")
+            format!("did you mean `body.{near}`? a new body needs a shape: --set body.{name}.shape=disc")
         }
         None => format!(
-            "a new body needs its shape: --set body.{name}.shape=disc; there are: {}",
+            "a new body needs a shape: --set body.{name}.shape=disc; existing bodies: {}",
             known.join(", ")
         ),
     })
@@ -116,20 +116,20 @@ fn starts_a_body_unasked(root: &[Entry], overrides: &[String], text: &str) -> Op
 fn override_one(problems: &mut Problems, root: &mut Vec<Entry>, text: &str) {
     let name = format!("--set {}", text.split('=').next().unwrap_or_default().trim());
     let source = problems.add_source(Source { name, text: text.to_owned() });
-    let whole = Place { source, span: 0..text.len() };
+    let whole = Location { source, span: 0..text.len() };
     let cure = "write --set soil.friction_angle=\"38 deg\"";
     let Some((path, value_text)) = text.split_once('=') else {
         problems.add(&whole, format!("`--set {text}` has no `=`"), cure);
         return;
     };
     let Some((keys, _)) = split_override(text) else {
-        problems.add(&whole, format!("`{path}` is no key"), cure);
+        problems.add(&whole, format!("`{path}` is not a key"), cure);
         return;
     };
-    let key_place = Place { source, span: 0..path.len() };
+    let key_location = Location { source, span: 0..path.len() };
     let node = override_value(value_text, source, path.len() + 1);
-    if let Err(message) = insert(root, &keys, &key_place, node) {
-        problems.add(&key_place, message, "name a key, such as soil.friction_angle or body.disc.weight");
+    if let Err(message) = insert(root, &keys, &key_location, node) {
+        problems.add(&key_location, message, "name a key, such as soil.friction_angle or body.disc.weight");
     }
 }
 
@@ -141,23 +141,23 @@ pub(super) fn split_override(text: &str) -> Option<(Vec<&str>, &str)> {
     is_key.then_some((keys, value.trim()))
 }
 
-/// The value of an override: TOML where it is TOML, else plain text, since the shell takes quotes away.
+/// The value of an override: TOML where it is TOML, otherwise plain text, since the shell removes quotes.
 fn override_value(text: &str, source: usize, offset: usize) -> Node {
-    let place = Place { source, span: offset..offset + text.len() };
+    let location = Location { source, span: offset..offset + text.len() };
     match DeValue::parse(text.trim()) {
         Ok(value) => {
             let lead = text.len() - text.trim_start().len();
-            Node { value: convert(value.get_ref(), source, offset + lead), place }
+            Node { value: convert(value.get_ref(), source, offset + lead), location }
         }
-        Err(_) => Node { value: Value::Text(text.trim().to_owned()), place },
+        Err(_) => Node { value: Value::Text(text.trim().to_owned()), location },
     }
 }
 
-fn insert(table: &mut Vec<Entry>, keys: &[&str], key_place: &Place, node: Node) -> Result<(), String> {
+fn insert(table: &mut Vec<Entry>, keys: &[&str], key_location: &Location, node: Node) -> Result<(), String> {
     let Some((first, rest)) = keys.split_first() else { return Ok(()) };
     let known = table.iter().position(|e| e.key == *first);
     if rest.is_empty() {
-        let entry = Entry { key: (*first).to_owned(), key_place: key_place.clone(), node };
+        let entry = Entry { key: (*first).to_owned(), key_location: key_location.clone(), node };
         match known {
             Some(n) => table[n] = entry,
             None => table.push(entry),
@@ -165,12 +165,12 @@ fn insert(table: &mut Vec<Entry>, keys: &[&str], key_place: &Place, node: Node) 
         return Ok(());
     }
     let n = known.unwrap_or_else(|| {
-        let empty = Node { value: Value::Table(Vec::new()), place: key_place.clone() };
-        table.push(Entry { key: (*first).to_owned(), key_place: key_place.clone(), node: empty });
+        let empty = Node { value: Value::Table(Vec::new()), location: key_location.clone() };
+        table.push(Entry { key: (*first).to_owned(), key_location: key_location.clone(), node: empty });
         table.len() - 1
     });
     match &mut table[n].node.value {
-        Value::Table(inner) => insert(inner, rest, key_place, node),
+        Value::Table(inner) => insert(inner, rest, key_location, node),
         other => Err(format!("`{first}` is {}, so it has no key `{}`", other.kind(), rest.join("."))),
     }
 }
@@ -180,18 +180,18 @@ fn entries(table: &DeTable<'_>, source: usize, offset: usize) -> Vec<Entry> {
         .iter()
         .map(|(key, value)| Entry {
             key: key.get_ref().to_string(),
-            key_place: Place { source, span: shifted(key.span(), offset) },
+            key_location: Location { source, span: shifted(key.span(), offset) },
             node: node(value, source, offset),
         })
         .collect();
-    // The parser sorts by name; bodies are counted in the order of the file.
-    list.sort_by_key(|entry| entry.key_place.span.start);
+    // The parser sorts by name; bodies are numbered in the order of the file.
+    list.sort_by_key(|entry| entry.key_location.span.start);
     list
 }
 
 fn node(value: &Spanned<DeValue<'_>>, source: usize, offset: usize) -> Node {
-    let place = Place { source, span: shifted(value.span(), offset) };
-    Node { value: convert(value.get_ref(), source, offset), place }
+    let location = Location { source, span: shifted(value.span(), offset) };
+    Node { value: convert(value.get_ref(), source, offset), location }
 }
 
 fn shifted(span: std::ops::Range<usize>, offset: usize) -> std::ops::Range<usize> {
@@ -203,7 +203,7 @@ fn convert(value: &DeValue<'_>, source: usize, offset: usize) -> Value {
         DeValue::String(text) => Value::Text(text.to_string()),
         DeValue::Integer(number) => {
             let parsed = i64::from_str_radix(number.as_str(), number.radix());
-            // Too long for an integer: as good as infinite, and refused like it.
+            // Too long for an integer: refused like an infinite number.
             parsed.map_or(Value::Number(f64::INFINITY), Value::Integer)
         }
         DeValue::Float(number) => Value::Number(number.as_str().parse().unwrap_or(f64::NAN)),

@@ -1,14 +1,14 @@
 //! Unit symbols: their size in SI units and their dimension.
 
-use super::quantity::QuantityError;
+use super::names::nearest;
 
-/// Exponents of length, mass, time and angle. The angle counts, so that a bare number is not taken for one.
+/// Exponents of length, mass, time and angle. The angle is a dimension of its own, so that a bare number is not one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Dimension(pub [i32; 4]);
 
 impl std::fmt::Display for Dimension {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let parts: Vec<String> = ["m", "kg", "s", "rad"]
+        let factors: Vec<String> = ["m", "kg", "s", "rad"]
             .iter()
             .zip(self.0)
             .filter(|(_, exponent)| *exponent != 0)
@@ -18,9 +18,58 @@ impl std::fmt::Display for Dimension {
                 },
             )
             .collect();
-        f.write_str(if parts.is_empty() { "no unit" } else { "" })?;
-        f.write_str(&parts.join(" "))
+        f.write_str(if factors.is_empty() { "no unit" } else { "" })?;
+        f.write_str(&factors.join(" "))
     }
+}
+
+/// What is wrong with a quantity.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum QuantityError {
+    /// There is no number at the start.
+    #[error("`{text}` does not start with a number")]
+    NoNumber {
+        /// What was typed.
+        text: String,
+    },
+    /// Infinite, or too large to be represented.
+    #[error("`{text}` is not a finite number")]
+    NotFinite {
+        /// What was typed.
+        text: String,
+    },
+    /// A number and nothing else.
+    #[error("`{text}` has no unit")]
+    NoUnit {
+        /// What was typed.
+        text: String,
+    },
+    /// A symbol that is not known.
+    #[error("unknown unit `{unit}`{}", nearest.as_ref().map_or(String::new(), |n| format!("; did you mean `{n}`?")))]
+    UnknownUnit {
+        /// The symbol.
+        unit: String,
+        /// The nearest symbol that is known.
+        nearest: Option<String>,
+    },
+    /// The unit does not follow the grammar.
+    #[error("cannot read the unit `{unit}`: {why}")]
+    Malformed {
+        /// The text after the number.
+        unit: String,
+        /// What is wrong with it.
+        why: &'static str,
+    },
+    /// A unit, but of something else.
+    #[error("`{text}` is {found}, but {needed} is needed")]
+    WrongDimension {
+        /// What was typed.
+        text: String,
+        /// What it measures.
+        found: String,
+        /// What is needed.
+        needed: &'static str,
+    },
 }
 
 struct Unit {
@@ -69,13 +118,13 @@ const PREFIXES: [(&str, f64); 11] = [
     ("G", 1e9),
 ];
 
-/// Symbols that are offered when an unknown one resembles them.
+/// Symbols that are suggested when an unknown one is similar.
 const COMMON: [&str; 27] = [
     "m", "mm", "cm", "km", "µm", "kg", "g", "t", "s", "ms", "min", "h", "rad", "deg", "N", "kN", "MN", "Pa",
     "kPa", "MPa", "GPa", "bar", "J", "kJ", "rpm", "rev", "Hz",
 ];
 
-/// Largest exponent that makes sense; more is a slip of the finger.
+/// Largest exponent that makes sense; a larger one is a typing error.
 const EXPONENT_LIMIT: i32 = 9;
 
 /// Reads a unit such as `kN/m^3`: its size in SI units and its dimension.
@@ -88,19 +137,19 @@ pub(super) fn parse(text: &str) -> Result<(f64, Dimension), QuantityError> {
     let mut rest = text;
     let mut sign = 1;
     loop {
-        let (symbol, exponent, behind) = split_factor(rest).map_err(malformed)?;
+        let (symbol, exponent, remainder) = split_factor(rest).map_err(malformed)?;
         let (size, exponents) = look_up(symbol)?;
         factor *= size.powi(sign * exponent);
         for (sum, one) in dimension.iter_mut().zip(exponents) {
             *sum += sign * exponent * one;
         }
-        rest = behind.trim_start();
-        let Some(joint) = rest.chars().next() else { return Ok((factor, Dimension(dimension))) };
-        sign = if joint == '/' { -1 } else { 1 };
-        if matches!(joint, '/' | '*' | '·') {
-            rest = rest[joint.len_utf8()..].trim_start();
-        } else if rest.len() == behind.len() {
-            return Err(malformed("join symbols by `*`, `/` or a space, and write powers as `^3`"));
+        rest = remainder.trim_start();
+        let Some(separator) = rest.chars().next() else { return Ok((factor, Dimension(dimension))) };
+        sign = if separator == '/' { -1 } else { 1 };
+        if matches!(separator, '/' | '*' | '·') {
+            rest = rest[separator.len_utf8()..].trim_start();
+        } else if rest.len() == remainder.len() {
+            return Err(malformed("join symbols with `*`, `/` or a space, and write powers as `^3`"));
         }
     }
 }
@@ -144,6 +193,6 @@ fn look_up(symbol: &str) -> Result<(f64, [i32; 4]), QuantityError> {
     }
     Err(QuantityError::UnknownUnit {
         unit: symbol.to_owned(),
-        nearest: super::nearest(symbol, COMMON.iter().copied()).map(str::to_owned),
+        nearest: nearest(symbol, COMMON.iter().copied()).map(str::to_owned),
     })
 }

@@ -1,31 +1,38 @@
-//! One value of the tree → a value of the kind its key wants, in SI units; or what is wrong with it.
+//! From a value of the tree to a value of the kind that its key requires, in SI units; or what is wrong with it.
 
-use super::keys::{Kind, MOTION_KEYS, WALLS};
-use super::nearest;
-use super::problem::{Place, Problems};
+use super::format;
+use super::keys::Kind;
+use super::keys::words::{MOTION_KEYS, WALLS};
+use super::names::nearest;
+use super::problem::{Location, Problems};
 use super::quantity::{self, Measure, TIME};
-use super::schema::{Given, Motion, Typed, unknown};
 use super::tree::{Entry, Node, Value};
+use super::typed::{Given, Motion, Typed};
+use super::unknown::unknown;
 use std::ops::RangeInclusive;
 
-/// A value that is not what its key wants.
+/// A value that is not of the kind that its key requires.
 struct Complaint {
-    place: Place,
+    location: Location,
     message: String,
     cure: String,
 }
 
 type Read<T> = Result<T, Complaint>;
 
-/// The value as its kind wants it, or `Broken` with a problem added.
+/// The value in its kind, or `Broken` with a problem added.
 pub(super) fn value(node: &Node, kind: &Kind, path: &str, problems: &mut Problems) -> Given {
     let read = match kind {
         Kind::Text => text(node).map(|t| Given::Text(t.to_owned())),
+        Kind::Format => {
+            format::check(node, problems);
+            return Given::Number(f64::from(format::FORMAT));
+        }
         Kind::Number => number(node).map(Given::Number),
         Kind::Count => count(node).map(Given::Number),
         Kind::Flag => flag(node).map(Given::Flag),
         Kind::Quantity(measure) => quantity(node, measure).map(Given::Number),
-        Kind::Choice(words) => choice(node, words).map(Given::Text),
+        Kind::Choice(words) => current_word(node, path).and_then(|()| choice(node, words)).map(Given::Text),
         Kind::Modulus(offset) => modulus(node, *offset).map(Given::Number),
         Kind::Friction => friction(node).map(Given::Number),
         Kind::Range(measure) => list(node, measure, 2..=2).map(Given::List),
@@ -36,17 +43,17 @@ pub(super) fn value(node: &Node, kind: &Kind, path: &str, problems: &mut Problem
         }
     };
     read.unwrap_or_else(|complaint| {
-        problems.add(&complaint.place, format!("{path}: {}", complaint.message), complaint.cure);
+        problems.add(&complaint.location, format!("{path}: {}", complaint.message), complaint.cure);
         Given::Broken
     })
 }
 
 fn complain<T>(node: &Node, message: impl Into<String>, cure: impl Into<String>) -> Read<T> {
-    Err(Complaint { place: node.place.clone(), message: message.into(), cure: cure.into() })
+    Err(Complaint { location: node.location.clone(), message: message.into(), cure: cure.into() })
 }
 
-fn wrong_type<T>(node: &Node, wanted: &str, cure: impl Into<String>) -> Read<T> {
-    complain(node, format!("expected {wanted}, found {}", node.value.kind()), cure)
+fn wrong_type<T>(node: &Node, expected: &str, cure: impl Into<String>) -> Read<T> {
+    complain(node, format!("expected {expected}, found {}", node.value.kind()), cure)
 }
 
 fn text(node: &Node) -> Read<&str> {
@@ -99,7 +106,7 @@ fn quantity(node: &Node, measure: &Measure) -> Read<f64> {
 
 fn modulus(node: &Node, offset: i32) -> Read<f64> {
     let cure =
-        format!("write it with its unit, such as \"102 kN/m^(n+{offset})\"; `n` stands for plate_exponent");
+        format!("write it with its unit, such as \"102 kN/m^(n+{offset})\"; `n` stands for sinkage_exponent");
     match &node.value {
         Value::Text(text) => {
             quantity::parse_modulus(text, offset).or_else(|e| complain(node, e.to_string(), cure))
@@ -119,7 +126,18 @@ fn choice(node: &Node, words: &[&str]) -> Read<String> {
     }
     let hint =
         nearest(text, words.iter().copied()).map_or(String::new(), |n| format!("did you mean \"{n}\"? "));
-    complain(node, format!("\"{text}\" is not known here"), format!("{hint}possible: {all}"))
+    complain(node, format!("\"{text}\" is not one of the possible words"), format!("{hint}possible: {all}"))
+}
+
+/// Refuses a word that has been replaced, with the one to write instead.
+fn current_word(node: &Node, path: &str) -> Read<()> {
+    let Value::Text(text) = &node.value else { return Ok(()) };
+    match format::new_value(path, text) {
+        Some(new) => {
+            complain(node, format!("\"{text}\" is now called \"{new}\""), format!("write \"{new}\""))
+        }
+        None => Ok(()),
+    }
 }
 
 fn friction(node: &Node) -> Read<f64> {
@@ -136,19 +154,19 @@ fn friction(node: &Node) -> Read<f64> {
 
 fn list(node: &Node, measure: &Measure, lengths: RangeInclusive<usize>) -> Read<Vec<Typed<f64>>> {
     let Measure { name, example, .. } = measure;
-    let (least, most) = (*lengths.start(), *lengths.end());
-    let wanted = if least == most { format!("{least}") } else { format!("{least} or {most}") };
+    let (min, max) = (*lengths.start(), *lengths.end());
+    let count = if min == max { format!("{min}") } else { format!("{min} or {max}") };
     let cure =
-        format!("write [{}], each {name} with its unit", vec![format!("\"{example}\""); most].join(", "));
+        format!("write [{}], each {name} with its unit", vec![format!("\"{example}\""); max].join(", "));
     let Value::List(items) = &node.value else {
-        return wrong_type(node, &format!("a list of {wanted} quantities"), cure);
+        return wrong_type(node, &format!("a list of {count} quantities"), cure);
     };
     if !lengths.contains(&items.len()) {
-        return complain(node, format!("expected {wanted} values, found {}", items.len()), cure);
+        return complain(node, format!("expected {count} values, found {}", items.len()), cure);
     }
     items
         .iter()
-        .map(|item| Ok(Typed { value: quantity(item, measure)?, place: item.place.clone() }))
+        .map(|item| Ok(Typed { value: quantity(item, measure)?, location: item.location.clone() }))
         .collect()
 }
 
@@ -178,7 +196,7 @@ fn motion(
                     "write \"{still}\", \"free\", {{ speed = \"{}\" }} or {{ load = \"{}\" }}",
                     measures[0].example, measures[1].example
                 );
-                problems.add(&complaint.place, format!("{path}: {}", complaint.message), cure);
+                problems.add(&complaint.location, format!("{path}: {}", complaint.message), cure);
                 Given::Broken
             }
         },
@@ -201,8 +219,8 @@ fn motion_table(table: &[Entry], [speed, load]: [&Measure; 2], path: &str, probl
             }
         };
         match quantity(&entry.node, measure) {
-            Ok(value) => *field = Some(Typed { value, place: entry.node.place.clone() }),
-            Err(c) => problems.add(&c.place, format!("{path}.{}: {}", entry.key, c.message), c.cure),
+            Ok(value) => *field = Some(Typed { value, location: entry.node.location.clone() }),
+            Err(c) => problems.add(&c.location, format!("{path}.{}: {}", entry.key, c.message), c.cure),
         }
     }
     if problems.len() == before { Given::Motion(motion) } else { Given::Broken }

@@ -1,11 +1,11 @@
-//! How a command can fail, and how that is told.
+//! How a command can fail, and how failures are reported.
 
 use crate::case::CaseError;
 use miette::{GraphicalReportHandler, GraphicalTheme};
 use std::io::{IsTerminal, Write};
 use std::process::ExitCode;
 
-/// Why a command did not do what was asked.
+/// Why a command failed.
 #[derive(Debug, thiserror::Error)]
 pub enum Failure {
     /// The case file is wrong.
@@ -22,7 +22,7 @@ pub enum Failure {
     Stopped {
         /// Number of the signal.
         signal: i32,
-        /// What was written, and how to go on.
+        /// What was written, and how to continue.
         message: String,
     },
 }
@@ -38,8 +38,8 @@ impl Failure {
         }
     }
 
-    /// Tells what went wrong on standard error.
-    pub(super) fn tell(&self) -> ExitCode {
+    /// Reports the failure on standard error.
+    pub(super) fn report(&self) -> ExitCode {
         let text = match self {
             Self::Case(error) => render(error, is_colourful()),
             Self::Request(message) | Self::Physics(message) => format!("error: {message}\n"),
@@ -50,7 +50,7 @@ impl Failure {
     }
 }
 
-/// Whether colours are wanted: on a terminal that knows them, unless <https://no-color.org> says otherwise.
+/// Whether to use colours: on a terminal that supports them, unless <https://no-color.org> says otherwise.
 fn is_colourful() -> bool {
     let is_plain = std::env::var_os("TERM").is_some_and(|name| name == "dumb")
         || std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());

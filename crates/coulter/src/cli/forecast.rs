@@ -1,13 +1,13 @@
-//! `coulter forecast`: what the closed-form models say of a case.
+//! `coulter forecast`: the closed-form models for a case.
 
-use super::{Failure, is_no_file, say, say_json};
-use crate::case::{self, Spread};
-use crate::forecast::{self, Effort, Intervals, Outlook, Range, Stated};
-use crate::output::{Sheets, write_forecast};
+use super::{Failure, refuse_file, say, say_json};
+use crate::case::{self, StandardDeviation};
+use crate::forecast::{self, Effort, InputDeviation, Intervals, Outlook, Range};
+use crate::output::{ForecastFiles, write_forecast};
 use analytic::forecast::Body;
 use std::path::{Path, PathBuf};
 
-const USUAL_POINTS: u16 = 41;
+const DEFAULT_POINTS: u16 = 41;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -31,7 +31,7 @@ pub(super) struct Arguments {
     /// Points of a curve [default: 41]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=1001))]
     points: Option<u16>,
-    /// Medians, intervals and Sobol indices of every model from the stated spreads
+    /// Medians, intervals and Sobol indices of every model from the stated standard deviations
     #[arg(long)]
     uncertainty: bool,
     /// Standard deviation of a key, such as soil.friction_angle="2 deg"; may be repeated
@@ -43,17 +43,17 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn forecast(arguments: &Arguments) -> Result<(), Failure> {
-    nothing_is_ignored(arguments)?;
-    let (case, spreads) = case::load_with_spreads(&arguments.case, &arguments.overrides)?;
+    refuse_unused_options(arguments)?;
+    let (case, deviations) = case::load_with_deviations(&arguments.case, &arguments.overrides)?;
     let outlook = forecast::outlook(&case)
-        .map_err(|why| Failure::Request(format!("no forecast for this case: {why}")))?;
-    let stated = stated(arguments, &spreads, &outlook)?;
-    let effort = if arguments.uncertainty { Effort::Study } else { Effort::Glance };
+        .map_err(|why| Failure::Request(format!("there is no forecast for this case: {why}")))?;
+    let stated = stated(arguments, &deviations, &outlook)?;
+    let effort = if arguments.uncertainty { Effort::Full } else { Effort::Quick };
     let intervals = forecast::intervals(&outlook, stated, effort);
     let document = forecast::document(&outlook, &intervals, arguments.uncertainty);
     let files = match folder(arguments, &case.name) {
         Some(folder) => {
-            is_no_file(&folder).and_then(|()| write(arguments, &outlook, &intervals, &document, &folder))?
+            refuse_file(&folder).and_then(|()| write(arguments, &outlook, &intervals, &document, &folder))?
         }
         None => Vec::new(),
     };
@@ -71,50 +71,54 @@ pub(super) fn forecast(arguments: &Arguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Refuses options that would do nothing.
-fn nothing_is_ignored(arguments: &Arguments) -> Result<(), Failure> {
+/// Refuses options that would have no effect.
+fn refuse_unused_options(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.against.is_some() || arguments.output.is_some() {
         return Ok(());
     }
-    let idle =
+    let unused =
         [("--log", arguments.log), ("--points", arguments.points.is_some()), ("--force", arguments.force)];
-    match idle.iter().find(|(_, given)| *given) {
+    match unused.iter().find(|(_, given)| *given) {
         Some((name, _)) => {
             let message =
-                format!("{name} is about curves, and none is written: add --against Z=0.02..0.4 or -o DIR");
+                format!("{name} applies to curves, but none is written: add --against Z=0.02..0.4 or -o DIR");
             Err(Failure::Request(message))
         }
         None => Ok(()),
     }
 }
 
-/// The spreads of the case, and those of the command line, which come first where both state one.
-fn stated(arguments: &Arguments, spreads: &[Spread], outlook: &Outlook) -> Result<Vec<Stated>, Failure> {
-    let typed = arguments.spreads.iter().map(|text| Stated::read(text, &outlook.setting));
-    let mut stated: Vec<Stated> = typed.collect::<Result<_, _>>().map_err(Failure::Request)?;
-    for spread in spreads {
-        let own = Stated::of_case(spread, &outlook.setting).map_err(Failure::Request)?;
-        if stated.iter().all(|s| s.variable != own.variable) {
-            stated.push(own);
+/// The standard deviations of the command line and of the case; those of the command line take precedence.
+fn stated(
+    arguments: &Arguments,
+    deviations: &[StandardDeviation],
+    outlook: &Outlook,
+) -> Result<Vec<InputDeviation>, Failure> {
+    let typed = arguments.spreads.iter().map(|text| InputDeviation::read(text, &outlook.input));
+    let mut stated: Vec<InputDeviation> = typed.collect::<Result<_, _>>().map_err(Failure::Request)?;
+    for deviation in deviations {
+        let of_case = InputDeviation::of_case(deviation, &outlook.input).map_err(Failure::Request)?;
+        if stated.iter().all(|s| s.variable != of_case.variable) {
+            stated.push(of_case);
         }
     }
     if stated.is_empty() && arguments.uncertainty {
-        let message = "--uncertainty needs a spread: --spread soil.friction_angle=\"2 deg\", or \
+        let message = "--uncertainty needs a standard deviation: --spread soil.friction_angle=\"2 deg\", or \
                        friction_angle = \"35 ± 2 deg\" in the case";
         return Err(Failure::Request(message.into()));
     }
     Ok(stated)
 }
 
-/// The curve that is drawn unless another one is asked for.
-fn usual_curve(body: &Body) -> String {
+/// The default curve.
+fn default_curve(body: &Body) -> String {
     match body {
         Body::Disc(_) => "Z=0.01..0.4".into(),
         _ => format!("Z=0.01..{:.4}", 0.95 * body.height() / body.length()),
     }
 }
 
-/// Where to write, if at all.
+/// The folder to write to, if any.
 fn folder(arguments: &Arguments, name: &str) -> Option<PathBuf> {
     let usual = || PathBuf::from("results").join(format!("{name}-forecast"));
     arguments.output.clone().or_else(|| arguments.against.as_ref().map(|_| usual()))
@@ -127,14 +131,14 @@ fn write(
     document: &serde_json::Value,
     folder: &Path,
 ) -> Result<Vec<PathBuf>, Failure> {
-    let usual = usual_curve(&outlook.setting.towing.body);
-    let asked = arguments.against.as_deref().unwrap_or(&usual);
-    let points = usize::from(arguments.points.unwrap_or(USUAL_POINTS));
-    let range = Range::read(asked, &outlook.setting, points, arguments.log)
+    let default = default_curve(&outlook.input.towing.body);
+    let range_text = arguments.against.as_deref().unwrap_or(&default);
+    let points = usize::from(arguments.points.unwrap_or(DEFAULT_POINTS));
+    let range = Range::read(range_text, &outlook.input, points, arguments.log)
         .map_err(|why| Failure::Request(why.to_string()))?;
     let curves = forecast::curves(outlook, &range, arguments.log)
-        .map_err(|why| Failure::Request(format!("--against {asked}: {why}")))?;
-    let models = forecast::models_table(outlook, intervals);
-    let sheets = Sheets { models: &models, document, curves: &curves };
-    write_forecast(folder, &sheets, arguments.force).map_err(|e| Failure::Request(e.to_string()))
+        .map_err(|why| Failure::Request(format!("--against {range_text}: {why}")))?;
+    let models = forecast::models_csv(outlook, intervals);
+    let files = ForecastFiles { models: &models, document, curves: &curves };
+    write_forecast(folder, &files, arguments.force).map_err(|e| Failure::Request(e.to_string()))
 }

@@ -8,9 +8,9 @@ mod new;
 mod pressure;
 mod report;
 mod run;
+mod run_time;
 mod schema;
 mod signals;
-mod speed;
 mod verify;
 
 use clap::{Parser, Subcommand};
@@ -23,7 +23,7 @@ use std::process::ExitCode;
 #[derive(Debug, Parser)]
 #[command(name = "coulter", version, arg_required_else_help = true)]
 #[command(
-    after_help = "Exit codes: 0 done (good or doubtful); 1 broken: the result is not to be used; 2 the request was wrong; \
+    after_help = "Exit codes: 0 done (good or doubtful); 1 broken: do not use the result; 2 the request was wrong; \
 130, 143, 129 stopped by SIGINT, SIGTERM, SIGHUP."
 )]
 pub struct Arguments {
@@ -35,17 +35,17 @@ pub struct Arguments {
 enum Command {
     /// Writes a commented case file to start from
     New(new::Arguments),
-    /// Says how a case is understood and what it will cost; runs nothing
+    /// Shows how a case is understood and what it will cost; runs nothing
     Check(check::Arguments),
-    /// What the closed-form models say of a case, side by side, at once
+    /// Evaluates every closed-form model for a case, side by side
     Forecast(forecast::Arguments),
-    /// Passive pressure coefficients of a plane face, by every method
+    /// Calculates the passive pressure coefficients of a plane face, by every method
     Pressure(pressure::Arguments),
     /// Runs a case
     Run(run::Arguments),
     /// Runs the verification suite: expected, obtained, error
     Verify(verify::Arguments),
-    /// Measures how fast the solver is on this machine, and where the time goes
+    /// Measures the speed of the solver on this machine, by stage
     Bench(bench::Arguments),
     /// Rebuilds report.html from results
     Report(report::Arguments),
@@ -53,28 +53,28 @@ enum Command {
     Schema,
 }
 
-/// Reads the command line and does what it asks; the exit code says how it went.
+/// Reads and executes the command line; the exit code says how it ended.
 #[must_use]
 pub fn main() -> ExitCode {
     match Arguments::try_parse() {
         Ok(arguments) => run(&arguments),
         // Help and version go to standard output, which may be full.
-        Err(told) if !told.use_stderr() => match say(&told.render().to_string()) {
+        Err(message) if !message.use_stderr() => match say(&message.render().to_string()) {
             Ok(()) => ExitCode::SUCCESS,
-            Err(failure) => failure.tell(),
+            Err(failure) => failure.report(),
         },
-        Err(told) => {
-            // Where standard error cannot be written, the exit code is all there is.
-            let _ = told.print();
+        Err(message) => {
+            // Where standard error cannot be written, only the exit code remains.
+            let _ = message.print();
             ExitCode::from(2)
         }
     }
 }
 
-/// Does what was asked; the exit code says how it went.
+/// Executes the command; the exit code says how it ended.
 #[must_use]
 pub fn run(arguments: &Arguments) -> ExitCode {
-    signals::outlive_file_limits();
+    signals::ignore_file_size_signal();
     let outcome = match &arguments.command {
         Command::New(arguments) => new::new(arguments),
         Command::Check(arguments) => check::check(arguments),
@@ -88,16 +88,16 @@ pub fn run(arguments: &Arguments) -> ExitCode {
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => failure.tell(),
+        Err(failure) => failure.report(),
     }
 }
 
-/// Numbers of threads that a team may have.
+/// The allowed numbers of threads.
 fn threads() -> clap::builder::RangedI64ValueParser<u16> {
     clap::value_parser!(u16).range(0..=solver::cpu::threads::MOST as i64)
 }
 
-/// Prints to standard output. A reader that has gone away (`| head`) is no error.
+/// Prints to standard output. A reader that has closed the pipe (`| head`) is not an error.
 fn say(text: &str) -> Result<(), Failure> {
     let mut out = std::io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
@@ -108,8 +108,8 @@ fn say(text: &str) -> Result<(), Failure> {
     }
 }
 
-/// Refuses a file where a folder of results is to be.
-fn is_no_file(folder: &Path) -> Result<(), Failure> {
+/// Refuses a file where a results folder is expected.
+fn refuse_file(folder: &Path) -> Result<(), Failure> {
     if !folder.exists() || folder.is_dir() {
         return Ok(());
     }

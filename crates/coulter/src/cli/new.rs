@@ -45,13 +45,13 @@ impl Template {
 
 pub(super) fn new(arguments: &Arguments) -> Result<(), Failure> {
     let (name, text) = arguments.template.file();
-    // The shipped cases name the schema beside them; beside the new file there is none.
+    // The shipped cases refer to the schema in their folder; there is none with the new file.
     let text = text.strip_prefix(SCHEMA).unwrap_or(text);
     let path = arguments.output.clone().unwrap_or_else(|| name.into());
     let shown = path.display();
     let mut options = std::fs::OpenOptions::new();
     options.write(true);
-    // create_new refuses an existing file in the same breath as it makes a new one.
+    // create_new atomically refuses an existing file.
     if arguments.force {
         options.create(true).truncate(true)
     } else {
@@ -62,7 +62,7 @@ pub(super) fn new(arguments: &Arguments) -> Result<(), Failure> {
     match written {
         Ok(()) => say(&format!("wrote {shown}; next: coulter check {shown}\n")),
         Err(error) if error.kind() == std::io::ErrorKind::AlreadyExists => Err(Failure::Request(format!(
-            "{shown} exists; --force overwrites it, -o FILE writes another one"
+            "{shown} exists already; --force overwrites it, -o FILE writes to another file"
         ))),
         Err(error) => Err(Failure::Request(format!("{shown} cannot be written: {error}"))),
     }

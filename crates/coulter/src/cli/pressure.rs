@@ -12,13 +12,13 @@ pub(super) struct Arguments {
     /// Friction angle φ of the soil
     #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
     friction_angle: String,
-    /// Friction angle δ between face and soil; positive when the face pushes the soil down along itself
+    /// Friction angle δ between face and soil; positive when the face exerts a downward shear force on the soil
     #[arg(long, value_name = "ANGLE", default_value = "0 deg", allow_hyphen_values = true)]
     wall_friction: String,
-    /// Inclination α of the face to the horizontal: 90 deg is a vertical wall, less leans over the soil
+    /// Inclination α of the face to the horizontal: 90 deg is a vertical wall, a smaller angle overhangs the soil
     #[arg(long, value_name = "ANGLE", default_value = "90 deg", allow_hyphen_values = true)]
     surface: String,
-    /// Rise β of the ground in front of the face
+    /// Inclination β of the ground in front of the face, positive when it rises
     #[arg(long, value_name = "ANGLE", default_value = "0 deg", allow_hyphen_values = true)]
     backfill: String,
     /// Print one JSON document
@@ -26,7 +26,7 @@ pub(super) struct Arguments {
     json: bool,
 }
 
-/// One method: its name in scripts and in tables, and its answer.
+/// One method: its names in JSON and in the table, and its result.
 struct Entry {
     key: &'static str,
     name: &'static str,
@@ -41,8 +41,8 @@ pub(super) fn pressure(arguments: &Arguments) -> Result<(), Failure> {
         backfill: angle("--backfill", &arguments.backfill)?,
     };
     face.check().map_err(|why| Failure::Request(why.to_string()))?;
-    let found = compare(&face);
-    if arguments.json { say_json(&document(&found)) } else { table(&face, &found) }
+    let comparison = compare(&face);
+    if arguments.json { say_json(&document(&comparison)) } else { table(&face, &comparison) }
 }
 
 fn angle(option: &str, text: &str) -> Result<f64, Failure> {
@@ -96,7 +96,7 @@ fn table(face: &Face, found: &Comparison) -> Result<(), Failure> {
         };
     }
     if let Ok(field) = &found.sokolovskii {
-        let _ = writeln!(text, "\nthe ground breaks up to {:.3} face lengths away", field.rupture_ratio);
+        let _ = writeln!(text, "\nthe ground fails up to {:.3} face lengths away", field.rupture_ratio);
     }
     say(&text)
 }

@@ -14,7 +14,9 @@ pub(super) struct Arguments {
 pub(super) fn report(arguments: &Arguments) -> Result<(), Failure> {
     if !arguments.folder.is_dir() {
         let shown = arguments.folder.display();
-        return Err(Failure::Request(format!("{shown} is no folder; name the one that `coulter run` wrote")));
+        return Err(Failure::Request(format!(
+            "{shown} is not a folder; name the one that `coulter run` wrote"
+        )));
     }
     let report = rebuild_report(&arguments.folder).map_err(|e| Failure::Request(e.to_string()))?;
     say(&format!("{}\n", report.display()))

@@ -3,7 +3,7 @@
 use super::{Failure, say_json, signals};
 use crate::case;
 use crate::output::{OutputError, checkpoint};
-use crate::run::{self, End, Options, RunError, Start};
+use crate::run::{self, End, RunError, RunOptions, Start};
 use crate::trust::Verdict;
 use std::io::Write;
 use std::path::PathBuf;
@@ -24,10 +24,10 @@ pub(super) struct Arguments {
     /// Sets a key, such as soil.friction_angle="38 deg"; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
-    /// Go on from the last checkpoint; start if there is nothing yet
+    /// Resume from the last checkpoint; start if there is none yet
     #[arg(long)]
     resume: bool,
-    /// For schedulers: start, go on, or leave a finished run as it is
+    /// For schedulers: start, resume, or leave a finished run unchanged
     #[arg(long, conflicts_with = "resume")]
     auto_resume: bool,
     /// Print summary.json at the end
@@ -47,26 +47,26 @@ impl Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    // From the first moment on: a signal during the start must not leave less than one later.
+    // Before anything else: a signal during the start must be handled like a later one.
     let interrupts = signals::listen();
     let mut case = case::load(&arguments.case, &arguments.overrides)?;
     if let Some(threads) = arguments.threads {
         case.numerics.threads = usize::from(threads);
     }
     let folder = arguments.output.clone().unwrap_or_else(|| PathBuf::from("results").join(&case.name));
-    super::is_no_file(&folder)?;
-    let doubts = case::room::doubts(&case::estimate::cost(&case), &folder);
-    for doubt in &doubts {
+    super::refuse_file(&folder)?;
+    let warnings = case::resources::warnings(&case::estimate::cost(&case), &folder);
+    for warning in &warnings {
         // Where standard error cannot be written, the log still has it.
-        let _ = writeln!(std::io::stderr().lock(), "warning: {doubt}");
+        let _ = writeln!(std::io::stderr().lock(), "warning: {warning}");
     }
     let text = std::fs::read_to_string(&arguments.case).map_err(|e| Failure::Request(e.to_string()))?;
     let typed = case::overridden(&text, &arguments.case.display().to_string(), &arguments.overrides)?;
-    let options = Options {
+    let options = RunOptions {
         folder: &folder,
         start: arguments.start(),
         quiet: arguments.json,
-        doubts: &doubts,
+        warnings: &warnings,
         interrupts: &interrupts,
         typed: &typed,
     };
@@ -77,14 +77,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             }
             if summary.trust.verdict == Verdict::Broken {
                 let why = run::verdict(&summary).join("\n");
-                return Err(Failure::Physics(format!("the result is not to be used\n{why}")));
+                return Err(Failure::Physics(format!("the result must not be used\n{why}")));
             }
             Ok(())
         }
         Ok(End::Stopped(signal, checkpoint)) => Err(Failure::Stopped {
             signal,
             message: format!(
-                "stopped; what there is was written, --resume goes on from {}",
+                "stopped; the results so far were written, --resume continues from {}",
                 checkpoint.display()
             ),
         }),
@@ -95,15 +95,15 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
-/// How a run could not be started, or its results not be written.
-fn refusal(error: &RunError, options: &Options) -> Failure {
+/// Why a run could not be started, or its results not be written.
+fn refusal(error: &RunError, options: &RunOptions) -> Failure {
     let message = error.to_string();
     match (error, options.interrupts.stopped_by()) {
-        // Stopped while it waited.
+        // Stopped while waiting for the lock.
         (RunError::Output(OutputError::Busy { .. }), Some(signal)) => Failure::Stopped { signal, message },
         (RunError::Output(OutputError::File { .. }), _) if checkpoint::exists(options.folder) => {
             Failure::Request(format!(
-                "{message}\nwhat was written before is unharmed; once this is mended, --resume goes on from the last checkpoint"
+                "{message}\nearlier results are intact; once this is fixed, --resume continues from the last checkpoint"
             ))
         }
         _ => Failure::Request(message),

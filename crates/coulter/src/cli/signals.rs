@@ -1,14 +1,14 @@
-//! Signals: SIGINT, SIGTERM and SIGHUP stop a run at its next step, SIGUSR1 has it write a checkpoint and go on. A second
-//! stop ends the program at once. SIGXFSZ is an error of the write that meets it.
+//! Signals: SIGINT, SIGTERM and SIGHUP stop a run at its next step, SIGUSR1 makes it write a checkpoint and continue. A
+//! second stop signal ends the program immediately. SIGXFSZ becomes an error of the write that causes it.
 
 use crate::interrupts::Interrupts;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-/// The requests that signals make from now on.
+/// Installs the signal handlers; returns the requests that they set.
 ///
-/// Where a handler cannot be set the signal does what it always does: nothing that was written is lost.
+/// A signal whose handler cannot be installed keeps its default action: nothing that was written is lost.
 pub(super) fn listen() -> Interrupts {
     let interrupts = Interrupts::default();
     let mut stops = vec![SIGINT, SIGTERM];
@@ -17,7 +17,7 @@ pub(super) fn listen() -> Interrupts {
     }
     let stopping = Arc::new(AtomicBool::new(false));
     for signal in stops {
-        // In this order: the second one finds the flag that the first one has set.
+        // In this order: a second signal finds the flag that the first one has set.
         let _ = signal_hook::flag::register_conditional_shutdown(signal, 128 + signal, Arc::clone(&stopping));
         let _ = signal_hook::flag::register(signal, Arc::clone(&stopping));
         let number = usize::try_from(signal).unwrap_or(0);
@@ -27,24 +27,24 @@ pub(super) fn listen() -> Interrupts {
     interrupts
 }
 
-/// Has a write beyond a limit on the size of files (`ulimit -f`) fail, as one on a full disc does, instead of ending the
-/// program by SIGXFSZ.
+/// Makes a write beyond a limit on the file size (`ulimit -f`) fail as on a full disk, instead of ending the program by
+/// SIGXFSZ.
 #[cfg(unix)]
-pub(super) fn outlive_file_limits() {
-    // The handler has nothing to do: that there is one is enough. Where it cannot be set the signal does what it always does.
+pub(super) fn ignore_file_size_signal() {
+    // An empty handler is enough. If it cannot be installed the signal keeps its default action.
     let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, Arc::default());
 }
 
 /// There is no such signal (untested).
 #[cfg(not(unix))]
-pub(super) fn outlive_file_limits() {}
+pub(super) fn ignore_file_size_signal() {}
 
 #[cfg(unix)]
 fn hangup() -> Option<i32> {
     Some(signal_hook::consts::SIGHUP)
 }
 
-/// There is none (untested).
+/// There is no such signal (untested).
 #[cfg(not(unix))]
 fn hangup() -> Option<i32> {
     None
@@ -59,7 +59,7 @@ fn on_request(interrupts: &Interrupts) {
 #[cfg(not(unix))]
 fn on_request(_: &Interrupts) {}
 
-/// Whether whoever started the program wants it to outlive its terminal (`nohup`); only Linux tells.
+/// Whether the program is to continue after its terminal is closed (`nohup`); known on Linux only.
 fn hangup_is_ignored() -> bool {
     let Ok(status) = std::fs::read_to_string("/proc/self/status") else { return false };
     let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));

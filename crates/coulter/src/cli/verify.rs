@@ -1,9 +1,10 @@
 //! `coulter verify`: the verification suite.
 
 use super::{Failure, say};
-use crate::verify::bench::Wish;
+use crate::verify::expected_failures::{disagreements, expected_failures};
+use crate::verify::options::SuiteOptions;
 use crate::verify::row::Row;
-use crate::verify::{self, document, grades, known, refine, table};
+use crate::verify::{self, document, grades, refine, table};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -12,16 +13,16 @@ pub(super) struct Arguments {
     /// Which benchmarks, such as A4 B1 [default: all]
     #[arg(value_name = "ID")]
     ids: Vec<String>,
-    /// Only what takes about a minute in all: coarse grids
+    /// Only what takes about a minute in all, on coarse grids
     #[arg(long)]
     fast: bool,
-    /// Instead of the table: so many meshes of each benchmark that can be refined, with the observed order of convergence
+    /// Instead of the table: each benchmark that can be refined on this many meshes, with the observed order of convergence
     #[arg(long, value_name = "MESHES", value_parser = clap::value_parser!(u32).range(3..=5), conflicts_with_all = ["fast", "strict", "write"])]
     refine: Option<u32>,
     /// Print one JSON document
     #[arg(long)]
     json: bool,
-    /// Fail unless exactly the rows in validation/known.toml fall short
+    /// Fail unless exactly the rows in validation/expected_failures.toml fail
     #[arg(long)]
     strict: bool,
     /// Write the table into README.md and docs/verification.md of the current folder
@@ -33,10 +34,10 @@ pub(super) struct Arguments {
     /// Threads; 0 for one per core
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = super::threads())]
     threads: u16,
-    /// Where finished parts are kept; the same request goes on from them after a stop
+    /// Folder of the result cache, from which the same command continues after an interruption
     #[arg(short, long, value_name = "DIR", default_value = "results/verify")]
     output: PathBuf,
-    /// Do everything anew, also what is kept
+    /// Ignore the result cache
     #[arg(long)]
     fresh: bool,
 }
@@ -44,38 +45,38 @@ pub(super) struct Arguments {
 pub(super) fn verify(arguments: &Arguments) -> Result<(), Failure> {
     let ids = ids(&arguments.ids)?;
     if arguments.write && !Path::new("validation").is_dir() {
-        let message = "--write belongs to the root of the repository: there is no validation/ here";
+        let message = "--write must be run in the root of the repository: there is no validation/ here";
         return Err(Failure::Request(message.into()));
     }
-    let wish = Wish {
+    let options = SuiteOptions {
         fast: arguments.fast,
         overrides: arguments.overrides.clone(),
         threads: usize::from(arguments.threads),
         folder: Some(arguments.output.clone()),
         fresh: arguments.fresh,
     };
-    let mut tell = |text: &str| {
+    let mut progress = |text: &str| {
         let _ = writeln!(std::io::stderr().lock(), "{text}");
     };
     let findings = match arguments.refine {
         Some(meshes) => {
             if let Some(id) = ids.iter().find(|id| !refine::ids().contains(id)) {
                 let all = refine::ids().join(", ");
-                return Err(Failure::Request(format!("{id} cannot be refined; these can: {all}")));
+                return Err(Failure::Request(format!("{id} cannot be refined; possible: {all}")));
             }
-            refine::refine(&ids, meshes, &wish, &mut tell)
+            refine::refine(&ids, meshes, &options, &mut progress)
         }
-        None => verify::verify(&ids, &wish, &mut tell),
+        None => verify::verify(&ids, &options, &mut progress),
     };
-    let known = known::known();
+    let expected = expected_failures();
     if arguments.json {
-        super::say_json(&findings.rows.iter().map(Row::plain).collect::<Vec<_>>())?;
+        super::say_json(&findings.rows.iter().map(Row::json).collect::<Vec<_>>())?;
     } else {
         say(&format!(
             "{}
 {}
 ",
-            table::plain(&findings.rows),
+            table::text(&findings.rows),
             table::closing(&findings.rows)
         ))?;
         say(&format!(
@@ -85,24 +86,24 @@ pub(super) fn verify(arguments: &Arguments) -> Result<(), Failure> {
         ))?;
     }
     if arguments.write {
-        let written = document::write(Path::new("."), &findings, &known);
+        let written = document::write(Path::new("."), &findings, &expected);
         let written = written.map_err(|e| Failure::Request(format!("the table cannot be written: {e}")))?;
         let _ = writeln!(std::io::stderr().lock(), "wrote {}", written.join(" and "));
     }
     let mut complaints: Vec<String> =
         findings.broken.iter().map(|(id, why)| format!("{id} broke down: {why}")).collect();
     if arguments.strict {
-        complaints.extend(known::disagreements(&findings.rows, &known, arguments.fast));
+        complaints.extend(disagreements(&findings.rows, &expected, arguments.fast));
     }
     if complaints.is_empty() { Ok(()) } else { Err(Failure::Physics(complaints.join("\n       "))) }
 }
 
-/// The ids as the suite knows them.
+/// The ids as the suite spells them.
 fn ids(typed: &[String]) -> Result<Vec<&'static str>, Failure> {
     let all = || verify::BENCHMARKS.iter().map(|b| b.id).collect::<Vec<_>>().join(", ");
-    let known = |id: &String| {
+    let find = |id: &String| {
         verify::find(id)
-            .ok_or_else(|| Failure::Request(format!("there is no benchmark {id}; there are {}", all())))
+            .ok_or_else(|| Failure::Request(format!("there is no benchmark {id}; possible: {}", all())))
     };
-    typed.iter().map(known).collect()
+    typed.iter().map(find).collect()
 }

@@ -1,15 +1,16 @@
-//! The answers of every model as one number of the case changes.
+//! The results of every model as one number of the case is varied.
 
-use super::{Outlook, Range};
+use super::outlook::Outlook;
+use super::range::Range;
 use analytic::forecast::{Candidate, CurvePoint, Parameter, Prediction, curve};
 use analytic::{Load, Towing};
 
-/// One model's curve; not-a-number where it has no answer.
+/// One model's curve; not-a-number where the model has no answer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Series {
     /// Name of the model.
     pub name: &'static str,
-    /// Whether its answers are meant for the case, by point.
+    /// Whether the model applies, by point.
     pub applicable: Vec<bool>,
     /// Drag [N].
     pub drag: Vec<f64>,
@@ -19,7 +20,7 @@ pub struct Series {
     pub sinkage: Vec<f64>,
     /// The slip, [`analytic::slip`].
     pub slip: Vec<f64>,
-    /// ωr/v − 1, also of a driven body.
+    /// ωr/v − 1, also for a driven body.
     pub skid: Vec<f64>,
 }
 
@@ -38,11 +39,11 @@ pub struct Curves {
     pub force_scale: Vec<f64>,
     /// Reference length that makes lengths dimensionless [m], by point.
     pub length_scale: Vec<f64>,
-    /// Whether the body sinks under its weight, so that sinkage is an answer.
+    /// Whether the body sinks under its weight, so that sinkage is a result.
     pub sinks: bool,
-    /// Name of the model to believe; empty if there is none.
-    pub believed: &'static str,
-    /// Whether the axes are to be logarithmic.
+    /// Name of the recommended model; empty if there is none.
+    pub recommended: &'static str,
+    /// Whether the axes are logarithmic.
     pub logarithmic: bool,
     /// One per model that has an answer anywhere.
     pub series: Vec<Series>,
@@ -51,15 +52,15 @@ pub struct Curves {
 /// Evaluates every model along the range.
 ///
 /// # Errors
-/// The reason why a value cannot be taken.
+/// The reason why a value is not possible.
 pub fn curves(outlook: &Outlook, range: &Range, logarithmic: bool) -> Result<Curves, String> {
-    let (setting, variable) = (&outlook.setting, &range.variable);
-    let values: Vec<f64> = range.values.iter().map(|v| variable.model_value(setting, *v)).collect();
+    let (input, variable) = (&outlook.input, &range.variable);
+    let values: Vec<f64> = range.values.iter().map(|v| variable.model_value(input, *v)).collect();
     for value in &range.values {
-        variable.set(setting, *value).check().map_err(|why| why.to_string())?;
+        variable.set(input, *value).check().map_err(|why| why.to_string())?;
     }
-    let points = curve(&setting.towing, variable.parameter, &values, &[]).map_err(|e| e.to_string())?;
-    let cases: Vec<Towing> = range.values.iter().map(|v| variable.set(setting, *v)).collect();
+    let points = curve(&input.towing, variable.parameter, &values, &[]).map_err(|e| e.to_string())?;
+    let cases: Vec<Towing> = range.values.iter().map(|v| variable.set(input, *v)).collect();
     let (group_label, group) = group(variable.parameter, &cases, variable.label);
     Ok(Curves {
         label: format!("{} [{}]", variable.label, variable.unit),
@@ -69,7 +70,7 @@ pub fn curves(outlook: &Outlook, range: &Range, logarithmic: bool) -> Result<Cur
         force_scale: cases.iter().map(|c| c.body.force_scale(c.soil.unit_weight)).collect(),
         length_scale: cases.iter().map(|c| c.body.length()).collect(),
         sinks: cases.iter().all(|c| matches!(c.load, Load::Weight(_))),
-        believed: outlook.recommended().map_or("", |m| m.name),
+        recommended: outlook.recommended().map_or("", |m| m.name),
         logarithmic,
         series: Candidate::ALL.into_iter().filter_map(|model| series(model, &points)).collect(),
     })

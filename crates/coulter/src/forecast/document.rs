@@ -1,11 +1,12 @@
-//! The forecast as one JSON document: a contract, scripts rely on its names.
+//! The forecast as one JSON document. Its names are a contract on which scripts rely.
 
-use super::{Interval, Intervals, Outlook, mechanism_word};
+use super::outlook::{Outlook, mechanism_word};
+use super::uncertainty::{InputDeviation, Interval, Intervals};
 use analytic::disc::Drive;
 use analytic::forecast::{Load, ModelForecast, Range};
 use serde_json::{Value, json};
 
-/// The document of a forecast; `in_full` adds everything that is known of the uncertainty.
+/// The document of a forecast; `in_full` adds the full uncertainty analysis.
 #[must_use]
 pub fn document(outlook: &Outlook, intervals: &Intervals, in_full: bool) -> Value {
     let forecast = &outlook.forecast;
@@ -27,11 +28,11 @@ pub fn document(outlook: &Outlook, intervals: &Intervals, in_full: bool) -> Valu
         .map(|f| json!({ "drag_N": f.drag, "vertical_N": f.vertical, "torque_Nm": f.torque }));
     let mut document = json!({
         "case": outlook.case,
-        "kind": outlook.setting.kind,
-        "bodies": outlook.setting.bodies,
+        "kind": outlook.input.kind,
+        "bodies": outlook.input.bodies,
         "groups": groups(outlook),
         "load": load(outlook),
-        "drive": drive(outlook.setting.towing.drive),
+        "drive": drive(outlook.input.towing.drive),
         "models": forecast.models.iter().map(one).collect::<Vec<_>>(),
         "models_full_friction": full_friction,
         "operative_friction_angle_rad": forecast.operative_friction_angle,
@@ -39,11 +40,11 @@ pub fn document(outlook: &Outlook, intervals: &Intervals, in_full: bool) -> Valu
         "side_faces": faces,
         "recommended": outlook.recommended().map(|m| m.name),
         "recommendation": forecast.recommendation,
-        "remarks": outlook.setting.remarks,
+        "remarks": outlook.input.remarks,
         "interval_inputs": inputs(intervals),
     });
-    if outlook.setting.towing.body.disc().is_some() {
-        document["discs"] = json!(outlook.setting.bodies);
+    if outlook.input.towing.body.disc().is_some() {
+        document["discs"] = json!(outlook.input.bodies);
     }
     if in_full {
         document["uncertainty"] = json!({ "inputs": inputs(intervals), "quantities": intervals.list });
@@ -60,7 +61,7 @@ fn groups(outlook: &Outlook) -> Value {
 }
 
 fn load(outlook: &Outlook) -> Value {
-    match outlook.setting.towing.load {
+    match outlook.input.towing.load {
         Load::Weight(weight) => json!({ "weight_N": weight }),
         Load::Sinkage(z) => json!({ "sinkage_m": z }),
     }
@@ -79,7 +80,7 @@ fn drive(drive: Drive) -> Value {
 fn model(outlook: &Outlook, model: &ModelForecast) -> Value {
     let found = model.prediction;
     let scale = outlook.force_scale();
-    let length = outlook.setting.towing.body.length();
+    let length = outlook.input.towing.body.length();
     json!({
         "name": model.name,
         "applicable": model.applicable,
@@ -89,7 +90,7 @@ fn model(outlook: &Outlook, model: &ModelForecast) -> Value {
         "contact_angle_rad": found.and_then(|p| p.contact_angle),
         "force_inclination_rad": found.map(|p| p.force_inclination),
         "slip": found.and_then(|p| p.slip),
-        // ωr/v − 1 at any slip: an older name that scripts rely on.
+        // ωr/v − 1 at any slip: an older name on which scripts rely.
         "skid": found.and_then(|p| p.slip).map(|slip| analytic::turn_ratio(slip) - 1.0),
         "mechanism": found.and_then(|p| p.mechanism).map(mechanism_word),
         "sideways_share": found.and_then(|p| p.sideways_fraction),
@@ -104,7 +105,7 @@ fn range(range: &Range) -> Value {
     json!({ "low": range.low, "middle": range.middle, "high": range.high })
 }
 
-/// What the inputs' spread makes of one model: the values that 5, 50 and 95 % lie below.
+/// The 5, 50 and 95 % quantiles of one model.
 fn interval(intervals: &Intervals, model: &str) -> Value {
     let of = |quantity: &str| {
         let range = |i: &Interval| json!({ "low": i.low, "middle": i.middle, "high": i.high });
@@ -115,7 +116,7 @@ fn interval(intervals: &Intervals, model: &str) -> Value {
 }
 
 fn inputs(intervals: &Intervals) -> Vec<Value> {
-    let one = |s: &super::Stated| {
+    let one = |s: &InputDeviation| {
         json!({
             "key": s.key, "mean": s.mean, "deviation": s.deviation, "distribution": "normal",
             "assumed": intervals.assumed,

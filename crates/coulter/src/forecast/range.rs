@@ -1,15 +1,17 @@
-//! What is typed on the command line about a variable: `Z=0.02..0.4`, `soil.friction_angle="30 deg".."45 deg"`.
+//! Variables and their values as typed on the command line: `Z=0.02..0.4`, `soil.friction_angle="30 deg".."45 deg"`.
 
-use super::{Setting, Variable, find, variables};
+use super::model_input::ModelInput;
+use super::variable::{Variable, find, variables};
+use crate::case::format::new_name;
 use crate::case::keys::Kind;
 use crate::case::quantity;
 
-/// Why it cannot be read, and what would do.
+/// Why it cannot be read, and what to write instead.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{0}")]
 pub struct Unreadable(String);
 
-/// A variable and the values that it shall take.
+/// A variable and the values that it takes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Range {
     /// Which variable.
@@ -25,17 +27,17 @@ impl Range {
     ///
     /// # Errors
     /// [`Unreadable`] says what is wrong.
-    pub fn read(text: &str, setting: &Setting, count: usize, logarithmic: bool) -> Result<Self, Unreadable> {
+    pub fn read(text: &str, input: &ModelInput, count: usize, logarithmic: bool) -> Result<Self, Unreadable> {
         let wrong = |why: &str| Unreadable(format!("--against {text}: {why}; write it such as Z=0.02..0.4"));
         let (key, ends) = text.split_once('=').ok_or_else(|| wrong("no `=`"))?;
         let key = key.trim();
-        let variable = known(key, setting)?;
+        let variable = known(key, input)?;
         let (low, high) = ends.split_once("..").ok_or_else(|| wrong("no `..` between two values"))?;
         let relative = key == "Z";
         let read = |end: &str| {
             if relative {
-                let z = number(end).ok_or_else(|| wrong(&format!("`{end}` is no number")))?;
-                return Ok(z * setting.towing.body.length());
+                let z = number(end).ok_or_else(|| wrong(&format!("`{end}` is not a number")))?;
+                return Ok(z * input.towing.body.length());
             }
             value(end, &variable).map_err(|why| wrong(&why))
         };
@@ -48,28 +50,31 @@ impl Range {
         }
         let last = count.max(2) - 1;
         let at = |n: usize| {
-            let share = n as f64 / last as f64;
-            if logarithmic { low * (high / low).powf(share) } else { low + share * (high - low) }
+            let fraction = n as f64 / last as f64;
+            if logarithmic { low * (high / low).powf(fraction) } else { low + fraction * (high - low) }
         };
         Ok(Self { variable, relative, values: (0..=last).map(at).collect() })
     }
 }
 
 /// The variable of that name.
-pub(super) fn known(key: &str, setting: &Setting) -> Result<Variable, Unreadable> {
-    let Some(found) = find(key, &setting.bodies) else {
-        let own = variables().iter().filter(|v| v.belongs(setting));
-        let names = own.map(|v| v.dotted(setting)).collect::<Vec<_>>().join(", ");
-        return Err(Unreadable(format!("the models have no `{key}` to change; possible: Z, {names}")));
-    };
-    if !found.belongs(setting) {
-        let kind = setting.kind;
-        return Err(Unreadable(format!("{key}: no model of a {kind} here asks for it")));
+pub(super) fn known(key: &str, input: &ModelInput) -> Result<Variable, Unreadable> {
+    if let Some(new) = new_name(key) {
+        return Err(Unreadable(format!("`{key}` is now called `{new}`; write {new}")));
     }
-    if found.has_effect(setting) {
+    let Some(found) = find(key, &input.bodies) else {
+        let own = variables().iter().filter(|v| v.belongs(input));
+        let names = own.map(|v| v.dotted(input)).collect::<Vec<_>>().join(", ");
+        return Err(Unreadable(format!("`{key}` is not a variable of the models; possible: Z, {names}")));
+    };
+    if !found.belongs(input) {
+        let kind = input.kind;
+        return Err(Unreadable(format!("{key}: no model of a {kind} uses it")));
+    }
+    if found.has_effect(input) {
         return Ok(found);
     }
-    let cure = "give it some: plate = \"LETE sand\" in [forecast], or another published soil";
+    let cure = "add  terrain = \"LETE sand\"  or another published soil to [forecast]";
     Err(Unreadable(format!("{key}: the case has no plate constants; {cure}")))
 }
 
@@ -79,7 +84,7 @@ pub(super) fn value(text: &str, variable: &Variable) -> Result<f64, String> {
     match variable.kind {
         Kind::Quantity(measure) => quantity::parse(text, &measure).map_err(|e| e.to_string()),
         Kind::Modulus(offset) => quantity::parse_modulus(text, offset).map_err(|e| e.to_string()),
-        _ => number(text).ok_or_else(|| format!("`{text}` is no number")),
+        _ => number(text).ok_or_else(|| format!("`{text}` is not a number")),
     }
 }
 

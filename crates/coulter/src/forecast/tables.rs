@@ -1,6 +1,7 @@
-//! The forecast as text: what is told on the terminal, and the table that is written to a file.
+//! The forecast as text for a terminal.
 
-use super::{Intervals, Outlook, Stated, mechanism_word};
+use super::outlook::{Outlook, mechanism_word};
+use super::uncertainty::{InputDeviation, Intervals};
 use analytic::disc::{Drive, Mechanism};
 use analytic::forecast::{Load, ModelForecast, Prediction};
 use std::fmt::Write;
@@ -14,7 +15,7 @@ pub fn table(outlook: &Outlook, intervals: &Intervals) -> String {
     let (forces, depths) = if outlook.sinks() { ("", "5–95 %") } else { ("5–95 %", "") };
     let _ = writeln!(
         text,
-        "\n{:<22} {:>8} {:^17} {:>8} {:^17} {:>7} {:^15} {:>6} {:>6} {:>7} {:>8} {:>8}  way out",
+        "\n{:<22} {:>8} {:^17} {:>8} {:^17} {:>7} {:^15} {:>6} {:>6} {:>7} {:>8} {:>8}  mechanism",
         "model",
         "F_H [N]",
         "5–95 %",
@@ -34,21 +35,21 @@ pub fn table(outlook: &Outlook, intervals: &Intervals) -> String {
     }
     let _ = writeln!(text, "{}", wrapped(&meaning_of_intervals(intervals)));
     let _ = writeln!(text, "\ndo not apply here:");
-    let (shown, silent): (Vec<_>, Vec<_>) = bad.iter().partition(|m| m.prediction.is_some());
+    let (shown, without_answer): (Vec<_>, Vec<_>) = bad.iter().partition(|m| m.prediction.is_some());
     for model in shown {
         let _ = writeln!(text, "{}\n    {}", line(outlook, intervals, model), model.note);
     }
-    for alike in silent.chunk_by(|a, b| a.note == b.note) {
-        let names: Vec<&str> = alike.iter().map(|m| m.name).collect();
-        let _ = writeln!(text, "{}\n    {}", names.join(", "), alike[0].note);
+    for group in without_answer.chunk_by(|a, b| a.note == b.note) {
+        let names: Vec<&str> = group.iter().map(|m| m.name).collect();
+        let _ = writeln!(text, "{}\n    {}", names.join(", "), group[0].note);
     }
     let _ = closing(&mut text, outlook);
     text
 }
 
-/// What the columns of intervals show.
+/// The meaning of the columns of intervals.
 fn meaning_of_intervals(intervals: &Intervals) -> String {
-    let of = |s: &Stated| {
+    let of = |s: &InputDeviation| {
         let (size, unit) = (s.variable.size, s.variable.unit);
         let unit = if unit == "-" { String::new() } else { format!(" {unit}") };
         format!(
@@ -61,11 +62,11 @@ fn meaning_of_intervals(intervals: &Intervals) -> String {
     let inputs = intervals.inputs.iter().map(of).collect::<Vec<_>>().join(", ");
     if intervals.assumed {
         return format!(
-            "5–95 %: if only the soil were uncertain, {inputs} (assumed; a case states its own as \"35 ± 2 deg\", or \
+            "5–95 %: with an assumed uncertainty of the soil only, {inputs} (state another in the case, as in \"35 ± 2 deg\", or with \
              --uncertainty --spread)"
         );
     }
-    format!("5–95 %: with the spread as stated, {inputs}; the error of the model itself is not in it")
+    format!("5–95 %: with the stated standard deviations, {inputs}; without the error of the model itself")
 }
 
 /// Four significant digits.
@@ -77,20 +78,20 @@ fn significant(value: f64) -> String {
 }
 
 fn heading(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
-    let towing = &outlook.setting.towing;
-    let pressed = match towing.load {
+    let towing = &outlook.input.towing;
+    let vertical = match towing.load {
         Load::Weight(weight) => format!("free to sink under {weight:.4} N"),
         Load::Sinkage(z) => format!("held at a sinkage of {:.4} mm", 1e3 * z),
     };
     let axle = match towing.drive {
-        Drive::Locked if towing.body.disc().is_none() => "not turning".to_owned(),
-        Drive::Free => "free to turn".to_owned(),
+        Drive::Locked if towing.body.disc().is_none() => "not rotating".to_owned(),
+        Drive::Free => "free to rotate".to_owned(),
         Drive::Locked => "locked".to_owned(),
         Drive::Braked(torque) => format!("braked with {torque:.4} N m"),
         Drive::Driven(torque) => format!("driven with {torque:.4} N m"),
-        Drive::Slip(slip) => format!("turned at a slip of {slip:.4}"),
+        Drive::Slip(slip) => format!("rotated at a slip of {slip:.4}"),
     };
-    writeln!(text, "{}: {}, {pressed}, {axle}", outlook.case, outlook.setting.bodies.join(", "))?;
+    writeln!(text, "{}: {}, {vertical}, {axle}", outlook.case, outlook.input.bodies.join(", "))?;
     let g = &outlook.forecast.groups;
     let mut list = format!("t̄ = {:.4}", g.thickness);
     let known = [
@@ -106,7 +107,7 @@ fn heading(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
         }
     }
     writeln!(text, "{list}")?;
-    for remark in &outlook.setting.remarks {
+    for remark in &outlook.input.remarks {
         writeln!(text, "{}", wrapped(&format!("note: {remark}")))?;
     }
     Ok(())
@@ -119,7 +120,7 @@ fn line(outlook: &Outlook, intervals: &Intervals, model: &ModelForecast) -> Stri
         None => format!("{:>width$}", "–"),
     };
     let range = |quantity: &str, size: f64, width: usize| match intervals.of(model.name, quantity) {
-        // A model that does not ask for what is spread.
+        // A model that does not depend on the uncertain inputs.
         Some(i) if i.high - i.low <= 1e-9 * i.middle.abs() => format!("{:^width$}", "unchanged"),
         Some(i) => format!("{:^width$}", format!("{} … {}", fixed(i.low / size), fixed(i.high / size))),
         None => " ".repeat(width),
@@ -139,22 +140,22 @@ fn line(outlook: &Outlook, intervals: &Intervals, model: &ModelForecast) -> Stri
         shown(drag.map(|f| f / scale), 8),
         shown(vertical.map(|f| f / scale), 8),
     ];
-    format!("{:<22} {}  {}", model.name, columns.join(" "), found.map_or("–".into(), |p| way_out(&p)))
+    format!("{:<22} {}  {}", model.name, columns.join(" "), found.map_or("–".into(), |p| mechanism(&p)))
 }
 
-/// Four digits that matter, with their zeros, so that columns line up.
+/// Four significant digits, with trailing zeros, so that columns line up.
 fn fixed(value: f64) -> String {
     let digits = if value == 0.0 { 1 } else { 3 - value.abs().log10().floor() as i32 };
     format!("{value:.*}", digits.clamp(0, 4) as usize)
 }
 
-/// How the soil fails, with the share of the thrust where there are two ways.
-fn way_out(found: &Prediction) -> String {
+/// The failure mechanism, with its fraction of the thrust where two are combined.
+fn mechanism(found: &Prediction) -> String {
     match (found.mechanism, found.sideways_fraction) {
         (Some(mechanism), Some(sideways)) => {
-            let share = if mechanism == Mechanism::Sideways { sideways } else { 1.0 - sideways };
+            let fraction = if mechanism == Mechanism::Sideways { sideways } else { 1.0 - sideways };
             let word = mechanism_word(mechanism);
-            if share > 0.995 { word.to_owned() } else { format!("{word} {:.0} %", 100.0 * share) }
+            if fraction > 0.995 { word.to_owned() } else { format!("{word} {:.0} %", 100.0 * fraction) }
         }
         _ => "–".to_owned(),
     }
@@ -165,7 +166,7 @@ fn closing(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
     if let Some(spread) = forecast.scatter.as_ref().filter(|s| s.count > 1) {
         write!(
             text,
-            "\nspread over {} models: drag {:.3} to {:.3} N",
+            "\nrange of {} models: drag {:.3} to {:.3} N",
             spread.count, spread.drag.low, spread.drag.high
         )?;
         if let Some(z) = spread.sinkage.filter(|_| outlook.sinks()) {
@@ -173,7 +174,7 @@ fn closing(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
         } else {
             write!(text, ", vertical force {:.3} to {:.3} N", spread.vertical.low, spread.vertical.high)?;
         }
-        writeln!(text, " (they are not independent: no confidence interval)")?;
+        writeln!(text, " (they are not independent, so this is not a confidence interval)")?;
     }
     let full = forecast.models_full_friction.iter().find(|m| Some(m.model) == forecast.recommended);
     if let Some(full) = full.filter(|m| m.model.is_plastic()).and_then(|m| m.prediction) {
@@ -191,14 +192,14 @@ fn closing(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
     if let Some(faces) = &forecast.side_faces {
         writeln!(
             text,
-            "friction on the flat faces, in none of the models: drag {:.3} N, vertical force {:.3} N",
+            "friction on the flat faces, which no model includes: drag {:.3} N, vertical force {:.3} N",
             faces.drag, faces.vertical
         )?;
     }
     writeln!(text, "\n{}", wrapped(&forecast.recommendation))
 }
 
-/// Text in lines that a terminal can show.
+/// Text broken into lines for a terminal.
 fn wrapped(text: &str) -> String {
     const WIDTH: usize = 110;
     let mut lines = vec![String::new()];
@@ -244,9 +245,9 @@ pub fn uncertainty_table(intervals: &Intervals) -> String {
             _ => ("F_H [N]", 1.0),
         };
         let [low, middle, high] = [i.low, i.middle, i.high].map(|x| fixed(x / size));
-        let shares: Vec<String> = i.first_order.iter().map(|share| format!("{share:>16.3}")).collect();
+        let indices: Vec<String> = i.first_order.iter().map(|index| format!("{index:>16.3}")).collect();
         let refused = if i.refused > 0.0 {
-            format!(", {:.1} % of them refused and left out", 100.0 * i.refused)
+            format!(", {:.1} % of them without an answer and left out", 100.0 * i.refused)
         } else {
             String::new()
         };
@@ -254,7 +255,7 @@ pub fn uncertainty_table(intervals: &Intervals) -> String {
             text,
             "{:<22} {name:<12} {low:>8} {middle:>8} {high:>8}           {}   {}{refused}",
             i.model,
-            shares.join(" "),
+            indices.join(" "),
             i.evaluations
         );
     }

@@ -1,4 +1,4 @@
-//! The bodies of a case as the closed forms see them.
+//! The bodies of a case as the closed-form models represent them.
 
 use crate::case::resolved::{Axis, Body as Towed, Case, Freedom, Shape};
 use analytic::disc::{Assembly, Disc};
@@ -8,12 +8,12 @@ use glam::DVec3;
 use physics::shape::SurfacePoint;
 use std::f64::consts::PI;
 
-/// Points across the diameter of a body that is known by the points of its surface.
+/// Points across the diameter of a body that is represented by points on its surface.
 const POINTS_ACROSS: f64 = 40.0;
-/// Diameter times length over the spacing squared, at most.
-const MOST_POINTS: f64 = 2000.0;
+/// Upper limit of diameter times length over the spacing squared.
+const MAX_POINTS: f64 = 2000.0;
 
-/// The bodies of the case: one, or several equal discs side by side, which count as an assembly on one axle.
+/// The bodies of the case: one, or several equal discs side by side, which form an assembly on one axle.
 ///
 /// # Errors
 /// If there are several that are not equal discs, evenly spaced side by side.
@@ -26,14 +26,14 @@ pub(super) fn bodies<'a>(
         && let Some(other) = discs.iter().find(|b| disc(b).is_none())
     {
         return Err(format!(
-            "`{}` moves beside another body; the closed forms know one body, or equal discs",
+            "`{}` is not the only body; the closed forms are for one body, or for equal discs",
             other.name
         ));
     }
     discs.sort_by(|a, b| a.position.y.total_cmp(&b.position.y));
     let Some([first, second]) = discs.first_chunk::<2>().copied() else { return Ok((discs, None)) };
     let spacing = second.position.y - first.position.y;
-    let alike = |b: &&Towed| {
+    let is_equal = |b: &&Towed| {
         b.shape == first.shape
             && b.friction == first.friction
             && b.translation == first.translation
@@ -45,24 +45,24 @@ pub(super) fn bodies<'a>(
         let gap = pair[1].position.y - pair[0].position.y;
         (gap - spacing).abs() < 1e-6 * spacing
     });
-    if !(discs.iter().all(alike) && even && spacing > 0.0) {
+    if !(discs.iter().all(is_equal) && even && spacing > 0.0) {
         return Err(format!(
-            "the case has {} discs that are not alike or not evenly spaced side by side; the closed forms know one \
-             disc, or a row of equal ones",
+            "the case has {} discs that are not equal or not evenly spaced side by side; the closed forms are for one \
+             disc, or for a row of equal ones",
             discs.len()
         ));
     }
     let count = discs.len();
     remarks.push(format!(
-        "{count} equal discs at a spacing of {:.4} m: taken as one assembly; drag, vertical force and weight are those \
-         of all of them",
+        "{count} equal discs at a spacing of {:.4} m: treated as one assembly; drag, vertical force and weight are those \
+         of all discs",
         spacing
     ));
     let assembly = Assembly { count: u32::try_from(count).unwrap_or(u32::MAX), spacing };
     Ok((discs, Some(assembly)))
 }
 
-/// A disc, or a cylinder across the tow, which meets the soil as a disc does.
+/// A disc, or a cylinder across the tow, which is geometrically a disc.
 fn disc(body: &Towed) -> Option<Disc> {
     match body.shape {
         Shape::Disc { diameter, thickness }
@@ -73,8 +73,8 @@ fn disc(body: &Towed) -> Option<Disc> {
     }
 }
 
-/// The body as the models see it, what it is in one word, and whether it is towed backwards, so that the models see its
-/// mirror image.
+/// The body as the models represent it, its kind in one word, and whether it is towed backwards, so that the models are
+/// given its mirror image.
 ///
 /// # Errors
 /// If it is a disc in plane strain, or anything else that is not towed.
@@ -87,7 +87,7 @@ pub(super) fn body(
         Shape::Disc { .. } => "disc",
         Shape::Block { .. } => "block",
         Shape::Cylinder { .. } => "cylinder",
-        Shape::Ball { .. } => "ball",
+        Shape::Sphere { .. } => "sphere",
     };
     if let Some(disc) = disc(body) {
         if case.domain.plane_strain {
@@ -100,25 +100,25 @@ pub(super) fn body(
         Freedom::Free { load, .. } => load < 0.0,
         _ => {
             return Err(format!(
-                "`{}` is not towed; what is pressed straight down is a footing, which has no forecast",
+                "`{}` is not towed; a body that is pressed straight down is a footing, which has no forecast",
                 body.name
             ));
         }
     };
-    let as_seen = match body.shape {
+    let represented = match body.shape {
         Shape::Block { size, orientation } => {
             let orientation = if is_mirrored { -orientation } else { orientation };
             block(case, size, orientation, remarks).into()
         }
         Shape::Cylinder { diameter, length, .. } => Body::Faceted(faceted(body, diameter, length)),
-        Shape::Ball { diameter } | Shape::Disc { diameter, .. } => {
+        Shape::Sphere { diameter } | Shape::Disc { diameter, .. } => {
             Body::Faceted(faceted(body, diameter, diameter))
         }
     };
-    Ok((as_seen, kind, is_mirrored))
+    Ok((represented, kind, is_mirrored))
 }
 
-/// A block turned by `orientation` [rad]; in plane strain as wide as the slab.
+/// A block rotated by `orientation` [rad]; in plane strain as wide as the slab.
 fn block(case: &Case, size: DVec3, orientation: f64, remarks: &mut Vec<String>) -> Block {
     let plane_strain = case.domain.plane_strain;
     let across = if plane_strain { case.domain.high.y - case.domain.low.y } else { size.y };
@@ -129,12 +129,12 @@ fn block(case: &Case, size: DVec3, orientation: f64, remarks: &mut Vec<String>) 
     Block { size: [size.x, across, size.z], orientation, plane_strain, has_base: true }
 }
 
-/// A body by the points of its surface.
+/// A body represented by points on its surface.
 fn faceted(body: &Towed, diameter: f64, length: f64) -> FacetedBody {
     let solid = body.shape.solid();
     let (low, high) = solid.bounds();
-    // Some thousand points at most, however slender the body is.
-    let spacing = (diameter / POINTS_ACROSS).max((diameter * length / MOST_POINTS).sqrt());
+    // Some thousand points at most, even for a slender body.
+    let spacing = (diameter / POINTS_ACROSS).max((diameter * length / MAX_POINTS).sqrt());
     let facet = |p: SurfacePoint| Facet {
         centroid: p.position.to_array(),
         normal: p.normal.to_array(),

@@ -1,27 +1,27 @@
-//! The numbers of a case that a curve or a spread may change, by the names that the case file has for them.
+//! The numbers of a case that can be varied or be uncertain, with their names in the case file.
 
-use super::Setting;
+use super::model_input::ModelInput;
 use crate::case::keys::Kind;
 use crate::case::quantity::{ANGLE, FORCE, LENGTH, STRESS, TORQUE, UNIT_WEIGHT};
 use analytic::Towing;
 use analytic::forecast::{Body, Parameter};
 
-/// One of them.
+/// A number that can be varied.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Variable {
-    /// Which.
+    /// The parameter of the models.
     pub parameter: Parameter,
-    /// Its section in the case file; nothing where the case file does not know it.
+    /// Its section in the case file; empty where it is not a key there.
     pub section: &'static str,
-    /// Its name there.
+    /// Its key there.
     pub key: &'static str,
     /// What its values may be.
     pub kind: Kind,
-    /// What a chart calls it, with the unit that it is shown in.
+    /// Its name in charts.
     pub label: &'static str,
-    /// Name of the unit that it is shown in.
+    /// Unit in which it is shown.
     pub unit: &'static str,
-    /// That unit in SI units.
+    /// Size of that unit in SI units.
     pub size: f64,
 }
 
@@ -105,30 +105,30 @@ const ALL: [Variable; 20] = [
     ),
     variable(
         Parameter::PlateExponent,
-        ("forecast", "plate_exponent"),
+        ("forecast", "sinkage_exponent"),
         Kind::Number,
         "sinkage exponent n",
         BARE,
     ),
     variable(
         Parameter::PlateCohesive,
-        ("forecast", "plate_cohesive"),
+        ("forecast", "cohesive_modulus"),
         Kind::Modulus(1),
         "cohesive modulus k_c",
         ("kN/m^(n+1)", 1e3),
     ),
     variable(
         Parameter::PlateFrictional,
-        ("forecast", "plate_frictional"),
+        ("forecast", "frictional_modulus"),
         Kind::Modulus(2),
         "frictional modulus k_φ",
         ("kN/m^(n+2)", 1e3),
     ),
     variable(
         Parameter::ShearModulus,
-        ("forecast", "shear_displacement"),
+        ("forecast", "shear_deformation_modulus"),
         Kind::Quantity(LENGTH),
-        "shear displacement modulus K",
+        "shear deformation modulus K",
         ("mm", 1e-3),
     ),
 ];
@@ -139,15 +139,15 @@ pub fn variables() -> &'static [Variable] {
     &ALL
 }
 
-/// The variable that `key` names: `Z`, `soil.friction_angle`, `body.disc.weight`, or the last part alone.
+/// The variable that `key` names: `Z`, `soil.friction_angle`, `body.disc.weight`, or the last name alone.
 #[must_use]
 pub fn find(key: &str, bodies: &[String]) -> Option<Variable> {
     if matches!(key, "Z" | "z" | "sinkage") {
         return Some(ALL[0]);
     }
-    let parts: Vec<&str> = key.split('.').collect();
-    let fits = |v: &&Variable| match parts[..] {
-        // A roller across the tow has a length where a disc has a thickness.
+    let names: Vec<&str> = key.split('.').collect();
+    let fits = |v: &&Variable| match names[..] {
+        // The length of a roller across the tow is what the thickness is for a disc.
         ["length"] => v.parameter == Parameter::Thickness,
         ["body", body, "length"] => v.parameter == Parameter::Thickness && bodies.iter().any(|b| b == body),
         [name] => name == v.key,
@@ -159,25 +159,25 @@ pub fn find(key: &str, bodies: &[String]) -> Option<Variable> {
 }
 
 impl Variable {
-    /// The case with this number changed. A weight is that of one disc, without loads besides it.
+    /// The input with this number changed. A weight is that of one disc, without additional loads.
     #[must_use]
-    pub fn set(&self, setting: &Setting, value: f64) -> Towing {
-        setting.towing.with(self.parameter, self.model_value(setting, value))
+    pub fn set(&self, input: &ModelInput, value: f64) -> Towing {
+        input.towing.with(self.parameter, self.model_value(input, value))
     }
 
-    /// Its key with the section before it, as in the case.
+    /// Its key with the section, as in the case.
     #[must_use]
-    pub fn dotted(&self, setting: &Setting) -> String {
+    pub fn dotted(&self, input: &ModelInput) -> String {
         match self.section {
             "" => self.key.to_owned(),
-            "body" => format!("body.{}.{}", setting.bodies.first().map_or("disc", String::as_str), self.key),
+            "body" => format!("body.{}.{}", input.bodies.first().map_or("disc", String::as_str), self.key),
             section => format!("{section}.{}", self.key),
         }
     }
 
-    /// Whether a model of such a body asks for it.
+    /// Whether a model of such a body uses it.
     #[must_use]
-    pub fn belongs(&self, setting: &Setting) -> bool {
+    pub fn belongs(&self, input: &ModelInput) -> bool {
         let any_body = matches!(
             self.parameter,
             Parameter::Sinkage
@@ -190,16 +190,16 @@ impl Variable {
                 | Parameter::PlateStiffness
         );
         any_body
-            || match setting.towing.body {
+            || match input.towing.body {
                 Body::Disc(_) => self.parameter != Parameter::Orientation,
                 Body::Block(_) => matches!(self.parameter, Parameter::Orientation | Parameter::Backfill),
                 Body::Faceted(_) => matches!(self.parameter, Parameter::Slip | Parameter::BrakeTorque),
             }
     }
 
-    /// Whether the case has what the variable is a part of: plate constants, for one of them.
+    /// Whether varying it has an effect: a plate constant needs the others to be given.
     #[must_use]
-    pub fn has_effect(&self, setting: &Setting) -> bool {
+    pub fn has_effect(&self, input: &ModelInput) -> bool {
         let of_plate = matches!(
             self.parameter,
             Parameter::PlateExponent
@@ -207,23 +207,23 @@ impl Variable {
                 | Parameter::PlateFrictional
                 | Parameter::ShearModulus
         );
-        !of_plate || setting.towing.terrain.is_some()
+        !of_plate || input.towing.terrain.is_some()
     }
 
-    /// The value that the models know it by.
-    pub(super) fn model_value(&self, setting: &Setting, value: f64) -> f64 {
+    /// The value in the input of the models.
+    pub(super) fn model_value(&self, input: &ModelInput, value: f64) -> f64 {
         match self.parameter {
-            Parameter::Weight => value * setting.bodies.len() as f64 + setting.extra_load,
-            Parameter::Orientation if setting.mirrored => -value,
+            Parameter::Weight => value * input.bodies.len() as f64 + input.extra_load,
+            Parameter::Orientation if input.mirrored => -value,
             _ => value,
         }
     }
 
-    /// Its value in the case; none for what the case leaves open.
+    /// Its value in the case; `None` where the case does not define it.
     #[must_use]
-    pub fn value(&self, setting: &Setting) -> Option<f64> {
+    pub fn value(&self, input: &ModelInput) -> Option<f64> {
         use analytic::Load;
-        let towing = &setting.towing;
+        let towing = &input.towing;
         match self.parameter {
             Parameter::FrictionAngle => Some(towing.soil.friction_angle),
             Parameter::DilationAngle => Some(towing.soil.dilation_angle),
@@ -233,12 +233,12 @@ impl Variable {
             Parameter::Diameter => towing.body.disc().map(|disc| disc.diameter),
             Parameter::Thickness => towing.body.disc().map(|disc| disc.thickness),
             Parameter::Orientation => {
-                towing.body.block().map(|block| self.model_value(setting, block.orientation))
+                towing.body.block().map(|block| self.model_value(input, block.orientation))
             }
             Parameter::BowWaveFraction => Some(towing.bow_wave_fraction),
             Parameter::Backfill => Some(towing.backfill),
             Parameter::Weight => match towing.load {
-                Load::Weight(weight) => Some((weight - setting.extra_load) / setting.bodies.len() as f64),
+                Load::Weight(weight) => Some((weight - input.extra_load) / input.bodies.len() as f64),
                 Load::Sinkage(_) => None,
             },
             Parameter::Sinkage => match towing.load {

@@ -1,4 +1,4 @@
-//! An image to draw on, and the PNG file it becomes. Drawn at twice the size and scaled down: smooth edges.
+//! An image to draw on, written as a PNG file. It is drawn at twice the size and scaled down, which smooths edges.
 
 use super::colour::Rgb;
 use super::error::OutputError;
@@ -11,21 +11,21 @@ use std::io::Write as _;
 use std::path::Path;
 use std::sync::OnceLock;
 
-/// Every pixel of the file is drawn as a square of so many.
-const FINER: usize = 2;
+/// Supersampling: every pixel of the file is drawn as a square of this many pixels.
+const SUPERSAMPLING: usize = 2;
 const FONT: &[u8] = include_bytes!("../../assets/DejaVuSans-subset.ttf");
 
-/// Where a text is held.
+/// How a text is aligned to its position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Anchor {
     Left,
     Centre,
     Right,
-    /// Turned upwards, centred.
+    /// Rotated upwards, centred.
     Upwards,
 }
 
-/// An image under work. Positions are in pixels of the file, from the top left corner.
+/// An image being drawn. Positions are in pixels of the file, from the top left corner.
 pub(super) struct Canvas {
     width: usize,
     height: usize,
@@ -35,7 +35,7 @@ pub(super) struct Canvas {
 impl Canvas {
     /// A white image.
     pub(super) fn new(width: usize, height: usize) -> Self {
-        Self { width, height, pixels: vec![255; 3 * width * height * FINER * FINER] }
+        Self { width, height, pixels: vec![255; 3 * width * height * SUPERSAMPLING * SUPERSAMPLING] }
     }
 
     /// Colours the pixels of a box by a function of the position; `None` leaves a pixel as it is.
@@ -44,12 +44,12 @@ impl Canvas {
         [left, top, right, bottom]: [f64; 4],
         colour: impl Fn(f64, f64) -> Option<Rgb>,
     ) {
-        let finer = FINER as f64;
-        let clip = |v: f64, most: usize| ((v * finer).round().max(0.0) as usize).min(most * FINER);
-        let row = self.width * FINER;
+        let factor = SUPERSAMPLING as f64;
+        let clip = |v: f64, most: usize| ((v * factor).round().max(0.0) as usize).min(most * SUPERSAMPLING);
+        let row = self.width * SUPERSAMPLING;
         for y in clip(top, self.height)..clip(bottom, self.height) {
             for x in clip(left, self.width)..clip(right, self.width) {
-                if let Some(rgb) = colour((x as f64 + 0.5) / finer, (y as f64 + 0.5) / finer) {
+                if let Some(rgb) = colour((x as f64 + 0.5) / factor, (y as f64 + 0.5) / factor) {
                     self.pixels[3 * (y * row + x)..][..3].copy_from_slice(&rgb);
                 }
             }
@@ -58,21 +58,21 @@ impl Canvas {
 
     /// Draws a line through points.
     pub(super) fn line(&mut self, points: &[[f64; 2]], colour: Rgb, width: f64) {
-        let finer = FINER as f64;
+        let factor = SUPERSAMPLING as f64;
         let path: Vec<(i32, i32)> = points
             .iter()
             .filter(|p| p[0].is_finite() && p[1].is_finite())
-            .map(|p| ((p[0] * finer).round() as i32, (p[1] * finer).round() as i32))
+            .map(|p| ((p[0] * factor).round() as i32, (p[1] * factor).round() as i32))
             .collect();
         let style =
-            RGBColor(colour[0], colour[1], colour[2]).stroke_width((width * finer).round().max(1.0) as u32);
+            RGBColor(colour[0], colour[1], colour[2]).stroke_width((width * factor).round().max(1.0) as u32);
         self.draw(|area| {
-            // What lies outside the image is cut off by the backend; there is nothing else that can fail.
+            // The backend clips what lies outside the image; nothing else can fail.
             let _ = area.draw(&PathElement::new(path, style));
         });
     }
 
-    /// Draws a dashed level line.
+    /// Draws a dashed horizontal line.
     pub(super) fn dashes(&mut self, [from, to]: [f64; 2], y: f64, colour: Rgb) {
         let mut x = from;
         while x < to {
@@ -87,24 +87,24 @@ impl Canvas {
         if !READY.get_or_init(|| register_font("sans-serif", FontStyle::Normal, FONT).is_ok()) {
             return;
         }
-        let finer = FINER as f64;
-        let (across, turn) = match anchor {
+        let factor = SUPERSAMPLING as f64;
+        let (across, rotation) = match anchor {
             Anchor::Left => (HPos::Left, FontTransform::None),
             Anchor::Centre => (HPos::Center, FontTransform::None),
             Anchor::Right => (HPos::Right, FontTransform::None),
             Anchor::Upwards => (HPos::Center, FontTransform::Rotate270),
         };
-        let font = ("sans-serif", size * finer).into_font().transform(turn);
+        let font = ("sans-serif", size * factor).into_font().transform(rotation);
         let style = TextStyle::from(font).color(&RGBColor(30, 30, 30)).pos(Pos::new(across, VPos::Center));
-        let place = ((x * finer).round() as i32, (y * finer).round() as i32);
+        let position = ((x * factor).round() as i32, (y * factor).round() as i32);
         self.draw(|area| {
-            // A letter that the font lacks is left out; the picture is worth more than the letter.
-            let _ = area.draw_text(text, &style, place);
+            // A character that the font lacks is left out.
+            let _ = area.draw_text(text, &style, position);
         });
     }
 
     fn draw(&mut self, action: impl FnOnce(&DrawingArea<BitMapBackend<'_>, plotters::coord::Shift>)) {
-        let size = ((self.width * FINER) as u32, (self.height * FINER) as u32);
+        let size = ((self.width * SUPERSAMPLING) as u32, (self.height * SUPERSAMPLING) as u32);
         let area = BitMapBackend::with_buffer(&mut self.pixels, size).into_drawing_area();
         action(&area);
     }
@@ -138,15 +138,18 @@ impl Canvas {
         png
     }
 
+    /// Mean colour of the drawn pixels that form one pixel of the file.
     fn mean(&self, x: usize, y: usize) -> Rgb {
-        let row = self.width * FINER;
+        let row = self.width * SUPERSAMPLING;
         std::array::from_fn(|channel| {
-            let part = |n: usize| {
-                let (dx, dy) = (n % FINER, n / FINER);
-                usize::from(self.pixels[3 * ((y * FINER + dy) * row + x * FINER + dx) + channel])
+            let sample = |n: usize| {
+                let (dx, dy) = (n % SUPERSAMPLING, n / SUPERSAMPLING);
+                usize::from(
+                    self.pixels[3 * ((y * SUPERSAMPLING + dy) * row + x * SUPERSAMPLING + dx) + channel],
+                )
             };
-            let count = FINER * FINER;
-            (((0..count).map(part).sum::<usize>() + count / 2) / count) as u8
+            let count = SUPERSAMPLING * SUPERSAMPLING;
+            (((0..count).map(sample).sum::<usize>() + count / 2) / count) as u8
         })
     }
 }

@@ -1,54 +1,12 @@
-//! Line charts as SVG text: one look for every plot of a report. Text and frame take the colour of the page around
-//! them, so that a chart is at home on light and dark pages and on paper.
+//! Line charts as SVG text: the same style for every plot of a report. Text and axes inherit the colour of the page, so
+//! that charts suit light and dark pages and paper.
 
-use super::chart_marks::{BOTTOM, Frame, LEFT, RIGHT, WIDTH, draw_curve, draw_level, key, marked, plain};
+use super::chart_marks::{Axes, BOTTOM, LEFT, RIGHT, WIDTH, draw_curve, draw_level, key, marked, plain};
+use super::curve::{Curve, Level};
 use super::scale::{labelled_ticks, logarithm, padded_range};
 use std::fmt::Write as _;
 
-/// How a curve is drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stroke {
-    /// A strong line.
-    Solid,
-    /// A thin pale line: raw data behind a smoothed curve.
-    Faint,
-    /// A dashed line: a forecast or another source.
-    Dashed,
-    /// A dotted line: one more source, where the colours begin anew.
-    Dotted,
-    /// Dots: a measurement.
-    Dots,
-}
-
-/// A curve.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Curve {
-    /// Name in the legend; nothing for no entry.
-    pub name: String,
-    /// Points; a gap where one is not a number.
-    pub points: Vec<[f64; 2]>,
-    /// Number of its colour.
-    pub colour: usize,
-    /// How it is drawn.
-    pub stroke: Stroke,
-}
-
-/// A level with its name, drawn over a part of the x axis.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Level {
-    /// What it says at its end.
-    pub label: String,
-    /// Height on the y axis.
-    pub value: f64,
-    /// Where it begins on the x axis.
-    pub from: f64,
-    /// Where it ends.
-    pub to: f64,
-    /// Number of its colour.
-    pub colour: usize,
-}
-
-/// A chart of curves over two axes, linear unless it says otherwise. Labels may hold subscripts: `F_H`.
+/// A chart of curves over two axes, linear by default. Labels may contain subscripts: `F_H`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chart {
     /// Title above it.
@@ -59,28 +17,20 @@ pub struct Chart {
     pub y_label: String,
     /// Whether y grows downwards (depths).
     pub y_down: bool,
-    /// Whether one unit is as long on both axes.
+    /// Whether both axes have the same scale.
     pub true_scale: bool,
-    /// Height of the picture in pixels; 0 for the usual one.
+    /// Height of the picture in pixels; 0 for the default.
     pub height: f64,
-    /// Whether y = 0 has to be in view.
+    /// Whether y = 0 must be visible.
     pub with_zero: bool,
-    /// Whether both axes are logarithmic; what is not above 0 is left out.
+    /// Whether both axes are logarithmic; values that are not positive are left out.
     pub logarithmic: bool,
-    /// The curves, first below.
+    /// The curves, the first one at the back.
     pub curves: Vec<Curve>,
-    /// Shaded part of the x axis.
+    /// Shaded range of the x axis.
     pub shaded: Option<[f64; 2]>,
     /// Levels.
     pub levels: Vec<Level>,
-}
-
-impl Curve {
-    /// A strong line.
-    #[must_use]
-    pub fn solid(name: &str, colour: usize, points: Vec<[f64; 2]>) -> Self {
-        Self { name: name.to_owned(), points, colour, stroke: Stroke::Solid }
-    }
 }
 
 impl Chart {
@@ -90,7 +40,7 @@ impl Chart {
         if self.logarithmic { self.in_logarithms().drawn() } else { self.drawn() }
     }
 
-    /// The chart with the logarithms of its numbers in their place.
+    /// The chart with its numbers replaced by their logarithms.
     fn in_logarithms(&self) -> Self {
         let mut chart = Self { with_zero: false, ..self.clone() };
         for point in chart.curves.iter_mut().flat_map(|curve| &mut curve.points) {
@@ -107,19 +57,19 @@ impl Chart {
         let height = if self.height > 0.0 { self.height } else { 330.0 };
         let legend = self.legend();
         let top = if self.title.is_empty() { 10.0 } else { 30.0 } + 18.0 * legend.len() as f64;
-        let frame = self.frame(top, height - BOTTOM);
+        let axes = self.axes(top, height - BOTTOM);
         let mut svg = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height}\" role=\"img\" \
              aria-label=\"{}\" font-family=\"system-ui, 'Segoe UI', 'DejaVu Sans', sans-serif\" font-size=\"12\" \
              fill=\"currentColor\">\n",
             plain(&self.title)
         );
-        self.draw_ground(&mut svg, &frame);
+        self.draw_ground(&mut svg, &axes);
         for curve in &self.curves {
-            draw_curve(&mut svg, &frame, curve);
+            draw_curve(&mut svg, &axes, curve);
         }
         for level in &self.levels {
-            draw_level(&mut svg, &frame, level);
+            draw_level(&mut svg, &axes, level);
         }
         if !self.title.is_empty() {
             let _ = writeln!(
@@ -133,7 +83,7 @@ impl Chart {
         svg
     }
 
-    fn frame(&self, top: f64, bottom: f64) -> Frame {
+    fn axes(&self, top: f64, bottom: f64) -> Axes {
         let points =
             || self.curves.iter().flat_map(|c| &c.points).filter(|p| p[0].is_finite() && p[1].is_finite());
         let zero = self.with_zero.then_some(0.0);
@@ -143,16 +93,16 @@ impl Chart {
         if self.true_scale {
             x = padded_range(points().map(|p| p[0]), 0.02);
             let per_pixel = ((x[1] - x[0]) / (WIDTH - LEFT - RIGHT)).max((y[1] - y[0]) / (bottom - top));
-            x = widened(x, per_pixel * (WIDTH - LEFT - RIGHT));
-            y = widened(y, per_pixel * (bottom - top));
+            x = extended(x, per_pixel * (WIDTH - LEFT - RIGHT));
+            y = extended(y, per_pixel * (bottom - top));
         }
-        Frame { x, y, top, bottom, y_down: self.y_down }
+        Axes { x, y, top, bottom, y_down: self.y_down }
     }
 
-    fn draw_ground(&self, svg: &mut String, frame: &Frame) {
-        let (right, top, bottom) = (WIDTH - RIGHT, frame.top, frame.bottom);
+    fn draw_ground(&self, svg: &mut String, axes: &Axes) {
+        let (right, top, bottom) = (WIDTH - RIGHT, axes.top, axes.bottom);
         if let Some([from, to]) = self.shaded.filter(|s| s.iter().all(|x| x.is_finite())) {
-            let (a, b) = (frame.x_at(from).clamp(LEFT, right), frame.x_at(to).clamp(LEFT, right));
+            let (a, b) = (axes.x_at(from).clamp(LEFT, right), axes.x_at(to).clamp(LEFT, right));
             let _ = writeln!(
                 svg,
                 "<rect x=\"{:.1}\" y=\"{top:.1}\" width=\"{:.1}\" height=\"{:.1}\" opacity=\"0.07\"/>",
@@ -161,8 +111,8 @@ impl Chart {
                 bottom - top
             );
         }
-        for (tick, label) in labelled_ticks(frame.x, 6, self.logarithmic) {
-            let x = frame.x_at(tick);
+        for (tick, label) in labelled_ticks(axes.x, 6, self.logarithmic) {
+            let x = axes.x_at(tick);
             let _ = write!(
                 svg,
                 "<path d=\"M{x:.1} {top:.1}V{bottom:.1}\" stroke=\"currentColor\" stroke-opacity=\"0.13\"/>"
@@ -175,12 +125,12 @@ impl Chart {
             );
         }
         let count = if self.true_scale { 5 } else { 6 };
-        for (tick, label) in labelled_ticks(frame.y, count, self.logarithmic) {
-            let y = frame.y_at(tick);
-            let strength = if tick == 0.0 && !self.logarithmic { 0.45 } else { 0.13 };
+        for (tick, label) in labelled_ticks(axes.y, count, self.logarithmic) {
+            let y = axes.y_at(tick);
+            let opacity = if tick == 0.0 && !self.logarithmic { 0.45 } else { 0.13 };
             let _ = write!(
                 svg,
-                "<path d=\"M{LEFT} {y:.1}H{right}\" stroke=\"currentColor\" stroke-opacity=\"{strength}\"/>"
+                "<path d=\"M{LEFT} {y:.1}H{right}\" stroke=\"currentColor\" stroke-opacity=\"{opacity}\"/>"
             );
             let _ = writeln!(
                 svg,
@@ -196,21 +146,21 @@ impl Chart {
             right - LEFT,
             bottom - top
         );
-        self.draw_labels(svg, frame);
+        self.draw_labels(svg, axes);
     }
 
-    fn draw_labels(&self, svg: &mut String, frame: &Frame) {
+    fn draw_labels(&self, svg: &mut String, axes: &Axes) {
         let middle = 0.5 * (LEFT + WIDTH - RIGHT);
         let _ = writeln!(
             svg,
             "<text x=\"{middle:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text>",
-            frame.bottom + 36.0,
+            axes.bottom + 36.0,
             marked(&self.x_label)
         );
         let _ = writeln!(
             svg,
             "<text transform=\"translate(15 {:.1}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
-            0.5 * (frame.top + frame.bottom),
+            0.5 * (axes.top + axes.bottom),
             marked(&self.y_label)
         );
     }
@@ -243,17 +193,18 @@ impl Chart {
     }
 }
 
-fn widened([low, high]: [f64; 2], span: f64) -> [f64; 2] {
+fn extended([low, high]: [f64; 2], span: f64) -> [f64; 2] {
     let middle = 0.5 * (low + high);
     [middle - 0.5 * span, middle + 0.5 * span]
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::curve::Stroke;
     use super::*;
 
     #[test]
-    fn strange_series_are_drawn() {
+    fn unusual_series_are_drawn() {
         let odd: [Vec<[f64; 2]>; 6] = [
             vec![],
             vec![[0.0, 0.0]],

@@ -1,19 +1,19 @@
 //! What is drawn inside the axes of a chart: curves, levels, text with subscripts.
 
-use super::chart::{Curve, Level, Stroke};
 use super::colour::CURVES;
+use super::curve::{Curve, Level, Stroke};
 use std::fmt::Write as _;
 
-/// A curve has at most so many points when drawn; more could not be seen.
-const MOST_POINTS: usize = 1600;
-/// Width of a chart [pixels], and the room round its axes.
+/// Points of a drawn curve at most; more would not be visible.
+const MAX_POINTS: usize = 1600;
+/// Width of a chart [pixels], and the margins round its axes.
 pub(super) const WIDTH: f64 = 560.0;
 pub(super) const LEFT: f64 = 66.0;
 pub(super) const RIGHT: f64 = 16.0;
 pub(super) const BOTTOM: f64 = 46.0;
 
-/// Where the axes lie in the picture.
-pub(super) struct Frame {
+/// Position and range of the axes in the picture.
+pub(super) struct Axes {
     pub(super) x: [f64; 2],
     pub(super) y: [f64; 2],
     pub(super) top: f64,
@@ -21,14 +21,14 @@ pub(super) struct Frame {
     pub(super) y_down: bool,
 }
 
-impl Frame {
+impl Axes {
     pub(super) fn x_at(&self, x: f64) -> f64 {
         LEFT + (WIDTH - LEFT - RIGHT) * (x - self.x[0]) / (self.x[1] - self.x[0])
     }
 
     pub(super) fn y_at(&self, y: f64) -> f64 {
-        let share = (y - self.y[0]) / (self.y[1] - self.y[0]);
-        let up = if self.y_down { 1.0 - share } else { share };
+        let fraction = (y - self.y[0]) / (self.y[1] - self.y[0]);
+        let up = if self.y_down { 1.0 - fraction } else { fraction };
         self.bottom - (self.bottom - self.top) * up
     }
 }
@@ -56,11 +56,11 @@ pub(super) fn key(curve: &Curve, x: f64, y: f64) -> String {
     }
 }
 
-pub(super) fn draw_curve(svg: &mut String, frame: &Frame, curve: &Curve) {
+pub(super) fn draw_curve(svg: &mut String, axes: &Axes, curve: &Curve) {
     if curve.stroke == Stroke::Dots {
         for [x, y] in thinned(&curve.points) {
             if x.is_finite() && y.is_finite() {
-                let (cx, cy) = (frame.x_at(x), frame.y_at(y));
+                let (cx, cy) = (axes.x_at(x), axes.y_at(y));
                 let _ = writeln!(
                     svg,
                     "<circle cx=\"{cx:.1}\" cy=\"{cy:.1}\" r=\"2.5\" fill=\"{}\"/>",
@@ -74,8 +74,7 @@ pub(super) fn draw_curve(svg: &mut String, frame: &Frame, curve: &Curve) {
     let mut pen_up = true;
     for [x, y] in thinned(&curve.points) {
         if x.is_finite() && y.is_finite() {
-            let _ =
-                write!(path, "{}{:.1} {:.1}", if pen_up { 'M' } else { 'L' }, frame.x_at(x), frame.y_at(y));
+            let _ = write!(path, "{}{:.1} {:.1}", if pen_up { 'M' } else { 'L' }, axes.x_at(x), axes.y_at(y));
             pen_up = false;
         } else {
             pen_up = true;
@@ -86,11 +85,11 @@ pub(super) fn draw_curve(svg: &mut String, frame: &Frame, curve: &Curve) {
     }
 }
 
-pub(super) fn draw_level(svg: &mut String, frame: &Frame, level: &Level) {
+pub(super) fn draw_level(svg: &mut String, axes: &Axes, level: &Level) {
     if ![level.value, level.from, level.to].iter().all(|v| v.is_finite()) {
         return;
     }
-    let (a, b, y) = (frame.x_at(level.from), frame.x_at(level.to), frame.y_at(level.value));
+    let (a, b, y) = (axes.x_at(level.from), axes.x_at(level.to), axes.y_at(level.value));
     let _ = writeln!(
         svg,
         "<path d=\"M{a:.1} {y:.1}H{b:.1}\" stroke=\"{0}\" stroke-width=\"1.4\" stroke-dasharray=\"2 3\"/>\
@@ -103,32 +102,32 @@ pub(super) fn draw_level(svg: &mut String, frame: &Frame, level: &Level) {
     );
 }
 
-/// At most about [`MOST_POINTS`] points that keep every peak: of each run of neighbours the first, the lowest and the
-/// highest. Gaps stay gaps.
+/// At most about [`MAX_POINTS`] points that preserve every peak: of each group of neighbours the first, the lowest and
+/// the highest. Gaps remain gaps.
 fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    if points.len() <= MOST_POINTS {
+    if points.len() <= MAX_POINTS {
         return points.to_vec();
     }
-    let run = (4 * points.len()).div_ceil(MOST_POINTS);
+    let size = (4 * points.len()).div_ceil(MAX_POINTS);
     let mut kept = Vec::new();
-    for (n, part) in points.chunks(run).enumerate() {
-        let by_height = |&a: &usize, &b: &usize| part[a][1].total_cmp(&part[b][1]);
-        let finite = || (0..part.len()).filter(|&m| part[m][1].is_finite());
-        let mut places = vec![0];
-        places.extend(finite().min_by(by_height));
-        places.extend(finite().max_by(by_height));
-        places.extend((0..part.len()).find(|&m| !part[m][1].is_finite()));
-        if (n + 1) * run >= points.len() {
-            places.push(part.len() - 1);
+    for (n, group) in points.chunks(size).enumerate() {
+        let by_height = |&a: &usize, &b: &usize| group[a][1].total_cmp(&group[b][1]);
+        let finite = || (0..group.len()).filter(|&m| group[m][1].is_finite());
+        let mut indices = vec![0];
+        indices.extend(finite().min_by(by_height));
+        indices.extend(finite().max_by(by_height));
+        indices.extend((0..group.len()).find(|&m| !group[m][1].is_finite()));
+        if (n + 1) * size >= points.len() {
+            indices.push(group.len() - 1);
         }
-        places.sort_unstable();
-        places.dedup();
-        kept.extend(places.into_iter().map(|m| part[m]));
+        indices.sort_unstable();
+        indices.dedup();
+        kept.extend(indices.into_iter().map(|m| group[m]));
     }
     kept
 }
 
-/// Text with the letters that XML keeps for itself spelled out.
+/// Text with the reserved characters of XML escaped.
 fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
@@ -137,14 +136,14 @@ pub(super) fn plain(text: &str) -> String {
     escaped(&text.replace('_', ""))
 }
 
-/// Text with subscripts: letters and digits behind `_` are lowered.
+/// Text with subscripts: letters and digits after `_` are lowered.
 pub(super) fn marked(text: &str) -> String {
     let mut result = String::new();
-    let mut parts = text.split('_');
-    result.push_str(&escaped(parts.next().unwrap_or_default()));
-    for part in parts {
-        let end = part.find(|c: char| !c.is_alphanumeric()).unwrap_or(part.len());
-        let (low, rest) = part.split_at(end);
+    let mut pieces = text.split('_');
+    result.push_str(&escaped(pieces.next().unwrap_or_default()));
+    for piece in pieces {
+        let end = piece.find(|c: char| !c.is_alphanumeric()).unwrap_or(piece.len());
+        let (low, rest) = piece.split_at(end);
         let _ = write!(result, "<tspan dy=\"3\" font-size=\"75%\">{}</tspan>", escaped(low));
         if !rest.is_empty() {
             let _ = write!(result, "<tspan dy=\"-3\">{}</tspan>", escaped(rest));
@@ -163,7 +162,7 @@ mod tests {
             (0..50_000).map(|n| [f64::from(n), (f64::from(n) * 0.7).sin()]).collect();
         points[31_234][1] = 9.0;
         let few = thinned(&points);
-        assert!(few.len() <= MOST_POINTS + 4, "{}", few.len());
+        assert!(few.len() <= MAX_POINTS + 4, "{}", few.len());
         assert!(few.contains(&[31_234.0, 9.0]));
         assert_eq!(few.last(), points.last());
     }

@@ -6,7 +6,7 @@
 
 use super::error::{Named, OutputError, make_folder, sync_folder};
 use super::folder::CHECKPOINTS;
-use super::record::History;
+use crate::history::History;
 use serde::{Deserialize, Serialize};
 use solver::precision::Precision;
 use solver::state::{Received, State};

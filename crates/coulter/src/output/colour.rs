@@ -1,7 +1,7 @@
-//! Colours: a palette for curves that colour-blind readers can tell apart, and colour maps of even lightness.
+//! Colours: a palette for curves that colour-blind readers can distinguish, and perceptually uniform colour maps.
 //!
-//! The maps are laid out in the OKLab space (B. Ottosson, 2020), in which equal steps look equal: lightness rises
-//! evenly along a sequential map and evenly from both ends of a diverging one, so they also survive grey printing.
+//! The maps are defined in the OKLab space (B. Ottosson, 2020), in which equal steps look equal: lightness rises evenly
+//! along a sequential map and from both ends of a diverging one, so that they can also be printed in grey.
 
 /// Curve colours after Okabe and Ito (2008), strong ones first.
 pub(super) const CURVES: [&str; 7] =
@@ -10,21 +10,21 @@ pub(super) const CURVES: [&str; 7] =
 /// A colour: red, green, blue.
 pub(super) type Rgb = [u8; 3];
 
-/// Which colours stand for the values of a picture.
+/// The colour map of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ColourMap {
-    /// From dark violet by green to light yellow.
+    /// From dark violet through green to light yellow.
     Sequential,
-    /// From blue by almost white to red-brown; the middle is nothing.
+    /// From blue through almost white, for zero, to red-brown.
     Diverging,
-    /// From pale to brown: how much soil.
+    /// From pale to brown: volume fraction of soil.
     Earth,
 }
 
 impl ColourMap {
-    /// The colour at `share` of the map, 0 to 1.
-    pub(super) fn at(self, share: f64) -> Rgb {
-        let s = if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 };
+    /// The colour at a fraction of the map, 0 to 1.
+    pub(super) fn at(self, fraction: f64) -> Rgb {
+        let s = if fraction.is_finite() { fraction.clamp(0.0, 1.0) } else { 0.0 };
         match self {
             Self::Sequential => {
                 let hue = 305.0 - 200.0 * s;

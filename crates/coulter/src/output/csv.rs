@@ -1,12 +1,12 @@
 //! `forces.csv`, `energy.csv` and `boundaries.csv`: the histories as tables with units in the header.
 //!
-//! The file is kept open during the run and flushed after every block, so that a killed run leaves whole lines; a
-//! resumed run rewrites it from the history of the checkpoint.
+//! The files are kept open during the run and flushed after every block, so that a killed run leaves whole lines; a
+//! resumed run rewrites them from the history of the checkpoint.
 
 use super::error::{Named, OutputError};
-use super::record::{BodySample, BoundarySample, EnergySample, History};
-use super::reference::Reference;
 use super::table::{Table, push_line};
+use crate::history::reference::Reference;
+use crate::history::{BodySample, BoundarySample, EnergySample, History};
 use std::fs::File;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -17,7 +17,7 @@ lateral [N],axle torque [N m],rotation [rad],spin [rad/s],turn ratio [-],normal 
 normal vertical [N],friction vertical [N],leak [m^3],embedded [m^3],speed v [m/s],heave speed [m/s],Z [-],u_bar [-],\
 F_H_bar [-],F_V_bar [-]";
 
-/// Header of the energy ledger's file.
+/// Header of the energy balance's file.
 pub const ENERGY_HEADER: &str = "time [s],external [J],kinetic [J],elastic [J],plastic [J],friction [J],contact method [J],viscous [J],\
 hourglass [J],remap loss [J],closure [-],volume ratio [-]";
 
@@ -39,7 +39,7 @@ pub fn forces_name(names: &[String], body: usize) -> String {
     }
 }
 
-/// A body's name as a part of a file name.
+/// A body's name in a form that is safe in file names.
 pub(super) fn file_safe(name: &str) -> String {
     name.chars().map(|c| if c.is_alphanumeric() || "-_".contains(c) { c } else { '_' }).collect()
 }
@@ -61,7 +61,7 @@ struct HistoryFile {
 }
 
 impl HistoryFiles {
-    /// Starts the files in `dir` anew, with the header only.
+    /// Creates the files in `dir`, with the header only.
     ///
     /// # Errors
     /// When a file cannot be written.
@@ -101,7 +101,7 @@ impl HistoryFile {
         for sample in samples.iter().skip(self.written) {
             push_line(&mut block, &line(sample));
         }
-        // One write for the whole block: a kill leaves whole lines.
+        // One write for the whole block, so that a kill leaves whole lines.
         self.file.write_all(block.as_bytes()).named("write", &self.path)?;
         self.file.flush().named("write", &self.path)?;
         self.written = self.written.max(samples.len());
@@ -187,7 +187,7 @@ pub fn read_forces(path: &Path, is_whole: bool) -> Result<Vec<BodySample>, Outpu
     (0..table.rows()).map(line).collect()
 }
 
-/// Reads the energy ledger back.
+/// Reads the energy balance back.
 ///
 /// # Errors
 /// When the file cannot be read or a column is missing.
@@ -240,8 +240,8 @@ fn cells<'a>(table: &'a Table, path: &'a Path) -> impl Fn(&str, usize) -> Result
     }
 }
 
-/// Reads all histories of a results folder back. Those of a run that was killed may end in the middle of a line, and one
-/// file may have more lines than another: `is_whole` says that they do not.
+/// Reads all histories of a results folder back. Those of a killed run may end in the middle of a line, and one file may
+/// have more lines than another: `is_whole` says that this cannot be.
 ///
 /// # Errors
 /// When a file is missing or broken.

@@ -1,9 +1,9 @@
-//! The case in a few words, for the head of a report.
+//! The case in a few words, for the top of a report.
 
 use crate::case::resolved::{Body, Case, Freedom, Law, Potential, Shape};
 use crate::output::scale::{Unit, digits};
 
-/// Lines "what: how" on soil and bodies.
+/// Soil and bodies, each as a name and a description.
 pub(super) fn describe(case: &Case) -> Vec<[String; 2]> {
     let mut lines = vec![["Soil".to_owned(), soil(case)]];
     let several = case.bodies.len() > 1;
@@ -67,12 +67,12 @@ fn describe_body(body: &Body) -> String {
         }
         Shape::Block { size, orientation } => {
             let edges = format!("block, {} × {} × {}", length(size.x), length(size.y), length(size.z));
-            if orientation == 0.0 { edges } else { format!("{edges}, turned {}", degrees(orientation)) }
+            if orientation == 0.0 { edges } else { format!("{edges}, rotated {}", degrees(orientation)) }
         }
         Shape::Cylinder { diameter, length: along, axis } => {
             format!("cylinder along {axis}, d = {}, l = {}", length(diameter), length(along))
         }
-        Shape::Ball { diameter } => format!("ball, d = {}", length(diameter)),
+        Shape::Sphere { diameter } => format!("sphere, d = {}", length(diameter)),
     };
     let mut friction = if body.friction.is_finite() {
         format!("μ = {}", digits(body.friction))

@@ -1,6 +1,6 @@
-//! What can go wrong when results are written or read, and the few file habits shared by all writers.
+//! What can go wrong when results are written or read, and file functions shared by all writers.
 
-use super::folder::{CHECKPOINTS, FIELDS, PICTURES, PLOTS};
+use super::names::{CHECKPOINTS, FIELDS, PICTURES, PLOTS};
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -18,37 +18,37 @@ pub enum OutputError {
         /// What the operating system said.
         source: io::Error,
     },
-    /// There is a result already and nobody said that it may go.
+    /// There is a result already, which must not be overwritten without being asked.
     #[error(
-        "{path} already holds a result; --force replaces it, -o DIR writes somewhere else",
+        "{path} already holds a result; --force replaces it, -o DIR writes to another folder",
         path = path.display()
     )]
     Exists {
         /// The folder.
         path: PathBuf,
     },
-    /// Another run is at work in the folder.
+    /// Another run is using the folder.
     #[error(
-        "another run is at work in {path} ({holder}); wait for its end, or write somewhere else with -o DIR",
+        "another run is using {path} ({holder}); wait for its end, or write to another folder with -o DIR",
         path = path.display()
     )]
     Busy {
         /// The folder.
         path: PathBuf,
-        /// What the lock says of the run.
+        /// The owner of the lock.
         holder: String,
     },
-    /// The folder holds a run that has not come to its end, and nobody said what is to become of it.
+    /// The folder holds a run that has not reached its end.
     #[error(
-        "{path} holds a run that was stopped before its end; --resume goes on with it, --force starts anew, -o DIR writes \
-         somewhere else",
+        "{path} holds a run that was stopped before its end; --resume continues it, --force starts again, -o DIR writes \
+         to another folder",
         path = path.display()
     )]
     Unfinished {
         /// The folder.
         path: PathBuf,
     },
-    /// The folder has files in it that did not come from a run; they are never touched, forced or not.
+    /// The folder holds files that are not from a run; they are never touched, not even with `--force`.
     #[error(
         "{path} holds files that are not a result of Coulter; choose an empty or a new folder with -o DIR",
         path = path.display()
@@ -57,19 +57,19 @@ pub enum OutputError {
         /// The folder.
         path: PathBuf,
     },
-    /// A folder inside a results folder leads elsewhere.
-    #[error("{path} is a link to somewhere else; remove it, or choose another folder with -o DIR", path = path.display())]
+    /// A folder inside a results folder is a symbolic link.
+    #[error("{path} is a link to another folder; remove it, or choose another folder with -o DIR", path = path.display())]
     Link {
         /// The folder.
         path: PathBuf,
     },
-    /// The folder holds no result to work on.
-    #[error("{path} holds no result of Coulter (there is no run.json in it)", path = path.display())]
+    /// The folder holds no result.
+    #[error("{path} holds no result of Coulter (it contains no run.json)", path = path.display())]
     NoResult {
         /// The folder.
         path: PathBuf,
     },
-    /// A file does not hold what it should.
+    /// A file does not have the expected content.
     #[error("{path}: {problem}", path = path.display())]
     Content {
         /// The file.
@@ -100,23 +100,23 @@ impl<T> Named<T> for io::Result<T> {
     }
 }
 
-/// Writes a whole file so that a reader, or a kill, never meets half of it: into a neighbour first, then renamed.
+/// Writes a whole file atomically: first under another name, which is then renamed.
 pub(super) fn write_whole(path: &Path, content: &[u8]) -> Result<(), OutputError> {
     let mut name = path.file_name().unwrap_or_default().to_os_string();
     name.push(".part");
-    let neighbour = path.with_file_name(name);
-    let mut file = fs::File::create(&neighbour).named("create", &neighbour)?;
+    let draft = path.with_file_name(name);
+    let mut file = fs::File::create(&draft).named("create", &draft)?;
     let written = file.write_all(content).named("write", path);
     drop(file);
-    let done = written.and_then(|()| fs::rename(&neighbour, path).named("replace", path));
+    let done = written.and_then(|()| fs::rename(&draft, path).named("replace", path));
     if done.is_err() {
-        // On a full disc half a file would only be in the way.
-        let _ = fs::remove_file(&neighbour);
+        // On a full disk half a file would only take up space.
+        let _ = fs::remove_file(&draft);
     }
     done
 }
 
-/// Brings the names in a folder to the disk, where the system can (not on Windows, which does so by itself).
+/// Flushes a folder's entries to disk, where the system supports it (Windows does so by itself).
 pub(super) fn sync_folder(path: &Path) -> Result<(), OutputError> {
     if cfg!(unix) { fs::File::open(path).and_then(|f| f.sync_all()).named("write", path) } else { Ok(()) }
 }
@@ -126,7 +126,7 @@ pub(super) fn read_text(path: &Path) -> Result<String, OutputError> {
     fs::read_to_string(path).named("read", path)
 }
 
-/// Makes a folder and those above it. One inside a results folder must not be a link to somewhere else.
+/// Creates a folder and its parents. One inside a results folder must not be a symbolic link.
 pub(super) fn make_folder(path: &Path) -> Result<(), OutputError> {
     let is_inner = path.file_name().is_some_and(|name| INNER.iter().any(|inner| name == *inner));
     if is_inner && path.is_symlink() {
@@ -135,7 +135,7 @@ pub(super) fn make_folder(path: &Path) -> Result<(), OutputError> {
     fs::create_dir_all(path).named("create the folder", path)
 }
 
-/// Writes a value as JSON, a not-a-number as `null`.
+/// Writes a value as JSON, not-a-number as `null`.
 pub(super) fn write_json<T: serde::Serialize>(path: &Path, value: &T) -> Result<(), OutputError> {
     let mut text = serde_json::to_string_pretty(value).map_err(|e| OutputError::content(path, e))?;
     text.push('\n');
@@ -153,13 +153,13 @@ mod tests {
     use std::os::unix::fs::symlink;
 
     #[test]
-    fn a_full_disc_leaves_what_was_there_and_no_half_file() {
+    fn a_full_disk_leaves_the_old_file_and_no_half_file() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("summary.json");
         fs::write(&path, "before").unwrap();
         symlink("/dev/full", folder.path().join("summary.json.part")).unwrap();
-        let told = write_whole(&path, b"after").unwrap_err().to_string();
-        assert!(told.contains("summary.json") && told.contains("No space left"), "{told}");
+        let message = write_whole(&path, b"after").unwrap_err().to_string();
+        assert!(message.contains("summary.json") && message.contains("No space left"), "{message}");
         assert_eq!(fs::read_to_string(&path).unwrap(), "before");
         assert!(!folder.path().join("summary.json.part").is_symlink());
     }
@@ -170,8 +170,8 @@ mod tests {
         let elsewhere = tempfile::tempdir().unwrap();
         for name in INNER {
             symlink(elsewhere.path(), folder.path().join(name)).unwrap();
-            let told = make_folder(&folder.path().join(name)).unwrap_err().to_string();
-            assert!(told.contains("is a link"), "{told}");
+            let message = make_folder(&folder.path().join(name)).unwrap_err().to_string();
+            assert!(message.contains("is a link"), "{message}");
         }
         assert!(make_folder(&folder.path().join("other")).is_ok());
     }

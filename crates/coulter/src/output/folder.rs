@@ -1,75 +1,66 @@
-//! The names inside a results folder, and making room for a new result.
+//! The contents of a results folder, and clearing it for a new result.
 
 use super::csv::{BOUNDARIES, ENERGY, forces_name};
 use super::error::{Named, OutputError};
 use super::lock::LOCK;
+pub use super::names::CHECKPOINTS;
+use super::names::{FIELDS, LISTS, LOG, PICTURES, PLOTS, REPORT, RESOLVED, TYPED};
 use super::run_record::{Outcome, RUN_RECORD, RunRecord};
 use super::summary::SUMMARY;
 use std::fs;
 use std::path::Path;
 
-/// Folder of checkpoints inside a results folder.
-pub const CHECKPOINTS: &str = "checkpoints";
-pub(super) const FIELDS: &str = "fields";
-pub(super) const PICTURES: &str = "pictures";
-pub(super) const PLOTS: &str = "plots";
-pub(super) const RESOLVED: &str = "resolved.toml";
-pub(super) const TYPED: &str = "case.toml";
-pub(super) const REPORT: &str = "report.html";
-pub(super) const LOG: &str = "run.log";
-pub(super) const LISTS: [&str; 3] = ["soil.pvd", "surface.pvd", "body.pvd"];
-
-/// What a results folder holds.
+/// The contents of a results folder.
 #[derive(Debug)]
-pub enum Holds {
+pub enum Contents {
     /// Nothing.
     Nothing,
-    /// A run, as it tells of itself.
+    /// A run, with its record.
     Run(Box<RunRecord>),
-    /// Files that are no result of Coulter.
-    Others,
+    /// Files that are not a result of Coulter.
+    Foreign,
 }
 
-/// Looks at a folder.
+/// Inspects a folder.
 ///
 /// # Errors
 /// When it cannot be listed.
-pub fn look(dir: &Path) -> Result<Holds, OutputError> {
+pub fn inspect(dir: &Path) -> Result<Contents, OutputError> {
     if !dir.exists() {
-        return Ok(Holds::Nothing);
+        return Ok(Contents::Nothing);
     }
-    // The record names the bodies, hence the files. Without one nothing here is known to be ours, but for what a run
-    // writes before it.
+    // The record names the bodies, hence the files. Without one only the files that a run writes before it are known to be
+    // ours.
     if let Ok(record) = RunRecord::read(dir) {
-        return Ok(Holds::Run(Box::new(record)));
+        return Ok(Contents::Run(Box::new(record)));
     }
     let early = [LOCK.to_owned(), format!("{RUN_RECORD}.part")];
     for entry in fs::read_dir(dir).named("list", dir)? {
         let name = entry.named("list", dir)?.file_name();
         if !early.iter().any(|e| name == e.as_str()) {
-            return Ok(Holds::Others);
+            return Ok(Contents::Foreign);
         }
     }
-    Ok(Holds::Nothing)
+    Ok(Contents::Nothing)
 }
 
-/// Makes room for a new result; a folder with other files in it is never touched.
+/// Clears a folder for a new result; a folder with other files in it is never touched.
 pub(super) fn clear(dir: &Path, force: bool) -> Result<(), OutputError> {
     let path = dir.to_path_buf();
-    match look(dir)? {
-        Holds::Nothing => Ok(()),
-        Holds::Others => Err(OutputError::Foreign { path }),
-        Holds::Run(record) if force => remove_result(dir, &record),
-        Holds::Run(record)
+    match inspect(dir)? {
+        Contents::Nothing => Ok(()),
+        Contents::Foreign => Err(OutputError::Foreign { path }),
+        Contents::Run(record) if force => remove_result(dir, &record),
+        Contents::Run(record)
             if matches!(record.statistics.outcome, Outcome::Running | Outcome::Interrupted) =>
         {
             Err(OutputError::Unfinished { path })
         }
-        Holds::Run(_) => Err(OutputError::Exists { path }),
+        Contents::Run(_) => Err(OutputError::Exists { path }),
     }
 }
 
-/// Removes what a killed run was about to write.
+/// Removes files that a killed run left unfinished.
 pub(super) fn remove_parts(dir: &Path) -> Result<(), OutputError> {
     for folder in ["", FIELDS, PICTURES, PLOTS, CHECKPOINTS] {
         let folder = dir.join(folder);
@@ -94,15 +85,15 @@ fn remove_result(dir: &Path, record: &RunRecord) -> Result<(), OutputError> {
     for file in files {
         remove_file(&dir.join(file))?;
     }
-    for (folder, endings) in [
+    for (folder, extensions) in [
         (FIELDS, &["vtr", "vtp"][..]),
         (PICTURES, &["png", "svg", "csv"]),
         (PLOTS, &["svg"]),
         (CHECKPOINTS, &["checkpoint"]),
     ] {
-        remove_files(&dir.join(folder), endings)?;
+        remove_files(&dir.join(folder), extensions)?;
     }
-    // Last: as long as it is there, the folder is known as a result and the removal can be taken up again.
+    // Last: as long as it exists, the folder is recognised as a result and the removal can be repeated.
     remove_parts(dir)?;
     remove_file(&dir.join(RUN_RECORD))
 }
@@ -111,19 +102,19 @@ fn remove_file(path: &Path) -> Result<(), OutputError> {
     if path.is_file() { fs::remove_file(path).named("remove", path) } else { Ok(()) }
 }
 
-/// Removes the files with one of these endings from a folder, and the folder when it is empty then.
-fn remove_files(folder: &Path, endings: &[&str]) -> Result<(), OutputError> {
+/// Removes the files with one of these extensions from a folder, and the folder if it is empty then.
+fn remove_files(folder: &Path, extensions: &[&str]) -> Result<(), OutputError> {
     if !folder.is_dir() {
         return Ok(());
     }
-    let mut others = false;
+    let mut is_empty = true;
     for entry in fs::read_dir(folder).named("list", folder)? {
         let path = entry.named("list", folder)?.path();
-        if path.extension().is_some_and(|e| endings.iter().any(|ending| e == *ending)) {
+        if path.extension().is_some_and(|e| extensions.iter().any(|extension| e == *extension)) {
             remove_file(&path)?;
         } else {
-            others = true;
+            is_empty = false;
         }
     }
-    if others { Ok(()) } else { fs::remove_dir(folder).named("remove", folder) }
+    if is_empty { fs::remove_dir(folder).named("remove", folder) } else { Ok(()) }
 }

@@ -1,7 +1,8 @@
 //! The files of a forecast: the models as a table and a document, their curves as a table and as plots.
 
-use super::chart::{Chart, Curve, Stroke};
+use super::chart::Chart;
 use super::colour::CURVES;
+use super::curve::{Curve, Stroke};
 use super::error::{OutputError, make_folder, write_json, write_whole};
 use super::scale::{Unit, largest};
 use super::table::push_line;
@@ -11,13 +12,13 @@ use std::path::{Path, PathBuf};
 const MODELS: &str = "models.csv";
 const DOCUMENT: &str = "forecast.json";
 const CURVE: &str = "curve.csv";
-/// They are drawn wherever they have an answer, so that their crossing is seen; the others only where they apply.
+/// Models that are drawn wherever they have an answer, so that their crossing is visible; others only where they apply.
 const ALWAYS_DRAWN: [&str; 3] = ["weaker of BC and PW", "BC", "PW"];
 
-/// What a forecast leaves behind.
+/// The content of the files of a forecast.
 #[derive(Clone, Copy, Debug)]
-pub struct Sheets<'a> {
-    /// The models as comma-separated text.
+pub struct ForecastFiles<'a> {
+    /// The models as comma-separated values.
     pub models: &'a str,
     /// The JSON document.
     pub document: &'a serde_json::Value,
@@ -25,12 +26,16 @@ pub struct Sheets<'a> {
     pub curves: &'a Curves,
 }
 
-/// Writes the files into `dir` and returns their paths. Files that are there are replaced only if `force` says so.
+/// Writes the files into `dir` and returns their paths. Existing files are replaced only with `force`.
 ///
 /// # Errors
-/// When one of the files is there already or cannot be written.
-pub fn write_forecast(dir: &Path, sheets: &Sheets<'_>, force: bool) -> Result<Vec<PathBuf>, OutputError> {
-    let plots = plots(sheets.curves);
+/// When one of the files exists already or cannot be written.
+pub fn write_forecast(
+    dir: &Path,
+    files: &ForecastFiles<'_>,
+    force: bool,
+) -> Result<Vec<PathBuf>, OutputError> {
+    let plots = plots(files.curves);
     let names = [MODELS, DOCUMENT, CURVE].into_iter().map(str::to_owned);
     let paths: Vec<PathBuf> =
         names.chain(plots.iter().map(|(name, _)| name.clone())).map(|n| dir.join(n)).collect();
@@ -38,9 +43,9 @@ pub fn write_forecast(dir: &Path, sheets: &Sheets<'_>, force: bool) -> Result<Ve
         return Err(OutputError::Exists { path: dir.to_path_buf() });
     }
     make_folder(dir)?;
-    write_whole(&dir.join(MODELS), sheets.models.as_bytes())?;
-    write_json(&dir.join(DOCUMENT), sheets.document)?;
-    write_whole(&dir.join(CURVE), curve_text(sheets.curves).as_bytes())?;
+    write_whole(&dir.join(MODELS), files.models.as_bytes())?;
+    write_json(&dir.join(DOCUMENT), files.document)?;
+    write_whole(&dir.join(CURVE), curve_text(files.curves).as_bytes())?;
     for (name, svg) in &plots {
         write_whole(&dir.join(name), svg.as_bytes())?;
     }
@@ -105,7 +110,7 @@ fn plots(curves: &Curves) -> Vec<(String, String)> {
     plots
 }
 
-/// What a chart shows: its label, where it is found, and what it is divided by, by point.
+/// The ordinate of a chart: its label, its values, and what they are divided by, by point.
 struct Ordinate<'a> {
     label: String,
     of: fn(&Series) -> &[f64],
@@ -119,8 +124,8 @@ fn chart(curves: &Curves, x_label: &str, along: &[f64], ordinate: Ordinate<'_>) 
         let points: Vec<[f64; 2]> =
             values.iter().zip(along).zip(scale).map(|((y, x), scale)| [*x, y / scale]).collect();
         let stroke = match series.name {
-            // The one to believe is the only line that is drawn through.
-            name if name == curves.believed => Stroke::Solid,
+            // Only the recommended model is drawn as a solid line.
+            name if name == curves.recommended => Stroke::Solid,
             _ if colour < CURVES.len() => Stroke::Dashed,
             _ => Stroke::Dotted,
         };
@@ -138,7 +143,7 @@ fn chart(curves: &Curves, x_label: &str, along: &[f64], ordinate: Ordinate<'_>) 
     }
 }
 
-/// The values that are drawn; not-a-number where a model does not apply.
+/// The values to draw; not-a-number where a model does not apply.
 fn drawn(series: &Series, values: &[f64]) -> Vec<f64> {
     let always = ALWAYS_DRAWN.contains(&series.name);
     let seen = |(value, applies): (&f64, &bool)| if *applies || always { *value } else { f64::NAN };

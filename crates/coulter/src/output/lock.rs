@@ -1,7 +1,7 @@
-//! The lock of a results folder: one run at a time works in it.
+//! The lock of a results folder: one run at a time can use it.
 //!
-//! It is the operating system's lock on a file, which goes with the process that holds it: what a killed run leaves behind
-//! is a file that nobody holds, and that is no lock. The file says who made it, for people.
+//! It is the operating system's lock on a file, which ends with the process that holds it: a killed run leaves the file
+//! behind, but not the lock. The file names its owner, for information.
 
 use super::error::{Named, OutputError, make_folder};
 use std::fs::{self, File, OpenOptions, TryLockError};
@@ -11,16 +11,16 @@ use std::path::{Path, PathBuf};
 /// Name of the file.
 pub(super) const LOCK: &str = "run.lock";
 
-/// A lock that is held; dropped, it is given up and its file removed.
+/// A lock that is held; dropping it releases it and removes its file.
 #[derive(Debug)]
 pub struct Lock {
     path: PathBuf,
-    // Held open for as long as the lock is.
+    // Open as long as the lock is held.
     file: File,
 }
 
 impl Lock {
-    /// Takes the lock of a results folder, which is made if it is not there.
+    /// Takes the lock of a results folder, which is created if it does not exist.
     ///
     /// # Errors
     /// [`OutputError::Busy`] when another run holds it, or the file cannot be written.
@@ -40,18 +40,18 @@ impl Lock {
                 Ok(()) => {}
                 Err(TryLockError::WouldBlock) => {
                     let mut holder = String::new();
-                    // Who it is matters less than that it is.
+                    // The name of the owner is optional.
                     let _ = file.read_to_string(&mut holder);
                     return Err(OutputError::Busy {
                         path: dir.to_path_buf(),
                         holder: holder.trim().to_owned(),
                     });
                 }
-                // A file system without locks (some network ones): better unlocked than not at all.
+                // A file system without locks (some network ones): run without one.
                 Err(TryLockError::Error(error)) if error.kind() == std::io::ErrorKind::Unsupported => {}
                 Err(TryLockError::Error(error)) => return Err(error).named("lock", &path),
             }
-            // The holder before may have removed the file between our opening and locking it.
+            // The previous holder may have removed the file between our opening and locking it.
             if is_at(&file, &path) {
                 file.set_len(0).named("write", &path)?;
                 file.write_all(holder().as_bytes()).named("write", &path)?;
@@ -63,19 +63,19 @@ impl Lock {
 
 impl Drop for Lock {
     fn drop(&mut self) {
-        // A file that stays is no lock; nothing depends on its removal.
+        // A file that remains is not a lock; nothing depends on its removal.
         let _ = fs::remove_file(&self.path);
         let _ = self.file.unlock();
     }
 }
 
-/// Process and time, for whoever meets the lock.
+/// Process and time, for the message about the lock.
 fn holder() -> String {
     let since = super::log::stamp(std::time::SystemTime::now());
     format!("process {}, since {since}\n", std::process::id())
 }
 
-/// Whether a path still leads to this open file.
+/// Whether a path still refers to this open file.
 #[cfg(unix)]
 fn is_at(file: &File, path: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;
@@ -94,7 +94,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn one_at_a_time_and_what_is_left_behind_is_no_lock() {
+    fn one_at_a_time_and_a_leftover_file_is_no_lock() {
         let dir = tempfile::tempdir().unwrap();
         fs::write(dir.path().join(LOCK), "process 1, since long ago\n").unwrap();
         let lock = Lock::take(dir.path()).unwrap();

@@ -1,4 +1,4 @@
-//! `run.log`: what happened when.
+//! `run.log`: events with their times.
 
 use super::error::{Named, OutputError};
 use std::fs::{File, OpenOptions};
@@ -14,7 +14,7 @@ pub struct Log {
 }
 
 impl Log {
-    /// Starts a log anew.
+    /// Creates a new log.
     ///
     /// # Errors
     /// When the file cannot be created.
@@ -22,7 +22,7 @@ impl Log {
         Ok(Self { path: path.to_path_buf(), file: File::create(path).named("create", path)? })
     }
 
-    /// Goes on with a log.
+    /// Continues a log.
     ///
     /// # Errors
     /// When the file cannot be opened.

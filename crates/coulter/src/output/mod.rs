@@ -1,6 +1,6 @@
-//! What a run leaves behind: histories, fields, pictures, a summary and a report.
+//! The output of a run: histories, fields, pictures, a summary and a report.
 //!
-//! [`Results`] is the front door: it owns the folder of a run. The other modules are its rooms, usable on their own.
+//! [`Results`] is the facade: it owns the folder of a run. The other modules can also be used on their own.
 
 mod canvas;
 pub mod chart;
@@ -8,39 +8,50 @@ mod chart_marks;
 pub mod checkpoint;
 mod colour;
 pub mod csv;
+pub mod curve;
 mod describe;
+pub mod energy_plot;
 mod error;
 mod fields;
 mod folder;
 mod forecast_files;
+mod forecast_overlay;
 mod frame;
-pub mod ledger_plot;
 pub mod lock;
 pub mod log;
+mod names;
+mod overlay;
 pub mod picture;
 pub mod plot;
 pub mod progress;
-pub mod record;
-pub mod reference;
 mod report;
 mod report_rows;
 mod results;
 pub mod run_record;
 mod rut;
 mod scale;
-pub mod steady;
+mod scene;
 pub mod summary;
 pub mod surface;
 pub mod table;
 pub mod validate;
-pub mod volume;
 mod vtk;
 
 pub use error::OutputError;
-pub use folder::{CHECKPOINTS, Holds, look};
-pub use forecast_files::{Sheets, write_forecast};
+pub use folder::{CHECKPOINTS, Contents, inspect};
+pub use forecast_files::{ForecastFiles, write_forecast};
+pub use forecast_overlay::overlays;
 pub use lock::Lock;
+pub use overlay::{Overlay, PlotKind};
 pub use progress::Progress;
 pub use results::{Results, rebuild_report};
-pub use run_record::{Outcome, Overlay, PlotKind, RunRecord, RunStatistics};
+pub use run_record::{Outcome, RunRecord, RunStatistics};
 pub use summary::Summary;
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn the_memory_of_a_cell_view_is_what_the_estimate_assumes() {
+        assert_eq!(size_of::<super::fields::CellView>(), crate::case::output_size::SHOWN_CELL);
+    }
+}

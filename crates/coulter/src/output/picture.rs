@@ -1,25 +1,14 @@
-//! Pictures of the soil: slices along the body's mid-plane, the rut from above, and its cross-section.
+//! The pictures of a run: slices along the body's mid-plane, the rut from above, and its cross-section.
 
-use super::colour::{ColourMap, Rgb};
 use super::error::{OutputError, make_folder};
-use super::fields::{CellView, attitude};
-use super::frame::{Scale, View};
-use super::rut::profiles;
-use super::scale::Unit;
-use super::surface::{HeightMap, reference_height};
-use crate::case::resolved::{Case, Ground};
-use glam::DVec3;
-use physics::shape::Shape;
+use super::rut::{plan, profiles};
+use super::scene::Scene;
+use super::surface::HeightMap;
+use crate::case::resolved::Case;
 use solver::grid::Grid;
 use solver::precision::Precision;
-use solver::state::{Body, State};
+use solver::state::State;
 use std::path::Path;
-
-const STEEL: Rgb = [196, 202, 210];
-pub(super) const OUTLINE: Rgb = [25, 28, 35];
-const SURFACE: Rgb = [70, 70, 70];
-/// Cells with less soil than this are left out of the pictures of what the soil does.
-const SHOWN: f64 = 0.5;
 
 /// A picture: the name of its file in `pictures/`, and what to look for in it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -38,19 +27,19 @@ pub const PICTURES: [Caption; 7] = [
         file: "soil_plastic_strain.png",
         title: "Where the soil has yielded",
         text: "Equivalent plastic strain in the vertical mid-plane, logarithmic colours. Look for the slip surface that \
-               rises from the body's toe to the free surface ahead of it, and for the disturbed layer left behind.",
+               rises from the body's toe to the free surface ahead of it, and for the disturbed layer behind it.",
     },
     Caption {
         file: "soil_speed.png",
-        title: "What moves",
+        title: "Velocity",
         text: "Speed of the soil. Colours end at the 99.9th percentile. The moving wedge ahead of the body should be bounded \
                and lie well inside the fine zone of the grid.",
     },
     Caption {
         file: "soil_pressure.png",
         title: "Pressure",
-        text: "Mean pressure, compression positive. Colours end at the 99.9th percentile. Speckle means noise; pressure that \
-               reaches the walls of the box means that the box is too small.",
+        text: "Mean pressure, compression positive. Colours end at the 99.9th percentile. Speckle is numerical noise; pressure that \
+               extends to the walls of the box means that the box is too small.",
     },
     Caption {
         file: "soil_fraction.png",
@@ -61,8 +50,8 @@ pub const PICTURES: [Caption; 7] = [
     Caption {
         file: "rut_plan.png",
         title: "The surface from above",
-        text: "Height of the free surface against the undisturbed one: blue is below (rut), brown above (berm); of soil that \
-               was heaped on a floor, the height above the floor. The dark outline is the body.",
+        text: "Height of the free surface against the undisturbed one: blue is below (rut), brown above (berm); for soil \
+               heaped on a floor, the height above the floor. The dark outline is the body.",
     },
     Caption {
         file: "profile.svg",
@@ -76,17 +65,6 @@ pub const PICTURES: [Caption; 7] = [
                half a length). True scale.",
     },
 ];
-
-/// What the pictures are made from.
-pub(super) struct Scene<'a, R> {
-    pub(super) case: &'a Case,
-    pub(super) grid: &'a Grid,
-    pub(super) state: &'a State<R>,
-    pub(super) shapes: Vec<Box<dyn Shape>>,
-    pub(super) row: usize,
-    pub(super) across: [f64; 2],
-    pub(super) upward: [f64; 2],
-}
 
 /// Draws all pictures of a state into `dir`.
 ///
@@ -106,172 +84,10 @@ pub fn write_pictures(
     scene.pressure().write(&dir.join("soil_pressure.png"))?;
     scene.speed().write(&dir.join("soil_speed.png"))?;
     if !case.domain.plane_strain {
-        scene.plan(&map).canvas.write(&dir.join("rut_plan.png"))?;
+        plan(&scene, &map).canvas.write(&dir.join("rut_plan.png"))?;
     }
     for profile in profiles(case, state, &map) {
         profile.write(dir)?;
     }
     Ok(())
-}
-
-impl<'a, R: Precision> Scene<'a, R> {
-    fn new(case: &'a Case, grid: &'a Grid, state: &'a State<R>) -> Self {
-        let middle = 0.5 * (case.domain.low.y + case.domain.high.y);
-        let plane = match state.bodies.first() {
-            _ if case.domain.symmetric => 0.0,
-            Some(body) => body.position.y,
-            None => middle,
-        };
-        let faces = &grid.faces[1];
-        let row = faces.iter().skip(1).position(|y| *y > plane).unwrap_or(0);
-        let shapes: Vec<Box<dyn Shape>> = case.bodies.iter().map(|b| b.shape.solid()).collect();
-        let mut scene = Self { case, grid, state, shapes, row, across: [0.0; 2], upward: [0.0; 2] };
-        scene.across = scene.range(0);
-        scene.upward = scene.range(2);
-        scene
-    }
-
-    /// The part of space to show along an axis: the fine zone with some of what is round it, and the bodies.
-    fn range(&self, axis: usize) -> [f64; 2] {
-        let (low, high) = (self.case.grid.fine_low[axis], self.case.grid.fine_high[axis]);
-        let room = 0.1 * (high - low).abs();
-        let faces = &self.grid.faces[axis];
-        let (first, last) = (faces[0], faces[faces.len() - 1]);
-        let mut range = [(low - room).max(first), (high + room).min(last)];
-        if range[1] <= range[0] || self.case.bodies.is_empty() {
-            range = [first, last];
-        }
-        // A body that has flown off (a run that broke down) must not drag the view along.
-        let far = [first - 0.5 * (last - first), last + 0.5 * (last - first)];
-        for (body, shape) in self.state.bodies.iter().zip(&self.shapes) {
-            let reach = reach(shape.as_ref(), body, axis);
-            range = [range[0].min(reach[0] - 0.2 * room), range[1].max(reach[1] + 0.2 * room)];
-            range = [range[0].max(far[0]), range[1].min(far[1])];
-        }
-        range
-    }
-
-    /// A slice coloured by what `value` makes of a cell; `None` is left white.
-    fn slice(
-        &self,
-        title: &str,
-        scale: &Scale,
-        value: impl Fn(&CellView) -> Option<f64>,
-    ) -> super::canvas::Canvas {
-        let mut view = View::new(self.across, self.upward);
-        let [columns, _, layers] = self.grid.cells();
-        let cells: Vec<Option<Rgb>> = (0..columns * layers)
-            .map(|n| {
-                let cell = CellView::of(self.grid, self.state, [n % columns, self.row, n / columns]);
-                value(&cell).map(|v| scale.colour(v))
-            })
-            .collect();
-        let y = self.grid.centre(1, self.row);
-        let pixel = view.pixel();
-        view.paint(|x, z| {
-            self.body_colour(DVec3::new(x, y, z), pixel).or_else(|| {
-                let i = find(&self.grid.faces[0], x)?;
-                let k = find(&self.grid.faces[2], z)?;
-                cells[k * columns + i]
-            })
-        });
-        self.spokes(&mut view);
-        if let Ground::Level { .. } = self.case.ground {
-            view.level(reference_height(self.case), SURFACE);
-        }
-        view.finish(title, ["x [m]", "z [m]"], scale);
-        view.canvas
-    }
-
-    /// The colour of a body at a point, if there is one.
-    fn body_colour(&self, point: DVec3, pixel: f64) -> Option<Rgb> {
-        let bodies = self.state.bodies.iter().zip(&self.shapes);
-        let nearest = bodies
-            .map(|(body, shape)| shape.signed_distance(attitude(body).transpose() * (point - body.position)));
-        let distance = nearest.fold(f64::INFINITY, f64::min);
-        if distance.abs() < 1.2 * pixel { Some(OUTLINE) } else { (distance < 0.0).then_some(STEEL) }
-    }
-
-    /// A mark on each round body that turns with it; the others show by themselves how they are turned.
-    fn spokes(&self, view: &mut View) {
-        for (body, shape) in self.state.bodies.iter().zip(&self.shapes).filter(|(_, s)| s.is_revolved()) {
-            let top = 0.5 * shape.bounds().1.z;
-            let tip = body.position + attitude(body) * DVec3::new(0.0, 0.0, top);
-            view.line(&[[body.position.x, body.position.z], [tip.x, tip.z]], OUTLINE, 2.0);
-        }
-    }
-
-    /// Values of the shown cells of the slice, inside the shown part of space.
-    fn values(&self, value: impl Fn(&CellView) -> f64) -> Vec<f64> {
-        let [columns, _, layers] = self.grid.cells();
-        let inside = |axis: usize, range: [f64; 2]| {
-            let grid = self.grid;
-            move |n: &usize| (range[0]..=range[1]).contains(&grid.centre(axis, *n))
-        };
-        let columns: Vec<usize> = (0..columns).filter(inside(0, self.across)).collect();
-        let mut values: Vec<f64> = (0..layers)
-            .filter(inside(2, self.upward))
-            .flat_map(|k| columns.iter().map(move |&i| [i, self.row, k]))
-            .map(|at| CellView::of(self.grid, self.state, at))
-            .filter(|cell| cell.fraction > SHOWN)
-            .map(|cell| value(&cell))
-            .filter(|v| v.is_finite())
-            .collect();
-        values.sort_by(f64::total_cmp);
-        values
-    }
-
-    fn high_end(&self, value: impl Fn(&CellView) -> f64) -> f64 {
-        let values = self.values(value);
-        values.get((0.999 * values.len() as f64) as usize).copied().unwrap_or(1.0)
-    }
-
-    fn fraction(&self) -> super::canvas::Canvas {
-        let scale = Scale::linear(ColourMap::Earth, 0.0, 1.0, "volume fraction [–]".into());
-        self.slice("Soil volume fraction", &scale, |c| Some(c.fraction).filter(|f| *f > 1e-3))
-    }
-
-    fn plastic_strain(&self) -> super::canvas::Canvas {
-        let most = self.high_end(|c| c.plastic_strain).max(1e-2);
-        let high = 10f64.powf(most.log10().ceil());
-        let label = "plastic strain [–], logarithmic".into();
-        let scale = Scale { map: ColourMap::Sequential, low: 1e-3 * high, high, logarithmic: true, label };
-        self.slice("Equivalent plastic strain", &scale, |c| (c.fraction > SHOWN).then_some(c.plastic_strain))
-    }
-
-    fn pressure(&self) -> super::canvas::Canvas {
-        let most = self.high_end(CellView::pressure).max(1.0);
-        let unit = Unit::stress(most);
-        let label = format!("pressure [{}]", unit.name);
-        let scale = Scale::linear(ColourMap::Sequential, 0.0, most / unit.size, label);
-        self.slice("Mean pressure (compression positive)", &scale, |c| {
-            (c.fraction > SHOWN).then(|| c.pressure() / unit.size)
-        })
-    }
-
-    fn speed(&self) -> super::canvas::Canvas {
-        let most = self.high_end(|c| c.velocity.length()).max(1e-6);
-        let unit = Unit::speed(most);
-        let scale =
-            Scale::linear(ColourMap::Sequential, 0.0, most / unit.size, format!("speed [{}]", unit.name));
-        self.slice("Speed of the soil", &scale, |c| {
-            (c.fraction > SHOWN).then(|| c.velocity.length() / unit.size)
-        })
-    }
-}
-
-/// The number of the interval of `edges` that holds `value`.
-pub(super) fn find(edges: &[f64], value: f64) -> Option<usize> {
-    let n = edges.partition_point(|edge| *edge <= value);
-    (n > 0 && n < edges.len()).then(|| n - 1)
-}
-
-/// How far a body reaches along an axis [m].
-fn reach(shape: &dyn Shape, body: &Body, axis: usize) -> [f64; 2] {
-    let turn = attitude(body);
-    let points = shape.mesh().points;
-    points
-        .iter()
-        .map(|p| (body.position + turn * *p)[axis])
-        .fold([f64::INFINITY, f64::NEG_INFINITY], |r, v| [r[0].min(v), r[1].max(v)])
 }

@@ -1,25 +1,26 @@
-//! The plots of a run: forces, sinkage, rotation, torque and the energy ledger.
+//! The plots of a body: forces, sinkage, rotation and torque.
 
-use super::chart::{Chart, Curve, Level, Stroke};
-use super::record::BodySample;
-use super::reference::Reference;
-use super::run_record::{Overlay, PlotKind};
+use super::chart::Chart;
+use super::curve::{Curve, Level, Stroke};
+use super::overlay::{Overlay, PlotKind};
 use super::scale::{Unit, digits, largest};
-use super::steady::{Steady, is_tow, moving_average};
+use crate::history::BodySample;
+use crate::history::reference::Reference;
+use crate::history::steady::{Steady, is_tow, moving_average};
 
-/// Width of the moving average of the strong force curves, over the reference length d (chosen: hides the grid's
-/// rhythm, keeps what a cell width or more of tow does).
+/// Width of the moving average of the force curves, over the reference length d (chosen: suppresses fluctuations with the
+/// grid spacing, preserves changes over more than a cell width of tow).
 pub const SMOOTHING: f64 = 0.05;
-/// First colour of overlays; the run's own curves come before it.
+/// First colour of overlays; those of the run come before it.
 const OVERLAY_COLOUR: usize = 3;
 
 /// A quantity of a history with its name.
 type Entry = (&'static str, fn(&BodySample) -> f64);
 
-/// A plot of a report: its name (for the file), the SVG text, and what to look for.
+/// A plot of a report: its name, the SVG text, and a caption.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plot {
-    /// Name for a file.
+    /// Name of the file.
     pub name: String,
     /// The picture as SVG text.
     pub svg: String,
@@ -27,20 +28,20 @@ pub struct Plot {
     pub caption: String,
 }
 
-/// One body's history, with what is known about it.
+/// One body's history, with everything that its plots need.
 #[derive(Clone, Copy, Debug)]
 pub struct BodyHistory<'a> {
     /// The body's reference lengths and force.
     pub reference: &'a Reference,
-    /// Its samples.
+    /// The samples.
     pub samples: &'a [BodySample],
     /// Averages over the steady window.
     pub steady: &'a Steady,
-    /// Curves to lay over the plots.
+    /// Curves to overlay on the plots.
     pub overlays: &'a [Overlay],
 }
 
-/// The abscissa of a body's plots: displacement when it is towed, else time.
+/// The abscissa of a body's plots: displacement if it is towed, otherwise time.
 struct Abscissa {
     values: Vec<f64>,
     label: String,
@@ -48,7 +49,7 @@ struct Abscissa {
     window: Option<[f64; 2]>,
     /// Width of the moving average [s].
     smoothing: f64,
-    tows: bool,
+    is_tow: bool,
 }
 
 impl BodyHistory<'_> {
@@ -82,7 +83,7 @@ impl BodyHistory<'_> {
                 label: format!("displacement u [{}]", unit.name),
                 unit: unit.size,
                 smoothing: SMOOTHING * self.reference.length / largest(self.samples.iter().map(|s| s.speed)),
-                tows: true,
+                is_tow: true,
             };
         }
         let values: Vec<f64> = self.samples.iter().map(|s| s.time).collect();
@@ -93,7 +94,7 @@ impl BodyHistory<'_> {
             label: "time [s]".to_owned(),
             unit: 1.0,
             smoothing: 0.01 * span,
-            tows: false,
+            is_tow: false,
         }
     }
 
@@ -103,10 +104,10 @@ impl BodyHistory<'_> {
 
     /// Overlays of one plot as curves; a single point becomes a level across the plot.
     fn overlays(&self, plot: PlotKind, along: &[f64], units: [f64; 2]) -> Vec<Curve> {
-        let mine =
+        let belongs =
             |o: &&Overlay| o.plot == plot && o.body.as_ref().is_none_or(|name| *name == self.reference.name);
-        let reach = || along.iter().copied().filter(|x| x.is_finite());
-        let ends = [reach().fold(f64::INFINITY, f64::min), reach().fold(f64::NEG_INFINITY, f64::max)];
+        let finite = || along.iter().copied().filter(|x| x.is_finite());
+        let ends = [finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max)];
         let curve = |(n, overlay): (usize, &Overlay)| {
             let points = match overlay.points[..] {
                 [[_, y]] => ends.map(|x| [x, y / units[1]]).to_vec(),
@@ -115,10 +116,10 @@ impl BodyHistory<'_> {
             let stroke = if overlay.measured { Stroke::Dots } else { Stroke::Dashed };
             Curve { name: overlay.name.clone(), points, colour: OVERLAY_COLOUR + n, stroke }
         };
-        self.overlays.iter().filter(mine).enumerate().map(curve).collect()
+        self.overlays.iter().filter(belongs).enumerate().map(curve).collect()
     }
 
-    /// Times of the samples [s]. Smoothing goes by time: a body that settles before it is towed stands still in u.
+    /// Times of the samples [s]. Smoothing uses time, because the displacement is constant while a body settles before the tow.
     fn times(&self) -> Vec<f64> {
         self.samples.iter().map(|s| s.time).collect()
     }
@@ -148,7 +149,7 @@ impl BodyHistory<'_> {
         let base = self.abscissa();
         let unit = self.force_unit();
         let mut curves = self.force_curves(&base.values, unit.size, &base);
-        if base.tows {
+        if base.is_tow {
             curves.extend(self.overlays(PlotKind::ForceDisplacement, &base.values, [base.unit, unit.size]));
         }
         let means = [("F_H", self.steady.drag), ("F_V", self.steady.vertical)];
@@ -172,11 +173,11 @@ impl BodyHistory<'_> {
             curves,
             ..Chart::default()
         };
-        let smoothing = if base.tows { "0.05 d of tow" } else { "one percent of the time" };
+        let smoothing = if base.is_tow { "0.05 d of tow" } else { "one per cent of the time" };
         let caption = format!(
-            "Drag F_H resists the tow, F_V holds the body up. Thin: as recorded (impulse over each interval). Strong: \
+            "Drag F_H resists the tow, F_V supports the body. Thin: as recorded (impulse over each interval). Thick: \
              centred moving average over {smoothing} (no phase shift). Shaded: the steady window with its means; a force \
-             that still climbs in there has not become steady."
+             that still rises there is not steady."
         );
         self.plot("forces", chart, &caption)
     }
@@ -199,7 +200,7 @@ impl BodyHistory<'_> {
         self.plot(
             "force_sinkage",
             chart,
-            "The same forces against sinkage: the curve that closed-form models give. A body free to sink comes to rest \
+            "The same forces against sinkage, as closed-form models predict them. A body that is free to sink comes to rest \
              where F_V balances its weight.",
         )
     }
@@ -209,7 +210,7 @@ impl BodyHistory<'_> {
         let unit = Unit::length(largest(self.samples.iter().map(|s| s.sinkage)));
         let mut curves =
             vec![Curve::solid("sinkage z", 0, self.series(&base.values, unit.size, |s| s.sinkage))];
-        if base.tows {
+        if base.is_tow {
             curves.extend(self.overlays(PlotKind::SinkageDisplacement, &base.values, [base.unit, unit.size]));
         }
         let chart = Chart {
@@ -231,7 +232,7 @@ impl BodyHistory<'_> {
 
     fn turn_ratio(&self) -> Plot {
         let base = self.abscissa();
-        // While the tow starts the ratio is a small number over a small number: only the moving part is shown.
+        // At the start of the tow the ratio of two small numbers is meaningless: it is shown only while the body moves.
         let moving = 0.05 * largest(self.samples.iter().map(|s| s.speed));
         let ratio = |s: &BodySample| {
             let ratio = self.reference.turn_ratio_of(s).filter(|_| s.speed.abs() > moving);
@@ -246,7 +247,7 @@ impl BodyHistory<'_> {
             stroke: Stroke::Dashed,
         };
         let mut curves = vec![rolling, Curve::solid("turn ratio ω r / v", 2, points)];
-        if base.tows {
+        if base.is_tow {
             curves.extend(self.overlays(PlotKind::TurnRatio, &base.values, [base.unit, 1.0]));
         }
         let chart = Chart {
@@ -261,7 +262,7 @@ impl BodyHistory<'_> {
         self.plot(
             "turn_ratio",
             chart,
-            "1: rolls without slip; 0: slides without turning; above 1: is driven. Values beyond ±3 are cut.",
+            "1: rolls without slip; 0: slides without rotation; above 1: driven. Values beyond ±3 are clipped.",
         )
     }
 
@@ -269,7 +270,7 @@ impl BodyHistory<'_> {
         let base = self.abscissa();
         let mut curves =
             vec![Curve::solid("rotation Ω", 2, self.series(&base.values, 1f64.to_radians(), |s| s.rotation))];
-        if let Some(radius) = self.reference.radius.filter(|_| base.tows) {
+        if let Some(radius) = self.reference.radius.filter(|_| base.is_tow) {
             let start = self.samples.first().map_or(0.0, |s| s.displacement);
             let points = self.series(&base.values, 1f64.to_radians(), |s| (s.displacement - start) / radius);
             curves.insert(0, Curve { name: "u / r".into(), points, colour: 6, stroke: Stroke::Dashed });
@@ -283,11 +284,7 @@ impl BodyHistory<'_> {
             curves,
             ..Chart::default()
         };
-        self.plot(
-            "rotation",
-            chart,
-            "Angle turned, forward positive. Dashed: what rolling without slip would give.",
-        )
+        self.plot("rotation", chart, "Rotation angle, forward positive. Dashed: rolling without slip.")
     }
 
     fn axle_torque(&self) -> Plot {
@@ -301,7 +298,7 @@ impl BodyHistory<'_> {
             Curve { name: String::new(), points: pairs(&raw), colour: 1, stroke: Stroke::Faint },
             Curve::solid("axle torque M", 1, pairs(&smooth)),
         ];
-        if base.tows {
+        if base.is_tow {
             curves.extend(self.overlays(PlotKind::AxleTorque, &base.values, [base.unit, unit.size]));
         }
         let chart = Chart {
@@ -313,6 +310,6 @@ impl BodyHistory<'_> {
             curves,
             ..Chart::default()
         };
-        self.plot("axle_torque", chart, "Torque of the soil about the axle, positive when it makes the body roll forward. A free body in steady tow bears none.")
+        self.plot("axle_torque", chart, "Torque of the soil about the axle, positive when it makes the body roll forward. It vanishes for a free body in a steady tow.")
     }
 }

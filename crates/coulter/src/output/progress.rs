@@ -1,108 +1,109 @@
-//! How far a run is: a bar on a terminal, now and then a line elsewhere.
+//! Progress of a run: a bar on a terminal, occasional lines elsewhere.
 
-use super::record::History;
-use super::reference::Reference;
 use super::scale::{Unit, digits};
 use crate::case::Case;
+use crate::history::reference::Reference;
+use crate::history::{BodySample, History};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::{IsTerminal, Write};
 use std::time::{Duration, Instant};
 
-/// Ticks of the bar.
+/// Resolution of the bar.
 const TICKS: u64 = 10_000;
-/// Share of the run between two lines.
-const LINE_SHARE: f64 = 0.05;
+/// Fraction of the run between two lines.
+const LINE_FRACTION: f64 = 0.05;
 /// Least time between two lines.
 const LINE_PAUSE: Duration = Duration::from_secs(2);
 
-/// Shows how far a run is, on the standard error stream.
+/// Shows the progress of a run on the standard error stream.
 #[derive(Debug)]
 pub struct Progress {
     start: f64,
     end: f64,
     references: Vec<Reference>,
     began: Instant,
-    show: Show,
+    display: Display,
 }
 
 #[derive(Debug)]
-enum Show {
+enum Display {
     Nothing,
     Bar(ProgressBar),
-    Lines { last_share: f64, last_time: Instant },
+    Lines { last_fraction: f64, last_time: Instant },
 }
 
 impl Progress {
     /// Starts at `time` [s] of a case (0, or that of the checkpoint it resumes from); `quiet` shows nothing.
     #[must_use]
     pub fn start(case: &Case, time: f64, quiet: bool) -> Self {
-        let show = if quiet {
-            Show::Nothing
+        let display = if quiet {
+            Display::Nothing
         } else if std::io::stderr().is_terminal() && !is_plain() {
-            Show::Bar(bar())
+            Display::Bar(bar())
         } else {
-            Show::Lines { last_share: -1.0, last_time: Instant::now() }
+            Display::Lines { last_fraction: -1.0, last_time: Instant::now() }
         };
         Self {
             start: time,
             end: case.duration,
             references: Reference::all(case),
             began: Instant::now(),
-            show,
+            display,
         }
     }
 
-    /// Shows the state of things at `time` [s]; cheap enough to be called at every line of the history.
+    /// Updates the display at `time` [s]; cheap enough to be called for every sample.
     pub fn update(&mut self, time: f64, history: &History) {
-        let share = self.share(time);
-        match &mut self.show {
-            Show::Nothing => {}
-            Show::Bar(bar) => {
-                bar.set_position((share * TICKS as f64) as u64);
+        let fraction = self.fraction(time);
+        match &mut self.display {
+            Display::Nothing => {}
+            Display::Bar(bar) => {
+                bar.set_position((fraction * TICKS as f64) as u64);
                 bar.set_message(live(history, &self.references));
             }
-            Show::Lines { last_share, last_time } => {
-                let due = share - *last_share >= LINE_SHARE && last_time.elapsed() >= LINE_PAUSE;
-                if due || *last_share < 0.0 {
-                    (*last_share, *last_time) = (share, Instant::now());
-                    tell(&self.line(time, share, history));
+            Display::Lines { last_fraction, last_time } => {
+                let due = fraction - *last_fraction >= LINE_FRACTION && last_time.elapsed() >= LINE_PAUSE;
+                if due || *last_fraction < 0.0 {
+                    (*last_fraction, *last_time) = (fraction, Instant::now());
+                    print_line(&self.line(time, fraction, history));
                 }
             }
         }
     }
 
-    /// Ends the display with a last word.
+    /// Ends the display with a message.
     pub fn finish(&mut self, message: &str) {
-        match std::mem::replace(&mut self.show, Show::Nothing) {
-            Show::Nothing => {}
-            Show::Bar(bar) => {
+        match std::mem::replace(&mut self.display, Display::Nothing) {
+            Display::Nothing => {}
+            Display::Bar(bar) => {
                 bar.finish_and_clear();
-                tell(message);
+                print_line(message);
             }
-            Show::Lines { .. } => tell(message),
+            Display::Lines { .. } => print_line(message),
         }
     }
 
-    /// Share of this leg of the run that is done.
-    fn share(&self, time: f64) -> f64 {
-        let way = self.end - self.start;
-        if way > 0.0 { ((time - self.start) / way).clamp(0.0, 1.0) } else { 1.0 }
+    /// Completed fraction of the run since its start or restart.
+    fn fraction(&self, time: f64) -> f64 {
+        let duration = self.end - self.start;
+        if duration > 0.0 { ((time - self.start) / duration).clamp(0.0, 1.0) } else { 1.0 }
     }
 
-    fn line(&self, time: f64, share: f64, history: &History) -> String {
-        let spent = self.began.elapsed().as_secs_f64();
-        let left = if share > 0.01 { clock(spent * (1.0 - share) / share) } else { "?".to_owned() };
+    fn line(&self, time: f64, fraction: f64, history: &History) -> String {
+        let elapsed = self.began.elapsed().as_secs_f64();
+        let left =
+            if fraction > 0.01 { clock(elapsed * (1.0 - fraction) / fraction) } else { "?".to_owned() };
         let live = live(history, &self.references);
-        format!("{:3.0} %  t = {} s  {}  left {left}  {live}", 100.0 * share, digits(time), clock(spent))
+        format!("{:3.0} %  t = {} s  {}  left {left}  {live}", 100.0 * fraction, digits(time), clock(elapsed))
     }
 }
 
-/// A line on standard error. Where that cannot be written (a closed pipe, a lost terminal) the run goes on without.
-fn tell(line: &str) {
+/// Prints a line on standard error. Where that cannot be written (a closed pipe, a lost terminal) the run continues.
+fn print_line(line: &str) {
     let _ = writeln!(std::io::stderr().lock(), "{line}");
 }
 
-/// Whether the terminal, or its owner, wants plain lines: no colours, nothing that moves.
+/// Whether the terminal or its user wants plain lines, without colours and animation.
 fn is_plain() -> bool {
     std::env::var_os("TERM").is_some_and(|name| name == "dumb")
         || std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty())
@@ -111,14 +112,14 @@ fn is_plain() -> bool {
 fn bar() -> ProgressBar {
     let bar = ProgressBar::with_draw_target(Some(TICKS), ProgressDrawTarget::stderr_with_hz(5));
     let style = ProgressStyle::with_template("{percent:>3} % {bar:28} {elapsed} left {eta}  {msg}");
-    // The template is fixed and right; were it not, the bar would look plain.
+    // The template is valid; otherwise the default style is used.
     bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
     bar
 }
 
 /// The latest forces, sinkage and turn ratio of each body.
 fn live(history: &History, references: &[Reference]) -> String {
-    let one = |(samples, reference): (&Vec<super::record::BodySample>, &Reference)| {
+    let one = |(samples, reference): (&Vec<BodySample>, &Reference)| {
         let s = samples.last()?;
         let force = |f: f64| {
             let unit = Unit::force(f.abs());
@@ -144,7 +145,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn clocks_read_like_clocks() {
+    fn times_are_formatted_as_clocks() {
         assert_eq!(clock(59.4), "0:59");
         assert_eq!(clock(3723.0), "1:02:03");
         assert_eq!(clock(f64::NAN), "0:00");

@@ -1,17 +1,17 @@
-//! `report.html`: one page with everything in it, made from the histories, the summary and the pictures.
+//! `report.html`: one self-contained page, made from the histories, the summary and the pictures.
 
+use super::energy_plot::{closure_plot, energy_plot};
 use super::error::{Named, OutputError, read_text, write_whole};
-use super::ledger_plot::{closure_plot, energy_plot};
 use super::picture::PICTURES;
 use super::plot::{BodyHistory, Plot};
-use super::record::History;
-use super::reference::Reference;
 use super::report_rows::{
-    CheckRow, Row, body_rows, check_rows, energy_rows, facts, ledger_rows, scales_text, statistics,
+    CheckRow, TableRow, balance_rows, body_rows, check_rows, energy_rows, facts, scales_text, statistics,
     window_text,
 };
 use super::run_record::{Outcome, RunRecord};
 use super::summary::{BodySummary, Summary};
+use crate::history::History;
+use crate::history::reference::Reference;
 use crate::trust::Verdict;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -21,7 +21,7 @@ use std::path::Path;
 
 const TEMPLATE: &str = include_str!("../../assets/report.html");
 
-/// The case in words, for those who want to see it.
+/// The text of the case.
 #[derive(Clone, Debug, Default)]
 pub(super) struct ReportText {
     /// The case as understood.
@@ -39,12 +39,12 @@ struct Figure {
 }
 
 #[derive(Debug, Serialize)]
-struct BodyPart {
+struct BodySection {
     name: String,
     kind: String,
     window: String,
     scales: String,
-    rows: Vec<Row>,
+    rows: Vec<TableRow>,
     plots: Vec<Figure>,
 }
 
@@ -52,20 +52,20 @@ struct BodyPart {
 struct Page<'a> {
     record: &'a RunRecord,
     facts: Vec<[String; 2]>,
-    trouble: Option<String>,
+    problem: Option<String>,
     verdict: Verdict,
     checks: Vec<CheckRow>,
-    bodies: Vec<BodyPart>,
+    bodies: Vec<BodySection>,
     pictures: Vec<Figure>,
-    energy: Vec<Row>,
-    ledgers: Vec<Row>,
-    ledger_plots: Vec<Figure>,
+    energy: Vec<TableRow>,
+    balances: Vec<TableRow>,
+    balance_plots: Vec<Figure>,
     statistics: Vec<[String; 2]>,
     resolved: Option<String>,
     typed: Option<String>,
 }
 
-/// Writes the page, and its plots as files of their own.
+/// Writes the page, and its plots as separate files.
 pub(super) fn write_report(
     dir: &Path,
     record: &RunRecord,
@@ -79,21 +79,21 @@ pub(super) fn write_report(
         let body = summary.bodies.get(&reference.name).unwrap_or(&empty);
         let view = BodyHistory { reference, samples, steady: &body.steady, overlays: &record.overlays };
         let plots = view.plots();
-        keep_plots(dir, &plots)?;
-        bodies.push(body_part(record, reference, body, plots));
+        write_plots(dir, &plots)?;
+        bodies.push(body_section(record, reference, body, plots));
     }
-    let ledger_plots = vec![energy_plot(&history.energy), closure_plot(&history.energy)];
-    keep_plots(dir, &ledger_plots)?;
+    let balance_plots = vec![energy_plot(&history.energy), closure_plot(&history.energy)];
+    write_plots(dir, &balance_plots)?;
     let page = Page {
         facts: facts(record, summary),
-        trouble: trouble(&record.statistics.outcome),
+        problem: problem(&record.statistics.outcome),
         verdict: summary.trust.verdict,
         checks: check_rows(&summary.trust),
         bodies,
         pictures: pictures(dir)?,
         energy: energy_rows(summary),
-        ledgers: ledger_rows(record, summary),
-        ledger_plots: ledger_plots.into_iter().map(figure).collect(),
+        balances: balance_rows(record, summary),
+        balance_plots: balance_plots.into_iter().map(figure).collect(),
         statistics: statistics(record, summary),
         resolved: text.resolved.clone(),
         typed: text.typed.clone(),
@@ -106,12 +106,12 @@ pub(super) fn write_report(
 
 fn render(page: &Page<'_>) -> Result<String, minijinja::Error> {
     let mut environment = minijinja::Environment::new();
-    // The name ends in .html, so that everything put in is escaped unless it is marked safe.
+    // Because the name ends in .html, everything inserted is escaped unless it is marked safe.
     environment.add_template("report.html", TEMPLATE)?;
     environment.get_template("report.html")?.render(minijinja::value::Serde(page))
 }
 
-fn keep_plots(dir: &Path, plots: &[Plot]) -> Result<(), OutputError> {
+fn write_plots(dir: &Path, plots: &[Plot]) -> Result<(), OutputError> {
     for plot in plots {
         let name = super::csv::file_safe(&plot.name);
         write_whole(&dir.join("plots").join(format!("{name}.svg")), plot.svg.as_bytes())?;
@@ -123,7 +123,7 @@ fn figure(plot: Plot) -> Figure {
     Figure { title: String::new(), caption: lowered(&plot.caption), svg: Some(plot.svg), image: None }
 }
 
-/// Text as HTML, with subscripts: the letter behind `_` is lowered.
+/// Text as HTML, with subscripts: the letter after `_` is lowered.
 fn lowered(text: &str) -> String {
     let mut html = String::new();
     let mut letters = text.chars();
@@ -138,7 +138,7 @@ fn lowered(text: &str) -> String {
     html
 }
 
-/// The pictures that the run has left, in the order of the report.
+/// The pictures of the run, in the order of the report.
 fn pictures(dir: &Path) -> Result<Vec<Figure>, OutputError> {
     let mut figures = Vec::new();
     for picture in &PICTURES {
@@ -157,19 +157,22 @@ fn pictures(dir: &Path) -> Result<Vec<Figure>, OutputError> {
     Ok(figures)
 }
 
-fn trouble(outcome: &Outcome) -> Option<String> {
+fn problem(outcome: &Outcome) -> Option<String> {
     match outcome {
         Outcome::Finished => None,
-        Outcome::Running => Some("The run has not come to its end.".to_owned()),
-        Outcome::Interrupted => {
-            Some("The run was stopped before its end; it can go on with --resume.".to_owned())
-        }
+        Outcome::Running => Some("The run has not reached its end.".to_owned()),
+        Outcome::Interrupted => Some("The run was stopped before its end; --resume continues it.".to_owned()),
         Outcome::BrokeDown(message) => Some(format!("The run broke down: {message}")),
     }
 }
 
-fn body_part(record: &RunRecord, reference: &Reference, body: &BodySummary, plots: Vec<Plot>) -> BodyPart {
-    BodyPart {
+fn body_section(
+    record: &RunRecord,
+    reference: &Reference,
+    body: &BodySummary,
+    plots: Vec<Plot>,
+) -> BodySection {
+    BodySection {
         name: reference.name.clone(),
         kind: reference.kind.clone(),
         window: window_text(body),

@@ -1,9 +1,9 @@
 //! The tables of a report.
 
-use super::reference::Reference;
 use super::run_record::RunRecord;
 use super::scale::{Unit, digits};
 use super::summary::{BodySummary, Summary};
+use crate::history::reference::Reference;
 use crate::trust::{Check, Trust, Verdict};
 use serde::Serialize;
 
@@ -11,7 +11,7 @@ const NONE: &str = "–";
 
 /// One line of a table.
 #[derive(Debug, Serialize)]
-pub(super) struct Row {
+pub(super) struct TableRow {
     pub(super) name: String,
     pub(super) symbol: &'static str,
     pub(super) value: String,
@@ -31,7 +31,7 @@ pub(super) struct CheckRow {
     pub(super) advice: String,
 }
 
-/// The checks of a run, those that are not good first.
+/// The checks of a run, first those that are not good.
 pub(super) fn check_rows(trust: &Trust) -> Vec<CheckRow> {
     let good = trust.checks.iter().filter(|c| c.verdict == Verdict::Good);
     let row = |check: &Check| {
@@ -42,101 +42,80 @@ pub(super) fn check_rows(trust: &Trust) -> Vec<CheckRow> {
             verdict: check.verdict.name(),
             name: check.name.clone(),
             body: check.body.clone().unwrap_or_default(),
-            value: number(check.value, "no figure"),
+            value: number(check.value, "not a number"),
             good: number(check.limits[0], NONE),
             doubtful: number(check.limits[1], NONE),
             advice: check.advice.clone(),
         }
     };
-    trust.doubts().into_iter().chain(good).map(row).collect()
+    trust.concerns().into_iter().chain(good).map(row).collect()
 }
 
-pub(super) fn body_rows(reference: &Reference, body: &BodySummary) -> Vec<Row> {
-    let (steady, peak) = (&body.steady, &body.peak);
-    let force = |f: Option<f64>| f.and_then(|f| reference.force_group(f)).map_or(NONE.to_owned(), digits);
-    let torque = |m: Option<f64>| force(m.map(|m| m / reference.length));
-    let length = |z: Option<f64>| z.and_then(|z| reference.length_group(z)).map_or(NONE.to_owned(), digits);
-    let row = |name: &str, symbol, value: String, group: String, note: String| Row {
-        name: name.into(),
-        symbol,
-        value,
-        group,
-        note,
-    };
-    let at = peak.at_m.map_or(String::new(), |u| format!("at u = {} m", digits(u)));
-    let percent = steady.drag_noise.map_or(NONE.to_owned(), |n| format!("{} %", digits(100.0 * n)));
-    let mut rows = vec![
-        row(
-            "Drag",
-            "F<sub>H</sub>",
-            value(steady.drag, Unit::force),
-            force(steady.drag),
-            "steady mean".into(),
-        ),
-        row(
-            "Vertical force",
-            "F<sub>V</sub>",
-            value(steady.vertical, Unit::force),
-            force(steady.vertical),
-            "steady mean, up positive".into(),
-        ),
-        row(
-            "Sinkage",
-            "z",
-            value(steady.sinkage, Unit::length),
-            length(steady.sinkage),
-            "steady mean".into(),
-        ),
-    ];
-    if reference.radius.is_some() {
-        let note = "1 rolls, 0 slides".to_owned();
-        rows.push(row("Turn ratio", "ω r / v", NONE.into(), bare(steady.turn_ratio), note));
-        let note = "−1 locked, 0 rolls, above 0 driven".to_owned();
-        rows.push(row("Slip", "s", NONE.into(), bare(steady.slip), note));
-        let note = "steady mean; forward positive; group M / (γ t d³)".to_owned();
-        rows.push(row(
-            "Axle torque",
-            "M",
-            value(steady.axle_torque, Unit::torque),
-            torque(steady.axle_torque),
-            note,
-        ));
+/// Collects the rows of one body: a quantity with its unit, and its dimensionless group.
+struct BodyRows<'a> {
+    reference: &'a Reference,
+    rows: Vec<TableRow>,
+}
+
+impl BodyRows<'_> {
+    fn push(&mut self, name: &str, symbol: &'static str, [value, group]: [String; 2], note: &str) {
+        self.rows.push(TableRow { name: name.into(), symbol, value, group, note: note.into() });
     }
-    rows.push(row(
+
+    fn force(&self, force: Option<f64>) -> [String; 2] {
+        [value(force, Unit::force), bare(force.and_then(|f| self.reference.force_group(f)))]
+    }
+
+    fn torque(&self, torque: Option<f64>) -> [String; 2] {
+        let force = torque.map(|m| m / self.reference.length);
+        [value(torque, Unit::torque), bare(force.and_then(|f| self.reference.force_group(f)))]
+    }
+
+    fn length(&self, length: Option<f64>) -> [String; 2] {
+        [value(length, Unit::length), bare(length.and_then(|z| self.reference.length_group(z)))]
+    }
+}
+
+/// Steady means and largest values of a body.
+pub(super) fn body_rows(reference: &Reference, body: &BodySummary) -> Vec<TableRow> {
+    let (steady, peak) = (&body.steady, &body.peak);
+    let mut table = BodyRows { reference, rows: Vec::new() };
+    table.push("Drag", "F<sub>H</sub>", table.force(steady.drag), "steady mean");
+    table.push("Vertical force", "F<sub>V</sub>", table.force(steady.vertical), "steady mean, up positive");
+    table.push("Sinkage", "z", table.length(steady.sinkage), "steady mean");
+    if reference.radius.is_some() {
+        table.push("Turn ratio", "ω r / v", [NONE.into(), bare(steady.turn_ratio)], "1 rolls, 0 slides");
+        let note = "−1 locked, 0 rolls, above 0 driven";
+        table.push("Slip", "s", [NONE.into(), bare(steady.slip)], note);
+        let note = "steady mean; forward positive; group M / (γ t d³)";
+        table.push("Axle torque", "M", table.torque(steady.axle_torque), note);
+    }
+    let noise = steady.drag_noise.map_or(NONE.to_owned(), |n| format!("{} %", digits(100.0 * n)));
+    table.push(
         "Drag noise",
         "",
-        percent,
-        NONE.into(),
-        "rms about a moving mean over 0.02 d, over the mean drag".into(),
-    ));
-    rows.push(row("Peak drag", "", value(peak.drag, Unit::force), force(peak.drag), at));
-    rows.push(row(
-        "Peak vertical force",
-        "",
-        value(peak.vertical, Unit::force),
-        force(peak.vertical),
-        String::new(),
-    ));
-    rows.push(row(
-        "Deepest sinkage",
-        "",
-        value(peak.sinkage, Unit::length),
-        length(peak.sinkage),
-        String::new(),
-    ));
-    rows
+        [noise, NONE.into()],
+        "rms about a moving mean over 0.02 d, over the mean drag",
+    );
+    let at = peak.at_m.map_or(String::new(), |u| format!("at u = {} m", digits(u)));
+    table.push("Peak drag", "", table.force(peak.drag), &at);
+    table.push("Peak vertical force", "", table.force(peak.vertical), "");
+    table.push("Deepest sinkage", "", table.length(peak.sinkage), "");
+    table.rows
 }
 
 pub(super) fn facts(record: &RunRecord, summary: &Summary) -> Vec<[String; 2]> {
     let [x, y, z] = record.cells;
     let kind = match (record.plane_strain, record.symmetric, record.symmetric_x) {
         _ if record.bodies.is_empty() => "no body",
-        (true, _, false) => "plane strain; forces of the slab modelled",
-        (true, _, true) => "plane strain, half modelled (symmetry at x = 0); forces of the whole in the slab",
-        (false, true, false) => "half of the body modelled (symmetry at y = 0); forces of the whole",
-        (false, false, true) => "half of the body modelled (symmetry at x = 0); forces of the whole",
+        (true, _, false) => "plane strain; forces on the modelled slab",
+        (true, _, true) => {
+            "plane strain, half modelled (symmetry at x = 0); forces on the whole body in the slab"
+        }
+        (false, true, false) => "half of the body modelled (symmetry at y = 0); forces on the whole body",
+        (false, false, true) => "half of the body modelled (symmetry at x = 0); forces on the whole body",
         (false, true, true) => {
-            "a quarter of the body modelled (symmetry at x = 0 and y = 0); forces of the whole"
+            "a quarter of the body modelled (symmetry at x = 0 and y = 0); forces on the whole body"
         }
         (false, false, false) => "whole body modelled",
     };
@@ -178,18 +157,18 @@ pub(super) fn scales_text(record: &RunRecord, reference: &Reference) -> String {
     let lengths = format!("d = {d} mm ({length}), t = {t} mm ({width})");
     match reference.force() {
         Some(force) => format!("{lengths}, γ t d² = {}", value(Some(force), Unit::force)),
-        None => format!("{lengths}; the soil is weightless, so forces have no group"),
+        None => format!("{lengths}; forces have no dimensionless form because the soil is weightless"),
     }
 }
 
-pub(super) fn energy_rows(summary: &Summary) -> Vec<Row> {
+pub(super) fn energy_rows(summary: &Summary) -> Vec<TableRow> {
     let energy = &summary.energy;
-    let share = |e: Option<f64>| {
+    let per_cent = |e: Option<f64>| {
         let ratio = e.zip(energy.external).filter(|(_, all)| *all != 0.0).map(|(e, all)| e / all);
         ratio.map_or(NONE.to_owned(), |r| format!("{} %", digits(100.0 * r)))
     };
     let entries = [
-        ("External work", energy.external, "loads, drives and gravity"),
+        ("External work", energy.external, "loads, prescribed motions and gravity"),
         ("Plastic", energy.plastic, ""),
         ("Friction", energy.friction, "on the bodies"),
         ("Contact method", energy.contact, "numerical: springs, damping, corrections"),
@@ -199,24 +178,24 @@ pub(super) fn energy_rows(summary: &Summary) -> Vec<Row> {
         ("Hourglass", energy.hourglass, "numerical"),
         ("Remap loss", energy.remap_loss, "numerical"),
     ];
-    let row = |(name, e, note): (&str, Option<f64>, &str)| Row {
+    let row = |(name, e, note): (&str, Option<f64>, &str)| TableRow {
         name: name.into(),
         symbol: "",
         value: value(e, Unit::energy),
-        group: share(e),
+        group: per_cent(e),
         note: note.into(),
     };
-    let mut rows: Vec<Row> = entries.into_iter().map(row).collect();
+    let mut rows: Vec<TableRow> = entries.into_iter().map(row).collect();
     let closure = energy.closure.map_or(NONE.to_owned(), |c| format!("{} %", digits(100.0 * c)));
-    let note = "what no entry explains".to_owned();
-    let known: Option<f64> = entries[1..].iter().map(|(_, e, _)| *e).sum();
-    let rest = value(energy.external.zip(known).map(|(all, known)| all - known), Unit::energy);
-    rows.push(Row { name: "Unexplained".into(), symbol: "", value: rest, group: closure, note });
+    let note = "not explained by any entry".to_owned();
+    let explained: Option<f64> = entries[1..].iter().map(|(_, e, _)| *e).sum();
+    let rest = value(energy.external.zip(explained).map(|(all, explained)| all - explained), Unit::energy);
+    rows.push(TableRow { name: "Unexplained".into(), symbol: "", value: rest, group: closure, note });
     rows
 }
 
-pub(super) fn ledger_rows(record: &RunRecord, summary: &Summary) -> Vec<Row> {
-    let row = |name: &str, value: String, note: &str| Row {
+pub(super) fn balance_rows(record: &RunRecord, summary: &Summary) -> Vec<TableRow> {
+    let row = |name: &str, value: String, note: &str| TableRow {
         name: name.into(),
         symbol: "",
         value,
@@ -230,8 +209,8 @@ pub(super) fn ledger_rows(record: &RunRecord, summary: &Summary) -> Vec<Row> {
     let change =
         summary.soil.volume_ratio.map_or(NONE.to_owned(), |v| format!("{v:.6}").replace('-', "\u{2212}"));
     let mut rows = vec![
-        row("Soil volume ratio", change, "end over start; dilation and elasticity included"),
-        row("Soil inside the bodies", litres(summary.soil.leaked_m3), "leakage at the end; 0 is right"),
+        row("Soil volume ratio", change, "end over start; includes dilation and elastic compression"),
+        row("Soil inside the bodies", litres(summary.soil.leaked_m3), "leakage at the end; ideally 0"),
     ];
     let height = format!("{} mm", digits(1e3 * surface.berm_height_m));
     if record.heaped {

@@ -1,19 +1,21 @@
-//! The results folder: what is in it, and the one place that fills it.
+//! The results folder of a run, and everything that is written into it.
 
 use super::csv::{HistoryFiles, file_safe, read_history};
 use super::error::{OutputError, make_folder, read_text, write_whole};
 use super::fields::{VOID, write_body, write_soil, write_surface};
-use super::folder::{FIELDS, LISTS, LOG, PICTURES, PLOTS, REPORT, RESOLVED, TYPED, clear, remove_parts};
+use super::folder::{clear, remove_parts};
 use super::log::Log;
+use super::names::{FIELDS, LISTS, LOG, PICTURES, PLOTS, REPORT, RESOLVED, TYPED};
+use super::overlay::Overlay;
 use super::picture::write_pictures;
-use super::record::History;
 use super::report::{ReportText, write_report};
-use super::run_record::{Outcome, Overlay, RunRecord, RunStatistics};
+use super::run_record::{Outcome, RunRecord, RunStatistics};
 use super::summary::Summary;
 use super::surface::HeightMap;
 use super::validate::validate_history;
 use super::vtk::{Frame, read_time_list, write_time_list};
-use crate::case::Case;
+use crate::case::{Case, FORMAT};
+use crate::history::History;
 use solver::grid::Grid;
 use solver::precision::Precision;
 use solver::state::State;
@@ -31,21 +33,21 @@ pub struct Results {
 }
 
 impl Results {
-    /// Makes the folder of a new run. A folder with a result in it is replaced only when `force` says so, and then only
-    /// the files that a run writes are removed; a folder with other files in it is never touched.
+    /// Creates the folder of a new run. An existing result is replaced only with `force`, and then only the files that a
+    /// run writes are removed; a folder with other files in it is never touched.
     ///
     /// # Errors
-    /// When the folder is taken or cannot be written.
+    /// When the folder holds something else or cannot be written.
     pub fn create(dir: &Path, case: &Case, force: bool) -> Result<Self, OutputError> {
         clear(dir, force)?;
         make_folder(dir)?;
-        // First of all: it says whose folder this is, should the run be killed at once.
+        // First of all: it identifies the folder, should the run be killed immediately.
         let record = RunRecord::of(case);
         record.write(dir)?;
         make_folder(&dir.join(FIELDS))?;
         let resolved = toml::to_string(case).map_err(|e| OutputError::content(&dir.join(RESOLVED), e))?;
         let header = "# The case as it was understood: SI units, radians, every default filled in. Written by Coulter.\n";
-        write_whole(&dir.join(RESOLVED), format!("{header}{resolved}").as_bytes())?;
+        write_whole(&dir.join(RESOLVED), format!("{header}format = {FORMAT}\n{resolved}").as_bytes())?;
         Ok(Self {
             histories: HistoryFiles::create(dir, &record.bodies)?,
             log: Log::create(&dir.join(LOG))?,
@@ -56,8 +58,8 @@ impl Results {
         })
     }
 
-    /// Opens the folder of a run that goes on from a checkpoint taken at `time` [s] with the history so far: rewrites
-    /// the histories from it and forgets the field files of later times.
+    /// Opens the folder of a run that is resumed from a checkpoint taken at `time` [s] with the history so far: rewrites
+    /// the history files and drops the field files of later times.
     ///
     /// # Errors
     /// When there is no result in the folder or it cannot be written.
@@ -69,7 +71,7 @@ impl Results {
         let mut frames: [Vec<Frame>; 3] = Default::default();
         for (list, name) in frames.iter_mut().zip(LISTS) {
             *list = read_time_list(&dir.join(name))?;
-            // A checkpoint is taken between steps: files at its very time are kept.
+            // A checkpoint is taken between steps: field files of exactly its time are valid.
             list.retain(|frame| frame.time <= time * (1.0 + 1e-12));
         }
         let mut results = Self {
@@ -92,15 +94,15 @@ impl Results {
         &self.dir
     }
 
-    /// Keeps the case file with the results, as it was typed.
+    /// Stores the case file with the results, as typed.
     ///
     /// # Errors
     /// When the file cannot be written.
-    pub fn keep_case_file(&self, text: &str) -> Result<(), OutputError> {
+    pub fn write_case_file(&self, text: &str) -> Result<(), OutputError> {
         write_whole(&self.dir.join(TYPED), text.as_bytes())
     }
 
-    /// Lays curves over the plots of the report: a forecast, a measurement.
+    /// Overlays curves on the plots of the report: a forecast, a measurement.
     ///
     /// # Errors
     /// When `run.json` cannot be written.
@@ -128,11 +130,11 @@ impl Results {
         self.histories.append(history)
     }
 
-    /// Keeps in `run.json` how far the run is.
+    /// Updates the statistics in `run.json`.
     ///
     /// # Errors
     /// When the file cannot be written.
-    pub fn keep_statistics(&mut self, statistics: &RunStatistics) -> Result<(), OutputError> {
+    pub fn write_statistics(&mut self, statistics: &RunStatistics) -> Result<(), OutputError> {
         self.record.statistics = statistics.clone();
         self.record.write(&self.dir)
     }
@@ -141,12 +143,12 @@ impl Results {
     #[must_use]
     pub fn fields_are_due(&self, time: f64, interval: f64) -> bool {
         let Some(last) = self.frames[0].last() else { return true };
-        // Nothing but the time of the last fields decides, so that a resumed run writes the same.
+        // This depends only on the time of the last fields, so that a resumed run writes the same files.
         let next = ((last.time / interval + 1e-9).floor() + 1.0) * interval;
         time >= next * (1.0 - 1e-12)
     }
 
-    /// Writes the fields as they are now, unless files of this very time exist, and brings the time lists up to date.
+    /// Writes the current fields, unless files of exactly this time exist, and updates the time lists.
     ///
     /// # Errors
     /// When a file cannot be written.
@@ -166,10 +168,10 @@ impl Results {
         let surface = format!("{FIELDS}/surface_{n:04}.vtp");
         write_surface(&self.dir.join(&surface), &HeightMap::of(case, grid, state), time)?;
         self.frames[1].push(Frame { time, part: 0, file: surface });
-        for (part, (body, described)) in state.bodies.iter().zip(&case.bodies).enumerate() {
+        for (number, (body, described)) in state.bodies.iter().zip(&case.bodies).enumerate() {
             let file = format!("{FIELDS}/body_{}_{n:04}.vtp", file_safe(&described.name));
             write_body(&self.dir.join(&file), described.shape.solid().as_ref(), body, time)?;
-            self.frames[2].push(Frame { time, part, file });
+            self.frames[2].push(Frame { time, part: number, file });
         }
         self.next_frame += 1;
         for (frames, name) in self.frames.iter().zip(LISTS) {
@@ -180,9 +182,8 @@ impl Results {
         Ok(())
     }
 
-    /// Writes everything that a run leaves at its end: the last fields, the summary, the pictures and the report. Also
-    /// to be called for a run that broke down or was stopped; the statistics say so. A run that will go on leaves no fields
-    /// of the time at which it was stopped.
+    /// Writes the last fields, the summary, the pictures and the report at the end of a run, also of one that broke down or
+    /// was stopped, as the statistics say. A stopped run leaves no fields of the time at which it was stopped.
     ///
     /// # Errors
     /// When a file cannot be written.
@@ -208,13 +209,13 @@ impl Results {
         summary.write(&self.dir)?;
         write_pictures(&self.dir.join(PICTURES), case, grid, state)?;
         report(&self.dir, &self.record, &summary, history)?;
-        // Last: as long as it does not say how the run ended, a resumed run does all this again.
+        // Last: until it says how the run ended, a resumed run repeats all this.
         self.record.write(&self.dir)?;
         Ok(summary)
     }
 }
 
-/// Writes `report.html` anew from the other files of a results folder; of a run that was killed, from what there is.
+/// Rebuilds `report.html` from the other files of a results folder; for a killed run from those that exist.
 ///
 /// # Errors
 /// When the folder holds no result, or a file is broken.

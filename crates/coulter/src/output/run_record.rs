@@ -1,12 +1,13 @@
-//! `run.json`: what a report needs besides the histories, the summary and the pictures. It also marks a folder as a
-//! result of Coulter.
+//! `run.json`: what a report needs in addition to the histories, the summary and the pictures. It also identifies a folder
+//! as a result of Coulter.
 
 use super::describe::describe;
 use super::error::{OutputError, read_json, write_json};
-use super::record::History;
-use super::reference::Reference;
+use super::overlay::Overlay;
 use crate::case::Case;
 use crate::case::resolved::Ground;
+use crate::history::History;
+use crate::history::reference::Reference;
 use crate::simulation::case_text;
 use crate::trust::{Setting, Trust};
 use serde::{Deserialize, Serialize};
@@ -20,66 +21,34 @@ pub const RUN_RECORD: &str = "run.json";
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Outcome {
-    /// It has not.
+    /// It is still running.
     #[default]
     Running,
-    /// It came to its end.
+    /// It reached its end.
     Finished,
-    /// It was stopped from outside and can go on.
+    /// It was stopped from outside and can be resumed.
     Interrupted,
     /// The physics failed; the message says how.
     BrokeDown(String),
 }
 
-/// What the run was like, apart from its physics.
+/// Statistics of the run.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct RunStatistics {
     /// Steps taken.
     pub steps: u64,
-    /// Wall clock time of the time loop [s], of all legs of a resumed run.
+    /// Wall-clock time of the time loop [s], over all restarts.
     pub wall_seconds: f64,
     /// Threads.
     pub threads: usize,
     /// How it ended.
     pub outcome: Outcome,
-    /// Doubts about the case that were there before the run.
+    /// Warnings about the case from before the run.
     pub advice: Vec<String>,
 }
 
-/// Which plot an overlay belongs to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum PlotKind {
-    /// Forces [N] against displacement [m].
-    ForceDisplacement,
-    /// Forces [N] against sinkage [m].
-    ForceSinkage,
-    /// Sinkage [m] against displacement [m].
-    SinkageDisplacement,
-    /// Turn ratio against displacement [m].
-    TurnRatio,
-    /// Axle torque [N m] against displacement [m].
-    AxleTorque,
-}
-
-/// A curve laid over a plot: a forecast, a measurement, another run.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Overlay {
-    /// Name in the legend.
-    pub name: String,
-    /// The plot it belongs to.
-    pub plot: PlotKind,
-    /// The body it belongs to; all bodies when none is named.
-    pub body: Option<String>,
-    /// Whether it was measured: drawn as dots, not as a line.
-    #[serde(default)]
-    pub measured: bool,
-    /// Points in SI units. A single point is drawn as a level across the plot.
-    pub points: Vec<[f64; 2]>,
-}
-
-/// The run as the report sees it.
+/// The record of a run.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct RunRecord {
@@ -87,11 +56,11 @@ pub struct RunRecord {
     pub version: String,
     /// Name of the case.
     pub case: String,
-    /// Hash of all of the case that makes a difference to the physics.
+    /// Hash of everything in the case that affects the physics.
     pub case_hash: String,
     /// Title of the case.
     pub title: String,
-    /// Soil and bodies in words: what, how.
+    /// Soil and bodies in words: name and description.
     pub facts: Vec<[String; 2]>,
     /// Cells along x, y, z.
     pub cells: [usize; 3],
@@ -99,8 +68,9 @@ pub struct RunRecord {
     pub finest_cell: f64,
     /// Duration of the run [s].
     pub duration: f64,
-    /// Share of the tow that steady averages are taken over.
-    pub steady_share: f64,
+    /// Fraction of the tow over which steady averages are taken.
+    #[serde(alias = "steady_share")]
+    pub steady_fraction: f64,
     /// Whether only y ≥ 0 is modelled.
     pub symmetric: bool,
     /// Whether only x ≥ 0 is modelled.
@@ -112,15 +82,15 @@ pub struct RunRecord {
     pub plane_strain: bool,
     /// The bodies.
     pub bodies: Vec<Reference>,
-    /// Curves laid over the plots.
+    /// Curves overlaid on the plots.
     pub overlays: Vec<Overlay>,
-    /// What the checks of the run must know of the case.
+    /// Facts about the case that the checks need.
     pub setting: Setting,
-    /// What the run was like.
+    /// Statistics of the run.
     pub statistics: RunStatistics,
 }
 
-/// Hash of all of a case that makes a difference to the physics.
+/// Hash of everything in a case that affects the physics.
 #[must_use]
 pub fn hash_of(case: &Case) -> String {
     format!("{:016x}", xxh3_64(case_text(case).as_bytes()))
@@ -141,7 +111,7 @@ impl RunRecord {
             cells: std::array::from_fn(|axis| faces[axis].len().saturating_sub(1)),
             finest_cell: widths.reduce(f64::min).unwrap_or(case.grid.cell),
             duration: case.duration,
-            steady_share: case.output.steady_share,
+            steady_fraction: case.output.steady_fraction,
             symmetric: case.domain.symmetric,
             symmetric_x: case.domain.symmetric_x,
             heaped: matches!(case.ground, Ground::Column { .. }),
@@ -153,14 +123,14 @@ impl RunRecord {
         }
     }
 
-    /// The grade of what the run has seen.
+    /// The grade of the run with this history.
     #[must_use]
     pub fn trust(&self, history: &History) -> Trust {
         let failure = match &self.statistics.outcome {
             Outcome::BrokeDown(why) => Some(why.as_str()),
             Outcome::Running | Outcome::Finished | Outcome::Interrupted => None,
         };
-        Trust::grade(&self.setting, history, &self.bodies, self.steady_share, failure)
+        Trust::grade(&self.setting, history, &self.bodies, self.steady_fraction, failure)
     }
 
     pub(super) fn write(&self, dir: &Path) -> Result<(), OutputError> {
@@ -170,7 +140,7 @@ impl RunRecord {
     /// Reads `run.json` from a results folder.
     ///
     /// # Errors
-    /// When the file is missing or is no record of a run.
+    /// When the file is missing or is not a record of a run.
     pub fn read(dir: &Path) -> Result<Self, OutputError> {
         let path = dir.join(RUN_RECORD);
         if !path.is_file() {

@@ -1,12 +1,13 @@
 //! The rut: seen from above, and in cross-section.
 
-use super::chart::{Chart, Curve, Stroke};
+use super::chart::Chart;
 use super::colour::ColourMap;
+use super::curve::{Curve, Stroke};
 use super::error::{OutputError, write_whole};
 use super::fields::attitude;
 use super::frame::{Scale, View};
-use super::picture::{OUTLINE, Scene, find};
 use super::scale::{digits, largest};
+use super::scene::{OUTLINE, Scene, find};
 use super::surface::HeightMap;
 use super::table::push_line;
 use crate::case::resolved::{Case, Ground};
@@ -15,31 +16,29 @@ use solver::precision::Precision;
 use solver::state::{Body, State};
 use std::path::Path;
 
-impl<R: Precision> Scene<'_, R> {
-    /// The free surface from above.
-    pub(super) fn plan(&self, map: &HeightMap) -> View {
-        let across = self.across;
-        let fine = [self.case.grid.fine_low.y, self.case.grid.fine_high.y];
-        let (first, last) = (map.edges[1][0], map.edges[1][map.edges[1].len() - 1]);
-        let reach = 1.1 * fine[1].abs().max(fine[0].abs());
-        let sideways = if reach > 0.0 { [first.max(-reach), last.min(reach)] } else { [first, last] };
-        let mut view = View::new(across, sideways);
-        let level = matches!(self.case.ground, Ground::Level { .. });
-        let scale = height_scale(map, level, across, sideways);
-        view.paint(|x, y| {
-            let (i, j) = (find(&map.edges[0], x)?, find(&map.edges[1], y)?);
-            Some(scale.colour(1e3 * (map.at(i, j) - map.reference)))
-        });
-        for (body, shape) in self.state.bodies.iter().zip(&self.shapes) {
-            view.line(&outline(shape.as_ref(), body), OUTLINE, 2.0);
-        }
-        let title = if level { "Rut and berm from above" } else { "Height of the soil from above" };
-        view.finish(title, ["x [m]", "y [m]"], &scale);
-        view
+/// The free surface from above.
+pub(super) fn plan<R: Precision>(scene: &Scene<'_, R>, map: &HeightMap) -> View {
+    let across = scene.across;
+    let fine = [scene.case.grid.fine_low.y, scene.case.grid.fine_high.y];
+    let (first, last) = (map.edges[1][0], map.edges[1][map.edges[1].len() - 1]);
+    let reach = 1.1 * fine[1].abs().max(fine[0].abs());
+    let sideways = if reach > 0.0 { [first.max(-reach), last.min(reach)] } else { [first, last] };
+    let mut view = View::new(across, sideways);
+    let level = matches!(scene.case.ground, Ground::Level { .. });
+    let scale = height_scale(map, level, across, sideways);
+    view.paint(|x, y| {
+        let (i, j) = (find(&map.edges[0], x)?, find(&map.edges[1], y)?);
+        Some(scale.colour(1e3 * (map.at(i, j) - map.reference)))
+    });
+    for (body, shape) in scene.state.bodies.iter().zip(&scene.shapes) {
+        view.line(&outline(shape.as_ref(), body), OUTLINE, 2.0);
     }
+    let title = if level { "Rut and berm from above" } else { "Height of the soil from above" };
+    view.finish(title, ["x [m]", "y [m]"], &scale);
+    view
 }
 
-/// Colours for heights [mm]: both ends alike about the undisturbed surface, or from the floor up for a column.
+/// Colour scale for heights [mm]: symmetric about the undisturbed surface, or from the floor up for a column.
 fn height_scale(map: &HeightMap, level: bool, across: [f64; 2], sideways: [f64; 2]) -> Scale {
     let rise = |n: usize| {
         let (i, j) = (n % map.centres[0].len(), n / map.centres[0].len());
@@ -55,17 +54,17 @@ fn height_scale(map: &HeightMap, level: bool, across: [f64; 2], sideways: [f64; 
     }
 }
 
-/// A cut through the free surface.
+/// A vertical section of the free surface.
 pub(super) struct Profile {
     name: &'static str,
     title: String,
     /// The horizontal axis: `x` or `y`.
     axis: char,
-    /// Place along the axis and height over the undisturbed surface [m].
+    /// Position along the axis and height above the undisturbed surface [m].
     points: Vec<[f64; 2]>,
-    /// The part of the axis that the chart shows [m].
+    /// The range of the axis that the chart shows [m].
     shown: [f64; 2],
-    /// Whether heights are drawn as long as lengths.
+    /// Whether heights and lengths are drawn to the same scale.
     true_scale: bool,
 }
 
@@ -89,7 +88,7 @@ pub(super) fn profiles(case: &Case, state: &State<impl Precision>, map: &HeightM
     if state.bodies.is_empty() || case.domain.plane_strain {
         return vec![along];
     }
-    let x = section_place(case, state);
+    let x = section_range(case, state);
     let reach = 1.2 * case.grid.fine_high.y.abs().max(case.grid.fine_low.y.abs());
     let across = Profile {
         name: "rut_section",
@@ -139,15 +138,15 @@ impl Profile {
 }
 
 /// Where the cross-section is taken, along x [m].
-fn section_place(case: &Case, state: &State<impl Precision>) -> [f64; 2] {
+fn section_range(case: &Case, state: &State<impl Precision>) -> [f64; 2] {
     let Some((body, described)) = state.bodies.first().zip(case.bodies.first()) else {
         return [case.domain.low.x, case.domain.high.x];
     };
     let shape = described.shape.solid();
     let length = shape.bounds().1.x - shape.bounds().0.x;
-    let way = body.position.x - described.position.x;
-    // A body that has hardly moved has left nothing behind: the cut goes through it.
-    let behind = if way.abs() > length { length * way.signum() } else { 0.0 };
+    let travel = body.position.x - described.position.x;
+    // A body that has hardly moved has left no rut: the section is through the body itself.
+    let behind = if travel.abs() > length { length * travel.signum() } else { 0.0 };
     let middle = body.position.x - behind;
     [middle - 0.25 * length, middle + 0.25 * length]
 }

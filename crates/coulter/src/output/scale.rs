@@ -1,4 +1,4 @@
-//! Axes: round tick positions, readable units, numbers as labels.
+//! Axes: tick positions, units, and labels.
 
 /// Round positions inside `low..=high`, about `count` of them, and the decimals that their labels need.
 pub(super) fn ticks(low: f64, high: f64, count: usize) -> (Vec<f64>, usize) {
@@ -19,11 +19,11 @@ pub(super) fn ticks(low: f64, high: f64, count: usize) -> (Vec<f64>, usize) {
     ((first..=last).take(100).map(|n| n as f64 * step).collect(), decimals)
 }
 
-/// Where ticks stand on an axis, and their labels. On a logarithmic axis positions are logarithms.
+/// Positions and labels of the ticks on an axis. On a logarithmic axis positions are logarithms.
 pub(super) fn labelled_ticks([low, high]: [f64; 2], count: usize, logarithmic: bool) -> Vec<(f64, String)> {
     if !logarithmic {
-        let (places, decimals) = ticks(low, high, count);
-        return places.into_iter().map(|x| (x, tick_label(x, decimals))).collect();
+        let (positions, decimals) = ticks(low, high, count);
+        return positions.into_iter().map(|x| (x, tick_label(x, decimals))).collect();
     }
     let span = high - low;
     let steps: &[f64] = if span < 1.2 {
@@ -34,20 +34,20 @@ pub(super) fn labelled_ticks([low, high]: [f64; 2], count: usize, logarithmic: b
         &[1.0]
     };
     let decades = low.floor() as i32..=high.ceil() as i32;
-    let places = decades.take(60).flat_map(|decade| steps.iter().map(move |m| (decade, *m)));
+    let candidates = decades.take(60).flat_map(|decade| steps.iter().map(move |m| (decade, *m)));
     let stride = if span > 12.0 { 3 } else { 1 };
-    places
+    candidates
         .filter(|(decade, _)| decade % stride == 0)
         .map(|(decade, m)| (f64::from(decade) + m.log10(), decade, m))
-        .filter(|(place, ..)| (low..=high).contains(place))
-        .map(|(place, decade, m)| {
+        .filter(|(position, ..)| (low..=high).contains(position))
+        .map(|(position, decade, m)| {
             let decimals = usize::try_from(-decade).unwrap_or(0);
-            (place, tick_label(m * 10f64.powi(decade), decimals))
+            (position, tick_label(m * 10f64.powi(decade), decimals))
         })
         .collect()
 }
 
-/// Decimal logarithm; not-a-number for what has none.
+/// Decimal logarithm; not-a-number for values that are not positive.
 pub(super) fn logarithm(value: f64) -> f64 {
     if value > 0.0 { value.log10() } else { f64::NAN }
 }
@@ -67,7 +67,7 @@ pub(super) fn tick_label(value: f64, decimals: usize) -> String {
     text.replace('-', "\u{2212}")
 }
 
-/// Lowest and highest finite value with a margin; never empty, never of no extent.
+/// Lowest and highest finite value with a margin; never empty or of zero extent.
 pub(super) fn padded_range(values: impl Iterator<Item = f64>, margin: f64) -> [f64; 2] {
     let (low, high) = values
         .filter(|v| v.is_finite())
@@ -75,17 +75,17 @@ pub(super) fn padded_range(values: impl Iterator<Item = f64>, margin: f64) -> [f
     if low > high {
         return [0.0, 1.0];
     }
-    // A curve that is constant but for rounding is drawn as a level, not as an amplified rounding error.
+    // A curve that is constant except for rounding is drawn as a level, not as an amplified rounding error.
     let size = low.abs().max(high.abs());
     if high - low <= 1e-9 * size || high == low {
-        let room = if size > 0.0 { 0.5 * size } else { 1.0 };
-        return [low - room, high + room];
+        let margin = if size > 0.0 { 0.5 * size } else { 1.0 };
+        return [low - margin, high + margin];
     }
-    let room = margin * (high - low);
-    [low - room, high + room]
+    let margin = margin * (high - low);
+    [low - margin, high + margin]
 }
 
-/// A unit to show a quantity in, and its size in SI.
+/// A unit in which a quantity is shown, and its size in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Unit {
     pub(super) name: &'static str,
@@ -147,7 +147,7 @@ pub(super) fn digits(value: f64) -> String {
     if !value.is_finite() {
         return "–".to_owned();
     }
-    // Adding nothing turns a negative zero into a plain one.
+    // Adding zero turns a negative zero into a positive one.
     let (value, size) = (value + 0.0, value.abs());
     let text = if size != 0.0 && !(1e-3..1e6).contains(&size) {
         format!("{value:.2e}")

@@ -1,10 +1,11 @@
-//! `summary.json`: the few numbers that scripts ask for. The names are a contract.
+//! `summary.json`: the main results for scripts. The names are a contract.
 
 use super::error::{OutputError, read_json, write_json};
-use super::record::{EnergySample, History};
 use super::run_record::RunRecord;
-use super::steady::{Peak, Steady, peak, steady, window};
 use super::surface::SurfaceFigures;
+use crate::case::FORMAT;
+use crate::history::steady::{Peak, Steady, peak, steady, window};
+use crate::history::{EnergySample, History};
 use crate::trust::Trust;
 use crate::trust::body::Mesh;
 use serde::{Deserialize, Serialize};
@@ -14,35 +15,37 @@ use std::path::Path;
 /// Name of the file.
 pub const SUMMARY: &str = "summary.json";
 
-/// What a run amounts to.
+/// The main results of a run.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Summary {
+    /// Version of the case-file format that the case was written in; 0 in summaries of format 1, which do not say.
+    pub format: u32,
     /// Name of the case.
     pub case: String,
     /// Version of Coulter.
     pub version: String,
     /// Cells of the grid.
     pub cells: u64,
-    /// Cells with soil in them at the end.
+    /// Cells that contain soil at the end.
     pub filled_cells: u64,
     /// Steps taken.
     pub steps: u64,
-    /// Wall clock time [s].
+    /// Wall-clock time [s].
     pub wall_s: f64,
     /// The soil.
     pub soil: SoilSummary,
-    /// The energy ledger at the end.
+    /// The energy balance at the end.
     pub energy: EnergySummary,
     /// The free surface at the end.
     pub surface: SurfaceFigures,
     /// The bodies by name.
     pub bodies: BTreeMap<String, BodySummary>,
-    /// Whether the run can be believed.
+    /// Whether the results can be trusted.
     pub trust: Trust,
 }
 
-/// What became of the soil.
+/// Results on the soil.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct SoilSummary {
@@ -52,11 +55,11 @@ pub struct SoilSummary {
     pub leaked_m3: f64,
 }
 
-/// The energy ledger at the end [J].
+/// The energy balance at the end [J].
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct EnergySummary {
-    /// Work of loads, drives and gravity [J].
+    /// Work of loads, prescribed motions and gravity [J].
     #[serde(rename = "external_J")]
     pub external: Option<f64>,
     /// Kinetic energy [J].
@@ -71,7 +74,7 @@ pub struct EnergySummary {
     /// Dissipation by friction on the bodies [J].
     #[serde(rename = "friction_J")]
     pub friction: Option<f64>,
-    /// What the contact method itself stores, takes or gives [J].
+    /// Energy that the contact method itself stores, dissipates or adds [J].
     #[serde(rename = "contact_J")]
     pub contact: Option<f64>,
     /// Dissipation by bulk viscosity [J].
@@ -83,11 +86,11 @@ pub struct EnergySummary {
     /// Kinetic and elastic energy lost in remaps [J].
     #[serde(rename = "remap_loss_J")]
     pub remap_loss: Option<f64>,
-    /// Unexplained energy over the external work.
+    /// Relative error of the energy balance: unexplained energy over the external work.
     pub closure: Option<f64>,
 }
 
-/// What became of a body.
+/// Results on a body.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct BodySummary {
@@ -99,7 +102,7 @@ pub struct BodySummary {
     pub mesh: MeshSummary,
 }
 
-/// How well the grid resolves a body's contact with the ground; `null` in JSON where that does not matter.
+/// How well the grid resolves a body's contact with the ground; `null` in JSON where it does not matter.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct MeshSummary {
@@ -128,10 +131,11 @@ impl From<&EnergySample> for EnergySummary {
 }
 
 impl Summary {
-    /// What the record of a run tells.
+    /// The summary of a run as far as its record determines it.
     #[must_use]
     pub fn of(record: &RunRecord) -> Self {
         Self {
+            format: FORMAT,
             case: record.case.clone(),
             version: record.version.clone(),
             cells: record.cells.iter().map(|n| *n as u64).product(),
@@ -141,7 +145,7 @@ impl Summary {
         }
     }
 
-    /// Fills in what follows from the histories: the bodies, the ledgers, the leak, the grade.
+    /// Fills in what follows from the histories: bodies, energy balance, leakage, grade.
     pub fn fill(&mut self, history: &History, record: &RunRecord) {
         self.trust = record.trust(history);
         self.bodies = history
@@ -150,7 +154,7 @@ impl Summary {
             .zip(&record.bodies)
             .zip(&record.setting.bodies)
             .map(|((samples, reference), setting)| {
-                let range = window(samples, reference, record.steady_share);
+                let range = window(samples, reference, record.steady_fraction);
                 let mut steady = steady(samples, reference, range);
                 steady.is_steady = self.trust.is_steady(&reference.name);
                 let Mesh { cells_over_sinkage, cells_over_chord } =
@@ -166,7 +170,7 @@ impl Summary {
         self.soil.leaked_m3 = leaks.map(|s| s.leaked_volume).filter(|v| v.is_finite()).sum::<f64>() + 0.0;
     }
 
-    /// Cells with soil times steps, per second of wall clock.
+    /// Cells with soil times steps, per second of wall-clock time.
     #[must_use]
     pub fn cell_steps_per_second(&self) -> Option<f64> {
         (self.wall_s > 0.0).then(|| self.filled_cells as f64 * self.steps as f64 / self.wall_s)
@@ -183,7 +187,7 @@ impl Summary {
     /// Reads `summary.json` from a results folder.
     ///
     /// # Errors
-    /// When the file cannot be read or is no summary.
+    /// When the file cannot be read or is not a summary.
     pub fn read(dir: &Path) -> Result<Self, OutputError> {
         read_json(&dir.join(SUMMARY))
     }

@@ -1,4 +1,4 @@
-//! The free surface as a height over the plane: the rut, the berms, and what they measure.
+//! The free surface as a height map: the rut, the berms, and their sizes.
 
 use crate::case::resolved::{Case, Ground};
 use serde::{Deserialize, Serialize};
@@ -9,7 +9,7 @@ use solver::state::State;
 /// Height of the free surface over each column of cells.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeightMap {
-    /// Middles of the columns along x and y [m], mirrored to y < 0 in a symmetric case.
+    /// Centres of the columns along x and y [m], mirrored to y < 0 in a symmetric case.
     pub centres: [Vec<f64>; 2],
     /// Edges of the columns along x and y [m].
     pub edges: [Vec<f64>; 2],
@@ -19,7 +19,7 @@ pub struct HeightMap {
     pub reference: f64,
 }
 
-/// What the free surface measures at the end.
+/// Sizes of rut and berms at the end.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct SurfaceFigures {
@@ -27,13 +27,13 @@ pub struct SurfaceFigures {
     pub rut_depth_m: f64,
     /// Height of the highest point above it [m].
     pub berm_height_m: f64,
-    /// Volume missing below it [m³].
+    /// Volume of the rut below it [m³].
     pub rut_volume_m3: f64,
-    /// Volume heaped up above it [m³].
+    /// Volume of the berms above it [m³].
     pub berm_volume_m3: f64,
 }
 
-/// Height of the undisturbed surface [m]; of a column of soil the floor that it will spread over.
+/// Height of the undisturbed surface [m]; for a column of soil that of the floor on which it collapses.
 #[must_use]
 pub fn reference_height(case: &Case) -> f64 {
     match case.ground {
@@ -58,10 +58,10 @@ impl HeightMap {
             .flat_map(|&j| (0..columns).map(move |i| (i, j)))
             .map(|(i, j)| column_height(grid, state, i, j))
             .collect();
-        let middles = |edges: &[f64]| edges.windows(2).map(|e| 0.5 * (e[0] + e[1])).collect();
+        let centres = |edges: &[f64]| edges.windows(2).map(|e| 0.5 * (e[0] + e[1])).collect();
         let edges = [grid.faces[0].clone(), edges_y];
         Self {
-            centres: [middles(&edges[0]), middles(&edges[1])],
+            centres: [centres(&edges[0]), centres(&edges[1])],
             edges,
             height,
             reference: reference_height(case),
@@ -100,7 +100,7 @@ impl HeightMap {
         self.centres[0].iter().enumerate().map(|(i, x)| [*x, self.at(i, row)]).collect()
     }
 
-    /// Mean height [m] over the columns whose middles lie in `from..=to` along x, for each row along y.
+    /// Mean height [m] over the columns whose centres lie in `from..=to` along x, for each row along y.
     #[must_use]
     pub fn section(&self, from: f64, to: f64) -> Vec<[f64; 2]> {
         let x = &self.centres[0];
@@ -116,13 +116,13 @@ impl HeightMap {
     }
 }
 
-/// Number of the interval that holds `value`, or the nearest to it.
+/// Index of the interval that contains `value`, or of the nearest one.
 fn nearest(edges: &[f64], value: f64) -> usize {
     edges.partition_point(|edge| *edge <= value).saturating_sub(1).min(edges.len().saturating_sub(2))
 }
 
-/// Height of the surface in one column [m]: from above, the first cell at least half full; its soil and that of the
-/// partial cell on it are heaped on its floor. Spray above and loose spots below do not count.
+/// Height of the surface in one column [m]: the soil of the uppermost cell that is at least half full and of the cell above
+/// it, heaped on the floor of the former. Detached soil above and voids below do not count.
 fn column_height(grid: &Grid, state: &State<impl Precision>, i: usize, j: usize) -> f64 {
     let layers = grid.cells()[2];
     let fraction =

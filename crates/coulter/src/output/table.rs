@@ -1,4 +1,4 @@
-//! Tables of numbers in text files: one header line, commas between, an empty field for "none".
+//! Tables of numbers in text files: a header line, comma-separated fields, an empty field for no value.
 
 use super::error::{OutputError, read_text};
 use std::fmt::Write as _;
@@ -17,12 +17,12 @@ impl Table {
     /// Reads a comma-separated file; lines that begin with `#` are skipped.
     ///
     /// # Errors
-    /// When the file cannot be read, a line has too many or too few fields, or a field is no number.
+    /// When the file cannot be read, a line has too many or too few fields, or a field is not a number.
     pub fn read(path: &Path) -> Result<Self, OutputError> {
         Self::parse(&read_text(path)?).map_err(|problem| OutputError::content(path, problem))
     }
 
-    /// Reads the table of a run; that of a run that was killed (not `is_whole`) without a last line that is cut off.
+    /// Reads the table of a run; for a killed run (not `is_whole`) without an incomplete last line.
     pub(super) fn read_history(path: &Path, is_whole: bool) -> Result<Self, OutputError> {
         let text = read_text(path)?;
         let end = if is_whole { text.len() } else { text.rfind('\n').map_or(0, |n| n + 1) };
@@ -32,7 +32,7 @@ impl Table {
     fn parse(text: &str) -> Result<Self, String> {
         let mut lines =
             text.lines().enumerate().filter(|(_, line)| !line.starts_with('#') && !line.trim().is_empty());
-        let Some((_, first)) = lines.next() else { return Err("it is empty".to_owned()) };
+        let Some((_, first)) = lines.next() else { return Err("the file is empty".to_owned()) };
         let header: Vec<String> = first.split(',').map(|name| name.trim().to_owned()).collect();
         let mut columns = vec![Vec::new(); header.len()];
         for (n, line) in lines {
@@ -42,7 +42,8 @@ impl Table {
             }
             for (column, field) in columns.iter_mut().zip(fields) {
                 column.push(
-                    parse_number(field).ok_or_else(|| format!("line {}: `{field}` is no number", n + 1))?,
+                    parse_number(field)
+                        .ok_or_else(|| format!("line {}: `{field}` is not a number", n + 1))?,
                 );
             }
         }
@@ -52,10 +53,10 @@ impl Table {
     /// The column whose header is `name`, or begins with `name` and then its unit.
     #[must_use]
     pub fn column(&self, name: &str) -> Option<&[f64]> {
-        let place = self.header.iter().position(|h| h == name).or_else(|| {
+        let index = self.header.iter().position(|h| h == name).or_else(|| {
             self.header.iter().position(|h| h.strip_prefix(name).is_some_and(|rest| rest.starts_with(" [")))
         })?;
-        self.columns.get(place).map(Vec::as_slice)
+        self.columns.get(index).map(Vec::as_slice)
     }
 
     /// Number of lines below the header.
@@ -70,7 +71,7 @@ fn parse_number(field: &str) -> Option<f64> {
     if field.is_empty() { Some(f64::NAN) } else { field.parse().ok() }
 }
 
-/// Adds one line to a table's text.
+/// Appends one line to a table's text.
 pub(super) fn push_line(text: &mut String, values: &[f64]) {
     for (n, value) in values.iter().enumerate() {
         if n > 0 {
@@ -81,7 +82,7 @@ pub(super) fn push_line(text: &mut String, values: &[f64]) {
     text.push('\n');
 }
 
-/// Nine significant digits without idle zeros; nothing for not-a-number. More digits would only be noise to a reader.
+/// Nine significant digits without trailing zeros; nothing for not-a-number.
 fn push_number(text: &mut String, value: f64) {
     if !value.is_finite() {
         return;
@@ -115,6 +116,6 @@ mod tests {
     fn broken_tables_are_refused_with_the_line() {
         assert!(Table::parse("").is_err());
         assert!(Table::parse("a,b\n1,2\n3\n").unwrap_err().contains("line 3"));
-        assert!(Table::parse("a\nx\n").unwrap_err().contains("`x` is no number"));
+        assert!(Table::parse("a\nx\n").unwrap_err().contains("`x` is not a number"));
     }
 }

@@ -1,15 +1,15 @@
-//! Whether a history that was read back from files can be one that a run wrote.
+//! Validation of a history that was read back from files.
 
 use super::csv::forces_name;
-use super::record::{BodySample, EnergySample, History};
+use crate::history::{BodySample, EnergySample, History};
 
-/// Refuses a history that no run writes: without lines, with times that are not finite or do not increase, with forces,
-/// sinkages or energies that are not numbers.
+/// Refuses a history that no run can have written: without lines, with times that are not finite or do not increase, with
+/// forces, sinkages or energies that are not numbers.
 ///
-/// Lines are counted as an editor does: the header is line 1.
+/// Lines are numbered as in an editor: the header is line 1.
 ///
 /// # Errors
-/// Says file, line and column, what stands there, and what to do.
+/// States file, line and column, what is wrong there, and what to do.
 pub fn validate_history(history: &History) -> Result<(), String> {
     if history.bodies.len() != history.names.len() {
         return Err(format!(
@@ -28,7 +28,7 @@ pub fn validate_history(history: &History) -> Result<(), String> {
     lines.try_for_each(|(n, s)| finite("energy.csv", n, &energy_columns(s)))
 }
 
-/// What every line of a body's history must hold; the turn ratio and the dimensionless columns may be empty.
+/// The required columns of a body's history; the turn ratio and the dimensionless columns may be empty.
 fn body_columns(s: &BodySample) -> [(&'static str, f64); 6] {
     [
         ("displacement u [m]", s.displacement),
@@ -50,20 +50,18 @@ fn energy_columns(s: &EnergySample) -> [(&'static str, f64); 5] {
     ]
 }
 
-/// Refuses no lines at all, and times that are not finite or not later than the one before.
+/// Refuses a history without lines, and times that are not finite or not later than the previous one.
 fn increasing<S>(file: &str, samples: &[S], time: impl Fn(&S) -> f64) -> Result<(), String> {
     if samples.is_empty() {
-        return Err(format!(
-            "{file} has no line below its header; run the case, or go on with it by --resume"
-        ));
+        return Err(format!("{file} has no line below its header; run the case, or resume it with --resume"));
     }
     let mut last = f64::NEG_INFINITY;
     for (n, now) in samples.iter().map(time).enumerate() {
         if !now.is_finite() {
-            return Err(damaged(file, n, "time [s]", &format!("{now}, where a finite number is expected")));
+            return Err(damaged(file, n, "time [s]", &format!("{now} instead of a finite number")));
         }
         if now <= last {
-            let why = format!("{now}, where a time later than {last} s on the line before is expected");
+            let why = format!("{now} instead of a time later than {last} s on the line before");
             return Err(damaged(file, n, "time [s]", &why));
         }
         last = now;
@@ -74,7 +72,7 @@ fn increasing<S>(file: &str, samples: &[S], time: impl Fn(&S) -> f64) -> Result<
 fn finite(file: &str, sample: usize, columns: &[(&str, f64)]) -> Result<(), String> {
     match columns.iter().find(|(_, value)| !value.is_finite()) {
         Some((name, value)) => {
-            Err(damaged(file, sample, name, &format!("{value}, where a finite number is expected")))
+            Err(damaged(file, sample, name, &format!("{value} instead of a finite number")))
         }
         None => Ok(()),
     }
@@ -82,7 +80,7 @@ fn finite(file: &str, sample: usize, columns: &[(&str, f64)]) -> Result<(), Stri
 
 fn damaged(file: &str, sample: usize, column: &str, what: &str) -> String {
     format!(
-        "{file}, line {}, column `{column}`: {what}; the file is damaged: take it from a backup, or run the case again \
+        "{file}, line {}, column `{column}`: {what}; the file is damaged: restore it from a backup, or run the case again \
          with --force",
         sample + 2
     )
@@ -120,21 +118,21 @@ mod tests {
 
     #[test]
     fn what_is_not_a_number_is_named_with_line_and_column() {
-        let told = refusal(|h| h.bodies[0][1].drag = f64::NAN);
-        assert!(told.starts_with("forces.csv, line 3, column `drag F_H [N]`: NaN"), "{told}");
-        let told = refusal(|h| h.bodies[0][2].sinkage = f64::INFINITY);
-        assert!(told.contains("line 4, column `sinkage z [m]`: inf"), "{told}");
-        let told = refusal(|h| h.energy[0].plastic = f64::NAN);
-        assert!(told.starts_with("energy.csv, line 2, column `plastic [J]`"), "{told}");
+        let message = refusal(|h| h.bodies[0][1].drag = f64::NAN);
+        assert!(message.starts_with("forces.csv, line 3, column `drag F_H [N]`: NaN"), "{message}");
+        let message = refusal(|h| h.bodies[0][2].sinkage = f64::INFINITY);
+        assert!(message.contains("line 4, column `sinkage z [m]`: inf"), "{message}");
+        let message = refusal(|h| h.energy[0].plastic = f64::NAN);
+        assert!(message.starts_with("energy.csv, line 2, column `plastic [J]`"), "{message}");
     }
 
     #[test]
     fn time_that_stands_still_or_runs_backwards_is_refused() {
         for time in [0.2, 0.1] {
-            let told = refusal(|h| h.bodies[0][2].time = time);
+            let message = refusal(|h| h.bodies[0][2].time = time);
             assert!(
-                told.contains("line 4, column `time [s]`") && told.contains("later than 0.2 s"),
-                "{told}"
+                message.contains("line 4, column `time [s]`") && message.contains("later than 0.2 s"),
+                "{message}"
             );
         }
         assert!(

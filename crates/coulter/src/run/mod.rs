@@ -1,99 +1,32 @@
 //! A run from case to results: steps, samples, fields, checkpoints, report.
 
+mod options;
 mod start;
+pub mod watch;
 
 use crate::case::{self, Case, resolved};
-use crate::interrupts::{Interrupts, Request};
+use crate::interrupts::Request;
+use crate::output::Results;
 use crate::output::checkpoint;
 use crate::output::progress::Progress;
 use crate::output::run_record::{Outcome, RunStatistics};
 use crate::output::summary::Summary;
-use crate::output::{OutputError, Results};
 use crate::simulation::Simulation;
 use crate::trust::Verdict;
-use crate::trust::watch::watch;
 use solver::error::Breakdown;
 use solver::precision::Precision;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Instant;
 
-pub use start::Start;
+pub use options::{End, RunError, RunOptions, Start};
 use start::{ended_before, lock, open};
-
-/// How to run.
-#[derive(Debug)]
-pub struct Options<'a> {
-    /// Results folder.
-    pub folder: &'a Path,
-    /// What to do with what is there.
-    pub start: Start,
-    /// Show no progress.
-    pub quiet: bool,
-    /// Doubts whether the machine suffices, for the log.
-    pub doubts: &'a [String],
-    /// What is asked from outside while it runs.
-    pub interrupts: &'a Interrupts,
-    /// The case file as typed, with overrides written in; kept beside the results.
-    pub typed: &'a str,
-}
-
-/// How a run ended.
-#[derive(Debug)]
-pub enum End {
-    /// It came to its end, now or before.
-    Finished(Box<Summary>),
-    /// It was stopped by this signal; here is the checkpoint to go on from.
-    Stopped(i32, PathBuf),
-}
-
-/// Why a run did not come to its end.
-#[derive(Debug, thiserror::Error)]
-pub enum RunError {
-    /// Results could not be read or written.
-    #[error(transparent)]
-    Output(#[from] OutputError),
-    /// The folder belongs to another case.
-    #[error(
-        "{} holds the run of another case file (or of other values of its keys); run with --force to start anew, or write \
-         somewhere else with -o DIR", .0.display()
-    )]
-    OtherCase(PathBuf),
-    /// There is nothing whole to go on from.
-    #[error("{}: {problem}; run with --force to start anew", .path.display())]
-    Unusable {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong with it.
-        problem: String,
-    },
-    /// The physics failed before, and would again.
-    #[error("the run in {} broke down before: {cause}; run with --force to start anew", .folder.display())]
-    BrokeDownBefore {
-        /// How.
-        cause: String,
-        /// Where it is.
-        folder: PathBuf,
-    },
-    /// The physics failed.
-    #[error(
-        "{cause}\nthe state at that time is in {} and {}; the last good checkpoint is kept beside it",
-        .folder.display(), .checkpoint.display()
-    )]
-    Physics {
-        /// How.
-        cause: Box<Breakdown>,
-        /// Where the results so far are.
-        folder: PathBuf,
-        /// The checkpoint of the state that failed.
-        checkpoint: PathBuf,
-    },
-}
+use watch::watch;
 
 /// Runs a case and writes its results.
 ///
 /// # Errors
 /// [`RunError`] when the physics fails or the results cannot be read or written.
-pub fn run(case: &Case, options: &Options) -> Result<End, RunError> {
+pub fn run(case: &Case, options: &RunOptions) -> Result<End, RunError> {
     let _lock = lock(options)?;
     if options.start == Start::AutoResume
         && let Some(summary) = ended_before(case, options.folder)?
@@ -106,18 +39,18 @@ pub fn run(case: &Case, options: &Options) -> Result<End, RunError> {
     }
 }
 
-fn run_in<R: Precision>(case: &Case, options: &Options) -> Result<End, RunError> {
+fn run_in<R: Precision>(case: &Case, options: &RunOptions) -> Result<End, RunError> {
     let began = Instant::now();
     let (mut simulation, mut results) = open::<R>(case, options)?;
     let mut progress = Progress::start(case, simulation.state.time, options.quiet);
-    let ended = drive(&mut simulation, &mut results, &mut progress, options)?;
+    let ended = advance(&mut simulation, &mut results, &mut progress, options)?;
     let outcome = match &ended {
         Ended::Finished => Outcome::Finished,
         Ended::Stopped(_) => Outcome::Interrupted,
         Ended::Broken(cause) => Outcome::BrokeDown(cause.to_string()),
     };
     let statistics = statistics(&simulation, outcome);
-    // The state first: the rest can be made again from it.
+    // The state first: everything else can be rebuilt from it.
     let checkpoint = match ended {
         Ended::Broken(_) => simulation.checkpoint().write_failed(options.folder)?,
         Ended::Finished | Ended::Stopped(_) => simulation.checkpoint().write(options.folder)?,
@@ -132,12 +65,12 @@ fn run_in<R: Precision>(case: &Case, options: &Options) -> Result<End, RunError>
             for line in verdict(&summary) {
                 results.log(&line)?;
             }
-            progress.finish(&last_words(&summary, seconds, options.folder));
+            progress.finish(&closing_message(&summary, seconds, options.folder));
             Ok(End::Finished(Box::new(summary)))
         }
         Ended::Stopped(signal) => {
             results.log(&format!("stopped by signal {signal} at t = {} s", state.time))?;
-            progress.finish("stopped; --resume goes on from here");
+            progress.finish("stopped; --resume continues from here");
             Ok(End::Stopped(signal, checkpoint))
         }
         Ended::Broken(cause) => {
@@ -162,24 +95,25 @@ fn statistics(simulation: &Simulation<impl Precision>, outcome: Outcome) -> RunS
     }
 }
 
-/// What a run that came to its end says of itself.
-fn last_words(summary: &Summary, seconds: f64, folder: &Path) -> String {
+/// The last message of a finished run.
+fn closing_message(summary: &Summary, seconds: f64, folder: &Path) -> String {
     let report = folder.join("report.html");
     let end = format!("in {seconds:.1} s; the report is {}", report.display());
     match summary.trust.verdict {
-        // Why it is broken is an error, and told as one.
+        // Why it is broken is reported as an error.
         Verdict::Broken => format!("ended {end}"),
         Verdict::Good | Verdict::Doubtful => format!("done {end}\n{}", verdict(summary).join("\n")),
     }
 }
 
-/// The verdict and what is behind it, a line each.
+/// The verdict and the checks behind it, one line each.
 #[must_use]
 pub fn verdict(summary: &Summary) -> Vec<String> {
     let trust = &summary.trust;
     let mut lines = vec![format!("trust: {}", trust.verdict.name())];
-    lines
-        .extend(trust.doubts().iter().map(|c| format!("  {}: {}; {}", c.verdict.name(), c.line(), c.advice)));
+    lines.extend(
+        trust.concerns().iter().map(|c| format!("  {}: {}; {}", c.verdict.name(), c.line(), c.advice)),
+    );
     lines
 }
 
@@ -189,12 +123,12 @@ enum Ended {
     Broken(Breakdown),
 }
 
-/// Goes from sample to sample until the end, a stop or a breakdown.
-fn drive(
+/// Advances from sample to sample until the end, a stop or a breakdown.
+fn advance(
     simulation: &mut Simulation<impl Precision>,
     results: &mut Results,
     progress: &mut Progress,
-    options: &Options,
+    options: &RunOptions,
 ) -> Result<Ended, RunError> {
     let interval = simulation.case.output.field_interval;
     let between = simulation.case.output.checkpoint_interval;
@@ -221,7 +155,7 @@ fn drive(
         }
         if request.is_some() || is_due() {
             simulation.checkpoint().write(options.folder)?;
-            results.keep_statistics(&statistics(simulation, Outcome::Running))?;
+            results.write_statistics(&statistics(simulation, Outcome::Running))?;
             results.log(&format!("checkpoint at t = {} s", simulation.state.time))?;
             last_checkpoint = Instant::now();
         }

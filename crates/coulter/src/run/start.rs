@@ -1,36 +1,21 @@
-//! How a run begins: anew, or where an earlier one was left.
+//! How a run begins: from the start, or where an earlier one stopped.
 
-use super::{Options, RunError};
+use super::options::{RunError, RunOptions, Start};
 use crate::case::{self, Case};
-use crate::forecast;
 use crate::output::checkpoint::{self, Checkpoint};
 use crate::output::run_record::{Outcome, RunRecord, hash_of};
-use crate::output::{Holds, Lock, OutputError, Results, Summary, look};
+use crate::output::{Contents, Lock, OutputError, Results, Summary, inspect, overlays};
 use crate::simulation::{Simulation, case_text};
 use solver::precision::Precision;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// Time that an automatic restart waits for the run before to go away.
+/// How long an automatic restart waits for an earlier run to end.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// What to do with a folder that holds a run already.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Start {
-    /// Refuse.
-    Anew,
-    /// Replace it.
-    Replace,
-    /// Go on with it from its last checkpoint; start if there is nothing.
-    Resume,
-    /// The same, for schedulers: a run that has come to its end is left as it is, checkpoints that cannot be read are no
-    /// reason to fail, and a lock that goes away within a minute is waited for.
-    AutoResume,
-}
-
-/// The folder for this run alone.
-pub(super) fn lock(options: &Options) -> Result<Lock, OutputError> {
-    if let Holds::Others = look(options.folder)? {
+/// Locks the folder for this run.
+pub(super) fn lock(options: &RunOptions) -> Result<Lock, OutputError> {
+    if let Contents::Foreign = inspect(options.folder)? {
         return Err(OutputError::Foreign { path: options.folder.to_path_buf() });
     }
     let began = Instant::now();
@@ -48,9 +33,9 @@ pub(super) fn lock(options: &Options) -> Result<Lock, OutputError> {
     }
 }
 
-/// The summary of the same run, if it has come to its end before.
+/// The summary of the same run, if it has reached its end before.
 pub(super) fn ended_before(case: &Case, folder: &Path) -> Result<Option<Summary>, RunError> {
-    let Holds::Run(record) = look(folder)? else { return Ok(None) };
+    let Contents::Run(record) = inspect(folder)? else { return Ok(None) };
     same_case(case, &record, folder)?;
     match record.statistics.outcome {
         Outcome::Finished => Ok(Some(Summary::read(folder)?)),
@@ -66,20 +51,20 @@ fn same_case(case: &Case, record: &RunRecord, folder: &Path) -> Result<(), RunEr
     Err(RunError::OtherCase(folder.to_path_buf()))
 }
 
-/// The simulation and its folder, new or where they were left.
+/// The simulation and its folder, new or resumed.
 pub(super) fn open<R: Precision>(
     case: &Case,
-    options: &Options,
+    options: &RunOptions,
 ) -> Result<(Simulation<R>, Results), RunError> {
-    let goes_on = matches!(options.start, Start::Resume | Start::AutoResume);
-    if goes_on && let Holds::Run(record) = look(options.folder)? {
+    let resumes = matches!(options.start, Start::Resume | Start::AutoResume);
+    if resumes && let Contents::Run(record) = inspect(options.folder)? {
         same_case(case, &record, options.folder)?;
         if checkpoint::exists(options.folder) {
             match resume(case, options, record.statistics.wall_seconds) {
                 Err(RunError::Output(OutputError::Content { path, problem }))
                     if options.start == Start::AutoResume =>
                 {
-                    let why = format!("started anew, for {} cannot be used: {problem}", path.display());
+                    let why = format!("started again, because {} cannot be used: {problem}", path.display());
                     return create(case, options, Some(&why));
                 }
                 Err(RunError::Output(OutputError::Content { path, problem })) => {
@@ -88,14 +73,14 @@ pub(super) fn open<R: Precision>(
                 other => return other,
             }
         }
-        return create(case, options, Some("started anew, for there was no checkpoint yet"));
+        return create(case, options, Some("started again, because there was no checkpoint yet"));
     }
     create(case, options, None)
 }
 
 fn resume<R: Precision>(
     case: &Case,
-    options: &Options,
+    options: &RunOptions,
     wall_s: f64,
 ) -> Result<(Simulation<R>, Results), RunError> {
     let (checkpoint, damaged) = Checkpoint::read(options.folder)?;
@@ -106,7 +91,7 @@ fn resume<R: Precision>(
     let mut results = Results::resume(options.folder, case, &simulation.history, simulation.state.time)?;
     if let Some(problem) = damaged {
         checkpoint::forget_last(options.folder)?;
-        results.log(&format!("went back to the checkpoint before the last: {problem}"))?;
+        results.log(&format!("fell back to the previous checkpoint: {problem}"))?;
     }
     results.log(&format!("resumed at t = {} s, step {}", simulation.state.time, simulation.state.step))?;
     Ok((simulation, results))
@@ -114,12 +99,12 @@ fn resume<R: Precision>(
 
 fn create<R: Precision>(
     case: &Case,
-    options: &Options,
+    options: &RunOptions,
     why: Option<&str>,
 ) -> Result<(Simulation<R>, Results), RunError> {
     let may_replace = options.start == Start::Replace || why.is_some();
     let mut results = Results::create(options.folder, case, may_replace)?;
-    results.keep_case_file(options.typed)?;
+    results.write_case_file(options.typed)?;
     let simulation = Simulation::new(case);
     let [nx, ny, nz] = simulation.model.grid.cells();
     let (dt, threads) = (simulation.model.time_step(), simulation.threads());
@@ -131,7 +116,7 @@ fn create<R: Precision>(
         "grid {nx} x {ny} x {nz}, time step {dt:.4e} s, {} precision, {threads} threads",
         R::NAME
     ))?;
-    for note in case::advice(case).iter().chain(options.doubts) {
+    for note in case::advice(case).iter().chain(options.warnings) {
         results.log(&format!("note: {note}"))?;
     }
     overlay_forecast(case, &mut results)?;
@@ -140,10 +125,10 @@ fn create<R: Precision>(
     Ok((simulation, results))
 }
 
-/// Lays the closed forms over the plots. Where they do not apply the log says why; the run does not depend on them.
+/// Adds the closed forms to the plots. Where they do not apply the log says why; the run does not depend on them.
 fn overlay_forecast(case: &Case, results: &mut Results) -> Result<(), OutputError> {
-    match forecast::overlay::overlays(case) {
+    match overlays(case) {
         Ok(overlays) => results.overlay(overlays),
-        Err(why) => results.log(&format!("no forecast beside the results: {why}")),
+        Err(why) => results.log(&format!("no forecast in the plots: {why}")),
     }
 }

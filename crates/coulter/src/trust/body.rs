@@ -1,25 +1,26 @@
-//! Checks of one body: its motion, its forces, and how well the grid resolves it.
+//! The checks of one body: its motion, its forces, and how well the grid resolves it.
 
+use super::check::Check;
 use super::limits::{self, Limit};
+use super::setting::{BodySetting, Setting};
 use super::steadiness::Trend;
-use super::{BodySetting, Check, Setting};
-use crate::output::record::{BodySample, History};
-use crate::output::reference::Reference;
-use crate::output::steady::{Steady, is_tow, steady, window};
+use crate::history::reference::Reference;
+use crate::history::steady::{Steady, is_tow, steady, window};
+use crate::history::{BodySample, History};
 
-/// A body with everything that is known of it.
-pub(super) struct Scene<'a> {
+/// A body with everything that its checks need.
+pub(super) struct BodyChecks<'a> {
     pub(super) setting: &'a Setting,
     pub(super) body: &'a BodySetting,
     pub(super) reference: &'a Reference,
     pub(super) samples: &'a [BodySample],
     pub(super) history: &'a History,
-    pub(super) share: f64,
+    pub(super) fraction: f64,
 }
 
-impl Scene<'_> {
+impl BodyChecks<'_> {
     pub(super) fn checks(&self) -> Vec<Check> {
-        let range = window(self.samples, self.reference, self.share);
+        let range = window(self.samples, self.reference, self.fraction);
         let steady = steady(self.samples, self.reference, range.clone());
         let inside = self.samples.get(range).unwrap_or_default();
         let mut checks = vec![self.check(&limits::LEAK, self.leak())];
@@ -38,7 +39,7 @@ impl Scene<'_> {
         Check::of(limit, Some(&self.body.name), value)
     }
 
-    /// Soil inside the body over its embedded volume at the end [%]; a body that hardly touches the soil has none.
+    /// Soil inside the body over its embedded volume at the end [%]; 0 for a body that hardly touches the soil.
     fn leak(&self) -> f64 {
         let Some(end) = self.samples.last() else { return 0.0 };
         let cell: f64 = self.body.cell.iter().product();
@@ -58,7 +59,7 @@ impl Scene<'_> {
     fn trends(&self, inside: &[BodySample], steady: &Steady) -> Vec<Check> {
         let trend = |value: fn(&BodySample) -> f64| Trend::of(&inside.iter().map(value).collect::<Vec<_>>());
         let vertical = steady.vertical.unwrap_or(0.0).abs();
-        // Of a body that hardly drags the drag is compared with what it carries.
+        // A very small drag is compared with the vertical force.
         let drag = steady.drag.unwrap_or(0.0).abs().max(0.1 * vertical);
         let mut checks = vec![self.trend(&limits::STEADY_DRAG, trend(|s| s.drag), drag)];
         if self.body.heaves_freely {
@@ -68,13 +69,13 @@ impl Scene<'_> {
         checks
     }
 
-    /// The change of a quantity over the window against its size; doubtful where the window has too few lines to tell.
+    /// The change of a quantity over the window relative to its size; doubtful where the window has too few samples.
     fn trend(&self, limit: &'static Limit, trend: Option<Trend>, scale: f64) -> Check {
         match trend {
             Some(trend) if scale > 0.0 => self.check(limit, 100.0 * trend.change.abs() / scale),
             Some(_) => self.check(limit, 0.0),
             None => Check {
-                advice: "the window has too few lines for eight averages: take a shorter output.history_interval or a \
+                advice: "the window has too few samples for eight averages: use a shorter output.history_interval or a \
                          longer tow"
                     .to_owned(),
                 ..self.check(limit, f64::INFINITY)
@@ -82,7 +83,7 @@ impl Scene<'_> {
         }
     }
 
-    /// What the soil's momentum adds to the force: its pressure on the part of the front that is in the ground.
+    /// What the soil's momentum adds to the force: its pressure on the embedded part of the front.
     fn inertia(&self, inside: &[BodySample], steady: &Steady) -> Option<Check> {
         let depth = steady.sinkage.filter(|z| *z > 0.0)?;
         let force = steady.drag?.hypot(steady.vertical?);
@@ -91,13 +92,13 @@ impl Scene<'_> {
         (force > 0.0).then(|| self.check(&limits::INERTIA, 100.0 * added / force))
     }
 
-    /// How far a wheel without torque is from what such a wheel can do.
+    /// How far the turn ratio of a wheel without torque lies outside its physical range.
     fn free_wheel(&self, steady: &Steady) -> Option<Check> {
         let ratio = steady.turn_ratio.filter(|_| self.body.turns_freely)?;
         Some(self.check(&limits::FREE_WHEEL, (-ratio).max(ratio - 1.0).max(0.0)))
     }
 
-    /// A body that moves up and down stays in the ground, and above the floor.
+    /// A body that moves vertically stays in the ground, and above the floor.
     fn heave(&self, steady: &Steady) -> Vec<Check> {
         let mut checks = Vec::new();
         if self.body.heaves_freely
@@ -108,8 +109,8 @@ impl Scene<'_> {
         }
         if self.body.heaves {
             let deepest = self.samples.iter().map(|s| s.sinkage).fold(f64::NEG_INFINITY, f64::max);
-            let room = (self.setting.floor_depth - deepest) / self.body.cell[2];
-            checks.push(self.check(&limits::BODY_IN_BOX, room));
+            let distance = (self.setting.floor_depth - deepest) / self.body.cell[2];
+            checks.push(self.check(&limits::BODY_IN_BOX, distance));
         }
         checks
     }
@@ -131,8 +132,8 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// The sinkage counts for what is towed and for what has a round bottom, not for a flat base that is pressed down; the
-    /// chord for all but the front of what is towed.
+    /// The sinkage matters for a towed body and for a round one, not for a flat base that is pressed down; the chord for all
+    /// but a towed body with a flat front.
     #[must_use]
     pub fn of(body: &BodySetting, reference: &Reference, samples: &[BodySample], steady: &Steady) -> Self {
         let depth = steady.sinkage.map(|z| z.max(0.0));

@@ -3,7 +3,7 @@
 
 use crate::case::Case;
 use crate::case::resolved::Ground;
-use crate::output::record::BoundarySample;
+use crate::history::BoundarySample;
 use glam::DVec3;
 use solver::model::Model;
 use solver::precision::Precision;

@@ -1,27 +1,29 @@
-//! Checks of what the whole model conserves, and of what it does at the faces of the box.
+//! Checks of the balances of the whole model, and of the faces of the box.
 
+use super::check::Check;
 use super::limits::{self, Limit};
-use super::{BodySetting, Check, Setting};
-use crate::output::record::{BodySample, EnergySample, History};
+use super::setting::{BodySetting, Setting};
+use crate::history::{BodySample, EnergySample, History};
 
 /// Energy and volume at the end of the run.
 pub(super) fn checks(setting: &Setting, history: &History) -> Vec<Check> {
     let Some(end) = history.energy.last() else { return Vec::new() };
     let scale = end.scale();
-    // A scale that is not a number must not pass for one that is too small to matter.
-    let share = |energy: f64| if scale <= setting.energy_floor { 0.0 } else { 100.0 * energy.abs() / scale };
+    // A scale that is not a number must not count as negligibly small.
+    let per_cent =
+        |energy: f64| if scale <= setting.energy_floor { 0.0 } else { 100.0 * energy.abs() / scale };
     let check = |limit: &'static Limit, value: f64| Check::of(limit, None, value);
     vec![
-        check(&limits::ENERGY_BALANCE, share(end.unexplained())),
-        check(&limits::HOURGLASS, share(end.hourglass)),
-        check(&limits::VISCOUS, share(end.viscous)),
-        check(&limits::REMAP_LOSS, share(end.remap_loss)),
-        check(&limits::CONTACT_ENERGY, share(end.contact)),
+        check(&limits::ENERGY_BALANCE, per_cent(end.unexplained())),
+        check(&limits::HOURGLASS, per_cent(end.hourglass)),
+        check(&limits::VISCOUS, per_cent(end.viscous)),
+        check(&limits::REMAP_LOSS, per_cent(end.remap_loss)),
+        check(&limits::CONTACT_ENERGY, per_cent(end.contact)),
         check(&limits::VOLUME, volume_change(setting, end)),
     ]
 }
 
-/// Change of the soil volume [%]; of soil that dilates only what is lost.
+/// Change of the soil volume [%]; for soil that dilates only a loss.
 fn volume_change(setting: &Setting, end: &EnergySample) -> f64 {
     let change = 100.0 * (end.volume_ratio - 1.0);
     if setting.dilates && change > 0.0 { 0.0 } else { change.abs() }
@@ -33,21 +35,21 @@ pub(super) fn boundary_checks(setting: &Setting, history: &History) -> Vec<Check
     if samples.is_empty() {
         return Vec::new();
     }
-    let most = |value: fn(&crate::output::record::BoundarySample) -> f64| {
+    let most = |value: fn(&crate::history::BoundarySample) -> f64| {
         samples.iter().map(value).fold(0.0, |most: f64, v| if v > most || v.is_nan() { v } else { most })
     };
     let mut checks = vec![
-        Check::of(&limits::LID, None, lid_share(most(|s| s.lid_force), most(|s| s.lid_area), history)),
+        Check::of(&limits::LID, None, lid_force_ratio(most(|s| s.lid_force), most(|s| s.lid_area), history)),
         Check::of(&limits::WALLS, None, 1e4 * most(|s| s.wall_area)),
     ];
-    if let Some(share) = stress_share(setting, history) {
-        checks.push(Check::of(&limits::BOUNDARY_STRESS, None, share));
+    if let Some(ratio) = stress_ratio(setting, history) {
+        checks.push(Check::of(&limits::BOUNDARY_STRESS, None, ratio));
     }
     checks
 }
 
 /// Force on the lid over that on the bodies [%]; without a body, 1 as soon as soil touches the lid.
-fn lid_share(force: f64, area: f64, history: &History) -> f64 {
+fn lid_force_ratio(force: f64, area: f64, history: &History) -> f64 {
     let most = (0..history.boundaries.len()).map(|n| body_force(history, n)).fold(0.0, f64::max);
     if most > 0.0 {
         100.0 * force / most
@@ -59,14 +61,14 @@ fn lid_share(force: f64, area: f64, history: &History) -> f64 {
 }
 
 /// Sum of the forces on the bodies at one sample [N].
-pub(super) fn body_force(history: &History, n: usize) -> f64 {
+pub(crate) fn body_force(history: &History, n: usize) -> f64 {
     let size = |s: &BodySample| s.drag.hypot(s.vertical).hypot(s.lateral);
     history.bodies.iter().filter_map(|samples| samples.get(n)).map(size).sum()
 }
 
-/// Rise of the pressure at walls and floor over the contact pressure [%], over the last third of the run. The contact
-/// pressure is that of the forces on the bodies over the area that they turn towards them.
-fn stress_share(setting: &Setting, history: &History) -> Option<f64> {
+/// Mean rise of the pressure at walls and floor over the mean contact pressure [%], in the last third of the run. The
+/// contact pressure is the force on a body over its area projected along the force.
+fn stress_ratio(setting: &Setting, history: &History) -> Option<f64> {
     let count = history.boundaries.len();
     let last = 2 * count / 3..count;
     let mean = |value: &dyn Fn(usize) -> f64| last.clone().map(value).sum::<f64>() / last.len() as f64;
@@ -78,11 +80,11 @@ fn stress_share(setting: &Setting, history: &History) -> Option<f64> {
     (pressure > 0.0).then(|| 100.0 * rise.max(0.0) / pressure)
 }
 
-/// Force on a body over the area that it turns towards it: its front in the ground, and what it stands on [Pa].
+/// Force on a body over its projected area: its embedded front, and its base [Pa].
 fn contact_pressure(body: &BodySetting, sample: &BodySample) -> f64 {
     let [length, width, height] = [0, 1, 2].map(|axis| body.extent[axis].unwrap_or(body.slab));
     let depth = sample.sinkage.min(height).max(body.cell[2]);
-    // Of a body that is round the chord at this depth.
+    // For a round body the chord at this depth.
     let base = body.diameter.map_or(length, |d| 2.0 * (depth.min(0.5 * d) * (d - depth.min(0.5 * d))).sqrt());
     (sample.drag / (depth * width)).hypot(sample.vertical / (base * width))
 }

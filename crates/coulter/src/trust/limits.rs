@@ -1,23 +1,23 @@
-//! The one table of limits: what is good, what is doubtful, and why there.
+//! The table of limits: up to where a figure is good or doubtful, and why.
 
-use super::Verdict;
+use super::verdict::Verdict;
 
-/// What a figure is held against.
+/// The limits of a figure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limit {
     /// Name of the check.
     pub name: &'static str,
     /// Unit of figure and limits.
     pub unit: &'static str,
-    /// Up to (or, where more is better, down to) here it is good.
+    /// Limit of good: an upper bound, or a lower one where more is better.
     pub good: f64,
-    /// Beyond that, up to here it is doubtful, and then broken; infinite for never broken.
+    /// Limit of doubtful, beyond which it is broken; infinite for never broken.
     pub doubtful: f64,
-    /// Whether a large figure is the better one.
+    /// Whether larger is better.
     pub more_is_better: bool,
-    /// What the figure is.
+    /// Definition of the figure.
     pub meaning: &'static str,
-    /// Why the limits are where they are.
+    /// Reason for the limits.
     pub reason: &'static str,
     /// What to do when the figure is not good.
     pub advice: &'static str,
@@ -42,19 +42,19 @@ impl Limit {
 
 const NEVER: f64 = f64::INFINITY;
 
-/// Whether the run came to its end without a breakdown.
+/// Whether the run reached its end without a breakdown.
 pub const COMPLETED: Limit = Limit {
     name: "completed",
     unit: "",
     good: 0.0,
     doubtful: 0.0,
     more_is_better: false,
-    meaning: "1 if the run was stopped because it could not be believed any more",
-    reason: "what broke down is not a result",
+    meaning: "1 if the run was stopped because its results could no longer be trusted",
+    reason: "a run that broke down has no valid result",
     advice: "",
 };
 
-/// Energy that no entry of the balance explains.
+/// Error of the energy balance.
 pub const ENERGY_BALANCE: Limit = Limit {
     name: "energy balance",
     unit: "%",
@@ -62,11 +62,11 @@ pub const ENERGY_BALANCE: Limit = Limit {
     doubtful: 5.0,
     more_is_better: false,
     meaning: "unexplained energy over the largest of external work, plastic dissipation and kinetic energy",
-    reason: "runs of the verification suite that agree with exact solutions stay below 1 %; 5 % is the error that is asked of forces",
-    advice: "take a smaller numerics.courant, a slower motion or a finer grid",
+    reason: "runs of the verification suite that agree with exact solutions stay below 1 %; 5 % is the accuracy required of forces",
+    advice: "use a smaller numerics.courant, a slower motion or a finer grid",
 };
 
-/// Share of hourglass viscosity.
+/// Work of hourglass viscosity.
 pub const HOURGLASS: Limit = Limit {
     name: "hourglass energy",
     unit: "%",
@@ -74,11 +74,11 @@ pub const HOURGLASS: Limit = Limit {
     doubtful: 10.0,
     more_is_better: false,
     meaning: "work of hourglass viscosity over the external work",
-    reason: "a force that does this share of the work is in the result; 10 % is the bound that finite-element practice sets",
-    advice: "take a finer grid, or a smaller numerics.hourglass_yielding",
+    reason: "a force that does this fraction of the work affects the result; 10 % is the customary bound in finite-element practice",
+    advice: "use a finer grid, or a smaller numerics.hourglass_yielding",
 };
 
-/// Share of bulk viscosity.
+/// Work of bulk viscosity.
 pub const VISCOUS: Limit = Limit {
     name: "viscous energy",
     unit: "%",
@@ -86,8 +86,8 @@ pub const VISCOUS: Limit = Limit {
     doubtful: 20.0,
     more_is_better: false,
     meaning: "work of bulk viscosity over the external work",
-    reason: "as for hourglass energy; bulk viscosity also damps waves that are there, so more of it is harmless",
-    advice: "move more slowly, or take a smaller numerics.bulk_viscosity_linear",
+    reason: "as for hourglass energy; bulk viscosity also damps physical waves, so that more of it is harmless",
+    advice: "move more slowly, or use a smaller numerics.bulk_viscosity_linear",
 };
 
 /// Energy lost in remaps.
@@ -98,8 +98,8 @@ pub const REMAP_LOSS: Limit = Limit {
     doubtful: NEVER,
     more_is_better: false,
     meaning: "kinetic and elastic energy lost (or, with ψ > 0, gained) in remaps over the external work",
-    reason: "what mixing destroys did not become force; the loss falls with the cell size",
-    advice: "take a finer grid; with ψ > 0 set soil.critical_density",
+    reason: "energy that mixing dissipates does no work on the body; the loss falls with the cell size",
+    advice: "use a finer grid; with ψ > 0 set soil.critical_density",
 };
 
 /// Energy of the contact method.
@@ -109,9 +109,9 @@ pub const CONTACT_ENERGY: Limit = Limit {
     good: 5.0,
     doubtful: 20.0,
     more_is_better: false,
-    meaning: "work that the contact method itself stores, takes or gives over the external work",
-    reason: "it stands for corrections of overlap and gap, not for soil; 5 % is the error that is asked of forces",
-    advice: "take a finer grid, or move more slowly",
+    meaning: "energy that the contact method itself stores, dissipates or adds over the external work",
+    reason: "it belongs to corrections of overlap and gap, not to the soil; 5 % is the accuracy required of forces",
+    advice: "use a finer grid, or move more slowly",
 };
 
 /// Soil volume.
@@ -122,8 +122,8 @@ pub const VOLUME: Limit = Limit {
     doubtful: 2.0,
     more_is_better: false,
     meaning: "change of the soil volume since the start (with ψ > 0 only its loss)",
-    reason: "0.5 % is the tolerance of the verification suite (C3); elastic compression under loads is far below",
-    advice: "take a finer grid; a stiffer soil compresses less",
+    reason: "0.5 % is the tolerance of the verification suite (C3); elastic compression under loads is far smaller",
+    advice: "use a finer grid; a stiffer soil compresses less",
 };
 
 /// Soil inside a body.
@@ -134,8 +134,8 @@ pub const LEAK: Limit = Limit {
     doubtful: 1.0,
     more_is_better: false,
     meaning: "soil inside the body over the body's volume below the surface",
-    reason: "soil that leaks into a body is not pushed by it; footings, walls and inclined plates of the verification suite with 0.1 to 0.7 % meet exact solutions within their tolerance (the suite's own aim is 0.1 %, C4)",
-    advice: "take a finer grid, or a body with fewer sharp edges off the grid",
+    reason: "soil that leaks into a body exerts no force on it; footings, walls and inclined plates of the verification suite with 0.1 to 0.7 % agree with exact solutions within their tolerance (the aim of the suite is 0.1 %, C4)",
+    advice: "use a finer grid, or a body with fewer sharp edges oblique to the grid",
 };
 
 /// Froude number.
@@ -146,8 +146,8 @@ pub const INERTIA: Limit = Limit {
     doubtful: NEVER,
     more_is_better: false,
     meaning: "momentum of the soil set in motion, 2 ρ v² on the embedded front, over the force on the body; of a passive wedge 4 Fr/K_p with Fr = v²/(g z)",
-    reason: "it is physics, not an error, but a force with more than a tenth of it is no quasi-static one",
-    advice: "tow more slowly if a quasi-static force is wanted",
+    reason: "inertia is physical, not an error, but a force with more than a tenth of it is not quasi-static",
+    advice: "tow more slowly for a quasi-static force",
 };
 
 /// Noise of the drag.
@@ -158,8 +158,8 @@ pub const NOISE: Limit = Limit {
     doubtful: NEVER,
     more_is_better: false,
     meaning: "scatter of the drag about its moving average over 0.02 d, over its mean",
-    reason: "the mean over a window of ten independent swings is then known to 3 %",
-    advice: "take a finer grid or a longer tow",
+    reason: "the mean over a window of ten independent fluctuations is then known to 3 %",
+    advice: "use a finer grid or a longer tow",
 };
 
 /// Trend of the drag.
@@ -170,8 +170,8 @@ pub const STEADY_DRAG: Limit = Limit {
     doubtful: NEVER,
     more_is_better: false,
     meaning: "change of the drag over the steady window: the trend of eight block averages, over their mean",
-    reason: "a mean over a window in which the force changes by 10 % is within 5 % of either end",
-    advice: "tow farther; the average is that of a force that still changes",
+    reason: "the mean over a window in which the force changes by 10 % is within 5 % of both ends",
+    advice: "tow farther; the force is still changing",
 };
 
 /// Trend of the sinkage.
@@ -183,7 +183,7 @@ pub const STEADY_SINKAGE: Limit = Limit {
     more_is_better: false,
     meaning: "change of the sinkage over the steady window: the trend of eight block averages, over their mean (at least one cell)",
     reason: "as for the drag",
-    advice: "tow farther; the body still sinks or rises",
+    advice: "tow farther; the body is still sinking or rising",
 };
 
 /// Resolution of the sinkage.
@@ -194,7 +194,7 @@ pub const SINKAGE_CELLS: Limit = Limit {
     doubtful: NEVER,
     more_is_better: true,
     meaning: "sinkage in the steady window over the cell height",
-    reason: "sinkage of the shipped disc changes by 20 % while it is about one cell, drag of embedded bodies by a few per cent from four cells on",
+    reason: "the sinkage of the shipped disc changes by 20 % while it is about one cell, the drag of embedded bodies by a few per cent from four cells on",
     advice: "make grid.cell smaller",
 };
 
@@ -205,8 +205,8 @@ pub const CHORD_CELLS: Limit = Limit {
     good: 8.0,
     doubtful: NEVER,
     more_is_better: true,
-    meaning: "length of the contact with the ground along the tow over the cell width; not of an upright face that is towed",
-    reason: "forces of the verification suite's footings, plates and cylinders are within some 5 % from 8 cells on",
+    meaning: "length of the contact with the ground along the tow over the cell width; not for an upright face that is towed",
+    reason: "forces on the footings, plates and cylinders of the verification suite are within some 5 % from 8 cells on",
     advice: "make grid.cell smaller",
 };
 
@@ -230,31 +230,31 @@ pub const RIDING_HEIGHT: Limit = Limit {
     doubtful: 25.0,
     more_is_better: false,
     meaning: "height of a free body's lowest point above the undisturbed surface in the steady window, over the body's height",
-    reason: "a heavy body sinks; it rides up on a heap of a few per cent of its height at most",
-    advice: "look at the pictures: soil with ψ > 0 that dilates without end, or numerical forces, may carry it",
+    reason: "a heavy body sinks; it rides up on a heap by a few per cent of its height at most",
+    advice: "look at the pictures: soil with ψ > 0 that dilates without limit, or numerical forces, may lift it",
 };
 
-/// Turning of a free wheel.
+/// Rotation of a free wheel.
 pub const FREE_WHEEL: Limit = Limit {
     name: "turn ratio of a free wheel",
     unit: "",
     good: 0.1,
     doubtful: 0.5,
     more_is_better: false,
-    meaning: "how far ω r/v of a body that turns freely lies outside 0 to 1 in the steady window",
-    reason: "without a torque on its axle a towed wheel turns forward and slides: 0 ≤ ω r/v ≤ 1",
-    advice: "look at the axle torque; a tow that has just begun or a coarse grid may do this",
+    meaning: "how far ω r/v of a body that rotates freely lies outside 0 to 1 in the steady window",
+    reason: "without a torque on its axle a towed wheel rotates forward and slides: 0 ≤ ω r/v ≤ 1",
+    advice: "look at the axle torque; a tow that has just begun or a coarse grid may be the cause",
 };
 
-/// Room between a body and the end of the box.
+/// Distance between a body and the floor of the box.
 pub const BODY_IN_BOX: Limit = Limit {
-    name: "room for the body",
+    name: "clearance from the floor",
     unit: "cells",
     good: 4.0,
     doubtful: 0.0,
     more_is_better: true,
-    meaning: "least distance of a body that moves up or down from the floor, over the cell height",
-    reason: "nearer than a few cells the floor carries it; below the floor it has left the box",
+    meaning: "least distance from the floor of a body that moves vertically, over the cell height",
+    reason: "closer than a few cells the floor carries the body; below the floor it has left the box",
     advice: "make domain.z deeper",
 };
 
@@ -266,19 +266,19 @@ pub const LID: Limit = Limit {
     doubtful: 2.0,
     more_is_better: false,
     meaning: "largest force of the soil on the lid over the largest force on the bodies",
-    reason: "the lid is no part of the problem: what it holds back loads the soil before the body",
-    advice: "raise the upper end of domain.z and of grid.fine_z",
+    reason: "the lid is not part of the problem: soil that it holds back loads the soil in front of the body",
+    advice: "raise the upper ends of domain.z and of grid.fine_z",
 };
 
-/// Soil at a wall that was bare.
+/// Soil at a wall that was bare at the start.
 pub const WALLS: Limit = Limit {
     name: "soil at bare walls",
     unit: "cm²",
     good: 0.0,
     doubtful: NEVER,
     more_is_better: false,
-    meaning: "largest area of side wall without soil at the start that soil has come to",
-    reason: "soil that reaches a wall would have gone on without it",
+    meaning: "largest area of side wall that soil has reached and that was bare at the start",
+    reason: "without the wall the soil would have moved on",
     advice: "make domain.x or domain.y larger",
 };
 
@@ -290,8 +290,8 @@ pub const BOUNDARY_STRESS: Limit = Limit {
     doubtful: NEVER,
     more_is_better: false,
     meaning: "largest rise of the normal pressure on floor and side walls over the contact pressure (force over the embedded front and the base), in the last third of the run",
-    reason: "footings and cylinders of the verification suite with 34 to 39 % meet exact solutions within 5 %; of twelve random cases below 50 % a box 1.7 times as wide and 1.5 times as deep changed the force by 0 to 8 % in eleven, by 29 % in one",
-    advice: "make domain larger, most of all where `coulter check` names a near wall",
+    reason: "footings and cylinders of the verification suite with 34 to 39 % agree with exact solutions within 5 %; of twelve random cases below 50 % a box 1.7 times as wide and 1.5 times as deep changed the force by 0 to 8 % in eleven, by 29 % in one",
+    advice: "make the domain larger, above all where `coulter check` warns of a near wall",
 };
 
 /// Courant number.
@@ -302,7 +302,7 @@ pub const STEP_SIZE: Limit = Limit {
     doubtful: 0.9,
     more_is_better: false,
     meaning: "Courant number of the time step",
-    reason: "elastic waves are stable up to 1, less what viscosity and partly filled cells take",
+    reason: "elastic waves are stable up to 1, less a margin for viscosity and partly filled cells",
     advice: "leave numerics.courant at its default, 0.5",
 };
 

@@ -1,108 +1,25 @@
-//! Whether a run can be believed: a verdict per check, and of all of them.
+//! Whether the results of a run can be trusted: a verdict for every check, and an overall one.
 //!
-//! The checks look at histories and at a few facts about the case ([`Setting`]), so a killed run, a finished one and one
-//! that is still going are graded by the same rules. What they are held against stands in [`limits`], in one table.
+//! The checks use histories and a few facts about the case ([`Setting`]), so that a killed run, a finished one and one that
+//! is still running are graded by the same rules. Their limits are in one table, [`limits`].
 
 pub mod body;
 pub mod boundary;
+mod check;
 pub mod documentation;
-mod energy;
+pub(crate) mod energy;
 pub mod limits;
 mod setting;
 pub mod steadiness;
-pub mod watch;
+mod verdict;
 
-use crate::output::record::History;
-use crate::output::reference::Reference;
+use crate::history::History;
+use crate::history::reference::Reference;
+pub use check::Check;
 use limits::Limit;
 use serde::{Deserialize, Serialize};
 pub use setting::{BodySetting, Setting};
-
-/// How far a number can be trusted, from best to worst.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Verdict {
-    /// Within the limit that an experienced user would set.
-    #[default]
-    Good,
-    /// Usable with care: the advice says what limits it.
-    Doubtful,
-    /// Not to be used.
-    Broken,
-}
-
-impl Verdict {
-    /// As it is written in tables and in JSON.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Good => "good",
-            Self::Doubtful => "doubtful",
-            Self::Broken => "broken",
-        }
-    }
-}
-
-/// One check of a run.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Check {
-    /// Its name, as in the table of limits.
-    pub name: String,
-    /// The body that it is about, if it is about one.
-    pub body: Option<String>,
-    /// The figure, in the unit of the table of limits; `None` where it is not a number.
-    pub value: Option<f64>,
-    /// Unit of value and limits.
-    pub unit: String,
-    /// Up to where it is good, and up to where it is doubtful (`None`: never broken).
-    pub limits: [Option<f64>; 2],
-    /// What follows.
-    pub verdict: Verdict,
-    /// What to do about it; empty where it is good.
-    pub advice: String,
-}
-
-impl Check {
-    /// Holds a figure against its limit.
-    fn of(limit: &'static Limit, body: Option<&str>, value: f64) -> Self {
-        let verdict = limit.verdict(value);
-        Self {
-            name: limit.name.to_owned(),
-            body: body.map(str::to_owned),
-            value: value.is_finite().then_some(value),
-            unit: limit.unit.to_owned(),
-            limits: [limit.good, limit.doubtful].map(|l| l.is_finite().then_some(l)),
-            verdict,
-            advice: if verdict == Verdict::Good { String::new() } else { limit.advice.to_owned() },
-        }
-    }
-
-    /// One line for people: what, how much, and what was wanted.
-    #[must_use]
-    pub fn line(&self) -> String {
-        let body = self.body.as_ref().map_or(String::new(), |body| format!(" ({body})"));
-        let unit = if self.unit.is_empty() { String::new() } else { format!(" {}", self.unit) };
-        let value = self.value.map_or("no figure".to_owned(), |v| format!("{}{unit}", short(v)));
-        let [good, doubtful] = self.limits.map(|l| l.map(short));
-        let wanted = match (good, doubtful) {
-            (Some(good), Some(doubtful)) => format!("good to {good}{unit}, doubtful to {doubtful}{unit}"),
-            (Some(good), None) => format!("good to {good}{unit}"),
-            _ => String::new(),
-        };
-        format!("{}{body}: {value} ({wanted})", self.name)
-    }
-}
-
-/// Three significant digits.
-fn short(value: f64) -> String {
-    if value == 0.0 {
-        return "0".to_owned();
-    }
-    let digits = (2 - value.abs().log10().floor() as i32).clamp(0, 9) as usize;
-    let text = format!("{value:.digits$}");
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
-}
+pub use verdict::Verdict;
 
 /// The grade of a run.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -115,13 +32,13 @@ pub struct Trust {
 }
 
 impl Trust {
-    /// Grades what a run has seen. `outcome` is why it broke down, if it did.
+    /// Grades a run by its history; `fraction` is that of the steady window, `failure` says why the run broke down, if it did.
     #[must_use]
     pub fn grade(
         setting: &Setting,
         history: &History,
         references: &[Reference],
-        share: f64,
+        fraction: f64,
         failure: Option<&str>,
     ) -> Self {
         let mut checks = Vec::new();
@@ -131,8 +48,8 @@ impl Trust {
         checks.extend(energy::checks(setting, history));
         for (n, reference) in references.iter().enumerate() {
             if let (Some(body), Some(samples)) = (setting.bodies.get(n), history.bodies.get(n)) {
-                let scene = body::Scene { setting, body, reference, samples, history, share };
-                checks.extend(scene.checks());
+                let body_checks = body::BodyChecks { setting, body, reference, samples, history, fraction };
+                checks.extend(body_checks.checks());
             }
         }
         checks.extend(energy::boundary_checks(setting, history));
@@ -143,13 +60,13 @@ impl Trust {
 
     /// The checks that are not good, the worst first.
     #[must_use]
-    pub fn doubts(&self) -> Vec<&Check> {
-        let mut doubts: Vec<&Check> = self.checks.iter().filter(|c| c.verdict > Verdict::Good).collect();
-        doubts.sort_by_key(|c| std::cmp::Reverse(c.verdict));
-        doubts
+    pub fn concerns(&self) -> Vec<&Check> {
+        let mut concerns: Vec<&Check> = self.checks.iter().filter(|c| c.verdict > Verdict::Good).collect();
+        concerns.sort_by_key(|c| std::cmp::Reverse(c.verdict));
+        concerns
     }
 
-    /// Whether the towed body of this name is in a steady state; `None` where that was not tested.
+    /// Whether the towed body of this name is in a steady state; `None` where this was not checked.
     #[must_use]
     pub fn is_steady(&self, body: &str) -> Option<bool> {
         let steady = |limit: &Limit| {

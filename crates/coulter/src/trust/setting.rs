@@ -1,4 +1,4 @@
-//! What the checks must know of a case besides the histories; kept in `run.json`.
+//! Facts about a case that the checks need in addition to the histories; stored in `run.json`.
 
 use crate::case::Case;
 use crate::case::resolved::{Axis, Body, Freedom, Law, Shape};
@@ -14,9 +14,9 @@ pub struct Setting {
     pub density: f64,
     /// Courant number.
     pub courant: f64,
-    /// Whether the soil's volume is meant to grow.
+    /// Whether the soil dilates, so that its volume is expected to grow.
     pub dilates: bool,
-    /// Energies below this are rounding [J]: a millionth of a millionth of the soil's weight times the box's height.
+    /// Energies below this are rounding errors [J]: 10⁻¹² of the soil's weight times the box's height.
     pub energy_floor: f64,
     /// Depth of the floor below the undisturbed surface [m].
     pub floor_depth: f64,
@@ -32,17 +32,17 @@ pub struct BodySetting {
     pub name: String,
     /// Smallest cell widths along x, y, z [m].
     pub cell: [f64; 3],
-    /// Its extent along x, y, z [m]; none across the slab of plane strain.
+    /// Its extent along x, y, z [m]; `None` across the slab of plane strain.
     pub extent: [Option<f64>; 3],
     /// Width of the slab of plane strain [m].
     pub slab: f64,
     /// Diameter of a body that is round in the plane of the tow [m].
     pub diameter: Option<f64>,
-    /// Whether it moves up and down.
+    /// Whether it moves vertically.
     pub heaves: bool,
-    /// Whether it is free to.
+    /// Whether it is free to move vertically.
     pub heaves_freely: bool,
-    /// Whether it turns freely.
+    /// Whether it rotates freely.
     pub turns_freely: bool,
 }
 
@@ -77,7 +77,7 @@ impl BodySetting {
         }
         let diameter = match body.shape {
             Shape::Disc { diameter, .. }
-            | Shape::Ball { diameter }
+            | Shape::Sphere { diameter }
             | Shape::Cylinder { diameter, axis: Axis::Y, .. } => Some(diameter),
             Shape::Block { .. } | Shape::Cylinder { .. } => None,
         };

@@ -2,15 +2,15 @@
 
 /// Number of blocks; eight leave six degrees of freedom about a straight line.
 pub const BLOCKS: usize = 8;
-/// Fewer samples than this in a block are no average.
-const LEAST_SAMPLES: usize = 3;
+/// Least number of samples in a block.
+const MIN_SAMPLES: usize = 3;
 
-/// What the block averages of a quantity do over a window.
+/// The trend of the block averages of a quantity over a window.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trend {
     /// Mean of the block averages, in the unit of the quantity.
     pub mean: f64,
-    /// Change over the window along the straight line of least squares, in the unit of the quantity.
+    /// Change over the window along the least-squares line, in the unit of the quantity.
     pub change: f64,
     /// Standard error of the change.
     pub error: f64,
@@ -21,22 +21,22 @@ impl Trend {
     #[must_use]
     pub fn of(values: &[f64]) -> Option<Self> {
         let length = values.len() / BLOCKS;
-        if length < LEAST_SAMPLES {
+        if length < MIN_SAMPLES {
             return None;
         }
-        // What does not fill a block is left out at the start.
+        // Samples that do not fill a block are left out at the start.
         let blocks: Vec<f64> = values[values.len() - BLOCKS * length..]
             .chunks_exact(length)
             .map(|block| block.iter().sum::<f64>() / length as f64)
             .collect();
         let count = BLOCKS as f64;
         let mean = blocks.iter().sum::<f64>() / count;
-        let place = |n: usize| (n as f64 + 0.5) / count - 0.5;
-        let spread: f64 = (0..BLOCKS).map(|n| place(n).powi(2)).sum();
-        let change = blocks.iter().enumerate().map(|(n, b)| place(n) * (b - mean)).sum::<f64>() / spread;
+        let abscissa = |n: usize| (n as f64 + 0.5) / count - 0.5;
+        let squares: f64 = (0..BLOCKS).map(|n| abscissa(n).powi(2)).sum();
+        let change = blocks.iter().enumerate().map(|(n, b)| abscissa(n) * (b - mean)).sum::<f64>() / squares;
         let residual: f64 =
-            blocks.iter().enumerate().map(|(n, b)| (b - mean - change * place(n)).powi(2)).sum();
-        Some(Self { mean, change, error: (residual / (count - 2.0) / spread).sqrt() })
+            blocks.iter().enumerate().map(|(n, b)| (b - mean - change * abscissa(n)).powi(2)).sum();
+        Some(Self { mean, change, error: (residual / (count - 2.0) / squares).sqrt() })
     }
 }
 

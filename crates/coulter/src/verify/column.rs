@@ -1,7 +1,9 @@
 //! C1: collapse of a column of sand in plane strain.
 
-use super::bench::{Bench, VerifyError};
+use super::error::VerifyError;
+use super::probe::thickness;
 use super::row::Row;
+use super::runner::Runner;
 use crate::simulation::Simulation;
 
 const CASE: &str = include_str!("../../../../validation/C1_column_collapse/case.toml");
@@ -11,59 +13,60 @@ const HEIGHTS: &str = "Lube et al. (2005): a for a < 1.15, else 0.65 a^0.4; Laje
 const CONVERGES: &str = "design requirement: converging";
 /// Half width of the column in the case file [m].
 const WIDTH: f64 = 0.1;
-/// The front is where the soil is this many cells thick.
+/// Thickness of the soil at the front, in cells.
 const FRONT: f64 = 0.5;
-/// The front on another definition, the same on every grid: this thick, over the width of the column.
+/// Thickness at the front by another definition, the same on every grid, over the width of the column.
 const FRONT_FIXED: f64 = 0.025;
 
-/// What it is about.
-pub(super) const ABOUT: &str = "A column of dry sand (aspect a = H/L₀, one side a plane of symmetry) collapses on a floor \
+/// Text for the documentation.
+pub(super) const ABOUT: &str = "A column of dry sand (aspect ratio a = H/L₀, one side a plane of symmetry) collapses on a floor \
     without slip. The front is where the soil is half a cell thick, counted from the column outwards; the run-out \
-    (L − L₀)/L₀ must lie between two published laws ± 10 %, and so must the height, that of the column of cells at the plane of \
-    symmetry. From grid to grid (L₀/h = 10, 20, 40) the run-out must change by less and less; that is read from a front of fixed \
-    thickness, since half a cell is another front on every grid.";
+    (L − L₀)/L₀ must lie between two published laws ± 10 %, and so must the final height at the plane of symmetry. From grid to grid \
+    (L₀/h = 10, 20, 40) the run-out must change by less and less; for that the front has a fixed thickness, since half a cell \
+    means another thickness on every grid.";
 
-/// Aspects that are run with φ = 37°, and those with 31°.
+/// Aspect ratios that are run with φ = 37°, and with 31°.
 const STEEP: [f64; 5] = [0.5, 1.0, 2.0, 3.0, 4.0];
 const FLAT: [f64; 4] = [1.0, 2.0, 3.0, 4.0];
 const RUN_OUT: &str = "run-out (L − L₀)/L₀";
 const RUN_OUT_FIXED: &str = "run-out, front where 0.025 L₀ thick";
 
-pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
-    if bench.wish.fast {
-        return collapse(bench, 37, 1.0, 20);
+pub(super) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
+    if runner.options.fast {
+        return collapse(runner, 37, 1.0, 20);
     }
     for a in STEEP {
         for cells in [10, 20, 40] {
-            bench.part("C1", &name(37, a, cells), |bench| collapse(bench, 37, a, cells))?;
+            runner.part("C1", &name(37, a, cells), |runner| collapse(runner, 37, a, cells))?;
         }
-        let at = |cells| bench.obtained("C1", &name(37, a, cells), RUN_OUT_FIXED);
+        let at = |cells| runner.obtained("C1", &name(37, a, cells), RUN_OUT_FIXED);
         let [coarse, middle, fine] = [at(10), at(20), at(40)];
         let ratio = ((fine - middle) / (middle - coarse)).abs();
         let case = format!("a = {a}, φ = 37°, L₀/h = 10, 20, 40");
-        bench.rows.push(
-            Row::note("C1", case, "change of the run-out over the one before", ratio).at_most(1.0, CONVERGES),
+        runner.rows.push(
+            Row::info("C1", case, "change of the run-out over the previous change", ratio)
+                .at_most(1.0, CONVERGES),
         );
     }
     for a in FLAT {
         for cells in [20, 40] {
-            bench.part("C1", &name(31, a, cells), |bench| collapse(bench, 31, a, cells))?;
+            runner.part("C1", &name(31, a, cells), |runner| collapse(runner, 31, a, cells))?;
         }
     }
     Ok(())
 }
 
-/// Run-out for a = 1, φ = 37° on a mesh of so many cells over L₀; the front is where the sand is 0.025 L₀ thick.
-pub(super) fn run_out_on(bench: &mut Bench, cells: u32) -> Result<f64, VerifyError> {
-    collapse(bench, 37, 1.0, cells)?;
-    Ok(bench.obtained("C1", &name(37, 1.0, cells), RUN_OUT_FIXED))
+/// Run-out for a = 1, φ = 37° on a mesh of this many cells over L₀; the front is where the sand is 0.025 L₀ thick.
+pub(super) fn run_out_on(runner: &mut Runner, cells: u32) -> Result<f64, VerifyError> {
+    collapse(runner, 37, 1.0, cells)?;
+    Ok(runner.obtained("C1", &name(37, 1.0, cells), RUN_OUT_FIXED))
 }
 
 fn name(angle: u32, a: f64, cells: u32) -> String {
     format!("a = {a}, φ = {angle}°, L₀/h = {cells}")
 }
 
-/// Run-outs of the two laws; where a law leaves a range out, its first part is taken up to the second.
+/// Run-outs of the two laws; where a law leaves a gap between its two parts, the first is extended up to the second.
 fn run_outs(a: f64) -> [f64; 2] {
     let power = a.powf(2.0 / 3.0);
     let lube = if a < 2.8 { 1.2 * a } else { 1.9 * power };
@@ -71,15 +74,15 @@ fn run_outs(a: f64) -> [f64; 2] {
     [lube, lajeunesse]
 }
 
-/// Final heights of the two laws over L₀, the lower one first. Lajeunesse's factor of a^⅓ is that of the line through the
-/// measured points in the figure (1.92 at a = 10, 2.78 at a = 30).
+/// Final heights of the two laws over L₀, the lower one first. Lajeunesse's factor of a^⅓ is read from the line through
+/// the measured points in the figure (1.92 at a = 10, 2.78 at a = 30).
 fn heights(a: f64) -> [f64; 2] {
     let lube = if a < 1.15 { a } else { 0.65 * a.powf(0.4) };
     let lajeunesse = if a < 0.7 { a } else { 0.895 * a.cbrt() };
     [lube.min(lajeunesse), lube.max(lajeunesse)]
 }
 
-fn collapse(bench: &mut Bench, angle: u32, a: f64, cells: u32) -> Result<(), VerifyError> {
+fn collapse(runner: &mut Runner, angle: u32, a: f64, cells: u32) -> Result<(), VerifyError> {
     let variant = name(angle, a, cells);
     let mut overrides = vec![
         format!("soil.friction_angle={angle} deg"),
@@ -87,16 +90,16 @@ fn collapse(bench: &mut Bench, angle: u32, a: f64, cells: u32) -> Result<(), Ver
         format!("grid.cell={} m", WIDTH / f64::from(cells)),
     ];
     if a > 2.0 {
-        // Room and time for what is higher than the case file's box allows for.
+        // Space and time for columns that are higher than the box of the case file allows for.
         overrides.extend([
             "domain.x=['0 m', '1 m']".to_owned(),
             "domain.z=['0 m', '0.45 m']".to_owned(),
             "run.duration=1 s".to_owned(),
         ]);
     }
-    let mut simulation = bench.simulation(CASE, &overrides)?;
+    let mut simulation = runner.simulation(CASE, &overrides)?;
     let mut late = f64::NAN;
-    bench.finish_watched("C1", &variant, &mut simulation, |now| {
+    runner.finish_watched("C1", &variant, &mut simulation, |now| {
         if late.is_nan() && now.state.time >= 0.9 * now.case.duration {
             late = front(now, FRONT * now.case.grid.cell);
         }
@@ -104,24 +107,18 @@ fn collapse(bench: &mut Bench, angle: u32, a: f64, cells: u32) -> Result<(), Ver
     let cell = simulation.case.grid.cell;
     let end = front(&simulation, FRONT * cell);
     let fixed = front(&simulation, FRONT_FIXED * WIDTH);
-    let note = |quantity, value| Row::note("C1", variant.as_str(), quantity, value).took(simulation.wall_s);
-    let run_out = note(RUN_OUT, (end - WIDTH) / WIDTH);
-    let height = note("final height over L₀", thickness(&simulation, 0, 0) / WIDTH);
-    // The coarsest grid only shows where the others come from.
+    let info = |quantity, value| Row::info("C1", variant.as_str(), quantity, value).took(simulation.wall_s);
+    let run_out = info(RUN_OUT, (end - WIDTH) / WIDTH);
+    let height = info("final height over L₀", thickness(&simulation, 0, 0) / WIDTH);
+    // The coarsest grid only serves the study of convergence.
     let ([near, far], [low, high]) = (run_outs(a), heights(a));
-    bench.rows.extend([
+    runner.rows.extend([
         if cells < 20 { run_out } else { run_out.between(near, far, 0.1, SOURCE) },
-        note(RUN_OUT_FIXED, (fixed - WIDTH) / WIDTH),
+        info(RUN_OUT_FIXED, (fixed - WIDTH) / WIDTH),
         if cells < 20 { height } else { height.between(low, high, 0.1, HEIGHTS) },
-        note("front's way in the last tenth of the time [cells]", (end - late) / cell),
+        info("travel of the front in the last tenth of the time [cells]", (end - late) / cell),
     ]);
     Ok(())
-}
-
-/// Thickness of the soil in the column of cells `(i, j)` [m].
-pub(super) fn thickness(simulation: &Simulation, i: usize, j: usize) -> f64 {
-    let (grid, fraction) = (&simulation.model.grid, &simulation.state.soil.fraction);
-    (0..grid.cells()[2]).map(|k| fraction[grid.index(i, j, k)] * grid.width(2, k)).sum()
 }
 
 /// Where the soil's thickness falls below `limit` [m], from the plane of symmetry outwards [m].
@@ -133,6 +130,6 @@ fn front(simulation: &Simulation, limit: f64) -> f64 {
         return f64::NAN;
     }
     let (inner, outer) = (thickness(simulation, first - 1, 0), thickness(simulation, first, 0));
-    let share = (inner - limit) / (inner - outer);
-    grid.centre(0, first - 1) * (1.0 - share) + grid.centre(0, first) * share
+    let ratio = (inner - limit) / (inner - outer);
+    grid.centre(0, first - 1) * (1.0 - ratio) + grid.centre(0, first) * ratio
 }

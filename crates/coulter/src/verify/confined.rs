@@ -1,8 +1,7 @@
-//! A5, the rest: oedometer and isotropic tests, where every strain is given.
+//! A5, second part: oedometer and isotropic tests, in which every strain is prescribed.
 
-use super::bench::VerifyError;
-use super::element::CONFINEMENT;
-use super::specimen::Specimen;
+use super::error::VerifyError;
+use super::specimen::{CONFINEMENT, Specimen};
 use physics::elastic::Elastic;
 use physics::law::Law;
 use physics::mohr_coulomb::MohrCoulomb;
@@ -11,7 +10,7 @@ use physics::tensor::Symmetric;
 const INCREMENTS: usize = 600;
 const INCREMENT: f64 = 1e-4;
 
-/// Largest departure of axial and lateral stress from the exact ones in an oedometer, over the axial stress.
+/// Largest deviation of axial and lateral stress from the exact ones in an oedometer test, over the axial stress.
 pub(super) fn oedometer<S: Specimen>(
     [friction, dilation, cohesion]: [f64; 3],
     make: impl Fn(Elastic, Law, Symmetric) -> S,
@@ -22,7 +21,7 @@ pub(super) fn oedometer<S: Specimen>(
         make(elastic, Law::MohrCoulomb(MohrCoulomb::new(elastic, phi, psi, cohesion, 0.0)), AT_REST);
     let mut worst = 0.0_f64;
     for n in 1..=INCREMENTS {
-        specimen.take([0.0, 0.0, -INCREMENT, 0.0, 0.0, 0.0])?;
+        specimen.strain([0.0, 0.0, -INCREMENT, 0.0, 0.0, 0.0])?;
         let [lateral, _, axial, ..] = specimen.stress();
         let exact = confined(phi, psi, cohesion, n as f64 * INCREMENT);
         let off = (axial + exact[0]).abs().max((lateral + exact[1]).abs()) / exact[0];
@@ -34,7 +33,7 @@ pub(super) fn oedometer<S: Specimen>(
 const AT_REST: Symmetric = [-CONFINEMENT, -CONFINEMENT, -CONFINEMENT, 0.0, 0.0, 0.0];
 
 /// Axial and lateral pressure [Pa] after an axial compression without lateral strain: elastic, then on the edge
-/// σ_x = σ_y = K_a σ_z of the pyramid, where both of its planes flow alike.
+/// σ_x = σ_y = K_a σ_z of the pyramid, where both of its planes yield equally.
 fn confined(phi: f64, psi: f64, cohesion: f64, strain: f64) -> [f64; 2] {
     let (young, poisson) = (2e8, 0.3);
     let elastic = Elastic::new(young, poisson);
@@ -50,15 +49,15 @@ fn confined(phi: f64, psi: f64, cohesion: f64, strain: f64) -> [f64; 2] {
     if strain <= first {
         return [CONFINEMENT + axial * strain, CONFINEMENT + lateral * strain];
     }
-    // Lateral strain: elastic part (K_a (1 − ν) − ν) dσ/E, plastic part against it; axial plastic strain follows from ψ.
+    // Lateral strain: the elastic strain (K_a (1 − ν) − ν) dσ/E and the plastic strain cancel; the axial plastic strain follows from ψ.
     let flow = 2.0 * (1.0 - psi.sin()) / (1.0 + psi.sin());
     let compliance = (1.0 - 2.0 * poisson * active + flow * (active * (1.0 - poisson) - poisson)) / young;
     let pressure = CONFINEMENT + axial * first + (strain - first) / compliance;
     [pressure, active * pressure - bond]
 }
 
-/// Largest departure of the stress from the exact one over the largest pressure, when a specimen is pressed alike from
-/// all sides, let go until it opens, and pressed again: the opening must close before pressure comes back.
+/// Largest deviation of the stress from the exact one over the largest pressure, when a specimen is compressed
+/// isotropically, unloaded until it separates, and compressed again: the gap must close before pressure builds up.
 pub(super) fn isotropic<S: Specimen>(
     [friction, dilation, cohesion]: [f64; 3],
     opens: bool,
@@ -68,12 +67,12 @@ pub(super) fn isotropic<S: Specimen>(
     let law = MohrCoulomb::new(elastic, friction.to_radians(), dilation.to_radians(), cohesion, 0.0);
     let mut specimen = make(elastic, Law::MohrCoulomb(law), AT_REST);
     let (mut strain, mut worst) = (0.0, 0.0_f64);
-    let legs: &[(usize, f64)] =
+    let stages: &[(usize, f64)] =
         if opens { &[(300, -1.0), (500, 1.0), (400, -1.0)] } else { &[(INCREMENTS, -1.0)] };
-    for &(count, sense) in legs {
+    for &(count, sense) in stages {
         for _ in 0..count {
             let step = sense * INCREMENT;
-            specimen.take([step, step, step, 0.0, 0.0, 0.0])?;
+            specimen.strain([step, step, step, 0.0, 0.0, 0.0])?;
             strain += 3.0 * step;
             let exact = (-CONFINEMENT + elastic.bulk * strain).min(0.0);
             let stress = specimen.stress();

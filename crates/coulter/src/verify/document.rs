@@ -1,12 +1,13 @@
-//! The table in the project's documents: between two markers in README.md, and in docs/verification.md.
+//! The table in the documents: between two markers in README.md, and in docs/verification.md.
 
-use super::bench::Ledgers;
+use super::expected_failures::ExpectedFailure;
+use super::findings::Findings;
 use super::grades;
-use super::known::Known;
+use super::list::{BENCHMARKS, Benchmark};
 use super::plot;
-use super::row::{Row, Verdict};
+use super::row::{Judgement, Row};
+use super::run_balances::RunBalances;
 use super::table;
-use super::{BENCHMARKS, Benchmark, Findings};
 use std::fmt::Write;
 use std::path::Path;
 
@@ -22,41 +23,41 @@ pub fn between_markers(text: &str, rows: &[Row]) -> Option<String> {
     Some(format!("{before}{BEGIN}\n{table}\n{}.\n{END}{after}", table::closing(rows)))
 }
 
-/// One line for every benchmark: how many of its figures pass, and the one that is farthest from what was expected.
+/// One line for every benchmark: how many of its figures pass, and the one that deviates most from what was expected.
 fn summary(rows: &[Row]) -> String {
     let mut text = String::from(
-        "| id | benchmark | pass | fall short | outside | nearest to its limit, or farthest beyond it | expected | obtained | error over tolerance |\n\
+        "| id | benchmark | pass | fail | outside | figure with the largest error over its tolerance | expected | obtained | error over tolerance |\n\
          | --- | --- | --: | --: | --: | --- | --: | --: | --: |\n",
     );
     for benchmark in BENCHMARKS {
         let own: Vec<&Row> = rows.iter().filter(|row| row.id == benchmark.id).collect();
-        if own.iter().any(|row| row.verdict() != Verdict::None) {
+        if own.iter().any(|row| row.judgement() != Judgement::None) {
             text.push_str(&summary_line(benchmark, &own));
         }
     }
     text
 }
 
-/// The line of one benchmark: its counts, and of its judged figures the farthest; else one outside a published range, else
-/// any beside one.
+/// The line of one benchmark: its counts, and the judged figure with the largest error over its tolerance; without judged
+/// figures, one outside a published range or any that is compared with one.
 fn summary_line(benchmark: &Benchmark, rows: &[&Row]) -> String {
-    let count = |verdict: Verdict| rows.iter().filter(|row| row.verdict() == verdict).count();
-    let stands_out = |count: usize| if count > 0 { format!("**{count}**") } else { "0".to_owned() };
+    let count = |judgement: Judgement| rows.iter().filter(|row| row.judgement() == judgement).count();
+    let emphasised = |count: usize| if count > 0 { format!("**{count}**") } else { "0".to_owned() };
     let judged = rows.iter().filter_map(|row| Some((*row, plot::over_tolerance(row)?.abs())));
     let worst = judged.max_by(|a, b| a.1.total_cmp(&b.1));
-    let beside = |verdict: Verdict| rows.iter().find(|row| row.verdict() == verdict).copied();
+    let first = |judgement: Judgement| rows.iter().find(|row| row.judgement() == judgement).copied();
     let (row, ratio) = match worst {
         Some((row, ratio)) => (Some(row), format!("{ratio:.2}")),
-        None => (beside(Verdict::Outside).or_else(|| beside(Verdict::Inside)), String::new()),
+        None => (first(Judgement::Outside).or_else(|| first(Judgement::Inside)), String::new()),
     };
     let Some(row) = row else { return String::new() };
     format!(
         "| {} | {} | {} | {} | {} | {}, {} | {} | {} | {ratio} |\n",
         benchmark.id,
         benchmark.title,
-        count(Verdict::Pass),
-        stands_out(count(Verdict::FallsShort)),
-        stands_out(count(Verdict::Outside)),
+        count(Judgement::Pass),
+        emphasised(count(Judgement::Fails)),
+        emphasised(count(Judgement::Outside)),
         row.case,
         row.quantity,
         table::expected(row),
@@ -66,14 +67,14 @@ fn summary_line(benchmark: &Benchmark, rows: &[&Row]) -> String {
 
 /// The text of docs/verification.md.
 #[must_use]
-pub fn page(findings: &Findings, known: &[Known]) -> String {
+pub fn page(findings: &Findings, expected: &[ExpectedFailure]) -> String {
     let mut text = String::from(
         "# Verification\n\n\
          Made by `coulter verify --write`; do not edit. Every figure is computed by this version of the solver. \
-         Expected values and tolerances are never changed to make a case pass: a case that falls short stays here, \
-         marked as falling short. Where others published a range without a tolerance a row says whether it lies inside it or \
-         outside; rows with – are for information. The error is a share of the expected value \
-         where the tolerance is one, else in the unit of the quantity.\n\n",
+         Expected values and tolerances are never changed to make a case pass: a case that fails stays here, marked \
+         as failing. A row that is compared with a published range without a tolerance says whether it lies inside or outside it; \
+         rows with – are for information. The error is a fraction of the expected value where the tolerance is one, otherwise in \
+         the unit of the quantity.\n\n",
     );
     let _ = writeln!(text, "{}.\n", table::closing(&findings.rows));
     for benchmark in BENCHMARKS {
@@ -86,16 +87,16 @@ pub fn page(findings: &Findings, known: &[Known]) -> String {
             let _ = writeln!(text, "More in [validation/{folder}](../validation/{folder}/README.md).\n");
         }
         for picture in pictures(benchmark, findings) {
-            let _ = writeln!(text, "![{}]({})\n", picture.what, picture.place);
+            let _ = writeln!(text, "![{}]({})\n", picture.what, picture.path);
         }
         text.push_str(&table::markdown(&rows));
         text.push('\n');
         sources(&rows, &mut text);
-        reasons(&rows, known, &mut text);
+        reasons(&rows, expected, &mut text);
     }
     text.push_str(&grades::section(findings));
     for (id, why) in &findings.broken {
-        let _ = writeln!(text, "**{id} gave no figures: {why}**\n");
+        let _ = writeln!(text, "**{id} produced no figures: {why}**\n");
     }
     text
 }
@@ -103,25 +104,25 @@ pub fn page(findings: &Findings, known: &[Known]) -> String {
 /// A picture of a benchmark.
 struct Picture {
     what: String,
-    /// Where it lies, seen from docs/.
-    place: String,
+    /// Its path, relative to docs/.
+    path: String,
     svg: String,
 }
 
-/// How near the figures of a benchmark came to their tolerances, and what its runs did.
+/// The errors of a benchmark over their tolerances, and what its runs did.
 fn pictures(benchmark: &Benchmark, findings: &Findings) -> Vec<Picture> {
     let rows: Vec<Row> = findings.rows.iter().filter(|row| row.id == benchmark.id).cloned().collect();
-    let ledgers: Vec<&Ledgers> = findings.ledgers.iter().filter(|run| run.id == benchmark.id).collect();
+    let balances: Vec<&RunBalances> = findings.balances.iter().filter(|run| run.id == benchmark.id).collect();
     let name = format!("{} {}", benchmark.id, benchmark.title);
     let file = benchmark.id.replace('γ', "g");
     let both = [
         (plot::figures(&rows), "errors over tolerances", "figures"),
-        (plot::runs(&name, &ledgers), "what the runs did", "runs"),
+        (plot::runs(&name, &balances), "what the runs did", "runs"),
     ];
     both.into_iter()
         .filter_map(|(svg, what, kind)| {
-            let place = format!("images/verification/{file}_{kind}.svg");
-            Some(Picture { what: format!("{name}: {what}"), place, svg: svg? })
+            let path = format!("images/verification/{file}_{kind}.svg");
+            Some(Picture { what: format!("{name}: {what}"), path, svg: svg? })
         })
         .collect()
 }
@@ -138,18 +139,19 @@ fn sources(rows: &[Row], text: &mut String) {
     }
 }
 
-fn reasons(rows: &[Row], known: &[Known], text: &mut String) {
-    let mut short: Vec<(&str, Vec<String>)> = Vec::new();
+fn reasons(rows: &[Row], expected: &[ExpectedFailure], text: &mut String) {
+    let mut failing: Vec<(&str, Vec<String>)> = Vec::new();
     for row in rows.iter().filter(|row| row.passes() == Some(false)) {
-        let reason = known.iter().find(|k| k.is_about(row)).map_or("not yet explained", |k| k.reason.trim());
+        let reason =
+            expected.iter().find(|k| k.is_about(row)).map_or("not yet explained", |k| k.reason.trim());
         let name = format!("{}, {}", row.case, row.quantity);
-        match short.iter_mut().find(|(known, _)| *known == reason) {
+        match failing.iter_mut().find(|(other, _)| *other == reason) {
             Some((_, names)) => names.push(name),
-            None => short.push((reason, vec![name])),
+            None => failing.push((reason, vec![name])),
         }
     }
-    for (reason, names) in short {
-        let _ = writeln!(text, "* Falls short ({}): {reason}", names.join("; "));
+    for (reason, names) in failing {
+        let _ = writeln!(text, "* Fails ({}): {reason}", names.join("; "));
     }
     text.push('\n');
 }
@@ -158,10 +160,10 @@ fn reasons(rows: &[Row], known: &[Known], text: &mut String) {
 ///
 /// # Errors
 /// When a file cannot be written.
-pub fn write(root: &Path, findings: &Findings, known: &[Known]) -> std::io::Result<Vec<String>> {
+pub fn write(root: &Path, findings: &Findings, expected: &[ExpectedFailure]) -> std::io::Result<Vec<String>> {
     let mut written = Vec::new();
     std::fs::create_dir_all(root.join("docs"))?;
-    std::fs::write(root.join("docs/verification.md"), page(findings, known))?;
+    std::fs::write(root.join("docs/verification.md"), page(findings, expected))?;
     written.push("docs/verification.md".to_owned());
     let folder = root.join("docs/images/verification");
     if folder.exists() {
@@ -169,7 +171,7 @@ pub fn write(root: &Path, findings: &Findings, known: &[Known]) -> std::io::Resu
     }
     std::fs::create_dir_all(&folder)?;
     for picture in BENCHMARKS.iter().flat_map(|b| pictures(b, findings)) {
-        std::fs::write(root.join("docs").join(&picture.place), picture.svg)?;
+        std::fs::write(root.join("docs").join(&picture.path), picture.svg)?;
     }
     written.push("docs/images/verification".to_owned());
     if let Ok(readme) = std::fs::read_to_string(root.join("README.md"))
@@ -187,16 +189,16 @@ mod tests {
 
     #[test]
     fn a_benchmark_outside_a_published_range_says_so() {
-        let drag = Row::note("D3", "disc", "drag", 14.4).beside(15.0, 17.0, "trial");
-        let torque = Row::note("D3", "disc", "torque", 0.0).at_most(0.01, "equilibrium");
+        let drag = Row::info("D3", "disc", "drag", 14.4).compared_with(15.0, 17.0, "trial");
+        let torque = Row::info("D3", "disc", "torque", 0.0).at_most(0.01, "equilibrium");
         assert!(summary(&[torque, drag.clone()]).contains("| 1 | 0 | **1** | disc, torque | 0 | 0 | 0.00 |"));
         assert!(summary(&[drag]).contains("| 0 | 0 | **1** | disc, drag | 15.00 to 17.00 | 14.40 |  |"));
-        assert!(!summary(&[Row::note("D3", "disc", "ratio", 1.0)]).contains("D3"));
+        assert!(!summary(&[Row::info("D3", "disc", "ratio", 1.0)]).contains("D3"));
     }
 
     #[test]
     fn only_what_is_between_the_markers_changes() {
-        let rows = [Row::note("B1", "B/h = 16", "N_c", 5.2).within(5.1416, 0.02, "Prandtl")];
+        let rows = [Row::info("B1", "B/h = 16", "N_c", 5.2).within(5.1416, 0.02, "Prandtl")];
         let text = format!("above\n{BEGIN}\nold\n{END}\nbelow\n");
         let new = between_markers(&text, &rows).unwrap();
         assert!(new.starts_with("above\n") && new.ends_with("\nbelow\n") && !new.contains("old"));

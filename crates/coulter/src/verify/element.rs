@@ -1,9 +1,10 @@
 //! A5: element tests of the soil law.
 
-use super::bench::{Bench, VerifyError};
 use super::confined::{isotropic, oedometer};
+use super::error::VerifyError;
 use super::row::Row;
-use super::specimen::{Cell, Point, Specimen};
+use super::runner::Runner;
+use super::specimen::{CONFINEMENT, Cell, Point, Specimen};
 use physics::elastic::Elastic;
 use physics::law::Law;
 use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
@@ -23,23 +24,21 @@ const SOILS: [[f64; 3]; 6] = [
     [25.0, 5.0, 1e4],
     [0.0, 0.0, 2e4],
 ];
-/// Confining pressure [Pa].
-pub(super) const CONFINEMENT: f64 = 1e5;
 /// Strain increments, and the size of one.
 const INCREMENTS: usize = 600;
 const INCREMENT: f64 = 1e-4;
 
-/// What it is about.
+/// Text for the documentation.
 pub(super) const ABOUT: &str = "Drained triaxial compression and extension and simple shear under constant normal stress, from \
-    100 kPa, for six soils (φ 0 to 40°, ψ 0 to φ, c 0 to 20 kPa), on one point of the law and on one cell of the solver whose \
-    nodes are driven. At the end of each test the strength, the yield function (both over the confining pressure) and the \
+    100 kPa, for six soils (φ 0 to 40°, ψ 0 to φ, c 0 to 20 kPa), at one material point and on one cell of the solver with \
+    prescribed nodal motion. At the end of each test the strength, the yield function (both over the confining pressure) and the \
     dilatancy of the last increment must be the analytic ones: −Δε_v/Δγ_max = sin ψ in simple shear; in triaxial tests \
     −Δε_v/Δε_1 = 2 sin ψ/(1 − sin ψ) in compression and 2 sin ψ/(1 + sin ψ) in extension; with the smooth potential of Menétrey \
     and Willam tan ψ/(R ∓ ⅓ tan ψ), R = R_mc² q/√((ε c tan ψ)² + (R_mc q)²). The worst of the six soils is shown. \
-    Oedometer: no lateral strain, elastic and then on the edge of the pyramid. Isotropic: pressed from all sides; the cell is also \
-    let go until it opens and pressed again, and pressure must not come back before the opening has closed.";
+    Oedometer: no lateral strain, first elastic, then on the edge of the pyramid. Isotropic: compressed from all sides; the cell is also \
+    unloaded until it separates and compressed again, and pressure must not build up before the gap has closed.";
 
-/// Which test.
+/// The kind of test.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Test {
     Compression,
@@ -47,20 +46,26 @@ enum Test {
     Shear,
 }
 
-/// Which flow potential.
+/// The flow potential.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Potential {
+enum FlowPotential {
     Pyramid,
     Smooth,
 }
 
-pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
+pub(super) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
+    yielding(runner)?;
+    confined(runner)
+}
+
+/// Tests of soil that yields.
+fn yielding(runner: &mut Runner) -> Result<(), VerifyError> {
     for (test, potential, name) in [
-        (Test::Compression, Potential::Pyramid, "triaxial compression"),
-        (Test::Extension, Potential::Pyramid, "triaxial extension"),
-        (Test::Shear, Potential::Pyramid, "simple shear"),
-        (Test::Compression, Potential::Smooth, "triaxial compression, smooth potential"),
-        (Test::Extension, Potential::Smooth, "triaxial extension, smooth potential"),
+        (Test::Compression, FlowPotential::Pyramid, "triaxial compression"),
+        (Test::Extension, FlowPotential::Pyramid, "triaxial extension"),
+        (Test::Shear, FlowPotential::Pyramid, "simple shear"),
+        (Test::Compression, FlowPotential::Smooth, "triaxial compression, smooth potential"),
+        (Test::Extension, FlowPotential::Smooth, "triaxial extension, smooth potential"),
     ] {
         for on_cell in [false, true] {
             let clock = Instant::now();
@@ -79,20 +84,25 @@ pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
             }
             let seconds = clock.elapsed().as_secs_f64();
             let variant = format!("{name}, one {}", if on_cell { "cell" } else { "point" });
-            bench.tell(&format!("A5: {variant}, {seconds:.1} s"));
-            let note = |quantity, value| Row::note("A5", variant.as_str(), quantity, value).took(seconds);
-            bench.rows.extend([
-                note("strength off the exact one", worst[0]).at_most(1e-10, STRENGTH),
-                note("yield function", worst[1]).at_most(1e-10, STRENGTH),
-                note("dilatancy off the analytic one", worst[2]).at_most(1e-6, FLOW),
+            runner.report_progress(&format!("A5: {variant}, {seconds:.1} s"));
+            let info = |quantity, value| Row::info("A5", variant.as_str(), quantity, value).took(seconds);
+            runner.rows.extend([
+                info("deviation of the strength from the exact value", worst[0]).at_most(1e-10, STRENGTH),
+                info("yield function", worst[1]).at_most(1e-10, STRENGTH),
+                info("deviation of the dilatancy from the analytic value", worst[2]).at_most(1e-6, FLOW),
             ]);
         }
     }
+    Ok(())
+}
+
+/// Tests in which every strain is prescribed.
+fn confined(runner: &mut Runner) -> Result<(), VerifyError> {
     for on_cell in [false, true] {
         let clock = Instant::now();
         let mut worst = [0.0_f64; 2];
         for soil in SOILS {
-            // One point keeps no record of an opening: that is the cell's business.
+            // A material point has no gap strain; only the cell has.
             let off = if on_cell {
                 [oedometer(soil, Cell::new)?, isotropic(soil, true, Cell::new)?]
             } else {
@@ -103,12 +113,14 @@ pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
         }
         let seconds = clock.elapsed().as_secs_f64();
         let on = if on_cell { "cell" } else { "point" };
-        let note = |test: &str, quantity, value| {
-            Row::note("A5", format!("{test}, one {on}"), quantity, value).took(seconds)
+        let info = |test: &str, quantity, value| {
+            Row::info("A5", format!("{test}, one {on}"), quantity, value).took(seconds)
         };
-        bench.rows.extend([
-            note("oedometer", "stresses off the exact ones", worst[0]).at_most(1e-10, CONFINED),
-            note("isotropic", "stresses off the exact ones", worst[1]).at_most(1e-10, CONFINED),
+        runner.rows.extend([
+            info("oedometer", "deviation of the stresses from the exact values", worst[0])
+                .at_most(1e-10, CONFINED),
+            info("isotropic", "deviation of the stresses from the exact values", worst[1])
+                .at_most(1e-10, CONFINED),
         ]);
     }
     Ok(())
@@ -121,18 +133,18 @@ fn point(elastic: Elastic, law: Law, stress: Symmetric) -> Point {
 /// Errors of strength, yield function and dilatancy at the end of a test.
 fn errors<S: Specimen>(
     test: Test,
-    potential: Potential,
+    potential: FlowPotential,
     [friction, dilation, cohesion]: [f64; 3],
     make: impl Fn(Elastic, Law, Symmetric) -> S,
 ) -> Result<[f64; 3], VerifyError> {
-    // Stiff soil: the elastic part of the strain, which hides the flow, dies out within the test.
+    // Stiff soil: the elastic strain, which hides the plastic flow, becomes negligible within the test.
     let elastic = Elastic::new(2e8, 0.3);
     let (phi, psi) = (friction.to_radians(), dilation.to_radians());
     let surface = MohrCoulomb::new(elastic, phi, psi, cohesion, 0.0);
     let usual = Eccentricity::usual(phi);
     let law = match potential {
-        Potential::Pyramid => Law::MohrCoulomb(surface),
-        Potential::Smooth => {
+        FlowPotential::Pyramid => Law::MohrCoulomb(surface),
+        FlowPotential::Smooth => {
             Law::MenetreyWillam(MenetreyWillam::new(elastic, phi, psi, cohesion, 0.0, usual))
         }
     };
@@ -145,7 +157,7 @@ fn errors<S: Specimen>(
     let mut last = driven;
     for _ in 0..INCREMENTS {
         last = controlled(&specimen, driven, free, last)?;
-        specimen.take(last)?;
+        specimen.strain(last)?;
     }
     let stress = specimen.stress();
     let yields = surface.yield_function(Spectrum::of(stress).principal).abs() / CONFINEMENT;
@@ -155,8 +167,10 @@ fn errors<S: Specimen>(
     };
     let [exact_strength, exact_dilatancy] = exact(test, phi, psi, cohesion);
     let exact_dilatancy = match potential {
-        Potential::Pyramid => exact_dilatancy,
-        Potential::Smooth => smooth_dilatancy(test, phi, psi, usual.meridional * cohesion, exact_strength),
+        FlowPotential::Pyramid => exact_dilatancy,
+        FlowPotential::Smooth => {
+            smooth_dilatancy(test, phi, psi, usual.meridional * cohesion, exact_strength)
+        }
     };
     Ok([(strength - exact_strength).abs() / CONFINEMENT, yields, (dilatancy - exact_dilatancy).abs()])
 }
@@ -169,7 +183,7 @@ fn exact(test: Test, phi: f64, psi: f64, cohesion: f64) -> [f64; 2] {
     match test {
         Test::Compression => [CONFINEMENT * ratio + bond, 2.0 * sy / (1.0 - sy)],
         Test::Extension => [(CONFINEMENT - bond) / ratio, 2.0 * sy / (1.0 + sy)],
-        // Radius of Mohr's circle when the plane of no extension bears the normal stress.
+        // Radius of Mohr's circle when the plane of zero extension carries the normal stress.
         Test::Shear => [(CONFINEMENT * sp + cohesion * phi.cos()) / (1.0 - sp * sy) * psi.cos(), sy],
     }
 }
@@ -185,7 +199,7 @@ fn smooth_dilatancy(test: Test, phi: f64, psi: f64, offset: f64, axial: f64) -> 
 }
 
 /// The strain increment with the driven components as given, the free ones such that their stresses stay at the confining
-/// pressure. Newton's method with differences: the law is linear piece by piece.
+/// pressure. Newton's method with finite differences: the law is piecewise linear.
 fn controlled(
     specimen: &impl Specimen,
     driven: Symmetric,
@@ -196,15 +210,15 @@ fn controlled(
     let mut strain = driven;
     free.iter().for_each(|n| strain[*n] = guess[*n]);
     for _ in 0..20 {
-        let stress = specimen.answer(strain)?;
-        // Where two components are free they are alike: the tests are symmetric about the axis.
+        let stress = specimen.response(strain)?;
+        // Two free components are equal: the tests are symmetric about the axis.
         let off = stress[free[0]] + CONFINEMENT;
         if off.abs() < 1e-13 * CONFINEMENT {
             break;
         }
         let mut probe = strain;
         free.iter().for_each(|n| probe[*n] += PROBE);
-        let slope = (specimen.answer(probe)?[free[0]] - stress[free[0]]) / PROBE;
+        let slope = (specimen.response(probe)?[free[0]] - stress[free[0]]) / PROBE;
         free.iter().for_each(|n| strain[*n] -= off / slope);
     }
     Ok(strain)

@@ -1,7 +1,7 @@
-//! Reading a force at no displacement. Limit loads are those of the first displacement; what a body piles up and sinks below
-//! as it goes on adds in proportion to its way.
+//! Extrapolation of a force to zero displacement. Limit loads are those of the undeformed geometry; heave and embedment add
+//! in proportion to the displacement.
 
-/// Value at 0 of the straight line that fits points best; not a number of fewer than two.
+/// Value at 0 of the straight line that fits the points best (least squares); not a number for fewer than two points.
 pub(super) fn at_zero(points: &[[f64; 2]]) -> f64 {
     let count = points.len() as f64;
     let middle = |axis: usize| points.iter().map(|p| p[axis]).sum::<f64>() / count;

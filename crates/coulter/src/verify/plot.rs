@@ -1,78 +1,28 @@
-//! Pictures of the verification: how near every figure came to its tolerance, and what the runs behind them did.
+//! Pictures of the verification: errors over tolerances, and what the runs behind them did.
 
-use super::bench::Ledgers;
-use super::column::thickness;
 use super::row::{Row, Tolerance};
+use super::run_balances::RunBalances;
 use super::table::figure;
-use crate::output::chart::{Chart, Curve};
-use crate::simulation::Simulation;
-use serde::{Deserialize, Serialize};
+use super::trace::Trace;
+use crate::output::chart::Chart;
+use crate::output::curve::Curve;
 use std::fmt::Write as _;
 
-/// A run has at most so many points in a picture.
-const MOST_POINTS: usize = 120;
-/// A benchmark has at most so many runs in a picture; more could not be told apart.
+/// Runs of a benchmark in one picture at most; more could not be distinguished.
 const MOST_RUNS: usize = 8;
 /// Layout of the picture of the figures [pixels].
 const WIDTH: f64 = 860.0;
 const LINE: f64 = 18.0;
 const LEFT: f64 = 570.0;
 const RIGHT: f64 = 44.0;
-/// Errors beyond so many tolerances are drawn at the edge.
+/// Errors beyond this many tolerances are drawn at the edge.
 const EDGE: f64 = 2.0;
-
-/// What a run did, in one line.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub enum Trace {
-    /// Nothing that could be drawn.
-    #[default]
-    None,
-    /// Force against the motion [N], in plane strain per length [N/m], over the way along it [m].
-    Force(Vec<[f64; 2]>),
-    /// Thickness of the soil at the end [m] along x [m], in the first layer of cells along y.
-    Heap(Vec<[f64; 2]>),
-}
-
-impl Trace {
-    /// The trace of a run that has come to its end.
-    #[must_use]
-    pub fn of(simulation: &Simulation) -> Self {
-        match simulation.history.bodies.first().filter(|samples| samples.len() > 1) {
-            Some(samples) => {
-                let (first, last) = (samples[0], samples[samples.len() - 1]);
-                let sinks =
-                    (last.sinkage - first.sinkage).abs() > (last.displacement - first.displacement).abs();
-                let domain = &simulation.case.domain;
-                let per = if domain.plane_strain { domain.high.y - domain.low.y } else { 1.0 };
-                let points = samples.iter().map(|s| {
-                    if sinks { [s.sinkage, s.vertical / per] } else { [s.displacement, s.drag / per] }
-                });
-                Self::Force(averaged(&points.collect::<Vec<_>>()))
-            }
-            None if simulation.case.bodies.is_empty() => Self::Heap(heap(simulation)),
-            None => Self::None,
-        }
-    }
-}
-
-/// Means over groups of neighbours, so that no more points are left than can be seen.
-fn averaged(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let group = points.len().div_ceil(MOST_POINTS).max(1);
-    let mean = |part: &[[f64; 2]], n: usize| part.iter().map(|p| p[n]).sum::<f64>() / part.len() as f64;
-    points.chunks(group).map(|part| [mean(part, 0), mean(part, 1)]).collect()
-}
-
-fn heap(simulation: &Simulation) -> Vec<[f64; 2]> {
-    let grid = &simulation.model.grid;
-    let column = |i: usize| [grid.centre(0, i), thickness(simulation, i, 0)];
-    averaged(&(0..grid.cells()[0]).map(column).collect::<Vec<_>>())
-}
 
 /// What the runs of a benchmark did, as SVG; `None` if nothing of it can be drawn.
 #[must_use]
-pub fn runs(title: &str, ledgers: &[&Ledgers]) -> Option<String> {
+pub fn runs(title: &str, balances: &[&RunBalances]) -> Option<String> {
     let curves = |pick: fn(&Trace) -> Option<&Vec<[f64; 2]>>| -> Vec<Curve> {
-        let all = ledgers.iter().filter_map(|run| Some((run, pick(&run.trace)?)));
+        let all = balances.iter().filter_map(|run| Some((run, pick(&run.trace)?)));
         let drawn = all.take(MOST_RUNS).enumerate();
         drawn.map(|(n, (run, points))| Curve::solid(&run.case, n, points.clone())).collect()
     };
@@ -83,9 +33,9 @@ pub fn runs(title: &str, ledgers: &[&Ledgers]) -> Option<String> {
         ("x [m]", "thickness of the soil at the end [m]", heaps)
     } else {
         (
-            "way of the body [m]",
+            "displacement of the body [m]",
             "force [N; plane strain: N/m]",
-            forces.into_iter().map(from_its_start).collect(),
+            forces.into_iter().map(from_start).collect(),
         )
     };
     if curves.is_empty() {
@@ -102,19 +52,19 @@ pub fn runs(title: &str, ledgers: &[&Ledgers]) -> Option<String> {
     Some(on_paper(&chart.svg()))
 }
 
-/// Whether a body gets anywhere; the force on one that is held has no way to be drawn over.
+/// Whether a body moves at all; the force on one that is held has no abscissa.
 fn moves(points: &&Vec<[f64; 2]>) -> bool {
     points.iter().any(|p| p[0] != points[0][0])
 }
 
-/// A body's way counts from where it began.
-fn from_its_start(mut curve: Curve) -> Curve {
+/// The curve with displacements counted from its first point.
+fn from_start(mut curve: Curve) -> Curve {
     let start = curve.points.first().map_or(0.0, |p| p[0]);
     curve.points.iter_mut().for_each(|p| p[0] -= start);
     curve
 }
 
-/// How near the judged figures of a benchmark came: their errors over their tolerances, as SVG; `None` if none is judged.
+/// The errors of the judged figures of a benchmark over their tolerances, as SVG; `None` if none is judged.
 #[must_use]
 pub fn figures(rows: &[Row]) -> Option<String> {
     let judged: Vec<(&Row, f64, bool)> =
@@ -176,7 +126,7 @@ fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
-/// A picture in the colours of print: pages that show it as an image have no text colour to hand on to it.
+/// A picture with a white background and dark text: an image cannot inherit the text colour of its page.
 fn on_paper(svg: &str) -> String {
     let paper = "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
     match svg.split_once(">\n") {
@@ -190,19 +140,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn pictures_hold_what_they_show_and_nothing_strange() {
-        let row = |obtained| Row::note("X1", "a < b", "N & c", obtained).within(5.0, 0.02, "");
-        let svg = figures(&[row(5.05), row(f64::NAN), row(-1e9), Row::note("X1", "", "told", 1.0)]).unwrap();
+    fn pictures_show_the_judged_rows_and_nothing_invalid() {
+        let row = |obtained| Row::info("X1", "a < b", "N & c", obtained).within(5.0, 0.02, "");
+        let svg = figures(&[row(5.05), row(f64::NAN), row(-1e9), Row::info("X1", "", "info", 1.0)]).unwrap();
         assert_eq!(svg.matches("<circle").count(), 3);
         assert!(svg.contains("a &lt; b · N &amp; c") && !svg.contains("cx=\"NaN"));
-        assert_eq!(figures(&[Row::note("X1", "", "told", 1.0)]), None);
+        assert_eq!(figures(&[Row::info("X1", "", "info", 1.0)]), None);
         assert_eq!(runs("X1", &[]), None);
-    }
-
-    #[test]
-    fn a_long_run_is_thinned_to_its_means() {
-        let points: Vec<[f64; 2]> = (0..1000).map(|n| [f64::from(n), 1.0]).collect();
-        let thin = averaged(&points);
-        assert!(thin.len() <= MOST_POINTS && thin.iter().all(|p| p[1] == 1.0) && thin[0][0] == 4.0);
     }
 }

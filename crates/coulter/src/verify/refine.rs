@@ -1,14 +1,17 @@
-//! `coulter verify --refine`: the same benchmark on ever finer meshes, the observed order of convergence and Richardson's
-//! value.
+//! `coulter verify --refine`: the same benchmark on finer and finer meshes, the observed order of convergence and the
+//! Richardson extrapolation.
 
-use super::bench::{Bench, VerifyError, Wish};
+use super::error::VerifyError;
+use super::findings::Findings;
+use super::options::SuiteOptions;
 use super::row::Row;
-use super::{Findings, circle, column, disc, flow, footing, places, plate, rough_wall, strip_sand, wall};
+use super::runner::Runner;
+use super::{circle, column, disc, flow, footing, plate, positions, rough_wall, strip_sand, wall};
 
-/// A figure that can be had on meshes of different fineness.
+/// A figure that can be obtained on meshes of different fineness.
 struct Study {
     id: &'static str,
-    /// What the number of cells counts.
+    /// What is resolved by the number of cells.
     cells: &'static str,
     quantity: &'static str,
     /// Cells of the coarsest mesh.
@@ -16,10 +19,10 @@ struct Study {
     /// Ratio of the cells of one mesh to those of the next coarser, as numerator and denominator.
     ratio: [u32; 2],
     expected: f64,
-    figure: fn(&mut Bench, u32) -> Result<f64, VerifyError>,
+    figure: fn(&mut Runner, u32) -> Result<f64, VerifyError>,
 }
 
-/// Meshes of plane strain are halved, those in 3D made finer by a half: time grows with the third and fourth power.
+/// In plane strain the cells are halved, in 3D they become a third smaller: time grows with the third and fourth power.
 const STUDIES: [Study; 11] = [
     Study {
         id: "A11",
@@ -28,7 +31,7 @@ const STUDIES: [Study; 11] = [
         coarsest: 8,
         ratio: [2, 1],
         expected: f64::NAN,
-        figure: places::block_on,
+        figure: positions::block_on,
     },
     Study {
         id: "B1",
@@ -69,7 +72,7 @@ const STUDIES: [Study; 11] = [
     Study {
         id: "B5",
         cells: "H/h",
-        quantity: "φ = ψ = 30°, K_p, heave counted",
+        quantity: "φ = ψ = 30°, K_p, heave included",
         coarsest: 8,
         ratio: [2, 1],
         expected: 3.0,
@@ -129,38 +132,43 @@ pub fn ids() -> Vec<&'static str> {
 }
 
 /// Runs the benchmarks with these ids (all that can be refined if there are none) on `meshes` meshes each.
-pub fn refine(ids: &[&'static str], meshes: u32, wish: &Wish, tell: &mut dyn FnMut(&str)) -> Findings {
-    let mut bench = Bench::new(wish, tell);
+pub fn refine(
+    ids: &[&'static str],
+    meshes: u32,
+    options: &SuiteOptions,
+    progress: &mut dyn FnMut(&str),
+) -> Findings {
+    let mut runner = Runner::new(options, progress);
     let mut broken = Vec::new();
     for study in STUDIES.iter().filter(|s| ids.is_empty() || ids.contains(&s.id)) {
-        if let Err(error) = study.run(&mut bench, meshes) {
+        if let Err(error) = study.run(&mut runner, meshes) {
             broken.push((study.id, error.to_string()));
         }
     }
-    Findings { ledgers: bench.ledgers, rows: bench.rows, broken }
+    Findings { balances: runner.balances, rows: runner.rows, broken }
 }
 
 impl Study {
-    fn run(&self, bench: &mut Bench, meshes: u32) -> Result<(), VerifyError> {
+    fn run(&self, runner: &mut Runner, meshes: u32) -> Result<(), VerifyError> {
         let [up, down] = self.ratio;
         let mut cells = self.coarsest;
         let mut figures = Vec::new();
         for _ in 0..meshes {
-            let figure = (self.figure)(bench, cells)?;
-            let row = Row::note(self.id, format!("{} = {cells}", self.cells), self.quantity, figure);
-            bench.rows.push(if self.expected.is_nan() {
+            let figure = (self.figure)(runner, cells)?;
+            let row = Row::info(self.id, format!("{} = {cells}", self.cells), self.quantity, figure);
+            runner.rows.push(if self.expected.is_nan() {
                 row
             } else {
-                row.beside(self.expected, self.expected, "")
+                row.compared_with(self.expected, self.expected, "")
             });
             figures.push(figure);
             cells = cells * up / down;
         }
         let Some(last) = figures.last_chunk::<3>() else { return Ok(()) };
         let (order, limit) = richardson(*last, f64::from(up) / f64::from(down));
-        let note = |quantity, value| Row::note(self.id, "finest three meshes", quantity, value);
-        bench.rows.push(note("observed order of convergence (NaN: the differences do not shrink)", order));
-        bench.rows.push(note("Richardson's value for h → 0", limit));
+        let info = |quantity, value| Row::info(self.id, "finest three meshes", quantity, value);
+        runner.rows.push(info("observed order of convergence (NaN: the differences do not shrink)", order));
+        runner.rows.push(info("Richardson extrapolation to h = 0", limit));
         Ok(())
     }
 }
@@ -181,7 +189,7 @@ mod tests {
     use super::richardson;
 
     #[test]
-    fn an_error_of_known_order_is_found_and_taken_away() {
+    fn an_error_of_known_order_is_found_and_removed() {
         let on = |h: f64| 3.0 + 0.4 * h.powf(1.5);
         let (order, limit) = richardson([on(0.4), on(0.2), on(0.1)], 2.0);
         assert!((order - 1.5).abs() < 1e-9 && (limit - 3.0).abs() < 1e-9, "{order} {limit}");

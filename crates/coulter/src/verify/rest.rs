@@ -1,7 +1,8 @@
 //! A4: sand at rest stays at rest.
 
-use super::bench::{Bench, VerifyError};
+use super::error::VerifyError;
 use super::row::Row;
+use super::runner::Runner;
 use crate::simulation::Simulation;
 use glam::DVec3;
 use solver::initial::{Filling, at_rest};
@@ -15,37 +16,37 @@ const SOURCE: &str = "equilibrium, exact";
 const HEIGHTS: [f64; 4] = [0.0, 0.5, 0.01, 0.99];
 const STEPS: usize = 10_000;
 
-/// What it is about.
+/// Text for the documentation.
 pub(super) const ABOUT: &str = "Sand without cohesion under its own weight, its surface on a face of the grid and 0.01, 0.5 \
-    and 0.99 of a cell above one. 10⁴ steps, as they come and with a remap forced in each: nothing may move, and the stresses \
-    must stay σ_z = −γ · depth and σ_x = K₀ σ_z (K₀ = 1 − sin φ) at the middle of every full cell. The largest figure over the four \
-    heights is shown; stresses over γ times the depth of the soil. The limit on them is rounding: the design sets none.";
+    and 0.99 of a cell above one. 10⁴ steps, with remaps as they fall due and with a remap forced in each step: nothing may move, and the \
+    stresses must stay σ_z = −γ · depth and σ_x = K₀ σ_z (K₀ = 1 − sin φ) at the centre of every full cell. The largest figure over the \
+    four heights is shown; stresses over γ times the depth of the soil. Their limit is rounding: the design sets none.";
 
-pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
+pub(super) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
     for every_step in [false, true] {
         let variant = if every_step { "10⁴ steps, remap in each" } else { "10⁴ steps" };
         let clock = Instant::now();
         let (mut speed, mut stress) = (0.0_f64, [0.0_f64; 2]);
         for height in HEIGHTS {
-            let (fastest, off) = rest(bench, height, every_step)?;
+            let (fastest, error) = rest(runner, height, every_step)?;
             speed = speed.max(fastest);
-            stress = [stress[0].max(off[0]), stress[1].max(off[1])];
+            stress = [stress[0].max(error[0]), stress[1].max(error[1])];
         }
         let seconds = clock.elapsed().as_secs_f64();
-        bench.tell(&format!("A4: {variant}, {seconds:.1} s"));
-        let note = |quantity, value| Row::note("A4", variant, quantity, value).took(seconds);
-        bench.rows.extend([
-            note("largest speed [m/s]", speed).at_most(1e-12, SOURCE),
-            note("vertical stress off the profile", stress[0]).at_most(1e-9, SOURCE),
-            note("horizontal stress off the profile", stress[1]).at_most(1e-9, SOURCE),
+        runner.report_progress(&format!("A4: {variant}, {seconds:.1} s"));
+        let info = |quantity, value| Row::info("A4", variant, quantity, value).took(seconds);
+        runner.rows.extend([
+            info("largest speed [m/s]", speed).at_most(1e-12, SOURCE),
+            info("deviation of the vertical stress from the profile", stress[0]).at_most(1e-9, SOURCE),
+            info("deviation of the horizontal stress from the profile", stress[1]).at_most(1e-9, SOURCE),
         ]);
     }
     Ok(())
 }
 
-/// Largest speed [m/s], and largest departures of vertical and horizontal stress.
-fn rest(bench: &mut Bench, height: f64, every_step: bool) -> Result<(f64, [f64; 2]), VerifyError> {
-    let Simulation { mut model, .. } = bench.simulation(CASE, &[])?;
+/// Largest speed [m/s], and largest relative deviations of vertical and horizontal stress.
+fn rest(runner: &mut Runner, height: f64, every_step: bool) -> Result<(f64, [f64; 2]), VerifyError> {
+    let Simulation { mut model, .. } = runner.simulation(CASE, &[])?;
     let cell = model.grid.finest();
     let surface = height * cell;
     if every_step {
@@ -62,15 +63,15 @@ fn rest(bench: &mut Bench, height: f64, every_step: bool) -> Result<(f64, [f64; 
     let grid = &model.grid;
     let weight = model.material().density * model.gravity;
     let scale = weight * (surface - grid.faces[2][0]);
-    let mut off = [0.0_f64; 2];
+    let mut error = [0.0_f64; 2];
     for k in 0..grid.cells()[2] {
         let c = grid.index(0, 0, k);
         if state.soil.fraction[c] == 1.0 {
             let vertical = -weight * (surface - grid.centre(2, k));
-            off[0] = off[0].max((state.soil.stress[2][c] - vertical).abs() / scale);
+            error[0] = error[0].max((state.soil.stress[2][c] - vertical).abs() / scale);
             let horizontal = model.material().k0 * vertical;
-            off[1] = off[1].max((state.soil.stress[0][c] - horizontal).abs() / scale);
+            error[1] = error[1].max((state.soil.stress[0][c] - horizontal).abs() / scale);
         }
     }
-    Ok((speed, off))
+    Ok((speed, error))
 }

@@ -1,31 +1,33 @@
 //! B6: a rough vertical wall pushed into sand.
 
-use super::bench::{Bench, VerifyError, mean};
+use super::error::VerifyError;
+use super::probe::mean;
 use super::row::Row;
+use super::runner::Runner;
 use analytic::bearing::davis_friction_angle;
 use analytic::earth_pressure::{Face, sokolovskii};
 use std::f64::consts::FRAC_PI_2;
 
 const CASE: &str = include_str!("../../../../validation/B6_rough_passive_wall/case.toml");
-const EXACT: &str = "Sokolovskii (1965), as the crate `analytic` computes it";
+const EXACT: &str = "Sokolovskii (1965), computed by the crate `analytic`";
 /// Depth of the wall in the case file [m].
 const HEIGHT: f64 = 1.0;
 
-/// What it is about.
+/// Text for the documentation.
 pub(super) const ABOUT: &str = "A vertical wall with friction tan δ is pushed into deep sand; its toe is inside the soil, \
-    because the slip surface dips below it. K_n = 2 P_n / (γ H²), P_n being the part of the thrust that is normal to the wall: \
-    K_p cos δ. With ψ = φ it must be Sokolovskii's, with ψ = 0 between his at Davis' φ* and at φ. Read over a displacement of \
+    because the slip surface dips below it. K_n = 2 P_n / (γ H²) = K_p cos δ, where P_n is the component of the thrust normal to the wall. \
+    With ψ = φ it must be Sokolovskii's, with ψ = 0 lie between his values at Davis' φ* and at φ. Evaluated over a displacement of \
     0.02 to 0.05 H, over the undisturbed height.";
 
-/// Friction angle [°] and wall friction over it.
+/// Friction angle [°], and ratio of the wall friction angle to it.
 const WALLS: [(u32, f64); 2] = [(30, 0.5), (35, 2.0 / 3.0)];
 
-pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
-    let walls = if bench.wish.fast { &WALLS[..1] } else { &WALLS[..] };
-    for &(angle, share) in walls {
+pub(super) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
+    let walls = if runner.options.fast { &WALLS[..1] } else { &WALLS[..] };
+    for &(angle, ratio) in walls {
         for is_associated in [false, true] {
-            if !(bench.wish.fast && is_associated) {
-                push(bench, angle, share, is_associated)?;
+            if !(runner.options.fast && is_associated) {
+                push(runner, angle, ratio, is_associated)?;
             }
         }
     }
@@ -39,15 +41,15 @@ fn exact(friction_angle: f64, wall_friction: f64) -> f64 {
     sokolovskii(&face).map_or(f64::NAN, |field| field.coefficient)
 }
 
-fn push(bench: &mut Bench, angle: u32, share: f64, is_associated: bool) -> Result<(), VerifyError> {
+fn push(runner: &mut Runner, angle: u32, ratio: f64, is_associated: bool) -> Result<(), VerifyError> {
     let phi = f64::from(angle).to_radians();
-    let delta = share * phi;
+    let delta = ratio * phi;
     let dilation = if is_associated { angle } else { 0 };
     let variant = format!("φ = {angle}°, δ = {:.1}°, ψ = {dilation}°, H/h = 16", delta.to_degrees());
-    let (coefficient, seconds) = coefficient(bench, &variant, angle, delta, dilation, 16)?;
-    let row = Row::note("B6", variant, "K_n = K_p cos δ", coefficient).took(seconds);
+    let (coefficient, seconds) = coefficient(runner, &variant, angle, delta, dilation, 16)?;
+    let row = Row::info("B6", variant, "K_n = K_p cos δ", coefficient).took(seconds);
     let limit = exact(phi, delta);
-    bench.rows.push(if is_associated {
+    runner.rows.push(if is_associated {
         row.within(limit, 0.08, EXACT)
     } else {
         let operative = davis_friction_angle(phi, 0.0).unwrap_or(f64::NAN);
@@ -56,16 +58,16 @@ fn push(bench: &mut Bench, angle: u32, share: f64, is_associated: bool) -> Resul
     Ok(())
 }
 
-/// K_n of the first wall with ψ = φ on a mesh of so many cells over its depth.
-pub(super) fn first_on(bench: &mut Bench, cells: u32) -> Result<f64, VerifyError> {
-    let (angle, share) = WALLS[0];
-    let delta = share * f64::from(angle).to_radians();
-    Ok(coefficient(bench, &format!("φ = ψ = {angle}°, H/h = {cells}"), angle, delta, angle, cells)?.0)
+/// K_n of the first wall with ψ = φ on a mesh of this many cells over its depth.
+pub(super) fn first_on(runner: &mut Runner, cells: u32) -> Result<f64, VerifyError> {
+    let (angle, ratio) = WALLS[0];
+    let delta = ratio * f64::from(angle).to_radians();
+    Ok(coefficient(runner, &format!("φ = ψ = {angle}°, H/h = {cells}"), angle, delta, angle, cells)?.0)
 }
 
-/// K_n, and the seconds it took.
+/// K_n, and its wall-clock time [s].
 fn coefficient(
-    bench: &mut Bench,
+    runner: &mut Runner,
     variant: &str,
     angle: u32,
     delta: f64,
@@ -78,7 +80,7 @@ fn coefficient(
         format!("body.wall.friction={}", delta.tan()),
         format!("grid.cell={} m", HEIGHT / f64::from(cells)),
     ];
-    let simulation = bench.run("B6", variant, CASE, &overrides)?;
+    let simulation = runner.run("B6", variant, CASE, &overrides)?;
     let slab = simulation.case.domain.high.y - simulation.case.domain.low.y;
     let unit = 0.5 * simulation.case.soil.unit_weight * HEIGHT * HEIGHT * slab;
     let range = [0.02 * HEIGHT, 0.05 * HEIGHT];

@@ -1,4 +1,4 @@
-//! One line of the verification table: what was expected, what came out, and whether that is near enough.
+//! One line of the verification table: what was expected, what was obtained, and whether that is close enough.
 
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
@@ -10,20 +10,20 @@ pub enum Expected {
     Value(f64),
     /// At least this value.
     AtLeast(f64),
-    /// Something from the first to the second value.
+    /// From the first to the second value.
     Between(f64, f64),
-    /// Nothing is published: the figure is for information.
+    /// Nothing: the figure is for information.
     Nothing,
 }
 
-/// How far a figure may be off.
+/// How far a figure may deviate from what is expected.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Tolerance {
-    /// This share of the expected value (of the nearer end of a range).
+    /// By this fraction of the expected value (of the nearer end of a range).
     Relative(f64),
-    /// This much, in the unit of the quantity.
+    /// By this much, in the unit of the quantity.
     Absolute(f64),
-    /// No judgement is made.
+    /// The figure is not judged.
     None,
 }
 
@@ -41,18 +41,18 @@ pub struct Row {
     pub expected: Expected,
     /// What it is.
     pub obtained: f64,
-    /// How far it may be off.
+    /// How far it may deviate.
     pub tolerance: Tolerance,
-    /// Where the expectation comes from.
+    /// Source of the expected value.
     pub source: Cow<'static, str>,
-    /// Wall clock of the runs behind it [s].
+    /// Wall-clock time of the runs behind it [s].
     pub seconds: f64,
 }
 
 impl Row {
-    /// A figure for information.
+    /// An info row: a figure that is not judged.
     #[must_use]
-    pub fn note(id: &'static str, case: impl Into<String>, quantity: &str, obtained: f64) -> Self {
+    pub fn info(id: &'static str, case: impl Into<String>, quantity: &str, obtained: f64) -> Self {
         Self {
             id,
             case: case.into(),
@@ -65,18 +65,18 @@ impl Row {
         }
     }
 
-    /// The same figure, expected to be `value` within a share of it.
+    /// The same figure, expected to be `value` within a fraction of it.
     #[must_use]
-    pub fn within(self, value: f64, share: f64, source: &'static str) -> Self {
+    pub fn within(self, value: f64, fraction: f64, source: &'static str) -> Self {
         Self {
             expected: Expected::Value(value),
-            tolerance: Tolerance::Relative(share),
+            tolerance: Tolerance::Relative(fraction),
             source: source.into(),
             ..self
         }
     }
 
-    /// The same figure, expected to be 0 but for `limit`.
+    /// The same figure, expected to be 0 within `limit`.
     #[must_use]
     pub fn at_most(self, limit: f64, source: &'static str) -> Self {
         Self {
@@ -98,20 +98,20 @@ impl Row {
         }
     }
 
-    /// The same figure, expected to lie between two values, give or take a share of them.
+    /// The same figure, expected to lie between two values, within a fraction of them.
     #[must_use]
-    pub fn between(self, low: f64, high: f64, share: f64, source: &'static str) -> Self {
+    pub fn between(self, low: f64, high: f64, fraction: f64, source: &'static str) -> Self {
         Self {
             expected: Expected::Between(low, high),
-            tolerance: Tolerance::Relative(share),
+            tolerance: Tolerance::Relative(fraction),
             source: source.into(),
             ..self
         }
     }
 
-    /// The same figure beside what somebody else got: inside that range or outside, which is neither pass nor failure.
+    /// A comparison row: the same figure beside a published range. It lies inside or outside, and neither passes nor fails.
     #[must_use]
-    pub fn beside(self, low: f64, high: f64, source: &'static str) -> Self {
+    pub fn compared_with(self, low: f64, high: f64, source: &'static str) -> Self {
         Self {
             expected: Expected::Between(low, high),
             tolerance: Tolerance::None,
@@ -120,13 +120,13 @@ impl Row {
         }
     }
 
-    /// The same figure with the wall clock of the runs behind it [s].
+    /// The same figure with the wall-clock time of the runs behind it [s].
     #[must_use]
     pub fn took(self, seconds: f64) -> Self {
         Self { seconds, ..self }
     }
 
-    /// How far off the figure is: a share of the expected value where the tolerance is one, else in the quantity's unit.
+    /// Deviation from the expected value: a fraction of it where the tolerance is one, otherwise in the quantity's unit.
     #[must_use]
     pub fn error(&self) -> Option<f64> {
         let (off, scale) = match self.expected {
@@ -143,8 +143,8 @@ impl Row {
         Some(if is_absolute || scale == 0.0 { off } else { off / scale.abs() })
     }
 
-    /// Whether a figure without tolerance lies in the range that it stands beside; `None` for one that is judged, and for one
-    /// that has only a single value beside it, which no figure without tolerance can be inside.
+    /// Whether a comparison row lies in its range; `None` for a row that is judged, and for one that is compared with a
+    /// single value, which is no range.
     #[must_use]
     pub fn is_inside(&self) -> Option<bool> {
         match (self.tolerance, self.expected) {
@@ -155,19 +155,19 @@ impl Row {
         }
     }
 
-    /// What is said of it.
+    /// The judgement on the row.
     #[must_use]
-    pub fn verdict(&self) -> Verdict {
+    pub fn judgement(&self) -> Judgement {
         match (self.passes(), self.is_inside()) {
-            (Some(true), _) => Verdict::Pass,
-            (Some(false), _) => Verdict::FallsShort,
-            (None, Some(true)) => Verdict::Inside,
-            (None, Some(false)) => Verdict::Outside,
-            (None, None) => Verdict::None,
+            (Some(true), _) => Judgement::Pass,
+            (Some(false), _) => Judgement::Fails,
+            (None, Some(true)) => Judgement::Inside,
+            (None, Some(false)) => Judgement::Outside,
+            (None, None) => Judgement::None,
         }
     }
 
-    /// Whether it is near enough; `None` for a figure that is only told.
+    /// Whether it is within its tolerance; `None` for an info or comparison row.
     #[must_use]
     pub fn passes(&self) -> Option<bool> {
         let (Tolerance::Relative(limit) | Tolerance::Absolute(limit)) = self.tolerance else { return None };
@@ -175,28 +175,28 @@ impl Row {
     }
 }
 
-/// What is said of a row.
+/// The judgement on a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
+pub enum Judgement {
     /// Within its tolerance.
     Pass,
-    /// Outside it.
-    FallsShort,
-    /// Without a tolerance, and within the range that others published.
+    /// Outside its tolerance.
+    Fails,
+    /// A comparison row within its published range.
     Inside,
-    /// Without a tolerance, and outside that range.
+    /// A comparison row outside its published range.
     Outside,
-    /// There is nothing to compare it with.
+    /// An info row, or one compared with a single value.
     None,
 }
 
-impl Verdict {
-    /// The word of the tables.
+impl Judgement {
+    /// The word in the tables.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
             Self::Pass => "pass",
-            Self::FallsShort => "falls short",
+            Self::Fails => "fails",
             Self::Inside => "inside",
             Self::Outside => "outside",
             Self::None => "–",
@@ -209,7 +209,7 @@ mod tests {
     use super::*;
 
     fn row(obtained: f64) -> Row {
-        Row::note("X1", "case", "quantity", obtained)
+        Row::info("X1", "case", "quantity", obtained)
     }
 
     #[test]
@@ -225,14 +225,14 @@ mod tests {
     }
 
     #[test]
-    fn a_figure_beside_a_range_is_inside_or_outside_it() {
-        let verdict = |obtained: f64| row(obtained).beside(15.0, 17.0, "").verdict();
+    fn a_comparison_row_is_inside_or_outside_its_range() {
+        let judgement = |obtained: f64| row(obtained).compared_with(15.0, 17.0, "").judgement();
         assert_eq!(
-            [16.0, 14.4, f64::NAN].map(verdict),
-            [Verdict::Inside, Verdict::Outside, Verdict::Outside]
+            [16.0, 14.4, f64::NAN].map(judgement),
+            [Judgement::Inside, Judgement::Outside, Judgement::Outside]
         );
-        assert_eq!(row(1.0).verdict(), Verdict::None);
-        assert_eq!(row(5.0).beside(5.1, 5.1, "").is_inside(), None, "a single value is no range");
+        assert_eq!(row(1.0).judgement(), Judgement::None);
+        assert_eq!(row(5.0).compared_with(5.1, 5.1, "").is_inside(), None, "a single value is no range");
         assert_eq!(row(5.2).within(5.0, 0.05, "").is_inside(), None);
     }
 

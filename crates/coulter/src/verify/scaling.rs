@@ -1,13 +1,14 @@
-//! A7: the same case at several scales, its dimensionless groups kept.
+//! A7: the same case at several scales, with the same dimensionless groups.
 
-use super::bench::{Bench, VerifyError};
+use super::error::VerifyError;
 use super::row::Row;
-use crate::output::record::BodySample;
+use super::runner::Runner;
+use crate::history::BodySample;
 use crate::simulation::Simulation;
 
 const CASE: &str = include_str!("../../../../validation/A7_scaling/case.toml");
 const SOURCE: &str = "dimensional analysis, exact";
-/// The numbers of the case file: key, unit, values, and the power of the scale that they go with.
+/// The numbers of the case file: key, values, unit, and the power of the scale that they are proportional to.
 const LENGTHS: [(&str, [f64; 2]); 2] = [("domain.x", [-0.3, 0.4]), ("domain.z", [-0.2, 0.15])];
 const NUMBERS: [(&str, f64, &str, f64); 5] = [
     ("grid.cell", 0.0125, "m", 1.0),
@@ -18,27 +19,27 @@ const NUMBERS: [(&str, f64, &str, f64); 5] = [
 ];
 const TIMES: [(&str, f64); 2] = [("run.duration", 0.2), ("output.history_interval", 0.002)];
 
-/// What it is about.
-pub(super) const ABOUT: &str = "A free wheel in plane strain, pressed into sand without cohesion and towed; and the same 4 \
-    and 1.7 times as large, with E/(γ d), v²/(g d) and W/(γ d² b) kept. The histories of F/(γ d² b) must be the same: to the bit where \
-    the scale is a power of 4 (it and its root are exact in binary), to rounding, which sand amplifies, where it is not. Largest \
-    difference of drag or vertical force up to the time shown, over γ d² b.";
+/// Text for the documentation.
+pub(super) const ABOUT: &str = "A free wheel in plane strain is pressed into sand without cohesion and towed; the same is done 4 \
+    and 1.7 times as large, with the same E/(γ d), v²/(g d) and W/(γ d² b). The histories of F/(γ d² b) must be the same: to the bit where \
+    the scale is a power of 4 (it and its root are exact in binary), to rounding, which sand amplifies, where it is not. The figure is the \
+    largest difference of drag or vertical force up to the time shown, over γ d² b.";
 
-pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
-    let one = scaled(bench, 1.0)?;
+pub(super) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
+    let one = scaled(runner, 1.0)?;
     for (scale, limit) in [(4.0, 0.0), (1.7, 1e-9)] {
-        let other = scaled(bench, scale)?;
-        for share in [0.5, 1.0] {
-            let variant = format!("{scale} times as large, {} ms", 1e3 * share * TIMES[0].1);
-            let off = difference(&one, &other, scale, share);
-            let row = Row::note("A7", variant, "F/(γ d² b) off that of the original", off);
-            bench.rows.push(row.at_most(limit, SOURCE).took(other.wall_s));
+        let other = scaled(runner, scale)?;
+        for fraction in [0.5, 1.0] {
+            let variant = format!("{scale} times as large, {} ms", 1e3 * fraction * TIMES[0].1);
+            let error = difference(&one, &other, scale, fraction);
+            let row = Row::info("A7", variant, "deviation of F/(γ d² b) from the original", error);
+            runner.rows.push(row.at_most(limit, SOURCE).took(other.wall_s));
         }
     }
     Ok(())
 }
 
-fn scaled(bench: &mut Bench, scale: f64) -> Result<Simulation, VerifyError> {
+fn scaled(runner: &mut Runner, scale: f64) -> Result<Simulation, VerifyError> {
     let root = scale.sqrt();
     let mut overrides: Vec<String> = NUMBERS
         .iter()
@@ -53,24 +54,24 @@ fn scaled(bench: &mut Bench, scale: f64) -> Result<Simulation, VerifyError> {
         "body.wheel.forward={{ speed = '{speed:e} m/s', start = '{start:e} s', ramp = '{ramp:e} s' }}"
     ));
     overrides.push(format!("body.wheel.heave={{ load = '0 N', start = '0 s', ramp = '{down:e} s' }}"));
-    bench.run("A7", &format!("{scale} times as large"), CASE, &overrides)
+    runner.run("A7", &format!("{scale} times as large"), CASE, &overrides)
 }
 
-/// Largest difference of the dimensionless forces in the first `share` of the time.
-fn difference(one: &Simulation, other: &Simulation, scale: f64, share: f64) -> f64 {
+/// Largest difference of the dimensionless forces in the first `fraction` of the time.
+fn difference(one: &Simulation, other: &Simulation, scale: f64, fraction: f64) -> f64 {
     let (a, b) = (&one.history.bodies[0], &other.history.bodies[0]);
     if a.len() != b.len() {
         return f64::NAN;
     }
     let slab = one.case.domain.high.y - one.case.domain.low.y;
     let unit = one.case.soil.unit_weight * 0.2 * 0.2 * slab;
-    let count = (share * (a.len() - 1) as f64) as usize;
-    let off = |a: &BodySample, b: &BodySample, force: fn(&BodySample) -> f64| {
+    let count = (fraction * (a.len() - 1) as f64) as usize;
+    let error = |a: &BodySample, b: &BodySample, force: fn(&BodySample) -> f64| {
         (force(a) - force(b) / scale.powi(3)).abs() / unit
     };
     let each = a.iter().zip(b).take(count + 1);
     each.fold(0.0, |most: f64, (a, b)| {
-        let worse = off(a, b, |s| s.drag).max(off(a, b, |s| s.vertical));
+        let worse = error(a, b, |s| s.drag).max(error(a, b, |s| s.vertical));
         if worse.is_nan() { f64::NAN } else { most.max(worse) }
     })
 }

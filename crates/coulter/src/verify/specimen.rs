@@ -1,6 +1,6 @@
-//! Soil specimens for element tests: one point of the law, and one cell of the solver with its nodes driven.
+//! Soil specimens for element tests: a material point, and a cell of the solver with prescribed nodal motion.
 
-use super::bench::VerifyError;
+use super::error::VerifyError;
 use glam::DVec3;
 use physics::elastic::Elastic;
 use physics::law::Law;
@@ -14,17 +14,20 @@ use solver::state::State;
 use solver::step::step;
 use solver::workspace::Workspace;
 
-/// Something that answers a small strain with a stress.
+/// Confining pressure of the tests [Pa].
+pub(super) const CONFINEMENT: f64 = 1e5;
+
+/// Something that responds to a small strain with a stress.
 pub(super) trait Specimen: Sized {
-    /// The stress after a strain increment from here; leaves the specimen as it is [Pa].
-    fn answer(&self, increment: Symmetric) -> Result<Symmetric, VerifyError>;
-    /// Takes the strain increment.
-    fn take(&mut self, increment: Symmetric) -> Result<(), VerifyError>;
-    /// The stress now [Pa].
+    /// The stress [Pa] that a strain increment would lead to; the specimen itself does not change.
+    fn response(&self, increment: Symmetric) -> Result<Symmetric, VerifyError>;
+    /// Applies a strain increment.
+    fn strain(&mut self, increment: Symmetric) -> Result<(), VerifyError>;
+    /// The current stress [Pa].
     fn stress(&self) -> Symmetric;
 }
 
-/// One point of the soil law.
+/// A material point.
 pub(super) struct Point {
     pub(super) elastic: Elastic,
     pub(super) law: Law,
@@ -32,16 +35,16 @@ pub(super) struct Point {
 }
 
 impl Specimen for Point {
-    fn answer(&self, increment: Symmetric) -> Result<Symmetric, VerifyError> {
+    fn response(&self, increment: Symmetric) -> Result<Symmetric, VerifyError> {
         let shear = deviator(increment).map(|d| 2.0 * self.elastic.shear * d);
-        let pressed = 3.0 * self.elastic.bulk * mean(increment);
+        let volumetric = 3.0 * self.elastic.bulk * mean(increment);
         let trial: Symmetric =
-            std::array::from_fn(|n| self.stress[n] + shear[n] + if n < 3 { pressed } else { 0.0 });
+            std::array::from_fn(|n| self.stress[n] + shear[n] + if n < 3 { volumetric } else { 0.0 });
         Ok(if self.law.may_yield(trial, 0.0) { self.law.return_map(trial, 0.0, true).stress } else { trial })
     }
 
-    fn take(&mut self, increment: Symmetric) -> Result<(), VerifyError> {
-        self.stress = self.answer(increment)?;
+    fn strain(&mut self, increment: Symmetric) -> Result<(), VerifyError> {
+        self.stress = self.response(increment)?;
         Ok(())
     }
 
@@ -50,19 +53,19 @@ impl Specimen for Point {
     }
 }
 
-/// One cell of the solver, full of soil; its eight nodes are moved.
+/// One cell of the solver, full of soil, with prescribed motion of its eight nodes.
 pub(super) struct Cell {
     model: Model,
     state: State,
 }
 
 impl Cell {
-    /// A cell of 1 m with a stress in it.
+    /// A cell of 1 m with an initial stress.
     pub(super) fn new(elastic: Elastic, law: Law, stress: Symmetric) -> Self {
         let faces = || vec![0.0, 1.0];
         let material = Material { strength: Some(law), ..Material::linear_elastic(elastic, 1600.0) };
         let model = Model {
-            // The strain of a whole test stays on one grid.
+            // No remap during a whole test.
             method: Method { remap_displacement: 1.0, ..Method::default() },
             ..Model::bare(Grid::new([faces(), faces(), faces()]), material)
         };
@@ -75,7 +78,7 @@ impl Cell {
         Self { model, state }
     }
 
-    /// The state after one step in which the nodes moved so that the cell was strained by `increment`.
+    /// The state after one step in which the motion of the nodes strains the cell by `increment`.
     fn strained(&self, increment: Symmetric) -> Result<State, VerifyError> {
         let mut state = self.state.clone();
         let dt = self.model.time_step();
@@ -90,7 +93,7 @@ impl Cell {
                 velocity[node] = row.dot(x) / dt;
             }
         }
-        // A workspace of its own: the one step must not remember another.
+        // A workspace of its own, so that this step does not affect another.
         let mut workspace = Workspace::new(&self.model, &mut state, 1);
         step(&self.model, &mut state, &mut workspace)?;
         for u in &mut state.nodes.displacement {
@@ -106,11 +109,11 @@ impl Cell {
 }
 
 impl Specimen for Cell {
-    fn answer(&self, increment: Symmetric) -> Result<Symmetric, VerifyError> {
+    fn response(&self, increment: Symmetric) -> Result<Symmetric, VerifyError> {
         Ok(self.stress_in(&self.strained(increment)?))
     }
 
-    fn take(&mut self, increment: Symmetric) -> Result<(), VerifyError> {
+    fn strain(&mut self, increment: Symmetric) -> Result<(), VerifyError> {
         self.state = self.strained(increment)?;
         Ok(())
     }

@@ -1,8 +1,9 @@
 //! B4: a strip footing on sand without cohesion.
 
-use super::bench::{Bench, VerifyError};
+use super::error::VerifyError;
 use super::line::at_zero;
 use super::row::Row;
+use super::runner::Runner;
 use analytic::bearing::{davis_friction_angle, weight_factor_exact_smooth, weight_factor_martin_rough};
 
 const CASE: &str = include_str!("../../../../validation/B4_strip_footing_on_sand/case.toml");
@@ -13,22 +14,22 @@ const WIDTH: f64 = 1.0;
 /// Unit weight of the sand in the case file [N/m³].
 const UNIT_WEIGHT: f64 = 16e3;
 
-/// What it is about.
+/// Text for the documentation.
 pub(super) const ABOUT: &str = "A strip footing on dry sand without cohesion or surcharge, half of it modelled: \
     q_u = ½ γ B N_γ. With ψ = φ the factor must be Martin's; with ψ = 0 it must lie between that at Davis' φ* \
-    (tan φ* = sin φ) and that at φ. Penetration w and heave are a surcharge that grows in proportion to w: the pressure is \
-    read at w = 0 on the straight line that fits it. With ψ = 0 that is over w = 0.005 to 0.02 B, at 0.02 B/s. Sand with ψ = φ \
+    (tan φ* = sin φ) and that at φ. Penetration w and heave act as a surcharge proportional to w: the pressure is \
+    extrapolated to w = 0 along a fitted straight line. With ψ = 0 it is fitted over w = 0.005 to 0.02 B, at 0.02 B/s. Sand with ψ = φ \
     dissipates nothing and heaves several times as much: there E is ten times as high, so that it fails before it heaves, the line \
-    is drawn over w = 3 to 6 N_γ γ B²/E, where the elastic rise is over, and the speed is so low (0.0008 B/s, 0.0016 B/s from φ = 30° on) \
-    that the stress of a wave, ρ c v, is not above the soil's weight on a cell or two, γ h.";
+    is fitted over w = 3 to 6 N_γ γ B²/E, beyond the elastic rise, and the speed is so low (0.0008 B/s, 0.0016 B/s from φ = 30° on) \
+    that the stress of a wave, ρ c v, does not exceed the weight of a cell or two, γ h.";
 
-pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
-    let angles: &[u32] = if bench.wish.fast { &[30] } else { &[20, 25, 30, 35] };
+pub(super) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
+    let angles: &[u32] = if runner.options.fast { &[30] } else { &[20, 25, 30, 35] };
     for &angle in angles {
         for is_rough in [false, true] {
             for is_associated in [false, true] {
-                if !(bench.wish.fast && (is_rough || is_associated)) {
-                    push(bench, angle, is_rough, is_associated)?;
+                if !(runner.options.fast && (is_rough || is_associated)) {
+                    push(runner, angle, is_rough, is_associated)?;
                 }
             }
         }
@@ -42,15 +43,15 @@ fn exact(angle: f64, is_rough: bool) -> f64 {
     factor.unwrap_or(f64::NAN)
 }
 
-fn push(bench: &mut Bench, angle: u32, is_rough: bool, is_associated: bool) -> Result<(), VerifyError> {
+fn push(runner: &mut Runner, angle: u32, is_rough: bool, is_associated: bool) -> Result<(), VerifyError> {
     let word = if is_rough { "rough" } else { "smooth" };
     let dilation = if is_associated { angle } else { 0 };
     let variant = format!("{word}, φ = {angle}°, ψ = {dilation}°, B/h = 16");
-    let (factor, seconds) = factor(bench, &variant, angle, is_rough, is_associated, 16)?;
+    let (factor, seconds) = factor(runner, &variant, angle, is_rough, is_associated, 16)?;
     let phi = f64::from(angle).to_radians();
-    let row = Row::note("B4", variant, "bearing capacity factor N_γ", factor).took(seconds);
+    let row = Row::info("B4", variant, "bearing capacity factor N_γ", factor).took(seconds);
     let limit = exact(phi, is_rough);
-    bench.rows.push(if is_associated {
+    runner.rows.push(if is_associated {
         row.within(limit, 0.1, EXACT)
     } else {
         let operative = davis_friction_angle(phi, 0.0).unwrap_or(f64::NAN);
@@ -59,17 +60,17 @@ fn push(bench: &mut Bench, angle: u32, is_rough: bool, is_associated: bool) -> R
     Ok(())
 }
 
-/// The factor of the smooth strip, φ = 30°, ψ = 0, with so many cells across.
-pub(super) fn smooth_on(bench: &mut Bench, cells: u32) -> Result<f64, VerifyError> {
-    Ok(factor(bench, &format!("smooth, φ = 30°, ψ = 0°, B/h = {cells}"), 30, false, false, cells)?.0)
+/// N_γ of the smooth strip, φ = 30°, ψ = 0, with this many cells across.
+pub(super) fn smooth_on(runner: &mut Runner, cells: u32) -> Result<f64, VerifyError> {
+    Ok(factor(runner, &format!("smooth, φ = 30°, ψ = 0°, B/h = {cells}"), 30, false, false, cells)?.0)
 }
 
-/// How the footing is pushed, and where the force is read.
+/// How the footing is pushed, and over which range the force is evaluated.
 struct Reading {
     young_modulus: f64,
     /// Speed [m/s].
     speed: f64,
-    /// Penetrations over the width between which the line is drawn.
+    /// Penetrations over the width between which the line is fitted.
     range: [f64; 2],
 }
 
@@ -80,20 +81,20 @@ impl Reading {
         }
         let young_modulus = 800e6;
         let speed = if angle < 30 { 0.0008 } else { 0.0016 };
-        // The scale of the elastic settlement under the exact load, over the width.
+        // Scale of the elastic settlement under the exact load, over the width.
         let elastic = exact(f64::from(angle).to_radians(), is_rough) * UNIT_WEIGHT * WIDTH / young_modulus;
         Self { young_modulus, speed, range: [3.0 * elastic, 6.0 * elastic] }
     }
 
-    /// Duration of the push [s]: it takes half the ramp of 0.2 s longer than at full speed; 2 % are for good measure.
+    /// Duration of the push [s]: half the ramp of 0.2 s longer than at full speed, with a margin of 2 %.
     fn duration(&self) -> f64 {
         0.1 + 1.02 * self.range[1] * WIDTH / self.speed
     }
 }
 
-/// N_γ, and the seconds it took.
+/// N_γ, and its wall-clock time [s].
 fn factor(
-    bench: &mut Bench,
+    runner: &mut Runner,
     variant: &str,
     angle: u32,
     is_rough: bool,
@@ -110,7 +111,7 @@ fn factor(
         format!("run.duration={} s", reading.duration()),
         format!("soil.young_modulus={} Pa", reading.young_modulus),
     ];
-    let simulation = bench.run("B4", variant, CASE, &overrides)?;
+    let simulation = runner.run("B4", variant, CASE, &overrides)?;
     let slab = simulation.case.domain.high.y - simulation.case.domain.low.y;
     let unit = 0.5 * simulation.case.soil.unit_weight * WIDTH * WIDTH * slab;
     let samples = &simulation.history.bodies[0];

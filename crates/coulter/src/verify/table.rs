@@ -1,6 +1,6 @@
 //! The rows as a table: for the terminal and for Markdown.
 
-use super::row::{Expected, Row, Tolerance, Verdict};
+use super::row::{Expected, Judgement, Row, Tolerance};
 
 const HEADS: [&str; 9] =
     ["id", "case", "quantity", "expected", "obtained", "error", "tolerance", "verdict", "s"];
@@ -21,16 +21,16 @@ pub fn figure(value: f64) -> String {
     }
 }
 
-/// A share in per cent.
-fn per_cent(share: f64) -> String {
-    if share != 0.0 && share.abs() < 1e-4 {
-        format!("{:.1e} %", 1e2 * share)
+/// A fraction in per cent.
+fn per_cent(fraction: f64) -> String {
+    if fraction != 0.0 && fraction.abs() < 1e-4 {
+        format!("{:.1e} %", 1e2 * fraction)
     } else {
-        format!("{:.2} %", 1e2 * share)
+        format!("{:.2} %", 1e2 * fraction)
     }
 }
 
-/// What was expected, in words of the table.
+/// The expected value as the tables show it.
 #[must_use]
 pub fn expected(row: &Row) -> String {
     match row.expected {
@@ -60,14 +60,14 @@ fn cells(row: &Row) -> [String; 9] {
         obtained,
         error,
         tolerance,
-        row.verdict().word().to_owned(),
+        row.judgement().word().to_owned(),
         seconds,
     ]
 }
 
 /// The table for a terminal.
 #[must_use]
-pub fn plain(rows: &[Row]) -> String {
+pub fn text(rows: &[Row]) -> String {
     let lines: Vec<[String; 9]> = rows.iter().map(cells).collect();
     let width =
         |n: usize| lines.iter().map(|l| l[n].chars().count()).fold(HEADS[n].chars().count(), usize::max);
@@ -94,7 +94,7 @@ pub fn markdown(rows: &[Row]) -> String {
     text.push_str(&line(&RIGHT.map(|right| if right { "--:" } else { "---" }.to_owned())));
     for row in rows {
         let mut cells = cells(row);
-        if matches!(row.verdict(), Verdict::FallsShort | Verdict::Outside) {
+        if matches!(row.judgement(), Judgement::Fails | Judgement::Outside) {
             cells[7] = format!("**{}**", cells[7]);
         }
         text.push_str(&line(&cells));
@@ -102,16 +102,16 @@ pub fn markdown(rows: &[Row]) -> String {
     text
 }
 
-/// The closing line.
+/// The closing line: how many rows have which judgement.
 #[must_use]
 pub fn closing(rows: &[Row]) -> String {
-    let count = |verdict| rows.iter().filter(|row| row.verdict() == verdict).count();
+    let count = |judgement| rows.iter().filter(|row| row.judgement() == judgement).count();
     format!(
-        "{} passed, {} falling short; beside published ranges without a tolerance {} inside, {} outside",
-        count(Verdict::Pass),
-        count(Verdict::FallsShort),
-        count(Verdict::Inside),
-        count(Verdict::Outside)
+        "{} passed, {} failed; of the rows compared with published ranges {} inside, {} outside",
+        count(Judgement::Pass),
+        count(Judgement::Fails),
+        count(Judgement::Inside),
+        count(Judgement::Outside)
     )
 }
 
@@ -132,19 +132,20 @@ mod tests {
     #[test]
     fn tables_line_up() {
         let rows = [
-            Row::note("B1", "B/h = 16", "N_c", 5.2).within(5.1416, 0.02, "Prandtl"),
-            Row::note("B1", "φ", "x", 1.0),
+            Row::info("B1", "B/h = 16", "N_c", 5.2).within(5.1416, 0.02, "Prandtl"),
+            Row::info("B1", "φ", "x", 1.0),
         ];
-        let text = plain(&rows);
+        let text = text(&rows);
         assert!(text.contains("1.14 %") && text.contains("pass"), "{text}");
-        assert!(closing(&rows).starts_with("1 passed, 0 falling short;"));
+        assert!(closing(&rows).starts_with("1 passed, 0 failed;"));
         assert_eq!(markdown(&rows).lines().count(), 4);
     }
 
     #[test]
     fn what_lies_outside_a_published_range_is_counted_and_stands_out() {
-        let rows = [14.4, 16.0].map(|drag| Row::note("D3", "disc", "drag", drag).beside(15.0, 17.0, "trial"));
+        let rows =
+            [14.4, 16.0].map(|drag| Row::info("D3", "disc", "drag", drag).compared_with(15.0, 17.0, "trial"));
         assert!(closing(&rows).ends_with("1 inside, 1 outside"), "{}", closing(&rows));
-        assert!(markdown(&rows).contains("**outside**") && plain(&rows).contains("inside"));
+        assert!(markdown(&rows).contains("**outside**") && text(&rows).contains("inside"));
     }
 }

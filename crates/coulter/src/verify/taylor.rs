@@ -1,8 +1,9 @@
 //! A10: a copper bar hits a rigid wall end on.
 
-use super::bench::{Bench, VerifyError};
-use super::column::thickness;
+use super::error::VerifyError;
+use super::probe::thickness;
 use super::row::Row;
+use super::runner::Runner;
 use crate::simulation::Simulation;
 use solver::fields::PLASTIC_STRAIN;
 use std::f64::consts::PI;
@@ -10,8 +11,8 @@ use std::f64::consts::PI;
 const CASE: &str = include_str!("../../../../validation/A10_taylor_bar/case.toml");
 const ON_BLOCK: &str = include_str!("../../../../validation/A10_taylor_bar/on_block.toml");
 const LENGTH: &str = "Lagrangian codes; tetrahedra at h = 0.38 mm: 21.42 mm";
-const RADIUS: &str = "the design's range; tetrahedra at h = 0.38 mm: 7.23 mm";
-const STRAIN: &str = "spread of DYNA2D, DYNA3D, NIKE2D";
+const RADIUS: &str = "range of the design; tetrahedra at h = 0.38 mm: 7.23 mm";
+const STRAIN: &str = "range of DYNA2D, DYNA3D, NIKE2D";
 const HISTORY: &str = "tetrahedra at h = 0.38 mm";
 /// Radius of the bar in the case file [mm].
 const BAR: f64 = 3.2;
@@ -19,40 +20,41 @@ const BAR: f64 = 3.2;
 /// github.com/Cthonios/Carina.jl, benchmark/tet15-p1/taylor/data.
 const LENGTHS: [f64; 8] = [30.14043, 28.06271, 26.18498, 24.55638, 23.21468, 22.20498, 21.58340, 21.42023];
 
-/// What it is about.
+/// Text for the documentation.
 pub(super) const ABOUT: &str = "A copper bar (L = 32.4 mm, R = 3.2 mm, σ_y = 400 MPa, H = 100 MPa), flying at 227 m/s, hits a smooth \
     rigid wall; a quarter is modelled, the wall is the floor of the box. After 80 µs it has come to rest: its length must be that of \
-    Lagrangian codes within 1.5 %, and so must the radius of its foot, read at the wall by the parabola through the three lowest layers \
-    of cells. The length on the way is compared every 10 µs with a Lagrangian run on quadratic tetrahedra. Once the bar hits a rigid block \
-    instead, by contact.";
+    Lagrangian codes within 1.5 %, and so must the radius of its foot, extrapolated to the wall by the parabola through the three lowest \
+    layers of cells. During the impact the length is compared every 10 µs with a Lagrangian run on quadratic tetrahedra. In one variant \
+    the bar hits a rigid block instead, by contact.";
 
-pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
+pub(super) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
     let variants: &[(&str, &str, u32)] =
         &[("R/h = 8", CASE, 8), ("R/h = 16", CASE, 16), ("on a rigid block, R/h = 8", ON_BLOCK, 8)];
-    let count = if bench.wish.fast { 1 } else { variants.len() };
+    let count = if runner.options.fast { 1 } else { variants.len() };
     for &(name, case, cells) in &variants[..count] {
-        bench.part("A10", name, |bench| impact(bench, name, case, cells))?;
+        runner.part("A10", name, |runner| impact(runner, name, case, cells))?;
     }
     Ok(())
 }
 
-fn impact(bench: &mut Bench, variant: &str, case: &str, cells: u32) -> Result<(), VerifyError> {
-    let mut simulation = bench.simulation(case, &[format!("grid.cell={} mm", BAR / f64::from(cells))])?;
+fn impact(runner: &mut Runner, variant: &str, case: &str, cells: u32) -> Result<(), VerifyError> {
+    let mut simulation = runner.simulation(case, &[format!("grid.cell={} mm", BAR / f64::from(cells))])?;
     let mut lengths = vec![(0.0, length(&simulation))];
-    bench.finish_watched("A10", variant, &mut simulation, |now| {
+    runner.finish_watched("A10", variant, &mut simulation, |now| {
         lengths.push((now.state.time, length(now)));
     })?;
-    let note = |quantity, value| Row::note("A10", variant, quantity, value).took(simulation.wall_s);
+    let info = |quantity, value| Row::info("A10", variant, quantity, value).took(simulation.wall_s);
     let soil = &simulation.state.soil;
     let strains =
         soil.history[PLASTIC_STRAIN].iter().zip(&soil.fraction).filter(|(_, fraction)| **fraction > 0.5);
-    bench.rows.extend([
-        note("final length [mm]", length(&simulation)).between(21.4, 21.5, 0.015, LENGTH),
-        note("radius of the foot [mm]", foot(&simulation)).between(6.8, 7.2, 0.015, RADIUS),
-        note("largest departure of the length on the way", departure(&lengths)).at_most(0.015, HISTORY),
-        note("largest equivalent plastic strain", strains.map(|(e, _)| *e).fold(0.0, f64::max))
-            .beside(2.5, 3.2, STRAIN),
-        note("foot along the diagonal over that along x", roundness(&simulation)),
+    runner.rows.extend([
+        info("final length [mm]", length(&simulation)).between(21.4, 21.5, 0.015, LENGTH),
+        info("radius of the foot [mm]", foot(&simulation)).between(6.8, 7.2, 0.015, RADIUS),
+        info("largest deviation of the length during the impact", length_error(&lengths))
+            .at_most(0.015, HISTORY),
+        info("largest equivalent plastic strain", strains.map(|(e, _)| *e).fold(0.0, f64::max))
+            .compared_with(2.5, 3.2, STRAIN),
+        info("foot along the diagonal over that along x", roundness(&simulation)),
     ]);
     Ok(())
 }
@@ -62,8 +64,8 @@ fn length(simulation: &Simulation) -> f64 {
     1e3 * thickness(simulation, 0, 0)
 }
 
-/// Largest departure from the Lagrangian run, as a share of its length.
-fn departure(lengths: &[(f64, f64)]) -> f64 {
+/// Largest relative deviation from the length of the Lagrangian run.
+fn length_error(lengths: &[(f64, f64)]) -> f64 {
     let at = |time: f64| {
         let [(before, first), (after, second)] = lengths
             .windows(2)
@@ -72,9 +74,9 @@ fn departure(lengths: &[(f64, f64)]) -> f64 {
             .map_or([(f64::NAN, f64::NAN); 2], |pair| [pair[0], pair[1]]);
         first + (second - first) * ((time - before) / (after - before)).min(1.0)
     };
-    let off = LENGTHS.iter().enumerate().map(|(n, exact)| (at(1e-5 * (n + 1) as f64) / exact - 1.0).abs());
+    let errors = LENGTHS.iter().enumerate().map(|(n, exact)| (at(1e-5 * (n + 1) as f64) / exact - 1.0).abs());
     // `max` would drop what is not a number.
-    off.fold(0.0, |most, off| if off > most || off.is_nan() { off } else { most })
+    errors.fold(0.0, |most, error| if error > most || error.is_nan() { error } else { most })
 }
 
 /// Lowest layer of cells above the wall, which is at z = 0.
@@ -94,9 +96,9 @@ fn foot(simulation: &Simulation) -> f64 {
 fn radius(simulation: &Simulation, layer: usize) -> f64 {
     let (grid, fraction) = (&simulation.model.grid, &simulation.state.soil.fraction);
     let [nx, ny, _] = grid.cells();
-    let places = (0..nx).flat_map(|i| (0..ny).map(move |j| (i, j)));
+    let columns = (0..nx).flat_map(|i| (0..ny).map(move |j| (i, j)));
     let area = |(i, j)| fraction[grid.index(i, j, layer)] * grid.width(0, i) * grid.width(1, j);
-    1e3 * (4.0 * places.map(area).sum::<f64>() / PI).sqrt()
+    1e3 * (4.0 * columns.map(area).sum::<f64>() / PI).sqrt()
 }
 
 /// How far the lowest layer reaches along the diagonal over how far along x.

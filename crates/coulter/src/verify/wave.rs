@@ -1,7 +1,8 @@
 //! A1: an elastic wave along a bar.
 
-use super::bench::{Bench, VerifyError};
+use super::error::VerifyError;
 use super::row::Row;
+use super::runner::Runner;
 use glam::DVec3;
 use physics::elastic::Elastic;
 use solver::grid::Grid;
@@ -23,28 +24,28 @@ const PULSE: [f64; 2] = [6.0, 45.0];
 /// Peak velocity [m/s]: displacements stay far below those at which a remap is due.
 const PEAK: f64 = 1e-6;
 
-/// What it is about.
+/// Text for the documentation.
 pub(super) const ABOUT: &str = "A smooth velocity pulse (a Gaussian with a standard deviation of 6 coarse cells) and the \
-    stress that belongs to it run along a laterally confined elastic bar, one cell wide, for 100 coarse cells, without \
-    hourglass viscosity. The speed is read from the way of the centre of the kinetic energy. The order is that of the L2 error \
-    of the velocity on 200 and 400 cells without bulk viscosity; that of the scheme is 2.";
+    corresponding stress travel along a laterally confined elastic bar, one cell wide, over 100 coarse cells, without \
+    hourglass viscosity. The speed is that of the centre of the kinetic energy. The order is that of the L2 error \
+    of the velocity on 200 and 400 cells without bulk viscosity; the scheme is of order 2.";
 
-pub(super) fn run(bench: &mut Bench) -> Result<(), VerifyError> {
+pub(super) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
     let damped = travel(1, Method::default().bulk_viscosity, None)?;
-    let put = |bench: &mut Bench, row: Row, seconds: f64| bench.rows.push(row.took(seconds));
-    let row = Row::note("A1", "200 cells, b₁ = 0.02", "wave speed over √(M/ρ)", damped.speed);
-    put(bench, row.within(1.0, 0.005, SOURCE), damped.seconds);
+    let put = |runner: &mut Runner, row: Row, seconds: f64| runner.rows.push(row.took(seconds));
+    let row = Row::info("A1", "200 cells, b₁ = 0.02", "wave speed over √(M/ρ)", damped.speed);
+    put(runner, row.within(1.0, 0.005, SOURCE), damped.seconds);
     let (coarse, fine) = (travel(1, [0.0; 2], None)?, travel(2, [0.0; 2], None)?);
-    let row = Row::note("A1", "200 cells, no bulk viscosity", "wave speed over √(M/ρ)", coarse.speed);
-    put(bench, row.within(1.0, 0.005, SOURCE), coarse.seconds);
+    let row = Row::info("A1", "200 cells, no bulk viscosity", "wave speed over √(M/ρ)", coarse.speed);
+    put(runner, row.within(1.0, 0.005, SOURCE), coarse.seconds);
     let order = (coarse.error / fine.error).log2();
-    let row = Row::note("A1", "200 and 400 cells, no bulk viscosity", "order of the L2 error", order);
-    put(bench, row.at_least(1.5, SOURCE), coarse.seconds + fine.seconds);
-    let row = Row::note("A1", "200 cells, no bulk viscosity", "L2 error over the pulse's", coarse.error);
-    put(bench, row, coarse.seconds);
+    let row = Row::info("A1", "200 and 400 cells, no bulk viscosity", "order of the L2 error", order);
+    put(runner, row.at_least(1.5, SOURCE), coarse.seconds + fine.seconds);
+    let row = Row::info("A1", "200 cells, no bulk viscosity", "L2 error over the pulse's", coarse.error);
+    put(runner, row, coarse.seconds);
     let remapped = travel(1, [0.0; 2], Some(-1.0))?;
-    let row = Row::note("A1", "200 cells, remap in every step", "L2 error over the pulse's", remapped.error);
-    put(bench, row, remapped.seconds);
+    let row = Row::info("A1", "200 cells, remap in every step", "L2 error over the pulse's", remapped.error);
+    put(runner, row, remapped.seconds);
     Ok(())
 }
 
@@ -56,7 +57,7 @@ struct Travelled {
     seconds: f64,
 }
 
-/// Lets a pulse travel along a bar of `refinement` times as many cells.
+/// Sends a pulse along a bar of `refinement` times as many cells.
 fn travel(refinement: usize, bulk_viscosity: [f64; 2], remap: Option<f64>) -> Result<Travelled, VerifyError> {
     let clock = Instant::now();
     let coarse = 1.0 / CELLS as f64;
@@ -69,8 +70,8 @@ fn travel(refinement: usize, bulk_viscosity: [f64; 2], remap: Option<f64>) -> Re
     let (c, dt) = (model.wave_speed(), model.time_step());
     // Velocities are half a step ahead of stresses.
     let pulse = |x: f64, time: f64| {
-        let off = (x - c * time) / coarse - PULSE[1];
-        PEAK * (-0.5 * (off / PULSE[0]).powi(2)).exp()
+        let distance = (x - c * time) / coarse - PULSE[1];
+        PEAK * (-0.5 * (distance / PULSE[0]).powi(2)).exp()
     };
     set(&model, &mut state, |x| pulse(x, 0.5 * dt), |x| pulse(x, 0.0));
     let begin = centre(&model, &state);
@@ -94,7 +95,7 @@ fn bar(cells: usize, bulk_viscosity: [f64; 2]) -> Model {
     Model { method, ..Model::bare(grid, Material::linear_elastic(Elastic::new(20e6, 0.3), 1600.0)) }
 }
 
-/// Velocities of a wave that runs to the right, and its stresses −ρ c v.
+/// Velocities of a wave that travels to the right, and its stresses −ρ c v.
 fn set(model: &Model, state: &mut State, velocity: impl Fn(f64) -> f64, at_stress: impl Fn(f64) -> f64) {
     let grid = &model.grid;
     let elastic = &model.material().elastic;

@@ -1,4 +1,4 @@
-//! What a run leaves behind, made from made-up data.
+//! The output of a run, from made-up data.
 
 #![allow(clippy::unwrap_used)]
 
@@ -34,7 +34,7 @@ fn write(dir: &Path, kind: Kind, cell: f64, count: usize) -> Summary {
             overlay(PlotKind::ForceDisplacement, vec![[0.0, 36.5]]),
         ])
         .unwrap();
-    results.keep_case_file("name = \"synthetic\"\n").unwrap();
+    results.write_case_file("name = \"synthetic\"\n").unwrap();
     results.finish(&case, &grid, &state, &history, &statistics()).unwrap()
 }
 
@@ -76,6 +76,7 @@ fn a_disc_leaves_all_its_files() {
         let size = fs::metadata(root.join(file)).map(|m| m.len()).unwrap_or(0);
         assert!(size > 0, "{file} is missing or empty");
     }
+    assert!(fs::read_to_string(root.join("resolved.toml")).unwrap().contains("\nformat = 2\n"));
     let steady = &summary.bodies["disc"].steady;
     assert!((steady.drag.unwrap() - 38.0).abs() < 1.0);
     assert!((steady.turn_ratio.unwrap() - 0.85).abs() < 0.01);
@@ -95,6 +96,7 @@ fn the_summary_keeps_its_names() {
     write(dir.path(), Kind::Disc, 0.03, 100);
     let json: serde_json::Value =
         serde_json::from_str(&fs::read_to_string(dir.path().join("summary.json")).unwrap()).unwrap();
+    assert_eq!(json["format"], coulter::case::FORMAT);
     for pointer in [
         "/case",
         "/version",
@@ -252,7 +254,7 @@ fn a_report_needs_nothing_from_outside() {
     }
     assert!(html.contains("data:image/png;base64,") && html.contains("<svg"));
     assert!(!html.contains("NaN"));
-    // Long histories are thinned in the plots.
+    // Long histories are reduced in the plots.
     let svg = fs::metadata(dir.path().join("plots/disc_forces.svg")).unwrap().len();
     assert!(svg < 200_000, "{svg} bytes");
 }
@@ -275,7 +277,7 @@ fn strange_runs_are_reported_too() {
             body.position = glam::DVec3::new(1e30, f64::NAN, f64::NEG_INFINITY);
             body.angle = f64::NAN;
         }
-        let empty = coulter::output::record::History { energy: vec![], ..history(&case, 0) };
+        let empty = coulter::history::History { energy: vec![], ..history(&case, 0) };
         let constant = history(&case, 1);
         for history in [&broken, &empty, &constant] {
             let dir = tempfile::tempdir().unwrap();
@@ -314,7 +316,7 @@ fn a_body_that_is_only_pushed_down_is_plotted_over_time() {
 #[test]
 fn progress_is_shown_without_a_terminal_and_without_history() {
     let case = case(Kind::Two, 0.04);
-    let empty = coulter::output::record::History::default();
+    let empty = coulter::history::History::default();
     for quiet in [false, true] {
         let mut progress = coulter::output::Progress::start(&case, 0.0, quiet);
         for history in [&empty, &history(&case, 0), &history(&case, 40)] {

@@ -2,7 +2,7 @@
 
 use coulter::case::Case;
 use coulter::case::resolved as case;
-use coulter::output::record::{BodySample, EnergySample, History};
+use coulter::history::{BodySample, EnergySample, History};
 use coulter::output::{Outcome, RunStatistics};
 use glam::DVec3;
 use solver::grid::Grid;
@@ -64,7 +64,7 @@ pub(crate) fn case(kind: Kind, cell: f64) -> Case {
                 friction_angle: 0.61,
                 dilation_angle: 0.1,
                 cohesion: 0.0,
-                tension_limit: 0.0,
+                tension_cutoff: 0.0,
                 potential: case::Potential::MohrCoulomb,
                 critical_density: None,
             },
@@ -72,7 +72,7 @@ pub(crate) fn case(kind: Kind, cell: f64) -> Case {
             unit_weight: if kind == Kind::Column { 0.0 } else { 16e3 },
             young_modulus: 2e6,
             poisson_ratio: 0.3,
-            rest_pressure_ratio: 0.43,
+            k0: 0.43,
         },
         ground: match kind {
             Kind::Column => {
@@ -108,7 +108,7 @@ pub(crate) fn case(kind: Kind, cell: f64) -> Case {
             history_interval: 1e-3,
             field_interval: 1.0,
             checkpoint_interval: f64::INFINITY,
-            steady_share: 0.3,
+            steady_fraction: 0.3,
         },
         numerics: case::Numerics {
             courant: 0.5,

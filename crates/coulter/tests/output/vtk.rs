@@ -1,4 +1,4 @@
-//! The field files, taken apart again: every array is where its tag says and as long as it should be.
+//! The field files, parsed again: every array has the position and length that its tag says.
 
 use crate::synthetic::{Kind, case, state};
 use coulter::output::Results;

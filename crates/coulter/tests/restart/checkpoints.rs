@@ -1,9 +1,9 @@
-//! Checkpoints that are damaged: the one before, or words that say what to do.
+//! Damaged checkpoints: fallback to the previous one, or a message that says what to do.
 
-use super::place::Place;
+use super::sandbox::Sandbox;
 use std::fs;
 
-/// A way to harm the bytes of a checkpoint.
+/// A way to damage the bytes of a checkpoint.
 type Damage = fn(&mut Vec<u8>);
 
 const FLIPPED: Damage = |bytes| {
@@ -12,11 +12,11 @@ const FLIPPED: Damage = |bytes| {
 };
 const CUT: Damage = |bytes| bytes.truncate(bytes.len() / 3);
 const EMPTY: Damage = Vec::clear;
-/// As a later version would have it.
+/// The version number of a later version.
 const OTHER_VERSION: Damage = |bytes| bytes[7] = b'~';
 
-fn damage(place: &Place, name: &str, harm: Damage) {
-    let path = place.out(&format!("checkpoints/{name}.checkpoint"));
+fn damage(sandbox: &Sandbox, name: &str, harm: Damage) {
+    let path = sandbox.out(&format!("checkpoints/{name}.checkpoint"));
     let mut bytes = fs::read(&path).unwrap();
     harm(&mut bytes);
     fs::write(path, bytes).unwrap();
@@ -24,75 +24,75 @@ fn damage(place: &Place, name: &str, harm: Damage) {
 
 #[test]
 fn a_damaged_checkpoint_gives_way_to_the_one_before() {
-    let whole = Place::new();
+    let whole = Sandbox::new();
     whole.run(&[]).is(0, &[]);
     for (harm, word) in [(FLIPPED, "damaged"), (CUT, "damaged"), (EMPTY, "not a Coulter checkpoint")] {
-        let place = Place::new();
-        place.killed(&[]);
-        damage(&place, "last", harm);
-        place.run(&["--resume"]).is(0, &["done"]);
-        let log = place.text("run.log");
-        let line = log.lines().find(|line| line.contains("went back to the checkpoint before the last"));
+        let sandbox = Sandbox::new();
+        sandbox.killed(&[]);
+        damage(&sandbox, "last", harm);
+        sandbox.run(&["--resume"]).is(0, &["done"]);
+        let log = sandbox.text("run.log");
+        let line = log.lines().find(|line| line.contains("fell back to the previous checkpoint"));
         assert!(line.is_some_and(|l| l.contains(word) && l.contains("last.checkpoint")), "{log}");
-        assert!(log.contains("resumed at t = ") && place.histories() == whole.histories());
+        assert!(log.contains("resumed at t = ") && sandbox.histories() == whole.histories());
     }
 }
 
 #[test]
 fn a_damaged_checkpoint_never_takes_the_place_of_a_good_one() {
-    let place = Place::new();
-    place.killed(&[]);
-    damage(&place, "last", FLIPPED);
-    let mut run = place.start(&["--resume"]);
-    run.wait_for("the run to go on", |place| place.text("run.log").contains("resumed at"));
+    let sandbox = Sandbox::new();
+    sandbox.killed(&[]);
+    damage(&sandbox, "last", FLIPPED);
+    let mut run = sandbox.start(&["--resume"]);
+    run.wait_for("the run to go on", |sandbox| sandbox.text("run.log").contains("resumed at"));
     run.signal("TERM");
     run.end().is(143, &[]);
-    // One checkpoint was written at the stop, or two: whichever is the one before the last now is whole.
-    damage(&place, "last", CUT);
-    let goes_on = |p: &Place| p.text("run.log").matches("resumed at").count() == 2;
-    place.start(&["--resume"]).wait_for("the run to go on", goes_on);
+    // One or two checkpoints were written at the stop: in either case the previous one is intact.
+    damage(&sandbox, "last", CUT);
+    let goes_on = |p: &Sandbox| p.text("run.log").matches("resumed at").count() == 2;
+    sandbox.start(&["--resume"]).wait_for("the run to go on", goes_on);
 }
 
 #[test]
-fn without_a_whole_checkpoint_a_person_is_asked_and_a_scheduler_starts_anew() {
-    let place = Place::new();
-    place.killed(&[]);
-    damage(&place, "last", FLIPPED);
-    damage(&place, "previous", CUT);
-    place.run(&["--resume"]).is(2, &["checkpoint", "damaged", "run with --force to start anew"]);
-    place
+fn without_a_whole_checkpoint_a_person_is_asked_and_a_scheduler_starts_again() {
+    let sandbox = Sandbox::new();
+    sandbox.killed(&[]);
+    damage(&sandbox, "last", FLIPPED);
+    damage(&sandbox, "previous", CUT);
+    sandbox.run(&["--resume"]).is(2, &["checkpoint", "damaged", "use --force to start again"]);
+    sandbox
         .start(&["--auto-resume"])
-        .wait_for("a new run", |p| p.text("run.log").contains("started anew") && p.lines() > 5);
-    let log = place.text("run.log");
-    assert!(log.contains("started anew, for ") && log.contains("damaged"), "{log}");
+        .wait_for("a new run", |p| p.text("run.log").contains("started again") && p.lines() > 5);
+    let log = sandbox.text("run.log");
+    assert!(log.contains("started again, because ") && log.contains("damaged"), "{log}");
 }
 
 #[test]
 fn a_checkpoint_of_another_version_is_called_so() {
-    let place = Place::new();
-    place.killed(&[]);
-    damage(&place, "last", OTHER_VERSION);
-    damage(&place, "previous", OTHER_VERSION);
-    place.run(&["--resume"]).is(2, &["written by another version of Coulter", "--force"]);
+    let sandbox = Sandbox::new();
+    sandbox.killed(&[]);
+    damage(&sandbox, "last", OTHER_VERSION);
+    damage(&sandbox, "previous", OTHER_VERSION);
+    sandbox.run(&["--resume"]).is(2, &["written by another version of Coulter", "--force"]);
 }
 
 #[test]
 fn a_breakdown_leaves_what_failed_and_what_was_good() {
-    let place = Place::new();
+    let sandbox = Sandbox::new();
     let soft = ["--set", "soil.young_modulus=100 Pa"];
-    let told = place.run(&soft).is(1, &["t = ", "step", "failed.checkpoint"]);
-    assert!(place.out("checkpoints/failed.checkpoint").is_file());
-    assert!(place.out("checkpoints/last.checkpoint").is_file());
-    let cause = told.err.lines().find_map(|line| line.strip_prefix("error: ")).unwrap().to_owned();
-    let before = place.files();
-    let again = place.run(&[&soft[..], &["--auto-resume"]].concat());
+    let reply = sandbox.run(&soft).is(1, &["t = ", "step", "failed.checkpoint"]);
+    assert!(sandbox.out("checkpoints/failed.checkpoint").is_file());
+    assert!(sandbox.out("checkpoints/last.checkpoint").is_file());
+    let cause = reply.err.lines().find_map(|line| line.strip_prefix("error: ")).unwrap().to_owned();
+    let before = sandbox.files();
+    let again = sandbox.run(&[&soft[..], &["--auto-resume"]].concat());
     again.is(1, &["broke down before", &cause, "--force"]);
-    assert!(place.files() == before, "a file has changed");
-    // From the good one it comes to the same end.
-    place.run(&[&soft[..], &["--resume"]].concat()).is(1, &[&cause]);
-    assert!(place.text("run.log").contains("resumed at"));
-    place
+    assert!(sandbox.files() == before, "a file has changed");
+    // Resumed from the good one it fails in the same way.
+    sandbox.run(&[&soft[..], &["--resume"]].concat()).is(1, &[&cause]);
+    assert!(sandbox.text("run.log").contains("resumed at"));
+    sandbox
         .start(&["--force"])
         .wait_for("a new run", |p| !p.text("run.log").contains("broke down") && p.lines() > 5);
-    assert!(!place.out("checkpoints/failed.checkpoint").exists());
+    assert!(!sandbox.out("checkpoints/failed.checkpoint").exists());
 }

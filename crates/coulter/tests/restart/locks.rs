@@ -1,50 +1,50 @@
 //! One run at a time in a folder.
 
-use super::place::{Place, TINY};
+use super::sandbox::{Sandbox, TINY};
 use std::fs;
 
 #[test]
 fn a_run_at_work_is_not_disturbed() {
-    let (alone, place) = (Place::new(), Place::new());
+    let (alone, sandbox) = (Sandbox::new(), Sandbox::new());
     alone.run(&[]).is(0, &[]);
-    let mut run = place.start(&[]);
+    let mut run = sandbox.start(&[]);
     run.wait_until_under_way();
     run.hold();
     for start in [&[][..], &["--force"], &["--resume"]] {
-        let before = place.files();
-        place.run(start).is(2, &["another run is at work in out (process ", "-o DIR"]);
-        assert!(place.files() == before, "{start:?} has changed a file");
+        let before = sandbox.files();
+        sandbox.run(start).is(2, &["another run is using out (process ", "-o DIR"]);
+        assert!(sandbox.files() == before, "{start:?} has changed a file");
     }
     run.go_on();
     run.end().is(0, &["done"]);
-    assert!(place.histories() == alone.histories() && place.is_tidy());
+    assert!(sandbox.histories() == alone.histories() && sandbox.is_tidy());
 }
 
 #[test]
 fn a_scheduler_waits_for_the_run_before_unless_it_is_stopped() {
-    let place = Place::new();
-    let mut run = place.start(&[]);
+    let sandbox = Sandbox::new();
+    let mut run = sandbox.start(&[]);
     run.wait_until_under_way();
     run.hold();
-    let mut stopped = place.start(&["--auto-resume"]);
+    let mut stopped = sandbox.start(&["--auto-resume"]);
     std::thread::sleep(std::time::Duration::from_millis(300));
     stopped.signal("TERM");
-    stopped.end().is(143, &["another run is at work"]);
-    let waiting = place.start(&["--auto-resume", "--json"]);
+    stopped.end().is(143, &["another run is using"]);
+    let waiting = sandbox.start(&["--auto-resume", "--json"]);
     run.go_on();
     run.end().is(0, &["done"]);
     assert!(waiting.end().is(0, &[]).out.contains("\"trust\""));
-    assert!(place.is_tidy());
+    assert!(sandbox.is_tidy());
 }
 
 #[test]
 fn the_lock_of_a_dead_process_is_none() {
-    let place = Place::new();
-    place.killed(&[]);
-    assert!(place.out("run.lock").is_file(), "a killed run cannot remove it");
-    place.run(&["--resume"]).is(0, &["done"]);
-    assert!(!place.out("run.lock").exists());
-    let other = Place::new();
+    let sandbox = Sandbox::new();
+    sandbox.killed(&[]);
+    assert!(sandbox.out("run.lock").is_file(), "a killed run cannot remove it");
+    sandbox.run(&["--resume"]).is(0, &["done"]);
+    assert!(!sandbox.out("run.lock").exists());
+    let other = Sandbox::new();
     fs::create_dir(other.out("")).unwrap();
     fs::write(other.out("run.lock"), "").unwrap();
     other.run(&TINY).is(0, &["done"]);

@@ -1,12 +1,12 @@
-//! Runs that are stopped, killed, damaged or short of room, through the binary: nothing is lost, and what is said is so.
+//! Runs that are stopped, killed, damaged or out of disk space, through the binary: nothing is lost, and messages are right.
 #![cfg(target_os = "linux")]
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 mod checkpoints;
-mod full_disc;
+mod full_disk;
 mod leftovers;
 mod locks;
-mod place;
 mod reports;
+mod sandbox;
 mod signals;
 mod verdicts;

@@ -1,54 +1,54 @@
 //! `coulter report` on runs that were killed, and on results that were damaged.
 
-use super::place::{Place, TINY};
+use super::sandbox::{Sandbox, TINY};
 use std::fs;
 
-fn rewrite(place: &Place, name: &str, change: impl Fn(&str) -> String) {
-    fs::write(place.out(name), change(&place.text(name))).unwrap();
+fn rewrite(sandbox: &Sandbox, name: &str, change: impl Fn(&str) -> String) {
+    fs::write(sandbox.out(name), change(&sandbox.text(name))).unwrap();
 }
 
 #[test]
 fn a_killed_run_is_reported_from_what_there_is() {
-    let place = Place::new();
-    place.killed(&[]);
-    assert!(!place.out("report.html").exists());
+    let sandbox = Sandbox::new();
+    sandbox.killed(&[]);
+    assert!(!sandbox.out("report.html").exists());
     for step in ["as it is", "cut off in the middle of a line", "fewer lines than the others", "header only"]
     {
         match step {
             "cut off in the middle of a line" => {
-                rewrite(&place, "forces.csv", |text| text[..text.len() - 20].to_owned());
+                rewrite(&sandbox, "forces.csv", |text| text[..text.len() - 20].to_owned());
             }
             "fewer lines than the others" => {
-                rewrite(&place, "energy.csv", |text| text.split_inclusive('\n').take(8).collect())
+                rewrite(&sandbox, "energy.csv", |text| text.split_inclusive('\n').take(8).collect())
             }
             "header only" => {
-                rewrite(&place, "energy.csv", |text| text.split_inclusive('\n').take(1).collect())
+                rewrite(&sandbox, "energy.csv", |text| text.split_inclusive('\n').take(1).collect())
             }
             _ => {}
         }
-        place.report().is(0, &[]);
-        let html = place.text("report.html");
+        sandbox.report().is(0, &[]);
+        let html = sandbox.text("report.html");
         assert!(
-            html.contains("The run has not come to its end.") && html.trim_end().ends_with("</html>"),
+            html.contains("The run has not reached its end.") && html.trim_end().ends_with("</html>"),
             "{step}"
         );
     }
-    // What was cut off is no matter to the run.
-    place.start(&["--resume"]).wait_for("the run to go on", |p| p.text("run.log").contains("resumed at"));
+    // The damage does not affect the resumed run.
+    sandbox.start(&["--resume"]).wait_for("the run to go on", |p| p.text("run.log").contains("resumed at"));
 }
 
 #[test]
 fn a_stopped_run_is_reported_as_one() {
-    let place = Place::new();
-    let mut run = place.start(&[]);
+    let sandbox = Sandbox::new();
+    let mut run = sandbox.start(&[]);
     run.wait_until_under_way();
     run.signal("TERM");
     run.end().is(143, &[]);
-    place.report().is(0, &[]);
-    assert!(place.text("report.html").contains("it can go on with --resume"));
+    sandbox.report().is(0, &[]);
+    assert!(sandbox.text("report.html").contains("--resume continues it"));
 }
 
-/// Replaces a field of a line of a table, all numbers as an editor counts them.
+/// Replaces a field of a line of a table, all numbered as in an editor.
 fn with_field(text: &str, line: usize, field: usize, value: &str) -> String {
     let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
     let mut fields: Vec<&str> = lines[line - 1].split(',').collect();
@@ -59,10 +59,10 @@ fn with_field(text: &str, line: usize, field: usize, value: &str) -> String {
 
 #[test]
 fn damaged_results_are_refused_with_file_and_line() {
-    let place = Place::new();
-    place.run(&TINY).is(0, &[]);
-    let whole = place.text("forces.csv");
-    place.report().is(0, &[]);
+    let sandbox = Sandbox::new();
+    sandbox.run(&TINY).is(0, &[]);
+    let whole = sandbox.text("forces.csv");
+    sandbox.report().is(0, &[]);
     let damages: [(&str, String, &[&str]); 5] = [
         ("not a number", with_field(&whole, 5, 4, "NaN"), &["forces.csv, line 5", "drag F_H [N]", "NaN"]),
         ("a time of before", with_field(&whole, 6, 1, "0.001"), &["forces.csv, line 6", "time [s]", "later"]),
@@ -71,11 +71,11 @@ fn damaged_results_are_refused_with_file_and_line() {
         ("half a line", whole[..whole.len() - 20].to_owned(), &["forces.csv: line", "fields, expected 22"]),
     ];
     for (what, text, words) in damages {
-        fs::write(place.out("forces.csv"), text).unwrap();
-        let told = place.report().is(2, words);
-        assert!(told.out.is_empty(), "{what}: {}", told.out);
+        fs::write(sandbox.out("forces.csv"), text).unwrap();
+        let reply = sandbox.report().is(2, words);
+        assert!(reply.out.is_empty(), "{what}: {}", reply.out);
     }
-    fs::write(place.out("forces.csv"), whole).unwrap();
-    fs::remove_file(place.out("summary.json")).unwrap();
-    place.report().is(2, &["cannot read", "summary.json", "No such file"]);
+    fs::write(sandbox.out("forces.csv"), whole).unwrap();
+    fs::remove_file(sandbox.out("summary.json")).unwrap();
+    sandbox.report().is(2, &["cannot read", "summary.json", "No such file"]);
 }

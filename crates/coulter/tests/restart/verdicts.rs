@@ -1,54 +1,55 @@
-//! Results that are not to be used are called so everywhere: exit code, last words, summary and report.
+//! Results that must not be used are marked everywhere: exit code, last message, summary and report.
 
-use super::place::{Place, Told};
+use super::sandbox::{Reply, Sandbox};
 use serde_json::Value;
 
-/// The verdict, the same in all places.
+/// The verdict, the same everywhere.
 #[track_caller]
-fn verdict(place: &Place, told: &Told) -> String {
-    let verdict = place.summary()["trust"]["verdict"].as_str().unwrap().to_owned();
-    let html = place.text("report.html");
+fn verdict(sandbox: &Sandbox, reply: &Reply) -> String {
+    let verdict = sandbox.summary()["trust"]["verdict"].as_str().unwrap().to_owned();
+    let html = sandbox.text("report.html");
     assert!(html.contains(&format!("<section class=\"trust {verdict}\">")), "the report says otherwise");
-    assert_eq!(told.code, Some(i32::from(verdict == "broken")), "{verdict}: {}", told.err);
-    let is_done = told.err.lines().any(|line| line.starts_with("done"));
-    assert_eq!(is_done, verdict != "broken", "{}", told.err);
+    assert_eq!(reply.code, Some(i32::from(verdict == "broken")), "{verdict}: {}", reply.err);
+    let is_done = reply.err.lines().any(|line| line.starts_with("done"));
+    assert_eq!(is_done, verdict != "broken", "{}", reply.err);
     verdict
 }
 
-/// Whether no check is worse than the verdict, and one as bad.
-fn is_worst_check(place: &Place, verdict: &str) -> bool {
+/// Whether the verdict is that of the worst check.
+fn is_worst_check(sandbox: &Sandbox, verdict: &str) -> bool {
     let rank = |v: &Value| ["good", "doubtful", "broken"].iter().position(|name| v == name).unwrap();
-    let summary = place.summary();
+    let summary = sandbox.summary();
     let checks = summary["trust"]["checks"].as_array().unwrap();
     checks.iter().map(|check| rank(&check["verdict"])).max() == Some(rank(&verdict.into()))
 }
 
 #[test]
 fn a_disc_that_falls_out_of_the_box_is_a_breakdown() {
-    let place = Place::new();
+    let sandbox = Sandbox::new();
     let shipped = format!("{}/../../cases/towed_disc.toml", env!("CARGO_MANIFEST_DIR"));
-    std::fs::copy(shipped, place.out("").with_file_name("case.toml")).unwrap();
-    let told = place.run(&["--set", "grid.cell=25 mm", "--set", r#"body.disc.heave={ load = "-5000 N" }"#]);
-    let told =
-        told.is(1, &["body `disc` left the box below at t = ", "(step ", "near (", "failed.checkpoint"]);
-    assert_eq!(verdict(&place, &told), "broken");
-    assert!(is_worst_check(&place, "broken") && place.is_tidy());
-    assert!(place.text("report.html").contains("The run broke down: the body `disc` left the box below"));
+    std::fs::copy(shipped, sandbox.out("").with_file_name("case.toml")).unwrap();
+    let reply =
+        sandbox.run(&["--set", "grid.cell=25 mm", "--set", r#"body.disc.heave={ load = "-5000 N" }"#]);
+    let reply =
+        reply.is(1, &["body `disc` left the box below at t = ", "(step ", "near (", "failed.checkpoint"]);
+    assert_eq!(verdict(&sandbox, &reply), "broken");
+    assert!(is_worst_check(&sandbox, "broken") && sandbox.is_tidy());
+    assert!(sandbox.text("report.html").contains("The run broke down: the body `disc` left the box below"));
 }
 
 #[test]
 fn a_step_too_large_is_never_done_unless_its_energy_is_explained() {
-    let place = Place::new();
-    let told = place.run(&["--set", "numerics.courant=1"]);
-    let verdict = verdict(&place, &told);
-    assert!(is_worst_check(&place, &verdict));
+    let sandbox = Sandbox::new();
+    let reply = sandbox.run(&["--set", "numerics.courant=1"]);
+    let verdict = verdict(&sandbox, &reply);
+    assert!(is_worst_check(&sandbox, &verdict));
     if verdict != "broken" {
-        let summary = place.summary();
+        let summary = sandbox.summary();
         let checks = summary["trust"]["checks"].as_array().unwrap();
         let balance = checks.iter().find(|check| check["name"] == "energy balance").unwrap();
         assert!(balance["value"].as_f64().unwrap() <= 5.0, "{balance}");
     }
-    // Asked again, a scheduler hears the same.
-    let again = place.run(&["--set", "numerics.courant=1", "--auto-resume"]);
-    assert_eq!(again.code, told.code, "{}", again.err);
+    // A repeated request by a scheduler has the same result.
+    let again = sandbox.run(&["--set", "numerics.courant=1", "--auto-resume"]);
+    assert_eq!(again.code, reply.code, "{}", again.err);
 }

@@ -1,27 +1,26 @@
-//! Doubts about a case that can be run: is the grid fine enough, the tow slow enough, the box large enough?
+//! Warnings about a case that can be run: whether the grid is fine enough, the tow slow enough, the box large enough.
 
-mod pace;
-mod space;
+mod inertia;
+mod passive;
+mod walls;
 
-use super::Case;
 use super::estimate::estimate;
-use super::resolve::extent::{body_length, path};
-use super::resolved::{Body, Freedom, Law, Potential};
-use analytic::earth_pressure::{Face, rankine};
+use super::path::{body_length, path};
+use super::resolved::{Body, Case, Freedom, Law, Potential};
 use glam::DVec3;
+use passive::passive_coefficient;
 use physics::elastic::Elastic;
 use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
-use std::f64::consts::FRAC_PI_2;
 
-/// Warnings, each a sentence or two; empty for a case without doubts.
+/// Warnings, each a sentence or two; empty for a case without any.
 #[must_use]
 pub fn advice(case: &Case) -> Vec<String> {
     let mut notes = Vec::new();
     for body in &case.bodies {
         resolution(case, body, &mut notes);
         fine_zone(case, body, &mut notes);
-        space::walls_and_lid(case, body, &mut notes);
-        pace::speed(case, body, &mut notes);
+        walls::walls_and_lid(case, body, &mut notes);
+        inertia::speed(case, body, &mut notes);
     }
     overlaps(case, &mut notes);
     timing(case, &mut notes);
@@ -32,14 +31,14 @@ pub fn advice(case: &Case) -> Vec<String> {
     notes
 }
 
-/// Bodies whose boxes overlap at the start: contact between bodies is not modelled.
+/// Bodies whose bounding boxes overlap at the start: contact between bodies is not modelled.
 fn overlaps(case: &Case, notes: &mut Vec<String>) {
     for (n, one) in case.bodies.iter().enumerate() {
         for other in case.bodies.iter().skip(n + 1) {
             let (a, b) = (path(one, 0.0), path(other, 0.0));
             if a.low.cmplt(b.high).all() && b.low.cmplt(a.high).all() {
                 notes.push(format!(
-                    "{} and {} may overlap (the boxes round them do): contact between bodies is not modelled.",
+                    "{} and {} may overlap (their bounding boxes do): contact between bodies is not modelled.",
                     one.name, other.name
                 ));
             }
@@ -70,13 +69,14 @@ fn resolution(case: &Case, body: &Body, notes: &mut Vec<String>) {
 }
 
 fn fine_zone(case: &Case, body: &Body, notes: &mut Vec<String>) {
-    let way = path(body, case.duration);
+    let swept = path(body, case.duration);
     let slack = 1e-6 * case.grid.cell;
-    let outside_x = way.low.x < case.grid.fine_low.x - slack || way.high.x > case.grid.fine_high.x + slack;
-    let outside_y = !case.domain.plane_strain && way.high.y > case.grid.fine_high.y + slack;
-    let outside_z = way.low.z < case.grid.fine_low.z - slack && way.low.z > case.domain.low.z;
+    let outside_x =
+        swept.low.x < case.grid.fine_low.x - slack || swept.high.x > case.grid.fine_high.x + slack;
+    let outside_y = !case.domain.plane_strain && swept.high.y > case.grid.fine_high.y + slack;
+    let outside_z = swept.low.z < case.grid.fine_low.z - slack && swept.low.z > case.domain.low.z;
     if outside_x || outside_y || outside_z {
-        notes.push(format!("{}: leaves the fine zone of the grid on its way.", body.name));
+        notes.push(format!("{}: leaves the fine zone of the grid on its path.", body.name));
     }
 }
 
@@ -91,7 +91,7 @@ fn timing(case: &Case, notes: &mut Vec<String>) {
                 !matches!(freedom, Freedom::Free { load: 0.0, .. } | Freedom::Prescribed { speed: 0.0, .. });
             if moves && ramp < 5.0 * transit {
                 notes.push(format!(
-                    "{}: a ramp of {ramp} s sends a shock through the soil; 5 wave transits are {:.2e} s.",
+                    "{}: a ramp of {ramp} s sends a shock wave through the soil; 5 wave transits take {:.2e} s.",
                     body.name,
                     5.0 * transit
                 ));
@@ -106,13 +106,6 @@ fn timing(case: &Case, notes: &mut Vec<String>) {
     }
 }
 
-/// Rankine's K_p; infinite where the closed form refuses the angle.
-fn passive_coefficient(friction_angle: f64) -> f64 {
-    let face = Face { friction_angle, wall_friction: 0.0, surface: FRAC_PI_2, backfill: 0.0 };
-    // Without friction the formula has nothing to say: soil at rest, K_p = 1.
-    if friction_angle == 0.0 { 1.0 } else { rankine(&face).unwrap_or(f64::INFINITY) }
-}
-
 fn strength(case: &Case, notes: &mut Vec<String>) {
     let Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, potential, critical_density, .. } =
         case.soil.law
@@ -123,13 +116,13 @@ fn strength(case: &Case, notes: &mut Vec<String>) {
     let relative = cohesion / (case.soil.unit_weight * length);
     if cohesion > 0.0 && relative < 0.01 {
         notes.push(format!(
-            "Cohesion c/(γd) = {relative:.1e} is tiny; c = 0 runs just as well here and is what sand has."
+            "Cohesion c/(γd) = {relative:.1e} is tiny; c = 0 runs just as well and is the value for dry sand."
         ));
     }
     if dilation_angle > 0.0 && critical_density.is_none() {
         notes.push(
-            "Dilation goes on without limit: over large displacements ψ > 0 makes the soil too strong. \
-             soil.critical_density ends it."
+            "Dilation is not limited: over large displacements ψ > 0 makes the soil too strong. \
+             soil.critical_density limits it."
                 .into(),
         );
     }
@@ -139,22 +132,22 @@ fn strength(case: &Case, notes: &mut Vec<String>) {
         let law = MenetreyWillam::new(elastic, friction_angle, dilation_angle, cohesion, 0.0, shape);
         if law.least_dissipation() < 0.0 {
             notes.push(format!(
-                "With ψ so near φ the smooth potential creates energy in some directions of flow (up to {:.1} % of the \
-                 frictional work); a smaller soil.dilation_angle does not.",
+                "With ψ so close to φ the smooth potential creates energy in some flow directions (up to {:.1} % of the \
+                 frictional work); use a smaller soil.dilation_angle.",
                 -100.0 * law.least_dissipation()
             ));
         }
     }
     let passive = passive_coefficient(friction_angle);
-    let at_rest = case.soil.rest_pressure_ratio;
+    let at_rest = case.soil.k0;
     if cohesion == 0.0 && case.soil.unit_weight > 0.0 && !(1.0 / passive..=passive).contains(&at_rest) {
         notes.push(format!(
-            "The rest pressure ratio {at_rest:.3} is beyond the soil's strength ({:.3} to {passive:.3}): it will move \
-             at once.",
+            "K₀ = {at_rest:.3} is outside the range that the soil can sustain ({:.3} to {passive:.3}): it will fail at \
+             once.",
             1.0 / passive
         ));
     }
     if cohesion == 0.0 && case.soil.unit_weight == 0.0 {
-        notes.push("The soil has neither weight nor cohesion, and so no strength.".into());
+        notes.push("The soil has neither weight nor cohesion, and therefore no strength.".into());
     }
 }

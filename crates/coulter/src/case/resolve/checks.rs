@@ -1,18 +1,18 @@
-//! Whether everything fits: the bodies into the box, their motion to its symmetry, the grid into memory.
+//! Whether everything fits together: the bodies and the box, their motion and the symmetry, the grid and the memory.
 
-use super::extent::path;
 use crate::case::estimate;
 use crate::case::machine;
+use crate::case::path::path;
 use crate::case::problem::Problems;
 use crate::case::quantity::plain;
 use crate::case::resolved::{Body, Case, Domain, Freedom, Shape};
-use crate::case::room::words;
-use crate::case::schema::{Schema, Section};
+use crate::case::resources::format_bytes;
+use crate::case::typed::{Schema, Section};
 
-/// More time steps than any machine would finish.
-const MOST_STEPS: f64 = 1e12;
+/// Largest number of time steps.
+const MAX_STEPS: f64 = 1e12;
 
-/// Reports bodies that are, or get, outside the box, and motions that break its symmetry.
+/// Reports bodies that start or move outside the box, and motions that violate its symmetry.
 pub(super) fn bodies_fit(
     schema: &Schema,
     bodies: &[Body],
@@ -34,41 +34,39 @@ pub(super) fn bodies_fit(
 fn keeps_to_the_plane(section: &Section, body: &Body, domain: &Domain, problems: &mut Problems) {
     let plane = if domain.symmetric { "a symmetric" } else { "a plane strain" };
     if domain.symmetric && body.position.y != 0.0 {
-        let message =
-            format!("the body stands at y = {} m, off the plane of symmetry", plain(body.position.y));
-        problems.add(section.place_of("y"), message, "take `y` out, or symmetric = true");
+        let message = format!("the body is at y = {} m, off the plane of symmetry", plain(body.position.y));
+        problems.add(section.location_of("y"), message, "remove `y`, or symmetric = true");
     }
     if body.translation[1] != Freedom::Fixed {
         let message = format!("{plane} case allows no lateral motion");
         problems.add(
-            section.place_of("lateral"),
+            section.location_of("lateral"),
             message,
             "write lateral = \"fixed\", or model the whole width",
         );
     }
 }
 
-/// A plane of symmetry across the tow: no tow, and no turning about y.
+/// A plane of symmetry across the tow allows no tow, and no rotation about y.
 fn keeps_to_the_middle(section: &Section, body: &Body, problems: &mut Problems) {
     if body.position.x != 0.0 {
-        let message =
-            format!("the body stands at x = {} m, off the plane of symmetry", plain(body.position.x));
-        problems.add(section.place_of("x"), message, "take `x` out, or symmetric_x = true");
+        let message = format!("the body is at x = {} m, off the plane of symmetry", plain(body.position.x));
+        problems.add(section.location_of("x"), message, "remove `x`, or symmetric_x = true");
     }
     if matches!(body.shape, Shape::Block { orientation, .. } if orientation != 0.0) {
-        let message = "a turned block is not symmetric about x = 0";
+        let message = "a rotated block is not symmetric about x = 0";
         problems.add(
-            section.place_of("orientation"),
+            section.location_of("orientation"),
             message,
-            "take `orientation` out, or symmetric_x = true",
+            "remove `orientation`, or symmetric_x = true",
         );
     }
     for (key, still, freedom) in [("forward", "fixed", &body.translation[0]), ("spin", "locked", &body.spin)]
     {
         if *freedom != Freedom::Fixed {
             let message = format!("a case that is symmetric about x = 0 allows no `{key}`");
-            let cure = format!("write {key} = \"{still}\", or take symmetric_x = true out");
-            problems.add(section.place_of(key), message, cure);
+            let cure = format!("write {key} = \"{still}\", or remove symmetric_x = true");
+            problems.add(section.location_of(key), message, cure);
         }
     }
 }
@@ -77,7 +75,7 @@ fn stays_inside(section: &Section, body: &Body, domain: &Domain, duration: f64, 
     let start = path(body, 0.0);
     let whole = path(body, duration);
     for (axis, name, key) in [(0, "x", "forward"), (1, "y", "lateral")] {
-        // The slab cuts through a body in plane strain, and the plane of symmetry through any.
+        // In plane strain the slab cuts through the body; a plane of symmetry cuts through any body.
         let (low_open, high_open) = match axis {
             1 => (domain.symmetric || domain.plane_strain, domain.plane_strain),
             _ => (domain.symmetric_x, false),
@@ -88,25 +86,29 @@ fn stays_inside(section: &Section, body: &Body, domain: &Domain, duration: f64, 
         let (message, key) = if leaves(start.low[axis], start.high[axis]) {
             ("starts outside the box", name)
         } else if leaves(whole.low[axis], whole.high[axis]) {
-            ("leaves the box on its way", key)
+            ("leaves the box on its path", key)
         } else {
             continue;
         };
         let message = format!(
-            "[{}] {message}: it spans {name} = {:.4} to {:.4} m, the box {} to {} m",
+            "[{}] {message}: it extends over {name} = {:.4} to {:.4} m, the box over {} to {} m",
             section.path,
             whole.low[axis],
             whole.high[axis],
             plain(domain.low[axis]),
             plain(domain.high[axis])
         );
-        problems.add(section.place_of(key), message, format!("make domain.{name} wider, or shorten the way"));
+        problems.add(
+            section.location_of(key),
+            message,
+            format!("make domain.{name} wider, or the path shorter"),
+        );
     }
-    // A wall may reach through the floor, so that no soil slips under it; a body that moves up and down may not.
+    // A wall may extend through the floor, so that no soil passes under it; a body that moves vertically may not.
     let through_the_floor = whole.low.z < domain.low.z && body.translation[2] != Freedom::Fixed;
     if through_the_floor || start.high.z <= domain.low.z || start.low.z >= domain.high.z {
         let message = format!(
-            "[{}] spans z = {:.4} to {:.4} m, but the box {} to {} m",
+            "[{}] extends over z = {:.4} to {:.4} m, but the box over {} to {} m",
             section.path,
             whole.low.z,
             whole.high.z,
@@ -114,68 +116,74 @@ fn stays_inside(section: &Section, body: &Body, domain: &Domain, duration: f64, 
             plain(domain.high.z)
         );
         let key = if start.low.z < domain.low.z { "sinkage" } else { "heave" };
-        problems.add(section.place_of(key), message, "make domain.z deeper, or start the body higher");
+        problems.add(section.location_of(key), message, "make domain.z deeper, or start the body higher");
     }
 }
 
-/// Refuses an inset that leaves no room for contact points: the body would feel no force.
+/// Refuses an inset that leaves no contact points: no force could act on the body.
 pub(super) fn contact_points_remain(schema: &Schema, case: &Case, problems: &mut Problems) {
     let inset = case.numerics.edge_inset * case.grid.cell;
     for body in &case.bodies {
         let (low, high) = body.shape.solid().bounds();
         if (high - low).min_element() - 2.0 * inset < 1e-6 * case.grid.cell {
             let message = format!("the inset leaves no contact points on body `{}`", body.name);
-            let cure = "make it smaller; 0.5 is the default";
-            problems.add(schema.numerics.place_of("edge_inset"), message, cure);
+            let cure = "reduce it; 0.5 is the default";
+            problems.add(schema.numerics.location_of("edge_inset"), message, cure);
         }
     }
 }
 
-/// Refuses numbers so large or so small that their combinations are not numbers, or that no computer would finish.
+/// Refuses numbers that are too large or too small to compute with, and runs that would take too many steps.
 pub(super) fn can_be_computed(schema: &Schema, case: &Case, problems: &mut Problems) {
     let cost = estimate::estimate(case);
-    if !(cost.time_step_s > 0.0 && cost.steps <= MOST_STEPS) {
-        let message = format!("{:.1e} time steps of {:.1e} s cannot be run", cost.steps, cost.time_step_s);
+    if !(cost.time_step_s > 0.0 && cost.steps <= MAX_STEPS) {
+        let message =
+            format!("{:.1e} time steps of {:.1e} s are too many to run", cost.steps, cost.time_step_s);
         let cure = "check run.duration, grid.cell, soil.young_modulus and the soil's density";
-        problems.add(&schema.soil.place, message, cure);
+        problems.add(&schema.soil.location, message, cure);
     }
     for (body, section) in case.bodies.iter().zip(&schema.bodies) {
         let numbers = [body.mass, body.axle_inertia];
         if !numbers.iter().all(|n| n.is_normal() && *n > 0.0) || !body.position.is_finite() {
             let message = format!(
-                "mass {:e} kg, moment of inertia {:e} kg m²: not computable",
+                "mass {:e} kg and moment of inertia {:e} kg m² are outside the range of computable numbers",
                 body.mass, body.axle_inertia
             );
-            problems.add(&section.place, message, "check the body's weight or mass, its size and its place");
+            problems.add(
+                &section.location,
+                message,
+                "check the body's weight or mass, its size and its position",
+            );
         }
     }
     let increasing = |faces: &Vec<f64>| faces.windows(2).all(|w| w[0] < w[1] && (w[1] - w[0]).is_finite());
     if !case.grid.faces.iter().all(increasing) {
-        let message = "the cells are too small for where they are: their faces cannot be told apart";
+        let message =
+            "the cells are too small for their distance from 0: their faces cannot be distinguished";
         problems.add(
-            schema.grid.place_of("cell"),
+            schema.grid.location_of("cell"),
             message,
-            "make grid.cell larger, or bring the box nearer to 0",
+            "make grid.cell larger, or move the box closer to 0",
         );
     }
 }
 
-/// Contact points of one body beyond which it is refused: they take some 2 GB while they are laid out.
-const MOST_POINTS: f64 = 1e7;
+/// Largest number of contact points of one body: generating them takes some 2 GB.
+const MAX_POINTS: f64 = 1e7;
 
-/// Refuses bodies with more contact points than can be laid out.
-pub(super) fn contact_points_can_be_laid_out(schema: &Schema, case: &Case, problems: &mut Problems) {
+/// Refuses bodies with too many contact points.
+pub(super) fn contact_points_are_not_too_many(schema: &Schema, case: &Case, problems: &mut Problems) {
     let Some((name, points)) = estimate::most_contact_points(case) else { return };
-    if points <= MOST_POINTS {
+    if points <= MAX_POINTS {
         return;
     }
     let message =
-        format!("body `{name}` would have {points:.1e} contact points; {MOST_POINTS:.0e} are the most");
+        format!("body `{name}` would have {points:.1e} contact points; at most {MAX_POINTS:.0e} are allowed");
     let cure = "make grid.cell or numerics.point_spacing larger, or the body smaller";
-    problems.add(schema.grid.place_of("cell"), message, cure);
+    problems.add(schema.grid.location_of("cell"), message, cure);
 }
 
-/// Refuses a case for which this machine has no memory; nothing of that size has been allocated yet.
+/// Refuses a case that needs more memory than this machine has; nothing of that size has been allocated yet.
 pub(super) fn fits_into_memory(schema: &Schema, case: &Case, problems: &mut Problems) {
     let cost = estimate::cost(case);
     let Some(available) = machine::memory_available() else { return };
@@ -185,11 +193,11 @@ pub(super) fn fits_into_memory(schema: &Schema, case: &Case, problems: &mut Prob
     let message = format!(
         "the grid of {:.3e} cells needs {} of memory, the contact points {}, writing {}; {} are free",
         cost.estimate.cells,
-        words(cost.memory.grid_bytes),
-        words(cost.memory.contact_bytes),
-        words(cost.memory.outputs_bytes),
-        words(available)
+        format_bytes(cost.memory.grid_bytes),
+        format_bytes(cost.memory.contact_bytes),
+        format_bytes(cost.memory.outputs_bytes),
+        format_bytes(available)
     );
     let cure = "make grid.cell larger, or the box or the fine zone smaller";
-    problems.add(schema.grid.place_of("cell"), message, cure);
+    problems.add(schema.grid.location_of("cell"), message, cure);
 }

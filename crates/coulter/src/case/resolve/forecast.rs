@@ -1,13 +1,13 @@
-//! What the closed forms know of the soil besides its strength.
+//! The parameters of the closed-form models.
 
 use crate::case::problem::Problems;
 use crate::case::ranges::{self, Allowed, BACKFILL, EXPONENT, FRACTION, NOT_NEGATIVE, POSITIVE};
 use crate::case::resolved::{Factors, Measured, Plate};
-use crate::case::schema::Section;
+use crate::case::typed::Section;
 use analytic::wheel::{CMU_SAND, TERRAINS, Terrain};
 
-/// Shear displacement modulus where none is given [m]; recalled for sand: 10 to 25 mm.
-const SHEAR_DISPLACEMENT: f64 = 0.015;
+/// Default shear deformation modulus [m]; recalled for sand: 10 to 25 mm.
+const SHEAR_DEFORMATION_MODULUS: f64 = 0.015;
 
 /// The section `[forecast]`, or `None` with problems added.
 pub(super) fn measured(section: &Section, problems: &mut Problems) -> Option<Measured> {
@@ -32,15 +32,15 @@ pub(super) fn measured(section: &Section, problems: &mut Problems) -> Option<Mea
     })
 }
 
-const CONSTANTS: [&str; 3] = ["plate_exponent", "plate_cohesive", "plate_frictional"];
+const CONSTANTS: [&str; 3] = ["sinkage_exponent", "cohesive_modulus", "frictional_modulus"];
 
-/// Plate constants, by the name of a published soil or typed.
+/// Pressure–sinkage parameters, by the name of a published soil or as typed.
 fn plate(section: &Section, problems: &mut Problems) -> Option<Plate> {
-    let shear_displacement = ranges::given(section, "shear_displacement", &POSITIVE, problems);
-    if let Some(name) = section.text("plate") {
+    let shear_deformation_modulus = ranges::given(section, "shear_deformation_modulus", &POSITIVE, problems);
+    if let Some(name) = section.text("terrain") {
         for key in CONSTANTS.iter().filter(|key| section.has(key)) {
-            let message = format!("`{key}` is given, and `plate` has one too");
-            problems.add(section.place_of(key), message, "take one of them out");
+            let message = format!("`{key}` is given, and `terrain` provides one too");
+            problems.add(section.location_of(key), message, "remove one of them");
         }
         let Terrain { name, soil } = *TERRAINS.iter().chain([&CMU_SAND]).find(|t| t.name == name.value)?;
         return Some(Plate {
@@ -48,26 +48,26 @@ fn plate(section: &Section, problems: &mut Problems) -> Option<Plate> {
             exponent: soil.exponent,
             cohesive: soil.cohesive,
             frictional: soil.frictional,
-            shear_displacement: shear_displacement.unwrap_or(soil.shear_modulus),
+            shear_deformation_modulus: shear_deformation_modulus.unwrap_or(soil.shear_modulus),
         });
     }
     if !CONSTANTS.iter().any(|key| section.has(key)) {
-        if section.has("shear_displacement") {
-            let message = "`shear_displacement` does nothing without plate constants";
-            let cure =
-                "add  plate = \"LETE sand\"  or another published soil, or plate_exponent and its companions";
-            problems.add(section.place_of("shear_displacement"), message, cure);
+        if section.has("shear_deformation_modulus") {
+            let message = "`shear_deformation_modulus` does nothing without the other plate constants";
+            let cure = "add  terrain = \"LETE sand\"  or another published soil, or sinkage_exponent, cohesive_modulus and \
+                 frictional_modulus";
+            problems.add(section.location_of("shear_deformation_modulus"), message, cure);
         }
         return None;
     }
-    let exponent = ranges::required(section, "plate_exponent", &EXPONENT, problems);
-    let cohesive = ranges::required(section, "plate_cohesive", &NOT_NEGATIVE, problems);
-    let frictional = ranges::required(section, "plate_frictional", &POSITIVE, problems);
+    let exponent = ranges::required(section, "sinkage_exponent", &EXPONENT, problems);
+    let cohesive = ranges::required(section, "cohesive_modulus", &NOT_NEGATIVE, problems);
+    let frictional = ranges::required(section, "frictional_modulus", &POSITIVE, problems);
     Some(Plate {
         name: None,
         exponent: exponent?,
         cohesive: cohesive?,
         frictional: frictional?,
-        shear_displacement: shear_displacement.unwrap_or(SHEAR_DISPLACEMENT),
+        shear_deformation_modulus: shear_deformation_modulus.unwrap_or(SHEAR_DEFORMATION_MODULUS),
     })
 }

@@ -1,13 +1,13 @@
 //! Faces of the cells along one axis: uniform in the fine zone, growing geometrically outside it.
 
-/// What the faces along one axis must do.
+/// What the faces along one axis must satisfy.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::case) struct Axis {
+pub(in crate::case) struct AxisGrading {
     /// Ends of the box [m].
     pub(in crate::case) ends: [f64; 2],
-    /// Ends of the fine zone [m]; it is widened to whole cells, and narrowed where the box is too near.
+    /// Ends of the fine zone [m]; it is extended to whole cells, and shortened where the box is too close.
     pub(in crate::case) fine: [f64; 2],
-    /// Where there should be a face [m].
+    /// Required position of a face [m].
     pub(in crate::case) anchor: f64,
     /// Cell width in the fine zone [m].
     pub(in crate::case) cell: f64,
@@ -15,33 +15,33 @@ pub(in crate::case) struct Axis {
     pub(in crate::case) growth: f64,
 }
 
-/// Share of a cell below which two positions are the same.
-const SAME: f64 = 1e-6;
-/// More cells along one axis than any machine could hold.
-const MOST_CELLS: f64 = 1e5;
-/// Fine cells that a remainder may take in before the growth is called too small.
-const MOST_TAKEN: u32 = 100;
+/// Fraction of a cell below which two positions coincide.
+const COINCIDE: f64 = 1e-6;
+/// Largest number of cells along one axis.
+const MAX_CELLS: f64 = 1e5;
+/// Fine cells that may be given up to a graded zone before the growth is reported as too small.
+const MAX_GIVEN_UP: u32 = 100;
 
 /// The faces [m], and where the fine zone begins and ends among them [m].
-pub(in crate::case) fn faces(axis: &Axis) -> Result<(Vec<f64>, [f64; 2]), String> {
-    let Axis { ends: [low, high], fine, anchor, cell, growth } = *axis;
+pub(in crate::case) fn faces(axis: &AxisGrading) -> Result<(Vec<f64>, [f64; 2]), String> {
+    let AxisGrading { ends: [low, high], fine, anchor, cell, growth } = *axis;
     let across = (high - low) / cell;
-    if across > MOST_CELLS || !across.is_finite() {
-        return Err(format!("{across:.3e} cells along one axis cannot be run"));
+    if across > MAX_CELLS || !across.is_finite() {
+        return Err(format!("{across:.3e} cells along one axis are too many to run"));
     }
     let layer = |x: f64| (x - anchor) / cell;
-    let mut first = (layer(fine[0]) + SAME).floor().max((layer(low) - SAME).ceil());
-    let mut last = (layer(fine[1]) - SAME).ceil().min((layer(high) + SAME).floor());
+    let mut first = (layer(fine[0]) + COINCIDE).floor().max((layer(low) - COINCIDE).ceil());
+    let mut last = (layer(fine[1]) - COINCIDE).ceil().min((layer(high) + COINCIDE).floor());
     let face = |n: f64| anchor + n * cell;
-    let room = |first: f64, last: f64| {
+    let has_cells = |first: f64, last: f64| {
         if first < last { Ok(()) } else { Err("no whole cell of the fine zone fits into the box".to_owned()) }
     };
-    room(first, last)?;
+    has_cells(first, last)?;
     let before = graded(|n| face(first + n) - low, cell, growth)?;
-    first += before.taken;
+    first += before.given_up;
     let after = graded(|n| high - face(last - n), cell, growth)?;
-    last -= after.taken;
-    room(first, last)?;
+    last -= after.given_up;
+    has_cells(first, last)?;
     let mut faces: Vec<f64> = before.faces.iter().rev().map(|x| face(first) - x).collect();
     let count = (last - first).round() as usize;
     faces.extend((0..=count).map(|n| face(first + n as f64)));
@@ -58,40 +58,42 @@ pub(in crate::case) fn faces(axis: &Axis) -> Result<(Vec<f64>, [f64; 2]), String
 
 /// The faces on one side of the fine zone.
 struct Graded {
-    /// Fine cells that had to be taken in.
-    taken: f64,
+    /// Fine cells that had to be given up.
+    given_up: f64,
     /// Distances from the fine zone [m].
     faces: Vec<f64>,
 }
 
-/// Fills what is left of the box. A remainder that no growing cells can fill takes in cells of the fine zone, one
-/// after the other; `length` says how long it is with so many of them [m].
+/// Fills the rest of the box. Where no graded cells can fill it, cells of the fine zone are given up, one after the other;
+/// `length` is the length to fill as a function of their number [m].
 fn graded(length: impl Fn(f64) -> f64, cell: f64, growth: f64) -> Result<Graded, String> {
-    for taken in 0..MOST_TAKEN {
-        let taken = f64::from(taken);
-        if let Some(faces) = outside(length(taken), cell, growth) {
-            return Ok(Graded { taken, faces });
+    for given_up in 0..MAX_GIVEN_UP {
+        let given_up = f64::from(given_up);
+        if let Some(faces) = outside(length(given_up), cell, growth) {
+            return Ok(Graded { given_up, faces });
         }
     }
-    Err(format!("the box is no whole number of cells, and cells that grow by {growth} cannot make up for it"))
+    Err(format!(
+        "the box is not a whole number of cells, and cells that grow by {growth} cannot fill the difference"
+    ))
 }
 
-/// Distances of the faces beyond a fine zone that ends `length` before the box; `None` if no ratio from 1 to
-/// `growth` makes whole cells fill it.
+/// Distances of the faces beyond a fine zone that ends `length` before the box; `None` if no growth ratio from 1 to
+/// `growth` fills it with whole cells.
 fn outside(length: f64, cell: f64, growth: f64) -> Option<Vec<f64>> {
     let length = length / cell;
-    if length < SAME {
+    if length < COINCIDE {
         return Some(Vec::new());
     }
     let sum =
         |ratio: f64, count: usize| (0..count).fold((0.0, 1.0), |(s, w), _| (s + w * ratio, w * ratio)).0;
     let (mut count, mut reach, mut width) = (1, growth, growth);
-    while reach < length * (1.0 - SAME) {
+    while reach < length * (1.0 - COINCIDE) {
         count += 1;
         width *= growth;
         reach += width;
     }
-    if count as f64 > length * (1.0 + SAME) {
+    if count as f64 > length * (1.0 + COINCIDE) {
         return None;
     }
     let (mut low, mut high) = (1.0, growth);
@@ -113,8 +115,8 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn axis(ends: [f64; 2], fine: [f64; 2], growth: f64) -> Axis {
-        Axis { ends, fine, anchor: 0.0, cell: 0.1, growth }
+    fn axis(ends: [f64; 2], fine: [f64; 2], growth: f64) -> AxisGrading {
+        AxisGrading { ends, fine, anchor: 0.0, cell: 0.1, growth }
     }
 
     #[test]

@@ -1,14 +1,13 @@
-//! Where soil is at the start, and how it moves.
+//! Where there is soil at the start, and its initial velocity.
 
-use super::extent::range;
 use crate::case::problem::Problems;
 use crate::case::quantity::plain;
-use crate::case::ranges::{self, POSITIVE};
+use crate::case::ranges::{self, POSITIVE, range};
 use crate::case::resolved::{Domain, Ground};
-use crate::case::schema::Section;
+use crate::case::typed::Section;
 use glam::DVec3;
 
-/// Where soil is.
+/// Where there is soil.
 pub(super) fn ground(
     section: &Section,
     surface: f64,
@@ -22,7 +21,7 @@ pub(super) fn ground(
             plain(domain.low.z),
             plain(domain.high.z)
         );
-        problems.add(section.place_of("surface"), message, "change ground.surface or domain.z");
+        problems.add(section.location_of("surface"), message, "change ground.surface or domain.z");
         return None;
     }
     if !["x", "y", "radius"].iter().any(|key| section.has(key)) {
@@ -34,7 +33,7 @@ pub(super) fn ground(
     }
     if radius.is_some() && domain.plane_strain {
         let message = "a round column cannot be combined with plane_strain = true";
-        problems.add(section.place_of("radius"), message, "take `radius` out, and give ground.x");
+        problems.add(section.location_of("radius"), message, "remove `radius`, and give ground.x");
         return None;
     }
     let within = |axis: usize| {
@@ -47,7 +46,7 @@ pub(super) fn ground(
     for (axis, key, low, high) in [(0, "x", x0, x1), (1, "y", y0, y1)] {
         if low < domain.low[axis] || high > domain.high[axis] {
             let message = format!("the soil is partly outside the box along {key}");
-            problems.add(section.place_of(key), message, format!("change ground.{key} or domain.{key}"));
+            problems.add(section.location_of(key), message, format!("change ground.{key} or domain.{key}"));
             return None;
         }
     }
@@ -55,25 +54,25 @@ pub(super) fn ground(
     Some(Ground::Column { low, high, radius })
 }
 
-/// Velocity of the soil at the start [m/s] as typed, not checked yet; 0 where it cannot be read.
+/// Initial velocity of the soil [m/s] as typed, not yet checked; 0 where it cannot be read.
 pub(super) fn typed_velocity(section: &Section) -> DVec3 {
-    let parts: Vec<f64> =
+    let components: Vec<f64> =
         section.list("velocity").into_iter().flat_map(|t| t.value).map(|p| p.value).collect();
-    match parts[..] {
+    match components[..] {
         [x, z] => DVec3::new(x, 0.0, z),
         [x, y, z] => DVec3::new(x, y, z),
         _ => DVec3::ZERO,
     }
 }
 
-/// Velocity of the soil at the start [m/s]: none through a plane of symmetry.
+/// Initial velocity of the soil [m/s]: none through a plane of symmetry.
 pub(super) fn velocity(section: &Section, domain: &Domain, problems: &mut Problems) -> Option<DVec3> {
     if !section.has("velocity") {
         return Some(DVec3::ZERO);
     }
     let typed = section.list("velocity")?;
-    let parts: Vec<f64> = typed.value.iter().map(|part| part.value).collect();
-    let velocity = match (parts.as_slice(), domain.plane_strain) {
+    let components: Vec<f64> = typed.value.iter().map(|component| component.value).collect();
+    let velocity = match (components.as_slice(), domain.plane_strain) {
         (&[x, z], true) => DVec3::new(x, 0.0, z),
         (&[x, y, z], false) => DVec3::new(x, y, z),
         (_, plane_strain) => {
@@ -82,7 +81,7 @@ pub(super) fn velocity(section: &Section, domain: &Domain, problems: &mut Proble
             } else {
                 "give it along x, y and z"
             };
-            problems.add(&typed.place, format!("a velocity of {} components", parts.len()), cure);
+            problems.add(&typed.location, format!("a velocity of {} components", components.len()), cure);
             return None;
         }
     };
@@ -90,7 +89,7 @@ pub(super) fn velocity(section: &Section, domain: &Domain, problems: &mut Proble
         if is_cut && velocity[axis] != 0.0 {
             let message = "the soil moves through a plane of symmetry";
             problems.add(
-                &typed.value[axis].place,
+                &typed.value[axis].location,
                 message,
                 "write \"0 m/s\" there, or model the whole width",
             );

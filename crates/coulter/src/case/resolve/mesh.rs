@@ -1,39 +1,45 @@
 //! The fine zone and the faces of the cells.
 
-use super::Frame;
-use super::extent::{Extent, body_length, paths, range};
-use super::fit::fit;
-use super::grading::{self, Axis};
-use super::room::room;
+use super::clearance::clearance;
+use super::context::Context;
+use super::fitting::fit;
+use super::grading::{self, AxisGrading};
+use crate::case::path::{Extent, body_length, paths};
 use crate::case::problem::Problems;
 use crate::case::quantity::plain;
-use crate::case::ranges::{self, GROWTH};
+use crate::case::ranges::{self, GROWTH, range};
 use crate::case::resolved::{Body, Domain, Grid, Ground};
-use crate::case::schema::Section;
+use crate::case::typed::Section;
 use glam::DVec3;
 
-/// How far the fine zone reaches above the soil at least, and at most where a higher heap is expected [body lengths];
-/// chosen: the heap's foot carries its weight, and its top little.
+/// Least height of the fine zone above the soil, and its height limit where a heap is expected [body lengths]; chosen: the
+/// foot of the heap matters, its top carries little.
 const FINE_ABOVE: [f64; 2] = [0.25, 0.5];
 
-/// The fine zone unless the case says otherwise: round the path of the bodies, or everywhere without any.
-pub(super) fn usual_fine_zone(frame: &Frame, domain: &Domain, bodies: &[Body], duration: f64) -> Extent {
+/// The default fine zone: round the path of the bodies, or everywhere without any.
+pub(super) fn default_fine_zone(
+    context: &Context,
+    domain: &Domain,
+    bodies: &[Body],
+    duration: f64,
+) -> Extent {
     let Some(path) = paths(bodies, duration) else {
         return Extent { low: domain.low, high: domain.high };
     };
     let length = body_length(bodies);
     let low = path.low - length * DVec3::new(0.5, 0.25, 0.5);
     let high = path.high + length * DVec3::new(0.5, 0.25, 0.0);
-    let heap = bodies.iter().map(|b| room(b, &frame.soil(), duration).above).fold(0.0, f64::max);
-    let [least, most] = FINE_ABOVE.map(|share| share * length);
-    let high = high.with_z(frame.surface + heap.clamp(least, most));
+    let heap =
+        bodies.iter().map(|b| clearance(b, &context.soil_conditions(), duration).above).fold(0.0, f64::max);
+    let [min, max] = FINE_ABOVE.map(|lengths| lengths * length);
+    let high = high.with_z(context.surface + heap.clamp(min, max));
     Extent { low: low.max(domain.low), high: high.min(domain.high) }
 }
 
 /// The grid.
 pub(super) fn grid(
     section: &Section,
-    frame: &Frame,
+    context: &Context,
     (domain, ground): (&Domain, &Ground),
     bodies: &[Body],
     usual: Extent,
@@ -45,21 +51,22 @@ pub(super) fn grid(
     let axis = |axis: usize| {
         let ends = [domain.low[axis], domain.high[axis]];
         let fine = [usual.low[axis], usual.high[axis]];
-        let plain = Axis { ends, fine, anchor: anchors[axis], cell: frame.cell, growth };
-        let fitted = fit(bodies, domain, axis, (anchors[axis], needed(ground, domain, axis)), frame.cell)
-            .filter(|_| fits);
-        [fitted.map_or(plain, |[cell, anchor]| Axis { anchor, cell, ..plain }), plain]
+        let plain = AxisGrading { ends, fine, anchor: anchors[axis], cell: context.cell, growth };
+        let fitted =
+            fit(bodies, domain, axis, (anchors[axis], required_face(ground, domain, axis)), context.cell)
+                .filter(|_| fits);
+        [fitted.map_or(plain, |[cell, anchor]| AxisGrading { anchor, cell, ..plain }), plain]
     };
     let x = faces(section, "fine_x", axis(0), problems);
     // In plane strain the slab is one cell.
-    let y = match frame.slab {
+    let y = match context.slab {
         Some(_) => Some((vec![domain.low.y, domain.high.y], [domain.low.y, domain.high.y])),
         None => faces(section, "fine_y", axis(1), problems),
     };
     let z = faces(section, "fine_z", axis(2), problems);
     let ((x, fine_x), (y, fine_y), (z, fine_z)) = (x?, y?, z?);
     Some(Grid {
-        cell: frame.cell,
+        cell: context.cell,
         fine_low: DVec3::new(fine_x[0], fine_y[0], fine_z[0]),
         fine_high: DVec3::new(fine_x[1], fine_y[1], fine_z[1]),
         growth,
@@ -71,35 +78,35 @@ pub(super) fn grid(
 fn faces(
     section: &Section,
     key: &str,
-    [mut axis, unfitted]: [Axis; 2],
+    [mut axis, unfitted]: [AxisGrading; 2],
     problems: &mut Problems,
 ) -> Option<(Vec<f64>, [f64; 2])> {
     axis.fine = range(section, key, Some(axis.fine), problems)?;
-    let unfitted = Axis { fine: axis.fine, ..unfitted };
+    let unfitted = AxisGrading { fine: axis.fine, ..unfitted };
     let [low, high] = axis.ends;
     if axis.fine[0] < low || axis.fine[1] > high {
         let message = format!("the fine zone is partly outside the box, {} to {} m", plain(low), plain(high));
-        problems.add(section.place_of(key), message, format!("change grid.{key} or the domain"));
+        problems.add(section.location_of(key), message, format!("change grid.{key} or the domain"));
         return None;
     }
-    // Where fitted cells cannot fill the box, the plain ones may.
+    // Where fitted cells cannot fill the box, unchanged ones may.
     grading::faces(&axis)
         .or_else(|_| grading::faces(&unfitted))
         .map_err(|message| {
             let cure = "change grid.cell, grid.growth or the box; a whole number of cells always fits";
-            problems.add(section.place_of("cell"), format!("{key}: {message}"), cure);
+            problems.add(section.location_of("cell"), format!("{key}: {message}"), cure);
         })
         .ok()
 }
 
-/// Where a face along an axis must lie, if it must anywhere.
-fn needed(ground: &Ground, domain: &Domain, axis: usize) -> Option<f64> {
+/// Required position of a face along an axis [m], if there is one.
+fn required_face(ground: &Ground, domain: &Domain, axis: usize) -> Option<f64> {
     let anchor = anchors(ground, domain)[axis];
     let is_level = matches!(ground, Ground::Level { .. });
     (axis == 2 || axis == 1 && domain.symmetric || !is_level && anchor != 0.0).then_some(anchor)
 }
 
-/// Where faces should lie: at the soil's surface, at y = 0, and at the side of a bank.
+/// Preferred positions of faces [m]: at the soil's surface, at y = 0, and at the side of a bank.
 fn anchors(ground: &Ground, domain: &Domain) -> [f64; 3] {
     match *ground {
         Ground::Level { surface } => [0.0, 0.0, surface],

@@ -1,98 +1,46 @@
-//! What was typed → what it means: defaults filled in, everything checked, SI units.
+//! From what was typed to what it means: defaults filled in, everything checked, SI units.
 
-pub(super) mod body;
+mod body;
 mod checks;
-pub(super) mod extent;
-mod fit;
+pub(super) mod clearance;
+mod context;
+mod domain;
+mod fitting;
 mod forecast;
 mod grading;
 mod ground;
 mod mesh;
 mod motion;
-pub(super) mod room;
 mod soil;
 mod timing;
 
-use super::is_device;
+use super::names::is_device;
 use super::problem::Problems;
-use super::ranges::{self, ANY, NOT_NEGATIVE, POSITIVE, SHARE};
+use super::ranges::{self, ANY, NOT_NEGATIVE, POSITIVE, POSITIVE_FRACTION};
 use super::resolved::{Body, Case, Contact, Law, Numerics, Precision};
-use super::schema::{Schema, Section};
-use glam::DVec3;
-
-/// What the parts of a case share.
-pub(super) struct Frame {
-    /// Acceleration of gravity [m/s²].
-    gravity: f64,
-    /// Cell size in the fine zone [m].
-    cell: f64,
-    /// Height of the soil's surface [m].
-    surface: f64,
-    symmetric: bool,
-    /// Whether x = 0 is a plane of symmetry.
-    symmetric_x: bool,
-    /// Strength of the soil, if it could be read.
-    law: Option<Law>,
-    /// Velocity of the soil at the start [m/s], as typed.
-    velocity: DVec3,
-    /// The slab of a plane strain case.
-    slab: Option<Slab>,
-}
-
-impl Frame {
-    /// The soil as far as the room depends on it that it needs.
-    fn soil(&self) -> room::Soil {
-        room::Soil {
-            law: self.law.unwrap_or(Law::Elastic),
-            surface: self.surface,
-            floor: f64::NEG_INFINITY,
-            velocity: self.velocity,
-            gravity: self.gravity,
-            plane_strain: self.slab.is_some(),
-            confined: false,
-        }
-    }
-}
-
-/// The slab of a plane strain case.
-#[derive(Clone, Copy)]
-pub(super) struct Slab {
-    /// Its width along y [m].
-    width: f64,
-    /// Its middle [m].
-    middle: f64,
-    /// Distance that contact points keep from sharp edges [m].
-    inset: f64,
-}
-
-impl Slab {
-    /// Width of a body [m]: that of the slab and of the inset that contact points keep from the body's edges, so
-    /// that they cover the slab exactly.
-    fn covering_width(&self) -> f64 {
-        self.width + 2.0 * self.inset
-    }
-}
+use super::typed::{Schema, Section};
+use context::{Context, Slab};
 
 /// The case that was typed, or `None` with problems added.
 pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problems) -> Option<Case> {
     let gravity = ranges::or(&schema.top, "gravity", 9.81, &NOT_NEGATIVE, problems);
     let soil = gravity.and_then(|g| soil::soil(&schema.soil, g, problems));
     let numerics = numerics(&schema.numerics, soil.as_ref().map(|s| s.law), problems);
-    let frame = gravity.and_then(|g| frame(schema, g, soil.as_ref().map(|s| s.law), problems));
-    let bodies = frame.as_ref().and_then(|frame| bodies(schema, frame, problems));
+    let context = gravity.and_then(|g| context(schema, g, soil.as_ref().map(|s| s.law), problems));
+    let bodies = context.as_ref().and_then(|context| bodies(schema, context, problems));
     let name = name(&schema.top, source_name, problems);
     let duration = bodies.as_ref().and_then(|b| timing::duration(&schema.run, b, problems));
     let forecast = forecast::measured(&schema.forecast, problems);
     let output = duration.and_then(|d| timing::output(&schema.output, d, problems));
-    let (frame, bodies, duration) = (frame?, bodies?, duration?);
-    let domain = extent::domain(&schema.domain, &frame, &bodies, duration, problems)?;
-    let ground = ground::ground(&schema.ground, frame.surface, &domain, problems)?;
+    let (context, bodies, duration) = (context?, bodies?, duration?);
+    let domain = domain::domain(&schema.domain, &context, &bodies, duration, problems)?;
+    let ground = ground::ground(&schema.ground, context.surface, &domain, problems)?;
     let soil = soil?;
     let velocity = ground::velocity(&schema.ground, &domain, problems)?;
     let overburden = soil::overburden(&schema.ground, &soil, ground.surface(), &domain, problems)?;
     checks::bodies_fit(schema, &bodies, &domain, duration, problems);
-    let usual = mesh::usual_fine_zone(&frame, &domain, &bodies, duration);
-    let grid = mesh::grid(&schema.grid, &frame, (&domain, &ground), &bodies, usual, problems)?;
+    let fine_zone = mesh::default_fine_zone(&context, &domain, &bodies, duration);
+    let grid = mesh::grid(&schema.grid, &context, (&domain, &ground), &bodies, fine_zone, problems)?;
     let name = name?;
     let case = Case {
         title: schema.top.text("title").map_or_else(|| name.clone(), |t| t.value),
@@ -112,42 +60,42 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
     };
     checks::contact_points_remain(schema, &case, problems);
     checks::can_be_computed(schema, &case, problems);
-    checks::contact_points_can_be_laid_out(schema, &case, problems);
+    checks::contact_points_are_not_too_many(schema, &case, problems);
     checks::fits_into_memory(schema, &case, problems);
     Some(case)
 }
 
-fn frame(schema: &Schema, gravity: f64, law: Option<Law>, problems: &mut Problems) -> Option<Frame> {
+fn context(schema: &Schema, gravity: f64, law: Option<Law>, problems: &mut Problems) -> Option<Context> {
     let cell = ranges::required(&schema.grid, "cell", &POSITIVE, problems);
     let surface = ranges::or(&schema.ground, "surface", 0.0, &ANY, problems);
     let symmetric = schema.domain.flag("symmetric").is_some_and(|f| f.value);
     let symmetric_x = schema.domain.flag("symmetric_x").is_some_and(|f| f.value);
     let plane_strain = schema.domain.flag("plane_strain").is_some_and(|f| f.value);
     if symmetric && plane_strain {
-        let message = "plane strain has no plane of symmetry y = 0 besides";
-        problems.add(schema.domain.place_of("symmetric"), message, "take `symmetric` out");
+        let message = "symmetric = true cannot be combined with plane_strain = true";
+        problems.add(schema.domain.location_of("symmetric"), message, "remove `symmetric`");
         return None;
     }
     let cell = cell?;
     let inset = schema.numerics.number("edge_inset").map_or(EDGE_INSET, |n| n.value);
     let slab = if plane_strain {
-        let [low, high] = extent::range(&schema.domain, "y", Some([0.0, cell]), problems)?;
+        let [low, high] = ranges::range(&schema.domain, "y", Some([0.0, cell]), problems)?;
         Some(Slab { width: high - low, middle: 0.5 * (low + high), inset: inset * (high - low) })
     } else {
         None
     };
     let velocity = ground::typed_velocity(&schema.ground);
     let surface = surface?;
-    Some(Frame { gravity, cell, surface, symmetric, symmetric_x, law, velocity, slab })
+    Some(Context { gravity, cell, surface, symmetric, symmetric_x, law, velocity, slab })
 }
 
 /// All bodies, or `None` if any of them is wrong.
-fn bodies(schema: &Schema, frame: &Frame, problems: &mut Problems) -> Option<Vec<Body>> {
-    let all: Vec<_> = schema.bodies.iter().map(|section| body::body(section, frame, problems)).collect();
+fn bodies(schema: &Schema, context: &Context, problems: &mut Problems) -> Option<Vec<Body>> {
+    let all: Vec<_> = schema.bodies.iter().map(|section| body::body(section, context, problems)).collect();
     all.into_iter().collect()
 }
 
-/// The name, which becomes that of a folder.
+/// The name of the case, which becomes that of a folder.
 fn name(top: &Section, source_name: &str, problems: &mut Problems) -> Option<String> {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
     if !top.has("name") {
@@ -155,35 +103,35 @@ fn name(top: &Section, source_name: &str, problems: &mut Problems) -> Option<Str
             .file_stem()
             .map_or_else(String::new, |s| s.to_string_lossy().into());
         let plain: String =
-            stem.chars().map(|c| if is_plain(c) { c } else { '-' }).take(MOST_LETTERS).collect();
+            stem.chars().map(|c| if is_plain(c) { c } else { '-' }).take(MAX_LETTERS).collect();
         let plain = if is_device(&plain) { format!("{plain}-case") } else { plain };
         return Some(if plain.is_empty() { "case".to_owned() } else { plain });
     }
     let typed = top.text("name")?;
-    let fits = !typed.value.is_empty() && typed.value.len() <= MOST_LETTERS;
+    let fits = !typed.value.is_empty() && typed.value.len() <= MAX_LETTERS;
     if fits && typed.value.chars().all(is_plain) && !is_device(&typed.value) {
         return Some(typed.value);
     }
-    let message = format!("\"{}\" cannot be the name of a folder here", typed.value);
+    let message = format!("\"{}\" is not a valid name for the results folder", typed.value);
     problems.add(
-        &typed.place,
+        &typed.location,
         message,
-        "use 1 to 100 letters, digits, `-` and `_`, and no name of a Windows device",
+        "use 1 to 100 letters, digits, `-` and `_`, but not the name of a Windows device",
     );
     None
 }
 
-const MOST_LETTERS: usize = 100;
+const MAX_LETTERS: usize = 100;
 
-/// Distance of contact points from sharp edges unless the case says otherwise [cell widths].
+/// Default distance of contact points from sharp edges [cell widths].
 const EDGE_INSET: f64 = 0.5;
 
 fn numerics(section: &Section, law: Option<Law>, problems: &mut Problems) -> Option<Numerics> {
-    // Undrained soil bears more viscosity, and needs it: its contact pressure does not vanish at the surface. Metal is alike.
+    // Undrained soil tolerates and needs more viscosity: its contact pressure does not vanish at the surface. So does metal.
     let viscosity = if matches!(law, Some(Law::Tresca { .. } | Law::VonMises { .. })) { 0.06 } else { 0.02 };
     let mut or = |key, default, allowed| ranges::or(section, key, default, allowed, problems);
-    let courant = or("courant", 0.5, &SHARE);
-    let remap_displacement = or("remap_displacement", 0.1, &SHARE);
+    let courant = or("courant", 0.5, &POSITIVE_FRACTION);
+    let remap_displacement = or("remap_displacement", 0.1, &POSITIVE_FRACTION);
     let hourglass = or("hourglass", 0.01, &NOT_NEGATIVE);
     let hourglass_yielding = or("hourglass_yielding", 1.0, &ranges::FRACTION);
     let bulk_viscosity_linear = or("bulk_viscosity_linear", viscosity, &NOT_NEGATIVE);

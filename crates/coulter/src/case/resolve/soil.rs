@@ -4,14 +4,14 @@ use crate::case::problem::Problems;
 use crate::case::quantity::plain;
 use crate::case::ranges::{self, ACUTE, BELOW_HALF, ECCENTRICITY, NOT_NEGATIVE, POSITIVE};
 use crate::case::resolved::{Domain, Law, Potential, Soil};
-use crate::case::schema::Section;
+use crate::case::typed::Section;
 use physics::menetrey_willam::Eccentricity;
 
 const FRICTIONAL: [&str; 8] = [
     "friction_angle",
     "dilation_angle",
     "cohesion",
-    "tension_limit",
+    "tension_cutoff",
     "flow_potential",
     "meridional_eccentricity",
     "deviatoric_eccentricity",
@@ -33,12 +33,12 @@ pub(super) fn soil(section: &Section, gravity: f64, problems: &mut Problems) -> 
         Law::MohrCoulomb { friction_angle, .. } => 1.0 - friction_angle.sin(),
         Law::Tresca { .. } | Law::VonMises { .. } | Law::Elastic => poisson_ratio / (1.0 - poisson_ratio),
     };
-    let rest_pressure_ratio = ranges::or(section, "rest_pressure_ratio", at_rest, &NOT_NEGATIVE, problems)?;
-    Some(Soil { law, density, unit_weight, young_modulus, poisson_ratio, rest_pressure_ratio })
+    let k0 = ranges::or(section, "k0", at_rest, &NOT_NEGATIVE, problems)?;
+    Some(Soil { law, density, unit_weight, young_modulus, poisson_ratio, k0 })
 }
 
-/// Vertical pressure of the lid on the soil at the start [Pa]. The soil must reach up to the lid and bear the state of
-/// stress that comes with it.
+/// Initial vertical pressure of the lid on the soil [Pa]. The soil must reach up to the lid and must not yield under the
+/// initial stresses.
 pub(super) fn overburden(
     section: &Section,
     soil: &Soil,
@@ -52,36 +52,36 @@ pub(super) fn overburden(
     }
     if surface < domain.high.z {
         let message = format!(
-            "an overburden needs a lid to hold it: the soil ends at z = {} m, the box at {} m",
+            "an overburden needs a lid: the soil ends at z = {} m, the box at {} m",
             plain(surface),
             plain(domain.high.z)
         );
-        let cure = "let domain.z end at ground.surface, or take `overburden` out";
-        problems.add(section.place_of("overburden"), message, cure);
+        let cure = "let domain.z end at ground.surface, or remove `overburden`";
+        problems.add(section.location_of("overburden"), message, cure);
         return None;
     }
-    let ratio = soil.rest_pressure_ratio;
-    let [most, least] = [ratio.max(1.0) * overburden, ratio.min(1.0) * overburden];
-    let is_borne = match soil.law {
+    let ratio = soil.k0;
+    let [max, min] = [ratio.max(1.0) * overburden, ratio.min(1.0) * overburden];
+    let is_sustained = match soil.law {
         Law::Elastic => true,
-        Law::Tresca { shear_strength } => most - least <= 2.0 * shear_strength,
-        Law::VonMises { yield_stress, .. } => most - least <= yield_stress,
+        Law::Tresca { shear_strength } => max - min <= 2.0 * shear_strength,
+        Law::VonMises { yield_stress, .. } => max - min <= yield_stress,
         Law::MohrCoulomb { friction_angle, cohesion, .. } => {
             let (sin, cos) = friction_angle.sin_cos();
-            most - least <= (most + least) * sin + 2.0 * cohesion * cos
+            max - min <= (max + min) * sin + 2.0 * cohesion * cos
         }
     };
-    if !is_borne {
+    if !is_sustained {
         let message =
-            format!("the soil cannot bear this overburden with K₀ = {ratio:.3}: it would fail at once");
-        let cure = "add  rest_pressure_ratio = 1  to [soil], or lower it";
-        problems.add(section.place_of("overburden"), message, cure);
+            format!("the soil cannot sustain this overburden with K₀ = {ratio:.3}: it would fail at once");
+        let cure = "add  k0 = 1  to [soil], or lower the overburden";
+        problems.add(section.location_of("overburden"), message, cure);
         return None;
     }
     Some(overburden)
 }
 
-/// Unit weight [N/m³] and density [kg/m³], of which one may follow from the other.
+/// Unit weight [N/m³] and density [kg/m³]; one may follow from the other.
 fn weight(section: &Section, gravity: f64, problems: &mut Problems) -> Option<(f64, f64)> {
     let gamma = ranges::given(section, "unit_weight", &NOT_NEGATIVE, problems);
     let density = ranges::given(section, "density", &POSITIVE, problems);
@@ -94,7 +94,7 @@ fn weight(section: &Section, gravity: f64, problems: &mut Problems) -> Option<(f
             }
             let message = "weightless soil, or no gravity: the density does not follow from the unit weight";
             problems.add(
-                section.place_of("unit_weight"),
+                section.location_of("unit_weight"),
                 message,
                 "add  density = \"2000 kg/m^3\"  to [soil]",
             );
@@ -146,16 +146,16 @@ fn mohr_coulomb(section: &Section, density: Option<f64>, problems: &mut Problems
     let friction = ranges::required(section, "friction_angle", &ACUTE, problems);
     let dilation = ranges::or(section, "dilation_angle", 0.0, &ACUTE, problems);
     let cohesion = ranges::or(section, "cohesion", 0.0, &NOT_NEGATIVE, problems);
-    let tension = ranges::or(section, "tension_limit", 0.0, &NOT_NEGATIVE, problems);
+    let tension = ranges::or(section, "tension_cutoff", 0.0, &NOT_NEGATIVE, problems);
     let critical_density = critical_density(section, density, dilation, problems);
-    let (friction_angle, dilation_angle, cohesion, tension_limit) =
+    let (friction_angle, dilation_angle, cohesion, tension_cutoff) =
         (friction?, dilation?, cohesion?, tension?);
     let potential = potential(section, friction_angle, problems);
     if dilation_angle > friction_angle {
         let message =
-            "the dilation angle ψ is larger than the friction angle φ: the soil would create energy";
+            "the dilation angle ψ is larger than the friction angle φ: plastic flow would create energy";
         problems.add(
-            section.place_of("dilation_angle"),
+            section.location_of("dilation_angle"),
             message,
             "it must be from 0 deg to the friction angle",
         );
@@ -163,13 +163,13 @@ fn mohr_coulomb(section: &Section, density: Option<f64>, problems: &mut Problems
     }
     // The apex of the cone; for φ = 0 there is none.
     let apex = if friction_angle > 0.0 { cohesion / friction_angle.tan() } else { f64::INFINITY };
-    if tension_limit > apex {
+    if tension_cutoff > apex {
         let message =
-            format!("the tension limit is beyond the apex of the yield cone, c cot φ = {apex:.4} Pa");
+            format!("the tension cut-off is beyond the apex of the yield cone, c cot φ = {apex:.4} Pa");
         problems.add(
-            section.place_of("tension_limit"),
+            section.location_of("tension_cutoff"),
             message,
-            "lower it, or leave it out for no tension at all",
+            "lower it, or remove it for no tension at all",
         );
         return None;
     }
@@ -177,20 +177,20 @@ fn mohr_coulomb(section: &Section, density: Option<f64>, problems: &mut Problems
         friction_angle,
         dilation_angle,
         cohesion,
-        tension_limit,
+        tension_cutoff,
         potential: potential?,
         critical_density: critical_density?,
     })
 }
 
-/// Where yielding soil flows to.
+/// The plastic flow potential.
 fn potential(section: &Section, friction_angle: f64, problems: &mut Problems) -> Option<Potential> {
     let typed = section.text("flow_potential").map(|t| t.value);
     if typed.as_deref() != Some("menetrey-willam") {
         for key in SMOOTH.iter().filter(|key| section.has(key)) {
-            let message = format!("`{key}` has no meaning without the smooth potential");
-            let cure = "take it out, or set  flow_potential = \"menetrey-willam\"";
-            problems.add(section.place_of(key), message, cure);
+            let message = format!("`{key}` applies only to the smooth potential");
+            let cure = "remove it, or set  flow_potential = \"menetrey-willam\"";
+            problems.add(section.location_of(key), message, cure);
         }
         return Some(Potential::MohrCoulomb);
     }
@@ -202,7 +202,7 @@ fn potential(section: &Section, friction_angle: f64, problems: &mut Problems) ->
     Some(Potential::MenetreyWillam { meridional: meridional?, deviatoric: deviatoric? })
 }
 
-/// The density at which dilation ends, if it does: between nothing and that of the soil at the start.
+/// The density at which dilation ends, if it does: at most the initial density.
 fn critical_density(
     section: &Section,
     density: Option<f64>,
@@ -213,25 +213,29 @@ fn critical_density(
         return Some(None);
     }
     let critical = ranges::given(section, "critical_density", &POSITIVE, problems)?;
-    let place = section.place_of("critical_density");
+    let location = section.location_of("critical_density");
     if dilation == Some(0.0) {
-        let message = "soil with a dilation angle of 0 has no dilation that could end";
-        problems.add(place, message, "take it out, or set  dilation_angle");
+        let message = "soil with a dilation angle of 0 does not dilate";
+        problems.add(location, message, "remove it, or set  dilation_angle");
         return None;
     }
     if critical > density? {
         let message =
-            format!("the soil is looser than this at the start: its density is {:.1} kg/m³", density?);
-        problems.add(place, message, "it must be at most the density; dense sand dilates by some per cent");
+            format!("the initial density of the soil, {:.1} kg/m³, is below its critical density", density?);
+        problems.add(
+            location,
+            message,
+            "it must be at most the density; dense sand dilates by some per cent",
+        );
         return None;
     }
     Some(Some(critical))
 }
 
-/// Reports parameters of other laws: they would have no effect.
+/// Reports parameters of other laws, which would have no effect.
 fn refuse(section: &Section, keys: &[&str], law: &str, problems: &mut Problems) {
     for key in keys.iter().filter(|key| section.has(key)) {
-        let message = format!("`{key}` has no meaning for law = \"{law}\"");
-        problems.add(section.place_of(key), message, "take it out, or choose another law");
+        let message = format!("`{key}` does not apply to law = \"{law}\"");
+        problems.add(section.location_of(key), message, "remove it, or choose another law");
     }
 }

@@ -1,21 +1,21 @@
 //! How long to run, and how often to write.
 
-use super::extent::travel;
+use crate::case::path::travel;
 use crate::case::problem::Problems;
-use crate::case::ranges::{self, POSITIVE, SHARE};
+use crate::case::ranges::{self, POSITIVE, POSITIVE_FRACTION};
 use crate::case::resolved::{Body, Freedom, Output};
-use crate::case::schema::Section;
+use crate::case::typed::Section;
 
-/// More lines of history than anyone could read, or hold in memory.
-const MOST_LINES: f64 = 1e7;
+/// Largest number of lines of a history.
+const MAX_LINES: f64 = 1e7;
 
 /// The duration [s].
 pub(super) fn duration(section: &Section, bodies: &[Body], problems: &mut Problems) -> Option<f64> {
     let duration = ranges::given(section, "duration", &POSITIVE, problems);
     let distance = ranges::given(section, "tow_distance", &POSITIVE, problems);
     if section.has("duration") && section.has("tow_distance") {
-        let message = "both run.duration and run.tow_distance say when the run ends";
-        problems.add(section.place_of("tow_distance"), message, "keep one of them");
+        let message = "run.duration and run.tow_distance both determine the end of the run";
+        problems.add(section.location_of("tow_distance"), message, "keep one of them");
         return None;
     }
     if !section.has("duration") && !section.has("tow_distance") {
@@ -27,25 +27,25 @@ pub(super) fn duration(section: &Section, bodies: &[Body], problems: &mut Proble
     }
 }
 
-/// When the last towed body has gone `distance` [m].
+/// When the last towed body has travelled `distance` [m].
 fn tow_time(section: &Section, distance: f64, bodies: &[Body], problems: &mut Problems) -> Option<f64> {
-    let times: Vec<f64> = bodies.iter().filter_map(|b| time_to_go(&b.translation[0], distance)).collect();
+    let times: Vec<f64> = bodies.iter().filter_map(|b| arrival_time(&b.translation[0], distance)).collect();
     let latest = times.iter().copied().fold(0.0, f64::max);
     if !times.is_empty() && latest.is_finite() {
         return Some(latest);
     }
     let message = if times.is_empty() {
-        "run.tow_distance needs a body that is towed at a speed other than 0, and none is"
+        "run.tow_distance needs a body that is towed at a speed other than 0"
     } else {
         "a body stops before it has been towed that far"
     };
-    let cure = "give a body  forward = { speed = \"0.2 m/s\" },  or say run.duration instead";
-    problems.add(section.place_of("tow_distance"), message, cure);
+    let cure = "give a body  forward = { speed = \"0.2 m/s\" },  or use run.duration";
+    problems.add(section.location_of("tow_distance"), message, cure);
     None
 }
 
-/// When a towed body has gone `distance`, forwards or backwards [s]; infinite for never, `None` if it is not towed.
-fn time_to_go(freedom: &Freedom, distance: f64) -> Option<f64> {
+/// When a towed body has travelled `distance`, forwards or backwards [s]; infinite for never, `None` if it is not towed.
+fn arrival_time(freedom: &Freedom, distance: f64) -> Option<f64> {
     let Freedom::Prescribed { speed, start, ramp, .. } = *freedom else { return None };
     if speed == 0.0 {
         return None;
@@ -68,13 +68,13 @@ pub(super) fn output(section: &Section, duration: f64, problems: &mut Problems) 
     let history = ranges::or(section, "history_interval", duration / 500.0, &POSITIVE, problems);
     let field = ranges::or(section, "field_interval", duration / 20.0, &POSITIVE, problems);
     let checkpoint = ranges::or(section, "checkpoint_interval", 600.0, &POSITIVE, problems);
-    let steady_share = ranges::or(section, "steady_share", 0.3, &SHARE, problems);
+    let steady_fraction = ranges::or(section, "steady_fraction", 0.3, &POSITIVE_FRACTION, problems);
     let (history_interval, field_interval) = (history?, field?);
     for (key, interval) in [("history_interval", history_interval), ("field_interval", field_interval)] {
         let count = duration / interval;
-        if count > MOST_LINES {
-            let message = format!("output.{key} asks for {count:.1e} outputs in {duration} s");
-            problems.add(section.place_of(key), message, "make the interval longer");
+        if count > MAX_LINES {
+            let message = format!("output.{key} means {count:.1e} outputs in {duration} s");
+            problems.add(section.location_of(key), message, "make the interval longer");
             return None;
         }
     }
@@ -82,6 +82,6 @@ pub(super) fn output(section: &Section, duration: f64, problems: &mut Problems) 
         history_interval,
         field_interval,
         checkpoint_interval: checkpoint?,
-        steady_share: steady_share?,
+        steady_fraction: steady_fraction?,
     })
 }

@@ -1,0 +1,87 @@
+//! Whether a motion is slow enough: what inertia and bulk viscosity add to the force.
+
+use super::passive::passive_coefficient;
+use crate::case::path::body_length;
+use crate::case::resolve::clearance::{SoilConditions, deepest};
+use crate::case::resolved::{Body, Case, Freedom, Law};
+use physics::elastic::Elastic;
+
+/// Fraction of the force above which the contribution of inertia or viscosity is mentioned; chosen: less is below the
+/// uncertainty due to grid and friction angle.
+const NOTABLE: f64 = 0.1;
+
+/// Whether the motion is slow enough to be quasi-static.
+pub(super) fn speed(case: &Case, body: &Body, notes: &mut Vec<String>) {
+    let fastest = body.translation.iter().map(prescribed_speed).fold(0.0, f64::max);
+    let length = body_length(std::slice::from_ref(body));
+    // A body that enters the soil later is not in it yet: a tenth of its length is assumed.
+    let depth = deepest(body, &SoilConditions::of(case), case.duration).max(0.1 * length);
+    inertia(case, body, (fastest, depth), notes);
+    viscosity(case, body, (fastest, depth), notes);
+}
+
+/// What the soil's inertia adds to the force. The ground carries the load of a body that is free to sink at any speed, so
+/// that inertia is compared with this load; for any other body it is compared with the passive thrust.
+fn inertia(case: &Case, body: &Body, (speed, depth): (f64, f64), notes: &mut Vec<String>) {
+    if case.gravity <= 0.0 || case.soil.unit_weight <= 0.0 || speed <= 0.0 {
+        return;
+    }
+    let froude = analytic::froude(speed, case.gravity, depth);
+    let added = analytic::inertia_pressure(case.soil.density, speed);
+    let ratio = match body.translation[2] {
+        Freedom::Free { load, .. } if load < 0.0 => {
+            let (low, high) = body.shape.solid().bounds();
+            let slab = case.domain.high.y - case.domain.low.y;
+            let width = if case.domain.plane_strain { slab } else { (high - low).y };
+            added * depth * width / -load
+        }
+        // Pressure due to the soil's weight grows from 0 at the surface: its mean is that at half the depth.
+        _ => added / contact_pressure(case, 0.5 * depth),
+    };
+    if ratio > NOTABLE {
+        notes.push(format!(
+            "{}: Froude number v²/(g z) = {froude:.2} at z = {depth:.3} m: inertia will add some {:.0} % to the force; a \
+             slower motion reduces it.",
+            body.name,
+            100.0 * ratio
+        ));
+    }
+}
+
+/// Typical contact pressure of soil failing round a body at this depth [Pa]; infinite for soil that does not fail.
+fn contact_pressure(case: &Case, depth: f64) -> f64 {
+    match case.soil.law {
+        Law::MohrCoulomb { friction_angle, cohesion, .. } => {
+            let passive = passive_coefficient(friction_angle);
+            case.soil.unit_weight * depth * passive + 2.0 * cohesion * passive.sqrt()
+        }
+        Law::Tresca { shear_strength } => 5.0 * shear_strength,
+        // The shear strength is about half the yield stress.
+        Law::VonMises { yield_stress, .. } => 2.5 * yield_stress,
+        Law::Elastic => f64::INFINITY,
+    }
+}
+
+/// What bulk viscosity adds to the pressure on the body.
+fn viscosity(case: &Case, body: &Body, (speed, depth): (f64, f64), notes: &mut Vec<String>) {
+    let pressure = contact_pressure(case, depth);
+    let wave_speed =
+        Elastic::new(case.soil.young_modulus, case.soil.poisson_ratio).wave_speed(case.soil.density);
+    // The strain rate is the speed over the length of the contact, √(z d), not over one cell: on the towed disc, where a
+    // cell's would make a third of the pressure, switching the viscosity off changes the drag by less than 1 %.
+    let contact = (depth * body_length(std::slice::from_ref(body))).sqrt().max(case.grid.cell);
+    let speed_difference = speed * case.grid.cell / contact;
+    let viscous = case.soil.density * wave_speed * case.numerics.bulk_viscosity_linear * speed_difference;
+    if viscous > NOTABLE * pressure {
+        notes.push(format!(
+            "{}: bulk viscosity of {viscous:.0} Pa is {:.0} % of a contact pressure of about {pressure:.0} Pa; \
+             a slower motion or a smaller numerics.bulk_viscosity_linear reduces it.",
+            body.name,
+            100.0 * viscous / pressure
+        ));
+    }
+}
+
+fn prescribed_speed(freedom: &Freedom) -> f64 {
+    if let Freedom::Prescribed { speed, .. } = freedom { speed.abs() } else { 0.0 }
+}

@@ -1,0 +1,51 @@
+//! Whether there is enough space for the soil that a body displaces: below the lid, and in front of the walls.
+
+use crate::case::path::{body_length, path};
+use crate::case::resolve::clearance::{SoilConditions, clearance};
+use crate::case::resolved::{Body, Case};
+
+/// Distance to a wall, in body lengths, below which it is mentioned; chosen: soil fails over some three sinkages, and a
+/// disc seldom sinks deeper than a third of its diameter.
+const NEAR: f64 = 1.2;
+
+/// Warns of walls, floor or lid that are too close to the body.
+pub(super) fn walls_and_lid(case: &Case, body: &Body, notes: &mut Vec<String>) {
+    let need = clearance(body, &SoilConditions::of(case), case.duration);
+    let least = NEAR * body_length(std::slice::from_ref(body));
+    let swept = path(body, case.duration);
+    let (low, high) = (case.domain.low, case.domain.high);
+    let moves_back = need.along[0] > need.along[1];
+    let ahead = if moves_back { swept.low.x - low.x } else { high.x - swept.high.x };
+    let mut gaps =
+        vec![("ahead", ahead, need.along[0].max(need.along[1])), ("below", swept.low.z - low.z, need.below)];
+    if !case.domain.plane_strain {
+        gaps.push(("to the side", high.y - swept.high.y, need.sideways));
+    }
+    let near: Vec<String> = gaps
+        .iter()
+        .map(|(side, gap, needed)| (side, gap, needed.max(least)))
+        .filter(|(_, gap, wanted)| **gap > 0.0 && **gap < *wanted)
+        .map(|(side, gap, wanted)| format!("{gap:.3} m {side}, {wanted:.3} m recommended"))
+        .collect();
+    if !near.is_empty() {
+        notes.push(format!(
+            "{}: the walls are near ({}); enlarge the domain there.",
+            body.name,
+            near.join("; ")
+        ));
+    }
+    lid(case, body, need.above, notes);
+}
+
+/// Warns where the expected heap may reach the lid. Soil that fills the box touches it by intention.
+fn lid(case: &Case, body: &Body, heap: f64, notes: &mut Vec<String>) {
+    let headroom = case.domain.high.z - case.ground.surface();
+    if headroom > 0.0 && heap + case.grid.cell > headroom * (1.0 + 1e-9) {
+        notes.push(format!(
+            "{}: the lid is low: soil may heap up {heap:.3} m above the surface, and soil that reaches the lid increases \
+             the force; raise the upper end of domain.z to {:.3} m or more.",
+            body.name,
+            case.ground.surface() + heap + 2.0 * case.grid.cell
+        ));
+    }
+}

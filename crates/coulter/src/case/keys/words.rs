@@ -1,0 +1,32 @@
+//! The words that a value may be chosen from.
+
+use analytic::wheel::{CMU_SAND, TERRAINS};
+
+/// Soil laws.
+pub const LAWS: [&str; 4] = ["mohr-coulomb", "tresca", "von-mises", "elastic"];
+/// Body shapes.
+pub const SHAPES: [&str; 4] = ["disc", "block", "cylinder", "sphere"];
+/// Axes of a cylinder.
+pub const AXES: [&str; 3] = ["x", "y", "z"];
+/// Flow potentials of the Mohr–Coulomb law.
+pub const POTENTIALS: [&str; 2] = ["mohr-coulomb", "menetrey-willam"];
+/// Contact methods.
+pub const CONTACTS: [&str; 2] = ["penalty", "impulse"];
+/// Precisions of the soil's fields.
+pub const PRECISIONS: [&str; 2] = ["double", "single"];
+/// Boundary conditions of a wall.
+pub const WALLS: [&str; 2] = ["smooth", "fixed"];
+/// Authors of the shape, depth and inclination factors of the bearing capacity model.
+pub const FACTORS: [&str; 3] = ["meyerhof", "hansen-vesic", "lyamin"];
+/// Soils with published pressure–sinkage parameters.
+pub const PUBLISHED_SOILS: [&str; TERRAINS.len() + 1] = {
+    let mut names = [CMU_SAND.name; TERRAINS.len() + 1];
+    let mut n = 0;
+    while n < TERRAINS.len() {
+        names[n] = TERRAINS[n].name;
+        n += 1;
+    }
+    names
+};
+/// Keys of a motion that is written as a table.
+pub const MOTION_KEYS: [&str; 5] = ["speed", "load", "start", "ramp", "end"];

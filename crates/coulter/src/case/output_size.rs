@@ -1,0 +1,78 @@
+//! Estimates of how much a run will write, and of the memory that writing takes.
+
+use super::resolved::{Case, Precision};
+use serde::Serialize;
+
+/// A cell with soil in a field file [bytes]: 18 numbers of 32 bits, compressed; measured (towed disc 59, column 61).
+const PACKED_CELL: f64 = 60.0;
+/// The same without soil: all zeros; measured.
+const PACKED_VOID: f64 = 0.5;
+/// A column of cells in a free-surface file [bytes]; measured on the towed disc.
+const PACKED_COLUMN: f64 = 21.0;
+/// A body in its file [bytes]; measured.
+const PACKED_BODY: f64 = 6e3;
+/// A line of a body's history, and of the energy history [bytes]; measured.
+const LINES: [f64; 2] = [236.0, 155.0];
+/// Compressed over uncompressed size of the state in a checkpoint, for cells with soil; measured.
+const PACKED_STATE: f64 = 0.93;
+/// Report, pictures and plots [bytes]; measured.
+const REPORT: f64 = 0.8e6;
+/// The largest array of a field file before compression, stress, for each cell [bytes].
+const RAW_CELL: f64 = 6.0 * size_of::<f32>() as f64;
+/// A cell as it is prepared for a field file [bytes]: the size of `output::fields::CellView`, which a test compares.
+pub(crate) const SHOWN_CELL: usize = 104;
+/// Arrays in the state.
+const STATE_ARRAYS: f64 = 17.0;
+/// Memory for pictures, plots and the report of any case [bytes]; measured.
+const PICTURES: f64 = 14e6;
+/// Memory to write a checkpoint, over that of the fields: it is written in small blocks.
+const CHECKPOINT: f64 = 0.1;
+
+/// What a run will write to disk.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct OutputSize {
+    /// Number of field files.
+    pub frames: f64,
+    /// All field files: soil, surface and bodies [bytes].
+    pub fields_bytes: f64,
+    /// Histories of bodies and of the energy [bytes].
+    pub histories_bytes: f64,
+    /// Two checkpoints: the new one is written beside the old one [bytes].
+    pub checkpoints_bytes: f64,
+    /// Everything [bytes].
+    pub total_bytes: f64,
+}
+
+/// Output of a run of a case with `cells` cells, `filled` of them with soil.
+#[must_use]
+pub fn output_size(case: &Case, cells: f64, filled: f64) -> OutputSize {
+    let (bodies, layers) = (case.bodies.len() as f64, case.grid.faces[2].len() as f64 - 1.0);
+    let mirrored = if case.domain.symmetric { 2.0 } else { 1.0 };
+    let soil = PACKED_CELL * filled + PACKED_VOID * (cells - filled);
+    let one = soil + PACKED_COLUMN * mirrored * cells / layers.max(1.0) + PACKED_BODY * bodies;
+    let frames = (case.duration / case.output.field_interval).floor() + 2.0;
+    let lines = (case.duration / case.output.history_interval).ceil() + 1.0;
+    let fields_bytes = frames * one;
+    let histories_bytes = lines * (LINES[0] * bodies + LINES[1]);
+    let checkpoints_bytes = 2.0 * PACKED_STATE * STATE_ARRAYS * width(case) * filled;
+    let total_bytes = fields_bytes + histories_bytes + checkpoints_bytes + REPORT;
+    OutputSize { frames, fields_bytes, histories_bytes, checkpoints_bytes, total_bytes }
+}
+
+fn width(case: &Case) -> f64 {
+    match case.numerics.precision {
+        Precision::Double => 8.0,
+        Precision::Single => 4.0,
+    }
+}
+
+/// Peak memory for writing [bytes]: for a field file (all cells as they are shown, one array, the compressed arrays and the
+/// file), for a checkpoint, or for pictures and report at the end.
+#[must_use]
+pub fn memory(case: &Case, cells: f64, filled: f64, fields: f64) -> f64 {
+    let lines = (case.duration / case.output.history_interval).ceil();
+    let shown = (SHOWN_CELL as f64 + RAW_CELL) * cells + 2.0 * PACKED_CELL * filled;
+    // The report reads the histories as text and draws them.
+    let report = PICTURES + lines * (LINES[0] * case.bodies.len() as f64 + LINES[1]);
+    shown.max(report).max(CHECKPOINT * fields)
+}

@@ -1,0 +1,72 @@
+//! Where prescribed motions take the bodies.
+
+use super::resolved::{Body, Freedom};
+use glam::DVec3;
+
+/// A box with faces along the axes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Extent {
+    /// Low corner [m].
+    pub(super) low: DVec3,
+    /// High corner [m].
+    pub(super) high: DVec3,
+}
+
+/// Displacement of a prescribed motion after `time` [m or rad]; 0 for any other.
+pub(crate) fn travel(freedom: &Freedom, time: f64) -> f64 {
+    let Freedom::Prescribed { speed, start, ramp, end } = *freedom else { return 0.0 };
+    // Integral of the smooth step 3x² − 2x³ over a ramp, then of 1.
+    let ramped = |since: f64| {
+        let x = if ramp > 0.0 { (since / ramp).clamp(0.0, 1.0) } else { 1.0 };
+        ramp * (x.powi(3) - 0.5 * x.powi(4)) + (since - ramp).max(0.0)
+    };
+    let since = |event: f64| if time > event { ramped(time - event) } else { 0.0 };
+    speed * (since(start) - since(end))
+}
+
+/// The box that encloses a body on its whole path.
+pub(super) fn path(body: &Body, duration: f64) -> Extent {
+    let (low, high) = body.shape.solid().bounds();
+    let moved = DVec3::from_array(std::array::from_fn(|axis| travel(&body.translation[axis], duration)));
+    let (start, end) = (body.position, body.position + moved);
+    Extent { low: start.min(end) + low, high: start.max(end) + high }
+}
+
+/// The box that encloses all bodies on their whole paths.
+pub(super) fn paths(bodies: &[Body], duration: f64) -> Option<Extent> {
+    bodies
+        .iter()
+        .map(|b| path(b, duration))
+        .reduce(|a, b| Extent { low: a.low.min(b.low), high: a.high.max(b.high) })
+}
+
+/// The largest edge of any body in the plane of the tow [m].
+pub(super) fn body_length(bodies: &[Body]) -> f64 {
+    let length = |b: &Body| {
+        let (low, high) = b.shape.solid().bounds();
+        (high - low).x.max((high - low).z)
+    };
+    bodies.iter().map(length).fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn travel_is_the_integral_of_the_speed() {
+        let towed = Freedom::Prescribed { speed: 0.2, start: 0.4, ramp: 0.1, end: 1.0 };
+        let at = |time: f64| travel(&towed, time);
+        assert!((at(0.4), at(0.3)) == (0.0, 0.0));
+        assert!((at(0.45) - 0.2 * 0.1 * (0.125 - 0.03125)).abs() < 1e-15, "inside the ramp");
+        assert!((at(0.5) - 0.2 * 0.05).abs() < 1e-15, "a ramp covers half of what the full speed would");
+        assert!((at(0.9) - 0.2 * 0.45).abs() < 1e-15);
+        assert!(
+            (at(5.0) - 0.2 * 0.6).abs() < 1e-15,
+            "from start to end: the two ramps compensate each other"
+        );
+        assert_eq!(travel(&Freedom::Fixed, 9.0), 0.0);
+        let at_once = Freedom::Prescribed { speed: -1.0, start: 0.0, ramp: 0.0, end: f64::INFINITY };
+        assert_eq!(travel(&at_once, 2.0), -2.0);
+    }
+}

@@ -1,0 +1,236 @@
+//! A case as input of the closed-form models: one body, or a row of equal discs, in level Mohr–Coulomb soil.
+
+use super::towed::{bodies, body};
+use crate::case::resolved::{Body as Towed, Case, Factors, Freedom, Ground, Law, Measured, Shape};
+use crate::case::travel;
+use analytic::bearing::Method;
+use analytic::disc::Drive;
+use analytic::forecast::Body;
+use analytic::wheel::PressureSinkage;
+use analytic::{Load, Soil, Towing};
+
+/// The input of the closed-form models, and the assumptions made to obtain it.
+#[derive(Clone, Debug)]
+pub struct ModelInput {
+    /// Names of the bodies: one, or several equal discs.
+    pub bodies: Vec<String>,
+    /// What they are, in one word.
+    pub kind: &'static str,
+    /// The body under tow.
+    pub towing: Towing,
+    /// Whether it is towed along −x, so that the models are given its mirror image.
+    pub mirrored: bool,
+    /// Load on a free heave in addition to the weight m g, downwards [N].
+    pub extra_load: f64,
+    /// The assumptions, in words.
+    pub remarks: Vec<String>,
+}
+
+/// The input of the closed-form models for a case.
+///
+/// # Errors
+/// The reason, in words, why they do not apply.
+pub fn model_input(case: &Case) -> Result<ModelInput, String> {
+    let mut remarks = Vec::new();
+    let (bodies, assembly) = bodies(case, &mut remarks)?;
+    let first = *bodies.first().ok_or("the case has no body under tow")?;
+    let (mut body, kind, mirrored) = body(case, first, &mut remarks)?;
+    no_lateral_tow(&bodies)?;
+    let ground = ground(case, &body)?;
+    let soil = soil(case, first, &mut remarks)?;
+    let count = bodies.len() as f64;
+    let load = load(case, first, &ground, count, &mut remarks)?;
+    if let (Body::Block(block), Load::Sinkage(z)) = (&mut body, load) {
+        block.has_base = z < ground.depth() * (1.0 - 1e-9);
+    }
+    let drive = match &body {
+        Body::Block(_) => Drive::Locked,
+        Body::Disc(_) => drive(first, 0.5 * body.length())?,
+        Body::Faceted(_) if matches!(first.shape, Shape::Sphere { .. }) => drive(first, 0.5 * body.length())?,
+        Body::Faceted(_) => Drive::Locked,
+    };
+    if drive == Drive::Locked && !matches!(first.spin, Freedom::Fixed) {
+        remarks.push(format!("`{}` may rotate; the models assume that it does not", first.name));
+    }
+    if body.disc().is_some() && matches!(first.translation[0], Freedom::Fixed) {
+        remarks.push(format!("the case does not tow `{}`; the forces are those of a steady tow", first.name));
+    }
+    let mut towing = Towing::new(soil, body, load, drive);
+    towing.assembly = assembly;
+    towing.elastic_modulus = Some(case.soil.young_modulus);
+    add_measured(&mut towing, &case.forecast, &mut remarks);
+    remarks.extend(unused_keys(&towing, kind));
+    if case.gravity > 0.0 {
+        towing.gravity = case.gravity;
+    }
+    let extra_load = match (load, case.gravity) {
+        (Load::Weight(weight), gravity) => weight - count * first.mass * gravity,
+        _ => 0.0,
+    };
+    let bodies = bodies.iter().map(|b| b.name.clone()).collect();
+    Ok(ModelInput { bodies, kind, towing, mirrored, extra_load, remarks })
+}
+
+/// Refuses a body that is moved or loaded sideways: the models are for a tow along x only.
+fn no_lateral_tow(bodies: &[&Towed]) -> Result<(), String> {
+    let is_moved = |b: &&&Towed| match b.translation[1] {
+        Freedom::Prescribed { speed, .. } => speed != 0.0,
+        Freedom::Free { load, .. } => load != 0.0,
+        Freedom::Fixed => false,
+    };
+    match bodies.iter().find(is_moved) {
+        Some(body) => Err(format!(
+            "`{}` moves sideways (lateral), but the closed forms are for a tow along x only; write lateral = \"fixed\" for \
+             a forecast of the motion along x",
+            body.name
+        )),
+        None => Ok(()),
+    }
+}
+
+/// A remark on the keys of `[forecast]` that no model of such a body uses.
+fn unused_keys(towing: &Towing, kind: &str) -> Option<String> {
+    let is_round = matches!(towing.body, Body::Faceted(_));
+    let given = [
+        ("heap", towing.bow_wave_fraction != 0.0),
+        ("backfill", is_round && towing.backfill != 0.0),
+        ("factors", is_round && towing.method != Method::default()),
+        ("cone_index", towing.cone_index.is_some()),
+        ("plate constants", towing.terrain.is_some()),
+    ];
+    let unused: Vec<&str> = given.iter().filter(|(_, given)| *given).map(|(key, _)| *key).collect();
+    (towing.body.disc().is_none() && !unused.is_empty())
+        .then(|| format!("no model of a {kind} uses {} in [forecast]", unused.join(", ")))
+}
+
+/// Adds the parameters of the section `[forecast]`.
+fn add_measured(towing: &mut Towing, measured: &Measured, remarks: &mut Vec<String>) {
+    (towing.bow_wave_fraction, towing.backfill) = (measured.heap, measured.backfill);
+    (towing.cone_index, towing.plate_stiffness) = (measured.cone_index, measured.plate_stiffness);
+    towing.method = match measured.factors {
+        Factors::Meyerhof => Method::Meyerhof,
+        Factors::HansenVesic => Method::HansenVesic,
+        Factors::Lyamin => Method::Lyamin,
+    };
+    let Some(plate) = &measured.plate else { return };
+    towing.terrain = Some(PressureSinkage {
+        exponent: plate.exponent,
+        cohesive: plate.cohesive,
+        frictional: plate.frictional,
+        cohesion: towing.soil.cohesion,
+        friction_angle: towing.soil.friction_angle,
+        shear_modulus: plate.shear_deformation_modulus,
+    });
+    if let Some(name) = &plate.name {
+        remarks.push(format!("plate constants of {name}, as published; c and φ are those of the case"));
+    }
+}
+
+/// The level ground in front of the body.
+struct LevelGround {
+    /// Height of its surface [m].
+    surface: f64,
+    /// Height of the floor [m].
+    floor: f64,
+}
+
+impl LevelGround {
+    /// Depth of the soil [m].
+    fn depth(&self) -> f64 {
+        self.surface - self.floor
+    }
+}
+
+/// The ground; for a block also a bank of soil, with its height.
+fn ground(case: &Case, body: &Body) -> Result<LevelGround, String> {
+    if case.overburden > 0.0 {
+        return Err("the soil is under an overburden; the models are for a free surface".into());
+    }
+    match case.ground {
+        Ground::Level { surface } => Ok(LevelGround { surface, floor: case.domain.low.z }),
+        Ground::Column { low, high, radius: None } if body.block().is_some() => {
+            Ok(LevelGround { surface: high.z, floor: low.z.max(case.domain.low.z) })
+        }
+        Ground::Column { .. } => Err("the soil is heaped up; the models are for level ground".into()),
+    }
+}
+
+fn soil(case: &Case, body: &Towed, remarks: &mut Vec<String>) -> Result<Soil, String> {
+    let Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, .. } = case.soil.law else {
+        let law = match case.soil.law {
+            Law::Elastic => "elastic",
+            Law::VonMises { .. } => "metal (von-mises)",
+            _ => "undrained (tresca)",
+        };
+        return Err(format!("the soil is {law}; the closed forms are for Mohr-Coulomb soil"));
+    };
+    if case.soil.unit_weight <= 0.0 {
+        return Err("the soil is weightless; in the closed forms strength comes from weight".into());
+    }
+    let body_friction = if body.friction.is_finite() {
+        body.friction
+    } else {
+        remarks.push("rough surface: friction tan φ".into());
+        friction_angle.tan()
+    };
+    let unit_weight = case.soil.unit_weight;
+    Ok(Soil { friction_angle, dilation_angle, cohesion, unit_weight, body_friction })
+}
+
+/// The load of a free heave, or the deepest sinkage [m] that the motion prescribes.
+fn load(
+    case: &Case,
+    body: &Towed,
+    ground: &LevelGround,
+    count: f64,
+    remarks: &mut Vec<String>,
+) -> Result<Load, String> {
+    let name = &body.name;
+    let start = ground.surface - (body.position.z + body.shape.solid().bounds().0.z);
+    let heave = &body.translation[2];
+    match *heave {
+        Freedom::Free { load, .. } if load < 0.0 => return Ok(Load::Weight(-load * count)),
+        Freedom::Free { .. } => {
+            return Err(format!(
+                "`{name}` is not pressed into the soil: its weight and load are not directed downwards"
+            ));
+        }
+        Freedom::Fixed => {}
+        Freedom::Prescribed { .. } => {}
+    }
+    let steps = 200;
+    let at = |n: u32| start - travel(heave, case.duration * f64::from(n) / f64::from(steps));
+    let deepest = (0..=steps).map(at).fold(f64::NEG_INFINITY, f64::max);
+    if deepest <= 0.0 {
+        return Err(format!("`{name}` never moves below the surface of the soil"));
+    }
+    let soil = ground.depth();
+    if deepest >= soil {
+        remarks.push(format!(
+            "`{name}` extends through the soil to its floor: a sinkage of {soil:.4} m, the whole depth of the soil"
+        ));
+        return Ok(Load::Sinkage(soil));
+    }
+    remarks.push(format!(
+        "the heave of `{name}` is prescribed: evaluated at its deepest position, a sinkage of {:.4} m",
+        deepest
+    ));
+    Ok(Load::Sinkage(deepest))
+}
+
+/// The condition at the axle of a body of this radius [m]; a prescribed rotation gives the slip.
+fn drive(body: &Towed, radius: f64) -> Result<Drive, String> {
+    match (&body.spin, &body.translation[0]) {
+        (Freedom::Free { load, .. }, _) if *load > 0.0 => Ok(Drive::Driven(*load)),
+        (Freedom::Free { load, .. }, _) if *load < 0.0 => Ok(Drive::Braked(-load)),
+        (Freedom::Free { .. }, _) => Ok(Drive::Free),
+        (Freedom::Fixed, _) => Ok(Drive::Locked),
+        (Freedom::Prescribed { speed: spin, .. }, Freedom::Prescribed { speed, .. }) if *speed != 0.0 => {
+            Ok(Drive::Slip(analytic::slip(spin * radius / speed)))
+        }
+        _ => Err(format!(
+            "`{}` rotates at a given rate, but is not towed at a given speed: its slip is unknown",
+            body.name
+        )),
+    }
+}

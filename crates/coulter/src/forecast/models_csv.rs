@@ -1,0 +1,54 @@
+//! The models of a forecast as comma-separated values.
+
+use super::outlook::{Outlook, mechanism_word};
+use super::uncertainty::Intervals;
+use std::fmt::Write;
+
+/// Header of `models.csv`.
+const HEADER: &str = "model,applicable,drag F_H [N],vertical F_V [N],sinkage z [m],contact angle [deg],\
+force inclination [deg],slip [-],mechanism,sideways share [-],F_H_bar [-],F_V_bar [-],Z [-],\
+drag 5 % [N],drag 95 % [N],vertical 5 % [N],vertical 95 % [N],sinkage 5 % [m],sinkage 95 % [m],note";
+
+/// The text of `models.csv`: one line per model.
+#[must_use]
+pub fn models_csv(outlook: &Outlook, intervals: &Intervals) -> String {
+    let mut text = format!("{HEADER}\n");
+    let (scale, length) = (outlook.force_scale(), outlook.input.towing.body.length());
+    for model in &outlook.forecast.models {
+        let found = model.prediction;
+        let sinkage = found.and_then(|p| p.sinkage);
+        let numbers = [
+            found.map(|p| p.drag),
+            found.map(|p| p.vertical),
+            sinkage,
+            found.and_then(|p| p.contact_angle).map(f64::to_degrees),
+            found.map(|p| p.force_inclination.to_degrees()),
+            found.and_then(|p| p.slip),
+        ];
+        let groups = [
+            found.and_then(|p| p.sideways_fraction),
+            found.map(|p| p.drag / scale),
+            found.map(|p| p.vertical / scale),
+            sinkage.map(|z| z / length),
+        ];
+        let ends = |quantity: &str| {
+            let found = intervals.of(model.name, quantity);
+            [found.map(|i| i.low), found.map(|i| i.high)]
+        };
+        let spread = ["drag_N", "vertical_N", "sinkage_m"].map(ends).concat();
+        let fields = |list: &[Option<f64>]| {
+            list.iter().map(|x| x.map_or(String::new(), |x| format!("{x:.6e}"))).collect::<Vec<_>>().join(",")
+        };
+        let word = found.and_then(|p| p.mechanism).map_or("", mechanism_word);
+        let note = model.note.replace('"', "'");
+        let (name, applicable) = (model.name, model.applicable);
+        let _ = writeln!(
+            text,
+            "{name},{applicable},{},{word},{},{},\"{note}\"",
+            fields(&numbers),
+            fields(&groups),
+            fields(&spread)
+        );
+    }
+    text
+}

@@ -1,0 +1,81 @@
+//! What the closed-form models say of a case.
+
+use super::model_input::{ModelInput, model_input};
+use crate::case::Case;
+use analytic::Forecast;
+use analytic::disc::{Drive, Mechanism};
+use analytic::forecast::{Candidate, Load, ModelForecast};
+
+/// The forecast for a case.
+#[derive(Clone, Debug)]
+pub struct Outlook {
+    /// Name of the case.
+    pub case: String,
+    /// The input of the models.
+    pub input: ModelInput,
+    /// The results of the models.
+    pub forecast: Forecast,
+}
+
+/// Evaluates every closed-form model for the body of `case`.
+///
+/// # Errors
+/// The reason, in words, why no closed form applies to the case.
+pub fn outlook(case: &Case) -> Result<Outlook, String> {
+    let input = model_input(case)?;
+    let mut forecast = analytic::forecast(&input.towing).map_err(|why| why.to_string())?;
+    for model in forecast.models.iter_mut().chain(&mut forecast.models_full_friction) {
+        if let Some(key) = missing_key(model.model, &input) {
+            model.note = key.to_owned();
+        }
+    }
+    Ok(Outlook { case: case.name.clone(), input, forecast })
+}
+
+/// The key that a model needs and the case lacks, if that is why the model does not apply.
+fn missing_key(model: Candidate, input: &ModelInput) -> Option<&'static str> {
+    let towing = &input.towing;
+    if towing.body.disc().is_none() || towing.drive != Drive::Free || towing.assembly.is_some() {
+        return None;
+    }
+    match model {
+        Candidate::Bekker | Candidate::WongReece if towing.terrain.is_none() => Some(
+            "needs plate constants: [forecast] terrain = \"LETE sand\" (or another published soil), or \
+             sinkage_exponent, cohesive_modulus and frictional_modulus",
+        ),
+        Candidate::WismerLuth | Candidate::Brixius
+            if towing.cone_index.is_none() && matches!(towing.load, Load::Weight(_)) =>
+        {
+            Some("needs the cone index: [forecast] cone_index = \"300 kPa\"")
+        }
+        _ => None,
+    }
+}
+
+impl Outlook {
+    /// The recommended model; `None` if there is none, or it has no answer.
+    #[must_use]
+    pub fn recommended(&self) -> Option<&ModelForecast> {
+        self.forecast.models.iter().find(|m| Some(m.model) == self.forecast.recommended)
+    }
+
+    /// The reference force γ t d² of one body [N].
+    #[must_use]
+    pub fn force_scale(&self) -> f64 {
+        self.input.towing.body.force_scale(self.input.towing.soil.unit_weight)
+    }
+
+    /// Whether the body sinks under its weight.
+    #[must_use]
+    pub fn sinks(&self) -> bool {
+        matches!(self.input.towing.load, Load::Weight(_))
+    }
+}
+
+/// The mechanism in one word.
+pub(super) fn mechanism_word(mechanism: Mechanism) -> &'static str {
+    match mechanism {
+        Mechanism::Sideways => "sideways",
+        Mechanism::Forwards => "forwards",
+    }
+}

@@ -1,0 +1,126 @@
+//! The history of a run: samples of bodies, energy and boundaries.
+
+pub mod reference;
+pub mod steady;
+
+use serde::{Deserialize, Serialize};
+
+/// One line of a body's history. Forces are the soil's on the whole body, averaged over the interval that ends at
+/// `time` (impulse over time, so nothing is lost between two lines).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct BodySample {
+    /// Time [s].
+    pub time: f64,
+    /// Displacement u along the tow [m].
+    pub displacement: f64,
+    /// Sinkage z_s of the lowest point below the undisturbed surface [m], positive downwards.
+    pub sinkage: f64,
+    /// Drag F_H: horizontal force against the tow [N].
+    pub drag: f64,
+    /// Lateral force along y [N] (0 in a symmetric case).
+    pub lateral: f64,
+    /// Vertical force F_V: positive when the soil pushes the body up [N].
+    pub vertical: f64,
+    /// Drag due to pressure normal to the surface [N]; the rest is friction.
+    pub drag_normal: f64,
+    /// Vertical force due to pressure normal to the surface [N]; the rest is friction.
+    pub vertical_normal: f64,
+    /// Torque of the soil about the axle [N m], positive when it makes the body roll forward.
+    pub axle_torque: f64,
+    /// Rotation Ω [rad], positive when it rolls forward.
+    pub rotation: f64,
+    /// Rate of rotation ω [rad/s].
+    pub spin: f64,
+    /// Forward speed v [m/s].
+    pub speed: f64,
+    /// Heave velocity, positive upwards [m/s].
+    pub heave_speed: f64,
+    /// Soil inside the body [m³] (a measure of leakage).
+    pub leaked_volume: f64,
+    /// Volume of the body below the undisturbed surface [m³].
+    pub embedded_volume: f64,
+}
+
+/// The energy balance at one time: work and energy since the start, of the whole case [J].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct EnergySample {
+    /// Time [s].
+    pub time: f64,
+    /// Work of loads, prescribed motions and gravity, and the initial kinetic energy.
+    pub external: f64,
+    /// Kinetic energy of soil and bodies.
+    pub kinetic: f64,
+    /// Elastic energy of the soil, less that at the start.
+    pub elastic: f64,
+    /// Plastic dissipation.
+    pub plastic: f64,
+    /// Dissipation by friction on the bodies.
+    pub friction: f64,
+    /// Energy that the contact method itself stores, dissipates or adds; should be small.
+    pub contact: f64,
+    /// Dissipation by bulk viscosity.
+    pub viscous: f64,
+    /// Dissipation by hourglass viscosity.
+    pub hourglass: f64,
+    /// Kinetic and elastic energy lost in remaps.
+    pub remap_loss: f64,
+    /// Soil volume over the volume at the start.
+    pub volume_ratio: f64,
+}
+
+impl EnergySample {
+    /// The error of the energy balance: energy that no entry explains [J].
+    #[must_use]
+    pub fn unexplained(&self) -> f64 {
+        let explained = self.kinetic
+            + self.elastic
+            + self.plastic
+            + self.friction
+            + self.contact
+            + self.viscous
+            + self.hourglass
+            + self.remap_loss;
+        self.external - explained
+    }
+
+    /// Reference energy for relative figures [J]: the largest of external work, plastic dissipation and kinetic energy.
+    #[must_use]
+    pub fn scale(&self) -> f64 {
+        self.external.abs().max(self.plastic.abs()).max(self.kinetic.abs())
+    }
+
+    /// Relative error of the energy balance: [`Self::unexplained`] over [`Self::scale`].
+    #[must_use]
+    pub fn closure(&self) -> f64 {
+        let scale = self.scale();
+        if scale > 0.0 { self.unexplained() / scale } else { 0.0 }
+    }
+}
+
+/// The soil at the faces of the box at one time; of the whole case, not only of the modelled half or quarter.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct BoundarySample {
+    /// Time [s].
+    pub time: f64,
+    /// Area of the lid that soil has reached [m²]; 0 where the soil reaches up to the lid from the start.
+    pub lid_area: f64,
+    /// Force of the soil on that area [N].
+    pub lid_force: f64,
+    /// Area of the side walls that soil has reached and that was bare at the start [m²].
+    pub wall_area: f64,
+    /// Largest rise of the normal pressure on floor and side walls above that at rest [Pa].
+    pub stress_rise: f64,
+}
+
+/// All samples of a run so far.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct History {
+    /// Names of the bodies.
+    pub names: Vec<String>,
+    /// Samples of each body, in the order of `names`.
+    pub bodies: Vec<Vec<BodySample>>,
+    /// The energy balance.
+    pub energy: Vec<EnergySample>,
+    /// The faces of the box.
+    pub boundaries: Vec<BoundarySample>,
+}

@@ -1,0 +1,94 @@
+//! The reference lengths and force that make a body's results dimensionless, and its rolling radius.
+
+use super::BodySample;
+use crate::case::resolved::{Axis, Body, Case, Freedom, Shape};
+use serde::{Deserialize, Serialize};
+
+/// Speeds below this [m/s] count as rest, where the turn ratio is not defined.
+const REST: f64 = 1e-6;
+
+/// The reference quantities of a body.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Reference {
+    /// Name of the body.
+    pub name: String,
+    /// Its kind: "disc", "block", "cylinder", "sphere".
+    pub kind: String,
+    /// Reference length d [m]: the diameter, a block's height.
+    pub length: f64,
+    /// Reference width t [m]: a disc's thickness, a block's width, the length of a cylinder along y, otherwise the diameter; in
+    /// plane strain the width of the slab.
+    pub width: f64,
+    /// Unit weight γ of the soil [N/m³]; 0 when it is weightless.
+    pub unit_weight: f64,
+    /// Rolling radius r [m]; `None` for a body that cannot roll.
+    pub radius: Option<f64>,
+    /// Whether it moves along x, prescribed or free.
+    pub towed: bool,
+    /// Whether it rotates about its axle.
+    pub turns: bool,
+}
+
+impl Reference {
+    /// The reference of one body of a case.
+    #[must_use]
+    pub fn of(case: &Case, body: &Body) -> Self {
+        let (kind, length, thickness, radius) = match body.shape {
+            Shape::Disc { diameter, thickness } => ("disc", diameter, thickness, Some(0.5 * diameter)),
+            Shape::Block { size, .. } => ("block", size.z, size.y, None),
+            Shape::Cylinder { diameter, length, axis: Axis::Y } => {
+                ("cylinder", diameter, length, Some(0.5 * diameter))
+            }
+            Shape::Cylinder { diameter, .. } => ("cylinder", diameter, diameter, None),
+            Shape::Sphere { diameter } => ("sphere", diameter, diameter, Some(0.5 * diameter)),
+        };
+        let slab = case.domain.high.y - case.domain.low.y;
+        Self {
+            name: body.name.clone(),
+            kind: kind.to_owned(),
+            length,
+            width: if case.domain.plane_strain { slab } else { thickness },
+            unit_weight: case.soil.unit_weight,
+            radius,
+            towed: !matches!(body.translation[0], Freedom::Fixed),
+            turns: !matches!(body.spin, Freedom::Fixed),
+        }
+    }
+
+    /// The references of all bodies of a case, in its order.
+    #[must_use]
+    pub fn all(case: &Case) -> Vec<Self> {
+        case.bodies.iter().map(|body| Self::of(case, body)).collect()
+    }
+
+    /// Reference force γ t d² [N]; `None` for weightless soil.
+    #[must_use]
+    pub fn force(&self) -> Option<f64> {
+        let force = self.unit_weight * self.width * self.length * self.length;
+        (force > 0.0 && force.is_finite()).then_some(force)
+    }
+
+    /// A force [N] over the reference force.
+    #[must_use]
+    pub fn force_group(&self, force: f64) -> Option<f64> {
+        self.force().map(|reference| force / reference)
+    }
+
+    /// A length [m] over the reference length.
+    #[must_use]
+    pub fn length_group(&self, length: f64) -> Option<f64> {
+        (self.length > 0.0).then(|| length / self.length)
+    }
+
+    /// Turn ratio ω r / v: 1 rolls without slip, 0 slides without rotation; `None` at rest or without a radius.
+    #[must_use]
+    pub fn turn_ratio(&self, spin: f64, speed: f64) -> Option<f64> {
+        self.radius.filter(|_| speed.abs() > REST).map(|radius| spin * radius / speed)
+    }
+
+    /// Turn ratio of one line of the history.
+    #[must_use]
+    pub fn turn_ratio_of(&self, sample: &BodySample) -> Option<f64> {
+        self.turn_ratio(sample.spin, sample.speed)
+    }
+}

@@ -1,0 +1,281 @@
+//! The steady window at the end of a run: its samples, their averages, and the noise of the drag.
+
+use super::BodySample;
+use super::reference::Reference;
+use serde::{Deserialize, Serialize};
+use std::ops::Range;
+
+/// Width of the moving average about which the noise is measured, over the reference length d.
+pub const NOISE_WIDTH: f64 = 0.02;
+/// Least number of samples in the moving average; with fewer the noise would vanish by construction.
+pub const NOISE_SAMPLES: usize = 5;
+/// Ratio of drag to vertical force below which there is no noticeable drag.
+const NO_DRAG: f64 = 1e-3;
+/// Displacement over the reference length below which a body does not count as towed.
+const NO_TOW: f64 = 1e-3;
+
+/// Averages over the steady window; `null` in JSON where there is nothing to average.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Steady {
+    /// Displacement at which the window begins [m].
+    pub from_m: Option<f64>,
+    /// Displacement at which it ends [m].
+    pub to_m: Option<f64>,
+    /// Time at which it begins [s].
+    pub from_s: Option<f64>,
+    /// Time at which it ends [s].
+    pub to_s: Option<f64>,
+    /// Mean drag F_H [N].
+    #[serde(rename = "drag_N")]
+    pub drag: Option<f64>,
+    /// Mean vertical force F_V [N].
+    #[serde(rename = "vertical_N")]
+    pub vertical: Option<f64>,
+    /// Mean sinkage [m].
+    #[serde(rename = "sinkage_m")]
+    pub sinkage: Option<f64>,
+    /// Mean turn ratio ω r / v, from the mean rotation rate and speed.
+    pub turn_ratio: Option<f64>,
+    /// The corresponding slip: 1 − v/(ωr) where ωr > v, otherwise ωr/v − 1.
+    pub slip: Option<f64>,
+    /// Mean torque about the axle [N m].
+    #[serde(rename = "axle_torque_Nm")]
+    pub axle_torque: Option<f64>,
+    /// Scatter of the drag: root mean square of the drag less its moving average over 0.02 d (at least five samples),
+    /// over the mean drag.
+    pub drag_noise: Option<f64>,
+    /// Whether drag and sinkage change by less than their limits over the window; `null` without a tow.
+    pub is_steady: Option<bool>,
+}
+
+/// Largest values of a run, with their sign; `null` in JSON where there is none.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Peak {
+    /// Largest drag F_H [N].
+    #[serde(rename = "drag_N")]
+    pub drag: Option<f64>,
+    /// Displacement at which the drag is largest [m].
+    pub at_m: Option<f64>,
+    /// Time at which the drag is largest [s].
+    pub at_s: Option<f64>,
+    /// Largest vertical force F_V [N].
+    #[serde(rename = "vertical_N")]
+    pub vertical: Option<f64>,
+    /// Largest sinkage [m].
+    #[serde(rename = "sinkage_m")]
+    pub sinkage: Option<f64>,
+    /// Largest torque about the axle [N m].
+    #[serde(rename = "axle_torque_Nm")]
+    pub axle_torque: Option<f64>,
+    /// Largest volume of soil inside the body [m³].
+    pub leaked_m3: Option<f64>,
+}
+
+/// Whether the body moves along x far enough for displacement to be the abscissa of its plots and averages.
+#[must_use]
+pub fn is_tow(samples: &[BodySample], reference: &Reference) -> bool {
+    let travel = extent(samples.iter().map(|s| s.displacement));
+    travel > NO_TOW * reference.length
+}
+
+fn extent(values: impl Iterator<Item = f64>) -> f64 {
+    let (low, high) = values
+        .filter(|v| v.is_finite())
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
+    (high - low).max(0.0)
+}
+
+/// The samples of the steady window: the last `fraction` of the tow, or of the time for a body that is not towed.
+#[must_use]
+pub fn window(samples: &[BodySample], reference: &Reference, fraction: f64) -> Range<usize> {
+    let along: Vec<f64> = if is_tow(samples, reference) {
+        samples.iter().map(|s| s.displacement).collect()
+    } else {
+        samples.iter().map(|s| s.time).collect()
+    };
+    let (Some(first), Some(last)) = (along.first(), along.last()) else { return 0..0 };
+    let span = last - first;
+    let passed = |x: f64, at: f64| if span >= 0.0 { x >= at } else { x <= at };
+    let begin = last - fraction.clamp(0.0, 1.0) * span;
+    // A body that stops before the end of the run is no longer towed: the rest is cut off.
+    let end = along.iter().position(|x| passed(*x, last - 1e-6 * span)).map_or(along.len(), |n| n + 1);
+    let from = along.iter().position(|x| passed(*x, begin)).unwrap_or(0);
+    from.min(end.saturating_sub(1))..end
+}
+
+/// Averages over the samples of `window`. Each sample is weighted by the interval that it averages over.
+#[must_use]
+pub fn steady(samples: &[BodySample], reference: &Reference, window: Range<usize>) -> Steady {
+    let Some(inside) = samples.get(window.clone()).filter(|inside| !inside.is_empty()) else {
+        return Steady::default();
+    };
+    let weights = weights(samples, window);
+    let mean = |value: fn(&BodySample) -> f64| {
+        let sum: f64 = inside.iter().zip(&weights).map(|(s, w)| value(s) * w).sum();
+        finite(sum / weights.iter().sum::<f64>())
+    };
+    let drag = mean(|s| s.drag);
+    let (first, last) = (&inside[0], &inside[inside.len() - 1]);
+    let turn_ratio =
+        mean(|s| s.spin).zip(mean(|s| s.speed)).and_then(|(spin, speed)| reference.turn_ratio(spin, speed));
+    Steady {
+        from_m: finite(first.displacement),
+        to_m: finite(last.displacement),
+        from_s: finite(first.time),
+        to_s: finite(last.time),
+        drag,
+        vertical: mean(|s| s.vertical),
+        sinkage: mean(|s| s.sinkage),
+        turn_ratio,
+        slip: turn_ratio.map(analytic::slip),
+        axle_torque: mean(|s| s.axle_torque),
+        // The drag of a body that is pushed down is almost zero, and noise relative to it is meaningless.
+        drag_noise: drag
+            .filter(|drag| drag.abs() > NO_DRAG * mean(|s| s.vertical).unwrap_or(0.0).abs())
+            .and_then(|drag| noise(inside, reference, drag)),
+        // Filled in from the grade of the run.
+        is_steady: None,
+    }
+}
+
+/// Interval of each sample of the window; equal weights if all intervals vanish.
+fn weights(samples: &[BodySample], window: Range<usize>) -> Vec<f64> {
+    let interval = |n: usize| if n == 0 { 0.0 } else { (samples[n].time - samples[n - 1].time).max(0.0) };
+    let weights: Vec<f64> = window.map(interval).collect();
+    if weights.iter().sum::<f64>() > 0.0 { weights } else { vec![1.0; weights.len()] }
+}
+
+fn noise(inside: &[BodySample], reference: &Reference, mean: f64) -> Option<f64> {
+    let drag: Vec<f64> = inside.iter().map(|s| s.drag).collect();
+    let (along, width): (Vec<f64>, f64) = if is_tow(inside, reference) {
+        (inside.iter().map(|s| s.displacement).collect(), NOISE_WIDTH * reference.length)
+    } else {
+        (inside.iter().map(|s| s.time).collect(), 0.0)
+    };
+    let smooth = moving_average(&along, &drag, width);
+    let square: f64 = drag.iter().zip(&smooth).map(|(f, s)| (f - s).powi(2)).sum::<f64>() / drag.len() as f64;
+    finite(square.sqrt() / mean.abs())
+}
+
+fn finite(value: f64) -> Option<f64> {
+    value.is_finite().then_some(value)
+}
+
+/// Moving average of `values` centred on each sample over a width of `width` along `along`, at least
+/// [`NOISE_SAMPLES`] samples. Centred and symmetric, hence without phase shift; shorter at the ends.
+#[must_use]
+pub fn moving_average(along: &[f64], values: &[f64], width: f64) -> Vec<f64> {
+    let count = along.len().min(values.len());
+    let mut sums = vec![0.0; count + 1];
+    for n in 0..count {
+        sums[n + 1] = sums[n] + if values[n].is_finite() { values[n] } else { 0.0 };
+    }
+    let mut reach = 0;
+    (0..count)
+        .map(|n| {
+            let limit = n.min(count - 1 - n);
+            let fits = |r: usize| (along[n + r] - along[n - r]).abs() <= width;
+            // The half width changes little from sample to sample: grow or shrink the previous one.
+            reach = reach.min(limit);
+            while reach < limit && fits(reach + 1) {
+                reach += 1;
+            }
+            while reach > 0 && !fits(reach) {
+                reach -= 1;
+            }
+            let reach = reach.max(NOISE_SAMPLES / 2).min(limit);
+            (sums[n + reach + 1] - sums[n - reach]) / (2 * reach + 1) as f64
+        })
+        .collect()
+}
+
+/// Largest values of a history.
+#[must_use]
+pub fn peak(samples: &[BodySample]) -> Peak {
+    let largest = |value: fn(&BodySample) -> f64| {
+        samples
+            .iter()
+            .filter(|s| value(s).is_finite())
+            .max_by(|a, b| value(a).abs().total_cmp(&value(b).abs()))
+    };
+    let drag = largest(|s| s.drag);
+    Peak {
+        drag: drag.map(|s| s.drag),
+        at_m: drag.map(|s| s.displacement),
+        at_s: drag.map(|s| s.time),
+        vertical: largest(|s| s.vertical).map(|s| s.vertical),
+        sinkage: samples.iter().map(|s| s.sinkage).filter(|z| z.is_finite()).max_by(f64::total_cmp),
+        axle_torque: largest(|s| s.axle_torque).map(|s| s.axle_torque),
+        leaked_m3: largest(|s| s.leaked_volume).map(|s| s.leaked_volume),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn disc() -> Reference {
+        Reference {
+            name: "disc".into(),
+            kind: "disc".into(),
+            length: 0.2,
+            width: 0.04,
+            unit_weight: 16e3,
+            radius: Some(0.1),
+            towed: true,
+            turns: true,
+        }
+    }
+
+    fn tow(count: usize, drag: impl Fn(f64) -> f64) -> Vec<BodySample> {
+        (0..count)
+            .map(|n| {
+                let time = n as f64 * 0.01;
+                BodySample {
+                    time,
+                    displacement: 0.1 * time,
+                    speed: 0.1,
+                    spin: 0.9,
+                    drag: drag(time),
+                    ..Default::default()
+                }
+            })
+            .collect()
+    }
+
+    #[test]
+    fn the_window_is_the_last_fraction_of_the_tow() {
+        let mut samples = tow(1001, |_| 5.0);
+        assert_eq!(window(&samples, &disc(), 0.3), 700..1001);
+        // Resting at the end does not count.
+        let last = samples[1000];
+        samples.extend((1..500).map(|n| BodySample { time: last.time + f64::from(n), drag: 0.0, ..last }));
+        assert_eq!(window(&samples, &disc(), 0.3), 700..1001);
+        let result = steady(&samples, &disc(), 700..1001);
+        assert!((result.drag.unwrap() - 5.0).abs() < 1e-12);
+        assert!((result.turn_ratio.unwrap() - 0.9).abs() < 1e-12);
+        assert!(result.drag_noise.unwrap() < 1e-12);
+    }
+
+    #[test]
+    fn noise_is_the_scatter_and_not_the_trend() {
+        let rough = tow(2001, |t| 100.0 + t + 10.0 * (t * 400.0).sin());
+        let range = window(&rough, &disc(), 0.5);
+        let noise = steady(&rough, &disc(), range).drag_noise.unwrap();
+        let expected = 10.0 / 2.0_f64.sqrt() / 115.0;
+        assert!((noise / expected - 1.0).abs() < 0.15, "{noise} against {expected}");
+    }
+
+    #[test]
+    fn empty_and_invalid_histories_are_handled() {
+        assert_eq!(window(&[], &disc(), 0.3), 0..0);
+        assert_eq!(steady(&[], &disc(), 0..0), Steady::default());
+        let broken = vec![BodySample { drag: f64::NAN, time: f64::NAN, ..Default::default() }; 3];
+        let range = window(&broken, &disc(), 0.3);
+        assert_eq!(steady(&broken, &disc(), range).drag, None);
+        assert_eq!(peak(&broken).drag, None);
+        assert!(moving_average(&[f64::NAN; 4], &[f64::NAN; 4], 1.0).iter().all(|v| v.is_finite()));
+    }
+}

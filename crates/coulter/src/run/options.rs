@@ -1,0 +1,90 @@
+//! What a run is asked to do, and how it can end.
+
+use crate::interrupts::Interrupts;
+use crate::output::OutputError;
+use crate::output::summary::Summary;
+use solver::error::Breakdown;
+use std::path::{Path, PathBuf};
+
+/// What to do with a folder that already holds a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Start {
+    /// Refuse to start.
+    Anew,
+    /// Replace it.
+    Replace,
+    /// Continue it from its last checkpoint; start if there is none.
+    Resume,
+    /// The same, for schedulers: a finished run is left unchanged, unreadable checkpoints lead to a new start, and a lock is
+    /// waited for up to a minute.
+    AutoResume,
+}
+
+/// How to run.
+#[derive(Debug)]
+pub struct RunOptions<'a> {
+    /// Results folder.
+    pub folder: &'a Path,
+    /// What to do with an existing run.
+    pub start: Start,
+    /// Show no progress.
+    pub quiet: bool,
+    /// Warnings that memory or disk space may not suffice, for the log.
+    pub warnings: &'a [String],
+    /// Requests from outside during the run.
+    pub interrupts: &'a Interrupts,
+    /// The case file as typed, with overrides written into it; stored with the results.
+    pub typed: &'a str,
+}
+
+/// How a run ended.
+#[derive(Debug)]
+pub enum End {
+    /// It reached its end, now or before.
+    Finished(Box<Summary>),
+    /// It was stopped by this signal; the checkpoint from which it can be resumed.
+    Stopped(i32, PathBuf),
+}
+
+/// Why a run did not reach its end.
+#[derive(Debug, thiserror::Error)]
+pub enum RunError {
+    /// Results could not be read or written.
+    #[error(transparent)]
+    Output(#[from] OutputError),
+    /// The folder holds the run of another case.
+    #[error(
+        "{} holds the run of another case file (or of other values of its keys); use --force to start again, or another \
+         folder with -o DIR", .0.display()
+    )]
+    OtherCase(PathBuf),
+    /// There is no intact checkpoint to resume from.
+    #[error("{}: {problem}; use --force to start again", .path.display())]
+    Unusable {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        problem: String,
+    },
+    /// The physics failed in an earlier run, and would fail again.
+    #[error("the run in {} broke down before: {cause}; use --force to start again", .folder.display())]
+    BrokeDownBefore {
+        /// The cause.
+        cause: String,
+        /// Its folder.
+        folder: PathBuf,
+    },
+    /// The physics failed.
+    #[error(
+        "{cause}\nthe state at that time is in {} and {}; the last good checkpoint is unchanged",
+        .folder.display(), .checkpoint.display()
+    )]
+    Physics {
+        /// The cause.
+        cause: Box<Breakdown>,
+        /// Folder of the results so far.
+        folder: PathBuf,
+        /// The checkpoint of the state that failed.
+        checkpoint: PathBuf,
+    },
+}

@@ -1,0 +1,67 @@
+//! Checks during a run: an error that cannot be recovered from stops it, with position, time and cause.
+
+use crate::history::{EnergySample, History};
+use crate::simulation::Simulation;
+use crate::trust::boundary::most_pressed_lid_cell;
+use crate::trust::energy::body_force;
+use crate::trust::limits;
+use glam::DVec3;
+use solver::error::{Breakdown, Place};
+use solver::precision::Precision;
+
+/// Consecutive samples beyond the limit before a run is stopped: a single one may be an impact.
+const PATIENCE: usize = 10;
+/// Recent samples among which the largest force on the bodies is taken.
+const RECENT: usize = 200;
+/// Relative error of the energy balance that the rest of the run cannot make good.
+const FATAL_BALANCE_ERROR: f64 = 0.5;
+
+/// Stops a run that can no longer become valid.
+///
+/// # Errors
+/// [`Breakdown::Untrustworthy`] when the energy balance or the soil at the lid is beyond its limit for several samples.
+pub fn watch<R: Precision>(simulation: &Simulation<R>) -> Result<(), Breakdown> {
+    let Simulation { model, state, history, .. } = simulation;
+    let broken = |what: String, cure: &str, place: DVec3| {
+        let (time, step, place) = (state.time, state.step, Place::at(place));
+        Err(Breakdown::Untrustworthy { what, cure: cure.to_owned(), time, step, place })
+    };
+    let middle = state.bodies.first().map_or(DVec3::NAN, |body| body.position);
+    if let Some(error) = fatal_balance_error(&history.energy, simulation.setting().energy_floor) {
+        let what = format!("{:.0} % of the energy is unexplained", 100.0 * error);
+        return broken(what, limits::ENERGY_BALANCE.advice, middle);
+    }
+    if let Some(per_cent) = pressed_lid(history) {
+        let limit = limits::LID.doubtful;
+        let what = format!(
+            "soil presses against the lid with {per_cent:.1} % of the force on the bodies (limit {limit} %)"
+        );
+        return broken(what, limits::LID.advice, most_pressed_lid_cell(model, state));
+    }
+    Ok(())
+}
+
+/// The last samples, if there are enough of them.
+fn latest<T>(samples: &[T]) -> Option<&[T]> {
+    samples.len().checked_sub(PATIENCE).map(|from| &samples[from..])
+}
+
+/// Least relative error of the energy balance over the last samples, if it is fatal in all of them.
+fn fatal_balance_error(energy: &[EnergySample], floor: f64) -> Option<f64> {
+    let error = |e: &EnergySample| if e.scale() > floor { (e.unexplained() / e.scale()).abs() } else { 0.0 };
+    let least = latest(energy)?.iter().map(error).fold(f64::INFINITY, f64::min);
+    (least > FATAL_BALANCE_ERROR).then_some(least)
+}
+
+/// Least force on the lid over the largest recent force on the bodies [%], if it is beyond the limit in all of the last
+/// samples.
+fn pressed_lid(history: &History) -> Option<f64> {
+    let count = history.boundaries.len();
+    let force = latest(&history.boundaries)?.iter().map(|b| b.lid_force).fold(f64::INFINITY, f64::min);
+    if force <= 0.0 {
+        return None;
+    }
+    let most = (count.saturating_sub(RECENT)..count).map(|n| body_force(history, n)).fold(0.0, f64::max);
+    let per_cent = 100.0 * force / most;
+    (most > 0.0 && per_cent > limits::LID.doubtful).then_some(per_cent)
+}
