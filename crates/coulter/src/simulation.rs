@@ -1,7 +1,6 @@
 //! A case on its way through time: the model and state that it means, and the history that its probes write.
 
-use crate::case::Case;
-use crate::case::resolved;
+use crate::case::{Case, case_text};
 use crate::history::reference::Reference;
 use crate::history::{BodySample, EnergySample, History};
 use crate::model::{filling, model};
@@ -261,15 +260,4 @@ impl<R: Precision> Simulation<R> {
             volume_ratio: soil_volume(&self.model.grid, &self.state.soil) / ledger.volume_start,
         }
     }
-}
-
-/// The resolved case as text, but for what makes no difference to the results.
-#[must_use]
-pub fn case_text(case: &Case) -> String {
-    let mut case = case.clone();
-    case.numerics.threads = 0;
-    case.output.checkpoint_interval = 0.0;
-    case.forecast = resolved::Measured::default();
-    // A case is made of numbers, names and lists: it always has a text.
-    serde_json::to_string(&case).unwrap_or_default()
 }

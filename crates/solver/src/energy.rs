@@ -8,7 +8,7 @@ use crate::grid::Grid;
 use crate::halo::Halo;
 use crate::model::Model;
 use crate::precision::Precision;
-use crate::real::Real;
+use crate::scalar::Scalar;
 use crate::state::{Soil, State};
 
 /// Elastic energy of the soil [J].
@@ -44,13 +44,13 @@ pub(crate) fn total<R: Precision>(
 
 /// Volume of the soil [m³].
 #[must_use]
-pub fn soil_volume<R: Real>(grid: &Grid, soil: &Soil<R>) -> f64 {
+pub fn soil_volume<R: Scalar>(grid: &Grid, soil: &Soil<R>) -> f64 {
     sum_rows(grid, |row| volume_of_row(grid, &soil.fraction, row))
 }
 
 /// Mass of the soil [kg].
 #[must_use]
-pub fn soil_mass<R: Real>(soil: &Soil<R>) -> f64 {
+pub fn soil_mass<R: Scalar>(soil: &Soil<R>) -> f64 {
     soil.mass.iter().map(|mass| (*mass).to_f64()).sum()
 }
 
@@ -63,7 +63,7 @@ fn sum_rows(grid: &Grid, of_row: impl Fn([usize; 2]) -> f64) -> f64 {
 }
 
 /// Volume of the soil in row `q` of a storage plane of cells [m³].
-fn volume_of_row<R: Real>(grid: &Grid, fraction: &[R], [q, plane]: [usize; 2]) -> f64 {
+fn volume_of_row<R: Scalar>(grid: &Grid, fraction: &[R], [q, plane]: [usize; 2]) -> f64 {
     let [nx, ny, nz] = grid.cells();
     if !(1..=ny).contains(&q) || plane > nz {
         return 0.0;

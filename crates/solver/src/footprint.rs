@@ -5,7 +5,7 @@ use crate::contact::{BodyCell, ContactNode, kept_per_constraint};
 use crate::cpu::workspace;
 use crate::fields::ARRAYS;
 use crate::model::{BodyModel, Model};
-use crate::real::Real;
+use crate::scalar::Scalar;
 use crate::state::Contact;
 use glam::DVec3;
 use physics::rigid::Freedom;
@@ -33,7 +33,7 @@ const NODES_PER_CONSTRAINT: f64 = 2.5;
 
 /// What a run of a model by so many threads will take up, each body being at last so far from its start [m].
 #[must_use]
-pub fn footprint<R: Real>(model: &Model, threads: usize, moved: &[DVec3]) -> Footprint {
+pub fn footprint<R: Scalar>(model: &Model, threads: usize, moved: &[DVec3]) -> Footprint {
     let grid = &model.grid;
     let [fields, fields_of_soil] = self::fields::<R>(grid.entries, model.materials.len());
     let per_surface_point = size_of::<(DVec3, u32)>() as f64;

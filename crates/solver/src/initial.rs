@@ -7,7 +7,7 @@ use crate::grid::Grid;
 pub use crate::model::Filling;
 use crate::model::Model;
 use crate::precision::Precision;
-use crate::real::Real;
+use crate::scalar::Scalar;
 use crate::state::{Body, Ledger, Nodes, Received, Soil, State};
 use glam::DVec3;
 
@@ -38,7 +38,7 @@ pub fn at_rest_filled<R: Precision>(model: &Model, fraction: Vec<R>) -> State<R>
 }
 
 /// Adds soil of a material where there is still room for it.
-fn add<R: Real>(soil: &mut Soil<R>, fraction: &[R], material: usize) {
+fn add<R: Scalar>(soil: &mut Soil<R>, fraction: &[R], material: usize) {
     for (c, own) in fraction.iter().enumerate() {
         let held = soil.fraction[c].to_f64();
         let added = own.to_f64().min(1.0 - held);
@@ -101,7 +101,7 @@ pub fn set_in_motion<R: Precision>(model: &Model, state: &mut State<R>, velocity
 }
 
 /// Volume fractions of a box of soil, or of the round column inside it.
-fn fill<R: Real>(grid: &Grid, filling: &Filling, fraction: &mut [R]) {
+fn fill<R: Scalar>(grid: &Grid, filling: &Filling, fraction: &mut [R]) {
     let [nx, ny, nz] = grid.cells();
     let range = |axis: usize, n: usize| {
         [grid.faces[axis][n].max(filling.low[axis]), grid.faces[axis][n + 1].min(filling.high[axis])]
@@ -155,7 +155,7 @@ fn area_in_disc(radius: f64, [x0, x1]: [f64; 2], [y0, y1]: [f64; 2]) -> f64 {
 }
 
 /// No stress where no soil is left.
-fn relieve_void<R: Real>(soil: &mut Soil<R>) {
+fn relieve_void<R: Scalar>(soil: &mut Soil<R>) {
     for (c, fraction) in soil.fraction.iter().enumerate() {
         if *fraction == R::default() {
             soil.stress.iter_mut().for_each(|component| component[c] = R::default());
@@ -164,13 +164,13 @@ fn relieve_void<R: Real>(soil: &mut Soil<R>) {
 }
 
 /// Density of the undeformed soil in a cell [kg/m³].
-fn density<R: Real>(model: &Model, soil: &Soil<R>, c: usize) -> f64 {
+fn density<R: Scalar>(model: &Model, soil: &Soil<R>, c: usize) -> f64 {
     let first = model.material().density;
     let others = model.materials[1..].iter().zip(&soil.composition);
     others.fold(first, |sum, (material, portion)| sum + portion[c].to_f64() * (material.density - first))
 }
 
-fn weigh<R: Real>(model: &Model, soil: &mut Soil<R>) {
+fn weigh<R: Scalar>(model: &Model, soil: &mut Soil<R>) {
     let grid = &model.grid;
     let [nx, ny, nz] = grid.cells();
     for k in 0..nz {
@@ -187,7 +187,7 @@ fn weigh<R: Real>(model: &Model, soil: &mut Soil<R>) {
 /// Stresses at rest: σ_z from the discrete balance of each node, from the top down, `f_k σ_k = f_{k+1} σ_{k+1} −
 /// (m_k + m_{k+1}) g / 2A`, so that the first step moves nothing; σ_x = σ_y = K₀ σ_z. Taken before the bodies' space is
 /// carved out: soil beside and under a body that starts in it bears what it bore before the body was there.
-fn rest_stress<R: Real>(model: &Model, soil: &mut Soil<R>, overburden: f64) {
+fn rest_stress<R: Scalar>(model: &Model, soil: &mut Soil<R>, overburden: f64) {
     let grid = &model.grid;
     let [nx, ny, nz] = grid.cells();
     for j in 0..ny {

@@ -4,11 +4,11 @@ use crate::cpu::kernels::{double, single};
 use crate::cpu::workspace::SoilWorkspace;
 use crate::grid::Grid;
 use crate::model::Model;
-pub use crate::real::Real;
+pub use crate::scalar::Scalar;
 use crate::state::{Nodes, Soil, State};
 
 /// A number type with its kernels. Rows are numbered in the order of the memory (see [`Grid::row_place`]).
-pub trait Precision: Real {
+pub trait Precision: Scalar {
     /// Strains the soil and moves its nodes by one step of `dt` [s]: stresses and displacements at the end of the step,
     /// velocities without contact half a step later.
     fn lagrangian_stage(model: &Model, state: &mut State<Self>, workspace: &mut SoilWorkspace<Self>, dt: f64);
@@ -49,16 +49,16 @@ pub trait Precision: Real {
 
 macro_rules! precision {
     ($module:ident, $name:literal, $round_off:literal) => {
-        impl Real for $module::Real {
+        impl Scalar for $module::Real {
             const NAME: &'static str = $name;
             const LANES: usize = $module::LANES;
             const ROUND_OFF: f64 = $round_off;
-            type CellBlock = $module::stress::Block;
+            type CellBlock = $module::cells::Block;
 
-            type Materials = Vec<$module::stress::MaterialConstants>;
+            type Materials = Vec<$module::cells::MaterialConstants>;
 
             fn materials(model: &Model) -> Self::Materials {
-                $module::stress::materials(model)
+                $module::cells::materials(model)
             }
 
             fn cast(value: f64) -> Self {
@@ -66,7 +66,7 @@ macro_rules! precision {
             }
 
             fn cell_block() -> Box<Self::CellBlock> {
-                $module::stress::Block::new()
+                $module::cells::Block::new()
             }
         }
 

@@ -8,7 +8,7 @@ use glam::DVec3;
 use serde::Serialize;
 use solver::footprint::{self, Footprint, surface_points};
 use solver::grid::LANES;
-use solver::precision::Real as _;
+use solver::precision::Scalar as _;
 use std::f64::consts::FRAC_PI_4;
 
 /// The program itself, its libraries and its input [bytes]; measured on Linux.

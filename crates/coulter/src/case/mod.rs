@@ -32,5 +32,5 @@ pub use load::{load, load_with_deviations, parse};
 pub use overrides::overridden;
 pub(crate) use path::travel;
 pub use problem::{CaseError, Problem};
-pub use resolved::Case;
+pub use resolved::{Case, case_text};
 pub use uncertainty::StandardDeviation;

@@ -366,3 +366,14 @@ pub enum Factors {
     /// Lyamin et al. (2007).
     Lyamin,
 }
+
+/// The resolved case as text, but for what makes no difference to the results.
+#[must_use]
+pub fn case_text(case: &Case) -> String {
+    let mut case = case.clone();
+    case.numerics.threads = 0;
+    case.output.checkpoint_interval = 0.0;
+    case.forecast = Measured::default();
+    // A case is made of numbers, names and lists: it always has a text.
+    serde_json::to_string(&case).unwrap_or_default()
+}

@@ -5,7 +5,7 @@ use super::surface::HeightMap;
 use super::vtk::{Appended, Dataset};
 use glam::{DMat3, DVec3};
 use physics::shape::Shape;
-use solver::fields::{GAP_STRAIN, PLASTIC_STRAIN};
+use solver::fields::{HISTORY, HISTORY_COUNT};
 use solver::grid::Grid;
 use solver::precision::Precision;
 use solver::state::{Body, State};
@@ -25,9 +25,9 @@ pub(super) struct CellView {
     pub(super) fraction: f64,
     pub(super) velocity: DVec3,
     pub(super) stress: [f64; 6],
-    pub(super) plastic_strain: f64,
     pub(super) density: f64,
-    pub(super) gap: f64,
+    /// History variables, in the order of their table.
+    pub(super) history: [f64; HISTORY_COUNT],
 }
 
 impl CellView {
@@ -43,9 +43,8 @@ impl CellView {
             fraction,
             velocity: cell_velocity(grid, state, n),
             stress: std::array::from_fn(|c| soil.stress[c][n].into()),
-            plastic_strain: soil.history[PLASTIC_STRAIN][n].into(),
             density: soil.mass[n].into() / (fraction * grid.volume(i, j, k)),
-            gap: soil.history[GAP_STRAIN][n].into(),
+            history: std::array::from_fn(|h| soil.history[h][n].into()),
         }
     }
 
@@ -91,19 +90,18 @@ pub(super) fn write_soil(path: &Path, grid: &Grid, state: &State<impl Precision>
     let point_velocity = each_place(grid.cells().map(|n| n + 1))
         .flat_map(|[i, j, k]| node_velocity(state, grid.index(i, j, k)).to_array());
     set.section("PointData", &[data.floats("velocity", 3, point_velocity)]);
-    set.section(
-        "CellData",
-        &[
-            data.floats("evf", 1, cells.iter().map(|c| c.fraction)),
-            data.floats("velocity", 3, cells.iter().flat_map(|c| c.velocity.to_array())),
-            data.floats("stress", 6, cells.iter().flat_map(|c| c.stress)),
-            data.floats("pressure", 1, cells.iter().map(CellView::pressure)),
-            data.floats("mises", 1, cells.iter().map(CellView::mises)),
-            data.floats("plastic_strain", 1, cells.iter().map(|c| c.plastic_strain)),
-            data.floats("density", 1, cells.iter().map(|c| c.density)),
-            data.floats("gap", 1, cells.iter().map(|c| c.gap)),
-        ],
-    );
+    let mut arrays = vec![
+        data.floats("evf", 1, cells.iter().map(|c| c.fraction)),
+        data.floats("velocity", 3, cells.iter().flat_map(|c| c.velocity.to_array())),
+        data.floats("stress", 6, cells.iter().flat_map(|c| c.stress)),
+        data.floats("pressure", 1, cells.iter().map(CellView::pressure)),
+        data.floats("mises", 1, cells.iter().map(CellView::mises)),
+        data.floats("density", 1, cells.iter().map(|c| c.density)),
+    ];
+    for (n, variable) in HISTORY.iter().enumerate() {
+        arrays.push(data.floats(variable.name, 1, cells.iter().map(|c| c.history[n])));
+    }
+    set.section("CellData", &arrays);
     let axes = ["x", "y", "z"].iter().zip(&grid.faces);
     let tags: Vec<String> = axes.map(|(name, faces)| data.doubles(name, 1, faces.iter().copied())).collect();
     set.section("Coordinates", &tags);

@@ -9,6 +9,7 @@ use super::surface::reference_height;
 use crate::case::resolved::{Case, Ground};
 use glam::DVec3;
 use physics::shape::Shape;
+use solver::fields::PLASTIC_STRAIN;
 use solver::grid::Grid;
 use solver::precision::Precision;
 use solver::state::{Body, State};
@@ -143,11 +144,13 @@ impl<'a, R: Precision> Scene<'a, R> {
     }
 
     pub(super) fn plastic_strain(&self) -> Canvas {
-        let most = self.high_end(|c| c.plastic_strain).max(1e-2);
+        let most = self.high_end(|c| c.history[PLASTIC_STRAIN]).max(1e-2);
         let high = 10f64.powf(most.log10().ceil());
         let label = "plastic strain [–], logarithmic".into();
         let scale = Scale { map: ColourMap::Sequential, low: 1e-3 * high, high, logarithmic: true, label };
-        self.slice("Equivalent plastic strain", &scale, |c| (c.fraction > SHOWN).then_some(c.plastic_strain))
+        self.slice("Equivalent plastic strain", &scale, |c| {
+            (c.fraction > SHOWN).then_some(c.history[PLASTIC_STRAIN])
+        })
     }
 
     pub(super) fn pressure(&self) -> Canvas {

@@ -1,11 +1,12 @@
 //! How a run begins: from the start, or where an earlier one stopped.
 
 use super::options::{RunError, RunOptions, Start};
+use crate::case::case_text;
 use crate::case::{self, Case};
 use crate::output::checkpoint::{self, Checkpoint};
 use crate::output::run_record::{Outcome, RunRecord, hash_of};
 use crate::output::{Contents, Lock, OutputError, Results, Summary, inspect, overlays};
-use crate::simulation::{Simulation, case_text};
+use crate::simulation::Simulation;
 use solver::precision::Precision;
 use std::path::Path;
 use std::time::{Duration, Instant};

@@ -3,12 +3,12 @@
 use crate::grid::Grid;
 use crate::halo::{self, Halo};
 use crate::model::{BodyModel, Model};
-use crate::real::Real;
+use crate::scalar::Scalar;
 use crate::state::{Body, Soil};
 use glam::DVec3;
 
 /// Updates the body volume fractions of all cells, in scratch memory that is free until the contact search.
-pub(crate) fn find_bodies<R: Real>(
+pub(crate) fn find_bodies<R: Scalar>(
     model: &Model,
     bodies: &mut [Body],
     body_fraction: &mut [R],
@@ -63,7 +63,7 @@ fn each_occupied_cell(model: &Model, fixed: &BodyModel, body: &Body, mut each: i
 
 /// Measures the volume of each body below the undisturbed surface, and the soil inside it: the volume by which soil and body
 /// together exceed their cells.
-pub(super) fn measure_bodies<R: Real>(
+pub(super) fn measure_bodies<R: Scalar>(
     model: &Model,
     soil: &Soil<R>,
     bodies: &mut [Body],
@@ -116,7 +116,7 @@ fn covered(grid: &Grid, cell: [usize; 3], distance: impl Fn(DVec3) -> f64) -> f6
 }
 
 /// Cuts the bodies out of the soil before the run begins.
-pub(crate) fn cut_out_bodies<R: Real>(model: &Model, soil: &mut Soil<R>, bodies: &[Body]) {
+pub(crate) fn cut_out_bodies<R: Scalar>(model: &Model, soil: &mut Soil<R>, bodies: &[Body]) {
     let mut body_fraction = vec![0.0; model.grid.entries];
     for (fixed, body) in model.bodies.iter().zip(bodies) {
         each_occupied_cell(model, fixed, body, |c, fraction| {

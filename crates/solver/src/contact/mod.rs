@@ -9,6 +9,7 @@ mod constraint;
 mod cut_cell;
 mod impulse;
 mod law;
+mod method;
 mod nodes;
 mod overlap;
 mod penalty;
@@ -19,7 +20,7 @@ mod surface;
 pub(crate) mod workspace;
 
 pub(crate) use body_fraction::{BodyCell, cut_out_bodies};
-pub(crate) use law::kept_per_constraint;
+pub(crate) use method::kept_per_constraint;
 pub(crate) use overlap::remove_overlap;
 pub(crate) use scene::ContactNode;
 pub(crate) use search::{first_search, search};

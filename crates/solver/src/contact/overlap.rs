@@ -16,7 +16,7 @@ use crate::grid::Grid;
 use crate::halo::{self, At, Halo};
 use crate::model::Model;
 use crate::precision::Precision;
-use crate::real::Real;
+use crate::scalar::Scalar;
 use crate::state::{Nodes, State};
 use glam::DVec3;
 use std::collections::BTreeMap;
@@ -89,7 +89,7 @@ fn neighbours(grid: &Grid, cell: usize) -> impl Iterator<Item = (usize, usize)> 
 
 /// Which soil moves where: an overlap is distributed over all neighbours with space, in proportion to it; a cell that would
 /// receive more than it has space for reduces all transfers to it by the same factor.
-fn distribute<R: Real>(grid: &Grid, fraction: &[R], body_fraction: &[R], cells: &[usize]) -> Vec<Transfer> {
+fn distribute<R: Scalar>(grid: &Grid, fraction: &[R], body_fraction: &[R], cells: &[usize]) -> Vec<Transfer> {
     let held = |c: usize| fraction[c].to_f64();
     let space = |c: usize| (1.0 - body_fraction[c].to_f64() - held(c)) * grid.volume_of(c);
     let mut demand: BTreeMap<usize, Layered<f64>> = BTreeMap::new();
@@ -179,13 +179,13 @@ fn transfer<R: Precision>(
     move_nodes(grid, nodes, &masses);
 }
 
-fn velocity<R: Real>(nodes: &Nodes<R>, n: usize) -> DVec3 {
+fn velocity<R: Scalar>(nodes: &Nodes<R>, n: usize) -> DVec3 {
     DVec3::from_array(nodes.velocity.each_ref().map(|component| component[n].to_f64()))
 }
 
 /// Nodal masses and momenta: an eighth of a cell's mass is lumped at each corner; soil that leaves takes its momentum along, soil
 /// that arrives mixes.
-fn move_nodes<R: Real>(grid: &Grid, nodes: &mut Nodes<R>, changes: &BTreeMap<usize, (f64, f64, DVec3)>) {
+fn move_nodes<R: Scalar>(grid: &Grid, nodes: &mut Nodes<R>, changes: &BTreeMap<usize, (f64, f64, DVec3)>) {
     let corners = corners(grid.stride);
     let mut touched: Vec<usize> = changes.keys().flat_map(|c| corners.map(|n| c + n)).collect();
     touched.sort_unstable();

@@ -8,12 +8,12 @@ use crate::cpu::stopwatch::Stage;
 use crate::cpu::workspace::SoilWorkspace;
 use crate::halo::{self, Halo};
 use crate::model::{BodyModel, Model};
-use crate::real::Real;
+use crate::scalar::Scalar;
 use crate::state::{Body, Contact, Soil, State};
 use glam::DVec3;
 
 /// The first search of a run, which finds the bodies in the grid as well.
-pub(crate) fn first_search<R: Real>(
+pub(crate) fn first_search<R: Scalar>(
     model: &Model,
     state: &mut State<R>,
     soil: &mut SoilWorkspace<R>,
@@ -26,7 +26,7 @@ pub(crate) fn first_search<R: Real>(
 
 /// Finds the contact points that have soil to act on, with their cells, weights and gaps; measures leaked and embedded volumes.
 /// Done after every remap.
-pub(crate) fn search<R: Real>(
+pub(crate) fn search<R: Scalar>(
     model: &Model,
     state: &mut State<R>,
     soil: &mut SoilWorkspace<R>,
@@ -93,7 +93,7 @@ struct View<'a, R> {
     material: &'a [u8],
 }
 
-impl<R: Real> View<'_, R> {
+impl<R: Scalar> View<'_, R> {
     /// A contact point of a body, if it lies in the block with soil to act on; `known` is the same point at the last search, if
     /// it was in contact with soil then.
     fn find_contact(

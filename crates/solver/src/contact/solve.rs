@@ -7,7 +7,7 @@ use crate::cpu::stopwatch::Stage;
 use crate::cpu::workspace::SoilWorkspace;
 use crate::halo::{self, Halo};
 use crate::model::Model;
-use crate::real::Real;
+use crate::scalar::Scalar;
 use crate::state::{Nodes, Received, State};
 use glam::DVec3;
 
@@ -22,7 +22,7 @@ pub(crate) struct ContactWork {
 
 /// Lets soil and bodies act on each other for one step. Returns the work that was done; what each body received is entered
 /// into its step record.
-pub(crate) fn solve<R: Real>(
+pub(crate) fn solve<R: Scalar>(
     model: &Model,
     state: &mut State<R>,
     (soil, halo): (&mut SoilWorkspace<R>, &mut dyn Halo),
@@ -68,7 +68,7 @@ pub(crate) fn solve<R: Real>(
 }
 
 /// Takes velocities and masses of the contact nodes from the blocks that own them.
-fn gather<R: Real>(grid: &Nodes<R>, before: &[Vec<R>; 3], nodes: &mut [ContactNode], halo: &mut dyn Halo) {
+fn gather<R: Scalar>(grid: &Nodes<R>, before: &[Vec<R>; 3], nodes: &mut [ContactNode], halo: &mut dyn Halo) {
     for node in nodes.iter_mut() {
         if let Some(n) = node.node {
             node.mass = grid.mass[n].to_f64();
@@ -98,13 +98,13 @@ fn find_mobility(model: &Model, nodes: &mut [ContactNode]) {
     }
 }
 
-fn velocity_of<R: Real>(velocity: &[Vec<R>; 3], node: usize) -> DVec3 {
+fn velocity_of<R: Scalar>(velocity: &[Vec<R>; 3], node: usize) -> DVec3 {
     DVec3::from_array(velocity.each_ref().map(|component| component[node].to_f64()))
 }
 
 /// Returns the velocities to the grid, and the work on the soil: impulse on each node times the mean of its velocities
 /// before and after the step [J].
-fn scatter<R: Real>(grid: &mut Nodes<R>, nodes: &[ContactNode]) -> f64 {
+fn scatter<R: Scalar>(grid: &mut Nodes<R>, nodes: &[ContactNode]) -> f64 {
     let mut work = 0.0;
     for node in nodes {
         if let Some(n) = node.node {

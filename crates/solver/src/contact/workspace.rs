@@ -2,13 +2,14 @@
 
 use super::body_fraction::BodyCell;
 use super::constraint;
-use super::law::{ContactLaw, law};
+use super::law::ContactLaw;
+use super::method::law;
 use super::nodes::contact_nodes;
 use super::scene::ContactNode;
 use super::surface::Surface;
 use crate::halo::{self, Halo};
 use crate::model::Model;
-use crate::real::Real;
+use crate::scalar::Scalar;
 use crate::state::State;
 use glam::DVec3;
 
@@ -38,7 +39,7 @@ impl std::fmt::Debug for ContactWorkspace {
 
 impl ContactWorkspace {
     /// Memory for the bodies of a model and the contacts of a state.
-    pub(crate) fn new<R: Real>(model: &Model, state: &State<R>, halo: &mut dyn Halo) -> Self {
+    pub(crate) fn new<R: Scalar>(model: &Model, state: &State<R>, halo: &mut dyn Halo) -> Self {
         let mut workspace = Self {
             law: law(model),
             surfaces: model.bodies.iter().map(|body| Surface::new(model, body)).collect(),
@@ -53,7 +54,7 @@ impl ContactWorkspace {
     }
 
     /// Connects the contacts with the nodes and with each other, after a search.
-    pub(super) fn connect<R: Real>(&mut self, model: &Model, state: &State<R>, halo: &mut dyn Halo) {
+    pub(super) fn connect<R: Scalar>(&mut self, model: &Model, state: &State<R>, halo: &mut dyn Halo) {
         (self.nodes, self.corner_nodes) = contact_nodes(model, &state.contacts);
         let fractions = fractions(model, state, halo);
         self.constraint = constraint::number(model, &state.bodies, &state.contacts, &fractions);
@@ -72,7 +73,7 @@ impl ContactWorkspace {
 }
 
 /// Volume fractions in the cells of all contacts.
-fn fractions<R: Real>(model: &Model, state: &State<R>, halo: &mut dyn Halo) -> Vec<f64> {
+fn fractions<R: Scalar>(model: &Model, state: &State<R>, halo: &mut dyn Halo) -> Vec<f64> {
     let grid = &model.grid;
     let own = state.contacts.iter().enumerate().filter_map(|(n, contact)| {
         let whole = contact.cell.map(|layer| layer as usize);

@@ -7,7 +7,7 @@ use crate::fields::Soil;
 use crate::grid::Grid;
 use crate::halo::{self, Halo};
 use crate::model::Model;
-use crate::real::Real;
+use crate::scalar::Scalar;
 use crate::state::State;
 
 /// Coefficients of the nodal force of one plane of cells: for each component the plain part and the parts signed by the
@@ -18,7 +18,7 @@ pub(crate) const COEFFICIENTS: usize = 13;
 pub(crate) const NODE_SUMS: usize = 4;
 
 /// Threads, scratch arrays and the bookkeeping of which rows hold soil.
-pub struct SoilWorkspace<R: Real> {
+pub struct SoilWorkspace<R: Scalar> {
     pub(crate) team: Team,
     /// How rows (of storage planes 1 to nz + 1: nodes, and the cells above them) are dealt out.
     pub(crate) partition: RowPartition,
@@ -47,7 +47,7 @@ pub struct SoilWorkspace<R: Real> {
     pub(crate) width_x: [Vec<R>; 2],
 }
 
-impl<R: Real> std::fmt::Debug for SoilWorkspace<R> {
+impl<R: Scalar> std::fmt::Debug for SoilWorkspace<R> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "SoilWorkspace for {:?}", self.team)
     }
@@ -56,7 +56,7 @@ impl<R: Real> std::fmt::Debug for SoilWorkspace<R> {
 /// What a worker needs for itself, on cache lines of its own: it is written in every row, and two workers that write to one
 /// line wait for each other.
 #[repr(align(128))]
-pub(crate) struct WorkerScratch<R: Real> {
+pub(crate) struct WorkerScratch<R: Scalar> {
     /// Force coefficients of two rows of cells in turn.
     pub(crate) coefficients: [Coefficients<R>; 2],
     /// Those of the worker's first row.
@@ -143,7 +143,7 @@ impl RowSums {
 /// Row buffers that the Lagrangian step needs, in rows.
 pub(crate) const ROW_BUFFERS: usize = 6;
 
-impl<R: Real> SoilWorkspace<R> {
+impl<R: Scalar> SoilWorkspace<R> {
     /// Memory for a model and a team of `threads`.
     #[must_use]
     pub(crate) fn new(model: &Model, state: &State<R>, threads: usize) -> Self {
@@ -275,7 +275,7 @@ impl<R: Real> SoilWorkspace<R> {
     }
 }
 
-fn column_widths<R: Real>(grid: &Grid) -> [Vec<R>; 2] {
+fn column_widths<R: Scalar>(grid: &Grid) -> [Vec<R>; 2] {
     let mut widths = vec![0.0; grid.stride[1] + crate::grid::LANES];
     for i in 0..grid.cells()[0] {
         widths[i + 1] = grid.width(0, i);
@@ -292,7 +292,7 @@ pub(crate) fn team_size(grid: &Grid, threads: usize) -> usize {
 }
 
 /// Memory that the workspace of a grid will take up [bytes].
-pub(crate) fn footprint<R: Real>(grid: &Grid, threads: usize) -> f64 {
+pub(crate) fn footprint<R: Scalar>(grid: &Grid, threads: usize) -> f64 {
     let [_, row, plane] = grid.stride;
     let (threads, rows, planes) = (threads as f64, grid.rows(), grid.cells()[2] + 1);
     let own = 3 * COEFFICIENTS * row + NODE_SUMS * plane + ROW_BUFFERS * row;

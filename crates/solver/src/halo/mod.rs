@@ -3,7 +3,7 @@
 pub mod in_process;
 
 use crate::grid::{GHOSTS, Grid};
-use crate::real::Real;
+use crate::scalar::Scalar;
 
 /// How a block reaches the others. All blocks call the same functions in the same order.
 pub trait Halo: Send {
@@ -46,7 +46,7 @@ pub(crate) enum At {
 }
 
 /// Fills the ghost layers of some arrays with what their owners hold.
-pub(crate) fn fill<'a, R: Real>(
+pub(crate) fn fill<'a, R: Scalar>(
     halo: &mut dyn Halo,
     grid: &Grid,
     at: At,

@@ -1,7 +1,7 @@
 //! Keys of a rigid body.
 
+use super::key::{Key, Kind, key};
 use super::words::{AXES, SHAPES};
-use super::{Key, Kind, key};
 use crate::case::quantity::{ANGLE, FORCE, INERTIA, LENGTH, MASS, SPEED, TORQUE, TURN_RATE};
 
 const SLIDE: Kind = Kind::Motion { still: "fixed", speed: SPEED, load: FORCE };

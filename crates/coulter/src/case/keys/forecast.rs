@@ -1,7 +1,7 @@
 //! Keys of the closed-form models.
 
+use super::key::{Key, Kind, key};
 use super::words::{FACTORS, PUBLISHED_SOILS};
-use super::{Key, Kind, key};
 use crate::case::quantity::{ANGLE, LENGTH, STRESS, UNIT_WEIGHT};
 
 pub(super) const FORECAST: &[Key] = &[

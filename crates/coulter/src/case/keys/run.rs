@@ -1,7 +1,7 @@
 //! Keys at the top of the file, of the run, of what it writes and of the method.
 
+use super::key::{Key, Kind, key};
 use super::words::{CONTACTS, PRECISIONS};
-use super::{Key, Kind, key};
 use crate::case::quantity::{ACCELERATION, LENGTH, TIME};
 
 pub(super) const TOP: &[Key] = &[

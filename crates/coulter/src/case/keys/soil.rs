@@ -1,7 +1,7 @@
 //! Keys of the soil, of the box round it and of the grid.
 
+use super::key::{Key, Kind, key};
 use super::words::{LAWS, POTENTIALS};
-use super::{Key, Kind, key};
 use crate::case::quantity::{ANGLE, DENSITY, LENGTH, SPEED, STRESS, UNIT_WEIGHT};
 
 pub(super) const SOIL: &[Key] = &[

@@ -17,6 +17,8 @@ type WorkerScratch = crate::cpu::workspace::WorkerScratch<Real>;
 type Coefficients = crate::cpu::workspace::Coefficients<Real>;
 use physics::double as physics;
 
+#[path = "cells.rs"]
+pub(crate) mod cells;
 #[path = "energy.rs"]
 pub(crate) mod energy;
 #[path = "flux.rs"]
@@ -32,7 +34,7 @@ pub(crate) mod post_remap;
 #[path = "return_mapping.rs"]
 mod return_mapping;
 #[path = "stress.rs"]
-pub(crate) mod stress;
+mod stress;
 #[path = "sweep.rs"]
 pub(crate) mod sweep;
 #[path = "transport.rs"]

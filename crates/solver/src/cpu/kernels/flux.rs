@@ -6,7 +6,7 @@ use super::{FULL, Real};
 use physics::interface::Plane;
 
 /// What the fluxes follow from, at the start of a sweep.
-pub(crate) struct Filling<'a> {
+pub(crate) struct FluxInputs<'a> {
     pub(crate) sweep: Sweep<'a>,
     /// Nodal displacement along the axis since the last remap [m].
     pub(crate) displacement: &'a [Real],
@@ -18,7 +18,7 @@ pub(crate) struct Filling<'a> {
     pub(crate) cell: &'a [Real],
 }
 
-impl Filling<'_> {
+impl FluxInputs<'_> {
     /// Soil volume that crosses the low faces of a row of cells [m³].
     pub(crate) fn volume_fluxes(&self, row: usize, flux: &mut [Real]) {
         let Sweep { grid, axis, .. } = self.sweep;

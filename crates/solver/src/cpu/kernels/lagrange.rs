@@ -5,8 +5,9 @@
 //! writes. Only the first rows of nodes of each worker, as many as a plane has and one more, have to wait for cells below or
 //! behind them, which are a neighbour's.
 
+use super::cells::{CellRow, MaterialConstants, RowConstants, runs};
 use super::nodes::{NodeConstants, NodeRow, finish_row, gather_forces, move_row};
-use super::stress::{CellRow, MaterialConstants, NodeRows, RowConstants, runs, strain_cells};
+use super::stress::{NodeRows, strain_cells};
 use super::{Coefficients, Real, Soil, State, WorkerScratch, Workspace};
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::threads::parts_of;
@@ -53,12 +54,7 @@ const REBALANCES: u64 = 64;
 /// free velocities (before contact) half a step later. What the rows did is in their sums.
 pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspace, dt: f64) {
     let grid = &model.grid;
-    workspace.stopwatch().lap(Stage::Other);
-    if state.step.is_multiple_of(REBALANCES) {
-        workspace.rebalance(grid);
-    }
-    let clears = workspace.clear < 2;
-    workspace.clear += u8::from(clears);
+    let clears = prepare(grid, state, workspace);
     let Workspace {
         team,
         partition,
@@ -72,8 +68,6 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
         materials,
         ..
     } = workspace;
-    // From here on the new velocities are in the state, the old ones in the workspace.
-    std::mem::swap(&mut state.nodes.velocity, velocity_before);
     let Soil { fraction, mass, stress, history, .. } = &mut state.soil;
     let inputs = Inputs {
         model,
@@ -116,6 +110,19 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
         serial_fallback.note(clock.elapsed().as_secs_f64(), load / speed);
     }
     workers[0].stopwatch.lap(Stage::Nodes);
+}
+
+/// Prepares a stage: from here on the new velocities are in the state, the old ones in the workspace. Returns whether
+/// velocities where no soil is must still be set to zero.
+fn prepare(grid: &Grid, state: &mut State, workspace: &mut Workspace) -> bool {
+    workspace.stopwatch().lap(Stage::Other);
+    if state.step.is_multiple_of(REBALANCES) {
+        workspace.rebalance(grid);
+    }
+    std::mem::swap(&mut state.nodes.velocity, &mut workspace.velocity_before);
+    let clears = workspace.clear < 2;
+    workspace.clear += u8::from(clears);
+    clears
 }
 
 impl Inputs<'_> {

@@ -1,8 +1,8 @@
 //! The end of the Eulerian stage: from carried volumes back to volume fractions and admissible stresses.
 
+use super::cells::{BLOCK, Block, CellRow, MaterialConstants, RowConstants, runs};
 use super::physics::tensor::mean;
 use super::return_mapping::apply;
-use super::stress::{BLOCK, Block, CellRow, MaterialConstants, RowConstants, runs};
 use super::{Real, Soil, WorkerScratch, Workspace};
 use crate::fields::{GAP_STRAIN, HISTORY, HISTORY_COUNT, main_material};
 use crate::grid::Grid;
@@ -173,7 +173,7 @@ fn close_gaps(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
         b.trial[1][i] = if closes { yy + relief } else { yy };
         b.trial[2][i] = if closes { zz + relief } else { zz };
         (b.trial[3][i], b.trial[4][i], b.trial[5][i]) = (xy, yz, xz);
-        b.alive[i] = if fraction[i] > FRACTION_STRESSED as Real { 1.0 } else { 0.0 };
+        b.bears_stress[i] = if fraction[i] > FRACTION_STRESSED as Real { 1.0 } else { 0.0 };
     }
 }
 
@@ -185,7 +185,7 @@ fn put_back(cells: &mut CellRow, b: &Block) {
     for (stress, trial) in cells.stress.iter_mut().zip(&b.trial) {
         let stress = &mut stress[own.clone()];
         for i in 0..n {
-            stress[i] = if b.alive[i] > 0.0 { trial[i] } else { 0.0 };
+            stress[i] = if b.bears_stress[i] > 0.0 { trial[i] } else { 0.0 };
         }
     }
     cells.history[GAP_STRAIN][own.clone()].copy_from_slice(&b.gap_strain[..n]);
@@ -193,7 +193,7 @@ fn put_back(cells: &mut CellRow, b: &Block) {
     for (history, variable) in cells.history.iter_mut().zip(HISTORY) {
         let history = &mut history[own.clone()];
         for i in 0..n {
-            let stays = if variable.outlives_stress { fraction[i] } else { b.alive[i] };
+            let stays = if variable.outlives_stress { fraction[i] } else { b.bears_stress[i] };
             history[i] = if stays > 0.0 { history[i] } else { 0.0 };
         }
     }

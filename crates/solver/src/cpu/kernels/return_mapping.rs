@@ -1,5 +1,6 @@
 //! The strength of a block of cells: its trial stresses are brought back to the admissible set.
 
+use super::cells::{BLOCK, Block, CellRow, RowConstants, tensor};
 use super::physics::elastic::Elastic;
 use super::physics::law::Law;
 use super::physics::menetrey_willam::MenetreyWillam;
@@ -7,7 +8,6 @@ use super::physics::mohr_coulomb::MohrCoulomb;
 use super::physics::tensor::Symmetric;
 use super::physics::von_mises::VonMises;
 use super::physics::yield_law::YieldLaw;
-use super::stress::{BLOCK, Block, CellRow, RowConstants, tensor};
 use super::{LANES, Real};
 use crate::fields::PLASTIC_STRAIN;
 use multiversion::multiversion;
@@ -39,7 +39,7 @@ fn apply_strength(
     let plastic_strain = &cells.history[PLASTIC_STRAIN][b.start..b.start + n];
     for i in 0..n {
         let trial = tensor(&b.trial, i);
-        b.yields[i] = if strength.may_yield(trial, plastic_strain[i]) { b.alive[i] } else { 0.0 };
+        b.yields[i] = if strength.may_yield(trial, plastic_strain[i]) { b.bears_stress[i] } else { 0.0 };
     }
     let (mut place, mut count) = ([0_u8; BLOCK], 0);
     for i in 0..n {
@@ -138,9 +138,9 @@ impl Yielding {
 
 #[cfg(test)]
 mod tests {
+    use super::super::cells::{Lane, MaterialConstants};
     use super::super::physics::menetrey_willam::Eccentricity;
     use super::super::physics::viscosity::BulkViscosity;
-    use super::super::stress::{Lane, MaterialConstants};
     use super::*;
     use crate::fields::HISTORY_COUNT;
     use std::hint::black_box;
@@ -192,7 +192,7 @@ mod tests {
             width_z: 1.0,
         };
         let mut block = Block::new();
-        (block.n, block.alive) = (BLOCK, ones);
+        (block.n, block.bears_stress) = (BLOCK, ones);
         let seconds = best(|| {
             for c in 0..6 {
                 block.trial[c].copy_from_slice(cells.stress[c]);

@@ -1,193 +1,25 @@
-//! One row of cells: velocity gradient → trial stress → strength → nodal force coefficients.
+//! One row of cells: velocity gradient → trial stress → return mapping → nodal force coefficients.
 //!
 //! A row is worked on in blocks of up to 96 cells (192 in single precision) whose working numbers lie in the first-level
 //! cache. A few plain loops go over a block; the formulas are branch-free, and what a loop writes lies in the block or comes as
 //! arguments of a function of its own, so that the compiler sees that nothing overlaps and vectorises them. Each is compiled
 //! for what the processor has; `mul_add` is not used, so the result is the same to the bit.
 
+use super::cells::{BLOCK, Block, CellRow, Lane, RowConstants};
 use super::lanes::lane_sum;
-use super::physics::brick::{Sums, hourglass_coefficient};
-use super::physics::elastic::Elastic;
-use super::physics::law::Law;
+use super::physics::brick::Sums;
 use super::physics::tensor::{Symmetric, deviator, jaumann};
-use super::physics::viscosity::BulkViscosity;
 use super::return_mapping::apply;
 use super::{LANES, Real};
 use crate::cpu::stopwatch::{Stage, Stopwatch};
 use crate::cpu::workspace::{COEFFICIENTS, RowSums};
-use crate::fields::{GAP_STRAIN, HISTORY_COUNT};
-use crate::material::Material;
-use crate::model::{FRACTION_STRESSED, Method, Model};
+use crate::fields::GAP_STRAIN;
+use crate::model::FRACTION_STRESSED;
 use multiversion::multiversion;
 use std::ops::Range;
 
 /// The nodal velocities at the four node rows round a row of cells: (y, z) = (0,0), (1,0), (0,1), (1,1).
 pub(crate) type NodeRows<'a> = [[&'a [Real]; 3]; 4];
-
-/// The cells of a row.
-pub(crate) struct CellRow<'a> {
-    pub(crate) fraction: &'a [Real],
-    pub(crate) mass: &'a [Real],
-    pub(crate) stress: [&'a mut [Real]; 6],
-    pub(crate) history: [&'a mut [Real]; HISTORY_COUNT],
-    /// Widths along y and z [m].
-    pub(crate) width_y: Real,
-    pub(crate) width_z: Real,
-}
-
-/// A material, in the precision of the kernels.
-#[derive(Debug)]
-pub struct MaterialConstants {
-    pub(super) elastic: Elastic,
-    pub(super) strength: Option<Law>,
-    /// Density below which soil dilates no more [kg/m³]; 0 where it always may.
-    pub(super) critical_density: Real,
-    pub(super) viscosity: BulkViscosity,
-    /// ε ρ c / 4 [kg/(s m²)].
-    pub(super) hourglass: Real,
-}
-
-impl MaterialConstants {
-    fn new(material: &Material, method: &Method) -> Self {
-        let hourglass = hourglass_coefficient(
-            method.hourglass as Real,
-            material.density as Real,
-            material.wave_speed() as Real,
-            1.0,
-        );
-        Self {
-            elastic: Elastic::cast(&material.elastic),
-            strength: material.strength.as_ref().map(Law::cast),
-            critical_density: material.critical_density.unwrap_or(0.0) as Real,
-            viscosity: BulkViscosity::cast(&material.viscosity(method.bulk_viscosity)),
-            hourglass,
-        }
-    }
-}
-
-/// The materials of a model.
-pub(crate) fn materials(model: &Model) -> Vec<MaterialConstants> {
-    model.materials.iter().map(|material| MaterialConstants::new(material, &model.method)).collect()
-}
-
-/// What is the same for all cells of one material.
-#[derive(Clone, Copy)]
-pub(crate) struct RowConstants<'a> {
-    pub(crate) material: &'a MaterialConstants,
-    /// Share of the hourglass viscosity that acts in cells that yield.
-    pub(crate) hourglass_yielding: Real,
-    /// Widths of the cells along x [m], 0 in ghosts.
-    pub(crate) width_x: &'a [Real],
-    /// ¼ over the widths, 0 in ghosts [1/m].
-    pub(crate) per_width_x: &'a [Real],
-    /// Time step [s].
-    pub(crate) dt: Real,
-}
-
-impl<'a> RowConstants<'a> {
-    /// Those of the first material; `width_x` are the widths of the columns and ¼ over them.
-    pub(crate) fn new(
-        model: &Model,
-        materials: &'a [MaterialConstants],
-        width_x: &'a [Vec<Real>; 2],
-        dt: f64,
-    ) -> Self {
-        let [width_x, per_width_x] = width_x.each_ref().map(|w| &w[1..]);
-        let hourglass_yielding = model.method.hourglass_yielding as Real;
-        Self { material: &materials[0], hourglass_yielding, width_x, per_width_x, dt: dt as Real }
-    }
-
-    /// Whether the soil is strained. In a remap no time passes: what mixing puts outside the yield surface is no strain.
-    pub(super) fn strains(&self) -> bool {
-        self.dt > 0.0
-    }
-
-    /// Those of another material.
-    pub(crate) fn of(self, material: &'a MaterialConstants) -> Self {
-        Self { material, ..self }
-    }
-}
-
-/// Runs of cells of one material in a row of `n` cells, with the number of the material; `material` has that of each cell,
-/// and is empty where there is one alone.
-pub(crate) fn runs(material: &[u8], n: usize) -> impl Iterator<Item = (Range<usize>, usize)> + '_ {
-    let mut start = 0;
-    std::iter::from_fn(move || {
-        let first = start;
-        let own = material.get(first).copied();
-        start = own.map_or(n, |own| (first..n).find(|i| material[*i] != own).unwrap_or(n));
-        (first < n).then(|| (first..start, own.map_or(0, usize::from)))
-    })
-}
-
-/// Most cells in a block: as many as leave its working numbers in a first-level cache of 32 KiB.
-pub(super) const BLOCK: usize = 768 / size_of::<Real>();
-
-pub(super) type Lane = [Real; BLOCK];
-
-/// The tensor of one cell from arrays of its components. Spelt out: a closure here is not always compiled into the loop,
-/// which then does not vectorise.
-#[inline(always)]
-pub(super) fn tensor<const N: usize>(components: &[[Real; N]; 6], i: usize) -> Symmetric {
-    let [xx, yy, zz, xy, yz, xz] = components;
-    [xx[i], yy[i], zz[i], xy[i], yz[i], xz[i]]
-}
-
-/// The working numbers of a block of cells, in one piece of memory.
-pub struct Block {
-    /// Place in the row of the first cell.
-    pub(super) start: usize,
-    /// Number of cells in use, a multiple of the vector length.
-    pub(super) n: usize,
-    /// Corner sums of the velocity: plain, and signed by the side x, y, z.
-    plain: [Lane; 3],
-    side: [[Lane; 3]; 3],
-    hourglass: Lane,
-    /// Trial stress, later the stress at the end of the step [Pa].
-    pub(super) trial: [Lane; 6],
-    pub(super) gap_strain: Lane,
-    /// Volumetric rate [1/s].
-    rate: Lane,
-    /// 1 where the soil bears stress, 0 where it is a void, loose or opened.
-    pub(super) alive: Lane,
-    /// 1 where the trial stress may lie outside the strength.
-    pub(super) yields: Lane,
-    /// Viscous stress [Pa].
-    viscous: Lane,
-    /// Coefficient of the hourglass force [kg/s].
-    damping: Lane,
-    /// −¼ of the areas across x, y, z that bear stress [m²].
-    area: [Lane; 3],
-    /// Plastic work per volume [J/m³], later of the cell [J].
-    pub(super) work: Lane,
-    /// Dissipation by viscosity and hourglass [W].
-    viscous_power: Lane,
-    damped_power: Lane,
-}
-
-impl Block {
-    pub(crate) fn new() -> Box<Self> {
-        const ZERO: Lane = [0.0; BLOCK];
-        Box::new(Self {
-            start: 0,
-            n: 0,
-            plain: [ZERO; 3],
-            side: [[ZERO; 3]; 3],
-            hourglass: ZERO,
-            trial: [ZERO; 6],
-            gap_strain: ZERO,
-            rate: ZERO,
-            alive: ZERO,
-            yields: ZERO,
-            viscous: ZERO,
-            damping: ZERO,
-            area: [ZERO; 3],
-            work: ZERO,
-            viscous_power: ZERO,
-            damped_power: ZERO,
-        })
-    }
-}
 
 /// Strains a run of cells of one material for one step: updates their stresses and writes the coefficients of the nodal
 /// forces, one row of `forces` after the other. Adds what the cells dissipated to `sums`.
@@ -213,7 +45,7 @@ pub(crate) fn strain_cells(
             sums.yields += returned as u32;
             stopwatch.lap(Stage::Plasticity);
         }
-        let [plastic, viscous, hourglass] = bear(constants, cells, block);
+        let [plastic, viscous, hourglass] = cut_off_stress(constants, cells, block);
         sums.plastic += plastic;
         sums.viscous += viscous * f64::from(constants.dt);
         sums.hourglass += hourglass * f64::from(constants.dt);
@@ -290,7 +122,7 @@ fn trial_stress(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
         b.trial[4][i] = old[4] + stiffness * shear[4] + turned[4] * dt;
         b.trial[5][i] = old[5] + stiffness * shear[5] + turned[5] * dt;
         b.rate[i] = volumetric;
-        b.alive[i] = if stressed & !stays_open { 1.0 } else { 0.0 };
+        b.bears_stress[i] = if stressed & !stays_open { 1.0 } else { 0.0 };
     }
     b.work = [0.0; BLOCK];
 }
@@ -298,7 +130,7 @@ fn trial_stress(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
 /// The stress that the soil ends up with: none where it bears none. Works out what bears it against the motion, and
 /// returns the plastic work [J] and the dissipation by viscosity and hourglass [W] of the block.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn bear(constants: &RowConstants, cells: &mut CellRow, b: &mut Block) -> [f64; 3] {
+fn cut_off_stress(constants: &RowConstants, cells: &mut CellRow, b: &mut Block) -> [f64; 3] {
     let (start, n) = (b.start, b.n.min(BLOCK));
     let own = start..start + n;
     let (width, fraction) = (&constants.width_x[own.clone()], &cells.fraction[own.clone()]);
@@ -307,7 +139,7 @@ fn bear(constants: &RowConstants, cells: &mut CellRow, b: &mut Block) -> [f64; 3
         let hx = width[i];
         let volume = hx * hy * hz;
         let length = mean_width(hx, hy, hz);
-        let f = if b.alive[i] > 0.0 { fraction[i] } else { 0.0 };
+        let f = if b.bears_stress[i] > 0.0 { fraction[i] } else { 0.0 };
         let viscous = constants.material.viscosity.stress(length, b.rate[i]);
         // Soil that flows resists shear with its strength alone, whatever its stiffness; so should its hourglass modes.
         let share = if b.yields[i] > 0.0 { constants.hourglass_yielding } else { 1.0 };
@@ -322,19 +154,19 @@ fn bear(constants: &RowConstants, cells: &mut CellRow, b: &mut Block) -> [f64; 3
         b.damped_power[i] = h * b.hourglass[i];
     }
     let [xx, yy, zz, xy, yz, xz] = &mut cells.stress;
-    bear_three(b, 0, &mut xx[own.clone()], &mut yy[own.clone()], &mut zz[own.clone()]);
-    bear_three(b, 3, &mut xy[own.clone()], &mut yz[own.clone()], &mut xz[own.clone()]);
+    cut_off_three(b, 0, &mut xx[own.clone()], &mut yy[own.clone()], &mut zz[own.clone()]);
+    cut_off_three(b, 3, &mut xy[own.clone()], &mut yz[own.clone()], &mut xz[own.clone()]);
     cells.history[GAP_STRAIN][own].copy_from_slice(&b.gap_strain[..n]);
     [&b.work, &b.viscous_power, &b.damped_power].map(|lane| lane_sum(&lane[..n]))
 }
 
 /// Three components of the stress from `first` on.
 #[inline(always)]
-fn bear_three(b: &mut Block, first: usize, one: &mut [Real], two: &mut [Real], three: &mut [Real]) {
+fn cut_off_three(b: &mut Block, first: usize, one: &mut [Real], two: &mut [Real], three: &mut [Real]) {
     let n = one.len().min(BLOCK);
     let (one, two, three) = (&mut one[..n], &mut two[..n], &mut three[..n]);
     for i in 0..n {
-        let s = |c: usize| if b.alive[i] > 0.0 { b.trial[first + c][i] } else { 0.0 };
+        let s = |c: usize| if b.bears_stress[i] > 0.0 { b.trial[first + c][i] } else { 0.0 };
         (one[i], two[i], three[i]) = (s(0), s(1), s(2));
         (b.trial[first][i], b.trial[first + 1][i], b.trial[first + 2][i]) = (one[i], two[i], three[i]);
     }

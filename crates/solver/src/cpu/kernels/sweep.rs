@@ -3,7 +3,7 @@
 //! The volume fraction is carried with a reconstructed interface, stress and history with the soil volume at second
 //! order, momentum on the dual grid.
 
-use super::flux::Filling;
+use super::flux::FluxInputs;
 use super::transport::{Sweep, carry_mass, carry_momentum, dual_fluxes, dual_reaches};
 use super::{Nodes, Real, Soil, State, Workspace};
 use crate::fields::{Carrier, HISTORY, HistoryVariable};
@@ -85,8 +85,8 @@ pub(crate) fn sweep(
     let Nodes { velocity, displacement, mass: node_mass } = &mut state.nodes;
     let displacement = &mut displacement[axis];
     let sweep = Sweep { grid, axis, row_active: active };
-    let filling = Filling { sweep, displacement, fraction, soil, cell };
-    team.rows(partition, flux, |row, out| filling.volume_fluxes(row, out));
+    let inputs = FluxInputs { sweep, displacement, fraction, soil, cell };
+    team.rows(partition, flux, |row, out| inputs.volume_fluxes(row, out));
     team.rows(partition, cell, |row, out| sweep.undo_displacement(row, displacement, out));
     let reach = displacement;
     team.rows(partition, reach, |row, out| sweep.reaches(row, [flux, fraction, soil], out));

@@ -6,7 +6,7 @@ use serde::de::DeserializeOwned;
 use std::fmt::Debug;
 
 /// `f64` or `f32`.
-pub trait Real:
+pub trait Scalar:
     Copy + Default + PartialOrd + Debug + Into<f64> + Send + Sync + Serialize + DeserializeOwned + 'static
 {
     /// Its name in case files and reports.
