@@ -42,11 +42,11 @@ pub struct Received {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Contact {
     /// Which body.
-    pub body: usize,
+    pub body: u32,
     /// Which of its surface points.
-    pub point: usize,
+    pub point: u32,
     /// Which material it touches.
-    pub material: usize,
+    pub material: u32,
     /// Layers of its cell in the whole grid.
     pub cell: [u32; 3],
     /// Weights of the cell's eight nodes.
@@ -74,7 +74,7 @@ impl Contact {
     pub(crate) fn to_array(self) -> [f64; 30] {
         let mut values = [0.0; 30];
         let [i, j, k] = self.cell.map(f64::from);
-        let scalars = [self.material as f64, i, j, k, self.area, self.width, self.penetration];
+        let scalars = [f64::from(self.material), i, j, k, self.area, self.width, self.penetration];
         let vectors = [self.normal, self.arm, self.slip, self.impulse, self.anchor];
         let all =
             scalars.into_iter().chain(self.weight).chain(vectors.into_iter().flat_map(|v| v.to_array()));
@@ -87,9 +87,9 @@ impl Contact {
         let [material, i, j, k, area, width, penetration, ..] = values;
         let vector = |n: usize| DVec3::from_slice(&values[15 + 3 * n..]);
         Self {
-            body,
-            point,
-            material: material as usize,
+            body: body as u32,
+            point: point as u32,
+            material: material as u32,
             cell: [i, j, k].map(|layer| layer as u32),
             weight: std::array::from_fn(|n| values[7 + n]),
             normal: vector(0),

@@ -96,7 +96,7 @@ impl Constraints {
                 let (nodes, hourglass_correction) =
                     (scene.corner_nodes[n], scene.hourglass_correction[scene.constraint[n]]);
                 let jacobian = ContactJacobian {
-                    body: c.body,
+                    body: c.body as usize,
                     nodes,
                     hourglass_correction,
                     ..ContactJacobian::default()

@@ -26,7 +26,7 @@ pub(super) fn corrections(
     (constraint, constraints): (&[usize], usize),
 ) -> Vec<[DVec3; 8]> {
     // The two sides of the body's mid-plane are summed separately, so that mirroring in y changes no bit.
-    let mut area: HashMap<(usize, [u32; 3]), [f64; 3]> = HashMap::new();
+    let mut area: HashMap<(u32, [u32; 3]), [f64; 3]> = HashMap::new();
     for c in contacts {
         area.entry((c.body, c.cell)).or_default()[side(c)] += c.area;
     }
@@ -62,7 +62,7 @@ struct Cell<'a, D> {
 
 impl<'a> Cell<'a, ()> {
     fn new(model: &'a Model, bodies: &[Body], c: &Contact) -> Cell<'a, impl Fn(DVec3) -> f64 + 'a> {
-        let (fixed, (position, angle)) = (&model.bodies[c.body], bodies[c.body].located);
+        let (fixed, (position, angle)) = (&model.bodies[c.body as usize], bodies[c.body as usize].located);
         let turn = glam::DQuat::from_rotation_y(if fixed.shape.is_revolved() { 0.0 } else { -angle });
         let place = c.cell.map(|layer| layer as usize);
         let width = DVec3::from_array(std::array::from_fn(|axis| {

@@ -44,7 +44,7 @@ impl Penalty {
             c.slip = DVec3::ZERO;
             return (DVec3::ZERO, DVec3::ZERO);
         }
-        let [modulus, impedance] = self.materials[c.material];
+        let [modulus, impedance] = self.materials[c.material as usize];
         let stiffness = STIFFNESS * modulus / c.width;
         let closing = relative.dot(c.normal);
         let pressure = (stiffness * c.penetration + DAMPING * impedance * closing).max(0.0);
@@ -81,7 +81,7 @@ impl ContactLaw for Penalty {
         self.given.clear();
         for n in 0..scene.contacts.len() {
             let relative = scene.slip_velocity_of(n);
-            let body = &scene.model.bodies[scene.contacts[n].body];
+            let body = &scene.model.bodies[scene.contacts[n].body as usize];
             let friction = [body.friction.min(1e6), body.shear_limit];
             let (normal, tangential) = self.tractions(&mut scene.contacts[n], relative, friction);
             let scale = scene.contacts[n].area * scene.dt;

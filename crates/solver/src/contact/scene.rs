@@ -91,7 +91,13 @@ impl Scene<'_> {
     /// Jacobian of a contact point.
     pub(crate) fn jacobian(&self, contact: usize) -> ContactJacobian {
         let Contact { body, arm, weight, .. } = self.contacts[contact];
-        ContactJacobian { body, arm, nodes: self.corner_nodes[contact], weight, ..ContactJacobian::default() }
+        ContactJacobian {
+            body: body as usize,
+            arm,
+            nodes: self.corner_nodes[contact],
+            weight,
+            ..ContactJacobian::default()
+        }
     }
 
     /// Velocity of a body at `arm` minus that of the soil in a cell, from the cell's nodes and their weights [m/s].
@@ -108,7 +114,7 @@ impl Scene<'_> {
     /// The same at a contact point.
     pub(crate) fn slip_velocity_of(&self, contact: usize) -> DVec3 {
         let Contact { body, arm, weight, .. } = &self.contacts[contact];
-        self.slip_velocity((*body, *arm), &self.corner_nodes[contact], weight)
+        self.slip_velocity((*body as usize, *arm), &self.corner_nodes[contact], weight)
     }
 
     /// The same at a constraint, with the transpose of the cut-cell correction, so that impulse and velocity are conjugate in work.
@@ -160,7 +166,7 @@ impl Scene<'_> {
     /// Records the contact impulse on a body at a point in this step: the reaction to these impulses on the soil [N s].
     pub(crate) fn record(&mut self, contact: usize, normal: DVec3, friction: DVec3) {
         let c = &self.contacts[contact];
-        let received = &mut self.bodies[c.body].received;
+        let received = &mut self.bodies[c.body as usize].received;
         received.normal -= normal / self.modelled;
         received.friction -= friction / self.modelled;
         received.axle -= c.arm.cross(normal + friction).y / self.modelled;

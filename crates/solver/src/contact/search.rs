@@ -42,10 +42,10 @@ pub(crate) fn search<R: Scalar>(
     for (n, surface) in surfaces.iter().enumerate() {
         let (fixed, body) = (&model.bodies[n], &state.bodies[n]);
         for (p, point) in surface.points().enumerate() {
-            let known = known.next_if(|c| (c.body, c.point) == (n, p));
+            let known = known.next_if(|c| (c.body as usize, c.point as usize) == (n, p));
             let place = [point.position, point.normal].map(|v| rotated(fixed, body, v));
             if let Some(mut contact) = view.find_contact(known, place, body, law.as_ref()) {
-                (contact.body, contact.point) = (n, p);
+                (contact.body, contact.point) = (n as u32, p as u32);
                 contact.area *= point.area;
                 found.push(contact);
             }
@@ -66,7 +66,7 @@ fn all_contacts(found: Vec<Contact>, halo: &mut dyn Halo) -> Vec<Contact> {
     }
     /// No body has more points than this.
     const POINTS: usize = 1 << 32;
-    let own = found.iter().map(|c| (c.body * POINTS + c.point, c.to_array()));
+    let own = found.iter().map(|c| (c.body as usize * POINTS + c.point as usize, c.to_array()));
     let of = |(number, values): (usize, _)| Contact::of([number / POINTS, number % POINTS], values);
     halo::in_order(halo, own).into_iter().map(of).collect()
 }
@@ -118,7 +118,7 @@ impl<R: Scalar> View<'_, R> {
         let (weight, coverage) = self.weights(cell, place)?;
         let mut contact = Contact {
             cell: whole.map(|layer| layer as u32),
-            material: self.material_of(base),
+            material: self.material_of(base) as u32,
             weight,
             area: coverage,
             width: (0..3).map(|axis| self.model.grid.width(axis, cell[axis])).fold(f64::INFINITY, f64::min),

@@ -129,8 +129,8 @@ fn friction_work<R>(
     let mut sum = 0.0;
     for ((c, corners), impulse) in state.contacts.iter().zip(corner_nodes).zip(friction) {
         if *impulse != DVec3::ZERO {
-            let body = &state.bodies[c.body];
-            let step = &steps[c.body];
+            let body = &state.bodies[c.body as usize];
+            let step = &steps[c.body as usize];
             let before = step.velocity_before + (DVec3::Y * step.spin_before).cross(c.arm);
             let of_body = 0.5 * (velocity_at(body, c.arm) + before);
             let each = corners.iter().zip(c.weight);
