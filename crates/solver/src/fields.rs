@@ -33,6 +33,7 @@ pub struct HistoryVariable {
 
 macro_rules! history {
     ($($(#[$doc:meta])* $name:ident = $file:literal [$unit:literal] by $carrier:ident, outlives_stress: $outlives:literal;)*) => {
+        // Numbers the variables: its variants are the names of the constants below.
         #[allow(non_camel_case_types, clippy::upper_case_acronyms)]
         enum Number { $($name,)* Count }
         $($(#[$doc])* pub const $name: usize = Number::$name as usize;)*

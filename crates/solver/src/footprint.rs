@@ -28,7 +28,7 @@ pub struct Footprint {
 
 /// Arrays of the state that are written in every cell at the start: fraction, mass, stress, and the mass of the nodes.
 const WRITTEN: f64 = 9.0;
-/// Sharing of a cell's nodes by neighbouring patches: about so many nodes for each patch of points.
+/// Contact nodes per constraint: neighbouring constraints share nodes.
 const NODES_PER_CONSTRAINT: f64 = 2.5;
 
 /// What a run of a model by so many threads will take up, each body being at last so far from its start [m].
@@ -52,7 +52,7 @@ fn fields<R>(entries: usize, materials: usize) -> [f64; 2] {
 }
 
 /// Contact points of all bodies, each at last so far from its start [m]: what is kept for them, and what laying out the
-/// largest takes besides; `per_constraint` is what the contact law keeps of a patch.
+/// largest takes besides; `per_constraint` is what the contact law keeps of a constraint.
 fn contact(model: &Model, moved: &[DVec3], [per_point, per_constraint]: [f64; 2]) -> [f64; 2] {
     /// Of a shape's list of points, its copy in pairs, and the tree that finds the pairs.
     const LAID_OUT: f64 = 2.0 * size_of::<SurfacePoint>() as f64 + 60.0;
@@ -101,7 +101,7 @@ fn per_contact() -> f64 {
     2.0 * one + lists as f64
 }
 
-/// What is kept for a patch besides what the contact law keeps: the nodes, the forces that are hourglass_correction, and how it is found.
+/// Memory of a constraint besides that of the contact law: its nodes, its cut-cell correction, and its entry in the search.
 fn per_constraint(contact_node: usize) -> f64 {
     let hourglass_correction = size_of::<[DVec3; 8]>() + size_of::<Option<[DVec3; 8]>>();
     NODES_PER_CONSTRAINT * contact_node as f64 + hourglass_correction as f64 + 120.0

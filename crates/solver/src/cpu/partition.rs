@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-/// How the rows of the grid are dealt out to the workers: contiguous runs, so that arrays can be split safely.
+/// How the rows of the grid are partitioned among the workers: contiguous runs, so that arrays can be split safely.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RowPartition {
     /// First row of every worker, and the end.
@@ -14,7 +14,8 @@ pub struct RowPartition {
 }
 
 impl RowPartition {
-    /// Deals rows `first..` with the given costs to `workers` so that each has about the same, and `least` rows or more.
+    /// Partitions rows `first..` with the given costs among `workers` so that each has about the same cost, and `least` rows or
+    /// more.
     ///
     /// # Panics
     /// When there are too few rows for that.
@@ -26,7 +27,7 @@ impl RowPartition {
         partition
     }
 
-    /// Does so anew, to at most as many workers as at first, so that workers of the given speeds take about the same time.
+    /// Rebalances, among at most as many workers as at first, so that workers of the given speeds take about the same time.
     pub fn rebalance(&mut self, cost: &[f64], workers: usize, speed: impl Fn(usize) -> f64) {
         let first = self.bounds[0];
         self.bounds.resize(workers + 1, first);
@@ -47,7 +48,7 @@ impl RowPartition {
         self.bounds[workers] = first + cost.len();
     }
 
-    /// What every worker has to do, with the costs by which the rows were dealt out.
+    /// Load of every worker, from the costs by which the rows were partitioned.
     pub fn loads<'a>(&'a self, cost: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
         let first = self.bounds[0];
         self.ranges().map(move |rows| cost[rows.start - first..rows.end - first].iter().sum())
@@ -84,7 +85,7 @@ impl RowPartition {
     }
 }
 
-/// How fast a worker is: cores differ, and other programs want some of them. What lies longer back counts less.
+/// Throughput of a worker: cores differ, and other programs use some of them. Older measurements count less.
 #[derive(Clone, Debug, Default)]
 pub struct Throughput {
     /// What the worker has to do each time.
@@ -96,7 +97,7 @@ pub struct Throughput {
 }
 
 impl Throughput {
-    /// Share of the past that is forgotten whenever the rows are dealt out.
+    /// Fraction of the past that each rebalancing forgets.
     const FORGOTTEN: f64 = 0.3;
 
     /// Notes how long it took to do all once [s].
@@ -125,24 +126,24 @@ impl Throughput {
     }
 }
 
-/// Whether working together pays. Where other programs want the cores, each round of the team waits till the scheduler has
-/// given all of them their turn, and one thread alone can be faster.
+/// Serial fallback: whether the team is worth having. Where other programs use the cores, every phase of the team waits for the
+/// scheduler to run all its threads, and one thread alone can be faster.
 #[derive(Clone, Debug, Default)]
 pub struct SerialFallback {
     /// How long the work took together [s].
     together: f64,
     /// How long it would have taken the caller alone [s].
     alone: f64,
-    /// How often the rows were dealt to all.
+    /// Number of rebalancings over the whole team.
     tried: u32,
-    /// How often they are still to be dealt to the caller alone.
+    /// Number of rebalancings still to come with the caller alone.
     apart: u32,
 }
 
 impl SerialFallback {
-    /// How often the rows are dealt to all before serial_fallback may be left.
+    /// Rebalancings over the whole team before the fallback may be taken.
     const FIRST: u32 = 5;
-    /// How often they are dealt to the caller alone before serial_fallback is tried again.
+    /// Rebalancings with the caller alone before the team is tried again.
     const APART: u32 = 32;
 
     /// Notes how long a piece of work took together, and how long it would have taken the caller alone [s].
@@ -151,7 +152,7 @@ impl SerialFallback {
         self.alone += alone;
     }
 
-    /// Whether the caller had better work alone, to be asked whenever the rows are dealt out.
+    /// Whether the caller should work alone; asked at every rebalancing.
     pub fn is_left(&mut self) -> bool {
         if self.apart == 0 {
             self.tried = self.tried.saturating_add(1);

@@ -59,7 +59,7 @@ impl FluxInputs<'_> {
     }
 
     /// Second-order normal from the heights of soil in the four columns beside the cell (Cummins, Francois & Kothe 2005);
-    /// `None` where a column does not reach from full to void within three cells up and down.
+    /// `None` where a column does not reach from full to void within two cells up and down.
     fn normal_from_heights(&self, c: usize, rough: [f64; 3]) -> Option<[f64; 3]> {
         const REACH: usize = 2;
         let size = rough.map(f64::abs);
