@@ -1,7 +1,7 @@
 //! The solver's model of a case.
 
 use crate::case::Case;
-use crate::case::resolved::{self, Ground, Law, Potential};
+use crate::case::resolved::{self, Law, Potential};
 use glam::DVec3;
 use physics::elastic::Elastic;
 use physics::law::Law as Strength;
@@ -10,9 +10,8 @@ use physics::mohr_coulomb::MohrCoulomb;
 use physics::von_mises::VonMises;
 use solver::boundary::{Boundaries, Boundary};
 use solver::grid::Grid;
-use solver::initial::Filling;
 use solver::material::Material;
-use solver::model::{BodyModel, ContactMethod, Method, Model};
+use solver::model::{BodyModel, ContactMethod, Filling, Ground, Method, Model};
 
 /// The model that a case means, its grid laid out for vectors of `lanes` numbers.
 #[must_use]
@@ -22,7 +21,9 @@ pub fn model(case: &Case, lanes: usize) -> Model {
         materials: vec![material(&case.soil)],
         gravity: if case.soil.unit_weight > 0.0 { case.soil.unit_weight / case.soil.density } else { 0.0 },
         surface: case.ground.surface(),
+        ground: Ground { fillings: vec![filling(&case.ground)], overburden: case.overburden },
         boundaries: boundaries(&case.domain),
+        follow: None,
         bodies: case.bodies.iter().map(body).collect(),
         method: Method {
             courant: case.numerics.courant,
@@ -116,10 +117,12 @@ fn body(body: &resolved::Body) -> BodyModel {
 }
 
 /// Where the soil of a case is at the start.
-pub(crate) fn filling(ground: &Ground) -> Filling {
-    const FAR: f64 = 1e9;
+fn filling(ground: &resolved::Ground) -> Filling {
+    const FAR: f64 = f64::INFINITY;
     match *ground {
-        Ground::Level { surface } => Filling::between(DVec3::splat(-FAR), DVec3::new(FAR, FAR, surface)),
-        Ground::Column { low, high, radius } => Filling { low, high, radius, material: 0 },
+        resolved::Ground::Level { surface } => {
+            Filling::between(DVec3::splat(-FAR), DVec3::new(FAR, FAR, surface))
+        }
+        resolved::Ground::Column { low, high, radius } => Filling { low, high, radius, material: 0 },
     }
 }

@@ -3,7 +3,7 @@
 use crate::case::{Case, case_text};
 use crate::history::reference::Reference;
 use crate::history::{BodySample, EnergySample, History};
-use crate::model::{filling, model};
+use crate::model::model;
 use crate::output::checkpoint::{Checkpoint, CheckpointView};
 use crate::trust::{Setting, Trust, boundary};
 use glam::DVec3;
@@ -43,7 +43,7 @@ impl<R: Precision> Simulation<R> {
     #[must_use]
     pub fn new(case: &Case) -> Self {
         let model = model(case, R::LANES);
-        let mut state = initial::at_rest_under(&model, &[filling(&case.ground)], case.overburden);
+        let mut state = initial::at_rest_on(&model, &model.ground);
         if case.velocity != DVec3::ZERO {
             initial::set_in_motion(&model, &mut state, case.velocity);
         }
@@ -248,7 +248,7 @@ impl<R: Precision> Simulation<R> {
         let whole = 1.0 / self.model.share();
         EnergySample {
             time: self.state.time,
-            external: (ledger.external + ledger.kinetic_start) * whole,
+            external: (ledger.external + ledger.kinetic_start + ledger.inflow_elastic) * whole,
             kinetic: balance::kinetic_energy(&self.model, &self.state) * whole,
             elastic: (balance::elastic_energy(&self.model, &self.state) - ledger.elastic_start) * whole,
             plastic: ledger.plastic * whole,
@@ -257,7 +257,8 @@ impl<R: Precision> Simulation<R> {
             viscous: ledger.viscous * whole,
             hourglass: ledger.hourglass * whole,
             remap_loss: ledger.remap * whole,
-            volume_ratio: soil_volume(&self.model.grid, &self.state.soil) / ledger.volume_start,
+            volume_ratio: (soil_volume(&self.model.grid, &self.state.soil) - ledger.inflow_volume)
+                / ledger.volume_start,
         }
     }
 }

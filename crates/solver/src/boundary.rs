@@ -1,5 +1,6 @@
 //! What happens at the faces of the grid, and the symmetry that follows from it.
 
+use crate::grid::Grid;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
@@ -12,6 +13,12 @@ pub enum Boundary {
     RoughWall,
     /// A plane of symmetry: what lies beyond it mirrors what is modelled.
     Symmetry,
+    /// Undisturbed ground lies beyond it, at rest under geostatic stress, and enters where the grid moves that way.
+    Inflow,
+    /// Soil leaves through it where the grid moves the other way. What lies beyond is at rest and like the soil next to it.
+    Outflow,
+    /// No boundary of the domain but a cut, beyond which lies another block.
+    Halo,
 }
 
 impl Boundary {
@@ -20,8 +27,15 @@ impl Boundary {
     pub fn holds(self, axis: usize) -> [bool; 3] {
         match self {
             Self::SmoothWall | Self::Symmetry => std::array::from_fn(|component| component == axis),
-            Self::RoughWall => [true; 3],
+            Self::RoughWall | Self::Inflow | Self::Outflow => [true; 3],
+            Self::Halo => [false; 3],
         }
+    }
+
+    /// Whether soil flows through it as the grid moves, so that the grid has ghost layers beyond it.
+    #[must_use]
+    pub fn is_open(self) -> bool {
+        matches!(self, Self::Inflow | Self::Outflow)
     }
 }
 
@@ -30,14 +44,27 @@ impl Boundary {
 pub struct Boundaries(pub [[Boundary; 2]; 3]);
 
 impl Boundaries {
-    /// Which velocity components no boundary holds at a node; `layer` is the node's layer along each axis in the whole grid,
-    /// `last` the highest one.
+    /// Which faces are open, by axis at the low end and at the high end.
     #[must_use]
-    pub fn free_components(&self, layer: [usize; 3], last: [usize; 3]) -> [bool; 3] {
+    pub fn open_faces(&self) -> [[bool; 2]; 3] {
+        self.0.map(|pair| pair.map(Boundary::is_open))
+    }
+
+    /// What lies beyond the end of a block along `axis`, the low one (0) or the high one (1).
+    #[must_use]
+    pub fn of_block(&self, grid: &Grid, axis: usize, end: usize) -> Boundary {
+        if grid.is_cut(axis, end) { Boundary::Halo } else { self.0[axis][end] }
+    }
+
+    /// Which velocity components no boundary holds at a node; `layer` is the node's layer along each axis in the whole grid.
+    #[must_use]
+    pub fn free_components(&self, grid: &Grid, layer: [usize; 3]) -> [bool; 3] {
         let mut free = [true; 3];
         for axis in 0..3 {
-            for (boundary, at) in self.0[axis].iter().zip([0, last[axis]]) {
-                if layer[axis] == at {
+            let domain = &grid.domain[axis];
+            let is_held = [layer[axis] <= domain.start, layer[axis] >= domain.end];
+            for (boundary, is_held) in self.0[axis].iter().zip(is_held) {
+                if is_held {
                     for (component, _) in boundary.holds(axis).iter().enumerate().filter(|(_, held)| **held) {
                         free[component] = false;
                     }
@@ -91,7 +118,9 @@ mod tests {
     #[test]
     fn nodes_are_held_by_what_they_lie_on() {
         let boundaries = Boundaries([[Plane, SmoothWall], [SmoothWall; 2], [RoughWall, SmoothWall]]);
-        let free = |layer| boundaries.free_components(layer, [9, 5, 4]);
+        let faces = [10, 6, 5].map(|n| (0..n).map(f64::from).collect());
+        let grid = Grid::new(faces);
+        let free = |layer| boundaries.free_components(&grid, layer);
         assert_eq!(free([3, 2, 2]), [true; 3]);
         assert_eq!(free([0, 2, 2]), [false, true, true]);
         assert_eq!(free([9, 5, 4]), [false; 3]);

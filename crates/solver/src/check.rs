@@ -40,7 +40,7 @@ fn stays_inside<R>(model: &Model, state: &State<R>) -> Result<(), Breakdown> {
     for (fixed, body) in model.bodies.iter().zip(&state.bodies) {
         let (low, high) = fixed.shape.bounds();
         for axis in (0..3).filter(|axis| fixed.translation[*axis].is_free()) {
-            let ends = model.grid.ends(axis);
+            let ends = model.grid.ends(axis).map(|end| end + state.grid_position[axis]);
             let at = [body.position[axis] + low[axis], body.position[axis] + high[axis]];
             // Upwards a body is gone only when none of it is left in the box: most reach above the lid from the start.
             let gone = [at[0] < ends[0], if axis == 2 { at[0] > ends[1] } else { at[1] > ends[1] }];
@@ -66,6 +66,6 @@ fn fastest_node<R: Precision>(model: &Model, state: &State<R>, is_bad: impl Fn(f
     let found = nodes().filter(bad).reduce(farther).or_else(|| nodes().reduce(farther));
     let place = found.map_or([usize::MAX; 3], |n| model.grid.place(n));
     Place::at(DVec3::from_array(std::array::from_fn(|axis| {
-        model.grid.faces[axis].get(place[axis]).copied().unwrap_or(f64::NAN)
+        model.grid.faces[axis].get(place[axis]).copied().unwrap_or(f64::NAN) + state.grid_position[axis]
     })))
 }

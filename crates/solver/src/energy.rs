@@ -50,8 +50,11 @@ pub fn soil_volume<R: Scalar>(grid: &Grid, soil: &Soil<R>) -> f64 {
 
 /// Mass of the soil [kg].
 #[must_use]
-pub fn soil_mass<R: Scalar>(soil: &Soil<R>) -> f64 {
-    soil.mass.iter().map(|mass| (*mass).to_f64()).sum()
+pub fn soil_mass<R: Scalar>(grid: &Grid, soil: &Soil<R>) -> f64 {
+    let rows = grid.inside(2).flat_map(|k| grid.inside(1).map(move |j| (j, k)));
+    let cells = rows.flat_map(|(j, k)| grid.inside(0).map(move |i| [i, j, k]));
+    let own = cells.filter(|cell| grid.owns(grid.in_whole(*cell)));
+    own.map(|[i, j, k]| soil.mass[grid.index(i, j, k)].to_f64()).sum()
 }
 
 /// Sum over the rows `[q, plane]` of cells and of nodes that the block owns, in memory order.
@@ -64,10 +67,11 @@ fn sum_rows(grid: &Grid, of_row: impl Fn([usize; 2]) -> f64) -> f64 {
 
 /// Volume of the soil in row `q` of a storage plane of cells [m³].
 fn volume_of_row<R: Scalar>(grid: &Grid, fraction: &[R], [q, plane]: [usize; 2]) -> f64 {
-    let [nx, ny, nz] = grid.cells();
-    if !(1..=ny).contains(&q) || plane > nz {
+    if !grid.is_inside([q, plane]) {
         return 0.0;
     }
     let start = plane * grid.stride[2] + q * grid.stride[1] + 1;
-    (0..nx).map(|i| fraction[start + i].to_f64() * grid.volume(i, q - 1, plane - 1)).fold(0.0, |a, b| a + b)
+    grid.inside(0)
+        .map(|i| fraction[start + i].to_f64() * grid.volume(i, q - 1, plane - 1))
+        .fold(0.0, |a, b| a + b)
 }

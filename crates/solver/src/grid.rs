@@ -1,4 +1,5 @@
-//! The Eulerian grid: a rectilinear, graded box of cells, or a block of it with ghost layers where it was cut.
+//! The Eulerian grid: a rectilinear, graded box of cells, or a block of it, with ghost layers where it was cut and beyond
+//! boundaries through which soil flows.
 //!
 //! Cells and nodes share one numbering: x fastest, one ghost layer on every side, rows of whole vectors and two ghosts. Node
 //! `(i, j, k)` is the low corner of cell `(i, j, k)`, so a cell's corners and a node's cells are constant offsets.
@@ -10,8 +11,9 @@ use std::ops::Range;
 /// numbers of double precision as the widest vector holds.
 pub const LANES: usize = 8;
 
-/// Layers that a block has beyond a cut, whose contents are its neighbour's. Enough for a sweep of a remap (the flux through
-/// a face looks three cells away, momentum one farther) and for a round of overlap removal; a filter may look as far.
+/// Number of ghost layers beyond a cut, whose contents are the neighbour's, and beyond an open face, whose contents a boundary
+/// provides. Enough for a sweep of a remap (the flux through a face looks three cells away, momentum one farther) and for a
+/// round of overlap removal; a filter may look as far.
 pub const GHOSTS: usize = 4;
 
 /// A rectilinear grid, or a block of one.
@@ -19,11 +21,13 @@ pub const GHOSTS: usize = 4;
 pub struct Grid {
     /// Positions of the cell faces along x, y, z [m], increasing; of a block with its ghost layers.
     pub faces: [Vec<f64>; 3],
-    /// Those of the whole grid.
+    /// Those of the whole grid, with the ghost layers of its open faces.
     pub whole: [Vec<f64>; 3],
+    /// Layers of cells of the whole grid that are the domain; the others are ghost layers beyond its open faces.
+    pub domain: [Range<usize>; 3],
     /// Layers of cells of the whole grid that this block owns.
     pub own: [Range<usize>; 3],
-    /// Layer of the whole grid that is the block's first, a ghost where it is cut there.
+    /// Layer of the whole grid that is the block's first, a ghost where it is cut or open there.
     pub first: [usize; 3],
     /// Distance in memory between neighbours along x, y, z.
     pub stride: [usize; 3],
@@ -45,42 +49,50 @@ impl Grid {
     /// The same with rows for vectors of `lanes` numbers, a multiple of [`LANES`].
     #[must_use]
     pub fn padded(faces: [Vec<f64>; 3], lanes: usize) -> Self {
-        let own = faces.each_ref().map(|f| 0..f.len() - 1);
-        Self::block(faces, own, lanes)
+        Self::with_open_faces(faces, [[false; 2]; 3], lanes)
     }
 
-    /// The block of a grid that owns some layers of cells. Rows along x are never cut: sums over them keep their bits.
+    /// The same with ghost layers, as wide as the outermost cells, beyond the `open` faces: by axis at the low end and at the
+    /// high end.
+    #[must_use]
+    pub fn with_open_faces(faces: [Vec<f64>; 3], open: [[bool; 2]; 3], lanes: usize) -> Self {
+        let ghosts = open.map(|ends| ends.map(|is_open| if is_open { GHOSTS } else { 0 }));
+        let domain: [_; 3] =
+            std::array::from_fn(|axis| ghosts[axis][0]..ghosts[axis][0] + faces[axis].len() - 1);
+        let whole = std::array::from_fn(|axis| with_ghosts(&faces[axis], ghosts[axis]));
+        Self::laid_out(whole, domain.clone(), domain, lanes)
+    }
+
+    /// The block of the grid that owns some of its layers of cells. Rows along x are never cut: sums over them keep their bits.
     ///
     /// # Panics
     /// When a cut block has fewer than [`GHOSTS`] layers, or is cut along x.
     #[must_use]
-    pub fn block(whole: [Vec<f64>; 3], own: [Range<usize>; 3], lanes: usize) -> Self {
-        let cells = whole.each_ref().map(|f| f.len() - 1);
-        assert!(own[0] == (0..cells[0]), "rows along x are never cut");
-        let is_thick = |axis: usize| own[axis] == (0..cells[axis]) || own[axis].len() >= GHOSTS;
+    pub fn block(&self, own: [Range<usize>; 3]) -> Self {
+        assert!(own[0] == self.domain[0], "rows along x are never cut");
+        let is_thick = |axis: usize| own[axis] == self.domain[axis] || own[axis].len() >= GHOSTS;
         assert!((0..3).all(is_thick), "a block needs {GHOSTS} layers");
-        let first = own.each_ref().map(|own| own.start.saturating_sub(GHOSTS));
-        let faces = std::array::from_fn(|axis| {
-            let end = (own[axis].end + GHOSTS).min(cells[axis]);
-            whole[axis][first[axis]..=end].to_vec()
-        });
-        Self::laid_out(faces, whole, own, first, lanes)
+        Self::laid_out(self.whole.clone(), self.domain.clone(), own, self.lanes)
     }
 
     fn laid_out(
-        faces: [Vec<f64>; 3],
         whole: [Vec<f64>; 3],
+        domain: [Range<usize>; 3],
         own: [Range<usize>; 3],
-        first: [usize; 3],
         lanes: usize,
     ) -> Self {
+        let first = own.each_ref().map(|own| own.start.saturating_sub(GHOSTS));
+        let faces: [Vec<f64>; 3] = std::array::from_fn(|axis| {
+            let end = (own[axis].end + GHOSTS).min(whole[axis].len() - 1);
+            whole[axis][first[axis]..=end].to_vec()
+        });
         // One ghost before, one after, and whole vectors of cells between them.
         let row = (faces[0].len() - 1).next_multiple_of(lanes) + 2;
         let plane = row * (faces[1].len() + 1);
         let entries = plane * (faces[2].len() + 1) + lanes;
         let finest =
             whole.iter().flat_map(|f| f.windows(2).map(|w| w[1] - w[0])).fold(f64::INFINITY, f64::min);
-        Self { faces, whole, own, first, stride: [1, row, plane], entries, finest, lanes }
+        Self { faces, whole, domain, own, first, stride: [1, row, plane], entries, finest, lanes }
     }
 
     /// Number of cells along x, y, z.
@@ -126,23 +138,67 @@ impl Grid {
         [row % self.rows(), row / self.rows()]
     }
 
-    /// Ends of the whole grid along `axis` [m].
+    /// Ends of the domain along `axis` [m].
     #[must_use]
     pub fn ends(&self, axis: usize) -> [f64; 2] {
-        let faces = &self.whole[axis];
-        [faces[0], faces[faces.len() - 1]]
+        let (faces, domain) = (&self.whole[axis], &self.domain[axis]);
+        [faces[domain.start], faces[domain.end]]
     }
 
-    /// Number of cells of the whole grid along x, y, z.
+    /// Number of cells of the whole grid along x, y, z, with the ghost layers of its open faces.
     #[must_use]
     pub fn whole_cells(&self) -> [usize; 3] {
         self.whole.each_ref().map(|faces| faces.len() - 1)
     }
 
-    /// Whether the block ends with ghost layers along `axis`, at its low end (0) or its high end (1).
+    /// Whether another block follows along `axis`, at the low end (0) or the high end (1).
     #[must_use]
     pub fn is_cut(&self, axis: usize, end: usize) -> bool {
-        if end == 0 { self.own[axis].start > 0 } else { self.own[axis].end < self.whole_cells()[axis] }
+        let (own, domain) = (&self.own[axis], &self.domain[axis]);
+        if end == 0 { own.start > domain.start } else { own.end < domain.end }
+    }
+
+    /// Layers of the block that belong to the domain, with the ghost layers of cuts, along `axis`.
+    #[must_use]
+    pub fn inside(&self, axis: usize) -> Range<usize> {
+        let (domain, first) = (&self.domain[axis], self.first[axis]);
+        domain.start.saturating_sub(first)..(domain.end - first).min(self.cells()[axis])
+    }
+
+    /// Ghost layers of the block beyond an open face, at the low end (0) or the high end (1); none where it is not open.
+    #[must_use]
+    pub fn outside(&self, axis: usize, end: usize) -> Range<usize> {
+        let inside = self.inside(axis);
+        if end == 0 { 0..inside.start } else { inside.end..self.cells()[axis] }
+    }
+
+    /// Whether the block owns a layer of the whole grid along `axis`, or has it as the ghost layer of an open face beside its own.
+    #[must_use]
+    pub fn accounts_for(&self, axis: usize, whole: usize) -> bool {
+        let (own, domain) = (&self.own[axis], &self.domain[axis]);
+        own.contains(&whole)
+            || (whole < domain.start && own.start == domain.start)
+            || (whole >= domain.end && own.end == domain.end)
+    }
+
+    /// Whether a row of the memory, `[q, plane]`, is one of cells in the domain or in the ghost layers of a cut.
+    #[must_use]
+    pub fn is_inside(&self, [q, plane]: [usize; 2]) -> bool {
+        let contains = |axis: usize, n: usize| n > 0 && self.inside(axis).contains(&(n - 1));
+        contains(1, q) && contains(2, plane)
+    }
+
+    /// Columns of a row that are strained: those in the domain, with the ones that pad the row where no ghost layers follow.
+    #[must_use]
+    pub fn strained_columns(&self) -> Range<usize> {
+        let inside = self.inside(0);
+        if inside == (0..self.cells()[0]) { 0..self.padded_row() } else { inside }
+    }
+
+    /// Whether soil flows through a face of the domain.
+    #[must_use]
+    pub fn has_open_faces(&self) -> bool {
+        (0..3).any(|axis| self.domain[axis] != (0..self.whole_cells()[axis]))
     }
 
     /// Layers of the whole grid from those of the block.
@@ -171,8 +227,8 @@ impl Grid {
     /// Whether the block owns a node of the whole grid. Nodes at a cut belong to the block above it.
     #[must_use]
     pub fn owns_node(&self, whole: [usize; 3]) -> bool {
-        let cells = self.whole_cells();
-        let is_last = |axis: usize| whole[axis] == cells[axis] && self.own[axis].end == cells[axis];
+        let is_last =
+            |axis: usize| whole[axis] == self.own[axis].end && self.own[axis].end == self.domain[axis].end;
         (0..3).all(|axis| self.own[axis].contains(&whole[axis]) || is_last(axis))
     }
 
@@ -184,7 +240,7 @@ impl Grid {
         let cells = self.whole_cells();
         let layer = |axis: usize, n: usize| {
             let (layer, own) = (n.checked_sub(1)? + self.first[axis], &self.own[axis]);
-            let is_last = layer == own.end && own.end == cells[axis];
+            let is_last = layer == own.end && own.end == self.domain[axis].end;
             (own.contains(&layer) || is_last).then_some(layer)
         };
         Some(layer(2, plane)? * (cells[1] + 1) + layer(1, q)?)
@@ -226,4 +282,13 @@ impl Grid {
     pub fn finest(&self) -> f64 {
         self.finest
     }
+}
+
+/// Face positions with so many ghost layers, as wide as the outermost cells, at the low end and at the high end.
+fn with_ghosts(faces: &[f64], [low, high]: [usize; 2]) -> Vec<f64> {
+    let n = faces.len();
+    let [first, last] = [faces[1] - faces[0], faces[n - 1] - faces[n - 2]];
+    let below = (1..=low).rev().map(|layer| faces[0] - layer as f64 * first);
+    let above = (1..=high).map(|layer| faces[n - 1] + layer as f64 * last);
+    below.chain(faces.iter().copied()).chain(above).collect()
 }

@@ -5,7 +5,7 @@ use crate::contact::cut_out_bodies;
 use crate::energy;
 use crate::grid::Grid;
 pub use crate::model::Filling;
-use crate::model::Model;
+use crate::model::{Ground, Model};
 use crate::precision::Precision;
 use crate::scalar::Scalar;
 use crate::state::{Body, Ledger, Nodes, Received, Soil, State};
@@ -14,21 +14,61 @@ use glam::DVec3;
 /// The state at rest of a box of soil.
 #[must_use]
 pub fn at_rest<R: Precision>(model: &Model, filling: &Filling) -> State<R> {
-    at_rest_under(model, std::slice::from_ref(filling), 0.0)
+    at_rest_on(model, &Ground { fillings: vec![*filling], overburden: 0.0 })
 }
 
-/// The state at rest of several bodies of soil, each in what the ones before it have left free, under a lid that presses on
-/// the soil with `overburden` [Pa]. The soil reaches up to it, and the lid of the box, which does not move, bears the
-/// pressure from then on.
+/// The state at rest of any ground. If there is an overburden, the soil reaches up to the lid of the box, which does not move
+/// and bears the pressure from then on.
 #[must_use]
-pub fn at_rest_under<R: Precision>(model: &Model, fillings: &[Filling], overburden: f64) -> State<R> {
-    let mut soil = Soil::empty(&model.grid, model.materials.len());
+pub fn at_rest_on<R: Precision>(model: &Model, ground: &Ground) -> State<R> {
+    of_soil(model, filled(&model.grid, &ground.fillings, model.materials.len()), ground.overburden)
+}
+
+/// Volume fractions and materials of some bodies of soil.
+fn filled<R: Scalar>(grid: &Grid, fillings: &[Filling], materials: usize) -> Soil<R> {
+    let mut soil = Soil::empty(grid, materials);
     for filling in fillings {
-        let mut own = vec![R::default(); model.grid.entries];
-        fill(&model.grid, filling, &mut own);
+        let mut own = vec![R::default(); grid.entries];
+        fill(grid, filling, &mut own);
         add(&mut soil, &own, filling.material);
     }
-    of_soil(model, soil, overburden)
+    soil
+}
+
+/// The undisturbed ground in the cells of a grid that has moved: in one column only along an axis along which it is uniform.
+pub(crate) struct Undisturbed<R> {
+    /// In coordinates of the ground.
+    grid: Grid,
+    /// State of the cells; their masses are those of the grid here.
+    pub(crate) soil: Soil<R>,
+}
+
+impl<R: Scalar> Undisturbed<R> {
+    /// The ground of a model where the grid is now, `position` from where it started [m].
+    pub(crate) fn new(model: &Model, position: DVec3) -> Self {
+        let ground = &model.ground;
+        let grid = Grid::new(std::array::from_fn(|axis| {
+            let faces = &model.grid.faces[axis];
+            let is_one = axis < 2 && ground.is_uniform_along(axis);
+            faces[..if is_one { 2 } else { faces.len() }].iter().map(|x| x + position[axis]).collect()
+        }));
+        let mut soil = filled(&grid, &ground.fillings, model.materials.len());
+        weigh(model, &grid, &mut soil);
+        rest_stress(model, &grid, &mut soil, ground.overburden);
+        Self { grid, soil }
+    }
+
+    /// Index here of a cell of the model's grid.
+    pub(crate) fn index(&self, layers: [usize; 3]) -> usize {
+        let cells = self.grid.cells();
+        let [i, j, k] = std::array::from_fn(|axis| layers[axis].min(cells[axis] - 1));
+        self.grid.index(i, j, k)
+    }
+
+    /// Density of the soil in a cell here [kg/m³].
+    pub(crate) fn density(&self, model: &Model, cell: usize) -> f64 {
+        density(model, &self.soil, cell)
+    }
 }
 
 /// The state at rest of soil of any shape, of the first material: its volume fraction in every cell (see [`Grid::index`]).
@@ -68,11 +108,11 @@ fn of_soil<R: Precision>(model: &Model, mut soil: Soil<R>, overburden: f64) -> S
             located: (b.start, 0.0),
         })
         .collect();
-    weigh(model, &mut soil);
-    rest_stress(model, &mut soil, overburden);
+    weigh(model, &model.grid, &mut soil);
+    rest_stress(model, &model.grid, &mut soil, overburden);
     cut_out_bodies(model, &mut soil, &bodies);
     relieve_void(&mut soil);
-    weigh(model, &mut soil);
+    weigh(model, &model.grid, &mut soil);
     let mut nodes = Nodes::at_rest(&model.grid);
     let rows = nodes.mass.chunks_exact_mut(model.grid.stride[1]).enumerate();
     for (n, row) in rows.skip(model.grid.rows()) {
@@ -83,16 +123,16 @@ fn of_soil<R: Precision>(model: &Model, mut soil: Soil<R>, overburden: f64) -> S
         volume_start: energy::soil_volume(&model.grid, &soil),
         ..Ledger::default()
     };
-    State { time: 0.0, step: 0, soil, nodes, bodies, contacts: Vec::new(), remaps: 0, ledger }
+    let contacts = Vec::new();
+    State { time: 0.0, step: 0, grid_position: DVec3::ZERO, soil, nodes, bodies, contacts, remaps: 0, ledger }
 }
 
 /// Sets all soil in motion with a velocity [m/s], but for what the walls hold; the ledger counts its energy as put in from
 /// outside.
 pub fn set_in_motion<R: Precision>(model: &Model, state: &mut State<R>, velocity: DVec3) {
-    let cells = model.grid.whole_cells();
     for n in (0..model.grid.entries).filter(|n| state.nodes.mass[*n] > R::default()) {
         let place = model.grid.place(n);
-        let free = model.boundaries.free_components(model.grid.in_whole(place), cells);
+        let free = model.boundaries.free_components(&model.grid, model.grid.in_whole(place));
         for ((field, own), free) in state.nodes.velocity.iter_mut().zip(velocity.to_array()).zip(free) {
             field[n] = R::cast(if free { own } else { 0.0 });
         }
@@ -170,8 +210,7 @@ fn density<R: Scalar>(model: &Model, soil: &Soil<R>, c: usize) -> f64 {
     others.fold(first, |sum, (material, portion)| sum + portion[c].to_f64() * (material.density - first))
 }
 
-fn weigh<R: Scalar>(model: &Model, soil: &mut Soil<R>) {
-    let grid = &model.grid;
+fn weigh<R: Scalar>(model: &Model, grid: &Grid, soil: &mut Soil<R>) {
     let [nx, ny, nz] = grid.cells();
     for k in 0..nz {
         for j in 0..ny {
@@ -187,8 +226,7 @@ fn weigh<R: Scalar>(model: &Model, soil: &mut Soil<R>) {
 /// Stresses at rest: σ_z from the discrete balance of each node, from the top down, `f_k σ_k = f_{k+1} σ_{k+1} −
 /// (m_k + m_{k+1}) g / 2A`, so that the first step moves nothing; σ_x = σ_y = K₀ σ_z. Taken before the bodies' space is
 /// carved out: soil beside and under a body that starts in it bears what it bore before the body was there.
-fn rest_stress<R: Scalar>(model: &Model, soil: &mut Soil<R>, overburden: f64) {
-    let grid = &model.grid;
+fn rest_stress<R: Scalar>(model: &Model, grid: &Grid, soil: &mut Soil<R>, overburden: f64) {
     let [nx, ny, nz] = grid.cells();
     for j in 0..ny {
         for i in 0..nx {

@@ -14,6 +14,7 @@ pub mod energy;
 pub mod error;
 pub mod fields;
 pub mod footprint;
+mod ghosts;
 pub mod grid;
 pub mod halo;
 pub mod initial;

@@ -18,8 +18,12 @@ pub struct Model {
     pub gravity: f64,
     /// Height of the undisturbed surface of the soil [m].
     pub surface: f64,
+    /// The undisturbed ground, which enters through an inflow boundary.
+    pub ground: Ground,
     /// The faces of the grid.
     pub boundaries: Boundaries,
+    /// What the grid follows; nothing where it stands still.
+    pub follow: Option<Follow>,
     /// Rigid bodies.
     pub bodies: Vec<BodyModel>,
     /// Parameters of the method.
@@ -109,7 +113,9 @@ impl Model {
             materials: vec![material],
             gravity: 0.0,
             surface: 0.0,
+            ground: Ground::default(),
             boundaries: Boundaries([[Boundary::SmoothWall; 2]; 3]),
+            follow: None,
             bodies: Vec::new(),
             method: Method::default(),
         }
@@ -156,6 +162,36 @@ impl Model {
     #[must_use]
     pub fn mass_moved(&self) -> f64 {
         1e-7 * self.least_density() * self.grid.finest().powi(3)
+    }
+}
+
+/// A body that the grid follows: along these axes the body keeps its position in the grid.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Follow {
+    /// Number of the body.
+    pub body: usize,
+    /// Whether along x, y, z. The boundaries across such an axis must be open.
+    pub axes: [bool; 3],
+}
+
+/// The undisturbed ground: soil at rest under its own weight and a pressure on its surface.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Ground {
+    /// Where soil is, each filling in what the ones before it have left free. Infinite along an axis along which the grid moves.
+    pub fillings: Vec<Filling>,
+    /// Pressure on the surface [Pa].
+    pub overburden: f64,
+}
+
+impl Ground {
+    /// Whether the ground is the same everywhere along x (0) or y (1).
+    #[must_use]
+    pub fn is_uniform_along(&self, axis: usize) -> bool {
+        self.fillings.iter().all(|filling| {
+            filling.radius.is_none()
+                && filling.low[axis] == f64::NEG_INFINITY
+                && filling.high[axis] == f64::INFINITY
+        })
     }
 }
 

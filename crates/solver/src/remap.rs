@@ -1,12 +1,14 @@
 //! The Eulerian stage: what the soil has become on the displaced grid is carried back to the grid.
 //!
-//! One conservative sweep along each axis, the order changing from remap to remap; then volume fractions, admissible
-//! stresses and nodal masses anew, and the soil that overlaps a body is moved out of it.
+//! The grid moves after the body that it follows, if any. One conservative sweep along each axis, the order changing from
+//! remap to remap; then volume fractions, admissible stresses and nodal masses anew, and the soil that overlaps a body is
+//! moved out of it.
 
 use crate::contact;
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::workspace::SoilWorkspace;
 use crate::energy;
+use crate::ghosts::{self, Ghosts};
 use crate::grid::Grid;
 use crate::halo::{self, At, Halo};
 use crate::model::Model;
@@ -22,17 +24,22 @@ const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [2, 0, 1], [1, 2, 0], [2, 1, 0], [0,
 pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut Workspace<R>) {
     let Workspace { soil, contact, halo, .. } = workspace;
     let (grid, halo) = (&model.grid, halo.as_mut());
-    let before = energy::total(model, state, soil, halo);
+    let before = energy::total(model, state, soil, halo) - state.ledger.inflow_elastic;
     let active = rows_near_soil(grid, &soil.row_has_soil);
     halo::fill(halo, grid, At::Nodes, &mut state.nodes.displacement);
+    ghosts::follow(model, state);
     R::displaced_volumes(model, state, soil);
+    let mut ghosts = Ghosts::new(model, state, &soil.velocity_before[0], halo);
     for axis in ORDERS[(state.remaps % 6) as usize] {
         if grid.whole_cells()[axis] > 1 {
             R::sweep(model, state, soil, axis, &active);
-            fill_swept(grid, state, soil, halo);
+            fill_swept(model, state, soil, (ghosts.as_mut(), halo));
         }
     }
     R::update_after_remap(model, &mut state.soil, soil, &active);
+    if let Some(ghosts) = ghosts {
+        ghosts.finish(model, &mut state.soil);
+    }
     let [volume, mass] = soil.total_of_rows(grid, halo);
     reset_nodes(grid, state, soil);
     halo::fill(halo, grid, At::Nodes, [&mut state.nodes.mass]);
@@ -41,20 +48,25 @@ pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut 
     soil.find_soil(grid, &state.soil);
     soil.clear = 2;
     state.remaps += 1;
-    state.ledger.remap += before - energy::total(model, state, soil, halo);
+    let after = energy::total(model, state, soil, halo) - state.ledger.inflow_elastic;
+    state.ledger.remap += before - after;
     state.ledger.crumbs_volume += volume;
     state.ledger.crumbs_mass += mass;
     soil.stopwatch().lap(Stage::Remap);
 }
 
-/// Fills the ghost layers with what a sweep has carried.
+/// Fills the ghost layers after a sweep: with what lies beyond open faces, and with what other blocks have carried.
 fn fill_swept<R: Precision>(
-    grid: &Grid,
+    model: &Model,
     state: &mut State<R>,
     workspace: &mut SoilWorkspace<R>,
-    halo: &mut dyn Halo,
+    (ghosts, halo): (Option<&mut Ghosts<R>>, &mut dyn Halo),
 ) {
+    let grid = &model.grid;
     let [soil, cell, _] = &mut workspace.velocity_before;
+    if let Some(ghosts) = ghosts {
+        ghosts.renew(model, state, [soil, cell], halo);
+    }
     let State { soil: fields, nodes, .. } = state;
     let cells = fields.arrays_mut().chain([soil, cell]);
     halo::fill(halo, grid, At::Cells, cells);

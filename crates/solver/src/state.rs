@@ -131,6 +131,12 @@ pub struct Ledger {
     pub crumbs_volume: f64,
     /// Their mass [kg].
     pub crumbs_mass: f64,
+    /// Elastic energy of the soil that entered through open boundaries, less that of what left.
+    pub inflow_elastic: f64,
+    /// Its volume [m³].
+    pub inflow_volume: f64,
+    /// Its mass [kg].
+    pub inflow_mass: f64,
 }
 
 /// Everything that changes.
@@ -140,6 +146,8 @@ pub struct State<R = f64> {
     pub time: f64,
     /// Number of steps taken.
     pub step: u64,
+    /// How far the grid has moved since the start [m].
+    pub grid_position: DVec3,
     /// The cells.
     pub soil: Soil<R>,
     /// The nodes.
@@ -201,6 +209,7 @@ impl<R: Copy + Into<f64>> State<R> {
             contacts: self.contacts.clone(),
             time: self.time,
             step: self.step,
+            grid_position: self.grid_position,
             remaps: self.remaps,
             ledger: self.ledger,
         }

@@ -94,7 +94,7 @@ fn blocks_are_the_whole<R: Precision>(contact: ContactMethod, cuts: [&[usize]; 2
     assert!(state.remaps > 10 && state.contacts.len() > 100, "{} remaps", state.remaps);
     let still: Nodes<R> = Nodes::at_rest(&whole.grid);
     assert!(state.nodes.velocity != still.velocity);
-    let blocks = cut(&whole.grid.whole, cuts, R::LANES);
+    let blocks = cut(&whole.grid, cuts);
     assert_eq!(blocks.len(), (cuts[0].len() + 1) * (cuts[1].len() + 1));
     std::thread::scope(|scope| {
         for (grid, halo) in blocks {

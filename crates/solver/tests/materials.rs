@@ -9,8 +9,8 @@ use physics::law::Law;
 use physics::rigid::Freedom;
 use physics::shape::Block;
 use physics::von_mises::VonMises;
-use solver::initial::{Filling, at_rest_under};
-use solver::model::{BodyModel, Model};
+use solver::initial::{Filling, at_rest_on};
+use solver::model::{BodyModel, Ground, Model};
 use solver::state::State;
 use solver::step::step;
 use solver::workspace::Workspace;
@@ -49,7 +49,7 @@ fn halves(axis: usize, at: f64) -> [Filling; 2] {
 }
 
 fn run(model: &Model, fillings: &[Filling]) -> State {
-    let mut state = at_rest_under::<f64>(model, fillings, 0.0);
+    let mut state = at_rest_on::<f64>(model, &Ground { fillings: fillings.to_vec(), overburden: 0.0 });
     let mut workspace = Workspace::new(model, &mut state, 2);
     for _ in 0..600 {
         step(model, &mut state, &mut workspace).unwrap();
@@ -77,7 +77,8 @@ fn layers_of_different_density_stay_at_rest() {
     let mut model = bank(2);
     model.bodies.clear();
     (model.materials[1].density, model.materials[1].k0) = (1200.0, 0.7);
-    let mut state = at_rest_under::<f64>(&model, &halves(2, -0.043), 0.0);
+    let mut state =
+        at_rest_on::<f64>(&model, &Ground { fillings: halves(2, -0.043).to_vec(), overburden: 0.0 });
     let mut workspace = Workspace::new(&model, &mut state, 1);
     for _ in 0..200 {
         step(&model, &mut state, &mut workspace).unwrap();

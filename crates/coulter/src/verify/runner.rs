@@ -214,5 +214,5 @@ impl<'a> Runner<'a> {
 fn mass_error(simulation: &Simulation) -> f64 {
     let Simulation { model, state, .. } = simulation;
     let before = model.material().density * state.ledger.volume_start;
-    (soil_mass(&state.soil) + state.ledger.crumbs_mass - before) / before
+    (soil_mass(&model.grid, &state.soil) + state.ledger.crumbs_mass - before) / before
 }

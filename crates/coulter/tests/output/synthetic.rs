@@ -208,6 +208,7 @@ pub(crate) fn state(case: &Case, kind: Kind, time: f64) -> (Grid, State) {
     (
         grid,
         State {
+            grid_position: DVec3::ZERO,
             time,
             step: 5000,
             soil,

@@ -4,19 +4,20 @@ use crate::grid::Grid;
 use crate::halo::{self, Halo};
 use crate::model::{BodyModel, Model};
 use crate::scalar::Scalar;
-use crate::state::{Body, Soil};
+use crate::state::{Body, Soil, State};
 use glam::DVec3;
 
 /// Updates the body volume fractions of all cells, in scratch memory that is free until the contact search.
 pub(crate) fn find_bodies<R: Scalar>(
     model: &Model,
     bodies: &mut [Body],
+    grid_position: DVec3,
     body_fraction: &mut [R],
     body_cells: &mut Vec<BodyCell>,
 ) {
     body_cells.clear();
     for (n, (fixed, body)) in model.bodies.iter().zip(bodies).enumerate() {
-        each_occupied_cell(model, fixed, body, |cell, fraction| {
+        each_occupied_cell(model, fixed, body, grid_position, |cell, fraction| {
             let sum = body_fraction[cell].to_f64() + R::cast(fraction).to_f64();
             body_fraction[cell] = R::cast(sum.min(1.0));
             body_cells.push(BodyCell { body: n, cell, fraction });
@@ -37,14 +38,21 @@ pub(crate) struct BodyCell {
 }
 
 /// Calls `each(cell, fraction)` for the cells that a body occupies, wholly or in part.
-fn each_occupied_cell(model: &Model, fixed: &BodyModel, body: &Body, mut each: impl FnMut(usize, f64)) {
+fn each_occupied_cell(
+    model: &Model,
+    fixed: &BodyModel,
+    body: &Body,
+    grid_position: DVec3,
+    mut each: impl FnMut(usize, f64),
+) {
     let grid = &model.grid;
+    let position = body.position - grid_position;
     let (low, high) = fixed.shape.bounds();
     let reach = if fixed.shape.is_revolved() { high } else { DVec3::splat(low.length().max(high.length())) };
     let ranges: [std::ops::Range<usize>; 3] = std::array::from_fn(|axis| {
         let faces = &grid.faces[axis];
-        let first = faces.partition_point(|f| *f <= body.position[axis] - reach[axis]).saturating_sub(1);
-        let last = faces.partition_point(|f| *f < body.position[axis] + reach[axis]);
+        let first = faces.partition_point(|f| *f <= position[axis] - reach[axis]).saturating_sub(1);
+        let last = faces.partition_point(|f| *f < position[axis] + reach[axis]);
         first..last.min(grid.cells()[axis])
     });
     let turn = glam::DQuat::from_rotation_y(if fixed.shape.is_revolved() { 0.0 } else { -body.angle });
@@ -52,7 +60,7 @@ fn each_occupied_cell(model: &Model, fixed: &BodyModel, body: &Body, mut each: i
         for j in ranges[1].clone() {
             for i in ranges[0].clone() {
                 let fraction =
-                    covered(grid, [i, j, k], |x| fixed.shape.signed_distance(turn * (x - body.position)));
+                    covered(grid, [i, j, k], |x| fixed.shape.signed_distance(turn * (x - position)));
                 if fraction > 0.0 {
                     each(grid.index(i, j, k), fraction);
                 }
@@ -65,17 +73,18 @@ fn each_occupied_cell(model: &Model, fixed: &BodyModel, body: &Body, mut each: i
 /// together exceed their cells.
 pub(super) fn measure_bodies<R: Scalar>(
     model: &Model,
-    soil: &Soil<R>,
-    bodies: &mut [Body],
+    state: &mut State<R>,
     body_cells: &[BodyCell],
     halo: &mut dyn Halo,
 ) {
+    let State { soil, bodies, grid_position, .. } = state;
+    let surface = model.surface - grid_position.z;
     let grid = &model.grid;
     let [nx, ny, nz] = grid.whole_cells();
     let terms = body_cells.iter().filter_map(|c| {
         let place = grid.place(c.cell);
         let whole @ [i, j, k] = grid.in_whole(place);
-        let below = ((model.surface - grid.faces[2][place[2]]) / grid.width(2, place[2])).clamp(0.0, 1.0);
+        let below = ((surface - grid.faces[2][place[2]]) / grid.width(2, place[2])).clamp(0.0, 1.0);
         let volume = grid.volume_of(c.cell);
         let leaked = (soil.fraction[c.cell].to_f64() + c.fraction - 1.0).max(0.0) * volume;
         let number = ((c.body * nz + k) * ny + j) * nx + i;
@@ -119,7 +128,7 @@ fn covered(grid: &Grid, cell: [usize; 3], distance: impl Fn(DVec3) -> f64) -> f6
 pub(crate) fn cut_out_bodies<R: Scalar>(model: &Model, soil: &mut Soil<R>, bodies: &[Body]) {
     let mut body_fraction = vec![0.0; model.grid.entries];
     for (fixed, body) in model.bodies.iter().zip(bodies) {
-        each_occupied_cell(model, fixed, body, |c, fraction| {
+        each_occupied_cell(model, fixed, body, DVec3::ZERO, |c, fraction| {
             body_fraction[c] = (body_fraction[c] + fraction).min(1.0)
         });
     }

@@ -7,7 +7,7 @@
 use super::cut_cell;
 use super::scene::{ContactJacobian, Scene, largest_axis, side};
 use crate::model::Model;
-use crate::state::{Body, Contact};
+use crate::state::{Contact, State};
 use glam::DVec3;
 use std::collections::HashMap;
 
@@ -121,10 +121,9 @@ impl Constraints {
 
 /// For each contact point the number of its constraint (by body, face and cell), and for each constraint its cut-cell
 /// hourglass correction; `fraction` is the volume fraction in the cell of each contact point.
-pub(crate) fn number(
+pub(crate) fn number<R>(
     model: &Model,
-    bodies: &[Body],
-    contacts: &[Contact],
+    State { bodies, grid_position, contacts, .. }: &State<R>,
     fraction: &[f64],
 ) -> (Vec<usize>, Vec<[DVec3; 8]>) {
     let mut numbers = HashMap::new();
@@ -135,6 +134,6 @@ pub(crate) fn number(
     });
     let each: Vec<usize> = each.collect();
     let hourglass_correction =
-        cut_cell::corrections(model, bodies, (contacts, fraction), (&each, numbers.len()));
+        cut_cell::corrections(model, bodies, *grid_position, (contacts, fraction), (&each, numbers.len()));
     (each, hourglass_correction)
 }

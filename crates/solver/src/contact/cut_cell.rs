@@ -22,6 +22,7 @@ const WHOLE: f64 = 0.75;
 pub(super) fn corrections(
     model: &Model,
     bodies: &[Body],
+    grid_position: DVec3,
     (contacts, fraction): (&[Contact], &[f64]),
     (constraint, constraints): (&[usize], usize),
 ) -> Vec<[DVec3; 8]> {
@@ -38,7 +39,7 @@ pub(super) fn corrections(
             if c.normal.abs().max_element() == 1.0 {
                 return none;
             }
-            let cell = Cell::new(model, bodies, c);
+            let cell = Cell::new(model, bodies, grid_position, c);
             let [left, right, middle] = area[&(c.body, c.cell)];
             let (sampled, whole) = (left + right + middle, cell.area());
             // The inset of the contact points takes care of edges.
@@ -61,7 +62,12 @@ struct Cell<'a, D> {
 }
 
 impl<'a> Cell<'a, ()> {
-    fn new(model: &'a Model, bodies: &[Body], c: &Contact) -> Cell<'a, impl Fn(DVec3) -> f64 + 'a> {
+    fn new(
+        model: &'a Model,
+        bodies: &[Body],
+        grid_position: DVec3,
+        c: &Contact,
+    ) -> Cell<'a, impl Fn(DVec3) -> f64 + 'a> {
         let (fixed, (position, angle)) = (&model.bodies[c.body as usize], bodies[c.body as usize].located);
         let turn = glam::DQuat::from_rotation_y(if fixed.shape.is_revolved() { 0.0 } else { -angle });
         let place = c.cell.map(|layer| layer as usize);
@@ -69,6 +75,7 @@ impl<'a> Cell<'a, ()> {
             let faces = &model.grid.whole[axis];
             faces[place[axis] + 1] - faces[place[axis]]
         }));
+        let position = position - grid_position;
         let distance = move |x: DVec3| fixed.shape.signed_distance(turn * (x - position));
         Cell { grid: &model.grid, place, width, distance }
     }

@@ -27,7 +27,7 @@ fn contact_node(model: &Model, whole: [usize; 3]) -> ContactNode {
     ContactNode {
         node: local_node(grid, whole),
         is_owned: grid.owns_node(whole),
-        is_free: model.boundaries.free_components(whole, grid.whole_cells()),
+        is_free: model.boundaries.free_components(grid, whole),
         ..ContactNode::default()
     }
 }

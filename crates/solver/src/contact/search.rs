@@ -20,7 +20,13 @@ pub(crate) fn first_search<R: Scalar>(
     workspace: &mut ContactWorkspace,
     halo: &mut dyn Halo,
 ) {
-    find_bodies(model, &mut state.bodies, &mut soil.velocity_before[0], &mut workspace.body_cells);
+    find_bodies(
+        model,
+        &mut state.bodies,
+        state.grid_position,
+        &mut soil.velocity_before[0],
+        &mut workspace.body_cells,
+    );
     search(model, state, soil, workspace, halo);
 }
 
@@ -35,8 +41,16 @@ pub(crate) fn search<R: Scalar>(
 ) {
     let SoilWorkspace { velocity_before: [body_fraction, ..], material, .. } = &mut *soil;
     let ContactWorkspace { body_cells, surfaces, law, .. } = workspace;
-    measure_bodies(model, &state.soil, &mut state.bodies, body_cells, halo);
-    let view = View { model, soil: &state.soil, node_mass: &state.nodes.mass, body_fraction, material };
+    measure_bodies(model, state, body_cells, halo);
+    let grid_position = state.grid_position;
+    let view = View {
+        model,
+        soil: &state.soil,
+        node_mass: &state.nodes.mass,
+        body_fraction,
+        material,
+        grid_position,
+    };
     let mut found = Vec::with_capacity(state.contacts.len());
     let mut known = state.contacts.iter().peekable();
     for (n, surface) in surfaces.iter().enumerate() {
@@ -91,6 +105,8 @@ struct View<'a, R> {
     body_fraction: &'a [R],
     /// Material of each cell; empty where there is only one.
     material: &'a [u8],
+    /// How far the grid has moved [m].
+    grid_position: DVec3,
 }
 
 impl<R: Scalar> View<'_, R> {
@@ -107,7 +123,8 @@ impl<R: Scalar> View<'_, R> {
         // A point on a face between two cells belongs to the outer one, a point on an edge to the cell nearer to the body's
         // centre, so that mirror images belong to mirror images of cells.
         let finest = self.model.grid.finest();
-        let probe = place + 1e-9 * finest * (normal - 0.5 * arm.signum() * (DVec3::ONE - normal.abs()));
+        let in_grid = place - self.grid_position;
+        let probe = in_grid + 1e-9 * finest * (normal - 0.5 * arm.signum() * (DVec3::ONE - normal.abs()));
         let faces = &self.model.grid.faces;
         let cell = [layer(&faces[0], probe.x)?, layer(&faces[1], probe.y)?, layer(&faces[2], probe.z)?];
         let (base, whole) =
@@ -115,7 +132,7 @@ impl<R: Scalar> View<'_, R> {
         if !self.model.grid.owns(whole) {
             return None;
         }
-        let (weight, coverage) = self.weights(cell, place)?;
+        let (weight, coverage) = self.weights(cell, in_grid)?;
         let mut contact = Contact {
             cell: whole.map(|layer| layer as u32),
             material: self.material_of(base) as u32,

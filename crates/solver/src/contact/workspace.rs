@@ -57,7 +57,7 @@ impl ContactWorkspace {
     pub(super) fn connect<R: Scalar>(&mut self, model: &Model, state: &State<R>, halo: &mut dyn Halo) {
         (self.nodes, self.corner_nodes) = contact_nodes(model, &state.contacts);
         let fractions = fractions(model, state, halo);
-        self.constraint = constraint::number(model, &state.bodies, &state.contacts, &fractions);
+        self.constraint = constraint::number(model, state, &fractions);
     }
 
     /// Memory that it takes up [bytes], but for what the contact law keeps during a step.

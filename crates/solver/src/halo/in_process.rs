@@ -25,15 +25,16 @@ struct Board {
     barrier: Barrier,
 }
 
-/// Cuts a grid before some layers along y and z. Returns each block with its way to the others.
+/// Cuts a grid before some layers of its domain along y and z. Returns each block with its way to the others.
 ///
 /// # Panics
 /// When a block gets too few layers (see [`Grid::block`]).
 #[must_use]
-pub fn cut(whole: &[Vec<f64>; 3], before: [&[usize]; 2], lanes: usize) -> Vec<(Grid, InProcess)> {
+pub fn cut(whole: &Grid, before: [&[usize]; 2]) -> Vec<(Grid, InProcess)> {
     let ranges = |axis: usize| -> Vec<Range<usize>> {
-        let ends = before[axis - 1].iter().copied().chain([whole[axis].len() - 1]);
-        ends.scan(0, |start, end| Some(std::mem::replace(start, end)..end)).collect()
+        let domain = &whole.domain[axis];
+        let ends = before[axis - 1].iter().map(|layer| domain.start + layer).chain([domain.end]);
+        ends.scan(domain.start, |start, end| Some(std::mem::replace(start, end)..end)).collect()
     };
     let [rows, planes] = [ranges(1), ranges(2)];
     let count = rows.len() * planes.len();
@@ -41,9 +42,9 @@ pub fn cut(whole: &[Vec<f64>; 3], before: [&[usize]; 2], lanes: usize) -> Vec<(G
     let mut blocks: Vec<(Grid, InProcess)> = (0..count)
         .map(|number| {
             let (j, k) = (number % rows.len(), number / rows.len());
-            let own = [0..whole[0].len() - 1, rows[j].clone(), planes[k].clone()];
+            let own = [whole.domain[0].clone(), rows[j].clone(), planes[k].clone()];
             let block = InProcess { number, neighbours: Default::default(), board: Arc::clone(&board) };
-            (Grid::block(whole.clone(), own, lanes), block)
+            (whole.block(own), block)
         })
         .collect();
     for number in 0..count {

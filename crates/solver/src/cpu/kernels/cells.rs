@@ -95,15 +95,18 @@ impl<'a> RowConstants<'a> {
     }
 }
 
-/// Runs of cells of one material in a row of `n` cells, with the number of the material; `material` has that of each cell,
+/// Runs of cells of one material in some columns of a row, with the number of the material; `material` has that of each cell,
 /// and is empty where there is one alone.
-pub(crate) fn runs(material: &[u8], n: usize) -> impl Iterator<Item = (Range<usize>, usize)> + '_ {
-    let mut start = 0;
+pub(crate) fn runs(
+    material: &[u8],
+    columns: Range<usize>,
+) -> impl Iterator<Item = (Range<usize>, usize)> + '_ {
+    let Range { mut start, end } = columns;
     std::iter::from_fn(move || {
         let first = start;
         let own = material.get(first).copied();
-        start = own.map_or(n, |own| (first..n).find(|i| material[*i] != own).unwrap_or(n));
-        (first < n).then(|| (first..start, own.map_or(0, usize::from)))
+        start = own.map_or(end, |own| (first..end).find(|i| material[*i] != own).unwrap_or(end));
+        (first < end).then(|| (first..start, own.map_or(0, usize::from)))
     })
 }
 

@@ -10,15 +10,15 @@ use physics::elastic::Elastic;
 /// Elastic energy of the soil in row `q` of a storage plane [J].
 pub(crate) fn elastic(model: &Model, soil: &Soil, [q, plane]: [usize; 2]) -> f64 {
     let grid = &model.grid;
-    let [nx, ny, nz] = grid.cells();
-    if !(1..=ny).contains(&q) || plane > nz {
+    if !grid.is_inside([q, plane]) {
         return 0.0;
     }
-    let start = plane * grid.stride[2] + q * grid.stride[1] + 1;
-    let own = start..start + nx.next_multiple_of(LANES);
+    let columns = grid.inside(0);
+    let start = plane * grid.stride[2] + q * grid.stride[1] + 1 + columns.start;
+    let own = start..start + columns.len().next_multiple_of(LANES);
     let across = grid.width(1, q - 1) * grid.width(2, plane - 1);
     let stress = soil.stress.each_ref().map(|s| &s[own.clone()]);
-    let (faces, fraction) = (&grid.faces[0], &soil.fraction[own.clone()]);
+    let (faces, fraction) = (&grid.faces[0][columns.start..=columns.end], &soil.fraction[own.clone()]);
     if let [material] = model.materials.as_slice() {
         return elastic_row(&material.elastic, (faces, fraction), stress, across);
     }
@@ -31,7 +31,7 @@ pub(crate) fn elastic(model: &Model, soil: &Soil, [q, plane]: [usize; 2]) -> f64
     model.materials.iter().enumerate().map(of_material).sum()
 }
 
-/// The cells beyond the last face are ghosts without soil.
+/// Cells beyond the last face count nothing.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn elastic_row(
     elastic: &Elastic,

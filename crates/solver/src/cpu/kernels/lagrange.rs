@@ -217,11 +217,10 @@ fn blank(coefficients: &mut Coefficients) {
 fn strain_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2], n: usize) {
     let grid = inputs.grid;
     let [_, row, stride] = grid.stride;
-    let [_, ny, nz] = grid.cells();
     let length = grid.padded_row();
     let WorkerScratch { coefficients: [_, ahead], block, stopwatch, .. } = &mut *part.scratch;
     let has_soil = inputs.row_has_soil[plane * grid.rows() + q];
-    if !has_soil || plane > nz || q > ny {
+    if !has_soil || !grid.is_inside([q, plane]) {
         blank(ahead);
         return;
     }
@@ -245,7 +244,7 @@ fn strain_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2], n: us
     let sums = &mut part.sums[n];
     (sums.plastic, sums.viscous, sums.hourglass, sums.yields) = (0.0, 0.0, 0.0, 0);
     let material = inputs.material.get(start..start + length).unwrap_or_default();
-    for (run, number) in runs(material, length) {
+    for (run, number) in runs(material, grid.strained_columns()) {
         let constants = inputs.cells.of(&inputs.materials[number]);
         let work = (&mut **block, &mut *stopwatch);
         strain_cells(&constants, &node_rows, (&mut cell_row, run), work, &mut forces, sums);
@@ -278,23 +277,25 @@ fn move_row_of(inputs: &Inputs, part: &mut Part, place: [usize; 2], n: usize) {
 
 /// Takes away the motion that the boundaries hold at which a row of nodes ends or lies.
 fn apply_boundaries(inputs: &Inputs, [q, plane]: [usize; 2], velocity: &mut [&mut [Real]; 3]) {
-    let [nx, ny, nz] = inputs.grid.cells();
-    let boundaries = &inputs.model.boundaries.0;
+    let Inputs { grid, model, .. } = inputs;
+    let nodes = grid.cells()[0] + 1;
     let mut hold = |[axis, end]: [usize; 2], columns: Range<usize>| {
-        for (v, held) in velocity.iter_mut().zip(boundaries[axis][end].holds(axis)) {
+        for (v, held) in velocity.iter_mut().zip(model.boundaries.of_block(grid, axis, end).holds(axis)) {
             if held {
                 v[columns.clone()].fill(0.0);
             }
         }
     };
-    for (axis, at, last) in [(1, q, ny), (2, plane, nz)] {
-        if at == 1 {
-            hold([axis, 0], 0..nx + 1);
+    for (axis, layer) in [(1, q - 1), (2, plane - 1)] {
+        let inside = grid.inside(axis);
+        if layer <= inside.start {
+            hold([axis, 0], 0..nodes);
         }
-        if at == last + 1 {
-            hold([axis, 1], 0..nx + 1);
+        if layer >= inside.end {
+            hold([axis, 1], 0..nodes);
         }
     }
-    hold([0, 0], 0..1);
-    hold([0, 1], nx..nx + 1);
+    let inside = grid.inside(0);
+    hold([0, 0], 0..inside.start + 1);
+    hold([0, 1], inside.end..nodes);
 }

@@ -93,7 +93,7 @@ fn update_part(inputs: &Inputs, part: &mut Part) {
         } else {
             (start..start + own.len()).map(|c| main_material(inputs.composition, c) as u8).collect()
         };
-        for (run, number) in runs(&material, own.len()) {
+        for (run, number) in runs(&material, 0..own.len()) {
             let constants = inputs.constants.of(&inputs.materials[number]);
             update_cells(&constants, &mut cells, run, &mut part.scratch.block);
         }
@@ -109,12 +109,14 @@ fn new_fractions(
 ) -> [f64; 2] {
     let grid = inputs.grid;
     let volume = &inputs.volume[r * grid.stride[1] + 1..][..grid.cells()[0]];
-    let mut debris = [0.0; 2];
+    let (mut debris, is_inside) = ([0.0; 2], grid.is_inside([q, plane]));
     for (i, (volume, fraction)) in volume.iter().zip(fraction).enumerate() {
         *fraction = (f64::from(*volume) / grid.volume(i, q - 1, plane - 1)) as Real;
         if f64::from(*fraction) < FRACTION_KEPT {
-            debris[0] += f64::from(*volume);
-            debris[1] += f64::from(mass[i]);
+            if is_inside && grid.inside(0).contains(&i) {
+                debris[0] += f64::from(*volume);
+                debris[1] += f64::from(mass[i]);
+            }
             (*fraction, mass[i]) = (0.0, 0.0);
         }
     }

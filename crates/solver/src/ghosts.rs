@@ -1,0 +1,207 @@
+//! Ghost layers beyond open boundaries: what enters and leaves through these as the grid moves.
+//!
+//! A sweep of the remap treats the ghost layers as it does all cells, so that soil passes the boundary like any face. After
+//! each sweep they are filled anew: with undisturbed ground beyond an inflow boundary, with the state of the next cell of the
+//! domain beyond an outflow boundary. Nodes on such a boundary and beyond it are at rest.
+
+use crate::boundary::Boundary;
+use crate::grid::Grid;
+use crate::halo::{self, Halo};
+use crate::initial::Undisturbed;
+use crate::model::Model;
+use crate::precision::Precision;
+use crate::state::{Ledger, Nodes, Soil, State};
+use glam::DVec3;
+use std::ops::Range;
+
+/// Moves the grid after the body that it follows. From here on displacements are relative to the grid.
+pub(crate) fn follow<R: Precision>(model: &Model, state: &mut State<R>) {
+    let Some(follow) = model.follow else { return };
+    let travelled = state.bodies[follow.body].position - model.bodies[follow.body].start;
+    let along =
+        |axis: usize| if follow.axes[axis] { travelled[axis] - state.grid_position[axis] } else { 0.0 };
+    let shift = DVec3::from_array(std::array::from_fn(along));
+    state.grid_position += shift;
+    let [nx, ny, nz] = model.grid.cells();
+    for (axis, displacement) in state.nodes.displacement.iter_mut().enumerate() {
+        let shift = shift[axis];
+        for (j, k) in (0..=nz).flat_map(|k| (0..=ny).map(move |j| (j, k))) {
+            let start = model.grid.index(0, j, k);
+            for u in &mut displacement[start..=start + nx] {
+                *u = R::cast(u.to_f64() - shift);
+            }
+        }
+    }
+}
+
+/// The ghost layers during a remap.
+pub(crate) struct Ghosts<R> {
+    undisturbed: Undisturbed<R>,
+    /// What they held after they were filled last.
+    held: Content,
+}
+
+/// Volume [m³], mass [kg] and elastic energy [J] of the soil in the ghost layers.
+type Content = [f64; 3];
+
+impl<R: Precision> Ghosts<R> {
+    /// Those of a grid with open faces, before the first sweep; `volume` is that of the soil in the displaced cells [m³].
+    pub(crate) fn new(model: &Model, state: &State<R>, volume: &[R], halo: &mut dyn Halo) -> Option<Self> {
+        model.grid.has_open_faces().then(|| Self {
+            undisturbed: Undisturbed::new(model, state.grid_position),
+            held: content(model, &state.soil, volume, halo),
+        })
+    }
+
+    /// After a sweep: enters what has passed the boundaries into the balance and fills the layers anew, with the volumes of
+    /// the soil in the displaced cells and of these [m³].
+    pub(crate) fn renew(
+        &mut self,
+        model: &Model,
+        state: &mut State<R>,
+        [volume, cell]: [&mut Vec<R>; 2],
+        halo: &mut dyn Halo,
+    ) {
+        let left = content(model, &state.soil, volume, halo);
+        let Ledger { inflow_volume, inflow_mass, inflow_elastic, .. } = &mut state.ledger;
+        let entered = [inflow_volume, inflow_mass, inflow_elastic].into_iter().zip(self.held).zip(left);
+        entered.for_each(|((sum, before), after)| *sum += before - after);
+        let grid = &model.grid;
+        for_each_ghost(grid, |face, layers| {
+            let [i, j, k] = layers;
+            let (c, whole) = (grid.index(i, j, k), grid.volume(i, j, k));
+            let fraction = match model.boundaries.0[face.axis][face.end] {
+                Boundary::Outflow => copy_inner(grid, &mut state.soil, [volume, cell], face, layers),
+                _ => self.enter(model, &mut state.soil, layers),
+            };
+            (volume[c], cell[c]) = (R::cast(fraction * whole), R::cast(whole));
+        });
+        stop_nodes(grid, &state.soil.mass, &mut state.nodes);
+        self.held = content(model, &state.soil, volume, halo);
+    }
+
+    /// Fills the layers beyond inflow boundaries after the last sweep, when volume fractions are known again.
+    pub(crate) fn finish(&self, model: &Model, soil: &mut Soil<R>) {
+        for_each_ghost(&model.grid, |face, layers| {
+            if model.boundaries.0[face.axis][face.end] == Boundary::Inflow {
+                self.enter(model, soil, layers);
+            }
+        });
+    }
+
+    /// Puts undisturbed ground into a cell; returns its volume fraction.
+    fn enter(&self, model: &Model, soil: &mut Soil<R>, layers @ [i, j, k]: [usize; 3]) -> f64 {
+        let (here, there) = (model.grid.index(i, j, k), self.undisturbed.index(layers));
+        let undisturbed = &self.undisturbed.soil;
+        soil.arrays_mut().zip(undisturbed.arrays()).for_each(|(to, from)| to[here] = from[there]);
+        let fraction = undisturbed.fraction[there].to_f64();
+        let density = self.undisturbed.density(model, there);
+        soil.mass[here] = R::cast(density * fraction * model.grid.volume(i, j, k));
+        fraction
+    }
+}
+
+/// A face of the domain.
+#[derive(Clone, Copy)]
+struct Face {
+    axis: usize,
+    /// 0 at the low end, 1 at the high end.
+    end: usize,
+}
+
+/// Calls `each(face, layers)` for the cells beyond the open faces of a block; those beyond two faces come twice.
+fn for_each_ghost(grid: &Grid, mut each: impl FnMut(Face, [usize; 3])) {
+    for (axis, end) in (0..3).flat_map(|axis| [(axis, 0), (axis, 1)]) {
+        let mut ranges = grid.cells().map(|n| 0..n);
+        ranges[axis] = grid.outside(axis, end);
+        let [x, y, z] = ranges;
+        for (j, k) in z.flat_map(|k| y.clone().map(move |j| (j, k))) {
+            x.clone().for_each(|i| each(Face { axis, end }, [i, j, k]));
+        }
+    }
+}
+
+/// Copies the state of the next cell of the domain into one beyond a face; returns its volume fraction.
+fn copy_inner<R: Precision>(
+    grid: &Grid,
+    soil: &mut Soil<R>,
+    [volume, cell]: [&[R]; 2],
+    face: Face,
+    layers: [usize; 3],
+) -> f64 {
+    let inside = grid.inside(face.axis);
+    let mut inner = layers;
+    inner[face.axis] = if face.end == 0 { inside.start } else { inside.end - 1 };
+    let [to, from] = [layers, inner].map(|[i, j, k]| grid.index(i, j, k));
+    soil.arrays_mut().for_each(|field| field[to] = field[from]);
+    let volume_ratio = grid.volume(layers[0], layers[1], layers[2]) / cell[from].to_f64();
+    soil.mass[to] = R::cast(soil.mass[from].to_f64() * volume_ratio);
+    volume[from].to_f64() / cell[from].to_f64()
+}
+
+/// Stops the nodes on open faces and beyond them, and gives the latter the masses of the cells round them.
+fn stop_nodes<R: Precision>(grid: &Grid, cell_mass: &[R], nodes: &mut Nodes<R>) {
+    let [x, y, z] = grid.stride;
+    for (axis, end) in (0..3).flat_map(|axis| [(axis, 0), (axis, 1)]) {
+        let outside = grid.outside(axis, end);
+        if outside.is_empty() {
+            continue;
+        }
+        let mut ranges = grid.cells().map(|n| 0..n + 1);
+        ranges[axis] = outside.start..outside.end + 1;
+        let on_face = if end == 0 { outside.end } else { outside.start };
+        let [columns, rows, planes] = ranges;
+        for (j, k) in planes.flat_map(|k| rows.clone().map(move |j| (j, k))) {
+            for i in columns.clone() {
+                let n = grid.index(i, j, k);
+                nodes.velocity.iter_mut().for_each(|v| v[n] = R::default());
+                if [i, j, k][axis] != on_face {
+                    let cells = [0, x, y, z, x + y, y + z, x + z, x + y + z];
+                    let sum: f64 = cells.iter().map(|offset| cell_mass[n - offset].to_f64()).sum();
+                    nodes.mass[n] = R::cast(0.125 * sum);
+                }
+            }
+        }
+    }
+}
+
+/// What the ghost layers of all blocks hold, summed in the order of the rows of the whole grid.
+fn content<R: Precision>(model: &Model, soil: &Soil<R>, volume: &[R], halo: &mut dyn Halo) -> Content {
+    let grid = &model.grid;
+    let [nx, ny, nz] = grid.cells();
+    let rows = (0..nz).flat_map(|k| (0..ny).map(move |j| [j, k]));
+    let own = rows.filter_map(|[j, k]| {
+        let [_, y, z] = grid.in_whole([0, j, k]);
+        (grid.accounts_for(1, y) && grid.accounts_for(2, z)).then(|| {
+            let is_ghost = !(grid.inside(1).contains(&j) && grid.inside(2).contains(&k));
+            let columns =
+                |range: Range<usize>| content_of(model, soil, volume, range.map(move |i| [i, j, k]));
+            let sum = if is_ghost {
+                columns(0..nx)
+            } else {
+                let [low, high] = [0, 1].map(|end| columns(grid.outside(0, end)));
+                std::array::from_fn(|n| low[n] + high[n])
+            };
+            (z * grid.whole_cells()[1] + y, sum)
+        })
+    });
+    halo::in_order(halo, own)
+        .into_iter()
+        .fold([0.0; 3], |sum, (_, row)| std::array::from_fn(|n| sum[n] + row[n]))
+}
+
+/// What some cells hold.
+fn content_of<R: Precision>(
+    model: &Model,
+    soil: &Soil<R>,
+    volume: &[R],
+    cells: impl Iterator<Item = [usize; 3]>,
+) -> Content {
+    cells.fold([0.0; 3], |[volumes, masses, elastic], [i, j, k]| {
+        let c = model.grid.index(i, j, k);
+        let own = volume[c].to_f64();
+        let stress = soil.stress.each_ref().map(|component| component[c].to_f64());
+        let energy = model.materials[soil.main_material(c)].elastic.energy(stress);
+        [volumes + own, masses + soil.mass[c].to_f64(), elastic + own * energy]
+    })
+}

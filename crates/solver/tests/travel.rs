@@ -1,0 +1,184 @@
+//! A grid that travels after a body, with undisturbed ground entering at one end and spent soil leaving at the other.
+#![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
+
+mod common;
+
+use common::{sand, uniform};
+use glam::DVec3;
+use physics::rigid::Freedom;
+use physics::shape::{Block, Shape};
+use solver::boundary::Boundary::{Inflow, Outflow, SmoothWall};
+use solver::energy::{soil_mass, soil_volume};
+use solver::grid::Grid;
+use solver::halo::in_process::cut;
+use solver::initial::{Filling, at_rest, set_in_motion};
+use solver::model::{BodyModel, Follow, Ground, Model};
+use solver::precision::{Precision, Scalar};
+use solver::state::State;
+use solver::step::step;
+use solver::workspace::Workspace;
+
+const SPEED: f64 = 0.5;
+
+/// The half-space below z = 0 m.
+fn half_space() -> Filling {
+    Filling::between(DVec3::splat(f64::NEG_INFINITY), DVec3::new(f64::INFINITY, f64::INFINITY, 0.0))
+}
+
+fn towed(height: f64) -> BodyModel {
+    BodyModel {
+        name: "block".into(),
+        shape: Box::new(Block { size: DVec3::new(0.08, 0.1, 0.06) }) as Box<dyn Shape>,
+        start: DVec3::new(0.0, 0.02, height),
+        mass: 2.0,
+        axle_inertia: 0.01,
+        friction: 0.3,
+        shear_limit: f64::INFINITY,
+        translation: [
+            Freedom::Prescribed { speed: SPEED, start: 0.0, ramp: 0.005, end: f64::INFINITY },
+            Freedom::Fixed,
+            Freedom::Fixed,
+        ],
+        spin: Freedom::Fixed,
+    }
+}
+
+/// A block at a height [m] that is towed along x over or through sand, in a grid that follows it.
+fn travelling(height: f64, lanes: usize) -> Model {
+    let faces = [uniform(-0.2, 0.2, 20), uniform(-0.14, 0.14, 14), uniform(-0.12, 0.08, 10)];
+    let mut model = sand(faces.clone());
+    model.boundaries.0[0] = [Outflow, Inflow];
+    model.grid = Grid::with_open_faces(faces, model.boundaries.open_faces(), lanes);
+    model.ground = Ground { fillings: vec![half_space()], overburden: 0.0 };
+    model.follow = Some(Follow { body: 0, axes: [true, false, false] });
+    model.method.remap_displacement = 0.05;
+    model.bodies.push(towed(height));
+    model
+}
+
+/// Takes steps until the grid has travelled a distance [m].
+fn travel<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut Workspace<R>, distance: f64) {
+    while state.grid_position.x < distance {
+        step(model, state, workspace).unwrap();
+    }
+}
+
+/// Largest velocity component of a node [m/s].
+fn fastest(state: &State) -> f64 {
+    state.nodes.velocity.iter().flatten().fold(0.0, |most: f64, v| most.max(v.abs()))
+}
+
+#[test]
+fn soil_at_rest_stays_at_rest_while_the_grid_travels_over_it() {
+    for (axis, surface) in [(0, 0.0), (0, -0.013), (1, -0.013)] {
+        let mut model = travelling(0.2, f64::LANES);
+        let mut ground = half_space();
+        ground.high.z = surface;
+        model.ground.fillings = vec![ground];
+        if axis == 1 {
+            model.boundaries.0 = [[SmoothWall; 2], [Outflow, Inflow], [SmoothWall; 2]];
+            let faces = [uniform(-0.2, 0.2, 20), uniform(-0.14, 0.14, 14), uniform(-0.12, 0.08, 10)];
+            model.grid = Grid::with_open_faces(faces, model.boundaries.open_faces(), f64::LANES);
+            model.follow = Some(Follow { body: 0, axes: [false, true, false] });
+            model.bodies[0].translation.swap(0, 1);
+        }
+        let mut state = at_rest::<f64>(&model, &ground);
+        let begin = state.clone();
+        let mut workspace = Workspace::new(&model, &mut state, 2);
+        while state.grid_position[axis] < 0.1 {
+            step(&model, &mut state, &mut workspace).unwrap();
+        }
+        assert!(state.remaps > 50, "{} remaps", state.remaps);
+        assert!((state.bodies[0].position[axis] - begin.bodies[0].position[axis]) > 0.1);
+        // Velocity of sound is 60 m/s: round-off of 1e-13 of it is what a double carries.
+        assert!(fastest(&state) < 1e-10, "axis {axis}: {} m/s", fastest(&state));
+        let pairs = state.soil.fraction.iter().zip(&begin.soil.fraction);
+        let most = pairs.map(|(now, then)| (now - then).abs()).fold(0.0, f64::max);
+        assert!(most < 1e-12, "axis {axis}: volume fraction by {most}");
+        let lowest = model.grid.index(8, 8, 0);
+        let [now, then] = [&state, &begin].map(|s| s.soil.stress[2][lowest]);
+        assert!((now / then - 1.0).abs() < 1e-9, "axis {axis}: {now} Pa, was {then} Pa");
+        let volume = soil_volume(&model.grid, &state.soil) / soil_volume(&model.grid, &begin.soil);
+        assert!((volume - 1.0).abs() < 1e-12, "{volume}");
+        assert!(state.ledger.inflow_volume.abs() < 1e-12 * state.ledger.volume_start);
+        assert!(state.ledger.remap.abs() < 1e-9 * state.ledger.elastic_start);
+    }
+}
+
+#[test]
+fn volume_and_energy_balances_account_for_what_passes_the_boundaries() {
+    let model = travelling(0.02, f64::LANES);
+    let mut state = at_rest::<f64>(&model, &half_space());
+    let mut workspace = Workspace::new(&model, &mut state, 2);
+    travel(&model, &mut state, &mut workspace, 0.35);
+    let ledger = &state.ledger;
+    let before = model.material().density * ledger.volume_start;
+    let mass = soil_mass(&model.grid, &state.soil) + ledger.crumbs_mass - ledger.inflow_mass;
+    assert!((mass / before - 1.0).abs() < 1e-12, "{mass} kg of {before} kg");
+    // The furrow leaves the grid, and with it less soil than enters.
+    assert!(ledger.inflow_volume > 0.01 * ledger.volume_start, "{} m³", ledger.inflow_volume);
+    assert!(ledger.remap > 0.0, "{} J lost in remaps", ledger.remap);
+    // The body keeps its position in the grid but for what it has moved since the last remap.
+    let body = state.bodies[0].position - state.grid_position - model.bodies[0].start;
+    assert!(body.x.abs() < 0.1 * model.grid.finest(), "{} m", body.x);
+}
+
+/// Mean force of the soil on the body while it is towed from 0.08 m to 0.14 m [N].
+fn force(model: &Model) -> DVec3 {
+    let mut state = at_rest::<f64>(model, &half_space());
+    let mut workspace = Workspace::new(model, &mut state, 2);
+    let mut until = |x: f64| {
+        while state.bodies[0].position.x - model.bodies[0].start.x < x {
+            step(model, &mut state, &mut workspace).unwrap();
+        }
+        let received = &state.bodies[0].received;
+        (received.normal + received.friction, state.time)
+    };
+    let [(before, start), (after, end)] = [until(0.08), until(0.14)];
+    (after - before) / (end - start)
+}
+
+#[test]
+fn a_tow_in_a_travelling_grid_is_the_tow_in_a_long_box() {
+    let mut long = sand([uniform(-0.2, 0.34, 27), uniform(-0.14, 0.14, 14), uniform(-0.12, 0.08, 10)]);
+    long.method.remap_displacement = 0.05;
+    long.bodies.push(towed(-0.01));
+    // In the box the block crosses cells; in the travelling grid it keeps its position in them, on which the force depends.
+    const POSITIONS: usize = 4;
+    let travelling = (0..POSITIONS).map(|n| {
+        let mut model = travelling(-0.01, f64::LANES);
+        model.bodies[0].start.x = n as f64 / POSITIONS as f64 * model.grid.finest();
+        force(&model)
+    });
+    let (travels, stands) = (travelling.sum::<DVec3>() / POSITIONS as f64, force(&long));
+    assert!((travels.x / stands.x - 1.0).abs() < 0.05, "{travels} N, {stands} N");
+    assert!((travels.z / stands.z - 1.0).abs() < 0.1, "{travels} N, {stands} N");
+}
+
+#[test]
+fn blocks_of_a_travelling_grid_take_the_course_of_the_whole() {
+    let whole = travelling(0.02, f64::LANES);
+    let start = || {
+        let mut state = at_rest::<f64>(&whole, &half_space());
+        set_in_motion(&whole, &mut state, DVec3::new(0.0, 0.05, 0.02));
+        state
+    };
+    let mut state = start();
+    let mut workspace = Workspace::new(&whole, &mut state, 1);
+    travel(&whole, &mut state, &mut workspace, 0.02);
+    std::thread::scope(|scope| {
+        for (grid, halo) in cut(&whole.grid, [&[5], &[6]]) {
+            let (start, state, whole) = (&start, &state, &whole);
+            scope.spawn(move || {
+                let mut own = start().of_block(&whole.grid, &grid);
+                let model = Model { grid, ..travelling(0.02, f64::LANES) };
+                let mut workspace = Workspace::of_block(&model, &mut own, 1, Box::new(halo));
+                travel(&model, &mut own, &mut workspace, 0.02);
+                assert_eq!(own.bodies, state.bodies);
+                assert_eq!(own.contacts, state.contacts);
+                assert_eq!(own.ledger, state.ledger);
+                assert_eq!((own.step, own.grid_position), (state.step, state.grid_position));
+            });
+        }
+    });
+}
