@@ -6,7 +6,6 @@ pub mod cli;
 pub mod forecast;
 pub mod history;
 pub mod interrupts;
-pub mod model;
 pub mod output;
 pub mod run;
 pub mod simulation;

@@ -1,9 +1,9 @@
 //! A case on its way through time: the model and state that it means, and the history that its probes write.
 
+use crate::case::model::model;
 use crate::case::{Case, case_text};
 use crate::history::reference::Reference;
 use crate::history::{BodySample, EnergySample, History};
-use crate::model::model;
 use crate::output::checkpoint::{Checkpoint, CheckpointView};
 use crate::trust::{Setting, Trust, boundary};
 use glam::DVec3;

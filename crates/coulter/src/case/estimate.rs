@@ -1,9 +1,9 @@
 //! What a case will cost: cells, memory, time step, number of steps.
 
+use super::model::model;
 use super::output_size::{self, OutputSize};
 use super::path::travel;
 use super::resolved::{Body, Case, Grid, Ground, Precision};
-use crate::model::model;
 use glam::DVec3;
 use serde::Serialize;
 use solver::footprint::{self, Footprint, surface_points};

@@ -8,6 +8,7 @@ pub mod json_schema;
 pub mod keys;
 mod load;
 pub mod machine;
+pub mod model;
 mod names;
 pub mod output_size;
 mod overrides;

@@ -1,6 +1,7 @@
 //! `coulter bench`: how fast the solver is on this machine.
 
-use super::{Failure, say, say_json};
+use super::common::{say, say_json};
+use super::failure::Failure;
 use crate::bench::{self, TOWED_DISC, Wish};
 use crate::case;
 use std::path::PathBuf;
@@ -13,7 +14,7 @@ pub(super) struct Arguments {
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
     /// Threads to compare with one; 0 for one per core
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = super::threads())]
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = super::common::threads())]
     threads: u16,
     /// Steps before the measurement
     #[arg(long, value_name = "N", default_value_t = 500)]

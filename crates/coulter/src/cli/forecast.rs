@@ -1,6 +1,7 @@
 //! `coulter forecast`: the closed-form models for a case.
 
-use super::{Failure, refuse_file, say, say_json};
+use super::common::{refuse_file, say, say_json};
+use super::failure::Failure;
 use crate::case::{self, StandardDeviation};
 use crate::forecast::{self, Effort, InputDeviation, Intervals, Outlook, Range};
 use crate::output::{ForecastFiles, write_forecast};

@@ -2,6 +2,7 @@
 
 mod bench;
 mod check;
+mod common;
 mod failure;
 mod forecast;
 mod new;
@@ -14,9 +15,8 @@ mod signals;
 mod verify;
 
 use clap::{Parser, Subcommand};
+use common::say;
 pub use failure::Failure;
-use std::io::Write;
-use std::path::Path;
 use std::process::ExitCode;
 
 /// Predicts how a rigid object moves through soil.
@@ -90,37 +90,4 @@ pub fn run(arguments: &Arguments) -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report(),
     }
-}
-
-/// The allowed numbers of threads.
-fn threads() -> clap::builder::RangedI64ValueParser<u16> {
-    clap::value_parser!(u16).range(0..=solver::cpu::threads::MOST as i64)
-}
-
-/// Prints to standard output. A reader that has closed the pipe (`| head`) is not an error.
-fn say(text: &str) -> Result<(), Failure> {
-    let mut out = std::io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
-            Err(Failure::Request(format!("cannot write to standard output: {error}")))
-        }
-        _ => Ok(()),
-    }
-}
-
-/// Refuses a file where a results folder is expected.
-fn refuse_file(folder: &Path) -> Result<(), Failure> {
-    if !folder.exists() || folder.is_dir() {
-        return Ok(());
-    }
-    let shown = folder.display();
-    Err(Failure::Request(format!(
-        "{shown} is a file, not a folder; name a folder for the results with -o DIR"
-    )))
-}
-
-/// Prints one JSON document.
-fn say_json(value: &impl serde::Serialize) -> Result<(), Failure> {
-    let text = serde_json::to_string_pretty(value).map_err(|e| Failure::Request(e.to_string()))?;
-    say(&format!("{text}\n"))
 }

@@ -1,6 +1,7 @@
 //! `coulter new`: a commented case file to start from.
 
-use super::{Failure, say};
+use super::common::say;
+use super::failure::Failure;
 use std::path::PathBuf;
 
 #[derive(Debug, clap::Args)]

@@ -1,6 +1,7 @@
 //! `coulter pressure`: passive pressure coefficients of a plane face, by every method.
 
-use super::{Failure, say, say_json};
+use super::common::{say, say_json};
+use super::failure::Failure;
 use crate::case::quantity::{self, ANGLE};
 use analytic::earth_pressure::{Comparison, Face, PassiveField, compare};
 use analytic::error::ModelResult;

@@ -1,6 +1,7 @@
 //! `coulter report`: rebuilds report.html from results.
 
-use super::{Failure, say};
+use super::common::say;
+use super::failure::Failure;
 use crate::output::rebuild_report;
 use std::path::PathBuf;
 

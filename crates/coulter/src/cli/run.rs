@@ -1,6 +1,8 @@
 //! `coulter run`: runs a case.
 
-use super::{Failure, say_json, signals};
+use super::common::say_json;
+use super::failure::Failure;
+use super::signals;
 use crate::case;
 use crate::output::{OutputError, checkpoint};
 use crate::run::{self, End, RunError, RunOptions, Start};
@@ -19,7 +21,7 @@ pub(super) struct Arguments {
     #[arg(long, conflicts_with_all = ["resume", "auto_resume"])]
     force: bool,
     /// Threads; 0 for one per core
-    #[arg(long, value_name = "N", value_parser = super::threads())]
+    #[arg(long, value_name = "N", value_parser = super::common::threads())]
     threads: Option<u16>,
     /// Sets a key, such as soil.friction_angle="38 deg"; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]
@@ -54,7 +56,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         case.numerics.threads = usize::from(threads);
     }
     let folder = arguments.output.clone().unwrap_or_else(|| PathBuf::from("results").join(&case.name));
-    super::refuse_file(&folder)?;
+    super::common::refuse_file(&folder)?;
     let warnings = case::resources::warnings(&case::estimate::cost(&case), &folder);
     for warning in &warnings {
         // Where standard error cannot be written, the log still has it.

@@ -1,6 +1,7 @@
 //! `coulter schema`: the JSON schema of case files.
 
-use super::{Failure, say};
+use super::common::say;
+use super::failure::Failure;
 use crate::case::json_schema;
 
 pub(super) fn schema() -> Result<(), Failure> {

@@ -1,6 +1,7 @@
 //! `coulter verify`: the verification suite.
 
-use super::{Failure, say};
+use super::common::say;
+use super::failure::Failure;
 use crate::verify::expected_failures::{disagreements, expected_failures};
 use crate::verify::options::SuiteOptions;
 use crate::verify::row::Row;
@@ -32,7 +33,7 @@ pub(super) struct Arguments {
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
     /// Threads; 0 for one per core
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = super::threads())]
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = super::common::threads())]
     threads: u16,
     /// Folder of the result cache, from which the same command continues after an interruption
     #[arg(short, long, value_name = "DIR", default_value = "results/verify")]
@@ -70,7 +71,7 @@ pub(super) fn verify(arguments: &Arguments) -> Result<(), Failure> {
     };
     let expected = expected_failures();
     if arguments.json {
-        super::say_json(&findings.rows.iter().map(Row::json).collect::<Vec<_>>())?;
+        super::common::say_json(&findings.rows.iter().map(Row::json).collect::<Vec<_>>())?;
     } else {
         say(&format!(
             "{}

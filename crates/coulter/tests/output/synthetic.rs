@@ -59,21 +59,7 @@ pub(crate) fn case(kind: Kind, cell: f64) -> Case {
         name: "synthetic_disc".into(),
         title: "Free disc towed over medium dense sand (made-up data)".into(),
         gravity: 9.81,
-        soil: case::Soil {
-            law: case::Law::MohrCoulomb {
-                friction_angle: 0.61,
-                dilation_angle: 0.1,
-                cohesion: 0.0,
-                tension_cutoff: 0.0,
-                potential: case::Potential::MohrCoulomb,
-                critical_density: None,
-            },
-            density: 1631.0,
-            unit_weight: if kind == Kind::Column { 0.0 } else { 16e3 },
-            young_modulus: 2e6,
-            poisson_ratio: 0.3,
-            k0: 0.43,
-        },
+        soil: sand(if kind == Kind::Column { 0.0 } else { 16e3 }),
         ground: match kind {
             Kind::Column => {
                 let (low, high) = (DVec3::new(-0.4, -0.3, -0.35), DVec3::new(0.0, 0.3, 0.0));
@@ -110,20 +96,42 @@ pub(crate) fn case(kind: Kind, cell: f64) -> Case {
             checkpoint_interval: f64::INFINITY,
             steady_fraction: 0.3,
         },
-        numerics: case::Numerics {
-            courant: 0.5,
-            remap_displacement: 0.1,
-            hourglass: 0.03,
-            hourglass_yielding: 1.0,
-            bulk_viscosity_linear: 0.02,
-            bulk_viscosity_quadratic: 1.2,
-            contact: case::Contact::Penalty,
-            edge_inset: 0.5,
-            point_spacing: 0.5,
-            threads: 2,
-            precision: case::Precision::Double,
-        },
+        numerics: numerics(),
         forecast: case::Measured::default(),
+    }
+}
+
+fn sand(unit_weight: f64) -> case::Soil {
+    case::Soil {
+        law: case::Law::MohrCoulomb {
+            friction_angle: 0.61,
+            dilation_angle: 0.1,
+            cohesion: 0.0,
+            tension_cutoff: 0.0,
+            potential: case::Potential::MohrCoulomb,
+            critical_density: None,
+        },
+        density: 1631.0,
+        unit_weight,
+        young_modulus: 2e6,
+        poisson_ratio: 0.3,
+        k0: 0.43,
+    }
+}
+
+fn numerics() -> case::Numerics {
+    case::Numerics {
+        courant: 0.5,
+        remap_displacement: 0.1,
+        hourglass: 0.03,
+        hourglass_yielding: 1.0,
+        bulk_viscosity_linear: 0.02,
+        bulk_viscosity_quadratic: 1.2,
+        contact: case::Contact::Penalty,
+        edge_inset: 0.5,
+        point_spacing: 0.5,
+        threads: 2,
+        precision: case::Precision::Double,
     }
 }
 

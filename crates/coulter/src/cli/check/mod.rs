@@ -4,7 +4,9 @@ mod cost;
 mod describe;
 mod groups;
 
-use super::{Failure, run_time, say};
+use super::common::say;
+use super::failure::Failure;
+use super::run_time;
 use crate::case::estimate::{self, Cost};
 use crate::case::{self, Case, machine, resources};
 use cost::describe_cost;

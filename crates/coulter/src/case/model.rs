@@ -1,7 +1,7 @@
 //! The solver's model of a case.
 
-use crate::case::Case;
-use crate::case::resolved::{self, Law, Potential};
+use super::resolved::Case;
+use super::resolved::{self, Law, Potential};
 use glam::DVec3;
 use physics::elastic::Elastic;
 use physics::law::Law as Strength;
