@@ -41,9 +41,9 @@ pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut 
     soil.find_soil(grid, &state.soil);
     soil.clear = 2;
     state.remaps += 1;
-    state.ledger.remap += before - energy::total(model, state, soil, halo);
-    state.ledger.crumbs_volume += volume;
-    state.ledger.crumbs_mass += mass;
+    state.energy_balance.remap += before - energy::total(model, state, soil, halo);
+    state.energy_balance.debris_volume += volume;
+    state.energy_balance.debris_mass += mass;
     soil.stopwatch().lap(Stage::Remap);
 }
 

@@ -81,7 +81,7 @@ fn assert_same<R: Precision>(whole: (&Grid, &State<R>), block: (&Grid, &State<R>
     }
     assert_eq!(block.1.bodies, whole.1.bodies);
     assert_eq!(block.1.contacts, whole.1.contacts);
-    assert_eq!(block.1.ledger, whole.1.ledger);
+    assert_eq!(block.1.energy_balance, whole.1.energy_balance);
     assert_eq!((block.1.remaps, block.1.time), (whole.1.remaps, whole.1.time));
 }
 

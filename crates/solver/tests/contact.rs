@@ -53,8 +53,8 @@ fn no_soil_is_left_in_the_body_and_none_is_lost() {
         assert!(body.embedded_volume > 5e-5, "{method:?}: the disc is in the sand");
         let leak = body.leaked_volume / body.embedded_volume;
         assert!(leak < 1e-3, "{method:?}: {leak:e} of the embedded volume is soil");
-        let before = model.material().density * state.ledger.volume_start;
-        let mass = soil_mass(&state.soil) + state.ledger.crumbs_mass;
+        let before = model.material().density * state.energy_balance.volume_start;
+        let mass = soil_mass(&state.soil) + state.energy_balance.debris_mass;
         assert!((mass / before - 1.0).abs() < 1e-12, "{method:?}: {mass} kg of {before} kg");
     }
 }

@@ -98,7 +98,7 @@ fn each_half_yields_at_its_own_stress() {
     let mut model = bank(2);
     let yield_stress = [500.0, 2000.0];
     for (material, stress) in model.materials.iter_mut().zip(yield_stress) {
-        material.strength = Some(Law::VonMises(VonMises::new(material.elastic, stress, 0.0)));
+        material.yield_law = Some(Law::VonMises(VonMises::new(material.elastic, stress, 0.0)));
     }
     let state = run(&model, &halves(0, 0.03));
     let mut most = [0.0_f64; 2];

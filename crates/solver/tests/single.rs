@@ -65,9 +65,9 @@ fn a_tow_keeps_the_soil() {
     let body = &state.bodies[0];
     let leak = body.leaked_volume / body.embedded_volume;
     assert!(leak < 1e-3, "{leak:e} of the embedded volume is soil");
-    let before = model.material().density * state.ledger.volume_start;
+    let before = model.material().density * state.energy_balance.volume_start;
     let mass: f64 = state.soil.mass.iter().map(|mass| f64::from(*mass)).sum();
-    let lost = (mass + state.ledger.crumbs_mass) / before - 1.0;
+    let lost = (mass + state.energy_balance.debris_mass) / before - 1.0;
     assert!(lost.abs() < 1e-6, "{lost:e} of the mass");
 }
 

@@ -52,8 +52,8 @@ fn flight(cells: usize, radius: f64, eta: f64) -> (f64, f64) {
     let error: f64 =
         state.soil.fraction.iter().zip(&target).map(|(a, b)| (a - b).abs()).sum::<f64>() * cell / volume;
     assert!(state.soil.fraction.iter().all(|f| (0.0..=1.0 + 1e-12).contains(f)));
-    // What remaps take out as crumbs is counted; with it nothing is lost.
-    let lost = 1.0 - (soil_volume(&model.grid, &state.soil) + state.ledger.crumbs_volume) / volume;
+    // What remaps take out as debris is counted; with it nothing is lost.
+    let lost = 1.0 - (soil_volume(&model.grid, &state.soil) + state.energy_balance.debris_volume) / volume;
     (error, lost)
 }
 

@@ -94,7 +94,7 @@ pub fn run(arguments: &Arguments) -> ExitCode {
 
 /// The allowed numbers of threads.
 fn threads() -> clap::builder::RangedI64ValueParser<u16> {
-    clap::value_parser!(u16).range(0..=solver::cpu::threads::MOST as i64)
+    clap::value_parser!(u16).range(0..=solver::cpu::threads::MAX_WORKERS as i64)
 }
 
 /// Prints to standard output. A reader that has closed the pipe (`| head`) is not an error.

@@ -63,7 +63,7 @@ impl Cell {
     /// A cell of 1 m with an initial stress.
     pub(super) fn new(elastic: Elastic, law: Law, stress: Symmetric) -> Self {
         let faces = || vec![0.0, 1.0];
-        let material = Material { strength: Some(law), ..Material::linear_elastic(elastic, 1600.0) };
+        let material = Material { yield_law: Some(law), ..Material::linear_elastic(elastic, 1600.0) };
         let model = Model {
             // No remap during a whole test.
             method: Method { remap_displacement: 1.0, ..Method::default() },

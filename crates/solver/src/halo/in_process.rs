@@ -1,4 +1,4 @@
-//! Several blocks in one process, each on a thread of its own: the test twin of a message-passing machine.
+//! Several blocks in one process, each on its own thread: a stand-in for message passing, for the tests.
 
 use super::Halo;
 use crate::grid::Grid;
@@ -18,17 +18,17 @@ pub struct InProcess {
     board: Arc<Board>,
 }
 
-/// Where every block puts what all are to know.
+/// Shared memory of the gathers: one slot for each block.
 #[derive(Debug)]
 struct Board {
     slots: Mutex<Vec<Vec<f64>>>,
     barrier: Barrier,
 }
 
-/// Cuts a grid before some layers along y and z. Returns each block with its way to the others.
+/// Partitions a grid before the given layers along y and z. Returns each block with its links to the others.
 ///
 /// # Panics
-/// When a block gets too few layers (see [`Grid::block`]).
+/// If a block gets too few layers (see [`Grid::block`]).
 #[must_use]
 pub fn cut(whole: &[Vec<f64>; 3], before: [&[usize]; 2], lanes: usize) -> Vec<(Grid, InProcess)> {
     let ranges = |axis: usize| -> Vec<Range<usize>> {
@@ -66,7 +66,7 @@ impl Halo for InProcess {
     }
 
     /// # Panics
-    /// When the neighbour has failed.
+    /// If the neighbour has failed.
     fn exchange(&mut self, axis: usize, end: usize, values: Vec<f64>) -> Vec<f64> {
         let Some((to, from)) = &self.neighbours[axis - 1][end] else { return values };
         assert!(to.send(values).is_ok(), "the neighbour has gone");
