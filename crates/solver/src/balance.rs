@@ -29,7 +29,8 @@ pub(crate) fn account<R: Precision>(
         for axis in 0..3 {
             let (before, after) = (step.velocity_before[axis], body.velocity[axis]);
             let mean = 0.5 * (before + after);
-            // Impulse of the load: the change of momentum without contact; of a drive, the reaction to the contact impulse.
+            // Impulse of the load: the change of momentum without contact; of a drive, the reaction to the
+            // contact impulse.
             let load = if fixed.translation[axis].is_free() {
                 fixed.mass * modelled * (step.velocity_free[axis] - before)
             } else {

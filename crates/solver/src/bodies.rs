@@ -1,4 +1,5 @@
-//! Motion of the bodies in a step: velocities predicted without contact; positions updated with those after contact.
+//! Motion of the bodies in a step: velocities predicted without contact; positions updated with those after
+//! contact.
 
 use crate::model::Model;
 use crate::state::{Body, ContactImpulse, Pose};
@@ -55,7 +56,8 @@ pub(crate) fn have_moved(model: &Model, bodies: &[Body]) -> bool {
     let limit = model.method.remap_displacement * model.grid.finest();
     model.bodies.iter().zip(bodies).any(|(fixed, body)| {
         let Pose { position, angle } = body.searched_at;
-        // The farthest point of the surface moves by this times the rotation; contact points of revolved shapes do not rotate.
+        // The farthest point of the surface moves by this times the rotation; contact points of revolved
+        // shapes do not rotate.
         let reach = if fixed.shape.is_revolved() { 0.0 } else { fixed.shape.bounds().1.length() };
         (body.position - position).abs().max_element() > limit || (body.angle - angle).abs() * reach > limit
     })

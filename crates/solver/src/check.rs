@@ -7,7 +7,8 @@ use crate::precision::Precision;
 use crate::state::State;
 use glam::DVec3;
 
-/// Fields must be finite, no displacement may approach a cell before it is remapped, and bodies must stay in the box.
+/// Fields must be finite, no displacement may approach a cell before it is remapped, and bodies must stay in
+/// the box.
 ///
 /// # Errors
 /// [`Breakdown`] for the first condition that is violated.
@@ -46,7 +47,8 @@ fn stays_inside<R>(model: &Model, state: &State<R>) -> Result<(), Breakdown> {
         for axis in (0..3).filter(|axis| fixed.translation[*axis].is_free()) {
             let ends = model.grid.ends(axis);
             let at = [body.position[axis] + low[axis], body.position[axis] + high[axis]];
-            // Most bodies reach above the lid from the start: upwards, only a body wholly above it has left the box.
+            // Most bodies reach above the lid from the start: upwards, only a body wholly above it has left
+            // the box.
             let has_left = [at[0] < ends[0], if axis == 2 { at[0] > ends[1] } else { at[1] > ends[1] }];
             if let Some(end) = has_left.iter().position(|left| *left) {
                 let (time, step, location) = (state.time, state.step, Location::at(body.position));
@@ -58,8 +60,8 @@ fn stays_inside<R>(model: &Model, state: &State<R>) -> Result<(), Breakdown> {
     Ok(())
 }
 
-/// Offending node: of those with a velocity component that `is_bad`, or of all where there is none, the one that has moved
-/// farthest since the last remap.
+/// Offending node: of those with a velocity component that `is_bad`, or of all where there is none, the one
+/// that has moved farthest since the last remap.
 fn offending_node<R: Precision>(model: &Model, state: &State<R>, is_bad: impl Fn(f64) -> bool) -> Location {
     let bad = |n: &usize| state.nodes.velocity.iter().any(|v| is_bad(v[*n].to_f64()));
     let moved = |n: usize| state.nodes.displacement.iter().map(|u| u[n].to_f64().abs()).fold(0.0, f64::max);

@@ -1,7 +1,8 @@
-//! Sums over the whole grid, always in double precision: energies, mass and volume of the soil. Taken at samples and before
-//! and after a remap, not every step.
+//! Sums over the whole grid, always in double precision: energies, mass and volume of the soil. Taken at
+//! samples and before and after a remap, not every step.
 //!
-//! Each row is summed on its own, then the rows in memory order, so the result does not depend on the number of threads.
+//! Each row is summed on its own, then the rows in memory order, so the result does not depend on the number
+//! of threads.
 
 use crate::cpu::workspace::SoilWorkspace;
 use crate::grid::Grid;

@@ -1,7 +1,7 @@
 //! The fields of the soil, and the table of its history variables.
 //!
-//! A history variable is one line of [`HISTORY`]: remaps and overlap removal transport it, field files and checkpoints
-//! contain it.
+//! A history variable is one line of [`HISTORY`]: remaps and overlap removal transport it, field files and
+//! checkpoints contain it.
 
 use crate::grid::Grid;
 use serde::{Deserialize, Serialize};
@@ -27,7 +27,8 @@ pub struct HistoryVariable {
     pub unit: &'static str,
     /// What it is averaged by.
     pub carrier: Carrier,
-    /// Whether it is kept where the stress is cut off, in cells with hardly any soil; otherwise it is set to zero there.
+    /// Whether it is kept where the stress is cut off, in cells with hardly any soil; otherwise it is set to
+    /// zero there.
     pub outlives_stress: bool,
 }
 
@@ -67,7 +68,8 @@ pub struct Soil<R = f64> {
     pub stress: [Vec<R>; 6],
     /// History variables, in the order of [`HISTORY`].
     pub history: [Vec<R>; HISTORY_COUNT],
-    /// Fractions of the soil in the cell that are of the second material, the third, …; the rest is of the first.
+    /// Fractions of the soil in the cell that are of the second material, the third, …; the rest is of the
+    /// first.
     pub composition: Vec<Vec<R>>,
 }
 

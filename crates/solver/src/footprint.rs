@@ -1,5 +1,5 @@
-//! Memory of a run, predicted from its model before anything is allocated. All in bytes, as floats, since a prediction may
-//! exceed any integer.
+//! Memory of a run, predicted from its model before anything is allocated. All in bytes, as floats, since a
+//! prediction may exceed any integer.
 
 use crate::contact::{BodyCell, ContactNode, kept_per_constraint};
 use crate::cpu::workspace;
@@ -16,7 +16,8 @@ use physics::shape::SurfacePoint;
 pub struct Footprint {
     /// Fields of the state.
     pub fields: f64,
-    /// The portion of them that stays untouched where there has never been soil: the operating system commits no memory for it.
+    /// The portion of them that stays untouched where there has never been soil: the operating system commits
+    /// no memory for it.
     pub fields_of_soil: f64,
     /// Workspace of the step, without contact.
     pub workspace: f64,
@@ -26,7 +27,8 @@ pub struct Footprint {
     pub layout: f64,
 }
 
-/// Arrays of the state that are written in every cell at the start: volume fraction, mass, stress, nodal mass.
+/// Arrays of the state that are written in every cell at the start: volume fraction, mass, stress, nodal
+/// mass.
 const WRITTEN: f64 = 9.0;
 /// Contact nodes per constraint: neighbouring constraints share nodes.
 const NODES_PER_CONSTRAINT: f64 = 2.5;
@@ -51,8 +53,8 @@ fn fields<R>(entries: usize, materials: usize) -> [f64; 2] {
     [arrays * one, (arrays - WRITTEN) * one]
 }
 
-/// Contact points of all bodies, each ending at the displacement `moved` from its start [m]: memory kept for them, and
-/// temporary memory for the largest body. `per_constraint` is the memory for each constraint.
+/// Contact points of all bodies, each ending at the displacement `moved` from its start [m]: memory kept for
+/// them, and temporary memory for the largest body. `per_constraint` is the memory for each constraint.
 fn contact(model: &Model, moved: &[DVec3], [per_point, per_constraint]: [f64; 2]) -> [f64; 2] {
     /// For each point: the shape's list, its copy in pairs, and the tree that finds the pairs.
     const LAID_OUT: f64 = 2.0 * size_of::<SurfacePoint>() as f64 + 60.0;
@@ -101,14 +103,15 @@ fn per_contact() -> f64 {
     2.0 * one + lists as f64
 }
 
-/// Memory of a constraint besides that of the contact law: its nodes, its cut-cell correction, and its entry in the search.
+/// Memory of a constraint besides that of the contact law: its nodes, its cut-cell correction, and its entry
+/// in the search.
 fn per_constraint(contact_node: usize) -> f64 {
     let hourglass_correction = size_of::<[DVec3; 8]>() + size_of::<Option<[DVec3; 8]>>();
     NODES_PER_CONSTRAINT * contact_node as f64 + hourglass_correction as f64 + 120.0
 }
 
-/// Fractions of a body's surface points that are kept, and that have soil to act on, at the start or at the displacement `moved`
-/// [m], whichever is more; by area, from a coarse set of points.
+/// Fractions of a body's surface points that are kept, and that have soil to act on, at the start or at the
+/// displacement `moved` [m], whichever is more; by area, from a coarse set of points.
 fn point_fractions(model: &Model, body: &BodyModel, moved: DVec3) -> [f64; 2] {
     /// Points along the diagonal.
     const FEW: f64 = 16.0;

@@ -1,8 +1,8 @@
 //! The time step of the coupled Eulerian–Lagrangian method.
 //!
-//! [`model::Model`] is what stays fixed during a run, [`state::State`] is everything that changes, and [`step::step`] takes one
-//! step. The vectorised loops over cells are the kernels in `cpu`; only they are compiled for each precision of the fields.
-//! [`precision::Precision`] is their interface.
+//! [`model::Model`] is what stays fixed during a run, [`state::State`] is everything that changes, and
+//! [`step::step`] takes one step. The vectorised loops over cells are the kernels in `cpu`; only they are
+//! compiled for each precision of the fields. [`precision::Precision`] is their interface.
 
 pub mod balance;
 pub mod bodies;

@@ -9,8 +9,8 @@ use crate::state::{Nodes, Soil, State};
 
 /// A number type with its kernels. Rows are numbered in memory order (see [`Grid::row_and_plane`]).
 pub trait Precision: Scalar {
-    /// Strains the soil and moves its nodes by one step of `dt` [s]: stresses and displacements at the end of the step,
-    /// velocities without contact half a step later.
+    /// Strains the soil and moves its nodes by one step of `dt` [s]: stresses and displacements at the end of
+    /// the step, velocities without contact half a step later.
     fn lagrangian_stage(model: &Model, state: &mut State<Self>, workspace: &mut SoilWorkspace<Self>, dt: f64);
 
     /// Volumes [m³] of the displaced cells and of the soil in them, from which the sweeps of a remap start.
@@ -25,8 +25,8 @@ pub trait Precision: Scalar {
         active: &[bool],
     );
 
-    /// Post-remap update: volume fractions from the transported volumes, and admissible stresses. Volume [m³] and mass [kg] of
-    /// the debris removed are left in the workspace's values by row.
+    /// Post-remap update: volume fractions from the transported volumes, and admissible stresses. Volume [m³]
+    /// and mass [kg] of the debris removed are left in the workspace's values by row.
     fn update_after_remap(
         model: &Model,
         soil: &mut Soil<Self>,

@@ -1,12 +1,13 @@
-//! Everything that changes during a run: the content of a checkpoint. The fields of the soil are `f64` or `f32`, all else is
-//! `f64`.
+//! Everything that changes during a run: the content of a checkpoint. The fields of the soil are `f64` or
+//! `f32`, all else is `f64`.
 
 pub use crate::fields::{Nodes, STRESS_NAMES, Soil};
 use crate::grid::Grid;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-/// Position and motion of a body. Quantities are those of the whole body, also when only half of it is modelled.
+/// Position and motion of a body. Quantities are those of the whole body, also when only half of it is
+/// modelled.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Body {
     /// Reference point (of a disc: the centre of its axle) [m].
@@ -36,8 +37,8 @@ pub struct Pose {
     pub angle: f64,
 }
 
-/// Impulse and angular impulse of the soil on a body. Of cumulative impulses, the difference over an interval divided by its
-/// length is the mean force, so that no force is lost between two samples.
+/// Impulse and angular impulse of the soil on a body. Of cumulative impulses, the difference over an interval
+/// divided by its length is the mean force, so that no force is lost between two samples.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ContactImpulse {
     /// Of the pressure normal to the surface [N s].
@@ -127,7 +128,8 @@ pub struct EnergyBalance {
     pub hourglass: f64,
     /// Frictional dissipation on bodies.
     pub friction: f64,
-    /// Energy stored, dissipated or added by the contact method: springs, damping, corrections of the penetration.
+    /// Energy stored, dissipated or added by the contact method: springs, damping, corrections of the
+    /// penetration.
     pub contact: f64,
     /// Kinetic and elastic energy lost in remaps.
     pub remap: f64,
@@ -175,8 +177,8 @@ impl<R> State<R> {
 }
 
 impl<R: Copy + Default> State<R> {
-    /// The portion of a state of the `whole` grid held by a `block` with its ghost layers. Bodies, contacts and energy balance
-    /// are the same in every block.
+    /// The portion of a state of the `whole` grid held by a `block` with its ghost layers. Bodies, contacts
+    /// and energy balance are the same in every block.
     #[must_use]
     pub fn of_block(&self, whole: &Grid, block: &Grid) -> Self {
         let mut own = Self {

@@ -29,7 +29,8 @@ impl<R: Precision> std::fmt::Debug for Workspace<R> {
 }
 
 impl<R: Precision> Workspace<R> {
-    /// Workspace for a model and a team of `threads`. Before the first step, this includes the first contact search.
+    /// Workspace for a model and a team of `threads`. Before the first step, this includes the first contact
+    /// search.
     #[must_use]
     pub fn new(model: &Model, state: &mut State<R>, threads: usize) -> Self {
         Self::of_block(model, state, threads, Box::new(Whole))

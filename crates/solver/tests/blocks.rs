@@ -1,4 +1,4 @@
-//! A grid that is cut into blocks, each on a thread of its own, takes the same course to the bit as the whole.
+//! A grid partitioned into blocks, each on its own thread, gives the same bits as the whole grid.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 mod common;

@@ -1,4 +1,4 @@
-//! What is told of the memory beforehand is what a run then takes up.
+//! The predicted memory of a run is what it then takes up.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 mod common;
@@ -68,7 +68,7 @@ fn told_is_real<R: Precision>(threads: usize) {
         let fields = state.memory() - size_of_val(state.contacts.as_slice());
         near(told.fields, fields, 1e-9);
         let contact = workspace.memory() + state.memory() - fields;
-        // The law's own memory, and what is held twice for a moment, are in what is told, but not in what is counted here.
+        // The memory of the contact law and temporary copies are predicted, but not counted here.
         let told = told.workspace + told.contact;
         assert!((contact as f64..2.0 * contact as f64).contains(&told), "told {told}, kept {contact}");
         let points = surface_points(&model, &model.bodies[0]);

@@ -1,5 +1,5 @@
-//! In single precision soil rests, moves and keeps its mass to about seven digits, and mirror images and threads still agree
-//! to the bit.
+//! In single precision soil rests, moves and keeps its mass to about seven digits, and mirror images and
+//! threads still agree to the bit.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 mod common;
@@ -14,7 +14,7 @@ use solver::state::State;
 use solver::step::step;
 use solver::workspace::Workspace;
 
-/// After so many steps on a number of threads.
+/// The state after a number of steps on a number of threads.
 fn after(model: &Model, surface: f64, threads: usize, steps: usize) -> State<f32> {
     let mut state = at_rest::<f32>(model, &below(surface));
     let mut workspace = Workspace::new(model, &mut state, threads);

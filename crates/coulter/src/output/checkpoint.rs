@@ -86,7 +86,7 @@ pub fn forget_previous(dir: &Path) -> Result<(), OutputError> {
 }
 
 impl<R: Precision> CheckpointView<'_, R> {
-    /// The same as something of its own.
+    /// The same, owned.
     #[must_use]
     pub fn kept(&self) -> Checkpoint<R> {
         Checkpoint {

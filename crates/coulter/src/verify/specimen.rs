@@ -93,7 +93,7 @@ impl Cell {
                 velocity[node] = row.dot(x) / dt;
             }
         }
-        // A workspace of its own, so that this step does not affect another.
+        // A separate workspace, so that this step does not affect another.
         let mut workspace = Workspace::new(&self.model, &mut state, 1);
         step(&self.model, &mut state, &mut workspace)?;
         for u in &mut state.nodes.displacement {

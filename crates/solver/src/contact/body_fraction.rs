@@ -61,8 +61,8 @@ fn each_occupied_cell(model: &Model, fixed: &BodyModel, body: &Body, mut each: i
     }
 }
 
-/// Measures the embedded volume of each body, and the leak into it: the volume by which soil and body together exceed their
-/// cells [m³].
+/// Measures the embedded volume of each body, and the leak into it: the volume by which soil and body
+/// together exceed their cells [m³].
 pub(super) fn measure_bodies<R: Scalar>(
     model: &Model,
     soil: &Soil<R>,
@@ -94,7 +94,8 @@ pub(super) fn measure_bodies<R: Scalar>(
 /// Fraction of a cell with a negative distance, from 4³ samples; samples near the surface are weighted.
 fn covered(grid: &Grid, cell: [usize; 3], distance: impl Fn(DVec3) -> f64) -> f64 {
     const SAMPLES: usize = 4;
-    // Positions are interpolated from both faces and layers in y summed in pairs, so that mirroring in y changes no bit.
+    // Positions are interpolated from both faces and layers in y summed in pairs, so that mirroring in y
+    // changes no bit.
     let at = |axis: usize, n: f64| {
         let (local, faces) = (n / SAMPLES as f64, &grid.faces[axis]);
         faces[cell[axis]] * (1.0 - local) + faces[cell[axis] + 1] * local

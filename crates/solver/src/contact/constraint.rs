@@ -1,8 +1,9 @@
 //! Contact constraints: one for each body face in each cell.
 //!
-//! The soil's velocity is a single trilinear field within a cell, so non-penetration of a face there is a single condition;
-//! the face's contact points in the cell are its quadrature points. The area-weighted mean of their shape functions gives the
-//! mean soil velocity over the face; an impulse on the constraint acts like a uniform pressure on the face.
+//! The soil's velocity is a single trilinear field within a cell, so non-penetration of a face there is a
+//! single condition; the face's contact points in the cell are its quadrature points. The area-weighted mean
+//! of their shape functions gives the mean soil velocity over the face; an impulse on the constraint acts
+//! like a uniform pressure on the face.
 
 use super::cut_cell;
 use super::problem::{ContactJacobian, ContactProblem, largest_axis, side};
@@ -74,7 +75,8 @@ pub(super) struct Constraints {
     pub(super) of_contact: Vec<Option<usize>>,
     /// For the number of a constraint its index, if it is active.
     index: Vec<Option<usize>>,
-    /// Points on the two sides of the body's mid-plane are summed separately, so that mirroring in y changes no bit.
+    /// Points on the two sides of the body's mid-plane are summed separately, so that mirroring in y changes
+    /// no bit.
     sums: Vec<[Sums; 3]>,
 }
 
@@ -119,8 +121,8 @@ impl Constraints {
     }
 }
 
-/// For each contact point the number of its constraint (by body, face and cell), and for each constraint its cut-cell
-/// hourglass correction; `fraction` is the volume fraction in the cell of each contact point.
+/// For each contact point the number of its constraint (by body, face and cell), and for each constraint its
+/// cut-cell hourglass correction; `fraction` is the volume fraction in the cell of each contact point.
 pub(crate) fn number(
     model: &Model,
     bodies: &[Body],

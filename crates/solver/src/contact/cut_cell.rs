@@ -1,10 +1,12 @@
-//! Cut-cell hourglass correction: the forces that one-point integration lacks in a cell cut by a body's surface.
+//! Cut-cell hourglass correction: the forces that one-point integration lacks in a cell cut by a body's
+//! surface.
 //!
-//! With one-point integration the pressure p of the soil in a cell exerts p f V ∇N_a(centre) on node a, as if the soil filled
-//! the cell evenly; exact would be p ∫ ∇N_a over the region of the cell that the soil fills. The difference annihilates every
-//! linear velocity field: it consists of hourglass forces. Along a surface that cuts cells obliquely it differs from cell to
-//! cell, does not cancel, and drives hourglass modes in proportion to the pressure. The body supports this pressure, so the
-//! contact constraint applies the difference, in proportion to its normal force.
+//! With one-point integration the pressure p of the soil in a cell exerts p f V ∇N_a(centre) on node a, as if
+//! the soil filled the cell evenly; exact would be p ∫ ∇N_a over the region of the cell that the soil fills.
+//! The difference annihilates every linear velocity field: it consists of hourglass forces. Along a surface
+//! that cuts cells obliquely it differs from cell to cell, does not cancel, and drives hourglass modes in
+//! proportion to the pressure. The body supports this pressure, so the contact constraint applies the
+//! difference, in proportion to its normal force.
 
 use super::problem::side;
 use crate::grid::Grid;
@@ -15,7 +17,8 @@ use std::collections::HashMap;
 
 /// Samples of a cell along each axis.
 const SAMPLES: usize = 4;
-/// A surface has an edge in a cell where its contact points represent less than this fraction of its area there.
+/// A surface has an edge in a cell where its contact points represent less than this fraction of its area
+/// there.
 const WHOLE: f64 = 0.75;
 
 /// For each constraint the correction at the eight nodes of its cell per unit normal force.
@@ -77,7 +80,8 @@ impl<'a> Cell<'a, ()> {
 }
 
 impl<D: Fn(DVec3) -> f64> Cell<'_, D> {
-    /// Coordinate a number of samples from the low face, interpolated from both faces so that mirroring in y changes no bit.
+    /// Coordinate a number of samples from the low face, interpolated from both faces so that mirroring in y
+    /// changes no bit.
     fn at(&self, axis: usize, samples: f64) -> f64 {
         let (local, faces) = (samples / SAMPLES as f64, &self.grid.whole[axis]);
         faces[self.layers[axis]] * (1.0 - local) + faces[self.layers[axis] + 1] * local
@@ -89,7 +93,8 @@ impl<D: Fn(DVec3) -> f64> Cell<'_, D> {
         (0.5 - (self.distance)(x) / sample).clamp(0.0, 1.0)
     }
 
-    /// Magnitude of the area vector of the body's surface in the cell [m²], from the areas of the cell's faces inside the body.
+    /// Magnitude of the area vector of the body's surface in the cell [m²], from the areas of the cell's
+    /// faces inside the body.
     fn area(&self) -> f64 {
         let covered = |axis: usize, side: usize| {
             let (b, c) = ((axis + 1) % 3, (axis + 2) % 3);
@@ -111,10 +116,12 @@ impl<D: Fn(DVec3) -> f64> Cell<'_, D> {
         DVec3::from_array(std::array::from_fn(|axis| covered(axis, 0) - covered(axis, 1))).length()
     }
 
-    /// The correction at the nodes at unit pressure [m²]: β V ∇N_a(centre) − ∫ ∇N_a over the body, where the body occupies the
-    /// fraction β of the cell and soil the rest; reduced in proportion where the volume fraction is below 1 − β.
+    /// The correction at the nodes at unit pressure [m²]: β V ∇N_a(centre) − ∫ ∇N_a over the body, where the
+    /// body occupies the fraction β of the cell and soil the rest; reduced in proportion where the volume
+    /// fraction is below 1 − β.
     fn hourglass_correction(&self, fraction: f64) -> [DVec3; 8] {
-        // It follows from the means over the body of ξ, η, ζ, ξη, ηζ, ξζ, with ξ, η, ζ from −1 to 1. Per layer in y:
+        // It follows from the means over the body of ξ, η, ζ, ξη, ηζ, ξζ, with ξ, η, ζ from −1 to 1. Per
+        // layer in y:
         let mut layers = [[0.0; 4]; SAMPLES];
         let local = |n: usize| (n as f64 + 0.5) * 2.0 / SAMPLES as f64 - 1.0;
         for n in 0..SAMPLES.pow(3) {

@@ -1,12 +1,13 @@
-//! Contact by velocity impulses: non-penetration and Coulomb friction at the velocity level (Moreau 1988, Jean 1999).
+//! Contact by velocity impulses: non-penetration and Coulomb friction at the velocity level (Moreau 1988,
+//! Jean 1999).
 //!
-//! Solved by symmetric projected Gauss–Seidel sweeps, warm-started from the impulses of the last step, with the bodies inside
-//! the iteration: no contact stiffness, no limit on the time step, stable for bodies much lighter than the soil that they
-//! displace.
+//! Solved by symmetric projected Gauss–Seidel sweeps, warm-started from the impulses of the last step, with
+//! the bodies inside the iteration: no contact stiffness, no limit on the time step, stable for bodies much
+//! lighter than the soil that they displace.
 //!
-//! An open contact point keeps its gap and may close it within a step, but no further. Where the volume fractions show soil
-//! inside a body, a bias velocity proportional to the body's speed removes the overlap; a body at rest has none, so that its
-//! load does not drift.
+//! An open contact point keeps its gap and may close it within a step, but no further. Where the volume
+//! fractions show soil inside a body, a bias velocity proportional to the body's speed removes the overlap; a
+//! body at rest has none, so that its load does not drift.
 
 use super::constraint::{self, Constraint, Constraints};
 use super::law::ContactLaw;
@@ -28,13 +29,15 @@ pub(super) const PER_CONSTRAINT: f64 =
 
 /// Symmetric sweeps per step; fewer than two give wrong forces.
 const SWEEPS: usize = 4;
-/// Separation threshold: an active point of a curved or inclined face opens when the volume fractions show a gap of this many
-/// cells. With a larger one a rolling wheel opens a void under itself and climbs on it.
+/// Separation threshold: an active point of a curved or inclined face opens when the volume fractions show a
+/// gap of this many cells. With a larger one a rolling wheel opens a void under itself and climbs on it.
 const SEPARATION: f64 = 0.05;
-/// The same on a face that is aligned with the grid. The edges of a sliding face cut cells, in which volume fractions are a
-/// poor measure of the gap: with the smaller threshold the force on a sliding footing is 7 % too low.
+/// The same on a face that is aligned with the grid. The edges of a sliding face cut cells, in which volume
+/// fractions are a poor measure of the gap: with the smaller threshold the force on a sliding footing is 7 %
+/// too low.
 const SEPARATION_FLAT: f64 = 0.5;
-/// Gap relaxation: fraction of the difference to the geometric gap that an open point takes over per tenth of a cell of travel.
+/// Gap relaxation: fraction of the difference to the geometric gap that an open point takes over per tenth of
+/// a cell of travel.
 const GAP_RELAXATION: f64 = 0.3;
 /// Fraction of an overlap that the bias velocity removes while the body travels one cell.
 const OVERLAP_BIAS: f64 = 1.0;
@@ -156,9 +159,9 @@ impl EffectiveMass {
     }
 }
 
-/// One constraint (then both indices are the same), or two on opposite sides of the body's mid-plane. Two are relaxed
-/// simultaneously, from the same velocities: a case and its mirror image then stay mirror images to the bit, whatever the order
-/// of the constraints.
+/// One constraint (then both indices are the same), or two on opposite sides of the body's mid-plane. Two are
+/// relaxed simultaneously, from the same velocities: a case and its mirror image then stay mirror images to
+/// the bit, whatever the order of the constraints.
 #[derive(Debug)]
 struct Group {
     /// Indices of the constraints.
@@ -226,15 +229,16 @@ fn mirrored_groups(
     }
 }
 
-/// Whether the first points of two constraints are each other's mirror image. In the mirror image of the case their order is
-/// reversed, even when the grid cuts the two sides of the body differently.
+/// Whether the first points of two constraints are each other's mirror image. In the mirror image of the case
+/// their order is reversed, even when the grid cuts the two sides of the body differently.
 fn are_mirrored(problem: &ContactProblem, a: &Constraint, b: &Constraint) -> bool {
     let (p, q) = (&problem.contacts[a.first], &problem.contacts[b.first]);
     let flip = |v: DVec3| DVec3::new(v.x, -v.y, v.z);
     b.first == a.first + 1 && p.body == q.body && flip(p.arm) == q.arm && flip(p.normal) == q.normal
 }
 
-/// Coupling of two constraints: velocity that an impulse at one causes at the other, over that at its own; 0 to 1.
+/// Coupling of two constraints: velocity that an impulse at one causes at the other, over that at its own; 0
+/// to 1.
 fn coupling(
     problem: &ContactProblem,
     (a, mass_a): (&Constraint, &EffectiveMass),

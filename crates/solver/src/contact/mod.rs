@@ -1,7 +1,8 @@
 //! Contact between soil and bodies, at points of the bodies' surfaces.
 //!
-//! A contact point acts on the eight nodes of its cell. Its cell and weights are found by the contact search after every remap
-//! and stay the same until the next. The contact law is velocity impulses, or penalty with history.
+//! A contact point acts on the eight nodes of its cell. Its cell and weights are found by the contact search
+//! after every remap and stay the same until the next. The contact law is velocity impulses, or penalty with
+//! history.
 
 mod body_fraction;
 mod constraint;

@@ -5,7 +5,8 @@ use crate::grid::Grid;
 use crate::model::Model;
 use crate::state::Contact;
 
-/// The contact nodes, in the order of the whole grid, and for each contact point the indices of its cell's nodes among them.
+/// The contact nodes, in the order of the whole grid, and for each contact point the indices of its cell's
+/// nodes among them.
 pub(super) fn contact_nodes(model: &Model, contacts: &[Contact]) -> (Vec<ContactNode>, Vec<[u32; 8]>) {
     let [nx, ny, _] = model.grid.whole_cells().map(|n| n + 1);
     let stride = [1, nx, nx * ny];

@@ -1,9 +1,10 @@
 //! Overlap removal: soil inside a body is moved to void next to it.
 //!
-//! The soil's velocity is continuous. Near a sharp edge it therefore lags behind the body on the inner side and is dragged
-//! along on the outer: soil enters the body, and a void opens next to it. After a remap, soil that overlaps a body (volume
-//! fractions of soil and bodies add up to more than 1) moves to neighbouring cells that hold soil and have space, with its
-//! mass, momentum, stress and history. Soil for which there is no space stays.
+//! The soil's velocity is continuous. Near a sharp edge it therefore lags behind the body on the inner side
+//! and is dragged along on the outer: soil enters the body, and a void opens next to it. After a remap, soil
+//! that overlaps a body (volume fractions of soil and bodies add up to more than 1) moves to neighbouring
+//! cells that hold soil and have space, with its mass, momentum, stress and history. Soil for which there is
+//! no space stays.
 //!
 //! All sums over neighbours are taken in an order for which mirroring in y changes no bit.
 
@@ -87,8 +88,8 @@ fn neighbours(grid: &Grid, cell: usize) -> impl Iterator<Item = (usize, usize)> 
     })
 }
 
-/// The transfers of a round: an overlap is distributed over all neighbours with space, in proportion to it; a cell that would
-/// receive more than it has space for reduces all transfers to it by the same factor.
+/// The transfers of a round: an overlap is distributed over all neighbours with space, in proportion to it; a
+/// cell that would receive more than it has space for reduces all transfers to it by the same factor.
 fn distribute<R: Scalar>(grid: &Grid, fraction: &[R], body_fraction: &[R], cells: &[usize]) -> Vec<Transfer> {
     let held = |c: usize| fraction[c].to_f64();
     let space = |c: usize| (1.0 - body_fraction[c].to_f64() - held(c)) * grid.volume_of(c);
@@ -183,8 +184,8 @@ fn velocity<R: Scalar>(nodes: &Nodes<R>, n: usize) -> DVec3 {
     DVec3::from_array(nodes.velocity.each_ref().map(|component| component[n].to_f64()))
 }
 
-/// Updates nodal masses and momenta: an eighth of a cell's mass is lumped at each corner; leaving soil takes its momentum along,
-/// arriving soil mixes its own in.
+/// Updates nodal masses and momenta: an eighth of a cell's mass is lumped at each corner; leaving soil takes
+/// its momentum along, arriving soil mixes its own in.
 fn move_nodes<R: Scalar>(grid: &Grid, nodes: &mut Nodes<R>, changes: &BTreeMap<usize, (f64, f64, DVec3)>) {
     let corners = corners(grid.stride);
     let mut affected: Vec<usize> = changes.keys().flat_map(|c| corners.map(|n| c + n)).collect();

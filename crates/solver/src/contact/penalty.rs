@@ -1,7 +1,8 @@
 //! Penalty contact with history.
 //!
-//! The penetration of a point integrates the relative motion of body and soil, and is relaxed towards the gap that the volume
-//! fractions show. The relaxation is per distance travelled, so that a body at rest keeps its load.
+//! The penetration of a point integrates the relative motion of body and soil, and is relaxed towards the gap
+//! that the volume fractions show. The relaxation is per distance travelled, so that a body at rest keeps its
+//! load.
 
 use super::law::ContactLaw;
 use super::problem::ContactProblem;
@@ -12,7 +13,8 @@ use glam::DVec3;
 /// Penalty contact.
 #[derive(Debug)]
 pub(super) struct Penalty {
-    /// For each material the constrained modulus M [Pa], and the impedance: density times wave speed [kg/(m² s)].
+    /// For each material the constrained modulus M [Pa], and the impedance: density times wave speed [kg/(m²
+    /// s)].
     materials: Vec<[f64; 2]>,
     /// Impulses on the soil at each contact in this step, normal and frictional [N s].
     impulses: Vec<[DVec3; 2]>,
@@ -22,7 +24,8 @@ pub(super) struct Penalty {
 const STIFFNESS: f64 = 1.0;
 /// Damping over ρc.
 const DAMPING: f64 = 0.2;
-/// Gap relaxation: fraction of the difference to the geometric gap that is recovered per tenth of a cell of travel.
+/// Gap relaxation: fraction of the difference to the geometric gap that is recovered per tenth of a cell of
+/// travel.
 const GAP_RELAXATION: f64 = 0.1;
 
 impl Penalty {
@@ -37,8 +40,8 @@ impl Penalty {
         }
     }
 
-    /// Normal and frictional traction on the soil [Pa]; projects the elastic slip on the Coulomb cone (coefficient) and on the
-    /// limit of the frictional traction [Pa].
+    /// Normal and frictional traction on the soil [Pa]; projects the elastic slip on the Coulomb cone
+    /// (coefficient) and on the limit of the frictional traction [Pa].
     fn tractions(&self, c: &mut Contact, relative: DVec3, [friction, most]: [f64; 2]) -> (DVec3, DVec3) {
         if c.penetration <= 0.0 {
             c.slip = DVec3::ZERO;
@@ -57,8 +60,8 @@ impl Penalty {
     }
 }
 
-/// Integrates penetration and slip with the velocities after contact, those of the actual motion: with any other velocity the
-/// springs are not conservative, and contact feeds energy into the soil.
+/// Integrates penetration and slip with the velocities after contact, those of the actual motion: with any
+/// other velocity the springs are not conservative, and contact feeds energy into the soil.
 fn update_history(c: &mut Contact, relative: DVec3, dt: f64) {
     let closing = relative.dot(c.normal);
     c.penetration += closing * dt;
@@ -77,7 +80,8 @@ impl ContactLaw for Penalty {
     }
 
     fn act(&mut self, problem: &mut ContactProblem) {
-        // All tractions follow from the velocities without contact, so the order of the points does not matter.
+        // All tractions follow from the velocities without contact, so the order of the points does not
+        // matter.
         self.impulses.clear();
         for n in 0..problem.contacts.len() {
             let relative = problem.slip_velocity_of(n);

@@ -1,11 +1,12 @@
-//! The contact problem of one step: contact points, contact nodes, bodies, and the Jacobians that connect them.
+//! The contact problem of one step: contact points, contact nodes, bodies, and the Jacobians that connect
+//! them.
 
 use crate::model::{BodyModel, Model};
 use crate::state::{Body, Contact};
 use glam::DVec3;
 
-/// The contact problem of one step. The contact law starts from velocities without contact and updates them; those of the
-/// nodes are then written back to the grid.
+/// The contact problem of one step. The contact law starts from velocities without contact and updates them;
+/// those of the nodes are then written back to the grid.
 pub(crate) struct ContactProblem<'a> {
     pub(crate) model: &'a Model,
     pub(crate) contacts: &'a mut [Contact],
@@ -16,7 +17,8 @@ pub(crate) struct ContactProblem<'a> {
     pub(crate) corner_nodes: &'a [[u32; 8]],
     /// For each contact point the number of its constraint.
     pub(crate) constraint: &'a [usize],
-    /// For each constraint the cut-cell hourglass correction: forces at its cell's nodes per unit normal force.
+    /// For each constraint the cut-cell hourglass correction: forces at its cell's nodes per unit normal
+    /// force.
     pub(crate) hourglass_correction: &'a [[DVec3; 8]],
     /// Frictional impulse on the soil at each contact point in this step [N s].
     pub(crate) friction: &'a mut [DVec3],
@@ -62,8 +64,8 @@ pub(crate) fn side(c: &Contact) -> usize {
     if c.arm.y == 0.0 { 2 } else { usize::from(c.arm.y < 0.0) }
 }
 
-/// Contact Jacobian: maps the velocities of a body and of a cell's nodes to their relative velocity at a contact point or
-/// constraint; its transpose distributes an impulse.
+/// Contact Jacobian: maps the velocities of a body and of a cell's nodes to their relative velocity at a
+/// contact point or constraint; its transpose distributes an impulse.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct ContactJacobian {
     /// Index of the body.
@@ -100,7 +102,8 @@ impl ContactProblem<'_> {
         }
     }
 
-    /// Velocity of a body at `arm` minus that of the soil in a cell, from the cell's nodes and their weights [m/s].
+    /// Velocity of a body at `arm` minus that of the soil in a cell, from the cell's nodes and their weights
+    /// [m/s].
     pub(crate) fn slip_velocity(
         &self,
         (body, arm): (usize, DVec3),
@@ -117,7 +120,8 @@ impl ContactProblem<'_> {
         self.slip_velocity((*body as usize, *arm), &self.corner_nodes[contact], weight)
     }
 
-    /// Relative velocity at a constraint [m/s], including the cut-cell correction, so that it is work-conjugate to the impulse.
+    /// Relative velocity at a constraint [m/s], including the cut-cell correction, so that it is
+    /// work-conjugate to the impulse.
     pub(crate) fn slip_velocity_of_constraint(&self, jacobian: &ContactJacobian) -> DVec3 {
         let corrected =
             |n: usize| jacobian.hourglass_correction[n].dot(self.nodes[jacobian.nodes[n] as usize].velocity);
@@ -163,7 +167,8 @@ impl ContactProblem<'_> {
         apply(&self.model.bodies[body], &mut self.bodies[body], self.modelled_fraction, impulses);
     }
 
-    /// Adds the reaction to the impulses on the soil at a contact point [N s] to the contact impulse of its body.
+    /// Adds the reaction to the impulses on the soil at a contact point [N s] to the contact impulse of its
+    /// body.
     pub(crate) fn record(&mut self, contact: usize, normal: DVec3, friction: DVec3) {
         let c = &self.contacts[contact];
         let total = &mut self.bodies[c.body as usize].contact_impulse;
@@ -179,7 +184,8 @@ pub(crate) fn velocity_at(body: &Body, arm: DVec3) -> DVec3 {
     body.velocity + (DVec3::Y * body.spin).cross(arm)
 }
 
-/// Applies impulses [N s], each with its lever arm, to the free motions of a body of which the fraction `modelled` is modelled.
+/// Applies impulses [N s], each with its lever arm, to the free motions of a body of which the fraction
+/// `modelled` is modelled.
 fn apply<const N: usize>(fixed: &BodyModel, body: &mut Body, modelled: f64, impulses: [(DVec3, DVec3); N]) {
     let sum = |value: fn(&(DVec3, DVec3)) -> f64| impulses.iter().map(value).sum::<f64>();
     for (axis, impulse) in [sum(|i| i.1.x), sum(|i| i.1.y), sum(|i| i.1.z)].into_iter().enumerate() {

@@ -24,8 +24,8 @@ pub(crate) fn first_search<R: Scalar>(
     search(model, state, soil, workspace, halo);
 }
 
-/// Finds the contact points that have soil to act on, with their cells, weights and gaps; measures leaked and embedded volumes.
-/// Done after every remap.
+/// Finds the contact points that have soil to act on, with their cells, weights and gaps; measures leaked and
+/// embedded volumes. Done after every remap.
 pub(crate) fn search<R: Scalar>(
     model: &Model,
     state: &mut State<R>,
@@ -71,8 +71,8 @@ fn all_contacts(found: Vec<Contact>, halo: &mut dyn Halo) -> Vec<Contact> {
     halo::in_order(halo, own).into_iter().map(of).collect()
 }
 
-/// Rotates a vector from the body frame to space. The contact points of a body of revolution do not rotate with it, so that contact is
-/// steady in steady rolling.
+/// Rotates a vector from the body frame to space. The contact points of a body of revolution do not rotate
+/// with it, so that contact is steady in steady rolling.
 fn rotated(fixed: &BodyModel, body: &Body, v: DVec3) -> DVec3 {
     if fixed.shape.is_revolved() { v } else { glam::DQuat::from_rotation_y(body.angle) * v }
 }
@@ -95,8 +95,8 @@ struct View<'a, R> {
 }
 
 impl<R: Scalar> View<'_, R> {
-    /// A contact point of a body, if it lies in the block with soil to act on; `known` is the same point at the last search, if
-    /// it was in contact with soil then.
+    /// A contact point of a body, if it lies in the block with soil to act on; `known` is the same point at
+    /// the last search, if it was in contact with soil then.
     fn find_contact(
         &self,
         known: Option<&Contact>,
@@ -105,8 +105,8 @@ impl<R: Scalar> View<'_, R> {
         law: &dyn ContactLaw,
     ) -> Option<Contact> {
         let position = body.position + arm;
-        // A point on a face between two cells belongs to the outer one, a point on an edge to the cell nearer to the body's
-        // centre, so that mirror images belong to mirror images of cells.
+        // A point on a face between two cells belongs to the outer one, a point on an edge to the cell nearer
+        // to the body's centre, so that mirror images belong to mirror images of cells.
         let finest = self.model.grid.finest();
         let probe = position + 1e-9 * finest * (normal - 0.5 * arm.signum() * (DVec3::ONE - normal.abs()));
         let faces = &self.model.grid.faces;
@@ -133,14 +133,15 @@ impl<R: Scalar> View<'_, R> {
         Some(contact)
     }
 
-    /// Trilinear weights of the cell's nodes, reduced at nodes with little mass, and the fraction of its area that a point
-    /// represents among such nodes: a few grains must not carry the whole contact pressure.
+    /// Trilinear weights of the cell's nodes, reduced at nodes with little mass, and the fraction of its area
+    /// that a point represents among such nodes: a few grains must not carry the whole contact pressure.
     fn weights(&self, cell: [usize; 3], position: DVec3) -> Option<([f64; 8], f64)> {
         const MASS_RATIO: f64 = 2.5;
         let grid = &self.model.grid;
         let base = grid.index(cell[0], cell[1], cell[2]);
         let density = self.model.materials[self.material_of(base)].density;
-        // Linear shape functions of the low and the high node, each from the opposite face: mirroring in y only swaps them.
+        // Linear shape functions of the low and the high node, each from the opposite face: mirroring in y
+        // only swaps them.
         let shape: [[f64; 2]; 3] = std::array::from_fn(|axis| {
             let (faces, n) = (&grid.faces[axis], cell[axis]);
             let value = |distance: f64| (distance / grid.width(axis, n)).clamp(0.0, 1.0);
@@ -176,8 +177,8 @@ impl<R: Scalar> View<'_, R> {
             .product()
     }
 
-    /// Gap between body and soil along the normal [m], negative where they overlap. Only void between the two counts, not void
-    /// beyond the soil.
+    /// Gap between body and soil along the normal [m], negative where they overlap. Only void between the two
+    /// counts, not void beyond the soil.
     fn gap(&self, cell: [usize; 3], normal: DVec3) -> f64 {
         let axis = largest_axis(normal);
         let grid = &self.model.grid;

@@ -20,7 +20,8 @@ pub(crate) struct ContactWork {
     pub(crate) friction_work: f64,
 }
 
-/// Solves contact between soil and bodies for one step. The contact impulse on each body is stored in its step record.
+/// Solves contact between soil and bodies for one step. The contact impulse on each body is stored in its
+/// step record.
 pub(crate) fn solve<R: Scalar>(
     model: &Model,
     state: &mut State<R>,
@@ -102,8 +103,8 @@ fn velocity_of<R: Scalar>(velocity: &[Vec<R>; 3], node: usize) -> DVec3 {
     DVec3::from_array(velocity.each_ref().map(|component| component[node].to_f64()))
 }
 
-/// Writes the velocities back to the grid. Returns the work on the soil [J]: impulse on each node times the mean of its
-/// velocities before and after the step.
+/// Writes the velocities back to the grid. Returns the work on the soil [J]: impulse on each node times the
+/// mean of its velocities before and after the step.
 fn scatter<R: Scalar>(grid: &mut Nodes<R>, nodes: &[ContactNode]) -> f64 {
     let mut work = 0.0;
     for node in nodes {
@@ -118,8 +119,8 @@ fn scatter<R: Scalar>(grid: &mut Nodes<R>, nodes: &[ContactNode]) -> f64 {
     work
 }
 
-/// Frictional dissipation [J]: frictional impulses times the mean of the slip velocities before and after the step, as for every
-/// other work.
+/// Frictional dissipation [J]: frictional impulses times the mean of the slip velocities before and after the
+/// step, as for every other work.
 fn friction_work<R>(
     state: &State<R>,
     nodes: &[ContactNode],

@@ -16,8 +16,8 @@ pub(crate) struct Surface {
 }
 
 impl Surface {
-    /// Surface points of a body, without those that always stay outside the grid, such as beyond a symmetry plane. The cells near
-    /// the body are taken to be the narrowest along each axis.
+    /// Surface points of a body, without those that always stay outside the grid, such as beyond a symmetry
+    /// plane. The cells near the body are taken to be the narrowest along each axis.
     pub(crate) fn new(model: &Model, body: &BodyModel) -> Self {
         let finest = DVec3::from_array(std::array::from_fn(|axis| model.grid.finest_along(axis)));
         let spacing = model.method.point_spacing * model.grid.finest();

@@ -1,5 +1,5 @@
-//! Peak performance of the machine: main memory traffic and multiply-adds. Compared with these, the speed of the step shows how
-//! much there is left to gain (roofline model; Williams, Waterman & Patterson 2009).
+//! Peak performance of the machine: main memory traffic and multiply-adds. Compared with these, the speed of
+//! the step shows how much there is left to gain (roofline model; Williams, Waterman & Patterson 2009).
 
 use super::threads::Team;
 use multiversion::multiversion;
@@ -8,7 +8,8 @@ use std::time::Instant;
 /// Peak performance of a machine.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Machine {
-    /// Traffic of `a = b + s c` with arrays far larger than the caches [GB/s] (McCalpin 1995: 24 bytes per entry).
+    /// Traffic of `a = b + s c` with arrays far larger than the caches [GB/s] (McCalpin 1995: 24 bytes per
+    /// entry).
     pub triad: f64,
     /// Multiply-adds in 64 bits, two operations each [GFLOP/s].
     pub fma: f64,
@@ -23,8 +24,8 @@ const FMA_TRIALS: usize = 60;
 /// Independent accumulators: enough to hide the latency of each behind the others.
 const CHAINS: usize = 12;
 
-/// Measures the machine with a number of threads; takes a second and 192 MiB for each. The best of several trials counts, since
-/// disturbances can only slow a measurement down.
+/// Measures the machine with a number of threads; takes a second and 192 MiB for each. The best of several
+/// trials counts, since disturbances can only slow a measurement down.
 #[must_use]
 pub fn measure(threads: usize) -> Machine {
     let team = Team::new(threads);

@@ -14,8 +14,8 @@ pub struct RowPartition {
 }
 
 impl RowPartition {
-    /// Partitions rows `first..` with the given costs among `workers` so that each has about the same cost, and at least `least`
-    /// rows.
+    /// Partitions rows `first..` with the given costs among `workers` so that each has about the same cost,
+    /// and at least `least` rows.
     ///
     /// # Panics
     /// If there are too few rows.
@@ -27,7 +27,8 @@ impl RowPartition {
         partition
     }
 
-    /// Rebalances among `workers`, at most as many as at first, so that workers of the given speeds take about the same time.
+    /// Rebalances among `workers`, at most as many as at first, so that workers of the given speeds take
+    /// about the same time.
     pub fn rebalance(&mut self, cost: &[f64], workers: usize, speed: impl Fn(usize) -> f64) {
         let first = self.bounds[0];
         self.bounds.resize(workers + 1, first);
@@ -85,7 +86,8 @@ impl RowPartition {
     }
 }
 
-/// Measured throughput of a worker: cores differ, and other programs use some of them. Older measurements count less.
+/// Measured throughput of a worker: cores differ, and other programs use some of them. Older measurements
+/// count less.
 #[derive(Clone, Debug, Default)]
 pub struct Throughput {
     /// Load of the worker per step.
@@ -126,8 +128,8 @@ impl Throughput {
     }
 }
 
-/// Serial fallback. Where other programs use the cores, every parallel phase waits until the scheduler has run all threads, and
-/// one thread alone can be faster.
+/// Serial fallback. Where other programs use the cores, every parallel phase waits until the scheduler has
+/// run all threads, and one thread alone can be faster.
 #[derive(Clone, Debug, Default)]
 pub struct SerialFallback {
     /// Time taken by the team [s].

@@ -1,7 +1,7 @@
 //! A team of threads that lives as long as the run. The only file that starts a thread.
 //!
-//! A step has a handful of short parallel phases. A thread pool that sleeps between them costs more than the phases, so
-//! the team spins for a while, then yields, before it goes to sleep.
+//! A step has a handful of short parallel phases. A thread pool that sleeps between them costs more than the
+//! phases, so the team spins for a while, then yields, before it goes to sleep.
 #![allow(unsafe_code)]
 
 use super::partition::RowPartition;
@@ -100,8 +100,8 @@ impl Team {
         assert!(!self.shared.failed.load(Ordering::Relaxed), "a worker thread panicked");
     }
 
-    /// Runs `job(&mut items[worker])` on as many workers as there are items. A single item is processed by the calling thread,
-    /// without synchronisation.
+    /// Runs `job(&mut items[worker])` on as many workers as there are items. A single item is processed by
+    /// the calling thread, without synchronisation.
     ///
     /// # Panics
     /// If there are more items than workers, or the job panics.

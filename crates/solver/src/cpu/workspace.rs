@@ -10,8 +10,8 @@ use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::state::State;
 
-/// Coefficients of the nodal forces of a cell: for each component the plain term and the terms signed by the corner's side along
-/// x, y, z; last the hourglass damping.
+/// Coefficients of the nodal forces of a cell: for each component the plain term and the terms signed by the
+/// corner's side along x, y, z; last the hourglass damping.
 pub(crate) const COEFFICIENTS: usize = 13;
 
 /// Sums at a node: force along x, y, z, and damping.
@@ -34,8 +34,8 @@ pub struct SoilWorkspace<R: Scalar> {
     pub(crate) materials: R::Materials,
     /// How many of the two velocity arrays are known to be zero where there is no soil.
     pub(crate) clear: u8,
-    /// Nodal velocities of the previous step. Between steps their memory serves others: the remap, and, from the remap until the
-    /// contact search, in the first array the body volume fractions.
+    /// Nodal velocities of the previous step. Between steps their memory serves others: the remap, and, from
+    /// the remap until the contact search, in the first array the body volume fractions.
     pub(crate) velocity_before: [Vec<R>; 3],
     /// Scratch memory of each worker.
     pub(crate) workers: Vec<WorkerScratch<R>>,
@@ -62,7 +62,8 @@ pub(crate) struct WorkerScratch<R: Scalar> {
     pub(crate) first: Coefficients<R>,
     /// Force and damping (four rows for each row of nodes) exerted on a plane of nodes by the cells below it.
     pub(crate) below: Vec<R>,
-    /// The same, row by row, for the worker's first nodes that wait for cells of another worker; those of the first worker do not.
+    /// The same, row by row, for the worker's first nodes that wait for cells of another worker; those of the
+    /// first worker do not.
     pub(crate) waiting: Vec<R>,
     /// Row buffers of the nodes.
     pub(crate) row: Vec<R>,
@@ -250,8 +251,8 @@ impl<R: Scalar> SoilWorkspace<R> {
         self.rebalance(grid);
     }
 
-    /// Rebalances the partition by the cost of the rows, which depends on soil and yielding cells. Faster workers get more; in the
-    /// serial fallback, the calling thread gets all.
+    /// Rebalances the partition by the cost of the rows, which depends on soil and yielding cells. Faster
+    /// workers get more; in the serial fallback, the calling thread gets all.
     pub(crate) fn rebalance(&mut self, grid: &Grid) {
         /// Cost of a row without soil, relative to one with soil.
         const VOID: f64 = 0.02;

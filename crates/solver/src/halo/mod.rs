@@ -10,11 +10,12 @@ pub trait Halo: Send {
     /// Whether this block is the whole grid.
     fn is_alone(&self) -> bool;
 
-    /// Sends `values` to the neighbour at the low end (0) or the high end (1) along `axis`, and returns what the neighbour has
-    /// sent.
+    /// Sends `values` to the neighbour at the low end (0) or the high end (1) along `axis`, and returns what
+    /// the neighbour has sent.
     fn exchange(&mut self, axis: usize, end: usize, values: Vec<f64>) -> Vec<f64>;
 
-    /// Sends `values` to all blocks, and returns the values of all, concatenated in the same order everywhere.
+    /// Sends `values` to all blocks, and returns the values of all, concatenated in the same order
+    /// everywhere.
     fn gather(&mut self, values: Vec<f64>) -> Vec<f64>;
 }
 
@@ -115,7 +116,8 @@ fn rows(grid: &Grid, at: At, axis: usize, layers: std::ops::Range<usize>) -> Vec
     }
 }
 
-/// Values of all blocks with their keys, sorted by key, so that a sum over them does not depend on the partition of the grid.
+/// Values of all blocks with their keys, sorted by key, so that a sum over them does not depend on the
+/// partition of the grid.
 pub(crate) fn in_order<const N: usize>(
     halo: &mut dyn Halo,
     own: impl Iterator<Item = (usize, [f64; N])>,

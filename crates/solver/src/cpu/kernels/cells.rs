@@ -1,4 +1,5 @@
-//! Data of the cell kernels: a row of cells, the constants of a material, and the scratch memory of a block of cells.
+//! Data of the cell kernels: a row of cells, the constants of a material, and the scratch memory of a block
+//! of cells.
 
 use super::Real;
 use super::physics::brick::hourglass_coefficient;
@@ -84,8 +85,8 @@ impl<'a> RowConstants<'a> {
         Self { material: &materials[0], hourglass_yielding, width_x, per_width_x, dt: dt as Real }
     }
 
-    /// Whether the soil is strained. In a remap no time passes: a stress that mixing puts outside the yield surface is returned
-    /// without plastic strain.
+    /// Whether the soil is strained. In a remap no time passes: a stress that mixing puts outside the yield
+    /// surface is returned without plastic strain.
     pub(super) fn strains(&self) -> bool {
         self.dt > 0.0
     }
@@ -96,8 +97,8 @@ impl<'a> RowConstants<'a> {
     }
 }
 
-/// Runs of cells of one material in a row of `n` cells, with the number of the material; `material` holds that of each cell, and
-/// is empty where there is only one.
+/// Runs of cells of one material in a row of `n` cells, with the number of the material; `material` holds
+/// that of each cell, and is empty where there is only one.
 pub(crate) fn runs(material: &[u8], n: usize) -> impl Iterator<Item = (Range<usize>, usize)> + '_ {
     let mut start = 0;
     std::iter::from_fn(move || {
@@ -113,8 +114,8 @@ pub(super) const BLOCK: usize = 768 / size_of::<Real>();
 
 pub(super) type Lane = [Real; BLOCK];
 
-/// The tensor of one cell from arrays of its components. Written out, since a closure is not always inlined, and then the loop
-/// does not vectorise.
+/// The tensor of one cell from arrays of its components. Written out, since a closure is not always inlined,
+/// and then the loop does not vectorise.
 #[inline(always)]
 pub(super) fn tensor<const N: usize>(components: &[[Real; N]; 6], i: usize) -> Symmetric {
     let [xx, yy, zz, xy, yz, xz] = components;

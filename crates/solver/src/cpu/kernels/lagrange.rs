@@ -1,9 +1,9 @@
 //! The Lagrangian stage: the soil deforms, the grid stays.
 //!
-//! Each worker processes its rows in memory order: it strains a row of cells, then moves the row of nodes before it while the
-//! forces are still in the cache. Old and new velocities are separate arrays, so no worker reads what another writes. Only the
-//! first rows of nodes of each worker, one more than a plane has, must wait for the cells below or behind them, which belong to
-//! another worker.
+//! Each worker processes its rows in memory order: it strains a row of cells, then moves the row of nodes
+//! before it while the forces are still in the cache. Old and new velocities are separate arrays, so no
+//! worker reads what another writes. Only the first rows of nodes of each worker, one more than a plane has,
+//! must wait for the cells below or behind them, which belong to another worker.
 
 use super::cells::{CellRow, MaterialConstants, RowConstants, runs};
 use super::nodes::{NodeConstants, NodeRow, finish_row, gather_forces, move_row};
@@ -50,8 +50,9 @@ struct Inputs<'a> {
 /// Steps between two rebalancings, since yielding zones move.
 const REBALANCES: u64 = 64;
 
-/// Strains the soil and moves the nodes by one step of `dt` [s]: stresses and displacements at the end of the step,
-/// velocities without contact half a step later. Dissipation and displacements are left in the sums by row.
+/// Strains the soil and moves the nodes by one step of `dt` [s]: stresses and displacements at the end of the
+/// step, velocities without contact half a step later. Dissipation and displacements are left in the sums by
+/// row.
 pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspace, dt: f64) {
     let grid = &model.grid;
     let clears = prepare(grid, state, workspace);
@@ -112,8 +113,8 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
     workers[0].stopwatch.lap(Stage::Nodes);
 }
 
-/// Prepares the stage: afterwards the new velocities belong to the state, the old ones to the workspace. Returns whether velocities
-/// must still be set to zero where there is no soil.
+/// Prepares the stage: afterwards the new velocities belong to the state, the old ones to the workspace.
+/// Returns whether velocities must still be set to zero where there is no soil.
 fn prepare(grid: &Grid, state: &mut State, workspace: &mut Workspace) -> bool {
     workspace.stopwatch().lap(Stage::Other);
     if state.step.is_multiple_of(REBALANCES) {
@@ -178,8 +179,8 @@ fn strain_and_move(inputs: &Inputs, slice: &mut WorkerSlice) {
     slice.scratch.throughput.record(clock.elapsed().as_secs_f64());
 }
 
-/// Passes on to every slice what its waiting nodes need from the slice before: the forces of the cells below, and the coefficients
-/// of the last row of cells.
+/// Passes on to every slice what its waiting nodes need from the slice before: the forces of the cells below,
+/// and the coefficients of the last row of cells.
 fn pass_forces_on(slices: &mut [Option<WorkerSlice>]) {
     for n in (1..slices.len()).rev() {
         let (low, high) = slices.split_at_mut(n);

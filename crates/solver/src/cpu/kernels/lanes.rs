@@ -2,7 +2,8 @@
 
 use super::{LANES, Real};
 
-/// Sum in eight lanes that are added at the end, so that the result does not depend on the processor's vector width.
+/// Sum in eight lanes that are added at the end, so that the result does not depend on the processor's vector
+/// width.
 #[inline(always)]
 pub(crate) fn lane_sum(values: &[Real]) -> f64 {
     let mut lanes: [Real; 8] = [0.0; 8];

@@ -1,5 +1,5 @@
-//! One row of nodes: forces of the cells around it → velocity, displacement, energies. Rows are passed without their first
-//! ghost.
+//! One row of nodes: forces of the cells around it → velocity, displacement, energies. Rows are passed
+//! without their first ghost.
 
 use super::Real;
 use super::lanes::{lane_max, lane_sum};
@@ -15,8 +15,8 @@ pub(crate) struct NodeConstants {
     gravity: Real,
     /// Mass above which a node moves [kg].
     mass_moved: Real,
-    /// Nodes lighter than this [kg] may move farther before a remap is due: otherwise a few grains in flight would cause a remap
-    /// every few steps.
+    /// Nodes lighter than this [kg] may move farther before a remap is due: otherwise a few grains in flight
+    /// would cause a remap every few steps.
     light: Real,
 }
 
@@ -43,10 +43,11 @@ pub(crate) struct NodeRow<'a> {
     pub(crate) velocity: [&'a mut [Real]; 3],
 }
 
-/// Sums the forces (x, y, z) and the damping that two rows of cells, behind and ahead along y, exert on the rows of nodes between
-/// them. Those on the nodes at low z are added to those of the cells `below` and stored in `sum`; those on the nodes at high z are
-/// stored in `below`, for the next plane. Arrays are rows of `stride` with `nodes` nodes after the first ghost. Mirror images are
-/// added first, so that a mirrored case gives mirrored sums to the bit.
+/// Sums the forces (x, y, z) and the damping that two rows of cells, behind and ahead along y, exert on the
+/// rows of nodes between them. Those on the nodes at low z are added to those of the cells `below` and stored
+/// in `sum`; those on the nodes at high z are stored in `below`, for the next plane. Arrays are rows of
+/// `stride` with `nodes` nodes after the first ghost. Mirror images are added first, so that a mirrored case
+/// gives mirrored sums to the bit.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 pub(crate) fn gather_forces(
     [behind, ahead]: [&[Real]; 2],
@@ -96,7 +97,8 @@ fn gather_damping([behind, ahead]: [&[Real]; 2], below: &mut [Real], out: &mut [
     }
 }
 
-/// Moves a row of nodes: `u += v dt`, `v += (F/m + g) dt`; nodes without mass stay. The sums are rows of `stride`.
+/// Moves a row of nodes: `u += v dt`, `v += (F/m + g) dt`; nodes without mass stay. The sums are rows of
+/// `stride`.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 pub(crate) fn move_row(constants: &NodeConstants, nodes: &mut NodeRow, (sum, stride): (&[Real], usize)) {
     let n = nodes.mass.len();
@@ -147,8 +149,8 @@ pub(crate) fn finish_row(
     sums.displacement_light = lane_max(light).into();
 }
 
-/// For each node: work of gravity, kinetic energy, and the largest component of the displacement, separately for heavy and light
-/// nodes.
+/// For each node: work of gravity, kinetic energy, and the largest component of the displacement, separately
+/// for heavy and light nodes.
 #[inline(always)]
 fn measure_nodes(
     constants: &NodeConstants,

@@ -12,8 +12,8 @@ use super::{LANES, Real};
 use crate::fields::PLASTIC_STRAIN;
 use multiversion::multiversion;
 
-/// Returns the trial stresses outside the yield surface to it; the result is their number. One function for each law, so that each
-/// loop is compiled separately.
+/// Returns the trial stresses outside the yield surface to it; the result is their number. One function for
+/// each law, so that each loop is compiled separately.
 pub(super) fn apply(
     constants: &RowConstants,
     yield_law: &Law,
@@ -27,7 +27,8 @@ pub(super) fn apply(
     }
 }
 
-/// The same for one law. Most cells are elastic; those that yield are packed, so that the vectors of the return mapping are full.
+/// The same for one law. Most cells are elastic; those that yield are packed, so that the vectors of the
+/// return mapping are full.
 #[inline(always)]
 fn apply_law(
     constants: &RowConstants,
@@ -203,8 +204,8 @@ mod tests {
         (block.trial, seconds)
     }
 
-    /// Ratios within one run, so that they hold on any machine: check and return mapping in vectors against the same formulas cell
-    /// by cell.
+    /// Ratios within one run, so that they hold on any machine: check and return mapping in vectors against
+    /// the same formulas cell by cell.
     fn assert_vectorised<S: YieldLaw>(yield_law: &S, law: impl Apply<S>) {
         let yielding = |i: usize| [-1e3, -4e3 - i as Real, -9e3, 500.0, 10.0 * i as Real, -300.0];
         let resting = |i: usize| [-5e3, -4e3 - i as Real, -6e3, 50.0, i as Real, -30.0];

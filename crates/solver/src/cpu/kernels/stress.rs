@@ -1,9 +1,9 @@
 //! One row of cells: velocity gradient → trial stress → return mapping → nodal force coefficients.
 //!
-//! A row is processed in blocks of up to 96 cells (192 in single precision), whose scratch memory fits into the first-level
-//! cache, by a few simple loops. The formulas are free of branches, and what a loop writes lies in the block or is passed as an
-//! argument, so that the compiler can exclude aliasing and vectorises them. Each loop is compiled for several instruction sets;
-//! without `mul_add`, all give the same bits.
+//! A row is processed in blocks of up to 96 cells (192 in single precision), whose scratch memory fits into
+//! the first-level cache, by a few simple loops. The formulas are free of branches, and what a loop writes
+//! lies in the block or is passed as an argument, so that the compiler can exclude aliasing and vectorises
+//! them. Each loop is compiled for several instruction sets; without `mul_add`, all give the same bits.
 
 use super::cells::{BLOCK, Block, CellRow, Lane, RowConstants};
 use super::lanes::lane_sum;
@@ -21,8 +21,8 @@ use std::ops::Range;
 /// Nodal velocities in the four rows of nodes around a row of cells: (y, z) = (0,0), (1,0), (0,1), (1,1).
 pub(crate) type NodeRows<'a> = [[&'a [Real]; 3]; 4];
 
-/// Strains a run of cells of one material for one step: updates their stresses and writes the coefficients of the nodal forces to
-/// the rows of `forces`. Adds the dissipation to `sums`.
+/// Strains a run of cells of one material for one step: updates their stresses and writes the coefficients of
+/// the nodal forces to the rows of `forces`. Adds the dissipation to `sums`.
 pub(crate) fn strain_cells(
     constants: &RowConstants,
     nodes: &NodeRows,
@@ -69,7 +69,8 @@ fn corner_sums(nodes: &NodeRows, b: &mut Block) {
 #[inline(always)]
 fn component_sums(v: [&[Real]; 4], plain: &mut Lane, [x, y, z]: &mut [Lane; 3], hourglass: &mut Lane) {
     let n = (v[0].len() - 1).min(BLOCK);
-    // Slices of visibly equal length: otherwise the compiler leaves a vector's worth of cells to a scalar loop.
+    // Slices of visibly equal length: otherwise the compiler leaves a vector's worth of cells to a scalar
+    // loop.
     let (v0, v1, v2, v3) = (&v[0][..=n], &v[1][..=n], &v[2][..=n], &v[3][..=n]);
     for i in 0..n {
         let corners = [[v0[i], v0[i + 1]], [v1[i], v1[i + 1]], [v2[i], v2[i + 1]], [v3[i], v3[i + 1]]];
@@ -127,9 +128,9 @@ fn trial_stress(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
     b.work = [0.0; BLOCK];
 }
 
-/// Stress cut-off: stores the stress at the end of the step, zero where the soil bears none, and computes the stress-bearing
-/// areas, the bulk viscosity and the hourglass damping. Returns the plastic work [J] and the dissipation by bulk and hourglass
-/// viscosity [W] of the block.
+/// Stress cut-off: stores the stress at the end of the step, zero where the soil bears none, and computes the
+/// stress-bearing areas, the bulk viscosity and the hourglass damping. Returns the plastic work [J] and the
+/// dissipation by bulk and hourglass viscosity [W] of the block.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn cut_off_stress(constants: &RowConstants, cells: &mut CellRow, b: &mut Block) -> [f64; 3] {
     let (start, n) = (b.start, b.n.min(BLOCK));
@@ -142,7 +143,8 @@ fn cut_off_stress(constants: &RowConstants, cells: &mut CellRow, b: &mut Block) 
         let length = mean_width(hx, hy, hz);
         let f = if b.bears_stress[i] > 0.0 { fraction[i] } else { 0.0 };
         let viscous = constants.material.viscosity.stress(length, b.rate[i]);
-        // Yielding soil resists shear with its strength alone, whatever its stiffness; so should its hourglass modes.
+        // Yielding soil resists shear with its strength alone, whatever its stiffness; so should its
+        // hourglass modes.
         let factor = if b.yields[i] > 0.0 { constants.hourglass_yielding } else { 1.0 };
         let h = f * factor * constants.material.hourglass * length * length;
         b.area[0][i] = -0.25 * f * hy * hz;
@@ -173,8 +175,8 @@ fn cut_off_three(b: &mut Block, first: usize, one: &mut [Real], two: &mut [Real]
     }
 }
 
-/// Coefficients of the nodal forces from stress and hourglass viscosity: the plain term, and the terms signed by the corner's
-/// side.
+/// Coefficients of the nodal forces from stress and hourglass viscosity: the plain term, and the terms signed
+/// by the corner's side.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn force_coefficients(b: &Block, forces: &mut [&mut [Real]; COEFFICIENTS]) {
     let own = b.start..b.start + b.n.min(BLOCK);
@@ -215,8 +217,8 @@ fn component_coefficients(
     }
 }
 
-/// Harmonic mean of the widths of a cell [m], 0 in a ghost: close to the cube root of the volume, smaller in a stretched cell, and
-/// cheaper.
+/// Harmonic mean of the widths of a cell [m], 0 in a ghost: close to the cube root of the volume, smaller in
+/// a stretched cell, and cheaper.
 #[inline(always)]
 fn mean_width(hx: Real, hy: Real, hz: Real) -> Real {
     3.0 * hx * hy * hz / (hx * hy + hy * hz + hx * hz)
