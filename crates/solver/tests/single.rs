@@ -24,7 +24,7 @@ fn after(model: &Model, surface: f64, threads: usize, steps: usize) -> State<f32
     state
 }
 
-/// A disc, its middle at `y`, that is pushed into sand and towed.
+/// A disc with its centre at `y` [m], pushed into sand and towed.
 fn tow(y: f64) -> Model {
     let moving = |speed| Freedom::Prescribed { speed, start: 0.0, ramp: 0.01, end: f64::INFINITY };
     let across = (-8..=8).map(|n| 0.02 * f64::from(n)).collect();

@@ -30,7 +30,7 @@ struct Board {
 /// # Panics
 /// If a block gets too few layers (see [`Grid::block`]).
 #[must_use]
-pub fn cut(whole: &[Vec<f64>; 3], before: [&[usize]; 2], lanes: usize) -> Vec<(Grid, InProcess)> {
+pub fn partition(whole: &[Vec<f64>; 3], before: [&[usize]; 2], lanes: usize) -> Vec<(Grid, InProcess)> {
     let ranges = |axis: usize| -> Vec<Range<usize>> {
         let ends = before[axis - 1].iter().copied().chain([whole[axis].len() - 1]);
         ends.scan(0, |start, end| Some(std::mem::replace(start, end)..end)).collect()

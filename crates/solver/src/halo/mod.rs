@@ -58,8 +58,8 @@ pub(crate) fn fill<'a, R: Scalar>(
     }
     let mut arrays: Vec<_> = arrays.into_iter().collect();
     for axis in [1, 2] {
-        let cuts: Vec<usize> = (0..2).filter(|end| grid.is_cut(axis, *end)).collect();
-        for end in cuts {
+        let ends: Vec<usize> = (0..2).filter(|end| grid.is_cut(axis, *end)).collect();
+        for end in ends {
             let sent = rows(grid, at, axis, edge(grid, at, axis, end));
             let mut values = Vec::with_capacity(sent.len() * arrays.len() * grid.stride[1]);
             for array in &arrays {
