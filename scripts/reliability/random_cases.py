@@ -9,7 +9,7 @@ within 25 % in nine of ten.
 
     random_cases.py path/to/coulter [--count 500] [--finer 60] [--seed 1] [--jobs 2] [--short] [--keep DIR]
 
-With --keep every outcome is written down as soon as it is known; given again, the same command goes on from there, as
+With --keep every outcome is written down as soon as it is known; given again, the same command continues from there, as
 long as the program is the same to the byte.
 
 Exits with 1 if a promise is broken. Python 3, standard library only.
@@ -344,12 +344,12 @@ def main():
     compared = [r for r in records if r.get("finer") is not None]
     near = [r for r in compared if abs(r["finer"] - r["force"]) <= 0.25 * max(abs(r["finer"]), abs(r["force"]))]
     if options.finer:
-        share = len(near) / len(compared) if compared else 0
-        print(f"{len(near)} of {len(compared)} graded good are within 25 % on cells of two thirds the size ({100 * share:.0f} %)")
+        fraction = len(near) / len(compared) if compared else 0
+        print(f"{len(near)} of {len(compared)} graded good are within 25 % on cells of two thirds the size ({100 * fraction:.0f} %)")
         for r in compared:
             if r not in near:
                 print(f"  case {r['n']} ({r['kind']}): {r['force']:.4g} N, finer {r['finer']:.4g} N")
-        if len(compared) < options.finer or share < 0.9:
+        if len(compared) < options.finer or fraction < 0.9:
             faults.append("too few graded good are near their finer selves")
     for fault in faults:
         print(fault)

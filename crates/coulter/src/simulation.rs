@@ -1,4 +1,4 @@
-//! A case on its way through time: the model and state that it means, and the history that its probes write.
+//! The simulation of a case: its model, its state, and the history of samples.
 
 use crate::case::model::model;
 use crate::case::{Case, case_text};
@@ -15,7 +15,7 @@ use solver::grid::Grid;
 use solver::initial;
 use solver::model::Model;
 use solver::precision::Precision;
-use solver::state::{Received, State};
+use solver::state::{ContactImpulse, State};
 use solver::step::step;
 use solver::workspace::Workspace;
 
@@ -35,7 +35,7 @@ pub struct Simulation<R: Precision = f64> {
     setting: Setting,
     workspace: Workspace<R>,
     /// Time and impulses at the last sample.
-    sampled: (f64, Vec<Received>),
+    sampled: (f64, Vec<ContactImpulse>),
 }
 
 impl<R: Precision> Simulation<R> {
@@ -64,7 +64,7 @@ impl<R: Precision> Simulation<R> {
         let workspace = Workspace::new(&model, &mut state, threads);
         let names: Vec<String> = case.bodies.iter().map(|b| b.name.clone()).collect();
         let history = History { bodies: vec![Vec::new(); names.len()], names, ..History::default() };
-        let sampled = (state.time, state.bodies.iter().map(|b| b.received).collect());
+        let sampled = (state.time, state.bodies.iter().map(|b| b.contact_impulse).collect());
         let mut simulation = Self {
             case: case.clone(),
             model,
@@ -81,13 +81,13 @@ impl<R: Precision> Simulation<R> {
         simulation
     }
 
-    /// Sets soil and bodies in motion before the first step; the ledger counts their energy as put in from outside.
+    /// Sets soil and bodies in motion before the first step; the energy balance counts their energy as external work.
     pub fn set_in_motion(&mut self, push: impl FnOnce(&mut State<R>)) {
         push(&mut self.state);
-        self.state.ledger.kinetic_start = balance::kinetic_energy(&self.model, &self.state);
+        self.state.energy_balance.kinetic_start = balance::kinetic_energy(&self.model, &self.state);
     }
 
-    /// A run that goes on from a checkpoint; `wall_s` seconds of wall clock have been spent on it.
+    /// A run resumed from a checkpoint; `wall_s` seconds of wall clock have been spent on it.
     #[must_use]
     pub fn resume(case: &Case, checkpoint: Checkpoint<R>, wall_s: f64) -> Self {
         let Checkpoint { state, history, sampled, .. } = checkpoint;
@@ -103,7 +103,7 @@ impl<R: Precision> Simulation<R> {
         Simulation { history: history.clone(), sampled: sampled.clone(), wall_s: *wall_s, ..simulation }
     }
 
-    /// Everything that is needed to go on from here.
+    /// Everything that is needed to resume from here.
     #[must_use]
     pub fn checkpoint(&self) -> CheckpointView<'_, R> {
         CheckpointView {
@@ -189,7 +189,7 @@ impl<R: Precision> Simulation<R> {
         self.workspace.memory() + self.state.memory()
     }
 
-    /// Cell-steps per second over the cells with soil, measured by going on for a while; `None` if not one step can be
+    /// Cell-steps per second over the cells with soil, measured over some steps; `None` if not one step can be
     /// taken. The state is of no use afterwards.
     pub fn speed(&mut self, while_: std::time::Duration) -> Option<f64> {
         let filled = self.state.soil.fraction.iter().filter(|f| **f != R::default()).count();
@@ -212,12 +212,12 @@ impl<R: Precision> Simulation<R> {
         let energy = self.energy_sample();
         self.history.energy.push(energy);
         self.history.boundaries.push(boundary::sample(&self.case, &self.model, &self.state));
-        self.sampled = (self.state.time, self.state.bodies.iter().map(|b| b.received).collect());
+        self.sampled = (self.state.time, self.state.bodies.iter().map(|b| b.contact_impulse).collect());
     }
 
     fn body_sample(&self, n: usize, interval: f64) -> BodySample {
         let (fixed, body) = (&self.model.bodies[n], &self.state.bodies[n]);
-        let (now, then) = (body.received, self.sampled.1[n]);
+        let (now, then) = (body.contact_impulse, self.sampled.1[n]);
         let rate = if interval > 0.0 { 1.0 / interval } else { 0.0 };
         let normal = (now.normal - then.normal) * rate;
         let friction = (now.friction - then.friction) * rate;
@@ -238,27 +238,27 @@ impl<R: Precision> Simulation<R> {
             spin: body.spin,
             speed: body.velocity.x,
             heave_speed: body.velocity.z,
-            leaked_volume: body.leaked_volume / self.model.share(),
-            embedded_volume: body.embedded_volume / self.model.share(),
+            leaked_volume: body.leaked_volume / self.model.modelled_fraction(),
+            embedded_volume: body.embedded_volume / self.model.modelled_fraction(),
         }
     }
 
     fn energy_sample(&self) -> EnergySample {
-        let ledger = &self.state.ledger;
-        let whole = 1.0 / self.model.share();
+        let terms = &self.state.energy_balance;
+        let whole = 1.0 / self.model.modelled_fraction();
         EnergySample {
             time: self.state.time,
-            external: (ledger.external + ledger.kinetic_start + ledger.inflow_elastic) * whole,
+            external: (terms.external + terms.kinetic_start + terms.inflow_elastic) * whole,
             kinetic: balance::kinetic_energy(&self.model, &self.state) * whole,
-            elastic: (balance::elastic_energy(&self.model, &self.state) - ledger.elastic_start) * whole,
-            plastic: ledger.plastic * whole,
-            friction: ledger.friction * whole,
-            contact: ledger.contact * whole,
-            viscous: ledger.viscous * whole,
-            hourglass: ledger.hourglass * whole,
-            remap_loss: ledger.remap * whole,
-            volume_ratio: (soil_volume(&self.model.grid, &self.state.soil) - ledger.inflow_volume)
-                / ledger.volume_start,
+            elastic: (balance::elastic_energy(&self.model, &self.state) - terms.elastic_start) * whole,
+            plastic: terms.plastic * whole,
+            friction: terms.friction * whole,
+            contact: terms.contact * whole,
+            viscous: terms.viscous * whole,
+            hourglass: terms.hourglass * whole,
+            remap_loss: terms.remap * whole,
+            volume_ratio: (soil_volume(&self.model.grid, &self.state.soil) - terms.inflow_volume)
+                / terms.volume_start,
         }
     }
 }

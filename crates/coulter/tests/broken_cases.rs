@@ -43,11 +43,11 @@ fn refused(case: &str, old: &str, new: &str, words: &[&str]) {
 
 /// As [`refused`], where the message is about another line than the changed one.
 #[track_caller]
-fn refused_at(case: &str, old: &str, new: &str, place: &str, words: &[&str]) {
+fn refused_at(case: &str, old: &str, new: &str, location: &str, words: &[&str]) {
     assert!(case.contains(old), "the case has no `{old}`");
     let broken = case.replacen(old, new, 1);
     let text = complaint_about(broken.as_bytes());
-    let line = broken[..broken.find(place).unwrap()].matches('\n').count() + 1;
+    let line = broken[..broken.find(location).unwrap()].matches('\n').count() + 1;
     assert!(text.contains(&format!("broken.toml:{line}:")), "line {line} is not named: {text}");
     for word in words {
         assert!(text.contains(word), "`{word}` is not in: {text}");

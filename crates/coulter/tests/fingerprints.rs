@@ -77,13 +77,19 @@ const SET_UPS: [SetUp; 27] = [
     set_up("Taylor bar", "validation/A10_taylor_bar/case.toml", &[], 1, 500),
     set_up("Taylor bar, single", "validation/A10_taylor_bar/case.toml", &[SINGLE], 3, 500),
     set_up("Taylor bar on a block", "validation/A10_taylor_bar/on_block.toml", &[], 2, 500),
-    set_up("pushed block", "validation/A11_place_and_direction/block.toml", COARSE, 1, 500),
-    set_up("pushed turned block", "validation/A11_place_and_direction/turned_block.toml", TURNED, 2, 500),
+    set_up("pushed block", "validation/A11_position_and_direction/block.toml", COARSE, 1, 500),
+    set_up(
+        "pushed rotated block",
+        "validation/A11_position_and_direction/rotated_block.toml",
+        ROTATED,
+        2,
+        500,
+    ),
     set_up("light cylinder", "validation/A12_light_body/case.toml", &[], 1, 800),
     set_up("rough strip footing", "validation/B2_rough_strip_footing/case.toml", COARSE, 2, 500),
     set_up("circular footing on sand", "validation/B3g_circular_footing_on_sand/case.toml", COARSE, 1, 150),
     set_up("passive wall, single", "validation/B5_passive_wall/case.toml", &[SINGLE], 2, 500),
-    set_up("ball deep in clay", "validation/B8_deep_flow/ball.toml", COARSE, 3, 200),
+    set_up("sphere deep in clay", "validation/B8_deep_flow/sphere.toml", COARSE, 3, 200),
     set_up("column collapse", "validation/C1_column_collapse/case.toml", &["grid.cell=\"10 mm\""], 1, 1000),
     set_up(
         "round column, single",
@@ -103,7 +109,7 @@ const MOVING: &[&str] = &[
     "ground.velocity=[\"0.2 m/s\", \"0 m/s\"]",
 ];
 const COARSE: &[&str] = &["grid.cell=\"125 mm\"", OFTEN];
-const TURNED: &[&str] = &["grid.cell=\"125 mm\"", OFTEN, "body.block.orientation=\"30 deg\""];
+const ROTATED: &[&str] = &["grid.cell=\"125 mm\"", OFTEN, "body.block.orientation=\"30 deg\""];
 const SMOOTH: &[&str] = &[
     "grid.cell=\"25 mm\"",
     "soil.flow_potential=\"menetrey-willam\"",
@@ -139,8 +145,8 @@ fn library() -> u64 {
 /// Values of a field, layer by layer; the last layers of nodes lie beyond those of cells.
 fn field<R: Precision>(grid: &Grid, values: &[R], is_nodal: bool) -> u64 {
     let [nx, ny, nz] = grid.cells().map(|n| n + usize::from(is_nodal));
-    let places = (0..nz).flat_map(|k| (0..ny).flat_map(move |j| (0..nx).map(move |i| [i, j, k])));
-    hash(places.map(|[i, j, k]| values[grid.index(i, j, k)].into()))
+    let layers = (0..nz).flat_map(|k| (0..ny).flat_map(move |j| (0..nx).map(move |i| [i, j, k])));
+    hash(layers.map(|[i, j, k]| values[grid.index(i, j, k)].into()))
 }
 
 /// Every quantity of a run by name, with the hash of its values.
@@ -162,19 +168,19 @@ fn quantities<R: Precision>(run: &Simulation<R>) -> Vec<(String, u64)> {
     }
     for (fixed, body) in run.model.bodies.iter().zip(&state.bodies) {
         let motion = [body.position.to_array(), body.velocity.to_array(), [body.angle, body.spin, 0.0]];
-        let received = [body.received.normal.to_array(), body.received.friction.to_array()];
-        let volumes = [body.received.axle, body.leaked_volume, body.embedded_volume];
+        let impulse = [body.contact_impulse.normal.to_array(), body.contact_impulse.friction.to_array()];
+        let volumes = [body.contact_impulse.axle, body.leaked_volume, body.embedded_volume];
         all.push((format!("motion of {}", fixed.name), hash(motion.concat())));
-        all.push((format!("force on {}", fixed.name), hash(received.concat().into_iter().chain(volumes))));
+        all.push((format!("force on {}", fixed.name), hash(impulse.concat().into_iter().chain(volumes))));
     }
     let points = state
         .contacts
         .iter()
         .flat_map(|c| [c.impulse.to_array(), c.slip.to_array(), [c.penetration, c.area, c.width]].concat());
     all.push(("contact points".to_owned(), hash(points)));
-    let l = &state.ledger;
+    let l = &state.energy_balance;
     let energies = [l.external, l.plastic, l.viscous, l.hourglass, l.friction, l.contact, l.remap];
-    let start = [l.elastic_start, l.kinetic_start, l.volume_start, l.crumbs_volume, l.crumbs_mass];
+    let start = [l.elastic_start, l.kinetic_start, l.volume_start, l.debris_volume, l.debris_mass];
     all.push(("energy balance".to_owned(), hash(energies.into_iter().chain(start))));
     all.push(("clock".to_owned(), hash([state.time, state.step as f64, state.remaps as f64])));
     all

@@ -186,7 +186,7 @@ fn curves_are_written_and_not_overwritten_unasked() {
         "friction=0..0.6",
         "forecast.cone_index=100 kPa..1 MPa",
         "forecast.plate_stiffness=500 kN/m^3..2 MN/m^3",
-        "heap=0..0.5",
+        "bow_wave=0..0.5",
         "backfill=-5 deg..20 deg",
         "slip=-0.9..0",
         "z=2 mm..60 mm",
@@ -242,8 +242,8 @@ fn plate_constants_and_cone_index_make_more_models_apply() {
     let checked = coulter().arg("check").arg(shipped("towed_disc.toml")).args(given).output().unwrap();
     assert!(checked.status.success());
     assert!(String::from_utf8_lossy(&checked.stdout).contains("`coulter forecast` only"));
-    let heaped = json(&["--set", "forecast.heap=0.3", "--set", "forecast.factors=\"lyamin\""]);
-    let (before, after) = (model(&seen, "BC"), model(&heaped, "BC"));
+    let with_bow_wave = json(&["--set", "forecast.bow_wave=0.3", "--set", "forecast.factors=\"lyamin\""]);
+    let (before, after) = (model(&seen, "BC"), model(&with_bow_wave, "BC"));
     assert!(number(&before["sinkage_m"]) != number(&after["sinkage_m"]));
 }
 

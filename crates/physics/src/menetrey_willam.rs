@@ -60,7 +60,7 @@ impl MenetreyWillam {
         friction: Real,
         dilation: Real,
         cohesion: Real,
-        tension_limit: Real,
+        tension_cutoff: Real,
         shape: Eccentricity,
     ) -> Self {
         let (a, b) = (1.0 / (Real::sqrt(3.0) * friction.cos()), friction.tan() / 3.0);
@@ -68,7 +68,7 @@ impl MenetreyWillam {
         let e = shape.deviatoric;
         Self {
             elastic,
-            surface: MohrCoulomb::new(elastic, friction, dilation, cohesion, tension_limit),
+            surface: MohrCoulomb::new(elastic, friction, dilation, cohesion, tension_cutoff),
             tan_friction: friction.tan(),
             tan_dilation: dilation.tan(),
             cohesion,

@@ -1,8 +1,8 @@
-//! Mohr–Coulomb plasticity with a non-associated flow rule and a tension limit; Tresca is its case φ = ψ = 0.
+//! Mohr–Coulomb plasticity with a non-associated flow rule and a tension cut-off; Tresca is its case φ = ψ = 0.
 //!
 //! Yield: (σ₁ − σ₃) + (σ₁ + σ₃) sin φ = 2 c cos φ, σ₁ ≥ σ₂ ≥ σ₃, tension positive. Flow: the same with ψ for φ.
 //! The return mapping is the closed form in principal stresses of de Souza Neto, Perić & Owen (2008, ch. 8): main plane, two
-//! edges, apex, then a cut-off of the principal stresses at the tension limit. c = 0 needs no special treatment: the apex is
+//! edges, apex, then the tension cut-off of the principal stresses. c = 0 needs no special treatment: the apex is
 //! then the stress-free state, and the opening beyond it is recorded as gap strain. Free of branches, so that loops
 //! vectorise.
 
@@ -21,7 +21,7 @@ pub struct MohrCoulomb {
     /// c cot φ [Pa], infinite for φ = 0.
     pub(crate) apex: Real,
     /// Tension cut-off [Pa].
-    pub(crate) tension_limit: Real,
+    pub(crate) tension_cutoff: Real,
     /// The return mapping of dilating soil, and of soil at its critical density.
     pub(crate) dilating: Flow,
     pub(crate) critical: Flow,
@@ -88,7 +88,7 @@ impl MohrCoulomb {
         friction: Real,
         dilation: Real,
         cohesion: Real,
-        tension_limit: Real,
+        tension_cutoff: Real,
     ) -> Self {
         let (sp, sy) = (friction.sin(), dilation.sin());
         let apex = if sp > 0.0 { cohesion * friction.cos() / sp } else { Real::INFINITY };
@@ -97,7 +97,7 @@ impl MohrCoulomb {
             sin_friction: sp,
             cohesive: 2.0 * cohesion * friction.cos(),
             apex,
-            tension_limit: tension_limit.min(apex),
+            tension_cutoff: tension_cutoff.min(apex),
             dilating: Flow::new(elastic, sp, sy),
             critical: Flow::new(elastic, sp, 0.0),
         }
@@ -117,7 +117,7 @@ impl MohrCoulomb {
             sin_friction: exact.sin_friction as Real,
             cohesive: exact.cohesive as Real,
             apex: exact.apex as Real,
-            tension_limit: exact.tension_limit as Real,
+            tension_cutoff: exact.tension_cutoff as Real,
             dilating: Flow::cast(&exact.dilating),
             critical: Flow::cast(&exact.critical),
         }
@@ -143,7 +143,7 @@ impl MohrCoulomb {
         let stress = trial.with_principal(value);
         let new_mean = (value[0] + value[1] + value[2]) * THIRD;
         let (per_bulk, per_shear) = (1.0 / self.elastic.bulk, 0.5 / self.elastic.shear);
-        let open = (value[0] >= self.tension_limit) & (value[2] >= self.tension_limit);
+        let open = (value[0] >= self.tension_cutoff) & (value[2] >= self.tension_cutoff);
         let gap_strain = if open { ((trial.mean - new_mean) * per_bulk).max(0.0) } else { 0.0 };
         let mut square = 0.0;
         for n in 0..3 {
@@ -221,7 +221,7 @@ impl MohrCoulomb {
     /// Tension cut-off of the principal stresses [Pa].
     #[inline(always)]
     pub(crate) fn cut_off(&self, value: [Real; 3]) -> [Real; 3] {
-        value.map(|s| if s < self.tension_limit { s } else { self.tension_limit })
+        value.map(|s| if s < self.tension_cutoff { s } else { self.tension_cutoff })
     }
 }
 
@@ -235,7 +235,7 @@ impl YieldLaw for MohrCoulomb {
         let sp = self.sin_friction;
         // 1.1548 ≥ 2/√3 bounds the largest principal deviator by √J₂.
         let shears = 2.0 * root * (1.0 + sp * sp / 3.0).sqrt() > self.cohesive - 2.0 * p * sp;
-        let opens = p + 1.1548 * root > self.tension_limit;
+        let opens = p + 1.1548 * root > self.tension_cutoff;
         shears | opens
     }
 

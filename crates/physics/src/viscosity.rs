@@ -1,7 +1,7 @@
 //! Bulk viscosity: a pressure that resists fast changes of volume.
 //!
 //! q = ρ b₁ c l ε̇ᵥ − ρ (b₂ l ε̇ᵥ)² for compression (von Neumann & Richtmyer 1950; Landshoff 1955), as a stress, tension
-//! positive. The linear term also acts in expansion, against oscillations of dilating soil. It must stay small beside the
+//! positive. The linear term also acts in expansion, against oscillations of dilating soil. It must stay small compared with the
 //! contact stress: in frictional soil it acts like a confining pressure.
 
 use super::Real;

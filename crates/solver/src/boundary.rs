@@ -91,7 +91,7 @@ pub struct Symmetry {
 impl Symmetry {
     /// Portion of the whole that is modelled.
     #[must_use]
-    pub fn modelled(self) -> f64 {
+    pub fn modelled_fraction(self) -> f64 {
         self.across.iter().map(|is_plane| if *is_plane { 0.5 } else { 1.0 }).product()
     }
 
@@ -131,7 +131,7 @@ mod tests {
     fn of_a_quarter_the_force_is_along_the_line_where_the_planes_meet() {
         let boundaries = Boundaries([[Plane, SmoothWall], [Plane, SmoothWall], [RoughWall; 2]]);
         let symmetry = boundaries.symmetry();
-        assert_eq!(symmetry.modelled(), 0.25);
+        assert_eq!(symmetry.modelled_fraction(), 0.25);
         assert_eq!(symmetry.of_whole(DVec3::ONE), DVec3::Z);
         assert_eq!(symmetry.moment_of_whole(DVec3::ONE), DVec3::ZERO);
         let half = Symmetry { across: [false, true, false] };

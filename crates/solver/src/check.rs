@@ -1,13 +1,17 @@
-//! The check at the end of a step: whether the state is still one to believe.
+//! The check at the end of a step: whether the state can still be trusted.
 
 use crate::cpu::workspace::RowSums;
-use crate::error::{Breakdown, Place};
+use crate::error::{Breakdown, Location};
 use crate::model::Model;
 use crate::precision::Precision;
 use crate::state::State;
 use glam::DVec3;
 
-/// Fields must be numbers, nothing may cross most of a cell before it is remapped, and bodies stay in the box.
+/// Fields must be finite, no displacement may approach a cell before it is remapped, and bodies must stay in
+/// the box.
+///
+/// # Errors
+/// [`Breakdown`] for the first condition that is violated.
 pub(crate) fn check<R: Precision>(
     model: &Model,
     state: &State<R>,
@@ -18,22 +22,23 @@ pub(crate) fn check<R: Precision>(
     for (fixed, body) in model.bodies.iter().zip(&state.bodies) {
         if !(body.position.is_finite() && body.velocity.is_finite() && body.spin.is_finite()) {
             let field = format!("the motion of the body `{}`", fixed.name);
-            return Err(Breakdown::NotANumber { field, time, step, place: Place::at(body.located.0) });
+            let location = Location::at(body.searched_at.position);
+            return Err(Breakdown::NotANumber { field, time, step, location });
         }
     }
     if !(sums.kinetic.is_finite() && sums.plastic.is_finite()) {
-        let place = fastest_node(model, state, |v| !v.is_finite());
-        return Err(Breakdown::NotANumber { field: "the velocity of the soil".into(), time, step, place });
+        let location = offending_node(model, state, |v| !v.is_finite());
+        return Err(Breakdown::NotANumber { field: "the velocity of the soil".into(), time, step, location });
     }
     let cells = sums.displacement.max(sums.displacement_light) / model.grid.finest();
     if cells > 0.9 {
-        let place = fastest_node(model, state, |v| v.abs() * dt > 0.3 * model.grid.finest());
-        return Err(Breakdown::Runaway { cells, time, step, place });
+        let location = offending_node(model, state, |v| v.abs() * dt > 0.3 * model.grid.finest());
+        return Err(Breakdown::Runaway { cells, time, step, location });
     }
     stays_inside(model, state)
 }
 
-/// No body that moves freely may leave the box along an axis of free motion.
+/// No body may leave the box along an axis of free motion.
 fn stays_inside<R>(model: &Model, state: &State<R>) -> Result<(), Breakdown> {
     const SIDES: [[&str; 2]; 3] =
         [["behind", "ahead"], ["at its low y side", "at its high y side"], ["below", "above"]];
@@ -42,30 +47,31 @@ fn stays_inside<R>(model: &Model, state: &State<R>) -> Result<(), Breakdown> {
         for axis in (0..3).filter(|axis| fixed.translation[*axis].is_free()) {
             let ends = model.grid.ends(axis).map(|end| end + state.grid_position[axis]);
             let at = [body.position[axis] + low[axis], body.position[axis] + high[axis]];
-            // Upwards a body is gone only when none of it is left in the box: most reach above the lid from the start.
-            let gone = [at[0] < ends[0], if axis == 2 { at[0] > ends[1] } else { at[1] > ends[1] }];
-            if let Some(end) = gone.iter().position(|gone| *gone) {
-                let (time, step, place) = (state.time, state.step, Place::at(body.position));
+            // Most bodies reach above the lid from the start: upwards, only a body wholly above it has left
+            // the box.
+            let has_left = [at[0] < ends[0], if axis == 2 { at[0] > ends[1] } else { at[1] > ends[1] }];
+            if let Some(end) = has_left.iter().position(|left| *left) {
+                let (time, step, location) = (state.time, state.step, Location::at(body.position));
                 let (body, side) = (fixed.name.clone(), SIDES[axis][end]);
-                return Err(Breakdown::LeftTheBox { body, side, time, step, place });
+                return Err(Breakdown::LeftTheBox { body, side, time, step, location });
             }
         }
     }
     Ok(())
 }
 
-/// Of the nodes with a velocity component like this the one that has moved farthest since the last remap; of all nodes if
-/// none has.
-fn fastest_node<R: Precision>(model: &Model, state: &State<R>, is_bad: impl Fn(f64) -> bool) -> Place {
+/// Offending node: of those with a velocity component that `is_bad`, or of all where there is none, the one
+/// that has moved farthest since the last remap.
+fn offending_node<R: Precision>(model: &Model, state: &State<R>, is_bad: impl Fn(f64) -> bool) -> Location {
     let bad = |n: &usize| state.nodes.velocity.iter().any(|v| is_bad(v[*n].to_f64()));
     let moved = |n: usize| state.nodes.displacement.iter().map(|u| u[n].to_f64().abs()).fold(0.0, f64::max);
     let [_, row, plane] = model.grid.stride;
-    // Ghosts have no place.
+    // Ghosts have no position.
     let nodes = || (plane..model.grid.entries).filter(|n| n % row > 0 && n % plane >= row);
     let farther = |a: usize, b: usize| if moved(b) > moved(a) { b } else { a };
     let found = nodes().filter(bad).reduce(farther).or_else(|| nodes().reduce(farther));
-    let place = found.map_or([usize::MAX; 3], |n| model.grid.place(n));
-    Place::at(DVec3::from_array(std::array::from_fn(|axis| {
-        model.grid.faces[axis].get(place[axis]).copied().unwrap_or(f64::NAN) + state.grid_position[axis]
+    let layers = found.map_or([usize::MAX; 3], |n| model.grid.layers_of(n));
+    Location::at(DVec3::from_array(std::array::from_fn(|axis| {
+        model.grid.faces[axis].get(layers[axis]).copied().unwrap_or(f64::NAN) + state.grid_position[axis]
     })))
 }

@@ -1,7 +1,8 @@
-//! Sums over the whole grid, always in double precision: energies, mass and volume of the soil. Taken at samples and before
-//! and after a remap, not every step.
+//! Sums over the whole grid, always in double precision: energies, mass and volume of the soil. Taken at
+//! samples and before and after a remap, not every step.
 //!
-//! Every row is added up by itself, then the rows in the order of the memory: the same whoever adds them up.
+//! Each row is summed on its own, then the rows in memory order, so the result does not depend on the number
+//! of threads.
 
 use crate::cpu::workspace::SoilWorkspace;
 use crate::grid::Grid;
@@ -21,7 +22,7 @@ pub(crate) fn kinetic<R: Precision>(model: &Model, state: &State<R>) -> f64 {
     sum_rows(&model.grid, |row| R::kinetic_energy(&model.grid, &state.nodes, row))
 }
 
-/// Elastic and kinetic energy of the soil [J], by the whole team.
+/// Elastic and kinetic energy of the soil [J], computed in parallel.
 pub(crate) fn total<R: Precision>(
     model: &Model,
     state: &State<R>,
@@ -31,10 +32,10 @@ pub(crate) fn total<R: Precision>(
     let SoilWorkspace { team, partition, row_values, .. } = workspace;
     team.distribute(partition.split_by(1, row_values).zip(partition.ranges()), |(values, rows)| {
         for (value, row) in values.iter_mut().zip(rows.clone()) {
-            let place = model.grid.row_place(row);
+            let row = model.grid.row_and_plane(row);
             *value = [
-                R::elastic_energy(model, &state.soil, place),
-                R::kinetic_energy(&model.grid, &state.nodes, place),
+                R::elastic_energy(model, &state.soil, row),
+                R::kinetic_energy(&model.grid, &state.nodes, row),
             ];
         }
     });
@@ -65,7 +66,7 @@ fn sum_rows(grid: &Grid, of_row: impl Fn([usize; 2]) -> f64) -> f64 {
     owned.map(of_row).fold(0.0, |a, b| a + b)
 }
 
-/// Volume of the soil in row `q` of a storage plane of cells [m³].
+/// Volume of the soil in row `q` of a memory plane of cells [m³].
 fn volume_of_row<R: Scalar>(grid: &Grid, fraction: &[R], [q, plane]: [usize; 2]) -> f64 {
     if !grid.is_inside([q, plane]) {
         return 0.0;

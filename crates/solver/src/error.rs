@@ -4,12 +4,12 @@ use glam::DVec3;
 use std::fmt;
 use thiserror::Error;
 
-/// The physics failed: the state is not to be trusted any more.
+/// The physics failed: the state can no longer be trusted.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum Breakdown {
     /// A field holds something that is not a number.
     #[error(
-        "{field} is not a number at t = {time:.6} s (step {step}){place}; a smaller numerics.courant or a stiffer soil may help"
+        "{field} is not a number at t = {time:.6} s (step {step}){location}; a smaller numerics.courant or a stiffer soil may help"
     )]
     NotANumber {
         /// Which field.
@@ -19,11 +19,11 @@ pub enum Breakdown {
         /// In which step.
         step: u64,
         /// Where.
-        place: Place,
+        location: Location,
     },
-    /// Soil moves so fast that it crosses a good part of a cell in one step.
+    /// Soil moves so fast that it crosses most of a cell between two remaps.
     #[error(
-        "soil moved {cells:.2} cells between two remaps at t = {time:.6} s (step {step}){place}; a smaller numerics.courant, \
+        "soil moved {cells:.2} cells between two remaps at t = {time:.6} s (step {step}){location}; a smaller numerics.courant, \
          a slower body or a finer grid may help"
     )]
     Runaway {
@@ -34,27 +34,27 @@ pub enum Breakdown {
         /// In which step.
         step: u64,
         /// Where.
-        place: Place,
+        location: Location,
     },
-    /// A body that moves freely has left the box.
+    /// A freely moving body has left the box.
     #[error(
-        "the body `{body}` left the box {side} at t = {time:.6} s (step {step}){place}; check its weight and loads, or make \
+        "the body `{body}` left the box {side} at t = {time:.6} s (step {step}){location}; check its weight and loads, or make \
          the domain larger"
     )]
     LeftTheBox {
         /// Name of the body.
         body: String,
-        /// Through which face: "ahead", "below", …
+        /// Through which face of the box: "ahead", "below", …
         side: &'static str,
         /// When [s].
         time: f64,
         /// In which step.
         step: u64,
         /// Where its reference point is.
-        place: Place,
+        location: Location,
     },
-    /// A check of the run that cannot be passed any more.
-    #[error("{what} at t = {time:.6} s (step {step}){place}; {cure}")]
+    /// A check that the run can no longer pass.
+    #[error("{what} at t = {time:.6} s (step {step}){location}; {cure}")]
     Untrustworthy {
         /// What is wrong, with the figure and its limit.
         what: String,
@@ -65,26 +65,26 @@ pub enum Breakdown {
         /// In which step.
         step: u64,
         /// Where.
-        place: Place,
+        location: Location,
     },
 }
 
-/// A place [m], where one is known.
+/// A position [m], where one is known.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Place(Option<DVec3>);
+pub struct Location(Option<DVec3>);
 
-impl Place {
-    /// No place in particular.
+impl Location {
+    /// No position in particular.
     pub const UNKNOWN: Self = Self(None);
 
-    /// This place [m]; unknown if a coordinate is not a number.
+    /// This position [m]; unknown if a coordinate is not a number.
     #[must_use]
-    pub fn at(place: DVec3) -> Self {
-        Self(Some(place).filter(|p| p.is_finite()))
+    pub fn at(position: DVec3) -> Self {
+        Self(Some(position).filter(|p| p.is_finite()))
     }
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for Location {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.0 {
             Some(p) => write!(f, ", near ({:.4}, {:.4}, {:.4}) m", p.x, p.y, p.z),

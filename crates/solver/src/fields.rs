@@ -1,7 +1,7 @@
-//! The fields of the soil, and the one table that says what a cell carries from the past.
+//! The fields of the soil, and the table of its history variables.
 //!
-//! A history variable is one line of [`HISTORY`]: it is then kept, carried by remaps and by overlap removal, written to the
-//! field files and to checkpoints.
+//! A history variable is one line of [`HISTORY`]: remaps and overlap removal transport it, field files and
+//! checkpoints contain it.
 
 use crate::grid::Grid;
 use serde::{Deserialize, Serialize};
@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 /// Names of the stress components, in the order of [`Soil::stress`].
 pub const STRESS_NAMES: [&str; 6] = ["xx", "yy", "zz", "xy", "yz", "xz"];
 
-/// By what a quantity of the soil is averaged when soils mix.
+/// The weight by which a quantity is averaged when soils mix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Carrier {
     /// By volume.
@@ -25,15 +25,16 @@ pub struct HistoryVariable {
     pub name: &'static str,
     /// Its unit, "" where it has none.
     pub unit: &'static str,
-    /// What carries it.
+    /// What it is averaged by.
     pub carrier: Carrier,
-    /// Where it stays when the stress is cut off, in cells with next to no soil; else it is set to zero there.
+    /// Whether it is kept where the stress is cut off, in cells with hardly any soil; otherwise it is set to
+    /// zero there.
     pub outlives_stress: bool,
 }
 
 macro_rules! history {
     ($($(#[$doc:meta])* $name:ident = $file:literal [$unit:literal] by $carrier:ident, outlives_stress: $outlives:literal;)*) => {
-        // Numbers the variables: its variants are the names of the constants below.
+        // Numbers the variables; its variants bear the names of the constants below.
         #[allow(non_camel_case_types, clippy::upper_case_acronyms)]
         enum Number { $($name,)* Count }
         $($(#[$doc])* pub const $name: usize = Number::$name as usize;)*
@@ -50,13 +51,13 @@ macro_rules! history {
 }
 
 history! {
-    /// Equivalent plastic strain, √(⅔ e:e) added up.
+    /// Equivalent plastic strain ∫√(⅔ ε̇ₚ:ε̇ₚ) dt.
     PLASTIC_STRAIN = "plastic_strain" [""] by Volume, outlives_stress: true;
-    /// Stress-free volumetric opening that has to close before pressure can build.
+    /// Stress-free volumetric opening that must close before pressure can build up.
     GAP_STRAIN = "gap" [""] by Volume, outlives_stress: false;
 }
 
-/// What the cells hold. Each array covers the grid (see [`Grid::index`]).
+/// Fields of the cells. Each array covers the grid with its ghosts (see [`Grid::index`]).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Soil<R = f64> {
     /// Eulerian volume fraction, 0 to 1.
@@ -67,29 +68,30 @@ pub struct Soil<R = f64> {
     pub stress: [Vec<R>; 6],
     /// History variables, in the order of [`HISTORY`].
     pub history: [Vec<R>; HISTORY_COUNT],
-    /// Portion of the soil in the cell that is of the second material, of the third, …; the rest is of the first.
+    /// Fractions of the soil in the cell that are of the second material, the third, …; the rest is of the
+    /// first.
     pub composition: Vec<Vec<R>>,
 }
 
-/// What the nodes hold.
+/// Fields of the nodes. Each array covers the grid with its ghosts (see [`Grid::index`]).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Nodes<R = f64> {
     /// Velocity along x, y, z [m/s].
     pub velocity: [Vec<R>; 3],
     /// Displacement since the last remap along x, y, z [m].
     pub displacement: [Vec<R>; 3],
-    /// Mass lumped from the eight cells round the node [kg].
+    /// Mass lumped from the eight cells around the node [kg].
     pub mass: Vec<R>,
 }
 
 impl<R> Soil<R> {
-    /// All that the soil carries with it besides volume and mass: stress, history, composition.
+    /// Everything that is transported with the soil besides volume and mass: stress, composition, history.
     pub fn carried(&self) -> impl Iterator<Item = (Carrier, &Vec<R>)> {
         let history = HISTORY.iter().map(|h| h.carrier).zip(&self.history);
         self.stress.iter().chain(&self.composition).map(|field| (Carrier::Volume, field)).chain(history)
     }
 
-    /// The same, to be changed.
+    /// Mutable version of [`Soil::carried`].
     pub fn carried_mut(&mut self) -> impl Iterator<Item = (Carrier, &mut Vec<R>)> {
         let history = HISTORY.iter().map(|h| h.carrier).zip(&mut self.history);
         let rest = self.stress.iter_mut().chain(&mut self.composition);
@@ -101,7 +103,7 @@ impl<R> Soil<R> {
         [&self.fraction, &self.mass].into_iter().chain(self.carried().map(|(_, field)| field))
     }
 
-    /// All arrays, to be changed.
+    /// All arrays, mutable.
     pub fn arrays_mut(&mut self) -> impl Iterator<Item = &mut Vec<R>> {
         let Self { fraction, mass, stress, history, composition } = self;
         [fraction, mass].into_iter().chain(stress).chain(composition).chain(history)
@@ -109,14 +111,14 @@ impl<R> Soil<R> {
 }
 
 impl<R: Copy + Into<f64>> Soil<R> {
-    /// Number of the material that most of the soil in a cell is of.
+    /// Number of the main material of a cell: the one with the largest volume.
     #[must_use]
     pub fn main_material(&self, cell: usize) -> usize {
         main_material(&self.composition, cell)
     }
 }
 
-/// The same from the portions of the second material, of the third, ….
+/// Number of the main material of a cell, from the fractions of the second material, the third, ….
 pub(crate) fn main_material<R: Copy + Into<f64>>(composition: &[Vec<R>], cell: usize) -> usize {
     let others = || composition.iter().map(|portion| portion[cell].into());
     let first = (0, 1.0 - others().sum::<f64>());
@@ -130,7 +132,7 @@ impl<R> Nodes<R> {
         self.velocity.iter().chain(&self.displacement).chain([&self.mass])
     }
 
-    /// All arrays, to be changed.
+    /// All arrays, mutable.
     pub fn arrays_mut(&mut self) -> impl Iterator<Item = &mut Vec<R>> {
         self.velocity.iter_mut().chain(&mut self.displacement).chain([&mut self.mass])
     }
@@ -140,7 +142,7 @@ impl<R> Nodes<R> {
 pub const ARRAYS: usize = 2 + 6 + HISTORY_COUNT + 7;
 
 impl<R: Copy + Default> Soil<R> {
-    /// No soil anywhere, of so many materials.
+    /// Fields without soil, for a number of materials.
     #[must_use]
     pub fn empty(grid: &Grid, materials: usize) -> Self {
         let zeros = || vec![R::default(); grid.entries];
@@ -155,7 +157,7 @@ impl<R: Copy + Default> Soil<R> {
 }
 
 impl<R: Copy + Into<f64>> Soil<R> {
-    /// The same in double precision.
+    /// The same fields in double precision.
     #[must_use]
     pub fn to_f64(&self) -> Soil {
         Soil {
@@ -182,7 +184,7 @@ impl<R: Copy + Default> Nodes<R> {
 }
 
 impl<R: Copy + Into<f64>> Nodes<R> {
-    /// The same in double precision.
+    /// The same fields in double precision.
     #[must_use]
     pub fn to_f64(&self) -> Nodes {
         Nodes {

@@ -1,5 +1,5 @@
-//! What a run will take up in memory, told from its model before any of it exists. All in bytes, as floats: what nobody could
-//! ever hold has a number too.
+//! Memory of a run, predicted from its model before anything is allocated. All in bytes, as floats, since a
+//! prediction may exceed any integer.
 
 use crate::contact::{BodyCell, ContactNode, kept_per_constraint};
 use crate::cpu::workspace;
@@ -16,22 +16,24 @@ use physics::shape::SurfacePoint;
 pub struct Footprint {
     /// Fields of the state.
     pub fields: f64,
-    /// Those of them that stay untouched where no soil has ever been: a system lends no memory for them.
+    /// The portion of them that stays untouched where there has never been soil: the operating system commits
+    /// no memory for it.
     pub fields_of_soil: f64,
-    /// What the step works in, but for contact.
+    /// Workspace of the step, without contact.
     pub workspace: f64,
-    /// Surfaces of the bodies, and what is kept for their points that have soil to act on.
+    /// Surfaces of the bodies, and their contact points with soil to act on.
     pub contact: f64,
-    /// More that is needed for a moment, when the points of the body with the most are laid out.
+    /// Temporary memory while the points of the largest body are laid out.
     pub layout: f64,
 }
 
-/// Arrays of the state that are written in every cell at the start: fraction, mass, stress, and the mass of the nodes.
+/// Arrays of the state that are written in every cell at the start: volume fraction, mass, stress, nodal
+/// mass.
 const WRITTEN: f64 = 9.0;
 /// Contact nodes per constraint: neighbouring constraints share nodes.
 const NODES_PER_CONSTRAINT: f64 = 2.5;
 
-/// What a run of a model by so many threads will take up, each body being at last so far from its start [m].
+/// Memory of a run with `threads` threads, each body ending at the displacement `moved` from its start [m].
 #[must_use]
 pub fn footprint<R: Scalar>(model: &Model, threads: usize, moved: &[DVec3]) -> Footprint {
     let grid = &model.grid;
@@ -44,23 +46,23 @@ pub fn footprint<R: Scalar>(model: &Model, threads: usize, moved: &[DVec3]) -> F
     Footprint { fields, fields_of_soil, workspace, contact: contact + body_cells, layout }
 }
 
-/// Fields of a state whose grid has so many entries, and those that only soil touches; `R` is their precision.
+/// Fields of a state whose grid has `entries` entries, and those that are written only where there is soil.
 fn fields<R>(entries: usize, materials: usize) -> [f64; 2] {
     let arrays = (ARRAYS + materials - 1) as f64;
     let one = (entries * size_of::<R>()) as f64;
     [arrays * one, (arrays - WRITTEN) * one]
 }
 
-/// Contact points of all bodies, each at last so far from its start [m]: what is kept for them, and what laying out the
-/// largest takes besides; `per_constraint` is what the contact law keeps of a constraint.
+/// Contact points of all bodies, each ending at the displacement `moved` from its start [m]: memory kept for
+/// them, and temporary memory for the largest body. `per_constraint` is the memory for each constraint.
 fn contact(model: &Model, moved: &[DVec3], [per_point, per_constraint]: [f64; 2]) -> [f64; 2] {
-    /// Of a shape's list of points, its copy in pairs, and the tree that finds the pairs.
+    /// For each point: the shape's list, its copy in pairs, and the tree that finds the pairs.
     const LAID_OUT: f64 = 2.0 * size_of::<SurfacePoint>() as f64 + 60.0;
     let points_per_constraint = model.method.point_spacing.min(1.0).powi(-2);
     let mut sums = [0.0_f64; 2];
     for (n, body) in model.bodies.iter().enumerate() {
         let all = surface_points(model, body);
-        let [kept, touching] = shares(model, body, moved.get(n).copied().unwrap_or_default());
+        let [kept, touching] = point_fractions(model, body, moved.get(n).copied().unwrap_or_default());
         let each = per_contact() + per_constraint / points_per_constraint;
         sums[0] += all * (kept * per_point + touching * each);
         sums[1] = sums[1].max(all * LAID_OUT);
@@ -76,7 +78,7 @@ pub fn surface_points(model: &Model, body: &BodyModel) -> f64 {
     body.shape.surface_point_count(spacing, model.method.edge_inset * finest)
 }
 
-/// Cells that bodies take up, in the box.
+/// Number of cells that bodies occupy, wholly or in part.
 fn body_cells(model: &Model) -> f64 {
     let cells = |body: &BodyModel| {
         let (low, high) = body.shape.bounds();
@@ -93,7 +95,7 @@ fn body_cells(model: &Model) -> f64 {
     model.bodies.iter().map(cells).sum()
 }
 
-/// What is kept for a point with soil to act on, old and new: itself, its corners, its patch, its friction.
+/// Memory of a contact point, before and after a search: the point, its nodes, its constraint, its friction.
 fn per_contact() -> f64 {
     let one = size_of::<Contact>() as f64;
     let lists =
@@ -101,15 +103,16 @@ fn per_contact() -> f64 {
     2.0 * one + lists as f64
 }
 
-/// Memory of a constraint besides that of the contact law: its nodes, its cut-cell correction, and its entry in the search.
+/// Memory of a constraint besides that of the contact law: its nodes, its cut-cell correction, and its entry
+/// in the search.
 fn per_constraint(contact_node: usize) -> f64 {
     let hourglass_correction = size_of::<[DVec3; 8]>() + size_of::<Option<[DVec3; 8]>>();
     NODES_PER_CONSTRAINT * contact_node as f64 + hourglass_correction as f64 + 120.0
 }
 
-/// Share of a body's points that are kept, and of those that have soil to act on at its start or when it has moved so far
-/// [m], whichever is more: by the area of a few points that stand for all.
-fn shares(model: &Model, body: &BodyModel, moved: DVec3) -> [f64; 2] {
+/// Fractions of a body's surface points that are kept, and that have soil to act on, at the start or at the
+/// displacement `moved` [m], whichever is more; by area, from a coarse set of points.
+fn point_fractions(model: &Model, body: &BodyModel, moved: DVec3) -> [f64; 2] {
     /// Points along the diagonal.
     const FEW: f64 = 16.0;
     let (low, high) = body.shape.bounds();
@@ -120,12 +123,12 @@ fn shares(model: &Model, body: &BodyModel, moved: DVec3) -> [f64; 2] {
         let faces = &model.grid.faces[axis];
         (faces[0] - margin..=faces[faces.len() - 1] + margin).contains(&x[axis])
     };
-    let share = |of: &dyn Fn(DVec3) -> bool| {
+    let fraction = |of: &dyn Fn(DVec3) -> bool| {
         let area = |p: &&SurfacePoint| p.area;
         let those = points.iter().filter(|p| of(body.start + p.position));
         those.map(|p| area(&p)).sum::<f64>() / points.iter().map(|p| p.area).sum::<f64>()
     };
     let in_soil = |x: DVec3| x.z <= model.surface && (0..3).all(|axis| is_in(axis, x, 0.0));
-    let touching = share(&in_soil).max(share(&|x| in_soil(x + moved)));
-    [share(&|x| !stays || is_in(1, x, spacing)), touching]
+    let touching = fraction(&in_soil).max(fraction(&|x| in_soil(x + moved)));
+    [fraction(&|x| !stays || is_in(1, x, spacing)), touching]
 }

@@ -10,7 +10,7 @@ use crate::halo::{self, Halo};
 use crate::initial::Undisturbed;
 use crate::model::Model;
 use crate::precision::Precision;
-use crate::state::{Ledger, Nodes, Soil, State};
+use crate::state::{EnergyBalance, Nodes, Soil, State};
 use glam::DVec3;
 use std::ops::Range;
 
@@ -63,7 +63,7 @@ impl<R: Precision> Ghosts<R> {
         halo: &mut dyn Halo,
     ) {
         let left = content(model, &state.soil, volume, halo);
-        let Ledger { inflow_volume, inflow_mass, inflow_elastic, .. } = &mut state.ledger;
+        let EnergyBalance { inflow_volume, inflow_mass, inflow_elastic, .. } = &mut state.energy_balance;
         let entered = [inflow_volume, inflow_mass, inflow_elastic].into_iter().zip(self.held).zip(left);
         entered.for_each(|((sum, before), after)| *sum += before - after);
         let grid = &model.grid;

@@ -121,7 +121,7 @@ impl Grid {
 
     /// Cell (or node) `(i, j, k)` at a place in memory; the inverse of [`Grid::index`].
     #[must_use]
-    pub fn place(&self, index: usize) -> [usize; 3] {
+    pub fn layers_of(&self, index: usize) -> [usize; 3] {
         let [_, row, plane] = self.stride;
         [index % row - 1, index % plane / row - 1, index / plane - 1]
     }
@@ -134,7 +134,7 @@ impl Grid {
 
     /// Row within its plane, and plane, of a row of the memory; those of cell `(i, j, k)` are j + 1 and k + 1.
     #[must_use]
-    pub fn row_place(&self, row: usize) -> [usize; 2] {
+    pub fn row_and_plane(&self, row: usize) -> [usize; 2] {
         [row % self.rows(), row / self.rows()]
     }
 
@@ -236,7 +236,7 @@ impl Grid {
     /// the block above it.
     #[must_use]
     pub fn owned_row(&self, row: usize) -> Option<usize> {
-        let [q, plane] = self.row_place(row);
+        let [q, plane] = self.row_and_plane(row);
         let cells = self.whole_cells();
         let layer = |axis: usize, n: usize| {
             let (layer, own) = (n.checked_sub(1)? + self.first[axis], &self.own[axis]);
@@ -267,7 +267,7 @@ impl Grid {
     /// Volume of the cell at a place in memory [m³].
     #[must_use]
     pub fn volume_of(&self, index: usize) -> f64 {
-        let [i, j, k] = self.place(index);
+        let [i, j, k] = self.layers_of(index);
         self.volume(i, j, k)
     }
 

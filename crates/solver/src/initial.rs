@@ -8,7 +8,7 @@ pub use crate::model::Filling;
 use crate::model::{Ground, Model};
 use crate::precision::Precision;
 use crate::scalar::Scalar;
-use crate::state::{Body, Ledger, Nodes, Received, Soil, State};
+use crate::state::{Body, ContactImpulse, EnergyBalance, Nodes, Pose, Soil, State};
 use glam::DVec3;
 
 /// The state at rest of a box of soil.
@@ -102,10 +102,10 @@ fn of_soil<R: Precision>(model: &Model, mut soil: Soil<R>, overburden: f64) -> S
             angle: 0.0,
             velocity: DVec3::ZERO,
             spin: 0.0,
-            received: Received::default(),
+            contact_impulse: ContactImpulse::default(),
             leaked_volume: 0.0,
             embedded_volume: 0.0,
-            located: (b.start, 0.0),
+            searched_at: Pose { position: b.start, angle: 0.0 },
         })
         .collect();
     weigh(model, &model.grid, &mut soil);
@@ -118,26 +118,36 @@ fn of_soil<R: Precision>(model: &Model, mut soil: Soil<R>, overburden: f64) -> S
     for (n, row) in rows.skip(model.grid.rows()) {
         R::nodal_masses(&model.grid, n, &soil.mass, row);
     }
-    let ledger = Ledger {
+    let energy_balance = EnergyBalance {
         elastic_start: energy::elastic(model, &soil),
         volume_start: energy::soil_volume(&model.grid, &soil),
-        ..Ledger::default()
+        ..EnergyBalance::default()
     };
     let contacts = Vec::new();
-    State { time: 0.0, step: 0, grid_position: DVec3::ZERO, soil, nodes, bodies, contacts, remaps: 0, ledger }
+    State {
+        time: 0.0,
+        step: 0,
+        grid_position: DVec3::ZERO,
+        soil,
+        nodes,
+        bodies,
+        contacts,
+        remaps: 0,
+        energy_balance,
+    }
 }
 
-/// Sets all soil in motion with a velocity [m/s], but for what the walls hold; the ledger counts its energy as put in from
-/// outside.
+/// Sets all soil in motion with a velocity [m/s], but for what the walls hold; the energy balance counts its energy as
+/// external work.
 pub fn set_in_motion<R: Precision>(model: &Model, state: &mut State<R>, velocity: DVec3) {
     for n in (0..model.grid.entries).filter(|n| state.nodes.mass[*n] > R::default()) {
-        let place = model.grid.place(n);
-        let free = model.boundaries.free_components(&model.grid, model.grid.in_whole(place));
+        let layers = model.grid.layers_of(n);
+        let free = model.boundaries.free_components(&model.grid, model.grid.in_whole(layers));
         for ((field, own), free) in state.nodes.velocity.iter_mut().zip(velocity.to_array()).zip(free) {
             field[n] = R::cast(if free { own } else { 0.0 });
         }
     }
-    state.ledger.kinetic_start = kinetic_energy(model, state);
+    state.energy_balance.kinetic_start = kinetic_energy(model, state);
 }
 
 /// Volume fractions of a box of soil, or of the round column inside it.

@@ -1,8 +1,8 @@
-//! What happens in one time step of the coupled Eulerian–Lagrangian method.
+//! The time step of the coupled Eulerian–Lagrangian method.
 //!
-//! [`model::Model`] is what stays fixed during a run, [`state::State`] is everything that changes, [`step::step`] is the
-//! step. The loops over cells that vectorise are the kernels in `cpu`: they alone are compiled for each precision of the
-//! fields, and [`precision::Precision`] is what the step asks of them.
+//! [`model::Model`] is what stays fixed during a run, [`state::State`] is everything that changes, and
+//! [`step::step`] takes one step. The vectorised loops over cells are the kernels in `cpu`; only they are
+//! compiled for each precision of the fields. [`precision::Precision`] is their interface.
 
 pub mod balance;
 pub mod bodies;

@@ -1,17 +1,17 @@
-//! What soil is made of.
+//! The materials of the soil.
 
 use physics::elastic::Elastic;
 use physics::law::Law;
 use physics::viscosity::BulkViscosity;
 
-/// A soil.
+/// A soil, with its elastic moduli, yield law and density.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
     /// Elastic moduli.
     pub elastic: Elastic,
     /// Yield law; `None` for linear elastic soil.
-    pub strength: Option<Law>,
-    /// Density below which the soil dilates no more [kg/m³].
+    pub yield_law: Option<Law>,
+    /// Critical density, below which the soil no longer dilates [kg/m³].
     pub critical_density: Option<f64>,
     /// Density of the undeformed soil [kg/m³].
     pub density: f64,
@@ -23,7 +23,7 @@ impl Material {
     /// Linear elastic soil.
     #[must_use]
     pub fn linear_elastic(elastic: Elastic, density: f64) -> Self {
-        Self { elastic, strength: None, critical_density: None, density, k0: 1.0 }
+        Self { elastic, yield_law: None, critical_density: None, density, k0: 1.0 }
     }
 
     /// Speed of the compression wave [m/s].

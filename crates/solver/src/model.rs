@@ -135,8 +135,8 @@ impl Model {
 
     /// Portion of each body that is modelled: halved by each plane of symmetry.
     #[must_use]
-    pub fn share(&self) -> f64 {
-        self.symmetry().modelled()
+    pub fn modelled_fraction(&self) -> f64 {
+        self.symmetry().modelled_fraction()
     }
 
     /// Speed of the fastest compression wave [m/s].

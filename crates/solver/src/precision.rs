@@ -1,4 +1,4 @@
-//! The seam under the soil: what the time step asks of the kernels of either precision.
+//! The interface between the time step and the kernels of either precision.
 
 use crate::cpu::kernels::{double, single};
 use crate::cpu::workspace::SoilWorkspace;
@@ -7,13 +7,13 @@ use crate::model::Model;
 pub use crate::scalar::Scalar;
 use crate::state::{Nodes, Soil, State};
 
-/// A number type with its kernels. Rows are numbered in the order of the memory (see [`Grid::row_place`]).
+/// A number type with its kernels. Rows are numbered in memory order (see [`Grid::row_and_plane`]).
 pub trait Precision: Scalar {
-    /// Strains the soil and moves its nodes by one step of `dt` [s]: stresses and displacements at the end of the step,
-    /// velocities without contact half a step later.
+    /// Strains the soil and moves its nodes by one step of `dt` [s]: stresses and displacements at the end of
+    /// the step, velocities without contact half a step later.
     fn lagrangian_stage(model: &Model, state: &mut State<Self>, workspace: &mut SoilWorkspace<Self>, dt: f64);
 
-    /// Volumes of cells and of the soil in them on the displaced grid, from which the sweeps of a remap start [m³].
+    /// Volumes [m³] of the displaced cells and of the soil in them, from which the sweeps of a remap start.
     fn displaced_volumes(model: &Model, state: &State<Self>, workspace: &mut SoilWorkspace<Self>);
 
     /// One sweep of a remap along `axis`, over the `active` rows.
@@ -25,8 +25,8 @@ pub trait Precision: Scalar {
         active: &[bool],
     );
 
-    /// Volume fractions from the volumes that the sweeps have left, and admissible stresses. Volume [m³] and mass [kg] of the
-    /// debris that it removed are in the rows' values.
+    /// Post-remap update: volume fractions from the transported volumes, and admissible stresses. Volume [m³]
+    /// and mass [kg] of the debris removed are left in the workspace's values by row.
     fn update_after_remap(
         model: &Model,
         soil: &mut Soil<Self>,
@@ -34,7 +34,7 @@ pub trait Precision: Scalar {
         active: &[bool],
     );
 
-    /// Admissible stress of one cell that soil was moved into.
+    /// Post-remap update of one cell into which overlap removal has moved soil.
     fn update_cell(model: &Model, soil: &mut Soil<Self>, workspace: &mut SoilWorkspace<Self>, cell: usize);
 
     /// Masses of a row of nodes from those of the cells [kg].

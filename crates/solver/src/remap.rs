@@ -24,7 +24,7 @@ const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [2, 0, 1], [1, 2, 0], [2, 1, 0], [0,
 pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut Workspace<R>) {
     let Workspace { soil, contact, halo, .. } = workspace;
     let (grid, halo) = (&model.grid, halo.as_mut());
-    let before = energy::total(model, state, soil, halo) - state.ledger.inflow_elastic;
+    let before = energy::total(model, state, soil, halo) - state.energy_balance.inflow_elastic;
     let active = rows_near_soil(grid, &soil.row_has_soil);
     halo::fill(halo, grid, At::Nodes, &mut state.nodes.displacement);
     ghosts::follow(model, state);
@@ -48,10 +48,10 @@ pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut 
     soil.find_soil(grid, &state.soil);
     soil.clear = 2;
     state.remaps += 1;
-    let after = energy::total(model, state, soil, halo) - state.ledger.inflow_elastic;
-    state.ledger.remap += before - after;
-    state.ledger.crumbs_volume += volume;
-    state.ledger.crumbs_mass += mass;
+    let after = energy::total(model, state, soil, halo) - state.energy_balance.inflow_elastic;
+    state.energy_balance.remap += before - after;
+    state.energy_balance.debris_volume += volume;
+    state.energy_balance.debris_mass += mass;
     soil.stopwatch().lap(Stage::Remap);
 }
 

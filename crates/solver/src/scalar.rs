@@ -11,14 +11,14 @@ pub trait Scalar:
 {
     /// Its name in case files and reports.
     const NAME: &'static str;
-    /// Numbers in the widest vector.
+    /// Numbers in the widest vector register.
     const LANES: usize;
     /// A difference of volume fractions below this is round-off.
     const ROUND_OFF: f64;
-    /// What a kernel keeps of a block of cells while it works on it.
+    /// Scratch memory of a kernel for a block of cells.
     type CellBlock: Send;
 
-    /// The materials of a model, as the kernels need them.
+    /// Constants of the materials of a model, in this precision.
     type Materials: Send + Sync;
 
     /// The nearest number of this type.
@@ -29,9 +29,9 @@ pub trait Scalar:
         self.into()
     }
 
-    /// The materials of a model, as the kernels need them.
+    /// Constants of the materials of a model, in this precision.
     fn materials(model: &Model) -> Self::Materials;
 
-    /// Working memory for a block of cells.
+    /// Scratch memory for a block of cells.
     fn cell_block() -> Box<Self::CellBlock>;
 }

@@ -1,76 +1,87 @@
-//! Everything that changes during a run. A checkpoint is this. The fields of the soil are `f64` or `f32`; all else is `f64`.
+//! Everything that changes during a run: the content of a checkpoint. The fields of the soil are `f64` or
+//! `f32`, all else is `f64`.
 
 pub use crate::fields::{Nodes, STRESS_NAMES, Soil};
 use crate::grid::Grid;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-/// Where a body is and how it moves. The whole body, also when only half of it is modelled.
+/// Position and motion of a body. Quantities are those of the whole body, also when only half of it is
+/// modelled.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Body {
-    /// Reference point (of a disc: the middle of its axle) [m].
+    /// Reference point (of a disc: the centre of its axle) [m].
     pub position: DVec3,
-    /// Angle turned about the axle [rad], positive when it rolls forward.
+    /// Rotation about the axle [rad], positive when it rolls forward.
     pub angle: f64,
     /// Velocity of the reference point [m/s].
     pub velocity: DVec3,
-    /// Rate of turning about the axle [rad/s], positive when it rolls forward.
+    /// Rate of rotation about the axle [rad/s], positive when it rolls forward.
     pub spin: f64,
-    /// What the soil has given to the body since the start.
-    pub received: Received,
+    /// Contact impulse of the soil on the body since the start.
+    pub contact_impulse: ContactImpulse,
     /// Soil found inside the body at the last remap [m³].
     pub leaked_volume: f64,
     /// Volume of the body below the undisturbed surface at the last remap [m³].
     pub embedded_volume: f64,
-    /// Position [m] and angle [rad] at which its contact points were last located.
-    pub located: (DVec3, f64),
+    /// Pose at the last contact search.
+    pub searched_at: Pose,
 }
 
-/// Impulses that the soil has given to a body since the start. Differences over an interval, divided by its length, are
-/// mean forces, so no force is lost between two samples.
+/// Position and orientation of a body.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Received {
-    /// By pressure normal to the surface [N s].
+pub struct Pose {
+    /// Reference point [m].
+    pub position: DVec3,
+    /// Rotation about the axle [rad].
+    pub angle: f64,
+}
+
+/// Impulse and angular impulse of the soil on a body. Of cumulative impulses, the difference over an interval
+/// divided by its length is the mean force, so that no force is lost between two samples.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct ContactImpulse {
+    /// Of the pressure normal to the surface [N s].
     pub normal: DVec3,
-    /// By friction [N s].
+    /// Of friction [N s].
     pub friction: DVec3,
     /// About the axle [N m s], positive when it makes the body roll forward.
     pub axle: f64,
 }
 
-/// A point of a body's surface in the grid with soil to act on: what it remembers, and where it sits until the next remap.
+/// A contact point with soil to act on: its history, and its cell and weights until the next contact search.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Contact {
-    /// Which body.
+    /// Index of the body.
     pub body: u32,
-    /// Which of its surface points.
+    /// Index among the body's surface points.
     pub point: u32,
-    /// Which material it touches.
+    /// Material in its cell.
     pub material: u32,
-    /// Layers of its cell in the whole grid.
+    /// Cell `(i, j, k)` in the whole grid.
     pub cell: [u32; 3],
     /// Weights of the cell's eight nodes.
     pub weight: [f64; 8],
-    /// Normal out of the body.
+    /// Outward unit normal of the body.
     pub normal: DVec3,
     /// From the body's reference point to the point [m].
     pub arm: DVec3,
-    /// Area that the point stands for [m²].
+    /// Area represented by the point [m²].
     pub area: f64,
     /// Smallest width of its cell [m].
     pub width: f64,
-    /// Penetration (penalty) [m].
+    /// Penetration, negative for a gap [m].
     pub penetration: f64,
-    /// Elastic slip (penalty) [m].
+    /// Elastic slip (penalty method) [m].
     pub slip: DVec3,
-    /// Impulse of the last step, to start the next from (impulses) [N s].
+    /// Impulse of the last step, from which the next is warm-started (impulse method) [N s].
     pub impulse: DVec3,
-    /// Position at the last remap [m].
+    /// Position at the last contact search [m].
     pub anchor: DVec3,
 }
 
 impl Contact {
-    /// Its numbers but for those of body and point.
+    /// All its numbers except the indices of body and point.
     pub(crate) fn to_array(self) -> [f64; 30] {
         let mut values = [0.0; 30];
         let [i, j, k] = self.cell.map(f64::from);
@@ -82,7 +93,7 @@ impl Contact {
         values
     }
 
-    /// The contact of a body and point with these numbers.
+    /// The inverse of [`Contact::to_array`].
     pub(crate) fn of([body, point]: [usize; 2], values: [f64; 30]) -> Self {
         let [material, i, j, k, area, width, penetration, ..] = values;
         let vector = |n: usize| DVec3::from_slice(&values[15 + 3 * n..]);
@@ -104,9 +115,9 @@ impl Contact {
     }
 }
 
-/// Where the energy went since the start, and what was lost on the way. Of the part that is modelled [J].
+/// Terms of the energy balance since the start, for the modelled portion of the domain [J].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Ledger {
+pub struct EnergyBalance {
     /// Work of loads and drives on the bodies, and of gravity on the soil.
     pub external: f64,
     /// Plastic dissipation.
@@ -115,9 +126,10 @@ pub struct Ledger {
     pub viscous: f64,
     /// Dissipation by hourglass viscosity.
     pub hourglass: f64,
-    /// Dissipation by friction on bodies.
+    /// Frictional dissipation on bodies.
     pub friction: f64,
-    /// What the contact method itself stores, takes or gives: springs, damping, corrections of the penetration.
+    /// Energy stored, dissipated or added by the contact method: springs, damping, corrections of the
+    /// penetration.
     pub contact: f64,
     /// Kinetic and elastic energy lost in remaps.
     pub remap: f64,
@@ -127,10 +139,10 @@ pub struct Ledger {
     pub kinetic_start: f64,
     /// Soil volume at the start [m³].
     pub volume_start: f64,
-    /// Volume of the crumbs that remaps took out [m³].
-    pub crumbs_volume: f64,
+    /// Volume of the VOF debris that remaps have removed [m³].
+    pub debris_volume: f64,
     /// Their mass [kg].
-    pub crumbs_mass: f64,
+    pub debris_mass: f64,
     /// Elastic energy of the soil that entered through open boundaries, less that of what left.
     pub inflow_elastic: f64,
     /// Its volume [m³].
@@ -154,16 +166,16 @@ pub struct State<R = f64> {
     pub nodes: Nodes<R>,
     /// The bodies, in the order of the model's.
     pub bodies: Vec<Body>,
-    /// The contact points that have soil to act on, body by body, in the order of their points.
+    /// Contact points with soil to act on, in the order of bodies and points.
     pub contacts: Vec<Contact>,
-    /// Number of remaps done.
+    /// Number of remaps since the start.
     pub remaps: u64,
-    /// Energy and mass.
-    pub ledger: Ledger,
+    /// Energy balance, and the mass removed by remaps.
+    pub energy_balance: EnergyBalance,
 }
 
 impl<R> State<R> {
-    /// Memory that it takes up [bytes].
+    /// Memory in use [bytes].
     #[must_use]
     pub fn memory(&self) -> usize {
         let fields = self.soil.arrays().chain(self.nodes.arrays());
@@ -173,11 +185,11 @@ impl<R> State<R> {
 }
 
 impl<R: Copy + Default> State<R> {
-    /// The part of a state of the `whole` grid that a `block` and its ghost layers hold; bodies, contacts and energy balance
-    /// every block knows.
+    /// The portion of a state of the `whole` grid held by a `block` with its ghost layers. Bodies, contacts
+    /// and energy balance are the same in every block.
     #[must_use]
     pub fn of_block(&self, whole: &Grid, block: &Grid) -> Self {
-        let mut part = Self {
+        let mut own = Self {
             soil: Soil::empty(block, self.soil.composition.len() + 1),
             nodes: Nodes::at_rest(block),
             bodies: self.bodies.clone(),
@@ -192,14 +204,14 @@ impl<R: Copy + Default> State<R> {
                 to[here..here + nx].copy_from_slice(&from[there..there + nx]);
             }
         };
-        self.soil.arrays().zip(part.soil.arrays_mut()).for_each(|(from, to)| copy(from, to, 0));
-        self.nodes.arrays().zip(part.nodes.arrays_mut()).for_each(|(from, to)| copy(from, to, 1));
-        part
+        self.soil.arrays().zip(own.soil.arrays_mut()).for_each(|(from, to)| copy(from, to, 0));
+        self.nodes.arrays().zip(own.nodes.arrays_mut()).for_each(|(from, to)| copy(from, to, 1));
+        own
     }
 }
 
 impl<R: Copy + Into<f64>> State<R> {
-    /// The same with its fields in double precision.
+    /// The same state with fields in double precision.
     #[must_use]
     pub fn to_f64(&self) -> State {
         State {
@@ -211,7 +223,7 @@ impl<R: Copy + Into<f64>> State<R> {
             step: self.step,
             grid_position: self.grid_position,
             remaps: self.remaps,
-            ledger: self.ledger,
+            energy_balance: self.energy_balance,
         }
     }
 }

@@ -23,7 +23,7 @@ pub fn step<R: Precision>(
     workspace: &mut Workspace<R>,
 ) -> Result<(), Breakdown> {
     let dt = model.time_step();
-    // Lagrangian stage: the soil moves, the grid waits.
+    // Lagrangian stage: the soil deforms, the grid stays.
     R::lagrangian_stage(model, state, &mut workspace.soil, dt);
     let Workspace { soil, contact, body_steps, halo } = workspace;
     let sums = soil.total_of_stage(&model.grid, halo.as_mut());
@@ -43,7 +43,7 @@ pub fn step<R: Precision>(
     check(model, state, &sums, dt)
 }
 
-/// Whether soil or a body has moved so far on the grid that the soil must be remapped.
+/// Whether soil or a body has moved so far since the last remap that another is due.
 fn is_remap_due<R: Precision>(model: &Model, state: &State<R>, sums: &RowSums) -> bool {
     let cell = model.grid.finest();
     sums.displacement > model.method.remap_displacement * cell

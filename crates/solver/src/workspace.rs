@@ -1,4 +1,4 @@
-//! Memory that the step works in and that is worth nothing between steps.
+//! Scratch memory of the time step; nothing in it must survive a step.
 
 use crate::bodies::BodyStep;
 use crate::contact;
@@ -16,9 +16,9 @@ pub struct Workspace<R: Precision = f64> {
     pub(crate) soil: SoilWorkspace<R>,
     /// For contact.
     pub(crate) contact: ContactWorkspace,
-    /// What happened to each body in the last step.
+    /// Step record of each body.
     pub(crate) body_steps: Vec<BodyStep>,
-    /// The way to the other blocks of the grid.
+    /// Communication with the other blocks of the grid.
     pub(crate) halo: Box<dyn Halo>,
 }
 
@@ -29,13 +29,14 @@ impl<R: Precision> std::fmt::Debug for Workspace<R> {
 }
 
 impl<R: Precision> Workspace<R> {
-    /// Memory for a model and a team of `threads`. Finds the contact points of a state that has not taken a step yet.
+    /// Workspace for a model and a team of `threads`. Before the first step, this includes the first contact
+    /// search.
     #[must_use]
     pub fn new(model: &Model, state: &mut State<R>, threads: usize) -> Self {
         Self::of_block(model, state, threads, Box::new(Whole))
     }
 
-    /// The same for one of the blocks into which the grid is cut.
+    /// The same for one block of a partitioned grid.
     #[must_use]
     pub fn of_block(model: &Model, state: &mut State<R>, threads: usize, halo: Box<dyn Halo>) -> Self {
         let mut halo = halo;
@@ -58,18 +59,18 @@ impl<R: Precision> Workspace<R> {
         self.soil.threads()
     }
 
-    /// Where the time of the calling thread goes.
+    /// Time by stage of the calling thread.
     pub fn stopwatch(&mut self) -> &mut Stopwatch {
         self.soil.stopwatch()
     }
 
-    /// Memory that it takes up [bytes], but for what the contact law keeps during a step.
+    /// Memory in use [bytes], except what the contact law keeps during a step.
     #[must_use]
     pub fn memory(&self) -> usize {
         self.soil.memory() + self.contact.memory()
     }
 
-    /// Memory for surfaces and contact points among it [bytes].
+    /// The portion of it for surfaces and contact points [bytes].
     #[must_use]
     pub fn contact_memory(&self) -> usize {
         self.contact.memory()

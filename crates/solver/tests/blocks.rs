@@ -1,4 +1,4 @@
-//! A grid that is cut into blocks, each on a thread of its own, takes the same course to the bit as the whole.
+//! A grid partitioned into blocks, each on its own thread, gives the same bits as the whole grid.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 mod common;
@@ -9,7 +9,7 @@ use physics::rigid::Freedom;
 use physics::shape::{Block, Disc, Shape};
 use solver::fields::Nodes;
 use solver::grid::Grid;
-use solver::halo::in_process::cut;
+use solver::halo::in_process::partition;
 use solver::initial::{at_rest, set_in_motion};
 use solver::model::{BodyModel, ContactMethod, Model};
 use solver::precision::Precision;
@@ -38,7 +38,7 @@ fn body(name: &str, shape: Box<dyn Shape>, start: DVec3) -> BodyModel {
     }
 }
 
-/// A towed disc and a towed block in sand that moves, both across cuts.
+/// A towed disc and a towed block in moving sand, both across the boundaries of grid blocks.
 fn model(contact: ContactMethod, lanes: usize) -> Model {
     let mut model = sand([uniform(-0.2, 0.26, 23), uniform(-0.2, 0.2, 20), uniform(-0.16, 0.08, 12)]);
     model.grid = Grid::padded(model.grid.faces.clone(), lanes);
@@ -63,7 +63,7 @@ fn go<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut Workspa
     }
 }
 
-/// What a block owns is what the whole has there.
+/// Asserts that a block holds the same values as the whole grid where it owns cells and nodes.
 fn assert_same<R: Precision>(whole: (&Grid, &State<R>), block: (&Grid, &State<R>)) {
     let (grid, own) = (block.0, block.1.soil.arrays().zip(whole.1.soil.arrays()));
     let nodes = block.1.nodes.arrays().zip(whole.1.nodes.arrays());
@@ -81,11 +81,11 @@ fn assert_same<R: Precision>(whole: (&Grid, &State<R>), block: (&Grid, &State<R>
     }
     assert_eq!(block.1.bodies, whole.1.bodies);
     assert_eq!(block.1.contacts, whole.1.contacts);
-    assert_eq!(block.1.ledger, whole.1.ledger);
+    assert_eq!(block.1.energy_balance, whole.1.energy_balance);
     assert_eq!((block.1.remaps, block.1.time), (whole.1.remaps, whole.1.time));
 }
 
-fn blocks_are_the_whole<R: Precision>(contact: ContactMethod, cuts: [&[usize]; 2], threads: usize) {
+fn blocks_are_the_whole<R: Precision>(contact: ContactMethod, before: [&[usize]; 2], threads: usize) {
     let whole = model(contact, R::LANES);
     let mut state = start::<R>(&whole);
     let mut workspace = Workspace::new(&whole, &mut state, 1);
@@ -94,8 +94,8 @@ fn blocks_are_the_whole<R: Precision>(contact: ContactMethod, cuts: [&[usize]; 2
     assert!(state.remaps > 10 && state.contacts.len() > 100, "{} remaps", state.remaps);
     let still: Nodes<R> = Nodes::at_rest(&whole.grid);
     assert!(state.nodes.velocity != still.velocity);
-    let blocks = cut(&whole.grid, cuts);
-    assert_eq!(blocks.len(), (cuts[0].len() + 1) * (cuts[1].len() + 1));
+    let blocks = partition(&whole.grid, before);
+    assert_eq!(blocks.len(), (before[0].len() + 1) * (before[1].len() + 1));
     std::thread::scope(|scope| {
         for (grid, halo) in blocks {
             let (begin, state, whole) = (&begin, &state, &whole.grid);

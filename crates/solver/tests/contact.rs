@@ -1,4 +1,4 @@
-//! A disc pushed into sand and towed: no soil is left inside it, none is lost, and left and right are alike.
+//! A disc pushed into sand and towed: no soil remains inside it, none is lost, and its mirror image behaves alike.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 mod common;
@@ -19,9 +19,9 @@ fn moving(speed: f64) -> Freedom {
     Freedom::Prescribed { speed, start: 0.0, ramp: 0.01, end: f64::INFINITY }
 }
 
-/// After `steps` steps with the disc's middle at `y`.
+/// The state after a number of steps, with the disc's centre at `y` [m].
 fn towed(method: ContactMethod, y: f64, steps: usize) -> (Model, State) {
-    // Faces that are each other's mirror image to the bit.
+    // Mirror-symmetric faces, to the bit.
     let across = (-8..=8).map(|n| 0.02 * f64::from(n)).collect();
     let mut model = sand([uniform(-0.2, 0.24, 22), across, uniform(-0.12, 0.06, 9)]);
     model.method.contact = method;
@@ -46,21 +46,21 @@ fn towed(method: ContactMethod, y: f64, steps: usize) -> (Model, State) {
 }
 
 #[test]
-fn no_soil_is_left_in_the_body_and_none_is_lost() {
+fn no_soil_remains_in_the_body_and_none_is_lost() {
     for method in [ContactMethod::Impulse, ContactMethod::Penalty] {
         let (model, state) = towed(method, 0.0, 800);
         let body = &state.bodies[0];
         assert!(body.embedded_volume > 5e-5, "{method:?}: the disc is in the sand");
         let leak = body.leaked_volume / body.embedded_volume;
         assert!(leak < 1e-3, "{method:?}: {leak:e} of the embedded volume is soil");
-        let before = model.material().density * state.ledger.volume_start;
-        let mass = soil_mass(&model.grid, &state.soil) + state.ledger.crumbs_mass;
+        let before = model.material().density * state.energy_balance.volume_start;
+        let mass = soil_mass(&model.grid, &state.soil) + state.energy_balance.debris_mass;
         assert!((mass / before - 1.0).abs() < 1e-12, "{method:?}: {mass} kg of {before} kg");
     }
 }
 
 #[test]
-fn the_mirror_image_of_a_case_has_the_mirror_image_of_its_course() {
+fn a_mirrored_case_gives_mirrored_results() {
     let (left, right) =
         (towed(ContactMethod::Impulse, -0.007, 300), towed(ContactMethod::Impulse, 0.007, 300));
     let grid: &Grid = &left.0.grid;

@@ -1,4 +1,4 @@
-//! What is told of the memory beforehand is what a run then takes up.
+//! The predicted memory of a run agrees with that of the run.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 mod common;
@@ -41,11 +41,11 @@ fn model(lanes: usize, shape: Box<dyn Shape>) -> Model {
 }
 
 #[track_caller]
-fn near(told: f64, real: usize, tolerance: f64) {
-    assert!((told / real as f64 - 1.0).abs() <= tolerance, "told {told}, in fact {real}");
+fn near(predicted: f64, real: usize, tolerance: f64) {
+    assert!((predicted / real as f64 - 1.0).abs() <= tolerance, "predicted {predicted}, in fact {real}");
 }
 
-fn told_is_real<R: Precision>(threads: usize) {
+fn assert_predicted<R: Precision>(threads: usize) {
     let shapes: [Box<dyn Shape>; 2] =
         [Box::new(Disc { diameter: 0.16, thickness: 0.08 }), Box::new(Block { size: DVec3::splat(0.12) })];
     for shape in shapes {
@@ -53,10 +53,10 @@ fn told_is_real<R: Precision>(threads: usize) {
         let bare = Model { grid: Grid::padded(bare.grid.faces.clone(), R::LANES), ..bare };
         let mut state = at_rest::<R>(&bare, &below(0.0));
         let workspace = Workspace::new(&bare, &mut state, threads);
-        let told = footprint::<R>(&bare, threads, &[]);
-        near(told.fields, state.memory(), 1e-9);
-        near(told.workspace, workspace.memory(), 1e-9);
-        assert_eq!((told.contact, told.layout), (0.0, 0.0));
+        let predicted = footprint::<R>(&bare, threads, &[]);
+        near(predicted.fields, state.memory(), 1e-9);
+        near(predicted.workspace, workspace.memory(), 1e-9);
+        assert_eq!((predicted.contact, predicted.layout), (0.0, 0.0));
 
         let model = model(R::LANES, shape);
         let mut state = at_rest::<R>(&model, &below(0.0));
@@ -64,21 +64,24 @@ fn told_is_real<R: Precision>(threads: usize) {
         while state.remaps < 2 {
             step(&model, &mut state, &mut workspace).unwrap();
         }
-        let told = footprint::<R>(&model, threads, &[]);
+        let predicted = footprint::<R>(&model, threads, &[]);
         let fields = state.memory() - size_of_val(state.contacts.as_slice());
-        near(told.fields, fields, 1e-9);
+        near(predicted.fields, fields, 1e-9);
         let contact = workspace.memory() + state.memory() - fields;
-        // The law's own memory, and what is held twice for a moment, are in what is told, but not in what is counted here.
-        let told = told.workspace + told.contact;
-        assert!((contact as f64..2.0 * contact as f64).contains(&told), "told {told}, kept {contact}");
+        // The memory of the contact law and temporary copies are predicted, but not counted here.
+        let predicted = predicted.workspace + predicted.contact;
+        assert!(
+            (contact as f64..2.0 * contact as f64).contains(&predicted),
+            "predicted {predicted}, kept {contact}"
+        );
         let points = surface_points(&model, &model.bodies[0]);
         assert!(state.contacts.len() as f64 > 0.3 * points && state.contacts.len() as f64 <= points);
     }
 }
 
 #[test]
-fn what_is_told_is_what_is_taken() {
-    told_is_real::<f64>(1);
-    told_is_real::<f64>(2);
-    told_is_real::<f32>(3);
+fn predicted_memory_is_that_of_a_run() {
+    assert_predicted::<f64>(1);
+    assert_predicted::<f64>(2);
+    assert_predicted::<f32>(3);
 }

@@ -1,4 +1,4 @@
-//! A step between two remaps asks for no memory.
+//! A step between two remaps allocates no memory.
 #![allow(unsafe_code, clippy::unwrap_used)] // an allocator is unsafe; helpers of tests are not known as tests
 
 mod common;
@@ -14,12 +14,12 @@ use solver::workspace::Workspace;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// The system's allocator, counting what it is asked.
+/// The system's allocator, counting allocations.
 struct Counting;
 
 static ASKED: AtomicUsize = AtomicUsize::new(0);
 
-// SAFETY: everything is left to the system's allocator.
+// SAFETY: everything is delegated to the system's allocator.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         ASKED.fetch_add(1, Ordering::Relaxed);
@@ -35,7 +35,7 @@ unsafe impl GlobalAlloc for Counting {
 static ALLOCATOR: Counting = Counting;
 
 #[test]
-fn a_step_asks_for_no_memory() {
+fn a_step_allocates_no_memory() {
     for method in [ContactMethod::Impulse, ContactMethod::Penalty] {
         let mut model = sand([uniform(-0.2, 0.24, 22), uniform(-0.16, 0.16, 16), uniform(-0.12, 0.06, 9)]);
         model.method.contact = method;
@@ -60,7 +60,7 @@ fn a_step_asks_for_no_memory() {
         for _ in 0..600 {
             let (remaps, asked) = (state.remaps, ASKED.load(Ordering::Relaxed));
             step(&model, &mut state, &mut workspace).unwrap();
-            // What is kept between steps may grow while contact spreads.
+            // Memory kept between steps may grow while contact extends.
             if state.remaps == remaps && state.step > 200 {
                 steps += 1;
                 greedy += usize::from(ASKED.load(Ordering::Relaxed) > asked);

@@ -17,7 +17,7 @@ use solver::workspace::Workspace;
 
 const FAR: f64 = 1e9;
 
-/// A block that is pushed into a bank of sand.
+/// A block pushed into a bank of sand.
 fn bank(materials: usize) -> Model {
     let mut model = sand([uniform(-0.2, 0.2, 20), uniform(0.0, 0.06, 3), uniform(-0.1, 0.06, 16)]);
     model.materials = vec![model.materials[0]; materials];
@@ -85,7 +85,7 @@ fn layers_of_different_density_stay_at_rest() {
     }
     let speed = state.nodes.velocity.iter().flatten().fold(0.0, |most: f64, v| most.max(v.abs()));
     assert!(speed < 1e-12, "{speed} m/s");
-    // By hand: 0.043 m of 1200 kg/m³ and 0.052 m of 1600 kg/m³ down to the middle of the lowest layer.
+    // By hand: 0.043 m of 1200 kg/m³ and 0.052 m of 1600 kg/m³ down to the centre of the lowest layer.
     let lowest = model.grid.index(3, 1, 0);
     let vertical = -9.81 * (1200.0 * 0.043 + 1600.0 * 0.052);
     assert!((state.soil.stress[2][lowest] / vertical - 1.0).abs() < 1e-9);
@@ -99,7 +99,7 @@ fn each_half_yields_at_its_own_stress() {
     let mut model = bank(2);
     let yield_stress = [500.0, 2000.0];
     for (material, stress) in model.materials.iter_mut().zip(yield_stress) {
-        material.strength = Some(Law::VonMises(VonMises::new(material.elastic, stress, 0.0)));
+        material.yield_law = Some(Law::VonMises(VonMises::new(material.elastic, stress, 0.0)));
     }
     let state = run(&model, &halves(0, 0.03));
     let mut most = [0.0_f64; 2];

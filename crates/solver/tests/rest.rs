@@ -1,4 +1,4 @@
-//! Soil at rest stays at rest, wherever its surface lies in a cell, also when it is remapped every step.
+//! Soil at rest stays at rest, wherever its surface lies within a cell, even with a remap every step.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 mod common;

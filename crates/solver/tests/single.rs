@@ -1,5 +1,5 @@
-//! In single precision soil rests, moves and keeps its mass to about seven digits, and mirror images and threads still agree
-//! to the bit.
+//! In single precision soil rests, moves and keeps its mass to about seven digits, and mirror images and
+//! threads still agree to the bit.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 mod common;
@@ -14,7 +14,7 @@ use solver::state::State;
 use solver::step::step;
 use solver::workspace::Workspace;
 
-/// After so many steps on a number of threads.
+/// The state after a number of steps on a number of threads.
 fn after(model: &Model, surface: f64, threads: usize, steps: usize) -> State<f32> {
     let mut state = at_rest::<f32>(model, &below(surface));
     let mut workspace = Workspace::new(model, &mut state, threads);
@@ -24,7 +24,7 @@ fn after(model: &Model, surface: f64, threads: usize, steps: usize) -> State<f32
     state
 }
 
-/// A disc, its middle at `y`, that is pushed into sand and towed.
+/// A disc with its centre at `y` [m], pushed into sand and towed.
 fn tow(y: f64) -> Model {
     let moving = |speed| Freedom::Prescribed { speed, start: 0.0, ramp: 0.01, end: f64::INFINITY };
     let across = (-8..=8).map(|n| 0.02 * f64::from(n)).collect();
@@ -65,9 +65,9 @@ fn a_tow_keeps_the_soil() {
     let body = &state.bodies[0];
     let leak = body.leaked_volume / body.embedded_volume;
     assert!(leak < 1e-3, "{leak:e} of the embedded volume is soil");
-    let before = model.material().density * state.ledger.volume_start;
+    let before = model.material().density * state.energy_balance.volume_start;
     let mass: f64 = state.soil.mass.iter().map(|mass| f64::from(*mass)).sum();
-    let lost = (mass + state.ledger.crumbs_mass) / before - 1.0;
+    let lost = (mass + state.energy_balance.debris_mass) / before - 1.0;
     assert!(lost.abs() < 1e-6, "{lost:e} of the mass");
 }
 

@@ -11,7 +11,7 @@ use solver::initial::{Filling, at_rest};
 use solver::remap::remap;
 use solver::workspace::Workspace;
 
-/// Volume fractions of a sphere, by 8³ samples in the cells that its surface cuts.
+/// Volume fractions of a sphere, from 8³ samples in the cells cut by its surface.
 fn sphere(grid: &Grid, middle: DVec3, radius: f64) -> Vec<f64> {
     let mut fraction = vec![0.0; grid.entries];
     let [nx, ny, nz] = grid.cells();
@@ -29,8 +29,8 @@ fn sphere(grid: &Grid, middle: DVec3, radius: f64) -> Vec<f64> {
     fraction
 }
 
-/// Relative L1 error of the shape after a diagonal flight, and the relative change of the volume.
-fn flight(cells: usize, radius: f64, eta: f64) -> (f64, f64) {
+/// Relative L1 error of the shape after a diagonal translation, and the relative change of the volume.
+fn translation(cells: usize, radius: f64, eta: f64) -> (f64, f64) {
     let mut model = sand(std::array::from_fn(|_| uniform(0.0, 1.0, cells)));
     model.gravity = 0.0;
     let mut state = at_rest(&model, &Filling::between(DVec3::splat(2.0), DVec3::splat(3.0)));
@@ -52,8 +52,8 @@ fn flight(cells: usize, radius: f64, eta: f64) -> (f64, f64) {
     let error: f64 =
         state.soil.fraction.iter().zip(&target).map(|(a, b)| (a - b).abs()).sum::<f64>() * cell / volume;
     assert!(state.soil.fraction.iter().all(|f| (0.0..=1.0 + 1e-12).contains(f)));
-    // What remaps take out as crumbs is counted; with it nothing is lost.
-    let lost = 1.0 - (soil_volume(&model.grid, &state.soil) + state.ledger.crumbs_volume) / volume;
+    // With the debris that remaps remove, no volume is lost.
+    let lost = 1.0 - (soil_volume(&model.grid, &state.soil) + state.energy_balance.debris_volume) / volume;
     (error, lost)
 }
 
@@ -61,7 +61,7 @@ fn flight(cells: usize, radius: f64, eta: f64) -> (f64, f64) {
 fn a_sphere_keeps_shape_and_volume() {
     // Relative L1 error at most 2 % (Youngs' normals alone give 2.7 % and 1.8 %).
     for radius in [0.15, 0.2] {
-        let (error, lost) = flight(40, radius, 0.1);
+        let (error, lost) = translation(40, radius, 0.1);
         println!("r {radius}: L1 {:.2} %, lost {lost:e}", 100.0 * error);
         assert!(error < 0.02 && lost.abs() < 1e-12);
     }

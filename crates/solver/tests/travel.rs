@@ -10,7 +10,7 @@ use physics::shape::{Block, Shape};
 use solver::boundary::Boundary::{Inflow, Outflow, SmoothWall};
 use solver::energy::{soil_mass, soil_volume};
 use solver::grid::Grid;
-use solver::halo::in_process::cut;
+use solver::halo::in_process::partition;
 use solver::initial::{Filling, at_rest, set_in_motion};
 use solver::model::{BodyModel, Follow, Ground, Model};
 use solver::precision::{Precision, Scalar};
@@ -100,8 +100,8 @@ fn soil_at_rest_stays_at_rest_while_the_grid_travels_over_it() {
         assert!((now / then - 1.0).abs() < 1e-9, "axis {axis}: {now} Pa, was {then} Pa");
         let volume = soil_volume(&model.grid, &state.soil) / soil_volume(&model.grid, &begin.soil);
         assert!((volume - 1.0).abs() < 1e-12, "{volume}");
-        assert!(state.ledger.inflow_volume.abs() < 1e-12 * state.ledger.volume_start);
-        assert!(state.ledger.remap.abs() < 1e-9 * state.ledger.elastic_start);
+        assert!(state.energy_balance.inflow_volume.abs() < 1e-12 * state.energy_balance.volume_start);
+        assert!(state.energy_balance.remap.abs() < 1e-9 * state.energy_balance.elastic_start);
     }
 }
 
@@ -111,13 +111,17 @@ fn volume_and_energy_balances_account_for_what_passes_the_boundaries() {
     let mut state = at_rest::<f64>(&model, &half_space());
     let mut workspace = Workspace::new(&model, &mut state, 2);
     travel(&model, &mut state, &mut workspace, 0.35);
-    let ledger = &state.ledger;
-    let before = model.material().density * ledger.volume_start;
-    let mass = soil_mass(&model.grid, &state.soil) + ledger.crumbs_mass - ledger.inflow_mass;
+    let energy_balance = &state.energy_balance;
+    let before = model.material().density * energy_balance.volume_start;
+    let mass = soil_mass(&model.grid, &state.soil) + energy_balance.debris_mass - energy_balance.inflow_mass;
     assert!((mass / before - 1.0).abs() < 1e-12, "{mass} kg of {before} kg");
     // The furrow leaves the grid, and with it less soil than enters.
-    assert!(ledger.inflow_volume > 0.01 * ledger.volume_start, "{} m³", ledger.inflow_volume);
-    assert!(ledger.remap > 0.0, "{} J lost in remaps", ledger.remap);
+    assert!(
+        energy_balance.inflow_volume > 0.01 * energy_balance.volume_start,
+        "{} m³",
+        energy_balance.inflow_volume
+    );
+    assert!(energy_balance.remap > 0.0, "{} J lost in remaps", energy_balance.remap);
     // The body keeps its position in the grid but for what it has moved since the last remap.
     let body = state.bodies[0].position - state.grid_position - model.bodies[0].start;
     assert!(body.x.abs() < 0.1 * model.grid.finest(), "{} m", body.x);
@@ -131,7 +135,7 @@ fn force(model: &Model) -> DVec3 {
         while state.bodies[0].position.x - model.bodies[0].start.x < x {
             step(model, &mut state, &mut workspace).unwrap();
         }
-        let received = &state.bodies[0].received;
+        let received = &state.bodies[0].contact_impulse;
         (received.normal + received.friction, state.time)
     };
     let [(before, start), (after, end)] = [until(0.08), until(0.14)];
@@ -167,7 +171,7 @@ fn blocks_of_a_travelling_grid_take_the_course_of_the_whole() {
     let mut workspace = Workspace::new(&whole, &mut state, 1);
     travel(&whole, &mut state, &mut workspace, 0.02);
     std::thread::scope(|scope| {
-        for (grid, halo) in cut(&whole.grid, [&[5], &[6]]) {
+        for (grid, halo) in partition(&whole.grid, [&[5], &[6]]) {
             let (start, state, whole) = (&start, &state, &whole);
             scope.spawn(move || {
                 let mut own = start().of_block(&whole.grid, &grid);
@@ -176,7 +180,7 @@ fn blocks_of_a_travelling_grid_take_the_course_of_the_whole() {
                 travel(&model, &mut own, &mut workspace, 0.02);
                 assert_eq!(own.bodies, state.bodies);
                 assert_eq!(own.contacts, state.contacts);
-                assert_eq!(own.ledger, state.ledger);
+                assert_eq!(own.energy_balance, state.energy_balance);
                 assert_eq!((own.step, own.grid_position), (state.step, state.grid_position));
             });
         }

@@ -20,7 +20,7 @@ pub struct SideFaces {
 /// Friction on the embedded segments of both faces at sinkage z [m] and rate ratio ωr/v (1 free rolling, 0 locked).
 ///
 /// F = −2 μ K_s γ ∬ h v/|v| dA, v = (V + ω y, −ω x), h the depth, K_s the ratio of lateral to vertical stress (0.5
-/// without better knowledge). Source: derived for this project. Negligible beside the rim forces unless t < 0.05 d.
+/// without better knowledge). Source: derived for this project. Negligible compared with the rim forces unless t < 0.05 d.
 ///
 /// # Errors
 /// If the disc, the sinkage (0 < z ≤ 0.95 d), the stress ratio (0 to 5) or the rate ratio (−1 to 3) is out of range.

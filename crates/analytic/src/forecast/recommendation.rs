@@ -179,7 +179,7 @@ fn warnings(towing: &Towing) -> Vec<String> {
         ));
     }
     if towing.bow_wave_fraction > 0.0 {
-        warnings.push("The bow wave (heap) is a hypothesis that has not been validated.".into());
+        warnings.push("The bow wave is a hypothesis that has not been validated.".into());
     }
     if towing.assembly.is_some_and(|assembly| assembly.count > 1) {
         warnings

@@ -98,12 +98,12 @@ pub struct Measurement {
     pub traffic: f64,
 }
 
-/// Shares of the time.
+/// Fractions of the time.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Split {
     /// Strain, trial stress, force coefficients.
     pub lagrange: f64,
-    /// Return of stresses to the strength.
+    /// Return mapping.
     pub plasticity: f64,
     /// Forces gathered, velocities, displacements.
     pub nodes: f64,
@@ -111,7 +111,7 @@ pub struct Split {
     pub remap: f64,
     /// Contact and bodies.
     pub contact: f64,
-    /// Ledger and checks.
+    /// Energy balance and checks.
     pub other: f64,
 }
 
@@ -120,7 +120,7 @@ pub struct Split {
 pub struct Operations {
     /// Strain, trial stress, force coefficients.
     pub lagrange: f64,
-    /// Return of stresses to the strength.
+    /// Return mapping.
     pub plasticity: f64,
     /// Forces gathered, velocities, displacements.
     pub nodes: f64,
@@ -228,13 +228,13 @@ fn case_for(wish: &Wish, threads: usize) -> Case {
 
 fn split(stopwatch: &Stopwatch) -> Split {
     let seconds: f64 = Stage::ALL.iter().map(|stage| stopwatch.seconds(*stage)).sum();
-    let share = |stage| stopwatch.seconds(stage) / seconds;
+    let fraction = |stage| stopwatch.seconds(stage) / seconds;
     Split {
-        lagrange: share(Stage::Lagrange),
-        plasticity: share(Stage::Plasticity),
-        nodes: share(Stage::Nodes),
-        remap: share(Stage::Remap),
-        contact: share(Stage::Contact),
-        other: share(Stage::Other),
+        lagrange: fraction(Stage::Lagrange),
+        plasticity: fraction(Stage::Plasticity),
+        nodes: fraction(Stage::Nodes),
+        remap: fraction(Stage::Remap),
+        contact: fraction(Stage::Contact),
+        other: fraction(Stage::Other),
     }
 }

@@ -55,17 +55,17 @@ fn stages(m: &Measurement) -> String {
         ("contact", m.split.contact, None),
         ("other", m.split.other, None),
     ];
-    for (name, share, rate) in rows {
-        let _ = write!(text, "{name:<12}{:>5.1} %{:>8.2} ns", 100.0 * share, share * nanoseconds);
+    for (name, fraction, rate) in rows {
+        let _ = write!(text, "{name:<12}{:>5.1} %{:>8.2} ns", 100.0 * fraction, fraction * nanoseconds);
         if let Some(rate) = rate {
             let _ = write!(text, "{rate:>10.1}{:>8.1} %", 100.0 * rate / m.fma);
         }
         text.push('\n');
     }
-    let share = 100.0 * m.traffic / m.triad;
+    let per_cent = 100.0 * m.traffic / m.triad;
     let _ = writeln!(
         text,
-        "lagrange, plasticity and nodes move {:.1} GB/s, {share:.0} % of the triad",
+        "lagrange, plasticity and nodes move {:.1} GB/s, {per_cent:.0} % of the triad",
         m.traffic
     );
     text

@@ -29,7 +29,7 @@ pub(super) struct Work {
 impl Work {
     /// Rates of arithmetic [GFLOP/s].
     pub(super) fn operations(&self, split: &Split) -> Operations {
-        let rate = |share: f64, operations: f64| 1e-9 * operations / (share * self.seconds);
+        let rate = |fraction: f64, operations: f64| 1e-9 * operations / (fraction * self.seconds);
         Operations {
             lagrange: rate(split.lagrange, LAGRANGE * self.cell_steps),
             plasticity: rate(split.plasticity, CHECK * self.cell_steps + RETURN * self.returned),
@@ -39,7 +39,7 @@ impl Work {
 
     /// Traffic of the Lagrangian stage as a whole [GB/s].
     pub(super) fn traffic(&self, split: &Split) -> f64 {
-        let share = split.lagrange + split.plasticity + split.nodes;
-        1e-9 * NUMBERS * self.bytes as f64 * self.cell_steps / (share * self.seconds)
+        let fraction = split.lagrange + split.plasticity + split.nodes;
+        1e-9 * NUMBERS * self.bytes as f64 * self.cell_steps / (fraction * self.seconds)
     }
 }

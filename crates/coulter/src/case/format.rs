@@ -35,7 +35,7 @@ const fn key(section: &'static str, old: &'static str, new: &'static str) -> Ren
 }
 
 /// Every key that has a new name since format 1.
-pub const RENAMED_KEYS: [RenamedKey; 8] = [
+pub const RENAMED_KEYS: [RenamedKey; 9] = [
     key("soil", "rest_pressure_ratio", "k0"),
     key("soil", "tension_limit", "tension_cutoff"),
     key("output", "steady_share", "steady_fraction"),
@@ -44,6 +44,7 @@ pub const RENAMED_KEYS: [RenamedKey; 8] = [
     key("forecast", "plate_cohesive", "cohesive_modulus"),
     key("forecast", "plate_frictional", "frictional_modulus"),
     key("forecast", "shear_displacement", "shear_deformation_modulus"),
+    key("forecast", "heap", "bow_wave"),
 ];
 
 /// Every word that has been replaced since format 1.

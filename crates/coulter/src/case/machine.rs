@@ -28,7 +28,7 @@ pub fn free_space(folder: &Path) -> Option<f64> {
     fs4::available_space(there).ok().map(|bytes| bytes as f64)
 }
 
-/// Names of the files of a control group: its limit, its usage, and the part of it that is only cached [bytes].
+/// Names of the files of a control group: its limit, its usage, and the portion of it that is only cached [bytes].
 struct Names {
     limit: &'static str,
     used: &'static str,

@@ -4,7 +4,7 @@ use super::resolved::Case;
 use super::resolved::{self, Law, Potential};
 use glam::DVec3;
 use physics::elastic::Elastic;
-use physics::law::Law as Strength;
+use physics::law::Law as ConstitutiveLaw;
 use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
 use physics::mohr_coulomb::MohrCoulomb;
 use physics::von_mises::VonMises;
@@ -45,7 +45,7 @@ fn material(soil: &resolved::Soil) -> Material {
     let elastic = Elastic::new(soil.young_modulus, soil.poisson_ratio);
     Material {
         elastic,
-        strength: strength(elastic, soil.law),
+        yield_law: yield_law(elastic, soil.law),
         critical_density: match soil.law {
             Law::MohrCoulomb { critical_density, .. } => critical_density,
             Law::Elastic | Law::Tresca { .. } | Law::VonMises { .. } => None,
@@ -71,24 +71,28 @@ fn boundaries(domain: &resolved::Domain) -> Boundaries {
     Boundaries(boundaries)
 }
 
-fn strength(elastic: Elastic, law: Law) -> Option<Strength> {
+fn yield_law(elastic: Elastic, law: Law) -> Option<ConstitutiveLaw> {
     match law {
         Law::Elastic => None,
         Law::Tresca { shear_strength } => {
-            Some(Strength::MohrCoulomb(MohrCoulomb::tresca(elastic, shear_strength)))
+            Some(ConstitutiveLaw::MohrCoulomb(MohrCoulomb::tresca(elastic, shear_strength)))
         }
         Law::VonMises { yield_stress, hardening_modulus } => {
-            Some(Strength::VonMises(VonMises::new(elastic, yield_stress, hardening_modulus)))
+            Some(ConstitutiveLaw::VonMises(VonMises::new(elastic, yield_stress, hardening_modulus)))
         }
         Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_cutoff, potential, .. } => {
             let (phi, psi) = (friction_angle, dilation_angle);
             Some(match potential {
-                Potential::MohrCoulomb => {
-                    Strength::MohrCoulomb(MohrCoulomb::new(elastic, phi, psi, cohesion, tension_cutoff))
-                }
+                Potential::MohrCoulomb => ConstitutiveLaw::MohrCoulomb(MohrCoulomb::new(
+                    elastic,
+                    phi,
+                    psi,
+                    cohesion,
+                    tension_cutoff,
+                )),
                 Potential::MenetreyWillam { meridional, deviatoric } => {
                     let shape = Eccentricity { meridional, deviatoric };
-                    Strength::MenetreyWillam(MenetreyWillam::new(
+                    ConstitutiveLaw::MenetreyWillam(MenetreyWillam::new(
                         elastic,
                         phi,
                         psi,

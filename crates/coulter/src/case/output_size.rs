@@ -37,7 +37,7 @@ pub struct OutputSize {
     pub fields_bytes: f64,
     /// Histories of bodies and of the energy [bytes].
     pub histories_bytes: f64,
-    /// Two checkpoints: the new one is written beside the old one [bytes].
+    /// Two checkpoints: the new one is written next to the old one [bytes].
     pub checkpoints_bytes: f64,
     /// Everything [bytes].
     pub total_bytes: f64,

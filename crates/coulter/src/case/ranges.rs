@@ -3,7 +3,7 @@
 use super::keys::{self, Kind};
 use super::problem::Problems;
 use super::typed::Section;
-use solver::cpu::threads::MOST;
+use solver::cpu::threads::MAX_WORKERS;
 
 /// Which values a key allows.
 pub(super) struct Allowed {
@@ -34,8 +34,9 @@ pub(super) const BACKFILL: Allowed = Allowed {
     test: |x| (-10.000_001..=25.000_001).contains(&x.to_degrees()),
     words: "from -10 deg to 25 deg",
 };
-/// The largest number of threads is `solver::cpu::threads::MOST`.
-pub(super) const THREADS: Allowed = Allowed { test: |x| x >= 0.0 && x <= MOST as f64, words: "from 0 to 64" };
+/// The largest number of threads is `solver::cpu::threads::MAX_WORKERS`.
+pub(super) const THREADS: Allowed =
+    Allowed { test: |x| x >= 0.0 && x <= MAX_WORKERS as f64, words: "from 0 to 64" };
 pub(super) const ANY: Allowed = Allowed { test: |_| true, words: "any number" };
 
 /// The number of the key, if it is given and allowed.

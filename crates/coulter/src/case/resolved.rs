@@ -327,8 +327,8 @@ pub struct Numerics {
 pub struct Measured {
     /// Inclination β of the ground in front of the disc [rad].
     pub backfill: f64,
-    /// Fraction χ of the soil swept aside that heaps up in front of the disc.
-    pub heap: f64,
+    /// Bow wave: fraction χ of the displaced soil that accumulates in front of the disc.
+    pub bow_wave: f64,
     /// Shape, depth and inclination factors of the bearing capacity.
     pub factors: Factors,
     /// Cone index CI [Pa].

@@ -6,7 +6,7 @@ use std::path::Path;
 
 /// The allowed numbers of threads.
 pub(super) fn threads() -> clap::builder::RangedI64ValueParser<u16> {
-    clap::value_parser!(u16).range(0..=solver::cpu::threads::MOST as i64)
+    clap::value_parser!(u16).range(0..=solver::cpu::threads::MAX_WORKERS as i64)
 }
 
 /// Prints to standard output. A reader that has closed the pipe (`| head`) is not an error.

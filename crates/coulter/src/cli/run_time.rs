@@ -1,4 +1,4 @@
-//! Estimates the run time of a case on this machine, from trial steps on a small part of it.
+//! Estimates the run time of a case on this machine, from trial steps on a small region of it.
 
 use crate::case::estimate::{Cost, Estimate};
 use crate::case::resolved::{Case, Ground, Precision};
@@ -6,7 +6,7 @@ use crate::simulation::Simulation;
 use glam::DVec3;
 use std::time::Duration;
 
-/// Cells along each axis of the trial part.
+/// Cells along each axis of the trial region.
 const MAX_CELLS: usize = 40;
 /// Number and duration of the trials; the upper quartile counts, since other programs may interfere.
 const TRIALS: usize = 9;
@@ -23,12 +23,12 @@ pub(super) fn estimate(case: &Case, cost: &Cost) -> Option<f64> {
     measured(case).map(|rate| writing + steps * filled_cells * LATER_STEPS / rate)
 }
 
-/// Cell-steps per second over the cells with soil, from the first steps of a part of the case.
+/// Cell-steps per second over the cells with soil, from the first steps of a region of the case.
 fn measured(case: &Case) -> Option<f64> {
-    let part = around_the_first_body(case);
+    let region = around_the_first_body(case);
     match case.numerics.precision {
-        Precision::Double => typical_speed(Simulation::<f64>::new(&part)),
-        Precision::Single => typical_speed(Simulation::<f32>::new(&part)),
+        Precision::Double => typical_speed(Simulation::<f64>::new(&region)),
+        Precision::Single => typical_speed(Simulation::<f32>::new(&region)),
     }
 }
 
@@ -41,19 +41,19 @@ fn typical_speed<R: solver::precision::Precision>(mut simulation: Simulation<R>)
 
 /// The case in a box of a few cells round its first body, or round the edge of its soil.
 fn around_the_first_body(case: &Case) -> Case {
-    let mut part = case.clone();
-    part.bodies.truncate(1);
+    let mut region = case.clone();
+    region.bodies.truncate(1);
     let middle = middle(case);
     for axis in 0..3 {
         let faces = window(&case.grid.faces[axis], middle[axis]);
-        part.domain.low[axis] = faces[0];
-        part.domain.high[axis] = faces[faces.len() - 1];
-        part.grid.faces[axis] = faces.to_vec();
+        region.domain.low[axis] = faces[0];
+        region.domain.high[axis] = faces[faces.len() - 1];
+        region.grid.faces[axis] = faces.to_vec();
     }
-    part
+    region
 }
 
-/// The point round which the trial part is cut out [m].
+/// The centre of the trial region [m].
 fn middle(case: &Case) -> DVec3 {
     let surface = case.ground.surface();
     match (case.bodies.first(), case.ground) {
@@ -83,14 +83,14 @@ mod tests {
     fn a_part_holds_the_body_and_the_surface() {
         let text = include_str!("../../../../cases/towed_disc.toml");
         let case = case::parse(text, "case.toml", &["grid.cell=5 mm".to_owned()]).unwrap();
-        let part = around_the_first_body(&case);
+        let region = around_the_first_body(&case);
         for axis in 0..3 {
-            assert_eq!(part.grid.faces[axis].len(), MAX_CELLS + 1, "axis {axis}");
-            assert!(case.grid.faces[axis].contains(&part.domain.low[axis]));
+            assert_eq!(region.grid.faces[axis].len(), MAX_CELLS + 1, "axis {axis}");
+            assert!(case.grid.faces[axis].contains(&region.domain.low[axis]));
         }
-        assert!(part.domain.low.x < 0.0 && part.domain.high.x > 0.0);
-        assert!(part.domain.low.y == 0.0, "the plane of symmetry stays");
-        assert!(part.domain.low.z < 0.0 && part.domain.high.z > 0.0);
+        assert!(region.domain.low.x < 0.0 && region.domain.high.x > 0.0);
+        assert!(region.domain.low.y == 0.0, "the plane of symmetry stays");
+        assert!(region.domain.low.z < 0.0 && region.domain.high.z > 0.0);
     }
 
     #[test]

@@ -92,7 +92,7 @@ fn no_lateral_tow(bodies: &[&Towed]) -> Result<(), String> {
 fn unused_keys(towing: &Towing, kind: &str) -> Option<String> {
     let is_round = matches!(towing.body, Body::Faceted(_));
     let given = [
-        ("heap", towing.bow_wave_fraction != 0.0),
+        ("bow_wave", towing.bow_wave_fraction != 0.0),
         ("backfill", is_round && towing.backfill != 0.0),
         ("factors", is_round && towing.method != Method::default()),
         ("cone_index", towing.cone_index.is_some()),
@@ -105,7 +105,7 @@ fn unused_keys(towing: &Towing, kind: &str) -> Option<String> {
 
 /// Adds the parameters of the section `[forecast]`.
 fn add_measured(towing: &mut Towing, measured: &Measured, remarks: &mut Vec<String>) {
-    (towing.bow_wave_fraction, towing.backfill) = (measured.heap, measured.backfill);
+    (towing.bow_wave_fraction, towing.backfill) = (measured.bow_wave, measured.backfill);
     (towing.cone_index, towing.plate_stiffness) = (measured.cone_index, measured.plate_stiffness);
     towing.method = match measured.factors {
         Factors::Meyerhof => Method::Meyerhof,

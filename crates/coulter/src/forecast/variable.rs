@@ -81,7 +81,7 @@ const ALL: [Variable; 20] = [
         "brake torque M",
         ("N m", 1.0),
     ),
-    variable(Parameter::BowWaveFraction, ("forecast", "heap"), Kind::Number, "heap fraction χ", BARE),
+    variable(Parameter::BowWaveFraction, ("forecast", "bow_wave"), Kind::Number, "bow wave fraction χ", BARE),
     variable(
         Parameter::Backfill,
         ("forecast", "backfill"),

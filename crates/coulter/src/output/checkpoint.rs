@@ -1,7 +1,7 @@
-//! Checkpoints: everything that changes, so that a run can go on as if it had never stopped.
+//! Checkpoints: everything that changes, so that a run can resume as if it had never stopped.
 //!
 //! A file holds a magic word with the version of its contents, a compressed record of the state, the history and the case
-//! that they belong to, and at its end the hash of the compressed record. It is written beside the last one, brought to the
+//! that they belong to, and at its end the hash of the compressed record. It is written next to the last one, synced to
 //! disk and then moved over it; the last becomes the one before. A kill at any time leaves one whole.
 
 use super::error::{Named, OutputError, make_folder, sync_folder};
@@ -9,7 +9,7 @@ use super::folder::CHECKPOINTS;
 use crate::history::History;
 use serde::{Deserialize, Serialize};
 use solver::precision::Precision;
-use solver::state::{Received, State};
+use solver::state::{ContactImpulse, State};
 use std::fs::{self, File};
 use std::io::{self, BufWriter, IntoInnerError, Write};
 use std::path::{Path, PathBuf};
@@ -30,17 +30,17 @@ const LEVEL: i32 = 1;
 pub struct Checkpoint<R = f64> {
     /// Name of the precision of its fields. It stands first, so that it can be read whatever it is.
     pub precision: String,
-    /// The resolved case, as text; a run must not go on with another.
+    /// The resolved case, as text; a run must not resume with another.
     pub case: String,
     /// The state of the solver.
     pub state: State<R>,
     /// The history so far.
     pub history: History,
     /// Time and impulses at the last sample.
-    pub sampled: (f64, Vec<Received>),
+    pub sampled: (f64, Vec<ContactImpulse>),
 }
 
-/// The same, borrowed from a run that goes on.
+/// The same, borrowed from a run that continues.
 #[derive(Clone, Debug, Serialize)]
 pub struct CheckpointView<'a, R> {
     /// Name of the precision of its fields.
@@ -52,7 +52,7 @@ pub struct CheckpointView<'a, R> {
     /// The history so far.
     pub history: &'a History,
     /// Time and impulses at the last sample.
-    pub sampled: &'a (f64, Vec<Received>),
+    pub sampled: &'a (f64, Vec<ContactImpulse>),
 }
 
 /// Path of the last checkpoint of a results folder.
@@ -61,13 +61,13 @@ pub fn path(dir: &Path) -> PathBuf {
     dir.join(CHECKPOINTS).join(LAST)
 }
 
-/// Whether a results folder has a checkpoint to go on from.
+/// Whether a results folder has a checkpoint to resume from.
 #[must_use]
 pub fn exists(dir: &Path) -> bool {
     [LAST, PREVIOUS].iter().any(|name| dir.join(CHECKPOINTS).join(name).is_file())
 }
 
-/// Removes the last checkpoint: where it is damaged it must not take the place of the one before.
+/// Removes the last checkpoint: a damaged one must not replace the one before.
 ///
 /// # Errors
 /// When it is there and cannot be removed.
@@ -86,7 +86,7 @@ pub fn forget_previous(dir: &Path) -> Result<(), OutputError> {
 }
 
 impl<R: Precision> CheckpointView<'_, R> {
-    /// The same as something of its own.
+    /// The same, owned.
     #[must_use]
     pub fn kept(&self) -> Checkpoint<R> {
         Checkpoint {
@@ -110,7 +110,7 @@ impl<R: Precision> CheckpointView<'_, R> {
         Ok(path)
     }
 
-    /// Writes the state of a run that broke down, beside the last good checkpoints; returns its path.
+    /// Writes the state of a run that broke down, next to the last good checkpoints; returns its path.
     ///
     /// # Errors
     /// When the file cannot be written.
@@ -120,7 +120,7 @@ impl<R: Precision> CheckpointView<'_, R> {
         Ok(path)
     }
 
-    /// Writes the whole file beside `path`, makes room and moves it there.
+    /// Writes the file next to `path`, makes room and moves it there.
     fn write_to(
         &self,
         dir: &Path,
@@ -216,7 +216,7 @@ impl<R: Precision> Checkpoint<R> {
 
     fn read_file(path: &Path) -> Result<Self, OutputError> {
         let broken = |what: &str| OutputError::content(path, what);
-        let file = fs::read(path).map_err(|e| broken(&format!("no checkpoint to go on from ({e})")))?;
+        let file = fs::read(path).map_err(|e| broken(&format!("no checkpoint to resume from ({e})")))?;
         let header = file.split_first_chunk::<8>().filter(|(magic, _)| magic.starts_with(MAGIC));
         let Some((magic, rest)) = header else { return Err(broken("not a Coulter checkpoint")) };
         if magic[7] != VERSION {

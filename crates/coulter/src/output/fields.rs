@@ -128,9 +128,9 @@ pub(super) fn write_body(path: &Path, shape: &dyn Shape, body: &Body, time: f64)
 /// Writes the free surface: `.vtp`, with its height over the undisturbed one.
 pub(super) fn write_surface(path: &Path, map: &HeightMap, time: f64) -> Result<(), OutputError> {
     let (columns, rows) = (map.centres[0].len(), map.centres[1].len());
-    let places = (0..rows).flat_map(|j| (0..columns).map(move |i| (i, j)));
+    let indices = (0..rows).flat_map(|j| (0..columns).map(move |i| (i, j)));
     let points =
-        places.map(|(i, j)| DVec3::new(map.centres[0][i], map.centres[1][j], map.at(i, j))).collect();
+        indices.map(|(i, j)| DVec3::new(map.centres[0][i], map.centres[1][j], map.at(i, j))).collect();
     let quads = (1..rows).flat_map(|j| (1..columns).map(move |i| (i, j)));
     let polygons = quads
         .map(|(i, j)| {

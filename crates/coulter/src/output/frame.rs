@@ -1,4 +1,4 @@
-//! The frame of a picture: a part of space at true scale, axes with units, and the bar that explains the colours.
+//! The frame of a picture: a region of space at true scale, axes with units, and the bar that explains the colours.
 
 use super::canvas::{Anchor, Canvas};
 use super::colour::{ColourMap, Rgb};
@@ -9,7 +9,7 @@ const TOP: f64 = 62.0;
 const BOTTOM: f64 = 64.0;
 const BAR_ROOM: f64 = 120.0;
 const BAR_WIDTH: f64 = 18.0;
-/// Largest extent of the drawn part of space [pixels].
+/// Largest extent of the drawn region [pixels].
 const MOST: [f64; 2] = [1240.0, 760.0];
 /// A flat view is given at least this height [pixels], so that the colour bar can be read.
 const LEAST_BAR: f64 = 190.0;
@@ -39,24 +39,24 @@ impl Scale {
 
     /// The colour of a value in the unit shown.
     pub(super) fn colour(&self, value: f64) -> Rgb {
-        let share = if self.logarithmic {
+        let position = if self.logarithmic {
             (value.max(self.low) / self.low).ln() / (self.high / self.low).ln()
         } else {
             (value - self.low) / (self.high - self.low)
         };
-        self.map.at(share)
+        self.map.at(position)
     }
 
     fn marks(&self) -> Vec<(f64, String)> {
         if self.logarithmic {
             let decades = (self.low.log10().round() as i32)..=(self.high.log10().round() as i32);
             let span = (self.high / self.low).log10();
-            let share = |n: i32| (f64::from(n) - self.low.log10()) / span;
-            return decades.map(|n| (share(n), power_of_ten(n))).collect();
+            let position = |n: i32| (f64::from(n) - self.low.log10()) / span;
+            return decades.map(|n| (position(n), power_of_ten(n))).collect();
         }
-        let (places, decimals) = ticks(self.low, self.high, 5);
-        let share = |v: f64| (v - self.low) / (self.high - self.low);
-        places.into_iter().map(|v| (share(v), tick_label(v, decimals))).collect()
+        let (values, decimals) = ticks(self.low, self.high, 5);
+        let position = |v: f64| (v - self.low) / (self.high - self.low);
+        values.into_iter().map(|v| (position(v), tick_label(v, decimals))).collect()
     }
 }
 
@@ -75,7 +75,7 @@ fn power_of_ten(n: i32) -> String {
     format!("10{}", n.to_string().chars().map(raised).collect::<String>())
 }
 
-/// A view of a part of space on a canvas.
+/// A view of a region of space on a canvas.
 pub(super) struct View {
     /// The picture.
     pub(super) canvas: Canvas,
@@ -102,8 +102,8 @@ impl View {
         TOP + 0.5 * (self.height.max(LEAST_BAR) - self.height)
     }
 
-    /// Place of a point of space in the picture.
-    pub(super) fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+    /// Position of a point of space in the picture [pixels].
+    pub(super) fn to_pixels(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [LEFT + (x - self.across[0]) * self.scale, self.top() + (self.upward[1] - y) * self.scale]
     }
 
@@ -123,14 +123,14 @@ impl View {
 
     /// Draws a line through points of space.
     pub(super) fn line(&mut self, points: &[[f64; 2]], colour: Rgb, width: f64) {
-        let places: Vec<[f64; 2]> = points.iter().map(|p| self.place(*p)).collect();
-        self.canvas.line(&places, colour, width);
+        let pixels: Vec<[f64; 2]> = points.iter().map(|p| self.to_pixels(*p)).collect();
+        self.canvas.line(&pixels, colour, width);
     }
 
     /// Draws a dashed level across the view, if it is inside.
     pub(super) fn level(&mut self, height: f64, colour: Rgb) {
         if height > self.upward[0] && height < self.upward[1] {
-            let y = self.place([self.across[0], height])[1];
+            let y = self.to_pixels([self.across[0], height])[1];
             self.canvas.dashes([LEFT, LEFT + self.width], y, colour);
         }
     }
@@ -149,15 +149,15 @@ impl View {
             INK,
             1.0,
         );
-        let (places, decimals) = ticks(self.across[0], self.across[1], (self.width / 120.0).ceil() as usize);
-        for tick in places {
-            let x = self.place([tick, 0.0])[0];
+        let (values, decimals) = ticks(self.across[0], self.across[1], (self.width / 120.0).ceil() as usize);
+        for tick in values {
+            let x = self.to_pixels([tick, 0.0])[0];
             self.canvas.line(&[[x, bottom], [x, bottom + 5.0]], INK, 1.0);
             self.canvas.text(&tick_label(tick, decimals), [x, bottom + 17.0], 16.0, Anchor::Centre);
         }
-        let (places, decimals) = ticks(self.upward[0], self.upward[1], (self.height / 70.0).ceil() as usize);
-        for tick in places {
-            let y = self.place([0.0, tick])[1];
+        let (values, decimals) = ticks(self.upward[0], self.upward[1], (self.height / 70.0).ceil() as usize);
+        for tick in values {
+            let y = self.to_pixels([0.0, tick])[1];
             self.canvas.line(&[[LEFT - 5.0, y], [LEFT, y]], INK, 1.0);
             self.canvas.text(&tick_label(tick, decimals), [LEFT - 9.0, y], 16.0, Anchor::Right);
         }
@@ -178,8 +178,8 @@ impl View {
             [area[0], area[1]],
         ];
         self.canvas.line(&corners, INK, 1.0);
-        for (share, label) in scale.marks() {
-            let y = top + height * (1.0 - share);
+        for (position, label) in scale.marks() {
+            let y = top + height * (1.0 - position);
             self.canvas.line(&[[area[2], y], [area[2] + 5.0, y]], INK, 1.0);
             self.canvas.text(&label, [area[2] + 9.0, y], 16.0, Anchor::Left);
         }

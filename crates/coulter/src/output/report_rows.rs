@@ -42,7 +42,7 @@ pub(super) fn check_rows(trust: &Trust) -> Vec<CheckRow> {
             verdict: check.verdict.name(),
             name: check.name.clone(),
             body: check.body.clone().unwrap_or_default(),
-            value: number(check.value, "not a number"),
+            value: number(check.value, "not available"),
             good: number(check.limits[0], NONE),
             doubtful: number(check.limits[1], NONE),
             advice: check.advice.clone(),

@@ -20,7 +20,7 @@ const SURFACE: Rgb = [70, 70, 70];
 /// Cells with less soil than this are left out, except in the picture of the volume fraction.
 const SHOWN: f64 = 0.5;
 
-/// The state from which the pictures are made, and the part of space that they show.
+/// The state from which the pictures are made, and the region that they show.
 pub(super) struct Scene<'a, R> {
     pub(super) case: &'a Case,
     pub(super) grid: &'a Grid,

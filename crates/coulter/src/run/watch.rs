@@ -6,7 +6,7 @@ use crate::trust::boundary::most_pressed_lid_cell;
 use crate::trust::energy::body_force;
 use crate::trust::limits;
 use glam::DVec3;
-use solver::error::{Breakdown, Place};
+use solver::error::{Breakdown, Location};
 use solver::precision::Precision;
 
 /// Consecutive samples beyond the limit before a run is stopped: a single one may be an impact.
@@ -22,9 +22,9 @@ const FATAL_BALANCE_ERROR: f64 = 0.5;
 /// [`Breakdown::Untrustworthy`] when the energy balance or the soil at the lid is beyond its limit for several samples.
 pub fn watch<R: Precision>(simulation: &Simulation<R>) -> Result<(), Breakdown> {
     let Simulation { model, state, history, .. } = simulation;
-    let broken = |what: String, cure: &str, place: DVec3| {
-        let (time, step, place) = (state.time, state.step, Place::at(place));
-        Err(Breakdown::Untrustworthy { what, cure: cure.to_owned(), time, step, place })
+    let broken = |what: String, cure: &str, at: DVec3| {
+        let (time, step, location) = (state.time, state.step, Location::at(at));
+        Err(Breakdown::Untrustworthy { what, cure: cure.to_owned(), time, step, location })
     };
     let middle = state.bodies.first().map_or(DVec3::NAN, |body| body.position);
     if let Some(error) = fatal_balance_error(&history.energy, simulation.setting().energy_floor) {

@@ -83,7 +83,7 @@ impl BodyChecks<'_> {
         }
     }
 
-    /// What the soil's momentum adds to the force: its pressure on the embedded part of the front.
+    /// Contribution of the soil's momentum to the force: dynamic pressure on the embedded portion of the front.
     fn inertia(&self, inside: &[BodySample], steady: &Steady) -> Option<Check> {
         let depth = steady.sinkage.filter(|z| *z > 0.0)?;
         let force = steady.drag?.hypot(steady.vertical?);

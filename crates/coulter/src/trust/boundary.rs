@@ -15,10 +15,10 @@ const TOUCHES: f64 = 0.5;
 /// A face of the box: the axis across it, and whether it is the high one.
 type Face = (usize, bool);
 
-/// The faces of the box as the soil feels them now; forces and areas are those of the whole, not of the part modelled.
+/// The soil at the faces of the domain; forces and areas are those of the whole, not of the modelled portion.
 #[must_use]
 pub fn sample<R: Precision>(case: &Case, model: &Model, state: &State<R>) -> BoundarySample {
-    let whole = 1.0 / model.share();
+    let whole = 1.0 / model.modelled_fraction();
     let mut sample = BoundarySample { time: state.time, ..BoundarySample::default() };
     if !is_covered(case) {
         over((2, true), model, |cell| {
@@ -46,13 +46,13 @@ pub fn sample<R: Precision>(case: &Case, model: &Model, state: &State<R>) -> Bou
 /// Middle of the lid's cell that bears the highest pressure [m].
 #[must_use]
 pub fn most_pressed_lid_cell<R: Precision>(model: &Model, state: &State<R>) -> DVec3 {
-    let (mut most, mut place) = (f64::NEG_INFINITY, DVec3::NAN);
+    let (mut most, mut position) = (f64::NEG_INFINITY, DVec3::NAN);
     over((2, true), model, |cell| {
         if cell.fraction(state) >= TOUCHES && cell.normal_pressure(state) > most {
-            (most, place) = (cell.normal_pressure(state), cell.centre);
+            (most, position) = (cell.normal_pressure(state), cell.centre);
         }
     });
-    place
+    position
 }
 
 /// Whether the soil reaches up to the lid from the start: then the lid is part of the case.
@@ -76,7 +76,7 @@ fn walls(case: &Case) -> Vec<Face> {
     faces
 }
 
-/// Whether there was soil at this place at the start.
+/// Whether there was soil at this position at the start.
 fn held_soil(ground: &Ground, x: DVec3) -> bool {
     match *ground {
         Ground::Level { surface } => x.z <= surface,

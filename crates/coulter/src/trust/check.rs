@@ -12,7 +12,7 @@ pub struct Check {
     pub name: String,
     /// The body that it concerns, if it concerns one.
     pub body: Option<String>,
-    /// The figure, in the unit of the table of limits; `None` where it is not a number.
+    /// The figure, in the unit of the table of limits; `None` where it is not available.
     pub value: Option<f64>,
     /// Unit of value and limits.
     pub unit: String,
@@ -44,7 +44,7 @@ impl Check {
     pub fn line(&self) -> String {
         let body = self.body.as_ref().map_or(String::new(), |body| format!(" ({body})"));
         let unit = if self.unit.is_empty() { String::new() } else { format!(" {}", self.unit) };
-        let value = self.value.map_or("not a number".to_owned(), |v| format!("{}{unit}", short(v)));
+        let value = self.value.map_or("not available".to_owned(), |v| format!("{}{unit}", short(v)));
         let [good, doubtful] = self.limits.map(|l| l.map(short));
         let limits = match (good, doubtful) {
             (Some(good), Some(doubtful)) => format!("good to {good}{unit}, doubtful to {doubtful}{unit}"),

@@ -77,7 +77,7 @@ pub(super) fn advect(flow: &Flow, inside: impl Fn(DVec3) -> bool) -> Advected {
     }
     let after = volume(&state);
     let seconds = clock.elapsed().as_secs_f64();
-    Advected { before, after, debris: state.ledger.crumbs_volume, beyond, seconds, state, model }
+    Advected { before, after, debris: state.energy_balance.debris_volume, beyond, seconds, state, model }
 }
 
 /// Largest component of a velocity at the nodes.

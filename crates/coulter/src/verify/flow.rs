@@ -7,7 +7,7 @@ use super::runner::Runner;
 use std::f64::consts::PI;
 
 const CYLINDER_CASE: &str = include_str!("../../../../validation/B8_deep_flow/case.toml");
-const SPHERE_CASE: &str = include_str!("../../../../validation/B8_deep_flow/ball.toml");
+const SPHERE_CASE: &str = include_str!("../../../../validation/B8_deep_flow/sphere.toml");
 const CYLINDER: &str = "exact: Géotechnique (2026) smooth 9.20117; Randolph & Houlsby (1984) rough 11.94";
 const SPHERE: &str = "Randolph, Martin & Hu (2000): bounds";
 /// Diameter in the case files [m].
@@ -89,7 +89,8 @@ fn cylinder(
 fn sphere(runner: &mut Runner, variant: &str, cells: u32, is_rough: bool) -> Result<(f64, f64), VerifyError> {
     let mut overrides = vec![format!("grid.cell={} m", DIAMETER / f64::from(cells))];
     if is_rough {
-        overrides.extend(["body.ball.friction=rough".to_owned(), "body.ball.adhesion_factor=1".to_owned()]);
+        overrides
+            .extend(["body.sphere.friction=rough".to_owned(), "body.sphere.adhesion_factor=1".to_owned()]);
     }
     let simulation = runner.run("B8", variant, SPHERE_CASE, &overrides)?;
     let samples = &simulation.history.bodies[0];

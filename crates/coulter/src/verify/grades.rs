@@ -71,7 +71,7 @@ pub fn section(findings: &Findings) -> String {
 fn described(check: &trust::Check) -> String {
     let value = check
         .value
-        .map_or("not a number".to_owned(), |v| format!("{} {}", super::table::figure(v), check.unit));
+        .map_or("not available".to_owned(), |v| format!("{} {}", super::table::figure(v), check.unit));
     let mark = if check.verdict == trust::Verdict::Broken { "**" } else { "" };
     format!("{mark}{} {}{mark}", check.name, value.trim_end())
 }

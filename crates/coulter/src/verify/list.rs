@@ -66,7 +66,7 @@ pub const BENCHMARKS: &[Benchmark] = &[
     run("A8", "Repeatability and mirror image", "A8_repeatability", repeat::ABOUT, repeat::run),
     balances("A9", "Energy balance", conservation::ABOUT_ENERGY, conservation::energy),
     run("A10", "Taylor bar", "A10_taylor_bar", taylor::ABOUT, taylor::run),
-    run("A11", "Position and direction", "A11_place_and_direction", positions::ABOUT, positions::run),
+    run("A11", "Position and direction", "A11_position_and_direction", positions::ABOUT, positions::run),
     run("A12", "Light bodies", "A12_light_body", light::ABOUT, light::run),
     run("B1", "Smooth strip footing, Tresca", "B1_strip_footing", footing::ABOUT, footing::run),
     run("B2", "Rough strip footing, Tresca", "B2_rough_strip_footing", footing::ABOUT_ROUGH, footing::rough),

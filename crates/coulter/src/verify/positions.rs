@@ -7,9 +7,10 @@ use super::runner::Runner;
 use crate::history::BodySample;
 use crate::simulation::Simulation;
 
-const BLOCK: &str = include_str!("../../../../validation/A11_place_and_direction/block.toml");
-const CYLINDER: &str = include_str!("../../../../validation/A11_place_and_direction/cylinder.toml");
-const ROTATED_BLOCK: &str = include_str!("../../../../validation/A11_place_and_direction/turned_block.toml");
+const BLOCK: &str = include_str!("../../../../validation/A11_position_and_direction/block.toml");
+const CYLINDER: &str = include_str!("../../../../validation/A11_position_and_direction/cylinder.toml");
+const ROTATED_BLOCK: &str =
+    include_str!("../../../../validation/A11_position_and_direction/rotated_block.toml");
 const SOURCE: &str = "independence of the grid; limit of the design";
 /// Cell of the case files [m].
 const CELL: f64 = 0.0625;

@@ -82,7 +82,8 @@ fn differences(a: &Simulation, b: &Simulation) -> f64 {
     let lines = samples.filter(|(a, b)| a != b).count();
     let energy = a.history.energy.iter().zip(&b.history.energy).filter(|(a, b)| a != b).count();
     let lengths = a.history.energy.len().abs_diff(b.history.energy.len());
-    let balance = usize::from(a.state.ledger != b.state.ledger) + usize::from(a.state.step != b.state.step);
+    let balance = usize::from(a.state.energy_balance != b.state.energy_balance)
+        + usize::from(a.state.step != b.state.step);
     (cells + bodies + contacts + lines + energy + lengths + balance) as f64
 }
 

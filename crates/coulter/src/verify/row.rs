@@ -109,7 +109,7 @@ impl Row {
         }
     }
 
-    /// A comparison row: the same figure beside a published range. It lies inside or outside, and neither passes nor fails.
+    /// A comparison row: the same figure compared with a published range. It lies inside or outside, and neither passes nor fails.
     #[must_use]
     pub fn compared_with(self, low: f64, high: f64, source: &'static str) -> Self {
         Self {

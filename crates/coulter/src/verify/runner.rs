@@ -213,6 +213,6 @@ impl<'a> Runner<'a> {
 /// Relative change of the soil's mass since the start, VOF debris included.
 fn mass_error(simulation: &Simulation) -> f64 {
     let Simulation { model, state, .. } = simulation;
-    let before = model.material().density * state.ledger.volume_start;
-    (soil_mass(&model.grid, &state.soil) + state.ledger.crumbs_mass - before) / before
+    let before = model.material().density * state.energy_balance.volume_start;
+    (soil_mass(&model.grid, &state.soil) + state.energy_balance.debris_mass - before) / before
 }

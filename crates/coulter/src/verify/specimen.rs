@@ -63,7 +63,7 @@ impl Cell {
     /// A cell of 1 m with an initial stress.
     pub(super) fn new(elastic: Elastic, law: Law, stress: Symmetric) -> Self {
         let faces = || vec![0.0, 1.0];
-        let material = Material { strength: Some(law), ..Material::linear_elastic(elastic, 1600.0) };
+        let material = Material { yield_law: Some(law), ..Material::linear_elastic(elastic, 1600.0) };
         let model = Model {
             // No remap during a whole test.
             method: Method { remap_displacement: 1.0, ..Method::default() },
@@ -93,7 +93,7 @@ impl Cell {
                 velocity[node] = row.dot(x) / dt;
             }
         }
-        // A workspace of its own, so that this step does not affect another.
+        // A separate workspace, so that this step does not affect another.
         let mut workspace = Workspace::new(&self.model, &mut state, 1);
         step(&self.model, &mut state, &mut workspace)?;
         for u in &mut state.nodes.displacement {

@@ -6,7 +6,7 @@ use coulter::history::{BodySample, EnergySample, History};
 use coulter::output::{Outcome, RunStatistics};
 use glam::DVec3;
 use solver::grid::Grid;
-use solver::state::{Body, Nodes, Soil, State};
+use solver::state::{Body, Nodes, Pose, Soil, State};
 
 /// Diameter of the disc [m].
 pub(crate) const DIAMETER: f64 = 0.2;
@@ -207,10 +207,10 @@ pub(crate) fn state(case: &Case, kind: Kind, time: f64) -> (Grid, State) {
             angle: 0.85 * TRAVEL / (0.5 * DIAMETER),
             velocity: DVec3::new(0.1, 0.0, 0.0),
             spin: 0.85,
-            received: Default::default(),
+            contact_impulse: Default::default(),
             leaked_volume: 6e-9,
             embedded_volume: 5e-6,
-            located: (b.position, 0.0),
+            searched_at: Pose { position: b.position, angle: 0.0 },
         })
         .collect();
     (
@@ -223,7 +223,7 @@ pub(crate) fn state(case: &Case, kind: Kind, time: f64) -> (Grid, State) {
             nodes,
             bodies,
             contacts: vec![],
-            ledger: Default::default(),
+            energy_balance: Default::default(),
             remaps: 0,
         },
     )

@@ -44,13 +44,13 @@ fn a_damaged_checkpoint_never_takes_the_place_of_a_good_one() {
     sandbox.killed(&[]);
     damage(&sandbox, "last", FLIPPED);
     let mut run = sandbox.start(&["--resume"]);
-    run.wait_for("the run to go on", |sandbox| sandbox.text("run.log").contains("resumed at"));
+    run.wait_for("the run to continue", |sandbox| sandbox.text("run.log").contains("resumed at"));
     run.signal("TERM");
     run.end().is(143, &[]);
     // One or two checkpoints were written at the stop: in either case the previous one is intact.
     damage(&sandbox, "last", CUT);
     let goes_on = |p: &Sandbox| p.text("run.log").matches("resumed at").count() == 2;
-    sandbox.start(&["--resume"]).wait_for("the run to go on", goes_on);
+    sandbox.start(&["--resume"]).wait_for("the run to continue", goes_on);
 }
 
 #[test]

@@ -34,7 +34,9 @@ fn a_killed_run_is_reported_from_what_there_is() {
         );
     }
     // The damage does not affect the resumed run.
-    sandbox.start(&["--resume"]).wait_for("the run to go on", |p| p.text("run.log").contains("resumed at"));
+    sandbox
+        .start(&["--resume"])
+        .wait_for("the run to continue", |p| p.text("run.log").contains("resumed at"));
 }
 
 #[test]

@@ -50,7 +50,9 @@ fn a_second_stop_ends_at_once() {
     let code = run.end().code;
     assert!(code == Some(130) || code == Some(143), "{code:?}");
     assert!(!sandbox.text("run.log").contains("stopped by signal"), "{}", sandbox.text("run.log"));
-    sandbox.start(&["--resume"]).wait_for("the run to go on", |p| p.text("run.log").contains("resumed at"));
+    sandbox
+        .start(&["--resume"])
+        .wait_for("the run to continue", |p| p.text("run.log").contains("resumed at"));
 }
 
 #[test]

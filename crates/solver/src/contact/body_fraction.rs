@@ -1,13 +1,13 @@
-//! Body volume fraction: the fraction of each cell that bodies each_occupied_cell.
+//! Body volume fraction: the fraction of each cell that bodies occupy.
 
 use crate::grid::Grid;
 use crate::halo::{self, Halo};
 use crate::model::{BodyModel, Model};
 use crate::scalar::Scalar;
-use crate::state::{Body, Soil, State};
+use crate::state::{Body, Pose, Soil, State};
 use glam::DVec3;
 
-/// Updates the body volume fractions of all cells, in scratch memory that is free until the contact search.
+/// Updates the body volume fractions of all cells, in scratch memory that is unused until the contact search.
 pub(crate) fn find_bodies<R: Scalar>(
     model: &Model,
     bodies: &mut [Body],
@@ -22,14 +22,14 @@ pub(crate) fn find_bodies<R: Scalar>(
             body_fraction[cell] = R::cast(sum.min(1.0));
             body_cells.push(BodyCell { body: n, cell, fraction });
         });
-        body.located = (body.position, body.angle);
+        body.searched_at = Pose { position: body.position, angle: body.angle };
     }
 }
 
 /// A cell that a body occupies, wholly or in part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BodyCell {
-    /// Which body.
+    /// Index of the body.
     pub(crate) body: usize,
     /// Index in memory.
     pub(crate) cell: usize,
@@ -55,12 +55,12 @@ fn each_occupied_cell(
         let last = faces.partition_point(|f| *f < position[axis] + reach[axis]);
         first..last.min(grid.cells()[axis])
     });
-    let turn = glam::DQuat::from_rotation_y(if fixed.shape.is_revolved() { 0.0 } else { -body.angle });
+    let rotation = glam::DQuat::from_rotation_y(if fixed.shape.is_revolved() { 0.0 } else { -body.angle });
     for k in ranges[2].clone() {
         for j in ranges[1].clone() {
             for i in ranges[0].clone() {
                 let fraction =
-                    covered(grid, [i, j, k], |x| fixed.shape.signed_distance(turn * (x - position)));
+                    covered(grid, [i, j, k], |x| fixed.shape.signed_distance(rotation * (x - position)));
                 if fraction > 0.0 {
                     each(grid.index(i, j, k), fraction);
                 }
@@ -69,8 +69,8 @@ fn each_occupied_cell(
     }
 }
 
-/// Measures the volume of each body below the undisturbed surface, and the soil inside it: the volume by which soil and body
-/// together exceed their cells.
+/// Measures the embedded volume of each body, and the leak into it: the volume by which soil and body
+/// together exceed their cells [m³].
 pub(super) fn measure_bodies<R: Scalar>(
     model: &Model,
     state: &mut State<R>,
@@ -82,9 +82,9 @@ pub(super) fn measure_bodies<R: Scalar>(
     let grid = &model.grid;
     let [nx, ny, nz] = grid.whole_cells();
     let terms = body_cells.iter().filter_map(|c| {
-        let place = grid.place(c.cell);
-        let whole @ [i, j, k] = grid.in_whole(place);
-        let below = ((surface - grid.faces[2][place[2]]) / grid.width(2, place[2])).clamp(0.0, 1.0);
+        let layers = grid.layers_of(c.cell);
+        let whole @ [i, j, k] = grid.in_whole(layers);
+        let below = ((surface - grid.faces[2][layers[2]]) / grid.width(2, layers[2])).clamp(0.0, 1.0);
         let volume = grid.volume_of(c.cell);
         let leaked = (soil.fraction[c.cell].to_f64() + c.fraction - 1.0).max(0.0) * volume;
         let number = ((c.body * nz + k) * ny + j) * nx + i;
@@ -100,25 +100,26 @@ pub(super) fn measure_bodies<R: Scalar>(
     }
 }
 
-/// Fraction of a cell with a negative distance, by 4³ samples; samples near the surface count in part.
+/// Fraction of a cell with a negative distance, from 4³ samples; samples near the surface are weighted.
 fn covered(grid: &Grid, cell: [usize; 3], distance: impl Fn(DVec3) -> f64) -> f64 {
     const SAMPLES: usize = 4;
-    // Positions are interpolated from both faces and layers in y summed in pairs, so that mirroring in y changes no bit.
+    // Positions are interpolated from both faces and layers in y summed in pairs, so that mirroring in y
+    // changes no bit.
     let at = |axis: usize, n: f64| {
-        let (part, faces) = (n / SAMPLES as f64, &grid.faces[axis]);
-        faces[cell[axis]] * (1.0 - part) + faces[cell[axis] + 1] * part
+        let (local, faces) = (n / SAMPLES as f64, &grid.faces[axis]);
+        faces[cell[axis]] * (1.0 - local) + faces[cell[axis] + 1] * local
     };
     let width = DVec3::from_array(std::array::from_fn(|axis| grid.width(axis, cell[axis])));
-    let middle = distance(DVec3::new(at(0, 2.0), at(1, 2.0), at(2, 2.0)));
-    if middle.abs() > 0.5 * width.length() {
-        return if middle < 0.0 { 1.0 } else { 0.0 };
+    let centre = distance(DVec3::new(at(0, 2.0), at(1, 2.0), at(2, 2.0)));
+    if centre.abs() > 0.5 * width.length() {
+        return if centre < 0.0 { 1.0 } else { 0.0 };
     }
     let sample = width.min_element() / SAMPLES as f64;
     let mut layers = [0.0; SAMPLES];
     for n in 0..SAMPLES.pow(3) {
         let [x, y, z] = [n % SAMPLES, n / SAMPLES % SAMPLES, n / SAMPLES / SAMPLES];
-        let place = |axis: usize, n: usize| at(axis, n as f64 + 0.5);
-        let d = distance(DVec3::new(place(0, x), place(1, y), place(2, z)));
+        let coordinate = |axis: usize, n: usize| at(axis, n as f64 + 0.5);
+        let d = distance(DVec3::new(coordinate(0, x), coordinate(1, y), coordinate(2, z)));
         layers[y] += (0.5 - d / sample).clamp(0.0, 1.0);
     }
     ((layers[0] + layers[3]) + (layers[1] + layers[2])) / SAMPLES.pow(3) as f64
@@ -133,9 +134,9 @@ pub(crate) fn cut_out_bodies<R: Scalar>(model: &Model, soil: &mut Soil<R>, bodie
         });
     }
     for (f, fraction) in soil.fraction.iter_mut().zip(&body_fraction) {
-        let room = R::cast(1.0 - fraction);
-        if *f > room {
-            *f = room;
+        let space = R::cast(1.0 - fraction);
+        if *f > space {
+            *f = space;
         }
     }
 }

@@ -1,11 +1,12 @@
 //! Contact constraints: one for each body face in each cell.
 //!
-//! The soil's velocity is a single trilinear field within a cell, so non-penetration of a face there is a single condition;
-//! the face's contact points in the cell are its quadrature points. The area-weighted mean of their shape functions gives the
-//! mean soil velocity over the face; an impulse on the constraint acts like a uniform pressure on the face.
+//! The soil's velocity is a single trilinear field within a cell, so non-penetration of a face there is a
+//! single condition; the face's contact points in the cell are its quadrature points. The area-weighted mean
+//! of their shape functions gives the mean soil velocity over the face; an impulse on the constraint acts
+//! like a uniform pressure on the face.
 
 use super::cut_cell;
-use super::scene::{ContactJacobian, Scene, largest_axis, side};
+use super::problem::{ContactJacobian, ContactProblem, largest_axis, side};
 use crate::model::Model;
 use crate::state::{Contact, State};
 use glam::DVec3;
@@ -68,33 +69,34 @@ pub(super) const PER_CONSTRAINT: usize =
 /// The active constraints of a step.
 #[derive(Debug, Default)]
 pub(super) struct Constraints {
-    /// In the order of their first points.
+    /// The constraints, in the order of their first points.
     pub(super) each: Vec<Constraint>,
     /// For each contact point the index of its constraint, if it is active.
     pub(super) of_contact: Vec<Option<usize>>,
     /// For the number of a constraint its index, if it is active.
     index: Vec<Option<usize>>,
-    /// Points on the two sides of the body's mid-plane are summed separately, so that mirroring in y changes no bit.
+    /// Points on the two sides of the body's mid-plane are summed separately, so that mirroring in y changes
+    /// no bit.
     sums: Vec<[Sums; 3]>,
 }
 
 impl Constraints {
     /// Collects the active points into constraints.
-    pub(super) fn find(&mut self, scene: &Scene, is_active: impl Fn(usize) -> bool) {
+    pub(super) fn find(&mut self, problem: &ContactProblem, is_active: impl Fn(usize) -> bool) {
         let Self { each: constraints, of_contact, index, sums } = self;
         constraints.clear();
         sums.clear();
         for (list, length) in
-            [(&mut *index, scene.hourglass_correction.len()), (&mut *of_contact, scene.contacts.len())]
+            [(&mut *index, problem.hourglass_correction.len()), (&mut *of_contact, problem.contacts.len())]
         {
             list.clear();
             list.resize(length, None);
         }
-        for (n, c) in scene.contacts.iter().enumerate().filter(|(n, _)| is_active(*n)) {
-            let at = *index[scene.constraint[n]].get_or_insert(constraints.len());
+        for (n, c) in problem.contacts.iter().enumerate().filter(|(n, _)| is_active(*n)) {
+            let at = *index[problem.constraint[n]].get_or_insert(constraints.len());
             if at == constraints.len() {
                 let (nodes, hourglass_correction) =
-                    (scene.corner_nodes[n], scene.hourglass_correction[scene.constraint[n]]);
+                    (problem.corner_nodes[n], problem.hourglass_correction[problem.constraint[n]]);
                 let jacobian = ContactJacobian {
                     body: c.body as usize,
                     nodes,

@@ -1,21 +1,24 @@
-//! Cut-cell hourglass correction: what one-point integration lacks in a cell that a body's surface cuts.
+//! Cut-cell hourglass correction: the forces that one-point integration lacks in a cell cut by a body's
+//! surface.
 //!
-//! With one-point integration the pressure p of the soil in a cell exerts p f V ∇N_a(centre) on node a, as if the soil filled
-//! the cell evenly; p ∫ ∇N_a over the part of the cell that the soil fills would be right. The difference annihilates every
-//! linear velocity field: it consists of hourglass forces. Along a surface that cuts cells obliquely it differs from cell to
-//! cell, does not cancel, and drives hourglass modes in proportion to the pressure. The body supports this pressure, so the
-//! contact constraint applies the difference, in proportion to its normal force.
+//! With one-point integration the pressure p of the soil in a cell exerts p f V ∇N_a(centre) on node a, as if
+//! the soil filled the cell evenly; exact would be p ∫ ∇N_a over the region of the cell that the soil fills.
+//! The difference annihilates every linear velocity field: it consists of hourglass forces. Along a surface
+//! that cuts cells obliquely it differs from cell to cell, does not cancel, and drives hourglass modes in
+//! proportion to the pressure. The body supports this pressure, so the contact constraint applies the
+//! difference, in proportion to its normal force.
 
-use super::scene::side;
+use super::problem::side;
 use crate::grid::Grid;
 use crate::model::Model;
-use crate::state::{Body, Contact};
+use crate::state::{Body, Contact, Pose};
 use glam::DVec3;
 use std::collections::HashMap;
 
 /// Samples of a cell along each axis.
 const SAMPLES: usize = 4;
-/// A surface has an edge in a cell where its contact points represent less than this fraction of its area there.
+/// A surface has an edge in a cell where its contact points represent less than this fraction of its area
+/// there.
 const WHOLE: f64 = 0.75;
 
 /// For each constraint the correction at the eight nodes of its cell per unit normal force.
@@ -35,14 +38,14 @@ pub(super) fn corrections(
     for ((c, fraction), number) in contacts.iter().zip(fraction).zip(constraint) {
         corrections[*number].get_or_insert_with(|| {
             let none = [DVec3::ZERO; 8];
-            // Along a face that is aligned with the grid all cells are cut alike: the corrections cancel, except at its edges.
+            // A face aligned with the grid cuts all cells alike: the corrections cancel, except at its edges.
             if c.normal.abs().max_element() == 1.0 {
                 return none;
             }
             let cell = Cell::new(model, bodies, grid_position, c);
             let [left, right, middle] = area[&(c.body, c.cell)];
             let (sampled, whole) = (left + right + middle, cell.area());
-            // The inset of the contact points takes care of edges.
+            // At edges the inset of the contact points has this effect already.
             if sampled < WHOLE * whole {
                 return none;
             }
@@ -55,7 +58,8 @@ pub(super) fn corrections(
 /// A cell that a body occupies in part.
 struct Cell<'a, D> {
     grid: &'a Grid,
-    place: [usize; 3],
+    /// Layers in the whole grid.
+    layers: [usize; 3],
     width: DVec3,
     /// Signed distance from the body's surface [m].
     distance: D,
@@ -68,80 +72,85 @@ impl<'a> Cell<'a, ()> {
         grid_position: DVec3,
         c: &Contact,
     ) -> Cell<'a, impl Fn(DVec3) -> f64 + 'a> {
-        let (fixed, (position, angle)) = (&model.bodies[c.body as usize], bodies[c.body as usize].located);
-        let turn = glam::DQuat::from_rotation_y(if fixed.shape.is_revolved() { 0.0 } else { -angle });
-        let place = c.cell.map(|layer| layer as usize);
+        let (fixed, Pose { position, angle }) =
+            (&model.bodies[c.body as usize], bodies[c.body as usize].searched_at);
+        let rotation = glam::DQuat::from_rotation_y(if fixed.shape.is_revolved() { 0.0 } else { -angle });
+        let layers = c.cell.map(|layer| layer as usize);
         let width = DVec3::from_array(std::array::from_fn(|axis| {
             let faces = &model.grid.whole[axis];
-            faces[place[axis] + 1] - faces[place[axis]]
+            faces[layers[axis] + 1] - faces[layers[axis]]
         }));
         let position = position - grid_position;
-        let distance = move |x: DVec3| fixed.shape.signed_distance(turn * (x - position));
-        Cell { grid: &model.grid, place, width, distance }
+        let distance = move |x: DVec3| fixed.shape.signed_distance(rotation * (x - position));
+        Cell { grid: &model.grid, layers, width, distance }
     }
 }
 
 impl<D: Fn(DVec3) -> f64> Cell<'_, D> {
-    /// Coordinate a number of samples from the low face, interpolated from both faces so that mirroring in y changes no bit.
+    /// Coordinate a number of samples from the low face, interpolated from both faces so that mirroring in y
+    /// changes no bit.
     fn at(&self, axis: usize, samples: f64) -> f64 {
-        let (part, faces) = (samples / SAMPLES as f64, &self.grid.whole[axis]);
-        faces[self.place[axis]] * (1.0 - part) + faces[self.place[axis] + 1] * part
+        let (local, faces) = (samples / SAMPLES as f64, &self.grid.whole[axis]);
+        faces[self.layers[axis]] * (1.0 - local) + faces[self.layers[axis] + 1] * local
     }
 
-    /// 1 inside the body, 0 outside, between the two near its surface.
-    fn inside(&self, place: DVec3) -> f64 {
+    /// 1 inside the body, 0 outside, with a linear transition near its surface.
+    fn inside(&self, x: DVec3) -> f64 {
         let sample = self.width.min_element() / SAMPLES as f64;
-        (0.5 - (self.distance)(place) / sample).clamp(0.0, 1.0)
+        (0.5 - (self.distance)(x) / sample).clamp(0.0, 1.0)
     }
 
-    /// Size of the area vector of the body's surface in the cell [m²]: that of the open parts of the cell's faces.
+    /// Magnitude of the area vector of the body's surface in the cell [m²], from the areas of the cell's
+    /// faces inside the body.
     fn area(&self) -> f64 {
-        let open = |axis: usize, side: usize| {
+        let covered = |axis: usize, side: usize| {
             let (b, c) = ((axis + 1) % 3, (axis + 2) % 3);
             let mut layers = [0.0; SAMPLES];
-            // Along y in layers, if the face has any.
+            // Summed by layers in y, if the face extends along y.
             let (slow, fast) = if b == 1 { (b, c) } else { (c, b) };
             for (m, layer) in layers.iter_mut().enumerate() {
                 for n in 0..SAMPLES {
-                    let mut place = DVec3::ZERO;
-                    place[axis] = self.at(axis, (side * SAMPLES) as f64);
-                    place[slow] = self.at(slow, m as f64 + 0.5);
-                    place[fast] = self.at(fast, n as f64 + 0.5);
-                    *layer += self.inside(place);
+                    let mut x = DVec3::ZERO;
+                    x[axis] = self.at(axis, (side * SAMPLES) as f64);
+                    x[slow] = self.at(slow, m as f64 + 0.5);
+                    x[fast] = self.at(fast, n as f64 + 0.5);
+                    *layer += self.inside(x);
                 }
             }
             ((layers[0] + layers[3]) + (layers[1] + layers[2])) / SAMPLES.pow(2) as f64
                 * (self.width[b] * self.width[c])
         };
-        DVec3::from_array(std::array::from_fn(|axis| open(axis, 0) - open(axis, 1))).length()
+        DVec3::from_array(std::array::from_fn(|axis| covered(axis, 0) - covered(axis, 1))).length()
     }
 
-    /// The correction at the nodes at unit pressure [m²]: β V ∇N_a(centre) − ∫ ∇N_a over the body, where the body occupies the
-    /// fraction β of the cell and soil the rest; reduced in proportion where the volume fraction is below 1 − β.
+    /// The correction at the nodes at unit pressure [m²]: β V ∇N_a(centre) − ∫ ∇N_a over the body, where the
+    /// body occupies the fraction β of the cell and soil the rest; reduced in proportion where the volume
+    /// fraction is below 1 − β.
     fn hourglass_correction(&self, fraction: f64) -> [DVec3; 8] {
-        // It follows from the means over the body of ξ, η, ζ, ξη, ηζ, ξζ, with ξ, η, ζ from −1 to 1. Per layer in y:
+        // It follows from the means over the body of ξ, η, ζ, ξη, ηζ, ξζ, with ξ, η, ζ from −1 to 1. Per
+        // layer in y:
         let mut layers = [[0.0; 4]; SAMPLES];
         let local = |n: usize| (n as f64 + 0.5) * 2.0 / SAMPLES as f64 - 1.0;
         for n in 0..SAMPLES.pow(3) {
             let [x, y, z] = [n % SAMPLES, n / SAMPLES % SAMPLES, n / SAMPLES / SAMPLES];
-            let place = DVec3::new(
+            let point = DVec3::new(
                 self.at(0, x as f64 + 0.5),
                 self.at(1, y as f64 + 0.5),
                 self.at(2, z as f64 + 0.5),
             );
-            let inside = self.inside(place);
-            for (sum, part) in layers[y].iter_mut().zip([1.0, local(x), local(z), local(x) * local(z)]) {
-                *sum += inside * part;
+            let inside = self.inside(point);
+            for (sum, term) in layers[y].iter_mut().zip([1.0, local(x), local(z), local(x) * local(z)]) {
+                *sum += inside * term;
             }
         }
-        // Layers are added up in pairs: a mirror in y changes no bit but the sign of what is odd in η.
+        // Layers are summed in pairs: mirroring in y changes no bit but the sign of the moments odd in η.
         let per = 1.0 / SAMPLES.pow(3) as f64;
         let even = |n: usize| per * ((layers[0][n] + layers[3][n]) + (layers[1][n] + layers[2][n]));
         let odd = |n: usize| {
             per * (local(3) * (layers[3][n] - layers[0][n]) + local(2) * (layers[2][n] - layers[1][n]))
         };
-        let room = 1.0 - even(0);
-        let filled = if room > 0.0 && fraction < room { fraction / room } else { 1.0 };
+        let space = 1.0 - even(0);
+        let filled = if space > 0.0 && fraction < space { fraction / space } else { 1.0 };
         let ([x, z, xz], [y, xy, yz]) = ([1, 2, 3].map(even), [0, 1, 2].map(odd));
         let volume = self.width.x * self.width.y * self.width.z;
         std::array::from_fn(|n| {
@@ -163,18 +172,18 @@ mod tests {
     /// ∇N of corner `n` of a unit cube at `x`.
     fn gradient(n: usize, x: DVec3) -> DVec3 {
         let sign = DVec3::from_array([0, 1, 2].map(|axis| if n >> axis & 1 == 1 { 1.0 } else { -1.0 }));
-        let part = (DVec3::ONE - sign) * 0.5 + sign * x;
-        sign * DVec3::new(part.y * part.z, part.x * part.z, part.x * part.y)
+        let local = (DVec3::ONE - sign) * 0.5 + sign * x;
+        sign * DVec3::new(local.y * local.z, local.x * local.z, local.x * local.y)
     }
 
     #[test]
-    fn what_is_missing_is_the_middle_s_gradient_less_the_mean_one() {
+    fn the_correction_is_the_gradient_at_the_centre_minus_its_mean_over_the_body() {
         let (normal, fine) = (DVec3::new(0.5, 0.3, 0.8).normalize(), 60);
         let distance = |x: DVec3| normal.dot(x) - 0.6;
         let grid = Grid::new(std::array::from_fn(|_| vec![0.0, 1.0]));
-        let cell = Cell { grid: &grid, place: [0; 3], width: DVec3::ONE, distance };
-        let room = 0.1;
-        let (full, thin) = (cell.hourglass_correction(1.0), cell.hourglass_correction(room));
+        let cell = Cell { grid: &grid, layers: [0; 3], width: DVec3::ONE, distance };
+        let fraction = 0.1;
+        let (full, thin) = (cell.hourglass_correction(1.0), cell.hourglass_correction(fraction));
         let points = || (0..fine * fine * fine).map(|n| [n % fine, n / fine % fine, n / fine / fine]);
         let inside = || {
             points()
@@ -182,22 +191,26 @@ mod tests {
                 .filter(|x| distance(*x) < 0.0)
         };
         let per = f64::from(fine).powi(-3);
-        let share = per * inside().count() as f64;
+        let body_fraction = per * inside().count() as f64;
         for n in 0..8 {
             let mean = inside().fold(DVec3::ZERO, |sum, x| sum + per * gradient(n, x));
-            let right = share * gradient(n, DVec3::splat(0.5)) - mean;
-            // Samples in the middles of four parts see a sixteenth of a second moment too little.
+            let expected = body_fraction * gradient(n, DVec3::splat(0.5)) - mean;
+            // Four midpoint samples underestimate a second moment by a sixteenth.
             assert!(
-                (full[n] - right).length() < 0.08 * right.length(),
-                "corner {n}: {} for {right}",
+                (full[n] - expected).length() < 0.08 * expected.length(),
+                "corner {n}: {} for {expected}",
                 full[n]
             );
-            let less = right * room / (1.0 - share);
-            assert!((thin[n] - less).length() < 0.08 * less.length(), "corner {n}: {} for {less}", thin[n]);
+            let reduced = expected * fraction / (1.0 - body_fraction);
+            assert!(
+                (thin[n] - reduced).length() < 0.08 * reduced.length(),
+                "corner {n}: {} for {reduced}",
+                thin[n]
+            );
         }
         assert!(full.iter().sum::<DVec3>().length() < 1e-15);
-        // No soil at all, and a cell that the body fills.
-        let filled = Cell { grid: &grid, place: [0; 3], width: DVec3::ONE, distance: |_| -1.0 };
+        // No soil, in a cell that the body fills.
+        let filled = Cell { grid: &grid, layers: [0; 3], width: DVec3::ONE, distance: |_| -1.0 };
         assert!(filled.hourglass_correction(-1e-20).iter().all(|f| f.length() < 1e-15));
     }
 }

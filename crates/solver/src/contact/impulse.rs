@@ -1,16 +1,17 @@
-//! Contact by velocity impulses: non-penetration and Coulomb friction at the velocity level (Moreau 1988, Jean 1999).
+//! Contact by velocity impulses: non-penetration and Coulomb friction at the velocity level (Moreau 1988,
+//! Jean 1999).
 //!
-//! Solved by symmetric projected Gauss–Seidel sweeps, warm-started from the impulses of the last step, with the bodies inside
-//! the iteration: no contact stiffness, no limit on the time step, stable for bodies much lighter than the soil that they
-//! displace.
+//! Solved by symmetric projected Gauss–Seidel sweeps, warm-started from the impulses of the last step, with
+//! the bodies inside the iteration: no contact stiffness, no limit on the time step, stable for bodies much
+//! lighter than the soil that they displace.
 //!
-//! An open contact point keeps its gap and may close it within a step, but no further. Where the volume fractions show soil
-//! inside a body, a bias velocity proportional to the body's speed removes the overlap; a body at rest has none, so that its
-//! load does not drift.
+//! An open contact point keeps its gap and may close it within a step, but no further. Where the volume
+//! fractions show soil inside a body, a bias velocity proportional to the body's speed removes the overlap; a
+//! body at rest has none, so that its load does not drift.
 
 use super::constraint::{self, Constraint, Constraints};
 use super::law::ContactLaw;
-use super::scene::{ContactJacobian, Scene, over_corners};
+use super::problem::{ContactJacobian, ContactProblem, over_corners};
 use crate::state::Contact;
 use glam::DVec3;
 
@@ -22,19 +23,21 @@ pub(super) struct Impulses {
     groups: Vec<Group>,
 }
 
-/// What is kept for each constraint [bytes].
+/// Memory for each constraint [bytes].
 pub(super) const PER_CONSTRAINT: f64 =
     (constraint::PER_CONSTRAINT + size_of::<Option<EffectiveMass>>() + size_of::<Group>()) as f64;
 
 /// Symmetric sweeps per step; fewer than two give wrong forces.
 const SWEEPS: usize = 4;
-/// Separation threshold: an active point of a curved or inclined face opens when the volume fractions show a gap of this many
-/// cells. With a larger one a rolling wheel opens a void under itself and climbs on it.
+/// Separation threshold: an active point of a curved or inclined face opens when the volume fractions show a
+/// gap of this many cells. With a larger one a rolling wheel opens a void under itself and climbs on it.
 const SEPARATION: f64 = 0.05;
-/// The same on a face that is aligned with the grid. The edges of a sliding face cut cells, in which volume fractions are a
-/// poor measure of the gap: with the smaller threshold the force on a sliding footing is 7 % too low.
+/// The same on a face that is aligned with the grid. The edges of a sliding face cut cells, in which volume
+/// fractions are a poor measure of the gap: with the smaller threshold the force on a sliding footing is 7 %
+/// too low.
 const SEPARATION_FLAT: f64 = 0.5;
-/// Gap relaxation: fraction of the difference to the geometric gap that an open point takes over per tenth of a cell of travel.
+/// Gap relaxation: fraction of the difference to the geometric gap that an open point takes over per tenth of
+/// a cell of travel.
 const GAP_RELAXATION: f64 = 0.3;
 /// Fraction of an overlap that the bias velocity removes while the body travels one cell.
 const OVERLAP_BIAS: f64 = 1.0;
@@ -55,51 +58,51 @@ impl ContactLaw for Impulses {
         c.impulse = DVec3::ZERO;
     }
 
-    fn act(&mut self, scene: &mut Scene) {
+    fn act(&mut self, problem: &mut ContactProblem) {
         let touches = |n: usize| {
-            let c = &scene.contacts[n];
-            let closing = || scene.slip_velocity_of(n).dot(c.normal);
+            let c = &problem.contacts[n];
+            let closing = || problem.slip_velocity_of(n).dot(c.normal);
             c.penetration >= 0.0
-                || c.penetration > -REACH * c.width && c.penetration + closing() * scene.dt > 0.0
+                || c.penetration > -REACH * c.width && c.penetration + closing() * problem.dt > 0.0
         };
         let Self { constraints, masses, groups } = self;
-        constraints.find(scene, touches);
+        constraints.find(problem, touches);
         let (constraints, constraint_of) = (&mut constraints.each, &constraints.of_contact);
         masses.clear();
-        masses.extend(constraints.iter().map(|p| EffectiveMass::new(scene, p)));
-        mirrored_groups(scene, constraints, masses, groups);
+        masses.extend(constraints.iter().map(|p| EffectiveMass::new(problem, p)));
+        mirrored_groups(problem, constraints, masses, groups);
         for group in groups.iter() {
-            group.apply(scene, constraints, [group.first, group.second].map(|n| constraints[n].impulse));
+            group.apply(problem, constraints, [group.first, group.second].map(|n| constraints[n].impulse));
         }
         for _ in 0..SWEEPS {
             for group in groups.iter().chain(groups.iter().rev()) {
-                group.relax(scene, constraints, masses);
+                group.relax(problem, constraints, masses);
             }
         }
         for (n, constraint) in constraint_of.iter().enumerate() {
-            remember(scene, n, constraint.map(|p| &constraints[p]));
+            update_history(problem, n, constraint.map(|p| &constraints[p]));
         }
     }
 }
 
-/// Gives a point its share of its constraint's impulse, if it has one, and carries its distance on.
-fn remember(scene: &mut Scene, n: usize, constraint: Option<&Constraint>) {
-    let area = scene.contacts[n].area;
+/// Updates the history of a point: its portion of its constraint's impulse, if it has one, and its distance.
+fn update_history(problem: &mut ContactProblem, n: usize, constraint: Option<&Constraint>) {
+    let area = problem.contacts[n].area;
     let impulse = constraint.map_or(DVec3::ZERO, |p| (area / p.area) * p.impulse);
     if let Some(constraint) = constraint {
         let normal = impulse.dot(constraint.jacobian.normal) * constraint.jacobian.normal;
-        scene.record(n, normal, impulse - normal);
+        problem.record(n, normal, impulse - normal);
     }
-    let slip = scene.slip_velocity_of(n);
-    let c = &mut scene.contacts[n];
-    let penetration = (c.penetration + slip.dot(c.normal) * scene.dt).min(c.penetration.max(0.0));
+    let slip = problem.slip_velocity_of(n);
+    let c = &mut problem.contacts[n];
+    let penetration = (c.penetration + slip.dot(c.normal) * problem.dt).min(c.penetration.max(0.0));
     // Round-off must not open an active point.
     let held = constraint.is_some_and(|p| p.impulse.dot(p.jacobian.normal) > 0.0);
     c.penetration = if held { penetration.max(0.0) } else { penetration };
     c.impulse = impulse;
 }
 
-/// What the sweeps of a step need of a constraint.
+/// Effective masses and limits of a constraint, constant during the sweeps of a step.
 #[derive(Debug)]
 struct EffectiveMass {
     /// Normal effective mass: inverse of the diagonal of the Delassus operator along the normal [kg].
@@ -116,31 +119,31 @@ struct EffectiveMass {
 
 impl EffectiveMass {
     /// `None` where neither soil nor body can move along the normal: there is nothing to solve for.
-    fn new(scene: &Scene, constraint: &Constraint) -> Option<Self> {
+    fn new(problem: &ContactProblem, constraint: &Constraint) -> Option<Self> {
         let (jacobian, normal) = (&constraint.jacobian, constraint.jacobian.normal);
-        let delassus_diagonal = delassus_diagonal(scene, jacobian);
+        let delassus_diagonal = delassus_diagonal(problem, jacobian);
         let soil = |n: usize| {
             let impulse = jacobian.on_node(n, normal);
-            (impulse * impulse).dot(scene.nodes[jacobian.nodes[n] as usize].inverse_mass)
+            (impulse * impulse).dot(problem.nodes[jacobian.nodes[n] as usize].inverse_mass)
         };
-        let normal_mass =
-            over_corners(std::array::from_fn(soil)) + delassus_of_body(scene, jacobian).dot(normal * normal);
+        let normal_mass = over_corners(std::array::from_fn(soil))
+            + delassus_of_body(problem, jacobian).dot(normal * normal);
         (normal_mass > 0.0).then(|| Self {
             normal_mass: 1.0 / normal_mass,
             tangential_mass: 1.0 / delassus_diagonal.max_element(),
             bias_velocity: -OVERLAP_BIAS
                 * constraint.overlap
-                * scene.bodies[constraint.jacobian.body].velocity.length(),
-            friction: scene.model.bodies[constraint.jacobian.body].friction.min(1e6),
-            shear_limit: scene.model.bodies[constraint.jacobian.body].shear_limit
+                * problem.bodies[constraint.jacobian.body].velocity.length(),
+            friction: problem.model.bodies[constraint.jacobian.body].friction.min(1e6),
+            shear_limit: problem.model.bodies[constraint.jacobian.body].shear_limit
                 * constraint.area
-                * scene.dt,
+                * problem.dt,
         })
     }
 
     /// The impulse after one relaxation, projected on the Coulomb cone.
-    fn projected_impulse(&self, scene: &Scene, constraint: &Constraint, relaxation: f64) -> DVec3 {
-        let relative = scene.slip_velocity_of_constraint(&constraint.jacobian);
+    fn projected_impulse(&self, problem: &ContactProblem, constraint: &Constraint, relaxation: f64) -> DVec3 {
+        let relative = problem.slip_velocity_of_constraint(&constraint.jacobian);
         let closing = relative.dot(constraint.jacobian.normal);
         let old_normal = constraint.impulse.dot(constraint.jacobian.normal);
         let new_normal =
@@ -156,49 +159,54 @@ impl EffectiveMass {
     }
 }
 
-/// One constraint (then both indices are the same), or two on opposite sides of the body's mid-plane. Two are relaxed together,
-/// each from the velocities before the other: a case and its mirror image then stay mirror images to the bit, whatever the
-/// order of the constraints.
+/// One constraint (then both indices are the same), or two on opposite sides of the body's mid-plane. Two are
+/// relaxed simultaneously, from the same velocities: a case and its mirror image then stay mirror images to
+/// the bit, whatever the order of the constraints.
 #[derive(Debug)]
 struct Group {
     /// Indices of the constraints.
     first: usize,
     second: usize,
-    /// Under-relaxation of the two, so that constraints on the same soil or body do not overshoot.
+    /// Under-relaxation factor, so that two constraints on the same soil or body do not overshoot.
     relaxation: f64,
 }
 
 impl Group {
-    fn relax(&self, scene: &mut Scene, constraints: &mut [Constraint], masses: &[Option<EffectiveMass>]) {
-        let places = [self.first, self.second];
-        let new = places.map(|n| {
+    fn relax(
+        &self,
+        problem: &mut ContactProblem,
+        constraints: &mut [Constraint],
+        masses: &[Option<EffectiveMass>],
+    ) {
+        let indices = [self.first, self.second];
+        let new = indices.map(|n| {
             let old = constraints[n].impulse;
-            masses[n].as_ref().map_or(old, |t| t.projected_impulse(scene, &constraints[n], self.relaxation))
+            masses[n].as_ref().map_or(old, |t| t.projected_impulse(problem, &constraints[n], self.relaxation))
         });
         let change = [new[0] - constraints[self.first].impulse, new[1] - constraints[self.second].impulse];
-        self.apply(scene, constraints, change);
-        for (n, impulse) in places.into_iter().zip(new) {
+        self.apply(problem, constraints, change);
+        for (n, impulse) in indices.into_iter().zip(new) {
             constraints[n].impulse = impulse;
         }
     }
 
     /// Applies impulses at the constraints.
-    fn apply(&self, scene: &mut Scene, constraints: &[Constraint], impulse: [DVec3; 2]) {
+    fn apply(&self, problem: &mut ContactProblem, constraints: &[Constraint], impulse: [DVec3; 2]) {
         let [first, second] = [self.first, self.second].map(|n| &constraints[n].jacobian);
         if impulse == [DVec3::ZERO; 2] {
             return;
         }
         if self.first == self.second {
-            scene.exchange(first, impulse[0]);
+            problem.exchange(first, impulse[0]);
         } else {
-            scene.exchange_both((first, impulse[0]), (second, impulse[1]));
+            problem.exchange_both((first, impulse[0]), (second, impulse[1]));
         }
     }
 }
 
 /// Groups the constraints. Mirror images are neighbours, as surface points are.
 fn mirrored_groups(
-    scene: &Scene,
+    problem: &ContactProblem,
     constraints: &[Constraint],
     masses: &[Option<EffectiveMass>],
     groups: &mut Vec<Group>,
@@ -208,11 +216,11 @@ fn mirrored_groups(
     while first < constraints.len() {
         let next = first + 1;
         let is_pair =
-            next < constraints.len() && are_mirrored(scene, &constraints[first], &constraints[next]);
+            next < constraints.len() && are_mirrored(problem, &constraints[first], &constraints[next]);
         let second = if is_pair { next } else { first };
         let relaxation = match (&masses[first], &masses[second]) {
             (Some(a), Some(b)) if is_pair => {
-                1.0 / (1.0 + coupling(scene, (&constraints[first], a), (&constraints[second], b)))
+                1.0 / (1.0 + coupling(problem, (&constraints[first], a), (&constraints[second], b)))
             }
             _ => 1.0,
         };
@@ -221,50 +229,53 @@ fn mirrored_groups(
     }
 }
 
-/// Whether the first points of two constraints are each other's mirror image. In the mirror image of the case their order is
-/// reversed, even when the grid cuts the two sides of the body differently.
-fn are_mirrored(scene: &Scene, a: &Constraint, b: &Constraint) -> bool {
-    let (p, q) = (&scene.contacts[a.first], &scene.contacts[b.first]);
+/// Whether the first points of two constraints are each other's mirror image. In the mirror image of the case
+/// their order is reversed, even when the grid cuts the two sides of the body differently.
+fn are_mirrored(problem: &ContactProblem, a: &Constraint, b: &Constraint) -> bool {
+    let (p, q) = (&problem.contacts[a.first], &problem.contacts[b.first]);
     let flip = |v: DVec3| DVec3::new(v.x, -v.y, v.z);
     b.first == a.first + 1 && p.body == q.body && flip(p.arm) == q.arm && flip(p.normal) == q.normal
 }
 
-/// Velocity that an impulse at one constraint causes at the other, over that at its own; 0 to 1.
+/// Coupling of two constraints: velocity that an impulse at one causes at the other, over that at its own; 0
+/// to 1.
 fn coupling(
-    scene: &Scene,
+    problem: &ContactProblem,
     (a, mass_a): (&Constraint, &EffectiveMass),
     (b, mass_b): (&Constraint, &EffectiveMass),
 ) -> f64 {
     let shared = |n: usize| {
         let node = a.jacobian.nodes[n];
-        let place = b.jacobian.nodes.iter().position(|m| *m == node);
-        place.map_or(0.0, |m| {
+        let other = b.jacobian.nodes.iter().position(|m| *m == node);
+        other.map_or(0.0, |m| {
             let both = a.jacobian.on_node(n, a.jacobian.normal) * b.jacobian.on_node(m, b.jacobian.normal);
-            both.abs().dot(scene.nodes[node as usize].inverse_mass)
+            both.abs().dot(problem.nodes[node as usize].inverse_mass)
         })
     };
     let through_soil = over_corners(std::array::from_fn(shared));
-    let through_body = 0.5 * (delassus_of_body(scene, &a.jacobian) + delassus_of_body(scene, &b.jacobian));
+    let through_body =
+        0.5 * (delassus_of_body(problem, &a.jacobian) + delassus_of_body(problem, &b.jacobian));
     let size = through_soil + through_body.dot((a.jacobian.normal * b.jacobian.normal).abs());
     (size * mass_a.normal_mass.max(mass_b.normal_mass)).clamp(0.0, 1.0)
 }
 
 /// Diagonal of the Delassus operator: velocity per impulse along x, y, z, of soil and body together [1/kg].
-fn delassus_diagonal(scene: &Scene, jacobian: &ContactJacobian) -> DVec3 {
+fn delassus_diagonal(problem: &ContactProblem, jacobian: &ContactJacobian) -> DVec3 {
     let soil = |n: usize| {
-        jacobian.weight[n] * jacobian.weight[n] * scene.nodes[jacobian.nodes[n] as usize].inverse_mass
+        jacobian.weight[n] * jacobian.weight[n] * problem.nodes[jacobian.nodes[n] as usize].inverse_mass
     };
-    over_corners(std::array::from_fn(soil)) + delassus_of_body(scene, jacobian)
+    over_corners(std::array::from_fn(soil)) + delassus_of_body(problem, jacobian)
 }
 
-/// The contribution of the body to it.
-fn delassus_of_body(scene: &Scene, jacobian: &ContactJacobian) -> DVec3 {
-    let fixed = &scene.model.bodies[jacobian.body];
-    let modelled = scene.modelled;
+/// Contribution of the body to the diagonal of the Delassus operator [1/kg].
+fn delassus_of_body(problem: &ContactProblem, jacobian: &ContactJacobian) -> DVec3 {
+    let fixed = &problem.model.bodies[jacobian.body];
+    let modelled = problem.modelled_fraction;
     DVec3::from_array(std::array::from_fn(|axis| {
-        let push = if fixed.translation[axis].is_free() { 1.0 / (fixed.mass * modelled) } else { 0.0 };
+        let translation = if fixed.translation[axis].is_free() { 1.0 / (fixed.mass * modelled) } else { 0.0 };
         let lever = jacobian.arm.cross(DVec3::AXES[axis]).y;
-        let turn = if fixed.spin.is_free() { lever * lever / (fixed.axle_inertia * modelled) } else { 0.0 };
-        push + turn
+        let rotation =
+            if fixed.spin.is_free() { lever * lever / (fixed.axle_inertia * modelled) } else { 0.0 };
+        translation + rotation
     }))
 }

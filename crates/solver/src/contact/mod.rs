@@ -1,7 +1,7 @@
 //! Contact between soil and bodies, at points of the bodies' surfaces.
 //!
-//! A contact point acts on the eight nodes of its cell. The contact search finds its cell and weights at every remap; they stay
-//! the same until the next. A contact law says how soil and body act on each other there: velocity impulses, or penalty with
+//! A contact point acts on the eight nodes of its cell. Its cell and weights are found by the contact search
+//! after every remap and stay the same until the next. The contact law is velocity impulses, or penalty with
 //! history.
 
 mod body_fraction;
@@ -13,7 +13,7 @@ mod method;
 mod nodes;
 mod overlap;
 mod penalty;
-mod scene;
+mod problem;
 mod search;
 mod solve;
 mod surface;
@@ -22,6 +22,6 @@ pub(crate) mod workspace;
 pub(crate) use body_fraction::{BodyCell, cut_out_bodies};
 pub(crate) use method::kept_per_constraint;
 pub(crate) use overlap::remove_overlap;
-pub(crate) use scene::ContactNode;
+pub(crate) use problem::ContactNode;
 pub(crate) use search::{first_search, search};
 pub(crate) use solve::{ContactWork, solve};

@@ -1,12 +1,12 @@
-//! The nodes that contact acts on.
+//! The contact nodes.
 
-use super::scene::{ContactNode, corners};
+use super::problem::{ContactNode, corners};
 use crate::grid::Grid;
 use crate::model::Model;
 use crate::state::Contact;
 
-/// The nodes that contact acts on, in the order of the whole grid, and for each contact the places of its cell's nodes among
-/// them.
+/// The contact nodes, in the order of the whole grid, and for each contact point the indices of its cell's
+/// nodes among them.
 pub(super) fn contact_nodes(model: &Model, contacts: &[Contact]) -> (Vec<ContactNode>, Vec<[u32; 8]>) {
     let [nx, ny, _] = model.grid.whole_cells().map(|n| n + 1);
     let stride = [1, nx, nx * ny];
@@ -15,8 +15,8 @@ pub(super) fn contact_nodes(model: &Model, contacts: &[Contact]) -> (Vec<Contact
     let mut nodes: Vec<usize> = contacts.iter().flat_map(of).collect();
     nodes.sort_unstable();
     nodes.dedup();
-    let place = |node: usize| nodes.partition_point(|n| *n < node) as u32;
-    let corner_nodes = contacts.iter().map(|c| of(c).map(place)).collect();
+    let index = |node: usize| nodes.partition_point(|n| *n < node) as u32;
+    let corner_nodes = contacts.iter().map(|c| of(c).map(index)).collect();
     let layers = |node: usize| [node % nx, node / nx % ny, node / (nx * ny)];
     (nodes.iter().map(|node| contact_node(model, layers(*node))).collect(), corner_nodes)
 }
@@ -32,7 +32,7 @@ fn contact_node(model: &Model, whole: [usize; 3]) -> ContactNode {
     }
 }
 
-/// Place in memory of a node of the whole grid, if it is in the block or its ghost layers.
+/// Index in memory of a node of the whole grid, if the block or its ghost layers hold it.
 fn local_node(grid: &Grid, whole: [usize; 3]) -> Option<usize> {
     let cells = grid.cells();
     let layer = |axis: usize| whole[axis].checked_sub(grid.first[axis]).filter(|n| *n <= cells[axis]);

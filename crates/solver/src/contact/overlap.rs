@@ -1,14 +1,15 @@
-//! Overlap removal: soil inside a body is moved to the void beside it.
+//! Overlap removal: soil inside a body is moved to void next to it.
 //!
-//! The soil's velocity is continuous. Near a sharp edge it therefore lags behind the body on the inner side and is dragged
-//! along on the outer: the soil that enters the body is missing beside it. After a remap, soil that overlaps a body (volume
-//! fractions of soil and bodies add up to more than 1) moves to neighbouring cells that hold soil and have space, with its
-//! mass, momentum, stress and history. Soil for which there is no space stays.
+//! The soil's velocity is continuous. Near a sharp edge it therefore lags behind the body on the inner side
+//! and is dragged along on the outer: soil enters the body, and a void opens next to it. After a remap, soil
+//! that overlaps a body (volume fractions of soil and bodies add up to more than 1) moves to neighbouring
+//! cells that hold soil and have space, with its mass, momentum, stress and history. Soil for which there is
+//! no space stays.
 //!
 //! All sums over neighbours are taken in an order for which mirroring in y changes no bit.
 
 use super::body_fraction::find_bodies;
-use super::scene::{corners, over_corners};
+use super::problem::{corners, over_corners};
 use super::workspace::ContactWorkspace;
 use crate::cpu::workspace::SoilWorkspace;
 use crate::fields::Carrier;
@@ -21,7 +22,7 @@ use crate::state::{Nodes, State};
 use glam::DVec3;
 use std::collections::BTreeMap;
 
-/// Rounds of redistribution; each takes what the last has left.
+/// Rounds of redistribution; each moves the overlap that the one before has left.
 const ROUNDS: usize = 3;
 
 /// Updates the body volume fractions and moves overlapping soil out of the bodies.
@@ -60,7 +61,7 @@ pub(crate) fn remove_overlap<R: Precision>(
 struct Transfer {
     from: usize,
     to: usize,
-    /// Layers that it moves by along y, plus 1.
+    /// Offset along y in layers, plus 1.
     side: usize,
     /// Volume [m³].
     volume: f64,
@@ -82,19 +83,19 @@ impl<T: Copy + std::ops::Add<Output = T>> Layered<T> {
 
 /// Indices of a cell's 26 neighbours inside the grid, and their layer in y (0 to 2).
 fn neighbours(grid: &Grid, cell: usize) -> impl Iterator<Item = (usize, usize)> + '_ {
-    let (place, cells) = (grid.place(cell), grid.cells());
+    let (layers, cells) = (grid.layers_of(cell), grid.cells());
     (0..27).filter(|n| *n != 13).filter_map(move |n| {
         let step = [n % 3, n / 3 % 3, n / 9];
         let mut at = [0; 3];
         for axis in 0..3 {
-            at[axis] = (place[axis] + step[axis]).checked_sub(1).filter(|p| *p < cells[axis])?;
+            at[axis] = (layers[axis] + step[axis]).checked_sub(1).filter(|p| *p < cells[axis])?;
         }
         Some((grid.index(at[0], at[1], at[2]), step[1]))
     })
 }
 
-/// Which soil moves where: an overlap is distributed over all neighbours with space, in proportion to it; a cell that would
-/// receive more than it has space for reduces all transfers to it by the same factor.
+/// The transfers of a round: an overlap is distributed over all neighbours with space, in proportion to it; a
+/// cell that would receive more than it has space for reduces all transfers to it by the same factor.
 fn distribute<R: Scalar>(grid: &Grid, fraction: &[R], body_fraction: &[R], cells: &[usize]) -> Vec<Transfer> {
     let held = |c: usize| fraction[c].to_f64();
     let space = |c: usize| (1.0 - body_fraction[c].to_f64() - held(c)) * grid.volume_of(c);
@@ -189,14 +190,14 @@ fn velocity<R: Scalar>(nodes: &Nodes<R>, n: usize) -> DVec3 {
     DVec3::from_array(nodes.velocity.each_ref().map(|component| component[n].to_f64()))
 }
 
-/// Nodal masses and momenta: an eighth of a cell's mass is lumped at each corner; soil that leaves takes its momentum along, soil
-/// that arrives mixes.
+/// Updates nodal masses and momenta: an eighth of a cell's mass is lumped at each corner; leaving soil takes
+/// its momentum along, arriving soil mixes its own in.
 fn move_nodes<R: Scalar>(grid: &Grid, nodes: &mut Nodes<R>, changes: &BTreeMap<usize, (f64, f64, DVec3)>) {
     let corners = corners(grid.stride);
-    let mut touched: Vec<usize> = changes.keys().flat_map(|c| corners.map(|n| c + n)).collect();
-    touched.sort_unstable();
-    touched.dedup();
-    for n in touched {
+    let mut affected: Vec<usize> = changes.keys().flat_map(|c| corners.map(|n| c + n)).collect();
+    affected.sort_unstable();
+    affected.dedup();
+    for n in affected {
         let of = corners.map(|back| changes.get(&(n - back)).copied().unwrap_or_default());
         let out = 0.125 * over_corners(of.map(|c| c.0));
         let mass_in = 0.125 * over_corners(of.map(|c| c.1));

@@ -1,10 +1,11 @@
 //! Penalty contact with history.
 //!
-//! The penetration of a point integrates the relative motion of body and soil, and is relaxed towards the gap that the volume
-//! fractions show. The relaxation is per distance travelled, so that a body at rest keeps its load.
+//! The penetration of a point integrates the relative motion of body and soil, and is relaxed towards the gap
+//! that the volume fractions show. The relaxation is per distance travelled, so that a body at rest keeps its
+//! load.
 
 use super::law::ContactLaw;
-use super::scene::Scene;
+use super::problem::ContactProblem;
 use crate::model::Model;
 use crate::state::Contact;
 use glam::DVec3;
@@ -12,17 +13,19 @@ use glam::DVec3;
 /// Penalty contact.
 #[derive(Debug)]
 pub(super) struct Penalty {
-    /// Of each material the constrained modulus M [Pa], and density times wave speed [kg/(m² s)].
+    /// For each material the constrained modulus M [Pa], and the impedance: density times wave speed [kg/(m²
+    /// s)].
     materials: Vec<[f64; 2]>,
     /// Impulses on the soil at each contact in this step, normal and frictional [N s].
-    given: Vec<[DVec3; 2]>,
+    impulses: Vec<[DVec3; 2]>,
 }
 
 /// Stiffness over M/h; anything from 0.2 to 3 gave the same forces.
 const STIFFNESS: f64 = 1.0;
 /// Damping over ρc.
 const DAMPING: f64 = 0.2;
-/// Gap relaxation: fraction of the difference to the geometric gap that is recovered per tenth of a cell of travel.
+/// Gap relaxation: fraction of the difference to the geometric gap that is recovered per tenth of a cell of
+/// travel.
 const GAP_RELAXATION: f64 = 0.1;
 
 impl Penalty {
@@ -33,12 +36,12 @@ impl Penalty {
                 .iter()
                 .map(|m| [m.elastic.constrained(), m.density * m.wave_speed()])
                 .collect(),
-            given: Vec::new(),
+            impulses: Vec::new(),
         }
     }
 
-    /// Normal and frictional traction on the soil [Pa]; projects the elastic slip on the Coulomb cone (coefficient) and on the
-    /// limit of the frictional traction [Pa].
+    /// Normal and frictional traction on the soil [Pa]; projects the elastic slip on the Coulomb cone
+    /// (coefficient) and on the limit of the frictional traction [Pa].
     fn tractions(&self, c: &mut Contact, relative: DVec3, [friction, most]: [f64; 2]) -> (DVec3, DVec3) {
         if c.penetration <= 0.0 {
             c.slip = DVec3::ZERO;
@@ -57,9 +60,9 @@ impl Penalty {
     }
 }
 
-/// Penetration and slip integrate the velocities after contact, which are those of the motion that takes place: with any other
-/// velocity the springs are not conservative and contact feeds energy into the soil.
-fn remember(c: &mut Contact, relative: DVec3, dt: f64) {
+/// Integrates penetration and slip with the velocities after contact, those of the actual motion: with any
+/// other velocity the springs are not conservative, and contact feeds energy into the soil.
+fn update_history(c: &mut Contact, relative: DVec3, dt: f64) {
     let closing = relative.dot(c.normal);
     c.penetration += closing * dt;
     c.slip += (relative - closing * c.normal) * dt;
@@ -76,27 +79,28 @@ impl ContactLaw for Penalty {
         }
     }
 
-    fn act(&mut self, scene: &mut Scene) {
-        // All tractions follow from the velocities without contact, so the order of the points does not matter.
-        self.given.clear();
-        for n in 0..scene.contacts.len() {
-            let relative = scene.slip_velocity_of(n);
-            let body = &scene.model.bodies[scene.contacts[n].body as usize];
+    fn act(&mut self, problem: &mut ContactProblem) {
+        // All tractions follow from the velocities without contact, so the order of the points does not
+        // matter.
+        self.impulses.clear();
+        for n in 0..problem.contacts.len() {
+            let relative = problem.slip_velocity_of(n);
+            let body = &problem.model.bodies[problem.contacts[n].body as usize];
             let friction = [body.friction.min(1e6), body.shear_limit];
-            let (normal, tangential) = self.tractions(&mut scene.contacts[n], relative, friction);
-            let scale = scene.contacts[n].area * scene.dt;
-            self.given.push([normal * scale, tangential * scale]);
+            let (normal, tangential) = self.tractions(&mut problem.contacts[n], relative, friction);
+            let scale = problem.contacts[n].area * problem.dt;
+            self.impulses.push([normal * scale, tangential * scale]);
         }
-        for (n, [normal, friction]) in self.given.iter().enumerate() {
+        for (n, [normal, friction]) in self.impulses.iter().enumerate() {
             if *normal != DVec3::ZERO {
-                let jacobian = scene.jacobian(n);
-                scene.exchange(&jacobian, *normal + *friction);
-                scene.record(n, *normal, *friction);
+                let jacobian = problem.jacobian(n);
+                problem.exchange(&jacobian, *normal + *friction);
+                problem.record(n, *normal, *friction);
             }
         }
-        for n in 0..scene.contacts.len() {
-            let relative = scene.slip_velocity_of(n);
-            remember(&mut scene.contacts[n], relative, scene.dt);
+        for n in 0..problem.contacts.len() {
+            let relative = problem.slip_velocity_of(n);
+            update_history(&mut problem.contacts[n], relative, problem.dt);
         }
     }
 }

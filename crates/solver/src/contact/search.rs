@@ -2,7 +2,7 @@
 
 use super::body_fraction::{find_bodies, measure_bodies};
 use super::law::ContactLaw;
-use super::scene::{corners, largest_axis, over_corners};
+use super::problem::{corners, largest_axis, over_corners};
 use super::workspace::ContactWorkspace;
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::workspace::SoilWorkspace;
@@ -12,7 +12,7 @@ use crate::scalar::Scalar;
 use crate::state::{Body, Contact, Soil, State};
 use glam::DVec3;
 
-/// The first search of a run, which finds the bodies in the grid as well.
+/// The first contact search of a run, which also computes the body volume fractions.
 pub(crate) fn first_search<R: Scalar>(
     model: &Model,
     state: &mut State<R>,
@@ -30,8 +30,8 @@ pub(crate) fn first_search<R: Scalar>(
     search(model, state, soil, workspace, halo);
 }
 
-/// Finds the contact points that have soil to act on, with their cells, weights and gaps; measures leaked and embedded volumes.
-/// Done after every remap.
+/// Finds the contact points that have soil to act on, with their cells, weights and gaps; measures leaked and
+/// embedded volumes. Done after every remap.
 pub(crate) fn search<R: Scalar>(
     model: &Model,
     state: &mut State<R>,
@@ -57,8 +57,8 @@ pub(crate) fn search<R: Scalar>(
         let (fixed, body) = (&model.bodies[n], &state.bodies[n]);
         for (p, point) in surface.points().enumerate() {
             let known = known.next_if(|c| (c.body as usize, c.point as usize) == (n, p));
-            let place = [point.position, point.normal].map(|v| rotated(fixed, body, v));
-            if let Some(mut contact) = view.find_contact(known, place, body, law.as_ref()) {
+            let in_space = [point.position, point.normal].map(|v| rotated(fixed, body, v));
+            if let Some(mut contact) = view.find_contact(known, in_space, body, law.as_ref()) {
                 (contact.body, contact.point) = (n as u32, p as u32);
                 contact.area *= point.area;
                 found.push(contact);
@@ -73,20 +73,20 @@ pub(crate) fn search<R: Scalar>(
     soil.stopwatch().lap(Stage::Contact);
 }
 
-/// The contacts that all blocks have found, in the order of bodies and points.
+/// The contacts found by all blocks, in the order of bodies and points.
 fn all_contacts(found: Vec<Contact>, halo: &mut dyn Halo) -> Vec<Contact> {
     if halo.is_alone() {
         return found;
     }
-    /// No body has more points than this.
+    /// Upper limit of a body's points.
     const POINTS: usize = 1 << 32;
     let own = found.iter().map(|c| (c.body as usize * POINTS + c.point as usize, c.to_array()));
     let of = |(number, values): (usize, _)| Contact::of([number / POINTS, number % POINTS], values);
     halo::in_order(halo, own).into_iter().map(of).collect()
 }
 
-/// A direction of the body frame in space. The contact points of a body of revolution do not rotate with it, so that contact is
-/// steady in steady rolling.
+/// Rotates a vector from the body frame to space. The contact points of a body of revolution do not rotate
+/// with it, so that contact is steady in steady rolling.
 fn rotated(fixed: &BodyModel, body: &Body, v: DVec3) -> DVec3 {
     if fixed.shape.is_revolved() { v } else { glam::DQuat::from_rotation_y(body.angle) * v }
 }
@@ -97,11 +97,12 @@ fn layer(faces: &[f64], x: f64) -> Option<usize> {
     (n >= 1 && n < faces.len()).then(|| n - 1)
 }
 
+/// What the contact search reads.
 struct View<'a, R> {
     model: &'a Model,
     soil: &'a Soil<R>,
     node_mass: &'a [R],
-    /// Fraction of each cell that bodies occupy.
+    /// Body volume fraction of each cell.
     body_fraction: &'a [R],
     /// Material of each cell; empty where there is only one.
     material: &'a [u8],
@@ -110,8 +111,8 @@ struct View<'a, R> {
 }
 
 impl<R: Scalar> View<'_, R> {
-    /// A contact point of a body, if it lies in the block with soil to act on; `known` is the same point at the last search, if
-    /// it was in contact with soil then.
+    /// A contact point of a body, if it lies in the block with soil to act on; `known` is the same point at
+    /// the last search, if it was in contact with soil then.
     fn find_contact(
         &self,
         known: Option<&Contact>,
@@ -119,11 +120,11 @@ impl<R: Scalar> View<'_, R> {
         body: &Body,
         law: &dyn ContactLaw,
     ) -> Option<Contact> {
-        let place = body.position + arm;
-        // A point on a face between two cells belongs to the outer one, a point on an edge to the cell nearer to the body's
-        // centre, so that mirror images belong to mirror images of cells.
+        let position = body.position + arm;
+        // A point on a face between two cells belongs to the outer one, a point on an edge to the cell nearer
+        // to the body's centre, so that mirror images belong to mirror images of cells.
         let finest = self.model.grid.finest();
-        let in_grid = place - self.grid_position;
+        let in_grid = position - self.grid_position;
         let probe = in_grid + 1e-9 * finest * (normal - 0.5 * arm.signum() * (DVec3::ONE - normal.abs()));
         let faces = &self.model.grid.faces;
         let cell = [layer(&faces[0], probe.x)?, layer(&faces[1], probe.y)?, layer(&faces[2], probe.z)?];
@@ -141,34 +142,36 @@ impl<R: Scalar> View<'_, R> {
             width: (0..3).map(|axis| self.model.grid.width(axis, cell[axis])).fold(f64::INFINITY, f64::min),
             arm,
             normal,
-            anchor: place,
+            anchor: position,
             ..known.copied().unwrap_or_default()
         };
-        let travel = known.map(|c| (place - c.anchor).length());
+        let travel = known.map(|c| (position - c.anchor).length());
         law.update(&mut contact, self.gap(cell, normal), travel);
         Some(contact)
     }
 
-    /// Trilinear weights of the cell's nodes, reduced at nodes with little mass, and the fraction of its area that a point among
-    /// such nodes represents: a few grains must not carry the whole contact pressure.
-    fn weights(&self, cell: [usize; 3], place: DVec3) -> Option<([f64; 8], f64)> {
+    /// Trilinear weights of the cell's nodes, reduced at nodes with little mass, and the fraction of its area
+    /// that a point represents among such nodes: a few grains must not carry the whole contact pressure.
+    fn weights(&self, cell: [usize; 3], position: DVec3) -> Option<([f64; 8], f64)> {
         const MASS_RATIO: f64 = 2.5;
         let grid = &self.model.grid;
         let base = grid.index(cell[0], cell[1], cell[2]);
         let density = self.model.materials[self.material_of(base)].density;
-        // Shape functions of the low and the high node, each from the opposite face: mirroring in y only swaps them.
-        let parts: [[f64; 2]; 3] = std::array::from_fn(|axis| {
+        // Linear shape functions of the low and the high node, each from the opposite face: mirroring in y
+        // only swaps them.
+        let shape: [[f64; 2]; 3] = std::array::from_fn(|axis| {
             let (faces, n) = (&grid.faces[axis], cell[axis]);
-            let part = |distance: f64| (distance / grid.width(axis, n)).clamp(0.0, 1.0);
-            [part(faces[n + 1] - place[axis]), part(place[axis] - faces[n])]
+            let value = |distance: f64| (distance / grid.width(axis, n)).clamp(0.0, 1.0);
+            [value(faces[n + 1] - position[axis]), value(position[axis] - faces[n])]
         });
         let mut weight = [0.0; 8];
         for (n, offset) in corners(grid.stride).iter().enumerate() {
-            let part = |axis: usize| parts[axis][n >> axis & 1];
+            let factor = |axis: usize| shape[axis][n >> axis & 1];
             let full = density * self.node_volume(cell, n);
             let mass = self.node_mass[base + offset].to_f64();
-            let bears = mass > self.model.mass_moved();
-            weight[n] = if bears { (part(0) * part(1) * part(2)).min(MASS_RATIO * mass / full) } else { 0.0 };
+            let moves = mass > self.model.mass_moved();
+            weight[n] =
+                if moves { (factor(0) * factor(1) * factor(2)).min(MASS_RATIO * mass / full) } else { 0.0 };
         }
         let sum = over_corners(weight);
         (sum > 1e-3).then(|| (weight.map(|w| w / sum), (2.0 * sum).min(1.0)))
@@ -178,7 +181,7 @@ impl<R: Scalar> View<'_, R> {
         self.material.get(cell).map_or(0, |m| usize::from(*m))
     }
 
-    /// Volume of the eight half cells round corner `n` of a cell [m³].
+    /// Volume of the dual cell of corner `n` of a cell: an eighth of each cell around it [m³].
     fn node_volume(&self, cell: [usize; 3], n: usize) -> f64 {
         let grid = &self.model.grid;
         (0..3)
@@ -191,8 +194,8 @@ impl<R: Scalar> View<'_, R> {
             .product()
     }
 
-    /// Gap between body and soil along the normal [m], negative where they overlap. Only void between the two counts, not void
-    /// beyond the soil.
+    /// Gap between body and soil along the normal [m], negative where they overlap. Only void between the two
+    /// counts, not void beyond the soil.
     fn gap(&self, cell: [usize; 3], normal: DVec3) -> f64 {
         let axis = largest_axis(normal);
         let grid = &self.model.grid;
@@ -202,8 +205,8 @@ impl<R: Scalar> View<'_, R> {
             next[axis] = if out == outward { cell[axis] + 1 } else { cell[axis].checked_sub(1)? };
             (next[axis] < grid.cells()[axis]).then_some(next)
         };
-        let look = |at: Option<[usize; 3]>| match at {
-            // Beyond the grid is a wall: no void.
+        let sample = |at: Option<[usize; 3]>| match at {
+            // Outside the grid is a wall: no void.
             None => (0.0, 1.0, 1.0, 0.0),
             Some(at) => {
                 let c = grid.index(at[0], at[1], at[2]);
@@ -213,16 +216,18 @@ impl<R: Scalar> View<'_, R> {
                 (void, fraction, normal.dot(self.void_direction(at)), width)
             }
         };
-        let (void_in, ..) = look(neighbour(false));
-        let (void_own, soil_own, side_own, _) = look(Some(cell));
-        let (void_out, soil_out, side_out, width_out) = look(neighbour(true));
-        const ALONG: f64 = 0.3;
+        let (void_in, ..) = sample(neighbour(false));
+        let (void_own, soil_own, side_own, _) = sample(Some(cell));
+        let (void_out, soil_out, side_out, width_out) = sample(neighbour(true));
+        /// Cosine above which void lies beyond the soil, away from the body.
+        const OUTWARD: f64 = 0.3;
+        /// Volume fraction above which a cell counts as holding soil.
         const SOME_SOIL: f64 = 0.02;
         let mut gap = void_in.min(0.0);
         if soil_own > SOME_SOIL {
-            gap += if side_own < ALONG { void_own + void_in.max(0.0) } else { void_own.min(0.0) };
+            gap += if side_own < OUTWARD { void_own + void_in.max(0.0) } else { void_own.min(0.0) };
         } else {
-            let beyond = if side_out < ALONG { void_out } else { void_out.min(0.0) };
+            let beyond = if side_out < OUTWARD { void_out } else { void_out.min(0.0) };
             gap += void_own + void_in.max(0.0) + if soil_out > SOME_SOIL { beyond } else { width_out };
         }
         gap * normal[axis].abs()

@@ -1,6 +1,6 @@
 //! Contact in one step: the contact law changes the velocities of nodes and bodies.
 
-use super::scene::{ContactNode, Scene, velocity_at};
+use super::problem::{ContactNode, ContactProblem, velocity_at};
 use super::workspace::ContactWorkspace;
 use crate::bodies::BodyStep;
 use crate::cpu::stopwatch::Stage;
@@ -8,20 +8,20 @@ use crate::cpu::workspace::SoilWorkspace;
 use crate::halo::{self, Halo};
 use crate::model::Model;
 use crate::scalar::Scalar;
-use crate::state::{Nodes, Received, State};
+use crate::state::{ContactImpulse, Nodes, State};
 use glam::DVec3;
 
-/// What contact did in one step.
+/// Work of contact in one step.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct ContactWork {
     /// Work done on the soil [J].
     pub(crate) on_soil: f64,
-    /// Dissipation by friction [J].
+    /// Frictional dissipation [J].
     pub(crate) friction_work: f64,
 }
 
-/// Lets soil and bodies act on each other for one step. Returns the work that was done; what each body received is entered
-/// into its step record.
+/// Solves contact between soil and bodies for one step. The contact impulse on each body is stored in its
+/// step record.
 pub(crate) fn solve<R: Scalar>(
     model: &Model,
     state: &mut State<R>,
@@ -33,31 +33,32 @@ pub(crate) fn solve<R: Scalar>(
         return ContactWork::default();
     }
     for (step, body) in steps.iter_mut().zip(&state.bodies) {
-        step.received = body.received;
+        step.contact_impulse = body.contact_impulse;
     }
-    let ContactWorkspace { law, nodes, corner_nodes, constraint, friction, .. } = workspace;
+    let ContactWorkspace { law, nodes, corner_nodes, constraint, hourglass_correction, friction, .. } =
+        workspace;
     gather(&state.nodes, &soil.velocity_before, nodes, halo);
-    find_mobility(model, nodes);
+    find_inverse_masses(model, nodes);
     friction.clear();
     friction.resize(state.contacts.len(), DVec3::ZERO);
-    law.act(&mut Scene {
+    law.act(&mut ContactProblem {
         model,
         contacts: &mut state.contacts,
         bodies: &mut state.bodies,
         nodes,
         corner_nodes,
-        constraint: &constraint.0,
-        hourglass_correction: &constraint.1,
+        constraint,
+        hourglass_correction,
         friction,
-        modelled: model.share(),
+        modelled_fraction: model.modelled_fraction(),
         dt: model.time_step(),
     });
     let on_soil = scatter(&mut state.nodes, nodes);
     let friction_work = friction_work(state, nodes, corner_nodes, friction, steps);
-    let modelled = model.share();
+    let modelled = model.modelled_fraction();
     for (step, body) in steps.iter_mut().zip(&state.bodies) {
-        let (now, then) = (body.received, step.received);
-        step.received = Received {
+        let (now, then) = (body.contact_impulse, step.contact_impulse);
+        step.contact_impulse = ContactImpulse {
             normal: (now.normal - then.normal) * modelled,
             friction: (now.friction - then.friction) * modelled,
             axle: (now.axle - then.axle) * modelled,
@@ -67,32 +68,32 @@ pub(crate) fn solve<R: Scalar>(
     ContactWork { on_soil, friction_work }
 }
 
-/// Takes velocities and masses of the contact nodes from the blocks that own them.
+/// Gathers velocities and masses of the contact nodes from the blocks that own them.
 fn gather<R: Scalar>(grid: &Nodes<R>, before: &[Vec<R>; 3], nodes: &mut [ContactNode], halo: &mut dyn Halo) {
     for node in nodes.iter_mut() {
         if let Some(n) = node.node {
             node.mass = grid.mass[n].to_f64();
-            (node.velocity, node.before) = (velocity_of(&grid.velocity, n), velocity_of(before, n));
+            (node.velocity, node.velocity_before) = (velocity_of(&grid.velocity, n), velocity_of(before, n));
         }
     }
     if !halo.is_alone() {
         let owned = nodes.iter().enumerate().filter(|(_, node)| node.is_owned);
         let values = owned.map(|(n, node)| {
-            let ([vx, vy, vz], [bx, by, bz]) = (node.velocity.to_array(), node.before.to_array());
+            let ([vx, vy, vz], [bx, by, bz]) = (node.velocity.to_array(), node.velocity_before.to_array());
             (n, [node.mass, vx, vy, vz, bx, by, bz])
         });
         for (n, [mass, vx, vy, vz, bx, by, bz]) in halo::in_order(halo, values) {
             nodes[n].mass = mass;
-            (nodes[n].velocity, nodes[n].before) = (DVec3::new(vx, vy, vz), DVec3::new(bx, by, bz));
+            (nodes[n].velocity, nodes[n].velocity_before) = (DVec3::new(vx, vy, vz), DVec3::new(bx, by, bz));
         }
     }
 }
 
-/// How the nodes answer an impulse.
-fn find_mobility(model: &Model, nodes: &mut [ContactNode]) {
+/// Inverse masses of the contact nodes, and their velocities without contact.
+fn find_inverse_masses(model: &Model, nodes: &mut [ContactNode]) {
     let mass_moved = model.mass_moved();
     for node in nodes {
-        node.free = node.velocity;
+        node.velocity_free = node.velocity;
         let free = DVec3::from_array(node.is_free.map(|is_free| if is_free { 1.0 } else { 0.0 }));
         node.inverse_mass = if node.mass > mass_moved { free / node.mass } else { DVec3::ZERO };
     }
@@ -102,8 +103,8 @@ fn velocity_of<R: Scalar>(velocity: &[Vec<R>; 3], node: usize) -> DVec3 {
     DVec3::from_array(velocity.each_ref().map(|component| component[node].to_f64()))
 }
 
-/// Returns the velocities to the grid, and the work on the soil: impulse on each node times the mean of its velocities
-/// before and after the step [J].
+/// Writes the velocities back to the grid. Returns the work on the soil [J]: impulse on each node times the
+/// mean of its velocities before and after the step.
 fn scatter<R: Scalar>(grid: &mut Nodes<R>, nodes: &[ContactNode]) -> f64 {
     let mut work = 0.0;
     for node in nodes {
@@ -112,13 +113,14 @@ fn scatter<R: Scalar>(grid: &mut Nodes<R>, nodes: &[ContactNode]) -> f64 {
                 v[n] = R::cast(new);
             }
         }
-        work += node.mass * (node.velocity - node.free).dot(0.5 * (node.velocity + node.before));
+        work += node.mass
+            * (node.velocity - node.velocity_free).dot(0.5 * (node.velocity + node.velocity_before));
     }
     work
 }
 
-/// Dissipation by friction [J]: frictional impulses times the slip, which is taken as the mean of those before and after
-/// the step, like every other work.
+/// Frictional dissipation [J]: frictional impulses times the mean of the slip velocities before and after the
+/// step, as for every other work.
 fn friction_work<R>(
     state: &State<R>,
     nodes: &[ContactNode],
@@ -136,7 +138,7 @@ fn friction_work<R>(
             let each = corners.iter().zip(c.weight);
             let of_soil = each.fold(DVec3::ZERO, |v, (n, w)| {
                 let node = &nodes[*n as usize];
-                v + 0.5 * w * (node.velocity + node.before)
+                v + 0.5 * w * (node.velocity + node.velocity_before)
             });
             sum += impulse.dot(of_body - of_soil);
         }

@@ -1,11 +1,11 @@
-//! Memory that contact works in.
+//! Scratch memory of contact.
 
 use super::body_fraction::BodyCell;
 use super::constraint;
 use super::law::ContactLaw;
 use super::method::law;
 use super::nodes::contact_nodes;
-use super::scene::ContactNode;
+use super::problem::ContactNode;
 use super::surface::Surface;
 use crate::halo::{self, Halo};
 use crate::model::Model;
@@ -13,21 +13,23 @@ use crate::scalar::Scalar;
 use crate::state::State;
 use glam::DVec3;
 
-/// What contact keeps between steps and between two searches.
+/// Memory that contact keeps between steps, and between two contact searches.
 pub(crate) struct ContactWorkspace {
-    /// How soil and bodies act on each other.
+    /// Contact law.
     pub(crate) law: Box<dyn ContactLaw>,
-    /// Surfaces of the bodies.
+    /// Contact points of the bodies' surfaces.
     pub(crate) surfaces: Vec<Surface>,
-    /// The cells of which bodies take up a share, body by body.
+    /// Cells that bodies occupy, wholly or in part, in the order of the bodies.
     pub(crate) body_cells: Vec<BodyCell>,
-    /// Nodes that contact acts on.
+    /// Contact nodes.
     pub(crate) nodes: Vec<ContactNode>,
-    /// For each contact, the places of its cell's nodes among them.
+    /// For each contact point the indices of its cell's nodes among them.
     pub(crate) corner_nodes: Vec<[u32; 8]>,
-    /// For each contact the number of its constraint; for each constraint the forces that are missing at its nodes.
-    pub(crate) constraint: (Vec<usize>, Vec<[DVec3; 8]>),
-    /// Frictional impulse at each contact in the last step [N s].
+    /// For each contact point the number of its constraint.
+    pub(crate) constraint: Vec<usize>,
+    /// For each constraint the cut-cell hourglass correction at its cell's nodes, per unit normal force.
+    pub(crate) hourglass_correction: Vec<[DVec3; 8]>,
+    /// Frictional impulse on the soil at each contact point in the last step [N s].
     pub(crate) friction: Vec<DVec3>,
 }
 
@@ -38,7 +40,7 @@ impl std::fmt::Debug for ContactWorkspace {
 }
 
 impl ContactWorkspace {
-    /// Memory for the bodies of a model and the contacts of a state.
+    /// Workspace for the bodies of a model and the contacts of a state.
     pub(crate) fn new<R: Scalar>(model: &Model, state: &State<R>, halo: &mut dyn Halo) -> Self {
         let mut workspace = Self {
             law: law(model),
@@ -46,33 +48,34 @@ impl ContactWorkspace {
             body_cells: Vec::new(),
             nodes: Vec::new(),
             corner_nodes: Vec::new(),
-            constraint: (Vec::new(), Vec::new()),
+            constraint: Vec::new(),
+            hourglass_correction: Vec::new(),
             friction: Vec::new(),
         };
         workspace.connect(model, state, halo);
         workspace
     }
 
-    /// Connects the contacts with the nodes and with each other, after a search.
+    /// Finds contact nodes and constraints after a contact search.
     pub(super) fn connect<R: Scalar>(&mut self, model: &Model, state: &State<R>, halo: &mut dyn Halo) {
         (self.nodes, self.corner_nodes) = contact_nodes(model, &state.contacts);
         let fractions = fractions(model, state, halo);
-        self.constraint = constraint::number(model, state, &fractions);
+        (self.constraint, self.hourglass_correction) = constraint::number(model, state, &fractions);
     }
 
-    /// Memory that it takes up [bytes], but for what the contact law keeps during a step.
+    /// Memory in use [bytes], except what the contact law keeps during a step.
     pub(crate) fn memory(&self) -> usize {
         self.surfaces.iter().map(Surface::memory).sum::<usize>()
             + size_of_val(self.body_cells.as_slice())
             + size_of_val(self.nodes.as_slice())
             + size_of_val(self.corner_nodes.as_slice())
-            + size_of_val(self.constraint.0.as_slice())
-            + size_of_val(self.constraint.1.as_slice())
+            + size_of_val(self.constraint.as_slice())
+            + size_of_val(self.hourglass_correction.as_slice())
             + size_of_val(self.friction.as_slice())
     }
 }
 
-/// Volume fractions in the cells of all contacts.
+/// Volume fractions in the cells of all contact points.
 fn fractions<R: Scalar>(model: &Model, state: &State<R>, halo: &mut dyn Halo) -> Vec<f64> {
     let grid = &model.grid;
     let own = state.contacts.iter().enumerate().filter_map(|(n, contact)| {

@@ -1,4 +1,4 @@
-//! The loops over cells and nodes, on the processor's cores.
+//! The loops over cells and nodes, on the cores of the processor.
 
 pub(crate) mod kernels;
 pub mod machine;

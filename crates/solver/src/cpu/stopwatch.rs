@@ -1,21 +1,21 @@
-//! Where the time of a step goes. A stopwatch that was not started costs one comparison per lap.
+//! Time by stage of a step. A stopwatch that was not started costs one comparison per lap.
 
 use std::time::Instant;
 
-/// A part of the step.
+/// A stage of the step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
     /// Strain, trial stress and nodal force coefficients.
     Lagrange,
-    /// Return of stresses to the strength.
+    /// Return mapping.
     Plasticity,
     /// Forces gathered at the nodes, new velocities and displacements.
     Nodes,
     /// The Eulerian stage.
     Remap,
-    /// Loads and drives of the bodies, contact of soil and bodies, and finding its points anew.
+    /// Loads and drives of the bodies, contact, and contact search.
     Contact,
-    /// Ledger and checks.
+    /// Energy balance and checks.
     Other,
 }
 
@@ -25,7 +25,7 @@ impl Stage {
         [Self::Lagrange, Self::Plasticity, Self::Nodes, Self::Remap, Self::Contact, Self::Other];
 }
 
-/// Time by stage of one worker.
+/// Time by stage of a worker.
 #[derive(Clone, Debug, Default)]
 pub struct Stopwatch {
     last: Option<Instant>,
@@ -34,12 +34,12 @@ pub struct Stopwatch {
 }
 
 impl Stopwatch {
-    /// Starts to measure, from zero.
+    /// Starts measuring from zero.
     pub fn start(&mut self) {
         *self = Self { last: Some(Instant::now()), ..Self::default() };
     }
 
-    /// Enters the time since the last lap under `stage`.
+    /// Adds the time since the last lap to `stage`.
     #[inline]
     pub(crate) fn lap(&mut self, stage: Stage) {
         if let Some(last) = &mut self.last {
@@ -49,7 +49,7 @@ impl Stopwatch {
         }
     }
 
-    /// Counts cells whose stress was returned to the strength.
+    /// Counts cells whose stress was returned to the yield surface.
     #[inline]
     pub(crate) fn count_returned(&mut self, cells: usize) {
         self.returned += cells as u64;
@@ -61,7 +61,7 @@ impl Stopwatch {
         self.seconds[stage as usize]
     }
 
-    /// Number of times that the stress of a cell was returned to the strength.
+    /// Number of cells whose stress was returned to the yield surface, summed over the steps.
     #[must_use]
     pub fn returned(&self) -> u64 {
         self.returned

@@ -1,7 +1,7 @@
 //! A team of threads that lives as long as the run. The only file that starts a thread.
 //!
-//! A step has a handful of short parallel phases. A thread pool that sleeps between them costs more than the phases, so
-//! the team spins for a while, then yields, before it goes to sleep.
+//! A step has a handful of short parallel phases. A thread pool that sleeps between them costs more than the
+//! phases, so the team spins for a while, then yields, before it goes to sleep.
 #![allow(unsafe_code)]
 
 use super::partition::RowPartition;
@@ -12,12 +12,13 @@ use std::thread::JoinHandle;
 type Job = *const (dyn Fn(usize) + Sync);
 
 struct Shared {
-    /// Number of the job being worked at; a change of it is the signal to start.
+    /// Number of the current job; a change of it is the signal to start.
     turn: AtomicUsize,
-    /// Workers that have not finished it yet.
+    /// Number of workers that have not finished it.
     busy: AtomicUsize,
     /// Whether a worker has panicked.
     failed: AtomicBool,
+    /// Whether the threads should end.
     leave: AtomicBool,
     job: Mutex<Option<JobPointer>>,
     asleep: Mutex<()>,
@@ -57,7 +58,7 @@ impl Team {
             asleep: Mutex::new(()),
             wake: Condvar::new(),
         });
-        let threads = (1..size.clamp(1, MOST))
+        let threads = (1..size.clamp(1, MAX_WORKERS))
             .map(|worker| {
                 let shared = Arc::clone(&shared);
                 std::thread::spawn(move || serve(&shared, worker))
@@ -75,7 +76,7 @@ impl Team {
     /// Runs `job(worker)` once on every worker and waits for all of them.
     ///
     /// # Panics
-    /// When the job panics on any worker.
+    /// If the job panics on any worker.
     pub fn run(&self, job: &(dyn Fn(usize) + Sync)) {
         if self.threads.is_empty() {
             job(0);
@@ -99,40 +100,43 @@ impl Team {
         assert!(!self.shared.failed.load(Ordering::Relaxed), "a worker thread panicked");
     }
 
-    /// Gives every worker its own part: `job(&mut parts[worker])`. There must be at most as many parts as workers; a single
-    /// one is the caller's, who waits for nobody.
-    pub fn share<T: Send>(&self, parts: &mut [T], job: impl Fn(&mut T) + Sync) {
-        assert!(parts.len() <= self.size(), "more parts than workers");
-        if let [part] = parts {
-            job(part);
+    /// Runs `job(&mut items[worker])` on as many workers as there are items. A single item is processed by
+    /// the calling thread, without synchronisation.
+    ///
+    /// # Panics
+    /// If there are more items than workers, or the job panics.
+    pub fn for_each<T: Send>(&self, items: &mut [T], job: impl Fn(&mut T) + Sync) {
+        assert!(items.len() <= self.size(), "more items than workers");
+        if let [item] = items {
+            job(item);
             return;
         }
-        let base = PartsPointer(parts.as_mut_ptr());
-        let count = parts.len();
+        let base = ItemsPointer(items.as_mut_ptr());
+        let count = items.len();
         self.run(&|worker| {
             if worker < count {
-                // SAFETY: every worker has a number of its own, so no two get the same part.
+                // SAFETY: worker numbers are unique, so no two workers get the same item.
                 job(unsafe { &mut *base.at(worker) });
             }
         });
     }
 
-    /// Gives every worker one of `parts`, of which there must be at most as many as workers.
-    pub fn distribute<T: Send>(&self, parts: impl Iterator<Item = T>, job: impl Fn(&mut T) + Sync) {
-        let mut parts = parts_of(parts);
-        let given = parts.iter().take_while(|part| part.is_some()).count();
-        self.share(&mut parts[..given], |part| part.iter_mut().for_each(&job));
+    /// Runs the job on each item of an iterator, with one worker for each; at most as many items as workers.
+    pub fn distribute<T: Send>(&self, items: impl Iterator<Item = T>, job: impl Fn(&mut T) + Sync) {
+        let mut items = worker_items(items);
+        let count = items.iter().take_while(|item| item.is_some()).count();
+        self.for_each(&mut items[..count], |item| item.iter_mut().for_each(&job));
     }
 
-    /// Calls `job(row, output)` for every row that `cut` hands out, in parallel, with the row of `output`.
+    /// Calls `job(row, output)` for every row of the partition, in parallel, with the row of `output`.
     pub fn rows<T: Send>(
         &self,
         partition: &RowPartition,
         output: &mut [T],
         job: impl Fn(usize, &mut [T]) + Sync,
     ) {
-        self.distribute(partition.split(output).zip(partition.ranges()), |(part, range)| {
-            for (row, own) in range.clone().zip(part.chunks_exact_mut(partition.stride)) {
+        self.distribute(partition.split(output).zip(partition.ranges()), |(rows, range)| {
+            for (row, own) in range.clone().zip(rows.chunks_exact_mut(partition.stride)) {
                 job(row, own);
             }
         });
@@ -159,18 +163,18 @@ impl Team {
     }
 }
 
-/// Most workers of a team: their parts lie on the stack, so that no step asks for memory.
-pub const MOST: usize = 64;
+/// Maximum number of workers of a team: their items lie on the stack, so that a step allocates no memory.
+pub const MAX_WORKERS: usize = 64;
 
-/// What the workers get, one after the other; `None` for those that are left over.
-pub(crate) fn parts_of<T>(mut parts: impl Iterator<Item = T>) -> [Option<T>; MOST] {
-    std::array::from_fn(|_| parts.next())
+/// One item for each worker; `None` beyond the last.
+pub(crate) fn worker_items<T>(mut items: impl Iterator<Item = T>) -> [Option<T>; MAX_WORKERS] {
+    std::array::from_fn(|_| items.next())
 }
 
-struct PartsPointer<T>(*mut T);
-// SAFETY: used to hand out disjoint parts of a slice of `Send` values.
-unsafe impl<T: Send> Sync for PartsPointer<T> {}
-impl<T> PartsPointer<T> {
+struct ItemsPointer<T>(*mut T);
+// SAFETY: used to hand out disjoint items of a slice of `Send` values.
+unsafe impl<T: Send> Sync for ItemsPointer<T> {}
+impl<T> ItemsPointer<T> {
     fn at(&self, n: usize) -> *mut T {
         self.0.wrapping_add(n)
     }
@@ -248,14 +252,14 @@ mod tests {
             let team = Team::new(size);
             let mut counts = vec![0_usize; size];
             for _ in 0..1000 {
-                team.share(&mut counts, |c| *c += 1);
+                team.for_each(&mut counts, |c| *c += 1);
             }
             assert_eq!(counts, vec![1000; size]);
         }
     }
 
     #[test]
-    fn rows_are_dealt_out_whole_and_once() {
+    fn every_row_is_processed_once() {
         let partition = RowPartition::new(2, &[0.0, 1.0, 5.0, 1.0, 1.0, 0.0], [3, 1], 4);
         assert_eq!(partition.all(), 2..8);
         let mut array = vec![0.0; 40];

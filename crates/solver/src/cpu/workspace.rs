@@ -1,8 +1,8 @@
-//! Memory that the loops over cells work in and that is worth nothing between steps.
+//! Scratch memory of the loops over cells; nothing in it must survive a step.
 
 use super::partition::{RowPartition, SerialFallback, Throughput};
 use super::stopwatch::Stopwatch;
-use super::threads::{MOST, Team};
+use super::threads::{MAX_WORKERS, Team};
 use crate::fields::Soil;
 use crate::grid::Grid;
 use crate::halo::{self, Halo};
@@ -10,40 +10,40 @@ use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::state::State;
 
-/// Coefficients of the nodal force of one plane of cells: for each component the plain part and the parts signed by the
+/// Coefficients of the nodal forces of a cell: for each component the plain term and the terms signed by the
 /// corner's side along x, y, z; last the hourglass damping.
 pub(crate) const COEFFICIENTS: usize = 13;
 
-/// Sums at a node: the force along x, y, z, and the damping.
+/// Sums at a node: force along x, y, z, and damping.
 pub(crate) const NODE_SUMS: usize = 4;
 
-/// Threads, scratch arrays and the bookkeeping of which rows hold soil.
+/// Threads, scratch arrays, and which rows hold soil.
 pub struct SoilWorkspace<R: Scalar> {
     pub(crate) team: Team,
-    /// How rows (of storage planes 1 to nz + 1: nodes, and the cells above them) are dealt out.
+    /// Partition of the rows of memory planes 1 to nz + 1 (nodes, and the cells above them).
     pub(crate) partition: RowPartition,
-    /// Whether the team is worth having.
+    /// Whether one thread alone would be faster.
     pub(crate) serial_fallback: SerialFallback,
-    /// Cost of each row when they were dealt out last.
+    /// Cost of each row at the last rebalancing.
     pub(crate) costs: Vec<f64>,
-    /// Whether a row of cells holds soil, by storage plane and row.
+    /// Whether a row of cells holds soil, in memory order.
     pub(crate) row_has_soil: Vec<bool>,
-    /// Number of the material that most of the soil in each cell is of; empty where there is one alone.
+    /// Number of the main material of each cell; empty where there is only one material.
     pub(crate) material: Vec<u8>,
-    /// The materials as the kernels need them.
+    /// Constants of the materials.
     pub(crate) materials: R::Materials,
-    /// How many of the two arrays of velocities are known to be zero where no soil is.
+    /// How many of the two velocity arrays are known to be zero where there is no soil.
     pub(crate) clear: u8,
-    /// Nodal velocities of the step before. Between steps they are worth nothing, and room for others: for the remap, and
-    /// the first, from then till the contact points are located, for the share of each cell that bodies take up.
+    /// Nodal velocities of the previous step. Between steps their memory serves others: the remap, and, from
+    /// the remap until the contact search, in the first array the body volume fractions.
     pub(crate) velocity_before: [Vec<R>; 3],
-    /// One for each worker.
+    /// Scratch memory of each worker.
     pub(crate) workers: Vec<WorkerScratch<R>>,
-    /// Sums over rows of the Lagrangian step.
+    /// Sums over each row in the Lagrangian stage.
     pub(crate) row_sums: Vec<RowSums>,
-    /// Two values for each row, to be added up.
+    /// Two values for each row, to be summed.
     pub(crate) row_values: Vec<[f64; 2]>,
-    /// Widths of the cell layers along x [m], in storage columns (0 in ghosts), and ¼ over them.
+    /// Widths of the cell layers along x [m] in memory order (0 in ghosts), and ¼ of their inverses [1/m].
     pub(crate) width_x: [Vec<R>; 2],
 }
 
@@ -53,38 +53,38 @@ impl<R: Scalar> std::fmt::Debug for SoilWorkspace<R> {
     }
 }
 
-/// What a worker needs for itself, on cache lines of its own: it is written in every row, and two workers that write to one
-/// line wait for each other.
+/// Scratch memory of a worker, aligned against false sharing: it is written in every row.
 #[repr(align(128))]
 pub(crate) struct WorkerScratch<R: Scalar> {
-    /// Force coefficients of two rows of cells in turn.
+    /// Force coefficients of two successive rows of cells.
     pub(crate) coefficients: [Coefficients<R>; 2],
-    /// Those of the worker's first row.
+    /// Force coefficients of the worker's first row.
     pub(crate) first: Coefficients<R>,
-    /// Force and damping (four rows for each row of nodes) on a plane of nodes by the cells below it.
+    /// Force and damping (four rows for each row of nodes) exerted on a plane of nodes by the cells below it.
     pub(crate) below: Vec<R>,
-    /// The same, row by row, on those of the worker's first nodes that wait for other cells; the first worker's wait for nobody.
+    /// The same, row by row, for the worker's first nodes that wait for cells of another worker; those of the
+    /// first worker do not.
     pub(crate) waiting: Vec<R>,
     /// Row buffers of the nodes.
     pub(crate) row: Vec<R>,
-    /// Block of cells.
+    /// Scratch memory for a block of cells.
     pub(crate) block: Box<R::CellBlock>,
-    /// How fast this worker is.
+    /// Throughput of this worker.
     pub(crate) throughput: Throughput,
-    /// Where this worker's time goes.
+    /// Time by stage of this worker.
     pub(crate) stopwatch: Stopwatch,
 }
 
 /// Force coefficients of a row of cells.
 pub(crate) struct Coefficients<R> {
-    /// One row after the other.
+    /// Row after row.
     pub(crate) values: Vec<R>,
     /// Whether all are zero.
     pub(crate) are_zero: bool,
 }
 
 impl<R: Copy> Coefficients<R> {
-    /// Takes over another row's.
+    /// Copies those of another row.
     pub(crate) fn copy_from(&mut self, other: &Self) {
         self.values.copy_from_slice(&other.values);
         self.are_zero = other.are_zero;
@@ -106,9 +106,9 @@ pub(crate) struct RowSums {
     pub kinetic: f64,
     /// Largest component of a nodal displacement since the last remap [m].
     pub displacement: f64,
-    /// The same of the nodes that only a few grains hang on [m].
+    /// The same for light nodes, next to only a few grains of soil [m].
     pub displacement_light: f64,
-    /// Number of cells whose stress was returned to the strength.
+    /// Number of cells whose stress was returned to the yield surface.
     pub yields: u32,
 }
 
@@ -140,11 +140,11 @@ impl RowSums {
     }
 }
 
-/// Row buffers that the Lagrangian step needs, in rows.
+/// Number of row buffers in the Lagrangian stage.
 pub(crate) const ROW_BUFFERS: usize = 6;
 
 impl<R: Scalar> SoilWorkspace<R> {
-    /// Memory for a model and a team of `threads`.
+    /// Workspace for a model and a team of `threads`.
     #[must_use]
     pub(crate) fn new(model: &Model, state: &State<R>, threads: usize) -> Self {
         let grid = &model.grid;
@@ -189,12 +189,12 @@ impl<R: Scalar> SoilWorkspace<R> {
         self.team.size()
     }
 
-    /// Where the time of the calling thread goes.
+    /// Time by stage of the calling thread.
     pub(crate) fn stopwatch(&mut self) -> &mut Stopwatch {
         &mut self.workers[0].stopwatch
     }
 
-    /// Memory that it takes up [bytes].
+    /// Memory in use [bytes].
     #[must_use]
     pub(crate) fn memory(&self) -> usize {
         let own = |w: &WorkerScratch<R>| {
@@ -210,7 +210,7 @@ impl<R: Scalar> SoilWorkspace<R> {
             + size_of_val(self.row_values.as_slice())
     }
 
-    /// Sums of the rows' two values over the whole grid, in the order of its rows.
+    /// Sums of the two values by row over the whole grid, in row order.
     pub(crate) fn total_of_rows(&self, grid: &Grid, halo: &mut dyn Halo) -> [f64; 2] {
         let add = |sum: [f64; 2], own: &[f64; 2]| [sum[0] + own[0], sum[1] + own[1]];
         if halo.is_alone() {
@@ -221,7 +221,7 @@ impl<R: Scalar> SoilWorkspace<R> {
         rows.iter().fold([0.0; 2], |sum, (_, own)| add(sum, own))
     }
 
-    /// What the Lagrangian stage did in all rows of the whole grid.
+    /// Sums of the Lagrangian stage over the whole grid.
     pub(crate) fn total_of_stage(&self, grid: &Grid, halo: &mut dyn Halo) -> RowSums {
         if halo.is_alone() {
             return self.row_sums[self.partition.all()]
@@ -235,7 +235,7 @@ impl<R: Scalar> SoilWorkspace<R> {
         rows.into_iter().map(|(_, sums)| RowSums::of(sums)).fold(RowSums::default(), RowSums::plus)
     }
 
-    /// Finds which rows hold soil and of which material, and deals the rows out anew.
+    /// Finds which rows hold soil, and of which material; then rebalances the partition.
     pub(crate) fn find_soil(&mut self, grid: &Grid, soil: &Soil<R>) {
         if !soil.composition.is_empty() {
             self.material.clear();
@@ -251,12 +251,12 @@ impl<R: Scalar> SoilWorkspace<R> {
         self.rebalance(grid);
     }
 
-    /// Deals the rows out to the workers by what they cost: those with soil, and cells that yield. Faster workers get more; if
-    /// working together does not pay, the caller gets all.
+    /// Rebalances the partition by the cost of the rows, which depends on soil and yielding cells. Faster
+    /// workers get more; in the serial fallback, the calling thread gets all.
     pub(crate) fn rebalance(&mut self, grid: &Grid) {
-        /// A row without soil, over one with soil.
+        /// Cost of a row without soil, relative to one with soil.
         const VOID: f64 = 0.02;
-        /// Return of one cell's stress to the strength, over all else that is done for a cell.
+        /// Cost of the return mapping of a cell, relative to all else that is done for a cell.
         const RETURN: f64 = 1.8;
         let per_cell = RETURN / grid.cells()[0] as f64;
         let Self { partition, serial_fallback, costs, row_has_soil, row_sums, workers, .. } = self;
@@ -266,11 +266,11 @@ impl<R: Scalar> SoilWorkspace<R> {
             *cost = if *has_soil { 1.0 + per_cell * f64::from(sums.yields) } else { VOID };
         }
         let all_known = workers.iter().all(|worker| worker.throughput.speed().is_some());
-        let size = if serial_fallback.is_left() { 1 } else { workers.len() };
+        let size = if serial_fallback.should_run_alone() { 1 } else { workers.len() };
         partition
             .rebalance(costs, size, |n| workers[n].throughput.speed().filter(|_| all_known).unwrap_or(1.0));
         for (worker, load) in workers.iter_mut().zip(partition.loads(costs)) {
-            worker.throughput.turn_to(load);
+            worker.throughput.assign(load);
         }
     }
 }
@@ -284,14 +284,14 @@ fn column_widths<R: Scalar>(grid: &Grid) -> [Vec<R>; 2] {
     [widths.into_iter().map(|w: f64| R::cast(w)).collect(), per_width]
 }
 
-/// Number of threads that a team gets which is asked for.
+/// Number of threads of a team for which `threads` were asked.
 pub(crate) fn team_size(grid: &Grid, threads: usize) -> usize {
     let (rows, planes) = (grid.rows(), grid.cells()[2] + 1);
-    // The nodes that wait for a worker's cells must not wait for those of another besides.
-    threads.clamp(1, (planes * rows / (rows + 1)).min(MOST))
+    // Nodes must not wait for the cells of more than one other worker.
+    threads.clamp(1, (planes * rows / (rows + 1)).min(MAX_WORKERS))
 }
 
-/// Memory that the workspace of a grid will take up [bytes].
+/// Memory of the workspace of a grid [bytes].
 pub(crate) fn footprint<R: Scalar>(grid: &Grid, threads: usize) -> f64 {
     let [_, row, plane] = grid.stride;
     let (threads, rows, planes) = (threads as f64, grid.rows(), grid.cells()[2] + 1);

@@ -1,4 +1,4 @@
-//! Several blocks in one process, each on a thread of its own: the test twin of a message-passing machine.
+//! Several blocks in one process, each on its own thread: a stand-in for message passing, for the tests.
 
 use super::Halo;
 use crate::grid::Grid;
@@ -18,19 +18,19 @@ pub struct InProcess {
     board: Arc<Board>,
 }
 
-/// Where every block puts what all are to know.
+/// Shared memory of the gathers: one slot for each block.
 #[derive(Debug)]
 struct Board {
     slots: Mutex<Vec<Vec<f64>>>,
     barrier: Barrier,
 }
 
-/// Cuts a grid before some layers of its domain along y and z. Returns each block with its way to the others.
+/// Partitions a grid before the given layers of its domain along y and z. Returns each block with its links to the others.
 ///
 /// # Panics
-/// When a block gets too few layers (see [`Grid::block`]).
+/// If a block gets too few layers (see [`Grid::block`]).
 #[must_use]
-pub fn cut(whole: &Grid, before: [&[usize]; 2]) -> Vec<(Grid, InProcess)> {
+pub fn partition(whole: &Grid, before: [&[usize]; 2]) -> Vec<(Grid, InProcess)> {
     let ranges = |axis: usize| -> Vec<Range<usize>> {
         let domain = &whole.domain[axis];
         let ends = before[axis - 1].iter().map(|layer| domain.start + layer).chain([domain.end]);
@@ -67,7 +67,7 @@ impl Halo for InProcess {
     }
 
     /// # Panics
-    /// When the neighbour has failed.
+    /// If the neighbour has failed.
     fn exchange(&mut self, axis: usize, end: usize, values: Vec<f64>) -> Vec<f64> {
         let Some((to, from)) = &self.neighbours[axis - 1][end] else { return values };
         assert!(to.send(values).is_ok(), "the neighbour has gone");

@@ -1,24 +1,25 @@
-//! What blocks of one grid tell each other: the contents of ghost layers, and values that all must know.
+//! Communication between the blocks of a grid: exchange of ghost layers, and global gathers.
 
 pub mod in_process;
 
 use crate::grid::{GHOSTS, Grid};
 use crate::scalar::Scalar;
 
-/// How a block reaches the others. All blocks call the same functions in the same order.
+/// Communication of a block with the others. All blocks must call the same functions in the same order.
 pub trait Halo: Send {
-    /// Whether there is no other block.
+    /// Whether this block is the whole grid.
     fn is_alone(&self) -> bool;
 
-    /// Sends `values` to the neighbour across a cut, the one at the low end (0) or the high end (1) along `axis`, and returns
-    /// what that one has sent.
+    /// Sends `values` to the neighbour at the low end (0) or the high end (1) along `axis`, and returns what
+    /// the neighbour has sent.
     fn exchange(&mut self, axis: usize, end: usize, values: Vec<f64>) -> Vec<f64>;
 
-    /// Sends `values` to all blocks, and returns what each has sent, one after the other.
+    /// Sends `values` to all blocks, and returns the values of all, concatenated in the same order
+    /// everywhere.
     fn gather(&mut self, values: Vec<f64>) -> Vec<f64>;
 }
 
-/// One block that is the whole grid.
+/// A block that is the whole grid: nothing is exchanged.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Whole;
 
@@ -36,7 +37,7 @@ impl Halo for Whole {
     }
 }
 
-/// What an array belongs to.
+/// Where the values of an array are located.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum At {
     /// Cells.
@@ -45,7 +46,7 @@ pub(crate) enum At {
     Nodes,
 }
 
-/// Fills the ghost layers of some arrays with what their owners hold.
+/// Fills the ghost layers of some arrays with their owners' values.
 pub(crate) fn fill<'a, R: Scalar>(
     halo: &mut dyn Halo,
     grid: &Grid,
@@ -57,8 +58,8 @@ pub(crate) fn fill<'a, R: Scalar>(
     }
     let mut arrays: Vec<_> = arrays.into_iter().collect();
     for axis in [1, 2] {
-        let cuts: Vec<usize> = (0..2).filter(|end| grid.is_cut(axis, *end)).collect();
-        for end in cuts {
+        let ends: Vec<usize> = (0..2).filter(|end| grid.is_cut(axis, *end)).collect();
+        for end in ends {
             let sent = rows(grid, at, axis, edge(grid, at, axis, end));
             let mut values = Vec::with_capacity(sent.len() * arrays.len() * grid.stride[1]);
             for array in &arrays {
@@ -82,12 +83,12 @@ pub(crate) fn fill<'a, R: Scalar>(
     }
 }
 
-/// Layers that the neighbour across a cut needs. Nodes on the cut itself both blocks have.
+/// Layers needed by the neighbour at an end. Both blocks hold the nodes on the boundary between them.
 fn edge(grid: &Grid, at: At, axis: usize, end: usize) -> std::ops::Range<usize> {
-    let on_cut = usize::from(at == At::Nodes);
+    let on_boundary = usize::from(at == At::Nodes);
     if end == 0 {
         let own = grid.own[axis].start - grid.first[axis];
-        own + on_cut..own + on_cut + GHOSTS
+        own + on_boundary..own + on_boundary + GHOSTS
     } else {
         let beyond = grid.own[axis].end - grid.first[axis];
         beyond - GHOSTS..beyond
@@ -104,7 +105,7 @@ fn ghosts(grid: &Grid, at: At, axis: usize, end: usize) -> std::ops::Range<usize
     }
 }
 
-/// Rows of the memory in some layers along y or z.
+/// Indices of the memory rows in some layers along y or z.
 fn rows(grid: &Grid, at: At, axis: usize, layers: std::ops::Range<usize>) -> Vec<usize> {
     let [_, ny, nz] = grid.cells().map(|n| n + usize::from(at == At::Nodes));
     let row = |j: usize, k: usize| (k + 1) * grid.rows() + j + 1;
@@ -115,7 +116,8 @@ fn rows(grid: &Grid, at: At, axis: usize, layers: std::ops::Range<usize>) -> Vec
     }
 }
 
-/// Values of all blocks, each with a key, in the order of the keys: a sum over them is the same however the grid is cut.
+/// Values of all blocks with their keys, sorted by key, so that a sum over them does not depend on the
+/// partition of the grid.
 pub(crate) fn in_order<const N: usize>(
     halo: &mut dyn Halo,
     own: impl Iterator<Item = (usize, [f64; N])>,

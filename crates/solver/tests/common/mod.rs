@@ -20,7 +20,7 @@ pub fn sand(faces: [Vec<f64>; 3]) -> Model {
     let elastic = Elastic::new(5e6, 0.3);
     let law = MohrCoulomb::new(elastic, 35_f64.to_radians(), 0.0, 0.0, 0.0);
     let material = Material {
-        strength: Some(Law::MohrCoulomb(law)),
+        yield_law: Some(Law::MohrCoulomb(law)),
         k0: 0.43,
         ..Material::linear_elastic(elastic, 1600.0)
     };

@@ -33,10 +33,10 @@ pub(super) const FORECAST: &[Key] = &[
         "Pressure over depth under a level plate pushed down (2-D RFT).",
     ),
     key(
-        "heap",
+        "bow_wave",
         Kind::Number,
         "0",
-        "Fraction χ of the soil swept aside that heaps up in front of the disc, 0 to 1.",
+        "Bow wave: fraction χ of the displaced soil that accumulates in front of the disc, 0 to 1.",
     ),
     key(
         "backfill",

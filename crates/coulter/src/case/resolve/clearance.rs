@@ -149,7 +149,7 @@ fn towed(body: &Body, soil: &SoilConditions, depth: f64, duration: f64) -> Clear
     Clearance { above, along, sideways, below: 0.0 }
 }
 
-/// Clearance for a body that sinks: the heave beside it, and the failure zone under a footing.
+/// Clearance for a body that sinks: the heave next to it, and the failure zone under a footing.
 fn pressed(body: &Body, soil: &SoilConditions, depth: f64, duration: f64) -> Clearance {
     let sunk = match body.translation[2] {
         Freedom::Free { .. } => depth,

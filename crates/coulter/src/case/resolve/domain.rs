@@ -18,7 +18,7 @@ const MIN_ABOVE: f64 = 0.4;
 /// Empty cells above the expected heap; chosen: a remap smears its top over two cells.
 const OVER_HEAP: f64 = 2.0;
 
-/// The default box, not yet cut by planes of symmetry; `None` without bodies.
+/// The default box, not yet bounded by planes of symmetry; `None` without bodies.
 ///
 /// The clearance round the bodies is that which [`clearance`] estimates, but at least the usual one.
 fn default_box(context: &Context, bodies: &[Body], duration: f64) -> Option<Extent> {

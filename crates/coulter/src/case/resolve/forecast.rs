@@ -15,18 +15,18 @@ pub(super) fn measured(section: &Section, problems: &mut Problems) -> Option<Mea
     let plate = plate(section, problems);
     let mut given = |key, allowed: &Allowed| ranges::given(section, key, allowed, problems);
     let (cone_index, plate_stiffness) = (given("cone_index", &POSITIVE), given("plate_stiffness", &POSITIVE));
-    let (heap, backfill) = (given("heap", &FRACTION), given("backfill", &BACKFILL));
+    let (bow_wave, backfill) = (given("bow_wave", &FRACTION), given("backfill", &BACKFILL));
     let factors = match section.text("factors") {
         Some(typed) if typed.value == "hansen-vesic" => Factors::HansenVesic,
         Some(typed) if typed.value == "lyamin" => Factors::Lyamin,
         _ => Factors::Meyerhof,
     };
-    let (heap, backfill) = (heap.unwrap_or(0.0), backfill.unwrap_or(0.0));
+    let (bow_wave, backfill) = (bow_wave.unwrap_or(0.0), backfill.unwrap_or(0.0));
     (problems.len() == before).then_some(Measured {
         plate,
         cone_index,
         plate_stiffness,
-        heap,
+        bow_wave,
         backfill,
         factors,
     })

@@ -1,4 +1,5 @@
-//! What the kernels of the cells share: a row of cells, the constants of a material, and the working numbers of a block.
+//! Data of the cell kernels: a row of cells, the constants of a material, and the scratch memory of a block
+//! of cells.
 
 use super::Real;
 use super::physics::brick::hourglass_coefficient;
@@ -26,8 +27,8 @@ pub(crate) struct CellRow<'a> {
 #[derive(Debug)]
 pub struct MaterialConstants {
     pub(super) elastic: Elastic,
-    pub(super) strength: Option<Law>,
-    /// Density below which soil dilates no more [kg/m³]; 0 where it always may.
+    pub(super) yield_law: Option<Law>,
+    /// Critical density, below which soil no longer dilates [kg/m³]; 0 for none.
     pub(super) critical_density: Real,
     pub(super) viscosity: BulkViscosity,
     /// ε ρ c / 4 [kg/(s m²)].
@@ -44,7 +45,7 @@ impl MaterialConstants {
         );
         Self {
             elastic: Elastic::cast(&material.elastic),
-            strength: material.strength.as_ref().map(Law::cast),
+            yield_law: material.yield_law.as_ref().map(Law::cast),
             critical_density: material.critical_density.unwrap_or(0.0) as Real,
             viscosity: BulkViscosity::cast(&material.viscosity(method.bulk_viscosity)),
             hourglass,
@@ -57,22 +58,22 @@ pub(crate) fn materials(model: &Model) -> Vec<MaterialConstants> {
     model.materials.iter().map(|material| MaterialConstants::new(material, &model.method)).collect()
 }
 
-/// What is the same for all cells of one material.
+/// Constants of all cells of one material.
 #[derive(Clone, Copy)]
 pub(crate) struct RowConstants<'a> {
     pub(crate) material: &'a MaterialConstants,
-    /// Share of the hourglass viscosity that acts in cells that yield.
+    /// Fraction of the hourglass viscosity that acts in yielding cells.
     pub(crate) hourglass_yielding: Real,
     /// Widths of the cells along x [m], 0 in ghosts.
     pub(crate) width_x: &'a [Real],
-    /// ¼ over the widths, 0 in ghosts [1/m].
+    /// ¼ of the inverse widths, 0 in ghosts [1/m].
     pub(crate) per_width_x: &'a [Real],
     /// Time step [s].
     pub(crate) dt: Real,
 }
 
 impl<'a> RowConstants<'a> {
-    /// Those of the first material; `width_x` are the widths of the columns and ¼ over them.
+    /// Constants of the first material; `width_x` holds the widths of the columns, and ¼ of their inverses.
     pub(crate) fn new(
         model: &Model,
         materials: &'a [MaterialConstants],
@@ -84,12 +85,13 @@ impl<'a> RowConstants<'a> {
         Self { material: &materials[0], hourglass_yielding, width_x, per_width_x, dt: dt as Real }
     }
 
-    /// Whether the soil is strained. In a remap no time passes: what mixing puts outside the yield surface is no strain.
+    /// Whether the soil is strained. In a remap no time passes: a stress that mixing puts outside the yield
+    /// surface is returned without plastic strain.
     pub(super) fn strains(&self) -> bool {
         self.dt > 0.0
     }
 
-    /// Those of another material.
+    /// The same with another material.
     pub(crate) fn of(self, material: &'a MaterialConstants) -> Self {
         Self { material, ..self }
     }
@@ -110,22 +112,22 @@ pub(crate) fn runs(
     })
 }
 
-/// Most cells in a block: as many as leave its working numbers in a first-level cache of 32 KiB.
+/// Maximum number of cells in a block: its scratch memory must fit into a first-level cache of 32 KiB.
 pub(super) const BLOCK: usize = 768 / size_of::<Real>();
 
 pub(super) type Lane = [Real; BLOCK];
 
-/// The tensor of one cell from arrays of its components. Spelt out: a closure here is not always compiled into the loop,
-/// which then does not vectorise.
+/// The tensor of one cell from arrays of its components. Written out, since a closure is not always inlined,
+/// and then the loop does not vectorise.
 #[inline(always)]
 pub(super) fn tensor<const N: usize>(components: &[[Real; N]; 6], i: usize) -> Symmetric {
     let [xx, yy, zz, xy, yz, xz] = components;
     [xx[i], yy[i], zz[i], xy[i], yz[i], xz[i]]
 }
 
-/// The working numbers of a block of cells, in one piece of memory.
+/// Scratch memory of a block of cells, in one piece.
 pub struct Block {
-    /// Place in the row of the first cell.
+    /// Index of the first cell in the row.
     pub(super) start: usize,
     /// Number of cells in use, a multiple of the vector length.
     pub(super) n: usize,
@@ -138,15 +140,15 @@ pub struct Block {
     pub(super) gap_strain: Lane,
     /// Volumetric rate [1/s].
     pub(super) rate: Lane,
-    /// 1 where the soil bears stress, 0 where it is a void, loose or opened.
+    /// 1 where the soil bears stress; 0 in void, in loose soil and at an open gap.
     pub(super) bears_stress: Lane,
-    /// 1 where the trial stress may lie outside the strength.
+    /// 1 where the trial stress may lie outside the yield surface.
     pub(super) yields: Lane,
     /// Viscous stress [Pa].
     pub(super) viscous: Lane,
     /// Coefficient of the hourglass force [kg/s].
     pub(super) damping: Lane,
-    /// −¼ of the areas across x, y, z that bear stress [m²].
+    /// −¼ of the stress-bearing areas across x, y, z [m²].
     pub(super) area: [Lane; 3],
     /// Plastic work per volume [J/m³], later of the cell [J].
     pub(super) work: Lane,

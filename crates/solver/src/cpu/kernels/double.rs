@@ -3,7 +3,7 @@
 /// The precision of the soil's fields.
 pub(crate) type Real = f64;
 
-/// Numbers in the widest vector.
+/// Numbers in the widest vector register.
 pub(crate) const LANES: usize = 64 / size_of::<Real>();
 
 /// A cell with more soil than this counts as full: no interface is reconstructed.

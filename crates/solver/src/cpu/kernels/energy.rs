@@ -1,4 +1,4 @@
-//! Energies of a row, always in double precision.
+//! Energies of a row, summed in double precision.
 
 use super::{Nodes, Real, Soil};
 use crate::grid::{Grid, LANES};
@@ -7,7 +7,7 @@ use crate::model::Model;
 use multiversion::multiversion;
 use physics::elastic::Elastic;
 
-/// Elastic energy of the soil in row `q` of a storage plane [J].
+/// Elastic energy of the soil in row `q` of a memory plane [J].
 pub(crate) fn elastic(model: &Model, soil: &Soil, [q, plane]: [usize; 2]) -> f64 {
     let grid = &model.grid;
     if !grid.is_inside([q, plane]) {
@@ -62,7 +62,7 @@ fn elastic_row(
     total_of(lanes)
 }
 
-/// Kinetic energy of row `q` of a storage plane of nodes [J].
+/// Kinetic energy of row `q` of a memory plane of nodes [J].
 pub(crate) fn kinetic(grid: &Grid, nodes: &Nodes, [q, plane]: [usize; 2]) -> f64 {
     let [_, row, stride] = grid.stride;
     let own = plane * stride + q * row..plane * stride + (q + 1) * row;

@@ -71,7 +71,7 @@ impl FluxInputs<'_> {
             2
         };
         let grid = self.sweep.grid;
-        let (place, cells) = (grid.place(c), grid.cells());
+        let (place, cells) = (grid.layers_of(c), grid.cells());
         let [first, second] = [(up + 1) % 3, (up + 2) % 3];
         let inside = |axis: usize, reach: usize| place[axis] >= reach && place[axis] + reach < cells[axis];
         if !inside(up, REACH) {
@@ -106,7 +106,7 @@ impl FluxInputs<'_> {
     /// equal to the cells inside.
     fn normal_from_gradient(&self, c: usize) -> [f64; 3] {
         let grid = self.sweep.grid;
-        let place = grid.place(c);
+        let place = grid.layers_of(c);
         let cells = grid.cells();
         // Offsets to the neighbours, or 0 where there is none.
         let offset: [[isize; 3]; 3] = std::array::from_fn(|axis| {

@@ -1,16 +1,16 @@
-//! The Lagrangian stage: the soil moves, the grid waits.
+//! The Lagrangian stage: the soil deforms, the grid stays.
 //!
-//! Each worker goes through its rows in the order of the memory: it strains a row of cells, then moves the row of nodes
-//! before it, while the forces are still in the cache. Old and new velocities are two arrays, so nobody reads what another
-//! writes. Only the first rows of nodes of each worker, as many as a plane has and one more, have to wait for cells below or
-//! behind them, which are a neighbour's.
+//! Each worker processes its rows in memory order: it strains a row of cells, then moves the row of nodes
+//! before it while the forces are still in the cache. Old and new velocities are separate arrays, so no
+//! worker reads what another writes. Only the first rows of nodes of each worker, one more than a plane has,
+//! must wait for the cells below or behind them, which belong to another worker.
 
 use super::cells::{CellRow, MaterialConstants, RowConstants, runs};
 use super::nodes::{NodeConstants, NodeRow, finish_row, gather_forces, move_row};
 use super::stress::{NodeRows, strain_cells};
 use super::{Coefficients, Real, Soil, State, WorkerScratch, Workspace};
 use crate::cpu::stopwatch::Stage;
-use crate::cpu::threads::parts_of;
+use crate::cpu::threads::worker_items;
 use crate::cpu::workspace::{COEFFICIENTS, NODE_SUMS, RowSums};
 use crate::fields::HISTORY_COUNT;
 use crate::grid::Grid;
@@ -18,8 +18,8 @@ use crate::model::Model;
 use std::ops::Range;
 use std::time::Instant;
 
-/// A worker's rows of everything that the stage writes.
-struct Part<'a> {
+/// A worker's slice of everything that the stage writes.
+struct WorkerSlice<'a> {
     rows: Range<usize>,
     stress: [&'a mut [Real]; 6],
     history: [&'a mut [Real]; HISTORY_COUNT],
@@ -29,7 +29,7 @@ struct Part<'a> {
     scratch: &'a mut WorkerScratch,
 }
 
-/// Everything that the stage only reads.
+/// What the stage only reads.
 struct Inputs<'a> {
     model: &'a Model,
     grid: &'a Grid,
@@ -38,20 +38,21 @@ struct Inputs<'a> {
     mass: &'a [Real],
     velocity: [&'a [Real]; 3],
     row_has_soil: &'a [bool],
-    /// Material of each cell; empty where there is one alone.
+    /// Material of each cell; empty where there is only one.
     material: &'a [u8],
     materials: &'a [MaterialConstants],
-    /// Whether velocities where no soil is must still be set to zero.
+    /// Whether velocities must still be set to zero where there is no soil.
     clears: bool,
     cells: RowConstants<'a>,
     nodes: NodeConstants,
 }
 
-/// Steps after which the rows are dealt out anew, for what yields moves on.
+/// Steps between two rebalancings, since yielding zones move.
 const REBALANCES: u64 = 64;
 
-/// Strains the soil and moves the nodes by one step of `dt` [s]: stresses and displacements at the end of the step,
-/// free velocities (before contact) half a step later. What the rows did is in their sums.
+/// Strains the soil and moves the nodes by one step of `dt` [s]: stresses and displacements at the end of the
+/// step, velocities without contact half a step later. Dissipation and displacements are left in the sums by
+/// row.
 pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspace, dt: f64) {
     let grid = &model.grid;
     let clears = prepare(grid, state, workspace);
@@ -88,7 +89,7 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
     let mut velocity = state.nodes.velocity.each_mut().map(|v| partition.split(v));
     let mut history = history.each_mut().map(|h| partition.split(h));
     let mut sums = partition.split_by(1, row_sums);
-    let each = partition.ranges().zip(workers.iter_mut()).map(move |(rows, scratch)| Part {
+    let each = partition.ranges().zip(workers.iter_mut()).map(move |(rows, scratch)| WorkerSlice {
         rows,
         stress: stress.each_mut().map(|s| s.next().unwrap_or_default()),
         history: history.each_mut().map(|h| h.next().unwrap_or_default()),
@@ -97,23 +98,23 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
         sums: sums.next().unwrap_or_default(),
         scratch,
     });
-    let mut parts = parts_of(each);
-    let parts = &mut parts[..partition.ranges().len()];
+    let mut slices = worker_items(each);
+    let slices = &mut slices[..partition.ranges().len()];
     let clock = Instant::now();
-    team.share(parts, |part| part.iter_mut().for_each(|part| strain_and_move(&inputs, part)));
-    pass_on(parts);
-    team.share(parts, |part| part.iter_mut().for_each(|part| move_waiting(&inputs, part)));
-    if parts.len() > 1
+    team.for_each(slices, |slice| slice.iter_mut().for_each(|slice| strain_and_move(&inputs, slice)));
+    pass_forces_on(slices);
+    team.for_each(slices, |slice| slice.iter_mut().for_each(|slice| move_waiting(&inputs, slice)));
+    if slices.len() > 1
         && let Some(speed) = workers[0].throughput.speed()
     {
         let load: f64 = workers.iter().map(|worker| worker.throughput.load()).sum();
-        serial_fallback.note(clock.elapsed().as_secs_f64(), load / speed);
+        serial_fallback.record(clock.elapsed().as_secs_f64(), load / speed);
     }
     workers[0].stopwatch.lap(Stage::Nodes);
 }
 
-/// Prepares a stage: from here on the new velocities are in the state, the old ones in the workspace. Returns whether
-/// velocities where no soil is must still be set to zero.
+/// Prepares the stage: afterwards the new velocities belong to the state, the old ones to the workspace.
+/// Returns whether velocities must still be set to zero where there is no soil.
 fn prepare(grid: &Grid, state: &mut State, workspace: &mut Workspace) -> bool {
     workspace.stopwatch().lap(Stage::Other);
     if state.step.is_multiple_of(REBALANCES) {
@@ -126,13 +127,13 @@ fn prepare(grid: &Grid, state: &mut State, workspace: &mut Workspace) -> bool {
 }
 
 impl Inputs<'_> {
-    /// How many rows of nodes of a part have to wait. Below the lowest plane there is nothing to wait for.
-    fn waiting(&self, part: &Part) -> usize {
+    /// Number of a slice's rows of nodes that must wait. Below the lowest plane there is nothing to wait for.
+    fn waiting(&self, slice: &WorkerSlice) -> usize {
         let rows = self.grid.rows();
-        if part.rows.start > rows { rows + 1 } else { 0 }
+        if slice.rows.start > rows { rows + 1 } else { 0 }
     }
 
-    /// Whether there is soil round a row of nodes. If not, the cells below have passed nothing on to it.
+    /// Whether there is soil around a row of nodes. If not, the cells below exert no forces on it.
     fn nodes_have_soil(&self, [q, plane]: [usize; 2]) -> bool {
         let rows = self.grid.rows();
         let cells = |p: usize, q: usize| self.row_has_soil[p * rows + q];
@@ -140,44 +141,49 @@ impl Inputs<'_> {
     }
 }
 
-/// Where row `q` of a plane of nodes lies in the sums.
+/// Range of row `q` of a plane of nodes in the sums.
 fn sums_of(row: usize, q: usize) -> Range<usize> {
     NODE_SUMS * q * row..NODE_SUMS * (q + 1) * row
 }
 
-/// Strains all cells of a part and moves all its nodes but those that wait.
-fn strain_and_move(inputs: &Inputs, part: &mut Part) {
+/// Strains all cells of a slice and moves all its nodes except those that must wait.
+fn strain_and_move(inputs: &Inputs, slice: &mut WorkerSlice) {
     let clock = Instant::now();
     let lengths @ [row, _] = [inputs.grid.stride[1], inputs.grid.padded_nodes()];
-    let waiting_rows = inputs.waiting(part);
-    part.scratch.below.fill(0.0);
-    blank(&mut part.scratch.coefficients[0]);
-    for (n, place) in part.rows.clone().map(|r| inputs.grid.row_place(r)).enumerate() {
-        strain_row_of(inputs, part, place, n);
+    let waiting_rows = inputs.waiting(slice);
+    slice.scratch.below.fill(0.0);
+    set_to_zero(&mut slice.scratch.coefficients[0]);
+    for (n, row_and_plane) in slice.rows.clone().map(|r| inputs.grid.row_and_plane(r)).enumerate() {
+        strain_row_of(inputs, slice, row_and_plane, n);
         let waits = n < waiting_rows;
         let WorkerScratch { coefficients: [behind, ahead], first, below, waiting, row: buffer, .. } =
-            &mut *part.scratch;
+            &mut *slice.scratch;
         if n == 0 && waits {
-            // The row behind is a neighbour's: these nodes get all their forces later.
+            // The row behind belongs to another worker: these nodes get all their forces later.
             first.copy_from(ahead);
-        } else if inputs.nodes_have_soil(place) {
+        } else if inputs.nodes_have_soil(row_and_plane) {
             let sum = if waits { &mut waiting[sums_of(row, n)] } else { &mut buffer[sums_of(row, 0)] };
-            gather_forces([&behind.values, &ahead.values], lengths, &mut below[sums_of(row, place[0])], sum);
+            gather_forces(
+                [&behind.values, &ahead.values],
+                lengths,
+                &mut below[sums_of(row, row_and_plane[0])],
+                sum,
+            );
         }
         std::mem::swap(behind, ahead);
         if !waits {
-            move_row_of(inputs, part, place, n);
+            move_row_of(inputs, slice, row_and_plane, n);
         }
-        part.scratch.stopwatch.lap(Stage::Nodes);
+        slice.scratch.stopwatch.lap(Stage::Nodes);
     }
-    part.scratch.throughput.note(clock.elapsed().as_secs_f64());
+    slice.scratch.throughput.record(clock.elapsed().as_secs_f64());
 }
 
-/// Hands every part what the part before it has worked out for its waiting nodes: the forces of the cells below, and the
-/// coefficients of the last row of cells.
-fn pass_on(parts: &mut [Option<Part>]) {
-    for n in (1..parts.len()).rev() {
-        let (low, high) = parts.split_at_mut(n);
+/// Passes on to every slice what its waiting nodes need from the slice before: the forces of the cells below,
+/// and the coefficients of the last row of cells.
+fn pass_forces_on(slices: &mut [Option<WorkerSlice>]) {
+    for n in (1..slices.len()).rev() {
+        let (low, high) = slices.split_at_mut(n);
         if let (Some(low), Some(high)) = (&mut low[n - 1], &mut high[0]) {
             std::mem::swap(&mut low.scratch.below, &mut high.scratch.below);
             std::mem::swap(&mut low.scratch.coefficients[0], &mut high.scratch.coefficients[0]);
@@ -185,15 +191,15 @@ fn pass_on(parts: &mut [Option<Part>]) {
     }
 }
 
-/// Moves the nodes of a part that had to wait, now that the cells below and behind them are done.
-fn move_waiting(inputs: &Inputs, part: &mut Part) {
+/// Moves the nodes of a slice that had to wait for the cells below and behind them.
+fn move_waiting(inputs: &Inputs, slice: &mut WorkerSlice) {
     let lengths @ [row, _] = [inputs.grid.stride[1], inputs.grid.padded_nodes()];
-    for n in 0..inputs.waiting(part) {
-        let place = inputs.grid.row_place(part.rows.start + n);
-        if inputs.nodes_have_soil(place) {
+    for n in 0..inputs.waiting(slice) {
+        let row_and_plane = inputs.grid.row_and_plane(slice.rows.start + n);
+        if inputs.nodes_have_soil(row_and_plane) {
             let WorkerScratch { coefficients: [behind, _], first, below, waiting, row: buffer, .. } =
-                &mut *part.scratch;
-            let (below, sum) = (&mut below[sums_of(row, place[0])], &mut buffer[sums_of(row, 0)]);
+                &mut *slice.scratch;
+            let (below, sum) = (&mut below[sums_of(row, row_and_plane[0])], &mut buffer[sums_of(row, 0)]);
             if n == 0 {
                 gather_forces([&behind.values, &first.values], lengths, below, sum);
             } else {
@@ -201,27 +207,27 @@ fn move_waiting(inputs: &Inputs, part: &mut Part) {
                 each.for_each(|((sum, below), own)| *sum = *below + own);
             }
         }
-        move_row_of(inputs, part, place, n);
+        move_row_of(inputs, slice, row_and_plane, n);
     }
 }
 
-/// No forces.
-fn blank(coefficients: &mut Coefficients) {
+/// Sets force coefficients to zero, unless they are.
+fn set_to_zero(coefficients: &mut Coefficients) {
     if !coefficients.are_zero {
         coefficients.values.fill(0.0);
         coefficients.are_zero = true;
     }
 }
 
-/// Strains the `n`th row of cells of a part into the second row of coefficients.
-fn strain_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2], n: usize) {
+/// Strains the `n`th row of cells of a slice; its force coefficients go to the second row of coefficients.
+fn strain_row_of(inputs: &Inputs, slice: &mut WorkerSlice, [q, plane]: [usize; 2], n: usize) {
     let grid = inputs.grid;
     let [_, row, stride] = grid.stride;
     let length = grid.padded_row();
-    let WorkerScratch { coefficients: [_, ahead], block, stopwatch, .. } = &mut *part.scratch;
+    let WorkerScratch { coefficients: [_, ahead], block, stopwatch, .. } = &mut *slice.scratch;
     let has_soil = inputs.row_has_soil[plane * grid.rows() + q];
     if !has_soil || !grid.is_inside([q, plane]) {
-        blank(ahead);
+        set_to_zero(ahead);
         return;
     }
     let at = |dq: usize, dp: usize| (plane + dp) * stride + (q + dq) * row + 1;
@@ -232,8 +238,8 @@ fn strain_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2], n: us
     let mut cell_row = CellRow {
         fraction: &inputs.fraction[start..start + length],
         mass: &inputs.soil_mass[start..start + length],
-        stress: part.stress.each_mut().map(|s| &mut s[own.clone()]),
-        history: part.history.each_mut().map(|h| &mut h[own.clone()]),
+        stress: slice.stress.each_mut().map(|s| &mut s[own.clone()]),
+        history: slice.history.each_mut().map(|h| &mut h[own.clone()]),
         width_y: grid.width(1, q - 1) as Real,
         width_z: grid.width(2, plane - 1) as Real,
     };
@@ -241,7 +247,7 @@ fn strain_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2], n: us
     let mut out = ahead.values.chunks_exact_mut(row);
     let mut forces: [&mut [Real]; COEFFICIENTS] =
         std::array::from_fn(|_| out.next().map_or(Default::default(), |f| &mut f[1..1 + length]));
-    let sums = &mut part.sums[n];
+    let sums = &mut slice.sums[n];
     (sums.plastic, sums.viscous, sums.hourglass, sums.yields) = (0.0, 0.0, 0.0, 0);
     let material = inputs.material.get(start..start + length).unwrap_or_default();
     for (run, number) in runs(material, grid.strained_columns()) {
@@ -251,31 +257,31 @@ fn strain_row_of(inputs: &Inputs, part: &mut Part, [q, plane]: [usize; 2], n: us
     }
 }
 
-/// Moves the `n`th row of nodes of a part under the sums in the row buffer.
-fn move_row_of(inputs: &Inputs, part: &mut Part, place: [usize; 2], n: usize) {
+/// Moves the `n`th row of nodes of a slice under the forces in the row buffer.
+fn move_row_of(inputs: &Inputs, slice: &mut WorkerSlice, row_and_plane: [usize; 2], n: usize) {
     let row = inputs.grid.stride[1];
     let nodes = inputs.grid.padded_nodes();
     let own = n * row + 1..n * row + 1 + nodes;
-    let mut velocity = part.velocity.each_mut().map(|v| &mut v[own.clone()]);
-    if !inputs.nodes_have_soil(place) {
+    let mut velocity = slice.velocity.each_mut().map(|v| &mut v[own.clone()]);
+    if !inputs.nodes_have_soil(row_and_plane) {
         if inputs.clears {
             velocity.iter_mut().for_each(|v| v.fill(0.0));
         }
         return;
     }
-    let start = (part.rows.start + n) * row + 1;
+    let start = (slice.rows.start + n) * row + 1;
     let mut nodes = NodeRow {
         mass: &inputs.mass[start..start + nodes],
         before: inputs.velocity.map(|v| &v[start..start + nodes]),
-        displacement: part.displacement.each_mut().map(|u| &mut u[own.clone()]),
+        displacement: slice.displacement.each_mut().map(|u| &mut u[own.clone()]),
         velocity,
     };
-    move_row(&inputs.nodes, &mut nodes, (&part.scratch.row, row));
-    apply_boundaries(inputs, place, &mut nodes.velocity);
-    finish_row(&inputs.nodes, &nodes, &mut part.scratch.row, &mut part.sums[n]);
+    move_row(&inputs.nodes, &mut nodes, (&slice.scratch.row, row));
+    apply_boundaries(inputs, row_and_plane, &mut nodes.velocity);
+    finish_row(&inputs.nodes, &nodes, &mut slice.scratch.row, &mut slice.sums[n]);
 }
 
-/// Takes away the motion that the boundaries hold at which a row of nodes ends or lies.
+/// Sets to zero the velocity components of a row of nodes that boundaries hold.
 fn apply_boundaries(inputs: &Inputs, [q, plane]: [usize; 2], velocity: &mut [&mut [Real]; 3]) {
     let Inputs { grid, model, .. } = inputs;
     let nodes = grid.cells()[0] + 1;

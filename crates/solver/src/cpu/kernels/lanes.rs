@@ -1,8 +1,9 @@
-//! Reductions over a row, in the lanes of a vector.
+//! Reductions over a row, in vector lanes.
 
 use super::{LANES, Real};
 
-/// Sum in eight lanes that are added up at the end: the same whatever the processor's vectors are.
+/// Sum in eight lanes that are added at the end, so that the result does not depend on the processor's vector
+/// width.
 #[inline(always)]
 pub(crate) fn lane_sum(values: &[Real]) -> f64 {
     let mut lanes: [Real; 8] = [0.0; 8];
@@ -16,7 +17,7 @@ pub(crate) fn lane_sum(values: &[Real]) -> f64 {
     ((lanes[0] + lanes[4]) + (lanes[1] + lanes[5])) + ((lanes[2] + lanes[6]) + (lanes[3] + lanes[7])) + tail
 }
 
-/// Largest of values that are not negative.
+/// Largest of some non-negative values; 0 for none.
 #[inline(always)]
 pub(crate) fn lane_max(values: &[Real]) -> Real {
     let mut lanes = [0.0; LANES];

@@ -1,5 +1,5 @@
-//! One row of nodes: forces of the cells round it → velocity, displacement, and what the row did. A row is here without its
-//! first ghost.
+//! One row of nodes: forces of the cells around it → velocity, displacement, energies. Rows are passed
+//! without their first ghost.
 
 use super::Real;
 use super::lanes::{lane_max, lane_sum};
@@ -7,22 +7,22 @@ use crate::cpu::workspace::{NODE_SUMS, RowSums};
 use crate::model::Model;
 use multiversion::multiversion;
 
-/// What is the same for all rows.
+/// Constants of all nodes.
 pub(crate) struct NodeConstants {
     /// Time step [s].
     dt: Real,
     /// Gravity, downwards [m/s²].
     gravity: Real,
-    /// Mass from which on a node moves [kg].
+    /// Mass above which a node moves [kg].
     mass_moved: Real,
-    /// Nodes lighter than this [kg] may be carried farther before a remap is due: a few grains in flight would else make the
-    /// whole soil be remapped every few steps.
+    /// Nodes lighter than this [kg] may move farther before a remap is due: otherwise a few grains in flight
+    /// would cause a remap every few steps.
     light: Real,
 }
 
 impl NodeConstants {
     pub(crate) fn new(model: &Model, dt: f64) -> Self {
-        /// Share of the mass of a full node.
+        /// Fraction of the mass of a full node.
         const LIGHT: f64 = 0.02;
         let light = LIGHT * model.least_density() * model.grid.finest().powi(3);
         let [dt, gravity, mass_moved, light] =
@@ -33,7 +33,7 @@ impl NodeConstants {
 
 /// A row of nodes.
 pub(crate) struct NodeRow<'a> {
-    /// [kg].
+    /// Mass [kg].
     pub(crate) mass: &'a [Real],
     /// Velocity half a step ago [m/s].
     pub(crate) before: [&'a [Real]; 3],
@@ -43,10 +43,11 @@ pub(crate) struct NodeRow<'a> {
     pub(crate) velocity: [&'a mut [Real]; 3],
 }
 
-/// Sums up the forces (x, y, z) and the damping that two rows of cells, behind and ahead along y, exert on the rows of
-/// nodes between them. On the nodes at their low z: added to what the cells `below` exert, into `sum`. On those at their
-/// high z: into `below`, for the next plane. Arrays are rows of `stride` with `nodes` nodes after the first ghost. Pairs that
-/// mirror each other are added first, so that a mirrored case gives mirrored sums to the bit.
+/// Sums the forces (x, y, z) and the damping that two rows of cells, behind and ahead along y, exert on the
+/// rows of nodes between them. Those on the nodes at low z are added to those of the cells `below` and stored
+/// in `sum`; those on the nodes at high z are stored in `below`, for the next plane. Arrays are rows of
+/// `stride` with `nodes` nodes after the first ghost. Mirror images are added first, so that a mirrored case
+/// gives mirrored sums to the bit.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 pub(crate) fn gather_forces(
     [behind, ahead]: [&[Real]; 2],
@@ -63,7 +64,7 @@ pub(crate) fn gather_forces(
     gather_damping([&behind[12 * stride..], &ahead[12 * stride..]], &mut below[own.clone()], &mut sum[own]);
 }
 
-/// No row is longer: from this the compiler knows that no index can overflow.
+/// Upper limit of the length of a row, from which the compiler knows that no index can overflow.
 const LONGEST: usize = 1 << 40;
 
 /// One component of the force.
@@ -71,7 +72,7 @@ const LONGEST: usize = 1 << 40;
 fn gather_component([behind, ahead]: [&[Real]; 2], stride: usize, below: &mut [Real], out: &mut [Real]) {
     let n = out.len().min(LONGEST);
     let (below, out) = (&mut below[..n], &mut out[..n]);
-    // Plain part and parts signed by the side; node i has cell i on its low side along x and cell i + 1 on its high side.
+    // Plain and signed terms; node i has cell i on its low side along x and cell i + 1 on its high side.
     let [p, x, y, z] = [0, 1, 2, 3].map(|c| &behind[c * stride..][..=n]);
     let [r, s, t, u] = [0, 1, 2, 3].map(|c| &ahead[c * stride..][..=n]);
     for i in 0..n {
@@ -96,15 +97,16 @@ fn gather_damping([behind, ahead]: [&[Real]; 2], below: &mut [Real], out: &mut [
     }
 }
 
-/// Moves a row of nodes: `u += v dt`, `v += (F/m + g) dt`; nodes without mass stay. The sums are rows of `stride`.
+/// Moves a row of nodes: `u += v dt`, `v += (F/m + g) dt`; nodes without mass stay. The sums are rows of
+/// `stride`.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 pub(crate) fn move_row(constants: &NodeConstants, nodes: &mut NodeRow, (sum, stride): (&[Real], usize)) {
     let n = nodes.mass.len();
     let sum_of = |q: usize| &sum[q * stride + 1..][..n];
     for q in 0..3 {
         let inputs = [nodes.mass, nodes.before[q], sum_of(q), sum_of(NODE_SUMS - 1)];
-        let pull = if q == 2 { -constants.gravity * constants.dt } else { 0.0 };
-        move_component(constants, inputs, pull, nodes.displacement[q], nodes.velocity[q]);
+        let gravity = if q == 2 { -constants.gravity * constants.dt } else { 0.0 };
+        move_component(constants, inputs, gravity, nodes.displacement[q], nodes.velocity[q]);
     }
 }
 
@@ -112,7 +114,7 @@ pub(crate) fn move_row(constants: &NodeConstants, nodes: &mut NodeRow, (sum, str
 fn move_component(
     constants: &NodeConstants,
     [mass, before, force, damping]: [&[Real]; 4],
-    pull: Real,
+    gravity: Real,
     u: &mut [Real],
     v: &mut [Real],
 ) {
@@ -121,13 +123,13 @@ fn move_component(
     let (mass, before, force, damping) = (&mass[..n], &before[..n], &force[..n], &damping[..n]);
     let u = &mut u[..n];
     for i in 0..n {
-        let new = before[i] + dt * (force[i] - before[i] * damping[i]) / mass[i] + pull;
+        let new = before[i] + dt * (force[i] - before[i] * damping[i]) / mass[i] + gravity;
         u[i] += dt * before[i];
         v[i] = if mass[i] > mass_moved { new } else { 0.0 };
     }
 }
 
-/// Sums up what a row of nodes did.
+/// Sums over a row of nodes: work of gravity, kinetic energy, largest displacements.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 pub(crate) fn finish_row(
     constants: &NodeConstants,
@@ -147,8 +149,8 @@ pub(crate) fn finish_row(
     sums.displacement_light = lane_max(light).into();
 }
 
-/// Node by node: work of gravity, kinetic energy, and the largest component of the displacement of heavy nodes and of light
-/// ones.
+/// For each node: work of gravity, kinetic energy, and the largest component of the displacement, separately
+/// for heavy and light nodes.
 #[inline(always)]
 fn measure_nodes(
     constants: &NodeConstants,
@@ -162,9 +164,9 @@ fn measure_nodes(
     let [vx, vy, vz] = nodes.velocity.each_ref().map(|v| &v[..n]);
     let [ux, uy, uz] = nodes.displacement.each_ref().map(|u| &u[..n]);
     let (kinetic, heavy, light) = (&mut kinetic[..n], &mut heavy[..n], &mut light[..n]);
-    let fallen = -constants.gravity * constants.dt;
+    let velocity_gain = -constants.gravity * constants.dt;
     for i in 0..n {
-        gravity[i] = fallen * mass[i] * down[i];
+        gravity[i] = velocity_gain * mass[i] * down[i];
         kinetic[i] = 0.5 * mass[i] * (vx[i] * vx[i] + vy[i] * vy[i] + vz[i] * vz[i]);
         let xy = if ux[i].abs() > uy[i].abs() { ux[i].abs() } else { uy[i].abs() };
         let u = if uz[i].abs() > xy { uz[i].abs() } else { xy };

@@ -72,7 +72,7 @@ fn update_part(inputs: &Inputs, part: &mut Part) {
     part.fraction.fill(0.0);
     part.debris.fill([0.0; 2]);
     for (n, r) in part.rows.clone().enumerate() {
-        let [q, plane] = grid.row_place(r);
+        let [q, plane] = grid.row_and_plane(r);
         if !inputs.active[r] || !(1..=ny).contains(&q) || plane > nz {
             continue;
         }
@@ -129,7 +129,7 @@ pub(crate) fn update_cell(model: &Model, soil: &mut Soil, workspace: &mut Worksp
     let Workspace { width_x, workers, materials, .. } = workspace;
     let material = &materials[soil.main_material(c)];
     let constants = RowConstants::new(model, materials, width_x, 0.0).of(material);
-    let [i, j, k] = grid.place(c);
+    let [i, j, k] = grid.layers_of(c);
     let own = c - i..c - i + grid.padded_row();
     let mut cells = CellRow {
         fraction: &soil.fraction[own.clone()],
@@ -147,8 +147,8 @@ fn update_cells(constants: &RowConstants, cells: &mut CellRow, columns: Range<us
     for start in columns.clone().step_by(BLOCK) {
         (block.start, block.n) = (start, BLOCK.min(columns.end - start));
         close_gaps(constants, cells, block);
-        if let Some(strength) = &constants.material.strength {
-            apply(constants, strength, cells, block);
+        if let Some(yield_law) = &constants.material.yield_law {
+            apply(constants, yield_law, cells, block);
         }
         put_back(cells, block);
     }

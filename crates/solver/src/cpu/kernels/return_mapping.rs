@@ -1,4 +1,4 @@
-//! The strength of a block of cells: its trial stresses are brought back to the admissible set.
+//! Return mapping of the trial stresses of a block of cells.
 
 use super::cells::{BLOCK, Block, CellRow, RowConstants, tensor};
 use super::physics::elastic::Elastic;
@@ -12,26 +12,27 @@ use super::{LANES, Real};
 use crate::fields::PLASTIC_STRAIN;
 use multiversion::multiversion;
 
-/// Brings the stresses that lie outside the strength back to it; returns how many there were. One function for each law, so
-/// that each loop is compiled for itself.
+/// Returns the trial stresses outside the yield surface to it; the result is their number. One function for
+/// each law, so that each loop is compiled separately.
 pub(super) fn apply(
     constants: &RowConstants,
-    strength: &Law,
+    yield_law: &Law,
     cells: &mut CellRow,
     block: &mut Block,
 ) -> usize {
-    match strength {
+    match yield_law {
         Law::MohrCoulomb(law) => mohr_coulomb(constants, law, cells, block),
         Law::MenetreyWillam(law) => menetrey_willam(constants, law, cells, block),
         Law::VonMises(law) => von_mises(constants, law, cells, block),
     }
 }
 
-/// The same for a law, cell by cell: most cells are elastic. Those that yield are moved together, so that no vector of the return is half empty.
+/// The same for one law. Most cells are elastic; those that yield are packed, so that the vectors of the
+/// return mapping are full.
 #[inline(always)]
-fn apply_strength(
+fn apply_law(
     constants: &RowConstants,
-    strength: &impl YieldLaw,
+    yield_law: &impl YieldLaw,
     cells: &mut CellRow,
     b: &mut Block,
 ) -> usize {
@@ -39,39 +40,39 @@ fn apply_strength(
     let plastic_strain = &cells.history[PLASTIC_STRAIN][b.start..b.start + n];
     for i in 0..n {
         let trial = tensor(&b.trial, i);
-        b.yields[i] = if strength.may_yield(trial, plastic_strain[i]) { b.bears_stress[i] } else { 0.0 };
+        b.yields[i] = if yield_law.may_yield(trial, plastic_strain[i]) { b.bears_stress[i] } else { 0.0 };
     }
-    let (mut place, mut count) = ([0_u8; BLOCK], 0);
+    let (mut index, mut count) = ([0_u8; BLOCK], 0);
     for i in 0..n {
-        place[count] = i as u8;
+        index[count] = i as u8;
         count += usize::from(b.yields[i] > 0.0);
     }
     if count == 0 {
         return 0;
     }
-    let mut together = Yielding::default();
-    for places in place[..count].chunks(LANES) {
-        let places = || places.iter().map(|i| usize::from(*i)).enumerate();
-        for (l, i) in places() {
+    let mut packed = Yielding::default();
+    for indices in index[..count].chunks(LANES) {
+        let lanes = || indices.iter().map(|i| usize::from(*i)).enumerate();
+        for (l, i) in lanes() {
             for c in 0..6 {
-                together.trial[c][l] = b.trial[c][i];
-                together.old[c][l] = cells.stress[c][b.start + i];
+                packed.trial[c][l] = b.trial[c][i];
+                packed.old[c][l] = cells.stress[c][b.start + i];
             }
             let volume = constants.width_x[b.start + i] * cells.width_y * cells.width_z;
             let critical = constants.material.critical_density * cells.fraction[b.start + i] * volume;
-            together.plastic_strain[l] = cells.history[PLASTIC_STRAIN][b.start + i];
-            together.dilates[l] = if cells.mass[b.start + i] >= critical { 1.0 } else { 0.0 };
+            packed.plastic_strain[l] = cells.history[PLASTIC_STRAIN][b.start + i];
+            packed.dilates[l] = if cells.mass[b.start + i] >= critical { 1.0 } else { 0.0 };
         }
-        together.return_stress(&constants.material.elastic, strength);
-        for (l, i) in places() {
+        packed.return_stress(&constants.material.elastic, yield_law);
+        for (l, i) in lanes() {
             for c in 0..6 {
-                b.trial[c][i] = together.trial[c][l];
+                b.trial[c][i] = packed.trial[c][l];
             }
             if constants.strains() {
-                cells.history[PLASTIC_STRAIN][b.start + i] = together.plastic_strain[l];
+                cells.history[PLASTIC_STRAIN][b.start + i] = packed.plastic_strain[l];
             }
-            b.gap_strain[i] += together.gap_strain[l];
-            b.work[i] = together.work[l];
+            b.gap_strain[i] += packed.gap_strain[l];
+            b.work[i] = packed.work[l];
         }
     }
     count
@@ -79,7 +80,7 @@ fn apply_strength(
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn mohr_coulomb(constants: &RowConstants, law: &MohrCoulomb, cells: &mut CellRow, b: &mut Block) -> usize {
-    apply_strength(constants, law, cells, b)
+    apply_law(constants, law, cells, b)
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
@@ -89,15 +90,15 @@ fn menetrey_willam(
     cells: &mut CellRow,
     b: &mut Block,
 ) -> usize {
-    apply_strength(constants, law, cells, b)
+    apply_law(constants, law, cells, b)
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn von_mises(constants: &RowConstants, law: &VonMises, cells: &mut CellRow, b: &mut Block) -> usize {
-    apply_strength(constants, law, cells, b)
+    apply_law(constants, law, cells, b)
 }
 
-/// As many yielding cells as a vector holds.
+/// A vector of yielding cells.
 #[derive(Default)]
 struct Yielding {
     /// Trial stress, later the returned one [Pa].
@@ -108,7 +109,7 @@ struct Yielding {
     dilates: [Real; LANES],
     /// Equivalent plastic strain at the start of the step, later at its end.
     plastic_strain: [Real; LANES],
-    /// Increment.
+    /// Increment of the gap strain.
     gap_strain: [Real; LANES],
     /// Plastic work per volume [J/m³].
     work: [Real; LANES],
@@ -116,21 +117,21 @@ struct Yielding {
 
 impl Yielding {
     #[inline(always)]
-    fn return_stress(&mut self, elastic: &Elastic, strength: &impl YieldLaw) {
+    fn return_stress(&mut self, elastic: &Elastic, yield_law: &impl YieldLaw) {
         for l in 0..LANES {
             let trial = tensor(&self.trial, l);
             let old = tensor(&self.old, l);
-            let back = strength.return_map(trial, self.plastic_strain[l], self.dilates[l] > 0.0);
+            let returned = yield_law.return_map(trial, self.plastic_strain[l], self.dilates[l] > 0.0);
             let mut middle: Symmetric = [0.0; 6];
             let mut change: Symmetric = [0.0; 6];
             for c in 0..6 {
-                middle[c] = 0.5 * (old[c] + back.stress[c]);
-                change[c] = trial[c] - back.stress[c];
-                self.trial[c][l] = back.stress[c];
+                middle[c] = 0.5 * (old[c] + returned.stress[c]);
+                change[c] = trial[c] - returned.stress[c];
+                self.trial[c][l] = returned.stress[c];
             }
-            self.plastic_strain[l] += back.plastic_strain;
-            self.gap_strain[l] = back.gap_strain;
-            // The average of old and new stress makes the sum over steps exact for central differences.
+            self.plastic_strain[l] += returned.plastic_strain;
+            self.gap_strain[l] = returned.gap_strain;
+            // With the mean of old and new stress, the sum over steps is exact for central differences.
             self.work[l] = elastic.compliance(middle, change);
         }
     }
@@ -146,30 +147,30 @@ mod tests {
     use std::hint::black_box;
     use std::time::Instant;
 
-    /// The best of many goes, for what disturbs a measurement can only slow it down [s].
-    fn best(mut go: impl FnMut()) -> f64 {
+    /// The best of many trials [s], since disturbances can only slow a measurement down.
+    fn best(mut trial: impl FnMut()) -> f64 {
         let time = |_| {
             let clock = Instant::now();
-            go();
+            trial();
             clock.elapsed().as_secs_f64()
         };
         (0..2000).map(time).fold(f64::INFINITY, f64::min)
     }
 
-    /// A law as the step calls it, for a row of cells.
+    /// The return mapping of a law as the step calls it, for a row of cells.
     trait Apply<S>: Fn(&RowConstants, &S, &mut CellRow, &mut Block) -> usize {}
     impl<S, F: Fn(&RowConstants, &S, &mut CellRow, &mut Block) -> usize> Apply<S> for F {}
 
-    /// Stresses of a block when a law was applied to it, and the time that takes [s].
-    fn in_vectors<S>(
-        strength: &S,
+    /// Stresses of a block after the return mapping of a law, and its time [s].
+    fn vectorised<S>(
+        yield_law: &S,
         law: &impl Apply<S>,
         stress: impl Fn(usize) -> Symmetric,
     ) -> ([Lane; 6], f64) {
         let ones = [1.0; BLOCK];
         let material = MaterialConstants {
             elastic: Elastic::new(5e6, 0.3),
-            strength: None,
+            yield_law: None,
             critical_density: 0.0,
             viscosity: BulkViscosity { linear: 0.0, quadratic: 0.0 },
             hourglass: 0.0,
@@ -198,30 +199,30 @@ mod tests {
                 block.trial[c].copy_from_slice(cells.stress[c]);
             }
             cells.history[PLASTIC_STRAIN].fill(0.0);
-            black_box(law(&constants, strength, &mut cells, &mut block));
+            black_box(law(&constants, yield_law, &mut cells, &mut block));
         });
         (block.trial, seconds)
     }
 
-    /// Ratios within one run, so that they hold on any machine: check and return in vectors against the same formulas cell
-    /// by cell.
-    fn goes_in_vectors<S: YieldLaw>(strength: &S, law: impl Apply<S>) {
+    /// Ratios within one run, so that they hold on any machine: check and return mapping in vectors against
+    /// the same formulas cell by cell.
+    fn assert_vectorised<S: YieldLaw>(yield_law: &S, law: impl Apply<S>) {
         let yielding = |i: usize| [-1e3, -4e3 - i as Real, -9e3, 500.0, 10.0 * i as Real, -300.0];
         let resting = |i: usize| [-5e3, -4e3 - i as Real, -6e3, 50.0, i as Real, -30.0];
-        let (returned, together) = in_vectors(strength, &law, yielding);
+        let (returned, together) = vectorised(yield_law, &law, yielding);
         let one_by_one = best(|| {
             for i in 0..BLOCK {
-                black_box(strength.return_map(black_box(yielding(i)), 0.0, true));
+                black_box(yield_law.return_map(black_box(yielding(i)), 0.0, true));
             }
         });
-        let (left_alone, checked) = in_vectors(strength, &law, resting);
+        let (left_alone, checked) = vectorised(yield_law, &law, resting);
         let checked_one_by_one = best(|| {
             for i in 0..BLOCK {
-                black_box(strength.may_yield(black_box(resting(i)), 0.0));
+                black_box(yield_law.may_yield(black_box(resting(i)), 0.0));
             }
         });
         for i in 0..BLOCK {
-            assert_eq!(tensor(&returned, i), strength.return_map(yielding(i), 0.0, true).stress);
+            assert_eq!(tensor(&returned, i), yield_law.return_map(yielding(i), 0.0, true).stress);
             assert_eq!(tensor(&left_alone, i), resting(i));
         }
         #[cfg(target_arch = "x86_64")]
@@ -233,11 +234,11 @@ mod tests {
     }
 
     #[test]
-    fn the_returns_go_in_vectors() {
+    fn the_return_mappings_are_vectorised() {
         let elastic = Elastic::new(5e6, 0.3);
-        goes_in_vectors(&MohrCoulomb::new(elastic, 0.6, 0.0, 100.0, 50.0), mohr_coulomb);
+        assert_vectorised(&MohrCoulomb::new(elastic, 0.6, 0.0, 100.0, 50.0), mohr_coulomb);
         let smooth = MenetreyWillam::new(elastic, 0.6, 0.1, 100.0, 50.0, Eccentricity::usual(0.6));
-        goes_in_vectors(&smooth, menetrey_willam);
-        goes_in_vectors(&VonMises::new(elastic, 3e3, 1e3), von_mises);
+        assert_vectorised(&smooth, menetrey_willam);
+        assert_vectorised(&VonMises::new(elastic, 3e3, 1e3), von_mises);
     }
 }

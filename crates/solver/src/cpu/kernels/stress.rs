@@ -1,9 +1,9 @@
 //! One row of cells: velocity gradient → trial stress → return mapping → nodal force coefficients.
 //!
-//! A row is worked on in blocks of up to 96 cells (192 in single precision) whose working numbers lie in the first-level
-//! cache. A few plain loops go over a block; the formulas are branch-free, and what a loop writes lies in the block or comes as
-//! arguments of a function of its own, so that the compiler sees that nothing overlaps and vectorises them. Each is compiled
-//! for what the processor has; `mul_add` is not used, so the result is the same to the bit.
+//! A row is processed in blocks of up to 96 cells (192 in single precision), whose scratch memory fits into
+//! the first-level cache, by a few simple loops. The formulas are free of branches, and what a loop writes
+//! lies in the block or is passed as an argument, so that the compiler can exclude aliasing and vectorises
+//! them. Each loop is compiled for several instruction sets; without `mul_add`, all give the same bits.
 
 use super::cells::{BLOCK, Block, CellRow, Lane, RowConstants};
 use super::lanes::lane_sum;
@@ -18,11 +18,11 @@ use crate::model::FRACTION_STRESSED;
 use multiversion::multiversion;
 use std::ops::Range;
 
-/// The nodal velocities at the four node rows round a row of cells: (y, z) = (0,0), (1,0), (0,1), (1,1).
+/// Nodal velocities in the four rows of nodes around a row of cells: (y, z) = (0,0), (1,0), (0,1), (1,1).
 pub(crate) type NodeRows<'a> = [[&'a [Real]; 3]; 4];
 
-/// Strains a run of cells of one material for one step: updates their stresses and writes the coefficients of the nodal
-/// forces, one row of `forces` after the other. Adds what the cells dissipated to `sums`.
+/// Strains a run of cells of one material for one step: updates their stresses and writes the coefficients of
+/// the nodal forces to the rows of `forces`. Adds the dissipation to `sums`.
 pub(crate) fn strain_cells(
     constants: &RowConstants,
     nodes: &NodeRows,
@@ -31,16 +31,16 @@ pub(crate) fn strain_cells(
     forces: &mut [&mut [Real]; COEFFICIENTS],
     sums: &mut RowSums,
 ) {
-    // Blocks of about the same size: a short one would cost nearly as much as a long one.
+    // Blocks of about equal size, since a short one would cost nearly as much as a long one.
     let n = run.len();
     let size = n.div_ceil(n.div_ceil(BLOCK)).next_multiple_of(LANES);
     for start in run.clone().step_by(size) {
         (block.start, block.n) = (start, size.min(run.end - start));
         corner_sums(nodes, block);
         trial_stress(constants, cells, block);
-        if let Some(strength) = &constants.material.strength {
+        if let Some(yield_law) = &constants.material.yield_law {
             stopwatch.lap(Stage::Lagrange);
-            let returned = apply(constants, strength, cells, block);
+            let returned = apply(constants, yield_law, cells, block);
             stopwatch.count_returned(returned);
             sums.yields += returned as u32;
             stopwatch.lap(Stage::Plasticity);
@@ -69,7 +69,8 @@ fn corner_sums(nodes: &NodeRows, b: &mut Block) {
 #[inline(always)]
 fn component_sums(v: [&[Real]; 4], plain: &mut Lane, [x, y, z]: &mut [Lane; 3], hourglass: &mut Lane) {
     let n = (v[0].len() - 1).min(BLOCK);
-    // Of one length to the compiler's eye: it would else leave a vector's worth of cells to be done one by one.
+    // Slices of visibly equal length: otherwise the compiler leaves a vector's worth of cells to a scalar
+    // loop.
     let (v0, v1, v2, v3) = (&v[0][..=n], &v[1][..=n], &v[2][..=n], &v[3][..=n]);
     for i in 0..n {
         let corners = [[v0[i], v0[i + 1]], [v1[i], v1[i + 1]], [v2[i], v2[i + 1]], [v3[i], v3[i + 1]]];
@@ -101,34 +102,35 @@ fn trial_stress(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
         let strain_rate: Symmetric = [xx, yy, zz, 0.5 * (xy + yx), 0.5 * (yz + zy), 0.5 * (xz + zx)];
         let spin = [0.5 * (xy - yx), 0.5 * (yz - zy), 0.5 * (xz - zx)];
         let volumetric = xx + yy + zz;
-        // A gap closes before pressure builds.
+        // A gap closes before pressure builds up.
         let gap = gap_strain[i];
         let open = gap + volumetric * dt;
         let has_gap = gap > 0.0;
         let stressed = fraction[i] > FRACTION_STRESSED as Real;
         let stays_open = has_gap & (open > 0.0);
         let closing = if open < 0.0 { open } else { 0.0 };
-        let squeeze = if has_gap { closing } else { volumetric * dt };
+        let volume_strain = if has_gap { closing } else { volumetric * dt };
         b.gap_strain[i] = if stays_open & stressed { open } else { 0.0 };
         let old = [old_xx[i], old_yy[i], old_zz[i], old_xy[i], old_yz[i], old_xz[i]];
         let shear = deviator(strain_rate);
-        let turned = jaumann(old, spin);
-        let pressed = elastic.bulk * squeeze;
+        let rotation = jaumann(old, spin);
+        let hydrostatic = elastic.bulk * volume_strain;
         let stiffness = 2.0 * elastic.shear * dt;
-        b.trial[0][i] = old[0] + pressed + stiffness * shear[0] + turned[0] * dt;
-        b.trial[1][i] = old[1] + pressed + stiffness * shear[1] + turned[1] * dt;
-        b.trial[2][i] = old[2] + pressed + stiffness * shear[2] + turned[2] * dt;
-        b.trial[3][i] = old[3] + stiffness * shear[3] + turned[3] * dt;
-        b.trial[4][i] = old[4] + stiffness * shear[4] + turned[4] * dt;
-        b.trial[5][i] = old[5] + stiffness * shear[5] + turned[5] * dt;
+        b.trial[0][i] = old[0] + hydrostatic + stiffness * shear[0] + rotation[0] * dt;
+        b.trial[1][i] = old[1] + hydrostatic + stiffness * shear[1] + rotation[1] * dt;
+        b.trial[2][i] = old[2] + hydrostatic + stiffness * shear[2] + rotation[2] * dt;
+        b.trial[3][i] = old[3] + stiffness * shear[3] + rotation[3] * dt;
+        b.trial[4][i] = old[4] + stiffness * shear[4] + rotation[4] * dt;
+        b.trial[5][i] = old[5] + stiffness * shear[5] + rotation[5] * dt;
         b.rate[i] = volumetric;
         b.bears_stress[i] = if stressed & !stays_open { 1.0 } else { 0.0 };
     }
     b.work = [0.0; BLOCK];
 }
 
-/// The stress that the soil ends up with: none where it bears none. Works out what bears it against the motion, and
-/// returns the plastic work [J] and the dissipation by viscosity and hourglass [W] of the block.
+/// Stress cut-off: stores the stress at the end of the step, zero where the soil bears none, and computes the
+/// stress-bearing areas, the bulk viscosity and the hourglass damping. Returns the plastic work [J] and the
+/// dissipation by bulk and hourglass viscosity [W] of the block.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn cut_off_stress(constants: &RowConstants, cells: &mut CellRow, b: &mut Block) -> [f64; 3] {
     let (start, n) = (b.start, b.n.min(BLOCK));
@@ -141,9 +143,10 @@ fn cut_off_stress(constants: &RowConstants, cells: &mut CellRow, b: &mut Block) 
         let length = mean_width(hx, hy, hz);
         let f = if b.bears_stress[i] > 0.0 { fraction[i] } else { 0.0 };
         let viscous = constants.material.viscosity.stress(length, b.rate[i]);
-        // Soil that flows resists shear with its strength alone, whatever its stiffness; so should its hourglass modes.
-        let share = if b.yields[i] > 0.0 { constants.hourglass_yielding } else { 1.0 };
-        let h = f * share * constants.material.hourglass * length * length;
+        // Yielding soil resists shear with its strength alone, whatever its stiffness; so should its
+        // hourglass modes.
+        let factor = if b.yields[i] > 0.0 { constants.hourglass_yielding } else { 1.0 };
+        let h = f * factor * constants.material.hourglass * length * length;
         b.area[0][i] = -0.25 * f * hy * hz;
         b.area[1][i] = -0.25 * f * hx * hz;
         b.area[2][i] = -0.25 * f * hx * hy;
@@ -160,7 +163,7 @@ fn cut_off_stress(constants: &RowConstants, cells: &mut CellRow, b: &mut Block) 
     [&b.work, &b.viscous_power, &b.damped_power].map(|lane| lane_sum(&lane[..n]))
 }
 
-/// Three components of the stress from `first` on.
+/// The cut-off of three components of the stress, from `first` on.
 #[inline(always)]
 fn cut_off_three(b: &mut Block, first: usize, one: &mut [Real], two: &mut [Real], three: &mut [Real]) {
     let n = one.len().min(BLOCK);
@@ -172,8 +175,8 @@ fn cut_off_three(b: &mut Block, first: usize, one: &mut [Real], two: &mut [Real]
     }
 }
 
-/// Coefficients of the nodal forces: what stress and hourglass viscosity contribute to the plain part and to the parts
-/// signed by the corner's side.
+/// Coefficients of the nodal forces from stress and hourglass viscosity: the plain term, and the terms signed
+/// by the corner's side.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn force_coefficients(b: &Block, forces: &mut [&mut [Real]; COEFFICIENTS]) {
     let own = b.start..b.start + b.n.min(BLOCK);
@@ -189,7 +192,7 @@ fn force_coefficients(b: &Block, forces: &mut [&mut [Real]; COEFFICIENTS]) {
     }
 }
 
-/// Of one component `q` of the force: the plain part, and those signed by the side x, y, z.
+/// Coefficients of component `q` of the force: the plain term, and those signed by the side along x, y, z.
 #[inline(always)]
 fn component_coefficients(
     b: &Block,
@@ -199,11 +202,11 @@ fn component_coefficients(
     y: &mut [Real],
     z: &mut [Real],
 ) {
-    /// Place of a component in a symmetric tensor, by row and column.
-    const PLACE: [[usize; 3]; 3] = [[0, 3, 5], [3, 1, 4], [5, 4, 2]];
+    /// Index of a component of a symmetric tensor, by row and column.
+    const INDEX: [[usize; 3]; 3] = [[0, 3, 5], [3, 1, 4], [5, 4, 2]];
     let n = plain.len().min(BLOCK);
     let (plain, x, y, z) = (&mut plain[..n], &mut x[..n], &mut y[..n], &mut z[..n]);
-    let [sx, sy, sz] = [&b.trial[PLACE[q][0]], &b.trial[PLACE[q][1]], &b.trial[PLACE[q][2]]];
+    let [sx, sy, sz] = [&b.trial[INDEX[q][0]], &b.trial[INDEX[q][1]], &b.trial[INDEX[q][2]]];
     let stress = |side: usize, s: Real, i: usize| if q == side { s + b.viscous[i] } else { s };
     for i in 0..n {
         let damping = b.damping[i];
@@ -214,8 +217,8 @@ fn component_coefficients(
     }
 }
 
-/// Harmonic mean of the widths of a cell, 0 in a ghost: about the cube root of the volume, smaller in a stretched cell,
-/// and needs no root.
+/// Harmonic mean of the widths of a cell [m], 0 in a ghost: close to the cube root of the volume, smaller in
+/// a stretched cell, and cheaper.
 #[inline(always)]
 fn mean_width(hx: Real, hy: Real, hz: Real) -> Real {
     3.0 * hx * hy * hz / (hx * hy + hy * hz + hx * hz)

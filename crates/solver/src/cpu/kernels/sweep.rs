@@ -36,7 +36,7 @@ pub(crate) fn displaced_volumes(model: &Model, state: &State, workspace: &mut Wo
     team.rows2(partition, soil, cell, |row, soil, cell| {
         soil.fill(0.0);
         cell.fill(0.0);
-        let [q, plane] = grid.row_place(row);
+        let [q, plane] = grid.row_and_plane(row);
         if (1..=ny).contains(&q) && plane <= nz {
             for i in 0..nx {
                 let volume =
@@ -124,7 +124,7 @@ pub(crate) fn sweep(
 pub(crate) fn nodal_masses(grid: &Grid, row: usize, cell_mass: &[Real], node_mass: &mut [Real]) {
     let [nx, ny, _] = grid.cells();
     let [x, y, z] = grid.stride;
-    if (1..=ny + 1).contains(&grid.row_place(row)[0]) {
+    if (1..=ny + 1).contains(&grid.row_and_plane(row)[0]) {
         for i in 0..=nx {
             let at = |offset: usize| {
                 let c = row * y + i + 1 - offset;

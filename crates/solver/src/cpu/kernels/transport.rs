@@ -23,7 +23,7 @@ pub(crate) struct Sweep<'a> {
 impl Sweep<'_> {
     /// 0-based layers along y and z of a row of cells, if it is active.
     fn layers(&self, row: usize) -> Option<[usize; 2]> {
-        let ([_, ny, nz], [q, plane]) = (self.grid.cells(), self.grid.row_place(row));
+        let ([_, ny, nz], [q, plane]) = (self.grid.cells(), self.grid.row_and_plane(row));
         (self.row_active[row] && (1..=ny).contains(&q) && plane <= nz).then(|| [q - 1, plane - 1])
     }
 
@@ -150,7 +150,7 @@ impl Row {
 
     /// A row of nodes, if it is one.
     fn of_nodes(grid: &Grid, axis: usize, row: usize) -> Option<Self> {
-        let ([q, _], [_, ny, _]) = (grid.row_place(row), grid.cells());
+        let ([q, _], [_, ny, _]) = (grid.row_and_plane(row), grid.cells());
         (1..=ny + 1).contains(&q).then(|| Self::new(grid, axis, row))
     }
 
@@ -258,7 +258,7 @@ fn carry_row(faces: [&[Real]; 4], field: [&[Real]; 5], soil: &[Real], out: &mut 
 
 /// Mass that crosses the dual faces between node `n` and the next along the axis [kg], for a row of nodes.
 pub(crate) fn dual_fluxes(grid: &Grid, axis: usize, row: usize, mass_flux: &[Real], out: &mut [Real]) {
-    let [_, plane] = grid.row_place(row);
+    let [_, plane] = grid.row_and_plane(row);
     let row = Row::of_nodes(grid, axis, row).filter(|_| axis < 2 || plane <= grid.cells()[2]);
     let Some(row) = row else {
         out.fill(0.0);

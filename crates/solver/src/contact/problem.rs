@@ -1,27 +1,29 @@
-//! The contact problem of one step: contact nodes, bodies, and the Jacobians that map impulses to their velocities.
+//! The contact problem of one step: contact points, contact nodes, bodies, and the Jacobians that connect
+//! them.
 
 use crate::model::{BodyModel, Model};
 use crate::state::{Body, Contact};
 use glam::DVec3;
 
-/// The contact problem of one step. The nodal velocities are those without contact; the contact law changes them, and they are
-/// written back to the grid afterwards.
-pub(crate) struct Scene<'a> {
+/// The contact problem of one step. The contact law starts from velocities without contact and updates them;
+/// those of the nodes are then written back to the grid.
+pub(crate) struct ContactProblem<'a> {
     pub(crate) model: &'a Model,
     pub(crate) contacts: &'a mut [Contact],
     pub(crate) bodies: &'a mut [Body],
     /// Contact nodes.
     pub(crate) nodes: &'a mut [ContactNode],
-    /// For each contact point the indices of its cell's nodes among them.
+    /// For each contact point the indices of its cell's nodes among the contact nodes.
     pub(crate) corner_nodes: &'a [[u32; 8]],
     /// For each contact point the number of its constraint.
     pub(crate) constraint: &'a [usize],
-    /// For each constraint the cut-cell hourglass correction: forces at its cell's nodes per unit normal force.
+    /// For each constraint the cut-cell hourglass correction: forces at its cell's nodes per unit normal
+    /// force.
     pub(crate) hourglass_correction: &'a [[DVec3; 8]],
     /// Frictional impulse on the soil at each contact point in this step [N s].
     pub(crate) friction: &'a mut [DVec3],
-    /// Portion of the bodies that is modelled.
-    pub(crate) modelled: f64,
+    /// Fraction of each body that is modelled.
+    pub(crate) modelled_fraction: f64,
     /// Time step [s].
     pub(crate) dt: f64,
 }
@@ -35,16 +37,16 @@ pub(crate) struct ContactNode {
     pub(crate) is_owned: bool,
     /// Velocity [m/s].
     pub(crate) velocity: DVec3,
-    /// Inverse mass along x, y, z [1/kg]; 0 where the node does not move, having no mass or being held by a boundary.
+    /// Inverse mass along x, y, z [1/kg]; 0 where the node has no mass or a boundary holds it.
     pub(crate) inverse_mass: DVec3,
     /// Velocity components that no boundary holds.
     pub(crate) is_free: [bool; 3],
     /// Mass [kg].
     pub(crate) mass: f64,
     /// Velocity without contact [m/s].
-    pub(crate) free: DVec3,
-    /// Velocity at the end of the last step [m/s].
-    pub(crate) before: DVec3,
+    pub(crate) velocity_free: DVec3,
+    /// Velocity at the start of the step [m/s].
+    pub(crate) velocity_before: DVec3,
 }
 
 /// Offsets of a cell's eight nodes, in the order of the weights.
@@ -62,32 +64,32 @@ pub(crate) fn side(c: &Contact) -> usize {
     if c.arm.y == 0.0 { 2 } else { usize::from(c.arm.y < 0.0) }
 }
 
-/// Contact Jacobian: how an impulse at a point acts on a body and on the nodes of a cell; its transpose gives the relative
-/// velocity from theirs.
+/// Contact Jacobian: maps the velocities of a body and of a cell's nodes to their relative velocity at a
+/// contact point or constraint; its transpose distributes an impulse.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct ContactJacobian {
-    /// Which body.
+    /// Index of the body.
     pub(crate) body: usize,
     /// Lever arm from the body's reference point [m].
     pub(crate) arm: DVec3,
-    /// Indices among the contact nodes.
+    /// Indices of the cell's nodes among the contact nodes.
     pub(crate) nodes: [u32; 8],
-    /// Their weights.
+    /// Weights of the nodes.
     pub(crate) weight: [f64; 8],
-    /// Unit normal of a constraint, out of the body; 0 for a point.
+    /// Outward unit normal of a constraint; zero for a point.
     pub(crate) normal: DVec3,
     /// Cut-cell hourglass correction at the nodes per unit normal force.
     pub(crate) hourglass_correction: [DVec3; 8],
 }
 
 impl ContactJacobian {
-    /// Portion of an impulse that acts on a node [N s].
+    /// The portion of an impulse that acts on a node [N s].
     pub(crate) fn on_node(&self, n: usize, impulse: DVec3) -> DVec3 {
         self.weight[n] * impulse + impulse.dot(self.normal) * self.hourglass_correction[n]
     }
 }
 
-impl Scene<'_> {
+impl ContactProblem<'_> {
     /// Jacobian of a contact point.
     pub(crate) fn jacobian(&self, contact: usize) -> ContactJacobian {
         let Contact { body, arm, weight, .. } = self.contacts[contact];
@@ -100,7 +102,8 @@ impl Scene<'_> {
         }
     }
 
-    /// Velocity of a body at `arm` minus that of the soil in a cell, from the cell's nodes and their weights [m/s].
+    /// Velocity of a body at `arm` minus that of the soil in a cell, from the cell's nodes and their weights
+    /// [m/s].
     pub(crate) fn slip_velocity(
         &self,
         (body, arm): (usize, DVec3),
@@ -111,13 +114,14 @@ impl Scene<'_> {
         velocity_at(&self.bodies[body], arm) - over_corners(std::array::from_fn(soil))
     }
 
-    /// The same at a contact point.
+    /// Relative velocity at a contact point [m/s].
     pub(crate) fn slip_velocity_of(&self, contact: usize) -> DVec3 {
         let Contact { body, arm, weight, .. } = &self.contacts[contact];
         self.slip_velocity((*body as usize, *arm), &self.corner_nodes[contact], weight)
     }
 
-    /// The same at a constraint, with the transpose of the cut-cell correction, so that impulse and velocity are conjugate in work.
+    /// Relative velocity at a constraint [m/s], including the cut-cell correction, so that it is
+    /// work-conjugate to the impulse.
     pub(crate) fn slip_velocity_of_constraint(&self, jacobian: &ContactJacobian) -> DVec3 {
         let corrected =
             |n: usize| jacobian.hourglass_correction[n].dot(self.nodes[jacobian.nodes[n] as usize].velocity);
@@ -127,19 +131,19 @@ impl Scene<'_> {
 
     /// Applies an impulse [N s] to the soil and its reaction to the free motions of the body.
     pub(crate) fn exchange(&mut self, jacobian: &ContactJacobian, impulse: DVec3) {
-        for (n, place) in jacobian.nodes.iter().enumerate() {
-            let node = &mut self.nodes[*place as usize];
+        for (n, index) in jacobian.nodes.iter().enumerate() {
+            let node = &mut self.nodes[*index as usize];
             node.velocity += node.inverse_mass * jacobian.on_node(n, impulse);
         }
         apply(
             &self.model.bodies[jacobian.body],
             &mut self.bodies[jacobian.body],
-            self.modelled,
+            self.modelled_fraction,
             [(jacobian.arm, -impulse)],
         );
     }
 
-    /// The same at two points of one body simultaneously; swapping them changes no bit.
+    /// The same for two constraints of one body simultaneously; swapping them changes no bit.
     pub(crate) fn exchange_both(
         &mut self,
         first: (&ContactJacobian, DVec3),
@@ -160,16 +164,17 @@ impl Scene<'_> {
         }
         let body = first.0.body;
         let impulses = [(first.0.arm, -first.1), (second.0.arm, -second.1)];
-        apply(&self.model.bodies[body], &mut self.bodies[body], self.modelled, impulses);
+        apply(&self.model.bodies[body], &mut self.bodies[body], self.modelled_fraction, impulses);
     }
 
-    /// Records the contact impulse on a body at a point in this step: the reaction to these impulses on the soil [N s].
+    /// Adds the reaction to the impulses on the soil at a contact point [N s] to the contact impulse of its
+    /// body.
     pub(crate) fn record(&mut self, contact: usize, normal: DVec3, friction: DVec3) {
         let c = &self.contacts[contact];
-        let received = &mut self.bodies[c.body as usize].received;
-        received.normal -= normal / self.modelled;
-        received.friction -= friction / self.modelled;
-        received.axle -= c.arm.cross(normal + friction).y / self.modelled;
+        let total = &mut self.bodies[c.body as usize].contact_impulse;
+        total.normal -= normal / self.modelled_fraction;
+        total.friction -= friction / self.modelled_fraction;
+        total.axle -= c.arm.cross(normal + friction).y / self.modelled_fraction;
         self.friction[contact] += friction;
     }
 }
@@ -179,7 +184,8 @@ pub(crate) fn velocity_at(body: &Body, arm: DVec3) -> DVec3 {
     body.velocity + (DVec3::Y * body.spin).cross(arm)
 }
 
-/// Applies impulses [N s], each with its lever arm, to the free motions of the modelled portion of a body.
+/// Applies impulses [N s], each with its lever arm, to the free motions of a body of which the fraction
+/// `modelled` is modelled.
 fn apply<const N: usize>(fixed: &BodyModel, body: &mut Body, modelled: f64, impulses: [(DVec3, DVec3); N]) {
     let sum = |value: fn(&(DVec3, DVec3)) -> f64| impulses.iter().map(value).sum::<f64>();
     for (axis, impulse) in [sum(|i| i.1.x), sum(|i| i.1.y), sum(|i| i.1.z)].into_iter().enumerate() {
