@@ -1,6 +1,6 @@
 //! A measurement as a table to read.
 
-use super::Measurement;
+use super::measurement::Measurement;
 use std::fmt::Write as _;
 
 /// The measurement as text.

@@ -1,7 +1,7 @@
 //! How much work a step does, counted in the formulas as they stand: an addition, a multiplication, a division and a root
 //! are one operation each, a comparison none. Remap and contact depend on the state and are not counted.
 
-use super::{Operations, Split};
+use super::measurement::{Operations, Split};
 
 /// Operations per cell and step: corner sums 135, trial stress 89, stress borne and dissipation 37, force coefficients 34.
 const LAGRANGE: f64 = 295.0;

@@ -2,7 +2,7 @@
 
 use super::common::{say, say_json};
 use super::failure::Failure;
-use crate::bench::{self, TOWED_DISC, Wish};
+use crate::bench::{self, Options, TOWED_DISC};
 use crate::case;
 use std::path::PathBuf;
 
@@ -39,8 +39,8 @@ pub(super) fn bench(arguments: &Arguments) -> Result<(), Failure> {
     };
     let cores = || std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let threads = if arguments.threads == 0 { cores() } else { usize::from(arguments.threads) };
-    let wish = Wish { case, threads, warm_up: arguments.warm_up, steps: arguments.steps };
-    let measured = bench::measure(&wish).map_err(|cause| Failure::Physics(cause.to_string()))?;
+    let options = Options { case, threads, warm_up: arguments.warm_up, steps: arguments.steps };
+    let measured = bench::measure(&options).map_err(|cause| Failure::Physics(cause.to_string()))?;
     if arguments.json {
         return say_json(&measured);
     }
