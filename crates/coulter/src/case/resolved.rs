@@ -91,6 +91,48 @@ pub enum Law {
     },
 }
 
+impl Law {
+    /// What soil of this law is called in messages.
+    #[must_use]
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::Elastic => "elastic",
+            Self::Tresca { .. } => "undrained (tresca)",
+            Self::VonMises { .. } => "metal (von-mises)",
+            Self::MohrCoulomb { .. } => "frictional (mohr-coulomb)",
+        }
+    }
+
+    /// Friction angle φ [rad]; `None` for a strength that does not depend on the pressure.
+    #[must_use]
+    pub fn friction_angle(&self) -> Option<f64> {
+        match *self {
+            Self::MohrCoulomb { friction_angle, .. } => Some(friction_angle),
+            Self::Elastic | Self::Tresca { .. } | Self::VonMises { .. } => None,
+        }
+    }
+
+    /// Dilation angle ψ [rad]; 0 for isochoric flow.
+    #[must_use]
+    pub fn dilation_angle(&self) -> f64 {
+        match *self {
+            Self::MohrCoulomb { dilation_angle, .. } => dilation_angle,
+            Self::Elastic | Self::Tresca { .. } | Self::VonMises { .. } => 0.0,
+        }
+    }
+
+    /// Shear strength without normal stress [Pa]: c, s_u, or about half of σ_y; `None` for soil that does not fail.
+    #[must_use]
+    pub fn cohesion(&self) -> Option<f64> {
+        match *self {
+            Self::Elastic => None,
+            Self::Tresca { shear_strength } => Some(shear_strength),
+            Self::VonMises { yield_stress, .. } => Some(0.5 * yield_stress),
+            Self::MohrCoulomb { cohesion, .. } => Some(cohesion),
+        }
+    }
+}
+
 /// The flow potential of the frictional law.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]

@@ -157,12 +157,8 @@ fn ground(case: &Case, body: &Body) -> Result<LevelGround, String> {
 
 fn soil(case: &Case, body: &Towed, remarks: &mut Vec<String>) -> Result<Soil, String> {
     let Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, .. } = case.soil.law else {
-        let law = match case.soil.law {
-            Law::Elastic => "elastic",
-            Law::VonMises { .. } => "metal (von-mises)",
-            _ => "undrained (tresca)",
-        };
-        return Err(format!("the soil is {law}; the closed forms are for Mohr-Coulomb soil"));
+        let kind = case.soil.law.kind();
+        return Err(format!("the soil is {kind}; the closed forms are for Mohr-Coulomb soil"));
     };
     if case.soil.unit_weight <= 0.0 {
         return Err("the soil is weightless; in the closed forms strength comes from weight".into());

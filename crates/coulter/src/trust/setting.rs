@@ -1,7 +1,7 @@
 //! Facts about a case that the checks need in addition to the histories; stored in `run.json`.
 
 use crate::case::Case;
-use crate::case::resolved::{Axis, Body, Freedom, Law, Shape};
+use crate::case::resolved::{Axis, Body, Freedom, Shape};
 use serde::{Deserialize, Serialize};
 
 /// Facts about a case.
@@ -60,7 +60,7 @@ impl Setting {
             },
             density: case.soil.density,
             courant: case.numerics.courant,
-            dilates: matches!(case.soil.law, Law::MohrCoulomb { dilation_angle, .. } if dilation_angle > 0.0),
+            dilates: case.soil.law.dilation_angle() > 0.0,
             energy_floor: 1e-12 * weight * size.z,
             floor_depth: case.ground.surface() - case.domain.low.z,
             bodies: case.bodies.iter().map(|body| BodySetting::of(case, body)).collect(),

@@ -6,7 +6,7 @@ use super::options::SuiteOptions;
 use super::row::Row;
 use super::run_balances::RunBalances;
 use super::trace::Trace;
-use crate::case::resolved::{Law, Precision};
+use crate::case::resolved::Precision;
 use crate::case::{self, Case};
 use crate::run::watch::watch as would_stop;
 use crate::simulation::Simulation;
@@ -201,7 +201,7 @@ impl<'a> Runner<'a> {
             // `max` would drop what is not a number.
             volume_error: errors.fold(0.0, |most, v| if v > most || v.is_nan() { v } else { most }),
             mass_error: mass_error(simulation),
-            dilates: matches!(simulation.case.soil.law, Law::MohrCoulomb { dilation_angle, .. } if dilation_angle > 0.0),
+            dilates: simulation.case.soil.law.dilation_angle() > 0.0,
             bodies: history.bodies.iter().filter_map(|b| b.last().copied()).collect(),
             seconds: simulation.wall_s,
             trace: Trace::of(simulation),

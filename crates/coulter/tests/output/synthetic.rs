@@ -5,6 +5,7 @@ use coulter::case::resolved as case;
 use coulter::history::{BodySample, EnergySample, History};
 use coulter::output::{Outcome, RunStatistics};
 use glam::DVec3;
+use solver::fields::PLASTIC_STRAIN;
 use solver::grid::Grid;
 use solver::state::{Body, Nodes, Pose, Soil, State};
 
@@ -188,8 +189,12 @@ pub(crate) fn state(case: &Case, kind: Kind, time: f64) -> (Grid, State) {
         let band = ((x.z + DEPTH) - 0.55 * (x.x - TRAVEL)).abs() / 0.012;
         let wake = if x.x < TRAVEL && x.x > -0.05 { (-(x.z + DEPTH).abs() / 0.012).exp() } else { 0.0 };
         let ahead = if x.x > TRAVEL && x.x < TRAVEL + 0.16 { (-band * band).exp() } else { 0.0 };
-        soil.history[solver::fields::PLASTIC_STRAIN][n] =
-            (0.9 * ahead + 1.4 * wake) * (-(x.y / 0.05).powi(2)).exp();
+        let sheared = (0.9 * ahead + 1.4 * wake) * (-(x.y / 0.05).powi(2)).exp();
+        // Every history variable differs, so that none can be taken for another.
+        for (number, field) in soil.history.iter_mut().enumerate() {
+            let share = if number == PLASTIC_STRAIN { 1.0 } else { 1e-3 * (number + 1) as f64 };
+            field[n] = share * sheared;
+        }
     }
     for (k, j, i) in triples(layers + 1, rows + 1, columns + 1) {
         let n = grid.index(i, j, k);

@@ -3,6 +3,7 @@
 use crate::synthetic::{Kind, case, state};
 use coulter::output::Results;
 use flate2::read::ZlibDecoder;
+use solver::fields::HISTORY;
 use std::fs;
 use std::io::Read;
 use std::path::Path;
@@ -64,6 +65,14 @@ fn soil_files_hold_every_cell_in_its_place() {
         assert!((stress[6 * place + 2] - state.soil.stress[2][n]).abs() < 1e-2);
         assert!((stress[6 * place + 5] - state.soil.stress[5][n]).abs() < 1e-2);
         assert!(pressure[place] >= 0.0);
+    }
+    for (variable, field) in HISTORY.iter().zip(&state.soil.history) {
+        let values = floats(&array(&file, variable.name));
+        for (i, j, k) in (0..nz).flat_map(|k| (0..ny).flat_map(move |j| (0..nx).map(move |i| (i, j, k)))) {
+            let (place, n) = (i + nx * (j + ny * k), grid.index(i, j, k));
+            let expected = if state.soil.fraction[n] < 1e-6 { 0.0 } else { field[n] };
+            assert!((values[place] - expected).abs() <= 1e-6 * expected.abs() + 1e-30, "{}", variable.name);
+        }
     }
     assert_eq!(floats(&array(&file, "velocity")).len(), 3 * nx * ny * nz, "the last velocity is the cells'");
     assert_eq!(doubles(&array(&file, "z")), grid.faces[2]);

@@ -3,7 +3,7 @@
 use super::passive::passive_coefficient;
 use crate::case::path::body_length;
 use crate::case::resolve::clearance::{SoilConditions, deepest};
-use crate::case::resolved::{Body, Case, Freedom, Law};
+use crate::case::resolved::{Body, Case, Freedom};
 use physics::elastic::Elastic;
 
 /// Fraction of the force above which the contribution of inertia or viscosity is mentioned; chosen: less is below the
@@ -50,15 +50,13 @@ fn inertia(case: &Case, body: &Body, (speed, depth): (f64, f64), notes: &mut Vec
 
 /// Typical contact pressure of soil failing round a body at this depth [Pa]; infinite for soil that does not fail.
 fn contact_pressure(case: &Case, depth: f64) -> f64 {
-    match case.soil.law {
-        Law::MohrCoulomb { friction_angle, cohesion, .. } => {
+    match (case.soil.law.friction_angle(), case.soil.law.cohesion()) {
+        (Some(friction_angle), Some(cohesion)) => {
             let passive = passive_coefficient(friction_angle);
             case.soil.unit_weight * depth * passive + 2.0 * cohesion * passive.sqrt()
         }
-        Law::Tresca { shear_strength } => 5.0 * shear_strength,
-        // The shear strength is about half the yield stress.
-        Law::VonMises { yield_stress, .. } => 2.5 * yield_stress,
-        Law::Elastic => f64::INFINITY,
+        (None, Some(shear_strength)) => 5.0 * shear_strength,
+        (_, None) => f64::INFINITY,
     }
 }
 

@@ -60,21 +60,13 @@ impl SoilConditions {
 
     /// Tangent of the slope of a heap.
     fn slope(&self) -> f64 {
-        match self.law {
-            Law::MohrCoulomb { friction_angle, cohesion: 0.0, .. } => friction_angle.max(MIN_SLOPE),
-            Law::MohrCoulomb { friction_angle, .. } => friction_angle.max(COHESIVE_SLOPE),
-            Law::Tresca { .. } | Law::VonMises { .. } | Law::Elastic => COHESIVE_SLOPE,
-        }
-        .min(LARGEST_FRICTION)
-        .tan()
+        let least = if self.law.cohesion() == Some(0.0) { MIN_SLOPE } else { COHESIVE_SLOPE };
+        self.law.friction_angle().unwrap_or(0.0).max(least).min(LARGEST_FRICTION).tan()
     }
 
     /// Friction angle [rad], 0 without friction.
     fn friction_angle(&self) -> f64 {
-        match self.law {
-            Law::MohrCoulomb { friction_angle, .. } => friction_angle.min(LARGEST_FRICTION),
-            _ => 0.0,
-        }
+        self.law.friction_angle().unwrap_or(0.0).min(LARGEST_FRICTION)
     }
 
     /// How high soil in motion runs up a wall, v²/(2g) [m].

@@ -29,10 +29,8 @@ pub(super) fn soil(section: &Section, gravity: f64, problems: &mut Problems) -> 
     let law = law(section, weight.map(|(_, density)| density), problems);
     let (young_modulus, poisson_ratio, (unit_weight, density), law) =
         (young_modulus?, poisson_ratio?, weight?, law?);
-    let at_rest = match law {
-        Law::MohrCoulomb { friction_angle, .. } => 1.0 - friction_angle.sin(),
-        Law::Tresca { .. } | Law::VonMises { .. } | Law::Elastic => poisson_ratio / (1.0 - poisson_ratio),
-    };
+    let elastic = poisson_ratio / (1.0 - poisson_ratio);
+    let at_rest = law.friction_angle().map_or(elastic, |friction_angle| 1.0 - friction_angle.sin());
     let k0 = ranges::or(section, "k0", at_rest, &NOT_NEGATIVE, problems)?;
     Some(Soil { law, density, unit_weight, young_modulus, poisson_ratio, k0 })
 }

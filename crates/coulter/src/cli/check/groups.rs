@@ -1,7 +1,7 @@
 //! The dimensionless groups of a body.
 
 use crate::case::Case;
-use crate::case::resolved::{Body, Freedom, Law};
+use crate::case::resolved::{Body, Freedom};
 use crate::history::reference::Reference;
 use serde::Serialize;
 
@@ -27,19 +27,13 @@ pub(super) fn groups(case: &Case, body: &Body) -> Groups {
     let reference = Reference::of(case, body);
     let (d, t) = (reference.length, reference.width);
     let gamma = case.soil.unit_weight;
-    let strength = match case.soil.law {
-        Law::MohrCoulomb { cohesion, .. } => Some(cohesion),
-        Law::Tresca { shear_strength } => Some(shear_strength),
-        Law::VonMises { yield_stress, .. } => Some(0.5 * yield_stress),
-        Law::Elastic => None,
-    };
     let over_weight = |x: f64| (gamma > 0.0).then_some(x / gamma);
     let speed = body.translation.iter().map(prescribed_speed).fold(0.0, f64::max);
     Groups {
         t_bar: t / d,
         w_bar: downward_load(body).and_then(|w| over_weight(w / (t * d * d))),
         e_bar: over_weight(case.soil.young_modulus / d),
-        c_bar: strength.and_then(|c| over_weight(c / d)),
+        c_bar: case.soil.law.cohesion().and_then(|c| over_weight(c / d)),
         froude: (case.gravity > 0.0).then_some(speed.powi(2) / (case.gravity * d)),
     }
 }
