@@ -1,7 +1,7 @@
 //! The tables of docs/case-file.md, generated from the tables of keys.
 
 use super::format::{FORMAT, RENAMED_KEYS, RENAMED_VALUES};
-use super::keys::{self, Kind};
+use super::keys::{self, Kind, words};
 use std::fmt::Write;
 
 /// One table for each section, in Markdown.
@@ -60,16 +60,20 @@ fn kind(kind: &Kind) -> String {
         Kind::Count => "whole number".into(),
         Kind::Flag => "`true` or `false`".into(),
         Kind::Quantity(measure) => format!("{}: `\"{}\"`", measure.name, measure.example),
-        Kind::Choice(words) => words.iter().map(|w| format!("`\"{w}\"`")).collect::<Vec<_>>().join(", "),
+        Kind::Choice(words) => listed(words),
         Kind::Range(measure) => format!("low and high, each {}", measure.name),
         Kind::Vector(measure) => format!("2 or 3 values, each {}", measure.name),
         Kind::Modulus(offset) => format!("a modulus: `\"102 kN/m^(n+{offset})\"`"),
         Kind::Friction => "number, or `\"rough\"`".into(),
-        Kind::WallPair => "two of `\"smooth\"`, `\"fixed\"`".into(),
+        Kind::WallPair => format!("two of {}", listed(&words::WALLS)),
         Kind::Motion { still, speed, load } => {
             format!("motion: `\"{still}\"`, `\"free\"`, {} or {}", speed.name, load.name)
         }
     }
+}
+
+fn listed(words: &[&str]) -> String {
+    words.iter().map(|word| format!("`\"{word}\"`")).collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]
