@@ -1,7 +1,7 @@
 //! Ghost layers beyond open boundaries: what enters and leaves through these as the grid moves.
 //!
 //! A sweep of the remap treats the ghost layers as it does all cells, so that soil passes the boundary like any face. After
-//! each sweep they are filled anew: with undisturbed ground beyond an inflow boundary, with the state of the next cell of the
+//! each sweep they are refilled: with undisturbed ground beyond an inflow boundary, with the state of the next cell of the
 //! domain beyond an outflow boundary. Nodes on such a boundary and beyond it are at rest.
 
 use crate::boundary::Boundary;
@@ -53,8 +53,8 @@ impl<R: Precision> Ghosts<R> {
         })
     }
 
-    /// After a sweep: enters what has passed the boundaries into the balance and fills the layers anew, with the volumes of
-    /// the soil in the displaced cells and of these [m³].
+    /// After a sweep: adds what has passed the boundaries to the balance and refills the layers, with the volumes of the soil
+    /// in the displaced cells and of these [m³].
     pub(crate) fn renew(
         &mut self,
         model: &Model,

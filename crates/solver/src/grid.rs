@@ -113,13 +113,13 @@ impl Grid {
         (self.cells()[0] + 1).next_multiple_of(self.lanes).min(self.stride[1] - 1)
     }
 
-    /// Place in memory of cell (or node) `(i, j, k)`.
+    /// Index in memory of cell (or node) `(i, j, k)`.
     #[must_use]
     pub fn index(&self, i: usize, j: usize, k: usize) -> usize {
         (i + 1) * self.stride[0] + (j + 1) * self.stride[1] + (k + 1) * self.stride[2]
     }
 
-    /// Cell (or node) `(i, j, k)` at a place in memory; the inverse of [`Grid::index`].
+    /// Cell (or node) `(i, j, k)` at an index in memory; the inverse of [`Grid::index`].
     #[must_use]
     pub fn layers_of(&self, index: usize) -> [usize; 3] {
         let [_, row, plane] = self.stride;
@@ -264,7 +264,7 @@ impl Grid {
         self.width(0, i) * self.width(1, j) * self.width(2, k)
     }
 
-    /// Volume of the cell at a place in memory [m³].
+    /// Volume of the cell at an index in memory [m³].
     #[must_use]
     pub fn volume_of(&self, index: usize) -> f64 {
         let [i, j, k] = self.layers_of(index);

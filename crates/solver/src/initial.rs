@@ -157,16 +157,16 @@ fn fill<R: Scalar>(grid: &Grid, filling: &Filling, fraction: &mut [R]) {
         [grid.faces[axis][n].max(filling.low[axis]), grid.faces[axis][n + 1].min(filling.high[axis])]
     };
     // A surface that lies on a face up to rounding lies on it.
-    let snapped = |share: f64| {
-        if share < 1e-9 {
+    let snapped = |portion: f64| {
+        if portion < 1e-9 {
             0.0
-        } else if share > 1.0 - 1e-9 {
+        } else if portion > 1.0 - 1e-9 {
             1.0
         } else {
-            share
+            portion
         }
     };
-    let share = |axis: usize, n: usize| {
+    let portion = |axis: usize, n: usize| {
         let [low, high] = range(axis, n);
         snapped(((high - low) / grid.width(axis, n)).clamp(0.0, 1.0))
     };
@@ -176,15 +176,15 @@ fn fill<R: Scalar>(grid: &Grid, filling: &Filling, fraction: &mut [R]) {
                 let area = area_in_disc(radius, range(0, i), range(1, j));
                 snapped(area / (grid.width(0, i) * grid.width(1, j)))
             };
-            let plan = filling.radius.map_or_else(|| share(0, i) * share(1, j), round);
+            let plan = filling.radius.map_or_else(|| portion(0, i) * portion(1, j), round);
             for k in 0..nz {
-                fraction[grid.index(i, j, k)] = R::cast(plan * share(2, k));
+                fraction[grid.index(i, j, k)] = R::cast(plan * portion(2, k));
             }
         }
     }
 }
 
-/// Area [m²] of the part of a rectangle that lies in a disc round the origin. The two sides along each axis come in as a
+/// Area [m²] of the intersection of a rectangle with a disc round the origin. The two sides along each axis come in as a
 /// difference, so that a mirror changes no bit.
 fn area_in_disc(radius: f64, [x0, x1]: [f64; 2], [y0, y1]: [f64; 2]) -> f64 {
     if x1 <= x0 || y1 <= y0 {
@@ -235,7 +235,7 @@ fn weigh<R: Scalar>(model: &Model, grid: &Grid, soil: &mut Soil<R>) {
 
 /// Stresses at rest: σ_z from the discrete balance of each node, from the top down, `f_k σ_k = f_{k+1} σ_{k+1} −
 /// (m_k + m_{k+1}) g / 2A`, so that the first step moves nothing; σ_x = σ_y = K₀ σ_z. Taken before the bodies' space is
-/// carved out: soil beside and under a body that starts in it bears what it bore before the body was there.
+/// cut out: soil beside and under a body that starts in it bears what it bore before the body was there.
 fn rest_stress<R: Scalar>(model: &Model, grid: &Grid, soil: &mut Soil<R>, overburden: f64) {
     let [nx, ny, nz] = grid.cells();
     for j in 0..ny {
@@ -278,7 +278,7 @@ mod tests {
             // Mirror images in either axis: the same bits.
             assert_eq!([one; 3], [cell(-1 - i, j), cell(i, -1 - j), cell(-1 - i, -1 - j)]);
         }
-        // A rectangle of its own, by hand: the quarter disc to the right of x = r/2 is r² (π/6 − √3/8).
+        // A single rectangle, by hand: the quarter disc to the right of x = r/2 is r² (π/6 − √3/8).
         let right = area_in_disc(radius, [0.5 * radius, 9.0], [0.0, 9.0]);
         assert!((right - radius * radius * (PI / 6.0 - 3_f64.sqrt() / 8.0)).abs() < 1e-13);
     }

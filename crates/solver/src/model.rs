@@ -71,7 +71,7 @@ pub struct Method {
     pub remap_displacement: f64,
     /// Coefficient ε of hourglass viscosity.
     pub hourglass: f64,
-    /// Share of it that acts in cells that yield.
+    /// Fraction of it that acts in cells that yield.
     pub hourglass_yielding: f64,
     /// Bulk viscosity b₁, b₂.
     pub bulk_viscosity: [f64; 2],

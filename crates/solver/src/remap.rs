@@ -1,8 +1,8 @@
 //! The Eulerian stage: what the soil has become on the displaced grid is carried back to the grid.
 //!
 //! The grid moves after the body that it follows, if any. One conservative sweep along each axis, the order changing from
-//! remap to remap; then volume fractions, admissible stresses and nodal masses anew, and the soil that overlaps a body is
-//! moved out of it.
+//! remap to remap; then volume fractions, admissible stresses and nodal masses are updated, and the soil that
+//! overlaps a body is moved out of it.
 
 use crate::contact;
 use crate::cpu::stopwatch::Stage;

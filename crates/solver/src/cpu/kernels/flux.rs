@@ -41,8 +41,8 @@ impl FluxInputs<'_> {
                 0.0
             } else {
                 let plane = Plane::new(self.normal(donor), fraction);
-                let share = phi.abs() / cell;
-                plane.slab(axis, phi > 0.0, share) * cell
+                let swept_fraction = phi.abs() / cell;
+                plane.slab(axis, phi > 0.0, swept_fraction) * cell
             };
             // The void must not be overdrawn either: these bounds keep the fraction between 0 and 1.
             let void = cell - soil;
@@ -71,9 +71,9 @@ impl FluxInputs<'_> {
             2
         };
         let grid = self.sweep.grid;
-        let (place, cells) = (grid.layers_of(c), grid.cells());
+        let (layers, cells) = (grid.layers_of(c), grid.cells());
         let [first, second] = [(up + 1) % 3, (up + 2) % 3];
-        let inside = |axis: usize, reach: usize| place[axis] >= reach && place[axis] + reach < cells[axis];
+        let inside = |axis: usize, reach: usize| layers[axis] >= reach && layers[axis] + reach < cells[axis];
         if !inside(up, REACH) {
             return None;
         }
@@ -106,13 +106,13 @@ impl FluxInputs<'_> {
     /// equal to the cells inside.
     fn normal_from_gradient(&self, c: usize) -> [f64; 3] {
         let grid = self.sweep.grid;
-        let place = grid.layers_of(c);
+        let layers = grid.layers_of(c);
         let cells = grid.cells();
         // Offsets to the neighbours, or 0 where there is none.
         let offset: [[isize; 3]; 3] = std::array::from_fn(|axis| {
             let s = grid.stride[axis].cast_signed();
-            let low = if place[axis] > 0 { -s } else { 0 };
-            let high = if place[axis] + 1 < cells[axis] { s } else { 0 };
+            let low = if layers[axis] > 0 { -s } else { 0 };
+            let high = if layers[axis] + 1 < cells[axis] { s } else { 0 };
             [low, 0, high]
         });
         const WEIGHT: [f64; 3] = [1.0, 2.0, 1.0];

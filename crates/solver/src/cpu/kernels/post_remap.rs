@@ -11,7 +11,7 @@ use multiversion::multiversion;
 use std::ops::Range;
 
 /// A worker's rows of what the cells hold.
-struct Part<'a> {
+struct WorkerSlice<'a> {
     rows: Range<usize>,
     fraction: &'a mut [Real],
     mass: &'a mut [Real],
@@ -53,37 +53,37 @@ pub(crate) fn update_after_remap(model: &Model, soil: &mut Soil, workspace: &mut
     let mut history = history.each_mut().map(|h| partition.split(h));
     let fields = partition.split(fraction).zip(partition.split(mass));
     let own = partition.split_by(1, row_values).zip(workers);
-    let parts =
+    let slices =
         partition.ranges().zip(fields).zip(own).map(move |((rows, (fraction, mass)), (debris, scratch))| {
             let stress = stress.each_mut().map(|s| s.next().unwrap_or_default());
             let history = history.each_mut().map(|h| h.next().unwrap_or_default());
-            Part { rows, fraction, mass, stress, history, debris, scratch }
+            WorkerSlice { rows, fraction, mass, stress, history, debris, scratch }
         });
     let constants = RowConstants::new(model, materials, width_x, 0.0);
     let inputs = Inputs { grid: &model.grid, constants, materials, composition, volume, active };
-    team.distribute(parts, |part| update_part(&inputs, part));
+    team.distribute(slices, |slice| update_slice(&inputs, slice));
 }
 
-fn update_part(inputs: &Inputs, part: &mut Part) {
+fn update_slice(inputs: &Inputs, slice: &mut WorkerSlice) {
     let grid = inputs.grid;
     let [_, ny, nz] = grid.cells();
     let row = grid.stride[1];
     // What was carried last lies in the fractions' memory, ghosts and all.
-    part.fraction.fill(0.0);
-    part.debris.fill([0.0; 2]);
-    for (n, r) in part.rows.clone().enumerate() {
+    slice.fraction.fill(0.0);
+    slice.debris.fill([0.0; 2]);
+    for (n, r) in slice.rows.clone().enumerate() {
         let [q, plane] = grid.row_and_plane(r);
         if !inputs.active[r] || !(1..=ny).contains(&q) || plane > nz {
             continue;
         }
         let own = n * row + 1..n * row + 1 + grid.padded_row();
-        let (fraction, mass) = (&mut part.fraction[own.clone()], &mut part.mass[own.clone()]);
-        part.debris[n] = new_fractions(inputs, [r, q, plane], fraction, mass);
+        let (fraction, mass) = (&mut slice.fraction[own.clone()], &mut slice.mass[own.clone()]);
+        slice.debris[n] = new_fractions(inputs, [r, q, plane], fraction, mass);
         let mut cells = CellRow {
             fraction,
             mass,
-            stress: part.stress.each_mut().map(|s| &mut s[own.clone()]),
-            history: part.history.each_mut().map(|h| &mut h[own.clone()]),
+            stress: slice.stress.each_mut().map(|s| &mut s[own.clone()]),
+            history: slice.history.each_mut().map(|h| &mut h[own.clone()]),
             width_y: grid.width(1, q - 1) as Real,
             width_z: grid.width(2, plane - 1) as Real,
         };
@@ -95,7 +95,7 @@ fn update_part(inputs: &Inputs, part: &mut Part) {
         };
         for (run, number) in runs(&material, 0..own.len()) {
             let constants = inputs.constants.of(&inputs.materials[number]);
-            update_cells(&constants, &mut cells, run, &mut part.scratch.block);
+            update_cells(&constants, &mut cells, run, &mut slice.scratch.block);
         }
     }
 }

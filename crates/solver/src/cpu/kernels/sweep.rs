@@ -147,30 +147,30 @@ mod tests {
         let mut seed = 1_u32;
         for (axis, u) in displacement.iter_mut().enumerate() {
             for n in 0..6 * 5 * 4 {
-                let place = [n % 6, n / 6 % 5, n / 30];
+                let layers = [n % 6, n / 6 % 5, n / 30];
                 seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
                 // No wall moves.
-                if (1..grid.cells()[axis]).contains(&place[axis]) {
-                    u[grid.index(place[0], place[1], place[2])] =
+                if (1..grid.cells()[axis]).contains(&layers[axis]) {
+                    u[grid.index(layers[0], layers[1], layers[2])] =
                         0.1 * (f64::from(seed >> 8) / 2.0_f64.powi(24)) as Real;
                 }
             }
         }
         let row_active = vec![true; grid.entries / grid.stride[1]];
         let mut swelled = 0;
-        for place in (0..5 * 4 * 3).map(|n| [n % 5, n / 5 % 4, n / 20]) {
-            let [i, j, k] = place;
+        for layers in (0..5 * 4 * 3).map(|n| [n % 5, n / 5 % 4, n / 20]) {
+            let [i, j, k] = layers;
             let row = (k + 1) * grid.rows() + j + 1;
             let volume = grid.volume(i, j, k);
             let mut cells = vec![0.0; grid.stride[1]];
-            cells[i + 1] = (volume + swollen(&grid, &displacement, place)) as Real;
+            cells[i + 1] = (volume + swollen(&grid, &displacement, layers)) as Real;
             swelled += usize::from((f64::from(cells[i + 1]) / volume - 1.0).abs() > 1e-3);
             for (axis, u) in displacement.iter().enumerate() {
                 let sweep = Sweep { grid: &grid, axis, row_active: &row_active };
                 sweep.undo_displacement(row, u, &mut cells);
             }
             let error = f64::from(cells[i + 1]) / volume - 1.0;
-            assert!(error.abs() < 8.0 * f64::from(Real::EPSILON), "cell {place:?}: {error}");
+            assert!(error.abs() < 8.0 * f64::from(Real::EPSILON), "cell {layers:?}: {error}");
         }
         assert!(swelled > 50, "only {swelled} cells changed their volume");
     }

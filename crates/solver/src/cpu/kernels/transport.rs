@@ -1,6 +1,6 @@
 //! Transport along one axis: what the soil carries that crosses the faces.
 //!
-//! All functions work on one row of cells (or nodes), given by its place among all rows, and read whole arrays; they write only
+//! All functions work on one row of cells (or nodes), given by its number, and read whole arrays; they write only
 //! the row they are given.
 //! "Low face" of a cell is the one towards smaller coordinates; face values are kept at the cell above it, those of dual
 //! faces at the node below. Rows are gone through with their ghosts, through which nothing flows.
@@ -63,7 +63,7 @@ impl Sweep<'_> {
             // The lowest plane is all ghosts, which do not move.
             [0, a, b, a + b].map(|corner| if open { n + corner } else { 0 })
         };
-        let swept = |places: [usize; 4]| places.map(|n| &displacement[n..n + own.len()]);
+        let swept = |starts: [usize; 4]| starts.map(|n| &displacement[n..n + own.len()]);
         let (c, s) = (row * length + own.start, grid.stride[axis]);
         let faces = [four(layer > 0, c), four(layer + 1 < grid.cells()[axis], c + s)].map(swept);
         let across = match axis {
@@ -154,7 +154,7 @@ impl Row {
         (1..=ny + 1).contains(&q).then(|| Self::new(grid, axis, row))
     }
 
-    /// The row of an array at a place; beyond the array that of the lowest plane, which is all ghosts.
+    /// The row of an array from `start` on; beyond the array that of the lowest plane, which is all ghosts.
     fn at(self, array: &[Real], start: Option<usize>) -> &[Real] {
         let start = start.filter(|s| s + self.length <= array.len()).unwrap_or(self.start % self.plane);
         &array[start..start + self.length]
@@ -175,9 +175,9 @@ impl Row {
     /// The rows from two below to two above.
     fn round(self, array: &[Real]) -> [&[Real]; 5] {
         let (start, s) = (self.start, self.stride);
-        let places = [start.checked_sub(2 * s), start.checked_sub(s)].into_iter();
-        let mut places = places.chain([start, start + s, start + 2 * s].map(Some));
-        std::array::from_fn(|_| self.at(array, places.next().flatten()))
+        let starts = [start.checked_sub(2 * s), start.checked_sub(s)].into_iter();
+        let mut starts = starts.chain([start, start + s, start + 2 * s].map(Some));
+        std::array::from_fn(|_| self.at(array, starts.next().flatten()))
     }
 }
 
@@ -220,8 +220,8 @@ fn reach_row(flux: &[Real], fraction: [&[Real]; 5], soil: [&[Real]; 5], out: &mu
         let (up, donor, down) = if forward { (f0[i], f1[i], f2[i]) } else { (f3[i], f2[i], f1[i]) };
         let smooth = (donor > 0.99) & (up > 0.5) & (down > 0.5);
         let (volume, side) = if forward { (v1[i], 0.5) } else { (v2[i], -0.5) };
-        let share = flux[i].abs() / volume;
-        out[i] = if smooth { side * (1.0 - share) } else { 0.0 };
+        let swept_fraction = flux[i].abs() / volume;
+        out[i] = if smooth { side * (1.0 - swept_fraction) } else { 0.0 };
     }
 }
 
@@ -305,9 +305,9 @@ fn dual_reach_row(flux: &[Real], mass: [&[Real]; 5], mass_moved: Real, out: &mut
         let forward = flux[i] > 0.0;
         let (up, donor, down) = if forward { (m0[i], m1[i], m2[i]) } else { (m3[i], m2[i], m1[i]) };
         let smooth = (up > mass_moved) & (down > mass_moved);
-        let share = flux[i].abs() / donor;
+        let fraction = flux[i].abs() / donor;
         let side = if forward { 0.5 } else { -0.5 };
-        out[i] = if smooth { side * (1.0 - if share < 1.0 { share } else { 1.0 }) } else { 0.0 };
+        out[i] = if smooth { side * (1.0 - if fraction < 1.0 { fraction } else { 1.0 }) } else { 0.0 };
     }
 }
 
