@@ -1,5 +1,6 @@
 //! The history of a run: samples of bodies, energy and boundaries.
 
+pub mod columns;
 pub mod reference;
 pub mod steady;
 

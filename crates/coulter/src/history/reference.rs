@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 const REST: f64 = 1e-6;
 
 /// The reference quantities of a body.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Reference {
     /// Name of the body.
     pub name: String,

@@ -13,6 +13,8 @@ use std::path::Path;
 
 /// Cells with less soil than this are void: what they hold is rounding and is shown as nothing.
 pub(super) const VOID: f64 = 1e-6;
+/// Cells with less soil than this have no density: in slivers mass over volume scatters by a factor of ten and more.
+const SLIVER: f64 = 0.01;
 
 /// Turns the body frame to where the body is; a positive angle rolls forward, its top goes along +x.
 pub(super) fn attitude(body: &Body) -> DMat3 {
@@ -25,6 +27,7 @@ pub(super) struct CellView {
     pub(super) fraction: f64,
     pub(super) velocity: DVec3,
     pub(super) stress: [f64; 6],
+    /// Mass of soil over volume of soil [kg/m³]; not-a-number in void and slivers.
     pub(super) density: f64,
     /// History variables, in the order of their table.
     pub(super) history: [f64; HISTORY_COUNT],
@@ -37,13 +40,14 @@ impl CellView {
         let soil = &state.soil;
         let fraction = soil.fraction[n].into();
         if fraction < VOID {
-            return Self::default();
+            return Self { density: f64::NAN, ..Self::default() };
         }
+        let density = soil.mass[n].into() / (fraction * grid.volume(i, j, k));
         Self {
             fraction,
             velocity: cell_velocity(grid, state, n),
             stress: std::array::from_fn(|c| soil.stress[c][n].into()),
-            density: soil.mass[n].into() / (fraction * grid.volume(i, j, k)),
+            density: if fraction < SLIVER { f64::NAN } else { density },
             history: std::array::from_fn(|h| soil.history[h][n].into()),
         }
     }

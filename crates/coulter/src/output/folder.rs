@@ -1,6 +1,6 @@
 //! The contents of a results folder, and clearing it for a new result.
 
-use super::csv::{BOUNDARIES, ENERGY, forces_name};
+use super::csv::{BOUNDARIES_FILE, ENERGY_FILE, forces_name};
 use super::error::{Named, OutputError};
 use super::lock::LOCK;
 pub use super::names::CHECKPOINTS;
@@ -80,7 +80,7 @@ pub(super) fn remove_parts(dir: &Path) -> Result<(), OutputError> {
 fn remove_result(dir: &Path, record: &RunRecord) -> Result<(), OutputError> {
     let names: Vec<String> = record.bodies.iter().map(|b| b.name.clone()).collect();
     let mut files: Vec<String> = (0..names.len()).map(|n| forces_name(&names, n)).collect();
-    let fixed = [SUMMARY, REPORT, ENERGY, BOUNDARIES, RESOLVED, TYPED, LOG];
+    let fixed = [SUMMARY, REPORT, ENERGY_FILE, BOUNDARIES_FILE, RESOLVED, TYPED, LOG];
     files.extend(fixed.iter().chain(&LISTS).map(|name| (*name).to_owned()));
     for file in files {
         remove_file(&dir.join(file))?;

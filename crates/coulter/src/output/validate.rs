@@ -1,7 +1,9 @@
 //! Validation of a history that was read back from files.
 
 use super::csv::forces_name;
-use crate::history::{BodySample, EnergySample, History};
+use crate::history::History;
+use crate::history::columns::{Column, ENERGY, FORCES};
+use crate::history::reference::Reference;
 
 /// Refuses a history that no run can have written: without lines, with times that are not finite or do not increase, with
 /// forces, sinkages or energies that are not numbers.
@@ -21,33 +23,10 @@ pub fn validate_history(history: &History) -> Result<(), String> {
     for (body, samples) in history.bodies.iter().enumerate() {
         let file = forces_name(&history.names, body);
         increasing(&file, samples, |s| s.time)?;
-        samples.iter().enumerate().try_for_each(|(n, s)| finite(&file, n, &body_columns(s)))?;
+        finite(&file, samples, FORCES)?;
     }
     increasing("energy.csv", &history.energy, |s| s.time)?;
-    let mut lines = history.energy.iter().enumerate();
-    lines.try_for_each(|(n, s)| finite("energy.csv", n, &energy_columns(s)))
-}
-
-/// The required columns of a body's history; the turn ratio and the dimensionless columns may be empty.
-fn body_columns(s: &BodySample) -> [(&'static str, f64); 6] {
-    [
-        ("displacement u [m]", s.displacement),
-        ("sinkage z [m]", s.sinkage),
-        ("drag F_H [N]", s.drag),
-        ("vertical F_V [N]", s.vertical),
-        ("lateral [N]", s.lateral),
-        ("axle torque [N m]", s.axle_torque),
-    ]
-}
-
-fn energy_columns(s: &EnergySample) -> [(&'static str, f64); 5] {
-    [
-        ("external [J]", s.external),
-        ("kinetic [J]", s.kinetic),
-        ("elastic [J]", s.elastic),
-        ("plastic [J]", s.plastic),
-        ("volume ratio [-]", s.volume_ratio),
-    ]
+    finite("energy.csv", &history.energy, ENERGY)
 }
 
 /// Refuses a history without lines, and times that are not finite or not later than the previous one.
@@ -69,13 +48,23 @@ fn increasing<S>(file: &str, samples: &[S], time: impl Fn(&S) -> f64) -> Result<
     Ok(())
 }
 
-fn finite(file: &str, sample: usize, columns: &[(&str, f64)]) -> Result<(), String> {
-    match columns.iter().find(|(_, value)| !value.is_finite()) {
-        Some((name, value)) => {
-            Err(damaged(file, sample, name, &format!("{value} instead of a finite number")))
+/// Refuses a number that is not finite in a column that needs one.
+fn finite<S: Copy>(file: &str, samples: &[S], columns: &[Column<S>]) -> Result<(), String> {
+    let none = Reference::default();
+    for (n, sample) in samples.iter().enumerate() {
+        for column in columns.iter().filter(|column| column.is_required) {
+            let value = column.value(sample, &none);
+            if !value.is_finite() {
+                return Err(damaged(
+                    file,
+                    n,
+                    &column.header(),
+                    &format!("{value} instead of a finite number"),
+                ));
+            }
         }
-        None => Ok(()),
     }
+    Ok(())
 }
 
 fn damaged(file: &str, sample: usize, column: &str, what: &str) -> String {
@@ -89,6 +78,7 @@ fn damaged(file: &str, sample: usize, column: &str, what: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::history::{BodySample, EnergySample};
 
     fn history(lines: u32) -> History {
         let time = |n: u32| 0.1 * f64::from(n);

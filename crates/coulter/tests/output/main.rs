@@ -2,10 +2,12 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod columns;
 mod synthetic;
 mod vtk;
 
-use coulter::output::csv::{ENERGY_HEADER, FORCES_HEADER, read_history};
+use coulter::history::columns::{BOUNDARIES, ENERGY, FORCES, header};
+use coulter::output::csv::read_history;
 use coulter::output::table::Table;
 use coulter::output::{
     Outcome, OutputError, Overlay, PlotKind, Results, RunStatistics, Summary, rebuild_report,
@@ -132,16 +134,20 @@ fn the_summary_keeps_its_names() {
 #[test]
 fn csv_headers_are_a_contract() {
     assert_eq!(
-        FORCES_HEADER,
+        header(FORCES),
         "time [s],displacement u [m],sinkage z [m],drag F_H [N],vertical F_V [N],lateral [N],axle torque [N m],\
          rotation [rad],spin [rad/s],turn ratio [-],normal drag [N],friction drag [N],normal vertical [N],\
          friction vertical [N],leak [m^3],embedded [m^3],speed v [m/s],heave speed [m/s],Z [-],u_bar [-],F_H_bar [-],\
          F_V_bar [-]"
     );
     assert_eq!(
-        ENERGY_HEADER,
+        header(ENERGY),
         "time [s],external [J],kinetic [J],elastic [J],plastic [J],friction [J],contact method [J],viscous [J],hourglass [J],\
          remap loss [J],closure [-],volume ratio [-]"
+    );
+    assert_eq!(
+        header(BOUNDARIES),
+        "time [s],lid area [m^2],lid force [N],bare wall area [m^2],stress rise [Pa]"
     );
 }
 

@@ -1,0 +1,197 @@
+//! The columns of the history files: name, unit, meaning and value, from which header, lines, reading back and
+//! documentation follow.
+
+use super::reference::Reference;
+use super::{BodySample, BoundarySample, EnergySample};
+
+/// A column of a history file.
+#[derive(Debug)]
+pub struct Column<S: 'static> {
+    /// Its name, without the unit.
+    pub name: &'static str,
+    /// Its unit; `-` for a number without one.
+    pub unit: &'static str,
+    /// What it is, for the documentation.
+    pub meaning: &'static str,
+    /// Where its values come from.
+    pub source: Source<S>,
+    /// Whether every line of a sound history has a finite number here.
+    pub is_required: bool,
+}
+
+/// Where the values of a column come from.
+#[derive(Debug)]
+pub enum Source<S: 'static> {
+    /// A number of the sample; reading the file back fills it.
+    Sampled(fn(&mut S) -> &mut f64),
+    /// A number that follows from the sample and the reference quantities of its body; none where it is not defined.
+    Derived(fn(&S, &Reference) -> Option<f64>),
+}
+
+impl<S: Copy> Column<S> {
+    const fn sampled(
+        name: &'static str,
+        unit: &'static str,
+        meaning: &'static str,
+        number: fn(&mut S) -> &mut f64,
+    ) -> Self {
+        Self { name, unit, meaning, source: Source::Sampled(number), is_required: false }
+    }
+
+    const fn derived(
+        name: &'static str,
+        unit: &'static str,
+        meaning: &'static str,
+        number: fn(&S, &Reference) -> Option<f64>,
+    ) -> Self {
+        Self { name, unit, meaning, source: Source::Derived(number), is_required: false }
+    }
+
+    const fn required(mut self) -> Self {
+        self.is_required = true;
+        self
+    }
+
+    /// Its header: name and unit.
+    #[must_use]
+    pub fn header(&self) -> String {
+        format!("{} [{}]", self.name, self.unit)
+    }
+
+    /// Its value in a line; not-a-number where it is not defined.
+    #[must_use]
+    pub fn value(&self, sample: &S, reference: &Reference) -> f64 {
+        match self.source {
+            Source::Sampled(number) => *number(&mut { *sample }),
+            Source::Derived(number) => number(sample, reference).unwrap_or(f64::NAN),
+        }
+    }
+}
+
+/// The header line of a file.
+#[must_use]
+pub fn header<S: Copy>(columns: &[Column<S>]) -> String {
+    columns.iter().map(Column::header).collect::<Vec<_>>().join(",")
+}
+
+type OfBody = Column<BodySample>;
+type OfEnergy = Column<EnergySample>;
+
+/// Columns of `forces.csv`.
+pub const FORCES: &[Column<BodySample>] = &[
+    OfBody::sampled("time", "s", "time since the start", |s| &mut s.time),
+    OfBody::sampled(
+        "displacement u",
+        "m",
+        "distance the reference point has travelled along x since the start",
+        |s| &mut s.displacement,
+    )
+    .required(),
+    OfBody::sampled(
+        "sinkage z",
+        "m",
+        "depth of the body's lowest point below the undisturbed surface, positive downwards",
+        |s| &mut s.sinkage,
+    )
+    .required(),
+    OfBody::sampled("drag F_H", "N", "horizontal force against the tow", |s| &mut s.drag).required(),
+    OfBody::sampled("vertical F_V", "N", "vertical force, positive upwards", |s| &mut s.vertical).required(),
+    OfBody::sampled("lateral", "N", "force along y; 0 in a symmetric case", |s| &mut s.lateral).required(),
+    OfBody::sampled(
+        "axle torque",
+        "N m",
+        "torque about the axle, positive when it makes the body roll forward",
+        |s| &mut s.axle_torque,
+    )
+    .required(),
+    OfBody::sampled("rotation", "rad", "angle of rotation Ω about the axle", |s| &mut s.rotation),
+    OfBody::sampled("spin", "rad/s", "its rate ω", |s| &mut s.spin),
+    OfBody::derived(
+        "turn ratio",
+        "-",
+        "ω r / v (below); empty at rest and for a body that cannot roll",
+        |s, reference| reference.turn_ratio_of(s),
+    ),
+    OfBody::sampled("normal drag", "N", "drag due to the pressure normal to the surface", |s| {
+        &mut s.drag_normal
+    }),
+    OfBody::derived("friction drag", "N", "drag due to friction", |s, _| Some(s.drag - s.drag_normal)),
+    OfBody::sampled(
+        "normal vertical",
+        "N",
+        "vertical force due to the pressure normal to the surface",
+        |s| &mut s.vertical_normal,
+    ),
+    OfBody::derived("friction vertical", "N", "vertical force due to friction", |s, _| {
+        Some(s.vertical - s.vertical_normal)
+    }),
+    OfBody::sampled("leak", "m^3", "soil volume that overlaps the body", |s| &mut s.leaked_volume),
+    OfBody::sampled("embedded", "m^3", "volume of the body below the undisturbed surface", |s| {
+        &mut s.embedded_volume
+    }),
+    OfBody::sampled("speed v", "m/s", "velocity along x", |s| &mut s.speed),
+    OfBody::sampled("heave speed", "m/s", "velocity upwards", |s| &mut s.heave_speed),
+    OfBody::derived("Z", "-", "z/d", |s, reference| reference.length_group(s.sinkage)),
+    OfBody::derived("u_bar", "-", "u/d", |s, reference| reference.length_group(s.displacement)),
+    OfBody::derived("F_H_bar", "-", "F_H/(γ t d²); empty for weightless soil", |s, reference| {
+        reference.force_group(s.drag)
+    }),
+    OfBody::derived("F_V_bar", "-", "F_V/(γ t d²); empty for weightless soil", |s, reference| {
+        reference.force_group(s.vertical)
+    }),
+];
+
+/// Columns of `energy.csv`.
+pub const ENERGY: &[Column<EnergySample>] = &[
+    OfEnergy::sampled("time", "s", "time since the start", |s| &mut s.time),
+    OfEnergy::sampled("external", "J", "work of loads, drives and gravity", |s| &mut s.external).required(),
+    OfEnergy::sampled("kinetic", "J", "kinetic energy of soil and bodies", |s| &mut s.kinetic).required(),
+    OfEnergy::sampled("elastic", "J", "elastic energy of the soil less that at the start", |s| {
+        &mut s.elastic
+    })
+    .required(),
+    OfEnergy::sampled("plastic", "J", "plastic dissipation", |s| &mut s.plastic).required(),
+    OfEnergy::sampled("friction", "J", "dissipation by friction on the bodies", |s| &mut s.friction),
+    OfEnergy::sampled(
+        "contact method",
+        "J",
+        "what the contact method itself stores, dissipates or adds; should be small",
+        |s| &mut s.contact,
+    ),
+    OfEnergy::sampled("viscous", "J", "dissipation by bulk viscosity", |s| &mut s.viscous),
+    OfEnergy::sampled("hourglass", "J", "dissipation by hourglass viscosity", |s| &mut s.hourglass),
+    OfEnergy::sampled("remap loss", "J", "kinetic and elastic energy lost in remaps", |s| &mut s.remap_loss),
+    OfEnergy::derived(
+        "closure",
+        "-",
+        "error of the energy balance: unexplained energy over the external work (over the plastic or the kinetic energy \
+         where that is larger)",
+        |s, _| Some(s.closure()),
+    ),
+    OfEnergy::sampled("volume ratio", "-", "soil volume over that at the start", |s| &mut s.volume_ratio)
+        .required(),
+];
+
+/// Columns of `boundaries.csv`.
+pub const BOUNDARIES: &[Column<BoundarySample>] = &[
+    Column::sampled("time", "s", "time since the start", |s| &mut s.time),
+    Column::sampled(
+        "lid area",
+        "m^2",
+        "area of the lid that soil has reached; 0 where the soil extends up to the lid from the start",
+        |s| &mut s.lid_area,
+    ),
+    Column::sampled("lid force", "N", "force of the soil on that area", |s| &mut s.lid_force),
+    Column::sampled(
+        "bare wall area",
+        "m^2",
+        "area of the side walls, without soil at the start, that soil has reached",
+        |s| &mut s.wall_area,
+    ),
+    Column::sampled(
+        "stress rise",
+        "Pa",
+        "largest rise of the normal pressure on floor and side walls above that at rest",
+        |s| &mut s.stress_rise,
+    ),
+];
