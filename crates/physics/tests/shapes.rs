@@ -3,7 +3,7 @@
 #![allow(missing_docs, clippy::unwrap_used)]
 
 use glam::DVec3;
-use physics::shape::{Axis, Block, Cylinder, Disc, Rotated, Shape, Sphere};
+use physics::shape::{Axis, Block, Cylinder, Disc, MassProperties, Rotated, Shape, Sphere};
 use std::f64::consts::PI;
 
 /// Every shape with the area of its surface [m²].
@@ -90,15 +90,12 @@ fn mirror_images_are_adjacent() {
 fn the_mesh_is_closed_and_encloses_the_volume() {
     for (shape, _) in shapes() {
         let mesh = shape.mesh();
-        let volume: f64 = mesh
-            .triangles
-            .iter()
-            .map(|t| {
-                let [a, b, c] = t.map(|n| mesh.points[n as usize]);
-                a.dot(b.cross(c)) / 6.0
-            })
-            .sum();
-        assert!((volume / shape.volume() - 1.0).abs() < 2e-3, "{shape:?}: {volume} of {}", shape.volume());
+        let (exact, of_mesh) = (shape.mass_properties(), MassProperties::of_mesh(&mesh));
+        let (volume, inertia) = (of_mesh.volume, of_mesh.inertia);
+        assert!((volume / exact.volume - 1.0).abs() < 2e-3, "{shape:?}: {volume} of {}", exact.volume);
+        assert!(of_mesh.centroid.distance(exact.centroid) < 1e-12, "{shape:?}");
+        let size = exact.inertia.y_axis.y;
+        assert!(inertia.abs_diff_eq(exact.inertia, 4e-3 * size), "{shape:?}: {inertia} of {}", exact.inertia);
         let (low, high) = shape.bounds();
         assert!(mesh.points.iter().all(|p| p.cmpge(low - 1e-12).all() && p.cmple(high + 1e-12).all()));
     }
@@ -107,16 +104,16 @@ fn the_mesh_is_closed_and_encloses_the_volume() {
 #[test]
 fn inertia_about_the_axle_is_that_of_a_homogeneous_solid() {
     let disc = Disc { diameter: 0.2, thickness: 0.05 };
-    assert!((disc.axle_inertia_per_mass() - 0.5 * 0.01).abs() < 1e-15);
+    assert!((disc.mass_properties().about_axle() - 0.5 * 0.01).abs() < 1e-15);
     let block = Block { size: DVec3::new(0.3, 0.2, 0.1) };
-    assert!((block.axle_inertia_per_mass() - (0.09 + 0.01) / 12.0).abs() < 1e-15);
-    let inertia = |axis| Cylinder { diameter: 0.2, length: 0.06, axis }.axle_inertia_per_mass();
-    assert_eq!(inertia(Axis::Y), disc.axle_inertia_per_mass());
+    assert!((block.mass_properties().about_axle() - (0.09 + 0.01) / 12.0).abs() < 1e-15);
+    let inertia = |axis| Cylinder { diameter: 0.2, length: 0.06, axis }.mass_properties().about_axle();
+    assert_eq!(inertia(Axis::Y), disc.mass_properties().about_axle());
     assert!(
         (inertia(Axis::Z) - (0.01 / 4.0 + 0.0036 / 12.0)).abs() < 1e-15
             && inertia(Axis::X) == inertia(Axis::Z)
     );
-    assert!((Sphere { diameter: 0.2 }.axle_inertia_per_mass() - 0.4 * 0.01).abs() < 1e-15);
+    assert!((Sphere { diameter: 0.2 }.mass_properties().about_axle() - 0.4 * 0.01).abs() < 1e-15);
 }
 
 #[test]

@@ -83,7 +83,7 @@ fn body_cells(model: &Model) -> f64 {
     let cells = |body: &BodyModel| {
         let (low, high) = body.shape.bounds();
         let size = high - low;
-        let filling = body.shape.volume() / size.element_product();
+        let filling = body.shape.mass_properties().volume / size.element_product();
         let layers = |axis: usize| {
             let faces = &model.grid.faces[axis];
             let first = faces.partition_point(|f| *f <= body.start[axis] + low[axis]).saturating_sub(1);

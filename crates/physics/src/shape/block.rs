@@ -1,6 +1,6 @@
 //! The block: a rectangular box with sharp edges, such as a footing, a wall or a plate.
 
-use super::{Mesh, Shape, SurfacePoint, divisions, midpoint, paired};
+use super::{MassProperties, Mesh, Shape, SurfacePoint, divisions, midpoint, paired};
 use glam::DVec3;
 
 /// A box centred on the origin.
@@ -20,12 +20,10 @@ impl Shape for Block {
         (-0.5 * self.size, 0.5 * self.size)
     }
 
-    fn volume(&self) -> f64 {
-        self.size.element_product()
-    }
-
-    fn axle_inertia_per_mass(&self) -> f64 {
-        (self.size.x.powi(2) + self.size.z.powi(2)) / 12.0
+    fn mass_properties(&self) -> MassProperties {
+        let square = |axis: usize| self.size[axis].powi(2);
+        let inertia = DVec3::new(square(1) + square(2), square(0) + square(2), square(0) + square(1)) / 12.0;
+        MassProperties::principal(self.size.element_product(), inertia)
     }
 
     fn surface_points(&self, spacing: f64, inset: DVec3) -> Vec<SurfacePoint> {

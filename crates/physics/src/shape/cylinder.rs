@@ -1,6 +1,9 @@
 //! The cylinder: with sharp rims and its axis along x, y or z, such as a pile, a pipe or a circular footing.
 
-use super::{Disc, Mesh, Shape, SurfacePoint, divisions, midpoint, paired, ring, ring_count, ring_points};
+use super::{
+    Disc, MassProperties, Mesh, Shape, SurfacePoint, divisions, midpoint, paired, ring, ring_count,
+    ring_points,
+};
 use glam::DVec3;
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
@@ -77,15 +80,10 @@ impl Shape for Cylinder {
         (self.body_frame(low), self.body_frame(high))
     }
 
-    fn volume(&self) -> f64 {
-        self.disc().volume()
-    }
-
-    fn axle_inertia_per_mass(&self) -> f64 {
-        match self.axis {
-            Axis::Y => self.disc().axle_inertia_per_mass(),
-            Axis::X | Axis::Z => self.diameter.powi(2) / 16.0 + self.length.powi(2) / 12.0,
-        }
+    fn mass_properties(&self) -> MassProperties {
+        let MassProperties { volume, inertia, .. } = self.disc().mass_properties();
+        let inertia = DVec3::new(inertia.x_axis.x, inertia.y_axis.y, inertia.z_axis.z);
+        MassProperties::principal(volume, self.body_frame(inertia))
     }
 
     fn surface_points(&self, spacing: f64, inset: DVec3) -> Vec<SurfacePoint> {

@@ -1,6 +1,6 @@
 //! The disc: a flat cylinder with sharp rims and its axle along `y`.
 
-use super::{Mesh, Shape, SurfacePoint, divisions, midpoint, paired, ring_points};
+use super::{MassProperties, Mesh, Shape, SurfacePoint, divisions, midpoint, paired, ring_points};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
 
@@ -30,12 +30,10 @@ impl Shape for Disc {
         (-corner, corner)
     }
 
-    fn volume(&self) -> f64 {
-        PI * self.radius().powi(2) * self.thickness
-    }
-
-    fn axle_inertia_per_mass(&self) -> f64 {
-        0.5 * self.radius().powi(2)
+    fn mass_properties(&self) -> MassProperties {
+        let across = 0.25 * self.radius().powi(2) + self.thickness.powi(2) / 12.0;
+        let inertia = DVec3::new(across, 0.5 * self.radius().powi(2), across);
+        MassProperties::principal(PI * self.radius().powi(2) * self.thickness, inertia)
     }
 
     fn surface_points(&self, spacing: f64, inset: DVec3) -> Vec<SurfacePoint> {

@@ -1,4 +1,4 @@
-//! Shapes of rigid bodies: signed distance, contact points, triangle mesh.
+//! Shapes of rigid bodies: signed distance, mass properties, contact points, triangle mesh.
 //!
 //! A shape is given in the body frame: origin at the body's reference point (for a disc the centre of the axle), the axle
 //! along `y`. Lengths in metres.
@@ -6,12 +6,14 @@
 mod block;
 mod cylinder;
 mod disc;
+mod mass;
 mod rotated;
 mod sphere;
 
 pub use block::Block;
 pub use cylinder::{Axis, Cylinder};
 pub use disc::Disc;
+pub use mass::MassProperties;
 pub use rotated::Rotated;
 pub use sphere::Sphere;
 
@@ -102,10 +104,10 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
     fn signed_distance(&self, x: DVec3) -> f64;
     /// Lower and upper corner of the bounding box, in the body frame [m].
     fn bounds(&self) -> (DVec3, DVec3);
-    /// Volume [m³].
-    fn volume(&self) -> f64;
-    /// Moment of inertia about the axle (body `y`) per mass of a homogeneous solid [m²].
-    fn axle_inertia_per_mass(&self) -> f64;
+    /// Volume, centroid and moments of inertia of a homogeneous solid; from the mesh unless the shape knows better.
+    fn mass_properties(&self) -> MassProperties {
+        MassProperties::of_mesh(&self.mesh())
+    }
     /// Contact points at most `spacing` [m] apart, at the distance `inset` [m] (along x, y, z) from sharp convex edges.
     ///
     /// Points at a sharp edge would widen the body by half a cell, which the inset compensates. Points that are mirror images

@@ -1,6 +1,6 @@
 //! A shape rotated about y, such as an inclined plate.
 
-use super::{Mesh, Shape, SurfacePoint};
+use super::{MassProperties, Mesh, Shape, SurfacePoint};
 use glam::{DMat3, DVec3};
 
 /// Another shape, rotated about the y axis through its origin.
@@ -29,12 +29,8 @@ impl<S: Shape> Shape for Rotated<S> {
         corners.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), box_of)
     }
 
-    fn volume(&self) -> f64 {
-        self.shape.volume()
-    }
-
-    fn axle_inertia_per_mass(&self) -> f64 {
-        self.shape.axle_inertia_per_mass()
+    fn mass_properties(&self) -> MassProperties {
+        self.shape.mass_properties().rotated(self.rotation)
     }
 
     fn surface_points(&self, spacing: f64, inset: DVec3) -> Vec<SurfacePoint> {

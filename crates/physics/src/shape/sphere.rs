@@ -1,6 +1,6 @@
 //! The sphere.
 
-use super::{Mesh, Shape, SurfacePoint, midpoint, paired, ring, ring_count, ring_points};
+use super::{MassProperties, Mesh, Shape, SurfacePoint, midpoint, paired, ring, ring_count, ring_points};
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 
@@ -31,12 +31,9 @@ impl Shape for Sphere {
         (DVec3::splat(-self.radius()), DVec3::splat(self.radius()))
     }
 
-    fn volume(&self) -> f64 {
-        PI / 6.0 * self.diameter.powi(3)
-    }
-
-    fn axle_inertia_per_mass(&self) -> f64 {
-        0.4 * self.radius().powi(2)
+    fn mass_properties(&self) -> MassProperties {
+        let inertia = DVec3::splat(0.4 * self.radius().powi(2));
+        MassProperties::principal(PI / 6.0 * self.diameter.powi(3), inertia)
     }
 
     /// Rings of equal width between the poles on the z axis; the points of a ring share the exact area of its zone.

@@ -39,7 +39,7 @@ pub(super) fn body(section: &Section, context: &Context, problems: &mut Problems
     Some(Body {
         name: section.path.trim_start_matches("body.").to_owned(),
         position: position?,
-        mass: mass.unwrap_or_else(|| NOMINAL_DENSITY * shape.solid().volume()),
+        mass: mass.unwrap_or_else(|| NOMINAL_DENSITY * shape.solid().mass_properties().volume),
         axle_inertia: inertia?,
         shape,
         friction: friction?,
@@ -247,7 +247,8 @@ fn axle_inertia(section: &Section, shape: &Shape, mass: Option<f64>, problems: &
         );
         return None;
     }
-    Some(mass.unwrap_or(NOMINAL_DENSITY * solid.volume()) * solid.axle_inertia_per_mass())
+    let properties = solid.mass_properties();
+    Some(mass.unwrap_or(NOMINAL_DENSITY * properties.volume) * properties.about_axle())
 }
 
 fn position(
