@@ -204,20 +204,7 @@ pub(crate) fn state(case: &Case, kind: Kind, time: f64) -> (Grid, State) {
         nodes.velocity[0][n] = 0.1 * near;
         nodes.velocity[2][n] = 0.05 * near;
     }
-    let bodies = case
-        .bodies
-        .iter()
-        .map(|b| Body {
-            position: b.position + DVec3::new(TRAVEL, 0.0, -DEPTH),
-            angle: 0.85 * TRAVEL / (0.5 * DIAMETER),
-            velocity: DVec3::new(0.1, 0.0, 0.0),
-            spin: 0.85,
-            contact_impulse: Default::default(),
-            leaked_volume: 6e-9,
-            embedded_volume: 5e-6,
-            searched_at: Pose { position: b.position, angle: 0.0 },
-        })
-        .collect();
+    let bodies = case.bodies.iter().map(towed).collect();
     (
         grid,
         State {
@@ -232,6 +219,20 @@ pub(crate) fn state(case: &Case, kind: Kind, time: f64) -> (Grid, State) {
             remaps: 0,
         },
     )
+}
+
+/// A body at the end of its tow.
+fn towed(body: &case::Body) -> Body {
+    Body {
+        position: body.position + DVec3::new(TRAVEL, 0.0, -DEPTH),
+        angle: 0.85 * TRAVEL / (0.5 * DIAMETER),
+        velocity: DVec3::new(0.1, 0.0, 0.0),
+        spin: 0.85,
+        contact_impulse: Default::default(),
+        leaked_volume: 6e-9,
+        embedded_volume: 5e-6,
+        searched_at: Pose { position: body.position, angle: 0.0 },
+    }
 }
 
 fn triples(layers: usize, rows: usize, columns: usize) -> impl Iterator<Item = (usize, usize, usize)> {
