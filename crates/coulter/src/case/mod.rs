@@ -20,6 +20,7 @@ mod resolve;
 pub mod resolved;
 pub mod resources;
 mod schema;
+pub mod shapes;
 mod tree;
 mod typed;
 mod uncertainty;

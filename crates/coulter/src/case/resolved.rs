@@ -1,9 +1,8 @@
 //! What a case means: every default filled in, every number in SI units, every check passed.
 
+use super::shapes::Shape;
 use glam::DVec3;
 pub use physics::rigid::Freedom;
-use physics::shape;
-pub use physics::shape::Axis;
 use serde::Serialize;
 
 /// A case, ready to be simulated.
@@ -251,56 +250,6 @@ pub struct Body {
     pub translation: [Freedom; 3],
     /// Rotation about the axle; positive when it rolls forward.
     pub spin: Freedom,
-}
-
-/// The shape of a body.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Shape {
-    /// A disc, axle along y.
-    Disc {
-        /// Diameter d [m].
-        diameter: f64,
-        /// Thickness t [m].
-        thickness: f64,
-    },
-    /// A rectangular block.
-    Block {
-        /// Edge lengths [m].
-        size: DVec3,
-        /// Rotation about y at the start [rad], positive when it tips the top towards +x.
-        orientation: f64,
-    },
-    /// A cylinder.
-    Cylinder {
-        /// Diameter d [m].
-        diameter: f64,
-        /// Length along its axis [m].
-        length: f64,
-        /// Direction of its axis.
-        axis: Axis,
-    },
-    /// A sphere.
-    Sphere {
-        /// Diameter d [m].
-        diameter: f64,
-    },
-}
-
-impl Shape {
-    /// The shape with its geometry: distances, contact points, mesh.
-    #[must_use]
-    pub fn solid(&self) -> Box<dyn shape::Shape> {
-        match *self {
-            Self::Disc { diameter, thickness } => Box::new(shape::Disc { diameter, thickness }),
-            Self::Block { size, orientation: 0.0 } => Box::new(shape::Block { size }),
-            Self::Block { size, orientation } => {
-                Box::new(shape::Rotated::new(shape::Block { size }, orientation))
-            }
-            Self::Cylinder { diameter, length, axis } => Box::new(shape::Cylinder { diameter, length, axis }),
-            Self::Sphere { diameter } => Box::new(shape::Sphere { diameter }),
-        }
-    }
 }
 
 /// What to write.

@@ -1,7 +1,7 @@
 //! A case as input of the closed-form models: one body, or a row of equal discs, in level Mohr–Coulomb soil.
 
 use super::towed::{bodies, body};
-use crate::case::resolved::{Body as Towed, Case, Factors, Freedom, Ground, Law, Measured, Shape};
+use crate::case::resolved::{Body as Towed, Case, Factors, Freedom, Ground, Law, Measured};
 use crate::case::travel;
 use analytic::bearing::Method;
 use analytic::disc::Drive;
@@ -46,7 +46,7 @@ pub fn model_input(case: &Case) -> Result<ModelInput, String> {
     let drive = match &body {
         Body::Block(_) => Drive::Locked,
         Body::Disc(_) => drive(first, 0.5 * body.length())?,
-        Body::Faceted(_) if matches!(first.shape, Shape::Sphere { .. }) => drive(first, 0.5 * body.length())?,
+        Body::Faceted(_) if first.shape.rolling_diameter().is_some() => drive(first, 0.5 * body.length())?,
         Body::Faceted(_) => Drive::Locked,
     };
     if drive == Drive::Locked && !matches!(first.spin, Freedom::Fixed) {

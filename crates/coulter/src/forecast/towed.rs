@@ -1,6 +1,7 @@
 //! The bodies of a case as the closed-form models represent them.
 
-use crate::case::resolved::{Axis, Body as Towed, Case, Freedom, Shape};
+use crate::case::resolved::{Body as Towed, Case, Freedom};
+use crate::case::shapes::ClosedForm;
 use analytic::disc::{Assembly, Disc};
 use analytic::forecast::{Block, Body, FacetedBody};
 use analytic::resistive::Facet;
@@ -64,12 +65,9 @@ pub(super) fn bodies<'a>(
 
 /// A disc, or a cylinder across the tow, which is geometrically a disc.
 fn disc(body: &Towed) -> Option<Disc> {
-    match body.shape {
-        Shape::Disc { diameter, thickness }
-        | Shape::Cylinder { diameter, length: thickness, axis: Axis::Y } => {
-            Some(Disc { diameter, thickness })
-        }
-        _ => None,
+    match body.shape.closed_form() {
+        ClosedForm::Disc { diameter, thickness } => Some(Disc { diameter, thickness }),
+        ClosedForm::Block { .. } | ClosedForm::Facets { .. } => None,
     }
 }
 
@@ -83,12 +81,7 @@ pub(super) fn body(
     body: &Towed,
     remarks: &mut Vec<String>,
 ) -> Result<(Body, &'static str, bool), String> {
-    let kind = match body.shape {
-        Shape::Disc { .. } => "disc",
-        Shape::Block { .. } => "block",
-        Shape::Cylinder { .. } => "cylinder",
-        Shape::Sphere { .. } => "sphere",
-    };
+    let kind = body.shape.kind();
     if let Some(disc) = disc(body) {
         if case.domain.plane_strain {
             return Err(format!("the case is plane strain; the models are for a {kind} of finite width"));
@@ -105,14 +98,13 @@ pub(super) fn body(
             ));
         }
     };
-    let represented = match body.shape {
-        Shape::Block { size, orientation } => {
+    let represented = match body.shape.closed_form() {
+        ClosedForm::Block { size, orientation } => {
             let orientation = if is_mirrored { -orientation } else { orientation };
             block(case, size, orientation, remarks).into()
         }
-        Shape::Cylinder { diameter, length, .. } => Body::Faceted(faceted(body, diameter, length)),
-        Shape::Sphere { diameter } | Shape::Disc { diameter, .. } => {
-            Body::Faceted(faceted(body, diameter, diameter))
+        ClosedForm::Facets { length, width } | ClosedForm::Disc { diameter: length, thickness: width } => {
+            Body::Faceted(faceted(body, length, width))
         }
     };
     Ok((represented, kind, is_mirrored))

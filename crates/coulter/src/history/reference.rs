@@ -1,7 +1,7 @@
 //! The reference lengths and force that make a body's results dimensionless, and its rolling radius.
 
 use super::BodySample;
-use crate::case::resolved::{Axis, Body, Case, Freedom, Shape};
+use crate::case::resolved::{Body, Case, Freedom};
 use serde::{Deserialize, Serialize};
 
 /// Speeds below this [m/s] count as rest, where the turn ratio is not defined.
@@ -33,23 +33,14 @@ impl Reference {
     /// The reference of one body of a case.
     #[must_use]
     pub fn of(case: &Case, body: &Body) -> Self {
-        let (kind, length, thickness, radius) = match body.shape {
-            Shape::Disc { diameter, thickness } => ("disc", diameter, thickness, Some(0.5 * diameter)),
-            Shape::Block { size, .. } => ("block", size.z, size.y, None),
-            Shape::Cylinder { diameter, length, axis: Axis::Y } => {
-                ("cylinder", diameter, length, Some(0.5 * diameter))
-            }
-            Shape::Cylinder { diameter, .. } => ("cylinder", diameter, diameter, None),
-            Shape::Sphere { diameter } => ("sphere", diameter, diameter, Some(0.5 * diameter)),
-        };
         let slab = case.domain.high.y - case.domain.low.y;
         Self {
             name: body.name.clone(),
-            kind: kind.to_owned(),
-            length,
-            width: if case.domain.plane_strain { slab } else { thickness },
+            kind: body.shape.kind().to_owned(),
+            length: body.shape.reference_length(),
+            width: if case.domain.plane_strain { slab } else { body.shape.reference_width() },
             unit_weight: case.soil.unit_weight,
-            radius,
+            radius: body.shape.rolling_diameter().map(|diameter| 0.5 * diameter),
             towed: !matches!(body.translation[0], Freedom::Fixed),
             turns: !matches!(body.spin, Freedom::Fixed),
         }

@@ -1,6 +1,6 @@
 //! The case in a few words, for the top of a report.
 
-use crate::case::resolved::{Body, Case, Freedom, Law, Potential, Shape};
+use crate::case::resolved::{Body, Case, Freedom, Law, Potential};
 use crate::output::scale::{Unit, digits};
 
 /// Soil and bodies, each as a name and a description.
@@ -61,19 +61,7 @@ fn soil(case: &Case) -> String {
 
 fn describe_body(body: &Body) -> String {
     let length = |value: f64| quantity(value, Unit::length(value));
-    let shape = match body.shape {
-        Shape::Disc { diameter, thickness } => {
-            format!("disc, d = {}, t = {}", length(diameter), length(thickness))
-        }
-        Shape::Block { size, orientation } => {
-            let edges = format!("block, {} × {} × {}", length(size.x), length(size.y), length(size.z));
-            if orientation == 0.0 { edges } else { format!("{edges}, rotated {}", degrees(orientation)) }
-        }
-        Shape::Cylinder { diameter, length: along, axis } => {
-            format!("cylinder along {axis}, d = {}, l = {}", length(diameter), length(along))
-        }
-        Shape::Sphere { diameter } => format!("sphere, d = {}", length(diameter)),
-    };
+    let shape = body.shape.describe(&length, &degrees);
     let mut friction = if body.friction.is_finite() {
         format!("μ = {}", digits(body.friction))
     } else {

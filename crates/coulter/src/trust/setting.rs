@@ -1,7 +1,7 @@
 //! Facts about a case that the checks need in addition to the histories; stored in `run.json`.
 
 use crate::case::Case;
-use crate::case::resolved::{Axis, Body, Freedom, Shape};
+use crate::case::resolved::{Body, Freedom};
 use serde::{Deserialize, Serialize};
 
 /// Facts about a case.
@@ -75,12 +75,6 @@ impl BodySetting {
         if case.domain.plane_strain {
             extent[1] = None;
         }
-        let diameter = match body.shape {
-            Shape::Disc { diameter, .. }
-            | Shape::Sphere { diameter }
-            | Shape::Cylinder { diameter, axis: Axis::Y, .. } => Some(diameter),
-            Shape::Block { .. } | Shape::Cylinder { .. } => None,
-        };
         let finest = |faces: &Vec<f64>| faces.windows(2).map(|f| f[1] - f[0]).fold(f64::INFINITY, f64::min);
         let heave = &body.translation[2];
         Self {
@@ -88,7 +82,7 @@ impl BodySetting {
             cell: case.grid.faces.each_ref().map(finest),
             extent,
             slab: case.domain.high.y - case.domain.low.y,
-            diameter,
+            diameter: body.shape.rolling_diameter(),
             heaves: !matches!(heave, Freedom::Fixed),
             heaves_freely: heave.is_free(),
             turns_freely: body.spin.is_free(),

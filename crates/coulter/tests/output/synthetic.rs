@@ -2,6 +2,7 @@
 
 use coulter::case::Case;
 use coulter::case::resolved as case;
+use coulter::case::shapes::{Block, Disc, Shape};
 use coulter::history::{BodySample, EnergySample, History};
 use coulter::output::{Outcome, RunStatistics};
 use glam::DVec3;
@@ -50,10 +51,10 @@ pub(crate) fn case(kind: Kind, cell: f64) -> Case {
     let fine_low = DVec3::new(-0.2, if symmetric { 0.0 } else { -0.12 }, -0.15);
     let fine_high = DVec3::new(0.8, 0.12, 0.08);
     let disc =
-        body("disc", case::Shape::Disc { diameter: DIAMETER, thickness: 0.04 }, DVec3::new(0.0, 0.0, 0.1));
+        body("disc", Shape::Disc(Disc { diameter: DIAMETER, thickness: 0.04 }), DVec3::new(0.0, 0.0, 0.1));
     let block = body(
         "scraper",
-        case::Shape::Block { size: DVec3::new(0.03, 0.08, 0.1), orientation: 0.0 },
+        Shape::Block(Block { size: DVec3::new(0.03, 0.08, 0.1), orientation: 0.0 }),
         DVec3::new(-0.1, 0.0, 0.05),
     );
     Case {
@@ -136,7 +137,7 @@ fn numerics() -> case::Numerics {
     }
 }
 
-fn body(name: &str, shape: case::Shape, position: DVec3) -> case::Body {
+fn body(name: &str, shape: Shape, position: DVec3) -> case::Body {
     let free = |load| case::Freedom::Free { load, start: 0.0, ramp: 0.1 };
     case::Body {
         name: name.into(),

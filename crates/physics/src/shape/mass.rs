@@ -1,6 +1,6 @@
 //! Volume, centroid and moments of inertia of a homogeneous solid.
 
-use super::Mesh;
+use super::mesh::Mesh;
 use glam::{DMat3, DVec3};
 
 /// Mass properties of a homogeneous solid, in the body frame.

@@ -7,6 +7,7 @@ mod block;
 mod cylinder;
 mod disc;
 mod mass;
+mod mesh;
 mod rotated;
 mod sphere;
 
@@ -14,6 +15,7 @@ pub use block::Block;
 pub use cylinder::{Axis, Cylinder};
 pub use disc::Disc;
 pub use mass::MassProperties;
+pub use mesh::Mesh;
 pub use rotated::Rotated;
 pub use sphere::Sphere;
 
@@ -87,15 +89,6 @@ fn paired(points: Vec<SurfacePoint>) -> Vec<SurfacePoint> {
         }
     }
     ordered
-}
-
-/// A triangle mesh, for graphics.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Mesh {
-    /// Points in the body frame [m].
-    pub points: Vec<DVec3>,
-    /// Point indices of each triangle, counter-clockwise seen from outside.
-    pub triangles: Vec<[u32; 3]>,
 }
 
 /// The shape of a rigid body.

@@ -4,18 +4,13 @@ use super::context::Context;
 use super::motion::{freedom, is_free};
 use crate::case::problem::Problems;
 use crate::case::ranges::{self, ANY, FRACTION, NOT_NEGATIVE, POSITIVE};
-use crate::case::resolved::{Axis, Body, Law, Shape};
+use crate::case::resolved::{Body, Law};
+use crate::case::shapes::{self, Shape};
 use crate::case::typed::Section;
 use glam::DVec3;
 
 /// Density of a body whose mass is not given because it never moves freely [kg/m³]: solid steel. Nothing depends on it.
 const NOMINAL_DENSITY: f64 = 7850.0;
-/// Least number of cells across a body: with fewer, soil fits between its contact points unnoticed.
-const MIN_CELLS_ACROSS: f64 = 2.0;
-
-/// Keys that describe a shape; each shape has its own.
-const MEASURES: [&str; 6] = ["diameter", "thickness", "size", "orientation", "length", "axis"];
-
 /// One body of the case.
 pub(super) fn body(section: &Section, context: &Context, problems: &mut Problems) -> Option<Body> {
     let shape = shape(section, context, problems);
@@ -53,131 +48,7 @@ fn shape(section: &Section, context: &Context, problems: &mut Problems) -> Optio
     if !section.has("shape") {
         ranges::missing(section, "shape", problems);
     }
-    let kind = section.text("shape")?.value;
-    let allowed: &[&str] = match kind.as_str() {
-        "disc" => &["diameter", "thickness"],
-        "block" => &["size", "orientation"],
-        "cylinder" => &["diameter", "length", "axis"],
-        _ => &["diameter"],
-    };
-    for key in MEASURES.iter().filter(|key| section.has(key) && !allowed.contains(key)) {
-        let message = format!("`{key}` does not apply to shape = \"{kind}\"");
-        problems.add(section.location_of(key), message, "remove it, or choose another shape");
-    }
-    match kind.as_str() {
-        "disc" => disc(section, context, problems),
-        "block" => block(section, context, problems),
-        "cylinder" => cylinder(section, context, problems),
-        _ => sphere(section, context, problems),
-    }
-}
-
-/// A cylinder. In plane strain it lies across the slab and is as long as the slab is wide.
-fn cylinder(section: &Section, context: &Context, problems: &mut Problems) -> Option<Shape> {
-    let diameter = ranges::required(section, "diameter", &POSITIVE, problems);
-    if !section.has("axis") {
-        ranges::missing(section, "axis", problems);
-    }
-    let length = match context.slab {
-        None => ranges::required(section, "length", &POSITIVE, problems),
-        Some(slab) if !section.has("length") => Some(slab.covering_width()),
-        Some(_) => {
-            let message = "in plane strain a cylinder is as long as the slab is wide";
-            problems.add(section.location_of("length"), message, "remove `length`");
-            None
-        }
-    };
-    let axis = match section.text("axis")?.value.as_str() {
-        "x" => Axis::X,
-        "y" => Axis::Y,
-        _ => Axis::Z,
-    };
-    if context.slab.is_some() && axis != Axis::Y {
-        let message = "in plane strain a cylinder lies across the slab";
-        problems.add(section.location_of("axis"), message, "write axis = \"y\", or model it in 3D");
-        return None;
-    }
-    let (diameter, length) = (diameter?, length?);
-    let mut enough = wide_enough(section, "diameter", diameter, context, problems);
-    if context.slab.is_none() {
-        enough &= wide_enough(section, "length", length, context, problems);
-    }
-    enough.then_some(Shape::Cylinder { diameter, length, axis })
-}
-
-fn sphere(section: &Section, context: &Context, problems: &mut Problems) -> Option<Shape> {
-    let diameter = ranges::required(section, "diameter", &POSITIVE, problems)?;
-    if context.slab.is_some() {
-        let message = "shape = \"sphere\" cannot be combined with plane_strain = true";
-        problems.add(section.location_of("shape"), message, "remove plane_strain, or choose a disc");
-        return None;
-    }
-    wide_enough(section, "diameter", diameter, context, problems).then_some(Shape::Sphere { diameter })
-}
-
-fn disc(section: &Section, context: &Context, problems: &mut Problems) -> Option<Shape> {
-    let diameter = ranges::required(section, "diameter", &POSITIVE, problems);
-    let thickness = match context.slab {
-        None => ranges::required(section, "thickness", &POSITIVE, problems),
-        Some(slab) if !section.has("thickness") => Some(slab.covering_width()),
-        Some(_) => {
-            let message = "in plane strain a disc is as thick as the slab is wide";
-            problems.add(section.location_of("thickness"), message, "remove `thickness`");
-            None
-        }
-    };
-    let (diameter, thickness) = (diameter?, thickness?);
-    let mut enough = wide_enough(section, "diameter", diameter, context, problems);
-    if context.slab.is_none() {
-        enough &= wide_enough(section, "thickness", thickness, context, problems);
-    }
-    enough.then_some(Shape::Disc { diameter, thickness })
-}
-
-fn block(section: &Section, context: &Context, problems: &mut Problems) -> Option<Shape> {
-    if !section.has("size") {
-        ranges::missing(section, "size", problems);
-    }
-    let size = section.list("size")?;
-    if let Some(edge) = size.value.iter().find(|edge| edge.value <= 0.0) {
-        let message = format!("an edge of {} is impossible", problems.typed(&edge.location));
-        problems.add(&edge.location, message, "every edge must be above 0");
-        return None;
-    }
-    let edges: Vec<f64> = size.value.iter().map(|edge| edge.value).collect();
-    let size_3d = match (edges.as_slice(), context.slab) {
-        (&[x, z], Some(slab)) => DVec3::new(x, slab.covering_width(), z),
-        (&[x, y, z], None) => DVec3::new(x, y, z),
-        (_, slab) => {
-            let cure = if slab.is_some() {
-                "in plane strain give two edges, along x and z"
-            } else {
-                "give three edges, along x, y and z (two only with plane_strain = true)"
-            };
-            problems.add(&size.location, format!("{} edges are not possible here", edges.len()), cure);
-            return None;
-        }
-    };
-    let orientation = ranges::or(section, "orientation", 0.0, &ANY, problems)?;
-    let narrowest = edges.iter().copied().fold(f64::INFINITY, f64::min);
-    let enough = wide_enough(section, "size", narrowest, context, problems);
-    enough.then_some(Shape::Block { size: size_3d, orientation })
-}
-
-/// Refuses a body with too few cells across it to resolve contact.
-fn wide_enough(section: &Section, key: &str, width: f64, context: &Context, problems: &mut Problems) -> bool {
-    let cells = width / context.cell;
-    if cells >= MIN_CELLS_ACROSS * (1.0 - 1e-9) {
-        return true;
-    }
-    let message =
-        format!("only {cells:.2} cells across {}: too few to resolve contact", ranges::dotted(section, key));
-    let cure = format!(
-        "make grid.cell at most {:.4} mm for 2 cells across; 4 or more are advisable",
-        1e3 * width / MIN_CELLS_ACROSS
-    );
-    problems.add(section.location_of(key), message, cure);
-    false
+    shapes::read(section, &context.surroundings(), problems)
 }
 
 fn friction(section: &Section, problems: &mut Problems) -> Option<f64> {

@@ -5,7 +5,7 @@ use crate::case::machine;
 use crate::case::path::path;
 use crate::case::problem::Problems;
 use crate::case::quantity::plain;
-use crate::case::resolved::{Body, Case, Domain, Freedom, Shape};
+use crate::case::resolved::{Body, Case, Domain, Freedom};
 use crate::case::resources::format_bytes;
 use crate::case::typed::{Schema, Section};
 
@@ -53,7 +53,7 @@ fn keeps_to_the_middle(section: &Section, body: &Body, problems: &mut Problems) 
         let message = format!("the body is at x = {} m, off the plane of symmetry", plain(body.position.x));
         problems.add(section.location_of("x"), message, "remove `x`, or symmetric_x = true");
     }
-    if matches!(body.shape, Shape::Block { orientation, .. } if orientation != 0.0) {
+    if !body.shape.is_symmetric_about_x() {
         let message = "a rotated block is not symmetric about x = 0";
         problems.add(
             section.location_of("orientation"),

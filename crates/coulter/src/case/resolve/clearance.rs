@@ -3,7 +3,7 @@
 //! Rough, conservative estimates: soil that reaches a lid or a wall increases the force.
 
 use crate::case::path::{path, travel};
-use crate::case::resolved::{Axis, Body, Case, Freedom, Law, Shape};
+use crate::case::resolved::{Body, Case, Freedom, Law};
 use glam::DVec3;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
@@ -195,11 +195,7 @@ fn breadth(body: &Body, soil: &SoilConditions, depth: f64) -> f64 {
     let (low, high) = body.shape.solid().bounds();
     let size = high - low;
     let chord = |d: f64| 2.0 * (depth.min(0.5 * d) * (d - depth.min(0.5 * d))).sqrt();
-    let along = match body.shape {
-        Shape::Disc { diameter, .. } | Shape::Sphere { diameter } => chord(diameter),
-        Shape::Cylinder { diameter, axis: Axis::Y, .. } => chord(diameter),
-        Shape::Block { .. } | Shape::Cylinder { .. } => size.x,
-    };
+    let along = body.shape.rolling_diameter().map_or(size.x, chord);
     if soil.plane_strain { along } else { along.min(size.y) }
 }
 

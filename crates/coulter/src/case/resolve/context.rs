@@ -2,6 +2,7 @@
 
 use super::clearance::SoilConditions;
 use crate::case::resolved::Law;
+use crate::case::shapes::surroundings::{Slab, Surroundings};
 use glam::DVec3;
 
 /// What the sections of a case have in common.
@@ -24,6 +25,11 @@ pub(super) struct Context {
 }
 
 impl Context {
+    /// What the shape of a body must fit.
+    pub(super) fn surroundings(&self) -> Surroundings {
+        Surroundings { cell: self.cell, slab: self.slab }
+    }
+
     /// What the clearance round a body depends on.
     pub(super) fn soil_conditions(&self) -> SoilConditions {
         SoilConditions {
@@ -35,24 +41,5 @@ impl Context {
             plane_strain: self.slab.is_some(),
             confined: false,
         }
-    }
-}
-
-/// The slab of a plane strain case.
-#[derive(Clone, Copy)]
-pub(super) struct Slab {
-    /// Its width along y [m].
-    pub(super) width: f64,
-    /// Its middle [m].
-    pub(super) middle: f64,
-    /// Distance of contact points from sharp edges [m].
-    pub(super) inset: f64,
-}
-
-impl Slab {
-    /// Width of a body [m]: that of the slab plus the inset of the contact points at both edges, so that the points cover
-    /// the slab exactly.
-    pub(super) fn covering_width(&self) -> f64 {
-        self.width + 2.0 * self.inset
     }
 }

@@ -3,7 +3,7 @@
 //! Contact acts on whole cells, so that a body whose flat face lies within a cell is effectively too wide or too narrow.
 //! Where the face does not move, the cell width along that axis can be adjusted so that the face coincides with a cell face.
 
-use crate::case::resolved::{Axis, Body, Domain, Freedom, Shape};
+use crate::case::resolved::{Body, Domain, Freedom};
 
 /// Largest factor by which a cell may become wider or narrower.
 const MAX_CHANGE: f64 = 1.25;
@@ -41,16 +41,7 @@ pub(super) fn fit(
 
 /// Positions of the flat faces of a body across an axis [m], if they do not move.
 fn flat_faces(body: &Body, axis: usize) -> Option<[f64; 2]> {
-    let is_flat = match body.shape {
-        Shape::Disc { .. } => axis == 1,
-        Shape::Block { orientation, .. } => axis == 1 || orientation == 0.0 && body.spin == Freedom::Fixed,
-        Shape::Cylinder { axis: along, .. } => match along {
-            Axis::X => axis == 0 && body.spin == Freedom::Fixed,
-            Axis::Y => axis == 1,
-            Axis::Z => axis == 2 && body.spin == Freedom::Fixed,
-        },
-        Shape::Sphere { .. } => false,
-    };
+    let is_flat = body.shape.has_flat_sides(axis, body.spin != Freedom::Fixed);
     let (low, high) = body.shape.solid().bounds();
     let stays = body.translation[axis] == Freedom::Fixed;
     (is_flat && stays).then(|| [low, high].map(|side| body.position[axis] + side[axis]))

@@ -18,8 +18,9 @@ use super::names::is_device;
 use super::problem::Problems;
 use super::ranges::{self, ANY, NOT_NEGATIVE, POSITIVE, POSITIVE_FRACTION};
 use super::resolved::{Body, Case, Contact, Law, Numerics, Precision};
+use super::shapes::surroundings::Slab;
 use super::typed::{Schema, Section};
-use context::{Context, Slab};
+use context::Context;
 
 /// The case that was typed, or `None` with problems added.
 pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problems) -> Option<Case> {

@@ -3,7 +3,7 @@
 use super::groups::groups;
 use crate::case::Case;
 use crate::case::quantity::plain;
-use crate::case::resolved::{Body, Freedom, Law, Measured, Potential, Shape};
+use crate::case::resolved::{Body, Freedom, Law, Measured, Potential};
 use std::fmt::Write;
 
 /// Soil and bodies of a case.
@@ -58,23 +58,8 @@ pub(super) fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
 }
 
 fn describe_body(text: &mut String, case: &Case, body: &Body) -> std::fmt::Result {
-    let shape = match body.shape {
-        Shape::Disc { diameter, thickness } => {
-            format!("disc, d = {} m, t = {} m", plain(diameter), plain(thickness))
-        }
-        Shape::Block { size, orientation } => {
-            let rotation = if orientation == 0.0 {
-                String::new()
-            } else {
-                format!(", rotated {:.1}°", orientation.to_degrees())
-            };
-            format!("block, {} × {} × {} m{rotation}", plain(size.x), plain(size.y), plain(size.z))
-        }
-        Shape::Cylinder { diameter, length, axis } => {
-            format!("cylinder along {axis}, d = {} m, l = {} m", plain(diameter), plain(length))
-        }
-        Shape::Sphere { diameter } => format!("sphere, d = {} m", plain(diameter)),
-    };
+    let metres = |x: f64| format!("{} m", plain(x));
+    let shape = body.shape.describe(&metres, &|angle| format!("{:.1}°", angle.to_degrees()));
     let mut friction =
         if body.friction.is_finite() { format!("μ = {}", body.friction) } else { "rough".into() };
     if body.shear_limit.is_finite() {

@@ -1,0 +1,92 @@
+//! The block.
+
+use super::surroundings::Surroundings;
+use super::traits::{CaseShape, ClosedForm};
+use crate::case::problem::Problems;
+use crate::case::ranges::{self, ANY};
+use crate::case::typed::Section;
+use glam::DVec3;
+use physics::shape;
+use serde::Serialize;
+
+/// A rectangular block.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Block {
+    /// Edge lengths [m].
+    pub size: DVec3,
+    /// Rotation about y at the start [rad], positive when it tips the top towards +x.
+    pub orientation: f64,
+}
+
+impl Block {
+    pub(super) const KEYS: &[&str] = &["size", "orientation"];
+
+    /// In plane strain it is as wide as the slab.
+    pub(super) fn read(section: &Section, around: &Surroundings, problems: &mut Problems) -> Option<Self> {
+        if !section.has("size") {
+            ranges::missing(section, "size", problems);
+        }
+        let size = section.list("size")?;
+        if let Some(edge) = size.value.iter().find(|edge| edge.value <= 0.0) {
+            let message = format!("an edge of {} is impossible", problems.typed(&edge.location));
+            problems.add(&edge.location, message, "every edge must be above 0");
+            return None;
+        }
+        let edges: Vec<f64> = size.value.iter().map(|edge| edge.value).collect();
+        let size_3d = match (edges.as_slice(), around.slab) {
+            (&[x, z], Some(slab)) => DVec3::new(x, slab.covering_width(), z),
+            (&[x, y, z], None) => DVec3::new(x, y, z),
+            (_, slab) => {
+                let cure = if slab.is_some() {
+                    "in plane strain give two edges, along x and z"
+                } else {
+                    "give three edges, along x, y and z (two only with plane_strain = true)"
+                };
+                problems.add(&size.location, format!("{} edges are not possible here", edges.len()), cure);
+                return None;
+            }
+        };
+        let orientation = ranges::or(section, "orientation", 0.0, &ANY, problems)?;
+        let narrowest = edges.iter().copied().fold(f64::INFINITY, f64::min);
+        let enough = around.resolve(section, "size", narrowest, problems);
+        enough.then_some(Self { size: size_3d, orientation })
+    }
+}
+
+impl CaseShape for Block {
+    fn solid(&self) -> Box<dyn shape::Shape> {
+        let block = shape::Block { size: self.size };
+        if self.orientation == 0.0 {
+            Box::new(block)
+        } else {
+            Box::new(shape::Rotated::new(block, self.orientation))
+        }
+    }
+
+    /// Its height.
+    fn reference_length(&self) -> f64 {
+        self.size.z
+    }
+
+    fn reference_width(&self) -> f64 {
+        self.size.y
+    }
+
+    fn has_flat_sides(&self, axis: usize, rotates: bool) -> bool {
+        axis == 1 || self.orientation == 0.0 && !rotates
+    }
+
+    fn is_symmetric_about_x(&self) -> bool {
+        self.orientation == 0.0
+    }
+
+    fn describe(&self, length: &dyn Fn(f64) -> String, angle: &dyn Fn(f64) -> String) -> String {
+        let [x, y, z] = self.size.to_array().map(length);
+        let edges = format!("block, {x} × {y} × {z}");
+        if self.orientation == 0.0 { edges } else { format!("{edges}, rotated {}", angle(self.orientation)) }
+    }
+
+    fn closed_form(&self) -> ClosedForm {
+        ClosedForm::Block { size: self.size, orientation: self.orientation }
+    }
+}

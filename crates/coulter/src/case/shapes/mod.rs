@@ -1,0 +1,96 @@
+//! The shapes of bodies in a case: a file for each, which reads its keys and answers what the program asks of a shape.
+
+mod block;
+mod cylinder;
+mod disc;
+mod sphere;
+pub(super) mod surroundings;
+mod traits;
+
+pub use block::Block;
+pub use cylinder::Cylinder;
+pub use disc::Disc;
+pub use sphere::Sphere;
+pub use traits::{CaseShape, ClosedForm};
+
+use super::problem::Problems;
+use super::typed::Section;
+use serde::Serialize;
+use surroundings::Surroundings;
+
+macro_rules! shapes {
+    ($($name:ident: $word:literal, $about:literal;)*) => {
+        /// The shape of a body.
+        #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+        #[serde(rename_all = "kebab-case")]
+        pub enum Shape {
+            $(#[doc = $about] $name($name),)*
+        }
+
+        /// Keys that describe a shape, for each.
+        const KEYS: &[(&str, &[&str])] = &[$(($word, $name::KEYS)),*];
+
+        impl Shape {
+            /// Its word in a case file.
+            #[must_use]
+            pub fn kind(&self) -> &'static str {
+                match self {
+                    $(Self::$name(_) => $word,)*
+                }
+            }
+
+            fn read(word: &str, section: &Section, around: &Surroundings, problems: &mut Problems) -> Option<Self> {
+                match word {
+                    $($word => $name::read(section, around, problems).map(Self::$name),)*
+                    _ => None,
+                }
+            }
+        }
+
+        impl std::ops::Deref for Shape {
+            type Target = dyn CaseShape;
+
+            fn deref(&self) -> &Self::Target {
+                match self {
+                    $(Self::$name(shape) => shape,)*
+                }
+            }
+        }
+    };
+}
+
+shapes! {
+    Disc: "disc", "A disc, axle along y.";
+    Block: "block", "A rectangular block.";
+    Cylinder: "cylinder", "A cylinder.";
+    Sphere: "sphere", "A sphere.";
+}
+
+/// The shape that a section asks for.
+pub(super) fn read(section: &Section, around: &Surroundings, problems: &mut Problems) -> Option<Shape> {
+    let kind = section.text("shape")?.value;
+    let allowed = KEYS.iter().find(|(word, _)| *word == kind).map_or(&[][..], |(_, keys)| keys);
+    let mut measures: Vec<&str> = KEYS.iter().flat_map(|(_, keys)| keys.iter().copied()).collect();
+    measures.dedup();
+    let mut refused = Vec::new();
+    for key in measures.into_iter().filter(|key| section.has(key) && !allowed.contains(key)) {
+        if !refused.contains(&key) {
+            let message = format!("`{key}` does not apply to shape = \"{kind}\"");
+            problems.add(section.location_of(key), message, "remove it, or choose another shape");
+            refused.push(key);
+        }
+    }
+    Shape::read(&kind, section, around, problems)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::keys::words::SHAPES;
+
+    #[test]
+    fn every_word_is_a_shape() {
+        let words: Vec<&str> = KEYS.iter().map(|(word, _)| *word).collect();
+        assert_eq!(words, SHAPES);
+    }
+}
