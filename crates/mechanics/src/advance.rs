@@ -41,8 +41,7 @@ impl Mechanism {
         for _ in 0..ROUNDS {
             for (joint, moving) in self.joints().iter().zip(joints.iter_mut()) {
                 let attitude = |body: Option<usize>| {
-                    let moved =
-                        |n: usize| Configuration::new(&state.bodies[n].pose, bodies[n].twist.angular, *dt);
+                    let moved = |n: usize| Configuration::new(&state.bodies[n].pose, &bodies[n].twist, *dt);
                     body.map_or(Configuration::GROUND, moved)
                 };
                 let [first, second] = joint.bodies().map(attitude);
@@ -85,7 +84,7 @@ fn advance_body(body: &Body, now: &mut BodyState, moving: &mut MovingBody, dt: f
         let others = impulses.contact + 2.0 * moving.springs;
         impulses.drive_reaction += taken_up - others - moving.relaxed;
     }
-    let end = Configuration::new(&now.pose, moving.twist.angular, dt);
+    let end = Configuration::new(&now.pose, &moving.twist, dt);
     impulses.gravity = Wrench::at(end.mean(body.inertia.centre), impulses.gravity.force);
     if !body.motion[3].is_fixed() {
         now.tilt_axis = crate::gimbal::tilt_axis(&end.end, now.tilt_axis);

@@ -95,7 +95,7 @@ impl Body {
         if self.rotates_freely() {
             allowed.angular = twist.angular;
         }
-        let inertia = Configuration::new(&pose, DVec3::ZERO, 0.0).mean_inertia(&self.inertia);
+        let inertia = Configuration::new(&pose, &Twist::ZERO, 0.0).mean_inertia(&self.inertia);
         BodyState {
             pose,
             twist: allowed,

@@ -90,7 +90,7 @@ impl Mechanism {
     #[must_use]
     pub fn joint_energy(&self, state: &MechanismState) -> f64 {
         let attitude = |body: Option<usize>| {
-            let at_rest = |n: usize| Configuration::new(&state.bodies[n].pose, DVec3::ZERO, 0.0);
+            let at_rest = |n: usize| Configuration::new(&state.bodies[n].pose, &Twist::ZERO, 0.0);
             body.map_or(Configuration::GROUND, at_rest)
         };
         let energy = |joint: &dyn Joint| {

@@ -64,7 +64,7 @@ impl Mechanism {
         step.dt = conditions.dt;
         step.bodies.clear();
         step.bodies.extend(self.bodies().iter().zip(&state.bodies).map(|(body, now)| {
-            let configuration = Configuration::new(&now.pose, now.twist.angular, conditions.dt);
+            let configuration = Configuration::new(&now.pose, &now.twist, conditions.dt);
             let mut moving = MovingBody::new(body, configuration, now.twist);
             moving.speeds = body.speeds(conditions.time + 0.5 * conditions.dt);
             moving
@@ -76,7 +76,7 @@ impl Mechanism {
     /// Attitudes, mobilities, loads and rows of the joints for the twists so far.
     fn configure(&self, state: &MechanismState, conditions: &Conditions, step: &mut Step) {
         for ((body, now), moving) in self.bodies().iter().zip(&state.bodies).zip(&mut step.bodies) {
-            moving.configuration = Configuration::new(&now.pose, moving.predicted.angular, conditions.dt);
+            moving.configuration = Configuration::new(&now.pose, &moving.predicted, conditions.dt);
             moving.inertia = moving.configuration.mean_inertia(&body.inertia);
             let end = &moving.configuration.end;
             moving.tilt_axis =
