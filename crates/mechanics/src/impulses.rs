@@ -46,17 +46,15 @@ impl Work {
 }
 
 impl Impulses {
-    /// Their work. What acts within the step meets the twist of the step; what acts between two steps meets the mean of the
-    /// twists before and after.
+    /// Their work: of those at the start of the step at the twist that they meet, of those within it at the twist of the step.
     #[must_use]
-    pub fn work(&self, before: &Twist, now: &Twist) -> Work {
-        let mean = 0.5 * (*before + *now);
+    pub fn work(&self, met: &Twist, within: &Twist) -> Work {
         Work {
-            load: self.load.dot(&mean),
-            gravity: self.gravity.dot(now),
-            contact: self.contact.dot(&mean),
-            joint: self.joint_reaction.dot(&mean) + self.joint.dot(now),
-            drive: self.drive_reaction.dot(&mean) + self.drive.dot(now),
+            load: self.load.dot(met),
+            gravity: self.gravity.dot(within),
+            contact: self.contact.dot(met),
+            joint: self.joint_reaction.dot(met) + self.joint.dot(within),
+            drive: self.drive_reaction.dot(met) + self.drive.dot(within),
         }
     }
 }

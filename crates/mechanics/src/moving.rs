@@ -1,7 +1,8 @@
 //! Bodies and joints during one step.
 
-use crate::body::{Body, Momentum};
+use crate::body::{Body, BodyState, Momentum};
 use crate::configuration::Configuration;
+use crate::gimbal::Axes;
 use crate::impulses::Impulses;
 use crate::joint::{Row, Rows};
 use crate::linear;
@@ -11,63 +12,62 @@ use crate::twist::Twist;
 use crate::wrench::Wrench;
 use glam::DVec3;
 
-/// A body during one step. Wrenches are impulses of the step about the reference point, on the whole body.
+/// A body during one step. Impulses are about the reference point, on the whole body.
 #[derive(Clone, Debug)]
 pub(crate) struct MovingBody {
     pub(crate) modelled_fraction: f64,
+    /// Speeds of the prescribed motions [m/s or rad/s].
+    pub(crate) speeds: [f64; 6],
     pub(crate) configuration: Configuration,
+    /// Axis of tilt at the end.
+    pub(crate) tilt_axis: DVec3,
+    /// Mean axes of the rotational freedoms.
+    pub(crate) axes: Axes,
     pub(crate) inertia: SpatialInertia,
     pub(crate) mobility: Mobility,
+    pub(crate) impulses: Impulses,
+    /// Change of the twist at the start of the step.
+    pub(crate) kick: Twist,
+    /// Momentum after the impulses at the start.
+    pub(crate) struck: Momentum,
+    /// Twist that these impulses meet.
+    pub(crate) met: Twist,
+    /// Angular impulse about the centre of mass within the step [N m s].
+    pub(crate) torque: DVec3,
+    /// Momentum at the end.
+    pub(crate) end: Momentum,
     /// Twist of the step before.
     pub(crate) before: Twist,
     /// Twist without contact.
     pub(crate) predicted: Twist,
     /// Twist of this step.
     pub(crate) twist: Twist,
-    /// Axis of tilt at the end.
-    pub(crate) tilt_axis: DVec3,
-    /// Angular impulse about the centre of mass within the step [N m s].
-    pub(crate) torque: DVec3,
-    /// Momentum at the end of the step without contact.
-    pub(crate) momentum: Momentum,
-    /// Speeds of the prescribed motions.
-    pub(crate) speeds: [f64; 6],
-    pub(crate) impulses: Impulses,
-    /// What springs answered to contact.
-    pub(crate) springs: Wrench,
-    /// What rigid joints answered to contact.
-    pub(crate) relaxed: Wrench,
+    /// Its next iterate.
+    pub(crate) next: Twist,
 }
 
 impl MovingBody {
     /// A body whose motion is yet to be found.
-    pub(crate) fn new(body: &Body, configuration: Configuration, before: Twist) -> Self {
+    pub(crate) fn new(body: &Body, now: &BodyState, speeds: [f64; 6]) -> Self {
+        let configuration = Configuration::new(&now.pose, &Twist::ZERO, 0.0);
         Self {
             modelled_fraction: body.modelled_fraction,
+            speeds,
             configuration,
+            tilt_axis: now.tilt_axis,
+            axes: DVec3::AXES,
             inertia: configuration.mean_inertia(&body.inertia),
             mobility: Mobility::default(),
-            before,
-            predicted: before,
-            twist: before,
-            tilt_axis: DVec3::ZERO,
-            torque: DVec3::ZERO,
-            momentum: Momentum::default(),
-            speeds: [0.0; 6],
             impulses: Impulses::default(),
-            springs: Wrench::ZERO,
-            relaxed: Wrench::ZERO,
-        }
-    }
-
-    /// Changes the twist by the impulse of a joint.
-    fn receive(&mut self, impulse: &Wrench, from_spring: bool) {
-        self.twist += self.mobility.response(impulse);
-        if from_spring {
-            self.springs += *impulse;
-        } else {
-            self.relaxed += *impulse;
-            self.impulses.joint_reaction += *impulse;
+            kick: Twist::ZERO,
+            struck: now.momentum,
+            met: Twist::ZERO,
+            torque: DVec3::ZERO,
+            end: now.momentum,
+            before: now.twist,
+            predicted: now.twist,
+            twist: now.twist,
+            next: now.twist,
         }
     }
 }
@@ -145,7 +145,8 @@ impl MovingJoint {
             self.relaxed[k] += impulse;
             for (body, wrench) in self.bodies.iter().zip(&row.wrench) {
                 if let Some(body) = body {
-                    bodies[*body].receive(&(*impulse * *wrench), row.compliance > 0.0);
+                    let body = &mut bodies[*body];
+                    body.twist += body.mobility.response(&(*impulse * *wrench));
                 }
             }
         }

@@ -1,7 +1,7 @@
 //! The mechanism during one step: what contact sees of its bodies and joints.
 //!
 //! `predict` fills it with velocities without contact; contact applies impulses and relaxes joints in its sweeps; `advance` takes the
-//! final velocities over into the state.
+//! step with these impulses.
 
 use crate::impulses::{Impulses, Work};
 use crate::moving::{MovingBody, MovingJoint};
@@ -10,10 +10,21 @@ use crate::twist::Twist;
 use crate::wrench::Wrench;
 use glam::{DMat3, DVec3};
 
+/// The circumstances of one step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Conditions {
+    /// Time at the start of the step [s].
+    pub time: f64,
+    /// Duration of the step [s].
+    pub dt: f64,
+    /// Acceleration of gravity [m/s²].
+    pub gravity: DVec3,
+}
+
 /// A mechanism during one step.
 #[derive(Clone, Debug, Default)]
 pub struct Step {
-    pub(crate) dt: f64,
+    pub(crate) conditions: Conditions,
     pub(crate) bodies: Vec<MovingBody>,
     pub(crate) joints: Vec<MovingJoint>,
     pub(crate) system: System,
@@ -23,7 +34,7 @@ impl Step {
     /// Duration [s].
     #[must_use]
     pub fn dt(&self) -> f64 {
-        self.dt
+        self.conditions.dt
     }
 
     /// Twist of a body as it now is.
@@ -87,7 +98,7 @@ impl Step {
     #[must_use]
     pub fn work(&self, body: usize) -> Work {
         let body = &self.bodies[body];
-        body.impulses.work(&body.before, &body.twist)
+        body.impulses.work(&body.met, &body.twist)
     }
 
     /// Number of joints.
