@@ -2,7 +2,6 @@
 
 use crate::configuration::Configuration;
 use crate::error::Invalid;
-use crate::freedom::unit_twists;
 use crate::gimbal;
 use crate::inertia::Inertia;
 use crate::motion::Motion;
@@ -90,7 +89,7 @@ impl Body {
                 *speed = 0.0;
             }
         }
-        let columns = unit_twists(&axes).into_iter().zip(speeds);
+        let columns = gimbal::unit_twists(&axes).into_iter().zip(speeds);
         let mut allowed = columns.fold(Twist::ZERO, |sum, (column, speed)| sum + speed * column);
         if self.rotates_freely() {
             allowed.angular = twist.angular;

@@ -1,7 +1,7 @@
 //! The directions in which a body can move: the columns of S, and the twist that is prescribed.
 
 use crate::body::Body;
-use crate::gimbal::Axes;
+use crate::gimbal::{Axes, unit_twists};
 use crate::twist::Twist;
 use glam::DVec3;
 
@@ -35,17 +35,6 @@ impl Directions {
     pub(crate) fn sum(&self, speeds: &[f64; 6]) -> Twist {
         self.columns().iter().zip(speeds).fold(Twist::ZERO, |sum, (column, speed)| sum + *speed * *column)
     }
-}
-
-/// Twists of unit speed: along x, y, z; about the axes of yaw, tilt and spin.
-pub(crate) fn unit_twists(axes: &Axes) -> [Twist; 6] {
-    std::array::from_fn(|n| {
-        if n < 3 {
-            Twist { linear: DVec3::AXES[n], angular: DVec3::ZERO }
-        } else {
-            Twist { linear: DVec3::ZERO, angular: axes[n - 3] }
-        }
-    })
 }
 
 /// Twist of the prescribed motions at their speeds; other entries are ignored.

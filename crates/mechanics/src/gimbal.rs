@@ -4,6 +4,7 @@
 //! Mean axes ½(a₀ + a₁) over a step make the restrictions exact: with the Cayley map Δa = Δt ω × ā, so that an angular velocity
 //! without a tilt component, ω in the plane of z and ā, keeps a · z to round-off.
 
+use crate::twist::Twist;
 use glam::{DMat3, DVec3};
 
 /// Below this sine of the angle between axle and vertical, yaw and spin are taken for parallel.
@@ -45,4 +46,15 @@ pub(crate) fn rates(angular: DVec3, [yaw, tilt, spin]: &Axes) -> [f64; 3] {
         angular.dot(*tilt),
         (along_spin - cosine * along_yaw) / determinant,
     ]
+}
+
+/// Twists of unit speed: along x, y, z; about the axes of yaw, tilt and spin.
+pub(crate) fn unit_twists(axes: &Axes) -> [Twist; 6] {
+    std::array::from_fn(|n| {
+        if n < 3 {
+            Twist { linear: DVec3::AXES[n], angular: DVec3::ZERO }
+        } else {
+            Twist { linear: DVec3::ZERO, angular: axes[n - 3] }
+        }
+    })
 }

@@ -23,6 +23,7 @@ mod pose;
 mod predict;
 mod settle;
 mod spatial;
+mod start;
 mod step;
 mod system;
 mod twist;

@@ -4,7 +4,6 @@ use crate::body::{Body, BodyState};
 use crate::configuration::Configuration;
 use crate::error::Invalid;
 use crate::joint::Joint;
-use crate::pose::Pose;
 use crate::twist::Twist;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
@@ -54,18 +53,6 @@ impl Mechanism {
     #[must_use]
     pub fn joints(&self) -> &[Box<dyn Joint>] {
         &self.joints
-    }
-
-    /// The state of the mechanism with its bodies at given poses and velocities, in their order; bodies that are not given rest
-    /// at the origin. The velocities should satisfy the joints.
-    #[must_use]
-    pub fn state(&self, start: &[(Pose, Twist)]) -> MechanismState {
-        let given = |n: usize| start.get(n).copied().unwrap_or_default();
-        let each = self.bodies.iter().enumerate();
-        MechanismState {
-            bodies: each.map(|(n, body)| body.state(given(n).0, given(n).1)).collect(),
-            joints: vec![[0.0; 6]; self.joints.len()],
-        }
     }
 
     /// Whether a state has as many bodies and joints as the mechanism.

@@ -27,6 +27,32 @@ const CONVERGED: f64 = 1e-15;
 const STAGNANT: f64 = 1e-9;
 
 impl Mechanism {
+    /// Fills a step with the bodies and joints as they are.
+    pub(crate) fn begin(&self, state: &MechanismState, conditions: &Conditions, step: &mut Step) {
+        step.conditions = *conditions;
+        step.bodies.clear();
+        step.bodies.extend(self.bodies().iter().zip(&state.bodies).map(|(body, now)| {
+            let speeds = body.speeds(conditions.time + 0.5 * conditions.dt);
+            MovingBody::new(body, now, speeds)
+        }));
+        step.joints.clear();
+        step.joints.extend(self.joints().iter().map(|joint| MovingJoint::new(joint.bodies())));
+    }
+
+    /// Finds what the joints change of the velocities at the start of the step, so that these satisfy them.
+    pub(crate) fn join(&self, state: &MechanismState, step: &mut Step) {
+        self.configure_start(state, step);
+        let Step { bodies, joints, system, .. } = step;
+        system.factor(bodies, joints, Answer::Rigid);
+        let sought = rows(joints).map(|(joint, row)| -joint.velocity(row, |body| state.bodies[body].twist));
+        share_out(system.solve(sought), joints, |joint| &mut joint.reaction);
+        for (n, moving) in bodies.iter_mut().enumerate() {
+            moving.kick = moving.mobility.response(&on_body(joints, n, |joint| &joint.reaction));
+            let impulse = moving.inertia.momentum(&moving.kick);
+            moving.struck = moving.struck.after(&impulse, moving.inertia.arm);
+        }
+    }
+
     /// Finds twists and momenta of a step, beginning with the twists that the step holds.
     pub(crate) fn settle(&self, state: &MechanismState, step: &mut Step) {
         self.configure_start(state, step);
@@ -173,9 +199,27 @@ fn mean_momentum(moving: &MovingBody) -> Wrench {
     moving.struck.about_reference(moving.inertia.arm) + 0.5 * moving.impulses.gravity + gyroscopic
 }
 
-/// What drives and supports add to an impulse for the body to take on a twist; nothing on a body that moves freely.
+/// What drives and supports add to an impulse for the body to take on a twist. They do not act along free directions: there the
+/// round-off is removed, so that momentum in them is kept.
 fn support(body: &Body, moving: &MovingBody, twist: &Twist, free: &Wrench) -> Wrench {
-    if body.moves_freely() { Wrench::ZERO } else { moving.inertia.momentum(twist) - *free }
+    if body.moves_freely() {
+        return Wrench::ZERO;
+    }
+    let mut support = moving.inertia.momentum(twist) - *free;
+    for (axis, motion) in body.motion[..3].iter().enumerate() {
+        if motion.is_free() {
+            support.force[axis] = 0.0;
+        }
+    }
+    if body.rotates_freely() {
+        support.moment = DVec3::ZERO;
+    }
+    for (axis, motion) in moving.axes.iter().zip(&body.motion[3..]) {
+        if motion.is_free() {
+            support.moment -= support.moment.dot(*axis) / axis.length_squared() * *axis;
+        }
+    }
+    support
 }
 
 /// The twist that the impulses at the start of the step meet: the mean of those of the momenta before and after them. A body

@@ -1,5 +1,6 @@
 //! The heavy symmetric top (Goldstein, Poole & Safko, Classical Mechanics, 3rd ed. 2002, §5.7), with its tip on a ball joint and
 //! with its reference point fixed.
+#![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 mod common;
 

@@ -1,4 +1,5 @@
 //! Bodies and joints under applied impulses: balance of energy, joints relaxed beside contact, closed loops.
+#![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 mod common;
 
@@ -36,8 +37,7 @@ fn unexplained(mechanism: &Mechanism, state: &mut MechanismState, dt: f64, durat
     error.0 / turnover
 }
 
-/// An asymmetric body with its centre of mass off the reference point under a force: the balance of energy
-/// closes to round-off.
+/// An asymmetric body with its centre of mass off the reference point under a force: the balance of energy closes to round-off.
 #[test]
 fn a_free_body_under_a_force() {
     let body =
@@ -49,7 +49,7 @@ fn a_free_body_under_a_force() {
         unexplained(&mechanism, &mut state, dt, 4.0)
     });
     eprintln!("unexplained energy over the work of the force {errors:?}");
-    below("unexplained energy", errors[0], 1e-10);
+    below("unexplained energy", errors.into_iter().fold(0.0, f64::max), 1e-10);
 }
 
 /// Two bodies on ball joints under the same force.
@@ -78,7 +78,7 @@ fn jointed_bodies_under_a_force() {
         error
     });
     eprintln!("unexplained energy over the work of the force {errors:?}");
-    below("unexplained energy", errors[0], 1e-3);
+    below("unexplained energy", errors.into_iter().fold(0.0, f64::max), 1e-10);
 }
 
 /// Relaxing joints in sweeps approaches what the direct solution gives.
@@ -171,4 +171,23 @@ fn a_closed_loop_keeps_together() {
     assert!(turned.0 > 0.2, "the crank moves: {}", turned.0);
     below("gap [m]", gap.0, 1e-12);
     below("energy over 10 J", error.0, 1e-10);
+}
+
+/// Velocities at the start that violate the joints change as in an inelastic impact: linear momentum in flight stays.
+#[test]
+fn velocities_at_the_start_are_made_to_fit() {
+    let inertia = Inertia::sphere(2.0, 0.3);
+    let poses = [Pose::IDENTITY, Pose::at(DVec3::X)];
+    let joint = Ball::at(DVec3::new(0.5, 0.0, 0.0), [Some(0), Some(1)], [&poses[0], &poses[1]]);
+    let mechanism = Mechanism::new(vec![Body::free(inertia); 2], vec![Box::new(joint)]).unwrap();
+    let fast = Twist { linear: DVec3::new(4.0, 0.0, 1.0), angular: DVec3::ZERO };
+    let state = mechanism.state(&[(poses[0], fast), (poses[1], Twist::ZERO)]);
+    let [first, second] = [0, 1].map(|body| state.bodies[body].twist);
+    below(
+        "gap of the velocities [m/s]",
+        first.at(0.5 * DVec3::X).distance(second.at(-0.5 * DVec3::X)),
+        1e-14,
+    );
+    below("momentum", mechanism.linear_momentum(&state).distance(DVec3::new(8.0, 0.0, 2.0)), 1e-14);
+    assert!(mechanism.kinetic_energy(&state) < 17.0);
 }

@@ -1,4 +1,5 @@
 //! Pendulums on hinges: compound pendulum, double pendulum, chain.
+#![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 mod common;
 

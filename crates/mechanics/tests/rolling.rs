@@ -2,6 +2,7 @@
 //!
 //! It rolls at a = 5/7 g sin θ while tan θ < 7/2 μ, and otherwise slides at a = g (sin θ − μ cos θ), its spin growing at
 //! 5/2 μ g cos θ / r (Goldstein, Poole & Safko 2002, §5; Routh 1905).
+#![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 mod common;
 

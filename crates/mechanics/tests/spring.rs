@@ -1,4 +1,5 @@
 //! A joint that yields: that a spring with a damper is one more implementation of `Joint`.
+#![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 mod common;
 

@@ -1,4 +1,5 @@
 //! A free asymmetric top (Landau & Lifshitz, Mechanics, 3rd ed. 1976, §37).
+#![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 mod common;
 
