@@ -11,7 +11,7 @@ impl Mechanism {
     /// configuration and joints that were relaxed, which differs from the motion by terms of second order in the step.
     pub fn advance(&self, state: &mut MechanismState, step: &mut Step) {
         if step.bodies.iter().any(|body| body.impulses.contact != Wrench::ZERO) {
-            self.settle(state, step);
+            self.integrate(state, step);
         } else {
             for body in &mut step.bodies {
                 body.twist = body.predicted;

@@ -16,12 +16,13 @@ mod inertia;
 pub mod joint;
 mod linear;
 mod mechanism;
+mod midpoint;
 mod mobility;
 mod motion;
 mod moving;
 mod pose;
 mod predict;
-mod settle;
+
 mod spatial;
 mod start;
 mod step;

@@ -7,7 +7,7 @@ impl Mechanism {
     /// Finds the velocities of a step without contact, for contact to begin with.
     pub fn predict(&self, state: &MechanismState, conditions: &Conditions, step: &mut Step) {
         self.begin(state, conditions, step);
-        self.settle(state, step);
+        self.integrate(state, step);
         for body in &mut step.bodies {
             body.predicted = body.twist;
         }

@@ -81,7 +81,14 @@ impl Step {
         body.mobility.at(arm) * (1.0 / body.modelled_fraction)
     }
 
-    /// The same along a unit vector [1/kg].
+    /// Its diagonal: along x, y and z [1/kg].
+    #[must_use]
+    pub fn inverse_mass_diagonal(&self, body: usize, arm: DVec3) -> DVec3 {
+        let block = self.inverse_mass(body, arm);
+        DVec3::new(block.x_axis.x, block.y_axis.y, block.z_axis.z)
+    }
+
+    /// The block along a unit vector [1/kg]; its inverse is the effective mass.
     #[must_use]
     pub fn inverse_mass_along(&self, body: usize, arm: DVec3, direction: DVec3) -> f64 {
         let body = &self.bodies[body];

@@ -5,6 +5,7 @@
 use crate::joint::Row;
 use crate::linear;
 use crate::moving::{MovingBody, MovingJoint};
+use crate::wrench::Wrench;
 
 /// Matrix of the system and its factors, kept between steps for their memory.
 #[derive(Clone, Debug, Default)]
@@ -101,4 +102,34 @@ fn coupling(
             body.map_or(sum, |body| sum + other.on(across, body).dot(&bodies[body].mobility.response(wrench)))
         },
     )
+}
+
+/// All rows of all joints, in order.
+pub(crate) fn rows(joints: &[MovingJoint]) -> impl Iterator<Item = (&MovingJoint, &Row)> {
+    joints.iter().flat_map(|joint| joint.rows.as_slice().iter().map(move |row| (joint, row)))
+}
+
+/// Hands the impulses of all rows to their joints.
+pub(crate) fn share_out(
+    impulses: &[f64],
+    joints: &mut [MovingJoint],
+    of: impl Fn(&mut MovingJoint) -> &mut [f64; 6],
+) {
+    let mut rest = impulses;
+    for joint in joints {
+        let (own, others) = rest.split_at(joint.rows.as_slice().len());
+        of(joint)[..own.len()].copy_from_slice(own);
+        rest = others;
+    }
+}
+
+/// Sum of the joints' impulses on a body.
+pub(crate) fn on_body(joints: &[MovingJoint], body: usize, of: impl Fn(&MovingJoint) -> &[f64; 6]) -> Wrench {
+    let mut sum = Wrench::ZERO;
+    for joint in joints.iter().filter(|joint| joint.bodies.contains(&Some(body))) {
+        for (row, impulse) in joint.rows.as_slice().iter().zip(of(joint)) {
+            sum += *impulse * joint.on(row, body);
+        }
+    }
+    sum
 }

@@ -70,13 +70,12 @@ fn energy_and_both_angular_momenta_are_conserved() {
     }
 }
 
-/// Steady precession: (I₁ − I₃) φ̇² cos θ − I₃ ω_ψ φ̇ + m g s = 0 with I₁ about the tip and the proper rotation ω_ψ; Goldstein's
-/// (5.76) in these terms.
+/// Steady precession: I₃ ω₃ φ̇ − I₁ φ̇² cos θ = m g s, with I₁ about the tip (Goldstein, Poole & Safko 2002, §5.7).
 #[test]
 fn steady_precession() {
     let (tilt, precession): (f64, f64) = (0.7, 4.0);
     let transverse = ACROSS + MASS * ARM * ARM;
-    // Axial angular velocity ω₃ from I₃ ω₃ φ̇ − I₁ φ̇² cos θ = m g s.
+    // Axial angular velocity ω₃.
     let axial = (MASS * 9.81 * ARM + transverse * precession.powi(2) * tilt.cos()) / (ALONG * precession);
     let axis = DVec3::new(0.0, -tilt.sin(), tilt.cos());
     let angular = precession * (DVec3::Z - tilt.cos() * axis) + axial * axis;

@@ -9,12 +9,11 @@ use crate::configuration::Configuration;
 use crate::freedom::{self, Directions};
 use crate::gimbal::{self, Axes};
 use crate::impulses::Impulses;
-use crate::joint::Row;
 use crate::mechanism::{Mechanism, MechanismState};
 use crate::mobility::Mobility;
 use crate::moving::{MovingBody, MovingJoint};
 use crate::step::{Conditions, Step};
-use crate::system::Answer;
+use crate::system::{Answer, on_body, rows, share_out};
 use crate::twist::Twist;
 use crate::wrench::Wrench;
 use glam::DVec3;
@@ -54,7 +53,7 @@ impl Mechanism {
     }
 
     /// Finds twists and momenta of a step, beginning with the twists that the step holds.
-    pub(crate) fn settle(&self, state: &MechanismState, step: &mut Step) {
+    pub(crate) fn integrate(&self, state: &MechanismState, step: &mut Step) {
         self.configure_start(state, step);
         self.react(state, step);
         let mut last = f64::INFINITY;
@@ -237,32 +236,6 @@ fn met(body: &Body, moving: &MovingBody, before: &Momentum) -> Twist {
         mean.linear = of_centre - mean.angular.cross(moving.inertia.arm);
     }
     mean
-}
-
-/// All rows of all joints, in order.
-fn rows(joints: &[MovingJoint]) -> impl Iterator<Item = (&MovingJoint, &Row)> {
-    joints.iter().flat_map(|joint| joint.rows.as_slice().iter().map(move |row| (joint, row)))
-}
-
-/// Hands the impulses of all rows to their joints.
-fn share_out(impulses: &[f64], joints: &mut [MovingJoint], of: impl Fn(&mut MovingJoint) -> &mut [f64; 6]) {
-    let mut rest = impulses;
-    for joint in joints {
-        let (own, others) = rest.split_at(joint.rows.as_slice().len());
-        of(joint)[..own.len()].copy_from_slice(own);
-        rest = others;
-    }
-}
-
-/// Sum of the joints' impulses on a body.
-fn on_body(joints: &[MovingJoint], body: usize, of: impl Fn(&MovingJoint) -> &[f64; 6]) -> Wrench {
-    let mut sum = Wrench::ZERO;
-    for joint in joints.iter().filter(|joint| joint.bodies.contains(&Some(body))) {
-        for (row, impulse) in joint.rows.as_slice().iter().zip(of(joint)) {
-            sum += *impulse * joint.on(row, body);
-        }
-    }
-    sum
 }
 
 /// Radius of gyration [m], to compare velocities with rates of rotation; 1 for a body without one.
