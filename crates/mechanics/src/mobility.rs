@@ -47,10 +47,11 @@ impl Mobility {
 
     /// Change of the twist by an impulse.
     #[must_use]
+    #[inline]
     pub fn response(&self, impulse: &Wrench) -> Twist {
         Twist {
             linear: self.linear * impulse.force + self.coupling * impulse.moment,
-            angular: self.coupling.transpose() * impulse.force + self.angular * impulse.moment,
+            angular: self.coupling.mul_transpose_vec3(impulse.force) + self.angular * impulse.moment,
         }
     }
 

@@ -57,16 +57,19 @@ impl Step {
 
     /// Velocity of a body's point at `arm` from the reference point [m/s].
     #[must_use]
+    #[inline]
     pub fn velocity_at(&self, body: usize, arm: DVec3) -> DVec3 {
         self.bodies[body].twist.at(arm)
     }
 
     /// Applies an impulse [N s] at `arm` from the reference point [m] to the modelled portion of a body.
+    #[inline]
     pub fn apply(&mut self, body: usize, arm: DVec3, impulse: DVec3) {
         self.apply_wrench(body, &Wrench::at(arm, impulse));
     }
 
     /// Applies an impulse about the reference point to the modelled portion of a body.
+    #[inline]
     pub fn apply_wrench(&mut self, body: usize, impulse: &Wrench) {
         let body = &mut self.bodies[body];
         let on_whole = (1.0 / body.modelled_fraction) * *impulse;
