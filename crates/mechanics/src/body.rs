@@ -57,6 +57,13 @@ impl Body {
         if !(self.modelled_fraction > 0.0 && self.modelled_fraction <= 1.0) {
             return Err(Invalid::ModelledFraction);
         }
+        // Also without free motions: what is not a number would spread into momenta and reactions.
+        if !(self.inertia.mass.is_finite() && self.inertia.centre.is_finite()) {
+            return Err(Invalid::Mass);
+        }
+        if !self.inertia.tensor.is_finite() {
+            return Err(Invalid::Tensor);
+        }
         let may_turn = self.motion[3..].iter().any(Motion::is_free);
         let may_move = self.motion.iter().any(Motion::is_free);
         match self.inertia.check() {

@@ -49,9 +49,12 @@ impl Mobility {
     #[must_use]
     #[inline]
     pub fn response(&self, impulse: &Wrench) -> Twist {
+        let Wrench { force, moment } = *impulse;
+        let c = &self.coupling;
+        let coupled = DVec3::new(c.x_axis.dot(force), c.y_axis.dot(force), c.z_axis.dot(force));
         Twist {
-            linear: self.linear * impulse.force + self.coupling * impulse.moment,
-            angular: self.coupling.mul_transpose_vec3(impulse.force) + self.angular * impulse.moment,
+            linear: self.linear * force + self.coupling * moment,
+            angular: coupled + self.angular * moment,
         }
     }
 

@@ -6,7 +6,7 @@ mod common;
 use common::{GRAVITY, Largest, below, energy, run};
 use glam::{DQuat, DVec3};
 use mechanics::joint::{Ball, Hinge, Joint};
-use mechanics::{Body, Conditions, Inertia, Mechanism, MechanismState, Pose, Step, Twist};
+use mechanics::{Body, Conditions, Inertia, Invalid, Mechanism, MechanismState, Pose, Step, Twist};
 
 /// A force that turns and swings [N].
 fn force(time: f64) -> DVec3 {
@@ -190,4 +190,35 @@ fn velocities_at_the_start_are_made_to_fit() {
     );
     below("momentum", mechanism.linear_momentum(&state).distance(DVec3::new(8.0, 0.0, 2.0)), 1e-14);
     assert!(mechanism.kinetic_energy(&state) < 17.0);
+}
+
+/// A step depends on the state alone: with a fresh workspace it ends in the same bits.
+#[test]
+fn the_state_is_everything_that_changes() {
+    let (mechanism, mut state) = swing();
+    let mut used = Step::default();
+    for n in 0..20 {
+        let conditions = Conditions { time: 1e-2 * f64::from(n), dt: 1e-2, gravity: GRAVITY };
+        let mut other = state.clone();
+        for (state, step) in [(&mut state, &mut used), (&mut other, &mut Step::default())] {
+            mechanism.predict(state, &conditions, step);
+            step.apply(1, DVec3::new(0.1, 0.0, -0.3), 1e-2 * force(conditions.time));
+            mechanism.advance(state, step);
+        }
+        assert_eq!(state, other);
+    }
+}
+
+#[test]
+fn what_cannot_be_computed_is_refused() {
+    let sphere = Body::free(Inertia::sphere(1.0, 1.0));
+    let pose = Pose::IDENTITY;
+    let joint = |bodies| Box::new(Ball::at(DVec3::ZERO, bodies, [&pose, &pose])) as Box<dyn Joint>;
+    let refused = |bodies, joints| Mechanism::new(bodies, joints).err();
+    assert_eq!(refused(vec![sphere], vec![joint([Some(0), None])]), None);
+    assert_eq!(refused(vec![sphere], vec![joint([Some(0), Some(1)])]), Some(Invalid::Joint));
+    assert_eq!(refused(vec![sphere], vec![joint([Some(0), Some(0)])]), Some(Invalid::Joint));
+    assert_eq!(refused(vec![Body::free(Inertia::NONE)], vec![]), Some(Invalid::Mass));
+    let nothing = Body { modelled_fraction: 0.0, ..sphere };
+    assert_eq!(refused(vec![nothing], vec![]), Some(Invalid::ModelledFraction));
 }
