@@ -1,0 +1,167 @@
+//! One rigid body: what is fixed during a run, and its state.
+
+use crate::configuration::Configuration;
+use crate::error::Invalid;
+use crate::gimbal;
+use crate::inertia::Inertia;
+use crate::motion::Motion;
+use crate::pose::Pose;
+use crate::twist::Twist;
+use crate::wrench::Wrench;
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+/// A body: its mass properties and its degrees of freedom.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Body {
+    /// Mass properties of the whole body.
+    pub inertia: Inertia,
+    /// Degrees of freedom: along x, y, z of space; yaw about z, tilt about the x axis that yaw carries, spin about the body's
+    /// y axis, its axle. If all three rotations are free the body rotates freely.
+    pub motion: [Motion; 6],
+    /// Fraction of the body that is modelled: ½ for each symmetry plane through it. Impulses act on this fraction; everything
+    /// else refers to the whole body.
+    pub modelled_fraction: f64,
+}
+
+impl Body {
+    /// A body that moves freely.
+    #[must_use]
+    pub fn free(inertia: Inertia) -> Self {
+        Self::new(inertia, [Motion::FREE; 6])
+    }
+
+    /// A body with given degrees of freedom, modelled as a whole.
+    #[must_use]
+    pub fn new(inertia: Inertia, motion: [Motion; 6]) -> Self {
+        Self { inertia, motion, modelled_fraction: 1.0 }
+    }
+
+    /// Whether no rotation is fixed or prescribed.
+    #[must_use]
+    pub fn rotates_freely(&self) -> bool {
+        self.motion[3..].iter().all(Motion::is_free)
+    }
+
+    /// Whether every motion is free.
+    #[must_use]
+    pub fn moves_freely(&self) -> bool {
+        self.motion.iter().all(Motion::is_free)
+    }
+
+    /// Whether the body can be computed.
+    ///
+    /// # Errors
+    /// [`Invalid`] where a free motion lacks the mass properties it needs.
+    pub fn check(&self) -> Result<(), Invalid> {
+        if !(self.modelled_fraction > 0.0 && self.modelled_fraction <= 1.0) {
+            return Err(Invalid::ModelledFraction);
+        }
+        // Also without free motions: what is not a number would spread into momenta and reactions.
+        if !(self.inertia.mass.is_finite() && self.inertia.centre.is_finite()) {
+            return Err(Invalid::Mass);
+        }
+        if !self.inertia.tensor.is_finite() {
+            return Err(Invalid::Tensor);
+        }
+        let may_turn = self.motion[3..].iter().any(Motion::is_free);
+        let may_move = self.motion.iter().any(Motion::is_free);
+        match self.inertia.check() {
+            Err(Invalid::Mass) if may_move => Err(Invalid::Mass),
+            Err(error) if may_turn => Err(error),
+            _ => Ok(()),
+        }
+    }
+
+    /// Speeds of the prescribed motions at a time [s], in [m/s or rad/s]; 0 for the others.
+    #[must_use]
+    pub fn speeds(&self, time: f64) -> [f64; 6] {
+        self.motion.map(|motion| motion.speed(time))
+    }
+
+    /// The state of the body at a pose with a velocity; what its fixed motions forbid is left out of the velocity.
+    #[must_use]
+    pub fn state(&self, pose: Pose, twist: Twist) -> BodyState {
+        let rotation = pose.rotation.normalize();
+        let pose =
+            Pose { rotation: if rotation.is_finite() { rotation } else { glam::DQuat::IDENTITY }, ..pose };
+        let attitude = pose.axes();
+        let tilt_axis = gimbal::first_tilt_axis(&attitude);
+        let axes = [DVec3::Z, tilt_axis, attitude.y_axis];
+        let [yaw, tilt, spin] = gimbal::rates(twist.angular, &axes);
+        let linear = twist.linear;
+        let mut speeds = [linear.x, linear.y, linear.z, yaw, tilt, spin];
+        for (speed, motion) in speeds.iter_mut().zip(&self.motion) {
+            if motion.is_fixed() {
+                *speed = 0.0;
+            }
+        }
+        let columns = gimbal::unit_twists(&axes).into_iter().zip(speeds);
+        let mut allowed = columns.fold(Twist::ZERO, |sum, (column, speed)| sum + speed * column);
+        if self.rotates_freely() {
+            allowed.angular = twist.angular;
+        }
+        let inertia = Configuration::new(&pose, &Twist::ZERO, 0.0).mean_inertia(&self.inertia);
+        BodyState {
+            pose,
+            twist: allowed,
+            momentum: Momentum {
+                linear: inertia.mass * allowed.at(inertia.arm),
+                angular: inertia.tensor * allowed.angular,
+            },
+            speeds: std::array::from_fn(|n| if self.motion[n].is_free() { 0.0 } else { speeds[n] }),
+            tilt_axis,
+        }
+    }
+
+    /// Kinetic energy [J] of the whole body, prescribed motions included.
+    #[must_use]
+    pub fn kinetic_energy(&self, state: &BodyState) -> f64 {
+        let Momentum { linear, angular } = state.momentum;
+        let turning = state.pose.axes().transpose() * angular;
+        let moving = if self.inertia.mass > 0.0 { linear.length_squared() / self.inertia.mass } else { 0.0 };
+        0.5 * (moving + turning.dot(self.inertia.inverse_tensor() * turning))
+    }
+
+    /// Centre of mass in space [m].
+    #[must_use]
+    pub fn centre(&self, state: &BodyState) -> DVec3 {
+        state.pose.point(self.inertia.centre)
+    }
+}
+
+/// Momentum of a whole body.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Momentum {
+    /// Linear momentum [N s].
+    pub linear: DVec3,
+    /// Angular momentum about the centre of mass, axes of space [N m s].
+    pub angular: DVec3,
+}
+
+impl Momentum {
+    /// The momentum after an impulse about the reference point, when the centre of mass is at `arm` from it [m].
+    pub(crate) fn after(&self, impulse: &Wrench, arm: DVec3) -> Self {
+        Self { linear: self.linear + impulse.force, angular: self.angular + impulse.moment_about(arm) }
+    }
+
+    /// Momentum, and angular momentum about the reference point, when the centre of mass is at `arm` from it [m].
+    pub(crate) fn about_reference(&self, arm: DVec3) -> Wrench {
+        Wrench { force: self.linear, moment: self.angular + arm.cross(self.linear) }
+    }
+}
+
+/// What changes of a body.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BodyState {
+    /// Pose at the end of the last step.
+    pub pose: Pose,
+    /// Twist during the last step, half a step before the pose.
+    pub twist: Twist,
+    /// Momentum at the end of the last step.
+    pub momentum: Momentum,
+    /// Speeds of the prescribed motions during the last step [m/s or rad/s].
+    pub(crate) speeds: [f64; 6],
+    /// Axis of tilt.
+    pub(crate) tilt_axis: DVec3,
+}

@@ -1,0 +1,44 @@
+//! How rigid bodies and joints move.
+//!
+//! A [`Mechanism`] holds bodies and joints. Each step `predict` finds the velocities without contact, contact changes them through
+//! [`Step`], and `advance` moves the bodies. This crate knows no soil and no grid. Units are SI, axes those of space unless stated.
+//! Equations and sources: `docs/theory/rigid-bodies.md`.
+
+mod advance;
+mod body;
+pub mod cayley;
+mod configuration;
+mod error;
+mod freedom;
+mod gimbal;
+mod impulses;
+mod inertia;
+pub mod joint;
+mod linear;
+mod mechanism;
+mod midpoint;
+mod mobility;
+mod motion;
+mod moving;
+mod pose;
+mod predict;
+
+mod spatial;
+mod start;
+mod step;
+mod system;
+mod twist;
+mod wrench;
+
+pub use body::{Body, BodyState, Momentum};
+pub use configuration::Configuration;
+pub use error::Invalid;
+pub use impulses::{Impulses, Work};
+pub use inertia::Inertia;
+pub use mechanism::{Mechanism, MechanismState};
+pub use mobility::Mobility;
+pub use motion::Motion;
+pub use pose::Pose;
+pub use step::{Conditions, Step};
+pub use twist::Twist;
+pub use wrench::Wrench;

@@ -1,0 +1,108 @@
+//! A mechanism: bodies and joints.
+
+use crate::body::{Body, BodyState};
+use crate::configuration::Configuration;
+use crate::error::Invalid;
+use crate::joint::Joint;
+use crate::twist::Twist;
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+/// Bodies and joints: what is fixed during a run.
+#[derive(Debug, Default)]
+pub struct Mechanism {
+    bodies: Vec<Body>,
+    joints: Vec<Box<dyn Joint>>,
+}
+
+/// What changes of a mechanism.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct MechanismState {
+    /// State of each body.
+    pub bodies: Vec<BodyState>,
+    /// Impulse of each joint in the last step, by row [N s or N m s]; for output.
+    pub joints: Vec<[f64; 6]>,
+}
+
+impl Mechanism {
+    /// A mechanism of bodies and joints.
+    ///
+    /// # Errors
+    /// [`Invalid`] where a free body lacks mass properties, or a joint names a body that is not there.
+    pub fn new(bodies: Vec<Body>, joints: Vec<Box<dyn Joint>>) -> Result<Self, Invalid> {
+        for body in &bodies {
+            body.check()?;
+        }
+        for joint in &joints {
+            let named = joint.bodies();
+            let exist = named.iter().flatten().all(|body| *body < bodies.len());
+            if !exist || named[0] == named[1] {
+                return Err(Invalid::Joint);
+            }
+        }
+        Ok(Self { bodies, joints })
+    }
+
+    /// The bodies.
+    #[must_use]
+    pub fn bodies(&self) -> &[Body] {
+        &self.bodies
+    }
+
+    /// The joints.
+    #[must_use]
+    pub fn joints(&self) -> &[Box<dyn Joint>] {
+        &self.joints
+    }
+
+    /// Whether a state has as many bodies and joints as the mechanism.
+    #[must_use]
+    pub fn accepts(&self, state: &MechanismState) -> bool {
+        state.bodies.len() == self.bodies.len() && state.joints.len() == self.joints.len()
+    }
+
+    /// Kinetic energy [J] of the whole bodies, prescribed motions included.
+    #[must_use]
+    pub fn kinetic_energy(&self, state: &MechanismState) -> f64 {
+        self.each(state).map(|(body, now)| body.kinetic_energy(now)).sum()
+    }
+
+    /// Potential energy [J] of the whole bodies in a gravity field [m/s²]; 0 with every centre of mass at the origin.
+    #[must_use]
+    pub fn potential_energy(&self, state: &MechanismState, gravity: DVec3) -> f64 {
+        self.each(state).map(|(body, now)| -body.inertia.mass * gravity.dot(body.centre(now))).sum()
+    }
+
+    /// Energy stored in the joints [J].
+    #[must_use]
+    pub fn joint_energy(&self, state: &MechanismState) -> f64 {
+        let attitude = |body: Option<usize>| {
+            let at_rest = |n: usize| Configuration::new(&state.bodies[n].pose, &Twist::ZERO, 0.0);
+            body.map_or(Configuration::GROUND, at_rest)
+        };
+        let energy = |joint: &dyn Joint| {
+            let [first, second] = joint.bodies().map(attitude);
+            joint.energy([&first, &second])
+        };
+        self.joints.iter().map(|joint| energy(joint.as_ref())).sum()
+    }
+
+    /// Linear momentum [N s] of the whole bodies.
+    #[must_use]
+    pub fn linear_momentum(&self, state: &MechanismState) -> DVec3 {
+        self.each(state).map(|(_, now)| now.momentum.linear).sum()
+    }
+
+    /// Angular momentum [N m s] of the whole bodies about a point of space [m].
+    #[must_use]
+    pub fn angular_momentum(&self, state: &MechanismState, about: DVec3) -> DVec3 {
+        let of = |(body, now): (&Body, &BodyState)| {
+            now.momentum.angular + (body.centre(now) - about).cross(now.momentum.linear)
+        };
+        self.each(state).map(of).sum()
+    }
+
+    fn each<'a>(&'a self, state: &'a MechanismState) -> impl Iterator<Item = (&'a Body, &'a BodyState)> {
+        self.bodies.iter().zip(&state.bodies)
+    }
+}

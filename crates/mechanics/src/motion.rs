@@ -1,0 +1,109 @@
+//! One degree of freedom of a rigid body: fixed, prescribed, or free under a load.
+
+use serde::{Deserialize, Serialize};
+
+/// How a body moves in one degree of freedom.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Motion {
+    /// Held fixed.
+    Fixed,
+    /// A prescribed speed [m/s or rad/s], reached by a smooth ramp.
+    Prescribed {
+        /// Speed after the ramp [m/s or rad/s].
+        speed: f64,
+        /// Start of the ramp [s].
+        start: f64,
+        /// Duration of the ramp [s].
+        ramp: f64,
+        /// Start of the ramp back to rest, of the same duration [s]; infinite for none.
+        end: f64,
+    },
+    /// Free to move under the forces on the body and `load`, a force or torque along the axis of the freedom, which is
+    /// applied by a smooth ramp.
+    Free {
+        /// Load [N or N m].
+        load: f64,
+        /// Start of the ramp [s].
+        start: f64,
+        /// Duration of the ramp [s].
+        ramp: f64,
+    },
+}
+
+impl Motion {
+    /// Free, without a load.
+    pub const FREE: Self = Self::Free { load: 0.0, start: 0.0, ramp: 0.0 };
+
+    /// A prescribed speed [m/s or rad/s] from the start on, without a ramp.
+    #[must_use]
+    pub fn prescribed(speed: f64) -> Self {
+        Self::Prescribed { speed, start: f64::NEG_INFINITY, ramp: 0.0, end: f64::INFINITY }
+    }
+
+    /// A constant load [N or N m] on a free motion.
+    #[must_use]
+    pub fn loaded(load: f64) -> Self {
+        Self::Free { load, start: f64::NEG_INFINITY, ramp: 0.0 }
+    }
+
+    /// Whether the body does not move in this degree of freedom.
+    #[must_use]
+    pub fn is_fixed(&self) -> bool {
+        matches!(self, Self::Fixed)
+    }
+
+    /// Whether the motion follows from the forces on the body.
+    #[must_use]
+    pub fn is_free(&self) -> bool {
+        matches!(self, Self::Free { .. })
+    }
+
+    /// Prescribed speed at a time [s], in [m/s or rad/s]; 0 unless prescribed.
+    #[must_use]
+    pub fn speed(&self, time: f64) -> f64 {
+        match *self {
+            Self::Prescribed { speed, start, ramp, end } => {
+                speed * (smooth_step(time, start, ramp) - smooth_step(time, end, ramp))
+            }
+            _ => 0.0,
+        }
+    }
+
+    /// Load at a time [s], in [N or N m]; 0 unless free.
+    #[must_use]
+    pub fn load(&self, time: f64) -> f64 {
+        match *self {
+            Self::Free { load, start, ramp } => load * smooth_step(time, start, ramp),
+            _ => 0.0,
+        }
+    }
+}
+
+/// Smooth step from 0 at `start` to 1 at `start + ramp`: 3τ² − 2τ³.
+fn smooth_step(time: f64, start: f64, ramp: f64) -> f64 {
+    if time <= start {
+        0.0
+    } else if time >= start + ramp {
+        1.0
+    } else {
+        let tau = (time - start) / ramp;
+        tau * tau * (3.0 - 2.0 * tau)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_prescribed_speed_rises_holds_and_ends() {
+        let f = Motion::Prescribed { speed: 2.0, start: 1.0, ramp: 0.5, end: 2.5 };
+        let speeds = [0.9, 1.25, 1.5, 2.4, 2.75, 3.1].map(|t| f.speed(t));
+        assert_eq!(speeds, [0.0, 1.0, 2.0, 2.0, 1.0, 0.0]);
+        assert_eq!(
+            Motion::Prescribed { speed: 2.0, start: 0.0, ramp: 0.0, end: f64::INFINITY }.speed(9.0),
+            2.0
+        );
+    }
+}

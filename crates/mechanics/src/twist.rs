@@ -1,0 +1,52 @@
+//! The velocity of a rigid body.
+
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+use std::ops::{Add, AddAssign, Mul, Sub};
+
+/// Velocity of a rigid body: of its reference point, and of rotation. Axes of space.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Twist {
+    /// Velocity of the reference point [m/s].
+    pub linear: DVec3,
+    /// Angular velocity [rad/s].
+    pub angular: DVec3,
+}
+
+impl Twist {
+    /// No motion.
+    pub const ZERO: Self = Self { linear: DVec3::ZERO, angular: DVec3::ZERO };
+
+    /// Velocity of the body's point at `arm` from the reference point [m/s].
+    #[must_use]
+    pub fn at(&self, arm: DVec3) -> DVec3 {
+        self.linear + self.angular.cross(arm)
+    }
+}
+
+impl Add for Twist {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self { linear: self.linear + other.linear, angular: self.angular + other.angular }
+    }
+}
+
+impl AddAssign for Twist {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl Sub for Twist {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self { linear: self.linear - other.linear, angular: self.angular - other.angular }
+    }
+}
+
+impl Mul<Twist> for f64 {
+    type Output = Twist;
+    fn mul(self, twist: Twist) -> Twist {
+        Twist { linear: self * twist.linear, angular: self * twist.angular }
+    }
+}
