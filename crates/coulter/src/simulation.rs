@@ -82,8 +82,8 @@ impl<R: Precision> Simulation<R> {
     }
 
     /// Sets soil and bodies in motion before the first step; the energy balance counts their energy as external work.
-    pub fn set_in_motion(&mut self, push: impl FnOnce(&mut State<R>)) {
-        push(&mut self.state);
+    pub fn set_in_motion(&mut self, push: impl FnOnce(&Model, &mut State<R>)) {
+        push(&self.model, &mut self.state);
         self.state.energy_balance.kinetic_start = balance::kinetic_energy(&self.model, &self.state);
     }
 
@@ -217,6 +217,8 @@ impl<R: Precision> Simulation<R> {
 
     fn body_sample(&self, n: usize, interval: f64) -> BodySample {
         let (fixed, body) = (&self.model.bodies[n], &self.state.bodies[n]);
+        let (pose, twist) = (self.state.pose(n), self.state.twist(n));
+        let axle = pose.rotation * DVec3::Y;
         let (now, then) = (body.contact_impulse, self.sampled.1[n]);
         let rate = if interval > 0.0 { 1.0 / interval } else { 0.0 };
         let normal = (now.normal - then.normal) * rate;
@@ -226,18 +228,18 @@ impl<R: Precision> Simulation<R> {
         let force = symmetry.of_whole(normal + friction);
         BodySample {
             time: self.state.time,
-            displacement: body.position.x - fixed.start.x,
-            sinkage: self.model.surface - (body.position.z + fixed.shape.bounds().0.z),
+            displacement: pose.position.x - fixed.start.position.x,
+            sinkage: self.model.surface - (pose.position.z + fixed.shape.bounds().0.z),
             drag: 0.0 - force.x,
             lateral: force.y,
             vertical: force.z,
             drag_normal: 0.0 - normal.x,
             vertical_normal: normal.z,
-            axle_torque: symmetry.moment_of_whole(DVec3::Y * (now.axle - then.axle) * rate).y,
-            rotation: body.angle,
-            spin: body.spin,
-            speed: body.velocity.x,
-            heave_speed: body.velocity.z,
+            axle_torque: symmetry.moment_of_whole((now.moment - then.moment) * rate).dot(axle),
+            rotation: body.rotation,
+            spin: twist.angular.dot(axle),
+            speed: twist.linear.x,
+            heave_speed: twist.linear.z,
             leaked_volume: body.leaked_volume / self.model.modelled_fraction(),
             embedded_volume: body.embedded_volume / self.model.modelled_fraction(),
         }

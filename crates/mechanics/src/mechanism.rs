@@ -7,12 +7,13 @@ use crate::joint::Joint;
 use crate::twist::Twist;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// Bodies and joints: what is fixed during a run.
 #[derive(Debug, Default)]
 pub struct Mechanism {
     bodies: Vec<Body>,
-    joints: Vec<Box<dyn Joint>>,
+    joints: Vec<Arc<dyn Joint>>,
 }
 
 /// What changes of a mechanism.
@@ -29,18 +30,31 @@ impl Mechanism {
     ///
     /// # Errors
     /// [`Invalid`] where a free body lacks mass properties, or a joint names a body that is not there.
-    pub fn new(bodies: Vec<Body>, joints: Vec<Box<dyn Joint>>) -> Result<Self, Invalid> {
-        for body in &bodies {
-            body.check()?;
-        }
-        for joint in &joints {
+    pub fn new(bodies: Vec<Body>, joints: Vec<Arc<dyn Joint>>) -> Result<Self, Invalid> {
+        let mechanism = Self::unchecked(bodies, joints);
+        mechanism.check().map(|()| mechanism)
+    }
+
+    /// The same without [`Mechanism::check`].
+    #[must_use]
+    pub fn unchecked(bodies: Vec<Body>, joints: Vec<Arc<dyn Joint>>) -> Self {
+        Self { bodies, joints }
+    }
+
+    /// Whether the mechanism can be computed.
+    ///
+    /// # Errors
+    /// [`Invalid`] where a free body lacks mass properties, or a joint names a body that is not there.
+    pub fn check(&self) -> Result<(), Invalid> {
+        self.bodies.iter().try_for_each(Body::check)?;
+        for joint in &self.joints {
             let named = joint.bodies();
-            let exist = named.iter().flatten().all(|body| *body < bodies.len());
+            let exist = named.iter().flatten().all(|body| *body < self.bodies.len());
             if !exist || named[0] == named[1] {
                 return Err(Invalid::Joint);
             }
         }
-        Ok(Self { bodies, joints })
+        Ok(())
     }
 
     /// The bodies.
@@ -51,7 +65,7 @@ impl Mechanism {
 
     /// The joints.
     #[must_use]
-    pub fn joints(&self) -> &[Box<dyn Joint>] {
+    pub fn joints(&self) -> &[Arc<dyn Joint>] {
         &self.joints
     }
 

@@ -8,6 +8,7 @@ use common::{GRAVITY, Largest, below, energy, run};
 use glam::{DQuat, DVec3};
 use mechanics::joint::Ball;
 use mechanics::{Body, Inertia, Mechanism, MechanismState, Motion, Pose, Twist};
+use std::sync::Arc;
 
 const MASS: f64 = 2.0;
 /// From the tip to the centre of mass, along the body's z [m].
@@ -23,7 +24,7 @@ fn tops(tilt: f64, angular: DVec3) -> [(Mechanism, MechanismState); 2] {
     let inertia = Inertia::principal(MASS, DVec3::new(ACROSS, ACROSS, ALONG));
     let pose = Pose { position: ARM * axis, rotation };
     let joint = Ball::at(DVec3::ZERO, [Some(0), None], [&pose, &Pose::IDENTITY]);
-    let on_joint = Mechanism::new(vec![Body::free(inertia)], vec![Box::new(joint)]).unwrap();
+    let on_joint = Mechanism::new(vec![Body::free(inertia)], vec![Arc::new(joint)]).unwrap();
     let first = on_joint.state(&[(pose, Twist { linear: angular.cross(ARM * axis), angular })]);
     let [fixed, free] = [Motion::Fixed, Motion::FREE];
     let body =

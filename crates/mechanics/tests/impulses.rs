@@ -7,6 +7,7 @@ use common::{GRAVITY, Largest, below, energy, run};
 use glam::{DQuat, DVec3};
 use mechanics::joint::{Ball, Hinge, Joint};
 use mechanics::{Body, Conditions, Inertia, Invalid, Mechanism, MechanismState, Pose, Step, Twist};
+use std::sync::Arc;
 
 /// A force that turns and swings [N].
 fn force(time: f64) -> DVec3 {
@@ -59,7 +60,7 @@ fn swing() -> (Mechanism, MechanismState) {
     let above = Ball::at(DVec3::ZERO, [None, Some(0)], [&Pose::IDENTITY, &poses[0]]);
     let below = Ball::at(DVec3::new(0.0, 0.0, -0.6), [Some(0), Some(1)], [&poses[0], &poses[1]]);
     let mechanism =
-        Mechanism::new(vec![Body::free(inertia); 2], vec![Box::new(above), Box::new(below)]).unwrap();
+        Mechanism::new(vec![Body::free(inertia); 2], vec![Arc::new(above), Arc::new(below)]).unwrap();
     let state = mechanism.state(&poses.map(|pose| (pose, Twist::ZERO)));
     (mechanism, state)
 }
@@ -110,7 +111,7 @@ fn jointed_bodies_in_flight_conserve_momentum() {
         Pose { position: DVec3::new(0.0, 0.0, 0.3) + turned * DVec3::new(0.0, 0.0, 0.3), rotation: turned },
     ];
     let joint = Ball::at(DVec3::new(0.0, 0.0, 0.3), [Some(0), Some(1)], [&poses[0], &poses[1]]);
-    let mechanism = Mechanism::new(vec![Body::free(inertia); 2], vec![Box::new(joint)]).unwrap();
+    let mechanism = Mechanism::new(vec![Body::free(inertia); 2], vec![Arc::new(joint)]).unwrap();
     let omegas = [DVec3::new(3.0, 1.0, 2.0), DVec3::new(-1.0, 4.0, -2.0)];
     let joint_speed = omegas[0].cross(DVec3::new(0.0, 0.0, 0.3));
     let arm = DVec3::new(0.0, 0.0, 0.3) - poses[1].position;
@@ -151,7 +152,7 @@ fn a_closed_loop_keeps_together() {
     let ends = [[None, Some(0)], [Some(0), Some(1)], [Some(1), Some(2)], [Some(2), None]];
     let joints = ends.iter().zip(points).map(|(ends, point)| {
         let poses = ends.map(pose);
-        Box::new(Hinge::at(point, DVec3::Y, *ends, [&poses[0], &poses[1]])) as Box<dyn Joint>
+        Arc::new(Hinge::at(point, DVec3::Y, *ends, [&poses[0], &poses[1]])) as Arc<dyn Joint>
     });
     let mechanism = Mechanism::new(bodies, joints.collect()).unwrap();
     let starts: Vec<_> = poses.iter().map(|pose| (*pose, Twist::ZERO)).collect();
@@ -179,7 +180,7 @@ fn velocities_at_the_start_are_made_to_fit() {
     let inertia = Inertia::sphere(2.0, 0.3);
     let poses = [Pose::IDENTITY, Pose::at(DVec3::X)];
     let joint = Ball::at(DVec3::new(0.5, 0.0, 0.0), [Some(0), Some(1)], [&poses[0], &poses[1]]);
-    let mechanism = Mechanism::new(vec![Body::free(inertia); 2], vec![Box::new(joint)]).unwrap();
+    let mechanism = Mechanism::new(vec![Body::free(inertia); 2], vec![Arc::new(joint)]).unwrap();
     let fast = Twist { linear: DVec3::new(4.0, 0.0, 1.0), angular: DVec3::ZERO };
     let state = mechanism.state(&[(poses[0], fast), (poses[1], Twist::ZERO)]);
     let [first, second] = [0, 1].map(|body| state.bodies[body].twist);
@@ -213,7 +214,7 @@ fn the_state_is_everything_that_changes() {
 fn what_cannot_be_computed_is_refused() {
     let sphere = Body::free(Inertia::sphere(1.0, 1.0));
     let pose = Pose::IDENTITY;
-    let joint = |bodies| Box::new(Ball::at(DVec3::ZERO, bodies, [&pose, &pose])) as Box<dyn Joint>;
+    let joint = |bodies| Arc::new(Ball::at(DVec3::ZERO, bodies, [&pose, &pose])) as Arc<dyn Joint>;
     let refused = |bodies, joints| Mechanism::new(bodies, joints).err();
     assert_eq!(refused(vec![sphere], vec![joint([Some(0), None])]), None);
     assert_eq!(refused(vec![sphere], vec![joint([Some(0), Some(1)])]), Some(Invalid::Joint));

@@ -7,6 +7,7 @@ use common::{Crossings, GRAVITY, Largest, below, elliptic_k, energy, run};
 use glam::{DQuat, DVec3};
 use mechanics::joint::{Hinge, Joint};
 use mechanics::{Body, Inertia, Mechanism, MechanismState, Motion, Pose, Twist};
+use std::sync::Arc;
 
 const MASS: f64 = 1.5;
 const LENGTH: f64 = 0.8;
@@ -24,14 +25,14 @@ fn rod() -> Inertia {
 fn chain(angles: &[f64]) -> (Mechanism, MechanismState, Vec<[Option<usize>; 2]>) {
     let mut hinge = DVec3::new(0.3, -0.2, 1.0);
     let (mut starts, mut joints, mut ends) =
-        (Vec::<(Pose, Twist)>::new(), Vec::<Box<dyn Joint>>::new(), vec![]);
+        (Vec::<(Pose, Twist)>::new(), Vec::<Arc<dyn Joint>>::new(), vec![]);
     for (n, angle) in angles.iter().enumerate() {
         let rotation = DQuat::from_rotation_y(*angle);
         let half = rotation * DVec3::new(0.0, 0.0, -0.5 * LENGTH);
         let pose = Pose { position: hinge + half, rotation };
         let above = starts.last().map_or(Pose::IDENTITY, |start| start.0);
         let bodies = [n.checked_sub(1), Some(n)];
-        joints.push(Box::new(Hinge::at(hinge, DVec3::Y, bodies, [&above, &pose])));
+        joints.push(Arc::new(Hinge::at(hinge, DVec3::Y, bodies, [&above, &pose])));
         starts.push((pose, Twist::ZERO));
         ends.push(bodies);
         hinge += 2.0 * half;

@@ -9,6 +9,7 @@ use mechanics::joint::{Joint, Row, Rows};
 use mechanics::{
     Body, Conditions, Configuration, Inertia, Mechanism, MechanismState, Pose, Step, Twist, Wrench,
 };
+use std::sync::Arc;
 
 /// A spring with a damper between points of two bodies.
 #[derive(Clone, Copy, Debug)]
@@ -54,7 +55,7 @@ fn dumbbell(stretch: f64, damping: f64) -> (Mechanism, MechanismState) {
     let bodies = vec![Body::free(Inertia::sphere(2.0, 0.1)), Body::free(Inertia::sphere(3.0, 0.1))];
     let points = [DVec3::new(0.1, 0.0, 0.0), DVec3::new(-0.1, 0.0, 0.0)];
     let spring = Spring { bodies: [Some(0), Some(1)], points, stiffness: STIFFNESS, damping, length: 0.5 };
-    let mechanism = Mechanism::new(bodies, vec![Box::new(spring)]).unwrap();
+    let mechanism = Mechanism::new(bodies, vec![Arc::new(spring)]).unwrap();
     let right = Pose::at(DVec3::new(0.7 + stretch, 0.0, 0.0));
     let state = mechanism.state(&[(Pose::IDENTITY, Twist::ZERO), (right, Twist::ZERO)]);
     (mechanism, state)

@@ -19,8 +19,10 @@ pub(crate) fn check<R: Precision>(
     dt: f64,
 ) -> Result<(), Breakdown> {
     let (time, step) = (state.time, state.step);
-    for (fixed, body) in model.bodies.iter().zip(&state.bodies) {
-        if !(body.position.is_finite() && body.velocity.is_finite() && body.spin.is_finite()) {
+    for (n, (fixed, body)) in model.bodies.iter().zip(&state.bodies).enumerate() {
+        let (pose, twist) = (state.pose(n), state.twist(n));
+        let is_finite = pose.position.is_finite() && pose.rotation.is_finite();
+        if !(is_finite && twist.linear.is_finite() && twist.angular.is_finite()) {
             let field = format!("the motion of the body `{}`", fixed.name);
             let location = Location::at(body.searched_at.position);
             return Err(Breakdown::NotANumber { field, time, step, location });
@@ -42,16 +44,16 @@ pub(crate) fn check<R: Precision>(
 fn stays_inside<R>(model: &Model, state: &State<R>) -> Result<(), Breakdown> {
     const SIDES: [[&str; 2]; 3] =
         [["behind", "ahead"], ["at its low y side", "at its high y side"], ["below", "above"]];
-    for (fixed, body) in model.bodies.iter().zip(&state.bodies) {
-        let (low, high) = fixed.shape.bounds();
-        for axis in (0..3).filter(|axis| fixed.translation[*axis].is_free()) {
+    for (n, fixed) in model.bodies.iter().enumerate() {
+        let (position, (low, high)) = (state.pose(n).position, fixed.shape.bounds());
+        for axis in (0..3).filter(|axis| fixed.motion[*axis].is_free()) {
             let ends = model.grid.ends(axis).map(|end| end + state.grid_position[axis]);
-            let at = [body.position[axis] + low[axis], body.position[axis] + high[axis]];
+            let at = [position[axis] + low[axis], position[axis] + high[axis]];
             // Most bodies reach above the lid from the start: upwards, only a body wholly above it has left
             // the box.
             let has_left = [at[0] < ends[0], if axis == 2 { at[0] > ends[1] } else { at[1] > ends[1] }];
             if let Some(end) = has_left.iter().position(|left| *left) {
-                let (time, step, location) = (state.time, state.step, Location::at(body.position));
+                let (time, step, location) = (state.time, state.step, Location::at(position));
                 let (body, side) = (fixed.name.clone(), SIDES[axis][end]);
                 return Err(Breakdown::LeftTheBox { body, side, time, step, location });
             }

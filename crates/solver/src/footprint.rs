@@ -1,14 +1,13 @@
 //! Memory of a run, predicted from its model before anything is allocated. All in bytes, as floats, since a
 //! prediction may exceed any integer.
 
-use crate::contact::{BodyCell, ContactNode, kept_per_constraint};
+use crate::contact::{BodyCell, ContactNode, kept_per_constraint, stays_across};
 use crate::cpu::workspace;
 use crate::fields::ARRAYS;
 use crate::model::{BodyModel, Model};
 use crate::scalar::Scalar;
 use crate::state::Contact;
 use glam::DVec3;
-use physics::rigid::Freedom;
 use physics::shape::SurfacePoint;
 
 /// Memory of a run [bytes].
@@ -86,8 +85,9 @@ fn body_cells(model: &Model) -> f64 {
         let filling = body.shape.mass_properties().volume / size.element_product();
         let layers = |axis: usize| {
             let faces = &model.grid.faces[axis];
-            let first = faces.partition_point(|f| *f <= body.start[axis] + low[axis]).saturating_sub(1);
-            let last = faces.partition_point(|f| *f < body.start[axis] + high[axis]);
+            let first =
+                faces.partition_point(|f| *f <= body.start.position[axis] + low[axis]).saturating_sub(1);
+            let last = faces.partition_point(|f| *f < body.start.position[axis] + high[axis]);
             last.min(faces.len() - 1).saturating_sub(first) as f64
         };
         filling * (0..3).map(layers).product::<f64>()
@@ -118,14 +118,14 @@ fn point_fractions(model: &Model, body: &BodyModel, moved: DVec3) -> [f64; 2] {
     let (low, high) = body.shape.bounds();
     let points = body.shape.surface_points((high - low).length() / FEW, DVec3::ZERO);
     let spacing = model.method.point_spacing * model.grid.finest();
-    let stays = body.translation[1] == Freedom::Fixed;
+    let stays = stays_across(body, 1);
     let is_in = |axis: usize, x: DVec3, margin: f64| {
         let faces = &model.grid.faces[axis];
         (faces[0] - margin..=faces[faces.len() - 1] + margin).contains(&x[axis])
     };
     let fraction = |of: &dyn Fn(DVec3) -> bool| {
         let area = |p: &&SurfacePoint| p.area;
-        let those = points.iter().filter(|p| of(body.start + p.position));
+        let those = points.iter().filter(|p| of(body.start.position + p.position));
         those.map(|p| area(&p)).sum::<f64>() / points.iter().map(|p| p.area).sum::<f64>()
     };
     let in_soil = |x: DVec3| x.z <= model.surface && (0..3).all(|axis| is_in(axis, x, 0.0));

@@ -17,7 +17,7 @@ use std::ops::Range;
 /// Moves the grid after the body that it follows. From here on displacements are relative to the grid.
 pub(crate) fn follow<R: Precision>(model: &Model, state: &mut State<R>) {
     let Some(follow) = model.follow else { return };
-    let travelled = state.bodies[follow.body].position - model.bodies[follow.body].start;
+    let travelled = state.pose(follow.body).position - model.bodies[follow.body].start.position;
     let along =
         |axis: usize| if follow.axes[axis] { travelled[axis] - state.grid_position[axis] } else { 0.0 };
     let shift = DVec3::from_array(std::array::from_fn(along));

@@ -8,7 +8,7 @@ pub use crate::model::Filling;
 use crate::model::{Ground, Model};
 use crate::precision::Precision;
 use crate::scalar::Scalar;
-use crate::state::{Body, ContactImpulse, EnergyBalance, Nodes, Pose, Soil, State};
+use crate::state::{Body, EnergyBalance, Nodes, Pose, Soil, State, Twist};
 use glam::DVec3;
 
 /// The state at rest of a box of soil.
@@ -94,23 +94,13 @@ fn add<R: Scalar>(soil: &mut Soil<R>, fraction: &[R], material: usize) {
 }
 
 fn of_soil<R: Precision>(model: &Model, mut soil: Soil<R>, overburden: f64) -> State<R> {
-    let bodies: Vec<Body> = model
-        .bodies
-        .iter()
-        .map(|b| Body {
-            position: b.start,
-            angle: 0.0,
-            velocity: DVec3::ZERO,
-            spin: 0.0,
-            contact_impulse: ContactImpulse::default(),
-            leaked_volume: 0.0,
-            embedded_volume: 0.0,
-            searched_at: Pose { position: b.start, angle: 0.0 },
-        })
-        .collect();
+    let poses: Vec<Pose> = model.bodies.iter().map(|body| body.start).collect();
+    let bodies = poses.iter().map(|pose| Body { searched_at: *pose, ..Body::default() }).collect();
+    let at_rest: Vec<_> = poses.iter().map(|pose| (*pose, Twist::ZERO)).collect();
+    let mechanism = model.mechanism().state(&at_rest);
     weigh(model, &model.grid, &mut soil);
     rest_stress(model, &model.grid, &mut soil, overburden);
-    cut_out_bodies(model, &mut soil, &bodies);
+    cut_out_bodies(model, &mut soil, &poses);
     relieve_void(&mut soil);
     weigh(model, &model.grid, &mut soil);
     let mut nodes = Nodes::at_rest(&model.grid);
@@ -131,6 +121,7 @@ fn of_soil<R: Precision>(model: &Model, mut soil: Soil<R>, overburden: f64) -> S
         soil,
         nodes,
         bodies,
+        mechanism,
         contacts,
         remaps: 0,
         energy_balance,
@@ -147,6 +138,15 @@ pub fn set_in_motion<R: Precision>(model: &Model, state: &mut State<R>, velocity
             field[n] = R::cast(if free { own } else { 0.0 });
         }
     }
+    state.energy_balance.kinetic_start = kinetic_energy(model, state);
+}
+
+/// Sets a body in motion at the start, as far as its fixed motions and joints allow; the energy balance counts its energy as
+/// external work.
+pub fn set_body_in_motion<R: Precision>(model: &Model, state: &mut State<R>, body: usize, twist: Twist) {
+    let mut start: Vec<_> = state.mechanism.bodies.iter().map(|body| (body.pose, body.twist)).collect();
+    start[body].1 = twist;
+    state.mechanism = model.mechanism().state(&start);
     state.energy_balance.kinetic_start = kinetic_energy(model, state);
 }
 

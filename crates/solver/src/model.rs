@@ -3,9 +3,11 @@
 use crate::boundary::{Boundaries, Boundary, Symmetry};
 use crate::grid::Grid;
 use crate::material::Material;
-use glam::DVec3;
-use physics::rigid::Freedom;
+use glam::{DQuat, DVec3};
+use mechanics::joint::Joint;
+use mechanics::{Inertia, Mechanism, Motion, Pose};
 use physics::shape::Shape;
+use std::sync::Arc;
 
 /// Everything that does not change during a run.
 #[derive(Debug)]
@@ -26,6 +28,8 @@ pub struct Model {
     pub follow: Option<Follow>,
     /// Rigid bodies.
     pub bodies: Vec<BodyModel>,
+    /// Joints between them, or between them and the ground.
+    pub joints: Vec<Arc<dyn Joint>>,
     /// Parameters of the method.
     pub method: Method,
 }
@@ -37,20 +41,36 @@ pub struct BodyModel {
     pub name: String,
     /// Its shape.
     pub shape: Box<dyn Shape>,
-    /// Reference point at the start [m].
-    pub start: DVec3,
-    /// Mass of the whole body [kg].
-    pub mass: f64,
-    /// Moment of inertia of the whole body about its axle [kg m²].
-    pub axle_inertia: f64,
+    /// Pose at the start.
+    pub start: Pose,
+    /// Mass properties of the whole body.
+    pub inertia: Inertia,
+    /// Its degrees of freedom: along x, y, z; yaw, tilt, spin (see [`mechanics::Body`]).
+    pub motion: [Motion; 6],
     /// Coefficient of friction against the soil.
     pub friction: f64,
     /// Largest frictional traction [Pa], whatever the pressure; infinite for no such limit.
     pub shear_limit: f64,
-    /// Motion along x, y, z.
-    pub translation: [Freedom; 3],
-    /// Turning about the axle.
-    pub spin: Freedom,
+}
+
+impl BodyModel {
+    /// The body without its surface. The mass of a body without a free motion plays no role.
+    fn mechanical(&self, modelled_fraction: f64) -> mechanics::Body {
+        let moves_freely = self.motion.iter().any(Motion::is_free);
+        let inertia = if moves_freely { self.inertia } else { Inertia::NONE };
+        mechanics::Body { modelled_fraction, ..mechanics::Body::new(inertia, self.motion) }
+    }
+
+    /// Directions of the contact points and the geometry of the body in space: its rotation, for a shape of revolution without
+    /// the spin about its axle, which changes nothing. Contact is then steady in steady rolling.
+    #[must_use]
+    pub fn attitude(&self, pose: &Pose) -> DQuat {
+        if self.shape.is_revolved() {
+            DQuat::from_rotation_arc(DVec3::Y, (pose.rotation * DVec3::Y).normalize())
+        } else {
+            pose.rotation
+        }
+    }
 }
 
 /// Which contact method.
@@ -117,6 +137,7 @@ impl Model {
             boundaries: Boundaries([[Boundary::SmoothWall; 2]; 3]),
             follow: None,
             bodies: Vec::new(),
+            joints: Vec::new(),
             method: Method::default(),
         }
     }
@@ -125,6 +146,13 @@ impl Model {
     #[must_use]
     pub fn material(&self) -> &Material {
         &self.materials[0]
+    }
+
+    /// The mechanism of its bodies and joints.
+    #[must_use]
+    pub fn mechanism(&self) -> Mechanism {
+        let bodies = self.bodies.iter().map(|body| body.mechanical(self.modelled_fraction()));
+        Mechanism::unchecked(bodies.collect(), self.joints.clone())
     }
 
     /// Planes of symmetry.

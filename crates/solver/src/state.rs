@@ -4,37 +4,23 @@
 pub use crate::fields::{Nodes, STRESS_NAMES, Soil};
 use crate::grid::Grid;
 use glam::DVec3;
+pub use mechanics::{MechanismState, Pose, Twist};
 use serde::{Deserialize, Serialize};
 
-/// Position and motion of a body. Quantities are those of the whole body, also when only half of it is
-/// modelled.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+/// What the soil does to a body, and what contact remembers of it. Quantities are those of the whole body, also when only half
+/// of it is modelled. Pose and twist are in [`State::mechanism`].
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Body {
-    /// Reference point (of a disc: the centre of its axle) [m].
-    pub position: DVec3,
-    /// Rotation about the axle [rad], positive when it rolls forward.
-    pub angle: f64,
-    /// Velocity of the reference point [m/s].
-    pub velocity: DVec3,
-    /// Rate of rotation about the axle [rad/s], positive when it rolls forward.
-    pub spin: f64,
     /// Contact impulse of the soil on the body since the start.
     pub contact_impulse: ContactImpulse,
+    /// Rotation about its axle since the start [rad], positive when it rolls forward.
+    pub rotation: f64,
     /// Soil found inside the body at the last remap [m³].
     pub leaked_volume: f64,
     /// Volume of the body below the undisturbed surface at the last remap [m³].
     pub embedded_volume: f64,
     /// Pose at the last contact search.
     pub searched_at: Pose,
-}
-
-/// Position and orientation of a body.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Pose {
-    /// Reference point [m].
-    pub position: DVec3,
-    /// Rotation about the axle [rad].
-    pub angle: f64,
 }
 
 /// Impulse and angular impulse of the soil on a body. Of cumulative impulses, the difference over an interval
@@ -45,8 +31,8 @@ pub struct ContactImpulse {
     pub normal: DVec3,
     /// Of friction [N s].
     pub friction: DVec3,
-    /// About the axle [N m s], positive when it makes the body roll forward.
-    pub axle: f64,
+    /// Angular impulse about the reference point [N m s].
+    pub moment: DVec3,
 }
 
 /// A contact point with soil to act on: its history, and its cell and weights until the next contact search.
@@ -58,6 +44,10 @@ pub struct Contact {
     pub point: u32,
     /// Material in its cell.
     pub material: u32,
+    /// Side of the body's mid-plane on which it lies: 0 and 1, or 2 on the plane.
+    pub side: u8,
+    /// Whether the body's next point is its mirror image in that plane.
+    pub is_paired: bool,
     /// Cell `(i, j, k)` in the whole grid.
     pub cell: [u32; 3],
     /// Weights of the cell's eight nodes.
@@ -82,19 +72,20 @@ pub struct Contact {
 
 impl Contact {
     /// All its numbers except the indices of body and point.
-    pub(crate) fn to_array(self) -> [f64; 30] {
-        let mut values = [0.0; 30];
+    pub(crate) fn to_array(self) -> [f64; 32] {
+        let mut values = [0.0; 32];
         let [i, j, k] = self.cell.map(f64::from);
         let scalars = [f64::from(self.material), i, j, k, self.area, self.width, self.penetration];
         let vectors = [self.normal, self.arm, self.slip, self.impulse, self.anchor];
         let all =
             scalars.into_iter().chain(self.weight).chain(vectors.into_iter().flat_map(|v| v.to_array()));
         values.iter_mut().zip(all).for_each(|(value, new)| *value = new);
+        (values[30], values[31]) = (self.side.into(), self.is_paired.into());
         values
     }
 
     /// The inverse of [`Contact::to_array`].
-    pub(crate) fn of([body, point]: [usize; 2], values: [f64; 30]) -> Self {
+    pub(crate) fn of([body, point]: [usize; 2], values: [f64; 32]) -> Self {
         let [material, i, j, k, area, width, penetration, ..] = values;
         let vector = |n: usize| DVec3::from_slice(&values[15 + 3 * n..]);
         Self {
@@ -111,6 +102,8 @@ impl Contact {
             slip: vector(2),
             impulse: vector(3),
             anchor: vector(4),
+            side: values[30] as u8,
+            is_paired: values[31] != 0.0,
         }
     }
 }
@@ -166,6 +159,8 @@ pub struct State<R = f64> {
     pub nodes: Nodes<R>,
     /// The bodies, in the order of the model's.
     pub bodies: Vec<Body>,
+    /// Poses, twists and momenta of the bodies; impulses of the joints.
+    pub mechanism: MechanismState,
     /// Contact points with soil to act on, in the order of bodies and points.
     pub contacts: Vec<Contact>,
     /// Number of remaps since the start.
@@ -175,6 +170,18 @@ pub struct State<R = f64> {
 }
 
 impl<R> State<R> {
+    /// Pose of a body.
+    #[must_use]
+    pub fn pose(&self, body: usize) -> &Pose {
+        &self.mechanism.bodies[body].pose
+    }
+
+    /// Twist of a body.
+    #[must_use]
+    pub fn twist(&self, body: usize) -> &Twist {
+        &self.mechanism.bodies[body].twist
+    }
+
     /// Memory in use [bytes].
     #[must_use]
     pub fn memory(&self) -> usize {
@@ -193,6 +200,7 @@ impl<R: Copy + Default> State<R> {
             soil: Soil::empty(block, self.soil.composition.len() + 1),
             nodes: Nodes::at_rest(block),
             bodies: self.bodies.clone(),
+            mechanism: self.mechanism.clone(),
             contacts: self.contacts.clone(),
             ..*self
         };
@@ -218,6 +226,7 @@ impl<R: Copy + Into<f64>> State<R> {
             soil: self.soil.to_f64(),
             nodes: self.nodes.to_f64(),
             bodies: self.bodies.clone(),
+            mechanism: self.mechanism.clone(),
             contacts: self.contacts.clone(),
             time: self.time,
             step: self.step,

@@ -25,13 +25,13 @@ pub fn step<R: Precision>(
     let dt = model.time_step();
     // Lagrangian stage: the soil deforms, the grid stays.
     R::lagrangian_stage(model, state, &mut workspace.soil, dt);
-    let Workspace { soil, contact, body_steps, halo } = workspace;
+    let Workspace { soil, contact, mechanism, bodies: moving, halo } = workspace;
     let sums = soil.total_of_stage(&model.grid, halo.as_mut());
-    bodies::predict(model, &mut state.bodies, body_steps, state.time, dt);
-    let work = contact::solve(model, state, (soil, halo.as_mut()), contact, body_steps);
-    bodies::advance(&mut state.bodies, dt);
+    bodies::predict(mechanism, state, moving, dt);
+    let work = contact::solve(model, state, (soil, halo.as_mut()), contact, moving);
+    bodies::advance(mechanism, state, moving);
     halo::fill(halo.as_mut(), &model.grid, At::Nodes, &mut state.nodes.velocity);
-    account(model, state, &sums, body_steps, &work);
+    account(model, state, &sums, moving, &work);
     state.time += dt;
     state.step += 1;
     // Eulerian stage, only when the soil has moved far enough to need it.
@@ -48,5 +48,5 @@ fn is_remap_due<R: Precision>(model: &Model, state: &State<R>, sums: &RowSums) -
     let cell = model.grid.finest();
     sums.displacement > model.method.remap_displacement * cell
         || sums.displacement_light > 0.4 * cell
-        || bodies::have_moved(model, &state.bodies)
+        || bodies::have_moved(model, state)
 }

@@ -1,6 +1,5 @@
 //! Scratch memory of the time step; nothing in it must survive a step.
 
-use crate::bodies::BodyStep;
 use crate::contact;
 use crate::contact::workspace::ContactWorkspace;
 use crate::cpu::stopwatch::Stopwatch;
@@ -9,6 +8,7 @@ use crate::halo::{Halo, Whole};
 use crate::model::Model;
 use crate::precision::Precision;
 use crate::state::State;
+use mechanics::{Mechanism, Step};
 
 /// Threads and scratch memory of a run.
 pub struct Workspace<R: Precision = f64> {
@@ -16,8 +16,10 @@ pub struct Workspace<R: Precision = f64> {
     pub(crate) soil: SoilWorkspace<R>,
     /// For contact.
     pub(crate) contact: ContactWorkspace,
-    /// Step record of each body.
-    pub(crate) body_steps: Vec<BodyStep>,
+    /// Bodies and joints.
+    pub(crate) mechanism: Mechanism,
+    /// The same during a step.
+    pub(crate) bodies: Step,
     /// Communication with the other blocks of the grid.
     pub(crate) halo: Box<dyn Halo>,
 }
@@ -43,7 +45,8 @@ impl<R: Precision> Workspace<R> {
         let mut workspace = Self {
             soil: SoilWorkspace::new(model, state, threads),
             contact: ContactWorkspace::new(model, state, halo.as_mut()),
-            body_steps: vec![BodyStep::default(); model.bodies.len()],
+            mechanism: model.mechanism(),
+            bodies: Step::default(),
             halo,
         };
         if state.step == 0 {

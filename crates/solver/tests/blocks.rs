@@ -5,7 +5,7 @@ mod common;
 
 use common::{below, sand, uniform};
 use glam::DVec3;
-use physics::rigid::Freedom;
+use mechanics::{Inertia, Motion, Pose};
 use physics::shape::{Block, Disc, Shape};
 use solver::fields::Nodes;
 use solver::grid::Grid;
@@ -20,21 +20,22 @@ use solver::workspace::Workspace;
 const STEPS: usize = 160;
 
 fn body(name: &str, shape: Box<dyn Shape>, start: DVec3) -> BodyModel {
-    let free = |load| Freedom::Free { load, start: 0.0, ramp: 0.005 };
+    let free = |load| Motion::Free { load, start: 0.0, ramp: 0.005 };
     BodyModel {
         name: name.into(),
         shape,
-        start,
-        mass: 2.0,
-        axle_inertia: 0.01,
+        start: Pose::at(start),
+        inertia: Inertia::principal(2.0, DVec3::splat(0.01)),
         friction: 0.3,
         shear_limit: f64::INFINITY,
-        translation: [
-            Freedom::Prescribed { speed: 0.4, start: 0.0, ramp: 0.01, end: f64::INFINITY },
-            Freedom::Fixed,
+        motion: [
+            Motion::Prescribed { speed: 0.4, start: 0.0, ramp: 0.01, end: f64::INFINITY },
+            Motion::Fixed,
             free(-30.0),
+            Motion::Fixed,
+            Motion::Fixed,
+            free(0.0),
         ],
-        spin: free(0.0),
     }
 }
 

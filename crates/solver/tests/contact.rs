@@ -5,7 +5,7 @@ mod common;
 
 use common::{below, sand, uniform};
 use glam::DVec3;
-use physics::rigid::Freedom;
+use mechanics::{Inertia, Motion, Pose};
 use physics::shape::Disc;
 use solver::energy::soil_mass;
 use solver::grid::Grid;
@@ -15,8 +15,8 @@ use solver::state::State;
 use solver::step::step;
 use solver::workspace::Workspace;
 
-fn moving(speed: f64) -> Freedom {
-    Freedom::Prescribed { speed, start: 0.0, ramp: 0.01, end: f64::INFINITY }
+fn moving(speed: f64) -> Motion {
+    Motion::Prescribed { speed, start: 0.0, ramp: 0.01, end: f64::INFINITY }
 }
 
 /// The state after a number of steps, with the disc's centre at `y` [m].
@@ -29,13 +29,18 @@ fn towed(method: ContactMethod, y: f64, steps: usize) -> (Model, State) {
     model.bodies.push(BodyModel {
         name: "disc".into(),
         shape: Box::new(disc),
-        start: DVec3::new(0.0, y, 0.1),
-        mass: 1.0,
-        axle_inertia: 0.005,
+        start: Pose::at(DVec3::new(0.0, y, 0.1)),
+        inertia: Inertia::principal(1.0, DVec3::splat(0.005)),
         friction: 0.3,
         shear_limit: f64::INFINITY,
-        translation: [moving(0.3), Freedom::Fixed, moving(-0.15)],
-        spin: Freedom::Free { load: 0.0, start: 0.0, ramp: 0.0 },
+        motion: [
+            moving(0.3),
+            Motion::Fixed,
+            moving(-0.15),
+            Motion::Fixed,
+            Motion::Fixed,
+            Motion::Free { load: 0.0, start: 0.0, ramp: 0.0 },
+        ],
     });
     let mut state = at_rest(&model, &below(0.0));
     let mut workspace = Workspace::new(&model, &mut state, 1);
@@ -69,5 +74,5 @@ fn a_mirrored_case_gives_mirrored_results() {
         let (cell, image) = (grid.index(i, j, k), grid.index(i, ny - 1 - j, k));
         assert_eq!(left.1.soil.fraction[cell], right.1.soil.fraction[image], "cell {i} {j} {k}");
     }
-    assert_eq!(left.1.bodies[0].spin, right.1.bodies[0].spin);
+    assert_eq!(left.1.twist(0).angular.y, right.1.twist(0).angular.y);
 }

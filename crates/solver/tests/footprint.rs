@@ -5,7 +5,7 @@ mod common;
 
 use common::{below, sand, uniform};
 use glam::DVec3;
-use physics::rigid::Freedom;
+use mechanics::{Inertia, Motion, Pose};
 use physics::shape::{Block, Disc, Shape};
 use solver::footprint::{footprint, surface_points};
 use solver::grid::Grid;
@@ -19,17 +19,18 @@ fn body(shape: Box<dyn Shape>, start: DVec3) -> BodyModel {
     BodyModel {
         name: "body".into(),
         shape,
-        start,
-        mass: 1.0,
-        axle_inertia: 0.005,
+        start: Pose::at(start),
+        inertia: Inertia::principal(1.0, DVec3::splat(0.005)),
         friction: 0.3,
         shear_limit: f64::INFINITY,
-        translation: [
-            Freedom::Prescribed { speed: 0.3, start: 0.0, ramp: 0.01, end: f64::INFINITY },
-            Freedom::Fixed,
-            Freedom::Fixed,
+        motion: [
+            Motion::Prescribed { speed: 0.3, start: 0.0, ramp: 0.01, end: f64::INFINITY },
+            Motion::Fixed,
+            Motion::Fixed,
+            Motion::Fixed,
+            Motion::Fixed,
+            Motion::Fixed,
         ],
-        spin: Freedom::Fixed,
     }
 }
 

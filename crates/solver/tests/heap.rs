@@ -5,7 +5,7 @@ mod common;
 
 use common::{below, sand, uniform};
 use glam::DVec3;
-use physics::rigid::Freedom;
+use mechanics::{Inertia, Motion, Pose};
 use physics::shape::Disc;
 use solver::initial::at_rest;
 use solver::model::{BodyModel, ContactMethod};
@@ -42,17 +42,18 @@ fn a_step_allocates_no_memory() {
         model.bodies.push(BodyModel {
             name: "disc".into(),
             shape: Box::new(Disc { diameter: 0.2, thickness: 0.08 }),
-            start: DVec3::new(0.0, 0.0, 0.09),
-            mass: 1.0,
-            axle_inertia: 0.005,
+            start: Pose::at(DVec3::new(0.0, 0.0, 0.09)),
+            inertia: Inertia::principal(1.0, DVec3::splat(0.005)),
             friction: 0.3,
             shear_limit: f64::INFINITY,
-            translation: [
-                Freedom::Prescribed { speed: 0.3, start: 0.0, ramp: 0.01, end: f64::INFINITY },
-                Freedom::Fixed,
-                Freedom::Free { load: -20.0, start: 0.0, ramp: 0.01 },
+            motion: [
+                Motion::Prescribed { speed: 0.3, start: 0.0, ramp: 0.01, end: f64::INFINITY },
+                Motion::Fixed,
+                Motion::Free { load: -20.0, start: 0.0, ramp: 0.01 },
+                Motion::Fixed,
+                Motion::Fixed,
+                Motion::Free { load: 0.0, start: 0.0, ramp: 0.0 },
             ],
-            spin: Freedom::Free { load: 0.0, start: 0.0, ramp: 0.0 },
         });
         let mut state = at_rest::<f64>(&model, &below(0.0));
         let mut workspace = Workspace::new(&model, &mut state, 2);

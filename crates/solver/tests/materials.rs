@@ -5,8 +5,8 @@ mod common;
 
 use common::{sand, uniform};
 use glam::DVec3;
+use mechanics::{Inertia, Motion, Pose};
 use physics::law::Law;
-use physics::rigid::Freedom;
 use physics::shape::Block;
 use physics::von_mises::VonMises;
 use solver::initial::{Filling, at_rest_on};
@@ -25,17 +25,18 @@ fn bank(materials: usize) -> Model {
     model.bodies.push(BodyModel {
         name: "block".into(),
         shape: Box::new(Block { size: DVec3::new(0.08, 0.2, 0.06) }),
-        start: DVec3::new(-0.02, 0.03, 0.02),
-        mass: 1.0,
-        axle_inertia: 0.01,
+        start: Pose::at(DVec3::new(-0.02, 0.03, 0.02)),
+        inertia: Inertia::principal(1.0, DVec3::splat(0.01)),
         friction: 0.3,
         shear_limit: f64::INFINITY,
-        translation: [
-            Freedom::Prescribed { speed: 0.3, start: 0.0, ramp: 0.01, end: f64::INFINITY },
-            Freedom::Fixed,
-            Freedom::Fixed,
+        motion: [
+            Motion::Prescribed { speed: 0.3, start: 0.0, ramp: 0.01, end: f64::INFINITY },
+            Motion::Fixed,
+            Motion::Fixed,
+            Motion::Fixed,
+            Motion::Fixed,
+            Motion::Fixed,
         ],
-        spin: Freedom::Fixed,
     });
     model
 }

@@ -5,7 +5,7 @@ mod common;
 
 use common::{sand, uniform};
 use glam::DVec3;
-use physics::rigid::Freedom;
+use mechanics::{Inertia, Motion, Pose};
 use physics::shape::{Block, Shape};
 use solver::boundary::Boundary::{Inflow, Outflow, SmoothWall};
 use solver::energy::{soil_mass, soil_volume};
@@ -29,17 +29,18 @@ fn towed(height: f64) -> BodyModel {
     BodyModel {
         name: "block".into(),
         shape: Box::new(Block { size: DVec3::new(0.08, 0.1, 0.06) }) as Box<dyn Shape>,
-        start: DVec3::new(0.0, 0.02, height),
-        mass: 2.0,
-        axle_inertia: 0.01,
+        start: Pose::at(DVec3::new(0.0, 0.02, height)),
+        inertia: Inertia::principal(2.0, DVec3::splat(0.01)),
         friction: 0.3,
         shear_limit: f64::INFINITY,
-        translation: [
-            Freedom::Prescribed { speed: SPEED, start: 0.0, ramp: 0.005, end: f64::INFINITY },
-            Freedom::Fixed,
-            Freedom::Fixed,
+        motion: [
+            Motion::Prescribed { speed: SPEED, start: 0.0, ramp: 0.005, end: f64::INFINITY },
+            Motion::Fixed,
+            Motion::Fixed,
+            Motion::Fixed,
+            Motion::Fixed,
+            Motion::Fixed,
         ],
-        spin: Freedom::Fixed,
     }
 }
 
@@ -80,7 +81,7 @@ fn soil_at_rest_stays_at_rest_while_the_grid_travels_over_it() {
             let faces = [uniform(-0.2, 0.2, 20), uniform(-0.14, 0.14, 14), uniform(-0.12, 0.08, 10)];
             model.grid = Grid::with_open_faces(faces, model.boundaries.open_faces(), f64::LANES);
             model.follow = Some(Follow { body: 0, axes: [false, true, false] });
-            model.bodies[0].translation.swap(0, 1);
+            model.bodies[0].motion.swap(0, 1);
         }
         let mut state = at_rest::<f64>(&model, &ground);
         let begin = state.clone();
@@ -89,7 +90,7 @@ fn soil_at_rest_stays_at_rest_while_the_grid_travels_over_it() {
             step(&model, &mut state, &mut workspace).unwrap();
         }
         assert!(state.remaps > 50, "{} remaps", state.remaps);
-        assert!((state.bodies[0].position[axis] - begin.bodies[0].position[axis]) > 0.1);
+        assert!((state.pose(0).position[axis] - begin.pose(0).position[axis]) > 0.1);
         // Velocity of sound is 60 m/s: round-off of 1e-13 of it is what a double carries.
         assert!(fastest(&state) < 1e-10, "axis {axis}: {} m/s", fastest(&state));
         let pairs = state.soil.fraction.iter().zip(&begin.soil.fraction);
@@ -123,7 +124,7 @@ fn volume_and_energy_balances_account_for_what_passes_the_boundaries() {
     );
     assert!(energy_balance.remap > 0.0, "{} J lost in remaps", energy_balance.remap);
     // The body keeps its position in the grid but for what it has moved since the last remap.
-    let body = state.bodies[0].position - state.grid_position - model.bodies[0].start;
+    let body = state.pose(0).position - state.grid_position - model.bodies[0].start.position;
     assert!(body.x.abs() < 0.1 * model.grid.finest(), "{} m", body.x);
 }
 
@@ -132,7 +133,7 @@ fn force(model: &Model) -> DVec3 {
     let mut state = at_rest::<f64>(model, &half_space());
     let mut workspace = Workspace::new(model, &mut state, 2);
     let mut until = |x: f64| {
-        while state.bodies[0].position.x - model.bodies[0].start.x < x {
+        while state.pose(0).position.x - model.bodies[0].start.position.x < x {
             step(model, &mut state, &mut workspace).unwrap();
         }
         let received = &state.bodies[0].contact_impulse;
@@ -151,7 +152,7 @@ fn a_tow_in_a_travelling_grid_is_the_tow_in_a_long_box() {
     const POSITIONS: usize = 4;
     let travelling = (0..POSITIONS).map(|n| {
         let mut model = travelling(-0.01, f64::LANES);
-        model.bodies[0].start.x = n as f64 / POSITIONS as f64 * model.grid.finest();
+        model.bodies[0].start.position.x = n as f64 / POSITIONS as f64 * model.grid.finest();
         force(&model)
     });
     let (travels, stands) = (travelling.sum::<DVec3>() / POSITIONS as f64, force(&long));

@@ -1,8 +1,9 @@
 //! The solver's model of a case.
 
 use super::resolved::Case;
-use super::resolved::{self, Law, Potential};
+use super::resolved::{self, Freedom, Law, Potential};
 use glam::DVec3;
+use mechanics::{Inertia, Pose};
 use physics::elastic::Elastic;
 use physics::law::Law as ConstitutiveLaw;
 use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
@@ -25,6 +26,7 @@ pub fn model(case: &Case, lanes: usize) -> Model {
         boundaries: boundaries(&case.domain),
         follow: None,
         bodies: case.bodies.iter().map(body).collect(),
+        joints: Vec::new(),
         method: Method {
             courant: case.numerics.courant,
             remap_displacement: case.numerics.remap_displacement,
@@ -107,17 +109,23 @@ fn yield_law(elastic: Elastic, law: Law) -> Option<ConstitutiveLaw> {
 }
 
 fn body(body: &resolved::Body) -> BodyModel {
+    let [forward, lateral, heave] = body.translation;
     BodyModel {
         name: body.name.clone(),
         shape: body.shape.solid(),
-        start: body.position,
-        mass: body.mass,
-        axle_inertia: body.axle_inertia,
+        start: Pose::at(body.position),
+        inertia: inertia(body),
         friction: body.friction,
         shear_limit: body.shear_limit,
-        translation: body.translation,
-        spin: body.spin,
+        motion: [forward, lateral, heave, Freedom::Fixed, Freedom::Fixed, body.spin],
     }
+}
+
+/// Mass properties: of a homogeneous solid, its tensor scaled where the moment of inertia about the axle is given.
+fn inertia(body: &resolved::Body) -> Inertia {
+    let solid = body.shape.solid().mass_properties();
+    let scale = body.axle_inertia / solid.about_axle();
+    Inertia { mass: body.mass, centre: solid.centroid, tensor: solid.inertia * scale }
 }
 
 /// Where the soil of a case is at the start.

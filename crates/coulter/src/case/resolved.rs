@@ -2,7 +2,7 @@
 
 use super::shapes::Shape;
 use glam::DVec3;
-pub use physics::rigid::Freedom;
+pub use mechanics::Motion as Freedom;
 use serde::Serialize;
 
 /// A case, ready to be simulated.

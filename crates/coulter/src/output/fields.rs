@@ -3,23 +3,19 @@
 use super::error::OutputError;
 use super::surface::HeightMap;
 use super::vtk::{Appended, Dataset};
-use glam::{DMat3, DVec3};
+use glam::DVec3;
+use mechanics::BodyState;
 use physics::shape::Shape;
 use solver::fields::{HISTORY, HISTORY_COUNT};
 use solver::grid::Grid;
 use solver::precision::Precision;
-use solver::state::{Body, State};
+use solver::state::State;
 use std::path::Path;
 
 /// Cells with less soil than this are void: what they hold is rounding and is shown as nothing.
 pub(super) const VOID: f64 = 1e-6;
 /// Cells with less soil than this have no density: in slivers mass over volume scatters by a factor of ten and more.
 const SLIVER: f64 = 0.01;
-
-/// Turns the body frame to where the body is; a positive angle rolls forward, its top goes along +x.
-pub(super) fn attitude(body: &Body) -> DMat3 {
-    DMat3::from_rotation_y(body.angle)
-}
 
 /// Values of one cell as they are shown: SI units, pressure positive in compression.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -116,13 +112,17 @@ pub(super) fn write_soil(path: &Path, grid: &Grid, state: &State<impl Precision>
 }
 
 /// Writes a body's surface where it is: `.vtp`, with the velocity of each point.
-pub(super) fn write_body(path: &Path, shape: &dyn Shape, body: &Body, time: f64) -> Result<(), OutputError> {
+pub(super) fn write_body(
+    path: &Path,
+    shape: &dyn Shape,
+    body: &BodyState,
+    time: f64,
+) -> Result<(), OutputError> {
     let mesh = shape.mesh();
-    let turn = attitude(body);
-    let arms: Vec<DVec3> = mesh.points.iter().map(|p| turn * *p).collect();
-    let points: Vec<DVec3> = arms.iter().map(|arm| body.position + *arm).collect();
-    let velocity: Vec<DVec3> =
-        arms.iter().map(|arm| body.velocity + (DVec3::Y * body.spin).cross(*arm)).collect();
+    let rotation = body.pose.axes();
+    let arms: Vec<DVec3> = mesh.points.iter().map(|p| rotation * *p).collect();
+    let points: Vec<DVec3> = arms.iter().map(|arm| body.pose.position + *arm).collect();
+    let velocity: Vec<DVec3> = arms.iter().map(|arm| body.twist.at(*arm)).collect();
     let polygons = mesh.triangles.iter().map(|t| t.map(i64::from).to_vec()).collect();
     write_polygons(path, time, &Polygons { points, polygons }, |data| {
         vec![data.floats("velocity", 3, velocity.iter().flat_map(|v| v.to_array()))]

@@ -168,7 +168,7 @@ impl Results {
         let surface = format!("{FIELDS}/surface_{n:04}.vtp");
         write_surface(&self.dir.join(&surface), &HeightMap::of(case, grid, state), time)?;
         self.frames[1].push(Frame { time, part: 0, file: surface });
-        for (number, (body, described)) in state.bodies.iter().zip(&case.bodies).enumerate() {
+        for (number, (body, described)) in state.mechanism.bodies.iter().zip(&case.bodies).enumerate() {
             let file = format!("{FIELDS}/body_{}_{n:04}.vtp", file_safe(&described.name));
             write_body(&self.dir.join(&file), described.shape.solid().as_ref(), body, time)?;
             self.frames[2].push(Frame { time, part: number, file });

@@ -4,16 +4,16 @@ use super::chart::Chart;
 use super::colour::ColourMap;
 use super::curve::{Curve, Stroke};
 use super::error::{OutputError, write_whole};
-use super::fields::attitude;
 use super::frame::{Scale, View};
 use super::scale::{digits, largest};
 use super::scene::{OUTLINE, Scene, find};
 use super::surface::HeightMap;
 use super::table::push_line;
 use crate::case::resolved::{Case, Ground};
+use mechanics::Pose;
 use physics::shape::Shape;
 use solver::precision::Precision;
-use solver::state::{Body, State};
+use solver::state::State;
 use std::path::Path;
 
 /// The free surface from above.
@@ -30,8 +30,8 @@ pub(super) fn plan<R: Precision>(scene: &Scene<'_, R>, map: &HeightMap) -> View 
         let (i, j) = (find(&map.edges[0], x)?, find(&map.edges[1], y)?);
         Some(scale.colour(1e3 * (map.at(i, j) - map.reference)))
     });
-    for (body, shape) in scene.state.bodies.iter().zip(&scene.shapes) {
-        view.line(&outline(shape.as_ref(), body), OUTLINE, 2.0);
+    for (body, shape) in scene.state.mechanism.bodies.iter().zip(&scene.shapes) {
+        view.line(&outline(shape.as_ref(), &body.pose), OUTLINE, 2.0);
     }
     let title = if level { "Rut and berm from above" } else { "Height of the soil from above" };
     view.finish(title, ["x [m]", "y [m]"], &scale);
@@ -72,9 +72,10 @@ pub(super) struct Profile {
 pub(super) fn profiles(case: &Case, state: &State<impl Precision>, map: &HeightMap) -> Vec<Profile> {
     let rise = |points: Vec<[f64; 2]>| points.into_iter().map(|p| [p[0], p[1] - map.reference]).collect();
     let y = state
+        .mechanism
         .bodies
         .first()
-        .map_or(0.5 * (map.edges[1][0] + map.edges[1][map.edges[1].len() - 1]), |b| b.position.y);
+        .map_or(0.5 * (map.edges[1][0] + map.edges[1][map.edges[1].len() - 1]), |b| b.pose.position.y);
     let everything = [f64::NEG_INFINITY, f64::INFINITY];
     let fine = [case.grid.fine_low.x, case.grid.fine_high.x];
     let along = Profile {
@@ -139,23 +140,22 @@ impl Profile {
 
 /// Where the cross-section is taken, along x [m].
 fn section_range(case: &Case, state: &State<impl Precision>) -> [f64; 2] {
-    let Some((body, described)) = state.bodies.first().zip(case.bodies.first()) else {
+    let Some((body, described)) = state.mechanism.bodies.first().zip(case.bodies.first()) else {
         return [case.domain.low.x, case.domain.high.x];
     };
     let shape = described.shape.solid();
     let length = shape.bounds().1.x - shape.bounds().0.x;
-    let travel = body.position.x - described.position.x;
+    let travel = body.pose.position.x - described.position.x;
     // A body that has hardly moved has left no rut: the section is through the body itself.
     let behind = if travel.abs() > length { length * travel.signum() } else { 0.0 };
-    let middle = body.position.x - behind;
+    let middle = body.pose.position.x - behind;
     [middle - 0.25 * length, middle + 0.25 * length]
 }
 
 /// The outline of a body seen from above: the convex hull of its mesh, closed.
-fn outline(shape: &dyn Shape, body: &Body) -> Vec<[f64; 2]> {
-    let turn = attitude(body);
+fn outline(shape: &dyn Shape, pose: &Pose) -> Vec<[f64; 2]> {
     let mut points: Vec<[f64; 2]> =
-        shape.mesh().points.iter().map(|p| body.position + turn * *p).map(|p| [p.x, p.y]).collect();
+        shape.mesh().points.iter().map(|p| pose.point(*p)).map(|p| [p.x, p.y]).collect();
     points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
     let mut hull = half_hull(points.iter());
     hull.extend(half_hull(points.iter().rev()).into_iter().skip(1));

@@ -2,17 +2,18 @@
 
 use super::canvas::Canvas;
 use super::colour::{ColourMap, Rgb};
-use super::fields::{CellView, attitude};
+use super::fields::CellView;
 use super::frame::{Scale, View};
 use super::scale::Unit;
 use super::surface::reference_height;
 use crate::case::resolved::{Case, Ground};
 use glam::DVec3;
+use mechanics::Pose;
 use physics::shape::Shape;
 use solver::fields::PLASTIC_STRAIN;
 use solver::grid::Grid;
 use solver::precision::Precision;
-use solver::state::{Body, State};
+use solver::state::State;
 
 const STEEL: Rgb = [196, 202, 210];
 pub(super) const OUTLINE: Rgb = [25, 28, 35];
@@ -34,9 +35,9 @@ pub(super) struct Scene<'a, R> {
 impl<'a, R: Precision> Scene<'a, R> {
     pub(super) fn new(case: &'a Case, grid: &'a Grid, state: &'a State<R>) -> Self {
         let middle = 0.5 * (case.domain.low.y + case.domain.high.y);
-        let plane = match state.bodies.first() {
+        let plane = match state.mechanism.bodies.first() {
             _ if case.domain.symmetric => 0.0,
-            Some(body) => body.position.y,
+            Some(body) => body.pose.position.y,
             None => middle,
         };
         let faces = &grid.faces[1];
@@ -60,8 +61,8 @@ impl<'a, R: Precision> Scene<'a, R> {
         }
         // A body that has moved far away (in a run that broke down) must not enlarge the view.
         let far = [first - 0.5 * (last - first), last + 0.5 * (last - first)];
-        for (body, shape) in self.state.bodies.iter().zip(&self.shapes) {
-            let reach = reach(shape.as_ref(), body, axis);
+        for (body, shape) in self.state.mechanism.bodies.iter().zip(&self.shapes) {
+            let reach = reach(shape.as_ref(), &body.pose, axis);
             range = [range[0].min(reach[0] - 0.2 * margin), range[1].max(reach[1] + 0.2 * margin)];
             range = [range[0].max(far[0]), range[1].min(far[1])];
         }
@@ -97,19 +98,19 @@ impl<'a, R: Precision> Scene<'a, R> {
 
     /// The colour of a body at a point, if there is one.
     fn body_colour(&self, point: DVec3, pixel: f64) -> Option<Rgb> {
-        let bodies = self.state.bodies.iter().zip(&self.shapes);
-        let nearest = bodies
-            .map(|(body, shape)| shape.signed_distance(attitude(body).transpose() * (point - body.position)));
+        let bodies = self.state.mechanism.bodies.iter().zip(&self.shapes);
+        let nearest = bodies.map(|(body, shape)| shape.signed_distance(body.pose.point_in_body(point)));
         let distance = nearest.fold(f64::INFINITY, f64::min);
         if distance.abs() < 1.2 * pixel { Some(OUTLINE) } else { (distance < 0.0).then_some(STEEL) }
     }
 
     /// A mark on each round body that rotates with it; the orientation of other bodies is visible anyway.
     fn spokes(&self, view: &mut View) {
-        for (body, shape) in self.state.bodies.iter().zip(&self.shapes).filter(|(_, s)| s.is_revolved()) {
+        let bodies = self.state.mechanism.bodies.iter().zip(&self.shapes);
+        for (body, shape) in bodies.filter(|(_, s)| s.is_revolved()) {
             let top = 0.5 * shape.bounds().1.z;
-            let tip = body.position + attitude(body) * DVec3::new(0.0, 0.0, top);
-            view.line(&[[body.position.x, body.position.z], [tip.x, tip.z]], OUTLINE, 2.0);
+            let (hub, tip) = (body.pose.position, body.pose.point(DVec3::new(0.0, 0.0, top)));
+            view.line(&[[hub.x, hub.z], [tip.x, tip.z]], OUTLINE, 2.0);
         }
     }
 
@@ -181,11 +182,10 @@ pub(super) fn find(edges: &[f64], value: f64) -> Option<usize> {
 }
 
 /// Extent of a body along an axis [m].
-fn reach(shape: &dyn Shape, body: &Body, axis: usize) -> [f64; 2] {
-    let rotation = attitude(body);
+fn reach(shape: &dyn Shape, pose: &Pose, axis: usize) -> [f64; 2] {
     let points = shape.mesh().points;
     points
         .iter()
-        .map(|p| (body.position + rotation * *p)[axis])
+        .map(|p| pose.point(*p)[axis])
         .fold([f64::INFINITY, f64::NEG_INFINITY], |r, v| [r[0].min(v), r[1].max(v)])
 }

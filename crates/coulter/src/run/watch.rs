@@ -26,7 +26,7 @@ pub fn watch<R: Precision>(simulation: &Simulation<R>) -> Result<(), Breakdown> 
         let (time, step, location) = (state.time, state.step, Location::at(at));
         Err(Breakdown::Untrustworthy { what, cure: cure.to_owned(), time, step, location })
     };
-    let middle = state.bodies.first().map_or(DVec3::NAN, |body| body.position);
+    let middle = state.mechanism.bodies.first().map_or(DVec3::NAN, |body| body.pose.position);
     if let Some(error) = fatal_balance_error(&history.energy, simulation.setting().energy_floor) {
         let what = format!("{:.0} % of the energy is unexplained", 100.0 * error);
         return broken(what, limits::ENERGY_BALANCE.advice, middle);

@@ -5,6 +5,9 @@ use super::probe::mean;
 use super::row::Row;
 use super::runner::Runner;
 use crate::simulation::Simulation;
+use glam::DVec3;
+use mechanics::Twist;
+use solver::initial::set_body_in_motion;
 
 const CASE: &str = include_str!("../../../../validation/A8_repeatability/moving.toml");
 const SOURCE: &str = "Galilean invariance";
@@ -27,11 +30,11 @@ pub(super) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
 fn pressed(runner: &mut Runner, variant: &str, speed: f64) -> Result<Simulation, VerifyError> {
     let tow = format!("body.footing.forward={{ speed = '{speed} m/s', ramp = '0 s' }}");
     let mut simulation = runner.simulation(CASE, &[tow])?;
-    simulation.set_in_motion(|state| {
+    simulation.set_in_motion(|model, state| {
         for (v, mass) in state.nodes.velocity[0].iter_mut().zip(&state.nodes.mass) {
             *v = if *mass > 0.0 { speed } else { 0.0 };
         }
-        state.bodies[0].velocity.x = speed;
+        set_body_in_motion(model, state, 0, Twist { linear: DVec3::X * speed, angular: DVec3::ZERO });
     });
     runner.finish("A8", variant, &mut simulation)?;
     Ok(simulation)

@@ -5,6 +5,9 @@ use super::row::Row;
 use super::runner::Runner;
 use crate::history::BodySample;
 use crate::simulation::Simulation;
+use glam::DVec3;
+use mechanics::Twist;
+use solver::initial::set_body_in_motion;
 use std::f64::consts::PI;
 
 const SLIDING: &str = include_str!("../../../../validation/A6_rigid_mechanics/sliding.toml");
@@ -118,7 +121,8 @@ fn bouncing(runner: &mut Runner) -> Result<(), VerifyError> {
     const SPEED: f64 = 1e-3;
     let variant = "block strikes a column of 320 cells";
     let mut simulation = runner.simulation(BOUNCING, &[])?;
-    simulation.set_in_motion(|state| state.bodies[0].velocity.z = -SPEED);
+    let falling = Twist { linear: -SPEED * DVec3::Z, angular: DVec3::ZERO };
+    simulation.set_in_motion(|model, state| set_body_in_motion(model, state, 0, falling));
     runner.finish("A6", variant, &mut simulation)?;
     let samples = &simulation.history.bodies[0];
     // Travel time of a wave along the column, which is 1 m high.

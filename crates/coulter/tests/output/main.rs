@@ -279,9 +279,9 @@ fn strange_runs_are_reported_too() {
         }
         state.soil.history[solver::fields::PLASTIC_STRAIN].fill(f64::NAN);
         state.soil.stress[2].fill(f64::INFINITY);
-        if let Some(body) = state.bodies.first_mut() {
-            body.position = glam::DVec3::new(1e30, f64::NAN, f64::NEG_INFINITY);
-            body.angle = f64::NAN;
+        if let Some(body) = state.mechanism.bodies.first_mut() {
+            body.pose.position = glam::DVec3::new(1e30, f64::NAN, f64::NEG_INFINITY);
+            body.pose.rotation = glam::DQuat::NAN;
         }
         let empty = coulter::history::History { energy: vec![], ..history(&case, 0) };
         let constant = history(&case, 1);

@@ -5,7 +5,8 @@ use coulter::case::resolved as case;
 use coulter::case::shapes::{Block, Disc, Shape};
 use coulter::history::{BodySample, EnergySample, History};
 use coulter::output::{Outcome, RunStatistics};
-use glam::DVec3;
+use glam::{DQuat, DVec3};
+use mechanics::{BodyState, Inertia, MechanismState, Twist};
 use solver::fields::PLASTIC_STRAIN;
 use solver::grid::Grid;
 use solver::state::{Body, Nodes, Pose, Soil, State};
@@ -206,6 +207,7 @@ pub(crate) fn state(case: &Case, kind: Kind, time: f64) -> (Grid, State) {
         nodes.velocity[2][n] = 0.05 * near;
     }
     let bodies = case.bodies.iter().map(towed).collect();
+    let mechanism = MechanismState { bodies: case.bodies.iter().map(moved).collect(), joints: vec![] };
     (
         grid,
         State {
@@ -215,6 +217,7 @@ pub(crate) fn state(case: &Case, kind: Kind, time: f64) -> (Grid, State) {
             soil,
             nodes,
             bodies,
+            mechanism,
             contacts: vec![],
             energy_balance: Default::default(),
             remaps: 0,
@@ -222,18 +225,25 @@ pub(crate) fn state(case: &Case, kind: Kind, time: f64) -> (Grid, State) {
     )
 }
 
-/// A body at the end of its tow.
+/// What the soil has done to a body at the end of its tow.
 fn towed(body: &case::Body) -> Body {
     Body {
-        position: body.position + DVec3::new(TRAVEL, 0.0, -DEPTH),
-        angle: 0.85 * TRAVEL / (0.5 * DIAMETER),
-        velocity: DVec3::new(0.1, 0.0, 0.0),
-        spin: 0.85,
-        contact_impulse: Default::default(),
+        rotation: 0.85 * TRAVEL / (0.5 * DIAMETER),
         leaked_volume: 6e-9,
         embedded_volume: 5e-6,
-        searched_at: Pose { position: body.position, angle: 0.0 },
+        searched_at: Pose::at(body.position),
+        ..Body::default()
     }
+}
+
+/// Pose and velocity of a body at the end of its tow.
+fn moved(body: &case::Body) -> BodyState {
+    let pose = Pose {
+        position: body.position + DVec3::new(TRAVEL, 0.0, -DEPTH),
+        rotation: DQuat::from_rotation_y(0.85 * TRAVEL / (0.5 * DIAMETER)),
+    };
+    let twist = Twist { linear: DVec3::new(0.1, 0.0, 0.0), angular: DVec3::new(0.0, 0.85, 0.0) };
+    mechanics::Body::free(Inertia::principal(6.0, DVec3::splat(0.03))).state(pose, twist)
 }
 
 fn triples(layers: usize, rows: usize, columns: usize) -> impl Iterator<Item = (usize, usize, usize)> {

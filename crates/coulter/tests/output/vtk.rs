@@ -82,15 +82,15 @@ fn soil_files_hold_every_cell_in_its_place() {
 fn bodies_are_drawn_where_they_are() {
     let dir = tempfile::tempdir().unwrap();
     let (_, _, state) = written(dir.path(), Kind::Two);
-    let body = &state.bodies[0];
+    let body = &state.mechanism.bodies[0];
     let file = fs::read(dir.path().join("fields/body_disc_0000.vtp")).unwrap();
     let points = doubles(&array(&file, "Points"));
     let velocity = floats(&array(&file, "velocity"));
     let lowest = points.chunks(3).map(|p| p[2]).fold(f64::INFINITY, f64::min);
-    assert!((lowest - (body.position.z - 0.1)).abs() < 1e-4);
+    assert!((lowest - (body.pose.position.z - 0.1)).abs() < 1e-4);
     // Rolling forward: the lowest point moves backwards against the middle, by spin times radius.
     let n = points.chunks(3).position(|p| p[2] == lowest).unwrap();
-    assert!((velocity[3 * n] - (body.velocity.x - 0.1 * body.spin)).abs() < 1e-3);
+    assert!((velocity[3 * n] - (body.twist.linear.x - 0.1 * body.twist.angular.y)).abs() < 1e-3);
     let offsets = array(&file, "offsets");
     assert_eq!(
         i64::from_le_bytes(offsets[offsets.len() - 8..].try_into().unwrap()) as usize * 8,

@@ -4,25 +4,26 @@ use crate::grid::Grid;
 use crate::halo::{self, Halo};
 use crate::model::{BodyModel, Model};
 use crate::scalar::Scalar;
-use crate::state::{Body, Pose, Soil, State};
-use glam::DVec3;
+use crate::state::{Pose, Soil, State};
+use glam::{DQuat, DVec3};
 
 /// Updates the body volume fractions of all cells, in scratch memory that is unused until the contact search.
 pub(crate) fn find_bodies<R: Scalar>(
     model: &Model,
-    bodies: &mut [Body],
-    grid_position: DVec3,
+    state: &mut State<R>,
     body_fraction: &mut [R],
     body_cells: &mut Vec<BodyCell>,
 ) {
     body_cells.clear();
-    for (n, (fixed, body)) in model.bodies.iter().zip(bodies).enumerate() {
-        each_occupied_cell(model, fixed, body, grid_position, |cell, fraction| {
+    for (n, fixed) in model.bodies.iter().enumerate() {
+        let pose = *state.pose(n);
+        let in_grid = Pose { position: pose.position - state.grid_position, ..pose };
+        each_occupied_cell(model, fixed, &in_grid, |cell, fraction| {
             let sum = body_fraction[cell].to_f64() + R::cast(fraction).to_f64();
             body_fraction[cell] = R::cast(sum.min(1.0));
             body_cells.push(BodyCell { body: n, cell, fraction });
         });
-        body.searched_at = Pose { position: body.position, angle: body.angle };
+        state.bodies[n].searched_at = pose;
     }
 }
 
@@ -38,24 +39,19 @@ pub(crate) struct BodyCell {
 }
 
 /// Calls `each(cell, fraction)` for the cells that a body occupies, wholly or in part.
-fn each_occupied_cell(
-    model: &Model,
-    fixed: &BodyModel,
-    body: &Body,
-    grid_position: DVec3,
-    mut each: impl FnMut(usize, f64),
-) {
+fn each_occupied_cell(model: &Model, fixed: &BodyModel, pose: &Pose, mut each: impl FnMut(usize, f64)) {
     let grid = &model.grid;
-    let position = body.position - grid_position;
+    let (position, attitude) = (pose.position, fixed.attitude(pose));
     let (low, high) = fixed.shape.bounds();
-    let reach = if fixed.shape.is_revolved() { high } else { DVec3::splat(low.length().max(high.length())) };
+    let is_upright = fixed.shape.is_revolved() && attitude == DQuat::IDENTITY;
+    let reach = if is_upright { high } else { DVec3::splat(low.length().max(high.length())) };
     let ranges: [std::ops::Range<usize>; 3] = std::array::from_fn(|axis| {
         let faces = &grid.faces[axis];
         let first = faces.partition_point(|f| *f <= position[axis] - reach[axis]).saturating_sub(1);
         let last = faces.partition_point(|f| *f < position[axis] + reach[axis]);
         first..last.min(grid.cells()[axis])
     });
-    let rotation = glam::DQuat::from_rotation_y(if fixed.shape.is_revolved() { 0.0 } else { -body.angle });
+    let rotation = attitude.inverse();
     for k in ranges[2].clone() {
         for j in ranges[1].clone() {
             for i in ranges[0].clone() {
@@ -126,10 +122,10 @@ fn covered(grid: &Grid, cell: [usize; 3], distance: impl Fn(DVec3) -> f64) -> f6
 }
 
 /// Cuts the bodies out of the soil before the run begins.
-pub(crate) fn cut_out_bodies<R: Scalar>(model: &Model, soil: &mut Soil<R>, bodies: &[Body]) {
+pub(crate) fn cut_out_bodies<R: Scalar>(model: &Model, soil: &mut Soil<R>, poses: &[Pose]) {
     let mut body_fraction = vec![0.0; model.grid.entries];
-    for (fixed, body) in model.bodies.iter().zip(bodies) {
-        each_occupied_cell(model, fixed, body, DVec3::ZERO, |c, fraction| {
+    for (fixed, pose) in model.bodies.iter().zip(poses) {
+        each_occupied_cell(model, fixed, pose, |c, fraction| {
             body_fraction[c] = (body_fraction[c] + fraction).min(1.0)
         });
     }

@@ -11,7 +11,7 @@
 use super::problem::side;
 use crate::grid::Grid;
 use crate::model::Model;
-use crate::state::{Body, Contact, Pose};
+use crate::state::{Body, Contact};
 use glam::DVec3;
 use std::collections::HashMap;
 
@@ -72,15 +72,14 @@ impl<'a> Cell<'a, ()> {
         grid_position: DVec3,
         c: &Contact,
     ) -> Cell<'a, impl Fn(DVec3) -> f64 + 'a> {
-        let (fixed, Pose { position, angle }) =
-            (&model.bodies[c.body as usize], bodies[c.body as usize].searched_at);
-        let rotation = glam::DQuat::from_rotation_y(if fixed.shape.is_revolved() { 0.0 } else { -angle });
+        let (fixed, pose) = (&model.bodies[c.body as usize], &bodies[c.body as usize].searched_at);
+        let rotation = fixed.attitude(pose).inverse();
         let layers = c.cell.map(|layer| layer as usize);
         let width = DVec3::from_array(std::array::from_fn(|axis| {
             let faces = &model.grid.whole[axis];
             faces[layers[axis] + 1] - faces[layers[axis]]
         }));
-        let position = position - grid_position;
+        let position = pose.position - grid_position;
         let distance = move |x: DVec3| fixed.shape.signed_distance(rotation * (x - position));
         Cell { grid: &model.grid, layers, width, distance }
     }

@@ -78,6 +78,7 @@ impl ContactLaw for Impulses {
             for group in groups.iter().chain(groups.iter().rev()) {
                 group.relax(problem, constraints, masses);
             }
+            problem.moving.relax_joints();
         }
         for (n, constraint) in constraint_of.iter().enumerate() {
             update_history(problem, n, constraint.map(|p| &constraints[p]));
@@ -133,7 +134,7 @@ impl EffectiveMass {
             tangential_mass: 1.0 / delassus_diagonal.max_element(),
             bias_velocity: -OVERLAP_BIAS
                 * constraint.overlap
-                * problem.bodies[constraint.jacobian.body].velocity.length(),
+                * problem.moving.twist(constraint.jacobian.body).linear.length(),
             friction: problem.model.bodies[constraint.jacobian.body].friction.min(1e6),
             shear_limit: problem.model.bodies[constraint.jacobian.body].shear_limit
                 * constraint.area
@@ -233,8 +234,7 @@ fn mirrored_groups(
 /// their order is reversed, even when the grid cuts the two sides of the body differently.
 fn are_mirrored(problem: &ContactProblem, a: &Constraint, b: &Constraint) -> bool {
     let (p, q) = (&problem.contacts[a.first], &problem.contacts[b.first]);
-    let flip = |v: DVec3| DVec3::new(v.x, -v.y, v.z);
-    b.first == a.first + 1 && p.body == q.body && flip(p.arm) == q.arm && flip(p.normal) == q.normal
+    b.first == a.first + 1 && p.body == q.body && p.is_paired && q.point == p.point + 1
 }
 
 /// Coupling of two constraints: velocity that an impulse at one causes at the other, over that at its own; 0
@@ -269,13 +269,5 @@ fn delassus_diagonal(problem: &ContactProblem, jacobian: &ContactJacobian) -> DV
 
 /// Contribution of the body to the diagonal of the Delassus operator [1/kg].
 fn delassus_of_body(problem: &ContactProblem, jacobian: &ContactJacobian) -> DVec3 {
-    let fixed = &problem.model.bodies[jacobian.body];
-    let modelled = problem.modelled_fraction;
-    DVec3::from_array(std::array::from_fn(|axis| {
-        let translation = if fixed.translation[axis].is_free() { 1.0 / (fixed.mass * modelled) } else { 0.0 };
-        let lever = jacobian.arm.cross(DVec3::AXES[axis]).y;
-        let rotation =
-            if fixed.spin.is_free() { lever * lever / (fixed.axle_inertia * modelled) } else { 0.0 };
-        translation + rotation
-    }))
+    problem.moving.inverse_mass_diagonal(jacobian.body, jacobian.arm)
 }

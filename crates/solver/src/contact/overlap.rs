@@ -33,13 +33,7 @@ pub(crate) fn remove_overlap<R: Precision>(
     contact: &mut ContactWorkspace,
     halo: &mut dyn Halo,
 ) {
-    find_bodies(
-        model,
-        &mut state.bodies,
-        state.grid_position,
-        &mut soil.velocity_before[0],
-        &mut contact.body_cells,
-    );
+    find_bodies(model, state, &mut soil.velocity_before[0], &mut contact.body_cells);
     let mut cells: Vec<usize> = contact.body_cells.iter().map(|c| c.cell).collect();
     cells.sort_unstable();
     cells.dedup();

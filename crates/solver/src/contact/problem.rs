@@ -1,15 +1,19 @@
 //! The contact problem of one step: contact points, contact nodes, bodies, and the Jacobians that connect
 //! them.
 
-use crate::model::{BodyModel, Model};
+use crate::model::Model;
 use crate::state::{Body, Contact};
 use glam::DVec3;
+use mechanics::{Step, Wrench};
 
 /// The contact problem of one step. The contact law starts from velocities without contact and updates them;
 /// those of the nodes are then written back to the grid.
 pub(crate) struct ContactProblem<'a> {
     pub(crate) model: &'a Model,
     pub(crate) contacts: &'a mut [Contact],
+    /// The bodies during the step.
+    pub(crate) moving: &'a mut Step,
+    /// Contact impulses on them so far.
     pub(crate) bodies: &'a mut [Body],
     /// Contact nodes.
     pub(crate) nodes: &'a mut [ContactNode],
@@ -61,7 +65,7 @@ pub(crate) fn over_corners<T: Copy + std::ops::Add<Output = T>>(v: [T; 8]) -> T 
 
 /// Side of the body's mid-plane y = 0 on which a point lies: 0 and 1, or 2 on the plane.
 pub(crate) fn side(c: &Contact) -> usize {
-    if c.arm.y == 0.0 { 2 } else { usize::from(c.arm.y < 0.0) }
+    c.side.into()
 }
 
 /// Contact Jacobian: maps the velocities of a body and of a cell's nodes to their relative velocity at a
@@ -111,7 +115,7 @@ impl ContactProblem<'_> {
         weight: &[f64; 8],
     ) -> DVec3 {
         let soil = |n: usize| weight[n] * self.nodes[nodes[n] as usize].velocity;
-        velocity_at(&self.bodies[body], arm) - over_corners(std::array::from_fn(soil))
+        self.moving.velocity_at(body, arm) - over_corners(std::array::from_fn(soil))
     }
 
     /// Relative velocity at a contact point [m/s].
@@ -135,12 +139,7 @@ impl ContactProblem<'_> {
             let node = &mut self.nodes[*index as usize];
             node.velocity += node.inverse_mass * jacobian.on_node(n, impulse);
         }
-        apply(
-            &self.model.bodies[jacobian.body],
-            &mut self.bodies[jacobian.body],
-            self.modelled_fraction,
-            [(jacobian.arm, -impulse)],
-        );
+        self.moving.apply(jacobian.body, jacobian.arm, -impulse);
     }
 
     /// The same for two constraints of one body simultaneously; swapping them changes no bit.
@@ -162,9 +161,8 @@ impl ContactProblem<'_> {
             let own = gain(self.nodes, second, n);
             self.nodes[*node as usize].velocity += own;
         }
-        let body = first.0.body;
-        let impulses = [(first.0.arm, -first.1), (second.0.arm, -second.1)];
-        apply(&self.model.bodies[body], &mut self.bodies[body], self.modelled_fraction, impulses);
+        let both = Wrench::at(first.0.arm, -first.1) + Wrench::at(second.0.arm, -second.1);
+        self.moving.apply_wrench(first.0.body, &both);
     }
 
     /// Adds the reaction to the impulses on the soil at a contact point [N s] to the contact impulse of its
@@ -174,27 +172,8 @@ impl ContactProblem<'_> {
         let total = &mut self.bodies[c.body as usize].contact_impulse;
         total.normal -= normal / self.modelled_fraction;
         total.friction -= friction / self.modelled_fraction;
-        total.axle -= c.arm.cross(normal + friction).y / self.modelled_fraction;
+        total.moment -= c.arm.cross(normal + friction) / self.modelled_fraction;
         self.friction[contact] += friction;
-    }
-}
-
-/// Velocity of a body at `arm` from its reference point [m/s].
-pub(crate) fn velocity_at(body: &Body, arm: DVec3) -> DVec3 {
-    body.velocity + (DVec3::Y * body.spin).cross(arm)
-}
-
-/// Applies impulses [N s], each with its lever arm, to the free motions of a body of which the fraction
-/// `modelled` is modelled.
-fn apply<const N: usize>(fixed: &BodyModel, body: &mut Body, modelled: f64, impulses: [(DVec3, DVec3); N]) {
-    let sum = |value: fn(&(DVec3, DVec3)) -> f64| impulses.iter().map(value).sum::<f64>();
-    for (axis, impulse) in [sum(|i| i.1.x), sum(|i| i.1.y), sum(|i| i.1.z)].into_iter().enumerate() {
-        if fixed.translation[axis].is_free() {
-            body.velocity[axis] += impulse / (fixed.mass * modelled);
-        }
-    }
-    if fixed.spin.is_free() {
-        body.spin += sum(|(arm, impulse)| arm.cross(*impulse).y) / (fixed.axle_inertia * modelled);
     }
 }
 

@@ -7,10 +7,10 @@ use super::workspace::ContactWorkspace;
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::workspace::SoilWorkspace;
 use crate::halo::{self, Halo};
-use crate::model::{BodyModel, Model};
+use crate::model::Model;
 use crate::scalar::Scalar;
-use crate::state::{Body, Contact, Soil, State};
-use glam::DVec3;
+use crate::state::{Contact, Soil, State};
+use glam::{DQuat, DVec3};
 
 /// The first contact search of a run, which also computes the body volume fractions.
 pub(crate) fn first_search<R: Scalar>(
@@ -20,13 +20,7 @@ pub(crate) fn first_search<R: Scalar>(
     workspace: &mut ContactWorkspace,
     halo: &mut dyn Halo,
 ) {
-    find_bodies(
-        model,
-        &mut state.bodies,
-        state.grid_position,
-        &mut soil.velocity_before[0],
-        &mut workspace.body_cells,
-    );
+    find_bodies(model, state, &mut soil.velocity_before[0], &mut workspace.body_cells);
     search(model, state, soil, workspace, halo);
 }
 
@@ -54,12 +48,13 @@ pub(crate) fn search<R: Scalar>(
     let mut found = Vec::with_capacity(state.contacts.len());
     let mut known = state.contacts.iter().peekable();
     for (n, surface) in surfaces.iter().enumerate() {
-        let (fixed, body) = (&model.bodies[n], &state.bodies[n]);
+        let (pose, attitude) = (state.pose(n), model.bodies[n].attitude(state.pose(n)));
         for (p, point) in surface.points().enumerate() {
             let known = known.next_if(|c| (c.body as usize, c.point as usize) == (n, p));
-            let in_space = [point.position, point.normal].map(|v| rotated(fixed, body, v));
-            if let Some(mut contact) = view.find_contact(known, in_space, body, law.as_ref()) {
+            let in_space = [point.position, point.normal].map(|v| rotated(attitude, v));
+            if let Some(mut contact) = view.find_contact(known, in_space, pose.position, law.as_ref()) {
                 (contact.body, contact.point) = (n as u32, p as u32);
+                (contact.side, contact.is_paired) = (point.side, point.is_paired);
                 contact.area *= point.area;
                 found.push(contact);
             }
@@ -85,10 +80,9 @@ fn all_contacts(found: Vec<Contact>, halo: &mut dyn Halo) -> Vec<Contact> {
     halo::in_order(halo, own).into_iter().map(of).collect()
 }
 
-/// Rotates a vector from the body frame to space. The contact points of a body of revolution do not rotate
-/// with it, so that contact is steady in steady rolling.
-fn rotated(fixed: &BodyModel, body: &Body, v: DVec3) -> DVec3 {
-    if fixed.shape.is_revolved() { v } else { glam::DQuat::from_rotation_y(body.angle) * v }
+/// Rotates a vector from the body frame to space; by nothing it keeps its bits.
+fn rotated(attitude: DQuat, v: DVec3) -> DVec3 {
+    if attitude == DQuat::IDENTITY { v } else { attitude * v }
 }
 
 /// Layer of the cell that holds a coordinate, if it is inside the grid.
@@ -117,10 +111,10 @@ impl<R: Scalar> View<'_, R> {
         &self,
         known: Option<&Contact>,
         [arm, normal]: [DVec3; 2],
-        body: &Body,
+        reference: DVec3,
         law: &dyn ContactLaw,
     ) -> Option<Contact> {
-        let position = body.position + arm;
+        let position = reference + arm;
         // A point on a face between two cells belongs to the outer one, a point on an edge to the cell nearer
         // to the body's centre, so that mirror images belong to mirror images of cells.
         let finest = self.model.grid.finest();

@@ -1,15 +1,15 @@
 //! Contact in one step: the contact law changes the velocities of nodes and bodies.
 
-use super::problem::{ContactNode, ContactProblem, velocity_at};
+use super::problem::{ContactNode, ContactProblem};
 use super::workspace::ContactWorkspace;
-use crate::bodies::BodyStep;
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::workspace::SoilWorkspace;
 use crate::halo::{self, Halo};
 use crate::model::Model;
 use crate::scalar::Scalar;
-use crate::state::{ContactImpulse, Nodes, State};
+use crate::state::{Nodes, State};
 use glam::DVec3;
+use mechanics::Step;
 
 /// Work of contact in one step.
 #[derive(Clone, Copy, Debug, Default)]
@@ -20,20 +20,16 @@ pub(crate) struct ContactWork {
     pub(crate) friction_work: f64,
 }
 
-/// Solves contact between soil and bodies for one step. The contact impulse on each body is stored in its
-/// step record.
+/// Solves contact between soil and bodies for one step. The contact impulse on each body is added to its total.
 pub(crate) fn solve<R: Scalar>(
     model: &Model,
     state: &mut State<R>,
     (soil, halo): (&mut SoilWorkspace<R>, &mut dyn Halo),
     workspace: &mut ContactWorkspace,
-    steps: &mut [BodyStep],
+    moving: &mut Step,
 ) -> ContactWork {
     if state.bodies.is_empty() {
         return ContactWork::default();
-    }
-    for (step, body) in steps.iter_mut().zip(&state.bodies) {
-        step.contact_impulse = body.contact_impulse;
     }
     let ContactWorkspace { law, nodes, corner_nodes, constraint, hourglass_correction, friction, .. } =
         workspace;
@@ -44,6 +40,7 @@ pub(crate) fn solve<R: Scalar>(
     law.act(&mut ContactProblem {
         model,
         contacts: &mut state.contacts,
+        moving,
         bodies: &mut state.bodies,
         nodes,
         corner_nodes,
@@ -54,16 +51,7 @@ pub(crate) fn solve<R: Scalar>(
         dt: model.time_step(),
     });
     let on_soil = scatter(&mut state.nodes, nodes);
-    let friction_work = friction_work(state, nodes, corner_nodes, friction, steps);
-    let modelled = model.modelled_fraction();
-    for (step, body) in steps.iter_mut().zip(&state.bodies) {
-        let (now, then) = (body.contact_impulse, step.contact_impulse);
-        step.contact_impulse = ContactImpulse {
-            normal: (now.normal - then.normal) * modelled,
-            friction: (now.friction - then.friction) * modelled,
-            axle: (now.axle - then.axle) * modelled,
-        };
-    }
+    let friction_work = friction_work(state, nodes, corner_nodes, friction, moving);
     soil.stopwatch().lap(Stage::Contact);
     ContactWork { on_soil, friction_work }
 }
@@ -126,15 +114,13 @@ fn friction_work<R>(
     nodes: &[ContactNode],
     corner_nodes: &[[u32; 8]],
     friction: &[DVec3],
-    steps: &[BodyStep],
+    moving: &Step,
 ) -> f64 {
     let mut sum = 0.0;
     for ((c, corners), impulse) in state.contacts.iter().zip(corner_nodes).zip(friction) {
         if *impulse != DVec3::ZERO {
-            let body = &state.bodies[c.body as usize];
-            let step = &steps[c.body as usize];
-            let before = step.velocity_before + (DVec3::Y * step.spin_before).cross(c.arm);
-            let of_body = 0.5 * (velocity_at(body, c.arm) + before);
+            let body = c.body as usize;
+            let of_body = 0.5 * (moving.velocity_at(body, c.arm) + moving.twist_before(body).at(c.arm));
             let each = corners.iter().zip(c.weight);
             let of_soil = each.fold(DVec3::ZERO, |v, (n, w)| {
                 let node = &nodes[*n as usize];

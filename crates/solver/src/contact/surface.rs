@@ -2,17 +2,50 @@
 
 use crate::model::{BodyModel, Model};
 use glam::DVec3;
-use physics::rigid::Freedom;
+use mechanics::Motion;
 use physics::shape::SurfacePoint;
 use std::collections::BTreeMap;
 
 /// Surface points of a body. Normals and areas that several points have in common are stored once.
 #[derive(Debug)]
 pub(crate) struct Surface {
-    /// Position in the body frame [m], and index into `kinds`.
+    /// Position in the body frame [m], and index into `kinds`, with the highest bit set where the next point is the mirror image
+    /// in the body's mid-plane y = 0.
     points: Vec<(DVec3, u32)>,
     /// Normals and areas [m²].
     kinds: Vec<(DVec3, f64)>,
+}
+
+/// Marks a point whose mirror image is the next.
+const PAIRED: u32 = 1 << 31;
+
+/// A point of a body's surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct ContactPoint {
+    /// Position in the body frame [m].
+    pub(crate) position: DVec3,
+    /// Outward unit normal.
+    pub(crate) normal: DVec3,
+    /// Area [m²].
+    pub(crate) area: f64,
+    /// Side of the body's mid-plane y = 0: 0 and 1, or 2 on the plane.
+    pub(crate) side: u8,
+    /// Whether the next point is its mirror image in that plane.
+    pub(crate) is_paired: bool,
+}
+
+/// Whether no motion of a body changes the coordinate of its points along an axis.
+pub(crate) fn stays_across(body: &BodyModel, axis: usize) -> bool {
+    let turns_only_about = |axle: DVec3| {
+        let [yaw, tilt, spin] = [3, 4, 5].map(|n| body.motion[n].is_fixed());
+        yaw && tilt && (spin || (body.start.rotation * DVec3::Y).dot(axle).abs() == 1.0)
+    };
+    body.motion[axis] == Motion::Fixed && turns_only_about(DVec3::AXES[axis])
+}
+
+fn are_mirrored(a: &SurfacePoint, b: &SurfacePoint) -> bool {
+    let flip = |v: DVec3| DVec3::new(v.x, -v.y, v.z);
+    flip(a.position) == b.position && flip(a.normal) == b.normal
 }
 
 impl Surface {
@@ -22,24 +55,24 @@ impl Surface {
         let finest = DVec3::from_array(std::array::from_fn(|axis| model.grid.finest_along(axis)));
         let spacing = model.method.point_spacing * model.grid.finest();
         let mut points = body.shape.surface_points(spacing, model.method.edge_inset * finest);
-        if body.translation[1] == Freedom::Fixed {
-            // The rotation about the axle, along y, does not change y.
+        if stays_across(body, 1) {
             let [low, high] = model.grid.ends(1);
             let (low, high) = (low - spacing, high + spacing);
-            points.retain(|p| (low..=high).contains(&(body.start.y + p.position.y)));
+            points.retain(|p| (low..=high).contains(&(body.start.position.y + p.position.y)));
         }
         Self::of(&points)
     }
 
     fn of(points: &[SurfacePoint]) -> Self {
         let (mut indices, mut kinds) = (BTreeMap::new(), Vec::new());
-        let kept = points.iter().map(|p| {
+        let kept = points.iter().enumerate().map(|(n, p)| {
             let key = [p.normal.x, p.normal.y, p.normal.z, p.area].map(f64::to_bits);
             let index = *indices.entry(key).or_insert(kinds.len());
             if index == kinds.len() {
                 kinds.push((p.normal, p.area));
             }
-            (p.position, index as u32)
+            let is_paired = points.get(n + 1).is_some_and(|next| are_mirrored(p, next));
+            (p.position, index as u32 | if is_paired { PAIRED } else { 0 })
         });
         let points = kept.collect();
         kinds.shrink_to_fit();
@@ -47,10 +80,11 @@ impl Surface {
     }
 
     /// The points, in the order of their numbers.
-    pub(crate) fn points(&self) -> impl Iterator<Item = SurfacePoint> + '_ {
+    pub(crate) fn points(&self) -> impl Iterator<Item = ContactPoint> + '_ {
         self.points.iter().map(|(position, kind)| {
-            let (normal, area) = self.kinds[*kind as usize];
-            SurfacePoint { position: *position, normal, area }
+            let (normal, area) = self.kinds[(kind & !PAIRED) as usize];
+            let side = if position.y == 0.0 { 2 } else { u8::from(position.y < 0.0) };
+            ContactPoint { position: *position, normal, area, side, is_paired: kind & PAIRED != 0 }
         })
     }
 
@@ -69,7 +103,11 @@ mod tests {
     fn a_surface_returns_the_points_it_was_made_from() {
         let points = Disc { diameter: 0.2, thickness: 0.05 }.surface_points(0.004, DVec3::splat(0.002));
         let surface = Surface::of(&points);
-        assert!(surface.points().eq(points.iter().copied()));
+        let same = |a: &ContactPoint, b: &SurfacePoint| {
+            (a.position, a.normal, a.area) == (b.position, b.normal, b.area)
+        };
+        assert!(surface.points().zip(&points).all(|(a, b)| same(&a, b)));
+        assert_eq!(surface.points().filter(|p| p.is_paired).count(), points.len() / 2);
         assert!(surface.memory() < 2 * size_of_val(points.as_slice()) / 3);
     }
 }
