@@ -166,10 +166,11 @@ fn quantities<R: Precision>(run: &Simulation<R>) -> Vec<(String, u64)> {
         all.push((format!("velocity {axis}"), field(grid, &state.nodes.velocity[n], true)));
         all.push((format!("displacement {axis}"), field(grid, &state.nodes.displacement[n], true)));
     }
-    for (fixed, body) in run.model.bodies.iter().zip(&state.bodies) {
-        let motion = [body.position.to_array(), body.velocity.to_array(), [body.angle, body.spin, 0.0]];
+    for ((fixed, body), moving) in run.model.bodies.iter().zip(&state.bodies).zip(&state.mechanism.bodies) {
+        let turning = [body.rotation, moving.twist.angular.y, 0.0];
+        let motion = [moving.pose.position.to_array(), moving.twist.linear.to_array(), turning];
         let impulse = [body.contact_impulse.normal.to_array(), body.contact_impulse.friction.to_array()];
-        let volumes = [body.contact_impulse.axle, body.leaked_volume, body.embedded_volume];
+        let volumes = [body.contact_impulse.moment.y, body.leaked_volume, body.embedded_volume];
         all.push((format!("motion of {}", fixed.name), hash(motion.concat())));
         all.push((format!("force on {}", fixed.name), hash(impulse.concat().into_iter().chain(volumes))));
     }
