@@ -6,8 +6,7 @@ use super::sandbox::Sandbox;
 fn each_signal_has_its_exit_code() {
     for (signal, code) in [("INT", 130), ("TERM", 143), ("HUP", 129)] {
         let sandbox = Sandbox::new();
-        // Long enough to be under way still when the signal arrives, even on a busy machine.
-        let mut run = sandbox.start(&["--set", "run.tow_distance=0.2 m"]);
+        let mut run = sandbox.start(&[]);
         run.wait_until_under_way();
         run.signal(signal);
         run.end().is(code, &["stopped", "--resume", "last.checkpoint"]);
