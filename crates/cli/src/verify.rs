@@ -55,6 +55,7 @@ pub(super) fn verify(arguments: &Arguments) -> Result<(), Failure> {
         threads: usize::from(arguments.threads),
         folder: Some(arguments.output.clone()),
         fresh: arguments.fresh,
+        only_list: false,
     };
     let mut progress = |text: &str| {
         let _ = writeln!(std::io::stderr().lock(), "{text}");

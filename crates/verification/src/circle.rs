@@ -3,16 +3,11 @@
 use crate::error::VerifyError;
 use crate::line::at_zero;
 use crate::probe::mean;
-use crate::row::Row;
 use crate::runner::Runner;
 use std::f64::consts::PI;
 
 const CLAY: &str = include_str!("../../../validation/B3_circular_footing/case.toml");
 const SAND: &str = include_str!("../../../validation/B3g_circular_footing_on_sand/case.toml");
-const CIRCLE: &str = "Eason & Shield (1960), Houlsby & Wroth (1983): smooth 5.69, rough 6.05";
-const SQUARE: &str = "Salgado et al. (2004): bounds for a rough square (recalled, not re-read)";
-const WEIGHT: &str =
-    "method of characteristics, computed for this project (see the benchmark list of the design)";
 /// Diameter of the circle, side of the square in the case files [m].
 const WIDTH: f64 = 1.0;
 /// Unit weight [N/m³] and Young's modulus [Pa] of the sand in the case file.
@@ -23,38 +18,22 @@ const SPEED: f64 = 0.0016;
 /// Undrained strength in the case file [Pa].
 const STRENGTH: f64 = 1e3;
 
-/// Text for the documentation.
-pub(crate) const ABOUT: &str = "A circular footing on undrained (Tresca), weightless soil, a quarter of it modelled; friction \
-    under the rough one is limited to s_u. The exact factors are 5.69 (smooth) and 6.05 (rough). A square footing is compared with \
-    published bounds. Evaluated as the mean force over a penetration of 0.03 to 0.06 diameters, over the true area and s_u, without \
-    a correction for embedment and heave.";
-/// Text for the documentation.
-pub(crate) const ABOUT_SAND: &str = "A circular footing on dry sand without cohesion, ψ = φ, a quarter of it modelled: \
-    q_u = ½ γ D N_γ. Penetration w and heave act as a surcharge proportional to w: the pressure is extrapolated to w = 0 along the \
-    straight line fitted over w = 3 to 6 N_γ γ D²/E, beyond the elastic rise. E is so high that the sand fails before it heaves, \
-    and the speed (0.0016 D/s) so low that waves hardly matter.";
+const CLAY_FACTOR: &str = "bearing capacity factor N_c";
+const SAND_FACTOR: &str = "bearing capacity factor N_γ";
 
 /// B3.
 pub(crate) fn clay(runner: &mut Runner) -> Result<(), VerifyError> {
-    let meshes: &[u32] = if runner.options.fast { &[8] } else { &[8, 16] };
-    for &cells in meshes {
-        for (is_rough, exact) in [(false, 5.69), (true, 6.05)] {
-            let variant = format!("{} circle, D/h = {cells}", word(is_rough));
+    for (cells, is_rough) in [(8, false), (8, true), (16, false), (16, true)] {
+        let variant = format!("{} circle, D/h = {cells}", word(is_rough));
+        if runner.wants("B3", &variant)? {
             let (factor, seconds) = on_clay(runner, &variant, cells, is_rough, false)?;
-            let row = Row::info("B3", variant, "bearing capacity factor N_c", factor).took(seconds);
-            // The design requires 4 % at D/h = 16.
-            runner.rows.push(if cells >= 16 {
-                row.within(exact, 0.04, CIRCLE)
-            } else {
-                row.compared_with(exact, exact, CIRCLE)
-            });
+            runner.put("B3", &variant, seconds, &[(CLAY_FACTOR, factor)])?;
         }
     }
-    if !runner.options.fast {
-        let variant = "rough square, B/h = 16";
+    let variant = "rough square, B/h = 16";
+    if runner.wants("B3", variant)? {
         let (factor, seconds) = on_clay(runner, variant, 16, true, true)?;
-        let row = Row::info("B3", variant, "bearing capacity factor N_c", factor).took(seconds);
-        runner.rows.push(row.compared_with(5.52, 6.22, SQUARE));
+        runner.put("B3", variant, seconds, &[(CLAY_FACTOR, factor)])?;
     }
     Ok(())
 }
@@ -98,15 +77,12 @@ const ROUND: &str = "shape = \"cylinder\"\naxis = \"z\"\ndiameter = \"1 m\"\nlen
 
 /// B3γ.
 pub(crate) fn sand(runner: &mut Runner) -> Result<(), VerifyError> {
-    let variants: &[(u32, u32, [f64; 2])] =
-        if runner.options.fast { &[] } else { &[(20, 16, [1.271, 2.42]), (30, 16, [7.114, 15.5])] };
-    for &(angle, cells, exact) in variants {
-        for is_rough in [false, true] {
-            let variant = format!("{}, φ = ψ = {angle}°, D/h = {cells}", word(is_rough));
-            let exact = exact[usize::from(is_rough)];
-            let (factor, seconds) = on_sand(runner, &variant, angle, cells, is_rough, exact)?;
-            let row = Row::info("B3γ", variant, "bearing capacity factor N_γ", factor);
-            runner.rows.push(row.within(exact, 0.12, WEIGHT).took(seconds));
+    for (angle, is_rough) in [(20, false), (20, true), (30, false), (30, true)] {
+        let variant = format!("{}, φ = ψ = {angle}°, D/h = 16", word(is_rough));
+        if runner.wants("B3γ", &variant)? {
+            let exact = runner.expectation("B3γ", &variant, SAND_FACTOR)?.value()?;
+            let (factor, seconds) = on_sand(runner, &variant, angle, 16, is_rough, exact)?;
+            runner.put("B3γ", &variant, seconds, &[(SAND_FACTOR, factor)])?;
         }
     }
     Ok(())

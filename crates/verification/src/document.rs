@@ -54,7 +54,7 @@ fn summary_line(benchmark: &Benchmark, rows: &[&Row]) -> String {
     format!(
         "| {} | {} | {} | {} | {} | {}, {} | {} | {} | {ratio} |\n",
         benchmark.id,
-        benchmark.title,
+        benchmark.title(),
         count(Judgement::Pass),
         emphasised(count(Judgement::Fails)),
         emphasised(count(Judgement::Outside)),
@@ -82,8 +82,9 @@ pub fn page(findings: &Findings, expected: &[ExpectedFailure]) -> String {
         if rows.is_empty() {
             continue;
         }
-        let _ = writeln!(text, "## {} {}\n\n{}\n", benchmark.id, benchmark.title, benchmark.about);
-        if let Some(folder) = benchmark.folder {
+        let _ = writeln!(text, "## {} {}\n\n{}\n", benchmark.id, benchmark.title(), benchmark.about());
+        if benchmark.has_page() {
+            let folder = benchmark.folder;
             let _ = writeln!(text, "More in [validation/{folder}](../validation/{folder}/README.md).\n");
         }
         for picture in pictures(benchmark, findings) {
@@ -113,7 +114,7 @@ struct Picture {
 fn pictures(benchmark: &Benchmark, findings: &Findings) -> Vec<Picture> {
     let rows: Vec<Row> = findings.rows.iter().filter(|row| row.id == benchmark.id).cloned().collect();
     let balances: Vec<&RunBalances> = findings.balances.iter().filter(|run| run.id == benchmark.id).collect();
-    let name = format!("{} {}", benchmark.id, benchmark.title);
+    let name = format!("{} {}", benchmark.id, benchmark.title());
     let file = benchmark.id.replace('γ', "g");
     let both = [
         (plot::figures(&rows), "errors over tolerances", "figures"),

@@ -2,7 +2,6 @@
 
 use crate::confined::{isotropic, oedometer};
 use crate::error::VerifyError;
-use crate::row::Row;
 use crate::runner::Runner;
 use crate::specimen::{CONFINEMENT, Cell, Point, Specimen};
 use physics::elastic::Elastic;
@@ -12,9 +11,6 @@ use physics::mohr_coulomb::MohrCoulomb;
 use physics::tensor::{Spectrum, Symmetric};
 use std::time::Instant;
 
-const STRENGTH: &str = "Mohr–Coulomb, exact; simple shear: Davis (1968)";
-const FLOW: &str = "analytic plastic flow with the potential's angle ψ";
-const CONFINED: &str = "elastic law and flow on the pyramid's edge, integrated exactly";
 /// Friction angle [°], dilation angle [°], cohesion [Pa].
 const SOILS: [[f64; 3]; 6] = [
     [20.0, 0.0, 0.0],
@@ -27,16 +23,6 @@ const SOILS: [[f64; 3]; 6] = [
 /// Strain increments, and the size of one.
 const INCREMENTS: usize = 600;
 const INCREMENT: f64 = 1e-4;
-
-/// Text for the documentation.
-pub(crate) const ABOUT: &str = "Drained triaxial compression and extension and simple shear under constant normal stress, from \
-    100 kPa, for six soils (φ 0 to 40°, ψ 0 to φ, c 0 to 20 kPa), at one material point and on one cell of the solver with \
-    prescribed nodal motion. At the end of each test the strength, the yield function (both over the confining pressure) and the \
-    dilatancy of the last increment must be the analytic ones: −Δε_v/Δγ_max = sin ψ in simple shear; in triaxial tests \
-    −Δε_v/Δε_1 = 2 sin ψ/(1 − sin ψ) in compression and 2 sin ψ/(1 + sin ψ) in extension; with the smooth potential of Menétrey \
-    and Willam tan ψ/(R ∓ ⅓ tan ψ), R = R_mc² q/√((ε c tan ψ)² + (R_mc q)²). The worst of the six soils is shown. \
-    Oedometer: no lateral strain, first elastic, then on the edge of the pyramid. Isotropic: compressed from all sides; the cell is also \
-    unloaded until it separates and compressed again, and pressure must not build up before the gap has closed.";
 
 /// The kind of test.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,12 +71,12 @@ fn yielding(runner: &mut Runner) -> Result<(), VerifyError> {
             let seconds = clock.elapsed().as_secs_f64();
             let variant = format!("{name}, one {}", if on_cell { "cell" } else { "point" });
             runner.report_progress(&format!("A5: {variant}, {seconds:.1} s"));
-            let info = |quantity, value| Row::info("A5", variant.as_str(), quantity, value).took(seconds);
-            runner.rows.extend([
-                info("deviation of the strength from the exact value", worst[0]).at_most(1e-10, STRENGTH),
-                info("yield function", worst[1]).at_most(1e-10, STRENGTH),
-                info("deviation of the dilatancy from the analytic value", worst[2]).at_most(1e-6, FLOW),
-            ]);
+            let figures = [
+                ("deviation of the strength from the exact value", worst[0]),
+                ("yield function", worst[1]),
+                ("deviation of the dilatancy from the analytic value", worst[2]),
+            ];
+            runner.put("A5", &variant, seconds, &figures)?;
         }
     }
     Ok(())
@@ -113,15 +99,10 @@ fn confined(runner: &mut Runner) -> Result<(), VerifyError> {
         }
         let seconds = clock.elapsed().as_secs_f64();
         let on = if on_cell { "cell" } else { "point" };
-        let info = |test: &str, quantity, value| {
-            Row::info("A5", format!("{test}, one {on}"), quantity, value).took(seconds)
-        };
-        runner.rows.extend([
-            info("oedometer", "deviation of the stresses from the exact values", worst[0])
-                .at_most(1e-10, CONFINED),
-            info("isotropic", "deviation of the stresses from the exact values", worst[1])
-                .at_most(1e-10, CONFINED),
-        ]);
+        for (test, worst) in ["oedometer", "isotropic"].into_iter().zip(worst) {
+            let figures = [("deviation of the stresses from the exact values", worst)];
+            runner.put("A5", &format!("{test}, one {on}"), seconds, &figures)?;
+        }
     }
     Ok(())
 }

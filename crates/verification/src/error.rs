@@ -16,6 +16,9 @@ pub enum VerifyError {
     /// The case asks for single precision.
     #[error("this benchmark runs in double precision only")]
     DoubleOnly,
+    /// What is expected of a figure is not known.
+    #[error("{0}")]
+    Expectation(String),
     /// A checkpoint could not be written or read.
     #[error(transparent)]
     Output(#[from] OutputError),

@@ -1,7 +1,8 @@
 //! The verification suite: benchmarks with a known answer, run, read and compared.
 //!
-//! A benchmark is a file here and a folder in `validation/` that explains it. It uses a [`runner::Runner`], which collects
-//! its [`row::Row`]s. Benchmarks that a case file can describe are run from one, through the public API.
+//! A benchmark is a folder in `validation/`, which explains it and says in `expected.toml` what is expected of every figure,
+//! and a file here, which varies the case and reads the figures. It uses a [`runner::Runner`], which puts each figure beside
+//! what is expected: the [`row::Row`]s. Benchmarks that a case file can describe are run from one, through the public API.
 
 mod advection;
 mod cache;
@@ -14,6 +15,8 @@ mod disc;
 pub mod document;
 mod element;
 pub mod error;
+pub mod expectation;
+pub mod expectations;
 pub mod expected_failures;
 pub mod findings;
 mod flow;
@@ -52,7 +55,7 @@ mod wall;
 mod wave;
 
 pub use findings::Findings;
-pub use list::{BENCHMARKS, Benchmark, find};
+pub use list::{BENCHMARKS, Benchmark, expectations, find};
 
 use list::Procedure;
 use options::SuiteOptions;
@@ -64,7 +67,11 @@ pub fn verify(ids: &[&'static str], options: &SuiteOptions, progress: &mut dyn F
     let is_wanted = |b: &Benchmark| ids.is_empty() || ids.contains(&b.id);
     // Benchmarks on the balances, asked for alone, need all runs; otherwise those of the runs asked for with them.
     let needs_all = BENCHMARKS.iter().all(|b| !is_wanted(b) || matches!(b.work, Procedure::Balances(_)));
-    let mut runner = Runner::new(options, progress);
+    let expectations = match expectations() {
+        Ok(expectations) => expectations,
+        Err(unreadable) => return Findings { broken: vec![unreadable], ..Findings::default() },
+    };
+    let mut runner = Runner::new(expectations, options, progress);
     let mut broken = Vec::new();
     let runs =
         BENCHMARKS.iter().filter(|b| matches!(b.work, Procedure::Run(_)) && (needs_all || is_wanted(b)));
@@ -72,7 +79,7 @@ pub fn verify(ids: &[&'static str], options: &SuiteOptions, progress: &mut dyn F
     for (n, benchmark) in runs.enumerate() {
         let Procedure::Run(work) = benchmark.work else { continue };
         let clock = Instant::now();
-        runner.report_progress(&format!("{} {} … ({} of {count})", benchmark.id, benchmark.title, n + 1));
+        runner.report_progress(&format!("{} {} … ({} of {count})", benchmark.id, benchmark.title(), n + 1));
         if let Err(error) = runner.part(benchmark.id, "all", work) {
             runner.report_progress(&format!("{}: broke down: {error}", benchmark.id));
             broken.push((benchmark.id, error.to_string()));
@@ -80,8 +87,10 @@ pub fn verify(ids: &[&'static str], options: &SuiteOptions, progress: &mut dyn F
         runner.report_progress(&format!("{}: {:.1} s", benchmark.id, clock.elapsed().as_secs_f64()));
     }
     for benchmark in BENCHMARKS.iter().filter(|b| is_wanted(b)) {
-        if let Procedure::Balances(work) = benchmark.work {
-            work(&mut runner);
+        if let Procedure::Balances(work) = benchmark.work
+            && let Err(error) = work(&mut runner)
+        {
+            broken.push((benchmark.id, error.to_string()));
         }
     }
     let mut rows = runner.rows;

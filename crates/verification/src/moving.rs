@@ -2,25 +2,25 @@
 
 use crate::error::VerifyError;
 use crate::probe::mean;
-use crate::row::Row;
 use crate::runner::Runner;
 use coulter::simulation::Simulation;
 
 const CASE: &str = include_str!("../../../validation/A8_repeatability/moving.toml");
-const SOURCE: &str = "Galilean invariance";
 /// Speed of the moving set-up [m/s]: 12 cells over the run.
 const SPEED: f64 = 0.2;
 
 pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
+    let variant = "strip on clay, all moving at 0.2 m/s";
+    if !runner.wants("A8", variant)? {
+        return Ok(());
+    }
     let rest = pressed(runner, "strip on clay at rest", 0.0)?;
-    let moved = pressed(runner, "strip on clay, all moving at 0.2 m/s", SPEED)?;
+    let moved = pressed(runner, variant, SPEED)?;
     let seconds = rest.wall_s + moved.wall_s;
     // From 0.03 to 0.06 widths of penetration.
     let force = |s: &Simulation| mean(&s.history.bodies[0], [1.8, 3.3], |b| b.time, |b| b.vertical);
     let ratio = force(&moved) / force(&rest);
-    let row = Row::info("A8", "strip on clay, all moving at 0.2 m/s", "mean force over that at rest", ratio);
-    runner.rows.push(row.within(1.0, 0.01, SOURCE).took(seconds));
-    Ok(())
+    runner.put("A8", variant, seconds, &[("mean force over that at rest", ratio)])
 }
 
 /// The case, with clay and strip in uniform motion.

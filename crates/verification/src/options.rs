@@ -15,4 +15,6 @@ pub struct SuiteOptions {
     pub folder: Option<PathBuf>,
     /// Ignore results that are cached already.
     pub fresh: bool,
+    /// Run nothing: the rows say what is expected, but their figures mean nothing.
+    pub only_list: bool,
 }

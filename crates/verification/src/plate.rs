@@ -2,14 +2,10 @@
 
 use crate::error::VerifyError;
 use crate::line::at_zero;
-use crate::row::Row;
 use crate::runner::Runner;
-use analytic::bearing::davis_friction_angle;
-use analytic::earth_pressure::{Face, sokolovskii};
 use coulter::history::BodySample;
 
 const CASE: &str = include_str!("../../../validation/B7_inclined_plate/case.toml");
-const EXACT: &str = "Sokolovskii (1965), computed by the crate `analytic`";
 /// Length of the face below the ground in the case file [m].
 const LENGTH: f64 = 1.0;
 /// Speed along its normal in the case file [m/s].
@@ -17,48 +13,20 @@ const SPEED: f64 = 0.02;
 /// Length of the face above the ground [m].
 const ABOVE: f64 = 0.5;
 
-/// Text for the documentation.
-pub(crate) const ABOUT: &str = "The smooth front face of a block, inclined at α to the horizontal and overhanging the soil \
-    in front of it, is pushed along its normal: P_n = ½ γ L² K_n, where L is the length of the face below the ground. The block is so thick \
-    that there is no soil behind it, and its lower face slides along itself, so that the force along the normal is that on the front face. \
-    The theory is for the undeformed geometry; the ground in front of the face heaves in proportion to the displacement. K_n is therefore \
-    extrapolated to u = 0 along the straight line fitted over a displacement u of 0.005 to 0.025 L, with L + u tan(90° − α) as the length \
-    below the ground. ψ = φ is compared with Sokolovskii's K_n; ψ = 0 must lie between his values at Davis' φ* and at φ.";
-
 /// Friction angle and inclination of the face [°].
 const PLATES: [(u32, u32); 3] = [(30, 60), (30, 40), (35, 30)];
 
 pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
-    let plates = if runner.options.fast { &PLATES[..1] } else { &PLATES[..] };
-    for &(angle, inclination) in plates {
-        for is_associated in [false, true] {
-            if !(runner.options.fast && is_associated) {
-                push(runner, angle, inclination, is_associated)?;
+    for (angle, inclination) in PLATES {
+        for dilation in [0, angle] {
+            let variant = format!("φ = {angle}°, α = {inclination}°, ψ = {dilation}°, L/h = 16");
+            if runner.wants("B7", &variant)? {
+                let (coefficient, seconds) =
+                    coefficient(runner, &variant, [angle, inclination, dilation], 16)?;
+                runner.put("B7", &variant, seconds, &[("normal coefficient K_n", coefficient)])?;
             }
         }
     }
-    Ok(())
-}
-
-/// Normal coefficient of a smooth face; angles in radians.
-fn exact(friction_angle: f64, surface: f64) -> f64 {
-    let face = Face { friction_angle, wall_friction: 0.0, surface, backfill: 0.0 };
-    sokolovskii(&face).map_or(f64::NAN, |field| field.coefficient)
-}
-
-fn push(runner: &mut Runner, angle: u32, inclination: u32, is_associated: bool) -> Result<(), VerifyError> {
-    let (phi, alpha) = (f64::from(angle).to_radians(), f64::from(inclination).to_radians());
-    let dilation = if is_associated { angle } else { 0 };
-    let variant = format!("φ = {angle}°, α = {inclination}°, ψ = {dilation}°, L/h = 16");
-    let (coefficient, seconds) = coefficient(runner, &variant, [angle, inclination, dilation], 16)?;
-    let row = Row::info("B7", variant, "normal coefficient K_n", coefficient).took(seconds);
-    let limit = exact(phi, alpha);
-    runner.rows.push(if is_associated {
-        row.within(limit, 0.08, EXACT)
-    } else {
-        let operative = davis_friction_angle(phi, 0.0).unwrap_or(f64::NAN);
-        row.between(exact(operative, alpha), limit, 0.08, EXACT)
-    });
     Ok(())
 }
 

@@ -2,7 +2,6 @@
 
 use crate::error::VerifyError;
 use crate::probe::mean;
-use crate::row::Row;
 use crate::runner::Runner;
 use coulter::history::BodySample;
 use coulter::simulation::Simulation;
@@ -10,44 +9,51 @@ use coulter::simulation::Simulation;
 const BLOCK: &str = include_str!("../../../validation/A11_position_and_direction/block.toml");
 const CYLINDER: &str = include_str!("../../../validation/A11_position_and_direction/cylinder.toml");
 const ROTATED_BLOCK: &str = include_str!("../../../validation/A11_position_and_direction/rotated_block.toml");
-const SOURCE: &str = "independence of the grid; limit of the design";
 /// Cell of the case files [m].
 const CELL: f64 = 0.0625;
 /// Strength times width of the case files [N/m].
 const UNIT: f64 = 1e3;
 const SPEED: f64 = 0.02;
+const DRAG: &str = "drag over s_u d";
 
-/// Text for the documentation.
-pub(crate) const ABOUT: &str = "Deep in weightless clay, where neither surface nor depth distinguishes positions. A sharp-edged block, 16 \
-    cells across, starts at 0, ¼, ½ and ¾ of a cell in x, and in z, and is pushed along x: the largest deviation of its mean drag \
-    (from 0.05 to 0.1 widths, less than a cell) from the mean of the four. A cylinder with d/h = 16 is pushed at 0°, 15°, 30° and 45° to \
-    the grid, and so is a sharp-edged block that is rotated with its direction of motion: the deviation of the drag along the motion (mean \
-    from 0.1 to 0.2 widths) from that at 0°, and the transverse force over the drag.";
+/// Directions in which the block is moved, and by how many cells.
+const POSITIONS: [(&str, &[f64]); 3] =
+    [("x", &[0.0, 0.5]), ("x", &[0.0, 0.25, 0.5, 0.75]), ("z", &[0.0, 0.25, 0.5, 0.75])];
 
 pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
     runner.part("A11", "positions", positions)?;
-    if runner.options.fast {
-        return Ok(());
+    for (part, body, text) in
+        [("directions", "cylinder", CYLINDER), ("directions of a block", "block", ROTATED_BLOCK)]
+    {
+        if runner.wants("A11", &pushed(body, 0.0))? {
+            runner.part("A11", part, |runner| directions(runner, body, text))?;
+        }
     }
-    runner.part("A11", "directions", |runner| directions(runner, "cylinder", CYLINDER))?;
-    runner.part("A11", "directions of a block", |runner| directions(runner, "block", ROTATED_BLOCK))
+    Ok(())
+}
+
+fn pushed(body: &str, angle: f64) -> String {
+    format!("{body} pushed at {angle}°")
 }
 
 fn positions(runner: &mut Runner) -> Result<(), VerifyError> {
-    let (axes, offsets): (&[&str], &[f64]) =
-        if runner.options.fast { (&["x"], &[0.0, 0.5]) } else { (&["x", "z"], &[0.0, 0.25, 0.5, 0.75]) };
-    for axis in axes {
+    for (axis, offsets) in POSITIONS {
+        let all = offsets.iter().map(f64::to_string).collect::<Vec<_>>().join(", ");
+        let all = format!("block at {all} h in {axis}");
+        if !runner.wants("A11", &all)? {
+            continue;
+        }
         let (mut factors, mut seconds) = (Vec::new(), 0.0);
         for offset in offsets {
             let distance = offset * CELL;
-            let change = match *axis {
+            let change = match axis {
                 "x" => format!("body.block.x={distance} m"),
                 _ => format!("body.block.sinkage={} m", 3.5 - distance),
             };
             let variant = format!("block moved by {offset} h in {axis}");
             let simulation = runner.run("A11", &variant, BLOCK, &[change])?;
             let drag = force(&simulation, [0.05, 0.1], 1.0, |s| s.drag);
-            runner.rows.push(Row::info("A11", variant, "drag over s_u d", drag).took(simulation.wall_s));
+            runner.put("A11", &variant, simulation.wall_s, &[(DRAG, drag)])?;
             factors.push(drag);
             seconds += simulation.wall_s;
         }
@@ -56,10 +62,7 @@ fn positions(runner: &mut Runner) -> Result<(), VerifyError> {
             let error = (f / mean - 1.0).abs();
             if error > most || error.is_nan() { error } else { most }
         });
-        let all = offsets.iter().map(f64::to_string).collect::<Vec<_>>().join(", ");
-        let variant = format!("block at {all} h in {axis}");
-        let row = Row::info("A11", variant, "largest deviation from the mean drag", scatter);
-        runner.rows.push(row.at_most(0.03, SOURCE).took(seconds));
+        runner.put("A11", &all, seconds, &[("largest deviation from the mean drag", scatter)])?;
     }
     Ok(())
 }
@@ -84,7 +87,7 @@ fn directions(runner: &mut Runner, body: &str, text: &str) -> Result<(), VerifyE
             // A positive angle tilts the face from x downwards.
             changes.push(format!("body.block.orientation={} deg", -angle));
         }
-        let variant = format!("{body} pushed at {angle}°");
+        let variant = pushed(body, angle);
         let simulation = runner.run("A11", &variant, text, &changes)?;
         // The drag is against x, the vertical force along z.
         let along = force(&simulation, [0.1, 0.2], cos, |s| s.drag * cos - s.vertical * sin);
@@ -92,15 +95,12 @@ fn directions(runner: &mut Runner, body: &str, text: &str) -> Result<(), VerifyE
         if angle == 0.0 {
             straight = along;
         }
-        let info =
-            |quantity, value| Row::info("A11", variant.as_str(), quantity, value).took(simulation.wall_s);
-        runner.rows.push(info("drag over s_u d", along));
+        let mut figures = vec![(DRAG, along)];
         if angle != 0.0 {
-            runner.rows.push(
-                info("deviation of the drag from that at 0°", along / straight - 1.0).at_most(0.04, SOURCE),
-            );
+            figures.push(("deviation of the drag from that at 0°", along / straight - 1.0));
         }
-        runner.rows.push(info("transverse force over the drag", across / along).at_most(0.02, SOURCE));
+        figures.push(("transverse force over the drag", across / along));
+        runner.put("A11", &variant, simulation.wall_s, &figures)?;
     }
     Ok(())
 }

@@ -2,7 +2,6 @@
 
 use crate::error::VerifyError;
 use crate::probe::mean;
-use crate::row::Row;
 use crate::runner::Runner;
 use coulter::history::BodySample;
 use coulter::simulation::Simulation;
@@ -15,30 +14,24 @@ const FOOTING: &str = include_str!("../../../validation/B1_strip_footing/case.to
 const WALL: &str = include_str!("../../../validation/B5_passive_wall/case.toml");
 const TOW: &str = include_str!("../../../cases/towed_disc.toml");
 const SAND: &str = include_str!("../../../validation/A4_soil_at_rest/case.toml");
-const SAME: &str = "the same run in double precision; limit of the design";
 /// Runs of the tow in each precision.
 const RUNS: usize = 4;
 /// Time steps of the sand at rest.
 const STEPS: usize = 10_000;
 
-/// Text for the documentation.
-pub(crate) const ABOUT: &str = "The same cases with `numerics.precision` double and single: the footing of B1 and the wall of B5, \
-    whose forces are smooth and must agree within 1 %, and the towed disc of D3 at d/h = 10, where any two \
-    runs that differ by rounding diverge: four runs each, with discs whose weights differ by 10⁻⁵, show how \
-    far single runs scatter and whether the means differ by more. \
-    Finally the sand of A4, which in single precision is not exactly at rest: its largest speed over that of its pressure \
-    waves.";
-
 pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
-    let cells = if runner.options.fast { 8 } else { 16 };
-    let footing = [format!("grid.cell={} m", 1.0 / f64::from(cells)), "grid.fit=false".to_owned()];
-    let force = |s: &Simulation| mean(&s.history.bodies[0], [0.03, 0.06], |b| b.sinkage, |b| b.vertical);
-    smooth(runner, &format!("B1, B/h = {cells}"), (FOOTING, &footing), &force)?;
-    let wall = [format!("grid.cell={} m", 1.0 / f64::from(cells))];
-    let force = |s: &Simulation| mean(&s.history.bodies[0], [0.05, 0.1], |b| b.displacement, |b| b.drag);
-    smooth(runner, &format!("B5, H/h = {cells}"), (WALL, &wall), &force)?;
+    let mesh = |cells: u32| format!("grid.cell={} m", 1.0 / f64::from(cells));
+    for cells in [8, 16] {
+        let force = |s: &Simulation| mean(&s.history.bodies[0], [0.03, 0.06], |b| b.sinkage, |b| b.vertical);
+        let overrides = [mesh(cells), "grid.fit=false".to_owned()];
+        smooth(runner, &format!("B1, B/h = {cells}"), (FOOTING, &overrides), &force)?;
+    }
+    for cells in [8, 16] {
+        let force = |s: &Simulation| mean(&s.history.bodies[0], [0.05, 0.1], |b| b.displacement, |b| b.drag);
+        smooth(runner, &format!("B5, H/h = {cells}"), (WALL, &[mesh(cells)]), &force)?;
+    }
     at_rest(runner)?;
-    if runner.options.fast { Ok(()) } else { towed(runner) }
+    towed(runner)
 }
 
 const SINGLE: &str = "numerics.precision=single";
@@ -50,18 +43,24 @@ fn smooth(
     (case, overrides): (&str, &[String]),
     force: &dyn Fn(&Simulation) -> f64,
 ) -> Result<(), VerifyError> {
+    if !runner.wants("P1", name)? {
+        return Ok(());
+    }
     let double = runner.run("P1", &format!("{name}, double"), case, overrides)?;
     let mut in_single = overrides.to_vec();
     in_single.push(SINGLE.into());
     let single = runner.run("P1", &format!("{name}, single"), case, &in_single)?;
-    let row = Row::info("P1", name, "force, single over double", force(&single) / force(&double));
-    runner.rows.push(row.within(1.0, 0.01, SAME).took(double.wall_s + single.wall_s));
-    Ok(())
+    let ratio = force(&single) / force(&double);
+    runner.put("P1", name, double.wall_s + single.wall_s, &[("force, single over double", ratio)])
 }
 
 /// The towed disc, in which rounding errors grow: several runs in each precision, with weights that differ by less than
 /// could be measured.
 fn towed(runner: &mut Runner) -> Result<(), VerifyError> {
+    let variants = ["drag", "sinkage"].map(|name| format!("D3, d/h = 10, {RUNS} runs each, {name}"));
+    if !runner.wants("P1", &variants[0])? {
+        return Ok(());
+    }
     let mut means = [[[0.0; RUNS]; 2]; 2];
     let mut seconds = 0.0;
     for (precision, means) in ["double", "single"].into_iter().zip(&mut means) {
@@ -82,17 +81,16 @@ fn towed(runner: &mut Runner) -> Result<(), VerifyError> {
         }
     }
     let [double, single] = means;
-    for (name, double, single) in [("drag", double[0], single[0]), ("sinkage", double[1], single[1])] {
+    for ((variant, double), single) in variants.iter().zip(double).zip(single) {
         let ((double, scatter), (single, other)) = (mean_and_scatter(double), mean_and_scatter(single));
-        let variant = format!("D3, d/h = 10, {RUNS} runs each, {name}");
         let error = ((scatter * scatter + other * other) / RUNS as f64).sqrt();
-        let info = |quantity, value| Row::info("P1", variant.as_str(), quantity, value).took(seconds);
-        runner.rows.extend([
-            info("scatter in double over the mean", scatter / double),
-            info("scatter in single over the mean", other / single),
-            info("mean, single over double", single / double),
-            info("difference of the means over its standard error", (single - double).abs() / error),
-        ]);
+        let figures = [
+            ("scatter in double over the mean", scatter / double),
+            ("scatter in single over the mean", other / single),
+            ("mean, single over double", single / double),
+            ("difference of the means over its standard error", (single - double).abs() / error),
+        ];
+        runner.put("P1", variant, seconds, &figures)?;
     }
     Ok(())
 }
@@ -112,11 +110,10 @@ fn at_rest(runner: &mut Runner) -> Result<(), VerifyError> {
     let mut state = initial::at_rest::<f32>(&model, &filling);
     let mut workspace = Workspace::new(&model, &mut state, 1);
     let mut speed = 0.0_f32;
-    for _ in 0..STEPS {
+    for _ in 0..runner.lasting(STEPS) {
         step(&model, &mut state, &mut workspace)?;
         speed = state.nodes.velocity.iter().flatten().fold(speed, |most, v| most.max(v.abs()));
     }
     let speed = f64::from(speed) / model.wave_speed();
-    runner.rows.push(Row::info("P1", "A4, surface at 0.5 h, single", "largest speed over wave speed", speed));
-    Ok(())
+    runner.put("P1", "A4, surface at 0.5 h, single", 0.0, &[("largest speed over wave speed", speed)])
 }

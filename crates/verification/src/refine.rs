@@ -3,8 +3,8 @@
 
 use crate::error::VerifyError;
 use crate::findings::Findings;
+use crate::list::expectations;
 use crate::options::SuiteOptions;
-use crate::row::Row;
 use crate::runner::Runner;
 use crate::{circle, column, disc, flow, footing, plate, positions, rough_wall, strip_sand, wall};
 
@@ -18,7 +18,6 @@ struct Study {
     coarsest: u32,
     /// Ratio of the cells of one mesh to those of the next coarser, as numerator and denominator.
     ratio: [u32; 2],
-    expected: f64,
     figure: fn(&mut Runner, u32) -> Result<f64, VerifyError>,
 }
 
@@ -30,7 +29,6 @@ const STUDIES: [Study; 11] = [
         quantity: "block pushed along the grid, drag over s_u d",
         coarsest: 8,
         ratio: [2, 1],
-        expected: f64::NAN,
         figure: positions::block_on,
     },
     Study {
@@ -39,7 +37,6 @@ const STUDIES: [Study; 11] = [
         quantity: "smooth strip, N_c",
         coarsest: 8,
         ratio: [2, 1],
-        expected: 2.0 + std::f64::consts::PI,
         figure: footing::smooth_on,
     },
     Study {
@@ -48,7 +45,6 @@ const STUDIES: [Study; 11] = [
         quantity: "rough strip, N_c",
         coarsest: 8,
         ratio: [2, 1],
-        expected: 2.0 + std::f64::consts::PI,
         figure: footing::rough_on,
     },
     Study {
@@ -57,7 +53,6 @@ const STUDIES: [Study; 11] = [
         quantity: "smooth circle, N_c",
         coarsest: 8,
         ratio: [3, 2],
-        expected: 5.69,
         figure: circle::smooth_on,
     },
     Study {
@@ -66,7 +61,6 @@ const STUDIES: [Study; 11] = [
         quantity: "smooth strip, φ = 30°, ψ = 0°, N_γ",
         coarsest: 8,
         ratio: [2, 1],
-        expected: f64::NAN,
         figure: strip_sand::smooth_on,
     },
     Study {
@@ -75,7 +69,6 @@ const STUDIES: [Study; 11] = [
         quantity: "φ = ψ = 30°, K_p, heave included",
         coarsest: 8,
         ratio: [2, 1],
-        expected: 3.0,
         figure: wall::associated_on,
     },
     Study {
@@ -84,7 +77,6 @@ const STUDIES: [Study; 11] = [
         quantity: "φ = ψ = 30°, δ = 15°, K_n",
         coarsest: 8,
         ratio: [2, 1],
-        expected: f64::NAN,
         figure: rough_wall::first_on,
     },
     Study {
@@ -93,7 +85,6 @@ const STUDIES: [Study; 11] = [
         quantity: "φ = ψ = 30°, α = 60°, K_n",
         coarsest: 8,
         ratio: [2, 1],
-        expected: f64::NAN,
         figure: plate::first_on,
     },
     Study {
@@ -102,7 +93,6 @@ const STUDIES: [Study; 11] = [
         quantity: "smooth cylinder, N",
         coarsest: 8,
         ratio: [2, 1],
-        expected: 9.20117,
         figure: flow::smooth_on,
     },
     Study {
@@ -111,7 +101,6 @@ const STUDIES: [Study; 11] = [
         quantity: "a = 1, φ = 37°, run-out, front where 0.025 L₀ thick",
         coarsest: 10,
         ratio: [2, 1],
-        expected: f64::NAN,
         figure: column::run_out_on,
     },
     Study {
@@ -120,7 +109,6 @@ const STUDIES: [Study; 11] = [
         quantity: "towed disc, drag [N]",
         coarsest: 16,
         ratio: [5, 4],
-        expected: f64::NAN,
         figure: disc::drag_on,
     },
 ];
@@ -138,7 +126,11 @@ pub fn refine(
     options: &SuiteOptions,
     progress: &mut dyn FnMut(&str),
 ) -> Findings {
-    let mut runner = Runner::new(options, progress);
+    let expectations = match expectations() {
+        Ok(expectations) => expectations,
+        Err(unreadable) => return Findings { broken: vec![unreadable], ..Findings::default() },
+    };
+    let mut runner = Runner::new(expectations, options, progress).refining();
     let mut broken = Vec::new();
     for study in STUDIES.iter().filter(|s| ids.is_empty() || ids.contains(&s.id)) {
         if let Err(error) = study.run(&mut runner, meshes) {
@@ -155,21 +147,18 @@ impl Study {
         let mut figures = Vec::new();
         for _ in 0..meshes {
             let figure = (self.figure)(runner, cells)?;
-            let row = Row::info(self.id, format!("{} = {cells}", self.cells), self.quantity, figure);
-            runner.rows.push(if self.expected.is_nan() {
-                row
-            } else {
-                row.compared_with(self.expected, self.expected, "")
-            });
+            let case = format!("{} = {cells}", self.cells);
+            runner.put(self.id, &case, 0.0, &[(self.quantity, figure)])?;
             figures.push(figure);
             cells = cells * up / down;
         }
         let Some(last) = figures.last_chunk::<3>() else { return Ok(()) };
         let (order, limit) = richardson(*last, f64::from(up) / f64::from(down));
-        let info = |quantity, value| Row::info(self.id, "finest three meshes", quantity, value);
-        runner.rows.push(info("observed order of convergence (NaN: the differences do not shrink)", order));
-        runner.rows.push(info("Richardson extrapolation to h = 0", limit));
-        Ok(())
+        let figures = [
+            ("observed order of convergence (NaN: the differences do not shrink)", order),
+            ("Richardson extrapolation to h = 0", limit),
+        ];
+        runner.put(self.id, "finest three meshes", 0.0, &figures)
     }
 }
 

@@ -2,7 +2,6 @@
 
 use crate::error::VerifyError;
 use crate::probe::mean;
-use crate::row::Row;
 use crate::runner::Runner;
 use coulter::history::BodySample;
 use coulter::output::checkpoint::Checkpoint;
@@ -10,47 +9,28 @@ use coulter::simulation::Simulation;
 use solver::state::State;
 
 const CASE: &str = include_str!("../../../validation/A8_repeatability/case.toml");
-const BITS: &str = "same input, same bits";
-const MIRROR: &str = "symmetry of the equations";
 /// Distance of the disc from the middle in the mirrored pair, a fraction of a cell [m].
 const OFFSET: f64 = 7e-3;
-
-/// Text for the documentation.
-pub(crate) const ABOUT: &str = "A small towed disc, modelled as a whole, is run on 1, 2 and 3 threads, and without or with \
-    a restart half way from a checkpoint on disk: the number of values in the state and the history that \
-    differ must be 0. Its fields are compared with their own mirror image in y, and those of a disc moved to one side with those of a disc \
-    moved to the other, after 50 ms and at the end: the largest difference in volume fraction and in velocity (over the tow speed). \
-    A strip is also pressed into a bank of clay, once at rest and once with everything moving at 0.2 m/s over the grid.";
 
 pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
     let one = runner.run("A8", "1 thread", CASE, &["numerics.threads=1".into()])?;
     for threads in [2, 3] {
         let variant = format!("{threads} threads");
         let other = runner.run("A8", &variant, CASE, &[format!("numerics.threads={threads}")])?;
-        let row = Row::info(
-            "A8",
-            variant,
-            "values that differ from the run on 1 thread",
-            differences(&one, &other),
-        );
-        runner.rows.push(row.at_most(0.0, BITS).took(other.wall_s));
+        let figures = [("values that differ from the run on 1 thread", differences(&one, &other))];
+        runner.put("A8", &variant, other.wall_s, &figures)?;
     }
     let resumed = resumed(runner)?;
-    let row = Row::info(
-        "A8",
-        "stopped half way",
-        "values that differ from the uninterrupted run",
-        differences(&one, &resumed),
-    );
-    runner.rows.push(row.at_most(0.0, BITS).took(resumed.wall_s));
-    mirrored(runner, "disc in the middle, 0.2 s", &one, &one);
+    let figures = [("values that differ from the uninterrupted run", differences(&one, &resumed))];
+    runner.put("A8", "stopped half way", resumed.wall_s, &figures)?;
+    mirrored(runner, "disc in the middle, 0.2 s", &one, &one)?;
     for (name, duration) in [("50 ms", 0.05), ("0.2 s", 0.2)] {
         let aside = |y: f64| [format!("body.disc.y={y} m"), format!("run.duration={duration} s")];
         let left = runner.run("A8", &format!("disc moved to +y, {name}"), CASE, &aside(OFFSET))?;
         let right = runner.run("A8", &format!("disc moved to −y, {name}"), CASE, &aside(-OFFSET))?;
-        mirrored(runner, &format!("disc moved to +y and −y, {name}"), &left, &right);
+        mirrored(runner, &format!("disc moved to +y and −y, {name}"), &left, &right)?;
     }
-    if runner.options.fast { Ok(()) } else { crate::moving::run(runner) }
+    crate::moving::run(runner)
 }
 
 /// The case, stopped half way and resumed from the checkpoint on disk.
@@ -99,7 +79,7 @@ fn fields(state: &State) -> impl Iterator<Item = &Vec<f64>> {
 }
 
 /// Rows on how far `b` deviates from the mirror image of `a` about the middle of the box.
-fn mirrored(runner: &mut Runner, variant: &str, a: &Simulation, b: &Simulation) {
+fn mirrored(runner: &mut Runner, variant: &str, a: &Simulation, b: &Simulation) -> Result<(), VerifyError> {
     let speed = 0.2;
     let grid = &a.model.grid;
     let [nx, ny, nz] = grid.cells();
@@ -122,15 +102,15 @@ fn mirrored(runner: &mut Runner, variant: &str, a: &Simulation, b: &Simulation) 
         }
     }
     let seconds = a.wall_s + b.wall_s;
-    let info = |quantity, value| Row::info("A8", variant, quantity, value).took(seconds);
     let drag = [a, b].map(|s| force(s, |b| b.drag));
     let lateral = force(a, |b| b.lateral) + force(b, |b| b.lateral);
-    runner.rows.extend([
-        info("deviation of the volume fraction from its mirror image", fraction).at_most(1e-12, MIRROR),
-        info("deviation of the velocity from its mirror image", velocity).at_most(1e-12, MIRROR),
-        info("deviation of the mean drag from that of the mirror image", (drag[0] / drag[1] - 1.0).abs()),
-        info("sum of mean lateral forces over the drag", lateral.abs() / drag[0]),
-    ]);
+    let figures = [
+        ("deviation of the volume fraction from its mirror image", fraction),
+        ("deviation of the velocity from its mirror image", velocity),
+        ("deviation of the mean drag from that of the mirror image", (drag[0] / drag[1] - 1.0).abs()),
+        ("sum of mean lateral forces over the drag", lateral.abs() / drag[0]),
+    ];
+    runner.put("A8", variant, seconds, &figures)
 }
 
 /// Mean of a force over the second half of a run [N].

@@ -1,7 +1,6 @@
 //! A6: the mechanics of rigid bodies, and Coulomb's friction.
 
 use crate::error::VerifyError;
-use crate::row::Row;
 use crate::runner::Runner;
 use coulter::history::BodySample;
 use coulter::simulation::Simulation;
@@ -11,37 +10,14 @@ const SLIDING: &str = include_str!("../../../validation/A6_rigid_mechanics/slidi
 const FALLING: &str = include_str!("../../../validation/A6_rigid_mechanics/falling.toml");
 const BOUNCING: &str = include_str!("../../../validation/A6_rigid_mechanics/bouncing.toml");
 const ROLLING: &str = include_str!("../../../validation/A6_rigid_mechanics/rolling.toml");
-const COULOMB: &str = "Newton and Coulomb, exact";
-const SAINT_VENANT: &str = "Saint-Venant (1883): a heavy body strikes a bar, exact";
 const GRAVITY: f64 = 9.81;
-const TOLERANCE: f64 = 1e-3;
-
-/// Text for the documentation.
-pub(crate) const ABOUT: &str = "Bodies on stiff, weightless, elastic soil that represents a rigid plane; a slope is represented by a weight with a \
-    component along x. A block of μ = 0.3 must slide down 30° with g (sin θ − μ cos θ) and stay on 10°; a wheel must roll down 10° with \
-    ⅔ g sin θ, or slip with g (sin θ − μ cos θ) where μ is 0.03 and less than ⅓ tan θ; a block must fall with g; and one as heavy as the \
-    elastic column that it strikes must slow down and rebound as elastic waves in the column predict. Accelerations are means between two times.";
+const ACCELERATION: &str = "acceleration over the exact value";
 
 pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
     falling(runner)?;
     sliding(runner)?;
-    if runner.options.fast {
-        return Ok(());
-    }
     bouncing(runner)?;
     rolling(runner)
-}
-
-fn put(
-    runner: &mut Runner,
-    variant: &str,
-    quantity: &str,
-    ratio: f64,
-    simulation: &Simulation,
-    source: &'static str,
-) {
-    let row = Row::info("A6", variant, quantity, ratio).within(1.0, TOLERANCE, source);
-    runner.rows.push(row.took(simulation.wall_s));
 }
 
 fn falling(runner: &mut Runner) -> Result<(), VerifyError> {
@@ -50,8 +26,7 @@ fn falling(runner: &mut Runner) -> Result<(), VerifyError> {
     let samples = &simulation.history.bodies[0];
     let (first, last) = (at(samples, 0.0), at(samples, 0.4));
     let fallen = (last.sinkage - first.sinkage) / (0.5 * GRAVITY * last.time.powi(2));
-    put(runner, variant, "height of fall over g t²/2", fallen, &simulation, COULOMB);
-    Ok(())
+    runner.put("A6", variant, simulation.wall_s, &[("height of fall over g t²/2", fallen)])
 }
 
 fn sliding(runner: &mut Runner) -> Result<(), VerifyError> {
@@ -68,19 +43,12 @@ fn sliding(runner: &mut Runner) -> Result<(), VerifyError> {
         let simulation = runner.run("A6", &variant, SLIDING, &loads)?;
         let obtained = acceleration(&simulation, [0.1, 0.3]);
         let exact = GRAVITY * (sin - friction * cos);
-        if exact > 0.0 {
-            put(
-                runner,
-                &variant,
-                "acceleration over the exact value",
-                obtained / exact,
-                &simulation,
-                COULOMB,
-            );
+        let figure = if exact > 0.0 {
+            (ACCELERATION, obtained / exact)
         } else {
-            let row = Row::info("A6", variant, "acceleration over g sin θ", obtained / (GRAVITY * sin));
-            runner.rows.push(row.at_most(TOLERANCE, COULOMB).took(simulation.wall_s));
-        }
+            ("acceleration over g sin θ", obtained / (GRAVITY * sin))
+        };
+        runner.put("A6", &variant, simulation.wall_s, &[figure])?;
     }
     Ok(())
 }
@@ -89,6 +57,9 @@ fn rolling(runner: &mut Runner) -> Result<(), VerifyError> {
     let (sin, cos) = (PI / 18.0).sin_cos();
     for friction in [0.3, 0.03] {
         let variant = format!("wheel on 10°, μ = {friction}");
+        if !runner.wants("A6", &variant)? {
+            continue;
+        }
         let simulation = runner.run("A6", &variant, ROLLING, &[format!("body.wheel.friction={friction}")])?;
         let exact = if friction > sin / cos / 3.0 {
             2.0 / 3.0 * GRAVITY * sin
@@ -96,20 +67,14 @@ fn rolling(runner: &mut Runner) -> Result<(), VerifyError> {
             GRAVITY * (sin - friction * cos)
         };
         let obtained = acceleration(&simulation, [0.45, 0.8]);
-        put(runner, &variant, "acceleration over the exact value", obtained / exact, &simulation, COULOMB);
+        let acceleration = (ACCELERATION, obtained / exact);
         let samples = &simulation.history.bodies[0];
         let (a, b) = (at(samples, 0.45), at(samples, 0.8));
         // A solid wheel: I = m r²/2.
         let angular = (b.spin - a.spin) / (b.time - a.time) * 0.1;
         let exact = if friction > sin / cos / 3.0 { exact } else { 2.0 * friction * GRAVITY * cos };
-        put(
-            runner,
-            &variant,
-            "angular acceleration over the exact value",
-            angular / exact,
-            &simulation,
-            COULOMB,
-        );
+        let angular = ("angular acceleration over the exact value", angular / exact);
+        runner.put("A6", &variant, simulation.wall_s, &[acceleration, angular])?;
     }
     Ok(())
 }
@@ -117,6 +82,9 @@ fn rolling(runner: &mut Runner) -> Result<(), VerifyError> {
 fn bouncing(runner: &mut Runner) -> Result<(), VerifyError> {
     const SPEED: f64 = 1e-3;
     let variant = "block strikes a column of 320 cells";
+    if !runner.wants("A6", variant)? {
+        return Ok(());
+    }
     let mut simulation = runner.simulation(BOUNCING, &[])?;
     simulation.set_in_motion(|state| state.bodies[0].velocity.z = -SPEED);
     runner.finish("A6", variant, &mut simulation)?;
@@ -125,18 +93,13 @@ fn bouncing(runner: &mut Runner) -> Result<(), VerifyError> {
     let unit = 1.0 / simulation.model.wave_speed();
     let early = at(samples, 1.5 * unit);
     let slowed = -early.heave_speed / SPEED / (-early.time / unit).exp();
-    put(runner, variant, "speed after 1.5 L/c over the exact value", slowed, &simulation, SAINT_VENANT);
     // Contact ends after 3.07 L/c; later the free end of the column may catch up with the block.
     let rebound = at(samples, 3.2 * unit).heave_speed / SPEED;
-    put(
-        runner,
-        variant,
-        "rebound over the exact value",
-        rebound / rebound_exact(),
-        &simulation,
-        SAINT_VENANT,
-    );
-    Ok(())
+    let figures = [
+        ("speed after 1.5 L/c over the exact value", slowed),
+        ("rebound over the exact value", rebound / rebound_exact()),
+    ];
+    runner.put("A6", variant, simulation.wall_s, &figures)
 }
 
 /// Speed at which a body leaves a bar of its own mass, fixed at its other end, over that at which it struck it. With

@@ -65,59 +65,10 @@ impl Row {
         }
     }
 
-    /// The same figure, expected to be `value` within a fraction of it.
+    /// The same figure beside what is expected of it.
     #[must_use]
-    pub fn within(self, value: f64, fraction: f64, source: &'static str) -> Self {
-        Self {
-            expected: Expected::Value(value),
-            tolerance: Tolerance::Relative(fraction),
-            source: source.into(),
-            ..self
-        }
-    }
-
-    /// The same figure, expected to be 0 within `limit`.
-    #[must_use]
-    pub fn at_most(self, limit: f64, source: &'static str) -> Self {
-        Self {
-            expected: Expected::Value(0.0),
-            tolerance: Tolerance::Absolute(limit),
-            source: source.into(),
-            ..self
-        }
-    }
-
-    /// The same figure, expected to be at least `value`.
-    #[must_use]
-    pub fn at_least(self, value: f64, source: &'static str) -> Self {
-        Self {
-            expected: Expected::AtLeast(value),
-            tolerance: Tolerance::Absolute(0.0),
-            source: source.into(),
-            ..self
-        }
-    }
-
-    /// The same figure, expected to lie between two values, within a fraction of them.
-    #[must_use]
-    pub fn between(self, low: f64, high: f64, fraction: f64, source: &'static str) -> Self {
-        Self {
-            expected: Expected::Between(low, high),
-            tolerance: Tolerance::Relative(fraction),
-            source: source.into(),
-            ..self
-        }
-    }
-
-    /// A comparison row: the same figure compared with a published range. It lies inside or outside, and neither passes nor fails.
-    #[must_use]
-    pub fn compared_with(self, low: f64, high: f64, source: &'static str) -> Self {
-        Self {
-            expected: Expected::Between(low, high),
-            tolerance: Tolerance::None,
-            source: source.into(),
-            ..self
-        }
+    pub(crate) fn expecting(self, expected: Expected, tolerance: Tolerance, source: &'static str) -> Self {
+        Self { expected, tolerance, source: source.into(), ..self }
     }
 
     /// The same figure with the wall-clock time of the runs behind it [s].
@@ -200,6 +151,65 @@ impl Judgement {
             Self::Inside => "inside",
             Self::Outside => "outside",
             Self::None => "–",
+        }
+    }
+}
+
+/// Rows for the tests of this crate.
+#[cfg(test)]
+impl Row {
+    /// The same figure, expected to be `value` within a fraction of it.
+    #[must_use]
+    pub fn within(self, value: f64, fraction: f64, source: &'static str) -> Self {
+        Self {
+            expected: Expected::Value(value),
+            tolerance: Tolerance::Relative(fraction),
+            source: source.into(),
+            ..self
+        }
+    }
+
+    /// The same figure, expected to be 0 within `limit`.
+    #[must_use]
+    pub fn at_most(self, limit: f64, source: &'static str) -> Self {
+        Self {
+            expected: Expected::Value(0.0),
+            tolerance: Tolerance::Absolute(limit),
+            source: source.into(),
+            ..self
+        }
+    }
+
+    /// The same figure, expected to be at least `value`.
+    #[must_use]
+    pub fn at_least(self, value: f64, source: &'static str) -> Self {
+        Self {
+            expected: Expected::AtLeast(value),
+            tolerance: Tolerance::Absolute(0.0),
+            source: source.into(),
+            ..self
+        }
+    }
+
+    /// The same figure, expected to lie between two values, within a fraction of them.
+    #[must_use]
+    pub fn between(self, low: f64, high: f64, fraction: f64, source: &'static str) -> Self {
+        Self {
+            expected: Expected::Between(low, high),
+            tolerance: Tolerance::Relative(fraction),
+            source: source.into(),
+            ..self
+        }
+    }
+
+    /// A comparison row: the same figure compared with a published range. It lies inside or outside, and neither passes nor fails.
+    #[must_use]
+    pub fn compared_with(self, low: f64, high: f64, source: &'static str) -> Self {
+        Self {
+            expected: Expected::Between(low, high),
+            tolerance: Tolerance::None,
+            source: source.into(),
+            ..self
         }
     }
 }

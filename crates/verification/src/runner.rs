@@ -2,8 +2,10 @@
 
 use crate::cache::{CachedPart, ResultCache};
 use crate::error::VerifyError;
+use crate::expectation::{Expectation, Suite, Target};
+use crate::expectations::Expectations;
 use crate::options::SuiteOptions;
-use crate::row::Row;
+use crate::row::{Expected, Row};
 use crate::run_balances::RunBalances;
 use crate::trace::Trace;
 use coulter::case::resolved::Precision;
@@ -21,6 +23,9 @@ pub struct Runner<'a> {
     pub rows: Vec<Row>,
     /// The balances of the runs so far.
     pub balances: Vec<RunBalances>,
+    /// What is expected of the figures.
+    pub(crate) expectations: &'static [Expectations],
+    suite: Suite,
     /// Why a user's run would have been stopped, if the current one would.
     stopped: Option<String>,
     cache: Option<ResultCache>,
@@ -35,9 +40,78 @@ impl std::fmt::Debug for Runner<'_> {
 
 impl<'a> Runner<'a> {
     /// A runner without results; `progress` is called with a line of text whenever there is something to report.
-    pub fn new(options: &'a SuiteOptions, progress: &'a mut dyn FnMut(&str)) -> Self {
+    pub(crate) fn new(
+        expectations: &'static [Expectations],
+        options: &'a SuiteOptions,
+        progress: &'a mut dyn FnMut(&str),
+    ) -> Self {
+        let suite = if options.fast { Suite::Fast } else { Suite::Full };
         let cache = options.folder.as_ref().and_then(|folder| ResultCache::new(folder, options));
-        Self { options, rows: Vec::new(), balances: Vec::new(), stopped: None, cache, progress }
+        Self {
+            options,
+            rows: Vec::new(),
+            balances: Vec::new(),
+            expectations,
+            suite,
+            stopped: None,
+            cache,
+            progress,
+        }
+    }
+
+    /// The same for the study of convergence.
+    pub(crate) fn refining(self) -> Self {
+        Self { suite: Suite::Refine, ..self }
+    }
+
+    fn expectations(&self, id: &str) -> Result<&'static Expectations, VerifyError> {
+        let known = self.expectations.iter().find(|known| known.id == id);
+        known.ok_or_else(|| VerifyError::Expectation(format!("nothing is expected of {id}")))
+    }
+
+    /// What is expected of a figure.
+    ///
+    /// # Errors
+    /// [`VerifyError::Expectation`] if its `expected.toml` does not say.
+    pub(crate) fn expectation(
+        &self,
+        id: &str,
+        case: &str,
+        quantity: &str,
+    ) -> Result<&'static Expectation, VerifyError> {
+        self.expectations(id)?.find(case, quantity, self.suite)
+    }
+
+    /// Whether a variant is part of this verification.
+    ///
+    /// # Errors
+    /// [`VerifyError::Expectation`] if nothing at all is expected of the benchmark.
+    pub(crate) fn wants(&self, id: &str, case: &str) -> Result<bool, VerifyError> {
+        Ok(self.expectations(id)?.contains(case, self.suite))
+    }
+
+    /// Enters figures of a variant, (quantity, value), beside what is expected of them; `seconds` is the wall-clock time of
+    /// the runs behind them [s].
+    ///
+    /// # Errors
+    /// [`VerifyError::Expectation`] if the `expected.toml` of the benchmark does not know one of them.
+    pub(crate) fn put(
+        &mut self,
+        id: &'static str,
+        case: &str,
+        seconds: f64,
+        figures: &[(&str, f64)],
+    ) -> Result<(), VerifyError> {
+        for &(quantity, obtained) in figures {
+            let known = self.expectation(id, case, quantity)?;
+            let expected = match &known.target {
+                Target::Number(expected) => *expected,
+                Target::SameAs(other) => Expected::Value(self.obtained(id, other, quantity)),
+            };
+            let info = Row::info(id, case, quantity, obtained).took(seconds);
+            self.rows.push(info.expecting(expected, known.tolerance, &known.source));
+        }
+        Ok(())
     }
 
     /// Does one part of a benchmark, unless the cache holds its results from this very program with the same options;
@@ -45,7 +119,7 @@ impl<'a> Runner<'a> {
     ///
     /// # Errors
     /// What `work` returns; a part that fails is not cached.
-    pub fn part(
+    pub(crate) fn part(
         &mut self,
         id: &'static str,
         part: &str,
@@ -81,7 +155,13 @@ impl<'a> Runner<'a> {
         if case.numerics.threads == 0 {
             case.numerics.threads = self.options.threads;
         }
+        case.duration = self.lasting(case.duration);
         Ok(case)
+    }
+
+    /// How long something lasts, in seconds or steps: not at all where the rows are only listed.
+    pub(crate) fn lasting<T: Default>(&self, length: T) -> T {
+        if self.options.only_list { T::default() } else { length }
     }
 
     /// A simulation of a case file's text with overrides, which the benchmark itself advances in time; in double precision

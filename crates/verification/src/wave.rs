@@ -1,7 +1,6 @@
 //! A1: an elastic wave along a bar.
 
 use crate::error::VerifyError;
-use crate::row::Row;
 use crate::runner::Runner;
 use glam::DVec3;
 use physics::elastic::Elastic;
@@ -14,7 +13,6 @@ use solver::step::step;
 use solver::workspace::Workspace;
 use std::time::Instant;
 
-const SOURCE: &str = "d'Alembert: v(x, t) = f(x − ct), c = √(M/ρ), exact";
 /// Cells of the coarse bar; the fine one has twice as many.
 const CELLS: usize = 200;
 /// Coarse cells that the wave travels.
@@ -24,29 +22,20 @@ const PULSE: [f64; 2] = [6.0, 45.0];
 /// Peak velocity [m/s]: displacements stay far below those at which a remap is due.
 const PEAK: f64 = 1e-6;
 
-/// Text for the documentation.
-pub(crate) const ABOUT: &str = "A smooth velocity pulse (a Gaussian with a standard deviation of 6 coarse cells) and the \
-    corresponding stress travel along a laterally confined elastic bar, one cell wide, over 100 coarse cells, without \
-    hourglass viscosity. The speed is that of the centre of the kinetic energy. The order is that of the L2 error \
-    of the velocity on 200 and 400 cells without bulk viscosity; the scheme is of order 2.";
-
 pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
+    const SPEED: &str = "wave speed over √(M/ρ)";
+    const ERROR: &str = "L2 error over the pulse's";
     let damped = travel(1, Method::default().bulk_viscosity, None)?;
-    let put = |runner: &mut Runner, row: Row, seconds: f64| runner.rows.push(row.took(seconds));
-    let row = Row::info("A1", "200 cells, b₁ = 0.02", "wave speed over √(M/ρ)", damped.speed);
-    put(runner, row.within(1.0, 0.005, SOURCE), damped.seconds);
+    runner.put("A1", "200 cells, b₁ = 0.02", damped.seconds, &[(SPEED, damped.speed)])?;
     let (coarse, fine) = (travel(1, [0.0; 2], None)?, travel(2, [0.0; 2], None)?);
-    let row = Row::info("A1", "200 cells, no bulk viscosity", "wave speed over √(M/ρ)", coarse.speed);
-    put(runner, row.within(1.0, 0.005, SOURCE), coarse.seconds);
-    let order = (coarse.error / fine.error).log2();
-    let row = Row::info("A1", "200 and 400 cells, no bulk viscosity", "order of the L2 error", order);
-    put(runner, row.at_least(1.5, SOURCE), coarse.seconds + fine.seconds);
-    let row = Row::info("A1", "200 cells, no bulk viscosity", "L2 error over the pulse's", coarse.error);
-    put(runner, row, coarse.seconds);
+    let plain = "200 cells, no bulk viscosity";
+    runner.put("A1", plain, coarse.seconds, &[(SPEED, coarse.speed)])?;
+    let order = ("order of the L2 error", (coarse.error / fine.error).log2());
+    let both = "200 and 400 cells, no bulk viscosity";
+    runner.put("A1", both, coarse.seconds + fine.seconds, &[order])?;
+    runner.put("A1", plain, coarse.seconds, &[(ERROR, coarse.error)])?;
     let remapped = travel(1, [0.0; 2], Some(-1.0))?;
-    let row = Row::info("A1", "200 cells, remap in every step", "L2 error over the pulse's", remapped.error);
-    put(runner, row, remapped.seconds);
-    Ok(())
+    runner.put("A1", "200 cells, remap in every step", remapped.seconds, &[(ERROR, remapped.error)])
 }
 
 struct Travelled {
