@@ -1,8 +1,7 @@
-//! From case file to report: the public API of the library, and the `coulter` command.
+//! From case file to report: the public API of the library.
 
 pub mod bench;
 pub mod case;
-pub mod cli;
 pub mod forecast;
 pub mod history;
 pub mod interrupts;
@@ -10,4 +9,3 @@ pub mod output;
 pub mod run;
 pub mod simulation;
 pub mod trust;
-pub mod verify;

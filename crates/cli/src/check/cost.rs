@@ -1,0 +1,87 @@
+//! The cost of the case, in words.
+
+use coulter::case::Case;
+use coulter::case::estimate::Cost;
+use coulter::case::quantity::plain;
+use coulter::case::resources::format_bytes;
+use std::fmt::Write;
+
+/// Box, grid, memory, results and time of a case; `seconds` is the estimated time of the run [s].
+pub(super) fn describe_cost(
+    text: &mut String,
+    case: &Case,
+    cost: &Cost,
+    seconds: Option<f64>,
+) -> std::fmt::Result {
+    let [nx, ny, nz] = std::array::from_fn(|axis| case.grid.faces[axis].len().saturating_sub(1));
+    let (low, high) = (case.domain.low, case.domain.high);
+    writeln!(
+        text,
+        "box      x {} to {} m, y {} to {} m, z {} to {} m{}",
+        plain(low.x),
+        plain(high.x),
+        plain(low.y),
+        plain(high.y),
+        plain(low.z),
+        plain(high.z),
+        symmetry(case)
+    )?;
+    writeln!(
+        text,
+        "grid     {nx} × {ny} × {nz} = {} cells of {} mm and more, {} with soil",
+        cost.estimate.cells,
+        finest(case),
+        cost.estimate.filled_cells
+    )?;
+    let memory = &cost.memory;
+    writeln!(
+        text,
+        "memory   {}: grid {}, contact points {}, outputs {}, program {}",
+        format_bytes(cost.memory_bytes),
+        format_bytes(memory.grid_bytes),
+        format_bytes(memory.contact_bytes),
+        format_bytes(memory.outputs_bytes),
+        format_bytes(memory.program_bytes)
+    )?;
+    let output = &cost.output;
+    writeln!(
+        text,
+        "results  {}: fields {} in {} files, histories {}, checkpoints {}",
+        format_bytes(output.total_bytes),
+        format_bytes(output.fields_bytes),
+        output.frames,
+        format_bytes(output.histories_bytes),
+        format_bytes(output.checkpoints_bytes)
+    )?;
+    writeln!(
+        text,
+        "time     {:.4} s in {} steps of {:.3e} s (wave speed {:.1} m/s)",
+        case.duration, cost.estimate.steps, cost.estimate.time_step_s, cost.estimate.wave_speed_m_per_s
+    )?;
+    match seconds {
+        Some(seconds) => writeln!(text, "run time about {seconds:.0} s on this machine"),
+        None => {
+            writeln!(text, "run time {:.3e} cell steps", cost.estimate.steps * cost.estimate.filled_cells)
+        }
+    }
+}
+
+/// Plane strain and planes of symmetry.
+fn symmetry(case: &Case) -> &'static str {
+    match (case.domain.plane_strain, case.domain.modelled_fraction()) {
+        (true, 1.0) => ", plane strain",
+        (true, _) => ", plane strain, symmetric half",
+        (false, 1.0) => "",
+        (false, 0.5) => ", symmetric half",
+        (false, _) => ", symmetric quarter",
+    }
+}
+
+/// The smallest widths of the cells along x, y, z [mm]; one number where they are the same.
+fn finest(case: &Case) -> String {
+    let widths = case.grid.faces.each_ref().map(|faces| {
+        let finest = faces.windows(2).map(|f| f[1] - f[0]).fold(f64::INFINITY, f64::min);
+        format!("{:.4}", 1e3 * finest)
+    });
+    if widths[0] == widths[1] && widths[1] == widths[2] { widths[0].clone() } else { widths.join(" × ") }
+}

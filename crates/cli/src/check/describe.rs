@@ -1,0 +1,99 @@
+//! The case as understood, in words.
+
+use super::groups::groups;
+use coulter::case::Case;
+use coulter::case::quantity::plain;
+use coulter::case::resolved::{Body, Freedom, Law, Measured, Potential};
+use std::fmt::Write;
+
+/// Soil and bodies of a case.
+pub(super) fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
+    let soil = &case.soil;
+    writeln!(text, "{} ({})", case.title, case.name)?;
+    let strength = match soil.law {
+        Law::Elastic => "elastic".to_owned(),
+        Law::Tresca { shear_strength } => format!("tresca, s_u = {shear_strength} Pa"),
+        Law::VonMises { yield_stress, hardening_modulus } => {
+            format!("von-mises, σ_y = {yield_stress} Pa, H = {hardening_modulus} Pa")
+        }
+        Law::MohrCoulomb {
+            friction_angle,
+            dilation_angle,
+            cohesion,
+            tension_cutoff,
+            potential,
+            critical_density,
+        } => format!(
+            "mohr-coulomb, φ = {:.4}°, ψ = {:.4}°{}, c = {cohesion} Pa, tension up to {tension_cutoff} Pa{}",
+            friction_angle.to_degrees(),
+            dilation_angle.to_degrees(),
+            critical_density.map_or(String::new(), |rho| format!(" down to {rho:.1} kg/m³")),
+            match potential {
+                Potential::MohrCoulomb => String::new(),
+                Potential::MenetreyWillam { meridional, deviatoric } =>
+                    format!(", smooth potential (ε = {meridional}, e = {deviatoric:.4})"),
+            }
+        ),
+    };
+    writeln!(text, "soil     {strength}")?;
+    writeln!(
+        text,
+        "         γ = {} N/m³, ρ = {:.1} kg/m³, E = {} Pa, ν = {}, K₀ = {:.3}",
+        plain(soil.unit_weight),
+        soil.density,
+        plain(soil.young_modulus),
+        plain(soil.poisson_ratio),
+        soil.k0
+    )?;
+    for body in &case.bodies {
+        describe_body(text, case, body)?;
+    }
+    if case.forecast != Measured::default() {
+        writeln!(
+            text,
+            "note     the keys of [forecast] are used by `coulter forecast` only; a run ignores them"
+        )?;
+    }
+    Ok(())
+}
+
+fn describe_body(text: &mut String, case: &Case, body: &Body) -> std::fmt::Result {
+    let metres = |x: f64| format!("{} m", plain(x));
+    let shape = body.shape.describe(&metres, &|angle| format!("{:.1}°", angle.to_degrees()));
+    let mut friction =
+        if body.friction.is_finite() { format!("μ = {}", body.friction) } else { "rough".into() };
+    if body.shear_limit.is_finite() {
+        friction += &format!(", at most {} Pa", body.shear_limit);
+    }
+    writeln!(text, "body     {}: {shape}, {friction}, m = {:.4} kg", body.name, body.mass)?;
+    let [forward, lateral, heave] = &body.translation;
+    let motions =
+        [("forward", forward, "m/s", "N"), ("lateral", lateral, "m/s", "N"), ("heave", heave, "m/s", "N")];
+    for (name, freedom, speed, load) in motions.into_iter().chain([("spin", &body.spin, "rad/s", "N m")]) {
+        writeln!(text, "         {name:8} {}", describe_freedom(freedom, speed, load))?;
+    }
+    let groups = groups(case, body);
+    let optional =
+        [("W̄", groups.w_bar), ("Ē", groups.e_bar), ("c̄", groups.c_bar), ("v²/(gd)", groups.froude)];
+    let mut list = format!("t̄ = {:.4}", groups.t_bar);
+    for (name, value) in optional {
+        if let Some(value) = value {
+            write!(list, ", {name} = {value:.4}")?;
+        }
+    }
+    writeln!(text, "         {list}")
+}
+
+fn describe_freedom(freedom: &Freedom, speed_unit: &str, load_unit: &str) -> String {
+    match *freedom {
+        Freedom::Fixed => "fixed".into(),
+        Freedom::Prescribed { speed, start, ramp, end } => {
+            let until = if end.is_finite() { format!(" until {} s", plain(end)) } else { String::new() };
+            format!("{} {speed_unit}, from {} s within {} s{until}", plain(speed), plain(start), plain(ramp))
+        }
+        Freedom::Free { load: 0.0, .. } => "free".into(),
+        Freedom::Free { load, start, ramp } => {
+            format!("free, load {load:.4} {load_unit} from {} s within {} s", plain(start), plain(ramp))
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! Estimates the run time of a case on this machine, from trial steps on a small region of it.
+
+use coulter::case::estimate::{Cost, Estimate};
+use coulter::case::resolved::{Case, Ground, Precision};
+use coulter::simulation::Simulation;
+use glam::DVec3;
+use std::time::Duration;
+
+/// Cells along each axis of the trial region.
+const MAX_CELLS: usize = 40;
+/// Number and duration of the trials; the upper quartile counts, since other programs may interfere.
+const TRIALS: usize = 9;
+const TRIAL_TIME: Duration = Duration::from_millis(50);
+/// Cost of later steps, when soil yields and is remapped, over that of the first ones; measured on the shipped cases.
+const LATER_STEPS: f64 = 1.5;
+/// Time for the report [s], and per cell of a field file [s]; measured.
+const WRITING: [f64; 2] = [0.6, 1.3e-6];
+
+/// Wall-clock time of a run of the case on this machine [s]; `None` if the first step fails.
+pub(super) fn estimate(case: &Case, cost: &Cost) -> Option<f64> {
+    let Estimate { cells, filled_cells, steps, .. } = cost.estimate;
+    let writing = WRITING[0] + WRITING[1] * cells * cost.output.frames;
+    measured(case).map(|rate| writing + steps * filled_cells * LATER_STEPS / rate)
+}
+
+/// Cell-steps per second over the cells with soil, from the first steps of a region of the case.
+fn measured(case: &Case) -> Option<f64> {
+    let region = around_the_first_body(case);
+    match case.numerics.precision {
+        Precision::Double => typical_speed(Simulation::<f64>::new(&region)),
+        Precision::Single => typical_speed(Simulation::<f32>::new(&region)),
+    }
+}
+
+/// Cell-steps per second: the upper quartile of the trials.
+fn typical_speed<R: solver::precision::Precision>(mut simulation: Simulation<R>) -> Option<f64> {
+    let mut speeds: Vec<f64> = (0..TRIALS).filter_map(|_| simulation.speed(TRIAL_TIME)).collect();
+    speeds.sort_by(f64::total_cmp);
+    speeds.get(3 * speeds.len() / 4).copied()
+}
+
+/// The case in a box of a few cells round its first body, or round the edge of its soil.
+fn around_the_first_body(case: &Case) -> Case {
+    let mut region = case.clone();
+    region.bodies.truncate(1);
+    let middle = middle(case);
+    for axis in 0..3 {
+        let faces = window(&case.grid.faces[axis], middle[axis]);
+        region.domain.low[axis] = faces[0];
+        region.domain.high[axis] = faces[faces.len() - 1];
+        region.grid.faces[axis] = faces.to_vec();
+    }
+    region
+}
+
+/// The centre of the trial region [m].
+fn middle(case: &Case) -> DVec3 {
+    let surface = case.ground.surface();
+    match (case.bodies.first(), case.ground) {
+        (Some(body), _) => body.position.with_z(body.position.z.min(surface)),
+        (None, Ground::Column { low, high, .. }) => {
+            DVec3::new(high.x, 0.5 * (low.y + high.y), 0.5 * (low.z + high.z))
+        }
+        (None, Ground::Level { .. }) => (0.5 * (case.domain.low + case.domain.high)).with_z(surface),
+    }
+}
+
+/// The faces of at most [`MAX_CELLS`] cells round a point.
+fn window(faces: &[f64], middle: f64) -> &[f64] {
+    let cells = faces.len() - 1;
+    let kept = cells.min(MAX_CELLS);
+    let at = faces.partition_point(|face| *face <= middle);
+    let first = at.saturating_sub(kept / 2 + 1).min(cells - kept);
+    &faces[first..=first + kept]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use coulter::case;
+
+    #[test]
+    fn a_part_holds_the_body_and_the_surface() {
+        let text = include_str!("../../../cases/towed_disc.toml");
+        let case = case::parse(text, "case.toml", &["grid.cell=5 mm".to_owned()]).unwrap();
+        let region = around_the_first_body(&case);
+        for axis in 0..3 {
+            assert_eq!(region.grid.faces[axis].len(), MAX_CELLS + 1, "axis {axis}");
+            assert!(case.grid.faces[axis].contains(&region.domain.low[axis]));
+        }
+        assert!(region.domain.low.x < 0.0 && region.domain.high.x > 0.0);
+        assert!(region.domain.low.y == 0.0, "the plane of symmetry stays");
+        assert!(region.domain.low.z < 0.0 && region.domain.high.z > 0.0);
+    }
+
+    #[test]
+    fn a_window_stays_inside() {
+        let faces: Vec<f64> = (0..=100).map(f64::from).collect();
+        for (middle, first) in [(-5.0, 0.0), (3.0, 0.0), (50.5, 30.0), (99.0, 60.0), (200.0, 60.0)] {
+            let kept = window(&faces, middle);
+            assert_eq!((kept[0], kept.len()), (first, MAX_CELLS + 1), "{middle}");
+        }
+        assert_eq!(window(&faces[..11], 3.0), &faces[..11]);
+    }
+}

@@ -1,0 +1,68 @@
+//! Signals: SIGINT, SIGTERM and SIGHUP stop a run at its next step, SIGUSR1 makes it write a checkpoint and continue. A
+//! second stop signal ends the program immediately. SIGXFSZ becomes an error of the write that causes it.
+
+use coulter::interrupts::Interrupts;
+use signal_hook::consts::{SIGINT, SIGTERM};
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+/// Installs the signal handlers; returns the requests that they set.
+///
+/// A signal whose handler cannot be installed keeps its default action: nothing that was written is lost.
+pub(super) fn listen() -> Interrupts {
+    let interrupts = Interrupts::default();
+    let mut stops = vec![SIGINT, SIGTERM];
+    if !hangup_is_ignored() {
+        stops.extend(hangup());
+    }
+    let stopping = Arc::new(AtomicBool::new(false));
+    for signal in stops {
+        // In this order: a second signal finds the flag that the first one has set.
+        let _ = signal_hook::flag::register_conditional_shutdown(signal, 128 + signal, Arc::clone(&stopping));
+        let _ = signal_hook::flag::register(signal, Arc::clone(&stopping));
+        let number = usize::try_from(signal).unwrap_or(0);
+        let _ = signal_hook::flag::register_usize(signal, Arc::clone(&interrupts.stop), number);
+    }
+    on_request(&interrupts);
+    interrupts
+}
+
+/// Makes a write beyond a limit on the file size (`ulimit -f`) fail as on a full disk, instead of ending the program by
+/// SIGXFSZ.
+#[cfg(unix)]
+pub(super) fn ignore_file_size_signal() {
+    // An empty handler is enough. If it cannot be installed the signal keeps its default action.
+    let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, Arc::default());
+}
+
+/// There is no such signal (untested).
+#[cfg(not(unix))]
+pub(super) fn ignore_file_size_signal() {}
+
+#[cfg(unix)]
+fn hangup() -> Option<i32> {
+    Some(signal_hook::consts::SIGHUP)
+}
+
+/// There is no such signal (untested).
+#[cfg(not(unix))]
+fn hangup() -> Option<i32> {
+    None
+}
+
+#[cfg(unix)]
+fn on_request(interrupts: &Interrupts) {
+    let _ = signal_hook::flag::register(signal_hook::consts::SIGUSR1, Arc::clone(&interrupts.checkpoint));
+}
+
+/// There is no such signal (untested).
+#[cfg(not(unix))]
+fn on_request(_: &Interrupts) {}
+
+/// Whether the program is to continue after its terminal is closed (`nohup`); known on Linux only.
+fn hangup_is_ignored() -> bool {
+    let Ok(status) = std::fs::read_to_string("/proc/self/status") else { return false };
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    // Bit 0 stands for SIGHUP.
+    mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).is_some_and(|mask| mask & 1 == 1)
+}

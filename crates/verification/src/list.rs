@@ -1,0 +1,140 @@
+//! The benchmarks, in the order of the tables.
+
+use crate::error::VerifyError;
+use crate::expectations::Expectations;
+use crate::runner::Runner;
+use crate::{
+    circle, column, conservation, control, disc, element, flow, footing, light, other_codes, plate,
+    positions, precision, repeat, rest, rigid, rotating, rough_wall, round_column, scaling, strip_sand,
+    taylor, transport, wall, wave,
+};
+use std::sync::LazyLock;
+
+/// One benchmark.
+pub struct Benchmark {
+    /// Its short name: "B1".
+    pub id: &'static str,
+    /// Its folder in `validation/`.
+    pub folder: &'static str,
+    /// The file of what it expects.
+    expected: &'static str,
+    pub(crate) work: Procedure,
+}
+
+/// How a benchmark obtains its rows.
+pub(crate) enum Procedure {
+    /// By running something.
+    Run(fn(&mut Runner) -> Result<(), VerifyError>),
+    /// From the balances of all runs.
+    Balances(fn(&mut Runner) -> Result<(), VerifyError>),
+}
+
+impl std::fmt::Debug for Benchmark {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} {}", self.id, self.title())
+    }
+}
+
+/// A benchmark: id, folder in `validation/`, kind and function.
+macro_rules! benchmark {
+    ($id:literal, $folder:literal, $kind:ident, $work:path) => {
+        Benchmark {
+            id: $id,
+            folder: $folder,
+            expected: include_str!(concat!("../../../validation/", $folder, "/expected.toml")),
+            work: Procedure::$kind($work),
+        }
+    };
+}
+
+/// All benchmarks, in the order of the tables.
+pub const BENCHMARKS: &[Benchmark] = &[
+    benchmark!("A1", "A1_elastic_wave", Run, wave::run),
+    benchmark!("A2", "A2_transport", Run, transport::run),
+    benchmark!("A3", "A3_rotating_block", Run, rotating::run),
+    benchmark!("A4", "A4_soil_at_rest", Run, rest::run),
+    benchmark!("A5", "A5_element_tests", Run, element::run),
+    benchmark!("A6", "A6_rigid_mechanics", Run, rigid::run),
+    benchmark!("A7", "A7_scaling", Run, scaling::run),
+    benchmark!("A8", "A8_repeatability", Run, repeat::run),
+    benchmark!("A9", "A9_energy_balance", Balances, conservation::energy),
+    benchmark!("A10", "A10_taylor_bar", Run, taylor::run),
+    benchmark!("A11", "A11_position_and_direction", Run, positions::run),
+    benchmark!("A12", "A12_light_body", Run, light::run),
+    benchmark!("B1", "B1_strip_footing", Run, footing::run),
+    benchmark!("B2", "B2_rough_strip_footing", Run, footing::rough),
+    benchmark!("B3", "B3_circular_footing", Run, circle::clay),
+    benchmark!("B3γ", "B3g_circular_footing_on_sand", Run, circle::sand),
+    benchmark!("B4", "B4_strip_footing_on_sand", Run, strip_sand::run),
+    benchmark!("B5", "B5_passive_wall", Run, wall::run),
+    benchmark!("B6", "B6_rough_passive_wall", Run, rough_wall::run),
+    benchmark!("B7", "B7_inclined_plate", Run, plate::run),
+    benchmark!("B8", "B8_deep_flow", Run, flow::run),
+    benchmark!("B9", "B9_locking", Run, footing::locking),
+    benchmark!("C1", "C1_column_collapse", Run, column::run),
+    benchmark!("C2", "C2_round_column", Run, round_column::run),
+    benchmark!("C3", "C3_soil_volume", Balances, conservation::volume),
+    benchmark!("C4", "C4_soil_inside_bodies", Balances, conservation::leak),
+    benchmark!("D3", "D3_towed_disc", Run, disc::run),
+    benchmark!("E1", "E1_sand_column", Run, other_codes::column),
+    benchmark!("E2", "E2_disc_drag", Run, other_codes::disc),
+    benchmark!("E3", "E3_wall", Run, other_codes::wall),
+    benchmark!("P1", "P1_single_precision", Run, precision::run),
+    benchmark!("N1", "N1_wrong_angle", Run, control::run),
+];
+
+/// What the benchmarks expect, in the same order; or the benchmark whose file is wrong, and why.
+static EXPECTATIONS: LazyLock<Result<Vec<Expectations>, (&'static str, String)>> = LazyLock::new(|| {
+    let read = |benchmark: &Benchmark| {
+        let name = format!("validation/{}/expected.toml", benchmark.folder);
+        Expectations::read(&name, benchmark.expected)
+            .and_then(|read| {
+                if read.id == benchmark.id {
+                    Ok(read)
+                } else {
+                    Err(format!("{name}: expected id = \"{}\"", benchmark.id))
+                }
+            })
+            .map_err(|why| (benchmark.id, why))
+    };
+    BENCHMARKS.iter().map(read).collect()
+});
+
+/// What all benchmarks expect.
+///
+/// # Errors
+/// The benchmark whose file is wrong, and why; a test makes sure that none is.
+pub fn expectations() -> Result<&'static [Expectations], (&'static str, String)> {
+    EXPECTATIONS.as_deref().map_err(Clone::clone)
+}
+
+impl Benchmark {
+    /// What it expects; `None` if the files cannot be read.
+    fn expectations(&self) -> Option<&'static Expectations> {
+        expectations().ok()?.iter().find(|known| known.id == self.id)
+    }
+
+    /// A short title.
+    #[must_use]
+    pub fn title(&self) -> &'static str {
+        self.expectations().map_or("", |known| &known.title)
+    }
+
+    /// A few sentences for the documentation.
+    #[must_use]
+    pub fn about(&self) -> &'static str {
+        self.expectations().map_or("", |known| &known.about)
+    }
+
+    /// Whether a page explains it; a benchmark on the balances of other runs has none.
+    #[must_use]
+    pub fn has_page(&self) -> bool {
+        matches!(self.work, Procedure::Run(_))
+    }
+}
+
+/// The id of a benchmark as typed, in either case.
+#[must_use]
+pub fn find(typed: &str) -> Option<&'static str> {
+    BENCHMARKS.iter().map(|b| b.id).find(|id| id.eq_ignore_ascii_case(typed))
+}
