@@ -10,7 +10,6 @@
 
 pub mod double;
 pub mod interface;
-pub mod rigid;
 pub mod shape;
 pub mod single;
 

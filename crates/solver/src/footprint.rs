@@ -8,7 +8,7 @@ use crate::model::{BodyModel, Model};
 use crate::scalar::Scalar;
 use crate::state::Contact;
 use glam::DVec3;
-use physics::rigid::Freedom;
+use mechanics::Motion;
 use physics::shape::SurfacePoint;
 
 /// Memory of a run [bytes].
@@ -118,7 +118,7 @@ fn point_fractions(model: &Model, body: &BodyModel, moved: DVec3) -> [f64; 2] {
     let (low, high) = body.shape.bounds();
     let points = body.shape.surface_points((high - low).length() / FEW, DVec3::ZERO);
     let spacing = model.method.point_spacing * model.grid.finest();
-    let stays = body.translation[1] == Freedom::Fixed;
+    let stays = body.translation[1] == Motion::Fixed;
     let is_in = |axis: usize, x: DVec3, margin: f64| {
         let faces = &model.grid.faces[axis];
         (faces[0] - margin..=faces[faces.len() - 1] + margin).contains(&x[axis])

@@ -4,7 +4,7 @@ use crate::boundary::{Boundaries, Boundary, Symmetry};
 use crate::grid::Grid;
 use crate::material::Material;
 use glam::DVec3;
-use physics::rigid::Freedom;
+use mechanics::Motion;
 use physics::shape::Shape;
 
 /// Everything that does not change during a run.
@@ -48,9 +48,9 @@ pub struct BodyModel {
     /// Largest frictional traction [Pa], whatever the pressure; infinite for no such limit.
     pub shear_limit: f64,
     /// Motion along x, y, z.
-    pub translation: [Freedom; 3],
+    pub translation: [Motion; 3],
     /// Turning about the axle.
-    pub spin: Freedom,
+    pub spin: Motion,
 }
 
 /// Which contact method.

@@ -5,7 +5,7 @@ mod common;
 
 use common::{below, sand, uniform};
 use glam::DVec3;
-use physics::rigid::Freedom;
+use mechanics::Motion;
 use physics::shape::{Block, Disc, Shape};
 use solver::fields::Nodes;
 use solver::grid::Grid;
@@ -20,7 +20,7 @@ use solver::workspace::Workspace;
 const STEPS: usize = 160;
 
 fn body(name: &str, shape: Box<dyn Shape>, start: DVec3) -> BodyModel {
-    let free = |load| Freedom::Free { load, start: 0.0, ramp: 0.005 };
+    let free = |load| Motion::Free { load, start: 0.0, ramp: 0.005 };
     BodyModel {
         name: name.into(),
         shape,
@@ -30,8 +30,8 @@ fn body(name: &str, shape: Box<dyn Shape>, start: DVec3) -> BodyModel {
         friction: 0.3,
         shear_limit: f64::INFINITY,
         translation: [
-            Freedom::Prescribed { speed: 0.4, start: 0.0, ramp: 0.01, end: f64::INFINITY },
-            Freedom::Fixed,
+            Motion::Prescribed { speed: 0.4, start: 0.0, ramp: 0.01, end: f64::INFINITY },
+            Motion::Fixed,
             free(-30.0),
         ],
         spin: free(0.0),

@@ -5,7 +5,7 @@ mod common;
 
 use common::{below, sand, uniform};
 use glam::DVec3;
-use physics::rigid::Freedom;
+use mechanics::Motion;
 use physics::shape::Disc;
 use solver::energy::soil_mass;
 use solver::grid::Grid;
@@ -15,8 +15,8 @@ use solver::state::State;
 use solver::step::step;
 use solver::workspace::Workspace;
 
-fn moving(speed: f64) -> Freedom {
-    Freedom::Prescribed { speed, start: 0.0, ramp: 0.01, end: f64::INFINITY }
+fn moving(speed: f64) -> Motion {
+    Motion::Prescribed { speed, start: 0.0, ramp: 0.01, end: f64::INFINITY }
 }
 
 /// The state after a number of steps, with the disc's centre at `y` [m].
@@ -34,8 +34,8 @@ fn towed(method: ContactMethod, y: f64, steps: usize) -> (Model, State) {
         axle_inertia: 0.005,
         friction: 0.3,
         shear_limit: f64::INFINITY,
-        translation: [moving(0.3), Freedom::Fixed, moving(-0.15)],
-        spin: Freedom::Free { load: 0.0, start: 0.0, ramp: 0.0 },
+        translation: [moving(0.3), Motion::Fixed, moving(-0.15)],
+        spin: Motion::Free { load: 0.0, start: 0.0, ramp: 0.0 },
     });
     let mut state = at_rest(&model, &below(0.0));
     let mut workspace = Workspace::new(&model, &mut state, 1);

@@ -5,7 +5,7 @@ mod common;
 
 use common::{below, sand, uniform};
 use glam::DVec3;
-use physics::rigid::Freedom;
+use mechanics::Motion;
 use physics::shape::{Block, Disc, Shape};
 use solver::footprint::{footprint, surface_points};
 use solver::grid::Grid;
@@ -25,11 +25,11 @@ fn body(shape: Box<dyn Shape>, start: DVec3) -> BodyModel {
         friction: 0.3,
         shear_limit: f64::INFINITY,
         translation: [
-            Freedom::Prescribed { speed: 0.3, start: 0.0, ramp: 0.01, end: f64::INFINITY },
-            Freedom::Fixed,
-            Freedom::Fixed,
+            Motion::Prescribed { speed: 0.3, start: 0.0, ramp: 0.01, end: f64::INFINITY },
+            Motion::Fixed,
+            Motion::Fixed,
         ],
-        spin: Freedom::Fixed,
+        spin: Motion::Fixed,
     }
 }
 

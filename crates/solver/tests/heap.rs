@@ -5,7 +5,7 @@ mod common;
 
 use common::{below, sand, uniform};
 use glam::DVec3;
-use physics::rigid::Freedom;
+use mechanics::Motion;
 use physics::shape::Disc;
 use solver::initial::at_rest;
 use solver::model::{BodyModel, ContactMethod};
@@ -48,11 +48,11 @@ fn a_step_allocates_no_memory() {
             friction: 0.3,
             shear_limit: f64::INFINITY,
             translation: [
-                Freedom::Prescribed { speed: 0.3, start: 0.0, ramp: 0.01, end: f64::INFINITY },
-                Freedom::Fixed,
-                Freedom::Free { load: -20.0, start: 0.0, ramp: 0.01 },
+                Motion::Prescribed { speed: 0.3, start: 0.0, ramp: 0.01, end: f64::INFINITY },
+                Motion::Fixed,
+                Motion::Free { load: -20.0, start: 0.0, ramp: 0.01 },
             ],
-            spin: Freedom::Free { load: 0.0, start: 0.0, ramp: 0.0 },
+            spin: Motion::Free { load: 0.0, start: 0.0, ramp: 0.0 },
         });
         let mut state = at_rest::<f64>(&model, &below(0.0));
         let mut workspace = Workspace::new(&model, &mut state, 2);

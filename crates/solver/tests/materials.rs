@@ -5,8 +5,8 @@ mod common;
 
 use common::{sand, uniform};
 use glam::DVec3;
+use mechanics::Motion;
 use physics::law::Law;
-use physics::rigid::Freedom;
 use physics::shape::Block;
 use physics::von_mises::VonMises;
 use solver::initial::{Filling, at_rest_on};
@@ -31,11 +31,11 @@ fn bank(materials: usize) -> Model {
         friction: 0.3,
         shear_limit: f64::INFINITY,
         translation: [
-            Freedom::Prescribed { speed: 0.3, start: 0.0, ramp: 0.01, end: f64::INFINITY },
-            Freedom::Fixed,
-            Freedom::Fixed,
+            Motion::Prescribed { speed: 0.3, start: 0.0, ramp: 0.01, end: f64::INFINITY },
+            Motion::Fixed,
+            Motion::Fixed,
         ],
-        spin: Freedom::Fixed,
+        spin: Motion::Fixed,
     });
     model
 }

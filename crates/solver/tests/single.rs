@@ -6,7 +6,7 @@ mod common;
 
 use common::{below, sand, uniform};
 use glam::DVec3;
-use physics::rigid::Freedom;
+use mechanics::Motion;
 use physics::shape::Disc;
 use solver::initial::at_rest;
 use solver::model::{BodyModel, Model};
@@ -26,7 +26,7 @@ fn after(model: &Model, surface: f64, threads: usize, steps: usize) -> State<f32
 
 /// A disc with its centre at `y` [m], pushed into sand and towed.
 fn tow(y: f64) -> Model {
-    let moving = |speed| Freedom::Prescribed { speed, start: 0.0, ramp: 0.01, end: f64::INFINITY };
+    let moving = |speed| Motion::Prescribed { speed, start: 0.0, ramp: 0.01, end: f64::INFINITY };
     let across = (-8..=8).map(|n| 0.02 * f64::from(n)).collect();
     let mut model = sand([uniform(-0.2, 0.24, 22), across, uniform(-0.12, 0.06, 9)]);
     model.bodies.push(BodyModel {
@@ -37,8 +37,8 @@ fn tow(y: f64) -> Model {
         axle_inertia: 0.005,
         friction: 0.3,
         shear_limit: f64::INFINITY,
-        translation: [moving(0.3), Freedom::Fixed, moving(-0.15)],
-        spin: Freedom::Free { load: 0.0, start: 0.0, ramp: 0.0 },
+        translation: [moving(0.3), Motion::Fixed, moving(-0.15)],
+        spin: Motion::Free { load: 0.0, start: 0.0, ramp: 0.0 },
     });
     model
 }

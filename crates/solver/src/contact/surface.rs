@@ -2,7 +2,7 @@
 
 use crate::model::{BodyModel, Model};
 use glam::DVec3;
-use physics::rigid::Freedom;
+use mechanics::Motion;
 use physics::shape::SurfacePoint;
 use std::collections::BTreeMap;
 
@@ -22,7 +22,7 @@ impl Surface {
         let finest = DVec3::from_array(std::array::from_fn(|axis| model.grid.finest_along(axis)));
         let spacing = model.method.point_spacing * model.grid.finest();
         let mut points = body.shape.surface_points(spacing, model.method.edge_inset * finest);
-        if body.translation[1] == Freedom::Fixed {
+        if body.translation[1] == Motion::Fixed {
             // The rotation about the axle, along y, does not change y.
             let [low, high] = model.grid.ends(1);
             let (low, high) = (low - spacing, high + spacing);
