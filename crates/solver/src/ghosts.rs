@@ -109,15 +109,25 @@ struct Face {
     end: usize,
 }
 
+/// The open faces of a block, with the ghost layers beyond each.
+fn open_faces(grid: &Grid) -> impl Iterator<Item = (Face, Range<usize>)> + '_ {
+    let faces = (0..3).flat_map(|axis| [0, 1].map(|end| Face { axis, end }));
+    faces.map(|face| (face, grid.outside(face.axis, face.end))).filter(|(_, outside)| !outside.is_empty())
+}
+
+/// Calls `each(layers)` for all cells or nodes in a box.
+fn for_each_in([x, y, z]: [Range<usize>; 3], mut each: impl FnMut([usize; 3])) {
+    for (j, k) in z.flat_map(|k| y.clone().map(move |j| (j, k))) {
+        x.clone().for_each(|i| each([i, j, k]));
+    }
+}
+
 /// Calls `each(face, layers)` for the cells beyond the open faces of a block; those beyond two faces come twice.
 fn for_each_ghost(grid: &Grid, mut each: impl FnMut(Face, [usize; 3])) {
-    for (axis, end) in (0..3).flat_map(|axis| [(axis, 0), (axis, 1)]) {
+    for (face, outside) in open_faces(grid) {
         let mut ranges = grid.cells().map(|n| 0..n);
-        ranges[axis] = grid.outside(axis, end);
-        let [x, y, z] = ranges;
-        for (j, k) in z.flat_map(|k| y.clone().map(move |j| (j, k))) {
-            x.clone().for_each(|i| each(Face { axis, end }, [i, j, k]));
-        }
+        ranges[face.axis] = outside;
+        for_each_in(ranges, |layers| each(face, layers));
     }
 }
 
@@ -142,26 +152,19 @@ fn copy_inner<R: Precision>(
 /// Stops the nodes on open faces and beyond them, and gives the latter the masses of the cells round them.
 fn stop_nodes<R: Precision>(grid: &Grid, cell_mass: &[R], nodes: &mut Nodes<R>) {
     let [x, y, z] = grid.stride;
-    for (axis, end) in (0..3).flat_map(|axis| [(axis, 0), (axis, 1)]) {
-        let outside = grid.outside(axis, end);
-        if outside.is_empty() {
-            continue;
-        }
+    for (face, outside) in open_faces(grid) {
+        let on_face = if face.end == 0 { outside.end } else { outside.start };
         let mut ranges = grid.cells().map(|n| 0..n + 1);
-        ranges[axis] = outside.start..outside.end + 1;
-        let on_face = if end == 0 { outside.end } else { outside.start };
-        let [columns, rows, planes] = ranges;
-        for (j, k) in planes.flat_map(|k| rows.clone().map(move |j| (j, k))) {
-            for i in columns.clone() {
-                let n = grid.index(i, j, k);
-                nodes.velocity.iter_mut().for_each(|v| v[n] = R::default());
-                if [i, j, k][axis] != on_face {
-                    let cells = [0, x, y, z, x + y, y + z, x + z, x + y + z];
-                    let sum: f64 = cells.iter().map(|offset| cell_mass[n - offset].to_f64()).sum();
-                    nodes.mass[n] = R::cast(0.125 * sum);
-                }
+        ranges[face.axis] = outside.start..outside.end + 1;
+        for_each_in(ranges, |layers @ [i, j, k]| {
+            let n = grid.index(i, j, k);
+            nodes.velocity.iter_mut().for_each(|v| v[n] = R::default());
+            if layers[face.axis] != on_face {
+                let cells = [0, x, y, z, x + y, y + z, x + z, x + y + z];
+                let sum: f64 = cells.iter().map(|offset| cell_mass[n - offset].to_f64()).sum();
+                nodes.mass[n] = R::cast(0.125 * sum);
             }
-        }
+        });
     }
 }
 

@@ -210,10 +210,21 @@ impl Grid {
     /// Layers of the block from those of a cell of the whole grid, if the block or its ghost layers hold it.
     #[must_use]
     pub fn in_block(&self, whole: [usize; 3]) -> Option<[usize; 3]> {
-        let cells = self.cells();
+        self.below(whole, self.cells())
+    }
+
+    /// Index in memory of a node of the whole grid, if the block or its ghost layers hold it.
+    #[must_use]
+    pub fn node_index(&self, whole: [usize; 3]) -> Option<usize> {
+        let nodes = self.cells().map(|n| n + 1);
+        self.below(whole, nodes).map(|[i, j, k]| self.index(i, j, k))
+    }
+
+    /// Layers of the block from those of the whole grid, if they are among so many.
+    fn below(&self, whole: [usize; 3], count: [usize; 3]) -> Option<[usize; 3]> {
         let mut layers = [0; 3];
         for axis in 0..3 {
-            layers[axis] = whole[axis].checked_sub(self.first[axis]).filter(|n| *n < cells[axis])?;
+            layers[axis] = whole[axis].checked_sub(self.first[axis]).filter(|n| *n < count[axis])?;
         }
         Some(layers)
     }

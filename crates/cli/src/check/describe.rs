@@ -3,7 +3,7 @@
 use super::groups::groups;
 use coulter::case::Case;
 use coulter::case::quantity::plain;
-use coulter::case::resolved::{Body, Freedom, Law, Measured, Potential};
+use coulter::case::resolved::{Body, Law, Measured, Motion, Potential};
 use std::fmt::Write;
 
 /// Soil and bodies of a case.
@@ -84,15 +84,15 @@ fn describe_body(text: &mut String, case: &Case, body: &Body) -> std::fmt::Resul
     writeln!(text, "         {list}")
 }
 
-fn describe_freedom(freedom: &Freedom, speed_unit: &str, load_unit: &str) -> String {
+fn describe_freedom(freedom: &Motion, speed_unit: &str, load_unit: &str) -> String {
     match *freedom {
-        Freedom::Fixed => "fixed".into(),
-        Freedom::Prescribed { speed, start, ramp, end } => {
+        Motion::Fixed => "fixed".into(),
+        Motion::Prescribed { speed, start, ramp, end } => {
             let until = if end.is_finite() { format!(" until {} s", plain(end)) } else { String::new() };
             format!("{} {speed_unit}, from {} s within {} s{until}", plain(speed), plain(start), plain(ramp))
         }
-        Freedom::Free { load: 0.0, .. } => "free".into(),
-        Freedom::Free { load, start, ramp } => {
+        Motion::Free { load: 0.0, .. } => "free".into(),
+        Motion::Free { load, start, ramp } => {
             format!("free, load {load:.4} {load_unit} from {} s within {} s", plain(start), plain(ramp))
         }
     }

@@ -1,7 +1,7 @@
 //! The dimensionless groups of a body.
 
 use coulter::case::Case;
-use coulter::case::resolved::{Body, Freedom};
+use coulter::case::resolved::{Body, Motion};
 use coulter::history::reference::Reference;
 use serde::Serialize;
 
@@ -38,11 +38,11 @@ pub(super) fn groups(case: &Case, body: &Body) -> Groups {
     }
 }
 
-fn prescribed_speed(freedom: &Freedom) -> f64 {
-    if let Freedom::Prescribed { speed, .. } = freedom { speed.abs() } else { 0.0 }
+fn prescribed_speed(freedom: &Motion) -> f64 {
+    if let Motion::Prescribed { speed, .. } = freedom { speed.abs() } else { 0.0 }
 }
 
 /// The downward load on a body that is free to sink [N].
 fn downward_load(body: &Body) -> Option<f64> {
-    if let Freedom::Free { load, .. } = body.translation[2] { Some(-load) } else { None }
+    if let Motion::Free { load, .. } = body.translation[2] { Some(-load) } else { None }
 }

@@ -4,7 +4,7 @@ mod cost;
 mod describe;
 mod groups;
 
-use crate::common::say;
+use crate::common::{say, say_json};
 use crate::failure::Failure;
 use crate::run_time;
 use cost::describe_cost;
@@ -59,6 +59,5 @@ fn as_json(case: &Case, cost: &Cost, seconds: Option<f64>, warnings: &[String]) 
         "case": case.name, "groups": groups, "cost": cost, "estimated_wall_s": seconds,
         "memory_available_bytes": machine::memory_available(), "warnings": warnings, "resolved": case,
     });
-    let text = serde_json::to_string_pretty(&document).map_err(|e| Failure::Request(e.to_string()))?;
-    say(&format!("{text}\n"))
+    say_json(&document)
 }

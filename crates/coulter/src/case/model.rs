@@ -1,7 +1,7 @@
 //! The solver's model of a case.
 
 use super::resolved::Case;
-use super::resolved::{self, Freedom, Law, Potential};
+use super::resolved::{self, Law, Motion, Potential};
 use glam::DVec3;
 use mechanics::{Inertia, Pose};
 use physics::elastic::Elastic;
@@ -117,7 +117,7 @@ fn body(body: &resolved::Body) -> BodyModel {
         inertia: inertia(body),
         friction: body.friction,
         shear_limit: body.shear_limit,
-        motion: [forward, lateral, heave, Freedom::Fixed, Freedom::Fixed, body.spin],
+        motion: [forward, lateral, heave, Motion::Fixed, Motion::Fixed, body.spin],
     }
 }
 

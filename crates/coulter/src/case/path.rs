@@ -1,6 +1,6 @@
 //! Where prescribed motions take the bodies.
 
-use super::resolved::{Body, Freedom};
+use super::resolved::{Body, Motion};
 use glam::DVec3;
 
 /// A box with faces along the axes.
@@ -13,8 +13,8 @@ pub(super) struct Extent {
 }
 
 /// Displacement of a prescribed motion after `time` [m or rad]; 0 for any other.
-pub(crate) fn travel(freedom: &Freedom, time: f64) -> f64 {
-    let Freedom::Prescribed { speed, start, ramp, end } = *freedom else { return 0.0 };
+pub(crate) fn travel(freedom: &Motion, time: f64) -> f64 {
+    let Motion::Prescribed { speed, start, ramp, end } = *freedom else { return 0.0 };
     // Integral of the smooth step 3x² − 2x³ over a ramp, then of 1.
     let ramped = |since: f64| {
         let x = if ramp > 0.0 { (since / ramp).clamp(0.0, 1.0) } else { 1.0 };
@@ -55,7 +55,7 @@ mod tests {
 
     #[test]
     fn travel_is_the_integral_of_the_speed() {
-        let towed = Freedom::Prescribed { speed: 0.2, start: 0.4, ramp: 0.1, end: 1.0 };
+        let towed = Motion::Prescribed { speed: 0.2, start: 0.4, ramp: 0.1, end: 1.0 };
         let at = |time: f64| travel(&towed, time);
         assert!((at(0.4), at(0.3)) == (0.0, 0.0));
         assert!((at(0.45) - 0.2 * 0.1 * (0.125 - 0.03125)).abs() < 1e-15, "inside the ramp");
@@ -65,8 +65,8 @@ mod tests {
             (at(5.0) - 0.2 * 0.6).abs() < 1e-15,
             "from start to end: the two ramps compensate each other"
         );
-        assert_eq!(travel(&Freedom::Fixed, 9.0), 0.0);
-        let at_once = Freedom::Prescribed { speed: -1.0, start: 0.0, ramp: 0.0, end: f64::INFINITY };
+        assert_eq!(travel(&Motion::Fixed, 9.0), 0.0);
+        let at_once = Motion::Prescribed { speed: -1.0, start: 0.0, ramp: 0.0, end: f64::INFINITY };
         assert_eq!(travel(&at_once, 2.0), -2.0);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::shapes::Shape;
 use glam::DVec3;
-pub use mechanics::Motion as Freedom;
+pub use mechanics::Motion;
 use serde::Serialize;
 
 /// A case, ready to be simulated.
@@ -247,9 +247,9 @@ pub struct Body {
     /// Largest frictional traction [Pa], whatever the pressure: α s_u; infinite for no such limit.
     pub shear_limit: f64,
     /// Motion along x (tow), y (lateral), z (heave).
-    pub translation: [Freedom; 3],
+    pub translation: [Motion; 3],
     /// Rotation about the axle; positive when it rolls forward.
-    pub spin: Freedom,
+    pub spin: Motion,
 }
 
 /// What to write.

@@ -1,7 +1,7 @@
 //! A case as input of the closed-form models: one body, or a row of equal discs, in level Mohr–Coulomb soil.
 
 use super::towed::{bodies, body};
-use crate::case::resolved::{Body as Towed, Case, Factors, Freedom, Ground, Law, Measured};
+use crate::case::resolved::{Body as Towed, Case, Factors, Ground, Law, Measured, Motion};
 use crate::case::travel;
 use analytic::bearing::Method;
 use analytic::disc::Drive;
@@ -49,10 +49,10 @@ pub fn model_input(case: &Case) -> Result<ModelInput, String> {
         Body::Faceted(_) if first.shape.rolling_diameter().is_some() => drive(first, 0.5 * body.length())?,
         Body::Faceted(_) => Drive::Locked,
     };
-    if drive == Drive::Locked && !matches!(first.spin, Freedom::Fixed) {
+    if drive == Drive::Locked && !matches!(first.spin, Motion::Fixed) {
         remarks.push(format!("`{}` may rotate; the models assume that it does not", first.name));
     }
-    if body.disc().is_some() && matches!(first.translation[0], Freedom::Fixed) {
+    if body.disc().is_some() && matches!(first.translation[0], Motion::Fixed) {
         remarks.push(format!("the case does not tow `{}`; the forces are those of a steady tow", first.name));
     }
     let mut towing = Towing::new(soil, body, load, drive);
@@ -74,9 +74,9 @@ pub fn model_input(case: &Case) -> Result<ModelInput, String> {
 /// Refuses a body that is moved or loaded sideways: the models are for a tow along x only.
 fn no_lateral_tow(bodies: &[&Towed]) -> Result<(), String> {
     let is_moved = |b: &&&Towed| match b.translation[1] {
-        Freedom::Prescribed { speed, .. } => speed != 0.0,
-        Freedom::Free { load, .. } => load != 0.0,
-        Freedom::Fixed => false,
+        Motion::Prescribed { speed, .. } => speed != 0.0,
+        Motion::Free { load, .. } => load != 0.0,
+        Motion::Fixed => false,
     };
     match bodies.iter().find(is_moved) {
         Some(body) => Err(format!(
@@ -185,14 +185,14 @@ fn load(
     let start = ground.surface - (body.position.z + body.shape.solid().bounds().0.z);
     let heave = &body.translation[2];
     match *heave {
-        Freedom::Free { load, .. } if load < 0.0 => return Ok(Load::Weight(-load * count)),
-        Freedom::Free { .. } => {
+        Motion::Free { load, .. } if load < 0.0 => return Ok(Load::Weight(-load * count)),
+        Motion::Free { .. } => {
             return Err(format!(
                 "`{name}` is not pressed into the soil: its weight and load are not directed downwards"
             ));
         }
-        Freedom::Fixed => {}
-        Freedom::Prescribed { .. } => {}
+        Motion::Fixed => {}
+        Motion::Prescribed { .. } => {}
     }
     let steps = 200;
     let at = |n: u32| start - travel(heave, case.duration * f64::from(n) / f64::from(steps));
@@ -217,11 +217,11 @@ fn load(
 /// The condition at the axle of a body of this radius [m]; a prescribed rotation gives the slip.
 fn drive(body: &Towed, radius: f64) -> Result<Drive, String> {
     match (&body.spin, &body.translation[0]) {
-        (Freedom::Free { load, .. }, _) if *load > 0.0 => Ok(Drive::Driven(*load)),
-        (Freedom::Free { load, .. }, _) if *load < 0.0 => Ok(Drive::Braked(-load)),
-        (Freedom::Free { .. }, _) => Ok(Drive::Free),
-        (Freedom::Fixed, _) => Ok(Drive::Locked),
-        (Freedom::Prescribed { speed: spin, .. }, Freedom::Prescribed { speed, .. }) if *speed != 0.0 => {
+        (Motion::Free { load, .. }, _) if *load > 0.0 => Ok(Drive::Driven(*load)),
+        (Motion::Free { load, .. }, _) if *load < 0.0 => Ok(Drive::Braked(-load)),
+        (Motion::Free { .. }, _) => Ok(Drive::Free),
+        (Motion::Fixed, _) => Ok(Drive::Locked),
+        (Motion::Prescribed { speed: spin, .. }, Motion::Prescribed { speed, .. }) if *speed != 0.0 => {
             Ok(Drive::Slip(analytic::slip(spin * radius / speed)))
         }
         _ => Err(format!(

@@ -1,6 +1,6 @@
 //! The bodies of a case as the closed-form models represent them.
 
-use crate::case::resolved::{Body as Towed, Case, Freedom};
+use crate::case::resolved::{Body as Towed, Case, Motion};
 use crate::case::shapes::ClosedForm;
 use analytic::disc::{Assembly, Disc};
 use analytic::forecast::{Block, Body, FacetedBody};
@@ -89,8 +89,8 @@ pub(super) fn body(
         return Ok((disc.into(), kind, false));
     }
     let is_mirrored = match body.translation[0] {
-        Freedom::Prescribed { speed, .. } if speed != 0.0 => speed < 0.0,
-        Freedom::Free { load, .. } => load < 0.0,
+        Motion::Prescribed { speed, .. } if speed != 0.0 => speed < 0.0,
+        Motion::Free { load, .. } => load < 0.0,
         _ => {
             return Err(format!(
                 "`{}` is not towed; a body that is pressed straight down is a footing, which has no forecast",

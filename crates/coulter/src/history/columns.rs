@@ -74,101 +74,103 @@ pub fn header<S: Copy>(columns: &[Column<S>]) -> String {
     columns.iter().map(Column::header).collect::<Vec<_>>().join(",")
 }
 
-type OfBody = Column<BodySample>;
-type OfEnergy = Column<EnergySample>;
+type BodyColumn = Column<BodySample>;
+type EnergyColumn = Column<EnergySample>;
 
 /// Columns of `forces.csv`.
 pub const FORCES: &[Column<BodySample>] = &[
-    OfBody::sampled("time", "s", "time since the start", |s| &mut s.time),
-    OfBody::sampled(
+    BodyColumn::sampled("time", "s", "time since the start", |s| &mut s.time),
+    BodyColumn::sampled(
         "displacement u",
         "m",
         "distance the reference point has travelled along x since the start",
         |s| &mut s.displacement,
     )
     .required(),
-    OfBody::sampled(
+    BodyColumn::sampled(
         "sinkage z",
         "m",
         "depth of the body's lowest point below the undisturbed surface, positive downwards",
         |s| &mut s.sinkage,
     )
     .required(),
-    OfBody::sampled("drag F_H", "N", "horizontal force against the tow", |s| &mut s.drag).required(),
-    OfBody::sampled("vertical F_V", "N", "vertical force, positive upwards", |s| &mut s.vertical).required(),
-    OfBody::sampled("lateral", "N", "force along y; 0 in a symmetric case", |s| &mut s.lateral).required(),
-    OfBody::sampled(
+    BodyColumn::sampled("drag F_H", "N", "horizontal force against the tow", |s| &mut s.drag).required(),
+    BodyColumn::sampled("vertical F_V", "N", "vertical force, positive upwards", |s| &mut s.vertical)
+        .required(),
+    BodyColumn::sampled("lateral", "N", "force along y; 0 in a symmetric case", |s| &mut s.lateral)
+        .required(),
+    BodyColumn::sampled(
         "axle torque",
         "N m",
         "torque about the axle, positive when it makes the body roll forward",
         |s| &mut s.axle_torque,
     )
     .required(),
-    OfBody::sampled("rotation", "rad", "angle of rotation Ω about the axle", |s| &mut s.rotation),
-    OfBody::sampled("spin", "rad/s", "its rate ω", |s| &mut s.spin),
-    OfBody::derived(
+    BodyColumn::sampled("rotation", "rad", "angle of rotation Ω about the axle", |s| &mut s.rotation),
+    BodyColumn::sampled("spin", "rad/s", "its rate ω", |s| &mut s.spin),
+    BodyColumn::derived(
         "turn ratio",
         "-",
         "ω r / v (below); empty at rest and for a body that cannot roll",
         |s, reference| reference.turn_ratio_of(s),
     ),
-    OfBody::sampled("normal drag", "N", "drag due to the pressure normal to the surface", |s| {
+    BodyColumn::sampled("normal drag", "N", "drag due to the pressure normal to the surface", |s| {
         &mut s.drag_normal
     }),
-    OfBody::derived("friction drag", "N", "drag due to friction", |s, _| Some(s.drag - s.drag_normal)),
-    OfBody::sampled(
+    BodyColumn::derived("friction drag", "N", "drag due to friction", |s, _| Some(s.drag - s.drag_normal)),
+    BodyColumn::sampled(
         "normal vertical",
         "N",
         "vertical force due to the pressure normal to the surface",
         |s| &mut s.vertical_normal,
     ),
-    OfBody::derived("friction vertical", "N", "vertical force due to friction", |s, _| {
+    BodyColumn::derived("friction vertical", "N", "vertical force due to friction", |s, _| {
         Some(s.vertical - s.vertical_normal)
     }),
-    OfBody::sampled("leak", "m^3", "soil volume that overlaps the body", |s| &mut s.leaked_volume),
-    OfBody::sampled("embedded", "m^3", "volume of the body below the undisturbed surface", |s| {
+    BodyColumn::sampled("leak", "m^3", "soil volume that overlaps the body", |s| &mut s.leaked_volume),
+    BodyColumn::sampled("embedded", "m^3", "volume of the body below the undisturbed surface", |s| {
         &mut s.embedded_volume
     }),
-    OfBody::sampled("speed v", "m/s", "velocity along x", |s| &mut s.speed),
-    OfBody::sampled("heave speed", "m/s", "velocity upwards", |s| &mut s.heave_speed),
-    OfBody::derived("Z", "-", "z/d", |s, reference| reference.length_group(s.sinkage)),
-    OfBody::derived("u_bar", "-", "u/d", |s, reference| reference.length_group(s.displacement)),
-    OfBody::derived("F_H_bar", "-", "F_H/(γ t d²); empty for weightless soil", |s, reference| {
+    BodyColumn::sampled("speed v", "m/s", "velocity along x", |s| &mut s.speed),
+    BodyColumn::sampled("heave speed", "m/s", "velocity upwards", |s| &mut s.heave_speed),
+    BodyColumn::derived("Z", "-", "z/d", |s, reference| reference.length_group(s.sinkage)),
+    BodyColumn::derived("u_bar", "-", "u/d", |s, reference| reference.length_group(s.displacement)),
+    BodyColumn::derived("F_H_bar", "-", "F_H/(γ t d²); empty for weightless soil", |s, reference| {
         reference.force_group(s.drag)
     }),
-    OfBody::derived("F_V_bar", "-", "F_V/(γ t d²); empty for weightless soil", |s, reference| {
+    BodyColumn::derived("F_V_bar", "-", "F_V/(γ t d²); empty for weightless soil", |s, reference| {
         reference.force_group(s.vertical)
     }),
 ];
 
 /// Columns of `energy.csv`.
 pub const ENERGY: &[Column<EnergySample>] = &[
-    OfEnergy::sampled("time", "s", "time since the start", |s| &mut s.time),
-    OfEnergy::sampled("external", "J", "work of loads, drives and gravity", |s| &mut s.external).required(),
-    OfEnergy::sampled("kinetic", "J", "kinetic energy of soil and bodies", |s| &mut s.kinetic).required(),
-    OfEnergy::sampled("elastic", "J", "elastic energy of the soil less that at the start", |s| {
+    EnergyColumn::sampled("time", "s", "time since the start", |s| &mut s.time),
+    EnergyColumn::sampled("external", "J", "work of loads, drives and gravity, kinetic energy at the start, and elastic energy of soil that entered the domain", |s| &mut s.external).required(),
+    EnergyColumn::sampled("kinetic", "J", "kinetic energy of soil and bodies", |s| &mut s.kinetic).required(),
+    EnergyColumn::sampled("elastic", "J", "elastic energy of the soil less that at the start", |s| {
         &mut s.elastic
     })
     .required(),
-    OfEnergy::sampled("plastic", "J", "plastic dissipation", |s| &mut s.plastic).required(),
-    OfEnergy::sampled("friction", "J", "dissipation by friction on the bodies", |s| &mut s.friction),
-    OfEnergy::sampled(
+    EnergyColumn::sampled("plastic", "J", "plastic dissipation", |s| &mut s.plastic).required(),
+    EnergyColumn::sampled("friction", "J", "dissipation by friction on the bodies", |s| &mut s.friction),
+    EnergyColumn::sampled(
         "contact method",
         "J",
         "what the contact method itself stores, dissipates or adds; should be small",
         |s| &mut s.contact,
     ),
-    OfEnergy::sampled("viscous", "J", "dissipation by bulk viscosity", |s| &mut s.viscous),
-    OfEnergy::sampled("hourglass", "J", "dissipation by hourglass viscosity", |s| &mut s.hourglass),
-    OfEnergy::sampled("remap loss", "J", "kinetic and elastic energy lost in remaps", |s| &mut s.remap_loss),
-    OfEnergy::derived(
+    EnergyColumn::sampled("viscous", "J", "dissipation by bulk viscosity", |s| &mut s.viscous),
+    EnergyColumn::sampled("hourglass", "J", "dissipation by hourglass viscosity", |s| &mut s.hourglass),
+    EnergyColumn::sampled("remap loss", "J", "kinetic and elastic energy lost in remaps", |s| &mut s.remap_loss),
+    EnergyColumn::derived(
         "closure",
         "-",
         "error of the energy balance: unexplained energy over the external work (over the plastic or the kinetic energy \
          where that is larger)",
         |s, _| Some(s.closure()),
     ),
-    OfEnergy::sampled("volume ratio", "-", "soil volume over that at the start", |s| &mut s.volume_ratio)
+    EnergyColumn::sampled("volume ratio", "-", "soil volume, less what has entered the domain, over that at the start", |s| &mut s.volume_ratio)
         .required(),
 ];
 

@@ -1,7 +1,7 @@
 //! The reference lengths and force that make a body's results dimensionless, and its rolling radius.
 
 use super::BodySample;
-use crate::case::resolved::{Body, Case, Freedom};
+use crate::case::resolved::{Body, Case, Motion};
 use serde::{Deserialize, Serialize};
 
 /// Speeds below this [m/s] count as rest, where the turn ratio is not defined.
@@ -41,8 +41,8 @@ impl Reference {
             width: if case.domain.plane_strain { slab } else { body.shape.reference_width() },
             unit_weight: case.soil.unit_weight,
             radius: body.shape.rolling_diameter().map(|diameter| 0.5 * diameter),
-            towed: !matches!(body.translation[0], Freedom::Fixed),
-            turns: !matches!(body.spin, Freedom::Fixed),
+            towed: !matches!(body.translation[0], Motion::Fixed),
+            turns: !matches!(body.spin, Motion::Fixed),
         }
     }
 

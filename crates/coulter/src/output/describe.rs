@@ -1,6 +1,6 @@
 //! The case in a few words, for the top of a report.
 
-use crate::case::resolved::{Body, Case, Freedom, Law, Potential};
+use crate::case::resolved::{Body, Case, Law, Motion, Potential};
 use crate::output::scale::{Unit, digits};
 
 /// Soil and bodies, each as a name and a description.
@@ -79,11 +79,11 @@ fn describe_body(body: &Body) -> String {
     format!("{shape}, {friction}; {}", motions.join("; "))
 }
 
-fn motion(freedom: &Freedom, name: &str, speed_unit: &str, load_unit: &str) -> String {
+fn motion(freedom: &Motion, name: &str, speed_unit: &str, load_unit: &str) -> String {
     match freedom {
-        Freedom::Fixed => format!("{name} fixed"),
-        Freedom::Prescribed { speed, .. } => format!("{name} {} {speed_unit}", digits(*speed)),
-        Freedom::Free { load, .. } if *load == 0.0 => format!("{name} free"),
-        Freedom::Free { load, .. } => format!("{name} free under {} {load_unit}", digits(*load)),
+        Motion::Fixed => format!("{name} fixed"),
+        Motion::Prescribed { speed, .. } => format!("{name} {} {speed_unit}", digits(*speed)),
+        Motion::Free { load, .. } if *load == 0.0 => format!("{name} free"),
+        Motion::Free { load, .. } => format!("{name} free under {} {load_unit}", digits(*load)),
     }
 }

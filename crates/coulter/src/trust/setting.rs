@@ -1,7 +1,7 @@
 //! Facts about a case that the checks need in addition to the histories; stored in `run.json`.
 
 use crate::case::Case;
-use crate::case::resolved::{Body, Freedom};
+use crate::case::resolved::{Body, Motion};
 use serde::{Deserialize, Serialize};
 
 /// Facts about a case.
@@ -83,7 +83,7 @@ impl BodySetting {
             extent,
             slab: case.domain.high.y - case.domain.low.y,
             diameter: body.shape.rolling_diameter(),
-            heaves: !matches!(heave, Freedom::Fixed),
+            heaves: !matches!(heave, Motion::Fixed),
             heaves_freely: heave.is_free(),
             turns_freely: body.spin.is_free(),
         }

@@ -139,7 +139,7 @@ fn numerics() -> case::Numerics {
 }
 
 fn body(name: &str, shape: Shape, position: DVec3) -> case::Body {
-    let free = |load| case::Freedom::Free { load, start: 0.0, ramp: 0.1 };
+    let free = |load| case::Motion::Free { load, start: 0.0, ramp: 0.1 };
     case::Body {
         name: name.into(),
         shape,
@@ -149,8 +149,8 @@ fn body(name: &str, shape: Shape, position: DVec3) -> case::Body {
         friction: 0.5,
         shear_limit: f64::INFINITY,
         translation: [
-            case::Freedom::Prescribed { speed: 0.1, start: 0.5, ramp: 0.2, end: f64::INFINITY },
-            case::Freedom::Fixed,
+            case::Motion::Prescribed { speed: 0.1, start: 0.5, ramp: 0.2, end: f64::INFINITY },
+            case::Motion::Fixed,
             free(-60.0),
         ],
         spin: free(0.0),

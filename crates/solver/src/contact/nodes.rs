@@ -1,7 +1,6 @@
 //! The contact nodes.
 
 use super::problem::{ContactNode, corners};
-use crate::grid::Grid;
 use crate::model::Model;
 use crate::state::Contact;
 
@@ -25,16 +24,9 @@ pub(super) fn contact_nodes(model: &Model, contacts: &[Contact]) -> (Vec<Contact
 fn contact_node(model: &Model, whole: [usize; 3]) -> ContactNode {
     let grid = &model.grid;
     ContactNode {
-        node: local_node(grid, whole),
+        node: grid.node_index(whole),
         is_owned: grid.owns_node(whole),
         is_free: model.boundaries.free_components(grid, whole),
         ..ContactNode::default()
     }
-}
-
-/// Index in memory of a node of the whole grid, if the block or its ghost layers hold it.
-fn local_node(grid: &Grid, whole: [usize; 3]) -> Option<usize> {
-    let cells = grid.cells();
-    let layer = |axis: usize| whole[axis].checked_sub(grid.first[axis]).filter(|n| *n <= cells[axis]);
-    Some(grid.index(layer(0)?, layer(1)?, layer(2)?))
 }

@@ -3,7 +3,7 @@
 use super::passive::passive_coefficient;
 use crate::case::path::body_length;
 use crate::case::resolve::clearance::{SoilConditions, deepest};
-use crate::case::resolved::{Body, Case, Freedom};
+use crate::case::resolved::{Body, Case, Motion};
 use physics::elastic::Elastic;
 
 /// Fraction of the force above which the contribution of inertia or viscosity is mentioned; chosen: less is below the
@@ -29,7 +29,7 @@ fn inertia(case: &Case, body: &Body, (speed, depth): (f64, f64), notes: &mut Vec
     let froude = analytic::froude(speed, case.gravity, depth);
     let added = analytic::inertia_pressure(case.soil.density, speed);
     let ratio = match body.translation[2] {
-        Freedom::Free { load, .. } if load < 0.0 => {
+        Motion::Free { load, .. } if load < 0.0 => {
             let (low, high) = body.shape.solid().bounds();
             let slab = case.domain.high.y - case.domain.low.y;
             let width = if case.domain.plane_strain { slab } else { (high - low).y };
@@ -80,6 +80,6 @@ fn viscosity(case: &Case, body: &Body, (speed, depth): (f64, f64), notes: &mut V
     }
 }
 
-fn prescribed_speed(freedom: &Freedom) -> f64 {
-    if let Freedom::Prescribed { speed, .. } = freedom { speed.abs() } else { 0.0 }
+fn prescribed_speed(freedom: &Motion) -> f64 {
+    if let Motion::Prescribed { speed, .. } = freedom { speed.abs() } else { 0.0 }
 }

@@ -6,7 +6,7 @@ mod walls;
 
 use super::estimate::estimate;
 use super::path::{body_length, path};
-use super::resolved::{Body, Case, Freedom, Law, Potential};
+use super::resolved::{Body, Case, Law, Motion, Potential};
 use glam::DVec3;
 use passive::passive_coefficient;
 use physics::elastic::Elastic;
@@ -86,9 +86,9 @@ fn timing(case: &Case, notes: &mut Vec<String>) {
     let transit = (case.domain.high.z - case.domain.low.z) / cost.wave_speed_m_per_s;
     for body in &case.bodies {
         for freedom in body.translation.iter().chain([&body.spin]) {
-            let (Freedom::Prescribed { ramp, .. } | Freedom::Free { ramp, .. }) = *freedom else { continue };
+            let (Motion::Prescribed { ramp, .. } | Motion::Free { ramp, .. }) = *freedom else { continue };
             let moves =
-                !matches!(freedom, Freedom::Free { load: 0.0, .. } | Freedom::Prescribed { speed: 0.0, .. });
+                !matches!(freedom, Motion::Free { load: 0.0, .. } | Motion::Prescribed { speed: 0.0, .. });
             if moves && ramp < 5.0 * transit {
                 notes.push(format!(
                     "{}: a ramp of {ramp} s sends a shock wave through the soil; 5 wave transits take {:.2e} s.",

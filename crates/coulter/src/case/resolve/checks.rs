@@ -5,7 +5,7 @@ use crate::case::machine;
 use crate::case::path::path;
 use crate::case::problem::Problems;
 use crate::case::quantity::plain;
-use crate::case::resolved::{Body, Case, Domain, Freedom};
+use crate::case::resolved::{Body, Case, Domain, Motion};
 use crate::case::resources::format_bytes;
 use crate::case::typed::{Schema, Section};
 
@@ -37,7 +37,7 @@ fn keeps_to_the_plane(section: &Section, body: &Body, domain: &Domain, problems:
         let message = format!("the body is at y = {} m, off the plane of symmetry", plain(body.position.y));
         problems.add(section.location_of("y"), message, "remove `y`, or symmetric = true");
     }
-    if body.translation[1] != Freedom::Fixed {
+    if body.translation[1] != Motion::Fixed {
         let message = format!("{plane} case allows no lateral motion");
         problems.add(
             section.location_of("lateral"),
@@ -63,7 +63,7 @@ fn keeps_to_the_middle(section: &Section, body: &Body, problems: &mut Problems) 
     }
     for (key, still, freedom) in [("forward", "fixed", &body.translation[0]), ("spin", "locked", &body.spin)]
     {
-        if *freedom != Freedom::Fixed {
+        if *freedom != Motion::Fixed {
             let message = format!("a case that is symmetric about x = 0 allows no `{key}`");
             let cure = format!("write {key} = \"{still}\", or remove symmetric_x = true");
             problems.add(section.location_of(key), message, cure);
@@ -105,7 +105,7 @@ fn stays_inside(section: &Section, body: &Body, domain: &Domain, duration: f64, 
         );
     }
     // A wall may extend through the floor, so that no soil passes under it; a body that moves vertically may not.
-    let through_the_floor = whole.low.z < domain.low.z && body.translation[2] != Freedom::Fixed;
+    let through_the_floor = whole.low.z < domain.low.z && body.translation[2] != Motion::Fixed;
     if through_the_floor || start.high.z <= domain.low.z || start.low.z >= domain.high.z {
         let message = format!(
             "[{}] extends over z = {:.4} to {:.4} m, but the box over {} to {} m",

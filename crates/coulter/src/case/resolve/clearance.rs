@@ -3,7 +3,7 @@
 //! Rough, conservative estimates: soil that reaches a lid or a wall increases the force.
 
 use crate::case::path::{path, travel};
-use crate::case::resolved::{Body, Case, Freedom, Law};
+use crate::case::resolved::{Body, Case, Law, Motion};
 use glam::DVec3;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
@@ -105,7 +105,7 @@ impl Clearance {
 pub(in crate::case) fn deepest(body: &Body, soil: &SoilConditions, duration: f64) -> f64 {
     let (low, high) = body.shape.solid().bounds();
     let free = match body.translation[2] {
-        Freedom::Free { .. } => FREE_SINKAGE * (high - low).x.max((high - low).z),
+        Motion::Free { .. } => FREE_SINKAGE * (high - low).x.max((high - low).z),
         _ => 0.0,
     };
     (soil.surface - path(body, duration).low.z).max(free).min(soil.surface - soil.floor)
@@ -144,9 +144,9 @@ fn towed(body: &Body, soil: &SoilConditions, depth: f64, duration: f64) -> Clear
 /// Clearance for a body that sinks: the heave next to it, and the failure zone under a footing.
 fn pressed(body: &Body, soil: &SoilConditions, depth: f64, duration: f64) -> Clearance {
     let sunk = match body.translation[2] {
-        Freedom::Free { .. } => depth,
-        Freedom::Prescribed { .. } => (-travel(&body.translation[2], duration)).clamp(0.0, depth),
-        Freedom::Fixed => 0.0,
+        Motion::Free { .. } => depth,
+        Motion::Prescribed { .. } => (-travel(&body.translation[2], duration)).clamp(0.0, depth),
+        Motion::Fixed => 0.0,
     };
     if sunk <= 0.0 {
         return Clearance::default();

@@ -3,7 +3,7 @@
 //! Contact acts on whole cells, so that a body whose flat face lies within a cell is effectively too wide or too narrow.
 //! Where the face does not move, the cell width along that axis can be adjusted so that the face coincides with a cell face.
 
-use crate::case::resolved::{Body, Domain, Freedom};
+use crate::case::resolved::{Body, Domain, Motion};
 
 /// Largest factor by which a cell may become wider or narrower.
 const MAX_CHANGE: f64 = 1.25;
@@ -41,9 +41,9 @@ pub(super) fn fit(
 
 /// Positions of the flat faces of a body across an axis [m], if they do not move.
 fn flat_faces(body: &Body, axis: usize) -> Option<[f64; 2]> {
-    let is_flat = body.shape.has_flat_sides(axis, body.spin != Freedom::Fixed);
+    let is_flat = body.shape.has_flat_sides(axis, body.spin != Motion::Fixed);
     let (low, high) = body.shape.solid().bounds();
-    let stays = body.translation[axis] == Freedom::Fixed;
+    let stays = body.translation[axis] == Motion::Fixed;
     (is_flat && stays).then(|| [low, high].map(|side| body.position[axis] + side[axis]))
 }
 

@@ -2,8 +2,8 @@
 
 use crate::case::problem::Problems;
 use crate::case::ranges;
-use crate::case::resolved::Freedom;
-use crate::case::typed::{Motion, Section, Typed};
+use crate::case::resolved::Motion;
+use crate::case::typed::{self, Section, Typed};
 
 /// Default time over which a load is applied or a speed reached [s].
 const RAMP: f64 = 0.1;
@@ -14,23 +14,23 @@ pub(super) fn is_free(section: &Section, key: &str) -> bool {
 }
 
 /// One degree of freedom; while it is free, `weight` [N] acts on it in addition to its load.
-pub(super) fn freedom(section: &Section, key: &str, weight: f64, problems: &mut Problems) -> Option<Freedom> {
+pub(super) fn freedom(section: &Section, key: &str, weight: f64, problems: &mut Problems) -> Option<Motion> {
     if !section.has(key) {
-        return Some(Freedom::Fixed);
+        return Some(Motion::Fixed);
     }
     let typed = section.motion(key)?;
     let motion = &typed.value;
     match motion.word.as_deref() {
-        Some("free") => return Some(Freedom::Free { load: weight, start: 0.0, ramp: RAMP }),
-        Some(_) => return Some(Freedom::Fixed),
+        Some("free") => return Some(Motion::Free { load: weight, start: 0.0, ramp: RAMP }),
+        Some(_) => return Some(Motion::Fixed),
         None => {}
     }
     let (start, ramp, end) = times(motion, problems)?;
     match (&motion.speed, &motion.load) {
         (Some(speed), None) => {
-            Some(Freedom::Prescribed { speed: speed.value, start, ramp, end: end.unwrap_or(f64::INFINITY) })
+            Some(Motion::Prescribed { speed: speed.value, start, ramp, end: end.unwrap_or(f64::INFINITY) })
         }
-        (None, Some(load)) if end.is_none() => Some(Freedom::Free { load: weight + load.value, start, ramp }),
+        (None, Some(load)) if end.is_none() => Some(Motion::Free { load: weight + load.value, start, ramp }),
         (None, Some(_)) => {
             problems.add(&typed.location, "a load has no `end`", "remove `end`, which belongs to a speed");
             None
@@ -53,7 +53,7 @@ pub(super) fn freedom(section: &Section, key: &str, weight: f64, problems: &mut 
 }
 
 /// Start, ramp and end [s].
-fn times(motion: &Motion, problems: &mut Problems) -> Option<(f64, f64, Option<f64>)> {
+fn times(motion: &typed::Motion, problems: &mut Problems) -> Option<(f64, f64, Option<f64>)> {
     for time in [&motion.start, &motion.ramp, &motion.end].into_iter().flatten() {
         if time.value < 0.0 {
             problems.add(&time.location, "a time before the start of the run", "times must be 0 or more");

@@ -3,7 +3,7 @@
 use crate::case::path::travel;
 use crate::case::problem::Problems;
 use crate::case::ranges::{self, POSITIVE, POSITIVE_FRACTION};
-use crate::case::resolved::{Body, Freedom, Output};
+use crate::case::resolved::{Body, Motion, Output};
 use crate::case::typed::Section;
 
 /// Largest number of lines of a history.
@@ -45,8 +45,8 @@ fn tow_time(section: &Section, distance: f64, bodies: &[Body], problems: &mut Pr
 }
 
 /// When a towed body has travelled `distance`, forwards or backwards [s]; infinite for never, `None` if it is not towed.
-fn arrival_time(freedom: &Freedom, distance: f64) -> Option<f64> {
-    let Freedom::Prescribed { speed, start, ramp, .. } = *freedom else { return None };
+fn arrival_time(freedom: &Motion, distance: f64) -> Option<f64> {
+    let Motion::Prescribed { speed, start, ramp, .. } = *freedom else { return None };
     if speed == 0.0 {
         return None;
     }

@@ -70,10 +70,10 @@ shapes! {
 pub(super) fn read(section: &Section, around: &Surroundings, problems: &mut Problems) -> Option<Shape> {
     let kind = section.text("shape")?.value;
     let allowed = KEYS.iter().find(|(word, _)| *word == kind).map_or(&[][..], |(_, keys)| keys);
-    let mut measures: Vec<&str> = KEYS.iter().flat_map(|(_, keys)| keys.iter().copied()).collect();
-    measures.dedup();
+    let measures = KEYS.iter().flat_map(|(_, keys)| keys.iter().copied());
+    // Several shapes have a diameter.
     let mut refused = Vec::new();
-    for key in measures.into_iter().filter(|key| section.has(key) && !allowed.contains(key)) {
+    for key in measures.filter(|key| section.has(key) && !allowed.contains(key)) {
         if !refused.contains(&key) {
             let message = format!("`{key}` does not apply to shape = \"{kind}\"");
             problems.add(section.location_of(key), message, "remove it, or choose another shape");
