@@ -19,11 +19,13 @@ pub enum Motion {
         /// Start of the ramp back to rest, of the same duration [s]; infinite for none.
         end: f64,
     },
-    /// Free to move under the forces on the body and `load`, a force or torque along the axis of the freedom, which is
-    /// applied by a smooth ramp.
+    /// Free to move under the forces on the body and a load, a force or torque along the axis of the freedom, which
+    /// replaces a support by a smooth ramp.
     Free {
-        /// Load [N or N m].
+        /// Load after the ramp [N or N m].
         load: f64,
+        /// Load before the ramp [N or N m], such as the force that carries a body until it is released.
+        support: f64,
         /// Start of the ramp [s].
         start: f64,
         /// Duration of the ramp [s].
@@ -33,7 +35,7 @@ pub enum Motion {
 
 impl Motion {
     /// Free, without a load.
-    pub const FREE: Self = Self::Free { load: 0.0, start: 0.0, ramp: 0.0 };
+    pub const FREE: Self = Self::Free { load: 0.0, support: 0.0, start: 0.0, ramp: 0.0 };
 
     /// A prescribed speed [m/s or rad/s] from the start on, without a ramp.
     #[must_use]
@@ -44,7 +46,7 @@ impl Motion {
     /// A constant load [N or N m] on a free motion.
     #[must_use]
     pub fn loaded(load: f64) -> Self {
-        Self::Free { load, start: f64::NEG_INFINITY, ramp: 0.0 }
+        Self::Free { load, support: load, start: f64::NEG_INFINITY, ramp: 0.0 }
     }
 
     /// Whether the body does not move in this degree of freedom.
@@ -74,7 +76,9 @@ impl Motion {
     #[must_use]
     pub fn load(&self, time: f64) -> f64 {
         match *self {
-            Self::Free { load, start, ramp } => load * smooth_step(time, start, ramp),
+            Self::Free { load, support, start, ramp } => {
+                support + (load - support) * smooth_step(time, start, ramp)
+            }
             _ => 0.0,
         }
     }
@@ -95,6 +99,12 @@ fn smooth_step(time: f64, start: f64, ramp: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_load_replaces_the_support() {
+        let f = Motion::Free { load: -2.0, support: 6.0, start: 1.0, ramp: 0.5 };
+        assert_eq!([0.9, 1.25, 1.5].map(|t| f.load(t)), [6.0, 2.0, -2.0]);
+    }
 
     #[test]
     fn a_prescribed_speed_rises_holds_and_ends() {

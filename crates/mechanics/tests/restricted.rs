@@ -188,7 +188,7 @@ fn a_steered_wheel_balances_its_energy() {
     let moments = DVec3::new(0.5, 1.0, 0.8);
     let inertia = Inertia::principal(2.0, moments).with_centre(DVec3::new(0.05, 0.02, -0.03));
     let steer = Motion::Prescribed { speed: 3.0, start: 0.5, ramp: 0.7, end: 2.5 };
-    let torque = Motion::Free { load: 2.0, start: 0.2, ramp: 0.5 };
+    let torque = Motion::Free { load: 2.0, support: 0.0, start: 0.2, ramp: 0.5 };
     let mechanism = alone(Body::new(inertia, [Motion::prescribed(1.0), FIXED, FREE, steer, FIXED, torque]));
     let pose = Pose { position: DVec3::ZERO, rotation: DQuat::from_rotation_x(0.3) };
     let mut state = mechanism.state(&[(pose, Twist::ZERO)]);

@@ -6,9 +6,9 @@ use glam::DVec3;
 use mechanics::{Conditions, Mechanism, Step};
 
 /// Velocities of the bodies in the step, without contact: prescribed, or accelerated by loads, gravity and joints.
-pub(crate) fn predict<R>(mechanism: &Mechanism, state: &State<R>, step: &mut Step, dt: f64) {
-    // Weights are loads on the heave.
-    let conditions = Conditions { time: state.time, dt, gravity: DVec3::ZERO };
+pub(crate) fn predict<R>(model: &Model, mechanism: &Mechanism, state: &State<R>, step: &mut Step) {
+    let conditions =
+        Conditions { time: state.time, dt: model.time_step(), gravity: model.gravity * DVec3::NEG_Z };
     mechanism.predict(&state.mechanism, &conditions, step);
 }
 

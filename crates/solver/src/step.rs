@@ -27,7 +27,7 @@ pub fn step<R: Precision>(
     R::lagrangian_stage(model, state, &mut workspace.soil, dt);
     let Workspace { soil, contact, mechanism, bodies: moving, halo } = workspace;
     let sums = soil.total_of_stage(&model.grid, halo.as_mut());
-    bodies::predict(mechanism, state, moving, dt);
+    bodies::predict(model, mechanism, state, moving);
     let work = contact::solve(model, state, (soil, halo.as_mut()), contact, moving);
     bodies::advance(mechanism, state, moving);
     halo::fill(halo.as_mut(), &model.grid, At::Nodes, &mut state.nodes.velocity);

@@ -20,7 +20,7 @@ use solver::workspace::Workspace;
 const STEPS: usize = 160;
 
 fn body(name: &str, shape: Box<dyn Shape>, start: DVec3) -> BodyModel {
-    let free = |load| Motion::Free { load, start: 0.0, ramp: 0.005 };
+    let free = |load| Motion::Free { load, support: 0.0, start: 0.0, ramp: 0.005 };
     BodyModel {
         name: name.into(),
         shape,

@@ -39,7 +39,7 @@ fn towed(method: ContactMethod, y: f64, steps: usize) -> (Model, State) {
             moving(-0.15),
             Motion::Fixed,
             Motion::Fixed,
-            Motion::Free { load: 0.0, start: 0.0, ramp: 0.0 },
+            Motion::Free { load: 0.0, support: 0.0, start: 0.0, ramp: 0.0 },
         ],
     });
     let mut state = at_rest(&model, &below(0.0));

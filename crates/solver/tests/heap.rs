@@ -49,10 +49,10 @@ fn a_step_allocates_no_memory() {
             motion: [
                 Motion::Prescribed { speed: 0.3, start: 0.0, ramp: 0.01, end: f64::INFINITY },
                 Motion::Fixed,
-                Motion::Free { load: -20.0, start: 0.0, ramp: 0.01 },
+                Motion::Free { load: -20.0, support: 0.0, start: 0.0, ramp: 0.01 },
                 Motion::Fixed,
                 Motion::Fixed,
-                Motion::Free { load: 0.0, start: 0.0, ramp: 0.0 },
+                Motion::Free { load: 0.0, support: 0.0, start: 0.0, ramp: 0.0 },
             ],
         });
         let mut state = at_rest::<f64>(&model, &below(0.0));

@@ -42,7 +42,7 @@ fn tow(y: f64) -> Model {
             moving(-0.15),
             Motion::Fixed,
             Motion::Fixed,
-            Motion::Free { load: 0.0, start: 0.0, ramp: 0.0 },
+            Motion::Free { load: 0.0, support: 0.0, start: 0.0, ramp: 0.0 },
         ],
     });
     model

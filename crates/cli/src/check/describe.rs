@@ -65,8 +65,12 @@ fn describe_body(text: &mut String, case: &Case, body: &Body) -> std::fmt::Resul
     if body.shear_limit.is_finite() {
         friction += &format!(", at most {} Pa", body.shear_limit);
     }
-    writeln!(text, "body     {}: {shape}, {friction}, m = {:.4} kg", body.name, body.mass)?;
     let [forward, lateral, heave] = &body.translation;
+    let weight = match heave {
+        Motion::Free { .. } => format!(", W = {:.4} N", case.gravity * body.mass),
+        _ => String::new(),
+    };
+    writeln!(text, "body     {}: {shape}, {friction}, m = {:.4} kg{weight}", body.name, body.mass)?;
     let motions =
         [("forward", forward, "m/s", "N"), ("lateral", lateral, "m/s", "N"), ("heave", heave, "m/s", "N")];
     for (name, freedom, speed, load) in motions.into_iter().chain([("spin", &body.spin, "rad/s", "N m")]) {
@@ -91,8 +95,11 @@ fn describe_freedom(freedom: &Motion, speed_unit: &str, load_unit: &str) -> Stri
             let until = if end.is_finite() { format!(" until {} s", plain(end)) } else { String::new() };
             format!("{} {speed_unit}, from {} s within {} s{until}", plain(speed), plain(start), plain(ramp))
         }
-        Motion::Free { load: 0.0, .. } => "free".into(),
-        Motion::Free { load, start, ramp } => {
+        Motion::Free { load: 0.0, support: 0.0, .. } => "free".into(),
+        Motion::Free { load: 0.0, start, ramp, .. } => {
+            format!("free, released from {} s within {} s", plain(start), plain(ramp))
+        }
+        Motion::Free { load, start, ramp, .. } => {
             format!("free, load {load:.4} {load_unit} from {} s within {} s", plain(start), plain(ramp))
         }
     }

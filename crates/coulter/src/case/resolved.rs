@@ -252,6 +252,18 @@ pub struct Body {
     pub spin: Motion,
 }
 
+impl Body {
+    /// Force that presses the body into the ground once it is released [N]: its weight and the load on its heave, downwards;
+    /// `None` for a body that does not heave freely.
+    #[must_use]
+    pub fn pressing_force(&self, gravity: f64) -> Option<f64> {
+        match self.translation[2] {
+            Motion::Free { load, .. } => Some(self.mass * gravity - load),
+            _ => None,
+        }
+    }
+}
+
 /// What to write.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Output {

@@ -63,8 +63,8 @@ pub fn model_input(case: &Case) -> Result<ModelInput, String> {
     if case.gravity > 0.0 {
         towing.gravity = case.gravity;
     }
-    let extra_load = match (load, case.gravity) {
-        (Load::Weight(weight), gravity) => weight - count * first.mass * gravity,
+    let extra_load = match first.translation[2] {
+        Motion::Free { load, .. } => -load * count,
         _ => 0.0,
     };
     let bodies = bodies.iter().map(|b| b.name.clone()).collect();
@@ -184,15 +184,14 @@ fn load(
     let name = &body.name;
     let start = ground.surface - (body.position.z + body.shape.solid().bounds().0.z);
     let heave = &body.translation[2];
-    match *heave {
-        Motion::Free { load, .. } if load < 0.0 => return Ok(Load::Weight(-load * count)),
-        Motion::Free { .. } => {
+    match body.pressing_force(case.gravity) {
+        Some(load) if load > 0.0 => return Ok(Load::Weight(load * count)),
+        Some(_) => {
             return Err(format!(
                 "`{name}` is not pressed into the soil: its weight and load are not directed downwards"
             ));
         }
-        Motion::Fixed => {}
-        Motion::Prescribed { .. } => {}
+        None => {}
     }
     let steps = 200;
     let at = |n: u32| start - travel(heave, case.duration * f64::from(n) / f64::from(steps));

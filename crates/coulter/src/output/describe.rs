@@ -9,7 +9,7 @@ pub(super) fn describe(case: &Case) -> Vec<[String; 2]> {
     let several = case.bodies.len() > 1;
     for body in &case.bodies {
         let title = if several { body.name.clone() } else { "Body".to_owned() };
-        lines.push([title, describe_body(body)]);
+        lines.push([title, describe_body(case, body)]);
     }
     lines
 }
@@ -59,7 +59,7 @@ fn soil(case: &Case) -> String {
     format!("{law}, E = {}, ν = {}, {weight}", stress(soil.young_modulus), digits(soil.poisson_ratio))
 }
 
-fn describe_body(body: &Body) -> String {
+fn describe_body(case: &Case, body: &Body) -> String {
     let length = |value: f64| quantity(value, Unit::length(value));
     let shape = body.shape.describe(&length, &degrees);
     let mut friction = if body.friction.is_finite() {
@@ -70,20 +70,24 @@ fn describe_body(body: &Body) -> String {
     if body.shear_limit.is_finite() {
         friction += &format!(", at most {}", stress(body.shear_limit));
     }
+    let weight = match body.translation[2] {
+        Motion::Free { .. } => format!(", weight {} N", digits(case.gravity * body.mass)),
+        _ => String::new(),
+    };
     let [tow, _, heave] = &body.translation;
     let motions = [
         motion(tow, "tow", "m/s", "N"),
         motion(heave, "heave", "m/s", "N"),
         motion(&body.spin, "spin", "rad/s", "N m"),
     ];
-    format!("{shape}, {friction}; {}", motions.join("; "))
+    format!("{shape}, {friction}{weight}; {}", motions.join("; "))
 }
 
 fn motion(freedom: &Motion, name: &str, speed_unit: &str, load_unit: &str) -> String {
     match freedom {
         Motion::Fixed => format!("{name} fixed"),
         Motion::Prescribed { speed, .. } => format!("{name} {} {speed_unit}", digits(*speed)),
-        Motion::Free { load, .. } if *load == 0.0 => format!("{name} free"),
+        Motion::Free { load: 0.0, .. } => format!("{name} free"),
         Motion::Free { load, .. } => format!("{name} free under {} {load_unit}", digits(*load)),
     }
 }

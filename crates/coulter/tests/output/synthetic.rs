@@ -139,7 +139,7 @@ fn numerics() -> case::Numerics {
 }
 
 fn body(name: &str, shape: Shape, position: DVec3) -> case::Body {
-    let free = |load| case::Motion::Free { load, start: 0.0, ramp: 0.1 };
+    let free = |load| case::Motion::Free { load, support: 0.0, start: 0.0, ramp: 0.1 };
     case::Body {
         name: name.into(),
         shape,

@@ -28,12 +28,12 @@ fn inertia(case: &Case, body: &Body, (speed, depth): (f64, f64), notes: &mut Vec
     }
     let froude = analytic::froude(speed, case.gravity, depth);
     let added = analytic::inertia_pressure(case.soil.density, speed);
-    let ratio = match body.translation[2] {
-        Motion::Free { load, .. } if load < 0.0 => {
+    let ratio = match body.pressing_force(case.gravity) {
+        Some(load) if load > 0.0 => {
             let (low, high) = body.shape.solid().bounds();
             let slab = case.domain.high.y - case.domain.low.y;
             let width = if case.domain.plane_strain { slab } else { (high - low).y };
-            added * depth * width / -load
+            added * depth * width / load
         }
         // Pressure due to the soil's weight grows from 0 at the surface: its mean is that at half the depth.
         _ => added / contact_pressure(case, 0.5 * depth),

@@ -87,8 +87,10 @@ fn timing(case: &Case, notes: &mut Vec<String>) {
     for body in &case.bodies {
         for freedom in body.translation.iter().chain([&body.spin]) {
             let (Motion::Prescribed { ramp, .. } | Motion::Free { ramp, .. }) = *freedom else { continue };
-            let moves =
-                !matches!(freedom, Motion::Free { load: 0.0, .. } | Motion::Prescribed { speed: 0.0, .. });
+            let moves = !matches!(
+                freedom,
+                Motion::Free { load: 0.0, support: 0.0, .. } | Motion::Prescribed { speed: 0.0, .. }
+            );
             if moves && ramp < 5.0 * transit {
                 notes.push(format!(
                     "{}: a ramp of {ramp} s sends a shock wave through the soil; 5 wave transits take {:.2e} s.",

@@ -18,7 +18,7 @@ pub(super) fn body(section: &Section, context: &Context, problems: &mut Problems
     let shear_limit = shear_limit(section, context, problems);
     let mass = mass(section, context.gravity, problems);
     let position = position(section, shape.as_ref(), context, problems);
-    let motions = [("forward", 0.0), ("lateral", 0.0), ("heave", -context.gravity)];
+    let motions = [("forward", 0.0), ("lateral", 0.0), ("heave", context.gravity)];
     let needs_mass = motions.iter().any(|(key, _)| is_free(section, key));
     let mass = mass?;
     if needs_mass && mass.is_none() {

@@ -13,15 +13,15 @@ pub(super) fn is_free(section: &Section, key: &str) -> bool {
     section.motion(key).is_some_and(|m| m.value.word.as_deref() == Some("free") || m.value.load.is_some())
 }
 
-/// One degree of freedom; while it is free, `weight` [N] acts on it in addition to its load.
-pub(super) fn freedom(section: &Section, key: &str, weight: f64, problems: &mut Problems) -> Option<Motion> {
+/// One degree of freedom; while it is free, a load replaces `support` [N], the force that carries the body until then.
+pub(super) fn freedom(section: &Section, key: &str, support: f64, problems: &mut Problems) -> Option<Motion> {
     if !section.has(key) {
         return Some(Motion::Fixed);
     }
     let typed = section.motion(key)?;
     let motion = &typed.value;
     match motion.word.as_deref() {
-        Some("free") => return Some(Motion::Free { load: weight, start: 0.0, ramp: RAMP }),
+        Some("free") => return Some(Motion::Free { load: 0.0, support, start: 0.0, ramp: RAMP }),
         Some(_) => return Some(Motion::Fixed),
         None => {}
     }
@@ -30,7 +30,7 @@ pub(super) fn freedom(section: &Section, key: &str, weight: f64, problems: &mut 
         (Some(speed), None) => {
             Some(Motion::Prescribed { speed: speed.value, start, ramp, end: end.unwrap_or(f64::INFINITY) })
         }
-        (None, Some(load)) if end.is_none() => Some(Motion::Free { load: weight + load.value, start, ramp }),
+        (None, Some(load)) if end.is_none() => Some(Motion::Free { load: load.value, support, start, ramp }),
         (None, Some(_)) => {
             problems.add(&typed.location, "a load has no `end`", "remove `end`, which belongs to a speed");
             None
