@@ -1,23 +1,81 @@
-//! The simulation of a case: its model, its state, and the history of samples.
+//! The simulation of a case: its model, its state, the loop of a run, and who observes it.
 
 use crate::case::model::model;
 use crate::case::{Case, case_text};
+use crate::history::History;
+use crate::history::probes::{self, LastSample};
 use crate::history::reference::Reference;
-use crate::history::{BodySample, EnergySample, History};
 use crate::output::checkpoint::{Checkpoint, CheckpointView};
-use crate::trust::{Setting, Trust, boundary};
+use crate::trust::{Setting, Trust};
 use glam::DVec3;
 use solver::balance;
 use solver::cpu::stopwatch::Stopwatch;
-use solver::energy::soil_volume;
 use solver::error::Breakdown;
 use solver::grid::Grid;
 use solver::initial;
 use solver::model::Model;
 use solver::precision::Precision;
-use solver::state::{ContactImpulse, State};
+use solver::state::State;
 use solver::step::step;
 use solver::workspace::Workspace;
+
+/// What an observer could not do: its file could not be written, its window was closed.
+pub type ObserverError = Box<dyn std::error::Error + Send + Sync>;
+
+/// How an observer wants a run to go on.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Next {
+    /// As before.
+    Continue,
+    /// It is to stop here, for this reason; it can be resumed.
+    Stop(String),
+    /// It is broken: what would follow is of no use.
+    BreakDown(Breakdown),
+}
+
+/// How a run ended.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Stop {
+    /// It reached its end.
+    Finished,
+    /// An observer stopped it between two steps, for this reason.
+    Asked(String),
+    /// The physics failed, or an observer found the run broken.
+    BrokenDown(Breakdown),
+}
+
+/// Whoever follows a run: writes it to files, shows it, stops it. It sees the simulation as it is (case, model, state,
+/// history) and cannot change it: a run takes the same course whoever observes it.
+///
+/// An observer of runs in either precision implements this for every `R`.
+pub trait Observer<R: Precision = f64> {
+    /// The history has a new sample: the last one of [`Simulation::history`].
+    ///
+    /// # Errors
+    /// Whatever keeps the observer from its work; it ends the run at once.
+    fn sampled(&mut self, simulation: &Simulation<R>) -> Result<Next, ObserverError> {
+        let _ = simulation;
+        Ok(Next::Continue)
+    }
+
+    /// The run stands between two steps, or before the first. This is called often and must be quick.
+    ///
+    /// # Errors
+    /// Whatever keeps the observer from its work; it ends the run at once.
+    fn between_steps(&mut self, simulation: &Simulation<R>) -> Result<Next, ObserverError> {
+        let _ = simulation;
+        Ok(Next::Continue)
+    }
+
+    /// The run has ended, in this way.
+    ///
+    /// # Errors
+    /// Whatever keeps the observer from its work; the observers after it are not told then.
+    fn ended(&mut self, simulation: &Simulation<R>, stop: &Stop) -> Result<(), ObserverError> {
+        let _ = (simulation, stop);
+        Ok(())
+    }
+}
 
 /// A run of a case, its fields in double or in single precision.
 #[derive(Debug)]
@@ -34,8 +92,7 @@ pub struct Simulation<R: Precision = f64> {
     pub wall_s: f64,
     setting: Setting,
     workspace: Workspace<R>,
-    /// Time and impulses at the last sample.
-    sampled: (f64, Vec<ContactImpulse>),
+    last_sample: LastSample,
 }
 
 impl<R: Precision> Simulation<R> {
@@ -64,7 +121,7 @@ impl<R: Precision> Simulation<R> {
         let workspace = Workspace::new(&model, &mut state, threads);
         let names: Vec<String> = case.bodies.iter().map(|b| b.name.clone()).collect();
         let history = History { bodies: vec![Vec::new(); names.len()], names, ..History::default() };
-        let sampled = (state.time, state.bodies.iter().map(|b| b.contact_impulse).collect());
+        let last_sample = LastSample::of(&state);
         let mut simulation = Self {
             case: case.clone(),
             model,
@@ -73,7 +130,7 @@ impl<R: Precision> Simulation<R> {
             wall_s: 0.0,
             setting: Setting::of(case),
             workspace,
-            sampled,
+            last_sample,
         };
         if simulation.state.step == 0 {
             simulation.sample();
@@ -90,17 +147,22 @@ impl<R: Precision> Simulation<R> {
     /// A run resumed from a checkpoint; `wall_s` seconds of wall clock have been spent on it.
     #[must_use]
     pub fn resume(case: &Case, checkpoint: Checkpoint<R>, wall_s: f64) -> Self {
-        let Checkpoint { state, history, sampled, .. } = checkpoint;
+        let Checkpoint { state, history, last_sample, .. } = checkpoint;
         let simulation = Self::with_state(case, model(case, R::LANES), state);
-        Self { history, sampled, wall_s, ..simulation }
+        Self { history, last_sample, wall_s, ..simulation }
     }
 
     /// The same run with its fields in double precision, for inspection.
     #[must_use]
     pub fn to_f64(&self) -> Simulation {
-        let Self { case, history, sampled, wall_s, .. } = self;
+        let Self { case, history, last_sample, wall_s, .. } = self;
         let simulation = Simulation::with_state(case, model(case, R::LANES), self.state.to_f64());
-        Simulation { history: history.clone(), sampled: sampled.clone(), wall_s: *wall_s, ..simulation }
+        Simulation {
+            history: history.clone(),
+            last_sample: last_sample.clone(),
+            wall_s: *wall_s,
+            ..simulation
+        }
     }
 
     /// Everything that is needed to resume from here.
@@ -111,7 +173,7 @@ impl<R: Precision> Simulation<R> {
             case: case_text(&self.case),
             state: &self.state,
             history: &self.history,
-            sampled: &self.sampled,
+            last_sample: &self.last_sample,
         }
     }
 
@@ -140,34 +202,89 @@ impl<R: Precision> Simulation<R> {
         self.workspace.threads()
     }
 
-    /// Goes on to the next sample of the history (or to the end).
+    /// Runs the case to its end, or until an observer stops it.
+    ///
+    /// Observers are told of a sample, and asked between two steps, in their order; the first that does not want to go on
+    /// ends the run, and those after it are not asked any more. All are told of the end. A run that was stopped goes on
+    /// where it stood when this is called again.
+    ///
+    /// # Errors
+    /// That of the first observer that fails: the run ends between two steps, and no observer is told.
+    ///
+    /// # Examples
+    /// A column of soil collapses, until it has come to rest:
+    ///
+    /// ```
+    /// use coulter::simulation::{Next, Observer, ObserverError, Simulation, Stop};
+    ///
+    /// /// Stops a run when little of the work is still on the move.
+    /// struct UntilRest;
+    ///
+    /// impl Observer for UntilRest {
+    ///     fn sampled(&mut self, simulation: &Simulation) -> Result<Next, ObserverError> {
+    ///         let energy = simulation.history.energy.last().ok_or("no sample yet")?;
+    ///         let is_at_rest = energy.time > 0.1 && energy.kinetic < 0.05 * energy.external;
+    ///         Ok(if is_at_rest { Next::Stop("the soil is at rest".to_owned()) } else { Next::Continue })
+    ///     }
+    /// }
+    ///
+    /// # let text = include_str!("../../../cases/column_collapse.toml");
+    /// # let coarse = ["grid.cell=50 mm", "run.duration=1 s"].map(str::to_owned);
+    /// let case = coulter::case::parse(text, "case.toml", &coarse)?;
+    /// let mut simulation = Simulation::new(&case);
+    /// let stop = simulation.run(&mut [&mut UntilRest])?;
+    /// assert_eq!(stop, Stop::Asked("the soil is at rest".to_owned()));
+    /// # Ok::<(), Box<dyn std::error::Error + Send + Sync>>(())
+    /// ```
+    pub fn run(&mut self, observers: &mut [&mut dyn Observer<R>]) -> Result<Stop, ObserverError> {
+        let stop = loop {
+            if let Some(stop) = asked(observers, |observer| observer.between_steps(self))? {
+                break stop;
+            }
+            if self.is_done() {
+                break Stop::Finished;
+            }
+            match self.step_and_sample() {
+                Err(cause) => break Stop::BrokenDown(cause),
+                Ok(false) => {}
+                Ok(true) => {
+                    if let Some(stop) = asked(observers, |observer| observer.sampled(self))? {
+                        break stop;
+                    }
+                }
+            }
+        };
+        observers.iter_mut().try_for_each(|observer| observer.ended(self, &stop))?;
+        Ok(stop)
+    }
+
+    /// Goes on to the next sample of the history, or to the end.
     ///
     /// # Errors
     /// [`Breakdown`] when the physics fails.
     pub fn advance(&mut self) -> Result<(), Breakdown> {
-        self.advance_unless(|| false).map(|_| ())
+        while !self.is_done() && !self.step_and_sample()? {}
+        Ok(())
     }
 
-    /// The same, but stops between two steps when `interrupted` says so; returns whether the sample was reached. A
-    /// checkpoint may be taken either way.
-    ///
-    /// # Errors
-    /// [`Breakdown`] when the physics fails.
-    pub fn advance_unless(&mut self, interrupted: impl Fn() -> bool) -> Result<bool, Breakdown> {
+    /// Takes a step, and a sample where one is due; returns whether one was.
+    fn step_and_sample(&mut self) -> Result<bool, Breakdown> {
         let clock = std::time::Instant::now();
-        let due = self.sampled.0 + self.case.output.history_interval - 0.5 * self.model.time_step();
-        let mut is_due = self.is_done();
-        let mut result = Ok(());
-        while result.is_ok() && !is_due && !interrupted() {
-            result = step(&self.model, &mut self.state, &mut self.workspace);
-            is_due = self.state.time >= due || self.is_done();
-        }
+        let stepped = step(&self.model, &mut self.state, &mut self.workspace);
         self.wall_s += clock.elapsed().as_secs_f64();
-        result?;
+        stepped?;
+        let due = self.last_sample.time + self.case.output.history_interval - 0.5 * self.model.time_step();
+        let is_due = self.state.time >= due || self.is_done();
         if is_due {
             self.sample();
         }
         Ok(is_due)
+    }
+
+    /// Enters the present state into the history.
+    fn sample(&mut self) {
+        let Self { case, model, state, last_sample, history, .. } = self;
+        probes::sample(case, model, state, last_sample, history);
     }
 
     /// Takes a number of steps, without samples.
@@ -201,66 +318,19 @@ impl<R: Precision> Simulation<R> {
         }
         Some(filled as f64 * f64::from(steps) / clock.elapsed().as_secs_f64())
     }
+}
 
-    /// Enters the present state into the history.
-    fn sample(&mut self) {
-        let interval = self.state.time - self.sampled.0;
-        for n in 0..self.state.bodies.len() {
-            let sample = self.body_sample(n, interval);
-            self.history.bodies[n].push(sample);
-        }
-        let energy = self.energy_sample();
-        self.history.energy.push(energy);
-        self.history.boundaries.push(boundary::sample(&self.case, &self.model, &self.state));
-        self.sampled = (self.state.time, self.state.bodies.iter().map(|b| b.contact_impulse).collect());
-    }
-
-    fn body_sample(&self, n: usize, interval: f64) -> BodySample {
-        let (fixed, body) = (&self.model.bodies[n], &self.state.bodies[n]);
-        let (pose, twist) = (self.state.pose(n), self.state.twist(n));
-        let axle = pose.rotation * DVec3::Y;
-        let (now, then) = (body.contact_impulse, self.sampled.1[n]);
-        let rate = if interval > 0.0 { 1.0 / interval } else { 0.0 };
-        let normal = (now.normal - then.normal) * rate;
-        let friction = (now.friction - then.friction) * rate;
-        let symmetry = self.model.symmetry();
-        let normal = symmetry.of_whole(normal);
-        let force = symmetry.of_whole(normal + friction);
-        BodySample {
-            time: self.state.time,
-            displacement: pose.position.x - fixed.start.position.x,
-            sinkage: self.model.surface - (pose.position.z + fixed.shape.bounds().0.z),
-            drag: 0.0 - force.x,
-            lateral: force.y,
-            vertical: force.z,
-            drag_normal: 0.0 - normal.x,
-            vertical_normal: normal.z,
-            axle_torque: symmetry.moment_of_whole((now.moment - then.moment) * rate).dot(axle),
-            rotation: body.rotation,
-            spin: twist.angular.dot(axle),
-            speed: twist.linear.x,
-            heave_speed: twist.linear.z,
-            leaked_volume: body.leaked_volume / self.model.modelled_fraction(),
-            embedded_volume: body.embedded_volume / self.model.modelled_fraction(),
+/// Asks the observers in their order, until one does not want to go on.
+fn asked<R: Precision>(
+    observers: &mut [&mut dyn Observer<R>],
+    ask: impl Fn(&mut dyn Observer<R>) -> Result<Next, ObserverError>,
+) -> Result<Option<Stop>, ObserverError> {
+    for observer in observers {
+        match ask(*observer)? {
+            Next::Continue => {}
+            Next::Stop(why) => return Ok(Some(Stop::Asked(why))),
+            Next::BreakDown(cause) => return Ok(Some(Stop::BrokenDown(cause))),
         }
     }
-
-    fn energy_sample(&self) -> EnergySample {
-        let terms = &self.state.energy_balance;
-        let whole = 1.0 / self.model.modelled_fraction();
-        EnergySample {
-            time: self.state.time,
-            external: (terms.external + terms.kinetic_start + terms.inflow_elastic) * whole,
-            kinetic: balance::kinetic_energy(&self.model, &self.state) * whole,
-            elastic: (balance::elastic_energy(&self.model, &self.state) - terms.elastic_start) * whole,
-            plastic: terms.plastic * whole,
-            friction: terms.friction * whole,
-            contact: terms.contact * whole,
-            viscous: terms.viscous * whole,
-            hourglass: terms.hourglass * whole,
-            remap_loss: terms.remap * whole,
-            volume_ratio: (soil_volume(&self.model.grid, &self.state.soil) - terms.inflow_volume)
-                / terms.volume_start,
-        }
-    }
+    Ok(None)
 }

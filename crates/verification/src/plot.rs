@@ -4,8 +4,7 @@ use crate::row::{Row, Tolerance};
 use crate::run_balances::RunBalances;
 use crate::table::figure;
 use crate::trace::Trace;
-use coulter::output::chart::Chart;
-use coulter::output::curve::Curve;
+use coulter::output::plots::{Chart, Curve};
 use std::fmt::Write as _;
 
 /// Runs of a benchmark in one picture at most; more could not be distinguished.

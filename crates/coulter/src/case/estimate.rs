@@ -105,7 +105,7 @@ pub(super) fn cells(grid: &Grid) -> f64 {
 fn memory(case: &Case, cells: f64, filled: f64) -> Memory {
     let Footprint { fields, fields_of_soil, workspace, contact, layout } = footprint(case);
     let void = 1.0 - (filled / cells).clamp(0.0, 1.0);
-    let outputs = output_size::memory(case, cells, filled, fields);
+    let outputs = output_size::memory(case, fields);
     Memory {
         program_bytes: PROGRAM,
         grid_bytes: fields - void * fields_of_soil + workspace,

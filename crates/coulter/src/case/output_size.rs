@@ -17,10 +17,6 @@ const LINES: [f64; 2] = [236.0, 155.0];
 const PACKED_STATE: f64 = 0.93;
 /// Report, pictures and plots [bytes]; measured.
 const REPORT: f64 = 0.8e6;
-/// The largest array of a field file before compression, stress, for each cell [bytes].
-const RAW_CELL: f64 = 6.0 * size_of::<f32>() as f64;
-/// A cell as it is prepared for a field file [bytes]: the size of `output::fields::CellView`, which a test compares.
-pub(crate) const SHOWN_CELL: usize = 104;
 /// Arrays in the state.
 const STATE_ARRAYS: f64 = 17.0;
 /// Memory for pictures, plots and the report of any case [bytes]; measured.
@@ -66,13 +62,12 @@ fn width(case: &Case) -> f64 {
     }
 }
 
-/// Peak memory for writing [bytes]: for a field file (all cells as they are shown, one array, the compressed arrays and the
-/// file), for a checkpoint, or for pictures and report at the end.
+/// Peak memory for writing [bytes]: for a checkpoint, or for pictures and report at the end. A field file is written in blocks
+/// and takes less.
 #[must_use]
-pub fn memory(case: &Case, cells: f64, filled: f64, fields: f64) -> f64 {
+pub fn memory(case: &Case, fields: f64) -> f64 {
     let lines = (case.duration / case.output.history_interval).ceil();
-    let shown = (SHOWN_CELL as f64 + RAW_CELL) * cells + 2.0 * PACKED_CELL * filled;
     // The report reads the histories as text and draws them.
     let report = PICTURES + lines * (LINES[0] * case.bodies.len() as f64 + LINES[1]);
-    shown.max(report).max(CHECKPOINT * fields)
+    report.max(CHECKPOINT * fields)
 }

@@ -1,6 +1,7 @@
 //! The history of a run: samples of bodies, energy and boundaries.
 
 pub mod columns;
+pub mod probes;
 pub mod reference;
 pub mod steady;
 

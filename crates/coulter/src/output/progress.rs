@@ -1,6 +1,6 @@
 //! Progress of a run: a bar on a terminal, occasional lines elsewhere.
 
-use super::scale::{Unit, digits};
+use super::units::{Unit, digits};
 use crate::case::Case;
 use crate::history::reference::Reference;
 use crate::history::{BodySample, History};

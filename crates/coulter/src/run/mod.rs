@@ -1,26 +1,24 @@
-//! A run from case to results: steps, samples, fields, checkpoints, report.
+//! A run from case to results: the loop of the simulation with those who write its results, and the report at its end.
 
+mod observers;
 mod options;
 mod start;
 pub mod watch;
 
-use crate::case::{self, Case, resolved};
-use crate::interrupts::Request;
-use crate::output::Results;
+use crate::case::{Case, resolved};
 use crate::output::checkpoint;
+use crate::output::folder::Outcome;
 use crate::output::progress::Progress;
-use crate::output::run_record::{Outcome, RunStatistics};
-use crate::output::summary::Summary;
-use crate::simulation::Simulation;
+use crate::output::{Results, Summary};
+use crate::simulation::{Simulation, Stop};
 use crate::trust::Verdict;
-use solver::error::Breakdown;
+use observers::{Checkpoints, Fields, ProgressBar, Signals, Tables, Watch, statistics};
 use solver::precision::Precision;
 use std::path::Path;
 use std::time::Instant;
 
 pub use options::{End, RunError, RunOptions, Start};
 use start::{ended_before, lock, open};
-use watch::watch;
 
 /// Runs a case and writes its results.
 ///
@@ -43,56 +41,64 @@ fn run_in<R: Precision>(case: &Case, options: &RunOptions) -> Result<End, RunErr
     let began = Instant::now();
     let (mut simulation, mut results) = open::<R>(case, options)?;
     let mut progress = Progress::start(case, simulation.state.time, options.quiet);
-    let ended = advance(&mut simulation, &mut results, &mut progress, options)?;
-    let outcome = match &ended {
-        Ended::Finished => Outcome::Finished,
-        Ended::Stopped(_) => Outcome::Interrupted,
-        Ended::Broken(cause) => Outcome::BrokeDown(cause.to_string()),
-    };
-    let statistics = statistics(&simulation, outcome);
-    // The state first: everything else can be rebuilt from it.
-    let checkpoint = match ended {
-        Ended::Broken(_) => simulation.checkpoint().write_failed(options.folder)?,
-        Ended::Finished | Ended::Stopped(_) => simulation.checkpoint().write(options.folder)?,
+    let stop = observed(&mut simulation, &mut results, &mut progress, options)?;
+    let outcome = match &stop {
+        Stop::Finished => Outcome::Finished,
+        Stop::Asked(_) => Outcome::Interrupted,
+        Stop::BrokenDown(cause) => Outcome::BrokeDown(cause.to_string()),
     };
     let Simulation { model, state, history, .. } = &simulation;
+    let statistics = statistics(&simulation, outcome);
     let summary = results.finish(case, &model.grid, state, history, &statistics)?;
     let seconds = began.elapsed().as_secs_f64();
-    match ended {
-        Ended::Finished => {
+    match stop {
+        Stop::Finished => {
             checkpoint::forget_previous(options.folder)?;
-            results.log(&format!("finished after {} steps, {seconds:.1} s since the start", state.step))?;
+            results
+                .log
+                .line(&format!("finished after {} steps, {seconds:.1} s since the start", state.step))?;
             for line in verdict(&summary) {
-                results.log(&line)?;
+                results.log.line(&line)?;
             }
             progress.finish(&closing_message(&summary, seconds, options.folder));
             Ok(End::Finished(Box::new(summary)))
         }
-        Ended::Stopped(signal) => {
-            results.log(&format!("stopped by signal {signal} at t = {} s", state.time))?;
+        Stop::Asked(why) => {
+            results.log.line(&format!("stopped by {why} at t = {} s", state.time))?;
             progress.finish("stopped; --resume continues from here");
-            Ok(End::Stopped(signal, checkpoint))
+            let signal = options.interrupts.stopped_by().unwrap_or_default();
+            Ok(End::Stopped(signal, checkpoint::path(options.folder)))
         }
-        Ended::Broken(cause) => {
-            results.log(&format!("broke down: {cause}"))?;
+        Stop::BrokenDown(cause) => {
+            results.log.line(&format!("broke down: {cause}"))?;
             progress.finish("broke down");
             Err(RunError::Physics {
                 cause: Box::new(cause),
                 folder: options.folder.to_path_buf(),
-                checkpoint,
+                checkpoint: checkpoint::failed_path(options.folder),
             })
         }
     }
 }
 
-fn statistics(simulation: &Simulation<impl Precision>, outcome: Outcome) -> RunStatistics {
-    RunStatistics {
-        steps: simulation.state.step,
-        wall_seconds: simulation.wall_s,
-        threads: simulation.threads(),
-        outcome,
-        advice: case::advice(&simulation.case),
-    }
+/// The loop of the run, in the order in which its observers are told of a sample. The state is written before anything else
+/// that the end of the run leaves: all that can be rebuilt from it.
+fn observed<R: Precision>(
+    simulation: &mut Simulation<R>,
+    results: &mut Results,
+    progress: &mut Progress,
+    options: &RunOptions,
+) -> Result<Stop, RunError> {
+    let Results { tables, fields, log, record, .. } = results;
+    let stop = simulation.run(&mut [
+        &mut Tables(tables),
+        &mut ProgressBar(progress),
+        &mut Watch,
+        &mut Fields(fields),
+        &mut Signals(options.interrupts),
+        &mut Checkpoints::new(options.folder, options.interrupts, log, record),
+    ])?;
+    Ok(stop)
 }
 
 /// The last message of a finished run.
@@ -115,50 +121,4 @@ pub fn verdict(summary: &Summary) -> Vec<String> {
         trust.concerns().iter().map(|c| format!("  {}: {}; {}", c.verdict.name(), c.line(), c.advice)),
     );
     lines
-}
-
-enum Ended {
-    Finished,
-    Stopped(i32),
-    Broken(Breakdown),
-}
-
-/// Advances from sample to sample until the end, a stop or a breakdown.
-fn advance(
-    simulation: &mut Simulation<impl Precision>,
-    results: &mut Results,
-    progress: &mut Progress,
-    options: &RunOptions,
-) -> Result<Ended, RunError> {
-    let interval = simulation.case.output.field_interval;
-    let between = simulation.case.output.checkpoint_interval;
-    let mut last_checkpoint = Instant::now();
-    while !simulation.is_done() {
-        let is_due = || last_checkpoint.elapsed().as_secs_f64() >= between;
-        match simulation.advance_unless(|| options.interrupts.is_pending() || is_due()) {
-            Err(cause) => return Ok(Ended::Broken(cause)),
-            Ok(false) => {}
-            Ok(true) => {
-                results.append(&simulation.history)?;
-                progress.update(simulation.state.time, &simulation.history);
-                if let Err(cause) = watch(simulation) {
-                    return Ok(Ended::Broken(cause));
-                }
-                if results.fields_are_due(simulation.state.time, interval) {
-                    results.write_fields(&simulation.case, &simulation.model.grid, &simulation.state)?;
-                }
-            }
-        }
-        let request = options.interrupts.take();
-        if let Some(Request::Stop(signal)) = request {
-            return Ok(Ended::Stopped(signal));
-        }
-        if request.is_some() || is_due() {
-            simulation.checkpoint().write(options.folder)?;
-            results.write_statistics(&statistics(simulation, Outcome::Running))?;
-            results.log(&format!("checkpoint at t = {} s", simulation.state.time))?;
-            last_checkpoint = Instant::now();
-        }
-    }
-    Ok(Ended::Finished)
 }

@@ -1,8 +1,8 @@
 //! What a run is asked to do, and how it can end.
 
 use crate::interrupts::Interrupts;
-use crate::output::OutputError;
-use crate::output::summary::Summary;
+use crate::output::{OutputError, Summary};
+use crate::simulation::ObserverError;
 use solver::error::Breakdown;
 use std::path::{Path, PathBuf};
 
@@ -52,6 +52,9 @@ pub enum RunError {
     /// Results could not be read or written.
     #[error(transparent)]
     Output(#[from] OutputError),
+    /// An observer of the run failed in another way.
+    #[error(transparent)]
+    Observer(ObserverError),
     /// The folder holds the run of another case.
     #[error(
         "{} holds the run of another case file (or of other values of its keys); use --force to start again, or another \
@@ -87,4 +90,10 @@ pub enum RunError {
         /// The checkpoint of the state that failed.
         checkpoint: PathBuf,
     },
+}
+
+impl From<ObserverError> for RunError {
+    fn from(error: ObserverError) -> Self {
+        error.downcast().map_or_else(Self::Observer, |error| Self::Output(*error))
+    }
 }

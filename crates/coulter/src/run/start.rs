@@ -4,8 +4,8 @@ use super::options::{RunError, RunOptions, Start};
 use crate::case::case_text;
 use crate::case::{self, Case};
 use crate::output::checkpoint::{self, Checkpoint};
-use crate::output::run_record::{Outcome, RunRecord, hash_of};
-use crate::output::{Contents, Lock, OutputError, Results, Summary, inspect, overlays};
+use crate::output::folder::{Contents, Lock, Outcome, RunRecord, hash_of, inspect};
+use crate::output::{OutputError, Results, Summary, overlays};
 use crate::simulation::Simulation;
 use solver::precision::Precision;
 use std::path::Path;
@@ -92,9 +92,11 @@ fn resume<R: Precision>(
     let mut results = Results::resume(options.folder, case, &simulation.history, simulation.state.time)?;
     if let Some(problem) = damaged {
         checkpoint::forget_last(options.folder)?;
-        results.log(&format!("fell back to the previous checkpoint: {problem}"))?;
+        results.log.line(&format!("fell back to the previous checkpoint: {problem}"))?;
     }
-    results.log(&format!("resumed at t = {} s, step {}", simulation.state.time, simulation.state.step))?;
+    results
+        .log
+        .line(&format!("resumed at t = {} s, step {}", simulation.state.time, simulation.state.step))?;
     Ok((simulation, results))
 }
 
@@ -109,19 +111,19 @@ fn create<R: Precision>(
     let simulation = Simulation::new(case);
     let [nx, ny, nz] = simulation.model.grid.cells();
     let (dt, threads) = (simulation.model.time_step(), simulation.threads());
-    results.log(&format!("{} version {}", case.name, env!("CARGO_PKG_VERSION")))?;
+    results.log.line(&format!("{} version {}", case.name, env!("CARGO_PKG_VERSION")))?;
     if let Some(why) = why {
-        results.log(why)?;
+        results.log.line(why)?;
     }
-    results.log(&format!(
+    results.log.line(&format!(
         "grid {nx} x {ny} x {nz}, time step {dt:.4e} s, {} precision, {threads} threads",
         R::NAME
     ))?;
     for note in case::advice(case).iter().chain(options.warnings) {
-        results.log(&format!("note: {note}"))?;
+        results.log.line(&format!("note: {note}"))?;
     }
     overlay_forecast(case, &mut results)?;
-    results.write_fields(case, &simulation.model.grid, &simulation.state)?;
+    results.fields.write(case, &simulation.model.grid, &simulation.state)?;
     simulation.checkpoint().write(options.folder)?;
     Ok((simulation, results))
 }
@@ -130,6 +132,6 @@ fn create<R: Precision>(
 fn overlay_forecast(case: &Case, results: &mut Results) -> Result<(), OutputError> {
     match overlays(case) {
         Ok(overlays) => results.overlay(overlays),
-        Err(why) => results.log(&format!("no forecast in the plots: {why}")),
+        Err(why) => results.log.line(&format!("no forecast in the plots: {why}")),
     }
 }

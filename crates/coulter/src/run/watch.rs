@@ -1,8 +1,8 @@
 //! Checks during a run: an error that cannot be recovered from stops it, with position, time and cause.
 
+use crate::history::probes::most_pressed_lid_cell;
 use crate::history::{EnergySample, History};
 use crate::simulation::Simulation;
-use crate::trust::boundary::most_pressed_lid_cell;
 use crate::trust::energy::body_force;
 use crate::trust::limits;
 use glam::DVec3;

@@ -4,7 +4,6 @@
 //! is still running are graded by the same rules. Their limits are in one table, [`limits`].
 
 pub mod body;
-pub mod boundary;
 mod check;
 pub mod documentation;
 pub(crate) mod energy;

@@ -7,11 +7,10 @@ mod synthetic;
 mod vtk;
 
 use coulter::history::columns::{BOUNDARIES, ENERGY, FORCES, header};
-use coulter::output::csv::read_history;
-use coulter::output::table::Table;
-use coulter::output::{
-    Outcome, OutputError, Overlay, PlotKind, Results, RunStatistics, Summary, rebuild_report,
-};
+use coulter::output::folder::{Outcome, RunStatistics};
+use coulter::output::plots::{Overlay, PlotKind};
+use coulter::output::tables::{Table, read_history};
+use coulter::output::{OutputError, Results, Summary, rebuild_report};
 use std::fs;
 use std::path::Path;
 use synthetic::{Kind, case, history, state, statistics};
@@ -22,7 +21,7 @@ fn write(dir: &Path, kind: Kind, cell: f64, count: usize) -> Summary {
     let (grid, state) = state(&case, kind, case.duration);
     let history = history(&case, count);
     let mut results = Results::create(dir, &case, true).unwrap();
-    results.log("started").unwrap();
+    results.log.line("started").unwrap();
     let overlay = |plot, points| Overlay {
         name: "forecast: passive pressure".into(),
         plot,
@@ -160,10 +159,10 @@ fn histories_grow_during_the_run_and_read_back() {
     let mut part = full.clone();
     part.bodies.iter_mut().for_each(|samples| samples.truncate(20));
     part.energy.truncate(3);
-    results.append(&part).unwrap();
+    results.tables.append(&part).unwrap();
     assert_eq!(Table::read(&dir.path().join("forces_disc.csv")).unwrap().rows(), 20);
-    results.append(&full).unwrap();
-    results.append(&full).unwrap();
+    results.tables.append(&full).unwrap();
+    results.tables.append(&full).unwrap();
     let back = read_history(dir.path(), &full.names, true).unwrap();
     assert_eq!(back.bodies[1].len(), 50);
     assert!((back.bodies[1][30].drag - full.bodies[1][30].drag).abs() < 1e-6);
@@ -184,7 +183,7 @@ fn weightless_soil_has_no_force_groups() {
     let dir = tempfile::tempdir().unwrap();
     let mut case = case(Kind::Disc, 0.04);
     case.soil.unit_weight = 0.0;
-    Results::create(dir.path(), &case, false).unwrap().append(&history(&case, 10)).unwrap();
+    Results::create(dir.path(), &case, false).unwrap().tables.append(&history(&case, 10)).unwrap();
     let table = Table::read(&dir.path().join("forces.csv")).unwrap();
     assert!(table.column("F_H_bar").unwrap().iter().all(|v| v.is_nan()));
     assert!(table.column("Z").unwrap().iter().all(|v| v.is_finite()));
@@ -217,22 +216,22 @@ fn a_resumed_run_goes_on_where_the_checkpoint_was() {
     let mut results = Results::create(dir.path(), &case, false).unwrap();
     for time in [0.0, 1.0, 2.0] {
         let (grid, state) = state(&case, Kind::Disc, time);
-        results.write_fields(&case, &grid, &state).unwrap();
-        results.write_fields(&case, &grid, &state).unwrap();
+        results.fields.write(&case, &grid, &state).unwrap();
+        results.fields.write(&case, &grid, &state).unwrap();
     }
-    results.append(&full).unwrap();
+    results.tables.append(&full).unwrap();
     drop(results);
     let mut early = full.clone();
     early.bodies[0].truncate(25);
     let mut results = Results::resume(dir.path(), &case, &early, 1.5).unwrap();
     assert_eq!(Table::read(&dir.path().join("forces.csv")).unwrap().rows(), 25);
     let (grid, later) = state(&case, Kind::Disc, 1.75);
-    results.write_fields(&case, &grid, &later).unwrap();
+    results.fields.write(&case, &grid, &later).unwrap();
     let list = fs::read_to_string(dir.path().join("soil.pvd")).unwrap();
     let times: Vec<&str> = list.split("timestep=\"").skip(1).filter_map(|t| t.split('"').next()).collect();
     assert_eq!(times, ["0", "1", "1.75"]);
     assert!(list.contains("fields/soil_0002.vtr") && !list.contains("soil_0003"));
-    results.append(&full).unwrap();
+    results.tables.append(&full).unwrap();
     assert_eq!(Table::read(&dir.path().join("forces.csv")).unwrap().rows(), 60);
 }
 

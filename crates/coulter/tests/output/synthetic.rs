@@ -4,7 +4,7 @@ use coulter::case::Case;
 use coulter::case::resolved as case;
 use coulter::case::shapes::{Block, Disc, Shape};
 use coulter::history::{BodySample, EnergySample, History};
-use coulter::output::{Outcome, RunStatistics};
+use coulter::output::folder::{Outcome, RunStatistics};
 use glam::{DQuat, DVec3};
 use mechanics::{BodyState, Inertia, MechanismState, Twist};
 use solver::fields::PLASTIC_STRAIN;

@@ -43,7 +43,7 @@ fn written(dir: &Path, kind: Kind) -> (coulter::case::Case, solver::grid::Grid, 
     let case = case(kind, 0.02);
     let (grid, state) = state(&case, kind, 1.5);
     let mut results = Results::create(dir, &case, false).unwrap();
-    results.write_fields(&case, &grid, &state).unwrap();
+    results.fields.write(&case, &grid, &state).unwrap();
     (case, grid, state)
 }
 

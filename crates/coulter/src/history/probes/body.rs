@@ -1,0 +1,45 @@
+//! The probe of a body: where it is, how it moves, and the forces of the soil on it.
+
+use super::last_sample::LastSample;
+use crate::history::BodySample;
+use glam::DVec3;
+use solver::model::Model;
+use solver::precision::Precision;
+use solver::state::State;
+
+/// A sample of body number `n`, its forces averaged since the last sample.
+pub(super) fn sample<R: Precision>(
+    model: &Model,
+    state: &State<R>,
+    n: usize,
+    last: &LastSample,
+) -> BodySample {
+    let (fixed, body) = (&model.bodies[n], &state.bodies[n]);
+    let (pose, twist) = (state.pose(n), state.twist(n));
+    let axle = pose.rotation * DVec3::Y;
+    let (now, then) = (body.contact_impulse, last.impulses[n]);
+    let interval = state.time - last.time;
+    let rate = if interval > 0.0 { 1.0 / interval } else { 0.0 };
+    let normal = (now.normal - then.normal) * rate;
+    let friction = (now.friction - then.friction) * rate;
+    let symmetry = model.symmetry();
+    let normal = symmetry.of_whole(normal);
+    let force = symmetry.of_whole(normal + friction);
+    BodySample {
+        time: state.time,
+        displacement: pose.position.x - fixed.start.position.x,
+        sinkage: model.surface - (pose.position.z + fixed.shape.bounds().0.z),
+        drag: 0.0 - force.x,
+        lateral: force.y,
+        vertical: force.z,
+        drag_normal: 0.0 - normal.x,
+        vertical_normal: normal.z,
+        axle_torque: symmetry.moment_of_whole((now.moment - then.moment) * rate).dot(axle),
+        rotation: body.rotation,
+        spin: twist.angular.dot(axle),
+        speed: twist.linear.x,
+        heave_speed: twist.linear.z,
+        leaked_volume: body.leaked_volume / model.modelled_fraction(),
+        embedded_volume: body.embedded_volume / model.modelled_fraction(),
+    }
+}

@@ -1,0 +1,139 @@
+//! What the soil does at the faces of the box: whether it presses on the lid, has come to a side wall that was bare, and how
+//! far the stress at walls and floor has risen above that at rest.
+
+use crate::case::Case;
+use crate::case::resolved::Ground;
+use crate::history::BoundarySample;
+use glam::DVec3;
+use solver::model::Model;
+use solver::precision::Precision;
+use solver::state::State;
+
+/// A cell with so much soil touches the face that it lies at.
+const TOUCHES: f64 = 0.5;
+
+/// A face of the box: the axis across it, and whether it is the high one.
+type Face = (usize, bool);
+
+/// The soil at the faces of the domain; forces and areas are those of the whole, not of the modelled portion.
+#[must_use]
+pub(super) fn sample<R: Precision>(case: &Case, model: &Model, state: &State<R>) -> BoundarySample {
+    let whole = 1.0 / model.modelled_fraction();
+    let mut sample = BoundarySample { time: state.time, ..BoundarySample::default() };
+    if !is_covered(case) {
+        over((2, true), model, |cell| {
+            if cell.fraction(state) >= TOUCHES {
+                sample.lid_area += cell.area * whole;
+                sample.lid_force += cell.normal_pressure(state).max(0.0) * cell.area * whole;
+            }
+        });
+    }
+    for face in walls(case) {
+        over(face, model, |cell| {
+            if cell.fraction(state) < TOUCHES {
+                return;
+            }
+            if face.0 != 2 && !held_soil(&case.ground, cell.centre) {
+                sample.wall_area += cell.area * whole;
+            }
+            let rise = cell.normal_pressure(state) - pressure_at_rest(case, model, &cell);
+            sample.stress_rise = sample.stress_rise.max(rise);
+        });
+    }
+    sample
+}
+
+/// Middle of the lid's cell that bears the highest pressure [m].
+#[must_use]
+pub fn most_pressed_lid_cell<R: Precision>(model: &Model, state: &State<R>) -> DVec3 {
+    let (mut most, mut position) = (f64::NEG_INFINITY, DVec3::NAN);
+    over((2, true), model, |cell| {
+        if cell.fraction(state) >= TOUCHES && cell.normal_pressure(state) > most {
+            (most, position) = (cell.normal_pressure(state), cell.centre);
+        }
+    });
+    position
+}
+
+/// Whether the soil reaches up to the lid from the start: then the lid is part of the case.
+fn is_covered(case: &Case) -> bool {
+    case.ground.surface() >= case.domain.high.z - 1e-9 * case.grid.cell
+}
+
+/// Floor and side walls, planes of symmetry and of plane strain not among them.
+fn walls(case: &Case) -> Vec<Face> {
+    let domain = &case.domain;
+    let mut faces = vec![(2, false), (0, true)];
+    if !domain.symmetric_x {
+        faces.push((0, false));
+    }
+    if !domain.plane_strain {
+        faces.push((1, true));
+        if !domain.symmetric {
+            faces.push((1, false));
+        }
+    }
+    faces
+}
+
+/// Whether there was soil at this position at the start.
+fn held_soil(ground: &Ground, x: DVec3) -> bool {
+    match *ground {
+        Ground::Level { surface } => x.z <= surface,
+        Ground::Column { low, high, radius } => {
+            x.cmpge(low).all()
+                && x.cmple(high).all()
+                && radius.is_none_or(|r| x.truncate().length_squared() <= r * r)
+        }
+    }
+}
+
+/// Pressure on the cell's face at the start [Pa].
+fn pressure_at_rest(case: &Case, model: &Model, cell: &FaceCell) -> f64 {
+    if !held_soil(&case.ground, cell.centre) {
+        return 0.0;
+    }
+    let depth = (model.surface - cell.centre.z).max(0.0);
+    let vertical = model.material().density * model.gravity * depth + case.overburden;
+    if cell.axis == 2 { vertical } else { model.material().k0 * vertical }
+}
+
+/// A cell at a face of the box.
+struct FaceCell {
+    index: usize,
+    axis: usize,
+    /// Area of its face [m²].
+    area: f64,
+    /// Its middle [m].
+    centre: DVec3,
+}
+
+impl FaceCell {
+    fn fraction<R: Precision>(&self, state: &State<R>) -> f64 {
+        state.soil.fraction[self.index].into()
+    }
+
+    /// Pressure on the face [Pa].
+    fn normal_pressure<R: Precision>(&self, state: &State<R>) -> f64 {
+        -state.soil.stress[self.axis][self.index].into()
+    }
+}
+
+fn over((axis, is_high): Face, model: &Model, mut each: impl FnMut(FaceCell)) {
+    let grid = &model.grid;
+    let cells = grid.cells();
+    let layer = if is_high { cells[axis] - 1 } else { 0 };
+    let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
+    for n in 0..cells[b] {
+        for m in 0..cells[a] {
+            let mut at = [0; 3];
+            (at[axis], at[a], at[b]) = (layer, m, n);
+            each(FaceCell {
+                index: grid.index(at[0], at[1], at[2]),
+                axis,
+                area: grid.width(a, m) * grid.width(b, n),
+                centre: DVec3::from_array(std::array::from_fn(|d| grid.centre(d, at[d]))),
+            });
+        }
+    }
+}

@@ -1,0 +1,27 @@
+//! The probe of the energy balance.
+
+use crate::history::EnergySample;
+use solver::balance;
+use solver::energy::soil_volume;
+use solver::model::Model;
+use solver::precision::Precision;
+use solver::state::State;
+
+/// The energy balance of the whole, not of the modelled portion.
+pub(super) fn sample<R: Precision>(model: &Model, state: &State<R>) -> EnergySample {
+    let terms = &state.energy_balance;
+    let whole = 1.0 / model.modelled_fraction();
+    EnergySample {
+        time: state.time,
+        external: (terms.external + terms.kinetic_start + terms.inflow_elastic) * whole,
+        kinetic: balance::kinetic_energy(model, state) * whole,
+        elastic: (balance::elastic_energy(model, state) - terms.elastic_start) * whole,
+        plastic: terms.plastic * whole,
+        friction: terms.friction * whole,
+        contact: terms.contact * whole,
+        viscous: terms.viscous * whole,
+        hourglass: terms.hourglass * whole,
+        remap_loss: terms.remap * whole,
+        volume_ratio: (soil_volume(&model.grid, &state.soil) - terms.inflow_volume) / terms.volume_start,
+    }
+}

@@ -1,0 +1,33 @@
+//! The probes: what they read from a state becomes a sample of the history.
+//!
+//! They see case, model and state and change neither. Forces are impulses since the last sample over the time since then, so
+//! that nothing that happens between two samples is lost.
+
+mod body;
+mod boundary;
+mod energy;
+mod last_sample;
+
+use super::History;
+use crate::case::Case;
+pub use boundary::most_pressed_lid_cell;
+pub use last_sample::LastSample;
+use solver::model::Model;
+use solver::precision::Precision;
+use solver::state::State;
+
+/// Enters a state into the history; `last` is what the probes remember of the sample before, and of this one then.
+pub fn sample<R: Precision>(
+    case: &Case,
+    model: &Model,
+    state: &State<R>,
+    last: &mut LastSample,
+    history: &mut History,
+) {
+    for (n, samples) in history.bodies.iter_mut().enumerate() {
+        samples.push(body::sample(model, state, n, last));
+    }
+    history.energy.push(energy::sample(model, state));
+    history.boundaries.push(boundary::sample(case, model, state));
+    *last = LastSample::of(state);
+}

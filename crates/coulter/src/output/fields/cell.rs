@@ -1,0 +1,103 @@
+//! The soil of a cell as it is shown.
+
+use glam::DVec3;
+use solver::grid::Grid;
+use solver::precision::Precision;
+use solver::state::State;
+
+/// Cells with less soil than this are void: what they hold is rounding and is shown as nothing.
+const VOID: f64 = 1e-6;
+/// Cells with less soil than this have no density: in slivers mass over volume scatters by a factor of ten and more.
+const SLIVER: f64 = 0.01;
+
+/// A cell as it is shown: SI units, pressure positive in compression; all zero where it is void.
+pub(crate) struct CellView<'a, R> {
+    grid: &'a Grid,
+    state: &'a State<R>,
+    at: [usize; 3],
+    index: usize,
+    /// Volume fraction of the soil.
+    pub(crate) fraction: f64,
+}
+
+impl<'a, R: Precision> CellView<'a, R> {
+    /// Cell `(i, j, k)`.
+    pub(crate) fn of(grid: &'a Grid, state: &'a State<R>, at: [usize; 3]) -> Self {
+        let index = grid.index(at[0], at[1], at[2]);
+        let fraction = state.soil.fraction[index].into();
+        Self { grid, state, at, index, fraction: if fraction < VOID { 0.0 } else { fraction } }
+    }
+
+    fn is_void(&self) -> bool {
+        self.fraction == 0.0
+    }
+
+    fn unless_void(&self, value: R) -> f64 {
+        if self.is_void() { 0.0 } else { value.into() }
+    }
+
+    /// Mean velocity of its nodes [m/s]. Nodes without mass do not move and do not count.
+    pub(crate) fn velocity(&self) -> DVec3 {
+        if self.is_void() {
+            return DVec3::ZERO;
+        }
+        let ([dx, dy, dz], n) = (self.grid.stride, self.index);
+        let corners = [0, dx, dy, dx + dy, dz, dx + dz, dy + dz, dx + dy + dz].map(|offset| n + offset);
+        let mut sum = DVec3::ZERO;
+        let mut count = 0.0;
+        for node in corners.into_iter().filter(|&node| self.state.nodes.mass[node].into() > 0.0) {
+            sum += node_velocity(self.state, node);
+            count += 1.0;
+        }
+        if count > 0.0 { sum / count } else { DVec3::ZERO }
+    }
+
+    /// Stress xx, yy, zz, xy, yz, xz [Pa], tension positive.
+    pub(crate) fn stress(&self) -> [f64; 6] {
+        std::array::from_fn(|c| self.unless_void(self.state.soil.stress[c][self.index]))
+    }
+
+    /// Mean pressure, positive in compression [Pa].
+    pub(crate) fn pressure(&self) -> f64 {
+        let [xx, yy, zz, ..] = self.stress();
+        0.0 - (xx + yy + zz) / 3.0
+    }
+
+    /// Von Mises stress [Pa].
+    pub(crate) fn mises(&self) -> f64 {
+        let [xx, yy, zz, xy, yz, xz] = self.stress();
+        let normal = (xx - yy).powi(2) + (yy - zz).powi(2) + (zz - xx).powi(2);
+        (0.5 * normal + 3.0 * (xy * xy + yz * yz + xz * xz)).sqrt()
+    }
+
+    /// Mass of soil over volume of soil [kg/m³]; not-a-number in void and slivers.
+    pub(crate) fn density(&self) -> f64 {
+        if self.fraction < SLIVER {
+            return f64::NAN;
+        }
+        let [i, j, k] = self.at;
+        self.state.soil.mass[self.index].into() / (self.fraction * self.grid.volume(i, j, k))
+    }
+
+    /// History variable number `n` of their table, in its unit.
+    pub(crate) fn history(&self, n: usize) -> f64 {
+        self.unless_void(self.state.soil.history[n][self.index])
+    }
+}
+
+/// Velocity of a node [m/s].
+pub(crate) fn node_velocity(state: &State<impl Precision>, node: usize) -> DVec3 {
+    DVec3::from_array(std::array::from_fn(|axis| state.nodes.velocity[axis][node].into()))
+}
+
+/// Number of cells with soil.
+pub(crate) fn filled_cells(grid: &Grid, state: &State<impl Precision>) -> u64 {
+    let [columns, rows, layers] = grid.cells();
+    let mut filled = 0;
+    for (k, j) in (0..layers).flat_map(|k| (0..rows).map(move |j| (k, j))) {
+        let start = grid.index(0, j, k);
+        filled +=
+            state.soil.fraction[start..start + columns].iter().filter(|f| (**f).into() > VOID).count() as u64;
+    }
+    filled
+}

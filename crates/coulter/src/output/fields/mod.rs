@@ -1,0 +1,9 @@
+//! What is shown of a state, in whatever format: the soil of a cell, and the free surface.
+//!
+//! SI units, as computed; nothing here writes or draws.
+
+mod cell;
+mod surface;
+
+pub(crate) use cell::{CellView, filled_cells, node_velocity};
+pub use surface::{HeightMap, SurfaceFigures, reference_height};

@@ -1,0 +1,15 @@
+//! Files of a results folder: their names, how they are written (whole, or not at all) and read, and what can go wrong.
+//!
+//! Every error names the file. Nothing here knows what is in a file.
+
+mod error;
+mod io;
+mod names;
+
+pub(crate) use error::Named;
+pub use error::OutputError;
+pub(crate) use io::{make_folder, read_json, read_text, sync_folder, write_json, write_whole, write_with};
+
+pub(crate) use names::{
+    CHECKPOINTS, FIELDS, LISTS, LOG, PICTURES, PLOTS, REPORT, RESOLVED, SUMMARY, TYPED, file_safe,
+};

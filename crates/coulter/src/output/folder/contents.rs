@@ -1,0 +1,119 @@
+//! The contents of a results folder, and clearing it for a new result.
+
+use super::lock::LOCK;
+use super::run_record::{Outcome, RUN_RECORD, RunRecord};
+use crate::output::files::{
+    CHECKPOINTS, FIELDS, LISTS, LOG, Named, OutputError, PICTURES, PLOTS, REPORT, RESOLVED, SUMMARY, TYPED,
+};
+use crate::output::tables::{BOUNDARIES_FILE, ENERGY_FILE, forces_name};
+use std::fs;
+use std::path::Path;
+
+/// The contents of a results folder.
+#[derive(Debug)]
+pub enum Contents {
+    /// Nothing.
+    Nothing,
+    /// A run, with its record.
+    Run(Box<RunRecord>),
+    /// Files that are not a result of Coulter.
+    Foreign,
+}
+
+/// Inspects a folder.
+///
+/// # Errors
+/// When it cannot be listed.
+pub fn inspect(dir: &Path) -> Result<Contents, OutputError> {
+    if !dir.exists() {
+        return Ok(Contents::Nothing);
+    }
+    // The record names the bodies, hence the files. Without one only the files that a run writes before it are known to be
+    // ours.
+    if let Ok(record) = RunRecord::read(dir) {
+        return Ok(Contents::Run(Box::new(record)));
+    }
+    let early = [LOCK.to_owned(), format!("{RUN_RECORD}.part")];
+    for entry in fs::read_dir(dir).named("list", dir)? {
+        let name = entry.named("list", dir)?.file_name();
+        if !early.iter().any(|e| name == e.as_str()) {
+            return Ok(Contents::Foreign);
+        }
+    }
+    Ok(Contents::Nothing)
+}
+
+/// Clears a folder for a new result; a folder with other files in it is never touched.
+pub(crate) fn clear(dir: &Path, force: bool) -> Result<(), OutputError> {
+    let path = dir.to_path_buf();
+    match inspect(dir)? {
+        Contents::Nothing => Ok(()),
+        Contents::Foreign => Err(OutputError::Foreign { path }),
+        Contents::Run(record) if force => remove_result(dir, &record),
+        Contents::Run(record)
+            if matches!(record.statistics.outcome, Outcome::Running | Outcome::Interrupted) =>
+        {
+            Err(OutputError::Unfinished { path })
+        }
+        Contents::Run(_) => Err(OutputError::Exists { path }),
+    }
+}
+
+/// Removes files that a killed run left unfinished.
+pub(crate) fn remove_parts(dir: &Path) -> Result<(), OutputError> {
+    for folder in ["", FIELDS, PICTURES, PLOTS, CHECKPOINTS] {
+        let folder = dir.join(folder);
+        if !folder.is_dir() {
+            continue;
+        }
+        for entry in fs::read_dir(&folder).named("list", &folder)? {
+            let path = entry.named("list", &folder)?.path();
+            if path.extension().is_some_and(|e| e == "part") {
+                remove_file(&path)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+fn remove_result(dir: &Path, record: &RunRecord) -> Result<(), OutputError> {
+    let names: Vec<String> = record.bodies.iter().map(|b| b.name.clone()).collect();
+    let mut files: Vec<String> = (0..names.len()).map(|n| forces_name(&names, n)).collect();
+    let fixed = [SUMMARY, REPORT, ENERGY_FILE, BOUNDARIES_FILE, RESOLVED, TYPED, LOG];
+    files.extend(fixed.iter().chain(&LISTS).map(|name| (*name).to_owned()));
+    for file in files {
+        remove_file(&dir.join(file))?;
+    }
+    for (folder, extensions) in [
+        (FIELDS, &["vtr", "vtp"][..]),
+        (PICTURES, &["png", "svg", "csv"]),
+        (PLOTS, &["svg"]),
+        (CHECKPOINTS, &["checkpoint"]),
+    ] {
+        remove_files(&dir.join(folder), extensions)?;
+    }
+    // Last: as long as it exists, the folder is recognised as a result and the removal can be repeated.
+    remove_parts(dir)?;
+    remove_file(&dir.join(RUN_RECORD))
+}
+
+fn remove_file(path: &Path) -> Result<(), OutputError> {
+    if path.is_file() { fs::remove_file(path).named("remove", path) } else { Ok(()) }
+}
+
+/// Removes the files with one of these extensions from a folder, and the folder if it is empty then.
+fn remove_files(folder: &Path, extensions: &[&str]) -> Result<(), OutputError> {
+    if !folder.is_dir() {
+        return Ok(());
+    }
+    let mut is_empty = true;
+    for entry in fs::read_dir(folder).named("list", folder)? {
+        let path = entry.named("list", folder)?.path();
+        if path.extension().is_some_and(|e| extensions.iter().any(|extension| e == *extension)) {
+            remove_file(&path)?;
+        } else {
+            is_empty = false;
+        }
+    }
+    if is_empty { fs::remove_dir(folder).named("remove", folder) } else { Ok(()) }
+}

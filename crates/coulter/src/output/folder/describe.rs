@@ -1,0 +1,93 @@
+//! The case in a few words, for the top of a report.
+
+use crate::case::resolved::{Body, Case, Law, Motion, Potential};
+use crate::output::units::{Unit, digits};
+
+/// Soil and bodies, each as a name and a description.
+pub(super) fn describe(case: &Case) -> Vec<[String; 2]> {
+    let mut lines = vec![["Soil".to_owned(), soil(case)]];
+    let several = case.bodies.len() > 1;
+    for body in &case.bodies {
+        let title = if several { body.name.clone() } else { "Body".to_owned() };
+        lines.push([title, describe_body(case, body)]);
+    }
+    lines
+}
+
+fn quantity(value: f64, unit: Unit) -> String {
+    format!("{} {}", digits(value / unit.size), unit.name)
+}
+
+fn stress(value: f64) -> String {
+    if value == 0.0 { "0".to_owned() } else { quantity(value, Unit::stress(value)) }
+}
+
+fn degrees(angle: f64) -> String {
+    format!("{}°", digits(angle.to_degrees()))
+}
+
+fn soil(case: &Case) -> String {
+    let soil = &case.soil;
+    let law = match soil.law {
+        Law::Elastic => "linear elastic".to_owned(),
+        Law::Tresca { shear_strength } => format!("Tresca, sᵤ = {}", stress(shear_strength)),
+        Law::VonMises { yield_stress, hardening_modulus } => {
+            format!("von Mises, σ_y = {}, H = {}", stress(yield_stress), stress(hardening_modulus))
+        }
+        Law::MohrCoulomb {
+            friction_angle, dilation_angle, cohesion, potential, critical_density, ..
+        } => {
+            let limit = critical_density.map(|rho| format!(" down to {} kg/m³", digits(rho)));
+            let smooth = match potential {
+                Potential::MohrCoulomb => "",
+                Potential::MenetreyWillam { .. } => ", potential of Menétrey and Willam",
+            };
+            format!(
+                "Mohr–Coulomb, φ = {}, ψ = {}{}, c = {}{smooth}",
+                degrees(friction_angle),
+                degrees(dilation_angle),
+                limit.unwrap_or_default(),
+                stress(cohesion)
+            )
+        }
+    };
+    let weight = if soil.unit_weight > 0.0 {
+        format!("γ = {} kN/m³", digits(soil.unit_weight / 1e3))
+    } else {
+        format!("weightless, ρ = {} kg/m³", digits(soil.density))
+    };
+    format!("{law}, E = {}, ν = {}, {weight}", stress(soil.young_modulus), digits(soil.poisson_ratio))
+}
+
+fn describe_body(case: &Case, body: &Body) -> String {
+    let length = |value: f64| quantity(value, Unit::length(value));
+    let shape = body.shape.describe(&length, &degrees);
+    let mut friction = if body.friction.is_finite() {
+        format!("μ = {}", digits(body.friction))
+    } else {
+        "rough".to_owned()
+    };
+    if body.shear_limit.is_finite() {
+        friction += &format!(", at most {}", stress(body.shear_limit));
+    }
+    let weight = match body.translation[2] {
+        Motion::Free { .. } => format!(", weight {} N", digits(case.gravity * body.mass)),
+        _ => String::new(),
+    };
+    let [tow, _, heave] = &body.translation;
+    let motions = [
+        motion(tow, "tow", "m/s", "N"),
+        motion(heave, "heave", "m/s", "N"),
+        motion(&body.spin, "spin", "rad/s", "N m"),
+    ];
+    format!("{shape}, {friction}{weight}; {}", motions.join("; "))
+}
+
+fn motion(freedom: &Motion, name: &str, speed_unit: &str, load_unit: &str) -> String {
+    match freedom {
+        Motion::Fixed => format!("{name} fixed"),
+        Motion::Prescribed { speed, .. } => format!("{name} {} {speed_unit}", digits(*speed)),
+        Motion::Free { load: 0.0, .. } => format!("{name} free"),
+        Motion::Free { load, .. } => format!("{name} free under {} {load_unit}", digits(*load)),
+    }
+}

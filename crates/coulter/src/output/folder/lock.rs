@@ -1,0 +1,107 @@
+//! The lock of a results folder: one run at a time can use it.
+//!
+//! It is the operating system's lock on a file, which ends with the process that holds it: a killed run leaves the file
+//! behind, but not the lock. The file names its owner, for information.
+
+use crate::output::files::{Named, OutputError, make_folder};
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::{Read, Write};
+use std::path::{Path, PathBuf};
+
+/// Name of the file.
+pub(super) const LOCK: &str = "run.lock";
+
+/// A lock that is held; dropping it releases it and removes its file.
+#[derive(Debug)]
+pub struct Lock {
+    path: PathBuf,
+    // Open as long as the lock is held.
+    file: File,
+}
+
+impl Lock {
+    /// Takes the lock of a results folder, which is created if it does not exist.
+    ///
+    /// # Errors
+    /// [`OutputError::Busy`] when another run holds it, or the file cannot be written.
+    pub fn take(dir: &Path) -> Result<Self, OutputError> {
+        make_folder(dir)?;
+        let path = dir.join(LOCK);
+        loop {
+            let mut options = OpenOptions::new();
+            let mut file = options
+                .read(true)
+                .write(true)
+                .create(true)
+                .truncate(false)
+                .open(&path)
+                .named("open", &path)?;
+            match file.try_lock() {
+                Ok(()) => {}
+                Err(TryLockError::WouldBlock) => {
+                    let mut holder = String::new();
+                    // The name of the owner is optional.
+                    let _ = file.read_to_string(&mut holder);
+                    return Err(OutputError::Busy {
+                        path: dir.to_path_buf(),
+                        holder: holder.trim().to_owned(),
+                    });
+                }
+                // A file system without locks (some network ones): run without one.
+                Err(TryLockError::Error(error)) if error.kind() == std::io::ErrorKind::Unsupported => {}
+                Err(TryLockError::Error(error)) => return Err(error).named("lock", &path),
+            }
+            // The previous holder may have removed the file between our opening and locking it.
+            if is_at(&file, &path) {
+                file.set_len(0).named("write", &path)?;
+                file.write_all(holder().as_bytes()).named("write", &path)?;
+                return Ok(Self { path, file });
+            }
+        }
+    }
+}
+
+impl Drop for Lock {
+    fn drop(&mut self) {
+        // A file that remains is not a lock; nothing depends on its removal.
+        let _ = fs::remove_file(&self.path);
+        let _ = self.file.unlock();
+    }
+}
+
+/// Process and time, for the message about the lock.
+fn holder() -> String {
+    let since = super::log::stamp(std::time::SystemTime::now());
+    format!("process {}, since {since}\n", std::process::id())
+}
+
+/// Whether a path still refers to this open file.
+#[cfg(unix)]
+fn is_at(file: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let same = |a: &fs::Metadata, b: &fs::Metadata| a.dev() == b.dev() && a.ino() == b.ino();
+    file.metadata().ok().zip(fs::metadata(path).ok()).is_some_and(|(a, b)| same(&a, &b))
+}
+
+/// An open file cannot be removed here (untested).
+#[cfg(not(unix))]
+fn is_at(_: &File, path: &Path) -> bool {
+    path.is_file()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_at_a_time_and_a_leftover_file_is_no_lock() {
+        let dir = tempfile::tempdir().unwrap();
+        fs::write(dir.path().join(LOCK), "process 1, since long ago\n").unwrap();
+        let lock = Lock::take(dir.path()).unwrap();
+        let refusal = Lock::take(dir.path()).unwrap_err().to_string();
+        assert!(refusal.contains(&format!("process {}", std::process::id())), "{refusal}");
+        drop(lock);
+        assert!(!dir.path().join(LOCK).exists());
+        drop(Lock::take(dir.path()).unwrap());
+    }
+}

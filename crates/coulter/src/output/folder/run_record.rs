@@ -1,0 +1,164 @@
+//! `run.json`: what a report needs in addition to the histories, the summary and the pictures. It also identifies a folder
+//! as a result of Coulter.
+
+use super::describe::describe;
+use crate::case::Case;
+use crate::case::case_text;
+use crate::case::resolved::Ground;
+use crate::history::History;
+use crate::history::reference::Reference;
+use crate::output::files::{OutputError, read_json, write_json};
+use crate::output::plots::Overlay;
+use crate::trust::{Setting, Trust};
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+use xxhash_rust::xxh3::xxh3_64;
+
+/// Name of the file.
+pub(super) const RUN_RECORD: &str = "run.json";
+
+/// How a run ended.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Outcome {
+    /// It is still running.
+    #[default]
+    Running,
+    /// It reached its end.
+    Finished,
+    /// It was stopped from outside and can be resumed.
+    Interrupted,
+    /// The physics failed; the message says how.
+    BrokeDown(String),
+}
+
+/// Statistics of the run.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct RunStatistics {
+    /// Steps taken.
+    pub steps: u64,
+    /// Wall-clock time of the time loop [s], over all restarts.
+    pub wall_seconds: f64,
+    /// Threads.
+    pub threads: usize,
+    /// How it ended.
+    pub outcome: Outcome,
+    /// Warnings about the case from before the run.
+    pub advice: Vec<String>,
+}
+
+/// The record of a run.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct RunRecord {
+    /// Version of Coulter.
+    pub version: String,
+    /// Name of the case.
+    pub case: String,
+    /// Hash of everything in the case that affects the physics.
+    pub case_hash: String,
+    /// Title of the case.
+    pub title: String,
+    /// Soil and bodies in words: name and description.
+    pub facts: Vec<[String; 2]>,
+    /// Cells along x, y, z.
+    pub cells: [usize; 3],
+    /// Smallest cell width [m].
+    pub finest_cell: f64,
+    /// Duration of the run [s].
+    pub duration: f64,
+    /// Fraction of the tow over which steady averages are taken.
+    #[serde(alias = "steady_share")]
+    pub steady_fraction: f64,
+    /// Whether only y ≥ 0 is modelled.
+    pub symmetric: bool,
+    /// Whether only x ≥ 0 is modelled.
+    #[serde(default)]
+    pub symmetric_x: bool,
+    /// Whether the soil was heaped on a floor instead of lying level.
+    pub heaped: bool,
+    /// Whether it is plane strain.
+    pub plane_strain: bool,
+    /// The bodies.
+    pub bodies: Vec<Reference>,
+    /// Curves overlaid on the plots.
+    pub overlays: Vec<Overlay>,
+    /// Facts about the case that the checks need.
+    pub setting: Setting,
+    /// Statistics of the run.
+    pub statistics: RunStatistics,
+}
+
+/// Hash of everything in a case that affects the physics.
+#[must_use]
+pub fn hash_of(case: &Case) -> String {
+    format!("{:016x}", xxh3_64(case_text(case).as_bytes()))
+}
+
+impl RunRecord {
+    /// The record of a run that is about to start.
+    #[must_use]
+    pub fn of(case: &Case) -> Self {
+        let faces = &case.grid.faces;
+        let widths = faces.iter().flat_map(|f| f.windows(2).map(|w| w[1] - w[0]));
+        Self {
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            case: case.name.clone(),
+            case_hash: hash_of(case),
+            title: case.title.clone(),
+            facts: describe(case),
+            cells: std::array::from_fn(|axis| faces[axis].len().saturating_sub(1)),
+            finest_cell: widths.reduce(f64::min).unwrap_or(case.grid.cell),
+            duration: case.duration,
+            steady_fraction: case.output.steady_fraction,
+            symmetric: case.domain.symmetric,
+            symmetric_x: case.domain.symmetric_x,
+            heaped: matches!(case.ground, Ground::Column { .. }),
+            plane_strain: case.domain.plane_strain,
+            bodies: Reference::all(case),
+            overlays: Vec::new(),
+            setting: Setting::of(case),
+            statistics: RunStatistics::default(),
+        }
+    }
+
+    /// The grade of the run with this history.
+    #[must_use]
+    pub fn trust(&self, history: &History) -> Trust {
+        let failure = match &self.statistics.outcome {
+            Outcome::BrokeDown(why) => Some(why.as_str()),
+            Outcome::Running | Outcome::Finished | Outcome::Interrupted => None,
+        };
+        Trust::grade(&self.setting, history, &self.bodies, self.steady_fraction, failure)
+    }
+
+    /// Writes `run.json` into a results folder.
+    ///
+    /// # Errors
+    /// When the file cannot be written.
+    pub fn write(&self, dir: &Path) -> Result<(), OutputError> {
+        write_json(&dir.join(RUN_RECORD), self)
+    }
+
+    /// Writes `run.json` anew, with these statistics.
+    ///
+    /// # Errors
+    /// When the file cannot be written.
+    pub fn update(&mut self, dir: &Path, statistics: RunStatistics) -> Result<(), OutputError> {
+        self.statistics = statistics;
+        self.write(dir)
+    }
+
+    /// Reads `run.json` from a results folder.
+    ///
+    /// # Errors
+    /// When the file is missing or is not a record of a run.
+    pub fn read(dir: &Path) -> Result<Self, OutputError> {
+        let path = dir.join(RUN_RECORD);
+        if !path.is_file() {
+            return Err(OutputError::NoResult { path: dir.to_path_buf() });
+        }
+        read_json(&path)
+    }
+}

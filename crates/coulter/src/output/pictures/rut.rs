@@ -1,0 +1,177 @@
+//! The rut: seen from above, and in cross-section.
+
+use super::frame::{Scale, View};
+use super::scene::{OUTLINE, Scene, find};
+use crate::case::resolved::{Case, Ground};
+use crate::output::fields::HeightMap;
+use crate::output::files::{OutputError, write_whole};
+use crate::output::plots::{Chart, ColourMap, Curve, Stroke};
+use crate::output::tables::push_line;
+use crate::output::units::{digits, largest};
+use mechanics::Pose;
+use physics::shape::Shape;
+use solver::precision::Precision;
+use solver::state::State;
+use std::path::Path;
+
+/// The free surface from above.
+pub(super) fn plan<R: Precision>(scene: &Scene<'_, R>, map: &HeightMap) -> View {
+    let across = scene.across;
+    let fine = [scene.case.grid.fine_low.y, scene.case.grid.fine_high.y];
+    let (first, last) = (map.edges[1][0], map.edges[1][map.edges[1].len() - 1]);
+    let reach = 1.1 * fine[1].abs().max(fine[0].abs());
+    let sideways = if reach > 0.0 { [first.max(-reach), last.min(reach)] } else { [first, last] };
+    let mut view = View::new(across, sideways);
+    let level = matches!(scene.case.ground, Ground::Level { .. });
+    let scale = height_scale(map, level, across, sideways);
+    view.paint(|x, y| {
+        let (i, j) = (find(&map.edges[0], x)?, find(&map.edges[1], y)?);
+        Some(scale.colour(1e3 * (map.at(i, j) - map.reference)))
+    });
+    for (body, shape) in scene.state.mechanism.bodies.iter().zip(&scene.shapes) {
+        view.line(&outline(shape.as_ref(), &body.pose), OUTLINE, 2.0);
+    }
+    let title = if level { "Rut and berm from above" } else { "Height of the soil from above" };
+    view.finish(title, ["x [m]", "y [m]"], &scale);
+    view
+}
+
+/// Colour scale for heights [mm]: symmetric about the undisturbed surface, or from the floor up for a column.
+fn height_scale(map: &HeightMap, level: bool, across: [f64; 2], sideways: [f64; 2]) -> Scale {
+    let rise = |n: usize| {
+        let (i, j) = (n % map.centres[0].len(), n / map.centres[0].len());
+        let inside = |v: f64, r: [f64; 2]| v >= r[0] && v <= r[1];
+        let shown = inside(map.centres[0][i], across) && inside(map.centres[1][j], sideways);
+        shown.then(|| 1e3 * (map.height[n] - map.reference))
+    };
+    let most = largest((0..map.height.len()).filter_map(rise)).max(1e-3);
+    if level {
+        Scale::linear(ColourMap::Diverging, -most, most, "height [mm]".into())
+    } else {
+        Scale::linear(ColourMap::Sequential, 0.0, most, "height [mm]".into())
+    }
+}
+
+/// A vertical section of the free surface.
+pub(super) struct Profile {
+    name: &'static str,
+    title: String,
+    /// The horizontal axis: `x` or `y`.
+    axis: char,
+    /// Position along the axis and height above the undisturbed surface [m].
+    points: Vec<[f64; 2]>,
+    /// The range of the axis that the chart shows [m].
+    shown: [f64; 2],
+    /// Whether heights and lengths are drawn to the same scale.
+    true_scale: bool,
+}
+
+/// The profile along the tow in the mid-plane, and the cross-section of the rut behind the first body.
+pub(super) fn profiles(case: &Case, state: &State<impl Precision>, map: &HeightMap) -> Vec<Profile> {
+    let rise = |points: Vec<[f64; 2]>| points.into_iter().map(|p| [p[0], p[1] - map.reference]).collect();
+    let y = state
+        .mechanism
+        .bodies
+        .first()
+        .map_or(0.5 * (map.edges[1][0] + map.edges[1][map.edges[1].len() - 1]), |b| b.pose.position.y);
+    let everything = [f64::NEG_INFINITY, f64::INFINITY];
+    let fine = [case.grid.fine_low.x, case.grid.fine_high.x];
+    let along = Profile {
+        name: "profile",
+        title: format!("Free surface along the tow, y = {} m", digits(y)),
+        axis: 'x',
+        points: rise(map.along(y)),
+        shown: if state.bodies.is_empty() { everything } else { fine },
+        true_scale: false,
+    };
+    if state.bodies.is_empty() || case.domain.plane_strain {
+        return vec![along];
+    }
+    let x = section_range(case, state);
+    let reach = 1.2 * case.grid.fine_high.y.abs().max(case.grid.fine_low.y.abs());
+    let across = Profile {
+        name: "rut_section",
+        title: format!("Free surface across the tow, x = {} … {} m", digits(x[0]), digits(x[1])),
+        axis: 'y',
+        points: rise(map.section(x[0], x[1])),
+        shown: if reach > 0.0 { [-reach, reach] } else { everything },
+        true_scale: true,
+    };
+    vec![along, across]
+}
+
+impl Profile {
+    /// Writes the profile as a table and as a chart.
+    pub(super) fn write(&self, dir: &Path) -> Result<(), OutputError> {
+        let mut table = format!("{} [m],height [m]\n", self.axis);
+        for point in &self.points {
+            push_line(&mut table, point);
+        }
+        write_whole(&dir.join(format!("{}.csv", self.name)), table.as_bytes())?;
+        write_whole(&dir.join(format!("{}.svg", self.name)), self.chart().svg().as_bytes())
+    }
+
+    fn chart(&self) -> Chart {
+        let inside = |p: &&[f64; 2]| p[0] >= self.shown[0] && p[0] <= self.shown[1];
+        let points: Vec<[f64; 2]> = self.points.iter().filter(inside).map(|p| p.map(|v| 1e3 * v)).collect();
+        let ends = [points.first(), points.last()].map(|p| [p.map_or(0.0, |p| p[0]), 0.0]);
+        Chart {
+            title: self.title.clone(),
+            x_label: format!("{} [mm]", self.axis),
+            y_label: "height [mm]".to_owned(),
+            true_scale: self.true_scale,
+            with_zero: true,
+            height: 250.0,
+            curves: vec![
+                Curve {
+                    name: "undisturbed".into(),
+                    points: ends.to_vec(),
+                    colour: 6,
+                    stroke: Stroke::Dashed,
+                },
+                Curve::solid("at the end", 5, points),
+            ],
+            ..Chart::default()
+        }
+    }
+}
+
+/// Where the cross-section is taken, along x [m].
+fn section_range(case: &Case, state: &State<impl Precision>) -> [f64; 2] {
+    let Some((body, described)) = state.mechanism.bodies.first().zip(case.bodies.first()) else {
+        return [case.domain.low.x, case.domain.high.x];
+    };
+    let shape = described.shape.solid();
+    let length = shape.bounds().1.x - shape.bounds().0.x;
+    let travel = body.pose.position.x - described.position.x;
+    // A body that has hardly moved has left no rut: the section is through the body itself.
+    let behind = if travel.abs() > length { length * travel.signum() } else { 0.0 };
+    let middle = body.pose.position.x - behind;
+    [middle - 0.25 * length, middle + 0.25 * length]
+}
+
+/// The outline of a body seen from above: the convex hull of its mesh, closed.
+fn outline(shape: &dyn Shape, pose: &Pose) -> Vec<[f64; 2]> {
+    let mut points: Vec<[f64; 2]> =
+        shape.mesh().points.iter().map(|p| pose.point(*p)).map(|p| [p.x, p.y]).collect();
+    points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    let mut hull = half_hull(points.iter());
+    hull.extend(half_hull(points.iter().rev()).into_iter().skip(1));
+    hull
+}
+
+/// One side of the convex hull of points sorted along x.
+fn half_hull<'a>(points: impl Iterator<Item = &'a [f64; 2]>) -> Vec<[f64; 2]> {
+    let mut hull: Vec<[f64; 2]> = Vec::new();
+    for &p in points {
+        while let [.., a, b] = hull[..] {
+            let turn = (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
+            if turn > 0.0 {
+                break;
+            }
+            hull.pop();
+        }
+        hull.push(p);
+    }
+    hull
+}

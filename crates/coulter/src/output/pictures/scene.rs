@@ -1,0 +1,190 @@
+//! A slice through soil and bodies, coloured by one quantity.
+
+use super::canvas::Canvas;
+use super::frame::{Scale, View};
+use crate::case::resolved::{Case, Ground};
+use crate::output::fields::{CellView, reference_height};
+use crate::output::plots::{ColourMap, Rgb};
+use crate::output::units::Unit;
+use glam::DVec3;
+use mechanics::Pose;
+use physics::shape::Shape;
+use solver::fields::PLASTIC_STRAIN;
+use solver::grid::Grid;
+use solver::precision::Precision;
+use solver::state::State;
+
+const STEEL: Rgb = [196, 202, 210];
+pub(super) const OUTLINE: Rgb = [25, 28, 35];
+const SURFACE: Rgb = [70, 70, 70];
+/// Cells with less soil than this are left out, except in the picture of the volume fraction.
+const SHOWN: f64 = 0.5;
+
+/// The state from which the pictures are made, and the region that they show.
+pub(super) struct Scene<'a, R> {
+    pub(super) case: &'a Case,
+    pub(super) grid: &'a Grid,
+    pub(super) state: &'a State<R>,
+    pub(super) shapes: Vec<Box<dyn Shape>>,
+    pub(super) row: usize,
+    pub(super) across: [f64; 2],
+    pub(super) upward: [f64; 2],
+}
+
+impl<'a, R: Precision> Scene<'a, R> {
+    pub(super) fn new(case: &'a Case, grid: &'a Grid, state: &'a State<R>) -> Self {
+        let middle = 0.5 * (case.domain.low.y + case.domain.high.y);
+        let plane = match state.mechanism.bodies.first() {
+            _ if case.domain.symmetric => 0.0,
+            Some(body) => body.pose.position.y,
+            None => middle,
+        };
+        let faces = &grid.faces[1];
+        let row = faces.iter().skip(1).position(|y| *y > plane).unwrap_or(0);
+        let shapes: Vec<Box<dyn Shape>> = case.bodies.iter().map(|b| b.shape.solid()).collect();
+        let mut scene = Self { case, grid, state, shapes, row, across: [0.0; 2], upward: [0.0; 2] };
+        scene.across = scene.range(0);
+        scene.upward = scene.range(2);
+        scene
+    }
+
+    /// The range to show along an axis: the fine zone with a margin, and the bodies.
+    fn range(&self, axis: usize) -> [f64; 2] {
+        let (low, high) = (self.case.grid.fine_low[axis], self.case.grid.fine_high[axis]);
+        let margin = 0.1 * (high - low).abs();
+        let faces = &self.grid.faces[axis];
+        let (first, last) = (faces[0], faces[faces.len() - 1]);
+        let mut range = [(low - margin).max(first), (high + margin).min(last)];
+        if range[1] <= range[0] || self.case.bodies.is_empty() {
+            range = [first, last];
+        }
+        // A body that has moved far away (in a run that broke down) must not enlarge the view.
+        let far = [first - 0.5 * (last - first), last + 0.5 * (last - first)];
+        for (body, shape) in self.state.mechanism.bodies.iter().zip(&self.shapes) {
+            let reach = reach(shape.as_ref(), &body.pose, axis);
+            range = [range[0].min(reach[0] - 0.2 * margin), range[1].max(reach[1] + 0.2 * margin)];
+            range = [range[0].max(far[0]), range[1].min(far[1])];
+        }
+        range
+    }
+
+    /// A slice coloured by the `value` of each cell; `None` is left white.
+    fn slice(&self, title: &str, scale: &Scale, value: impl Fn(&CellView<R>) -> Option<f64>) -> Canvas {
+        let mut view = View::new(self.across, self.upward);
+        let [columns, _, layers] = self.grid.cells();
+        let cells: Vec<Option<Rgb>> = (0..columns * layers)
+            .map(|n| {
+                let cell = CellView::of(self.grid, self.state, [n % columns, self.row, n / columns]);
+                value(&cell).map(|v| scale.colour(v))
+            })
+            .collect();
+        let y = self.grid.centre(1, self.row);
+        let pixel = view.pixel();
+        view.paint(|x, z| {
+            self.body_colour(DVec3::new(x, y, z), pixel).or_else(|| {
+                let i = find(&self.grid.faces[0], x)?;
+                let k = find(&self.grid.faces[2], z)?;
+                cells[k * columns + i]
+            })
+        });
+        self.spokes(&mut view);
+        if let Ground::Level { .. } = self.case.ground {
+            view.level(reference_height(self.case), SURFACE);
+        }
+        view.finish(title, ["x [m]", "z [m]"], scale);
+        view.canvas
+    }
+
+    /// The colour of a body at a point, if there is one.
+    fn body_colour(&self, point: DVec3, pixel: f64) -> Option<Rgb> {
+        let bodies = self.state.mechanism.bodies.iter().zip(&self.shapes);
+        let nearest = bodies.map(|(body, shape)| shape.signed_distance(body.pose.point_in_body(point)));
+        let distance = nearest.fold(f64::INFINITY, f64::min);
+        if distance.abs() < 1.2 * pixel { Some(OUTLINE) } else { (distance < 0.0).then_some(STEEL) }
+    }
+
+    /// A mark on each round body that rotates with it; the orientation of other bodies is visible anyway.
+    fn spokes(&self, view: &mut View) {
+        let bodies = self.state.mechanism.bodies.iter().zip(&self.shapes);
+        for (body, shape) in bodies.filter(|(_, s)| s.is_revolved()) {
+            let top = 0.5 * shape.bounds().1.z;
+            let (hub, tip) = (body.pose.position, body.pose.point(DVec3::new(0.0, 0.0, top)));
+            view.line(&[[hub.x, hub.z], [tip.x, tip.z]], OUTLINE, 2.0);
+        }
+    }
+
+    /// Values of the cells of the slice within the shown range, sorted.
+    fn values(&self, value: impl Fn(&CellView<R>) -> f64) -> Vec<f64> {
+        let [columns, _, layers] = self.grid.cells();
+        let inside = |axis: usize, range: [f64; 2]| {
+            let grid = self.grid;
+            move |n: &usize| (range[0]..=range[1]).contains(&grid.centre(axis, *n))
+        };
+        let columns: Vec<usize> = (0..columns).filter(inside(0, self.across)).collect();
+        let mut values: Vec<f64> = (0..layers)
+            .filter(inside(2, self.upward))
+            .flat_map(|k| columns.iter().map(move |&i| [i, self.row, k]))
+            .map(|at| CellView::of(self.grid, self.state, at))
+            .filter(|cell| cell.fraction > SHOWN)
+            .map(|cell| value(&cell))
+            .filter(|v| v.is_finite())
+            .collect();
+        values.sort_by(f64::total_cmp);
+        values
+    }
+
+    fn high_end(&self, value: impl Fn(&CellView<R>) -> f64) -> f64 {
+        let values = self.values(value);
+        values.get((0.999 * values.len() as f64) as usize).copied().unwrap_or(1.0)
+    }
+
+    pub(super) fn fraction(&self) -> Canvas {
+        let scale = Scale::linear(ColourMap::Earth, 0.0, 1.0, "volume fraction [–]".into());
+        self.slice("Soil volume fraction", &scale, |c| Some(c.fraction).filter(|f| *f > 1e-3))
+    }
+
+    pub(super) fn plastic_strain(&self) -> Canvas {
+        let most = self.high_end(|c| c.history(PLASTIC_STRAIN)).max(1e-2);
+        let high = 10f64.powf(most.log10().ceil());
+        let label = "plastic strain [–], logarithmic".into();
+        let scale = Scale { map: ColourMap::Sequential, low: 1e-3 * high, high, logarithmic: true, label };
+        self.slice("Equivalent plastic strain", &scale, |c| {
+            (c.fraction > SHOWN).then_some(c.history(PLASTIC_STRAIN))
+        })
+    }
+
+    pub(super) fn pressure(&self) -> Canvas {
+        let most = self.high_end(|c| c.pressure()).max(1.0);
+        let unit = Unit::stress(most);
+        let label = format!("pressure [{}]", unit.name);
+        let scale = Scale::linear(ColourMap::Sequential, 0.0, most / unit.size, label);
+        self.slice("Mean pressure (compression positive)", &scale, |c| {
+            (c.fraction > SHOWN).then(|| c.pressure() / unit.size)
+        })
+    }
+
+    pub(super) fn speed(&self) -> Canvas {
+        let most = self.high_end(|c| c.velocity().length()).max(1e-6);
+        let unit = Unit::speed(most);
+        let scale =
+            Scale::linear(ColourMap::Sequential, 0.0, most / unit.size, format!("speed [{}]", unit.name));
+        self.slice("Speed of the soil", &scale, |c| {
+            (c.fraction > SHOWN).then(|| c.velocity().length() / unit.size)
+        })
+    }
+}
+
+/// The index of the interval of `edges` that contains `value`.
+pub(super) fn find(edges: &[f64], value: f64) -> Option<usize> {
+    let n = edges.partition_point(|edge| *edge <= value);
+    (n > 0 && n < edges.len()).then(|| n - 1)
+}
+
+/// Extent of a body along an axis [m].
+fn reach(shape: &dyn Shape, pose: &Pose, axis: usize) -> [f64; 2] {
+    let points = shape.mesh().points;
+    points
+        .iter()
+        .map(|p| pose.point(*p)[axis])
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |r, v| [r[0].min(v), r[1].max(v)])
+}

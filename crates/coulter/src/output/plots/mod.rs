@@ -1,0 +1,20 @@
+//! Plots of numbers over numbers as SVG text, in one style: charts in general, and those of a run.
+//!
+//! Nothing here reads a state or writes a file. Units are chosen so that axes are easy to read.
+
+mod chart;
+mod chart_marks;
+mod colour;
+mod curve;
+mod energy_plot;
+mod overlay;
+mod plot;
+mod scale;
+
+pub use chart::Chart;
+pub(crate) use colour::{CURVES, ColourMap, Rgb};
+pub use curve::{Curve, Level, Stroke};
+pub use energy_plot::{closure_plot, energy_plot};
+pub use overlay::{Overlay, PlotKind};
+pub use plot::{BodyHistory, Plot};
+pub(crate) use scale::{tick_label, ticks};

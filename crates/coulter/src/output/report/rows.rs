@@ -1,0 +1,269 @@
+//! The tables of a report.
+
+use super::summary::{BodySummary, Summary};
+use crate::history::reference::Reference;
+use crate::output::folder::RunRecord;
+use crate::output::units::{Unit, digits};
+use crate::trust::{Check, Trust, Verdict};
+use serde::Serialize;
+
+const NONE: &str = "–";
+
+/// One line of a table.
+#[derive(Debug, Serialize)]
+pub(super) struct TableRow {
+    pub(super) name: String,
+    pub(super) symbol: &'static str,
+    pub(super) value: String,
+    pub(super) group: String,
+    pub(super) note: String,
+}
+
+/// One check of the run.
+#[derive(Debug, Serialize)]
+pub(super) struct CheckRow {
+    pub(super) verdict: &'static str,
+    pub(super) name: String,
+    pub(super) body: String,
+    pub(super) value: String,
+    pub(super) good: String,
+    pub(super) doubtful: String,
+    pub(super) advice: String,
+}
+
+/// The checks of a run, first those that are not good.
+pub(super) fn check_rows(trust: &Trust) -> Vec<CheckRow> {
+    let good = trust.checks.iter().filter(|c| c.verdict == Verdict::Good);
+    let row = |check: &Check| {
+        let number = |v: Option<f64>, none: &str| {
+            v.map_or(none.to_owned(), |v| format!("{} {}", digits(v), check.unit).trim_end().to_owned())
+        };
+        CheckRow {
+            verdict: check.verdict.name(),
+            name: check.name.clone(),
+            body: check.body.clone().unwrap_or_default(),
+            value: number(check.value, "not available"),
+            good: number(check.limits[0], NONE),
+            doubtful: number(check.limits[1], NONE),
+            advice: check.advice.clone(),
+        }
+    };
+    trust.concerns().into_iter().chain(good).map(row).collect()
+}
+
+/// Collects the rows of one body: a quantity with its unit, and its dimensionless group.
+struct BodyRows<'a> {
+    reference: &'a Reference,
+    rows: Vec<TableRow>,
+}
+
+impl BodyRows<'_> {
+    fn push(&mut self, name: &str, symbol: &'static str, [value, group]: [String; 2], note: &str) {
+        self.rows.push(TableRow { name: name.into(), symbol, value, group, note: note.into() });
+    }
+
+    fn force(&self, force: Option<f64>) -> [String; 2] {
+        [value(force, Unit::force), bare(force.and_then(|f| self.reference.force_group(f)))]
+    }
+
+    fn torque(&self, torque: Option<f64>) -> [String; 2] {
+        let force = torque.map(|m| m / self.reference.length);
+        [value(torque, Unit::torque), bare(force.and_then(|f| self.reference.force_group(f)))]
+    }
+
+    fn length(&self, length: Option<f64>) -> [String; 2] {
+        [value(length, Unit::length), bare(length.and_then(|z| self.reference.length_group(z)))]
+    }
+}
+
+/// Steady means and largest values of a body.
+pub(super) fn body_rows(reference: &Reference, body: &BodySummary) -> Vec<TableRow> {
+    let (steady, peak) = (&body.steady, &body.peak);
+    let mut table = BodyRows { reference, rows: Vec::new() };
+    table.push("Drag", "F<sub>H</sub>", table.force(steady.drag), "steady mean");
+    table.push("Vertical force", "F<sub>V</sub>", table.force(steady.vertical), "steady mean, up positive");
+    table.push("Sinkage", "z", table.length(steady.sinkage), "steady mean");
+    if reference.radius.is_some() {
+        table.push("Turn ratio", "ω r / v", [NONE.into(), bare(steady.turn_ratio)], "1 rolls, 0 slides");
+        let note = "−1 locked, 0 rolls, above 0 driven";
+        table.push("Slip", "s", [NONE.into(), bare(steady.slip)], note);
+        let note = "steady mean; forward positive; group M / (γ t d³)";
+        table.push("Axle torque", "M", table.torque(steady.axle_torque), note);
+    }
+    let noise = steady.drag_noise.map_or(NONE.to_owned(), |n| format!("{} %", digits(100.0 * n)));
+    table.push(
+        "Drag noise",
+        "",
+        [noise, NONE.into()],
+        "rms about a moving mean over 0.02 d, over the mean drag",
+    );
+    let at = peak.at_m.map_or(String::new(), |u| format!("at u = {} m", digits(u)));
+    table.push("Peak drag", "", table.force(peak.drag), &at);
+    table.push("Peak vertical force", "", table.force(peak.vertical), "");
+    table.push("Deepest sinkage", "", table.length(peak.sinkage), "");
+    table.rows
+}
+
+pub(super) fn facts(record: &RunRecord, summary: &Summary) -> Vec<[String; 2]> {
+    let [x, y, z] = record.cells;
+    let kind = match (record.plane_strain, record.symmetric, record.symmetric_x) {
+        _ if record.bodies.is_empty() => "no body",
+        (true, _, false) => "plane strain; forces on the modelled slab",
+        (true, _, true) => {
+            "plane strain, half modelled (symmetry at x = 0); forces on the whole body in the slab"
+        }
+        (false, true, false) => "half of the body modelled (symmetry at y = 0); forces on the whole body",
+        (false, false, true) => "half of the body modelled (symmetry at x = 0); forces on the whole body",
+        (false, true, true) => {
+            "a quarter of the body modelled (symmetry at x = 0 and y = 0); forces on the whole body"
+        }
+        (false, false, false) => "whole body modelled",
+    };
+    let mut facts = record.facts.clone();
+    facts.push([
+        "Grid".to_owned(),
+        format!("{x} × {y} × {z} cells, finest {} mm; {kind}", digits(1e3 * record.finest_cell)),
+    ]);
+    facts.push(["Case".to_owned(), format!("{}, computed with Coulter {}", record.case, summary.version)]);
+    facts
+}
+
+/// A number with its unit, or a dash.
+fn value(number: Option<f64>, unit: impl Fn(f64) -> Unit) -> String {
+    number.map_or(NONE.to_owned(), |v| {
+        let unit = unit(v.abs());
+        format!("{} {}", digits(v / unit.size), unit.name)
+    })
+}
+
+fn bare(number: Option<f64>) -> String {
+    number.map_or(NONE.to_owned(), digits)
+}
+
+pub(super) fn window_text(body: &BodySummary) -> String {
+    let steady = &body.steady;
+    match (steady.from_m.zip(steady.to_m), steady.from_s.zip(steady.to_s)) {
+        (Some((a, b)), _) if a != b => format!("u = {} … {} m", digits(a), digits(b)),
+        (_, Some((a, b))) => format!("t = {} … {} s", digits(a), digits(b)),
+        _ => NONE.to_owned(),
+    }
+}
+
+pub(super) fn scales_text(record: &RunRecord, reference: &Reference) -> String {
+    let (d, t) = (digits(1e3 * reference.length), digits(1e3 * reference.width));
+    let (length, width) =
+        if reference.kind == "disc" { ("diameter", "thickness") } else { ("height", "width") };
+    let width = if record.plane_strain { "width of the slab" } else { width };
+    let lengths = format!("d = {d} mm ({length}), t = {t} mm ({width})");
+    match reference.force() {
+        Some(force) => format!("{lengths}, γ t d² = {}", value(Some(force), Unit::force)),
+        None => format!("{lengths}; forces have no dimensionless form because the soil is weightless"),
+    }
+}
+
+pub(super) fn energy_rows(summary: &Summary) -> Vec<TableRow> {
+    let energy = &summary.energy;
+    let per_cent = |e: Option<f64>| {
+        let ratio = e.zip(energy.external).filter(|(_, all)| *all != 0.0).map(|(e, all)| e / all);
+        ratio.map_or(NONE.to_owned(), |r| format!("{} %", digits(100.0 * r)))
+    };
+    let entries = [
+        ("External work", energy.external, "loads, prescribed motions and gravity"),
+        ("Plastic", energy.plastic, ""),
+        ("Friction", energy.friction, "on the bodies"),
+        ("Contact method", energy.contact, "numerical: springs, damping, corrections"),
+        ("Kinetic energy", energy.kinetic, "soil and bodies"),
+        ("Elastic energy", energy.elastic, "less that at the start"),
+        ("Bulk viscosity", energy.viscous, "numerical"),
+        ("Hourglass", energy.hourglass, "numerical"),
+        ("Remap loss", energy.remap_loss, "numerical"),
+    ];
+    let row = |(name, e, note): (&str, Option<f64>, &str)| TableRow {
+        name: name.into(),
+        symbol: "",
+        value: value(e, Unit::energy),
+        group: per_cent(e),
+        note: note.into(),
+    };
+    let mut rows: Vec<TableRow> = entries.into_iter().map(row).collect();
+    let closure = energy.closure.map_or(NONE.to_owned(), |c| format!("{} %", digits(100.0 * c)));
+    let note = "not explained by any entry".to_owned();
+    let explained: Option<f64> = entries[1..].iter().map(|(_, e, _)| *e).sum();
+    let rest = value(energy.external.zip(explained).map(|(all, explained)| all - explained), Unit::energy);
+    rows.push(TableRow { name: "Unexplained".into(), symbol: "", value: rest, group: closure, note });
+    rows
+}
+
+pub(super) fn balance_rows(record: &RunRecord, summary: &Summary) -> Vec<TableRow> {
+    let row = |name: &str, value: String, note: &str| TableRow {
+        name: name.into(),
+        symbol: "",
+        value,
+        group: String::new(),
+        note: note.into(),
+    };
+    let litres = |v: f64| {
+        if v.abs() < 1e-3 { format!("{} cm³", digits(1e6 * v)) } else { format!("{} dm³", digits(1e3 * v)) }
+    };
+    let surface = &summary.surface;
+    let change =
+        summary.soil.volume_ratio.map_or(NONE.to_owned(), |v| format!("{v:.6}").replace('-', "\u{2212}"));
+    let mut rows = vec![
+        row("Soil volume ratio", change, "end over start; includes dilation and elastic compression"),
+        row("Soil inside the bodies", litres(summary.soil.leaked_m3), "leakage at the end; ideally 0"),
+    ];
+    let height = format!("{} mm", digits(1e3 * surface.berm_height_m));
+    if record.heaped {
+        rows.push(row("Height of the soil", height, "highest point above the floor"));
+        rows.push(row("Volume under the surface", litres(surface.berm_volume_m3), "by the height map"));
+        return rows;
+    }
+    let depth = format!("{} mm", digits(1e3 * surface.rut_depth_m));
+    rows.extend([
+        row("Depth of the rut", depth, "deepest point of the free surface"),
+        row("Height of the berm", height, "highest point of the free surface"),
+        row("Volume of the rut", litres(surface.rut_volume_m3), "below the undisturbed surface"),
+        row("Volume of the berms", litres(surface.berm_volume_m3), "above it"),
+    ]);
+    rows
+}
+
+pub(super) fn statistics(record: &RunRecord, summary: &Summary) -> Vec<[String; 2]> {
+    let rate = summary
+        .cell_steps_per_second()
+        .map_or(NONE.to_owned(), |r| format!("{} million cell-steps/s", digits(r / 1e6)));
+    let threads = record.statistics.threads;
+    [
+        ("Cells", format!("{} ({} with soil)", grouped(summary.cells), grouped(summary.filled_cells))),
+        ("Steps", grouped(summary.steps)),
+        ("Simulated time", format!("{} s", digits(record.duration))),
+        ("Wall time", duration_text(summary.wall_s)),
+        ("Speed", rate),
+        ("Threads", threads.to_string()),
+        ("Version", summary.version.clone()),
+    ]
+    .map(|(name, text)| [name.to_owned(), text])
+    .to_vec()
+}
+
+/// A whole number with thin spaces between thousands.
+fn grouped(number: u64) -> String {
+    let plain = number.to_string();
+    let mut text = String::new();
+    for (n, digit) in plain.chars().enumerate() {
+        if n > 0 && (plain.len() - n).is_multiple_of(3) {
+            text.push('\u{202f}');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+fn duration_text(seconds: f64) -> String {
+    let whole = seconds.max(0.0) as u64;
+    match whole {
+        0..60 => format!("{} s", digits(seconds)),
+        60..3600 => format!("{} min {} s", whole / 60, whole % 60),
+        _ => format!("{} h {} min", whole / 3600, whole / 60 % 60),
+    }
+}

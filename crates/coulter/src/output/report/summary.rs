@@ -1,0 +1,191 @@
+//! `summary.json`: the main results for scripts. The names are a contract.
+
+use crate::case::FORMAT;
+use crate::history::steady::{Peak, Steady, peak, steady, window};
+use crate::history::{EnergySample, History};
+use crate::output::fields::SurfaceFigures;
+use crate::output::files::{OutputError, SUMMARY, read_json, write_json};
+use crate::output::folder::RunRecord;
+use crate::trust::Trust;
+use crate::trust::body::Mesh;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// The main results of a run.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Summary {
+    /// Version of the case-file format that the case was written in; 0 in summaries of format 1, which do not say.
+    pub format: u32,
+    /// Name of the case.
+    pub case: String,
+    /// Version of Coulter.
+    pub version: String,
+    /// Cells of the grid.
+    pub cells: u64,
+    /// Cells that contain soil at the end.
+    pub filled_cells: u64,
+    /// Steps taken.
+    pub steps: u64,
+    /// Wall-clock time [s].
+    pub wall_s: f64,
+    /// The soil.
+    pub soil: SoilSummary,
+    /// The energy balance at the end.
+    pub energy: EnergySummary,
+    /// The free surface at the end.
+    pub surface: SurfaceFigures,
+    /// The bodies by name.
+    pub bodies: BTreeMap<String, BodySummary>,
+    /// Whether the results can be trusted.
+    pub trust: Trust,
+}
+
+/// Results on the soil.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct SoilSummary {
+    /// Volume at the end over the volume at the start.
+    pub volume_ratio: Option<f64>,
+    /// Soil inside the bodies at the end [m³].
+    pub leaked_m3: f64,
+}
+
+/// The energy balance at the end [J].
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct EnergySummary {
+    /// Work of loads, prescribed motions and gravity [J].
+    #[serde(rename = "external_J")]
+    pub external: Option<f64>,
+    /// Kinetic energy [J].
+    #[serde(rename = "kinetic_J")]
+    pub kinetic: Option<f64>,
+    /// Elastic energy, less that at the start [J].
+    #[serde(rename = "elastic_J")]
+    pub elastic: Option<f64>,
+    /// Plastic dissipation [J].
+    #[serde(rename = "plastic_J")]
+    pub plastic: Option<f64>,
+    /// Dissipation by friction on the bodies [J].
+    #[serde(rename = "friction_J")]
+    pub friction: Option<f64>,
+    /// Energy that the contact method itself stores, dissipates or adds [J].
+    #[serde(rename = "contact_J")]
+    pub contact: Option<f64>,
+    /// Dissipation by bulk viscosity [J].
+    #[serde(rename = "viscous_J")]
+    pub viscous: Option<f64>,
+    /// Dissipation by hourglass viscosity [J].
+    #[serde(rename = "hourglass_J")]
+    pub hourglass: Option<f64>,
+    /// Kinetic and elastic energy lost in remaps [J].
+    #[serde(rename = "remap_loss_J")]
+    pub remap_loss: Option<f64>,
+    /// Relative error of the energy balance: unexplained energy over the external work.
+    pub closure: Option<f64>,
+}
+
+/// Results on a body.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct BodySummary {
+    /// Averages over the steady window.
+    pub steady: Steady,
+    /// Largest values.
+    pub peak: Peak,
+    /// How well the grid resolves it.
+    pub mesh: MeshSummary,
+}
+
+/// How well the grid resolves a body's contact with the ground; `null` in JSON where it does not matter.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct MeshSummary {
+    /// Sinkage in the steady window over the cell height.
+    pub cells_over_sinkage: Option<f64>,
+    /// Length of the contact along the tow over the cell width.
+    pub cells_over_chord: Option<f64>,
+}
+
+impl From<&EnergySample> for EnergySummary {
+    fn from(e: &EnergySample) -> Self {
+        let finite = |value: f64| value.is_finite().then_some(value);
+        Self {
+            external: finite(e.external),
+            kinetic: finite(e.kinetic),
+            elastic: finite(e.elastic),
+            plastic: finite(e.plastic),
+            friction: finite(e.friction),
+            contact: finite(e.contact),
+            viscous: finite(e.viscous),
+            hourglass: finite(e.hourglass),
+            remap_loss: finite(e.remap_loss),
+            closure: finite(e.closure()),
+        }
+    }
+}
+
+impl Summary {
+    /// The summary of a run as far as its record determines it.
+    #[must_use]
+    pub fn of(record: &RunRecord) -> Self {
+        Self {
+            format: FORMAT,
+            case: record.case.clone(),
+            version: record.version.clone(),
+            cells: record.cells.iter().map(|n| *n as u64).product(),
+            steps: record.statistics.steps,
+            wall_s: record.statistics.wall_seconds,
+            ..Self::default()
+        }
+    }
+
+    /// Fills in what follows from the histories: bodies, energy balance, leakage, grade.
+    pub fn fill(&mut self, history: &History, record: &RunRecord) {
+        self.trust = record.trust(history);
+        self.bodies = history
+            .bodies
+            .iter()
+            .zip(&record.bodies)
+            .zip(&record.setting.bodies)
+            .map(|((samples, reference), setting)| {
+                let range = window(samples, reference, record.steady_fraction);
+                let mut steady = steady(samples, reference, range);
+                steady.is_steady = self.trust.is_steady(&reference.name);
+                let Mesh { cells_over_sinkage, cells_over_chord } =
+                    Mesh::of(setting, reference, samples, &steady);
+                let mesh = MeshSummary { cells_over_sinkage, cells_over_chord };
+                (reference.name.clone(), BodySummary { steady, peak: peak(samples), mesh })
+            })
+            .collect();
+        let last = history.energy.last();
+        self.energy = last.map(EnergySummary::from).unwrap_or_default();
+        self.soil.volume_ratio = last.map(|e| e.volume_ratio).filter(|v| v.is_finite());
+        let leaks = history.bodies.iter().filter_map(|samples| samples.last());
+        self.soil.leaked_m3 = leaks.map(|s| s.leaked_volume).filter(|v| v.is_finite()).sum::<f64>() + 0.0;
+    }
+
+    /// Cells with soil times steps, per second of wall-clock time.
+    #[must_use]
+    pub fn cell_steps_per_second(&self) -> Option<f64> {
+        (self.wall_s > 0.0).then(|| self.filled_cells as f64 * self.steps as f64 / self.wall_s)
+    }
+
+    /// Writes `summary.json` into a results folder.
+    ///
+    /// # Errors
+    /// When the file cannot be written.
+    pub fn write(&self, dir: &Path) -> Result<(), OutputError> {
+        write_json(&dir.join(SUMMARY), self)
+    }
+
+    /// Reads `summary.json` from a results folder.
+    ///
+    /// # Errors
+    /// When the file cannot be read or is not a summary.
+    pub fn read(dir: &Path) -> Result<Self, OutputError> {
+        read_json(&dir.join(SUMMARY))
+    }
+}

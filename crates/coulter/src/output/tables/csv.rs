@@ -1,0 +1,145 @@
+//! `forces.csv`, `energy.csv` and `boundaries.csv`: the histories as tables with units in the header.
+//!
+//! The files are kept open during the run and flushed after every block, so that a killed run leaves whole lines; a
+//! resumed run rewrites them from the history of the checkpoint.
+
+use super::table::{Table, push_line};
+use crate::history::History;
+use crate::history::columns::{self, Column, FORCES, Source, header};
+use crate::history::reference::Reference;
+use crate::output::files::{Named, OutputError, file_safe};
+use std::fs::File;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// Name of the file about the energy.
+pub(crate) const ENERGY_FILE: &str = "energy.csv";
+/// Name of the file about the faces of the box.
+pub(crate) const BOUNDARIES_FILE: &str = "boundaries.csv";
+
+/// Name of the file that holds a body's history: `forces.csv`, or `forces_NAME.csv` when there are several bodies.
+#[must_use]
+pub fn forces_name(names: &[String], body: usize) -> String {
+    match names.get(body) {
+        Some(name) if names.len() > 1 => format!("forces_{}.csv", file_safe(name)),
+        _ => "forces.csv".to_owned(),
+    }
+}
+
+/// The open history files of a run.
+#[derive(Debug)]
+pub struct HistoryFiles {
+    bodies: Vec<HistoryFile>,
+    energy: HistoryFile,
+    boundaries: HistoryFile,
+    references: Vec<Reference>,
+}
+
+#[derive(Debug)]
+struct HistoryFile {
+    path: PathBuf,
+    file: File,
+    written: usize,
+}
+
+impl HistoryFiles {
+    /// Creates the files in `dir`, with the header only.
+    ///
+    /// # Errors
+    /// When a file cannot be written.
+    pub fn create(dir: &Path, references: &[Reference]) -> Result<Self, OutputError> {
+        let names: Vec<String> = references.iter().map(|r| r.name.clone()).collect();
+        let bodies = (0..names.len())
+            .map(|n| HistoryFile::create(dir.join(forces_name(&names, n)), FORCES))
+            .collect::<Result<_, _>>()?;
+        let energy = HistoryFile::create(dir.join(ENERGY_FILE), columns::ENERGY)?;
+        let boundaries = HistoryFile::create(dir.join(BOUNDARIES_FILE), columns::BOUNDARIES)?;
+        Ok(Self { bodies, energy, boundaries, references: references.to_vec() })
+    }
+
+    /// Adds the lines of `history` that are not in the files yet.
+    ///
+    /// # Errors
+    /// When a file cannot be written.
+    pub fn append(&mut self, history: &History) -> Result<(), OutputError> {
+        for ((file, samples), reference) in self.bodies.iter_mut().zip(&history.bodies).zip(&self.references)
+        {
+            file.append(samples, FORCES, reference)?;
+        }
+        // Neither has columns that need the quantities of a body.
+        let none = Reference::default();
+        self.energy.append(&history.energy, columns::ENERGY, &none)?;
+        self.boundaries.append(&history.boundaries, columns::BOUNDARIES, &none)
+    }
+}
+
+impl HistoryFile {
+    fn create<S: Copy>(path: PathBuf, columns: &[Column<S>]) -> Result<Self, OutputError> {
+        let mut file = File::create(&path).named("create", &path)?;
+        writeln!(file, "{}", header(columns)).named("write", &path)?;
+        Ok(Self { path, file, written: 0 })
+    }
+
+    fn append<S: Copy>(
+        &mut self,
+        samples: &[S],
+        columns: &[Column<S>],
+        reference: &Reference,
+    ) -> Result<(), OutputError> {
+        let mut block = String::new();
+        for sample in samples.iter().skip(self.written) {
+            let values: Vec<f64> = columns.iter().map(|column| column.value(sample, reference)).collect();
+            push_line(&mut block, &values);
+        }
+        // One write for the whole block, so that a kill leaves whole lines.
+        self.file.write_all(block.as_bytes()).named("write", &self.path)?;
+        self.file.flush().named("write", &self.path)?;
+        self.written = self.written.max(samples.len());
+        Ok(())
+    }
+}
+
+/// Reads the samples of a history file back.
+fn read<S: Copy + Default>(
+    path: &Path,
+    columns: &[Column<S>],
+    is_whole: bool,
+) -> Result<Vec<S>, OutputError> {
+    let table = Table::read_history(path, is_whole)?;
+    let mut samples = vec![S::default(); table.rows()];
+    for column in columns {
+        let Source::Sampled(number) = column.source else { continue };
+        let name = column.header();
+        let values = table
+            .column(&name)
+            .ok_or_else(|| OutputError::content(path, format!("column `{name}` is missing")))?;
+        samples.iter_mut().zip(values).for_each(|(sample, value)| *number(sample) = *value);
+    }
+    Ok(samples)
+}
+
+/// Reads all histories of a results folder back. Those of a killed run may end in the middle of a line, and one file may
+/// have more lines than another: `is_whole` says that this cannot be.
+///
+/// # Errors
+/// When a file is missing or broken.
+pub fn read_history(dir: &Path, names: &[String], is_whole: bool) -> Result<History, OutputError> {
+    let bodies = (0..names.len())
+        .map(|n| read(&dir.join(forces_name(names, n)), FORCES, is_whole))
+        .collect::<Result<_, _>>()?;
+    let mut history = History {
+        names: names.to_vec(),
+        bodies,
+        energy: read(&dir.join(ENERGY_FILE), columns::ENERGY, is_whole)?,
+        boundaries: read(&dir.join(BOUNDARIES_FILE), columns::BOUNDARIES, is_whole)?,
+    };
+    if !is_whole {
+        let lines =
+            history.bodies.iter().map(Vec::len).chain([history.energy.len(), history.boundaries.len()]);
+        let lines = lines.min().unwrap_or(0);
+        history.bodies.iter_mut().for_each(|samples| samples.truncate(lines));
+        history.energy.truncate(lines);
+        history.boundaries.truncate(lines);
+    }
+    Ok(history)
+}

@@ -1,0 +1,14 @@
+//! Tables of numbers as text: comma-separated, a header with units, nothing where there is no number.
+//!
+//! The histories of a run follow the columns of `history::columns`. Whole lines are flushed as they come, so that a killed
+//! run leaves whole lines; what is read back is checked.
+
+mod csv;
+mod table;
+mod validate;
+
+pub(crate) use csv::{BOUNDARIES_FILE, ENERGY_FILE};
+pub use csv::{HistoryFiles, forces_name, read_history};
+pub use table::Table;
+pub(crate) use table::push_line;
+pub use validate::validate_history;

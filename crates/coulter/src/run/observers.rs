@@ -1,0 +1,119 @@
+//! Those who observe a run on behalf of its results folder. Each knows one thing; what they share is in the folder.
+
+use super::watch::watch;
+use crate::case;
+use crate::interrupts::Interrupts;
+use crate::output::folder::{Log, Outcome, RunRecord, RunStatistics};
+use crate::output::progress::Progress;
+use crate::output::tables::HistoryFiles;
+use crate::output::vtk::FieldSeries;
+use crate::simulation::{Next, Observer, ObserverError, Simulation, Stop};
+use solver::precision::Precision;
+use std::path::Path;
+use std::time::Instant;
+
+/// Adds every sample to the history files.
+pub(super) struct Tables<'a>(pub(super) &'a mut HistoryFiles);
+
+impl<R: Precision> Observer<R> for Tables<'_> {
+    fn sampled(&mut self, simulation: &Simulation<R>) -> Result<Next, ObserverError> {
+        self.0.append(&simulation.history)?;
+        Ok(Next::Continue)
+    }
+}
+
+/// Shows how far the run is.
+pub(super) struct ProgressBar<'a>(pub(super) &'a mut Progress);
+
+impl<R: Precision> Observer<R> for ProgressBar<'_> {
+    fn sampled(&mut self, simulation: &Simulation<R>) -> Result<Next, ObserverError> {
+        self.0.update(simulation.state.time, &simulation.history);
+        Ok(Next::Continue)
+    }
+}
+
+/// Ends a run that can no longer become valid.
+pub(super) struct Watch;
+
+impl<R: Precision> Observer<R> for Watch {
+    fn sampled(&mut self, simulation: &Simulation<R>) -> Result<Next, ObserverError> {
+        Ok(watch(simulation).map_or_else(Next::BreakDown, |()| Next::Continue))
+    }
+}
+
+/// Writes the fields where they are due.
+pub(super) struct Fields<'a>(pub(super) &'a mut FieldSeries);
+
+impl<R: Precision> Observer<R> for Fields<'_> {
+    fn sampled(&mut self, simulation: &Simulation<R>) -> Result<Next, ObserverError> {
+        let Simulation { case, model, state, .. } = simulation;
+        if self.0.is_due(state.time, case.output.field_interval) {
+            self.0.write(case, &model.grid, state)?;
+        }
+        Ok(Next::Continue)
+    }
+}
+
+/// Stops the run when a signal asks for it.
+pub(super) struct Signals<'a>(pub(super) &'a Interrupts);
+
+impl<R: Precision> Observer<R> for Signals<'_> {
+    fn between_steps(&mut self, _: &Simulation<R>) -> Result<Next, ObserverError> {
+        let signal = self.0.stopped_by();
+        Ok(signal.map_or(Next::Continue, |signal| Next::Stop(format!("signal {signal}"))))
+    }
+}
+
+/// Writes checkpoints: by the wall clock, on request, and at the end.
+pub(super) struct Checkpoints<'a> {
+    folder: &'a Path,
+    interrupts: &'a Interrupts,
+    log: &'a mut Log,
+    record: &'a mut RunRecord,
+    /// When the last one was written.
+    last: Instant,
+}
+
+impl<'a> Checkpoints<'a> {
+    pub(super) fn new(
+        folder: &'a Path,
+        interrupts: &'a Interrupts,
+        log: &'a mut Log,
+        record: &'a mut RunRecord,
+    ) -> Self {
+        Self { folder, interrupts, log, record, last: Instant::now() }
+    }
+}
+
+impl<R: Precision> Observer<R> for Checkpoints<'_> {
+    fn between_steps(&mut self, simulation: &Simulation<R>) -> Result<Next, ObserverError> {
+        let is_due = self.last.elapsed().as_secs_f64() >= simulation.case.output.checkpoint_interval;
+        if self.interrupts.take_checkpoint() || is_due {
+            simulation.checkpoint().write(self.folder)?;
+            self.record.update(self.folder, statistics(simulation, Outcome::Running))?;
+            self.log.line(&format!("checkpoint at t = {} s", simulation.state.time))?;
+            self.last = Instant::now();
+        }
+        Ok(Next::Continue)
+    }
+
+    fn ended(&mut self, simulation: &Simulation<R>, stop: &Stop) -> Result<(), ObserverError> {
+        let checkpoint = simulation.checkpoint();
+        match stop {
+            Stop::BrokenDown(_) => checkpoint.write_failed(self.folder)?,
+            Stop::Finished | Stop::Asked(_) => checkpoint.write(self.folder)?,
+        }
+        Ok(())
+    }
+}
+
+/// Statistics of a run that has come so far.
+pub(super) fn statistics(simulation: &Simulation<impl Precision>, outcome: Outcome) -> RunStatistics {
+    RunStatistics {
+        steps: simulation.state.step,
+        wall_seconds: simulation.wall_s,
+        threads: simulation.threads(),
+        outcome,
+        advice: case::advice(&simulation.case),
+    }
+}
