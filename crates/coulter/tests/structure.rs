@@ -15,7 +15,10 @@
 //! **One public type per name.** Within a crate no two types that are `pub` or `pub(crate)` have the same name. A file that is
 //! included twice (`#[path]`) defines its types once, and the two files that include it count as one.
 //!
-//! The lists below are the known violations. An entry that is no longer needed is an error, too.
+//! **The arrows between the formats of output.** In `coulter/src/output` a format depends on those that [`OUTPUT`] lists for it,
+//! and on no other.
+//!
+//! The first lists below are the known violations. An entry that is no longer needed is an error, too.
 #![allow(clippy::unwrap_used)] // clippy does not recognise test helpers
 
 #[path = "structure/circles.rs"]
@@ -39,6 +42,23 @@ const CIRCLES: &[(&str, &str, &str)] = &[];
 const FUNCTIONS: &[(&str, &str, &str)] = &[];
 /// Names of several public types: crate, name.
 const TYPES: &[(&str, &str)] = &[];
+
+/// The formats of `coulter/src/output`, folders and files, each with those that it uses. Nobody uses the report but the facade.
+const OUTPUT: &[(&str, &[&str])] = &[
+    ("files", &[]),
+    ("units", &[]),
+    ("fields", &[]),
+    ("progress", &["units"]),
+    ("checkpoint", &["files"]),
+    ("tables", &["files"]),
+    ("vtk", &["files", "fields"]),
+    ("plots", &["units"]),
+    ("pictures", &["files", "units", "fields", "tables", "plots"]),
+    ("forecast", &["files", "units", "tables", "plots"]),
+    ("folder", &["files", "units", "tables", "plots"]),
+    ("report", &["files", "units", "fields", "plots", "pictures", "folder"]),
+    ("results", &["files", "fields", "tables", "vtk", "plots", "pictures", "folder", "report"]),
+];
 
 /// Name and folder of every crate.
 fn crates() -> Vec<(String, PathBuf)> {
@@ -87,6 +107,24 @@ fn no_two_public_types_of_a_crate_share_a_name() {
         let own = TYPES.iter().filter(|(of, _)| *of == sources.name).map(|(_, name)| *name);
         items::types(modules, sources, &own.collect::<Vec<_>>())
     });
+}
+
+#[test]
+fn the_arrows_between_the_formats_of_output_hold() {
+    let sources = Sources::read("coulter", &Path::new(env!("CARGO_MANIFEST_DIR")).join("src"));
+    let format = |file: &str| {
+        let below = file.strip_prefix("output/")?.split('/').next()?;
+        Some(below.trim_end_matches(".rs").to_owned()).filter(|name| name != "mod")
+    };
+    let formats: BTreeSet<String> = sources.files.keys().filter_map(|file| format(file)).collect();
+    let arrow = |found: &uses::Use| Some((format(&found.from)?, format(&found.to)?));
+    let uses = uses::uses(&Modules::of(&sources));
+    let found: BTreeSet<_> = uses.iter().filter_map(arrow).filter(|(from, to)| from != to).collect();
+    let arrows = |(from, to): &(&str, &[&str])| {
+        to.iter().map(|to| ((*from).to_owned(), (*to).to_owned())).collect::<Vec<_>>()
+    };
+    assert_eq!(found, OUTPUT.iter().flat_map(arrows).collect(), "found (left) and listed (right)");
+    assert_eq!(formats, OUTPUT.iter().map(|(name, _)| (*name).to_owned()).collect());
 }
 
 #[test]
