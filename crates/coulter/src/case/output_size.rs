@@ -20,7 +20,7 @@ const REPORT: f64 = 0.8e6;
 /// Arrays in the state.
 const STATE_ARRAYS: f64 = 17.0;
 /// Memory for pictures, plots and the report of any case [bytes]; measured.
-const PICTURES: f64 = 14e6;
+const PICTURES: f64 = 15e6;
 /// Memory to write a checkpoint, over that of the fields: it is written in small blocks.
 const CHECKPOINT: f64 = 0.1;
 

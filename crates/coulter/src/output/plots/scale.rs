@@ -104,12 +104,4 @@ mod tests {
         assert_eq!(padded_range([2.0, 2.0].into_iter(), 0.05), [1.0, 3.0]);
         assert_eq!(padded_range([0.0].into_iter(), 0.05), [-1.0, 1.0]);
     }
-
-    #[test]
-    fn units_are_readable() {
-        assert_eq!(Unit::length(0.3).name, "mm");
-        assert_eq!(Unit::force(500.0).name, "N");
-        assert_eq!(Unit::force(25e3).name, "kN");
-        assert_eq!(Unit::stress(2.5e4).name, "kPa");
-    }
 }
