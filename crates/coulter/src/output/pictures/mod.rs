@@ -1,6 +1,6 @@
 //! Pictures of a state as PNG: slices along the body's mid-plane, the rut from above; its sections as SVG and CSV.
 //!
-//! They are drawn at the end of a run from what `fields` shows; not a number on a picture serves as a result.
+//! They are drawn from what `fields` shows of a state. They are for the eye: results are in the tables and field files.
 
 mod canvas;
 mod frame;
