@@ -229,7 +229,7 @@ impl<R: Precision> Simulation<R> {
         BodySample {
             time: self.state.time,
             displacement: pose.position.x - fixed.start.position.x,
-            sinkage: self.model.surface - (pose.position.z + fixed.shape.bounds().0.z),
+            sinkage: self.model.surface - fixed.bounds(pose).0.z,
             drag: 0.0 - force.x,
             lateral: force.y,
             vertical: force.z,

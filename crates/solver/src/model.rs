@@ -61,6 +61,23 @@ impl BodyModel {
         mechanics::Body { modelled_fraction, ..mechanics::Body::new(inertia, self.motion) }
     }
 
+    /// A vector of the body frame in space, with the body at a pose; a body that is not rotated keeps its bits.
+    #[must_use]
+    pub fn rotated(&self, pose: &Pose, v: DVec3) -> DVec3 {
+        let attitude = self.attitude(pose);
+        if attitude == DQuat::IDENTITY { v } else { attitude * v }
+    }
+
+    /// Lower and upper corner of the box round the body at a pose [m].
+    #[must_use]
+    pub fn bounds(&self, pose: &Pose) -> (DVec3, DVec3) {
+        let frame = self.attitude(pose).inverse();
+        let extent = |axis: DVec3| self.shape.extent(frame * axis);
+        let high = DVec3::from_array(DVec3::AXES.map(extent));
+        let low = DVec3::from_array(DVec3::AXES.map(|axis| -extent(-axis)));
+        (pose.position + low, pose.position + high)
+    }
+
     /// Directions of the contact points and the geometry of the body in space: its rotation, for a shape of revolution without
     /// the spin about its axle, which changes nothing. Contact is then steady in steady rolling.
     #[must_use]
