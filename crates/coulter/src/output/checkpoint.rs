@@ -18,7 +18,7 @@ use xxhash_rust::xxh3::{Xxh3, xxh3_64};
 /// What every checkpoint begins with.
 const MAGIC: &[u8; 7] = b"COULTER";
 /// Version of what follows; a checkpoint of another version cannot be resumed.
-const VERSION: u8 = b'6';
+const VERSION: u8 = b'7';
 const LAST: &str = "last.checkpoint";
 const PREVIOUS: &str = "previous.checkpoint";
 const FAILED: &str = "failed.checkpoint";
