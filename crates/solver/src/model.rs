@@ -16,8 +16,10 @@ pub struct Model {
     pub grid: Grid,
     /// What the soil is made of; at least one.
     pub materials: Vec<Material>,
-    /// Acceleration of gravity [m/s²], downwards.
+    /// Acceleration of gravity [m/s²], downwards; on the bodies.
     pub gravity: f64,
+    /// Weight of the soil over its mass, γ/ρ [m/s²]; not that of gravity where the soil is taken to be weightless.
+    pub soil_gravity: f64,
     /// Height of the undisturbed surface of the soil [m].
     pub surface: f64,
     /// The undisturbed ground, which enters through an inflow boundary.
@@ -149,6 +151,7 @@ impl Model {
             grid,
             materials: vec![material],
             gravity: 0.0,
+            soil_gravity: 0.0,
             surface: 0.0,
             ground: Ground::default(),
             boundaries: Boundaries([[Boundary::SmoothWall; 2]; 3]),
