@@ -28,7 +28,8 @@ pub(crate) fn have_moved<R>(model: &Model, state: &State<R>) -> bool {
     each.any(|((fixed, body), now)| {
         let displacement = (now.pose.position - body.searched_at.position).abs().max_element();
         // The farthest point of the surface moves by this times the rotation.
-        let reach = fixed.shape.bounds().1.length();
+        let (low, high) = fixed.shape.bounds();
+        let reach = low.abs().max(high).length();
         let rotation = fixed.attitude(&now.pose) * fixed.attitude(&body.searched_at).inverse();
         let angle = 2.0 * rotation.xyz().length().min(1.0).asin();
         displacement > limit || angle * reach > limit

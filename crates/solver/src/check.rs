@@ -45,10 +45,10 @@ fn stays_inside<R>(model: &Model, state: &State<R>) -> Result<(), Breakdown> {
     const SIDES: [[&str; 2]; 3] =
         [["behind", "ahead"], ["at its low y side", "at its high y side"], ["below", "above"]];
     for (n, fixed) in model.bodies.iter().enumerate() {
-        let (position, (low, high)) = (state.pose(n).position, fixed.shape.bounds());
+        let (position, (low, high)) = (state.pose(n).position, fixed.bounds(state.pose(n)));
         for axis in (0..3).filter(|axis| fixed.motion[*axis].is_free()) {
             let ends = model.grid.ends(axis).map(|end| end + state.grid_position[axis]);
-            let at = [position[axis] + low[axis], position[axis] + high[axis]];
+            let at = [low[axis], high[axis]];
             // Most bodies reach above the lid from the start: upwards, only a body wholly above it has left
             // the box.
             let has_left = [at[0] < ends[0], if axis == 2 { at[0] > ends[1] } else { at[1] > ends[1] }];

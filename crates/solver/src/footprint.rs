@@ -1,7 +1,7 @@
 //! Memory of a run, predicted from its model before anything is allocated. All in bytes, as floats, since a
 //! prediction may exceed any integer.
 
-use crate::contact::{BodyCell, ContactNode, kept_per_constraint, stays_across};
+use crate::contact::{BodyCell, ContactNode, kept_per_constraint, layout, stays_across};
 use crate::cpu::workspace;
 use crate::fields::ARRAYS;
 use crate::model::{BodyModel, Model};
@@ -72,22 +72,19 @@ fn contact(model: &Model, moved: &[DVec3], [per_point, per_constraint]: [f64; 2]
 /// Number of surface points that are laid out on a body.
 #[must_use]
 pub fn surface_points(model: &Model, body: &BodyModel) -> f64 {
-    let finest = DVec3::from_array(std::array::from_fn(|axis| model.grid.finest_along(axis)));
-    let spacing = model.method.point_spacing * model.grid.finest();
-    body.shape.surface_point_count(spacing, model.method.edge_inset * finest)
+    let (spacing, inset) = layout(model, body);
+    body.shape.surface_point_count(spacing, inset)
 }
 
 /// Number of cells that bodies occupy, wholly or in part.
 fn body_cells(model: &Model) -> f64 {
     let cells = |body: &BodyModel| {
-        let (low, high) = body.shape.bounds();
-        let size = high - low;
-        let filling = body.shape.mass_properties().volume / size.element_product();
+        let (low, high) = body.bounds(&body.start);
+        let filling = body.shape.mass_properties().volume / (high - low).element_product();
         let layers = |axis: usize| {
             let faces = &model.grid.faces[axis];
-            let first =
-                faces.partition_point(|f| *f <= body.start.position[axis] + low[axis]).saturating_sub(1);
-            let last = faces.partition_point(|f| *f < body.start.position[axis] + high[axis]);
+            let first = faces.partition_point(|f| *f <= low[axis]).saturating_sub(1);
+            let last = faces.partition_point(|f| *f < high[axis]);
             last.min(faces.len() - 1).saturating_sub(first) as f64
         };
         filling * (0..3).map(layers).product::<f64>()
@@ -125,7 +122,7 @@ fn point_fractions(model: &Model, body: &BodyModel, moved: DVec3) -> [f64; 2] {
     };
     let fraction = |of: &dyn Fn(DVec3) -> bool| {
         let area = |p: &&SurfacePoint| p.area;
-        let those = points.iter().filter(|p| of(body.start.position + p.position));
+        let those = points.iter().filter(|p| of(body.start.position + body.rotated(&body.start, p.position)));
         those.map(|p| area(&p)).sum::<f64>() / points.iter().map(|p| p.area).sum::<f64>()
     };
     let in_soil = |x: DVec3| x.z <= model.surface && (0..3).all(|axis| is_in(axis, x, 0.0));

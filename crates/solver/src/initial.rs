@@ -245,7 +245,7 @@ fn rest_stress<R: Scalar>(model: &Model, grid: &Grid, soil: &mut Soil<R>, overbu
             for k in (0..nz).rev() {
                 let c = grid.index(i, j, k);
                 let (mass, fraction): (f64, f64) = (soil.mass[c].to_f64(), soil.fraction[c].to_f64());
-                force -= 0.5 * (mass + mass_above) * model.gravity;
+                force -= 0.5 * (mass + mass_above) * model.soil_gravity;
                 mass_above = mass;
                 if fraction > 0.0 {
                     let vertical = force / (area * fraction) - overburden;

@@ -16,8 +16,10 @@ pub struct Model {
     pub grid: Grid,
     /// What the soil is made of; at least one.
     pub materials: Vec<Material>,
-    /// Acceleration of gravity [m/s²], downwards.
+    /// Acceleration of gravity [m/s²], downwards; on the bodies.
     pub gravity: f64,
+    /// Weight of the soil over its mass, γ/ρ [m/s²]; not that of gravity where the soil is taken to be weightless.
+    pub soil_gravity: f64,
     /// Height of the undisturbed surface of the soil [m].
     pub surface: f64,
     /// The undisturbed ground, which enters through an inflow boundary.
@@ -59,6 +61,23 @@ impl BodyModel {
         let moves_freely = self.motion.iter().any(Motion::is_free);
         let inertia = if moves_freely { self.inertia } else { Inertia::NONE };
         mechanics::Body { modelled_fraction, ..mechanics::Body::new(inertia, self.motion) }
+    }
+
+    /// A vector of the body frame in space, with the body at a pose; a body that is not rotated keeps its bits.
+    #[must_use]
+    pub fn rotated(&self, pose: &Pose, v: DVec3) -> DVec3 {
+        let attitude = self.attitude(pose);
+        if attitude == DQuat::IDENTITY { v } else { attitude * v }
+    }
+
+    /// Lower and upper corner of the box round the body at a pose [m].
+    #[must_use]
+    pub fn bounds(&self, pose: &Pose) -> (DVec3, DVec3) {
+        let frame = self.attitude(pose).inverse();
+        let extent = |axis: DVec3| self.shape.extent(frame * axis);
+        let high = DVec3::from_array(DVec3::AXES.map(extent));
+        let low = DVec3::from_array(DVec3::AXES.map(|axis| -extent(-axis)));
+        (pose.position + low, pose.position + high)
     }
 
     /// Directions of the contact points and the geometry of the body in space: its rotation, for a shape of revolution without
@@ -132,6 +151,7 @@ impl Model {
             grid,
             materials: vec![material],
             gravity: 0.0,
+            soil_gravity: 0.0,
             surface: 0.0,
             ground: Ground::default(),
             boundaries: Boundaries([[Boundary::SmoothWall; 2]; 3]),

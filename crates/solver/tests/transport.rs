@@ -32,7 +32,7 @@ fn sphere(grid: &Grid, middle: DVec3, radius: f64) -> Vec<f64> {
 /// Relative L1 error of the shape after a diagonal translation, and the relative change of the volume.
 fn translation(cells: usize, radius: f64, eta: f64) -> (f64, f64) {
     let mut model = sand(std::array::from_fn(|_| uniform(0.0, 1.0, cells)));
-    model.gravity = 0.0;
+    (model.gravity, model.soil_gravity) = (0.0, 0.0);
     let mut state = at_rest(&model, &Filling::between(DVec3::splat(2.0), DVec3::splat(3.0)));
     let from = DVec3::splat(0.3);
     let way = DVec3::new(0.4, 0.25, 0.15);

@@ -26,6 +26,7 @@ pub mod json_row;
 mod light;
 mod line;
 mod list;
+mod mechanisms;
 mod moving;
 pub mod options;
 mod other_codes;

@@ -53,7 +53,7 @@ fn rest(runner: &mut Runner, height: f64, every_step: bool) -> Result<(f64, [f64
         speed = state.nodes.velocity.iter().flatten().fold(speed, |most, v| most.max(v.abs()));
     }
     let grid = &model.grid;
-    let weight = model.material().density * model.gravity;
+    let weight = model.material().density * model.soil_gravity;
     let scale = weight * (surface - grid.faces[2][0]);
     let mut error = [0.0_f64; 2];
     for k in 0..grid.cells()[2] {

@@ -1,6 +1,7 @@
 //! A6: the mechanics of rigid bodies, and Coulomb's friction.
 
 use crate::error::VerifyError;
+use crate::mechanisms;
 use crate::runner::Runner;
 use coulter::history::BodySample;
 use coulter::simulation::Simulation;
@@ -20,7 +21,8 @@ pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
     falling(runner)?;
     sliding(runner)?;
     bouncing(runner)?;
-    rolling(runner)
+    rolling(runner)?;
+    mechanisms::run(runner)
 }
 
 fn falling(runner: &mut Runner) -> Result<(), VerifyError> {

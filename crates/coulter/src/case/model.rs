@@ -20,7 +20,12 @@ pub fn model(case: &Case, lanes: usize) -> Model {
     Model {
         grid: Grid::padded(case.grid.faces.clone(), lanes),
         materials: vec![material(&case.soil)],
-        gravity: if case.soil.unit_weight > 0.0 { case.soil.unit_weight / case.soil.density } else { 0.0 },
+        gravity: case.gravity,
+        soil_gravity: if case.soil.unit_weight > 0.0 {
+            case.soil.unit_weight / case.soil.density
+        } else {
+            0.0
+        },
         surface: case.ground.surface(),
         ground: Ground { fillings: vec![filling(&case.ground)], overburden: case.overburden },
         boundaries: boundaries(&case.domain),

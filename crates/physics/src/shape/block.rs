@@ -20,6 +20,10 @@ impl Shape for Block {
         (-0.5 * self.size, 0.5 * self.size)
     }
 
+    fn extent(&self, direction: DVec3) -> f64 {
+        0.5 * direction.abs().dot(self.size)
+    }
+
     fn mass_properties(&self) -> MassProperties {
         let square = |axis: usize| self.size[axis].powi(2);
         let inertia = DVec3::new(square(1) + square(2), square(0) + square(2), square(0) + square(1)) / 12.0;

@@ -80,6 +80,10 @@ impl Shape for Cylinder {
         (self.body_frame(low), self.body_frame(high))
     }
 
+    fn extent(&self, direction: DVec3) -> f64 {
+        self.disc().extent(self.disc_frame(direction))
+    }
+
     fn mass_properties(&self) -> MassProperties {
         let MassProperties { volume, inertia, .. } = self.disc().mass_properties();
         let inertia = DVec3::new(inertia.x_axis.x, inertia.y_axis.y, inertia.z_axis.z);

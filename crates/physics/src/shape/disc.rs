@@ -30,6 +30,10 @@ impl Shape for Disc {
         (-corner, corner)
     }
 
+    fn extent(&self, direction: DVec3) -> f64 {
+        self.radius() * direction.x.hypot(direction.z) + 0.5 * self.thickness * direction.y.abs()
+    }
+
     fn mass_properties(&self) -> MassProperties {
         let across = 0.25 * self.radius().powi(2) + self.thickness.powi(2) / 12.0;
         let inertia = DVec3::new(across, 0.5 * self.radius().powi(2), across);

@@ -6,9 +6,11 @@
 mod block;
 mod cylinder;
 mod disc;
+mod facets;
 mod mass;
 mod mesh;
 mod rotated;
+mod sampler;
 mod sphere;
 
 pub use block::Block;
@@ -19,7 +21,7 @@ pub use mesh::Mesh;
 pub use rotated::Rotated;
 pub use sphere::Sphere;
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -91,25 +93,48 @@ fn paired(points: Vec<SurfacePoint>) -> Vec<SurfacePoint> {
     ordered
 }
 
-/// The shape of a rigid body.
+/// An inset [m] along the axes of space, along those of a frame that `rotation` takes to space: half an ellipsoid's widths.
+#[must_use]
+pub fn inset_in_frame(inset: DVec3, rotation: DMat3) -> DVec3 {
+    DVec3::from_array([rotation.x_axis, rotation.y_axis, rotation.z_axis].map(|axis| (inset * axis).length()))
+}
+
+/// The shape of a rigid body: its signed distance and its mesh; the rest follows from these, unless the shape knows better.
 pub trait Shape: Send + Sync + std::fmt::Debug {
     /// Signed distance [m] from `x` (body frame) [m] to the surface; negative inside.
     fn signed_distance(&self, x: DVec3) -> f64;
     /// Lower and upper corner of the bounding box, in the body frame [m].
-    fn bounds(&self) -> (DVec3, DVec3);
+    fn bounds(&self) -> (DVec3, DVec3) {
+        let along = |axis: DVec3| self.extent(axis);
+        let high = DVec3::AXES.map(along);
+        let low = DVec3::AXES.map(|axis| -along(-axis));
+        (low.into(), high.into())
+    }
+    /// Largest coordinate of the surface along a unit vector, in the body frame [m]: the support function.
+    fn extent(&self, direction: DVec3) -> f64 {
+        self.mesh().points.iter().map(|x| direction.dot(*x)).fold(f64::NEG_INFINITY, f64::max)
+    }
     /// Volume, centroid and moments of inertia of a homogeneous solid; from the mesh unless the shape knows better.
     fn mass_properties(&self) -> MassProperties {
         MassProperties::of_mesh(&self.mesh())
     }
-    /// Contact points at most `spacing` [m] apart, at the distance `inset` [m] (along x, y, z) from sharp convex edges.
+    /// Contact points about `spacing` [m] apart, at the distance `inset` [m] (along x, y, z) from sharp convex edges; from the
+    /// mesh and the signed distance unless the shape lays them out itself.
     ///
     /// Points at a sharp edge would widen the body by half a cell, which the inset compensates. Points that are mirror images
     /// in y are adjacent, so that contact treats them symmetrically.
-    fn surface_points(&self, spacing: f64, inset: DVec3) -> Vec<SurfacePoint>;
-    /// Number of points of [`Shape::surface_points`], without laying them out; a float, since it may be huge.
-    fn surface_point_count(&self, spacing: f64, inset: DVec3) -> f64;
+    fn surface_points(&self, spacing: f64, inset: DVec3) -> Vec<SurfacePoint> {
+        sampler::sample(self, spacing, inset)
+    }
+    /// Number of points of [`Shape::surface_points`], without laying them out; a float, since it may be huge. An estimate where
+    /// they come from the mesh.
+    fn surface_point_count(&self, spacing: f64, _inset: DVec3) -> f64 {
+        sampler::count(self, spacing)
+    }
     /// Whether the shape is rotationally symmetric about the axle; its contact points then need not rotate with it.
-    fn is_revolved(&self) -> bool;
-    /// A closed triangle mesh of the surface.
+    fn is_revolved(&self) -> bool {
+        false
+    }
+    /// A closed triangle mesh of the surface, whose triangles share their points.
     fn mesh(&self) -> Mesh;
 }

@@ -1,6 +1,6 @@
 //! A shape rotated about y, such as an inclined plate.
 
-use super::{MassProperties, Mesh, Shape, SurfacePoint};
+use super::{MassProperties, Mesh, Shape, SurfacePoint, inset_in_frame};
 use glam::{DMat3, DVec3};
 
 /// Another shape, rotated about the y axis through its origin.
@@ -22,11 +22,8 @@ impl<S: Shape> Shape for Rotated<S> {
         self.shape.signed_distance(self.rotation.transpose() * x)
     }
 
-    /// The bounding box of the mesh.
-    fn bounds(&self) -> (DVec3, DVec3) {
-        let corners = self.mesh().points;
-        let box_of = |(low, high): (DVec3, DVec3), x: &DVec3| (low.min(*x), high.max(*x));
-        corners.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), box_of)
+    fn extent(&self, direction: DVec3) -> f64 {
+        self.shape.extent(self.rotation.transpose() * direction)
     }
 
     fn mass_properties(&self) -> MassProperties {
@@ -34,7 +31,7 @@ impl<S: Shape> Shape for Rotated<S> {
     }
 
     fn surface_points(&self, spacing: f64, inset: DVec3) -> Vec<SurfacePoint> {
-        let mut points = self.shape.surface_points(spacing, inset);
+        let mut points = self.shape.surface_points(spacing, inset_in_frame(inset, self.rotation));
         for point in &mut points {
             (point.position, point.normal) = (self.rotation * point.position, self.rotation * point.normal);
         }
@@ -42,7 +39,7 @@ impl<S: Shape> Shape for Rotated<S> {
     }
 
     fn surface_point_count(&self, spacing: f64, inset: DVec3) -> f64 {
-        self.shape.surface_point_count(spacing, inset)
+        self.shape.surface_point_count(spacing, inset_in_frame(inset, self.rotation))
     }
 
     fn is_revolved(&self) -> bool {

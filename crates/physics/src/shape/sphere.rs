@@ -31,6 +31,10 @@ impl Shape for Sphere {
         (DVec3::splat(-self.radius()), DVec3::splat(self.radius()))
     }
 
+    fn extent(&self, direction: DVec3) -> f64 {
+        self.radius() * direction.length()
+    }
+
     fn mass_properties(&self) -> MassProperties {
         let inertia = DVec3::splat(0.4 * self.radius().powi(2));
         MassProperties::principal(PI / 6.0 * self.diameter.powi(3), inertia)

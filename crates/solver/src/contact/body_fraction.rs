@@ -5,7 +5,7 @@ use crate::halo::{self, Halo};
 use crate::model::{BodyModel, Model};
 use crate::scalar::Scalar;
 use crate::state::{Pose, Soil, State};
-use glam::{DQuat, DVec3};
+use glam::DVec3;
 
 /// Updates the body volume fractions of all cells, in scratch memory that is unused until the contact search.
 pub(crate) fn find_bodies<R: Scalar>(
@@ -41,17 +41,14 @@ pub(crate) struct BodyCell {
 /// Calls `each(cell, fraction)` for the cells that a body occupies, wholly or in part.
 fn each_occupied_cell(model: &Model, fixed: &BodyModel, pose: &Pose, mut each: impl FnMut(usize, f64)) {
     let grid = &model.grid;
-    let (position, attitude) = (pose.position, fixed.attitude(pose));
-    let (low, high) = fixed.shape.bounds();
-    let is_upright = fixed.shape.is_revolved() && attitude == DQuat::IDENTITY;
-    let reach = if is_upright { high } else { DVec3::splat(low.length().max(high.length())) };
+    let (low, high) = fixed.bounds(pose);
     let ranges: [std::ops::Range<usize>; 3] = std::array::from_fn(|axis| {
         let faces = &grid.faces[axis];
-        let first = faces.partition_point(|f| *f <= position[axis] - reach[axis]).saturating_sub(1);
-        let last = faces.partition_point(|f| *f < position[axis] + reach[axis]);
+        let first = faces.partition_point(|f| *f <= low[axis]).saturating_sub(1);
+        let last = faces.partition_point(|f| *f < high[axis]);
         first..last.min(grid.cells()[axis])
     });
-    let rotation = attitude.inverse();
+    let (position, rotation) = (pose.position, fixed.attitude(pose).inverse());
     for k in ranges[2].clone() {
         for j in ranges[1].clone() {
             for i in ranges[0].clone() {

@@ -25,4 +25,4 @@ pub(crate) use overlap::remove_overlap;
 pub(crate) use problem::ContactNode;
 pub(crate) use search::{first_search, search};
 pub(crate) use solve::{ContactWork, solve};
-pub(crate) use surface::stays_across;
+pub(crate) use surface::{layout, stays_across};

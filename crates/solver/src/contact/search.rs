@@ -10,7 +10,7 @@ use crate::halo::{self, Halo};
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::state::{Contact, Soil, State};
-use glam::{DQuat, DVec3};
+use glam::DVec3;
 
 /// The first contact search of a run, which also computes the body volume fractions.
 pub(crate) fn first_search<R: Scalar>(
@@ -48,10 +48,10 @@ pub(crate) fn search<R: Scalar>(
     let mut found = Vec::with_capacity(state.contacts.len());
     let mut known = state.contacts.iter().peekable();
     for (n, surface) in surfaces.iter().enumerate() {
-        let (pose, attitude) = (state.pose(n), model.bodies[n].attitude(state.pose(n)));
+        let pose = state.pose(n);
         for (p, point) in surface.points().enumerate() {
             let known = known.next_if(|c| (c.body as usize, c.point as usize) == (n, p));
-            let in_space = [point.position, point.normal].map(|v| rotated(attitude, v));
+            let in_space = [point.position, point.normal].map(|v| model.bodies[n].rotated(pose, v));
             if let Some(mut contact) = view.find_contact(known, in_space, pose.position, law.as_ref()) {
                 (contact.body, contact.point) = (n as u32, p as u32);
                 (contact.side, contact.is_paired) = (point.side, point.is_paired);
@@ -78,11 +78,6 @@ fn all_contacts(found: Vec<Contact>, halo: &mut dyn Halo) -> Vec<Contact> {
     let own = found.iter().map(|c| (c.body as usize * POINTS + c.point as usize, c.to_array()));
     let of = |(number, values): (usize, _)| Contact::of([number / POINTS, number % POINTS], values);
     halo::in_order(halo, own).into_iter().map(of).collect()
-}
-
-/// Rotates a vector from the body frame to space; by nothing it keeps its bits.
-fn rotated(attitude: DQuat, v: DVec3) -> DVec3 {
-    if attitude == DQuat::IDENTITY { v } else { attitude * v }
 }
 
 /// Layer of the cell that holds a coordinate, if it is inside the grid.

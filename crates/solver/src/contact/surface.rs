@@ -1,9 +1,9 @@
 //! Contact points of a body's surface, stored compactly, since most of them never touch soil.
 
 use crate::model::{BodyModel, Model};
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use mechanics::Motion;
-use physics::shape::SurfacePoint;
+use physics::shape::{SurfacePoint, inset_in_frame};
 use std::collections::BTreeMap;
 
 /// Surface points of a body. Normals and areas that several points have in common are stored once.
@@ -48,17 +48,26 @@ fn are_mirrored(a: &SurfacePoint, b: &SurfacePoint) -> bool {
     flip(a.position) == b.position && flip(a.normal) == b.normal
 }
 
+/// Spacing of a body's contact points, and their inset from sharp edges along its own axes [m]. The cells near the body are
+/// taken to be the narrowest along each axis.
+pub(crate) fn layout(model: &Model, body: &BodyModel) -> (f64, DVec3) {
+    let finest = DVec3::from_array(std::array::from_fn(|axis| model.grid.finest_along(axis)));
+    let rotation = DMat3::from_quat(body.attitude(&body.start));
+    let inset = inset_in_frame(model.method.edge_inset * finest, rotation);
+    (model.method.point_spacing * model.grid.finest(), inset)
+}
+
 impl Surface {
     /// Surface points of a body, without those that always stay outside the grid, such as beyond a symmetry
-    /// plane. The cells near the body are taken to be the narrowest along each axis.
+    /// plane.
     pub(crate) fn new(model: &Model, body: &BodyModel) -> Self {
-        let finest = DVec3::from_array(std::array::from_fn(|axis| model.grid.finest_along(axis)));
-        let spacing = model.method.point_spacing * model.grid.finest();
-        let mut points = body.shape.surface_points(spacing, model.method.edge_inset * finest);
+        let (spacing, inset) = layout(model, body);
+        let mut points = body.shape.surface_points(spacing, inset);
         if stays_across(body, 1) {
             let [low, high] = model.grid.ends(1);
             let (low, high) = (low - spacing, high + spacing);
-            points.retain(|p| (low..=high).contains(&(body.start.position.y + p.position.y)));
+            let across = |p: &SurfacePoint| body.start.position.y + body.rotated(&body.start, p.position).y;
+            points.retain(|p| (low..=high).contains(&across(p)));
         }
         Self::of(&points)
     }

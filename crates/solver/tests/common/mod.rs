@@ -24,7 +24,7 @@ pub fn sand(faces: [Vec<f64>; 3]) -> Model {
         k0: 0.43,
         ..Material::linear_elastic(elastic, 1600.0)
     };
-    Model { gravity: 9.81, ..Model::bare(Grid::new(faces), material) }
+    Model { gravity: 9.81, soil_gravity: 9.81, ..Model::bare(Grid::new(faces), material) }
 }
 
 /// Soil everywhere below a height.

@@ -28,7 +28,7 @@ pub(super) fn sample<R: Precision>(
     BodySample {
         time: state.time,
         displacement: pose.position.x - fixed.start.position.x,
-        sinkage: model.surface - (pose.position.z + fixed.shape.bounds().0.z),
+        sinkage: model.surface - fixed.bounds(pose).0.z,
         drag: 0.0 - force.x,
         lateral: force.y,
         vertical: force.z,

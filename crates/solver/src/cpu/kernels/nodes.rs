@@ -26,7 +26,7 @@ impl NodeConstants {
         const LIGHT: f64 = 0.02;
         let light = LIGHT * model.least_density() * model.grid.finest().powi(3);
         let [dt, gravity, mass_moved, light] =
-            [dt, model.gravity, model.mass_moved(), light].map(|x| x as Real);
+            [dt, model.soil_gravity, model.mass_moved(), light].map(|x| x as Real);
         Self { dt, gravity, mass_moved, light }
     }
 }
