@@ -25,8 +25,9 @@ use watch::watch;
 /// Runs a case and writes its results.
 ///
 /// # Errors
-/// [`RunError`] when the physics fails or the results cannot be read or written.
+/// [`RunError`] when the case is not valid, the physics fails, or the results cannot be read or written.
 pub fn run(case: &Case, options: &RunOptions) -> Result<End, RunError> {
+    case::require_valid(case)?;
     let _lock = lock(options)?;
     if options.start == Start::AutoResume
         && let Some(summary) = ended_before(case, options.folder)?
