@@ -2,7 +2,7 @@
 
 use super::format::FORMAT;
 use super::keys::words::WALLS;
-use super::keys::{self, Bound, DefaultValue, Interval, Key, KeyTable, Kind};
+use super::keys::{self, AllowedRange, Bound, DefaultValue, Key, KeyTable, Kind};
 use serde_json::{Map, Value, json};
 
 /// The schema as pretty text with a newline at the end; `cases/schema.json` holds it.
@@ -78,7 +78,7 @@ fn default(default: &DefaultValue) -> Option<Value> {
 }
 
 /// A number in the range of its key.
-fn number(kind: &str, range: Option<Interval>) -> Value {
+fn number(kind: &str, range: Option<AllowedRange>) -> Value {
     let mut map = Map::from_iter([("type".to_owned(), json!(kind))]);
     let ends = range.map(|range| {
         [("minimum", "exclusiveMinimum", range.low), ("maximum", "exclusiveMaximum", range.high)]

@@ -1,7 +1,7 @@
 //! Keys of a rigid body.
 
+use super::allowed_range::{FRACTION, IN_THE_RUN, NOT_NEGATIVE, POSITIVE};
 use super::default_value::DefaultValue::{Derived, Quantity, Required, Word};
-use super::interval::{FRACTION, IN_THE_RUN, NOT_NEGATIVE, POSITIVE};
 use super::key::{Key, Kind, key};
 use super::words::{AXES, SHAPES};
 use crate::case::quantity::{ANGLE, FORCE, INERTIA, LENGTH, MASS, SPEED, TIME, TORQUE, TURN_RATE};

@@ -1,7 +1,7 @@
 //! Keys of the closed-form models.
 
+use super::allowed_range::{BACKFILL, EXPONENT, FRACTION, NOT_NEGATIVE, POSITIVE};
 use super::default_value::DefaultValue::{Derived, Number, Otherwise, Quantity, Word};
-use super::interval::{BACKFILL, EXPONENT, FRACTION, NOT_NEGATIVE, POSITIVE};
 use super::key::{Key, Kind, key};
 use super::words::{FACTORS, PUBLISHED_SOILS};
 use crate::case::quantity::{ANGLE, LENGTH, STRESS, UNIT_WEIGHT};

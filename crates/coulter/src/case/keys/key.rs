@@ -1,7 +1,7 @@
 //! A key of a case file and a section of keys.
 
+use super::allowed_range::AllowedRange;
 use super::default_value::DefaultValue;
-use super::interval::Interval;
 use crate::case::quantity::{Measure, plain, with_unit};
 
 /// What a value may be.
@@ -52,14 +52,14 @@ pub struct Key {
     /// What applies if it is left out.
     pub default: DefaultValue,
     /// Which numbers it allows; `None` for any, and where it has none.
-    pub range: Option<Interval>,
+    pub range: Option<AllowedRange>,
     /// What it means.
     pub meaning: &'static str,
 }
 
 impl Key {
     /// The same key with a range.
-    pub(super) const fn within(self, range: Interval) -> Self {
+    pub(super) const fn within(self, range: AllowedRange) -> Self {
         Self { range: Some(range), ..self }
     }
 

@@ -1,17 +1,17 @@
 //! Every key of a case file, with its kind, default, range and meaning. Reading, `validate`, the JSON schema and the
 //! documentation all follow from these tables.
 
+mod allowed_range;
 mod body;
 mod default_value;
 mod forecast;
-mod interval;
 mod key;
 mod run;
 mod soil;
 pub mod words;
 
+pub use allowed_range::{AllowedRange, Bound};
 pub use default_value::DefaultValue;
-pub use interval::{Bound, Interval};
 pub use key::{Key, KeyTable, Kind};
 
 use key::section;

@@ -1,7 +1,7 @@
 //! Keys at the top of the file, of the run, of what it writes and of the method.
 
+use super::allowed_range::{FRACTION, NOT_NEGATIVE, POSITIVE, POSITIVE_FRACTION, SPACING, THREADS};
 use super::default_value::DefaultValue::{ByLaw, Derived, DurationOver, Number, Quantity, Required, Word};
-use super::interval::{FRACTION, NOT_NEGATIVE, POSITIVE, POSITIVE_FRACTION, SPACING, THREADS};
 use super::key::{Key, Kind, key};
 use super::words::{CONTACTS, PRECISIONS};
 use crate::case::quantity::{ACCELERATION, LENGTH, TIME};

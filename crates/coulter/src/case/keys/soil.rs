@@ -1,7 +1,7 @@
 //! Keys of the soil, of the box round it and of the grid.
 
+use super::allowed_range::{ACUTE, BELOW_HALF, ECCENTRICITY, GROWTH, NOT_NEGATIVE, POSITIVE};
 use super::default_value::DefaultValue::{Derived, Flag, Number, Quantity, Required, Walls, Word};
-use super::interval::{ACUTE, BELOW_HALF, ECCENTRICITY, GROWTH, NOT_NEGATIVE, POSITIVE};
 use super::key::{Key, Kind, key};
 use super::words::{LAWS, POTENTIALS};
 use crate::case::quantity::{ANGLE, DENSITY, LENGTH, SPEED, STRESS, UNIT_WEIGHT};

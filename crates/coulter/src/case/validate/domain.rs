@@ -60,10 +60,6 @@ pub(super) fn ground_numbers(ground: &Ground, problems: &mut Problems) {
     for (axis, name) in ["x", "y"].into_iter().enumerate() {
         in_order(&format!("ground.{name}"), [low[axis], high[axis]], problems);
     }
-    if !(low.z < high.z) {
-        let message = format!("the soil begins at z = {} m, above its surface", plain(low.z));
-        problems.add("ground.surface", message, "let it begin at the floor of the box");
-    }
 }
 
 /// Reports ground that does not fit into the box.
@@ -77,8 +73,13 @@ pub(in crate::case) fn ground(ground: &Ground, domain: &Domain, problems: &mut P
             plain(domain.high.z)
         );
         problems.add("ground.surface", message, "change ground.surface or domain.z");
+        return;
     }
     let Ground::Column { low, high, radius } = *ground else { return };
+    if !(low.z < high.z) {
+        let message = format!("the soil begins at z = {} m, above its surface", plain(low.z));
+        problems.add("ground.surface", message, "let it begin at the floor of the box");
+    }
     if radius.is_some() && domain.plane_strain {
         let message = "a round column cannot be combined with plane_strain = true";
         problems.add("ground.radius", message, "remove `radius`, and give ground.x");

@@ -19,7 +19,7 @@ use Bound::{Exclusive, Inclusive};
 
 /// Which numbers a key allows, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Interval {
+pub struct AllowedRange {
     /// Low end.
     pub low: Bound,
     /// High end.
@@ -28,30 +28,31 @@ pub struct Interval {
     pub why: &'static str,
 }
 
-const fn from(low: Bound, high: Bound) -> Interval {
-    Interval { low, high, why: "" }
+const fn from(low: Bound, high: Bound) -> AllowedRange {
+    AllowedRange { low, high, why: "" }
 }
 
-pub(super) const POSITIVE: Interval = from(Exclusive(0.0), Bound::None);
-pub(super) const NOT_NEGATIVE: Interval = from(Inclusive(0.0), Bound::None);
-pub(super) const FRACTION: Interval = from(Inclusive(0.0), Inclusive(1.0));
-pub(super) const POSITIVE_FRACTION: Interval = from(Exclusive(0.0), Inclusive(1.0));
-pub(super) const BELOW_HALF: Interval =
-    Interval { low: Inclusive(0.0), high: Exclusive(0.5), why: "0.5 would be incompressible" };
-pub(super) const ACUTE: Interval = from(Inclusive(0.0), Exclusive(FRAC_PI_2));
-pub(super) const GROWTH: Interval = from(Inclusive(1.0), Inclusive(1.5));
-pub(super) const SPACING: Interval = from(Inclusive(0.05), Inclusive(4.0));
-pub(super) const ECCENTRICITY: Interval = from(Exclusive(0.5), Inclusive(1.0));
-pub(super) const EXPONENT: Interval = from(Inclusive(0.05), Inclusive(2.5));
-pub(super) const BACKFILL: Interval = from(Inclusive(-10.0 * (PI / 180.0)), Inclusive(25.0 * (PI / 180.0)));
-pub(super) const THREADS: Interval = from(Inclusive(0.0), Inclusive(MAX_WORKERS as f64));
-pub(super) const IN_THE_RUN: Interval = Interval {
+pub(super) const POSITIVE: AllowedRange = from(Exclusive(0.0), Bound::None);
+pub(super) const NOT_NEGATIVE: AllowedRange = from(Inclusive(0.0), Bound::None);
+pub(super) const FRACTION: AllowedRange = from(Inclusive(0.0), Inclusive(1.0));
+pub(super) const POSITIVE_FRACTION: AllowedRange = from(Exclusive(0.0), Inclusive(1.0));
+pub(super) const BELOW_HALF: AllowedRange =
+    AllowedRange { low: Inclusive(0.0), high: Exclusive(0.5), why: "0.5 would be incompressible" };
+pub(super) const ACUTE: AllowedRange = from(Inclusive(0.0), Exclusive(FRAC_PI_2));
+pub(super) const GROWTH: AllowedRange = from(Inclusive(1.0), Inclusive(1.5));
+pub(super) const SPACING: AllowedRange = from(Inclusive(0.05), Inclusive(4.0));
+pub(super) const ECCENTRICITY: AllowedRange = from(Exclusive(0.5), Inclusive(1.0));
+pub(super) const EXPONENT: AllowedRange = from(Inclusive(0.05), Inclusive(2.5));
+pub(super) const BACKFILL: AllowedRange =
+    from(Inclusive(-10.0 * (PI / 180.0)), Inclusive(25.0 * (PI / 180.0)));
+pub(super) const THREADS: AllowedRange = from(Inclusive(0.0), Inclusive(MAX_WORKERS as f64));
+pub(super) const IN_THE_RUN: AllowedRange = AllowedRange {
     low: Inclusive(0.0),
     high: Bound::None,
     why: "a negative time is before the start of the run",
 };
 
-impl Interval {
+impl AllowedRange {
     /// Whether it contains a number; not-a-number is in no range.
     #[must_use]
     pub fn contains(&self, number: f64) -> bool {
