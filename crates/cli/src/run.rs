@@ -93,6 +93,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Err(error @ (RunError::Physics { .. } | RunError::BrokeDownBefore { .. })) => {
             Err(Failure::Physics(error.to_string()))
         }
+        Err(RunError::Case(error)) => Err(error.into()),
         Err(error) => Err(refusal(&error, &options)),
     }
 }

@@ -1,7 +1,7 @@
 //! The simulation of a case: its model, its state, the loop of a run, and who observes it.
 
 use crate::case::model::model;
-use crate::case::{Case, case_text};
+use crate::case::{Case, CaseError, case_text, require_valid};
 use crate::history::History;
 use crate::history::probes::{self, LastSample};
 use crate::history::reference::Reference;
@@ -96,7 +96,20 @@ pub struct Simulation<R: Precision = f64> {
 }
 
 impl<R: Precision> Simulation<R> {
-    /// A run from the start.
+    /// A run from the start, of a case from anywhere.
+    ///
+    /// # Errors
+    /// [`CaseError`] holds everything that is wrong with the case.
+    pub fn checked(case: &Case) -> Result<Self, CaseError> {
+        require_valid(case)?;
+        Ok(Self::new(case))
+    }
+
+    /// A run from the start, of a valid case: one that was read, or in which [`crate::case::validate`] finds no problem. For any
+    /// other there is [`Simulation::checked`].
+    ///
+    /// # Panics
+    /// May panic if the case is not valid.
     #[must_use]
     pub fn new(case: &Case) -> Self {
         let model = model(case, R::LANES);

@@ -1,8 +1,10 @@
 //! The tables of docs/case-file.md, generated from the tables of keys.
 
 use super::format::{FORMAT, RENAMED_KEYS, RENAMED_VALUES};
-use super::keys::{self, Kind, words};
+use super::keys::{self, KeyTable, Kind, MOTION, words};
 use std::fmt::Write;
+
+const HEADER: &str = "| key | value | default | meaning |\n|---|---|---|---|\n";
 
 /// One table for each section, in Markdown.
 #[must_use]
@@ -15,25 +17,24 @@ pub fn tables() -> String {
             name => format!("`[{name}]`"),
         };
         // Writing to a string cannot fail.
-        let _ = write!(
-            text,
-            "### {heading}\n{}\n\n| key | value | default | meaning |\n|---|---|---|---|\n",
-            section.meaning
-        );
-        for key in section.keys {
-            let _ = writeln!(
-                text,
-                "| `{}` | {} | {} | {} |",
-                key.name,
-                kind(&key.kind),
-                key.default,
-                key.meaning
-            );
-        }
-        text.push('\n');
+        let _ = write!(text, "### {heading}\n{}\n\n{HEADER}", section.meaning);
+        rows(&section, &mut text);
     }
+    let _ = write!(text, "### A motion\n{}\n\n{HEADER}", MOTION.meaning);
+    rows(&MOTION, &mut text);
     text.push_str(&renamed());
     text
+}
+
+/// A line for each key of a section.
+fn rows(section: &KeyTable, text: &mut String) {
+    for key in section.keys {
+        let range = key.range_text().map_or_else(String::new, |range| format!("; {range}"));
+        let (value, default) = (kind(&key.kind), key.default.text());
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "| `{}` | {value}{range} | {default} | {} |", key.name, key.meaning);
+    }
+    text.push('\n');
 }
 
 /// The names that have changed since the previous format.

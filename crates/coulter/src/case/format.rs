@@ -1,7 +1,7 @@
 //! The version of the case-file format, and the names that have changed since the version before.
 
-use super::problem::{Location, Problems};
-use super::tree::{Node, Value};
+use super::problem::Problems;
+use super::tree::Value;
 
 /// Version of the case-file format that this program reads and writes.
 pub const FORMAT: u32 = 2;
@@ -73,15 +73,15 @@ pub(crate) fn new_name(typed: &str) -> Option<String> {
 /// Reports a file that does not say in which format it is written.
 pub(super) fn missing(problems: &mut Problems) {
     problems.add(
-        &Location::file(),
+        "format",
         "`format` is missing: the file does not say in which version of the case-file format it is written",
         format!("add  format = {FORMAT}  at the top of the file, before the first section"),
     );
 }
 
 /// Reports a format that this program does not read.
-pub(super) fn check(node: &Node, problems: &mut Problems) {
-    let (message, cure) = match node.value {
+pub(super) fn check(node: &Value, problems: &mut Problems) {
+    let (message, cure) = match *node {
         Value::Integer(version) if version == i64::from(FORMAT) => return,
         Value::Integer(version) if version > i64::from(FORMAT) => (
             format!("format = {version} is newer than this version of Coulter, which reads format {FORMAT}"),
@@ -96,11 +96,11 @@ pub(super) fn check(node: &Node, problems: &mut Problems) {
             format!("write  format = {FORMAT}"),
         ),
         _ => (
-            format!("format: expected a whole number, found {}", node.value.kind()),
+            format!("format: expected a whole number, found {}", node.kind()),
             format!("write  format = {FORMAT}"),
         ),
     };
-    problems.add(&node.location, message, cure);
+    problems.add("format", message, cure);
 }
 
 #[cfg(test)]
@@ -119,7 +119,7 @@ mod tests {
     /// The problem whose message and cure contain these words.
     #[track_caller]
     fn problem_line(error: &CaseError, message: &[&str], cure: &str) -> usize {
-        let fits = |p: &&super::super::Problem| {
+        let fits = |p: &&super::super::LocatedProblem| {
             message.iter().all(|word| p.message.contains(word)) && p.cure.contains(cure)
         };
         error.problems.iter().find(fits).unwrap_or_else(|| panic!("{error:?}")).line

@@ -2,7 +2,7 @@
 
 use super::format::FORMAT;
 use super::keys::words::WALLS;
-use super::keys::{self, KeyTable, Kind};
+use super::keys::{self, AllowedRange, Bound, DefaultValue, Key, KeyTable, Kind};
 use serde_json::{Map, Value, json};
 
 /// The schema as pretty text with a newline at the end; `cases/schema.json` holds it.
@@ -38,7 +38,7 @@ fn schema() -> Value {
 
 fn object(section: &KeyTable) -> Value {
     let required: Vec<&str> =
-        section.keys.iter().filter(|k| k.default == "required").map(|k| k.name).collect();
+        section.keys.iter().filter(|k| k.default == DefaultValue::Required).map(|k| k.name).collect();
     json!({
         "type": "object",
         "description": section.meaning,
@@ -49,23 +49,57 @@ fn object(section: &KeyTable) -> Value {
 }
 
 fn keys_of(section: &KeyTable) -> Map<String, Value> {
-    let one = |key: &keys::Key| {
-        let mut value = kind(&key.kind);
-        if let Value::Object(map) = &mut value {
-            map.insert("description".into(), format!("{} Default: {}.", key.meaning, key.default).into());
-        }
-        (key.name.to_owned(), value)
-    };
-    section.keys.iter().map(one).collect()
+    section.keys.iter().map(|key| (key.name.to_owned(), property(key))).collect()
 }
 
-fn kind(kind: &Kind) -> Value {
+fn property(key: &Key) -> Value {
+    let mut value = kind(key);
+    if let Value::Object(map) = &mut value {
+        map.insert("description".into(), description(key).into());
+        map.extend(default(&key.default).map(|value| ("default".to_owned(), value)));
+    }
+    value
+}
+
+fn description(key: &Key) -> String {
+    let range = key.range_text().map_or_else(String::new, |range| format!(" Allowed: {range}."));
+    format!("{}{range} Default: {}.", key.meaning, key.default.text())
+}
+
+/// A default as it would be typed.
+fn default(default: &DefaultValue) -> Option<Value> {
+    match *default {
+        DefaultValue::Number(number) => Some(json!(number)),
+        DefaultValue::Quantity(text) | DefaultValue::Word(text) => Some(json!(text)),
+        DefaultValue::Flag(flag) => Some(json!(flag)),
+        DefaultValue::Walls(walls) => Some(json!(walls)),
+        _ => None,
+    }
+}
+
+/// A number in the range of its key.
+fn number(kind: &str, range: Option<AllowedRange>) -> Value {
+    let mut map = Map::from_iter([("type".to_owned(), json!(kind))]);
+    let ends = range.map(|range| {
+        [("minimum", "exclusiveMinimum", range.low), ("maximum", "exclusiveMaximum", range.high)]
+    });
+    for (inclusive, exclusive, bound) in ends.into_iter().flatten() {
+        match bound {
+            Bound::None => None,
+            Bound::Inclusive(end) => map.insert(inclusive.into(), json!(end)),
+            Bound::Exclusive(end) => map.insert(exclusive.into(), json!(end)),
+        };
+    }
+    Value::Object(map)
+}
+
+fn kind(key: &Key) -> Value {
     let quantity = |example: &str| json!({ "type": "string", "examples": [example] });
-    match kind {
+    match &key.kind {
         Kind::Text => json!({ "type": "string" }),
         Kind::Format => json!({ "const": FORMAT }),
-        Kind::Number => json!({ "type": "number" }),
-        Kind::Count => json!({ "type": "integer", "minimum": 0 }),
+        Kind::Number => number("number", key.range),
+        Kind::Count => number("integer", key.range),
         Kind::Flag => json!({ "type": "boolean" }),
         Kind::Quantity(measure) => quantity(measure.example),
         Kind::Choice(words) => json!({ "enum": words }),
@@ -77,7 +111,7 @@ fn kind(kind: &Kind) -> Value {
         }
         Kind::Modulus(offset) => quantity(&format!("102 kN/m^(n+{offset})")),
         Kind::Friction => json!({ "anyOf": [
-            { "type": "number", "minimum": 0 }, { "const": "rough" },
+            number("number", key.range), { "const": "rough" },
             { "type": "string", "pattern": "±", "examples": ["0.3 ± 0.05"] },
         ] }),
         Kind::WallPair => {
@@ -85,11 +119,19 @@ fn kind(kind: &Kind) -> Value {
         }
         Kind::Motion { still, speed, load } => json!({ "anyOf": [
             { "enum": [still, "free"] },
-            { "type": "object", "additionalProperties": false, "required": ["speed"], "properties": {
-                "speed": quantity(speed.example), "start": quantity("0.3 s"), "ramp": quantity("0.1 s"),
-                "end": quantity("2 s") } },
-            { "type": "object", "additionalProperties": false, "required": ["load"], "properties": {
-                "load": quantity(load.example), "start": quantity("0.3 s"), "ramp": quantity("0.1 s") } },
+            motion(speed.example, "speed", &["start", "ramp", "end"]),
+            motion(load.example, "load", &["start", "ramp"]),
         ] }),
     }
+}
+
+/// A motion that is written as a table: a speed or a load, and its times.
+fn motion(example: &str, cause: &str, times: &[&str]) -> Value {
+    let mut properties: Map<String, Value> = times
+        .iter()
+        .filter_map(|name| keys::MOTION.key(name))
+        .map(|key| (key.name.to_owned(), property(key)))
+        .collect();
+    properties.insert(cause.to_owned(), json!({ "type": "string", "examples": [example] }));
+    json!({ "type": "object", "additionalProperties": false, "required": [cause], "properties": properties })
 }

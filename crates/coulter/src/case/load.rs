@@ -1,9 +1,13 @@
-//! From the text of a case file, and overrides, to a case.
+//! From the text of a case file, and overrides, or from nested maps, to a case that has been checked.
 
-use super::problem::{CaseError, Problems, Source};
+use super::error::CaseError;
+use super::problem::Problems;
 use super::resolved::Case;
+use super::toml_tree::{self, TomlTree};
+use super::tree::{Entry, Value};
 use super::uncertainty::{self, StandardDeviation};
-use super::{resolve, schema, tree};
+use super::validate::validate;
+use super::{json_tree, resolve, schema};
 use std::path::Path;
 
 /// Reads the case file at `path`, with overrides such as `soil.friction_angle=38 deg`.
@@ -75,28 +79,67 @@ pub fn parse(text: &str, source_name: &str, overrides: &[String]) -> Result<Case
     parse_with_deviations(text, source_name, overrides).map(|(case, _)| case)
 }
 
+/// Reads a case from nested maps, with the keys of a case file and the values as they are typed there: `{"soil":
+/// {"cohesion": "2 kPa"}, …}`. Bodies are in the order of the map. `name` is what to call the case in messages, and its name if it
+/// gives itself none.
+///
+/// # Errors
+/// [`CaseError`] holds everything that is wrong, each with the path of its key; there are no lines.
+pub fn from_json(value: &serde_json::Value, name: &str) -> Result<Case, CaseError> {
+    let tree = match json_tree::tree(value) {
+        Value::Table(entries) => entries,
+        other => {
+            let message = format!("a case must be a table, not {}", other.kind());
+            return Err(CaseError::unreadable(name, message, "give a map of its sections"));
+        }
+    };
+    refuse_empty(&tree, name)?;
+    let (case, _) = build(tree, name).map_err(|problems| CaseError::new(name, problems.into_list()))?;
+    Ok(case)
+}
+
 pub(super) fn parse_with_deviations(
     text: &str,
     source_name: &str,
     overrides: &[String],
 ) -> Result<(Case, Vec<StandardDeviation>), CaseError> {
-    let mut problems = Problems::new(Source { name: source_name.to_owned(), text: text.to_owned() });
-    let mut root = tree::read(&mut problems, overrides);
+    let TomlTree { tree, places, problems } = toml_tree::read(source_name, text, overrides);
     if !problems.is_empty() {
-        return Err(problems.into_error());
+        return Err(places.error_at(problems));
     }
-    if root.is_empty() {
-        let message = format!("{source_name}: the case is empty");
-        return Err(CaseError::unreadable(
-            source_name,
-            message,
-            "`coulter new towed-disc` writes one to start from",
-        ));
+    refuse_empty(&tree, source_name)?;
+    build(tree, source_name).map_err(|problems| places.error(problems.into_aimed()))
+}
+
+/// Refuses a case that cannot be simulated, however it was made.
+///
+/// # Errors
+/// [`CaseError`] holds everything that [`validate`] finds wrong with it.
+pub fn require_valid(case: &Case) -> Result<(), CaseError> {
+    let problems = validate(case);
+    if problems.is_empty() { Ok(()) } else { Err(CaseError::new(&case.name, problems)) }
+}
+
+fn refuse_empty(tree: &[Entry], name: &str) -> Result<(), CaseError> {
+    if tree.is_empty() {
+        let message = format!("{name}: the case is empty");
+        let cure = "`coulter new towed-disc` writes one to start from";
+        return Err(CaseError::unreadable(name, message, cure));
     }
-    let deviations = uncertainty::separate(&mut root, &mut problems);
-    let schema = schema::read(&root, &mut problems);
-    match resolve::resolve(&schema, source_name, &mut problems) {
+    Ok(())
+}
+
+/// From the tree to a case that has been checked, whatever the tree was read from.
+fn build(mut tree: Vec<Entry>, name: &str) -> Result<(Case, Vec<StandardDeviation>), Problems> {
+    let mut problems = Problems::default();
+    let deviations = uncertainty::separate(&mut tree, &mut problems);
+    let schema = schema::read(&tree, &mut problems);
+    let case = resolve::resolve(&schema, name, &mut problems);
+    if let Some(case) = &case {
+        problems.extend(validate(case));
+    }
+    match case {
         Some(case) if problems.is_empty() => Ok((case, deviations)),
-        _ => Err(problems.into_error()),
+        _ => Err(problems),
     }
 }

@@ -1,38 +1,49 @@
-//! The case: what was typed (`schema`), and what it means (`Case`, SI units).
+//! The case: what was typed (`schema`), what it means (`Case`, SI units), and whether it can be simulated (`validate`).
+//!
+//! A case is read from a file ([`load`]), from its text ([`parse`]) or from nested maps ([`from_json`]), and each of these
+//! checks it. One that is made or changed by hand is checked by [`validate`].
 
 mod advice;
 pub mod documentation;
+mod error;
 pub mod estimate;
 pub mod format;
 pub mod json_schema;
+mod json_tree;
 pub mod keys;
 mod load;
 pub mod machine;
+mod missing;
 pub mod model;
 mod names;
+mod numbers;
 pub mod output_size;
 mod overrides;
 mod path;
+mod places;
 mod problem;
 pub mod quantity;
-mod ranges;
 mod resolve;
 pub mod resolved;
 pub mod resources;
 mod schema;
 pub mod shapes;
+mod toml_tree;
 mod tree;
 mod typed;
 mod uncertainty;
 mod units;
 mod unknown;
+mod validate;
 mod values;
 
 pub use advice::advice;
+pub use error::{CaseError, LocatedProblem};
 pub use format::FORMAT;
-pub use load::{load, load_with_deviations, parse};
+pub use load::{from_json, load, load_with_deviations, parse, require_valid};
 pub use overrides::overridden;
 pub(crate) use path::travel;
-pub use problem::{CaseError, Problem};
+pub use problem::Problem;
 pub use resolved::{Case, case_text};
 pub use uncertainty::StandardDeviation;
+pub use validate::validate;

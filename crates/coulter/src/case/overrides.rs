@@ -1,8 +1,8 @@
 //! The text of a case with overrides written into it, so that a result can be repeated from one file.
 
+use super::error::CaseError;
 use super::load::parse;
-use super::problem::CaseError;
-use super::tree;
+use super::toml_tree::split_override;
 use toml_edit::{DocumentMut, Item, Table, TableLike, Value};
 
 /// The text of a case with its overrides in it; comments stay.
@@ -16,7 +16,7 @@ pub fn overridden(text: &str, source_name: &str, overrides: &[String]) -> Result
     };
     let mut document: DocumentMut = text.parse().map_err(|_| broken("not valid TOML"))?;
     for assignment in overrides {
-        let written = tree::split_override(assignment).and_then(|(keys, value)| {
+        let written = split_override(assignment).and_then(|(keys, value)| {
             let value = value.parse::<Value>().unwrap_or_else(|_| Value::from(value));
             set(document.as_table_mut(), &keys, value)
         });

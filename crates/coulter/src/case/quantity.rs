@@ -13,40 +13,47 @@ pub struct Measure {
     pub name: &'static str,
     /// Its dimension.
     pub dimension: Dimension,
+    /// The unit in which it is shown: that of the SI, degrees for an angle.
+    pub unit: &'static str,
     /// A value as one would write it.
     pub example: &'static str,
 }
 
-const fn measure(name: &'static str, exponents: [i32; 4], example: &'static str) -> Measure {
-    Measure { name, dimension: Dimension(exponents), example }
+const fn measure(
+    name: &'static str,
+    exponents: [i32; 4],
+    unit: &'static str,
+    example: &'static str,
+) -> Measure {
+    Measure { name, dimension: Dimension(exponents), unit, example }
 }
 
 /// A length [m].
-pub const LENGTH: Measure = measure("a length", [1, 0, 0, 0], "12.5 mm");
+pub const LENGTH: Measure = measure("a length", [1, 0, 0, 0], "m", "12.5 mm");
 /// A mass [kg].
-pub const MASS: Measure = measure("a mass", [0, 1, 0, 0], "4 kg");
+pub const MASS: Measure = measure("a mass", [0, 1, 0, 0], "kg", "4 kg");
 /// A time [s].
-pub const TIME: Measure = measure("a time", [0, 0, 1, 0], "0.3 s");
+pub const TIME: Measure = measure("a time", [0, 0, 1, 0], "s", "0.3 s");
 /// An angle [rad].
-pub const ANGLE: Measure = measure("an angle", [0, 0, 0, 1], "35 deg");
+pub const ANGLE: Measure = measure("an angle", [0, 0, 0, 1], "deg", "35 deg");
 /// A speed [m/s].
-pub const SPEED: Measure = measure("a speed", [1, 0, -1, 0], "0.2 m/s");
+pub const SPEED: Measure = measure("a speed", [1, 0, -1, 0], "m/s", "0.2 m/s");
 /// An acceleration [m/s²].
-pub const ACCELERATION: Measure = measure("an acceleration", [1, 0, -2, 0], "9.81 m/s^2");
+pub const ACCELERATION: Measure = measure("an acceleration", [1, 0, -2, 0], "m/s^2", "9.81 m/s^2");
 /// A rate of turning [rad/s].
-pub const TURN_RATE: Measure = measure("a rate of turning", [0, 0, -1, 1], "3 rad/s");
+pub const TURN_RATE: Measure = measure("a rate of turning", [0, 0, -1, 1], "rad/s", "3 rad/s");
 /// A density [kg/m³].
-pub const DENSITY: Measure = measure("a density", [-3, 1, 0, 0], "1600 kg/m^3");
+pub const DENSITY: Measure = measure("a density", [-3, 1, 0, 0], "kg/m^3", "1600 kg/m^3");
 /// A force [N].
-pub const FORCE: Measure = measure("a force", [1, 1, -2, 0], "40 N");
+pub const FORCE: Measure = measure("a force", [1, 1, -2, 0], "N", "40 N");
 /// A torque [N m].
-pub const TORQUE: Measure = measure("a torque", [2, 1, -2, 0], "2 N*m");
+pub const TORQUE: Measure = measure("a torque", [2, 1, -2, 0], "N*m", "2 N*m");
 /// A stress [Pa].
-pub const STRESS: Measure = measure("a stress", [-1, 1, -2, 0], "5 MPa");
+pub const STRESS: Measure = measure("a stress", [-1, 1, -2, 0], "Pa", "5 MPa");
 /// A unit weight [N/m³].
-pub const UNIT_WEIGHT: Measure = measure("a unit weight", [-2, 1, -2, 0], "16 kN/m^3");
+pub const UNIT_WEIGHT: Measure = measure("a unit weight", [-2, 1, -2, 0], "N/m^3", "16 kN/m^3");
 /// A moment of inertia [kg m²].
-pub const INERTIA: Measure = measure("a moment of inertia", [2, 1, 0, 0], "0.02 kg*m^2");
+pub const INERTIA: Measure = measure("a moment of inertia", [2, 1, 0, 0], "kg*m^2", "0.02 kg*m^2");
 
 /// Every measure that has a name, to name a wrong one.
 const NAMED: [Measure; 13] = [
@@ -165,8 +172,27 @@ pub fn plain(number: f64) -> String {
     format!("{number:.6e}").parse::<f64>().unwrap_or(number).to_string()
 }
 
+/// A number in SI units for display, in the unit of its measure: `90 deg`.
+#[must_use]
+pub fn with_unit(number: f64, measure: &Measure) -> String {
+    // The unit of every measure can be read: a test reads them all.
+    let size = units::parse(measure.unit).map_or(1.0, |(size, _)| size);
+    format!("{} {}", plain(number / size), measure.unit)
+}
+
 #[cfg(test)]
 mod tests {
+    #[test]
+    fn every_measure_is_shown_in_its_unit() {
+        for measure in super::NAMED {
+            let text = super::with_unit(0.5, &measure);
+            let value = super::parse(&text, &measure).unwrap();
+            assert!((value - 0.5).abs() < 1e-6, "{text}: {value}");
+        }
+        let right = std::f64::consts::FRAC_PI_2;
+        assert_eq!(super::with_unit(right, &super::ANGLE), "90 deg");
+    }
+
     #[test]
     fn displayed_numbers_have_no_rounding_noise() {
         let shown =

@@ -1,11 +1,12 @@
-//! What a case means: every default filled in, every number in SI units, every check passed.
+//! What a case means: every default filled in, every number in SI units. It is plain data: [`super::validate`] says whether it
+//! can be simulated.
 
 use super::shapes::Shape;
 use glam::DVec3;
 pub use mechanics::Motion;
 use serde::Serialize;
 
-/// A case, ready to be simulated.
+/// A case. One that was read is valid; one that is made or changed by hand is checked by [`super::validate`].
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Case {
     /// Short name, also of the results folder. Letters, digits, `-` and `_`.
@@ -298,26 +299,26 @@ pub enum Precision {
     Single,
 }
 
-/// Parameters of the method. The defaults are the parameter card of the docs; change them to study the method.
+/// Parameters of the method; change them to study it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Numerics {
-    /// Courant number of the time step (0.5).
+    /// Courant number of the time step.
     pub courant: f64,
-    /// Displacement in cell widths at which a remap is due (0.1).
+    /// Displacement in cell widths at which a remap is due.
     pub remap_displacement: f64,
-    /// Coefficient of hourglass viscosity (0.01).
+    /// Coefficient of hourglass viscosity.
     pub hourglass: f64,
-    /// Fraction of the hourglass viscosity that acts in cells that yield (1).
+    /// Fraction of the hourglass viscosity that acts in cells that yield.
     pub hourglass_yielding: f64,
-    /// Linear coefficient of bulk viscosity b₁ (0.02; 0.06 for Tresca and von Mises).
+    /// Linear coefficient of bulk viscosity b₁.
     pub bulk_viscosity_linear: f64,
-    /// Quadratic coefficient of bulk viscosity b₂ (1.2).
+    /// Quadratic coefficient of bulk viscosity b₂.
     pub bulk_viscosity_quadratic: f64,
     /// Contact method.
     pub contact: Contact,
-    /// Distance of contact points from sharp edges, in cell widths (0.5).
+    /// Distance of contact points from sharp edges, in cell widths.
     pub edge_inset: f64,
-    /// Spacing of contact points, in cell widths (0.25).
+    /// Spacing of contact points, in cell widths.
     pub point_spacing: f64,
     /// Threads; 0 for one per core.
     pub threads: usize,

@@ -1,26 +1,23 @@
-//! Checks the tree of a case file against the tables of keys. Nothing is interpreted here.
+//! Checks the tree of a case against the tables of keys, and fills in their defaults. Nothing is interpreted here.
 
 use super::format;
-use super::keys;
-use super::names::is_device;
-use super::problem::{Location, Problems};
-use super::tree::{Entry, Value};
+use super::keys::{self, DefaultValue, KeyTable};
+use super::problem::Problems;
+use super::tree::{Entry, Value, join};
 use super::typed::{Given, Schema, Section};
 use super::unknown::unknown;
+use super::validate::names::{body_name, number_of_bodies};
 use super::values::value;
 
 /// Checks the tree against the tables of keys.
 pub(super) fn read(root: &[Entry], problems: &mut Problems) -> Schema {
     let names: Vec<&str> = keys::SECTIONS.iter().map(|s| s.name).filter(|n| !n.is_empty()).collect();
     let (sections, plain): (Vec<&Entry>, Vec<&Entry>) = root.iter().partition(|e| names.contains(&&*e.key));
-    let top_keys = keys::find("").map_or(&[][..], |s| s.keys);
-    let mut top = Section::empty("", Location::file());
+    let mut top = with_defaults("", "");
+    let top_keys = table("").keys;
     for entry in plain {
         match top_keys.iter().find(|k| k.name == entry.key) {
-            Some(key) => {
-                let value = value(&entry.node, &key.kind, key.name, problems);
-                top.insert(key.name, value, entry.node.location.clone());
-            }
+            Some(key) => top.insert(key.name, value(&entry.value, &key.kind, key.name, problems)),
             None => {
                 unknown(entry, "", top_keys.iter().map(|k| k.name).chain(names.iter().copied()), problems)
             }
@@ -31,7 +28,7 @@ pub(super) fn read(root: &[Entry], problems: &mut Problems) -> Schema {
     }
     let mut one = |name: &str| match sections.iter().find(|e| e.key == name) {
         Some(entry) => section(entry, name, name, problems),
-        None => Section::empty(name, Location::file()),
+        None => with_defaults(name, name),
     };
     let (soil, ground, domain, grid) = (one("soil"), one("ground"), one("domain"), one("grid"));
     let (run, output, numerics, forecast) = (one("run"), one("output"), one("numerics"), one("forecast"));
@@ -39,65 +36,135 @@ pub(super) fn read(root: &[Entry], problems: &mut Problems) -> Schema {
     Schema { top, soil, ground, domain, grid, bodies, run, output, numerics, forecast }
 }
 
-/// Largest number of bodies; with more, the text and the report become unreadable.
-const MAX_BODIES: usize = 500;
+/// The table of keys of a kind of section.
+fn table(kind: &str) -> &'static KeyTable {
+    const NONE: KeyTable = KeyTable { name: "", meaning: "", keys: &[] };
+    keys::find(kind).unwrap_or(&NONE)
+}
+
+/// A section in which nothing is given.
+fn with_defaults(kind: &str, path: &str) -> Section {
+    let mut section = Section::empty(path);
+    for key in table(kind).keys {
+        if let Some(default) = as_typed(&key.default) {
+            // Every default can be read: a test reads them all.
+            section.insert_default(
+                key.name,
+                value(&default, &key.kind, &join(path, key.name), &mut Problems::default()),
+            );
+        }
+    }
+    section
+}
+
+/// A default as it would be typed; `None` if it is derived, or if there is none.
+fn as_typed(default: &DefaultValue) -> Option<Value> {
+    match *default {
+        DefaultValue::Number(number) => {
+            Some(if number.fract() == 0.0 { Value::Integer(number as i64) } else { Value::Number(number) })
+        }
+        DefaultValue::Quantity(text)
+        | DefaultValue::Otherwise { quantity: text, .. }
+        | DefaultValue::Word(text) => Some(Value::Text(text.to_owned())),
+        DefaultValue::Flag(flag) => Some(Value::Flag(flag)),
+        DefaultValue::Walls(walls) => {
+            Some(Value::List(walls.map(|wall| Value::Text(wall.to_owned())).into()))
+        }
+        DefaultValue::Required
+        | DefaultValue::DurationOver(_)
+        | DefaultValue::ByLaw { .. }
+        | DefaultValue::Derived(_) => None,
+    }
+}
 
 fn bodies(entry: &Entry, problems: &mut Problems) -> Vec<Section> {
-    let Value::Table(table) = &entry.node.value else {
-        let message = format!("`body` must be a table, not {}", entry.node.value.kind());
-        problems.add(&entry.node.location, message, "give every body its own section: [body.disc]");
+    let Value::Table(table) = &entry.value else {
+        let message = format!("`body` must be a table, not {}", entry.value.kind());
+        problems.add("body", message, "give every body its own section: [body.disc]");
         return Vec::new();
     };
-    if table.len() > MAX_BODIES {
-        let message = format!("{} bodies; at most {MAX_BODIES} are allowed", table.len());
-        problems.add(&entry.key_location, message, "model fewer of them, or each group in a separate case");
+    if !number_of_bodies(table.len(), problems) {
         return Vec::new();
     }
     let mut list = Vec::new();
     for named in table {
-        let is_plain = named.key.chars().all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '_');
-        if named.key.is_empty() || !is_plain || is_device(&named.key) {
-            let message = format!("\"{}\" is not a valid name for a body", named.key);
-            problems.add(
-                &named.key_location,
-                message,
-                "use letters, digits, `-` and `_`, but not the name of a Windows device",
-            );
-        } else if matches!(named.node.value, Value::Table(_)) {
-            list.push(section(named, "body", &format!("body.{}", named.key), problems));
+        let path = join("body", &named.key);
+        if !body_name(&named.key, problems) {
+            continue;
+        }
+        if matches!(named.value, Value::Table(_)) {
+            list.push(section(named, "body", &path, problems));
         } else {
             let message = format!("`{}` is in [body], which has no keys of its own", named.key);
-            problems.add(&named.key_location, message, "give the body a name in its heading: [body.disc]");
+            problems.add_to_name(path, message, "give the body a name in its heading: [body.disc]");
         }
     }
     list
 }
 
 fn section(entry: &Entry, kind: &str, path: &str, problems: &mut Problems) -> Section {
-    let mut read = Section::empty(path, entry.key_location.clone());
-    let known = keys::find(kind).map_or(&[][..], |s| s.keys);
-    let Value::Table(table) = &entry.node.value else {
-        let message = format!("`{path}` must be a section, not {}", entry.node.value.kind());
-        problems.add(&entry.node.location, message, format!("write it as a heading: [{path}]"));
+    let mut read = with_defaults(kind, path);
+    let known = table(kind).keys;
+    let Value::Table(table) = &entry.value else {
+        let message = format!("`{path}` must be a section, not {}", entry.value.kind());
+        problems.add(path, message, format!("write it as a heading: [{path}]"));
         for key in known {
-            read.insert(key.name, Given::Broken, entry.node.location.clone());
+            read.insert(key.name, Given::Broken);
         }
         return read;
     };
     for inner in table {
         if let Some(new) = format::new_key(path, &inner.key) {
             let message = format!("`{path}.{}` is now called `{path}.{new}`", inner.key);
-            problems.add(&inner.key_location, message, format!("write {new} instead of {}", inner.key));
-            read.insert(new, Given::Broken, inner.key_location.clone());
+            problems.add_to_name(
+                join(path, &inner.key),
+                message,
+                format!("write {new} instead of {}", inner.key),
+            );
+            read.insert(new, Given::Broken);
             continue;
         }
         match known.iter().find(|k| k.name == inner.key) {
             Some(key) => {
-                let value = value(&inner.node, &key.kind, &format!("{path}.{}", key.name), problems);
-                read.insert(key.name, value, inner.node.location.clone());
+                read.insert(key.name, value(&inner.value, &key.kind, &join(path, key.name), problems));
             }
             None => unknown(inner, path, known.iter().map(|k| k.name), problems),
         }
     }
     read
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_default_can_be_read_and_is_in_the_range_of_its_key() {
+        let tables = keys::SECTIONS.iter().chain([&keys::MOTION]);
+        let of = |table: &KeyTable, name| match table.name {
+            "body" => format!("body.disc.{name}"),
+            "motion" => format!("body.disc.forward.{name}"),
+            section => join(section, name),
+        };
+        for (path, key) in tables.flat_map(|t| t.keys.iter().map(move |key| (of(t, key.name), key))) {
+            assert_eq!(keys::at(&path).unwrap().meaning, key.meaning, "{path}");
+            let Some(default) = as_typed(&key.default) else { continue };
+            let mut problems = Problems::default();
+            assert_ne!(value(&default, &key.kind, &path, &mut problems), Given::Broken);
+            assert!(problems.is_empty(), "{problems:?}");
+        }
+    }
+
+    #[test]
+    fn numbers_that_are_derived_are_in_the_range_of_their_key() {
+        for key in keys::SECTIONS.iter().flat_map(|table| table.keys) {
+            let by_law = ["tresca", "elastic"].map(|law| key.default.for_law(law));
+            let all = by_law.into_iter().chain([key.default.of_duration(2.0)]).flatten();
+            assert!(
+                all.into_iter().all(|n| key.range.is_some_and(|range| range.contains(n))),
+                "{}",
+                key.name
+            );
+        }
+    }
 }

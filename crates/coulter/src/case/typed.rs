@@ -1,14 +1,7 @@
-//! The content of a case file as typed: sections, values and their locations.
+//! The content of a case as typed: sections and values in SI units, with the defaults of the keys that are left out.
 
-use super::problem::Location;
+use super::tree::join;
 use std::collections::BTreeMap;
-
-/// A value and its location.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Typed<T> {
-    pub(super) value: T,
-    pub(super) location: Location,
-}
 
 /// A value of the right type, in SI units.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,85 +9,94 @@ pub(super) enum Given {
     Text(String),
     Number(f64),
     Flag(bool),
-    List(Vec<Typed<f64>>),
+    List(Vec<f64>),
     Words(Vec<String>),
     Motion(Motion),
     /// Reported already; counts as given, so that it is not reported as missing as well.
     Broken,
 }
 
-/// How a degree of freedom moves, as typed.
+/// How a degree of freedom moves, as typed; start and ramp are their defaults unless given.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Motion {
     pub(super) word: Option<String>,
-    pub(super) speed: Option<Typed<f64>>,
-    pub(super) load: Option<Typed<f64>>,
-    pub(super) start: Option<Typed<f64>>,
-    pub(super) ramp: Option<Typed<f64>>,
-    pub(super) end: Option<Typed<f64>>,
+    pub(super) speed: Option<f64>,
+    pub(super) load: Option<f64>,
+    pub(super) start: f64,
+    pub(super) ramp: f64,
+    pub(super) end: Option<f64>,
 }
 
 /// A section as typed.
 #[derive(Clone, Debug)]
 pub(super) struct Section {
-    /// Its path: `soil`, or `body.disc`.
+    /// Its path: `soil`, or `body.disc`; empty for the top.
     pub(super) path: String,
-    /// Location of its heading.
-    pub(super) location: Location,
-    values: BTreeMap<&'static str, Typed<Given>>,
+    given: BTreeMap<&'static str, Given>,
+    defaults: BTreeMap<&'static str, Given>,
 }
 
 impl Section {
-    pub(super) fn empty(path: &str, location: Location) -> Self {
-        Self { path: path.to_owned(), location, values: BTreeMap::new() }
+    pub(super) fn empty(path: &str) -> Self {
+        Self { path: path.to_owned(), given: BTreeMap::new(), defaults: BTreeMap::new() }
     }
 
     /// Enters the value of a key.
-    pub(super) fn insert(&mut self, key: &'static str, value: Given, location: Location) {
-        self.values.insert(key, Typed { value, location });
+    pub(super) fn insert(&mut self, key: &'static str, value: Given) {
+        self.given.insert(key, value);
+    }
+
+    /// Enters what applies if a key is not given.
+    pub(super) fn insert_default(&mut self, key: &'static str, value: Given) {
+        self.defaults.insert(key, value);
+    }
+
+    /// The path of a key: `soil.cohesion`, or `gravity` at the top.
+    pub(super) fn at(&self, key: &str) -> String {
+        join(&self.path, key)
     }
 
     /// Whether the key is given, right or wrong.
     pub(super) fn has(&self, key: &str) -> bool {
-        self.values.contains_key(key)
+        self.given.contains_key(key)
     }
 
-    /// Location of the value of the key, or of the section's heading.
-    pub(super) fn location_of(&self, key: &str) -> &Location {
-        self.values.get(key).map_or(&self.location, |v| &v.location)
+    /// What is given, or the default; `None` for neither, and for what is wrong.
+    fn get<T>(&self, key: &str, pick: impl Fn(&Given) -> Option<T>) -> Option<T> {
+        self.given.get(key).or_else(|| self.defaults.get(key)).and_then(pick)
     }
 
-    fn get<T>(&self, key: &str, pick: impl Fn(&Given) -> Option<T>) -> Option<Typed<T>> {
-        let typed = self.values.get(key)?;
-        Some(Typed { value: pick(&typed.value)?, location: typed.location.clone() })
-    }
-
-    pub(super) fn number(&self, key: &str) -> Option<Typed<f64>> {
+    pub(super) fn number(&self, key: &str) -> Option<f64> {
         self.get(key, |v| if let Given::Number(n) = v { Some(*n) } else { None })
     }
 
-    pub(super) fn text(&self, key: &str) -> Option<Typed<String>> {
+    /// The number, or one that is derived if the key is not given.
+    pub(super) fn number_or(&self, key: &str, derived: f64) -> Option<f64> {
+        if self.has(key) { self.number(key) } else { Some(derived) }
+    }
+
+    pub(super) fn text(&self, key: &str) -> Option<String> {
         self.get(key, |v| if let Given::Text(t) = v { Some(t.clone()) } else { None })
     }
 
-    pub(super) fn flag(&self, key: &str) -> Option<Typed<bool>> {
+    pub(super) fn flag(&self, key: &str) -> Option<bool> {
         self.get(key, |v| if let Given::Flag(f) = v { Some(*f) } else { None })
     }
 
-    pub(super) fn list(&self, key: &str) -> Option<Typed<Vec<Typed<f64>>>> {
+    pub(super) fn list(&self, key: &str) -> Option<Vec<f64>> {
         self.get(key, |v| if let Given::List(l) = v { Some(l.clone()) } else { None })
     }
 
-    pub(super) fn words(&self, key: &str) -> Option<Typed<Vec<String>>> {
+    pub(super) fn words(&self, key: &str) -> Option<Vec<String>> {
         self.get(key, |v| if let Given::Words(w) = v { Some(w.clone()) } else { None })
     }
 
-    pub(super) fn motion(&self, key: &str) -> Option<Typed<Motion>> {
+    pub(super) fn motion(&self, key: &str) -> Option<Motion> {
         self.get(key, |v| if let Given::Motion(m) = v { Some(m.clone()) } else { None })
     }
 }
 
-/// A whole file as typed.
+/// A whole case as typed.
 #[derive(Clone, Debug)]
 pub(super) struct Schema {
     pub(super) top: Section,

@@ -1,7 +1,7 @@
 //! Numbers with a standard deviation: `"35 ± 2 deg"`. The case holds the mean; the standard deviations are returned separately.
 
 use super::keys::{self, Kind};
-use super::problem::{Location, Problems};
+use super::problem::Problems;
 use super::quantity;
 use super::tree::{Entry, Value};
 
@@ -26,11 +26,11 @@ pub(super) fn separate(root: &mut [Entry], problems: &mut Problems) -> Vec<Stand
     let mut deviations = Vec::new();
     for entry in root.iter_mut() {
         let section = entry.key.clone();
-        let Value::Table(inner) = &mut entry.node.value else { continue };
+        let Value::Table(inner) = &mut entry.value else { continue };
         if section == "body" {
             for body in inner.iter_mut() {
                 let path = format!("body.{}", body.key);
-                if let Value::Table(fields) = &mut body.node.value {
+                if let Value::Table(fields) = &mut body.value {
                     separate_section("body", &path, fields, problems, &mut deviations);
                 }
             }
@@ -50,22 +50,22 @@ fn separate_section(
 ) {
     let Some((_, names)) = UNCERTAIN_KEYS.iter().find(|(name, _)| *name == section) else { return };
     for field in fields.iter_mut().filter(|f| names.contains(&f.key.as_str())) {
-        let Value::Text(text) = &field.node.value else { continue };
+        let Value::Text(text) = &field.value else { continue };
         let Some((mean, deviation)) = split(text) else { continue };
         let key = format!("{path}.{}", field.key);
         match read(section, &field.key, mean, deviation) {
             Ok((value, deviation)) => {
-                field.node.value = value;
+                field.value = value;
                 deviations.push(StandardDeviation { key, deviation });
             }
-            Err(why) => complain(&key, &why, &field.node.location, problems),
+            Err(why) => complain(&key, &why, problems),
         }
     }
 }
 
-fn complain(key: &str, why: &str, location: &Location, problems: &mut Problems) {
+fn complain(key: &str, why: &str, problems: &mut Problems) {
     let cure = "write a mean and a standard deviation above 0, such as \"35 ± 2 deg\"";
-    problems.add(location, format!("{key}: {why}"), cure);
+    problems.add(key, format!("{key}: {why}"), cure);
 }
 
 /// Mean and deviation as typed.

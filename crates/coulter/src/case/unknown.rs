@@ -2,7 +2,7 @@
 
 use super::names::nearest;
 use super::problem::Problems;
-use super::tree::Entry;
+use super::tree::{Entry, join};
 
 /// Reports an unknown key of the section at `path`, with the nearest of the `known` ones.
 pub(super) fn unknown<'a>(
@@ -17,5 +17,5 @@ pub(super) fn unknown<'a>(
         Some(near) => format!("did you mean `{near}`?"),
         None => format!("known here: {}", known.join(", ")),
     };
-    problems.add(&entry.key_location, format!("unknown key `{}` {location}", entry.key), cure);
+    problems.add_to_name(join(path, &entry.key), format!("unknown key `{}` {location}", entry.key), cure);
 }

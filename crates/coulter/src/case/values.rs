@@ -1,27 +1,29 @@
 //! From a value of the tree to a value of the kind that its key requires, in SI units; or what is wrong with it.
 
 use super::format;
-use super::keys::Kind;
-use super::keys::words::{MOTION_KEYS, WALLS};
+use super::keys::words::WALLS;
+use super::keys::{DefaultValue, Kind, MOTION};
 use super::names::nearest;
-use super::problem::{Location, Problems};
+use super::numbers::{in_range, in_range_or_infinite};
+use super::problem::Problems;
 use super::quantity::{self, Measure, TIME};
-use super::tree::{Entry, Node, Value};
-use super::typed::{Given, Motion, Typed};
+use super::tree::{Entry, Value, join};
+use super::typed::{Given, Motion};
 use super::unknown::unknown;
 use std::ops::RangeInclusive;
 
 /// A value that is not of the kind that its key requires.
 struct Complaint {
-    location: Location,
+    /// Number of the wrong element of a list.
+    element: Option<usize>,
     message: String,
     cure: String,
 }
 
 type Read<T> = Result<T, Complaint>;
 
-/// The value in its kind, or `Broken` with a problem added.
-pub(super) fn value(node: &Node, kind: &Kind, path: &str, problems: &mut Problems) -> Given {
+/// The value in its kind and in the range of its key, or `Broken` with a problem added.
+pub(super) fn value(node: &Value, kind: &Kind, path: &str, problems: &mut Problems) -> Given {
     let read = match kind {
         Kind::Text => text(node).map(|t| Given::Text(t.to_owned())),
         Kind::Format => {
@@ -42,32 +44,50 @@ pub(super) fn value(node: &Node, kind: &Kind, path: &str, problems: &mut Problem
             return motion(node, still, [speed, load], path, problems);
         }
     };
-    read.unwrap_or_else(|complaint| {
-        problems.add(&complaint.location, format!("{path}: {}", complaint.message), complaint.cure);
-        Given::Broken
-    })
+    match read {
+        Ok(given) if fits(&given, path, problems) => given,
+        Ok(_) => Given::Broken,
+        Err(complaint) => {
+            let at = complaint.element.map_or_else(|| path.to_owned(), |n| format!("{path}[{n}]"));
+            problems.add(at, format!("{path}: {}", complaint.message), complaint.cure);
+            Given::Broken
+        }
+    }
 }
 
-fn complain<T>(node: &Node, message: impl Into<String>, cure: impl Into<String>) -> Read<T> {
-    Err(Complaint { location: node.location.clone(), message: message.into(), cure: cure.into() })
+/// Whether every number is in the range of its key.
+fn fits(given: &Given, path: &str, problems: &mut Problems) -> bool {
+    match given {
+        // Only `rough` was read as an infinite number.
+        Given::Number(number) => in_range_or_infinite(path, *number, problems),
+        Given::List(numbers) => {
+            let outside = |(n, number): (usize, &f64)| !in_range(&format!("{path}[{n}]"), *number, problems);
+            numbers.iter().enumerate().map(outside).filter(|is_outside| *is_outside).count() == 0
+        }
+        _ => true,
+    }
 }
 
-fn wrong_type<T>(node: &Node, expected: &str, cure: impl Into<String>) -> Read<T> {
-    complain(node, format!("expected {expected}, found {}", node.value.kind()), cure)
+fn complain<T>(message: impl Into<String>, cure: impl Into<String>) -> Read<T> {
+    Err(Complaint { element: None, message: message.into(), cure: cure.into() })
 }
 
-fn text(node: &Node) -> Read<&str> {
-    match &node.value {
+fn wrong_type<T>(node: &Value, expected: &str, cure: impl Into<String>) -> Read<T> {
+    complain(format!("expected {expected}, found {}", node.kind()), cure)
+}
+
+fn text(node: &Value) -> Read<&str> {
+    match node {
         Value::Text(text) => Ok(text),
         _ => wrong_type(node, "text", "put it in quotes"),
     }
 }
 
-fn number(node: &Node) -> Read<f64> {
-    match node.value {
+fn number(node: &Value) -> Read<f64> {
+    match *node {
         Value::Integer(n) => Ok(n as f64),
         Value::Number(n) if n.is_finite() => Ok(n),
-        Value::Number(_) => complain(node, "must be a finite number", "give an ordinary number, such as 0.3"),
+        Value::Number(_) => complain("must be a finite number", "give an ordinary number, such as 0.3"),
         Value::Text(_) => {
             wrong_type(node, "a number", "it has no unit: write it without quotes, such as 0.3")
         }
@@ -75,50 +95,45 @@ fn number(node: &Node) -> Read<f64> {
     }
 }
 
-fn count(node: &Node) -> Read<f64> {
-    match node.value {
-        Value::Integer(n) if (0..=65536).contains(&n) => Ok(n as f64),
-        Value::Integer(n) => {
-            complain(node, format!("{n} is out of range"), "give a whole number from 0 to 65536")
-        }
+fn count(node: &Value) -> Read<f64> {
+    match *node {
+        Value::Integer(n) => Ok(n as f64),
         _ => wrong_type(node, "a whole number", "write it such as 4, without quotes or decimals"),
     }
 }
 
-fn flag(node: &Node) -> Read<bool> {
-    match node.value {
+fn flag(node: &Value) -> Read<bool> {
+    match *node {
         Value::Flag(flag) => Ok(flag),
         _ => wrong_type(node, "true or false", "write true or false, without quotes"),
     }
 }
 
-fn quantity(node: &Node, measure: &Measure) -> Read<f64> {
+fn quantity(node: &Value, measure: &Measure) -> Read<f64> {
     let Measure { name, example, .. } = measure;
     let cure = format!("write {name} with its unit, such as \"{example}\"");
-    match &node.value {
-        Value::Text(text) => quantity::parse(text, measure).or_else(|e| complain(node, e.to_string(), cure)),
+    match node {
+        Value::Text(text) => quantity::parse(text, measure).or_else(|e| complain(e.to_string(), cure)),
         Value::Integer(_) | Value::Number(_) => {
-            complain(node, format!("expected {name}; a bare number has no unit"), cure)
+            complain(format!("expected {name}; a bare number has no unit"), cure)
         }
         _ => wrong_type(node, name, cure),
     }
 }
 
-fn modulus(node: &Node, offset: i32) -> Read<f64> {
+fn modulus(node: &Value, offset: i32) -> Read<f64> {
     let cure =
         format!("write it with its unit, such as \"102 kN/m^(n+{offset})\"; `n` stands for sinkage_exponent");
-    match &node.value {
-        Value::Text(text) => {
-            quantity::parse_modulus(text, offset).or_else(|e| complain(node, e.to_string(), cure))
-        }
-        Value::Integer(_) | Value::Number(_) => complain(node, "a bare number has no unit", cure),
+    match node {
+        Value::Text(text) => quantity::parse_modulus(text, offset).or_else(|e| complain(e.to_string(), cure)),
+        Value::Integer(_) | Value::Number(_) => complain("a bare number has no unit", cure),
         _ => wrong_type(node, "a modulus", cure),
     }
 }
 
-fn choice(node: &Node, words: &[&str]) -> Read<String> {
+fn choice(node: &Value, words: &[&str]) -> Read<String> {
     let all = words.iter().map(|w| format!("\"{w}\"")).collect::<Vec<_>>().join(", ");
-    let Value::Text(text) = &node.value else {
+    let Value::Text(text) = node else {
         return wrong_type(node, "a word", format!("write one of {all}"));
     };
     if words.contains(&text.as_str()) {
@@ -126,22 +141,20 @@ fn choice(node: &Node, words: &[&str]) -> Read<String> {
     }
     let hint =
         nearest(text, words.iter().copied()).map_or(String::new(), |n| format!("did you mean \"{n}\"? "));
-    complain(node, format!("\"{text}\" is not one of the possible words"), format!("{hint}possible: {all}"))
+    complain(format!("\"{text}\" is not one of the possible words"), format!("{hint}possible: {all}"))
 }
 
 /// Refuses a word that has been replaced, with the one to write instead.
-fn current_word(node: &Node, path: &str) -> Read<()> {
-    let Value::Text(text) = &node.value else { return Ok(()) };
+fn current_word(node: &Value, path: &str) -> Read<()> {
+    let Value::Text(text) = node else { return Ok(()) };
     match format::new_value(path, text) {
-        Some(new) => {
-            complain(node, format!("\"{text}\" is now called \"{new}\""), format!("write \"{new}\""))
-        }
+        Some(new) => complain(format!("\"{text}\" is now called \"{new}\""), format!("write \"{new}\"")),
         None => Ok(()),
     }
 }
 
-fn friction(node: &Node) -> Read<f64> {
-    match &node.value {
+fn friction(node: &Value) -> Read<f64> {
+    match node {
         Value::Text(text) if text == "rough" => Ok(f64::INFINITY),
         Value::Integer(_) | Value::Number(_) => number(node),
         _ => wrong_type(
@@ -152,75 +165,92 @@ fn friction(node: &Node) -> Read<f64> {
     }
 }
 
-fn list(node: &Node, measure: &Measure, lengths: RangeInclusive<usize>) -> Read<Vec<Typed<f64>>> {
+fn list(node: &Value, measure: &Measure, lengths: RangeInclusive<usize>) -> Read<Vec<f64>> {
     let Measure { name, example, .. } = measure;
     let (min, max) = (*lengths.start(), *lengths.end());
     let count = if min == max { format!("{min}") } else { format!("{min} or {max}") };
     let cure =
         format!("write [{}], each {name} with its unit", vec![format!("\"{example}\""); max].join(", "));
-    let Value::List(items) = &node.value else {
+    let Value::List(items) = node else {
         return wrong_type(node, &format!("a list of {count} quantities"), cure);
     };
     if !lengths.contains(&items.len()) {
-        return complain(node, format!("expected {count} values, found {}", items.len()), cure);
+        return complain(format!("expected {count} values, found {}", items.len()), cure);
     }
-    items
-        .iter()
-        .map(|item| Ok(Typed { value: quantity(item, measure)?, location: item.location.clone() }))
-        .collect()
+    let element =
+        |(n, item)| quantity(item, measure).map_err(|complaint| Complaint { element: Some(n), ..complaint });
+    items.iter().enumerate().map(element).collect()
 }
 
-fn walls(node: &Node) -> Read<Vec<String>> {
-    match &node.value {
-        Value::List(items) if items.len() == 2 => items.iter().map(|item| choice(item, &WALLS)).collect(),
-        _ => {
-            complain(node, "expected two walls, at the low and the high end", "write [\"smooth\", \"fixed\"]")
+fn walls(node: &Value) -> Read<Vec<String>> {
+    match node {
+        Value::List(items) if items.len() == 2 => {
+            let element = |(n, item)| {
+                choice(item, &WALLS).map_err(|complaint| Complaint { element: Some(n), ..complaint })
+            };
+            items.iter().enumerate().map(element).collect()
         }
+        _ => complain("expected two walls, at the low and the high end", "write [\"smooth\", \"fixed\"]"),
     }
 }
 
 /// A word (`still` or `free`), or a table with a speed or a load.
 fn motion(
-    node: &Node,
+    node: &Value,
     still: &'static str,
     measures: [&Measure; 2],
     path: &str,
     problems: &mut Problems,
 ) -> Given {
-    match &node.value {
+    match node {
         Value::Table(table) => motion_table(table, measures, path, problems),
         _ => match choice(node, &[still, "free"]) {
-            Ok(word) => Given::Motion(Motion { word: Some(word), ..Motion::default() }),
+            Ok(word) => Given::Motion(Motion { word: Some(word), ..unless_given() }),
             Err(complaint) => {
                 let cure = format!(
                     "write \"{still}\", \"free\", {{ speed = \"{}\" }} or {{ load = \"{}\" }}",
                     measures[0].example, measures[1].example
                 );
-                problems.add(&complaint.location, format!("{path}: {}", complaint.message), cure);
+                problems.add(path, format!("{path}: {}", complaint.message), cure);
                 Given::Broken
             }
         },
     }
 }
 
+/// A motion with what applies unless it is given.
+fn unless_given() -> Motion {
+    let default = |name| match MOTION.key(name).map(|key| key.default) {
+        // Every default can be read: a test reads them all.
+        Some(DefaultValue::Quantity(text)) => quantity::parse(text, &TIME).unwrap_or_default(),
+        _ => 0.0,
+    };
+    Motion { start: default("start"), ramp: default("ramp"), ..Motion::default() }
+}
+
 fn motion_table(table: &[Entry], [speed, load]: [&Measure; 2], path: &str, problems: &mut Problems) -> Given {
-    let mut motion = Motion::default();
+    let mut motion = unless_given();
     let before = problems.len();
     for entry in table {
-        let (field, measure) = match entry.key.as_str() {
-            "speed" => (&mut motion.speed, speed),
-            "load" => (&mut motion.load, load),
-            "start" => (&mut motion.start, &TIME),
-            "ramp" => (&mut motion.ramp, &TIME),
-            "end" => (&mut motion.end, &TIME),
+        let measure = match entry.key.as_str() {
+            "speed" => speed,
+            "load" => load,
+            "start" | "ramp" | "end" => &TIME,
             _ => {
-                unknown(entry, path, MOTION_KEYS.into_iter(), problems);
+                unknown(entry, path, MOTION.keys.iter().map(|key| key.name), problems);
                 continue;
             }
         };
-        match quantity(&entry.node, measure) {
-            Ok(value) => *field = Some(Typed { value, location: entry.node.location.clone() }),
-            Err(c) => problems.add(&c.location, format!("{path}.{}: {}", entry.key, c.message), c.cure),
+        let path = join(path, &entry.key);
+        let Given::Number(number) = value(&entry.value, &Kind::Quantity(*measure), &path, problems) else {
+            continue;
+        };
+        match entry.key.as_str() {
+            "speed" => motion.speed = Some(number),
+            "load" => motion.load = Some(number),
+            "start" => motion.start = number,
+            "ramp" => motion.ramp = number,
+            _ => motion.end = Some(number),
         }
     }
     if problems.len() == before { Given::Motion(motion) } else { Given::Broken }

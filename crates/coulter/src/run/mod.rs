@@ -5,7 +5,7 @@ mod options;
 mod start;
 pub mod watch;
 
-use crate::case::{Case, resolved};
+use crate::case::{Case, require_valid, resolved};
 use crate::output::checkpoint;
 use crate::output::folder::Outcome;
 use crate::output::progress::Progress;
@@ -23,8 +23,9 @@ use start::{ended_before, lock, open};
 /// Runs a case and writes its results.
 ///
 /// # Errors
-/// [`RunError`] when the physics fails or the results cannot be read or written.
+/// [`RunError`] when the case is not valid, the physics fails, or the results cannot be read or written.
 pub fn run(case: &Case, options: &RunOptions) -> Result<End, RunError> {
+    require_valid(case)?;
     let _lock = lock(options)?;
     if options.start == Start::AutoResume
         && let Some(summary) = ended_before(case, options.folder)?

@@ -1,5 +1,6 @@
 //! What a run is asked to do, and how it can end.
 
+use crate::case::CaseError;
 use crate::interrupts::Interrupts;
 use crate::output::{OutputError, Summary};
 use crate::simulation::ObserverError;
@@ -49,6 +50,9 @@ pub enum End {
 /// Why a run did not reach its end.
 #[derive(Debug, thiserror::Error)]
 pub enum RunError {
+    /// The case cannot be simulated; nothing was written.
+    #[error(transparent)]
+    Case(#[from] CaseError),
     /// Results could not be read or written.
     #[error(transparent)]
     Output(#[from] OutputError),

@@ -1,75 +1,135 @@
 //! Keys of a rigid body.
 
+use super::allowed_range::{FRACTION, IN_THE_RUN, NOT_NEGATIVE, POSITIVE};
+use super::default_value::DefaultValue::{Derived, Quantity, Required, Word};
 use super::key::{Key, Kind, key};
 use super::words::{AXES, SHAPES};
-use crate::case::quantity::{ANGLE, FORCE, INERTIA, LENGTH, MASS, SPEED, TORQUE, TURN_RATE};
+use crate::case::quantity::{ANGLE, FORCE, INERTIA, LENGTH, MASS, SPEED, TIME, TORQUE, TURN_RATE};
 
-const SLIDE: Kind = Kind::Motion { still: "fixed", speed: SPEED, load: FORCE };
-const TURN: Kind = Kind::Motion { still: "locked", speed: TURN_RATE, load: TORQUE };
+const FIXED: &str = "fixed";
+const LOCKED: &str = "locked";
+const SLIDE: Kind = Kind::Motion { still: FIXED, speed: SPEED, load: FORCE };
+const TURN: Kind = Kind::Motion { still: LOCKED, speed: TURN_RATE, load: TORQUE };
+
+/// Keys of a motion that is written as a table, `{ speed = "0.2 m/s", ramp = "0.1 s" }`; those of a rotation measure a rate
+/// of turning and a torque.
+pub(super) const MOTION: &[Key] = &[
+    key(
+        "speed",
+        Kind::Quantity(SPEED),
+        Derived("this or load"),
+        "Speed after the ramp; for `spin` a rate of turning.",
+    ),
+    key(
+        "load",
+        Kind::Quantity(FORCE),
+        Derived("this or speed"),
+        "Load on a free motion; for `spin` a torque.",
+    ),
+    key("start", Kind::Quantity(TIME), Quantity("0 s"), "When the ramp begins.").within(IN_THE_RUN),
+    key(
+        "ramp",
+        Kind::Quantity(TIME),
+        Quantity("0.1 s"),
+        "How long it takes until speed or load are reached.",
+    )
+    .within(IN_THE_RUN),
+    key("end", Kind::Quantity(TIME), Derived("never"), "When a ramp back to rest begins; of a speed only.")
+        .within(IN_THE_RUN),
+];
 
 pub(super) const BODY: &[Key] = &[
     key(
         "shape",
         Kind::Choice(&SHAPES),
-        "required",
+        Required,
         "A disc with its axle along y, a rectangular block, a cylinder along any axis, or a sphere.",
     ),
     key(
         "diameter",
         Kind::Quantity(LENGTH),
-        "required except for a block",
+        Derived("required except for a block"),
         "Diameter d (disc, cylinder, sphere).",
+    )
+    .within(POSITIVE),
+    key(
+        "thickness",
+        Kind::Quantity(LENGTH),
+        Derived("required for a disc"),
+        "Thickness t along the axle (disc).",
+    )
+    .within(POSITIVE),
+    key(
+        "axis",
+        Kind::Choice(&AXES),
+        Derived("required for a cylinder"),
+        "Axis of the cylinder; \"z\": upright.",
     ),
-    key("thickness", Kind::Quantity(LENGTH), "required for a disc", "Thickness t along the axle (disc)."),
-    key("axis", Kind::Choice(&AXES), "required for a cylinder", "Axis of the cylinder; \"z\": upright."),
-    key("length", Kind::Quantity(LENGTH), "required for a cylinder", "Length along its axis (cylinder)."),
+    key(
+        "length",
+        Kind::Quantity(LENGTH),
+        Derived("required for a cylinder"),
+        "Length along its axis (cylinder).",
+    )
+    .within(POSITIVE),
     key(
         "size",
         Kind::Vector(LENGTH),
-        "required for a block",
+        Derived("required for a block"),
         "Edges along x, y, z (block); x, z in plane strain.",
-    ),
+    )
+    .within(POSITIVE),
     key(
         "orientation",
         Kind::Quantity(ANGLE),
-        "0 deg",
+        Quantity("0 deg"),
         "Rotation about y at the start, positive when it tips the top towards +x (block).",
     ),
     key(
         "friction",
         Kind::Friction,
-        "required",
+        Required,
         "Coefficient of friction μ against the soil, or \"rough\": no slip.",
-    ),
+    )
+    .within(NOT_NEGATIVE),
     key(
         "adhesion_factor",
         Kind::Number,
-        "no such limit",
-        "Frictional traction is at most α s_u, whatever the pressure (tresca); 0 to 1.",
-    ),
-    key("weight", Kind::Quantity(FORCE), "mass × gravity", "Weight W of the whole body."),
+        Derived("no such limit"),
+        "Frictional traction is at most α s_u, whatever the pressure (tresca).",
+    )
+    .within(FRACTION),
+    key("weight", Kind::Quantity(FORCE), Derived("mass × gravity"), "Weight W of the whole body.")
+        .within(POSITIVE),
     key(
         "mass",
         Kind::Quantity(MASS),
-        "weight / gravity",
+        Derived("weight / gravity"),
         "Mass of the whole body; needed only if it moves freely.",
-    ),
+    )
+    .within(POSITIVE),
     key(
         "axle_inertia",
         Kind::Quantity(INERTIA),
-        "that of a solid of this mass",
+        Derived("that of a solid of this mass"),
         "Moment of inertia about the axle.",
+    )
+    .within(POSITIVE),
+    key("x", Kind::Quantity(LENGTH), Quantity("0 m"), "Initial position of its centre along x."),
+    key("y", Kind::Quantity(LENGTH), Quantity("0 m"), "Initial position of its centre along y."),
+    key(
+        "sinkage",
+        Kind::Quantity(LENGTH),
+        Quantity("0 m"),
+        "Initial depth of its lowest point below the surface.",
     ),
-    key("x", Kind::Quantity(LENGTH), "0 m", "Initial position of its centre along x."),
-    key("y", Kind::Quantity(LENGTH), "0 m", "Initial position of its centre along y."),
-    key("sinkage", Kind::Quantity(LENGTH), "0 m", "Initial depth of its lowest point below the surface."),
-    key("forward", SLIDE, "\"fixed\"", "Motion along x, the tow."),
-    key("lateral", SLIDE, "\"fixed\"", "Motion along y."),
+    key("forward", SLIDE, Word(FIXED), "Motion along x, the tow."),
+    key("lateral", SLIDE, Word(FIXED), "Motion along y."),
     key(
         "heave",
         SLIDE,
-        "\"fixed\"",
+        Word(FIXED),
         "Motion along z, upwards; \"free\": under its weight and the force of the soil.",
     ),
-    key("spin", TURN, "\"locked\"", "Rotation about the axle, positive when it rolls forward."),
+    key("spin", TURN, Word(LOCKED), "Rotation about the axle, positive when it rolls forward."),
 ];

@@ -1,5 +1,7 @@
 //! Keys of the closed-form models.
 
+use super::allowed_range::{BACKFILL, EXPONENT, FRACTION, NOT_NEGATIVE, POSITIVE};
+use super::default_value::DefaultValue::{Derived, Number, Otherwise, Quantity, Word};
 use super::key::{Key, Kind, key};
 use super::words::{FACTORS, PUBLISHED_SOILS};
 use crate::case::quantity::{ANGLE, LENGTH, STRESS, UNIT_WEIGHT};
@@ -8,46 +10,54 @@ pub(super) const FORECAST: &[Key] = &[
     key(
         "terrain",
         Kind::Choice(&PUBLISHED_SOILS),
-        "none",
+        Derived("none"),
         "Soil whose published pressure–sinkage parameters n, k_c, k_φ and K are used (Bekker, Wong–Reece).",
     ),
     key(
         "sinkage_exponent",
         Kind::Number,
-        "none",
-        "Bekker's sinkage exponent n of p = (k_c/b + k_φ) zⁿ, 0.05 to 2.5.",
-    ),
-    key("cohesive_modulus", Kind::Modulus(1), "none", "Bekker's cohesive modulus k_c."),
-    key("frictional_modulus", Kind::Modulus(2), "none", "Bekker's frictional modulus k_φ."),
+        Derived("none"),
+        "Bekker's sinkage exponent n of p = (k_c/b + k_φ) zⁿ.",
+    )
+    .within(EXPONENT),
+    key("cohesive_modulus", Kind::Modulus(1), Derived("none"), "Bekker's cohesive modulus k_c.")
+        .within(NOT_NEGATIVE),
+    key("frictional_modulus", Kind::Modulus(2), Derived("none"), "Bekker's frictional modulus k_φ.")
+        .within(POSITIVE),
     key(
         "shear_deformation_modulus",
         Kind::Quantity(LENGTH),
-        "that of `terrain`; otherwise 15 mm (sand: 10 to 25 mm)",
-        "Janosi and Hanamoto's shear deformation modulus K (Wong–Reece).",
-    ),
-    key("cone_index", Kind::Quantity(STRESS), "none", "Cone index CI (Wismer–Luth, Brixius)."),
+        Otherwise { derived: "that of `terrain`", quantity: "15 mm" },
+        "Janosi and Hanamoto's shear deformation modulus K (Wong–Reece); sand: 10 to 25 mm.",
+    )
+    .within(POSITIVE),
+    key("cone_index", Kind::Quantity(STRESS), Derived("none"), "Cone index CI (Wismer–Luth, Brixius).")
+        .within(POSITIVE),
     key(
         "plate_stiffness",
         Kind::Quantity(UNIT_WEIGHT),
-        "that of 3D-RFT",
+        Derived("that of 3D-RFT"),
         "Pressure over depth under a level plate pushed down (2-D RFT).",
-    ),
+    )
+    .within(POSITIVE),
     key(
         "bow_wave",
         Kind::Number,
-        "0",
-        "Bow wave: fraction χ of the displaced soil that accumulates in front of the disc, 0 to 1.",
-    ),
+        Number(0.0),
+        "Bow wave: fraction χ of the displaced soil that accumulates in front of the disc.",
+    )
+    .within(FRACTION),
     key(
         "backfill",
         Kind::Quantity(ANGLE),
-        "0 deg",
-        "Inclination β of the ground in front of the disc, -10 to 25 deg, positive when it rises (PW).",
-    ),
+        Quantity("0 deg"),
+        "Inclination β of the ground in front of the disc, positive when it rises (PW).",
+    )
+    .within(BACKFILL),
     key(
         "factors",
         Kind::Choice(&FACTORS),
-        "\"meyerhof\"",
+        Word("meyerhof"),
         "Shape, depth and inclination factors of the bearing capacity (BC).",
     ),
 ];

@@ -1,6 +1,8 @@
 //! A key of a case file and a section of keys.
 
-use crate::case::quantity::Measure;
+use super::allowed_range::AllowedRange;
+use super::default_value::DefaultValue;
+use crate::case::quantity::{Measure, plain, with_unit};
 
 /// What a value may be.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,10 +49,37 @@ pub struct Key {
     pub name: &'static str,
     /// What its value may be.
     pub kind: Kind,
-    /// What applies if it is left out; `required` if it must not be.
-    pub default: &'static str,
+    /// What applies if it is left out.
+    pub default: DefaultValue,
+    /// Which numbers it allows; `None` for any, and where it has none.
+    pub range: Option<AllowedRange>,
     /// What it means.
     pub meaning: &'static str,
+}
+
+impl Key {
+    /// The same key with a range.
+    pub(super) const fn within(self, range: AllowedRange) -> Self {
+        Self { range: Some(range), ..self }
+    }
+
+    /// A number of this key as one would write it, with its unit.
+    #[must_use]
+    pub fn shown(&self, number: f64) -> String {
+        match self.kind {
+            Kind::Quantity(measure) | Kind::Range(measure) | Kind::Vector(measure) => {
+                with_unit(number, &measure)
+            }
+            Kind::Modulus(offset) => format!("{} N/m^(n+{offset})", plain(number)),
+            _ => plain(number),
+        }
+    }
+
+    /// Its range in words, if it has one.
+    #[must_use]
+    pub fn range_text(&self) -> Option<String> {
+        self.range.map(|range| range.text(|number| self.shown(number)))
+    }
 }
 
 /// The keys of one section.
@@ -64,8 +93,16 @@ pub struct KeyTable {
     pub keys: &'static [Key],
 }
 
-pub(super) const fn key(name: &'static str, kind: Kind, default: &'static str, meaning: &'static str) -> Key {
-    Key { name, kind, default, meaning }
+impl KeyTable {
+    /// The key of that name.
+    #[must_use]
+    pub fn key(&self, name: &str) -> Option<&'static Key> {
+        self.keys.iter().find(|key| key.name == name)
+    }
+}
+
+pub(super) const fn key(name: &'static str, kind: Kind, default: DefaultValue, meaning: &'static str) -> Key {
+    Key { name, kind, default, range: None, meaning }
 }
 
 pub(super) const fn section(name: &'static str, meaning: &'static str, keys: &'static [Key]) -> KeyTable {

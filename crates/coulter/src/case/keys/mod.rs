@@ -1,13 +1,17 @@
-//! Every key of a case file, with its kind, default and meaning. Reading, the JSON schema and the documentation all
-//! follow from these tables.
+//! Every key of a case file, with its kind, default, range and meaning. Reading, `validate`, the JSON schema and the
+//! documentation all follow from these tables.
 
+mod allowed_range;
 mod body;
+mod default_value;
 mod forecast;
 mod key;
 mod run;
 mod soil;
 pub mod words;
 
+pub use allowed_range::{AllowedRange, Bound};
+pub use default_value::DefaultValue;
 pub use key::{Key, KeyTable, Kind};
 
 use key::section;
@@ -30,4 +34,24 @@ pub const SECTIONS: [KeyTable; 10] = [
 #[must_use]
 pub fn find(name: &str) -> Option<&'static KeyTable> {
     SECTIONS.iter().find(|s| s.name == name)
+}
+
+/// The keys of a motion that is written as a table.
+pub const MOTION: KeyTable =
+    section("motion", "A motion of a body that is written as a table.", body::MOTION);
+
+/// The key that a path leads to: `gravity`, `soil.cohesion`, `body.disc.forward.ramp`; of a list `domain.x[0]`, too.
+#[must_use]
+pub fn at(path: &str) -> Option<&'static Key> {
+    let path = path.split('[').next().unwrap_or_default();
+    let names: Vec<&str> = path.split('.').collect();
+    match names[..] {
+        [name] => find("")?.key(name),
+        ["body", _, name] => find("body")?.key(name),
+        ["body", _, motion, name] if matches!(find("body")?.key(motion)?.kind, Kind::Motion { .. }) => {
+            MOTION.key(name)
+        }
+        [section, name] if section != "body" => find(section)?.key(name),
+        _ => None,
+    }
 }

@@ -1,170 +1,114 @@
 //! Keys of the soil, of the box round it and of the grid.
 
+use super::allowed_range::{ACUTE, BELOW_HALF, ECCENTRICITY, GROWTH, NOT_NEGATIVE, POSITIVE};
+use super::default_value::DefaultValue::{Derived, Flag, Number, Quantity, Required, Walls, Word};
 use super::key::{Key, Kind, key};
 use super::words::{LAWS, POTENTIALS};
 use crate::case::quantity::{ANGLE, DENSITY, LENGTH, SPEED, STRESS, UNIT_WEIGHT};
 
 pub(super) const SOIL: &[Key] = &[
-    key(
-        "law",
-        Kind::Choice(&LAWS),
-        "required",
-        "Yield law: frictional, undrained, metal plasticity, or none (elastic).",
-    ),
-    key(
-        "friction_angle",
-        Kind::Quantity(ANGLE),
-        "required for mohr-coulomb",
-        "Friction angle φ, 0 to below 90 deg.",
-    ),
-    key("dilation_angle", Kind::Quantity(ANGLE), "0 deg", "Dilation angle ψ, 0 to φ (mohr-coulomb)."),
-    key("cohesion", Kind::Quantity(STRESS), "0 Pa", "Cohesion c; may be exactly 0 (mohr-coulomb)."),
-    key(
-        "tension_cutoff",
-        Kind::Quantity(STRESS),
-        "0 Pa",
-        "Tension cut-off: the largest tensile stress, at most c cot φ (mohr-coulomb).",
-    ),
-    key(
-        "flow_potential",
-        Kind::Choice(&POTENTIALS),
-        "\"mohr-coulomb\"",
-        "Plastic flow potential: the Mohr–Coulomb pyramid with ψ in place of φ, or the smooth potential that Abaqus uses (mohr-coulomb).",
-    ),
-    key(
-        "meridional_eccentricity",
-        Kind::Number,
-        "0.1",
-        "How fast the smooth potential approaches its asymptote; has no effect without cohesion (menetrey-willam).",
-    ),
-    key(
-        "deviatoric_eccentricity",
-        Kind::Number,
-        "(3 − sin φ)/(3 + sin φ)",
-        "Shape of the smooth potential in the deviatoric plane: above 0.5, 1 is a circle (menetrey-willam).",
-    ),
-    key(
-        "critical_density",
-        Kind::Quantity(DENSITY),
-        "none",
-        "Density below which the soil no longer dilates (mohr-coulomb, with dilation_angle).",
-    ),
-    key(
-        "shear_strength",
-        Kind::Quantity(STRESS),
-        "required for tresca",
-        "Undrained shear strength s_u (tresca).",
-    ),
-    key(
-        "yield_stress",
-        Kind::Quantity(STRESS),
-        "required for von-mises",
-        "Initial yield stress σ_y in uniaxial tension (von-mises).",
-    ),
-    key(
-        "hardening_modulus",
-        Kind::Quantity(STRESS),
-        "0 Pa",
-        "Hardening modulus H: slope of the yield stress over the equivalent plastic strain (von-mises).",
-    ),
-    key(
-        "unit_weight",
-        Kind::Quantity(UNIT_WEIGHT),
-        "density × gravity",
-        "Unit weight γ; 0 for weightless soil.",
-    ),
-    key(
-        "density",
-        Kind::Quantity(DENSITY),
-        "unit_weight / gravity",
-        "Density ρ, which gives the soil its inertia.",
-    ),
-    key("young_modulus", Kind::Quantity(STRESS), "required", "Young's modulus E."),
-    key("poisson_ratio", Kind::Number, "0.3", "Poisson's ratio ν, 0 to below 0.5."),
-    key(
-        "k0",
-        Kind::Number,
-        "1 − sin φ (Jaky 1944); else ν/(1 − ν)",
-        "Coefficient of earth pressure at rest K₀: horizontal over vertical stress at the start.",
-    ),
+    key("law", Kind::Choice(&LAWS), Required, "Yield law: frictional, undrained, metal plasticity, or none (elastic)."),
+    key("friction_angle", Kind::Quantity(ANGLE), Derived("required for mohr-coulomb"), "Friction angle φ.").within(ACUTE),
+    key("dilation_angle", Kind::Quantity(ANGLE), Quantity("0 deg"), "Dilation angle ψ, at most φ (mohr-coulomb).").within(ACUTE),
+    key("cohesion", Kind::Quantity(STRESS), Quantity("0 Pa"), "Cohesion c; may be exactly 0 (mohr-coulomb).").within(NOT_NEGATIVE),
+    key("tension_cutoff", Kind::Quantity(STRESS), Quantity("0 Pa"), "Tension cut-off: the largest tensile stress, at most c cot φ (mohr-coulomb).").within(NOT_NEGATIVE),
+    key("flow_potential", Kind::Choice(&POTENTIALS), Word("mohr-coulomb"), "Plastic flow potential: the Mohr–Coulomb pyramid with ψ in place of φ, or the smooth potential that Abaqus uses (mohr-coulomb)."),
+    key("meridional_eccentricity", Kind::Number, Number(0.1), "How fast the smooth potential approaches its asymptote; has no effect without cohesion (menetrey-willam).").within(NOT_NEGATIVE),
+    key("deviatoric_eccentricity", Kind::Number, Derived("(3 − sin φ)/(3 + sin φ)"), "Shape of the smooth potential in the deviatoric plane; 1 is a circle (menetrey-willam).").within(ECCENTRICITY),
+    key("critical_density", Kind::Quantity(DENSITY), Derived("none"), "Density below which the soil no longer dilates (mohr-coulomb, with dilation_angle).").within(POSITIVE),
+    key("shear_strength", Kind::Quantity(STRESS), Derived("required for tresca"), "Undrained shear strength s_u (tresca).").within(POSITIVE),
+    key("yield_stress", Kind::Quantity(STRESS), Derived("required for von-mises"), "Initial yield stress σ_y in uniaxial tension (von-mises).").within(POSITIVE),
+    key("hardening_modulus", Kind::Quantity(STRESS), Quantity("0 Pa"), "Hardening modulus H: slope of the yield stress over the equivalent plastic strain (von-mises).").within(NOT_NEGATIVE),
+    key("unit_weight", Kind::Quantity(UNIT_WEIGHT), Derived("density × gravity"), "Unit weight γ; 0 for weightless soil.").within(NOT_NEGATIVE),
+    key("density", Kind::Quantity(DENSITY), Derived("unit_weight / gravity"), "Density ρ, which gives the soil its inertia.").within(POSITIVE),
+    key("young_modulus", Kind::Quantity(STRESS), Required, "Young's modulus E.").within(POSITIVE),
+    key("poisson_ratio", Kind::Number, Number(0.3), "Poisson's ratio ν.").within(BELOW_HALF),
+    key("k0", Kind::Number, Derived("1 − sin φ (Jaky 1944); else ν/(1 − ν)"), "Coefficient of earth pressure at rest K₀: horizontal over vertical stress at the start.").within(NOT_NEGATIVE),
 ];
 
 pub(super) const GROUND: &[Key] = &[
-    key("surface", Kind::Quantity(LENGTH), "0 m", "Height of the level soil surface."),
+    key("surface", Kind::Quantity(LENGTH), Quantity("0 m"), "Height of the level soil surface."),
     key(
         "x",
         Kind::Range(LENGTH),
-        "the whole domain",
+        Derived("the whole domain"),
         "Where there is soil along x, e.g. a bank in front of a wall.",
     ),
-    key("y", Kind::Range(LENGTH), "the whole domain", "Where there is soil along y."),
+    key("y", Kind::Range(LENGTH), Derived("the whole domain"), "Where there is soil along y."),
     key(
         "radius",
         Kind::Quantity(LENGTH),
-        "none",
+        Derived("none"),
         "Soil only within this distance of the axis x = y = 0: a round column or bar.",
-    ),
+    )
+    .within(POSITIVE),
     key(
         "velocity",
         Kind::Vector(SPEED),
-        "at rest",
+        Derived("at rest"),
         "Initial velocity of the soil along x, y, z; along x, z in plane strain.",
     ),
     key(
         "overburden",
         Kind::Quantity(STRESS),
-        "0 Pa",
+        Quantity("0 Pa"),
         "Vertical pressure of the lid on the soil, which must reach up to the lid: soil at depth.",
-    ),
+    )
+    .within(NOT_NEGATIVE),
 ];
 
 pub(super) const DOMAIN: &[Key] = &[
     key(
         "x",
         Kind::Range(LENGTH),
-        "the bodies' path and 1.5 body lengths at each end, more ahead where the failing soil needs it",
+        Derived(
+            "the bodies' path and 1.5 body lengths at each end, more ahead where the failing soil needs it",
+        ),
         "The box along the tow; from 0 if symmetric_x.",
     ),
     key(
         "y",
         Kind::Range(LENGTH),
-        "the bodies and 1.5 body lengths at each side, more where the failing soil needs it",
+        Derived("the bodies and 1.5 body lengths at each side, more where the failing soil needs it"),
         "The box across the tow; from 0 if symmetric.",
     ),
     key(
         "z",
         Kind::Range(LENGTH),
-        "1.25 body lengths of soil, 0.4 of headroom, more where the heap of soil needs it",
+        Derived("1.25 body lengths of soil, 0.4 of headroom, more where the heap of soil needs it"),
         "The box in height: floor and lid.",
     ),
-    key("symmetric", Kind::Flag, "false", "Model only y ≥ 0; y = 0 is a plane of symmetry."),
-    key("symmetric_x", Kind::Flag, "false", "Model only x ≥ 0; x = 0 is a plane of symmetry."),
-    key("plane_strain", Kind::Flag, "false", "Model a slab that is one cell thick in y."),
-    key("x_walls", Kind::WallPair, "[\"smooth\", \"smooth\"]", "Walls at the low and the high end of x."),
-    key("y_walls", Kind::WallPair, "[\"smooth\", \"smooth\"]", "Walls at the low and the high end of y."),
-    key("z_walls", Kind::WallPair, "[\"fixed\", \"smooth\"]", "Floor and lid."),
+    key("symmetric", Kind::Flag, Flag(false), "Model only y ≥ 0; y = 0 is a plane of symmetry."),
+    key("symmetric_x", Kind::Flag, Flag(false), "Model only x ≥ 0; x = 0 is a plane of symmetry."),
+    key("plane_strain", Kind::Flag, Flag(false), "Model a slab that is one cell thick in y."),
+    key("x_walls", Kind::WallPair, Walls(["smooth", "smooth"]), "Walls at the low and the high end of x."),
+    key("y_walls", Kind::WallPair, Walls(["smooth", "smooth"]), "Walls at the low and the high end of y."),
+    key("z_walls", Kind::WallPair, Walls(["fixed", "smooth"]), "Floor and lid."),
 ];
 
 pub(super) const GRID: &[Key] = &[
-    key("cell", Kind::Quantity(LENGTH), "required", "Cell size h in the fine zone."),
+    key("cell", Kind::Quantity(LENGTH), Required, "Cell size h in the fine zone.").within(POSITIVE),
     key(
         "growth",
         Kind::Number,
-        "1.12",
-        "Largest ratio of the widths of neighbouring cells outside the fine zone, 1 to 1.5.",
-    ),
+        Number(1.12),
+        "Largest ratio of the widths of neighbouring cells outside the fine zone.",
+    )
+    .within(GROWTH),
     key(
         "fit",
         Kind::Flag,
-        "true",
+        Flag(true),
         "Make cells up to 1.25 times wider or narrower along an axis so that the flat faces of bodies that do not move along it coincide with cell faces.",
     ),
-    key("fine_x", Kind::Range(LENGTH), "the bodies' path ± 0.5 body lengths", "Fine zone along x."),
-    key("fine_y", Kind::Range(LENGTH), "the bodies' path ± 0.25 body lengths", "Fine zone along y."),
+    key("fine_x", Kind::Range(LENGTH), Derived("the bodies' path ± 0.5 body lengths"), "Fine zone along x."),
+    key("fine_y", Kind::Range(LENGTH), Derived("the bodies' path ± 0.25 body lengths"), "Fine zone along y."),
     key(
         "fine_z",
         Kind::Range(LENGTH),
-        "0.5 body lengths below the bodies' path; 0.25 above the soil, up to 0.5 where a heap is expected",
+        Derived(
+            "0.5 body lengths below the bodies' path; 0.25 above the soil, up to 0.5 where a heap is expected",
+        ),
         "Fine zone in z.",
     ),
 ];

@@ -28,5 +28,3 @@ pub const PUBLISHED_SOILS: [&str; TERRAINS.len() + 1] = {
     }
     names
 };
-/// Keys of a motion that is written as a table.
-pub const MOTION_KEYS: [&str; 5] = ["speed", "load", "start", "ramp", "end"];

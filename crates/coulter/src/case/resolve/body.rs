@@ -1,12 +1,13 @@
 //! A rigid body: shape, mass, position and motion.
 
-use super::context::Context;
+use super::context::{Context, checked};
 use super::motion::{freedom, is_free};
+use crate::case::missing::{missing, required};
 use crate::case::problem::Problems;
-use crate::case::ranges::{self, ANY, FRACTION, NOT_NEGATIVE, POSITIVE};
 use crate::case::resolved::{Body, Law};
 use crate::case::shapes::{self, Shape};
 use crate::case::typed::Section;
+use crate::case::validate;
 use glam::DVec3;
 
 /// Density of a body whose mass is not given because it never moves freely [kg/m³]: solid steel. Nothing depends on it.
@@ -14,16 +15,16 @@ const NOMINAL_DENSITY: f64 = 7850.0;
 /// One body of the case.
 pub(super) fn body(section: &Section, context: &Context, problems: &mut Problems) -> Option<Body> {
     let shape = shape(section, context, problems);
-    let friction = friction(section, problems);
+    let friction = required(section, "friction", problems);
     let shear_limit = shear_limit(section, context, problems);
     let mass = mass(section, context.gravity, problems);
-    let position = position(section, shape.as_ref(), context, problems);
+    let position = position(section, shape.as_ref(), context);
     let motions = [("forward", 0.0), ("lateral", 0.0), ("heave", context.gravity)];
     let needs_mass = motions.iter().any(|(key, _)| is_free(section, key));
     let mass = mass?;
     if needs_mass && mass.is_none() {
         let message = format!("[{}] moves freely, but its weight is not given", section.path);
-        problems.add(&section.location, message, "add  weight = \"40 N\"  or  mass = \"4 kg\"");
+        problems.add(&section.path, message, "add  weight = \"40 N\"  or  mass = \"4 kg\"");
     }
     let translation = motions
         .map(|(key, acceleration)| freedom(section, key, acceleration * mass.unwrap_or(0.0), problems));
@@ -31,7 +32,7 @@ pub(super) fn body(section: &Section, context: &Context, problems: &mut Problems
     let shape = shape?;
     let inertia = axle_inertia(section, &shape, mass, problems);
     let [Some(forward), Some(lateral), Some(heave)] = translation else { return None };
-    Some(Body {
+    let body = Body {
         name: section.path.trim_start_matches("body.").to_owned(),
         position: position?,
         mass: mass.unwrap_or_else(|| NOMINAL_DENSITY * shape.solid().mass_properties().volume),
@@ -41,18 +42,18 @@ pub(super) fn body(section: &Section, context: &Context, problems: &mut Problems
         shear_limit: shear_limit?,
         translation: [forward, lateral, heave],
         spin: spin?,
-    })
+    };
+    let plane_strain = context.slab.is_some();
+    checked(body, problems, |body, problems| validate::body::body(body, context.cell, plane_strain, problems))
 }
 
 fn shape(section: &Section, context: &Context, problems: &mut Problems) -> Option<Shape> {
     if !section.has("shape") {
-        ranges::missing(section, "shape", problems);
+        missing(section, "shape", problems);
     }
-    shapes::read(section, &context.surroundings(), problems)
-}
-
-fn friction(section: &Section, problems: &mut Problems) -> Option<f64> {
-    ranges::required(section, "friction", &NOT_NEGATIVE, problems)
+    let shape = shapes::read(section, context.slab, problems)?;
+    let around = (context.cell, context.slab.is_some());
+    checked(shape, problems, |shape, problems| validate::body::shape(&section.path, shape, around, problems))
 }
 
 /// Largest frictional traction [Pa]: the adhesion factor times the undrained shear strength.
@@ -60,11 +61,11 @@ fn shear_limit(section: &Section, context: &Context, problems: &mut Problems) ->
     if !section.has("adhesion_factor") {
         return Some(f64::INFINITY);
     }
-    let factor = ranges::given(section, "adhesion_factor", &FRACTION, problems);
+    let factor = section.number("adhesion_factor");
     let Some(Law::Tresca { shear_strength }) = context.law else {
         let message = "`adhesion_factor` applies only to soil with an undrained shear strength";
         let cure = "remove it, or choose law = \"tresca\"";
-        problems.add(section.location_of("adhesion_factor"), message, cure);
+        problems.add(section.at("adhesion_factor"), message, cure);
         return None;
     };
     Some(factor? * shear_strength)
@@ -73,8 +74,7 @@ fn shear_limit(section: &Section, context: &Context, problems: &mut Problems) ->
 /// The mass, if it is known; the outer `None` if it was given wrongly.
 #[allow(clippy::option_option)]
 fn mass(section: &Section, gravity: f64, problems: &mut Problems) -> Option<Option<f64>> {
-    let weight = ranges::given(section, "weight", &POSITIVE, problems);
-    let mass = ranges::given(section, "mass", &POSITIVE, problems);
+    let (weight, mass) = (section.number("weight"), section.number("mass"));
     if weight.is_none() && section.has("weight") || mass.is_none() && section.has("mass") {
         return None;
     }
@@ -86,7 +86,7 @@ fn mass(section: &Section, gravity: f64, problems: &mut Problems) -> Option<Opti
             );
             let cure =
                 "give only one of them; a load in addition to the weight is heave = { load = \"-10 N\" }";
-            problems.add(section.location_of("weight"), message, cure);
+            problems.add(section.at("weight"), message, cure);
             None
         }
         (_, Some(mass)) => Some(Some(mass)),
@@ -94,7 +94,7 @@ fn mass(section: &Section, gravity: f64, problems: &mut Problems) -> Option<Opti
         (Some(_), None) => {
             let message = "without gravity the mass does not follow from the weight";
             problems.add(
-                section.location_of("weight"),
+                section.at("weight"),
                 message,
                 "give the mass, and the load as heave = { load = \"-40 N\" }",
             );
@@ -106,13 +106,13 @@ fn mass(section: &Section, gravity: f64, problems: &mut Problems) -> Option<Opti
 
 fn axle_inertia(section: &Section, shape: &Shape, mass: Option<f64>, problems: &mut Problems) -> Option<f64> {
     if section.has("axle_inertia") {
-        return ranges::given(section, "axle_inertia", &POSITIVE, problems);
+        return section.number("axle_inertia");
     }
     let solid = shape.solid();
     if mass.is_none() && is_free(section, "spin") {
         let message = format!("[{}] rotates freely, but its moment of inertia is not known", section.path);
         problems.add(
-            section.location_of("spin"),
+            section.at("spin"),
             message,
             "add  axle_inertia = \"0.02 kg*m^2\", or a weight or a mass",
         );
@@ -122,15 +122,8 @@ fn axle_inertia(section: &Section, shape: &Shape, mass: Option<f64>, problems: &
     Some(mass.unwrap_or(NOMINAL_DENSITY * properties.volume) * properties.about_axle())
 }
 
-fn position(
-    section: &Section,
-    shape: Option<&Shape>,
-    context: &Context,
-    problems: &mut Problems,
-) -> Option<DVec3> {
-    let x = ranges::or(section, "x", 0.0, &ANY, problems);
-    let y = ranges::or(section, "y", 0.0, &ANY, problems);
-    let sinkage = ranges::or(section, "sinkage", 0.0, &ANY, problems);
+fn position(section: &Section, shape: Option<&Shape>, context: &Context) -> Option<DVec3> {
+    let (x, y, sinkage) = (section.number("x"), section.number("y"), section.number("sinkage"));
     let lowest = shape?.solid().bounds().0.z;
     let y = match context.slab {
         Some(slab) if !section.has("y") => slab.middle,

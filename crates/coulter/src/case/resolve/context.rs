@@ -1,8 +1,9 @@
 //! What the sections of a case have in common.
 
 use super::clearance::SoilConditions;
+use crate::case::problem::Problems;
 use crate::case::resolved::Law;
-use crate::case::shapes::surroundings::{Slab, Surroundings};
+use crate::case::shapes::slab::Slab;
 use glam::DVec3;
 
 /// What the sections of a case have in common.
@@ -25,11 +26,6 @@ pub(super) struct Context {
 }
 
 impl Context {
-    /// What the shape of a body must fit.
-    pub(super) fn surroundings(&self) -> Surroundings {
-        Surroundings { cell: self.cell, slab: self.slab }
-    }
-
     /// What the clearance round a body depends on.
     pub(super) fn soil_conditions(&self) -> SoilConditions {
         SoilConditions {
@@ -42,4 +38,15 @@ impl Context {
             confined: false,
         }
     }
+}
+
+/// The same part of the case, or `None` if `check` finds something wrong with it: what follows from it would be wrong, too.
+pub(super) fn checked<T>(
+    part: T,
+    problems: &mut Problems,
+    check: impl FnOnce(&T, &mut Problems),
+) -> Option<T> {
+    let before = problems.len();
+    check(&part, problems);
+    (problems.len() == before).then_some(part)
 }

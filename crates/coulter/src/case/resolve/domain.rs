@@ -1,12 +1,13 @@
 //! The box that is modelled.
 
 use super::clearance::{Clearance, clearance};
-use super::context::Context;
+use super::context::{Context, checked};
+use crate::case::missing::range;
 use crate::case::path::{Extent, body_length, paths};
 use crate::case::problem::Problems;
-use crate::case::ranges::range;
 use crate::case::resolved::{Body, Domain, Wall};
 use crate::case::typed::Section;
+use crate::case::validate;
 use glam::DVec3;
 
 /// Least clearance below the bodies and to the sides [body lengths]; chosen: the ground fails over some three sinkages,
@@ -62,43 +63,36 @@ pub(super) fn domain(
         None => range(section, "y", default.map(|u| [low_y.max(u.low.y), u.high.y]), problems),
     };
     let z = range(section, "z", default.map(|u| [u.low.z, u.high.z]), problems);
-    let walls = walls(section, context, problems);
+    let walls = walls(section);
     let ([x0, x1], [y0, y1], [z0, z1]) = (x?, y?, z?);
-    for (is_cut, key, low) in [(context.symmetric_x, "x", x0), (context.symmetric, "y", y0)] {
-        if is_cut && low != 0.0 {
-            let message = format!("a symmetric case is modelled from its plane of symmetry, {key} = 0");
-            problems.add(section.location_of(key), message, format!("let {key} begin with \"0 m\""));
-            return None;
-        }
-    }
     let (low, high) = (DVec3::new(x0, y0, z0), DVec3::new(x1, y1, z1));
     let plane_strain = context.slab.is_some();
     let Context { symmetric, symmetric_x, .. } = *context;
-    Some(Domain { low, high, walls: walls?, symmetric, symmetric_x, plane_strain })
+    let domain = Domain { low, high, walls: walls?, symmetric, symmetric_x, plane_strain };
+    checked(domain, problems, validate::domain::domain)
 }
 
-fn walls(section: &Section, context: &Context, problems: &mut Problems) -> Option<[[Wall; 2]; 3]> {
-    let default = [[Wall::Smooth; 2], [Wall::Smooth; 2], [Wall::Fixed, Wall::Smooth]];
-    let mut walls = default;
-    for (axis, key) in ["x_walls", "y_walls", "z_walls"].into_iter().enumerate() {
-        if !section.has(key) {
-            continue;
-        }
-        let words = section.words(key)?;
-        for (wall, word) in walls[axis].iter_mut().zip(&words.value) {
+fn walls(section: &Section) -> Option<[[Wall; 2]; 3]> {
+    let mut walls = [[Wall::Smooth; 2]; 3];
+    for (pair, key) in walls.iter_mut().zip(["x_walls", "y_walls", "z_walls"]) {
+        for (wall, word) in pair.iter_mut().zip(section.words(key)?) {
             *wall = if word == "fixed" { Wall::Fixed } else { Wall::Smooth };
         }
     }
-    let slab_is_fixed = context.slab.is_some() && walls[1] != [Wall::Smooth; 2];
-    if slab_is_fixed || context.symmetric && walls[1][0] != Wall::Smooth {
-        let message = "a plane of symmetry, or of plane strain, is smooth";
-        problems.add(section.location_of("y_walls"), message, "remove y_walls, or write \"smooth\" there");
-        return None;
-    }
-    if context.symmetric_x && walls[0][0] != Wall::Smooth {
-        let message = "a plane of symmetry is smooth";
-        problems.add(section.location_of("x_walls"), message, "let x_walls begin with \"smooth\"");
-        return None;
-    }
     Some(walls)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::keys;
+
+    #[test]
+    fn the_documented_box_is_the_derived_one() {
+        let documented = |path| keys::at(path).unwrap().default.text();
+        assert!(documented("domain.x").contains(&format!("{MIN_SIDE} body lengths")));
+        assert!(documented("domain.y").contains(&format!("{MIN_SIDE} body lengths")));
+        let z = documented("domain.z");
+        assert!(z.contains(&format!("{MIN_BELOW} body lengths of soil, {MIN_ABOVE} of headroom")), "{z}");
+    }
 }

@@ -4,14 +4,16 @@ use super::clearance::clearance;
 use super::context::Context;
 use super::fitting::fit;
 use super::grading::{self, AxisGrading};
+use crate::case::missing::range;
 use crate::case::path::{Extent, body_length, paths};
 use crate::case::problem::Problems;
-use crate::case::quantity::plain;
-use crate::case::ranges::{self, GROWTH, range};
 use crate::case::resolved::{Body, Domain, Grid, Ground};
 use crate::case::typed::Section;
+use crate::case::validate::grid::fine_zone;
 use glam::DVec3;
 
+/// Fine zone round the path of the bodies, above it excepted [body lengths].
+const FINE_AROUND: DVec3 = DVec3::new(0.5, 0.25, 0.5);
 /// Least height of the fine zone above the soil, and its height limit where a heap is expected [body lengths]; chosen: the
 /// foot of the heap matters, its top carries little.
 const FINE_ABOVE: [f64; 2] = [0.25, 0.5];
@@ -27,8 +29,8 @@ pub(super) fn default_fine_zone(
         return Extent { low: domain.low, high: domain.high };
     };
     let length = body_length(bodies);
-    let low = path.low - length * DVec3::new(0.5, 0.25, 0.5);
-    let high = path.high + length * DVec3::new(0.5, 0.25, 0.0);
+    let low = path.low - length * FINE_AROUND;
+    let high = path.high + length * FINE_AROUND.with_z(0.0);
     let heap =
         bodies.iter().map(|b| clearance(b, &context.soil_conditions(), duration).above).fold(0.0, f64::max);
     let [min, max] = FINE_ABOVE.map(|lengths| lengths * length);
@@ -45,9 +47,9 @@ pub(super) fn grid(
     usual: Extent,
     problems: &mut Problems,
 ) -> Option<Grid> {
-    let growth = ranges::or(section, "growth", 1.12, &GROWTH, problems)?;
+    let growth = section.number("growth")?;
     let anchors = anchors(ground, domain);
-    let fits = section.flag("fit").is_none_or(|f| f.value);
+    let fits = section.flag("fit")?;
     let axis = |axis: usize| {
         let ends = [domain.low[axis], domain.high[axis]];
         let fine = [usual.low[axis], usual.high[axis]];
@@ -83,10 +85,7 @@ fn faces(
 ) -> Option<(Vec<f64>, [f64; 2])> {
     axis.fine = range(section, key, Some(axis.fine), problems)?;
     let unfitted = AxisGrading { fine: axis.fine, ..unfitted };
-    let [low, high] = axis.ends;
-    if axis.fine[0] < low || axis.fine[1] > high {
-        let message = format!("the fine zone is partly outside the box, {} to {} m", plain(low), plain(high));
-        problems.add(section.location_of(key), message, format!("change grid.{key} or the domain"));
+    if !fine_zone(key, axis.fine, axis.ends, problems) {
         return None;
     }
     // Where fitted cells cannot fill the box, unchanged ones may.
@@ -94,7 +93,7 @@ fn faces(
         .or_else(|_| grading::faces(&unfitted))
         .map_err(|message| {
             let cure = "change grid.cell, grid.growth or the box; a whole number of cells always fits";
-            problems.add(section.location_of("cell"), format!("{key}: {message}"), cure);
+            problems.add(section.at("cell"), format!("{key}: {message}"), cure);
         })
         .ok()
 }
@@ -122,5 +121,22 @@ fn anchors(ground: &Ground, domain: &Domain) -> [f64; 3] {
             };
             [side(0), side(1), high.z]
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::keys;
+
+    #[test]
+    fn the_documented_fine_zone_is_the_derived_one() {
+        let documented = |path| keys::at(path).unwrap().default.text();
+        for (path, lengths) in [("grid.fine_x", FINE_AROUND.x), ("grid.fine_y", FINE_AROUND.y)] {
+            assert!(documented(path).contains(&format!("± {lengths} body lengths")), "{path}");
+        }
+        let (z, [least, most]) = (documented("grid.fine_z"), FINE_ABOVE);
+        let expected = format!("{} body lengths below the bodies' path; {least} above", FINE_AROUND.z);
+        assert!(z.contains(&expected) && z.contains(&format!("up to {most}")), "{z}");
     }
 }

@@ -1,30 +1,28 @@
 //! How long to run, and how often to write.
 
+use super::context::checked;
+use crate::case::keys;
+use crate::case::missing::missing;
 use crate::case::path::travel;
 use crate::case::problem::Problems;
-use crate::case::ranges::{self, POSITIVE, POSITIVE_FRACTION};
 use crate::case::resolved::{Body, Motion, Output};
 use crate::case::typed::Section;
-
-/// Largest number of lines of a history.
-const MAX_LINES: f64 = 1e7;
+use crate::case::validate;
 
 /// The duration [s].
 pub(super) fn duration(section: &Section, bodies: &[Body], problems: &mut Problems) -> Option<f64> {
-    let duration = ranges::given(section, "duration", &POSITIVE, problems);
-    let distance = ranges::given(section, "tow_distance", &POSITIVE, problems);
     if section.has("duration") && section.has("tow_distance") {
         let message = "run.duration and run.tow_distance both determine the end of the run";
-        problems.add(section.location_of("tow_distance"), message, "keep one of them");
+        problems.add(section.at("tow_distance"), message, "keep one of them");
         return None;
     }
     if !section.has("duration") && !section.has("tow_distance") {
-        ranges::missing(section, "duration", problems);
+        missing(section, "duration", problems);
     }
-    match distance {
-        None => duration,
-        Some(distance) => tow_time(section, distance, bodies, problems),
+    if section.has("tow_distance") {
+        return tow_time(section, section.number("tow_distance")?, bodies, problems);
     }
+    section.number("duration")
 }
 
 /// When the last towed body has travelled `distance` [m].
@@ -40,7 +38,7 @@ fn tow_time(section: &Section, distance: f64, bodies: &[Body], problems: &mut Pr
         "a body stops before it has been towed that far"
     };
     let cure = "give a body  forward = { speed = \"0.2 m/s\" },  or use run.duration";
-    problems.add(section.location_of("tow_distance"), message, cure);
+    problems.add(section.at("tow_distance"), message, cure);
     None
 }
 
@@ -65,23 +63,15 @@ fn arrival_time(freedom: &Motion, distance: f64) -> Option<f64> {
 
 /// What to write.
 pub(super) fn output(section: &Section, duration: f64, problems: &mut Problems) -> Option<Output> {
-    let history = ranges::or(section, "history_interval", duration / 500.0, &POSITIVE, problems);
-    let field = ranges::or(section, "field_interval", duration / 20.0, &POSITIVE, problems);
-    let checkpoint = ranges::or(section, "checkpoint_interval", 600.0, &POSITIVE, problems);
-    let steady_fraction = ranges::or(section, "steady_fraction", 0.3, &POSITIVE_FRACTION, problems);
-    let (history_interval, field_interval) = (history?, field?);
-    for (key, interval) in [("history_interval", history_interval), ("field_interval", field_interval)] {
-        let count = duration / interval;
-        if count > MAX_LINES {
-            let message = format!("output.{key} means {count:.1e} outputs in {duration} s");
-            problems.add(section.location_of(key), message, "make the interval longer");
-            return None;
-        }
-    }
-    Some(Output {
-        history_interval,
-        field_interval,
-        checkpoint_interval: checkpoint?,
-        steady_fraction: steady_fraction?,
-    })
+    let interval = |key| {
+        let default = keys::at(&section.at(key)).and_then(|known| known.default.of_duration(duration));
+        section.number_or(key, default?)
+    };
+    let output = Output {
+        history_interval: interval("history_interval")?,
+        field_interval: interval("field_interval")?,
+        checkpoint_interval: section.number("checkpoint_interval")?,
+        steady_fraction: section.number("steady_fraction")?,
+    };
+    checked(output, problems, |output, problems| validate::timing::output(output, duration, problems))
 }

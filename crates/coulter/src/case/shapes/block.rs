@@ -1,9 +1,9 @@
 //! The block.
 
-use super::surroundings::Surroundings;
-use super::traits::{CaseShape, ClosedForm};
+use super::slab::Slab;
+use super::traits::{CaseShape, ClosedForm, Size};
+use crate::case::missing::missing;
 use crate::case::problem::Problems;
-use crate::case::ranges::{self, ANY};
 use crate::case::typed::Section;
 use glam::DVec3;
 use physics::shape;
@@ -22,18 +22,12 @@ impl Block {
     pub(super) const KEYS: &[&str] = &["size", "orientation"];
 
     /// In plane strain it is as wide as the slab.
-    pub(super) fn read(section: &Section, around: &Surroundings, problems: &mut Problems) -> Option<Self> {
+    pub(super) fn read(section: &Section, slab: Option<Slab>, problems: &mut Problems) -> Option<Self> {
         if !section.has("size") {
-            ranges::missing(section, "size", problems);
+            missing(section, "size", problems);
         }
-        let size = section.list("size")?;
-        if let Some(edge) = size.value.iter().find(|edge| edge.value <= 0.0) {
-            let message = format!("an edge of {} is impossible", problems.typed(&edge.location));
-            problems.add(&edge.location, message, "every edge must be above 0");
-            return None;
-        }
-        let edges: Vec<f64> = size.value.iter().map(|edge| edge.value).collect();
-        let size_3d = match (edges.as_slice(), around.slab) {
+        let edges = section.list("size")?;
+        let size = match (edges.as_slice(), slab) {
             (&[x, z], Some(slab)) => DVec3::new(x, slab.covering_width(), z),
             (&[x, y, z], None) => DVec3::new(x, y, z),
             (_, slab) => {
@@ -42,14 +36,12 @@ impl Block {
                 } else {
                     "give three edges, along x, y and z (two only with plane_strain = true)"
                 };
-                problems.add(&size.location, format!("{} edges are not possible here", edges.len()), cure);
+                let message = format!("{} edges are not possible here", edges.len());
+                problems.add(section.at("size"), message, cure);
                 return None;
             }
         };
-        let orientation = ranges::or(section, "orientation", 0.0, &ANY, problems)?;
-        let narrowest = edges.iter().copied().fold(f64::INFINITY, f64::min);
-        let enough = around.resolve(section, "size", narrowest, problems);
-        enough.then_some(Self { size: size_3d, orientation })
+        Some(Self { size, orientation: section.number("orientation")? })
     }
 }
 
@@ -61,6 +53,14 @@ impl CaseShape for Block {
         } else {
             Box::new(shape::Rotated::new(block, self.orientation))
         }
+    }
+
+    fn sizes(&self) -> Vec<Size> {
+        (0..3).map(|axis| Size::along("size", self.size[axis], axis)).collect()
+    }
+
+    fn orientation(&self) -> f64 {
+        self.orientation
     }
 
     /// Its height.

@@ -1,9 +1,9 @@
 //! The cylinder.
 
-use super::surroundings::Surroundings;
-use super::traits::{CaseShape, ClosedForm};
+use super::slab::Slab;
+use super::traits::{CaseShape, ClosedForm, PlaneStrainConflict, Size};
+use crate::case::missing::{missing, required};
 use crate::case::problem::Problems;
-use crate::case::ranges::{self, POSITIVE};
 use crate::case::typed::Section;
 use physics::shape::{self, Axis};
 use serde::Serialize;
@@ -23,36 +23,26 @@ impl Cylinder {
     pub(super) const KEYS: &[&str] = &["diameter", "length", "axis"];
 
     /// In plane strain it lies across the slab and is as long as the slab is wide.
-    pub(super) fn read(section: &Section, around: &Surroundings, problems: &mut Problems) -> Option<Self> {
-        let diameter = ranges::required(section, "diameter", &POSITIVE, problems);
+    pub(super) fn read(section: &Section, slab: Option<Slab>, problems: &mut Problems) -> Option<Self> {
+        let diameter = required(section, "diameter", problems);
         if !section.has("axis") {
-            ranges::missing(section, "axis", problems);
+            missing(section, "axis", problems);
         }
-        let length = match around.slab {
-            None => ranges::required(section, "length", &POSITIVE, problems),
+        let length = match slab {
+            None => required(section, "length", problems),
             Some(slab) if !section.has("length") => Some(slab.covering_width()),
             Some(_) => {
                 let message = "in plane strain a cylinder is as long as the slab is wide";
-                problems.add(section.location_of("length"), message, "remove `length`");
+                problems.add(section.at("length"), message, "remove `length`");
                 None
             }
         };
-        let axis = match section.text("axis")?.value.as_str() {
+        let axis = match section.text("axis")?.as_str() {
             "x" => Axis::X,
             "y" => Axis::Y,
             _ => Axis::Z,
         };
-        if around.slab.is_some() && axis != Axis::Y {
-            let message = "in plane strain a cylinder lies across the slab";
-            problems.add(section.location_of("axis"), message, "write axis = \"y\", or model it in 3D");
-            return None;
-        }
-        let (diameter, length) = (diameter?, length?);
-        let mut enough = around.resolve(section, "diameter", diameter, problems);
-        if around.slab.is_none() {
-            enough &= around.resolve(section, "length", length, problems);
-        }
-        enough.then_some(Self { diameter, length, axis })
+        Some(Self { diameter: diameter?, length: length?, axis })
     }
 }
 
@@ -60,6 +50,23 @@ impl CaseShape for Cylinder {
     fn solid(&self) -> Box<dyn shape::Shape> {
         let Self { diameter, length, axis } = *self;
         Box::new(shape::Cylinder { diameter, length, axis })
+    }
+
+    fn sizes(&self) -> Vec<Size> {
+        let axis = match self.axis {
+            Axis::X => 0,
+            Axis::Y => 1,
+            Axis::Z => 2,
+        };
+        vec![Size::across("diameter", self.diameter), Size::along("length", self.length, axis)]
+    }
+
+    fn plane_strain_conflict(&self) -> Option<PlaneStrainConflict> {
+        (self.axis != Axis::Y).then_some(PlaneStrainConflict {
+            key: "axis",
+            message: "in plane strain a cylinder lies across the slab",
+            cure: "write axis = \"y\", or model it in 3D",
+        })
     }
 
     fn reference_length(&self) -> f64 {

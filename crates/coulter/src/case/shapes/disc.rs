@@ -1,9 +1,9 @@
 //! The disc.
 
-use super::surroundings::Surroundings;
-use super::traits::{CaseShape, ClosedForm};
+use super::slab::Slab;
+use super::traits::{CaseShape, ClosedForm, Size};
+use crate::case::missing::required;
 use crate::case::problem::Problems;
-use crate::case::ranges::{self, POSITIVE};
 use crate::case::typed::Section;
 use physics::shape;
 use serde::Serialize;
@@ -21,29 +21,28 @@ impl Disc {
     pub(super) const KEYS: &[&str] = &["diameter", "thickness"];
 
     /// In plane strain it is as thick as the slab is wide.
-    pub(super) fn read(section: &Section, around: &Surroundings, problems: &mut Problems) -> Option<Self> {
-        let diameter = ranges::required(section, "diameter", &POSITIVE, problems);
-        let thickness = match around.slab {
-            None => ranges::required(section, "thickness", &POSITIVE, problems),
+    pub(super) fn read(section: &Section, slab: Option<Slab>, problems: &mut Problems) -> Option<Self> {
+        let diameter = required(section, "diameter", problems);
+        let thickness = match slab {
+            None => required(section, "thickness", problems),
             Some(slab) if !section.has("thickness") => Some(slab.covering_width()),
             Some(_) => {
                 let message = "in plane strain a disc is as thick as the slab is wide";
-                problems.add(section.location_of("thickness"), message, "remove `thickness`");
+                problems.add(section.at("thickness"), message, "remove `thickness`");
                 None
             }
         };
-        let (diameter, thickness) = (diameter?, thickness?);
-        let mut enough = around.resolve(section, "diameter", diameter, problems);
-        if around.slab.is_none() {
-            enough &= around.resolve(section, "thickness", thickness, problems);
-        }
-        enough.then_some(Self { diameter, thickness })
+        Some(Self { diameter: diameter?, thickness: thickness? })
     }
 }
 
 impl CaseShape for Disc {
     fn solid(&self) -> Box<dyn shape::Shape> {
         Box::new(shape::Disc { diameter: self.diameter, thickness: self.thickness })
+    }
+
+    fn sizes(&self) -> Vec<Size> {
+        vec![Size::across("diameter", self.diameter), Size::along("thickness", self.thickness, 1)]
     }
 
     fn reference_length(&self) -> f64 {

@@ -3,20 +3,20 @@
 mod block;
 mod cylinder;
 mod disc;
+pub(super) mod slab;
 mod sphere;
-pub(super) mod surroundings;
 mod traits;
 
 pub use block::Block;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use sphere::Sphere;
-pub use traits::{CaseShape, ClosedForm};
+pub use traits::{CaseShape, ClosedForm, PlaneStrainConflict, Size};
 
 use super::problem::Problems;
 use super::typed::Section;
 use serde::Serialize;
-use surroundings::Surroundings;
+use slab::Slab;
 
 macro_rules! shapes {
     ($($name:ident: $word:literal, $about:literal;)*) => {
@@ -39,9 +39,9 @@ macro_rules! shapes {
                 }
             }
 
-            fn read(word: &str, section: &Section, around: &Surroundings, problems: &mut Problems) -> Option<Self> {
+            fn read(word: &str, section: &Section, slab: Option<Slab>, problems: &mut Problems) -> Option<Self> {
                 match word {
-                    $($word => $name::read(section, around, problems).map(Self::$name),)*
+                    $($word => $name::read(section, slab, problems).map(Self::$name),)*
                     _ => None,
                 }
             }
@@ -66,9 +66,9 @@ shapes! {
     Sphere: "sphere", "A sphere.";
 }
 
-/// The shape that a section asks for.
-pub(super) fn read(section: &Section, around: &Surroundings, problems: &mut Problems) -> Option<Shape> {
-    let kind = section.text("shape")?.value;
+/// The shape that a section asks for; `slab` is that of a plane strain case.
+pub(super) fn read(section: &Section, slab: Option<Slab>, problems: &mut Problems) -> Option<Shape> {
+    let kind = section.text("shape")?;
     let allowed = KEYS.iter().find(|(word, _)| *word == kind).map_or(&[][..], |(_, keys)| keys);
     let measures = KEYS.iter().flat_map(|(_, keys)| keys.iter().copied());
     // Several shapes have a diameter.
@@ -76,11 +76,11 @@ pub(super) fn read(section: &Section, around: &Surroundings, problems: &mut Prob
     for key in measures.filter(|key| section.has(key) && !allowed.contains(key)) {
         if !refused.contains(&key) {
             let message = format!("`{key}` does not apply to shape = \"{kind}\"");
-            problems.add(section.location_of(key), message, "remove it, or choose another shape");
+            problems.add(section.at(key), message, "remove it, or choose another shape");
             refused.push(key);
         }
     }
-    Shape::read(&kind, section, around, problems)
+    Shape::read(&kind, section, slab, problems)
 }
 
 #[cfg(test)]

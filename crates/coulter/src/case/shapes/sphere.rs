@@ -1,9 +1,9 @@
 //! The sphere.
 
-use super::surroundings::Surroundings;
-use super::traits::{CaseShape, ClosedForm};
+use super::slab::Slab;
+use super::traits::{CaseShape, ClosedForm, PlaneStrainConflict, Size};
+use crate::case::missing::required;
 use crate::case::problem::Problems;
-use crate::case::ranges::{self, POSITIVE};
 use crate::case::typed::Section;
 use physics::shape;
 use serde::Serialize;
@@ -18,20 +18,26 @@ pub struct Sphere {
 impl Sphere {
     pub(super) const KEYS: &[&str] = &["diameter"];
 
-    pub(super) fn read(section: &Section, around: &Surroundings, problems: &mut Problems) -> Option<Self> {
-        let diameter = ranges::required(section, "diameter", &POSITIVE, problems)?;
-        if around.slab.is_some() {
-            let message = "shape = \"sphere\" cannot be combined with plane_strain = true";
-            problems.add(section.location_of("shape"), message, "remove plane_strain, or choose a disc");
-            return None;
-        }
-        around.resolve(section, "diameter", diameter, problems).then_some(Self { diameter })
+    pub(super) fn read(section: &Section, _slab: Option<Slab>, problems: &mut Problems) -> Option<Self> {
+        Some(Self { diameter: required(section, "diameter", problems)? })
     }
 }
 
 impl CaseShape for Sphere {
     fn solid(&self) -> Box<dyn shape::Shape> {
         Box::new(shape::Sphere { diameter: self.diameter })
+    }
+
+    fn sizes(&self) -> Vec<Size> {
+        vec![Size::across("diameter", self.diameter)]
+    }
+
+    fn plane_strain_conflict(&self) -> Option<PlaneStrainConflict> {
+        Some(PlaneStrainConflict {
+            key: "shape",
+            message: "shape = \"sphere\" cannot be combined with plane_strain = true",
+            cure: "remove plane_strain, or choose a disc",
+        })
     }
 
     fn reference_length(&self) -> f64 {

@@ -7,6 +7,16 @@ use physics::shape;
 pub trait CaseShape {
     /// The shape with its geometry: distances, contact points, mesh.
     fn solid(&self) -> Box<dyn shape::Shape>;
+    /// Every length that describes it.
+    fn sizes(&self) -> Vec<Size>;
+    /// Rotation about y at the start [rad].
+    fn orientation(&self) -> f64 {
+        0.0
+    }
+    /// Why it cannot be part of a slab in plane strain, if it cannot.
+    fn plane_strain_conflict(&self) -> Option<PlaneStrainConflict> {
+        None
+    }
     /// Reference length d [m] of the dimensionless groups.
     fn reference_length(&self) -> f64;
     /// Reference width t across the tow [m] of the dimensionless groups.
@@ -25,6 +35,40 @@ pub trait CaseShape {
     fn describe(&self, length: &dyn Fn(f64) -> String, angle: &dyn Fn(f64) -> String) -> String;
     /// What the closed-form models take it for.
     fn closed_form(&self) -> ClosedForm;
+}
+
+/// A length that describes a shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Size {
+    /// Its key.
+    pub key: &'static str,
+    /// The length [m].
+    pub length: f64,
+    /// The axis along which it is measured; `None` for several.
+    pub axis: Option<usize>,
+}
+
+impl Size {
+    /// A length along one axis [m].
+    pub(super) fn along(key: &'static str, length: f64, axis: usize) -> Self {
+        Self { key, length, axis: Some(axis) }
+    }
+
+    /// A length along several axes [m].
+    pub(super) fn across(key: &'static str, length: f64) -> Self {
+        Self { key, length, axis: None }
+    }
+}
+
+/// Why a shape cannot be part of a slab in plane strain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PlaneStrainConflict {
+    /// The key that says so.
+    pub key: &'static str,
+    /// What is wrong.
+    pub message: &'static str,
+    /// How to fix it.
+    pub cure: &'static str,
 }
 
 /// A body as the closed-form models see it.

@@ -1,0 +1,121 @@
+//! A body by itself: its numbers, its size in cells, its motion.
+
+use crate::case::numbers::{in_range, in_range_or_infinite};
+use crate::case::problem::Problems;
+use crate::case::quantity::plain;
+use crate::case::resolved::{Body, Motion};
+use crate::case::shapes::Shape;
+
+/// Least number of cells across a body: with fewer, soil fits between its contact points unnoticed.
+const MIN_CELLS_ACROSS: f64 = 2.0;
+
+/// Reports what is wrong with a body in a grid whose fine cells have the size `cell` [m].
+pub(in crate::case) fn body(body: &Body, cell: f64, plane_strain: bool, problems: &mut Problems) {
+    let path = format!("body.{}", body.name);
+    shape(&path, &body.shape, (cell, plane_strain), problems);
+    position(&path, body, problems);
+    surface(&path, body, problems);
+    mass(&path, body, problems);
+    let motions = ["forward", "lateral", "heave"].into_iter().zip(&body.translation);
+    for (key, freedom) in motions.chain([("spin", &body.spin)]) {
+        motion(&format!("{path}.{key}"), freedom, problems);
+    }
+}
+
+/// Reports what is wrong with the shape of the body at a path.
+pub(in crate::case) fn shape(
+    path: &str,
+    shape: &Shape,
+    (cell, plane_strain): (f64, bool),
+    problems: &mut Problems,
+) {
+    let before = problems.len();
+    for size in shape.sizes() {
+        in_range(&format!("{path}.{}", size.key), size.length, problems);
+    }
+    in_range(&format!("{path}.orientation"), shape.orientation(), problems);
+    if problems.len() == before {
+        cells_across(path, shape, (cell, plane_strain), problems);
+    }
+    if let Some(conflict) = shape.plane_strain_conflict().filter(|_| plane_strain) {
+        problems.add(format!("{path}.{}", conflict.key), conflict.message, conflict.cure);
+    }
+}
+
+/// Reports a shape with too few cells across to resolve contact.
+fn cells_across(path: &str, shape: &Shape, (cell, plane_strain): (f64, bool), problems: &mut Problems) {
+    // The slab of a plane strain case is one cell wide, whatever the body.
+    let sizes: Vec<_> = shape.sizes().into_iter().filter(|s| !(plane_strain && s.axis == Some(1))).collect();
+    let narrowest =
+        |key| sizes.iter().filter(|s| s.key == key).map(|s| s.length).fold(f64::INFINITY, f64::min);
+    for size in sizes.iter().filter(|size| size.length == narrowest(size.key)) {
+        let cells = size.length / cell;
+        if cells >= MIN_CELLS_ACROSS * (1.0 - 1e-9) {
+            continue;
+        }
+        let path = format!("{path}.{}", size.key);
+        let message = format!("only {cells:.2} cells across {path}: too few to resolve contact");
+        let cure = format!(
+            "make grid.cell at most {:.4} mm for 2 cells across; 4 or more are advisable",
+            1e3 * size.length / MIN_CELLS_ACROSS
+        );
+        problems.add(path, message, cure);
+    }
+}
+
+fn position(path: &str, body: &Body, problems: &mut Problems) {
+    in_range(&format!("{path}.x"), body.position.x, problems);
+    in_range(&format!("{path}.y"), body.position.y, problems);
+    if !body.position.z.is_finite() {
+        let message = format!("the body is at z = {} m", plain(body.position.z));
+        problems.add(format!("{path}.sinkage"), message, "it must be at a finite height");
+    }
+}
+
+fn surface(path: &str, body: &Body, problems: &mut Problems) {
+    in_range_or_infinite(&format!("{path}.friction"), body.friction, problems);
+    // The key is a factor, the case holds the traction.
+    if !(body.shear_limit >= 0.0) {
+        let message = format!("the largest frictional traction is {} Pa", plain(body.shear_limit));
+        problems.add(format!("{path}.adhesion_factor"), message, "it must be 0 or more, or infinite");
+    }
+}
+
+fn mass(path: &str, body: &Body, problems: &mut Problems) {
+    let before = problems.len();
+    in_range_or_infinite(&format!("{path}.mass"), body.mass, problems);
+    in_range_or_infinite(&format!("{path}.axle_inertia"), body.axle_inertia, problems);
+    if problems.len() == before && !(body.mass.is_normal() && body.axle_inertia.is_normal()) {
+        let message = format!(
+            "mass {:e} kg and moment of inertia {:e} kg m² are outside the range of computable numbers",
+            body.mass, body.axle_inertia
+        );
+        problems.add(path, message, "check the body's weight or mass, its size and its position");
+    }
+}
+
+/// Reports what is wrong with the motion at a path.
+pub(in crate::case) fn motion(path: &str, motion: &Motion, problems: &mut Problems) {
+    let mut check = |key: &str, number| in_range(&format!("{path}.{key}"), number, problems);
+    match *motion {
+        Motion::Fixed => {}
+        Motion::Free { load, support, start, ramp } => {
+            check("load", load);
+            check("start", start);
+            check("ramp", ramp);
+            if !support.is_finite() {
+                let message = format!("the body is supported by {} N until it is released", plain(support));
+                problems.add(path, message, "it must be a finite force");
+            }
+        }
+        Motion::Prescribed { speed, start, ramp, end } => {
+            check("speed", speed);
+            check("start", start);
+            check("ramp", ramp);
+            if !(end >= start + ramp) {
+                let message = "the motion ends before its ramp does";
+                problems.add(format!("{path}.end"), message, "set `end` to start + ramp or later");
+            }
+        }
+    }
+}

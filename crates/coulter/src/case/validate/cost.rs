@@ -1,0 +1,85 @@
+//! Whether a case can be computed: its contact points, its time steps, the memory that it takes.
+
+use crate::case::estimate;
+use crate::case::keys;
+use crate::case::machine;
+use crate::case::problem::Problems;
+use crate::case::resolved::Case;
+use crate::case::resources::format_bytes;
+
+/// Largest number of time steps.
+const MAX_STEPS: f64 = 1e12;
+
+/// Reports a case that cannot be computed; its numbers must make sense.
+pub(super) fn cost(case: &Case, problems: &mut Problems) {
+    let before = problems.len();
+    contact_points_remain(case, problems);
+    can_be_computed(case, problems);
+    // What cannot be computed has no contact points that could be counted, and no memory.
+    if problems.len() == before {
+        contact_points_are_not_too_many(case, problems);
+    }
+    if problems.len() == before {
+        fits_into_memory(case, problems);
+    }
+}
+
+const EDGE_INSET: &str = "numerics.edge_inset";
+
+/// Refuses an inset that leaves no contact points: no force could act on the body.
+fn contact_points_remain(case: &Case, problems: &mut Problems) {
+    let inset = case.numerics.edge_inset * case.grid.cell;
+    for body in &case.bodies {
+        let (low, high) = body.shape.solid().bounds();
+        if (high - low).min_element() - 2.0 * inset < 1e-6 * case.grid.cell {
+            let message = format!("the inset leaves no contact points on body `{}`", body.name);
+            let default = keys::at(EDGE_INSET).map_or_else(String::new, |key| key.default.text());
+            problems.add(EDGE_INSET, message, format!("reduce it; {default} is the default"));
+        }
+    }
+}
+
+/// Refuses numbers that are too large or too small to compute with, and runs that would take too many steps.
+fn can_be_computed(case: &Case, problems: &mut Problems) {
+    let cost = estimate::estimate(case);
+    if !(cost.time_step_s > 0.0 && cost.steps <= MAX_STEPS) {
+        let message =
+            format!("{:.1e} time steps of {:.1e} s are too many to run", cost.steps, cost.time_step_s);
+        let cure = "check run.duration, grid.cell, soil.young_modulus and the soil's density";
+        problems.add("soil", message, cure);
+    }
+}
+
+/// Largest number of contact points of one body: generating them takes some 2 GB.
+const MAX_POINTS: f64 = 1e7;
+
+/// Refuses bodies with too many contact points.
+fn contact_points_are_not_too_many(case: &Case, problems: &mut Problems) {
+    let Some((name, points)) = estimate::most_contact_points(case) else { return };
+    if points <= MAX_POINTS {
+        return;
+    }
+    let message =
+        format!("body `{name}` would have {points:.1e} contact points; at most {MAX_POINTS:.0e} are allowed");
+    let cure = "make grid.cell or numerics.point_spacing larger, or the body smaller";
+    problems.add("grid.cell", message, cure);
+}
+
+/// Refuses a case that needs more memory than this machine has; nothing of that size has been allocated yet.
+fn fits_into_memory(case: &Case, problems: &mut Problems) {
+    let cost = estimate::cost(case);
+    let Some(available) = machine::memory_available() else { return };
+    if cost.memory_bytes <= available {
+        return;
+    }
+    let message = format!(
+        "the grid of {:.3e} cells needs {} of memory, the contact points {}, writing {}; {} are free",
+        cost.estimate.cells,
+        format_bytes(cost.memory.grid_bytes),
+        format_bytes(cost.memory.contact_bytes),
+        format_bytes(cost.memory.outputs_bytes),
+        format_bytes(available)
+    );
+    let cure = "make grid.cell larger, or the box or the fine zone smaller";
+    problems.add("grid.cell", message, cure);
+}

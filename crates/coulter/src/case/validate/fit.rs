@@ -1,0 +1,101 @@
+//! Whether the bodies fit into the box, and their motion its planes of symmetry.
+
+use crate::case::path::path;
+use crate::case::problem::Problems;
+use crate::case::quantity::plain;
+use crate::case::resolved::{Body, Domain, Motion};
+
+/// Reports bodies that start or move outside the box, and motions that violate its symmetry.
+pub(in crate::case) fn bodies_fit(bodies: &[Body], domain: &Domain, duration: f64, problems: &mut Problems) {
+    for body in bodies {
+        if domain.symmetric || domain.plane_strain {
+            keeps_to_the_plane(body, domain, problems);
+        }
+        if domain.symmetric_x {
+            keeps_to_the_middle(body, problems);
+        }
+        stays_inside(body, domain, duration, problems);
+    }
+}
+
+/// The path of a key of a body.
+fn at(body: &Body, key: &str) -> String {
+    format!("body.{}.{key}", body.name)
+}
+
+fn keeps_to_the_plane(body: &Body, domain: &Domain, problems: &mut Problems) {
+    let plane = if domain.symmetric { "a symmetric" } else { "a plane strain" };
+    if domain.symmetric && body.position.y != 0.0 {
+        let message = format!("the body is at y = {} m, off the plane of symmetry", plain(body.position.y));
+        problems.add(at(body, "y"), message, "remove `y`, or symmetric = true");
+    }
+    if body.translation[1] != Motion::Fixed {
+        let message = format!("{plane} case allows no lateral motion");
+        problems.add(at(body, "lateral"), message, "write lateral = \"fixed\", or model the whole width");
+    }
+}
+
+/// A plane of symmetry across the tow allows no tow, and no rotation about y.
+fn keeps_to_the_middle(body: &Body, problems: &mut Problems) {
+    if body.position.x != 0.0 {
+        let message = format!("the body is at x = {} m, off the plane of symmetry", plain(body.position.x));
+        problems.add(at(body, "x"), message, "remove `x`, or symmetric_x = true");
+    }
+    if !body.shape.is_symmetric_about_x() {
+        let message = "a rotated block is not symmetric about x = 0";
+        problems.add(at(body, "orientation"), message, "remove `orientation`, or symmetric_x = true");
+    }
+    for (key, still, freedom) in [("forward", "fixed", &body.translation[0]), ("spin", "locked", &body.spin)]
+    {
+        if *freedom != Motion::Fixed {
+            let message = format!("a case that is symmetric about x = 0 allows no `{key}`");
+            let cure = format!("write {key} = \"{still}\", or remove symmetric_x = true");
+            problems.add(at(body, key), message, cure);
+        }
+    }
+}
+
+fn stays_inside(body: &Body, domain: &Domain, duration: f64, problems: &mut Problems) {
+    let start = path(body, 0.0);
+    let whole = path(body, duration);
+    for (axis, name, key) in [(0, "x", "forward"), (1, "y", "lateral")] {
+        // In plane strain the slab cuts through the body; a plane of symmetry cuts through any body.
+        let (low_open, high_open) = match axis {
+            1 => (domain.symmetric || domain.plane_strain, domain.plane_strain),
+            _ => (domain.symmetric_x, false),
+        };
+        let leaves = |low: f64, high: f64| {
+            !low_open && low < domain.low[axis] || !high_open && high > domain.high[axis]
+        };
+        let (message, key) = if leaves(start.low[axis], start.high[axis]) {
+            ("starts outside the box", name)
+        } else if leaves(whole.low[axis], whole.high[axis]) {
+            ("leaves the box on its path", key)
+        } else {
+            continue;
+        };
+        let message = format!(
+            "[body.{}] {message}: it extends over {name} = {:.4} to {:.4} m, the box over {} to {} m",
+            body.name,
+            whole.low[axis],
+            whole.high[axis],
+            plain(domain.low[axis]),
+            plain(domain.high[axis])
+        );
+        problems.add(at(body, key), message, format!("make domain.{name} wider, or the path shorter"));
+    }
+    // A wall may extend through the floor, so that no soil passes under it; a body that moves vertically may not.
+    let through_the_floor = whole.low.z < domain.low.z && body.translation[2] != Motion::Fixed;
+    if through_the_floor || start.high.z <= domain.low.z || start.low.z >= domain.high.z {
+        let message = format!(
+            "[body.{}] extends over z = {:.4} to {:.4} m, but the box over {} to {} m",
+            body.name,
+            whole.low.z,
+            whole.high.z,
+            plain(domain.low.z),
+            plain(domain.high.z)
+        );
+        let key = if start.low.z < domain.low.z { "sinkage" } else { "heave" };
+        problems.add(at(body, key), message, "make domain.z deeper, or start the body higher");
+    }
+}

@@ -1,0 +1,59 @@
+//! Whether a case can be simulated, however it was made. It sees values only; problems name the path of the key at fault.
+
+pub(super) mod body;
+mod cost;
+pub(super) mod domain;
+pub(super) mod fit;
+pub(super) mod grid;
+pub(super) mod names;
+mod parameters;
+pub(super) mod soil;
+pub(super) mod timing;
+
+use super::numbers::in_range;
+use super::problem::{Problem, Problems};
+use super::resolved::Case;
+
+/// Everything that is wrong with a case; empty for one that can be simulated.
+///
+/// What [`super::parse`] returns has passed this check already; a case that was made or changed by hand has not. Whether
+/// there is enough memory depends on the machine and on the moment.
+#[must_use]
+pub fn validate(case: &Case) -> Vec<Problem> {
+    let mut problems = Problems::default();
+    parts(case, &mut problems);
+    // Nothing else can be computed from numbers that make no sense.
+    if problems.is_empty() {
+        fits_together(case, &mut problems);
+        cost::cost(case, &mut problems);
+    }
+    problems.into_list()
+}
+
+/// Every part by itself.
+fn parts(case: &Case, problems: &mut Problems) {
+    names::case_name(&case.name, problems);
+    in_range("gravity", case.gravity, problems);
+    soil::soil(&case.soil, problems);
+    parameters::numerics(&case.numerics, problems);
+    parameters::forecast(&case.forecast, problems);
+    names::bodies(&case.bodies, problems);
+    for body in &case.bodies {
+        body::body(body, case.grid.cell, case.domain.plane_strain, problems);
+    }
+    timing::duration(case.duration, problems);
+    timing::output(&case.output, case.duration, problems);
+    domain::domain(&case.domain, problems);
+    domain::ground_numbers(&case.ground, problems);
+    domain::velocity_numbers(case.velocity, problems);
+    soil::overburden_number(case.overburden, problems);
+    grid::grid(&case.grid, &case.domain, problems);
+}
+
+/// Whether the parts fit each other.
+fn fits_together(case: &Case, problems: &mut Problems) {
+    domain::ground(&case.ground, &case.domain, problems);
+    domain::velocity(case.velocity, &case.domain, problems);
+    soil::overburden(case.overburden, &case.soil, case.ground.surface(), &case.domain, problems);
+    fit::bodies_fit(&case.bodies, &case.domain, case.duration, problems);
+}

@@ -1,0 +1,147 @@
+//! The soil: whether its parameters are in range and do not contradict each other, and whether it sustains the overburden.
+
+use crate::case::numbers::in_range;
+use crate::case::problem::Problems;
+use crate::case::quantity::plain;
+use crate::case::resolved::{Domain, Law, Potential, Soil};
+
+/// Reports what is wrong with the soil.
+pub(in crate::case) fn soil(soil: &Soil, problems: &mut Problems) {
+    let elastic = [
+        ("young_modulus", soil.young_modulus),
+        ("poisson_ratio", soil.poisson_ratio),
+        ("unit_weight", soil.unit_weight),
+        ("density", soil.density),
+        ("k0", soil.k0),
+    ];
+    for (key, number) in elastic {
+        in_range(&format!("soil.{key}"), number, problems);
+    }
+    law(&soil.law, problems);
+    if let Law::MohrCoulomb { critical_density: Some(critical), .. } = soil.law
+        && critical > soil.density
+    {
+        let message = format!(
+            "the initial density of the soil, {:.1} kg/m³, is below its critical density",
+            soil.density
+        );
+        let cure = "it must be at most the density; dense sand dilates by some per cent";
+        problems.add("soil.critical_density", message, cure);
+    }
+}
+
+/// Reports what is wrong with a yield law.
+pub(in crate::case) fn law(law: &Law, problems: &mut Problems) {
+    let before = problems.len();
+    for (key, number) in law_numbers(law) {
+        in_range(&format!("soil.{key}"), number, problems);
+    }
+    if problems.len() == before {
+        plastic_flow(law, problems);
+    }
+}
+
+/// The numbers of a yield law, by key.
+fn law_numbers(law: &Law) -> Vec<(&'static str, f64)> {
+    match *law {
+        Law::Elastic => Vec::new(),
+        Law::Tresca { shear_strength } => vec![("shear_strength", shear_strength)],
+        Law::VonMises { yield_stress, hardening_modulus } => {
+            vec![("yield_stress", yield_stress), ("hardening_modulus", hardening_modulus)]
+        }
+        Law::MohrCoulomb {
+            friction_angle,
+            dilation_angle,
+            cohesion,
+            tension_cutoff,
+            potential,
+            critical_density,
+        } => {
+            let mut numbers = vec![
+                ("friction_angle", friction_angle),
+                ("dilation_angle", dilation_angle),
+                ("cohesion", cohesion),
+                ("tension_cutoff", tension_cutoff),
+            ];
+            if let Potential::MenetreyWillam { meridional, deviatoric } = potential {
+                numbers.push(("meridional_eccentricity", meridional));
+                numbers.push(("deviatoric_eccentricity", deviatoric));
+            }
+            numbers.extend(critical_density.map(|density| ("critical_density", density)));
+            numbers
+        }
+    }
+}
+
+/// Reports angles and a tension cut-off of frictional soil that contradict each other, and an end of dilation where there is none.
+fn plastic_flow(law: &Law, problems: &mut Problems) {
+    let Law::MohrCoulomb {
+        friction_angle, dilation_angle, cohesion, tension_cutoff, critical_density, ..
+    } = *law
+    else {
+        return;
+    };
+    if dilation_angle > friction_angle {
+        let message =
+            "the dilation angle ψ is larger than the friction angle φ: plastic flow would create energy";
+        problems.add("soil.dilation_angle", message, "it must be from 0 deg to the friction angle");
+    }
+    // The apex of the cone; for φ = 0 there is none.
+    let apex = if friction_angle > 0.0 { cohesion / friction_angle.tan() } else { f64::INFINITY };
+    if tension_cutoff > apex {
+        let message =
+            format!("the tension cut-off is beyond the apex of the yield cone, c cot φ = {apex:.4} Pa");
+        problems.add("soil.tension_cutoff", message, "lower it, or remove it for no tension at all");
+    }
+    if dilation_angle == 0.0 && critical_density.is_some() {
+        let message = "soil with a dilation angle of 0 does not dilate";
+        problems.add("soil.critical_density", message, "remove it, or set  dilation_angle");
+    }
+}
+
+/// Reports an overburden [Pa] that is no pressure.
+pub(super) fn overburden_number(overburden: f64, problems: &mut Problems) {
+    in_range(OVERBURDEN, overburden, problems);
+}
+
+const OVERBURDEN: &str = "ground.overburden";
+
+/// Reports an overburden [Pa] under which the soil, with its surface at a height [m], does not reach up to the lid or yields
+/// at once.
+pub(in crate::case) fn overburden(
+    overburden: f64,
+    soil: &Soil,
+    surface: f64,
+    domain: &Domain,
+    problems: &mut Problems,
+) {
+    if overburden == 0.0 {
+        return;
+    }
+    if surface < domain.high.z {
+        let message = format!(
+            "an overburden needs a lid: the soil ends at z = {} m, the box at {} m",
+            plain(surface),
+            plain(domain.high.z)
+        );
+        let cure = "let domain.z end at ground.surface, or remove `overburden`";
+        problems.add(OVERBURDEN, message, cure);
+        return;
+    }
+    let ratio = soil.k0;
+    let [max, min] = [ratio.max(1.0) * overburden, ratio.min(1.0) * overburden];
+    let is_sustained = match soil.law {
+        Law::Elastic => true,
+        Law::Tresca { shear_strength } => max - min <= 2.0 * shear_strength,
+        Law::VonMises { yield_stress, .. } => max - min <= yield_stress,
+        Law::MohrCoulomb { friction_angle, cohesion, .. } => {
+            let (sin, cos) = friction_angle.sin_cos();
+            max - min <= (max + min) * sin + 2.0 * cohesion * cos
+        }
+    };
+    if !is_sustained {
+        let message =
+            format!("the soil cannot sustain this overburden with K₀ = {ratio:.3}: it would fail at once");
+        problems.add(OVERBURDEN, message, "add  k0 = 1  to [soil], or lower the overburden");
+    }
+}
