@@ -9,6 +9,7 @@ mod disc;
 mod facets;
 mod mass;
 mod mesh;
+mod point;
 mod rotated;
 mod sampler;
 mod sphere;
@@ -18,23 +19,13 @@ pub use cylinder::{Axis, Cylinder};
 pub use disc::Disc;
 pub use mass::MassProperties;
 pub use mesh::Mesh;
+pub use point::SurfacePoint;
 pub use rotated::Rotated;
 pub use sphere::Sphere;
 
 use glam::{DMat3, DVec3};
 use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, TAU};
-
-/// An integration point of the contact on the surface.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SurfacePoint {
-    /// Position in the body frame [m].
-    pub position: DVec3,
-    /// Outward unit normal.
-    pub normal: DVec3,
-    /// Area represented by the point [m²].
-    pub area: f64,
-}
 
 /// Midpoint of division `n` of `count` equal divisions of the interval −½ to ½; those of opposite divisions are opposite
 /// to the bit.
@@ -124,12 +115,12 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
     /// Points at a sharp edge would widen the body by half a cell, which the inset compensates. Points that are mirror images
     /// in y are adjacent, so that contact treats them symmetrically.
     fn surface_points(&self, spacing: f64, inset: DVec3) -> Vec<SurfacePoint> {
-        sampler::sample(self, spacing, inset)
+        sampler::sample(&self.mesh(), |x| self.signed_distance(x), spacing, inset)
     }
     /// Number of points of [`Shape::surface_points`], without laying them out; a float, since it may be huge. An estimate where
     /// they come from the mesh.
     fn surface_point_count(&self, spacing: f64, _inset: DVec3) -> f64 {
-        sampler::count(self, spacing)
+        sampler::count(&self.mesh(), spacing)
     }
     /// Whether the shape is rotationally symmetric about the axle; its contact points then need not rotate with it.
     fn is_revolved(&self) -> bool {

@@ -6,20 +6,25 @@
 
 use super::facets::{Facets, normals};
 use super::mesh::Mesh;
-use super::{Shape, SurfacePoint};
+use super::point::SurfacePoint;
 use glam::DVec3;
 use std::collections::{BTreeMap, HashMap};
 
 /// Side of the pieces over the spacing of the points.
 const PIECE: f64 = 0.5;
 
-/// Contact points of a shape about `spacing` [m] apart, with an `inset` [m] along x, y, z from sharp convex edges.
-pub(super) fn sample(shape: &(impl Shape + ?Sized), spacing: f64, inset: DVec3) -> Vec<SurfacePoint> {
-    let mesh = shape.mesh();
-    let normals = normals(&mesh);
-    let facets = Facets::new(&mesh, &normals);
+/// Contact points about `spacing` [m] apart, with an `inset` [m] along x, y, z from sharp convex edges, of a shape with a `mesh`
+/// and a signed distance [m].
+pub(super) fn sample(
+    mesh: &Mesh,
+    distance: impl Fn(DVec3) -> f64,
+    spacing: f64,
+    inset: DVec3,
+) -> Vec<SurfacePoint> {
+    let normals = normals(mesh);
+    let facets = Facets::new(mesh, &normals);
     let edges = Edges::new(&facets, inset, spacing);
-    let is_mirrored = is_mirrored(shape, &mesh);
+    let is_mirrored = is_mirrored(mesh, &distance);
     let mut patches: BTreeMap<(usize, usize, [i64; 2]), Patch> = BTreeMap::new();
     for ((triangle, normal), facet) in mesh.triangles.iter().zip(&normals).zip(&facets.of) {
         let axis = facets.normal[*facet].unwrap_or(*normal).abs().max_position();
@@ -37,7 +42,7 @@ pub(super) fn sample(shape: &(impl Shape + ?Sized), spacing: f64, inset: DVec3) 
         if patch.area < 1e-6 * spacing.powi(2) {
             continue;
         }
-        let point = patch.point(shape, facets.normal[*facet], spacing);
+        let point = patch.point(&distance, facets.normal[*facet], spacing);
         points.push(point);
         if is_mirrored {
             let flip = |v: DVec3| DVec3::new(v.x, -v.y, v.z);
@@ -52,22 +57,21 @@ pub(super) fn sample(shape: &(impl Shape + ?Sized), spacing: f64, inset: DVec3) 
 }
 
 /// About the number of points of [`sample`].
-pub(super) fn count(shape: &(impl Shape + ?Sized), spacing: f64) -> f64 {
-    let mesh = shape.mesh();
+pub(super) fn count(mesh: &Mesh, spacing: f64) -> f64 {
     let squares = |(triangle, normal): (&[u32; 3], DVec3)| {
         let [a, b, c] = triangle.map(|n| mesh.points[n as usize]);
         0.5 * (b - a).cross(c - a).length() * normal.abs().max_element() / spacing.powi(2)
     };
-    mesh.triangles.iter().zip(normals(&mesh)).map(squares).sum()
+    mesh.triangles.iter().zip(normals(mesh)).map(squares).sum()
 }
 
 /// Whether the shape is its own mirror image in y = 0.
-fn is_mirrored(shape: &(impl Shape + ?Sized), mesh: &Mesh) -> bool {
-    let (low, high) = shape.bounds();
-    let tolerance = 1e-9 * (high - low).length();
+fn is_mirrored(mesh: &Mesh, distance: impl Fn(DVec3) -> f64) -> bool {
+    let size = mesh.points.iter().map(|x| x.length()).fold(0.0, f64::max);
+    let tolerance = 2e-9 * size;
     let agrees = |x: DVec3| {
         let image = DVec3::new(x.x, -x.y, x.z);
-        (shape.signed_distance(x) - shape.signed_distance(image)).abs() <= tolerance
+        (distance(x) - distance(image)).abs() <= tolerance
     };
     let centre = |triangle: &[u32; 3]| triangle.iter().map(|n| mesh.points[*n as usize]).sum::<DVec3>() / 3.0;
     mesh.points.iter().copied().all(agrees) && mesh.triangles.iter().map(centre).all(agrees)
@@ -125,21 +129,19 @@ impl Patch {
     }
 
     /// The point; `flat` is the normal of a flat facet.
-    fn point(&self, shape: &(impl Shape + ?Sized), flat: Option<DVec3>, spacing: f64) -> SurfacePoint {
+    fn point(&self, distance: impl Fn(DVec3) -> f64, flat: Option<DVec3>, spacing: f64) -> SurfacePoint {
         let mut position = self.position / self.area;
         let mut normal = flat.unwrap_or(self.normal).normalize_or_zero();
         if flat.is_none() {
-            position -= normal * shape.signed_distance(position);
+            position -= normal * distance(position);
             let step = 1e-4 * spacing;
-            let slope = |axis: DVec3| {
-                shape.signed_distance(position + step * axis) - shape.signed_distance(position - step * axis)
-            };
+            let slope = |axis: DVec3| distance(position + step * axis) - distance(position - step * axis);
             let gradient = DVec3::from_array(DVec3::AXES.map(slope)).normalize_or_zero();
             // Next to an edge that is not quite sharp the distance may have no gradient of use.
             if gradient.dot(normal) > 0.9 {
                 normal = gradient;
             }
-            position -= normal * shape.signed_distance(position);
+            position -= normal * distance(position);
         }
         SurfacePoint { position, normal, area: self.area }
     }
@@ -206,7 +208,11 @@ impl<'a> Edges<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::{Axis, Block, Cylinder, Disc, Rotated, Sphere};
+    use crate::shape::{Axis, Block, Cylinder, Disc, Rotated, Shape, Sphere};
+
+    fn sample(shape: &dyn Shape, spacing: f64, inset: DVec3) -> Vec<SurfacePoint> {
+        super::sample(&shape.mesh(), |x| shape.signed_distance(x), spacing, inset)
+    }
 
     fn shapes() -> [Box<dyn Shape>; 5] {
         [
@@ -234,7 +240,7 @@ mod tests {
                 assert!(shape.signed_distance(p.position).abs() < 1e-9, "{shape:?} {p:?}");
                 assert!(shape.signed_distance(p.position + 1e-4 * p.normal) > 0.99e-4, "{shape:?} {p:?}");
             }
-            let estimate = count(shape.as_ref(), 0.004);
+            let estimate = count(&shape.mesh(), 0.004);
             assert!((estimate / sampled.len() as f64 - 1.0).abs() < 0.2, "{shape:?}: {estimate}");
         }
     }
