@@ -62,7 +62,8 @@ fn the_towed_disc_is_understood() {
     close(&disc["mass"], 40.0 / 9.81);
     close(&disc["axle_inertia"], 0.5 * 40.0 / 9.81 * 0.1 * 0.1);
     close(&disc["position"][2], 0.1);
-    close(&disc["translation"][2]["free"]["load"], -40.0);
+    close(&disc["translation"][2]["free"]["load"], 0.0);
+    close(&disc["translation"][2]["free"]["support"], 40.0);
     close(&disc["spin"]["free"]["ramp"], 0.1);
     // 0.4 s to settle, a ramp over half the distance of the full speed, then 0.2 m/s.
     close(&case["duration"], 0.4 + 0.05 + 1.6);
