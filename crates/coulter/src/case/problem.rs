@@ -1,9 +1,10 @@
 //! What is wrong with a case, at which key, and what to do about it. Where the key stands in a text is known to `places`.
 
+use std::collections::HashSet;
 use std::fmt;
 
 /// One thing that is wrong with a case.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Problem {
     /// Path of the key, such as `soil.cohesion`, `body.disc.forward.ramp` or `ground.velocity[1]`; of a section, such as
     /// `soil`, where it concerns several keys; empty where it concerns the case as a whole.
@@ -45,6 +46,7 @@ pub(super) enum Aim {
 #[derive(Debug, Default)]
 pub(super) struct Problems {
     found: Vec<(Aim, Problem)>,
+    known: HashSet<Problem>,
 }
 
 impl Problems {
@@ -69,7 +71,7 @@ impl Problems {
     }
 
     fn push(&mut self, aim: Aim, problem: Problem) {
-        if !self.found.iter().any(|(_, known)| *known == problem) {
+        if self.known.insert(problem.clone()) {
             self.found.push((aim, problem));
         }
     }

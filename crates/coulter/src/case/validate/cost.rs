@@ -18,8 +18,6 @@ pub(super) fn cost(case: &Case, problems: &mut Problems) {
     // What cannot be computed has no contact points that could be counted, and no memory.
     if problems.len() == before {
         contact_points_are_not_too_many(case, problems);
-    }
-    if problems.len() == before {
         fits_into_memory(case, problems);
     }
 }
