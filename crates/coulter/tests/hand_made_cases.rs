@@ -225,7 +225,6 @@ fn numbers(case: &mut Case) -> Vec<&mut f64> {
     all.extend([&mut soil.density, &mut soil.unit_weight, &mut soil.young_modulus]);
     all.extend([&mut soil.poisson_ratio, &mut soil.k0]);
     match &mut soil.law {
-        Law::Elastic => {}
         Law::Tresca { shear_strength } => all.push(shear_strength),
         Law::VonMises { yield_stress, hardening_modulus } => all.extend([yield_stress, hardening_modulus]),
         Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_cutoff, potential, .. } => {
@@ -234,6 +233,7 @@ fn numbers(case: &mut Case) -> Vec<&mut f64> {
                 all.extend([meridional, deviatoric]);
             }
         }
+        _ => {}
     }
     match &mut case.ground {
         Ground::Level { surface } => all.push(surface),
