@@ -75,7 +75,7 @@ fn position(path: &str, body: &Body, problems: &mut Problems) {
 fn surface(path: &str, body: &Body, problems: &mut Problems) {
     in_range_or_infinite(&format!("{path}.friction"), body.friction, problems);
     // The key is a factor, the case holds the traction.
-    if !(body.shear_limit >= 0.0) {
+    if body.shear_limit.is_nan() || body.shear_limit < 0.0 {
         let message = format!("the largest frictional traction is {} Pa", plain(body.shear_limit));
         problems.add(format!("{path}.adhesion_factor"), message, "it must be 0 or more, or infinite");
     }
@@ -112,7 +112,7 @@ pub(in crate::case) fn motion(path: &str, motion: &Motion, problems: &mut Proble
             check("speed", speed);
             check("start", start);
             check("ramp", ramp);
-            if !(end >= start + ramp) {
+            if end.is_nan() || end < start + ramp {
                 let message = "the motion ends before its ramp does";
                 problems.add(format!("{path}.end"), message, "set `end` to start + ramp or later");
             }

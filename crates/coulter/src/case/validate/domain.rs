@@ -76,7 +76,7 @@ pub(in crate::case) fn ground(ground: &Ground, domain: &Domain, problems: &mut P
         return;
     }
     let Ground::Column { low, high, radius } = *ground else { return };
-    if !(low.z < high.z) {
+    if low.z.is_nan() || low.z >= high.z {
         let message = format!("the soil begins at z = {} m, above its surface", plain(low.z));
         problems.add("ground.surface", message, "let it begin at the floor of the box");
     }

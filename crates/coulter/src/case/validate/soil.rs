@@ -75,17 +75,14 @@ fn law_numbers(law: &Law) -> Vec<(&'static str, f64)> {
 
 /// Reports angles and a tension cut-off of frictional soil that contradict each other, and an end of dilation where there is none.
 fn plastic_flow(law: &Law, problems: &mut Problems) {
-    let Law::MohrCoulomb {
-        friction_angle, dilation_angle, cohesion, tension_cutoff, critical_density, ..
-    } = *law
-    else {
-        return;
-    };
-    if dilation_angle > friction_angle {
+    if law.friction_angle().is_some_and(|friction_angle| law.dilation_angle() > friction_angle) {
         let message =
             "the dilation angle ψ is larger than the friction angle φ: plastic flow would create energy";
         problems.add("soil.dilation_angle", message, "it must be from 0 deg to the friction angle");
     }
+    let Law::MohrCoulomb { friction_angle, cohesion, tension_cutoff, critical_density, .. } = *law else {
+        return;
+    };
     // The apex of the cone; for φ = 0 there is none.
     let apex = if friction_angle > 0.0 { cohesion / friction_angle.tan() } else { f64::INFINITY };
     if tension_cutoff > apex {
@@ -93,7 +90,7 @@ fn plastic_flow(law: &Law, problems: &mut Problems) {
             format!("the tension cut-off is beyond the apex of the yield cone, c cot φ = {apex:.4} Pa");
         problems.add("soil.tension_cutoff", message, "lower it, or remove it for no tension at all");
     }
-    if dilation_angle == 0.0 && critical_density.is_some() {
+    if law.dilation_angle() == 0.0 && critical_density.is_some() {
         let message = "soil with a dilation angle of 0 does not dilate";
         problems.add("soil.critical_density", message, "remove it, or set  dilation_angle");
     }
