@@ -31,7 +31,7 @@ pub(super) fn groups(case: &Case, body: &Body) -> Groups {
     let speed = body.translation.iter().map(prescribed_speed).fold(0.0, f64::max);
     Groups {
         t_bar: t / d,
-        w_bar: downward_load(body).and_then(|w| over_weight(w / (t * d * d))),
+        w_bar: body.pressing_force(case.gravity).and_then(|w| over_weight(w / (t * d * d))),
         e_bar: over_weight(case.soil.young_modulus / d),
         c_bar: case.soil.law.cohesion().and_then(|c| over_weight(c / d)),
         froude: (case.gravity > 0.0).then_some(speed.powi(2) / (case.gravity * d)),
@@ -40,9 +40,4 @@ pub(super) fn groups(case: &Case, body: &Body) -> Groups {
 
 fn prescribed_speed(freedom: &Motion) -> f64 {
     if let Motion::Prescribed { speed, .. } = freedom { speed.abs() } else { 0.0 }
-}
-
-/// The downward load on a body that is free to sink [N].
-fn downward_load(body: &Body) -> Option<f64> {
-    if let Motion::Free { load, .. } = body.translation[2] { Some(-load) } else { None }
 }
