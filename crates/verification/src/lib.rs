@@ -21,6 +21,7 @@ pub mod expected_failures;
 pub mod findings;
 mod flow;
 mod footing;
+mod friction;
 pub mod grades;
 pub mod json_row;
 mod light;

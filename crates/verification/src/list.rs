@@ -4,7 +4,7 @@ use crate::error::VerifyError;
 use crate::expectations::Expectations;
 use crate::runner::Runner;
 use crate::{
-    circle, column, conservation, control, disc, element, flow, footing, light, other_codes, plate,
+    circle, column, conservation, control, disc, element, flow, footing, friction, light, other_codes, plate,
     positions, precision, repeat, rest, rigid, rotating, rough_wall, round_column, scaling, strip_sand,
     taylor, transport, wall, wave,
 };
@@ -79,6 +79,7 @@ pub const BENCHMARKS: &[Benchmark] = &[
     benchmark!("E1", "E1_sand_column", Run, other_codes::column),
     benchmark!("E2", "E2_disc_drag", Run, other_codes::disc),
     benchmark!("E3", "E3_wall", Run, other_codes::wall),
+    benchmark!("F1", "F1_friction_on_known_faces", Run, friction::run),
     benchmark!("P1", "P1_single_precision", Run, precision::run),
     benchmark!("N1", "N1_wrong_angle", Run, control::run),
 ];
