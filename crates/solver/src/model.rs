@@ -7,6 +7,7 @@ use glam::{DQuat, DVec3};
 use mechanics::joint::Joint;
 use mechanics::{Inertia, Mechanism, Motion, Pose};
 use physics::shape::Shape;
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// Everything that does not change during a run.
@@ -214,7 +215,7 @@ impl Model {
 }
 
 /// A body that the grid follows: along these axes the body keeps its position in the grid.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Follow {
     /// Number of the body.
     pub body: usize,

@@ -1,7 +1,7 @@
 //! The tables of docs/case-file.md, generated from the tables of keys.
 
 use super::format::{FORMAT, RENAMED_KEYS, RENAMED_VALUES};
-use super::keys::{self, KeyTable, Kind, MOTION, words};
+use super::keys::{self, FOLLOW, KeyTable, Kind, MOTION, words};
 use std::fmt::Write;
 
 const HEADER: &str = "| key | value | default | meaning |\n|---|---|---|---|\n";
@@ -22,6 +22,8 @@ pub fn tables() -> String {
     }
     let _ = write!(text, "### A motion\n{}\n\n{HEADER}", MOTION.meaning);
     rows(&MOTION, &mut text);
+    let _ = write!(text, "### `grid.follow`\n{}\n\n{HEADER}", FOLLOW.meaning);
+    rows(&FOLLOW, &mut text);
     text.push_str(&renamed());
     text
 }
@@ -67,6 +69,7 @@ fn kind(kind: &Kind) -> String {
         Kind::Modulus(offset) => format!("a modulus: `\"102 kN/m^(n+{offset})\"`"),
         Kind::Friction => "number, or `\"rough\"`".into(),
         Kind::WallPair => format!("two of {}", listed(&words::WALLS)),
+        Kind::Follow => "`{ body = \"disc\", axes = \"x\" }`".into(),
         Kind::Motion { still, speed, load } => {
             format!("motion: `\"{still}\"`, `\"free\"`, {} or {}", speed.name, load.name)
         }

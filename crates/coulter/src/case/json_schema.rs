@@ -117,6 +117,7 @@ fn kind(key: &Key) -> Value {
         Kind::WallPair => {
             json!({ "type": "array", "items": { "enum": WALLS }, "minItems": 2, "maxItems": 2 })
         }
+        Kind::Follow => object(&keys::FOLLOW),
         Kind::Motion { still, speed, load } => json!({ "anyOf": [
             { "enum": [still, "free"] },
             motion(speed.example, "speed", &["start", "ramp", "end"]),

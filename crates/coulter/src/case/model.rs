@@ -1,7 +1,7 @@
 //! The solver's model of a case.
 
 use super::resolved::Case;
-use super::resolved::{self, Law, Motion, Potential};
+use super::resolved::{self, Follow, Law, Motion, Potential};
 use glam::DVec3;
 use mechanics::{Inertia, Pose};
 use physics::elastic::Elastic;
@@ -17,8 +17,9 @@ use solver::model::{BodyModel, ContactMethod, Filling, Ground, Method, Model};
 /// The model that a case means, its grid laid out for vectors of `lanes` numbers.
 #[must_use]
 pub fn model(case: &Case, lanes: usize) -> Model {
+    let boundaries = boundaries(case);
     Model {
-        grid: Grid::padded(case.grid.faces.clone(), lanes),
+        grid: Grid::with_open_faces(case.grid.faces.clone(), boundaries.open_faces(), lanes),
         materials: vec![material(&case.soil)],
         gravity: case.gravity,
         soil_gravity: if case.soil.unit_weight > 0.0 {
@@ -28,8 +29,8 @@ pub fn model(case: &Case, lanes: usize) -> Model {
         },
         surface: case.ground.surface(),
         ground: Ground { fillings: vec![filling(&case.ground)], overburden: case.overburden },
-        boundaries: boundaries(&case.domain),
-        follow: None,
+        boundaries,
+        follow: case.grid.follow,
         bodies: case.bodies.iter().map(body).collect(),
         joints: Vec::new(),
         method: Method {
@@ -62,8 +63,9 @@ fn material(soil: &resolved::Soil) -> Material {
     }
 }
 
-/// Walls, and planes of symmetry at the low ends along x and y.
-fn boundaries(domain: &resolved::Domain) -> Boundaries {
+/// Walls, planes of symmetry at the low ends along x and y, and open ends where the grid follows a body.
+fn boundaries(case: &Case) -> Boundaries {
+    let domain = &case.domain;
     let mut boundaries = domain.walls.map(|pair| {
         pair.map(|wall| match wall {
             resolved::Wall::Smooth => Boundary::SmoothWall,
@@ -75,7 +77,30 @@ fn boundaries(domain: &resolved::Domain) -> Boundaries {
             boundaries[axis][0] = Boundary::Symmetry;
         }
     }
+    if let Some(Follow { body, axes }) = case.grid.follow {
+        for axis in (0..3).filter(|axis| axes[*axis]) {
+            boundaries[axis] = open_ends(case.bodies.get(body), axis);
+        }
+    }
     Boundaries(boundaries)
+}
+
+/// The ends of a grid that follows a body along an axis: undisturbed ground enters in front, and what is behind leaves as it is.
+/// Above and below the ground is undisturbed.
+fn open_ends(body: Option<&resolved::Body>, axis: usize) -> [Boundary; 2] {
+    let sign = |motion: &Motion| match *motion {
+        Motion::Prescribed { speed, .. } => speed,
+        Motion::Free { load, .. } => load,
+        Motion::Fixed => 0.0,
+    };
+    let along = body.map_or(0.0, |body| sign(&body.translation[axis]));
+    // A body that drives itself goes where it rolls.
+    let along = if along == 0.0 { body.map_or(0.0, |body| sign(&body.spin)) } else { along };
+    match (axis, along < 0.0) {
+        (2, _) => [Boundary::Inflow; 2],
+        (_, true) => [Boundary::Inflow, Boundary::Outflow],
+        (_, false) => [Boundary::Outflow, Boundary::Inflow],
+    }
 }
 
 fn yield_law(elastic: Elastic, law: Law) -> Option<ConstitutiveLaw> {

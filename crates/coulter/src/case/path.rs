@@ -1,6 +1,6 @@
 //! Where prescribed motions take the bodies.
 
-use super::resolved::{Body, Motion};
+use super::resolved::{Body, Case, Follow, Motion};
 use glam::DVec3;
 
 /// A box with faces along the axes.
@@ -24,20 +24,55 @@ pub(crate) fn travel(freedom: &Motion, time: f64) -> f64 {
     speed * (since(start) - since(end))
 }
 
+/// Displacement of a body after `time` [m], as far as it is prescribed.
+fn displacement(body: &Body, time: f64) -> DVec3 {
+    DVec3::from_array(body.translation.each_ref().map(|freedom| travel(freedom, time)))
+}
+
 /// The box that encloses a body on its whole path.
 pub(super) fn path(body: &Body, duration: f64) -> Extent {
+    extent(body, displacement(body, duration))
+}
+
+/// The box that encloses a body on its way to a displacement [m].
+fn extent(body: &Body, displacement: DVec3) -> Extent {
     let (low, high) = body.shape.solid().bounds();
-    let moved = DVec3::from_array(std::array::from_fn(|axis| travel(&body.translation[axis], duration)));
-    let (start, end) = (body.position, body.position + moved);
+    let (start, end) = (body.position, body.position + displacement);
     Extent { low: start.min(end) + low, high: start.max(end) + high }
 }
 
-/// The box that encloses all bodies on their whole paths.
-pub(super) fn paths(bodies: &[Body], duration: f64) -> Option<Extent> {
-    bodies
-        .iter()
-        .map(|b| path(b, duration))
-        .reduce(|a, b| Extent { low: a.low.min(b.low), high: a.high.max(b.high) })
+/// The paths of bodies in the grid, which may follow one of them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Paths<'a> {
+    pub(super) bodies: &'a [Body],
+    pub(super) follow: Option<Follow>,
+    /// Duration of the run [s].
+    pub(super) duration: f64,
+}
+
+impl<'a> Paths<'a> {
+    /// Those of a case.
+    pub(super) fn of(case: &'a Case) -> Self {
+        Self { bodies: &case.bodies, follow: case.grid.follow, duration: case.duration }
+    }
+
+    /// The box that encloses a body on its whole path in the grid.
+    pub(super) fn of_body(&self, body: &Body) -> Extent {
+        extent(body, displacement(body, self.duration) - self.of_grid())
+    }
+
+    /// The box that encloses all bodies on their whole paths in the grid.
+    pub(super) fn all(&self) -> Option<Extent> {
+        let all = self.bodies.iter().map(|body| self.of_body(body));
+        all.reduce(|a, b| Extent { low: a.low.min(b.low), high: a.high.max(b.high) })
+    }
+
+    /// Displacement of the grid at the end [m]: that of the body that it follows.
+    fn of_grid(&self) -> DVec3 {
+        let Some(Follow { body, axes }) = self.follow else { return DVec3::ZERO };
+        let followed = self.bodies.get(body).map_or(DVec3::ZERO, |body| displacement(body, self.duration));
+        DVec3::from_array(std::array::from_fn(|axis| if axes[axis] { followed[axis] } else { 0.0 }))
+    }
 }
 
 /// The largest edge of any body in the plane of the tow [m].

@@ -5,6 +5,7 @@ use super::shapes::Shape;
 use glam::DVec3;
 pub use mechanics::Motion;
 use serde::Serialize;
+pub use solver::model::Follow;
 
 /// A case. One that was read is valid; one that is made or changed by hand is checked by [`super::validate`].
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -226,6 +227,8 @@ pub struct Grid {
     pub fine_high: DVec3,
     /// Ratio of a cell's width to its inner neighbour's outside the fine zone (1 = uniform).
     pub growth: f64,
+    /// The body that the grid follows, if it does not stand still; the box and the faces are then those at the start.
+    pub follow: Option<Follow>,
     /// Face positions along x, y, z that follow from the above [m].
     pub faces: [Vec<f64>; 3],
 }

@@ -12,6 +12,8 @@ pub(super) enum Given {
     List(Vec<f64>),
     Words(Vec<String>),
     Motion(Motion),
+    /// Name of a body, and axes.
+    Follow([String; 2]),
     /// Reported already; counts as given, so that it is not reported as missing as well.
     Broken,
 }
@@ -89,6 +91,10 @@ impl Section {
 
     pub(super) fn words(&self, key: &str) -> Option<Vec<String>> {
         self.get(key, |v| if let Given::Words(w) = v { Some(w.clone()) } else { None })
+    }
+
+    pub(super) fn follow(&self, key: &str) -> Option<[String; 2]> {
+        self.get(key, |v| if let Given::Follow(f) = v { Some(f.clone()) } else { None })
     }
 
     pub(super) fn motion(&self, key: &str) -> Option<Motion> {

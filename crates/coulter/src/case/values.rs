@@ -2,7 +2,7 @@
 
 use super::format;
 use super::keys::words::WALLS;
-use super::keys::{DefaultValue, Kind, MOTION};
+use super::keys::{DefaultValue, FOLLOW, Key, Kind, MOTION};
 use super::names::nearest;
 use super::numbers::{in_range, in_range_or_infinite};
 use super::problem::Problems;
@@ -40,6 +40,7 @@ pub(super) fn value(node: &Value, kind: &Kind, path: &str, problems: &mut Proble
         Kind::Range(measure) => list(node, measure, 2..=2).map(Given::List),
         Kind::Vector(measure) => list(node, measure, 2..=3).map(Given::List),
         Kind::WallPair => walls(node).map(Given::Words),
+        Kind::Follow => return follow(node, path, problems),
         Kind::Motion { still, speed, load } => {
             return motion(node, still, [speed, load], path, problems);
         }
@@ -191,6 +192,39 @@ fn walls(node: &Value) -> Read<Vec<String>> {
             items.iter().enumerate().map(element).collect()
         }
         _ => complain("expected two walls, at the low and the high end", "write [\"smooth\", \"fixed\"]"),
+    }
+}
+
+/// A table with a body and axes.
+fn follow(node: &Value, path: &str, problems: &mut Problems) -> Given {
+    let Value::Table(table) = node else {
+        let message = format!("{path}: expected a table, found {}", node.kind());
+        problems.add(path, message, "write { body = \"disc\", axes = \"x\" }");
+        return Given::Broken;
+    };
+    let before = problems.len();
+    let mut words = FOLLOW.keys.iter().map(|key| (key, None)).collect::<Vec<_>>();
+    for entry in table {
+        let Some((key, word)) = words.iter_mut().find(|(key, _)| key.name == entry.key) else {
+            unknown(entry, path, FOLLOW.keys.iter().map(|key| key.name), problems);
+            continue;
+        };
+        if let Given::Text(text) = value(&entry.value, &key.kind, &join(path, key.name), problems) {
+            *word = Some(text);
+        }
+    }
+    let word = |(key, word): (&Key, Option<String>)| match (word, key.default) {
+        (Some(word), _) => word,
+        (None, DefaultValue::Word(word)) => word.to_owned(),
+        _ => String::new(),
+    };
+    if problems.len() == before && words[0].1.is_none() {
+        problems.add(path, format!("{path}: `body` is missing"), "write { body = \"disc\", axes = \"x\" }");
+    }
+    let words: Vec<String> = words.into_iter().map(word).collect();
+    match <[String; 2]>::try_from(words) {
+        Ok(words) if problems.len() == before => Given::Follow(words),
+        _ => Given::Broken,
     }
 }
 

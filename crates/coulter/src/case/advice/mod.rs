@@ -5,7 +5,7 @@ mod passive;
 mod walls;
 
 use super::estimate::estimate;
-use super::path::{body_length, path};
+use super::path::{Paths, body_length, path};
 use super::resolved::{Body, Case, Law, Motion, Potential};
 use glam::DVec3;
 use passive::passive_coefficient;
@@ -69,7 +69,7 @@ fn resolution(case: &Case, body: &Body, notes: &mut Vec<String>) {
 }
 
 fn fine_zone(case: &Case, body: &Body, notes: &mut Vec<String>) {
-    let swept = path(body, case.duration);
+    let swept = Paths::of(case).of_body(body);
     let slack = 1e-6 * case.grid.cell;
     let outside_x =
         swept.low.x < case.grid.fine_low.x - slack || swept.high.x > case.grid.fine_high.x + slack;

@@ -1,6 +1,6 @@
 //! Whether there is enough space for the soil that a body displaces: below the lid, and in front of the walls.
 
-use crate::case::path::{body_length, path};
+use crate::case::path::{Paths, body_length};
 use crate::case::resolve::clearance::{SoilConditions, clearance};
 use crate::case::resolved::{Body, Case};
 
@@ -12,7 +12,7 @@ const NEAR: f64 = 1.2;
 pub(super) fn walls_and_lid(case: &Case, body: &Body, notes: &mut Vec<String>) {
     let need = clearance(body, &SoilConditions::of(case), case.duration);
     let least = NEAR * body_length(std::slice::from_ref(body));
-    let swept = path(body, case.duration);
+    let swept = Paths::of(case).of_body(body);
     let (low, high) = (case.domain.low, case.domain.high);
     let moves_back = need.along[0] > need.along[1];
     let ahead = if moves_back { swept.low.x - low.x } else { high.x - swept.high.x };

@@ -31,6 +31,8 @@ pub enum Kind {
     Friction,
     /// The boundary conditions at the low and at the high end.
     WallPair,
+    /// What the grid follows: a table with a body and axes.
+    Follow,
     /// How a degree of freedom moves: a word, or a table with a speed or a load.
     Motion {
         /// The word for no motion.

@@ -40,6 +40,10 @@ pub fn find(name: &str) -> Option<&'static KeyTable> {
 pub const MOTION: KeyTable =
     section("motion", "A motion of a body that is written as a table.", body::MOTION);
 
+/// The keys of what a grid follows.
+pub const FOLLOW: KeyTable =
+    section("follow", "What the grid follows, `{ body = \"disc\", axes = \"x\" }`.", soil::FOLLOW);
+
 /// The key that a path leads to: `gravity`, `soil.cohesion`, `body.disc.forward.ramp`; of a list `domain.x[0]`, too.
 #[must_use]
 pub fn at(path: &str) -> Option<&'static Key> {
@@ -51,6 +55,7 @@ pub fn at(path: &str) -> Option<&'static Key> {
         ["body", _, motion, name] if matches!(find("body")?.key(motion)?.kind, Kind::Motion { .. }) => {
             MOTION.key(name)
         }
+        ["grid", "follow", name] => FOLLOW.key(name),
         [section, name] if section != "body" => find(section)?.key(name),
         _ => None,
     }

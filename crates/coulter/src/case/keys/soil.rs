@@ -3,7 +3,7 @@
 use super::allowed_range::{ACUTE, BELOW_HALF, ECCENTRICITY, GROWTH, NOT_NEGATIVE, POSITIVE};
 use super::default_value::DefaultValue::{Derived, Flag, Number, Quantity, Required, Walls, Word};
 use super::key::{Key, Kind, key};
-use super::words::{LAWS, POTENTIALS};
+use super::words::{FOLLOWED, LAWS, POTENTIALS};
 use crate::case::quantity::{ANGLE, DENSITY, LENGTH, SPEED, STRESS, UNIT_WEIGHT};
 
 pub(super) const SOIL: &[Key] = &[
@@ -86,6 +86,12 @@ pub(super) const DOMAIN: &[Key] = &[
     key("z_walls", Kind::WallPair, Walls(["fixed", "smooth"]), "Floor and lid."),
 ];
 
+/// Keys of what the grid follows.
+pub(super) const FOLLOW: &[Key] = &[
+    key("body", Kind::Text, Required, "Name of the body."),
+    key("axes", Kind::Choice(&FOLLOWED), Word("x"), "Axes along which the grid follows it."),
+];
+
 pub(super) const GRID: &[Key] = &[
     key("cell", Kind::Quantity(LENGTH), Required, "Cell size h in the fine zone.").within(POSITIVE),
     key(
@@ -110,5 +116,11 @@ pub(super) const GRID: &[Key] = &[
             "0.5 body lengths below the bodies' path; 0.25 above the soil, up to 0.5 where a heap is expected",
         ),
         "Fine zone in z.",
+    ),
+    key(
+        "follow",
+        Kind::Follow,
+        Derived("none: the grid stands still"),
+        "A body that the grid follows: it keeps its position in the grid, undisturbed ground enters in front of it and leaves behind. The box then is the one at the start.",
     ),
 ];

@@ -8,6 +8,8 @@ pub const LAWS: [&str; 4] = ["mohr-coulomb", "tresca", "von-mises", "elastic"];
 pub const SHAPES: [&str; 4] = ["disc", "block", "cylinder", "sphere"];
 /// Axes of a cylinder.
 pub const AXES: [&str; 3] = ["x", "y", "z"];
+/// Axes along which a grid can follow a body.
+pub const FOLLOWED: [&str; 7] = ["x", "y", "z", "xy", "xz", "yz", "xyz"];
 /// Flow potentials of the Mohr–Coulomb law.
 pub const POTENTIALS: [&str; 2] = ["mohr-coulomb", "menetrey-willam"];
 /// Contact methods.

@@ -3,9 +3,9 @@
 use super::clearance::{Clearance, clearance};
 use super::context::{Context, checked};
 use crate::case::missing::range;
-use crate::case::path::{Extent, body_length, paths};
+use crate::case::path::{Extent, Paths, body_length};
 use crate::case::problem::Problems;
-use crate::case::resolved::{Body, Domain, Wall};
+use crate::case::resolved::{Domain, Wall};
 use crate::case::typed::Section;
 use crate::case::validate;
 use glam::DVec3;
@@ -22,12 +22,12 @@ const OVER_HEAP: f64 = 2.0;
 /// The default box, not yet bounded by planes of symmetry; `None` without bodies.
 ///
 /// The clearance round the bodies is that which [`clearance`] estimates, but at least the usual one.
-fn default_box(context: &Context, bodies: &[Body], duration: f64) -> Option<Extent> {
-    let around = paths(bodies, duration)?;
-    let length = body_length(bodies);
+fn default_box(context: &Context, paths: &Paths) -> Option<Extent> {
+    let around = paths.all()?;
+    let length = body_length(paths.bodies);
+    let bodies = paths.bodies.iter();
     let need = bodies
-        .iter()
-        .map(|b| clearance(b, &context.soil_conditions(), duration))
+        .map(|b| clearance(b, &context.soil_conditions(), paths.duration))
         .fold(Clearance::default(), Clearance::and);
     let at_least = |needed: f64| needed.max(MIN_SIDE * length);
     let floor = around.low.z.min(context.surface) - need.below.max(MIN_BELOW * length);
@@ -50,11 +50,10 @@ fn default_box(context: &Context, bodies: &[Body], duration: f64) -> Option<Exte
 pub(super) fn domain(
     section: &Section,
     context: &Context,
-    bodies: &[Body],
-    duration: f64,
+    paths: &Paths,
     problems: &mut Problems,
 ) -> Option<Domain> {
-    let default = default_box(context, bodies, duration);
+    let default = default_box(context, paths);
     let least = |is_cut: bool| if is_cut { 0.0 } else { f64::NEG_INFINITY };
     let (low_x, low_y) = (least(context.symmetric_x), least(context.symmetric));
     let x = range(section, "x", default.map(|u| [low_x.max(u.low.x), u.high.x]), problems);

@@ -5,9 +5,9 @@ use super::context::Context;
 use super::fitting::fit;
 use super::grading::{self, AxisGrading};
 use crate::case::missing::range;
-use crate::case::path::{Extent, body_length, paths};
+use crate::case::path::{Extent, Paths, body_length};
 use crate::case::problem::Problems;
-use crate::case::resolved::{Body, Domain, Grid, Ground};
+use crate::case::resolved::{Body, Domain, Follow, Grid, Ground};
 use crate::case::typed::Section;
 use crate::case::validate::grid::fine_zone;
 use glam::DVec3;
@@ -19,23 +19,38 @@ const FINE_AROUND: DVec3 = DVec3::new(0.5, 0.25, 0.5);
 const FINE_ABOVE: [f64; 2] = [0.25, 0.5];
 
 /// The default fine zone: round the path of the bodies, or everywhere without any.
-pub(super) fn default_fine_zone(
-    context: &Context,
-    domain: &Domain,
-    bodies: &[Body],
-    duration: f64,
-) -> Extent {
-    let Some(path) = paths(bodies, duration) else {
+fn default_fine_zone(context: &Context, domain: &Domain, paths: &Paths) -> Extent {
+    let Some(path) = paths.all() else {
         return Extent { low: domain.low, high: domain.high };
     };
-    let length = body_length(bodies);
+    let length = body_length(paths.bodies);
     let low = path.low - length * FINE_AROUND;
     let high = path.high + length * FINE_AROUND.with_z(0.0);
-    let heap =
-        bodies.iter().map(|b| clearance(b, &context.soil_conditions(), duration).above).fold(0.0, f64::max);
+    let heap = |body: &Body| clearance(body, &context.soil_conditions(), paths.duration).above;
+    let heap = paths.bodies.iter().map(heap).fold(0.0, f64::max);
     let [min, max] = FINE_ABOVE.map(|lengths| lengths * length);
     let high = high.with_z(context.surface + heap.clamp(min, max));
     Extent { low: low.max(domain.low), high: high.min(domain.high) }
+}
+
+/// What the grid follows, if anything; the outer `None` if it was given wrongly.
+#[allow(clippy::option_option)]
+pub(super) fn follow(section: &Section, bodies: &[Body], problems: &mut Problems) -> Option<Option<Follow>> {
+    if !section.has("follow") {
+        return Some(None);
+    }
+    let [name, axes] = section.follow("follow")?;
+    let Some(body) = bodies.iter().position(|body| body.name == name) else {
+        let path = section.at("follow.body");
+        let known = bodies.iter().map(|body| format!("\"{}\"", body.name)).collect::<Vec<_>>().join(", ");
+        problems.add(
+            path,
+            format!("there is no body \"{name}\""),
+            format!("name one of the bodies: {known}"),
+        );
+        return None;
+    };
+    Some(Some(Follow { body, axes: ["x", "y", "z"].map(|axis| axes.contains(axis)) }))
 }
 
 /// The grid.
@@ -43,10 +58,10 @@ pub(super) fn grid(
     section: &Section,
     context: &Context,
     (domain, ground): (&Domain, &Ground),
-    bodies: &[Body],
-    usual: Extent,
+    paths: &Paths,
     problems: &mut Problems,
 ) -> Option<Grid> {
+    let usual = default_fine_zone(context, domain, paths);
     let growth = section.number("growth")?;
     let anchors = anchors(ground, domain);
     let fits = section.flag("fit")?;
@@ -54,9 +69,14 @@ pub(super) fn grid(
         let ends = [domain.low[axis], domain.high[axis]];
         let fine = [usual.low[axis], usual.high[axis]];
         let plain = AxisGrading { ends, fine, anchor: anchors[axis], cell: context.cell, growth };
-        let fitted =
-            fit(bodies, domain, axis, (anchors[axis], required_face(ground, domain, axis)), context.cell)
-                .filter(|_| fits);
+        let fitted = fit(
+            paths.bodies,
+            domain,
+            axis,
+            (anchors[axis], required_face(ground, domain, axis)),
+            context.cell,
+        )
+        .filter(|_| fits);
         [fitted.map_or(plain, |[cell, anchor]| AxisGrading { anchor, cell, ..plain }), plain]
     };
     let x = faces(section, "fine_x", axis(0), problems);
@@ -72,6 +92,7 @@ pub(super) fn grid(
         fine_low: DVec3::new(fine_x[0], fine_y[0], fine_z[0]),
         fine_high: DVec3::new(fine_x[1], fine_y[1], fine_z[1]),
         growth,
+        follow: paths.follow,
         faces: [x, y, z],
     })
 }

@@ -18,6 +18,7 @@ mod timing;
 use super::keys;
 use super::missing::{range, required};
 use super::names;
+use super::path::Paths;
 use super::problem::Problems;
 use super::resolved::{Body, Case, Contact, Law, Numerics, Precision};
 use super::shapes::slab::Slab;
@@ -32,19 +33,20 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
     let numerics = numerics(&schema.numerics, &schema.soil);
     let context = gravity.and_then(|g| context(schema, g, soil.as_ref().map(|s| s.law), problems));
     let bodies = context.as_ref().and_then(|context| bodies(schema, context, problems));
+    let follow = bodies.as_ref().and_then(|bodies| mesh::follow(&schema.grid, bodies, problems));
     let name = name(&schema.top, source_name, problems);
     let duration = bodies.as_ref().and_then(|b| timing::duration(&schema.run, b, problems));
     let forecast = forecast::measured(&schema.forecast, problems);
     let output = duration.and_then(|d| timing::output(&schema.output, d, problems));
-    let (context, bodies, duration) = (context?, bodies?, duration?);
-    let domain = domain::domain(&schema.domain, &context, &bodies, duration, problems)?;
+    let (context, bodies, duration, follow) = (context?, bodies?, duration?, follow?);
+    let paths = Paths { bodies: &bodies, follow, duration };
+    let domain = domain::domain(&schema.domain, &context, &paths, problems)?;
     let ground = ground::ground(&schema.ground, context.surface, &domain, problems)?;
     let soil = soil?;
     let velocity = ground::velocity(&schema.ground, &domain, problems)?;
     let overburden = ground::overburden(&schema.ground, &soil, ground.surface(), &domain, problems)?;
-    validate::fit::bodies_fit(&bodies, &domain, duration, problems);
-    let fine_zone = mesh::default_fine_zone(&context, &domain, &bodies, duration);
-    let grid = mesh::grid(&schema.grid, &context, (&domain, &ground), &bodies, fine_zone, problems)?;
+    validate::fit::bodies_fit(&paths, &domain, problems);
+    let grid = mesh::grid(&schema.grid, &context, (&domain, &ground), &paths, problems)?;
     let name = name?;
     Some(Case {
         title: schema.top.text("title").unwrap_or_else(|| name.clone()),

@@ -1,20 +1,20 @@
 //! Whether the bodies fit into the box, and their motion its planes of symmetry.
 
-use crate::case::path::path;
+use crate::case::path::{Paths, path};
 use crate::case::problem::Problems;
 use crate::case::quantity::plain;
 use crate::case::resolved::{Body, Domain, Motion};
 
 /// Reports bodies that start or move outside the box, and motions that violate its symmetry.
-pub(in crate::case) fn bodies_fit(bodies: &[Body], domain: &Domain, duration: f64, problems: &mut Problems) {
-    for body in bodies {
+pub(in crate::case) fn bodies_fit(paths: &Paths, domain: &Domain, problems: &mut Problems) {
+    for body in paths.bodies {
         if domain.symmetric || domain.plane_strain {
             keeps_to_the_plane(body, domain, problems);
         }
         if domain.symmetric_x {
             keeps_to_the_middle(body, problems);
         }
-        stays_inside(body, domain, duration, problems);
+        stays_inside(body, domain, paths, problems);
     }
 }
 
@@ -55,9 +55,9 @@ fn keeps_to_the_middle(body: &Body, problems: &mut Problems) {
     }
 }
 
-fn stays_inside(body: &Body, domain: &Domain, duration: f64, problems: &mut Problems) {
+fn stays_inside(body: &Body, domain: &Domain, paths: &Paths, problems: &mut Problems) {
     let start = path(body, 0.0);
-    let whole = path(body, duration);
+    let whole = paths.of_body(body);
     for (axis, name, key) in [(0, "x", "forward"), (1, "y", "lateral")] {
         // In plane strain the slab cuts through the body; a plane of symmetry cuts through any body.
         let (low_open, high_open) = match axis {

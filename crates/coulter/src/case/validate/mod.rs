@@ -4,6 +4,7 @@ pub(super) mod body;
 mod cost;
 pub(super) mod domain;
 pub(super) mod fit;
+mod follow;
 pub(super) mod grid;
 pub(super) mod names;
 mod parameters;
@@ -11,6 +12,7 @@ pub(super) mod soil;
 pub(super) mod timing;
 
 use super::numbers::in_range;
+use super::path::Paths;
 use super::problem::{Problem, Problems};
 use super::resolved::Case;
 
@@ -55,5 +57,6 @@ fn fits_together(case: &Case, problems: &mut Problems) {
     domain::ground(&case.ground, &case.domain, problems);
     domain::velocity(case.velocity, &case.domain, problems);
     soil::overburden(case.overburden, &case.soil, case.ground.surface(), &case.domain, problems);
-    fit::bodies_fit(&case.bodies, &case.domain, case.duration, problems);
+    fit::bodies_fit(&Paths::of(case), &case.domain, problems);
+    follow::follow(case, problems);
 }
