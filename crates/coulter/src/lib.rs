@@ -2,6 +2,7 @@
 
 pub mod bench;
 pub mod case;
+mod domain;
 pub mod forecast;
 pub mod history;
 pub mod interrupts;

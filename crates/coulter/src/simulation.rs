@@ -2,6 +2,7 @@
 
 use crate::case::model::model;
 use crate::case::{Case, CaseError, case_text, require_valid};
+use crate::domain::PlacedDomain;
 use crate::history::History;
 use crate::history::probes::{self, LastSample};
 use crate::history::reference::Reference;
@@ -112,7 +113,13 @@ impl<R: Precision> Simulation<R> {
     /// May panic if the case is not valid.
     #[must_use]
     pub fn new(case: &Case) -> Self {
-        let model = model(case, R::LANES);
+        Self::of_model(case, model(case, R::LANES))
+    }
+
+    /// A run from the start of a model that no case file can state (see [`crate::case::model::model`]): that of a case with a
+    /// change by hand. The case says what samples and results need beyond the model.
+    #[must_use]
+    pub fn of_model(case: &Case, model: Model) -> Self {
         let mut state = initial::at_rest_on(&model, &model.ground);
         if case.velocity != DVec3::ZERO {
             initial::set_in_motion(&model, &mut state, case.velocity);
@@ -146,6 +153,7 @@ impl<R: Precision> Simulation<R> {
             last_sample,
         };
         if simulation.state.step == 0 {
+            simulation.record_ground_left();
             simulation.sample();
         }
         simulation
@@ -160,8 +168,14 @@ impl<R: Precision> Simulation<R> {
     /// A run resumed from a checkpoint; `wall_s` seconds of wall clock have been spent on it.
     #[must_use]
     pub fn resume(case: &Case, checkpoint: Checkpoint<R>, wall_s: f64) -> Self {
+        Self::resume_model(case, model(case, R::LANES), checkpoint, wall_s)
+    }
+
+    /// The same of a run that began with [`Simulation::of_model`], with the same model.
+    #[must_use]
+    pub fn resume_model(case: &Case, model: Model, checkpoint: Checkpoint<R>, wall_s: f64) -> Self {
         let Checkpoint { state, history, last_sample, .. } = checkpoint;
-        let simulation = Self::with_state(case, model(case, R::LANES), state);
+        let simulation = Self::with_state(case, model, state);
         Self { history, last_sample, wall_s, ..simulation }
     }
 
@@ -286,6 +300,7 @@ impl<R: Precision> Simulation<R> {
         let stepped = step(&self.model, &mut self.state, &mut self.workspace);
         self.wall_s += clock.elapsed().as_secs_f64();
         stepped?;
+        self.record_ground_left();
         let due = self.last_sample.time + self.case.output.history_interval - 0.5 * self.model.time_step();
         let is_due = self.state.time >= due || self.is_done();
         if is_due {
@@ -300,12 +315,22 @@ impl<R: Precision> Simulation<R> {
         probes::sample(case, model, state, last_sample, history);
     }
 
+    /// Keeps the surface of the soil that is about to leave a grid that travels; after every step, so that its lines lie as close
+    /// as the cells however far samples are apart.
+    fn record_ground_left(&mut self) {
+        probes::record_ground_left(&self.model, &self.state, &mut self.history.ground_left);
+    }
+
     /// Takes a number of steps, without samples.
     ///
     /// # Errors
     /// [`Breakdown`] when the physics fails.
     pub fn steps(&mut self, number: u32) -> Result<(), Breakdown> {
-        (0..number).try_for_each(|_| step(&self.model, &mut self.state, &mut self.workspace))
+        (0..number).try_for_each(|_| {
+            step(&self.model, &mut self.state, &mut self.workspace)?;
+            self.record_ground_left();
+            Ok(())
+        })
     }
 
     /// Where the time of the calling thread goes.
@@ -322,7 +347,8 @@ impl<R: Precision> Simulation<R> {
     /// Cell-steps per second over the cells with soil, measured over some steps; `None` if not one step can be
     /// taken. The state is of no use afterwards.
     pub fn speed(&mut self, while_: std::time::Duration) -> Option<f64> {
-        let filled = self.state.soil.fraction.iter().filter(|f| **f != R::default()).count();
+        let domain = PlacedDomain::of(&self.model.grid, self.state.grid_position);
+        let filled = domain.filled_cells(&self.state);
         let clock = std::time::Instant::now();
         let mut steps = 0_u32;
         while clock.elapsed() < while_ {

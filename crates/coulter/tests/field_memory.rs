@@ -34,12 +34,12 @@ static ALLOCATOR: Counting = Counting;
 fn writing(cell: &str) -> (usize, usize) {
     let text = include_str!("../../../cases/towed_disc.toml");
     let case = case::parse(text, "case.toml", &[format!("grid.cell={cell}")]).unwrap();
-    let Simulation { model, state, .. } = Simulation::<f64>::new(&case);
+    let Simulation { model, state, history, .. } = Simulation::<f64>::new(&case);
     let folder = tempfile::tempdir().unwrap();
     let mut series = FieldSeries::create(folder.path()).unwrap();
     let before = IN_USE.load(Ordering::Relaxed);
     MOST.store(before, Ordering::Relaxed);
-    series.write(&case, &model.grid, &state).unwrap();
+    series.write(&case, &model.grid, &state, &history).unwrap();
     (model.grid.cells().iter().product(), MOST.load(Ordering::Relaxed) - before)
 }
 

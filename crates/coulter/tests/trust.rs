@@ -42,6 +42,7 @@ fn history() -> History {
         bodies: vec![body.collect()],
         energy: energy.collect(),
         boundaries: boundaries.collect(),
+        ..History::default()
     }
 }
 

@@ -3,6 +3,7 @@
 use super::measurement::{Measurement, Split};
 use super::work::Work;
 use crate::case::{Case, resolved};
+use crate::domain::PlacedDomain;
 use crate::simulation::Simulation;
 use cpu_time::ProcessTime;
 use solver::cpu::machine;
@@ -70,7 +71,8 @@ fn measure_in<R: Precision>(options: &Options) -> Result<Measurement, Breakdown>
     let before = lone.state.remaps;
     let alone = timed(&mut lone, options.steps)?;
     let remaps = lone.state.remaps - before;
-    let filled = lone.state.soil.fraction.iter().filter(|f| **f != R::default()).count();
+    let domain = PlacedDomain::of(&lone.model.grid, lone.state.grid_position);
+    let (cells, filled) = (domain.cells(), domain.filled_cells(&lone.state));
     let bytes = lone.memory() as f64;
     drop(lone);
     // Reading the clock takes time, so the split is measured by itself, on the same steps.
@@ -81,7 +83,6 @@ fn measure_in<R: Precision>(options: &Options) -> Result<Measurement, Breakdown>
     drop(lone);
     let mut team = Simulation::resume(&case_for(options, options.threads), moving, 0.0);
     let together = timed(&mut team, options.steps)?;
-    let cells = team.model.grid.cells();
     let cell_steps = filled as f64 * f64::from(options.steps);
     let split = split(&stopwatch);
     let of_one_remap = split.remap / remaps as f64;

@@ -2,7 +2,7 @@
 //! documentation follow.
 
 use super::reference::Reference;
-use super::{BodySample, BoundarySample, EnergySample};
+use super::{BodySample, BoundarySample, EnergySample, SurfacePoint};
 
 /// A column of a history file.
 #[derive(Debug)]
@@ -196,4 +196,11 @@ pub const BOUNDARIES: &[Column<BoundarySample>] = &[
         "largest rise of the normal pressure on floor and side walls above that at rest",
         |s| &mut s.stress_rise,
     ),
+];
+
+/// Columns of `ground_left.csv`.
+pub const GROUND_LEFT: &[Column<SurfacePoint>] = &[
+    Column::sampled("x", "m", "position along x", |s| &mut s.x),
+    Column::sampled("y", "m", "position along y", |s| &mut s.y),
+    Column::sampled("z", "m", "height of the surface of the soil", |s| &mut s.z),
 ];

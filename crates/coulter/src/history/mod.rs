@@ -1,4 +1,4 @@
-//! The history of a run: samples of bodies, energy and boundaries.
+//! The history of a run: samples of bodies, energy and boundaries, and the ground that it has left behind.
 
 pub mod columns;
 pub mod probes;
@@ -114,6 +114,26 @@ pub struct BoundarySample {
     pub stress_rise: f64,
 }
 
+/// A point of the surface of the soil that a grid that travels has left behind, when it lay in the last layer of cells at the
+/// end through which the soil leaves.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct SurfacePoint {
+    /// Middle of its column of cells along x [m].
+    pub x: f64,
+    /// Along y [m].
+    pub y: f64,
+    /// Height of the surface [m].
+    pub z: f64,
+}
+
+impl SurfacePoint {
+    /// Its position along x (0) or y (1) [m].
+    #[must_use]
+    pub fn along(&self, axis: usize) -> f64 {
+        if axis == 0 { self.x } else { self.y }
+    }
+}
+
 /// All samples of a run so far.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct History {
@@ -125,4 +145,6 @@ pub struct History {
     pub energy: Vec<EnergySample>,
     /// The faces of the box.
     pub boundaries: Vec<BoundarySample>,
+    /// The surface that a grid that travels has left behind, in lines across its way; empty where the grid stands still.
+    pub ground_left: Vec<SurfacePoint>,
 }

@@ -11,6 +11,7 @@ use super::report::{ReportText, Summary, write_report};
 use super::tables::{HistoryFiles, read_history, validate_history};
 use super::vtk::FieldSeries;
 use crate::case::{Case, FORMAT};
+use crate::domain::PlacedDomain;
 use crate::history::History;
 use solver::grid::Grid;
 use solver::precision::Precision;
@@ -120,17 +121,18 @@ impl Results {
     ) -> Result<Summary, OutputError> {
         self.tables.append(history)?;
         if statistics.outcome != Outcome::Interrupted {
-            self.fields.write(case, grid, state)?;
+            self.fields.write(case, grid, state, history)?;
         }
+        let map = HeightMap::of(case, grid, state, &history.ground_left);
         self.record.statistics = statistics.clone();
         let mut summary = Summary {
-            filled_cells: filled_cells(grid, state),
-            surface: HeightMap::of(case, grid, state).figures(),
+            filled_cells: filled_cells(&PlacedDomain::of(grid, state.grid_position), state),
+            surface: map.figures(),
             ..Summary::of(&self.record)
         };
         summary.fill(history, &self.record);
         summary.write(&self.dir)?;
-        write_pictures(&self.dir.join(PICTURES), case, grid, state)?;
+        write_pictures(&self.dir.join(PICTURES), case, grid, state, &map)?;
         report(&self.dir, &self.record, &summary, history)?;
         // Last: until it says how the run ended, a resumed run repeats all this.
         self.record.write(&self.dir)?;

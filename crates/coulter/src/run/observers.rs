@@ -46,9 +46,9 @@ pub(super) struct Fields<'a>(pub(super) &'a mut FieldSeries);
 
 impl<R: Precision> Observer<R> for Fields<'_> {
     fn sampled(&mut self, simulation: &Simulation<R>) -> Result<Next, ObserverError> {
-        let Simulation { case, model, state, .. } = simulation;
+        let Simulation { case, model, state, history, .. } = simulation;
         if self.0.is_due(state.time, case.output.field_interval) {
-            self.0.write(case, &model.grid, state)?;
+            self.0.write(case, &model.grid, state, history)?;
         }
         Ok(Next::Continue)
     }

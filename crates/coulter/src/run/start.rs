@@ -3,6 +3,7 @@
 use super::options::{RunError, RunOptions, Start};
 use crate::case::case_text;
 use crate::case::{self, Case};
+use crate::domain::PlacedDomain;
 use crate::output::checkpoint::{self, Checkpoint};
 use crate::output::folder::{Contents, Lock, Outcome, RunRecord, hash_of, inspect};
 use crate::output::{OutputError, Results, Summary, overlays};
@@ -109,8 +110,9 @@ fn create<R: Precision>(
     let mut results = Results::create(options.folder, case, may_replace)?;
     results.write_case_file(options.typed)?;
     let simulation = Simulation::new(case);
-    let [nx, ny, nz] = simulation.model.grid.cells();
-    let (dt, threads) = (simulation.model.time_step(), simulation.threads());
+    let Simulation { model, state, history, .. } = &simulation;
+    let [nx, ny, nz] = PlacedDomain::of(&model.grid, state.grid_position).cells();
+    let (dt, threads) = (model.time_step(), simulation.threads());
     results.log.line(&format!("{} version {}", case.name, env!("CARGO_PKG_VERSION")))?;
     if let Some(why) = why {
         results.log.line(why)?;
@@ -123,7 +125,7 @@ fn create<R: Precision>(
         results.log.line(&format!("note: {note}"))?;
     }
     overlay_forecast(case, &mut results)?;
-    results.fields.write(case, &simulation.model.grid, &simulation.state)?;
+    results.fields.write(case, &model.grid, state, history)?;
     simulation.checkpoint().write(options.folder)?;
     Ok((simulation, results))
 }

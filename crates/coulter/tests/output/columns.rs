@@ -1,6 +1,6 @@
 //! The columns of the history files, in the documentation as in the program.
 
-use coulter::history::columns::{BOUNDARIES, Column, ENERGY, FORCES};
+use coulter::history::columns::{BOUNDARIES, Column, ENERGY, FORCES, GROUND_LEFT};
 
 /// The columns of a file as a table in Markdown.
 fn table<S: Copy>(columns: &[Column<S>]) -> String {
@@ -24,6 +24,7 @@ fn columns_are_documented() {
     let expected = replaced(&shipped, "forces.csv", &table(FORCES));
     let expected = replaced(&expected, "energy.csv", &table(ENERGY));
     let expected = replaced(&expected, "boundaries.csv", &table(BOUNDARIES));
+    let expected = replaced(&expected, "ground_left.csv", &table(GROUND_LEFT));
     if std::env::var_os("COULTER_UPDATE").is_some() {
         std::fs::write(path, &expected).unwrap();
     } else {
@@ -40,4 +41,5 @@ fn names_are_used_once() {
     check(FORCES);
     check(ENERGY);
     check(BOUNDARIES);
+    check(GROUND_LEFT);
 }

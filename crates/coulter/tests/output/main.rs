@@ -4,6 +4,7 @@
 
 mod columns;
 mod synthetic;
+mod travel;
 mod vtk;
 
 use coulter::history::columns::{BOUNDARIES, ENERGY, FORCES, header};
@@ -216,8 +217,8 @@ fn a_resumed_run_goes_on_where_the_checkpoint_was() {
     let mut results = Results::create(dir.path(), &case, false).unwrap();
     for time in [0.0, 1.0, 2.0] {
         let (grid, state) = state(&case, Kind::Disc, time);
-        results.fields.write(&case, &grid, &state).unwrap();
-        results.fields.write(&case, &grid, &state).unwrap();
+        results.fields.write(&case, &grid, &state, &full).unwrap();
+        results.fields.write(&case, &grid, &state, &full).unwrap();
     }
     results.tables.append(&full).unwrap();
     drop(results);
@@ -226,7 +227,7 @@ fn a_resumed_run_goes_on_where_the_checkpoint_was() {
     let mut results = Results::resume(dir.path(), &case, &early, 1.5).unwrap();
     assert_eq!(Table::read(&dir.path().join("forces.csv")).unwrap().rows(), 25);
     let (grid, later) = state(&case, Kind::Disc, 1.75);
-    results.fields.write(&case, &grid, &later).unwrap();
+    results.fields.write(&case, &grid, &later, &early).unwrap();
     let list = fs::read_to_string(dir.path().join("soil.pvd")).unwrap();
     let times: Vec<&str> = list.split("timestep=\"").skip(1).filter_map(|t| t.split('"').next()).collect();
     assert_eq!(times, ["0", "1", "1.75"]);

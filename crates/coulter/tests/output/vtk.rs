@@ -1,6 +1,7 @@
 //! The field files, parsed again: every array has the position and length that its tag says.
 
 use crate::synthetic::{Kind, case, state};
+use coulter::history::History;
 use coulter::output::Results;
 use flate2::read::ZlibDecoder;
 use solver::fields::HISTORY;
@@ -9,7 +10,7 @@ use std::io::Read;
 use std::path::Path;
 
 /// The bytes of one array of a file with appended compressed data.
-fn array(file: &[u8], name: &str) -> Vec<u8> {
+pub(crate) fn array(file: &[u8], name: &str) -> Vec<u8> {
     let marker = b"<AppendedData encoding=\"raw\">\n_";
     let start = file.windows(marker.len()).position(|w| w == marker).unwrap() + marker.len();
     let text = String::from_utf8_lossy(&file[..start]);
@@ -31,11 +32,11 @@ fn array(file: &[u8], name: &str) -> Vec<u8> {
     raw
 }
 
-fn floats(raw: &[u8]) -> Vec<f64> {
+pub(crate) fn floats(raw: &[u8]) -> Vec<f64> {
     raw.chunks(4).map(|b| f64::from(f32::from_le_bytes(b.try_into().unwrap()))).collect()
 }
 
-fn doubles(raw: &[u8]) -> Vec<f64> {
+pub(crate) fn doubles(raw: &[u8]) -> Vec<f64> {
     raw.chunks(8).map(|b| f64::from_le_bytes(b.try_into().unwrap())).collect()
 }
 
@@ -43,7 +44,7 @@ fn written(dir: &Path, kind: Kind) -> (coulter::case::Case, solver::grid::Grid, 
     let case = case(kind, 0.02);
     let (grid, state) = state(&case, kind, 1.5);
     let mut results = Results::create(dir, &case, false).unwrap();
-    results.fields.write(&case, &grid, &state).unwrap();
+    results.fields.write(&case, &grid, &state, &History::default()).unwrap();
     (case, grid, state)
 }
 

@@ -3,6 +3,7 @@
 
 use crate::case::Case;
 use crate::case::resolved::Ground;
+use crate::domain::PlacedDomain;
 use crate::history::BoundarySample;
 use glam::DVec3;
 use solver::model::Model;
@@ -19,17 +20,18 @@ type Face = (usize, bool);
 #[must_use]
 pub(super) fn sample<R: Precision>(case: &Case, model: &Model, state: &State<R>) -> BoundarySample {
     let whole = 1.0 / model.modelled_fraction();
+    let domain = PlacedDomain::of(&model.grid, state.grid_position);
     let mut sample = BoundarySample { time: state.time, ..BoundarySample::default() };
     if !is_covered(case) {
-        over((2, true), model, |cell| {
+        over((2, true), &domain, |cell| {
             if cell.fraction(state) >= TOUCHES {
                 sample.lid_area += cell.area * whole;
                 sample.lid_force += cell.normal_pressure(state).max(0.0) * cell.area * whole;
             }
         });
     }
-    for face in walls(case) {
-        over(face, model, |cell| {
+    for face in walls(case, model) {
+        over(face, &domain, |cell| {
             if cell.fraction(state) < TOUCHES {
                 return;
             }
@@ -47,7 +49,8 @@ pub(super) fn sample<R: Precision>(case: &Case, model: &Model, state: &State<R>)
 #[must_use]
 pub fn most_pressed_lid_cell<R: Precision>(model: &Model, state: &State<R>) -> DVec3 {
     let (mut most, mut position) = (f64::NEG_INFINITY, DVec3::NAN);
-    over((2, true), model, |cell| {
+    let domain = PlacedDomain::of(&model.grid, state.grid_position);
+    over((2, true), &domain, |cell| {
         if cell.fraction(state) >= TOUCHES && cell.normal_pressure(state) > most {
             (most, position) = (cell.normal_pressure(state), cell.centre);
         }
@@ -60,8 +63,8 @@ fn is_covered(case: &Case) -> bool {
     case.ground.surface() >= case.domain.high.z - 1e-9 * case.grid.cell
 }
 
-/// Floor and side walls, planes of symmetry and of plane strain not among them.
-fn walls(case: &Case) -> Vec<Face> {
+/// Floor and side walls; planes of symmetry and of plane strain and faces through which soil flows are not among them.
+fn walls(case: &Case, model: &Model) -> Vec<Face> {
     let domain = &case.domain;
     let mut faces = vec![(2, false), (0, true)];
     if !domain.symmetric_x {
@@ -73,6 +76,7 @@ fn walls(case: &Case) -> Vec<Face> {
             faces.push((1, false));
         }
     }
+    faces.retain(|&(axis, is_high)| !model.boundaries.0[axis][usize::from(is_high)].is_open());
     faces
 }
 
@@ -119,9 +123,8 @@ impl FaceCell {
     }
 }
 
-fn over((axis, is_high): Face, model: &Model, mut each: impl FnMut(FaceCell)) {
-    let grid = &model.grid;
-    let cells = grid.cells();
+fn over((axis, is_high): Face, domain: &PlacedDomain, mut each: impl FnMut(FaceCell)) {
+    let cells = domain.cells();
     let layer = if is_high { cells[axis] - 1 } else { 0 };
     let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
     for n in 0..cells[b] {
@@ -129,10 +132,10 @@ fn over((axis, is_high): Face, model: &Model, mut each: impl FnMut(FaceCell)) {
             let mut at = [0; 3];
             (at[axis], at[a], at[b]) = (layer, m, n);
             each(FaceCell {
-                index: grid.index(at[0], at[1], at[2]),
+                index: domain.index(at),
                 axis,
-                area: grid.width(a, m) * grid.width(b, n),
-                centre: DVec3::from_array(std::array::from_fn(|d| grid.centre(d, at[d]))),
+                area: domain.width(a, m) * domain.width(b, n),
+                centre: DVec3::from_array(std::array::from_fn(|d| domain.centre(d, at[d]))),
             });
         }
     }

@@ -6,11 +6,13 @@
 mod body;
 mod boundary;
 mod energy;
+mod ground_left;
 mod last_sample;
 
 use super::History;
 use crate::case::Case;
 pub use boundary::most_pressed_lid_cell;
+pub use ground_left::record_ground_left;
 pub use last_sample::LastSample;
 use solver::model::Model;
 use solver::precision::Precision;

@@ -1,7 +1,7 @@
 //! The soil of a cell as it is shown.
 
+use crate::domain::PlacedDomain;
 use glam::DVec3;
-use solver::grid::Grid;
 use solver::precision::Precision;
 use solver::state::State;
 
@@ -12,7 +12,7 @@ const SLIVER: f64 = 0.01;
 
 /// A cell as it is shown: SI units, pressure positive in compression; all zero where it is void.
 pub(crate) struct CellView<'a, R> {
-    grid: &'a Grid,
+    domain: &'a PlacedDomain<'a>,
     state: &'a State<R>,
     at: [usize; 3],
     index: usize,
@@ -21,11 +21,11 @@ pub(crate) struct CellView<'a, R> {
 }
 
 impl<'a, R: Precision> CellView<'a, R> {
-    /// Cell `(i, j, k)`.
-    pub(crate) fn of(grid: &'a Grid, state: &'a State<R>, at: [usize; 3]) -> Self {
-        let index = grid.index(at[0], at[1], at[2]);
+    /// Cell `(i, j, k)` of the domain.
+    pub(crate) fn of(domain: &'a PlacedDomain<'a>, state: &'a State<R>, at: [usize; 3]) -> Self {
+        let index = domain.index(at);
         let fraction = state.soil.fraction[index].into();
-        Self { grid, state, at, index, fraction: if fraction < VOID { 0.0 } else { fraction } }
+        Self { domain, state, at, index, fraction: if fraction < VOID { 0.0 } else { fraction } }
     }
 
     fn is_void(&self) -> bool {
@@ -41,7 +41,7 @@ impl<'a, R: Precision> CellView<'a, R> {
         if self.is_void() {
             return DVec3::ZERO;
         }
-        let ([dx, dy, dz], n) = (self.grid.stride, self.index);
+        let ([dx, dy, dz], n) = (self.domain.grid.stride, self.index);
         let corners = [0, dx, dy, dx + dy, dz, dx + dz, dy + dz, dx + dy + dz].map(|offset| n + offset);
         let mut sum = DVec3::ZERO;
         let mut count = 0.0;
@@ -75,8 +75,7 @@ impl<'a, R: Precision> CellView<'a, R> {
         if self.fraction < SLIVER {
             return f64::NAN;
         }
-        let [i, j, k] = self.at;
-        self.state.soil.mass[self.index].into() / (self.fraction * self.grid.volume(i, j, k))
+        self.state.soil.mass[self.index].into() / (self.fraction * self.domain.volume(self.at))
     }
 
     /// History variable number `n` of their table, in its unit.
@@ -91,13 +90,6 @@ pub(crate) fn node_velocity(state: &State<impl Precision>, node: usize) -> DVec3
 }
 
 /// Number of cells with soil.
-pub(crate) fn filled_cells(grid: &Grid, state: &State<impl Precision>) -> u64 {
-    let [columns, rows, layers] = grid.cells();
-    let mut filled = 0;
-    for (k, j) in (0..layers).flat_map(|k| (0..rows).map(move |j| (k, j))) {
-        let start = grid.index(0, j, k);
-        filled +=
-            state.soil.fraction[start..start + columns].iter().filter(|f| (**f).into() > VOID).count() as u64;
-    }
-    filled
+pub(crate) fn filled_cells(domain: &PlacedDomain, state: &State<impl Precision>) -> u64 {
+    domain.indices().filter(|&cell| state.soil.fraction[cell].into() > VOID).count() as u64
 }

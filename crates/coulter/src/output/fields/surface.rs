@@ -1,12 +1,17 @@
 //! The free surface as a height map: the rut, the berms, and their sizes.
 
 use crate::case::resolved::{Case, Ground};
+use crate::domain::PlacedDomain;
+use crate::history::SurfacePoint;
 use serde::{Deserialize, Serialize};
 use solver::grid::Grid;
 use solver::precision::Precision;
 use solver::state::State;
 
-/// Height of the free surface over each column of cells.
+/// Lines of ground left behind of which less than this fraction of half a cell lies outside the grid are not shown.
+const SLIVER: f64 = 1e-6;
+
+/// Height of the free surface over each column of cells, and over the ground that the grid has left behind.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeightMap {
     /// Centres of the columns along x and y [m], mirrored to y < 0 in a symmetric case.
@@ -17,6 +22,8 @@ pub struct HeightMap {
     pub height: Vec<f64>,
     /// Height of the undisturbed surface [m].
     pub reference: f64,
+    /// Ends along x and y of what lies inside the grid [m]; beyond them is the ground that it has left behind.
+    pub inside: [[f64; 2]; 2],
 }
 
 /// Sizes of rut and berms at the end.
@@ -43,29 +50,93 @@ pub fn reference_height(case: &Case) -> f64 {
 }
 
 impl HeightMap {
-    /// The free surface of a state.
+    /// The free surface of a state, with that which its grid has left behind on its way along x or along y (`left`, lines across
+    /// that way). Of a grid that has travelled along both there is only what is inside.
     #[must_use]
-    pub fn of(case: &Case, grid: &Grid, state: &State<impl Precision>) -> Self {
-        let [columns, rows, _] = grid.cells();
-        let mut rows_shown: Vec<usize> = (0..rows).collect();
-        let mut edges_y = grid.faces[1].clone();
+    pub fn of(case: &Case, grid: &Grid, state: &State<impl Precision>, left: &[SurfacePoint]) -> Self {
+        let domain = PlacedDomain::of(grid, state.grid_position);
+        let [columns, rows, _] = domain.cells();
+        let places = (0..rows).flat_map(|j| (0..columns).map(move |i| [i, j]));
+        let height = places.map(|place| domain.surface_height(state, place)).collect();
+        let edges = [0, 1].map(|axis| domain.faces[axis].clone());
+        let inside = [0, 1].map(|axis| domain.ends(axis));
+        let centres = edges.each_ref().map(|edges| middles(edges));
+        let mut map = Self { centres, edges, height, reference: reference_height(case), inside };
+        map.join(left);
         if case.domain.symmetric {
-            rows_shown = (0..rows).rev().chain(0..rows).collect();
-            edges_y = edges_y.iter().rev().map(|y| -y).chain(edges_y.iter().skip(1).copied()).collect();
+            map.mirror();
         }
-        let height = rows_shown
-            .iter()
-            .flat_map(|&j| (0..columns).map(move |i| (i, j)))
-            .map(|(i, j)| column_height(grid, state, i, j))
-            .collect();
-        let centres = |edges: &[f64]| edges.windows(2).map(|e| 0.5 * (e[0] + e[1])).collect();
-        let edges = [grid.faces[0].clone(), edges_y];
-        Self {
-            centres: [centres(&edges[0]), centres(&edges[1])],
-            edges,
-            height,
-            reference: reference_height(case),
-        }
+        map
+    }
+
+    /// Adds the lines of the ground left behind that lie beyond what is inside.
+    fn join(&mut self, left: &[SurfacePoint]) {
+        let Some(axis) = (0..2).find(|&axis| self.has_lines_across(axis, left)) else { return };
+        let [low_end, high_end] = self.inside[axis];
+        let (edges, across) = (&self.edges[axis], self.centres[1 - axis].len());
+        let half = [edges[1] - edges[0], edges[edges.len() - 1] - edges[edges.len() - 2]].map(|w| 0.5 * w);
+        let lines = || left.chunks_exact(across).map(|line| (line[0].along(axis), line));
+        // A line lasts from its outer edge to that of the next, or to the grid.
+        let low: Vec<_> = lines().filter(|(x, _)| low_end - (x - half[0]) > SLIVER * half[0]).collect();
+        let mut high: Vec<_> = lines().filter(|(x, _)| x + half[1] - high_end > SLIVER * half[1]).collect();
+        // A grid that travels towards the low end leaves the highest line first.
+        high.reverse();
+        let (before, inside) = (low.len(), edges.len() - 1);
+        let edges = low.iter().map(|(x, _)| x - half[0]).chain(edges.iter().copied());
+        let edges: Vec<f64> = edges.chain(high.iter().map(|(x, _)| x + half[1])).collect();
+        let height = |n: usize, m: usize| match n.checked_sub(before) {
+            None => low[n].1[m].z,
+            Some(n) if n < inside => {
+                if axis == 0 {
+                    self.at(n, m)
+                } else {
+                    self.at(m, n)
+                }
+            }
+            Some(n) => high[n - inside].1[m].z,
+        };
+        let along = edges.len() - 1;
+        self.height = if axis == 0 {
+            (0..across).flat_map(|m| (0..along).map(move |n| (n, m))).map(|(n, m)| height(n, m)).collect()
+        } else {
+            (0..along).flat_map(|n| (0..across).map(move |m| (n, m))).map(|(n, m)| height(n, m)).collect()
+        };
+        self.centres[axis] = middles(&edges);
+        self.edges[axis] = edges;
+    }
+
+    /// Whether these are lines of points across an axis, each over all columns of the map along the other.
+    fn has_lines_across(&self, axis: usize, left: &[SurfacePoint]) -> bool {
+        let across = &self.centres[1 - axis];
+        let is_line = |line: &[SurfacePoint]| {
+            let is_over_column = |(point, centre): (&SurfacePoint, &f64)| {
+                point.along(1 - axis) == *centre && point.along(axis) == line[0].along(axis)
+            };
+            line.iter().zip(across).all(is_over_column)
+        };
+        let lines = left.chunks_exact(across.len());
+        !left.is_empty() && lines.remainder().is_empty() && lines.into_iter().all(is_line)
+    }
+
+    /// Adds the other half of a symmetric case.
+    fn mirror(&mut self) {
+        let (columns, edges) = (self.centres[0].len(), &mut self.edges[1]);
+        *edges = edges.iter().rev().map(|y| -y).chain(edges.iter().skip(1).copied()).collect();
+        self.centres[1] = middles(edges);
+        self.inside[1] = [-self.inside[1][1], self.inside[1][1]];
+        let rows = self.height.chunks_exact(columns);
+        self.height = rows.clone().rev().chain(rows).flatten().copied().collect();
+    }
+
+    /// A range along x (0) or y (1) [m], extended over the ground left behind.
+    #[must_use]
+    pub fn with_ground_left(&self, axis: usize, [low, high]: [f64; 2]) -> [f64; 2] {
+        let (edges, inside) = (&self.edges[axis], self.inside[axis]);
+        let (first, last) = (edges[0], edges[edges.len() - 1]);
+        [
+            if first < inside[0] { low.min(first) } else { low },
+            if last > inside[1] { high.max(last) } else { high },
+        ]
     }
 
     /// Height [m] of column `(i, j)`.
@@ -116,20 +187,66 @@ impl HeightMap {
     }
 }
 
+/// The middles between edges [m].
+fn middles(edges: &[f64]) -> Vec<f64> {
+    edges.windows(2).map(|e| 0.5 * (e[0] + e[1])).collect()
+}
+
 /// Index of the interval that contains `value`, or of the nearest one.
 fn nearest(edges: &[f64], value: f64) -> usize {
     edges.partition_point(|edge| *edge <= value).saturating_sub(1).min(edges.len().saturating_sub(2))
 }
 
-/// Height of the surface in one column [m]: the soil of the uppermost cell that is at least half full and of the cell above
-/// it, heaped on the floor of the former. Detached soil above and voids below do not count.
-fn column_height(grid: &Grid, state: &State<impl Precision>, i: usize, j: usize) -> f64 {
-    let layers = grid.cells()[2];
-    let fraction =
-        |k: usize| state.soil.fraction.get(grid.index(i, j, k)).map_or(0.0, |f| (*f).into().clamp(0.0, 1.0));
-    let Some(top) = (0..layers).rev().find(|&k| fraction(k) >= 0.5) else {
-        return grid.faces[2][0] + fraction(0) * grid.width(2, 0);
-    };
-    let above = if top + 1 < layers { fraction(top + 1) * grid.width(2, top + 1) } else { 0.0 };
-    grid.faces[2][top] + fraction(top) * grid.width(2, top) + above
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two columns by two rows of unit cells whose low corner lies at a position along an axis, at heights 1 to 4.
+    fn map(axis: usize, at: f64) -> HeightMap {
+        let mut edges = [vec![0.0, 1.0, 2.0], vec![0.0, 1.0, 2.0]];
+        edges[axis].iter_mut().for_each(|edge| *edge += at);
+        let centres = edges.each_ref().map(|edges| middles(edges));
+        let inside = edges.each_ref().map(|edges| [edges[0], edges[2]]);
+        HeightMap { centres, edges, height: vec![1.0, 2.0, 3.0, 4.0], reference: 0.0, inside }
+    }
+
+    /// A line across an axis at a position, as high as a number and a tenth more.
+    fn line(axis: usize, at: f64, height: f64) -> [SurfacePoint; 2] {
+        [0, 1].map(|n| {
+            let across = 0.5 + f64::from(n);
+            let [x, y] = if axis == 0 { [at, across] } else { [across, at] };
+            SurfacePoint { x, y, z: height + 0.1 * f64::from(n) }
+        })
+    }
+
+    #[test]
+    fn ground_left_along_x_comes_before_what_is_inside() {
+        let mut map = map(0, 2.25);
+        map.join(&[line(0, 0.5, 7.0), line(0, 1.5, 8.0), line(0, 2.5, 9.0)].concat());
+        assert_eq!(map.edges[0], [0.0, 1.0, 2.0, 2.25, 3.25, 4.25]);
+        assert_eq!(map.height, [7.0, 8.0, 9.0, 1.0, 2.0, 7.1, 8.1, 9.1, 3.0, 4.0]);
+        assert_eq!(map.with_ground_left(0, [3.0, 4.0]), [0.0, 4.0]);
+        assert_eq!(map.with_ground_left(1, [0.5, 1.5]), [0.5, 1.5]);
+    }
+
+    #[test]
+    fn ground_left_by_a_grid_that_travels_backwards_along_y_comes_after() {
+        let mut map = map(1, -1.5);
+        map.join(&[line(1, 1.5, 7.0), line(1, 0.5, 8.0)].concat());
+        assert_eq!(map.edges[1], [-1.5, -0.5, 0.5, 1.0, 2.0]);
+        assert_eq!(map.height, [1.0, 2.0, 3.0, 4.0, 8.0, 8.1, 7.0, 7.1]);
+    }
+
+    #[test]
+    fn what_the_grid_still_holds_is_not_shown_twice() {
+        for left in [&line(0, 0.5, 7.0)[..], &[]] {
+            let mut joined = map(0, 0.0);
+            joined.join(left);
+            assert_eq!(joined, map(0, 0.0));
+        }
+        // Of a grid that has moved sideways as well the lines do not fit.
+        let mut joined = map(0, 5.0);
+        joined.join(&line(0, 0.5, 7.0).map(|point| SurfacePoint { y: point.y + 0.01, ..point }));
+        assert_eq!(joined, map(0, 5.0));
+    }
 }

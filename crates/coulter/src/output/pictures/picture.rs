@@ -3,6 +3,7 @@
 use super::rut::{plan, profiles};
 use super::scene::Scene;
 use crate::case::resolved::Case;
+use crate::domain::PlacedDomain;
 use crate::output::fields::HeightMap;
 use crate::output::files::{OutputError, make_folder};
 use solver::grid::Grid;
@@ -66,7 +67,7 @@ pub const PICTURES: [Caption; 7] = [
     },
 ];
 
-/// Draws all pictures of a state into `dir`.
+/// Draws all pictures of a state, with the map of its free surface, into `dir`.
 ///
 /// # Errors
 /// When a file cannot be written.
@@ -75,18 +76,19 @@ pub fn write_pictures(
     case: &Case,
     grid: &Grid,
     state: &State<impl Precision>,
+    map: &HeightMap,
 ) -> Result<(), OutputError> {
     make_folder(dir)?;
-    let scene = Scene::new(case, grid, state);
-    let map = HeightMap::of(case, grid, state);
+    let domain = PlacedDomain::of(grid, state.grid_position);
+    let scene = Scene::new(case, &domain, state);
     scene.fraction().write(&dir.join("soil_fraction.png"))?;
     scene.plastic_strain().write(&dir.join("soil_plastic_strain.png"))?;
     scene.pressure().write(&dir.join("soil_pressure.png"))?;
     scene.speed().write(&dir.join("soil_speed.png"))?;
     if !case.domain.plane_strain {
-        plan(&scene, &map).canvas.write(&dir.join("rut_plan.png"))?;
+        plan(&scene, map).canvas.write(&dir.join("rut_plan.png"))?;
     }
-    for profile in profiles(case, state, &map) {
+    for profile in profiles(&scene, map) {
         profile.write(dir)?;
     }
     Ok(())

@@ -16,11 +16,12 @@ use std::path::Path;
 
 /// The free surface from above.
 pub(super) fn plan<R: Precision>(scene: &Scene<'_, R>, map: &HeightMap) -> View {
-    let across = scene.across;
-    let fine = [scene.case.grid.fine_low.y, scene.case.grid.fine_high.y];
-    let (first, last) = (map.edges[1][0], map.edges[1][map.edges[1].len() - 1]);
-    let reach = 1.1 * fine[1].abs().max(fine[0].abs());
-    let sideways = if reach > 0.0 { [first.max(-reach), last.min(reach)] } else { [first, last] };
+    let across = map.with_ground_left(0, scene.across);
+    let ([first, last], middle) = (map.inside[1], scene.state.grid_position.y);
+    let reach = 1.1 * fine_reach(scene.case);
+    let inside =
+        if reach > 0.0 { [first.max(middle - reach), last.min(middle + reach)] } else { [first, last] };
+    let sideways = map.with_ground_left(1, inside);
     let mut view = View::new(across, sideways);
     let level = matches!(scene.case.ground, Ground::Level { .. });
     let scale = height_scale(map, level, across, sideways);
@@ -34,6 +35,11 @@ pub(super) fn plan<R: Precision>(scene: &Scene<'_, R>, map: &HeightMap) -> View 
     let title = if level { "Rut and berm from above" } else { "Height of the soil from above" };
     view.finish(title, ["x [m]", "y [m]"], &scale);
     view
+}
+
+/// How far the fine zone extends sideways from y = 0 at the start [m].
+fn fine_reach(case: &Case) -> f64 {
+    case.grid.fine_high.y.abs().max(case.grid.fine_low.y.abs())
 }
 
 /// Colour scale for heights [mm]: symmetric about the undisturbed surface, or from the floor up for a column.
@@ -67,7 +73,8 @@ pub(super) struct Profile {
 }
 
 /// The profile along the tow in the mid-plane, and the cross-section of the rut behind the first body.
-pub(super) fn profiles(case: &Case, state: &State<impl Precision>, map: &HeightMap) -> Vec<Profile> {
+pub(super) fn profiles<R: Precision>(scene: &Scene<'_, R>, map: &HeightMap) -> Vec<Profile> {
+    let Scene { case, state, .. } = *scene;
     let rise = |points: Vec<[f64; 2]>| points.into_iter().map(|p| [p[0], p[1] - map.reference]).collect();
     let y = state
         .mechanism
@@ -75,7 +82,7 @@ pub(super) fn profiles(case: &Case, state: &State<impl Precision>, map: &HeightM
         .first()
         .map_or(0.5 * (map.edges[1][0] + map.edges[1][map.edges[1].len() - 1]), |b| b.pose.position.y);
     let everything = [f64::NEG_INFINITY, f64::INFINITY];
-    let fine = [case.grid.fine_low.x, case.grid.fine_high.x];
+    let fine = map.with_ground_left(0, scene.fine_zone(0));
     let along = Profile {
         name: "profile",
         title: format!("Free surface along the tow, y = {} m", digits(y)),
@@ -88,13 +95,13 @@ pub(super) fn profiles(case: &Case, state: &State<impl Precision>, map: &HeightM
         return vec![along];
     }
     let x = section_range(case, state);
-    let reach = 1.2 * case.grid.fine_high.y.abs().max(case.grid.fine_low.y.abs());
+    let (reach, middle) = (1.2 * fine_reach(case), state.grid_position.y);
     let across = Profile {
         name: "rut_section",
         title: format!("Free surface across the tow, x = {} … {} m", digits(x[0]), digits(x[1])),
         axis: 'y',
         points: rise(map.section(x[0], x[1])),
-        shown: if reach > 0.0 { [-reach, reach] } else { everything },
+        shown: if reach > 0.0 { [middle - reach, middle + reach] } else { everything },
         true_scale: true,
     };
     vec![along, across]

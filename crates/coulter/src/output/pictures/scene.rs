@@ -3,6 +3,7 @@
 use super::canvas::Canvas;
 use super::frame::{Scale, View};
 use crate::case::resolved::{Case, Ground};
+use crate::domain::PlacedDomain;
 use crate::output::fields::{CellView, reference_height};
 use crate::output::plots::{ColourMap, Rgb};
 use crate::output::units::Unit;
@@ -10,7 +11,6 @@ use glam::DVec3;
 use mechanics::Pose;
 use physics::shape::Shape;
 use solver::fields::PLASTIC_STRAIN;
-use solver::grid::Grid;
 use solver::precision::Precision;
 use solver::state::State;
 
@@ -23,7 +23,7 @@ const SHOWN: f64 = 0.5;
 /// The state from which the pictures are made, and the region that they show.
 pub(super) struct Scene<'a, R> {
     pub(super) case: &'a Case,
-    pub(super) grid: &'a Grid,
+    pub(super) domain: &'a PlacedDomain<'a>,
     pub(super) state: &'a State<R>,
     pub(super) shapes: Vec<Box<dyn Shape>>,
     pub(super) row: usize,
@@ -32,28 +32,32 @@ pub(super) struct Scene<'a, R> {
 }
 
 impl<'a, R: Precision> Scene<'a, R> {
-    pub(super) fn new(case: &'a Case, grid: &'a Grid, state: &'a State<R>) -> Self {
+    pub(super) fn new(case: &'a Case, domain: &'a PlacedDomain<'a>, state: &'a State<R>) -> Self {
         let middle = 0.5 * (case.domain.low.y + case.domain.high.y);
         let plane = match state.mechanism.bodies.first() {
             _ if case.domain.symmetric => 0.0,
             Some(body) => body.pose.position.y,
             None => middle,
         };
-        let faces = &grid.faces[1];
-        let row = faces.iter().skip(1).position(|y| *y > plane).unwrap_or(0);
+        let row = domain.faces[1].iter().skip(1).position(|y| *y > plane).unwrap_or(0);
         let shapes: Vec<Box<dyn Shape>> = case.bodies.iter().map(|b| b.shape.solid()).collect();
-        let mut scene = Self { case, grid, state, shapes, row, across: [0.0; 2], upward: [0.0; 2] };
+        let mut scene = Self { case, domain, state, shapes, row, across: [0.0; 2], upward: [0.0; 2] };
         scene.across = scene.range(0);
         scene.upward = scene.range(2);
         scene
     }
 
+    /// Ends of the fine zone along an axis [m], which travels with the grid.
+    pub(super) fn fine_zone(&self, axis: usize) -> [f64; 2] {
+        let grid = &self.case.grid;
+        [grid.fine_low, grid.fine_high].map(|end| end[axis] + self.state.grid_position[axis])
+    }
+
     /// The range to show along an axis: the fine zone with a margin, and the bodies.
     fn range(&self, axis: usize) -> [f64; 2] {
-        let (low, high) = (self.case.grid.fine_low[axis], self.case.grid.fine_high[axis]);
+        let [low, high] = self.fine_zone(axis);
         let margin = 0.1 * (high - low).abs();
-        let faces = &self.grid.faces[axis];
-        let (first, last) = (faces[0], faces[faces.len() - 1]);
+        let [first, last] = self.domain.ends(axis);
         let mut range = [(low - margin).max(first), (high + margin).min(last)];
         if range[1] <= range[0] || self.case.bodies.is_empty() {
             range = [first, last];
@@ -71,19 +75,19 @@ impl<'a, R: Precision> Scene<'a, R> {
     /// A slice coloured by the `value` of each cell; `None` is left white.
     fn slice(&self, title: &str, scale: &Scale, value: impl Fn(&CellView<R>) -> Option<f64>) -> Canvas {
         let mut view = View::new(self.across, self.upward);
-        let [columns, _, layers] = self.grid.cells();
+        let [columns, _, layers] = self.domain.cells();
         let cells: Vec<Option<Rgb>> = (0..columns * layers)
             .map(|n| {
-                let cell = CellView::of(self.grid, self.state, [n % columns, self.row, n / columns]);
+                let cell = CellView::of(self.domain, self.state, [n % columns, self.row, n / columns]);
                 value(&cell).map(|v| scale.colour(v))
             })
             .collect();
-        let y = self.grid.centre(1, self.row);
+        let y = self.domain.centre(1, self.row);
         let pixel = view.pixel();
         view.paint(|x, z| {
             self.body_colour(DVec3::new(x, y, z), pixel).or_else(|| {
-                let i = find(&self.grid.faces[0], x)?;
-                let k = find(&self.grid.faces[2], z)?;
+                let i = find(&self.domain.faces[0], x)?;
+                let k = find(&self.domain.faces[2], z)?;
                 cells[k * columns + i]
             })
         });
@@ -115,16 +119,16 @@ impl<'a, R: Precision> Scene<'a, R> {
 
     /// Values of the cells of the slice within the shown range, sorted.
     fn values(&self, value: impl Fn(&CellView<R>) -> f64) -> Vec<f64> {
-        let [columns, _, layers] = self.grid.cells();
+        let [columns, _, layers] = self.domain.cells();
         let inside = |axis: usize, range: [f64; 2]| {
-            let grid = self.grid;
-            move |n: &usize| (range[0]..=range[1]).contains(&grid.centre(axis, *n))
+            let domain = self.domain;
+            move |n: &usize| (range[0]..=range[1]).contains(&domain.centre(axis, *n))
         };
         let columns: Vec<usize> = (0..columns).filter(inside(0, self.across)).collect();
         let mut values: Vec<f64> = (0..layers)
             .filter(inside(2, self.upward))
             .flat_map(|k| columns.iter().map(move |&i| [i, self.row, k]))
-            .map(|at| CellView::of(self.grid, self.state, at))
+            .map(|at| CellView::of(self.domain, self.state, at))
             .filter(|cell| cell.fraction > SHOWN)
             .map(|cell| value(&cell))
             .filter(|v| v.is_finite())

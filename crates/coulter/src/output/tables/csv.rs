@@ -1,11 +1,12 @@
-//! `forces.csv`, `energy.csv` and `boundaries.csv`: the histories as tables with units in the header.
+//! `forces.csv`, `energy.csv`, `boundaries.csv` and, of a grid that travels, `ground_left.csv`: the histories as tables with
+//! units in the header.
 //!
 //! The files are kept open during the run and flushed after every block, so that a killed run leaves whole lines; a
 //! resumed run rewrites them from the history of the checkpoint.
 
 use super::table::{Table, push_line};
 use crate::history::History;
-use crate::history::columns::{self, Column, FORCES, Source, header};
+use crate::history::columns::{self, Column, FORCES, GROUND_LEFT, Source, header};
 use crate::history::reference::Reference;
 use crate::output::files::{Named, OutputError, file_safe};
 use std::fs::File;
@@ -16,6 +17,8 @@ use std::path::{Path, PathBuf};
 pub(crate) const ENERGY_FILE: &str = "energy.csv";
 /// Name of the file about the faces of the box.
 pub(crate) const BOUNDARIES_FILE: &str = "boundaries.csv";
+/// Name of the file about the ground that the grid has left behind.
+pub(crate) const GROUND_LEFT_FILE: &str = "ground_left.csv";
 
 /// Name of the file that holds a body's history: `forces.csv`, or `forces_NAME.csv` when there are several bodies.
 #[must_use]
@@ -32,6 +35,9 @@ pub struct HistoryFiles {
     bodies: Vec<HistoryFile>,
     energy: HistoryFile,
     boundaries: HistoryFile,
+    /// Only of a grid that travels, from its first line on.
+    ground_left: Option<HistoryFile>,
+    dir: PathBuf,
     references: Vec<Reference>,
 }
 
@@ -54,7 +60,8 @@ impl HistoryFiles {
             .collect::<Result<_, _>>()?;
         let energy = HistoryFile::create(dir.join(ENERGY_FILE), columns::ENERGY)?;
         let boundaries = HistoryFile::create(dir.join(BOUNDARIES_FILE), columns::BOUNDARIES)?;
-        Ok(Self { bodies, energy, boundaries, references: references.to_vec() })
+        let (dir, references) = (dir.to_path_buf(), references.to_vec());
+        Ok(Self { bodies, energy, boundaries, ground_left: None, dir, references })
     }
 
     /// Adds the lines of `history` that are not in the files yet.
@@ -66,10 +73,15 @@ impl HistoryFiles {
         {
             file.append(samples, FORCES, reference)?;
         }
-        // Neither has columns that need the quantities of a body.
+        // None of these has columns that need the quantities of a body.
         let none = Reference::default();
         self.energy.append(&history.energy, columns::ENERGY, &none)?;
-        self.boundaries.append(&history.boundaries, columns::BOUNDARIES, &none)
+        self.boundaries.append(&history.boundaries, columns::BOUNDARIES, &none)?;
+        if self.ground_left.is_none() && !history.ground_left.is_empty() {
+            self.ground_left = Some(HistoryFile::create(self.dir.join(GROUND_LEFT_FILE), GROUND_LEFT)?);
+        }
+        let file = self.ground_left.as_mut();
+        file.map_or(Ok(()), |file| file.append(&history.ground_left, GROUND_LEFT, &none))
     }
 }
 
@@ -127,11 +139,13 @@ pub fn read_history(dir: &Path, names: &[String], is_whole: bool) -> Result<Hist
     let bodies = (0..names.len())
         .map(|n| read(&dir.join(forces_name(names, n)), FORCES, is_whole))
         .collect::<Result<_, _>>()?;
+    let left = dir.join(GROUND_LEFT_FILE);
     let mut history = History {
         names: names.to_vec(),
         bodies,
         energy: read(&dir.join(ENERGY_FILE), columns::ENERGY, is_whole)?,
         boundaries: read(&dir.join(BOUNDARIES_FILE), columns::BOUNDARIES, is_whole)?,
+        ground_left: if left.is_file() { read(&left, GROUND_LEFT, is_whole)? } else { Vec::new() },
     };
     if !is_whole {
         let lines =

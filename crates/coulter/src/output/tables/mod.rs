@@ -7,7 +7,7 @@ mod csv;
 mod table;
 mod validate;
 
-pub(crate) use csv::{BOUNDARIES_FILE, ENERGY_FILE};
+pub(crate) use csv::{BOUNDARIES_FILE, ENERGY_FILE, GROUND_LEFT_FILE};
 pub use csv::{HistoryFiles, forces_name, read_history};
 pub use table::Table;
 pub(crate) use table::push_line;

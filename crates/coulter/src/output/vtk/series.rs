@@ -4,6 +4,8 @@ use super::polygons::{write_body, write_surface};
 use super::soil::write_soil;
 use super::time_list::{Frame, read_time_list, write_time_list};
 use crate::case::Case;
+use crate::domain::PlacedDomain;
+use crate::history::History;
 use crate::output::fields::HeightMap;
 use crate::output::files::{FIELDS, LISTS, OutputError, file_safe, make_folder};
 use solver::grid::Grid;
@@ -54,7 +56,8 @@ impl FieldSeries {
         time >= next * (1.0 - 1e-12)
     }
 
-    /// Writes the current fields, unless files of exactly this time exist, and updates the time lists.
+    /// Writes the current fields, unless files of exactly this time exist, and updates the time lists. The free surface includes
+    /// that which a grid that travels has left behind.
     ///
     /// # Errors
     /// When a file cannot be written.
@@ -63,16 +66,19 @@ impl FieldSeries {
         case: &Case,
         grid: &Grid,
         state: &State<impl Precision>,
+        history: &History,
     ) -> Result<(), OutputError> {
         let (time, n) = (state.time, self.next_frame);
         if self.frames[0].last().is_some_and(|frame| frame.time == time) {
             return Ok(());
         }
         let soil = format!("{FIELDS}/soil_{n:04}.vtr");
-        write_soil(&self.dir.join(&soil), grid, state)?;
+        let domain = PlacedDomain::of(grid, state.grid_position);
+        write_soil(&self.dir.join(&soil), &domain, state)?;
         self.frames[0].push(Frame { time, part: 0, file: soil });
         let surface = format!("{FIELDS}/surface_{n:04}.vtp");
-        write_surface(&self.dir.join(&surface), &HeightMap::of(case, grid, state), time)?;
+        let map = HeightMap::of(case, grid, state, &history.ground_left);
+        write_surface(&self.dir.join(&surface), &map, time)?;
         self.frames[1].push(Frame { time, part: 0, file: surface });
         for (number, (body, described)) in state.mechanism.bodies.iter().zip(&case.bodies).enumerate() {
             let file = format!("{FIELDS}/body_{}_{n:04}.vtp", file_safe(&described.name));

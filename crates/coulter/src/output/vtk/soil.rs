@@ -1,10 +1,10 @@
 //! The soil on its grid: `.vtr`.
 
 use super::file::{DataArray, Dataset};
+use crate::domain::PlacedDomain;
 use crate::output::fields::{CellView, node_velocity};
 use crate::output::files::OutputError;
 use solver::fields::HISTORY;
-use solver::grid::Grid;
 use solver::precision::Precision;
 use solver::state::State;
 use std::path::Path;
@@ -15,13 +15,16 @@ fn each_place([columns, rows, layers]: [usize; 3]) -> impl Iterator<Item = [usiz
 }
 
 /// Writes the soil.
-pub(super) fn write_soil(path: &Path, grid: &Grid, state: &State<impl Precision>) -> Result<(), OutputError> {
-    let [x, y, z] = grid.cells();
+pub(super) fn write_soil(
+    path: &Path,
+    domain: &PlacedDomain,
+    state: &State<impl Precision>,
+) -> Result<(), OutputError> {
+    let [x, y, z] = domain.cells();
     let extent = format!("Extent=\"0 {x} 0 {y} 0 {z}\"");
     let nodes = [x + 1, y + 1, z + 1];
-    let node_velocities =
-        each_place(nodes).flat_map(|[i, j, k]| node_velocity(state, grid.index(i, j, k)).to_array());
-    let axes = ["x", "y", "z"].into_iter().zip(&grid.faces);
+    let node_velocities = each_place(nodes).flat_map(|at| node_velocity(state, domain.index(at)).to_array());
+    let axes = ["x", "y", "z"].into_iter().zip(&domain.faces);
     Dataset {
         kind: "RectilinearGrid",
         extent: format!(" Whole{extent}"),
@@ -29,7 +32,7 @@ pub(super) fn write_soil(path: &Path, grid: &Grid, state: &State<impl Precision>
         time: state.time,
         sections: vec![
             ("PointData", vec![DataArray::singles("velocity", [nodes.iter().product(), 3], node_velocities)]),
-            ("CellData", cell_arrays(grid, state)),
+            ("CellData", cell_arrays(domain, state)),
             (
                 "Coordinates",
                 axes.map(|(name, faces)| DataArray::doubles(name, [faces.len(), 1], faces.iter().copied()))
@@ -40,9 +43,9 @@ pub(super) fn write_soil(path: &Path, grid: &Grid, state: &State<impl Precision>
     .write(path)
 }
 
-fn cell_arrays<'a, R: Precision>(grid: &'a Grid, state: &'a State<R>) -> Vec<DataArray<'a>> {
-    let cells = || each_place(grid.cells()).map(|at| CellView::of(grid, state, at));
-    let one = [grid.cells().iter().product(), 1];
+fn cell_arrays<'a, R: Precision>(domain: &'a PlacedDomain<'a>, state: &'a State<R>) -> Vec<DataArray<'a>> {
+    let cells = || each_place(domain.cells()).map(|at| CellView::of(domain, state, at));
+    let one = [domain.cells().iter().product(), 1];
     let several = |components| [one[0], components];
     let mut arrays = vec![
         DataArray::singles("evf", one, cells().map(|c| c.fraction)),
