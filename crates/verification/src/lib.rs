@@ -27,6 +27,7 @@ pub mod json_row;
 mod light;
 mod line;
 mod list;
+mod long_tow;
 mod mechanisms;
 mod moving;
 pub mod options;

@@ -4,9 +4,9 @@ use crate::error::VerifyError;
 use crate::expectations::Expectations;
 use crate::runner::Runner;
 use crate::{
-    circle, column, conservation, control, disc, element, flow, footing, friction, light, other_codes, plate,
-    positions, precision, repeat, rest, rigid, rotating, rough_wall, round_column, scaling, strip_sand,
-    taylor, transport, wall, wave,
+    circle, column, conservation, control, disc, element, flow, footing, friction, light, long_tow,
+    other_codes, plate, positions, precision, repeat, rest, rigid, rotating, rough_wall, round_column,
+    scaling, strip_sand, taylor, transport, wall, wave,
 };
 use std::sync::LazyLock;
 
@@ -76,6 +76,7 @@ pub const BENCHMARKS: &[Benchmark] = &[
     benchmark!("C3", "C3_soil_volume", Balances, conservation::volume),
     benchmark!("C4", "C4_soil_inside_bodies", Balances, conservation::leak),
     benchmark!("D3", "D3_towed_disc", Run, disc::run),
+    benchmark!("D10", "D10_long_tow", Run, long_tow::run),
     benchmark!("E1", "E1_sand_column", Run, other_codes::column),
     benchmark!("E2", "E2_disc_drag", Run, other_codes::disc),
     benchmark!("E3", "E3_wall", Run, other_codes::wall),
