@@ -33,3 +33,57 @@ fn outflow(model: &Model) -> Option<(usize, usize)> {
     let ends = (0..2).flat_map(|axis| [(axis, 0), (axis, 1)]);
     ends.into_iter().find(|&(axis, end)| travels[axis] && model.boundaries.0[axis][end] == Boundary::Outflow)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+    use physics::elastic::Elastic;
+    use solver::boundary::Boundary::{Inflow, Outflow};
+    use solver::grid::Grid;
+    use solver::initial::{Filling, at_rest};
+    use solver::material::Material;
+    use solver::model::Follow;
+
+    /// Unit cells, five along x and y, that travel along an axis away from one of its ends.
+    fn travelling(axis: usize, end: usize) -> Model {
+        let mut open = [[false; 2]; 3];
+        open[axis] = [true; 2];
+        let faces = [5, 5, 3].map(|n| (0..=n).map(f64::from).collect());
+        let material = Material::linear_elastic(Elastic::new(1e6, 0.3), 1600.0);
+        let mut model = Model::bare(Grid::with_open_faces(faces, open, 8), material);
+        model.boundaries.0[axis] = if end == 0 { [Outflow, Inflow] } else { [Inflow, Outflow] };
+        model.follow = Some(Follow { body: 0, axes: [axis == 0, axis == 1, false] });
+        model
+    }
+
+    #[test]
+    fn a_line_is_kept_for_every_cell_that_the_grid_travels_whichever_way() {
+        for (axis, end, away) in [(0, 0, 1.0), (0, 1, -1.0), (1, 0, 1.0), (1, 1, -1.0)] {
+            let model = travelling(axis, end);
+            let ground = Filling::between(DVec3::NEG_INFINITY, DVec3::new(1e9, 1e9, 1.25));
+            let (mut state, mut left) = (at_rest::<f64>(&model, &ground), Vec::new());
+            // The grid moves back in between, over ground that it has left before.
+            for travelled in [0.0, 0.5, 1.0, 1.5, 0.0, 2.5, 3.0] {
+                state.grid_position[axis] = away * travelled;
+                record_ground_left(&model, &state, &mut left);
+            }
+            let first = if end == 0 { 0.5 } else { 4.5 };
+            let expected = [0.0, 1.0, 2.5].map(|travelled| first + away * travelled);
+            let lines: Vec<f64> = left.chunks(5).map(|line| line[0].along(axis)).collect();
+            assert_eq!(lines, expected, "axis {axis}, end {end}");
+            for (n, point) in left.iter().enumerate() {
+                assert_eq!((point.along(1 - axis), point.z), (0.5 + (n % 5) as f64, 1.25));
+            }
+        }
+    }
+
+    #[test]
+    fn a_grid_that_stands_still_leaves_nothing() {
+        let model = Model { follow: None, ..travelling(0, 0) };
+        let (state, mut left) =
+            (at_rest::<f64>(&model, &Filling::between(DVec3::ZERO, DVec3::ONE)), Vec::new());
+        record_ground_left(&model, &state, &mut left);
+        assert!(left.is_empty());
+    }
+}
