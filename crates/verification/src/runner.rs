@@ -290,9 +290,11 @@ impl<'a> Runner<'a> {
     }
 }
 
-/// Relative change of the soil's mass since the start, VOF debris included.
+/// Relative change of the soil's mass since the start, VOF debris included, less what has entered.
 fn mass_error(simulation: &Simulation) -> f64 {
     let Simulation { model, state, .. } = simulation;
     let before = model.material().density * state.energy_balance.volume_start;
-    (soil_mass(&model.grid, &state.soil) + state.energy_balance.debris_mass - before) / before
+    let balance = &state.energy_balance;
+    let now = soil_mass(&model.grid, &state.soil) + balance.debris_mass - balance.inflow_mass;
+    (now - before) / before
 }
