@@ -33,12 +33,8 @@ fn default_fine_zone(context: &Context, domain: &Domain, paths: &Paths) -> Exten
     Extent { low: low.max(domain.low), high: high.min(domain.high) }
 }
 
-/// What the grid follows, if anything; the outer `None` if it was given wrongly.
-#[allow(clippy::option_option)]
-pub(super) fn follow(section: &Section, bodies: &[Body], problems: &mut Problems) -> Option<Option<Follow>> {
-    if !section.has("follow") {
-        return Some(None);
-    }
+/// What the grid is said to follow.
+pub(super) fn follow(section: &Section, bodies: &[Body], problems: &mut Problems) -> Option<Follow> {
     let [name, axes] = section.follow("follow")?;
     let Some(body) = bodies.iter().position(|body| body.name == name) else {
         let path = section.at("follow.body");
@@ -50,7 +46,7 @@ pub(super) fn follow(section: &Section, bodies: &[Body], problems: &mut Problems
         );
         return None;
     };
-    Some(Some(Follow { body, axes: ["x", "y", "z"].map(|axis| axes.contains(axis)) }))
+    Some(Follow { body, axes: ["x", "y", "z"].map(|axis| axes.contains(axis)) })
 }
 
 /// The grid.

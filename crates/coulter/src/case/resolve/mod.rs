@@ -33,12 +33,16 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
     let numerics = numerics(&schema.numerics, &schema.soil);
     let context = gravity.and_then(|g| context(schema, g, soil.as_ref().map(|s| s.law), problems));
     let bodies = context.as_ref().and_then(|context| bodies(schema, context, problems));
-    let follow = bodies.as_ref().and_then(|bodies| mesh::follow(&schema.grid, bodies, problems));
     let name = name(&schema.top, source_name, problems);
     let duration = bodies.as_ref().and_then(|b| timing::duration(&schema.run, b, problems));
     let forecast = forecast::measured(&schema.forecast, problems);
     let output = duration.and_then(|d| timing::output(&schema.output, d, problems));
-    let (context, bodies, duration, follow) = (context?, bodies?, duration?, follow?);
+    let (context, bodies) = (context?, bodies?);
+    let follow = match schema.grid.has("follow") {
+        true => Some(mesh::follow(&schema.grid, &bodies, problems)?),
+        false => None,
+    };
+    let duration = duration?;
     let paths = Paths { bodies: &bodies, follow, duration };
     let domain = domain::domain(&schema.domain, &context, &paths, problems)?;
     let ground = ground::ground(&schema.ground, context.surface, &domain, problems)?;
