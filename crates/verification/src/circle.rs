@@ -1,7 +1,7 @@
 //! B3, B3γ: circular and square footings, on undrained soil and on sand.
 
+use crate::bearing::Footing;
 use crate::error::VerifyError;
-use crate::line::at_zero;
 use crate::probe::mean;
 use crate::runner::Runner;
 use std::f64::consts::PI;
@@ -80,8 +80,8 @@ pub(crate) fn sand(runner: &mut Runner) -> Result<(), VerifyError> {
     for (angle, is_rough) in [(20, false), (20, true), (30, false), (30, true)] {
         let variant = format!("{}, φ = ψ = {angle}°, D/h = 16", word(is_rough));
         if runner.wants("B3γ", &variant)? {
-            let exact = runner.expectation("B3γ", &variant, SAND_FACTOR)?.value()?;
-            let (factor, seconds) = on_sand(runner, &variant, angle, 16, is_rough, exact)?;
+            let expected = runner.expectation("B3γ", &variant, SAND_FACTOR)?.value()?;
+            let (factor, seconds) = on_sand(runner, &variant, angle, 16, is_rough, expected)?;
             runner.put("B3γ", &variant, seconds, &[(SAND_FACTOR, factor)])?;
         }
     }
@@ -95,13 +95,15 @@ fn on_sand(
     angle: u32,
     cells: u32,
     is_rough: bool,
-    exact: f64,
+    expected: f64,
 ) -> Result<(f64, f64), VerifyError> {
-    // Scale of the elastic settlement under the exact load, over the diameter.
-    let elastic = exact * UNIT_WEIGHT * WIDTH / YOUNG_MODULUS;
-    let (from, to) = (3.0 * elastic, 6.0 * elastic);
+    let footing = Footing {
+        angles: [f64::from(angle).to_radians(); 2],
+        compliance: UNIT_WEIGHT * WIDTH / YOUNG_MODULUS,
+        expected,
+    };
     let overrides = [
-        format!("run.duration={} s", 0.1 + 1.02 * to * WIDTH / SPEED),
+        format!("run.duration={} s", 0.1 + 1.02 * footing.stretch()[1] * WIDTH / SPEED),
         format!("soil.friction_angle={angle} deg"),
         format!("soil.dilation_angle={angle} deg"),
         format!("grid.cell={} m", WIDTH / f64::from(cells)),
@@ -110,6 +112,5 @@ fn on_sand(
     let simulation = runner.run("B3γ", variant, SAND, &overrides)?;
     let unit = 0.5 * simulation.case.soil.unit_weight * WIDTH * 0.25 * PI * WIDTH * WIDTH;
     let points = simulation.history.bodies[0].iter().map(|s| [s.sinkage / WIDTH, s.vertical / unit]);
-    let read: Vec<[f64; 2]> = points.filter(|[w, _]| (from..=to).contains(w)).collect();
-    Ok((at_zero(&read), simulation.wall_s))
+    Ok((footing.weight_factor(points)?, simulation.wall_s))
 }

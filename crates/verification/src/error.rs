@@ -1,5 +1,6 @@
 //! Why a benchmark produced no figure.
 
+use analytic::ModelError;
 use coulter::case::CaseError;
 use coulter::output::OutputError;
 use solver::error::Breakdown;
@@ -19,6 +20,9 @@ pub enum VerifyError {
     /// What is expected of a figure is not known.
     #[error("{0}")]
     Expectation(String),
+    /// A closed form has no value.
+    #[error(transparent)]
+    ClosedForm(#[from] ModelError),
     /// A checkpoint could not be written or read.
     #[error(transparent)]
     Output(#[from] OutputError),

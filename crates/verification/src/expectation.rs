@@ -167,6 +167,17 @@ impl Expectation {
         }
     }
 
+    /// The ends of the expected range.
+    ///
+    /// # Errors
+    /// [`VerifyError::Expectation`] if a range is not what is expected.
+    pub fn range(&self) -> Result<[f64; 2], VerifyError> {
+        match self.target {
+            Target::Number(Expected::Between(low, high)) => Ok([low, high]),
+            _ => Err(VerifyError::Expectation(format!("expected a `range` for `{}`", self.quantity))),
+        }
+    }
+
     /// The variants in a part of the suite, as in the table; `*` stands for any text.
     #[must_use]
     pub fn cases(&self, suite: Suite) -> &[String] {

@@ -7,13 +7,19 @@ use coulter::simulation::Simulation;
 const CASE: &str = include_str!("../../../validation/B5_passive_wall/case.toml");
 /// Height of the bank in the case file [m].
 const HEIGHT: f64 = 1.0;
-/// Displacements between which the thrust is averaged [m], for a short push and for a long one.
-const FROM_TO: [[f64; 2]; 2] = [[0.05 * HEIGHT, 0.1 * HEIGHT], [0.25 * HEIGHT, 0.3 * HEIGHT]];
+/// Displacements over the height between which the thrust is averaged, for a short push and for a long one.
+const FROM_TO: [[f64; 2]; 2] = [[0.05, 0.1], [0.25, 0.3]];
+/// The peak is looked for up to this displacement over the height.
+const PEAK: f64 = 0.02;
+/// The residual is the mean from this part of the push on.
+const RESIDUAL: f64 = 2.0 / 3.0;
 
 /// Angles of friction and dilation [°], cells over the height; first the short pushes, then the long ones.
 const SHORT: [[u32; 3]; 7] =
     [[30, 0, 8], [30, 0, 16], [35, 0, 16], [40, 0, 16], [30, 30, 16], [35, 35, 16], [40, 40, 16]];
 const LONG: [[u32; 3]; 4] = [[30, 0, 16], [30, 30, 16], [35, 35, 16], [40, 40, 16]];
+
+const RESIDUAL_FACTOR: &str = "residual K_p over the last third, heave included";
 
 pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
     let short = SHORT.into_iter().map(|angles_and_cells| (angles_and_cells, FROM_TO[0]));
@@ -22,12 +28,34 @@ pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
         if !runner.wants("B5", &name(angles_and_cells, from_to))? {
             continue;
         }
-        let thrust = thrust(runner, angles_and_cells, from_to)?;
-        let figures =
-            [("K_p, heave included", thrust.heaved), ("K_p over the undisturbed height", thrust.plain)];
-        runner.put("B5", &thrust.variant, thrust.seconds, &figures)?;
+        push(runner, angles_and_cells, from_to)?;
     }
     Ok(())
+}
+
+fn push(
+    runner: &mut Runner,
+    angles_and_cells @ [_, dilation, _]: [u32; 3],
+    from_to @ [_, to]: [f64; 2],
+) -> Result<(), VerifyError> {
+    let variant = name(angles_and_cells, from_to);
+    let (thrust, seconds) = thrust(runner, angles_and_cells, from_to)?;
+    let heaved = |from_to| mean(&thrust, from_to, |t| t.heaved);
+    let mut figures = vec![
+        ("K_p, heave included", heaved(from_to)),
+        ("K_p over the undisturbed height", mean(&thrust, from_to, |t| t.plain)),
+    ];
+    if dilation == 0 {
+        let early = thrust.iter().filter(|t| t.displacement <= PEAK).map(|t| t.heaved);
+        let residual = heaved([RESIDUAL * to, to]);
+        let [low, high] = runner.expectation("B5", &variant, RESIDUAL_FACTOR)?.range()?;
+        figures.extend([
+            ("largest K_p up to 0.02 H, heave included", early.fold(f64::NAN, f64::max)),
+            (RESIDUAL_FACTOR, residual),
+            ("place of the residual between Davis (0) and Rankine (1)", (residual - low) / (high - low)),
+        ]);
+    }
+    runner.put("B5", &variant, seconds, &figures)
 }
 
 fn name([angle, dilation, cells]: [u32; 3], [_, to]: [f64; 2]) -> String {
@@ -37,58 +65,67 @@ fn name([angle, dilation, cells]: [u32; 3], [_, to]: [f64; 2]) -> String {
 
 /// K_p with φ = ψ = 30° and the heave included, on a mesh of this many cells over the height.
 pub(crate) fn associated_on(runner: &mut Runner, cells: u32) -> Result<f64, VerifyError> {
-    Ok(thrust(runner, [30, 30, cells], FROM_TO[0])?.heaved)
+    let (thrust, _) = thrust(runner, [30, 30, cells], FROM_TO[0])?;
+    Ok(mean(&thrust, FROM_TO[0], |t| t.heaved))
 }
 
-/// Horizontal thrust over that with K_p = 1.
+/// Horizontal thrust at a time, over that with K_p = 1.
 struct Thrust {
-    variant: String,
+    /// Displacement of the wall over the height.
+    displacement: f64,
+    /// Time since the sample before [s].
+    interval: f64,
     /// Over the undisturbed height.
     plain: f64,
     /// Over the weight of the wedge, heave included.
     heaved: f64,
-    /// Wall-clock time [s].
-    seconds: f64,
 }
 
-/// Pushes the wall into sand of these angles of friction and dilation [°], with this many cells over the height.
-/// The thrust is averaged between the displacements `from` and `to` [m].
+/// Mean over time between two displacements over the height.
+fn mean(thrust: &[Thrust], [from, to]: [f64; 2], value: impl Fn(&Thrust) -> f64) -> f64 {
+    let within = thrust.iter().filter(|t| t.displacement >= from && t.displacement <= to);
+    let [sum, time] =
+        within.fold([0.0; 2], |[sum, time], t| [sum + t.interval * value(t), time + t.interval]);
+    sum / time
+}
+
+/// Pushes the wall into sand of these angles of friction and dilation [°], with this many cells over the height. Returns the
+/// thrust in the course of time, and the wall-clock time [s].
 fn thrust(
     runner: &mut Runner,
-    angles_and_cells: [u32; 3],
-    [from, to]: [f64; 2],
-) -> Result<Thrust, VerifyError> {
-    let variant = name(angles_and_cells, [from, to]);
-    let [angle, dilation, cells] = angles_and_cells;
+    angles_and_cells @ [angle, dilation, cells]: [u32; 3],
+    from_to @ [_, to]: [f64; 2],
+) -> Result<(Vec<Thrust>, f64), VerifyError> {
+    let variant = name(angles_and_cells, from_to);
     let overrides = [
         format!("soil.friction_angle={angle} deg"),
         format!("soil.dilation_angle={dilation} deg"),
         format!("grid.cell={} m", HEIGHT / f64::from(cells)),
-        format!("run.tow_distance={to} m"),
+        format!("run.tow_distance={} m", to * HEIGHT),
     ];
     let mut simulation = runner.simulation(CASE, &overrides)?;
     let half = 0.5 * f64::from(angle).to_radians();
     let rise = (std::f64::consts::FRAC_PI_4 - half).tan();
-    let (mut plain, mut heaved, mut time) = (0.0, 0.0, 0.0);
+    let slab = simulation.case.domain.high.y - simulation.case.domain.low.y;
+    let unit = 0.5 * simulation.case.soil.unit_weight * slab;
+    let mut thrust = Vec::new();
     while !simulation.is_done() {
         let before = simulation.state.time;
         simulation.advance()?;
         let Some(now) = simulation.history.bodies[0].last().copied() else { continue };
-        if now.displacement >= from && now.displacement <= to {
-            let interval = simulation.state.time - before;
-            let slab = simulation.case.domain.high.y - simulation.case.domain.low.y;
-            let unit = 0.5 * simulation.case.soil.unit_weight * slab;
-            plain += interval * now.drag / (unit * HEIGHT * HEIGHT);
-            heaved += interval * now.drag / (unit * 2.0 * wedge(&simulation, now.displacement, rise) * rise);
-            time += interval;
-        }
+        thrust.push(Thrust {
+            displacement: now.displacement / HEIGHT,
+            interval: simulation.state.time - before,
+            plain: now.drag / (unit * HEIGHT * HEIGHT),
+            heaved: now.drag / (unit * 2.0 * wedge(&simulation, now.displacement, rise) * rise),
+        });
     }
     runner.report_progress(&format!(
         "B5: {variant}, {} steps in {:.1} s",
         simulation.state.step, simulation.wall_s
     ));
     runner.record("B5", &variant, &simulation);
-    Ok(Thrust { variant, plain: plain / time, heaved: heaved / time, seconds: simulation.wall_s })
+    Ok((thrust, simulation.wall_s))
 }
 
 /// Cross-section that the soil above a plane would have at its initial density [m²]: its mass over that density and the

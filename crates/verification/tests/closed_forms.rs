@@ -54,11 +54,24 @@ fn footings_on_sand_are_martins() {
 #[test]
 fn smooth_walls_are_rankines() {
     let rankine = |angle: f64| (FRAC_PI_4 + 0.5 * angle.to_radians()).tan().powi(2);
-    for angle in [30.0, 35.0, 40.0] {
-        let case = format!("φ = {angle}°, ψ = 0°, H/h = 16");
-        same(expected("B5", &case, "K_p, heave included"), [rankine(angle); 2]);
+    for angle in [30.0_f64, 35.0, 40.0] {
+        let bracket = [rankine(davis(angle.to_radians()).to_degrees()), rankine(angle)];
+        let found = |dilation: f64, quantity: &str| {
+            expected("B5", &format!("φ = {angle}°, ψ = {dilation}°, H/h = 16"), quantity)
+        };
+        same(found(angle, "K_p, heave included"), [rankine(angle); 2]);
+        for quantity in [
+            "K_p, heave included",
+            "K_p over the undisturbed height",
+            "largest K_p up to 0.02 H, heave included",
+            "residual K_p over the last third, heave included",
+        ] {
+            same(found(0.0, quantity), bracket);
+        }
+        if angle == 35.0 {
+            same(expected("E3", "H/h = 16", "K_p over the undisturbed height"), bracket);
+        }
     }
-    same(expected("E3", "H/h = 16", "K_p over the undisturbed height"), [rankine(35.0); 2]);
 }
 
 #[test]
