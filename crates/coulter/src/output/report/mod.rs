@@ -3,9 +3,12 @@
 //! Both are made from the record of the run, its histories and what the other formats have left in the folder, so that a
 //! report can be rebuilt without the state. The names in `summary.json` are a contract. No other format depends on this one.
 
+mod meshes;
 mod page;
 mod rows;
 mod summary;
 
+pub(crate) use meshes::mean_lines;
+pub use meshes::study_lines;
 pub(crate) use page::{ReportText, write_report};
 pub use summary::{BodySummary, EnergySummary, MeshSummary, SoilSummary, Summary};
