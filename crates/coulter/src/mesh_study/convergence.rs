@@ -89,20 +89,27 @@ impl Convergence {
         };
         // With the observed order both pairs give one error constant; with a limited one the larger counts.
         let on_finest = (fine.width / middle.width).powf(order);
-        let error_fine = error(&[*middle, *fine], order);
+        let pair = [*middle, *fine];
+        let error_fine = error(&pair, order);
         let error_middle = error(&[*coarse, *middle], order) * on_finest;
         Self {
             observed_order,
             order,
             safety_factor: SAFETY_CONVERGING,
             is_monotonic,
-            extrapolated: Some(fine.value + last.signum() * error_fine),
+            extrapolated: Some(extrapolated(&pair, order)),
             mesh_half_width: SAFETY_CONVERGING * error_fine.max(error_middle),
         }
     }
 }
 
-/// Richardson's estimate of the error of the finer of two values, for an order of convergence: |f₁ − f₂|/(r^p − 1).
+/// Richardson's extrapolation of two values, coarse and fine, to h = 0 for an order of convergence p: f₁ + (f₁ − f₂)/(r^p − 1).
+#[must_use]
+pub fn extrapolated([coarse, fine]: &[OnMesh; 2], order: f64) -> f64 {
+    fine.value + (fine.value - coarse.value) / ((coarse.width / fine.width).powf(order) - 1.0)
+}
+
+/// The size of its correction of the finer value.
 fn error([coarse, fine]: &[OnMesh; 2], order: f64) -> f64 {
     (fine.value - coarse.value).abs() / ((coarse.width / fine.width).powf(order) - 1.0)
 }

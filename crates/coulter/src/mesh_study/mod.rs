@@ -10,7 +10,7 @@ mod figures;
 
 pub use convergence::{
     ASSUMED_ORDER, Convergence, LARGEST_ORDER, LEAST_ORDER, OnMesh, SAFETY_CONVERGING, SAFETY_OTHERWISE,
-    observed_order,
+    extrapolated, observed_order,
 };
 pub use evaluate::{MeshRun, evaluate};
 pub use figures::{BodyOnMesh, BodyStudy, Figures, MeshInterval, MeshResult, MeshStudy};

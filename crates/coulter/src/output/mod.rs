@@ -1,7 +1,8 @@
 //! The output of a run, by format.
 //!
 //! [`Results`] is the facade: it owns the folder of a run and what writes into it. Each format has a folder of modules that
-//! states its contract; they depend on each other along the arrows that `tests/structure.rs` lists, and nothing on the report.
+//! states its contract; they depend on each other along the arrows that `tests/structure.rs` lists, and nothing on the report but
+//! the mesh study.
 
 pub mod checkpoint;
 pub mod fields;

@@ -58,7 +58,10 @@ impl Contents {
 fn coarser_runs(dir: &Path) -> Result<Vec<(PathBuf, Contents)>, OutputError> {
     let folder = dir.join(MESHES);
     let mut runs = Vec::new();
-    if !folder.is_dir() || folder.is_symlink() {
+    if folder.is_symlink() || folder.is_file() {
+        return Ok(vec![(folder, Contents::Foreign)]);
+    }
+    if !folder.is_dir() {
         return Ok(runs);
     }
     for entry in fs::read_dir(&folder).named("list", &folder)? {
@@ -80,7 +83,8 @@ pub(crate) fn clear_meshes(dir: &Path) -> Result<(), OutputError> {
             remove_if_empty(&path)?;
         }
     }
-    remove_if_empty(&dir.join(MESHES))
+    let folder = dir.join(MESHES);
+    if folder.is_symlink() { Ok(()) } else { remove_if_empty(&folder) }
 }
 
 /// Clears a folder for a new result; a folder with other files in it is never touched.

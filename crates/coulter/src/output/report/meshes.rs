@@ -21,7 +21,6 @@ pub(super) struct MeshRow {
 #[derive(Debug, Serialize)]
 pub(super) struct IntervalRow {
     pub(super) name: &'static str,
-    pub(super) symbol: &'static str,
     pub(super) value: String,
     pub(super) interval: String,
     /// Half-width, its part due to the mesh and its statistical part.
@@ -40,19 +39,18 @@ pub(super) struct BodyRows {
     pub(super) plots: Vec<Plot>,
 }
 
-/// A figure of a study: its name, its symbol as HTML and as text, and its unit.
+/// A figure of a study: its name, its symbol and its unit.
 struct Kind {
     name: &'static str,
     symbol: &'static str,
-    text: &'static str,
     unit: fn(f64) -> Unit,
 }
 
 const KINDS: Figures<Kind> = Figures {
-    drag: Kind { name: "Drag", symbol: "F<sub>H</sub>", text: "F_H", unit: Unit::force },
-    vertical: Kind { name: "Vertical force", symbol: "F<sub>V</sub>", text: "F_V", unit: Unit::force },
-    sinkage: Kind { name: "Sinkage", symbol: "z", text: "z", unit: Unit::length },
-    turn_ratio: Kind { name: "Turn ratio", symbol: "ω r / v", text: "ω r / v", unit: bare_unit },
+    drag: Kind { name: "Drag", symbol: "F_H", unit: Unit::force },
+    vertical: Kind { name: "Vertical force", symbol: "F_V", unit: Unit::force },
+    sinkage: Kind { name: "Sinkage", symbol: "z", unit: Unit::length },
+    turn_ratio: Kind { name: "Turn ratio", symbol: "ω r / v", unit: bare_unit },
 };
 
 fn bare_unit(_: f64) -> Unit {
@@ -90,8 +88,11 @@ pub(super) fn body_rows(study: &MeshStudy) -> Vec<BodyRows> {
 
 fn plot(body: &str, kind: &Kind, (values, unit): (&[[f64; 2]], Unit), figure: &MeshInterval) -> Plot {
     let name = kind.name.to_lowercase();
-    let label =
-        if unit.name.is_empty() { kind.text.to_owned() } else { format!("{} [{}]", kind.text, unit.name) };
+    let label = if unit.name.is_empty() {
+        kind.symbol.to_owned()
+    } else {
+        format!("{} [{}]", kind.symbol, unit.name)
+    };
     let plot = MeshPlot {
         name: format!("{body}_meshes_{}", name.replace(' ', "_")),
         title: format!("{} and cell width", kind.name),
@@ -142,7 +143,6 @@ fn interval_row(kind: Kind, mean: f64, figure: &MeshInterval) -> IntervalRow {
     );
     IntervalRow {
         name: kind.name,
-        symbol: kind.symbol,
         value: number(mean),
         interval: format!("{} … {}", digits(low / unit.size), number(high)),
         parts: [

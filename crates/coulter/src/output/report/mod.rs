@@ -1,7 +1,8 @@
 //! The report of a run: `summary.json` for scripts, and `report.html`, one self-contained page.
 //!
 //! Both are made from the record of the run, its histories and what the other formats have left in the folder, so that a
-//! report can be rebuilt without the state. The names in `summary.json` are a contract. No other format depends on this one.
+//! report can be rebuilt without the state. The names in `summary.json` are a contract. No other format depends on this one, but the
+//! mesh study, which puts several runs into one report.
 
 mod meshes;
 mod page;
