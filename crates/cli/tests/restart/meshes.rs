@@ -3,6 +3,7 @@
 use super::sandbox::{Reply, Sandbox};
 use serde_json::Value;
 use std::fs;
+use std::sync::OnceLock;
 
 /// A wide disc, so that cells of 39 mm are still two across it.
 const CASE: [&str; 8] = [
@@ -28,6 +29,16 @@ fn study<'a>(arguments: &[&'a str]) -> Vec<&'a str> {
 
 fn names(folder: &str) -> Vec<String> {
     COARSE.iter().map(|mesh| format!("meshes/{mesh}/{folder}")).collect()
+}
+
+/// The results of a study that was never stopped.
+fn whole() -> &'static (Vec<String>, Value) {
+    static RESULTS: OnceLock<(Vec<String>, Value)> = OnceLock::new();
+    RESULTS.get_or_init(|| {
+        let sandbox = Sandbox::new();
+        sandbox.run(&study(&[])).is(0, &[]);
+        results(&sandbox)
+    })
 }
 
 /// Histories of all meshes, and the summary without wall-clock times.
@@ -116,8 +127,7 @@ fn a_study_has_the_results_of_the_case_and_those_of_coarser_meshes() {
 
 #[test]
 fn a_study_that_was_stopped_anywhere_goes_on_to_the_same_results() {
-    let (whole, sandbox) = (Sandbox::new(), Sandbox::new());
-    whole.run(&study(&[])).is(0, &[]);
+    let sandbox = Sandbox::new();
     let (first, second) =
         (format!("meshes/{}/forces.csv", COARSE[0]), format!("meshes/{}/forces.csv", COARSE[1]));
     let hint = "--meshes 3 --resume continues from";
@@ -130,15 +140,14 @@ fn a_study_that_was_stopped_anywhere_goes_on_to_the_same_results() {
     assert!(sandbox.text(&first) == done);
     sandbox.run(&study(&["--resume"])).is(0, &["mesh study of disc"]);
     is_complete(&sandbox);
-    assert!(results(&sandbox) == results(&whole));
+    assert!(results(&sandbox) == *whole());
     let log = |mesh: &str| sandbox.text(&format!("meshes/{mesh}/run.log"));
     assert!(COARSE.iter().all(|mesh| log(mesh).matches("resumed at").count() == 1));
 }
 
 #[test]
 fn a_killed_study_goes_on_too() {
-    let (whole, sandbox) = (Sandbox::new(), Sandbox::new());
-    whole.run(&study(&[])).is(0, &[]);
+    let sandbox = Sandbox::new();
     for file in [format!("meshes/{}/forces.csv", COARSE[1]), "forces.csv".to_owned()] {
         let mut run = sandbox.start(&study(&["--auto-resume"]));
         run.wait_for(&file, |sandbox| sandbox.text(&file).lines().count() > 5);
@@ -147,31 +156,30 @@ fn a_killed_study_goes_on_too() {
     }
     sandbox.run(&study(&["--auto-resume"])).is(0, &["mesh study of disc"]);
     is_complete(&sandbox);
-    assert!(results(&sandbox) == results(&whole));
+    assert!(results(&sandbox) == *whole());
 }
 
 #[test]
 fn a_finished_run_can_be_given_a_study_and_one_can_be_replaced() {
-    let (whole, sandbox) = (Sandbox::new(), Sandbox::new());
-    whole.run(&study(&[])).is(0, &[]);
+    let sandbox = Sandbox::new();
     sandbox.run(&with(&[])).is(0, &[]);
     let forces = fs::metadata(sandbox.out("forces.csv")).unwrap().modified().unwrap();
     let reply = sandbox.run(&study(&["--resume"])).is(0, &["mesh 2 of 3", "mesh study of disc"]);
     assert!(!reply.err.contains("mesh 3 of 3"), "{}", reply.err);
     assert!(fs::metadata(sandbox.out("forces.csv")).unwrap().modified().unwrap() == forces);
     is_complete(&sandbox);
-    let [given, usual] = [&sandbox, &whole].map(results);
+    let (given, usual) = (results(&sandbox), whole());
     assert!(given.0 == usual.0);
     assert_eq!(given.1["mesh_study"]["bodies"], usual.1["mesh_study"]["bodies"]);
     // Without a study nothing of it may stay, and files of others do.
-    fs::write(sandbox.out("meshes/notes.txt"), "mine").unwrap();
+    let notes = ["notes.txt", "meshes/notes.txt"];
+    notes.map(|name| fs::write(sandbox.out(name), "mine").unwrap());
     sandbox.run(&with(&["--force"])).is(0, &["done"]);
     assert!(COARSE.iter().all(|mesh| !sandbox.out(&format!("meshes/{mesh}")).exists()));
-    assert_eq!(sandbox.text("meshes/notes.txt"), "mine");
     assert!(sandbox.summary()["mesh_study"].is_null());
-    fs::remove_file(sandbox.out("meshes/notes.txt")).unwrap();
     sandbox.run(&study(&["--force"])).is(0, &["mesh study of disc"]);
     is_complete(&sandbox);
+    assert_eq!(notes.map(|name| sandbox.text(name)), ["mine"; 2]);
 }
 
 #[test]

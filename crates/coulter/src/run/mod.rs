@@ -9,9 +9,9 @@ pub mod watch;
 
 use crate::case::{Case, require_valid, resolved};
 use crate::output::checkpoint;
-use crate::output::folder::Outcome;
+use crate::output::folder::{Outcome, clear_meshes};
 use crate::output::progress::Progress;
-use crate::output::{Results, Summary, clear_all, mean_lines, study_lines};
+use crate::output::{Results, Summary, mean_lines, study_lines};
 use crate::simulation::{Simulation, Stop};
 use crate::trust::Verdict;
 use observers::{Checkpoints, Fields, ProgressBar, Signals, Tables, Watch, statistics};
@@ -38,7 +38,7 @@ pub fn run(case: &Case, options: &RunOptions) -> Result<End, RunError> {
     }
     if options.start == Start::Replace {
         // Those of an earlier mesh study are no longer of this result.
-        clear_all(options.folder)?;
+        clear_meshes(options.folder)?;
     }
     run_locked(case, options, &Part::default())
 }
