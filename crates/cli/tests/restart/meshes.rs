@@ -173,7 +173,9 @@ fn a_finished_run_can_be_given_a_study_and_one_can_be_replaced() {
     assert_eq!(given.1["mesh_study"]["bodies"], usual.1["mesh_study"]["bodies"]);
     // Without a study nothing of it may stay, and files of others do.
     let notes = ["notes.txt", "meshes/notes.txt"];
-    notes.map(|name| fs::write(sandbox.out(name), "mine").unwrap());
+    for name in notes {
+        fs::write(sandbox.out(name), "mine").unwrap();
+    }
     sandbox.run(&with(&["--force"])).is(0, &["done"]);
     assert!(COARSE.iter().all(|mesh| !sandbox.out(&format!("meshes/{mesh}")).exists()));
     assert!(sandbox.summary()["mesh_study"].is_null());
