@@ -36,7 +36,7 @@ pub(super) struct Arguments {
     auto_resume: bool,
     /// Run the case on N meshes, each with cells 1.5 times as wide as the next, to get intervals of drag, vertical force,
     /// sinkage and turn ratio; 3 is usual. The finest is the case's own. Takes about 1.25 times as long as
-    /// without, in plane strain some 1.6 times; `check --meshes N` has the figure
+    /// without, in plane strain some 1.7 times; `check --meshes N` has the figure
     #[arg(long, value_name = "N", value_parser = crate::common::meshes())]
     meshes: Option<usize>,
     /// Print summary.json at the end
