@@ -1,12 +1,20 @@
 //! What several commands share: printing to standard output, and checks of arguments.
 
 use crate::failure::Failure;
+use clap::builder::TypedValueParser as _;
+use coulter::case::meshes::COUNTS;
 use std::io::Write;
 use std::path::Path;
 
 /// The allowed numbers of threads.
 pub(super) fn threads() -> clap::builder::RangedI64ValueParser<u16> {
     clap::value_parser!(u16).range(0..=solver::cpu::threads::MAX_WORKERS as i64)
+}
+
+/// The allowed numbers of meshes.
+pub(super) fn meshes() -> impl clap::builder::TypedValueParser<Value = usize> {
+    let (least, most) = (*COUNTS.start() as u64, *COUNTS.end() as u64);
+    clap::value_parser!(u64).range(least..=most).map(|count| usize::try_from(count).unwrap_or(*COUNTS.end()))
 }
 
 /// Prints to standard output. A reader that has closed the pipe (`| head`) is not an error.

@@ -3,7 +3,9 @@
 use crate::common::say_json;
 use crate::failure::Failure;
 use crate::signals;
-use coulter::case;
+use coulter::case::estimate::{self, Cost};
+use coulter::case::meshes::{self, CoarserMesh};
+use coulter::case::{self, Case};
 use coulter::output::{OutputError, checkpoint};
 use coulter::run::{self, End, RunError, RunOptions, Start};
 use coulter::trust::Verdict;
@@ -32,6 +34,11 @@ pub(super) struct Arguments {
     /// For schedulers: start, resume, or leave a finished run unchanged
     #[arg(long, conflicts_with = "resume")]
     auto_resume: bool,
+    /// Run the case on N meshes, each with cells 1.5 times as wide as the next, to get intervals of drag, vertical force,
+    /// sinkage and turn ratio; 3 is usual. The finest is the case's own. Takes about 1.25 times as long as
+    /// without, in plane strain some 1.7 times; `check --meshes N` has the figure
+    #[arg(long, value_name = "N", value_parser = crate::common::meshes())]
+    meshes: Option<usize>,
     /// Print summary.json at the end
     #[arg(long)]
     json: bool,
@@ -55,15 +62,20 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(threads) = arguments.threads {
         case.numerics.threads = usize::from(threads);
     }
+    let text = case::text(&arguments.case)?;
+    let source_name = arguments.case.display().to_string();
+    let typed = case::overridden(&text, &source_name, &arguments.overrides)?;
+    let coarser = match arguments.meshes {
+        Some(count) => meshes::coarser(&case, &typed, &source_name, count)?,
+        None => Vec::new(),
+    };
     let folder = arguments.output.clone().unwrap_or_else(|| PathBuf::from("results").join(&case.name));
     crate::common::refuse_file(&folder)?;
-    let warnings = case::resources::warnings(&case::estimate::cost(&case), &folder);
+    let warnings = case::resources::warnings(&cost(&case, &coarser), &folder);
     for warning in &warnings {
         // Where standard error cannot be written, the log still has it.
         let _ = writeln!(std::io::stderr().lock(), "warning: {warning}");
     }
-    let text = std::fs::read_to_string(&arguments.case).map_err(|e| Failure::Request(e.to_string()))?;
-    let typed = case::overridden(&text, &arguments.case.display().to_string(), &arguments.overrides)?;
     let options = RunOptions {
         folder: &folder,
         start: arguments.start(),
@@ -72,7 +84,25 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         interrupts: &interrupts,
         typed: &typed,
     };
-    match run::run(&case, &options) {
+    let end = match coarser.as_slice() {
+        [] => run::run(&case, &options),
+        coarser => run::run_meshes(&case, coarser, &options),
+    };
+    conclude(end, &options, arguments)
+}
+
+/// The cost of a case, with the space that the results of the coarser meshes take.
+fn cost(case: &Case, coarser: &[CoarserMesh]) -> Cost {
+    let mut cost = estimate::cost(case);
+    for mesh in coarser {
+        cost.output.total_bytes += estimate::cost(&mesh.case).output.total_bytes;
+    }
+    cost
+}
+
+/// What the end of a run means to the caller of the command.
+fn conclude(end: Result<End, RunError>, options: &RunOptions, arguments: &Arguments) -> Result<(), Failure> {
+    match end {
         Ok(End::Finished(summary)) => {
             if arguments.json {
                 say_json(&*summary)?;
@@ -86,7 +116,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Ok(End::Stopped(signal, checkpoint)) => Err(Failure::Stopped {
             signal,
             message: format!(
-                "stopped; the results so far were written, --resume continues from {}",
+                "stopped; the results so far were written, {}--resume continues from {}",
+                arguments.meshes.map_or(String::new(), |count| format!("--meshes {count} ")),
                 checkpoint.display()
             ),
         }),
@@ -94,7 +125,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             Err(Failure::Physics(error.to_string()))
         }
         Err(RunError::Case(error)) => Err(error.into()),
-        Err(error) => Err(refusal(&error, &options)),
+        Err(error) => Err(refusal(&error, options)),
     }
 }
 

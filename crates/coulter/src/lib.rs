@@ -6,6 +6,7 @@ mod domain;
 pub mod forecast;
 pub mod history;
 pub mod interrupts;
+pub mod mesh_study;
 pub mod output;
 pub mod run;
 pub mod simulation;

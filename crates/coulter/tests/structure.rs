@@ -43,7 +43,8 @@ const FUNCTIONS: &[(&str, &str, &str)] = &[];
 /// Names of several public types: crate, name.
 const TYPES: &[(&str, &str)] = &[];
 
-/// The formats of `coulter/src/output`, folders and files, each with those that it uses. Nobody uses the report but the facade.
+/// The formats of `coulter/src/output`, folders and files, each with those that it uses. Nobody uses the report but `meshes` and
+/// the facade.
 const OUTPUT: &[(&str, &[&str])] = &[
     ("files", &[]),
     ("units", &[]),
@@ -57,7 +58,8 @@ const OUTPUT: &[(&str, &[&str])] = &[
     ("forecast", &["files", "units", "tables", "plots"]),
     ("folder", &["files", "units", "tables", "plots"]),
     ("report", &["files", "units", "fields", "plots", "pictures", "folder"]),
-    ("results", &["files", "fields", "tables", "vtk", "plots", "pictures", "folder", "report"]),
+    ("meshes", &["files", "tables", "folder", "report"]),
+    ("results", &["files", "fields", "tables", "vtk", "plots", "pictures", "folder", "report", "meshes"]),
 ];
 
 /// Name and folder of every crate.

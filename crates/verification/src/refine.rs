@@ -7,6 +7,7 @@ use crate::list::expectations;
 use crate::options::SuiteOptions;
 use crate::runner::Runner;
 use crate::{circle, column, disc, flow, footing, plate, positions, rough_wall, strip_sand, wall};
+use coulter::mesh_study::{OnMesh, extrapolated, observed_order};
 
 /// A figure that can be obtained on meshes of different fineness.
 struct Study {
@@ -164,13 +165,12 @@ impl Study {
 
 /// Observed order and extrapolated value from three meshes, coarse to fine, each finer than the one before by `ratio`.
 /// Both are not a number where the differences do not shrink with one sign: there is no order then.
-/// Source: Roache (1998), Verification and Validation in Computational Science and Engineering.
 fn richardson([coarse, middle, fine]: [f64; 3], ratio: f64) -> (f64, f64) {
-    let shrink = (middle - coarse) / (fine - middle);
-    if shrink.is_nan() || shrink <= 1.0 {
-        return (f64::NAN, f64::NAN);
-    }
-    (shrink.ln() / ratio.ln(), fine + (fine - middle) / (shrink - 1.0))
+    let on = |width: f64, value: f64| OnMesh { width, value };
+    let meshes = [on(ratio * ratio, coarse), on(ratio, middle), on(1.0, fine)];
+    let [_, middle, fine] = meshes;
+    observed_order(&meshes)
+        .map_or((f64::NAN, f64::NAN), |order| (order, extrapolated(&[middle, fine], order)))
 }
 
 #[cfg(test)]

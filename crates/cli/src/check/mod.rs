@@ -3,6 +3,7 @@
 mod cost;
 mod describe;
 mod groups;
+mod mesh_cost;
 
 use crate::common::{say, say_json};
 use crate::failure::Failure;
@@ -12,6 +13,7 @@ use coulter::case::estimate::{self, Cost};
 use coulter::case::{self, Case, machine, resources};
 use describe::describe;
 use groups::groups;
+use mesh_cost::{MeshCost, describe_meshes};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -22,6 +24,9 @@ pub(super) struct Arguments {
     /// Sets a key, such as soil.friction_angle="38 deg"; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
+    /// Also show the meshes that `coulter run --meshes N` would run, and what they cost together
+    #[arg(long, value_name = "N", value_parser = crate::common::meshes())]
+    meshes: Option<usize>,
     /// Print one JSON document
     #[arg(long)]
     json: bool,
@@ -34,15 +39,21 @@ pub(super) fn check(arguments: &Arguments) -> Result<(), Failure> {
     let case = case::load(&arguments.case, &arguments.overrides)?;
     let cost = estimate::cost(&case);
     let seconds = run_time::estimate(&case, &cost);
+    let meshes = match arguments.meshes {
+        Some(count) => meshes(arguments, &case, count)?,
+        None => Vec::new(),
+    };
     let folder = PathBuf::from("results").join(&case.name);
     let mut warnings = case::advice(&case);
     warnings.extend(resources::warnings(&cost, &folder));
     if arguments.json {
-        return as_json(&case, &cost, seconds, &warnings);
+        return as_json((&case, &cost, seconds), &meshes, &warnings);
     }
     let mut text = String::new();
     // Writing to a string cannot fail.
-    let _ = describe(&mut text, &case).and_then(|()| describe_cost(&mut text, &case, &cost, seconds));
+    let _ = describe(&mut text, &case)
+        .and_then(|()| describe_cost(&mut text, &case, &cost, seconds))
+        .and_then(|()| describe_meshes(&mut text, &meshes));
     for warning in warnings.iter().take(MAX_WARNINGS) {
         let _ = writeln!(text, "warning  {warning}");
     }
@@ -52,12 +63,29 @@ pub(super) fn check(arguments: &Arguments) -> Result<(), Failure> {
     say(&text)
 }
 
-fn as_json(case: &Case, cost: &Cost, seconds: Option<f64>, warnings: &[String]) -> Result<(), Failure> {
+/// The meshes of a study, the coarsest first.
+fn meshes(arguments: &Arguments, case: &Case, count: usize) -> Result<Vec<MeshCost>, Failure> {
+    let text = case::text(&arguments.case)?;
+    let source_name = arguments.case.display().to_string();
+    let typed = case::overridden(&text, &source_name, &arguments.overrides)?;
+    let coarser = case::meshes::coarser(case, &typed, &source_name, count)?;
+    let cases = coarser.iter().map(|mesh| &mesh.case).chain([case]);
+    Ok(cases.map(MeshCost::of).collect())
+}
+
+fn as_json(
+    (case, cost, seconds): (&Case, &Cost, Option<f64>),
+    meshes: &[MeshCost],
+    warnings: &[String],
+) -> Result<(), Failure> {
     let groups: serde_json::Map<String, serde_json::Value> =
         case.bodies.iter().map(|b| (b.name.clone(), serde_json::json!(groups(case, b)))).collect();
-    let document = serde_json::json!({
+    let mut document = serde_json::json!({
         "case": case.name, "groups": groups, "cost": cost, "estimated_wall_s": seconds,
         "memory_available_bytes": machine::memory_available(), "warnings": warnings, "resolved": case,
     });
+    if !meshes.is_empty() {
+        document["meshes"] = serde_json::json!(meshes);
+    }
     say_json(&document)
 }

@@ -6,6 +6,7 @@ mod checkpoints;
 mod full_disk;
 mod leftovers;
 mod locks;
+mod meshes;
 mod reports;
 mod sandbox;
 mod signals;

@@ -102,6 +102,13 @@ impl Sandbox {
         command.current_dir(&self.folder).args(["report", "out"]).output().unwrap().into()
     }
 
+    /// `coulter check` on the case.
+    pub(crate) fn check(&self, arguments: &[&str]) -> Reply {
+        let mut command = Command::new(assert_cmd::cargo::cargo_bin("coulter"));
+        command.current_dir(&self.folder).args(["check", "case.toml"]).args(arguments);
+        command.output().unwrap().into()
+    }
+
     /// Output of a bash script in which `$@` runs the case.
     pub(crate) fn script(&self, script: &str, arguments: &[&str]) -> Reply {
         let run = self.command(arguments);

@@ -26,15 +26,22 @@ pub fn load_with_deviations(
     path: &Path,
     overrides: &[String],
 ) -> Result<(Case, Vec<StandardDeviation>), CaseError> {
+    parse_with_deviations(&text(path)?, &path.display().to_string(), overrides)
+}
+
+/// The text of a case file, as typed.
+///
+/// # Errors
+/// [`CaseError`] where it cannot be read or is not text.
+pub fn text(path: &Path) -> Result<String, CaseError> {
     let name = path.display().to_string();
     let bytes = read(path).map_err(|error| unreadable(path, &name, &error))??;
-    let text = String::from_utf8(bytes).map_err(|error| {
+    String::from_utf8(bytes).map_err(|error| {
         let valid = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         let line = valid.iter().filter(|b| **b == b'\n').count() + 1;
         let message = format!("{name}: not a text file: line {line} is not UTF-8");
         CaseError::unreadable(&name, message, "save the file as UTF-8 text")
-    })?;
-    parse_with_deviations(&text, &name, overrides)
+    })
 }
 
 /// Largest case file that is read [bytes]; the shipped ones have some 2 kB, 500 bodies some 150 kB.

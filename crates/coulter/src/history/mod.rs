@@ -1,5 +1,6 @@
 //! The history of a run: samples of bodies, energy and boundaries, and the ground that it has left behind.
 
+pub mod blocks;
 pub mod columns;
 pub mod probes;
 pub mod reference;

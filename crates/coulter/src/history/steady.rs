@@ -47,6 +47,17 @@ pub struct Steady {
     pub drag_noise: Option<f64>,
     /// Whether drag and sinkage change by less than their limits over the window; `null` without a tow.
     pub is_steady: Option<bool>,
+    /// Interval of the mean drag [N] from a mesh study; `null` where only one mesh was run, as are the next three.
+    #[serde(rename = "drag_N_interval")]
+    pub drag_interval: Option<[f64; 2]>,
+    /// Interval of the mean vertical force [N].
+    #[serde(rename = "vertical_N_interval")]
+    pub vertical_interval: Option<[f64; 2]>,
+    /// Interval of the mean sinkage [m].
+    #[serde(rename = "sinkage_m_interval")]
+    pub sinkage_interval: Option<[f64; 2]>,
+    /// Interval of the mean turn ratio.
+    pub turn_ratio_interval: Option<[f64; 2]>,
 }
 
 /// Largest values of a run, with their sign; `null` in JSON where there is none.
@@ -87,22 +98,48 @@ fn extent(values: impl Iterator<Item = f64>) -> f64 {
     (high - low).max(0.0)
 }
 
-/// The samples of the steady window: the last `fraction` of the tow, or of the time for a body that is not towed.
-#[must_use]
-pub fn window(samples: &[BodySample], reference: &Reference, fraction: f64) -> Range<usize> {
-    let along: Vec<f64> = if is_tow(samples, reference) {
+/// Displacement [m] of a body that is towed, otherwise time [s].
+fn along(samples: &[BodySample], reference: &Reference) -> Vec<f64> {
+    if is_tow(samples, reference) {
         samples.iter().map(|s| s.displacement).collect()
     } else {
         samples.iter().map(|s| s.time).collect()
-    };
+    }
+}
+
+/// The samples from the first that has passed `begin` to the first that has reached `end`: a body that stops before the end
+/// of the run is no longer towed, and the rest is cut off. `span` is the whole way, with its sign.
+fn between(along: &[f64], [begin, end]: [f64; 2], span: f64) -> Range<usize> {
+    let passed = |x: f64, at: f64| if span >= 0.0 { x >= at } else { x <= at };
+    let last = along.iter().position(|x| passed(*x, end - 1e-6 * span)).map_or(along.len(), |n| n + 1);
+    let from = along.iter().position(|x| passed(*x, begin)).unwrap_or(0);
+    from.min(last.saturating_sub(1))..last
+}
+
+/// The samples of the steady window: the last `fraction` of the tow, or of the time for a body that is not towed.
+#[must_use]
+pub fn window(samples: &[BodySample], reference: &Reference, fraction: f64) -> Range<usize> {
+    let along = along(samples, reference);
     let (Some(first), Some(last)) = (along.first(), along.last()) else { return 0..0 };
     let span = last - first;
-    let passed = |x: f64, at: f64| if span >= 0.0 { x >= at } else { x <= at };
-    let begin = last - fraction.clamp(0.0, 1.0) * span;
-    // A body that stops before the end of the run is no longer towed: the rest is cut off.
-    let end = along.iter().position(|x| passed(*x, last - 1e-6 * span)).map_or(along.len(), |n| n + 1);
-    let from = along.iter().position(|x| passed(*x, begin)).unwrap_or(0);
-    from.min(end.saturating_sub(1))..end
+    between(&along, [last - fraction.clamp(0.0, 1.0) * span, *last], span)
+}
+
+/// The samples of the same body in another run over the window that `other` was averaged over; `None` where the body has not
+/// come that far, but for one per cent of the window and the distance of two samples.
+#[must_use]
+pub fn same_window(samples: &[BodySample], reference: &Reference, other: &Steady) -> Option<Range<usize>> {
+    let [begin, end] =
+        if is_tow(samples, reference) { [other.from_m?, other.to_m?] } else { [other.from_s?, other.to_s?] };
+    let along = along(samples, reference);
+    let (span, length) = (along.last()? - along.first()?, (end - begin).abs());
+    // Samples of two runs do not lie at the same places to the last digit.
+    let begin = begin - 1e-6 * span;
+    let range = between(&along, [begin, end], span);
+    let (first, last) = (along.get(range.start)?, along.get(range.end.checked_sub(1)?)?);
+    let spacing = (last - first).abs() / (range.len().max(2) - 1) as f64;
+    let covers = (first - begin).abs().max((last - end).abs()) <= 0.01 * length + spacing;
+    covers.then_some(range)
 }
 
 /// Averages over the samples of `window`. Each sample is weighted by the interval that it averages over.
@@ -135,8 +172,12 @@ pub fn steady(samples: &[BodySample], reference: &Reference, window: Range<usize
         drag_noise: drag
             .filter(|drag| drag.abs() > NO_DRAG * mean(|s| s.vertical).unwrap_or(0.0).abs())
             .and_then(|drag| noise(inside, reference, drag)),
-        // Filled in from the grade of the run.
+        // Filled in from the grade of the run, and from a mesh study.
         is_steady: None,
+        drag_interval: None,
+        vertical_interval: None,
+        sinkage_interval: None,
+        turn_ratio_interval: None,
     }
 }
 
@@ -257,6 +298,25 @@ mod tests {
         assert!((result.drag.unwrap() - 5.0).abs() < 1e-12);
         assert!((result.turn_ratio.unwrap() - 0.9).abs() < 1e-12);
         assert!(result.drag_noise.unwrap() < 1e-12);
+    }
+
+    #[test]
+    fn another_run_is_averaged_over_the_same_window() {
+        let samples = tow(1001, |_| 5.0);
+        let own = steady(&samples, &disc(), window(&samples, &disc(), 0.3));
+        // Twice as many samples over the same way, and twice the way.
+        let fine: Vec<BodySample> = (0..2001)
+            .map(|n| BodySample {
+                time: 0.005 * f64::from(n),
+                displacement: 5e-4 * f64::from(n),
+                ..samples[0]
+            })
+            .collect();
+        assert_eq!(same_window(&fine, &disc(), &own), Some(1400..2001));
+        assert_eq!(same_window(&tow(2001, |_| 5.0), &disc(), &own), Some(700..1001));
+        assert_eq!(same_window(&samples, &disc(), &own), Some(700..1001));
+        assert_eq!(same_window(&tow(900, |_| 5.0), &disc(), &own), None);
+        assert_eq!(same_window(&[], &disc(), &own), None);
     }
 
     #[test]

@@ -1,13 +1,15 @@
 //! The output of a run, by format.
 //!
 //! [`Results`] is the facade: it owns the folder of a run and what writes into it. Each format has a folder of modules that
-//! states its contract; they depend on each other along the arrows that `tests/structure.rs` lists, and nothing on the report.
+//! states its contract; they depend on each other along the arrows that `tests/structure.rs` lists, and nothing on the report but
+//! the mesh study.
 
 pub mod checkpoint;
 pub mod fields;
 mod files;
 pub mod folder;
 mod forecast;
+mod meshes;
 pub mod pictures;
 pub mod plots;
 pub mod progress;
@@ -19,6 +21,10 @@ pub mod vtk;
 
 pub use files::OutputError;
 pub use forecast::{ForecastFiles, overlays, write_forecast};
+pub(crate) use meshes::make_meshes_folder;
+pub use meshes::mesh_folder;
 pub use progress::Progress;
-pub use report::{BodySummary, EnergySummary, MeshSummary, SoilSummary, Summary};
+pub(crate) use report::mean_lines;
+pub use report::{BodySummary, EnergySummary, MeshSummary, SoilSummary, Summary, study_lines};
 pub use results::{Results, rebuild_report};
+pub(crate) use results::{add_mesh_study, clear_all, require_nothing};

@@ -23,6 +23,7 @@ pub struct Progress {
     references: Vec<Reference>,
     began: Instant,
     display: Display,
+    label: String,
 }
 
 #[derive(Debug)]
@@ -49,7 +50,18 @@ impl Progress {
             references: Reference::all(case),
             began: Instant::now(),
             display,
+            label: String::new(),
         }
+    }
+
+    /// The same, with a label before every line: which of several runs this is; empty for none.
+    #[must_use]
+    pub fn labelled(mut self, label: &str) -> Self {
+        self.label = if label.is_empty() { String::new() } else { format!("{label}  ") };
+        if let Display::Bar(bar) = &self.display {
+            bar.set_prefix(self.label.clone());
+        }
+        self
     }
 
     /// Updates the display at `time` [s]; cheap enough to be called for every sample.
@@ -94,7 +106,20 @@ impl Progress {
         let left =
             if fraction > 0.01 { clock(elapsed * (1.0 - fraction) / fraction) } else { "?".to_owned() };
         let live = live(history, &self.references);
-        format!("{:3.0} %  t = {} s  {}  left {left}  {live}", 100.0 * fraction, digits(time), clock(elapsed))
+        let label = &self.label;
+        format!(
+            "{label}{:3.0} %  t = {} s  {}  left {left}  {live}",
+            100.0 * fraction,
+            digits(time),
+            clock(elapsed)
+        )
+    }
+}
+
+/// Tells something at the end of a run that needs no display, unless it is to be `quiet`.
+pub fn tell(message: &str, quiet: bool) {
+    if !quiet {
+        print_line(message);
     }
 }
 
@@ -111,7 +136,7 @@ fn is_plain() -> bool {
 
 fn bar() -> ProgressBar {
     let bar = ProgressBar::with_draw_target(Some(TICKS), ProgressDrawTarget::stderr_with_hz(5));
-    let style = ProgressStyle::with_template("{percent:>3} % {bar:28} {elapsed} left {eta}  {msg}");
+    let style = ProgressStyle::with_template("{prefix}{percent:>3} % {bar:28} {elapsed} left {eta}  {msg}");
     // The template is valid; otherwise the default style is used.
     bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
     bar

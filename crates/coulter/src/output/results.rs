@@ -4,7 +4,8 @@ use super::fields::{HeightMap, filled_cells};
 use super::files::{
     LOG, OutputError, PICTURES, PLOTS, REPORT, RESOLVED, TYPED, make_folder, read_text, write_whole,
 };
-use super::folder::{Log, Outcome, RunRecord, RunStatistics, clear, remove_parts};
+use super::folder::{Log, Outcome, RunRecord, RunStatistics, clear, clear_meshes, remove_parts};
+use super::meshes::{as_read_back, attach};
 use super::pictures::write_pictures;
 use super::plots::Overlay;
 use super::report::{ReportText, Summary, write_report};
@@ -66,7 +67,8 @@ impl Results {
         let before = RunRecord::read(dir)?;
         remove_parts(dir)?;
         let statistics = RunStatistics { outcome: Outcome::Running, ..before.statistics };
-        let record = RunRecord { overlays: before.overlays, statistics, ..RunRecord::of(case) };
+        let record =
+            RunRecord { overlays: before.overlays, meshes: before.meshes, statistics, ..RunRecord::of(case) };
         let fields = FieldSeries::resume(dir, time)?;
         let mut results = Self {
             tables: HistoryFiles::create(dir, &record.bodies)?,
@@ -106,6 +108,15 @@ impl Results {
         self.record.write(&self.dir)
     }
 
+    /// Says on which coarser meshes the case is run as well, below this folder.
+    ///
+    /// # Errors
+    /// When `run.json` cannot be written.
+    pub fn name_meshes(&mut self, meshes: &[String]) -> Result<(), OutputError> {
+        self.record.meshes = meshes.to_vec();
+        self.record.write(&self.dir)
+    }
+
     /// Writes the last fields, the summary, the pictures and the report at the end of a run, also of one that broke down or
     /// was stopped, as the statistics say. A stopped run leaves no fields of the time at which it was stopped.
     ///
@@ -131,6 +142,7 @@ impl Results {
             ..Summary::of(&self.record)
         };
         summary.fill(history, &self.record);
+        attach(&self.dir, &self.record, &mut summary)?;
         summary.write(&self.dir)?;
         write_pictures(&self.dir.join(PICTURES), case, grid, state, &map)?;
         report(&self.dir, &self.record, &summary, history)?;
@@ -140,6 +152,39 @@ impl Results {
     }
 }
 
+/// Removes a whole result, runs on coarser meshes included; a folder with other files in it is never touched.
+pub(crate) fn clear_all(dir: &Path) -> Result<(), OutputError> {
+    clear_meshes(dir)?;
+    clear(dir, true)
+}
+
+/// Refuses a folder that holds a result or anything else.
+pub(crate) fn require_nothing(dir: &Path) -> Result<(), OutputError> {
+    clear(dir, false)
+}
+
+/// Gives a run that has come to its end the study of these coarser meshes, in the summary, the report and the log, unless it has
+/// it already.
+///
+/// # Errors
+/// When the folder holds no such result, or a file cannot be read or written.
+pub(crate) fn add_mesh_study(dir: &Path, case: &Case, meshes: &[String]) -> Result<Summary, OutputError> {
+    let before = RunRecord::read(dir)?;
+    let RunRecord { cell, cell_width, .. } = RunRecord::of(case);
+    let record = RunRecord { meshes: meshes.to_vec(), cell, cell_width, ..before };
+    let mut summary = Summary::read(dir)?;
+    let known = summary.mesh_study.clone();
+    attach(dir, &record, &mut summary)?;
+    if known.is_some() && known == summary.mesh_study.as_ref().and_then(as_read_back) {
+        return Summary::read(dir);
+    }
+    Log::append(&dir.join(LOG))?.line(&format!("study of {} meshes", meshes.len() + 1))?;
+    record.write(dir)?;
+    summary.write(dir)?;
+    rebuild_report(dir)?;
+    Ok(summary)
+}
+
 /// Rebuilds `report.html` from the other files of a results folder; for a killed run from those that exist.
 ///
 /// # Errors
@@ -147,7 +192,7 @@ impl Results {
 pub fn rebuild_report(dir: &Path) -> Result<PathBuf, OutputError> {
     let record = RunRecord::read(dir)?;
     let names: Vec<String> = record.bodies.iter().map(|b| b.name.clone()).collect();
-    let is_whole = matches!(record.statistics.outcome, Outcome::Finished | Outcome::BrokeDown(_));
+    let is_whole = record.statistics.outcome.is_end();
     let history = read_history(dir, &names, is_whole)?;
     if record.statistics.outcome == Outcome::Finished {
         validate_history(&history).map_err(|problem| OutputError::content(dir, problem))?;

@@ -1,15 +1,17 @@
 //! A run from case to results: the loop of the simulation with those who write its results, and the report at its end.
 
+mod meshes;
 mod observers;
 mod options;
+mod part;
 mod start;
 pub mod watch;
 
 use crate::case::{Case, require_valid, resolved};
 use crate::output::checkpoint;
-use crate::output::folder::Outcome;
+use crate::output::folder::{Outcome, clear_meshes};
 use crate::output::progress::Progress;
-use crate::output::{Results, Summary};
+use crate::output::{Results, Summary, mean_lines, study_lines};
 use crate::simulation::{Simulation, Stop};
 use crate::trust::Verdict;
 use observers::{Checkpoints, Fields, ProgressBar, Signals, Tables, Watch, statistics};
@@ -17,7 +19,9 @@ use solver::precision::Precision;
 use std::path::Path;
 use std::time::Instant;
 
+pub use meshes::run_meshes;
 pub use options::{End, RunError, RunOptions, Start};
+use part::Part;
 use start::{ended_before, lock, open};
 
 /// Runs a case and writes its results.
@@ -32,16 +36,25 @@ pub fn run(case: &Case, options: &RunOptions) -> Result<End, RunError> {
     {
         return Ok(End::Finished(Box::new(summary)));
     }
+    if options.start == Start::Replace {
+        // Those of an earlier mesh study are no longer of this result.
+        clear_meshes(options.folder)?;
+    }
+    run_locked(case, options, &Part::default())
+}
+
+/// Runs a case in a folder that is locked.
+fn run_locked(case: &Case, options: &RunOptions, part: &Part) -> Result<End, RunError> {
     match case.numerics.precision {
-        resolved::Precision::Double => run_in::<f64>(case, options),
-        resolved::Precision::Single => run_in::<f32>(case, options),
+        resolved::Precision::Double => run_in::<f64>(case, options, part),
+        resolved::Precision::Single => run_in::<f32>(case, options, part),
     }
 }
 
-fn run_in<R: Precision>(case: &Case, options: &RunOptions) -> Result<End, RunError> {
+fn run_in<R: Precision>(case: &Case, options: &RunOptions, part: &Part) -> Result<End, RunError> {
     let began = Instant::now();
-    let (mut simulation, mut results) = open::<R>(case, options)?;
-    let mut progress = Progress::start(case, simulation.state.time, options.quiet);
+    let (mut simulation, mut results) = open::<R>(case, options, part)?;
+    let mut progress = Progress::start(case, simulation.state.time, options.quiet).labelled(&part.label);
     let stop = observed(&mut simulation, &mut results, &mut progress, options)?;
     let outcome = match &stop {
         Stop::Finished => Outcome::Finished,
@@ -61,18 +74,18 @@ fn run_in<R: Precision>(case: &Case, options: &RunOptions) -> Result<End, RunErr
             for line in verdict(&summary) {
                 results.log.line(&line)?;
             }
-            progress.finish(&closing_message(&summary, seconds, options.folder));
+            progress.finish(&part.headed(closing_message(&summary, seconds, (options.folder, part))));
             Ok(End::Finished(Box::new(summary)))
         }
         Stop::Asked(why) => {
             results.log.line(&format!("stopped by {why} at t = {} s", state.time))?;
-            progress.finish("stopped; --resume continues from here");
+            progress.finish(&part.headed("stopped; --resume continues from here".to_owned()));
             let signal = options.interrupts.stopped_by().unwrap_or_default();
             Ok(End::Stopped(signal, checkpoint::path(options.folder)))
         }
         Stop::BrokenDown(cause) => {
             results.log.line(&format!("broke down: {cause}"))?;
-            progress.finish("broke down");
+            progress.finish(&part.headed("broke down".to_owned()));
             Err(RunError::Physics {
                 cause: Box::new(cause),
                 folder: options.folder.to_path_buf(),
@@ -103,13 +116,19 @@ fn observed<R: Precision>(
 }
 
 /// The last message of a finished run.
-fn closing_message(summary: &Summary, seconds: f64, folder: &Path) -> String {
+fn closing_message(summary: &Summary, seconds: f64, (folder, part): (&Path, &Part)) -> String {
     let report = folder.join("report.html");
     let end = format!("in {seconds:.1} s; the report is {}", report.display());
+    if part.is_coarser {
+        let grade = format!("{}; {end}", summary.trust.verdict.name());
+        return [mean_lines(summary), vec![grade]].concat().join("\n");
+    }
     match summary.trust.verdict {
         // Why it is broken is reported as an error.
-        Verdict::Broken => format!("ended {end}"),
-        Verdict::Good | Verdict::Doubtful => format!("done {end}\n{}", verdict(summary).join("\n")),
+        Verdict::Broken => [vec![format!("ended {end}")], study_lines(summary)].concat().join("\n"),
+        Verdict::Good | Verdict::Doubtful => {
+            [vec![format!("done {end}")], study_lines(summary), verdict(summary)].concat().join("\n")
+        }
     }
 }
 

@@ -1,12 +1,15 @@
 //! How a run begins: from the start, or where an earlier one stopped.
 
 use super::options::{RunError, RunOptions, Start};
+use super::part::Part;
 use crate::case::case_text;
 use crate::case::{self, Case};
 use crate::domain::PlacedDomain;
 use crate::output::checkpoint::{self, Checkpoint};
 use crate::output::folder::{Contents, Lock, Outcome, RunRecord, hash_of, inspect};
-use crate::output::{OutputError, Results, Summary, overlays};
+use crate::output::{
+    OutputError, Results, Summary, clear_all, make_meshes_folder, overlays, require_nothing,
+};
 use crate::simulation::Simulation;
 use solver::precision::Precision;
 use std::path::Path;
@@ -53,21 +56,42 @@ fn same_case(case: &Case, record: &RunRecord, folder: &Path) -> Result<(), RunEr
     Err(RunError::OtherCase(folder.to_path_buf()))
 }
 
+/// Prepares a folder for a mesh study: clears it if it is to be replaced, and records the case before any mesh is run, so that
+/// the folder is known for what it is. Whether the run on the case's own mesh starts anew.
+pub(super) fn begin_study(case: &Case, meshes: &[String], options: &RunOptions) -> Result<bool, RunError> {
+    let folder = options.folder;
+    if matches!(options.start, Start::Resume | Start::AutoResume) {
+        if let Contents::Run(record) = inspect(folder)? {
+            same_case(case, &record, folder)?;
+            make_meshes_folder(folder)?;
+            return Ok(false);
+        }
+    } else if options.start == Start::Replace {
+        clear_all(folder)?;
+    } else {
+        require_nothing(folder)?;
+    }
+    RunRecord { meshes: meshes.to_vec(), ..RunRecord::of(case) }.write(folder)?;
+    make_meshes_folder(folder)?;
+    Ok(true)
+}
+
 /// The simulation and its folder, new or resumed.
 pub(super) fn open<R: Precision>(
     case: &Case,
     options: &RunOptions,
+    part: &Part,
 ) -> Result<(Simulation<R>, Results), RunError> {
     let resumes = matches!(options.start, Start::Resume | Start::AutoResume);
     if resumes && let Contents::Run(record) = inspect(options.folder)? {
         same_case(case, &record, options.folder)?;
         if checkpoint::exists(options.folder) {
-            match resume(case, options, record.statistics.wall_seconds) {
+            match resume(case, options, part, record.statistics.wall_seconds) {
                 Err(RunError::Output(OutputError::Content { path, problem }))
                     if options.start == Start::AutoResume =>
                 {
                     let why = format!("started again, because {} cannot be used: {problem}", path.display());
-                    return create(case, options, Some(&why));
+                    return create(case, options, part, Some(&why));
                 }
                 Err(RunError::Output(OutputError::Content { path, problem })) => {
                     return Err(RunError::Unusable { path, problem });
@@ -75,14 +99,15 @@ pub(super) fn open<R: Precision>(
                 other => return other,
             }
         }
-        return create(case, options, Some("started again, because there was no checkpoint yet"));
+        return create(case, options, part, Some("started again, because there was no checkpoint yet"));
     }
-    create(case, options, None)
+    create(case, options, part, None)
 }
 
 fn resume<R: Precision>(
     case: &Case,
     options: &RunOptions,
+    part: &Part,
     wall_s: f64,
 ) -> Result<(Simulation<R>, Results), RunError> {
     let (checkpoint, damaged) = Checkpoint::read(options.folder)?;
@@ -91,6 +116,9 @@ fn resume<R: Precision>(
     }
     let simulation = Simulation::resume(case, checkpoint, wall_s);
     let mut results = Results::resume(options.folder, case, &simulation.history, simulation.state.time)?;
+    if !part.meshes.is_empty() {
+        results.name_meshes(&part.meshes)?;
+    }
     if let Some(problem) = damaged {
         checkpoint::forget_last(options.folder)?;
         results.log.line(&format!("fell back to the previous checkpoint: {problem}"))?;
@@ -104,10 +132,12 @@ fn resume<R: Precision>(
 fn create<R: Precision>(
     case: &Case,
     options: &RunOptions,
+    part: &Part,
     why: Option<&str>,
 ) -> Result<(Simulation<R>, Results), RunError> {
     let may_replace = options.start == Start::Replace || why.is_some();
     let mut results = Results::create(options.folder, case, may_replace)?;
+    results.name_meshes(&part.meshes)?;
     results.write_case_file(options.typed)?;
     let simulation = Simulation::new(case);
     let Simulation { model, state, history, .. } = &simulation;

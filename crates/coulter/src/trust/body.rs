@@ -74,12 +74,11 @@ impl BodyChecks<'_> {
         match trend {
             Some(trend) if scale > 0.0 => self.check(limit, 100.0 * trend.change.abs() / scale),
             Some(_) => self.check(limit, 0.0),
-            None => Check {
-                advice: "the window has too few samples for eight averages: use a shorter output.history_interval or a \
-                         longer tow"
-                    .to_owned(),
-                ..self.check(limit, f64::INFINITY)
-            },
+            None => Check::unavailable(
+                limit,
+                Some(&self.body.name),
+                "the window has too few samples for eight averages: use a shorter output.history_interval or a longer tow",
+            ),
         }
     }
 

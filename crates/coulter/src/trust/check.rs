@@ -26,7 +26,8 @@ pub struct Check {
 
 impl Check {
     /// Compares a figure with its limit.
-    pub(super) fn of(limit: &'static Limit, body: Option<&str>, value: f64) -> Self {
+    #[must_use]
+    pub fn of(limit: &'static Limit, body: Option<&str>, value: f64) -> Self {
         let verdict = limit.verdict(value);
         Self {
             name: limit.name.to_owned(),
@@ -37,6 +38,12 @@ impl Check {
             verdict,
             advice: if verdict == Verdict::Good { String::new() } else { limit.advice.to_owned() },
         }
+    }
+
+    /// A figure that is not available, for a reason: doubtful.
+    #[must_use]
+    pub fn unavailable(limit: &'static Limit, body: Option<&str>, why: &str) -> Self {
+        Self { verdict: Verdict::Doubtful, advice: why.to_owned(), ..Self::of(limit, body, f64::INFINITY) }
     }
 
     /// One line of text: the check, its figure and its limits.

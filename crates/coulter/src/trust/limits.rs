@@ -306,8 +306,56 @@ pub const STEP_SIZE: Limit = Limit {
     advice: "leave numerics.courant at its default, 0.5",
 };
 
+/// Interval of the drag from a mesh study.
+pub const DRAG_INTERVAL: Limit = Limit {
+    name: "interval of the drag",
+    unit: "%",
+    good: 5.0,
+    doubtful: NEVER,
+    more_is_better: false,
+    meaning: "half-width of the interval of the mean drag (mesh and statistics) over its value; only with `--meshes`, of a body that is towed",
+    reason: "5 % is the accuracy required of forces",
+    advice: "make grid.cell smaller, or tow farther where the statistical part is the larger one",
+};
+
+/// Interval of the vertical force from a mesh study.
+pub const VERTICAL_INTERVAL: Limit = Limit {
+    name: "interval of the vertical force",
+    unit: "%",
+    good: 5.0,
+    doubtful: NEVER,
+    more_is_better: false,
+    meaning: "as for the drag; only of a body that is not free to move vertically",
+    reason: "as for the drag",
+    advice: "make grid.cell smaller, or run longer where the statistical part is the larger one",
+};
+
+/// Interval of the sinkage from a mesh study.
+pub const SINKAGE_INTERVAL: Limit = Limit {
+    name: "interval of the sinkage",
+    unit: "%",
+    good: 8.0,
+    doubtful: NEVER,
+    more_is_better: false,
+    meaning: "as for the drag; only of a body that is free to move vertically",
+    reason: "chosen: 8 % of a sinkage over nine cells is less than one cell, by which a free surface is uncertain; a force is an average over the contact and converges faster",
+    advice: "make grid.cell smaller: sinkage converges more slowly than forces",
+};
+
+/// Grades of the coarser meshes of a mesh study.
+pub const COARSER_MESHES: Limit = Limit {
+    name: "broken coarser meshes",
+    unit: "",
+    good: 0.0,
+    doubtful: 0.0,
+    more_is_better: false,
+    meaning: "number of coarser meshes whose run is broken; only with `--meshes`",
+    reason: "a result that cells half as wide again spoil has no mesh study; that a coarser run is doubtful does not count, since the intervals show what its coarseness does",
+    advice: "make grid.cell smaller, so that the coarser meshes can be used too; or run the case's own mesh alone, without --meshes",
+};
+
 /// Every limit, in the order of the checks.
-pub const ALL: [&Limit; 22] = [
+pub const ALL: [&Limit; 26] = [
     &COMPLETED,
     &ENERGY_BALANCE,
     &HOURGLASS,
@@ -330,4 +378,11 @@ pub const ALL: [&Limit; 22] = [
     &WALLS,
     &BOUNDARY_STRESS,
     &STEP_SIZE,
+    &DRAG_INTERVAL,
+    &VERTICAL_INTERVAL,
+    &SINKAGE_INTERVAL,
+    &COARSER_MESHES,
 ];
+
+/// The limits of a mesh study, which come after all others.
+pub const OF_MESHES: [&Limit; 4] = [&DRAG_INTERVAL, &VERTICAL_INTERVAL, &SINKAGE_INTERVAL, &COARSER_MESHES];

@@ -57,6 +57,13 @@ impl Trust {
         Self { verdict, checks }
     }
 
+    /// Puts the checks of a mesh study in place of those of an earlier one, and grades the run anew.
+    pub fn set_mesh_checks(&mut self, checks: Vec<Check>) {
+        self.checks.retain(|check| limits::OF_MESHES.iter().all(|limit| limit.name != check.name));
+        self.checks.extend(checks);
+        self.verdict = self.checks.iter().map(|c| c.verdict).max().unwrap_or_default();
+    }
+
     /// The checks that are not good, the worst first.
     #[must_use]
     pub fn concerns(&self) -> Vec<&Check> {

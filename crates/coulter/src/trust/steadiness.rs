@@ -1,9 +1,6 @@
 //! Whether a quantity is steady: the trend of its block averages.
 
-/// Number of blocks; eight leave six degrees of freedom about a straight line.
-pub const BLOCKS: usize = 8;
-/// Least number of samples in a block.
-const MIN_SAMPLES: usize = 3;
+use crate::history::blocks::{BLOCKS, block_averages};
 
 /// The trend of the block averages of a quantity over a window.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,15 +17,7 @@ impl Trend {
     /// The trend of equally spaced `values`; `None` if there are too few for [`BLOCKS`] averages.
     #[must_use]
     pub fn of(values: &[f64]) -> Option<Self> {
-        let length = values.len() / BLOCKS;
-        if length < MIN_SAMPLES {
-            return None;
-        }
-        // Samples that do not fill a block are left out at the start.
-        let blocks: Vec<f64> = values[values.len() - BLOCKS * length..]
-            .chunks_exact(length)
-            .map(|block| block.iter().sum::<f64>() / length as f64)
-            .collect();
+        let blocks = block_averages(values)?;
         let count = BLOCKS as f64;
         let mean = blocks.iter().sum::<f64>() / count;
         let abscissa = |n: usize| (n as f64 + 0.5) / count - 0.5;

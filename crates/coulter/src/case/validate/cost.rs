@@ -6,6 +6,7 @@ use crate::case::machine;
 use crate::case::problem::Problems;
 use crate::case::resolved::Case;
 use crate::case::resources::format_bytes;
+use glam::DVec3;
 
 /// Largest number of time steps.
 const MAX_STEPS: f64 = 1e12;
@@ -26,10 +27,15 @@ const EDGE_INSET: &str = "numerics.edge_inset";
 
 /// Refuses an inset that leaves no contact points: no force could act on the body.
 fn contact_points_remain(case: &Case, problems: &mut Problems) {
-    let inset = case.numerics.edge_inset * case.grid.cell;
+    let mut cells = DVec3::splat(case.grid.cell);
+    if case.domain.plane_strain {
+        // The slab is one cell, of any width.
+        cells.y = case.domain.high.y - case.domain.low.y;
+    }
     for body in &case.bodies {
         let (low, high) = body.shape.solid().bounds();
-        if (high - low).min_element() - 2.0 * inset < 1e-6 * case.grid.cell {
+        let left = high - low - 2.0 * case.numerics.edge_inset * cells;
+        if left.cmplt(1e-6 * cells).any() {
             let message = format!("the inset leaves no contact points on body `{}`", body.name);
             let default = keys::at(EDGE_INSET).map_or_else(String::new, |key| key.default.text());
             problems.add(EDGE_INSET, message, format!("reduce it; {default} is the default"));

@@ -3,6 +3,8 @@
 /// Folder of checkpoints inside a results folder.
 pub(crate) const CHECKPOINTS: &str = "checkpoints";
 pub(crate) const FIELDS: &str = "fields";
+/// Folder of the runs on coarser meshes.
+pub(crate) const MESHES: &str = "meshes";
 pub(crate) const PICTURES: &str = "pictures";
 pub(crate) const PLOTS: &str = "plots";
 pub(crate) const RESOLVED: &str = "resolved.toml";

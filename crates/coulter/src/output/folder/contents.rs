@@ -3,11 +3,12 @@
 use super::lock::LOCK;
 use super::run_record::{Outcome, RUN_RECORD, RunRecord};
 use crate::output::files::{
-    CHECKPOINTS, FIELDS, LISTS, LOG, Named, OutputError, PICTURES, PLOTS, REPORT, RESOLVED, SUMMARY, TYPED,
+    CHECKPOINTS, FIELDS, LISTS, LOG, MESHES, Named, OutputError, PICTURES, PLOTS, REPORT, RESOLVED, SUMMARY,
+    TYPED,
 };
 use crate::output::tables::{BOUNDARIES_FILE, ENERGY_FILE, GROUND_LEFT_FILE, forces_name};
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The contents of a results folder.
 #[derive(Debug)]
@@ -35,12 +36,55 @@ pub fn inspect(dir: &Path) -> Result<Contents, OutputError> {
     }
     let early = [LOCK.to_owned(), format!("{RUN_RECORD}.part")];
     for entry in fs::read_dir(dir).named("list", dir)? {
-        let name = entry.named("list", dir)?.file_name();
-        if !early.iter().any(|e| name == e.as_str()) {
+        let entry = entry.named("list", dir)?;
+        let name = entry.file_name();
+        // Runs on coarser meshes outlive that on the finest while it is started again.
+        let is_ours = early.iter().any(|e| name == e.as_str())
+            || name == MESHES && coarser_runs(dir)?.iter().all(|(_, contents)| !contents.is_foreign());
+        if !is_ours {
             return Ok(Contents::Foreign);
         }
     }
     Ok(Contents::Nothing)
+}
+
+impl Contents {
+    fn is_foreign(&self) -> bool {
+        matches!(self, Self::Foreign)
+    }
+}
+
+/// The folders of runs on coarser meshes, with their contents.
+fn coarser_runs(dir: &Path) -> Result<Vec<(PathBuf, Contents)>, OutputError> {
+    let folder = dir.join(MESHES);
+    let mut runs = Vec::new();
+    if folder.is_symlink() || folder.is_file() {
+        return Ok(vec![(folder, Contents::Foreign)]);
+    }
+    if !folder.is_dir() {
+        return Ok(runs);
+    }
+    for entry in fs::read_dir(&folder).named("list", &folder)? {
+        let path = entry.named("list", &folder)?.path();
+        let contents = if path.is_dir() && !path.is_symlink() { inspect(&path)? } else { Contents::Foreign };
+        runs.push((path, contents));
+    }
+    Ok(runs)
+}
+
+/// Removes the runs on coarser meshes, and their folders if nothing else is in them; what no run has written stays.
+pub(crate) fn clear_meshes(dir: &Path) -> Result<(), OutputError> {
+    for (path, contents) in coarser_runs(dir)? {
+        if let Contents::Run(record) = &contents {
+            remove_result(&path, record)?;
+        }
+        if !contents.is_foreign() {
+            remove_file(&path.join(LOCK))?;
+            remove_if_empty(&path)?;
+        }
+    }
+    let folder = dir.join(MESHES);
+    if folder.is_symlink() { Ok(()) } else { remove_if_empty(&folder) }
 }
 
 /// Clears a folder for a new result; a folder with other files in it is never touched.
@@ -116,4 +160,9 @@ fn remove_files(folder: &Path, extensions: &[&str]) -> Result<(), OutputError> {
         }
     }
     if is_empty { fs::remove_dir(folder).named("remove", folder) } else { Ok(()) }
+}
+
+fn remove_if_empty(folder: &Path) -> Result<(), OutputError> {
+    // No extension is removed: only an empty folder is.
+    remove_files(folder, &[])
 }

@@ -4,6 +4,7 @@
 use super::describe::describe;
 use crate::case::Case;
 use crate::case::case_text;
+use crate::case::meshes::representative_width;
 use crate::case::resolved::Ground;
 use crate::history::History;
 use crate::history::reference::Reference;
@@ -30,6 +31,14 @@ pub enum Outcome {
     Interrupted,
     /// The physics failed; the message says how.
     BrokeDown(String),
+}
+
+impl Outcome {
+    /// Whether nothing is left to be run.
+    #[must_use]
+    pub fn is_end(&self) -> bool {
+        matches!(self, Self::Finished | Self::BrokeDown(_))
+    }
 }
 
 /// Statistics of the run.
@@ -66,6 +75,12 @@ pub struct RunRecord {
     pub cells: [usize; 3],
     /// Smallest cell width [m].
     pub finest_cell: f64,
+    /// Cell size in the fine zone, `grid.cell` [m].
+    pub cell: f64,
+    /// Representative cell width [m].
+    pub cell_width: f64,
+    /// Names of the coarser meshes that the case is run on as well, the coarsest first.
+    pub meshes: Vec<String>,
     /// Duration of the run [s].
     pub duration: f64,
     /// Fraction of the tow over which steady averages are taken.
@@ -110,6 +125,9 @@ impl RunRecord {
             facts: describe(case),
             cells: std::array::from_fn(|axis| faces[axis].len().saturating_sub(1)),
             finest_cell: widths.reduce(f64::min).unwrap_or(case.grid.cell),
+            cell: case.grid.cell,
+            cell_width: representative_width(case),
+            meshes: Vec::new(),
             duration: case.duration,
             steady_fraction: case.output.steady_fraction,
             symmetric: case.domain.symmetric,

@@ -1,11 +1,15 @@
 //! The report of a run: `summary.json` for scripts, and `report.html`, one self-contained page.
 //!
 //! Both are made from the record of the run, its histories and what the other formats have left in the folder, so that a
-//! report can be rebuilt without the state. The names in `summary.json` are a contract. No other format depends on this one.
+//! report can be rebuilt without the state. The names in `summary.json` are a contract. No other format depends on this one, but the
+//! mesh study, which puts several runs into one report.
 
+mod meshes;
 mod page;
 mod rows;
 mod summary;
 
+pub(crate) use meshes::mean_lines;
+pub use meshes::study_lines;
 pub(crate) use page::{ReportText, write_report};
 pub use summary::{BodySummary, EnergySummary, MeshSummary, SoilSummary, Summary};

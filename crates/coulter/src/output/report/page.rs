@@ -1,5 +1,6 @@
 //! `report.html`: one self-contained page, made from the histories, the summary and the pictures.
 
+use super::meshes::{self, IntervalRow, MeshRow};
 use super::rows::{
     CheckRow, TableRow, balance_rows, body_rows, check_rows, energy_rows, facts, scales_text, statistics,
     window_text,
@@ -44,6 +45,18 @@ struct BodySection {
     window: String,
     scales: String,
     rows: Vec<TableRow>,
+    /// Whether any of the rows has an interval.
+    has_intervals: bool,
+    plots: Vec<Figure>,
+}
+
+/// A body of a mesh study.
+#[derive(Debug, Serialize)]
+struct MeshSection {
+    name: String,
+    problem: Option<String>,
+    meshes: Vec<MeshRow>,
+    intervals: Vec<IntervalRow>,
     plots: Vec<Figure>,
 }
 
@@ -55,6 +68,7 @@ struct Page<'a> {
     verdict: Verdict,
     checks: Vec<CheckRow>,
     bodies: Vec<BodySection>,
+    meshes: Vec<MeshSection>,
     pictures: Vec<Figure>,
     energy: Vec<TableRow>,
     balances: Vec<TableRow>,
@@ -89,6 +103,7 @@ pub(crate) fn write_report(
         verdict: summary.trust.verdict,
         checks: check_rows(&summary.trust),
         bodies,
+        meshes: mesh_sections(dir, summary)?,
         pictures: pictures(dir)?,
         energy: energy_rows(summary),
         balances: balance_rows(record, summary),
@@ -101,6 +116,22 @@ pub(crate) fn write_report(
     let path = dir.join("report.html");
     let html = render(&page).map_err(|e| OutputError::content(&path, e))?;
     write_whole(&path, html.as_bytes())
+}
+
+/// The bodies of the mesh study, if there is one.
+fn mesh_sections(dir: &Path, summary: &Summary) -> Result<Vec<MeshSection>, OutputError> {
+    let mut sections = Vec::new();
+    for body in summary.mesh_study.iter().flat_map(meshes::body_rows) {
+        write_plots(dir, &body.plots)?;
+        sections.push(MeshSection {
+            name: body.name,
+            problem: body.problem,
+            meshes: body.meshes,
+            intervals: body.intervals,
+            plots: body.plots.into_iter().map(figure).collect(),
+        });
+    }
+    Ok(sections)
 }
 
 fn render(page: &Page<'_>) -> Result<String, minijinja::Error> {
@@ -171,12 +202,14 @@ fn body_section(
     body: &BodySummary,
     plots: Vec<Plot>,
 ) -> BodySection {
+    let rows = body_rows(reference, body);
     BodySection {
+        has_intervals: rows.iter().any(|row| !row.interval.is_empty()),
         name: reference.name.clone(),
         kind: reference.kind.clone(),
         window: window_text(body),
         scales: scales_text(record, reference),
-        rows: body_rows(reference, body),
+        rows,
         plots: plots.into_iter().map(figure).collect(),
     }
 }

@@ -7,7 +7,7 @@ use crate::output::units::{Unit, digits};
 use crate::trust::{Check, Trust, Verdict};
 use serde::Serialize;
 
-const NONE: &str = "–";
+pub(super) const NONE: &str = "–";
 
 /// One line of a table.
 #[derive(Debug, Serialize)]
@@ -15,6 +15,8 @@ pub(super) struct TableRow {
     pub(super) name: String,
     pub(super) symbol: &'static str,
     pub(super) value: String,
+    /// Interval of the value; empty for none.
+    pub(super) interval: String,
     pub(super) group: String,
     pub(super) note: String,
 }
@@ -59,7 +61,17 @@ struct BodyRows<'a> {
 
 impl BodyRows<'_> {
     fn push(&mut self, name: &str, symbol: &'static str, [value, group]: [String; 2], note: &str) {
-        self.rows.push(TableRow { name: name.into(), symbol, value, group, note: note.into() });
+        let interval = String::new();
+        self.rows.push(TableRow { name: name.into(), symbol, value, interval, group, note: note.into() });
+    }
+
+    /// Gives the last row its interval.
+    fn bound(&mut self, interval: Option<[f64; 2]>, unit: impl Fn(f64) -> Unit) {
+        if let (Some(row), Some([low, high])) = (self.rows.last_mut(), interval) {
+            let unit = unit(low.abs().max(high.abs()));
+            let text = format!("{} … {} {}", digits(low / unit.size), digits(high / unit.size), unit.name);
+            row.interval = text.trim_end().to_owned();
+        }
     }
 
     fn force(&self, force: Option<f64>) -> [String; 2] {
@@ -81,10 +93,14 @@ pub(super) fn body_rows(reference: &Reference, body: &BodySummary) -> Vec<TableR
     let (steady, peak) = (&body.steady, &body.peak);
     let mut table = BodyRows { reference, rows: Vec::new() };
     table.push("Drag", "F<sub>H</sub>", table.force(steady.drag), "steady mean");
+    table.bound(steady.drag_interval, Unit::force);
     table.push("Vertical force", "F<sub>V</sub>", table.force(steady.vertical), "steady mean, up positive");
+    table.bound(steady.vertical_interval, Unit::force);
     table.push("Sinkage", "z", table.length(steady.sinkage), "steady mean");
+    table.bound(steady.sinkage_interval, Unit::length);
     if reference.radius.is_some() {
         table.push("Turn ratio", "ω r / v", [NONE.into(), bare(steady.turn_ratio)], "1 rolls, 0 slides");
+        table.bound(steady.turn_ratio_interval, |_| Unit { name: "", size: 1.0 });
         let note = "−1 locked, 0 rolls, above 0 driven";
         table.push("Slip", "s", [NONE.into(), bare(steady.slip)], note);
         let note = "steady mean; forward positive; group M / (γ t d³)";
@@ -129,14 +145,14 @@ pub(super) fn facts(record: &RunRecord, summary: &Summary) -> Vec<[String; 2]> {
 }
 
 /// A number with its unit, or a dash.
-fn value(number: Option<f64>, unit: impl Fn(f64) -> Unit) -> String {
+pub(super) fn value(number: Option<f64>, unit: impl Fn(f64) -> Unit) -> String {
     number.map_or(NONE.to_owned(), |v| {
         let unit = unit(v.abs());
         format!("{} {}", digits(v / unit.size), unit.name)
     })
 }
 
-fn bare(number: Option<f64>) -> String {
+pub(super) fn bare(number: Option<f64>) -> String {
     number.map_or(NONE.to_owned(), digits)
 }
 
@@ -182,6 +198,7 @@ pub(super) fn energy_rows(summary: &Summary) -> Vec<TableRow> {
         name: name.into(),
         symbol: "",
         value: value(e, Unit::energy),
+        interval: String::new(),
         group: per_cent(e),
         note: note.into(),
     };
@@ -190,7 +207,8 @@ pub(super) fn energy_rows(summary: &Summary) -> Vec<TableRow> {
     let note = "not explained by any entry".to_owned();
     let explained: Option<f64> = entries[1..].iter().map(|(_, e, _)| *e).sum();
     let rest = value(energy.external.zip(explained).map(|(all, explained)| all - explained), Unit::energy);
-    rows.push(TableRow { name: "Unexplained".into(), symbol: "", value: rest, group: closure, note });
+    let (name, interval) = ("Unexplained".into(), String::new());
+    rows.push(TableRow { name, symbol: "", value: rest, interval, group: closure, note });
     rows
 }
 
@@ -199,6 +217,7 @@ pub(super) fn balance_rows(record: &RunRecord, summary: &Summary) -> Vec<TableRo
         name: name.into(),
         symbol: "",
         value,
+        interval: String::new(),
         group: String::new(),
         note: note.into(),
     };
@@ -247,7 +266,7 @@ pub(super) fn statistics(record: &RunRecord, summary: &Summary) -> Vec<[String; 
 }
 
 /// A whole number with thin spaces between thousands.
-fn grouped(number: u64) -> String {
+pub(super) fn grouped(number: u64) -> String {
     let plain = number.to_string();
     let mut text = String::new();
     for (n, digit) in plain.chars().enumerate() {

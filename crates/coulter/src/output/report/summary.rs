@@ -3,11 +3,12 @@
 use crate::case::FORMAT;
 use crate::history::steady::{Peak, Steady, peak, steady, window};
 use crate::history::{EnergySample, History};
+use crate::mesh_study::{Figures, MeshStudy};
 use crate::output::fields::SurfaceFigures;
 use crate::output::files::{OutputError, SUMMARY, read_json, write_json};
 use crate::output::folder::RunRecord;
-use crate::trust::Trust;
 use crate::trust::body::Mesh;
+use crate::trust::{Check, Trust};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -40,6 +41,8 @@ pub struct Summary {
     pub bodies: BTreeMap<String, BodySummary>,
     /// Whether the results can be trusted.
     pub trust: Trust,
+    /// The case on several meshes; `null` where only one was run.
+    pub mesh_study: Option<MeshStudy>,
 }
 
 /// Results on the soil.
@@ -165,6 +168,35 @@ impl Summary {
         self.soil.volume_ratio = last.map(|e| e.volume_ratio).filter(|v| v.is_finite());
         let leaks = history.bodies.iter().filter_map(|samples| samples.last());
         self.soil.leaked_m3 = leaks.map(|s| s.leaked_volume).filter(|v| v.is_finite()).sum::<f64>() + 0.0;
+    }
+
+    /// Adds a mesh study: intervals of the steady means, and its checks to the grade.
+    pub(crate) fn set_mesh_study(&mut self, study: MeshStudy, checks: Vec<Check>) {
+        self.remove_mesh_study();
+        for (name, body) in &study.bodies {
+            if let Some(BodySummary { steady, .. }) = self.bodies.get_mut(name) {
+                let Figures { drag, vertical, sinkage, turn_ratio } =
+                    body.figures.map(|figure| figure.map(|f| f.interval));
+                steady.drag_interval = drag;
+                steady.vertical_interval = vertical;
+                steady.sinkage_interval = sinkage;
+                steady.turn_ratio_interval = turn_ratio;
+            }
+        }
+        self.trust.set_mesh_checks(checks);
+        self.mesh_study = Some(study);
+    }
+
+    /// The summary as it is without a mesh study.
+    pub(crate) fn remove_mesh_study(&mut self) {
+        for BodySummary { steady, .. } in self.bodies.values_mut() {
+            steady.drag_interval = None;
+            steady.vertical_interval = None;
+            steady.sinkage_interval = None;
+            steady.turn_ratio_interval = None;
+        }
+        self.trust.set_mesh_checks(Vec::new());
+        self.mesh_study = None;
     }
 
     /// Cells with soil times steps, per second of wall-clock time.
