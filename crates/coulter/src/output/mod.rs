@@ -20,5 +20,5 @@ pub mod vtk;
 pub use files::OutputError;
 pub use forecast::{ForecastFiles, overlays, write_forecast};
 pub use progress::Progress;
-pub use report::{BodySummary, EnergySummary, MeshSummary, SoilSummary, Summary};
+pub use report::{BodySummary, EnergySummary, MeshSummary, RimSummary, SoilSummary, Summary};
 pub use results::{Results, rebuild_report};

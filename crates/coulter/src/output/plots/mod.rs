@@ -9,6 +9,7 @@ mod curve;
 mod energy_plot;
 mod overlay;
 mod plot;
+mod rim_plot;
 mod scale;
 
 pub use chart::Chart;
@@ -17,4 +18,5 @@ pub use curve::{Curve, Level, Stroke};
 pub use energy_plot::{closure_plot, energy_plot};
 pub use overlay::{Overlay, PlotKind};
 pub use plot::{BodyHistory, Plot};
+pub use rim_plot::rim_plots;
 pub(crate) use scale::{tick_label, ticks};

@@ -8,4 +8,5 @@ mod rows;
 mod summary;
 
 pub(crate) use page::{ReportText, write_report};
-pub use summary::{BodySummary, EnergySummary, MeshSummary, SoilSummary, Summary};
+pub(crate) use summary::rims;
+pub use summary::{BodySummary, EnergySummary, MeshSummary, RimSummary, SoilSummary, Summary};

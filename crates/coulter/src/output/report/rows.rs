@@ -1,6 +1,6 @@
 //! The tables of a report.
 
-use super::summary::{BodySummary, Summary};
+use super::summary::{BodySummary, RimSummary, Summary};
 use crate::history::reference::Reference;
 use crate::output::folder::RunRecord;
 use crate::output::units::{Unit, digits};
@@ -62,6 +62,30 @@ impl BodyRows<'_> {
         self.rows.push(TableRow { name: name.into(), symbol, value, group, note: note.into() });
     }
 
+    /// What the rim bears, and where its slip changes sign: by angle of a body that can roll, otherwise by arc.
+    fn push_rim(&mut self, rim: &RimSummary) {
+        self.push("Drag on the rim", "", self.force(rim.drag), "steady mean; the rest is on the flanks");
+        self.push("Vertical force on the rim", "", self.force(rim.vertical), "steady mean");
+        let mobilised = bare(rim.mobilised_friction);
+        self.push(
+            "Mobilised friction",
+            "",
+            [NONE.into(), mobilised],
+            "on the rim, over its limit; steady mean",
+        );
+        for reversal in &rim.slip_reversals {
+            let range = if self.reference.radius.is_some() {
+                let degrees = |angle: f64| digits(angle.to_degrees());
+                format!("{} … {}°", degrees(reversal.from_rad), degrees(reversal.to_rad))
+            } else {
+                let millimetres = |arc: f64| digits(1e3 * arc);
+                format!("{} … {} mm", millimetres(reversal.from_m), millimetres(reversal.to_m))
+            };
+            let note = "from straight below, front positive; in between the soil sticks";
+            self.push("Slip along the rim changes sign", "", [range, NONE.into()], note);
+        }
+    }
+
     fn force(&self, force: Option<f64>) -> [String; 2] {
         [value(force, Unit::force), bare(force.and_then(|f| self.reference.force_group(f)))]
     }
@@ -90,6 +114,7 @@ pub(super) fn body_rows(reference: &Reference, body: &BodySummary) -> Vec<TableR
         let note = "steady mean; forward positive; group M / (γ t d³)";
         table.push("Axle torque", "M", table.torque(steady.axle_torque), note);
     }
+    table.push_rim(&body.rim);
     let noise = steady.drag_noise.map_or(NONE.to_owned(), |n| format!("{} %", digits(100.0 * n)));
     table.push(
         "Drag noise",
