@@ -91,6 +91,15 @@ pub struct SlipReversal {
     pub to_m: f64,
 }
 
+/// A place on a rim.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct RimPlace {
+    /// Polar angle about the axle from straight below, positive towards the front [rad].
+    pub angle_rad: f64,
+    /// Arc along the outline [m].
+    pub arc_m: f64,
+}
+
 /// The rim of a body, averaged over a window.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RimAverage {
@@ -192,8 +201,7 @@ fn line(bin: &RimBin, sums: &RimSums, duration: f64, whole: f64) -> RimLine {
 /// under a body that turns.
 #[must_use]
 pub fn slip_reversals(lines: &[RimLine]) -> Vec<SlipReversal> {
-    let most = lines.iter().map(|l| l.normal_stress).fold(0.0, f64::max);
-    let is_loaded = |l: &RimLine| most > 0.0 && l.normal_stress >= LOADED * most;
+    let is_loaded = loaded(lines);
     let largest = lines.iter().filter(|l| is_loaded(l)).map(|l| l.slip_along.abs()).fold(0.0, f64::max);
     let (mut reversals, mut last): (Vec<_>, Option<usize>) = (Vec::new(), None);
     for (n, line) in lines.iter().enumerate() {
@@ -202,7 +210,8 @@ pub fn slip_reversals(lines: &[RimLine]) -> Vec<SlipReversal> {
         } else if line.slip_along.abs() > STICKING * largest {
             if let Some(before) = last.filter(|before| lines[*before].slip_along * line.slip_along < 0.0) {
                 let [from, to] = [[before, before + 1], [n, n - 1]]
-                    .map(|[slips, next]| falls_to(STICKING * largest, &lines[slips], &lines[next]));
+                    .map(|ends| ends.map(|n| &lines[n]))
+                    .map(|[a, b]| falls_to(STICKING * largest, a.slip_along, b.slip_along, [a, b]));
                 reversals.push(SlipReversal {
                     from_rad: from[0],
                     to_rad: to[0],
@@ -216,11 +225,30 @@ pub fn slip_reversals(lines: &[RimLine]) -> Vec<SlipReversal> {
     reversals
 }
 
-/// Angle and arc at which the slip falls from that of a line to a smaller magnitude of the same direction, towards the next line.
-fn falls_to(size: f64, line: &RimLine, next: &RimLine) -> [f64; 2] {
-    let (slip, sign) = (line.slip_along.abs(), line.slip_along.signum());
-    let share = (slip - size) / (slip - sign * next.slip_along);
-    [line.angle + share * (next.angle - line.angle), line.arc + share * (next.arc - line.arc)]
+/// Where the shear stress along the outline changes its sign between two neighbouring bins that are both loaded; in soil that
+/// sticks to the body, too, where there is no slip to tell.
+#[must_use]
+pub fn shear_reversals(lines: &[RimLine]) -> Vec<RimPlace> {
+    let is_loaded = loaded(lines);
+    let reversal = |pair: &[RimLine]| {
+        let (a, b) = (&pair[0], &pair[1]);
+        let reverses = is_loaded(a) && is_loaded(b) && a.shear_along * b.shear_along < 0.0;
+        let [angle_rad, arc_m] = falls_to(0.0, a.shear_along, b.shear_along, [a, b]);
+        reverses.then_some(RimPlace { angle_rad, arc_m })
+    };
+    lines.windows(2).filter_map(reversal).collect()
+}
+
+/// Which lines bear more than a small part of the largest normal stress.
+fn loaded(lines: &[RimLine]) -> impl Fn(&RimLine) -> bool + use<> {
+    let most = lines.iter().map(|l| l.normal_stress).fold(0.0, f64::max);
+    move |line| most > 0.0 && line.normal_stress >= LOADED * most
+}
+
+/// Angle and arc at which a value falls from that of a line to a smaller magnitude with the same sign, towards the next line.
+fn falls_to(size: f64, value: f64, next: f64, [from, to]: [&RimLine; 2]) -> [f64; 2] {
+    let fraction = (value.abs() - size) / (value.abs() - value.signum() * next);
+    [from.angle + fraction * (to.angle - from.angle), from.arc + fraction * (to.arc - from.arc)]
 }
 
 #[cfg(test)]
@@ -272,6 +300,18 @@ mod tests {
             let begin = average.window[0];
             assert!(begin <= 0.7 * end && begin >= 0.7 * end - 1.0 - end / 128.0, "{samples}: {begin}");
         }
+    }
+
+    #[test]
+    fn shear_reverses_at_one_place() {
+        let line = |arc: f64, shear_along: f64| RimLine {
+            arc,
+            shear_along,
+            normal_stress: 1.0,
+            ..RimLine::default()
+        };
+        let places = shear_reversals(&[line(0.0, -3.0), line(1.0, -1.0), line(2.0, 3.0), line(3.0, 2.0)]);
+        assert_eq!(places, [RimPlace { angle_rad: 0.0, arc_m: 1.25 }]);
     }
 
     #[test]

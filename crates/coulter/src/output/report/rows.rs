@@ -2,6 +2,7 @@
 
 use super::summary::{BodySummary, RimSummary, Summary};
 use crate::history::reference::Reference;
+use crate::history::rim::{RimPlace, SlipReversal};
 use crate::output::folder::RunRecord;
 use crate::output::units::{Unit, digits};
 use crate::trust::{Check, Trust, Verdict};
@@ -73,16 +74,19 @@ impl BodyRows<'_> {
             [NONE.into(), mobilised],
             "on the rim, over its limit; steady mean",
         );
-        for reversal in &rim.slip_reversals {
-            let range = if self.reference.radius.is_some() {
-                let degrees = |angle: f64| digits(angle.to_degrees());
-                format!("{} … {}°", degrees(reversal.from_rad), degrees(reversal.to_rad))
-            } else {
-                let millimetres = |arc: f64| digits(1e3 * arc);
-                format!("{} … {} mm", millimetres(reversal.from_m), millimetres(reversal.to_m))
-            };
-            let note = "from straight below, front positive; in between the soil sticks";
-            self.push("Slip along the rim changes sign", "", [range, NONE.into()], note);
+        let place = |angle: f64, arc: f64| match self.reference.radius {
+            Some(_) => format!("{}°", digits(angle.to_degrees())),
+            None => format!("{} mm", digits(1e3 * arc)),
+        };
+        let slip =
+            |r: &SlipReversal| format!("{} … {}", place(r.from_rad, r.from_m), place(r.to_rad, r.to_m));
+        let shear = |r: &RimPlace| place(r.angle_rad, r.arc_m);
+        let slips = rim.slip_reversals.iter().map(|r| (slip(r), "slip", "; in between the soil sticks"));
+        let shears = rim.shear_reversals.iter().map(|r| (shear(r), "shear stress", ""));
+        let reversals: Vec<_> = slips.chain(shears).collect();
+        for (at, what, addition) in reversals {
+            let note = format!("{what} along the rim; from straight below, front positive{addition}");
+            self.push("Change of sign", "", [at, NONE.into()], &note);
         }
     }
 

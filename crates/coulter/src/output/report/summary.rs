@@ -1,7 +1,7 @@
 //! `summary.json`: the main results for scripts. The names are a contract.
 
 use crate::case::FORMAT;
-use crate::history::rim::{RimAverage, SlipReversal, slip_reversals};
+use crate::history::rim::{RimAverage, RimPlace, SlipReversal, shear_reversals, slip_reversals};
 use crate::history::steady::{Peak, Steady, peak, steady, window};
 use crate::history::{BodySample, EnergySample, History};
 use crate::output::fields::SurfaceFigures;
@@ -127,6 +127,8 @@ pub struct RimSummary {
     pub mobilised_friction: Option<f64>,
     /// Where the slip along the rim changes its sign.
     pub slip_reversals: Vec<SlipReversal>,
+    /// Where the shear stress along the rim changes its sign.
+    pub shear_reversals: Vec<RimPlace>,
 }
 
 impl From<&RimAverage> for RimSummary {
@@ -141,6 +143,7 @@ impl From<&RimAverage> for RimSummary {
             flank_vertical: finite(rim.vertical[1]),
             mobilised_friction: finite(rim.mobilised),
             slip_reversals: slip_reversals(&rim.lines),
+            shear_reversals: shear_reversals(&rim.lines),
         }
     }
 }
