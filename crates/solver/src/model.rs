@@ -96,7 +96,7 @@ impl BodyModel {
 /// A bin of a body's rim: what lies between two points of its outline.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct RimBin {
-    /// Its middle.
+    /// Its middle: the mean of its contact points.
     pub middle: RimPoint,
     /// Area of the modelled portion of its surface [m²]; 0 where no contact point represents it, as next to a sharp edge.
     pub area: f64,

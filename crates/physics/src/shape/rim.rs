@@ -69,25 +69,27 @@ impl Rim {
     /// The middles of the bins, in the order of their arcs.
     #[must_use]
     pub fn middles(&self) -> Vec<RimPoint> {
-        let point = |ends: &[f64]| {
-            let arc = 0.5 * (ends[0] + ends[1]);
-            let at = self.outline.at(arc);
-            RimPoint { angle: polar_angle(at), arc, x: at.x, z: at.y }
-        };
-        self.ends.windows(2).map(point).collect()
+        self.ends.windows(2).map(|ends| self.at(0.5 * (ends[0] + ends[1]))).collect()
     }
 
-    /// The bin of a point of the surface with this outward unit normal, in the body frame [m]; none on a flank, where the normal
-    /// is nearer to the axle than to the plane across it.
+    /// The point of the outline at an arc [m].
     #[must_use]
-    pub fn bin_of(&self, position: DVec3, normal: DVec3) -> Option<usize> {
+    pub fn at(&self, arc: f64) -> RimPoint {
+        let at = self.outline.at(arc);
+        RimPoint { angle: polar_angle(at), arc, x: at.x, z: at.y }
+    }
+
+    /// The bin of a point of the surface with this outward unit normal, in the body frame [m], and its arc [m]; none on a flank,
+    /// where the normal is nearer to the axle than to the plane across it.
+    #[must_use]
+    pub fn bin_of(&self, position: DVec3, normal: DVec3) -> Option<(usize, f64)> {
         let (flat, across) = (DVec2::new(normal.x, normal.z), normal.y.abs());
         if across > flat.length() {
             return None;
         }
         let arc = self.outline.arc_of(DVec2::new(position.x, position.z), flat);
         let last = self.ends.len() - 2;
-        Some(self.ends.partition_point(|end| *end <= arc).saturating_sub(1).min(last))
+        Some((self.ends.partition_point(|end| *end <= arc).saturating_sub(1).min(last), arc))
     }
 }
 
@@ -251,8 +253,9 @@ mod tests {
         let first = &middles[51];
         assert!((first.angle - PI / 102.0).abs() < 1e-12 && (first.arc - 0.1 * first.angle).abs() < 1e-12);
         assert!(first.x > 0.0 && first.z < 0.0);
-        assert_eq!(rim.bin_of(DVec3::new(0.05, 0.01, 0.0), DVec3::X), Some(76));
-        assert_eq!(rim.bin_of(DVec3::new(0.05, 0.025, 0.0), DVec3::Y), None);
+        let bin_of = |position, normal| rim.bin_of(position, normal).map(|(bin, _)| bin);
+        assert_eq!(bin_of(DVec3::new(0.05, 0.01, 0.0), DVec3::X), Some(76));
+        assert_eq!(bin_of(DVec3::new(0.05, 0.025, 0.0), DVec3::Y), None);
     }
 
     #[test]
@@ -273,7 +276,7 @@ mod tests {
         }
         // A point at the edge belongs to the side that its normal says.
         let corner = DVec3::new(0.2, 0.0, -0.1);
-        assert_eq!([-DVec3::Z, DVec3::X].map(|n| rim.bin_of(corner, n)), [Some(3), Some(4)]);
+        assert_eq!([-DVec3::Z, DVec3::X].map(|n| rim.bin_of(corner, n).unwrap().0), [3, 4]);
     }
 
     #[test]
@@ -292,7 +295,9 @@ mod tests {
             let points = shape.surface_points(0.004, DVec3::splat(0.002));
             let mut on_rim = 0;
             for p in &points {
-                let Some(bin) = rim.bin_of(p.position, p.normal) else { continue };
+                let Some((bin, arc)) = rim.bin_of(p.position, p.normal) else { continue };
+                let ends = [rim.ends[bin], rim.ends[bin + 1]].map(|end| end - arc);
+                assert!(ends[0] < 1e-9 && ends[1] > -1e-9, "{shape:?}, {p:?}");
                 on_rim += 1;
                 // Along the outline; towards the axle a point may lie deeper.
                 let along = DVec3::new(-p.normal.z, 0.0, p.normal.x).normalize();

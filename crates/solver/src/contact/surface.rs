@@ -63,6 +63,22 @@ pub(crate) fn layout(model: &Model, body: &BodyModel) -> (f64, DVec3) {
     (model.method.point_spacing * model.grid.finest(), inset)
 }
 
+/// The bins of a rim, without areas: the middle of each is that of its points, which need not lie evenly in it.
+fn bins(points: &[SurfacePoint], rim: &Rim) -> Vec<RimBin> {
+    let mut bins: Vec<_> = rim.middles().into_iter().map(|middle| (middle, [0.0; 2])).collect();
+    for point in points {
+        if let Some((bin, arc)) = rim.bin_of(point.position, point.normal) {
+            let sums = &mut bins[bin].1;
+            *sums = [sums[0] + point.area, sums[1] + point.area * arc];
+        }
+    }
+    let bin = |(middle, [area, moment]): (_, [f64; 2])| RimBin {
+        middle: if area > 0.0 { rim.at(moment / area) } else { middle },
+        area: 0.0,
+    };
+    bins.into_iter().map(bin).collect()
+}
+
 impl Surface {
     /// Surface points of a body, without those that always stay outside the grid, such as beyond a symmetry
     /// plane.
@@ -82,7 +98,7 @@ impl Surface {
     }
 
     fn of(points: &[SurfacePoint], rim: &Rim) -> Self {
-        let bins: Vec<_> = rim.middles().into_iter().map(|middle| RimBin { middle, area: 0.0 }).collect();
+        let bins = bins(points, rim);
         let (mut indices, mut kinds) = (BTreeMap::new(), Vec::new());
         let kept = points.iter().enumerate().map(|(n, p)| {
             let key = [p.normal.x, p.normal.y, p.normal.z, p.area].map(f64::to_bits);
@@ -91,7 +107,7 @@ impl Surface {
                 kinds.push((p.normal, p.area));
             }
             let is_paired = points.get(n + 1).is_some_and(|next| are_mirrored(p, next));
-            let bin = rim.bin_of(p.position, p.normal).unwrap_or(bins.len());
+            let bin = rim.bin_of(p.position, p.normal).map_or(bins.len(), |(bin, _)| bin);
             (p.position, index as u32 | if is_paired { PAIRED } else { 0 }, bin as u16)
         });
         let points = kept.collect();
