@@ -6,6 +6,7 @@ use crate::domain::PlacedDomain;
 use crate::history::History;
 use crate::history::probes::{self, LastSample};
 use crate::history::reference::Reference;
+use crate::history::rim::RimHistory;
 use crate::output::checkpoint::{Checkpoint, CheckpointView};
 use crate::trust::{Setting, Trust};
 use glam::DVec3;
@@ -140,7 +141,8 @@ impl<R: Precision> Simulation<R> {
         let threads = if case.numerics.threads == 0 { cores } else { case.numerics.threads };
         let workspace = Workspace::new(&model, &mut state, threads);
         let names: Vec<String> = case.bodies.iter().map(|b| b.name.clone()).collect();
-        let history = History { bodies: vec![Vec::new(); names.len()], names, ..History::default() };
+        let rims = workspace.rims().map(|bins| RimHistory::of(bins, model.modelled_fraction())).collect();
+        let history = History { bodies: vec![Vec::new(); names.len()], names, rims, ..History::default() };
         let last_sample = LastSample::of(&state);
         let mut simulation = Self {
             case: case.clone(),

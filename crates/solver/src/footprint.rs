@@ -37,7 +37,7 @@ const NODES_PER_CONSTRAINT: f64 = 2.5;
 pub fn footprint<R: Scalar>(model: &Model, threads: usize, moved: &[DVec3]) -> Footprint {
     let grid = &model.grid;
     let [fields, fields_of_soil] = self::fields::<R>(grid.entries, model.materials.len());
-    let per_surface_point = size_of::<(DVec3, u32)>() as f64;
+    let per_surface_point = size_of::<(DVec3, u32, u16)>() as f64;
     let per_constraint = per_constraint(size_of::<ContactNode>()) + kept_per_constraint(model);
     let [contact, layout] = contact(model, moved, [per_surface_point, per_constraint]);
     let workspace = workspace::footprint::<R>(grid, workspace::team_size(grid, threads));
@@ -92,11 +92,13 @@ fn body_cells(model: &Model) -> f64 {
     model.bodies.iter().map(cells).sum()
 }
 
-/// Memory of a contact point, before and after a search: the point, its nodes, its constraint, its friction.
+/// Memory of a contact point, before and after a search: the point, its nodes, its constraint, its impulses.
 fn per_contact() -> f64 {
     let one = size_of::<Contact>() as f64;
-    let lists =
-        size_of::<[u32; 8]>() + 2 * size_of::<Option<usize>>() + size_of::<DVec3>() + size_of::<[usize; 8]>();
+    let lists = size_of::<[u32; 8]>()
+        + 2 * size_of::<Option<usize>>()
+        + size_of::<[DVec3; 2]>()
+        + size_of::<[usize; 8]>();
     2.0 * one + lists as f64
 }
 

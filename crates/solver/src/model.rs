@@ -6,7 +6,7 @@ use crate::material::Material;
 use glam::{DQuat, DVec3};
 use mechanics::joint::Joint;
 use mechanics::{Inertia, Mechanism, Motion, Pose};
-use physics::shape::Shape;
+use physics::shape::{RimPoint, Shape};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -91,6 +91,15 @@ impl BodyModel {
             pose.rotation
         }
     }
+}
+
+/// A bin of a body's rim: what lies between two points of its outline.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct RimBin {
+    /// Its middle: the mean of its contact points.
+    pub middle: RimPoint,
+    /// Area of the modelled portion of its surface [m²]; 0 where no contact point represents it, as next to a sharp edge.
+    pub area: f64,
 }
 
 /// Which contact method.

@@ -21,6 +21,8 @@ pub struct Body {
     pub embedded_volume: f64,
     /// Pose at the last contact search.
     pub searched_at: Pose,
+    /// What the soil has done since the start to each bin of the rim, and last to the flanks; of the modelled portion.
+    pub rim: Vec<RimSums>,
 }
 
 /// Impulse and angular impulse of the soil on a body. Of cumulative impulses, the difference over an interval
@@ -33,6 +35,43 @@ pub struct ContactImpulse {
     pub friction: DVec3,
     /// Angular impulse about the reference point [N m s].
     pub moment: DVec3,
+}
+
+/// What the soil has done to a part of a body's surface since the start. Vectors along the surface have three components: along
+/// the outline, positive towards the front where it is below; along the axle; and along the axle away from the body's mid-plane.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct RimSums {
+    /// Area in contact times its duration [m² s].
+    pub contact: f64,
+    /// Normal impulse [N s].
+    pub normal: f64,
+    /// Magnitude of the frictional impulse, whatever its direction [N s].
+    pub friction: f64,
+    /// The largest frictional impulse that Coulomb's law and the adhesion would have admitted [N s].
+    pub friction_limit: f64,
+    /// Frictional impulse on the body along the surface [N s].
+    pub shear: [f64; 3],
+    /// Slip velocity of the body relative to the soil along the surface, times area and duration of the contact [m³].
+    pub slip: [f64; 3],
+    /// Impulse of the soil on the body [N s].
+    pub impulse: DVec3,
+}
+
+impl RimSums {
+    /// What has been added since `then`.
+    #[must_use]
+    pub fn since(&self, then: &Self) -> Self {
+        let less = |a: [f64; 3], b: [f64; 3]| std::array::from_fn(|n| a[n] - b[n]);
+        Self {
+            contact: self.contact - then.contact,
+            normal: self.normal - then.normal,
+            friction: self.friction - then.friction,
+            friction_limit: self.friction_limit - then.friction_limit,
+            shear: less(self.shear, then.shear),
+            slip: less(self.slip, then.slip),
+            impulse: self.impulse - then.impulse,
+        }
+    }
 }
 
 /// A contact point with soil to act on: its history, and its cell and weights until the next contact search.

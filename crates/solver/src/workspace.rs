@@ -5,7 +5,7 @@ use crate::contact::workspace::ContactWorkspace;
 use crate::cpu::stopwatch::Stopwatch;
 use crate::cpu::workspace::SoilWorkspace;
 use crate::halo::{Halo, Whole};
-use crate::model::Model;
+use crate::model::{Model, RimBin};
 use crate::precision::Precision;
 use crate::state::State;
 use mechanics::{Mechanism, Step};
@@ -54,6 +54,11 @@ impl<R: Precision> Workspace<R> {
             contact::first_search(model, state, soil, contact, halo.as_mut());
         }
         workspace
+    }
+
+    /// The bins of each body's rim, in the order of their arcs.
+    pub fn rims(&self) -> impl Iterator<Item = &[RimBin]> {
+        self.contact.surfaces.iter().map(contact::Surface::rim)
     }
 
     /// Number of threads.

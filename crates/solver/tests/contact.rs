@@ -11,7 +11,7 @@ use solver::energy::soil_mass;
 use solver::grid::Grid;
 use solver::initial::at_rest;
 use solver::model::{BodyModel, ContactMethod, Model};
-use solver::state::State;
+use solver::state::{RimSums, State};
 use solver::step::step;
 use solver::workspace::Workspace;
 
@@ -75,4 +75,37 @@ fn a_mirrored_case_gives_mirrored_results() {
         assert_eq!(left.1.soil.fraction[cell], right.1.soil.fraction[image], "cell {i} {j} {k}");
     }
     assert_eq!(left.1.twist(0).angular.y, right.1.twist(0).angular.y);
+}
+
+#[test]
+fn stresses_along_the_rim_add_up_to_the_force() {
+    for method in [ContactMethod::Impulse, ContactMethod::Penalty] {
+        let (model, mut state) = towed(method, 0.0, 400);
+        let workspace = Workspace::new(&model, &mut state, 1);
+        let bins = workspace.rims().next().unwrap();
+        let body = &state.bodies[0];
+        let (flanks, rim) = body.rim.split_last().unwrap();
+        assert_eq!(rim.len(), bins.len());
+        let force = body.contact_impulse.normal + body.contact_impulse.friction;
+        let of_rim: DVec3 = rim.iter().map(|sums| sums.impulse).sum();
+        let error = (of_rim + flanks.impulse - force).length() / force.length();
+        assert!(error < 1e-12, "{method:?}: rim and flanks miss {error:e} of the force");
+        // Normal stress and shear stress along the outline, with the directions of each bin.
+        let from_stress = rim.iter().zip(bins).map(|(sums, bin)| {
+            let (sin, cos) = bin.middle.angle.sin_cos();
+            DVec3::new(cos, 0.0, sin) * sums.shear[0] - DVec3::new(sin, 0.0, -cos) * sums.normal
+        });
+        let error = (from_stress.sum::<DVec3>() - of_rim.with_y(0.0)).length() / of_rim.length();
+        assert!(error < 0.01, "{method:?}: stresses miss {error} of the force on the rim");
+        let [normal, friction, limit] =
+            [|s: &RimSums| s.normal, |s: &RimSums| s.friction, |s: &RimSums| s.friction_limit]
+                .map(|of| rim.iter().map(of).sum::<f64>());
+        assert!((limit / (0.3 * normal) - 1.0).abs() < 1e-9 && friction <= limit * (1.0 + 1e-9));
+        // The disc is towed forwards: pressed in front and below, not behind.
+        let behind: f64 =
+            rim.iter().zip(bins).filter(|(_, b)| b.middle.angle < -0.6).map(|(s, _)| s.normal).sum();
+        assert!(behind < 0.02 * normal, "{method:?}: {behind} of {normal} N s acts behind");
+        let area: f64 = bins.iter().map(|bin| bin.area).sum();
+        assert!((area / (std::f64::consts::PI * 0.2 * 0.06) - 1.0).abs() < 1e-9, "{area}");
+    }
 }

@@ -2,6 +2,7 @@
 //! documentation follow.
 
 use super::reference::Reference;
+use super::rim::RimLine;
 use super::{BodySample, BoundarySample, EnergySample, SurfacePoint};
 
 /// A column of a history file.
@@ -76,6 +77,7 @@ pub fn header<S: Copy>(columns: &[Column<S>]) -> String {
 
 type BodyColumn = Column<BodySample>;
 type EnergyColumn = Column<EnergySample>;
+type RimColumn = Column<RimLine>;
 
 /// Columns of `forces.csv`.
 pub const FORCES: &[Column<BodySample>] = &[
@@ -203,4 +205,79 @@ pub const GROUND_LEFT: &[Column<SurfacePoint>] = &[
     Column::sampled("x", "m", "position along x", |s| &mut s.x),
     Column::sampled("y", "m", "position along y", |s| &mut s.y),
     Column::sampled("z", "m", "height of the surface of the soil", |s| &mut s.z),
+];
+
+/// Columns of `rim.csv`.
+pub const RIM: &[Column<RimLine>] = &[
+    RimColumn::sampled(
+        "angle",
+        "rad",
+        "polar angle about the axle: 0 straight below, positive towards the front",
+        |l| &mut l.angle,
+    ),
+    RimColumn::sampled(
+        "arc",
+        "m",
+        "distance along the outline from straight below, with the same sign",
+        |l| &mut l.arc,
+    ),
+    RimColumn::sampled(
+        "x",
+        "m",
+        "middle of the bin, the mean of its contact points, from the reference point",
+        |l| &mut l.x,
+    ),
+    RimColumn::sampled("z", "m", "the same", |l| &mut l.z),
+    RimColumn::sampled("area", "m^2", "area of the surface that it represents", |l| &mut l.area),
+    RimColumn::sampled("contact", "-", "fraction of area and time in contact", |l| &mut l.contact),
+    RimColumn::sampled("normal stress", "Pa", "σ, positive in compression", |l| &mut l.normal_stress),
+    RimColumn::sampled(
+        "shear stress along",
+        "Pa",
+        "τ of the soil on the body along the outline; below the body positive forwards",
+        |l| &mut l.shear_along,
+    ),
+    RimColumn::sampled("shear stress lateral", "Pa", "the same along the axle; 0 in a symmetric case", |l| {
+        &mut l.shear_lateral
+    }),
+    RimColumn::sampled(
+        "shear stress outward",
+        "Pa",
+        "the same along the axle, away from the mid-plane",
+        |l| &mut l.shear_outward,
+    ),
+    RimColumn::sampled(
+        "slip velocity along",
+        "m/s",
+        "velocity of the body's surface relative to the soil along the outline; empty without contact",
+        |l| &mut l.slip_along,
+    ),
+    RimColumn::sampled(
+        "slip velocity lateral",
+        "m/s",
+        "the same along the axle; 0 in a symmetric case",
+        |l| &mut l.slip_lateral,
+    ),
+    RimColumn::sampled(
+        "slip velocity outward",
+        "m/s",
+        "the same along the axle, away from the mid-plane",
+        |l| &mut l.slip_outward,
+    ),
+    RimColumn::sampled(
+        "mobilised friction",
+        "-",
+        "friction over its limit μσ (or the adhesion, where that is less), whatever its direction; empty without a limit",
+        |l| &mut l.mobilised,
+    ),
+    RimColumn::sampled(
+        "mobilised along",
+        "-",
+        "its mean along the outline over the limit: τ/(μσ), with its sign",
+        |l| &mut l.mobilised_along,
+    ),
+    RimColumn::sampled("drag", "N", "contribution of the bin to the drag F_H of the whole body", |l| {
+        &mut l.drag
+    }),
+    RimColumn::sampled("vertical", "N", "contribution to the vertical force F_V", |l| &mut l.vertical),
 ];

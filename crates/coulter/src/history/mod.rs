@@ -1,11 +1,14 @@
-//! The history of a run: samples of bodies, energy and boundaries, and the ground that it has left behind.
+//! The history of a run: samples of bodies, of stress and slip along their rims, of energy and boundaries, and the ground that it
+//! has left behind.
 
 pub mod blocks;
 pub mod columns;
 pub mod probes;
 pub mod reference;
+pub mod rim;
 pub mod steady;
 
+use rim::RimHistory;
 use serde::{Deserialize, Serialize};
 
 /// One line of a body's history. Forces are the soil's on the whole body, averaged over the interval that ends at
@@ -142,6 +145,8 @@ pub struct History {
     pub names: Vec<String>,
     /// Samples of each body, in the order of `names`.
     pub bodies: Vec<Vec<BodySample>>,
+    /// The rim of each body.
+    pub rims: Vec<RimHistory>,
     /// The energy balance.
     pub energy: Vec<EnergySample>,
     /// The faces of the box.

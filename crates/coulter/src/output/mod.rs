@@ -25,6 +25,6 @@ pub(crate) use meshes::make_meshes_folder;
 pub use meshes::mesh_folder;
 pub use progress::Progress;
 pub(crate) use report::mean_lines;
-pub use report::{BodySummary, EnergySummary, MeshSummary, SoilSummary, Summary, study_lines};
+pub use report::{BodySummary, EnergySummary, MeshSummary, RimSummary, SoilSummary, Summary, study_lines};
 pub use results::{Results, rebuild_report};
 pub(crate) use results::{add_mesh_study, clear_all, require_nothing};

@@ -8,12 +8,13 @@ use super::folder::{Log, Outcome, RunRecord, RunStatistics, clear, clear_meshes,
 use super::meshes::{as_read_back, attach};
 use super::pictures::write_pictures;
 use super::plots::Overlay;
-use super::report::{ReportText, Summary, write_report};
-use super::tables::{HistoryFiles, read_history, validate_history};
+use super::report::{ReportText, Summary, rims, write_report};
+use super::tables::{HistoryFiles, read_history, read_rims, validate_history, write_rims};
 use super::vtk::FieldSeries;
 use crate::case::{Case, FORMAT};
 use crate::domain::PlacedDomain;
 use crate::history::History;
+use crate::history::rim::RimLine;
 use solver::grid::Grid;
 use solver::precision::Precision;
 use solver::state::State;
@@ -145,7 +146,12 @@ impl Results {
         attach(&self.dir, &self.record, &mut summary)?;
         summary.write(&self.dir)?;
         write_pictures(&self.dir.join(PICTURES), case, grid, state, &map)?;
-        report(&self.dir, &self.record, &summary, history)?;
+        let rims: Vec<_> = rims(history, &self.record)
+            .into_iter()
+            .map(|rim| rim.map_or(Vec::new(), |rim| rim.lines))
+            .collect();
+        write_rims(&self.dir, &history.names, &rims)?;
+        report(&self.dir, &self.record, &summary, (history, &rims))?;
         // Last: until it says how the run ended, a resumed run repeats all this.
         self.record.write(&self.dir)?;
         Ok(summary)
@@ -204,16 +210,21 @@ pub fn rebuild_report(dir: &Path) -> Result<PathBuf, OutputError> {
         summary.fill(&history, &record);
         summary
     };
-    report(dir, &record, &summary, &history)?;
+    report(dir, &record, &summary, (&history, &read_rims(dir, &names)?))?;
     Ok(dir.join(REPORT))
 }
 
-fn report(dir: &Path, record: &RunRecord, summary: &Summary, history: &History) -> Result<(), OutputError> {
+fn report(
+    dir: &Path,
+    record: &RunRecord,
+    summary: &Summary,
+    (history, rims): (&History, &[Vec<RimLine>]),
+) -> Result<(), OutputError> {
     let optional = |name: &str| {
         let path = dir.join(name);
         if path.is_file() { read_text(&path).map(Some) } else { Ok(None) }
     };
     let text = ReportText { resolved: optional(RESOLVED)?, typed: optional(TYPED)? };
     make_folder(&dir.join(PLOTS))?;
-    write_report(dir, record, summary, history, &text)
+    write_report(dir, record, summary, (history, rims), &text)
 }

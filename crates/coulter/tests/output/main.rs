@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod columns;
+mod rim;
 mod synthetic;
 mod travel;
 mod vtk;

@@ -10,6 +10,7 @@ mod facets;
 mod mass;
 mod mesh;
 mod point;
+mod rim;
 mod rotated;
 mod sampler;
 mod sphere;
@@ -20,6 +21,7 @@ pub use disc::Disc;
 pub use mass::MassProperties;
 pub use mesh::Mesh;
 pub use point::SurfacePoint;
+pub use rim::{Rim, RimPoint};
 pub use rotated::Rotated;
 pub use sphere::Sphere;
 

@@ -24,8 +24,8 @@ pub(crate) struct ContactProblem<'a> {
     /// For each constraint the cut-cell hourglass correction: forces at its cell's nodes per unit normal
     /// force.
     pub(crate) hourglass_correction: &'a [[DVec3; 8]],
-    /// Frictional impulse on the soil at each contact point in this step [N s].
-    pub(crate) friction: &'a mut [DVec3],
+    /// Normal and frictional impulse on the soil at each contact point in this step [N s].
+    pub(crate) impulses: &'a mut [[DVec3; 2]],
     /// Fraction of each body that is modelled.
     pub(crate) modelled_fraction: f64,
     /// Time step [s].
@@ -165,15 +165,15 @@ impl ContactProblem<'_> {
         self.moving.apply_wrench(first.0.body, &both);
     }
 
-    /// Adds the reaction to the impulses on the soil at a contact point [N s] to the contact impulse of its
-    /// body.
+    /// Records the impulses on the soil at a contact point in this step [N s], and adds the reaction to the contact impulse of
+    /// its body.
     pub(crate) fn record(&mut self, contact: usize, normal: DVec3, friction: DVec3) {
         let c = &self.contacts[contact];
         let total = &mut self.bodies[c.body as usize].contact_impulse;
         total.normal -= normal / self.modelled_fraction;
         total.friction -= friction / self.modelled_fraction;
         total.moment -= c.arm.cross(normal + friction) / self.modelled_fraction;
-        self.friction[contact] += friction;
+        self.impulses[contact] = [normal, friction];
     }
 }
 

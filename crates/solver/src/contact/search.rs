@@ -3,6 +3,7 @@
 use super::body_fraction::{find_bodies, measure_bodies};
 use super::law::ContactLaw;
 use super::problem::{corners, largest_axis, over_corners};
+use super::slip::clear_rims;
 use super::workspace::ContactWorkspace;
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::workspace::SoilWorkspace;
@@ -12,7 +13,7 @@ use crate::scalar::Scalar;
 use crate::state::{Contact, Soil, State};
 use glam::DVec3;
 
-/// The first contact search of a run, which also computes the body volume fractions.
+/// The first contact search of a run, which also computes the body volume fractions and begins the sums over the rims.
 pub(crate) fn first_search<R: Scalar>(
     model: &Model,
     state: &mut State<R>,
@@ -20,6 +21,7 @@ pub(crate) fn first_search<R: Scalar>(
     workspace: &mut ContactWorkspace,
     halo: &mut dyn Halo,
 ) {
+    clear_rims(state, workspace);
     find_bodies(model, state, &mut soil.velocity_before[0], &mut workspace.body_cells);
     search(model, state, soil, workspace, halo);
 }

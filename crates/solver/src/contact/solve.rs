@@ -1,6 +1,7 @@
 //! Contact in one step: the contact law changes the velocities of nodes and bodies.
 
 use super::problem::{ContactNode, ContactProblem};
+use super::slip::account_slip;
 use super::workspace::ContactWorkspace;
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::workspace::SoilWorkspace;
@@ -31,12 +32,12 @@ pub(crate) fn solve<R: Scalar>(
     if state.bodies.is_empty() {
         return ContactWork::default();
     }
-    let ContactWorkspace { law, nodes, corner_nodes, constraint, hourglass_correction, friction, .. } =
-        workspace;
+    let ContactWorkspace { law, nodes, corner_nodes, constraint, hourglass_correction, impulses, .. } =
+        &mut *workspace;
     gather(&state.nodes, &soil.velocity_before, nodes, halo);
     find_inverse_masses(model, nodes);
-    friction.clear();
-    friction.resize(state.contacts.len(), DVec3::ZERO);
+    impulses.clear();
+    impulses.resize(state.contacts.len(), [DVec3::ZERO; 2]);
     law.act(&mut ContactProblem {
         model,
         contacts: &mut state.contacts,
@@ -46,12 +47,12 @@ pub(crate) fn solve<R: Scalar>(
         corner_nodes,
         constraint,
         hourglass_correction,
-        friction,
+        impulses,
         modelled_fraction: model.modelled_fraction(),
         dt: model.time_step(),
     });
     let on_soil = scatter(&mut state.nodes, nodes);
-    let friction_work = friction_work(state, nodes, corner_nodes, friction, moving);
+    let friction_work = account_slip(model, state, workspace, moving);
     soil.stopwatch().lap(Stage::Contact);
     ContactWork { on_soil, friction_work }
 }
@@ -105,29 +106,4 @@ fn scatter<R: Scalar>(grid: &mut Nodes<R>, nodes: &[ContactNode]) -> f64 {
             * (node.velocity - node.velocity_free).dot(0.5 * (node.velocity + node.velocity_before));
     }
     work
-}
-
-/// Frictional dissipation [J]: frictional impulses times the mean of the slip velocities before and after the
-/// step, as for every other work.
-fn friction_work<R>(
-    state: &State<R>,
-    nodes: &[ContactNode],
-    corner_nodes: &[[u32; 8]],
-    friction: &[DVec3],
-    moving: &Step,
-) -> f64 {
-    let mut sum = 0.0;
-    for ((c, corners), impulse) in state.contacts.iter().zip(corner_nodes).zip(friction) {
-        if *impulse != DVec3::ZERO {
-            let body = c.body as usize;
-            let of_body = 0.5 * (moving.velocity_at(body, c.arm) + moving.twist_before(body).at(c.arm));
-            let each = corners.iter().zip(c.weight);
-            let of_soil = each.fold(DVec3::ZERO, |v, (n, w)| {
-                let node = &nodes[*n as usize];
-                v + 0.5 * w * (node.velocity + node.velocity_before)
-            });
-            sum += impulse.dot(of_body - of_soil);
-        }
-    }
-    sum
 }

@@ -1,20 +1,26 @@
 //! Contact points of a body's surface, stored compactly, since most of them never touch soil.
 
-use crate::model::{BodyModel, Model};
+use crate::model::{BodyModel, Model, RimBin};
 use glam::{DMat3, DVec3};
 use mechanics::Motion;
-use physics::shape::{SurfacePoint, inset_in_frame};
+use physics::shape::{Rim, SurfacePoint, inset_in_frame};
 use std::collections::BTreeMap;
 
 /// Surface points of a body. Normals and areas that several points have in common are stored once.
 #[derive(Debug)]
 pub(crate) struct Surface {
-    /// Position in the body frame [m], and index into `kinds`, with the highest bit set where the next point is the mirror image
-    /// in the body's mid-plane y = 0.
-    points: Vec<(DVec3, u32)>,
+    /// Position in the body frame [m]; index into `kinds`, with the highest bit set where the next point is the mirror image
+    /// in the body's mid-plane y = 0; and bin of the rim, or as many as there are bins on a flank.
+    points: Vec<(DVec3, u32, u16)>,
     /// Normals and areas [m²].
     kinds: Vec<(DVec3, f64)>,
+    /// The bins of the rim.
+    rim: Vec<RimBin>,
 }
+
+/// Width of the bins of the rim, in cell widths (chosen: below a cell nothing is resolved, but a body that moves through the
+/// cells averages over them).
+const RIM_BIN: f64 = 0.5;
 
 /// Marks a point whose mirror image is the next.
 const PAIRED: u32 = 1 << 31;
@@ -57,6 +63,22 @@ pub(crate) fn layout(model: &Model, body: &BodyModel) -> (f64, DVec3) {
     (model.method.point_spacing * model.grid.finest(), inset)
 }
 
+/// The bins of a rim, without areas: the middle of each is that of its points, which need not lie evenly in it.
+fn bins(points: &[SurfacePoint], rim: &Rim) -> Vec<RimBin> {
+    let mut bins: Vec<_> = rim.middles().into_iter().map(|middle| (middle, [0.0; 2])).collect();
+    for point in points {
+        if let Some((bin, arc)) = rim.bin_of(point.position, point.normal) {
+            let sums = &mut bins[bin].1;
+            *sums = [sums[0] + point.area, sums[1] + point.area * arc];
+        }
+    }
+    let bin = |(middle, [area, moment]): (_, [f64; 2])| RimBin {
+        middle: if area > 0.0 { rim.at(moment / area) } else { middle },
+        area: 0.0,
+    };
+    bins.into_iter().map(bin).collect()
+}
+
 impl Surface {
     /// Surface points of a body, without those that always stay outside the grid, such as beyond a symmetry
     /// plane.
@@ -69,10 +91,14 @@ impl Surface {
             let across = |p: &SurfacePoint| body.start.position.y + body.rotated(&body.start, p.position).y;
             points.retain(|p| (low..=high).contains(&across(p)));
         }
-        Self::of(&points)
+        let rim = Rim::of(body.shape.as_ref(), RIM_BIN * model.grid.finest());
+        let mut surface = Self::of(&points, &rim);
+        surface.measure_rim(model, body);
+        surface
     }
 
-    fn of(points: &[SurfacePoint]) -> Self {
+    fn of(points: &[SurfacePoint], rim: &Rim) -> Self {
+        let bins = bins(points, rim);
         let (mut indices, mut kinds) = (BTreeMap::new(), Vec::new());
         let kept = points.iter().enumerate().map(|(n, p)| {
             let key = [p.normal.x, p.normal.y, p.normal.z, p.area].map(f64::to_bits);
@@ -81,16 +107,44 @@ impl Surface {
                 kinds.push((p.normal, p.area));
             }
             let is_paired = points.get(n + 1).is_some_and(|next| are_mirrored(p, next));
-            (p.position, index as u32 | if is_paired { PAIRED } else { 0 })
+            let bin = rim.bin_of(p.position, p.normal).map_or(bins.len(), |(bin, _)| bin);
+            (p.position, index as u32 | if is_paired { PAIRED } else { 0 }, bin as u16)
         });
         let points = kept.collect();
         kinds.shrink_to_fit();
-        Self { points, kinds }
+        Self { points, kinds, rim: bins }
+    }
+
+    /// Finds the areas of the bins: those of the points that do not always stay outside the grid.
+    fn measure_rim(&mut self, model: &Model, body: &BodyModel) {
+        let held: Vec<usize> = (0..2).filter(|axis| stays_across(body, *axis)).collect();
+        let is_modelled = |position: DVec3| {
+            let at = body.start.position + body.rotated(&body.start, position);
+            held.iter().all(|axis| {
+                let [low, high] = model.grid.ends(*axis);
+                (low..=high).contains(&at[*axis])
+            })
+        };
+        for (position, kind, bin) in &self.points {
+            if let Some(bin) = self.rim.get_mut(usize::from(*bin)).filter(|_| is_modelled(*position)) {
+                bin.area += self.kinds[(kind & !PAIRED) as usize].1;
+            }
+        }
+    }
+
+    /// The bins of the rim, in the order of their arcs.
+    pub(crate) fn rim(&self) -> &[RimBin] {
+        &self.rim
+    }
+
+    /// Bin of a point, from its number; as many as there are bins on a flank.
+    pub(crate) fn bin_of(&self, point: u32) -> usize {
+        self.points[point as usize].2.into()
     }
 
     /// The points, in the order of their numbers.
     pub(crate) fn points(&self) -> impl Iterator<Item = ContactPoint> + '_ {
-        self.points.iter().map(|(position, kind)| {
+        self.points.iter().map(|(position, kind, _)| {
             let (normal, area) = self.kinds[(kind & !PAIRED) as usize];
             let side = if position.y == 0.0 { 2 } else { u8::from(position.y < 0.0) };
             ContactPoint { position: *position, normal, area, side, is_paired: kind & PAIRED != 0 }
@@ -99,7 +153,9 @@ impl Surface {
 
     /// Memory in use [bytes].
     pub(crate) fn memory(&self) -> usize {
-        size_of_val(self.points.as_slice()) + size_of_val(self.kinds.as_slice())
+        size_of_val(self.points.as_slice())
+            + size_of_val(self.kinds.as_slice())
+            + size_of_val(self.rim.as_slice())
     }
 }
 
@@ -110,8 +166,9 @@ mod tests {
 
     #[test]
     fn a_surface_returns_the_points_it_was_made_from() {
-        let points = Disc { diameter: 0.2, thickness: 0.05 }.surface_points(0.004, DVec3::splat(0.002));
-        let surface = Surface::of(&points);
+        let disc = Disc { diameter: 0.2, thickness: 0.05 };
+        let points = disc.surface_points(0.004, DVec3::splat(0.002));
+        let surface = Surface::of(&points, &Rim::of(&disc, 0.008));
         let same = |a: &ContactPoint, b: &SurfacePoint| {
             (a.position, a.normal, a.area) == (b.position, b.normal, b.area)
         };

@@ -29,8 +29,8 @@ pub(crate) struct ContactWorkspace {
     pub(crate) constraint: Vec<usize>,
     /// For each constraint the cut-cell hourglass correction at its cell's nodes, per unit normal force.
     pub(crate) hourglass_correction: Vec<[DVec3; 8]>,
-    /// Frictional impulse on the soil at each contact point in the last step [N s].
-    pub(crate) friction: Vec<DVec3>,
+    /// Normal and frictional impulse on the soil at each contact point in the last step [N s].
+    pub(crate) impulses: Vec<[DVec3; 2]>,
 }
 
 impl std::fmt::Debug for ContactWorkspace {
@@ -50,7 +50,7 @@ impl ContactWorkspace {
             corner_nodes: Vec::new(),
             constraint: Vec::new(),
             hourglass_correction: Vec::new(),
-            friction: Vec::new(),
+            impulses: Vec::new(),
         };
         workspace.connect(model, state, halo);
         workspace
@@ -71,7 +71,7 @@ impl ContactWorkspace {
             + size_of_val(self.corner_nodes.as_slice())
             + size_of_val(self.constraint.as_slice())
             + size_of_val(self.hourglass_correction.as_slice())
-            + size_of_val(self.friction.as_slice())
+            + size_of_val(self.impulses.as_slice())
     }
 }
 

@@ -8,6 +8,7 @@ mod boundary;
 mod energy;
 mod ground_left;
 mod last_sample;
+mod rim;
 
 use super::History;
 use crate::case::Case;
@@ -28,6 +29,9 @@ pub fn sample<R: Precision>(
 ) {
     for (n, samples) in history.bodies.iter_mut().enumerate() {
         samples.push(body::sample(model, state, n, last));
+    }
+    for (n, rim) in history.rims.iter_mut().enumerate() {
+        rim.push(state.time, rim::sums(model, &state.bodies[n]));
     }
     history.energy.push(energy::sample(model, state));
     history.boundaries.push(boundary::sample(case, model, state));

@@ -10,6 +10,7 @@ mod energy_plot;
 mod mesh_plot;
 mod overlay;
 mod plot;
+mod rim_plot;
 mod scale;
 
 pub use chart::Chart;
@@ -19,4 +20,5 @@ pub use energy_plot::{closure_plot, energy_plot};
 pub(crate) use mesh_plot::MeshPlot;
 pub use overlay::{Overlay, PlotKind};
 pub use plot::{BodyHistory, Plot};
+pub use rim_plot::rim_plots;
 pub(crate) use scale::{tick_label, ticks};

@@ -12,4 +12,5 @@ mod summary;
 pub(crate) use meshes::mean_lines;
 pub use meshes::study_lines;
 pub(crate) use page::{ReportText, write_report};
-pub use summary::{BodySummary, EnergySummary, MeshSummary, SoilSummary, Summary};
+pub(crate) use summary::rims;
+pub use summary::{BodySummary, EnergySummary, MeshSummary, RimSummary, SoilSummary, Summary};

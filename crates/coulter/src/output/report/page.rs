@@ -8,10 +8,11 @@ use super::rows::{
 use super::summary::{BodySummary, Summary};
 use crate::history::History;
 use crate::history::reference::Reference;
+use crate::history::rim::RimLine;
 use crate::output::files::{Named, OutputError, file_safe, read_text, write_whole};
 use crate::output::folder::{Outcome, RunRecord};
 use crate::output::pictures::PICTURES;
-use crate::output::plots::{BodyHistory, Plot, closure_plot, energy_plot};
+use crate::output::plots::{BodyHistory, Plot, closure_plot, energy_plot, rim_plots};
 use crate::trust::Verdict;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -78,20 +79,21 @@ struct Page<'a> {
     typed: Option<String>,
 }
 
-/// Writes the page, and its plots as separate files.
+/// Writes the page, and its plots as separate files; `rims` are the rims of the bodies, averaged over their steady windows.
 pub(crate) fn write_report(
     dir: &Path,
     record: &RunRecord,
     summary: &Summary,
-    history: &History,
+    (history, rims): (&History, &[Vec<RimLine>]),
     text: &ReportText,
 ) -> Result<(), OutputError> {
     let empty = BodySummary::default();
     let mut bodies = Vec::new();
-    for (reference, samples) in record.bodies.iter().zip(&history.bodies) {
+    for (n, (reference, samples)) in record.bodies.iter().zip(&history.bodies).enumerate() {
         let body = summary.bodies.get(&reference.name).unwrap_or(&empty);
         let view = BodyHistory { reference, samples, steady: &body.steady, overlays: &record.overlays };
-        let plots = view.plots();
+        let mut plots = view.plots();
+        plots.extend(rim_plots(reference, rims.get(n).map_or(&[], Vec::as_slice)));
         write_plots(dir, &plots)?;
         bodies.push(body_section(record, reference, body, plots));
     }

@@ -1,7 +1,8 @@
 //! The tables of a report.
 
-use super::summary::{BodySummary, Summary};
+use super::summary::{BodySummary, RimSummary, Summary};
 use crate::history::reference::Reference;
+use crate::history::rim::{RimPlace, SlipReversal};
 use crate::output::folder::RunRecord;
 use crate::output::units::{Unit, digits};
 use crate::trust::{Check, Trust, Verdict};
@@ -74,6 +75,33 @@ impl BodyRows<'_> {
         }
     }
 
+    /// What the rim bears, and where its slip changes sign: by angle of a body that can roll, otherwise by arc.
+    fn push_rim(&mut self, rim: &RimSummary) {
+        self.push("Drag on the rim", "", self.force(rim.drag), "steady mean; the rest is on the flanks");
+        self.push("Vertical force on the rim", "", self.force(rim.vertical), "steady mean");
+        let mobilised = bare(rim.mobilised_friction);
+        self.push(
+            "Mobilised friction",
+            "",
+            [NONE.into(), mobilised],
+            "on the rim, over its limit; steady mean",
+        );
+        let place = |angle: f64, arc: f64| match self.reference.radius {
+            Some(_) => format!("{}°", digits(angle.to_degrees())),
+            None => format!("{} mm", digits(1e3 * arc)),
+        };
+        let slip =
+            |r: &SlipReversal| format!("{} … {}", place(r.from_rad, r.from_m), place(r.to_rad, r.to_m));
+        let shear = |r: &RimPlace| place(r.angle_rad, r.arc_m);
+        let slips = rim.slip_reversals.iter().map(|r| (slip(r), "slip", "; in between the soil sticks"));
+        let shears = rim.shear_reversals.iter().map(|r| (shear(r), "shear stress", ""));
+        let reversals: Vec<_> = slips.chain(shears).collect();
+        for (at, what, addition) in reversals {
+            let note = format!("{what} along the rim; from straight below, front positive{addition}");
+            self.push("Change of sign", "", [at, NONE.into()], &note);
+        }
+    }
+
     fn force(&self, force: Option<f64>) -> [String; 2] {
         [value(force, Unit::force), bare(force.and_then(|f| self.reference.force_group(f)))]
     }
@@ -106,6 +134,7 @@ pub(super) fn body_rows(reference: &Reference, body: &BodySummary) -> Vec<TableR
         let note = "steady mean; forward positive; group M / (γ t d³)";
         table.push("Axle torque", "M", table.torque(steady.axle_torque), note);
     }
+    table.push_rim(&body.rim);
     let noise = steady.drag_noise.map_or(NONE.to_owned(), |n| format!("{} %", digits(100.0 * n)));
     table.push(
         "Drag noise",

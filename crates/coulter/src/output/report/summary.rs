@@ -1,8 +1,9 @@
 //! `summary.json`: the main results for scripts. The names are a contract.
 
 use crate::case::FORMAT;
+use crate::history::rim::{RimAverage, RimPlace, SlipReversal, shear_reversals, slip_reversals};
 use crate::history::steady::{Peak, Steady, peak, steady, window};
-use crate::history::{EnergySample, History};
+use crate::history::{BodySample, EnergySample, History};
 use crate::mesh_study::{Figures, MeshStudy};
 use crate::output::fields::SurfaceFigures;
 use crate::output::files::{OutputError, SUMMARY, read_json, write_json};
@@ -98,8 +99,70 @@ pub struct BodySummary {
     pub steady: Steady,
     /// Largest values.
     pub peak: Peak,
+    /// Its rim, averaged over the steady window.
+    pub rim: RimSummary,
     /// How well the grid resolves it.
     pub mesh: MeshSummary,
+}
+
+/// Results on the rim of a body and on its flanks, averaged over the steady window; `null` in JSON where there is nothing to
+/// average.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct RimSummary {
+    /// Time at which the average begins [s].
+    pub from_s: Option<f64>,
+    /// Time at which it ends [s].
+    pub to_s: Option<f64>,
+    /// Drag on the rim [N].
+    #[serde(rename = "drag_N")]
+    pub drag: Option<f64>,
+    /// Vertical force on the rim [N].
+    #[serde(rename = "vertical_N")]
+    pub vertical: Option<f64>,
+    /// Drag on the flanks [N].
+    #[serde(rename = "flank_drag_N")]
+    pub flank_drag: Option<f64>,
+    /// Vertical force on the flanks [N].
+    #[serde(rename = "flank_vertical_N")]
+    pub flank_vertical: Option<f64>,
+    /// Friction on the rim over its limit, whatever its direction; `null` on a rough body.
+    pub mobilised_friction: Option<f64>,
+    /// Where the slip along the rim changes its sign.
+    pub slip_reversals: Vec<SlipReversal>,
+    /// Where the shear stress along the rim changes its sign.
+    pub shear_reversals: Vec<RimPlace>,
+}
+
+impl From<&RimAverage> for RimSummary {
+    fn from(rim: &RimAverage) -> Self {
+        let finite = |value: f64| value.is_finite().then_some(value);
+        Self {
+            from_s: finite(rim.window[0]),
+            to_s: finite(rim.window[1]),
+            drag: finite(rim.drag[0]),
+            vertical: finite(rim.vertical[0]),
+            flank_drag: finite(rim.drag[1]),
+            flank_vertical: finite(rim.vertical[1]),
+            mobilised_friction: finite(rim.mobilised),
+            slip_reversals: slip_reversals(&rim.lines),
+            shear_reversals: shear_reversals(&rim.lines),
+        }
+    }
+}
+
+/// The rims of the bodies, each averaged over the steady window of its body; none where there is nothing to average.
+#[must_use]
+pub(crate) fn rims(history: &History, record: &RunRecord) -> Vec<Option<RimAverage>> {
+    let bodies = history.bodies.iter().zip(&record.bodies).enumerate();
+    let average = |(n, (samples, reference)): (usize, (&Vec<BodySample>, _))| {
+        let range = window(samples, reference, record.steady_fraction);
+        // A sample is an average since the one before it.
+        let from = samples.get(range.start.saturating_sub(1))?.time;
+        let to = samples.get(range.end.checked_sub(1)?)?.time;
+        history.rims.get(n)?.average([from, to])
+    };
+    bodies.map(average).collect()
 }
 
 /// How well the grid resolves a body's contact with the ground; `null` in JSON where it does not matter.
@@ -148,19 +211,22 @@ impl Summary {
     /// Fills in what follows from the histories: bodies, energy balance, leakage, grade.
     pub fn fill(&mut self, history: &History, record: &RunRecord) {
         self.trust = record.trust(history);
+        let rims = rims(history, record);
         self.bodies = history
             .bodies
             .iter()
+            .zip(&rims)
             .zip(&record.bodies)
             .zip(&record.setting.bodies)
-            .map(|((samples, reference), setting)| {
+            .map(|(((samples, rim), reference), setting)| {
                 let range = window(samples, reference, record.steady_fraction);
                 let mut steady = steady(samples, reference, range);
                 steady.is_steady = self.trust.is_steady(&reference.name);
                 let Mesh { cells_over_sinkage, cells_over_chord } =
                     Mesh::of(setting, reference, samples, &steady);
                 let mesh = MeshSummary { cells_over_sinkage, cells_over_chord };
-                (reference.name.clone(), BodySummary { steady, peak: peak(samples), mesh })
+                let rim = rim.as_ref().map(RimSummary::from).unwrap_or_default();
+                (reference.name.clone(), BodySummary { steady, peak: peak(samples), rim, mesh })
             })
             .collect();
         let last = history.energy.last();

@@ -1,14 +1,15 @@
 //! `forces.csv`, `energy.csv`, `boundaries.csv` and, of a grid that travels, `ground_left.csv`: the histories as tables with
-//! units in the header.
+//! units in the header; and `rim.csv`, written at the end of a run.
 //!
 //! The files are kept open during the run and flushed after every block, so that a killed run leaves whole lines; a
 //! resumed run rewrites them from the history of the checkpoint.
 
 use super::table::{Table, push_line};
 use crate::history::History;
-use crate::history::columns::{self, Column, FORCES, GROUND_LEFT, Source, header};
+use crate::history::columns::{self, Column, FORCES, GROUND_LEFT, RIM, Source, header};
 use crate::history::reference::Reference;
-use crate::output::files::{Named, OutputError, file_safe};
+use crate::history::rim::RimLine;
+use crate::output::files::{Named, OutputError, file_safe, write_whole};
 use std::fs::File;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -23,9 +24,48 @@ pub(crate) const GROUND_LEFT_FILE: &str = "ground_left.csv";
 /// Name of the file that holds a body's history: `forces.csv`, or `forces_NAME.csv` when there are several bodies.
 #[must_use]
 pub fn forces_name(names: &[String], body: usize) -> String {
+    name_of("forces", names, body)
+}
+
+/// Name of the file about the rim of a body: `rim.csv`, or `rim_NAME.csv` when there are several bodies.
+#[must_use]
+pub fn rim_name(names: &[String], body: usize) -> String {
+    name_of("rim", names, body)
+}
+
+fn name_of(kind: &str, names: &[String], body: usize) -> String {
     match names.get(body) {
-        Some(name) if names.len() > 1 => format!("forces_{}.csv", file_safe(name)),
-        _ => "forces.csv".to_owned(),
+        Some(name) if names.len() > 1 => format!("{kind}_{}.csv", file_safe(name)),
+        _ => format!("{kind}.csv"),
+    }
+}
+
+/// Writes the rims of the bodies, averaged.
+///
+/// # Errors
+/// When a file cannot be written.
+pub(crate) fn write_rims(dir: &Path, names: &[String], rims: &[Vec<RimLine>]) -> Result<(), OutputError> {
+    for (body, lines) in rims.iter().enumerate() {
+        let mut text = format!("{}\n", header(RIM));
+        push_lines(&mut text, lines, RIM, &Reference::default());
+        write_whole(&dir.join(rim_name(names, body)), text.as_bytes())?;
+    }
+    Ok(())
+}
+
+/// Reads the rims of the bodies back; nothing of one whose file does not exist, as of a run that was killed.
+///
+/// # Errors
+/// When a file is broken.
+pub(crate) fn read_rims(dir: &Path, names: &[String]) -> Result<Vec<Vec<RimLine>>, OutputError> {
+    let paths = (0..names.len()).map(|body| dir.join(rim_name(names, body)));
+    paths.map(|path| if path.is_file() { read(&path, RIM, true) } else { Ok(Vec::new()) }).collect()
+}
+
+fn push_lines<S: Copy>(text: &mut String, samples: &[S], columns: &[Column<S>], reference: &Reference) {
+    for sample in samples {
+        let values: Vec<f64> = columns.iter().map(|column| column.value(sample, reference)).collect();
+        push_line(text, &values);
     }
 }
 
@@ -99,10 +139,7 @@ impl HistoryFile {
         reference: &Reference,
     ) -> Result<(), OutputError> {
         let mut block = String::new();
-        for sample in samples.iter().skip(self.written) {
-            let values: Vec<f64> = columns.iter().map(|column| column.value(sample, reference)).collect();
-            push_line(&mut block, &values);
-        }
+        push_lines(&mut block, samples.get(self.written..).unwrap_or_default(), columns, reference);
         // One write for the whole block, so that a kill leaves whole lines.
         self.file.write_all(block.as_bytes()).named("write", &self.path)?;
         self.file.flush().named("write", &self.path)?;
@@ -143,6 +180,7 @@ pub fn read_history(dir: &Path, names: &[String], is_whole: bool) -> Result<Hist
     let mut history = History {
         names: names.to_vec(),
         bodies,
+        rims: Vec::new(),
         energy: read(&dir.join(ENERGY_FILE), columns::ENERGY, is_whole)?,
         boundaries: read(&dir.join(BOUNDARIES_FILE), columns::BOUNDARIES, is_whole)?,
         ground_left: if left.is_file() { read(&left, GROUND_LEFT, is_whole)? } else { Vec::new() },

@@ -1,0 +1,150 @@
+//! Stress and slip along the rim, in the results of short runs.
+
+use coulter::case::{self, Case};
+use coulter::output::folder::{Outcome, RunStatistics};
+use coulter::output::tables::Table;
+use coulter::output::{Results, Summary, rebuild_report};
+use coulter::simulation::Simulation;
+use std::fs;
+use std::path::Path;
+
+/// The towed disc in a short box of equal cells, on its way through the soil at a fixed depth.
+fn tow(changes: &[&str]) -> Case {
+    tow_text(include_str!("../../../../cases/towed_disc.toml"), changes)
+}
+
+fn tow_text(text: &str, changes: &[&str]) -> Case {
+    let overrides = [
+        "grid.cell=25 mm",
+        "grid.growth=1",
+        "domain.x=[\"-0.2 m\", \"0.3 m\"]",
+        "domain.y=[\"0 m\", \"0.15 m\"]",
+        "domain.z=[\"-0.15 m\", \"0.075 m\"]",
+        "grid.fine_x=[\"-0.2 m\", \"0.3 m\"]",
+        "grid.fine_z=[\"-0.15 m\", \"0.075 m\"]",
+        "body.disc.forward={ speed = \"0.5 m/s\", ramp = \"0.02 s\" }",
+        "body.disc.heave=\"fixed\"",
+        "body.disc.sinkage=30 mm",
+        "run.tow_distance=\"0.1 m\"",
+        "output.history_interval=\"1 ms\"",
+    ];
+    let all = overrides.iter().chain(changes).map(|change| (*change).to_owned()).collect::<Vec<_>>();
+    case::parse(text, "case.toml", &all).unwrap()
+}
+
+/// The summary of a run of a case, with its results in a folder.
+fn run(case: &Case, dir: &Path) -> Summary {
+    let mut simulation = Simulation::<f64>::checked(case).unwrap();
+    while !simulation.is_done() {
+        simulation.advance().unwrap();
+    }
+    let Simulation { case, model, state, history, .. } = &simulation;
+    let mut results = Results::create(dir, case, false).unwrap();
+    let statistics = RunStatistics { outcome: Outcome::Finished, ..RunStatistics::default() };
+    results.finish(case, &model.grid, state, history, &statistics).unwrap()
+}
+
+fn sum(table: &Table, of: impl Fn(&dyn Fn(&str) -> f64) -> f64) -> f64 {
+    (0..table.rows()).map(|row| of(&|name| table.column(name).unwrap()[row])).sum()
+}
+
+#[test]
+fn the_rim_bears_what_the_body_bears() {
+    let dir = tempfile::tempdir().unwrap();
+    let changes: [&[&str]; 4] = [
+        &[],
+        &["numerics.contact=penalty"],
+        &[
+            "domain.symmetric=false",
+            "domain.y=[\"-0.15 m\", \"0.15 m\"]",
+            "grid.fine_y=[\"-0.15 m\", \"0.15 m\"]",
+        ],
+        &["body.disc.spin=locked"],
+    ];
+    let mut drags = Vec::new();
+    for (n, changes) in changes.iter().enumerate() {
+        let folder = dir.path().join(n.to_string());
+        let summary = run(&tow(changes), &folder);
+        let (rim, steady) = (&summary.bodies["disc"].rim, &summary.bodies["disc"].steady);
+        let table = Table::read(&folder.join("rim.csv")).unwrap();
+        let near = |a: f64, b: f64, tolerance: f64, what: &str| {
+            assert!(
+                (a - b).abs() < tolerance * steady.vertical.unwrap(),
+                "{changes:?}, {what}: {a} and {b} N"
+            );
+        };
+        let (drag, vertical) = (rim.drag.unwrap(), rim.vertical.unwrap());
+        near(drag + rim.flank_drag.unwrap(), steady.drag.unwrap(), 1e-6, "drag");
+        near(vertical + rim.flank_vertical.unwrap(), steady.vertical.unwrap(), 1e-6, "vertical force");
+        near(sum(&table, |l| l("drag")), drag, 1e-6, "sum of the drag");
+        near(sum(&table, |l| l("vertical")), vertical, 1e-6, "sum of the vertical force");
+        let stress =
+            |l: &dyn Fn(&str) -> f64| (l("normal stress"), l("shear stress along"), l("angle"), l("area"));
+        let of_stress = sum(&table, |l| {
+            let (normal, shear, angle, area) = stress(l);
+            area * (normal * angle.sin() - shear * angle.cos())
+        });
+        near(of_stress, drag, 0.02, "drag of the stresses");
+        let of_stress = sum(&table, |l| {
+            let (normal, shear, angle, area) = stress(l);
+            area * (normal * angle.cos() + shear * angle.sin())
+        });
+        near(of_stress, vertical, 0.02, "vertical force of the stresses");
+        let mobilised = rim.mobilised_friction.unwrap();
+        assert!(mobilised > 0.0 && mobilised <= 1.0 + 1e-9, "{mobilised}");
+        let lateral = sum(&table, |l| l("shear stress lateral").abs());
+        let outward = sum(&table, |l| l("shear stress outward").abs());
+        assert!(lateral <= 0.05 * outward, "symmetric: {lateral} along the axle, {outward} outward");
+        drags.push(drag);
+    }
+    assert!((drags[2] / drags[0] - 1.0).abs() < 0.03, "half and whole model: {drags:?}");
+}
+
+#[test]
+fn a_locked_disc_slides_forwards_and_its_report_shows_it() {
+    let dir = tempfile::tempdir().unwrap();
+    let locked = run(&tow(&["body.disc.spin=locked"]), &dir.path().join("locked"));
+    let table = Table::read(&dir.path().join("locked/rim.csv")).unwrap();
+    let column = |name: &str| table.column(name).unwrap().to_vec();
+    // Where the pressure is, the surface slides forwards and the soil holds it back.
+    let (slip, shear, normal) =
+        (column("slip velocity along"), column("shear stress along"), column("normal stress"));
+    let most = normal.iter().fold(0.0_f64, |a, b| a.max(*b));
+    for n in (0..table.rows()).filter(|n| normal[*n] > 0.3 * most) {
+        assert!(slip[n] * shear[n] < 0.0, "line {n}: slip {}, shear {}", slip[n], shear[n]);
+    }
+    // If the sand climbs the rim, then in front.
+    let rim = &locked.bodies["disc"].rim;
+    assert!(rim.slip_reversals.iter().all(|r| r.from_rad > 0.2 && r.to_rad >= r.from_rad), "{rim:?}");
+    assert!(rim.shear_reversals.iter().all(|r| r.angle_rad > 0.2), "{rim:?}");
+    let report = fs::read_to_string(dir.path().join("locked/report.html")).unwrap();
+    assert!(report.contains("Stress on the rim of disc") && report.contains("Mobilised friction"));
+    // The report can be rebuilt from the files.
+    rebuild_report(&dir.path().join("locked")).unwrap();
+    assert_eq!(fs::read_to_string(dir.path().join("locked/report.html")).unwrap(), report);
+}
+
+#[test]
+fn the_faces_of_a_block_are_told_apart() {
+    let dir = tempfile::tempdir().unwrap();
+    let block = ["body.disc.shape=block", "body.disc.size=[\"0.1 m\", \"0.1 m\", \"0.1 m\"]"];
+    let text = include_str!("../../../../cases/towed_disc.toml")
+        .replace("diameter = \"0.2 m\"\n", "")
+        .replace("thickness = \"0.05 m\"\n", "")
+        .replace("spin = \"free\"\n", "");
+    let summary = run(&tow_text(&text, &block), dir.path());
+    let (rim, steady) = (&summary.bodies["disc"].rim, &summary.bodies["disc"].steady);
+    let drag = rim.drag.unwrap() + rim.flank_drag.unwrap();
+    assert!((drag / steady.drag.unwrap() - 1.0).abs() < 1e-6);
+    let table = Table::read(&dir.path().join("rim.csv")).unwrap();
+    let force = |is_there: &dyn Fn(f64, f64) -> bool, name: &str| {
+        sum(&table, |l| if is_there(l("x"), l("z")) { l(name) } else { 0.0 })
+    };
+    // The front bears the drag but for friction below and at the sides, the bottom most of the vertical force.
+    let (front, below) = (force(&|x, _| x > 0.0499, "drag"), force(&|_, z| z < -0.0499, "vertical"));
+    assert!(front > 0.25 * rim.drag.unwrap() && below > 0.5 * rim.vertical.unwrap(), "{front} {below}");
+    assert_eq!(force(&|x, _| x < -0.0499, "normal stress"), 0.0, "nothing presses from behind");
+    // Half a cell next to an edge has no contact points, and no line.
+    let corners = table.column("x").unwrap().iter().zip(table.column("z").unwrap());
+    assert!(corners.into_iter().all(|(x, z)| x.abs().min(z.abs()) < 0.05 - 0.0125));
+}
