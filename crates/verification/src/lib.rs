@@ -6,6 +6,7 @@
 
 mod advection;
 mod bearing;
+mod blade;
 mod cache;
 mod circle;
 mod column;

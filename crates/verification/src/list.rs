@@ -4,7 +4,7 @@ use crate::error::VerifyError;
 use crate::expectations::Expectations;
 use crate::runner::Runner;
 use crate::{
-    circle, column, conservation, control, disc, element, flow, footing, friction, light, long_tow,
+    blade, circle, column, conservation, control, disc, element, flow, footing, friction, light, long_tow,
     other_codes, plate, positions, precision, repeat, rest, rigid, rotating, rough_wall, round_column,
     scaling, strip_sand, taylor, transport, wall, wave,
 };
@@ -81,6 +81,7 @@ pub const BENCHMARKS: &[Benchmark] = &[
     benchmark!("E2", "E2_disc_drag", Run, other_codes::disc),
     benchmark!("E3", "E3_wall", Run, other_codes::wall),
     benchmark!("F1", "F1_friction_on_known_faces", Run, friction::run),
+    benchmark!("F2", "F2_pressure_before_a_blade", Run, blade::run),
     benchmark!("P1", "P1_single_precision", Run, precision::run),
     benchmark!("N1", "N1_wrong_angle", Run, control::run),
 ];
