@@ -64,15 +64,10 @@ pub(super) fn grid(
     let axis = |axis: usize| {
         let ends = [domain.low[axis], domain.high[axis]];
         let fine = [usual.low[axis], usual.high[axis]];
-        let plain = AxisGrading { ends, fine, anchor: anchors[axis], cell: context.cell, growth };
-        let fitted = fit(
-            paths.bodies,
-            domain,
-            axis,
-            (anchors[axis], required_face(ground, domain, axis)),
-            context.cell,
-        )
-        .filter(|_| fits);
+        let cell = context.fine_cell()[axis];
+        let plain = AxisGrading { ends, fine, anchor: anchors[axis], cell, growth };
+        let required = (anchors[axis], required_face(ground, domain, axis));
+        let fitted = fit(paths.bodies, domain, axis, required, cell).filter(|_| fits);
         [fitted.map_or(plain, |[cell, anchor]| AxisGrading { anchor, cell, ..plain }), plain]
     };
     let x = faces(section, "fine_x", axis(0), problems);
@@ -85,6 +80,7 @@ pub(super) fn grid(
     let ((x, fine_x), (y, fine_y), (z, fine_z)) = (x?, y?, z?);
     Some(Grid {
         cell: context.cell,
+        aspect: context.aspect,
         fine_low: DVec3::new(fine_x[0], fine_y[0], fine_z[0]),
         fine_high: DVec3::new(fine_x[1], fine_y[1], fine_z[1]),
         growth,
@@ -109,7 +105,8 @@ fn faces(
     grading::faces(&axis)
         .or_else(|_| grading::faces(&unfitted))
         .map_err(|message| {
-            let cure = "change grid.cell, grid.growth or the box; a whole number of cells always fits";
+            let cure =
+                "change grid.cell, grid.aspect, grid.growth or the box; a whole number of cells always fits";
             problems.add(section.at("cell"), format!("{key}: {message}"), cure);
         })
         .ok()

@@ -26,10 +26,10 @@ const EDGE_INSET: &str = "numerics.edge_inset";
 
 /// Refuses an inset that leaves no contact points: no force could act on the body.
 fn contact_points_remain(case: &Case, problems: &mut Problems) {
-    let inset = case.numerics.edge_inset * case.grid.cell;
+    let inset = case.numerics.edge_inset * case.grid.fine_cell();
     for body in &case.bodies {
         let (low, high) = body.shape.solid().bounds();
-        if (high - low).min_element() - 2.0 * inset < 1e-6 * case.grid.cell {
+        if (high - low - 2.0 * inset).min_element() < 1e-6 * case.grid.cell {
             let message = format!("the inset leaves no contact points on body `{}`", body.name);
             let default = keys::at(EDGE_INSET).map_or_else(String::new, |key| key.default.text());
             problems.add(EDGE_INSET, message, format!("reduce it; {default} is the default"));
