@@ -312,6 +312,12 @@ impl Grid {
         self.aspect
     }
 
+    /// Whether the cells of the fine zone are cubes.
+    #[must_use]
+    pub fn has_cubes(&self) -> bool {
+        self.aspect == DVec3::ONE
+    }
+
     /// Least widths of a cell along x, y, z [m]: the smallest, times the aspect.
     #[must_use]
     pub fn fine_cell(&self) -> DVec3 {

@@ -109,8 +109,8 @@ fn covered(grid: &Grid, cell: [usize; 3], distance: impl Fn(DVec3) -> f64) -> f6
         return if centre < 0.0 { 1.0 } else { 0.0 };
     }
     // In cubes the depth does not depend on the normal.
-    let is_cube = grid.aspect() == DVec3::ONE;
-    let depth = if is_cube { 1.0 } else { grid.depth_along(normal(middle, 1e-3 * width, &distance)) };
+    let depth =
+        if grid.has_cubes() { 1.0 } else { grid.depth_along(normal(middle, 1e-3 * width, &distance)) };
     let sample = grid.smallest_width(width) * depth / SAMPLES as f64;
     let mut layers = [0.0; SAMPLES];
     for n in 0..SAMPLES.pow(3) {
