@@ -242,8 +242,14 @@ fn numbers(case: &mut Case) -> Vec<&mut f64> {
         }
     }
     let (domain, grid) = (&mut case.domain, &mut case.grid);
-    let corners =
-        [&mut case.velocity, &mut domain.low, &mut domain.high, &mut grid.fine_low, &mut grid.fine_high];
+    let corners = [
+        &mut case.velocity,
+        &mut domain.low,
+        &mut domain.high,
+        &mut grid.fine_low,
+        &mut grid.fine_high,
+        &mut grid.aspect,
+    ];
     all.extend(corners.into_iter().flat_map(components));
     all.extend([&mut grid.cell, &mut grid.growth]);
     all.extend(grid.faces.iter_mut().filter_map(|faces| faces.last_mut()));

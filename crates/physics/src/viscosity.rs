@@ -6,6 +6,18 @@
 
 use super::Real;
 
+/// Length of a box cell that is not a cube [m]: the mean of its `widths` along x, y, z [m], weighted by the squares of the normal
+/// strain `rates` along them [1/s]. A wave along an axis is damped as in cubes of the cell's width along it; a flow that changes no
+/// volume has no viscous pressure, whatever its direction.
+#[inline(always)]
+#[must_use]
+pub fn strained_width(widths: [Real; 3], rates: [Real; 3]) -> Real {
+    // A cell at rest has the plain mean.
+    let weight = rates.map(|rate| rate * rate + Real::MIN_POSITIVE);
+    let [x, y, z] = weight;
+    (x * widths[0] + y * widths[1] + z * widths[2]) / (x + y + z)
+}
+
 /// Coefficients of bulk viscosity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BulkViscosity {
@@ -35,5 +47,22 @@ impl BulkViscosity {
         let speed = length * volumetric_rate;
         let compression = if speed < 0.0 { speed } else { 0.0 };
         self.linear * speed - self.quadratic * compression * compression
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cell_that_is_compressed_along_an_axis_has_its_width_along_it() {
+        let widths = [3.0, 2.0, 1.0];
+        for (axis, width) in widths.into_iter().enumerate() {
+            let mut rates = [0.0; 3];
+            rates[axis] = -1e-3;
+            assert!((strained_width(widths, rates) - width).abs() < 1e-5);
+        }
+        assert!((strained_width(widths, [0.0; 3]) - 2.0).abs() < 1e-5);
+        assert!((strained_width(widths, [1.0, 0.0, -1.0]) - 2.0).abs() < 1e-5);
     }
 }

@@ -26,7 +26,7 @@ fn shapes() -> Vec<(Box<dyn Shape>, f64)> {
 #[test]
 fn contact_points_cover_the_surface() {
     for (shape, area) in shapes() {
-        let points = shape.surface_points(0.006, DVec3::ZERO);
+        let points = shape.surface_points(DVec3::splat(0.006), DVec3::ZERO);
         let sum: f64 = points.iter().map(|p| p.area).sum();
         assert!((sum / area - 1.0).abs() < 1e-9, "{shape:?}: {sum} of {area}");
         for p in &points {
@@ -42,7 +42,7 @@ fn contact_points_cover_the_surface() {
 fn an_inset_keeps_points_away_from_sharp_edges() {
     let inset = 0.004;
     for (shape, area) in shapes() {
-        let points = shape.surface_points(0.006, DVec3::splat(inset));
+        let points = shape.surface_points(DVec3::splat(0.006), DVec3::splat(inset));
         let sum: f64 = points.iter().map(|p| p.area).sum();
         // A sphere, whose area is π d², has no edges.
         assert!(sum < area || (area - PI * 0.04).abs() < 1e-12, "{shape:?}");
@@ -59,12 +59,12 @@ fn an_inset_keeps_points_away_from_sharp_edges() {
 fn points_are_counted_without_laying_them_out() {
     for (shape, _) in shapes() {
         for (spacing, inset) in [(0.006, 0.0), (0.007, 0.003), (0.0021, 0.026), (0.3, 0.01), (0.011, 0.2)] {
-            let laid_out = shape.surface_points(spacing, DVec3::splat(inset)).len();
-            let counted = shape.surface_point_count(spacing, DVec3::splat(inset));
+            let laid_out = shape.surface_points(DVec3::splat(spacing), DVec3::splat(inset)).len();
+            let counted = shape.surface_point_count(DVec3::splat(spacing), DVec3::splat(inset));
             assert_eq!(counted, laid_out as f64, "{shape:?} {spacing} {inset}");
         }
         // Without delay for any number: 10¹⁸ for a metre.
-        let many = shape.surface_point_count(1e-9, DVec3::ZERO);
+        let many = shape.surface_point_count(DVec3::splat(1e-9), DVec3::ZERO);
         assert!((1e15..1e18).contains(&many), "{shape:?} {many}");
     }
 }
@@ -73,7 +73,7 @@ fn points_are_counted_without_laying_them_out() {
 fn mirror_images_are_adjacent() {
     let flip = |v: DVec3| DVec3::new(v.x, -v.y, v.z);
     for (shape, _) in shapes() {
-        let points = shape.surface_points(0.007, DVec3::splat(0.003));
+        let points = shape.surface_points(DVec3::splat(0.007), DVec3::splat(0.003));
         let mut n = 0;
         while n < points.len() {
             let is_own_image = points[n].position.y == 0.0 && points[n].normal.y == 0.0;
@@ -121,7 +121,7 @@ fn a_quarter_of_a_symmetric_body_has_a_quarter_of_its_points() {
     let upright = Cylinder { diameter: 0.2, length: 0.05, axis: Axis::Z };
     let round: [Box<dyn Shape>; 2] = [Box::new(upright), Box::new(Sphere { diameter: 0.2 })];
     for shape in round {
-        let points = shape.surface_points(0.007, DVec3::splat(0.003));
+        let points = shape.surface_points(DVec3::splat(0.007), DVec3::splat(0.003));
         let quarter = points.iter().filter(|p| p.position.x > 0.0 && p.position.y > 0.0);
         assert_eq!(4 * quarter.count(), points.len(), "{shape:?}");
     }

@@ -23,10 +23,10 @@ pub(crate) fn advance<R>(mechanism: &Mechanism, state: &mut State<R>, step: &mut
 
 /// Whether a body has moved so far since the last contact search that another is due.
 pub(crate) fn have_moved<R>(model: &Model, state: &State<R>) -> bool {
-    let limit = model.method.remap_displacement * model.grid.finest();
+    let (limit, aspect) = (model.method.remap_displacement * model.grid.finest(), model.grid.aspect());
     let mut each = model.bodies.iter().zip(&state.bodies).zip(&state.mechanism.bodies);
     each.any(|((fixed, body), now)| {
-        let displacement = (now.pose.position - body.searched_at.position).abs().max_element();
+        let displacement = ((now.pose.position - body.searched_at.position) / aspect).abs().max_element();
         // The farthest point of the surface moves by this times the rotation.
         let (low, high) = fixed.shape.bounds();
         let reach = low.abs().max(high).length();

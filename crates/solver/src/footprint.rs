@@ -115,8 +115,8 @@ fn point_fractions(model: &Model, body: &BodyModel, moved: DVec3) -> [f64; 2] {
     /// Points along the diagonal.
     const FEW: f64 = 16.0;
     let (low, high) = body.shape.bounds();
-    let points = body.shape.surface_points((high - low).length() / FEW, DVec3::ZERO);
-    let spacing = model.method.point_spacing * model.grid.finest();
+    let points = body.shape.surface_points(DVec3::splat((high - low).length() / FEW), DVec3::ZERO);
+    let spacing = model.method.point_spacing * model.grid.fine_cell().y;
     let stays = stays_across(body, 1);
     let is_in = |axis: usize, x: DVec3, margin: f64| {
         let faces = &model.grid.faces[axis];

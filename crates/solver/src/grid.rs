@@ -4,6 +4,7 @@
 //! Cells and nodes share one numbering: x fastest, one ghost layer on every side, rows of whole vectors and two ghosts. Node
 //! `(i, j, k)` is the low corner of cell `(i, j, k)`, so a cell's corners and a node's cells are constant offsets.
 
+use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
@@ -33,7 +34,9 @@ pub struct Grid {
     pub stride: [usize; 3],
     /// Entries of an array that covers the grid with its ghosts.
     pub entries: usize,
-    /// The smallest cell width [m].
+    /// Shape of the cells in the fine zone: their widths along x, y, z over their smallest, 1 for cubes.
+    aspect: DVec3,
+    /// The smallest cell width, each divided by the aspect along its axis [m].
     finest: f64,
     /// Rows are padded to a multiple of this.
     lanes: usize,
@@ -63,6 +66,14 @@ impl Grid {
         Self::laid_out(whole, domain.clone(), domain, lanes)
     }
 
+    /// The same whose fine cells have another shape than cubes: widths along x, y, z over their smallest.
+    #[must_use]
+    pub fn with_aspect(self, aspect: DVec3) -> Self {
+        let along = |axis: usize| finest_of(&self.whole[axis]) / aspect[axis];
+        let finest = along(0).min(along(1)).min(along(2));
+        Self { aspect, finest, ..self }
+    }
+
     /// The block of the grid that owns some of its layers of cells. Rows along x are never cut: sums over them keep their bits.
     ///
     /// # Panics
@@ -72,7 +83,7 @@ impl Grid {
         assert!(own[0] == self.domain[0], "rows along x are never cut");
         let is_thick = |axis: usize| own[axis] == self.domain[axis] || own[axis].len() >= GHOSTS;
         assert!((0..3).all(is_thick), "a block needs {GHOSTS} layers");
-        Self::laid_out(self.whole.clone(), self.domain.clone(), own, self.lanes)
+        Self::laid_out(self.whole.clone(), self.domain.clone(), own, self.lanes).with_aspect(self.aspect)
     }
 
     fn laid_out(
@@ -90,9 +101,9 @@ impl Grid {
         let row = (faces[0].len() - 1).next_multiple_of(lanes) + 2;
         let plane = row * (faces[1].len() + 1);
         let entries = plane * (faces[2].len() + 1) + lanes;
-        let finest =
-            whole.iter().flat_map(|f| f.windows(2).map(|w| w[1] - w[0])).fold(f64::INFINITY, f64::min);
-        Self { faces, whole, domain, own, first, stride: [1, row, plane], entries, finest, lanes }
+        let (aspect, finest) = (DVec3::ONE, f64::NAN);
+        Self { faces, whole, domain, own, first, stride: [1, row, plane], entries, aspect, finest, lanes }
+            .with_aspect(aspect)
     }
 
     /// Number of cells along x, y, z.
@@ -285,14 +296,82 @@ impl Grid {
     /// The smallest cell width of the whole grid along `axis` [m].
     #[must_use]
     pub fn finest_along(&self, axis: usize) -> f64 {
-        self.whole[axis].windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min)
+        finest_of(&self.whole[axis])
     }
 
-    /// The smallest cell width of the whole grid [m].
+    /// The smallest cell width of the whole grid [m]. Where cells are not cubes: such that along every axis the smallest is this
+    /// times the aspect, or more.
     #[must_use]
     pub fn finest(&self) -> f64 {
         self.finest
     }
+
+    /// Shape of the cells in the fine zone: their widths along x, y, z over their smallest, 1 for cubes.
+    #[must_use]
+    pub fn aspect(&self) -> DVec3 {
+        self.aspect
+    }
+
+    /// Whether the cells of the fine zone are cubes.
+    #[must_use]
+    pub fn has_cubes(&self) -> bool {
+        self.aspect == DVec3::ONE
+    }
+
+    /// Least widths of a cell along x, y, z [m]: the smallest, times the aspect.
+    #[must_use]
+    pub fn fine_cell(&self) -> DVec3 {
+        self.finest * self.aspect
+    }
+
+    /// Length of the line of direction `normal`, a unit vector, through a cell over its smallest width: of an ellipsoid with the
+    /// cell's widths. Exactly 1 for cubes.
+    #[must_use]
+    pub fn length_along(&self, normal: DVec3) -> f64 {
+        1.0 / (1.0 + (normal * normal).dot(self.aspect.powf(-2.0) - 1.0)).sqrt()
+    }
+
+    /// Distance between the two planes of this normal, a unit vector, that enclose a cell, over its smallest width: again of
+    /// the ellipsoid. Exactly 1 for cubes.
+    #[must_use]
+    pub fn depth_along(&self, normal: DVec3) -> f64 {
+        (1.0 + (normal * normal).dot(self.aspect * self.aspect - 1.0)).sqrt()
+    }
+
+    /// Smallest width of a cell [m], each divided by the aspect along its axis.
+    #[must_use]
+    pub fn smallest_width(&self, widths: DVec3) -> f64 {
+        (widths / self.aspect).min_element()
+    }
+
+    /// The axis along which a surface of this normal cuts the fewest layers of cells: that of the largest component in units of
+    /// the cell's widths.
+    #[must_use]
+    pub fn main_axis(&self, normal: DVec3) -> usize {
+        let size = (normal * self.aspect).abs();
+        if size.x >= size.y && size.x >= size.z {
+            0
+        } else if size.y >= size.z {
+            1
+        } else {
+            2
+        }
+    }
+}
+
+/// How much longer a step may be in cells of a shape than in cubes of their smallest width; exactly 1 for cubes.
+///
+/// The highest frequency of a cell is at most 2 c √(Σ 1/hᵢ²) (Flanagan & Belytschko 1984): the step stays the same fraction of
+/// the stable one.
+#[must_use]
+pub fn longer_step(aspect: DVec3) -> f64 {
+    (3.0 / (1.0 / (aspect * aspect)).element_sum()).sqrt()
+}
+
+/// The smallest distance between neighbouring faces [m].
+#[must_use]
+pub fn finest_of(faces: &[f64]) -> f64 {
+    faces.windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min)
 }
 
 /// Face positions with so many ghost layers, as wide as the outermost cells, at the low end and at the high end.

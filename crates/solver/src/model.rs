@@ -1,7 +1,7 @@
 //! What is fixed during a run: grid, boundaries, materials, bodies, parameters of the method.
 
 use crate::boundary::{Boundaries, Boundary, Symmetry};
-use crate::grid::Grid;
+use crate::grid::{Grid, longer_step};
 use crate::material::Material;
 use glam::{DQuat, DVec3};
 use mechanics::joint::Joint;
@@ -213,13 +213,19 @@ impl Model {
     /// soil in it.
     #[must_use]
     pub fn time_step(&self) -> f64 {
-        self.method.courant * self.grid.finest() / self.wave_speed()
+        self.method.courant * (self.grid.finest() * longer_step(self.grid.aspect())) / self.wave_speed()
+    }
+
+    /// Volume of the smallest cells [m³].
+    #[must_use]
+    pub fn least_volume(&self) -> f64 {
+        self.grid.finest().powi(3) * self.grid.aspect().element_product()
     }
 
     /// Nodes lighter than this do not move [kg].
     #[must_use]
     pub fn mass_moved(&self) -> f64 {
-        1e-7 * self.least_density() * self.grid.finest().powi(3)
+        1e-7 * self.least_density() * self.least_volume()
     }
 }
 

@@ -7,7 +7,7 @@ use super::resolved::{Body, Case, Grid, Ground, Precision};
 use glam::DVec3;
 use serde::Serialize;
 use solver::footprint::{self, Footprint, surface_points};
-use solver::grid::LANES;
+use solver::grid::{LANES, finest_of, longer_step};
 use solver::precision::Scalar as _;
 use std::f64::consts::FRAC_PI_4;
 
@@ -82,14 +82,15 @@ pub fn estimate(case: &Case) -> Estimate {
     let bulk = young / (3.0 * (1.0 - 2.0 * nu));
     let shear = young / (2.0 * (1.0 + nu));
     let wave_speed = ((bulk + 4.0 / 3.0 * shear) / case.soil.density).sqrt();
-    let widths = case.grid.faces.iter().flat_map(|f| f.windows(2).map(|w| w[1] - w[0]));
-    let smallest = widths.fold(f64::INFINITY, f64::min);
-    let time_step = case.numerics.courant * smallest / wave_speed;
+    let aspect = case.grid.aspect;
+    let widths = DVec3::from_array(case.grid.faces.each_ref().map(|faces| finest_of(faces)));
+    let time_step =
+        case.numerics.courant * ((widths / aspect).min_element() * longer_step(aspect)) / wave_speed;
     let (cells, filled_cells) = (cells(&case.grid), filled_cells(case));
     Estimate {
         cells,
         filled_cells,
-        smallest_cell_m: smallest,
+        smallest_cell_m: widths.min_element(),
         wave_speed_m_per_s: wave_speed,
         time_step_s: time_step,
         steps: (case.duration / time_step).ceil(),

@@ -70,6 +70,7 @@ fn description(key: &Key) -> String {
 fn default(default: &DefaultValue) -> Option<Value> {
     match *default {
         DefaultValue::Number(number) => Some(json!(number)),
+        DefaultValue::Ratios(numbers) => Some(json!(numbers)),
         DefaultValue::Quantity(text) | DefaultValue::Word(text) => Some(json!(text)),
         DefaultValue::Flag(flag) => Some(json!(flag)),
         DefaultValue::Walls(walls) => Some(json!(walls)),
@@ -99,6 +100,9 @@ fn kind(key: &Key) -> Value {
         Kind::Text => json!({ "type": "string" }),
         Kind::Format => json!({ "const": FORMAT }),
         Kind::Number => number("number", key.range),
+        Kind::Ratios => json!({
+            "type": "array", "items": number("number", key.range), "minItems": 3, "maxItems": 3
+        }),
         Kind::Count => number("integer", key.range),
         Kind::Flag => json!({ "type": "boolean" }),
         Kind::Quantity(measure) => quantity(measure.example),

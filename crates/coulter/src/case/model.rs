@@ -19,7 +19,8 @@ use solver::model::{BodyModel, ContactMethod, Filling, Ground, Method, Model};
 pub fn model(case: &Case, lanes: usize) -> Model {
     let boundaries = boundaries(case);
     Model {
-        grid: Grid::with_open_faces(case.grid.faces.clone(), boundaries.open_faces(), lanes),
+        grid: Grid::with_open_faces(case.grid.faces.clone(), boundaries.open_faces(), lanes)
+            .with_aspect(case.grid.aspect),
         materials: vec![material(&case.soil)],
         gravity: case.gravity,
         soil_gravity: if case.soil.unit_weight > 0.0 {

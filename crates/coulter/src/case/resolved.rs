@@ -219,8 +219,10 @@ impl Domain {
 /// Cell sizes: uniform inside the fine zone, growing geometrically outside it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Grid {
-    /// Cell size h in the fine zone [m].
+    /// Cell size h in the fine zone [m]: the smallest width of its cells.
     pub cell: f64,
+    /// Widths of the cells in the fine zone along x, y, z over `cell`; one of them is 1.
+    pub aspect: DVec3,
     /// Low corner of the fine zone [m].
     pub fine_low: DVec3,
     /// High corner of the fine zone [m].
@@ -231,6 +233,14 @@ pub struct Grid {
     pub follow: Option<Follow>,
     /// Face positions along x, y, z that follow from the above [m].
     pub faces: [Vec<f64>; 3],
+}
+
+impl Grid {
+    /// Widths along x, y, z of the cells in the fine zone [m].
+    #[must_use]
+    pub fn fine_cell(&self) -> DVec3 {
+        self.cell * self.aspect
+    }
 }
 
 /// A rigid body.

@@ -63,6 +63,7 @@ fn as_typed(default: &DefaultValue) -> Option<Value> {
         DefaultValue::Number(number) => {
             Some(if number.fract() == 0.0 { Value::Integer(number as i64) } else { Value::Number(number) })
         }
+        DefaultValue::Ratios(numbers) => Some(Value::List(numbers.map(Value::Number).into())),
         DefaultValue::Quantity(text)
         | DefaultValue::Otherwise { quantity: text, .. }
         | DefaultValue::Word(text) => Some(Value::Text(text.to_owned())),

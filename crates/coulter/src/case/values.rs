@@ -31,6 +31,7 @@ pub(super) fn value(node: &Value, kind: &Kind, path: &str, problems: &mut Proble
             return Given::Number(f64::from(format::FORMAT));
         }
         Kind::Number => number(node).map(Given::Number),
+        Kind::Ratios => ratios(node).map(Given::List),
         Kind::Count => count(node).map(Given::Number),
         Kind::Flag => flag(node).map(Given::Flag),
         Kind::Quantity(measure) => quantity(node, measure).map(Given::Number),
@@ -181,6 +182,19 @@ fn list(node: &Value, measure: &Measure, lengths: RangeInclusive<usize>) -> Read
     let element =
         |(n, item)| quantity(item, measure).map_err(|complaint| Complaint { element: Some(n), ..complaint });
     items.iter().enumerate().map(element).collect()
+}
+
+fn ratios(node: &Value) -> Read<Vec<f64>> {
+    const CURE: &str = "write three numbers without units, along x, y and z, such as [3, 3, 1]";
+    match node {
+        Value::List(items) if items.len() == 3 => {
+            let element =
+                |(n, item)| number(item).map_err(|complaint| Complaint { element: Some(n), ..complaint });
+            items.iter().enumerate().map(element).collect()
+        }
+        Value::List(items) => complain(format!("expected 3 numbers, found {}", items.len()), CURE),
+        _ => wrong_type(node, "a list of 3 numbers", CURE),
+    }
 }
 
 fn walls(node: &Value) -> Read<Vec<String>> {

@@ -133,6 +133,6 @@ fn faceted(body: &Towed, diameter: f64, length: f64) -> FacetedBody {
         area: p.area,
         half_height: 0.5 * (p.area * (1.0 - p.normal.z.powi(2)).max(0.0)).sqrt(),
     };
-    let facets = solid.surface_points(spacing, DVec3::ZERO).into_iter().map(facet).collect();
+    let facets = solid.surface_points(DVec3::splat(spacing), DVec3::ZERO).into_iter().map(facet).collect();
     FacetedBody { length: diameter, width: diameter, height: high.z - low.z, facets }
 }

@@ -81,6 +81,7 @@ pub(crate) fn case(kind: Kind, cell: f64) -> Case {
             plane_strain: false,
         },
         grid: case::Grid {
+            aspect: DVec3::ONE,
             follow: None,
             cell,
             fine_low,

@@ -30,7 +30,7 @@ impl Shape for Block {
         MassProperties::principal(self.size.element_product(), inertia)
     }
 
-    fn surface_points(&self, spacing: f64, inset: DVec3) -> Vec<SurfacePoint> {
+    fn surface_points(&self, spacing: DVec3, inset: DVec3) -> Vec<SurfacePoint> {
         let mut points = Vec::new();
         for axis in 0..3 {
             let (first, second) = ((axis + 1) % 3, (axis + 2) % 3);
@@ -39,7 +39,7 @@ impl Shape for Block {
             if width <= 0.0 || height <= 0.0 {
                 continue;
             }
-            let (columns, rows) = (divisions(width, spacing), divisions(height, spacing));
+            let (columns, rows) = (divisions(width, spacing[first]), divisions(height, spacing[second]));
             for side in [-1.0, 1.0] {
                 for n in 0..(columns * rows) as usize {
                     let (column, row) = (n % columns as usize, n / columns as usize);
@@ -56,12 +56,13 @@ impl Shape for Block {
         paired(points)
     }
 
-    fn surface_point_count(&self, spacing: f64, inset: DVec3) -> f64 {
+    fn surface_point_count(&self, spacing: DVec3, inset: DVec3) -> f64 {
         let usable = self.size - 2.0 * inset;
         let both_sides = |axis: usize| {
-            let (width, height) = (usable[(axis + 1) % 3], usable[(axis + 2) % 3]);
+            let (first, second) = ((axis + 1) % 3, (axis + 2) % 3);
+            let (width, height) = (usable[first], usable[second]);
             if width > 0.0 && height > 0.0 {
-                2.0 * divisions(width, spacing) * divisions(height, spacing)
+                2.0 * divisions(width, spacing[first]) * divisions(height, spacing[second])
             } else {
                 0.0
             }

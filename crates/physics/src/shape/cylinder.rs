@@ -1,7 +1,7 @@
 //! The cylinder: with sharp rims and its axis along x, y or z, such as a pile, a pipe or a circular footing.
 
 use super::{
-    Disc, MassProperties, Mesh, Shape, SurfacePoint, divisions, midpoint, paired, ring, ring_count,
+    Disc, MassProperties, Mesh, RimInset, Shape, SurfacePoint, divisions, midpoint, paired, ring, ring_count,
     ring_points,
 };
 use glam::DVec3;
@@ -56,6 +56,12 @@ impl Cylinder {
         }
     }
 
+    /// Spacing of the contact points along the axis and round it [m].
+    fn spacing(self, spacing: DVec3) -> [f64; 2] {
+        let spacing = self.disc_frame(spacing);
+        [spacing.y, spacing.x.min(spacing.z)]
+    }
+
     /// From the frame of the disc to the body frame.
     fn body_frame(self, x: DVec3) -> DVec3 {
         match self.axis {
@@ -90,13 +96,14 @@ impl Shape for Cylinder {
         MassProperties::principal(volume, self.body_frame(inertia))
     }
 
-    fn surface_points(&self, spacing: f64, inset: DVec3) -> Vec<SurfacePoint> {
+    fn surface_points(&self, spacing: DVec3, inset: DVec3) -> Vec<SurfacePoint> {
         let (radius, inset) = (0.5 * self.diameter, self.disc_frame(inset));
+        let [along, spacing] = self.spacing(spacing);
         let mut points = Vec::new();
         let width = self.length - 2.0 * inset.y;
         if width > 0.0 {
             // An even number: points on the centre plane, where two cells may meet, would be assigned to one of them.
-            let rows = 2.0 * divisions(0.5 * width, spacing);
+            let rows = 2.0 * divisions(0.5 * width, along);
             let around = ring(TAU * radius, spacing);
             let area = TAU * radius * width / (rows * around.len() as f64);
             for row in 0..rows as usize {
@@ -107,15 +114,17 @@ impl Shape for Cylinder {
                 }));
             }
         }
-        let outer = (radius - inset.x).max(0.0);
+        let inset = RimInset::new(inset);
+        let outer = (radius - inset.least()).max(0.0);
         let rings = if outer > 0.0 { divisions(outer, spacing) } else { 0.0 };
         for n in 0..rings as usize {
-            let radius = outer * (n as f64 + 0.5) / rings;
-            let around = ring(TAU * radius, spacing);
-            let area = TAU * radius * outer / (rings * around.len() as f64);
+            let around = ring(TAU * (outer * (n as f64 + 0.5) / rings), spacing);
             for side in [-1.0, 1.0] {
                 let normal = DVec3::Y * side;
                 points.extend(around.iter().map(|[a, b]| {
+                    let outer = (radius - inset.towards(*b)).max(0.0);
+                    let radius = outer * (n as f64 + 0.5) / rings;
+                    let area = TAU * radius * outer / (rings * around.len() as f64);
                     let flat = DVec3::new(*a, 0.0, *b);
                     self.point(radius * flat + 0.5 * self.length * normal, normal, area)
                 }));
@@ -124,10 +133,12 @@ impl Shape for Cylinder {
         paired(points)
     }
 
-    fn surface_point_count(&self, spacing: f64, inset: DVec3) -> f64 {
+    fn surface_point_count(&self, spacing: DVec3, inset: DVec3) -> f64 {
         let (radius, inset) = (0.5 * self.diameter, self.disc_frame(inset));
-        let (width, outer) = (self.length - 2.0 * inset.y, (radius - inset.x).max(0.0));
-        let side = 2.0 * divisions(0.5 * width, spacing) * ring_count(TAU * radius, spacing);
+        let [along, spacing] = self.spacing(spacing);
+        let width = self.length - 2.0 * inset.y;
+        let outer = (radius - RimInset::new(inset).least()).max(0.0);
+        let side = 2.0 * divisions(0.5 * width, along) * ring_count(TAU * radius, spacing);
         let rings = if outer > 0.0 { divisions(outer, spacing) } else { 0.0 };
         let area = PI * (outer / spacing).powi(2);
         let around = |length: f64| ring_count(length, spacing);

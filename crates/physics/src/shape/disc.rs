@@ -1,6 +1,6 @@
 //! The disc: a flat cylinder with sharp rims and its axle along `y`.
 
-use super::{MassProperties, Mesh, Shape, SurfacePoint, divisions, midpoint, paired, ring_points};
+use super::{MassProperties, Mesh, RimInset, Shape, SurfacePoint, divisions, midpoint, paired, ring_points};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
 
@@ -40,19 +40,21 @@ impl Shape for Disc {
         MassProperties::principal(PI * self.radius().powi(2) * self.thickness, inertia)
     }
 
-    fn surface_points(&self, spacing: f64, inset: DVec3) -> Vec<SurfacePoint> {
+    fn surface_points(&self, spacing: DVec3, inset: DVec3) -> Vec<SurfacePoint> {
         let mut points = Vec::new();
-        rim_points(self, spacing, inset.y, &mut points);
+        let (across, in_plane) = (spacing.y, spacing.x.min(spacing.z));
+        rim_points(self, [across, in_plane], inset.y, &mut points);
         for side in [-1.0, 1.0] {
-            face_points(self, side, spacing, inset.x, &mut points);
+            face_points(self, side, in_plane, RimInset::new(inset), &mut points);
         }
         paired(points)
     }
 
-    fn surface_point_count(&self, spacing: f64, inset: DVec3) -> f64 {
+    fn surface_point_count(&self, spacing: DVec3, inset: DVec3) -> f64 {
+        let (across, spacing) = (spacing.y, spacing.x.min(spacing.z));
         let width = self.thickness - 2.0 * inset.y;
-        let rim = 2.0 * divisions(0.5 * width, spacing) * divisions(PI * self.diameter, spacing);
-        let outer = self.radius() - inset.x;
+        let rim = 2.0 * divisions(0.5 * width, across) * divisions(PI * self.diameter, spacing);
+        let outer = self.radius() - RimInset::new(inset).least();
         let rings = divisions(outer, spacing);
         let area = PI * (outer / spacing).powi(2);
         let around = |length: f64| divisions(length, spacing);
@@ -83,14 +85,14 @@ impl Shape for Disc {
     }
 }
 
-/// Points on the rim, in rows across the thickness.
-fn rim_points(disc: &Disc, spacing: f64, inset: f64, points: &mut Vec<SurfacePoint>) {
+/// Points on the rim, in rows across the thickness; spacing across and round the rim.
+fn rim_points(disc: &Disc, [across, spacing]: [f64; 2], inset: f64, points: &mut Vec<SurfacePoint>) {
     let width = disc.thickness - 2.0 * inset;
     if width <= 0.0 {
         return;
     }
     // An even number: points on the centre plane, where two cells may meet, would be assigned to one of them.
-    let rows = 2.0 * divisions(0.5 * width, spacing);
+    let rows = 2.0 * divisions(0.5 * width, across);
     let columns = divisions(PI * disc.diameter, spacing);
     let area = width / rows * PI * disc.diameter / columns;
     for row in 0..rows as usize {
@@ -104,15 +106,16 @@ fn rim_points(disc: &Disc, spacing: f64, inset: f64, points: &mut Vec<SurfacePoi
 }
 
 /// Points on one flat face, in rings.
-fn face_points(disc: &Disc, side: f64, spacing: f64, inset: f64, points: &mut Vec<SurfacePoint>) {
-    let outer = disc.radius() - inset;
+fn face_points(disc: &Disc, side: f64, spacing: f64, inset: RimInset, points: &mut Vec<SurfacePoint>) {
+    let outer = disc.radius() - inset.least();
     let rings = divisions(outer, spacing);
     for ring in 0..rings as usize {
-        let radius = outer * (ring as f64 + 0.5) / rings;
-        let count = divisions(TAU * radius, spacing);
-        let area = TAU * radius * outer / rings / count;
+        let count = divisions(TAU * (outer * (ring as f64 + 0.5) / rings), spacing);
         for n in 0..count as usize {
             let (sin, cos) = (TAU * (n as f64 + 0.5) / count).sin_cos();
+            let outer = disc.radius() - inset.towards(cos);
+            let radius = outer * (ring as f64 + 0.5) / rings;
+            let area = TAU * radius * outer / rings / count;
             points.push(SurfacePoint {
                 position: DVec3::new(radius * sin, side * 0.5 * disc.thickness, radius * cos),
                 normal: DVec3::Y * side,

@@ -67,6 +67,33 @@ fn ring_count(circumference: f64, spacing: f64) -> f64 {
     4.0 * divisions(0.25 * circumference, spacing)
 }
 
+/// The inset from the rim of a flat round end, whose axis is y: half the widths of an ellipse.
+#[derive(Clone, Copy)]
+struct RimInset {
+    /// Along x [m].
+    along_x: f64,
+    /// Square of that along z over that along x, less 1; exactly 0 where they differ by no more than rounding.
+    elongation: f64,
+}
+
+impl RimInset {
+    fn new(inset: DVec3) -> Self {
+        const ROUNDING: f64 = 1e-9;
+        let elongation = if inset.x > 0.0 { (inset.z / inset.x).powi(2) - 1.0 } else { 0.0 };
+        Self { along_x: inset.x, elongation: if elongation.abs() > ROUNDING { elongation } else { 0.0 } }
+    }
+
+    /// The inset in a direction whose cosine with z is `cos` [m].
+    fn towards(&self, cos: f64) -> f64 {
+        self.along_x * (1.0 + self.elongation * cos * cos).sqrt()
+    }
+
+    /// The least inset in any direction [m].
+    fn least(&self) -> f64 {
+        self.towards(0.0).min(self.towards(1.0))
+    }
+}
+
 /// Orders the points so that mirror images in y are adjacent, in the order of the first of each pair.
 fn paired(points: Vec<SurfacePoint>) -> Vec<SurfacePoint> {
     let key = |p: &SurfacePoint, side: f64| {
@@ -111,18 +138,18 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
     fn mass_properties(&self) -> MassProperties {
         MassProperties::of_mesh(&self.mesh())
     }
-    /// Contact points about `spacing` [m] apart, at the distance `inset` [m] (along x, y, z) from sharp convex edges; from the
-    /// mesh and the signed distance unless the shape lays them out itself.
+    /// Contact points about `spacing` [m] apart, at the distance `inset` [m] from sharp convex edges, both along x, y, z; from the
+    /// mesh and the signed distance, and the least spacing, unless the shape lays them out itself.
     ///
     /// Points at a sharp edge would widen the body by half a cell, which the inset compensates. Points that are mirror images
     /// in y are adjacent, so that contact treats them symmetrically.
-    fn surface_points(&self, spacing: f64, inset: DVec3) -> Vec<SurfacePoint> {
-        sampler::sample(&self.mesh(), |x| self.signed_distance(x), spacing, inset)
+    fn surface_points(&self, spacing: DVec3, inset: DVec3) -> Vec<SurfacePoint> {
+        sampler::sample(&self.mesh(), |x| self.signed_distance(x), spacing.min_element(), inset)
     }
     /// Number of points of [`Shape::surface_points`], without laying them out; a float, since it may be huge. An estimate where
     /// they come from the mesh.
-    fn surface_point_count(&self, spacing: f64, _inset: DVec3) -> f64 {
-        sampler::count(&self.mesh(), spacing)
+    fn surface_point_count(&self, spacing: DVec3, _inset: DVec3) -> f64 {
+        sampler::count(&self.mesh(), spacing.min_element())
     }
     /// Whether the shape is rotationally symmetric about the axle; its contact points then need not rotate with it.
     fn is_revolved(&self) -> bool {

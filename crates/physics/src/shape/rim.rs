@@ -292,7 +292,7 @@ mod tests {
         for shape in shapes {
             let rim = Rim::of(shape.as_ref(), 0.01);
             let middles = rim.middles();
-            let points = shape.surface_points(0.004, DVec3::splat(0.002));
+            let points = shape.surface_points(DVec3::splat(0.004), DVec3::splat(0.002));
             let mut on_rim = 0;
             for p in &points {
                 let Some((bin, arc)) = rim.bin_of(p.position, p.normal) else { continue };

@@ -30,7 +30,8 @@ impl<S: Shape> Shape for Rotated<S> {
         self.shape.mass_properties().rotated(self.rotation)
     }
 
-    fn surface_points(&self, spacing: f64, inset: DVec3) -> Vec<SurfacePoint> {
+    fn surface_points(&self, spacing: DVec3, inset: DVec3) -> Vec<SurfacePoint> {
+        let spacing = DVec3::splat(spacing.min_element());
         let mut points = self.shape.surface_points(spacing, inset_in_frame(inset, self.rotation));
         for point in &mut points {
             (point.position, point.normal) = (self.rotation * point.position, self.rotation * point.normal);
@@ -38,7 +39,8 @@ impl<S: Shape> Shape for Rotated<S> {
         points
     }
 
-    fn surface_point_count(&self, spacing: f64, inset: DVec3) -> f64 {
+    fn surface_point_count(&self, spacing: DVec3, inset: DVec3) -> f64 {
+        let spacing = DVec3::splat(spacing.min_element());
         self.shape.surface_point_count(spacing, inset_in_frame(inset, self.rotation))
     }
 

@@ -227,7 +227,7 @@ mod tests {
     #[test]
     fn points_cover_the_surface() {
         for shape in shapes() {
-            let own = shape.surface_points(0.004, DVec3::ZERO);
+            let own = shape.surface_points(DVec3::splat(0.004), DVec3::ZERO);
             let sampled = sample(shape.as_ref(), 0.004, DVec3::ZERO);
             let area = |points: &[SurfacePoint]| points.iter().map(|p| p.area).sum::<f64>();
             assert!((area(&sampled) / area(&own) - 1.0).abs() < 2e-3, "{shape:?}");
@@ -248,10 +248,9 @@ mod tests {
     #[test]
     fn an_inset_leaves_out_what_the_shapes_themselves_leave_out() {
         for shape in shapes() {
-            // A round end may take the inset along one axis for all its radii.
-            for (inset, tolerance) in [(DVec3::splat(0.008), 0.02), (DVec3::new(0.004, 0.008, 0.004), 0.05)] {
+            for (inset, tolerance) in [(DVec3::splat(0.008), 0.02), (DVec3::new(0.004, 0.008, 0.012), 0.02)] {
                 let area = |points: &[SurfacePoint]| points.iter().map(|p| p.area).sum::<f64>();
-                let own = area(&shape.surface_points(0.004, inset));
+                let own = area(&shape.surface_points(DVec3::splat(0.004), inset));
                 let sampled = area(&sample(shape.as_ref(), 0.004, inset));
                 assert!((sampled / own - 1.0).abs() < tolerance, "{shape:?} {inset}: {sampled} {own}");
             }

@@ -41,8 +41,8 @@ impl Shape for Sphere {
     }
 
     /// Rings of equal width between the poles on the z axis; the points of a ring share the exact area of its zone.
-    fn surface_points(&self, spacing: f64, _inset: DVec3) -> Vec<SurfacePoint> {
-        let radius = self.radius();
+    fn surface_points(&self, spacing: DVec3, _inset: DVec3) -> Vec<SurfacePoint> {
+        let (radius, spacing) = (self.radius(), spacing.min_element());
         let rings = self.rings(spacing);
         let mut points = Vec::new();
         for n in 0..rings as usize {
@@ -60,7 +60,8 @@ impl Shape for Sphere {
         paired(points)
     }
 
-    fn surface_point_count(&self, spacing: f64, _inset: DVec3) -> f64 {
+    fn surface_point_count(&self, spacing: DVec3, _inset: DVec3) -> f64 {
+        let spacing = spacing.min_element();
         let (radius, rings) = (self.radius(), self.rings(spacing));
         let ring_radius = |n: f64| radius * (PI * (2.0 * n + 1.0 - rings) / (2.0 * rings)).cos();
         let area = 4.0 * PI * (radius / spacing).powi(2);

@@ -103,11 +103,15 @@ fn covered(grid: &Grid, cell: [usize; 3], distance: impl Fn(DVec3) -> f64) -> f6
         faces[cell[axis]] * (1.0 - local) + faces[cell[axis] + 1] * local
     };
     let width = DVec3::from_array(std::array::from_fn(|axis| grid.width(axis, cell[axis])));
-    let centre = distance(DVec3::new(at(0, 2.0), at(1, 2.0), at(2, 2.0)));
+    let middle = DVec3::new(at(0, 2.0), at(1, 2.0), at(2, 2.0));
+    let centre = distance(middle);
     if centre.abs() > 0.5 * width.length() {
         return if centre < 0.0 { 1.0 } else { 0.0 };
     }
-    let sample = width.min_element() / SAMPLES as f64;
+    // In cubes the depth does not depend on the normal.
+    let depth =
+        if grid.has_cubes() { 1.0 } else { grid.depth_along(normal(middle, 1e-3 * width, &distance)) };
+    let sample = grid.smallest_width(width) * depth / SAMPLES as f64;
     let mut layers = [0.0; SAMPLES];
     for n in 0..SAMPLES.pow(3) {
         let [x, y, z] = [n % SAMPLES, n / SAMPLES % SAMPLES, n / SAMPLES / SAMPLES];
@@ -116,6 +120,12 @@ fn covered(grid: &Grid, cell: [usize; 3], distance: impl Fn(DVec3) -> f64) -> f6
         layers[y] += (0.5 - d / sample).clamp(0.0, 1.0);
     }
     ((layers[0] + layers[3]) + (layers[1] + layers[2])) / SAMPLES.pow(3) as f64
+}
+
+/// Unit normal of the surface nearest to `x`, from differences of the distance over `step` [m] to both sides.
+fn normal(x: DVec3, step: DVec3, distance: impl Fn(DVec3) -> f64) -> DVec3 {
+    let along = |axis: DVec3| (distance(x + axis * step) - distance(x - axis * step)) / axis.dot(step);
+    DVec3::from_array(DVec3::AXES.map(along)).normalize_or_zero()
 }
 
 /// Cuts the bodies out of the soil before the run begins.

@@ -6,7 +6,7 @@
 //! like a uniform pressure on the face.
 
 use super::cut_cell;
-use super::problem::{ContactJacobian, ContactProblem, largest_axis, side};
+use super::problem::{ContactJacobian, ContactProblem, side};
 use crate::model::Model;
 use crate::state::{Contact, State};
 use glam::DVec3;
@@ -130,7 +130,7 @@ pub(crate) fn number<R>(
 ) -> (Vec<usize>, Vec<[DVec3; 8]>) {
     let mut numbers = HashMap::new();
     let each = contacts.iter().map(|c| {
-        let axis = largest_axis(c.normal);
+        let axis = model.grid.main_axis(c.normal);
         let next = numbers.len();
         *numbers.entry((c.body, c.cell, axis, c.normal[axis] > 0.0)).or_insert(next)
     });

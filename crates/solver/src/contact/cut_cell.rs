@@ -61,6 +61,8 @@ struct Cell<'a, D> {
     /// Layers in the whole grid.
     layers: [usize; 3],
     width: DVec3,
+    /// Distance between samples along the normal of the surface [m].
+    sample: f64,
     /// Signed distance from the body's surface [m].
     distance: D,
 }
@@ -81,7 +83,8 @@ impl<'a> Cell<'a, ()> {
         }));
         let position = pose.position - grid_position;
         let distance = move |x: DVec3| fixed.shape.signed_distance(rotation * (x - position));
-        Cell { grid: &model.grid, layers, width, distance }
+        let sample = model.grid.smallest_width(width) * model.grid.depth_along(c.normal) / SAMPLES as f64;
+        Cell { grid: &model.grid, layers, width, sample, distance }
     }
 }
 
@@ -95,8 +98,7 @@ impl<D: Fn(DVec3) -> f64> Cell<'_, D> {
 
     /// 1 inside the body, 0 outside, with a linear transition near its surface.
     fn inside(&self, x: DVec3) -> f64 {
-        let sample = self.width.min_element() / SAMPLES as f64;
-        (0.5 - (self.distance)(x) / sample).clamp(0.0, 1.0)
+        (0.5 - (self.distance)(x) / self.sample).clamp(0.0, 1.0)
     }
 
     /// Magnitude of the area vector of the body's surface in the cell [m²], from the areas of the cell's
@@ -180,7 +182,7 @@ mod tests {
         let (normal, fine) = (DVec3::new(0.5, 0.3, 0.8).normalize(), 60);
         let distance = |x: DVec3| normal.dot(x) - 0.6;
         let grid = Grid::new(std::array::from_fn(|_| vec![0.0, 1.0]));
-        let cell = Cell { grid: &grid, layers: [0; 3], width: DVec3::ONE, distance };
+        let cell = Cell { grid: &grid, layers: [0; 3], width: DVec3::ONE, sample: 0.25, distance };
         let fraction = 0.1;
         let (full, thin) = (cell.hourglass_correction(1.0), cell.hourglass_correction(fraction));
         let points = || (0..fine * fine * fine).map(|n| [n % fine, n / fine % fine, n / fine / fine]);
@@ -209,7 +211,8 @@ mod tests {
         }
         assert!(full.iter().sum::<DVec3>().length() < 1e-15);
         // No soil, in a cell that the body fills.
-        let filled = Cell { grid: &grid, layers: [0; 3], width: DVec3::ONE, distance: |_| -1.0 };
+        let filled =
+            Cell { grid: &grid, layers: [0; 3], width: DVec3::ONE, sample: 0.25, distance: |_| -1.0 };
         assert!(filled.hourglass_correction(-1e-20).iter().all(|f| f.length() < 1e-15));
     }
 }

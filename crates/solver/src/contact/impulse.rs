@@ -132,9 +132,7 @@ impl EffectiveMass {
         (normal_mass > 0.0).then(|| Self {
             normal_mass: 1.0 / normal_mass,
             tangential_mass: 1.0 / delassus_diagonal.max_element(),
-            bias_velocity: -OVERLAP_BIAS
-                * constraint.overlap
-                * problem.moving.twist(constraint.jacobian.body).linear.length(),
+            bias_velocity: -OVERLAP_BIAS * constraint.overlap * bias_speed(problem, constraint),
             friction: problem.model.bodies[constraint.jacobian.body].friction.min(1e6),
             shear_limit: problem.model.bodies[constraint.jacobian.body].shear_limit
                 * constraint.area
@@ -158,6 +156,15 @@ impl EffectiveMass {
         let friction = (old_friction + relaxation * sliding * self.tangential_mass).clamp_length_max(limit);
         new_normal * constraint.jacobian.normal + friction
     }
+}
+
+/// Speed of the body for the bias velocity [m/s]. The overlap is measured in widths of the cell along the normal, the travel
+/// within which it is removed in widths along the velocity.
+fn bias_speed(problem: &ContactProblem, constraint: &Constraint) -> f64 {
+    let velocity = problem.moving.twist(constraint.jacobian.body).linear;
+    let grid = &problem.model.grid;
+    let normal = grid.length_along(constraint.jacobian.normal);
+    velocity.length() * (normal / grid.length_along(velocity.normalize_or_zero()))
 }
 
 /// One constraint (then both indices are the same), or two on opposite sides of the body's mid-plane. Two are

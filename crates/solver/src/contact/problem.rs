@@ -176,15 +176,3 @@ impl ContactProblem<'_> {
         self.impulses[contact] = [normal, friction];
     }
 }
-
-/// Axis of the largest component.
-pub(crate) fn largest_axis(v: DVec3) -> usize {
-    let size = v.abs();
-    if size.x >= size.y && size.x >= size.z {
-        0
-    } else if size.y >= size.z {
-        1
-    } else {
-        2
-    }
-}

@@ -2,7 +2,7 @@
 
 use super::body_fraction::{find_bodies, measure_bodies};
 use super::law::ContactLaw;
-use super::problem::{corners, largest_axis, over_corners};
+use super::problem::{corners, over_corners};
 use super::slip::clear_rims;
 use super::workspace::ContactWorkspace;
 use crate::cpu::stopwatch::Stage;
@@ -130,7 +130,7 @@ impl<R: Scalar> View<'_, R> {
             material: self.material_of(base) as u32,
             weight,
             area: coverage,
-            width: (0..3).map(|axis| self.model.grid.width(axis, cell[axis])).fold(f64::INFINITY, f64::min),
+            width: self.width_along(cell, normal),
             arm,
             normal,
             anchor: position,
@@ -168,6 +168,13 @@ impl<R: Scalar> View<'_, R> {
         (sum > 1e-3).then(|| (weight.map(|w| w / sum), (2.0 * sum).min(1.0)))
     }
 
+    /// Width of a cell along a normal [m].
+    fn width_along(&self, cell: [usize; 3], normal: DVec3) -> f64 {
+        let grid = &self.model.grid;
+        let widths = DVec3::from_array(std::array::from_fn(|axis| grid.width(axis, cell[axis])));
+        grid.smallest_width(widths) * grid.length_along(normal)
+    }
+
     fn material_of(&self, cell: usize) -> usize {
         self.material.get(cell).map_or(0, |m| usize::from(*m))
     }
@@ -188,8 +195,8 @@ impl<R: Scalar> View<'_, R> {
     /// Gap between body and soil along the normal [m], negative where they overlap. Only void between the two
     /// counts, not void beyond the soil.
     fn gap(&self, cell: [usize; 3], normal: DVec3) -> f64 {
-        let axis = largest_axis(normal);
         let grid = &self.model.grid;
+        let axis = grid.main_axis(normal);
         let outward = normal[axis] > 0.0;
         let neighbour = |out: bool| -> Option<[usize; 3]> {
             let mut next = cell;
@@ -245,6 +252,6 @@ impl<R: Scalar> View<'_, R> {
                 gradient.z += sum * WEIGHT[x] * (z as f64 - 1.0);
             }
         }
-        (-gradient).normalize_or_zero()
+        (-gradient / grid.aspect()).normalize_or_zero()
     }
 }

@@ -56,11 +56,14 @@ fn are_mirrored(a: &SurfacePoint, b: &SurfacePoint) -> bool {
 
 /// Spacing of a body's contact points, and their inset from sharp edges along its own axes [m]. The cells near the body are
 /// taken to be the narrowest along each axis.
-pub(crate) fn layout(model: &Model, body: &BodyModel) -> (f64, DVec3) {
+pub(crate) fn layout(model: &Model, body: &BodyModel) -> (DVec3, DVec3) {
     let finest = DVec3::from_array(std::array::from_fn(|axis| model.grid.finest_along(axis)));
     let rotation = DMat3::from_quat(body.attitude(&body.start));
     let inset = inset_in_frame(model.method.edge_inset * finest, rotation);
-    (model.method.point_spacing * model.grid.finest(), inset)
+    let spacing = model.method.point_spacing * model.grid.fine_cell();
+    // Along the axes of a body that is rotated cells have no width of their own.
+    let is_aligned = rotation == DMat3::IDENTITY;
+    (if is_aligned { spacing } else { DVec3::splat(spacing.min_element()) }, inset)
 }
 
 /// The bins of a rim, without areas: the middle of each is that of its points, which need not lie evenly in it.
@@ -87,7 +90,7 @@ impl Surface {
         let mut points = body.shape.surface_points(spacing, inset);
         if stays_across(body, 1) {
             let [low, high] = model.grid.ends(1);
-            let (low, high) = (low - spacing, high + spacing);
+            let (low, high) = (low - spacing.y, high + spacing.y);
             let across = |p: &SurfacePoint| body.start.position.y + body.rotated(&body.start, p.position).y;
             points.retain(|p| (low..=high).contains(&across(p)));
         }
@@ -167,7 +170,7 @@ mod tests {
     #[test]
     fn a_surface_returns_the_points_it_was_made_from() {
         let disc = Disc { diameter: 0.2, thickness: 0.05 };
-        let points = disc.surface_points(0.004, DVec3::splat(0.002));
+        let points = disc.surface_points(DVec3::splat(0.004), DVec3::splat(0.002));
         let surface = Surface::of(&points, &Rim::of(&disc, 0.008));
         let same = |a: &ContactPoint, b: &SurfacePoint| {
             (a.position, a.normal, a.area) == (b.position, b.normal, b.area)

@@ -104,7 +104,7 @@ pub(crate) struct RowSums {
     pub gravity: f64,
     /// Kinetic energy of the nodes [J].
     pub kinetic: f64,
-    /// Largest component of a nodal displacement since the last remap [m].
+    /// Largest component of a nodal displacement since the last remap, each divided by the aspect of the cells [m].
     pub displacement: f64,
     /// The same for light nodes, next to only a few grains of soil [m].
     pub displacement_light: f64,

@@ -12,12 +12,14 @@ const NOTABLE: f64 = 0.1;
 
 /// Whether the motion is slow enough to be quasi-static.
 pub(super) fn speed(case: &Case, body: &Body, notes: &mut Vec<String>) {
-    let fastest = body.translation.iter().map(prescribed_speed).fold(0.0, f64::max);
+    let speeds = body.translation.each_ref().map(prescribed_speed);
+    let axis = (0..3).fold(0, |fastest, axis| if speeds[axis] > speeds[fastest] { axis } else { fastest });
+    let fastest = speeds[axis];
     let length = body_length(std::slice::from_ref(body));
     // A body that enters the soil later is not in it yet: a tenth of its length is assumed.
     let depth = deepest(body, &SoilConditions::of(case), case.duration).max(0.1 * length);
     inertia(case, body, (fastest, depth), notes);
-    viscosity(case, body, (fastest, depth), notes);
+    viscosity(case, body, (fastest, depth), case.grid.fine_cell()[axis], notes);
 }
 
 /// What the soil's inertia adds to the force. The ground carries the load of a body that is free to sink at any speed, so
@@ -60,15 +62,15 @@ fn contact_pressure(case: &Case, depth: f64) -> f64 {
     }
 }
 
-/// What bulk viscosity adds to the pressure on the body.
-fn viscosity(case: &Case, body: &Body, (speed, depth): (f64, f64), notes: &mut Vec<String>) {
+/// What bulk viscosity adds to the pressure on the body; `cell` is the width of a cell along the motion [m].
+fn viscosity(case: &Case, body: &Body, (speed, depth): (f64, f64), cell: f64, notes: &mut Vec<String>) {
     let pressure = contact_pressure(case, depth);
     let wave_speed =
         Elastic::new(case.soil.young_modulus, case.soil.poisson_ratio).wave_speed(case.soil.density);
     // The strain rate is the speed over the length of the contact, √(z d), not over one cell: on the towed disc, where a
     // cell's would make a third of the pressure, switching the viscosity off changes the drag by less than 1 %.
-    let contact = (depth * body_length(std::slice::from_ref(body))).sqrt().max(case.grid.cell);
-    let speed_difference = speed * case.grid.cell / contact;
+    let contact = (depth * body_length(std::slice::from_ref(body))).sqrt().max(cell);
+    let speed_difference = speed * cell / contact;
     let viscous = case.soil.density * wave_speed * case.numerics.bulk_viscosity_linear * speed_difference;
     if viscous > NOTABLE * pressure {
         notes.push(format!(

@@ -52,14 +52,15 @@ fn resolution(case: &Case, body: &Body, notes: &mut Vec<String>) {
     if case.domain.plane_strain {
         size.y = f64::INFINITY;
     }
-    let narrow = size.min_element() / case.grid.cell;
+    let cells = size / case.grid.fine_cell();
+    let narrow = cells.min_element();
     if narrow < 4.0 * (1.0 - 1e-9) {
         notes.push(format!(
             "{}: {narrow:.1} cells across its narrowest side; below 4 the force is uncertain by tens of per cent.",
             body.name
         ));
     }
-    let wide = size.x.min(size.z) / case.grid.cell;
+    let wide = cells.x.min(cells.z);
     if wide < 10.0 && wide > narrow {
         notes.push(format!(
             "{}: {wide:.1} cells across in the plane of the tow; 16 or more are advisable.",

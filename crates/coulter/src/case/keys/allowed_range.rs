@@ -40,6 +40,8 @@ pub(super) const BELOW_HALF: AllowedRange =
     AllowedRange { low: Inclusive(0.0), high: Exclusive(0.5), why: "0.5 would be incompressible" };
 pub(super) const ACUTE: AllowedRange = from(Inclusive(0.0), Exclusive(FRAC_PI_2));
 pub(super) const GROWTH: AllowedRange = from(Inclusive(1.0), Inclusive(1.5));
+pub(super) const ASPECT: AllowedRange =
+    AllowedRange { low: Inclusive(1.0), high: Inclusive(4.0), why: "flatter cells have not been tested" };
 pub(super) const SPACING: AllowedRange = from(Inclusive(0.05), Inclusive(4.0));
 pub(super) const ECCENTRICITY: AllowedRange = from(Exclusive(0.5), Inclusive(1.0));
 pub(super) const EXPONENT: AllowedRange = from(Inclusive(0.05), Inclusive(2.5));

@@ -8,6 +8,8 @@ pub enum DefaultValue {
     Required,
     /// A number without a unit.
     Number(f64),
+    /// Three numbers without a unit.
+    Ratios([f64; 3]),
     /// A quantity as one would write it: `10 min`.
     Quantity(&'static str),
     /// A word.
@@ -45,6 +47,7 @@ impl DefaultValue {
         match self {
             Self::Required => "required".to_owned(),
             Self::Number(number) => number.to_string(),
+            Self::Ratios([x, y, z]) => format!("[{x}, {y}, {z}]"),
             Self::Quantity(text) | Self::Derived(text) => (*text).to_owned(),
             Self::Word(word) => format!("\"{word}\""),
             Self::Flag(flag) => flag.to_string(),

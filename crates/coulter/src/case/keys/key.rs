@@ -15,6 +15,8 @@ pub enum Kind {
     Quantity(Measure),
     /// A number without a unit.
     Number,
+    /// Three numbers without a unit, along x, y and z.
+    Ratios,
     /// A whole number, 0 or more.
     Count,
     /// `true` or `false`.

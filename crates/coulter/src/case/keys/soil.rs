@@ -1,7 +1,7 @@
 //! Keys of the soil, of the box round it and of the grid.
 
-use super::allowed_range::{ACUTE, BELOW_HALF, ECCENTRICITY, GROWTH, NOT_NEGATIVE, POSITIVE};
-use super::default_value::DefaultValue::{Derived, Flag, Number, Quantity, Required, Walls, Word};
+use super::allowed_range::{ACUTE, ASPECT, BELOW_HALF, ECCENTRICITY, GROWTH, NOT_NEGATIVE, POSITIVE};
+use super::default_value::DefaultValue::{Derived, Flag, Number, Quantity, Ratios, Required, Walls, Word};
 use super::key::{Key, Kind, key};
 use super::words::{FOLLOWED, LAWS, POTENTIALS};
 use crate::case::quantity::{ANGLE, DENSITY, LENGTH, SPEED, STRESS, UNIT_WEIGHT};
@@ -93,7 +93,14 @@ pub(super) const FOLLOW: &[Key] = &[
 ];
 
 pub(super) const GRID: &[Key] = &[
-    key("cell", Kind::Quantity(LENGTH), Required, "Cell size h in the fine zone.").within(POSITIVE),
+    key("cell", Kind::Quantity(LENGTH), Required, "Cell size h in the fine zone: the smallest width of its cells.").within(POSITIVE),
+    key(
+        "aspect",
+        Kind::Ratios,
+        Ratios([1.0, 1.0, 1.0]),
+        "Widths of the cells in the fine zone along x, y and z, over `cell`; one of them is 1. `[3, 3, 1]` are flat cells, for a body that sinks much less than it is long.",
+    )
+    .within(ASPECT),
     key(
         "growth",
         Kind::Number,

@@ -44,7 +44,9 @@ pub(super) fn body(section: &Section, context: &Context, problems: &mut Problems
         spin: spin?,
     };
     let plane_strain = context.slab.is_some();
-    checked(body, problems, |body, problems| validate::body::body(body, context.cell, plane_strain, problems))
+    checked(body, problems, |body, problems| {
+        validate::body::body(body, (context.fine_cell(), plane_strain), problems)
+    })
 }
 
 fn shape(section: &Section, context: &Context, problems: &mut Problems) -> Option<Shape> {
@@ -52,7 +54,7 @@ fn shape(section: &Section, context: &Context, problems: &mut Problems) -> Optio
         missing(section, "shape", problems);
     }
     let shape = shapes::read(section, context.slab, problems)?;
-    let around = (context.cell, context.slab.is_some());
+    let around = (context.fine_cell(), context.slab.is_some());
     checked(shape, problems, |shape, problems| validate::body::shape(&section.path, shape, around, problems))
 }
 

@@ -12,6 +12,8 @@ pub(super) struct Context {
     pub(super) gravity: f64,
     /// Cell size in the fine zone [m].
     pub(super) cell: f64,
+    /// Widths of the cells in the fine zone along x, y, z over it.
+    pub(super) aspect: DVec3,
     /// Height of the soil's surface [m].
     pub(super) surface: f64,
     pub(super) symmetric: bool,
@@ -26,6 +28,11 @@ pub(super) struct Context {
 }
 
 impl Context {
+    /// Widths along x, y, z of the cells in the fine zone [m].
+    pub(super) fn fine_cell(&self) -> DVec3 {
+        self.cell * self.aspect
+    }
+
     /// What the clearance round a body depends on.
     pub(super) fn soil_conditions(&self) -> SoilConditions {
         SoilConditions {

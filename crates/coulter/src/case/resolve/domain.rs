@@ -31,7 +31,7 @@ fn default_box(context: &Context, paths: &Paths) -> Option<Extent> {
         .fold(Clearance::default(), Clearance::and);
     let at_least = |needed: f64| needed.max(MIN_SIDE * length);
     let floor = around.low.z.min(context.surface) - need.below.max(MIN_BELOW * length);
-    let lid = (MIN_ABOVE * length).max(need.above + OVER_HEAP * context.cell);
+    let lid = (MIN_ABOVE * length).max(need.above + OVER_HEAP * context.fine_cell().z);
     Some(Extent {
         low: DVec3::new(
             around.low.x - at_least(need.along[0]),

@@ -64,15 +64,10 @@ pub(super) fn grid(
     let axis = |axis: usize| {
         let ends = [domain.low[axis], domain.high[axis]];
         let fine = [usual.low[axis], usual.high[axis]];
-        let plain = AxisGrading { ends, fine, anchor: anchors[axis], cell: context.cell, growth };
-        let fitted = fit(
-            paths.bodies,
-            domain,
-            axis,
-            (anchors[axis], required_face(ground, domain, axis)),
-            context.cell,
-        )
-        .filter(|_| fits);
+        let cell = context.fine_cell()[axis];
+        let plain = AxisGrading { ends, fine, anchor: anchors[axis], cell, growth };
+        let required = (anchors[axis], required_face(ground, domain, axis));
+        let fitted = fit(paths.bodies, domain, axis, required, cell).filter(|_| fits);
         [fitted.map_or(plain, |[cell, anchor]| AxisGrading { anchor, cell, ..plain }), plain]
     };
     let x = faces(section, "fine_x", axis(0), problems);
@@ -85,6 +80,7 @@ pub(super) fn grid(
     let ((x, fine_x), (y, fine_y), (z, fine_z)) = (x?, y?, z?);
     Some(Grid {
         cell: context.cell,
+        aspect: context.aspect,
         fine_low: DVec3::new(fine_x[0], fine_y[0], fine_z[0]),
         fine_high: DVec3::new(fine_x[1], fine_y[1], fine_z[1]),
         growth,
@@ -109,7 +105,8 @@ fn faces(
     grading::faces(&axis)
         .or_else(|_| grading::faces(&unfitted))
         .map_err(|message| {
-            let cure = "change grid.cell, grid.growth or the box; a whole number of cells always fits";
+            let cure =
+                "change grid.cell, grid.aspect, grid.growth or the box; a whole number of cells always fits";
             problems.add(section.at("cell"), format!("{key}: {message}"), cure);
         })
         .ok()
@@ -144,7 +141,56 @@ fn anchors(ground: &Ground, domain: &Domain) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::case::keys;
+    use crate::case::estimate::estimate;
+    use crate::case::model::model;
+    use crate::case::{Case, CaseError, keys, parse};
+
+    fn flat(aspect: &str, more: &[&str]) -> Result<Case, CaseError> {
+        let text = format!(
+            "format = 2\n[soil]\nlaw = 'mohr-coulomb'\nfriction_angle = '35 deg'\nunit_weight = '16 kN/m^3'\nyoung_modulus = '5 MPa'\n\
+             [domain]\nsymmetric = true\n[grid]\ncell = '5 mm'\naspect = {aspect}\n[body.disc]\nshape = 'disc'\ndiameter = '0.2 m'\n\
+             thickness = '50 mm'\nfriction = 0.3\nsinkage = '20 mm'\nforward = {{ speed = '0.2 m/s' }}\n[run]\ntow_distance = '0.1 m'\n"
+        );
+        let more: Vec<String> = more.iter().map(|key| (*key).to_owned()).collect();
+        parse(&text, "case.toml", &more)
+    }
+
+    #[test]
+    fn flat_cells_have_their_widths_along_each_axis() {
+        let narrowest = |case: &Case| {
+            case.grid
+                .faces
+                .each_ref()
+                .map(|f| f.windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min))
+        };
+        let close = |widths: [f64; 3], expected: [f64; 3]| {
+            assert!(
+                widths.iter().zip(expected).all(|(w, e)| (w - e).abs() < 1e-9),
+                "{widths:?}, not {expected:?}"
+            );
+        };
+        let case = flat("[3, 2, 1]", &[]).unwrap();
+        // Along y fitted to the disc's half thickness of 25 mm.
+        close(narrowest(&case), [0.015, 0.025 / 3.0, 0.005]);
+        assert!(case.grid.faces[2].iter().any(|z| z.abs() < 1e-12), "a face at the surface");
+        let (estimated, taken) = (estimate(&case).time_step_s, model(&case, 8).time_step());
+        assert!((estimated / taken - 1.0).abs() < 1e-12, "{estimated} s, {taken} s");
+    }
+
+    #[test]
+    fn other_shapes_of_cells_are_refused_with_a_cure() {
+        for (aspect, said) in [
+            ("[2, 2, 2]", "divide them by 2, and multiply grid.cell by it"),
+            ("[0.5, 1, 1]", "grid.aspect[0]"),
+            ("[5, 5, 1]", "from 1 to 4"),
+            ("[3, 1]", "expected 3 numbers, found 2"),
+            ("['3', 1, 1]", "expected a number, found text"),
+            ("3", "expected a list of 3 numbers"),
+        ] {
+            let error = format!("{:?}", flat(aspect, &[]).unwrap_err());
+            assert!(error.contains(said), "{aspect}: {error}");
+        }
+    }
 
     #[test]
     fn the_documented_fine_zone_is_the_derived_one() {

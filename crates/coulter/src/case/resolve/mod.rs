@@ -25,6 +25,7 @@ use super::shapes::slab::Slab;
 use super::typed::{Schema, Section};
 use super::validate;
 use context::{Context, checked};
+use glam::DVec3;
 
 /// The case that was typed, or `None` with problems added.
 pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problems) -> Option<Case> {
@@ -72,13 +73,16 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
 
 fn context(schema: &Schema, gravity: f64, law: Option<Law>, problems: &mut Problems) -> Option<Context> {
     let cell = required(&schema.grid, "cell", problems);
+    let aspect = schema.grid.list("aspect").filter(|widths| widths.len() == 3);
+    let aspect = aspect.map(|widths| DVec3::from_slice(&widths));
+    let aspect = aspect.and_then(|widths| checked(widths, problems, |a, p| validate::grid::aspect(*a, p)));
     let surface = schema.ground.number("surface");
     let [symmetric, symmetric_x, plane_strain] =
         ["symmetric", "symmetric_x", "plane_strain"].map(|key| schema.domain.flag(key).unwrap_or_default());
     checked((), problems, |(), problems| validate::domain::planes(symmetric, plane_strain, problems))?;
-    let cell = cell?;
+    let (cell, aspect) = (cell?, aspect?);
     let slab = if plane_strain {
-        let [low, high] = range(&schema.domain, "y", Some([0.0, cell]), problems)?;
+        let [low, high] = range(&schema.domain, "y", Some([0.0, cell * aspect.y]), problems)?;
         let inset = schema.numerics.number("edge_inset")?;
         Some(Slab { width: high - low, middle: 0.5 * (low + high), inset: inset * (high - low) })
     } else {
@@ -86,7 +90,7 @@ fn context(schema: &Schema, gravity: f64, law: Option<Law>, problems: &mut Probl
     };
     let velocity = ground::typed_velocity(&schema.ground);
     let surface = surface?;
-    Some(Context { gravity, cell, surface, symmetric, symmetric_x, law, velocity, slab })
+    Some(Context { gravity, cell, aspect, surface, symmetric, symmetric_x, law, velocity, slab })
 }
 
 /// All bodies, or `None` if any of them is wrong.

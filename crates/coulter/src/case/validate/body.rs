@@ -5,12 +5,13 @@ use crate::case::problem::Problems;
 use crate::case::quantity::plain;
 use crate::case::resolved::{Body, Motion};
 use crate::case::shapes::Shape;
+use glam::DVec3;
 
 /// Least number of cells across a body: with fewer, soil fits between its contact points unnoticed.
 const MIN_CELLS_ACROSS: f64 = 2.0;
 
-/// Reports what is wrong with a body in a grid whose fine cells have the size `cell` [m].
-pub(in crate::case) fn body(body: &Body, cell: f64, plane_strain: bool, problems: &mut Problems) {
+/// Reports what is wrong with a body in a grid whose fine cells have the widths `cell` [m], and that may be one slab.
+pub(in crate::case) fn body(body: &Body, (cell, plane_strain): (DVec3, bool), problems: &mut Problems) {
     let path = format!("body.{}", body.name);
     shape(&path, &body.shape, (cell, plane_strain), problems);
     position(&path, body, problems);
@@ -26,7 +27,7 @@ pub(in crate::case) fn body(body: &Body, cell: f64, plane_strain: bool, problems
 pub(in crate::case) fn shape(
     path: &str,
     shape: &Shape,
-    (cell, plane_strain): (f64, bool),
+    (cell, plane_strain): (DVec3, bool),
     problems: &mut Problems,
 ) {
     let before = problems.len();
@@ -43,13 +44,16 @@ pub(in crate::case) fn shape(
 }
 
 /// Reports a shape with too few cells across to resolve contact.
-fn cells_across(path: &str, shape: &Shape, (cell, plane_strain): (f64, bool), problems: &mut Problems) {
+fn cells_across(path: &str, shape: &Shape, (cell, plane_strain): (DVec3, bool), problems: &mut Problems) {
     // The slab of a plane strain case is one cell wide, whatever the body.
     let sizes: Vec<_> = shape.sizes().into_iter().filter(|s| !(plane_strain && s.axis == Some(1))).collect();
     let narrowest =
         |key| sizes.iter().filter(|s| s.key == key).map(|s| s.length).fold(f64::INFINITY, f64::min);
     for size in sizes.iter().filter(|size| size.length == narrowest(size.key)) {
-        let cells = size.length / cell;
+        // A length along several axes may lie along the widest cells.
+        let widest = if plane_strain { cell.x.max(cell.z) } else { cell.max_element() };
+        let width = size.axis.map_or(widest, |axis| cell[axis]);
+        let cells = size.length / width;
         if cells >= MIN_CELLS_ACROSS * (1.0 - 1e-9) {
             continue;
         }
@@ -57,7 +61,7 @@ fn cells_across(path: &str, shape: &Shape, (cell, plane_strain): (f64, bool), pr
         let message = format!("only {cells:.2} cells across {path}: too few to resolve contact");
         let cure = format!(
             "make grid.cell at most {:.4} mm for 2 cells across; 4 or more are advisable",
-            1e3 * size.length / MIN_CELLS_ACROSS
+            1e3 * size.length / MIN_CELLS_ACROSS * (cell.min_element() / width)
         );
         problems.add(path, message, cure);
     }

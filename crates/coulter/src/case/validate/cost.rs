@@ -6,7 +6,6 @@ use crate::case::machine;
 use crate::case::problem::Problems;
 use crate::case::resolved::Case;
 use crate::case::resources::format_bytes;
-use glam::DVec3;
 
 /// Largest number of time steps.
 const MAX_STEPS: f64 = 1e12;
@@ -27,7 +26,7 @@ const EDGE_INSET: &str = "numerics.edge_inset";
 
 /// Refuses an inset that leaves no contact points: no force could act on the body.
 fn contact_points_remain(case: &Case, problems: &mut Problems) {
-    let mut cells = DVec3::splat(case.grid.cell);
+    let mut cells = case.grid.fine_cell();
     if case.domain.plane_strain {
         // The slab is one cell, of any width.
         cells.y = case.domain.high.y - case.domain.low.y;

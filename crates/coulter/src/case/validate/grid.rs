@@ -4,6 +4,7 @@ use crate::case::numbers::{in_order, in_range};
 use crate::case::problem::Problems;
 use crate::case::quantity::plain;
 use crate::case::resolved::{Domain, Grid};
+use glam::DVec3;
 
 /// Fraction of a cell below which two positions coincide.
 const COINCIDE: f64 = 1e-6;
@@ -14,6 +15,7 @@ pub(super) fn grid(grid: &Grid, domain: &Domain, problems: &mut Problems) {
     if !in_range("grid.cell", grid.cell, problems) {
         return;
     }
+    aspect(grid.aspect, problems);
     for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
         let ends = [domain.low[axis], domain.high[axis]];
         let zone = [grid.fine_low[axis], grid.fine_high[axis]];
@@ -26,6 +28,17 @@ pub(super) fn grid(grid: &Grid, domain: &Domain, problems: &mut Problems) {
     if domain.plane_strain && grid.faces[1].len() != 2 {
         let message = "the slab of a plane strain case is one cell wide";
         problems.add("grid.cell", message, "give two faces along y, those of the slab");
+    }
+}
+
+/// Reports what is wrong with the shape of the cells: their widths along x, y, z over `grid.cell`.
+pub(in crate::case) fn aspect(aspect: DVec3, problems: &mut Problems) {
+    let widths = aspect.to_array().into_iter().enumerate();
+    let mut outside = |(n, width)| !in_range(&format!("grid.aspect[{n}]"), width, problems);
+    if widths.filter(|width| outside(*width)).count() == 0 && aspect.min_element() > 1.0 {
+        let message = "grid.aspect: none of the widths is grid.cell itself";
+        let least = plain(aspect.min_element());
+        problems.add("grid.aspect", message, format!("divide them by {least}, and multiply grid.cell by it"));
     }
 }
 

@@ -41,7 +41,7 @@ fn parts(case: &Case, problems: &mut Problems) {
     parameters::forecast(&case.forecast, problems);
     names::bodies(&case.bodies, problems);
     for body in &case.bodies {
-        body::body(body, case.grid.cell, case.domain.plane_strain, problems);
+        body::body(body, (case.grid.fine_cell(), case.domain.plane_strain), problems);
     }
     timing::duration(case.duration, problems);
     timing::output(&case.output, case.duration, problems);

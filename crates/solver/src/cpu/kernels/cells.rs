@@ -64,6 +64,8 @@ pub(crate) struct RowConstants<'a> {
     pub(crate) material: &'a MaterialConstants,
     /// Fraction of the hourglass viscosity that acts in yielding cells.
     pub(crate) hourglass_yielding: Real,
+    /// Whether the cells of the fine zone are cubes.
+    pub(crate) has_cubes: bool,
     /// Widths of the cells along x [m], 0 in ghosts.
     pub(crate) width_x: &'a [Real],
     /// ¼ of the inverse widths, 0 in ghosts [1/m].
@@ -82,7 +84,8 @@ impl<'a> RowConstants<'a> {
     ) -> Self {
         let [width_x, per_width_x] = width_x.each_ref().map(|w| &w[1..]);
         let hourglass_yielding = model.method.hourglass_yielding as Real;
-        Self { material: &materials[0], hourglass_yielding, width_x, per_width_x, dt: dt as Real }
+        let has_cubes = model.grid.has_cubes();
+        Self { material: &materials[0], hourglass_yielding, has_cubes, width_x, per_width_x, dt: dt as Real }
     }
 
     /// Whether the soil is strained. In a remap no time passes: a stress that mixing puts outside the yield
@@ -144,6 +147,8 @@ pub struct Block {
     pub(super) bears_stress: Lane,
     /// 1 where the trial stress may lie outside the yield surface.
     pub(super) yields: Lane,
+    /// Length for bulk viscosity [m]; unused for cubes.
+    pub(super) strained_width: Lane,
     /// Viscous stress [Pa].
     pub(super) viscous: Lane,
     /// Coefficient of the hourglass force [kg/s].
@@ -171,6 +176,7 @@ impl Block {
             rate: ZERO,
             bears_stress: ZERO,
             yields: ZERO,
+            strained_width: ZERO,
             viscous: ZERO,
             damping: ZERO,
             area: [ZERO; 3],

@@ -18,16 +18,19 @@ pub(crate) struct NodeConstants {
     /// Nodes lighter than this [kg] may move farther before a remap is due: otherwise a few grains in flight
     /// would cause a remap every few steps.
     light: Real,
+    /// Inverse of the aspect of the cells along x, y, z.
+    per_aspect: [Real; 3],
 }
 
 impl NodeConstants {
     pub(crate) fn new(model: &Model, dt: f64) -> Self {
         /// Fraction of the mass of a full node.
         const LIGHT: f64 = 0.02;
-        let light = LIGHT * model.least_density() * model.grid.finest().powi(3);
+        let light = LIGHT * model.least_density() * model.least_volume();
         let [dt, gravity, mass_moved, light] =
             [dt, model.soil_gravity, model.mass_moved(), light].map(|x| x as Real);
-        Self { dt, gravity, mass_moved, light }
+        let per_aspect = model.grid.aspect().to_array().map(|a| (1.0 / a) as Real);
+        Self { dt, gravity, mass_moved, light, per_aspect }
     }
 }
 
@@ -149,8 +152,8 @@ pub(crate) fn finish_row(
     sums.displacement_light = lane_max(light).into();
 }
 
-/// For each node: work of gravity, kinetic energy, and the largest component of the displacement, separately
-/// for heavy and light nodes.
+/// For each node: work of gravity, kinetic energy, and the largest component of the displacement over the aspect of the
+/// cells, separately for heavy and light nodes.
 #[inline(always)]
 fn measure_nodes(
     constants: &NodeConstants,
@@ -164,12 +167,14 @@ fn measure_nodes(
     let [vx, vy, vz] = nodes.velocity.each_ref().map(|v| &v[..n]);
     let [ux, uy, uz] = nodes.displacement.each_ref().map(|u| &u[..n]);
     let (kinetic, heavy, light) = (&mut kinetic[..n], &mut heavy[..n], &mut light[..n]);
+    let [per_x, per_y, per_z] = constants.per_aspect;
     let velocity_gain = -constants.gravity * constants.dt;
     for i in 0..n {
         gravity[i] = velocity_gain * mass[i] * down[i];
         kinetic[i] = 0.5 * mass[i] * (vx[i] * vx[i] + vy[i] * vy[i] + vz[i] * vz[i]);
-        let xy = if ux[i].abs() > uy[i].abs() { ux[i].abs() } else { uy[i].abs() };
-        let u = if uz[i].abs() > xy { uz[i].abs() } else { xy };
+        let [x, y, z] = [per_x * ux[i].abs(), per_y * uy[i].abs(), per_z * uz[i].abs()];
+        let xy = if x > y { x } else { y };
+        let u = if z > xy { z } else { xy };
         let is_heavy = mass[i] > constants.light;
         heavy[i] = if is_heavy { u } else { 0.0 };
         light[i] = if is_heavy { 0.0 } else { u };

@@ -178,6 +178,7 @@ mod tests {
         let constants = RowConstants {
             material: &material,
             hourglass_yielding: 1.0,
+            has_cubes: true,
             width_x: &ones,
             per_width_x: &[0.25; BLOCK],
             dt: 1.0,

@@ -9,6 +9,7 @@ use super::cells::{BLOCK, Block, CellRow, Lane, RowConstants};
 use super::lanes::lane_sum;
 use super::physics::brick::Sums;
 use super::physics::tensor::{Symmetric, deviator, jaumann};
+use super::physics::viscosity::strained_width;
 use super::return_mapping::apply;
 use super::{LANES, Real};
 use crate::cpu::stopwatch::{Stage, Stopwatch};
@@ -44,6 +45,9 @@ pub(crate) fn strain_cells(
             stopwatch.count_returned(returned);
             sums.yields += returned as u32;
             stopwatch.lap(Stage::Plasticity);
+        }
+        if !constants.has_cubes {
+            strained_widths(constants, cells, block);
         }
         let [plastic, viscous, hourglass] = cut_off_stress(constants, cells, block);
         sums.plastic += plastic;
@@ -128,6 +132,20 @@ fn trial_stress(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
     b.work = [0.0; BLOCK];
 }
 
+/// Lengths for bulk viscosity of cells that are not cubes.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn strained_widths(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
+    let (start, n) = (b.start, b.n.min(BLOCK));
+    let own = start..start + n;
+    let (width, per_width) = (&constants.width_x[own.clone()], &constants.per_width_x[own]);
+    let (hy, hz) = (cells.width_y, cells.width_z);
+    let (per_y, per_z) = (0.25 / hy, 0.25 / hz);
+    for i in 0..n {
+        let rates = [b.side[0][0][i] * per_width[i], b.side[1][1][i] * per_y, b.side[2][2][i] * per_z];
+        b.strained_width[i] = strained_width([width[i], hy, hz], rates);
+    }
+}
+
 /// Stress cut-off: stores the stress at the end of the step, zero where the soil bears none, and computes the
 /// stress-bearing areas, the bulk viscosity and the hourglass damping. Returns the plastic work [J] and the
 /// dissipation by bulk and hourglass viscosity [W] of the block.
@@ -142,7 +160,8 @@ fn cut_off_stress(constants: &RowConstants, cells: &mut CellRow, b: &mut Block) 
         let volume = hx * hy * hz;
         let length = mean_width(hx, hy, hz);
         let f = if b.bears_stress[i] > 0.0 { fraction[i] } else { 0.0 };
-        let viscous = constants.material.viscosity.stress(length, b.rate[i]);
+        let strained = if constants.has_cubes { length } else { b.strained_width[i] };
+        let viscous = constants.material.viscosity.stress(strained, b.rate[i]);
         // Yielding soil resists shear with its strength alone, whatever its stiffness; so should its
         // hourglass modes.
         let factor = if b.yields[i] > 0.0 { constants.hourglass_yielding } else { 1.0 };
