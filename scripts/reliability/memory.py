@@ -78,7 +78,7 @@ duration = "30 ms"
 
 def cases(folder, is_short):
     """Name, case file and settings."""
-    disc = CASES / "towed_disc.toml"
+    disc = CASES / "light_disc.toml"
     yield "towed disc, short", disc, ["run.tow_distance=0.02 m", SOON]
     yield "strip footing", CASES / "strip_footing.toml", []
     yield "passive wall", CASES / "passive_wall.toml", []

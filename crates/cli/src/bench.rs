@@ -34,7 +34,7 @@ pub(super) fn bench(arguments: &Arguments) -> Result<(), Failure> {
             let (text, moving) = TOWED_DISC;
             let overrides: Vec<String> =
                 moving.iter().map(ToString::to_string).chain(arguments.overrides.iter().cloned()).collect();
-            case::parse(text, "towed_disc.toml", &overrides)?
+            case::parse(text, "light_disc.toml", &overrides)?
         }
     };
     let cores = || std::thread::available_parallelism().map_or(1, std::num::NonZero::get);

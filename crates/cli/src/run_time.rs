@@ -81,7 +81,7 @@ mod tests {
 
     #[test]
     fn a_part_holds_the_body_and_the_surface() {
-        let text = include_str!("../../../cases/towed_disc.toml");
+        let text = include_str!("../../../cases/light_disc.toml");
         let case = case::parse(text, "case.toml", &["grid.cell=5 mm".to_owned()]).unwrap();
         let region = around_the_first_body(&case);
         for axis in 0..3 {

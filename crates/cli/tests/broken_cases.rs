@@ -3,7 +3,7 @@
 
 use assert_cmd::Command;
 
-const TOWED_DISC: &str = include_str!("../../../cases/towed_disc.toml");
+const TOWED_DISC: &str = include_str!("../../../cases/light_disc.toml");
 const FOOTING: &str = include_str!("../../../cases/strip_footing.toml");
 const WALL: &str = include_str!("../../../cases/passive_wall.toml");
 const BAR: &str = include_str!("../../../validation/A10_taylor_bar/case.toml");
@@ -424,7 +424,7 @@ fn files_that_are_no_case() {
 
 #[test]
 fn overrides_are_checked_like_the_file() {
-    let case = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/towed_disc.toml");
+    let case = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/light_disc.toml");
     let message = |set: &str| complaint(&["check", case, "--set", set]);
     assert!(message("soil.frction_angle=38 deg").contains("did you mean `friction_angle`?"));
     assert!(message("soil.frction_angle=38 deg").contains("--set soil.frction_angle:1:1"));

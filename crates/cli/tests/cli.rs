@@ -53,7 +53,7 @@ fn new_does_not_overwrite_unasked() {
 
 #[test]
 fn the_towed_disc_is_understood() {
-    let seen = checked(&[&shipped("towed_disc.toml")]);
+    let seen = checked(&[&shipped("light_disc.toml")]);
     let case = &seen["resolved"];
     close(&case["soil"]["density"], 16e3 / 9.81);
     close(&case["soil"]["k0"], 1.0 - 35f64.to_radians().sin());
@@ -82,7 +82,7 @@ fn undrained_soil_gets_its_own_viscosity() {
     let viscosity =
         |file| checked(&[&shipped(file)])["resolved"]["numerics"]["bulk_viscosity_linear"].clone();
     close(&viscosity("strip_footing.toml"), 0.06);
-    close(&viscosity("towed_disc.toml"), 0.02);
+    close(&viscosity("light_disc.toml"), 0.02);
 }
 
 #[test]
@@ -95,7 +95,7 @@ fn overrides_take_effect() {
         "--set",
         "grid.growth=1.2",
     ];
-    let file = shipped("towed_disc.toml");
+    let file = shipped("light_disc.toml");
     let seen = checked(&[&[file.as_str()], &sets[..]].concat());
     close(&seen["resolved"]["soil"]["law"]["mohr-coulomb"]["friction_angle"], 38f64.to_radians());
     close(&seen["resolved"]["grid"]["growth"], 1.2);
@@ -119,7 +119,7 @@ fn box_and_fine_zone_follow_from_the_bodies() {
 
 #[test]
 fn warnings_are_given() {
-    let file = shipped("towed_disc.toml");
+    let file = shipped("light_disc.toml");
     let sets = [
         "--set",
         "body.disc.thickness=30 mm",
@@ -141,7 +141,7 @@ fn warnings_are_given() {
 
 #[test]
 fn the_shipped_cases_raise_no_warnings() {
-    for file in ["towed_disc.toml", "passive_wall.toml", "strip_footing.toml", "column_collapse.toml"] {
+    for file in ["towed_disc.toml", "light_disc.toml", "passive_wall.toml", "strip_footing.toml", "column_collapse.toml"] {
         let seen = checked(&[&shipped(file)]);
         assert_eq!(seen["warnings"], serde_json::json!([]), "{file}");
     }
@@ -150,7 +150,7 @@ fn the_shipped_cases_raise_no_warnings() {
 #[test]
 fn a_fast_tow_is_warned_of_by_what_inertia_adds() {
     let reply = |sets: &[&str]| {
-        checked(&[&[shipped("towed_disc.toml").as_str()], sets].concat())["warnings"].to_string()
+        checked(&[&[shipped("light_disc.toml").as_str()], sets].concat())["warnings"].to_string()
     };
     // Held 60 mm deep at 0.5 m/s: 2 ρ v² is 816 Pa, the mean of γ z K_p 1771 Pa: 46 %.
     let held = ["--set", "body.disc.heave=fixed", "--set", "body.disc.sinkage=60 mm", "--set"];
@@ -167,7 +167,7 @@ fn run_does_not_overwrite_unasked() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("run.json"), "{}").unwrap();
     let refusal =
-        coulter().args(["run", &shipped("towed_disc.toml"), "-o"]).arg(folder.path()).assert().code(2);
+        coulter().args(["run", &shipped("light_disc.toml"), "-o"]).arg(folder.path()).assert().code(2);
     assert!(String::from_utf8_lossy(&refusal.get_output().stderr).contains("--force"));
 }
 
@@ -204,7 +204,7 @@ fn a_breakdown_exits_with_1_and_leaves_what_there_is() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("out");
     let failure = coulter()
-        .args(["run", &shipped("towed_disc.toml"), "--set", "soil.young_modulus=100 Pa"])
+        .args(["run", &shipped("light_disc.toml"), "--set", "soil.young_modulus=100 Pa"])
         .args(["--set", "grid.cell=25 mm", "-o"])
         .arg(&out)
         .assert()

@@ -14,7 +14,7 @@ fn shipped(name: &str) -> String {
 
 fn forecast(arguments: &[&str]) -> Command {
     let mut command = coulter();
-    command.arg("forecast").arg(shipped("towed_disc.toml")).args(arguments);
+    command.arg("forecast").arg(shipped("light_disc.toml")).args(arguments);
     command
 }
 
@@ -165,7 +165,7 @@ fn curves_are_written_and_not_overwritten_unasked() {
         command
     };
     run("Z=0.02..0.4", &[]).assert().success();
-    let written = folder.path().join("results/towed_disc-forecast");
+    let written = folder.path().join("results/light_disc-forecast");
     let curve = std::fs::read_to_string(written.join("curve.csv")).unwrap();
     assert_eq!(curve.lines().count(), 10);
     assert!(curve.starts_with("sinkage z [m],Z = z/d"));
@@ -239,7 +239,7 @@ fn plate_constants_and_cone_index_make_more_models_apply() {
         "forecast.cone_index=0.3 MPa",
     ]);
     assert_eq!(model(&typed, "Bekker"), model(&seen, "Bekker"));
-    let checked = coulter().arg("check").arg(shipped("towed_disc.toml")).args(given).output().unwrap();
+    let checked = coulter().arg("check").arg(shipped("light_disc.toml")).args(given).output().unwrap();
     assert!(checked.status.success());
     assert!(String::from_utf8_lossy(&checked.stdout).contains("`coulter forecast` only"));
     let with_bow_wave = json(&["--set", "forecast.bow_wave=0.3", "--set", "forecast.factors=\"lyamin\""]);
@@ -250,7 +250,7 @@ fn plate_constants_and_cone_index_make_more_models_apply() {
 #[test]
 fn equal_discs_in_a_row_are_an_assembly() {
     let folder = tempfile::tempdir().unwrap();
-    let text = std::fs::read_to_string(shipped("towed_disc.toml")).unwrap();
+    let text = std::fs::read_to_string(shipped("light_disc.toml")).unwrap();
     let whole =
         text.replace("symmetric = true", "symmetric = false").replace("y = [\"0 m\"", "y = [\"-0.3 m\"");
     let whole = whole.replace("fine_y = [\"0 m\"", "fine_y = [\"-0.15 m\"");

@@ -9,7 +9,7 @@ use std::process::Output;
 use std::time::{Duration, Instant};
 
 fn disc() -> String {
-    format!("{}/../../cases/towed_disc.toml", env!("CARGO_MANIFEST_DIR"))
+    format!("{}/../../cases/light_disc.toml", env!("CARGO_MANIFEST_DIR"))
 }
 
 fn coulter(arguments: &[&str]) -> Output {

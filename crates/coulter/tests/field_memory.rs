@@ -32,7 +32,7 @@ static ALLOCATOR: Counting = Counting;
 
 /// Cells of the towed disc on cells of this size, and the memory that its field files take to be written [bytes].
 fn writing(cell: &str) -> (usize, usize) {
-    let text = include_str!("../../../cases/towed_disc.toml");
+    let text = include_str!("../../../cases/light_disc.toml");
     let case = case::parse(text, "case.toml", &[format!("grid.cell={cell}")]).unwrap();
     let Simulation { model, state, history, .. } = Simulation::<f64>::new(&case);
     let folder = tempfile::tempdir().unwrap();

@@ -99,7 +99,7 @@ const SET_UPS: [SetUp; 27] = [
         600,
     ),
     set_up("locked disc", "validation/E2_disc_drag/case.toml", &[], 2, 150),
-    set_up("smooth potential", "cases/towed_disc.toml", SMOOTH, 1, 500),
+    set_up("smooth potential", "cases/light_disc.toml", SMOOTH, 1, 500),
     set_up("two bodies", "validation/A8_repeatability/case.toml", TWO, 2, 300),
 ];
 const VELOCITY: &str = "ground.velocity=[\"0.3 m/s\", \"0.1 m/s\", \"0 m/s\"]";

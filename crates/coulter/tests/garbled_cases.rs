@@ -3,7 +3,7 @@
 use miette::GraphicalReportHandler;
 use proptest::prelude::*;
 
-const TOWED_DISC: &str = include_str!("../../../cases/towed_disc.toml");
+const TOWED_DISC: &str = include_str!("../../../cases/light_disc.toml");
 const FOOTING: &str = include_str!("../../../cases/strip_footing.toml");
 const WALL: &str = include_str!("../../../cases/passive_wall.toml");
 

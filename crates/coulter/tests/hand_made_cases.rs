@@ -1,7 +1,7 @@
 //! A case is checked however it was made: from a file, from nested maps, or by hand.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
-use coulter::case::resolved::{Case, Ground, Law, Potential, Wall};
+use coulter::case::resolved::{Body, Case, Ground, Law, Potential, Wall};
 use coulter::case::shapes::{Cylinder, Shape, Sphere};
 use coulter::case::{self, CaseError, Problem, keys, validate};
 use coulter::interrupts::Interrupts;
@@ -12,7 +12,7 @@ use mechanics::Motion;
 use proptest::prelude::*;
 use serde_json::json;
 
-const TOWED_DISC: &str = include_str!("../../../cases/towed_disc.toml");
+const TOWED_DISC: &str = include_str!("../../../cases/light_disc.toml");
 const FOOTING: &str = include_str!("../../../cases/strip_footing.toml");
 const COLUMN: &str = include_str!("../../../cases/column_collapse.toml");
 const BAR: &str = include_str!("../../../validation/A10_taylor_bar/case.toml");
@@ -218,6 +218,28 @@ fn what_is_no_map_of_sections_is_refused() {
     assert!(refused(json!({ "format": 2, "numerics": { "courant": u64::MAX } })).contains("problems"));
 }
 
+/// Every number of a body.
+fn numbers_of_body(body: &mut Body) -> Vec<&mut f64> {
+    let mut all = Vec::from(components(&mut body.position));
+    all.extend([&mut body.mass, &mut body.axle_inertia, &mut body.friction, &mut body.shear_limit]);
+    all.extend(match &mut body.shape {
+        Shape::Disc(disc) => vec![&mut disc.diameter, &mut disc.thickness],
+        Shape::Cylinder(cylinder) => vec![&mut cylinder.diameter, &mut cylinder.length],
+        Shape::Sphere(sphere) => vec![&mut sphere.diameter],
+        Shape::Block(block) => {
+            components(&mut block.size).into_iter().chain([&mut block.orientation]).collect()
+        }
+    });
+    for motion in body.translation.iter_mut().chain([&mut body.spin]) {
+        match motion {
+            Motion::Fixed => {}
+            Motion::Free { load, support, start, ramp } => all.extend([load, support, start, ramp]),
+            Motion::Prescribed { speed, start, ramp, end } => all.extend([speed, start, ramp, end]),
+        }
+    }
+    all
+}
+
 /// Every number of a case.
 fn numbers(case: &mut Case) -> Vec<&mut f64> {
     let mut all = vec![&mut case.gravity, &mut case.overburden, &mut case.duration];
@@ -263,25 +285,7 @@ fn numbers(case: &mut Case) -> Vec<&mut f64> {
         &mut numerics.edge_inset,
         &mut numerics.point_spacing,
     ]);
-    for body in &mut case.bodies {
-        all.extend(components(&mut body.position));
-        all.extend([&mut body.mass, &mut body.axle_inertia, &mut body.friction, &mut body.shear_limit]);
-        all.extend(match &mut body.shape {
-            Shape::Disc(disc) => vec![&mut disc.diameter, &mut disc.thickness],
-            Shape::Cylinder(cylinder) => vec![&mut cylinder.diameter, &mut cylinder.length],
-            Shape::Sphere(sphere) => vec![&mut sphere.diameter],
-            Shape::Block(block) => {
-                components(&mut block.size).into_iter().chain([&mut block.orientation]).collect()
-            }
-        });
-        for motion in body.translation.iter_mut().chain([&mut body.spin]) {
-            match motion {
-                Motion::Fixed => {}
-                Motion::Free { load, support, start, ramp } => all.extend([load, support, start, ramp]),
-                Motion::Prescribed { speed, start, ramp, end } => all.extend([speed, start, ramp, end]),
-            }
-        }
-    }
+    all.extend(case.bodies.iter_mut().flat_map(numbers_of_body));
     all
 }
 

@@ -143,7 +143,7 @@ fn short_tow(contact: &str, threads: usize) -> Case {
     ];
     let mut overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
     overrides.push(format!("numerics.contact=\"{contact}\""));
-    let mut case = case::load(&root().join("cases/towed_disc.toml"), &overrides).unwrap();
+    let mut case = case::load(&root().join("cases/light_disc.toml"), &overrides).unwrap();
     case.numerics.threads = threads;
     case
 }

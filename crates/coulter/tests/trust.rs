@@ -9,7 +9,7 @@ use coulter::trust::{Setting, Trust, Verdict};
 
 /// The shipped tow on cells fine enough for its sinkage.
 fn tow(overrides: &[&str]) -> Case {
-    let path = format!("{}/../../cases/towed_disc.toml", env!("CARGO_MANIFEST_DIR"));
+    let path = format!("{}/../../cases/light_disc.toml", env!("CARGO_MANIFEST_DIR"));
     let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
     case::load(path.as_ref(), &overrides).unwrap()
 }

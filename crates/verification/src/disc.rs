@@ -6,12 +6,12 @@ use coulter::history::reference::Reference;
 use coulter::history::steady::{Steady, steady, window};
 use coulter::simulation::Simulation;
 
-const CASE: &str = include_str!("../../../cases/towed_disc.toml");
+const CASE: &str = include_str!("../../../cases/light_disc.toml");
 /// Diameter of the disc [m].
 const DIAMETER: f64 = 0.2;
 
 pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
-    let variant = "cases/towed_disc.toml";
+    let variant = "cases/light_disc.toml";
     if !runner.wants("D3", variant)? {
         return Ok(());
     }

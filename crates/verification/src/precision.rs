@@ -12,7 +12,7 @@ use solver::workspace::Workspace;
 
 const FOOTING: &str = include_str!("../../../validation/B1_strip_footing/case.toml");
 const WALL: &str = include_str!("../../../validation/B5_passive_wall/case.toml");
-const TOW: &str = include_str!("../../../cases/towed_disc.toml");
+const TOW: &str = include_str!("../../../cases/light_disc.toml");
 const SAND: &str = include_str!("../../../validation/A4_soil_at_rest/case.toml");
 /// Runs of the tow in each precision.
 const RUNS: usize = 4;

@@ -26,7 +26,7 @@ fn is_worst_check(sandbox: &Sandbox, verdict: &str) -> bool {
 #[test]
 fn a_disc_that_falls_out_of_the_box_is_a_breakdown() {
     let sandbox = Sandbox::new();
-    let shipped = format!("{}/../../cases/towed_disc.toml", env!("CARGO_MANIFEST_DIR"));
+    let shipped = format!("{}/../../cases/light_disc.toml", env!("CARGO_MANIFEST_DIR"));
     std::fs::copy(shipped, sandbox.out("").with_file_name("case.toml")).unwrap();
     let reply =
         sandbox.run(&["--set", "grid.cell=25 mm", "--set", r#"body.disc.heave={ load = "-5000 N" }"#]);

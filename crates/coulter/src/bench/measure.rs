@@ -14,7 +14,7 @@ use std::time::Instant;
 
 /// The towed disc in the midst of its tow: it starts 20 mm deep, moving, so that there is no need to wait for it.
 pub const TOWED_DISC: (&str, [&str; 4]) = (
-    include_str!("../../../../cases/towed_disc.toml"),
+    include_str!("../../../../cases/light_disc.toml"),
     [
         "body.disc.sinkage=20 mm",
         "body.disc.forward.start=0 s",

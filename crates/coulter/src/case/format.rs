@@ -108,7 +108,7 @@ mod tests {
     use super::*;
     use crate::case::{CaseError, keys, parse};
 
-    const TOWED_DISC: &str = include_str!("../../../../cases/towed_disc.toml");
+    const TOWED_DISC: &str = include_str!("../../../../cases/light_disc.toml");
 
     /// What is wrong with the towed disc when `old` is replaced by `new`.
     fn refused(old: &str, new: &str, overrides: &[String]) -> CaseError {

@@ -134,7 +134,7 @@ fn explained(mut error: CaseError, case: &Case, (step, count): (usize, usize)) -
 mod tests {
     use super::*;
 
-    const TOWED_DISC: &str = include_str!("../../../../cases/towed_disc.toml");
+    const TOWED_DISC: &str = include_str!("../../../../cases/light_disc.toml");
     const FOOTING: &str = include_str!("../../../../cases/strip_footing.toml");
     const COLUMN: &str = include_str!("../../../../cases/column_collapse.toml");
 

@@ -43,7 +43,7 @@ fn set(table: &mut dyn TableLike, keys: &[&str], value: Value) -> Option<()> {
 mod tests {
     use super::*;
 
-    const TOWED_DISC: &str = include_str!("../../../../cases/towed_disc.toml");
+    const TOWED_DISC: &str = include_str!("../../../../cases/light_disc.toml");
 
     #[test]
     fn the_text_means_the_same_as_file_and_overrides() {

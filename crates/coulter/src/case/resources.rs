@@ -57,7 +57,7 @@ mod tests {
 
     #[test]
     fn a_run_that_writes_more_than_fits_is_warned_of() {
-        let text = include_str!("../../../../cases/towed_disc.toml");
+        let text = include_str!("../../../../cases/light_disc.toml");
         let mut case = crate::case::parse(text, "case.toml", &[]).unwrap();
         assert!(warnings(&cost(&case), Path::new("results")).is_empty());
         case.output.field_interval = 1e-9;

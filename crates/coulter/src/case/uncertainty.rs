@@ -106,7 +106,7 @@ mod tests {
     use super::super::{Case, CaseError};
     use super::*;
 
-    const TOWED_DISC: &str = include_str!("../../../../cases/towed_disc.toml");
+    const TOWED_DISC: &str = include_str!("../../../../cases/light_disc.toml");
 
     fn with(overrides: &[&str]) -> Result<(Case, Vec<StandardDeviation>), CaseError> {
         let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();

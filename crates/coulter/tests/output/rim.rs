@@ -10,7 +10,7 @@ use std::path::Path;
 
 /// The towed disc in a short box of equal cells, on its way through the soil at a fixed depth.
 fn tow(changes: &[&str]) -> Case {
-    tow_text(include_str!("../../../../cases/towed_disc.toml"), changes)
+    tow_text(include_str!("../../../../cases/light_disc.toml"), changes)
 }
 
 fn tow_text(text: &str, changes: &[&str]) -> Case {
@@ -128,7 +128,7 @@ fn a_locked_disc_slides_forwards_and_its_report_shows_it() {
 fn the_faces_of_a_block_are_told_apart() {
     let dir = tempfile::tempdir().unwrap();
     let block = ["body.disc.shape=block", "body.disc.size=[\"0.1 m\", \"0.1 m\", \"0.1 m\"]"];
-    let text = include_str!("../../../../cases/towed_disc.toml")
+    let text = include_str!("../../../../cases/light_disc.toml")
         .replace("diameter = \"0.2 m\"\n", "")
         .replace("thickness = \"0.05 m\"\n", "")
         .replace("spin = \"free\"\n", "");

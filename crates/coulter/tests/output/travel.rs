@@ -23,7 +23,7 @@ const CELL: f64 = 0.025;
 
 /// The towed disc in a short box of equal cells, so deep in the soil [mm], for 0.15 m of travel.
 fn tow(sinkage: &str) -> Case {
-    let text = include_str!("../../../../cases/towed_disc.toml");
+    let text = include_str!("../../../../cases/light_disc.toml");
     let overrides = [
         "grid.cell=25 mm",
         "grid.growth=1",

@@ -261,7 +261,7 @@ mod tests {
     #[test]
     fn bins_of_a_block_end_at_its_corners() {
         let block = Block { size: DVec3::new(0.4, 0.1, 0.2) };
-        for angle in [0.0, 0.3, -0.785_398_163_397_448_3, 1.2] {
+        for angle in [0.0, 0.3, -std::f64::consts::FRAC_PI_4, 1.2] {
             let rim = Rim::of(&Rotated::new(block, angle), 0.03);
             let corners = rim.outline.corners();
             assert_eq!(corners.len(), 4);
