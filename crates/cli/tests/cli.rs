@@ -141,7 +141,13 @@ fn warnings_are_given() {
 
 #[test]
 fn the_shipped_cases_raise_no_warnings() {
-    for file in ["towed_disc.toml", "light_disc.toml", "passive_wall.toml", "strip_footing.toml", "column_collapse.toml"] {
+    for file in [
+        "towed_disc.toml",
+        "light_disc.toml",
+        "passive_wall.toml",
+        "strip_footing.toml",
+        "column_collapse.toml",
+    ] {
         let seen = checked(&[&shipped(file)]);
         assert_eq!(seen["warnings"], serde_json::json!([]), "{file}");
     }
