@@ -109,7 +109,7 @@ fn wrong_type() {
     refused(TOWED_DISC, "symmetric = true", "symmetric = \"yes\"", &["true or false"]);
     refused(
         TOWED_DISC,
-        "title = \"A free disc towed over dry sand\"",
+        "title = \"A light free disc towed over dry sand\"",
         "title = 3",
         &["expected text", "quotes"],
     );

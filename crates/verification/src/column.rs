@@ -1,7 +1,7 @@
 //! C1: collapse of a column of sand in plane strain.
 
 use crate::error::VerifyError;
-use crate::probe::{edge, thickness};
+use crate::probe::thickness;
 use crate::runner::Runner;
 use coulter::simulation::Simulation;
 
@@ -12,9 +12,6 @@ const WIDTH: f64 = 0.1;
 const FRONT: f64 = 0.5;
 /// Thickness at the front by another definition, the same on every grid, over the width of the column.
 const FRONT_FIXED: f64 = 0.025;
-
-/// Thicknesses over the width of the column between which the surface is taken for straight, and is extended to the floor.
-const TOE: [f64; 2] = [0.05, 0.15];
 
 /// Aspect ratios that are run with φ = 37°, and with 31°.
 const STEEP: [f64; 5] = [0.5, 1.0, 2.0, 3.0, 4.0];
@@ -93,11 +90,9 @@ fn collapse(runner: &mut Runner, angle: u32, a: f64, cells: u32) -> Result<(), V
     let cell = simulation.case.grid.cell;
     let end = front(&simulation, FRONT * cell);
     let fixed = front(&simulation, FRONT_FIXED * WIDTH);
-    let edge = edge(TOE, TOE.map(|thickness| front(&simulation, thickness * WIDTH)));
     let figures = [
         (RUN_OUT, (end - WIDTH) / WIDTH),
         (RUN_OUT_FIXED, (fixed - WIDTH) / WIDTH),
-        ("run-out to the edge, surface extended to the floor", (edge - WIDTH) / WIDTH),
         ("final height over L₀", thickness(&simulation, 0, 0) / WIDTH),
         ("travel of the front in the last tenth of the time [cells]", (end - late) / cell),
     ];

@@ -29,8 +29,3 @@ pub(crate) fn thickness(simulation: &Simulation, i: usize, j: usize) -> f64 {
     let (grid, fraction) = (&simulation.model.grid, &simulation.state.soil.fraction);
     (0..grid.cells()[2]).map(|k| fraction[grid.index(i, j, k)] * grid.width(2, k)).sum()
 }
-
-/// Where a heap ends: the straight line through its positions at two thicknesses, extended to no thickness [m].
-pub(crate) fn edge([thin, thick]: [f64; 2], [outer, inner]: [f64; 2]) -> f64 {
-    outer + (outer - inner) * thin / (thick - thin)
-}
