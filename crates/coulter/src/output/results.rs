@@ -151,6 +151,8 @@ impl Results {
             .map(|rim| rim.map_or(Vec::new(), |rim| rim.lines))
             .collect();
         write_rims(&self.dir, &history.names, &rims)?;
+        // As written, so that a report that is rebuilt from the files is the same to the last digit.
+        let rims = read_rims(&self.dir, &history.names)?;
         report(&self.dir, &self.record, &summary, (history, &rims))?;
         // Last: until it says how the run ended, a resumed run repeats all this.
         self.record.write(&self.dir)?;
