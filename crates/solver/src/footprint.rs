@@ -1,7 +1,7 @@
 //! Memory of a run, predicted from its model before anything is allocated. All in bytes, as floats, since a
 //! prediction may exceed any integer.
 
-use crate::contact::{BodyCell, ContactNode, kept_per_constraint, layout, stays_across};
+use crate::contact::{BodyCell, ContactNode, kept_per_constraint, layout, rim, stays_across};
 use crate::cpu::workspace;
 use crate::fields::ARRAYS;
 use crate::model::{BodyModel, Model};
@@ -74,6 +74,12 @@ fn contact(model: &Model, moved: &[DVec3], [per_point, per_constraint]: [f64; 2]
 pub fn surface_points(model: &Model, body: &BodyModel) -> f64 {
     let (spacing, inset) = layout(model, body);
     body.shape.surface_point_count(spacing, inset)
+}
+
+/// Number of bins in which the sums over a body's rim are kept, that of the flanks included.
+#[must_use]
+pub fn rim_bins(model: &Model, body: &BodyModel) -> f64 {
+    rim(model, body).middles().len() as f64 + 1.0
 }
 
 /// Number of cells that bodies occupy, wholly or in part.

@@ -6,7 +6,7 @@ use super::path::travel;
 use super::resolved::{Body, Case, Grid, Ground, Precision};
 use glam::DVec3;
 use serde::Serialize;
-use solver::footprint::{self, Footprint, surface_points};
+use solver::footprint::{self, Footprint, rim_bins, surface_points};
 use solver::grid::{LANES, finest_of, longer_step};
 use solver::precision::Scalar as _;
 use std::f64::consts::FRAC_PI_4;
@@ -23,7 +23,7 @@ pub struct Memory {
     pub grid_bytes: f64,
     /// Contact points of the bodies.
     pub contact_bytes: f64,
-    /// Peak memory for writing results.
+    /// Sums over the rims of the bodies, and peak memory for writing results.
     pub outputs_bytes: f64,
 }
 
@@ -112,8 +112,14 @@ fn memory(case: &Case, cells: f64, filled: f64) -> Memory {
         grid_bytes: fields - void * fields_of_soil + workspace,
         contact_bytes: contact,
         // The contact points are generated before anything is written.
-        outputs_bytes: outputs.max(layout - contact),
+        outputs_bytes: outputs.max(layout - contact) + output_size::rim_memory(case, all_rim_bins(case)),
     }
+}
+
+/// Bins of the rims of all bodies.
+fn all_rim_bins(case: &Case) -> f64 {
+    let model = model(case, LANES);
+    model.bodies.iter().map(|body| rim_bins(&model, body)).sum()
 }
 
 /// Threads that a run is given.

@@ -2,6 +2,7 @@
 
 use super::resolved::{Case, Precision};
 use serde::Serialize;
+use solver::state::RimSums;
 
 /// A cell with soil in a field file [bytes]: 18 numbers of 32 bits, compressed; measured (towed disc 59, column 61).
 const PACKED_CELL: f64 = 60.0;
@@ -21,6 +22,9 @@ const REPORT: f64 = 0.8e6;
 const STATE_ARRAYS: f64 = 17.0;
 /// Memory for pictures, plots and the report of any case [bytes]; measured.
 const PICTURES: f64 = 15e6;
+/// Largest number of records of the sums over a rim; when there are more, every second one is dropped. The ends of a window are
+/// then known to about a hundredth of the run (chosen: memory and checkpoints stay small however long the run).
+pub const MOST_RIM_RECORDS: usize = 256;
 /// Memory to write a checkpoint, over that of the fields: it is written in small blocks.
 const CHECKPOINT: f64 = 0.1;
 
@@ -47,12 +51,23 @@ pub fn output_size(case: &Case, cells: f64, filled: f64) -> OutputSize {
     let soil = PACKED_CELL * filled + PACKED_VOID * (cells - filled);
     let one = soil + PACKED_COLUMN * mirrored * cells / layers.max(1.0) + PACKED_BODY * bodies;
     let frames = (case.duration / case.output.field_interval).floor() + 2.0;
-    let lines = (case.duration / case.output.history_interval).ceil() + 1.0;
+    let lines = samples(case) + 1.0;
     let fields_bytes = frames * one;
     let histories_bytes = lines * (LINES[0] * bodies + LINES[1]);
     let checkpoints_bytes = 2.0 * PACKED_STATE * STATE_ARRAYS * width(case) * filled;
     let total_bytes = fields_bytes + histories_bytes + checkpoints_bytes + REPORT;
     OutputSize { frames, fields_bytes, histories_bytes, checkpoints_bytes, total_bytes }
+}
+
+/// Number of samples of the histories.
+fn samples(case: &Case) -> f64 {
+    (case.duration / case.output.history_interval).ceil()
+}
+
+/// Memory of the sums over the rims of all bodies in the course of a run [bytes]; `bins` is the number of their bins.
+#[must_use]
+pub fn rim_memory(case: &Case, bins: f64) -> f64 {
+    samples(case).min(MOST_RIM_RECORDS as f64) * bins * size_of::<RimSums>() as f64
 }
 
 fn width(case: &Case) -> f64 {
@@ -66,7 +81,7 @@ fn width(case: &Case) -> f64 {
 /// and takes less.
 #[must_use]
 pub fn memory(case: &Case, fields: f64) -> f64 {
-    let lines = (case.duration / case.output.history_interval).ceil();
+    let lines = samples(case);
     // The report reads the histories as text and draws them.
     let report = PICTURES + lines * (LINES[0] * case.bodies.len() as f64 + LINES[1]);
     report.max(CHECKPOINT * fields)

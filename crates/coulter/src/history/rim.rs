@@ -1,12 +1,10 @@
 //! The distribution of stress and slip along the rim of a body: sums over time, and their average over a window.
 
+use crate::case::output_size::MOST_RIM_RECORDS;
 use serde::{Deserialize, Serialize};
 use solver::model::RimBin;
 use solver::state::RimSums;
 
-/// Largest number of records; when there are more, every second one is dropped. The ends of a window are then known to about a
-/// hundredth of the run (chosen: memory and checkpoints stay small however long the run).
-const MOST_RECORDS: usize = 256;
 /// Normal stress over the largest along the rim below which a change of sign of the slip does not count (chosen: at the ends
 /// of the contact a few grains slide one way and the other).
 const LOADED: f64 = 0.02;
@@ -130,7 +128,7 @@ impl RimHistory {
             self.records.pop();
         }
         self.records.push(RimRecord { number, time, sums });
-        if self.records.len() > MOST_RECORDS {
+        if self.records.len() > MOST_RIM_RECORDS {
             self.stride = 2 * stride;
             let (stride, last) = (self.stride, number);
             self.records.retain(|record| record.number.is_multiple_of(stride) || record.number == last);
@@ -292,7 +290,7 @@ mod tests {
         for samples in [3, 257, 258, 259, 1000, 5001] {
             let history = history(samples);
             let records = &history.records;
-            assert!(records.len() <= MOST_RECORDS && records.len() >= samples.min(MOST_RECORDS / 2));
+            assert!(records.len() <= MOST_RIM_RECORDS && records.len() >= samples.min(MOST_RIM_RECORDS / 2));
             assert_eq!((records[0].number, records[records.len() - 1].number), (0, samples - 1));
             let end = (samples - 1) as f64;
             let average = history.average([0.7 * end, end]).unwrap();

@@ -26,4 +26,4 @@ pub(crate) use overlap::remove_overlap;
 pub(crate) use problem::ContactNode;
 pub(crate) use search::{first_search, search};
 pub(crate) use solve::{ContactWork, solve};
-pub(crate) use surface::{Surface, layout, stays_across};
+pub(crate) use surface::{Surface, layout, rim, stays_across};

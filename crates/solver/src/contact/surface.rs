@@ -66,6 +66,11 @@ pub(crate) fn layout(model: &Model, body: &BodyModel) -> (DVec3, DVec3) {
     (if is_aligned { spacing } else { DVec3::splat(spacing.min_element()) }, inset)
 }
 
+/// The rim of a body, in bins.
+pub(crate) fn rim(model: &Model, body: &BodyModel) -> Rim {
+    Rim::of(body.shape.as_ref(), RIM_BIN * model.grid.finest())
+}
+
 /// The bins of a rim, without areas: the middle of each is that of its points, which need not lie evenly in it.
 fn bins(points: &[SurfacePoint], rim: &Rim) -> Vec<RimBin> {
     let mut bins: Vec<_> = rim.middles().into_iter().map(|middle| (middle, [0.0; 2])).collect();
@@ -94,7 +99,7 @@ impl Surface {
             let across = |p: &SurfacePoint| body.start.position.y + body.rotated(&body.start, p.position).y;
             points.retain(|p| (low..=high).contains(&across(p)));
         }
-        let rim = Rim::of(body.shape.as_ref(), RIM_BIN * model.grid.finest());
+        let rim = rim(model, body);
         let mut surface = Self::of(&points, &rim);
         surface.measure_rim(model, body);
         surface
