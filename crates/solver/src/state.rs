@@ -89,6 +89,8 @@ pub struct Contact {
     pub is_paired: bool,
     /// Cell `(i, j, k)` in the whole grid.
     pub cell: [u32; 3],
+    /// Octant of the cell, numbered like its nodes.
+    pub octant: u8,
     /// Weights of the cell's eight nodes.
     pub weight: [f64; 8],
     /// Outward unit normal of the body.
@@ -111,20 +113,20 @@ pub struct Contact {
 
 impl Contact {
     /// All its numbers except the indices of body and point.
-    pub(crate) fn to_array(self) -> [f64; 32] {
-        let mut values = [0.0; 32];
+    pub(crate) fn to_array(self) -> [f64; 33] {
+        let mut values = [0.0; 33];
         let [i, j, k] = self.cell.map(f64::from);
         let scalars = [f64::from(self.material), i, j, k, self.area, self.width, self.penetration];
         let vectors = [self.normal, self.arm, self.slip, self.impulse, self.anchor];
         let all =
             scalars.into_iter().chain(self.weight).chain(vectors.into_iter().flat_map(|v| v.to_array()));
         values.iter_mut().zip(all).for_each(|(value, new)| *value = new);
-        (values[30], values[31]) = (self.side.into(), self.is_paired.into());
+        (values[30], values[31], values[32]) = (self.side.into(), self.is_paired.into(), self.octant.into());
         values
     }
 
     /// The inverse of [`Contact::to_array`].
-    pub(crate) fn of([body, point]: [usize; 2], values: [f64; 32]) -> Self {
+    pub(crate) fn of([body, point]: [usize; 2], values: [f64; 33]) -> Self {
         let [material, i, j, k, area, width, penetration, ..] = values;
         let vector = |n: usize| DVec3::from_slice(&values[15 + 3 * n..]);
         Self {
@@ -143,6 +145,7 @@ impl Contact {
             anchor: vector(4),
             side: values[30] as u8,
             is_paired: values[31] != 0.0,
+            octant: values[32] as u8,
         }
     }
 }

@@ -54,6 +54,7 @@ mod specimen;
 mod strip_sand;
 pub mod table;
 mod taylor;
+mod three_meshes;
 pub mod trace;
 mod transport;
 mod wall;

@@ -1,9 +1,12 @@
-//! Contact constraints: one for each body face in each cell.
+//! Contact constraints: one for each body face in each cell; in flat cells one for each half of the cell along its long sides.
 //!
 //! The soil's velocity is a single trilinear field within a cell, so non-penetration of a face there is a
 //! single condition; the face's contact points in the cell are its quadrature points. The area-weighted mean
 //! of their shape functions gives the mean soil velocity over the face; an impulse on the constraint acts
 //! like a uniform pressure on the face.
+//!
+//! A mean over the cell does not see velocities that alternate from node to node along the face. In cubes the soil below
+//! resists them; in a flat cell it resists the less the flatter the cell is, so that such a cell is halved.
 
 use super::cut_cell;
 use super::problem::{ContactJacobian, ContactProblem, side};
@@ -121,7 +124,10 @@ impl Constraints {
     }
 }
 
-/// For each contact point the number of its constraint (by body, face and cell), and for each constraint its cut-cell
+/// Aspect from which on a cell is halved along an axis (chosen: halves of longer cells are then about as long as cubes).
+const WIDE: f64 = 1.5;
+
+/// For each contact point the number of its constraint (by body, face and part of a cell), and for each constraint its cut-cell
 /// hourglass correction; `fraction` is the volume fraction in the cell of each contact point.
 pub(crate) fn number<R>(
     model: &Model,
@@ -129,10 +135,13 @@ pub(crate) fn number<R>(
     fraction: &[f64],
 ) -> (Vec<usize>, Vec<[DVec3; 8]>) {
     let mut numbers = HashMap::new();
+    let aspect = model.grid.aspect();
+    let halved: u8 = (0..3).map(|axis| u8::from(aspect[axis] >= WIDE) << axis).sum();
     let each = contacts.iter().map(|c| {
         let axis = model.grid.main_axis(c.normal);
+        let part = c.octant & halved & !(1 << axis);
         let next = numbers.len();
-        *numbers.entry((c.body, c.cell, axis, c.normal[axis] > 0.0)).or_insert(next)
+        *numbers.entry((c.body, c.cell, axis, c.normal[axis] > 0.0, part)).or_insert(next)
     });
     let each: Vec<usize> = each.collect();
     let hourglass_correction =

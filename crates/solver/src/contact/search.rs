@@ -127,6 +127,7 @@ impl<R: Scalar> View<'_, R> {
         let (weight, coverage) = self.weights(cell, in_grid)?;
         let mut contact = Contact {
             cell: whole.map(|layer| layer as u32),
+            octant: self.octant(cell, probe),
             material: self.material_of(base) as u32,
             weight,
             area: coverage,
@@ -166,6 +167,15 @@ impl<R: Scalar> View<'_, R> {
         }
         let sum = over_corners(weight);
         (sum > 1e-3).then(|| (weight.map(|w| w / sum), (2.0 * sum).min(1.0)))
+    }
+
+    /// The octant of a cell in which a point lies.
+    fn octant(&self, cell: [usize; 3], at: DVec3) -> u8 {
+        let middle = |axis: usize| {
+            let faces = &self.model.grid.faces[axis];
+            0.5 * (faces[cell[axis]] + faces[cell[axis] + 1])
+        };
+        (0..3).map(|axis| u8::from(at[axis] >= middle(axis)) << axis).sum()
     }
 
     /// Width of a cell along a normal [m].
