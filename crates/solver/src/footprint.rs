@@ -29,7 +29,7 @@ pub struct Footprint {
 /// Arrays of the state that are written in every cell at the start: volume fraction, mass, stress, nodal
 /// mass.
 const WRITTEN: f64 = 9.0;
-/// Contact nodes per constraint: neighbouring constraints share nodes.
+/// Contact nodes per constraint: there are four in a cell, and neighbouring cells share nodes.
 const NODES_PER_CONSTRAINT: f64 = 2.5;
 
 /// Memory of a run with `threads` threads, each body ending at the displacement `moved` from its start [m].
@@ -57,7 +57,7 @@ fn fields<R>(entries: usize, materials: usize) -> [f64; 2] {
 fn contact(model: &Model, moved: &[DVec3], [per_point, per_constraint]: [f64; 2]) -> [f64; 2] {
     /// For each point: the shape's list, its copy in pairs, and the tree that finds the pairs.
     const LAID_OUT: f64 = 2.0 * size_of::<SurfacePoint>() as f64 + 60.0;
-    let points_per_constraint = model.method.point_spacing.min(1.0).powi(-2);
+    let points_per_constraint = (2.0 * model.method.point_spacing).min(1.0).powi(-2);
     let mut sums = [0.0_f64; 2];
     for (n, body) in model.bodies.iter().enumerate() {
         let all = surface_points(model, body);

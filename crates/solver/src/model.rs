@@ -139,7 +139,7 @@ impl Default for Method {
             courant: 0.5,
             remap_displacement: 0.1,
             hourglass: 0.01,
-            hourglass_yielding: 1.0,
+            hourglass_yielding: 0.1,
             bulk_viscosity: [0.02, 1.2],
             contact: ContactMethod::Impulse,
             edge_inset: 0.5,

@@ -33,6 +33,9 @@ fn towed(shape: Box<dyn Shape>, quarters: u32, turns_sweeps: bool, steps: usize)
     let rotation = DQuat::from_rotation_z(FRAC_PI_2 * f64::from(quarters));
     let across: Vec<f64> = (-10..=10).map(|n| 0.02 * f64::from(n)).collect();
     let mut model = sand([across.clone(), across, (-6..=3).map(|n| 0.02 * f64::from(n)).collect()]);
+    // With the default, less in cells that yield, sand on so coarse cells amplifies the difference that the order of sweeps makes: to
+    // 2·10⁻³ of the force after 100 steps, and to 0.6 % of its mean over 600.
+    model.method.hourglass_yielding = 1.0;
     let height = shape.bounds().1.z - 0.015;
     let velocity = rotation * DVec3::new(0.3, 0.0, -0.15);
     let along = |axis: usize| Motion::Prescribed { speed: velocity[axis], start: 0.0, ramp: 0.002, end: 0.2 };

@@ -1,12 +1,11 @@
-//! Contact constraints: one for each body face in each cell; in flat cells one for each half of the cell along its long sides.
+//! Contact constraints: one for each quarter of a cell that a body's face crosses, one for the whole cell at the face's edges.
 //!
-//! The soil's velocity is a single trilinear field within a cell, so non-penetration of a face there is a
-//! single condition; the face's contact points in the cell are its quadrature points. The area-weighted mean
-//! of their shape functions gives the mean soil velocity over the face; an impulse on the constraint acts
-//! like a uniform pressure on the face.
+//! A constraint's contact points are the quadrature points of the face. The area-weighted mean of their shape functions gives
+//! the mean soil velocity over its part of the face; an impulse on the constraint acts there like a uniform pressure.
 //!
-//! A mean over the cell does not see velocities that alternate from node to node along the face. In cubes the soil below
-//! resists them; in a flat cell it resists the less the flatter the cell is, so that such a cell is halved.
+//! A single constraint for a cell does not see velocities that alternate from node to node along the face. The soil below
+//! resists them, but little where it yields, and the less the flatter the cells are. At an edge quarters would hold nodes
+//! beyond the face.
 
 use super::cut_cell;
 use super::problem::{ContactJacobian, ContactProblem, side};
@@ -124,27 +123,25 @@ impl Constraints {
     }
 }
 
-/// Aspect from which on a cell is halved along an axis (chosen: halves of longer cells are then about as long as cubes).
-const WIDE: f64 = 1.5;
-
-/// For each contact point the number of its constraint (by body, face and part of a cell), and for each constraint its cut-cell
-/// hourglass correction; `fraction` is the volume fraction in the cell of each contact point.
+/// For each contact point the number of its constraint (by body, face and quarter of a cell), and for each constraint its
+/// cut-cell hourglass correction; `fraction` is the volume fraction in the cell of each contact point.
 pub(crate) fn number<R>(
     model: &Model,
     State { bodies, grid_position, contacts, .. }: &State<R>,
     fraction: &[f64],
 ) -> (Vec<usize>, Vec<[DVec3; 8]>) {
+    let surfaces = cut_cell::surfaces(model, bodies, *grid_position, contacts);
     let mut numbers = HashMap::new();
-    let aspect = model.grid.aspect();
-    let halved: u8 = (0..3).map(|axis| u8::from(aspect[axis] >= WIDE) << axis).sum();
     let each = contacts.iter().map(|c| {
         let axis = model.grid.main_axis(c.normal);
-        let part = c.octant & halved & !(1 << axis);
+        let is_whole = surfaces[&(c.body, c.cell)].is_whole();
+        let quarter = if is_whole { c.octant & !(1 << axis) } else { 0 };
         let next = numbers.len();
-        *numbers.entry((c.body, c.cell, axis, c.normal[axis] > 0.0, part)).or_insert(next)
+        *numbers.entry((c.body, c.cell, axis, c.normal[axis] > 0.0, quarter)).or_insert(next)
     });
     let each: Vec<usize> = each.collect();
+    let sampled = (contacts.as_slice(), fraction, &surfaces);
     let hourglass_correction =
-        cut_cell::corrections(model, bodies, *grid_position, (contacts, fraction), (&each, numbers.len()));
+        cut_cell::corrections(model, bodies, *grid_position, sampled, (&each, numbers.len()));
     (each, hourglass_correction)
 }

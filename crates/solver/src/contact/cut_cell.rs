@@ -21,38 +21,75 @@ const SAMPLES: usize = 4;
 /// there.
 const WHOLE: f64 = 0.75;
 
+/// A body's surface in one cell.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct CellSurface {
+    /// Area that its contact points represent [m²].
+    sampled: f64,
+    /// Its area [m²].
+    area: f64,
+}
+
+impl CellSurface {
+    /// Whether the contact points represent most of it; at an edge they do not.
+    pub(super) fn is_whole(&self) -> bool {
+        // Three of four rows of points represent exactly this fraction: round-off must not decide.
+        self.sampled > (WHOLE - 1e-6) * self.area
+    }
+}
+
+/// The surfaces of the bodies in the cells that hold contact points, by body and cell.
+pub(super) type CellSurfaces = HashMap<(u32, [u32; 3]), CellSurface>;
+
+/// Finds the surfaces in the cells of the contact points.
+pub(super) fn surfaces(
+    model: &Model,
+    bodies: &[Body],
+    grid_position: DVec3,
+    contacts: &[Contact],
+) -> CellSurfaces {
+    // The two sides of the body's mid-plane are summed separately, so that mirroring in y changes no bit.
+    type Sampled<'a> = (&'a Contact, [f64; 3]);
+    let mut sampled: HashMap<_, Sampled> = HashMap::new();
+    for c in contacts {
+        sampled.entry((c.body, c.cell)).or_insert((c, [0.0; 3])).1[side(c)] += c.area;
+    }
+    let surface = |(key, (c, [left, right, middle])): (_, Sampled)| {
+        let area = Cell::new(model, bodies, grid_position, c).area(c.normal);
+        (key, CellSurface { sampled: left + right + middle, area })
+    };
+    sampled.into_iter().map(surface).collect()
+}
+
 /// For each constraint the correction at the eight nodes of its cell per unit normal force.
 pub(super) fn corrections(
     model: &Model,
     bodies: &[Body],
     grid_position: DVec3,
-    (contacts, fraction): (&[Contact], &[f64]),
+    (contacts, fraction, surfaces): (&[Contact], &[f64], &CellSurfaces),
     (constraint, constraints): (&[usize], usize),
 ) -> Vec<[DVec3; 8]> {
-    // The two sides of the body's mid-plane are summed separately, so that mirroring in y changes no bit.
-    let mut area: HashMap<(u32, [u32; 3]), [f64; 3]> = HashMap::new();
-    for c in contacts {
-        area.entry((c.body, c.cell)).or_default()[side(c)] += c.area;
-    }
     let mut corrections = vec![None; constraints];
     for ((c, fraction), number) in contacts.iter().zip(fraction).zip(constraint) {
         corrections[*number].get_or_insert_with(|| {
             let none = [DVec3::ZERO; 8];
-            // A face aligned with the grid cuts all cells alike: the corrections cancel, except at its edges.
-            if c.normal.abs().max_element() == 1.0 {
+            let surface = &surfaces[&(c.body, c.cell)];
+            // A face aligned with the grid cuts all cells alike: the corrections cancel, except at its edges. There the inset
+            // of the contact points has this effect already.
+            if is_aligned(c.normal) || !surface.is_whole() {
                 return none;
             }
+            let area = surface.sampled.max(surface.area);
             let cell = Cell::new(model, bodies, grid_position, c);
-            let [left, right, middle] = area[&(c.body, c.cell)];
-            let (sampled, whole) = (left + right + middle, cell.area());
-            // At edges the inset of the contact points has this effect already.
-            if sampled < WHOLE * whole {
-                return none;
-            }
-            cell.hourglass_correction(*fraction).map(|force| force / sampled.max(whole))
+            cell.hourglass_correction(*fraction).map(|force| force / area)
         });
     }
     corrections.into_iter().map(Option::unwrap_or_default).collect()
+}
+
+/// Whether a face with this normal is parallel to faces of the cells.
+fn is_aligned(normal: DVec3) -> bool {
+    normal.abs().max_element() == 1.0
 }
 
 /// A cell that a body occupies in part.
@@ -101,9 +138,12 @@ impl<D: Fn(DVec3) -> f64> Cell<'_, D> {
         (0.5 - (self.distance)(x) / self.sample).clamp(0.0, 1.0)
     }
 
-    /// Magnitude of the area vector of the body's surface in the cell [m²], from the areas of the cell's
-    /// faces inside the body.
-    fn area(&self) -> f64 {
+    /// Area of the body's surface with this normal in the cell [m²]: of a face that is parallel to faces of the cell that of the
+    /// whole cell, otherwise the magnitude of the area vector, from the areas of the cell's faces inside the body.
+    fn area(&self, normal: DVec3) -> f64 {
+        if is_aligned(normal) {
+            return (DVec3::splat(self.width.element_product()) / self.width).dot(normal.abs());
+        }
         let covered = |axis: usize, side: usize| {
             let (b, c) = ((axis + 1) % 3, (axis + 2) % 3);
             let mut layers = [0.0; SAMPLES];

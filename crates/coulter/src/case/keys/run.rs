@@ -86,7 +86,7 @@ pub(super) const NUMERICS: &[Key] = &[
     key(
         "hourglass_yielding",
         Kind::Number,
-        Number(1.0),
+        Number(0.1),
         "Fraction of the hourglass viscosity that acts in cells that yield.",
     )
     .within(FRACTION),
