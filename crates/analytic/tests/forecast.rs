@@ -319,29 +319,59 @@ fn every_model_has_its_uncertainty() {
     }
 }
 
-/// At a sinkage of 50.3 mm the recommended drag of a locked wheel jumps from 28 to 9 N between φ = 32 and 33°: PW has no
-/// solution below φ = 1.5 atan μ = 32.7°, where only BC is left, and the forecast must say so.
-#[test]
-fn a_locked_disc_without_a_wedge_has_a_caveat() {
-    let disc = Disc { diameter: 0.116, thickness: 0.05 };
-    let at = |degrees: f64| {
-        let phi = degrees.to_radians();
-        let soil = Soil {
-            friction_angle: phi,
-            dilation_angle: phi,
-            cohesion: 0.0,
-            unit_weight: 13_030.0,
-            body_friction: 0.4,
-        };
-        let found = forecast(&Towing::new(soil, disc, Load::Sinkage(0.0503), Drive::Locked)).unwrap();
-        let governing = found.models.iter().find(|m| m.model == Candidate::Governing).unwrap().clone();
-        (governing.prediction.unwrap().drag, governing.note, found.recommendation)
+/// The forces on a disc at a held sinkage, `[drag, vertical]` [N].
+fn held(model: Candidate, degrees: f64, sinkage: f64, drive: Drive) -> [f64; 2] {
+    let phi = degrees.to_radians();
+    let soil = Soil {
+        friction_angle: phi,
+        dilation_angle: phi,
+        cohesion: 0.0,
+        unit_weight: 13_030.0,
+        body_friction: 0.4,
     };
-    let (alone, note, words) = at(32.0);
-    assert!(
-        (alone - 28.13).abs() < 0.01 && note.contains("32.7°") && words.contains("Only BC has a solution"),
-        "{note}"
-    );
-    let (both, note, words) = at(33.0);
-    assert!((both - 8.60).abs() < 0.01 && note.is_empty() && !words.contains("Only BC"), "{note}");
+    let disc = Disc { diameter: 0.116, thickness: 0.05 };
+    let found = predict(model, &Towing::new(soil, disc, Load::Sinkage(sinkage), drive), None).unwrap();
+    [found.drag, found.vertical]
+}
+
+/// Between `low` and `high` the largest step of either force shrinks with the steps of the variable: at a jump it would not.
+fn has_no_jump(what: &str, (low, high): (f64, f64), forces: impl Fn(f64) -> [f64; 2]) {
+    let largest_step = |count: u32| {
+        let at = |n: u32| forces(low + (high - low) * f64::from(n) / f64::from(count));
+        let step = |n: u32| {
+            let (one, other) = (at(n - 1), at(n));
+            let size = other[0].hypot(other[1]);
+            (one[0] - other[0]).abs().max((one[1] - other[1]).abs()) / size
+        };
+        (1..=count).map(step).fold(0.0, f64::max)
+    };
+    let (coarse, fine) = (largest_step(40), largest_step(240));
+    assert!(fine < 0.3 * coarse + 1e-3, "{what}: steps of {coarse:.4} and {fine:.4} of the force");
+}
+
+/// Drag and vertical force at a held sinkage are continuous in friction angle, sinkage and slip. (They were not: the wedge that
+/// a locked disc drags along has no field below φ = 1.5 atan μ = 32.7°, where the drag jumped from 28 to 9 N.)
+#[test]
+fn forces_at_a_held_sinkage_do_not_jump() {
+    let drives =
+        [-1.0, -0.7, -0.3, 0.0, 0.4].map(Drive::Slip).into_iter().chain([Drive::Free, Drive::Locked]);
+    for drive in drives {
+        for sinkage in [0.005, 0.02, 0.0503, 0.09] {
+            has_no_jump(&format!("{drive:?}, z = {sinkage}, φ"), (24.0, 44.0), |phi| {
+                held(Candidate::Governing, phi, sinkage, drive)
+            });
+        }
+        for phi in [26.0, 32.0, 33.0, 41.0] {
+            has_no_jump(&format!("{drive:?}, φ = {phi}°, ln z"), (0.002_f64.ln(), 0.1_f64.ln()), |z| {
+                held(Candidate::Governing, phi, z.exp(), drive)
+            });
+        }
+    }
+    for phi in [26.0, 32.0, 33.0, 41.0] {
+        for sinkage in [0.005, 0.02, 0.0503, 0.09] {
+            has_no_jump(&format!("φ = {phi}°, z = {sinkage}, s"), (-1.0, 0.6), |slip| {
+                held(Candidate::Governing, phi, sinkage, Drive::Slip(slip))
+            });
+        }
+    }
 }

@@ -36,7 +36,8 @@ pub fn predict(model: Candidate, towing: &Towing, table: Option<&PressureTable>)
     }
 }
 
-/// A table of the smooth wedge for the friction angle of `towing`; only a free disc needs no wall friction.
+/// A table of the smooth wedge for the friction angle of `towing`; only a driven disc, or one at a given slip, needs wall
+/// friction as well.
 pub(super) fn level_table(towing: &Towing) -> Option<PressureTable> {
     let phi = towing.soil.friction_angle;
     let range = TableRange {
@@ -45,7 +46,8 @@ pub(super) fn level_table(towing: &Towing) -> Option<PressureTable> {
         surface: (0.0, 1.36),
         backfill: towing.backfill,
     };
-    if towing.drive == Drive::Free { PressureTable::new(range).ok() } else { None }
+    let is_smooth = matches!(towing.drive, Drive::Free | Drive::Locked | Drive::Braked(_));
+    if is_smooth { PressureTable::new(range).ok() } else { None }
 }
 
 fn disc(

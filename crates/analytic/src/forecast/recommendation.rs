@@ -129,24 +129,14 @@ fn conditions_of_block(towing: &Towing, block: &Block) -> String {
     text
 }
 
-/// The caveat where the governing mechanism of a disc is that of BC only because PW has no solution: for wall friction angles
-/// above two thirds of φ, and for steep chords. The prediction is then no lower bound, and it is discontinuous at the limit
-/// of PW.
+/// The caveat where the governing mechanism of a disc is that of BC only because PW has no solution (where the ground falls
+/// before a steep chord).
 pub(super) fn bearing_only_note(towing: &Towing, models: &[ModelForecast]) -> Option<String> {
     let found = |candidate: Candidate| models.iter().find(|m| m.model == candidate);
     let is_predicted = found(Candidate::Governing).is_some_and(|m| m.prediction.is_some());
     let wedge = found(Candidate::Wedge).filter(|m| m.prediction.is_none())?;
-    if !is_predicted || towing.body.disc().is_none() {
-        return None;
-    }
-    let from = (1.5 * towing.soil.interface_friction().atan()).to_degrees();
-    Some(format!(
-        "Only BC has a solution here: PW has none ({}), though the soil may well fail forwards. Where PW has one (from an \
-         operative friction angle of {from:.1}°, for its wall friction angle is at most two thirds of it) the weaker of the \
-         two is far lower: a discontinuity of the models, not of the soil. An interval that reaches across it may not \
-         contain the value shown.",
-        wedge.note
-    ))
+    (is_predicted && towing.body.disc().is_some())
+        .then(|| format!("Only BC has a solution here: PW has none ({}).", wedge.note))
 }
 
 /// Caveats that do not depend on the predictions.

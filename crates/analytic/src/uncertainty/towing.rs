@@ -65,22 +65,13 @@ pub fn sweep_table(base: &Towing, inputs: &[(Parameter, Distribution)]) -> Optio
         return block_table(block, base.backfill, &corners, inputs);
     }
     let (friction_angle, (_, steepest)) = frictions(&corners);
-    let most = steepest.min(2.0 / 3.0);
-    let sliding = |drive: Drive| match drive {
-        Drive::Free => (0.0, 0.0),
-        Drive::Locked | Drive::Braked(_) => (-most, 0.0),
-        Drive::Driven(_) => (0.0, steepest.min(1.0)),
-        Drive::Slip(_) => (-most, steepest.min(1.0)),
-    };
-    let (first, last) = extent(corners.iter().flat_map(|case| {
-        let (first, last) = sliding(case.drive);
-        [first, last]
-    }));
-    // With the friction of a sliding disc the field does not exist for steep chords: take the largest range that does.
+    let needs_friction = corners.iter().any(|case| matches!(case.drive, Drive::Driven(_) | Drive::Slip(_)));
+    let last = if needs_friction { steepest.min(1.0) } else { 0.0 };
+    // Where the ground falls, the field does not exist for steep chords: take the largest range that does.
     [1.36, 1.2, 1.0, 0.8].into_iter().find_map(|steepest| {
         PressureTable::new(TableRange {
             friction_angle,
-            wall_friction_ratio: (first, last),
+            wall_friction_ratio: (0.0, last),
             surface: (0.0, steepest),
             backfill: base.backfill,
         })
