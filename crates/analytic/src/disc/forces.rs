@@ -1,5 +1,6 @@
 //! Drag and vertical force of a disc at a given sinkage.
 
+use super::bearing_arc::friction_limit;
 use super::transition::angle_at_fraction;
 use super::{
     Contact, Disc, Drive, Ends, Passive, Reaction, RimLoad, WedgeFace, bearing_arc, bow_wave_height,
@@ -111,8 +112,8 @@ pub struct DiscForces {
 /// # Errors
 /// If an input is out of range or the model has no result there.
 pub fn disc_forces(model: Model, setting: &Setting<'_>, sinkage: f64) -> ModelResult<DiscForces> {
-    let (rim, friction) = loaded_rim(model, setting, sinkage)?;
-    Ok(assemble(model, setting, &rim, friction))
+    let loaded = loaded_rim(model, setting, sinkage)?;
+    Ok(assemble(model, setting, &loaded))
 }
 
 /// The vertical force of [`disc_forces`] alone [N], for searches over the sinkage.
@@ -120,13 +121,21 @@ pub fn disc_forces(model: Model, setting: &Setting<'_>, sinkage: f64) -> ModelRe
 /// # Errors
 /// As [`disc_forces`].
 pub fn vertical_force(model: Model, setting: &Setting<'_>, sinkage: f64) -> ModelResult<f64> {
-    let (rim, friction) = loaded_rim(model, setting, sinkage)?;
+    let Loaded { rim, friction, .. } = loaded_rim(model, setting, sinkage)?;
     let Reaction { vertical, horizontal, .. } = rim.reaction();
     Ok(vertical - friction * horizontal)
 }
 
-/// The pressure on the rim and the mobilised friction μ_m.
-fn loaded_rim(model: Model, setting: &Setting<'_>, sinkage: f64) -> ModelResult<(RimLoad, f64)> {
+/// What acts on the rim.
+struct Loaded {
+    rim: RimLoad,
+    /// The mobilised friction μ_m.
+    friction: f64,
+    /// The largest friction that the rim can transfer.
+    most: f64,
+}
+
+fn loaded_rim(model: Model, setting: &Setting<'_>, sinkage: f64) -> ModelResult<Loaded> {
     setting.soil.check()?;
     setting.drive.check()?;
     within("bow wave fraction", setting.bow_wave_fraction, 0.0, 1.0)?;
@@ -138,8 +147,9 @@ fn loaded_rim(model: Model, setting: &Setting<'_>, sinkage: f64) -> ModelResult<
     );
     let contact = setting.disc.contact(sinkage, bow_wave)?;
     let pressure = |friction: f64| rim(model, setting, &contact, friction);
-    let friction = mobilised(setting, &pressure)?;
-    Ok((pressure(friction)?, friction))
+    let most = friction_limit(&setting.soil, &setting.disc, &contact)?;
+    let friction = mobilised(setting, most, &pressure)?;
+    Ok(Loaded { rim: pressure(friction)?, friction, most })
 }
 
 fn rim(model: Model, setting: &Setting<'_>, contact: &Contact, friction: f64) -> ModelResult<RimLoad> {
@@ -161,9 +171,12 @@ fn rim(model: Model, setting: &Setting<'_>, contact: &Contact, friction: f64) ->
     })
 }
 
-/// The friction μ_m that the drive mobilises.
-fn mobilised(setting: &Setting<'_>, pressure: &impl Fn(f64) -> ModelResult<RimLoad>) -> ModelResult<f64> {
-    let most = setting.soil.interface_friction();
+/// The friction μ_m that the drive mobilises, at most `most`.
+fn mobilised(
+    setting: &Setting<'_>,
+    most: f64,
+    pressure: &impl Fn(f64) -> ModelResult<RimLoad>,
+) -> ModelResult<f64> {
     match setting.drive {
         Drive::Free => Ok(0.0),
         Drive::Locked => Ok(most),
@@ -196,7 +209,9 @@ fn balance(torque: f64, most: f64, sign: f64, pressure: &impl Fn(f64) -> ModelRe
     sign * most
 }
 
-fn assemble(model: Model, setting: &Setting<'_>, rim: &RimLoad, friction: f64) -> DiscForces {
+fn assemble(model: Model, setting: &Setting<'_>, loaded: &Loaded) -> DiscForces {
+    let Loaded { rim, friction, most } = loaded;
+    let (friction, most) = (*friction, *most);
     let Reaction { normal, vertical, horizontal } = rim.reaction();
     let (drag, lift) = (horizontal + friction * vertical, vertical - friction * horizontal);
     let phi = setting.soil.friction_angle;
@@ -204,11 +219,11 @@ fn assemble(model: Model, setting: &Setting<'_>, rim: &RimLoad, friction: f64) -
         Drive::Locked => rim.angle(),
         Drive::Slip(slip) => transition_from_slip(slip, phi, rim.angle()),
         _ if friction == 0.0 => angle_at_fraction(rim, 0.5),
-        _ => angle_at_fraction(rim, 0.5 * (1.0 + friction / setting.soil.interface_friction())),
+        _ => angle_at_fraction(rim, 0.5 * (1.0 + friction / most)),
     };
     let slip = match setting.drive {
         Drive::Slip(slip) => slip,
-        _ if friction > 0.0 && friction >= setting.soil.interface_friction() => -1.0,
+        _ if friction > 0.0 && friction >= most => -1.0,
         _ => slip_from_transition(transition_angle, phi),
     };
     let sideways_fraction = match model {

@@ -16,7 +16,7 @@ mod transition;
 mod wedge;
 
 pub use assembly::{Assembly, assembly_forces};
-pub use bearing_arc::bearing_arc;
+pub use bearing_arc::{bearing_arc, indentation_force};
 pub use bow_wave::bow_wave_height;
 pub use drive::Drive;
 pub(crate) use drive::MAX_SLIP;

@@ -16,6 +16,8 @@ const MAX_OVERHANG: f64 = FRAC_PI_6;
 const MAX_PLANE_EXCESS: f64 = 1.15;
 /// Height of the front's lower edge over the sinkage up to which the face below it is neglected (chosen).
 const MAX_BELOW_FRONT: f64 = 0.2;
+/// Sinkage over breadth up to which a footing is shallow (chosen: the depth to which Skempton's factor grows).
+const MAX_FOOTING_DEPTH: f64 = 2.5;
 /// Drag of resistive force theory over that of PW up to which it is accepted (chosen).
 const MAX_RESISTIVE_EXCESS: f64 = 2.0;
 
@@ -28,15 +30,31 @@ pub(super) fn mark_inapplicable(models: &mut [ModelForecast], towing: &Towing) {
     for model in models {
         let Some(found) = model.prediction else { continue };
         let why = match &towing.body {
+            _ if towing.pressed => limit_for_pressed(model.model, &found, towing),
             Body::Block(block) => {
                 let passive = if block.plane_strain { plane_strain } else { wedge };
                 limit_for_block(model.model, &found, towing, block, passive)
             }
-            Body::Disc(_) | Body::Faceted(_) => limit_for_disc(model.model, &found, towing, governing),
+            Body::Disc(_) | Body::Faceted(_) | Body::Plate(_) => {
+                limit_for_disc(model.model, &found, towing, governing)
+            }
         };
         if let Some(why) = why {
             model.exclude(why);
         }
+    }
+}
+
+/// Why a prediction for a body that is pressed straight down lies outside the limits of its model.
+fn limit_for_pressed(model: Candidate, found: &Prediction, towing: &Towing) -> Option<&'static str> {
+    let breadth = towing.body.length().min(towing.body.width());
+    let sinkage = found.sinkage.unwrap_or(0.0);
+    match model {
+        Candidate::Footing if sinkage > MAX_FOOTING_DEPTH * breadth => {
+            Some("deeper than two and a half widths: the soil no longer fails up to the surface")
+        }
+        Candidate::SpatialResistive | Candidate::PlanarResistive if sinkage > 1.5 * breadth => Some(TOO_DEEP),
+        _ => None,
     }
 }
 

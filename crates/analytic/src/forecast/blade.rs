@@ -1,10 +1,7 @@
 //! A towed block: its plane front as a blade, its base as a footing that carries the rest of the weight.
 
 use super::{Block, Candidate, Front, Load, Prediction, Towing};
-use crate::bearing::{
-    Footing, Method, cohesion_factor, corrections, surcharge_factor, weight_factor_hansen,
-    weight_factor_lyamin, weight_factor_meyerhof,
-};
+use crate::bearing::{Footing, ultimate_pressure};
 use crate::cutting::{Blade, CuttingForce, godwin_spoor, hansen_end_factor, mckyes_ali};
 use crate::disc::{Passive, end_factor, equilibrium_depth};
 use crate::earth_pressure::{Face, PassiveField, PressureTable, cohesion_coefficient, coulomb_active};
@@ -97,20 +94,13 @@ pub(super) fn base_capacity(towing: &Towing, block: &Block, z: f64) -> ModelResu
     if !block.has_base || (front.rake - FRAC_PI_2).abs() > ROUNDING {
         return Ok(0.0);
     }
-    let (phi, across) = (soil.friction_angle, block.size[1]);
+    let across = block.size[1];
     let footing_width = if block.plane_strain { PLANE_STRAIN_WIDTH * front.length_behind } else { across };
     let width = front.length_behind.min(footing_width);
     let length = front.length_behind.max(footing_width);
     let load_inclination = soil.interface_friction().atan();
-    let factor = corrections(towing.method, phi, &Footing { width, length, depth: z, load_inclination })?;
-    let n_gamma = match towing.method {
-        Method::Meyerhof => weight_factor_meyerhof(phi)?,
-        Method::HansenVesic => weight_factor_hansen(phi)?,
-        Method::Lyamin => weight_factor_lyamin(phi)?,
-    };
-    let pressure = 0.5 * soil.unit_weight * width * n_gamma * factor.weight
-        + soil.cohesion * cohesion_factor(phi)? * factor.cohesion
-        + soil.unit_weight * z * surcharge_factor(phi)? * factor.surcharge;
+    let footing = Footing { width, length, depth: z, load_inclination };
+    let pressure = ultimate_pressure(soil, &footing, towing.method)?.at(z);
     Ok(pressure * front.length_behind * across)
 }
 
@@ -155,6 +145,7 @@ fn front_force<'a>(
             }
             Ok(Box::new(|z| cutting(towing, block, z, godwin_spoor)))
         }
+        Candidate::Footing => undefined(model.name(), super::other_models::PRESSED),
         _ => undefined(model.name(), "it is for discs and wheels, which have a curved front"),
     }
 }

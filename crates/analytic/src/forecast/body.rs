@@ -1,12 +1,16 @@
-//! The towed body: a disc, a block, or any rigid body by the facets of its surface.
+//! The body: a disc, a block, a plate, or any rigid body by the facets of its surface.
 
 use crate::disc::Disc;
 use crate::error::{ModelResult, positive, within};
 use crate::resistive::Facet;
+use crate::soil::Soil;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
-/// The towed body.
+/// Deepest sinkage of a plate in the range of the models, over its shorter side (chosen).
+const DEEPEST_PLATE: f64 = 10.0;
+
+/// The body.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Body {
     /// A disc, or a roller with its axis perpendicular to the tow.
@@ -15,6 +19,45 @@ pub enum Body {
     Block(Block),
     /// A body whose front is neither plane nor that of a disc.
     Faceted(FacetedBody),
+    /// A level plate that is pressed straight down: a footing.
+    Plate(Plate),
+}
+
+/// Outline of the base of a plate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Outline {
+    /// A rectangle.
+    Rectangle,
+    /// A circle; width and length are its diameter.
+    Circle,
+    /// A slice of an infinitely long strip; its length is that of the slice.
+    Strip,
+}
+
+/// A level plate that is pressed straight down.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plate {
+    /// Its outline.
+    pub outline: Outline,
+    /// Width B of the base [m].
+    pub width: f64,
+    /// Length of the base [m].
+    pub length: f64,
+}
+
+impl Plate {
+    /// Area of the base [m²].
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        let ratio = if self.outline == Outline::Circle { 0.25 * PI } else { 1.0 };
+        ratio * self.width * self.length
+    }
+
+    /// The shorter side of the footing B [m].
+    #[must_use]
+    pub fn breadth(&self) -> f64 {
+        if self.outline == Outline::Strip { self.width } else { self.width.min(self.length) }
+    }
 }
 
 /// A rectangular block across the tow: a blade, a plate, a tool.
@@ -62,6 +105,12 @@ impl From<Disc> for Body {
     }
 }
 
+impl From<Plate> for Body {
+    fn from(plate: Plate) -> Self {
+        Self::Plate(plate)
+    }
+}
+
 impl From<Block> for Body {
     fn from(block: Block) -> Self {
         Self::Block(block)
@@ -69,33 +118,36 @@ impl From<Block> for Body {
 }
 
 impl Body {
-    /// Reference length d [m]: the diameter, or a block's edge along z.
+    /// Reference length d [m]: the diameter, a block's edge along z, the shorter side of a plate.
     #[must_use]
     pub fn length(&self) -> f64 {
         match self {
             Self::Disc(disc) => disc.diameter,
             Self::Block(block) => block.size[2],
             Self::Faceted(body) => body.length,
+            Self::Plate(plate) => plate.breadth(),
         }
     }
 
-    /// Width t across the tow [m].
+    /// Width t across the tow [m]; of a plate its area over the shorter side.
     #[must_use]
     pub fn width(&self) -> f64 {
         match self {
             Self::Disc(disc) => disc.thickness,
             Self::Block(block) => block.size[1],
             Self::Faceted(body) => body.width,
+            Self::Plate(plate) => plate.area() / plate.breadth(),
         }
     }
 
-    /// Height of its bounding box [m].
+    /// Height of its bounding box [m]; of a plate, whose own height does not matter, ten times its shorter side.
     #[must_use]
     pub fn height(&self) -> f64 {
         match self {
             Self::Disc(disc) => disc.diameter,
             Self::Block(block) => block.height(),
             Self::Faceted(body) => body.height,
+            Self::Plate(plate) => DEEPEST_PLATE * plate.breadth(),
         }
     }
 
@@ -108,10 +160,11 @@ impl Body {
         }
     }
 
-    /// Force scale γ t d² [N] of dimensionless forces, for the unit weight γ [N/m³].
+    /// Force scale of dimensionless forces [N]: γ t d², in undrained clay s_u t d.
     #[must_use]
-    pub fn force_scale(&self, unit_weight: f64) -> f64 {
-        unit_weight * self.width() * self.length().powi(2)
+    pub fn force_scale(&self, soil: &Soil) -> f64 {
+        let stress = if soil.is_undrained() { soil.cohesion } else { soil.unit_weight * self.length() };
+        stress * self.width() * self.length()
     }
 
     /// The disc, if it is one.
@@ -150,6 +203,10 @@ impl Body {
                     positive("length of the body [m]", length)?;
                 }
                 Ok(())
+            }
+            Self::Plate(plate) => {
+                positive("width of the plate [m]", plate.width)?;
+                positive("length of the plate [m]", plate.length).map(|_| ())
             }
         }
     }

@@ -31,11 +31,13 @@ pub enum Candidate {
     GodwinSpoor,
     /// Brinch Hansen (1966), Ovesen (1964).
     BrinchHansen,
+    /// Bearing capacity of a plate or of a disc that is pressed straight down.
+    Footing,
 }
 
 impl Candidate {
     /// All models, in the order of the tables.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 15] = [
         Self::Governing,
         Self::Bearing,
         Self::Wedge,
@@ -50,6 +52,7 @@ impl Candidate {
         Self::McKyesAli,
         Self::GodwinSpoor,
         Self::BrinchHansen,
+        Self::Footing,
     ];
 
     /// The name in tables and files; scripts rely on it.
@@ -70,6 +73,7 @@ impl Candidate {
             Self::McKyesAli => "McKyes-Ali",
             Self::GodwinSpoor => "Godwin-Spoor",
             Self::BrinchHansen => "Brinch Hansen",
+            Self::Footing => "bearing capacity",
         }
     }
 
@@ -84,6 +88,7 @@ impl Candidate {
                 | Self::PlaneStrain
                 | Self::HetheringtonLittleton
                 | Self::BrinchHansen
+                | Self::Footing
         )
     }
 }

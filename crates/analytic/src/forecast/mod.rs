@@ -9,11 +9,12 @@ mod groups;
 mod other_models;
 mod predict;
 mod prediction;
+mod pressed;
 mod recommendation;
 mod scatter;
 mod towing;
 
-pub use body::{Block, Body, FacetedBody, Front};
+pub use body::{Block, Body, FacetedBody, Front, Outline, Plate};
 pub use candidate::Candidate;
 pub use curve::{CurvePoint, curve};
 pub use groups::Groups;

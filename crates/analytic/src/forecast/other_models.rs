@@ -13,6 +13,8 @@ use crate::wheel::{
     hetherington_littleton_at_depth, wismer_luth_towed, wong_reece_at_depth, wong_reece_towed,
 };
 
+/// Why a footing is no model of a towed body.
+pub(super) const PRESSED: &str = "it is for a body that is pressed straight down";
 /// Pressure over depth under a level plate in 3D-RFT, relative to its stiffness ξ_n.
 const LEVEL_PLATE: f64 = 0.875;
 
@@ -38,6 +40,7 @@ pub(super) fn predict(model: Candidate, towing: &Towing) -> ModelResult<Predicti
         return undefined(model.name(), "it is for cohesionless soil");
     }
     match model {
+        Candidate::Footing => undefined(model.name(), PRESSED),
         Candidate::McKyesAli | Candidate::GodwinSpoor | Candidate::BrinchHansen => undefined(
             model.name(),
             "the front of a disc overhangs the soil (rake above 90°), beyond the range of this blade model",
@@ -50,7 +53,7 @@ pub(super) fn predict(model: Candidate, towing: &Towing) -> ModelResult<Predicti
     }
 }
 
-fn plate_stiffness(towing: &Towing) -> ModelResult<f64> {
+pub(super) fn plate_stiffness(towing: &Towing) -> ModelResult<f64> {
     match towing.plate_stiffness {
         Some(stiffness) => Ok(stiffness),
         None => {
@@ -84,6 +87,7 @@ fn resistive(
         (Body::Disc(disc), Load::Sinkage(z)) => at_depth(law, disc, z, towing.drive)?,
         (Body::Block(block), _) => of_facets(&block.facets(), Drive::Locked)?,
         (Body::Faceted(body), _) => of_facets(&body.facets, towing.drive)?,
+        (Body::Plate(_), _) => return undefined("the tow", "a plate is pressed straight down"),
     };
     let rotates = towing.body.disc().is_some() || towing.drive != Drive::Locked;
     prediction(towing, drag, vertical, Some(sinkage), rotates.then_some(slip))

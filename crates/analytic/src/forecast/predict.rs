@@ -1,6 +1,6 @@
 //! The prediction of one model.
 
-use super::{Body, Candidate, Load, Prediction, Towing, blade, other_models};
+use super::{Body, Candidate, Load, Prediction, Towing, blade, other_models, pressed};
 use crate::disc::{
     Disc, DiscForces, Drive, Equilibrium, Model, Passive, Setting, assembly_forces, disc_forces,
     equilibrium_of, vertical_force,
@@ -17,7 +17,12 @@ const NOT_PLANE: &str = "it is for a plane front or that of a disc across the to
 /// If the model cannot be applied to the case or has no solution.
 pub fn predict(model: Candidate, towing: &Towing, table: Option<&PressureTable>) -> ModelResult<Prediction> {
     towing.check()?;
+    if towing.soil.is_undrained() && !suits_clay(model, towing) {
+        return undefined(model.name(), "it is for frictional soil, not for undrained clay");
+    }
     let found = match (&towing.body, model) {
+        _ if towing.pressed => pressed::predict(model, towing),
+        (Body::Plate(_), _) => undefined(model.name(), "a plate is pressed straight down"),
         (_, Candidate::SpatialResistive | Candidate::PlanarResistive) => other_models::predict(model, towing),
         (Body::Block(block), _) => blade::predict(model, towing, block, table),
         (Body::Faceted(_), _) => undefined(model.name(), NOT_PLANE),
@@ -33,6 +38,15 @@ pub fn predict(model: Candidate, towing: &Towing, table: Option<&PressureTable>)
         Ok(found)
     } else {
         undefined("the force", "the numbers overflow for this input")
+    }
+}
+
+/// Whether a model has a form for undrained clay.
+fn suits_clay(model: Candidate, towing: &Towing) -> bool {
+    match model {
+        Candidate::Bearing => towing.body.disc().is_some(),
+        Candidate::Footing | Candidate::Bekker | Candidate::WismerLuth | Candidate::Brixius => true,
+        _ => false,
     }
 }
 

@@ -15,6 +15,7 @@ pub(super) fn recommended(towing: &Towing, models: &[ModelForecast]) -> Option<C
         }
         Body::Block(_) => &[Candidate::Wedge, Candidate::McKyesAli, Candidate::SpatialResistive],
         Body::Faceted(_) => &[Candidate::SpatialResistive],
+        Body::Plate(_) => &[Candidate::Footing],
     };
     order.iter().copied().find(|candidate| is_applicable(*candidate))
 }

@@ -1,4 +1,4 @@
-//! The input of the forecast: a towed body in its soil.
+//! The input of the forecast: a towed or pressed body in its soil.
 
 use super::Body;
 use crate::bearing::Method;
@@ -16,7 +16,7 @@ pub enum Load {
     Sinkage(f64),
 }
 
-/// A towed body and its soil.
+/// A towed body, or one that is pressed straight down, and its soil.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Towing {
     /// The soil.
@@ -27,6 +27,8 @@ pub struct Towing {
     pub load: Load,
     /// How the axle is driven.
     pub drive: Drive,
+    /// Whether it is pressed straight down, without a tow and without turning; a [`super::Plate`] always is.
+    pub pressed: bool,
     /// Gravity [m/s²]; converts weights to masses only.
     pub gravity: f64,
     /// Fraction of the displaced soil that stands as a bow wave before the disc, 0 to 1.
@@ -93,14 +95,17 @@ pub enum Parameter {
 }
 
 impl Towing {
-    /// A single body on level ground under Earth's gravity, without measured plate constants or cone index.
+    /// A single towed body (a plate: pressed down) on level ground under Earth's gravity, without measured plate constants or cone index.
     #[must_use]
     pub fn new(soil: Soil, body: impl Into<Body>, load: Load, drive: Drive) -> Self {
+        let body = body.into();
+        let pressed = matches!(body, Body::Plate(_));
         Self {
             soil,
-            body: body.into(),
+            body,
             load,
             drive,
+            pressed,
             gravity: 9.81,
             bow_wave_fraction: 0.0,
             backfill: 0.0,
