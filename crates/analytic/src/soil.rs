@@ -16,6 +16,8 @@ pub struct Soil {
     pub unit_weight: f64,
     /// Coefficient of friction μ between soil and body; the wall friction angle is δ = atan μ.
     pub body_friction: f64,
+    /// Adhesion factor α of undrained clay: its friction on the body is at most α s_u, 0 to 1; without effect in other soil.
+    pub adhesion_factor: f64,
 }
 
 impl Soil {
@@ -27,6 +29,7 @@ impl Soil {
         if self.is_undrained() {
             positive("undrained shear strength [Pa]", self.cohesion)?;
             non_negative("unit weight [N/m^3]", self.unit_weight)?;
+            within("adhesion factor", self.adhesion_factor, 0.0, 1.0)?;
             return within("body friction", self.body_friction, 0.0, 2.0).map(|_| ());
         }
         let phi =

@@ -17,6 +17,7 @@ fn soil(degrees: f64, friction: f64) -> Soil {
         cohesion: 0.0,
         unit_weight: 16e3,
         body_friction: friction,
+        adhesion_factor: 1.0,
     }
 }
 

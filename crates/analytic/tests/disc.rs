@@ -20,6 +20,7 @@ fn sand(degrees: f64) -> Soil {
         cohesion: 0.0,
         unit_weight: 16e3,
         body_friction: 0.3,
+        adhesion_factor: 1.0,
     }
 }
 

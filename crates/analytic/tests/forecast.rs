@@ -5,7 +5,7 @@ use analytic::disc::{
     equilibrium,
 };
 use analytic::earth_pressure::{PressureTable, TableRange};
-use analytic::forecast::{Candidate, Parameter, curve, predict};
+use analytic::forecast::{Candidate, Parameter, Strength, curve, predict};
 use analytic::uncertainty::{Distribution, propagate, propagate_towing, sweep_table};
 use analytic::wheel::TERRAINS;
 use analytic::{Load, Soil, Towing, forecast};
@@ -21,6 +21,7 @@ fn towing(degrees: f64, load: Load, drive: Drive) -> Towing {
         cohesion: 0.0,
         unit_weight: 16e3,
         body_friction: 0.3,
+        adhesion_factor: 1.0,
     };
     Towing::new(soil, DISC, load, drive)
 }
@@ -45,7 +46,7 @@ fn a_free_disc_under_weight_is_forecast_by_every_model_it_suits() {
     for found in found.models.iter().filter_map(|model| model.prediction) {
         assert!((found.vertical / 50.0 - 1.0).abs() < 1e-4, "{found:?}");
     }
-    assert!(found.models_full_friction.is_empty());
+    assert!(found.models_other_strength.is_empty());
     assert!((found.groups.weight.unwrap() - 1.5625).abs() < 1e-12);
     assert!(found.models[11].note.contains("overhangs"));
 }
@@ -56,8 +57,9 @@ fn non_associated_soil_is_shown_at_both_angles() {
     case.soil.dilation_angle = 0.0;
     let found = forecast(&case).unwrap();
     assert!((found.operative_friction_angle.to_degrees() - 29.8).abs() < 0.06);
+    assert_eq!(found.strength, Strength::Full);
     let (weak, strong) =
-        (found.models[1].prediction.unwrap(), found.models_full_friction[1].prediction.unwrap());
+        (found.models_other_strength[1].prediction.unwrap(), found.models[1].prediction.unwrap());
     assert!((weak.vertical - 70.7).abs() < 0.1 && (strong.vertical - 154.6).abs() < 0.1);
     assert!(found.recommendation.contains("Davis"));
 }
@@ -328,6 +330,7 @@ fn held(model: Candidate, degrees: f64, sinkage: f64, drive: Drive) -> [f64; 2] 
         cohesion: 0.0,
         unit_weight: 13_030.0,
         body_friction: 0.4,
+        adhesion_factor: 1.0,
     };
     let disc = Disc { diameter: 0.116, thickness: 0.05 };
     let found = predict(model, &Towing::new(soil, disc, Load::Sinkage(sinkage), drive), None).unwrap();

@@ -15,6 +15,7 @@ fn soil(degrees: f64, friction: f64, cohesion: f64) -> Soil {
         cohesion,
         unit_weight: 16e3,
         body_friction: friction,
+        adhesion_factor: 1.0,
     }
 }
 
@@ -98,6 +99,7 @@ proptest! {
             cohesion: c,
             unit_weight: gamma,
             body_friction: mu,
+            adhesion_factor: 1.0,
         };
         let load = if choice < 5 { Load::Weight(load) } else { Load::Sinkage(held * diameter) };
         let mut case = Towing::new(ground, Disc { diameter, thickness }, load, drive);
@@ -110,7 +112,7 @@ proptest! {
             case.assembly = Some(Assembly { count: 3, spacing: 1.5 * thickness });
         }
         if let Ok(found) = forecast(&case) {
-            for model in found.models.iter().chain(&found.models_full_friction) {
+            for model in found.models.iter().chain(&found.models_other_strength) {
                 prop_assert!(model.prediction.is_some() || !model.note.is_empty());
                 if let Some(p) = model.prediction {
                     if let Load::Weight(weight) = load {

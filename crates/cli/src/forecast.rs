@@ -45,7 +45,7 @@ pub(super) struct Arguments {
 
 pub(super) fn forecast(arguments: &Arguments) -> Result<(), Failure> {
     refuse_unused_options(arguments)?;
-    let (case, deviations) = case::load_with_deviations(&arguments.case, &arguments.overrides)?;
+    let (case, deviations) = case::load_for_forecast(&arguments.case, &arguments.overrides)?;
     let outlook = forecast::outlook(&case)
         .map_err(|why| Failure::Request(format!("there is no forecast for this case: {why}")))?;
     let stated = stated(arguments, &deviations, &outlook)?;

@@ -55,12 +55,13 @@ pub fn undrained_pressure(shear_strength: f64, footing: &Footing) -> ModelResult
     Ok(strength * vertical_factor * sliding(mobilised_shear(load.tan(), vertical_factor)))
 }
 
-/// The largest friction μ = τ/p that such a footing on clay can transfer: there τ = s_u.
+/// The largest friction μ = τ/p that such a footing on clay can transfer: there τ = α s_u, with the adhesion factor α of 0 to 1.
 ///
 /// # Errors
-/// If the footing is out of range.
-pub fn undrained_friction_limit(footing: &Footing) -> ModelResult<f64> {
-    Ok(1.0 / (undrained_factor(footing)? * sliding(1.0)))
+/// If the footing or α is out of range.
+pub fn undrained_friction_limit(footing: &Footing, adhesion_factor: f64) -> ModelResult<f64> {
+    let fraction = within("adhesion factor", adhesion_factor, 0.0, 1.0)?;
+    Ok(fraction / (undrained_factor(footing)? * sliding(fraction)))
 }
 
 #[cfg(test)]
@@ -84,8 +85,9 @@ mod tests {
         assert!((sliding(0.0) - 1.0).abs() < 1e-15);
         assert!((sliding(1.0) * STRIP - (1.0 + FRAC_PI_2)).abs() < 1e-12);
         let strip = Footing { width: 1.0, length: 1e9, depth: 0.0, load_inclination: 0.0 };
-        let limit = undrained_friction_limit(&strip).unwrap();
+        let limit = undrained_friction_limit(&strip, 1.0).unwrap();
         assert!((limit - 1.0 / (1.0 + FRAC_PI_2)).abs() < 1e-6);
+        assert!(undrained_friction_limit(&strip, 0.5).unwrap() < limit);
         // Friction beyond the limit changes nothing: the clay shears.
         let at = |friction: f64| {
             undrained_pressure(1.0, &Footing { load_inclination: friction.atan(), ..strip }).unwrap()

@@ -58,7 +58,7 @@ fn footing_of(thickness: f64, chord: f64, depth: f64) -> Footing {
 }
 
 /// The largest friction that the rim can transfer to the soil: μ, but at most that at which the soil itself shears, tan φ of
-/// sand and s_u over the pressure of clay.
+/// sand and α s_u over the pressure of clay.
 ///
 /// # Errors
 /// If the disc is out of range.
@@ -67,7 +67,8 @@ pub(super) fn friction_limit(soil: &Soil, disc: &Disc, contact: &Contact) -> Mod
     if !soil.is_undrained() {
         return Ok(most);
     }
-    Ok(most.min(undrained_friction_limit(&footing_of(disc.thickness, contact.chord, contact.depth))?))
+    let footing = footing_of(disc.thickness, contact.chord, contact.depth);
+    Ok(most.min(undrained_friction_limit(&footing, soil.adhesion_factor)?))
 }
 
 /// Vertical force [N] on a disc that is pressed straight down to a sinkage z [m] and neither rolls nor slides.

@@ -2,8 +2,8 @@
 
 use crate::error::{ModelResult, non_negative, within};
 
-/// Slip at a turn ratio of 3; the models have not been compared with measurements beyond it.
-pub(crate) const MAX_SLIP: f64 = 1.0 - 1.0 / 3.0;
+/// Largest slip, a turn ratio of 4: the models have not been compared with measurements beyond it.
+pub(crate) const MAX_SLIP: f64 = 0.75;
 
 /// How the axle is driven.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -26,7 +26,7 @@ impl Drive {
     /// Checks the torque or the slip.
     ///
     /// # Errors
-    /// If the torque is negative or the slip is not within −1 to 2/3 (the turn ratio 3).
+    /// If the torque is negative or the slip is not within −1 to ¾ (the turn ratio 4).
     pub fn check(&self) -> ModelResult<()> {
         match *self {
             Self::Free | Self::Locked => Ok(()),

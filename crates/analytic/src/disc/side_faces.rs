@@ -23,7 +23,7 @@ pub struct SideFaces {
 /// without better knowledge). Source: derived for this project. Negligible compared with the rim forces unless t < 0.05 d.
 ///
 /// # Errors
-/// If the disc, the sinkage (0 < z ≤ 0.95 d), the stress ratio (0 to 5) or the rate ratio (−1 to 3) is out of range.
+/// If the disc, the sinkage (0 < z ≤ 0.95 d), the stress ratio (0 to 5) or the rate ratio (−1 to 4) is out of range.
 pub fn side_faces(
     soil: &Soil,
     disc: &Disc,
@@ -32,7 +32,7 @@ pub fn side_faces(
     lateral: f64,
 ) -> ModelResult<SideFaces> {
     disc.contact(sinkage, 0.0)?;
-    let rate = within("rate ratio", turn_ratio, -1.0, 3.0)? * 2.0 / disc.diameter;
+    let rate = within("rate ratio", turn_ratio, -1.0, 4.0)? * 2.0 / disc.diameter;
     let scale =
         2.0 * soil.body_friction * within("lateral stress ratio", lateral, 0.0, 5.0)? * soil.unit_weight;
     let radius = 0.5 * disc.diameter;
@@ -62,7 +62,7 @@ impl Drive {
     pub fn turn_ratio(&self, slip: f64) -> f64 {
         match self {
             Self::Locked => 0.0,
-            _ => turn_ratio(slip).clamp(0.0, 3.0),
+            _ => turn_ratio(slip).clamp(0.0, 4.0),
         }
     }
 }

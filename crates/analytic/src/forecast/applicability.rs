@@ -16,8 +16,8 @@ const MAX_OVERHANG: f64 = FRAC_PI_6;
 const MAX_PLANE_EXCESS: f64 = 1.15;
 /// Height of the front's lower edge over the sinkage up to which the face below it is neglected (chosen).
 const MAX_BELOW_FRONT: f64 = 0.2;
-/// Sinkage over breadth up to which a footing is shallow (chosen: the depth to which Skempton's factor grows).
-const MAX_FOOTING_DEPTH: f64 = 2.5;
+/// Sinkage over breadth up to which a body that is pressed down is shallow (chosen: the depth to which Skempton's factor grows).
+const MAX_PRESSED_DEPTH: f64 = 2.5;
 /// Drag of resistive force theory over that of PW up to which it is accepted (chosen).
 const MAX_RESISTIVE_EXCESS: f64 = 2.0;
 
@@ -48,12 +48,14 @@ pub(super) fn mark_inapplicable(models: &mut [ModelForecast], towing: &Towing) {
 /// Why a prediction for a body that is pressed straight down lies outside the limits of its model.
 fn limit_for_pressed(model: Candidate, found: &Prediction, towing: &Towing) -> Option<&'static str> {
     let breadth = towing.body.length().min(towing.body.width());
-    let sinkage = found.sinkage.unwrap_or(0.0);
+    let is_deep = found.sinkage.unwrap_or(0.0) > MAX_PRESSED_DEPTH * breadth;
     match model {
-        Candidate::Footing if sinkage > MAX_FOOTING_DEPTH * breadth => {
+        Candidate::Footing if is_deep => {
             Some("deeper than two and a half widths: the soil no longer fails up to the surface")
         }
-        Candidate::SpatialResistive | Candidate::PlanarResistive if sinkage > 1.5 * breadth => Some(TOO_DEEP),
+        Candidate::SpatialResistive | Candidate::PlanarResistive if is_deep => {
+            Some("deeper than two and a half widths: resistive force theory has no width term")
+        }
         _ => None,
     }
 }

@@ -1,4 +1,6 @@
-//! The models of the forecast and their names.
+//! The models of the forecast, their names and their errors.
+
+use super::Towing;
 
 /// A closed-form model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -77,7 +79,8 @@ impl Candidate {
         }
     }
 
-    /// Whether it is a plasticity solution, to be evaluated at Davis' friction angle; the others are fits to measurements.
+    /// Whether it is a plasticity solution, to be evaluated at the recommended [`super::Strength`]; the others are fits to
+    /// measurements.
     #[must_use]
     pub fn is_plastic(self) -> bool {
         matches!(
@@ -90,5 +93,19 @@ impl Candidate {
                 | Self::BrinchHansen
                 | Self::Footing
         )
+    }
+
+    /// Standard deviation of ln(resistance of the soil over that of the model): its own error, apart from that of the input.
+    ///
+    /// Chosen beforehand, from the errors that the pages of the models state: a third to a half for discs, plates in sand and fits,
+    /// a quarter for blades with ends, and what the solver leaves for plane strain and clay.
+    #[must_use]
+    pub fn log_error(self, towing: &Towing) -> f64 {
+        match self {
+            Self::PlaneStrain if towing.body.block().is_some() => 0.15,
+            _ if towing.soil.is_undrained() => 0.2,
+            Self::Wedge | Self::McKyesAli | Self::GodwinSpoor | Self::BrinchHansen => 0.25,
+            _ => 0.4,
+        }
     }
 }

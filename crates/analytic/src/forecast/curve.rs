@@ -1,6 +1,6 @@
 //! Predictions as a function of one parameter.
 
-use super::{Candidate, ModelForecast, Parameter, Towing, evaluate_all, predict};
+use super::{Candidate, ModelForecast, Parameter, Strength, Towing, evaluate_all, predict};
 use crate::error::ModelResult;
 
 /// The predictions at one value of the parameter.
@@ -14,8 +14,8 @@ pub struct CurvePoint {
 
 /// The predictions of `candidates` (all, if empty) for each of `values` of `parameter`, in its SI unit.
 ///
-/// For [`Parameter::Sinkage`] this is the force–sinkage curve. As in [`super::forecast`], plasticity models use Davis'
-/// angle. Where a value is out of range for a model, its entry gives the reason.
+/// For [`Parameter::Sinkage`] this is the force–sinkage curve. As in [`super::forecast`], plasticity models use the recommended
+/// strength. Where a value is out of range for a model, its entry gives the reason.
 ///
 /// # Errors
 /// If Davis' angle does not exist for a value (angles out of range).
@@ -27,7 +27,7 @@ pub fn curve(
 ) -> ModelResult<Vec<CurvePoint>> {
     let point = |value: &f64| {
         let case = base.with(parameter, *value);
-        let plastic = Towing { soil: case.soil.operative()?, ..case.clone() };
+        let plastic = Strength::recommended(&case).applied(&case)?;
         let models = if candidates.is_empty() {
             evaluate_all(&plastic, &case)
         } else {

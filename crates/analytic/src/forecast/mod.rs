@@ -1,4 +1,4 @@
-//! The forecast: all closed-form models for one towed body.
+//! The forecast: all closed-form models for one body that is towed or pressed down.
 
 mod applicability;
 mod blade;
@@ -12,6 +12,7 @@ mod prediction;
 mod pressed;
 mod recommendation;
 mod scatter;
+mod strength;
 mod towing;
 
 pub use body::{Block, Body, FacetedBody, Front, Outline, Plate};
@@ -21,21 +22,24 @@ pub use groups::Groups;
 pub use predict::predict;
 pub use prediction::{ModelForecast, Prediction};
 pub use scatter::{Range, Scatter};
+pub use strength::Strength;
 pub use towing::{Load, Parameter, Towing};
 
 use crate::disc::{SideFaces, side_faces};
 use crate::error::ModelResult;
 
-/// Predictions of the closed-form models for one towed body.
+/// Predictions of the closed-form models for one body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Forecast {
     /// Dimensionless groups of the case and of the recommended prediction.
     pub groups: Groups,
-    /// All models, the plasticity models at Davis' operative friction angle.
+    /// All models, the plasticity models at the recommended strength.
     pub models: Vec<ModelForecast>,
-    /// The same at the full friction angle; empty for associated flow, where nothing differs.
-    pub models_full_friction: Vec<ModelForecast>,
-    /// Davis' operative friction angle [rad], used for `models`.
+    /// The friction angle of the plasticity models in `models`.
+    pub strength: Strength,
+    /// All models, the plasticity models at the other strength; empty for associated flow, where nothing differs.
+    pub models_other_strength: Vec<ModelForecast>,
+    /// Davis' operative friction angle [rad].
     pub operative_friction_angle: f64,
     /// Scatter between the applicable models.
     pub scatter: Option<Scatter>,
@@ -53,10 +57,11 @@ pub struct Forecast {
 /// If the case is out of range of all models. Where a single model does not apply, its entry gives the reason.
 pub fn forecast(towing: &Towing) -> ModelResult<Forecast> {
     towing.check()?;
-    let operative = Towing { soil: towing.soil.operative()?, ..towing.clone() };
-    let models = evaluate_all(&operative, towing);
-    let associated = (towing.soil.dilation_angle - towing.soil.friction_angle).abs() < 1e-12;
-    let models_full_friction = if associated { Vec::new() } else { evaluate_all(towing, towing) };
+    let strength = Strength::recommended(towing);
+    let models = evaluate_all(&strength.applied(towing)?, towing);
+    let is_associated = (towing.soil.dilation_angle - towing.soil.friction_angle).abs() < 1e-12;
+    let models_other_strength =
+        if is_associated { Vec::new() } else { evaluate_all(&strength.other().applied(towing)?, towing) };
     let recommended = recommendation::recommended(towing, &models);
     let best = models.iter().find(|model| Some(model.model) == recommended);
     let best = best.or_else(|| models.iter().find(|model| model.applicable));
@@ -71,9 +76,10 @@ pub fn forecast(towing: &Towing) -> ModelResult<Forecast> {
         side_faces: faces,
         recommended,
         recommendation: recommendation::recommend(towing, &models),
-        operative_friction_angle: operative.soil.friction_angle,
+        operative_friction_angle: towing.soil.operative()?.friction_angle,
         models,
-        models_full_friction,
+        strength,
+        models_other_strength,
     })
 }
 

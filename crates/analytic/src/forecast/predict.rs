@@ -13,10 +13,30 @@ const NOT_PLANE: &str = "it is for a plane front or that of a disc across the to
 
 /// The prediction of one model at the soil's friction angle as given; `table` speeds up the wedge within its range.
 ///
+/// With a resistance factor f all forces are f times those of the model: a weight W sinks to where the model carries W/f.
+///
 /// # Errors
 /// If the model cannot be applied to the case or has no solution.
 pub fn predict(model: Candidate, towing: &Towing, table: Option<&PressureTable>) -> ModelResult<Prediction> {
     towing.check()?;
+    let factor = towing.resistance_factor;
+    if factor == 1.0 {
+        return predict_unscaled(model, towing, table);
+    }
+    let load = match towing.load {
+        Load::Weight(weight) => Load::Weight(weight / factor),
+        Load::Sinkage(z) => Load::Sinkage(z),
+    };
+    let scaled = Towing { load, resistance_factor: 1.0, ..towing.clone() };
+    let found = predict_unscaled(model, &scaled, table)?;
+    Ok(Prediction { drag: factor * found.drag, vertical: factor * found.vertical, ..found })
+}
+
+fn predict_unscaled(
+    model: Candidate,
+    towing: &Towing,
+    table: Option<&PressureTable>,
+) -> ModelResult<Prediction> {
     if towing.soil.is_undrained() && !suits_clay(model, towing) {
         return undefined(model.name(), "it is for frictional soil, not for undrained clay");
     }

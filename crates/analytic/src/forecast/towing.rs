@@ -29,6 +29,8 @@ pub struct Towing {
     pub drive: Drive,
     /// Whether it is pressed straight down, without a tow and without turning; a [`super::Plate`] always is.
     pub pressed: bool,
+    /// Resistance of the soil over that of the models: their own error, 1 for their predictions.
+    pub resistance_factor: f64,
     /// Gravity [m/s²]; converts weights to masses only.
     pub gravity: f64,
     /// Fraction of the displaced soil that stands as a bow wave before the disc, 0 to 1.
@@ -92,6 +94,8 @@ pub enum Parameter {
     PlateFrictional,
     /// K [m].
     ShearModulus,
+    /// Resistance of the soil over that of the models.
+    ResistanceFactor,
 }
 
 impl Towing {
@@ -106,6 +110,7 @@ impl Towing {
             load,
             drive,
             pressed,
+            resistance_factor: 1.0,
             gravity: 9.81,
             bow_wave_fraction: 0.0,
             backfill: 0.0,
@@ -130,6 +135,7 @@ impl Towing {
             Load::Weight(weight) => positive("weight [N]", weight)?,
             Load::Sinkage(z) => within("sinkage [m]", z, f64::MIN_POSITIVE, self.body.deepest())?,
         };
+        positive("resistance factor", self.resistance_factor)?;
         positive("gravity [m/s^2]", self.gravity)?;
         within("bow wave fraction", self.bow_wave_fraction, 0.0, 1.0)?;
         within("backfill [rad]", self.backfill, -10_f64.to_radians(), 25_f64.to_radians())?;
@@ -176,6 +182,7 @@ impl Towing {
             Parameter::PlateExponent => case.change_terrain(|t| t.exponent = value),
             Parameter::PlateCohesive => case.change_terrain(|t| t.cohesive = value),
             Parameter::PlateFrictional => case.change_terrain(|t| t.frictional = value),
+            Parameter::ResistanceFactor => case.resistance_factor = value,
             Parameter::ShearModulus => case.change_terrain(|t| t.shear_modulus = value),
         }
         case

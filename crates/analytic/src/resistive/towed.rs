@@ -23,7 +23,7 @@ pub struct SteadyTow {
 
 /// Forces on a disc at a sinkage [m]; the slip of a free, braked or driven disc is that which balances its torque.
 ///
-/// A braked disc is locked where no slip balances the brake; a driven one must not exceed the turn ratio 3.
+/// A braked disc is locked where no slip balances the brake; a driven one must not exceed the turn ratio 4.
 ///
 /// # Errors
 /// If the sinkage or the drive is out of range, or no slip balances the torque.
@@ -49,7 +49,7 @@ fn balanced(drive: Drive, at: impl Fn(f64) -> SteadyTow) -> ModelResult<SteadyTo
     }
     match root(-1.0, MAX_SLIP, 1e-10, surplus) {
         Some(slip) => Ok(at(slip)),
-        None => undefined("the slip", "no slip between -1 and 2/3 balances the torque on the axle"),
+        None => undefined("the slip", "no slip between -1 and 0.75 balances the torque on the axle"),
     }
 }
 

@@ -4,7 +4,7 @@ use super::{Distribution, Uncertainty, propagate};
 use crate::disc::Drive;
 use crate::earth_pressure::{PressureTable, TableRange};
 use crate::error::ModelResult;
-use crate::forecast::{Block, Body, Candidate, Parameter, Towing, predict};
+use crate::forecast::{Block, Body, Candidate, Parameter, Strength, Towing, predict};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Distributions of the prediction of one model.
@@ -20,7 +20,7 @@ pub struct TowingUncertainty {
 
 /// Distributions of the prediction of one model for uncertain parameters of the case.
 ///
-/// Plasticity models use Davis' friction angle of each sample. `table`, made once for all models by [`sweep_table`],
+/// Plasticity models use the recommended strength of each sample. `table`, made once for all models by [`sweep_table`],
 /// replaces the solution of a stress field in each evaluation, so that 10⁵ of them take a few seconds.
 ///
 /// # Errors
@@ -34,10 +34,8 @@ pub fn propagate_towing(
     table: Option<&PressureTable>,
 ) -> ModelResult<TowingUncertainty> {
     base.check()?;
-    let evaluate = |mut case: Towing| {
-        if model.is_plastic() {
-            case.soil = case.soil.operative()?;
-        }
+    let evaluate = |case: Towing| {
+        let case = if model.is_plastic() { Strength::recommended(&case).applied(&case)? } else { case };
         predict(model, &case, table)
     };
     let gives_sinkage = evaluate(base.clone())?.sinkage.is_some();
@@ -54,10 +52,13 @@ pub fn propagate_towing(
 }
 
 /// A table of the passive coefficient for all friction angles and wall friction angles of the samples; `None` if the
-/// backfill is uncertain, or where the field does not exist in the whole range.
+/// backfill is uncertain, where no model uses it, or where the field does not exist in the whole range.
 #[must_use]
 pub fn sweep_table(base: &Towing, inputs: &[(Parameter, Distribution)]) -> Option<PressureTable> {
     if inputs.iter().any(|(parameter, _)| *parameter == Parameter::Backfill) {
+        return None;
+    }
+    if base.pressed || base.soil.is_undrained() {
         return None;
     }
     let corners = corners(base, inputs);
@@ -101,9 +102,10 @@ fn extent(values: impl Iterator<Item = f64>) -> (f64, f64) {
     values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
 }
 
-/// Range of Davis' friction angle [rad] and of the wall friction angle relative to it.
+/// Range of the friction angle of the plasticity models [rad] and of the wall friction angle relative to it.
 fn frictions(cases: &[Towing]) -> ((f64, f64), (f64, f64)) {
-    let soils: Vec<_> = cases.iter().filter_map(|case| case.soil.operative().ok()).collect();
+    let applied = |case: &Towing| Strength::recommended(case).applied(case).ok().map(|case| case.soil);
+    let soils: Vec<_> = cases.iter().filter_map(applied).collect();
     let (low, high) = extent(soils.iter().map(|soil| soil.friction_angle));
     let ratios = extent(soils.iter().map(|soil| soil.interface_friction().atan() / soil.friction_angle));
     ((low.max(10_f64.to_radians()), high.min(50_f64.to_radians())), ratios)

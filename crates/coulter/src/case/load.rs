@@ -6,7 +6,7 @@ use super::resolved::Case;
 use super::toml_tree::{self, TomlTree};
 use super::tree::{Entry, Value};
 use super::uncertainty::{self, StandardDeviation};
-use super::validate::validate;
+use super::validate::{validate, whole};
 use super::{json_tree, resolve, schema};
 use std::path::Path;
 
@@ -15,18 +15,20 @@ use std::path::Path;
 /// # Errors
 /// [`CaseError`] holds everything that is wrong, with its location in the file.
 pub fn load(path: &Path, overrides: &[String]) -> Result<Case, CaseError> {
-    load_with_deviations(path, overrides).map(|(case, _)| case)
+    parse(&text(path)?, &path.display().to_string(), overrides)
 }
 
-/// As [`load`], with the standard deviations that the file states, such as `"35 ± 2 deg"`; the case holds the means.
+/// As [`load`], for the closed-form models: with the standard deviations that the file states, such as `"35 ± 2 deg"`, the case
+/// holding the means; and with any resolution of the grid and any cost of a run, which do not matter to them.
 ///
 /// # Errors
-/// As [`load`].
-pub fn load_with_deviations(
+/// [`CaseError`] holds everything else that is wrong, with its location in the file.
+pub fn load_for_forecast(
     path: &Path,
     overrides: &[String],
 ) -> Result<(Case, Vec<StandardDeviation>), CaseError> {
-    parse_with_deviations(&text(path)?, &path.display().to_string(), overrides)
+    let name = path.display().to_string();
+    parse_with_deviations(&text(path)?, &name, overrides, Problems::without_resolution())
 }
 
 /// The text of a case file, as typed.
@@ -83,7 +85,7 @@ fn unreadable(path: &Path, name: &str, error: &std::io::Error) -> CaseError {
 /// # Errors
 /// [`CaseError`] holds everything that is wrong, with its location in the text.
 pub fn parse(text: &str, source_name: &str, overrides: &[String]) -> Result<Case, CaseError> {
-    parse_with_deviations(text, source_name, overrides).map(|(case, _)| case)
+    parse_with_deviations(text, source_name, overrides, Problems::default()).map(|(case, _)| case)
 }
 
 /// Reads a case from nested maps, with the keys of a case file and the values as they are typed there: `{"soil":
@@ -101,7 +103,8 @@ pub fn from_json(value: &serde_json::Value, name: &str) -> Result<Case, CaseErro
         }
     };
     refuse_empty(&tree, name)?;
-    let (case, _) = build(tree, name).map_err(|problems| CaseError::new(name, problems.into_list()))?;
+    let (case, _) = build(tree, name, Problems::default())
+        .map_err(|problems| CaseError::new(name, problems.into_list()))?;
     Ok(case)
 }
 
@@ -109,13 +112,14 @@ pub(super) fn parse_with_deviations(
     text: &str,
     source_name: &str,
     overrides: &[String],
+    collected: Problems,
 ) -> Result<(Case, Vec<StandardDeviation>), CaseError> {
     let TomlTree { tree, places, problems } = toml_tree::read(source_name, text, overrides);
     if !problems.is_empty() {
         return Err(places.error_at(problems));
     }
     refuse_empty(&tree, source_name)?;
-    build(tree, source_name).map_err(|problems| places.error(problems.into_aimed()))
+    build(tree, source_name, collected).map_err(|problems| places.error(problems.into_aimed()))
 }
 
 /// Refuses a case that cannot be simulated, however it was made.
@@ -137,13 +141,16 @@ fn refuse_empty(tree: &[Entry], name: &str) -> Result<(), CaseError> {
 }
 
 /// From the tree to a case that has been checked, whatever the tree was read from.
-fn build(mut tree: Vec<Entry>, name: &str) -> Result<(Case, Vec<StandardDeviation>), Problems> {
-    let mut problems = Problems::default();
+fn build(
+    mut tree: Vec<Entry>,
+    name: &str,
+    mut problems: Problems,
+) -> Result<(Case, Vec<StandardDeviation>), Problems> {
     let deviations = uncertainty::separate(&mut tree, &mut problems);
     let schema = schema::read(&tree, &mut problems);
     let case = resolve::resolve(&schema, name, &mut problems);
     if let Some(case) = &case {
-        problems.extend(validate(case));
+        whole(case, &mut problems);
     }
     match case {
         Some(case) if problems.is_empty() => Ok((case, deviations)),

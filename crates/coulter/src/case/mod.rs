@@ -41,7 +41,7 @@ mod values;
 pub use advice::advice;
 pub use error::{CaseError, LocatedProblem};
 pub use format::FORMAT;
-pub use load::{from_json, load, load_with_deviations, parse, require_valid, text};
+pub use load::{from_json, load, load_for_forecast, parse, require_valid, text};
 pub use overrides::overridden;
 pub(crate) use path::travel;
 pub use problem::Problem;

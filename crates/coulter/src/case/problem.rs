@@ -47,9 +47,20 @@ pub(super) enum Aim {
 pub(super) struct Problems {
     found: Vec<(Aim, Problem)>,
     known: HashSet<Problem>,
+    ignores_resolution: bool,
 }
 
 impl Problems {
+    /// For a case that is not simulated: what only the resolution of the grid and the cost of a run forbid is left out.
+    pub(super) fn without_resolution() -> Self {
+        Self { ignores_resolution: true, ..Self::default() }
+    }
+
+    /// Whether problems of the resolution and the cost are left out.
+    pub(super) fn ignores_resolution(&self) -> bool {
+        self.ignores_resolution
+    }
+
     /// Adds a problem with the value at a path; the same one only once.
     pub(super) fn add(
         &mut self,
@@ -82,11 +93,6 @@ impl Problems {
 
     pub(super) fn len(&self) -> usize {
         self.found.len()
-    }
-
-    /// Adds problems with values.
-    pub(super) fn extend(&mut self, problems: Vec<Problem>) {
-        problems.into_iter().for_each(|problem| self.push(Aim::Value, problem));
     }
 
     /// All problems with what they are about, in the order in which they were found.

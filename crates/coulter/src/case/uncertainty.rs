@@ -103,6 +103,7 @@ fn read(section: &str, key: &str, mean: &str, deviation: &str) -> Result<(Value,
 #[cfg(test)]
 mod tests {
     use super::super::load::parse_with_deviations;
+    use super::super::problem::Problems;
     use super::super::{Case, CaseError};
     use super::*;
 
@@ -110,7 +111,7 @@ mod tests {
 
     fn with(overrides: &[&str]) -> Result<(Case, Vec<StandardDeviation>), CaseError> {
         let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
-        parse_with_deviations(TOWED_DISC, "case.toml", &overrides)
+        parse_with_deviations(TOWED_DISC, "case.toml", &overrides, Problems::default())
     }
 
     #[test]

@@ -67,7 +67,7 @@ pub fn curves(outlook: &Outlook, range: &Range, logarithmic: bool) -> Result<Cur
         values: range.values.iter().map(|v| v / variable.size).collect(),
         group: group.unwrap_or_else(|| range.values.iter().map(|v| v / variable.size).collect()),
         group_label,
-        force_scale: cases.iter().map(|c| c.body.force_scale(c.soil.unit_weight)).collect(),
+        force_scale: cases.iter().map(|c| c.body.force_scale(&c.soil)).collect(),
         length_scale: cases.iter().map(|c| c.body.length()).collect(),
         sinks: cases.iter().all(|c| matches!(c.load, Load::Weight(_))),
         recommended: outlook.recommended().map_or("", |m| m.name),
@@ -80,7 +80,7 @@ pub fn curves(outlook: &Outlook, range: &Range, logarithmic: bool) -> Result<Cur
 fn group(parameter: Parameter, cases: &[Towing], label: &'static str) -> (&'static str, Option<Vec<f64>>) {
     let of = |f: fn(&Towing) -> Option<f64>| cases.iter().map(f).collect::<Option<Vec<f64>>>();
     let weight = |c: &Towing| match c.load {
-        Load::Weight(weight) => Some(weight / c.body.force_scale(c.soil.unit_weight)),
+        Load::Weight(weight) => Some(weight / c.body.force_scale(&c.soil)),
         Load::Sinkage(_) => None,
     };
     let (name, values) = match parameter {

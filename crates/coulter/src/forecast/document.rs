@@ -2,8 +2,9 @@
 
 use super::outlook::{Outlook, mechanism_word};
 use super::uncertainty::{InputDeviation, Interval, Intervals};
+use analytic::Towing;
 use analytic::disc::Drive;
-use analytic::forecast::{Load, ModelForecast, Range};
+use analytic::forecast::{Load, ModelForecast, Range, Strength};
 use serde_json::{Value, json};
 
 /// The document of a forecast; `in_full` adds the full uncertainty analysis.
@@ -15,7 +16,12 @@ pub fn document(outlook: &Outlook, intervals: &Intervals, in_full: bool) -> Valu
         entry["interval"] = interval(intervals, m.name);
         entry
     };
-    let full_friction: Vec<Value> = forecast.models_full_friction.iter().map(|m| model(outlook, m)).collect();
+    let other_strength: Vec<Value> =
+        forecast.models_other_strength.iter().map(|m| model(outlook, m)).collect();
+    let (full_friction, davis) = match forecast.strength {
+        Strength::Full => (Vec::new(), other_strength),
+        Strength::Davis => (other_strength, Vec::new()),
+    };
     let spread = forecast.scatter.as_ref().map(|s| {
         json!({
             "count": s.count, "drag_N": range(&s.drag), "vertical_N": range(&s.vertical),
@@ -32,9 +38,11 @@ pub fn document(outlook: &Outlook, intervals: &Intervals, in_full: bool) -> Valu
         "bodies": outlook.input.bodies,
         "groups": groups(outlook),
         "load": load(outlook),
-        "drive": drive(outlook.input.towing.drive),
+        "drive": drive(&outlook.input.towing),
         "models": forecast.models.iter().map(one).collect::<Vec<_>>(),
+        "strength": if forecast.strength == Strength::Full { "full" } else { "davis" },
         "models_full_friction": full_friction,
+        "models_davis": davis,
         "operative_friction_angle_rad": forecast.operative_friction_angle,
         "spread": spread,
         "side_faces": faces,
@@ -67,8 +75,9 @@ fn load(outlook: &Outlook) -> Value {
     }
 }
 
-fn drive(drive: Drive) -> Value {
-    match drive {
+fn drive(towing: &Towing) -> Value {
+    match towing.drive {
+        _ if towing.pressed => json!({ "kind": "pressed" }),
         Drive::Free => json!({ "kind": "free" }),
         Drive::Locked => json!({ "kind": "locked" }),
         Drive::Braked(torque) => json!({ "kind": "braked", "torque_Nm": torque }),
@@ -105,7 +114,7 @@ fn range(range: &Range) -> Value {
     json!({ "low": range.low, "middle": range.middle, "high": range.high })
 }
 
-/// The 5, 50 and 95 % quantiles of one model.
+/// The interval of one model; `middle` is the median.
 fn interval(intervals: &Intervals, model: &str) -> Value {
     let of = |quantity: &str| {
         let range = |i: &Interval| json!({ "low": i.low, "middle": i.middle, "high": i.high });

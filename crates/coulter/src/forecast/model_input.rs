@@ -1,6 +1,6 @@
-//! A case as input of the closed-form models: one body, or a row of equal discs, in level Mohr–Coulomb soil.
+//! A case as input of the closed-form models: one body, or a row of equal discs, in level soil of Mohr and Coulomb or in clay.
 
-use super::towed::{bodies, body};
+use super::towed::{Course, bodies, body, course};
 use crate::case::resolved::{Body as Towed, Case, Factors, Ground, Law, Measured, Motion};
 use crate::case::travel;
 use analytic::bearing::Method;
@@ -33,30 +33,34 @@ pub struct ModelInput {
 pub fn model_input(case: &Case) -> Result<ModelInput, String> {
     let mut remarks = Vec::new();
     let (bodies, assembly) = bodies(case, &mut remarks)?;
-    let first = *bodies.first().ok_or("the case has no body under tow")?;
-    let (mut body, kind, mirrored) = body(case, first, &mut remarks)?;
+    let first = *bodies.first().ok_or("the case has no body")?;
     no_lateral_tow(&bodies)?;
+    let course = course(case, first)?;
+    let (mut body, kind) = body(case, first, course, &mut remarks)?;
     let ground = ground(case, &body)?;
     let soil = soil(case, first, &mut remarks)?;
+    suits_clay(&soil, &body)?;
     let count = bodies.len() as f64;
     let load = load(case, first, &ground, count, &mut remarks)?;
     if let (Body::Block(block), Load::Sinkage(z)) = (&mut body, load) {
         block.has_base = z < ground.depth() * (1.0 - 1e-9);
     }
     let drive = match &body {
-        Body::Block(_) => Drive::Locked,
+        _ if course == Course::Pressed => Drive::Locked,
+        Body::Block(_) | Body::Plate(_) => Drive::Locked,
         Body::Disc(_) => drive(first, 0.5 * body.length())?,
         Body::Faceted(_) if first.shape.rolling_diameter().is_some() => drive(first, 0.5 * body.length())?,
         Body::Faceted(_) => Drive::Locked,
     };
-    if drive == Drive::Locked && !matches!(first.spin, Motion::Fixed) {
+    if course != Course::Pressed && drive == Drive::Locked && !matches!(first.spin, Motion::Fixed) {
         remarks.push(format!("`{}` may rotate; the models assume that it does not", first.name));
     }
-    if body.disc().is_some() && matches!(first.translation[0], Motion::Fixed) {
-        remarks.push(format!("the case does not tow `{}`; the forces are those of a steady tow", first.name));
-    }
     let mut towing = Towing::new(soil, body, load, drive);
+    towing.pressed = course == Course::Pressed;
     towing.assembly = assembly;
+    if towing.pressed && towing.assembly.is_some() {
+        return Err("several bodies are pressed down; the closed forms are for one of them".into());
+    }
     towing.elastic_modulus = Some(case.soil.young_modulus);
     add_measured(&mut towing, &case.forecast, &mut remarks);
     remarks.extend(unused_keys(&towing, kind));
@@ -68,6 +72,7 @@ pub fn model_input(case: &Case) -> Result<ModelInput, String> {
         _ => 0.0,
     };
     let bodies = bodies.iter().map(|b| b.name.clone()).collect();
+    let mirrored = course == Course::TowedBackwards;
     Ok(ModelInput { bodies, kind, towing, mirrored, extra_load, remarks })
 }
 
@@ -81,7 +86,7 @@ fn no_lateral_tow(bodies: &[&Towed]) -> Result<(), String> {
     match bodies.iter().find(is_moved) {
         Some(body) => Err(format!(
             "`{}` moves sideways (lateral), but the closed forms are for a tow along x only; write lateral = \"fixed\" for \
-             a forecast of the motion along x",
+             a forecast of the motion along x, or run the solver",
             body.name
         )),
         None => Ok(()),
@@ -156,21 +161,50 @@ fn ground(case: &Case, body: &Body) -> Result<LevelGround, String> {
 }
 
 fn soil(case: &Case, body: &Towed, remarks: &mut Vec<String>) -> Result<Soil, String> {
-    let Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, .. } = case.soil.law else {
-        let kind = case.soil.law.kind();
-        return Err(format!("the soil is {kind}; the closed forms are for Mohr-Coulomb soil"));
+    let unit_weight = case.soil.unit_weight;
+    let (friction_angle, dilation_angle, cohesion) = match case.soil.law {
+        Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, .. } => {
+            (friction_angle, dilation_angle, cohesion)
+        }
+        Law::Tresca { shear_strength } => (0.0, 0.0, shear_strength),
+        Law::VonMises { yield_stress, hardening_modulus } => {
+            let strength = yield_stress / 3_f64.sqrt();
+            remarks.push(format!(
+                "von-mises as undrained clay of s_u = σ_y/√3 = {:.4} kPa, its strength in simple shear{}",
+                1e-3 * strength,
+                if hardening_modulus > 0.0 { "; it is taken not to harden" } else { "" }
+            ));
+            (0.0, 0.0, strength)
+        }
+        Law::Elastic => {
+            return Err("the soil is elastic and never fails; the closed forms are for soil that does".into());
+        }
     };
-    if case.soil.unit_weight <= 0.0 {
+    if unit_weight <= 0.0 && friction_angle > 0.0 {
         return Err("the soil is weightless; in the closed forms strength comes from weight".into());
     }
     let body_friction = if body.friction.is_finite() {
         body.friction
-    } else {
+    } else if friction_angle > 0.0 {
         remarks.push("rough surface: friction tan φ".into());
         friction_angle.tan()
+    } else {
+        remarks.push("rough surface: shear stress up to s_u".into());
+        1.0
     };
-    let unit_weight = case.soil.unit_weight;
-    Ok(Soil { friction_angle, dilation_angle, cohesion, unit_weight, body_friction })
+    let adhesion_factor =
+        if friction_angle > 0.0 { 1.0 } else { (body.shear_limit / cohesion).clamp(0.0, 1.0) };
+    Ok(Soil { friction_angle, dilation_angle, cohesion, unit_weight, body_friction, adhesion_factor })
+}
+
+/// Refuses a body for which there is no closed form in undrained clay.
+fn suits_clay(soil: &Soil, body: &Body) -> Result<(), String> {
+    if soil.is_undrained() && matches!(body, Body::Block(_) | Body::Faceted(_)) {
+        return Err("the soil is undrained clay, for which there are closed forms of discs and wheels, and of level plates that \
+                    are pressed down; run the solver for another body"
+            .into());
+    }
+    Ok(())
 }
 
 /// The load of a free heave, or the deepest sinkage [m] that the motion prescribes.

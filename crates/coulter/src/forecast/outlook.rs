@@ -24,7 +24,7 @@ pub struct Outlook {
 pub fn outlook(case: &Case) -> Result<Outlook, String> {
     let input = model_input(case)?;
     let mut forecast = analytic::forecast(&input.towing).map_err(|why| why.to_string())?;
-    for model in forecast.models.iter_mut().chain(&mut forecast.models_full_friction) {
+    for model in forecast.models.iter_mut().chain(&mut forecast.models_other_strength) {
         if let Some(key) = missing_key(model.model, &input) {
             model.note = key.to_owned();
         }
@@ -59,10 +59,10 @@ impl Outlook {
         self.forecast.models.iter().find(|m| Some(m.model) == self.forecast.recommended)
     }
 
-    /// The reference force γ t d² of one body [N].
+    /// The reference force of one body [N]: γ t d², in undrained clay s_u t d.
     #[must_use]
     pub fn force_scale(&self) -> f64 {
-        self.input.towing.body.force_scale(self.input.towing.soil.unit_weight)
+        self.input.towing.body.force_scale(&self.input.towing.soil)
     }
 
     /// Whether the body sinks under its weight.

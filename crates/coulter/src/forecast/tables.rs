@@ -3,7 +3,7 @@
 use super::outlook::{Outlook, mechanism_word};
 use super::uncertainty::{InputDeviation, Intervals};
 use analytic::disc::{Drive, Mechanism};
-use analytic::forecast::{Load, ModelForecast, Prediction};
+use analytic::forecast::{Load, ModelForecast, Prediction, Strength};
 use std::fmt::Write;
 
 /// The forecast as text for a terminal.
@@ -60,13 +60,28 @@ fn meaning_of_intervals(intervals: &Intervals) -> String {
         )
     };
     let inputs = intervals.inputs.iter().map(of).collect::<Vec<_>>().join(", ");
-    if intervals.assumed {
-        return format!(
-            "5–95 %: with an assumed uncertainty of the soil only, {inputs} (state another in the case, as in \"35 ± 2 deg\", or with \
-             --uncertainty --spread)"
-        );
+    let whose = if intervals.assumed { "assumed" } else { "stated" };
+    let cure = if intervals.assumed {
+        " (state others in the case, as in \"35 ± 2 deg\", or with --uncertainty --spread)"
+    } else {
+        ""
+    };
+    format!(
+        "5–95 %: with {whose} uncertainties of the input, {inputs}{cure}, and the error of the model itself: its resistance is taken \
+         to be right within {}",
+        errors(intervals)
+    )
+}
+
+/// The errors of the models, as factors of one standard deviation.
+fn errors(intervals: &Intervals) -> String {
+    let all = || intervals.list.iter().map(|i| i.model_error.exp());
+    let (least, most) = (all().fold(f64::INFINITY, f64::min), all().fold(1.0, f64::max));
+    if least < most {
+        format!("a factor of {least:.2} to {most:.2}, by model (one standard deviation)")
+    } else {
+        format!("a factor of {most:.2} (one standard deviation)")
     }
-    format!("5–95 %: with the stated standard deviations, {inputs}; without the error of the model itself")
 }
 
 /// Four significant digits.
@@ -84,6 +99,7 @@ fn heading(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
         Load::Sinkage(z) => format!("held at a sinkage of {:.4} mm", 1e3 * z),
     };
     let axle = match towing.drive {
+        _ if towing.pressed => "pressed straight down".to_owned(),
         Drive::Locked if towing.body.disc().is_none() => "not rotating".to_owned(),
         Drive::Free => "free to rotate".to_owned(),
         Drive::Locked => "locked".to_owned(),
@@ -98,8 +114,8 @@ fn heading(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
         ("W̄", g.weight),
         ("Z", g.sinkage),
         ("Ē", g.stiffness),
-        ("c̄", Some(g.cohesion)),
-        ("γtd² [N]", Some(outlook.force_scale())),
+        ("c̄", g.cohesion),
+        (if towing.soil.is_undrained() { "s_u td [N]" } else { "γtd² [N]" }, Some(outlook.force_scale())),
     ];
     for (name, value) in known {
         if let Some(value) = value {
@@ -164,31 +180,19 @@ fn mechanism(found: &Prediction) -> String {
 fn closing(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
     let forecast = &outlook.forecast;
     if let Some(spread) = forecast.scatter.as_ref().filter(|s| s.count > 1) {
-        write!(
-            text,
-            "\nrange of {} models: drag {:.3} to {:.3} N",
-            spread.count, spread.drag.low, spread.drag.high
-        )?;
-        if let Some(z) = spread.sinkage.filter(|_| outlook.sinks()) {
-            write!(text, ", sinkage {:.2} to {:.2} mm", 1e3 * z.low, 1e3 * z.high)?;
+        let other = match spread.sinkage.filter(|_| outlook.sinks()) {
+            Some(z) => format!("sinkage {:.2} to {:.2} mm", 1e3 * z.low, 1e3 * z.high),
+            None => format!("vertical force {:.3} to {:.3} N", spread.vertical.low, spread.vertical.high),
+        };
+        let drag = if outlook.input.towing.pressed {
+            String::new()
         } else {
-            write!(text, ", vertical force {:.3} to {:.3} N", spread.vertical.low, spread.vertical.high)?;
-        }
+            format!("drag {:.3} to {:.3} N, ", spread.drag.low, spread.drag.high)
+        };
+        write!(text, "\nrange of {} models: {drag}{other}", spread.count)?;
         writeln!(text, " (they are not independent, so this is not a confidence interval)")?;
     }
-    let full = forecast.models_full_friction.iter().find(|m| Some(m.model) == forecast.recommended);
-    if let Some(full) = full.filter(|m| m.model.is_plastic()).and_then(|m| m.prediction) {
-        let angle = forecast.operative_friction_angle.to_degrees();
-        write!(
-            text,
-            "the plasticity models use Davis' angle, {angle:.2}°; at the full friction angle: drag {:.3} N",
-            full.drag
-        )?;
-        match full.sinkage.filter(|_| outlook.sinks()) {
-            Some(z) => writeln!(text, ", sinkage {:.2} mm", 1e3 * z)?,
-            None => writeln!(text, ", vertical force {:.3} N", full.vertical)?,
-        }
-    }
+    other_strength(text, outlook)?;
     if let Some(faces) = &forecast.side_faces {
         writeln!(
             text,
@@ -197,6 +201,35 @@ fn closing(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
         )?;
     }
     writeln!(text, "\n{}", wrapped(&forecast.recommendation))
+}
+
+/// What the recommended model says at the other friction angle, where ψ < φ.
+fn other_strength(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
+    let forecast = &outlook.forecast;
+    let other = forecast.models_other_strength.iter().find(|m| Some(m.model) == forecast.recommended);
+    let Some(found) = other.filter(|m| m.model.is_plastic()).and_then(|m| m.prediction) else {
+        return Ok(());
+    };
+    let full = outlook.input.towing.soil.friction_angle.to_degrees();
+    let davis = forecast.operative_friction_angle.to_degrees();
+    match forecast.strength {
+        Strength::Full => write!(
+            text,
+            "the plasticity models use the full friction angle, {full:.2}°; at Davis' angle, {davis:.2}°: "
+        )?,
+        Strength::Davis => {
+            write!(text, "the plasticity models use Davis' angle, {davis:.2}°; at the full friction angle: ")?
+        }
+    }
+    let mut values = Vec::new();
+    if !outlook.input.towing.pressed {
+        values.push(format!("drag {:.3} N", found.drag));
+    }
+    values.push(match found.sinkage.filter(|_| outlook.sinks()) {
+        Some(z) => format!("sinkage {:.2} mm", 1e3 * z),
+        None => format!("vertical force {:.3} N", found.vertical),
+    });
+    writeln!(text, "{}", values.join(", "))
 }
 
 /// Text broken into lines for a terminal.
@@ -220,13 +253,16 @@ fn wrapped(text: &str) -> String {
 /// The intervals in full as text for a terminal.
 #[must_use]
 pub fn uncertainty_table(intervals: &Intervals) -> String {
-    let mut text = String::from("\nuncertainty (Gaussian inputs, standard deviations as stated):\n");
+    let mut text = String::from(
+        "\nuncertainty (Gaussian inputs, standard deviations as stated; the error of each model, log-normal):\n",
+    );
     for s in &intervals.inputs {
         let (size, unit) = (s.variable.size, s.variable.unit);
         let _ = writeln!(text, "  {} = {:.5} ± {:.4} [{unit}]", s.key, s.mean / size, s.deviation / size);
     }
     let inputs =
         intervals.inputs.iter().map(|s| format!("{:>16}", s.key.rsplit('.').next().unwrap_or(&s.key)));
+    let inputs = inputs.chain([format!("{:>16}", "model itself")]);
     let _ = writeln!(
         text,
         "\n{:<22} {:<12} {:>8} {:>8} {:>8}   first-order Sobol index of\n{:<62} {}   evaluations",

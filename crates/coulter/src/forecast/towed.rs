@@ -2,8 +2,9 @@
 
 use crate::case::resolved::{Body as Towed, Case, Motion};
 use crate::case::shapes::ClosedForm;
+use crate::case::travel;
 use analytic::disc::{Assembly, Disc};
-use analytic::forecast::{Block, Body, FacetedBody};
+use analytic::forecast::{Block, Body, FacetedBody, Outline, Plate};
 use analytic::resistive::Facet;
 use glam::DVec3;
 use physics::shape::SurfacePoint;
@@ -67,47 +68,91 @@ pub(super) fn bodies<'a>(
 fn disc(body: &Towed) -> Option<Disc> {
     match body.shape.closed_form() {
         ClosedForm::Disc { diameter, thickness } => Some(Disc { diameter, thickness }),
-        ClosedForm::Block { .. } | ClosedForm::Facets { .. } => None,
+        ClosedForm::Block { .. } | ClosedForm::Column { .. } | ClosedForm::Facets { .. } => None,
     }
 }
 
-/// The body as the models represent it, its kind in one word, and whether it is towed backwards, so that the models are
-/// given its mirror image.
+/// How a body moves, as far as the closed-form models know.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Course {
+    /// It is towed along x.
+    Towed,
+    /// It is towed along −x, so that the models are given its mirror image.
+    TowedBackwards,
+    /// It is pressed straight down.
+    Pressed,
+}
+
+/// How a body of the case moves.
 ///
 /// # Errors
-/// If it is a disc in plane strain, or anything else that is not towed.
+/// If it neither moves along x nor down.
+pub(super) fn course(case: &Case, body: &Towed) -> Result<Course, String> {
+    let along = match body.translation[0] {
+        Motion::Prescribed { speed, .. } => speed,
+        Motion::Free { load, .. } => load,
+        Motion::Fixed => 0.0,
+    };
+    if along != 0.0 {
+        return Ok(if along > 0.0 { Course::Towed } else { Course::TowedBackwards });
+    }
+    let heave = &body.translation[2];
+    let sinks = match heave {
+        Motion::Free { .. } => true,
+        Motion::Prescribed { .. } => travel(heave, case.duration) < 0.0,
+        Motion::Fixed => false,
+    };
+    if sinks {
+        return Ok(Course::Pressed);
+    }
+    Err(format!(
+        "`{name}` is neither towed nor pressed down; give it a tow, forward = {{ speed = \"0.1 m/s\" }}, or a heave that is free or \
+         goes down, heave = {{ speed = \"-0.01 m/s\" }}",
+        name = body.name
+    ))
+}
+
+/// The body as the models represent it, and its kind in one word.
+///
+/// # Errors
+/// If it is a disc in plane strain.
 pub(super) fn body(
     case: &Case,
     body: &Towed,
+    course: Course,
     remarks: &mut Vec<String>,
-) -> Result<(Body, &'static str, bool), String> {
+) -> Result<(Body, &'static str), String> {
     let kind = body.shape.kind();
-    if let Some(disc) = disc(body) {
-        if case.domain.plane_strain {
+    let represented = match body.shape.closed_form() {
+        ClosedForm::Disc { .. } if case.domain.plane_strain => {
             return Err(format!("the case is plane strain; the models are for a {kind} of finite width"));
         }
-        return Ok((disc.into(), kind, false));
-    }
-    let is_mirrored = match body.translation[0] {
-        Motion::Prescribed { speed, .. } if speed != 0.0 => speed < 0.0,
-        Motion::Free { load, .. } => load < 0.0,
-        _ => {
-            return Err(format!(
-                "`{}` is not towed; a body that is pressed straight down is a footing, which has no forecast",
-                body.name
-            ));
-        }
-    };
-    let represented = match body.shape.closed_form() {
+        ClosedForm::Disc { diameter, thickness } => Disc { diameter, thickness }.into(),
         ClosedForm::Block { size, orientation } => {
-            let orientation = if is_mirrored { -orientation } else { orientation };
-            block(case, size, orientation, remarks).into()
+            let is_mirrored = course == Course::TowedBackwards;
+            let block = block(case, size, if is_mirrored { -orientation } else { orientation }, remarks);
+            if course == Course::Pressed { plate(block) } else { block.into() }
         }
-        ClosedForm::Facets { length, width } | ClosedForm::Disc { diameter: length, thickness: width } => {
+        ClosedForm::Column { diameter, .. } if course == Course::Pressed => {
+            Plate { outline: Outline::Circle, width: diameter, length: diameter }.into()
+        }
+        ClosedForm::Column { diameter: length, height: width } | ClosedForm::Facets { length, width } => {
             Body::Faceted(faceted(body, length, width))
         }
     };
-    Ok((represented, kind, is_mirrored))
+    Ok((represented, kind))
+}
+
+/// A block that is pressed down: the plate that its base is where one of its faces is level.
+fn plate(block: Block) -> Body {
+    let [long, across, high] = block.size;
+    let quarters = block.orientation / (0.5 * PI);
+    if (quarters - quarters.round()).abs() > 1e-9 {
+        return block.into();
+    }
+    let width = if (quarters.round() as i64) % 2 == 0 { long } else { high };
+    let outline = if block.plane_strain { Outline::Strip } else { Outline::Rectangle };
+    Plate { outline, width, length: across }.into()
 }
 
 /// A block rotated by `orientation` [rad]; in plane strain as wide as the slab.

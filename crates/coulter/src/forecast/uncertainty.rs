@@ -1,4 +1,4 @@
-//! How the uncertainty of the inputs propagates to the results.
+//! How the uncertainty of the inputs, and the error of a model, propagate to the results.
 
 use super::model_input::ModelInput;
 use super::outlook::Outlook;
@@ -81,6 +81,8 @@ pub struct Interval {
     pub quantity: &'static str,
     /// Name of the model.
     pub model: &'static str,
+    /// Standard deviation of ln(resistance of the soil over that of the model).
+    pub model_error: f64,
     /// Mean.
     pub mean: f64,
     /// Standard deviation.
@@ -91,9 +93,9 @@ pub struct Interval {
     pub middle: f64,
     /// The value that 95 % lie below.
     pub high: f64,
-    /// First-order Sobol index by input, in the order that they were stated.
+    /// First-order Sobol index by input, in the order that they were stated; the last is that of the error of the model.
     pub first_order: Vec<f64>,
-    /// Total Sobol index by input.
+    /// Total Sobol index by input, likewise.
     pub total: Vec<f64>,
     /// Fraction of the samples for which the model has no answer.
     pub refused: f64,
@@ -147,16 +149,30 @@ impl Effort {
     }
 }
 
-/// Assumed standard deviation of the friction angle [deg] where none is stated: that of a careful laboratory.
-const USUAL_DEVIATION: f64 = 2.0;
+/// Standard deviations that are assumed where none is stated: of the friction angle that of a careful laboratory; of the friction
+/// on the body and of the undrained shear strength (as a fraction) a usual scatter of published values.
+const USUAL: (&str, f64, f64) = ("2 deg", 0.1, 0.2);
 
-/// The standard deviation that is assumed where none is stated.
+/// The standard deviations that are assumed where none is stated.
 fn usual(input: &ModelInput) -> Vec<InputDeviation> {
-    let text = format!("soil.friction_angle={USUAL_DEVIATION} deg");
-    InputDeviation::read(&text, input).into_iter().collect()
+    let (angle, friction, strength) = USUAL;
+    let soil = &input.towing.soil;
+    let of_soil = if soil.is_undrained() {
+        format!("soil.shear_strength={} Pa", strength * soil.cohesion)
+    } else {
+        format!("soil.friction_angle={angle}")
+    };
+    // A body that is pressed down hardly depends on it; a smooth one is meant to be smooth.
+    let is_rubbed = !input.towing.pressed && soil.body_friction > friction;
+    let of_body = is_rubbed.then(|| format!("friction={friction}"));
+    [Some(of_soil), of_body]
+        .iter()
+        .flatten()
+        .filter_map(|text| InputDeviation::read(text, input).ok())
+        .collect()
 }
 
-/// Propagates the stated standard deviations, or the assumed one, through every model that applies; a model that has no
+/// Propagates the stated standard deviations, or the assumed ones, and the error of the model itself through every model that applies; a model that has no
 /// answer is left out.
 #[must_use]
 pub fn intervals(outlook: &Outlook, stated: Vec<InputDeviation>, effort: Effort) -> Intervals {
@@ -167,14 +183,22 @@ pub fn intervals(outlook: &Outlook, stated: Vec<InputDeviation>, effort: Effort)
     let table = sweep_table(&input.towing, &distributions);
     let mut list = Vec::new();
     for model in outlook.forecast.models.iter().filter(|m| m.applicable) {
+        let Some(value) = model.prediction else { continue };
         let count = effort.evaluations(model.model, table.is_some());
-        let found = propagate_towing(&input.towing, &distributions, model.model, count, SEED, table.as_ref());
+        let model_error = model.model.log_error(&input.towing);
+        let own = Distribution::LogNormal { median: 1.0, log_deviation: model_error };
+        let all = [&distributions[..], &[(Parameter::ResistanceFactor, own)]].concat();
+        let found = propagate_towing(&input.towing, &all, model.model, count, SEED, table.as_ref());
         let Ok(found) = found else { continue };
-        list.push(interval("drag_N", model.name, found.drag));
-        if outlook.sinks() {
-            list.extend(found.sinkage.map(|sinkage| interval("sinkage_m", model.name, sinkage)));
-        } else {
-            list.push(interval("vertical_N", model.name, found.vertical));
+        let mut add =
+            |quantity, value, found| list.push(interval(quantity, (model.name, model_error), value, found));
+        if !input.towing.pressed {
+            add("drag_N", value.drag, found.drag);
+        }
+        if !outlook.sinks() {
+            add("vertical_N", value.vertical, found.vertical);
+        } else if let (Some(z), Some(sinkage)) = (value.sinkage, found.sinkage) {
+            add("sinkage_m", z, sinkage);
         }
     }
     Intervals { inputs, assumed, list }
@@ -188,16 +212,26 @@ impl Intervals {
     }
 }
 
-fn interval(quantity: &'static str, model: &'static str, found: Uncertainty) -> Interval {
+/// The distribution of one quantity whose value is that of the forecast.
+///
+/// The interval is widened to the value itself: where samples have no answer and are left out, the quantiles are those of the
+/// rest and need not contain it.
+fn interval(
+    quantity: &'static str,
+    (model, model_error): (&'static str, f64),
+    value: f64,
+    found: Uncertainty,
+) -> Interval {
     let [low, middle, high] = found.quantiles;
     Interval {
         quantity,
         model,
+        model_error,
         mean: found.mean,
         deviation: found.deviation,
-        low,
+        low: low.min(value),
         middle,
-        high,
+        high: high.max(value),
         first_order: found.first_order,
         total: found.total,
         refused: found.failed,

@@ -37,8 +37,11 @@ const fn variable(
     Variable { parameter, section: names.0, key: names.1, kind, label, unit: unit.0, size: unit.1 }
 }
 
+/// Keys of the strength of undrained clay: s_u of Tresca's law, σ_y = √3 s_u of von Mises'.
+const SHEAR_STRENGTH: &str = "shear_strength";
+const YIELD_STRESS: &str = "yield_stress";
 const BARE: (&str, f64) = ("-", 1.0);
-const ALL: [Variable; 20] = [
+const ALL: [Variable; 22] = [
     variable(Parameter::Sinkage, ("", "z"), Kind::Quantity(LENGTH), "sinkage z", ("m", 1.0)),
     variable(
         Parameter::FrictionAngle,
@@ -55,6 +58,20 @@ const ALL: [Variable; 20] = [
         ("deg", DEGREE),
     ),
     variable(Parameter::Cohesion, ("soil", "cohesion"), Kind::Quantity(STRESS), "cohesion c", ("Pa", 1.0)),
+    variable(
+        Parameter::Cohesion,
+        ("soil", SHEAR_STRENGTH),
+        Kind::Quantity(STRESS),
+        "undrained shear strength s_u",
+        ("kPa", 1e3),
+    ),
+    variable(
+        Parameter::Cohesion,
+        ("soil", YIELD_STRESS),
+        Kind::Quantity(STRESS),
+        "yield stress σ_y",
+        ("kPa", 1e3),
+    ),
     variable(
         Parameter::UnitWeight,
         ("soil", "unit_weight"),
@@ -178,23 +195,26 @@ impl Variable {
     /// Whether a model of such a body uses it.
     #[must_use]
     pub fn belongs(&self, input: &ModelInput) -> bool {
-        let any_body = matches!(
-            self.parameter,
-            Parameter::Sinkage
-                | Parameter::FrictionAngle
-                | Parameter::DilationAngle
-                | Parameter::Cohesion
-                | Parameter::UnitWeight
-                | Parameter::BodyFriction
-                | Parameter::Weight
-                | Parameter::PlateStiffness
-        );
-        any_body
-            || match input.towing.body {
+        let is_clay = input.towing.soil.is_undrained();
+        let is_strength_of_clay = matches!(self.key, SHEAR_STRENGTH | YIELD_STRESS);
+        match self.parameter {
+            Parameter::FrictionAngle | Parameter::DilationAngle => !is_clay,
+            Parameter::Cohesion => is_strength_of_clay == is_clay,
+            Parameter::Sinkage | Parameter::UnitWeight | Parameter::BodyFriction | Parameter::Weight => true,
+            Parameter::PlateStiffness => !is_clay,
+            _ => match input.towing.body {
+                Body::Disc(_) if input.towing.pressed => {
+                    matches!(self.parameter, Parameter::Diameter | Parameter::Thickness)
+                }
                 Body::Disc(_) => self.parameter != Parameter::Orientation,
                 Body::Block(_) => matches!(self.parameter, Parameter::Orientation | Parameter::Backfill),
                 Body::Faceted(_) => matches!(self.parameter, Parameter::Slip | Parameter::BrakeTorque),
-            }
+                Body::Plate(_) => matches!(
+                    self.parameter,
+                    Parameter::PlateExponent | Parameter::PlateCohesive | Parameter::PlateFrictional
+                ),
+            },
+        }
     }
 
     /// Whether varying it has an effect: a plate constant needs the others to be given.
@@ -215,6 +235,7 @@ impl Variable {
         match self.parameter {
             Parameter::Weight => value * input.bodies.len() as f64 + input.extra_load,
             Parameter::Orientation if input.mirrored => -value,
+            _ if self.key == YIELD_STRESS => value / 3_f64.sqrt(),
             _ => value,
         }
     }
@@ -227,6 +248,7 @@ impl Variable {
         match self.parameter {
             Parameter::FrictionAngle => Some(towing.soil.friction_angle),
             Parameter::DilationAngle => Some(towing.soil.dilation_angle),
+            Parameter::Cohesion if self.key == YIELD_STRESS => Some(towing.soil.cohesion * 3_f64.sqrt()),
             Parameter::Cohesion => Some(towing.soil.cohesion),
             Parameter::UnitWeight => Some(towing.soil.unit_weight),
             Parameter::BodyFriction => Some(towing.soil.body_friction),
@@ -245,7 +267,7 @@ impl Variable {
                 Load::Sinkage(z) => Some(z),
                 Load::Weight(_) => None,
             },
-            Parameter::Slip | Parameter::BrakeTorque => None,
+            Parameter::Slip | Parameter::BrakeTorque | Parameter::ResistanceFactor => None,
             Parameter::ConeIndex => towing.cone_index,
             Parameter::PlateStiffness => towing.plate_stiffness,
             Parameter::PlateExponent => towing.terrain.map(|t| t.exponent),

@@ -95,10 +95,10 @@ impl CaseShape for Cylinder {
 
     fn closed_form(&self) -> ClosedForm {
         let Self { diameter, length, axis } = *self;
-        if axis == Axis::Y {
-            ClosedForm::Disc { diameter, thickness: length }
-        } else {
-            ClosedForm::Facets { length: diameter, width: length }
+        match axis {
+            Axis::X => ClosedForm::Facets { length: diameter, width: length },
+            Axis::Y => ClosedForm::Disc { diameter, thickness: length },
+            Axis::Z => ClosedForm::Column { diameter, height: length },
         }
     }
 }

@@ -88,6 +88,13 @@ pub enum ClosedForm {
         /// Rotation about y [rad].
         orientation: f64,
     },
+    /// A body with a round level base, divided into facets under tow.
+    Column {
+        /// Diameter [m].
+        diameter: f64,
+        /// Height [m].
+        height: f64,
+    },
     /// Any other surface, divided into facets.
     Facets {
         /// Size along the tow [m].

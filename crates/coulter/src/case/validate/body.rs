@@ -35,7 +35,7 @@ pub(in crate::case) fn shape(
         in_range(&format!("{path}.{}", size.key), size.length, problems);
     }
     in_range(&format!("{path}.orientation"), shape.orientation(), problems);
-    if problems.len() == before {
+    if problems.len() == before && !problems.ignores_resolution() {
         cells_across(path, shape, (cell, plane_strain), problems);
     }
     if let Some(conflict) = shape.plane_strain_conflict().filter(|_| plane_strain) {

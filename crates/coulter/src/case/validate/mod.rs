@@ -23,13 +23,21 @@ use super::resolved::Case;
 #[must_use]
 pub fn validate(case: &Case) -> Vec<Problem> {
     let mut problems = Problems::default();
-    parts(case, &mut problems);
-    // Nothing else can be computed from numbers that make no sense.
-    if problems.is_empty() {
-        fits_together(case, &mut problems);
-        cost::cost(case, &mut problems);
-    }
+    whole(case, &mut problems);
     problems.into_list()
+}
+
+/// Reports everything that is wrong with a case.
+pub(super) fn whole(case: &Case, problems: &mut Problems) {
+    let before = problems.len();
+    parts(case, problems);
+    // Nothing else can be computed from numbers that make no sense.
+    if problems.len() == before {
+        fits_together(case, problems);
+        if !problems.ignores_resolution() {
+            cost::cost(case, problems);
+        }
+    }
 }
 
 /// Every part by itself.
