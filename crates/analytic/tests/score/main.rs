@@ -28,6 +28,10 @@ impl Answer {
         let model = match self {
             Self::Resistive => Candidate::SpatialResistive,
             Self::Plasticity(_) if case.pressed => Candidate::Footing,
+            Self::Plasticity(_) if case.body.block().is_some_and(|b| b.plane_strain) => {
+                Candidate::PlaneStrain
+            }
+            Self::Plasticity(_) if case.body.block().is_some() => Candidate::Wedge,
             Self::Plasticity(_) => Candidate::Governing,
         };
         let case = match self {
@@ -95,18 +99,25 @@ type ErrorOf = fn(&Row, &Prediction) -> Option<f64>;
 
 /// The median error of an answer over a class.
 fn score(class: Class, answer: Answer, degrees: Option<f64>, error: ErrorOf) -> Option<f64> {
-    let of = |row: &Row| Some(error(row, &answer.of(&case_at(row, degrees))?)?.abs());
+    let case = |row: &Row| case_at(row, degrees);
+    // A row without an answer counts as an error without limit, where there is such a figure at all.
+    let of = |row: &Row| match answer.of(&case(row)) {
+        Some(found) => Some(error(row, &found)?.abs()),
+        None => error(row, &ANSWERS[0].of(&case(row))?).map(|_| f64::INFINITY),
+    };
     median(rows().iter().filter(|row| row.class == class).filter_map(of).collect())
 }
 
 /// The friction angles at which a class is scored, by answer, and what they are called.
 fn angles(class: Class) -> Vec<(String, [Option<f64>; 3])> {
     if !class.is_measured() {
-        let degrees =
-            rows().iter().filter(|r| r.class == class).map(|r| r.case.soil.friction_angle).collect();
-        let degrees: Vec<f64> = degrees;
-        let is_one = degrees.iter().all(|x| *x == degrees[0]);
-        return vec![(if is_one { "32°" } else { "32°, 35°" }.into(), [None; 3])];
+        let of_class = rows().into_iter().filter(|row| row.class == class);
+        let mut degrees: Vec<i64> =
+            of_class.map(|row| row.case.soil.friction_angle.to_degrees().round() as i64).collect();
+        degrees.sort_unstable();
+        degrees.dedup();
+        let name: Vec<String> = degrees.iter().map(|angle| format!("{angle}°")).collect();
+        return vec![(name.join(", "), [None; 3])];
     }
     let fitted = ANSWERS.map(Answer::fitted_to_the_plate);
     vec![
@@ -116,7 +127,11 @@ fn angles(class: Class) -> Vec<(String, [Option<f64>; 3])> {
 }
 
 fn percent(value: Option<f64>) -> String {
-    value.map_or("–".into(), |x| format!("{:.0} %", 100.0 * x))
+    match value {
+        None => "–".into(),
+        Some(x) if x.is_infinite() => "no answer".into(),
+        Some(x) => format!("{:.0} %", 100.0 * x),
+    }
 }
 
 /// The table of medians.
@@ -228,7 +243,7 @@ fn the_scores_are_those_of_the_documentation() {
 fn the_recommendation_follows_from_the_scores() {
     let best = |class: Class, angle: usize, error: ErrorOf| {
         let (_, degrees) = angles(class).swap_remove(angle);
-        let of = |n: usize| score(class, ANSWERS[n], degrees[n], error).unwrap();
+        let of = |n: usize| score(class, ANSWERS[n], degrees[n], error).unwrap_or(f64::INFINITY);
         (0..3).min_by(|a, b| of(*a).total_cmp(&of(*b))).unwrap()
     };
     for class in [Class::Plate, Class::PressedWheel] {
@@ -237,4 +252,6 @@ fn the_recommendation_follows_from_the_scores() {
     assert_eq!([0, 1].map(|angle| best(Class::TowedWheel, angle, drag_error)), [0, 0]);
     assert_eq!(best(Class::SolverPressed, 0, depth_error), 0);
     assert_eq!(best(Class::SolverTowed, 0, depth_error), 0);
+    assert_eq!(best(Class::SolverFootings, 0, depth_error), 0);
+    assert_eq!(best(Class::SolverWalls, 0, drag_error), 1);
 }

@@ -1,54 +1,65 @@
 //! What was measured, and what the solver gave: forces and sinkages beside which the closed forms are scored.
 
 use analytic::disc::{Disc, Drive};
-use analytic::forecast::{Body, Outline, Plate};
+use analytic::forecast::{Block, Body, Outline, Plate};
 use analytic::{Load, Soil, Towing};
 
 /// A class of rows that are scored together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Class {
+pub(crate) enum Class {
     Plate,
     PressedWheel,
     TowedWheel,
     SolverPressed,
     SolverTowed,
+    SolverFootings,
+    SolverWalls,
 }
 
 impl Class {
-    pub const ALL: [Self; 5] =
-        [Self::Plate, Self::PressedWheel, Self::TowedWheel, Self::SolverPressed, Self::SolverTowed];
+    pub(crate) const ALL: [Self; 7] = [
+        Self::Plate,
+        Self::PressedWheel,
+        Self::TowedWheel,
+        Self::SolverPressed,
+        Self::SolverTowed,
+        Self::SolverFootings,
+        Self::SolverWalls,
+    ];
 
-    pub fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Plate => "measured: plate Ø 80 mm, pressed 5 to 25 mm",
             Self::PressedWheel => "measured: wheel, pressed 5 to 40 mm, not turning",
             Self::TowedWheel => "measured: wheel under tow, s = −1 to 0.75",
             Self::SolverPressed => "solver, ψ = 0: plate and wheel, pressed",
             Self::SolverTowed => "solver, ψ = 0: discs and wheel under tow",
+            Self::SolverFootings => "solver, ψ = 0: rough strip footings (B4)",
+            Self::SolverWalls => "solver, ψ ≤ 5°: smooth passive walls (B5), a blade",
         }
     }
 
-    pub fn is_measured(self) -> bool {
+    pub(crate) fn is_measured(self) -> bool {
         matches!(self, Self::Plate | Self::PressedWheel | Self::TowedWheel)
     }
 }
 
 /// One row: a case, and what was found.
-pub struct Row {
-    pub class: Class,
-    pub label: String,
+pub(crate) struct Row {
+    pub(crate) class: Class,
+    pub(crate) label: String,
     /// The case; its soil is that of the row, but for the friction angle of the measured ones.
-    pub case: Towing,
+    pub(crate) case: Towing,
     /// Drag [N].
-    pub drag: Option<f64>,
+    pub(crate) drag: Option<f64>,
     /// Vertical force [N], where the sinkage is held.
-    pub vertical: Option<f64>,
+    pub(crate) vertical: Option<f64>,
     /// Sinkage [m], where it is free.
-    pub sinkage: Option<f64>,
+    pub(crate) sinkage: Option<f64>,
 }
 
 /// Sand with ψ = 0.
-pub fn sand(degrees: f64, unit_weight: f64, friction: f64) -> Soil {
+pub(crate) fn sand(degrees: f64, unit_weight: f64, friction: f64) -> Soil {
     Soil {
         friction_angle: degrees.to_radians(),
         dilation_angle: 0.0,
@@ -60,7 +71,7 @@ pub fn sand(degrees: f64, unit_weight: f64, friction: f64) -> Soil {
 }
 
 /// The sand of the wheel test bed: γ = 13.03 kN/m³; μ of the smooth rim was not measured, 0.4 is assumed.
-pub fn measured_sand(degrees: f64) -> Soil {
+pub(crate) fn measured_sand(degrees: f64) -> Soil {
     sand(degrees, 13_030.0, 0.4)
 }
 
@@ -69,7 +80,7 @@ const WHEEL: Disc = Disc { diameter: 0.116, thickness: 0.05 };
 const SHIPPED: Disc = Disc { diameter: 0.2, thickness: 0.05 };
 
 /// Force [N] on the plate at a sinkage [mm]; medians of two or three repeats.
-pub const PLATE_CURVE: [(f64, f64); 5] =
+pub(crate) const PLATE_CURVE: [(f64, f64); 5] =
     [(5.0, 22.1), (10.0, 51.4), (15.0, 87.9), (20.0, 134.7), (25.0, 192.8)];
 /// The same of the wheel.
 const WHEEL_CURVE: [(f64, f64); 8] = [
@@ -95,8 +106,13 @@ const SOLVER_PLATE: [(f64, f64); 5] =
     [(5.0, 73.0), (10.0, 100.0), (15.0, 117.0), (20.0, 130.0), (25.0, 147.0)];
 const SOLVER_WHEEL: [(f64, f64); 4] = [(5.0, 21.0), (10.0, 41.0), (20.0, 74.0), (30.0, 118.0)];
 
+/// Friction angle [deg] and N_γ of rough strip footings with ψ = 0 (B4).
+const STRIPS: [(f64, f64); 4] = [(20.0, 3.239), (25.0, 6.733), (30.0, 13.39), (35.0, 23.98)];
+/// Friction angle [deg] and K_p of smooth walls with ψ = 0, heave included (B5).
+const WALLS: [(f64, f64); 3] = [(30.0, 2.878), (35.0, 3.342), (40.0, 3.625)];
+
 /// Every row; the friction angle of the measured sand is 29°, its angle of repose.
-pub fn rows() -> Vec<Row> {
+pub(crate) fn rows() -> Vec<Row> {
     let measured = measured_sand(29.0);
     let solver = measured_sand(32.0);
     let mut rows = Vec::new();
@@ -131,7 +147,36 @@ pub fn rows() -> Vec<Row> {
         let (drag, vertical) = (Some(drag), Some(vertical));
         rows.push(Row { class: Class::SolverTowed, label, case, drag, vertical, sinkage: None });
     }
+    rows.extend(STRIPS.map(|(degrees, factor)| strip(degrees, factor)));
+    rows.extend(WALLS.map(|(degrees, coefficient)| wall(degrees, coefficient)));
+    rows.push(blade());
     rows
+}
+
+/// A rough strip footing at the surface, 1 m wide, whose load is ½ γ B² N_γ per metre.
+fn strip(degrees: f64, factor: f64) -> Row {
+    let plate = Plate { outline: Outline::Strip, width: 1.0, length: 1.0 };
+    let soil = sand(degrees, 16e3, 1.0);
+    pressed(Class::SolverFootings, soil, plate, (1e-6, 0.5 * 16e3 * factor))
+}
+
+/// A block towed through sand, held at the sinkage z [m], whose drag [N] the solver gave.
+fn block(label: String, soil: Soil, block: Block, z: f64, drag: f64) -> Row {
+    let case = Towing::new(soil, block, Load::Sinkage(z), Drive::Locked);
+    Row { class: Class::SolverWalls, label, case, drag: Some(drag), vertical: None, sinkage: None }
+}
+
+/// A smooth wall, 1 m high, whose thrust is ½ γ H² K_p per metre.
+fn wall(degrees: f64, coefficient: f64) -> Row {
+    let wall = Block { size: [0.5, 1.0, 1.0], orientation: 0.0, plane_strain: true, has_base: false };
+    block(format!("wall, φ = {degrees}°"), sand(degrees, 16e3, 0.0), wall, 1.0, 0.5 * 16e3 * coefficient)
+}
+
+/// The blade of docs/models/block.md: the thrust on its front over 5 to 15 mm of tow, on the finer grid.
+fn blade() -> Row {
+    let blade = Block { size: [0.06, 0.3, 0.25], orientation: 0.0, plane_strain: false, has_base: true };
+    let soil = Soil { dilation_angle: 5_f64.to_radians(), ..sand(35.0, 16e3, 0.4) };
+    block("blade".into(), soil, blade, 0.1, 212.0)
 }
 
 fn pressed(class: Class, soil: Soil, body: impl Into<Body>, (z, force): (f64, f64)) -> Row {
