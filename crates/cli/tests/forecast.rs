@@ -126,10 +126,8 @@ fn the_axle_and_the_heave_are_understood() {
 
 #[test]
 fn what_it_cannot_answer_is_refused_with_the_reason() {
-    for (name, word) in [("column_collapse.toml", "no body"), ("strip_footing.toml", "not towed")] {
-        let why = refusal(coulter().arg("forecast").arg(shipped(name)));
-        assert!(why.contains(word), "{why}");
-    }
+    let why = refusal(coulter().arg("forecast").arg(shipped("column_collapse.toml")));
+    assert!(why.contains("no body"), "{why}");
     let weightless = ["--set", "soil.unit_weight=0 N/m^3", "--set", "soil.density=1600 kg/m^3"];
     for (keys, word) in [
         (&weightless[..], "weightless"),
@@ -208,7 +206,12 @@ fn standard_deviations_become_intervals() {
     assert!(number(&sinkage["low"]) < number(&sinkage["middle"]));
     assert!(number(&sinkage["middle"]) < number(&sinkage["high"]));
     let indices: Vec<f64> = sinkage["first_order"].as_array().unwrap().iter().map(number).collect();
-    assert!(indices[0] > 0.8 && indices[1] < 0.2, "{indices:?}");
+    // Friction angle, weight, and the error of the model itself, which counts as much as two degrees.
+    assert!(
+        indices.len() == 3 && indices[0] > 3.0 * indices[1] && indices[2] > 3.0 * indices[1],
+        "{indices:?}"
+    );
+    assert!(indices.iter().sum::<f64>() > 0.9, "{indices:?}");
     // The same from the case itself; a run uses the means.
     let stated =
         ["--set", "soil.friction_angle=35 ± 2 deg", "--set", "body.disc.weight=40 ± 2 N", "--uncertainty"];
@@ -245,6 +248,92 @@ fn plate_constants_and_cone_index_make_more_models_apply() {
     let with_bow_wave = json(&["--set", "forecast.bow_wave=0.3", "--set", "forecast.factors=\"lyamin\""]);
     let (before, after) = (model(&seen, "BC"), model(&with_bow_wave, "BC"));
     assert!(number(&before["sinkage_m"]) != number(&after["sinkage_m"]));
+}
+
+/// A body of the shape on sand or clay, pressed 20 mm down or by a load.
+fn pressed(shape: &str, soil: &str, heave: &str) -> Value {
+    let (_folder, path) = tool(&[
+        ("shape = \"block\"\nsize = [\"0.06 m\", \"0.3 m\", \"0.25 m\"]\nsinkage = \"0.1 m\"", shape),
+        ("forward = { speed = \"0.2 m/s\", ramp = \"0.1 s\" }\nheave = \"fixed\"", heave),
+        ("law = \"mohr-coulomb\"\nfriction_angle = \"35 deg\"\ndilation_angle = \"35 deg\"", soil),
+    ]);
+    forecast_of(&path, &[])
+}
+
+const DOWN: &str = "heave = { speed = \"-0.02 m/s\", start = \"0 s\", ramp = \"0 s\" }";
+const LOOSE: &str = "law = \"mohr-coulomb\"\nfriction_angle = \"32 deg\"\ndilation_angle = \"0 deg\"";
+const DENSE: &str = "law = \"mohr-coulomb\"\nfriction_angle = \"38 deg\"\ndilation_angle = \"10 deg\"";
+const CLAY: &str = "law = \"tresca\"\nshear_strength = \"10 kPa\"";
+
+/// Plates, discs and other bodies that are pressed down, in loose and in dense sand.
+#[test]
+fn bodies_that_are_pressed_down_have_a_forecast() {
+    let round = "shape = \"cylinder\"\naxis = \"z\"\ndiameter = \"0.2 m\"\nlength = \"0.05 m\"";
+    let square = "shape = \"block\"\nsize = [\"0.2 m\", \"0.2 m\", \"0.05 m\"]";
+    let disc = "shape = \"disc\"\ndiameter = \"0.2 m\"\nthickness = \"0.05 m\"";
+    let sphere = "shape = \"sphere\"\ndiameter = \"0.2 m\"";
+    for (soil, recommended) in [(LOOSE, "3D-RFT"), (DENSE, "bearing capacity")] {
+        for shape in [round, square, disc] {
+            let seen = pressed(shape, soil, DOWN);
+            assert_eq!(
+                (&seen["recommended"], &seen["drive"]["kind"]),
+                (&recommended.into(), &"pressed".into())
+            );
+            let best = model(&seen, recommended);
+            let force = number(&best["vertical_N"]);
+            let [low, high] = ["low", "high"].map(|end| number(&best["interval"]["vertical_N"][end]));
+            assert!(number(&best["drag_N"]) == 0.0 && low < force && force < high, "{best}");
+            assert!((number(&best["sinkage_m"]) - 0.02).abs() < 1e-9);
+        }
+        assert_eq!(pressed(sphere, soil, DOWN)["recommended"], "3D-RFT");
+    }
+    // The area of a circle is π/4 of that of the square.
+    let [circle, whole] =
+        [round, square].map(|shape| number(&model(&pressed(shape, LOOSE, DOWN), "3D-RFT")["vertical_N"]));
+    assert!((circle / whole - 0.25 * std::f64::consts::PI).abs() < 1e-9);
+    // A load instead: the sinkage.
+    let loaded = pressed(square, LOOSE, "weight = \"200 N\"\nheave = \"free\"");
+    let best = model(&loaded, "3D-RFT");
+    assert!((number(&best["vertical_N"]) - 200.0).abs() < 1e-6 && number(&best["sinkage_m"]) > 1e-3);
+    let carried = pressed(square, DENSE, "weight = \"20 N\"\nheave = \"free\"");
+    assert_eq!(number(&model(&carried, "bearing capacity")["sinkage_m"]), 0.0);
+    assert!(carried["recommendation"].as_str().unwrap().contains("does not sink"));
+}
+
+/// Undrained clay: exact at the surface of a strip; discs and plates with Skempton's factors; other bodies are refused.
+#[test]
+fn undrained_clay_has_a_forecast() {
+    let strip = forecast_of(&shipped("strip_footing.toml"), &["--set", "body.footing.heave.speed=-1e-6 m/s"]);
+    let found = number(&model(&strip, "bearing capacity")["vertical_N"]);
+    assert!((found / ((2.0 + std::f64::consts::PI) * 1e3 * 0.0625) - 1.0).abs() < 1e-3, "{found}");
+    let square = "shape = \"block\"\nsize = [\"0.2 m\", \"0.2 m\", \"0.05 m\"]";
+    let pushed = pressed(square, CLAY, DOWN);
+    // 5.14 × 1.2 (square) × 1.02 (depth), and the overburden.
+    let expected = (10e3 * (2.0 + std::f64::consts::PI) * 1.2 * 1.02 + 16e3 * 0.02) * 0.04;
+    assert!((number(&model(&pushed, "bearing capacity")["vertical_N"]) / expected - 1.0).abs() < 1e-9);
+    assert_eq!(pushed["interval_inputs"][0]["key"], "soil.shear_strength");
+    let metal = pressed(square, "law = \"von-mises\"\nyield_stress = \"17.320508075688772 kPa\"", DOWN);
+    assert_eq!(metal["recommended"], "bearing capacity");
+    let [one, other] = [&pushed, &metal].map(|seen| number(&model(seen, "bearing capacity")["vertical_N"]));
+    assert!((one / other - 1.0).abs() < 1e-9);
+    let disc =
+        "shape = \"disc\"\ndiameter = \"0.2 m\"\nthickness = \"0.05 m\"\nweight = \"150 N\"\nspin = \"free\"";
+    let towed = pressed(disc, CLAY, "forward = { speed = \"0.2 m/s\" }\nheave = \"free\"");
+    assert_eq!(towed["recommended"], "BC");
+    let best = model(&towed, "BC");
+    assert!((number(&best["vertical_N"]) - 150.0).abs() < 1e-6 && number(&best["drag_N"]) > 0.0, "{best}");
+    let (_folder, path) =
+        tool(&[("law = \"mohr-coulomb\"\nfriction_angle = \"35 deg\"\ndilation_angle = \"35 deg\"", CLAY)]);
+    assert!(refusal(coulter().args(["forecast", &path])).contains("undrained clay"));
+}
+
+/// A disc thinner than the cells: no run, but a forecast.
+#[test]
+fn a_thin_disc_is_not_refused_for_the_sake_of_the_grid() {
+    let thin = ["--set", "body.disc.thickness=2 mm", "--set", "body.disc.weight=5 N"];
+    assert!(number(&model(&json(&thin), "BC")["drag_N"]) > 0.0);
+    let why = refusal(coulter().arg("check").arg(shipped("light_disc.toml")).args(thin));
+    assert!(why.contains("too few to resolve contact"), "{why}");
 }
 
 #[test]
@@ -407,7 +496,7 @@ fn a_blade_has_a_forecast_with_its_lengths() {
         (["--against", "diameter=0.1 m..0.2 m"], "no model of a block"),
         (["--against", "Z=0.1..2"], "at most 0.25 m"),
         (["--set", "body.tool.heave={ speed = \"-0.28 m/s\" }"], "at most 0.25 m"),
-        (["--set", "body.tool.forward=\"fixed\""], "not towed"),
+        (["--set", "body.tool.forward=\"fixed\""], "neither towed nor pressed down"),
         (["--set", "soil.friction_angle=\"52 deg\""], "10°"),
     ] {
         let why = refusal(coulter().args(["forecast", &path]).args(arguments));

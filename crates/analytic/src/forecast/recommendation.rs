@@ -73,7 +73,7 @@ fn for_pressed(towing: &Towing, best: Candidate, found: &Prediction) -> String {
         Candidate::SpatialResistive if is_loose(&towing.soil) => {
             "Recommended: 3D-RFT. Loose sand (no cohesion, no dilation) gives way from the first millimetre, and its resistance \
              grows with depth from nothing; on the plate and the wheel that were measured in such sand the median error is \
-             14 and 29 %, that of the bearing capacity 36 and 48 %, which is several times too high at first and too low later."
+             17 and 31 %, that of the bearing capacity 35 and 49 %, which is several times too high at first and too low later."
         }
         Candidate::SpatialResistive => RESISTIVE,
         _ if towing.soil.is_undrained() => {
