@@ -9,7 +9,8 @@ use analytic::{Load, Soil, Towing};
 pub(crate) enum Class {
     Plate,
     PressedWheel,
-    TowedWheel,
+    RollingWheel,
+    SlidingWheel,
     SolverPressed,
     SolverTowed,
     SolverFootings,
@@ -17,10 +18,11 @@ pub(crate) enum Class {
 }
 
 impl Class {
-    pub(crate) const ALL: [Self; 7] = [
+    pub(crate) const ALL: [Self; 8] = [
         Self::Plate,
         Self::PressedWheel,
-        Self::TowedWheel,
+        Self::RollingWheel,
+        Self::SlidingWheel,
         Self::SolverPressed,
         Self::SolverTowed,
         Self::SolverFootings,
@@ -31,7 +33,8 @@ impl Class {
         match self {
             Self::Plate => "measured: plate Ø 80 mm, pressed 5 to 25 mm",
             Self::PressedWheel => "measured: wheel, pressed 5 to 40 mm, not turning",
-            Self::TowedWheel => "measured: wheel under tow, s = −1 to 0.75",
+            Self::RollingWheel => "measured: wheel under tow, rolling or driven, s = 0, 0.23, 0.75",
+            Self::SlidingWheel => "measured: wheel under tow, sliding, s = −1, −0.5",
             Self::SolverPressed => "solver, ψ = 0: plate and wheel, pressed",
             Self::SolverTowed => "solver, ψ = 0: discs and wheel under tow",
             Self::SolverFootings => "solver, ψ = 0: rough strip footings (B4)",
@@ -40,7 +43,12 @@ impl Class {
     }
 
     pub(crate) fn is_measured(self) -> bool {
-        matches!(self, Self::Plate | Self::PressedWheel | Self::TowedWheel)
+        matches!(self, Self::Plate | Self::PressedWheel) || self.is_towed_wheel()
+    }
+
+    /// Whether friction on the rim, which was not measured, matters to it.
+    pub(crate) fn is_towed_wheel(self) -> bool {
+        matches!(self, Self::RollingWheel | Self::SlidingWheel)
     }
 }
 
@@ -70,9 +78,12 @@ pub(crate) fn sand(degrees: f64, unit_weight: f64, friction: f64) -> Soil {
     }
 }
 
-/// The sand of the wheel test bed: γ = 13.03 kN/m³; μ of the smooth rim was not measured, 0.4 is assumed.
+/// Friction of the smooth rim, which was not measured: what is usual for a smooth surface on dry sand.
+pub(crate) const FRICTIONS: [f64; 3] = [0.3, 0.4, 0.5];
+
+/// The sand of the wheel test bed: γ = 13.03 kN/m³, and the middle of the range of friction.
 pub(crate) fn measured_sand(degrees: f64) -> Soil {
-    sand(degrees, 13_030.0, 0.4)
+    sand(degrees, 13_030.0, FRICTIONS[1])
 }
 
 const PLATE: Plate = Plate { outline: Outline::Circle, width: 0.08, length: 0.08 };
@@ -120,7 +131,8 @@ pub(crate) fn rows() -> Vec<Row> {
     rows.extend(WHEEL_CURVE.map(|point| pressed(Class::PressedWheel, measured, WHEEL, point)));
     rows.extend(WHEEL_ROWS.map(|[slip, drag, weight, z]| {
         let case = Towing::new(measured, WHEEL, Load::Weight(weight), Drive::Slip(slip));
-        sinking(Class::TowedWheel, format!("s = {slip}"), case, (drag, z))
+        let class = if slip < 0.0 { Class::SlidingWheel } else { Class::RollingWheel };
+        sinking(class, format!("s = {slip}"), case, (drag, z))
     }));
     rows.extend(SOLVER_PLATE.map(|point| pressed(Class::SolverPressed, solver, PLATE, point)));
     rows.extend(SOLVER_WHEEL.map(|point| pressed(Class::SolverPressed, solver, WHEEL, point)));
