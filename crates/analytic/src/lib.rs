@@ -5,6 +5,7 @@
 //! body up, sinkage positive downwards. An input outside the range of a formula is an error; it is never clamped.
 
 pub mod bearing;
+pub mod capacity;
 pub mod cutting;
 pub mod disc;
 pub mod earth_pressure;

@@ -2,7 +2,7 @@
 
 use analytic::bearing::Method;
 use analytic::disc::{Assembly, Disc, Drive, Equilibrium, Model, Setting, disc_forces, equilibrium};
-use analytic::forecast::{Candidate, predict};
+use analytic::forecast::{Body, Candidate, Outline, Plate, predict};
 use analytic::wheel::TERRAINS;
 use analytic::{Load, Soil, Towing, forecast};
 use proptest::prelude::*;
@@ -102,7 +102,15 @@ proptest! {
             adhesion_factor: 1.0,
         };
         let load = if choice < 5 { Load::Weight(load) } else { Load::Sinkage(held * diameter) };
-        let mut case = Towing::new(ground, Disc { diameter, thickness }, load, drive);
+        let ground = if choice == 7 { Soil { friction_angle: 0.0, dilation_angle: 0.0, ..ground } } else { ground };
+        let body = match choice {
+            3 | 7 if extra > 0.5 => Plate { outline: Outline::Rectangle, width: diameter, length: thickness }.into(),
+            6 if extra > 0.5 => Plate { outline: Outline::Circle, width: diameter, length: diameter }.into(),
+            _ => Disc { diameter, thickness }.into(),
+        };
+        let is_plate = matches!(body, Body::Plate(_));
+        let mut case = Towing::new(ground, body, load, drive);
+        case.pressed = is_plate || choice % 3 == 2;
         case.terrain = Some(TERRAINS[choice].soil);
         case.cone_index = Some(200e3);
         case.bow_wave_fraction = (0.1 * extra).max(0.0);

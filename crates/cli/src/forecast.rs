@@ -103,6 +103,11 @@ fn stated(
             stated.push(of_case);
         }
     }
+    if stated.len() > forecast::MAX_INPUTS {
+        let message =
+            format!("at most {} inputs can be uncertain; {} are", forecast::MAX_INPUTS, stated.len());
+        return Err(Failure::Request(message));
+    }
     if stated.is_empty() && arguments.uncertainty {
         let message = "--uncertainty needs a standard deviation: --spread soil.friction_angle=\"2 deg\", or \
                        friction_angle = \"35 ± 2 deg\" in the case";

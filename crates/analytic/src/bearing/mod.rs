@@ -2,13 +2,11 @@
 //!
 //! q = c N_c s_c d_c i_c + q₀ N_q s_q d_q i_q + ½ γ B N_γ s_γ d_γ i_γ [Pa]; of undrained clay q = s_u N_c s_c d_c i_c + q₀.
 
-mod capacity;
 mod corrections;
 mod davis;
 mod factors;
 mod undrained;
 
-pub use capacity::{UltimatePressure, ultimate_pressure};
 pub use corrections::{Corrections, Footing, Method, corrections};
 pub use davis::davis_friction_angle;
 pub use factors::{

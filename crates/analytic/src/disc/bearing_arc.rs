@@ -1,7 +1,8 @@
 //! Model BC: bearing capacity along the contact arc, for soil that fails sideways from under the disc.
 
 use super::{Contact, Disc, RimPressure};
-use crate::bearing::{Footing, Method, ultimate_pressure, undrained_friction_limit};
+use crate::bearing::{Footing, Method, undrained_friction_limit};
+use crate::capacity::ultimate_pressure;
 use crate::error::ModelResult;
 use crate::soil::Soil;
 

@@ -1,7 +1,8 @@
 //! A towed block: its plane front as a blade, its base as a footing that carries the rest of the weight.
 
 use super::{Block, Candidate, Front, Load, Prediction, Towing};
-use crate::bearing::{Footing, ultimate_pressure};
+use crate::bearing::Footing;
+use crate::capacity::ultimate_pressure;
 use crate::cutting::{Blade, CuttingForce, godwin_spoor, hansen_end_factor, mckyes_ali};
 use crate::disc::{Passive, end_factor, equilibrium_depth};
 use crate::earth_pressure::{Face, PassiveField, PressureTable, cohesion_coefficient, coulomb_active};

@@ -1,9 +1,8 @@
 //! A body that is pressed straight down: a plate, a disc that does not roll, any body by its facets.
 
 use super::{Body, Candidate, Load, Outline, Plate, Prediction, Towing};
-use crate::bearing::{
-    Footing, round_over_square, ultimate_pressure, weight_factor_exact_smooth, weight_factor_martin_rough,
-};
+use crate::bearing::{Footing, round_over_square, weight_factor_exact_smooth, weight_factor_martin_rough};
+use crate::capacity::ultimate_pressure;
 use crate::disc::{equilibrium_depth, indentation_force};
 use crate::error::{ModelResult, undefined};
 use crate::resistive::{Facet, Motion, PlanarLaw, SpatialLaw, Traction, rim_facets, wrench};

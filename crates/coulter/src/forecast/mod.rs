@@ -18,5 +18,5 @@ pub use models_csv::models_csv;
 pub use outlook::{Outlook, outlook};
 pub use range::{Range, Unreadable};
 pub use tables::{table, uncertainty_table};
-pub use uncertainty::{Effort, InputDeviation, Interval, Intervals, intervals};
+pub use uncertainty::{Effort, InputDeviation, Interval, Intervals, MAX_INPUTS, intervals};
 pub use variable::{Variable, find, variables};

@@ -9,6 +9,8 @@ use analytic::forecast::{Candidate, Parameter};
 use analytic::uncertainty::{Distribution, Uncertainty, propagate_towing, sweep_table};
 use serde::Serialize;
 
+/// Largest number of uncertain inputs; the error of the model is one more.
+pub const MAX_INPUTS: usize = 9;
 /// Fixed seed, so that results can be repeated.
 const SEED: u64 = 1;
 

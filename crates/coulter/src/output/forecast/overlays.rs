@@ -36,11 +36,14 @@ fn levels(outlook: &Outlook, model: &ModelForecast, body: &str) -> Vec<Overlay> 
     let Some(found) = model.prediction else { return Vec::new() };
     let turn = found.slip.map(|slip| outlook.input.towing.drive.turn_ratio(slip));
     // The load of a free disc is known and not a result.
+    let is_towed = !outlook.input.towing.pressed;
     let vertical = (!outlook.sinks()).then_some(found.vertical);
+    // What is pressed down to a prescribed sinkage has a curve against sinkage only.
+    let sinkage = found.sinkage.filter(|_| is_towed || outlook.sinks());
     let entries = [
-        (PlotKind::ForceDisplacement, "F_H", Some(found.drag)),
-        (PlotKind::ForceDisplacement, "F_V", vertical),
-        (PlotKind::SinkageDisplacement, "z", found.sinkage),
+        (PlotKind::ForceDisplacement, "F_H", Some(found.drag).filter(|_| is_towed)),
+        (PlotKind::ForceDisplacement, "F_V", vertical.filter(|_| is_towed)),
+        (PlotKind::SinkageDisplacement, "z", sinkage),
         (PlotKind::TurnRatio, "turn ratio", turn),
     ];
     let level = |(plot, what, value): (PlotKind, &str, Option<f64>)| {
@@ -68,7 +71,9 @@ fn force_sinkage(outlook: &Outlook, models: &[&ModelForecast], body: &str) -> Re
         let found = || points.iter().filter_map(|p| Some((p.value, p.models.get(n)?.prediction?)));
         let drag = found().map(|(z, p)| [z, p.drag]).collect();
         let vertical = found().map(|(z, p)| [z, p.vertical]).collect();
-        overlays.push(overlay(PlotKind::ForceSinkage, &format!("{} F_H", model.name), body, drag));
+        if !towing.pressed {
+            overlays.push(overlay(PlotKind::ForceSinkage, &format!("{} F_H", model.name), body, drag));
+        }
         overlays.push(overlay(PlotKind::ForceSinkage, &format!("{} F_V", model.name), body, vertical));
     }
     overlays.retain(|o| !o.points.is_empty());

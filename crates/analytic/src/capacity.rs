@@ -1,9 +1,8 @@
 //! The ultimate pressure under a footing, of sand and of undrained clay.
 
-use super::undrained::undrained_pressure;
-use super::{
-    Footing, Method, cohesion_factor, corrections, surcharge_factor, weight_factor_hansen,
-    weight_factor_lyamin, weight_factor_meyerhof,
+use crate::bearing::{
+    Footing, Method, cohesion_factor, corrections, surcharge_factor, undrained_pressure,
+    weight_factor_hansen, weight_factor_lyamin, weight_factor_meyerhof,
 };
 use crate::error::ModelResult;
 use crate::soil::Soil;
