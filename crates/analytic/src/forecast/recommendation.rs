@@ -73,7 +73,8 @@ fn for_pressed(towing: &Towing, best: Candidate, found: &Prediction) -> String {
         Candidate::SpatialResistive if is_loose(&towing.soil) => {
             "Recommended: 3D-RFT. Loose sand (no cohesion, no dilation) gives way from the first millimetre, and its resistance \
              grows with depth from nothing; on the plate and the wheel that were measured in such sand the median error is \
-             17 and 31 %, that of the bearing capacity 35 and 49 %, which is several times too high at first and too low later."
+             17 and 31 %, that of the bearing capacity 35 and 49 %, which is several times too high at first and too low later. \
+             The solver, whose sand with ψ = 0 keeps its volume, is nearer to the bearing capacity."
         }
         Candidate::SpatialResistive => RESISTIVE,
         _ if towing.soil.is_undrained() => {

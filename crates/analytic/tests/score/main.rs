@@ -202,15 +202,15 @@ fn recommended(case: &Towing) -> (Candidate, Vec<[f64; 3]>) {
     (model, figures)
 }
 
-/// The table of the measured rows beside the recommended answer; and how many figures lie in their interval.
-fn table_of_intervals() -> (String, usize, usize) {
+/// The table of the measured rows beside the recommended answer at friction angles [deg] for towed and for pressed bodies; and how
+/// many figures lie in their interval.
+fn table_of_intervals([towed, pressed]: [f64; 2]) -> (String, usize, usize) {
     let mut text = String::from(
         "| row | figure | measured | recommended | value | 5–95 % | measured inside |\n|---|---|--:|---|--:|--:|---|\n",
     );
     let (mut inside, mut all) = (0, 0);
-    let [full, _, resistive] = fitted_to_the_plate();
     for row in rows().iter().filter(|row| row.class.is_measured()) {
-        let degrees = if row.case.pressed { resistive } else { full };
+        let degrees = if row.case.pressed { pressed } else { towed };
         let (model, figures) = recommended(&case_at(row, Some(degrees)));
         let measured =
             [row.drag.map(|x| ("drag [N]", x, 1.0)), row.sinkage.map(|x| ("sinkage [mm]", x, 1e3))];
@@ -242,14 +242,16 @@ const END: &str = "<!-- score:end -->";
 
 #[test]
 fn the_scores_are_those_of_the_documentation() {
-    let (intervals, inside, all) = table_of_intervals();
+    let [full, _, resistive] = fitted_to_the_plate();
+    let (intervals, inside, all) = table_of_intervals([full, resistive]);
+    let (_, at_repose, _) = table_of_intervals([29.0; 2]);
     let text = format!(
-        "{}\nThe measured rows beside the recommended model at the friction angle that fits the plate: {inside} of {all} figures lie \
-         in their interval.\n\n{intervals}",
+        "{}\nThe measured rows beside the recommended model at the friction angle that fits the plate, μ = 0.4: {inside} of {all} figures lie in \
+         their interval (at the angle of repose {at_repose}).\n\n{intervals}",
         table_of_scores()
     );
     println!("{text}");
-    assert!(4 * inside >= 3 * all, "{inside} of {all}");
+    assert!(4 * inside.min(at_repose) >= 3 * all, "{inside} and {at_repose} of {all}");
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/forecast.md");
     let page = std::fs::read_to_string(path).unwrap();
     let (before, rest) = page.split_once(BEGIN).unwrap();

@@ -10,7 +10,7 @@ const POINTS: usize = 41;
 /// How far the force–sinkage curve extends beyond the deepest forecast.
 const BEYOND: f64 = 1.25;
 
-/// The recommended model and 3D-RFT as overlays: levels for the tow, and curves against sinkage.
+/// The recommended model and its rival, 3D-RFT or the bearing capacity, as overlays: levels for the tow, and curves against sinkage.
 ///
 /// # Errors
 /// The reason why the closed forms do not apply to the case.
@@ -20,9 +20,11 @@ pub fn overlays(case: &Case) -> Result<Vec<Overlay>, String> {
         return Err("overlays are for a single body".into());
     };
     let best = outlook.recommended();
-    let is_rft = |m: &&ModelForecast| m.model == Candidate::SpatialResistive && m.applicable;
-    let second =
-        outlook.forecast.models.iter().find(is_rft).filter(|m| Some(m.model) != best.map(|b| b.model));
+    let is_rival = |m: &&ModelForecast| {
+        let is_known = matches!(m.model, Candidate::SpatialResistive | Candidate::Footing);
+        is_known && m.applicable && Some(m.model) != best.map(|b| b.model)
+    };
+    let second = outlook.forecast.models.iter().find(is_rival);
     let models: Vec<&ModelForecast> = best.into_iter().chain(second).collect();
     if models.is_empty() {
         return Err("no closed form applies".into());
