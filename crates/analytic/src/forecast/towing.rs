@@ -1,6 +1,6 @@
 //! The input of the forecast: a towed or pressed body in its soil.
 
-use super::Body;
+use super::{Body, Outline};
 use crate::bearing::Method;
 use crate::disc::{Assembly, Disc, Drive};
 use crate::error::{ModelResult, positive, within};
@@ -64,7 +64,7 @@ pub enum Parameter {
     UnitWeight,
     /// μ.
     BodyFriction,
-    /// d [m]; of a disc only.
+    /// d [m]; of a disc or a round plate only.
     Diameter,
     /// t [m]; of a disc only.
     Thickness,
@@ -164,7 +164,7 @@ impl Towing {
             Parameter::Cohesion => case.soil.cohesion = value,
             Parameter::UnitWeight => case.soil.unit_weight = value,
             Parameter::BodyFriction => case.soil.body_friction = value,
-            Parameter::Diameter => case.change_disc(|disc| disc.diameter = value),
+            Parameter::Diameter => case.change_diameter(value),
             Parameter::Thickness => case.change_disc(|disc| disc.thickness = value),
             Parameter::Orientation => {
                 if let Body::Block(block) = &mut case.body {
@@ -186,6 +186,16 @@ impl Towing {
             Parameter::ShearModulus => case.change_terrain(|t| t.shear_modulus = value),
         }
         case
+    }
+
+    fn change_diameter(&mut self, diameter: f64) {
+        match &mut self.body {
+            Body::Disc(disc) => disc.diameter = diameter,
+            Body::Plate(plate) if plate.outline == Outline::Circle => {
+                (plate.width, plate.length) = (diameter, diameter);
+            }
+            _ => {}
+        }
     }
 
     fn change_disc(&mut self, change: impl FnOnce(&mut Disc)) {

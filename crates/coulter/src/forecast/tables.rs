@@ -34,6 +34,9 @@ pub fn table(outlook: &Outlook, intervals: &Intervals) -> String {
         let _ = writeln!(text, "{}", line(outlook, intervals, model));
     }
     let _ = writeln!(text, "{}", wrapped(&meaning_of_intervals(intervals)));
+    if let Some(warning) = unanswered(intervals) {
+        let _ = writeln!(text, "{}", wrapped(&warning));
+    }
     let _ = writeln!(text, "\ndo not apply here:");
     let (shown, without_answer): (Vec<_>, Vec<_>) = bad.iter().partition(|m| m.prediction.is_some());
     for model in shown {
@@ -82,6 +85,26 @@ fn errors(intervals: &Intervals) -> String {
     } else {
         format!("a factor of {most:.2} (one standard deviation)")
     }
+}
+
+/// Fraction of samples without an answer from which an interval is called open.
+const MANY_UNANSWERED: f64 = 0.05;
+
+/// The models many of whose samples have no answer, and what that means for their intervals.
+fn unanswered(intervals: &Intervals) -> Option<String> {
+    let mut models: Vec<String> = intervals
+        .list
+        .iter()
+        .filter(|i| i.refused > MANY_UNANSWERED)
+        .map(|i| format!("{:.0} % of the samples of {}", 100.0 * i.refused, i.model))
+        .collect();
+    models.dedup();
+    (!models.is_empty()).then(|| {
+        format!(
+            "without an answer: {}. Where the soil does not carry the body in them it digs in: the upper end of the interval is open",
+            models.join(", ")
+        )
+    })
 }
 
 /// Four significant digits.

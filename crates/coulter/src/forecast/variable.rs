@@ -4,7 +4,7 @@ use super::model_input::ModelInput;
 use crate::case::keys::Kind;
 use crate::case::quantity::{ANGLE, FORCE, LENGTH, STRESS, TORQUE, UNIT_WEIGHT};
 use analytic::Towing;
-use analytic::forecast::{Body, Parameter};
+use analytic::forecast::{Body, Outline, Parameter};
 
 /// A number that can be varied.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -209,6 +209,9 @@ impl Variable {
                 Body::Disc(_) => self.parameter != Parameter::Orientation,
                 Body::Block(_) => matches!(self.parameter, Parameter::Orientation | Parameter::Backfill),
                 Body::Faceted(_) => matches!(self.parameter, Parameter::Slip | Parameter::BrakeTorque),
+                Body::Plate(plate) if self.parameter == Parameter::Diameter => {
+                    plate.outline == Outline::Circle
+                }
                 Body::Plate(_) => matches!(
                     self.parameter,
                     Parameter::PlateExponent | Parameter::PlateCohesive | Parameter::PlateFrictional
@@ -252,7 +255,11 @@ impl Variable {
             Parameter::Cohesion => Some(towing.soil.cohesion),
             Parameter::UnitWeight => Some(towing.soil.unit_weight),
             Parameter::BodyFriction => Some(towing.soil.body_friction),
-            Parameter::Diameter => towing.body.disc().map(|disc| disc.diameter),
+            Parameter::Diameter => match &towing.body {
+                Body::Disc(disc) => Some(disc.diameter),
+                Body::Plate(plate) if plate.outline == Outline::Circle => Some(plate.width),
+                _ => None,
+            },
             Parameter::Thickness => towing.body.disc().map(|disc| disc.thickness),
             Parameter::Orientation => {
                 towing.body.block().map(|block| self.model_value(input, block.orientation))

@@ -90,7 +90,10 @@ fn plots(curves: &Curves) -> Vec<(String, String)> {
     ];
     let mut plots = Vec::new();
     for (name, label, group, of, is_force) in forces {
-        if name == "sinkage" && !curves.sinks {
+        // What is pressed down has no drag.
+        let is_pressed =
+            curves.series.iter().all(|s| s.drag.iter().all(|drag| *drag == 0.0 || drag.is_nan()));
+        if name == "sinkage" && !curves.sinks || name == "drag" && is_pressed {
             continue;
         }
         let all = || curves.series.iter().flat_map(|s| drawn(s, of(s)));
