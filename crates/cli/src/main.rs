@@ -3,6 +3,7 @@
 mod bench;
 mod check;
 mod common;
+mod element;
 mod failure;
 mod forecast;
 mod new;
@@ -36,6 +37,8 @@ enum Command {
     New(new::Arguments),
     /// Shows how a case is understood and what it will cost; runs nothing
     Check(check::Arguments),
+    /// Tests the soil of a case as in the laboratory: triaxial, oedometer, isotropic compression, simple shear
+    Element(element::Arguments),
     /// Evaluates every closed-form model for a case, side by side
     Forecast(forecast::Arguments),
     /// Calculates the passive pressure coefficients of a plane face, by every method
@@ -75,6 +78,7 @@ fn run(arguments: &Arguments) -> ExitCode {
     let outcome = match &arguments.command {
         Command::New(arguments) => new::new(arguments),
         Command::Check(arguments) => check::check(arguments),
+        Command::Element(arguments) => element::element(arguments),
         Command::Forecast(arguments) => forecast::forecast(arguments),
         Command::Pressure(arguments) => pressure::pressure(arguments),
         Command::Run(arguments) => run::run(arguments),

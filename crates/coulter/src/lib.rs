@@ -3,6 +3,7 @@
 pub mod bench;
 pub mod case;
 mod domain;
+pub mod element;
 pub mod forecast;
 pub mod history;
 pub mod interrupts;
@@ -10,4 +11,5 @@ pub mod mesh_study;
 pub mod output;
 pub mod run;
 pub mod simulation;
+mod text;
 pub mod trust;

@@ -43,7 +43,7 @@ const OFTEN: &str = "numerics.remap_displacement=0.01";
 const PENALTY: &str = "numerics.contact=\"penalty\"";
 
 /// Every family of the verification suite, both precisions, both contact methods, one to three threads.
-const SET_UPS: [SetUp; 27] = [
+const SET_UPS: [SetUp; 29] = [
     set_up(
         "sand at rest",
         "validation/A4_soil_at_rest/case.toml",
@@ -100,6 +100,8 @@ const SET_UPS: [SetUp; 27] = [
     ),
     set_up("locked disc", "validation/E2_disc_drag/case.toml", &[], 2, 150),
     set_up("smooth potential", "cases/light_disc.toml", SMOOTH, 1, 500),
+    set_up("plate on loose sand", "cases/cmu_plate.toml", LOOSE, 2, 400),
+    set_up("plate on dense sand, single", "cases/cmu_plate.toml", DENSE, 3, 400),
     set_up("two bodies", "validation/A8_repeatability/case.toml", TWO, 2, 300),
 ];
 const VELOCITY: &str = "ground.velocity=[\"0.3 m/s\", \"0.1 m/s\", \"0 m/s\"]";
@@ -118,6 +120,15 @@ const SMOOTH: &[&str] = &[
     "body.disc.sinkage=\"20 mm\"",
     "body.disc.forward={ speed = \"0.2 m/s\", ramp = \"0.02 s\" }",
     "body.disc.heave={ load = \"0 N\", ramp = \"0.02 s\" }",
+];
+const LOOSE: &[&str] = &["grid.cell=\"16 mm\"", OFTEN, "body.plate.heave.ramp=\"1 ms\""];
+const DENSE: &[&str] = &[
+    "grid.cell=\"16 mm\"",
+    OFTEN,
+    SINGLE,
+    "body.plate.heave.ramp=\"1 ms\"",
+    "soil.minimum_density=\"1250 kg/m^3\"",
+    "soil.maximum_density=\"1400 kg/m^3\"",
 ];
 const TWO: &[&str] = &[
     "body.ball={ shape = \"sphere\", diameter = \"0.1 m\", x = \"0.2 m\", sinkage = \"20 mm\", friction = 0.2, heave = { speed = \"-0.1 m/s\", ramp = \"20 ms\" } }",

@@ -249,6 +249,17 @@ fn numbers(case: &mut Case) -> Vec<&mut f64> {
     match &mut soil.law {
         Law::Tresca { shear_strength } => all.push(shear_strength),
         Law::VonMises { yield_stress, hardening_modulus } => all.extend([yield_stress, hardening_modulus]),
+        Law::Sand {
+            critical_friction_angle,
+            minimum_density,
+            maximum_density,
+            stiffness_limit,
+            characteristic_length,
+            ..
+        } => {
+            all.extend([critical_friction_angle, minimum_density, maximum_density, stiffness_limit]);
+            all.extend(characteristic_length);
+        }
         Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_cutoff, potential, .. } => {
             all.extend([friction_angle, dilation_angle, cohesion, tension_cutoff]);
             if let Potential::MenetreyWillam { meridional, deviatoric } = potential {

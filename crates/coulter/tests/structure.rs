@@ -56,6 +56,7 @@ const OUTPUT: &[(&str, &[&str])] = &[
     ("plots", &["units"]),
     ("pictures", &["files", "units", "fields", "tables", "plots"]),
     ("forecast", &["files", "units", "tables", "plots"]),
+    ("element", &["files", "units", "tables", "plots"]),
     ("folder", &["files", "units", "tables", "plots"]),
     ("report", &["files", "units", "fields", "plots", "pictures", "folder"]),
     ("meshes", &["files", "tables", "folder", "report"]),

@@ -20,6 +20,8 @@ pub mod limiter;
 pub mod menetrey_willam;
 #[path = "mohr_coulomb.rs"]
 pub mod mohr_coulomb;
+#[path = "sand.rs"]
+pub mod sand;
 #[path = "tensor.rs"]
 pub mod tensor;
 #[path = "viscosity.rs"]

@@ -58,3 +58,48 @@ impl Elastic {
         0.5 * self.compliance(stress, stress)
     }
 }
+
+/// How elastic moduli grow with the mean pressure: with its square root, between two pressures beyond which they are constant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stiffening {
+    /// Lowest pressure at which they change [Pa].
+    pub least: Real,
+    /// Pressure to which the moduli of the material refer, and at which they stop growing [Pa].
+    pub most: Real,
+}
+
+impl Stiffening {
+    /// Double-precision pressures, cast to this precision.
+    #[must_use]
+    pub fn cast(exact: &crate::double::elastic::Stiffening) -> Self {
+        Self { least: exact.least as Real, most: exact.most as Real }
+    }
+
+    /// Moduli at a mean pressure [Pa] over those at [`Stiffening::most`].
+    #[inline(always)]
+    #[must_use]
+    pub fn factor(&self, pressure: Real) -> Real {
+        let low = if pressure > self.least { pressure } else { self.least };
+        let within = if low < self.most { low } else { self.most };
+        (within * (1.0 / self.most)).sqrt()
+    }
+
+    /// Moduli at a mean pressure [Pa], from those at [`Stiffening::most`].
+    #[inline(always)]
+    #[must_use]
+    pub fn moduli(&self, elastic: Elastic, pressure: Real) -> Elastic {
+        let factor = self.factor(pressure);
+        Elastic { bulk: elastic.bulk * factor, shear: elastic.shear * factor }
+    }
+
+    /// Elastic energy density at a stress [J/m³]: p²/(1.5 K) + q²/(6 G) with the moduli at its pressure, where these grow; the first term
+    /// is ∫ p dp/K for K ~ √p.
+    #[inline(always)]
+    #[must_use]
+    pub fn energy(&self, elastic: Elastic, stress: Symmetric) -> Real {
+        let pressure = -mean(stress);
+        let s = deviator(stress);
+        let (per_bulk, per_shear) = (1.0 / (1.5 * elastic.bulk), 0.25 / elastic.shear);
+        (pressure * pressure * per_bulk + contract(s, s) * per_shear) / self.factor(pressure)
+    }
+}

@@ -1,11 +1,11 @@
 //! The constitutive laws that the soil may have, as one type.
 
-use super::Real;
 use super::menetrey_willam::MenetreyWillam;
 use super::mohr_coulomb::MohrCoulomb;
+use super::sand::Sand;
 use super::tensor::Symmetric;
 use super::von_mises::VonMises;
-use super::yield_law::{Returned, YieldLaw};
+use super::yield_law::{Point, Returned, YieldLaw};
 
 /// A constitutive law.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,6 +16,8 @@ pub enum Law {
     MenetreyWillam(MenetreyWillam),
     /// Von Mises with linear isotropic hardening.
     VonMises(VonMises),
+    /// Sand whose strength, dilatancy and stiffness follow its density and pressure.
+    Sand(Sand),
 }
 
 impl Law {
@@ -27,24 +29,27 @@ impl Law {
             Exact::MohrCoulomb(law) => Self::MohrCoulomb(MohrCoulomb::cast(law)),
             Exact::MenetreyWillam(law) => Self::MenetreyWillam(MenetreyWillam::cast(law)),
             Exact::VonMises(law) => Self::VonMises(VonMises::cast(law)),
+            Exact::Sand(law) => Self::Sand(Sand::cast(law)),
         }
     }
 }
 
 impl YieldLaw for Law {
-    fn may_yield(&self, stress: Symmetric, plastic_strain: Real) -> bool {
+    fn may_yield(&self, stress: Symmetric, point: &Point) -> bool {
         match self {
-            Self::MohrCoulomb(law) => law.may_yield(stress, plastic_strain),
-            Self::MenetreyWillam(law) => law.may_yield(stress, plastic_strain),
-            Self::VonMises(law) => law.may_yield(stress, plastic_strain),
+            Self::MohrCoulomb(law) => law.may_yield(stress, point),
+            Self::MenetreyWillam(law) => law.may_yield(stress, point),
+            Self::VonMises(law) => law.may_yield(stress, point),
+            Self::Sand(law) => law.may_yield(stress, point),
         }
     }
 
-    fn return_map(&self, trial: Symmetric, plastic_strain: Real, dilates: bool) -> Returned {
+    fn return_map(&self, trial: Symmetric, point: &Point) -> Returned {
         match self {
-            Self::MohrCoulomb(law) => law.return_map(trial, plastic_strain, dilates),
-            Self::MenetreyWillam(law) => law.return_map(trial, plastic_strain, dilates),
-            Self::VonMises(law) => law.return_map(trial, plastic_strain, dilates),
+            Self::MohrCoulomb(law) => law.return_map(trial, point),
+            Self::MenetreyWillam(law) => law.return_map(trial, point),
+            Self::VonMises(law) => law.return_map(trial, point),
+            Self::Sand(law) => law.return_map(trial, point),
         }
     }
 }

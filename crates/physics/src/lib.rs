@@ -14,5 +14,6 @@ pub mod shape;
 pub mod single;
 
 pub use double::{
-    brick, elastic, law, limiter, menetrey_willam, mohr_coulomb, tensor, viscosity, von_mises, yield_law,
+    brick, elastic, law, limiter, menetrey_willam, mohr_coulomb, sand, tensor, viscosity, von_mises,
+    yield_law,
 };

@@ -10,7 +10,7 @@ use super::Real;
 use super::elastic::Elastic;
 use super::mohr_coulomb::MohrCoulomb;
 use super::tensor::{Spectrum, Symmetric};
-use super::yield_law::{Returned, YieldLaw};
+use super::yield_law::{Point, Returned, YieldLaw};
 
 const SQRT_1_5: Real = 1.224_744_871_391_589;
 
@@ -169,12 +169,13 @@ impl MenetreyWillam {
 
 impl YieldLaw for MenetreyWillam {
     #[inline(always)]
-    fn may_yield(&self, stress: Symmetric, plastic_strain: Real) -> bool {
-        self.surface.may_yield(stress, plastic_strain)
+    fn may_yield(&self, stress: Symmetric, point: &Point) -> bool {
+        self.surface.may_yield(stress, point)
     }
 
     #[inline(always)]
-    fn return_map(&self, trial: Symmetric, _plastic_strain: Real, dilates: bool) -> Returned {
+    fn return_map(&self, trial: Symmetric, point: &Point) -> Returned {
+        let dilates = !point.is_critical;
         let spectrum = Spectrum::of(trial);
         let start = Iterate { x: spectrum.norm, y: 0.0, pressure: -spectrum.mean, lode: spectrum.lode() };
         // Unrolled, so that the compiler can vectorise the loop over cells. In an explicit time step the second step leaves an

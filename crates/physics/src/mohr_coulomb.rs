@@ -9,7 +9,7 @@
 use super::Real;
 use super::elastic::Elastic;
 use super::tensor::{Spectrum, Symmetric, THIRD, contract, deviator, mean};
-use super::yield_law::{Returned, YieldLaw};
+use super::yield_law::{Memory, Point, Returned, YieldLaw};
 
 /// Strength parameters, and the moduli of the return mapping.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -151,7 +151,7 @@ impl MohrCoulomb {
             square += change * change;
         }
         let plastic_strain = (square * (2.0 / 3.0)).sqrt() * per_shear;
-        Returned { stress, plastic_strain, gap_strain }
+        Returned { stress, plastic_strain, gap_strain, memory: Memory::default() }
     }
 
     /// Selected value by value, which the compiler turns into blends.
@@ -228,7 +228,7 @@ impl MohrCoulomb {
 impl YieldLaw for MohrCoulomb {
     /// Compares with the cone inscribed in the pyramid.
     #[inline(always)]
-    fn may_yield(&self, stress: Symmetric, _plastic_strain: Real) -> bool {
+    fn may_yield(&self, stress: Symmetric, _point: &Point) -> bool {
         let s = deviator(stress);
         let p = mean(stress);
         let root = (0.5 * contract(s, s)).sqrt();
@@ -240,9 +240,9 @@ impl YieldLaw for MohrCoulomb {
     }
 
     #[inline(always)]
-    fn return_map(&self, trial: Symmetric, _plastic_strain: Real, dilates: bool) -> Returned {
+    fn return_map(&self, trial: Symmetric, point: &Point) -> Returned {
         let spectrum = Spectrum::of(trial);
-        let value = self.cut_off(self.shear_return(spectrum.principal, dilates));
+        let value = self.cut_off(self.shear_return(spectrum.principal, !point.is_critical));
         self.returned(&spectrum, value)
     }
 }

@@ -8,7 +8,7 @@
 use super::Real;
 use super::elastic::Elastic;
 use super::tensor::{Symmetric, contract, deviator, mean, mises};
-use super::yield_law::{Returned, YieldLaw};
+use super::yield_law::{Memory, Point, Returned, YieldLaw};
 
 /// Strength parameters, and the moduli of the return mapping.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,21 +53,21 @@ impl VonMises {
 
 impl YieldLaw for VonMises {
     #[inline(always)]
-    fn may_yield(&self, stress: Symmetric, plastic_strain: Real) -> bool {
+    fn may_yield(&self, stress: Symmetric, point: &Point) -> bool {
         let s = deviator(stress);
-        let limit = self.flow_stress(plastic_strain);
+        let limit = self.flow_stress(point.plastic_strain);
         1.5 * contract(s, s) > limit * limit
     }
 
-    /// Isochoric: `dilates` has no effect.
+    /// Isochoric at any density.
     #[inline(always)]
-    fn return_map(&self, trial: Symmetric, plastic_strain: Real, _dilates: bool) -> Returned {
+    fn return_map(&self, trial: Symmetric, point: &Point) -> Returned {
         let (s, p, q) = (deviator(trial), mean(trial), mises(trial));
-        let excess = q - self.flow_stress(plastic_strain);
+        let excess = q - self.flow_stress(point.plastic_strain);
         let flow = if excess > 0.0 { excess * self.per_return } else { 0.0 };
         let scale = 1.0 - self.stiffness * flow / if q > 0.0 { q } else { 1.0 };
         let stress =
             [s[0] * scale + p, s[1] * scale + p, s[2] * scale + p, s[3] * scale, s[4] * scale, s[5] * scale];
-        Returned { stress, plastic_strain: flow, gap_strain: 0.0 }
+        Returned { stress, plastic_strain: flow, gap_strain: 0.0, memory: Memory::default() }
     }
 }

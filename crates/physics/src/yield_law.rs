@@ -3,6 +3,32 @@
 use super::Real;
 use super::tensor::Symmetric;
 
+/// What soil remembers of its past besides its plastic strain.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Memory {
+    /// Largest mobilised stress ratio q/(g p).
+    pub stress_ratio: Real,
+    /// Preconsolidation pressure: the largest mean pressure [Pa].
+    pub preconsolidation: Real,
+    /// Nonlocal relative density less that of the point; the law does not change it.
+    pub nonlocal_density: Real,
+}
+
+/// State of a point of the soil at the start of a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Point {
+    /// Stress [Pa].
+    pub stress: Symmetric,
+    /// Density [kg/m³].
+    pub density: Real,
+    /// Whether it is at the critical density of a law with a constant dilation angle, which is then taken as 0.
+    pub is_critical: bool,
+    /// Equivalent plastic strain.
+    pub plastic_strain: Real,
+    /// What the soil remembers, for laws that depend on it.
+    pub memory: Memory,
+}
+
 /// Result of a return mapping.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Returned {
@@ -12,17 +38,20 @@ pub struct Returned {
     pub plastic_strain: Real,
     /// Increment of stress-free volumetric opening.
     pub gap_strain: Real,
+    /// What the soil remembers at the end of the step, for laws that depend on it.
+    pub memory: Memory,
 }
 
 /// A yield surface with its flow rule.
 ///
-/// Implementations are free of branches, so that loops over cells vectorise. `plastic_strain` is the accumulated equivalent
-/// plastic strain; laws without hardening ignore it.
+/// Implementations are free of branches, so that loops over cells vectorise. Laws use what they depend on of the point.
 pub trait YieldLaw {
-    /// Whether a stress may lie outside the yield surface: a cheap check without false negatives.
-    fn may_yield(&self, stress: Symmetric, plastic_strain: Real) -> bool;
+    /// Whether the law depends on stress, density and memory of the point, and changes the memory.
+    const REMEMBERS: bool = false;
 
-    /// Returns a trial stress [Pa] to the yield surface. Without `dilates`, for soil at its critical density, the dilation
-    /// angle is taken as 0.
-    fn return_map(&self, trial: Symmetric, plastic_strain: Real, dilates: bool) -> Returned;
+    /// Whether a stress may lie outside the yield surface: a cheap check without false negatives.
+    fn may_yield(&self, stress: Symmetric, point: &Point) -> bool;
+
+    /// Returns a trial stress [Pa] to the yield surface.
+    fn return_map(&self, trial: Symmetric, point: &Point) -> Returned;
 }

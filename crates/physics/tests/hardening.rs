@@ -3,7 +3,7 @@
 use physics::elastic::Elastic;
 use physics::tensor::{Symmetric, contract, deviator, mean, mises};
 use physics::von_mises::VonMises;
-use physics::yield_law::YieldLaw;
+use physics::yield_law::{Point as LawPoint, YieldLaw};
 
 const YIELD: f64 = 400e6;
 const HARDENING: f64 = 100e6;
@@ -32,7 +32,7 @@ impl Point {
         let volumetric = 3.0 * elastic().bulk * mean(increment);
         let trial: Symmetric =
             std::array::from_fn(|n| self.stress[n] + shear[n] + if n < 3 { volumetric } else { 0.0 });
-        let back = copper().return_map(trial, self.plastic_strain, true);
+        let back = copper().return_map(trial, &at(self.plastic_strain));
         let middle: Symmetric = std::array::from_fn(|n| 0.5 * (self.stress[n] + back.stress[n]));
         let lost: Symmetric = std::array::from_fn(|n| trial[n] - back.stress[n]);
         Self {
@@ -52,6 +52,11 @@ impl Point {
         }
         at(0.5 * (low + high))
     }
+}
+
+/// Metal with this plastic strain.
+fn at(plastic_strain: f64) -> LawPoint {
+    LawPoint { plastic_strain, ..LawPoint::default() }
 }
 
 fn stresses() -> Vec<Symmetric> {
@@ -120,16 +125,16 @@ fn the_return_is_radial_ends_on_the_hardened_surface_and_keeps_the_pressure() {
     for trial in stresses() {
         for before in [0.0, 0.7, 3.0] {
             let law = copper();
-            let back = law.return_map(trial, before, true);
-            assert_eq!(back, law.return_map(trial, before, false));
+            let back = law.return_map(trial, &at(before));
+            assert_eq!(back, law.return_map(trial, &LawPoint { is_critical: true, ..at(before) }));
             assert!(back.gap_strain == 0.0 && (mean(back.stress) - mean(trial)).abs() < 1e-6);
             if mises(trial) <= law.flow_stress(before) {
-                assert!(back.plastic_strain == 0.0 && !law.may_yield(trial, before));
+                assert!(back.plastic_strain == 0.0 && !law.may_yield(trial, &at(before)));
                 let moved = (0..6).map(|n| (back.stress[n] - trial[n]).abs()).fold(0.0, f64::max);
                 assert!(moved < 1e-6, "{moved}");
                 continue;
             }
-            assert!(law.may_yield(trial, before));
+            assert!(law.may_yield(trial, &at(before)));
             let now = law.flow_stress(before + back.plastic_strain);
             assert!((mises(back.stress) - now).abs() < 1e-10 * now, "{trial:?}");
             // Along the deviator of the trial, by 2 G times the plastic strain of size √(3/2) Δε̄ₚ.

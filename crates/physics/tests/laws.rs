@@ -5,7 +5,7 @@ use physics::law::Law;
 use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
 use physics::mohr_coulomb::MohrCoulomb;
 use physics::tensor::{Spectrum, Symmetric, contract, deviator, mean, mises};
-use physics::yield_law::YieldLaw;
+use physics::yield_law::{Point, YieldLaw};
 
 struct Sample {
     name: &'static str,
@@ -81,7 +81,7 @@ fn stresses() -> Vec<Symmetric> {
 fn never_outside_the_yield_surface() {
     for (s, law) in everything() {
         for trial in stresses() {
-            let back = law.return_map(trial, 0.0, true);
+            let back = law.return_map(trial, &Point::default());
             assert!(back.stress.iter().all(|x| x.is_finite()), "{}: {trial:?} {back:?}", s.name);
             let f = surface(s).yield_function(Spectrum::of(back.stress).principal);
             assert!(f <= 1e-10 * (1e5 + mises(trial)), "{}: f = {f:e} for {trial:?}", s.name);
@@ -92,13 +92,13 @@ fn never_outside_the_yield_surface() {
 #[test]
 fn single_precision_returns_the_same_stress() {
     use physics::single::law::Law as Single;
-    use physics::single::yield_law::YieldLaw as _;
+    use physics::single::yield_law::{Point as SinglePoint, YieldLaw as _};
     let most = |stress: Symmetric| stress.into_iter().fold(0.0, |most: f64, s| most.max(s.abs()));
     for (s, law) in everything() {
         let single = Single::cast(&law);
         for trial in stresses() {
-            let exact = law.return_map(trial, 0.0, true);
-            let rounded = single.return_map(trial.map(|s| s as f32), 0.0, true);
+            let exact = law.return_map(trial, &Point::default());
+            let rounded = single.return_map(trial.map(|s| s as f32), &SinglePoint::default());
             for n in 0..6 {
                 let off = (f64::from(rounded.stress[n]) - exact.stress[n]).abs() / most(trial);
                 assert!(off < 1e-5, "{}: {off:e} in component {n} of {trial:?}", s.name);
@@ -117,11 +117,11 @@ fn an_elastic_state_stays_and_the_cheap_check_never_misses() {
             let apex = surface(s).apex();
             let inside = surface(s).yield_function(spectrum.principal) < 0.0 && spectrum.principal[0] < apex;
             if inside {
-                let back = law.return_map(trial, 0.0, true).stress;
+                let back = law.return_map(trial, &Point::default()).stress;
                 let moved: f64 = (0..6).map(|n| (back[n] - trial[n]).abs()).sum();
                 assert!(moved < 1e-9 * (1e5 + mises(trial)), "{}: moved {moved:e}", s.name);
             } else {
-                assert!(law.may_yield(trial, 0.0), "{}: missed {trial:?}", s.name);
+                assert!(law.may_yield(trial, &Point::default()), "{}: missed {trial:?}", s.name);
             }
         }
     }
@@ -131,8 +131,8 @@ fn an_elastic_state_stays_and_the_cheap_check_never_misses() {
 fn a_second_return_changes_nothing() {
     for (s, law) in everything() {
         for trial in stresses() {
-            let once = law.return_map(trial, 0.0, true).stress;
-            let twice = law.return_map(once, 0.0, true).stress;
+            let once = law.return_map(trial, &Point::default()).stress;
+            let twice = law.return_map(once, &Point::default()).stress;
             for n in 0..6 {
                 assert!((once[n] - twice[n]).abs() < 1e-8 * (1e5 + mises(trial)), "{}: {trial:?}", s.name);
             }
@@ -150,12 +150,12 @@ fn plastic_work_is_never_negative() {
         for far in stresses() {
             // The smooth return follows the gradients along its path, not the final one: it is accurate to second order in the
             // small steps of an explicit method. The closed form is exact for any step.
-            let on = law.return_map(far, 0.0, true).stress;
+            let on = law.return_map(far, &Point::default()).stress;
             let trial = match law {
-                Law::MohrCoulomb(_) | Law::VonMises(_) => far,
+                Law::MohrCoulomb(_) | Law::VonMises(_) | Law::Sand(_) => far,
                 Law::MenetreyWillam(_) => std::array::from_fn(|n| on[n] + 1e-3 * (far[n] - on[n])),
             };
-            let new = law.return_map(trial, 0.0, true).stress;
+            let new = law.return_map(trial, &Point::default()).stress;
             let change: Symmetric = std::array::from_fn(|n| trial[n] - new[n]);
             let work = elastic().compliance(new, change);
             let most = contract(new, new).sqrt() * contract(change, change).sqrt() / (2.0 * elastic().shear);
@@ -172,7 +172,10 @@ fn soil_at_its_critical_density_flows_without_dilation() {
         let critical = Sample { name: s.name, dilation: 0.0, ..*s };
         for (law, without) in laws(s).into_iter().zip(laws(&critical)) {
             for trial in stresses() {
-                let (a, b) = (law.return_map(trial, 0.0, false), without.return_map(trial, 0.0, true));
+                let (a, b) = (
+                    law.return_map(trial, &Point { is_critical: true, ..Point::default() }),
+                    without.return_map(trial, &Point::default()),
+                );
                 assert_eq!(a, b, "{}", s.name);
             }
         }
@@ -190,7 +193,7 @@ fn shear_flow_dilates_with_the_dilation_angle() {
     // Plane return: volumetric plastic strain = 2 sin ψ · γ, σ₁ part (1 + sin ψ) γ, σ₃ part −(1 − sin ψ) γ.
     for s in &SAMPLES {
         let trial: Symmetric = [-6e4, -2.3e5, -4e5, 0.0, 0.0, 0.0];
-        let (e, volume) = plastic_strain(trial, surface(s).return_map(trial, 0.0, true).stress);
+        let (e, volume) = plastic_strain(trial, surface(s).return_map(trial, &Point::default()).stress);
         let strain = [e[0] + volume / 3.0, e[1] + volume / 3.0, e[2] + volume / 3.0];
         let sin = s.dilation.to_radians().sin();
         let gamma = 0.5 * (strain[0] - strain[2]);
@@ -232,12 +235,12 @@ fn the_flow_is_normal_to_the_smooth_potential() {
             ] {
                 let far: Symmetric =
                     std::array::from_fn(|n| 1e6 * direction[n] - if n < 3 { 1e5 } else { 0.0 });
-                let on = law.return_map(far, 0.0, true).stress;
+                let on = law.return_map(far, &Point::default()).stress;
                 if mises(on) < 1e3 {
                     continue;
                 }
                 let trial: Symmetric = std::array::from_fn(|n| on[n] + 1e-6 * mises(on) * direction[n]);
-                let back = law.return_map(trial, 0.0, true).stress;
+                let back = law.return_map(trial, &Point::default()).stress;
                 let (e, volume) = plastic_strain(trial, back);
                 let strain: Symmetric =
                     std::array::from_fn(|n| e[n] + if n < 3 { volume / 3.0 } else { 0.0 });
@@ -277,7 +280,7 @@ fn with_a_circle_the_smooth_return_is_the_closed_form() {
         assert!(excess > 0.0, "{} must yield", s.name);
         let (shear, bulk) = (elastic().shear, elastic().bulk);
         let multiplier = excess / (3.0 * shear * hexagon * circle + bulk * phi.tan() * psi.tan());
-        let back = law.return_map(trial, 0.0, true).stress;
+        let back = law.return_map(trial, &Point::default()).stress;
         let off = [
             mises(back) - (q - 3.0 * shear * circle * multiplier),
             -mean(back) - (p + bulk * psi.tan() * multiplier),
@@ -303,8 +306,8 @@ fn the_response_is_objective() {
     };
     for (s, law) in everything() {
         for trial in stresses() {
-            let a = turn(law.return_map(trial, 0.0, true).stress);
-            let b = law.return_map(turn(trial), 0.0, true).stress;
+            let a = turn(law.return_map(trial, &Point::default()).stress);
+            let b = law.return_map(turn(trial), &Point::default()).stress;
             for n in 0..6 {
                 assert!((a[n] - b[n]).abs() < 1e-8 * (1e5 + mises(trial)), "{}", s.name);
             }
@@ -315,7 +318,7 @@ fn the_response_is_objective() {
 #[test]
 fn cohesionless_soil_has_no_tensile_strength_and_records_the_gap() {
     for law in laws(&SAMPLES[0]) {
-        let back = law.return_map([1e4, 1.1e4, 0.9e4, 10.0, 0.0, 0.0], 0.0, true);
+        let back = law.return_map([1e4, 1.1e4, 0.9e4, 10.0, 0.0, 0.0], &Point::default());
         assert!(contract(back.stress, back.stress) < 1e-12);
         assert!((back.gap_strain - 1e4 / elastic().bulk).abs() < 1e-12);
     }

@@ -30,10 +30,13 @@ pub struct HistoryVariable {
     /// Whether it is kept where the stress is cut off, in cells with hardly any soil; otherwise it is set to
     /// zero there.
     pub outlives_stress: bool,
+    /// Whether only laws that remember need it (see [`physics::yield_law::YieldLaw::REMEMBERS`]); without such a material its
+    /// array is empty.
+    pub is_memory: bool,
 }
 
 macro_rules! history {
-    ($($(#[$doc:meta])* $name:ident = $file:literal [$unit:literal] by $carrier:ident, outlives_stress: $outlives:literal;)*) => {
+    ($($(#[$doc:meta])* $name:ident = $file:literal [$unit:literal] by $carrier:ident, outlives_stress: $outlives:literal, is_memory: $memory:literal;)*) => {
         // Numbers the variables; its variants bear the names of the constants below.
         #[allow(non_camel_case_types, clippy::upper_case_acronyms)]
         enum Number { $($name,)* Count }
@@ -46,15 +49,22 @@ macro_rules! history {
             unit: $unit,
             carrier: Carrier::$carrier,
             outlives_stress: $outlives,
+            is_memory: $memory,
         },)*];
     };
 }
 
 history! {
     /// Equivalent plastic strain ∫√(⅔ ε̇ₚ:ε̇ₚ) dt.
-    PLASTIC_STRAIN = "plastic_strain" [""] by Volume, outlives_stress: true;
+    PLASTIC_STRAIN = "plastic_strain" [""] by Volume, outlives_stress: true, is_memory: false;
     /// Stress-free volumetric opening that must close before pressure can build up.
-    GAP_STRAIN = "gap" [""] by Volume, outlives_stress: false;
+    GAP_STRAIN = "gap" [""] by Volume, outlives_stress: false, is_memory: false;
+    /// Largest stress ratio q/(g p) that the sand has mobilised.
+    STRESS_RATIO = "mobilised_stress_ratio" [""] by Volume, outlives_stress: false, is_memory: true;
+    /// Preconsolidation pressure: the largest mean pressure that the sand has borne.
+    PRECONSOLIDATION = "preconsolidation_pressure" ["Pa"] by Volume, outlives_stress: false, is_memory: true;
+    /// Relative density averaged over the characteristic length, over-weighted, less that of the cell.
+    NONLOCAL_DENSITY = "nonlocal_density" [""] by Volume, outlives_stress: false, is_memory: true;
 }
 
 /// Fields of the cells. Each array covers the grid with its ghosts (see [`Grid::index`]).
@@ -85,15 +95,23 @@ pub struct Nodes<R = f64> {
 }
 
 impl<R> Soil<R> {
+    /// Whether it has the arrays of laws that remember.
+    #[must_use]
+    pub fn remembers(&self) -> bool {
+        HISTORY.iter().zip(&self.history).any(|(variable, field)| variable.is_memory && !field.is_empty())
+    }
+
     /// Everything that is transported with the soil besides volume and mass: stress, composition, history.
     pub fn carried(&self) -> impl Iterator<Item = (Carrier, &Vec<R>)> {
-        let history = HISTORY.iter().map(|h| h.carrier).zip(&self.history);
+        let history =
+            HISTORY.iter().map(|h| h.carrier).zip(&self.history).filter(|(_, field)| !field.is_empty());
         self.stress.iter().chain(&self.composition).map(|field| (Carrier::Volume, field)).chain(history)
     }
 
     /// Mutable version of [`Soil::carried`].
     pub fn carried_mut(&mut self) -> impl Iterator<Item = (Carrier, &mut Vec<R>)> {
-        let history = HISTORY.iter().map(|h| h.carrier).zip(&mut self.history);
+        let history =
+            HISTORY.iter().map(|h| h.carrier).zip(&mut self.history).filter(|(_, field)| !field.is_empty());
         let rest = self.stress.iter_mut().chain(&mut self.composition);
         rest.map(|field| (Carrier::Volume, field)).chain(history)
     }
@@ -106,6 +124,7 @@ impl<R> Soil<R> {
     /// All arrays, mutable.
     pub fn arrays_mut(&mut self) -> impl Iterator<Item = &mut Vec<R>> {
         let Self { fraction, mass, stress, history, composition } = self;
+        let history = history.iter_mut().filter(|field| !field.is_empty());
         [fraction, mass].into_iter().chain(stress).chain(composition).chain(history)
     }
 }
@@ -138,19 +157,29 @@ impl<R> Nodes<R> {
     }
 }
 
-/// Arrays of a state of one material.
-pub const ARRAYS: usize = 2 + 6 + HISTORY_COUNT + 7;
+/// Arrays of a state of one material that does not remember.
+pub const ARRAYS: usize = 2 + 6 + HISTORY_COUNT - MEMORY_COUNT + 7;
+
+/// Number of history variables that only laws that remember need.
+pub const MEMORY_COUNT: usize = {
+    let (mut count, mut n) = (0, 0);
+    while n < HISTORY_COUNT {
+        count += HISTORY[n].is_memory as usize;
+        n += 1;
+    }
+    count
+};
 
 impl<R: Copy + Default> Soil<R> {
-    /// Fields without soil, for a number of materials.
+    /// Fields without soil, for a number of materials; `remembers` if the law of one needs the memory of the soil.
     #[must_use]
-    pub fn empty(grid: &Grid, materials: usize) -> Self {
+    pub fn empty(grid: &Grid, materials: usize, remembers: bool) -> Self {
         let zeros = || vec![R::default(); grid.entries];
         Self {
             fraction: zeros(),
             mass: zeros(),
             stress: std::array::from_fn(|_| zeros()),
-            history: std::array::from_fn(|_| zeros()),
+            history: HISTORY.map(|h| if h.is_memory && !remembers { Vec::new() } else { zeros() }),
             composition: (1..materials).map(|_| zeros()).collect(),
         }
     }

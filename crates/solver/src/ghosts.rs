@@ -204,7 +204,7 @@ fn content_of<R: Precision>(
         let c = model.grid.index(i, j, k);
         let own = volume[c].to_f64();
         let stress = soil.stress.each_ref().map(|component| component[c].to_f64());
-        let energy = model.materials[soil.main_material(c)].elastic.energy(stress);
+        let energy = model.materials[soil.main_material(c)].elastic_energy(stress);
         [volumes + own, masses + soil.mass[c].to_f64(), elastic + own * energy]
     })
 }

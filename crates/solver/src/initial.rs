@@ -4,6 +4,7 @@ use crate::balance::kinetic_energy;
 use crate::contact::cut_out_bodies;
 use crate::energy;
 use crate::grid::Grid;
+use crate::material::Material;
 pub use crate::model::Filling;
 use crate::model::{Ground, Model};
 use crate::precision::Precision;
@@ -21,12 +22,17 @@ pub fn at_rest<R: Precision>(model: &Model, filling: &Filling) -> State<R> {
 /// and bears the pressure from then on.
 #[must_use]
 pub fn at_rest_on<R: Precision>(model: &Model, ground: &Ground) -> State<R> {
-    of_soil(model, filled(&model.grid, &ground.fillings, model.materials.len()), ground.overburden)
+    of_soil(model, filled(&model.grid, &ground.fillings, model), ground.overburden)
+}
+
+/// No soil of the model's materials.
+fn empty<R: Scalar>(grid: &Grid, model: &Model) -> Soil<R> {
+    Soil::empty(grid, model.materials.len(), model.materials.iter().any(Material::remembers))
 }
 
 /// Volume fractions and materials of some bodies of soil.
-fn filled<R: Scalar>(grid: &Grid, fillings: &[Filling], materials: usize) -> Soil<R> {
-    let mut soil = Soil::empty(grid, materials);
+fn filled<R: Scalar>(grid: &Grid, fillings: &[Filling], model: &Model) -> Soil<R> {
+    let mut soil = empty(grid, model);
     for filling in fillings {
         let mut own = vec![R::default(); grid.entries];
         fill(grid, filling, &mut own);
@@ -52,7 +58,7 @@ impl<R: Scalar> Undisturbed<R> {
             let is_one = axis < 2 && ground.is_uniform_along(axis);
             faces[..if is_one { 2 } else { faces.len() }].iter().map(|x| x + position[axis]).collect()
         }));
-        let mut soil = filled(&grid, &ground.fillings, model.materials.len());
+        let mut soil = filled(&grid, &ground.fillings, model);
         weigh(model, &grid, &mut soil);
         rest_stress(model, &grid, &mut soil, ground.overburden);
         Self { grid, soil }
@@ -74,7 +80,7 @@ impl<R: Scalar> Undisturbed<R> {
 /// The state at rest of soil of any shape, of the first material: its volume fraction in every cell (see [`Grid::index`]).
 #[must_use]
 pub fn at_rest_filled<R: Precision>(model: &Model, fraction: Vec<R>) -> State<R> {
-    of_soil(model, Soil { fraction, ..Soil::empty(&model.grid, model.materials.len()) }, 0.0)
+    of_soil(model, Soil { fraction, ..empty(&model.grid, model) }, 0.0)
 }
 
 /// Adds soil of a material where there is still room for it.

@@ -3,6 +3,7 @@
 use crate::cpu::kernels::{double, single};
 use crate::cpu::workspace::SoilWorkspace;
 use crate::grid::Grid;
+use crate::halo::Halo;
 use crate::model::Model;
 pub use crate::scalar::Scalar;
 use crate::state::{Nodes, Soil, State};
@@ -36,6 +37,14 @@ pub trait Precision: Scalar {
 
     /// Post-remap update of one cell into which overlap removal has moved soil.
     fn update_cell(model: &Model, soil: &mut Soil<Self>, workspace: &mut SoilWorkspace<Self>, cell: usize);
+
+    /// Renews the nonlocal densities of soil with a characteristic length.
+    fn average_density(
+        model: &Model,
+        soil: &mut Soil<Self>,
+        workspace: &mut SoilWorkspace<Self>,
+        halo: &mut dyn Halo,
+    );
 
     /// Masses of a row of nodes from those of the cells [kg].
     fn nodal_masses(grid: &Grid, row: usize, cell_mass: &[Self], node_mass: &mut [Self]);
@@ -110,6 +119,15 @@ macro_rules! precision {
                 cell: usize,
             ) {
                 $module::post_remap::update_cell(model, soil, workspace, cell);
+            }
+
+            fn average_density(
+                model: &Model,
+                soil: &mut Soil<Self>,
+                workspace: &mut SoilWorkspace<Self>,
+                halo: &mut dyn Halo,
+            ) {
+                $module::nonlocal::average(model, soil, workspace, halo);
             }
 
             fn nodal_masses(grid: &Grid, row: usize, cell_mass: &[Self], node_mass: &mut [Self]) {

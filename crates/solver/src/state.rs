@@ -239,7 +239,7 @@ impl<R: Copy + Default> State<R> {
     #[must_use]
     pub fn of_block(&self, whole: &Grid, block: &Grid) -> Self {
         let mut own = Self {
-            soil: Soil::empty(block, self.soil.composition.len() + 1),
+            soil: Soil::empty(block, self.soil.composition.len() + 1, self.soil.remembers()),
             nodes: Nodes::at_rest(block),
             bodies: self.bodies.clone(),
             mechanism: self.mechanism.clone(),

@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{below, sand, uniform};
+use common::{below, dense_sand, sand, uniform};
 use glam::DVec3;
 use mechanics::{Inertia, Motion, Pose};
 use physics::shape::{Block, Disc, Shape};
@@ -52,6 +52,21 @@ fn model(contact: ContactMethod, lanes: usize) -> Model {
     model
 }
 
+fn impulse(lanes: usize) -> Model {
+    model(ContactMethod::Impulse, lanes)
+}
+
+fn penalty(lanes: usize) -> Model {
+    model(ContactMethod::Penalty, lanes)
+}
+
+/// The same in dense sand with a characteristic length of two cells and a half.
+fn softening(lanes: usize) -> Model {
+    let mut model = impulse(lanes);
+    model.materials = vec![dense_sand(Some(0.05))];
+    model
+}
+
 fn start<R: Precision>(model: &Model) -> State<R> {
     let mut state = at_rest::<R>(model, &below(0.0));
     set_in_motion(model, &mut state, DVec3::new(0.05, 0.1, 0.02));
@@ -86,8 +101,8 @@ fn assert_same<R: Precision>(whole: (&Grid, &State<R>), block: (&Grid, &State<R>
     assert_eq!((block.1.remaps, block.1.time), (whole.1.remaps, whole.1.time));
 }
 
-fn blocks_are_the_whole<R: Precision>(contact: ContactMethod, before: [&[usize]; 2], threads: usize) {
-    let whole = model(contact, R::LANES);
+fn blocks_are_the_whole<R: Precision>(model: fn(usize) -> Model, before: [&[usize]; 2], threads: usize) {
+    let whole = model(R::LANES);
     let mut state = start::<R>(&whole);
     let mut workspace = Workspace::new(&whole, &mut state, 1);
     let begin = start::<R>(&whole);
@@ -102,7 +117,7 @@ fn blocks_are_the_whole<R: Precision>(contact: ContactMethod, before: [&[usize];
             let (begin, state, whole) = (&begin, &state, &whole.grid);
             scope.spawn(move || {
                 let mut own = begin.of_block(whole, &grid);
-                let model = Model { grid, ..model(contact, R::LANES) };
+                let model = Model { grid, ..model(R::LANES) };
                 let mut workspace = Workspace::of_block(&model, &mut own, threads, Box::new(halo));
                 go(&model, &mut own, &mut workspace);
                 assert_same((whole, state), (&model.grid, &own));
@@ -113,30 +128,36 @@ fn blocks_are_the_whole<R: Precision>(contact: ContactMethod, before: [&[usize];
 
 #[test]
 fn two_blocks_side_by_side() {
-    blocks_are_the_whole::<f64>(ContactMethod::Impulse, [&[9], &[]], 1);
+    blocks_are_the_whole::<f64>(impulse, [&[9], &[]], 1);
 }
 
 #[test]
 fn three_uneven_blocks_side_by_side() {
-    blocks_are_the_whole::<f64>(ContactMethod::Impulse, [&[4, 13], &[]], 2);
+    blocks_are_the_whole::<f64>(impulse, [&[4, 13], &[]], 2);
 }
 
 #[test]
 fn two_blocks_one_above_the_other() {
-    blocks_are_the_whole::<f64>(ContactMethod::Impulse, [&[], &[7]], 1);
+    blocks_are_the_whole::<f64>(impulse, [&[], &[7]], 1);
 }
 
 #[test]
 fn six_blocks_that_meet_at_edges() {
-    blocks_are_the_whole::<f64>(ContactMethod::Impulse, [&[5, 11], &[7]], 1);
+    blocks_are_the_whole::<f64>(impulse, [&[5, 11], &[7]], 1);
 }
 
 #[test]
 fn blocks_with_penalty_contact() {
-    blocks_are_the_whole::<f64>(ContactMethod::Penalty, [&[8], &[6]], 1);
+    blocks_are_the_whole::<f64>(penalty, [&[8], &[6]], 1);
 }
 
 #[test]
 fn blocks_in_single_precision() {
-    blocks_are_the_whole::<f32>(ContactMethod::Impulse, [&[6, 12], &[]], 1);
+    blocks_are_the_whole::<f32>(impulse, [&[6, 12], &[]], 1);
+}
+
+#[test]
+fn blocks_of_softening_sand() {
+    blocks_are_the_whole::<f64>(softening, [&[7, 12], &[6]], 1);
+    blocks_are_the_whole::<f32>(softening, [&[9], &[]], 2);
 }

@@ -281,7 +281,7 @@ impl<'a> Runner<'a> {
             // `max` would drop what is not a number.
             volume_error: errors.fold(0.0, |most, v| if v > most || v.is_nan() { v } else { most }),
             mass_error: mass_error(simulation),
-            dilates: simulation.case.soil.law.dilation_angle() > 0.0,
+            dilates: simulation.case.soil.law.changes_volume()[1],
             bodies: history.bodies.iter().filter_map(|b| b.last().copied()).collect(),
             seconds: simulation.wall_s,
             trace: Trace::of(simulation),

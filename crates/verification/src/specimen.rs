@@ -5,7 +5,7 @@ use glam::DVec3;
 use physics::elastic::Elastic;
 use physics::law::Law;
 use physics::tensor::{Symmetric, deviator, mean};
-use physics::yield_law::YieldLaw;
+use physics::yield_law::{Point as LawPoint, YieldLaw};
 use solver::grid::Grid;
 use solver::initial::{Filling, at_rest};
 use solver::material::Material;
@@ -40,7 +40,11 @@ impl Specimen for Point {
         let volumetric = 3.0 * self.elastic.bulk * mean(increment);
         let trial: Symmetric =
             std::array::from_fn(|n| self.stress[n] + shear[n] + if n < 3 { volumetric } else { 0.0 });
-        Ok(if self.law.may_yield(trial, 0.0) { self.law.return_map(trial, 0.0, true).stress } else { trial })
+        Ok(if self.law.may_yield(trial, &LawPoint::default()) {
+            self.law.return_map(trial, &LawPoint::default()).stress
+        } else {
+            trial
+        })
     }
 
     fn strain(&mut self, increment: Symmetric) -> Result<(), VerifyError> {

@@ -3,19 +3,70 @@
 use super::groups::groups;
 use coulter::case::Case;
 use coulter::case::quantity::plain;
-use coulter::case::resolved::{Body, Law, Measured, Motion, Potential};
+use coulter::case::resolved::{Body, Law, Measured, Motion, Potential, Soil};
 use std::fmt::Write;
 
 /// Soil and bodies of a case.
 pub(super) fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
-    let soil = &case.soil;
     writeln!(text, "{} ({})", case.title, case.name)?;
-    let strength = match soil.law {
+    describe_soil(text, &case.soil)?;
+    for body in &case.bodies {
+        describe_body(text, case, body)?;
+    }
+    if case.forecast != Measured::default() {
+        writeln!(
+            text,
+            "note     the keys of [forecast] are used by `coulter forecast` only; a run ignores them"
+        )?;
+    }
+    Ok(())
+}
+
+/// The soil of a case.
+pub(crate) fn describe_soil(text: &mut String, soil: &Soil) -> std::fmt::Result {
+    writeln!(text, "soil     {}", strength(soil))?;
+    writeln!(
+        text,
+        "         γ = {} N/m³, ρ = {:.1} kg/m³, E = {} Pa, ν = {}, K₀ = {:.3}",
+        plain(soil.unit_weight),
+        soil.density,
+        plain(soil.young_modulus),
+        plain(soil.poisson_ratio),
+        soil.k0
+    )
+}
+
+/// Yield law and strength of a soil.
+fn strength(soil: &Soil) -> String {
+    match soil.law {
         Law::Elastic => "elastic".to_owned(),
         Law::Tresca { shear_strength } => format!("tresca, s_u = {shear_strength} Pa"),
         Law::VonMises { yield_stress, hardening_modulus } => {
             format!("von-mises, σ_y = {yield_stress} Pa, H = {hardening_modulus} Pa")
         }
+        Law::Sand {
+            critical_friction_angle,
+            minimum_density,
+            maximum_density,
+            bolton_q,
+            bolton_r,
+            reference_strain,
+            compression_modulus,
+            stiffness_limit,
+            characteristic_length,
+        } => format!(
+            "sand, φ_cv = {:.4}°, I_D = {:.3} (ρ from {minimum_density:.1} to {maximum_density:.1} kg/m³), Q = {bolton_q}, \
+             R = {bolton_r},\n         half of its strength at a strain of {reference_strain}, compression modulus {} Pa, \
+             stiffer up to {} Pa{}",
+            critical_friction_angle.to_degrees(),
+            soil.relative_density().unwrap_or(f64::NAN),
+            plain(compression_modulus),
+            plain(stiffness_limit),
+            characteristic_length.map_or(String::new(), |length| format!(
+                ",\n         characteristic length {} m",
+                plain(length)
+            ))
+        ),
         Law::MohrCoulomb {
             friction_angle,
             dilation_angle,
@@ -34,27 +85,7 @@ pub(super) fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
                     format!(", smooth potential (ε = {meridional}, e = {deviatoric:.4})"),
             }
         ),
-    };
-    writeln!(text, "soil     {strength}")?;
-    writeln!(
-        text,
-        "         γ = {} N/m³, ρ = {:.1} kg/m³, E = {} Pa, ν = {}, K₀ = {:.3}",
-        plain(soil.unit_weight),
-        soil.density,
-        plain(soil.young_modulus),
-        plain(soil.poisson_ratio),
-        soil.k0
-    )?;
-    for body in &case.bodies {
-        describe_body(text, case, body)?;
     }
-    if case.forecast != Measured::default() {
-        writeln!(
-            text,
-            "note     the keys of [forecast] are used by `coulter forecast` only; a run ignores them"
-        )?;
-    }
-    Ok(())
 }
 
 fn describe_body(text: &mut String, case: &Case, body: &Body) -> std::fmt::Result {

@@ -12,6 +12,7 @@ use cost::describe_cost;
 use coulter::case::estimate::{self, Cost};
 use coulter::case::{self, Case, machine, resources};
 use describe::describe;
+pub(super) use describe::describe_soil;
 use groups::groups;
 use mesh_cost::{MeshCost, describe_meshes};
 use std::fmt::Write;

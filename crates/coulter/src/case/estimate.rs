@@ -78,7 +78,7 @@ pub fn cost(case: &Case) -> Cost {
 /// Cells and steps of `case`.
 #[must_use]
 pub fn estimate(case: &Case) -> Estimate {
-    let (young, nu) = (case.soil.young_modulus, case.soil.poisson_ratio);
+    let (young, nu) = (case.soil.stiffest_modulus(), case.soil.poisson_ratio);
     let bulk = young / (3.0 * (1.0 - 2.0 * nu));
     let shear = young / (2.0 * (1.0 + nu));
     let wave_speed = ((bulk + 4.0 / 3.0 * shear) / case.soil.density).sqrt();

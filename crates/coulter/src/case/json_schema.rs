@@ -3,6 +3,7 @@
 use super::format::FORMAT;
 use super::keys::words::WALLS;
 use super::keys::{self, AllowedRange, Bound, DefaultValue, Key, KeyTable, Kind};
+use super::quantity::TURN_RATE;
 use serde_json::{Map, Value, json};
 
 /// The schema as pretty text with a newline at the end; `cases/schema.json` holds it.
@@ -122,11 +123,20 @@ fn kind(key: &Key) -> Value {
             json!({ "type": "array", "items": { "enum": WALLS }, "minItems": 2, "maxItems": 2 })
         }
         Kind::Follow => object(&keys::FOLLOW),
-        Kind::Motion { still, speed, load } => json!({ "anyOf": [
-            { "enum": [still, "free"] },
-            motion(speed.example, "speed", &["start", "ramp", "end"]),
-            motion(load.example, "load", &["start", "ramp"]),
-        ] }),
+        Kind::Motion { still, speed, load } => {
+            let mut ways = vec![
+                json!({ "enum": [still, "free"] }),
+                motion(speed.example, "speed", &["start", "ramp", "end"]),
+                motion(load.example, "load", &["start", "ramp"]),
+            ];
+            if let Some(slip) = keys::MOTION.key("slip").filter(|_| *speed == TURN_RATE) {
+                let properties = json!({ "slip": property(slip) });
+                ways.push(json!({
+                    "type": "object", "additionalProperties": false, "required": ["slip"], "properties": properties
+                }));
+            }
+            json!({ "anyOf": ways })
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::error::CaseError;
 use super::problem::Problems;
-use super::resolved::Case;
+use super::resolved::{Case, Soil};
 use super::toml_tree::{self, TomlTree};
 use super::tree::{Entry, Value};
 use super::uncertainty::{self, StandardDeviation};
@@ -29,6 +29,23 @@ pub fn load_for_forecast(
 ) -> Result<(Case, Vec<StandardDeviation>), CaseError> {
     let name = path.display().to_string();
     parse_with_deviations(&text(path)?, &name, overrides, Problems::without_resolution())
+}
+
+/// Reads the soil of the case file at `path`, and the name of the case. It needs no other section than `[soil]`; those that it has are
+/// checked for their form only.
+///
+/// # Errors
+/// As [`load`].
+pub fn load_soil(path: &Path, overrides: &[String]) -> Result<(String, Soil), CaseError> {
+    parse_soil(&text(path)?, &path.display().to_string(), overrides)
+}
+
+/// As [`load_soil`], from the text of a case file; `source_name` is what to call it in messages.
+///
+/// # Errors
+/// As [`load`].
+pub fn parse_soil(text: &str, source_name: &str, overrides: &[String]) -> Result<(String, Soil), CaseError> {
+    read_tree(text, source_name, overrides, build_soil)
 }
 
 /// The text of a case file, as typed.
@@ -114,12 +131,22 @@ pub(super) fn parse_with_deviations(
     overrides: &[String],
     collected: Problems,
 ) -> Result<(Case, Vec<StandardDeviation>), CaseError> {
+    read_tree(text, source_name, overrides, |tree, name| build(tree, name, collected))
+}
+
+/// What `build` makes of the tree of a text; its problems get their places in the text.
+fn read_tree<T>(
+    text: &str,
+    source_name: &str,
+    overrides: &[String],
+    build: impl FnOnce(Vec<Entry>, &str) -> Result<T, Problems>,
+) -> Result<T, CaseError> {
     let TomlTree { tree, places, problems } = toml_tree::read(source_name, text, overrides);
     if !problems.is_empty() {
         return Err(places.error_at(problems));
     }
     refuse_empty(&tree, source_name)?;
-    build(tree, source_name, collected).map_err(|problems| places.error(problems.into_aimed()))
+    build(tree, source_name).map_err(|problems| places.error(problems.into_aimed()))
 }
 
 /// Refuses a case that cannot be simulated, however it was made.
@@ -154,6 +181,17 @@ fn build(
     }
     match case {
         Some(case) if problems.is_empty() => Ok((case, deviations)),
+        _ => Err(problems),
+    }
+}
+
+/// From the tree to the name of a case and its soil.
+fn build_soil(mut tree: Vec<Entry>, name: &str) -> Result<(String, Soil), Problems> {
+    let mut problems = Problems::default();
+    uncertainty::separate(&mut tree, &mut problems);
+    let schema = schema::read(&tree, &mut problems);
+    match resolve::soil_alone(&schema, name, &mut problems) {
+        Some(found) if problems.is_empty() => Ok(found),
         _ => Err(problems),
     }
 }

@@ -4,10 +4,11 @@ use super::resolved::Case;
 use super::resolved::{self, Follow, Law, Motion, Potential};
 use glam::DVec3;
 use mechanics::{Inertia, Pose};
-use physics::elastic::Elastic;
+use physics::elastic::{Elastic, Stiffening};
 use physics::law::Law as ConstitutiveLaw;
 use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
 use physics::mohr_coulomb::MohrCoulomb;
+use physics::sand::{Sand, SandParameters};
 use physics::von_mises::VonMises;
 use solver::boundary::{Boundaries, Boundary};
 use solver::grid::Grid;
@@ -50,16 +51,25 @@ pub fn model(case: &Case, lanes: usize) -> Model {
     }
 }
 
-fn material(soil: &resolved::Soil) -> Material {
-    let elastic = Elastic::new(soil.young_modulus, soil.poisson_ratio);
+/// Mean pressure below which the elastic moduli of sand are constant [Pa]: no test was made at less.
+const CONSTANT_BELOW: f64 = 1e3;
+
+/// The solver's material for a soil.
+#[must_use]
+pub fn material(soil: &resolved::Soil) -> Material {
+    let elastic = Elastic::new(soil.stiffest_modulus(), soil.poisson_ratio);
     Material {
         elastic,
         yield_law: yield_law(elastic, soil.law),
         critical_density: match soil.law {
             Law::MohrCoulomb { critical_density, .. } => critical_density,
-            Law::Elastic | Law::Tresca { .. } | Law::VonMises { .. } => None,
+            Law::Elastic | Law::Tresca { .. } | Law::VonMises { .. } | Law::Sand { .. } => None,
         },
         density: soil.density,
+        characteristic_length: match soil.law {
+            Law::Sand { characteristic_length, .. } => characteristic_length,
+            _ => None,
+        },
         k0: soil.k0,
     }
 }
@@ -112,6 +122,28 @@ fn yield_law(elastic: Elastic, law: Law) -> Option<ConstitutiveLaw> {
         }
         Law::VonMises { yield_stress, hardening_modulus } => {
             Some(ConstitutiveLaw::VonMises(VonMises::new(elastic, yield_stress, hardening_modulus)))
+        }
+        Law::Sand {
+            critical_friction_angle,
+            minimum_density,
+            maximum_density,
+            bolton_q,
+            bolton_r,
+            reference_strain,
+            compression_modulus,
+            stiffness_limit,
+            ..
+        } => {
+            let parameters = SandParameters {
+                critical_friction: critical_friction_angle,
+                limit_density: [minimum_density, maximum_density],
+                bolton: [bolton_q, bolton_r],
+                reference_strain,
+                compression_modulus,
+            };
+            let least = CONSTANT_BELOW.min(stiffness_limit);
+            let stiffening = Stiffening { least, most: stiffness_limit };
+            Some(ConstitutiveLaw::Sand(Sand::new(elastic, stiffening, &parameters)))
         }
         Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_cutoff, potential, .. } => {
             let (phi, psi) = (friction_angle, dilation_angle);

@@ -57,6 +57,52 @@ pub struct Soil {
     pub k0: f64,
 }
 
+impl Soil {
+    /// Young's modulus where it is largest [Pa].
+    #[must_use]
+    pub fn stiffest_modulus(&self) -> f64 {
+        match self.law {
+            Law::Sand { stiffness_limit, .. } => {
+                self.young_modulus * (stiffness_limit / STIFFNESS_PRESSURE).sqrt()
+            }
+            _ => self.young_modulus,
+        }
+    }
+
+    /// The same soil at another density [kg/m³], under the same gravity.
+    #[must_use]
+    pub fn at_density(&self, density: f64) -> Self {
+        Self { density, unit_weight: self.unit_weight * (density / self.density), ..self.clone() }
+    }
+
+    /// Density [kg/m³] at a relative density, of sand.
+    #[must_use]
+    pub fn density_at(&self, relative_density: f64) -> Option<f64> {
+        match self.law {
+            Law::Sand { minimum_density, maximum_density, .. } => {
+                let range = maximum_density - minimum_density;
+                Some(minimum_density * maximum_density / (maximum_density - relative_density * range))
+            }
+            _ => None,
+        }
+    }
+
+    /// Relative density at the start, of sand: (e_max − e)/(e_max − e_min).
+    #[must_use]
+    pub fn relative_density(&self) -> Option<f64> {
+        match self.law {
+            Law::Sand { minimum_density, maximum_density, .. } => {
+                let range = maximum_density - minimum_density;
+                Some(maximum_density * (self.density - minimum_density) / (self.density * range))
+            }
+            _ => None,
+        }
+    }
+}
+
+/// Mean pressure to which Young's modulus of sand refers [Pa].
+const STIFFNESS_PRESSURE: f64 = 1e5;
+
 /// The yield law of the soil.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -90,6 +136,27 @@ pub enum Law {
         /// Density below which the soil no longer dilates [kg/m³].
         critical_density: Option<f64>,
     },
+    /// Sand whose strength and stiffness follow its density and pressure.
+    Sand {
+        /// Friction angle of the critical state in triaxial compression φ_cv [rad].
+        critical_friction_angle: f64,
+        /// Dry density in the loosest state [kg/m³].
+        minimum_density: f64,
+        /// Dry density in the densest state [kg/m³].
+        maximum_density: f64,
+        /// Bolton's Q.
+        bolton_q: f64,
+        /// Bolton's R.
+        bolton_r: f64,
+        /// Plastic shear strain at which half of the strength is mobilised.
+        reference_strain: f64,
+        /// Bulk modulus of plastic compression at 100 kPa [Pa].
+        compression_modulus: f64,
+        /// Mean pressure beyond which the elastic moduli no longer grow [Pa].
+        stiffness_limit: f64,
+        /// Length over which the density that governs the strength is averaged [m].
+        characteristic_length: Option<f64>,
+    },
 }
 
 impl Law {
@@ -101,14 +168,16 @@ impl Law {
             Self::Tresca { .. } => "undrained (tresca)",
             Self::VonMises { .. } => "metal (von-mises)",
             Self::MohrCoulomb { .. } => "frictional (mohr-coulomb)",
+            Self::Sand { .. } => "frictional (sand)",
         }
     }
 
-    /// Friction angle φ [rad]; `None` for a strength that does not depend on the pressure.
+    /// Friction angle φ [rad], of sand that of the critical state; `None` for a strength that does not depend on the pressure.
     #[must_use]
     pub fn friction_angle(&self) -> Option<f64> {
         match *self {
             Self::MohrCoulomb { friction_angle, .. } => Some(friction_angle),
+            Self::Sand { critical_friction_angle, .. } => Some(critical_friction_angle),
             Self::Elastic | Self::Tresca { .. } | Self::VonMises { .. } => None,
         }
     }
@@ -118,8 +187,14 @@ impl Law {
     pub fn dilation_angle(&self) -> f64 {
         match *self {
             Self::MohrCoulomb { dilation_angle, .. } => dilation_angle,
-            Self::Elastic | Self::Tresca { .. } | Self::VonMises { .. } => 0.0,
+            Self::Elastic | Self::Tresca { .. } | Self::VonMises { .. } | Self::Sand { .. } => 0.0,
         }
+    }
+
+    /// Whether the soil may take up and lose volume as it is sheared, without limit on the way: [loses, takes up].
+    #[must_use]
+    pub fn changes_volume(&self) -> [bool; 2] {
+        [matches!(self, Self::Sand { .. }), matches!(self, Self::Sand { .. }) || self.dilation_angle() > 0.0]
     }
 
     /// Shear strength without normal stress [Pa]: c, s_u, or about half of σ_y; `None` for soil that does not fail.
@@ -130,6 +205,7 @@ impl Law {
             Self::Tresca { shear_strength } => Some(shear_strength),
             Self::VonMises { yield_stress, .. } => Some(0.5 * yield_stress),
             Self::MohrCoulomb { cohesion, .. } => Some(cohesion),
+            Self::Sand { .. } => Some(0.0),
         }
     }
 }

@@ -27,6 +27,10 @@ pub(super) struct Motion {
     pub(super) start: f64,
     pub(super) ramp: f64,
     pub(super) end: Option<f64>,
+    /// Slip of a rolling body.
+    pub(super) slip: Option<f64>,
+    /// Whether a time was given.
+    pub(super) is_timed: bool,
 }
 
 /// A section as typed.

@@ -280,22 +280,27 @@ fn motion_table(table: &[Entry], [speed, load]: [&Measure; 2], path: &str, probl
     let mut motion = unless_given();
     let before = problems.len();
     for entry in table {
-        let measure = match entry.key.as_str() {
-            "speed" => speed,
-            "load" => load,
-            "start" | "ramp" | "end" => &TIME,
+        let kind = match entry.key.as_str() {
+            "speed" => Kind::Quantity(*speed),
+            "load" => Kind::Quantity(*load),
+            "slip" => Kind::Number,
+            "start" | "ramp" | "end" => {
+                motion.is_timed = true;
+                Kind::Quantity(TIME)
+            }
             _ => {
                 unknown(entry, path, MOTION.keys.iter().map(|key| key.name), problems);
                 continue;
             }
         };
         let path = join(path, &entry.key);
-        let Given::Number(number) = value(&entry.value, &Kind::Quantity(*measure), &path, problems) else {
+        let Given::Number(number) = value(&entry.value, &kind, &path, problems) else {
             continue;
         };
         match entry.key.as_str() {
             "speed" => motion.speed = Some(number),
             "load" => motion.load = Some(number),
+            "slip" => motion.slip = Some(number),
             "start" => motion.start = number,
             "ramp" => motion.ramp = number,
             _ => motion.end = Some(number),

@@ -2,6 +2,7 @@
 
 use super::outlook::{Outlook, mechanism_word};
 use super::uncertainty::{InputDeviation, Intervals};
+use crate::text::wrapped;
 use analytic::disc::{Drive, Mechanism};
 use analytic::forecast::{Load, ModelForecast, Prediction, Strength};
 use std::fmt::Write;
@@ -253,24 +254,6 @@ fn other_strength(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
         None => format!("vertical force {:.3} N", found.vertical),
     });
     writeln!(text, "{}", values.join(", "))
-}
-
-/// Text broken into lines for a terminal.
-fn wrapped(text: &str) -> String {
-    const WIDTH: usize = 110;
-    let mut lines = vec![String::new()];
-    for word in text.split(' ') {
-        match lines.last_mut() {
-            Some(line) if line.chars().count() + word.chars().count() < WIDTH => {
-                if !line.is_empty() {
-                    line.push(' ');
-                }
-                line.push_str(word);
-            }
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    lines.join("\n")
 }
 
 /// The intervals in full as text for a terminal.

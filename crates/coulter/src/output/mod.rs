@@ -5,6 +5,7 @@
 //! the mesh study.
 
 pub mod checkpoint;
+mod element;
 pub mod fields;
 mod files;
 pub mod folder;
@@ -19,6 +20,7 @@ pub mod tables;
 mod units;
 pub mod vtk;
 
+pub use element::write_element_tests;
 pub use files::OutputError;
 pub use forecast::{ForecastFiles, overlays, write_forecast};
 pub(crate) use meshes::make_meshes_folder;

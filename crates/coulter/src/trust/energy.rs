@@ -23,10 +23,12 @@ pub(super) fn checks(setting: &Setting, history: &History) -> Vec<Check> {
     ]
 }
 
-/// Change of the soil volume [%]; for soil that dilates only a loss.
+/// Change of the soil volume [%], unless the soil is expected to change it so.
 fn volume_change(setting: &Setting, end: &EnergySample) -> f64 {
     let change = 100.0 * (end.volume_ratio - 1.0);
-    if setting.dilates && change > 0.0 { 0.0 } else { change.abs() }
+    let [compacts, dilates] = setting.changes_volume;
+    let is_expected = if change > 0.0 { dilates } else { compacts };
+    if is_expected { 0.0 } else { change.abs() }
 }
 
 /// Lid, walls and floor.

@@ -14,8 +14,8 @@ pub struct Setting {
     pub density: f64,
     /// Courant number.
     pub courant: f64,
-    /// Whether the soil dilates, so that its volume is expected to grow.
-    pub dilates: bool,
+    /// Whether the soil compacts, and whether it dilates, so that a change of its volume is expected.
+    pub changes_volume: [bool; 2],
     /// Energies below this are rounding errors [J]: 10⁻¹² of the soil's weight times the box's height.
     pub energy_floor: f64,
     /// Depth of the floor below the undisturbed surface [m].
@@ -60,7 +60,7 @@ impl Setting {
             },
             density: case.soil.density,
             courant: case.numerics.courant,
-            dilates: case.soil.law.dilation_angle() > 0.0,
+            changes_volume: case.soil.law.changes_volume(),
             energy_floor: 1e-12 * weight * size.z,
             floor_depth: case.ground.surface() - case.domain.low.z,
             bodies: case.bodies.iter().map(|body| BodySetting::of(case, body)).collect(),

@@ -175,7 +175,7 @@ fn height(kind: Kind, x: f64, y: f64) -> f64 {
 /// The grid and the state at time `time` [s].
 pub(crate) fn state(case: &Case, kind: Kind, time: f64) -> (Grid, State) {
     let grid = Grid::new(case.grid.faces.clone());
-    let (mut soil, mut nodes) = (Soil::empty(&grid, 1), Nodes::at_rest(&grid));
+    let (mut soil, mut nodes) = (Soil::empty(&grid, 1, false), Nodes::at_rest(&grid));
     let [columns, rows, layers] = grid.cells();
     let toe = DVec3::new(TRAVEL + 0.04, 0.0, -DEPTH);
     for (k, j, i) in triples(layers, rows, columns) {
@@ -197,7 +197,10 @@ pub(crate) fn state(case: &Case, kind: Kind, time: f64) -> (Grid, State) {
         // Every history variable differs, so that none can be taken for another.
         for (number, field) in soil.history.iter_mut().enumerate() {
             let share = if number == PLASTIC_STRAIN { 1.0 } else { 1e-3 * (number + 1) as f64 };
-            field[n] = share * sheared;
+            // Sand alone has all of them.
+            if let Some(own) = field.get_mut(n) {
+                *own = share * sheared;
+            }
         }
     }
     for (k, j, i) in triples(layers + 1, rows + 1, columns + 1) {

@@ -67,7 +67,7 @@ fn soil_files_hold_every_cell_in_its_place() {
         assert!((stress[6 * place + 5] - state.soil.stress[5][n]).abs() < 1e-2);
         assert!(pressure[place] >= 0.0);
     }
-    for (variable, field) in HISTORY.iter().zip(&state.soil.history) {
+    for (variable, field) in HISTORY.iter().zip(&state.soil.history).filter(|(_, field)| !field.is_empty()) {
         let values = floats(&array(&file, variable.name));
         for (i, j, k) in (0..nz).flat_map(|k| (0..ny).flat_map(move |j| (0..nx).map(move |i| (i, j, k)))) {
             let (place, n) = (i + nx * (j + ny * k), grid.index(i, j, k));

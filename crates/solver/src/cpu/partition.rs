@@ -68,7 +68,7 @@ impl RowPartition {
 
     /// Splits an array into the workers' rows.
     pub fn split<'a, T>(&'a self, array: &'a mut [T]) -> impl Iterator<Item = &'a mut [T]> {
-        self.split_by(self.stride, array)
+        self.split_by(if array.is_empty() { 0 } else { self.stride }, array)
     }
 
     /// The same for an array that has `stride` entries for each row.

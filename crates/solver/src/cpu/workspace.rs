@@ -37,6 +37,8 @@ pub struct SoilWorkspace<R: Scalar> {
     /// Nodal velocities of the previous step. Between steps their memory serves others: the remap, and, from
     /// the remap until the contact search, in the first array the body volume fractions.
     pub(crate) velocity_before: [Vec<R>; 3],
+    /// Averages of soil with a characteristic length; empty without.
+    pub(crate) averages: [[Vec<R>; 2]; 2],
     /// Scratch memory of each worker.
     pub(crate) workers: Vec<WorkerScratch<R>>,
     /// Sums over each row in the Lagrangian stage.
@@ -174,6 +176,7 @@ impl<R: Scalar> SoilWorkspace<R> {
             materials: R::materials(model),
             clear: 0,
             velocity_before: state.nodes.velocity.clone(),
+            averages: std::array::from_fn(|_| [Vec::new(), Vec::new()]),
             workers: (0..threads).map(worker).collect(),
             row_sums: vec![RowSums::default(); rows * (planes + 1)],
             row_values: vec![[0.0; 2]; rows * (planes + 1)],
@@ -202,7 +205,8 @@ impl<R: Scalar> SoilWorkspace<R> {
             let rows = coefficients.chain([&w.below, &w.waiting, &w.row]);
             rows.map(|row| size_of_val(row.as_slice())).sum::<usize>() + size_of_val(&*w.block)
         };
-        self.velocity_before.iter().map(|field| size_of_val(field.as_slice())).sum::<usize>()
+        let averages = self.averages.iter().flatten();
+        self.velocity_before.iter().chain(averages).map(|field| size_of_val(field.as_slice())).sum::<usize>()
             + self.workers.iter().map(own).sum::<usize>()
             + size_of_val(self.row_sums.as_slice())
             + size_of_val(self.costs.as_slice())

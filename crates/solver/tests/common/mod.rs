@@ -2,9 +2,10 @@
 #![allow(dead_code, unreachable_pub, clippy::unwrap_used)]
 
 use glam::DVec3;
-use physics::elastic::Elastic;
+use physics::elastic::{Elastic, Stiffening};
 use physics::law::Law;
 use physics::mohr_coulomb::MohrCoulomb;
+use physics::sand::{Sand, SandParameters};
 use solver::grid::Grid;
 use solver::initial::Filling;
 use solver::material::Material;
@@ -25,6 +26,25 @@ pub fn sand(faces: [Vec<f64>; 3]) -> Model {
         ..Material::linear_elastic(elastic, 1600.0)
     };
     Model { gravity: 9.81, soil_gravity: 9.81, ..Model::bare(Grid::new(faces), material) }
+}
+
+/// Dense sand with its density as state, and a characteristic length [m].
+pub fn dense_sand(characteristic_length: Option<f64>) -> Material {
+    let elastic = Elastic::new(5e6, 0.3);
+    let parameters = SandParameters {
+        critical_friction: 33_f64.to_radians(),
+        limit_density: [1350.0, 1650.0],
+        bolton: [10.0, 0.7],
+        reference_strain: 0.002,
+        compression_modulus: 32e6,
+    };
+    let law = Sand::new(elastic, Stiffening { least: 1e3, most: 2e4 }, &parameters);
+    Material {
+        yield_law: Some(Law::Sand(law)),
+        k0: 0.45,
+        characteristic_length,
+        ..Material::linear_elastic(elastic, 1600.0)
+    }
 }
 
 /// Soil everywhere below a height.

@@ -66,7 +66,7 @@ fn contact_pressure(case: &Case, depth: f64) -> f64 {
 fn viscosity(case: &Case, body: &Body, (speed, depth): (f64, f64), cell: f64, notes: &mut Vec<String>) {
     let pressure = contact_pressure(case, depth);
     let wave_speed =
-        Elastic::new(case.soil.young_modulus, case.soil.poisson_ratio).wave_speed(case.soil.density);
+        Elastic::new(case.soil.stiffest_modulus(), case.soil.poisson_ratio).wave_speed(case.soil.density);
     // The strain rate is the speed over the length of the contact, √(z d), not over one cell: on the towed disc, where a
     // cell's would make a third of the pressure, switching the viscosity off changes the drag by less than 1 %.
     let contact = (depth * body_length(std::slice::from_ref(body))).sqrt().max(cell);

@@ -25,6 +25,7 @@ pub fn advice(case: &Case) -> Vec<String> {
     overlaps(case, &mut notes);
     timing(case, &mut notes);
     strength(case, &mut notes);
+    softening(case, &mut notes);
     if case.bodies.is_empty() && case.soil.unit_weight == 0.0 && case.velocity == DVec3::ZERO {
         notes.push("There is no body and the soil has no weight: nothing will happen.".into());
     }
@@ -106,6 +107,24 @@ fn timing(case: &Case, notes: &mut Vec<String>) {
             "output.history_interval is shorter than a time step, {:.2e} s.",
             cost.time_step_s
         ));
+    }
+}
+
+/// Softening sand whose bands depend on the cells.
+fn softening(case: &Case, notes: &mut Vec<String>) {
+    let Law::Sand { characteristic_length, bolton_q, bolton_r, .. } = case.soil.law else { return };
+    let cell = case.grid.fine_cell().max_element();
+    let consequence =
+        "bands of softening sand are as wide as the cells, and its strength after the peak depends on them";
+    if let Some(length) = characteristic_length.filter(|length| *length < 2.0 * cell) {
+        notes.push(format!(
+            "soil.characteristic_length, {length:.4} m, is less than two cells of {cell:.4} m: {consequence}."
+        ));
+    }
+    // ln 150: the index is constant below 150 kPa.
+    let index = case.soil.relative_density().unwrap_or(0.0) * (bolton_q - 150.0_f64.ln()) - bolton_r;
+    if characteristic_length.is_none() && index > 1.0 {
+        notes.push(format!("Sand this dense softens: without soil.characteristic_length {consequence}."));
     }
 }
 

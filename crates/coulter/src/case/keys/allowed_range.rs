@@ -39,6 +39,13 @@ pub(super) const POSITIVE_FRACTION: AllowedRange = from(Exclusive(0.0), Inclusiv
 pub(super) const BELOW_HALF: AllowedRange =
     AllowedRange { low: Inclusive(0.0), high: Exclusive(0.5), why: "0.5 would be incompressible" };
 pub(super) const ACUTE: AllowedRange = from(Inclusive(0.0), Exclusive(FRAC_PI_2));
+pub(super) const RELATIVE_DENSITY: AllowedRange = AllowedRange {
+    low: Inclusive(-0.5),
+    high: Inclusive(1.2),
+    why: "0 is the loosest and 1 the densest state of the standard tests",
+};
+pub(super) const SLIP: AllowedRange =
+    AllowedRange { low: Inclusive(-1.0), high: Exclusive(1.0), why: "1 is spinning on the spot" };
 pub(super) const GROWTH: AllowedRange = from(Inclusive(1.0), Inclusive(1.5));
 pub(super) const ASPECT: AllowedRange =
     AllowedRange { low: Inclusive(1.0), high: Inclusive(4.0), why: "flatter cells have not been tested" };

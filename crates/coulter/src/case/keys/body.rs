@@ -1,6 +1,6 @@
 //! Keys of a rigid body.
 
-use super::allowed_range::{FRACTION, IN_THE_RUN, NOT_NEGATIVE, POSITIVE};
+use super::allowed_range::{FRACTION, IN_THE_RUN, NOT_NEGATIVE, POSITIVE, SLIP};
 use super::default_value::DefaultValue::{Derived, Quantity, Required, Word};
 use super::key::{Key, Kind, key};
 use super::words::{AXES, SHAPES};
@@ -26,6 +26,13 @@ pub(super) const MOTION: &[Key] = &[
         Derived("this or speed"),
         "Load on a free motion; for `spin` a torque.",
     ),
+    key(
+        "slip",
+        Kind::Number,
+        Derived("this, speed or load"),
+        "Slip of a rolling body, instead of the rate of turning; for `spin` only: −1 locked, 0 rolling, above 0 driven. Its times are those of `forward`.",
+    )
+    .within(SLIP),
     key("start", Kind::Quantity(TIME), Quantity("0 s"), "When the ramp begins.").within(IN_THE_RUN),
     key(
         "ramp",

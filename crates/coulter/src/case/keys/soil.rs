@@ -1,13 +1,15 @@
 //! Keys of the soil, of the box round it and of the grid.
 
-use super::allowed_range::{ACUTE, ASPECT, BELOW_HALF, ECCENTRICITY, GROWTH, NOT_NEGATIVE, POSITIVE};
+use super::allowed_range::{
+    ACUTE, ASPECT, BELOW_HALF, ECCENTRICITY, GROWTH, NOT_NEGATIVE, POSITIVE, RELATIVE_DENSITY,
+};
 use super::default_value::DefaultValue::{Derived, Flag, Number, Quantity, Ratios, Required, Walls, Word};
 use super::key::{Key, Kind, key};
 use super::words::{FOLLOWED, LAWS, POTENTIALS};
 use crate::case::quantity::{ANGLE, DENSITY, LENGTH, SPEED, STRESS, UNIT_WEIGHT};
 
 pub(super) const SOIL: &[Key] = &[
-    key("law", Kind::Choice(&LAWS), Required, "Yield law: frictional, undrained, metal plasticity, or none (elastic)."),
+    key("law", Kind::Choice(&LAWS), Required, "Yield law: frictional with constant angles, sand whose strength follows its density, undrained, metal plasticity, or none (elastic)."),
     key("friction_angle", Kind::Quantity(ANGLE), Derived("required for mohr-coulomb"), "Friction angle φ.").within(ACUTE),
     key("dilation_angle", Kind::Quantity(ANGLE), Quantity("0 deg"), "Dilation angle ψ, at most φ (mohr-coulomb).").within(ACUTE),
     key("cohesion", Kind::Quantity(STRESS), Quantity("0 Pa"), "Cohesion c; may be exactly 0 (mohr-coulomb).").within(NOT_NEGATIVE),
@@ -16,14 +18,24 @@ pub(super) const SOIL: &[Key] = &[
     key("meridional_eccentricity", Kind::Number, Number(0.1), "How fast the smooth potential approaches its asymptote; has no effect without cohesion (menetrey-willam).").within(NOT_NEGATIVE),
     key("deviatoric_eccentricity", Kind::Number, Derived("(3 − sin φ)/(3 + sin φ)"), "Shape of the smooth potential in the deviatoric plane; 1 is a circle (menetrey-willam).").within(ECCENTRICITY),
     key("critical_density", Kind::Quantity(DENSITY), Derived("none"), "Density below which the soil no longer dilates (mohr-coulomb, with dilation_angle).").within(POSITIVE),
+    key("critical_friction_angle", Kind::Quantity(ANGLE), Derived("required for sand"), "Friction angle of the critical state in triaxial compression φ_cv; about the angle of repose (sand).").within(ACUTE),
+    key("minimum_density", Kind::Quantity(DENSITY), Derived("required for sand"), "Dry density in the loosest state, at e_max (sand).").within(POSITIVE),
+    key("maximum_density", Kind::Quantity(DENSITY), Derived("required for sand"), "Dry density in the densest state, at e_min (sand).").within(POSITIVE),
+    key("relative_density", Kind::Number, Derived("from the density"), "Relative density I_D at the start, instead of `density` or `unit_weight`; below 0 for sand looser than e_max (sand).").within(RELATIVE_DENSITY),
+    key("bolton_q", Kind::Number, Number(10.0), "Bolton's Q: 10 for quartz and feldspar, 8 for limestone (sand).").within(POSITIVE),
+    key("bolton_r", Kind::Number, Number(0.7), "Bolton's R: relative density of the critical state at low pressure over 1/(Q − 5) (sand).").within(NOT_NEGATIVE),
+    key("reference_strain", Kind::Number, Number(0.002), "Plastic shear strain at which half of the strength is mobilised, at I_D = 0.5 and up to 20 kPa (sand).").within(POSITIVE),
+    key("compression_modulus", Kind::Quantity(STRESS), Quantity("32 MPa"), "Bulk modulus of plastic compression at I_D = 0.5 and 100 kPa (sand).").within(POSITIVE),
+    key("stiffness_limit", Kind::Quantity(STRESS), Quantity("50 kPa"), "Mean pressure beyond which the elastic moduli no longer grow; it sets the time step (sand).").within(POSITIVE),
+    key("characteristic_length", Kind::Quantity(LENGTH), Derived("none"), "Length over which the density that governs strength and dilatancy is averaged, so that bands of softening sand do not depend on the cells; at least two cells, some 15 grain sizes (sand).").within(POSITIVE),
     key("shear_strength", Kind::Quantity(STRESS), Derived("required for tresca"), "Undrained shear strength s_u (tresca).").within(POSITIVE),
     key("yield_stress", Kind::Quantity(STRESS), Derived("required for von-mises"), "Initial yield stress σ_y in uniaxial tension (von-mises).").within(POSITIVE),
     key("hardening_modulus", Kind::Quantity(STRESS), Quantity("0 Pa"), "Hardening modulus H: slope of the yield stress over the equivalent plastic strain (von-mises).").within(NOT_NEGATIVE),
     key("unit_weight", Kind::Quantity(UNIT_WEIGHT), Derived("density × gravity"), "Unit weight γ; 0 for weightless soil.").within(NOT_NEGATIVE),
     key("density", Kind::Quantity(DENSITY), Derived("unit_weight / gravity"), "Density ρ, which gives the soil its inertia.").within(POSITIVE),
-    key("young_modulus", Kind::Quantity(STRESS), Required, "Young's modulus E.").within(POSITIVE),
+    key("young_modulus", Kind::Quantity(STRESS), Required, "Young's modulus E; of sand that at a mean pressure of 100 kPa, for unloading and reloading.").within(POSITIVE),
     key("poisson_ratio", Kind::Number, Number(0.3), "Poisson's ratio ν.").within(BELOW_HALF),
-    key("k0", Kind::Number, Derived("1 − sin φ (Jaky 1944); else ν/(1 − ν)"), "Coefficient of earth pressure at rest K₀: horizontal over vertical stress at the start.").within(NOT_NEGATIVE),
+    key("k0", Kind::Number, Derived("1 − sin φ (Jaky 1944), φ_cv of sand; else ν/(1 − ν)"), "Coefficient of earth pressure at rest K₀: horizontal over vertical stress at the start.").within(NOT_NEGATIVE),
 ];
 
 pub(super) const GROUND: &[Key] = &[

@@ -3,7 +3,7 @@
 use analytic::wheel::{CMU_SAND, TERRAINS};
 
 /// Soil laws.
-pub const LAWS: [&str; 4] = ["mohr-coulomb", "tresca", "von-mises", "elastic"];
+pub const LAWS: [&str; 5] = ["mohr-coulomb", "sand", "tresca", "von-mises", "elastic"];
 /// Body shapes.
 pub const SHAPES: [&str; 4] = ["disc", "block", "cylinder", "sphere"];
 /// Axes of a cylinder.

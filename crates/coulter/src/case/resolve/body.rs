@@ -1,7 +1,7 @@
 //! A rigid body: shape, mass, position and motion.
 
 use super::context::{Context, checked};
-use super::motion::{freedom, is_free};
+use super::motion::{freedom, is_free, spin};
 use crate::case::missing::{missing, required};
 use crate::case::problem::Problems;
 use crate::case::resolved::{Body, Law};
@@ -28,7 +28,8 @@ pub(super) fn body(section: &Section, context: &Context, problems: &mut Problems
     }
     let translation = motions
         .map(|(key, acceleration)| freedom(section, key, acceleration * mass.unwrap_or(0.0), problems));
-    let spin = freedom(section, "spin", 0.0, problems);
+    let radius = shape.as_ref().and_then(|shape| shape.rolling_diameter()).map(|diameter| 0.5 * diameter);
+    let spin = spin(section, translation[0], radius, problems);
     let shape = shape?;
     let inertia = axle_inertia(section, &shape, mass, problems);
     let [Some(forward), Some(lateral), Some(heave)] = translation else { return None };

@@ -18,9 +18,10 @@ mod timing;
 use super::keys;
 use super::missing::{range, required};
 use super::names;
+use super::numbers::in_range;
 use super::path::Paths;
 use super::problem::Problems;
-use super::resolved::{Body, Case, Contact, Law, Numerics, Precision};
+use super::resolved::{Body, Case, Contact, Law, Numerics, Precision, Soil};
 use super::shapes::slab::Slab;
 use super::typed::{Schema, Section};
 use super::validate;
@@ -69,6 +70,18 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
         numerics: numerics?,
         forecast: forecast?,
     })
+}
+
+/// The name of the case and its soil alone, or `None` with problems added.
+pub(super) fn soil_alone(
+    schema: &Schema,
+    source_name: &str,
+    problems: &mut Problems,
+) -> Option<(String, Soil)> {
+    let gravity = schema.top.number("gravity");
+    let gravity = gravity.filter(|g| in_range("gravity", *g, problems));
+    let soil = gravity.and_then(|g| soil::soil(&schema.soil, g, problems));
+    Some((name(&schema.top, source_name, problems)?, soil?))
 }
 
 fn context(schema: &Schema, gravity: f64, law: Option<Law>, problems: &mut Problems) -> Option<Context> {

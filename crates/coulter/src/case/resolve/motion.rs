@@ -18,12 +18,49 @@ pub(super) fn freedom(section: &Section, key: &str, support: f64, problems: &mut
     checked(motion, problems, |motion, problems| validate::body::motion(&path, motion, problems))
 }
 
+/// Rotation about the axle, of a body that moves `forward` so and rolls on a radius [m].
+pub(super) fn spin(
+    section: &Section,
+    forward: Option<Motion>,
+    radius: Option<f64>,
+    problems: &mut Problems,
+) -> Option<Motion> {
+    let typed = section.motion("spin")?;
+    let Some(slip) = typed.slip else { return freedom(section, "spin", 0.0, problems) };
+    let path = section.at("spin");
+    let mut refuse = |message: &str, cure: &str| {
+        problems.add(&path, message, cure);
+        None
+    };
+    if typed.speed.is_some() || typed.load.is_some() {
+        return refuse("a slip and a speed or a load at once", "give one of them");
+    }
+    if typed.is_timed {
+        return refuse("the times of a slip are those of `forward`", "remove `start`, `ramp` and `end`");
+    }
+    let Some(Motion::Prescribed { speed, start, ramp, end }) = forward else {
+        let cure = "write  forward = { speed = \"0.2 m/s\" }, or give the spin a speed";
+        return refuse("a slip needs the speed of `forward`", cure);
+    };
+    let Some(radius) = radius else {
+        return refuse("only a body that can roll has a slip", "give the spin a speed");
+    };
+    // Of a driven wheel the slip refers to the speed of its rim.
+    let turn_ratio = if slip > 0.0 { 1.0 / (1.0 - slip) } else { 1.0 + slip };
+    let spin = Motion::Prescribed { speed: turn_ratio * speed / radius, start, ramp, end };
+    checked(spin, problems, |spin, problems| validate::body::motion(&path, spin, problems))
+}
+
 fn read(motion: &typed::Motion, support: f64, path: &str, problems: &mut Problems) -> Option<Motion> {
     let (start, ramp) = (motion.start, motion.ramp);
     match motion.word.as_deref() {
         Some("free") => return Some(Motion::Free { load: 0.0, support, start, ramp }),
         Some(_) => return Some(Motion::Fixed),
         None => {}
+    }
+    if motion.slip.is_some() {
+        problems.add(path, "`slip` belongs to `spin`", "give this motion a speed or a load");
+        return None;
     }
     match (motion.speed, motion.load) {
         (Some(speed), None) => {
@@ -43,6 +80,43 @@ fn read(motion: &typed::Motion, support: f64, path: &str, problems: &mut Problem
             let message = format!("{path}: neither a speed nor a load");
             problems.add(path, message, "add `speed` or `load`, or write \"free\" or \"fixed\"");
             None
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::parse;
+
+    const WHEEL: &str = include_str!("../../../../../cases/cmu_wheel.toml");
+
+    fn with(set: &str) -> Result<Motion, String> {
+        let case = parse(WHEEL, "case.toml", &[set.to_owned()]);
+        case.map(|case| case.bodies[0].spin).map_err(|problems| format!("{problems:?}"))
+    }
+
+    #[test]
+    fn a_slip_is_a_rate_of_turning() {
+        for (slip, turn_ratio) in [(-1.0, 0.0), (-0.5, 0.5), (0.0, 1.0), (0.5, 2.0)] {
+            let spin = with(&format!("body.wheel.spin.slip={slip}")).unwrap();
+            let Motion::Prescribed { speed, start, ramp, .. } = spin else { panic!("{spin:?}") };
+            assert!((speed - turn_ratio * 0.12 / 0.058).abs() < 1e-12, "{slip}: {speed}");
+            assert_eq!([start, ramp], [0.15, 0.05]);
+        }
+    }
+
+    #[test]
+    fn a_slip_stands_alone_and_in_the_spin() {
+        for (set, message) in [
+            ("body.wheel.spin.slip=1", "below 1"),
+            ("body.wheel.spin.speed=1 rad/s", "a slip and a speed or a load at once"),
+            ("body.wheel.spin.start=1 s", "the times of a slip are those of `forward`"),
+            ("body.wheel.forward=free", "a slip needs the speed of `forward`"),
+            ("body.wheel.lateral={ slip = 0 }", "`slip` belongs to `spin`"),
+        ] {
+            let refusal = with(set).unwrap_err();
+            assert!(refusal.contains(message), "{set}: {refusal}");
         }
     }
 }

@@ -19,6 +19,18 @@ const FRICTIONAL: [&str; 8] = [
     "critical_density",
 ];
 const SMOOTH: [&str; 2] = ["meridional_eccentricity", "deviatoric_eccentricity"];
+const SAND: [&str; 10] = [
+    "critical_friction_angle",
+    "minimum_density",
+    "maximum_density",
+    "relative_density",
+    "bolton_q",
+    "bolton_r",
+    "reference_strain",
+    "compression_modulus",
+    "stiffness_limit",
+    "characteristic_length",
+];
 const UNDRAINED: [&str; 1] = ["shear_strength"];
 const METAL: [&str; 2] = ["yield_stress", "hardening_modulus"];
 
@@ -26,8 +38,13 @@ const METAL: [&str; 2] = ["yield_stress", "hardening_modulus"];
 pub(super) fn soil(section: &Section, gravity: f64, problems: &mut Problems) -> Option<Soil> {
     let young_modulus = required(section, "young_modulus", problems);
     let poisson_ratio = section.number("poisson_ratio");
-    let weight = weight(section, gravity, problems);
     let law = law(section, problems).and_then(|law| checked(law, problems, validate::soil::law));
+    let weight = match law {
+        Some(Law::Sand { minimum_density, maximum_density, .. }) if section.has("relative_density") => {
+            weight_of_sand(section, gravity, [minimum_density, maximum_density], problems)
+        }
+        _ => weight(section, gravity, problems),
+    };
     let (young_modulus, poisson_ratio, (unit_weight, density), law) =
         (young_modulus?, poisson_ratio?, weight?, law?);
     let elastic = poisson_ratio / (1.0 - poisson_ratio);
@@ -61,37 +78,73 @@ fn weight(section: &Section, gravity: f64, problems: &mut Problems) -> Option<(f
     }
 }
 
+/// The same for sand at a relative density between its limit densities [kg/m³].
+fn weight_of_sand(
+    section: &Section,
+    gravity: f64,
+    [loosest, densest]: [f64; 2],
+    problems: &mut Problems,
+) -> Option<(f64, f64)> {
+    for key in ["unit_weight", "density"].iter().filter(|key| section.has(key)) {
+        let message = format!("`{key}` follows from relative_density");
+        problems.add(section.at(key), message, "give one of the two");
+    }
+    let relative_density = section.number("relative_density")?;
+    let density = loosest * densest / (densest - relative_density * (densest - loosest));
+    Some((density * gravity, density))
+}
+
 fn law(section: &Section, problems: &mut Problems) -> Option<Law> {
     if !section.has("law") {
         missing(section, "law", problems);
     }
     let law = section.text("law")?;
-    match law.as_str() {
-        "mohr-coulomb" => {
-            refuse(section, &UNDRAINED, &law, problems);
-            refuse(section, &METAL, &law, problems);
-            mohr_coulomb(section, problems)
+    let own: &[&str] = match law.as_str() {
+        "mohr-coulomb" => &FRICTIONAL,
+        "sand" => &SAND,
+        "tresca" => &UNDRAINED,
+        "von-mises" => &METAL,
+        _ => &[],
+    };
+    for others in [&FRICTIONAL[..], &SAND, &UNDRAINED, &METAL] {
+        if others != own {
+            refuse(section, others, &law, problems);
         }
+    }
+    match law.as_str() {
+        "mohr-coulomb" => mohr_coulomb(section, problems),
+        "sand" => sand(section, problems),
         "tresca" => {
-            refuse(section, &FRICTIONAL, &law, problems);
-            refuse(section, &METAL, &law, problems);
             let shear_strength = required(section, "shear_strength", problems)?;
             Some(Law::Tresca { shear_strength })
         }
         "von-mises" => {
-            refuse(section, &FRICTIONAL, &law, problems);
-            refuse(section, &UNDRAINED, &law, problems);
             let yield_stress = required(section, "yield_stress", problems);
             let hardening_modulus = section.number("hardening_modulus")?;
             Some(Law::VonMises { yield_stress: yield_stress?, hardening_modulus })
         }
-        _ => {
-            refuse(section, &FRICTIONAL, &law, problems);
-            refuse(section, &UNDRAINED, &law, problems);
-            refuse(section, &METAL, &law, problems);
-            Some(Law::Elastic)
-        }
+        _ => Some(Law::Elastic),
     }
+}
+
+fn sand(section: &Section, problems: &mut Problems) -> Option<Law> {
+    let critical_friction_angle = required(section, "critical_friction_angle", problems);
+    let minimum_density = required(section, "minimum_density", problems);
+    let maximum_density = required(section, "maximum_density", problems);
+    Some(Law::Sand {
+        critical_friction_angle: critical_friction_angle?,
+        minimum_density: minimum_density?,
+        maximum_density: maximum_density?,
+        bolton_q: section.number("bolton_q")?,
+        bolton_r: section.number("bolton_r")?,
+        reference_strain: section.number("reference_strain")?,
+        compression_modulus: section.number("compression_modulus")?,
+        stiffness_limit: section.number("stiffness_limit")?,
+        characteristic_length: match section.has("characteristic_length") {
+            true => Some(section.number("characteristic_length")?),
+            false => None,
+        },
+    })
 }
 
 fn mohr_coulomb(section: &Section, problems: &mut Problems) -> Option<Law> {

@@ -14,7 +14,7 @@ pub(super) mod timing;
 use super::numbers::in_range;
 use super::path::Paths;
 use super::problem::{Problem, Problems};
-use super::resolved::Case;
+use super::resolved::{Case, Soil};
 
 /// Everything that is wrong with a case; empty for one that can be simulated.
 ///
@@ -24,6 +24,14 @@ use super::resolved::Case;
 pub fn validate(case: &Case) -> Vec<Problem> {
     let mut problems = Problems::default();
     whole(case, &mut problems);
+    problems.into_list()
+}
+
+/// Everything that is wrong with a soil by itself.
+#[must_use]
+pub fn validate_soil(soil: &Soil) -> Vec<Problem> {
+    let mut problems = Problems::default();
+    soil::soil(soil, &mut problems);
     problems.into_list()
 }
 

@@ -18,6 +18,10 @@ pub(in crate::case) fn soil(soil: &Soil, problems: &mut Problems) {
         in_range(&format!("soil.{key}"), number, problems);
     }
     law(&soil.law, problems);
+    if let Some(relative_density) = soil.relative_density() {
+        // It follows from the density: a limit that was typed comes back with a rounding error.
+        in_range("soil.relative_density", (relative_density * 1e9).round() / 1e9, problems);
+    }
     if let Law::MohrCoulomb { critical_density: Some(critical), .. } = soil.law
         && critical > soil.density
     {
@@ -38,6 +42,7 @@ pub(in crate::case) fn law(law: &Law, problems: &mut Problems) {
     }
     if problems.len() == before {
         plastic_flow(law, problems);
+        densities(law, problems);
     }
 }
 
@@ -70,6 +75,42 @@ fn law_numbers(law: &Law) -> Vec<(&'static str, f64)> {
             numbers.extend(critical_density.map(|density| ("critical_density", density)));
             numbers
         }
+        Law::Sand {
+            critical_friction_angle,
+            minimum_density,
+            maximum_density,
+            bolton_q,
+            bolton_r,
+            reference_strain,
+            compression_modulus,
+            stiffness_limit,
+            characteristic_length,
+        } => {
+            let mut numbers = vec![
+                ("critical_friction_angle", critical_friction_angle),
+                ("minimum_density", minimum_density),
+                ("maximum_density", maximum_density),
+                ("bolton_q", bolton_q),
+                ("bolton_r", bolton_r),
+                ("reference_strain", reference_strain),
+                ("compression_modulus", compression_modulus),
+                ("stiffness_limit", stiffness_limit),
+            ];
+            numbers.extend(characteristic_length.map(|length| ("characteristic_length", length)));
+            numbers
+        }
+    }
+}
+
+/// Reports a densest state that is not denser than the loosest.
+fn densities(law: &Law, problems: &mut Problems) {
+    if let Law::Sand { minimum_density, maximum_density, .. } = *law
+        && maximum_density <= minimum_density
+    {
+        let message = format!(
+            "the densest state, {maximum_density:.1} kg/m³, is not denser than the loosest, {minimum_density:.1} kg/m³"
+        );
+        problems.add("soil.maximum_density", message, "it must be above minimum_density");
     }
 }
 
@@ -129,6 +170,8 @@ pub(in crate::case) fn overburden(
     let [max, min] = [ratio.max(1.0) * overburden, ratio.min(1.0) * overburden];
     let is_sustained = match soil.law {
         Law::Elastic => true,
+        // Less than at the peak, where shear only hardens it.
+        Law::Sand { critical_friction_angle, .. } => max - min <= (max + min) * critical_friction_angle.sin(),
         Law::Tresca { shear_strength } => max - min <= 2.0 * shear_strength,
         Law::VonMises { yield_stress, .. } => max - min <= yield_stress,
         Law::MohrCoulomb { friction_angle, cohesion, .. } => {

@@ -34,6 +34,11 @@ fn soil(case: &Case) -> String {
         Law::VonMises { yield_stress, hardening_modulus } => {
             format!("von Mises, σ_y = {}, H = {}", stress(yield_stress), stress(hardening_modulus))
         }
+        Law::Sand { critical_friction_angle, .. } => format!(
+            "sand, φ_cv = {}, I_D = {}",
+            degrees(critical_friction_angle),
+            digits(soil.relative_density().unwrap_or(f64::NAN))
+        ),
         Law::MohrCoulomb {
             friction_angle, dilation_angle, cohesion, potential, critical_density, ..
         } => {

@@ -25,6 +25,8 @@ pub struct Chart {
     pub with_zero: bool,
     /// Whether both axes are logarithmic; values that are not positive are left out.
     pub logarithmic: bool,
+    /// Whether the x axis alone is logarithmic; values that are not positive are left out.
+    pub logarithmic_x: bool,
     /// The curves, the first one at the back.
     pub curves: Vec<Curve>,
     /// Shaded range of the x axis.
@@ -37,7 +39,24 @@ impl Chart {
     /// The chart as SVG text.
     #[must_use]
     pub fn svg(&self) -> String {
-        if self.logarithmic { self.in_logarithms().drawn() } else { self.drawn() }
+        match (self.logarithmic, self.logarithmic_x) {
+            (true, _) => self.in_logarithms().drawn(),
+            (false, true) => self.in_logarithms_of_x().drawn(),
+            (false, false) => self.drawn(),
+        }
+    }
+
+    /// The chart with its abscissae replaced by their logarithms.
+    fn in_logarithms_of_x(&self) -> Self {
+        let mut chart = self.clone();
+        for [x, _] in chart.curves.iter_mut().flat_map(|curve| &mut curve.points) {
+            *x = logarithm(*x);
+        }
+        for level in &mut chart.levels {
+            [level.from, level.to] = [level.from, level.to].map(logarithm);
+        }
+        chart.shaded = chart.shaded.map(|ends| ends.map(logarithm));
+        chart
     }
 
     /// The chart with its numbers replaced by their logarithms.
@@ -111,7 +130,7 @@ impl Chart {
                 bottom - top
             );
         }
-        for (tick, label) in labelled_ticks(axes.x, 6, self.logarithmic) {
+        for (tick, label) in labelled_ticks(axes.x, 6, self.logarithmic || self.logarithmic_x) {
             let x = axes.x_at(tick);
             let _ = write!(
                 svg,
@@ -217,13 +236,16 @@ mod tests {
             for stroke in [Stroke::Solid, Stroke::Dots] {
                 let curve = Curve { name: "a_b <c>".into(), points: points.clone(), colour: 99, stroke };
                 let level = Level { label: "m".into(), value: f64::NAN, from: 0.0, to: 1.0, colour: 0 };
-                for (true_scale, logarithmic) in [(false, false), (true, false), (false, true)] {
+                for (true_scale, logarithmic, logarithmic_x) in
+                    [(false, false, false), (true, false, false), (false, true, false), (false, false, true)]
+                {
                     let chart = Chart {
                         curves: vec![curve.clone()],
                         levels: vec![level.clone()],
                         shaded: Some([f64::NAN, 1.0]),
                         true_scale,
                         logarithmic,
+                        logarithmic_x,
                         ..Chart::default()
                     };
                     let svg = chart.svg();

@@ -55,7 +55,7 @@ fn cell_arrays<'a, R: Precision>(domain: &'a PlacedDomain<'a>, state: &'a State<
         DataArray::singles("mises", one, cells().map(|c| c.mises())),
         DataArray::singles("density", one, cells().map(|c| c.density())),
     ];
-    for (n, variable) in HISTORY.iter().enumerate() {
+    for (n, variable) in HISTORY.iter().enumerate().filter(|(n, _)| !state.soil.history[*n].is_empty()) {
         arrays.push(DataArray::singles(variable.name, one, cells().map(move |c| c.history(n))));
     }
     arrays

@@ -3,7 +3,7 @@
 
 use super::Real;
 use super::physics::brick::hourglass_coefficient;
-use super::physics::elastic::Elastic;
+use super::physics::elastic::{Elastic, Stiffening};
 use super::physics::law::Law;
 use super::physics::tensor::Symmetric;
 use super::physics::viscosity::BulkViscosity;
@@ -23,10 +23,17 @@ pub(crate) struct CellRow<'a> {
     pub(crate) width_z: Real,
 }
 
+/// Some cells of a history variable; none of one that the materials do not need.
+pub(crate) fn cells_of<'a>(history: &'a mut [Real], cells: &Range<usize>) -> &'a mut [Real] {
+    if history.is_empty() { history } else { &mut history[cells.clone()] }
+}
+
 /// A material, in the precision of the kernels.
 #[derive(Debug)]
 pub struct MaterialConstants {
     pub(super) elastic: Elastic,
+    /// How they grow with the pressure, if they do.
+    pub(super) stiffening: Option<Stiffening>,
     pub(super) yield_law: Option<Law>,
     /// Critical density, below which soil no longer dilates [kg/m³]; 0 for none.
     pub(super) critical_density: Real,
@@ -45,6 +52,7 @@ impl MaterialConstants {
         );
         Self {
             elastic: Elastic::cast(&material.elastic),
+            stiffening: material.stiffening().as_ref().map(Stiffening::cast),
             yield_law: material.yield_law.as_ref().map(Law::cast),
             critical_density: material.critical_density.unwrap_or(0.0) as Real,
             viscosity: BulkViscosity::cast(&material.viscosity(method.bulk_viscosity)),

@@ -5,7 +5,8 @@ use crate::grid::{Grid, LANES};
 use crate::material::Material;
 use crate::model::Model;
 use multiversion::multiversion;
-use physics::elastic::Elastic;
+use physics::elastic::{Elastic, Stiffening};
+use physics::tensor::Symmetric;
 
 /// Elastic energy of the soil in row `q` of a memory plane [J].
 pub(crate) fn elastic(model: &Model, soil: &Soil, [q, plane]: [usize; 2]) -> f64 {
@@ -20,21 +21,44 @@ pub(crate) fn elastic(model: &Model, soil: &Soil, [q, plane]: [usize; 2]) -> f64
     let stress = soil.stress.each_ref().map(|s| &s[own.clone()]);
     let (faces, fraction) = (&grid.faces[0][columns.start..=columns.end], &soil.fraction[own.clone()]);
     if let [material] = model.materials.as_slice() {
-        return elastic_row(&material.elastic, (faces, fraction), stress, across);
+        return elastic_row(material, (faces, fraction), stress, across);
     }
     let of_material = |(number, material): (usize, &Material)| {
         let each = fraction.iter().zip(own.clone());
         let own: Vec<Real> =
             each.map(|(f, c)| if soil.main_material(c) == number { *f } else { 0.0 }).collect();
-        elastic_row(&material.elastic, (faces, &own), stress, across)
+        elastic_row(material, (faces, &own), stress, across)
     };
     model.materials.iter().enumerate().map(of_material).sum()
 }
 
 /// Cells beyond the last face count nothing.
+fn elastic_row(material: &Material, cells: (&[f64], &[Real]), stress: [&[Real]; 6], across: f64) -> f64 {
+    match material.stiffening() {
+        Some(stiffening) => stiffening_row((&material.elastic, &stiffening), cells, stress, across),
+        None => linear_row(&material.elastic, cells, stress, across),
+    }
+}
+
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn elastic_row(
-    elastic: &Elastic,
+fn linear_row(elastic: &Elastic, cells: (&[f64], &[Real]), stress: [&[Real]; 6], across: f64) -> f64 {
+    sum_of_row(|stress| elastic.energy(stress), cells, stress, across)
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn stiffening_row(
+    (elastic, stiffening): (&Elastic, &Stiffening),
+    cells: (&[f64], &[Real]),
+    stress: [&[Real]; 6],
+    across: f64,
+) -> f64 {
+    sum_of_row(|stress| stiffening.energy(*elastic, stress), cells, stress, across)
+}
+
+/// Sum over a row of the energies from their densities.
+#[inline(always)]
+fn sum_of_row(
+    density: impl Fn(Symmetric) -> f64,
     (faces, fraction): (&[f64], &[Real]),
     stress: [&[Real]; 6],
     across: f64,
@@ -56,7 +80,7 @@ fn elastic_row(
                 f64::from(yz[l]),
                 f64::from(xz[l]),
             ];
-            lanes[l] += f64::from(f[l]) * (width[l] * across) * elastic.energy(stress);
+            lanes[l] += f64::from(f[l]) * (width[l] * across) * density(stress);
         }
     }
     total_of(lanes)

@@ -5,7 +5,7 @@
 //! worker reads what another writes. Only the first rows of nodes of each worker, one more than a plane has,
 //! must wait for the cells below or behind them, which belong to another worker.
 
-use super::cells::{CellRow, MaterialConstants, RowConstants, runs};
+use super::cells::{CellRow, MaterialConstants, RowConstants, cells_of, runs};
 use super::nodes::{NodeConstants, NodeRow, finish_row, gather_forces, move_row};
 use super::stress::{NodeRows, strain_cells};
 use super::{Coefficients, Real, Soil, State, WorkerScratch, Workspace};
@@ -239,7 +239,7 @@ fn strain_row_of(inputs: &Inputs, slice: &mut WorkerSlice, [q, plane]: [usize; 2
         fraction: &inputs.fraction[start..start + length],
         mass: &inputs.soil_mass[start..start + length],
         stress: slice.stress.each_mut().map(|s| &mut s[own.clone()]),
-        history: slice.history.each_mut().map(|h| &mut h[own.clone()]),
+        history: slice.history.each_mut().map(|h| cells_of(h, &own)),
         width_y: grid.width(1, q - 1) as Real,
         width_z: grid.width(2, plane - 1) as Real,
     };

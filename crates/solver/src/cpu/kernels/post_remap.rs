@@ -1,6 +1,6 @@
 //! The end of the Eulerian stage: from carried volumes back to volume fractions and admissible stresses.
 
-use super::cells::{BLOCK, Block, CellRow, MaterialConstants, RowConstants, runs};
+use super::cells::{BLOCK, Block, CellRow, MaterialConstants, RowConstants, cells_of, runs};
 use super::physics::tensor::mean;
 use super::return_mapping::apply;
 use super::{Real, Soil, WorkerScratch, Workspace};
@@ -83,7 +83,7 @@ fn update_slice(inputs: &Inputs, slice: &mut WorkerSlice) {
             fraction,
             mass,
             stress: slice.stress.each_mut().map(|s| &mut s[own.clone()]),
-            history: slice.history.each_mut().map(|h| &mut h[own.clone()]),
+            history: slice.history.each_mut().map(|h| cells_of(h, &own)),
             width_y: grid.width(1, q - 1) as Real,
             width_z: grid.width(2, plane - 1) as Real,
         };
@@ -135,7 +135,7 @@ pub(crate) fn update_cell(model: &Model, soil: &mut Soil, workspace: &mut Worksp
         fraction: &soil.fraction[own.clone()],
         mass: &soil.mass[own.clone()],
         stress: soil.stress.each_mut().map(|s| &mut s[own.clone()]),
-        history: soil.history.each_mut().map(|h| &mut h[own.clone()]),
+        history: soil.history.each_mut().map(|h| cells_of(h, &own)),
         width_y: grid.width(1, j) as Real,
         width_z: grid.width(2, k) as Real,
     };
@@ -161,11 +161,12 @@ fn close_gaps(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
     let own = start..start + n;
     let (fraction, gap_strain) = (&cells.fraction[own.clone()], &cells.history[GAP_STRAIN][own.clone()]);
     let stress = cells.stress.each_ref().map(|s| &s[own.clone()]);
-    let bulk = constants.material.elastic.bulk;
+    let (bulk, stiffening) = (constants.material.elastic.bulk, constants.material.stiffening);
     for i in 0..n {
         let [xx, yy, zz, xy, yz, xz] = [0, 1, 2, 3, 4, 5].map(|c| stress[c][i]);
         let gap = if gap_strain[i] > 0.0 { gap_strain[i] } else { 0.0 };
         let pressure = -mean([xx, yy, zz, xy, yz, xz]);
+        let bulk = stiffening.map_or(bulk, |stiffening| bulk * stiffening.factor(pressure));
         let closes = (gap > 0.0) & (pressure > 0.0);
         let most = pressure / bulk;
         let closed = if gap < most { gap } else { most };
@@ -192,7 +193,8 @@ fn put_back(cells: &mut CellRow, b: &Block) {
     }
     cells.history[GAP_STRAIN][own.clone()].copy_from_slice(&b.gap_strain[..n]);
     let fraction = &cells.fraction[own.clone()];
-    for (history, variable) in cells.history.iter_mut().zip(HISTORY) {
+    let needed = cells.history.iter_mut().zip(HISTORY).filter(|(history, _)| !history.is_empty());
+    for (history, variable) in needed {
         let history = &mut history[own.clone()];
         for i in 0..n {
             let stays = if variable.outlives_stress { fraction[i] } else { b.bears_stress[i] };

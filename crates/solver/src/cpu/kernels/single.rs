@@ -29,6 +29,8 @@ pub(crate) mod lagrange;
 mod lanes;
 #[path = "nodes.rs"]
 mod nodes;
+#[path = "nonlocal.rs"]
+pub(crate) mod nonlocal;
 #[path = "post_remap.rs"]
 pub(crate) mod post_remap;
 #[path = "return_mapping.rs"]

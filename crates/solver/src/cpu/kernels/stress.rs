@@ -8,7 +8,8 @@
 use super::cells::{BLOCK, Block, CellRow, Lane, RowConstants};
 use super::lanes::lane_sum;
 use super::physics::brick::Sums;
-use super::physics::tensor::{Symmetric, deviator, jaumann};
+use super::physics::elastic::{Elastic, Stiffening};
+use super::physics::tensor::{Symmetric, deviator, jaumann, mean};
 use super::physics::viscosity::strained_width;
 use super::return_mapping::apply;
 use super::{LANES, Real};
@@ -38,7 +39,10 @@ pub(crate) fn strain_cells(
     for start in run.clone().step_by(size) {
         (block.start, block.n) = (start, size.min(run.end - start));
         corner_sums(nodes, block);
-        trial_stress(constants, cells, block);
+        match &constants.material.stiffening {
+            Some(stiffening) => stiffening_trial_stress(constants, stiffening, cells, block),
+            None => linear_trial_stress(constants, cells, block),
+        }
         if let Some(yield_law) = &constants.material.yield_law {
             stopwatch.lap(Stage::Lagrange);
             let returned = apply(constants, yield_law, cells, block);
@@ -88,7 +92,30 @@ fn component_sums(v: [&[Real]; 4], plain: &mut Lane, [x, y, z]: &mut [Lane; 3], 
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
-fn trial_stress(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
+fn linear_trial_stress(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
+    let elastic = constants.material.elastic;
+    trial_stress(constants, |_| elastic, cells, b);
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn stiffening_trial_stress(
+    constants: &RowConstants,
+    stiffening: &Stiffening,
+    cells: &CellRow,
+    b: &mut Block,
+) {
+    let elastic = constants.material.elastic;
+    trial_stress(constants, |stress| stiffening.moduli(elastic, -mean(stress)), cells, b);
+}
+
+/// Trial stresses of a block, with the moduli at the stress before.
+#[inline(always)]
+fn trial_stress(
+    constants: &RowConstants,
+    moduli: impl Fn(Symmetric) -> Elastic,
+    cells: &CellRow,
+    b: &mut Block,
+) {
     let (start, n) = (b.start, b.n.min(BLOCK));
     let own = start..start + n;
     let (per_width, fraction) = (&constants.per_width_x[own.clone()], &cells.fraction[own.clone()]);
@@ -96,7 +123,7 @@ fn trial_stress(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
     let [xx, yy, zz, xy, yz, xz] = &cells.stress;
     let (old_xx, old_yy, old_zz) = (&xx[own.clone()], &yy[own.clone()], &zz[own.clone()]);
     let (old_xy, old_yz, old_xz) = (&xy[own.clone()], &yz[own.clone()], &xz[own]);
-    let (dt, elastic) = (constants.dt, constants.material.elastic);
+    let dt = constants.dt;
     let (per_y, per_z) = (0.25 / cells.width_y, 0.25 / cells.width_z);
     for i in 0..n {
         let per_x = per_width[i];
@@ -116,6 +143,7 @@ fn trial_stress(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
         let volume_strain = if has_gap { closing } else { volumetric * dt };
         b.gap_strain[i] = if stays_open & stressed { open } else { 0.0 };
         let old = [old_xx[i], old_yy[i], old_zz[i], old_xy[i], old_yz[i], old_xz[i]];
+        let elastic = moduli(old);
         let shear = deviator(strain_rate);
         let rotation = jaumann(old, spin);
         let hydrostatic = elastic.bulk * volume_strain;

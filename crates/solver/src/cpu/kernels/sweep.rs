@@ -92,8 +92,9 @@ pub(crate) fn sweep(
     team.rows(partition, reach, |row, out| sweep.reaches(row, [flux, fraction, soil], out));
     let spare = fraction;
     let faces: [&[Real]; 2] = [flux, reach];
+    let needed = history.iter_mut().zip(HISTORY).filter(|(field, _)| !field.is_empty());
     let (by_volume, by_mass): (Vec<_>, Vec<_>) =
-        history.iter_mut().zip(HISTORY).partition(|(_, variable)| variable.carrier == Carrier::Volume);
+        needed.partition(|(_, variable)| variable.carrier == Carrier::Volume);
     let fields = |list: Vec<(_, HistoryVariable)>| list.into_iter().map(|(field, _)| field);
     for field in stress.iter_mut().chain(fields(by_volume)).chain(composition) {
         team.rows(partition, spare, |row, out| sweep.carry(row, [soil, field], faces, out));

@@ -1,0 +1,230 @@
+//! The nonlocal relative density of soil with a characteristic length, which regularises its softening.
+//!
+//! Volume of the soil and relative density are averaged with the weight exp(−r²/l²), l the length, by compact passes of
+//! conservative diffusion along each axis: no soil is averaged beyond walls and planes of symmetry, cells may have any widths,
+//! and blocks only need their neighbours. A cell keeps [`OVERWEIGHT`] times what the average differs by from its own value.
+
+use super::physics::law::Law;
+use super::physics::sand::Sand;
+use super::{Real, Soil, Workspace};
+use crate::fields::NONLOCAL_DENSITY;
+use crate::grid::Grid;
+use crate::halo::{self, At, Halo};
+use crate::model::Model;
+
+/// Weight of the average in the nonlocal value. Above 1 it limits the width of bands from below (Vermeer & Brinkgreve 1994).
+const OVERWEIGHT: Real = 1.5;
+/// Largest diffusion number of a pass: above ½ it would not be monotonic; ⅓ averages three cells alike.
+const MOST_DIFFUSION: f64 = 1.0 / 3.0;
+
+/// A pass along an axis: what a cell takes over of the differences to its lower and its higher neighbour.
+struct Pass {
+    axis: usize,
+    weights: Vec<[Real; 2]>,
+}
+
+/// The soil that is averaged: its material, and where it is.
+struct Averaged<'a> {
+    grid: &'a Grid,
+    law: &'a Sand,
+    material: usize,
+}
+
+/// Renews the nonlocal densities of the soil of the first material with a characteristic length.
+pub(crate) fn average(model: &Model, soil: &mut Soil, workspace: &mut Workspace, halo: &mut dyn Halo) {
+    let found = model.materials.iter().enumerate().find_map(|(n, m)| Some((n, m.characteristic_length?)));
+    let Some((material, length)) = found else { return };
+    let Some(Law::Sand(law)) = workspace.materials[material].yield_law else { return };
+    let averaged = Averaged { grid: &model.grid, law: &law, material };
+    let (passes, count) = passes(&model.grid, length);
+    let [mut own, mut other] = std::mem::take(&mut workspace.averages);
+    for field in own.iter_mut().chain(&mut other) {
+        field.resize(model.grid.entries, 0.0);
+    }
+    averaged.collect(soil, workspace, &mut own);
+    for pass in (0..count).flat_map(|_| &passes) {
+        halo::fill(halo, &model.grid, At::Cells, &mut own);
+        averaged.spread(workspace, pass, &own, &mut other);
+        std::mem::swap(&mut own, &mut other);
+    }
+    averaged.store(soil, workspace, &own);
+    halo::fill(halo, &model.grid, At::Cells, [&mut soil.history[NONLOCAL_DENSITY]]);
+    workspace.averages = [own, other];
+}
+
+/// The passes along the axes, and how often they are repeated.
+fn passes(grid: &Grid, length: f64) -> (Vec<Pass>, usize) {
+    let variance = 0.5 * length * length;
+    let count = (0.5 * variance / (MOST_DIFFUSION * grid.finest().powi(2))).ceil().max(1.0);
+    let diffusion = 0.5 * variance / count;
+    let axes = (0..3).filter(|axis| grid.whole_cells()[*axis] > 1);
+    let passes = axes.map(|axis| {
+        let width: Vec<f64> = (0..grid.cells()[axis]).map(|n| grid.width(axis, n)).collect();
+        let across = |low: usize| diffusion / (0.5 * (width[low] + width[low + 1]));
+        let weights = (0..width.len()).map(|n| {
+            let low = if n > 0 { across(n - 1) / width[n] } else { 0.0 };
+            let high = if n + 1 < width.len() { across(n) / width[n] } else { 0.0 };
+            [low, high].map(|weight| weight as Real)
+        });
+        Pass { axis, weights: weights.collect() }
+    });
+    (passes.collect(), count as usize)
+}
+
+impl Averaged<'_> {
+    /// Layers of a row along y and z, counted from 1; `None` for ghosts.
+    fn layers(&self, row: usize) -> Option<[usize; 2]> {
+        let [_, ny, nz] = self.grid.cells();
+        let [q, plane] = self.grid.row_and_plane(row);
+        ((1..=ny).contains(&q) && (1..=nz).contains(&plane)).then_some([q, plane])
+    }
+
+    /// Volume fraction of the soil of the material, and its relative density times that.
+    fn collect(&self, soil: &Soil, workspace: &Workspace, [fractions, densities]: &mut [Vec<Real>; 2]) {
+        let Workspace { team, partition, material, width_x, .. } = workspace;
+        team.rows2(partition, fractions, densities, |row, fraction, density| {
+            fraction.fill(0.0);
+            density.fill(0.0);
+            let Some([q, plane]) = self.layers(row) else { return };
+            let start = row * partition.stride;
+            let area = (self.grid.width(1, q - 1) * self.grid.width(2, plane - 1)) as Real;
+            for i in 1..=self.grid.cells()[0] {
+                let c = start + i;
+                if soil.fraction[c] > 0.0
+                    && (material.is_empty() || usize::from(material[c]) == self.material)
+                {
+                    let volume = soil.fraction[c] * width_x[0][i] * area;
+                    fraction[i] = soil.fraction[c];
+                    density[i] = soil.fraction[c] * self.law.relative_density(soil.mass[c] / volume);
+                }
+            }
+        });
+    }
+
+    /// One pass of diffusion.
+    fn spread(&self, workspace: &Workspace, pass: &Pass, from: &[Vec<Real>; 2], to: &mut [Vec<Real>; 2]) {
+        let Workspace { team, partition, .. } = workspace;
+        let (nx, stride) = (self.grid.cells()[0], self.grid.stride[pass.axis]);
+        let [first, second] = to;
+        team.rows2(partition, first, second, |row, first, second| {
+            let Some(layers) = self.layers(row) else { return };
+            let start = row * partition.stride + 1;
+            for (from, to) in from.iter().zip([first, second]) {
+                let [low, own, high] =
+                    [start - stride, start, start + stride].map(|first| &from[first..first + nx]);
+                let to = &mut to[1..=nx];
+                if pass.axis == 0 {
+                    for i in 0..nx {
+                        let [down, up] = pass.weights[i];
+                        to[i] = own[i] + down * (low[i] - own[i]) + up * (high[i] - own[i]);
+                    }
+                } else {
+                    let [down, up] = pass.weights[layers[pass.axis - 1] - 1];
+                    for i in 0..nx {
+                        to[i] = own[i] + down * (low[i] - own[i]) + up * (high[i] - own[i]);
+                    }
+                }
+            }
+        });
+    }
+
+    /// Enters the difference between the average and the own relative density of each cell.
+    fn store(&self, soil: &mut Soil, workspace: &Workspace, [fractions, densities]: &[Vec<Real>; 2]) {
+        let Workspace { team, partition, material, width_x, .. } = workspace;
+        let Soil { fraction, mass, history, .. } = soil;
+        team.rows(partition, &mut history[NONLOCAL_DENSITY], |row, out| {
+            out.fill(0.0);
+            let Some([q, plane]) = self.layers(row) else { return };
+            let start = row * partition.stride;
+            let area = (self.grid.width(1, q - 1) * self.grid.width(2, plane - 1)) as Real;
+            for i in 1..=self.grid.cells()[0] {
+                let c = start + i;
+                if fraction[c] > 0.0 && (material.is_empty() || usize::from(material[c]) == self.material) {
+                    let own = self.law.relative_density(mass[c] / (fraction[c] * width_x[0][i] * area));
+                    out[i] = OVERWEIGHT * (densities[c] / fractions[c] - own);
+                }
+            }
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::halo::Whole;
+    use crate::initial::{Filling, at_rest};
+    use crate::material::Material;
+    use crate::scalar::Scalar;
+    use glam::DVec3;
+    use physics::double as exact;
+    use std::f64::consts::FRAC_1_SQRT_2;
+
+    /// Weightless dense sand in a box of cells that widen along x, with a characteristic length [m].
+    fn model(length: f64) -> Model {
+        let elastic = exact::elastic::Elastic::new(5e6, 0.3);
+        let parameters = exact::sand::SandParameters {
+            critical_friction: 0.56,
+            limit_density: [1350.0, 1650.0],
+            bolton: [10.0, 0.7],
+            reference_strain: 0.002,
+            compression_modulus: 32e6,
+        };
+        let stiffening = exact::elastic::Stiffening { least: 1e3, most: 2e4 };
+        let law = exact::sand::Sand::new(elastic, stiffening, &parameters);
+        let material = Material {
+            yield_law: Some(exact::law::Law::Sand(law)),
+            characteristic_length: Some(length),
+            ..Material::linear_elastic(elastic, 1550.0)
+        };
+        let x = (0..=60)
+            .map(|n| {
+                let s = f64::from(n - 30);
+                0.01 * s + 2e-5 * s * s * s.signum()
+            })
+            .collect();
+        let y = (0..=3).map(|n| 0.01 * f64::from(n)).collect();
+        let z = (0..=60).map(|n| 0.01 * f64::from(n - 30)).collect();
+        Model::bare(Grid::padded([x, y, z], Real::LANES), material)
+    }
+
+    #[test]
+    fn even_sand_keeps_its_density_and_a_disturbance_spreads_over_the_length() {
+        const LENGTH: f64 = 0.06;
+        let model = model(LENGTH);
+        let everywhere = Filling::between(DVec3::splat(-1e9), DVec3::splat(1e9));
+        let mut state = at_rest::<Real>(&model, &everywhere);
+        let mut workspace = Workspace::new(&model, &state, 2);
+        average(&model, &mut state.soil, &mut workspace, &mut Whole);
+        let most = |field: &[Real]| field.iter().fold(0.0, |most: Real, x| most.max(x.abs()));
+        assert!(most(&state.soil.history[NONLOCAL_DENSITY]) < 1e-4);
+
+        // One cell across the box a little denser: its average is a Gaussian of the length.
+        let Some(Law::Sand(law)) = workspace.materials[0].yield_law else { panic!("no sand") };
+        let grid = &model.grid;
+        for j in 0..3 {
+            state.soil.mass[grid.index(30, j, 30)] *= 1.02;
+        }
+        average(&model, &mut state.soil, &mut workspace, &mut Whole);
+        let density = |c: usize| law.relative_density(state.soil.mass[c] / grid.volume_of(c) as Real);
+        let undisturbed = f64::from(density(grid.index(0, 1, 0)));
+        let (mut sum, mut spread) = (0.0, [0.0; 2]);
+        for k in 0..60 {
+            for i in 0..60 {
+                let c = grid.index(i, 1, k);
+                let mean = f64::from(state.soil.history[NONLOCAL_DENSITY][c] / OVERWEIGHT + density(c));
+                let amount = (mean - undisturbed) * grid.volume_of(c);
+                let x = grid.centre(0, i) - grid.centre(0, 30);
+                sum += amount;
+                spread[0] += amount * x * x;
+                spread[1] += amount * grid.centre(2, k).powi(2);
+            }
+        }
+        let c = grid.index(30, 1, 30);
+        let added = (f64::from(density(c)) - undisturbed) * grid.volume_of(c);
+        assert!((sum / added - 1.0).abs() < 0.01, "{sum} of {added}");
+        for spread in spread {
+            let deviation = (spread / sum).sqrt();
+            assert!((deviation / (LENGTH * FRAC_1_SQRT_2) - 1.0).abs() < 0.05, "{deviation}");
+        }
+    }
+}
