@@ -1,4 +1,4 @@
-//! Effects of soil laws on a whole run.
+//! Soils of case files, and their effects on a whole run.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 use coulter::case;
@@ -32,4 +32,19 @@ fn dense_sand_stops_dilating_at_its_critical_density() {
     let (ends, goes_on) = (least_density(&["soil.critical_density=1580 kg/m^3"]), least_density(&[]));
     assert!(ends > 0.97 * 1580.0 && ends < 1600.0, "{ends}");
     assert!(goes_on < 0.9 * 1580.0, "{goes_on}");
+}
+
+#[test]
+fn a_word_is_a_relative_density() {
+    let with = |density: &str| {
+        let typed = format!("relative_density = {density}");
+        let text = include_str!("../../../cases/cmu_plate.toml");
+        let text = text.replace("unit_weight = \"13.03 kN/m^3\"", &typed);
+        case::parse(&text, "case.toml", &[]).map(|case| case.soil.relative_density().unwrap())
+    };
+    for (typed, expected) in [("\"loose\"", 0.25), ("\"very dense\"", 0.9), ("0.4", 0.4)] {
+        assert!((with(typed).unwrap() - expected).abs() < 1e-12, "{typed}");
+    }
+    let refusal = format!("{:?}", with("\"fluffy\"").unwrap_err());
+    assert!(refusal.contains("medium dense"), "{refusal}");
 }

@@ -69,6 +69,10 @@ fn kind(kind: &Kind) -> String {
         Kind::Vector(measure) => format!("2 or 3 values, each {}", measure.name),
         Kind::Modulus(offset) => format!("a modulus: `\"102 kN/m^(n+{offset})\"`"),
         Kind::Friction => "number, or `\"rough\"`".into(),
+        Kind::RelativeDensity => {
+            let words = words::DENSITIES.map(|(word, density)| format!("`\"{word}\"` ({density})"));
+            format!("number, or {}", words.join(", "))
+        }
         Kind::WallPair => format!("two of {}", listed(&words::WALLS)),
         Kind::Follow => "`{ body = \"disc\", axes = \"x\" }`".into(),
         Kind::Motion { still, speed, load } => {

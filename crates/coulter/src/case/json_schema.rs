@@ -1,7 +1,7 @@
 //! The JSON schema of a case file, generated from the tables of keys: editors use it to complete and check case files.
 
 use super::format::FORMAT;
-use super::keys::words::WALLS;
+use super::keys::words::{DENSITIES, WALLS};
 use super::keys::{self, AllowedRange, Bound, DefaultValue, Key, KeyTable, Kind};
 use super::quantity::TURN_RATE;
 use serde_json::{Map, Value, json};
@@ -118,6 +118,9 @@ fn kind(key: &Key) -> Value {
         Kind::Friction => json!({ "anyOf": [
             number("number", key.range), { "const": "rough" },
             { "type": "string", "pattern": "±", "examples": ["0.3 ± 0.05"] },
+        ] }),
+        Kind::RelativeDensity => json!({ "anyOf": [
+            number("number", key.range), { "enum": DENSITIES.map(|(word, _)| word) },
         ] }),
         Kind::WallPair => {
             json!({ "type": "array", "items": { "enum": WALLS }, "minItems": 2, "maxItems": 2 })

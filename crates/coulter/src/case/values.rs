@@ -1,7 +1,7 @@
 //! From a value of the tree to a value of the kind that its key requires, in SI units; or what is wrong with it.
 
 use super::format;
-use super::keys::words::WALLS;
+use super::keys::words::{DENSITIES, WALLS};
 use super::keys::{DefaultValue, FOLLOW, Key, Kind, MOTION};
 use super::names::nearest;
 use super::numbers::{in_range, in_range_or_infinite};
@@ -38,6 +38,7 @@ pub(super) fn value(node: &Value, kind: &Kind, path: &str, problems: &mut Proble
         Kind::Choice(words) => current_word(node, path).and_then(|()| choice(node, words)).map(Given::Text),
         Kind::Modulus(offset) => modulus(node, *offset).map(Given::Number),
         Kind::Friction => friction(node).map(Given::Number),
+        Kind::RelativeDensity => relative_density(node).map(Given::Number),
         Kind::Range(measure) => list(node, measure, 2..=2).map(Given::List),
         Kind::Vector(measure) => list(node, measure, 2..=3).map(Given::List),
         Kind::WallPair => walls(node).map(Given::Words),
@@ -165,6 +166,21 @@ fn friction(node: &Value) -> Read<f64> {
             "write a coefficient such as 0.3, or \"rough\" for no slip",
         ),
     }
+}
+
+fn relative_density(node: &Value) -> Read<f64> {
+    let Value::Text(text) = node else { return number(node) };
+    let found = DENSITIES.iter().find(|(word, _)| word == text);
+    found.map(|(_, density)| *density).map_or_else(
+        || {
+            let words = DENSITIES.map(|(word, density)| format!("\"{word}\" ({density})")).join(", ");
+            complain(
+                format!("expected a number or a word, found \"{text}\""),
+                format!("write a number such as 0.4, or one of {words}"),
+            )
+        },
+        Ok,
+    )
 }
 
 fn list(node: &Value, measure: &Measure, lengths: RangeInclusive<usize>) -> Read<Vec<f64>> {

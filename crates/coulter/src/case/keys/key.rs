@@ -31,6 +31,8 @@ pub enum Kind {
     Modulus(i32),
     /// A number, or the word `rough`.
     Friction,
+    /// A number, or a word such as `loose`.
+    RelativeDensity,
     /// The boundary conditions at the low and at the high end.
     WallPair,
     /// What the grid follows: a table with a body and axes.

@@ -21,7 +21,7 @@ pub(super) const SOIL: &[Key] = &[
     key("critical_friction_angle", Kind::Quantity(ANGLE), Derived("required for sand"), "Friction angle of the critical state in triaxial compression φ_cv; about the angle of repose (sand).").within(ACUTE),
     key("minimum_density", Kind::Quantity(DENSITY), Derived("required for sand"), "Dry density in the loosest state, at e_max (sand).").within(POSITIVE),
     key("maximum_density", Kind::Quantity(DENSITY), Derived("required for sand"), "Dry density in the densest state, at e_min (sand).").within(POSITIVE),
-    key("relative_density", Kind::Number, Derived("from the density"), "Relative density I_D at the start, instead of `density` or `unit_weight`; below 0 for sand looser than e_max (sand).").within(RELATIVE_DENSITY),
+    key("relative_density", Kind::RelativeDensity, Derived("from the density"), "Relative density I_D at the start, instead of `density` or `unit_weight`; below 0 for sand looser than e_max (sand).").within(RELATIVE_DENSITY),
     key("bolton_q", Kind::Number, Number(10.0), "Bolton's Q: 10 for quartz and feldspar, 8 for limestone (sand).").within(POSITIVE),
     key("bolton_r", Kind::Number, Number(0.7), "Bolton's R: relative density of the critical state at low pressure over 1/(Q − 5) (sand).").within(NOT_NEGATIVE),
     key("reference_strain", Kind::Number, Number(0.002), "Plastic shear strain at which half of the strength is mobilised, at I_D = 0.5 and up to 20 kPa (sand).").within(POSITIVE),

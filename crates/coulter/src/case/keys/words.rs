@@ -8,6 +8,9 @@ pub const LAWS: [&str; 5] = ["mohr-coulomb", "sand", "tresca", "von-mises", "ela
 pub const SHAPES: [&str; 4] = ["disc", "block", "cylinder", "sphere"];
 /// Axes of a cylinder.
 pub const AXES: [&str; 3] = ["x", "y", "z"];
+/// Words for the relative density of sand: about the middle of each class of ISO 14688-2.
+pub const DENSITIES: [(&str, f64); 5] =
+    [("very loose", 0.1), ("loose", 0.25), ("medium dense", 0.5), ("dense", 0.75), ("very dense", 0.9)];
 /// Axes along which a grid can follow a body.
 pub const FOLLOWED: [&str; 7] = ["x", "y", "z", "xy", "xz", "yz", "xyz"];
 /// Flow potentials of the Mohr–Coulomb law.
