@@ -189,8 +189,11 @@ fn soil(case: &Case, body: &Towed, remarks: &mut Vec<String>) -> Result<Soil, St
             ));
             (friction_angle, dilation_angle, 0.0)
         }
-        Law::Elastic => {
-            return Err("the soil is elastic and never fails; the closed forms are for soil that does".into());
+        other => {
+            let kind = other.kind();
+            return Err(format!(
+                "the soil is {kind}; the closed forms are for sand, Mohr-Coulomb soil and undrained clay"
+            ));
         }
     };
     if unit_weight <= 0.0 && friction_angle > 0.0 {
