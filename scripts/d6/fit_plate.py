@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Fits the sand of validation/D6_wheel to the plate by the rule of its README.
 
-usage: fit_plate.py COULTER OUT [RUNS AT ONCE]
+usage: fit_plate.py COULTER OUT [RUNS AT ONCE [RULE]]
 
-Runs cases/cmu_plate.toml with COULTER, keeps results in OUT, and prints each set with its residuals, then the best set and the eight ends of the
+RULE is 1 or 2 (the default): the priors. Runs cases/cmu_plate.toml with COULTER, keeps results in OUT, and prints each set with its residuals, then the best set and the eight ends of the
 ellipsoid of sets that fit equally well.
 """
 import csv
@@ -22,9 +22,12 @@ MEASURED = [22.1, 51.4, 87.9, 134.7, 192.8]  # N
 SCATTER = 0.1  # of ln F
 GRAINS = 2650.0  # kg/m^3
 DENSEST = 0.63  # e_min/e_max
-# Priors of the second rule: phi_cv [deg], e_max, ln(a/0.002), ln(K_c/32 MPa)
-MIDDLE = np.array([33.0, 1.03, 0.0, 0.0])
-SPREAD = np.array([3.0, 0.05, math.log(3.0), math.log(3.0)])
+# Middle and standard deviation of the priors, by rule: phi_cv [deg], e_max, ln(a/0.002), ln(K_c/32 MPa)
+PRIORS = {
+    1: ([31.0, 1.02, 0.0, 0.0], [1.5, 0.03, math.log(2.0), math.log(1.5)]),
+    2: ([33.0, 1.03, 0.0, 0.0], [3.0, 0.05, math.log(3.0), math.log(3.0)]),
+}
+MIDDLE, SPREAD = map(np.array, PRIORS[int(sys.argv[4]) if len(sys.argv) > 4 else 2])
 
 
 def overrides(unknowns):

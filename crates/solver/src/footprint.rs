@@ -3,7 +3,8 @@
 
 use crate::contact::{BodyCell, ContactNode, kept_per_constraint, layout, rim, stays_across};
 use crate::cpu::workspace;
-use crate::fields::ARRAYS;
+use crate::fields::{ARRAYS, MEMORY_COUNT};
+use crate::material::Material;
 use crate::model::{BodyModel, Model};
 use crate::scalar::Scalar;
 use crate::state::Contact;
@@ -36,19 +37,20 @@ const NODES_PER_CONSTRAINT: f64 = 2.5;
 #[must_use]
 pub fn footprint<R: Scalar>(model: &Model, threads: usize, moved: &[DVec3]) -> Footprint {
     let grid = &model.grid;
-    let [fields, fields_of_soil] = self::fields::<R>(grid.entries, model.materials.len());
+    let [fields, fields_of_soil] = self::fields::<R>(model);
     let per_surface_point = size_of::<(DVec3, u32, u16)>() as f64;
     let per_constraint = per_constraint(size_of::<ContactNode>()) + kept_per_constraint(model);
     let [contact, layout] = contact(model, moved, [per_surface_point, per_constraint]);
-    let workspace = workspace::footprint::<R>(grid, workspace::team_size(grid, threads));
+    let workspace = workspace::footprint::<R>(model, workspace::team_size(grid, threads));
     let body_cells = body_cells(model) * size_of::<BodyCell>() as f64;
     Footprint { fields, fields_of_soil, workspace, contact: contact + body_cells, layout }
 }
 
-/// Fields of a state whose grid has `entries` entries, and those that are written only where there is soil.
-fn fields<R>(entries: usize, materials: usize) -> [f64; 2] {
-    let arrays = (ARRAYS + materials - 1) as f64;
-    let one = (entries * size_of::<R>()) as f64;
+/// Fields of a state, and those that are written only where there is soil.
+fn fields<R>(model: &Model) -> [f64; 2] {
+    let memory = if model.materials.iter().any(Material::remembers) { MEMORY_COUNT } else { 0 };
+    let arrays = (ARRAYS + memory + model.materials.len() - 1) as f64;
+    let one = (model.grid.entries * size_of::<R>()) as f64;
     [arrays * one, (arrays - WRITTEN) * one]
 }
 

@@ -154,6 +154,12 @@ pub const FRACTION_STRESSED: f64 = 1e-3;
 pub const FRACTION_KEPT: f64 = 1e-6;
 
 impl Model {
+    /// Whether the density of a material is averaged over a length.
+    #[must_use]
+    pub fn has_characteristic_length(&self) -> bool {
+        self.materials.iter().any(|material| material.characteristic_length.is_some())
+    }
+
     /// Weightless soil between smooth walls, without bodies: what a test or a benchmark starts from.
     #[must_use]
     pub fn bare(grid: Grid, material: Material) -> Self {

@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{below, sand, uniform};
+use common::{below, dense_sand, sand, uniform};
 use glam::DVec3;
 use mechanics::{Inertia, Motion, Pose};
 use physics::shape::{Block, Disc, Shape};
@@ -77,6 +77,19 @@ fn assert_predicted<R: Precision>(threads: usize) {
         );
         let points = surface_points(&model, &model.bodies[0]);
         assert!(state.contacts.len() as f64 > 0.3 * points && state.contacts.len() as f64 <= points);
+    }
+}
+
+#[test]
+fn sand_with_a_characteristic_length_needs_more() {
+    for length in [None, Some(0.03)] {
+        let mut model = sand([uniform(-0.2, 0.24, 44), uniform(-0.16, 0.16, 32), uniform(-0.14, 0.06, 20)]);
+        model.materials = vec![dense_sand(length)];
+        let mut state = at_rest::<f64>(&model, &below(0.0));
+        let workspace = Workspace::new(&model, &mut state, 2);
+        let predicted = footprint::<f64>(&model, 2, &[]);
+        near(predicted.fields, state.memory(), 1e-9);
+        near(predicted.workspace, workspace.memory(), 1e-9);
     }
 }
 

@@ -74,6 +74,15 @@ pub fn material(soil: &resolved::Soil) -> Material {
     }
 }
 
+/// The law of sand, and its dilatancy index at the start, at low pressure; `None` for other soil.
+#[must_use]
+pub fn sand(soil: &resolved::Soil) -> Option<(Sand, f64)> {
+    match material(soil).yield_law {
+        Some(ConstitutiveLaw::Sand(law)) => Some((law, law.dilatancy_index(soil.relative_density()?, 0.0))),
+        _ => None,
+    }
+}
+
 /// Walls, planes of symmetry at the low ends along x and y, and open ends where the grid follows a body.
 fn boundaries(case: &Case) -> Boundaries {
     let domain = &case.domain;

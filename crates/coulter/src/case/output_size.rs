@@ -1,7 +1,8 @@
 //! Estimates of how much a run will write, and of the memory that writing takes.
 
-use super::resolved::{Case, Precision};
+use super::resolved::{Case, Law, Precision};
 use serde::Serialize;
+use solver::fields::{ARRAYS, MEMORY_COUNT};
 use solver::state::RimSums;
 
 /// A cell with soil in a field file [bytes]: 18 numbers of 32 bits, compressed; measured (towed disc 59, column 61).
@@ -18,8 +19,6 @@ const LINES: [f64; 2] = [236.0, 155.0];
 const PACKED_STATE: f64 = 0.93;
 /// Report, pictures and plots [bytes]; measured.
 const REPORT: f64 = 0.8e6;
-/// Arrays in the state.
-const STATE_ARRAYS: f64 = 17.0;
 /// Memory for pictures, plots and the report of any case [bytes]; measured.
 const PICTURES: f64 = 15e6;
 /// Largest number of records of the sums over a rim; when there are more, every second one is dropped. The ends of a window are
@@ -54,7 +53,8 @@ pub fn output_size(case: &Case, cells: f64, filled: f64) -> OutputSize {
     let lines = samples(case) + 1.0;
     let fields_bytes = frames * one;
     let histories_bytes = lines * (LINES[0] * bodies + LINES[1]);
-    let checkpoints_bytes = 2.0 * PACKED_STATE * STATE_ARRAYS * width(case) * filled;
+    let memory = if matches!(case.soil.law, Law::Sand { .. }) { MEMORY_COUNT } else { 0 };
+    let checkpoints_bytes = 2.0 * PACKED_STATE * (ARRAYS + memory) as f64 * width(case) * filled;
     let total_bytes = fields_bytes + histories_bytes + checkpoints_bytes + REPORT;
     OutputSize { frames, fields_bytes, histories_bytes, checkpoints_bytes, total_bytes }
 }

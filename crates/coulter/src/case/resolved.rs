@@ -78,13 +78,7 @@ impl Soil {
     /// Density [kg/m³] at a relative density, of sand.
     #[must_use]
     pub fn density_at(&self, relative_density: f64) -> Option<f64> {
-        match self.law {
-            Law::Sand { minimum_density, maximum_density, .. } => {
-                let range = maximum_density - minimum_density;
-                Some(minimum_density * maximum_density / (maximum_density - relative_density * range))
-            }
-            _ => None,
-        }
+        self.law.density_at(relative_density)
     }
 
     /// Relative density at the start, of sand: (e_max − e)/(e_max − e_min).
@@ -169,6 +163,18 @@ impl Law {
             Self::VonMises { .. } => "metal (von-mises)",
             Self::MohrCoulomb { .. } => "frictional (mohr-coulomb)",
             Self::Sand { .. } => "frictional (sand)",
+        }
+    }
+
+    /// Density [kg/m³] at a relative density, of sand.
+    #[must_use]
+    pub fn density_at(&self, relative_density: f64) -> Option<f64> {
+        match *self {
+            Self::Sand { minimum_density, maximum_density, .. } => {
+                let range = maximum_density - minimum_density;
+                Some(minimum_density * maximum_density / (maximum_density - relative_density * range))
+            }
+            _ => None,
         }
     }
 

@@ -95,8 +95,8 @@ pub struct Unsustained {
     pub k0: f64,
 }
 
-/// Largest strain increment. A quarter of this and of the next three changes no figure of sand by more than 0.5 %, but for the strain
-/// at a flat peak.
+/// Largest strain increment. A quarter of this and of the next three changes no figure of sand by more than 0.7 %, but for the strain
+/// at a flat peak (1.5 %).
 const INCREMENT: f64 = 1e-5;
 /// First strain increment, over that which would double the pressure at the start if the soil stayed elastic.
 const FIRST: f64 = 0.002;

@@ -1,7 +1,7 @@
 //! A case as input of the closed-form models: one body, or a row of equal discs, in level soil of Mohr and Coulomb or in clay.
 
 use super::towed::{Course, bodies, body, course};
-use crate::case::model::material;
+use crate::case::model::sand;
 use crate::case::resolved::{self, Body as Towed, Case, Factors, Ground, Law, Measured, Motion};
 use crate::case::travel;
 use analytic::bearing::Method;
@@ -9,7 +9,6 @@ use analytic::disc::Drive;
 use analytic::forecast::Body;
 use analytic::wheel::PressureSinkage;
 use analytic::{Load, Soil, Towing};
-use physics::law::Law as ConstitutiveLaw;
 
 /// The input of the closed-form models, and the assumptions made to obtain it.
 #[derive(Clone, Debug)]
@@ -179,7 +178,7 @@ fn soil(case: &Case, body: &Towed, remarks: &mut Vec<String>) -> Result<Soil, St
             (0.0, 0.0, strength)
         }
         Law::Sand { critical_friction_angle, .. } => {
-            let (friction_angle, dilation_angle) = angles_of_sand(&case.soil);
+            let (friction_angle, dilation_angle) = angles_of_sand(&case.soil, critical_friction_angle);
             remarks.push(format!(
                 "sand as Mohr-Coulomb soil with the strength that its density gives it: φ = {:.2}°, ψ = {:.2}° (φ_cv = {:.2}°); it is not \
                  fully mobilised in loose sand, nor kept in dense sand",
@@ -214,16 +213,11 @@ fn soil(case: &Case, body: &Towed, remarks: &mut Vec<String>) -> Result<Soil, St
 }
 
 /// Peak friction angle of sand at low pressure, and its dilation angle by φ = φ_cv + 0.8 ψ (Bolton 1986) [rad].
-fn angles_of_sand(soil: &resolved::Soil) -> (f64, f64) {
-    let found = match material(soil).yield_law {
-        Some(ConstitutiveLaw::Sand(law)) => soil.relative_density().map(|relative_density| {
-            let ratio = law.peak_ratio(law.dilatancy_index(relative_density, 0.0));
-            (3.0 * ratio / (6.0 + ratio)).asin()
-        }),
-        _ => None,
-    };
-    let critical = soil.law.friction_angle().unwrap_or(0.0);
-    let peak = found.unwrap_or(critical);
+fn angles_of_sand(soil: &resolved::Soil, critical: f64) -> (f64, f64) {
+    let peak = sand(soil).map_or(critical, |(law, index)| {
+        let ratio = law.peak_ratio(index);
+        (3.0 * ratio / (6.0 + ratio)).asin()
+    });
     (peak, ((peak - critical) / 0.8).max(0.0))
 }
 

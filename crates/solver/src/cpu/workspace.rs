@@ -166,6 +166,7 @@ impl<R: Scalar> SoilWorkspace<R> {
         };
         let least = rows + 1;
         let threads = team_size(grid, threads);
+        let averaged = if model.has_characteristic_length() { grid.entries } else { 0 };
         let mut workspace = Self {
             team: Team::new(threads),
             partition: RowPartition::new(rows, &vec![1.0; planes * rows], [threads, least], row),
@@ -176,7 +177,7 @@ impl<R: Scalar> SoilWorkspace<R> {
             materials: R::materials(model),
             clear: 0,
             velocity_before: state.nodes.velocity.clone(),
-            averages: std::array::from_fn(|_| [Vec::new(), Vec::new()]),
+            averages: std::array::from_fn(|_| std::array::from_fn(|_| vec![R::default(); averaged])),
             workers: (0..threads).map(worker).collect(),
             row_sums: vec![RowSums::default(); rows * (planes + 1)],
             row_values: vec![[0.0; 2]; rows * (planes + 1)],
@@ -296,13 +297,16 @@ pub(crate) fn team_size(grid: &Grid, threads: usize) -> usize {
 }
 
 /// Memory of the workspace of a grid [bytes].
-pub(crate) fn footprint<R: Scalar>(grid: &Grid, threads: usize) -> f64 {
+pub(crate) fn footprint<R: Scalar>(model: &Model, threads: usize) -> f64 {
+    let grid = &model.grid;
+    let averages = if model.has_characteristic_length() { 4.0 } else { 0.0 };
     let [_, row, plane] = grid.stride;
     let (threads, rows, planes) = (threads as f64, grid.rows(), grid.cells()[2] + 1);
     let own = 3 * COEFFICIENTS * row + NODE_SUMS * plane + ROW_BUFFERS * row;
     let waiting = NODE_SUMS * (plane + row);
     let per_row = size_of::<RowSums>() + size_of::<bool>() + size_of::<[f64; 2]>();
     let of_rows = rows * (planes + 1) * per_row + rows * planes * size_of::<f64>();
-    let reals = 3.0 * grid.entries as f64 + threads * own as f64 + (threads - 1.0) * waiting as f64;
+    let reals =
+        (3.0 + averages) * grid.entries as f64 + threads * own as f64 + (threads - 1.0) * waiting as f64;
     reals * size_of::<R>() as f64 + threads * size_of::<R::CellBlock>() as f64 + of_rows as f64
 }

@@ -5,6 +5,7 @@ mod passive;
 mod walls;
 
 use super::estimate::estimate;
+use super::model::sand;
 use super::path::{Paths, body_length, path};
 use super::resolved::{Body, Case, Law, Motion, Potential};
 use glam::DVec3;
@@ -110,9 +111,12 @@ fn timing(case: &Case, notes: &mut Vec<String>) {
     }
 }
 
+/// Dilatancy index above which sand counts as softening (chosen: a peak of 3.4° above the critical angle).
+const SOFTENING: f64 = 1.0;
+
 /// Softening sand whose bands depend on the cells.
 fn softening(case: &Case, notes: &mut Vec<String>) {
-    let Law::Sand { characteristic_length, bolton_q, bolton_r, .. } = case.soil.law else { return };
+    let Law::Sand { characteristic_length, .. } = case.soil.law else { return };
     let cell = case.grid.fine_cell().max_element();
     let consequence =
         "bands of softening sand are as wide as the cells, and its strength after the peak depends on them";
@@ -121,9 +125,7 @@ fn softening(case: &Case, notes: &mut Vec<String>) {
             "soil.characteristic_length, {length:.4} m, is less than two cells of {cell:.4} m: {consequence}."
         ));
     }
-    // ln 150: the index is constant below 150 kPa.
-    let index = case.soil.relative_density().unwrap_or(0.0) * (bolton_q - 150.0_f64.ln()) - bolton_r;
-    if characteristic_length.is_none() && index > 1.0 {
+    if characteristic_length.is_none() && sand(&case.soil).is_some_and(|(_, index)| index > SOFTENING) {
         notes.push(format!("Sand this dense softens: without soil.characteristic_length {consequence}."));
     }
 }

@@ -39,11 +39,9 @@ pub(super) fn soil(section: &Section, gravity: f64, problems: &mut Problems) -> 
     let young_modulus = required(section, "young_modulus", problems);
     let poisson_ratio = section.number("poisson_ratio");
     let law = law(section, problems).and_then(|law| checked(law, problems, validate::soil::law));
-    let weight = match law {
-        Some(Law::Sand { minimum_density, maximum_density, .. }) if section.has("relative_density") => {
-            weight_of_sand(section, gravity, [minimum_density, maximum_density], problems)
-        }
-        _ => weight(section, gravity, problems),
+    let weight = match section.has("relative_density") {
+        true => law.and_then(|law| weight_of_sand(section, gravity, &law, problems)),
+        false => weight(section, gravity, problems),
     };
     let (young_modulus, poisson_ratio, (unit_weight, density), law) =
         (young_modulus?, poisson_ratio?, weight?, law?);
@@ -78,19 +76,13 @@ fn weight(section: &Section, gravity: f64, problems: &mut Problems) -> Option<(f
     }
 }
 
-/// The same for sand at a relative density between its limit densities [kg/m³].
-fn weight_of_sand(
-    section: &Section,
-    gravity: f64,
-    [loosest, densest]: [f64; 2],
-    problems: &mut Problems,
-) -> Option<(f64, f64)> {
+/// The same for sand at a relative density.
+fn weight_of_sand(section: &Section, gravity: f64, law: &Law, problems: &mut Problems) -> Option<(f64, f64)> {
     for key in ["unit_weight", "density"].iter().filter(|key| section.has(key)) {
         let message = format!("`{key}` follows from relative_density");
         problems.add(section.at(key), message, "give one of the two");
     }
-    let relative_density = section.number("relative_density")?;
-    let density = loosest * densest / (densest - relative_density * (densest - loosest));
+    let density = law.density_at(section.number("relative_density")?)?;
     Some((density * gravity, density))
 }
 

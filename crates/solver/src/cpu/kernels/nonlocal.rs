@@ -38,9 +38,6 @@ pub(crate) fn average(model: &Model, soil: &mut Soil, workspace: &mut Workspace,
     let averaged = Averaged { grid: &model.grid, law: &law, material };
     let (passes, count) = passes(&model.grid, length);
     let [mut own, mut other] = std::mem::take(&mut workspace.averages);
-    for field in own.iter_mut().chain(&mut other) {
-        field.resize(model.grid.entries, 0.0);
-    }
     averaged.collect(soil, workspace, &mut own);
     for pass in (0..count).flat_map(|_| &passes) {
         halo::fill(halo, &model.grid, At::Cells, &mut own);
@@ -79,25 +76,36 @@ impl Averaged<'_> {
         ((1..=ny).contains(&q) && (1..=nz).contains(&plane)).then_some([q, plane])
     }
 
+    /// Calls `job(cell, index in the row, volume of the cell)` for each cell of a row that holds soil of the material.
+    #[inline(always)]
+    fn cells_of_row(
+        &self,
+        row: usize,
+        fraction: &[Real],
+        workspace: &Workspace,
+        mut job: impl FnMut(usize, usize, Real),
+    ) {
+        let Workspace { partition, material, width_x, .. } = workspace;
+        let Some([q, plane]) = self.layers(row) else { return };
+        let area = (self.grid.width(1, q - 1) * self.grid.width(2, plane - 1)) as Real;
+        for i in 1..=self.grid.cells()[0] {
+            let c = row * partition.stride + i;
+            if fraction[c] > 0.0 && (material.is_empty() || usize::from(material[c]) == self.material) {
+                job(c, i, width_x[0][i] * area);
+            }
+        }
+    }
+
     /// Volume fraction of the soil of the material, and its relative density times that.
     fn collect(&self, soil: &Soil, workspace: &Workspace, [fractions, densities]: &mut [Vec<Real>; 2]) {
-        let Workspace { team, partition, material, width_x, .. } = workspace;
-        team.rows2(partition, fractions, densities, |row, fraction, density| {
-            fraction.fill(0.0);
-            density.fill(0.0);
-            let Some([q, plane]) = self.layers(row) else { return };
-            let start = row * partition.stride;
-            let area = (self.grid.width(1, q - 1) * self.grid.width(2, plane - 1)) as Real;
-            for i in 1..=self.grid.cells()[0] {
-                let c = start + i;
-                if soil.fraction[c] > 0.0
-                    && (material.is_empty() || usize::from(material[c]) == self.material)
-                {
-                    let volume = soil.fraction[c] * width_x[0][i] * area;
-                    fraction[i] = soil.fraction[c];
-                    density[i] = soil.fraction[c] * self.law.relative_density(soil.mass[c] / volume);
-                }
-            }
+        let Soil { fraction, mass, .. } = soil;
+        workspace.team.rows2(&workspace.partition, fractions, densities, |row, fractions, densities| {
+            fractions.fill(0.0);
+            densities.fill(0.0);
+            self.cells_of_row(row, fraction, workspace, |c, i, volume| {
+                let relative_density = self.law.relative_density(mass[c] / (fraction[c] * volume));
+                (fractions[i], densities[i]) = (fraction[c], fraction[c] * relative_density);
+            });
         });
     }
 
@@ -130,20 +138,13 @@ impl Averaged<'_> {
 
     /// Enters the difference between the average and the own relative density of each cell.
     fn store(&self, soil: &mut Soil, workspace: &Workspace, [fractions, densities]: &[Vec<Real>; 2]) {
-        let Workspace { team, partition, material, width_x, .. } = workspace;
         let Soil { fraction, mass, history, .. } = soil;
-        team.rows(partition, &mut history[NONLOCAL_DENSITY], |row, out| {
+        workspace.team.rows(&workspace.partition, &mut history[NONLOCAL_DENSITY], |row, out| {
             out.fill(0.0);
-            let Some([q, plane]) = self.layers(row) else { return };
-            let start = row * partition.stride;
-            let area = (self.grid.width(1, q - 1) * self.grid.width(2, plane - 1)) as Real;
-            for i in 1..=self.grid.cells()[0] {
-                let c = start + i;
-                if fraction[c] > 0.0 && (material.is_empty() || usize::from(material[c]) == self.material) {
-                    let own = self.law.relative_density(mass[c] / (fraction[c] * width_x[0][i] * area));
-                    out[i] = OVERWEIGHT * (densities[c] / fractions[c] - own);
-                }
-            }
+            self.cells_of_row(row, fraction, workspace, |c, i, volume| {
+                let own = self.law.relative_density(mass[c] / (fraction[c] * volume));
+                out[i] = OVERWEIGHT * (densities[c] / fractions[c] - own);
+            });
         });
     }
 }
