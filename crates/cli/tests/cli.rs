@@ -140,13 +140,21 @@ fn warnings_are_given() {
 }
 
 #[test]
+fn sand_too_loose_for_the_stress_at_rest_is_warned_of() {
+    let seen = checked(&[&shipped("column_collapse.toml"), "--set", "soil.relative_density=-0.5"]);
+    assert!(seen["warnings"].to_string().contains("can sustain"), "{}", seen["warnings"]);
+}
+
+#[test]
 fn the_shipped_cases_raise_no_warnings() {
     for file in [
         "towed_disc.toml",
+        "towed_disc_mohr_coulomb.toml",
         "light_disc.toml",
         "passive_wall.toml",
         "strip_footing.toml",
         "column_collapse.toml",
+        "cmu_plate.toml",
     ] {
         let seen = checked(&[&shipped(file)]);
         assert_eq!(seen["warnings"], serde_json::json!([]), "{file}");

@@ -6,6 +6,7 @@ use crate::runner::Runner;
 use coulter::simulation::Simulation;
 
 const CASE: &str = include_str!("../../../validation/C1_column_collapse/case.toml");
+const SAND: &str = include_str!("../../../validation/C1_column_collapse/sand.toml");
 /// Half width of the column in the case file [m].
 const WIDTH: f64 = 0.1;
 /// Thickness of the soil at the front, in cells.
@@ -13,32 +14,49 @@ const FRONT: f64 = 0.5;
 /// Thickness at the front by another definition, the same on every grid, over the width of the column.
 const FRONT_FIXED: f64 = 0.025;
 
-/// Aspect ratios that are run with φ = 37°, and with 31°.
+/// Aspect ratios that are run with φ = 37° and with the law for sand, and with φ = 31°.
 const STEEP: [f64; 5] = [0.5, 1.0, 2.0, 3.0, 4.0];
 const FLAT: [f64; 4] = [1.0, 2.0, 3.0, 4.0];
+
+/// What the column consists of.
+#[derive(Clone, Copy)]
+enum Soil {
+    /// Mohr–Coulomb soil with this friction angle [°] and ψ = 0.
+    MohrCoulomb(u32),
+    /// Sand with its density as state.
+    Sand,
+}
+
+const STEEP_SOIL: Soil = Soil::MohrCoulomb(37);
+
 const RUN_OUT: &str = "run-out (L − L₀)/L₀";
 const RUN_OUT_FIXED: &str = "run-out, front where 0.025 L₀ thick";
 
 pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
     for a in STEEP {
         for cells in [10, 20, 40] {
-            wanted(runner, 37, a, cells)?;
+            wanted(runner, STEEP_SOIL, a, cells)?;
         }
         convergence(runner, a)?;
     }
     for a in FLAT {
         for cells in [20, 40] {
-            wanted(runner, 31, a, cells)?;
+            wanted(runner, Soil::MohrCoulomb(31), a, cells)?;
+        }
+    }
+    for a in STEEP {
+        for cells in [20, 40] {
+            wanted(runner, Soil::Sand, a, cells)?;
         }
     }
     Ok(())
 }
 
 /// Runs a variant if it is part of this verification.
-fn wanted(runner: &mut Runner, angle: u32, a: f64, cells: u32) -> Result<(), VerifyError> {
-    let variant = name(angle, a, cells);
+fn wanted(runner: &mut Runner, soil: Soil, a: f64, cells: u32) -> Result<(), VerifyError> {
+    let variant = name(soil, a, cells);
     if runner.wants("C1", &variant)? {
-        runner.part("C1", &variant, |runner| collapse(runner, angle, a, cells))?;
+        runner.part("C1", &variant, |runner| collapse(runner, soil, a, cells))?;
     }
     Ok(())
 }
@@ -49,7 +67,7 @@ fn convergence(runner: &mut Runner, a: f64) -> Result<(), VerifyError> {
     if !runner.wants("C1", &case)? {
         return Ok(());
     }
-    let at = |cells| runner.obtained("C1", &name(37, a, cells), RUN_OUT_FIXED);
+    let at = |cells| runner.obtained("C1", &name(STEEP_SOIL, a, cells), RUN_OUT_FIXED);
     let [coarse, middle, fine] = [at(10), at(20), at(40)];
     let ratio = ((fine - middle) / (middle - coarse)).abs();
     runner.put("C1", &case, 0.0, &[("change of the run-out over the previous change", ratio)])
@@ -57,21 +75,29 @@ fn convergence(runner: &mut Runner, a: f64) -> Result<(), VerifyError> {
 
 /// Run-out for a = 1, φ = 37° on a mesh of this many cells over L₀; the front is where the sand is 0.025 L₀ thick.
 pub(crate) fn run_out_on(runner: &mut Runner, cells: u32) -> Result<f64, VerifyError> {
-    collapse(runner, 37, 1.0, cells)?;
-    Ok(runner.obtained("C1", &name(37, 1.0, cells), RUN_OUT_FIXED))
+    collapse(runner, STEEP_SOIL, 1.0, cells)?;
+    Ok(runner.obtained("C1", &name(STEEP_SOIL, 1.0, cells), RUN_OUT_FIXED))
 }
 
-fn name(angle: u32, a: f64, cells: u32) -> String {
-    format!("a = {a}, φ = {angle}°, L₀/h = {cells}")
+fn name(soil: Soil, a: f64, cells: u32) -> String {
+    let soil = match soil {
+        Soil::MohrCoulomb(angle) => format!("φ = {angle}°"),
+        Soil::Sand => "sand".to_owned(),
+    };
+    format!("a = {a}, {soil}, L₀/h = {cells}")
 }
 
-fn collapse(runner: &mut Runner, angle: u32, a: f64, cells: u32) -> Result<(), VerifyError> {
-    let variant = name(angle, a, cells);
-    let mut overrides = vec![
-        format!("soil.friction_angle={angle} deg"),
-        format!("ground.surface={} m", a * WIDTH),
-        format!("grid.cell={} m", WIDTH / f64::from(cells)),
-    ];
+fn collapse(runner: &mut Runner, soil: Soil, a: f64, cells: u32) -> Result<(), VerifyError> {
+    let variant = name(soil, a, cells);
+    let mut overrides =
+        vec![format!("ground.surface={} m", a * WIDTH), format!("grid.cell={} m", WIDTH / f64::from(cells))];
+    let case = match soil {
+        Soil::MohrCoulomb(angle) => {
+            overrides.push(format!("soil.friction_angle={angle} deg"));
+            CASE
+        }
+        Soil::Sand => SAND,
+    };
     if a > 2.0 {
         // Space and time for columns that are higher than the box of the case file allows for.
         overrides.extend([
@@ -80,7 +106,7 @@ fn collapse(runner: &mut Runner, angle: u32, a: f64, cells: u32) -> Result<(), V
             "run.duration=1 s".to_owned(),
         ]);
     }
-    let mut simulation = runner.simulation(CASE, &overrides)?;
+    let mut simulation = runner.simulation(case, &overrides)?;
     let mut late = f64::NAN;
     runner.finish_watched("C1", &variant, &mut simulation, |now| {
         if late.is_nan() && now.state.time >= 0.9 * now.case.duration {

@@ -50,6 +50,7 @@ pub mod row;
 pub mod run_balances;
 pub mod runner;
 mod scaling;
+mod softening;
 mod specimen;
 mod strip_sand;
 pub mod table;

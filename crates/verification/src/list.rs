@@ -6,7 +6,7 @@ use crate::runner::Runner;
 use crate::{
     blade, circle, column, conservation, control, disc, element, flow, footing, friction, light, long_tow,
     other_codes, plate, positions, precision, repeat, rest, rigid, rotating, rough_wall, round_column,
-    scaling, strip_sand, taylor, three_meshes, transport, wall, wave,
+    scaling, softening, strip_sand, taylor, three_meshes, transport, wall, wave,
 };
 use std::sync::LazyLock;
 
@@ -67,6 +67,7 @@ pub const BENCHMARKS: &[Benchmark] = &[
     benchmark!("B3γ", "B3g_circular_footing_on_sand", Run, circle::sand),
     benchmark!("B4", "B4_strip_footing_on_sand", Run, strip_sand::run),
     benchmark!("B5", "B5_passive_wall", Run, wall::run),
+    benchmark!("B5n", "B5n_softening_bank", Run, softening::run),
     benchmark!("B6", "B6_rough_passive_wall", Run, rough_wall::run),
     benchmark!("B7", "B7_inclined_plate", Run, plate::run),
     benchmark!("B8", "B8_deep_flow", Run, flow::run),

@@ -9,6 +9,7 @@ use glam::DVec3;
 use std::f64::consts::PI;
 
 const CASE: &str = include_str!("../../../validation/C2_round_column/case.toml");
+const SAND: &str = include_str!("../../../validation/C2_round_column/sand.toml");
 /// Radius of the column [m].
 const RADIUS: f64 = 0.1;
 /// Thickness of the sand at the front, in cells.
@@ -38,32 +39,48 @@ const VARIANTS: [[f64; 3]; 18] = [
     [1.0, 37.0, 40.0],
 ];
 
+/// Aspect ratio and cells over the radius, of sand with its density as state.
+const OF_SAND: [[f64; 2]; 6] = [[0.6, 10.0], [1.0, 10.0], [2.0, 10.0], [3.0, 10.0], [0.6, 20.0], [1.0, 20.0]];
+
+/// Soil, aspect ratio and cells over the radius.
+struct Column {
+    /// Friction angle of Mohr–Coulomb soil with ψ = 0 [°]; `None`: sand with its density as state.
+    friction: Option<f64>,
+    a: f64,
+    cells: f64,
+}
+
 pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
-    for variant in VARIANTS {
-        let [a, angle, cells] = variant;
-        let name = format!("a = {a}, φ = {angle}°, r₀/h = {cells}");
+    let constant = VARIANTS.map(|[a, angle, cells]| Column { friction: Some(angle), a, cells });
+    let sand = OF_SAND.map(|[a, cells]| Column { friction: None, a, cells });
+    for column in constant.iter().chain(&sand) {
+        let Column { friction, a, cells } = column;
+        let soil = friction.map_or("sand".to_owned(), |angle| format!("φ = {angle}°"));
+        let name = format!("a = {a}, {soil}, r₀/h = {cells}");
         if runner.wants("C2", &name)? {
-            runner.part("C2", &name, |runner| collapse(runner, &name, variant))?;
+            runner.part("C2", &name, |runner| collapse(runner, &name, column))?;
         }
     }
     Ok(())
 }
 
-fn collapse(runner: &mut Runner, variant: &str, [a, angle, cells]: [f64; 3]) -> Result<(), VerifyError> {
+fn collapse(runner: &mut Runner, variant: &str, column: &Column) -> Result<(), VerifyError> {
+    let &Column { friction, a, cells } = column;
     let height = a * RADIUS;
     // Space for a run-out a third longer than the published one.
     let published = runner.expectation("C2", variant, RUN_OUT)?.value()?;
     let cell = RADIUS / cells;
     let extent = (RADIUS * (1.0 + 1.35 * published) / cell).ceil() * cell;
-    let overrides = [
-        format!("soil.friction_angle={angle} deg"),
+    let mut overrides = vec![
         format!("ground.surface={height} m"),
         format!("grid.cell={cell} m"),
         format!("domain.x=['0 m', '{extent} m']"),
         format!("domain.y=['0 m', '{extent} m']"),
         format!("domain.z=['0 m', '{} m']", ((height / cell).round() + 2.0) * cell),
     ];
-    let case = runner.simulation(CASE, &overrides)?.case;
+    overrides.extend(friction.map(|angle| format!("soil.friction_angle={angle} deg")));
+    let text = if friction.is_some() { CASE } else { SAND };
+    let case = runner.simulation(text, &overrides)?.case;
     let mut simulation = Simulation::filled(&case, |grid| {
         let mut fraction = vec![0.0; grid.entries];
         fill(grid, |x| x.x.hypot(x.y) <= RADIUS && x.z <= height, &mut fraction);

@@ -140,7 +140,7 @@ pub(crate) fn rows() -> Vec<Row> {
         let case = Towing::new(sand(35.0, 16e3, 0.3), SHIPPED, Load::Weight(weight), Drive::Free);
         sinking(Class::SolverTowed, label.to_owned(), case, found)
     };
-    // The finest mesh of D11; cases/towed_disc.toml.
+    // The finest mesh of D11; cases/towed_disc_mohr_coulomb.toml.
     rows.push(disc("light disc, free", 40.0, (15.40, 16.93)));
     rows.push(disc("towed disc, free", 100.0, (50.8, 41.0)));
     let wheel =

@@ -185,6 +185,8 @@ fn line(outlook: &Outlook, intervals: &Intervals, model: &ModelForecast) -> Stri
 
 /// Four significant digits, with trailing zeros, so that columns line up.
 fn fixed(value: f64) -> String {
+    // What rounds to nothing has no sign.
+    let value = if value.abs() < 0.5e-4 { 0.0 } else { value };
     let digits = if value == 0.0 { 1 } else { 3 - value.abs().log10().floor() as i32 };
     format!("{value:.*}", digits.clamp(0, 4) as usize)
 }

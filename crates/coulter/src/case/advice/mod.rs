@@ -27,6 +27,7 @@ pub fn advice(case: &Case) -> Vec<String> {
     timing(case, &mut notes);
     strength(case, &mut notes);
     softening(case, &mut notes);
+    sand_at_rest(case, &mut notes);
     if case.bodies.is_empty() && case.soil.unit_weight == 0.0 && case.velocity == DVec3::ZERO {
         notes.push("There is no body and the soil has no weight: nothing will happen.".into());
     }
@@ -74,8 +75,9 @@ fn resolution(case: &Case, body: &Body, notes: &mut Vec<String>) {
 fn fine_zone(case: &Case, body: &Body, notes: &mut Vec<String>) {
     let swept = Paths::of(case).of_body(body);
     let slack = 1e-6 * case.grid.cell;
-    let outside_x =
-        swept.low.x < case.grid.fine_low.x - slack || swept.high.x > case.grid.fine_high.x + slack;
+    // What lies beyond a plane of symmetry is not modelled.
+    let low_x = if case.domain.symmetric_x { swept.low.x.max(case.domain.low.x) } else { swept.low.x };
+    let outside_x = low_x < case.grid.fine_low.x - slack || swept.high.x > case.grid.fine_high.x + slack;
     let outside_y = !case.domain.plane_strain && swept.high.y > case.grid.fine_high.y + slack;
     let outside_z = swept.low.z < case.grid.fine_low.z - slack && swept.low.z > case.domain.low.z;
     if outside_x || outside_y || outside_z {
@@ -127,6 +129,18 @@ fn softening(case: &Case, notes: &mut Vec<String>) {
     }
     if characteristic_length.is_none() && sand(&case.soil).is_some_and(|(_, index)| index > SOFTENING) {
         notes.push(format!("Sand this dense softens: without soil.characteristic_length {consequence}."));
+    }
+}
+
+/// Sand whose strength does not sustain the stress at rest.
+fn sand_at_rest(case: &Case, notes: &mut Vec<String>) {
+    let Some((law, index)) = sand(&case.soil) else { return };
+    let k0 = case.soil.k0;
+    let [pressure, deviator, shape] = law.invariants([-k0, -k0, -1.0, 0.0, 0.0, 0.0]);
+    if deviator > law.peak_ratio(index) * shape * pressure {
+        notes.push(format!(
+            "K₀ = {k0:.3} is outside the range that sand of this density can sustain: it will fail at once."
+        ));
     }
 }
 
