@@ -18,16 +18,34 @@ const FRONT_FIXED: f64 = 0.025;
 const STEEP: [f64; 5] = [0.5, 1.0, 2.0, 3.0, 4.0];
 const FLAT: [f64; 4] = [1.0, 2.0, 3.0, 4.0];
 
-/// What the column consists of.
+/// What a column consists of.
 #[derive(Clone, Copy)]
-enum Soil {
+pub(crate) enum Soil {
     /// Mohr–Coulomb soil with this friction angle [°] and ψ = 0.
-    MohrCoulomb(u32),
+    MohrCoulomb(f64),
     /// Sand with its density as state.
     Sand,
 }
 
-const STEEP_SOIL: Soil = Soil::MohrCoulomb(37);
+impl Soil {
+    /// As in the name of a variant.
+    pub(crate) fn name(self) -> String {
+        match self {
+            Self::MohrCoulomb(angle) => format!("φ = {angle}°"),
+            Self::Sand => "sand".to_owned(),
+        }
+    }
+
+    /// Which of two case files, with Mohr–Coulomb soil and with sand, is run, and what is set in it.
+    pub(crate) fn case(self, [mohr_coulomb, sand]: [&str; 2]) -> (&str, Option<String>) {
+        match self {
+            Self::MohrCoulomb(angle) => (mohr_coulomb, Some(format!("soil.friction_angle={angle} deg"))),
+            Self::Sand => (sand, None),
+        }
+    }
+}
+
+const STEEP_SOIL: Soil = Soil::MohrCoulomb(37.0);
 
 const RUN_OUT: &str = "run-out (L − L₀)/L₀";
 const RUN_OUT_FIXED: &str = "run-out, front where 0.025 L₀ thick";
@@ -41,7 +59,7 @@ pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
     }
     for a in FLAT {
         for cells in [20, 40] {
-            wanted(runner, Soil::MohrCoulomb(31), a, cells)?;
+            wanted(runner, Soil::MohrCoulomb(31.0), a, cells)?;
         }
     }
     for a in STEEP {
@@ -80,24 +98,15 @@ pub(crate) fn run_out_on(runner: &mut Runner, cells: u32) -> Result<f64, VerifyE
 }
 
 fn name(soil: Soil, a: f64, cells: u32) -> String {
-    let soil = match soil {
-        Soil::MohrCoulomb(angle) => format!("φ = {angle}°"),
-        Soil::Sand => "sand".to_owned(),
-    };
-    format!("a = {a}, {soil}, L₀/h = {cells}")
+    format!("a = {a}, {}, L₀/h = {cells}", soil.name())
 }
 
 fn collapse(runner: &mut Runner, soil: Soil, a: f64, cells: u32) -> Result<(), VerifyError> {
     let variant = name(soil, a, cells);
     let mut overrides =
         vec![format!("ground.surface={} m", a * WIDTH), format!("grid.cell={} m", WIDTH / f64::from(cells))];
-    let case = match soil {
-        Soil::MohrCoulomb(angle) => {
-            overrides.push(format!("soil.friction_angle={angle} deg"));
-            CASE
-        }
-        Soil::Sand => SAND,
-    };
+    let (case, angle) = soil.case([CASE, SAND]);
+    overrides.extend(angle);
     if a > 2.0 {
         // Space and time for columns that are higher than the box of the case file allows for.
         overrides.extend([

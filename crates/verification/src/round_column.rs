@@ -1,6 +1,7 @@
 //! C2: collapse of a round column of sand, in three dimensions.
 
 use crate::advection::fill;
+use crate::column::Soil;
 use crate::error::VerifyError;
 use crate::probe::thickness;
 use crate::runner::Runner;
@@ -42,30 +43,19 @@ const VARIANTS: [[f64; 3]; 18] = [
 /// Aspect ratio and cells over the radius, of sand with its density as state.
 const OF_SAND: [[f64; 2]; 6] = [[0.6, 10.0], [1.0, 10.0], [2.0, 10.0], [3.0, 10.0], [0.6, 20.0], [1.0, 20.0]];
 
-/// Soil, aspect ratio and cells over the radius.
-struct Column {
-    /// Friction angle of Mohr–Coulomb soil with ψ = 0 [°]; `None`: sand with its density as state.
-    friction: Option<f64>,
-    a: f64,
-    cells: f64,
-}
-
 pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
-    let constant = VARIANTS.map(|[a, angle, cells]| Column { friction: Some(angle), a, cells });
-    let sand = OF_SAND.map(|[a, cells]| Column { friction: None, a, cells });
-    for column in constant.iter().chain(&sand) {
-        let Column { friction, a, cells } = column;
-        let soil = friction.map_or("sand".to_owned(), |angle| format!("φ = {angle}°"));
-        let name = format!("a = {a}, {soil}, r₀/h = {cells}");
+    let constant = VARIANTS.map(|[a, angle, cells]| (Soil::MohrCoulomb(angle), [a, cells]));
+    let sand = OF_SAND.map(|sizes| (Soil::Sand, sizes));
+    for (soil, sizes @ [a, cells]) in constant.into_iter().chain(sand) {
+        let name = format!("a = {a}, {}, r₀/h = {cells}", soil.name());
         if runner.wants("C2", &name)? {
-            runner.part("C2", &name, |runner| collapse(runner, &name, column))?;
+            runner.part("C2", &name, |runner| collapse(runner, &name, soil, sizes))?;
         }
     }
     Ok(())
 }
 
-fn collapse(runner: &mut Runner, variant: &str, column: &Column) -> Result<(), VerifyError> {
-    let &Column { friction, a, cells } = column;
+fn collapse(runner: &mut Runner, variant: &str, soil: Soil, [a, cells]: [f64; 2]) -> Result<(), VerifyError> {
     let height = a * RADIUS;
     // Space for a run-out a third longer than the published one.
     let published = runner.expectation("C2", variant, RUN_OUT)?.value()?;
@@ -78,8 +68,8 @@ fn collapse(runner: &mut Runner, variant: &str, column: &Column) -> Result<(), V
         format!("domain.y=['0 m', '{extent} m']"),
         format!("domain.z=['0 m', '{} m']", ((height / cell).round() + 2.0) * cell),
     ];
-    overrides.extend(friction.map(|angle| format!("soil.friction_angle={angle} deg")));
-    let text = if friction.is_some() { CASE } else { SAND };
+    let (text, angle) = soil.case([CASE, SAND]);
+    overrides.extend(angle);
     let case = runner.simulation(text, &overrides)?.case;
     let mut simulation = Simulation::filled(&case, |grid| {
         let mut fraction = vec![0.0; grid.entries];

@@ -41,23 +41,24 @@ fn at(mesh: &str, station: f64) -> String {
     format!("{mesh}, u = {station} H")
 }
 
-/// How much the meshes differ: the range over the mean.
+/// How much the meshes differ.
 fn compare(runner: &mut Runner) -> Result<(), VerifyError> {
     let variant = "H/h = 32, 64, 128";
     if !runner.wants("B5n", variant)? {
         return Ok(());
     }
-    let difference = |runner: &Runner, quantity: &str, variant: &dyn Fn(&str) -> String| {
-        let found = MESHES.map(|cells| runner.obtained("B5n", &variant(&name(cells)), quantity));
-        let [low, high] = [f64::min, f64::max].map(|of| found.into_iter().fold(found[0], of));
-        3.0 * (high - low) / found.iter().sum::<f64>()
-    };
     for station in STATIONS {
-        let between = difference(runner, K_P, &|mesh| at(mesh, station));
-        runner.put("B5n", &at(variant, station), 0.0, &[("difference of K_p", between)])?;
+        let found = MESHES.map(|cells| runner.obtained("B5n", &at(&name(cells), station), K_P));
+        runner.put("B5n", &at(variant, station), 0.0, &[("difference of K_p", spread(found))])?;
     }
-    let between = difference(runner, WIDTH, &str::to_owned);
-    runner.put("B5n", variant, 0.0, &[("difference of the width of the band", between)])
+    let found = MESHES.map(|cells| runner.obtained("B5n", &name(cells), WIDTH));
+    runner.put("B5n", variant, 0.0, &[("difference of the width of the band", spread(found))])
+}
+
+/// The range over the mean.
+fn spread(found: [f64; 3]) -> f64 {
+    let [low, high] = [f64::min, f64::max].map(|of| found.into_iter().fold(found[0], of));
+    3.0 * (high - low) / found.iter().sum::<f64>()
 }
 
 fn push(runner: &mut Runner, cells: u32) -> Result<(), VerifyError> {
@@ -82,18 +83,19 @@ fn push(runner: &mut Runner, cells: u32) -> Result<(), VerifyError> {
 fn loosen(simulation: &mut Simulation) {
     let grid = &simulation.model.grid;
     let mass = &mut simulation.state.soil.mass;
-    let toe = [0.0, grid.faces[2][0]];
+    // Part of the width of a cell that the square covers, which begins at `low`.
+    let covered = |axis: usize, n: usize, low: f64| {
+        let (from, to) = (grid.faces[axis][n].max(low), grid.faces[axis][n + 1].min(low + LOOSE));
+        (to - from).max(0.0) / grid.width(axis, n)
+    };
     let (mut total, mut removed) = (0.0, 0.0);
     for k in 0..grid.cells()[2] {
         for i in 0..grid.cells()[0] {
-            let within = [(0, i, toe[0]), (2, k, toe[1])].map(|(axis, n, low): (usize, usize, f64)| {
-                let covered = grid.faces[axis][n + 1].min(low + LOOSE) - grid.faces[axis][n].max(low);
-                covered.max(0.0) / grid.width(axis, n)
-            });
+            let lighter = LIGHTER * covered(0, i, 0.0) * covered(2, k, grid.faces[2][0]);
             let c = grid.index(i, 0, k);
             total += mass[c];
-            removed += LIGHTER * within[0] * within[1] * mass[c];
-            mass[c] *= 1.0 - LIGHTER * within[0] * within[1];
+            removed += lighter * mass[c];
+            mass[c] *= 1.0 - lighter;
         }
     }
     for mass in mass.iter_mut() {
