@@ -33,8 +33,12 @@ def run(coulter, out, overrides):
     words = [word for one in overrides for word in ("--set", one)]
     command = list(map(str, [coulter, "run", CASE, "-o", folder, "--auto-resume", "--threads", "1", *words]))
     done = subprocess.run(command, capture_output=True, text=True)
-    grade = (done.stdout + done.stderr).strip().splitlines()[-1]
     (out / f"{name}.txt").write_text(" ".join(overrides) + "\n" + done.stdout + done.stderr)
+    if not (folder / "summary.json").is_file():
+        raise SystemExit(f"no result for {' '.join(overrides)}:\n{done.stdout}{done.stderr}")
+    trust = json.loads((folder / "summary.json").read_text())["trust"]
+    worst = [check for check in trust["checks"] if check["verdict"] == trust["verdict"] != "good"]
+    grade = ", ".join([trust["verdict"], *(f"{check['name']} {check['value']:.3g} {check['unit']}" for check in worst)])
     rows = list(csv.DictReader(open(folder / "forces.csv")))
     column = lambda name: [float(row[name]) for row in rows]
     travel, drag, vertical, sinkage = map(column, ("displacement u [m]", "drag F_H [N]", "vertical F_V [N]", "sinkage z [m]"))
