@@ -84,7 +84,7 @@ class Case:
             body["size"] = "[" + ", ".join(si(e, "m") for e in edges) + "]"
             self.height, narrow = scale, min(edges)
             if draw.random() < 0.2:
-                body["orientation"] = si(draw.uniform(-60, 60), "deg")
+                body["pitch"] = si(draw.uniform(-60, 60), "deg")
         else:
             body["diameter"] = si(scale, "m")
             self.height, narrow = scale, scale

@@ -4,7 +4,7 @@
 use analytic::cutting::{Blade, mckyes_ali};
 use analytic::disc::{Disc, Drive};
 use analytic::forecast::{Block, Body, Candidate, FacetedBody, ModelForecast, Parameter, Prediction, curve};
-use analytic::resistive::{Facet, SpatialLaw, Traction, at_depth};
+use analytic::resistive::{Axle, Facet, SpatialLaw, Traction, at_depth};
 use analytic::uncertainty::{Distribution, propagate_towing, sweep_table};
 use analytic::{Load, Soil, Towing, forecast};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -160,7 +160,13 @@ fn a_faceted_disc_has_the_forces_of_the_disc() {
         let half_height = 0.5 * (area / 0.05) * normal[0].abs();
         Facet { centroid: normal.map(|n| 0.1 * n), normal, area, half_height }
     });
-    let round = FacetedBody { length: 0.2, width: 0.05, height: 0.2, facets: facets.collect() };
+    let round = FacetedBody {
+        length: 0.2,
+        width: 0.05,
+        height: 0.2,
+        axle: Axle::across(0.1),
+        facets: facets.collect(),
+    };
     let soil = soil(35.0, 0.3);
     let law = SpatialLaw::new(soil.friction_angle, 16e3, 0.3).unwrap();
     for drive in [Drive::Locked, Drive::Slip(-0.3), Drive::Free] {

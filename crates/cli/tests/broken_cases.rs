@@ -317,7 +317,7 @@ fn what_a_case_symmetric_about_x_cannot_be() {
     let half = half.replacen("fine_x = [\"-1.75 m\"", "fine_x = [\"0 m\"", 1);
     refused(&half, "x = [\"0 m\"", "x = [\"-1 m\"", &["begin with \"0 m\""]);
     refused(&half, "friction = 0", "friction = 0\nx = \"0.1 m\"", &["off the plane of symmetry"]);
-    refused(&half, "friction = 0", "friction = 0\norientation = \"5 deg\"", &["not symmetric about x = 0"]);
+    refused(&half, "friction = 0", "friction = 0\npitch = \"5 deg\"", &["not symmetric about x = 0"]);
     refused(
         &half,
         "friction = 0",
@@ -347,7 +347,8 @@ fn shapes_that_do_not_fit() {
         "shape = \"cylinder\"\ndiameter = \"1 m\"\naxis = \"y\"\nlength = \"1 m\"",
         &["as long as the slab"],
     );
-    refused(TOWED_DISC, "friction = 0.3", "orientation = \"3 deg\"", &["does not apply to shape"]);
+    refused(TOWED_DISC, "friction = 0.3", "axis = \"x\"", &["does not apply to shape"]);
+    refused(TOWED_DISC, "friction = 0.3", "orientation = \"3 deg\"", &["`body.disc.pitch`"]);
 }
 
 #[test]

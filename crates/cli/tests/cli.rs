@@ -64,7 +64,7 @@ fn the_towed_disc_is_understood() {
     close(&disc["position"][2], 0.1);
     close(&disc["translation"][2]["free"]["load"], 0.0);
     close(&disc["translation"][2]["free"]["support"], 40.0);
-    close(&disc["spin"]["free"]["ramp"], 0.1);
+    close(&disc["rotation"][2]["free"]["ramp"], 0.1);
     // 0.4 s to settle, a ramp over half the distance of the full speed, then 0.2 m/s.
     close(&case["duration"], 0.4 + 0.05 + 1.6);
     close(&seen["groups"]["disc"]["W_bar"], 40.0 / (16e3 * 0.05 * 0.2 * 0.2));

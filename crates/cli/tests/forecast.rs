@@ -468,7 +468,7 @@ fn a_blade_has_a_forecast_with_its_lengths() {
     for against in [
         "Z=0.05..0.9",
         "soil.friction_angle=\"25 deg\"..\"44 deg\"",
-        "orientation=-60 deg..30 deg",
+        "pitch=-60 deg..30 deg",
         "backfill=0 deg..15 deg",
     ] {
         let mut command = coulter();
@@ -517,13 +517,13 @@ fn blocks_sink_and_lean_and_are_uncertain() {
     let all = seen["uncertainty"]["quantities"].as_array().unwrap();
     assert_eq!(all.iter().filter(|q| q["model"] == "PW").count(), 2);
     // Leaning back it is McKyes and Ali's, unless it is thick; leaning forward the exact one.
-    let (_folder, path) = tool(&[("size = [\"0.06 m\"", "orientation = \"-30 deg\"\nsize = [\"0.06 m\"")]);
+    let (_folder, path) = tool(&[("size = [\"0.06 m\"", "pitch = \"-30 deg\"\nsize = [\"0.06 m\"")]);
     assert_eq!(forecast_of(&path, &[])["recommended"], "3D-RFT");
-    assert_eq!(forecast_of(&path, &["--set", "body.tool.orientation=-10 deg"])["recommended"], "McKyes-Ali");
-    assert_eq!(forecast_of(&path, &["--set", "body.tool.orientation=20 deg"])["recommended"], "PW");
+    assert_eq!(forecast_of(&path, &["--set", "body.tool.pitch=-10 deg"])["recommended"], "McKyes-Ali");
+    assert_eq!(forecast_of(&path, &["--set", "body.tool.pitch=20 deg"])["recommended"], "PW");
     // Towed the other way it is its own mirror image.
-    let mirrored = ["--set", "body.tool.forward.speed=-0.2 m/s", "--set", "body.tool.orientation=-20 deg"];
-    let ahead = forecast_of(&path, &["--set", "body.tool.orientation=20 deg"]);
+    let mirrored = ["--set", "body.tool.forward.speed=-0.2 m/s", "--set", "body.tool.pitch=-20 deg"];
+    let ahead = forecast_of(&path, &["--set", "body.tool.pitch=20 deg"]);
     assert_eq!(forecast_of(&path, &mirrored)["models"], ahead["models"]);
 }
 

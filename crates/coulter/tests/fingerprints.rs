@@ -111,7 +111,7 @@ const MOVING: &[&str] = &[
     "ground.velocity=[\"0.2 m/s\", \"0 m/s\"]",
 ];
 const COARSE: &[&str] = &["grid.cell=\"125 mm\"", OFTEN];
-const ROTATED: &[&str] = &["grid.cell=\"125 mm\"", OFTEN, "body.block.orientation=\"30 deg\""];
+const ROTATED: &[&str] = &["grid.cell=\"125 mm\"", OFTEN, "body.block.pitch=\"30 deg\""];
 const SMOOTH: &[&str] = &[
     "grid.cell=\"25 mm\"",
     "soil.flow_potential=\"menetrey-willam\"",

@@ -45,7 +45,9 @@ const FAULTS: &[Fault] = &[
     (TOWED_DISC, &["body.disc.x=0.7 m"], |c| c.bodies[0].position.x = 0.7),
     (TOWED_DISC, &["body.disc.y=0.1 m"], |c| c.bodies[0].position.y = 0.1),
     (TOWED_DISC, &["body.disc.lateral=free"], |c| c.bodies[0].translation[1] = free(0.0)),
-    (TOWED_DISC, &["body.disc.spin={ load = '0 N*m', start = '-1 s' }"], |c| c.bodies[0].spin = free(-1.0)),
+    (TOWED_DISC, &["body.disc.spin={ load = '0 N*m', start = '-1 s' }"], |c| {
+        c.bodies[0].rotation[2] = free(-1.0)
+    }),
     (TOWED_DISC, &["domain.y=['-0.3 m', '0.3 m']"], |c| c.domain.low.y = -0.3),
     (TOWED_DISC, &["domain.y_walls=['fixed', 'smooth']"], |c| c.domain.walls[1][0] = Wall::Fixed),
     (TOWED_DISC, &["domain.z=['0.1 m', '0 m']"], |c| (c.domain.low.z, c.domain.high.z) = (0.1, 0.0)),
@@ -226,11 +228,10 @@ fn numbers_of_body(body: &mut Body) -> Vec<&mut f64> {
         Shape::Disc(disc) => vec![&mut disc.diameter, &mut disc.thickness],
         Shape::Cylinder(cylinder) => vec![&mut cylinder.diameter, &mut cylinder.length],
         Shape::Sphere(sphere) => vec![&mut sphere.diameter],
-        Shape::Block(block) => {
-            components(&mut block.size).into_iter().chain([&mut block.orientation]).collect()
-        }
+        Shape::Block(block) => components(&mut block.size).into_iter().collect(),
     });
-    for motion in body.translation.iter_mut().chain([&mut body.spin]) {
+    all.extend([&mut body.attitude.yaw, &mut body.attitude.tilt, &mut body.attitude.pitch]);
+    for motion in body.translation.iter_mut().chain(&mut body.rotation) {
         match motion {
             Motion::Fixed => {}
             Motion::Free { load, support, start, ramp } => all.extend([load, support, start, ramp]),

@@ -24,6 +24,7 @@ fn history() -> History {
         drag: 15.0,
         vertical: 40.0,
         speed: 0.2,
+        rolling_speed: 0.2,
         spin: 1.4,
         embedded_volume: 1e-4,
         ..BodySample::default()

@@ -130,6 +130,14 @@ impl Body {
     }
 }
 
+impl BodyState {
+    /// Axis of tilt: the level unit vector across the axle, forwards of a body that has not been turned round.
+    #[must_use]
+    pub fn tilt_axis(&self) -> DVec3 {
+        self.tilt_axis
+    }
+}
+
 /// Momentum of a whole body.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Momentum {

@@ -18,7 +18,7 @@ fn shapes() -> Vec<(Box<dyn Shape>, f64)> {
         (Box::new(cylinder(Axis::Y)), round),
         (Box::new(cylinder(Axis::Z)), round),
         (Box::new(block), edged),
-        (Box::new(Rotated::new(block, 0.6)), edged),
+        (Box::new(Rotated::new(Box::new(block), 0.6)), edged),
         (Box::new(Sphere { diameter: 0.2 }), PI * 0.04),
     ]
 }
@@ -129,7 +129,7 @@ fn a_quarter_of_a_symmetric_body_has_a_quarter_of_its_points() {
 
 #[test]
 fn a_rotated_block_leans_forward() {
-    let plate = Rotated::new(Block { size: DVec3::new(0.02, 0.2, 0.4) }, 0.5);
+    let plate = Rotated::new(Box::new(Block { size: DVec3::new(0.02, 0.2, 0.4) }), 0.5);
     let top = DVec3::new(0.2 * f64::sin(0.5), 0.0, 0.2 * f64::cos(0.5));
     assert!(plate.signed_distance(top).abs() < 1e-12 && plate.signed_distance(0.99 * top) < 0.0);
     let (low, high) = plate.bounds();

@@ -224,6 +224,12 @@ impl<R> State<R> {
         &self.mechanism.bodies[body].twist
     }
 
+    /// Axis of tilt of a body: the level unit vector across its axle.
+    #[must_use]
+    pub fn tilt_axis(&self, body: usize) -> DVec3 {
+        self.mechanism.bodies[body].tilt_axis()
+    }
+
     /// Memory in use [bytes].
     #[must_use]
     pub fn memory(&self) -> usize {

@@ -55,7 +55,7 @@ fn coefficient(
         format!("soil.dilation_angle={dilation} deg"),
         format!("grid.cell={} m", LENGTH / f64::from(cells)),
         format!("body.plate.size=['{thickness} m', '{} m']", LENGTH + ABOVE),
-        format!("body.plate.orientation={tilt} deg"),
+        format!("body.plate.pitch={tilt} deg"),
         format!("body.plate.sinkage={} m", LENGTH * cos),
         format!("body.plate.x={x} m"),
         format!("body.plate.forward={}", motion(SPEED * cos)),

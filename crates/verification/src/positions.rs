@@ -85,7 +85,7 @@ fn directions(runner: &mut Runner, body: &str, text: &str) -> Result<(), VerifyE
         ];
         if body == "block" {
             // A positive angle tilts the face from x downwards.
-            changes.push(format!("body.block.orientation={} deg", -angle));
+            changes.push(format!("body.block.pitch={} deg", -angle));
         }
         let variant = pushed(body, angle);
         let simulation = runner.run("A11", &variant, text, &changes)?;

@@ -48,6 +48,8 @@ pub(super) fn predict(
     Ok(Prediction {
         drag,
         vertical,
+        lateral: None,
+        moment: None,
         sinkage: Some(sinkage),
         contact_angle: None,
         force_inclination: drag.atan2(vertical),

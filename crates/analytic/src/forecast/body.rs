@@ -2,7 +2,7 @@
 
 use crate::disc::Disc;
 use crate::error::{ModelResult, positive, within};
-use crate::resistive::Facet;
+use crate::resistive::{Axle, Facet};
 use crate::soil::Soil;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
@@ -73,7 +73,7 @@ pub struct Block {
     pub has_base: bool,
 }
 
-/// A body of any shape by its facets, centred on its origin and symmetric fore and aft.
+/// A body of any shape and attitude by its facets, centred on its origin.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FacetedBody {
     /// Reference length d [m]: its diameter.
@@ -82,6 +82,8 @@ pub struct FacetedBody {
     pub width: f64,
     /// Height of its bounding box [m].
     pub height: f64,
+    /// The axle about which it rolls, if it does.
+    pub axle: Axle,
     /// Facets of its surface.
     pub facets: Arc<[Facet]>,
 }

@@ -4,8 +4,8 @@ use super::{Body, Candidate, Load, Prediction, Towing};
 use crate::disc::{Disc, Drive};
 use crate::error::{ModelResult, undefined};
 use crate::resistive::{
-    Facet, PlanarLaw, SpatialLaw, SteadyTow, Traction, at_depth, body_at_depth, body_under_weight,
-    stiffness_per_unit_weight, under_weight,
+    Axle, Facet, Faceted, PlanarLaw, SpatialLaw, SteadyTow, Traction, at_depth, body_at_depth,
+    body_under_weight, stiffness_per_unit_weight, under_weight,
 };
 use crate::soil::Soil;
 use crate::wheel::{
@@ -74,23 +74,27 @@ fn resistive(
     if towing.soil.cohesion > 0.0 {
         return undefined("resistive force theory", "it is for cohesionless soil");
     }
-    let of_facets = |facets: &[Facet], drive: Drive| {
-        let (facets, height): (Vec<Facet>, f64) =
-            (facets.iter().map(projected).collect(), towing.body.height());
+    let height = towing.body.height();
+    let of_facets = |facets: &[Facet], axle: Axle, drive: Drive| {
+        let facets: Vec<Facet> = facets.iter().map(projected).collect();
+        let body = Faceted { facets: &facets, height, axle };
         match towing.load {
-            Load::Weight(weight) => body_under_weight(law, &facets, height, weight, drive),
-            Load::Sinkage(z) => body_at_depth(law, &facets, height, z, drive),
+            Load::Weight(weight) => body_under_weight(law, &body, weight, drive),
+            Load::Sinkage(z) => body_at_depth(law, &body, z, drive),
         }
     };
-    let SteadyTow { drag, vertical, sinkage, slip, .. } = match (&towing.body, towing.load) {
+    let SteadyTow { drag, vertical, lateral, moment, sinkage, slip, .. } = match (&towing.body, towing.load) {
         (Body::Disc(disc), Load::Weight(weight)) => under_weight(law, disc, weight, towing.drive)?,
         (Body::Disc(disc), Load::Sinkage(z)) => at_depth(law, disc, z, towing.drive)?,
-        (Body::Block(block), _) => of_facets(&block.facets(), Drive::Locked)?,
-        (Body::Faceted(body), _) => of_facets(&body.facets, towing.drive)?,
+        (Body::Block(block), _) => of_facets(&block.facets(), Axle::across(0.5 * height), Drive::Locked)?,
+        (Body::Faceted(body), _) => of_facets(&body.facets, body.axle, towing.drive)?,
         (Body::Plate(_), _) => return undefined("the tow", "a plate is pressed straight down"),
     };
     let rotates = towing.body.disc().is_some() || towing.drive != Drive::Locked;
-    prediction(towing, drag, vertical, Some(sinkage), rotates.then_some(slip))
+    let found = prediction(towing, drag, vertical, Some(sinkage), rotates.then_some(slip))?;
+    // In a plane no force acts sideways.
+    let is_spatial = matches!(towing.body, Body::Faceted(_));
+    Ok(Prediction { lateral: is_spatial.then_some(lateral), moment: is_spatial.then_some(moment), ..found })
 }
 
 fn hetherington(towing: &Towing, disc: &Disc) -> ModelResult<Prediction> {
@@ -159,6 +163,8 @@ fn prediction(
     Ok(Prediction {
         drag,
         vertical,
+        lateral: None,
+        moment: None,
         sinkage,
         contact_angle,
         force_inclination,

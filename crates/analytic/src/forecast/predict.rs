@@ -29,7 +29,13 @@ pub fn predict(model: Candidate, towing: &Towing, table: Option<&PressureTable>)
     };
     let scaled = Towing { load, resistance_factor: 1.0, ..towing.clone() };
     let found = predict_unscaled(model, &scaled, table)?;
-    Ok(Prediction { drag: factor * found.drag, vertical: factor * found.vertical, ..found })
+    Ok(Prediction {
+        drag: factor * found.drag,
+        vertical: factor * found.vertical,
+        lateral: found.lateral.map(|force| factor * force),
+        moment: found.moment.map(|moment| moment.map(|m| factor * m)),
+        ..found
+    })
 }
 
 fn predict_unscaled(
@@ -123,6 +129,8 @@ fn prediction(forces: &DiscForces, sinkage: f64) -> Prediction {
     Prediction {
         drag: forces.drag,
         vertical: forces.vertical,
+        lateral: None,
+        moment: None,
         sinkage: Some(sinkage),
         contact_angle: Some(forces.contact_angle),
         force_inclination: forces.force_inclination,

@@ -11,6 +11,10 @@ pub struct Prediction {
     pub drag: f64,
     /// Vertical force F_V [N].
     pub vertical: f64,
+    /// Lateral force along y, to the left [N].
+    pub lateral: Option<f64>,
+    /// Moments of the soil about x, y, z through the centre of the body [N m].
+    pub moment: Option<[f64; 3]>,
     /// Sinkage z [m].
     pub sinkage: Option<f64>,
     /// Contact angle θ_f [rad].

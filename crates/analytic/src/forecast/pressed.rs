@@ -26,6 +26,8 @@ pub(super) fn predict(model: Candidate, towing: &Towing) -> ModelResult<Predicti
     Ok(Prediction {
         drag: 0.0,
         vertical,
+        lateral: None,
+        moment: None,
         sinkage: Some(sinkage),
         contact_angle: None,
         force_inclination: 0.0,

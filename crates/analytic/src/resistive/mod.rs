@@ -12,7 +12,7 @@ mod towed;
 pub use body::{Facet, Motion, Wrench, facets_of_triangles, rim_facets, wrench};
 pub use planar::PlanarLaw;
 pub use spatial::{SpatialLaw, stiffness_per_unit_weight};
-pub use towed::{SteadyTow, at_depth, body_at_depth, body_under_weight, under_weight};
+pub use towed::{Axle, Faceted, SteadyTow, at_depth, body_at_depth, body_under_weight, under_weight};
 
 /// A law for the traction on a surface element.
 pub trait Traction {

@@ -1,10 +1,45 @@
 //! Steady tow of a disc or any body in resistive force theory.
 
-use super::{Facet, Motion, Traction, Wrench, rim_facets, wrench};
+use super::{Facet, Motion, Traction, Wrench, dot, rim_facets, wrench};
 use crate::disc::{Disc, Drive, MAX_SLIP, check_weight_carried, equilibrium_depth};
 use crate::error::{ModelResult, positive, undefined, within};
 use crate::motion::turn_ratio;
 use crate::numeric::root;
+
+/// The axle of a body, through its origin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Axle {
+    /// Unit vector along it, to the left of a body that rolls forward.
+    pub direction: [f64; 3],
+    /// Radius on which the body rolls [m].
+    pub radius: f64,
+}
+
+impl Axle {
+    /// An axle across the tow, of a body that rolls on a radius [m].
+    #[must_use]
+    pub fn across(radius: f64) -> Self {
+        Self { direction: [0.0, 1.0, 0.0], radius }
+    }
+
+    /// Component along the tow of the level unit vector across the axle, in which the body rolls; 0 for an upright axle.
+    fn rolls_along(&self) -> f64 {
+        let [x, y, _] = self.direction;
+        let level = x.hypot(y);
+        if level > 0.0 { y / level } else { 0.0 }
+    }
+}
+
+/// A body of any shape by its facets, centred on its origin.
+#[derive(Clone, Copy, Debug)]
+pub struct Faceted<'a> {
+    /// Facets of its surface.
+    pub facets: &'a [Facet],
+    /// Its height [m].
+    pub height: f64,
+    /// Its axle.
+    pub axle: Axle,
+}
 
 /// Forces on a body in steady tow.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,6 +48,10 @@ pub struct SteadyTow {
     pub drag: f64,
     /// Vertical force [N].
     pub vertical: f64,
+    /// Lateral force [N], positive along y.
+    pub lateral: f64,
+    /// Moments of the soil about x, y, z through the centre [N m].
+    pub moment: [f64; 3],
     /// Torque of the soil about the axle [N m]; positive when it rotates the body forwards.
     pub torque: f64,
     /// Sinkage [m].
@@ -53,28 +92,45 @@ fn balanced(drive: Drive, at: impl Fn(f64) -> SteadyTow) -> ModelResult<SteadyTo
     }
 }
 
-/// Forces on a body of any shape, centred on its origin, at a sinkage [m] of its lowest point.
+/// Forces on a body of any shape at a sinkage [m] of its lowest point.
 ///
-/// Unless it is locked it rotates about y; slip and torque then refer to the radius ½ `height` [m].
+/// Unless it is locked it rotates about its axle; the slip refers to its velocity across the axle.
 ///
 /// # Errors
 /// If the sinkage or the drive is out of range, or no slip balances the torque.
 pub fn body_at_depth(
     law: &impl Traction,
-    facets: &[Facet],
-    height: f64,
+    body: &Faceted,
     sinkage: f64,
     drive: Drive,
 ) -> ModelResult<SteadyTow> {
     drive.check()?;
-    let z = within("sinkage [m]", sinkage, f64::MIN_POSITIVE, height)?;
-    let radius = 0.5 * height;
+    let z = within("sinkage [m]", sinkage, f64::MIN_POSITIVE, body.height)?;
+    let Axle { direction, radius } = body.axle;
+    let rolling_speed = body.axle.rolls_along();
     balanced(drive, |slip| {
-        let spin = [0.0, turn_ratio(slip) / radius, 0.0];
-        let motion = Motion { height: radius - z, velocity: [1.0, 0.0, 0.0], spin };
-        let Wrench { force, torque } = wrench(law, facets, &motion);
-        SteadyTow { drag: -force[0], vertical: force[2], torque: torque[1], sinkage: z, slip }
+        let rate = turn_ratio(slip) * rolling_speed / radius;
+        let motion = Motion {
+            height: 0.5 * body.height - z,
+            velocity: [1.0, 0.0, 0.0],
+            spin: direction.map(|component| rate * component),
+        };
+        tow(&wrench(law, body.facets, &motion), &direction, z, slip)
     })
+}
+
+/// The steady tow with these forces.
+fn tow(wrench: &Wrench, axle: &[f64; 3], sinkage: f64, slip: f64) -> SteadyTow {
+    let Wrench { force, torque } = *wrench;
+    SteadyTow {
+        drag: -force[0],
+        vertical: force[2],
+        lateral: force[1],
+        moment: torque,
+        torque: dot(torque, *axle),
+        sinkage,
+        slip,
+    }
 }
 
 /// Sinkage and forces of a disc under a weight [N].
@@ -93,14 +149,13 @@ pub fn under_weight(law: &impl Traction, disc: &Disc, weight: f64, drive: Drive)
 /// If an input is out of range or no sinkage up to 0.9 of its height carries the weight.
 pub fn body_under_weight(
     law: &impl Traction,
-    facets: &[Facet],
-    height: f64,
+    body: &Faceted,
     weight: f64,
     drive: Drive,
 ) -> ModelResult<SteadyTow> {
     drive.check()?;
-    at_equilibrium(positive("height of the body [m]", height)?, weight, |z| {
-        body_at_depth(law, facets, height, z, drive)
+    at_equilibrium(positive("height of the body [m]", body.height)?, weight, |z| {
+        body_at_depth(law, body, z, drive)
     })
 }
 
@@ -139,6 +194,5 @@ fn disc_at_slip(law: &impl Traction, disc: &Disc, sinkage: f64, slip: f64) -> St
     let transition = turn_ratio(slip).clamp(0.0, 1.0).acos().min(contact_angle);
     let mut front = rim_facets(disc, 0.0, transition);
     front.extend(rim_facets(disc, transition, contact_angle));
-    let Wrench { force, torque } = wrench(law, &front, &motion);
-    SteadyTow { drag: -force[0], vertical: force[2], torque: torque[1], sinkage, slip }
+    tow(&wrench(law, &front, &motion), &Axle::across(radius).direction, sinkage, slip)
 }

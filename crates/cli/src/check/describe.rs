@@ -3,7 +3,7 @@
 use super::groups::groups;
 use coulter::case::Case;
 use coulter::case::quantity::plain;
-use coulter::case::resolved::{Body, Law, Measured, Motion, Potential, Soil};
+use coulter::case::resolved::{Attitude, Body, Law, MOTIONS, Measured, Motion, Potential, Soil};
 use std::fmt::Write;
 
 /// Soil and bodies of a case.
@@ -90,22 +90,34 @@ fn strength(soil: &Soil) -> String {
 
 fn describe_body(text: &mut String, case: &Case, body: &Body) -> std::fmt::Result {
     let metres = |x: f64| format!("{} m", plain(x));
-    let shape = body.shape.describe(&metres, &|angle| format!("{:.1}°", angle.to_degrees()));
+    let shape = body.shape.describe(&metres);
     let mut friction =
         if body.friction.is_finite() { format!("μ = {}", body.friction) } else { "rough".into() };
     if body.shear_limit.is_finite() {
         friction += &format!(", at most {} Pa", body.shear_limit);
     }
-    let [forward, lateral, heave] = &body.translation;
-    let weight = match heave {
+    let weight = match body.translation[2] {
         Motion::Free { .. } => format!(", W = {:.4} N", case.gravity * body.mass),
         _ => String::new(),
     };
     writeln!(text, "body     {}: {shape}, {friction}, m = {:.4} kg{weight}", body.name, body.mass)?;
-    let motions =
-        [("forward", forward, "m/s", "N"), ("lateral", lateral, "m/s", "N"), ("heave", heave, "m/s", "N")];
-    for (name, freedom, speed, load) in motions.into_iter().chain([("spin", &body.spin, "rad/s", "N m")]) {
-        writeln!(text, "         {name:8} {}", describe_freedom(freedom, speed, load))?;
+    let Attitude { yaw, tilt, pitch } = body.attitude;
+    if body.attitude != Attitude::default() {
+        let degrees = |angle: f64| plain(angle.to_degrees());
+        writeln!(
+            text,
+            "         attitude yaw {}°, tilt {}°, pitch {}°",
+            degrees(yaw),
+            degrees(tilt),
+            degrees(pitch)
+        )?;
+    }
+    for (n, (name, freedom)) in MOTIONS.into_iter().zip(body.motions()).enumerate() {
+        let (speed, load) = if n < 3 { ("m/s", "N") } else { ("rad/s", "N m") };
+        // Steering is the exception.
+        if freedom != Motion::Fixed || !name.ends_with("_motion") {
+            writeln!(text, "         {name:11} {}", describe_freedom(&freedom, speed, load))?;
+        }
     }
     let groups = groups(case, body);
     let optional =

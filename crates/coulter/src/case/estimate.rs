@@ -137,9 +137,8 @@ pub(super) fn most_contact_points(case: &Case) -> Option<(String, f64)> {
 
 /// Estimated displacement of a body at the end [m]: one that is free to sink is assumed to do so by a tenth of its height.
 fn moved(body: &Body, duration: f64) -> DVec3 {
-    let (low, high) = body.shape.solid().bounds();
     let [x, y, z] = body.translation.each_ref().map(|freedom| travel(freedom, duration));
-    let sunk = if body.translation[2].is_free() { -0.1 * (high.z - low.z) } else { z };
+    let sunk = if body.translation[2].is_free() { -0.1 * body.size().z } else { z };
     DVec3::new(x, y, sunk)
 }
 

@@ -11,9 +11,9 @@ pub const FORMAT: u32 = 2;
 pub struct RenamedKey {
     /// Its section: `soil`, or `body` for `[body.NAME]`.
     pub section: &'static str,
-    /// Name in format 1.
+    /// Its old name.
     pub old: &'static str,
-    /// Name in format 2.
+    /// Its name today.
     pub new: &'static str,
 }
 
@@ -34,8 +34,8 @@ const fn key(section: &'static str, old: &'static str, new: &'static str) -> Ren
     RenamedKey { section, old, new }
 }
 
-/// Every key that has a new name since format 1.
-pub const RENAMED_KEYS: [RenamedKey; 9] = [
+/// Every key that has a new name since format 1, or since format 2 was begun.
+pub const RENAMED_KEYS: [RenamedKey; 10] = [
     key("soil", "rest_pressure_ratio", "k0"),
     key("soil", "tension_limit", "tension_cutoff"),
     key("output", "steady_share", "steady_fraction"),
@@ -45,6 +45,7 @@ pub const RENAMED_KEYS: [RenamedKey; 9] = [
     key("forecast", "plate_frictional", "frictional_modulus"),
     key("forecast", "shear_displacement", "shear_deformation_modulus"),
     key("forecast", "heap", "bow_wave"),
+    key("body", "orientation", "pitch"),
 ];
 
 /// Every word that has been replaced since format 1.
@@ -132,7 +133,8 @@ mod tests {
     #[test]
     fn every_renamed_key_is_refused_with_its_new_name_and_line() {
         for RenamedKey { section, old, new } in RENAMED_KEYS {
-            let (heading, known) = (format!("[{section}]"), keys::find(section).unwrap().keys);
+            let path = if section == "body" { "body.disc" } else { section };
+            let (heading, known) = (format!("[{path}]"), keys::find(section).unwrap().keys);
             assert!(known.iter().any(|k| k.name == new) && !known.iter().any(|k| k.name == old), "{new}");
             let text = if TOWED_DISC.contains(&heading) {
                 TOWED_DISC.replacen(&heading, &format!("{heading}\n{old} = 1"), 1)
@@ -140,16 +142,15 @@ mod tests {
                 format!("{TOWED_DISC}\n{heading}\n{old} = 1\n")
             };
             let error = parse(&text, "case.toml", &[]).unwrap_err();
-            let line =
-                problem_line(&error, &[&format!("`{section}.{old}`"), &format!("`{section}.{new}`")], new);
+            let line = problem_line(&error, &[&format!("`{path}.{old}`"), &format!("`{path}.{new}`")], new);
             assert_eq!(line, line_of(&text, &format!("{old} = 1")), "{old}");
             // The constants of `[forecast]` belong together: the others are missing then.
             assert!(
                 error.problems.len() == 1 || section == "forecast",
                 "{old}: nothing else is wrong: {error:?}"
             );
-            let set = parse(TOWED_DISC, "case.toml", &[format!("{section}.{old}=1")]).unwrap_err();
-            problem_line(&set, &[&format!("`{section}.{new}`")], new);
+            let set = parse(TOWED_DISC, "case.toml", &[format!("{path}.{old}=1")]).unwrap_err();
+            problem_line(&set, &[&format!("`{path}.{new}`")], new);
             assert_eq!(new_name(old).as_deref(), Some(new));
             assert_eq!(new_name(&format!("{section}.{old}")), Some(format!("{section}.{new}")));
         }

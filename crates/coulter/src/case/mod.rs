@@ -27,6 +27,7 @@ pub mod quantity;
 mod resolve;
 pub mod resolved;
 pub mod resources;
+mod rigid_body;
 mod schema;
 pub mod shapes;
 mod toml_tree;

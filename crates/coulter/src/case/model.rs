@@ -115,7 +115,7 @@ fn open_ends(body: Option<&resolved::Body>, axis: usize) -> [Boundary; 2] {
     };
     let along = body.map_or(0.0, |body| sign(&body.translation[axis]));
     // A body that drives itself goes where it rolls.
-    let along = if along == 0.0 { body.map_or(0.0, |body| sign(&body.spin)) } else { along };
+    let along = if along == 0.0 { body.map_or(0.0, |body| sign(&body.spin())) } else { along };
     match (axis, along < 0.0) {
         (2, _) => [Boundary::Inflow; 2],
         (_, true) => [Boundary::Inflow, Boundary::Outflow],
@@ -181,21 +181,20 @@ fn yield_law(elastic: Elastic, law: Law) -> Option<ConstitutiveLaw> {
 }
 
 fn body(body: &resolved::Body) -> BodyModel {
-    let [forward, lateral, heave] = body.translation;
     BodyModel {
         name: body.name.clone(),
-        shape: body.shape.solid(),
-        start: Pose::at(body.position),
+        shape: body.solid(),
+        start: Pose { position: body.position, rotation: body.attitude.of_axle() },
         inertia: inertia(body),
         friction: body.friction,
         shear_limit: body.shear_limit,
-        motion: [forward, lateral, heave, Motion::Fixed, Motion::Fixed, body.spin],
+        motion: body.motions(),
     }
 }
 
 /// Mass properties: of a homogeneous solid, its tensor scaled where the moment of inertia about the axle is given.
 fn inertia(body: &resolved::Body) -> Inertia {
-    let solid = body.shape.solid().mass_properties();
+    let solid = body.solid().mass_properties();
     let scale = body.axle_inertia / solid.about_axle();
     Inertia { mass: body.mass, centre: solid.centroid, tensor: solid.inertia * scale }
 }

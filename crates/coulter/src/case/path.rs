@@ -36,7 +36,7 @@ pub(super) fn path(body: &Body, duration: f64) -> Extent {
 
 /// The box that encloses a body on its way to a displacement [m].
 fn extent(body: &Body, displacement: DVec3) -> Extent {
-    let (low, high) = body.shape.solid().bounds();
+    let (low, high) = body.reach();
     let (start, end) = (body.position, body.position + displacement);
     Extent { low: start.min(end) + low, high: start.max(end) + high }
 }
@@ -78,8 +78,8 @@ impl<'a> Paths<'a> {
 /// The largest edge of any body in the plane of the tow [m].
 pub(super) fn body_length(bodies: &[Body]) -> f64 {
     let length = |b: &Body| {
-        let (low, high) = b.shape.solid().bounds();
-        (high - low).x.max((high - low).z)
+        let size = b.size();
+        size.x.max(size.z)
     };
     bodies.iter().map(length).fold(0.0, f64::max)
 }

@@ -1,7 +1,7 @@
 //! What a case means: every default filled in, every number in SI units. It is plain data: [`super::validate`] says whether it
 //! can be simulated.
 
-use super::shapes::Shape;
+pub use super::rigid_body::{Attitude, Body, MOTIONS};
 use glam::DVec3;
 pub use mechanics::Motion;
 use serde::Serialize;
@@ -322,41 +322,6 @@ impl Grid {
     #[must_use]
     pub fn fine_cell(&self) -> DVec3 {
         self.cell * self.aspect
-    }
-}
-
-/// A rigid body.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Body {
-    /// Its name in the file.
-    pub name: String,
-    /// Its shape.
-    pub shape: Shape,
-    /// Reference point at the start [m].
-    pub position: DVec3,
-    /// Mass [kg] of the whole body.
-    pub mass: f64,
-    /// Moment of inertia about the axle [kg m²] of the whole body.
-    pub axle_inertia: f64,
-    /// Coefficient of friction μ of its surface against the soil; infinite for a rough (no-slip) one.
-    pub friction: f64,
-    /// Largest frictional traction [Pa], whatever the pressure: α s_u; infinite for no such limit.
-    pub shear_limit: f64,
-    /// Motion along x (tow), y (lateral), z (heave).
-    pub translation: [Motion; 3],
-    /// Rotation about the axle; positive when it rolls forward.
-    pub spin: Motion,
-}
-
-impl Body {
-    /// Force that presses the body into the ground once it is released [N]: its weight and the load on its heave, downwards;
-    /// `None` for a body that does not heave freely.
-    #[must_use]
-    pub fn pressing_force(&self, gravity: f64) -> Option<f64> {
-        match self.translation[2] {
-            Motion::Free { load, .. } => Some(self.mass * gravity - load),
-            _ => None,
-        }
     }
 }
 

@@ -53,7 +53,7 @@ pub fn model_input(case: &Case) -> Result<ModelInput, String> {
         Body::Faceted(_) if first.shape.rolling_diameter().is_some() => drive(first, 0.5 * body.length())?,
         Body::Faceted(_) => Drive::Locked,
     };
-    if course != Course::Pressed && drive == Drive::Locked && !matches!(first.spin, Motion::Fixed) {
+    if course != Course::Pressed && drive == Drive::Locked && !matches!(first.spin(), Motion::Fixed) {
         remarks.push(format!("`{}` may rotate; the models assume that it does not", first.name));
     }
     let mut towing = Towing::new(soil, body, load, drive);
@@ -240,7 +240,7 @@ fn load(
     remarks: &mut Vec<String>,
 ) -> Result<Load, String> {
     let name = &body.name;
-    let start = ground.surface - (body.position.z + body.shape.solid().bounds().0.z);
+    let start = ground.surface - (body.position.z + body.bounds().0.z);
     let heave = &body.translation[2];
     match body.pressing_force(case.gravity) {
         Some(load) if load > 0.0 => return Ok(Load::Weight(load * count)),
@@ -273,7 +273,7 @@ fn load(
 
 /// The condition at the axle of a body of this radius [m]; a prescribed rotation gives the slip.
 fn drive(body: &Towed, radius: f64) -> Result<Drive, String> {
-    match (&body.spin, &body.translation[0]) {
+    match (&body.spin(), &body.translation[0]) {
         (Motion::Free { load, .. }, _) if *load > 0.0 => Ok(Drive::Driven(*load)),
         (Motion::Free { load, .. }, _) if *load < 0.0 => Ok(Drive::Braked(-load)),
         (Motion::Free { .. }, _) => Ok(Drive::Free),

@@ -7,7 +7,8 @@ use std::fmt::Write;
 /// Header of `models.csv`.
 const HEADER: &str = "model,applicable,drag F_H [N],vertical F_V [N],sinkage z [m],contact angle [deg],\
 force inclination [deg],slip [-],mechanism,sideways share [-],F_H_bar [-],F_V_bar [-],Z [-],\
-drag 5 % [N],drag 95 % [N],vertical 5 % [N],vertical 95 % [N],sinkage 5 % [m],sinkage 95 % [m],note";
+drag 5 % [N],drag 95 % [N],vertical 5 % [N],vertical 95 % [N],sinkage 5 % [m],sinkage 95 % [m],\
+lateral [N],moment x [N m],moment y [N m],moment z [N m],note";
 
 /// The text of `models.csv`: one line per model.
 #[must_use]
@@ -39,15 +40,19 @@ pub fn models_csv(outlook: &Outlook, intervals: &Intervals) -> String {
         let fields = |list: &[Option<f64>]| {
             list.iter().map(|x| x.map_or(String::new(), |x| format!("{x:.6e}"))).collect::<Vec<_>>().join(",")
         };
+        let moment = found.and_then(|p| p.moment);
+        let sideways = [found.and_then(|p| p.lateral)].into_iter();
+        let sideways: Vec<_> = sideways.chain([0, 1, 2].map(|axis| moment.map(|m| m[axis]))).collect();
         let word = found.and_then(|p| p.mechanism).map_or("", mechanism_word);
         let note = model.note.replace('"', "'");
         let (name, applicable) = (model.name, model.applicable);
         let _ = writeln!(
             text,
-            "{name},{applicable},{},{word},{},{},\"{note}\"",
+            "{name},{applicable},{},{word},{},{},{},\"{note}\"",
             fields(&numbers),
             fields(&groups),
-            fields(&spread)
+            fields(&spread),
+            fields(&sideways)
         );
     }
     text

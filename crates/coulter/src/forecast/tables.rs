@@ -219,6 +219,7 @@ fn closing(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
         writeln!(text, " (they are not independent, so this is not a confidence interval)")?;
     }
     other_strength(text, outlook)?;
+    sideways(text, outlook)?;
     if let Some(faces) = &forecast.side_faces {
         writeln!(
             text,
@@ -227,6 +228,22 @@ fn closing(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
         )?;
     }
     writeln!(text, "\n{}", wrapped(&forecast.recommendation))
+}
+
+/// Lateral force and moments, of the models that give them.
+fn sideways(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
+    for model in &outlook.forecast.models {
+        let Some(Prediction { lateral: Some(lateral), moment: Some([x, y, z]), .. }) = model.prediction
+        else {
+            continue;
+        };
+        writeln!(
+            text,
+            "{}: lateral force {lateral:.3} N; moments about x, y, z through the centre {x:.3}, {y:.3}, {z:.3} N m",
+            model.name
+        )?;
+    }
+    Ok(())
 }
 
 /// What the recommended model says at the other friction angle, where ψ < φ.

@@ -1,11 +1,11 @@
 //! The bodies of a case as the closed-form models represent them.
 
-use crate::case::resolved::{Body as Towed, Case, Motion};
+use crate::case::resolved::{Attitude, Body as Towed, Case, Motion};
 use crate::case::shapes::ClosedForm;
 use crate::case::travel;
 use analytic::disc::{Assembly, Disc};
 use analytic::forecast::{Block, Body, FacetedBody, Outline, Plate};
-use analytic::resistive::Facet;
+use analytic::resistive::{Axle, Facet};
 use glam::DVec3;
 use physics::shape::SurfacePoint;
 use std::f64::consts::PI;
@@ -37,9 +37,10 @@ pub(super) fn bodies<'a>(
     let spacing = second.position.y - first.position.y;
     let is_equal = |b: &&Towed| {
         b.shape == first.shape
+            && b.attitude == first.attitude
             && b.friction == first.friction
             && b.translation == first.translation
-            && b.spin == first.spin
+            && b.rotation == first.rotation
             && (b.position.x - first.position.x).abs() < 1e-9
             && (b.position.z - first.position.z).abs() < 1e-9
     };
@@ -124,21 +125,23 @@ pub(super) fn body(
 ) -> Result<(Body, &'static str), String> {
     let kind = body.shape.kind();
     let represented = match body.shape.closed_form() {
+        _ if !body.attitude.is_upright() => {
+            remarks.push(turned(body));
+            Body::Faceted(faceted(body, course))
+        }
         ClosedForm::Disc { .. } if case.domain.plane_strain => {
             return Err(format!("the case is plane strain; the models are for a {kind} of finite width"));
         }
         ClosedForm::Disc { diameter, thickness } => Disc { diameter, thickness }.into(),
-        ClosedForm::Block { size, orientation } => {
-            let is_mirrored = course == Course::TowedBackwards;
-            let block = block(case, size, if is_mirrored { -orientation } else { orientation }, remarks);
+        ClosedForm::Block { size } => {
+            let pitch = mirrored(body.attitude, course).pitch;
+            let block = block(case, size, pitch, remarks);
             if course == Course::Pressed { plate(block) } else { block.into() }
         }
         ClosedForm::Column { diameter, .. } if course == Course::Pressed => {
             Plate { outline: Outline::Circle, width: diameter, length: diameter }.into()
         }
-        ClosedForm::Column { diameter: length, height: width } | ClosedForm::Facets { length, width } => {
-            Body::Faceted(faceted(body, length, width))
-        }
+        ClosedForm::Column { .. } | ClosedForm::Facets { .. } => Body::Faceted(faceted(body, course)),
     };
     Ok((represented, kind))
 }
@@ -155,6 +158,27 @@ fn plate(block: Block) -> Body {
     Plate { outline, width, length: across }.into()
 }
 
+/// The remark on a body whose axle does not lie across the tow.
+fn turned(body: &Towed) -> String {
+    let keeps = if body.steers() { "; the models assume that it keeps them" } else { "" };
+    format!(
+        "`{}` has a yaw of {:.4}° and a tilt of {:.4}°{keeps}: only resistive force theory in space applies",
+        body.name,
+        body.attitude.yaw.to_degrees(),
+        body.attitude.tilt.to_degrees()
+    )
+}
+
+/// The attitude of what the models are given: of a body that is towed backwards, that of its mirror image.
+fn mirrored(attitude: Attitude, course: Course) -> Attitude {
+    match course {
+        Course::TowedBackwards => {
+            Attitude { yaw: -attitude.yaw, tilt: attitude.tilt, pitch: -attitude.pitch }
+        }
+        Course::Towed | Course::Pressed => attitude,
+    }
+}
+
 /// A block rotated by `orientation` [rad]; in plane strain as wide as the slab.
 fn block(case: &Case, size: DVec3, orientation: f64, remarks: &mut Vec<String>) -> Block {
     let plane_strain = case.domain.plane_strain;
@@ -166,18 +190,38 @@ fn block(case: &Case, size: DVec3, orientation: f64, remarks: &mut Vec<String>) 
     Block { size: [size.x, across, size.z], orientation, plane_strain, has_base: true }
 }
 
-/// A body represented by points on its surface.
-fn faceted(body: &Towed, diameter: f64, length: f64) -> FacetedBody {
-    let solid = body.shape.solid();
+/// A body represented by points on its surface, in its attitude.
+fn faceted(body: &Towed, course: Course) -> FacetedBody {
+    let posed = Towed { attitude: mirrored(body.attitude, course), ..body.clone() };
+    let (solid, rotation) = (posed.solid(), posed.attitude.of_axle());
     let (low, high) = solid.bounds();
+    let edges = high - low;
+    let (diameter, length) = match body.shape.closed_form() {
+        ClosedForm::Disc { diameter, thickness } => (diameter, thickness),
+        ClosedForm::Block { size } => (size.max_element(), size.max_element()),
+        ClosedForm::Column { diameter: length, height: width } | ClosedForm::Facets { length, width } => {
+            (length, width)
+        }
+    };
     // Some thousand points at most, even for a slender body.
     let spacing = (diameter / POINTS_ACROSS).max((diameter * length / MAX_POINTS).sqrt());
-    let facet = |p: SurfacePoint| Facet {
-        centroid: p.position.to_array(),
-        normal: p.normal.to_array(),
-        area: p.area,
-        half_height: 0.5 * (p.area * (1.0 - p.normal.z.powi(2)).max(0.0)).sqrt(),
+    let facet = |p: SurfacePoint| {
+        let (position, normal) = (rotation * p.position, rotation * p.normal);
+        Facet {
+            centroid: position.to_array(),
+            normal: normal.to_array(),
+            area: p.area,
+            half_height: 0.5 * (p.area * (1.0 - normal.z.powi(2)).max(0.0)).sqrt(),
+        }
     };
     let facets = solid.surface_points(DVec3::splat(spacing), DVec3::ZERO).into_iter().map(facet).collect();
-    FacetedBody { length: diameter, width: diameter, height: high.z - low.z, facets }
+    let radius = 0.5 * body.shape.rolling_diameter().unwrap_or(edges.z);
+    let width = if body.attitude.is_upright() { diameter } else { body.shape.reference_width() };
+    FacetedBody {
+        length: diameter,
+        width,
+        height: posed.size().z,
+        axle: Axle { direction: (rotation * DVec3::Y).to_array(), radius },
+        facets,
+    }
 }

@@ -82,13 +82,7 @@ const ALL: [Variable; 22] = [
     variable(Parameter::BodyFriction, ("body", "friction"), Kind::Number, "friction μ", BARE),
     variable(Parameter::Diameter, ("body", "diameter"), Kind::Quantity(LENGTH), "diameter d", ("m", 1.0)),
     variable(Parameter::Thickness, ("body", "thickness"), Kind::Quantity(LENGTH), "thickness t", ("m", 1.0)),
-    variable(
-        Parameter::Orientation,
-        ("body", "orientation"),
-        Kind::Quantity(ANGLE),
-        "orientation",
-        ("deg", DEGREE),
-    ),
+    variable(Parameter::Orientation, ("body", "pitch"), Kind::Quantity(ANGLE), "pitch", ("deg", DEGREE)),
     variable(Parameter::Weight, ("body", "weight"), Kind::Quantity(FORCE), "weight W", ("N", 1.0)),
     variable(Parameter::Slip, ("", "slip"), Kind::Number, "slip s", BARE),
     variable(

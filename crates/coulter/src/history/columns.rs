@@ -113,7 +113,7 @@ pub const FORCES: &[Column<BodySample>] = &[
     BodyColumn::derived(
         "turn ratio",
         "-",
-        "ω r / v (below); empty at rest and for a body that cannot roll",
+        "ω r / v with the rolling speed v (below); empty at rest and for a body that cannot roll",
         |s, reference| reference.turn_ratio_of(s),
     ),
     BodyColumn::sampled("normal drag", "N", "drag due to the pressure normal to the surface", |s| {
@@ -135,6 +135,27 @@ pub const FORCES: &[Column<BodySample>] = &[
     }),
     BodyColumn::sampled("speed v", "m/s", "velocity along x", |s| &mut s.speed),
     BodyColumn::sampled("heave speed", "m/s", "velocity upwards", |s| &mut s.heave_speed),
+    BodyColumn::sampled(
+        "rolling speed",
+        "m/s",
+        "velocity in the direction in which the body rolls: level, and across its axle",
+        |s| &mut s.rolling_speed,
+    ),
+    BodyColumn::sampled("lateral displacement", "m", "distance travelled along y since the start", |s| {
+        &mut s.lateral_displacement
+    }),
+    BodyColumn::sampled("yaw", "rad", "rotation of the axle about z, positive to the left", |s| &mut s.yaw),
+    BodyColumn::sampled(
+        "tilt",
+        "rad",
+        "inclination of the axle, positive when its left end is raised",
+        |s| &mut s.tilt,
+    ),
+    BodyColumn::sampled("moment x", "N m", "moment of the soil about x through the reference point", |s| {
+        &mut s.moment_x
+    }),
+    BodyColumn::sampled("moment y", "N m", "the same about y", |s| &mut s.moment_y),
+    BodyColumn::sampled("moment z", "N m", "the same about z", |s| &mut s.moment_z),
     BodyColumn::derived("Z", "-", "z/d", |s, reference| reference.length_group(s.sinkage)),
     BodyColumn::derived("u_bar", "-", "u/d", |s, reference| reference.length_group(s.displacement)),
     BodyColumn::derived("F_H_bar", "-", "F_H/(γ t d²); empty for weightless soil", |s, reference| {

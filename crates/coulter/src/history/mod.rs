@@ -39,8 +39,22 @@ pub struct BodySample {
     pub spin: f64,
     /// Forward speed v [m/s].
     pub speed: f64,
+    /// Velocity in the direction in which the body rolls: level, and across its axle [m/s].
+    pub rolling_speed: f64,
     /// Heave velocity, positive upwards [m/s].
     pub heave_speed: f64,
+    /// Displacement along y [m].
+    pub lateral_displacement: f64,
+    /// Yaw: rotation of the axle about z, from y [rad].
+    pub yaw: f64,
+    /// Tilt: inclination of the axle, positive when its left end is raised [rad].
+    pub tilt: f64,
+    /// Moment of the soil about the x axis of space through the reference point [N m].
+    pub moment_x: f64,
+    /// The same about y [N m].
+    pub moment_y: f64,
+    /// The same about z [N m].
+    pub moment_z: f64,
     /// Soil inside the body [m³] (a measure of leakage).
     pub leaked_volume: f64,
     /// Volume of the body below the undisturbed surface [m³].

@@ -42,7 +42,7 @@ impl Reference {
             unit_weight: case.soil.unit_weight,
             radius: body.shape.rolling_diameter().map(|diameter| 0.5 * diameter),
             towed: !matches!(body.translation[0], Motion::Fixed),
-            turns: !matches!(body.spin, Motion::Fixed),
+            turns: !matches!(body.spin(), Motion::Fixed),
         }
     }
 
@@ -71,7 +71,8 @@ impl Reference {
         (self.length > 0.0).then(|| length / self.length)
     }
 
-    /// Turn ratio ω r / v: 1 rolls without slip, 0 slides without rotation; `None` at rest or without a radius.
+    /// Turn ratio ω r / v with v in the direction in which the body rolls: 1 rolls without slip, 0 slides without rotation; `None`
+    /// at rest or without a radius.
     #[must_use]
     pub fn turn_ratio(&self, spin: f64, speed: f64) -> Option<f64> {
         self.radius.filter(|_| speed.abs() > REST).map(|radius| spin * radius / speed)
@@ -80,6 +81,6 @@ impl Reference {
     /// Turn ratio of one line of the history.
     #[must_use]
     pub fn turn_ratio_of(&self, sample: &BodySample) -> Option<f64> {
-        self.turn_ratio(sample.spin, sample.speed)
+        self.turn_ratio(sample.spin, sample.rolling_speed)
     }
 }

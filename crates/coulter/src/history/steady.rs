@@ -32,6 +32,12 @@ pub struct Steady {
     /// Mean vertical force F_V [N].
     #[serde(rename = "vertical_N")]
     pub vertical: Option<f64>,
+    /// Mean lateral force [N].
+    #[serde(rename = "lateral_N")]
+    pub lateral: Option<f64>,
+    /// Mean moments of the soil about the axes of space through the reference point [N m].
+    #[serde(rename = "moment_Nm")]
+    pub moment: Option<[f64; 3]>,
     /// Mean sinkage [m].
     #[serde(rename = "sinkage_m")]
     pub sinkage: Option<f64>,
@@ -155,8 +161,9 @@ pub fn steady(samples: &[BodySample], reference: &Reference, window: Range<usize
     };
     let drag = mean(|s| s.drag);
     let (first, last) = (&inside[0], &inside[inside.len() - 1]);
-    let turn_ratio =
-        mean(|s| s.spin).zip(mean(|s| s.speed)).and_then(|(spin, speed)| reference.turn_ratio(spin, speed));
+    let turn_ratio = mean(|s| s.spin)
+        .zip(mean(|s| s.rolling_speed))
+        .and_then(|(spin, speed)| reference.turn_ratio(spin, speed));
     Steady {
         from_m: finite(first.displacement),
         to_m: finite(last.displacement),
@@ -164,6 +171,11 @@ pub fn steady(samples: &[BodySample], reference: &Reference, window: Range<usize
         to_s: finite(last.time),
         drag,
         vertical: mean(|s| s.vertical),
+        lateral: mean(|s| s.lateral),
+        moment: mean(|s| s.moment_x)
+            .zip(mean(|s| s.moment_y))
+            .zip(mean(|s| s.moment_z))
+            .map(|((x, y), z)| [x, y, z]),
         sinkage: mean(|s| s.sinkage),
         turn_ratio,
         slip: turn_ratio.map(analytic::slip),
@@ -278,6 +290,7 @@ mod tests {
                     time,
                     displacement: 0.1 * time,
                     speed: 0.1,
+                    rolling_speed: 0.1,
                     spin: 0.9,
                     drag: drag(time),
                     ..Default::default()

@@ -164,7 +164,8 @@ impl BodyRun<'_> {
     }
 
     fn turn_ratio_error(&self) -> Option<f64> {
-        let (spin, speed) = (block_averages(&self.of(|s| s.spin))?, block_averages(&self.of(|s| s.speed))?);
+        let (spin, speed) =
+            (block_averages(&self.of(|s| s.spin))?, block_averages(&self.of(|s| s.rolling_speed))?);
         let mut ratios = [0.0; BLOCKS];
         for (ratio, (spin, speed)) in ratios.iter_mut().zip(spin.into_iter().zip(speed)) {
             *ratio = self.reference.turn_ratio(spin, speed)?;
@@ -210,6 +211,7 @@ mod tests {
                 drag: 14.0 + 100.0 * cell + noise * random,
                 vertical: 40.0,
                 speed: 0.2,
+                rolling_speed: 0.2,
                 spin: 1.8,
                 ..BodySample::default()
             }

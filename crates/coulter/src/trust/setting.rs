@@ -32,7 +32,7 @@ pub struct BodySetting {
     pub name: String,
     /// Smallest cell widths along x, y, z [m].
     pub cell: [f64; 3],
-    /// Its extent along x, y, z [m]; `None` across the slab of plane strain.
+    /// Its extent along its own x, y, z [m]; `None` across the slab of plane strain.
     pub extent: [Option<f64>; 3],
     /// Width of the slab of plane strain [m].
     pub slab: f64,
@@ -70,7 +70,7 @@ impl Setting {
 
 impl BodySetting {
     fn of(case: &Case, body: &Body) -> Self {
-        let (low, high) = body.shape.solid().bounds();
+        let (low, high) = body.solid().bounds();
         let mut extent = (high - low).to_array().map(Some);
         if case.domain.plane_strain {
             extent[1] = None;
@@ -85,7 +85,7 @@ impl BodySetting {
             diameter: body.shape.rolling_diameter(),
             heaves: !matches!(heave, Motion::Fixed),
             heaves_freely: heave.is_free(),
-            turns_freely: body.spin.is_free(),
+            turns_freely: body.spin().is_free(),
         }
     }
 }

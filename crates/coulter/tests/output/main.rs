@@ -138,7 +138,8 @@ fn csv_headers_are_a_contract() {
         header(FORCES),
         "time [s],displacement u [m],sinkage z [m],drag F_H [N],vertical F_V [N],lateral [N],axle torque [N m],\
          rotation [rad],spin [rad/s],turn ratio [-],normal drag [N],friction drag [N],normal vertical [N],\
-         friction vertical [N],leak [m^3],embedded [m^3],speed v [m/s],heave speed [m/s],Z [-],u_bar [-],F_H_bar [-],\
+         friction vertical [N],leak [m^3],embedded [m^3],speed v [m/s],heave speed [m/s],rolling speed [m/s],\
+         lateral displacement [m],yaw [rad],tilt [rad],moment x [N m],moment y [N m],moment z [N m],Z [-],u_bar [-],F_H_bar [-],\
          F_V_bar [-]"
     );
     assert_eq!(
@@ -310,6 +311,7 @@ fn a_body_that_is_only_pushed_down_is_plotted_over_time() {
     let mut pushed = history(&case, 500);
     for sample in &mut pushed.bodies[0] {
         (sample.displacement, sample.speed, sample.drag, sample.spin) = (0.0, 0.0, 1e-9, 0.0);
+        sample.rolling_speed = 0.0;
     }
     let mut results = Results::create(dir.path(), &case, false).unwrap();
     let summary = results.finish(&case, &grid, &state, &pushed, &statistics()).unwrap();

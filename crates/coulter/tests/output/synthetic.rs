@@ -55,7 +55,7 @@ pub(crate) fn case(kind: Kind, cell: f64) -> Case {
         body("disc", Shape::Disc(Disc { diameter: DIAMETER, thickness: 0.04 }), DVec3::new(0.0, 0.0, 0.1));
     let block = body(
         "scraper",
-        Shape::Block(Block { size: DVec3::new(0.03, 0.08, 0.1), orientation: 0.0 }),
+        Shape::Block(Block { size: DVec3::new(0.03, 0.08, 0.1) }),
         DVec3::new(-0.1, 0.0, 0.05),
     );
     Case {
@@ -146,6 +146,7 @@ fn body(name: &str, shape: Shape, position: DVec3) -> case::Body {
         name: name.into(),
         shape,
         position,
+        attitude: case::Attitude::default(),
         mass: 6.0,
         axle_inertia: 0.03,
         friction: 0.5,
@@ -155,7 +156,7 @@ fn body(name: &str, shape: Shape, position: DVec3) -> case::Body {
             case::Motion::Fixed,
             free(-60.0),
         ],
-        spin: free(0.0),
+        rotation: [case::Motion::Fixed, case::Motion::Fixed, free(0.0)],
     }
 }
 
@@ -310,6 +311,7 @@ fn samples(count: usize) -> Vec<BodySample> {
                 rotation: 0.85 * moved / 0.1,
                 spin: 0.85 * rise * speed / 0.1,
                 speed,
+                rolling_speed: speed,
                 leaked_volume: 1e-9 * time,
                 embedded_volume: 1e-4 * sinkage,
                 ..Default::default()

@@ -262,7 +262,7 @@ mod tests {
     fn bins_of_a_block_end_at_its_corners() {
         let block = Block { size: DVec3::new(0.4, 0.1, 0.2) };
         for angle in [0.0, 0.3, -std::f64::consts::FRAC_PI_4, 1.2] {
-            let rim = Rim::of(&Rotated::new(block, angle), 0.03);
+            let rim = Rim::of(&Rotated::new(Box::new(block), angle), 0.03);
             let corners = rim.outline.corners();
             assert_eq!(corners.len(), 4);
             assert!(corners.iter().all(|c| rim.ends.iter().any(|end| (end - c).abs() < 1e-9)), "{angle}");
@@ -286,7 +286,7 @@ mod tests {
             Box::new(Sphere { diameter: 0.2 }),
             Box::new(Cylinder { diameter: 0.1, length: 0.3, axis: Axis::X }),
             Box::new(Cylinder { diameter: 0.1, length: 0.3, axis: Axis::Z }),
-            Box::new(Rotated::new(Block { size: DVec3::new(0.3, 0.1, 0.02) }, 0.6)),
+            Box::new(Rotated::new(Box::new(Block { size: DVec3::new(0.3, 0.1, 0.02) }), 0.6)),
             Box::new(Block { size: DVec3::new(0.3, 0.1, 1e-9) }),
         ];
         for shape in shapes {

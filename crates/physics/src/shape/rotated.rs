@@ -5,19 +5,20 @@ use glam::{DMat3, DVec3};
 
 /// Another shape, rotated about the y axis through its origin.
 #[derive(Debug)]
-pub struct Rotated<S> {
-    shape: S,
+pub struct Rotated {
+    shape: Box<dyn Shape>,
     rotation: DMat3,
 }
 
-impl<S: Shape> Rotated<S> {
+impl Rotated {
     /// `shape` rotated by `angle` [rad], positive in the sense of forward rolling: the top moves towards x.
-    pub fn new(shape: S, angle: f64) -> Self {
+    #[must_use]
+    pub fn new(shape: Box<dyn Shape>, angle: f64) -> Self {
         Self { shape, rotation: DMat3::from_rotation_y(angle) }
     }
 }
 
-impl<S: Shape> Shape for Rotated<S> {
+impl Shape for Rotated {
     fn signed_distance(&self, x: DVec3) -> f64 {
         self.shape.signed_distance(self.rotation.transpose() * x)
     }

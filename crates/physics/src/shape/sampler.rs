@@ -218,7 +218,7 @@ mod tests {
         [
             Box::new(Disc { diameter: 0.2, thickness: 0.05 }),
             Box::new(Block { size: DVec3::new(0.3, 0.2, 0.1) }),
-            Box::new(Rotated::new(Block { size: DVec3::new(0.3, 0.2, 0.1) }, 0.6)),
+            Box::new(Rotated::new(Box::new(Block { size: DVec3::new(0.3, 0.2, 0.1) }), 0.6)),
             Box::new(Cylinder { diameter: 0.2, length: 0.05, axis: Axis::X }),
             Box::new(Sphere { diameter: 0.2 }),
         ]

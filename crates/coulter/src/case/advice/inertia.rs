@@ -32,9 +32,8 @@ fn inertia(case: &Case, body: &Body, (speed, depth): (f64, f64), notes: &mut Vec
     let added = analytic::inertia_pressure(case.soil.density, speed);
     let ratio = match body.pressing_force(case.gravity) {
         Some(load) if load > 0.0 => {
-            let (low, high) = body.shape.solid().bounds();
             let slab = case.domain.high.y - case.domain.low.y;
-            let width = if case.domain.plane_strain { slab } else { (high - low).y };
+            let width = if case.domain.plane_strain { slab } else { body.size().y };
             added * depth * width / load
         }
         // Pressure due to the soil's weight grows from 0 at the surface: its mean is that at half the depth.

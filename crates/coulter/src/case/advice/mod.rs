@@ -50,7 +50,8 @@ fn overlaps(case: &Case, notes: &mut Vec<String>) {
 }
 
 fn resolution(case: &Case, body: &Body, notes: &mut Vec<String>) {
-    let (low, high) = body.shape.solid().bounds();
+    // Of a body that is turned: the sides of its own.
+    let (low, high) = body.solid().bounds();
     let mut size = high - low;
     if case.domain.plane_strain {
         size.y = f64::INFINITY;
@@ -90,8 +91,8 @@ fn timing(case: &Case, notes: &mut Vec<String>) {
     let cost = estimate(case);
     let transit = (case.domain.high.z - case.domain.low.z) / cost.wave_speed_m_per_s;
     for body in &case.bodies {
-        for freedom in body.translation.iter().chain([&body.spin]) {
-            let (Motion::Prescribed { ramp, .. } | Motion::Free { ramp, .. }) = *freedom else { continue };
+        for freedom in body.motions() {
+            let (Motion::Prescribed { ramp, .. } | Motion::Free { ramp, .. }) = freedom else { continue };
             let moves = !matches!(
                 freedom,
                 Motion::Free { load: 0.0, support: 0.0, .. } | Motion::Prescribed { speed: 0.0, .. }

@@ -46,6 +46,11 @@ pub(super) const RELATIVE_DENSITY: AllowedRange = AllowedRange {
 };
 pub(super) const SLIP: AllowedRange =
     AllowedRange { low: Inclusive(-1.0), high: Exclusive(1.0), why: "1 is spinning on the spot" };
+pub(super) const TILT: AllowedRange = AllowedRange {
+    low: Inclusive(-FRAC_PI_2),
+    high: Inclusive(FRAC_PI_2),
+    why: "beyond 90° the axle points back; turn the body by yaw instead",
+};
 pub(super) const GROWTH: AllowedRange = from(Inclusive(1.0), Inclusive(1.5));
 pub(super) const ASPECT: AllowedRange =
     AllowedRange { low: Inclusive(1.0), high: Inclusive(4.0), why: "flatter cells have not been tested" };

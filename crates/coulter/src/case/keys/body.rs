@@ -1,6 +1,6 @@
 //! Keys of a rigid body.
 
-use super::allowed_range::{FRACTION, IN_THE_RUN, NOT_NEGATIVE, POSITIVE, SLIP};
+use super::allowed_range::{FRACTION, IN_THE_RUN, NOT_NEGATIVE, POSITIVE, SLIP, TILT};
 use super::default_value::DefaultValue::{Derived, Quantity, Required, Word};
 use super::key::{Key, Kind, key};
 use super::words::{AXES, SHAPES};
@@ -87,12 +87,6 @@ pub(super) const BODY: &[Key] = &[
     )
     .within(POSITIVE),
     key(
-        "orientation",
-        Kind::Quantity(ANGLE),
-        Quantity("0 deg"),
-        "Rotation about y at the start, positive when it tips the top towards +x (block).",
-    ),
-    key(
         "friction",
         Kind::Friction,
         Required,
@@ -130,6 +124,25 @@ pub(super) const BODY: &[Key] = &[
         Quantity("0 m"),
         "Initial depth of its lowest point below the surface.",
     ),
+    key(
+        "yaw",
+        Kind::Quantity(ANGLE),
+        Quantity("0 deg"),
+        "Rotation about z at the start, positive when it turns the front (+x) to the left (+y); the last of the three.",
+    ),
+    key(
+        "tilt",
+        Kind::Quantity(ANGLE),
+        Quantity("0 deg"),
+        "Rotation about x at the start, positive when it lifts the left end (+y) of the axle; before yaw.",
+    )
+    .within(TILT),
+    key(
+        "pitch",
+        Kind::Quantity(ANGLE),
+        Quantity("0 deg"),
+        "Rotation about y, the axle, at the start, positive when it tips the top forwards (+x); before tilt and yaw.",
+    ),
     key("forward", SLIDE, Word(FIXED), "Motion along x, the tow."),
     key("lateral", SLIDE, Word(FIXED), "Motion along y."),
     key(
@@ -137,6 +150,13 @@ pub(super) const BODY: &[Key] = &[
         SLIDE,
         Word(FIXED),
         "Motion along z, upwards; \"free\": under its weight and the force of the soil.",
+    ),
+    key("yaw_motion", TURN, Word(LOCKED), "Rotation about z; its speed and load have the sign of `yaw`."),
+    key(
+        "tilt_motion",
+        TURN,
+        Word(LOCKED),
+        "Rotation about the horizontal axis across the axle; its speed and load have the sign of `tilt`.",
     ),
     key("spin", TURN, Word(LOCKED), "Rotation about the axle, positive when it rolls forward."),
 ];

@@ -4,7 +4,7 @@ use super::context::{Context, checked};
 use super::motion::{freedom, is_free, spin};
 use crate::case::missing::{missing, required};
 use crate::case::problem::Problems;
-use crate::case::resolved::{Body, Law};
+use crate::case::resolved::{Attitude, Body, Law, MOTIONS};
 use crate::case::shapes::{self, Shape};
 use crate::case::typed::Section;
 use crate::case::validate;
@@ -18,32 +18,36 @@ pub(super) fn body(section: &Section, context: &Context, problems: &mut Problems
     let friction = required(section, "friction", problems);
     let shear_limit = shear_limit(section, context, problems);
     let mass = mass(section, context.gravity, problems);
-    let position = position(section, shape.as_ref(), context);
-    let motions = [("forward", 0.0), ("lateral", 0.0), ("heave", context.gravity)];
-    let needs_mass = motions.iter().any(|(key, _)| is_free(section, key));
+    let attitude = attitude(section);
+    let needs_mass = MOTIONS[..3].iter().any(|key| is_free(section, key));
     let mass = mass?;
     if needs_mass && mass.is_none() {
         let message = format!("[{}] moves freely, but its weight is not given", section.path);
         problems.add(&section.path, message, "add  weight = \"40 N\"  or  mass = \"4 kg\"");
     }
-    let translation = motions
-        .map(|(key, acceleration)| freedom(section, key, acceleration * mass.unwrap_or(0.0), problems));
+    let support = [0.0, 0.0, context.gravity * mass.unwrap_or(0.0)];
+    let translation = [0, 1, 2].map(|axis| freedom(section, MOTIONS[axis], support[axis], problems));
+    let turns = [3, 4].map(|axis| freedom(section, MOTIONS[axis], 0.0, problems));
     let radius = shape.as_ref().and_then(|shape| shape.rolling_diameter()).map(|diameter| 0.5 * diameter);
-    let spin = spin(section, translation[0], radius, problems);
+    let yaw = attitude.map_or(0.0, |attitude| attitude.yaw);
+    let spin = spin(section, [translation[0], translation[1]], (radius, yaw), problems);
     let shape = shape?;
     let inertia = axle_inertia(section, &shape, mass, problems);
     let [Some(forward), Some(lateral), Some(heave)] = translation else { return None };
-    let body = Body {
+    let [Some(yaw), Some(tilt)] = turns else { return None };
+    let mut body = Body {
         name: section.path.trim_start_matches("body.").to_owned(),
-        position: position?,
+        position: DVec3::ZERO,
+        attitude: attitude?,
         mass: mass.unwrap_or_else(|| NOMINAL_DENSITY * shape.solid().mass_properties().volume),
         axle_inertia: inertia?,
         shape,
         friction: friction?,
         shear_limit: shear_limit?,
         translation: [forward, lateral, heave],
-        spin: spin?,
+        rotation: [yaw, tilt, spin?],
     };
+    body.position = position(section, &body, context)?;
     let plane_strain = context.slab.is_some();
     checked(body, problems, |body, problems| {
         validate::body::body(body, (context.fine_cell(), plane_strain), problems)
@@ -112,22 +116,24 @@ fn axle_inertia(section: &Section, shape: &Shape, mass: Option<f64>, problems: &
         return section.number("axle_inertia");
     }
     let solid = shape.solid();
-    if mass.is_none() && is_free(section, "spin") {
+    if let Some(key) = MOTIONS[3..].iter().find(|key| mass.is_none() && is_free(section, key)) {
         let message = format!("[{}] rotates freely, but its moment of inertia is not known", section.path);
-        problems.add(
-            section.at("spin"),
-            message,
-            "add  axle_inertia = \"0.02 kg*m^2\", or a weight or a mass",
-        );
+        problems.add(section.at(key), message, "add a weight or a mass, or axle_inertia = \"0.02 kg*m^2\"");
         return None;
     }
     let properties = solid.mass_properties();
     Some(mass.unwrap_or(NOMINAL_DENSITY * properties.volume) * properties.about_axle())
 }
 
-fn position(section: &Section, shape: Option<&Shape>, context: &Context) -> Option<DVec3> {
+fn attitude(section: &Section) -> Option<Attitude> {
+    let [yaw, tilt, pitch] = ["yaw", "tilt", "pitch"].map(|key| section.number(key));
+    Some(Attitude { yaw: yaw?, tilt: tilt?, pitch: pitch? })
+}
+
+/// Where a body of this shape and attitude stands.
+fn position(section: &Section, body: &Body, context: &Context) -> Option<DVec3> {
     let (x, y, sinkage) = (section.number("x"), section.number("y"), section.number("sinkage"));
-    let lowest = shape?.solid().bounds().0.z;
+    let lowest = body.bounds().0.z;
     let y = match context.slab {
         Some(slab) if !section.has("y") => slab.middle,
         _ => y?,

@@ -103,9 +103,9 @@ impl Clearance {
 
 /// Depth of the lowest point in the soil on the whole path [m]; for a body that is free to sink at least [`FREE_SINKAGE`].
 pub(in crate::case) fn deepest(body: &Body, soil: &SoilConditions, duration: f64) -> f64 {
-    let (low, high) = body.shape.solid().bounds();
+    let size = body.size();
     let free = match body.translation[2] {
-        Motion::Free { .. } => FREE_SINKAGE * (high - low).x.max((high - low).z),
+        Motion::Free { .. } => FREE_SINKAGE * size.x.max(size.z),
         _ => 0.0,
     };
     (soil.surface - path(body, duration).low.z).max(free).min(soil.surface - soil.floor)
@@ -130,8 +130,7 @@ fn towed(body: &Body, soil: &SoilConditions, depth: f64, duration: f64) -> Clear
     if moved.x == 0.0 && moved.y == 0.0 {
         return Clearance { above, ..Clearance::default() };
     }
-    let (low, high) = body.shape.solid().bounds();
-    let failing = depth.min(DEEP * (high - low).z);
+    let failing = depth.min(DEEP * body.size().z);
     let wedge = failing * (FRAC_PI_4 + 0.5 * soil.friction_angle()).tan();
     let foot = above / soil.slope();
     let ahead = if body.friction > 0.0 { ROUGH_REACH * wedge } else { wedge } + foot;
@@ -169,9 +168,8 @@ fn pressed(body: &Body, soil: &SoilConditions, depth: f64, duration: f64) -> Cle
 fn heap(body: &Body, soil: &SoilConditions, area: f64, (depth, duration): (f64, f64)) -> f64 {
     let slope = soil.slope();
     let plane = (2.0 * area * slope).sqrt();
-    let (low, high) = body.shape.solid().bounds();
     let moved = relative_displacement(body, soil, duration);
-    let size = high - low;
+    let size = body.size();
     let width = if moved.y.abs() > moved.x.abs() { size.x } else { size.y };
     let volume = |h: f64| width * h * h / (2.0 * slope) + PI * h.powi(3) / (6.0 * slope * slope);
     let (mut lower, mut upper) = (0.0, plane);
@@ -192,10 +190,9 @@ fn relative_displacement(body: &Body, soil: &SoilConditions, duration: f64) -> D
 
 /// The smaller width of the contact area with the soil [m].
 fn breadth(body: &Body, soil: &SoilConditions, depth: f64) -> f64 {
-    let (low, high) = body.shape.solid().bounds();
-    let size = high - low;
+    let size = body.size();
     let chord = |d: f64| 2.0 * (depth.min(0.5 * d) * (d - depth.min(0.5 * d))).sqrt();
-    let along = body.shape.rolling_diameter().map_or(size.x, chord);
+    let along = body.rolling_diameter().map_or(size.x, chord);
     if soil.plane_strain { along } else { along.min(size.y) }
 }
 
@@ -210,7 +207,7 @@ mod tests {
         let text = format!(
             "format = 2\n[soil]\nlaw = 'mohr-coulomb'\nfriction_angle = '35 deg'\nunit_weight = '16 kN/m^3'\nyoung_modulus = '5 MPa'\n\
              [domain]\nsymmetric = true\n{more}\n[grid]\ncell = '12.5 mm'\n[body.blade]\nshape = 'block'\n\
-             size = ['40 mm', '100 mm', '200 mm']\norientation = '-45 deg'\nsinkage = '60 mm'\nfriction = 0.3\n\
+             size = ['40 mm', '100 mm', '200 mm']\npitch = '-45 deg'\nsinkage = '60 mm'\nfriction = 0.3\n\
              forward = {{ speed = '0.2 m/s' }}\n[run]\ntow_distance = '{distance}'\n"
         );
         parse(&text, "case.toml", &[]).unwrap()

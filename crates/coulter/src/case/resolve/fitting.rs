@@ -41,10 +41,13 @@ pub(super) fn fit(
 
 /// Positions of the flat faces of a body across an axis [m], if they do not move.
 fn flat_faces(body: &Body, axis: usize) -> Option<[f64; 2]> {
-    let is_flat = body.shape.has_flat_sides(axis, body.spin != Motion::Fixed);
-    let (low, high) = body.shape.solid().bounds();
-    let stays = body.translation[axis] == Motion::Fixed;
-    (is_flat && stays).then(|| [low, high].map(|side| body.position[axis] + side[axis]))
+    let (low, high) = body.bounds();
+    let keeps_axle = body.attitude.is_upright() && !body.steers();
+    // Rotation about the axle turns the other faces.
+    let rolls = body.attitude.pitch != 0.0 || body.spin() != Motion::Fixed;
+    let stays = body.translation[axis] == Motion::Fixed && keeps_axle && (axis == 1 || !rolls);
+    (body.shape.has_flat_sides(axis) && stays)
+        .then(|| [low, high].map(|side| body.position[axis] + side[axis]))
 }
 
 #[cfg(test)]

@@ -18,11 +18,11 @@ pub(super) fn freedom(section: &Section, key: &str, support: f64, problems: &mut
     checked(motion, problems, |motion, problems| validate::body::motion(&path, motion, problems))
 }
 
-/// Rotation about the axle, of a body that moves `forward` so and rolls on a radius [m].
+/// Rotation about the axle, of a body that moves forward and sideways so, rolls on a radius [m] and has this yaw [rad].
 pub(super) fn spin(
     section: &Section,
-    forward: Option<Motion>,
-    radius: Option<f64>,
+    [forward, lateral]: [Option<Motion>; 2],
+    (radius, yaw): (Option<f64>, f64),
     problems: &mut Problems,
 ) -> Option<Motion> {
     let typed = section.motion("spin")?;
@@ -45,9 +45,14 @@ pub(super) fn spin(
     let Some(radius) = radius else {
         return refuse("only a body that can roll has a slip", "give the spin a speed");
     };
+    if yaw != 0.0 && lateral != Some(Motion::Fixed) {
+        let message = "the slip of a body with a yaw is not defined where it also moves sideways";
+        return refuse(message, "give the spin a speed");
+    }
     // Of a driven wheel the slip refers to the speed of its rim.
     let turn_ratio = if slip > 0.0 { 1.0 / (1.0 - slip) } else { 1.0 + slip };
-    let spin = Motion::Prescribed { speed: turn_ratio * speed / radius, start, ramp, end };
+    let rolling_speed = speed * yaw.cos();
+    let spin = Motion::Prescribed { speed: turn_ratio * rolling_speed / radius, start, ramp, end };
     checked(spin, problems, |spin, problems| validate::body::motion(&path, spin, problems))
 }
 
@@ -93,7 +98,7 @@ mod tests {
 
     fn with(set: &str) -> Result<Motion, String> {
         let case = parse(WHEEL, "case.toml", &[set.to_owned()]);
-        case.map(|case| case.bodies[0].spin).map_err(|problems| format!("{problems:?}"))
+        case.map(|case| case.bodies[0].spin()).map_err(|problems| format!("{problems:?}"))
     }
 
     #[test]

@@ -14,12 +14,10 @@ use serde::Serialize;
 pub struct Block {
     /// Edge lengths [m].
     pub size: DVec3,
-    /// Rotation about y at the start [rad], positive when it tips the top towards +x.
-    pub orientation: f64,
 }
 
 impl Block {
-    pub(super) const KEYS: &[&str] = &["size", "orientation"];
+    pub(super) const KEYS: &[&str] = &["size"];
 
     /// In plane strain it is as wide as the slab.
     pub(super) fn read(section: &Section, slab: Option<Slab>, problems: &mut Problems) -> Option<Self> {
@@ -41,26 +39,17 @@ impl Block {
                 return None;
             }
         };
-        Some(Self { size, orientation: section.number("orientation")? })
+        Some(Self { size })
     }
 }
 
 impl CaseShape for Block {
     fn solid(&self) -> Box<dyn shape::Shape> {
-        let block = shape::Block { size: self.size };
-        if self.orientation == 0.0 {
-            Box::new(block)
-        } else {
-            Box::new(shape::Rotated::new(block, self.orientation))
-        }
+        Box::new(shape::Block { size: self.size })
     }
 
     fn sizes(&self) -> Vec<Size> {
         (0..3).map(|axis| Size::along("size", self.size[axis], axis)).collect()
-    }
-
-    fn orientation(&self) -> f64 {
-        self.orientation
     }
 
     /// Its height.
@@ -72,21 +61,16 @@ impl CaseShape for Block {
         self.size.y
     }
 
-    fn has_flat_sides(&self, axis: usize, rotates: bool) -> bool {
-        axis == 1 || self.orientation == 0.0 && !rotates
+    fn has_flat_sides(&self, _axis: usize) -> bool {
+        true
     }
 
-    fn is_symmetric_about_x(&self) -> bool {
-        self.orientation == 0.0
-    }
-
-    fn describe(&self, length: &dyn Fn(f64) -> String, angle: &dyn Fn(f64) -> String) -> String {
+    fn describe(&self, length: &dyn Fn(f64) -> String) -> String {
         let [x, y, z] = self.size.to_array().map(length);
-        let edges = format!("block, {x} × {y} × {z}");
-        if self.orientation == 0.0 { edges } else { format!("{edges}, rotated {}", angle(self.orientation)) }
+        format!("block, {x} × {y} × {z}")
     }
 
     fn closed_form(&self) -> ClosedForm {
-        ClosedForm::Block { size: self.size, orientation: self.orientation }
+        ClosedForm::Block { size: self.size }
     }
 }

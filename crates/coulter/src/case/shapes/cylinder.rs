@@ -81,15 +81,16 @@ impl CaseShape for Cylinder {
         (self.axis == Axis::Y).then_some(self.diameter)
     }
 
-    fn has_flat_sides(&self, axis: usize, rotates: bool) -> bool {
-        match self.axis {
-            Axis::X => axis == 0 && !rotates,
-            Axis::Y => axis == 1,
-            Axis::Z => axis == 2 && !rotates,
-        }
+    fn has_flat_sides(&self, axis: usize) -> bool {
+        let along = match self.axis {
+            Axis::X => 0,
+            Axis::Y => 1,
+            Axis::Z => 2,
+        };
+        axis == along
     }
 
-    fn describe(&self, length: &dyn Fn(f64) -> String, _angle: &dyn Fn(f64) -> String) -> String {
+    fn describe(&self, length: &dyn Fn(f64) -> String) -> String {
         format!("cylinder along {}, d = {}, l = {}", self.axis, length(self.diameter), length(self.length))
     }
 

@@ -57,11 +57,11 @@ impl CaseShape for Disc {
         Some(self.diameter)
     }
 
-    fn has_flat_sides(&self, axis: usize, _rotates: bool) -> bool {
+    fn has_flat_sides(&self, axis: usize) -> bool {
         axis == 1
     }
 
-    fn describe(&self, length: &dyn Fn(f64) -> String, _angle: &dyn Fn(f64) -> String) -> String {
+    fn describe(&self, length: &dyn Fn(f64) -> String) -> String {
         format!("disc, d = {}, t = {}", length(self.diameter), length(self.thickness))
     }
 

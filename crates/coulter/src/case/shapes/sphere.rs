@@ -52,11 +52,11 @@ impl CaseShape for Sphere {
         Some(self.diameter)
     }
 
-    fn has_flat_sides(&self, _axis: usize, _rotates: bool) -> bool {
+    fn has_flat_sides(&self, _axis: usize) -> bool {
         false
     }
 
-    fn describe(&self, length: &dyn Fn(f64) -> String, _angle: &dyn Fn(f64) -> String) -> String {
+    fn describe(&self, length: &dyn Fn(f64) -> String) -> String {
         format!("sphere, d = {}", length(self.diameter))
     }
 

@@ -9,10 +9,6 @@ pub trait CaseShape {
     fn solid(&self) -> Box<dyn shape::Shape>;
     /// Every length that describes it.
     fn sizes(&self) -> Vec<Size>;
-    /// Rotation about y at the start [rad].
-    fn orientation(&self) -> f64 {
-        0.0
-    }
     /// Why it cannot be part of a slab in plane strain, if it cannot.
     fn plane_strain_conflict(&self) -> Option<PlaneStrainConflict> {
         None
@@ -25,14 +21,10 @@ pub trait CaseShape {
     fn rolling_diameter(&self) -> Option<f64> {
         None
     }
-    /// Whether its sides across an axis are flat, and stay where they are; `rotates` says whether the body may rotate about y.
-    fn has_flat_sides(&self, axis: usize, rotates: bool) -> bool;
-    /// Whether it is its own mirror image about x = 0.
-    fn is_symmetric_about_x(&self) -> bool {
-        true
-    }
-    /// In words, with the kind first; lengths [m] and angles [rad] are written by the caller's functions.
-    fn describe(&self, length: &dyn Fn(f64) -> String, angle: &dyn Fn(f64) -> String) -> String;
+    /// Whether its sides across an axis of its own are flat.
+    fn has_flat_sides(&self, axis: usize) -> bool;
+    /// In words, with the kind first; lengths [m] are written by the caller's function.
+    fn describe(&self, length: &dyn Fn(f64) -> String) -> String;
     /// What the closed-form models take it for.
     fn closed_form(&self) -> ClosedForm;
 }
@@ -85,8 +77,6 @@ pub enum ClosedForm {
     Block {
         /// Edge lengths [m].
         size: DVec3,
-        /// Rotation about y [rad].
-        orientation: f64,
     },
     /// A body with a round level base, divided into facets under tow.
     Column {

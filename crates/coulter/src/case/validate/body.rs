@@ -3,7 +3,7 @@
 use crate::case::numbers::{in_range, in_range_or_infinite};
 use crate::case::problem::Problems;
 use crate::case::quantity::plain;
-use crate::case::resolved::{Body, Motion};
+use crate::case::resolved::{Body, MOTIONS, Motion};
 use crate::case::shapes::Shape;
 use glam::DVec3;
 
@@ -15,11 +15,11 @@ pub(in crate::case) fn body(body: &Body, (cell, plane_strain): (DVec3, bool), pr
     let path = format!("body.{}", body.name);
     shape(&path, &body.shape, (cell, plane_strain), problems);
     position(&path, body, problems);
+    attitude(&path, body, problems);
     surface(&path, body, problems);
     mass(&path, body, problems);
-    let motions = ["forward", "lateral", "heave"].into_iter().zip(&body.translation);
-    for (key, freedom) in motions.chain([("spin", &body.spin)]) {
-        motion(&format!("{path}.{key}"), freedom, problems);
+    for (key, freedom) in MOTIONS.into_iter().zip(body.motions()) {
+        motion(&format!("{path}.{key}"), &freedom, problems);
     }
 }
 
@@ -34,7 +34,6 @@ pub(in crate::case) fn shape(
     for size in shape.sizes() {
         in_range(&format!("{path}.{}", size.key), size.length, problems);
     }
-    in_range(&format!("{path}.orientation"), shape.orientation(), problems);
     if problems.len() == before && !problems.ignores_resolution() {
         cells_across(path, shape, (cell, plane_strain), problems);
     }
@@ -73,6 +72,13 @@ fn position(path: &str, body: &Body, problems: &mut Problems) {
     if !body.position.z.is_finite() {
         let message = format!("the body is at z = {} m", plain(body.position.z));
         problems.add(format!("{path}.sinkage"), message, "it must be at a finite height");
+    }
+}
+
+fn attitude(path: &str, body: &Body, problems: &mut Problems) {
+    let attitude = body.attitude;
+    for (key, angle) in [("yaw", attitude.yaw), ("tilt", attitude.tilt), ("pitch", attitude.pitch)] {
+        in_range(&format!("{path}.{key}"), angle, problems);
     }
 }
 

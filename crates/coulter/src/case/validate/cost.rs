@@ -32,7 +32,7 @@ fn contact_points_remain(case: &Case, problems: &mut Problems) {
         cells.y = case.domain.high.y - case.domain.low.y;
     }
     for body in &case.bodies {
-        let (low, high) = body.shape.solid().bounds();
+        let (low, high) = body.solid().bounds();
         let left = high - low - 2.0 * case.numerics.edge_inset * cells;
         if left.cmplt(1e-6 * cells).any() {
             let message = format!("the inset leaves no contact points on body `{}`", body.name);

@@ -3,7 +3,7 @@
 use crate::case::path::{Paths, path};
 use crate::case::problem::Problems;
 use crate::case::quantity::plain;
-use crate::case::resolved::{Body, Domain, Motion};
+use crate::case::resolved::{Body, Domain, MOTIONS, Motion};
 
 /// Reports bodies that start or move outside the box, and motions that violate its symmetry.
 pub(in crate::case) fn bodies_fit(paths: &Paths, domain: &Domain, problems: &mut Problems) {
@@ -29,25 +29,39 @@ fn keeps_to_the_plane(body: &Body, domain: &Domain, problems: &mut Problems) {
         let message = format!("the body is at y = {} m, off the plane of symmetry", plain(body.position.y));
         problems.add(at(body, "y"), message, "remove `y`, or symmetric = true");
     }
-    if body.translation[1] != Motion::Fixed {
-        let message = format!("{plane} case allows no lateral motion");
-        problems.add(at(body, "lateral"), message, "write lateral = \"fixed\", or model the whole width");
+    for (key, angle) in [("yaw", body.attitude.yaw), ("tilt", body.attitude.tilt)] {
+        if angle != 0.0 {
+            let message = format!("in {plane} case the axle lies along y, without `{key}`");
+            problems.add(at(body, key), message, format!("remove `{key}`, or model the whole width"));
+        }
+    }
+    for (n, still, what) in
+        [(1, "fixed", "lateral motion"), (3, "locked", "yaw motion"), (4, "locked", "tilt motion")]
+    {
+        if body.motions()[n] != Motion::Fixed {
+            let (key, message) = (MOTIONS[n], format!("{plane} case allows no {what}"));
+            let cure = format!("write {key} = \"{still}\", or model the whole width");
+            problems.add(at(body, key), message, cure);
+        }
     }
 }
 
-/// A plane of symmetry across the tow allows no tow, and no rotation about y.
+/// A plane of symmetry across the tow allows no tow, and no rotation about y or z.
 fn keeps_to_the_middle(body: &Body, problems: &mut Problems) {
     if body.position.x != 0.0 {
         let message = format!("the body is at x = {} m, off the plane of symmetry", plain(body.position.x));
         problems.add(at(body, "x"), message, "remove `x`, or symmetric_x = true");
     }
-    if !body.shape.is_symmetric_about_x() {
-        let message = "a rotated block is not symmetric about x = 0";
-        problems.add(at(body, "orientation"), message, "remove `orientation`, or symmetric_x = true");
+    let pitch = if body.shape.solid().is_revolved() { 0.0 } else { body.attitude.pitch };
+    for (key, angle) in [("yaw", body.attitude.yaw), ("pitch", pitch)] {
+        if angle != 0.0 {
+            let message = format!("a body with a {key} is not symmetric about x = 0");
+            problems.add(at(body, key), message, format!("remove `{key}`, or symmetric_x = true"));
+        }
     }
-    for (key, still, freedom) in [("forward", "fixed", &body.translation[0]), ("spin", "locked", &body.spin)]
-    {
-        if *freedom != Motion::Fixed {
+    for (n, still) in [(0, "fixed"), (3, "locked"), (5, "locked")] {
+        let key = MOTIONS[n];
+        if body.motions()[n] != Motion::Fixed {
             let message = format!("a case that is symmetric about x = 0 allows no `{key}`");
             let cure = format!("write {key} = \"{still}\", or remove symmetric_x = true");
             problems.add(at(body, key), message, cure);

@@ -25,6 +25,9 @@ pub(super) fn sample<R: Precision>(
     let symmetry = model.symmetry();
     let normal = symmetry.of_whole(normal);
     let force = symmetry.of_whole(normal + friction);
+    let moment = symmetry.moment_of_whole((now.moment - then.moment) * rate);
+    // The axis of tilt points where the body rolls.
+    let ahead = state.tilt_axis(n);
     BodySample {
         time: state.time,
         displacement: pose.position.x - fixed.start.position.x,
@@ -34,11 +37,18 @@ pub(super) fn sample<R: Precision>(
         vertical: force.z,
         drag_normal: 0.0 - normal.x,
         vertical_normal: normal.z,
-        axle_torque: symmetry.moment_of_whole((now.moment - then.moment) * rate).dot(axle),
+        axle_torque: moment.dot(axle),
         rotation: body.rotation,
         spin: twist.angular.dot(axle),
         speed: twist.linear.x,
+        rolling_speed: twist.linear.dot(ahead),
         heave_speed: twist.linear.z,
+        lateral_displacement: pose.position.y - fixed.start.position.y,
+        yaw: ahead.y.atan2(ahead.x),
+        tilt: axle.z.clamp(-1.0, 1.0).asin(),
+        moment_x: moment.x,
+        moment_y: moment.y,
+        moment_z: moment.z,
         leaked_volume: body.leaked_volume / model.modelled_fraction(),
         embedded_volume: body.embedded_volume / model.modelled_fraction(),
     }

@@ -1,6 +1,6 @@
 //! The case in a few words, for the top of a report.
 
-use crate::case::resolved::{Body, Case, Law, Motion, Potential};
+use crate::case::resolved::{Attitude, Body, Case, Law, Motion, Potential};
 use crate::output::units::{Unit, digits};
 
 /// Soil and bodies, each as a name and a description.
@@ -66,7 +66,7 @@ fn soil(case: &Case) -> String {
 
 fn describe_body(case: &Case, body: &Body) -> String {
     let length = |value: f64| quantity(value, Unit::length(value));
-    let shape = body.shape.describe(&length, &degrees);
+    let shape = body.shape.describe(&length);
     let mut friction = if body.friction.is_finite() {
         format!("μ = {}", digits(body.friction))
     } else {
@@ -79,13 +79,24 @@ fn describe_body(case: &Case, body: &Body) -> String {
         Motion::Free { .. } => format!(", weight {} N", digits(case.gravity * body.mass)),
         _ => String::new(),
     };
-    let [tow, _, heave] = &body.translation;
+    let Attitude { yaw, tilt, pitch } = body.attitude;
+    let turned =
+        [("yaw", yaw), ("tilt", tilt), ("pitch", pitch)].into_iter().filter(|(_, angle)| *angle != 0.0);
+    let turned: String = turned.map(|(name, angle)| format!(", {name} {}", degrees(angle))).collect();
+    let [tow, lateral, heave] = &body.translation;
+    let [yaw, tilt, spin] = &body.rotation;
     let motions = [
-        motion(tow, "tow", "m/s", "N"),
-        motion(heave, "heave", "m/s", "N"),
-        motion(&body.spin, "spin", "rad/s", "N m"),
+        (true, motion(tow, "tow", "m/s", "N")),
+        (false, motion(lateral, "lateral", "m/s", "N")),
+        (true, motion(heave, "heave", "m/s", "N")),
+        (false, motion(yaw, "yaw", "rad/s", "N m")),
+        (false, motion(tilt, "tilt", "rad/s", "N m")),
+        (true, motion(spin, "spin", "rad/s", "N m")),
     ];
-    format!("{shape}, {friction}{weight}; {}", motions.join("; "))
+    // Tow, heave and spin are always of interest, the others if they are not fixed.
+    let shown = motions.into_iter().filter(|(always, text)| *always || !text.ends_with("fixed"));
+    let motions: Vec<String> = shown.map(|(_, text)| text).collect();
+    format!("{shape}{turned}, {friction}{weight}; {}", motions.join("; "))
 }
 
 fn motion(freedom: &Motion, name: &str, speed_unit: &str, load_unit: &str) -> String {

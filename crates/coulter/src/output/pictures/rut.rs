@@ -148,7 +148,7 @@ fn section_range(case: &Case, state: &State<impl Precision>) -> [f64; 2] {
     let Some((body, described)) = state.mechanism.bodies.first().zip(case.bodies.first()) else {
         return [case.domain.low.x, case.domain.high.x];
     };
-    let shape = described.shape.solid();
+    let shape = described.solid();
     let length = shape.bounds().1.x - shape.bounds().0.x;
     let travel = body.pose.position.x - described.position.x;
     // A body that has hardly moved has left no rut: the section is through the body itself.

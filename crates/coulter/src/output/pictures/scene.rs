@@ -40,7 +40,7 @@ impl<'a, R: Precision> Scene<'a, R> {
             None => middle,
         };
         let row = domain.faces[1].iter().skip(1).position(|y| *y > plane).unwrap_or(0);
-        let shapes: Vec<Box<dyn Shape>> = case.bodies.iter().map(|b| b.shape.solid()).collect();
+        let shapes: Vec<Box<dyn Shape>> = case.bodies.iter().map(|b| b.solid()).collect();
         let mut scene = Self { case, domain, state, shapes, row, across: [0.0; 2], upward: [0.0; 2] };
         scene.across = scene.range(0);
         scene.upward = scene.range(2);

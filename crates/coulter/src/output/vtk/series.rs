@@ -82,7 +82,7 @@ impl FieldSeries {
         self.frames[1].push(Frame { time, part: 0, file: surface });
         for (number, (body, described)) in state.mechanism.bodies.iter().zip(&case.bodies).enumerate() {
             let file = format!("{FIELDS}/body_{}_{n:04}.vtp", file_safe(&described.name));
-            write_body(&self.dir.join(&file), described.shape.solid().as_ref(), body, time)?;
+            write_body(&self.dir.join(&file), described.solid().as_ref(), body, time)?;
             self.frames[2].push(Frame { time, part: number, file });
         }
         self.next_frame += 1;
