@@ -114,6 +114,10 @@ class Case:
             self.sections["domain"]["y"] = f'["0 m", {si(self.cell, "m")}]'
         elif draw.random() < 0.8:
             self.sections["domain"]["symmetric"] = "true"
+        else:
+            # Drawn apart, so that the other cases of a seed stay as they are.
+            apart = random.Random(self.cell)
+            body["yaw"], body["tilt"] = si(apart.uniform(-60, 60), "deg"), si(apart.uniform(-30, 30), "deg")
 
     def motion(self):
         draw, body = self.draw, self.sections["body.thing"]
