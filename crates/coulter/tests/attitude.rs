@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 use coulter::case::{Case, parse};
+use coulter::forecast::outlook;
 use coulter::history::BodySample;
 use coulter::history::reference::Reference;
 use coulter::simulation::Simulation;
@@ -29,8 +30,8 @@ fn run(overrides: &[&str], samples: u32) -> Vec<BodySample> {
     simulation.history.bodies[0].clone()
 }
 
-/// Largest difference of forces and moments over the last 0.2 m of lever, relative to the vertical force; `signs` are those of lateral
-/// force and of the moments about x and z.
+/// Largest difference of forces, and of moments over 0.1 m, relative to the vertical force; `sign` is that of the lateral force and of
+/// the moments about x and z.
 fn difference(a: &[BodySample], b: &[BodySample], sign: f64) -> f64 {
     assert!(a.len() == b.len() && a.len() > 3, "{} and {} samples", a.len(), b.len());
     let one = |(a, b): (&BodySample, &BodySample)| {
@@ -126,8 +127,39 @@ fn a_slip_refers_to_the_rolling_speed() {
     assert!((ratio - 0.8).abs() < 1e-9, "{ratio}");
 }
 
+/// 3D-RFT of the disc held at its depth, with these changes: lateral force, moments and slip.
+fn forecast(overrides: &[&str]) -> (f64, [f64; 3], Option<f64>) {
+    let held = ["body.disc.heave=fixed", "body.disc.sinkage=40 mm"];
+    let all: Vec<&str> = held.iter().chain(overrides).copied().collect();
+    let outlook = outlook(&case(&all).unwrap()).unwrap();
+    let model = outlook.recommended().unwrap();
+    let found = model.prediction.unwrap();
+    (found.lateral.unwrap(), outlook.moment(model).unwrap(), found.slip)
+}
+
 #[test]
-fn a_pitched_block_is_the_same_in_any_direction() {
+fn the_forecast_follows_the_attitude() {
+    let left = forecast(&["body.disc.yaw=30 deg", "body.disc.tilt=5 deg"]);
+    let right = forecast(&["body.disc.yaw=-30 deg", "body.disc.tilt=-5 deg"]);
+    let close = |a: f64, b: f64| assert!((a - b).abs() < 1e-6 * left.0.abs(), "{a} and {b}");
+    assert!(left.0 > 1.0, "the soil pushes the disc to the side to which it steers: {left:?}");
+    close(left.0, -right.0);
+    for (axis, sign) in [(0, -1.0), (1, 1.0), (2, -1.0)] {
+        close(left.1[axis], sign * right.1[axis]);
+    }
+    // Towed backwards, the disc turned the other way is its mirror image about x = 0.
+    let back = ["body.disc.forward.speed=-0.3 m/s", "body.disc.yaw=-30 deg", "body.disc.tilt=5 deg"];
+    let back = forecast(&back);
+    close(left.0, back.0);
+    for (axis, sign) in [(0, 1.0), (1, -1.0), (2, -1.0)] {
+        close(left.1[axis], sign * back.1[axis]);
+    }
+    let driven = forecast(&["body.disc.yaw=60 deg", "body.disc.spin={ slip = -0.2 }"]);
+    assert!((driven.2.unwrap() + 0.2).abs() < 1e-9, "{driven:?}");
+}
+
+#[test]
+fn a_turned_block_stands_on_its_lowest_point() {
     // Its bounds turn with it, and its lowest point starts at its sinkage.
     let block = ["body.disc.shape=block", "body.disc.size=['60 mm', '100 mm', '120 mm']"];
     let with = |more: &[&str]| {

@@ -157,8 +157,8 @@ fn for_block(towing: &Towing, block: &Block, best: Candidate, found: &Prediction
 /// What the prediction for a block includes at its load.
 fn conditions_of_block(towing: &Towing, block: &Block) -> String {
     let Load::Sinkage(z) = towing.load else {
-        let is_upright = (block.front().rake - FRAC_PI_2).abs() < 1e-9;
-        return if is_upright {
+        let axle_is_across = (block.front().rake - FRAC_PI_2).abs() < 1e-9;
+        return if axle_is_across {
             " It sinks until front and base carry the weight; the base is treated as a footing under a load inclined by \
              its friction angle, an assumption that has not been validated."
         } else {

@@ -22,7 +22,7 @@ impl Axle {
         Self { direction: [0.0, 1.0, 0.0], radius }
     }
 
-    /// Component along the tow of the level unit vector across the axle, in which the body rolls; 0 for an upright axle.
+    /// Component along the tow of the level unit vector across the axle, in which the body rolls; 0 for a vertical axle.
     fn rolls_along(&self) -> f64 {
         let [x, y, _] = self.direction;
         let level = x.hypot(y);

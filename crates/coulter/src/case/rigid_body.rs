@@ -47,7 +47,7 @@ impl Attitude {
     /// The rotation by tilt and yaw, which carries the axle.
     #[must_use]
     pub fn of_axle(&self) -> DQuat {
-        if self.is_upright() {
+        if self.axle_is_across() {
             DQuat::IDENTITY
         } else {
             DQuat::from_rotation_z(self.yaw) * DQuat::from_rotation_x(self.tilt)
@@ -56,7 +56,7 @@ impl Attitude {
 
     /// Whether the axle lies along y.
     #[must_use]
-    pub fn is_upright(&self) -> bool {
+    pub fn axle_is_across(&self) -> bool {
         self.yaw == 0.0 && self.tilt == 0.0
     }
 }
@@ -81,7 +81,7 @@ impl Body {
     /// Diameter in which it rolls along the tow [m]; `None` for a body that cannot roll or whose axle is not level across it.
     #[must_use]
     pub fn rolling_diameter(&self) -> Option<f64> {
-        self.shape.rolling_diameter().filter(|_| self.attitude.is_upright())
+        self.shape.rolling_diameter().filter(|_| self.attitude.axle_is_across())
     }
 
     /// Whether its axle may leave the direction that it has at the start.
@@ -105,7 +105,7 @@ impl Body {
     #[must_use]
     pub fn bounds(&self) -> (DVec3, DVec3) {
         let solid = self.solid();
-        if self.attitude.is_upright() {
+        if self.attitude.axle_is_across() {
             return solid.bounds();
         }
         let frame = self.attitude.of_axle().inverse();
@@ -130,11 +130,12 @@ impl Body {
         }
         let points = self.solid().mesh().points;
         let farthest = points.iter().map(|point| point.length()).fold(0.0, f64::max);
-        let level = DVec3::new(farthest, farthest, 0.0);
+        let around = DVec3::splat(farthest);
+        // Yaw alone changes no height.
         if self.rotation[1] == Motion::Fixed {
-            (low.with_x(-level.x).with_y(-level.y), level.with_z(high.z))
+            ((-around).with_z(low.z), around.with_z(high.z))
         } else {
-            (DVec3::splat(-farthest), DVec3::splat(farthest))
+            (-around, around)
         }
     }
 

@@ -96,7 +96,7 @@ fn model(outlook: &Outlook, model: &ModelForecast) -> Value {
         "drag_N": found.map(|p| p.drag),
         "vertical_N": found.map(|p| p.vertical),
         "lateral_N": found.and_then(|p| p.lateral),
-        "moment_Nm": found.and_then(|p| p.moment),
+        "moment_Nm": outlook.moment(model),
         "sinkage_m": found.and_then(|p| p.sinkage),
         "contact_angle_rad": found.and_then(|p| p.contact_angle),
         "force_inclination_rad": found.map(|p| p.force_inclination),

@@ -279,7 +279,8 @@ fn drive(body: &Towed, radius: f64) -> Result<Drive, String> {
         (Motion::Free { .. }, _) => Ok(Drive::Free),
         (Motion::Fixed, _) => Ok(Drive::Locked),
         (Motion::Prescribed { speed: spin, .. }, Motion::Prescribed { speed, .. }) if *speed != 0.0 => {
-            Ok(Drive::Slip(analytic::slip(spin * radius / speed)))
+            let rolling_speed = speed * body.attitude.yaw.cos();
+            Ok(Drive::Slip(analytic::slip(spin * radius / rolling_speed)))
         }
         _ => Err(format!(
             "`{}` rotates at a given rate, but is not towed at a given speed: its slip is unknown",

@@ -40,7 +40,7 @@ pub fn models_csv(outlook: &Outlook, intervals: &Intervals) -> String {
         let fields = |list: &[Option<f64>]| {
             list.iter().map(|x| x.map_or(String::new(), |x| format!("{x:.6e}"))).collect::<Vec<_>>().join(",")
         };
-        let moment = found.and_then(|p| p.moment);
+        let moment = outlook.moment(model);
         let sideways = [found.and_then(|p| p.lateral)].into_iter();
         let sideways: Vec<_> = sideways.chain([0, 1, 2].map(|axis| moment.map(|m| m[axis]))).collect();
         let word = found.and_then(|p| p.mechanism).map_or("", mechanism_word);

@@ -59,6 +59,14 @@ impl Outlook {
         self.forecast.models.iter().find(|m| Some(m.model) == self.forecast.recommended)
     }
 
+    /// Moments of the soil about x, y, z [N m] that a model predicts for the body itself: of one that is towed backwards the models are
+    /// given the mirror image about x = 0.
+    #[must_use]
+    pub fn moment(&self, model: &ModelForecast) -> Option<[f64; 3]> {
+        let [x, y, z] = model.prediction?.moment?;
+        Some(if self.input.mirrored { [x, -y, -z] } else { [x, y, z] })
+    }
+
     /// The reference force of one body [N]: γ t d², in undrained clay s_u t d.
     #[must_use]
     pub fn force_scale(&self) -> f64 {

@@ -233,10 +233,8 @@ fn closing(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
 /// Lateral force and moments, of the models that give them.
 fn sideways(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
     for model in &outlook.forecast.models {
-        let Some(Prediction { lateral: Some(lateral), moment: Some([x, y, z]), .. }) = model.prediction
-        else {
-            continue;
-        };
+        let lateral = model.prediction.and_then(|found| found.lateral);
+        let Some((lateral, [x, y, z])) = lateral.zip(outlook.moment(model)) else { continue };
         writeln!(
             text,
             "{}: lateral force {lateral:.3} N; moments about x, y, z through the centre {x:.3}, {y:.3}, {z:.3} N m",

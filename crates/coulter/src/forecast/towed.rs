@@ -125,7 +125,7 @@ pub(super) fn body(
 ) -> Result<(Body, &'static str), String> {
     let kind = body.shape.kind();
     let represented = match body.shape.closed_form() {
-        _ if !body.attitude.is_upright() => {
+        _ if !body.attitude.axle_is_across() => {
             remarks.push(turned(body));
             Body::Faceted(faceted(body, course))
         }
@@ -216,7 +216,7 @@ fn faceted(body: &Towed, course: Course) -> FacetedBody {
     };
     let facets = solid.surface_points(DVec3::splat(spacing), DVec3::ZERO).into_iter().map(facet).collect();
     let radius = 0.5 * body.shape.rolling_diameter().unwrap_or(edges.z);
-    let width = if body.attitude.is_upright() { diameter } else { body.shape.reference_width() };
+    let width = if body.attitude.axle_is_across() { diameter } else { body.shape.reference_width() };
     FacetedBody {
         length: diameter,
         width,

@@ -42,7 +42,7 @@ pub(super) fn fit(
 /// Positions of the flat faces of a body across an axis [m], if they do not move.
 fn flat_faces(body: &Body, axis: usize) -> Option<[f64; 2]> {
     let (low, high) = body.bounds();
-    let keeps_axle = body.attitude.is_upright() && !body.steers();
+    let keeps_axle = body.attitude.axle_is_across() && !body.steers();
     // Rotation about the axle turns the other faces.
     let rolls = body.attitude.pitch != 0.0 || body.spin() != Motion::Fixed;
     let stays = body.translation[axis] == Motion::Fixed && keeps_axle && (axis == 1 || !rolls);
