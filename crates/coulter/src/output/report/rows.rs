@@ -124,6 +124,10 @@ pub(super) fn body_rows(reference: &Reference, body: &BodySummary) -> Vec<TableR
     table.bound(steady.drag_interval, Unit::force);
     table.push("Vertical force", "F<sub>V</sub>", table.force(steady.vertical), "steady mean, up positive");
     table.bound(steady.vertical_interval, Unit::force);
+    // Half models and bodies without a yaw have none.
+    if steady.lateral.is_some_and(|force| force != 0.0) {
+        table.push("Lateral force", "", table.force(steady.lateral), "steady mean, to the left positive");
+    }
     table.push("Sinkage", "z", table.length(steady.sinkage), "steady mean");
     table.bound(steady.sinkage_interval, Unit::length);
     if reference.radius.is_some() {
