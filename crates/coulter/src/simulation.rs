@@ -142,7 +142,15 @@ impl<R: Precision> Simulation<R> {
         let workspace = Workspace::new(&model, &mut state, threads);
         let names: Vec<String> = case.bodies.iter().map(|b| b.name.clone()).collect();
         let rims = workspace.rims().map(|bins| RimHistory::of(bins, model.modelled_fraction())).collect();
-        let history = History { bodies: vec![Vec::new(); names.len()], names, rims, ..History::default() };
+        let joint_names: Vec<String> = case.joints.iter().map(|joint| joint.name.clone()).collect();
+        let history = History {
+            bodies: vec![Vec::new(); names.len()],
+            names,
+            rims,
+            joints: vec![Vec::new(); joint_names.len()],
+            joint_names,
+            ..History::default()
+        };
         let last_sample = LastSample::of(&state);
         let mut simulation = Self {
             case: case.clone(),

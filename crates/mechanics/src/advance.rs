@@ -24,8 +24,11 @@ impl Mechanism {
             now.speeds = moving.speeds;
             now.tilt_axis = moving.tilt_axis;
         }
-        for (impulses, joint) in state.joints.iter_mut().zip(&step.joints) {
-            *impulses = std::array::from_fn(|k| joint.reaction[k] + 2.0 * joint.within[k]);
+        for (now, joint) in state.joints.iter_mut().zip(&step.joints) {
+            now.impulses = std::array::from_fn(|k| joint.reaction[k] + 2.0 * joint.within[k]);
+            for (row, impulse) in joint.rows.as_slice().iter().zip(now.impulses) {
+                now.on_second += impulse * row.wrench[1];
+            }
         }
     }
 }

@@ -35,7 +35,7 @@ pub use configuration::Configuration;
 pub use error::Invalid;
 pub use impulses::{Impulses, Work};
 pub use inertia::Inertia;
-pub use mechanism::{Mechanism, MechanismState};
+pub use mechanism::{JointState, Mechanism, MechanismState};
 pub use mobility::Mobility;
 pub use motion::Motion;
 pub use pose::Pose;

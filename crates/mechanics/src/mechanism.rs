@@ -5,6 +5,7 @@ use crate::configuration::Configuration;
 use crate::error::Invalid;
 use crate::joint::Joint;
 use crate::twist::Twist;
+use crate::wrench::Wrench;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -21,8 +22,18 @@ pub struct Mechanism {
 pub struct MechanismState {
     /// State of each body.
     pub bodies: Vec<BodyState>,
-    /// Impulse of each joint in the last step, by row [N s or N m s]; for output.
-    pub joints: Vec<[f64; 6]>,
+    /// What each joint has done.
+    pub joints: Vec<JointState>,
+}
+
+/// What a joint has done; for output.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct JointState {
+    /// Impulses of the last step, by row [N s or N m s].
+    pub impulses: [f64; 6],
+    /// Sum of the impulses on its second body since the start, moments about that body's reference point; of a joint whose second
+    /// side is the ground, on the ground, about the origin.
+    pub on_second: Wrench,
 }
 
 impl Mechanism {

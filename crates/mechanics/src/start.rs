@@ -1,6 +1,6 @@
 //! The state of a mechanism at the start.
 
-use crate::mechanism::{Mechanism, MechanismState};
+use crate::mechanism::{JointState, Mechanism, MechanismState};
 use crate::pose::Pose;
 use crate::step::{Conditions, Step};
 use crate::twist::Twist;
@@ -16,7 +16,7 @@ impl Mechanism {
         let each = self.bodies().iter().enumerate();
         let mut state = MechanismState {
             bodies: each.map(|(n, body)| body.state(given(n).0, given(n).1)).collect(),
-            joints: vec![[0.0; 6]; self.joints().len()],
+            joints: vec![JointState::default(); self.joints().len()],
         };
         if !self.joints().is_empty() {
             let mut step = Step::default();

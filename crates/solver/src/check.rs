@@ -44,7 +44,8 @@ pub(crate) fn check<R: Precision>(
 fn stays_inside<R>(model: &Model, state: &State<R>) -> Result<(), Breakdown> {
     const SIDES: [[&str; 2]; 3] =
         [["behind", "ahead"], ["at its low y side", "at its high y side"], ["below", "above"]];
-    for (n, fixed) in model.bodies.iter().enumerate() {
+    let touching = model.bodies.iter().enumerate().filter(|(_, body)| body.shape.has_surface());
+    for (n, fixed) in touching {
         let (position, (low, high)) = (state.pose(n).position, fixed.bounds(state.pose(n)));
         for axis in (0..3).filter(|axis| fixed.motion[*axis].is_free()) {
             let ends = model.grid.ends(axis).map(|end| end + state.grid_position[axis]);

@@ -3,7 +3,10 @@
 use super::groups::groups;
 use coulter::case::Case;
 use coulter::case::quantity::plain;
-use coulter::case::resolved::{Attitude, Body, Law, MOTIONS, Measured, Motion, Potential, Soil};
+use coulter::case::resolved::{
+    Attitude, Body, GROUND, Joint, JointKind, Law, MOTIONS, Measured, Motion, Potential, Soil,
+};
+use glam::DVec3;
 use std::fmt::Write;
 
 /// Soil and bodies of a case.
@@ -12,6 +15,9 @@ pub(super) fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
     describe_soil(text, &case.soil)?;
     for body in &case.bodies {
         describe_body(text, case, body)?;
+    }
+    for joint in &case.joints {
+        describe_joint(text, case, joint)?;
     }
     if case.forecast != Measured::default() {
         writeln!(
@@ -91,6 +97,10 @@ fn strength(soil: &Soil) -> String {
 fn describe_body(text: &mut String, case: &Case, body: &Body) -> std::fmt::Result {
     let metres = |x: f64| format!("{} m", plain(x));
     let shape = body.shape.describe(&metres);
+    if !body.shape.has_surface() {
+        writeln!(text, "body     {}: {shape}, m = {:.4} kg", body.name, body.mass)?;
+        return describe_motions(text, body);
+    }
     let mut friction =
         if body.friction.is_finite() { format!("μ = {}", body.friction) } else { "rough".into() };
     if body.shear_limit.is_finite() {
@@ -112,13 +122,7 @@ fn describe_body(text: &mut String, case: &Case, body: &Body) -> std::fmt::Resul
             degrees(pitch)
         )?;
     }
-    for (n, (name, freedom)) in MOTIONS.into_iter().zip(body.motions()).enumerate() {
-        let (speed, load) = if n < 3 { ("m/s", "N") } else { ("rad/s", "N m") };
-        // Steering is the exception.
-        if freedom != Motion::Fixed || !name.ends_with("_motion") {
-            writeln!(text, "         {name:11} {}", describe_freedom(&freedom, speed, load))?;
-        }
-    }
+    describe_motions(text, body)?;
     let groups = groups(case, body);
     let optional =
         [("W̄", groups.w_bar), ("Ē", groups.e_bar), ("c̄", groups.c_bar), ("v²/(gd)", groups.froude)];
@@ -129,6 +133,43 @@ fn describe_body(text: &mut String, case: &Case, body: &Body) -> std::fmt::Resul
         }
     }
     writeln!(text, "         {list}")
+}
+
+/// The degrees of freedom of a body, one a line.
+fn describe_motions(text: &mut String, body: &Body) -> std::fmt::Result {
+    if body.guide.is_some() && body.motions().iter().all(Motion::is_free) {
+        return writeln!(text, "         guided by its joint");
+    }
+    for (n, (name, freedom)) in MOTIONS.into_iter().zip(body.motions()).enumerate() {
+        let (speed, load) = if n < 3 { ("m/s", "N") } else { ("rad/s", "N m") };
+        // Steering is the exception.
+        if freedom != Motion::Fixed || !name.ends_with("_motion") {
+            writeln!(text, "         {name:11} {}", describe_freedom(&freedom, speed, load))?;
+        }
+    }
+    Ok(())
+}
+
+fn describe_joint(text: &mut String, case: &Case, joint: &Joint) -> std::fmt::Result {
+    let name = |body: usize| &*case.bodies[body].name;
+    let first = joint.first.map_or(GROUND, name);
+    write!(text, "joint    {}: {}, {first} – {}", joint.name, joint.kind.word(), name(joint.second))?;
+    let direction = |axis: DVec3| axis.to_array().map(plain).join(", ");
+    match joint.kind {
+        JointKind::Hinge { axis, friction_torque } => {
+            write!(text, ", axis ({})", direction(axis))?;
+            if friction_torque > 0.0 {
+                write!(text, ", friction {} N m", plain(friction_torque))?;
+            }
+        }
+        JointKind::Ball => {}
+        JointKind::Slider { axis } => write!(text, ", axis ({})", direction(axis))?,
+        JointKind::Spring { stiffness, damping, length, .. } => {
+            write!(text, ", {} N/m, {} N s/m, {} m long", plain(stiffness), plain(damping), plain(length))?;
+        }
+    }
+    let [x, y, z] = joint.position.to_array().map(plain);
+    writeln!(text, ", at ({x}, {y}, {z}) m")
 }
 
 fn describe_freedom(freedom: &Motion, speed_unit: &str, load_unit: &str) -> String {

@@ -28,7 +28,7 @@ pub(super) fn groups(case: &Case, body: &Body) -> Groups {
     let (d, t) = (reference.length, reference.width);
     let gamma = case.soil.unit_weight;
     let over_weight = |x: f64| (gamma > 0.0).then_some(x / gamma);
-    let speed = body.translation.iter().map(prescribed_speed).fold(0.0, f64::max);
+    let speed = body.guided().translation.iter().map(prescribed_speed).fold(0.0, f64::max);
     Groups {
         t_bar: t / d,
         w_bar: body.pressing_force(case.gravity).and_then(|w| over_weight(w / (t * d * d))),

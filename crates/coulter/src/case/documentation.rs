@@ -13,7 +13,7 @@ pub fn tables() -> String {
     for section in keys::SECTIONS {
         let heading = match section.name {
             "" => "Top of the file".to_owned(),
-            "body" => "`[body.NAME]`".to_owned(),
+            kind @ ("body" | "joint") => format!("`[{kind}.NAME]`"),
             name => format!("`[{name}]`"),
         };
         // Writing to a string cannot fail.
@@ -73,6 +73,7 @@ fn kind(kind: &Kind) -> String {
             let words = words::DENSITIES.map(|(word, density)| format!("`\"{word}\"` ({density})"));
             format!("number, or {}", words.join(", "))
         }
+        Kind::NamePair => "two names: `[\"frame\", \"disc\"]`".into(),
         Kind::WallPair => format!("two of {}", listed(&words::WALLS)),
         Kind::Follow => "`{ body = \"disc\", axes = \"x\" }`".into(),
         Kind::Motion { still, speed, load } => {

@@ -137,8 +137,8 @@ pub(super) fn most_contact_points(case: &Case) -> Option<(String, f64)> {
 
 /// Estimated displacement of a body at the end [m]: one that is free to sink is assumed to do so by a tenth of its height.
 fn moved(body: &Body, duration: f64) -> DVec3 {
-    let [x, y, z] = body.translation.each_ref().map(|freedom| travel(freedom, duration));
-    let sunk = if body.translation[2].is_free() { -0.1 * body.size().z } else { z };
+    let [x, y, z] = body.guided().translation.each_ref().map(|freedom| travel(freedom, duration));
+    let sunk = if body.guided().translation[2].is_free() { -0.1 * body.size().z } else { z };
     DVec3::new(x, y, sunk)
 }
 

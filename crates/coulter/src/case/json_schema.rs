@@ -17,10 +17,10 @@ fn schema() -> Value {
     for section in keys::SECTIONS {
         match section.name {
             "" => properties.extend(keys_of(&section)),
-            "body" => {
+            "body" | "joint" => {
                 let named = json!({ "type": "object", "description": section.meaning,
                     "additionalProperties": object(&section) });
-                properties.insert("body".into(), named);
+                properties.insert(section.name.into(), named);
             }
             name => {
                 properties.insert(name.into(), object(&section));
@@ -122,6 +122,10 @@ fn kind(key: &Key) -> Value {
         Kind::RelativeDensity => json!({ "anyOf": [
             number("number", key.range), { "enum": DENSITIES.map(|(word, _)| word) },
         ] }),
+        Kind::NamePair => json!({
+            "type": "array", "items": { "type": "string" }, "minItems": 2, "maxItems": 2,
+            "examples": [["frame", "disc"]]
+        }),
         Kind::WallPair => {
             json!({ "type": "array", "items": { "enum": WALLS }, "minItems": 2, "maxItems": 2 })
         }

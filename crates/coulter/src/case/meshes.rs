@@ -60,7 +60,7 @@ pub fn coarser(
             &format!("ask for {least} to {most}"),
         );
     }
-    if case.bodies.is_empty() {
+    if case.touching().next().is_none() {
         let message = "a mesh study compares the figures of bodies, and the case has none".to_owned();
         return refuse(message, "leave out --meshes");
     }

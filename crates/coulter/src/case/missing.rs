@@ -46,6 +46,7 @@ fn example(path: &str) -> String {
         Some(Kind::Range(measure)) => format!("[\"-{0}\", \"{0}\"]", measure.example),
         Some(Kind::Vector(measure)) => format!("[\"{0}\", \"{0}\", \"{0}\"]", measure.example),
         Some(Kind::Modulus(offset)) => format!("\"102 kN/m^(n+{offset})\""),
+        Some(Kind::NamePair) => "[\"frame\", \"disc\"]".into(),
         Some(Kind::Ratios) => "[3, 3, 1]".into(),
         Some(Kind::Flag) => "true".into(),
         _ => "0.3".into(),

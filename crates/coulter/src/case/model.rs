@@ -2,7 +2,7 @@
 
 use super::resolved::Case;
 use super::resolved::{self, Follow, Law, Motion, Potential};
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use mechanics::{Inertia, Pose};
 use physics::elastic::{Elastic, Stiffening};
 use physics::law::Law as ConstitutiveLaw;
@@ -34,7 +34,7 @@ pub fn model(case: &Case, lanes: usize) -> Model {
         boundaries,
         follow: case.grid.follow,
         bodies: case.bodies.iter().map(body).collect(),
-        joints: Vec::new(),
+        joints: case.joints.iter().map(|joint| joint.mechanical(&case.bodies)).collect(),
         method: Method {
             courant: case.numerics.courant,
             remap_displacement: case.numerics.remap_displacement,
@@ -113,7 +113,7 @@ fn open_ends(body: Option<&resolved::Body>, axis: usize) -> [Boundary; 2] {
         Motion::Free { load, .. } => load,
         Motion::Fixed => 0.0,
     };
-    let along = body.map_or(0.0, |body| sign(&body.translation[axis]));
+    let along = body.map_or(0.0, |body| sign(&body.guided().translation[axis]));
     // A body that drives itself goes where it rolls.
     let along = if along == 0.0 { body.map_or(0.0, |body| sign(&body.spin())) } else { along };
     match (axis, along < 0.0) {
@@ -192,8 +192,13 @@ fn body(body: &resolved::Body) -> BodyModel {
     }
 }
 
-/// Mass properties: of a homogeneous solid, its tensor scaled where the moment of inertia about the axle is given.
+/// Mass properties: of a homogeneous solid, its tensor scaled where the moment of inertia about the axle is given; of a frame, which
+/// has no volume, the same moment about every axis.
 fn inertia(body: &resolved::Body) -> Inertia {
+    if !body.shape.has_surface() {
+        let tensor = DMat3::from_diagonal(DVec3::splat(body.axle_inertia));
+        return Inertia { mass: body.mass, centre: DVec3::ZERO, tensor };
+    }
     let solid = body.solid().mass_properties();
     let scale = body.axle_inertia / solid.about_axle();
     Inertia { mass: body.mass, centre: solid.centroid, tensor: solid.inertia * scale }

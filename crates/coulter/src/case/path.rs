@@ -26,7 +26,7 @@ pub(crate) fn travel(freedom: &Motion, time: f64) -> f64 {
 
 /// Displacement of a body after `time` [m], as far as it is prescribed.
 fn displacement(body: &Body, time: f64) -> DVec3 {
-    DVec3::from_array(body.translation.each_ref().map(|freedom| travel(freedom, time)))
+    DVec3::from_array(body.guided().translation.each_ref().map(|freedom| travel(freedom, time)))
 }
 
 /// The box that encloses a body on its whole path.
@@ -61,9 +61,10 @@ impl<'a> Paths<'a> {
         extent(body, displacement(body, self.duration) - self.of_grid())
     }
 
-    /// The box that encloses all bodies on their whole paths in the grid.
+    /// The box that encloses all bodies that can touch the soil on their whole paths in the grid.
     pub(super) fn all(&self) -> Option<Extent> {
-        let all = self.bodies.iter().map(|body| self.of_body(body));
+        let touching = self.bodies.iter().filter(|body| body.shape.has_surface());
+        let all = touching.map(|body| self.of_body(body));
         all.reduce(|a, b| Extent { low: a.low.min(b.low), high: a.high.max(b.high) })
     }
 

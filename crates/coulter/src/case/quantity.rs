@@ -52,6 +52,10 @@ pub const TORQUE: Measure = measure("a torque", [2, 1, -2, 0], "N*m", "2 N*m");
 pub const STRESS: Measure = measure("a stress", [-1, 1, -2, 0], "Pa", "5 MPa");
 /// A unit weight [N/m³].
 pub const UNIT_WEIGHT: Measure = measure("a unit weight", [-2, 1, -2, 0], "N/m^3", "16 kN/m^3");
+/// A stiffness [N/m].
+pub const STIFFNESS: Measure = measure("a stiffness", [0, 1, -2, 0], "N/m", "20 kN/m");
+/// A damping coefficient [N s/m].
+pub const DAMPING: Measure = measure("a damping coefficient", [0, 1, -1, 0], "N*s/m", "50 N*s/m");
 /// A moment of inertia [kg m²].
 pub const INERTIA: Measure = measure("a moment of inertia", [2, 1, 0, 0], "kg*m^2", "0.02 kg*m^2");
 

@@ -1,6 +1,7 @@
 //! What a case means: every default filled in, every number in SI units. It is plain data: [`super::validate`] says whether it
 //! can be simulated.
 
+pub use super::joint::{GROUND, Joint, JointKind};
 pub use super::rigid_body::{Attitude, Body, MOTIONS};
 use glam::DVec3;
 pub use mechanics::Motion;
@@ -30,6 +31,9 @@ pub struct Case {
     pub grid: Grid,
     /// Rigid bodies in the order of the file; may be empty.
     pub bodies: Vec<Body>,
+    /// Joints in the order of the file; may be empty.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub joints: Vec<Joint>,
     /// Duration of the run [s].
     pub duration: f64,
     /// What to write, and how often.
@@ -38,6 +42,13 @@ pub struct Case {
     pub numerics: Numerics,
     /// Parameters of the closed-form models only.
     pub forecast: Measured,
+}
+
+impl Case {
+    /// The bodies that have a surface, which the soil can touch, with their numbers.
+    pub fn touching(&self) -> impl Iterator<Item = (usize, &Body)> {
+        self.bodies.iter().enumerate().filter(|(_, body)| body.shape.has_surface())
+    }
 }
 
 /// Parameters of the soil.

@@ -29,6 +29,23 @@ pub struct Body {
     pub translation: [Motion; 3],
     /// Yaw about the vertical, tilt about the axis that yaw carries, and spin about the axle.
     pub rotation: [Motion; 3],
+    /// How joints make it move; `None` without a joint.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub guide: Option<Guide>,
+}
+
+/// How a body moves that joints guide, for estimates of its path: what its carrier prescribes, free where the joint leaves it free.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Guide {
+    /// Along x, y, z.
+    pub translation: [Motion; 3],
+    /// Yaw and tilt.
+    pub rotation: [Motion; 2],
+}
+
+impl Guide {
+    /// The ground does not move.
+    pub const GROUND: Self = Self { translation: [Motion::Fixed; 3], rotation: [Motion::Fixed; 2] };
 }
 
 /// Attitude of a body: it is rotated by `pitch` about its axle, y, then by `tilt` about x, then by `yaw` about z. Positive angles
@@ -84,10 +101,17 @@ impl Body {
         self.shape.rolling_diameter().filter(|_| self.attitude.axle_is_across())
     }
 
+    /// How it moves: its own motions, or what joints make of them.
+    #[must_use]
+    pub fn guided(&self) -> Guide {
+        let [yaw, tilt, _] = self.rotation;
+        self.guide.unwrap_or(Guide { translation: self.translation, rotation: [yaw, tilt] })
+    }
+
     /// Whether its axle may leave the direction that it has at the start.
     #[must_use]
     pub fn steers(&self) -> bool {
-        self.rotation[..2].iter().any(|motion| *motion != Motion::Fixed)
+        self.guided().rotation.iter().any(|motion| *motion != Motion::Fixed)
     }
 
     /// Its shape, rotated by its pitch, in the frame that tilt and yaw carry: axle along y.
@@ -132,7 +156,7 @@ impl Body {
         let farthest = points.iter().map(|point| point.length()).fold(0.0, f64::max);
         let around = DVec3::splat(farthest);
         // Yaw alone changes no height.
-        if self.rotation[1] == Motion::Fixed {
+        if self.guided().rotation[1] == Motion::Fixed {
             ((-around).with_z(low.z), around.with_z(high.z))
         } else {
             (-around, around)

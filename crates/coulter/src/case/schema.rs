@@ -6,7 +6,7 @@ use super::problem::Problems;
 use super::tree::{Entry, Value, join};
 use super::typed::{Given, Schema, Section};
 use super::unknown::unknown;
-use super::validate::names::{body_name, number_of_bodies};
+use super::validate::names::{number_of, part_name};
 use super::values::value;
 
 /// Checks the tree against the tables of keys.
@@ -32,8 +32,12 @@ pub(super) fn read(root: &[Entry], problems: &mut Problems) -> Schema {
     };
     let (soil, ground, domain, grid) = (one("soil"), one("ground"), one("domain"), one("grid"));
     let (run, output, numerics, forecast) = (one("run"), one("output"), one("numerics"), one("forecast"));
-    let bodies = sections.iter().find(|e| e.key == "body").map_or(Vec::new(), |e| bodies(e, problems));
-    Schema { top, soil, ground, domain, grid, bodies, run, output, numerics, forecast }
+    let mut all = |kind: &str| match sections.iter().find(|e| e.key == kind) {
+        Some(entry) => named(entry, kind, problems),
+        None => Vec::new(),
+    };
+    let (bodies, joints) = (all("body"), all("joint"));
+    Schema { top, soil, ground, domain, grid, bodies, joints, run, output, numerics, forecast }
 }
 
 /// The table of keys of a kind of section.
@@ -78,26 +82,32 @@ fn as_typed(default: &DefaultValue) -> Option<Value> {
     }
 }
 
-fn bodies(entry: &Entry, problems: &mut Problems) -> Vec<Section> {
+/// The sections `[kind.NAME]`.
+fn named(entry: &Entry, kind: &str, problems: &mut Problems) -> Vec<Section> {
+    let example = if kind == "body" { "body.disc" } else { "joint.axle" };
     let Value::Table(table) = &entry.value else {
-        let message = format!("`body` must be a table, not {}", entry.value.kind());
-        problems.add("body", message, "give every body its own section: [body.disc]");
+        let message = format!("`{kind}` must be a table, not {}", entry.value.kind());
+        problems.add(kind, message, format!("give every {kind} its own section: [{example}]"));
         return Vec::new();
     };
-    if !number_of_bodies(table.len(), problems) {
+    if !number_of(kind, table.len(), problems) {
         return Vec::new();
     }
     let mut list = Vec::new();
     for named in table {
-        let path = join("body", &named.key);
-        if !body_name(&named.key, problems) {
+        let path = join(kind, &named.key);
+        if !part_name(kind, &named.key, problems) {
             continue;
         }
         if matches!(named.value, Value::Table(_)) {
-            list.push(section(named, "body", &path, problems));
+            list.push(section(named, kind, &path, problems));
         } else {
-            let message = format!("`{}` is in [body], which has no keys of its own", named.key);
-            problems.add_to_name(path, message, "give the body a name in its heading: [body.disc]");
+            let message = format!("`{}` is in [{kind}], which has no keys of its own", named.key);
+            problems.add_to_name(
+                path,
+                message,
+                format!("give the {kind} a name in its heading: [{example}]"),
+            );
         }
     }
     list
@@ -143,7 +153,7 @@ mod tests {
     fn every_default_can_be_read_and_is_in_the_range_of_its_key() {
         let tables = keys::SECTIONS.iter().chain([&keys::MOTION]);
         let of = |table: &KeyTable, name| match table.name {
-            "body" => format!("body.disc.{name}"),
+            kind @ ("body" | "joint") => format!("{kind}.disc.{name}"),
             "motion" => format!("body.disc.forward.{name}"),
             section => join(section, name),
         };

@@ -115,6 +115,7 @@ pub(super) struct Schema {
     pub(super) domain: Section,
     pub(super) grid: Section,
     pub(super) bodies: Vec<Section>,
+    pub(super) joints: Vec<Section>,
     pub(super) run: Section,
     pub(super) output: Section,
     pub(super) numerics: Section,

@@ -41,6 +41,7 @@ pub(super) fn value(node: &Value, kind: &Kind, path: &str, problems: &mut Proble
         Kind::RelativeDensity => relative_density(node).map(Given::Number),
         Kind::Range(measure) => list(node, measure, 2..=2).map(Given::List),
         Kind::Vector(measure) => list(node, measure, 2..=3).map(Given::List),
+        Kind::NamePair => names(node).map(Given::Words),
         Kind::WallPair => walls(node).map(Given::Words),
         Kind::Follow => return follow(node, path, problems),
         Kind::Motion { still, speed, load } => {
@@ -210,6 +211,19 @@ fn ratios(node: &Value) -> Read<Vec<f64>> {
         }
         Value::List(items) => complain(format!("expected 3 numbers, found {}", items.len()), CURE),
         _ => wrong_type(node, "a list of 3 numbers", CURE),
+    }
+}
+
+fn names(node: &Value) -> Read<Vec<String>> {
+    const CURE: &str = "write two names, such as [\"frame\", \"disc\"]";
+    match node {
+        Value::List(items) if items.len() == 2 => {
+            let element = |(n, item)| {
+                text(item).map(str::to_owned).map_err(|complaint| Complaint { element: Some(n), ..complaint })
+            };
+            items.iter().enumerate().map(element).collect()
+        }
+        _ => complain("expected the names of two bodies", CURE),
     }
 }
 

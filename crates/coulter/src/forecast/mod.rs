@@ -1,5 +1,6 @@
 //! The closed-form models, applied to the same case as the solver.
 
+mod carried;
 mod curves;
 mod document;
 mod model_input;

@@ -1,5 +1,6 @@
 //! A case as input of the closed-form models: one body, or a row of equal discs, in level soil of Mohr and Coulomb or in clay.
 
+use super::carried::touching;
 use super::towed::{Course, bodies, body, course};
 use crate::case::model::sand;
 use crate::case::resolved::{self, Body as Towed, Case, Factors, Ground, Law, Measured, Motion};
@@ -33,8 +34,9 @@ pub struct ModelInput {
 /// The reason, in words, why they do not apply.
 pub fn model_input(case: &Case) -> Result<ModelInput, String> {
     let mut remarks = Vec::new();
-    let (bodies, assembly) = bodies(case, &mut remarks)?;
-    let first = *bodies.first().ok_or("the case has no body")?;
+    let touching = touching(case, &mut remarks);
+    let (bodies, assembly) = bodies(&touching, &mut remarks)?;
+    let first = *bodies.first().ok_or("the case has no body that can touch the soil")?;
     no_lateral_tow(&bodies)?;
     let course = course(case, first)?;
     let (mut body, kind) = body(case, first, course, &mut remarks)?;

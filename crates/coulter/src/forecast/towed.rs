@@ -15,15 +15,15 @@ const POINTS_ACROSS: f64 = 40.0;
 /// Upper limit of diameter times length over the spacing squared.
 const MAX_POINTS: f64 = 2000.0;
 
-/// The bodies of the case: one, or several equal discs side by side, which form an assembly on one axle.
+/// The bodies that touch the soil: one, or several equal discs side by side, which form an assembly on one axle.
 ///
 /// # Errors
 /// If there are several that are not equal discs, evenly spaced side by side.
 pub(super) fn bodies<'a>(
-    case: &'a Case,
+    touching: &'a [Towed],
     remarks: &mut Vec<String>,
 ) -> Result<(Vec<&'a Towed>, Option<Assembly>), String> {
-    let mut discs: Vec<&Towed> = case.bodies.iter().collect();
+    let mut discs: Vec<&Towed> = touching.iter().collect();
     if discs.len() > 1
         && let Some(other) = discs.iter().find(|b| disc(b).is_none())
     {
@@ -69,7 +69,7 @@ pub(super) fn bodies<'a>(
 fn disc(body: &Towed) -> Option<Disc> {
     match body.shape.closed_form() {
         ClosedForm::Disc { diameter, thickness } => Some(Disc { diameter, thickness }),
-        ClosedForm::Block { .. } | ClosedForm::Column { .. } | ClosedForm::Facets { .. } => None,
+        _ => None,
     }
 }
 
@@ -141,7 +141,9 @@ pub(super) fn body(
         ClosedForm::Column { diameter, .. } if course == Course::Pressed => {
             Plate { outline: Outline::Circle, width: diameter, length: diameter }.into()
         }
-        ClosedForm::Column { .. } | ClosedForm::Facets { .. } => Body::Faceted(faceted(body, course)),
+        ClosedForm::Column { .. } | ClosedForm::Facets { .. } | ClosedForm::None => {
+            Body::Faceted(faceted(body, course))
+        }
     };
     Ok((represented, kind))
 }
@@ -202,6 +204,7 @@ fn faceted(body: &Towed, course: Course) -> FacetedBody {
         ClosedForm::Column { diameter: length, height: width } | ClosedForm::Facets { length, width } => {
             (length, width)
         }
+        ClosedForm::None => (0.0, 0.0),
     };
     // Some thousand points at most, even for a slender body.
     let spacing = (diameter / POINTS_ACROSS).max((diameter * length / MAX_POINTS).sqrt());

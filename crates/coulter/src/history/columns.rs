@@ -3,7 +3,7 @@
 
 use super::reference::Reference;
 use super::rim::RimLine;
-use super::{BodySample, BoundarySample, EnergySample, SurfacePoint};
+use super::{BodySample, BoundarySample, EnergySample, JointSample, SurfacePoint};
 
 /// A column of a history file.
 #[derive(Debug)]
@@ -164,6 +164,31 @@ pub const FORCES: &[Column<BodySample>] = &[
     BodyColumn::derived("F_V_bar", "-", "F_V/(γ t d²); empty for weightless soil", |s, reference| {
         reference.force_group(s.vertical)
     }),
+];
+
+/// Columns of `joint_NAME.csv`.
+pub const JOINTS: &[Column<JointSample>] = &[
+    Column::sampled("time", "s", "time since the start", |s| &mut s.time),
+    Column::sampled(
+        "force x",
+        "N",
+        "force of the first body on the second through the joint, along x",
+        |s| &mut s.force_x,
+    ),
+    Column::sampled("force y", "N", "the same along y", |s| &mut s.force_y),
+    Column::sampled("force z", "N", "the same along z", |s| &mut s.force_z),
+    Column::derived("force", "N", "its magnitude; of a cable the tension", |s, _| Some(s.force())),
+    Column::sampled("moment x", "N m", "moment about x through the joint's point of the second body", |s| {
+        &mut s.moment_x
+    }),
+    Column::sampled("moment y", "N m", "the same about y", |s| &mut s.moment_y),
+    Column::sampled("moment z", "N m", "the same about z", |s| &mut s.moment_z),
+    Column::sampled(
+        "distance",
+        "m",
+        "between its points of the two bodies: length of a spring or a cable, displacement of a slider, otherwise 0 but for round-off",
+        |s| &mut s.distance,
+    ),
 ];
 
 /// Columns of `energy.csv`.

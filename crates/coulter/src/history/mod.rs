@@ -61,6 +61,36 @@ pub struct BodySample {
     pub embedded_volume: f64,
 }
 
+/// One line of a joint's history. Forces are those of the first body on the second through the joint, averaged over the interval that
+/// ends at `time`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct JointSample {
+    /// Time [s].
+    pub time: f64,
+    /// Force on the second body along x [N].
+    pub force_x: f64,
+    /// Along y [N].
+    pub force_y: f64,
+    /// Along z [N].
+    pub force_z: f64,
+    /// Moment about x through the joint's point of the second body [N m].
+    pub moment_x: f64,
+    /// The same about y [N m].
+    pub moment_y: f64,
+    /// The same about z [N m].
+    pub moment_z: f64,
+    /// Distance between its points of the two bodies [m]: the length of a spring or a cable, the displacement of a slider.
+    pub distance: f64,
+}
+
+impl JointSample {
+    /// Magnitude of the force [N]; of a cable its tension.
+    #[must_use]
+    pub fn force(&self) -> f64 {
+        self.force_x.hypot(self.force_y).hypot(self.force_z)
+    }
+}
+
 /// The energy balance at one time: work and energy since the start, of the whole case [J].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct EnergySample {
@@ -161,6 +191,10 @@ pub struct History {
     pub bodies: Vec<Vec<BodySample>>,
     /// The rim of each body.
     pub rims: Vec<RimHistory>,
+    /// Names of the joints.
+    pub joint_names: Vec<String>,
+    /// Samples of each joint, in the order of `joint_names`.
+    pub joints: Vec<Vec<JointSample>>,
     /// The energy balance.
     pub energy: Vec<EnergySample>,
     /// The faces of the box.

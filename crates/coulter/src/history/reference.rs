@@ -12,9 +12,9 @@ const REST: f64 = 1e-6;
 pub struct Reference {
     /// Name of the body.
     pub name: String,
-    /// Its kind: "disc", "block", "cylinder", "sphere".
+    /// Its kind: "disc", "block", "cylinder", "sphere", "frame".
     pub kind: String,
-    /// Reference length d [m]: the diameter, a block's height.
+    /// Reference length d [m]: the diameter, a block's height; 0 of a frame, which has no surface.
     pub length: f64,
     /// Reference width t [m]: a disc's thickness, a block's width, the length of a cylinder along y, otherwise the diameter; in
     /// plane strain the width of the slab.
@@ -41,7 +41,7 @@ impl Reference {
             width: if case.domain.plane_strain { slab } else { body.shape.reference_width() },
             unit_weight: case.soil.unit_weight,
             radius: body.shape.rolling_diameter().map(|diameter| 0.5 * diameter),
-            towed: !matches!(body.translation[0], Motion::Fixed),
+            towed: !matches!(body.guided().translation[0], Motion::Fixed),
             turns: !matches!(body.spin(), Motion::Fixed),
         }
     }
@@ -50,6 +50,12 @@ impl Reference {
     #[must_use]
     pub fn all(case: &Case) -> Vec<Self> {
         case.bodies.iter().map(|body| Self::of(case, body)).collect()
+    }
+
+    /// Whether the body has a surface that the soil can touch.
+    #[must_use]
+    pub fn has_surface(&self) -> bool {
+        self.length > 0.0
     }
 
     /// Reference force γ t d² [N]; `None` for weightless soil.

@@ -34,7 +34,6 @@ struct Ended {
 
 impl Ended {
     fn read(dir: &Path, name: &str, record: &RunRecord, summary: Summary) -> Result<Self, OutputError> {
-        let names: Vec<String> = record.bodies.iter().map(|body| body.name.clone()).collect();
         let folder = if name.is_empty() { String::new() } else { format!("{MESHES}/{name}") };
         let result = MeshResult {
             folder,
@@ -46,7 +45,11 @@ impl Ended {
             verdict: summary.trust.verdict,
             ..MeshResult::default()
         };
-        Ok(Self { result, history: read_history(dir, &names, true)?, summary })
+        Ok(Self {
+            result,
+            history: read_history(dir, &record.names(), &record.joint_names(), true)?,
+            summary,
+        })
     }
 
     /// The run on a coarser mesh; `None` where it has not come to its end.

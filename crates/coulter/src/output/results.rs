@@ -51,7 +51,7 @@ impl Results {
         let header = "# The case as it was understood: SI units, radians, every default filled in. Written by Coulter.\n";
         write_whole(&dir.join(RESOLVED), format!("{header}format = {FORMAT}\n{resolved}").as_bytes())?;
         Ok(Self {
-            tables: HistoryFiles::create(dir, &record.bodies)?,
+            tables: HistoryFiles::create(dir, &record.bodies, &record.joint_names())?,
             log: Log::create(&dir.join(LOG))?,
             dir: dir.to_path_buf(),
             fields,
@@ -72,7 +72,7 @@ impl Results {
             RunRecord { overlays: before.overlays, meshes: before.meshes, statistics, ..RunRecord::of(case) };
         let fields = FieldSeries::resume(dir, time)?;
         let mut results = Self {
-            tables: HistoryFiles::create(dir, &record.bodies)?,
+            tables: HistoryFiles::create(dir, &record.bodies, &record.joint_names())?,
             log: Log::append(&dir.join(LOG))?,
             dir: dir.to_path_buf(),
             fields,
@@ -199,9 +199,9 @@ pub(crate) fn add_mesh_study(dir: &Path, case: &Case, meshes: &[String]) -> Resu
 /// When the folder holds no result, or a file is broken.
 pub fn rebuild_report(dir: &Path) -> Result<PathBuf, OutputError> {
     let record = RunRecord::read(dir)?;
-    let names: Vec<String> = record.bodies.iter().map(|b| b.name.clone()).collect();
+    let names = record.names();
     let is_whole = record.statistics.outcome.is_end();
-    let history = read_history(dir, &names, is_whole)?;
+    let history = read_history(dir, &names, &record.joint_names(), is_whole)?;
     if record.statistics.outcome == Outcome::Finished {
         validate_history(&history).map_err(|problem| OutputError::content(dir, problem))?;
     }

@@ -1,5 +1,6 @@
 //! Checks during a run: an error that cannot be recovered from stops it, with position, time and cause.
 
+use crate::case::overlap;
 use crate::history::probes::most_pressed_lid_cell;
 use crate::history::{EnergySample, History};
 use crate::simulation::Simulation;
@@ -7,7 +8,9 @@ use crate::trust::energy::body_force;
 use crate::trust::limits;
 use glam::DVec3;
 use solver::error::{Breakdown, Location};
+use solver::model::Model;
 use solver::precision::Precision;
+use solver::state::State;
 
 /// Consecutive samples beyond the limit before a run is stopped: a single one may be an impact.
 const PATIENCE: usize = 10;
@@ -31,6 +34,11 @@ pub fn watch<R: Precision>(simulation: &Simulation<R>) -> Result<(), Breakdown> 
         let what = format!("{:.0} % of the energy is unexplained", 100.0 * error);
         return broken(what, limits::ENERGY_BALANCE.advice, middle);
     }
+    if let Some((one, other, at)) = meeting_bodies(model, state) {
+        let what = format!("the bodies `{one}` and `{other}` have run into each other");
+        let cure = "contact between bodies is not modelled: keep them apart, by their motions or by joints";
+        return broken(what, cure, at);
+    }
     if let Some(per_cent) = pressed_lid(history) {
         let limit = limits::LID.doubtful;
         let what = format!(
@@ -39,6 +47,22 @@ pub fn watch<R: Precision>(simulation: &Simulation<R>) -> Result<(), Breakdown> 
         return broken(what, limits::LID.advice, most_pressed_lid_cell(model, state));
     }
     Ok(())
+}
+
+/// Overlap of two bodies that ends a run, in cell widths (chosen: less, soil would not notice).
+const MEETING: f64 = 0.25;
+
+/// Two bodies that have run into each other: their names, and where the first is [m].
+fn meeting_bodies<R: Precision>(model: &Model, state: &State<R>) -> Option<(String, String, DVec3)> {
+    let placed = |n: usize| (model.bodies[n].shape.as_ref(), state.pose(n));
+    let touching: Vec<usize> =
+        (0..model.bodies.len()).filter(|n| model.bodies[*n].shape.has_surface()).collect();
+    touching.iter().enumerate().find_map(|(k, &n)| {
+        let other = touching[..k]
+            .iter()
+            .find(|&&m| overlap::depth(placed(n), placed(m)) > MEETING * model.grid.finest());
+        other.map(|&m| (model.bodies[m].name.clone(), model.bodies[n].name.clone(), state.pose(n).position))
+    })
 }
 
 /// The last samples, if there are enough of them.

@@ -20,6 +20,9 @@ pub(super) struct BodyChecks<'a> {
 
 impl BodyChecks<'_> {
     pub(super) fn checks(&self) -> Vec<Check> {
+        if !self.reference.has_surface() {
+            return Vec::new();
+        }
         let range = window(self.samples, self.reference, self.fraction);
         let steady = steady(self.samples, self.reference, range.clone());
         let inside = self.samples.get(range).unwrap_or_default();

@@ -76,7 +76,7 @@ impl BodySetting {
             extent[1] = None;
         }
         let finest = |faces: &Vec<f64>| faces.windows(2).map(|f| f[1] - f[0]).fold(f64::INFINITY, f64::min);
-        let heave = &body.translation[2];
+        let heave = &body.guided().translation[2];
         Self {
             name: body.name.clone(),
             cell: case.grid.faces.each_ref().map(finest),

@@ -5,12 +5,17 @@
 
 mod ball;
 mod hinge;
+mod slider;
+mod spring;
 
 pub use ball::Ball;
 pub use hinge::Hinge;
+pub use slider::Slider;
+pub use spring::Spring;
 
 use crate::configuration::Configuration;
 use crate::wrench::Wrench;
+use glam::DVec3;
 use std::fmt::Debug;
 
 /// Fraction of a remaining gap that a joint closes within a step; chosen: small enough to do no noticeable work, large enough to
@@ -63,5 +68,20 @@ impl Rows {
     #[must_use]
     pub fn as_slice(&self) -> &[Row] {
         &self.rows[..self.number]
+    }
+}
+
+/// Rows that keep pairs of directions perpendicular, a · b = 0, the first of each carried by the first body and the second by the
+/// second: the change of a · b in a step is Δt (ω₁ − ω₂) · (ā × b̄) exactly.
+fn couples<const N: usize>(
+    pairs: [[DVec3; 2]; N],
+    [first, second]: [&Configuration; 2],
+    dt: f64,
+    rows: &mut Rows,
+) {
+    for [a, b] in pairs {
+        let couple = Wrench::couple(first.mean(a).cross(second.mean(b)));
+        let gap = (first.start * a).dot(second.start * b);
+        rows.push(Row { wrench: [couple, -1.0 * couple], bias: -CLOSURE * gap / dt, compliance: 0.0 });
     }
 }

@@ -7,6 +7,7 @@ mod block;
 mod cylinder;
 mod disc;
 mod facets;
+mod frame;
 mod mass;
 mod mesh;
 mod point;
@@ -18,6 +19,7 @@ mod sphere;
 pub use block::Block;
 pub use cylinder::{Axis, Cylinder};
 pub use disc::Disc;
+pub use frame::Frame;
 pub use mass::MassProperties;
 pub use mesh::Mesh;
 pub use point::SurfacePoint;
@@ -150,6 +152,10 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
     /// they come from the mesh.
     fn surface_point_count(&self, spacing: DVec3, _inset: DVec3) -> f64 {
         sampler::count(&self.mesh(), spacing.min_element())
+    }
+    /// Whether it has a surface.
+    fn has_surface(&self) -> bool {
+        true
     }
     /// Whether the shape is rotationally symmetric about the axle; its contact points then need not rotate with it.
     fn is_revolved(&self) -> bool {

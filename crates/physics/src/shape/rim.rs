@@ -118,7 +118,8 @@ impl Outline {
     fn at(&self, arc: f64) -> DVec2 {
         match self {
             Self::Circle { radius } => {
-                let (sin, cos) = (arc / radius).sin_cos();
+                // A body without a surface has no radius.
+                let (sin, cos) = (arc / radius.max(f64::MIN_POSITIVE)).sin_cos();
                 *radius * DVec2::new(sin, -cos)
             }
             Self::Polygon(polygon) => polygon.at(arc),

@@ -10,6 +10,7 @@ mod cut_cell;
 mod impulse;
 mod law;
 mod method;
+mod neighbours;
 mod nodes;
 mod overlap;
 mod penalty;

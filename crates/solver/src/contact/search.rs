@@ -2,6 +2,7 @@
 
 use super::body_fraction::{find_bodies, measure_bodies};
 use super::law::ContactLaw;
+use super::neighbours::Neighbours;
 use super::problem::{corners, over_corners};
 use super::slip::clear_rims;
 use super::workspace::ContactWorkspace;
@@ -50,10 +51,13 @@ pub(crate) fn search<R: Scalar>(
     let mut found = Vec::with_capacity(state.contacts.len());
     let mut known = state.contacts.iter().peekable();
     for (n, surface) in surfaces.iter().enumerate() {
-        let pose = state.pose(n);
+        let (pose, neighbours) = (state.pose(n), Neighbours::of(model, state, n));
         for (p, point) in surface.points().enumerate() {
             let known = known.next_if(|c| (c.body as usize, c.point as usize) == (n, p));
             let in_space = [point.position, point.normal].map(|v| model.bodies[n].rotated(pose, v));
+            if neighbours.cover(pose.position + in_space[0], in_space[1]) {
+                continue;
+            }
             if let Some(mut contact) = view.find_contact(known, in_space, pose.position, law.as_ref()) {
                 (contact.body, contact.point) = (n as u32, p as u32);
                 (contact.side, contact.is_paired) = (point.side, point.is_paired);

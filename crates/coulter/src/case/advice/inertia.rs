@@ -12,7 +12,7 @@ const NOTABLE: f64 = 0.1;
 
 /// Whether the motion is slow enough to be quasi-static.
 pub(super) fn speed(case: &Case, body: &Body, notes: &mut Vec<String>) {
-    let speeds = body.translation.each_ref().map(prescribed_speed);
+    let speeds = body.guided().translation.each_ref().map(prescribed_speed);
     let axis = (0..3).fold(0, |fastest, axis| if speeds[axis] > speeds[fastest] { axis } else { fastest });
     let fastest = speeds[axis];
     let length = body_length(std::slice::from_ref(body));

@@ -6,7 +6,7 @@ mod walls;
 
 use super::estimate::estimate;
 use super::model::sand;
-use super::path::{Paths, body_length, path};
+use super::path::{Paths, body_length};
 use super::resolved::{Body, Case, Law, Motion, Potential};
 use glam::DVec3;
 use passive::passive_coefficient;
@@ -17,13 +17,12 @@ use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
 #[must_use]
 pub fn advice(case: &Case) -> Vec<String> {
     let mut notes = Vec::new();
-    for body in &case.bodies {
+    for (_, body) in case.touching() {
         resolution(case, body, &mut notes);
         fine_zone(case, body, &mut notes);
         walls::walls_and_lid(case, body, &mut notes);
         inertia::speed(case, body, &mut notes);
     }
-    overlaps(case, &mut notes);
     timing(case, &mut notes);
     strength(case, &mut notes);
     softening(case, &mut notes);
@@ -32,21 +31,6 @@ pub fn advice(case: &Case) -> Vec<String> {
         notes.push("There is no body and the soil has no weight: nothing will happen.".into());
     }
     notes
-}
-
-/// Bodies whose bounding boxes overlap at the start: contact between bodies is not modelled.
-fn overlaps(case: &Case, notes: &mut Vec<String>) {
-    for (n, one) in case.bodies.iter().enumerate() {
-        for other in case.bodies.iter().skip(n + 1) {
-            let (a, b) = (path(one, 0.0), path(other, 0.0));
-            if a.low.cmplt(b.high).all() && b.low.cmplt(a.high).all() {
-                notes.push(format!(
-                    "{} and {} may overlap (their bounding boxes do): contact between bodies is not modelled.",
-                    one.name, other.name
-                ));
-            }
-        }
-    }
 }
 
 fn resolution(case: &Case, body: &Body, notes: &mut Vec<String>) {

@@ -50,7 +50,7 @@ pub(super) const BODY: &[Key] = &[
         "shape",
         Kind::Choice(&SHAPES),
         Required,
-        "A disc with its axle along y, a rectangular block, a cylinder along any axis, or a sphere.",
+        "A disc with its axle along y, a rectangular block, a cylinder along any axis, a sphere, or a frame: mass and motion without a surface.",
     ),
     key(
         "diameter",
@@ -89,7 +89,7 @@ pub(super) const BODY: &[Key] = &[
     key(
         "friction",
         Kind::Friction,
-        Required,
+        Derived("required except for a frame"),
         "Coefficient of friction μ against the soil, or \"rough\": no slip.",
     )
     .within(NOT_NEGATIVE),
@@ -123,6 +123,12 @@ pub(super) const BODY: &[Key] = &[
         Kind::Quantity(LENGTH),
         Quantity("0 m"),
         "Initial depth of its lowest point below the surface.",
+    ),
+    key(
+        "height",
+        Kind::Quantity(LENGTH),
+        Derived("from the sinkage"),
+        "Initial height of its reference point above the surface, instead of `sinkage`.",
     ),
     key(
         "yaw",

@@ -33,6 +33,8 @@ pub enum Kind {
     Friction,
     /// A number, or a word such as `loose`.
     RelativeDensity,
+    /// The names of two bodies.
+    NamePair,
     /// The boundary conditions at the low and at the high end.
     WallPair,
     /// What the grid follows: a table with a body and axes.

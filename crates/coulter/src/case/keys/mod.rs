@@ -5,6 +5,7 @@ mod allowed_range;
 mod body;
 mod default_value;
 mod forecast;
+mod joint;
 mod key;
 mod run;
 mod soil;
@@ -17,13 +18,19 @@ pub use key::{Key, KeyTable, Kind};
 use key::section;
 
 /// All sections.
-pub const SECTIONS: [KeyTable; 10] = [
+pub const SECTIONS: [KeyTable; 11] = [
     section("", "At the top of the file, before any section.", run::TOP),
     section("soil", "The soil.", soil::SOIL),
     section("ground", "Where there is soil at the start.", soil::GROUND),
     section("domain", "The box that is modelled.", soil::DOMAIN),
     section("grid", "Cell sizes.", soil::GRID),
     section("body", "A rigid body, `[body.NAME]`; any number of them.", body::BODY),
+    section(
+        "joint",
+        "A joint between two bodies, or between a body and the ground, `[joint.NAME]`. Motions of a body that a joint carries are free \
+         unless they are given.",
+        joint::JOINT,
+    ),
     section("run", "How long to run.", run::RUN),
     section("output", "What to write, and how often.", run::OUTPUT),
     section("numerics", "Parameters of the method.", run::NUMERICS),
@@ -51,12 +58,12 @@ pub fn at(path: &str) -> Option<&'static Key> {
     let names: Vec<&str> = path.split('.').collect();
     match names[..] {
         [name] => find("")?.key(name),
-        ["body", _, name] => find("body")?.key(name),
+        [kind @ ("body" | "joint"), _, name] => find(kind)?.key(name),
         ["body", _, motion, name] if matches!(find("body")?.key(motion)?.kind, Kind::Motion { .. }) => {
             MOTION.key(name)
         }
         ["grid", "follow", name] => FOLLOW.key(name),
-        [section, name] if section != "body" => find(section)?.key(name),
+        [section, name] if !["body", "joint"].contains(&section) => find(section)?.key(name),
         _ => None,
     }
 }

@@ -1,7 +1,7 @@
 //! A rigid body: shape, mass, position and motion.
 
 use super::context::{Context, checked};
-use super::motion::{freedom, is_free, spin};
+use super::motion;
 use crate::case::missing::{missing, required};
 use crate::case::problem::Problems;
 use crate::case::resolved::{Attitude, Body, Law, MOTIONS};
@@ -12,46 +12,73 @@ use glam::DVec3;
 
 /// Density of a body whose mass is not given because it never moves freely [kg/m³]: solid steel. Nothing depends on it.
 const NOMINAL_DENSITY: f64 = 7850.0;
-/// One body of the case.
-pub(super) fn body(section: &Section, context: &Context, problems: &mut Problems) -> Option<Body> {
+
+/// One body of the case; the motions of one that a joint carries are free unless they are given.
+pub(super) fn body(
+    section: &Section,
+    context: &Context,
+    is_carried: bool,
+    problems: &mut Problems,
+) -> Option<Body> {
     let shape = shape(section, context, problems);
-    let friction = required(section, "friction", problems);
+    let friction = friction(section, shape.as_ref(), problems);
     let shear_limit = shear_limit(section, context, problems);
     let mass = mass(section, context.gravity, problems);
     let attitude = attitude(section);
-    let needs_mass = MOTIONS[..3].iter().any(|key| is_free(section, key));
+    let typed: [_; 6] =
+        std::array::from_fn(|n| motion::typed(section, MOTIONS[n], is_carried && !context.planes_forbid(n)));
+    let free = typed.each_ref().map(|motion| motion::is_free(motion.as_ref()));
     let mass = mass?;
-    if needs_mass && mass.is_none() {
-        let message = format!("[{}] moves freely, but its weight is not given", section.path);
+    if free[..3].contains(&true) && mass.is_none() {
+        let carried = if is_carried { ", for a joint carries it," } else { "" };
+        let message = format!("[{}] moves freely{carried} but its weight is not given", section.path);
         problems.add(&section.path, message, "add  weight = \"40 N\"  or  mass = \"4 kg\"");
     }
-    let support = [0.0, 0.0, context.gravity * mass.unwrap_or(0.0)];
-    let translation = [0, 1, 2].map(|axis| freedom(section, MOTIONS[axis], support[axis], problems));
-    let turns = [3, 4].map(|axis| freedom(section, MOTIONS[axis], 0.0, problems));
+    let support = [0.0, 0.0, context.gravity * mass.unwrap_or(0.0), 0.0, 0.0];
+    let mut freedom =
+        |n: usize| motion::freedom(section.at(MOTIONS[n]), typed[n].as_ref(), support[n], problems);
+    let [forward, lateral, heave, yaw, tilt] = std::array::from_fn(&mut freedom);
     let radius = shape.as_ref().and_then(|shape| shape.rolling_diameter()).map(|diameter| 0.5 * diameter);
-    let yaw = attitude.map_or(0.0, |attitude| attitude.yaw);
-    let spin = spin(section, [translation[0], translation[1]], (radius, yaw), problems);
+    let rolls = (radius, attitude.map_or(0.0, |attitude| attitude.yaw));
+    let spin = motion::spin((section.at("spin"), typed[5].as_ref()), [forward, lateral], rolls, problems);
     let shape = shape?;
-    let inertia = axle_inertia(section, &shape, mass, problems);
-    let [Some(forward), Some(lateral), Some(heave)] = translation else { return None };
-    let [Some(yaw), Some(tilt)] = turns else { return None };
+    let turns = MOTIONS[3..].iter().zip(&free[3..]).find(|(_, free)| **free).map(|(key, _)| *key);
+    let inertia = axle_inertia(section, &shape, (mass, turns), problems);
     let mut body = Body {
         name: section.path.trim_start_matches("body.").to_owned(),
         position: DVec3::ZERO,
         attitude: attitude?,
-        mass: mass.unwrap_or_else(|| NOMINAL_DENSITY * shape.solid().mass_properties().volume),
+        mass: mass.unwrap_or_else(|| nominal_mass(&shape)),
         axle_inertia: inertia?,
         shape,
         friction: friction?,
         shear_limit: shear_limit?,
-        translation: [forward, lateral, heave],
-        rotation: [yaw, tilt, spin?],
+        translation: [forward?, lateral?, heave?],
+        rotation: [yaw?, tilt?, spin?],
+        guide: None,
     };
-    body.position = position(section, &body, context)?;
+    body.position = position(section, &body, context, problems)?;
     let plane_strain = context.slab.is_some();
     checked(body, problems, |body, problems| {
         validate::body::body(body, (context.fine_cell(), plane_strain), problems)
     })
+}
+
+/// The mass of a body that never moves freely [kg].
+fn nominal_mass(shape: &Shape) -> f64 {
+    if shape.has_surface() { NOMINAL_DENSITY * shape.solid().mass_properties().volume } else { 1.0 }
+}
+
+/// The coefficient of friction; that of a body without a surface plays no role.
+fn friction(section: &Section, shape: Option<&Shape>, problems: &mut Problems) -> Option<f64> {
+    if shape.is_none_or(|shape| shape.has_surface()) {
+        return required(section, "friction", problems);
+    }
+    if let Some(key) = ["friction", "adhesion_factor"].into_iter().find(|key| section.has(key)) {
+        let message = format!("a frame has no surface, and no `{key}`");
+        problems.add(section.at(key), message, format!("remove `{key}`, or choose another shape"));
+    }
+    Some(0.0)
 }
 
 fn shape(section: &Section, context: &Context, problems: &mut Problems) -> Option<Shape> {
@@ -111,18 +138,30 @@ fn mass(section: &Section, gravity: f64, problems: &mut Problems) -> Option<Opti
     }
 }
 
-fn axle_inertia(section: &Section, shape: &Shape, mass: Option<f64>, problems: &mut Problems) -> Option<f64> {
+/// The moment of inertia about the axle; `turns` is the key of a rotation that is free.
+fn axle_inertia(
+    section: &Section,
+    shape: &Shape,
+    (mass, turns): (Option<f64>, Option<&str>),
+    problems: &mut Problems,
+) -> Option<f64> {
     if section.has("axle_inertia") {
         return section.number("axle_inertia");
     }
-    let solid = shape.solid();
-    if let Some(key) = MOTIONS[3..].iter().find(|key| mass.is_none() && is_free(section, key)) {
+    if let Some(key) = turns.filter(|_| mass.is_none() || !shape.has_surface()) {
         let message = format!("[{}] rotates freely, but its moment of inertia is not known", section.path);
-        problems.add(section.at(key), message, "add a weight or a mass, or axle_inertia = \"0.02 kg*m^2\"");
+        let cure = if shape.has_surface() {
+            "add a weight or a mass, or axle_inertia = \"0.02 kg*m^2\""
+        } else {
+            "add axle_inertia = \"0.02 kg*m^2\""
+        };
+        problems.add(section.at(key), message, cure);
         return None;
     }
-    let properties = solid.mass_properties();
-    Some(mass.unwrap_or(NOMINAL_DENSITY * properties.volume) * properties.about_axle())
+    if !shape.has_surface() {
+        return Some(1.0);
+    }
+    Some(mass.unwrap_or_else(|| nominal_mass(shape)) * shape.solid().mass_properties().about_axle())
 }
 
 fn attitude(section: &Section) -> Option<Attitude> {
@@ -131,12 +170,20 @@ fn attitude(section: &Section) -> Option<Attitude> {
 }
 
 /// Where a body of this shape and attitude stands.
-fn position(section: &Section, body: &Body, context: &Context) -> Option<DVec3> {
+fn position(section: &Section, body: &Body, context: &Context, problems: &mut Problems) -> Option<DVec3> {
     let (x, y, sinkage) = (section.number("x"), section.number("y"), section.number("sinkage"));
-    let lowest = body.bounds().0.z;
     let y = match context.slab {
         Some(slab) if !section.has("y") => slab.middle,
         _ => y?,
     };
-    Some(DVec3::new(x?, y, context.surface - sinkage? - lowest))
+    let above = if section.has("height") {
+        if section.has("sinkage") {
+            let message = "`sinkage` and `height` both say how high the body stands";
+            problems.add(section.at("height"), message, "keep one of them");
+        }
+        section.number("height")?
+    } else {
+        -sinkage? - body.bounds().0.z
+    };
+    Some(DVec3::new(x?, y, context.surface + above))
 }

@@ -104,7 +104,7 @@ impl Clearance {
 /// Depth of the lowest point in the soil on the whole path [m]; for a body that is free to sink at least [`FREE_SINKAGE`].
 pub(in crate::case) fn deepest(body: &Body, soil: &SoilConditions, duration: f64) -> f64 {
     let size = body.size();
-    let free = match body.translation[2] {
+    let free = match body.guided().translation[2] {
         Motion::Free { .. } => FREE_SINKAGE * size.x.max(size.z),
         _ => 0.0,
     };
@@ -142,9 +142,9 @@ fn towed(body: &Body, soil: &SoilConditions, depth: f64, duration: f64) -> Clear
 
 /// Clearance for a body that sinks: the heave next to it, and the failure zone under a footing.
 fn pressed(body: &Body, soil: &SoilConditions, depth: f64, duration: f64) -> Clearance {
-    let sunk = match body.translation[2] {
+    let sunk = match body.guided().translation[2] {
         Motion::Free { .. } => depth,
-        Motion::Prescribed { .. } => (-travel(&body.translation[2], duration)).clamp(0.0, depth),
+        Motion::Prescribed { .. } => (-travel(&body.guided().translation[2], duration)).clamp(0.0, depth),
         Motion::Fixed => 0.0,
     };
     if sunk <= 0.0 {
@@ -184,7 +184,7 @@ fn heap(body: &Body, soil: &SoilConditions, area: f64, (depth, duration): (f64, 
 /// Displacement of the body along x and y relative to soil that moves [m].
 fn relative_displacement(body: &Body, soil: &SoilConditions, duration: f64) -> DVec3 {
     let displacement =
-        DVec3::from_array(body.translation.each_ref().map(|freedom| travel(freedom, duration)));
+        DVec3::from_array(body.guided().translation.each_ref().map(|freedom| travel(freedom, duration)));
     displacement - duration * soil.velocity
 }
 

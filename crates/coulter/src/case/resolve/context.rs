@@ -33,6 +33,12 @@ impl Context {
         self.cell * self.aspect
     }
 
+    /// Whether a plane of symmetry or of strain forbids a motion, by its number in [`crate::case::resolved::MOTIONS`].
+    pub(super) fn planes_forbid(&self, motion: usize) -> bool {
+        let lies_in_a_plane = self.symmetric || self.slab.is_some();
+        lies_in_a_plane && [1, 3, 4].contains(&motion) || self.symmetric_x && [0, 3, 5].contains(&motion)
+    }
+
     /// What the clearance round a body depends on.
     pub(super) fn soil_conditions(&self) -> SoilConditions {
         SoilConditions {

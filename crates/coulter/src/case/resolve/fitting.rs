@@ -45,7 +45,7 @@ fn flat_faces(body: &Body, axis: usize) -> Option<[f64; 2]> {
     let keeps_axle = body.attitude.axle_is_across() && !body.steers();
     // Rotation about the axle turns the other faces.
     let rolls = body.attitude.pitch != 0.0 || body.spin() != Motion::Fixed;
-    let stays = body.translation[axis] == Motion::Fixed && keeps_axle && (axis == 1 || !rolls);
+    let stays = body.guided().translation[axis] == Motion::Fixed && keeps_axle && (axis == 1 || !rolls);
     (body.shape.has_flat_sides(axis) && stays)
         .then(|| [low, high].map(|side| body.position[axis] + side[axis]))
 }

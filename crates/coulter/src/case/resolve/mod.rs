@@ -10,6 +10,7 @@ mod fitting;
 mod forecast;
 mod grading;
 mod ground;
+mod joint;
 mod mesh;
 mod motion;
 mod soil;
@@ -35,6 +36,8 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
     let numerics = numerics(&schema.numerics, &schema.soil);
     let context = gravity.and_then(|g| context(schema, g, soil.as_ref().map(|s| s.law), problems));
     let bodies = context.as_ref().and_then(|context| bodies(schema, context, problems));
+    let parts = bodies.and_then(|bodies| joint::joints(&schema.joints, bodies, context.as_ref()?, problems));
+    let (bodies, joints) = parts.map_or((None, None), |(bodies, joints)| (Some(bodies), Some(joints)));
     let name = name(&schema.top, source_name, problems);
     let duration = bodies.as_ref().and_then(|b| timing::duration(&schema.run, b, problems));
     let forecast = forecast::measured(&schema.forecast, problems);
@@ -65,6 +68,7 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
         domain,
         grid,
         bodies,
+        joints: joints?,
         duration,
         output: output?,
         numerics: numerics?,
@@ -108,7 +112,12 @@ fn context(schema: &Schema, gravity: f64, law: Option<Law>, problems: &mut Probl
 
 /// All bodies, or `None` if any of them is wrong.
 fn bodies(schema: &Schema, context: &Context, problems: &mut Problems) -> Option<Vec<Body>> {
-    let all: Vec<_> = schema.bodies.iter().map(|section| body::body(section, context, problems)).collect();
+    let carried = joint::carried(&schema.joints);
+    let body = |section: &Section| {
+        let is_carried = carried.iter().any(|name| section.path.strip_prefix("body.") == Some(name));
+        body::body(section, context, is_carried, problems)
+    };
+    let all: Vec<_> = schema.bodies.iter().map(body).collect();
     all.into_iter().collect()
 }
 

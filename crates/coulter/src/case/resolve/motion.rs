@@ -6,28 +6,38 @@ use crate::case::resolved::Motion;
 use crate::case::typed::{self, Section};
 use crate::case::validate;
 
-/// Whether the section lets this degree of freedom move freely.
-pub(super) fn is_free(section: &Section, key: &str) -> bool {
-    section.motion(key).is_some_and(|m| m.word.as_deref() == Some("free") || m.load.is_some())
+/// How a degree of freedom was typed; one that is not given is `free_unless_given` or has its default.
+pub(super) fn typed(section: &Section, key: &str, free_unless_given: bool) -> Option<typed::Motion> {
+    let motion = section.motion(key)?;
+    let is_free = free_unless_given && !section.has(key);
+    Some(if is_free { typed::Motion { word: Some("free".to_owned()), ..motion } } else { motion })
 }
 
-/// One degree of freedom; while it is free, a load replaces `support` [N], the force that carries the body until then.
-pub(super) fn freedom(section: &Section, key: &str, support: f64, problems: &mut Problems) -> Option<Motion> {
-    let (typed, path) = (section.motion(key)?, section.at(key));
-    let motion = read(&typed, support, &path, problems)?;
+/// Whether a degree of freedom is free.
+pub(super) fn is_free(motion: Option<&typed::Motion>) -> bool {
+    motion.is_some_and(|m| m.word.as_deref() == Some("free") || m.load.is_some())
+}
+
+/// The degree of freedom at a path; while it is free, a load replaces `support` [N], the force that carries the body until then.
+pub(super) fn freedom(
+    path: String,
+    typed: Option<&typed::Motion>,
+    support: f64,
+    problems: &mut Problems,
+) -> Option<Motion> {
+    let motion = read(typed?, support, &path, problems)?;
     checked(motion, problems, |motion, problems| validate::body::motion(&path, motion, problems))
 }
 
 /// Rotation about the axle, of a body that moves forward and sideways so, rolls on a radius [m] and has this yaw [rad].
 pub(super) fn spin(
-    section: &Section,
+    (path, typed): (String, Option<&typed::Motion>),
     [forward, lateral]: [Option<Motion>; 2],
     (radius, yaw): (Option<f64>, f64),
     problems: &mut Problems,
 ) -> Option<Motion> {
-    let typed = section.motion("spin")?;
-    let Some(slip) = typed.slip else { return freedom(section, "spin", 0.0, problems) };
-    let path = section.at("spin");
+    let Some(slip) = typed?.slip else { return freedom(path, typed, 0.0, problems) };
+    let typed = typed?;
     let mut refuse = |message: &str, cure: &str| {
         problems.add(&path, message, cure);
         None

@@ -27,7 +27,8 @@ pub(super) fn duration(section: &Section, bodies: &[Body], problems: &mut Proble
 
 /// When the last towed body has travelled `distance` [m].
 fn tow_time(section: &Section, distance: f64, bodies: &[Body], problems: &mut Problems) -> Option<f64> {
-    let times: Vec<f64> = bodies.iter().filter_map(|b| arrival_time(&b.translation[0], distance)).collect();
+    let times: Vec<f64> =
+        bodies.iter().filter_map(|b| arrival_time(&b.guided().translation[0], distance)).collect();
     let latest = times.iter().copied().fold(0.0, f64::max);
     if !times.is_empty() && latest.is_finite() {
         return Some(latest);

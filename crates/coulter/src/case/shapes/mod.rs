@@ -3,6 +3,7 @@
 mod block;
 mod cylinder;
 mod disc;
+mod frame;
 pub(super) mod slab;
 mod sphere;
 mod traits;
@@ -10,6 +11,7 @@ mod traits;
 pub use block::Block;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
+pub use frame::Frame;
 pub use sphere::Sphere;
 pub use traits::{CaseShape, ClosedForm, PlaneStrainConflict, Size};
 
@@ -64,6 +66,7 @@ shapes! {
     Block: "block", "A rectangular block.";
     Cylinder: "cylinder", "A cylinder.";
     Sphere: "sphere", "A sphere.";
+    Frame: "frame", "A frame: mass and motion without a surface.";
 }
 
 /// The shape that a section asks for; `slab` is that of a plane strain case.

@@ -21,6 +21,10 @@ pub trait CaseShape {
     fn rolling_diameter(&self) -> Option<f64> {
         None
     }
+    /// Whether it has a surface that the soil can touch.
+    fn has_surface(&self) -> bool {
+        true
+    }
     /// Whether its sides across an axis of its own are flat.
     fn has_flat_sides(&self, axis: usize) -> bool;
     /// In words, with the kind first; lengths [m] are written by the caller's function.
@@ -85,6 +89,8 @@ pub enum ClosedForm {
         /// Height [m].
         height: f64,
     },
+    /// Nothing: it has no surface.
+    None,
     /// Any other surface, divided into facets.
     Facets {
         /// Size along the tow [m].

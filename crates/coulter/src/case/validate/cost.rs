@@ -31,7 +31,7 @@ fn contact_points_remain(case: &Case, problems: &mut Problems) {
         // The slab is one cell, of any width.
         cells.y = case.domain.high.y - case.domain.low.y;
     }
-    for body in &case.bodies {
+    for (_, body) in case.touching() {
         let (low, high) = body.solid().bounds();
         let left = high - low - 2.0 * case.numerics.edge_inset * cells;
         if left.cmplt(1e-6 * cells).any() {

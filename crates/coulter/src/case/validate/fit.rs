@@ -1,9 +1,11 @@
 //! Whether the bodies fit into the box, and their motion its planes of symmetry.
 
+use crate::case::overlap;
 use crate::case::path::{Paths, path};
 use crate::case::problem::Problems;
 use crate::case::quantity::plain;
 use crate::case::resolved::{Body, Domain, MOTIONS, Motion};
+use mechanics::Pose;
 
 /// Reports bodies that start or move outside the box, and motions that violate its symmetry.
 pub(in crate::case) fn bodies_fit(paths: &Paths, domain: &Domain, problems: &mut Problems) {
@@ -14,7 +16,37 @@ pub(in crate::case) fn bodies_fit(paths: &Paths, domain: &Domain, problems: &mut
         if domain.symmetric_x {
             keeps_to_the_middle(body, problems);
         }
-        stays_inside(body, domain, paths, problems);
+        if body.shape.has_surface() {
+            stays_inside(body, domain, paths, problems);
+        }
+    }
+    apart(paths.bodies, problems);
+}
+
+/// Overlap of two bodies at the start that counts as round-off, over the size of the smaller.
+const SHARED_FACE: f64 = 1e-9;
+
+/// Reports bodies that overlap at the start; they may share a face.
+fn apart(bodies: &[Body], problems: &mut Problems) {
+    let placed: Vec<_> = bodies
+        .iter()
+        .filter(|body| body.shape.has_surface())
+        .map(|body| (body, body.solid(), Pose { position: body.position, rotation: body.attitude.of_axle() }))
+        .collect();
+    for (n, (body, solid, pose)) in placed.iter().enumerate() {
+        for (other, beside, there) in &placed[..n] {
+            let depth = overlap::depth((solid.as_ref(), pose), (beside.as_ref(), there));
+            let smaller = body.size().max_element().min(other.size().max_element());
+            if depth > SHARED_FACE * smaller {
+                let message = format!(
+                    "`{}` and `{}` overlap at the start, by {} mm at least",
+                    other.name,
+                    body.name,
+                    plain(1e3 * depth)
+                );
+                problems.add(at(body, "shape"), message, "move them apart; they may share a face");
+            }
+        }
     }
 }
 
@@ -99,7 +131,7 @@ fn stays_inside(body: &Body, domain: &Domain, paths: &Paths, problems: &mut Prob
         problems.add(at(body, key), message, format!("make domain.{name} wider, or the path shorter"));
     }
     // A wall may extend through the floor, so that no soil passes under it; a body that moves vertically may not.
-    let through_the_floor = whole.low.z < domain.low.z && body.translation[2] != Motion::Fixed;
+    let through_the_floor = whole.low.z < domain.low.z && body.guided().translation[2] != Motion::Fixed;
     if through_the_floor || start.high.z <= domain.low.z || start.low.z >= domain.high.z {
         let message = format!(
             "[body.{}] extends over z = {:.4} to {:.4} m, but the box over {} to {} m",

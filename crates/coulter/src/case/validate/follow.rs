@@ -23,7 +23,7 @@ pub(super) fn follow(case: &Case, problems: &mut Problems) {
 /// A grid that follows a body which does not move would only have open ends.
 fn stands_still(case: &Case, follow: Follow, axis: usize, problems: &mut Problems) {
     let body = &case.bodies[follow.body];
-    if body.translation[axis] == Motion::Fixed {
+    if body.guided().translation[axis] == Motion::Fixed {
         let message =
             format!("`{}` does not move along {}: there is nothing to follow", body.name, AXES[axis]);
         problems.add("grid.follow.axes", message, "leave this axis out");

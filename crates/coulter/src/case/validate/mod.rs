@@ -6,6 +6,7 @@ pub(super) mod domain;
 pub(super) mod fit;
 mod follow;
 pub(super) mod grid;
+mod joint;
 pub(super) mod names;
 mod parameters;
 pub(super) mod soil;
@@ -55,10 +56,12 @@ fn parts(case: &Case, problems: &mut Problems) {
     soil::soil(&case.soil, problems);
     parameters::numerics(&case.numerics, problems);
     parameters::forecast(&case.forecast, problems);
-    names::bodies(&case.bodies, problems);
+    names::parts("body", &case.bodies.iter().map(|body| &*body.name).collect::<Vec<_>>(), problems);
+    names::parts("joint", &case.joints.iter().map(|joint| &*joint.name).collect::<Vec<_>>(), problems);
     for body in &case.bodies {
         body::body(body, (case.grid.fine_cell(), case.domain.plane_strain), problems);
     }
+    joint::joints(case, problems);
     timing::duration(case.duration, problems);
     timing::output(&case.output, case.duration, problems);
     domain::domain(&case.domain, problems);

@@ -2,10 +2,10 @@
 
 use crate::case::names::{is_body_name, is_case_name};
 use crate::case::problem::Problems;
-use crate::case::resolved::Body;
+use crate::case::resolved::GROUND;
 
-/// Largest number of bodies; with more, the text and the report become unreadable.
-const MAX_BODIES: usize = 500;
+/// Largest number of bodies, and of joints; with more, the text and the report become unreadable.
+const LARGEST_NUMBER: usize = 500;
 
 /// Reports a name that cannot be that of the results folder.
 pub(in crate::case) fn case_name(name: &str, problems: &mut Problems) {
@@ -16,36 +16,42 @@ pub(in crate::case) fn case_name(name: &str, problems: &mut Problems) {
     }
 }
 
-/// Whether a body may have this name; reported if not.
-pub(in crate::case) fn body_name(name: &str, problems: &mut Problems) -> bool {
-    let is_valid = is_body_name(name);
-    if !is_valid {
-        let message = format!("\"{name}\" is not a valid name for a body");
+/// Whether a body or a joint may have this name; reported if not.
+pub(in crate::case) fn part_name(kind: &str, name: &str, problems: &mut Problems) -> bool {
+    let is_ground = kind == "body" && name == GROUND;
+    let is_valid = is_body_name(name) && !is_ground;
+    if is_ground {
+        let message = format!("\"{name}\" is what joints call the ground");
+        problems.add(format!("{kind}.{name}"), message, "give the body another name");
+    } else if !is_valid {
+        let message = format!("\"{name}\" is not a valid name for a {kind}");
         let cure = "use letters, digits, `-` and `_`, but not the name of a Windows device";
-        problems.add(format!("body.{name}"), message, cure);
+        problems.add(format!("{kind}.{name}"), message, cure);
     }
     is_valid
 }
 
-/// Whether there are not too many bodies; reported if there are.
-pub(in crate::case) fn number_of_bodies(number: usize, problems: &mut Problems) -> bool {
-    if number > MAX_BODIES {
-        let message = format!("{number} bodies; at most {MAX_BODIES} are allowed");
-        problems.add("body", message, "model fewer of them, or each group in a separate case");
+/// Whether there are not too many bodies or joints; reported if there are.
+pub(in crate::case) fn number_of(kind: &str, number: usize, problems: &mut Problems) -> bool {
+    if number > LARGEST_NUMBER {
+        let kinds = if kind == "body" { "bodies" } else { "joints" };
+        let message = format!("{number} {kinds}; at most {LARGEST_NUMBER} are allowed");
+        problems.add(kind, message, "model fewer of them, or each group in a separate case");
     }
-    number <= MAX_BODIES
+    number <= LARGEST_NUMBER
 }
 
-/// Reports too many bodies, and names that are not valid or stand for two bodies.
-pub(super) fn bodies(bodies: &[Body], problems: &mut Problems) {
-    if !number_of_bodies(bodies.len(), problems) {
+/// Reports too many bodies or joints, and names that are not valid or stand for two.
+pub(super) fn parts(kind: &str, names: &[&str], problems: &mut Problems) {
+    if !number_of(kind, names.len(), problems) {
         return;
     }
-    for (n, body) in bodies.iter().enumerate() {
-        body_name(&body.name, problems);
-        if bodies[..n].iter().any(|other| other.name == body.name) {
-            let message = format!("two bodies are called \"{}\"", body.name);
-            problems.add(format!("body.{}", body.name), message, "give each body a name of its own");
+    for (n, name) in names.iter().enumerate() {
+        part_name(kind, name, problems);
+        if names[..n].contains(name) {
+            let kinds = if kind == "body" { "bodies" } else { "joints" };
+            let message = format!("two {kinds} are called \"{name}\"");
+            problems.add(format!("{kind}.{name}"), message, format!("give each {kind} a name of its own"));
         }
     }
 }

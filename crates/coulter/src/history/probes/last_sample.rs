@@ -1,5 +1,6 @@
 //! What the probes remember from one sample to the next.
 
+use mechanics::Wrench;
 use serde::{Deserialize, Serialize};
 use solver::state::{ContactImpulse, State};
 
@@ -10,12 +11,18 @@ pub struct LastSample {
     pub time: f64,
     /// Impulse of the soil on each body since the start.
     pub impulses: Vec<ContactImpulse>,
+    /// Impulse of each joint on its second body since the start.
+    pub joints: Vec<Wrench>,
 }
 
 impl LastSample {
     /// Time and impulses of a state.
     #[must_use]
     pub fn of<R>(state: &State<R>) -> Self {
-        Self { time: state.time, impulses: state.bodies.iter().map(|body| body.contact_impulse).collect() }
+        Self {
+            time: state.time,
+            impulses: state.bodies.iter().map(|body| body.contact_impulse).collect(),
+            joints: state.mechanism.joints.iter().map(|joint| joint.on_second).collect(),
+        }
     }
 }

@@ -7,6 +7,7 @@ mod body;
 mod boundary;
 mod energy;
 mod ground_left;
+mod joint;
 mod last_sample;
 mod rim;
 
@@ -29,6 +30,9 @@ pub fn sample<R: Precision>(
 ) {
     for (n, samples) in history.bodies.iter_mut().enumerate() {
         samples.push(body::sample(model, state, n, last));
+    }
+    for (n, (samples, joint)) in history.joints.iter_mut().zip(&case.joints).enumerate() {
+        samples.push(joint::sample(model, joint, state, n, last));
     }
     for (n, rim) in history.rims.iter_mut().enumerate() {
         rim.push(state.time, rim::sums(model, &state.bodies[n]));

@@ -6,7 +6,9 @@ use crate::output::files::{
     CHECKPOINTS, FIELDS, LISTS, LOG, MESHES, Named, OutputError, PICTURES, PLOTS, REPORT, RESOLVED, SUMMARY,
     TYPED,
 };
-use crate::output::tables::{BOUNDARIES_FILE, ENERGY_FILE, GROUND_LEFT_FILE, forces_name, rim_name};
+use crate::output::tables::{
+    BOUNDARIES_FILE, ENERGY_FILE, GROUND_LEFT_FILE, forces_name, joint_name, rim_name,
+};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -121,9 +123,10 @@ pub(crate) fn remove_parts(dir: &Path) -> Result<(), OutputError> {
 }
 
 fn remove_result(dir: &Path, record: &RunRecord) -> Result<(), OutputError> {
-    let names: Vec<String> = record.bodies.iter().map(|b| b.name.clone()).collect();
+    let names = record.names();
     let mut files: Vec<String> =
         (0..names.len()).flat_map(|n| [forces_name(&names, n), rim_name(&names, n)]).collect();
+    files.extend(record.joints.iter().map(|joint| joint_name(&joint.name)));
     let fixed = [SUMMARY, REPORT, ENERGY_FILE, BOUNDARIES_FILE, GROUND_LEFT_FILE, RESOLVED, TYPED, LOG];
     files.extend(fixed.iter().chain(&LISTS).map(|name| (*name).to_owned()));
     for file in files {

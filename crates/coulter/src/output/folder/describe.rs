@@ -1,6 +1,6 @@
 //! The case in a few words, for the top of a report.
 
-use crate::case::resolved::{Attitude, Body, Case, Law, Motion, Potential};
+use crate::case::resolved::{Attitude, Body, Case, GROUND, Law, Motion, Potential};
 use crate::output::units::{Unit, digits};
 
 /// Soil and bodies, each as a name and a description.
@@ -10,6 +10,12 @@ pub(super) fn describe(case: &Case) -> Vec<[String; 2]> {
     for body in &case.bodies {
         let title = if several { body.name.clone() } else { "Body".to_owned() };
         lines.push([title, describe_body(case, body)]);
+    }
+    for joint in &case.joints {
+        let name = |body: usize| &*case.bodies[body].name;
+        let first = joint.first.map_or(GROUND, name);
+        let text = format!("{} between {first} and {}", joint.kind.word(), name(joint.second));
+        lines.push([joint.name.clone(), text]);
     }
     lines
 }
@@ -67,6 +73,9 @@ fn soil(case: &Case) -> String {
 fn describe_body(case: &Case, body: &Body) -> String {
     let length = |value: f64| quantity(value, Unit::length(value));
     let shape = body.shape.describe(&length);
+    if !body.shape.has_surface() {
+        return format!("{shape}, mass {} kg; {}", digits(body.mass), motions(body));
+    }
     let mut friction = if body.friction.is_finite() {
         format!("μ = {}", digits(body.friction))
     } else {
@@ -83,6 +92,14 @@ fn describe_body(case: &Case, body: &Body) -> String {
     let turned =
         [("yaw", yaw), ("tilt", tilt), ("pitch", pitch)].into_iter().filter(|(_, angle)| *angle != 0.0);
     let turned: String = turned.map(|(name, angle)| format!(", {name} {}", degrees(angle))).collect();
+    format!("{shape}{turned}, {friction}{weight}; {}", motions(body))
+}
+
+/// How a body moves.
+fn motions(body: &Body) -> String {
+    if body.guide.is_some() && body.motions().iter().all(Motion::is_free) {
+        return "guided by its joint".to_owned();
+    }
     let [tow, lateral, heave] = &body.translation;
     let [yaw, tilt, spin] = &body.rotation;
     let motions = [
@@ -96,7 +113,7 @@ fn describe_body(case: &Case, body: &Body) -> String {
     // Tow, heave and spin are always of interest, the others if they are not fixed.
     let shown = motions.into_iter().filter(|(always, text)| *always || !text.ends_with("fixed"));
     let motions: Vec<String> = shown.map(|(_, text)| text).collect();
-    format!("{shape}{turned}, {friction}{weight}; {}", motions.join("; "))
+    motions.join("; ")
 }
 
 fn motion(freedom: &Motion, name: &str, speed_unit: &str, load_unit: &str) -> String {

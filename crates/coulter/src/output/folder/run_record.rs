@@ -5,7 +5,7 @@ use super::describe::describe;
 use crate::case::Case;
 use crate::case::case_text;
 use crate::case::meshes::representative_width;
-use crate::case::resolved::Ground;
+use crate::case::resolved::{GROUND, Ground, Joint};
 use crate::history::History;
 use crate::history::reference::Reference;
 use crate::output::files::{OutputError, read_json, write_json};
@@ -97,12 +97,36 @@ pub struct RunRecord {
     pub plane_strain: bool,
     /// The bodies.
     pub bodies: Vec<Reference>,
+    /// The joints.
+    pub joints: Vec<JointRecord>,
     /// Curves overlaid on the plots.
     pub overlays: Vec<Overlay>,
     /// Facts about the case that the checks need.
     pub setting: Setting,
     /// Statistics of the run.
     pub statistics: RunStatistics,
+}
+
+/// A joint of a run.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct JointRecord {
+    /// Its name.
+    pub name: String,
+    /// Its kind in one word.
+    pub kind: String,
+    /// Names of the two bodies.
+    pub bodies: [String; 2],
+}
+
+impl JointRecord {
+    fn of(case: &Case, joint: &Joint) -> Self {
+        let name = |body: usize| case.bodies[body].name.clone();
+        Self {
+            name: joint.name.clone(),
+            kind: joint.kind.word().to_owned(),
+            bodies: [joint.first.map_or_else(|| GROUND.to_owned(), name), name(joint.second)],
+        }
+    }
 }
 
 /// Hash of everything in a case that affects the physics.
@@ -135,10 +159,23 @@ impl RunRecord {
             heaped: matches!(case.ground, Ground::Column { .. }),
             plane_strain: case.domain.plane_strain,
             bodies: Reference::all(case),
+            joints: case.joints.iter().map(|joint| JointRecord::of(case, joint)).collect(),
             overlays: Vec::new(),
             setting: Setting::of(case),
             statistics: RunStatistics::default(),
         }
+    }
+
+    /// Names of the bodies.
+    #[must_use]
+    pub fn names(&self) -> Vec<String> {
+        self.bodies.iter().map(|body| body.name.clone()).collect()
+    }
+
+    /// Names of the joints.
+    #[must_use]
+    pub fn joint_names(&self) -> Vec<String> {
+        self.joints.iter().map(|joint| joint.name.clone()).collect()
     }
 
     /// The grade of the run with this history.

@@ -29,8 +29,8 @@ pub(super) fn plan<R: Precision>(scene: &Scene<'_, R>, map: &HeightMap) -> View 
         let (i, j) = (find(&map.edges[0], x)?, find(&map.edges[1], y)?);
         Some(scale.colour(1e3 * (map.at(i, j) - map.reference)))
     });
-    for (body, shape) in scene.state.mechanism.bodies.iter().zip(&scene.shapes) {
-        view.line(&outline(shape.as_ref(), &body.pose), OUTLINE, 2.0);
+    for (body, shape) in scene.bodies() {
+        view.line(&outline(shape, &body.pose), OUTLINE, 2.0);
     }
     let title = if level { "Rut and berm from above" } else { "Height of the soil from above" };
     view.finish(title, ["x [m]", "y [m]"], &scale);
@@ -76,11 +76,10 @@ pub(super) struct Profile {
 pub(super) fn profiles<R: Precision>(scene: &Scene<'_, R>, map: &HeightMap) -> Vec<Profile> {
     let Scene { case, state, .. } = *scene;
     let rise = |points: Vec<[f64; 2]>| points.into_iter().map(|p| [p[0], p[1] - map.reference]).collect();
-    let y = state
-        .mechanism
-        .bodies
-        .first()
-        .map_or(0.5 * (map.edges[1][0] + map.edges[1][map.edges[1].len() - 1]), |b| b.pose.position.y);
+    let first = case.touching().next();
+    let y = first.map_or(0.5 * (map.edges[1][0] + map.edges[1][map.edges[1].len() - 1]), |(n, _)| {
+        state.pose(n).position.y
+    });
     let everything = [f64::NEG_INFINITY, f64::INFINITY];
     let fine = map.with_ground_left(0, scene.fine_zone(0));
     let along = Profile {
@@ -88,10 +87,10 @@ pub(super) fn profiles<R: Precision>(scene: &Scene<'_, R>, map: &HeightMap) -> V
         title: format!("Free surface along the tow, y = {} m", digits(y)),
         axis: 'x',
         points: rise(map.along(y)),
-        shown: if state.bodies.is_empty() { everything } else { fine },
+        shown: if first.is_none() { everything } else { fine },
         true_scale: false,
     };
-    if state.bodies.is_empty() || case.domain.plane_strain {
+    if first.is_none() || case.domain.plane_strain {
         return vec![along];
     }
     let x = section_range(case, state);
@@ -145,15 +144,16 @@ impl Profile {
 
 /// Where the cross-section is taken, along x [m].
 fn section_range(case: &Case, state: &State<impl Precision>) -> [f64; 2] {
-    let Some((body, described)) = state.mechanism.bodies.first().zip(case.bodies.first()) else {
+    let Some((n, described)) = case.touching().next() else {
         return [case.domain.low.x, case.domain.high.x];
     };
     let shape = described.solid();
     let length = shape.bounds().1.x - shape.bounds().0.x;
-    let travel = body.pose.position.x - described.position.x;
+    let now = state.pose(n).position.x;
+    let travel = now - described.position.x;
     // A body that has hardly moved has left no rut: the section is through the body itself.
     let behind = if travel.abs() > length { length * travel.signum() } else { 0.0 };
-    let middle = body.pose.position.x - behind;
+    let middle = now - behind;
     [middle - 0.25 * length, middle + 0.25 * length]
 }
 

@@ -8,7 +8,7 @@ use crate::output::fields::{CellView, reference_height};
 use crate::output::plots::{ColourMap, Rgb};
 use crate::output::units::Unit;
 use glam::DVec3;
-use mechanics::Pose;
+use mechanics::{BodyState, Pose};
 use physics::shape::Shape;
 use solver::fields::PLASTIC_STRAIN;
 use solver::precision::Precision;
@@ -34,9 +34,9 @@ pub(super) struct Scene<'a, R> {
 impl<'a, R: Precision> Scene<'a, R> {
     pub(super) fn new(case: &'a Case, domain: &'a PlacedDomain<'a>, state: &'a State<R>) -> Self {
         let middle = 0.5 * (case.domain.low.y + case.domain.high.y);
-        let plane = match state.mechanism.bodies.first() {
+        let plane = match case.touching().next() {
             _ if case.domain.symmetric => 0.0,
-            Some(body) => body.pose.position.y,
+            Some((n, _)) => state.pose(n).position.y,
             None => middle,
         };
         let row = domain.faces[1].iter().skip(1).position(|y| *y > plane).unwrap_or(0);
@@ -45,6 +45,11 @@ impl<'a, R: Precision> Scene<'a, R> {
         scene.across = scene.range(0);
         scene.upward = scene.range(2);
         scene
+    }
+
+    /// The bodies with a surface: state and shape.
+    pub(super) fn bodies(&self) -> impl Iterator<Item = (&BodyState, &dyn Shape)> {
+        self.case.touching().map(|(n, _)| (&self.state.mechanism.bodies[n], self.shapes[n].as_ref()))
     }
 
     /// Ends of the fine zone along an axis [m], which travels with the grid.
@@ -64,8 +69,8 @@ impl<'a, R: Precision> Scene<'a, R> {
         }
         // A body that has moved far away (in a run that broke down) must not enlarge the view.
         let far = [first - 0.5 * (last - first), last + 0.5 * (last - first)];
-        for (body, shape) in self.state.mechanism.bodies.iter().zip(&self.shapes) {
-            let reach = reach(shape.as_ref(), &body.pose, axis);
+        for (body, shape) in self.bodies() {
+            let reach = reach(shape, &body.pose, axis);
             range = [range[0].min(reach[0] - 0.2 * margin), range[1].max(reach[1] + 0.2 * margin)];
             range = [range[0].max(far[0]), range[1].min(far[1])];
         }
@@ -101,16 +106,15 @@ impl<'a, R: Precision> Scene<'a, R> {
 
     /// The colour of a body at a point, if there is one.
     fn body_colour(&self, point: DVec3, pixel: f64) -> Option<Rgb> {
-        let bodies = self.state.mechanism.bodies.iter().zip(&self.shapes);
-        let nearest = bodies.map(|(body, shape)| shape.signed_distance(body.pose.point_in_body(point)));
+        let nearest =
+            self.bodies().map(|(body, shape)| shape.signed_distance(body.pose.point_in_body(point)));
         let distance = nearest.fold(f64::INFINITY, f64::min);
         if distance.abs() < 1.2 * pixel { Some(OUTLINE) } else { (distance < 0.0).then_some(STEEL) }
     }
 
     /// A mark on each round body that rotates with it; the orientation of other bodies is visible anyway.
     fn spokes(&self, view: &mut View) {
-        let bodies = self.state.mechanism.bodies.iter().zip(&self.shapes);
-        for (body, shape) in bodies.filter(|(_, s)| s.is_revolved()) {
+        for (body, shape) in self.bodies().filter(|(_, s)| s.is_revolved()) {
             let top = 0.5 * shape.bounds().1.z;
             let (hub, tip) = (body.pose.position, body.pose.point(DVec3::new(0.0, 0.0, top)));
             view.line(&[[hub.x, hub.z], [tip.x, tip.z]], OUTLINE, 2.0);

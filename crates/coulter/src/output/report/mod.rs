@@ -4,6 +4,7 @@
 //! report can be rebuilt without the state. The names in `summary.json` are a contract. No other format depends on this one, but the
 //! mesh study, which puts several runs into one report.
 
+mod assembly;
 mod meshes;
 mod page;
 mod rows;

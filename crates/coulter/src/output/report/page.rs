@@ -1,5 +1,6 @@
 //! `report.html`: one self-contained page, made from the histories, the summary and the pictures.
 
+use super::assembly::{self, JointRow};
 use super::meshes::{self, IntervalRow, MeshRow};
 use super::rows::{
     CheckRow, TableRow, balance_rows, body_rows, check_rows, energy_rows, facts, scales_text, statistics,
@@ -69,6 +70,8 @@ struct Page<'a> {
     verdict: Verdict,
     checks: Vec<CheckRow>,
     bodies: Vec<BodySection>,
+    all_bodies: Vec<[String; 2]>,
+    joints: Vec<JointRow>,
     meshes: Vec<MeshSection>,
     pictures: Vec<Figure>,
     energy: Vec<TableRow>,
@@ -90,6 +93,9 @@ pub(crate) fn write_report(
     let empty = BodySummary::default();
     let mut bodies = Vec::new();
     for (n, (reference, samples)) in record.bodies.iter().zip(&history.bodies).enumerate() {
+        if !reference.has_surface() {
+            continue;
+        }
         let body = summary.bodies.get(&reference.name).unwrap_or(&empty);
         let view = BodyHistory { reference, samples, steady: &body.steady, overlays: &record.overlays };
         let mut plots = view.plots();
@@ -105,6 +111,8 @@ pub(crate) fn write_report(
         verdict: summary.trust.verdict,
         checks: check_rows(&summary.trust),
         bodies,
+        all_bodies: assembly::all_bodies(summary),
+        joints: assembly::joint_rows(record, summary),
         meshes: mesh_sections(dir, summary)?,
         pictures: pictures(dir)?,
         energy: energy_rows(summary),

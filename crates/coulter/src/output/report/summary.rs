@@ -3,7 +3,7 @@
 use crate::case::FORMAT;
 use crate::history::rim::{RimAverage, RimPlace, SlipReversal, shear_reversals, slip_reversals};
 use crate::history::steady::{Peak, Steady, peak, steady, window};
-use crate::history::{BodySample, EnergySample, History};
+use crate::history::{BodySample, EnergySample, History, JointSample};
 use crate::mesh_study::{Figures, MeshStudy};
 use crate::output::fields::SurfaceFigures;
 use crate::output::files::{OutputError, SUMMARY, read_json, write_json};
@@ -40,6 +40,10 @@ pub struct Summary {
     pub surface: SurfaceFigures,
     /// The bodies by name.
     pub bodies: BTreeMap<String, BodySummary>,
+    /// All bodies together; `null` where only one touches the soil.
+    pub all_bodies: Option<AllBodies>,
+    /// The joints by name.
+    pub joints: BTreeMap<String, JointSummary>,
     /// Whether the results can be trusted.
     pub trust: Trust,
     /// The case on several meshes; `null` where only one was run.
@@ -103,6 +107,71 @@ pub struct BodySummary {
     pub rim: RimSummary,
     /// How well the grid resolves it.
     pub mesh: MeshSummary,
+}
+
+/// Steady means of the forces of the soil on all bodies together [N].
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct AllBodies {
+    /// Drag.
+    #[serde(rename = "drag_N")]
+    pub drag: Option<f64>,
+    /// Vertical force.
+    #[serde(rename = "vertical_N")]
+    pub vertical: Option<f64>,
+    /// Lateral force.
+    #[serde(rename = "lateral_N")]
+    pub lateral: Option<f64>,
+}
+
+impl AllBodies {
+    /// The sums over the bodies that touch the soil; `None` for fewer than two.
+    fn of<'a>(bodies: impl Iterator<Item = &'a Steady>) -> Option<Self> {
+        let bodies: Vec<&Steady> = bodies.collect();
+        let sum = |value: fn(&Steady) -> Option<f64>| bodies.iter().map(|body| value(body)).sum();
+        (bodies.len() > 1).then(|| Self {
+            drag: sum(|steady| steady.drag),
+            vertical: sum(|steady| steady.vertical),
+            lateral: sum(|steady| steady.lateral),
+        })
+    }
+}
+
+/// Results on a joint, averaged over the steady window of its second body.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct JointSummary {
+    /// Mean force of the first body on the second along x, y, z [N].
+    #[serde(rename = "force_N")]
+    pub force: Option<[f64; 3]>,
+    /// Mean moment about x, y, z through the joint [N m].
+    #[serde(rename = "moment_Nm")]
+    pub moment: Option<[f64; 3]>,
+    /// Mean distance between its points of the two bodies [m].
+    #[serde(rename = "distance_m")]
+    pub distance: Option<f64>,
+    /// Largest force of the whole run [N].
+    #[serde(rename = "peak_force_N")]
+    pub peak_force: Option<f64>,
+}
+
+impl JointSummary {
+    /// Of all samples, the means over those of a time window [s].
+    fn of(samples: &[JointSample], [from, to]: [f64; 2]) -> Self {
+        let inside: Vec<&JointSample> = samples.iter().filter(|s| s.time > from && s.time <= to).collect();
+        let mean = |value: fn(&JointSample) -> f64| {
+            let sum: f64 = inside.iter().map(|sample| value(sample)).sum();
+            (!inside.is_empty() && sum.is_finite()).then(|| sum / inside.len() as f64)
+        };
+        let three = |[x, y, z]: [fn(&JointSample) -> f64; 3]| Some([mean(x)?, mean(y)?, mean(z)?]);
+        let peak = samples.iter().map(JointSample::force).fold(f64::NEG_INFINITY, f64::max);
+        Self {
+            force: three([|s| s.force_x, |s| s.force_y, |s| s.force_z]),
+            moment: three([|s| s.moment_x, |s| s.moment_y, |s| s.moment_z]),
+            distance: mean(|s| s.distance),
+            peak_force: peak.is_finite().then_some(peak),
+        }
+    }
 }
 
 /// Results on the rim of a body and on its flanks, averaged over the steady window; `null` in JSON where there is nothing to
@@ -227,6 +296,23 @@ impl Summary {
                 let mesh = MeshSummary { cells_over_sinkage, cells_over_chord };
                 let rim = rim.as_ref().map(RimSummary::from).unwrap_or_default();
                 (reference.name.clone(), BodySummary { steady, peak: peak(samples), rim, mesh })
+            })
+            .collect();
+        let touching = record.bodies.iter().filter(|reference| reference.has_surface());
+        let steady = touching.filter_map(|reference| Some(&self.bodies.get(&reference.name)?.steady));
+        self.all_bodies = AllBodies::of(steady);
+        self.joints = record
+            .joints
+            .iter()
+            .zip(&history.joints)
+            .map(|(joint, samples)| {
+                let steady =
+                    self.bodies.get(&joint.bodies[1]).map(|body| [body.steady.from_s, body.steady.to_s]);
+                let window = match steady {
+                    Some([Some(from), Some(to)]) => [from, to],
+                    _ => [f64::NAN; 2],
+                };
+                (joint.name.clone(), JointSummary::of(samples, window))
             })
             .collect();
         let last = history.energy.last();

@@ -1,4 +1,4 @@
-//! `forces.csv`, `energy.csv`, `boundaries.csv` and, of a grid that travels, `ground_left.csv`: the histories as tables with
+//! `forces.csv`, `joint_NAME.csv`, `energy.csv`, `boundaries.csv` and, of a grid that travels, `ground_left.csv`: the histories as tables with
 //! units in the header; and `rim.csv`, written at the end of a run.
 //!
 //! The files are kept open during the run and flushed after every block, so that a killed run leaves whole lines; a
@@ -6,7 +6,7 @@
 
 use super::table::{Table, push_line};
 use crate::history::History;
-use crate::history::columns::{self, Column, FORCES, GROUND_LEFT, RIM, Source, header};
+use crate::history::columns::{self, Column, FORCES, GROUND_LEFT, JOINTS, RIM, Source, header};
 use crate::history::reference::Reference;
 use crate::history::rim::RimLine;
 use crate::output::files::{Named, OutputError, file_safe, write_whole};
@@ -25,6 +25,12 @@ pub(crate) const GROUND_LEFT_FILE: &str = "ground_left.csv";
 #[must_use]
 pub fn forces_name(names: &[String], body: usize) -> String {
     name_of("forces", names, body)
+}
+
+/// Name of the file that holds a joint's history: `joint_NAME.csv`.
+#[must_use]
+pub fn joint_name(name: &str) -> String {
+    format!("joint_{}.csv", file_safe(name))
 }
 
 /// Name of the file about the rim of a body: `rim.csv`, or `rim_NAME.csv` when there are several bodies.
@@ -73,6 +79,7 @@ fn push_lines<S: Copy>(text: &mut String, samples: &[S], columns: &[Column<S>], 
 #[derive(Debug)]
 pub struct HistoryFiles {
     bodies: Vec<HistoryFile>,
+    joints: Vec<HistoryFile>,
     energy: HistoryFile,
     boundaries: HistoryFile,
     /// Only of a grid that travels, from its first line on.
@@ -93,15 +100,17 @@ impl HistoryFiles {
     ///
     /// # Errors
     /// When a file cannot be written.
-    pub fn create(dir: &Path, references: &[Reference]) -> Result<Self, OutputError> {
+    pub fn create(dir: &Path, references: &[Reference], joints: &[String]) -> Result<Self, OutputError> {
         let names: Vec<String> = references.iter().map(|r| r.name.clone()).collect();
         let bodies = (0..names.len())
             .map(|n| HistoryFile::create(dir.join(forces_name(&names, n)), FORCES))
             .collect::<Result<_, _>>()?;
+        let joints = joints.iter().map(|name| HistoryFile::create(dir.join(joint_name(name)), JOINTS));
+        let joints = joints.collect::<Result<_, _>>()?;
         let energy = HistoryFile::create(dir.join(ENERGY_FILE), columns::ENERGY)?;
         let boundaries = HistoryFile::create(dir.join(BOUNDARIES_FILE), columns::BOUNDARIES)?;
         let (dir, references) = (dir.to_path_buf(), references.to_vec());
-        Ok(Self { bodies, energy, boundaries, ground_left: None, dir, references })
+        Ok(Self { bodies, joints, energy, boundaries, ground_left: None, dir, references })
     }
 
     /// Adds the lines of `history` that are not in the files yet.
@@ -115,6 +124,9 @@ impl HistoryFiles {
         }
         // None of these has columns that need the quantities of a body.
         let none = Reference::default();
+        for (file, samples) in self.joints.iter_mut().zip(&history.joints) {
+            file.append(samples, JOINTS, &none)?;
+        }
         self.energy.append(&history.energy, columns::ENERGY, &none)?;
         self.boundaries.append(&history.boundaries, columns::BOUNDARIES, &none)?;
         if self.ground_left.is_none() && !history.ground_left.is_empty() {
@@ -172,12 +184,20 @@ fn read<S: Copy + Default>(
 ///
 /// # Errors
 /// When a file is missing or broken.
-pub fn read_history(dir: &Path, names: &[String], is_whole: bool) -> Result<History, OutputError> {
+pub fn read_history(
+    dir: &Path,
+    names: &[String],
+    joint_names: &[String],
+    is_whole: bool,
+) -> Result<History, OutputError> {
     let bodies = (0..names.len())
         .map(|n| read(&dir.join(forces_name(names, n)), FORCES, is_whole))
         .collect::<Result<_, _>>()?;
+    let joints = joint_names.iter().map(|name| read(&dir.join(joint_name(name)), JOINTS, is_whole));
     let left = dir.join(GROUND_LEFT_FILE);
     let mut history = History {
+        joint_names: joint_names.to_vec(),
+        joints: joints.collect::<Result<_, _>>()?,
         names: names.to_vec(),
         bodies,
         rims: Vec::new(),
@@ -186,9 +206,10 @@ pub fn read_history(dir: &Path, names: &[String], is_whole: bool) -> Result<Hist
         ground_left: if left.is_file() { read(&left, GROUND_LEFT, is_whole)? } else { Vec::new() },
     };
     if !is_whole {
-        let lines =
-            history.bodies.iter().map(Vec::len).chain([history.energy.len(), history.boundaries.len()]);
-        let lines = lines.min().unwrap_or(0);
+        let others = [history.energy.len(), history.boundaries.len()];
+        let parts = history.bodies.iter().map(Vec::len).chain(history.joints.iter().map(Vec::len));
+        let lines = parts.chain(others).min().unwrap_or(0);
+        history.joints.iter_mut().for_each(|samples| samples.truncate(lines));
         history.bodies.iter_mut().for_each(|samples| samples.truncate(lines));
         history.energy.truncate(lines);
         history.boundaries.truncate(lines);

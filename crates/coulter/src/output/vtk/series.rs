@@ -80,7 +80,8 @@ impl FieldSeries {
         let map = HeightMap::of(case, grid, state, &history.ground_left);
         write_surface(&self.dir.join(&surface), &map, time)?;
         self.frames[1].push(Frame { time, part: 0, file: surface });
-        for (number, (body, described)) in state.mechanism.bodies.iter().zip(&case.bodies).enumerate() {
+        for (number, described) in case.touching() {
+            let body = &state.mechanism.bodies[number];
             let file = format!("{FIELDS}/body_{}_{n:04}.vtp", file_safe(&described.name));
             write_body(&self.dir.join(&file), described.solid().as_ref(), body, time)?;
             self.frames[2].push(Frame { time, part: number, file });
