@@ -142,6 +142,7 @@ impl<R: Precision> Simulation<R> {
         let workspace = Workspace::new(&model, &mut state, threads);
         let names: Vec<String> = case.bodies.iter().map(|b| b.name.clone()).collect();
         let rims = workspace.rims().map(|bins| RimHistory::of(bins, model.modelled_fraction())).collect();
+        let part_names: Vec<String> = probes::places(case).into_iter().map(|(name, _)| name).collect();
         let joint_names: Vec<String> = case.joints.iter().map(|joint| joint.name.clone()).collect();
         let history = History {
             bodies: vec![Vec::new(); names.len()],
@@ -149,6 +150,8 @@ impl<R: Precision> Simulation<R> {
             rims,
             joints: vec![Vec::new(); joint_names.len()],
             joint_names,
+            parts: vec![Vec::new(); part_names.len()],
+            part_names,
             ..History::default()
         };
         let last_sample = LastSample::of(&state);

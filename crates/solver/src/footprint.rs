@@ -61,7 +61,7 @@ fn contact(model: &Model, moved: &[DVec3], [per_point, per_constraint]: [f64; 2]
     const LAID_OUT: f64 = 2.0 * size_of::<SurfacePoint>() as f64 + 60.0;
     let points_per_constraint = (2.0 * model.method.point_spacing).min(1.0).powi(-2);
     let mut sums = [0.0_f64; 2];
-    for (n, body) in model.bodies.iter().enumerate() {
+    for (n, body) in model.bodies.iter().enumerate().filter(|(_, body)| body.shape.has_surface()) {
         let all = surface_points(model, body);
         let [kept, touching] = point_fractions(model, body, moved.get(n).copied().unwrap_or_default());
         let each = per_contact() + per_constraint / points_per_constraint;
@@ -97,7 +97,7 @@ fn body_cells(model: &Model) -> f64 {
         };
         filling * (0..3).map(layers).product::<f64>()
     };
-    model.bodies.iter().map(cells).sum()
+    model.bodies.iter().filter(|body| body.shape.has_surface()).map(cells).sum()
 }
 
 /// Memory of a contact point, before and after a search: the point, its nodes, its constraint, its impulses.

@@ -13,6 +13,8 @@ use serde::{Deserialize, Serialize};
 pub struct Body {
     /// Contact impulse of the soil on the body since the start.
     pub contact_impulse: ContactImpulse,
+    /// The same for each of its parts; empty where there is only one.
+    pub parts: Vec<ContactImpulse>,
     /// Rotation about its axle since the start [rad], positive when it rolls forward.
     pub rotation: f64,
     /// Soil found inside the body at the last remap [m³].

@@ -97,7 +97,7 @@ fn strength(soil: &Soil) -> String {
 fn describe_body(text: &mut String, case: &Case, body: &Body) -> std::fmt::Result {
     let metres = |x: f64| format!("{} m", plain(x));
     let shape = body.shape.describe(&metres);
-    if !body.shape.has_surface() {
+    if !body.has_surface() {
         writeln!(text, "body     {}: {shape}, m = {:.4} kg", body.name, body.mass)?;
         return describe_motions(text, body);
     }

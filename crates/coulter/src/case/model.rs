@@ -9,6 +9,7 @@ use physics::law::Law as ConstitutiveLaw;
 use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
 use physics::mohr_coulomb::MohrCoulomb;
 use physics::sand::{Sand, SandParameters};
+use physics::shape::Shape;
 use physics::von_mises::VonMises;
 use solver::boundary::{Boundaries, Boundary};
 use solver::grid::Grid;
@@ -192,16 +193,44 @@ fn body(body: &resolved::Body) -> BodyModel {
     }
 }
 
-/// Mass properties: of a homogeneous solid, its tensor scaled where the moment of inertia about the axle is given; of a frame, which
-/// has no volume, the same moment about every axis.
+/// Mass properties of a body with its parts.
 fn inertia(body: &resolved::Body) -> Inertia {
-    if !body.shape.has_surface() {
-        let tensor = DMat3::from_diagonal(DVec3::splat(body.axle_inertia));
-        return Inertia { mass: body.mass, centre: DVec3::ZERO, tensor };
+    let own = one_inertia(body.own_solid().as_ref(), body.mass, body.axle_inertia);
+    if body.parts.is_empty() {
+        return own;
     }
-    let solid = body.solid().mass_properties();
-    let scale = body.axle_inertia / solid.about_axle();
-    Inertia { mass: body.mass, centre: solid.centroid, tensor: solid.inertia * scale }
+    let parts = body.parts.iter().map(|part| {
+        let rotation = DMat3::from_quat(part.rotation);
+        let Inertia { mass, centre, tensor } =
+            one_inertia(part.solid().as_ref(), part.mass, part.axle_inertia);
+        Inertia {
+            mass,
+            centre: part.offset + rotation * centre,
+            tensor: rotation * tensor * rotation.transpose(),
+        }
+    });
+    let all: Vec<Inertia> = std::iter::once(own).chain(parts).collect();
+    let mass = all.iter().map(|one| one.mass).sum::<f64>();
+    let centre = all.iter().map(|one| one.mass * one.centre).sum::<DVec3>() / mass;
+    // Steiner's theorem.
+    let about = |one: &Inertia| {
+        let arm = one.centre - centre;
+        let outer = DMat3::from_cols(arm * arm.x, arm * arm.y, arm * arm.z);
+        one.tensor + (DMat3::IDENTITY * arm.length_squared() - outer) * one.mass
+    };
+    Inertia { mass, centre, tensor: all.iter().map(about).fold(DMat3::ZERO, |sum, one| sum + one) }
+}
+
+/// Mass properties of a homogeneous solid, its tensor scaled so that it has this moment of inertia about the axle [kg m²]; of a
+/// frame, which has no volume, the same moment about every axis.
+fn one_inertia(solid: &dyn Shape, mass: f64, axle_inertia: f64) -> Inertia {
+    if !solid.has_surface() {
+        let tensor = DMat3::from_diagonal(DVec3::splat(axle_inertia));
+        return Inertia { mass, centre: DVec3::ZERO, tensor };
+    }
+    let solid = solid.mass_properties();
+    let scale = axle_inertia / solid.about_axle();
+    Inertia { mass, centre: solid.centroid, tensor: solid.inertia * scale }
 }
 
 /// Where the soil of a case is at the start.

@@ -63,7 +63,7 @@ impl<'a> Paths<'a> {
 
     /// The box that encloses all bodies that can touch the soil on their whole paths in the grid.
     pub(super) fn all(&self) -> Option<Extent> {
-        let touching = self.bodies.iter().filter(|body| body.shape.has_surface());
+        let touching = self.bodies.iter().filter(|body| body.has_surface());
         let all = touching.map(|body| self.of_body(body));
         all.reduce(|a, b| Extent { low: a.low.min(b.low), high: a.high.max(b.high) })
     }

@@ -2,7 +2,7 @@
 //! can be simulated.
 
 pub use super::joint::{GROUND, Joint, JointKind};
-pub use super::rigid_body::{Attitude, Body, MOTIONS};
+pub use super::rigid_body::{Attitude, Body, MOTIONS, Part};
 use glam::DVec3;
 pub use mechanics::Motion;
 use serde::Serialize;
@@ -47,7 +47,7 @@ pub struct Case {
 impl Case {
     /// The bodies that have a surface, which the soil can touch, with their numbers.
     pub fn touching(&self) -> impl Iterator<Item = (usize, &Body)> {
-        self.bodies.iter().enumerate().filter(|(_, body)| body.shape.has_surface())
+        self.bodies.iter().enumerate().filter(|(_, body)| body.has_surface())
     }
 }
 

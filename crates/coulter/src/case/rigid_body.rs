@@ -1,9 +1,9 @@
 //! A rigid body of a case: its shape, mass and motion in SI units, and the space that it takes.
 
 use super::shapes::Shape;
-use glam::{DQuat, DVec3};
+use glam::{DMat3, DQuat, DVec3};
 use mechanics::Motion;
-use physics::shape::{Rotated, Shape as Solid};
+use physics::shape::{Compound, Placed, Rotated, Shape as Solid};
 use serde::Serialize;
 
 /// A rigid body.
@@ -29,9 +29,55 @@ pub struct Body {
     pub translation: [Motion; 3],
     /// Yaw about the vertical, tilt about the axis that yaw carries, and spin about the axle.
     pub rotation: [Motion; 3],
+    /// What is welded to it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub parts: Vec<Part>,
     /// How joints make it move; `None` without a joint.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub guide: Option<Guide>,
+}
+
+/// A body that is welded to another: they move as one rigid body.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Part {
+    /// Its name in the file.
+    pub name: String,
+    /// Its shape.
+    pub shape: Shape,
+    /// Its reference point, from that of the body that it is a part of, in the axes of that body [m].
+    pub offset: DVec3,
+    /// Rotation of its frame to the frame of that body; its axle lies along y in its own.
+    pub rotation: DQuat,
+    /// Rotation about its axle [rad].
+    pub pitch: f64,
+    /// Mass [kg].
+    pub mass: f64,
+    /// Moment of inertia about its axle [kg m²].
+    pub axle_inertia: f64,
+}
+
+impl Part {
+    /// Its solid in its own frame.
+    #[must_use]
+    pub fn solid(&self) -> Box<dyn Solid> {
+        pitched(&self.shape, self.pitch)
+    }
+
+    /// Whether its axes are those of the body.
+    #[must_use]
+    pub fn is_aligned(&self) -> bool {
+        self.rotation == DQuat::IDENTITY
+    }
+
+    fn placed(&self) -> Placed {
+        Placed { shape: self.solid(), position: self.offset, rotation: DMat3::from_quat(self.rotation) }
+    }
+}
+
+/// The solid of a shape that is rotated by a pitch [rad].
+fn pitched(shape: &Shape, pitch: f64) -> Box<dyn Solid> {
+    let solid = shape.solid();
+    if pitch == 0.0 || solid.is_revolved() { solid } else { Box::new(Rotated::new(solid, pitch)) }
 }
 
 /// How a body moves that joints guide, for estimates of its path: what its carrier prescribes, free where the joint leaves it free.
@@ -95,10 +141,34 @@ impl Body {
         [x, y, z, yaw, tilt, spin]
     }
 
+    /// The shape that its results refer to: its own, or that of the first part with a surface.
+    #[must_use]
+    pub fn main_shape(&self) -> &Shape {
+        let parts = self.parts.iter().map(|part| &part.shape);
+        std::iter::once(&self.shape).chain(parts).find(|shape| shape.has_surface()).unwrap_or(&self.shape)
+    }
+
+    /// Whether it has a surface that the soil can touch.
+    #[must_use]
+    pub fn has_surface(&self) -> bool {
+        self.main_shape().has_surface()
+    }
+
+    /// Diameter in which it rolls about its axle [m]; `None` for a body that cannot roll.
+    #[must_use]
+    pub fn wheel_diameter(&self) -> Option<f64> {
+        let on_the_axle = |part: &&Part| part.is_aligned() && part.offset.x == 0.0 && part.offset.z == 0.0;
+        let parts = self.parts.iter().filter(on_the_axle).map(|part| &part.shape);
+        std::iter::once(&self.shape)
+            .chain(parts)
+            .find(|shape| shape.has_surface())
+            .and_then(|shape| shape.rolling_diameter())
+    }
+
     /// Diameter in which it rolls along the tow [m]; `None` for a body that cannot roll or whose axle is not level across it.
     #[must_use]
     pub fn rolling_diameter(&self) -> Option<f64> {
-        self.shape.rolling_diameter().filter(|_| self.attitude.axle_is_across())
+        self.wheel_diameter().filter(|_| self.attitude.axle_is_across())
     }
 
     /// How it moves: its own motions, or what joints make of them.
@@ -117,12 +187,30 @@ impl Body {
     /// Its shape, rotated by its pitch, in the frame that tilt and yaw carry: axle along y.
     #[must_use]
     pub fn solid(&self) -> Box<dyn Solid> {
-        let solid = self.shape.solid();
-        if self.attitude.pitch == 0.0 || solid.is_revolved() {
-            solid
-        } else {
-            Box::new(Rotated::new(solid, self.attitude.pitch))
+        let own = self.own_solid();
+        if self.parts.is_empty() {
+            return own;
         }
+        let own = Placed { shape: own, position: DVec3::ZERO, rotation: DMat3::IDENTITY };
+        Box::new(Compound::new(std::iter::once(own).chain(self.parts.iter().map(Part::placed)).collect()))
+    }
+
+    /// The same without what is welded to it.
+    #[must_use]
+    pub fn own_solid(&self) -> Box<dyn Solid> {
+        pitched(&self.shape, self.attitude.pitch)
+    }
+
+    /// Whether a joint or a weld connects it with others, or with the ground.
+    #[must_use]
+    pub fn is_connected(&self) -> bool {
+        self.guide.is_some() || !self.parts.is_empty()
+    }
+
+    /// Mass of the body with all its parts [kg].
+    #[must_use]
+    pub fn whole_mass(&self) -> f64 {
+        self.parts.iter().map(|part| part.mass).fold(self.mass, |sum, mass| sum + mass)
     }
 
     /// Low and high corner, from the reference point, of the box along x, y, z that encloses it at the start [m].
@@ -168,7 +256,7 @@ impl Body {
     #[must_use]
     pub fn pressing_force(&self, gravity: f64) -> Option<f64> {
         match self.translation[2] {
-            Motion::Free { load, .. } => Some(self.mass * gravity - load),
+            Motion::Free { load, .. } => Some(self.whole_mass() * gravity - load),
             _ => None,
         }
     }

@@ -1,15 +1,19 @@
-//! The bodies of a case that touch the soil, each as if it moved by itself: what joints and frames mean for the closed forms.
+//! The bodies of a case that touch the soil, each as if it moved by itself: what joints, welds and frames mean for the closed forms.
 
-use crate::case::resolved::{Body, Case, Motion};
+use crate::case::resolved::{Attitude, Body, Case, Motion, Part};
+use glam::DVec3;
 
-/// The bodies with a surface. One that joints guide moves as its carrier does, and the weight of all that is joined together is
-/// shared equally among the bodies that carry it.
+/// The bodies with a surface, what is welded together one by one. One that joints guide moves as its carrier does, and the weight of
+/// all that is connected is shared equally among the surfaces that bear it.
 pub(super) fn touching(case: &Case, remarks: &mut Vec<String>) -> Vec<Body> {
     let groups = groups(case);
-    let mut shared = Vec::new();
-    let each = case.bodies.iter().enumerate().filter(|(_, body)| body.shape.has_surface());
-    let bodies = each.map(|(n, body)| {
-        let Some(guide) = body.guide else { return body.clone() };
+    let mut said = Vec::new();
+    let mut all = Vec::new();
+    for (n, body) in case.touching() {
+        if !body.is_connected() {
+            all.push(body.clone());
+            continue;
+        }
         let members: Vec<&Body> = case
             .bodies
             .iter()
@@ -17,30 +21,58 @@ pub(super) fn touching(case: &Case, remarks: &mut Vec<String>) -> Vec<Body> {
             .filter(|(_, group)| **group == groups[n])
             .map(|(b, _)| b)
             .collect();
-        let bearing = members.iter().filter(|member| member.shape.has_surface()).count() as f64;
-        let load = |member: &&Body| match member.translation[2] {
-            Motion::Free { load, .. } => load,
-            _ => 0.0,
-        };
+        let bearing = members.iter().map(|member| surfaces(member).len()).sum::<usize>() as f64;
         let mut moved = body.clone();
-        moved.guide = None;
-        moved.translation = guide.translation;
+        let guide = body.guided();
+        (moved.guide, moved.translation) = (None, guide.translation);
         moved.rotation[..2].copy_from_slice(&guide.rotation);
         if guide.translation[2].is_free() {
-            moved.mass = members.iter().map(|member| member.mass).sum::<f64>() / bearing;
-            let load = members.iter().map(load).sum::<f64>() / bearing;
-            moved.translation[2] = Motion::loaded(load);
-            if members.len() > 1 && !shared.contains(&groups[n]) {
-                shared.push(groups[n]);
-                remarks.push(format!(
-                    "{} are joined: their weight is shared equally among those that touch the soil",
-                    members.iter().map(|member| format!("`{}`", member.name)).collect::<Vec<_>>().join(", ")
-                ));
-            }
+            moved.mass = members.iter().map(|member| member.whole_mass()).sum::<f64>() / bearing;
+            moved.translation[2] =
+                Motion::loaded(members.iter().map(|member| load(member)).sum::<f64>() / bearing);
         }
-        moved
-    });
-    bodies.collect()
+        if bearing > 1.0 && guide.translation[2].is_free() && !said.contains(&groups[n]) {
+            said.push(groups[n]);
+            let names: Vec<String> = members.iter().map(|member| format!("`{}`", member.name)).collect();
+            remarks.push(format!(
+                "{}: the weight of all is shared equally among the {bearing} surfaces that bear it",
+                names.join(", ")
+            ));
+        }
+        all.extend(surfaces(&moved));
+    }
+    all
+}
+
+/// Load on a free heave [N], upwards.
+fn load(body: &Body) -> f64 {
+    match body.translation[2] {
+        Motion::Free { load, .. } => load,
+        _ => 0.0,
+    }
+}
+
+/// A body and its parts as bodies of their own, those with a surface.
+fn surfaces(body: &Body) -> Vec<Body> {
+    let own = Body { parts: Vec::new(), ..body.clone() };
+    let part = |part: &Part| {
+        let frame = body.attitude.of_axle();
+        let rotation = frame * part.rotation;
+        let axle = rotation * DVec3::Y;
+        Body {
+            name: part.name.clone(),
+            shape: part.shape.clone(),
+            position: body.position + frame * part.offset,
+            attitude: Attitude {
+                yaw: (-axle.x).atan2(axle.y) + 0.0,
+                tilt: axle.z.clamp(-1.0, 1.0).asin(),
+                pitch: part.pitch,
+            },
+            ..own.clone()
+        }
+    };
+    let parts = body.parts.iter().map(part);
+    std::iter::once(own.clone()).chain(parts).filter(|body| body.shape.has_surface()).collect()
 }
 
 /// For each body the number of the group that joints hold together; springs and cables hold nothing together.

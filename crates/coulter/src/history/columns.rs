@@ -3,7 +3,7 @@
 
 use super::reference::Reference;
 use super::rim::RimLine;
-use super::{BodySample, BoundarySample, EnergySample, JointSample, SurfacePoint};
+use super::{BodySample, BoundarySample, EnergySample, ForceSample, SurfacePoint};
 
 /// A column of a history file.
 #[derive(Debug)]
@@ -166,8 +166,23 @@ pub const FORCES: &[Column<BodySample>] = &[
     }),
 ];
 
+/// Columns of `part_NAME.csv`.
+pub const PARTS: &[Column<ForceSample>] = &[
+    Column::sampled("time", "s", "time since the start", |s| &mut s.time),
+    Column::sampled("force x", "N", "force of the soil on this part of the body, along x", |s| {
+        &mut s.force_x
+    }),
+    Column::sampled("force y", "N", "the same along y", |s| &mut s.force_y),
+    Column::sampled("force z", "N", "the same along z", |s| &mut s.force_z),
+    Column::sampled("moment x", "N m", "moment about x through the reference point of the part", |s| {
+        &mut s.moment_x
+    }),
+    Column::sampled("moment y", "N m", "the same about y", |s| &mut s.moment_y),
+    Column::sampled("moment z", "N m", "the same about z", |s| &mut s.moment_z),
+];
+
 /// Columns of `joint_NAME.csv`.
-pub const JOINTS: &[Column<JointSample>] = &[
+pub const JOINTS: &[Column<ForceSample>] = &[
     Column::sampled("time", "s", "time since the start", |s| &mut s.time),
     Column::sampled(
         "force x",

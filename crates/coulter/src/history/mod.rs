@@ -61,29 +61,30 @@ pub struct BodySample {
     pub embedded_volume: f64,
 }
 
-/// One line of a joint's history. Forces are those of the first body on the second through the joint, averaged over the interval that
-/// ends at `time`.
+/// One line of the history of a joint, or of a part of a body. Forces are those of the first body on the second through the joint, or
+/// of the soil on the part, averaged over the interval that ends at `time`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct JointSample {
+pub struct ForceSample {
     /// Time [s].
     pub time: f64,
-    /// Force on the second body along x [N].
+    /// Force along x [N].
     pub force_x: f64,
     /// Along y [N].
     pub force_y: f64,
     /// Along z [N].
     pub force_z: f64,
-    /// Moment about x through the joint's point of the second body [N m].
+    /// Moment about x [N m], through the joint's point of the second body, or through the reference point of the part.
     pub moment_x: f64,
     /// The same about y [N m].
     pub moment_y: f64,
     /// The same about z [N m].
     pub moment_z: f64,
-    /// Distance between its points of the two bodies [m]: the length of a spring or a cable, the displacement of a slider.
+    /// Distance between the joint's points of the two bodies [m]: the length of a spring or a cable, the displacement of a slider; 0 of
+    /// a part.
     pub distance: f64,
 }
 
-impl JointSample {
+impl ForceSample {
     /// Magnitude of the force [N]; of a cable its tension.
     #[must_use]
     pub fn force(&self) -> f64 {
@@ -191,10 +192,14 @@ pub struct History {
     pub bodies: Vec<Vec<BodySample>>,
     /// The rim of each body.
     pub rims: Vec<RimHistory>,
+    /// Names of the parts of bodies that consist of several.
+    pub part_names: Vec<String>,
+    /// Samples of each part, in the order of `part_names`.
+    pub parts: Vec<Vec<ForceSample>>,
     /// Names of the joints.
     pub joint_names: Vec<String>,
     /// Samples of each joint, in the order of `joint_names`.
-    pub joints: Vec<Vec<JointSample>>,
+    pub joints: Vec<Vec<ForceSample>>,
     /// The energy balance.
     pub energy: Vec<EnergySample>,
     /// The faces of the box.

@@ -36,11 +36,11 @@ impl Reference {
         let slab = case.domain.high.y - case.domain.low.y;
         Self {
             name: body.name.clone(),
-            kind: body.shape.kind().to_owned(),
-            length: body.shape.reference_length(),
-            width: if case.domain.plane_strain { slab } else { body.shape.reference_width() },
+            kind: body.main_shape().kind().to_owned(),
+            length: body.main_shape().reference_length(),
+            width: if case.domain.plane_strain { slab } else { body.main_shape().reference_width() },
             unit_weight: case.soil.unit_weight,
-            radius: body.shape.rolling_diameter().map(|diameter| 0.5 * diameter),
+            radius: body.wheel_diameter().map(|diameter| 0.5 * diameter),
             towed: !matches!(body.guided().translation[0], Motion::Fixed),
             turns: !matches!(body.spin(), Motion::Fixed),
         }

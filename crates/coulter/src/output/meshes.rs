@@ -45,11 +45,7 @@ impl Ended {
             verdict: summary.trust.verdict,
             ..MeshResult::default()
         };
-        Ok(Self {
-            result,
-            history: read_history(dir, &record.names(), &record.joint_names(), true)?,
-            summary,
-        })
+        Ok(Self { result, history: read_history(dir, &record.names(), true)?, summary })
     }
 
     /// The run on a coarser mesh; `None` where it has not come to its end.

@@ -51,7 +51,7 @@ impl Results {
         let header = "# The case as it was understood: SI units, radians, every default filled in. Written by Coulter.\n";
         write_whole(&dir.join(RESOLVED), format!("{header}format = {FORMAT}\n{resolved}").as_bytes())?;
         Ok(Self {
-            tables: HistoryFiles::create(dir, &record.bodies, &record.joint_names())?,
+            tables: HistoryFiles::create(dir, &record.bodies, &record.names())?,
             log: Log::create(&dir.join(LOG))?,
             dir: dir.to_path_buf(),
             fields,
@@ -72,7 +72,7 @@ impl Results {
             RunRecord { overlays: before.overlays, meshes: before.meshes, statistics, ..RunRecord::of(case) };
         let fields = FieldSeries::resume(dir, time)?;
         let mut results = Self {
-            tables: HistoryFiles::create(dir, &record.bodies, &record.joint_names())?,
+            tables: HistoryFiles::create(dir, &record.bodies, &record.names())?,
             log: Log::append(&dir.join(LOG))?,
             dir: dir.to_path_buf(),
             fields,
@@ -201,7 +201,7 @@ pub fn rebuild_report(dir: &Path) -> Result<PathBuf, OutputError> {
     let record = RunRecord::read(dir)?;
     let names = record.names();
     let is_whole = record.statistics.outcome.is_end();
-    let history = read_history(dir, &names, &record.joint_names(), is_whole)?;
+    let history = read_history(dir, &names, is_whole)?;
     if record.statistics.outcome == Outcome::Finished {
         validate_history(&history).map_err(|problem| OutputError::content(dir, problem))?;
     }
@@ -212,7 +212,7 @@ pub fn rebuild_report(dir: &Path) -> Result<PathBuf, OutputError> {
         summary.fill(&history, &record);
         summary
     };
-    report(dir, &record, &summary, (&history, &read_rims(dir, &names)?))?;
+    report(dir, &record, &summary, (&history, &read_rims(dir, &names.bodies)?))?;
     Ok(dir.join(REPORT))
 }
 

@@ -82,7 +82,7 @@ impl BodySetting {
             cell: case.grid.faces.each_ref().map(finest),
             extent,
             slab: case.domain.high.y - case.domain.low.y,
-            diameter: body.shape.rolling_diameter(),
+            diameter: body.wheel_diameter(),
             heaves: !matches!(heave, Motion::Fixed),
             heaves_freely: heave.is_free(),
             turns_freely: body.spin().is_free(),

@@ -62,6 +62,10 @@ impl Shape for Disc {
         if width > 0.0 { rim + 2.0 * face } else { 2.0 * face }
     }
 
+    fn as_disc(&self) -> Option<Disc> {
+        Some(*self)
+    }
+
     fn is_revolved(&self) -> bool {
         true
     }

@@ -51,6 +51,24 @@ impl MassProperties {
         }
     }
 
+    /// The same of the solid moved [m].
+    pub(super) fn moved(&self, by: DVec3) -> Self {
+        Self { centroid: self.centroid + by, ..*self }
+    }
+
+    /// Those of several solids of one density together.
+    pub(super) fn sum(solids: impl Iterator<Item = Self>) -> Self {
+        let solids: Vec<Self> = solids.collect();
+        let volume: f64 = solids.iter().map(|solid| solid.volume).sum();
+        let centroid = solids.iter().map(|solid| solid.volume * solid.centroid).sum::<DVec3>() / volume;
+        let about = |solid: &Self| {
+            let arm = solid.centroid - centroid;
+            (solid.inertia + DMat3::IDENTITY * arm.length_squared() - outer(arm, arm))
+                * (solid.volume / volume)
+        };
+        Self { volume, centroid, inertia: solids.iter().map(about).fold(DMat3::ZERO, |sum, own| sum + own) }
+    }
+
     /// Moment of inertia per mass about the body's y axis, the axle [m²].
     #[must_use]
     pub fn about_axle(&self) -> f64 {

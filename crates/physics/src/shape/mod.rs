@@ -4,6 +4,7 @@
 //! along `y`. Lengths in metres.
 
 mod block;
+mod compound;
 mod cylinder;
 mod disc;
 mod facets;
@@ -17,6 +18,7 @@ mod sampler;
 mod sphere;
 
 pub use block::Block;
+pub use compound::{Compound, Placed};
 pub use cylinder::{Axis, Cylinder};
 pub use disc::Disc;
 pub use frame::Frame;
@@ -115,6 +117,31 @@ fn paired(points: Vec<SurfacePoint>) -> Vec<SurfacePoint> {
     ordered
 }
 
+/// The same about the plane y = `middle` [m], for points that are mirror images up to round-off.
+fn paired_about(points: Vec<SurfacePoint>, middle: f64) -> Vec<SurfacePoint> {
+    const ROUND_OFF: f64 = 1e-9;
+    let size = points.iter().map(|p| p.position.length()).fold(0.0, f64::max);
+    let rounded = |x: f64| (x / (ROUND_OFF * size)).round() as i64;
+    let key = |p: &SurfacePoint, side: f64| {
+        let across = [side * (p.position.y - middle), size * side * p.normal.y];
+        let along = [p.position.x, p.position.z, size * p.normal.x, size * p.normal.z];
+        (across.map(rounded), along.map(rounded))
+    };
+    let mut index: BTreeMap<_, usize> = points.iter().enumerate().map(|(n, p)| (key(p, 1.0), n)).collect();
+    let mut is_placed = vec![false; points.len()];
+    let mut ordered = Vec::with_capacity(points.len());
+    for (n, point) in points.iter().enumerate() {
+        if !std::mem::replace(&mut is_placed[n], true) {
+            ordered.push(*point);
+            if let Some(partner) = index.remove(&key(point, -1.0)).filter(|partner| !is_placed[*partner]) {
+                is_placed[partner] = true;
+                ordered.push(points[partner]);
+            }
+        }
+    }
+    ordered
+}
+
 /// An inset [m] along the axes of space, along those of a frame that `rotation` takes to space: half an ellipsoid's widths.
 #[must_use]
 pub fn inset_in_frame(inset: DVec3, rotation: DMat3) -> DVec3 {
@@ -152,6 +179,26 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
     /// they come from the mesh.
     fn surface_point_count(&self, spacing: DVec3, _inset: DVec3) -> f64 {
         sampler::count(&self.mesh(), spacing.min_element())
+    }
+    /// Fraction of a small cube round `x` that it covers, for a cube of this width [m]; from the distance.
+    fn coverage(&self, x: DVec3, width: f64) -> f64 {
+        (0.5 - self.signed_distance(x) / width).clamp(0.0, 1.0)
+    }
+    /// The disc that it is, if it is one.
+    fn as_disc(&self) -> Option<Disc> {
+        None
+    }
+    /// The plane across the axle [m] about which contact points may be mirror images of each other.
+    fn mid_plane(&self) -> f64 {
+        0.0
+    }
+    /// Number of parts for which forces are accounted separately.
+    fn parts(&self) -> usize {
+        1
+    }
+    /// The part to which a point of the surface belongs.
+    fn part_of(&self, _x: DVec3) -> usize {
+        0
     }
     /// Whether it has a surface.
     fn has_surface(&self) -> bool {

@@ -6,6 +6,7 @@ use crate::model::{BodyModel, Model};
 use crate::scalar::Scalar;
 use crate::state::{Pose, Soil, State};
 use glam::DVec3;
+use physics::shape::Shape;
 
 /// Updates the body volume fractions of all cells, in scratch memory that is unused until the contact search.
 pub(crate) fn find_bodies<R: Scalar>(
@@ -52,8 +53,8 @@ fn each_occupied_cell(model: &Model, fixed: &BodyModel, pose: &Pose, mut each: i
     for k in ranges[2].clone() {
         for j in ranges[1].clone() {
             for i in ranges[0].clone() {
-                let fraction =
-                    covered(grid, [i, j, k], |x| fixed.shape.signed_distance(rotation * (x - position)));
+                let own = |x: DVec3| rotation * (x - position);
+                let fraction = covered(grid, [i, j, k], (fixed.shape.as_ref(), own));
                 if fraction > 0.0 {
                     each(grid.index(i, j, k), fraction);
                 }
@@ -93,8 +94,9 @@ pub(super) fn measure_bodies<R: Scalar>(
     }
 }
 
-/// Fraction of a cell with a negative distance, from 4³ samples; samples near the surface are weighted.
-fn covered(grid: &Grid, cell: [usize; 3], distance: impl Fn(DVec3) -> f64) -> f64 {
+/// Fraction of a cell that a shape covers, from 4³ samples; samples near the surface are weighted. `own` takes a position to the
+/// frame of the shape.
+fn covered(grid: &Grid, cell: [usize; 3], (shape, own): (&dyn Shape, impl Fn(DVec3) -> DVec3)) -> f64 {
     const SAMPLES: usize = 4;
     // Positions are interpolated from both faces and layers in y summed in pairs, so that mirroring in y
     // changes no bit.
@@ -104,6 +106,7 @@ fn covered(grid: &Grid, cell: [usize; 3], distance: impl Fn(DVec3) -> f64) -> f6
     };
     let width = DVec3::from_array(std::array::from_fn(|axis| grid.width(axis, cell[axis])));
     let middle = DVec3::new(at(0, 2.0), at(1, 2.0), at(2, 2.0));
+    let distance = |x: DVec3| shape.signed_distance(own(x));
     let centre = distance(middle);
     if centre.abs() > 0.5 * width.length() {
         return if centre < 0.0 { 1.0 } else { 0.0 };
@@ -116,8 +119,8 @@ fn covered(grid: &Grid, cell: [usize; 3], distance: impl Fn(DVec3) -> f64) -> f6
     for n in 0..SAMPLES.pow(3) {
         let [x, y, z] = [n % SAMPLES, n / SAMPLES % SAMPLES, n / SAMPLES / SAMPLES];
         let coordinate = |axis: usize, n: usize| at(axis, n as f64 + 0.5);
-        let d = distance(DVec3::new(coordinate(0, x), coordinate(1, y), coordinate(2, z)));
-        layers[y] += (0.5 - d / sample).clamp(0.0, 1.0);
+        let at = DVec3::new(coordinate(0, x), coordinate(1, y), coordinate(2, z));
+        layers[y] += shape.coverage(own(at), sample);
     }
     ((layers[0] + layers[3]) + (layers[1] + layers[2])) / SAMPLES.pow(3) as f64
 }

@@ -170,9 +170,7 @@ impl ContactProblem<'_> {
     pub(crate) fn record(&mut self, contact: usize, normal: DVec3, friction: DVec3) {
         let c = &self.contacts[contact];
         let total = &mut self.bodies[c.body as usize].contact_impulse;
-        total.normal -= normal / self.modelled_fraction;
-        total.friction -= friction / self.modelled_fraction;
-        total.moment -= c.arm.cross(normal + friction) / self.modelled_fraction;
+        total.add(&[normal, friction], c.arm, self.modelled_fraction);
         self.impulses[contact] = [normal, friction];
     }
 }

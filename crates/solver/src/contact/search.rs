@@ -22,7 +22,7 @@ pub(crate) fn first_search<R: Scalar>(
     workspace: &mut ContactWorkspace,
     halo: &mut dyn Halo,
 ) {
-    clear_rims(state, workspace);
+    clear_rims(model, state, workspace);
     find_bodies(model, state, &mut soil.velocity_before[0], &mut workspace.body_cells);
     search(model, state, soil, workspace, halo);
 }

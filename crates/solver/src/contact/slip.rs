@@ -3,7 +3,7 @@
 use super::problem::{ContactNode, side};
 use super::workspace::ContactWorkspace;
 use crate::model::Model;
-use crate::state::{Contact, RimSums, State};
+use crate::state::{Contact, ContactImpulse, RimSums, State};
 use glam::DVec3;
 use mechanics::Step;
 
@@ -27,6 +27,9 @@ pub(super) fn account_slip<R>(
         dissipation += impulses[1].dot(slip);
         let (body, contact) = (&model.bodies[n], c.area * dt);
         let axle = mechanism.bodies[n].pose.rotation * DVec3::Y;
+        if let Some(part) = surfaces[n].part_of(c.point) {
+            bodies[n].parts[part].add(impulses, c.arm, model.modelled_fraction());
+        }
         let sums = &mut bodies[n].rim[surfaces[n].bin_of(c.point)];
         sums.add_impulses(impulses, body.friction, body.shear_limit * contact);
         sums.add_slip(impulses, slip, contact, &directions(c, impulses[0], axle));
@@ -77,9 +80,20 @@ impl RimSums {
     }
 }
 
-/// Makes room for the sums over the rim of every body, at the start of a run.
-pub(super) fn clear_rims<R>(state: &mut State<R>, workspace: &ContactWorkspace) {
-    for (body, surface) in state.bodies.iter_mut().zip(&workspace.surfaces) {
+/// Makes room for the sums over the rim and the parts of every body, at the start of a run.
+pub(super) fn clear_rims<R>(model: &Model, state: &mut State<R>, workspace: &ContactWorkspace) {
+    for ((body, surface), fixed) in state.bodies.iter_mut().zip(&workspace.surfaces).zip(&model.bodies) {
         body.rim = vec![RimSums::default(); surface.rim().len() + 1];
+        let parts = fixed.shape.parts();
+        body.parts = vec![ContactImpulse::default(); if parts > 1 { parts } else { 0 }];
+    }
+}
+
+impl ContactImpulse {
+    /// Adds the impulses on the soil of one contact point in one step.
+    pub(super) fn add(&mut self, [normal, friction]: &[DVec3; 2], arm: DVec3, modelled_fraction: f64) {
+        self.normal -= *normal / modelled_fraction;
+        self.friction -= *friction / modelled_fraction;
+        self.moment -= arm.cross(*normal + *friction) / modelled_fraction;
     }
 }

@@ -16,6 +16,10 @@ pub(crate) struct Surface {
     kinds: Vec<(DVec3, f64)>,
     /// The bins of the rim.
     rim: Vec<RimBin>,
+    /// Where the body's mid-plane is [m].
+    middle: f64,
+    /// Part of the body to which each point belongs; empty where there is only one.
+    parts: Vec<u16>,
 }
 
 /// Width of the bins of the rim, in cell widths (chosen: below a cell nothing is resolved, but a body that moves through the
@@ -49,10 +53,20 @@ pub(crate) fn stays_across(body: &BodyModel, axis: usize) -> bool {
     body.motion[axis] == Motion::Fixed && turns_only_about(DVec3::AXES[axis])
 }
 
-fn are_mirrored(a: &SurfacePoint, b: &SurfacePoint) -> bool {
+/// Whether two points are mirror images about the plane y = `middle` [m]: to the bit about y = 0, otherwise up to round-off.
+fn are_mirrored(a: &SurfacePoint, b: &SurfacePoint, middle: f64) -> bool {
     let flip = |v: DVec3| DVec3::new(v.x, -v.y, v.z);
-    flip(a.position) == b.position && flip(a.normal) == b.normal
+    if middle == 0.0 {
+        return flip(a.position) == b.position && flip(a.normal) == b.normal;
+    }
+    let from = DVec3::new(0.0, middle, 0.0);
+    let tolerance = ROUND_OFF * (a.position.length() + middle.abs());
+    flip(a.position - from).distance(b.position - from) < tolerance
+        && flip(a.normal).distance(b.normal) < ROUND_OFF
 }
+
+/// Round-off between mirror images about a plane other than y = 0, relative.
+const ROUND_OFF: f64 = 1e-9;
 
 /// Spacing of a body's contact points, and their inset from sharp edges along its own axes [m]. The cells near the body are
 /// taken to be the narrowest along each axis.
@@ -100,12 +114,15 @@ impl Surface {
             points.retain(|p| (low..=high).contains(&across(p)));
         }
         let rim = rim(model, body);
-        let mut surface = Self::of(&points, &rim);
+        let mut surface = Self::of(&points, &rim, body.shape.mid_plane());
         surface.measure_rim(model, body);
+        if body.shape.parts() > 1 {
+            surface.parts = points.iter().map(|point| body.shape.part_of(point.position) as u16).collect();
+        }
         surface
     }
 
-    fn of(points: &[SurfacePoint], rim: &Rim) -> Self {
+    fn of(points: &[SurfacePoint], rim: &Rim, middle: f64) -> Self {
         let bins = bins(points, rim);
         let (mut indices, mut kinds) = (BTreeMap::new(), Vec::new());
         let kept = points.iter().enumerate().map(|(n, p)| {
@@ -114,13 +131,13 @@ impl Surface {
             if index == kinds.len() {
                 kinds.push((p.normal, p.area));
             }
-            let is_paired = points.get(n + 1).is_some_and(|next| are_mirrored(p, next));
+            let is_paired = points.get(n + 1).is_some_and(|next| are_mirrored(p, next, middle));
             let bin = rim.bin_of(p.position, p.normal).map_or(bins.len(), |(bin, _)| bin);
             (p.position, index as u32 | if is_paired { PAIRED } else { 0 }, bin as u16)
         });
         let points = kept.collect();
         kinds.shrink_to_fit();
-        Self { points, kinds, rim: bins }
+        Self { points, kinds, rim: bins, middle, parts: Vec::new() }
     }
 
     /// Finds the areas of the bins: those of the points that do not always stay outside the grid.
@@ -150,11 +167,17 @@ impl Surface {
         self.points[point as usize].2.into()
     }
 
+    /// Part of the body to which a point belongs, from its number; `None` where there is only one.
+    pub(crate) fn part_of(&self, point: u32) -> Option<usize> {
+        self.parts.get(point as usize).map(|part| usize::from(*part))
+    }
+
     /// The points, in the order of their numbers.
     pub(crate) fn points(&self) -> impl Iterator<Item = ContactPoint> + '_ {
         self.points.iter().map(|(position, kind, _)| {
             let (normal, area) = self.kinds[(kind & !PAIRED) as usize];
-            let side = if position.y == 0.0 { 2 } else { u8::from(position.y < 0.0) };
+            let across = position.y - self.middle;
+            let side = if across == 0.0 { 2 } else { u8::from(across < 0.0) };
             ContactPoint { position: *position, normal, area, side, is_paired: kind & PAIRED != 0 }
         })
     }
@@ -164,6 +187,7 @@ impl Surface {
         size_of_val(self.points.as_slice())
             + size_of_val(self.kinds.as_slice())
             + size_of_val(self.rim.as_slice())
+            + size_of_val(self.parts.as_slice())
     }
 }
 
@@ -176,7 +200,7 @@ mod tests {
     fn a_surface_returns_the_points_it_was_made_from() {
         let disc = Disc { diameter: 0.2, thickness: 0.05 };
         let points = disc.surface_points(DVec3::splat(0.004), DVec3::splat(0.002));
-        let surface = Surface::of(&points, &Rim::of(&disc, 0.008));
+        let surface = Surface::of(&points, &Rim::of(&disc, 0.008), 0.0);
         let same = |a: &ContactPoint, b: &SurfacePoint| {
             (a.position, a.normal, a.area) == (b.position, b.normal, b.area)
         };

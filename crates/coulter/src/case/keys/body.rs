@@ -149,6 +149,12 @@ pub(super) const BODY: &[Key] = &[
         Quantity("0 deg"),
         "Rotation about y, the axle, at the start, positive when it tips the top forwards (+x); before tilt and yaw.",
     ),
+    key(
+        "welded_to",
+        Kind::Text,
+        Derived("none"),
+        "Name of the body with which this one moves as one rigid body; it then has no motions of its own. They may share faces.",
+    ),
     key("forward", SLIDE, Word(FIXED), "Motion along x, the tow."),
     key("lateral", SLIDE, Word(FIXED), "Motion along y."),
     key(

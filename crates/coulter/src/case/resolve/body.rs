@@ -55,6 +55,7 @@ pub(super) fn body(
         shear_limit: shear_limit?,
         translation: [forward?, lateral?, heave?],
         rotation: [yaw?, tilt?, spin?],
+        parts: Vec::new(),
         guide: None,
     };
     body.position = position(section, &body, context, problems)?;

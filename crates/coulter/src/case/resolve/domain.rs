@@ -25,7 +25,7 @@ const OVER_HEAP: f64 = 2.0;
 fn default_box(context: &Context, paths: &Paths) -> Option<Extent> {
     let around = paths.all()?;
     let length = body_length(paths.bodies);
-    let bodies = paths.bodies.iter().filter(|body| body.shape.has_surface());
+    let bodies = paths.bodies.iter().filter(|body| body.has_surface());
     let need = bodies
         .map(|b| clearance(b, &context.soil_conditions(), paths.duration))
         .fold(Clearance::default(), Clearance::and);

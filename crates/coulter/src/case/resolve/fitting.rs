@@ -4,6 +4,7 @@
 //! Where the face does not move, the cell width along that axis can be adjusted so that the face coincides with a cell face.
 
 use crate::case::resolved::{Body, Domain, Motion};
+use glam::DVec3;
 
 /// Largest factor by which a cell may become wider or narrower.
 const MAX_CHANGE: f64 = 1.25;
@@ -22,7 +23,7 @@ pub(super) fn fit(
 ) -> Option<[f64; 2]> {
     let inside =
         |x: &f64| *x > domain.low[axis] + COINCIDE * cell && *x < domain.high[axis] - COINCIDE * cell;
-    let sides: Vec<f64> = bodies.iter().flat_map(|b| flat_faces(b, axis)).flatten().filter(inside).collect();
+    let sides: Vec<f64> = bodies.iter().flat_map(|b| flat_faces(b, axis)).filter(inside).collect();
     let is_near_whole = |layers: f64| (layers - layers.round()).abs() < COINCIDE;
     if sides.iter().all(|x| is_near_whole((x - usual) / cell)) {
         return None;
@@ -39,15 +40,24 @@ pub(super) fn fit(
     (change(best) <= MAX_CHANGE.ln() + COINCIDE).then_some([best, anchor])
 }
 
-/// Positions of the flat faces of a body across an axis [m], if they do not move.
-fn flat_faces(body: &Body, axis: usize) -> Option<[f64; 2]> {
-    let (low, high) = body.bounds();
+/// Positions of the flat faces of a body and its parts across an axis [m], if they do not move.
+fn flat_faces(body: &Body, axis: usize) -> Vec<f64> {
     let keeps_axle = body.attitude.axle_is_across() && !body.steers();
     // Rotation about the axle turns the other faces.
     let rolls = body.attitude.pitch != 0.0 || body.spin() != Motion::Fixed;
     let stays = body.guided().translation[axis] == Motion::Fixed && keeps_axle && (axis == 1 || !rolls);
-    (body.shape.has_flat_sides(axis) && stays)
-        .then(|| [low, high].map(|side| body.position[axis] + side[axis]))
+    if !stays {
+        return Vec::new();
+    }
+    let own = (&body.shape, body.own_solid(), DVec3::ZERO);
+    let aligned = body.parts.iter().filter(|part| part.is_aligned());
+    let parts = aligned.map(|part| (&part.shape, part.solid(), part.offset));
+    let flat = std::iter::once(own).chain(parts).filter(|(shape, ..)| shape.has_flat_sides(axis));
+    let faces = flat.flat_map(|(_, solid, offset)| {
+        let (low, high) = solid.bounds();
+        [low, high].map(|side| body.position[axis] + offset[axis] + side[axis])
+    });
+    faces.collect()
 }
 
 #[cfg(test)]

@@ -28,20 +28,27 @@ pub(super) fn carried(sections: &[Section]) -> Vec<String> {
     sections.iter().filter(carries).filter_map(second).collect()
 }
 
-/// The joints between these bodies, and the bodies as they guide them.
+/// The joints between these bodies.
 pub(super) fn joints(
     sections: &[Section],
-    mut bodies: Vec<Body>,
+    bodies: &[Body],
     context: &Context,
     problems: &mut Problems,
-) -> Option<(Vec<Body>, Vec<Joint>)> {
-    let all: Vec<_> = sections.iter().map(|section| joint(section, &bodies, context, problems)).collect();
-    let joints: Vec<Joint> = all.into_iter().collect::<Option<_>>()?;
-    let order = from_carrier_to_carried(&joints, bodies.len(), problems)?;
-    for joint in order {
+) -> Option<Vec<Joint>> {
+    let all: Vec<_> = sections.iter().map(|section| joint(section, bodies, context, problems)).collect();
+    all.into_iter().collect()
+}
+
+/// The bodies as the joints guide them.
+pub(super) fn guide_all(
+    joints: &[Joint],
+    mut bodies: Vec<Body>,
+    problems: &mut Problems,
+) -> Option<Vec<Body>> {
+    for joint in from_carrier_to_carried(joints, bodies.len(), problems)? {
         guide(joint, &mut bodies);
     }
-    Some((bodies, joints))
+    Some(bodies)
 }
 
 fn joint(section: &Section, bodies: &[Body], context: &Context, problems: &mut Problems) -> Option<Joint> {

@@ -15,6 +15,7 @@ mod mesh;
 mod motion;
 mod soil;
 mod timing;
+mod weld;
 
 use super::keys;
 use super::missing::{range, required};
@@ -22,7 +23,7 @@ use super::names;
 use super::numbers::in_range;
 use super::path::Paths;
 use super::problem::Problems;
-use super::resolved::{Body, Case, Contact, Law, Numerics, Precision, Soil};
+use super::resolved::{Body, Case, Contact, Joint, Law, Numerics, Precision, Soil};
 use super::shapes::slab::Slab;
 use super::typed::{Schema, Section};
 use super::validate;
@@ -36,7 +37,7 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
     let numerics = numerics(&schema.numerics, &schema.soil);
     let context = gravity.and_then(|g| context(schema, g, soil.as_ref().map(|s| s.law), problems));
     let bodies = context.as_ref().and_then(|context| bodies(schema, context, problems));
-    let parts = bodies.and_then(|bodies| joint::joints(&schema.joints, bodies, context.as_ref()?, problems));
+    let parts = bodies.and_then(|bodies| parts(schema, bodies, context.as_ref()?, problems));
     let (bodies, joints) = parts.map_or((None, None), |(bodies, joints)| (Some(bodies), Some(joints)));
     let name = name(&schema.top, source_name, problems);
     let duration = bodies.as_ref().and_then(|b| timing::duration(&schema.run, b, problems));
@@ -119,6 +120,19 @@ fn bodies(schema: &Schema, context: &Context, problems: &mut Problems) -> Option
     };
     let all: Vec<_> = schema.bodies.iter().map(body).collect();
     all.into_iter().collect()
+}
+
+/// The bodies that move for themselves, and the joints between them.
+fn parts(
+    schema: &Schema,
+    bodies: Vec<Body>,
+    context: &Context,
+    problems: &mut Problems,
+) -> Option<(Vec<Body>, Vec<Joint>)> {
+    weld::sections(&schema.bodies, problems);
+    let joints = joint::joints(&schema.joints, &bodies, context, problems)?;
+    let (bodies, joints) = weld::weld(&schema.bodies, bodies, joints, problems)?;
+    joint::guide_all(&joints, bodies, problems).map(|bodies| (bodies, joints))
 }
 
 /// The name of the case, which becomes that of a folder.

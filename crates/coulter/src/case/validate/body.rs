@@ -14,6 +14,9 @@ const MIN_CELLS_ACROSS: f64 = 2.0;
 pub(in crate::case) fn body(body: &Body, (cell, plane_strain): (DVec3, bool), problems: &mut Problems) {
     let path = format!("body.{}", body.name);
     shape(&path, &body.shape, (cell, plane_strain), problems);
+    for part in &body.parts {
+        shape(&format!("body.{}", part.name), &part.shape, (cell, plane_strain), problems);
+    }
     position(&path, body, problems);
     attitude(&path, body, problems);
     surface(&path, body, problems);

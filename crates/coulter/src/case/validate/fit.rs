@@ -16,7 +16,7 @@ pub(in crate::case) fn bodies_fit(paths: &Paths, domain: &Domain, problems: &mut
         if domain.symmetric_x {
             keeps_to_the_middle(body, problems);
         }
-        if body.shape.has_surface() {
+        if body.has_surface() {
             stays_inside(body, domain, paths, problems);
         }
     }
@@ -30,7 +30,7 @@ const SHARED_FACE: f64 = 1e-9;
 fn apart(bodies: &[Body], problems: &mut Problems) {
     let placed: Vec<_> = bodies
         .iter()
-        .filter(|body| body.shape.has_surface())
+        .filter(|body| body.has_surface())
         .map(|body| (body, body.solid(), Pose { position: body.position, rotation: body.attitude.of_axle() }))
         .collect();
     for (n, (body, solid, pose)) in placed.iter().enumerate() {

@@ -2,7 +2,7 @@
 
 use super::last_sample::LastSample;
 use crate::case::resolved::{Joint, JointKind};
-use crate::history::JointSample;
+use crate::history::ForceSample;
 use mechanics::{Pose, Wrench};
 use solver::model::Model;
 use solver::state::State;
@@ -14,7 +14,7 @@ pub(super) fn sample<R>(
     state: &State<R>,
     n: usize,
     last: &LastSample,
-) -> JointSample {
+) -> ForceSample {
     let interval = state.time - last.time;
     let rate = if interval > 0.0 { 1.0 / interval } else { 0.0 };
     let then = last.joints.get(n).copied().unwrap_or(Wrench::ZERO);
@@ -28,7 +28,7 @@ pub(super) fn sample<R>(
     let [start, first] =
         joint.first.map_or([Pose::IDENTITY; 2], |first| [model.bodies[first].start, *state.pose(first)]);
     let moment = force.moment_about(at - now.position);
-    JointSample {
+    ForceSample {
         time: state.time,
         force_x: force.force.x,
         force_y: force.force.y,

@@ -11,6 +11,8 @@ pub struct LastSample {
     pub time: f64,
     /// Impulse of the soil on each body since the start.
     pub impulses: Vec<ContactImpulse>,
+    /// Impulse of the soil on each part of each body since the start.
+    pub parts: Vec<Vec<ContactImpulse>>,
     /// Impulse of each joint on its second body since the start.
     pub joints: Vec<Wrench>,
 }
@@ -22,6 +24,7 @@ impl LastSample {
         Self {
             time: state.time,
             impulses: state.bodies.iter().map(|body| body.contact_impulse).collect(),
+            parts: state.bodies.iter().map(|body| body.parts.clone()).collect(),
             joints: state.mechanism.joints.iter().map(|joint| joint.on_second).collect(),
         }
     }

@@ -9,6 +9,7 @@ mod energy;
 mod ground_left;
 mod joint;
 mod last_sample;
+mod part;
 mod rim;
 
 use super::History;
@@ -16,6 +17,7 @@ use crate::case::Case;
 pub use boundary::most_pressed_lid_cell;
 pub use ground_left::record_ground_left;
 pub use last_sample::LastSample;
+pub(crate) use part::places;
 use solver::model::Model;
 use solver::precision::Precision;
 use solver::state::State;
@@ -30,6 +32,9 @@ pub fn sample<R: Precision>(
 ) {
     for (n, samples) in history.bodies.iter_mut().enumerate() {
         samples.push(body::sample(model, state, n, last));
+    }
+    for (samples, (_, place)) in history.parts.iter_mut().zip(places(case)) {
+        samples.push(part::sample(model, state, place, last));
     }
     for (n, (samples, joint)) in history.joints.iter_mut().zip(&case.joints).enumerate() {
         samples.push(joint::sample(model, joint, state, n, last));

@@ -7,7 +7,8 @@ use crate::output::files::{
     TYPED,
 };
 use crate::output::tables::{
-    BOUNDARIES_FILE, ENERGY_FILE, GROUND_LEFT_FILE, forces_name, joint_name, rim_name,
+    BOUNDARIES_FILE, ENERGY_FILE, GROUND_LEFT_FILE, HistoryNames, forces_name, joint_name, part_name,
+    rim_name,
 };
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -123,10 +124,11 @@ pub(crate) fn remove_parts(dir: &Path) -> Result<(), OutputError> {
 }
 
 fn remove_result(dir: &Path, record: &RunRecord) -> Result<(), OutputError> {
-    let names = record.names();
+    let HistoryNames { bodies: names, parts, joints } = record.names();
     let mut files: Vec<String> =
         (0..names.len()).flat_map(|n| [forces_name(&names, n), rim_name(&names, n)]).collect();
-    files.extend(record.joints.iter().map(|joint| joint_name(&joint.name)));
+    files.extend(parts.iter().map(|name| part_name(name)));
+    files.extend(joints.iter().map(|name| joint_name(name)));
     let fixed = [SUMMARY, REPORT, ENERGY_FILE, BOUNDARIES_FILE, GROUND_LEFT_FILE, RESOLVED, TYPED, LOG];
     files.extend(fixed.iter().chain(&LISTS).map(|name| (*name).to_owned()));
     for file in files {

@@ -73,7 +73,7 @@ fn soil(case: &Case) -> String {
 fn describe_body(case: &Case, body: &Body) -> String {
     let length = |value: f64| quantity(value, Unit::length(value));
     let shape = body.shape.describe(&length);
-    if !body.shape.has_surface() {
+    if !body.has_surface() {
         return format!("{shape}, mass {} kg; {}", digits(body.mass), motions(body));
     }
     let mut friction = if body.friction.is_finite() {

@@ -7,9 +7,11 @@ use crate::case::case_text;
 use crate::case::meshes::representative_width;
 use crate::case::resolved::{GROUND, Ground, Joint};
 use crate::history::History;
+use crate::history::probes::places;
 use crate::history::reference::Reference;
 use crate::output::files::{OutputError, read_json, write_json};
 use crate::output::plots::Overlay;
+use crate::output::tables::HistoryNames;
 use crate::trust::{Setting, Trust};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -97,6 +99,8 @@ pub struct RunRecord {
     pub plane_strain: bool,
     /// The bodies.
     pub bodies: Vec<Reference>,
+    /// The parts of bodies that consist of several.
+    pub parts: Vec<PartRecord>,
     /// The joints.
     pub joints: Vec<JointRecord>,
     /// Curves overlaid on the plots.
@@ -105,6 +109,25 @@ pub struct RunRecord {
     pub setting: Setting,
     /// Statistics of the run.
     pub statistics: RunStatistics,
+}
+
+/// A part of a body that consists of several.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct PartRecord {
+    /// Its name.
+    pub name: String,
+    /// Name of the body.
+    pub body: String,
+}
+
+impl PartRecord {
+    fn all(case: &Case) -> Vec<Self> {
+        let record = |(name, (body, ..)): (String, (usize, usize, glam::DVec3))| Self {
+            name,
+            body: case.bodies[body].name.clone(),
+        };
+        places(case).into_iter().map(record).collect()
+    }
 }
 
 /// A joint of a run.
@@ -159,6 +182,7 @@ impl RunRecord {
             heaped: matches!(case.ground, Ground::Column { .. }),
             plane_strain: case.domain.plane_strain,
             bodies: Reference::all(case),
+            parts: PartRecord::all(case),
             joints: case.joints.iter().map(|joint| JointRecord::of(case, joint)).collect(),
             overlays: Vec::new(),
             setting: Setting::of(case),
@@ -166,16 +190,14 @@ impl RunRecord {
         }
     }
 
-    /// Names of the bodies.
+    /// Names of what the run keeps a history of.
     #[must_use]
-    pub fn names(&self) -> Vec<String> {
-        self.bodies.iter().map(|body| body.name.clone()).collect()
-    }
-
-    /// Names of the joints.
-    #[must_use]
-    pub fn joint_names(&self) -> Vec<String> {
-        self.joints.iter().map(|joint| joint.name.clone()).collect()
+    pub fn names(&self) -> HistoryNames {
+        HistoryNames {
+            bodies: self.bodies.iter().map(|body| body.name.clone()).collect(),
+            parts: self.parts.iter().map(|part| part.name.clone()).collect(),
+            joints: self.joints.iter().map(|joint| joint.name.clone()).collect(),
+        }
     }
 
     /// The grade of the run with this history.

@@ -1,8 +1,8 @@
 //! The tables about several bodies and the joints between them.
 
 use super::rows::{NONE, value};
-use super::summary::{AllBodies, JointSummary, Summary};
-use crate::output::folder::{JointRecord, RunRecord};
+use super::summary::{AllBodies, ForceSummary, Summary};
+use crate::output::folder::{JointRecord, PartRecord, RunRecord};
 use crate::output::units::Unit;
 use serde::Serialize;
 
@@ -17,35 +17,46 @@ pub(super) fn all_bodies(summary: &Summary) -> Vec<[String; 2]> {
     lines
 }
 
-/// A joint of the table.
+/// A part or a joint of the table.
 #[derive(Debug, Serialize)]
-pub(super) struct JointRow {
+pub(super) struct ForceRow {
     name: String,
-    kind: String,
-    bodies: String,
+    /// The body that it is a part of, or kind and bodies of a joint.
+    of: String,
     /// Mean force along x, y, z, and the largest.
     forces: [String; 4],
     /// Mean moment about x, y, z.
     moments: [String; 3],
 }
 
-/// A row for each joint.
-pub(super) fn joint_rows(record: &RunRecord, summary: &Summary) -> Vec<JointRow> {
-    let row = |joint: &JointRecord| {
-        let JointSummary { force, moment, peak_force, .. } =
-            summary.joints.get(&joint.name).cloned().unwrap_or_default();
+impl ForceRow {
+    fn new(name: &str, of: String, summary: Option<&ForceSummary>) -> Self {
+        let ForceSummary { force, moment, peak_force, .. } = summary.cloned().unwrap_or_default();
         let each = |values: Option<[f64; 3]>, unit: fn(f64) -> Unit| match values {
             Some(values) => values.map(|number| value(Some(number), unit)),
             None => std::array::from_fn(|_| NONE.to_owned()),
         };
         let [x, y, z] = each(force, Unit::force);
-        JointRow {
-            name: joint.name.clone(),
-            kind: joint.kind.clone(),
-            bodies: joint.bodies.join(" – "),
+        Self {
+            name: name.to_owned(),
+            of,
             forces: [x, y, z, value(peak_force, Unit::force)],
             moments: each(moment, Unit::torque),
         }
+    }
+}
+
+/// A row for each part of a body that consists of several.
+pub(super) fn part_rows(record: &RunRecord, summary: &Summary) -> Vec<ForceRow> {
+    let row = |part: &PartRecord| ForceRow::new(&part.name, part.body.clone(), summary.parts.get(&part.name));
+    record.parts.iter().map(row).collect()
+}
+
+/// A row for each joint.
+pub(super) fn joint_rows(record: &RunRecord, summary: &Summary) -> Vec<ForceRow> {
+    let row = |joint: &JointRecord| {
+        let of = format!("{}, {}", joint.kind, joint.bodies.join(" – "));
+        ForceRow::new(&joint.name, of, summary.joints.get(&joint.name))
     };
     record.joints.iter().map(row).collect()
 }

@@ -1,6 +1,6 @@
 //! `report.html`: one self-contained page, made from the histories, the summary and the pictures.
 
-use super::assembly::{self, JointRow};
+use super::assembly::{self, ForceRow};
 use super::meshes::{self, IntervalRow, MeshRow};
 use super::rows::{
     CheckRow, TableRow, balance_rows, body_rows, check_rows, energy_rows, facts, scales_text, statistics,
@@ -71,7 +71,8 @@ struct Page<'a> {
     checks: Vec<CheckRow>,
     bodies: Vec<BodySection>,
     all_bodies: Vec<[String; 2]>,
-    joints: Vec<JointRow>,
+    parts: Vec<ForceRow>,
+    joints: Vec<ForceRow>,
     meshes: Vec<MeshSection>,
     pictures: Vec<Figure>,
     energy: Vec<TableRow>,
@@ -112,6 +113,7 @@ pub(crate) fn write_report(
         checks: check_rows(&summary.trust),
         bodies,
         all_bodies: assembly::all_bodies(summary),
+        parts: assembly::part_rows(record, summary),
         joints: assembly::joint_rows(record, summary),
         meshes: mesh_sections(dir, summary)?,
         pictures: pictures(dir)?,

@@ -3,7 +3,7 @@
 use crate::case::FORMAT;
 use crate::history::rim::{RimAverage, RimPlace, SlipReversal, shear_reversals, slip_reversals};
 use crate::history::steady::{Peak, Steady, peak, steady, window};
-use crate::history::{BodySample, EnergySample, History, JointSample};
+use crate::history::{BodySample, EnergySample, ForceSample, History};
 use crate::mesh_study::{Figures, MeshStudy};
 use crate::output::fields::SurfaceFigures;
 use crate::output::files::{OutputError, SUMMARY, read_json, write_json};
@@ -42,8 +42,10 @@ pub struct Summary {
     pub bodies: BTreeMap<String, BodySummary>,
     /// All bodies together; `null` where only one touches the soil.
     pub all_bodies: Option<AllBodies>,
-    /// The joints by name.
-    pub joints: BTreeMap<String, JointSummary>,
+    /// The parts by name of bodies that consist of several: the soil's force on each.
+    pub parts: BTreeMap<String, ForceSummary>,
+    /// The joints by name: the force of the first body on the second.
+    pub joints: BTreeMap<String, ForceSummary>,
     /// Whether the results can be trusted.
     pub trust: Trust,
     /// The case on several meshes; `null` where only one was run.
@@ -137,17 +139,17 @@ impl AllBodies {
     }
 }
 
-/// Results on a joint, averaged over the steady window of its second body.
+/// Force on a part of a body, or through a joint, averaged over the steady window of its body or of its second body.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
-pub struct JointSummary {
-    /// Mean force of the first body on the second along x, y, z [N].
+pub struct ForceSummary {
+    /// Mean force along x, y, z [N].
     #[serde(rename = "force_N")]
     pub force: Option<[f64; 3]>,
-    /// Mean moment about x, y, z through the joint [N m].
+    /// Mean moment about x, y, z [N m], through the reference point of the part or through the joint.
     #[serde(rename = "moment_Nm")]
     pub moment: Option<[f64; 3]>,
-    /// Mean distance between its points of the two bodies [m].
+    /// Mean distance between the joint's points of the two bodies [m]; `null` of a part.
     #[serde(rename = "distance_m")]
     pub distance: Option<f64>,
     /// Largest force of the whole run [N].
@@ -155,16 +157,16 @@ pub struct JointSummary {
     pub peak_force: Option<f64>,
 }
 
-impl JointSummary {
+impl ForceSummary {
     /// Of all samples, the means over those of a time window [s].
-    fn of(samples: &[JointSample], [from, to]: [f64; 2]) -> Self {
-        let inside: Vec<&JointSample> = samples.iter().filter(|s| s.time > from && s.time <= to).collect();
-        let mean = |value: fn(&JointSample) -> f64| {
+    fn of(samples: &[ForceSample], [from, to]: [f64; 2]) -> Self {
+        let inside: Vec<&ForceSample> = samples.iter().filter(|s| s.time > from && s.time <= to).collect();
+        let mean = |value: fn(&ForceSample) -> f64| {
             let sum: f64 = inside.iter().map(|sample| value(sample)).sum();
             (!inside.is_empty() && sum.is_finite()).then(|| sum / inside.len() as f64)
         };
-        let three = |[x, y, z]: [fn(&JointSample) -> f64; 3]| Some([mean(x)?, mean(y)?, mean(z)?]);
-        let peak = samples.iter().map(JointSample::force).fold(f64::NEG_INFINITY, f64::max);
+        let three = |[x, y, z]: [fn(&ForceSample) -> f64; 3]| Some([mean(x)?, mean(y)?, mean(z)?]);
+        let peak = samples.iter().map(ForceSample::force).fold(f64::NEG_INFINITY, f64::max);
         Self {
             force: three([|s| s.force_x, |s| s.force_y, |s| s.force_z]),
             moment: three([|s| s.moment_x, |s| s.moment_y, |s| s.moment_z]),
@@ -301,18 +303,20 @@ impl Summary {
         let touching = record.bodies.iter().filter(|reference| reference.has_surface());
         let steady = touching.filter_map(|reference| Some(&self.bodies.get(&reference.name)?.steady));
         self.all_bodies = AllBodies::of(steady);
-        self.joints = record
-            .joints
-            .iter()
-            .zip(&history.joints)
-            .map(|(joint, samples)| {
-                let steady =
-                    self.bodies.get(&joint.bodies[1]).map(|body| [body.steady.from_s, body.steady.to_s]);
-                let window = match steady {
-                    Some([Some(from), Some(to)]) => [from, to],
-                    _ => [f64::NAN; 2],
-                };
-                (joint.name.clone(), JointSummary::of(samples, window))
+        let window =
+            |body: &str| match self.bodies.get(body).map(|body| (body.steady.from_s, body.steady.to_s)) {
+                Some((Some(from), Some(to))) => [from, to],
+                _ => [f64::NAN; 2],
+            };
+        let joints = record.joints.iter().zip(&history.joints);
+        self.joints = joints
+            .map(|(joint, samples)| (joint.name.clone(), ForceSummary::of(samples, window(&joint.bodies[1]))))
+            .collect();
+        let parts = record.parts.iter().zip(&history.parts);
+        self.parts = parts
+            .map(|(part, samples)| {
+                let mean = ForceSummary::of(samples, window(&part.body));
+                (part.name.clone(), ForceSummary { distance: None, ..mean })
             })
             .collect();
         let last = history.energy.last();

@@ -1,4 +1,4 @@
-//! `forces.csv`, `joint_NAME.csv`, `energy.csv`, `boundaries.csv` and, of a grid that travels, `ground_left.csv`: the histories as tables with
+//! `forces.csv`, `part_NAME.csv`, `joint_NAME.csv`, `energy.csv`, `boundaries.csv` and, of a grid that travels, `ground_left.csv`: the histories as tables with
 //! units in the header; and `rim.csv`, written at the end of a run.
 //!
 //! The files are kept open during the run and flushed after every block, so that a killed run leaves whole lines; a
@@ -6,7 +6,7 @@
 
 use super::table::{Table, push_line};
 use crate::history::History;
-use crate::history::columns::{self, Column, FORCES, GROUND_LEFT, JOINTS, RIM, Source, header};
+use crate::history::columns::{self, Column, FORCES, GROUND_LEFT, JOINTS, PARTS, RIM, Source, header};
 use crate::history::reference::Reference;
 use crate::history::rim::RimLine;
 use crate::output::files::{Named, OutputError, file_safe, write_whole};
@@ -25,6 +25,23 @@ pub(crate) const GROUND_LEFT_FILE: &str = "ground_left.csv";
 #[must_use]
 pub fn forces_name(names: &[String], body: usize) -> String {
     name_of("forces", names, body)
+}
+
+/// Name of the file that holds the history of a part of a body: `part_NAME.csv`.
+#[must_use]
+pub fn part_name(name: &str) -> String {
+    format!("part_{}.csv", file_safe(name))
+}
+
+/// Names of what a run keeps a history of.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct HistoryNames {
+    /// The bodies.
+    pub bodies: Vec<String>,
+    /// The parts of bodies that consist of several.
+    pub parts: Vec<String>,
+    /// The joints.
+    pub joints: Vec<String>,
 }
 
 /// Name of the file that holds a joint's history: `joint_NAME.csv`.
@@ -79,6 +96,7 @@ fn push_lines<S: Copy>(text: &mut String, samples: &[S], columns: &[Column<S>], 
 #[derive(Debug)]
 pub struct HistoryFiles {
     bodies: Vec<HistoryFile>,
+    parts: Vec<HistoryFile>,
     joints: Vec<HistoryFile>,
     energy: HistoryFile,
     boundaries: HistoryFile,
@@ -100,17 +118,19 @@ impl HistoryFiles {
     ///
     /// # Errors
     /// When a file cannot be written.
-    pub fn create(dir: &Path, references: &[Reference], joints: &[String]) -> Result<Self, OutputError> {
-        let names: Vec<String> = references.iter().map(|r| r.name.clone()).collect();
+    pub fn create(dir: &Path, references: &[Reference], names: &HistoryNames) -> Result<Self, OutputError> {
+        let HistoryNames { bodies: names, parts, joints } = names;
         let bodies = (0..names.len())
-            .map(|n| HistoryFile::create(dir.join(forces_name(&names, n)), FORCES))
+            .map(|n| HistoryFile::create(dir.join(forces_name(names, n)), FORCES))
             .collect::<Result<_, _>>()?;
+        let parts = parts.iter().map(|name| HistoryFile::create(dir.join(part_name(name)), PARTS));
+        let parts = parts.collect::<Result<_, _>>()?;
         let joints = joints.iter().map(|name| HistoryFile::create(dir.join(joint_name(name)), JOINTS));
         let joints = joints.collect::<Result<_, _>>()?;
         let energy = HistoryFile::create(dir.join(ENERGY_FILE), columns::ENERGY)?;
         let boundaries = HistoryFile::create(dir.join(BOUNDARIES_FILE), columns::BOUNDARIES)?;
         let (dir, references) = (dir.to_path_buf(), references.to_vec());
-        Ok(Self { bodies, joints, energy, boundaries, ground_left: None, dir, references })
+        Ok(Self { bodies, parts, joints, energy, boundaries, ground_left: None, dir, references })
     }
 
     /// Adds the lines of `history` that are not in the files yet.
@@ -124,6 +144,9 @@ impl HistoryFiles {
         }
         // None of these has columns that need the quantities of a body.
         let none = Reference::default();
+        for (file, samples) in self.parts.iter_mut().zip(&history.parts) {
+            file.append(samples, PARTS, &none)?;
+        }
         for (file, samples) in self.joints.iter_mut().zip(&history.joints) {
             file.append(samples, JOINTS, &none)?;
         }
@@ -184,21 +207,20 @@ fn read<S: Copy + Default>(
 ///
 /// # Errors
 /// When a file is missing or broken.
-pub fn read_history(
-    dir: &Path,
-    names: &[String],
-    joint_names: &[String],
-    is_whole: bool,
-) -> Result<History, OutputError> {
+pub fn read_history(dir: &Path, names: &HistoryNames, is_whole: bool) -> Result<History, OutputError> {
+    let HistoryNames { bodies: names, parts: part_names, joints: joint_names } = names;
     let bodies = (0..names.len())
         .map(|n| read(&dir.join(forces_name(names, n)), FORCES, is_whole))
         .collect::<Result<_, _>>()?;
+    let parts = part_names.iter().map(|name| read(&dir.join(part_name(name)), PARTS, is_whole));
     let joints = joint_names.iter().map(|name| read(&dir.join(joint_name(name)), JOINTS, is_whole));
     let left = dir.join(GROUND_LEFT_FILE);
     let mut history = History {
-        joint_names: joint_names.to_vec(),
+        part_names: part_names.clone(),
+        parts: parts.collect::<Result<_, _>>()?,
+        joint_names: joint_names.clone(),
         joints: joints.collect::<Result<_, _>>()?,
-        names: names.to_vec(),
+        names: names.clone(),
         bodies,
         rims: Vec::new(),
         energy: read(&dir.join(ENERGY_FILE), columns::ENERGY, is_whole)?,
@@ -207,9 +229,9 @@ pub fn read_history(
     };
     if !is_whole {
         let others = [history.energy.len(), history.boundaries.len()];
-        let parts = history.bodies.iter().map(Vec::len).chain(history.joints.iter().map(Vec::len));
-        let lines = parts.chain(others).min().unwrap_or(0);
-        history.joints.iter_mut().for_each(|samples| samples.truncate(lines));
+        let forces = history.parts.iter().chain(&history.joints).map(Vec::len);
+        let lines = history.bodies.iter().map(Vec::len).chain(forces).chain(others).min().unwrap_or(0);
+        history.parts.iter_mut().chain(&mut history.joints).for_each(|samples| samples.truncate(lines));
         history.bodies.iter_mut().for_each(|samples| samples.truncate(lines));
         history.energy.truncate(lines);
         history.boundaries.truncate(lines);

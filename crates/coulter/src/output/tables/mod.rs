@@ -8,7 +8,7 @@ mod table;
 mod validate;
 
 pub(crate) use csv::{BOUNDARIES_FILE, ENERGY_FILE, GROUND_LEFT_FILE};
-pub use csv::{HistoryFiles, forces_name, joint_name, read_history, rim_name};
+pub use csv::{HistoryFiles, HistoryNames, forces_name, joint_name, part_name, read_history, rim_name};
 pub(crate) use csv::{read_rims, write_rims};
 pub use table::Table;
 pub(crate) use table::push_line;
