@@ -25,6 +25,7 @@ mod flow;
 mod footing;
 mod friction;
 pub mod grades;
+mod group;
 pub mod json_row;
 mod light;
 mod line;

@@ -1,6 +1,6 @@
 //! The columns of the history files, in the documentation as in the program.
 
-use coulter::history::columns::{BOUNDARIES, Column, ENERGY, FORCES, GROUND_LEFT, RIM};
+use coulter::history::columns::{BOUNDARIES, Column, ENERGY, FORCES, GROUND_LEFT, JOINTS, PARTS, RIM};
 
 /// The columns of a file as a table in Markdown.
 fn table<S: Copy>(columns: &[Column<S>]) -> String {
@@ -22,6 +22,8 @@ fn columns_are_documented() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/results.md");
     let shipped = std::fs::read_to_string(path).unwrap();
     let expected = replaced(&shipped, "forces.csv", &table(FORCES));
+    let expected = replaced(&expected, "part_NAME.csv", &table(PARTS));
+    let expected = replaced(&expected, "joint_NAME.csv", &table(JOINTS));
     let expected = replaced(&expected, "energy.csv", &table(ENERGY));
     let expected = replaced(&expected, "boundaries.csv", &table(BOUNDARIES));
     let expected = replaced(&expected, "ground_left.csv", &table(GROUND_LEFT));
@@ -40,6 +42,8 @@ fn names_are_used_once() {
         assert_eq!(names.len(), columns.len());
     }
     check(FORCES);
+    check(PARTS);
+    check(JOINTS);
     check(ENERGY);
     check(BOUNDARIES);
     check(GROUND_LEFT);
