@@ -217,6 +217,11 @@ pub struct Grousers {
 /// The profile of a wheel in the plane of x and z, centred on its axle; `diameter` is that of the rim between the grousers [m].
 #[must_use]
 pub fn wheel(diameter: f64, grousers: Grousers) -> Option<Profile> {
+    /// More would be a wheel with teeth, and a long profile.
+    const MOST: u32 = 360;
+    if !(1..=MOST).contains(&grousers.number) {
+        return None;
+    }
     let (radius, half) = (0.5 * diameter, 0.5 * grousers.thickness);
     let pitch = TAU / f64::from(grousers.number);
     // Half the angle that a grouser takes of the rim; not a number where it is wider than the wheel.

@@ -5,7 +5,16 @@ use analytic::wheel::{CMU_SAND, TERRAINS};
 /// Soil laws.
 pub const LAWS: [&str; 5] = ["mohr-coulomb", "sand", "tresca", "von-mises", "elastic"];
 /// Body shapes.
-pub const SHAPES: [&str; 4] = ["disc", "block", "cylinder", "sphere"];
+pub const SHAPES: [&str; 8] = [
+    "disc", "block", "cylinder", "sphere", //
+    "cone", "wheel", "blade", "wedge",
+];
+/// Rims of a disc.
+pub const RIMS: [&str; 3] = ["square", "rounded", "bevelled"];
+/// Sides from which a rim or an edge is bevelled.
+pub const BEVELS: [&str; 5] = ["both", "left", "right", "front", "back"];
+/// Sides of a dished disc.
+pub const HOLLOWS: [&str; 2] = ["left", "right"];
 /// Axes of a cylinder.
 pub const AXES: [&str; 3] = ["x", "y", "z"];
 /// Words for the relative density of sand: about the middle of each class of ISO 14688-2.
