@@ -4,7 +4,6 @@
 use coulter::case::{self, Case, CaseError};
 use coulter::forecast::outlook;
 use coulter::simulation::Simulation;
-use physics::shape::Shape as _;
 
 /// A small box of sand on coarse cells, with a body that is towed and sinks.
 const BOX: &str = "format = 2\n[soil]\nlaw = 'mohr-coulomb'\nfriction_angle = '35 deg'\nunit_weight = '16 kN/m^3'\nyoung_modulus = '5 MPa'\n\
@@ -79,8 +78,7 @@ fn every_shape_is_read_and_described_and_stands_at_its_sinkage() {
         let lowest = body.position.z + body.bounds().0.z;
         assert!((lowest + 0.015).abs() < 1e-12, "{text}: {lowest}");
         let solid = body.solid();
-        let (low, high) = solid.bounds();
-        assert!(solid.signed_distance(0.5 * (low + high)) < 0.0, "{text}");
+        assert!(solid.signed_distance(solid.mass_properties().centroid) < 0.0, "{text}");
     }
 }
 
@@ -93,19 +91,20 @@ fn every_shape_moves_through_soil() {
             simulation.advance().unwrap();
         }
         let last = *simulation.history.bodies[0].last().unwrap();
-        assert!(last.vertical > 1.0 && last.drag.is_finite(), "{text}: {last:?}");
+        let force = last.drag.hypot(last.vertical);
+        assert!(force > 1.0 && force < 5e3, "{text}: {last:?}");
         // Only what is not its own mirror image is pushed sideways.
-        let is_mirrored = case.bodies[0].shape.is_mirrored(1);
-        assert!(last.lateral.abs() < 1e-9 * last.vertical || !is_mirrored, "{text}: {last:?}");
-        if !is_mirrored {
-            assert!(last.lateral.abs() > 1e-3 * last.vertical, "{text}: {last:?}");
+        if case.bodies[0].shape.is_mirrored(1) {
+            assert!(last.lateral.abs() < 1e-9 * force, "{text}: {last:?}");
+        } else {
+            assert!(last.lateral.abs() > 1e-3 * force, "{text}: {last:?}");
         }
     }
 }
 
 #[test]
 fn every_shape_has_a_forecast() {
-    for (keys, (_, more, text)) in EXAMPLES {
+    for (keys, (kind, more, text)) in EXAMPLES {
         let case = parse(&[keys, more], &["body.tool.heave=fixed", "body.tool.sinkage=40 mm"]).unwrap();
         let outlook = outlook(&case).unwrap();
         let best = outlook.recommended().unwrap_or_else(|| panic!("{text}: no model"));
@@ -113,26 +112,24 @@ fn every_shape_has_a_forecast() {
         assert!(found.drag > 1.0 && found.drag < 500.0, "{text}: {} {found:?}", best.name);
         let notes = outlook.input.remarks.join("\n");
         assert_eq!(notes.contains("rounded rim"), text.contains("rounded"), "{text}: {notes}");
-        let applies = |name: &str| outlook.forecast.models.iter().any(|m| m.applicable && m.name == name);
-        let is_plain = *more == ["rim=rounded"] || (keys == &DISC && more.is_empty());
-        let of_disc = outlook.forecast.models.iter().filter(|m| m.applicable).count() > 2;
-        assert_eq!(of_disc, is_plain || *text == EXAMPLES[7].1.2, "{text}: {}", applies(best.name));
+        // What is no plain disc or block has resistive force theory only.
+        let has_more = *more == ["rim=rounded"] || (more.is_empty() && (*kind == "disc" || *kind == "blade"));
+        let applicable = outlook.forecast.models.iter().filter(|m| m.applicable).count();
+        assert_eq!(applicable > 1, has_more, "{text}: {applicable} models");
     }
 }
 
-/// What the soil exerts on a body that reaches as deep must not depend on where its reference point is.
+/// The reference point of a wedge that is tipped back lies nearly as high as its top, not at half its height.
 #[test]
-fn a_forecast_does_not_depend_on_the_middle_of_the_box() {
-    // A wedge, base up, turned over by a pitch of 180°: the same facets at the same depth as seen from its other side.
-    let drag = |pitch: &str| {
-        let more = ["body.tool.heave=fixed", "body.tool.sinkage=60 mm", pitch];
+fn a_forecast_counts_the_sinkage_from_the_lowest_point() {
+    let drag = |sinkage: &str| {
+        let more = ["body.tool.heave=fixed", "body.tool.pitch=-30 deg", sinkage];
         let case = parse(&[WEDGE], &more).unwrap();
         outlook(&case).unwrap().recommended().unwrap().prediction.unwrap().drag
     };
-    let (level, tipped) = (drag("body.tool.pitch=0 deg"), drag("body.tool.pitch=1 deg"));
-    assert!((tipped / level - 1.0).abs() < 0.1, "{level} {tipped}");
-    let (lower, higher) = (drag("body.tool.pitch=39.9 deg"), drag("body.tool.pitch=40.1 deg"));
-    assert!((lower / higher - 1.0).abs() < 0.02, "{lower} {higher}");
+    let ratio = drag("body.tool.sinkage=6 mm") / drag("body.tool.sinkage=60 mm");
+    // The traction grows with the depth, the surface too: 1 %, but for the width of the facets and the corner at the front.
+    assert!((0.005..0.03).contains(&ratio), "{ratio}");
 }
 
 /// Keys, more keys, the key that is reported, and part of its message.
