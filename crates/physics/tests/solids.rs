@@ -262,3 +262,26 @@ fn lengths_that_exclude_each_other_make_no_shape() {
     assert!(blade([0.02, 0.15], Some((0.5, 0.02, Bevel::Low))).is_none());
     assert!(blade([0.02, 0.15], None).is_some());
 }
+
+/// A rounding that the grid cannot resolve must not widen a body beyond what its square corner would.
+#[test]
+fn a_rounding_within_the_inset_is_a_corner() {
+    let inset = DVec3::new(0.006, 0.004, 0.005);
+    let laid_out = |rim| round(0.05, rim, None).surface_points(DVec3::splat(0.003), inset);
+    let sum = |points: &[SurfacePoint]| points.iter().map(|p| p.area).sum::<f64>();
+    let square = sum(&laid_out(DiscRim::Square));
+    let mut last = square;
+    for (radius, most) in [(1e-6, 1e-5), (0.002, 1e-2), (0.004, 2e-2)] {
+        let rounded = sum(&laid_out(DiscRim::Rounded { radius }));
+        assert!((rounded / square - 1.0).abs() < most, "{radius}: {rounded} {square}");
+    }
+    // The portion that is kept grows steadily with the radius.
+    for n in 1..25 {
+        let rounded = sum(&laid_out(DiscRim::Rounded { radius: 0.001 * f64::from(n) }));
+        assert!((rounded / last - 1.0).abs() < 0.06, "{n} mm: {last} {rounded}");
+        last = rounded;
+    }
+    // A bevel within the inset.
+    let bevelled = sum(&laid_out(DiscRim::Bevelled { angle: 1.55, edge: 0.0499, bevel: Bevel::Both }));
+    assert!((bevelled / square - 1.0).abs() < 2e-3, "{bevelled} {square}");
+}

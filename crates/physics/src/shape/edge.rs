@@ -1,5 +1,6 @@
 //! An edge of a profile: a straight line or a circular arc.
 
+use super::facets::SHARP;
 use glam::DVec2;
 use std::f64::consts::TAU;
 
@@ -105,6 +106,13 @@ impl Edge {
         let extreme = self.arc.map(|arc| arc.centre + arc.radius * direction.normalize_or_zero());
         let on_it = |x: &DVec2| self.nearest(*x).0 == Foot::Within;
         extreme.filter(on_it).map_or(ends, |x| ends.max(direction.dot(x)))
+    }
+
+    /// Radius [m] of an arc that rounds a sharp convex corner, and the length [m] by which it falls short of the corner on both sides.
+    pub(super) fn rounding(&self) -> Option<(f64, f64)> {
+        self.arc
+            .filter(|arc| arc.turn > 0.0 && arc.turn.cos() <= SHARP)
+            .map(|arc| (arc.radius, arc.radius * (0.5 * arc.turn).tan()))
     }
 
     /// Number of pieces into which it is divided for a mesh or an integral.

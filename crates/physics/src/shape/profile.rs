@@ -127,33 +127,51 @@ impl Profile {
         points
     }
 
-    /// Whether each edge begins, and ends, at a sharp convex corner.
-    pub(super) fn sharp_ends(&self) -> Vec<[bool; 2]> {
-        let count = self.edges.len();
-        // The corner before each edge; where the outline meets the axis there is none.
-        let is_sharp = |n: usize| {
-            let joins = self.is_closed() || (n > 0 && n < count);
-            let (before, after) = (self.edges[(n + count - 1) % count], self.edges[n % count]);
-            let (before, after) = (before.tangent(1.0), after.tangent(0.0));
-            joins && before.perp_dot(after) > 0.0 && before.dot(after) <= SHARP
-        };
-        (0..count).map(|n| [is_sharp(n), is_sharp(n + 1)]).collect()
+    /// How far the sharp convex corners before and after each edge are from its ends, along the outline [m]; infinite where there
+    /// is none. A corner that is rounded off counts as if it were not.
+    pub(super) fn corners(&self) -> Vec<[f64; 2]> {
+        let both = |n| [self.corner(n, false), self.corner(n, true)];
+        (0..self.edges.len()).map(both).collect()
     }
 
-    /// The part at v ≤ 0 of a profile that begins and ends on the axis, each edge with its sharp ends, if the part at v ≥ 0 is
-    /// its mirror image.
-    pub(super) fn lower_half(&self) -> Option<Vec<(Edge, [bool; 2])>> {
+    /// The distance of the next corner after the end of an edge, or before its beginning.
+    fn corner(&self, n: usize, forwards: bool) -> f64 {
+        let (count, mut distance) = (self.edges.len(), 0.0);
+        for step in 0..count {
+            // The edges on both sides of a point of the outline; where that meets the axis there is no corner.
+            let (before, after) =
+                if forwards { (n + step, n + step + 1) } else { (n + count - step - 1, n + count - step) };
+            if after == count && !self.is_closed() {
+                return f64::INFINITY;
+            }
+            let (before, after) = (self.edges[before % count], self.edges[after % count]);
+            let tangents = (before.tangent(1.0), after.tangent(0.0));
+            if tangents.0.perp_dot(tangents.1) > 0.0 && tangents.0.dot(tangents.1) <= SHARP {
+                return distance;
+            }
+            let next = if forwards { after } else { before };
+            if let Some((_, short)) = next.rounding() {
+                return distance + short;
+            }
+            distance += next.length();
+        }
+        f64::INFINITY
+    }
+
+    /// The part at v ≤ 0 of a profile that begins and ends on the axis, each edge with its distances from corners, if the part
+    /// at v ≥ 0 is its mirror image.
+    pub(super) fn lower_half(&self) -> Option<Vec<(Edge, [f64; 2])>> {
         let size = self.edges.iter().map(|edge| edge.to.length()).fold(self.begin.length(), f64::max);
         let count = self.edges.len();
         let is_image = |n: usize| self.edges[n].agrees(&self.edges[count - 1 - n].mirrored(), 1e-9 * size);
         if self.is_closed() || !(0..count).all(is_image) {
             return None;
         }
-        let ends = self.sharp_ends();
-        let mut half: Vec<_> = (0..count / 2).map(|n| (self.edges[n], ends[n])).collect();
+        let corners = self.corners();
+        let mut half: Vec<_> = (0..count / 2).map(|n| (self.edges[n], corners[n])).collect();
         if count % 2 == 1 {
             let middle = count / 2;
-            half.push((self.edges[middle].first_half(), [ends[middle][0], false]));
+            half.push((self.edges[middle].first_half(), [corners[middle][0], f64::INFINITY]));
         }
         Some(half)
     }
@@ -202,11 +220,22 @@ mod tests {
 
     #[test]
     fn corners_are_sharp_where_they_are_convex() {
-        let ends = bitten().sharp_ends();
-        assert_eq!(ends, [[true, true], [true, true], [true, true], [true, true], [true, true]]);
+        assert_eq!(bitten().corners(), [[0.0; 2]; 5]);
         let smooth = Profile::begin(0.0, -1.0).arc_to([0.0, 1.0], [0.0, 0.0], true);
-        assert_eq!(smooth.sharp_ends(), [[false; 2]; 2]);
         assert_eq!(smooth.lower_half().map(|half| half.len()), Some(1));
+        // A cylinder, one edge rounded, the other cut off at an angle that is not sharp.
+        let profile = Profile::begin(0.0, -1.0)
+            .line_to(0.8, -1.0)
+            .arc_to([1.0, -0.8], [0.8, -0.8], true)
+            .line_to(1.0, 0.9)
+            .line_to(0.98, 1.0)
+            .line_to(0.0, 1.0);
+        let none = f64::INFINITY;
+        let cut = 0.02_f64.hypot(0.1);
+        let expected = [[none, 0.2], [none, 1.7 + cut], [0.2, cut], [1.7 + 0.2, 0.0], [0.0, none]];
+        for (found, expected) in profile.corners().as_flattened().iter().zip(expected.as_flattened()) {
+            assert!(found == expected || (found - expected).abs() < 1e-12, "{found} {expected}");
+        }
     }
 
     #[test]

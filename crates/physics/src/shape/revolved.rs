@@ -52,19 +52,19 @@ impl Revolved {
     }
 
     /// The edges to lay points on, and whether their mirror images in y are needed as well.
-    fn laid_out(&self) -> (Vec<(Edge, [bool; 2])>, bool) {
+    fn laid_out(&self) -> (Vec<(Edge, [f64; 2])>, bool) {
         let half = if self.axis == Axis::Y { self.profile.lower_half() } else { None };
         half.map_or_else(
             || {
                 let edges = self.profile.edges().iter().copied();
-                (edges.zip(self.profile.sharp_ends()).collect(), false)
+                (edges.zip(self.profile.corners()).collect(), false)
             },
             |half| (half, true),
         )
     }
 
     /// Rows of points round an edge.
-    fn rows(&self, (edge, sharp): (Edge, [bool; 2]), spacing: DVec3, inset: DVec3) -> Rows {
+    fn rows(&self, (edge, corners): (Edge, [f64; 2]), spacing: DVec3, inset: DVec3) -> Rows {
         let spacing = self.profile_frame(spacing);
         let (along, around) = (spacing.y, spacing.x.min(spacing.z));
         // The width of a cell along the edge, the least anywhere on it.
@@ -73,11 +73,13 @@ impl Revolved {
             1.0 / (tangent.x / around).hypot(tangent.y / along)
         };
         let width = [0.0, 0.5, 1.0].into_iter().map(width).fold(f64::INFINITY, f64::min);
-        let mut rows = Rows { edge, sharp, inset, spacing: around, count: 0.0, ends: [0.0; 2] };
+        let mut rows = Rows { edge, corners, inset, spacing: around, count: 0.0, ends: [0.0; 2] };
         // Directions between the axes have insets between theirs.
-        let [one, other] = [[1.0, 0.0], [0.0, 1.0]].map(|direction| self.ends(&rows, direction));
+        let directions = [[1.0, 0.0], [0.0, 1.0]];
+        let [one, other] = directions.map(|direction| self.ends(&rows, direction));
         rows.ends = [one[0].min(other[0]), one[1].max(other[1])];
-        if rows.ends[0] < rows.ends[1] {
+        if rows.ends[0] < rows.ends[1] && directions.map(|direction| self.share(&rows, direction)) != [0.0; 2]
+        {
             rows.count = divisions(edge.length() * (rows.ends[1] - rows.ends[0]), width);
         }
         rows
@@ -87,17 +89,26 @@ impl Revolved {
     fn ends(&self, rows: &Rows, direction: [f64; 2]) -> [f64; 2] {
         let inset = |end: usize| {
             let tangent = self.turned(rows.edge.tangent(end as f64), direction);
-            if rows.sharp[end] { (rows.inset * tangent).length() / rows.edge.length() } else { 0.0 }
+            ((rows.inset * tangent).length() - rows.corners[end]).max(0.0) / rows.edge.length()
         };
         [inset(0), 1.0 - inset(1)]
+    }
+
+    /// Portion of its area that an edge keeps, in a direction round the axis: an arc that rounds a corner within the inset is part
+    /// of the corner, and one with twice the inset, about a cell, for its radius is a surface of its own.
+    fn share(&self, rows: &Rows, direction: [f64; 2]) -> f64 {
+        rows.edge.rounding().map_or(1.0, |(radius, _)| {
+            let inset = (rows.inset * self.turned(rows.edge.tangent(0.5), direction)).length();
+            if radius >= 2.0 * inset { 1.0 } else { (radius / inset - 1.0).max(0.0) }
+        })
     }
 }
 
 /// Rows of contact points round an edge.
 struct Rows {
     edge: Edge,
-    /// Whether it begins and ends at a sharp convex corner.
-    sharp: [bool; 2],
+    /// How far the sharp convex corners before and after it are from its ends [m].
+    corners: [f64; 2],
     /// Inset from such a corner along the axes of the body [m].
     inset: DVec3,
     /// Spacing of the points of a row [m].
@@ -149,13 +160,13 @@ impl Shape for Revolved {
                 let directions = ring(TAU * rows.radius(n as f64), rows.spacing);
                 let share = TAU / directions.len() as f64;
                 points.extend(directions.iter().filter_map(|direction| {
-                    let [from, to] = self.ends(&rows, *direction);
+                    let ([from, to], kept) = (self.ends(&rows, *direction), self.share(&rows, *direction));
                     let at = |row: f64| from + (to - from) * row / rows.count;
                     let (low, middle, high) = (at(n as f64), at(n as f64 + 0.5), at(n as f64 + 1.0));
-                    (from < to).then(|| SurfacePoint {
+                    (from < to && kept > 0.0).then(|| SurfacePoint {
                         position: self.turned(rows.edge.at(middle), *direction),
                         normal: self.turned(rows.edge.normal(middle), *direction),
-                        area: share * rows.edge.swept(low, high),
+                        area: kept * share * rows.edge.swept(low, high),
                     })
                 }));
             }
@@ -175,7 +186,7 @@ impl Shape for Revolved {
 
     fn surface_point_count(&self, spacing: DVec3, inset: DVec3) -> f64 {
         let (edges, is_half) = self.laid_out();
-        let points = |edge: (Edge, [bool; 2])| {
+        let points = |edge: (Edge, [f64; 2])| {
             let rows = self.rows(edge, spacing, inset);
             let area = TAU * rows.edge.swept(0.0, 1.0) / rows.spacing.powi(2);
             let around = |length: f64| ring_count(length, rows.spacing);
