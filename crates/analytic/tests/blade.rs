@@ -164,6 +164,7 @@ fn a_faceted_disc_has_the_forces_of_the_disc() {
         length: 0.2,
         width: 0.05,
         height: 0.2,
+        below: 0.1,
         axle: Axle::across(0.1),
         facets: facets.collect(),
     };

@@ -9,6 +9,7 @@ use coulter::run::{RunError, RunOptions, Start, run};
 use coulter::simulation::Simulation;
 use glam::DVec3;
 use mechanics::Motion;
+use physics::shape::DiscRim;
 use proptest::prelude::*;
 use serde_json::json;
 
@@ -88,7 +89,7 @@ fn mohr_coulomb(case: &mut Case) -> [&mut f64; 4] {
 }
 
 fn disc(diameter: f64, thickness: f64) -> Shape {
-    Shape::Disc(case::shapes::Disc { diameter, thickness })
+    Shape::Disc(case::shapes::Disc { diameter, thickness, rim: DiscRim::Square, dish: None })
 }
 
 fn free(start: f64) -> Motion {
@@ -225,10 +226,28 @@ fn numbers_of_body(body: &mut Body) -> Vec<&mut f64> {
     let mut all = Vec::from(components(&mut body.position));
     all.extend([&mut body.mass, &mut body.axle_inertia, &mut body.friction, &mut body.shear_limit]);
     all.extend(match &mut body.shape {
-        Shape::Disc(disc) => vec![&mut disc.diameter, &mut disc.thickness],
+        Shape::Disc(disc) => {
+            let rim = match &mut disc.rim {
+                DiscRim::Square => vec![],
+                DiscRim::Rounded { radius } => vec![radius],
+                DiscRim::Bevelled { angle, edge, .. } => vec![angle, edge],
+            };
+            let dish = disc.dish.iter_mut().map(|dish| &mut dish.depth);
+            [&mut disc.diameter, &mut disc.thickness].into_iter().chain(rim).chain(dish).collect()
+        }
         Shape::Cylinder(cylinder) => vec![&mut cylinder.diameter, &mut cylinder.length],
         Shape::Sphere(sphere) => vec![&mut sphere.diameter],
         Shape::Block(block) => components(&mut block.size).into_iter().collect(),
+        Shape::Cone(cone) => vec![&mut cone.diameter, &mut cone.apex, &mut cone.shaft, &mut cone.length],
+        Shape::Wheel(wheel) => {
+            let grousers = &mut wheel.grousers;
+            vec![&mut wheel.diameter, &mut wheel.thickness, &mut grousers.height, &mut grousers.thickness]
+        }
+        Shape::Blade(blade) => {
+            let edge = blade.cutting_edge.iter_mut().flat_map(|edge| [&mut edge.angle, &mut edge.thickness]);
+            components(&mut blade.size).into_iter().chain(edge).collect()
+        }
+        Shape::Wedge(wedge) => components(&mut wedge.size).into_iter().collect(),
     });
     all.extend([&mut body.attitude.yaw, &mut body.attitude.tilt, &mut body.attitude.pitch]);
     for motion in body.translation.iter_mut().chain(&mut body.rotation) {
@@ -324,14 +343,23 @@ fn changed(value: f64, how: usize, factor: f64) -> f64 {
 
 fn perturbed() -> impl Strategy<Value = Case> {
     let change = (any::<prop::sample::Index>(), 0usize..14, 0.5f64..2.0);
-    let coarse = [
-        (TOWED_DISC, "grid.cell=25 mm"),
-        (FOOTING, "grid.cell=0.25 m"),
-        (COLUMN, "grid.cell=25 mm"),
-        (BAR, "grid.cell=0.4 mm"),
+    let coarse: [(&str, &str, &[&str]); 7] = [
+        (TOWED_DISC, "grid.cell=25 mm", &[]),
+        (FOOTING, "grid.cell=0.25 m", &[]),
+        (COLUMN, "grid.cell=25 mm", &[]),
+        (BAR, "grid.cell=0.4 mm", &[]),
+        (TOWED_DISC, "grid.cell=25 mm", &["body.disc.rim=rounded"]),
+        (TOWED_DISC, "grid.cell=25 mm", &["body.disc.rim=bevelled", "body.disc.bevel_angle=40 deg"]),
+        (
+            TOWED_DISC,
+            "grid.cell=25 mm",
+            &["body.disc.concavity=20 mm", "domain.symmetric=false", "domain.y=['-0.3 m', '0.3 m']"],
+        ),
     ];
-    let valid: Vec<Case> =
-        coarse.iter().map(|(text, cell)| parsed(text, &[cell, "numerics.threads=1"]).unwrap()).collect();
+    let valid: Vec<Case> = coarse
+        .iter()
+        .map(|(text, cell, more)| parsed(text, &[&[*cell, "numerics.threads=1"], *more].concat()).unwrap())
+        .collect();
     (prop::sample::select(valid), prop::collection::vec(change, 1..4)).prop_map(|(mut case, changes)| {
         for (which, how, factor) in changes {
             let mut all = numbers(&mut case);

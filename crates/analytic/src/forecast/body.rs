@@ -73,7 +73,7 @@ pub struct Block {
     pub has_base: bool,
 }
 
-/// A body of any shape and attitude by its facets, centred on its origin.
+/// A body of any shape and attitude by its facets.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FacetedBody {
     /// Reference length d [m]: its diameter.
@@ -82,6 +82,8 @@ pub struct FacetedBody {
     pub width: f64,
     /// Height of its bounding box [m].
     pub height: f64,
+    /// Depth of its lowest point below its origin, through which the axle runs [m].
+    pub below: f64,
     /// The axle about which it rolls, if it does.
     pub axle: Axle,
     /// Facets of its surface.

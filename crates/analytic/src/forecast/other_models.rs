@@ -75,9 +75,9 @@ fn resistive(
         return undefined("resistive force theory", "it is for cohesionless soil");
     }
     let height = towing.body.height();
-    let of_facets = |facets: &[Facet], axle: Axle, drive: Drive| {
+    let of_facets = |facets: &[Facet], below: f64, axle: Axle, drive: Drive| {
         let facets: Vec<Facet> = facets.iter().map(projected).collect();
-        let body = Faceted { facets: &facets, height, axle };
+        let body = Faceted { facets: &facets, height, below, axle };
         match towing.load {
             Load::Weight(weight) => body_under_weight(law, &body, weight, drive),
             Load::Sinkage(z) => body_at_depth(law, &body, z, drive),
@@ -86,8 +86,10 @@ fn resistive(
     let SteadyTow { drag, vertical, lateral, moment, sinkage, slip, .. } = match (&towing.body, towing.load) {
         (Body::Disc(disc), Load::Weight(weight)) => under_weight(law, disc, weight, towing.drive)?,
         (Body::Disc(disc), Load::Sinkage(z)) => at_depth(law, disc, z, towing.drive)?,
-        (Body::Block(block), _) => of_facets(&block.facets(), Axle::across(0.5 * height), Drive::Locked)?,
-        (Body::Faceted(body), _) => of_facets(&body.facets, body.axle, towing.drive)?,
+        (Body::Block(block), _) => {
+            of_facets(&block.facets(), 0.5 * height, Axle::across(0.5 * height), Drive::Locked)?
+        }
+        (Body::Faceted(body), _) => of_facets(&body.facets, body.below, body.axle, towing.drive)?,
         (Body::Plate(_), _) => return undefined("the tow", "a plate is pressed straight down"),
     };
     let rotates = towing.body.disc().is_some() || towing.drive != Drive::Locked;

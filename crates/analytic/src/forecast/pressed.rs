@@ -150,7 +150,7 @@ fn resistive<'a>(
         }
         Body::Faceted(body) => {
             let facets: Vec<Facet> = body.facets.iter().map(projected).collect();
-            Box::new(move |z| Ok(sum(&facets, 0.5 * body.height - z)))
+            Box::new(move |z| Ok(sum(&facets, body.below - z)))
         }
     })
 }

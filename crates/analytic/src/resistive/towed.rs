@@ -30,13 +30,15 @@ impl Axle {
     }
 }
 
-/// A body of any shape by its facets, centred on its origin.
+/// A body of any shape by its facets.
 #[derive(Clone, Copy, Debug)]
 pub struct Faceted<'a> {
     /// Facets of its surface.
     pub facets: &'a [Facet],
     /// Its height [m].
     pub height: f64,
+    /// Depth of its lowest point below its origin [m].
+    pub below: f64,
     /// Its axle.
     pub axle: Axle,
 }
@@ -111,7 +113,7 @@ pub fn body_at_depth(
     balanced(drive, |slip| {
         let rate = turn_ratio(slip) * rolling_speed / radius;
         let motion = Motion {
-            height: 0.5 * body.height - z,
+            height: body.below - z,
             velocity: [1.0, 0.0, 0.0],
             spin: direction.map(|component| rate * component),
         };

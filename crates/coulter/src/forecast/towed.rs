@@ -132,7 +132,10 @@ pub(super) fn body(
         ClosedForm::Disc { .. } if case.domain.plane_strain => {
             return Err(format!("the case is plane strain; the models are for a {kind} of finite width"));
         }
-        ClosedForm::Disc { diameter, thickness } => Disc { diameter, thickness }.into(),
+        ClosedForm::Disc { diameter, thickness } => {
+            remarks.extend(body.shape.closed_form_note().map(str::to_owned));
+            Disc { diameter, thickness }.into()
+        }
         ClosedForm::Block { size } => {
             let pitch = mirrored(body.attitude, course).pitch;
             let block = block(case, size, pitch, remarks);
@@ -224,6 +227,7 @@ fn faceted(body: &Towed, course: Course) -> FacetedBody {
         length: diameter,
         width,
         height: posed.size().z,
+        below: -posed.bounds().0.z,
         axle: Axle { direction: (rotation * DVec3::Y).to_array(), radius },
         facets,
     }

@@ -7,6 +7,7 @@ use coulter::history::{BodySample, EnergySample, History};
 use coulter::output::folder::{Outcome, RunStatistics};
 use glam::{DQuat, DVec3};
 use mechanics::{BodyState, Inertia, MechanismState, Twist};
+use physics::shape::DiscRim;
 use solver::fields::PLASTIC_STRAIN;
 use solver::grid::Grid;
 use solver::state::{Body, Nodes, Pose, Soil, State};
@@ -51,8 +52,8 @@ pub(crate) fn case(kind: Kind, cell: f64) -> Case {
         (DVec3::new(-0.4, if symmetric { 0.0 } else { -0.3 }, -0.35), DVec3::new(1.0, 0.3, 0.12));
     let fine_low = DVec3::new(-0.2, if symmetric { 0.0 } else { -0.12 }, -0.15);
     let fine_high = DVec3::new(0.8, 0.12, 0.08);
-    let disc =
-        body("disc", Shape::Disc(Disc { diameter: DIAMETER, thickness: 0.04 }), DVec3::new(0.0, 0.0, 0.1));
+    let disc = Disc { diameter: DIAMETER, thickness: 0.04, rim: DiscRim::Square, dish: None };
+    let disc = body("disc", Shape::Disc(disc), DVec3::new(0.0, 0.0, 0.1));
     let block = body(
         "scraper",
         Shape::Block(Block { size: DVec3::new(0.03, 0.08, 0.1) }),

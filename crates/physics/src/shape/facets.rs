@@ -5,7 +5,7 @@ use glam::DVec3;
 use std::collections::BTreeMap;
 
 /// Cosine of the angle between the normals of two triangles beyond which their common edge is sharp: 25°.
-const SHARP: f64 = 0.906;
+pub(super) const SHARP: f64 = 0.906;
 
 /// A mesh divided at its sharp edges.
 #[derive(Debug)]

@@ -39,6 +39,10 @@ pub(super) const POSITIVE_FRACTION: AllowedRange = from(Exclusive(0.0), Inclusiv
 pub(super) const BELOW_HALF: AllowedRange =
     AllowedRange { low: Inclusive(0.0), high: Exclusive(0.5), why: "0.5 would be incompressible" };
 pub(super) const ACUTE: AllowedRange = from(Inclusive(0.0), Exclusive(FRAC_PI_2));
+pub(super) const BEVEL: AllowedRange = from(Exclusive(0.0), Exclusive(FRAC_PI_2));
+pub(super) const APEX: AllowedRange = from(Exclusive(0.0), Exclusive(PI));
+pub(super) const GROUSERS: AllowedRange =
+    AllowedRange { low: Inclusive(1.0), high: Inclusive(360.0), why: "a wheel without grousers is a disc" };
 pub(super) const RELATIVE_DENSITY: AllowedRange = AllowedRange {
     low: Inclusive(-0.5),
     high: Inclusive(1.2),

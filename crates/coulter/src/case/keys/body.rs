@@ -1,9 +1,9 @@
 //! Keys of a rigid body.
 
-use super::allowed_range::{FRACTION, IN_THE_RUN, NOT_NEGATIVE, POSITIVE, SLIP, TILT};
+use super::allowed_range::{APEX, BEVEL, FRACTION, GROUSERS, IN_THE_RUN, NOT_NEGATIVE, POSITIVE, SLIP, TILT};
 use super::default_value::DefaultValue::{Derived, Quantity, Required, Word};
 use super::key::{Key, Kind, key};
-use super::words::{AXES, SHAPES};
+use super::words::{AXES, BEVELS, HOLLOWS, RIMS, SHAPES};
 use crate::case::quantity::{ANGLE, FORCE, INERTIA, LENGTH, MASS, SPEED, TIME, TORQUE, TURN_RATE};
 
 const FIXED: &str = "fixed";
@@ -50,20 +50,81 @@ pub(super) const BODY: &[Key] = &[
         "shape",
         Kind::Choice(&SHAPES),
         Required,
-        "A disc with its axle along y, a rectangular block, a cylinder along any axis, a sphere, or a frame: mass and motion without a surface.",
+        "What it is: a disc or a wheel with its axle along y, a rectangular block, a cylinder along any axis, a sphere, a cone on a shaft with its tip down, an upright blade across the tow, a wedge with its edge in front at the bottom, or a frame: mass and motion without a surface.",
     ),
     key(
         "diameter",
         Kind::Quantity(LENGTH),
-        Derived("required except for a block"),
-        "Diameter d (disc, cylinder, sphere).",
+        Derived("required for a disc, cylinder, sphere, cone, wheel"),
+        "Diameter d (disc, cylinder, sphere); of the base (cone); of the rim between the grousers, on which it rolls (wheel).",
     )
     .within(POSITIVE),
     key(
         "thickness",
         Kind::Quantity(LENGTH),
-        Derived("required for a disc"),
-        "Thickness t along the axle (disc).",
+        Derived("required for a disc, wheel, blade"),
+        "Thickness t along the axle (disc, wheel), or along x (blade).",
+    )
+    .within(POSITIVE),
+    key("rim", Kind::Choice(&RIMS), Word("square"), "Rim of a disc."),
+    key(
+        "rim_radius",
+        Kind::Quantity(LENGTH),
+        Derived("half the thickness"),
+        "Radius to which both edges of a rounded rim are rounded (disc).",
+    )
+    .within(POSITIVE),
+    key(
+        "bevel_angle",
+        Kind::Quantity(ANGLE),
+        Derived("required for a bevelled rim; a blade without it is square"),
+        "Angle between the bevel and the face that it cuts (disc, blade at its lower end).",
+    )
+    .within(BEVEL),
+    key(
+        "bevel",
+        Kind::Choice(&BEVELS),
+        Derived("\"both\" of a disc, \"back\" of a blade"),
+        "Faces that are bevelled: of a disc \"left\" (+y) or \"right\", of a blade \"front\" (+x) or \"back\", or \"both\".",
+    ),
+    key(
+        "edge_thickness",
+        Kind::Quantity(LENGTH),
+        Quantity("0 m"),
+        "Thickness of what the bevel leaves of the rim or the lower end (disc, blade); 0: a knife edge.",
+    )
+    .within(NOT_NEGATIVE),
+    key(
+        "concavity",
+        Kind::Quantity(LENGTH),
+        Derived("none: a flat disc"),
+        "Depth c of the hollow of a dished disc, as of a harrow or a plough, below the plane of its edge; its faces are parts of spheres, that of the hollow of radius (d²/4 + c²)/(2c).",
+    )
+    .within(POSITIVE),
+    key("hollow", Kind::Choice(&HOLLOWS), Word("left"), "The hollow side of a dished disc; \"left\": +y."),
+    key("cone_angle", Kind::Quantity(ANGLE), Derived("required for a cone"), "Angle at the tip (cone): 60 or 30 deg of penetrometers.")
+        .within(APEX),
+    key(
+        "shaft_diameter",
+        Kind::Quantity(LENGTH),
+        Derived("diameter"),
+        "Diameter of the shaft behind the cone, at most that of its base.",
+    )
+    .within(POSITIVE),
+    key("grousers", Kind::Count, Derived("required for a wheel"), "Number of grousers, evenly spaced; one points straight down.")
+        .within(GROUSERS),
+    key(
+        "grouser_height",
+        Kind::Quantity(LENGTH),
+        Derived("required for a wheel"),
+        "How far the grousers stand out from the rim.",
+    )
+    .within(POSITIVE),
+    key(
+        "grouser_thickness",
+        Kind::Quantity(LENGTH),
+        Derived("required for a wheel"),
+        "Thickness of a grouser along the rim; it is as wide as the wheel.",
     )
     .within(POSITIVE),
     key(
@@ -75,8 +136,22 @@ pub(super) const BODY: &[Key] = &[
     key(
         "length",
         Kind::Quantity(LENGTH),
-        Derived("required for a cylinder"),
-        "Length along its axis (cylinder).",
+        Derived("required for a cylinder, cone, wedge"),
+        "Length along its axis (cylinder), of cone and shaft together (cone), along x (wedge).",
+    )
+    .within(POSITIVE),
+    key(
+        "width",
+        Kind::Quantity(LENGTH),
+        Derived("required for a blade, wedge"),
+        "Width along y (blade, wedge).",
+    )
+    .within(POSITIVE),
+    key(
+        "height",
+        Kind::Quantity(LENGTH),
+        Derived("required for a blade, wedge"),
+        "Height along z (blade, wedge). The rake of a blade is its `pitch`: 90° plus it from the horizontal, so that −45 deg leans back.",
     )
     .within(POSITIVE),
     key(

@@ -5,7 +5,17 @@ use analytic::wheel::{CMU_SAND, TERRAINS};
 /// Soil laws.
 pub const LAWS: [&str; 5] = ["mohr-coulomb", "sand", "tresca", "von-mises", "elastic"];
 /// Body shapes.
-pub const SHAPES: [&str; 5] = ["disc", "block", "cylinder", "sphere", "frame"];
+pub const SHAPES: [&str; 9] = [
+    "disc", "block", "cylinder", "sphere", //
+    "cone", "wheel", "blade", "wedge", //
+    "frame",
+];
+/// Rims of a disc.
+pub const RIMS: [&str; 3] = ["square", "rounded", "bevelled"];
+/// Sides from which a rim or an edge is bevelled.
+pub const BEVELS: [&str; 5] = ["both", "left", "right", "front", "back"];
+/// Sides of a dished disc.
+pub const HOLLOWS: [&str; 2] = ["left", "right"];
 /// Kinds of joints.
 pub const JOINTS: [&str; 5] = ["hinge", "ball", "slider", "spring", "cable"];
 /// Axes of a cylinder.

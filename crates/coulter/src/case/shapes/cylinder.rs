@@ -1,7 +1,7 @@
 //! The cylinder.
 
 use super::slab::Slab;
-use super::traits::{CaseShape, ClosedForm, PlaneStrainConflict, Size};
+use super::traits::{CaseShape, ClosedForm, Conflict, Size};
 use crate::case::missing::{missing, required};
 use crate::case::problem::Problems;
 use crate::case::typed::Section;
@@ -61,8 +61,8 @@ impl CaseShape for Cylinder {
         vec![Size::across("diameter", self.diameter), Size::along("length", self.length, axis)]
     }
 
-    fn plane_strain_conflict(&self) -> Option<PlaneStrainConflict> {
-        (self.axis != Axis::Y).then_some(PlaneStrainConflict {
+    fn plane_strain_conflict(&self) -> Option<Conflict> {
+        (self.axis != Axis::Y).then_some(Conflict {
             key: "axis",
             message: "in plane strain a cylinder lies across the slab",
             cure: "write axis = \"y\", or model it in 3D",

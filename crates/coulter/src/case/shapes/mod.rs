@@ -1,19 +1,29 @@
 //! The shapes of bodies in a case: a file for each, which reads its keys and answers what the program asks of a shape.
 
+mod bevel;
+mod blade;
 mod block;
+mod cone;
 mod cylinder;
 mod disc;
 mod frame;
 pub(super) mod slab;
 mod sphere;
 mod traits;
+mod wedge;
+mod wheel;
+mod widths;
 
+pub use blade::{Blade, CuttingEdge};
 pub use block::Block;
+pub use cone::Cone;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use frame::Frame;
 pub use sphere::Sphere;
-pub use traits::{CaseShape, ClosedForm, PlaneStrainConflict, Size};
+pub use traits::{CaseShape, ClosedForm, Conflict, Size};
+pub use wedge::Wedge;
+pub use wheel::Wheel;
 
 use super::problem::Problems;
 use super::typed::Section;
@@ -66,6 +76,10 @@ shapes! {
     Block: "block", "A rectangular block.";
     Cylinder: "cylinder", "A cylinder.";
     Sphere: "sphere", "A sphere.";
+    Cone: "cone", "A cone on a shaft, tip down.";
+    Wheel: "wheel", "A wheel with grousers, axle along y.";
+    Blade: "blade", "An upright blade across the tow.";
+    Wedge: "wedge", "A wedge with its edge in front at the bottom.";
     Frame: "frame", "A frame: mass and motion without a surface.";
 }
 

@@ -1,7 +1,7 @@
 //! The sphere.
 
 use super::slab::Slab;
-use super::traits::{CaseShape, ClosedForm, PlaneStrainConflict, Size};
+use super::traits::{CaseShape, ClosedForm, Conflict, Size};
 use crate::case::missing::required;
 use crate::case::problem::Problems;
 use crate::case::typed::Section;
@@ -32,8 +32,8 @@ impl CaseShape for Sphere {
         vec![Size::across("diameter", self.diameter)]
     }
 
-    fn plane_strain_conflict(&self) -> Option<PlaneStrainConflict> {
-        Some(PlaneStrainConflict {
+    fn plane_strain_conflict(&self) -> Option<Conflict> {
+        Some(Conflict {
             key: "shape",
             message: "shape = \"sphere\" cannot be combined with plane_strain = true",
             cure: "remove plane_strain, or choose a disc",

@@ -9,8 +9,16 @@ pub trait CaseShape {
     fn solid(&self) -> Box<dyn shape::Shape>;
     /// Every length that describes it.
     fn sizes(&self) -> Vec<Size>;
+    /// Every other number that describes it, with its key.
+    fn other_numbers(&self) -> Vec<(&'static str, f64)> {
+        Vec::new()
+    }
+    /// Why its numbers, each in the range of its key, exclude each other, if they do.
+    fn conflict(&self) -> Option<Conflict> {
+        None
+    }
     /// Why it cannot be part of a slab in plane strain, if it cannot.
-    fn plane_strain_conflict(&self) -> Option<PlaneStrainConflict> {
+    fn plane_strain_conflict(&self) -> Option<Conflict> {
         None
     }
     /// Reference length d [m] of the dimensionless groups.
@@ -27,10 +35,18 @@ pub trait CaseShape {
     }
     /// Whether its sides across an axis of its own are flat.
     fn has_flat_sides(&self, axis: usize) -> bool;
+    /// Whether it is its own mirror image in the plane across an axis of its own.
+    fn is_mirrored(&self, _axis: usize) -> bool {
+        true
+    }
     /// In words, with the kind first; lengths [m] are written by the caller's function.
     fn describe(&self, length: &dyn Fn(f64) -> String) -> String;
     /// What the closed-form models take it for.
     fn closed_form(&self) -> ClosedForm;
+    /// How they simplify it, in words; `None` where they do not.
+    fn closed_form_note(&self) -> Option<&'static str> {
+        None
+    }
 }
 
 /// A length that describes a shape.
@@ -56,15 +72,21 @@ impl Size {
     }
 }
 
-/// Why a shape cannot be part of a slab in plane strain.
+/// Why a shape is not possible, or not in plane strain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct PlaneStrainConflict {
+pub struct Conflict {
     /// The key that says so.
     pub key: &'static str,
     /// What is wrong.
     pub message: &'static str,
     /// How to fix it.
     pub cure: &'static str,
+}
+
+impl Conflict {
+    pub(super) fn new(key: &'static str, message: &'static str, cure: &'static str) -> Self {
+        Self { key, message, cure }
+    }
 }
 
 /// A body as the closed-form models see it.

@@ -37,6 +37,12 @@ pub(in crate::case) fn shape(
     for size in shape.sizes() {
         in_range(&format!("{path}.{}", size.key), size.length, problems);
     }
+    for (key, number) in shape.other_numbers() {
+        in_range(&format!("{path}.{key}"), number, problems);
+    }
+    if let Some(conflict) = shape.conflict().filter(|_| problems.len() == before) {
+        problems.add(format!("{path}.{}", conflict.key), conflict.message, conflict.cure);
+    }
     if problems.len() == before && !problems.ignores_resolution() {
         cells_across(path, shape, (cell, plane_strain), problems);
     }

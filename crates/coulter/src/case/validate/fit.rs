@@ -61,6 +61,9 @@ fn keeps_to_the_plane(body: &Body, domain: &Domain, problems: &mut Problems) {
         let message = format!("the body is at y = {} m, off the plane of symmetry", plain(body.position.y));
         problems.add(at(body, "y"), message, "remove `y`, or symmetric = true");
     }
+    if domain.symmetric {
+        is_mirrored(body, 1, problems);
+    }
     for (key, angle) in [("yaw", body.attitude.yaw), ("tilt", body.attitude.tilt)] {
         if angle != 0.0 {
             let message = format!("in {plane} case the axle lies along y, without `{key}`");
@@ -78,12 +81,22 @@ fn keeps_to_the_plane(body: &Body, domain: &Domain, problems: &mut Problems) {
     }
 }
 
+/// Reports a shape that is not symmetric in the plane of symmetry across an axis.
+fn is_mirrored(body: &Body, axis: usize, problems: &mut Problems) {
+    if !body.shape.is_mirrored(axis) {
+        let (plane, key) = if axis == 0 { ("x", "symmetric_x") } else { ("y", "symmetric") };
+        let message = format!("this {} is not its own mirror image in {plane} = 0", body.shape.kind());
+        problems.add(at(body, "shape"), message, format!("remove {key} = true"));
+    }
+}
+
 /// A plane of symmetry across the tow allows no tow, and no rotation about y or z.
 fn keeps_to_the_middle(body: &Body, problems: &mut Problems) {
     if body.position.x != 0.0 {
         let message = format!("the body is at x = {} m, off the plane of symmetry", plain(body.position.x));
         problems.add(at(body, "x"), message, "remove `x`, or symmetric_x = true");
     }
+    is_mirrored(body, 0, problems);
     let pitch = if body.shape.solid().is_revolved() { 0.0 } else { body.attitude.pitch };
     for (key, angle) in [("yaw", body.attitude.yaw), ("pitch", pitch)] {
         if angle != 0.0 {
