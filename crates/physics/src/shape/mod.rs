@@ -6,14 +6,19 @@
 mod block;
 mod cylinder;
 mod disc;
+mod edges;
 mod facets;
+mod hierarchy;
 mod mass;
 mod mesh;
 mod point;
+mod polyhedron;
+mod repair;
 mod rim;
 mod rotated;
 mod sampler;
 mod sphere;
+mod triangle;
 
 pub use block::Block;
 pub use cylinder::{Axis, Cylinder};
@@ -21,6 +26,8 @@ pub use disc::Disc;
 pub use mass::MassProperties;
 pub use mesh::Mesh;
 pub use point::SurfacePoint;
+pub use polyhedron::Polyhedron;
+pub use repair::{Defect, Repaired, repaired};
 pub use rim::{Rim, RimPoint};
 pub use rotated::Rotated;
 pub use sphere::Sphere;
