@@ -18,11 +18,28 @@ fn disc(segments: u32) -> Mesh {
     Mesh { points, triangles }
 }
 
+/// A ring of 2 n² triangles.
+fn torus(n: u32) -> Mesh {
+    let at = |i: u32, j: u32| (i % n) * n + j % n;
+    let mut mesh = Mesh::default();
+    for i in 0..n {
+        for j in 0..n {
+            let [u, v] = [i, j].map(|k| TAU * f64::from(k) / f64::from(n));
+            let radius = 0.07 + 0.03 * v.cos();
+            mesh.points.push(DVec3::new(radius * u.cos(), radius * u.sin(), 0.03 * v.sin()));
+            let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+            mesh.triangles.extend([[a, b, c], [a, c, d]]);
+        }
+    }
+    mesh
+}
+
 /// `cargo test --release -p coulter-physics --test polyhedron -- --ignored --nocapture`
 #[test]
 #[ignore = "a measurement"]
 fn time_of_a_distance() {
-    for (name, mesh) in [("disc", disc(2500)), ("sphere", Sphere { diameter: 0.2 }.mesh())] {
+    let meshes = [("disc", disc(2500)), ("sphere", Sphere { diameter: 0.2 }.mesh()), ("torus", torus(1000))];
+    for (name, mesh) in meshes {
         let solid = Polyhedron::new(mesh.clone());
         let shift = DVec3::new(0.618_034, 0.414_214, 0.732_051);
         let spread = (1..800_000).map(|n| ((f64::from(n) * shift).fract() - DVec3::splat(0.5)) * 0.25);

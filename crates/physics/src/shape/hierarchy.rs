@@ -24,7 +24,7 @@ impl Node {
         (self.low - x).max(x - self.high).max(DVec3::ZERO).length_squared()
     }
 
-    fn from_middle(&self, x: DVec3) -> f64 {
+    fn middle_distance_squared(&self, x: DVec3) -> f64 {
         (0.5 * (self.low + self.high)).distance_squared(x)
     }
 }
@@ -73,7 +73,7 @@ impl Hierarchy {
                 let children = [number + 1, node.first];
                 let squared = children.map(|child| self.nodes[child as usize].distance_squared(x));
                 // Above a flat face all boxes are as near as the face: then those whose middle is nearer.
-                let middles = || children.map(|child| self.nodes[child as usize].from_middle(x));
+                let middles = || children.map(|child| self.nodes[child as usize].middle_distance_squared(x));
                 let near = match squared {
                     [one, other] if one == other => usize::from(middles()[1] < middles()[0]),
                     [one, other] => usize::from(other < one),

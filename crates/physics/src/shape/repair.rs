@@ -67,6 +67,11 @@ pub enum Defect {
         /// A point of it [m].
         place: DVec3,
     },
+    /// It has too many separate parts.
+    Scattered {
+        /// How many.
+        shells: usize,
+    },
     /// It encloses nothing.
     NoVolume,
 }
@@ -101,22 +106,8 @@ pub struct Repaired {
 pub fn repaired(surface: Mesh) -> Result<Repaired, Defect> {
     let (low, high) = check(&surface)?;
     let size = (high - low).max_element();
-    let mut merged_within = None;
-    let mut closed = connected(&surface, 0.0, size);
-    for tolerance in SAME {
-        if closed.is_ok() {
-            break;
-        }
-        let attempt = connected(&surface, tolerance * size, size);
-        if attempt.is_ok() {
-            merged_within = (tolerance > SAME[0]).then_some(tolerance * size);
-            closed = attempt;
-        } else if tolerance == SAME[0] {
-            closed = attempt;
-        }
-    }
-    drop(surface);
-    let Connected { surface, dropped, flattened } = closed?;
+    let (closed, merged_within) = closed(surface, size)?;
+    let Connected { surface, dropped, flattened } = closed;
     let oriented = shells::oriented(surface, size)?;
     let volume = MassProperties::of_mesh(&oriented.surface).volume;
     if volume.is_nan() || volume <= NO_VOLUME * (high - low).element_product() {
@@ -150,6 +141,20 @@ fn check(surface: &Mesh) -> Result<(DVec3, DVec3), Defect> {
     let (low, high) = bounds(used);
     let extent = (high - low).max_element();
     if extent > 0.0 && extent.is_finite() { Ok((low, high)) } else { Err(Defect::Empty) }
+}
+
+/// The surface with as few points merged as make it closed, and up to which distance [m] they were where that is more than rounding.
+fn closed(surface: Mesh, size: f64) -> Result<(Connected, Option<f64>), Defect> {
+    // Where every triangle has points of its own, no edge has two triangles.
+    let is_soup = surface.points.len() == 3 * surface.triangles.len();
+    if !is_soup && let Ok(closed) = connected(&surface, 0.0, size) {
+        return Ok((closed, None));
+    }
+    connected(&surface, SAME[0] * size, size).map(|closed| (closed, None)).or_else(|defect| {
+        let distance = SAME[1] * size;
+        // What is wrong is said of the surface as it is.
+        connected(&surface, distance, size).map(|closed| (closed, Some(distance))).map_err(|_| defect)
+    })
 }
 
 /// A surface with two triangles at every edge.

@@ -22,6 +22,7 @@ pub fn advice(case: &Case) -> Vec<String> {
         fine_zone(case, body, &mut notes);
         walls::walls_and_lid(case, body, &mut notes);
         inertia::speed(case, body, &mut notes);
+        surface(body, &mut notes);
     }
     overlaps(case, &mut notes);
     timing(case, &mut notes);
@@ -46,6 +47,23 @@ fn overlaps(case: &Case, notes: &mut Vec<String>) {
                 ));
             }
         }
+    }
+}
+
+/// What was repaired of a surface that was read from a file, and whether its origin is far away.
+fn surface(body: &Body, notes: &mut Vec<String>) {
+    for repair in body.shape.mesh_report().into_iter().flat_map(|report| &report.repairs) {
+        notes.push(format!("{}: its surface was repaired: {repair}.", body.name));
+    }
+    if let Some(report) = body.shape.mesh_report()
+        && report.centroid.length() > report.size.max_element()
+    {
+        notes.push(format!(
+            "{}: its reference point, the origin of its file, lies {:.3} m from its centroid: x, y, rotations and moments refer to \
+             that point.",
+            body.name,
+            report.centroid.length()
+        ));
     }
 }
 

@@ -3,7 +3,7 @@
 use super::allowed_range::{FRACTION, IN_THE_RUN, NOT_NEGATIVE, POSITIVE, SLIP, TILT};
 use super::default_value::DefaultValue::{Derived, Quantity, Required, Word};
 use super::key::{Key, Kind, key};
-use super::words::{AXES, SHAPES};
+use super::words::{AXES, MESH_UNITS, SHAPES};
 use crate::case::quantity::{ANGLE, FORCE, INERTIA, LENGTH, MASS, SPEED, TIME, TORQUE, TURN_RATE};
 
 const FIXED: &str = "fixed";
@@ -50,12 +50,12 @@ pub(super) const BODY: &[Key] = &[
         "shape",
         Kind::Choice(&SHAPES),
         Required,
-        "A disc with its axle along y, a rectangular block, a cylinder along any axis, or a sphere.",
+        "A disc with its axle along y, a rectangular block, a cylinder along any axis, a sphere, or a mesh: a solid whose surface is in a file.",
     ),
     key(
         "diameter",
         Kind::Quantity(LENGTH),
-        Derived("required except for a block"),
+        Derived("required for a disc, a cylinder and a sphere"),
         "Diameter d (disc, cylinder, sphere).",
     )
     .within(POSITIVE),
@@ -86,6 +86,18 @@ pub(super) const BODY: &[Key] = &[
         "Edges along x, y, z (block); x, z in plane strain.",
     )
     .within(POSITIVE),
+    key(
+        "file",
+        Kind::Text,
+        Derived("required for a mesh"),
+        "File with a closed surface of triangles, relative to the folder of the case file: STL, OBJ or PLY (mesh). Its origin is the body's reference point, its y axis the axle.",
+    ),
+    key(
+        "unit",
+        Kind::Choice(&MESH_UNITS),
+        Derived("required for a mesh"),
+        "Unit of the coordinates in the file (mesh).",
+    ),
     key(
         "friction",
         Kind::Friction,

@@ -5,7 +5,9 @@ use analytic::wheel::{CMU_SAND, TERRAINS};
 /// Soil laws.
 pub const LAWS: [&str; 5] = ["mohr-coulomb", "sand", "tresca", "von-mises", "elastic"];
 /// Body shapes.
-pub const SHAPES: [&str; 4] = ["disc", "block", "cylinder", "sphere"];
+pub const SHAPES: [&str; 5] = ["disc", "block", "cylinder", "sphere", "mesh"];
+/// Units of the coordinates in the file of a mesh.
+pub const MESH_UNITS: [&str; 5] = ["m", "cm", "mm", "in", "ft"];
 /// Axes of a cylinder.
 pub const AXES: [&str; 3] = ["x", "y", "z"];
 /// Words for the relative density of sand: about the middle of each class of ISO 14688-2.

@@ -3,6 +3,7 @@
 mod block;
 mod cylinder;
 mod disc;
+mod mesh;
 pub(super) mod slab;
 mod sphere;
 mod traits;
@@ -10,6 +11,7 @@ mod traits;
 pub use block::Block;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
+pub use mesh::Mesh;
 pub use sphere::Sphere;
 pub use traits::{CaseShape, ClosedForm, PlaneStrainConflict, Size};
 
@@ -21,7 +23,7 @@ use slab::Slab;
 macro_rules! shapes {
     ($($name:ident: $word:literal, $about:literal;)*) => {
         /// The shape of a body.
-        #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+        #[derive(Clone, Debug, PartialEq, Serialize)]
         #[serde(rename_all = "kebab-case")]
         pub enum Shape {
             $(#[doc = $about] $name($name),)*
@@ -47,6 +49,21 @@ macro_rules! shapes {
             }
         }
 
+        impl Shape {
+            /// Its file, of a mesh.
+            #[must_use]
+            pub fn mesh(&self) -> Option<&Mesh> {
+                if let Self::Mesh(mesh) = self { Some(mesh) } else { None }
+            }
+
+            /// The same without the name of its file, for comparisons.
+            pub(super) fn forget_file(&mut self) {
+                if let Self::Mesh(mesh) = self {
+                    mesh.file.clear();
+                }
+            }
+        }
+
         impl std::ops::Deref for Shape {
             type Target = dyn CaseShape;
 
@@ -64,6 +81,7 @@ shapes! {
     Block: "block", "A rectangular block.";
     Cylinder: "cylinder", "A cylinder.";
     Sphere: "sphere", "A sphere.";
+    Mesh: "mesh", "A solid whose surface is in a file.";
 }
 
 /// The shape that a section asks for; `slab` is that of a plane strain case.

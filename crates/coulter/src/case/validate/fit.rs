@@ -14,6 +14,17 @@ pub(in crate::case) fn bodies_fit(paths: &Paths, domain: &Domain, problems: &mut
         if domain.symmetric_x {
             keeps_to_the_middle(body, problems);
         }
+        for (axis, name, key, is_plane) in
+            [(0, "x", "symmetric_x", domain.symmetric_x), (1, "y", "symmetric", domain.symmetric)]
+        {
+            if is_plane && !body.shape.is_mirrored(axis) {
+                let message = format!("the body is not its own mirror image in {name} = 0");
+                let cure = format!(
+                    "model it whole, without {key} = true, or choose the origin of its file in its middle"
+                );
+                problems.add(at(body, "shape"), message, cure);
+            }
+        }
         stays_inside(body, domain, paths, problems);
     }
 }

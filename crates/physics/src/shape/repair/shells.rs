@@ -7,6 +7,9 @@ use crate::shape::hierarchy::Hierarchy;
 use crate::shape::triangle;
 use glam::DVec3;
 
+/// Most separate parts: which of them lies in which takes as much time as the square of their number.
+const MOST_SHELLS: usize = 2000;
+
 /// A surface that is oriented everywhere.
 pub(super) struct Oriented {
     pub(super) surface: Mesh,
@@ -32,21 +35,28 @@ struct Shell {
 /// another is a cavity if the file has it inwards; otherwise it is a part drawn inside another, and refused.
 pub(super) fn oriented(mut surface: Mesh, size: f64) -> Result<Oriented, Defect> {
     let (shell_of, is_turned, shells) = shells(&surface)?;
+    if shells.len() > MOST_SHELLS {
+        return Err(Defect::Scattered { shells: shells.len() });
+    }
     let depths = depths(&surface, &shell_of, shells.len(), size);
     // As the file has it, a shell is oriented like most of its triangles.
     let is_minority = |shell: &Shell| 2 * shell.against > shell.triangles;
     let faces_out = |shell: &Shell| (shell.volume > 0.0) != is_minority(shell);
-    let is_wrong: Vec<bool> =
-        shells.iter().zip(&depths).map(|(shell, depth)| faces_out(shell) != (depth % 2 == 0)).collect();
+    let is_wrong: Vec<bool> = shells
+        .iter()
+        .zip(&depths)
+        .map(|(shell, depth)| faces_out(shell) != depth.is_multiple_of(2))
+        .collect();
     let inverted = is_wrong.iter().all(|wrong| *wrong);
-    for (n, _) in depths.iter().enumerate().filter(|(n, depth)| is_wrong[*n] && **depth > 0 && !inverted) {
-        let triangle = shell_of.iter().position(|shell| *shell as usize == n).unwrap_or(0);
+    let nested = (0..shells.len()).find(|n| is_wrong[*n] && depths[*n] > 0 && !inverted);
+    if let Some(nested) = nested {
+        let triangle = shell_of.iter().position(|shell| *shell as usize == nested).unwrap_or(0);
         return Err(Defect::Nested { place: centre(&surface, triangle) });
     }
     let mut turned = 0;
     for (n, corners) in surface.triangles.iter_mut().enumerate() {
         let shell = shell_of[n] as usize;
-        let should_face_out = depths[shell] % 2 == 0;
+        let should_face_out = depths[shell].is_multiple_of(2);
         if is_turned[n] != ((shells[shell].volume > 0.0) != should_face_out) {
             corners.swap(1, 2);
             turned += 1;
@@ -62,7 +72,10 @@ fn centre(surface: &Mesh, triangle: usize) -> DVec3 {
 }
 
 /// The shell of each triangle, whether it is oriented against the first one of its shell, and the shells.
-fn shells(surface: &Mesh) -> Result<(Vec<u32>, Vec<bool>, Vec<Shell>), Defect> {
+type Found = (Vec<u32>, Vec<bool>, Vec<Shell>);
+
+/// Finds the shells, edge by edge.
+fn shells(surface: &Mesh) -> Result<Found, Defect> {
     const NONE: u32 = u32::MAX;
     let count = surface.triangles.len();
     // Beyond each edge: the triangle, and whether it is oriented against this one.
