@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 #[path = "hostile_meshes/files.rs"]
+#[allow(dead_code)] // each test uses some
 mod files;
 
 use coulter::case::{Case, advice, case_text, load};

@@ -5,13 +5,13 @@ use std::fmt::Write;
 
 /// Points and triangles.
 #[derive(Clone)]
-pub struct Surface {
-    pub points: Vec<[f64; 3]>,
-    pub triangles: Vec<[u32; 3]>,
+pub(crate) struct Surface {
+    pub(crate) points: Vec<[f64; 3]>,
+    pub(crate) triangles: Vec<[u32; 3]>,
 }
 
 impl Surface {
-    pub fn volume(&self) -> f64 {
+    pub(crate) fn volume(&self) -> f64 {
         let one = |t: &[u32; 3]| {
             let [a, b, c] = t.map(|n| self.points[n as usize]);
             let cross = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
@@ -20,25 +20,25 @@ impl Surface {
         self.triangles.iter().map(one).sum()
     }
 
-    pub fn inverted(&self) -> Self {
+    pub(crate) fn inverted(&self) -> Self {
         let triangles = self.triangles.iter().map(|[a, b, c]| [*a, *c, *b]).collect();
         Self { triangles, points: self.points.clone() }
     }
 
-    pub fn moved(&self, by: [f64; 3]) -> Self {
+    pub(crate) fn moved(&self, by: [f64; 3]) -> Self {
         let points = self.points.iter().map(|x| [0, 1, 2].map(|n| x[n] + by[n])).collect();
         Self { points, triangles: self.triangles.clone() }
     }
 
     /// Every triangle with points of its own.
-    pub fn as_soup(&self) -> Self {
+    pub(crate) fn as_soup(&self) -> Self {
         let points = self.triangles.iter().flatten().map(|n| self.points[*n as usize]).collect();
         let triangles = (0..self.triangles.len() as u32).map(|n| [3 * n, 3 * n + 1, 3 * n + 2]).collect();
         Self { points, triangles }
     }
 }
 
-pub fn union(one: &Surface, other: &Surface) -> Surface {
+pub(crate) fn union(one: &Surface, other: &Surface) -> Surface {
     let first = one.points.len() as u32;
     let mut both = one.clone();
     both.points.extend(&other.points);
@@ -47,7 +47,7 @@ pub fn union(one: &Surface, other: &Surface) -> Surface {
 }
 
 /// A disc about y.
-pub fn disc(segments: u32, diameter: f64, thickness: f64) -> Surface {
+pub(crate) fn disc(segments: u32, diameter: f64, thickness: f64) -> Surface {
     let mut points = vec![[0.0, -0.5 * thickness, 0.0], [0.0, 0.5 * thickness, 0.0]];
     let mut triangles = Vec::new();
     for n in 0..segments {
@@ -59,7 +59,7 @@ pub fn disc(segments: u32, diameter: f64, thickness: f64) -> Surface {
     Surface { points, triangles }
 }
 
-pub fn cube(edge: f64) -> Surface {
+pub(crate) fn cube(edge: f64) -> Surface {
     let half = 0.5 * edge;
     let corner = |n: u32| [n & 1, n >> 1 & 1, n >> 2].map(|bit| if bit == 1 { half } else { -half });
     let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
@@ -68,7 +68,7 @@ pub fn cube(edge: f64) -> Surface {
 }
 
 /// A cube whose upper face is drawn in to a point at a height above its lower face.
-pub fn bowl(edge: f64, height: f64) -> Surface {
+pub(crate) fn bowl(edge: f64, height: f64) -> Surface {
     let mut surface = cube(edge);
     let low = -0.5 * edge;
     let is_upper = |t: &[u32; 3]| t.iter().all(|n| *n >= 4);
@@ -78,7 +78,7 @@ pub fn bowl(edge: f64, height: f64) -> Surface {
     surface
 }
 
-pub fn klein_bottle(size: f64) -> Surface {
+pub(crate) fn klein_bottle(size: f64) -> Surface {
     let point = |i: u32, j: u32| {
         let (i, j) = if i == 6 { (0, (6 - j % 6) % 6) } else { (i, j % 6) };
         6 * i + j
@@ -100,7 +100,7 @@ pub fn klein_bottle(size: f64) -> Surface {
 /// Name of a file in an encoding, and how it is written.
 type Encoding = (&'static str, fn(&Surface) -> Vec<u8>);
 
-pub const ENCODINGS: [Encoding; 6] = [
+pub(crate) const ENCODINGS: [Encoding; 6] = [
     ("binary.stl", binary_stl),
     ("text.stl", |surface| text_stl(surface).into_bytes()),
     ("faces.obj", |surface| obj(surface).into_bytes()),
@@ -109,7 +109,7 @@ pub const ENCODINGS: [Encoding; 6] = [
     ("high.ply", |surface| binary_ply(surface, true)),
 ];
 
-pub fn binary_stl(surface: &Surface) -> Vec<u8> {
+pub(crate) fn binary_stl(surface: &Surface) -> Vec<u8> {
     let mut bytes = vec![b'-'; 80];
     bytes.extend((surface.triangles.len() as u32).to_le_bytes());
     for triangle in &surface.triangles {
@@ -121,7 +121,7 @@ pub fn binary_stl(surface: &Surface) -> Vec<u8> {
     bytes
 }
 
-pub fn text_stl(surface: &Surface) -> String {
+pub(crate) fn text_stl(surface: &Surface) -> String {
     let mut text = "solid part\n".to_owned();
     for triangle in &surface.triangles {
         text += "  facet normal 0 0 0\n    outer loop\n";

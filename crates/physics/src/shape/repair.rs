@@ -107,13 +107,20 @@ pub fn repaired(surface: Mesh) -> Result<Repaired, Defect> {
     let (low, high) = check(&surface)?;
     let size = (high - low).max_element();
     let (closed, merged_within) = closed(surface, size)?;
-    let Connected { surface, dropped, flattened } = closed;
-    let oriented = shells::oriented(surface, size)?;
-    let volume = MassProperties::of_mesh(&oriented.surface).volume;
+    let Connected { mut surface, dropped, flattened } = closed;
+    let oriented = match shells::orient(&mut surface, size) {
+        // A part that crosses another one lies partly inside it.
+        Err(nested @ Defect::Nested { .. }) => {
+            crossing::pierces(&Polyhedron::new(surface), TOUCHING * size)?;
+            return Err(nested);
+        }
+        other => other?,
+    };
+    let volume = MassProperties::of_mesh(&surface).volume;
     if volume.is_nan() || volume <= NO_VOLUME * (high - low).element_product() {
         return Err(Defect::NoVolume);
     }
-    let solid = Polyhedron::new(oriented.surface);
+    let solid = Polyhedron::new(surface);
     let is_searched = crossing::search(&solid, TOUCHING * size)?;
     Ok(Repaired {
         solid,

@@ -26,8 +26,8 @@ pub(super) fn search(solid: &Polyhedron, tolerance: f64) -> Result<bool, Defect>
     Ok(all_pairs && all_probes)
 }
 
-/// Looks for edges that pierce triangles.
-fn pierces(solid: &Polyhedron, tolerance: f64) -> Result<bool, Defect> {
+/// Looks for lines of triangles that pierce other triangles; whether all pairs were looked at.
+pub(super) fn pierces(solid: &Polyhedron, tolerance: f64) -> Result<bool, Defect> {
     let (surface, hierarchy) = (solid.surface(), solid.hierarchy());
     let (mut pairs, mut place) = (0, None);
     for (one, corners) in hierarchy.corners.iter().enumerate() {
@@ -46,10 +46,10 @@ fn pierces(solid: &Polyhedron, tolerance: f64) -> Result<bool, Defect> {
                 surface.triangles[one].iter().filter(|n| surface.triangles[other].contains(n)).count();
             // Those with a common edge can only lie on each other.
             if !is_apart && shared < 2 {
-                place = edges(corners)
-                    .chain(edges(others))
-                    .zip([others, corners].into_iter().flat_map(|t| [t; 3]))
-                    .find_map(|(edge, triangle)| pierced(edge, triangle, tolerance));
+                let of = |one: &[DVec3; 3], other: &[DVec3; 3]| {
+                    lines(one).into_iter().find_map(|line| pierced(line, other, tolerance))
+                };
+                place = of(corners, others).or_else(|| of(others, corners));
             }
             place.is_none() && pairs < MOST_PAIRS
         });
@@ -63,8 +63,12 @@ fn pierces(solid: &Polyhedron, tolerance: f64) -> Result<bool, Defect> {
     Ok(true)
 }
 
-fn edges(corners: &[DVec3; 3]) -> impl Iterator<Item = [DVec3; 2]> + '_ {
-    (0..3).map(|n| [corners[n], corners[(n + 1) % 3]])
+/// The edges of a triangle, and lines from its corners to the opposite edges: parts that are drawn on a lattice cross exactly on the
+/// edges of their triangles, which counts as touching.
+fn lines([a, b, c]: &[DVec3; 3]) -> [[DVec3; 2]; 6] {
+    const PART: f64 = 0.382;
+    let within = |from: &DVec3, to: &DVec3| from.lerp(*to, PART);
+    [[*a, *b], [*b, *c], [*c, *a], [*a, within(b, c)], [*b, within(c, a)], [*c, within(a, b)]]
 }
 
 /// Directions in which nobody draws.

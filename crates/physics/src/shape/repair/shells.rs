@@ -10,9 +10,8 @@ use glam::DVec3;
 /// Most separate parts: which of them lies in which takes as much time as the square of their number.
 const MOST_SHELLS: usize = 2000;
 
-/// A surface that is oriented everywhere.
+/// What was found, and done, to orient a surface everywhere.
 pub(super) struct Oriented {
-    pub(super) surface: Mesh,
     pub(super) shells: usize,
     pub(super) cavities: usize,
     pub(super) turned: usize,
@@ -33,12 +32,12 @@ struct Shell {
 ///
 /// Every shell is first made to agree with itself. One that lies in no other, or in two, is oriented outwards. One that lies in
 /// another is a cavity if the file has it inwards; otherwise it is a part drawn inside another, and refused.
-pub(super) fn oriented(mut surface: Mesh, size: f64) -> Result<Oriented, Defect> {
-    let (shell_of, is_turned, shells) = shells(&surface)?;
+pub(super) fn orient(surface: &mut Mesh, size: f64) -> Result<Oriented, Defect> {
+    let (shell_of, is_turned, shells) = shells(surface)?;
     if shells.len() > MOST_SHELLS {
         return Err(Defect::Scattered { shells: shells.len() });
     }
-    let depths = depths(&surface, &shell_of, shells.len(), size);
+    let depths = depths(surface, &shell_of, shells.len(), size);
     // As the file has it, a shell is oriented like most of its triangles.
     let is_minority = |shell: &Shell| 2 * shell.against > shell.triangles;
     let faces_out = |shell: &Shell| (shell.volume > 0.0) != is_minority(shell);
@@ -51,7 +50,7 @@ pub(super) fn oriented(mut surface: Mesh, size: f64) -> Result<Oriented, Defect>
     let nested = (0..shells.len()).find(|n| is_wrong[*n] && depths[*n] > 0 && !inverted);
     if let Some(nested) = nested {
         let triangle = shell_of.iter().position(|shell| *shell as usize == nested).unwrap_or(0);
-        return Err(Defect::Nested { place: centre(&surface, triangle) });
+        return Err(Defect::Nested { place: centre(surface, triangle) });
     }
     let mut turned = 0;
     for (n, corners) in surface.triangles.iter_mut().enumerate() {
@@ -64,7 +63,7 @@ pub(super) fn oriented(mut surface: Mesh, size: f64) -> Result<Oriented, Defect>
     }
     let inverted = turned == surface.triangles.len();
     let cavities = depths.iter().filter(|depth| **depth % 2 == 1).count();
-    Ok(Oriented { surface, shells: shells.len(), cavities, turned, inverted })
+    Ok(Oriented { shells: shells.len(), cavities, turned, inverted })
 }
 
 fn centre(surface: &Mesh, triangle: usize) -> DVec3 {

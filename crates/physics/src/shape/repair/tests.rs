@@ -73,7 +73,7 @@ fn shells_may_touch_and_be_hollow_but_not_overlap() {
     assert!(matches!(repaired(soup(&touching)), Err(Defect::NotManifold { .. })));
     let apart = repaired(soup(&union(&[one.clone(), inverted(cube([3.0, 0.0, 0.0], 1.0))]))).unwrap();
     assert_eq!((apart.shells, apart.cavities, apart.turned), (2, 0, 12));
-    for at in [[0.3, 0.2, 0.1], [0.5, 0.0, 0.0], [0.5, 0.5, 0.0], [0.999, 0.0, 0.0]] {
+    for at in [[0.3, 0.2, 0.1], [0.5, 0.0, 0.0], [0.5, 0.5, 0.0], [0.999, 0.0, 0.0], [0.5; 3]] {
         let both = union(&[one.clone(), cube(at, 1.0)]);
         assert!(matches!(repaired(both), Err(Defect::Crossing { .. } | Defect::Nested { .. })), "{at:?}");
     }
