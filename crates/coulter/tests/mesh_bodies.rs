@@ -6,6 +6,7 @@
 mod files;
 
 use coulter::case::{Case, advice, case_text, load};
+use coulter::history::BodySample;
 use coulter::interrupts::Interrupts;
 use coulter::output::folder::hash_of;
 use coulter::run::{self, RunOptions, Start};
@@ -41,22 +42,24 @@ fn a_disc_from_a_file_is_towed_like_a_disc() {
     let folder = tempfile::tempdir().unwrap();
     let impulses = |body: &str, segments: u32| {
         let file = write(folder.path(), body, &binary_stl(&disc(segments, 200.0, 80.0)));
-        let case = load(&file, &[]).unwrap();
+        let case = load(&file, &["grid.cell=16 mm".to_owned()]).unwrap();
         let mut simulation = Simulation::<f64>::new(&case);
         for _ in 0..16 {
             simulation.advance().unwrap();
         }
         let samples = simulation.history.bodies[0].clone();
         // Forces are means over a sample: their sum is the impulse.
-        let sum = |of: fn(&coulter::history::BodySample) -> f64| samples.iter().map(of).sum::<f64>();
+        let sum = |of: fn(&BodySample) -> f64| samples.iter().map(of).sum::<f64>();
         ([sum(|s| s.drag), sum(|s| s.vertical), sum(|s| s.axle_torque) / 0.1], simulation.state.step)
     };
     let (exact, steps) = impulses(DISC, 12);
-    assert!(steps > 90, "{steps}");
-    for segments in [96, 384] {
+    assert!(steps > 100, "{steps}");
+    // The contact points lie elsewhere than on the disc, which on cells this coarse makes a difference of some per cent over so few
+    // steps; over four times as many it is below 2 % with 96 segments, too.
+    for (segments, tolerance) in [(96, 0.06), (384, 0.02)] {
         let (meshed, _) = impulses(MESH, segments);
         let apart = [0, 1, 2].map(|n| (meshed[n] - exact[n]).abs() / exact[1].abs());
-        assert!(apart.iter().all(|x| *x < 0.02), "{segments} segments: {meshed:?}, not {exact:?}");
+        assert!(apart.iter().all(|x| *x < tolerance), "{segments} segments: {meshed:?}, not {exact:?}");
     }
 }
 
