@@ -229,7 +229,7 @@ fn numbers_of_body(body: &mut Body) -> Vec<&mut f64> {
         Shape::Cylinder(cylinder) => vec![&mut cylinder.diameter, &mut cylinder.length],
         Shape::Sphere(sphere) => vec![&mut sphere.diameter],
         // Its lengths are in its file.
-        Shape::Mesh(_) => vec![],
+        Shape::MeshBody(_) => vec![],
         Shape::Block(block) => components(&mut block.size).into_iter().collect(),
     });
     all.extend([&mut body.attitude.yaw, &mut body.attitude.tilt, &mut body.attitude.pitch]);

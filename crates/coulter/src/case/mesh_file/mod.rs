@@ -1,6 +1,7 @@
 //! Files with the surface of a body: STL (binary and text), OBJ, PLY (text and binary). A file is read line by line or triangle by
 //! triangle, so that a large or broken one is refused before it takes up memory, and every refusal says where in the file it is.
 
+mod limits;
 mod lines;
 mod obj;
 mod ply;
@@ -9,10 +10,12 @@ mod problem;
 mod report;
 mod stl;
 
+pub use limits::MOST_TRIANGLES;
 pub use problem::MeshFileProblem;
 pub use report::MeshReport;
 
 use glam::DVec3;
+use limits::TOO_MANY;
 use physics::shape::{Defect, Mesh, Polyhedron, Repaired, repaired};
 use problem::refuse;
 use std::fs::File;
@@ -20,8 +23,6 @@ use std::io::{BufReader, Read};
 use std::path::Path;
 use xxhash_rust::xxh3::Xxh3;
 
-/// Most triangles of a body.
-pub const MOST_TRIANGLES: usize = 2_000_000;
 /// Largest file [bytes]: as much as so many triangles take up as text.
 const MOST_BYTES: u64 = 640 << 20;
 /// Smallest and largest side of a body's box that are believed [m].
@@ -142,16 +143,6 @@ fn size_of(path: &Path) -> Result<u64, MeshFileProblem> {
         }
         bytes => Ok(bytes),
     }
-}
-
-const TOO_MANY: &str = "export the body with fewer triangles: some ten across a cell of the grid are plenty";
-
-/// Refuses more triangles than a body may have.
-fn require_few(triangles: u64, place: &str) -> Result<(), MeshFileProblem> {
-    if triangles <= MOST_TRIANGLES as u64 {
-        return Ok(());
-    }
-    refuse(format!("{place} {triangles} triangles, at most {MOST_TRIANGLES} are possible"), TOO_MANY)
 }
 
 fn unreadable(path: &Path, error: &std::io::Error) -> MeshFileProblem {

@@ -1,8 +1,9 @@
 //! OBJ (Wavefront 1995): points, and faces that name them by their numbers. Anything about looks is passed over.
 
+use super::limits::{MOST_TRIANGLES, require_few};
 use super::lines::{Lines, coordinates, shown};
+use super::polygon;
 use super::problem::MeshFileProblem;
-use super::{MOST_TRIANGLES, polygon, require_few};
 use physics::shape::Mesh;
 use std::io::BufRead;
 
@@ -42,7 +43,7 @@ pub(super) fn read(reader: impl BufRead) -> Result<Mesh, MeshFileProblem> {
                     return lines.wrong("a face that is not convex: export the body with triangles only");
                 };
                 mesh.triangles.extend(triangles);
-                require_few(mesh.triangles.len() as u64, "it holds more than")?;
+                require_few(mesh.triangles.len() as u64, "it holds at least")?;
             }
             Some(word) if PASSED_OVER.contains(&word) => {}
             Some(word) => return lines.wrong(format!("{} is not expected in an OBJ file", shown(word))),

@@ -1,8 +1,9 @@
 //! PLY (Turk 1994): a header that says which elements follow, and with which properties; then these, as text or binary.
 
+use super::limits::{MOST_TRIANGLES, require_few};
 use super::lines::{Lines, shown};
+use super::polygon;
 use super::problem::{DAMAGED, MeshFileProblem, refuse};
-use super::{MOST_TRIANGLES, polygon, require_few};
 use glam::DVec3;
 use physics::shape::Mesh;
 use std::io::BufRead;
@@ -310,7 +311,7 @@ fn faces<R: BufRead>(
                     .ok_or("a face is not convex: export the body with triangles only")?;
                 mesh.triangles.extend(triangles);
                 corners.clear();
-                require_few(mesh.triangles.len() as u64, "it holds more than")
+                require_few(mesh.triangles.len() as u64, "it holds at least")
                     .map_err(|problem| problem.message)?;
             }
         }

@@ -1,8 +1,8 @@
 //! STL (3D Systems 1988): triangles, each with its own corners, as text or in single precision.
 
+use super::limits::require_few;
 use super::lines::{Lines, coordinates, shown};
 use super::problem::{DAMAGED, MeshFileProblem, refuse};
-use super::require_few;
 use glam::DVec3;
 use physics::shape::Mesh;
 use std::io::{BufRead, Read};
@@ -73,7 +73,7 @@ fn text(reader: impl BufRead) -> Result<Mesh, MeshFileProblem> {
             },
             "facet" if is_in_solid && !is_in_facet => is_in_facet = true,
             "endfacet" if is_in_facet && points.len() % 3 == 0 => {
-                require_few(points.len() as u64 / 3, "it holds more than")?;
+                require_few(points.len() as u64 / 3, "it holds at least")?;
                 is_in_facet = false;
             }
             "endfacet" if is_in_facet => return lines.wrong("a facet has not three corners"),

@@ -14,7 +14,7 @@ use std::sync::Arc;
 
 /// A solid whose surface is in a file. Copies share what was read of it.
 #[derive(Clone, Debug, Serialize)]
-pub struct Mesh {
+pub struct MeshBody {
     /// The file, as typed.
     pub file: String,
     /// Unit of its coordinates [m].
@@ -33,14 +33,14 @@ struct Content {
     report: MeshReport,
 }
 
-impl PartialEq for Mesh {
+impl PartialEq for MeshBody {
     /// The hash stands for the content.
     fn eq(&self, other: &Self) -> bool {
         (&self.file, self.unit, &self.hash) == (&other.file, other.unit, &other.hash)
     }
 }
 
-impl Mesh {
+impl MeshBody {
     pub(super) const KEYS: &[&str] = &["file", "unit"];
 
     /// The solid in a file in a folder, whose unit of length is written like that of a length: `mm`.
@@ -83,7 +83,7 @@ impl Mesh {
     }
 }
 
-impl CaseShape for Mesh {
+impl CaseShape for MeshBody {
     fn solid(&self) -> Box<dyn shape::Shape> {
         Box::new(self.content.solid.clone())
     }

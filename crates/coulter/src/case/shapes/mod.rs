@@ -11,7 +11,7 @@ mod traits;
 pub use block::Block;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
-pub use mesh::Mesh;
+pub use mesh::MeshBody;
 pub use sphere::Sphere;
 pub use traits::{CaseShape, ClosedForm, PlaneStrainConflict, Size};
 
@@ -24,9 +24,8 @@ macro_rules! shapes {
     ($($name:ident: $word:literal, $about:literal;)*) => {
         /// The shape of a body.
         #[derive(Clone, Debug, PartialEq, Serialize)]
-        #[serde(rename_all = "kebab-case")]
         pub enum Shape {
-            $(#[doc = $about] $name($name),)*
+            $(#[doc = $about] #[serde(rename = $word)] $name($name),)*
         }
 
         /// Keys that describe a shape, for each.
@@ -52,13 +51,13 @@ macro_rules! shapes {
         impl Shape {
             /// Its file, of a mesh.
             #[must_use]
-            pub fn mesh(&self) -> Option<&Mesh> {
-                if let Self::Mesh(mesh) = self { Some(mesh) } else { None }
+            pub fn mesh(&self) -> Option<&MeshBody> {
+                if let Self::MeshBody(mesh) = self { Some(mesh) } else { None }
             }
 
             /// The same without the name of its file, for comparisons.
             pub(super) fn forget_file(&mut self) {
-                if let Self::Mesh(mesh) = self {
+                if let Self::MeshBody(mesh) = self {
                     mesh.file.clear();
                 }
             }
@@ -81,7 +80,7 @@ shapes! {
     Block: "block", "A rectangular block.";
     Cylinder: "cylinder", "A cylinder.";
     Sphere: "sphere", "A sphere.";
-    Mesh: "mesh", "A solid whose surface is in a file.";
+    MeshBody: "mesh", "A solid whose surface is in a file.";
 }
 
 /// The shape that a section asks for; `slab` is that of a plane strain case.
