@@ -24,7 +24,7 @@ const HALVES: &str = "[body.left]\nshape = 'disc'\ndiameter = '0.2 m'\nthickness
      welded_to = 'left'\n";
 
 /// Two discs on hinges of a frame that sinks as they do.
-const GANG: &str = "[body.frame]\nshape = 'frame'\nheight = '0.3 m'\nmass = '3 kg'\nheave = 'free'\nforward = { speed = '0.3 m/s', ramp = '2 ms' }\n\
+const GANG: &str = "[body.frame]\nshape = 'frame'\nelevation = '0.3 m'\nmass = '3 kg'\nheave = 'free'\nforward = { speed = '0.3 m/s', ramp = '2 ms' }\n\
      [body.left]\nshape = 'disc'\ndiameter = '0.16 m'\nthickness = '60 mm'\nfriction = 0.4\nweight = '20 N'\nsinkage = '10 mm'\ny = '80 mm'\n\
      [body.right]\nshape = 'disc'\ndiameter = '0.16 m'\nthickness = '60 mm'\nfriction = 0.4\nweight = '20 N'\nsinkage = '10 mm'\ny = '-80 mm'\n\
      [joint.left]\nkind = 'hinge'\nbodies = ['frame', 'left']\n[joint.right]\nkind = 'hinge'\nbodies = ['frame', 'right']\n";
@@ -54,7 +54,7 @@ fn on_a_frame() -> String {
     let halves =
         HALVES.replace(motions, "welded_to = 'axle'\n").replace("welded_to = 'left'", "welded_to = 'axle'");
     format!(
-        "[body.axle]\nshape = 'frame'\nheight = '85 mm'\nmass = '1e-9 kg'\naxle_inertia = '1e-12 kg*m^2'\n{motions}{halves}"
+        "[body.axle]\nshape = 'frame'\nelevation = '85 mm'\nmass = '1e-9 kg'\naxle_inertia = '1e-12 kg*m^2'\n{motions}{halves}"
     )
 }
 
@@ -112,7 +112,7 @@ fn a_rigid_axle_turns_its_discs_together() {
     let axle = GANG.replace("[joint.left]\nkind = 'hinge'\nbodies = ['frame', 'left']\n[joint.right]\nkind = 'hinge'\nbodies = ['frame', 'right']\n", "")
         .replace("[body.left]\n", "[body.left]\nwelded_to = 'axle'\n")
         .replace("[body.right]\n", "[body.right]\nwelded_to = 'axle'\n")
-        + "[body.axle]\nshape = 'frame'\nheight = '70 mm'\nmass = '1 kg'\naxle_inertia = '1e-3 kg*m^2'\n\
+        + "[body.axle]\nshape = 'frame'\nelevation = '70 mm'\nmass = '1 kg'\naxle_inertia = '1e-3 kg*m^2'\n\
            [joint.axle]\nkind = 'hinge'\nbodies = ['frame', 'axle']\naxis = [0, 1, 0]\n";
     let gang = run(&axle, &[], 40);
     assert_eq!(gang.history.names, ["frame", "axle"]);
@@ -125,7 +125,7 @@ fn a_rigid_axle_turns_its_discs_together() {
 
 #[test]
 fn a_cable_tows_a_disc() {
-    let towed = "[body.boat]\nshape = 'frame'\nx = '0.5 m'\nheight = '0.085 m'\nforward = { speed = '0.3 m/s', ramp = '2 ms' }\n\
+    let towed = "[body.boat]\nshape = 'frame'\nx = '0.5 m'\nelevation = '0.085 m'\nforward = { speed = '0.3 m/s', ramp = '2 ms' }\n\
          [body.disc]\nshape = 'disc'\ndiameter = '0.2 m'\nthickness = '80 mm'\nfriction = 0.3\nweight = '20 N'\nsinkage = '15 mm'\n\
          heave = 'free'\nforward = 'free'\nspin = 'free'\n\
          [joint.warp]\nkind = 'cable'\nbodies = ['boat', 'disc']\nstiffness = '20 kN/m'\nlength = '0.505 m'\n";
@@ -152,7 +152,7 @@ fn bodies_that_run_into_each_other_end_the_run() {
 fn the_forecast_shares_the_weight_of_an_assembly() {
     let one = "[body.disc]\nshape = 'disc'\ndiameter = '0.16 m'\nthickness = '60 mm'\nfriction = 0.4\nweight = '35 N'\nheave = 'free'\n\
          forward = { speed = '0.3 m/s', ramp = '2 ms' }\nspin = 'free'\n";
-    let frame = ["body.frame.mass=3.058104 kg", "body.frame.height=0.3 m"];
+    let frame = ["body.frame.mass=3.058104 kg", "body.frame.elevation=0.3 m"];
     let (single, gang) =
         (outlook(&case(one, &[]).unwrap()).unwrap(), outlook(&case(GANG, &frame).unwrap()).unwrap());
     assert_eq!(gang.input.bodies.len(), 2);
@@ -183,7 +183,7 @@ fn what_cannot_be_connected_is_refused() {
         ),
         (&["body.left.y=-30 mm"], "`left` and `right` overlap at the start"),
         (&["body.frame.friction=0.3"], "a frame has no surface, and no `friction`"),
-        (&["body.left.height=0.1 m"], "both say how high the body stands"),
+        (&["body.left.elevation=0.1 m"], "both say how high the body stands"),
         (
             &["body.left.welded_to=frame", "joint.left.bodies=['frame', 'left']"],
             "what is carried is the whole",
@@ -195,7 +195,7 @@ fn what_cannot_be_connected_is_refused() {
             &["body.left.welded_to=right", "body.left.friction=0.2", "joint.left.bodies=['frame', 'right']"],
             "its friction differs",
         ),
-        (&["body.ground.shape=frame", "body.ground.height=1 m"], "is what joints call the ground"),
+        (&["body.ground.shape=frame", "body.ground.elevation=1 m"], "is what joints call the ground"),
     ] {
         let refusal = case(GANG, sets).unwrap_err().replace("\\\"", "\"");
         assert!(refusal.contains(expected), "{sets:?}: {refusal}");

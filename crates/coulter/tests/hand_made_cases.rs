@@ -237,6 +237,8 @@ fn numbers_of_body(body: &mut Body) -> Vec<&mut f64> {
         }
         Shape::Cylinder(cylinder) => vec![&mut cylinder.diameter, &mut cylinder.length],
         Shape::Sphere(sphere) => vec![&mut sphere.diameter],
+        // Its lengths are in its file.
+        Shape::MeshBody(_) => vec![],
         Shape::Block(block) => components(&mut block.size).into_iter().collect(),
         Shape::Cone(cone) => vec![&mut cone.diameter, &mut cone.apex, &mut cone.shaft, &mut cone.length],
         Shape::Wheel(wheel) => {

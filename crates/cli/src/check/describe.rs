@@ -2,6 +2,7 @@
 
 use super::groups::groups;
 use coulter::case::Case;
+use coulter::case::mesh_file::MeshReport;
 use coulter::case::quantity::plain;
 use coulter::case::resolved::{
     Attitude, Body, GROUND, Joint, JointKind, Law, MOTIONS, Measured, Motion, Potential, Soil,
@@ -111,6 +112,9 @@ fn describe_body(text: &mut String, case: &Case, body: &Body) -> std::fmt::Resul
         _ => String::new(),
     };
     writeln!(text, "body     {}: {shape}, {friction}, m = {:.4} kg{weight}", body.name, body.mass)?;
+    if let Some(report) = body.shape.mesh_report() {
+        describe_mesh(text, report)?;
+    }
     let Attitude { yaw, tilt, pitch } = body.attitude;
     if body.attitude != Attitude::default() {
         let degrees = |angle: f64| plain(angle.to_degrees());
@@ -170,6 +174,21 @@ fn describe_joint(text: &mut String, case: &Case, joint: &Joint) -> std::fmt::Re
     }
     let [x, y, z] = joint.position.to_array().map(plain);
     writeln!(text, ", at ({x}, {y}, {z}) m")
+}
+
+/// What the surface of a body is like that was read from a file.
+fn describe_mesh(text: &mut String, report: &MeshReport) -> std::fmt::Result {
+    let [x, y, z] = report.centroid.to_array();
+    let cavities = match report.cavities {
+        0 => String::new(),
+        count => format!(" ({count} of cavities)"),
+    };
+    writeln!(
+        text,
+        "         surface closed, {} points, {} shells{cavities}, V = {:.6e} m³, centroid at ({x:.4e}, {y:.4e}, {z:.4e}) m",
+        report.points, report.shells, report.volume
+    )?;
+    report.repairs.iter().try_for_each(|repair| writeln!(text, "         repaired {repair}"))
 }
 
 fn describe_freedom(freedom: &Motion, speed_unit: &str, load_unit: &str) -> String {

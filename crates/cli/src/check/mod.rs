@@ -85,6 +85,14 @@ fn as_json(
         "case": case.name, "groups": groups, "cost": cost, "estimated_wall_s": seconds,
         "memory_available_bytes": machine::memory_available(), "warnings": warnings, "resolved": case,
     });
+    let surfaces: serde_json::Map<String, serde_json::Value> = case
+        .bodies
+        .iter()
+        .filter_map(|body| Some((body.name.clone(), serde_json::json!(body.shape.mesh_report()?))))
+        .collect();
+    if !surfaces.is_empty() {
+        document["surfaces"] = surfaces.into();
+    }
     if !meshes.is_empty() {
         document["meshes"] = serde_json::json!(meshes);
     }

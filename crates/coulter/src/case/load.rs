@@ -97,7 +97,8 @@ fn unreadable(path: &Path, name: &str, error: &std::io::Error) -> CaseError {
     CaseError::unreadable(name, format!("{name}: cannot be read: {error}"), cure)
 }
 
-/// Reads a case from its text; `source_name` is what to call it in messages.
+/// Reads a case from its text; `source_name` is what to call it in messages. Files that it names are looked for in the folder of
+/// `source_name`, in the current one if that is not a path.
 ///
 /// # Errors
 /// [`CaseError`] holds everything that is wrong, with its location in the text.
@@ -107,7 +108,7 @@ pub fn parse(text: &str, source_name: &str, overrides: &[String]) -> Result<Case
 
 /// Reads a case from nested maps, with the keys of a case file and the values as they are typed there: `{"soil":
 /// {"cohesion": "2 kPa"}, …}`. Bodies are in the order of the map. `name` is what to call the case in messages, and its name if it
-/// gives itself none.
+/// gives itself none; where it is a path, files that the case names are looked for in its folder.
 ///
 /// # Errors
 /// [`CaseError`] holds everything that is wrong, each with the path of its key; there are no lines.
@@ -174,7 +175,8 @@ fn build(
     mut problems: Problems,
 ) -> Result<(Case, Vec<StandardDeviation>), Problems> {
     let deviations = uncertainty::separate(&mut tree, &mut problems);
-    let schema = schema::read(&tree, &mut problems);
+    let mut schema = schema::read(&tree, &mut problems);
+    schema.lie_in(Path::new(name).parent().unwrap_or(Path::new("")));
     let case = resolve::resolve(&schema, name, &mut problems);
     if let Some(case) = &case {
         whole(case, &mut problems);

@@ -25,6 +25,18 @@ pub fn overridden(text: &str, source_name: &str, overrides: &[String]) -> Result
     Ok(document.to_string())
 }
 
+/// The text of a case in which bodies are read from other files: the name of each such body and its file. A text in which that
+/// cannot be written stays as it is.
+pub(crate) fn with_mesh_files(text: &str, files: &[(String, String)]) -> String {
+    let Ok(mut document) = text.parse::<DocumentMut>() else { return text.to_owned() };
+    for (body, file) in files {
+        if set(document.as_table_mut(), &["body", body, "file"], Value::from(file.as_str())).is_none() {
+            return text.to_owned();
+        }
+    }
+    if files.is_empty() { text.to_owned() } else { document.to_string() }
+}
+
 fn set(table: &mut dyn TableLike, keys: &[&str], value: Value) -> Option<()> {
     let (first, rest) = keys.split_first()?;
     if rest.is_empty() {

@@ -449,6 +449,10 @@ pub fn case_text(case: &Case) -> String {
     case.numerics.threads = 0;
     case.output.checkpoint_interval = 0.0;
     case.forecast = Measured::default();
+    // Its content says what a mesh is, not where it was read.
+    for body in &mut case.bodies {
+        body.shape.forget_file();
+    }
     // A case is made of numbers, names and lists: it always has a text.
     serde_json::to_string(&case).unwrap_or_default()
 }

@@ -2,6 +2,7 @@
 
 use super::tree::join;
 use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
 
 /// A value of the right type, in SI units.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,13 +39,20 @@ pub(super) struct Motion {
 pub(super) struct Section {
     /// Its path: `soil`, or `body.disc`; empty for the top.
     pub(super) path: String,
+    /// Folder of the case file, to which files that it names are relative.
+    pub(super) folder: PathBuf,
     given: BTreeMap<&'static str, Given>,
     defaults: BTreeMap<&'static str, Given>,
 }
 
 impl Section {
     pub(super) fn empty(path: &str) -> Self {
-        Self { path: path.to_owned(), given: BTreeMap::new(), defaults: BTreeMap::new() }
+        Self {
+            path: path.to_owned(),
+            folder: PathBuf::new(),
+            given: BTreeMap::new(),
+            defaults: BTreeMap::new(),
+        }
     }
 
     /// Enters the value of a key.
@@ -120,4 +128,13 @@ pub(super) struct Schema {
     pub(super) output: Section,
     pub(super) numerics: Section,
     pub(super) forecast: Section,
+}
+
+impl Schema {
+    /// Says in which folder the files lie that the case names.
+    pub(super) fn lie_in(&mut self, folder: &Path) {
+        for body in &mut self.bodies {
+            body.folder = folder.to_path_buf();
+        }
+    }
 }

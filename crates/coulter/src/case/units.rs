@@ -83,8 +83,10 @@ const fn unit(symbol: &'static str, factor: f64, dimension: [i32; 4], prefixes: 
     Unit { symbol, factor, dimension, prefixes }
 }
 
-const UNITS: [Unit; 18] = [
+const UNITS: [Unit; 20] = [
     unit("m", 1.0, [1, 0, 0, 0], true),
+    unit("in", 0.0254, [1, 0, 0, 0], false),
+    unit("ft", 0.3048, [1, 0, 0, 0], false),
     unit("g", 1e-3, [0, 1, 0, 0], true),
     unit("s", 1.0, [0, 0, 1, 0], true),
     unit("rad", 1.0, [0, 0, 0, 1], true),

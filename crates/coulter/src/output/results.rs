@@ -2,7 +2,8 @@
 
 use super::fields::{HeightMap, filled_cells};
 use super::files::{
-    LOG, OutputError, PICTURES, PLOTS, REPORT, RESOLVED, TYPED, make_folder, read_text, write_whole,
+    BODIES, LOG, Named, OutputError, PICTURES, PLOTS, REPORT, RESOLVED, TYPED, make_folder, read_text,
+    write_whole, write_with,
 };
 use super::folder::{Log, Outcome, RunRecord, RunStatistics, clear, clear_meshes, remove_parts};
 use super::meshes::{as_read_back, attach};
@@ -11,13 +12,15 @@ use super::plots::Overlay;
 use super::report::{ReportText, Summary, rims, write_report};
 use super::tables::{HistoryFiles, read_history, read_rims, validate_history, write_rims};
 use super::vtk::FieldSeries;
-use crate::case::{Case, FORMAT};
+use crate::case::mesh_file::hash_of;
+use crate::case::{Case, FORMAT, with_mesh_files};
 use crate::domain::PlacedDomain;
 use crate::history::History;
 use crate::history::rim::RimLine;
 use solver::grid::Grid;
 use solver::precision::Precision;
 use solver::state::State;
+use std::fs;
 use std::path::{Path, PathBuf};
 
 /// An open results folder.
@@ -89,12 +92,13 @@ impl Results {
         &self.dir
     }
 
-    /// Stores the case file with the results, as typed.
+    /// Stores the case file with the results, as typed, and the files that it names: in the copy it names the copies.
     ///
     /// # Errors
-    /// When the file cannot be written.
-    pub fn write_case_file(&self, text: &str) -> Result<(), OutputError> {
-        write_whole(&self.dir.join(TYPED), text.as_bytes())
+    /// When a file cannot be written, or is not that which the case was read from any more.
+    pub fn write_case_file(&self, case: &Case, text: &str) -> Result<(), OutputError> {
+        let copies = copy_meshes(&self.dir, case)?;
+        write_whole(&self.dir.join(TYPED), with_mesh_files(text, &copies).as_bytes())
     }
 
     /// Overlays curves on the plots of the report: a forecast, a measurement.
@@ -158,6 +162,29 @@ impl Results {
         self.record.write(&self.dir)?;
         Ok(summary)
     }
+}
+
+/// Copies the files that bodies were read from; returns the name of each such body and its copy, relative to the folder.
+fn copy_meshes(dir: &Path, case: &Case) -> Result<Vec<(String, String)>, OutputError> {
+    let mut copies = Vec::new();
+    for body in &case.bodies {
+        let Some(mesh) = body.shape.mesh() else { continue };
+        let extension =
+            mesh.path().extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
+        let copy = format!("{BODIES}/{}.{extension}", body.name);
+        make_folder(&dir.join(BODIES))?;
+        let (from, to) = (mesh.path(), dir.join(&copy));
+        let mut source = fs::File::open(from).named("read", from)?;
+        write_with(&to, |file| std::io::copy(&mut source, file).map(|_| ()))?;
+        if hash_of(&to).named("read", &to)? != mesh.hash {
+            return Err(OutputError::content(
+                from,
+                "the file has changed since the case was read; start again",
+            ));
+        }
+        copies.push((body.name.clone(), copy));
+    }
+    Ok(copies)
 }
 
 /// Removes a whole result, runs on coarser meshes included; a folder with other files in it is never touched.

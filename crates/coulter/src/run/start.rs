@@ -138,7 +138,7 @@ fn create<R: Precision>(
     let may_replace = options.start == Start::Replace || why.is_some();
     let mut results = Results::create(options.folder, case, may_replace)?;
     results.name_meshes(&part.meshes)?;
-    results.write_case_file(options.typed)?;
+    results.write_case_file(case, options.typed)?;
     let simulation = Simulation::new(case);
     let Simulation { model, state, history, .. } = &simulation;
     let [nx, ny, nz] = PlacedDomain::of(&model.grid, state.grid_position).cells();

@@ -37,7 +37,7 @@ fn write(dir: &Path, kind: Kind, cell: f64, count: usize) -> Summary {
             overlay(PlotKind::ForceDisplacement, vec![[0.0, 36.5]]),
         ])
         .unwrap();
-    results.write_case_file("name = \"synthetic\"\n").unwrap();
+    results.write_case_file(&case, "name = \"synthetic\"\n").unwrap();
     results.finish(&case, &grid, &state, &history, &statistics()).unwrap()
 }
 

@@ -22,6 +22,7 @@ pub fn advice(case: &Case) -> Vec<String> {
         fine_zone(case, body, &mut notes);
         walls::walls_and_lid(case, body, &mut notes);
         inertia::speed(case, body, &mut notes);
+        surface(body, &mut notes);
     }
     timing(case, &mut notes);
     strength(case, &mut notes);
@@ -31,6 +32,23 @@ pub fn advice(case: &Case) -> Vec<String> {
         notes.push("There is no body and the soil has no weight: nothing will happen.".into());
     }
     notes
+}
+
+/// What was repaired of a surface that was read from a file, and whether its origin is far away.
+fn surface(body: &Body, notes: &mut Vec<String>) {
+    for repair in body.shape.mesh_report().into_iter().flat_map(|report| &report.repairs) {
+        notes.push(format!("{}: its surface was repaired: {repair}.", body.name));
+    }
+    if let Some(report) = body.shape.mesh_report()
+        && report.centroid.length() > report.size.max_element()
+    {
+        notes.push(format!(
+            "{}: its reference point, the origin of its file, lies {:.3} m from its centroid: x, y, rotations and moments refer to \
+             that point.",
+            body.name,
+            report.centroid.length()
+        ));
+    }
 }
 
 fn resolution(case: &Case, body: &Body, notes: &mut Vec<String>) {

@@ -3,7 +3,7 @@
 use super::allowed_range::{APEX, BEVEL, FRACTION, GROUSERS, IN_THE_RUN, NOT_NEGATIVE, POSITIVE, SLIP, TILT};
 use super::default_value::DefaultValue::{Derived, Quantity, Required, Word};
 use super::key::{Key, Kind, key};
-use super::words::{AXES, BEVELS, HOLLOWS, RIMS, SHAPES};
+use super::words::{AXES, BEVELS, HOLLOWS, MESH_UNITS, RIMS, SHAPES};
 use crate::case::quantity::{ANGLE, FORCE, INERTIA, LENGTH, MASS, SPEED, TIME, TORQUE, TURN_RATE};
 
 const FIXED: &str = "fixed";
@@ -50,7 +50,7 @@ pub(super) const BODY: &[Key] = &[
         "shape",
         Kind::Choice(&SHAPES),
         Required,
-        "What it is: a disc or a wheel with its axle along y, a rectangular block, a cylinder along any axis, a sphere, a cone on a shaft with its tip down, an upright blade across the tow, a wedge with its edge in front at the bottom, or a frame: mass and motion without a surface.",
+        "What it is: a disc or a wheel with its axle along y, a rectangular block, a cylinder along any axis, a sphere, a cone on a shaft with its tip down, an upright blade across the tow, a wedge with its edge in front at the bottom, a mesh: a solid whose surface is in a file, or a frame: mass and motion without a surface.",
     ),
     key(
         "diameter",
@@ -162,6 +162,18 @@ pub(super) const BODY: &[Key] = &[
     )
     .within(POSITIVE),
     key(
+        "file",
+        Kind::Text,
+        Derived("required for a mesh"),
+        "File with a closed surface of triangles, relative to the folder of the case file: STL, OBJ or PLY (mesh). Its origin is the body's reference point, its y axis the axle.",
+    ),
+    key(
+        "unit",
+        Kind::Choice(&MESH_UNITS),
+        Derived("required for a mesh"),
+        "Unit of the coordinates in the file (mesh).",
+    ),
+    key(
         "friction",
         Kind::Friction,
         Derived("required except for a frame"),
@@ -200,7 +212,7 @@ pub(super) const BODY: &[Key] = &[
         "Initial depth of its lowest point below the surface.",
     ),
     key(
-        "height",
+        "elevation",
         Kind::Quantity(LENGTH),
         Derived("from the sinkage"),
         "Initial height of its reference point above the surface, instead of `sinkage`.",

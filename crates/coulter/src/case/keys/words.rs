@@ -5,10 +5,10 @@ use analytic::wheel::{CMU_SAND, TERRAINS};
 /// Soil laws.
 pub const LAWS: [&str; 5] = ["mohr-coulomb", "sand", "tresca", "von-mises", "elastic"];
 /// Body shapes.
-pub const SHAPES: [&str; 9] = [
+pub const SHAPES: [&str; 10] = [
     "disc", "block", "cylinder", "sphere", //
     "cone", "wheel", "blade", "wedge", //
-    "frame",
+    "mesh", "frame",
 ];
 /// Rims of a disc.
 pub const RIMS: [&str; 3] = ["square", "rounded", "bevelled"];
@@ -18,6 +18,8 @@ pub const BEVELS: [&str; 5] = ["both", "left", "right", "front", "back"];
 pub const HOLLOWS: [&str; 2] = ["left", "right"];
 /// Kinds of joints.
 pub const JOINTS: [&str; 5] = ["hinge", "ball", "slider", "spring", "cable"];
+/// Units of the coordinates in the file of a mesh.
+pub const MESH_UNITS: [&str; 5] = ["m", "cm", "mm", "in", "ft"];
 /// Axes of a cylinder.
 pub const AXES: [&str; 3] = ["x", "y", "z"];
 /// Words for the relative density of sand: about the middle of each class of ISO 14688-2.

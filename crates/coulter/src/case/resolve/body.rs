@@ -177,12 +177,12 @@ fn position(section: &Section, body: &Body, context: &Context, problems: &mut Pr
         Some(slab) if !section.has("y") => slab.middle,
         _ => y?,
     };
-    let above = if section.has("height") {
+    let above = if section.has("elevation") {
         if section.has("sinkage") {
-            let message = "`sinkage` and `height` both say how high the body stands";
-            problems.add(section.at("height"), message, "keep one of them");
+            let message = "`sinkage` and `elevation` both say how high the body stands";
+            problems.add(section.at("elevation"), message, "keep one of them");
         }
-        section.number("height")?
+        section.number("elevation")?
     } else {
         -sinkage? - body.bounds().0.z
     };

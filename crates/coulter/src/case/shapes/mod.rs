@@ -7,6 +7,7 @@ mod cone;
 mod cylinder;
 mod disc;
 mod frame;
+mod mesh;
 pub(super) mod slab;
 mod sphere;
 mod traits;
@@ -20,6 +21,7 @@ pub use cone::Cone;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use frame::Frame;
+pub use mesh::MeshBody;
 pub use sphere::Sphere;
 pub use traits::{CaseShape, ClosedForm, Conflict, Size};
 pub use wedge::Wedge;
@@ -33,10 +35,9 @@ use slab::Slab;
 macro_rules! shapes {
     ($($name:ident: $word:literal, $about:literal;)*) => {
         /// The shape of a body.
-        #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-        #[serde(rename_all = "kebab-case")]
+        #[derive(Clone, Debug, PartialEq, Serialize)]
         pub enum Shape {
-            $(#[doc = $about] $name($name),)*
+            $(#[doc = $about] #[serde(rename = $word)] $name($name),)*
         }
 
         /// Keys that describe a shape, for each.
@@ -55,6 +56,21 @@ macro_rules! shapes {
                 match word {
                     $($word => $name::read(section, slab, problems).map(Self::$name),)*
                     _ => None,
+                }
+            }
+        }
+
+        impl Shape {
+            /// Its file, of a mesh.
+            #[must_use]
+            pub fn mesh(&self) -> Option<&MeshBody> {
+                if let Self::MeshBody(mesh) = self { Some(mesh) } else { None }
+            }
+
+            /// The same without the name of its file, for comparisons.
+            pub(super) fn forget_file(&mut self) {
+                if let Self::MeshBody(mesh) = self {
+                    mesh.file.clear();
                 }
             }
         }
@@ -80,6 +96,7 @@ shapes! {
     Wheel: "wheel", "A wheel with grousers, axle along y.";
     Blade: "blade", "An upright blade across the tow.";
     Wedge: "wedge", "A wedge with its edge in front at the bottom.";
+    MeshBody: "mesh", "A solid whose surface is in a file.";
     Frame: "frame", "A frame: mass and motion without a surface.";
 }
 

@@ -1,5 +1,6 @@
 //! What the program asks of a shape in a case.
 
+use crate::case::mesh_file::MeshReport;
 use glam::DVec3;
 use physics::shape;
 
@@ -35,9 +36,13 @@ pub trait CaseShape {
     }
     /// Whether its sides across an axis of its own are flat.
     fn has_flat_sides(&self, axis: usize) -> bool;
-    /// Whether it is its own mirror image in the plane across an axis of its own.
+    /// Whether it is its own mirror image in the plane through its reference point across an axis of its own.
     fn is_mirrored(&self, _axis: usize) -> bool {
         true
+    }
+    /// What its surface is like, if that was read from a file.
+    fn mesh_report(&self) -> Option<&MeshReport> {
+        None
     }
     /// In words, with the kind first; lengths [m] are written by the caller's function.
     fn describe(&self, length: &dyn Fn(f64) -> String) -> String;

@@ -86,7 +86,15 @@ fn is_mirrored(body: &Body, axis: usize, problems: &mut Problems) {
     if !body.shape.is_mirrored(axis) {
         let (plane, key) = if axis == 0 { ("x", "symmetric_x") } else { ("y", "symmetric") };
         let message = format!("this {} is not its own mirror image in {plane} = 0", body.shape.kind());
-        problems.add(at(body, "shape"), message, format!("remove {key} = true"));
+        let cure = format!("remove {key} = true; a mesh may have the origin of its file in its middle");
+        problems.add(at(body, "shape"), message, cure);
+    }
+    for part in &body.parts {
+        if part.offset[axis] != 0.0 || !part.is_aligned() || !part.shape.is_mirrored(axis) {
+            let plane = if axis == 0 { "x" } else { "y" };
+            let message = format!("`{}` is not its own mirror image in {plane} = 0", part.name);
+            problems.add(format!("body.{}.welded_to", part.name), message, "model the whole width");
+        }
     }
 }
 

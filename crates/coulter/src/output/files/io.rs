@@ -1,13 +1,13 @@
 //! Reading and writing of files: whole, or not at all.
 
 use super::error::{Named, OutputError};
-use super::names::{CHECKPOINTS, FIELDS, MESHES, PICTURES, PLOTS};
+use super::names::{BODIES, CHECKPOINTS, FIELDS, MESHES, PICTURES, PLOTS};
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::Path;
 
 /// Folders inside a results folder.
-const INNER: [&str; 5] = [CHECKPOINTS, FIELDS, MESHES, PICTURES, PLOTS];
+const INNER: [&str; 6] = [BODIES, CHECKPOINTS, FIELDS, MESHES, PICTURES, PLOTS];
 
 /// Writes a whole file atomically: first under another name, which is then renamed.
 pub(crate) fn write_whole(path: &Path, content: &[u8]) -> Result<(), OutputError> {

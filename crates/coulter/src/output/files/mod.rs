@@ -11,5 +11,6 @@ pub use error::OutputError;
 pub(crate) use io::{make_folder, read_json, read_text, sync_folder, write_json, write_whole, write_with};
 
 pub(crate) use names::{
-    CHECKPOINTS, FIELDS, LISTS, LOG, MESHES, PICTURES, PLOTS, REPORT, RESOLVED, SUMMARY, TYPED, file_safe,
+    BODIES, CHECKPOINTS, FIELDS, LISTS, LOG, MESHES, PICTURES, PLOTS, REPORT, RESOLVED, SUMMARY, TYPED,
+    file_safe,
 };

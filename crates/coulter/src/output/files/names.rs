@@ -2,6 +2,8 @@
 
 /// Folder of checkpoints inside a results folder.
 pub(crate) const CHECKPOINTS: &str = "checkpoints";
+/// Folder of the files that bodies were read from.
+pub(crate) const BODIES: &str = "bodies";
 pub(crate) const FIELDS: &str = "fields";
 /// Folder of the runs on coarser meshes.
 pub(crate) const MESHES: &str = "meshes";

@@ -3,8 +3,8 @@
 use super::lock::LOCK;
 use super::run_record::{Outcome, RUN_RECORD, RunRecord};
 use crate::output::files::{
-    CHECKPOINTS, FIELDS, LISTS, LOG, MESHES, Named, OutputError, PICTURES, PLOTS, REPORT, RESOLVED, SUMMARY,
-    TYPED,
+    BODIES, CHECKPOINTS, FIELDS, LISTS, LOG, MESHES, Named, OutputError, PICTURES, PLOTS, REPORT, RESOLVED,
+    SUMMARY, TYPED,
 };
 use crate::output::tables::{
     BOUNDARIES_FILE, ENERGY_FILE, GROUND_LEFT_FILE, HistoryNames, forces_name, joint_name, part_name,
@@ -108,7 +108,7 @@ pub(crate) fn clear(dir: &Path, force: bool) -> Result<(), OutputError> {
 
 /// Removes files that a killed run left unfinished.
 pub(crate) fn remove_parts(dir: &Path) -> Result<(), OutputError> {
-    for folder in ["", FIELDS, PICTURES, PLOTS, CHECKPOINTS] {
+    for folder in ["", BODIES, FIELDS, PICTURES, PLOTS, CHECKPOINTS] {
         let folder = dir.join(folder);
         if !folder.is_dir() {
             continue;
@@ -135,7 +135,8 @@ fn remove_result(dir: &Path, record: &RunRecord) -> Result<(), OutputError> {
         remove_file(&dir.join(file))?;
     }
     for (folder, extensions) in [
-        (FIELDS, &["vtr", "vtp"][..]),
+        (BODIES, &["stl", "obj", "ply"][..]),
+        (FIELDS, &["vtr", "vtp"]),
         (PICTURES, &["png", "svg", "csv"]),
         (PLOTS, &["svg"]),
         (CHECKPOINTS, &["checkpoint"]),
