@@ -62,8 +62,8 @@ fn turned([yaw, tilt]: [f64; 2], ramp: &str) -> Vec<String> {
     let whole = [
         "domain.x=['-0.32 m', '0.32 m']",
         "domain.y=['-0.3 m', '0.42 m']",
-        "grid.fine_x=['-0.145 m', '0.145 m']",
-        "grid.fine_y=['-0.16 m', '0.2 m']",
+        "grid.fine_x=['-0.15 m', '0.15 m']",
+        "grid.fine_y=['-0.1625 m', '0.2 m']",
         "grid.follow.axes=y",
         "body.disc.forward=fixed",
     ];
@@ -199,7 +199,8 @@ fn tow(runner: &mut Runner, angles: [f64; 2]) -> Result<Option<Load>, VerifyErro
     Ok(Some(load))
 }
 
-/// What 3D-RFT says of a case: load and turn ratio; of a disc across the tow it gives no lateral force and no moments: 0.
+/// What 3D-RFT says of a case: load and turn ratio. Where it gives no lateral force and no moments, of an upright disc along the
+/// tow, they vanish: by symmetry, and because the axle is free.
 fn forecast(case: &Case) -> Option<(Load, f64)> {
     let outlook = outlook(case).ok()?;
     let model = outlook.forecast.models.iter().find(|m| m.model == Candidate::SpatialResistive)?;
