@@ -3,7 +3,7 @@
 use crate::boundary::{Boundaries, Boundary, Symmetry};
 use crate::grid::{Grid, longer_step};
 use crate::material::Material;
-use glam::{DQuat, DVec3};
+use glam::{DMat3, DQuat, DVec3};
 use mechanics::joint::Joint;
 use mechanics::{Inertia, Mechanism, Motion, Pose};
 use physics::shape::{RimPoint, Shape};
@@ -85,12 +85,18 @@ impl BodyModel {
     /// the spin about its axle, which changes nothing. Contact is then steady in steady rolling.
     #[must_use]
     pub fn attitude(&self, pose: &Pose) -> DQuat {
-        if self.shape.is_revolved() {
-            DQuat::from_rotation_arc(DVec3::Y, (pose.rotation * DVec3::Y).normalize())
-        } else {
-            pose.rotation
-        }
+        if self.shape.is_revolved() { of_axle((pose.rotation * DVec3::Y).normalize()) } else { pose.rotation }
     }
+}
+
+/// The rotation that turns y to an axle (a unit vector) by a tilt, and then a yaw. Without a spin of its own, unlike the shortest
+/// rotation, it turns with the axle about z.
+fn of_axle(axle: DVec3) -> DQuat {
+    if axle.y > 1.0 - 2.0 * f64::EPSILON {
+        return DQuat::IDENTITY;
+    }
+    let level = DVec3::new(axle.y, -axle.x, 0.0).try_normalize().unwrap_or(DVec3::X);
+    DQuat::from_mat3(&DMat3::from_cols(level, axle, level.cross(axle)))
 }
 
 /// A bin of a body's rim: what lies between two points of its outline.
@@ -189,6 +195,20 @@ impl Model {
     pub fn mechanism(&self) -> Mechanism {
         let bodies = self.bodies.iter().map(|body| body.mechanical(self.modelled_fraction()));
         Mechanism::unchecked(bodies.collect(), self.joints.clone())
+    }
+
+    /// Whether the soil is driven along y rather than x: by the first body that has a prescribed speed, or else a load, along either.
+    ///
+    /// The sweeps of the remap go by it, so that a set-up that is turned by 90° about z takes the same course.
+    #[must_use]
+    pub fn is_driven_along_y(&self) -> bool {
+        let drives: [fn(&Motion) -> f64; 2] = [
+            |motion| if let Motion::Prescribed { speed, .. } = motion { speed.abs() } else { 0.0 },
+            |motion| if let Motion::Free { load, .. } = motion { load.abs() } else { 0.0 },
+        ];
+        let of = |body: &BodyModel| drives.map(|drive| [drive(&body.motion[0]), drive(&body.motion[1])]);
+        let mut each = self.bodies.iter().flat_map(of);
+        each.find(|[x, y]| x.max(*y) > 0.0).is_some_and(|[x, y]| y > x)
     }
 
     /// Planes of symmetry.

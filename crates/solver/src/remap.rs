@@ -16,7 +16,8 @@ use crate::precision::Precision;
 use crate::state::State;
 use crate::workspace::Workspace;
 
-/// The six orders of the axes; each begins where the last ended, so that no axis is favoured.
+/// The six orders of the axes; each begins where the last ended, so that no axis is favoured. 0 is the horizontal axis along which
+/// the soil is driven ([`Model::is_driven_along_y`]), 1 the other one.
 const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [2, 0, 1], [1, 2, 0], [2, 1, 0], [0, 2, 1], [1, 0, 2]];
 
 /// Carries everything back to the grid. Afterwards the displacement is zero, the nodal masses are those of the cells,
@@ -30,7 +31,8 @@ pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut 
     ghosts::follow(model, state);
     R::displaced_volumes(model, state, soil);
     let mut ghosts = Ghosts::new(model, state, &soil.velocity_before[0], halo);
-    for axis in ORDERS[(state.remaps % 6) as usize] {
+    let axes = if model.is_driven_along_y() { [1, 0, 2] } else { [0, 1, 2] };
+    for axis in ORDERS[(state.remaps % 6) as usize].map(|n| axes[n]) {
         if grid.whole_cells()[axis] > 1 {
             R::sweep(model, state, soil, axis, &active);
             fill_swept(model, state, soil, (ghosts.as_mut(), halo));

@@ -5,6 +5,7 @@
 //! what is expected: the [`row::Row`]s. Benchmarks that a case file can describe are run from one, through the public API.
 
 mod advection;
+mod attitude;
 mod bearing;
 mod blade;
 mod cache;

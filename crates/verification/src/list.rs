@@ -4,8 +4,8 @@ use crate::error::VerifyError;
 use crate::expectations::Expectations;
 use crate::runner::Runner;
 use crate::{
-    blade, circle, column, conservation, control, disc, element, flow, footing, friction, group, light,
-    long_tow, other_codes, plate, positions, precision, repeat, rest, rigid, rotating, rough_wall,
+    attitude, blade, circle, column, conservation, control, disc, element, flow, footing, friction, group,
+    light, long_tow, other_codes, plate, positions, precision, repeat, rest, rigid, rotating, rough_wall,
     round_column, scaling, softening, strip_sand, taylor, three_meshes, transport, wall, wave,
 };
 use std::sync::LazyLock;
@@ -77,6 +77,7 @@ pub const BENCHMARKS: &[Benchmark] = &[
     benchmark!("C3", "C3_soil_volume", Balances, conservation::volume),
     benchmark!("C4", "C4_soil_inside_bodies", Balances, conservation::leak),
     benchmark!("D3", "D3_towed_disc", Run, disc::run),
+    benchmark!("D8", "D8_yaw_and_tilt", Run, attitude::run),
     benchmark!("D9", "D9_discs_on_an_axle", Run, group::run),
     benchmark!("D10", "D10_long_tow", Run, long_tow::run),
     benchmark!("D11", "D11_three_meshes", Run, three_meshes::run),

@@ -87,9 +87,9 @@ pub(super) fn corrections(
     corrections.into_iter().map(Option::unwrap_or_default).collect()
 }
 
-/// Whether a face with this normal is parallel to faces of the cells.
-fn is_aligned(normal: DVec3) -> bool {
-    normal.abs().max_element() == 1.0
+/// Whether a face with this normal is parallel to faces of the cells; on a body that is turned by 90° but for round-off.
+pub(super) fn is_aligned(normal: DVec3) -> bool {
+    normal.abs().max_element() >= 1.0 - 4.0 * f64::EPSILON
 }
 
 /// A cell that a body occupies in part.

@@ -10,6 +10,7 @@
 //! body at rest has none, so that its load does not drift.
 
 use super::constraint::{self, Constraint, Constraints};
+use super::cut_cell::is_aligned;
 use super::law::ContactLaw;
 use super::problem::{ContactJacobian, ContactProblem, over_corners};
 use crate::state::Contact;
@@ -41,14 +42,17 @@ const SEPARATION_FLAT: f64 = 0.5;
 const GAP_RELAXATION: f64 = 0.3;
 /// Fraction of an overlap that the bias velocity removes while the body travels one cell.
 const OVERLAP_BIAS: f64 = 1.0;
+/// Gaps that are less, in cells, are round-off of volume fractions that fill a cell, and closed: it must not decide which points of
+/// a body act that starts in the soil.
+const ROUND_OFF: f64 = 1e-12;
 /// Points with a larger gap, in cells, cannot close within a step.
 const REACH: f64 = 0.05;
 
 impl ContactLaw for Impulses {
     fn update(&self, c: &mut Contact, gap: f64, travel: Option<f64>) {
-        let touches = travel.is_some() && c.penetration >= 0.0;
-        let is_flat = c.normal.abs().max_element() == 1.0;
-        if touches && gap < if is_flat { SEPARATION_FLAT } else { SEPARATION } * c.width {
+        let touches = travel.is_some() && is_closed(c);
+        let separation = if is_aligned(c.normal) { SEPARATION_FLAT } else { SEPARATION };
+        if touches && gap < separation * c.width {
             c.penetration = (-gap).max(0.0);
             return;
         }
@@ -62,8 +66,7 @@ impl ContactLaw for Impulses {
         let touches = |n: usize| {
             let c = &problem.contacts[n];
             let closing = || problem.slip_velocity_of(n).dot(c.normal);
-            c.penetration >= 0.0
-                || c.penetration > -REACH * c.width && c.penetration + closing() * problem.dt > 0.0
+            is_closed(c) || c.penetration > -REACH * c.width && c.penetration + closing() * problem.dt > 0.0
         };
         let Self { constraints, masses, groups } = self;
         constraints.find(problem, touches);
@@ -84,6 +87,11 @@ impl ContactLaw for Impulses {
             update_history(problem, n, constraint.map(|p| &constraints[p]));
         }
     }
+}
+
+/// Whether a point is in contact.
+fn is_closed(c: &Contact) -> bool {
+    c.penetration >= -ROUND_OFF * c.width
 }
 
 /// Updates the history of a point: its portion of its constraint's impulse, if it has one, and its distance.
