@@ -237,8 +237,8 @@ fn numbers_of_body(body: &mut Body) -> Vec<&mut f64> {
         }
         Shape::Cylinder(cylinder) => vec![&mut cylinder.diameter, &mut cylinder.length],
         Shape::Sphere(sphere) => vec![&mut sphere.diameter],
-        // Its lengths are in its file.
-        Shape::MeshBody(_) => vec![],
+        // The lengths of a mesh are in its file, a frame has none.
+        Shape::MeshBody(_) | Shape::Frame(_) => vec![],
         Shape::Block(block) => components(&mut block.size).into_iter().collect(),
         Shape::Cone(cone) => vec![&mut cone.diameter, &mut cone.apex, &mut cone.shaft, &mut cone.length],
         Shape::Wheel(wheel) => {

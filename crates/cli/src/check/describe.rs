@@ -16,6 +16,14 @@ pub(super) fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
     describe_soil(text, &case.soil)?;
     for body in &case.bodies {
         describe_body(text, case, body)?;
+        for part in &body.parts {
+            let shape = part.shape.describe(&|x: f64| format!("{} m", plain(x)));
+            writeln!(
+                text,
+                "part     {}: {shape}, m = {:.4} kg, welded to {}",
+                part.name, part.mass, body.name
+            )?;
+        }
     }
     for joint in &case.joints {
         describe_joint(text, case, joint)?;
@@ -98,7 +106,7 @@ fn strength(soil: &Soil) -> String {
 fn describe_body(text: &mut String, case: &Case, body: &Body) -> std::fmt::Result {
     let metres = |x: f64| format!("{} m", plain(x));
     let shape = body.shape.describe(&metres);
-    if !body.has_surface() {
+    if !body.shape.has_surface() {
         writeln!(text, "body     {}: {shape}, m = {:.4} kg", body.name, body.mass)?;
         return describe_motions(text, body);
     }

@@ -48,6 +48,8 @@ pub struct Steady {
     /// Mean torque about the axle [N m].
     #[serde(rename = "axle_torque_Nm")]
     pub axle_torque: Option<f64>,
+    /// What it costs to move the body, and what it pulls.
+    pub traction: Traction,
     /// Scatter of the drag: root mean square of the drag less its moving average over 0.02 d (at least five samples),
     /// over the mean drag.
     pub drag_noise: Option<f64>,
@@ -64,6 +66,44 @@ pub struct Steady {
     pub sinkage_interval: Option<[f64; 2]>,
     /// Interval of the mean turn ratio.
     pub turn_ratio_interval: Option<[f64; 2]>,
+}
+
+/// Steady means of what it costs to move a body through the soil, and of what a driven body pulls; `null` in JSON where there is none.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Traction {
+    /// Drawbar pull −F_H [N]: what the soil pushes the body forwards with; negative where it resists.
+    #[serde(rename = "drawbar_pull_N")]
+    pub drawbar_pull: Option<f64>,
+    /// Specific resistance F_H/F_V: drag over the vertical force.
+    pub specific_resistance: Option<f64>,
+    /// Drag over the width of the body across the tow [N/m].
+    #[serde(rename = "drag_per_width_N_m")]
+    pub drag_per_width: Option<f64>,
+    /// Power that moves the body against its drag, F_H v [W].
+    #[serde(rename = "tow_power_W")]
+    pub tow_power: Option<f64>,
+    /// Power that turns the body against the torque of the soil, −M ω [W].
+    #[serde(rename = "axle_power_W")]
+    pub axle_power: Option<f64>,
+    /// Tractive efficiency of a driven body: power of its pull over that of its axle.
+    pub tractive_efficiency: Option<f64>,
+}
+
+impl Traction {
+    /// From the means of drag and vertical force [N], of the power of the tow and of the axle [W].
+    fn of(reference: &Reference, [drag, vertical, tow_power, axle_power]: [Option<f64>; 4]) -> Self {
+        let over = |a: Option<f64>, b: Option<f64>| finite(a? / b.filter(|b| *b > 0.0)?);
+        let axle_power = axle_power.filter(|_| reference.turns);
+        Self {
+            drawbar_pull: drag.map(|drag| 0.0 - drag),
+            specific_resistance: over(drag, vertical),
+            drag_per_width: over(drag, Some(reference.width)),
+            tow_power,
+            axle_power,
+            tractive_efficiency: over(tow_power.map(|power| -power).filter(|power| *power > 0.0), axle_power),
+        }
+    }
 }
 
 /// Largest values of a run, with their sign; `null` in JSON where there is none.
@@ -180,6 +220,10 @@ pub fn steady(samples: &[BodySample], reference: &Reference, window: Range<usize
         turn_ratio,
         slip: turn_ratio.map(analytic::slip),
         axle_torque: mean(|s| s.axle_torque),
+        traction: Traction::of(
+            reference,
+            [drag, mean(|s| s.vertical), mean(|s| s.drag * s.speed), mean(|s| -s.axle_torque * s.spin)],
+        ),
         // The drag of a body that is pushed down is almost zero, and noise relative to it is meaningless.
         drag_noise: drag
             .filter(|drag| drag.abs() > NO_DRAG * mean(|s| s.vertical).unwrap_or(0.0).abs())
@@ -280,6 +324,35 @@ mod tests {
             towed: true,
             turns: true,
         }
+    }
+
+    #[test]
+    fn a_driven_wheel_pulls_with_an_efficiency() {
+        let driven = |n: u32| BodySample {
+            time: f64::from(n),
+            displacement: 0.1 * f64::from(n),
+            speed: 0.1,
+            spin: 2.0,
+            drag: -30.0,
+            vertical: 100.0,
+            axle_torque: -5.0,
+            ..BodySample::default()
+        };
+        let samples: Vec<_> = (0..20).map(driven).collect();
+        let Traction {
+            drawbar_pull,
+            specific_resistance,
+            drag_per_width,
+            tow_power,
+            axle_power,
+            tractive_efficiency,
+        } = steady(&samples, &disc(), 0..20).traction;
+        assert_eq!([drawbar_pull, specific_resistance], [Some(30.0), Some(-0.3)]);
+        assert!((drag_per_width.unwrap() + 750.0).abs() < 1e-9);
+        assert!((tow_power.unwrap() + 3.0).abs() < 1e-12 && (axle_power.unwrap() - 10.0).abs() < 1e-12);
+        assert!((tractive_efficiency.unwrap() - 0.3).abs() < 1e-12);
+        let towed: Vec<_> = samples.iter().map(|s| BodySample { drag: 30.0, ..*s }).collect();
+        assert_eq!(steady(&towed, &disc(), 0..20).traction.tractive_efficiency, None);
     }
 
     fn tow(count: usize, drag: impl Fn(f64) -> f64) -> Vec<BodySample> {

@@ -144,18 +144,20 @@ fn bar() -> ProgressBar {
 
 /// The latest forces, sinkage and turn ratio of each body.
 fn live(history: &History, references: &[Reference]) -> String {
+    let touching = references.iter().filter(|reference| reference.has_surface()).count();
     let one = |(samples, reference): (&Vec<BodySample>, &Reference)| {
         let s = samples.last()?;
         let force = |f: f64| {
             let unit = Unit::force(f.abs());
             format!("{} {}", digits(f / unit.size), unit.name)
         };
-        let name = if references.len() > 1 { format!("{}: ", reference.name) } else { String::new() };
+        let name = if touching > 1 { format!("{}: ", reference.name) } else { String::new() };
         let turn = reference.turn_ratio_of(s).map_or(String::new(), |r| format!("  ωr/v {r:.2}"));
         let forces = format!("F_H {}  F_V {}", force(s.drag), force(s.vertical));
         Some(format!("{name}{forces}  z {} mm{turn}", digits(1e3 * s.sinkage)))
     };
-    history.bodies.iter().zip(references).filter_map(one).collect::<Vec<_>>().join("   ")
+    let bodies = history.bodies.iter().zip(references).filter(|(_, reference)| reference.has_surface());
+    bodies.filter_map(one).collect::<Vec<_>>().join("   ")
 }
 
 /// A length of time as h:mm:ss or m:ss.

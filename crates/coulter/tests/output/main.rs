@@ -11,7 +11,7 @@ mod vtk;
 use coulter::history::columns::{BOUNDARIES, ENERGY, FORCES, header};
 use coulter::output::folder::{Outcome, RunStatistics};
 use coulter::output::plots::{Overlay, PlotKind};
-use coulter::output::tables::{Table, read_history};
+use coulter::output::tables::{HistoryNames, Table, read_history};
 use coulter::output::{OutputError, Results, Summary, rebuild_report};
 use std::fs;
 use std::path::Path;
@@ -166,7 +166,7 @@ fn histories_grow_during_the_run_and_read_back() {
     assert_eq!(Table::read(&dir.path().join("forces_disc.csv")).unwrap().rows(), 20);
     results.tables.append(&full).unwrap();
     results.tables.append(&full).unwrap();
-    let back = read_history(dir.path(), &full.names, true).unwrap();
+    let back = read_history(dir.path(), &HistoryNames::of(&full), true).unwrap();
     assert_eq!(back.bodies[1].len(), 50);
     assert!((back.bodies[1][30].drag - full.bodies[1][30].drag).abs() < 1e-6);
     let disc = Table::read(&dir.path().join("forces_disc.csv")).unwrap();

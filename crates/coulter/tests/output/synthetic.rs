@@ -95,6 +95,7 @@ pub(crate) fn case(kind: Kind, cell: f64) -> Case {
             Kind::Two => vec![disc, block],
             Kind::Column => vec![],
         },
+        joints: Vec::new(),
         duration: 6.0,
         output: case::Output {
             history_interval: 1e-3,
@@ -158,6 +159,8 @@ fn body(name: &str, shape: Shape, position: DVec3) -> case::Body {
             free(-60.0),
         ],
         rotation: [case::Motion::Fixed, case::Motion::Fixed, free(0.0)],
+        parts: Vec::new(),
+        guide: None,
     }
 }
 

@@ -7,7 +7,7 @@ use coulter::history::SurfacePoint;
 use coulter::output::Results;
 use coulter::output::checkpoint::Checkpoint;
 use coulter::output::folder::{Outcome, RunStatistics};
-use coulter::output::tables::read_history;
+use coulter::output::tables::{HistoryNames, read_history};
 use coulter::simulation::Simulation;
 use glam::DVec3;
 use solver::boundary::Boundary::{Inflow, Outflow};
@@ -153,7 +153,7 @@ fn the_rut_is_kept_through_a_restart() {
     let results = dir.path().join("results");
     let summary = write(&results, &whole);
     assert!(summary.surface.rut_depth_m > 0.01, "{:?}", summary.surface);
-    let back = read_history(&results, &whole.history.names, true).unwrap();
+    let back = read_history(&results, &HistoryNames::of(&whole.history), true).unwrap();
     assert_eq!(back.ground_left.len(), whole.history.ground_left.len());
     let near = |a: f64, b: f64| (a - b).abs() < 1e-8;
     let pairs = back.ground_left.iter().zip(&whole.history.ground_left);

@@ -1,6 +1,6 @@
 //! The case in a few words, for the top of a report.
 
-use crate::case::resolved::{Attitude, Body, Case, GROUND, Law, Motion, Potential};
+use crate::case::resolved::{Attitude, Body, Case, GROUND, Law, Motion, Part, Potential};
 use crate::output::units::{Unit, digits};
 
 /// Soil and bodies, each as a name and a description.
@@ -10,6 +10,11 @@ pub(super) fn describe(case: &Case) -> Vec<[String; 2]> {
     for body in &case.bodies {
         let title = if several { body.name.clone() } else { "Body".to_owned() };
         lines.push([title, describe_body(case, body)]);
+        let length = |value: f64| quantity(value, Unit::length(value));
+        let part = |part: &Part| {
+            [part.name.clone(), format!("{}, welded to {}", part.shape.describe(&length), body.name)]
+        };
+        lines.extend(body.parts.iter().map(part));
     }
     for joint in &case.joints {
         let name = |body: usize| &*case.bodies[body].name;
@@ -73,7 +78,7 @@ fn soil(case: &Case) -> String {
 fn describe_body(case: &Case, body: &Body) -> String {
     let length = |value: f64| quantity(value, Unit::length(value));
     let shape = body.shape.describe(&length);
-    if !body.has_surface() {
+    if !body.shape.has_surface() {
         return format!("{shape}, mass {} kg; {}", digits(body.mass), motions(body));
     }
     let mut friction = if body.friction.is_finite() {

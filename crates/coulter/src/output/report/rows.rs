@@ -3,6 +3,7 @@
 use super::summary::{BodySummary, RimSummary, Summary};
 use crate::history::reference::Reference;
 use crate::history::rim::{RimPlace, SlipReversal};
+use crate::history::steady::{Steady, Traction};
 use crate::output::folder::RunRecord;
 use crate::output::units::{Unit, digits};
 use crate::trust::{Check, Trust, Verdict};
@@ -138,6 +139,7 @@ pub(super) fn body_rows(reference: &Reference, body: &BodySummary) -> Vec<TableR
         let note = "steady mean; forward positive; group M / (γ t d³)";
         table.push("Axle torque", "M", table.torque(steady.axle_torque), note);
     }
+    traction_rows(&mut table, steady);
     table.push_rim(&body.rim);
     let noise = steady.drag_noise.map_or(NONE.to_owned(), |n| format!("{} %", digits(100.0 * n)));
     table.push(
@@ -151,6 +153,37 @@ pub(super) fn body_rows(reference: &Reference, body: &BodySummary) -> Vec<TableR
     table.push("Peak vertical force", "", table.force(peak.vertical), "");
     table.push("Deepest sinkage", "", table.length(peak.sinkage), "");
     table.rows
+}
+
+/// What it costs to move a body that is towed, and what a driven one pulls.
+fn traction_rows(table: &mut BodyRows<'_>, steady: &Steady) {
+    let Traction { specific_resistance, drag_per_width, tow_power, axle_power, tractive_efficiency, .. } =
+        steady.traction;
+    if !table.reference.towed {
+        return;
+    }
+    table.push(
+        "Specific resistance",
+        "F<sub>H</sub>/F<sub>V</sub>",
+        [NONE.into(), bare(specific_resistance)],
+        "",
+    );
+    let per_width = drag_per_width.map_or(NONE.to_owned(), |f| format!("{} N/m", digits(f)));
+    table.push("Drag per width", "", [per_width, NONE.into()], "over the width across the tow");
+    let power = |power: Option<f64>| power.map_or(NONE.to_owned(), |p| format!("{} W", digits(p)));
+    table.push("Tow power", "F<sub>H</sub> v", [power(tow_power), NONE.into()], "negative where it pulls");
+    if axle_power.is_some_and(|power| power > 0.0) {
+        table.push(
+            "Axle power",
+            "",
+            [power(axle_power), NONE.into()],
+            "torque on the axle times the rate of rotation",
+        );
+    }
+    if tractive_efficiency.is_some() {
+        let note = "power of the drawbar pull over that of the axle";
+        table.push("Tractive efficiency", "", [NONE.into(), bare(tractive_efficiency)], note);
+    }
 }
 
 pub(super) fn facts(record: &RunRecord, summary: &Summary) -> Vec<[String; 2]> {

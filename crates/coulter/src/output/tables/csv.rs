@@ -44,6 +44,18 @@ pub struct HistoryNames {
     pub joints: Vec<String>,
 }
 
+impl HistoryNames {
+    /// Those of a history.
+    #[must_use]
+    pub fn of(history: &History) -> Self {
+        Self {
+            bodies: history.names.clone(),
+            parts: history.part_names.clone(),
+            joints: history.joint_names.clone(),
+        }
+    }
+}
+
 /// Name of the file that holds a joint's history: `joint_NAME.csv`.
 #[must_use]
 pub fn joint_name(name: &str) -> String {
