@@ -6,10 +6,10 @@ use analytic::wheel::{CMU_SAND, TERRAINS};
 pub const LAWS: [&str; 5] = ["mohr-coulomb", "sand", "tresca", "von-mises", "elastic"];
 /// Body shapes.
 pub const SHAPES: [&str; 5] = ["disc", "block", "cylinder", "sphere", "mesh"];
-/// Units of the coordinates in the file of a mesh.
-pub const MESH_UNITS: [&str; 5] = ["m", "cm", "mm", "in", "ft"];
 /// Axes of a cylinder.
 pub const AXES: [&str; 3] = ["x", "y", "z"];
+/// Units of the coordinates in the file of a mesh.
+pub const MESH_UNITS: [&str; 5] = ["m", "cm", "mm", "in", "ft"];
 /// Words for the relative density of sand: about the middle of each class of ISO 14688-2.
 pub const DENSITIES: [(&str, f64); 5] =
     [("very loose", 0.1), ("loose", 0.25), ("medium dense", 0.5), ("dense", 0.75), ("very dense", 0.9)];
