@@ -5,9 +5,12 @@
 //! triangles at an edge, or that goes through itself is refused with a place.
 
 mod crossing;
+mod defect;
 mod shells;
 mod slivers;
 mod weld;
+
+pub use defect::Defect;
 
 use super::edges::{by_edge, sides};
 use super::hierarchy::bounds;
@@ -20,61 +23,6 @@ const SAME: [f64; 2] = [1e-9, 1e-6];
 const TOUCHING: f64 = 1e-6;
 /// Volume over that of the bounding box below which there is none.
 const NO_VOLUME: f64 = 1e-9;
-
-/// Why triangles bound no solid. Places are in the coordinates of the points.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Defect {
-    /// There is no triangle, or none with an area.
-    Empty,
-    /// A coordinate is not a finite number.
-    NotFinite {
-        /// Number of the point.
-        point: usize,
-    },
-    /// A triangle refers to a point that does not exist.
-    NoSuchPoint {
-        /// Number of the triangle.
-        triangle: usize,
-    },
-    /// The surface is not closed.
-    Open {
-        /// Number of edges with one triangle.
-        edges: usize,
-        /// The middle of one of them [m].
-        place: DVec3,
-    },
-    /// More than two triangles share an edge.
-    NotManifold {
-        /// Number of such edges.
-        edges: usize,
-        /// Number of triangles at one of them.
-        triangles: usize,
-        /// Its middle [m].
-        place: DVec3,
-    },
-    /// It has only one side, like a Möbius strip or a Klein bottle.
-    OneSided {
-        /// Where the sides meet [m].
-        place: DVec3,
-    },
-    /// It goes through itself.
-    Crossing {
-        /// Where [m].
-        place: DVec3,
-    },
-    /// A part lies inside another one, without being a cavity of it.
-    Nested {
-        /// A point of it [m].
-        place: DVec3,
-    },
-    /// It has too many separate parts.
-    Scattered {
-        /// How many.
-        shells: usize,
-    },
-    /// It encloses nothing.
-    NoVolume,
-}
 
 /// A solid, and what was repaired of its surface.
 #[derive(Clone, Debug)]

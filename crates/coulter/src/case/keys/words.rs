@@ -18,10 +18,10 @@ pub const BEVELS: [&str; 5] = ["both", "left", "right", "front", "back"];
 pub const HOLLOWS: [&str; 2] = ["left", "right"];
 /// Kinds of joints.
 pub const JOINTS: [&str; 5] = ["hinge", "ball", "slider", "spring", "cable"];
-/// Units of the coordinates in the file of a mesh.
-pub const MESH_UNITS: [&str; 5] = ["m", "cm", "mm", "in", "ft"];
 /// Axes of a cylinder.
 pub const AXES: [&str; 3] = ["x", "y", "z"];
+/// Units of the coordinates in the file of a mesh.
+pub const MESH_UNITS: [&str; 5] = ["m", "cm", "mm", "in", "ft"];
 /// Words for the relative density of sand: about the middle of each class of ISO 14688-2.
 pub const DENSITIES: [(&str, f64); 5] =
     [("very loose", 0.1), ("loose", 0.25), ("medium dense", 0.5), ("dense", 0.75), ("very dense", 0.9)];

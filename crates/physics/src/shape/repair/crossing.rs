@@ -4,7 +4,7 @@
 //! outside of every triangle there must be no body, just inside of it one, which gives away parts that overlap with their faces
 //! in the same planes.
 
-use super::Defect;
+use super::defect::Defect;
 use crate::shape::polyhedron::Polyhedron;
 use crate::shape::triangle::{area_vector, meets, pierced};
 use glam::DVec3;

@@ -1,6 +1,6 @@
 //! Closed surfaces of which a surface consists: which way they are oriented, and which lie inside others.
 
-use super::Defect;
+use super::defect::Defect;
 use crate::shape::Mesh;
 use crate::shape::edges::{by_edge, sides};
 use crate::shape::hierarchy::Hierarchy;

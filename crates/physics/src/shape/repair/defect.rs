@@ -1,0 +1,58 @@
+//! Why triangles bound no solid.
+
+use glam::DVec3;
+
+/// Why triangles bound no solid. Places are in the coordinates of the points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Defect {
+    /// There is no triangle, or none with an area.
+    Empty,
+    /// A coordinate is not a finite number.
+    NotFinite {
+        /// Number of the point.
+        point: usize,
+    },
+    /// A triangle refers to a point that does not exist.
+    NoSuchPoint {
+        /// Number of the triangle.
+        triangle: usize,
+    },
+    /// The surface is not closed.
+    Open {
+        /// Number of edges with one triangle.
+        edges: usize,
+        /// The middle of one of them [m].
+        place: DVec3,
+    },
+    /// More than two triangles share an edge.
+    NotManifold {
+        /// Number of such edges.
+        edges: usize,
+        /// Number of triangles at one of them.
+        triangles: usize,
+        /// Its middle [m].
+        place: DVec3,
+    },
+    /// It has only one side, like a Möbius strip or a Klein bottle.
+    OneSided {
+        /// Where the sides meet [m].
+        place: DVec3,
+    },
+    /// It goes through itself.
+    Crossing {
+        /// Where [m].
+        place: DVec3,
+    },
+    /// A part lies inside another one, without being a cavity of it.
+    Nested {
+        /// A point of it [m].
+        place: DVec3,
+    },
+    /// It has too many separate parts.
+    Scattered {
+        /// How many.
+        shells: usize,
+    },
+    /// It encloses nothing.
+    NoVolume,
+}
