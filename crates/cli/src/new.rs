@@ -4,7 +4,7 @@ use crate::common::say;
 use crate::failure::Failure;
 use clap::ValueEnum;
 use std::fmt::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -24,6 +24,9 @@ pub(super) struct Arguments {
 
 /// The first line of the shipped cases.
 const SCHEMA: &str = "#:schema ./schema.json\n";
+
+/// The surface that the tool from an STL file refers to.
+const OPENER: &str = include_str!("../../../cases/opener.stl");
 
 macro_rules! templates {
     ($($name:ident: $file:literal, $about:literal;)*) => {
@@ -49,6 +52,13 @@ templates! {
     SweptWing: "swept_wing.toml", "Four discs along a wing that is swept by 45°";
     Cable: "disc_on_a_cable.toml", "A disc towed by a cable";
     DrivenWheel: "driven_wheel.toml", "A driven wheel at 30 % slip";
+    GrouseredWheel: "grousered_wheel.toml", "A driven wheel with grousers";
+    HarrowDisc: "harrow_disc.toml", "A dished harrow disc at 20° yaw and 15° tilt";
+    Opener: "double_disc_opener.toml", "A double-disc opener";
+    Blade: "blade.toml", "A blade with a rake angle of 45°";
+    Cone: "cone.toml", "A cone penetrometer";
+    Pipe: "pipe.toml", "A pipe that is pressed into sand and swept sideways";
+    StlTool: "stl_tool.toml", "A tool from an STL file";
     Footing: "strip_footing.toml", "A strip footing on undrained soil";
     PassiveWall: "passive_wall.toml", "A wall pushed into a bank of sand";
     Column: "column_collapse.toml", "A column of sand that collapses";
@@ -62,24 +72,33 @@ pub(super) fn new(arguments: &Arguments) -> Result<(), Failure> {
     // The shipped cases refer to the schema in their folder; there is none with the new file.
     let text = text.strip_prefix(SCHEMA).unwrap_or(text);
     let path = arguments.output.clone().unwrap_or_else(|| name.into());
+    if let Template::StlTool = arguments.template {
+        write(&path.with_file_name("opener.stl"), OPENER, arguments.force)?;
+    }
+    write(&path, text, arguments.force)?;
+    let shown = path.display();
+    say(&format!("wrote {shown}; next: coulter check {shown}\n"))
+}
+
+/// Writes a file; one that exists only with `force`.
+fn write(path: &Path, text: &str, force: bool) -> Result<(), Failure> {
     let shown = path.display();
     let mut options = std::fs::OpenOptions::new();
     options.write(true);
     // create_new atomically refuses an existing file.
-    if arguments.force {
+    if force {
         options.create(true).truncate(true)
     } else {
         options.create_new(true)
     };
     let written =
-        options.open(&path).and_then(|mut file| std::io::Write::write_all(&mut file, text.as_bytes()));
-    match written {
-        Ok(()) => say(&format!("wrote {shown}; next: coulter check {shown}\n")),
-        Err(error) if error.kind() == std::io::ErrorKind::AlreadyExists => Err(Failure::Request(format!(
+        options.open(path).and_then(|mut file| std::io::Write::write_all(&mut file, text.as_bytes()));
+    written.map_err(|error| match error.kind() {
+        std::io::ErrorKind::AlreadyExists => Failure::Request(format!(
             "{shown} exists already; --force overwrites it, -o FILE writes to another file"
-        ))),
-        Err(error) => Err(Failure::Request(format!("{shown} cannot be written: {error}"))),
-    }
+        )),
+        _ => Failure::Request(format!("{shown} cannot be written: {error}")),
+    })
 }
 
 /// The templates, one a line.

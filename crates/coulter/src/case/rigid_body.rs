@@ -201,6 +201,29 @@ impl Body {
         pitched(&self.shape, self.attitude.pitch)
     }
 
+    /// The body and its parts as bodies of their own, those with a surface.
+    #[must_use]
+    pub fn surfaces(&self) -> Vec<Self> {
+        let own = Self { parts: Vec::new(), ..self.clone() };
+        let frame = self.attitude.of_axle();
+        let part = |part: &Part| {
+            let axle = frame * part.rotation * DVec3::Y;
+            Self {
+                name: part.name.clone(),
+                shape: part.shape.clone(),
+                position: self.position + frame * part.offset,
+                attitude: Attitude {
+                    yaw: (-axle.x).atan2(axle.y) + 0.0,
+                    tilt: axle.z.clamp(-1.0, 1.0).asin(),
+                    pitch: part.pitch,
+                },
+                ..own.clone()
+            }
+        };
+        let parts = self.parts.iter().map(part);
+        std::iter::once(own.clone()).chain(parts).filter(|body| body.shape.has_surface()).collect()
+    }
+
     /// Whether a joint or a weld connects it with others, or with the ground.
     #[must_use]
     pub fn is_connected(&self) -> bool {

@@ -1,7 +1,6 @@
 //! The bodies of a case that touch the soil, each as if it moved by itself: what joints, welds and frames mean for the closed forms.
 
-use crate::case::resolved::{Attitude, Body, Case, Motion, Part};
-use glam::DVec3;
+use crate::case::resolved::{Body, Case, Motion};
 
 /// The bodies with a surface, what is welded together one by one. One that joints guide moves as its carrier does, and the weight of
 /// all that is connected is shared equally among the surfaces that bear it.
@@ -21,7 +20,7 @@ pub(super) fn touching(case: &Case, remarks: &mut Vec<String>) -> Vec<Body> {
             .filter(|(_, group)| **group == groups[n])
             .map(|(b, _)| b)
             .collect();
-        let bearing = members.iter().map(|member| surfaces(member).len()).sum::<usize>() as f64;
+        let bearing = members.iter().map(|member| member.surfaces().len()).sum::<usize>() as f64;
         let mut moved = body.clone();
         let guide = body.guided();
         (moved.guide, moved.translation) = (None, guide.translation);
@@ -39,7 +38,7 @@ pub(super) fn touching(case: &Case, remarks: &mut Vec<String>) -> Vec<Body> {
                 names.join(", ")
             ));
         }
-        all.extend(surfaces(&moved));
+        all.extend(moved.surfaces());
     }
     all
 }
@@ -50,29 +49,6 @@ fn load(body: &Body) -> f64 {
         Motion::Free { load, .. } => load,
         _ => 0.0,
     }
-}
-
-/// A body and its parts as bodies of their own, those with a surface.
-fn surfaces(body: &Body) -> Vec<Body> {
-    let own = Body { parts: Vec::new(), ..body.clone() };
-    let part = |part: &Part| {
-        let frame = body.attitude.of_axle();
-        let rotation = frame * part.rotation;
-        let axle = rotation * DVec3::Y;
-        Body {
-            name: part.name.clone(),
-            shape: part.shape.clone(),
-            position: body.position + frame * part.offset,
-            attitude: Attitude {
-                yaw: (-axle.x).atan2(axle.y) + 0.0,
-                tilt: axle.z.clamp(-1.0, 1.0).asin(),
-                pitch: part.pitch,
-            },
-            ..own.clone()
-        }
-    };
-    let parts = body.parts.iter().map(part);
-    std::iter::once(own.clone()).chain(parts).filter(|body| body.shape.has_surface()).collect()
 }
 
 /// For each body the number of the group that joints hold together; springs and cables hold nothing together.

@@ -101,8 +101,12 @@ impl Clearance {
     }
 }
 
-/// Depth of the lowest point in the soil on the whole path [m]; for a body that is free to sink at least [`FREE_SINKAGE`].
+/// Depth of the lowest point of a body, or of any of its parts, in the soil on the whole path [m]; for a body that is free to sink at least [`FREE_SINKAGE`].
 pub(in crate::case) fn deepest(body: &Body, soil: &SoilConditions, duration: f64) -> f64 {
+    if !body.parts.is_empty() {
+        let parts = body.surfaces();
+        return parts.iter().map(|part| deepest(part, soil, duration)).fold(f64::NEG_INFINITY, f64::max);
+    }
     let size = body.size();
     let free = match body.guided().translation[2] {
         Motion::Free { .. } => FREE_SINKAGE * size.x.max(size.z),
@@ -111,8 +115,15 @@ pub(in crate::case) fn deepest(body: &Body, soil: &SoilConditions, duration: f64
     (soil.surface - path(body, duration).low.z).max(free).min(soil.surface - soil.floor)
 }
 
-/// The clearance that a body needs round its path.
+/// The clearance that a body needs round its path: the largest that any of its parts needs.
 pub(in crate::case) fn clearance(body: &Body, soil: &SoilConditions, duration: f64) -> Clearance {
+    if !body.parts.is_empty() {
+        let parts = body.surfaces();
+        return parts
+            .iter()
+            .map(|part| clearance(part, soil, duration))
+            .fold(Clearance::default(), Clearance::and);
+    }
     let depth = deepest(body, soil, duration);
     if soil.confined {
         return Clearance::default();
