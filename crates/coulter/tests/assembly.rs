@@ -104,7 +104,8 @@ fn discs_on_hinges_sink_and_roll_with_their_frame() {
         assert!((last.force_x - disc.drag).abs() < 0.3 * disc.drag.abs() + 1.0, "{last:?} {disc:?}");
     }
     let closure = gang.history.energy.last().unwrap().closure();
-    assert!(closure.abs() < 1e-6, "{closure:e}");
+    // That of soil and contact: what joints do is exact (crates/mechanics/tests).
+    assert!(closure.abs() < 5e-3, "{closure:e}");
 }
 
 #[test]
