@@ -186,15 +186,18 @@ fn describe_joint(text: &mut String, case: &Case, joint: &Joint) -> std::fmt::Re
 
 /// What the surface of a body is like that was read from a file.
 fn describe_mesh(text: &mut String, report: &MeshReport) -> std::fmt::Result {
-    let [x, y, z] = report.centroid.to_array();
+    // Round-off of the sums is no offset.
+    let round_off = 1e-12 * report.size.max_element();
+    let [x, y, z] = report.centroid.to_array().map(|x| if x.abs() < round_off { 0.0 } else { x });
+    let shells = if report.shells == 1 { "1 shell".to_owned() } else { format!("{} shells", report.shells) };
     let cavities = match report.cavities {
         0 => String::new(),
         count => format!(" ({count} of cavities)"),
     };
     writeln!(
         text,
-        "         surface closed, {} points, {} shells{cavities}, V = {:.6e} m³, centroid at ({x:.4e}, {y:.4e}, {z:.4e}) m",
-        report.points, report.shells, report.volume
+        "         surface closed, {} points, {shells}{cavities}, V = {:.6e} m³, centroid at ({x:.4e}, {y:.4e}, {z:.4e}) m",
+        report.points, report.volume
     )?;
     report.repairs.iter().try_for_each(|repair| writeln!(text, "         repaired {repair}"))
 }
