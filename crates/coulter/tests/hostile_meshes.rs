@@ -239,92 +239,95 @@ fn sizes_give_a_wrong_unit_away() {
     }
 }
 
+/// Names and texts of files that are refused, and words of the refusal.
+const REFUSED: &[(&str, &str, &str)] = &[
+    ("a.stl", "", "is empty"),
+    ("a.stl", "solid a\nendsolid a\n", "no triangles"),
+    ("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n", "line 4: expected three coordinates"),
+    (
+        "a.stl",
+        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 x\n",
+        "line 4: `x` is not a finite number",
+    ),
+    ("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendloop\nendfacet\n", "line 6"),
+    ("a.stl", "solid a\nvertex 0 0 0\n", "line 2: `vertex` is not expected"),
+    ("a.stl", "<html><body>404</body></html>", "too short"),
+    ("a.stl", "ply\nformat ascii 1.0\n", "is a PLY file"),
+    ("a.ply", "solid a\n", "is not a PLY file"),
+    ("a.obj", "ply\n", "is a PLY file"),
+    ("a.step", "ISO-10303-21;", "extension is `step`"),
+    ("mesh", "v 0 0 0", "extension is ``"),
+    ("a.obj", "v 0 0\n", "line 1: expected three coordinates, found 2"),
+    ("a.obj", "v 0 0 1e999\n", "line 1: `1e999` is not a finite number"),
+    ("a.obj", "v 0 0 0\nf 1 2 3\n", "line 2: `2` is not one of the points so far"),
+    ("a.obj", "v 0 0 0\nf 0 1 1\n", "line 2: `0`"),
+    ("a.obj", "v 0 0 0\nf -2 1 1\n", "line 2: `-2`"),
+    ("a.obj", "v 0 0 0\nf 1 1\n", "line 2: a face has 3 to"),
+    ("a.obj", "v 0 0 0\nf 99999999999999999999 1 1\n", "line 2"),
+    ("a.obj", "v 0 0 0\nf 1.5 1 1\n", "line 2"),
+    ("a.obj", "curv 0 1\n", "line 1: `curv` is not expected"),
+    ("a.ply", "ply\n", "the header has no end"),
+    ("a.ply", "ply\nformat xml 1.0\n", "line 2: the format `xml`"),
+    ("a.ply", "ply\nend_header\n", "does not say the format"),
+    ("a.ply", "ply\nformat ascii 1.0\nelement vertex -3\n", "line 3: `-3`"),
+    ("a.ply", "ply\nformat ascii 1.0\nelement vertex 99999999999999999999\n", "line 3"),
+    ("a.ply", "ply\nformat ascii 1.0\nelement vertex 4000000000\n", "declares 4000000000 points"),
+    ("a.ply", "ply\nformat ascii 1.0\nelement face 10000000\n", "declares 10000000 triangles"),
+    ("a.ply", "ply\nformat ascii 1.0\nproperty float x\n", "line 3: the property"),
+    ("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty quad x\n", "line 4: the property `x`"),
+    ("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty list float int x\n", "line 4"),
+    (
+        "a.ply",
+        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n",
+        "no properties x, y and z",
+    ),
+    ("a.ply", "ply\nformat ascii 1.0\nelement edge 4000000000\nend_header\n", "has no properties"),
+    (
+        "a.ply",
+        "ply\nformat binary_little_endian 1.0\nelement edge 4000000000\nproperty int a\nend_header\n",
+        "edge 1 is not complete",
+    ),
+    (
+        "a.ply",
+        "ply\nformat ascii 1.0\nelement face 1\nproperty float x\nend_header\n1\n",
+        "no list vertex_indices",
+    ),
+    (
+        "a.ply",
+        "ply\nformat ascii 1.0\nelement face 1\nproperty list uint int vertex_indices\nend_header\n4000000000 1\n",
+        "face 1",
+    ),
+    (
+        "a.ply",
+        "ply\nformat ascii 1.0\nelement face 1\nproperty list int int vertex_indices\nend_header\n-1 1\n",
+        "face 1",
+    ),
+    (
+        "a.ply",
+        "ply\nformat ascii 1.0\nelement face 1\nproperty list int int vertex_indices\nend_header\n3 0 1 2\n",
+        "face 1: 0 is not one of",
+    ),
+    (
+        "a.ply",
+        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2 3 4\n",
+        "more numbers",
+    ),
+    (
+        "a.ply",
+        "ply\nformat ascii 1.0\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n",
+        "strips",
+    ),
+];
+
 #[test]
 fn what_no_file_may_hold_is_refused_by_line_or_number() {
-    for (name, text, words) in [
-        ("a.stl", "", "is empty"),
-        ("a.stl", "solid a\nendsolid a\n", "no triangles"),
-        (
-            "a.stl",
-            "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n",
-            "line 4: expected three coordinates",
-        ),
-        (
-            "a.stl",
-            "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 x\n",
-            "line 4: `x` is not a finite number",
-        ),
-        ("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendloop\nendfacet\n", "line 6"),
-        ("a.stl", "solid a\nvertex 0 0 0\n", "line 2: `vertex` is not expected"),
-        ("a.stl", "<html><body>404</body></html>", "too short"),
-        ("a.stl", "ply\nformat ascii 1.0\n", "is a PLY file"),
-        ("a.ply", "solid a\n", "is not a PLY file"),
-        ("a.obj", "ply\n", "is a PLY file"),
-        ("a.step", "ISO-10303-21;", "extension is `step`"),
-        ("mesh", "v 0 0 0", "extension is ``"),
-        ("a.obj", "v 0 0\n", "line 1: expected three coordinates, found 2"),
-        ("a.obj", "v 0 0 1e999\n", "line 1: `1e999` is not a finite number"),
-        ("a.obj", "v 0 0 0\nf 1 2 3\n", "line 2: `2` is not one of the points so far"),
-        ("a.obj", "v 0 0 0\nf 0 1 1\n", "line 2: `0`"),
-        ("a.obj", "v 0 0 0\nf -2 1 1\n", "line 2: `-2`"),
-        ("a.obj", "v 0 0 0\nf 1 1\n", "line 2: a face has 3 to"),
-        ("a.obj", "v 0 0 0\nf 99999999999999999999 1 1\n", "line 2"),
-        ("a.obj", "v 0 0 0\nf 1.5 1 1\n", "line 2"),
-        ("a.obj", "curv 0 1\n", "line 1: `curv` is not expected"),
-        ("a.ply", "ply\n", "the header has no end"),
-        ("a.ply", "ply\nformat xml 1.0\n", "line 2: the format `xml`"),
-        ("a.ply", "ply\nend_header\n", "does not say the format"),
-        ("a.ply", "ply\nformat ascii 1.0\nelement vertex -3\n", "line 3: `-3`"),
-        ("a.ply", "ply\nformat ascii 1.0\nelement vertex 99999999999999999999\n", "line 3"),
-        ("a.ply", "ply\nformat ascii 1.0\nelement vertex 4000000000\n", "declares 4000000000 points"),
-        ("a.ply", "ply\nformat ascii 1.0\nelement face 10000000\n", "declares 10000000 triangles"),
-        ("a.ply", "ply\nformat ascii 1.0\nproperty float x\n", "line 3: the property"),
-        ("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty quad x\n", "line 4: the property `x`"),
-        ("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty list float int x\n", "line 4"),
-        (
-            "a.ply",
-            "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n",
-            "no properties x, y and z",
-        ),
-        ("a.ply", "ply\nformat ascii 1.0\nelement edge 4000000000\nend_header\n", "has no properties"),
-        (
-            "a.ply",
-            "ply\nformat binary_little_endian 1.0\nelement edge 4000000000\nproperty int a\nend_header\n",
-            "edge 1 is not complete",
-        ),
-        (
-            "a.ply",
-            "ply\nformat ascii 1.0\nelement face 1\nproperty float x\nend_header\n1\n",
-            "no list vertex_indices",
-        ),
-        (
-            "a.ply",
-            "ply\nformat ascii 1.0\nelement face 1\nproperty list uint int vertex_indices\nend_header\n4000000000 1\n",
-            "face 1",
-        ),
-        (
-            "a.ply",
-            "ply\nformat ascii 1.0\nelement face 1\nproperty list int int vertex_indices\nend_header\n-1 1\n",
-            "face 1",
-        ),
-        (
-            "a.ply",
-            "ply\nformat ascii 1.0\nelement face 1\nproperty list int int vertex_indices\nend_header\n3 0 1 2\n",
-            "face 1: 0 is not one of",
-        ),
-        (
-            "a.ply",
-            "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2 3 4\n",
-            "more numbers",
-        ),
-        (
-            "a.ply",
-            "ply\nformat ascii 1.0\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n",
-            "strips",
-        ),
-    ] {
+    for (name, text, words) in REFUSED {
         refused(name, text.as_bytes(), "mm", words);
     }
+}
+
+#[test]
+fn what_is_not_a_file_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     assert!(
         MeshBody::load(folder.path(), "missing.stl", "mm")
@@ -335,7 +338,10 @@ fn what_no_file_may_hold_is_refused_by_line_or_number() {
     std::fs::create_dir(folder.path().join("folder.stl")).unwrap();
     assert!(MeshBody::load(folder.path(), "folder.stl", "mm").unwrap_err().to_string().contains("a folder"));
     assert!(cfg!(not(unix)) || MeshBody::load(Path::new("/dev"), "zero.stl", "mm").is_err());
-    // A face round a star, which no corner sees whole.
+}
+
+#[test]
+fn a_face_that_no_corner_sees_whole_is_refused() {
     let star: String = (0..16)
         .map(|n| {
             let (angle, radius) =

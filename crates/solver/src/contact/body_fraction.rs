@@ -112,8 +112,7 @@ fn covered(grid: &Grid, cell: [usize; 3], (shape, own): (&dyn Shape, impl Fn(DVe
         return if centre < 0.0 { 1.0 } else { 0.0 };
     }
     // In cubes the depth does not depend on the normal.
-    let depth =
-        if grid.has_cubes() { 1.0 } else { grid.depth_along(normal(middle, 1e-3 * width, &distance)) };
+    let depth = if grid.has_cubes() { 1.0 } else { grid.depth_along(normal(middle, 1e-3 * width, distance)) };
     let sample = grid.smallest_width(width) * depth / SAMPLES as f64;
     let mut layers = [0.0; SAMPLES];
     for n in 0..SAMPLES.pow(3) {

@@ -72,7 +72,7 @@ fn text(reader: impl BufRead) -> Result<Mesh, MeshFileProblem> {
                 Err(why) => return lines.wrong(why),
             },
             "facet" if is_in_solid && !is_in_facet => is_in_facet = true,
-            "endfacet" if is_in_facet && points.len() % 3 == 0 => {
+            "endfacet" if is_in_facet && points.len().is_multiple_of(3) => {
                 require_few(points.len() as u64 / 3, "it holds at least")?;
                 is_in_facet = false;
             }
