@@ -81,6 +81,23 @@ impl BodyModel {
         (pose.position + low, pose.position + high)
     }
 
+    /// Boxes that together enclose the body at a pose, with faces along the axes: low and high corners [m].
+    #[must_use]
+    pub fn boxes(&self, pose: &Pose) -> Vec<(DVec3, DVec3)> {
+        let boxes = self.shape.boxes();
+        if boxes.len() == 1 {
+            return vec![self.bounds(pose)];
+        }
+        let axes = DMat3::from_quat(self.attitude(pose));
+        let absolute = DMat3::from_cols(axes.x_axis.abs(), axes.y_axis.abs(), axes.z_axis.abs());
+        let around = |(low, high): (DVec3, DVec3)| {
+            let (middle, half) =
+                (pose.position + axes * (0.5 * (low + high)), absolute * (0.5 * (high - low)));
+            (middle - half, middle + half)
+        };
+        boxes.into_iter().map(around).collect()
+    }
+
     /// Directions of the contact points and the geometry of the body in space: its rotation, for a shape of revolution without
     /// the spin about its axle, which changes nothing. Contact is then steady in steady rolling.
     #[must_use]

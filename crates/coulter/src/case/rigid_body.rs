@@ -70,7 +70,11 @@ impl Part {
     }
 
     fn placed(&self) -> Placed {
-        Placed { shape: self.solid(), position: self.offset, rotation: DMat3::from_quat(self.rotation) }
+        Placed {
+            shape: self.solid().into(),
+            position: self.offset,
+            rotation: DMat3::from_quat(self.rotation),
+        }
     }
 }
 
@@ -191,7 +195,7 @@ impl Body {
         if self.parts.is_empty() {
             return own;
         }
-        let own = Placed { shape: own, position: DVec3::ZERO, rotation: DMat3::IDENTITY };
+        let own = Placed { shape: own.into(), position: DVec3::ZERO, rotation: DMat3::IDENTITY };
         Box::new(Compound::new(std::iter::once(own).chain(self.parts.iter().map(Part::placed)).collect()))
     }
 
@@ -222,6 +226,17 @@ impl Body {
         };
         let parts = self.parts.iter().map(part);
         std::iter::once(own.clone()).chain(parts).filter(|body| body.shape.has_surface()).collect()
+    }
+
+    /// Points of the surface of each of its solids, its own and those of its parts, in the body frame [m].
+    #[must_use]
+    pub fn outlines(&self) -> Vec<Vec<DVec3>> {
+        let part = |part: &Part| {
+            let points = part.solid().mesh().points;
+            points.into_iter().map(|point| part.offset + part.rotation * point).collect()
+        };
+        let all = std::iter::once(self.own_solid().mesh().points).chain(self.parts.iter().map(part));
+        all.filter(|points: &Vec<DVec3>| !points.is_empty()).collect()
     }
 
     /// Whether a joint or a weld connects it with others, or with the ground.

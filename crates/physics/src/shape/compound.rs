@@ -2,6 +2,7 @@
 
 use super::{Disc, MassProperties, Mesh, Shape, SurfacePoint, inset_in_frame, paired_about};
 use glam::{DMat3, DVec3};
+use std::sync::Arc;
 
 /// How far a point is moved along its normal before it counts as covered by another solid, over the spacing of the points.
 const BEYOND: f64 = 1e-6;
@@ -9,23 +10,47 @@ const BEYOND: f64 = 1e-6;
 const SHARED_FACE: f64 = 1e-9;
 
 /// A solid in the frame of the body that it is a part of.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Placed {
     /// Its shape in a frame of its own.
-    pub shape: Box<dyn Shape>,
+    pub shape: Arc<dyn Shape>,
     /// Origin of that frame in the body frame [m].
     pub position: DVec3,
     /// Rotation of that frame to the body frame.
     pub rotation: DMat3,
 }
 
+/// A solid with a sphere round it, beyond which it need not be looked at.
+#[derive(Debug)]
+struct Bounded {
+    solid: Placed,
+    /// Centre of the sphere in the body frame [m].
+    centre: DVec3,
+    /// Its radius [m].
+    radius: f64,
+}
+
+impl Bounded {
+    fn new(solid: Placed) -> Self {
+        let (low, high) = solid.shape.bounds();
+        let centre = solid.position + solid.rotation * (0.5 * (low + high));
+        let radius = 0.5 * (high - low).length();
+        Self { solid, centre, radius }
+    }
+
+    /// The solid is at least so far from a point [m].
+    fn least_distance(&self, x: DVec3) -> f64 {
+        x.distance(self.centre) - self.radius
+    }
+}
+
 /// Several solids that are one rigid body.
 #[derive(Debug)]
 pub struct Compound {
     /// The solids as they were given: what forces are accounted for.
-    parts: Vec<Placed>,
-    /// Discs that stand for several parts; the number of the first of them.
-    merged: Vec<(Placed, Vec<usize>)>,
+    parts: Vec<Bounded>,
+    /// What bounds it: its parts, and discs that stand for several of them.
+    solids: Vec<Bounded>,
 }
 
 impl Compound {
@@ -34,14 +59,16 @@ impl Compound {
     #[must_use]
     pub fn new(parts: Vec<Placed>) -> Self {
         let merged = merge(&parts);
-        Self { parts, merged }
+        let is_merged = |n: usize| merged.iter().any(|(_, numbers)| numbers.contains(&n));
+        let others = parts.iter().enumerate().filter(|(n, part)| !is_merged(*n) && part.shape.has_surface());
+        let solids = merged.iter().map(|(disc, _)| disc.clone()).chain(others.map(|(_, part)| part.clone()));
+        let solids = solids.map(Bounded::new).collect();
+        Self { parts: parts.into_iter().map(Bounded::new).collect(), solids }
     }
 
-    /// The solids that bound it: the merged ones, and the parts that are not merged.
+    /// The solids that bound it.
     fn solids(&self) -> impl Iterator<Item = &Placed> {
-        let is_merged = |n: &usize| self.merged.iter().any(|(_, numbers)| numbers.contains(n));
-        let others = self.parts.iter().enumerate().filter(move |(n, _)| !is_merged(n)).map(|(_, part)| part);
-        self.merged.iter().map(|(disc, _)| disc).chain(others).filter(|solid| solid.shape.has_surface())
+        self.solids.iter().map(|bounded| &bounded.solid)
     }
 }
 
@@ -85,7 +112,7 @@ fn merge(parts: &[Placed]) -> Vec<(Placed, Vec<usize>)> {
     }
     let several = merged.into_iter().filter(|(_, _, numbers)| numbers.len() > 1);
     let whole = |(disc, [low, high], numbers): (Disc, [f64; 2], Vec<usize>)| {
-        let shape = Box::new(Disc { thickness: high - low, ..disc });
+        let shape = Arc::new(Disc { thickness: high - low, ..disc });
         let position = DVec3::new(0.0, 0.5 * (low + high), 0.0);
         (Placed { shape, position, rotation: DMat3::IDENTITY }, numbers)
     };
@@ -95,11 +122,25 @@ fn merge(parts: &[Placed]) -> Vec<(Placed, Vec<usize>)> {
 impl Shape for Compound {
     /// Exact outside; inside at most the depth, since faces that solids share lie inside.
     fn signed_distance(&self, x: DVec3) -> f64 {
-        self.solids().map(|solid| solid.distance(x)).fold(f64::MAX, f64::min)
+        self.solids.iter().fold(f64::MAX, |nearest, bounded| {
+            if bounded.least_distance(x) < nearest { nearest.min(bounded.solid.distance(x)) } else { nearest }
+        })
     }
 
     fn coverage(&self, x: DVec3, width: f64) -> f64 {
-        self.solids().map(|solid| solid.shape.coverage(solid.own(x), width)).sum::<f64>().min(1.0)
+        let near = self.solids.iter().filter(|bounded| bounded.least_distance(x) < width);
+        near.map(|bounded| bounded.solid.shape.coverage(bounded.solid.own(x), width)).sum::<f64>().min(1.0)
+    }
+
+    fn boxes(&self) -> Vec<(DVec3, DVec3)> {
+        let around = |solid: &Placed| {
+            let frame = solid.rotation.transpose();
+            let along = |axis: DVec3| solid.position.dot(axis) + solid.shape.extent(frame * axis);
+            let high = DVec3::from_array(DVec3::AXES.map(along));
+            let low = DVec3::from_array(DVec3::AXES.map(|axis| -along(-axis)));
+            (low, high)
+        };
+        self.solids().map(around).collect()
     }
 
     fn extent(&self, direction: DVec3) -> f64 {
@@ -131,10 +172,11 @@ impl Shape for Compound {
         // A point on a shared face lies inside the solid on the other side.
         points.retain(|point| {
             let outside = point.position + beyond * point.normal;
-            self.solids().all(|solid| solid.distance(outside) >= 0.0)
+            let mut near = self.solids.iter().filter(|bounded| bounded.least_distance(outside) < 0.0);
+            near.all(|bounded| bounded.solid.distance(outside) >= 0.0)
         });
         // One solid has its own points in pairs already.
-        if self.solids().count() > 1 { paired_about(points, self.mid_plane()) } else { points }
+        if self.solids.len() > 1 { paired_about(points, self.mid_plane()) } else { points }
     }
 
     fn mid_plane(&self) -> f64 {
@@ -155,7 +197,7 @@ impl Shape for Compound {
     }
 
     fn has_surface(&self) -> bool {
-        self.solids().next().is_some()
+        !self.solids.is_empty()
     }
 
     fn parts(&self) -> usize {
@@ -163,8 +205,16 @@ impl Shape for Compound {
     }
 
     fn part_of(&self, x: DVec3) -> usize {
-        let distances = self.parts.iter().map(|part| part.distance(x)).enumerate();
-        distances.min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(n, _)| n)
+        let mut nearest = (0, f64::MAX);
+        for (n, part) in self.parts.iter().enumerate() {
+            if part.least_distance(x) < nearest.1 {
+                let distance = part.solid.distance(x);
+                if distance < nearest.1 {
+                    nearest = (n, distance);
+                }
+            }
+        }
+        nearest.0
     }
 
     fn mesh(&self) -> Mesh {
@@ -184,7 +234,7 @@ mod tests {
     use crate::shape::Block;
 
     fn disc_at(y: f64, thickness: f64) -> Placed {
-        let shape = Box::new(Disc { diameter: 0.2, thickness });
+        let shape = Arc::new(Disc { diameter: 0.2, thickness });
         Placed { shape, position: DVec3::new(0.0, y, 0.0), rotation: DMat3::IDENTITY }
     }
 
@@ -207,7 +257,7 @@ mod tests {
     #[test]
     fn a_shared_face_bears_no_points_and_is_no_gap() {
         let block = |x: f64| Placed {
-            shape: Box::new(Block { size: DVec3::new(0.1, 0.1, 0.1) }),
+            shape: Arc::new(Block { size: DVec3::new(0.1, 0.1, 0.1) }),
             position: DVec3::new(x, 0.0, 0.0),
             rotation: DMat3::IDENTITY,
         };

@@ -175,6 +175,10 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
         let low = DVec3::AXES.map(|axis| -along(-axis));
         (low.into(), high.into())
     }
+    /// Boxes in the body frame that together enclose it: low and high corners [m].
+    fn boxes(&self) -> Vec<(DVec3, DVec3)> {
+        vec![self.bounds()]
+    }
     /// Largest coordinate of the surface along a unit vector, in the body frame [m]: the support function.
     fn extent(&self, direction: DVec3) -> f64 {
         self.mesh().points.iter().map(|x| direction.dot(*x)).fold(f64::NEG_INFINITY, f64::max)

@@ -7,6 +7,7 @@ use crate::scalar::Scalar;
 use crate::state::{Pose, Soil, State};
 use glam::DVec3;
 use physics::shape::Shape;
+use std::collections::BTreeSet;
 
 /// Updates the body volume fractions of all cells, in scratch memory that is unused until the contact search.
 pub(crate) fn find_bodies<R: Scalar>(
@@ -42,25 +43,38 @@ pub(crate) struct BodyCell {
 /// Calls `each(cell, fraction)` for the cells that a body occupies, wholly or in part.
 fn each_occupied_cell(model: &Model, fixed: &BodyModel, pose: &Pose, mut each: impl FnMut(usize, f64)) {
     let grid = &model.grid;
-    let (low, high) = fixed.bounds(pose);
+    let (position, rotation) = (pose.position, fixed.attitude(pose).inverse());
+    let own = |x: DVec3| rotation * (x - position);
+    let mut visit = |[i, j, k]: [usize; 3]| {
+        let fraction = covered(grid, [i, j, k], (fixed.shape.as_ref(), own));
+        if fraction > 0.0 {
+            each(grid.index(i, j, k), fraction);
+        }
+    };
+    let boxes = fixed.boxes(pose);
+    if let [whole] = boxes[..] {
+        cells_in(grid, whole).for_each(visit);
+    } else {
+        // Boxes of several parts may share cells.
+        let cells: BTreeSet<[usize; 3]> =
+            boxes.into_iter().flat_map(|part| cells_in(grid, part).map(|[i, j, k]| [k, j, i])).collect();
+        cells.into_iter().for_each(|[k, j, i]| visit([i, j, k]));
+    }
+}
+
+/// The cells that a box touches, i fastest.
+fn cells_in(grid: &Grid, (low, high): (DVec3, DVec3)) -> impl Iterator<Item = [usize; 3]> {
     let ranges: [std::ops::Range<usize>; 3] = std::array::from_fn(|axis| {
         let faces = &grid.faces[axis];
         let first = faces.partition_point(|f| *f <= low[axis]).saturating_sub(1);
         let last = faces.partition_point(|f| *f < high[axis]);
         first..last.min(grid.cells()[axis])
     });
-    let (position, rotation) = (pose.position, fixed.attitude(pose).inverse());
-    for k in ranges[2].clone() {
-        for j in ranges[1].clone() {
-            for i in ranges[0].clone() {
-                let own = |x: DVec3| rotation * (x - position);
-                let fraction = covered(grid, [i, j, k], (fixed.shape.as_ref(), own));
-                if fraction > 0.0 {
-                    each(grid.index(i, j, k), fraction);
-                }
-            }
-        }
-    }
+    let [x, y, z] = ranges;
+    z.flat_map(move |k| {
+        let x = x.clone();
+        y.clone().flat_map(move |j| x.clone().map(move |i| [i, j, k]))
+    })
 }
 
 /// Measures the embedded volume of each body, and the leak into it: the volume by which soil and body

@@ -177,14 +177,14 @@ fn position(section: &Section, body: &Body, context: &Context, problems: &mut Pr
         Some(slab) if !section.has("y") => slab.middle,
         _ => y?,
     };
-    let above = if section.has("elevation") {
+    let z = if section.has("elevation") {
         if section.has("sinkage") {
             let message = "`sinkage` and `elevation` both say how high the body stands";
             problems.add(section.at("elevation"), message, "keep one of them");
         }
-        section.number("elevation")?
+        context.surface + section.number("elevation")?
     } else {
-        -sinkage? - body.bounds().0.z
+        context.surface - sinkage? - body.bounds().0.z
     };
-    Some(DVec3::new(x?, y, context.surface + above))
+    Some(DVec3::new(x?, y, z))
 }

@@ -8,8 +8,8 @@ use crate::output::files::{OutputError, write_whole};
 use crate::output::plots::{Chart, ColourMap, Curve, Stroke};
 use crate::output::tables::push_line;
 use crate::output::units::{digits, largest};
+use glam::DVec3;
 use mechanics::Pose;
-use physics::shape::Shape;
 use solver::precision::Precision;
 use solver::state::State;
 use std::path::Path;
@@ -29,8 +29,10 @@ pub(super) fn plan<R: Precision>(scene: &Scene<'_, R>, map: &HeightMap) -> View 
         let (i, j) = (find(&map.edges[0], x)?, find(&map.edges[1], y)?);
         Some(scale.colour(1e3 * (map.at(i, j) - map.reference)))
     });
-    for (body, shape) in scene.bodies() {
-        view.line(&outline(shape, &body.pose), OUTLINE, 2.0);
+    for (n, body) in scene.case.touching() {
+        for points in body.outlines() {
+            view.line(&outline(&points, scene.state.pose(n)), OUTLINE, 2.0);
+        }
     }
     let title = if level { "Rut and berm from above" } else { "Height of the soil from above" };
     view.finish(title, ["x [m]", "y [m]"], &scale);
@@ -157,10 +159,9 @@ fn section_range(case: &Case, state: &State<impl Precision>) -> [f64; 2] {
     [middle - 0.25 * length, middle + 0.25 * length]
 }
 
-/// The outline of a body seen from above: the convex hull of its mesh, closed.
-fn outline(shape: &dyn Shape, pose: &Pose) -> Vec<[f64; 2]> {
-    let mut points: Vec<[f64; 2]> =
-        shape.mesh().points.iter().map(|p| pose.point(*p)).map(|p| [p.x, p.y]).collect();
+/// The outline of a solid seen from above: the convex hull of the points of its surface [m, body frame], closed.
+fn outline(points: &[DVec3], pose: &Pose) -> Vec<[f64; 2]> {
+    let mut points: Vec<[f64; 2]> = points.iter().map(|p| pose.point(*p)).map(|p| [p.x, p.y]).collect();
     points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
     let mut hull = half_hull(points.iter());
     hull.extend(half_hull(points.iter().rev()).into_iter().skip(1));
