@@ -85,7 +85,8 @@ impl Placed {
     fn as_disc_on_the_axle(&self) -> Option<Disc> {
         let is_on_the_axle =
             self.rotation.y_axis == DVec3::Y && self.position.x == 0.0 && self.position.z == 0.0;
-        self.shape.as_disc().filter(|_| is_on_the_axle)
+        let disc = |[diameter, thickness]: [f64; 2]| Disc { diameter, thickness };
+        self.shape.as_disc().filter(|_| is_on_the_axle).map(disc)
     }
 }
 

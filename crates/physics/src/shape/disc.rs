@@ -62,8 +62,8 @@ impl Shape for Disc {
         if width > 0.0 { rim + 2.0 * face } else { 2.0 * face }
     }
 
-    fn as_disc(&self) -> Option<Disc> {
-        Some(*self)
+    fn as_disc(&self) -> Option<[f64; 2]> {
+        Some([self.diameter, self.thickness])
     }
 
     fn is_revolved(&self) -> bool {

@@ -204,8 +204,8 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
     fn coverage(&self, x: DVec3, width: f64) -> f64 {
         (0.5 - self.signed_distance(x) / width).clamp(0.0, 1.0)
     }
-    /// The disc that it is, if it is one.
-    fn as_disc(&self) -> Option<Disc> {
+    /// Diameter and thickness [m], if it is a flat disc with sharp rims.
+    fn as_disc(&self) -> Option<[f64; 2]> {
         None
     }
     /// The plane across the axle [m] about which contact points may be mirror images of each other.
