@@ -11,5 +11,6 @@ pub mod mesh_study;
 pub mod output;
 pub mod run;
 pub mod simulation;
+mod stages;
 mod text;
 pub mod trust;

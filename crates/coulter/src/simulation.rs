@@ -7,7 +7,9 @@ use crate::history::History;
 use crate::history::probes::{self, LastSample};
 use crate::history::reference::Reference;
 use crate::history::rim::RimHistory;
+use crate::history::steady::SteadyPart;
 use crate::output::checkpoint::{Checkpoint, CheckpointView};
+use crate::stages;
 use crate::trust::{Setting, Trust};
 use glam::DVec3;
 use solver::balance;
@@ -166,6 +168,10 @@ impl<R: Precision> Simulation<R> {
             last_sample,
         };
         if simulation.state.step == 0 {
+            let Self { case, model, state, workspace, history, .. } = &mut simulation;
+            if stages::begin_first(case, model, history) {
+                workspace.take_over(model, state);
+            }
             simulation.record_ground_left();
             simulation.sample();
         }
@@ -188,8 +194,14 @@ impl<R: Precision> Simulation<R> {
     #[must_use]
     pub fn resume_model(case: &Case, model: Model, checkpoint: Checkpoint<R>, wall_s: f64) -> Self {
         let Checkpoint { state, history, last_sample, .. } = checkpoint;
-        let simulation = Self::with_state(case, model, state);
-        Self { history, last_sample, wall_s, ..simulation }
+        Self::with_state(case, model, state).with_history(history, last_sample, wall_s)
+    }
+
+    /// The same run, come so far: in the stage that was on.
+    fn with_history(mut self, history: History, last_sample: LastSample, wall_s: f64) -> Self {
+        stages::restore(&history, &mut self.model);
+        self.workspace.set_motions(&self.model);
+        Self { history, last_sample, wall_s, ..self }
     }
 
     /// The same run with its fields in double precision, for inspection.
@@ -197,12 +209,7 @@ impl<R: Precision> Simulation<R> {
     pub fn to_f64(&self) -> Simulation {
         let Self { case, history, last_sample, wall_s, .. } = self;
         let simulation = Simulation::with_state(case, model(case, R::LANES), self.state.to_f64());
-        Simulation {
-            history: history.clone(),
-            last_sample: last_sample.clone(),
-            wall_s: *wall_s,
-            ..simulation
-        }
+        simulation.with_history(history.clone(), last_sample.clone(), *wall_s)
     }
 
     /// Everything that is needed to resume from here.
@@ -227,13 +234,24 @@ impl<R: Precision> Simulation<R> {
     #[must_use]
     pub fn trust(&self, failure: Option<&str>) -> Trust {
         let references = Reference::all(&self.case);
-        Trust::grade(&self.setting, &self.history, &references, self.case.output.steady_fraction, failure)
+        Trust::grade(&self.setting, &self.history, &references, self.steady_part(), failure)
+    }
+
+    /// Which part of the run averages are taken over.
+    #[must_use]
+    pub fn steady_part(&self) -> SteadyPart {
+        let during = stages::steady_times(&self.case, &self.history);
+        SteadyPart { fraction: self.case.output.steady_fraction, during }
     }
 
     /// Whether the run has reached its end.
     #[must_use]
     pub fn is_done(&self) -> bool {
-        self.state.time >= self.case.duration - 0.5 * self.model.time_step()
+        if self.case.stages.is_empty() {
+            self.state.time >= self.case.duration - 0.5 * self.model.time_step()
+        } else {
+            self.history.stages_ended.is_some()
+        }
     }
 
     /// Number of threads at work.
@@ -315,9 +333,15 @@ impl<R: Precision> Simulation<R> {
         stepped?;
         self.record_ground_left();
         let due = self.last_sample.time + self.case.output.history_interval - 0.5 * self.model.time_step();
-        let is_due = self.state.time >= due || self.is_done();
+        let Self { case, history, state, .. } = &*self;
+        let stage_is_over = stages::time_is_over(case, history, state.time, self.model.time_step());
+        let is_due = state.time >= due || self.is_done() || stage_is_over;
         if is_due {
             self.sample();
+            let Self { case, model, state, workspace, history, .. } = self;
+            if stages::proceed(case, model, state, history)? {
+                workspace.take_over(model, state);
+            }
         }
         Ok(is_due)
     }

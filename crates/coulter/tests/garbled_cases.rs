@@ -5,12 +5,13 @@ use proptest::prelude::*;
 
 const TOWED_DISC: &str = include_str!("../../../cases/light_disc.toml");
 const FOOTING: &str = include_str!("../../../cases/strip_footing.toml");
+const STAGES: &str = include_str!("../../../cases/press_and_tow.toml");
 const WALL: &str = include_str!("../../../cases/passive_wall.toml");
 
 /// Garbles a case: lines or characters are deleted, duplicated or replaced.
 fn garbled() -> impl Strategy<Value = String> {
     let change = (0usize..6, any::<prop::sample::Index>(), any::<prop::sample::Index>(), "\\PC{0,3}");
-    let cases = prop::sample::select(vec![TOWED_DISC, FOOTING, WALL]);
+    let cases = prop::sample::select(vec![TOWED_DISC, FOOTING, WALL, STAGES]);
     (cases, prop::collection::vec(change, 1..5)).prop_map(|(case, changes)| {
         changes
             .into_iter()

@@ -256,7 +256,11 @@ fn numbers_of_body(body: &mut Body) -> Vec<&mut f64> {
         match motion {
             Motion::Fixed => {}
             Motion::Free { load, support, start, ramp } => all.extend([load, support, start, ramp]),
-            Motion::Prescribed { speed, start, ramp, end } => all.extend([speed, start, ramp, end]),
+            Motion::Prescribed { before, speed, start, ramp, end } => {
+                all.extend([before, speed, start, ramp, end]);
+            }
+            // Its numbers are checked where it is made.
+            Motion::Course(_) => {}
         }
     }
     all
@@ -310,7 +314,7 @@ fn numbers(case: &mut Case) -> Vec<&mut f64> {
     all.extend(grid.faces.iter_mut().filter_map(|faces| faces.last_mut()));
     let (output, numerics) = (&mut case.output, &mut case.numerics);
     all.extend([&mut output.history_interval, &mut output.field_interval]);
-    all.extend([&mut output.checkpoint_interval, &mut output.steady_fraction]);
+    all.extend([&mut output.checkpoint_interval, &mut output.steady_fraction, &mut output.filter_cutoff]);
     all.extend([&mut numerics.courant, &mut numerics.remap_displacement, &mut numerics.hourglass]);
     all.extend([&mut numerics.hourglass_yielding, &mut numerics.bulk_viscosity_linear]);
     all.extend([

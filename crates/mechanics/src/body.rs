@@ -12,7 +12,7 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 /// A body: its mass properties and its degrees of freedom.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Body {
     /// Mass properties of the whole body.
     pub inertia: Inertia,
@@ -28,7 +28,7 @@ impl Body {
     /// A body that moves freely.
     #[must_use]
     pub fn free(inertia: Inertia) -> Self {
-        Self::new(inertia, [Motion::FREE; 6])
+        Self::new(inertia, [const { Motion::FREE }; 6])
     }
 
     /// A body with given degrees of freedom, modelled as a whole.
@@ -76,7 +76,7 @@ impl Body {
     /// Speeds of the prescribed motions at a time [s], in [m/s or rad/s]; 0 for the others.
     #[must_use]
     pub fn speeds(&self, time: f64) -> [f64; 6] {
-        self.motion.map(|motion| motion.speed(time))
+        self.motion.each_ref().map(|motion| motion.speed(time))
     }
 
     /// The state of the body at a pose with a velocity; what its fixed motions forbid is left out of the velocity.
@@ -112,6 +112,28 @@ impl Body {
             speeds: std::array::from_fn(|n| if self.motion[n].is_free() { 0.0 } else { speeds[n] }),
             tilt_axis,
         }
+    }
+
+    /// The state in which other motions take over: pose, velocity and momentum stay, and the prescribed motions begin at the speeds
+    /// that the body has.
+    #[must_use]
+    pub fn taken_over(&self, state: &BodyState) -> BodyState {
+        let rates = self.rates(state);
+        BodyState {
+            speeds: std::array::from_fn(|n| match self.motion[n] {
+                Motion::Fixed | Motion::Free { .. } => 0.0,
+                Motion::Prescribed { .. } | Motion::Course(_) => rates[n],
+            }),
+            ..*state
+        }
+    }
+
+    /// Speeds of all its degrees of freedom [m/s or rad/s].
+    #[must_use]
+    pub fn rates(&self, state: &BodyState) -> [f64; 6] {
+        let axes = [DVec3::Z, state.tilt_axis, state.pose.axes().y_axis];
+        let ([yaw, tilt, spin], linear) = (gimbal::rates(state.twist.angular, &axes), state.twist.linear);
+        [linear.x, linear.y, linear.z, yaw, tilt, spin]
     }
 
     /// Kinetic energy [J] of the whole body, prescribed motions included.

@@ -8,6 +8,7 @@ mod advance;
 mod body;
 pub mod cayley;
 mod configuration;
+mod course;
 mod error;
 mod freedom;
 mod gimbal;
@@ -22,7 +23,6 @@ mod motion;
 mod moving;
 mod pose;
 mod predict;
-
 mod spatial;
 mod start;
 mod step;
@@ -32,6 +32,7 @@ mod wrench;
 
 pub use body::{Body, BodyState, Momentum};
 pub use configuration::Configuration;
+pub use course::Course;
 pub use error::Invalid;
 pub use impulses::{Impulses, Work};
 pub use inertia::Inertia;

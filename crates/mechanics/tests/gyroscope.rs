@@ -26,9 +26,11 @@ fn tops(tilt: f64, angular: DVec3) -> [(Mechanism, MechanismState); 2] {
     let joint = Ball::at(DVec3::ZERO, [Some(0), None], [&pose, &Pose::IDENTITY]);
     let on_joint = Mechanism::new(vec![Body::free(inertia)], vec![Arc::new(joint)]).unwrap();
     let first = on_joint.state(&[(pose, Twist { linear: angular.cross(ARM * axis), angular })]);
-    let [fixed, free] = [Motion::Fixed, Motion::FREE];
-    let body =
-        Body::new(inertia.with_centre(DVec3::new(0.0, 0.0, ARM)), [fixed, fixed, fixed, free, free, free]);
+    let [fixed, free] = [|| Motion::Fixed, || Motion::FREE];
+    let body = Body::new(
+        inertia.with_centre(DVec3::new(0.0, 0.0, ARM)),
+        [fixed(), fixed(), fixed(), free(), free(), free()],
+    );
     let held = Mechanism::new(vec![body], vec![]).unwrap();
     let pose = Pose { position: DVec3::ZERO, rotation };
     let second = held.state(&[(pose, Twist { linear: DVec3::ZERO, angular })]);

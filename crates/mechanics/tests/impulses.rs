@@ -216,9 +216,9 @@ fn what_cannot_be_computed_is_refused() {
     let pose = Pose::IDENTITY;
     let joint = |bodies| Arc::new(Ball::at(DVec3::ZERO, bodies, [&pose, &pose])) as Arc<dyn Joint>;
     let refused = |bodies, joints| Mechanism::new(bodies, joints).err();
-    assert_eq!(refused(vec![sphere], vec![joint([Some(0), None])]), None);
-    assert_eq!(refused(vec![sphere], vec![joint([Some(0), Some(1)])]), Some(Invalid::Joint));
-    assert_eq!(refused(vec![sphere], vec![joint([Some(0), Some(0)])]), Some(Invalid::Joint));
+    assert_eq!(refused(vec![sphere.clone()], vec![joint([Some(0), None])]), None);
+    assert_eq!(refused(vec![sphere.clone()], vec![joint([Some(0), Some(1)])]), Some(Invalid::Joint));
+    assert_eq!(refused(vec![sphere.clone()], vec![joint([Some(0), Some(0)])]), Some(Invalid::Joint));
     assert_eq!(refused(vec![Body::free(Inertia::NONE)], vec![]), Some(Invalid::Mass));
     let nothing = Body { modelled_fraction: 0.0, ..sphere };
     assert_eq!(refused(vec![nothing], vec![]), Some(Invalid::ModelledFraction));

@@ -67,6 +67,26 @@ fn wheel(friction: f64) -> (Mechanism, MechanismState) {
 }
 
 #[test]
+fn a_drive_turns_a_wheel_with_its_torque_and_does_the_work() {
+    let (torque, friction) = (0.03, 0.02);
+    let inertia = Inertia::sphere(2.0, 0.1).tensor.y_axis.y;
+    let hinge = Hinge::at(DVec3::ZERO, DVec3::Y, [None, Some(0)], [&Pose::IDENTITY; 2]).with_drive(torque);
+    let body = || vec![Body::free(Inertia::sphere(2.0, 0.1))];
+    for (hinge, net) in [(hinge, torque), (hinge.with_friction(friction), torque - friction)] {
+        let (mechanism, mut state) = of(body(), hinge, &[(Pose::IDENTITY, Twist::ZERO)]);
+        run((&mechanism, &mut state), DVec3::ZERO, (1e-3, 1000), |_, _, _| {});
+        let rate = state.bodies[0].twist.angular.y;
+        // Friction is viscous while the wheel creeps.
+        below("rate", (rate / (net / inertia) - 1.0).abs(), 2e-3);
+        below(
+            "energy",
+            (energy(&mechanism, &state, DVec3::ZERO) / (0.5 * inertia * rate * rate) - 1.0).abs(),
+            2e-3,
+        );
+    }
+}
+
+#[test]
 fn friction_in_a_hinge_stops_a_wheel_and_holds_it() {
     let torque = 0.02;
     let inertia = Inertia::sphere(2.0, 0.1).tensor.y_axis.y;

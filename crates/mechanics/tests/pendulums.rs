@@ -9,6 +9,8 @@ use mechanics::joint::{Hinge, Joint};
 use mechanics::{Body, Inertia, Mechanism, MechanismState, Motion, Pose, Twist};
 use std::sync::Arc;
 
+const FIXED: Motion = Motion::Fixed;
+
 const MASS: f64 = 1.5;
 const LENGTH: f64 = 0.8;
 
@@ -96,10 +98,9 @@ fn compound_pendulum() {
 #[test]
 fn a_hinge_and_a_single_free_rotation_are_the_same() {
     let (mechanism, mut state, _) = chain(&[1.0]);
-    let fixed = Motion::Fixed;
     // Its hinge is along y: the axle, about which it spins.
     let inertia = rod().with_centre(DVec3::new(0.0, 0.0, -0.5 * LENGTH));
-    let alone = Body::new(inertia, [fixed, fixed, fixed, fixed, fixed, Motion::FREE]);
+    let alone = Body::new(inertia, [FIXED, FIXED, FIXED, FIXED, FIXED, Motion::FREE]);
     let other = Mechanism::new(vec![alone], vec![]).unwrap();
     let pose = Pose { position: DVec3::ZERO, rotation: DQuat::from_rotation_y(1.0) };
     let mut twin = other.state(&[(pose, Twist::ZERO)]);

@@ -79,7 +79,7 @@ fn an_eccentric_rotor_loads_its_bearing() {
     let inertia = Inertia::disc(mass, 0.3, 0.1).with_centre(DVec3::new(eccentricity, 0.0, 0.0));
     let spin = Motion::prescribed(rate);
     let errors = [200, 400].map(|per_turn| {
-        let mechanism = alone(Body::new(inertia, [FIXED, FIXED, FIXED, FIXED, FIXED, spin]));
+        let mechanism = alone(Body::new(inertia, [FIXED, FIXED, FIXED, FIXED, FIXED, spin.clone()]));
         let mut state = mechanism.state(&[(Pose::IDENTITY, Twist::ZERO)]);
         let dt = std::f64::consts::TAU / rate / f64::from(per_turn);
         let (mut works, mut closure, mut force, mut torque) =
@@ -187,7 +187,7 @@ fn the_support_of_the_tilt_bears_the_gyroscopic_moment() {
 fn a_steered_wheel_balances_its_energy() {
     let moments = DVec3::new(0.5, 1.0, 0.8);
     let inertia = Inertia::principal(2.0, moments).with_centre(DVec3::new(0.05, 0.02, -0.03));
-    let steer = Motion::Prescribed { speed: 3.0, start: 0.5, ramp: 0.7, end: 2.5 };
+    let steer = Motion::Prescribed { before: 0.0, speed: 3.0, start: 0.5, ramp: 0.7, end: 2.5 };
     let torque = Motion::Free { load: 2.0, support: 0.0, start: 0.2, ramp: 0.5 };
     let mechanism = alone(Body::new(inertia, [Motion::prescribed(1.0), FIXED, FREE, steer, FIXED, torque]));
     let pose = Pose { position: DVec3::ZERO, rotation: DQuat::from_rotation_x(0.3) };

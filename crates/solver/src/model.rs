@@ -61,7 +61,13 @@ impl BodyModel {
     fn mechanical(&self, modelled_fraction: f64) -> mechanics::Body {
         let moves_freely = self.motion.iter().any(Motion::is_free);
         let inertia = if moves_freely { self.inertia } else { Inertia::NONE };
-        mechanics::Body { modelled_fraction, ..mechanics::Body::new(inertia, self.motion) }
+        mechanics::Body { modelled_fraction, ..mechanics::Body::new(inertia, self.motion.clone()) }
+    }
+
+    /// Speeds of its degrees of freedom in a state [m/s or rad/s].
+    #[must_use]
+    pub fn mechanical_rates(&self, state: &mechanics::BodyState) -> [f64; 6] {
+        self.mechanical(1.0).rates(state)
     }
 
     /// A vector of the body frame in space, with the body at a pose; a body that is not rotated keeps its bits.
@@ -220,7 +226,11 @@ impl Model {
     #[must_use]
     pub fn is_driven_along_y(&self) -> bool {
         let drives: [fn(&Motion) -> f64; 2] = [
-            |motion| if let Motion::Prescribed { speed, .. } = motion { speed.abs() } else { 0.0 },
+            |motion| match motion {
+                Motion::Prescribed { speed, .. } => speed.abs(),
+                Motion::Course(course) => course.fastest(),
+                Motion::Fixed | Motion::Free { .. } => 0.0,
+            },
             |motion| if let Motion::Free { load, .. } = motion { load.abs() } else { 0.0 },
         ];
         let of = |body: &BodyModel| drives.map(|drive| [drive(&body.motion[0]), drive(&body.motion[1])]);

@@ -56,6 +56,18 @@ impl<R: Precision> Workspace<R> {
         workspace
     }
 
+    /// Other motions of the model's bodies take over: they start from the speeds that the bodies have.
+    pub fn take_over(&mut self, model: &Model, state: &mut State<R>) {
+        self.set_motions(model);
+        let bodies = self.mechanism.bodies().iter().zip(&mut state.mechanism.bodies);
+        bodies.for_each(|(body, now)| *now = body.taken_over(now));
+    }
+
+    /// The same of a state in which they have taken over already.
+    pub fn set_motions(&mut self, model: &Model) {
+        self.mechanism = model.mechanism();
+    }
+
     /// The bins of each body's rim, in the order of their arcs.
     pub fn rims(&self) -> impl Iterator<Item = &[RimBin]> {
         self.contact.surfaces.iter().map(contact::Surface::rim)

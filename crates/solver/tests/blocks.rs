@@ -29,7 +29,7 @@ fn body(name: &str, shape: Box<dyn Shape>, start: DVec3) -> BodyModel {
         friction: 0.3,
         shear_limit: f64::INFINITY,
         motion: [
-            Motion::Prescribed { speed: 0.4, start: 0.0, ramp: 0.01, end: f64::INFINITY },
+            Motion::Prescribed { before: 0.0, speed: 0.4, start: 0.0, ramp: 0.01, end: f64::INFINITY },
             Motion::Fixed,
             free(-30.0),
             Motion::Fixed,

@@ -16,7 +16,7 @@ use solver::step::step;
 use solver::workspace::Workspace;
 
 fn moving(speed: f64) -> Motion {
-    Motion::Prescribed { speed, start: 0.0, ramp: 0.01, end: f64::INFINITY }
+    Motion::Prescribed { before: 0.0, speed, start: 0.0, ramp: 0.01, end: f64::INFINITY }
 }
 
 /// The state after a number of steps, with the disc's centre at `y` [m].

@@ -47,7 +47,7 @@ fn a_step_allocates_no_memory() {
             friction: 0.3,
             shear_limit: f64::INFINITY,
             motion: [
-                Motion::Prescribed { speed: 0.3, start: 0.0, ramp: 0.01, end: f64::INFINITY },
+                Motion::Prescribed { before: 0.0, speed: 0.3, start: 0.0, ramp: 0.01, end: f64::INFINITY },
                 Motion::Fixed,
                 Motion::Free { load: -20.0, support: 0.0, start: 0.0, ramp: 0.01 },
                 Motion::Fixed,

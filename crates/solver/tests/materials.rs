@@ -30,7 +30,7 @@ fn bank(materials: usize) -> Model {
         friction: 0.3,
         shear_limit: f64::INFINITY,
         motion: [
-            Motion::Prescribed { speed: 0.3, start: 0.0, ramp: 0.01, end: f64::INFINITY },
+            Motion::Prescribed { before: 0.0, speed: 0.3, start: 0.0, ramp: 0.01, end: f64::INFINITY },
             Motion::Fixed,
             Motion::Fixed,
             Motion::Fixed,

@@ -33,7 +33,8 @@ impl<S: Shape> Shape for Sampled<S> {
 /// Impulses of pressure and of friction on a body that is pressed into sand and towed.
 fn towed(shape: Box<dyn Shape>) -> [DVec3; 2] {
     let mut model = sand([uniform(-0.2, 0.24, 22), uniform(-0.16, 0.16, 16), uniform(-0.12, 0.06, 9)]);
-    let moving = |speed: f64| Motion::Prescribed { speed, start: 0.0, ramp: 0.002, end: f64::INFINITY };
+    let moving =
+        |speed: f64| Motion::Prescribed { before: 0.0, speed, start: 0.0, ramp: 0.002, end: f64::INFINITY };
     let start = Pose::at(DVec3::new(0.0, 0.0, shape.bounds().1.z - 0.015));
     model.bodies.push(BodyModel {
         name: "body".into(),

@@ -26,7 +26,8 @@ fn after(model: &Model, surface: f64, threads: usize, steps: usize) -> State<f32
 
 /// A disc with its centre at `y` [m], pushed into sand and towed.
 fn tow(y: f64) -> Model {
-    let moving = |speed| Motion::Prescribed { speed, start: 0.0, ramp: 0.01, end: f64::INFINITY };
+    let moving =
+        |speed| Motion::Prescribed { before: 0.0, speed, start: 0.0, ramp: 0.01, end: f64::INFINITY };
     let across = (-8..=8).map(|n| 0.02 * f64::from(n)).collect();
     let mut model = sand([uniform(-0.2, 0.24, 22), across, uniform(-0.12, 0.06, 9)]);
     model.bodies.push(BodyModel {

@@ -34,7 +34,7 @@ fn towed(height: f64) -> BodyModel {
         friction: 0.3,
         shear_limit: f64::INFINITY,
         motion: [
-            Motion::Prescribed { speed: SPEED, start: 0.0, ramp: 0.005, end: f64::INFINITY },
+            Motion::Prescribed { before: 0.0, speed: SPEED, start: 0.0, ramp: 0.005, end: f64::INFINITY },
             Motion::Fixed,
             Motion::Fixed,
             Motion::Fixed,

@@ -32,7 +32,13 @@ fn towed(shape: Box<dyn Shape>, quarters: u32, steps: usize) -> Vec<Sample> {
     model.method.hourglass_yielding = 1.0;
     let height = shape.bounds().1.z - 0.015;
     let velocity = rotation * DVec3::new(0.3, 0.0, -0.15);
-    let along = |axis: usize| Motion::Prescribed { speed: velocity[axis], start: 0.0, ramp: 0.002, end: 0.2 };
+    let along = |axis: usize| Motion::Prescribed {
+        before: 0.0,
+        speed: velocity[axis],
+        start: 0.0,
+        ramp: 0.002,
+        end: 0.2,
+    };
     model.bodies.push(BodyModel {
         name: "body".into(),
         shape,

@@ -109,7 +109,8 @@ fn model(face: Face, cell: f64) -> Model {
 /// The body, in the middle `y` of the slab [m]: a block of which one face slides along itself, everything beyond it filled by the
 /// block; or a drum that turns in its place.
 fn body(face: Face, y: f64) -> BodyModel {
-    let moving = |speed: f64| Motion::Prescribed { speed, start: 0.0, ramp: 0.05, end: f64::INFINITY };
+    let moving =
+        |speed: f64| Motion::Prescribed { before: 0.0, speed, start: 0.0, ramp: 0.05, end: f64::INFINITY };
     let (shape, start, velocity, spin): (Box<dyn Shape>, _, _, _) = match face {
         Face::Flat(slope) => {
             let (sin, cos) = slope.to_radians().sin_cos();

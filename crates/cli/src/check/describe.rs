@@ -5,7 +5,8 @@ use coulter::case::Case;
 use coulter::case::mesh_file::MeshReport;
 use coulter::case::quantity::plain;
 use coulter::case::resolved::{
-    Attitude, Body, GROUND, Joint, JointKind, Law, MOTIONS, Measured, Motion, Potential, Soil,
+    Attitude, Body, Change, GROUND, Joint, JointKind, Law, MOTIONS, Measured, Motion, Potential, Soil, Stage,
+    Until,
 };
 use glam::DVec3;
 use std::fmt::Write;
@@ -24,6 +25,9 @@ pub(super) fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
                 part.name, part.mass, body.name
             )?;
         }
+    }
+    for stage in &case.stages {
+        describe_stage(text, case, stage)?;
     }
     for joint in &case.joints {
         describe_joint(text, case, joint)?;
@@ -153,7 +157,7 @@ fn describe_motions(text: &mut String, body: &Body) -> std::fmt::Result {
         return writeln!(text, "         guided by its joint");
     }
     for (n, (name, freedom)) in MOTIONS.into_iter().zip(body.motions()).enumerate() {
-        let (speed, load) = if n < 3 { ("m/s", "N") } else { ("rad/s", "N m") };
+        let (speed, load) = units(n);
         // Steering is the exception.
         if freedom != Motion::Fixed || !name.ends_with("_motion") {
             writeln!(text, "         {name:11} {}", describe_freedom(&freedom, speed, load))?;
@@ -162,16 +166,47 @@ fn describe_motions(text: &mut String, body: &Body) -> std::fmt::Result {
     Ok(())
 }
 
+/// A stage: how long it lasts, and the motions that change.
+fn describe_stage(text: &mut String, case: &Case, stage: &Stage) -> std::fmt::Result {
+    match stage.until {
+        None => writeln!(text, "stage    {}: {} s", stage.name, plain(stage.duration))?,
+        Some(Until { body, quantity, value }) => {
+            let [name, unit] = quantity.words();
+            writeln!(
+                text,
+                "stage    {}: until {} has a {name} of {} {unit}, at most {} s",
+                stage.name,
+                case.bodies[body].name,
+                plain(value),
+                plain(stage.duration)
+            )?;
+        }
+    }
+    for Change { body, motion, to } in &stage.changes {
+        let (speed, load) = units(*motion);
+        let name = format!("{}.{}", case.bodies[*body].name, MOTIONS[*motion]);
+        writeln!(text, "         {name:11} {}", describe_freedom(to, speed, load))?;
+    }
+    Ok(())
+}
+
+/// Units of speed and load of a motion, by its number.
+fn units(motion: usize) -> (&'static str, &'static str) {
+    if motion < 3 { ("m/s", "N") } else { ("rad/s", "N m") }
+}
+
 fn describe_joint(text: &mut String, case: &Case, joint: &Joint) -> std::fmt::Result {
     let name = |body: usize| &*case.bodies[body].name;
     let first = joint.first.map_or(GROUND, name);
     write!(text, "joint    {}: {}, {first} – {}", joint.name, joint.kind.word(), name(joint.second))?;
     let direction = |axis: DVec3| axis.to_array().map(plain).join(", ");
     match joint.kind {
-        JointKind::Hinge { axis, friction_torque } => {
+        JointKind::Hinge { axis, friction_torque, drive_torque } => {
             write!(text, ", axis ({})", direction(axis))?;
-            if friction_torque > 0.0 {
-                write!(text, ", friction {} N m", plain(friction_torque))?;
+            for (name, torque) in [("friction", friction_torque), ("drive", drive_torque)] {
+                if torque != 0.0 {
+                    write!(text, ", {name} {} N m", plain(torque))?;
+                }
             }
         }
         JointKind::Ball => {}
@@ -205,7 +240,10 @@ fn describe_mesh(text: &mut String, report: &MeshReport) -> std::fmt::Result {
 fn describe_freedom(freedom: &Motion, speed_unit: &str, load_unit: &str) -> String {
     match *freedom {
         Motion::Fixed => "fixed".into(),
-        Motion::Prescribed { speed, start, ramp, end } => {
+        Motion::Course(ref course) => {
+            format!("a given displacement over time, at most {} {speed_unit}", plain(course.fastest()))
+        }
+        Motion::Prescribed { speed, start, ramp, end, .. } => {
             let until = if end.is_finite() { format!(" until {} s", plain(end)) } else { String::new() };
             format!("{} {speed_unit}, from {} s within {} s{until}", plain(speed), plain(start), plain(ramp))
         }

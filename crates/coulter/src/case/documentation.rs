@@ -1,7 +1,7 @@
 //! The tables of docs/case-file.md, generated from the tables of keys.
 
 use super::format::{FORMAT, RENAMED_KEYS, RENAMED_VALUES};
-use super::keys::{self, FOLLOW, KeyTable, Kind, MOTION, words};
+use super::keys::{self, FOLLOW, KeyTable, Kind, MOTION, UNTIL, words};
 use std::fmt::Write;
 
 const HEADER: &str = "| key | value | default | meaning |\n|---|---|---|---|\n";
@@ -13,7 +13,7 @@ pub fn tables() -> String {
     for section in keys::SECTIONS {
         let heading = match section.name {
             "" => "Top of the file".to_owned(),
-            kind @ ("body" | "joint") => format!("`[{kind}.NAME]`"),
+            kind @ ("body" | "joint" | "stage") => format!("`[{kind}.NAME]`"),
             name => format!("`[{name}]`"),
         };
         // Writing to a string cannot fail.
@@ -24,6 +24,8 @@ pub fn tables() -> String {
     rows(&MOTION, &mut text);
     let _ = write!(text, "### `grid.follow`\n{}\n\n{HEADER}", FOLLOW.meaning);
     rows(&FOLLOW, &mut text);
+    let _ = write!(text, "### `stage.NAME.until`\n{}\n\n{HEADER}", UNTIL.meaning);
+    rows(&UNTIL, &mut text);
     text.push_str(&renamed());
     text
 }
@@ -76,8 +78,12 @@ fn kind(kind: &Kind) -> String {
         Kind::NamePair => "two names: `[\"frame\", \"disc\"]`".into(),
         Kind::WallPair => format!("two of {}", listed(&words::WALLS)),
         Kind::Follow => "`{ body = \"disc\", axes = \"x\" }`".into(),
-        Kind::Motion { still, speed, load } => {
-            format!("motion: `\"{still}\"`, `\"free\"`, {} or {}", speed.name, load.name)
+        Kind::Until => "`{ body = \"disc\", sinkage = \"20 mm\" }`".into(),
+        Kind::Motion { still, way, speed, load } => {
+            format!(
+                "motion: `\"{still}\"`, `\"free\"`, {}, {}, {} or a table",
+                speed.name, load.name, way.name
+            )
         }
     }
 }

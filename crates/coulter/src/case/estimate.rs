@@ -70,8 +70,8 @@ pub struct Cost {
 #[must_use]
 pub fn cost(case: &Case) -> Cost {
     let estimate = estimate(case);
-    let memory = memory(case, estimate.cells, estimate.filled_cells);
-    let output = output_size::output_size(case, estimate.cells, estimate.filled_cells);
+    let memory = memory(case, &estimate);
+    let output = output_size::output_size(case, [estimate.cells, estimate.filled_cells], estimate.steps);
     Cost { estimate, memory_bytes: memory.total(), memory, output }
 }
 
@@ -103,16 +103,18 @@ pub(super) fn cells(grid: &Grid) -> f64 {
 }
 
 /// Memory that a run will take; nothing is allocated.
-fn memory(case: &Case, cells: f64, filled: f64) -> Memory {
+fn memory(case: &Case, estimate: &Estimate) -> Memory {
+    let &Estimate { cells, filled_cells: filled, steps, .. } = estimate;
     let Footprint { fields, fields_of_soil, workspace, contact, layout } = footprint(case);
     let void = 1.0 - (filled / cells).clamp(0.0, 1.0);
-    let outputs = output_size::memory(case, fields);
+    let outputs = output_size::memory(case, steps, fields);
     Memory {
         program_bytes: PROGRAM,
         grid_bytes: fields - void * fields_of_soil + workspace,
         contact_bytes: contact,
         // The contact points are generated before anything is written.
-        outputs_bytes: outputs.max(layout - contact) + output_size::rim_memory(case, all_rim_bins(case)),
+        outputs_bytes: outputs.max(layout - contact)
+            + output_size::rim_memory(case, steps, all_rim_bins(case)),
     }
 }
 

@@ -35,6 +35,8 @@ pub enum JointKind {
         axis: DVec3,
         /// Torque of friction in its bearing [N m].
         friction_torque: f64,
+        /// Torque of a drive on the second body about the axis [N m].
+        drive_torque: f64,
     },
     /// Rotation about a point.
     Ball,
@@ -91,9 +93,11 @@ impl Joint {
         let (first, second) = (pose(self.first), pose(Some(self.second)));
         let (ends, poses) = ([self.first, Some(self.second)], [&first, &second]);
         match self.kind {
-            JointKind::Hinge { axis, friction_torque } => {
-                Arc::new(Hinge::at(self.position, axis, ends, poses).with_friction(friction_torque))
-            }
+            JointKind::Hinge { axis, friction_torque, drive_torque } => Arc::new(
+                Hinge::at(self.position, axis, ends, poses)
+                    .with_friction(friction_torque)
+                    .with_drive(drive_torque),
+            ),
             JointKind::Ball => Arc::new(Ball::at(self.position, ends, poses)),
             JointKind::Slider { axis } => Arc::new(Slider::at(self.position, axis, ends, poses)),
             JointKind::Spring { from, stiffness, damping, length, is_cable } => Arc::new(Spring {

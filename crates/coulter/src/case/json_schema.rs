@@ -17,6 +17,13 @@ fn schema() -> Value {
     for section in keys::SECTIONS {
         match section.name {
             "" => properties.extend(keys_of(&section)),
+            "stage" => {
+                let mut stage = object(&section);
+                stage["additionalProperties"] = stage_motions();
+                let named = json!({ "type": "object", "description": section.meaning,
+                    "additionalProperties": stage });
+                properties.insert(section.name.into(), named);
+            }
             "body" | "joint" => {
                 let named = json!({ "type": "object", "description": section.meaning,
                     "additionalProperties": object(&section) });
@@ -32,9 +39,21 @@ fn schema() -> Value {
         "title": "A case for Coulter",
         "type": "object",
         "properties": properties,
-        "required": ["format", "soil", "grid", "run"],
+        "required": ["format", "soil", "grid"],
         "additionalProperties": false,
     })
+}
+
+/// The motions of a body that change in a stage.
+fn stage_motions() -> Value {
+    let keys = keys::find("body").map(|body| body.keys).unwrap_or_default().iter();
+    let of_body =
+        |name: &str| json!({ "$ref": format!("#/properties/body/additionalProperties/properties/{name}") });
+    let motions = keys.filter(|key| key.kind.is_motion());
+    let properties: Map<String, Value> =
+        motions.map(|key| (key.name.to_owned(), of_body(key.name))).collect();
+    json!({ "type": "object", "description": "A body, and its motions that change.",
+        "properties": properties, "additionalProperties": false })
 }
 
 fn object(section: &KeyTable) -> Value {
@@ -130,11 +149,14 @@ fn kind(key: &Key) -> Value {
             json!({ "type": "array", "items": { "enum": WALLS }, "minItems": 2, "maxItems": 2 })
         }
         Kind::Follow => object(&keys::FOLLOW),
-        Kind::Motion { still, speed, load } => {
+        Kind::Until => object(&keys::UNTIL),
+        Kind::Motion { still, way, speed, load } => {
             let mut ways = vec![
                 json!({ "enum": [still, "free"] }),
                 motion(speed.example, "speed", &["start", "ramp", "end"]),
                 motion(load.example, "load", &["start", "ramp"]),
+                motion(way.example, "displacement", &["start", "ramp"]),
+                motion("tow.csv", "table", &["start"]),
             ];
             if let Some(slip) = keys::MOTION.key("slip").filter(|_| *speed == TURN_RATE) {
                 let properties = json!({ "slip": property(slip) });

@@ -100,7 +100,7 @@ fn boundaries(case: &Case) -> Boundaries {
     }
     if let Some(Follow { body, axes }) = case.grid.follow {
         for axis in (0..3).filter(|axis| axes[*axis]) {
-            boundaries[axis] = open_ends(case.bodies.get(body), axis);
+            boundaries[axis] = open_ends(case.bodies.get(body), axis, case.duration);
         }
     }
     Boundaries(boundaries)
@@ -108,15 +108,16 @@ fn boundaries(case: &Case) -> Boundaries {
 
 /// The ends of a grid that follows a body along an axis: undisturbed ground enters in front, and what is behind leaves as it is.
 /// Above and below the ground is undisturbed.
-fn open_ends(body: Option<&resolved::Body>, axis: usize) -> [Boundary; 2] {
-    let sign = |motion: &Motion| match *motion {
-        Motion::Prescribed { speed, .. } => speed,
-        Motion::Free { load, .. } => load,
+fn open_ends(body: Option<&resolved::Body>, axis: usize, duration: f64) -> [Boundary; 2] {
+    let sign = |motion: &Motion| match motion {
+        Motion::Prescribed { speed, .. } => *speed,
+        Motion::Course(course) => course.displacement(duration),
+        Motion::Free { load, .. } => *load,
         Motion::Fixed => 0.0,
     };
     let along = body.map_or(0.0, |body| sign(&body.guided().translation[axis]));
     // A body that drives itself goes where it rolls.
-    let along = if along == 0.0 { body.map_or(0.0, |body| sign(&body.spin())) } else { along };
+    let along = if along == 0.0 { body.map_or(0.0, |body| sign(body.spin())) } else { along };
     match (axis, along < 0.0) {
         (2, _) => [Boundary::Inflow; 2],
         (_, true) => [Boundary::Inflow, Boundary::Outflow],

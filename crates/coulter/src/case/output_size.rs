@@ -42,15 +42,15 @@ pub struct OutputSize {
     pub total_bytes: f64,
 }
 
-/// Output of a run of a case with `cells` cells, `filled` of them with soil.
+/// Output of a run of a case with so many cells, and so many of them with soil, in this many steps.
 #[must_use]
-pub fn output_size(case: &Case, cells: f64, filled: f64) -> OutputSize {
+pub fn output_size(case: &Case, [cells, filled]: [f64; 2], steps: f64) -> OutputSize {
     let (bodies, layers) = (case.bodies.len() as f64, case.grid.faces[2].len() as f64 - 1.0);
     let mirrored = if case.domain.symmetric { 2.0 } else { 1.0 };
     let soil = PACKED_CELL * filled + PACKED_VOID * (cells - filled);
     let one = soil + PACKED_COLUMN * mirrored * cells / layers.max(1.0) + PACKED_BODY * bodies;
     let frames = (case.duration / case.output.field_interval).floor() + 2.0;
-    let lines = samples(case) + 1.0;
+    let lines = samples(case, steps) + 1.0;
     let fields_bytes = frames * one;
     let histories_bytes = lines * (LINES[0] * bodies + LINES[1]);
     let memory = if matches!(case.soil.law, Law::Sand { .. }) { MEMORY_COUNT } else { 0 };
@@ -59,15 +59,15 @@ pub fn output_size(case: &Case, cells: f64, filled: f64) -> OutputSize {
     OutputSize { frames, fields_bytes, histories_bytes, checkpoints_bytes, total_bytes }
 }
 
-/// Number of samples of the histories.
-fn samples(case: &Case) -> f64 {
-    (case.duration / case.output.history_interval).ceil()
+/// Number of samples of the histories in this many steps: one a step at most.
+fn samples(case: &Case, steps: f64) -> f64 {
+    (case.duration / case.output.history_interval).ceil().min(steps)
 }
 
 /// Memory of the sums over the rims of all bodies in the course of a run [bytes]; `bins` is the number of their bins.
 #[must_use]
-pub fn rim_memory(case: &Case, bins: f64) -> f64 {
-    samples(case).min(MOST_RIM_RECORDS as f64) * bins * size_of::<RimSums>() as f64
+pub fn rim_memory(case: &Case, steps: f64, bins: f64) -> f64 {
+    samples(case, steps).min(MOST_RIM_RECORDS as f64) * bins * size_of::<RimSums>() as f64
 }
 
 fn width(case: &Case) -> f64 {
@@ -80,8 +80,8 @@ fn width(case: &Case) -> f64 {
 /// Peak memory for writing [bytes]: for a checkpoint, or for pictures and report at the end. A field file is written in blocks
 /// and takes less.
 #[must_use]
-pub fn memory(case: &Case, fields: f64) -> f64 {
-    let lines = samples(case);
+pub fn memory(case: &Case, steps: f64, fields: f64) -> f64 {
+    let lines = samples(case, steps);
     // The report reads the histories as text and draws them.
     let report = PICTURES + lines * (LINES[0] * case.bodies.len() as f64 + LINES[1]);
     report.max(CHECKPOINT * fields)

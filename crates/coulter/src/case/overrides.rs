@@ -25,12 +25,13 @@ pub fn overridden(text: &str, source_name: &str, overrides: &[String]) -> Result
     Ok(document.to_string())
 }
 
-/// The text of a case in which bodies are read from other files: the name of each such body and its file. A text in which that
-/// cannot be written stays as it is.
-pub(crate) fn with_mesh_files(text: &str, files: &[(String, String)]) -> String {
+/// The text of a case that reads other files: the keys that lead to each, and the file. A text in which that cannot be written stays
+/// as it is.
+pub(crate) fn with_files(text: &str, files: &[(Vec<String>, String)]) -> String {
     let Ok(mut document) = text.parse::<DocumentMut>() else { return text.to_owned() };
-    for (body, file) in files {
-        if set(document.as_table_mut(), &["body", body, "file"], Value::from(file.as_str())).is_none() {
+    for (keys, file) in files {
+        let keys: Vec<&str> = keys.iter().map(String::as_str).collect();
+        if set(document.as_table_mut(), &keys, Value::from(file.as_str())).is_none() {
             return text.to_owned();
         }
     }

@@ -36,6 +36,8 @@ pub const MASS: Measure = measure("a mass", [0, 1, 0, 0], "kg", "4 kg");
 pub const TIME: Measure = measure("a time", [0, 0, 1, 0], "s", "0.3 s");
 /// An angle [rad].
 pub const ANGLE: Measure = measure("an angle", [0, 0, 0, 1], "deg", "35 deg");
+/// A frequency [Hz].
+pub const FREQUENCY: Measure = measure("a frequency", [0, 0, -1, 0], "Hz", "10 Hz");
 /// A speed [m/s].
 pub const SPEED: Measure = measure("a speed", [1, 0, -1, 0], "m/s", "0.2 m/s");
 /// An acceleration [m/s²].
@@ -60,7 +62,7 @@ pub const DAMPING: Measure = measure("a damping coefficient", [0, 1, -1, 0], "N*
 pub const INERTIA: Measure = measure("a moment of inertia", [2, 1, 0, 0], "kg*m^2", "0.02 kg*m^2");
 
 /// Every measure that has a name, to name a wrong one.
-const NAMED: [Measure; 13] = [
+const NAMED: [Measure; 14] = [
     LENGTH,
     MASS,
     TIME,
@@ -74,6 +76,7 @@ const NAMED: [Measure; 13] = [
     STRESS,
     UNIT_WEIGHT,
     INERTIA,
+    FREQUENCY,
 ];
 
 /// Reads `text` as `measure`; the value in SI units.

@@ -2,7 +2,9 @@
 //! can be simulated.
 
 pub use super::joint::{GROUND, Joint, JointKind};
-pub use super::rigid_body::{Attitude, Body, MOTIONS, Part};
+pub use super::rigid_body::{Attitude, Body, MOTIONS, Part, Staged};
+use super::stage;
+pub use super::stage::{Change, MotionTable, Stage, StageQuantity, Until};
 use glam::DVec3;
 pub use mechanics::Motion;
 use serde::Serialize;
@@ -34,7 +36,13 @@ pub struct Case {
     /// Joints in the order of the file; may be empty.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub joints: Vec<Joint>,
-    /// Duration of the run [s].
+    /// Stages of the run in the order of the file; empty for a run that has only one.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub stages: Vec<Stage>,
+    /// Files of tables that motions follow.
+    #[serde(skip)]
+    pub tables: Vec<MotionTable>,
+    /// Duration of the run [s]; of one of several stages the longest possible.
     pub duration: f64,
     /// What to write, and how often.
     pub output: Output,
@@ -45,6 +53,40 @@ pub struct Case {
 }
 
 impl Case {
+    /// The stage over which averages are taken, by number: the last one in which a body is towed, or else the last one.
+    #[must_use]
+    pub fn steady_stage(&self) -> Option<usize> {
+        stage::steady(&self.stages)
+    }
+
+    /// The case as it stands in the stage over which averages are taken, for closed forms: its motions, from the depth to which bodies
+    /// have been pressed by then.
+    #[must_use]
+    ///
+    /// # Errors
+    /// In words, where the depth of a body follows only from the run.
+    pub fn in_steady_stage(&self) -> Result<Self, String> {
+        let mut case = Self { stages: Vec::new(), ..self.clone() };
+        for body in &mut case.bodies {
+            if let Some(Staged { motions, bounds, depth_is_known }) = body.staged.take() {
+                if !motions[2].is_free() {
+                    if !depth_is_known {
+                        return Err(format!(
+                            "how deep `{}` is follows from the run: a stage before the tow moves it until a force or a torque is \
+                             reached; end that stage at a sinkage for a forecast",
+                            body.name
+                        ));
+                    }
+                    let [down, up] = bounds[2];
+                    body.position.z += if -down > up { down } else { up };
+                }
+                let [x, y, z, yaw, tilt, spin] = motions;
+                (body.translation, body.rotation) = ([x, y, z], [yaw, tilt, spin]);
+            }
+        }
+        Ok(case)
+    }
+
     /// The bodies that have a surface, which the soil can touch, with their numbers.
     pub fn touching(&self) -> impl Iterator<Item = (usize, &Body)> {
         self.bodies.iter().enumerate().filter(|(_, body)| body.has_surface())
@@ -347,6 +389,8 @@ pub struct Output {
     pub checkpoint_interval: f64,
     /// Fraction of the run, at its end, over which steady averages are taken, 0 to 1.
     pub steady_fraction: f64,
+    /// Cut-off frequency of the filtered forces [Hz].
+    pub filter_cutoff: f64,
 }
 
 /// Contact method between soil and bodies.
@@ -448,6 +492,7 @@ pub fn case_text(case: &Case) -> String {
     let mut case = case.clone();
     case.numerics.threads = 0;
     case.output.checkpoint_interval = 0.0;
+    case.output.filter_cutoff = 0.0;
     case.forecast = Measured::default();
     // Its content says what a mesh is, not where it was read.
     for body in &mut case.bodies {

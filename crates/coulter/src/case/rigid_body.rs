@@ -35,6 +35,20 @@ pub struct Body {
     /// How joints make it move; `None` without a joint.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub guide: Option<Guide>,
+    /// How it moves in a run of several stages.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub staged: Option<Staged>,
+}
+
+/// How a body moves in a run of several stages, for estimates of its path.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Staged {
+    /// Its motions in the stage over which averages are taken; free where they are so in any stage.
+    pub motions: [Motion; 6],
+    /// Least and largest displacement along x, y and z that is prescribed [m].
+    pub bounds: [[f64; 2]; 3],
+    /// Whether it is known before the run how deep it is in that stage: not where a force ends the stage that presses it.
+    pub depth_is_known: bool,
 }
 
 /// A body that is welded to another: they move as one rigid body.
@@ -85,17 +99,24 @@ fn pitched(shape: &Shape, pitch: f64) -> Box<dyn Solid> {
 }
 
 /// How a body moves that joints guide, for estimates of its path: what its carrier prescribes, free where the joint leaves it free.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Guide {
     /// Along x, y, z.
     pub translation: [Motion; 3],
     /// Yaw and tilt.
     pub rotation: [Motion; 2],
+    /// Least and largest prescribed displacement in a run of several stages [m].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bounds: Option<[[f64; 2]; 3]>,
 }
 
 impl Guide {
     /// The ground does not move.
-    pub const GROUND: Self = Self { translation: [Motion::Fixed; 3], rotation: [Motion::Fixed; 2] };
+    pub const GROUND: Self = Self {
+        translation: [const { Motion::Fixed }; 3],
+        rotation: [const { Motion::Fixed }; 2],
+        bounds: None,
+    };
 }
 
 /// Attitude of a body: it is rotated by `pitch` about its axle, y, then by `tilt` about x, then by `yaw` about z. Positive angles
@@ -134,14 +155,14 @@ pub const MOTIONS: [&str; 6] = ["forward", "lateral", "heave", "yaw_motion", "ti
 impl Body {
     /// Rotation about the axle; positive when it rolls forward.
     #[must_use]
-    pub fn spin(&self) -> Motion {
-        self.rotation[2]
+    pub fn spin(&self) -> &Motion {
+        self.staged.as_ref().map_or(&self.rotation[2], |staged| &staged.motions[5])
     }
 
-    /// Its six degrees of freedom: along x, y, z; yaw, tilt, spin.
+    /// Its six degrees of freedom at the start: along x, y, z; yaw, tilt, spin.
     #[must_use]
     pub fn motions(&self) -> [Motion; 6] {
-        let ([x, y, z], [yaw, tilt, spin]) = (self.translation, self.rotation);
+        let ([x, y, z], [yaw, tilt, spin]) = (self.translation.clone(), self.rotation.clone());
         [x, y, z, yaw, tilt, spin]
     }
 
@@ -178,8 +199,16 @@ impl Body {
     /// How it moves: its own motions, or what joints make of them.
     #[must_use]
     pub fn guided(&self) -> Guide {
-        let [yaw, tilt, _] = self.rotation;
-        self.guide.unwrap_or(Guide { translation: self.translation, rotation: [yaw, tilt] })
+        self.guide.clone().unwrap_or_else(|| self.own_guide())
+    }
+
+    /// How it moves without its joints.
+    #[must_use]
+    pub fn own_guide(&self) -> Guide {
+        let bounds = self.staged.as_ref().map(|staged| staged.bounds);
+        let motions = self.staged.as_ref().map_or_else(|| self.motions(), |staged| staged.motions.clone());
+        let [x, y, z, yaw, tilt, _] = motions;
+        Guide { translation: [x, y, z], rotation: [yaw, tilt], bounds }
     }
 
     /// Whether its axle may leave the direction that it has at the start.
@@ -293,7 +322,7 @@ impl Body {
     /// `None` for a body that does not heave freely.
     #[must_use]
     pub fn pressing_force(&self, gravity: f64) -> Option<f64> {
-        match self.translation[2] {
+        match self.own_guide().translation[2] {
             Motion::Free { load, .. } => Some(self.whole_mass() * gravity - load),
             _ => None,
         }

@@ -36,8 +36,8 @@ pub(super) fn read(root: &[Entry], problems: &mut Problems) -> Schema {
         Some(entry) => named(entry, kind, problems),
         None => Vec::new(),
     };
-    let (bodies, joints) = (all("body"), all("joint"));
-    Schema { top, soil, ground, domain, grid, bodies, joints, run, output, numerics, forecast }
+    let (bodies, joints, stages) = (all("body"), all("joint"), all("stage"));
+    Schema { top, soil, ground, domain, grid, bodies, joints, stages, run, output, numerics, forecast }
 }
 
 /// The table of keys of a kind of section.
@@ -84,7 +84,11 @@ fn as_typed(default: &DefaultValue) -> Option<Value> {
 
 /// The sections `[kind.NAME]`.
 fn named(entry: &Entry, kind: &str, problems: &mut Problems) -> Vec<Section> {
-    let example = if kind == "body" { "body.disc" } else { "joint.axle" };
+    let example = match kind {
+        "body" => "body.disc",
+        "joint" => "joint.axle",
+        _ => "stage.tow",
+    };
     let Value::Table(table) = &entry.value else {
         let message = format!("`{kind}` must be a table, not {}", entry.value.kind());
         problems.add(kind, message, format!("give every {kind} its own section: [{example}]"));
@@ -139,7 +143,27 @@ fn section(entry: &Entry, kind: &str, path: &str, problems: &mut Problems) -> Se
             Some(key) => {
                 read.insert(key.name, value(&inner.value, &key.kind, &join(path, key.name), problems));
             }
+            None if kind == "stage" && matches!(inner.value, Value::Table(_)) => {
+                read.inner.push(motions(inner, path, problems));
+            }
             None => unknown(inner, path, known.iter().map(|k| k.name), problems),
+        }
+    }
+    read
+}
+
+/// The motions of a body that change in a stage.
+fn motions(entry: &Entry, stage: &str, problems: &mut Problems) -> Section {
+    let path = join(stage, &entry.key);
+    let mut read = Section::empty(&path);
+    let Value::Table(table) = &entry.value else { return read };
+    let known = || self::table("body").keys.iter().filter(|key| key.kind.is_motion());
+    for inner in table {
+        match known().find(|key| key.name == inner.key) {
+            Some(key) => {
+                read.insert(key.name, value(&inner.value, &key.kind, &join(&path, key.name), problems));
+            }
+            None => unknown(inner, &path, known().map(|key| key.name), problems),
         }
     }
     read
@@ -153,7 +177,7 @@ mod tests {
     fn every_default_can_be_read_and_is_in_the_range_of_its_key() {
         let tables = keys::SECTIONS.iter().chain([&keys::MOTION]);
         let of = |table: &KeyTable, name| match table.name {
-            kind @ ("body" | "joint") => format!("{kind}.disc.{name}"),
+            kind @ ("body" | "joint" | "stage") => format!("{kind}.disc.{name}"),
             "motion" => format!("body.disc.forward.{name}"),
             section => join(section, name),
         };

@@ -15,6 +15,7 @@ pub(super) enum Given {
     Motion(Motion),
     /// Name of a body, and axes.
     Follow([String; 2]),
+    Until(Until),
     /// Reported already; counts as given, so that it is not reported as missing as well.
     Broken,
 }
@@ -30,8 +31,19 @@ pub(super) struct Motion {
     pub(super) end: Option<f64>,
     /// Slip of a rolling body.
     pub(super) slip: Option<f64>,
+    pub(super) displacement: Option<f64>,
+    /// The file of a table.
+    pub(super) table: Option<String>,
     /// Whether a time was given.
     pub(super) is_timed: bool,
+}
+
+/// What ends a stage, as typed: a body, and the key and the value of what it reaches.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Until {
+    pub(super) body: String,
+    pub(super) key: &'static str,
+    pub(super) value: f64,
 }
 
 /// A section as typed.
@@ -43,6 +55,8 @@ pub(super) struct Section {
     pub(super) folder: PathBuf,
     given: BTreeMap<&'static str, Given>,
     defaults: BTreeMap<&'static str, Given>,
+    /// Sections in it: motions of bodies in a stage.
+    pub(super) inner: Vec<Section>,
 }
 
 impl Section {
@@ -52,6 +66,7 @@ impl Section {
             folder: PathBuf::new(),
             given: BTreeMap::new(),
             defaults: BTreeMap::new(),
+            inner: Vec::new(),
         }
     }
 
@@ -109,6 +124,10 @@ impl Section {
         self.get(key, |v| if let Given::Follow(f) = v { Some(f.clone()) } else { None })
     }
 
+    pub(super) fn until(&self, key: &str) -> Option<Until> {
+        self.get(key, |v| if let Given::Until(u) = v { Some(u.clone()) } else { None })
+    }
+
     pub(super) fn motion(&self, key: &str) -> Option<Motion> {
         self.get(key, |v| if let Given::Motion(m) = v { Some(m.clone()) } else { None })
     }
@@ -124,6 +143,7 @@ pub(super) struct Schema {
     pub(super) grid: Section,
     pub(super) bodies: Vec<Section>,
     pub(super) joints: Vec<Section>,
+    pub(super) stages: Vec<Section>,
     pub(super) run: Section,
     pub(super) output: Section,
     pub(super) numerics: Section,
@@ -133,8 +153,9 @@ pub(super) struct Schema {
 impl Schema {
     /// Says in which folder the files lie that the case names.
     pub(super) fn lie_in(&mut self, folder: &Path) {
-        for body in &mut self.bodies {
-            body.folder = folder.to_path_buf();
+        let in_stages = self.stages.iter_mut().flat_map(|stage| &mut stage.inner);
+        for section in self.bodies.iter_mut().chain(in_stages) {
+            section.folder = folder.to_path_buf();
         }
     }
 }

@@ -2,13 +2,13 @@
 
 use super::format;
 use super::keys::words::{DENSITIES, WALLS};
-use super::keys::{DefaultValue, FOLLOW, Key, Kind, MOTION};
+use super::keys::{DefaultValue, FOLLOW, Key, Kind, MOTION, UNTIL};
 use super::names::nearest;
 use super::numbers::{in_range, in_range_or_infinite};
 use super::problem::Problems;
 use super::quantity::{self, Measure, TIME};
 use super::tree::{Entry, Value, join};
-use super::typed::{Given, Motion};
+use super::typed::{Given, Motion, Until};
 use super::unknown::unknown;
 use std::ops::RangeInclusive;
 
@@ -44,8 +44,9 @@ pub(super) fn value(node: &Value, kind: &Kind, path: &str, problems: &mut Proble
         Kind::NamePair => names(node).map(Given::Words),
         Kind::WallPair => walls(node).map(Given::Words),
         Kind::Follow => return follow(node, path, problems),
-        Kind::Motion { still, speed, load } => {
-            return motion(node, still, [speed, load], path, problems);
+        Kind::Until => return until(node, path, problems),
+        Kind::Motion { still, way, speed, load } => {
+            return motion(node, still, [way, speed, load], path, problems);
         }
     };
     match read {
@@ -272,11 +273,48 @@ fn follow(node: &Value, path: &str, problems: &mut Problems) -> Given {
     }
 }
 
+/// A table with a body and one quantity.
+fn until(node: &Value, path: &str, problems: &mut Problems) -> Given {
+    const CURE: &str = "write { body = \"disc\", sinkage = \"20 mm\" }, with one quantity";
+    let Value::Table(table) = node else {
+        problems.add(path, format!("{path}: expected a table, found {}", node.kind()), CURE);
+        return Given::Broken;
+    };
+    let before = problems.len();
+    let (mut body, mut reached) = (None, Vec::new());
+    for entry in table {
+        let Some(key) = UNTIL.key(&entry.key) else {
+            unknown(entry, path, UNTIL.keys.iter().map(|key| key.name), problems);
+            continue;
+        };
+        match value(&entry.value, &key.kind, &join(path, key.name), problems) {
+            Given::Text(name) => body = Some(name),
+            Given::Number(number) => reached.push((key.name, number)),
+            _ => {}
+        }
+    }
+    if problems.len() > before {
+        return Given::Broken;
+    }
+    match (body, &reached[..]) {
+        (Some(body), &[(key, value)]) => Given::Until(Until { body, key, value }),
+        (None, _) => {
+            problems.add(path, format!("{path}: `body` is missing"), CURE);
+            Given::Broken
+        }
+        (Some(_), _) => {
+            let message = format!("{path}: {} quantities instead of one", reached.len());
+            problems.add(path, message, CURE);
+            Given::Broken
+        }
+    }
+}
+
 /// A word (`still` or `free`), or a table with a speed or a load.
 fn motion(
     node: &Value,
     still: &'static str,
-    measures: [&Measure; 2],
+    measures: [&Measure; 3],
     path: &str,
     problems: &mut Problems,
 ) -> Given {
@@ -287,7 +325,7 @@ fn motion(
             Err(complaint) => {
                 let cure = format!(
                     "write \"{still}\", \"free\", {{ speed = \"{}\" }} or {{ load = \"{}\" }}",
-                    measures[0].example, measures[1].example
+                    measures[1].example, measures[2].example
                 );
                 problems.add(path, format!("{path}: {}", complaint.message), cure);
                 Given::Broken
@@ -306,14 +344,21 @@ fn unless_given() -> Motion {
     Motion { start: default("start"), ramp: default("ramp"), ..Motion::default() }
 }
 
-fn motion_table(table: &[Entry], [speed, load]: [&Measure; 2], path: &str, problems: &mut Problems) -> Given {
+fn motion_table(
+    table: &[Entry],
+    [way, speed, load]: [&Measure; 3],
+    path: &str,
+    problems: &mut Problems,
+) -> Given {
     let mut motion = unless_given();
     let before = problems.len();
     for entry in table {
         let kind = match entry.key.as_str() {
             "speed" => Kind::Quantity(*speed),
             "load" => Kind::Quantity(*load),
+            "displacement" => Kind::Quantity(*way),
             "slip" => Kind::Number,
+            "table" => Kind::Text,
             "start" | "ramp" | "end" => {
                 motion.is_timed = true;
                 Kind::Quantity(TIME)
@@ -324,12 +369,18 @@ fn motion_table(table: &[Entry], [speed, load]: [&Measure; 2], path: &str, probl
             }
         };
         let path = join(path, &entry.key);
-        let Given::Number(number) = value(&entry.value, &kind, &path, problems) else {
-            continue;
+        let number = match value(&entry.value, &kind, &path, problems) {
+            Given::Number(number) => number,
+            Given::Text(file) => {
+                motion.table = Some(file);
+                continue;
+            }
+            _ => continue,
         };
         match entry.key.as_str() {
             "speed" => motion.speed = Some(number),
             "load" => motion.load = Some(number),
+            "displacement" => motion.displacement = Some(number),
             "slip" => motion.slip = Some(number),
             "start" => motion.start = number,
             "ramp" => motion.ramp = number,

@@ -23,14 +23,15 @@ pub(super) fn touching(case: &Case, remarks: &mut Vec<String>) -> Vec<Body> {
         let bearing = members.iter().map(|member| member.surfaces().len()).sum::<usize>() as f64;
         let mut moved = body.clone();
         let guide = body.guided();
+        let is_free = guide.translation[2].is_free();
         (moved.guide, moved.translation) = (None, guide.translation);
-        moved.rotation[..2].copy_from_slice(&guide.rotation);
-        if guide.translation[2].is_free() {
+        moved.rotation[..2].clone_from_slice(&guide.rotation);
+        if is_free {
             moved.mass = members.iter().map(|member| member.whole_mass()).sum::<f64>() / bearing;
             moved.translation[2] =
                 Motion::loaded(members.iter().map(|member| load(member)).sum::<f64>() / bearing);
         }
-        if bearing > 1.0 && guide.translation[2].is_free() && !said.contains(&groups[n]) {
+        if bearing > 1.0 && is_free && !said.contains(&groups[n]) {
             said.push(groups[n]);
             let names: Vec<String> = members.iter().map(|member| format!("`{}`", member.name)).collect();
             remarks.push(format!(

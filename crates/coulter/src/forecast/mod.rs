@@ -2,6 +2,7 @@
 
 mod carried;
 mod curves;
+mod direction;
 mod document;
 mod model_input;
 mod models_csv;

@@ -1,6 +1,7 @@
 //! A case as input of the closed-form models: one body, or a row of equal discs, in level soil of Mohr and Coulomb or in clay.
 
 use super::carried::touching;
+use super::direction::along_the_tow;
 use super::towed::{Course, bodies, body, course};
 use crate::case::model::sand;
 use crate::case::resolved::{self, Body as Towed, Case, Factors, Ground, Law, Measured, Motion};
@@ -34,7 +35,12 @@ pub struct ModelInput {
 /// The reason, in words, why they do not apply.
 pub fn model_input(case: &Case) -> Result<ModelInput, String> {
     let mut remarks = Vec::new();
-    let touching = touching(case, &mut remarks);
+    let staged = case.steady_stage().map(|_| case.in_steady_stage()).transpose()?;
+    if let Some(stage) = case.steady_stage() {
+        remarks.push(format!("stage `{}` of the run", case.stages[stage].name));
+    }
+    let case = staged.as_ref().unwrap_or(case);
+    let touching = along_the_tow(touching(case, &mut remarks), &mut remarks);
     let (bodies, assembly) = bodies(&touching, &mut remarks)?;
     let first = *bodies.first().ok_or("the case has no body that can touch the soil")?;
     no_lateral_tow(&bodies)?;
@@ -79,17 +85,18 @@ pub fn model_input(case: &Case) -> Result<ModelInput, String> {
     Ok(ModelInput { bodies, kind, towing, mirrored, extra_load, remarks })
 }
 
-/// Refuses a body that is moved or loaded sideways: the models are for a tow along x only.
+/// Refuses a body that is moved or loaded sideways otherwise than by a tow at given speeds.
 fn no_lateral_tow(bodies: &[&Towed]) -> Result<(), String> {
     let is_moved = |b: &&&Towed| match b.translation[1] {
         Motion::Prescribed { speed, .. } => speed != 0.0,
+        Motion::Course(_) => true,
         Motion::Free { load, .. } => load != 0.0,
         Motion::Fixed => false,
     };
     match bodies.iter().find(is_moved) {
         Some(body) => Err(format!(
-            "`{}` moves sideways (lateral), but the closed forms are for a tow along x only; write lateral = \"fixed\" for \
-             a forecast of the motion along x, or run the solver",
+            "`{}` moves sideways (lateral), but not in the one direction in which all bodies are towed at given speeds; write \
+             lateral = \"fixed\" for a forecast of the motion along x, or run the solver",
             body.name
         )),
         None => Ok(()),
@@ -275,7 +282,7 @@ fn load(
 
 /// The condition at the axle of a body of this radius [m]; a prescribed rotation gives the slip.
 fn drive(body: &Towed, radius: f64) -> Result<Drive, String> {
-    match (&body.spin(), &body.translation[0]) {
+    match (body.spin(), &body.translation[0]) {
         (Motion::Free { load, .. }, _) if *load > 0.0 => Ok(Drive::Driven(*load)),
         (Motion::Free { load, .. }, _) if *load < 0.0 => Ok(Drive::Braked(-load)),
         (Motion::Free { .. }, _) => Ok(Drive::Free),

@@ -91,6 +91,7 @@ pub(super) enum Course {
 pub(super) fn course(case: &Case, body: &Towed) -> Result<Course, String> {
     let along = match body.translation[0] {
         Motion::Prescribed { speed, .. } => speed,
+        Motion::Course(ref course) => course.displacement(case.duration),
         Motion::Free { load, .. } => load,
         Motion::Fixed => 0.0,
     };
@@ -100,7 +101,7 @@ pub(super) fn course(case: &Case, body: &Towed) -> Result<Course, String> {
     let heave = &body.translation[2];
     let sinks = match heave {
         Motion::Free { .. } => true,
-        Motion::Prescribed { .. } => travel(heave, case.duration) < 0.0,
+        Motion::Prescribed { .. } | Motion::Course(_) => travel(heave, case.duration) < 0.0,
         Motion::Fixed => false,
     };
     if sinks {

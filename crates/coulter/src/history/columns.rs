@@ -268,6 +268,27 @@ pub const GROUND_LEFT: &[Column<SurfacePoint>] = &[
     Column::sampled("z", "m", "height of the surface of the soil", |s| &mut s.z),
 ];
 
+/// Columns of `filtered.csv`.
+pub const FILTERED: &[Column<BodySample>] = &[
+    BodyColumn::sampled("time", "s", "time since the start", |s| &mut s.time),
+    BodyColumn::sampled("displacement u", "m", "displacement along x, not filtered", |s| &mut s.displacement),
+    BodyColumn::sampled("drag F_H", "N", "drag", |s| &mut s.drag),
+    BodyColumn::sampled("vertical F_V", "N", "vertical force", |s| &mut s.vertical),
+    BodyColumn::sampled("lateral", "N", "lateral force", |s| &mut s.lateral),
+    BodyColumn::sampled("axle torque", "N m", "torque about the axle", |s| &mut s.axle_torque),
+    BodyColumn::sampled("moment x", "N m", "moment about the x axis of space", |s| &mut s.moment_x),
+    BodyColumn::sampled("moment y", "N m", "the same about y", |s| &mut s.moment_y),
+    BodyColumn::sampled("moment z", "N m", "the same about z", |s| &mut s.moment_z),
+    BodyColumn::derived("drawbar pull", "N", "−F_H", |s, _| Some(0.0 - s.drag)),
+    BodyColumn::derived("tow power", "W", "F_H v, of filtered drag and speed", |s, _| Some(s.drag * s.speed)),
+    BodyColumn::derived("axle power", "W", "−M ω, of filtered torque and rate", |s, _| {
+        Some(-s.axle_torque * s.spin)
+    }),
+    BodyColumn::derived("drag per width", "N/m", "drag over the width across the tow", |s, r| {
+        (r.across > 0.0).then(|| s.drag / r.across)
+    }),
+];
+
 /// Columns of `rim.csv`.
 pub const RIM: &[Column<RimLine>] = &[
     RimColumn::sampled(

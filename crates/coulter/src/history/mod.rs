@@ -3,11 +3,13 @@
 
 pub mod blocks;
 pub mod columns;
+pub mod filter;
 pub mod probes;
 pub mod reference;
 pub mod rim;
 pub mod steady;
 
+use mechanics::Motion;
 use rim::RimHistory;
 use serde::{Deserialize, Serialize};
 
@@ -183,6 +185,15 @@ impl SurfacePoint {
     }
 }
 
+/// The beginning of a stage of a run.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct StageStart {
+    /// When it began [s].
+    pub time: f64,
+    /// The motions of each body from then on.
+    pub motions: Vec<[Motion; 6]>,
+}
+
 /// All samples of a run so far.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct History {
@@ -200,10 +211,25 @@ pub struct History {
     pub joint_names: Vec<String>,
     /// Samples of each joint, in the order of `joint_names`.
     pub joints: Vec<Vec<ForceSample>>,
+    /// The stages that have begun.
+    pub stages: Vec<StageStart>,
+    /// When the last stage ended [s].
+    pub stages_ended: Option<f64>,
     /// The energy balance.
     pub energy: Vec<EnergySample>,
     /// The faces of the box.
     pub boundaries: Vec<BoundarySample>,
     /// The surface that a grid that travels has left behind, in lines across its way; empty where the grid stands still.
     pub ground_left: Vec<SurfacePoint>,
+}
+
+impl History {
+    /// When a stage began and when it ended, by its number [s]; the end of one that is not over is the last sample.
+    #[must_use]
+    pub fn stage_times(&self, number: usize) -> Option<[f64; 2]> {
+        let from = self.stages.get(number)?.time;
+        let next = self.stages.get(number + 1).map(|next| next.time).or(self.stages_ended);
+        let last = self.energy.last().map_or(from, |sample| sample.time);
+        Some([from, next.unwrap_or(last)])
+    }
 }

@@ -19,6 +19,9 @@ pub struct Reference {
     /// Reference width t [m]: a disc's thickness, a block's width, the length of a cylinder along y, otherwise the diameter; in
     /// plane strain the width of the slab.
     pub width: f64,
+    /// Width of all its surfaces across the tow at the start, along y [m]; in plane strain that of the slab.
+    #[serde(default)]
+    pub across: f64,
     /// Unit weight γ of the soil [N/m³]; 0 when it is weightless.
     pub unit_weight: f64,
     /// Rolling radius r [m]; `None` for a body that cannot roll.
@@ -39,6 +42,11 @@ impl Reference {
             kind: body.main_shape().kind().to_owned(),
             length: body.main_shape().reference_length(),
             width: if case.domain.plane_strain { slab } else { body.main_shape().reference_width() },
+            across: if case.domain.plane_strain {
+                slab
+            } else {
+                body.surfaces().iter().map(|surface| surface.size().y).sum()
+            },
             unit_weight: case.soil.unit_weight,
             radius: body.wheel_diameter().map(|diameter| 0.5 * diameter),
             towed: !matches!(body.guided().translation[0], Motion::Fixed),

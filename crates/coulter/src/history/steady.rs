@@ -77,7 +77,7 @@ pub struct Traction {
     pub drawbar_pull: Option<f64>,
     /// Specific resistance F_H/F_V: drag over the vertical force.
     pub specific_resistance: Option<f64>,
-    /// Drag over the width of the body across the tow [N/m].
+    /// Drag over the width of the body across the tow, of one that consists of several over the sum of theirs [N/m].
     #[serde(rename = "drag_per_width_N_m")]
     pub drag_per_width: Option<f64>,
     /// Power that moves the body against its drag, F_H v [W].
@@ -98,7 +98,7 @@ impl Traction {
         Self {
             drawbar_pull: drag.map(|drag| 0.0 - drag),
             specific_resistance: over(drag, vertical),
-            drag_per_width: over(drag, Some(reference.width)),
+            drag_per_width: over(drag, Some(reference.across)),
             tow_power,
             axle_power,
             tractive_efficiency: over(tow_power.map(|power| -power).filter(|power| *power > 0.0), axle_power),
@@ -162,13 +162,34 @@ fn between(along: &[f64], [begin, end]: [f64; 2], span: f64) -> Range<usize> {
     from.min(last.saturating_sub(1))..last
 }
 
-/// The samples of the steady window: the last `fraction` of the tow, or of the time for a body that is not towed.
+/// Which part of a run averages are taken over: the last fraction of all of it, or of some times.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SteadyPart {
+    /// Fraction of the tow, at its end.
+    pub fraction: f64,
+    /// From when to when the tow is looked at [s]; `None` for the whole run.
+    pub during: Option<[f64; 2]>,
+}
+
+impl From<f64> for SteadyPart {
+    fn from(fraction: f64) -> Self {
+        Self { fraction, during: None }
+    }
+}
+
+/// The samples of the steady window: the last fraction of the tow, or of the time for a body that is not towed.
 #[must_use]
-pub fn window(samples: &[BodySample], reference: &Reference, fraction: f64) -> Range<usize> {
-    let along = along(samples, reference);
-    let (Some(first), Some(last)) = (along.first(), along.last()) else { return 0..0 };
-    let span = last - first;
-    between(&along, [last - fraction.clamp(0.0, 1.0) * span, *last], span)
+pub fn window(samples: &[BodySample], reference: &Reference, part: impl Into<SteadyPart>) -> Range<usize> {
+    let SteadyPart { fraction, during } = part.into();
+    let [from, to] = during.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
+    // A stage begins with the sample that ended the one before.
+    let first = samples.partition_point(|sample| sample.time < from);
+    let last = samples.partition_point(|sample| sample.time <= to).max(first);
+    let along = along(&samples[first..last], reference);
+    let (Some(begin), Some(end)) = (along.first(), along.last()) else { return 0..0 };
+    let span = end - begin;
+    let inside = between(&along, [end - fraction.clamp(0.0, 1.0) * span, *end], span);
+    first + inside.start..first + inside.end
 }
 
 /// The samples of the same body in another run over the window that `other` was averaged over; `None` where the body has not
@@ -319,6 +340,7 @@ mod tests {
             kind: "disc".into(),
             length: 0.2,
             width: 0.04,
+            across: 0.04,
             unit_weight: 16e3,
             radius: Some(0.1),
             towed: true,

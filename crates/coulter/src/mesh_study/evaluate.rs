@@ -4,7 +4,7 @@ use super::convergence::{Convergence, OnMesh};
 use super::figures::{BodyOnMesh, BodyStudy, Figures, MeshInterval, MeshResult, MeshStudy};
 use crate::history::blocks::{BLOCKS, STUDENT_90, block_averages, standard_error};
 use crate::history::reference::Reference;
-use crate::history::steady::{Steady, is_tow, same_window, steady, window};
+use crate::history::steady::{Steady, SteadyPart, is_tow, same_window, steady, window};
 use crate::history::{BodySample, History};
 use crate::trust::steadiness::Trend;
 use crate::trust::{Trust, Verdict, limits};
@@ -23,11 +23,12 @@ pub struct MeshRun<'a> {
 
 /// Evaluates the runs of a case on meshes from coarse to fine. `fraction` is that of the steady window.
 #[must_use]
-pub fn evaluate(runs: &[MeshRun], references: &[Reference], fraction: f64) -> MeshStudy {
+pub fn evaluate(runs: &[MeshRun], references: &[Reference], part: impl Into<SteadyPart>) -> MeshStudy {
+    let part = part.into();
     let mut study =
         MeshStudy { meshes: runs.iter().map(|run| run.result.clone()).collect(), bodies: BTreeMap::new() };
     for (body, reference) in references.iter().enumerate() {
-        let bodies: Vec<BodyRun> = body_runs(runs, (body, reference), fraction);
+        let bodies: Vec<BodyRun> = body_runs(runs, (body, reference), part);
         for (mesh, run) in study.meshes.iter_mut().zip(&bodies) {
             let means = Figures {
                 drag: run.steady.drag,
@@ -56,11 +57,11 @@ struct BodyRun<'a> {
 fn body_runs<'a>(
     runs: &[MeshRun<'a>],
     (body, reference): (usize, &'a Reference),
-    fraction: f64,
+    part: SteadyPart,
 ) -> Vec<BodyRun<'a>> {
     let samples = |run: &MeshRun<'a>| run.history.bodies.get(body).map_or(&[][..], Vec::as_slice);
     let Some(finest) = runs.last().map(samples) else { return Vec::new() };
-    let own = window(finest, reference, fraction);
+    let own = window(finest, reference, part);
     let on_finest = steady(finest, reference, own.clone());
     let body_run = |(n, run): (usize, &MeshRun<'a>)| {
         let samples = samples(run);
@@ -190,6 +191,7 @@ mod tests {
             kind: "disc".into(),
             length: 0.2,
             width: 0.05,
+            across: 0.05,
             unit_weight: 16e3,
             radius: Some(0.1),
             towed: true,

@@ -10,10 +10,11 @@ use super::meshes::{as_read_back, attach};
 use super::pictures::write_pictures;
 use super::plots::Overlay;
 use super::report::{ReportText, Summary, rims, write_report};
-use super::tables::{HistoryFiles, read_history, read_rims, validate_history, write_rims};
+use super::tables::{HistoryFiles, read_history, read_rims, validate_history, write_filtered, write_rims};
 use super::vtk::FieldSeries;
 use crate::case::mesh_file::hash_of;
-use crate::case::{Case, FORMAT, with_mesh_files};
+use crate::case::resolved::MotionTable;
+use crate::case::{Case, FORMAT, with_files};
 use crate::domain::PlacedDomain;
 use crate::history::History;
 use crate::history::rim::RimLine;
@@ -97,8 +98,9 @@ impl Results {
     /// # Errors
     /// When a file cannot be written, or is not that which the case was read from any more.
     pub fn write_case_file(&self, case: &Case, text: &str) -> Result<(), OutputError> {
-        let copies = copy_meshes(&self.dir, case)?;
-        write_whole(&self.dir.join(TYPED), with_mesh_files(text, &copies).as_bytes())
+        let mut copies = copy_meshes(&self.dir, case)?;
+        copies.extend(copy_tables(&self.dir, case)?);
+        write_whole(&self.dir.join(TYPED), with_files(text, &copies).as_bytes())
     }
 
     /// Overlays curves on the plots of the report: a forecast, a measurement.
@@ -155,6 +157,7 @@ impl Results {
             .map(|rim| rim.map_or(Vec::new(), |rim| rim.lines))
             .collect();
         write_rims(&self.dir, &history.names, &rims)?;
+        write_filtered(&self.dir, history, &self.record.bodies, self.record.filter_cutoff)?;
         // As written, so that a report that is rebuilt from the files is the same to the last digit.
         let rims = read_rims(&self.dir, &history.names)?;
         report(&self.dir, &self.record, &summary, (history, &rims))?;
@@ -164,8 +167,21 @@ impl Results {
     }
 }
 
-/// Copies the files that bodies were read from; returns the name of each such body and its copy, relative to the folder.
-fn copy_meshes(dir: &Path, case: &Case) -> Result<Vec<(String, String)>, OutputError> {
+/// Copies the files of tables that motions follow; returns the keys that lead to each, and its copy, relative to the folder.
+fn copy_tables(dir: &Path, case: &Case) -> Result<Vec<(Vec<String>, String)>, OutputError> {
+    let mut copies = Vec::new();
+    for MotionTable { keys, path } in &case.tables {
+        make_folder(&dir.join(BODIES))?;
+        let copy = format!("{BODIES}/{}.csv", keys.join("_"));
+        let mut source = fs::File::open(path).named("read", path)?;
+        write_with(&dir.join(&copy), |file| std::io::copy(&mut source, file).map(|_| ()))?;
+        copies.push((keys.iter().cloned().chain(["table".to_owned()]).collect(), copy));
+    }
+    Ok(copies)
+}
+
+/// Copies the files that bodies were read from; returns the keys that lead to each, and its copy, relative to the folder.
+fn copy_meshes(dir: &Path, case: &Case) -> Result<Vec<(Vec<String>, String)>, OutputError> {
     let mut copies = Vec::new();
     for body in &case.bodies {
         let Some(mesh) = body.shape.mesh() else { continue };
@@ -182,7 +198,7 @@ fn copy_meshes(dir: &Path, case: &Case) -> Result<Vec<(String, String)>, OutputE
                 "the file has changed since the case was read; start again",
             ));
         }
-        copies.push((body.name.clone(), copy));
+        copies.push((["body", &body.name, "file"].map(str::to_owned).into(), copy));
     }
     Ok(copies)
 }

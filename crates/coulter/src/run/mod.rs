@@ -9,7 +9,7 @@ pub mod watch;
 
 use crate::case::{Case, require_valid, resolved};
 use crate::output::checkpoint;
-use crate::output::folder::{Outcome, clear_meshes};
+use crate::output::folder::{Outcome, StageRecord, clear_meshes};
 use crate::output::progress::Progress;
 use crate::output::{Results, Summary, mean_lines, study_lines};
 use crate::simulation::{Simulation, Stop};
@@ -63,6 +63,9 @@ fn run_in<R: Precision>(case: &Case, options: &RunOptions, part: &Part) -> Resul
     };
     let Simulation { model, state, history, .. } = &simulation;
     let statistics = statistics(&simulation, outcome);
+    for StageRecord { name, from_s, to_s } in &statistics.stages {
+        results.log.line(&format!("stage {name}: t = {from_s:.6} to {to_s:.6} s"))?;
+    }
     let summary = results.finish(case, &model.grid, state, history, &statistics)?;
     let seconds = began.elapsed().as_secs_f64();
     match stop {

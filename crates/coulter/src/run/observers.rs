@@ -3,7 +3,7 @@
 use super::watch::watch;
 use crate::case;
 use crate::interrupts::Interrupts;
-use crate::output::folder::{Log, Outcome, RunRecord, RunStatistics};
+use crate::output::folder::{Log, Outcome, RunRecord, RunStatistics, StageRecord};
 use crate::output::progress::Progress;
 use crate::output::tables::HistoryFiles;
 use crate::output::vtk::FieldSeries;
@@ -115,5 +115,6 @@ pub(super) fn statistics(simulation: &Simulation<impl Precision>, outcome: Outco
         threads: simulation.threads(),
         outcome,
         advice: case::advice(&simulation.case),
+        stages: StageRecord::all(&simulation.case, &simulation.history),
     }
 }

@@ -5,7 +5,7 @@ use super::limits::{self, Limit};
 use super::setting::{BodySetting, Setting};
 use super::steadiness::Trend;
 use crate::history::reference::Reference;
-use crate::history::steady::{Steady, is_tow, steady, window};
+use crate::history::steady::{Steady, SteadyPart, is_tow, steady, window};
 use crate::history::{BodySample, History};
 
 /// A body with everything that its checks need.
@@ -15,7 +15,7 @@ pub(super) struct BodyChecks<'a> {
     pub(super) reference: &'a Reference,
     pub(super) samples: &'a [BodySample],
     pub(super) history: &'a History,
-    pub(super) fraction: f64,
+    pub(super) part: SteadyPart,
 }
 
 impl BodyChecks<'_> {
@@ -23,7 +23,7 @@ impl BodyChecks<'_> {
         if !self.reference.has_surface() {
             return Vec::new();
         }
-        let range = window(self.samples, self.reference, self.fraction);
+        let range = window(self.samples, self.reference, self.part);
         let steady = steady(self.samples, self.reference, range.clone());
         let inside = self.samples.get(range).unwrap_or_default();
         let mut checks = vec![self.check(&limits::LEAK, self.leak())];

@@ -28,11 +28,13 @@ impl Limit {
     #[must_use]
     pub fn verdict(&self, value: f64) -> Verdict {
         let sign = if self.more_is_better { -1.0 } else { 1.0 };
+        // A figure that lies on its limit but for round-off is within it.
+        let within = |limit: f64| sign * value <= sign * limit + 1e-9 * limit.abs();
         if value.is_nan() {
             Verdict::Broken
-        } else if sign * value <= sign * self.good {
+        } else if within(self.good) {
             Verdict::Good
-        } else if self.doubtful.is_infinite() || sign * value <= sign * self.doubtful {
+        } else if self.doubtful.is_infinite() || within(self.doubtful) {
             Verdict::Doubtful
         } else {
             Verdict::Broken

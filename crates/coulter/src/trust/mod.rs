@@ -14,6 +14,7 @@ mod verdict;
 
 use crate::history::History;
 use crate::history::reference::Reference;
+use crate::history::steady::SteadyPart;
 pub use check::Check;
 use limits::Limit;
 use serde::{Deserialize, Serialize};
@@ -31,15 +32,16 @@ pub struct Trust {
 }
 
 impl Trust {
-    /// Grades a run by its history; `fraction` is that of the steady window, `failure` says why the run broke down, if it did.
+    /// Grades a run by its history; `part` is what averages are taken over, `failure` says why the run broke down, if it did.
     #[must_use]
     pub fn grade(
         setting: &Setting,
         history: &History,
         references: &[Reference],
-        fraction: f64,
+        part: impl Into<SteadyPart>,
         failure: Option<&str>,
     ) -> Self {
+        let part = part.into();
         let mut checks = Vec::new();
         if let Some(why) = failure {
             checks.push(Check { advice: why.to_owned(), ..Check::of(&limits::COMPLETED, None, 1.0) });
@@ -47,7 +49,7 @@ impl Trust {
         checks.extend(energy::checks(setting, history));
         for (n, reference) in references.iter().enumerate() {
             if let (Some(body), Some(samples)) = (setting.bodies.get(n), history.bodies.get(n)) {
-                let body_checks = body::BodyChecks { setting, body, reference, samples, history, fraction };
+                let body_checks = body::BodyChecks { setting, body, reference, samples, history, part };
                 checks.extend(body_checks.checks());
             }
         }

@@ -1,6 +1,8 @@
 //! The columns of the history files, in the documentation as in the program.
 
-use coulter::history::columns::{BOUNDARIES, Column, ENERGY, FORCES, GROUND_LEFT, JOINTS, PARTS, RIM};
+use coulter::history::columns::{
+    BOUNDARIES, Column, ENERGY, FILTERED, FORCES, GROUND_LEFT, JOINTS, PARTS, RIM,
+};
 
 /// The columns of a file as a table in Markdown.
 fn table<S: Copy>(columns: &[Column<S>]) -> String {
@@ -27,6 +29,7 @@ fn columns_are_documented() {
     let expected = replaced(&expected, "energy.csv", &table(ENERGY));
     let expected = replaced(&expected, "boundaries.csv", &table(BOUNDARIES));
     let expected = replaced(&expected, "ground_left.csv", &table(GROUND_LEFT));
+    let expected = replaced(&expected, "filtered.csv", &table(FILTERED));
     let expected = replaced(&expected, "rim.csv", &table(RIM));
     if std::env::var_os("COULTER_UPDATE").is_some() {
         std::fs::write(path, &expected).unwrap();
@@ -47,5 +50,6 @@ fn names_are_used_once() {
     check(ENERGY);
     check(BOUNDARIES);
     check(GROUND_LEFT);
+    check(FILTERED);
     check(RIM);
 }

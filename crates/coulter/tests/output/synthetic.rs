@@ -45,6 +45,14 @@ fn faces(low: f64, high: f64, fine: [f64; 2], cell: f64, growth: f64) -> Vec<f64
     faces
 }
 
+const OUTPUT: case::Output = case::Output {
+    history_interval: 1e-3,
+    field_interval: 1.0,
+    checkpoint_interval: f64::INFINITY,
+    steady_fraction: 0.3,
+    filter_cutoff: 10.0,
+};
+
 /// The case.
 pub(crate) fn case(kind: Kind, cell: f64) -> Case {
     let symmetric = kind == Kind::Disc;
@@ -96,13 +104,10 @@ pub(crate) fn case(kind: Kind, cell: f64) -> Case {
             Kind::Column => vec![],
         },
         joints: Vec::new(),
+        stages: Vec::new(),
+        tables: Vec::new(),
         duration: 6.0,
-        output: case::Output {
-            history_interval: 1e-3,
-            field_interval: 1.0,
-            checkpoint_interval: f64::INFINITY,
-            steady_fraction: 0.3,
-        },
+        output: OUTPUT,
         numerics: numerics(),
         forecast: case::Measured::default(),
     }
@@ -154,13 +159,14 @@ fn body(name: &str, shape: Shape, position: DVec3) -> case::Body {
         friction: 0.5,
         shear_limit: f64::INFINITY,
         translation: [
-            case::Motion::Prescribed { speed: 0.1, start: 0.5, ramp: 0.2, end: f64::INFINITY },
+            case::Motion::Prescribed { before: 0.0, speed: 0.1, start: 0.5, ramp: 0.2, end: f64::INFINITY },
             case::Motion::Fixed,
             free(-60.0),
         ],
         rotation: [case::Motion::Fixed, case::Motion::Fixed, free(0.0)],
         parts: Vec::new(),
         guide: None,
+        staged: None,
     }
 }
 
@@ -331,6 +337,7 @@ pub(crate) fn statistics() -> RunStatistics {
         wall_seconds: 1734.2,
         threads: 8,
         outcome: Outcome::Finished,
+        stages: Vec::new(),
         advice: vec![
             "Run once more with grid.cell = \"3 mm\" to see how much the drag depends on the grid.".into(),
         ],

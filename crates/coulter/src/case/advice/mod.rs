@@ -81,7 +81,9 @@ fn fine_zone(case: &Case, body: &Body, notes: &mut Vec<String>) {
     // What lies beyond a plane of symmetry is not modelled.
     let low_x = if case.domain.symmetric_x { swept.low.x.max(case.domain.low.x) } else { swept.low.x };
     let outside_x = low_x < case.grid.fine_low.x - slack || swept.high.x > case.grid.fine_high.x + slack;
-    let outside_y = !case.domain.plane_strain && swept.high.y > case.grid.fine_high.y + slack;
+    let outside_right = !case.domain.symmetric && swept.low.y < case.grid.fine_low.y - slack;
+    let outside_y =
+        !case.domain.plane_strain && (swept.high.y > case.grid.fine_high.y + slack || outside_right);
     let outside_z = swept.low.z < case.grid.fine_low.z - slack && swept.low.z > case.domain.low.z;
     if outside_x || outside_y || outside_z {
         notes.push(format!("{}: leaves the fine zone of the grid on its path.", body.name));

@@ -19,7 +19,9 @@ pub(super) fn walls_and_lid(case: &Case, body: &Body, notes: &mut Vec<String>) {
     let mut gaps =
         vec![("ahead", ahead, need.along[0].max(need.along[1])), ("below", swept.low.z - low.z, need.below)];
     if !case.domain.plane_strain {
-        gaps.push(("to the side", high.y - swept.high.y, need.sideways));
+        let left = high.y - swept.high.y;
+        let right = if case.domain.symmetric { left } else { swept.low.y - low.y };
+        gaps.push(("to the side", left.min(right), need.sideways));
     }
     let near: Vec<String> = gaps
         .iter()

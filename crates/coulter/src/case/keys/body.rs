@@ -8,8 +8,8 @@ use crate::case::quantity::{ANGLE, FORCE, INERTIA, LENGTH, MASS, SPEED, TIME, TO
 
 const FIXED: &str = "fixed";
 const LOCKED: &str = "locked";
-const SLIDE: Kind = Kind::Motion { still: FIXED, speed: SPEED, load: FORCE };
-const TURN: Kind = Kind::Motion { still: LOCKED, speed: TURN_RATE, load: TORQUE };
+const SLIDE: Kind = Kind::Motion { still: FIXED, way: LENGTH, speed: SPEED, load: FORCE };
+const TURN: Kind = Kind::Motion { still: LOCKED, way: ANGLE, speed: TURN_RATE, load: TORQUE };
 
 /// Keys of a motion that is written as a table, `{ speed = "0.2 m/s", ramp = "0.1 s" }`; those of a rotation measure a rate
 /// of turning and a torque.
@@ -17,14 +17,28 @@ pub(super) const MOTION: &[Key] = &[
     key(
         "speed",
         Kind::Quantity(SPEED),
-        Derived("this or load"),
+        Derived("one of speed, load, displacement, table"),
         "Speed after the ramp; for `spin` a rate of turning.",
     ),
     key(
         "load",
         Kind::Quantity(FORCE),
-        Derived("this or speed"),
+        Derived("one of speed, load, displacement, table"),
         "Load on a free motion; for `spin` a torque.",
+    ),
+    key(
+        "displacement",
+        Kind::Quantity(LENGTH),
+        Derived("one of speed, load, displacement, table"),
+        "Displacement from rest to rest within the ramp; for `spin` an angle.",
+    ),
+    key(
+        "table",
+        Kind::Text,
+        Derived("one of speed, load, displacement, table"),
+        "CSV file, relative to the folder of the case file, of displacements or speeds over time; its header names them with their \
+         units: `time [s],displacement [mm]` or `time [s],speed [mm/s]`. Between its lines a displacement is a smooth curve without \
+         overshoot, a speed is linear.",
     ),
     key(
         "slip",
@@ -38,7 +52,7 @@ pub(super) const MOTION: &[Key] = &[
         "ramp",
         Kind::Quantity(TIME),
         Quantity("0.1 s"),
-        "How long it takes until speed or load are reached.",
+        "How long it takes until speed, load or displacement are reached.",
     )
     .within(IN_THE_RUN),
     key("end", Kind::Quantity(TIME), Derived("never"), "When a ramp back to rest begins; of a speed only.")

@@ -45,6 +45,13 @@ pub(super) const JOINT: &[Key] = &[
         "Torque of the bearing of a hinge against its rotation.",
     )
     .within(NOT_NEGATIVE),
+    key(
+        "drive_torque",
+        Kind::Quantity(TORQUE),
+        Quantity("0 N*m"),
+        "Torque of a drive of the first body on the second about the axis of a hinge; of a disc or wheel with a positive one drives \
+         it forward, a negative one brakes it.",
+    ),
     key("stiffness", Kind::Quantity(STIFFNESS), Derived("required (spring, cable)"), "Force per extension.")
         .within(POSITIVE),
     key(

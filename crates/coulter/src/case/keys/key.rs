@@ -39,15 +39,27 @@ pub enum Kind {
     WallPair,
     /// What the grid follows: a table with a body and axes.
     Follow,
+    /// What ends a stage: a table with a body and the value of a quantity that it reaches.
+    Until,
     /// How a degree of freedom moves: a word, or a table with a speed or a load.
     Motion {
         /// The word for no motion.
         still: &'static str,
+        /// What `displacement` measures.
+        way: Measure,
         /// What `speed` measures.
         speed: Measure,
         /// What `load` measures.
         load: Measure,
     },
+}
+
+impl Kind {
+    /// Whether it is how a degree of freedom moves.
+    #[must_use]
+    pub fn is_motion(&self) -> bool {
+        matches!(self, Self::Motion { .. })
+    }
 }
 
 /// One key.

@@ -9,6 +9,7 @@ mod joint;
 mod key;
 mod run;
 mod soil;
+mod stage;
 pub mod words;
 
 pub use allowed_range::{AllowedRange, Bound};
@@ -18,7 +19,7 @@ pub use key::{Key, KeyTable, Kind};
 use key::section;
 
 /// All sections.
-pub const SECTIONS: [KeyTable; 11] = [
+pub const SECTIONS: [KeyTable; 12] = [
     section("", "At the top of the file, before any section.", run::TOP),
     section("soil", "The soil.", soil::SOIL),
     section("ground", "Where there is soil at the start.", soil::GROUND),
@@ -30,6 +31,14 @@ pub const SECTIONS: [KeyTable; 11] = [
         "A joint between two bodies, or between a body and the ground, `[joint.NAME]`. Motions of a body that a joint carries are free \
          unless they are given.",
         joint::JOINT,
+    ),
+    section(
+        "stage",
+        "A stage of the run, `[stage.NAME]`, in the order of the file; any number of them. Every other key is the name of a body with the \
+         motions that change: `disc.heave = \"free\"`. They start from the speed and the load that the body has then, and their times \
+         count from the beginning of the stage; motions that are not named go on as they were. Steady averages are taken over the last \
+         stage in which a body is towed.",
+        stage::STAGE,
     ),
     section("run", "How long to run.", run::RUN),
     section("output", "What to write, and how often.", run::OUTPUT),
@@ -51,6 +60,14 @@ pub const MOTION: KeyTable =
 pub const FOLLOW: KeyTable =
     section("follow", "What the grid follows, `{ body = \"disc\", axes = \"x\" }`.", soil::FOLLOW);
 
+/// The keys of what ends a stage.
+pub const UNTIL: KeyTable = section(
+    "until",
+    "What ends a stage, `{ body = \"disc\", sinkage = \"20 mm\" }`: one quantity of a body that reaches or passes a value, from above \
+     or below. It is looked at with every line of the history, so forces are means over `output.history_interval`.",
+    stage::UNTIL,
+);
+
 /// The key that a path leads to: `gravity`, `soil.cohesion`, `body.disc.forward.ramp`; of a list `domain.x[0]`, too.
 #[must_use]
 pub fn at(path: &str) -> Option<&'static Key> {
@@ -58,12 +75,13 @@ pub fn at(path: &str) -> Option<&'static Key> {
     let names: Vec<&str> = path.split('.').collect();
     match names[..] {
         [name] => find("")?.key(name),
-        [kind @ ("body" | "joint"), _, name] => find(kind)?.key(name),
-        ["body", _, motion, name] if matches!(find("body")?.key(motion)?.kind, Kind::Motion { .. }) => {
-            MOTION.key(name)
-        }
+        [kind @ ("body" | "joint" | "stage"), _, name] => find(kind)?.key(name),
+        ["stage", _, "until", name] => UNTIL.key(name),
+        ["stage", _, _, motion] => find("body")?.key(motion).filter(|key| key.kind.is_motion()),
+        ["stage", _, _, motion, name] if find("body")?.key(motion)?.kind.is_motion() => MOTION.key(name),
+        ["body", _, motion, name] if find("body")?.key(motion)?.kind.is_motion() => MOTION.key(name),
         ["grid", "follow", name] => FOLLOW.key(name),
-        [section, name] if !["body", "joint"].contains(&section) => find(section)?.key(name),
+        [section, name] if !["body", "joint", "stage"].contains(&section) => find(section)?.key(name),
         _ => None,
     }
 }

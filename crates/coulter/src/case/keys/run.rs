@@ -4,7 +4,7 @@ use super::allowed_range::{FRACTION, NOT_NEGATIVE, POSITIVE, POSITIVE_FRACTION, 
 use super::default_value::DefaultValue::{ByLaw, Derived, DurationOver, Number, Quantity, Required, Word};
 use super::key::{Key, Kind, key};
 use super::words::{CONTACTS, PRECISIONS};
-use crate::case::quantity::{ACCELERATION, LENGTH, TIME};
+use crate::case::quantity::{ACCELERATION, FREQUENCY, LENGTH, TIME};
 
 pub(super) const TOP: &[Key] = &[
     key("format", Kind::Format, Required, "Version of the case-file format."),
@@ -49,6 +49,13 @@ pub(super) const OUTPUT: &[Key] = &[
         Kind::Quantity(TIME),
         DurationOver(20.0),
         "Time between the field files of the soil.",
+    )
+    .within(POSITIVE),
+    key(
+        "filter_cutoff",
+        Kind::Quantity(FREQUENCY),
+        Derived("a 25th of the rate of the history"),
+        "Cut-off frequency of the filtered forces (filtered.csv): what is faster is smoothed away.",
     )
     .within(POSITIVE),
     key(

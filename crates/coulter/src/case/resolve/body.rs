@@ -1,7 +1,7 @@
 //! A rigid body: shape, mass, position and motion.
 
 use super::context::{Context, checked};
-use super::motion;
+use super::{motion, stages};
 use crate::case::missing::{missing, required};
 use crate::case::problem::Problems;
 use crate::case::resolved::{Attitude, Body, Law, MOTIONS};
@@ -17,7 +17,7 @@ const NOMINAL_DENSITY: f64 = 7850.0;
 pub(super) fn body(
     section: &Section,
     context: &Context,
-    is_carried: bool,
+    (is_carried, stages): (bool, &[Section]),
     problems: &mut Problems,
 ) -> Option<Body> {
     let shape = shape(section, context, problems);
@@ -27,7 +27,8 @@ pub(super) fn body(
     let attitude = attitude(section);
     let typed: [_; 6] =
         std::array::from_fn(|n| motion::typed(section, MOTIONS[n], is_carried && !context.planes_forbid(n)));
-    let free = typed.each_ref().map(|motion| motion::is_free(motion.as_ref()));
+    let freed = stages::freed(section, stages);
+    let free: [bool; 6] = std::array::from_fn(|n| freed[n] || motion::is_free(typed[n].as_ref()));
     let mass = mass?;
     if free[..3].contains(&true) && mass.is_none() {
         let carried = if is_carried { ", for a joint carries it," } else { "" };
@@ -35,12 +36,11 @@ pub(super) fn body(
         problems.add(&section.path, message, "add  weight = \"40 N\"  or  mass = \"4 kg\"");
     }
     let support = [0.0, 0.0, context.gravity * mass.unwrap_or(0.0), 0.0, 0.0];
-    let mut freedom =
-        |n: usize| motion::freedom(section.at(MOTIONS[n]), typed[n].as_ref(), support[n], problems);
+    let mut freedom = |n: usize| motion::freedom((section, n), typed[n].as_ref(), support[n], problems);
     let [forward, lateral, heave, yaw, tilt] = std::array::from_fn(&mut freedom);
     let radius = shape.as_ref().and_then(|shape| shape.rolling_diameter()).map(|diameter| 0.5 * diameter);
     let rolls = (radius, attitude.map_or(0.0, |attitude| attitude.yaw));
-    let spin = motion::spin((section.at("spin"), typed[5].as_ref()), [forward, lateral], rolls, problems);
+    let spin = motion::spin((section, typed[5].as_ref()), [&forward, &lateral], rolls, problems);
     let shape = shape?;
     let turns = MOTIONS[3..].iter().zip(&free[3..]).find(|(_, free)| **free).map(|(key, _)| *key);
     let inertia = axle_inertia(section, &shape, (mass, turns), problems);
@@ -57,6 +57,7 @@ pub(super) fn body(
         rotation: [yaw?, tilt?, spin?],
         parts: Vec::new(),
         guide: None,
+        staged: None,
     };
     body.position = position(section, &body, context, problems)?;
     let plane_strain = context.slab.is_some();

@@ -2,7 +2,7 @@
 //!
 //! Rough, conservative estimates: soil that reaches a lid or a wall increases the force.
 
-use crate::case::path::{path, travel};
+use crate::case::path::{displacement, path, range};
 use crate::case::resolved::{Body, Case, Law, Motion};
 use glam::DVec3;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
@@ -155,7 +155,7 @@ fn towed(body: &Body, soil: &SoilConditions, depth: f64, duration: f64) -> Clear
 fn pressed(body: &Body, soil: &SoilConditions, depth: f64, duration: f64) -> Clearance {
     let sunk = match body.guided().translation[2] {
         Motion::Free { .. } => depth,
-        Motion::Prescribed { .. } => (-travel(&body.guided().translation[2], duration)).clamp(0.0, depth),
+        Motion::Prescribed { .. } | Motion::Course(_) => (-range(body, duration)[0].z).clamp(0.0, depth),
         Motion::Fixed => 0.0,
     };
     if sunk <= 0.0 {
@@ -194,9 +194,7 @@ fn heap(body: &Body, soil: &SoilConditions, area: f64, (depth, duration): (f64, 
 
 /// Displacement of the body along x and y relative to soil that moves [m].
 fn relative_displacement(body: &Body, soil: &SoilConditions, duration: f64) -> DVec3 {
-    let displacement =
-        DVec3::from_array(body.guided().translation.each_ref().map(|freedom| travel(freedom, duration)));
-    displacement - duration * soil.velocity
+    displacement(body, duration) - duration * soil.velocity
 }
 
 /// The smaller width of the contact area with the soil [m].

@@ -44,7 +44,7 @@ pub(super) fn fit(
 fn flat_faces(body: &Body, axis: usize) -> Vec<f64> {
     let keeps_axle = body.attitude.axle_is_across() && !body.steers();
     // Rotation about the axle turns the other faces.
-    let rolls = body.attitude.pitch != 0.0 || body.spin() != Motion::Fixed;
+    let rolls = body.attitude.pitch != 0.0 || *body.spin() != Motion::Fixed;
     let stays = body.guided().translation[axis] == Motion::Fixed && keeps_axle && (axis == 1 || !rolls);
     if !stays {
         return Vec::new();

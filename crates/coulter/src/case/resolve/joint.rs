@@ -11,7 +11,7 @@ use glam::DVec3;
 
 /// Keys that only some joints have, for each kind.
 const KEYS: [(&str, &[&str]); 5] = [
-    ("hinge", &["axis", "friction_torque"]),
+    ("hinge", &["axis", "friction_torque", "drive_torque"]),
     ("ball", &[]),
     ("slider", &["axis"]),
     ("spring", SPRING),
@@ -57,7 +57,7 @@ fn joint(section: &Section, bodies: &[Body], context: &Context, problems: &mut P
     }
     let (kind, names) = (section.text("kind")?, section.words("bodies")?);
     let allowed = KEYS.iter().find(|(word, _)| *word == kind).map_or(&[][..], |(_, keys)| keys);
-    let others = ["axis", "friction_torque"].iter().chain(SPRING);
+    let others = ["axis", "friction_torque", "drive_torque"].iter().chain(SPRING);
     for key in others.filter(|key| section.has(key) && !allowed.contains(key)) {
         let message = format!("`{key}` does not apply to kind = \"{kind}\"");
         problems.add(section.at(key), message, "remove it, or choose another kind of joint");
@@ -74,7 +74,9 @@ fn joint(section: &Section, bodies: &[Body], context: &Context, problems: &mut P
         "hinge" => {
             let axle = bodies[second].attitude.of_axle() * DVec3::Y;
             let axis = axis(section, Some(axle), problems)?;
-            JointKind::Hinge { axis, friction_torque: section.number("friction_torque")? }
+            let [friction_torque, drive_torque] =
+                ["friction_torque", "drive_torque"].map(|key| section.number(key));
+            JointKind::Hinge { axis, friction_torque: friction_torque?, drive_torque: drive_torque? }
         }
         "ball" => JointKind::Ball,
         "slider" => JointKind::Slider { axis: axis(section, None, problems)? },
@@ -192,25 +194,25 @@ fn from_carrier_to_carried<'a>(
 /// Tells a body how the one before it in the joint makes it move.
 fn guide(joint: &Joint, bodies: &mut [Body]) {
     let carrier = joint.first.map_or(Guide::GROUND, |first| bodies[first].guided());
-    let heave = joint.first.map(|first| bodies[first].translation[2]);
+    let heave = joint.first.map(|first| bodies[first].translation[2].clone());
     let body = &mut bodies[joint.second];
     if body.guide.is_some() {
         return;
     }
-    let mut guide = carrier;
+    let mut guide = carrier.clone();
     let arm = joint.position - body.position;
     match joint.kind {
         JointKind::Hinge { axis, .. } => {
             let is_across = axis.x == 0.0 && axis.z == 0.0;
             if !is_across {
-                guide.rotation = [Motion::FREE; 2];
+                guide.rotation = [const { Motion::FREE }; 2];
             }
             if arm.reject_from(axis).length() > 0.0 {
                 guide.translation[2] = Motion::FREE;
             }
         }
         JointKind::Ball => {
-            guide.rotation = [Motion::FREE; 2];
+            guide.rotation = [const { Motion::FREE }; 2];
             if arm.length() > 0.0 {
                 guide.translation[2] = Motion::FREE;
             }
@@ -225,22 +227,23 @@ fn guide(joint: &Joint, bodies: &mut [Body]) {
             guide = Guide {
                 translation: std::array::from_fn(|n| {
                     let follows = own.translation[n].is_free() && carrier.translation[n] != Motion::Fixed;
-                    if follows { carrier.translation[n] } else { own.translation[n] }
+                    let leads = if follows && n < 2 { &carrier } else { &own };
+                    leads.translation[n].clone()
                 }),
+                bounds: own.bounds.or(carrier.bounds),
                 ..own
             };
-            guide.translation[2] = own.translation[2];
         }
     }
-    for n in 0..3 {
-        if !body.translation[n].is_free() {
-            guide.translation[n] = body.translation[n];
+    let own = body.own_guide();
+    for n in (0..3).filter(|n| !own.translation[*n].is_free()) {
+        guide.translation[n] = own.translation[n].clone();
+        if let Some(bounds) = own.bounds {
+            guide.bounds.get_or_insert([[0.0; 2]; 3])[n] = bounds[n];
         }
     }
-    for n in 0..2 {
-        if !body.rotation[n].is_free() {
-            guide.rotation[n] = body.rotation[n];
-        }
+    for n in (0..2).filter(|n| !own.rotation[*n].is_free()) {
+        guide.rotation[n] = own.rotation[n].clone();
     }
     body.guide = Some(guide);
     // It is released with its carrier.

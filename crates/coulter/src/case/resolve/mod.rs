@@ -14,6 +14,7 @@ mod joint;
 mod mesh;
 mod motion;
 mod soil;
+mod stages;
 mod timing;
 mod weld;
 
@@ -23,7 +24,9 @@ use super::names;
 use super::numbers::in_range;
 use super::path::Paths;
 use super::problem::Problems;
-use super::resolved::{Body, Case, Contact, Joint, Law, Numerics, Precision, Soil};
+use super::resolved::{
+    Body, Case, Contact, Joint, Law, MOTIONS, MotionTable, Numerics, Precision, Soil, Stage,
+};
 use super::shapes::slab::Slab;
 use super::typed::{Schema, Section};
 use super::validate;
@@ -38,9 +41,13 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
     let context = gravity.and_then(|g| context(schema, g, soil.as_ref().map(|s| s.law), problems));
     let bodies = context.as_ref().and_then(|context| bodies(schema, context, problems));
     let parts = bodies.and_then(|bodies| parts(schema, bodies, context.as_ref()?, problems));
-    let (bodies, joints) = parts.map_or((None, None), |(bodies, joints)| (Some(bodies), Some(joints)));
+    let (bodies, joints, stages) = match parts {
+        Some((bodies, joints, stages)) => (Some(bodies), Some(joints), Some(stages)),
+        None => (None, None, None),
+    };
     let name = name(&schema.top, source_name, problems);
-    let duration = bodies.as_ref().and_then(|b| timing::duration(&schema.run, b, problems));
+    let typed_stages = (&schema.stages[..], stages.as_deref());
+    let duration = bodies.as_ref().and_then(|b| timing::duration(&schema.run, b, typed_stages, problems));
     let forecast = forecast::measured(&schema.forecast, problems);
     let output = duration.and_then(|d| timing::output(&schema.output, d, problems));
     let (context, bodies) = (context?, bodies?);
@@ -70,6 +77,8 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
         grid,
         bodies,
         joints: joints?,
+        stages: stages?,
+        tables: tables(schema),
         duration,
         output: output?,
         numerics: numerics?,
@@ -116,23 +125,40 @@ fn bodies(schema: &Schema, context: &Context, problems: &mut Problems) -> Option
     let carried = joint::carried(&schema.joints);
     let body = |section: &Section| {
         let is_carried = carried.iter().any(|name| section.path.strip_prefix("body.") == Some(name));
-        body::body(section, context, is_carried, problems)
+        body::body(section, context, (is_carried, &schema.stages), problems)
     };
     let all: Vec<_> = schema.bodies.iter().map(body).collect();
     all.into_iter().collect()
 }
 
-/// The bodies that move for themselves, and the joints between them.
+/// The files of tables that motions follow.
+fn tables(schema: &Schema) -> Vec<MotionTable> {
+    let in_stages = schema.stages.iter().flat_map(|stage| &stage.inner);
+    let of_section = |section: &Section| {
+        let table = |key: &str| {
+            let file = section.motion(key)?.table?;
+            let keys = section.path.split('.').chain([key]).map(str::to_owned).collect();
+            Some(MotionTable { keys, path: section.folder.join(file) })
+        };
+        MOTIONS.into_iter().filter_map(table).collect::<Vec<_>>()
+    };
+    schema.bodies.iter().chain(in_stages).flat_map(of_section).collect()
+}
+
+/// The bodies that move for themselves, the joints between them, and the stages.
 fn parts(
     schema: &Schema,
     bodies: Vec<Body>,
     context: &Context,
     problems: &mut Problems,
-) -> Option<(Vec<Body>, Vec<Joint>)> {
+) -> Option<(Vec<Body>, Vec<Joint>, Vec<Stage>)> {
     weld::sections(&schema.bodies, problems);
     let joints = joint::joints(&schema.joints, &bodies, context, problems)?;
-    let (bodies, joints) = weld::weld(&schema.bodies, bodies, joints, problems)?;
-    joint::guide_all(&joints, bodies, problems).map(|bodies| (bodies, joints))
+    let (mut bodies, joints) = weld::weld(&schema.bodies, bodies, joints, problems)?;
+    let stages = stages::stages(&schema.stages, &bodies, context.gravity, problems)?;
+    stages::guide(&stages, &mut bodies, context.surface);
+    let bodies = joint::guide_all(&joints, bodies, problems)?;
+    Some((bodies, joints, stages))
 }
 
 /// The name of the case, which becomes that of a folder.

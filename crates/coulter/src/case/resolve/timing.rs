@@ -5,12 +5,24 @@ use crate::case::keys;
 use crate::case::missing::missing;
 use crate::case::path::travel;
 use crate::case::problem::Problems;
-use crate::case::resolved::{Body, Motion, Output};
+use crate::case::resolved::{Body, Motion, Output, Stage};
 use crate::case::typed::Section;
 use crate::case::validate;
 
 /// The duration [s].
-pub(super) fn duration(section: &Section, bodies: &[Body], problems: &mut Problems) -> Option<f64> {
+pub(super) fn duration(
+    section: &Section,
+    bodies: &[Body],
+    (typed, stages): (&[Section], Option<&[Stage]>),
+    problems: &mut Problems,
+) -> Option<f64> {
+    if !typed.is_empty() {
+        for key in ["duration", "tow_distance"].into_iter().filter(|key| section.has(key)) {
+            let message = "the stages determine the end of the run";
+            problems.add(section.at(key), message, format!("remove `{key}`, or the stages"));
+        }
+        return stages.map(|stages| stages.iter().map(|stage| stage.duration).sum());
+    }
     if section.has("duration") && section.has("tow_distance") {
         let message = "run.duration and run.tow_distance both determine the end of the run";
         problems.add(section.at("tow_distance"), message, "keep one of them");
@@ -62,14 +74,19 @@ fn arrival_time(freedom: &Motion, distance: f64) -> Option<f64> {
     Some(if arrives { time } else { f64::INFINITY })
 }
 
+/// Cut-off frequency of the filter over the rate of the history, unless given: a wave of 25 lines.
+const FILTER: f64 = 0.04;
+
 /// What to write.
 pub(super) fn output(section: &Section, duration: f64, problems: &mut Problems) -> Option<Output> {
     let interval = |key| {
         let default = keys::at(&section.at(key)).and_then(|known| known.default.of_duration(duration));
         section.number_or(key, default?)
     };
+    let history_interval = interval("history_interval")?;
     let output = Output {
-        history_interval: interval("history_interval")?,
+        history_interval,
+        filter_cutoff: section.number_or("filter_cutoff", FILTER / history_interval)?,
         field_interval: interval("field_interval")?,
         checkpoint_interval: section.number("checkpoint_interval")?,
         steady_fraction: section.number("steady_fraction")?,

@@ -127,7 +127,13 @@ pub(in crate::case) fn motion(path: &str, motion: &Motion, problems: &mut Proble
                 problems.add(path, message, "it must be a finite force");
             }
         }
-        Motion::Prescribed { speed, start, ramp, end } => {
+        Motion::Course(ref course) => {
+            if !course.numbers().all(f64::is_finite) {
+                problems.add(path, "the displacement over time is not finite", "give it finite numbers");
+            }
+        }
+        Motion::Prescribed { before, speed, start, ramp, end } => {
+            check("speed", before);
             check("speed", speed);
             check("start", start);
             check("ramp", ramp);

@@ -28,9 +28,10 @@ fn numbers(path: &str, joint: &Joint, problems: &mut Problems) -> bool {
     };
     joint.position.to_array().into_iter().for_each(|x| check("at", x));
     match joint.kind {
-        JointKind::Hinge { axis, friction_torque } => {
+        JointKind::Hinge { axis, friction_torque, drive_torque } => {
             axis.to_array().into_iter().for_each(|x| check("axis", x));
             check("friction_torque", friction_torque);
+            check("drive_torque", drive_torque);
         }
         JointKind::Ball => {}
         JointKind::Slider { axis } => axis.to_array().into_iter().for_each(|x| check("axis", x)),

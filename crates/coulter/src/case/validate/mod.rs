@@ -10,6 +10,7 @@ mod joint;
 pub(super) mod names;
 mod parameters;
 pub(super) mod soil;
+mod stages;
 pub(super) mod timing;
 
 use super::numbers::in_range;
@@ -62,6 +63,7 @@ fn parts(case: &Case, problems: &mut Problems) {
         body::body(body, (case.grid.fine_cell(), case.domain.plane_strain), problems);
     }
     joint::joints(case, problems);
+    stages::stages(case, problems);
     timing::duration(case.duration, problems);
     timing::output(&case.output, case.duration, problems);
     domain::domain(&case.domain, problems);

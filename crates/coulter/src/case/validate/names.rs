@@ -31,10 +31,18 @@ pub(in crate::case) fn part_name(kind: &str, name: &str, problems: &mut Problems
     is_valid
 }
 
+fn plural(kind: &str) -> &'static str {
+    match kind {
+        "body" => "bodies",
+        "joint" => "joints",
+        _ => "stages",
+    }
+}
+
 /// Whether there are not too many bodies or joints; reported if there are.
 pub(in crate::case) fn number_of(kind: &str, number: usize, problems: &mut Problems) -> bool {
     if number > LARGEST_NUMBER {
-        let kinds = if kind == "body" { "bodies" } else { "joints" };
+        let kinds = plural(kind);
         let message = format!("{number} {kinds}; at most {LARGEST_NUMBER} are allowed");
         problems.add(kind, message, "model fewer of them, or each group in a separate case");
     }
@@ -49,7 +57,7 @@ pub(super) fn parts(kind: &str, names: &[&str], problems: &mut Problems) {
     for (n, name) in names.iter().enumerate() {
         part_name(kind, name, problems);
         if names[..n].contains(name) {
-            let kinds = if kind == "body" { "bodies" } else { "joints" };
+            let kinds = plural(kind);
             let message = format!("two {kinds} are called \"{name}\"");
             problems.add(format!("{kind}.{name}"), message, format!("give each {kind} a name of its own"));
         }

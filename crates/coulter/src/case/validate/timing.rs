@@ -14,6 +14,7 @@ pub(super) fn duration(duration: f64, problems: &mut Problems) {
 
 /// Reports what is wrong with the output of a run of this duration [s].
 pub(in crate::case) fn output(output: &Output, duration: f64, problems: &mut Problems) {
+    in_range("output.filter_cutoff", output.filter_cutoff, problems);
     in_range("output.steady_fraction", output.steady_fraction, problems);
     in_range_or_infinite("output.checkpoint_interval", output.checkpoint_interval, problems);
     let between = [("history_interval", output.history_interval), ("field_interval", output.field_interval)];

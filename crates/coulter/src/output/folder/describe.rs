@@ -1,6 +1,8 @@
 //! The case in a few words, for the top of a report.
 
-use crate::case::resolved::{Attitude, Body, Case, GROUND, Law, Motion, Part, Potential};
+use crate::case::resolved::{
+    Attitude, Body, Case, Change, GROUND, Law, Motion, Part, Potential, Stage, Until,
+};
 use crate::output::units::{Unit, digits};
 
 /// Soil and bodies, each as a name and a description.
@@ -15,6 +17,9 @@ pub(super) fn describe(case: &Case) -> Vec<[String; 2]> {
             [part.name.clone(), format!("{}, welded to {}", part.shape.describe(&length), body.name)]
         };
         lines.extend(body.parts.iter().map(part));
+    }
+    for stage in &case.stages {
+        lines.push([format!("Stage {}", stage.name), describe_stage(case, stage)]);
     }
     for joint in &case.joints {
         let name = |body: usize| &*case.bodies[body].name;
@@ -100,6 +105,28 @@ fn describe_body(case: &Case, body: &Body) -> String {
     format!("{shape}{turned}, {friction}{weight}; {}", motions(body))
 }
 
+/// How long a stage lasts, and what changes in it.
+fn describe_stage(case: &Case, stage: &Stage) -> String {
+    let duration = format!("{} s", digits(stage.duration));
+    let mut parts = vec![match stage.until {
+        None => duration,
+        Some(Until { body, quantity, value }) => {
+            let [name, unit] = quantity.words();
+            let body = &case.bodies[body].name;
+            format!("until `{body}` has a {name} of {} {unit}, at most {duration}", digits(value))
+        }
+    }];
+    for Change { body, motion: number, to } in &stage.changes {
+        let [speed, load] = if *number < 3 { ["m/s", "N"] } else { ["rad/s", "N m"] };
+        let name = format!("{} {}", case.bodies[*body].name, MOTION_NAMES[*number]);
+        parts.push(motion(to, &name, speed, load));
+    }
+    parts.join("; ")
+}
+
+/// What the six motions are called in a report.
+const MOTION_NAMES: [&str; 6] = ["tow", "lateral", "heave", "yaw", "tilt", "spin"];
+
 /// How a body moves.
 fn motions(body: &Body) -> String {
     if body.guide.is_some() && body.motions().iter().all(Motion::is_free) {
@@ -108,12 +135,12 @@ fn motions(body: &Body) -> String {
     let [tow, lateral, heave] = &body.translation;
     let [yaw, tilt, spin] = &body.rotation;
     let motions = [
-        (true, motion(tow, "tow", "m/s", "N")),
-        (false, motion(lateral, "lateral", "m/s", "N")),
-        (true, motion(heave, "heave", "m/s", "N")),
-        (false, motion(yaw, "yaw", "rad/s", "N m")),
-        (false, motion(tilt, "tilt", "rad/s", "N m")),
-        (true, motion(spin, "spin", "rad/s", "N m")),
+        (true, motion(tow, MOTION_NAMES[0], "m/s", "N")),
+        (false, motion(lateral, MOTION_NAMES[1], "m/s", "N")),
+        (true, motion(heave, MOTION_NAMES[2], "m/s", "N")),
+        (false, motion(yaw, MOTION_NAMES[3], "rad/s", "N m")),
+        (false, motion(tilt, MOTION_NAMES[4], "rad/s", "N m")),
+        (true, motion(spin, MOTION_NAMES[5], "rad/s", "N m")),
     ];
     // Tow, heave and spin are always of interest, the others if they are not fixed.
     let shown = motions.into_iter().filter(|(always, text)| *always || !text.ends_with("fixed"));
@@ -125,6 +152,7 @@ fn motion(freedom: &Motion, name: &str, speed_unit: &str, load_unit: &str) -> St
     match freedom {
         Motion::Fixed => format!("{name} fixed"),
         Motion::Prescribed { speed, .. } => format!("{name} {} {speed_unit}", digits(*speed)),
+        Motion::Course(_) => format!("{name} by a given displacement"),
         Motion::Free { load: 0.0, .. } => format!("{name} free"),
         Motion::Free { load, .. } => format!("{name} free under {} {load_unit}", digits(*load)),
     }

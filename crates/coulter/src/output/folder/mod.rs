@@ -12,4 +12,4 @@ pub use contents::{Contents, inspect};
 pub(crate) use contents::{clear, clear_meshes, remove_parts};
 pub use lock::Lock;
 pub use log::Log;
-pub use run_record::{JointRecord, Outcome, PartRecord, RunRecord, RunStatistics, hash_of};
+pub use run_record::{JointRecord, Outcome, PartRecord, RunRecord, RunStatistics, StageRecord, hash_of};

@@ -5,10 +5,11 @@ use super::describe::describe;
 use crate::case::Case;
 use crate::case::case_text;
 use crate::case::meshes::representative_width;
-use crate::case::resolved::{GROUND, Ground, Joint};
+use crate::case::resolved::{GROUND, Ground, Joint, Stage};
 use crate::history::History;
 use crate::history::probes::places;
 use crate::history::reference::Reference;
+use crate::history::steady::SteadyPart;
 use crate::output::files::{OutputError, read_json, write_json};
 use crate::output::plots::Overlay;
 use crate::output::tables::HistoryNames;
@@ -57,6 +58,31 @@ pub struct RunStatistics {
     pub outcome: Outcome,
     /// Warnings about the case from before the run.
     pub advice: Vec<String>,
+    /// The stages so far; empty for a run that has only one.
+    pub stages: Vec<StageRecord>,
+}
+
+/// A stage of a run.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct StageRecord {
+    /// Its name.
+    pub name: String,
+    /// When it began [s].
+    pub from_s: f64,
+    /// When it ended [s]; of one that is still on, the last sample.
+    pub to_s: f64,
+}
+
+impl StageRecord {
+    /// Those of a run that has come so far.
+    #[must_use]
+    pub fn all(case: &Case, history: &History) -> Vec<Self> {
+        let record = |(number, stage): (usize, &Stage)| {
+            let [from_s, to_s] = history.stage_times(number)?;
+            Some(Self { name: stage.name.clone(), from_s, to_s })
+        };
+        case.stages.iter().enumerate().filter_map(record).collect()
+    }
 }
 
 /// The record of a run.
@@ -88,6 +114,10 @@ pub struct RunRecord {
     /// Fraction of the tow over which steady averages are taken.
     #[serde(alias = "steady_share")]
     pub steady_fraction: f64,
+    /// Cut-off frequency of the filtered forces [Hz].
+    pub filter_cutoff: f64,
+    /// The stage over which they are taken, by number; `None` for a run that has only one.
+    pub steady_stage: Option<usize>,
     /// Whether only y ≥ 0 is modelled.
     pub symmetric: bool,
     /// Whether only x ≥ 0 is modelled.
@@ -177,6 +207,8 @@ impl RunRecord {
             meshes: Vec::new(),
             duration: case.duration,
             steady_fraction: case.output.steady_fraction,
+            steady_stage: case.steady_stage(),
+            filter_cutoff: case.output.filter_cutoff,
             symmetric: case.domain.symmetric,
             symmetric_x: case.domain.symmetric_x,
             heaped: matches!(case.ground, Ground::Column { .. }),
@@ -207,7 +239,14 @@ impl RunRecord {
             Outcome::BrokeDown(why) => Some(why.as_str()),
             Outcome::Running | Outcome::Finished | Outcome::Interrupted => None,
         };
-        Trust::grade(&self.setting, history, &self.bodies, self.steady_fraction, failure)
+        Trust::grade(&self.setting, history, &self.bodies, self.steady_part(), failure)
+    }
+
+    /// Which part of the run averages are taken over.
+    #[must_use]
+    pub fn steady_part(&self) -> SteadyPart {
+        let stage = self.steady_stage.and_then(|number| self.statistics.stages.get(number));
+        SteadyPart { fraction: self.steady_fraction, during: stage.map(|stage| [stage.from_s, stage.to_s]) }
     }
 
     /// Writes `run.json` into a results folder.

@@ -318,17 +318,29 @@ pub(super) fn statistics(record: &RunRecord, summary: &Summary) -> Vec<[String; 
         .cell_steps_per_second()
         .map_or(NONE.to_owned(), |r| format!("{} million cell-steps/s", digits(r / 1e6)));
     let threads = record.statistics.threads;
+    let stages = record.statistics.stages.iter();
+    let stages =
+        stages.map(|stage| format!("{} {} to {} s", stage.name, digits(stage.from_s), digits(stage.to_s)));
+    let stages: Vec<String> = stages.collect();
+    let simulated = match record.statistics.stages.last() {
+        Some(last) => last.to_s,
+        None => record.duration,
+    };
     [
         ("Cells", format!("{} ({} with soil)", grouped(summary.cells), grouped(summary.filled_cells))),
         ("Steps", grouped(summary.steps)),
-        ("Simulated time", format!("{} s", digits(record.duration))),
+        ("Simulated time", format!("{} s", digits(simulated))),
+        ("Stages", stages.join(", ")),
+        ("Filtered forces", format!("filtered.csv, cut-off {} Hz", digits(record.filter_cutoff))),
         ("Wall time", duration_text(summary.wall_s)),
         ("Speed", rate),
         ("Threads", threads.to_string()),
         ("Version", summary.version.clone()),
     ]
+    .into_iter()
+    .filter(|(_, text)| !text.is_empty())
     .map(|(name, text)| [name.to_owned(), text])
-    .to_vec()
+    .collect()
 }
 
 /// A whole number with thin spaces between thousands.

@@ -7,7 +7,7 @@ use crate::history::{BodySample, EnergySample, ForceSample, History};
 use crate::mesh_study::{Figures, MeshStudy};
 use crate::output::fields::SurfaceFigures;
 use crate::output::files::{OutputError, SUMMARY, read_json, write_json};
-use crate::output::folder::RunRecord;
+use crate::output::folder::{RunRecord, StageRecord};
 use crate::trust::body::Mesh;
 use crate::trust::{Check, Trust};
 use serde::{Deserialize, Serialize};
@@ -46,6 +46,11 @@ pub struct Summary {
     pub parts: BTreeMap<String, ForceSummary>,
     /// The joints by name: the force of the first body on the second.
     pub joints: BTreeMap<String, ForceSummary>,
+    /// Cut-off frequency of the filtered forces in `filtered.csv` [Hz].
+    #[serde(rename = "filter_cutoff_Hz")]
+    pub filter_cutoff: f64,
+    /// The stages of the run; empty for one that has only one.
+    pub stages: Vec<StageRecord>,
     /// Whether the results can be trusted.
     pub trust: Trust,
     /// The case on several meshes; `null` where only one was run.
@@ -227,7 +232,7 @@ impl From<&RimAverage> for RimSummary {
 pub(crate) fn rims(history: &History, record: &RunRecord) -> Vec<Option<RimAverage>> {
     let bodies = history.bodies.iter().zip(&record.bodies).enumerate();
     let average = |(n, (samples, reference)): (usize, (&Vec<BodySample>, _))| {
-        let range = window(samples, reference, record.steady_fraction);
+        let range = window(samples, reference, record.steady_part());
         // A sample is an average since the one before it.
         let from = samples.get(range.start.saturating_sub(1))?.time;
         let to = samples.get(range.end.checked_sub(1)?)?.time;
@@ -275,6 +280,8 @@ impl Summary {
             cells: record.cells.iter().map(|n| *n as u64).product(),
             steps: record.statistics.steps,
             wall_s: record.statistics.wall_seconds,
+            filter_cutoff: record.filter_cutoff,
+            stages: record.statistics.stages.clone(),
             ..Self::default()
         }
     }
@@ -290,7 +297,7 @@ impl Summary {
             .zip(&record.bodies)
             .zip(&record.setting.bodies)
             .map(|(((samples, rim), reference), setting)| {
-                let range = window(samples, reference, record.steady_fraction);
+                let range = window(samples, reference, record.steady_part());
                 let mut steady = steady(samples, reference, range);
                 steady.is_steady = self.trust.is_steady(&reference.name);
                 let Mesh { cells_over_sinkage, cells_over_chord } =

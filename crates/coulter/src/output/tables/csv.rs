@@ -1,12 +1,15 @@
 //! `forces.csv`, `part_NAME.csv`, `joint_NAME.csv`, `energy.csv`, `boundaries.csv` and, of a grid that travels, `ground_left.csv`: the histories as tables with
-//! units in the header; and `rim.csv`, written at the end of a run.
+//! units in the header; and `filtered.csv` and `rim.csv`, written at the end of a run.
 //!
 //! The files are kept open during the run and flushed after every block, so that a killed run leaves whole lines; a
 //! resumed run rewrites them from the history of the checkpoint.
 
 use super::table::{Table, push_line};
 use crate::history::History;
-use crate::history::columns::{self, Column, FORCES, GROUND_LEFT, JOINTS, PARTS, RIM, Source, header};
+use crate::history::columns::{
+    self, Column, FILTERED, FORCES, GROUND_LEFT, JOINTS, PARTS, RIM, Source, header,
+};
+use crate::history::filter::filtered;
 use crate::history::reference::Reference;
 use crate::history::rim::RimLine;
 use crate::output::files::{Named, OutputError, file_safe, write_whole};
@@ -68,11 +71,35 @@ pub fn rim_name(names: &[String], body: usize) -> String {
     name_of("rim", names, body)
 }
 
+/// Name of the file of a body's filtered forces: `filtered.csv`, or `filtered_NAME.csv` when there are several bodies.
+#[must_use]
+pub fn filtered_name(names: &[String], body: usize) -> String {
+    name_of("filtered", names, body)
+}
+
 fn name_of(kind: &str, names: &[String], body: usize) -> String {
     match names.get(body) {
         Some(name) if names.len() > 1 => format!("{kind}_{}.csv", file_safe(name)),
         _ => format!("{kind}.csv"),
     }
+}
+
+/// Writes the forces of the bodies, filtered with a cut-off frequency [Hz].
+///
+/// # Errors
+/// When a file cannot be written.
+pub(crate) fn write_filtered(
+    dir: &Path,
+    history: &History,
+    references: &[Reference],
+    cutoff: f64,
+) -> Result<(), OutputError> {
+    for (body, (samples, reference)) in history.bodies.iter().zip(references).enumerate() {
+        let mut text = format!("{}\n", header(FILTERED));
+        push_lines(&mut text, &filtered(samples, cutoff), FILTERED, reference);
+        write_whole(&dir.join(filtered_name(&history.names, body)), text.as_bytes())?;
+    }
+    Ok(())
 }
 
 /// Writes the rims of the bodies, averaged.
@@ -235,6 +262,9 @@ pub fn read_history(dir: &Path, names: &HistoryNames, is_whole: bool) -> Result<
         names: names.clone(),
         bodies,
         rims: Vec::new(),
+        // The record of the run has them.
+        stages: Vec::new(),
+        stages_ended: None,
         energy: read(&dir.join(ENERGY_FILE), columns::ENERGY, is_whole)?,
         boundaries: read(&dir.join(BOUNDARIES_FILE), columns::BOUNDARIES, is_whole)?,
         ground_left: if left.is_file() { read(&left, GROUND_LEFT, is_whole)? } else { Vec::new() },
