@@ -30,6 +30,7 @@ MARGIN = 6  # pixels left white around the content
 VIEWS = {
     "towed_disc": ((-1.0, -1.1, 0.7), 1.6, 0.0),
     "towed_disc_mohr_coulomb": ((-1.0, -1.1, 0.7), 1.6, 0.0),
+    "press_and_tow": ((-1.0, -1.1, 0.7), 1.6, 0.0),
     "light_disc": ((-1.0, -1.1, 0.7), 1.6, 0.03),
     "disc_on_a_cable": ((-1.0, -1.1, 0.7), 1.6, 0.0),
     "rockhopper": ((-1.0, -0.9, 0.75), 1.7, 0.0),
