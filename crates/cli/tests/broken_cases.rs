@@ -292,9 +292,9 @@ fn motions_that_contradict_themselves() {
         TOWED_DISC,
         "load = \"0 N\"",
         "load = \"0 N\", speed = \"1 m/s\"",
-        &["a speed and a load at once"],
+        &["more than one of speed, load, displacement and table"],
     );
-    refused(TOWED_DISC, "load = \"0 N\", ", "", &["neither a speed nor a load"]);
+    refused(TOWED_DISC, "load = \"0 N\", ", "", &["none of speed, load, displacement and table"]);
 }
 
 #[test]

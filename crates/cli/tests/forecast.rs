@@ -97,14 +97,19 @@ fn a_driven_disc_has_the_textbooks_slip_and_keeps_its_older_key() {
 }
 
 #[test]
-fn a_sideways_tow_is_refused() {
-    let sets = [
-        "body.disc.lateral={ speed = \"0.1 m/s\" }",
-        "domain.symmetric=false",
-        "domain.y=[\"-0.3 m\", \"0.6 m\"]",
-        "grid.fine_y=[\"-0.15 m\", \"0.4 m\"]",
-    ];
-    let reply = refusal(&mut forecast(&sets.map(|set| ["--set", set]).concat()));
+fn a_sideways_tow_has_its_direction_and_a_sideways_load_is_refused() {
+    let sets = |lateral: &'static str| {
+        let whole = [
+            "domain.symmetric=false",
+            "domain.y=[\"-0.3 m\", \"0.6 m\"]",
+            "grid.fine_y=[\"-0.15 m\", \"0.4 m\"]",
+        ];
+        [lateral].into_iter().chain(whole).flat_map(|set| ["--set", set]).collect::<Vec<_>>()
+    };
+    let towed = json(&sets("body.disc.lateral={ speed = \"0.1 m/s\" }"));
+    let remarks = towed["remarks"].to_string();
+    assert!(remarks.contains("towed at 26.57° from x"), "{remarks}");
+    let reply = refusal(&mut forecast(&sets("body.disc.lateral={ load = \"5 N\" }")));
     assert!(reply.contains("sideways") && reply.contains("lateral = \"fixed\""), "{reply}");
 }
 

@@ -136,8 +136,12 @@ mod tests {
     #[test]
     fn two_points_are_a_smooth_step() {
         let course = Course::through(vec![1.0, 3.0], vec![0.0, 0.4]).unwrap();
-        assert_eq!([0.0, 1.0, 2.0, 3.0, 9.0].map(|t| course.displacement(t)), [0.0, 0.0, 0.2, 0.4, 0.4]);
-        assert_eq!([0.5, 1.0, 2.0, 3.5].map(|t| course.speed(t)), [0.0, 0.0, 0.3, 0.0]);
+        for (time, displacement, speed) in
+            [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (2.0, 0.2, 0.3), (3.0, 0.4, 0.0), (9.0, 0.4, 0.0)]
+        {
+            assert!((course.displacement(time) - displacement).abs() < 1e-15, "{time}");
+            assert!((course.speed(time) - speed).abs() < 1e-15, "{time}");
+        }
     }
 
     #[test]
@@ -159,9 +163,11 @@ mod tests {
             let rate = (course.displacement(time + 1e-5) - course.displacement(time - 1e-5)) / 2e-5;
             assert!((course.speed(time) - rate).abs() < 1e-9, "{time}");
         }
-        assert_eq!([0.5, 1.0, 2.0, 4.0].map(|t| course.speed(t)), [0.1, 0.2, 0.0, -0.2]);
+        for (time, speed) in [(0.5, 0.1), (1.0, 0.2), (2.0, 0.0), (4.0, -0.2)] {
+            assert!((course.speed(time) - speed).abs() < 1e-15, "{time}");
+        }
         assert!((course.displacement(3.0) - 0.1).abs() < 1e-15);
-        assert_eq!(course.fastest(), 0.2);
+        assert!((course.fastest() - 0.2).abs() < 1e-15);
         assert_eq!(course.later(2.0).displacement(5.0), course.displacement(3.0));
     }
 

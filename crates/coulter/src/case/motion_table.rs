@@ -55,6 +55,16 @@ pub(super) fn read(path: &Path, measures: [&Measure; 2]) -> Result<Course, Table
             return problem(format!("[{value_unit}] is not a unit of {} or {}", way.name, rate.name), header);
         }
     };
+    let (times, values) = columns(&mut lines, [seconds, scale])?;
+    let course = if is_speed { Course::with_speeds(times, values) } else { Course::through(times, values) };
+    course.map_or_else(|| problem("it has fewer than two lines of numbers", "give it two or more"), Ok)
+}
+
+/// The lines of two numbers, in SI units: times, which rise, and values.
+fn columns(
+    lines: &mut csv::Reader<&[u8]>,
+    [seconds, scale]: [f64; 2],
+) -> Result<(Vec<f64>, Vec<f64>), TableProblem> {
     let (mut times, mut values) = (Vec::new(), Vec::new());
     for record in lines.records() {
         let record = record.map_err(|error| TableProblem {
@@ -62,11 +72,8 @@ pub(super) fn read(path: &Path, measures: [&Measure; 2]) -> Result<Course, Table
             cure: "give every line two numbers".to_owned(),
         })?;
         let line = record.position().map_or(0, csv::Position::line);
-        let numbers: Vec<f64> = record
-            .iter()
-            .filter_map(|field| field.parse().ok())
-            .filter(|number: &f64| number.is_finite())
-            .collect();
+        let numbers = record.iter().filter_map(|field| field.parse().ok());
+        let numbers: Vec<f64> = numbers.filter(|number: &f64| number.is_finite()).collect();
         let [time, value] = numbers[..] else {
             let found = record.iter().collect::<Vec<_>>().join(",");
             return problem(
@@ -80,8 +87,7 @@ pub(super) fn read(path: &Path, measures: [&Measure; 2]) -> Result<Course, Table
         times.push(seconds * time);
         values.push(scale * value);
     }
-    let course = if is_speed { Course::with_speeds(times, values) } else { Course::through(times, values) };
-    course.map_or_else(|| problem("it has fewer than two lines of numbers", "give it two or more"), Ok)
+    Ok((times, values))
 }
 
 fn unit_of(measure: &Measure) -> &str {

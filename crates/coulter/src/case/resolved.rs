@@ -61,7 +61,6 @@ impl Case {
 
     /// The case as it stands in the stage over which averages are taken, for closed forms: its motions, from the depth to which bodies
     /// have been pressed by then.
-    #[must_use]
     ///
     /// # Errors
     /// In words, where the depth of a body follows only from the run.

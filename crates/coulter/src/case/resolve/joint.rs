@@ -235,7 +235,18 @@ fn guide(joint: &Joint, bodies: &mut [Body]) {
             };
         }
     }
-    let own = body.own_guide();
+    keep_own_motions(&body.own_guide(), &mut guide);
+    body.guide = Some(guide);
+    // It is released with its carrier.
+    if let (true, Some(Motion::Free { start: from, ramp: over, .. })) = (joint.kind.carries(), heave)
+        && let Motion::Free { start, ramp, load: 0.0, .. } = &mut body.translation[2]
+    {
+        (*start, *ramp) = (from, over);
+    }
+}
+
+/// What a body is not free to do is up to itself, not to its carrier.
+fn keep_own_motions(own: &Guide, guide: &mut Guide) {
     for n in (0..3).filter(|n| !own.translation[*n].is_free()) {
         guide.translation[n] = own.translation[n].clone();
         if let Some(bounds) = own.bounds {
@@ -244,12 +255,5 @@ fn guide(joint: &Joint, bodies: &mut [Body]) {
     }
     for n in (0..2).filter(|n| !own.rotation[*n].is_free()) {
         guide.rotation[n] = own.rotation[n].clone();
-    }
-    body.guide = Some(guide);
-    // It is released with its carrier.
-    if let (true, Some(Motion::Free { start: from, ramp: over, .. })) = (joint.kind.carries(), heave)
-        && let Motion::Free { start, ramp, load: 0.0, .. } = &mut body.translation[2]
-    {
-        (*start, *ramp) = (from, over);
     }
 }
