@@ -69,13 +69,12 @@ pub(crate) fn proceed<R: Precision>(
     };
     for change in &next.changes {
         let body = change.body;
-        let fixed = &model.bodies[body];
-        let rates = fixed.mechanical_rates(&state.mechanism.bodies[body]);
-        let load = match &fixed.motion[change.motion] {
+        let speed = state.mechanism.bodies[body].rates()[change.motion];
+        let load = match &model.bodies[body].motion[change.motion] {
             free @ Motion::Free { .. } => free.load(state.time),
             _ => support(case, history, body, change.motion),
         };
-        let to = change.to.taking_over(state.time, rates[change.motion], load);
+        let to = change.to.taking_over(state.time, speed, load);
         model.bodies[body].motion[change.motion] = to;
     }
     history.stages.push(StageStart { time: state.time, motions: motions(model) });

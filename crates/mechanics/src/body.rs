@@ -118,7 +118,7 @@ impl Body {
     /// that the body has.
     #[must_use]
     pub fn taken_over(&self, state: &BodyState) -> BodyState {
-        let rates = self.rates(state);
+        let rates = state.rates();
         BodyState {
             speeds: std::array::from_fn(|n| match self.motion[n] {
                 Motion::Fixed | Motion::Free { .. } => 0.0,
@@ -126,14 +126,6 @@ impl Body {
             }),
             ..*state
         }
-    }
-
-    /// Speeds of all its degrees of freedom [m/s or rad/s].
-    #[must_use]
-    pub fn rates(&self, state: &BodyState) -> [f64; 6] {
-        let axes = [DVec3::Z, state.tilt_axis, state.pose.axes().y_axis];
-        let ([yaw, tilt, spin], linear) = (gimbal::rates(state.twist.angular, &axes), state.twist.linear);
-        [linear.x, linear.y, linear.z, yaw, tilt, spin]
     }
 
     /// Kinetic energy [J] of the whole body, prescribed motions included.
@@ -157,6 +149,14 @@ impl BodyState {
     #[must_use]
     pub fn tilt_axis(&self) -> DVec3 {
         self.tilt_axis
+    }
+
+    /// Speeds along x, y, z, of yaw, tilt and spin [m/s or rad/s].
+    #[must_use]
+    pub fn rates(&self) -> [f64; 6] {
+        let axes = [DVec3::Z, self.tilt_axis, self.pose.axes().y_axis];
+        let ([yaw, tilt, spin], linear) = (gimbal::rates(self.twist.angular, &axes), self.twist.linear);
+        [linear.x, linear.y, linear.z, yaw, tilt, spin]
     }
 }
 

@@ -97,8 +97,13 @@ impl Course {
     /// Least and largest displacement until a time [s], in [m or rad].
     #[must_use]
     pub fn extremes(&self, until: f64) -> [f64; 2] {
-        // A piece between two points can leave their range only where speeds were given; the points halve it finely enough for that.
-        let inside = self.times.windows(2).flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1]), pair[1]]);
+        // Between two points it turns round only where speeds were given, which are linear there.
+        let turn = |n: usize| {
+            let (from, to) = (self.speeds[n], self.speeds[n + 1]);
+            let share = if from * to < 0.0 { from / (from - to) } else { 0.0 };
+            self.times[n] + share * (self.times[n + 1] - self.times[n])
+        };
+        let inside = self.times.iter().copied().chain((0..self.times.len() - 1).map(turn));
         let all = inside.filter(|time| *time < until).chain([until]);
         all.map(|time| self.displacement(time)).fold([0.0, 0.0], |[low, high], d| [low.min(d), high.max(d)])
     }
@@ -168,6 +173,10 @@ mod tests {
         }
         assert!((course.displacement(3.0) - 0.1).abs() < 1e-15);
         assert!((course.fastest() - 0.2).abs() < 1e-15);
+        // It turns round after a third of the way down: 0.1 m up, and as much from there.
+        let uneven = Course::with_speeds(vec![0.0, 1.0, 4.0], vec![0.0, 0.2, -0.4]).unwrap();
+        let [low, high] = uneven.extremes(4.0);
+        assert!((high - 0.2).abs() < 1e-15 && (low + 0.2).abs() < 1e-15, "{low} {high}");
         assert_eq!(course.later(2.0).displacement(5.0), course.displacement(3.0));
     }
 

@@ -64,12 +64,6 @@ impl BodyModel {
         mechanics::Body { modelled_fraction, ..mechanics::Body::new(inertia, self.motion.clone()) }
     }
 
-    /// Speeds of its degrees of freedom in a state [m/s or rad/s].
-    #[must_use]
-    pub fn mechanical_rates(&self, state: &mechanics::BodyState) -> [f64; 6] {
-        self.mechanical(1.0).rates(state)
-    }
-
     /// A vector of the body frame in space, with the body at a pose; a body that is not rotated keeps its bits.
     #[must_use]
     pub fn rotated(&self, pose: &Pose, v: DVec3) -> DVec3 {

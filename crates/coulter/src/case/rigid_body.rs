@@ -152,6 +152,11 @@ impl Attitude {
 /// Keys of the motions of a body, in the order of [`Body::motions`].
 pub const MOTIONS: [&str; 6] = ["forward", "lateral", "heave", "yaw_motion", "tilt_motion", "spin"];
 
+/// Whether planes forbid a motion, by its number in [`MOTIONS`]: a plane of symmetry or of strain across y, one of symmetry across x.
+pub(super) fn planes_forbid(across_y: bool, across_x: bool, motion: usize) -> bool {
+    across_y && [1, 3, 4].contains(&motion) || across_x && [0, 3, 5].contains(&motion)
+}
+
 impl Body {
     /// Rotation about the axle; positive when it rolls forward.
     #[must_use]

@@ -42,33 +42,19 @@ pub fn filtered(samples: &[BodySample], cutoff: f64) -> Vec<BodySample> {
 }
 
 /// What is filtered.
-fn forces(sample: &mut BodySample) -> [&mut f64; 11] {
-    let BodySample {
-        drag,
-        lateral,
-        vertical,
-        drag_normal,
-        vertical_normal,
-        axle_torque,
-        moment_x,
-        moment_y,
-        moment_z,
-        speed,
-        spin,
-        ..
-    } = sample;
+fn forces(s: &mut BodySample) -> [&mut f64; 11] {
     [
-        drag,
-        lateral,
-        vertical,
-        drag_normal,
-        vertical_normal,
-        axle_torque,
-        moment_x,
-        moment_y,
-        moment_z,
-        speed,
-        spin,
+        &mut s.drag,
+        &mut s.lateral,
+        &mut s.vertical,
+        &mut s.drag_normal,
+        &mut s.vertical_normal,
+        &mut s.axle_torque,
+        &mut s.moment_x,
+        &mut s.moment_y,
+        &mut s.moment_z,
+        &mut s.speed,
+        &mut s.spin,
     ]
 }
 

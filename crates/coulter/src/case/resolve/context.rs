@@ -3,6 +3,7 @@
 use super::clearance::SoilConditions;
 use crate::case::problem::Problems;
 use crate::case::resolved::Law;
+use crate::case::rigid_body::planes_forbid;
 use crate::case::shapes::slab::Slab;
 use glam::DVec3;
 
@@ -35,8 +36,7 @@ impl Context {
 
     /// Whether a plane of symmetry or of strain forbids a motion, by its number in [`crate::case::resolved::MOTIONS`].
     pub(super) fn planes_forbid(&self, motion: usize) -> bool {
-        let lies_in_a_plane = self.symmetric || self.slab.is_some();
-        lies_in_a_plane && [1, 3, 4].contains(&motion) || self.symmetric_x && [0, 3, 5].contains(&motion)
+        planes_forbid(self.symmetric || self.slab.is_some(), self.symmetric_x, motion)
     }
 
     /// What the clearance round a body depends on.

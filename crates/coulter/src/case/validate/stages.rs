@@ -4,9 +4,11 @@ use super::body;
 use crate::case::numbers::in_range;
 use crate::case::problem::Problems;
 use crate::case::resolved::{Case, MOTIONS, Motion};
+use crate::case::rigid_body::planes_forbid;
 
 /// Reports stages that name bodies which are not there, motions that a plane forbids, and numbers out of their range.
 pub(super) fn stages(case: &Case, problems: &mut Problems) {
+    let (across_y, across_x) = (case.domain.symmetric || case.domain.plane_strain, case.domain.symmetric_x);
     for stage in &case.stages {
         let path = format!("stage.{}", stage.name);
         in_range(&format!("{path}.duration"), stage.duration, problems);
@@ -26,7 +28,7 @@ pub(super) fn stages(case: &Case, problems: &mut Problems) {
             };
             let path = format!("{path}.{name}.{key}");
             body::motion(&path, &change.to, problems);
-            if change.to != Motion::Fixed && forbids(case, change.motion) {
+            if change.to != Motion::Fixed && planes_forbid(across_y, across_x, change.motion) {
                 let message = format!("a plane of symmetry or of strain allows no `{key}`");
                 problems.add(path, message, "leave it out, or model the whole");
             }
@@ -40,11 +42,4 @@ fn is_there(case: &Case, body: usize, path: &str, problems: &mut Problems) -> bo
         problems.add(path, "the stage names a body that is not there", "name one of the bodies");
     }
     is_there
-}
-
-/// Whether a plane forbids a motion, by its number in [`MOTIONS`].
-fn forbids(case: &Case, motion: usize) -> bool {
-    let domain = &case.domain;
-    let lies_in_a_plane = domain.symmetric || domain.plane_strain;
-    lies_in_a_plane && [1, 3, 4].contains(&motion) || domain.symmetric_x && [0, 3, 5].contains(&motion)
 }

@@ -1,6 +1,6 @@
 """The share of the soil's mass that lies in cells of a density that soil at low pressure does not have, over the times of a run.
 
-    python3 scripts/soil_density.py DIR...
+    python3 scripts/fields/soil_density.py DIR...
 
 Dense: above 1.25 of the median density at the start; loose: below half of it; cells less than 1 % full are left out. Needs numpy and
 pyvista.

@@ -1,7 +1,7 @@
 """What the velocities of the soil round a disc at y = 0 consist of, from the field files of a run.
 
     coulter run CASE -o DIR --set output.field_interval="50 ms"
-    python3 scripts/symmetry/velocities.py DIR [BODY]
+    python3 scripts/fields/velocities.py DIR [BODY]
 
 For each time: root mean squares, over the full cells within 120 mm of the body's middle along x, 50 mm along y and 100 mm below the
 surface, of the linear part of the velocities in a cell (half the difference between opposite faces) and of their hourglass parts, in mm/s;
