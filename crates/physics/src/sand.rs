@@ -39,6 +39,11 @@ const DILATANCY: f64 = 0.6;
 const PEAK_ANGLE: f64 = 0.059_341_194_567_807_2;
 /// Dilatancy −dε_v/dε₁ at the peak over Bolton's index (Bolton 1986: 0.3).
 const PEAK_DILATANCY: f64 = 0.28;
+/// Range of the relative density, wider than that of the standard tests: sand may be laid looser than in them, and vibration or shear
+/// may pack it closer. Soil that was thrown up has no density to speak of, and none is packed closer than this: grains do not crush.
+pub const RELATIVE_DENSITY: [f64; 2] = [-0.5, 1.2];
+/// Compression modulus of sand in its densest state [Pa].
+const RIGID: Real = 1e15;
 /// How the reference strain falls and the compression modulus rises with the relative density: exponents of e.
 const STRAIN_DENSITY: Real = -1.8;
 const COMPRESSION_DENSITY: Real = 1.1;
@@ -69,6 +74,8 @@ pub struct Sand {
     /// α⁴, α = (3 − sin φ)/(3 + sin φ): the ratio of M in triaxial extension to that in compression.
     pub(crate) extension: Real,
     pub(crate) limit_density: [Real; 2],
+    /// Density at the upper end of [`RELATIVE_DENSITY`] [kg/m³].
+    pub(crate) densest: Real,
     pub(crate) bolton: [Real; 2],
     /// k_b.
     pub(crate) peak: Real,
@@ -85,6 +92,7 @@ impl Sand {
     #[must_use]
     pub fn new(elastic: Elastic, stiffening: Stiffening, parameters: &SandParameters) -> Self {
         let SandParameters { critical_friction, limit_density, bolton, .. } = *parameters;
+        let [loosest, densest] = limit_density;
         let (sin, cos) = critical_friction.sin_cos();
         let ratio = 6.0 * sin / (3.0 - sin);
         let alpha: f64 = (3.0 - sin) / (3.0 + sin);
@@ -97,6 +105,7 @@ impl Sand {
             critical_ratio: ratio as Real,
             extension: alpha.powi(4) as Real,
             limit_density: limit_density.map(|density| density as Real),
+            densest: (loosest / (1.0 - RELATIVE_DENSITY[1] * (1.0 - loosest / densest))) as Real,
             bolton: bolton.map(|constant| constant as Real),
             peak: peak as Real,
             onset: (dilatancy / DILATANCY - peak) as Real,
@@ -115,6 +124,7 @@ impl Sand {
             critical_ratio: exact.critical_ratio as Real,
             extension: exact.extension as Real,
             limit_density: exact.limit_density.map(|density| density as Real),
+            densest: exact.densest as Real,
             bolton: exact.bolton.map(|constant| constant as Real),
             peak: exact.peak as Real,
             onset: exact.onset as Real,
@@ -124,6 +134,12 @@ impl Sand {
         }
     }
 
+    /// Density in the densest state that it is compacted to [kg/m³].
+    #[must_use]
+    pub fn densest(&self) -> Real {
+        self.densest
+    }
+
     /// Elastic energy density at a stress [J/m³].
     #[inline(always)]
     #[must_use]
@@ -131,12 +147,13 @@ impl Sand {
         self.stiffening.energy(self.elastic, stress)
     }
 
-    /// Relative density I_D = (e_max − e)/(e_max − e_min) at a density [kg/m³].
+    /// Relative density I_D = (e_max − e)/(e_max − e_min) at a density [kg/m³], within [`RELATIVE_DENSITY`].
     #[inline(always)]
     #[must_use]
     pub fn relative_density(&self, density: Real) -> Real {
         let [loosest, densest] = self.limit_density;
-        densest / (densest - loosest) * (1.0 - loosest / max(density, 1.0))
+        let relative_density = densest / (densest - loosest) * (1.0 - loosest / max(density, 1.0));
+        clamp(relative_density, RELATIVE_DENSITY[0] as Real, RELATIVE_DENSITY[1] as Real)
     }
 
     /// Bolton's relative dilatancy index I_R at a relative density and a mean pressure [Pa].
@@ -212,14 +229,17 @@ impl Sand {
         let strain = self.reference_strain
             * exponential(STRAIN_DENSITY * looseness)
             * max(to_strain * PER_CONSTANT_STRAIN, 1.0);
+        let compression = self.compression_modulus
+            * exponential(COMPRESSION_DENSITY * looseness)
+            * (to_compression * PER_ATMOSPHERE);
+        let is_densest = point.density >= self.densest;
         Moduli {
             peak,
             ratio,
-            contraction: min(contraction, self.most_contraction),
+            // Sand in its densest state cannot be packed any closer.
+            contraction: min(contraction, if is_densest { 0.0 } else { self.most_contraction }),
             hardening: peak * left * left / strain,
-            compression: self.compression_modulus
-                * exponential(COMPRESSION_DENSITY * looseness)
-                * (to_compression * PER_ATMOSPHERE),
+            compression: if is_densest { RIGID } else { compression },
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The law of sand in element tests: critical state, peak, compression, contraction and dilation.
 
 use physics::elastic::{Elastic, Stiffening};
-use physics::sand::{Sand, SandParameters};
+use physics::sand::{RELATIVE_DENSITY, Sand, SandParameters};
 use physics::tensor::{Symmetric, deviator, mean};
 use physics::yield_law::{Memory, Point, YieldLaw};
 
@@ -228,4 +228,24 @@ fn strength_in_extension_and_plane_strain_follows_matsuoka_and_nakai() {
     let s = low.to_radians().sin();
     let [p, q, shape] = law.invariants([-(1.0 + s), -1.0, -(1.0 - s), 0.0, 0.0, 0.0]);
     assert!((q / (shape * p) / compression - 1.0).abs() < 0.03, "{}", q / (shape * p) / compression);
+}
+
+#[test]
+fn sand_in_its_densest_state_compacts_no_further() {
+    // Shear at hardly any pressure, forwards and backwards, compacts loose sand.
+    let shaken = |relative_density: f64| {
+        let mut specimen = Specimen::new(relative_density, 10.0);
+        let mut most = f64::NEG_INFINITY;
+        for n in 0..2000 {
+            let shear = if n / 20 % 2 == 0 { 1e-4 } else { -1e-4 };
+            specimen = specimen.strained([-1e-6, -1e-6, -1e-6, 0.0, 0.0, shear]);
+            let pressure = -mean(specimen.point.stress);
+            most = most.max(pressure);
+        }
+        most
+    };
+    let [loose, densest] = [0.2, RELATIVE_DENSITY[1]].map(shaken);
+    assert!(loose < 100.0, "{loose} Pa");
+    // A volume strain of 0.6 % against elastic moduli that grow with the pressure.
+    assert!(densest > 1e4, "{densest} Pa");
 }

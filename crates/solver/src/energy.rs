@@ -58,6 +58,30 @@ pub fn soil_mass<R: Scalar>(grid: &Grid, soil: &Soil<R>) -> f64 {
     own.map(|[i, j, k]| soil.mass[grid.index(i, j, k)].to_f64()).sum()
 }
 
+/// Density over that of the densest state of the soil without pressure beyond which soil is denser than it can be: pressures do not
+/// compress it elastically by a tenth.
+pub const OVERDENSE: f64 = 1.1;
+
+/// Portion of the soil's mass that lies in cells denser than [`OVERDENSE`] times its densest state: an error of the solver.
+#[must_use]
+pub fn overdense_portion<R: Scalar>(model: &Model, soil: &Soil<R>) -> f64 {
+    let grid = &model.grid;
+    let overdense = |[q, plane]: [usize; 2]| {
+        if !grid.is_inside([q, plane]) {
+            return 0.0;
+        }
+        let start = plane * grid.stride[2] + q * grid.stride[1] + 1;
+        let cells = grid.inside(0).map(|i| (start + i, grid.volume(i, q - 1, plane - 1)));
+        let too_dense = cells.filter(|(c, volume)| {
+            let densest = OVERDENSE * model.materials[soil.main_material(*c)].densest();
+            soil.mass[*c].to_f64() > densest * soil.fraction[*c].to_f64() * volume
+        });
+        too_dense.map(|(c, _)| soil.mass[c].to_f64()).fold(0.0, |a, b| a + b)
+    };
+    let mass = soil_mass(grid, soil);
+    if mass > 0.0 { sum_rows(grid, overdense) / mass } else { 0.0 }
+}
+
 /// Sum over the rows `[q, plane]` of cells and of nodes that the block owns, in memory order.
 fn sum_rows(grid: &Grid, of_row: impl Fn([usize; 2]) -> f64) -> f64 {
     let [_, ny, nz] = grid.cells();

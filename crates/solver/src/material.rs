@@ -53,6 +53,15 @@ impl Material {
         }
     }
 
+    /// Density in the densest state without pressure [kg/m³]. The laws other than that of sand do not compact.
+    #[must_use]
+    pub fn densest(&self) -> f64 {
+        match self.yield_law {
+            Some(Law::Sand(law)) => law.densest(),
+            _ => self.density,
+        }
+    }
+
     /// Elastic energy density at a stress [J/m³].
     #[must_use]
     pub fn elastic_energy(&self, stress: Symmetric) -> f64 {

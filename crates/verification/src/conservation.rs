@@ -22,6 +22,7 @@ pub(crate) fn energy(runner: &mut Runner) -> Result<(), VerifyError> {
 pub(crate) fn volume(runner: &mut Runner) -> Result<(), VerifyError> {
     let volume = |run: &RunBalances| (!run.dilates).then_some(run.volume_error);
     worst_of_each(runner, "C3", "change of soil volume", volume)?;
+    worst_of_each(runner, "C3", "portion of the mass in overdense soil", |run| Some(run.overdense))?;
     worst_of_each(runner, "C3", "change of soil mass, debris included", |run| Some(run.mass_error))
 }
 

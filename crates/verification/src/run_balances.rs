@@ -17,6 +17,8 @@ pub struct RunBalances {
     pub energy: EnergySample,
     /// Largest relative change of the soil volume since the start, at any time.
     pub volume_error: f64,
+    /// Largest portion of the soil's mass at any time in overdense soil.
+    pub overdense: f64,
     /// Relative change of the soil's mass, VOF debris included.
     pub mass_error: f64,
     /// Whether the soil dilates, so that its volume is expected to grow.

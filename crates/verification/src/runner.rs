@@ -273,13 +273,16 @@ impl<'a> Runner<'a> {
     pub fn record(&mut self, id: &'static str, variant: &str, simulation: &Simulation) {
         let history = &simulation.history;
         let stopped = self.stopped.take();
-        let errors = history.energy.iter().map(|e| (e.volume_ratio - 1.0).abs());
+        // `max` would drop what is not a number.
+        let most = |values: &mut dyn Iterator<Item = f64>| {
+            values.fold(0.0, |most: f64, v| if v > most || v.is_nan() { v } else { most })
+        };
         self.balances.push(RunBalances {
             id,
             case: variant.to_owned(),
             energy: history.energy.last().copied().unwrap_or_default(),
-            // `max` would drop what is not a number.
-            volume_error: errors.fold(0.0, |most, v| if v > most || v.is_nan() { v } else { most }),
+            volume_error: most(&mut history.energy.iter().map(|e| (e.volume_ratio - 1.0).abs())),
+            overdense: most(&mut history.energy.iter().map(|e| e.overdense)),
             mass_error: mass_error(simulation),
             dilates: simulation.case.soil.law.changes_volume()[1],
             bodies: history.bodies.iter().filter_map(|b| b.last().copied()).collect(),

@@ -184,6 +184,14 @@ impl Body {
         self.main_shape().has_surface()
     }
 
+    /// Least length that its shape is given along its own y [m], such as the thickness of a dished disc; infinite without one, or where
+    /// it has several parts.
+    #[must_use]
+    pub fn thickness(&self) -> f64 {
+        let sizes = if self.parts.is_empty() { self.shape.sizes() } else { Vec::new() };
+        sizes.iter().filter(|size| size.axis == Some(1)).map(|size| size.length).fold(f64::INFINITY, f64::min)
+    }
+
     /// Diameter in which it rolls about its axle [m]; `None` for a body that cannot roll.
     #[must_use]
     pub fn wheel_diameter(&self) -> Option<f64> {

@@ -235,6 +235,12 @@ pub const ENERGY: &[Column<EnergySample>] = &[
     ),
     EnergyColumn::sampled("volume ratio", "-", "soil volume, less what has entered the domain, over that at the start", |s| &mut s.volume_ratio)
         .required(),
+    EnergyColumn::sampled(
+        "overdense mass",
+        "-",
+        "portion of the soil's mass in cells denser than 1.1 times its densest state without pressure",
+        |s| &mut s.overdense,
+    ),
 ];
 
 /// Columns of `boundaries.csv`.

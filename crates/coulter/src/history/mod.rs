@@ -119,6 +119,8 @@ pub struct EnergySample {
     pub remap_loss: f64,
     /// Soil volume over the volume at the start.
     pub volume_ratio: f64,
+    /// Portion of the soil's mass that is denser than it can be.
+    pub overdense: f64,
 }
 
 impl EnergySample {

@@ -55,7 +55,8 @@ impl BodyChecks<'_> {
         let mut checks = Vec::new();
         checks.extend(mesh.cells_over_sinkage.map(|n| self.check(&limits::SINKAGE_CELLS, n)));
         checks.extend(mesh.cells_over_chord.map(|n| self.check(&limits::CHORD_CELLS, n)));
-        checks.extend(self.body.extent[1].map(|y| self.check(&limits::WIDTH_CELLS, y / self.body.cell[1])));
+        let width = self.body.thickness.or(self.body.extent[1]);
+        checks.extend(width.map(|y| self.check(&limits::WIDTH_CELLS, y / self.body.cell[1])));
         checks
     }
 

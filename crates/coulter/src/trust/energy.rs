@@ -20,7 +20,14 @@ pub(super) fn checks(setting: &Setting, history: &History) -> Vec<Check> {
         check(&limits::REMAP_LOSS, per_cent(end.remap_loss)),
         check(&limits::CONTACT_ENERGY, per_cent(end.contact)),
         check(&limits::VOLUME, volume_change(setting, end)),
+        check(&limits::OVERDENSE, 100.0 * most_overdense(history)),
     ]
+}
+
+/// Largest portion of the soil's mass at any time that is denser than it can be.
+fn most_overdense(history: &History) -> f64 {
+    let larger = |most: f64, sample: &EnergySample| if sample.overdense <= most { most } else { sample.overdense };
+    history.energy.iter().fold(0.0, larger)
 }
 
 /// Change of the soil volume [%], unless the soil is expected to change it so.

@@ -34,6 +34,8 @@ pub struct BodySetting {
     pub cell: [f64; 3],
     /// Its extent along its own x, y, z [m]; `None` across the slab of plane strain.
     pub extent: [Option<f64>; 3],
+    /// Its thickness along its own y [m], less than the extent of a dished disc; `None` across the slab of plane strain.
+    pub thickness: Option<f64>,
     /// Width of the slab of plane strain [m].
     pub slab: f64,
     /// Diameter of a body that is round in the plane of the tow [m].
@@ -81,6 +83,7 @@ impl BodySetting {
             name: body.name.clone(),
             cell: case.grid.faces.each_ref().map(finest),
             extent,
+            thickness: extent[1].map(|extent| extent.min(body.thickness())),
             slab: case.domain.high.y - case.domain.low.y,
             diameter: body.wheel_diameter(),
             heaves: !matches!(heave, Motion::Fixed),

@@ -55,6 +55,7 @@ fn resolution(case: &Case, body: &Body, notes: &mut Vec<String>) {
     // Of a body that is turned: the sides of its own.
     let (low, high) = body.solid().bounds();
     let mut size = high - low;
+    size.y = size.y.min(body.thickness());
     if case.domain.plane_strain {
         size.y = f64::INFINITY;
     }

@@ -2,7 +2,7 @@
 
 use crate::history::EnergySample;
 use solver::balance;
-use solver::energy::soil_volume;
+use solver::energy::{overdense_portion, soil_volume};
 use solver::model::Model;
 use solver::precision::Precision;
 use solver::state::State;
@@ -23,5 +23,6 @@ pub(super) fn sample<R: Precision>(model: &Model, state: &State<R>) -> EnergySam
         hourglass: terms.hourglass * whole,
         remap_loss: terms.remap * whole,
         volume_ratio: (soil_volume(&model.grid, &state.soil) - terms.inflow_volume) / terms.volume_start,
+        overdense: overdense_portion(model, &state.soil),
     }
 }

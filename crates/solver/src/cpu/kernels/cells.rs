@@ -37,6 +37,8 @@ pub struct MaterialConstants {
     pub(super) yield_law: Option<Law>,
     /// Critical density, below which soil no longer dilates [kg/m³]; 0 for none.
     pub(super) critical_density: Real,
+    /// Density in its densest state without pressure [kg/m³].
+    pub(super) densest: Real,
     pub(super) viscosity: BulkViscosity,
     /// ε ρ c / 4 [kg/(s m²)].
     pub(super) hourglass: Real,
@@ -55,6 +57,7 @@ impl MaterialConstants {
             stiffening: material.stiffening().as_ref().map(Stiffening::cast),
             yield_law: material.yield_law.as_ref().map(Law::cast),
             critical_density: material.critical_density.unwrap_or(0.0) as Real,
+            densest: material.densest() as Real,
             viscosity: BulkViscosity::cast(&material.viscosity(method.bulk_viscosity)),
             hourglass,
         }

@@ -33,6 +33,8 @@ struct Inputs<'a> {
     volume: &'a [Real],
     /// Rows that may hold soil.
     active: &'a [bool],
+    /// Density of soil at rest [kg/m³].
+    density: f64,
 }
 
 /// Removes debris, closes gaps that stand under pressure, returns stresses to the yield surface; in the `active` rows, the
@@ -60,7 +62,15 @@ pub(crate) fn update_after_remap(model: &Model, soil: &mut Soil, workspace: &mut
             WorkerSlice { rows, fraction, mass, stress, history, debris, scratch }
         });
     let constants = RowConstants::new(model, materials, width_x, 0.0);
-    let inputs = Inputs { grid: &model.grid, constants, materials, composition, volume, active };
+    let inputs = Inputs {
+        grid: &model.grid,
+        constants,
+        materials,
+        composition,
+        volume,
+        active,
+        density: model.least_density(),
+    };
     team.distribute(slices, |slice| update_slice(&inputs, slice));
 }
 
@@ -112,6 +122,12 @@ fn new_fractions(
     let (mut debris, is_inside) = ([0.0; 2], grid.is_inside([q, plane]));
     for (i, (volume, fraction)) in volume.iter().zip(fraction).enumerate() {
         *fraction = (f64::from(*volume) / grid.volume(i, q - 1, plane - 1)) as Real;
+        // Loose soil bears no stress: nothing else keeps what falls on it from squeezing it.
+        let at_rest = f64::from(mass[i]) / (inputs.density * grid.volume(i, q - 1, plane - 1));
+        let loose = f64::from(*fraction) <= FRACTION_STRESSED;
+        if loose && at_rest > f64::from(*fraction) {
+            *fraction = at_rest.min(1.0) as Real;
+        }
         if f64::from(*fraction) < FRACTION_KEPT {
             if is_inside && grid.inside(0).contains(&i) {
                 debris[0] += f64::from(*volume);
@@ -160,15 +176,20 @@ fn close_gaps(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
     let (start, n) = (b.start, b.n.min(BLOCK));
     let own = start..start + n;
     let (fraction, gap_strain) = (&cells.fraction[own.clone()], &cells.history[GAP_STRAIN][own.clone()]);
+    let (mass, width) = (&cells.mass[own.clone()], &constants.width_x[own.clone()]);
+    let densest = constants.material.densest * cells.width_y * cells.width_z;
     let stress = cells.stress.each_ref().map(|s| &s[own.clone()]);
     let (bulk, stiffening) = (constants.material.elastic.bulk, constants.material.stiffening);
     for i in 0..n {
         let [xx, yy, zz, xy, yz, xz] = [0, 1, 2, 3, 4, 5].map(|c| stress[c][i]);
-        let gap = if gap_strain[i] > 0.0 { gap_strain[i] } else { 0.0 };
         let pressure = -mean([xx, yy, zz, xy, yz, xz]);
         let bulk = stiffening.map_or(bulk, |stiffening| bulk * stiffening.factor(pressure));
-        let closes = (gap > 0.0) & (pressure > 0.0);
         let most = pressure / bulk;
+        // The mean of two gaps is more than mixed soil can close by, since a gap is a logarithmic strain.
+        let room = densest * width[i] * fraction[i] / mass[i] - 1.0 + most;
+        let gap = if gap_strain[i] < room { gap_strain[i] } else { room };
+        let gap = if gap > 0.0 { gap } else { 0.0 };
+        let closes = (gap > 0.0) & (pressure > 0.0);
         let closed = if gap < most { gap } else { most };
         let relief = bulk * closed;
         b.gap_strain[i] = if closes { gap - closed } else { gap };

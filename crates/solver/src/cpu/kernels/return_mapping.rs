@@ -293,6 +293,7 @@ mod tests {
             elastic: Elastic::new(5e6, 0.3),
             yield_law: None,
             critical_density: 0.0,
+            densest: DENSITY,
             stiffening: None,
             viscosity: BulkViscosity { linear: 0.0, quadratic: 0.0 },
             hourglass: 0.0,
