@@ -3,6 +3,7 @@
 use crate::case::quantity::plain;
 use crate::case::resolved::{Case, StageQuantity, Until};
 use crate::history::{BodySample, History, StageStart};
+use glam::DVec3;
 use mechanics::Motion;
 use solver::error::{Breakdown, Location};
 use solver::model::Model;
@@ -120,10 +121,11 @@ fn too_late<R: Precision>(case: &Case, on: usize, value: f64, state: &State<R>) 
 /// The force or torque [N or N m] that has held a degree of freedom of a body against soil and weight.
 fn support(case: &Case, history: &History, body: usize, motion: usize) -> f64 {
     let now = history.bodies[body].last().copied().unwrap_or_default();
+    let weight = case.gravity * case.bodies[body].whole_mass() * case.slope.down() + DVec3::ZERO;
     match motion {
-        0 => now.drag,
-        1 => -now.lateral,
-        2 => case.gravity * case.bodies[body].whole_mass() - now.vertical,
+        0 => now.drag - weight.x,
+        1 => -now.lateral - weight.y,
+        2 => -weight.z - now.vertical,
         3 => -now.moment_z,
         4 => -now.moment_x,
         _ => -now.axle_torque,

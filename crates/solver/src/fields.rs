@@ -27,16 +27,13 @@ pub struct HistoryVariable {
     pub unit: &'static str,
     /// What it is averaged by.
     pub carrier: Carrier,
-    /// Whether it is kept where the stress is cut off, in cells with hardly any soil; otherwise it is set to
-    /// zero there.
-    pub outlives_stress: bool,
     /// Whether only laws that remember need it (see [`physics::yield_law::YieldLaw::REMEMBERS`]); without such a material its
     /// array is empty.
     pub is_memory: bool,
 }
 
 macro_rules! history {
-    ($($(#[$doc:meta])* $name:ident = $file:literal [$unit:literal] by $carrier:ident, outlives_stress: $outlives:literal, is_memory: $memory:literal;)*) => {
+    ($($(#[$doc:meta])* $name:ident = $file:literal [$unit:literal] by $carrier:ident, is_memory: $memory:literal;)*) => {
         // Numbers the variables; its variants bear the names of the constants below.
         #[allow(non_camel_case_types, clippy::upper_case_acronyms)]
         enum Number { $($name,)* Count }
@@ -48,7 +45,6 @@ macro_rules! history {
             name: $file,
             unit: $unit,
             carrier: Carrier::$carrier,
-            outlives_stress: $outlives,
             is_memory: $memory,
         },)*];
     };
@@ -56,15 +52,15 @@ macro_rules! history {
 
 history! {
     /// Equivalent plastic strain ∫√(⅔ ε̇ₚ:ε̇ₚ) dt.
-    PLASTIC_STRAIN = "plastic_strain" [""] by Volume, outlives_stress: true, is_memory: false;
+    PLASTIC_STRAIN = "plastic_strain" [""] by Volume, is_memory: false;
     /// Stress-free volumetric opening that must close before pressure can build up.
-    GAP_STRAIN = "gap" [""] by Volume, outlives_stress: false, is_memory: false;
+    GAP_STRAIN = "gap" [""] by Volume, is_memory: false;
     /// Largest stress ratio q/(g p) that the sand has mobilised.
-    STRESS_RATIO = "mobilised_stress_ratio" [""] by Volume, outlives_stress: false, is_memory: true;
+    STRESS_RATIO = "mobilised_stress_ratio" [""] by Volume, is_memory: true;
     /// Preconsolidation pressure: the largest mean pressure that the sand has borne.
-    PRECONSOLIDATION = "preconsolidation_pressure" ["Pa"] by Volume, outlives_stress: false, is_memory: true;
+    PRECONSOLIDATION = "preconsolidation_pressure" ["Pa"] by Volume, is_memory: true;
     /// Relative density averaged over the characteristic length, over-weighted, less that of the cell.
-    NONLOCAL_DENSITY = "nonlocal_density" [""] by Volume, outlives_stress: false, is_memory: true;
+    NONLOCAL_DENSITY = "nonlocal_density" [""] by Volume, is_memory: true;
 }
 
 /// Fields of the cells. Each array covers the grid with its ghosts (see [`Grid::index`]).

@@ -240,21 +240,25 @@ fn weigh<R: Scalar>(model: &Model, grid: &Grid, soil: &mut Soil<R>) {
 }
 
 /// Stresses at rest: σ_z from the discrete balance of each node, from the top down, `f_k σ_k = f_{k+1} σ_{k+1} −
-/// (m_k + m_{k+1}) g / 2A`, so that the first step moves nothing; σ_x = σ_y = K₀ σ_z. Taken before the bodies' space is
+/// (m_k + m_{k+1}) g / 2A`, so that the first step moves nothing; σ_x = σ_y = K₀ σ_z, and on a slope τ_xz and τ_yz likewise from g_x and
+/// g_y, for ground that is uniform along them. Taken before the bodies' space is
 /// cut out: soil beside and under a body that starts in it bears what it bore before the body was there.
 fn rest_stress<R: Scalar>(model: &Model, grid: &Grid, soil: &mut Soil<R>, overburden: f64) {
     let [nx, ny, nz] = grid.cells();
+    let gravity = model.soil_gravity * model.down;
     for j in 0..ny {
         for i in 0..nx {
             let area = grid.width(0, i) * grid.width(1, j);
-            let (mut force, mut mass_above) = (0.0, 0.0);
+            let (mut force, mut mass_above) = (DVec3::ZERO, 0.0);
             for k in (0..nz).rev() {
                 let c = grid.index(i, j, k);
                 let (mass, fraction): (f64, f64) = (soil.mass[c].to_f64(), soil.fraction[c].to_f64());
-                force -= 0.5 * (mass + mass_above) * model.soil_gravity;
+                force += 0.5 * (mass + mass_above) * gravity;
                 mass_above = mass;
                 if fraction > 0.0 {
-                    let vertical = force / (area * fraction) - overburden;
+                    let [xz, yz, vertical] = (force / (area * fraction)).to_array();
+                    let vertical = vertical - overburden;
+                    (soil.stress[4][c], soil.stress[5][c]) = (R::cast(yz), R::cast(xz));
                     soil.stress[2][c] = R::cast(vertical);
                     soil.stress[0][c] = R::cast(model.materials[soil.main_material(c)].k0 * vertical);
                     soil.stress[1][c] = soil.stress[0][c];

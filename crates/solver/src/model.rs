@@ -17,8 +17,10 @@ pub struct Model {
     pub grid: Grid,
     /// What the soil is made of; at least one.
     pub materials: Vec<Material>,
-    /// Acceleration of gravity [m/s²], downwards; on the bodies.
+    /// Acceleration of gravity [m/s²]; on the bodies.
     pub gravity: f64,
+    /// Unit vector along which gravity acts: −z, or tilted where z is normal to the surface of a slope.
+    pub down: DVec3,
     /// Weight of the soil over its mass, γ/ρ [m/s²]; not that of gravity where the soil is taken to be weightless.
     pub soil_gravity: f64,
     /// Height of the undisturbed surface of the soil [m].
@@ -171,8 +173,6 @@ impl Default for Method {
     }
 }
 
-/// Cells with less soil than this bear no stress: their strain rate is the void's, not the soil's.
-pub const FRACTION_STRESSED: f64 = 1e-3;
 /// Less soil than this is taken out of a cell after a remap (and counted).
 pub const FRACTION_KEPT: f64 = 1e-6;
 
@@ -190,6 +190,7 @@ impl Model {
             grid,
             materials: vec![material],
             gravity: 0.0,
+            down: DVec3::NEG_Z,
             soil_gravity: 0.0,
             surface: 0.0,
             ground: Ground::default(),

@@ -34,6 +34,7 @@ pub mod resources;
 mod rigid_body;
 mod schema;
 pub mod shapes;
+pub mod slope;
 mod stage;
 mod toml_tree;
 mod tree;

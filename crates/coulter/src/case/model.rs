@@ -25,6 +25,7 @@ pub fn model(case: &Case, lanes: usize) -> Model {
             .with_aspect(case.grid.aspect),
         materials: vec![material(&case.soil)],
         gravity: case.gravity,
+        down: case.slope.down(),
         soil_gravity: if case.soil.unit_weight > 0.0 {
             case.soil.unit_weight / case.soil.density
         } else {

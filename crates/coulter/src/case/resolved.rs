@@ -3,6 +3,7 @@
 
 pub use super::joint::{GROUND, Joint, JointKind};
 pub use super::rigid_body::{Attitude, Body, MOTIONS, Part, Staged};
+use super::slope::Slope;
 use super::stage;
 pub use super::stage::{Change, MotionTable, Stage, StageQuantity, Until};
 use glam::DVec3;
@@ -19,6 +20,9 @@ pub struct Case {
     pub title: String,
     /// Acceleration of gravity, downwards [m/s²]. May be 0 (weightless soil).
     pub gravity: f64,
+    /// Slope of the ground, in whose surface x and y lie.
+    #[serde(skip_serializing_if = "Slope::is_level")]
+    pub slope: Slope,
     /// The soil.
     pub soil: Soil,
     /// Where there is soil at the start.
@@ -84,6 +88,12 @@ impl Case {
             }
         }
         Ok(case)
+    }
+
+    /// Acceleration of gravity normal to the surface of the ground [m/s²].
+    #[must_use]
+    pub fn normal_gravity(&self) -> f64 {
+        self.gravity * self.slope.cosine()
     }
 
     /// The bodies that have a surface, which the soil can touch, with their numbers.

@@ -34,6 +34,9 @@ pub struct ModelInput {
 /// # Errors
 /// The reason, in words, why they do not apply.
 pub fn model_input(case: &Case) -> Result<ModelInput, String> {
+    if !case.slope.is_level() {
+        return Err("the ground slopes, and the closed forms are for level ground; run the solver".into());
+    }
     let mut remarks = Vec::new();
     let staged = case.steady_stage().map(|_| case.in_steady_stage()).transpose()?;
     if let Some(stage) = case.steady_stage() {

@@ -26,7 +26,8 @@ pub(super) fn checks(setting: &Setting, history: &History) -> Vec<Check> {
 
 /// Largest portion of the soil's mass at any time that is denser than it can be.
 fn most_overdense(history: &History) -> f64 {
-    let larger = |most: f64, sample: &EnergySample| if sample.overdense <= most { most } else { sample.overdense };
+    let larger =
+        |most: f64, sample: &EnergySample| if sample.overdense <= most { most } else { sample.overdense };
     history.energy.iter().fold(0.0, larger)
 }
 

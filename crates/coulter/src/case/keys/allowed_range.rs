@@ -2,7 +2,7 @@
 //! there.
 
 use solver::cpu::threads::MAX_WORKERS;
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// An end of a range.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,6 +54,11 @@ pub(super) const TILT: AllowedRange = AllowedRange {
     low: Inclusive(-FRAC_PI_2),
     high: Inclusive(FRAC_PI_2),
     why: "beyond 90° the axle points back; turn the body by yaw instead",
+};
+pub(super) const SLOPE: AllowedRange = AllowedRange {
+    low: Inclusive(-FRAC_PI_4),
+    high: Inclusive(FRAC_PI_4),
+    why: "no sand rests on a steeper one",
 };
 pub(super) const GROWTH: AllowedRange = from(Inclusive(1.0), Inclusive(1.5));
 pub(super) const ASPECT: AllowedRange =

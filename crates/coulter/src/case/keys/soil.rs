@@ -1,7 +1,7 @@
 //! Keys of the soil, of the box round it and of the grid.
 
 use super::allowed_range::{
-    ACUTE, ASPECT, BELOW_HALF, ECCENTRICITY, GROWTH, NOT_NEGATIVE, POSITIVE, RELATIVE_DENSITY,
+    ACUTE, ASPECT, BELOW_HALF, ECCENTRICITY, GROWTH, NOT_NEGATIVE, POSITIVE, RELATIVE_DENSITY, SLOPE,
 };
 use super::default_value::DefaultValue::{Derived, Flag, Number, Quantity, Ratios, Required, Walls, Word};
 use super::key::{Key, Kind, key};
@@ -40,6 +40,8 @@ pub(super) const SOIL: &[Key] = &[
 
 pub(super) const GROUND: &[Key] = &[
     key("surface", Kind::Quantity(LENGTH), Quantity("0 m"), "Height of the level soil surface."),
+    key("slope", Kind::Quantity(ANGLE), Quantity("0 deg"), "Angle of the slope along x, uphill positive: x and y lie in the surface, z is normal to it, and gravity is tilted.").within(SLOPE),
+    key("cross_slope", Kind::Quantity(ANGLE), Quantity("0 deg"), "The same along y.").within(SLOPE),
     key(
         "x",
         Kind::Range(LENGTH),
@@ -93,8 +95,18 @@ pub(super) const DOMAIN: &[Key] = &[
     key("symmetric", Kind::Flag, Flag(false), "Model only y ≥ 0; y = 0 is a plane of symmetry."),
     key("symmetric_x", Kind::Flag, Flag(false), "Model only x ≥ 0; x = 0 is a plane of symmetry."),
     key("plane_strain", Kind::Flag, Flag(false), "Model a slab that is one cell thick in y."),
-    key("x_walls", Kind::WallPair, Walls(["smooth", "smooth"]), "Walls at the low and the high end of x."),
-    key("y_walls", Kind::WallPair, Walls(["smooth", "smooth"]), "Walls at the low and the high end of y."),
+    key(
+        "x_walls",
+        Kind::WallPair,
+        Walls(["smooth", "smooth"]),
+        "Walls at the low and the high end of x; `fixed` by default where ground.slope is given.",
+    ),
+    key(
+        "y_walls",
+        Kind::WallPair,
+        Walls(["smooth", "smooth"]),
+        "Walls at the low and the high end of y; `fixed` by default where ground.cross_slope is given.",
+    ),
     key("z_walls", Kind::WallPair, Walls(["fixed", "smooth"]), "Floor and lid."),
 ];
 

@@ -35,7 +35,8 @@ pub(super) fn body(
         let message = format!("[{}] moves freely{carried} but its weight is not given", section.path);
         problems.add(&section.path, message, "add  weight = \"40 N\"  or  mass = \"4 kg\"");
     }
-    let support = [0.0, 0.0, context.gravity * mass.unwrap_or(0.0), 0.0, 0.0];
+    let [along, across, normal] = context.support(mass.unwrap_or(0.0)).to_array();
+    let support = [along, across, normal, 0.0, 0.0];
     let mut freedom = |n: usize| motion::freedom((section, n), typed[n].as_ref(), support[n], problems);
     let [forward, lateral, heave, yaw, tilt] = std::array::from_fn(&mut freedom);
     let radius = shape.as_ref().and_then(|shape| shape.rolling_diameter()).map(|diameter| 0.5 * diameter);

@@ -5,12 +5,15 @@ use crate::case::problem::Problems;
 use crate::case::resolved::Law;
 use crate::case::rigid_body::planes_forbid;
 use crate::case::shapes::slab::Slab;
+use crate::case::slope::Slope;
 use glam::DVec3;
 
 /// What the sections of a case have in common.
 pub(super) struct Context {
     /// Acceleration of gravity [m/s²].
     pub(super) gravity: f64,
+    /// Slope of the ground.
+    pub(super) slope: Slope,
     /// Cell size in the fine zone [m].
     pub(super) cell: f64,
     /// Widths of the cells in the fine zone along x, y, z over it.
@@ -32,6 +35,12 @@ impl Context {
     /// Widths along x, y, z of the cells in the fine zone [m].
     pub(super) fn fine_cell(&self) -> DVec3 {
         self.cell * self.aspect
+    }
+
+    /// Force along x, y, z that holds a mass [kg] against gravity [N].
+    pub(super) fn support(&self, mass: f64) -> DVec3 {
+        // Adding zero makes −0 a plain one.
+        -mass * self.gravity * self.slope.down() + DVec3::ZERO
     }
 
     /// Whether a plane of symmetry or of strain forbids a motion, by its number in [`crate::case::resolved::MOTIONS`].

@@ -62,7 +62,7 @@ pub(super) fn domain(
         None => range(section, "y", default.map(|u| [low_y.max(u.low.y), u.high.y]), problems),
     };
     let z = range(section, "z", default.map(|u| [u.low.z, u.high.z]), problems);
-    let walls = walls(section);
+    let walls = walls(section, context);
     let ([x0, x1], [y0, y1], [z0, z1]) = (x?, y?, z?);
     let (low, high) = (DVec3::new(x0, y0, z0), DVec3::new(x1, y1, z1));
     let plane_strain = context.slab.is_some();
@@ -71,9 +71,19 @@ pub(super) fn domain(
     checked(domain, problems, validate::domain::domain)
 }
 
-fn walls(section: &Section) -> Option<[[Wall; 2]; 3]> {
+/// The walls; across the slope of the ground they are fixed unless they are given, since smooth ones bear no shear stress.
+fn walls(section: &Section, context: &Context) -> Option<[[Wall; 2]; 3]> {
     let mut walls = [[Wall::Smooth; 2]; 3];
-    for (pair, key) in walls.iter_mut().zip(["x_walls", "y_walls", "z_walls"]) {
+    let [along, across] = context.slope.angles().map(|angle| angle != 0.0);
+    // What lies in a plane of symmetry is refused later, with the slope.
+    let along = along && !context.symmetric_x;
+    let across = across && !context.symmetric && context.slab.is_none();
+    let keys = [("x_walls", along), ("y_walls", across), ("z_walls", false)];
+    for (pair, (key, slopes)) in walls.iter_mut().zip(keys) {
+        if slopes && !section.has(key) {
+            *pair = [Wall::Fixed; 2];
+            continue;
+        }
         for (wall, word) in pair.iter_mut().zip(section.words(key)?) {
             *wall = if word == "fixed" { Wall::Fixed } else { Wall::Smooth };
         }

@@ -4,9 +4,15 @@ use super::context::checked;
 use crate::case::missing::range;
 use crate::case::problem::Problems;
 use crate::case::resolved::{Domain, Ground, Soil};
+use crate::case::slope::Slope;
 use crate::case::typed::Section;
 use crate::case::validate;
 use glam::DVec3;
+
+/// Its slope; `None` where it cannot be read.
+pub(super) fn slope(section: &Section) -> Option<Slope> {
+    Some(Slope { along: section.number("slope")?, across: section.number("cross_slope")? })
+}
 
 /// Where there is soil.
 pub(super) fn ground(

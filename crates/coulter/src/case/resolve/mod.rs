@@ -28,6 +28,7 @@ use super::resolved::{
     Body, Case, Contact, Joint, Law, MOTIONS, MotionTable, Numerics, Precision, Soil, Stage,
 };
 use super::shapes::slab::Slab;
+use super::slope::Slope;
 use super::typed::{Schema, Section};
 use super::validate;
 use context::{Context, checked};
@@ -36,7 +37,8 @@ use glam::DVec3;
 /// The case that was typed, or `None` with problems added.
 pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problems) -> Option<Case> {
     let gravity = schema.top.number("gravity");
-    let soil = gravity.and_then(|g| soil::soil(&schema.soil, g, problems));
+    let slope = ground::slope(&schema.ground);
+    let soil = gravity.and_then(|g| soil::soil(&schema.soil, (g, slope.unwrap_or_default()), problems));
     let numerics = numerics(&schema.numerics, &schema.soil);
     let context = gravity.and_then(|g| context(schema, g, soil.as_ref().map(|s| s.law), problems));
     let bodies = context.as_ref().and_then(|context| bodies(schema, context, problems));
@@ -69,6 +71,7 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
         title: schema.top.text("title").unwrap_or_else(|| name.clone()),
         name,
         gravity: gravity?,
+        slope: slope?,
         soil,
         ground,
         overburden,
@@ -94,7 +97,7 @@ pub(super) fn soil_alone(
 ) -> Option<(String, Soil)> {
     let gravity = schema.top.number("gravity");
     let gravity = gravity.filter(|g| in_range("gravity", *g, problems));
-    let soil = gravity.and_then(|g| soil::soil(&schema.soil, g, problems));
+    let soil = gravity.and_then(|g| soil::soil(&schema.soil, (g, Slope::default()), problems));
     Some((name(&schema.top, source_name, problems)?, soil?))
 }
 
@@ -117,7 +120,8 @@ fn context(schema: &Schema, gravity: f64, law: Option<Law>, problems: &mut Probl
     };
     let velocity = ground::typed_velocity(&schema.ground);
     let surface = surface?;
-    Some(Context { gravity, cell, aspect, surface, symmetric, symmetric_x, law, velocity, slab })
+    let slope = ground::slope(&schema.ground)?;
+    Some(Context { gravity, slope, cell, aspect, surface, symmetric, symmetric_x, law, velocity, slab })
 }
 
 /// All bodies, or `None` if any of them is wrong.
@@ -155,7 +159,7 @@ fn parts(
     weld::sections(&schema.bodies, problems);
     let joints = joint::joints(&schema.joints, &bodies, context, problems)?;
     let (mut bodies, joints) = weld::weld(&schema.bodies, bodies, joints, problems)?;
-    let stages = stages::stages(&schema.stages, &bodies, context.gravity, problems)?;
+    let stages = stages::stages(&schema.stages, &bodies, context, problems)?;
     stages::guide(&stages, &mut bodies, context.surface);
     let bodies = joint::guide_all(&joints, bodies, problems)?;
     Some((bodies, joints, stages))

@@ -4,6 +4,7 @@ use super::context::checked;
 use crate::case::missing::{missing, required};
 use crate::case::problem::Problems;
 use crate::case::resolved::{Law, Potential, Soil};
+use crate::case::slope::Slope;
 use crate::case::typed::Section;
 use crate::case::validate;
 use physics::menetrey_willam::Eccentricity;
@@ -34,8 +35,12 @@ const SAND: [&str; 10] = [
 const UNDRAINED: [&str; 1] = ["shear_strength"];
 const METAL: [&str; 2] = ["yield_stress", "hardening_modulus"];
 
-/// The soil under `gravity` [m/s²].
-pub(super) fn soil(section: &Section, gravity: f64, problems: &mut Problems) -> Option<Soil> {
+/// The soil under gravity [m/s²] on a slope.
+pub(super) fn soil(
+    section: &Section,
+    (gravity, slope): (f64, Slope),
+    problems: &mut Problems,
+) -> Option<Soil> {
     let young_modulus = required(section, "young_modulus", problems);
     let poisson_ratio = section.number("poisson_ratio");
     let law = law(section, problems).and_then(|law| checked(law, problems, validate::soil::law));
@@ -47,7 +52,7 @@ pub(super) fn soil(section: &Section, gravity: f64, problems: &mut Problems) -> 
         (young_modulus?, poisson_ratio?, weight?, law?);
     let elastic = poisson_ratio / (1.0 - poisson_ratio);
     let at_rest = law.friction_angle().map_or(elastic, |friction_angle| 1.0 - friction_angle.sin());
-    let k0 = section.number_or("k0", at_rest)?;
+    let k0 = section.number_or("k0", slope.k0(at_rest, &law))?;
     let soil = Soil { law, density, unit_weight, young_modulus, poisson_ratio, k0 };
     checked(soil, problems, validate::soil::soil)
 }

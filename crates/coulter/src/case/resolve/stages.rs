@@ -1,5 +1,6 @@
 //! The stages of a run: what moves how in each of them, and where prescribed motions take the bodies.
 
+use super::context::Context;
 use super::motion;
 use crate::case::missing::missing;
 use crate::case::names::nearest;
@@ -8,6 +9,7 @@ use crate::case::problem::Problems;
 use crate::case::resolved::{Body, Change, MOTIONS, Motion, Stage, StageQuantity, Staged, Until};
 use crate::case::stage;
 use crate::case::typed::Section;
+use glam::DVec3;
 
 /// How long a motion takes to come to a halt that is written as a word [s].
 const HALT: f64 = 0.02;
@@ -31,7 +33,7 @@ fn of_body(section: &Section) -> &str {
 pub(super) fn stages(
     sections: &[Section],
     bodies: &[Body],
-    gravity: f64,
+    context: &Context,
     problems: &mut Problems,
 ) -> Option<Vec<Stage>> {
     let mut now: Vec<[Motion; 6]> = bodies.iter().map(Body::motions).collect();
@@ -42,8 +44,9 @@ pub(super) fn stages(
             let body = number_of(of_body(inner), &inner.path, bodies, problems);
             let Some(body) = body else { continue };
             // Only at the start does a support stand for what carries the body: later it is known from the run.
-            let weight = if number == 0 { gravity * bodies[body].whole_mass() } else { 0.0 };
-            changes.extend(body_changes(inner, (body, &bodies[body]), &mut now[body], weight, problems));
+            let mass = if number == 0 { bodies[body].whole_mass() } else { 0.0 };
+            let held = context.support(mass);
+            changes.extend(body_changes(inner, (body, &bodies[body]), &mut now[body], held, problems));
         }
         if !section.has("duration") {
             missing(section, "duration", problems);
@@ -91,7 +94,7 @@ fn body_changes(
     section: &Section,
     (number, body): (usize, &Body),
     now: &mut [Motion; 6],
-    weight: f64,
+    held: DVec3,
     problems: &mut Problems,
 ) -> Vec<Change> {
     let mut changes = Vec::new();
@@ -102,7 +105,7 @@ fn body_changes(
             problems.add(section.at(key), message, "remove `end`; the next stage says what follows");
             continue;
         }
-        let support = if n == 2 { weight } else { 0.0 };
+        let support = if n < 3 { held[n] } else { 0.0 };
         let read = if n == 5 {
             let radius = body.wheel_diameter().map(|diameter| 0.5 * diameter);
             let [forward, lateral] = [0, 1].map(|n| Some(now[n].clone()));

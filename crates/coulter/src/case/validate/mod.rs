@@ -70,6 +70,7 @@ fn parts(case: &Case, problems: &mut Problems) {
     domain::ground_numbers(&case.ground, problems);
     domain::velocity_numbers(case.velocity, problems);
     soil::overburden_number(case.overburden, problems);
+    soil::slope_numbers(&case.slope, problems);
     grid::grid(&case.grid, &case.domain, problems);
 }
 
@@ -78,6 +79,7 @@ fn fits_together(case: &Case, problems: &mut Problems) {
     domain::ground(&case.ground, &case.domain, problems);
     domain::velocity(case.velocity, &case.domain, problems);
     soil::overburden(case.overburden, &case.soil, case.ground.surface(), &case.domain, problems);
+    soil::slope(case, problems);
     fit::bodies_fit(&Paths::of(case), &case.domain, problems);
     follow::follow(case, problems);
 }

@@ -3,7 +3,8 @@
 use crate::case::numbers::in_range;
 use crate::case::problem::Problems;
 use crate::case::quantity::plain;
-use crate::case::resolved::{Domain, Law, Potential, Soil};
+use crate::case::resolved::{Case, Domain, Ground, Law, Potential, Soil, Wall};
+use crate::case::slope::{self, Slope};
 
 /// Reports what is wrong with the soil.
 pub(in crate::case) fn soil(soil: &Soil, problems: &mut Problems) {
@@ -167,21 +168,59 @@ pub(in crate::case) fn overburden(
         return;
     }
     let ratio = soil.k0;
-    let [max, min] = [ratio.max(1.0) * overburden, ratio.min(1.0) * overburden];
-    let is_sustained = match soil.law {
-        Law::Elastic => true,
-        // Less than at the peak, where shear only hardens it.
-        Law::Sand { critical_friction_angle, .. } => max - min <= (max + min) * critical_friction_angle.sin(),
-        Law::Tresca { shear_strength } => max - min <= 2.0 * shear_strength,
-        Law::VonMises { yield_stress, .. } => max - min <= yield_stress,
-        Law::MohrCoulomb { friction_angle, cohesion, .. } => {
-            let (sin, cos) = friction_angle.sin_cos();
-            max - min <= (max + min) * sin + 2.0 * cohesion * cos
-        }
-    };
+    let is_sustained = slope::sustains(&soil.law, [ratio.max(1.0), ratio.min(1.0)].map(|r| r * overburden));
     if !is_sustained {
         let message =
             format!("the soil cannot sustain this overburden with K₀ = {ratio:.3}: it would fail at once");
         problems.add(OVERBURDEN, message, "add  k0 = 1  to [soil], or lower the overburden");
     }
 }
+
+/// Reports a slope on which the soil does not rest, or that its boundaries contradict.
+pub(super) fn slope(case: &Case, problems: &mut Problems) {
+    let slope = case.slope;
+    if slope.is_level() {
+        return;
+    }
+    let Domain { symmetric, symmetric_x, plane_strain, walls, .. } = case.domain;
+    let planes = [(SLOPE, symmetric_x), (CROSS_SLOPE, symmetric || plane_strain)];
+    let opened = |axis: usize| case.grid.follow.is_some_and(|follow| follow.axes[axis]);
+    for (axis, ((key, is_plane), angle)) in planes.into_iter().zip(slope.angles()).enumerate() {
+        if angle == 0.0 {
+            continue;
+        }
+        if is_plane {
+            let message = "gravity acts across a plane of symmetry or of plane strain";
+            problems.add(key, message, "model the whole width, or remove the slope");
+        } else if walls[axis].contains(&Wall::Smooth) && !opened(axis) {
+            let path = ["domain.x_walls", "domain.y_walls"][axis];
+            let message = "a smooth wall across a slope cannot bear the shear stress of the soil beside it";
+            problems.add(path, message, "remove it: walls across a slope are fixed");
+        }
+    }
+    if case.soil.unit_weight == 0.0 || !matches!(case.ground, Ground::Level { .. }) {
+        return;
+    }
+    let depth = case.ground.surface() - case.domain.low.z;
+    let normal = case.soil.unit_weight * slope.cosine() * depth + case.overburden;
+    let stresses = slope.principal_stresses(case.soil.k0).map(|ratio| ratio * normal);
+    if !slope::sustains(&case.soil.law, stresses) {
+        let message =
+            format!("the soil does not rest on a slope of {:.1}°: it would slide at once", steepest(&slope));
+        let cure = "make the slope gentler than the friction angle, or, with cohesion or undrained strength, the soil less deep";
+        problems.add(if slope.along == 0.0 { CROSS_SLOPE } else { SLOPE }, message, cure);
+    }
+}
+
+fn steepest(slope: &Slope) -> f64 {
+    slope.tangent().atan().to_degrees()
+}
+
+/// Reports angles of a slope that are out of range.
+pub(super) fn slope_numbers(slope: &Slope, problems: &mut Problems) {
+    in_range(SLOPE, slope.along, problems);
+    in_range(CROSS_SLOPE, slope.across, problems);
+}
+
+const SLOPE: &str = "ground.slope";
+const CROSS_SLOPE: &str = "ground.cross_slope";

@@ -154,7 +154,7 @@ pub struct Block {
     pub(super) gap_strain: Lane,
     /// Volumetric rate [1/s].
     pub(super) rate: Lane,
-    /// 1 where the soil bears stress; 0 in void, in loose soil and at an open gap.
+    /// 1 where the soil bears stress; 0 in void and at an open gap.
     pub(super) bears_stress: Lane,
     /// 1 where the trial stress may lie outside the yield surface.
     pub(super) yields: Lane,

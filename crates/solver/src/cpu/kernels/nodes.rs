@@ -11,8 +11,10 @@ use multiversion::multiversion;
 pub(crate) struct NodeConstants {
     /// Time step [s].
     dt: Real,
-    /// Gravity, downwards [m/s²].
-    gravity: Real,
+    /// Gravity along x, y, z [m/s²].
+    gravity: [Real; 3],
+    /// Whether it acts along x or y, too.
+    is_tilted: bool,
     /// Mass above which a node moves [kg].
     mass_moved: Real,
     /// Nodes lighter than this [kg] may move farther before a remap is due: otherwise a few grains in flight
@@ -27,10 +29,11 @@ impl NodeConstants {
         /// Fraction of the mass of a full node.
         const LIGHT: f64 = 0.02;
         let light = LIGHT * model.least_density() * model.least_volume();
-        let [dt, gravity, mass_moved, light] =
-            [dt, model.soil_gravity, model.mass_moved(), light].map(|x| x as Real);
+        let [dt, mass_moved, light] = [dt, model.mass_moved(), light].map(|x| x as Real);
+        let gravity = (model.soil_gravity * model.down).to_array().map(|g| g as Real);
+        let is_tilted = gravity[0] != 0.0 || gravity[1] != 0.0;
         let per_aspect = model.grid.aspect().to_array().map(|a| (1.0 / a) as Real);
-        Self { dt, gravity, mass_moved, light, per_aspect }
+        Self { dt, gravity, is_tilted, mass_moved, light, per_aspect }
     }
 }
 
@@ -108,8 +111,8 @@ pub(crate) fn move_row(constants: &NodeConstants, nodes: &mut NodeRow, (sum, str
     let sum_of = |q: usize| &sum[q * stride + 1..][..n];
     for q in 0..3 {
         let inputs = [nodes.mass, nodes.before[q], sum_of(q), sum_of(NODE_SUMS - 1)];
-        let gravity = if q == 2 { -constants.gravity * constants.dt } else { 0.0 };
-        move_component(constants, inputs, gravity, nodes.displacement[q], nodes.velocity[q]);
+        let gain = constants.gravity[q] * constants.dt;
+        move_component(constants, inputs, gain, nodes.displacement[q], nodes.velocity[q]);
     }
 }
 
@@ -146,6 +149,9 @@ pub(crate) fn finish_row(
     let (heavy, rest) = rest.split_at_mut(n);
     let light = &mut rest[..n];
     measure_nodes(constants, nodes, gravity, kinetic, [heavy, light]);
+    if constants.is_tilted {
+        add_tilted(constants, nodes, gravity);
+    }
     sums.gravity = lane_sum(gravity);
     sums.kinetic = lane_sum(kinetic);
     sums.displacement = lane_max(heavy).into();
@@ -168,7 +174,7 @@ fn measure_nodes(
     let [ux, uy, uz] = nodes.displacement.each_ref().map(|u| &u[..n]);
     let (kinetic, heavy, light) = (&mut kinetic[..n], &mut heavy[..n], &mut light[..n]);
     let [per_x, per_y, per_z] = constants.per_aspect;
-    let velocity_gain = -constants.gravity * constants.dt;
+    let velocity_gain = constants.gravity[2] * constants.dt;
     for i in 0..n {
         gravity[i] = velocity_gain * mass[i] * down[i];
         kinetic[i] = 0.5 * mass[i] * (vx[i] * vx[i] + vy[i] * vy[i] + vz[i] * vz[i]);
@@ -178,5 +184,17 @@ fn measure_nodes(
         let is_heavy = mass[i] > constants.light;
         heavy[i] = if is_heavy { u } else { 0.0 };
         light[i] = if is_heavy { 0.0 } else { u };
+    }
+}
+
+/// Adds the work of gravity along x and y to that along z.
+#[inline(always)]
+fn add_tilted(constants: &NodeConstants, nodes: &NodeRow, gravity: &mut [Real]) {
+    let n = gravity.len();
+    let mass = &nodes.mass[..n];
+    let [x, y] = [0, 1].map(|q| constants.gravity[q] * constants.dt);
+    let (along, across) = (&nodes.before[0][..n], &nodes.before[1][..n]);
+    for i in 0..n {
+        gravity[i] += mass[i] * (x * along[i] + y * across[i]);
     }
 }

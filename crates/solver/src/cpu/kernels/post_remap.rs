@@ -4,9 +4,9 @@ use super::cells::{BLOCK, Block, CellRow, MaterialConstants, RowConstants, cells
 use super::physics::tensor::mean;
 use super::return_mapping::apply;
 use super::{Real, Soil, WorkerScratch, Workspace};
-use crate::fields::{GAP_STRAIN, HISTORY, HISTORY_COUNT, main_material};
+use crate::fields::{GAP_STRAIN, HISTORY_COUNT, main_material};
 use crate::grid::Grid;
-use crate::model::{FRACTION_KEPT, FRACTION_STRESSED, Model};
+use crate::model::{FRACTION_KEPT, Model};
 use multiversion::multiversion;
 use std::ops::Range;
 
@@ -33,8 +33,6 @@ struct Inputs<'a> {
     volume: &'a [Real],
     /// Rows that may hold soil.
     active: &'a [bool],
-    /// Density of soil at rest [kg/m³].
-    density: f64,
 }
 
 /// Removes debris, closes gaps that stand under pressure, returns stresses to the yield surface; in the `active` rows, the
@@ -62,15 +60,7 @@ pub(crate) fn update_after_remap(model: &Model, soil: &mut Soil, workspace: &mut
             WorkerSlice { rows, fraction, mass, stress, history, debris, scratch }
         });
     let constants = RowConstants::new(model, materials, width_x, 0.0);
-    let inputs = Inputs {
-        grid: &model.grid,
-        constants,
-        materials,
-        composition,
-        volume,
-        active,
-        density: model.least_density(),
-    };
+    let inputs = Inputs { grid: &model.grid, constants, materials, composition, volume, active };
     team.distribute(slices, |slice| update_slice(&inputs, slice));
 }
 
@@ -122,12 +112,6 @@ fn new_fractions(
     let (mut debris, is_inside) = ([0.0; 2], grid.is_inside([q, plane]));
     for (i, (volume, fraction)) in volume.iter().zip(fraction).enumerate() {
         *fraction = (f64::from(*volume) / grid.volume(i, q - 1, plane - 1)) as Real;
-        // Loose soil bears no stress: nothing else keeps what falls on it from squeezing it.
-        let at_rest = f64::from(mass[i]) / (inputs.density * grid.volume(i, q - 1, plane - 1));
-        let loose = f64::from(*fraction) <= FRACTION_STRESSED;
-        if loose && at_rest > f64::from(*fraction) {
-            *fraction = at_rest.min(1.0) as Real;
-        }
         if f64::from(*fraction) < FRACTION_KEPT {
             if is_inside && grid.inside(0).contains(&i) {
                 debris[0] += f64::from(*volume);
@@ -197,11 +181,11 @@ fn close_gaps(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
         b.trial[1][i] = if closes { yy + relief } else { yy };
         b.trial[2][i] = if closes { zz + relief } else { zz };
         (b.trial[3][i], b.trial[4][i], b.trial[5][i]) = (xy, yz, xz);
-        b.bears_stress[i] = if fraction[i] > FRACTION_STRESSED as Real { 1.0 } else { 0.0 };
+        b.bears_stress[i] = if fraction[i] > 0.0 { 1.0 } else { 0.0 };
     }
 }
 
-/// Loose soil bears no stress and keeps no gap; where no soil is left nothing is remembered.
+/// Stores stress and gap; where no soil is left nothing is remembered.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn put_back(cells: &mut CellRow, b: &Block) {
     let (start, n) = (b.start, b.n.min(BLOCK));
@@ -213,13 +197,10 @@ fn put_back(cells: &mut CellRow, b: &Block) {
         }
     }
     cells.history[GAP_STRAIN][own.clone()].copy_from_slice(&b.gap_strain[..n]);
-    let fraction = &cells.fraction[own.clone()];
-    let needed = cells.history.iter_mut().zip(HISTORY).filter(|(history, _)| !history.is_empty());
-    for (history, variable) in needed {
+    for history in cells.history.iter_mut().filter(|history| !history.is_empty()) {
         let history = &mut history[own.clone()];
         for i in 0..n {
-            let stays = if variable.outlives_stress { fraction[i] } else { b.bears_stress[i] };
-            history[i] = if stays > 0.0 { history[i] } else { 0.0 };
+            history[i] = if b.bears_stress[i] > 0.0 { history[i] } else { 0.0 };
         }
     }
 }

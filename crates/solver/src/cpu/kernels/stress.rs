@@ -16,7 +16,6 @@ use super::{LANES, Real};
 use crate::cpu::stopwatch::{Stage, Stopwatch};
 use crate::cpu::workspace::{COEFFICIENTS, RowSums};
 use crate::fields::GAP_STRAIN;
-use crate::model::FRACTION_STRESSED;
 use multiversion::multiversion;
 use std::ops::Range;
 
@@ -137,11 +136,11 @@ fn trial_stress(
         let gap = gap_strain[i];
         let open = gap + volumetric * dt;
         let has_gap = gap > 0.0;
-        let stressed = fraction[i] > FRACTION_STRESSED as Real;
+        let has_soil = fraction[i] > 0.0;
         let stays_open = has_gap & (open > 0.0);
         let closing = if open < 0.0 { open } else { 0.0 };
         let volume_strain = if has_gap { closing } else { volumetric * dt };
-        b.gap_strain[i] = if stays_open & stressed { open } else { 0.0 };
+        b.gap_strain[i] = if stays_open & has_soil { open } else { 0.0 };
         let old = [old_xx[i], old_yy[i], old_zz[i], old_xy[i], old_yz[i], old_xz[i]];
         let elastic = moduli(old);
         let shear = deviator(strain_rate);
@@ -155,7 +154,7 @@ fn trial_stress(
         b.trial[4][i] = old[4] + stiffness * shear[4] + rotation[4] * dt;
         b.trial[5][i] = old[5] + stiffness * shear[5] + rotation[5] * dt;
         b.rate[i] = volumetric;
-        b.bears_stress[i] = if stressed & !stays_open { 1.0 } else { 0.0 };
+        b.bears_stress[i] = if has_soil & !stays_open { 1.0 } else { 0.0 };
     }
     b.work = [0.0; BLOCK];
 }
