@@ -4,6 +4,7 @@
 //! checks it. One that is made or changed by hand is checked by [`validate`].
 
 mod advice;
+mod at_rest;
 pub mod documentation;
 mod error;
 pub mod estimate;

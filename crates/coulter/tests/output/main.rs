@@ -145,7 +145,7 @@ fn csv_headers_are_a_contract() {
     assert_eq!(
         header(ENERGY),
         "time [s],external [J],kinetic [J],elastic [J],plastic [J],friction [J],contact method [J],viscous [J],hourglass [J],\
-         remap loss [J],closure [-],volume ratio [-]"
+         remap loss [J],closure [-],volume ratio [-],overdense mass [-]"
     );
     assert_eq!(
         header(BOUNDARIES),

@@ -3,6 +3,7 @@
 use coulter::case::Case;
 use coulter::case::resolved as case;
 use coulter::case::shapes::{Block, Disc, Shape};
+use coulter::case::slope::Slope;
 use coulter::history::{BodySample, EnergySample, History};
 use coulter::output::folder::{Outcome, RunStatistics};
 use glam::{DQuat, DVec3};
@@ -71,6 +72,7 @@ pub(crate) fn case(kind: Kind, cell: f64) -> Case {
         name: "synthetic_disc".into(),
         title: "Free disc towed over medium dense sand (made-up data)".into(),
         gravity: 9.81,
+        slope: Slope::default(),
         soil: sand(if kind == Kind::Column { 0.0 } else { 16e3 }),
         ground: match kind {
             Kind::Column => {
@@ -285,6 +287,7 @@ pub(crate) fn history(case: &Case, count: usize) -> History {
             hourglass: 0.015 * work,
             remap_loss: 0.01 * work,
             volume_ratio: 1.0 + 2e-4 * time / 6.0,
+            overdense: 0.0,
         });
     }
     History {

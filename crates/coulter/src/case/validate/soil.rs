@@ -1,10 +1,11 @@
 //! The soil: whether its parameters are in range and do not contradict each other, and whether it sustains the overburden.
 
+use crate::case::at_rest;
 use crate::case::numbers::in_range;
 use crate::case::problem::Problems;
 use crate::case::quantity::plain;
 use crate::case::resolved::{Case, Domain, Ground, Law, Potential, Soil, Wall};
-use crate::case::slope::{self, Slope};
+use crate::case::slope::Slope;
 
 /// Reports what is wrong with the soil.
 pub(in crate::case) fn soil(soil: &Soil, problems: &mut Problems) {
@@ -168,7 +169,7 @@ pub(in crate::case) fn overburden(
         return;
     }
     let ratio = soil.k0;
-    let is_sustained = slope::sustains(&soil.law, [ratio.max(1.0), ratio.min(1.0)].map(|r| r * overburden));
+    let is_sustained = at_rest::sustains(&soil.law, [1.0, ratio, ratio].map(|r| r * overburden));
     if !is_sustained {
         let message =
             format!("the soil cannot sustain this overburden with K₀ = {ratio:.3}: it would fail at once");
@@ -204,7 +205,7 @@ pub(super) fn slope(case: &Case, problems: &mut Problems) {
     let depth = case.ground.surface() - case.domain.low.z;
     let normal = case.soil.unit_weight * slope.cosine() * depth + case.overburden;
     let stresses = slope.principal_stresses(case.soil.k0).map(|ratio| ratio * normal);
-    if !slope::sustains(&case.soil.law, stresses) {
+    if !at_rest::sustains(&case.soil.law, stresses) {
         let message =
             format!("the soil does not rest on a slope of {:.1}°: it would slide at once", steepest(&slope));
         let cure = "make the slope gentler than the friction angle, or, with cohesion or undrained strength, the soil less deep";
