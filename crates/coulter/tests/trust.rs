@@ -88,6 +88,9 @@ fn energy_volume_and_leak_are_judged_relatively() {
     assert_eq!([hourglass(0.05), hourglass(0.2)], [Verdict::Doubtful, Verdict::Broken]);
     let volume = |ratio: f64| only("soil volume", |h| h.energy.last_mut().unwrap().volume_ratio = ratio);
     assert_eq!([volume(0.99), volume(1.03)], [Verdict::Doubtful, Verdict::Broken]);
+    // At any time, not at the end alone.
+    let overdense = |portion: f64| only("overdense soil", |h| h.energy[1].overdense = portion);
+    assert_eq!([overdense(0.01), overdense(0.06)], [Verdict::Doubtful, Verdict::Broken]);
     let leak =
         |fraction: f64| only("leak", |h| h.bodies[0].last_mut().unwrap().leaked_volume = fraction * 1e-4);
     assert_eq!([leak(0.007), leak(0.05)], [Verdict::Doubtful, Verdict::Broken]);

@@ -10,6 +10,7 @@ use crate::run_balances::RunBalances;
 use crate::trace::Trace;
 use coulter::case::resolved::Precision;
 use coulter::case::{self, Case};
+use coulter::history::largest;
 use coulter::run::watch::watch as would_stop;
 use coulter::simulation::Simulation;
 use solver::energy::soil_mass;
@@ -273,16 +274,12 @@ impl<'a> Runner<'a> {
     pub fn record(&mut self, id: &'static str, variant: &str, simulation: &Simulation) {
         let history = &simulation.history;
         let stopped = self.stopped.take();
-        // `max` would drop what is not a number.
-        let most = |values: &mut dyn Iterator<Item = f64>| {
-            values.fold(0.0, |most: f64, v| if v > most || v.is_nan() { v } else { most })
-        };
         self.balances.push(RunBalances {
             id,
             case: variant.to_owned(),
             energy: history.energy.last().copied().unwrap_or_default(),
-            volume_error: most(&mut history.energy.iter().map(|e| (e.volume_ratio - 1.0).abs())),
-            overdense: most(&mut history.energy.iter().map(|e| e.overdense)),
+            volume_error: largest(history.energy.iter().map(|e| (e.volume_ratio - 1.0).abs())),
+            overdense: largest(history.energy.iter().map(|e| e.overdense)),
             mass_error: mass_error(simulation),
             dilates: simulation.case.soil.law.changes_volume()[1],
             bodies: history.bodies.iter().filter_map(|b| b.last().copied()).collect(),

@@ -15,6 +15,13 @@ use std::fmt::Write;
 pub(super) fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
     writeln!(text, "{} ({})", case.title, case.name)?;
     describe_soil(text, &case.soil)?;
+    if !case.slope.is_level() {
+        let [along, across] = case.slope.angles().map(f64::to_degrees);
+        writeln!(
+            text,
+            "slope    {along:.4}° along x, {across:.4}° along y, uphill; z is normal to the surface"
+        )?;
+    }
     for body in &case.bodies {
         describe_body(text, case, body)?;
         for part in &body.parts {

@@ -2,7 +2,6 @@
 
 use super::resolved::Law;
 use super::slope::Slope;
-use std::f64::consts::FRAC_PI_2;
 
 /// Coefficient of earth pressure at rest of a soil that has this one [−] on level ground: as much larger as it takes for the soil
 /// to rest on the slope with 0.98 of its friction, where that is possible; 1 for soil without friction, whose shear
@@ -33,7 +32,7 @@ fn extremes(stresses: [f64; 3]) -> [f64; 2] {
 pub(super) fn sustains(law: &Law, stresses: [f64; 3]) -> bool {
     let [most, least] = extremes(stresses);
     let friction = |angle: f64, cohesion: f64| {
-        most - least <= (most + least) * angle.min(FRAC_PI_2).sin() + 2.0 * cohesion * angle.cos()
+        most - least <= (most + least) * angle.sin() + 2.0 * cohesion * angle.cos()
     };
     match *law {
         Law::Elastic => true,

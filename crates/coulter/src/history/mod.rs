@@ -94,6 +94,13 @@ impl ForceSample {
     }
 }
 
+/// The largest of some values that are not negative, 0 without any; one that is not a number, if there is one.
+#[must_use]
+pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
+    // `max` would drop what is not a number.
+    values.into_iter().fold(0.0, |most: f64, v| if v > most || v.is_nan() { v } else { most })
+}
+
 /// The energy balance at one time: work and energy since the start, of the whole case [J].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct EnergySample {

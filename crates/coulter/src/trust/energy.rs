@@ -3,7 +3,7 @@
 use super::check::Check;
 use super::limits::{self, Limit};
 use super::setting::{BodySetting, Setting};
-use crate::history::{BodySample, EnergySample, History};
+use crate::history::{BodySample, BoundarySample, EnergySample, History, largest};
 
 /// Energy and volume at the end of the run.
 pub(super) fn checks(setting: &Setting, history: &History) -> Vec<Check> {
@@ -20,15 +20,8 @@ pub(super) fn checks(setting: &Setting, history: &History) -> Vec<Check> {
         check(&limits::REMAP_LOSS, per_cent(end.remap_loss)),
         check(&limits::CONTACT_ENERGY, per_cent(end.contact)),
         check(&limits::VOLUME, volume_change(setting, end)),
-        check(&limits::OVERDENSE, 100.0 * most_overdense(history)),
+        check(&limits::OVERDENSE, 100.0 * largest(history.energy.iter().map(|sample| sample.overdense))),
     ]
-}
-
-/// Largest portion of the soil's mass at any time that is denser than it can be.
-fn most_overdense(history: &History) -> f64 {
-    let larger =
-        |most: f64, sample: &EnergySample| if sample.overdense <= most { most } else { sample.overdense };
-    history.energy.iter().fold(0.0, larger)
 }
 
 /// Change of the soil volume [%], unless the soil is expected to change it so.
@@ -45,9 +38,7 @@ pub(super) fn boundary_checks(setting: &Setting, history: &History) -> Vec<Check
     if samples.is_empty() {
         return Vec::new();
     }
-    let most = |value: fn(&crate::history::BoundarySample) -> f64| {
-        samples.iter().map(value).fold(0.0, |most: f64, v| if v > most || v.is_nan() { v } else { most })
-    };
+    let most = |value: fn(&BoundarySample) -> f64| largest(samples.iter().map(value));
     let mut checks = vec![
         Check::of(&limits::LID, None, lid_force_ratio(most(|s| s.lid_force), most(|s| s.lid_area), history)),
         Check::of(&limits::WALLS, None, 1e4 * most(|s| s.wall_area)),

@@ -1,6 +1,7 @@
 //! The range of a number. It stands once, at its key: reading, `validate`, the documentation and the JSON schema take it from
 //! there.
 
+use physics::sand;
 use solver::cpu::threads::MAX_WORKERS;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
@@ -44,8 +45,8 @@ pub(super) const APEX: AllowedRange = from(Exclusive(0.0), Exclusive(PI));
 pub(super) const GROUSERS: AllowedRange =
     AllowedRange { low: Inclusive(1.0), high: Inclusive(360.0), why: "a wheel without grousers is a disc" };
 pub(super) const RELATIVE_DENSITY: AllowedRange = AllowedRange {
-    low: Inclusive(-0.5),
-    high: Inclusive(1.2),
+    low: Inclusive(sand::RELATIVE_DENSITY[0]),
+    high: Inclusive(sand::RELATIVE_DENSITY[1]),
     why: "0 is the loosest and 1 the densest state of the standard tests",
 };
 pub(super) const SLIP: AllowedRange =

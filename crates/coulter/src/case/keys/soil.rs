@@ -35,7 +35,7 @@ pub(super) const SOIL: &[Key] = &[
     key("density", Kind::Quantity(DENSITY), Derived("unit_weight / gravity"), "Density ρ, which gives the soil its inertia.").within(POSITIVE),
     key("young_modulus", Kind::Quantity(STRESS), Required, "Young's modulus E; of sand that at a mean pressure of 100 kPa, for unloading and reloading.").within(POSITIVE),
     key("poisson_ratio", Kind::Number, Number(0.3), "Poisson's ratio ν.").within(BELOW_HALF),
-    key("k0", Kind::Number, Derived("1 − sin φ (Jaky 1944), φ_cv of sand; else ν/(1 − ν)"), "Coefficient of earth pressure at rest K₀: horizontal over vertical stress at the start.").within(NOT_NEGATIVE),
+    key("k0", Kind::Number, Derived("1 − sin φ (Jaky 1944), φ_cv of sand; else ν/(1 − ν); on a slope as much more as the soil needs to rest, 1 without friction"), "Coefficient of earth pressure at rest K₀: horizontal over vertical stress at the start.").within(NOT_NEGATIVE),
 ];
 
 pub(super) const GROUND: &[Key] = &[

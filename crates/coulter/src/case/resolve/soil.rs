@@ -52,8 +52,8 @@ pub(super) fn soil(
     let (young_modulus, poisson_ratio, (unit_weight, density), law) =
         (young_modulus?, poisson_ratio?, weight?, law?);
     let elastic = poisson_ratio / (1.0 - poisson_ratio);
-    let jaky = law.friction_angle().map_or(elastic, |friction_angle| 1.0 - friction_angle.sin());
-    let k0 = section.number_or("k0", at_rest::k0(&slope, jaky, &law))?;
+    let level = law.friction_angle().map_or(elastic, |friction_angle| 1.0 - friction_angle.sin());
+    let k0 = section.number_or("k0", at_rest::k0(&slope, level, &law))?;
     let soil = Soil { law, density, unit_weight, young_modulus, poisson_ratio, k0 };
     checked(soil, problems, validate::soil::soil)
 }

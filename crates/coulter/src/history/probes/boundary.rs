@@ -98,8 +98,7 @@ fn pressure_at_rest(case: &Case, model: &Model, cell: &FaceCell) -> f64 {
         return 0.0;
     }
     let depth = (model.surface - cell.centre.z).max(0.0);
-    let vertical =
-        model.material().density * model.soil_gravity * case.slope.cosine() * depth + case.overburden;
+    let vertical = model.material().density * model.soil_gravity * -model.down.z * depth + case.overburden;
     if cell.axis == 2 { vertical } else { model.material().k0 * vertical }
 }
 

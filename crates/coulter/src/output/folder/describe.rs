@@ -8,6 +8,13 @@ use crate::output::units::{Unit, digits};
 /// Soil and bodies, each as a name and a description.
 pub(super) fn describe(case: &Case) -> Vec<[String; 2]> {
     let mut lines = vec![["Soil".to_owned(), soil(case)]];
+    if !case.slope.is_level() {
+        let [along, across] = case.slope.angles().map(degrees);
+        lines.push([
+            "Slope".to_owned(),
+            format!("{along} along x, {across} along y, uphill; z is normal to the surface"),
+        ]);
+    }
     let several = case.bodies.len() > 1;
     for body in &case.bodies {
         let title = if several { body.name.clone() } else { "Body".to_owned() };
