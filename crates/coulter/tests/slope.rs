@@ -82,3 +82,13 @@ fn what_a_slope_contradicts_is_refused() {
     let message = case::parse(&plane, "slope", &[]).unwrap_err().to_string();
     assert!(message.contains("across a plane of symmetry"), "{message}");
 }
+
+#[test]
+fn a_grid_that_follows_a_body_has_no_walls_on_a_slope_either() {
+    let body = "follow = { body = \"sledge\" }\n[body.sledge]\nshape = \"block\"\nsize = [\"40 mm\", \"40 mm\", \"40 mm\"]\nfriction = 0.3\n\
+                sinkage = \"-5 mm\"\nforward = { speed = \"1 m/s\", start = \"0 s\", ramp = \"5 ms\" }";
+    let simulation = run(&case(FRICTIONAL, "slope = \"20 deg\"", body).unwrap());
+    assert!(simulation.state.grid_position.x > 0.02 && simulation.state.remaps > 0);
+    // The block glides over the ground: the ground that enters rests as the rest of it does.
+    assert!(fastest(&simulation) < 1e-9, "{} m/s", fastest(&simulation));
+}

@@ -62,7 +62,7 @@ pub(super) fn domain(
         None => range(section, "y", default.map(|u| [low_y.max(u.low.y), u.high.y]), problems),
     };
     let z = range(section, "z", default.map(|u| [u.low.z, u.high.z]), problems);
-    let walls = walls(section, context);
+    let walls = walls(section, context, paths);
     let ([x0, x1], [y0, y1], [z0, z1]) = (x?, y?, z?);
     let (low, high) = (DVec3::new(x0, y0, z0), DVec3::new(x1, y1, z1));
     let plane_strain = context.slab.is_some();
@@ -72,12 +72,13 @@ pub(super) fn domain(
 }
 
 /// The walls; across the slope of the ground they are fixed unless they are given, since smooth ones bear no shear stress.
-fn walls(section: &Section, context: &Context) -> Option<[[Wall; 2]; 3]> {
+fn walls(section: &Section, context: &Context, paths: &Paths) -> Option<[[Wall; 2]; 3]> {
     let mut walls = [[Wall::Smooth; 2]; 3];
-    let [along, across] = context.slope.angles().map(|angle| angle != 0.0);
-    // What lies in a plane of symmetry is refused later, with the slope.
-    let along = along && !context.symmetric_x;
-    let across = across && !context.symmetric && context.slab.is_none();
+    // A plane of symmetry across the slope is refused later; a grid that follows a body has no walls there.
+    let is_plane = [context.symmetric_x, context.symmetric || context.slab.is_some()];
+    let is_open = |axis: usize| paths.follow.is_some_and(|follow| follow.axes[axis]);
+    let angles = context.slope.angles();
+    let [along, across] = [0, 1].map(|axis| angles[axis] != 0.0 && !is_plane[axis] && !is_open(axis));
     let keys = [("x_walls", along), ("y_walls", across), ("z_walls", false)];
     for (pair, (key, slopes)) in walls.iter_mut().zip(keys) {
         if slopes && !section.has(key) {
