@@ -54,6 +54,7 @@ templates! {
     Cable: "disc_on_a_cable.toml", "A disc towed by a cable";
     DrivenWheel: "driven_wheel.toml", "A driven wheel at 30 % slip";
     GrouseredWheel: "grousered_wheel.toml", "A driven wheel with grousers";
+    WheelOnSlope: "wheel_on_slope.toml", "A driven wheel with grousers that climbs a slope";
     HarrowDisc: "harrow_disc.toml", "A dished harrow disc at 20° yaw and 15° tilt";
     Opener: "double_disc_opener.toml", "A double-disc opener";
     Blade: "blade.toml", "A blade with a rake angle of 45°";

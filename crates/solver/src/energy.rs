@@ -5,6 +5,7 @@
 //! of threads.
 
 use crate::cpu::workspace::SoilWorkspace;
+use crate::fields::mass_as_main;
 use crate::grid::Grid;
 use crate::halo::Halo;
 use crate::model::Model;
@@ -66,6 +67,7 @@ pub const OVERDENSE: f64 = 1.1;
 #[must_use]
 pub fn overdense_portion<R: Scalar>(model: &Model, soil: &Soil<R>) -> f64 {
     let grid = &model.grid;
+    let densities = model.densities();
     let overdense = |[q, plane]: [usize; 2]| {
         if !grid.is_inside([q, plane]) {
             return 0.0;
@@ -74,7 +76,8 @@ pub fn overdense_portion<R: Scalar>(model: &Model, soil: &Soil<R>) -> f64 {
         let cells = grid.inside(0).map(|i| (start + i, grid.volume(i, q - 1, plane - 1)));
         let too_dense = cells.filter(|(c, volume)| {
             let densest = OVERDENSE * model.materials[soil.main_material(*c)].densest();
-            soil.mass[*c].to_f64() > densest * soil.fraction[*c].to_f64() * volume
+            let mass = mass_as_main(&soil.composition, &densities, soil.mass[*c].to_f64(), *c);
+            mass > densest * soil.fraction[*c].to_f64() * volume
         });
         too_dense.map(|(c, _)| soil.mass[c].to_f64()).fold(0.0, |a, b| a + b)
     };

@@ -141,6 +141,20 @@ pub(crate) fn main_material<R: Copy + Into<f64>>(composition: &[Vec<R>], cell: u
     others().enumerate().map(|(n, portion)| (n + 1, portion)).fold(first, most).0
 }
 
+/// Mass of a cell [kg] if all of its soil, as compressed as it is, were of its main material, from the mass and the densities of the
+/// undeformed materials: a law knows densities of its own soil alone.
+pub(crate) fn mass_as_main<R: Copy + Into<f64>>(
+    composition: &[Vec<R>],
+    densities: &[f64],
+    mass: f64,
+    cell: usize,
+) -> f64 {
+    let others = densities[1..].iter().zip(composition);
+    let mixed = others
+        .fold(densities[0], |sum, (density, portion)| sum + portion[cell].into() * (density - densities[0]));
+    mass * densities[main_material(composition, cell)] / mixed
+}
+
 impl<R> Nodes<R> {
     /// All arrays.
     pub fn arrays(&self) -> impl Iterator<Item = &Vec<R>> {

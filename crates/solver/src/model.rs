@@ -257,6 +257,12 @@ impl Model {
         self.materials.iter().map(|m| m.density).fold(f64::INFINITY, f64::min)
     }
 
+    /// Densities of the undeformed materials [kg/m³].
+    #[must_use]
+    pub fn densities(&self) -> Vec<f64> {
+        self.materials.iter().map(|material| material.density).collect()
+    }
+
     /// Time step [s]. It never changes: the grid does not deform, and force and mass of a cell scale alike with the
     /// soil in it.
     #[must_use]

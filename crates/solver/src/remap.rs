@@ -47,8 +47,8 @@ pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut 
     halo::fill(halo, grid, At::Nodes, [&mut state.nodes.mass]);
     contact::remove_overlap(model, state, soil, contact, halo);
     stop_massless_nodes(model, state, soil);
-    R::average_density(model, &mut state.soil, soil, halo);
     soil.find_soil(grid, &state.soil);
+    R::average_density(model, &mut state.soil, soil, halo);
     soil.clear = 2;
     state.remaps += 1;
     let after = energy::total(model, state, soil, halo) - state.energy_balance.inflow_elastic;

@@ -15,6 +15,10 @@ use std::fmt::Write;
 pub(super) fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
     writeln!(text, "{} ({})", case.title, case.name)?;
     describe_soil(text, &case.soil)?;
+    for layer in &case.layers {
+        writeln!(text, "layer    {}, from a depth of {} m", layer.name, plain(layer.top))?;
+        describe_soil(text, &layer.soil)?;
+    }
     if !case.slope.is_level() {
         let [along, across] = case.slope.angles().map(f64::to_degrees);
         writeln!(

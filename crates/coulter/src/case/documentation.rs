@@ -1,7 +1,7 @@
 //! The tables of docs/case-file.md, generated from the tables of keys.
 
 use super::format::{FORMAT, RENAMED_KEYS, RENAMED_VALUES};
-use super::keys::{self, FOLLOW, KeyTable, Kind, MOTION, UNTIL, words};
+use super::keys::{self, FOLLOW, KeyTable, Kind, MOTION, NAMED, UNTIL, words};
 use std::fmt::Write;
 
 const HEADER: &str = "| key | value | default | meaning |\n|---|---|---|---|\n";
@@ -13,12 +13,12 @@ pub fn tables() -> String {
     for section in keys::SECTIONS {
         let heading = match section.name {
             "" => "Top of the file".to_owned(),
-            kind @ ("body" | "joint" | "stage") => format!("`[{kind}.NAME]`"),
+            kind if NAMED.contains(&kind) => format!("`[{kind}.NAME]`"),
             name => format!("`[{name}]`"),
         };
         // Writing to a string cannot fail.
         let _ = write!(text, "### {heading}\n{}\n\n{HEADER}", section.meaning);
-        rows(&section, &mut text);
+        rows(&own(section), &mut text);
     }
     let _ = write!(text, "### A motion\n{}\n\n{HEADER}", MOTION.meaning);
     rows(&MOTION, &mut text);
@@ -28,6 +28,14 @@ pub fn tables() -> String {
     rows(&UNTIL, &mut text);
     text.push_str(&renamed());
     text
+}
+
+/// The section without keys that another one has explained: a layer has those of the soil.
+fn own(section: KeyTable) -> KeyTable {
+    match section.name {
+        "layer" => KeyTable { keys: &section.keys[..1], ..section },
+        _ => section,
+    }
 }
 
 /// A line for each key of a section.

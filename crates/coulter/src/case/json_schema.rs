@@ -24,7 +24,7 @@ fn schema() -> Value {
                     "additionalProperties": stage });
                 properties.insert(section.name.into(), named);
             }
-            "body" | "joint" => {
+            "layer" | "body" | "joint" => {
                 let named = json!({ "type": "object", "description": section.meaning,
                     "additionalProperties": object(&section) });
                 properties.insert(section.name.into(), named);

@@ -23,7 +23,7 @@ pub fn model(case: &Case, lanes: usize) -> Model {
     Model {
         grid: Grid::with_open_faces(case.grid.faces.clone(), boundaries.open_faces(), lanes)
             .with_aspect(case.grid.aspect),
-        materials: vec![material(&case.soil)],
+        materials: case.soils().map(|(_, soil)| material(soil)).collect(),
         gravity: case.gravity,
         down: case.slope.down(),
         soil_gravity: if case.soil.unit_weight > 0.0 {
@@ -32,7 +32,7 @@ pub fn model(case: &Case, lanes: usize) -> Model {
             0.0
         },
         surface: case.ground.surface(),
-        ground: Ground { fillings: vec![filling(&case.ground)], overburden: case.overburden },
+        ground: Ground { fillings: fillings(case), overburden: case.overburden },
         boundaries,
         follow: case.grid.follow,
         bodies: case.bodies.iter().map(body).collect(),
@@ -235,13 +235,19 @@ fn one_inertia(solid: &dyn Shape, mass: f64, axle_inertia: f64) -> Inertia {
     Inertia { mass, centre: solid.centroid, tensor: solid.inertia * scale }
 }
 
-/// Where the soil of a case is at the start.
-fn filling(ground: &resolved::Ground) -> Filling {
+/// Where the soils of a case are at the start.
+fn fillings(case: &Case) -> Vec<Filling> {
     const FAR: f64 = f64::INFINITY;
-    match *ground {
+    match case.ground {
         resolved::Ground::Level { surface } => {
-            Filling::between(DVec3::splat(-FAR), DVec3::new(FAR, FAR, surface))
+            let tops = || case.layers.iter().map(|layer| surface - layer.top);
+            let bases = tops().chain([-FAR]);
+            let layer = |(material, (top, base))| Filling {
+                material,
+                ..Filling::between(DVec3::new(-FAR, -FAR, base), DVec3::new(FAR, FAR, top))
+            };
+            std::iter::once(surface).chain(tops()).zip(bases).enumerate().map(layer).collect()
         }
-        resolved::Ground::Column { low, high, radius } => Filling { low, high, radius, material: 0 },
+        resolved::Ground::Column { low, high, radius } => vec![Filling { low, high, radius, material: 0 }],
     }
 }

@@ -53,8 +53,10 @@ pub fn output_size(case: &Case, [cells, filled]: [f64; 2], steps: f64) -> Output
     let lines = samples(case, steps) + 1.0;
     let fields_bytes = frames * one;
     let histories_bytes = lines * (LINES[0] * bodies + LINES[1]);
-    let memory = if matches!(case.soil.law, Law::Sand { .. }) { MEMORY_COUNT } else { 0 };
-    let checkpoints_bytes = 2.0 * PACKED_STATE * (ARRAYS + memory) as f64 * width(case) * filled;
+    let memory =
+        if case.soils().any(|(_, soil)| matches!(soil.law, Law::Sand { .. })) { MEMORY_COUNT } else { 0 };
+    let arrays = ARRAYS + memory + case.layers.len();
+    let checkpoints_bytes = 2.0 * PACKED_STATE * arrays as f64 * width(case) * filled;
     let total_bytes = fields_bytes + histories_bytes + checkpoints_bytes + REPORT;
     OutputSize { frames, fields_bytes, histories_bytes, checkpoints_bytes, total_bytes }
 }

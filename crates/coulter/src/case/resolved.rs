@@ -23,8 +23,11 @@ pub struct Case {
     /// Slope of the ground, in whose surface x and y lie.
     #[serde(skip_serializing_if = "Slope::is_level")]
     pub slope: Slope,
-    /// The soil.
+    /// The soil, of ground in layers the uppermost.
     pub soil: Soil,
+    /// The layers below it, from the top down.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub layers: Vec<Layer>,
     /// Where there is soil at the start.
     pub ground: Ground,
     /// Vertical pressure of the lid on the soil at the start [Pa].
@@ -88,6 +91,12 @@ impl Case {
             }
         }
         Ok(case)
+    }
+
+    /// The soils from the top down, each with the path of its section.
+    pub fn soils(&self) -> impl Iterator<Item = (String, &Soil)> {
+        let layers = self.layers.iter().map(|layer| (layer.path(), &layer.soil));
+        std::iter::once((SOIL.to_owned(), &self.soil)).chain(layers)
     }
 
     /// Acceleration of gravity normal to the surface of the ground [m/s²].
@@ -291,6 +300,27 @@ pub enum Potential {
         /// Deviatoric eccentricity e, ½ < e ≤ 1.
         deviatoric: f64,
     },
+}
+
+/// A layer of the ground below the uppermost soil.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Layer {
+    /// Its name.
+    pub name: String,
+    /// Depth of its top below the surface [m].
+    pub top: f64,
+    /// Its soil.
+    pub soil: Soil,
+}
+
+/// Path of the section of the soil, of ground in layers of the uppermost.
+pub(crate) const SOIL: &str = "soil";
+
+impl Layer {
+    /// Path of its section.
+    pub(crate) fn path(&self) -> String {
+        format!("layer.{}", self.name)
+    }
 }
 
 /// Where there is soil at the start.

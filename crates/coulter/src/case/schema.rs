@@ -36,8 +36,22 @@ pub(super) fn read(root: &[Entry], problems: &mut Problems) -> Schema {
         Some(entry) => named(entry, kind, problems),
         None => Vec::new(),
     };
-    let (bodies, joints, stages) = (all("body"), all("joint"), all("stage"));
-    Schema { top, soil, ground, domain, grid, bodies, joints, stages, run, output, numerics, forecast }
+    let (layers, bodies, joints, stages) = (all("layer"), all("body"), all("joint"), all("stage"));
+    Schema {
+        top,
+        soil,
+        layers,
+        ground,
+        domain,
+        grid,
+        bodies,
+        joints,
+        stages,
+        run,
+        output,
+        numerics,
+        forecast,
+    }
 }
 
 /// The table of keys of a kind of section.
@@ -85,6 +99,7 @@ fn as_typed(default: &DefaultValue) -> Option<Value> {
 /// The sections `[kind.NAME]`.
 fn named(entry: &Entry, kind: &str, problems: &mut Problems) -> Vec<Section> {
     let example = match kind {
+        "layer" => "layer.clay",
         "body" => "body.disc",
         "joint" => "joint.axle",
         _ => "stage.tow",
@@ -177,7 +192,7 @@ mod tests {
     fn every_default_can_be_read_and_is_in_the_range_of_its_key() {
         let tables = keys::SECTIONS.iter().chain([&keys::MOTION]);
         let of = |table: &KeyTable, name| match table.name {
-            kind @ ("body" | "joint" | "stage") => format!("{kind}.disc.{name}"),
+            kind if keys::NAMED.contains(&kind) => format!("{kind}.disc.{name}"),
             "motion" => format!("body.disc.forward.{name}"),
             section => join(section, name),
         };

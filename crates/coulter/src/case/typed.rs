@@ -142,6 +142,7 @@ pub(super) struct Schema {
     pub(super) domain: Section,
     pub(super) grid: Section,
     pub(super) bodies: Vec<Section>,
+    pub(super) layers: Vec<Section>,
     pub(super) joints: Vec<Section>,
     pub(super) stages: Vec<Section>,
     pub(super) run: Section,

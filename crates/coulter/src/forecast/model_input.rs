@@ -34,6 +34,9 @@ pub struct ModelInput {
 /// # Errors
 /// The reason, in words, why they do not apply.
 pub fn model_input(case: &Case) -> Result<ModelInput, String> {
+    if !case.layers.is_empty() {
+        return Err("the ground lies in layers, and the closed forms are for one soil; run the solver".into());
+    }
     if !case.slope.is_level() {
         return Err("the ground slopes, and the closed forms are for level ground; run the solver".into());
     }

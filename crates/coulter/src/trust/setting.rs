@@ -54,6 +54,7 @@ impl Setting {
     pub fn of(case: &Case) -> Self {
         let size = case.domain.high - case.domain.low;
         let weight = case.soil.unit_weight * size.x * size.y * size.z;
+        let changes = |n: usize| case.soils().any(|(_, soil)| soil.law.changes_volume()[n]);
         Self {
             gravity: if case.soil.unit_weight > 0.0 {
                 case.soil.unit_weight / case.soil.density
@@ -62,7 +63,7 @@ impl Setting {
             },
             density: case.soil.density,
             courant: case.numerics.courant,
-            changes_volume: case.soil.law.changes_volume(),
+            changes_volume: [changes(0), changes(1)],
             energy_floor: 1e-12 * weight * size.z,
             floor_depth: case.ground.surface() - case.domain.low.z,
             bodies: case.bodies.iter().map(|body| BodySetting::of(case, body)).collect(),

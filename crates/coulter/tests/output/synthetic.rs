@@ -106,6 +106,7 @@ pub(crate) fn case(kind: Kind, cell: f64) -> Case {
             Kind::Column => vec![],
         },
         joints: Vec::new(),
+        layers: Vec::new(),
         stages: Vec::new(),
         tables: Vec::new(),
         duration: 6.0,

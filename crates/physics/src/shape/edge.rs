@@ -108,6 +108,13 @@ impl Edge {
         extreme.filter(on_it).map_or(ends, |x| ends.max(direction.dot(x)))
     }
 
+    /// Low and high corner of the box round it [m].
+    pub(super) fn bounds(&self) -> (DVec2, DVec2) {
+        let along = |direction: DVec2| self.support(direction);
+        let low = -DVec2::new(along(DVec2::NEG_X), along(DVec2::NEG_Y));
+        (low, DVec2::new(along(DVec2::X), along(DVec2::Y)))
+    }
+
     /// Radius [m] of an arc that rounds a sharp convex corner, and the length [m] by which it falls short of the corner on both sides.
     pub(super) fn rounding(&self) -> Option<(f64, f64)> {
         self.arc

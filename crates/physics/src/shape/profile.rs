@@ -13,13 +13,42 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 pub struct Profile {
     begin: DVec2,
     edges: Vec<Edge>,
+    /// A box round each [`GROUP`] of its edges, so that the nearest edge of a long profile is found among few.
+    boxes: Vec<Bounds>,
+}
+
+/// Number of edges that share a box.
+const GROUP: usize = 8;
+
+/// A box along the axes [m].
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Bounds {
+    low: DVec2,
+    high: DVec2,
+}
+
+impl Bounds {
+    fn distance_squared(&self, x: DVec2) -> f64 {
+        (self.low - x).max(x - self.high).max(DVec2::ZERO).length_squared()
+    }
 }
 
 impl Profile {
     /// The beginning of a profile [m].
     #[must_use]
     pub fn begin(u: f64, v: f64) -> Self {
-        Self { begin: DVec2::new(u, v), edges: Vec::new() }
+        Self { begin: DVec2::new(u, v), edges: Vec::new(), boxes: Vec::new() }
+    }
+
+    fn push(&mut self, edge: Edge) {
+        let (low, high) = edge.bounds();
+        match self.boxes.last_mut() {
+            Some(last) if !self.edges.len().is_multiple_of(GROUP) => {
+                *last = Bounds { low: last.low.min(low), high: last.high.max(high) };
+            }
+            _ => self.boxes.push(Bounds { low, high }),
+        }
+        self.edges.push(edge);
     }
 
     /// Where it ends so far.
@@ -32,7 +61,7 @@ impl Profile {
     pub fn line_to(mut self, u: f64, v: f64) -> Self {
         let (from, to) = (self.end(), DVec2::new(u, v));
         if from != to {
-            self.edges.push(Edge::line(from, to));
+            self.push(Edge::line(from, to));
         }
         self
     }
@@ -49,7 +78,7 @@ impl Profile {
         let part = sense * turn / parts as f64;
         for n in 1..=parts {
             let next = if n == parts { to } else { centre + DVec2::from_angle(part * n as f64).rotate(arm) };
-            self.edges.push(Edge::arc([self.end(), next], centre, part));
+            self.push(Edge::arc([self.end(), next], centre, part));
         }
         self
     }
@@ -58,8 +87,9 @@ impl Profile {
     #[must_use]
     pub fn mirrored(&self) -> Self {
         let begin = self.end();
-        let edges = self.edges.iter().rev().map(Edge::mirrored).collect();
-        Self { begin: DVec2::new(begin.x, -begin.y), edges }
+        let mut image = Self::begin(begin.x, -begin.y);
+        self.edges.iter().rev().map(Edge::mirrored).for_each(|edge| image.push(edge));
+        image
     }
 
     /// Its edges, in order.
@@ -74,19 +104,32 @@ impl Profile {
 
     /// Signed distance [m] to the outline, negative inside; at u ≥ 0 where the axis bounds the region.
     pub(super) fn signed_distance(&self, x: DVec2) -> f64 {
-        let mut nearest = (f64::INFINITY, 0, Foot::Within);
-        for (n, edge) in self.edges.iter().enumerate() {
-            let (foot, distance) = edge.nearest(x);
-            if distance.abs() < nearest.0.abs() {
-                nearest = (distance, n, foot);
-            }
-        }
-        let (distance, n, foot) = nearest;
+        let (distance, n, foot) = self.nearest(x);
         match foot {
             Foot::Within => distance,
             Foot::Start => distance.copysign(self.normal_before(n).dot(x - self.edges[n].from)),
             Foot::End => distance.copysign(self.normal_before(n + 1).dot(x - self.edges[n].to)),
         }
+    }
+
+    /// Distance [m] of the nearest edge as [`Edge::nearest`] gives it, its number, and where on it that is.
+    fn nearest(&self, x: DVec2) -> (f64, usize, Foot) {
+        let look_at = |group: usize, nearest: (f64, usize, Foot)| {
+            let edges = self.edges.iter().enumerate().skip(GROUP * group).take(GROUP);
+            edges.fold(nearest, |nearest, (n, edge)| {
+                let (foot, distance) = edge.nearest(x);
+                if distance.abs() < nearest.0.abs() { (distance, n, foot) } else { nearest }
+            })
+        };
+        // From the group whose box is nearest, few of the others can still be nearer.
+        let squared = |group: &usize| self.boxes[*group].distance_squared(x);
+        let groups = 0..self.boxes.len();
+        let by_box = |a: &usize, b: &usize| squared(a).total_cmp(&squared(b));
+        let first = if groups.len() > 1 { groups.clone().min_by(by_box).unwrap_or(0) } else { 0 };
+        let nearest = look_at(first, (f64::INFINITY, 0, Foot::Within));
+        groups.filter(|group| *group != first).fold(nearest, |nearest, group| {
+            if squared(&group) <= nearest.0 * nearest.0 { look_at(group, nearest) } else { nearest }
+        })
     }
 
     /// A vector out of the region at the point where an edge begins, between the normals on both sides of it. On the axis the
@@ -205,6 +248,22 @@ mod tests {
         // Inside, next to the bite and at its middle.
         close(at(0.0, 0.0), 1.0 - 2_f64.sqrt());
         close(at(-0.9, 0.0), -0.1);
+    }
+
+    #[test]
+    fn a_long_profile_is_as_near_as_its_nearest_edge() {
+        // A star of 60 edges, in eight groups.
+        let at =
+            |n: u32| 0.1 * f64::from(7 + 6 * (n % 2)) * DVec2::from_angle(TAU / 60.0 * f64::from(n % 60));
+        let begin = Profile::begin(at(0).x, at(0).y);
+        let star = (1..=60).fold(begin, |star, n| star.line_to(at(n).x, at(n).y));
+        assert_eq!(star.boxes.len(), 8);
+        for (u, v) in (0..400).map(|n| (0.13 * f64::from(n % 20 - 9), 0.17 * f64::from(n / 20 - 9))) {
+            let x = DVec2::new(u, v);
+            let nearest = star.edges.iter().map(|e| e.nearest(x).1.abs()).fold(f64::INFINITY, f64::min);
+            assert_eq!(star.signed_distance(x).abs(), nearest);
+        }
+        assert!(star.signed_distance(DVec2::ZERO) < 0.0 && star.mirrored().boxes.len() == 8);
     }
 
     #[test]

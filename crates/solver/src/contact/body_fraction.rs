@@ -9,7 +9,10 @@ use glam::DVec3;
 use physics::shape::Shape;
 use std::collections::BTreeSet;
 
-/// Updates the body volume fractions of all cells, in scratch memory that is unused until the contact search.
+/// Layers above the highest soil of which bodies are known: the contact search looks two cells away from a point's own.
+const LAYERS_ABOVE_SOIL: usize = 3;
+
+/// Updates the body volume fractions of all cells near the soil, in scratch memory that is unused until the contact search.
 pub(crate) fn find_bodies<R: Scalar>(
     model: &Model,
     state: &mut State<R>,
@@ -17,10 +20,12 @@ pub(crate) fn find_bodies<R: Scalar>(
     body_cells: &mut Vec<BodyCell>,
 ) {
     body_cells.clear();
+    // What bodies occupy high above the soil concerns nobody, and is most of a wheel.
+    let top = top_of_soil(&model.grid, &state.soil).max(model.surface - state.grid_position.z);
     for (n, fixed) in model.bodies.iter().enumerate() {
         let pose = *state.pose(n);
         let in_grid = Pose { position: pose.position - state.grid_position, ..pose };
-        each_occupied_cell(model, fixed, &in_grid, |cell, fraction| {
+        each_occupied_cell((model, top), fixed, &in_grid, |cell, fraction| {
             let sum = body_fraction[cell].to_f64() + R::cast(fraction).to_f64();
             body_fraction[cell] = R::cast(sum.min(1.0));
             body_cells.push(BodyCell { body: n, cell, fraction });
@@ -40,8 +45,22 @@ pub(crate) struct BodyCell {
     pub(crate) fraction: f64,
 }
 
-/// Calls `each(cell, fraction)` for the cells that a body occupies, wholly or in part.
-fn each_occupied_cell(model: &Model, fixed: &BodyModel, pose: &Pose, mut each: impl FnMut(usize, f64)) {
+/// Height [m] in the grid up to which bodies can concern the soil.
+fn top_of_soil<R: Scalar>(grid: &Grid, soil: &Soil<R>) -> f64 {
+    let mut planes = soil.fraction.chunks_exact(grid.stride[2]);
+    let highest = planes.rposition(|plane| plane.iter().any(|f| *f > R::default())).unwrap_or(0);
+    // Plane 0 is a layer of ghosts below the cells, so that the number of the plane is that of the face above.
+    let faces = &grid.faces[2];
+    faces[(highest + LAYERS_ABOVE_SOIL).min(faces.len() - 1)]
+}
+
+/// Calls `each(cell, fraction)` for the cells below a height [m] that a body occupies, wholly or in part.
+fn each_occupied_cell(
+    (model, top): (&Model, f64),
+    fixed: &BodyModel,
+    pose: &Pose,
+    mut each: impl FnMut(usize, f64),
+) {
     let grid = &model.grid;
     let (position, rotation) = (pose.position, fixed.attitude(pose).inverse());
     let own = |x: DVec3| rotation * (x - position);
@@ -51,7 +70,8 @@ fn each_occupied_cell(model: &Model, fixed: &BodyModel, pose: &Pose, mut each: i
             each(grid.index(i, j, k), fraction);
         }
     };
-    let boxes = fixed.boxes(pose);
+    let mut boxes = fixed.boxes(pose);
+    boxes.iter_mut().for_each(|(_, high)| high.z = high.z.min(top));
     if let [whole] = boxes[..] {
         cells_in(grid, whole).for_each(visit);
     } else {
@@ -148,7 +168,7 @@ fn normal(x: DVec3, step: DVec3, distance: impl Fn(DVec3) -> f64) -> DVec3 {
 pub(crate) fn cut_out_bodies<R: Scalar>(model: &Model, soil: &mut Soil<R>, poses: &[Pose]) {
     let mut body_fraction = vec![0.0; model.grid.entries];
     for (fixed, pose) in model.bodies.iter().zip(poses) {
-        each_occupied_cell(model, fixed, pose, |c, fraction| {
+        each_occupied_cell((model, f64::INFINITY), fixed, pose, |c, fraction| {
             body_fraction[c] = (body_fraction[c] + fraction).min(1.0)
         });
     }

@@ -3,7 +3,7 @@
 use super::partition::{RowPartition, SerialFallback, Throughput};
 use super::stopwatch::Stopwatch;
 use super::threads::{MAX_WORKERS, Team};
-use crate::fields::Soil;
+use crate::fields::{Soil, mass_as_main};
 use crate::grid::Grid;
 use crate::halo::{self, Halo};
 use crate::model::Model;
@@ -30,6 +30,10 @@ pub struct SoilWorkspace<R: Scalar> {
     pub(crate) row_has_soil: Vec<bool>,
     /// Number of the main material of each cell; empty where there is only one material.
     pub(crate) material: Vec<u8>,
+    /// Mass of each cell if all its soil were of its main material (see [`mass_as_main`]); empty where there is only one material.
+    pub(crate) mass_as_main: Vec<R>,
+    /// Densities of the undeformed materials [kg/m³].
+    pub(crate) densities: Vec<f64>,
     /// Constants of the materials.
     pub(crate) materials: R::Materials,
     /// How many of the two velocity arrays are known to be zero where there is no soil.
@@ -174,6 +178,8 @@ impl<R: Scalar> SoilWorkspace<R> {
             costs: vec![0.0; planes * rows],
             row_has_soil: vec![false; rows * (planes + 1)],
             material: Vec::new(),
+            mass_as_main: Vec::new(),
+            densities: model.densities(),
             materials: R::materials(model),
             clear: 0,
             velocity_before: state.nodes.velocity.clone(),
@@ -185,6 +191,11 @@ impl<R: Scalar> SoilWorkspace<R> {
         };
         workspace.find_soil(grid, &state.soil);
         workspace
+    }
+
+    /// The masses from which laws take their density, with those of the cells [kg]: of the main material where there are several.
+    pub(crate) fn mass_of_laws<'a>(&'a self, mass: &'a [R]) -> &'a [R] {
+        if self.mass_as_main.is_empty() { mass } else { &self.mass_as_main }
     }
 
     /// Number of threads.
@@ -206,12 +217,13 @@ impl<R: Scalar> SoilWorkspace<R> {
             let rows = coefficients.chain([&w.below, &w.waiting, &w.row]);
             rows.map(|row| size_of_val(row.as_slice())).sum::<usize>() + size_of_val(&*w.block)
         };
-        let averages = self.averages.iter().flatten();
+        let averages = self.averages.iter().flatten().chain([&self.mass_as_main]);
         self.velocity_before.iter().chain(averages).map(|field| size_of_val(field.as_slice())).sum::<usize>()
             + self.workers.iter().map(own).sum::<usize>()
             + size_of_val(self.row_sums.as_slice())
             + size_of_val(self.costs.as_slice())
             + size_of_val(self.row_has_soil.as_slice())
+            + size_of_val(self.material.as_slice())
             + size_of_val(self.row_values.as_slice())
     }
 
@@ -243,8 +255,12 @@ impl<R: Scalar> SoilWorkspace<R> {
     /// Finds which rows hold soil, and of which material; then rebalances the partition.
     pub(crate) fn find_soil(&mut self, grid: &Grid, soil: &Soil<R>) {
         if !soil.composition.is_empty() {
+            let Soil { composition, mass, .. } = soil;
             self.material.clear();
             self.material.extend((0..grid.entries).map(|c| soil.main_material(c) as u8));
+            let as_main = |c: usize| mass_as_main(composition, &self.densities, mass[c].to_f64(), c);
+            self.mass_as_main.clear();
+            self.mass_as_main.extend((0..grid.entries).map(|c| R::cast(as_main(c))));
         }
         for (n, cells) in soil.fraction.chunks_exact(grid.stride[1]).take(self.row_has_soil.len()).enumerate()
         {
@@ -304,9 +320,13 @@ pub(crate) fn footprint<R: Scalar>(model: &Model, threads: usize) -> f64 {
     let (threads, rows, planes) = (threads as f64, grid.rows(), grid.cells()[2] + 1);
     let own = 3 * COEFFICIENTS * row + NODE_SUMS * plane + ROW_BUFFERS * row;
     let waiting = NODE_SUMS * (plane + row);
+    let of_materials = if model.materials.len() > 1 { size_of::<R>() + size_of::<u8>() } else { 0 };
     let per_row = size_of::<RowSums>() + size_of::<bool>() + size_of::<[f64; 2]>();
     let of_rows = rows * (planes + 1) * per_row + rows * planes * size_of::<f64>();
     let reals =
         (3.0 + averages) * grid.entries as f64 + threads * own as f64 + (threads - 1.0) * waiting as f64;
-    reals * size_of::<R>() as f64 + threads * size_of::<R::CellBlock>() as f64 + of_rows as f64
+    reals * size_of::<R>() as f64
+        + (of_materials * grid.entries) as f64
+        + threads * size_of::<R::CellBlock>() as f64
+        + of_rows as f64
 }

@@ -7,7 +7,7 @@ mod walls;
 use super::estimate::estimate;
 use super::model::sand;
 use super::path::{Paths, body_length};
-use super::resolved::{Body, Case, Law, Motion, Potential};
+use super::resolved::{Body, Case, Law, Motion, Potential, Soil};
 use glam::DVec3;
 use passive::passive_coefficient;
 use physics::elastic::Elastic;
@@ -25,9 +25,14 @@ pub fn advice(case: &Case) -> Vec<String> {
         surface(body, &mut notes);
     }
     timing(case, &mut notes);
-    strength(case, &mut notes);
-    softening(case, &mut notes);
-    sand_at_rest(case, &mut notes);
+    for (path, soil) in case.soils() {
+        let mut own = Vec::new();
+        strength((case, &path), soil, &mut own);
+        softening((case, &path), soil, &mut own);
+        sand_at_rest(soil, &mut own);
+        let is_one = case.layers.is_empty();
+        notes.extend(own.into_iter().map(|note| if is_one { note } else { format!("[{path}]: {note}") }));
+    }
     if case.bodies.is_empty() && case.soil.unit_weight == 0.0 && case.velocity == DVec3::ZERO {
         notes.push("There is no body and the soil has no weight: nothing will happen.".into());
     }
@@ -123,25 +128,25 @@ fn timing(case: &Case, notes: &mut Vec<String>) {
 const SOFTENING: f64 = 1.0;
 
 /// Softening sand whose bands depend on the cells.
-fn softening(case: &Case, notes: &mut Vec<String>) {
-    let Law::Sand { characteristic_length, .. } = case.soil.law else { return };
+fn softening((case, path): (&Case, &str), soil: &Soil, notes: &mut Vec<String>) {
+    let Law::Sand { characteristic_length, .. } = soil.law else { return };
     let cell = case.grid.fine_cell().max_element();
     let consequence =
         "bands of softening sand are as wide as the cells, and its strength after the peak depends on them";
     if let Some(length) = characteristic_length.filter(|length| *length < 2.0 * cell) {
         notes.push(format!(
-            "soil.characteristic_length, {length:.4} m, is less than two cells of {cell:.4} m: {consequence}."
+            "{path}.characteristic_length, {length:.4} m, is less than two cells of {cell:.4} m: {consequence}."
         ));
     }
-    if characteristic_length.is_none() && sand(&case.soil).is_some_and(|(_, index)| index > SOFTENING) {
-        notes.push(format!("Sand this dense softens: without soil.characteristic_length {consequence}."));
+    if characteristic_length.is_none() && sand(soil).is_some_and(|(_, index)| index > SOFTENING) {
+        notes.push(format!("Sand this dense softens: without {path}.characteristic_length {consequence}."));
     }
 }
 
 /// Sand whose strength does not sustain the stress at rest.
-fn sand_at_rest(case: &Case, notes: &mut Vec<String>) {
-    let Some((law, index)) = sand(&case.soil) else { return };
-    let k0 = case.soil.k0;
+fn sand_at_rest(soil: &Soil, notes: &mut Vec<String>) {
+    let Some((law, index)) = sand(soil) else { return };
+    let k0 = soil.k0;
     let [pressure, deviator, shape] = law.invariants([-k0, -k0, -1.0, 0.0, 0.0, 0.0]);
     if deviator > law.peak_ratio(index) * shape * pressure {
         notes.push(format!(
@@ -150,48 +155,47 @@ fn sand_at_rest(case: &Case, notes: &mut Vec<String>) {
     }
 }
 
-fn strength(case: &Case, notes: &mut Vec<String>) {
+fn strength((case, path): (&Case, &str), soil: &Soil, notes: &mut Vec<String>) {
     let Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, potential, critical_density, .. } =
-        case.soil.law
+        soil.law
     else {
         return;
     };
     let length = body_length(&case.bodies);
-    let relative = cohesion / (case.soil.unit_weight * length);
+    let relative = cohesion / (soil.unit_weight * length);
     if cohesion > 0.0 && relative < 0.01 {
         notes.push(format!(
             "Cohesion c/(γd) = {relative:.1e} is tiny; c = 0 runs just as well and is the value for dry sand."
         ));
     }
     if dilation_angle > 0.0 && critical_density.is_none() {
-        notes.push(
+        notes.push(format!(
             "Dilation is not limited: over large displacements ψ > 0 makes the soil too strong. \
-             soil.critical_density limits it."
-                .into(),
-        );
+             {path}.critical_density limits it."
+        ));
     }
     if let Potential::MenetreyWillam { meridional, deviatoric } = potential {
-        let elastic = Elastic::new(case.soil.young_modulus, case.soil.poisson_ratio);
+        let elastic = Elastic::new(soil.young_modulus, soil.poisson_ratio);
         let shape = Eccentricity { meridional, deviatoric };
         let law = MenetreyWillam::new(elastic, friction_angle, dilation_angle, cohesion, 0.0, shape);
         if law.least_dissipation() < 0.0 {
             notes.push(format!(
                 "With ψ so close to φ the smooth potential creates energy in some flow directions (up to {:.1} % of the \
-                 frictional work); use a smaller soil.dilation_angle.",
+                 frictional work); use a smaller {path}.dilation_angle.",
                 -100.0 * law.least_dissipation()
             ));
         }
     }
     let passive = passive_coefficient(friction_angle);
-    let at_rest = case.soil.k0;
-    if cohesion == 0.0 && case.soil.unit_weight > 0.0 && !(1.0 / passive..=passive).contains(&at_rest) {
+    let at_rest = soil.k0;
+    if cohesion == 0.0 && soil.unit_weight > 0.0 && !(1.0 / passive..=passive).contains(&at_rest) {
         notes.push(format!(
             "K₀ = {at_rest:.3} is outside the range that the soil can sustain ({:.3} to {passive:.3}): it will fail at \
              once.",
             1.0 / passive
         ));
     }
-    if cohesion == 0.0 && case.soil.unit_weight == 0.0 {
+    if cohesion == 0.0 && soil.unit_weight == 0.0 {
         notes.push("The soil has neither weight nor cohesion, and therefore no strength.".into());
     }
 }

@@ -19,9 +19,15 @@ pub use key::{Key, KeyTable, Kind};
 use key::section;
 
 /// All sections.
-pub const SECTIONS: [KeyTable; 12] = [
+pub const SECTIONS: [KeyTable; 13] = [
     section("", "At the top of the file, before any section.", run::TOP),
-    section("soil", "The soil.", soil::SOIL),
+    section("soil", "The soil; of ground in layers the uppermost.", soil::SOIL),
+    section(
+        "layer",
+        "A layer of another soil, `[layer.NAME]`, from its top down to that of the next layer below, or to the floor; any number of \
+         them. It has a depth and every key of `[soil]`.",
+        soil::LAYER,
+    ),
     section("ground", "Where there is soil at the start.", soil::GROUND),
     section("domain", "The box that is modelled.", soil::DOMAIN),
     section("grid", "Cell sizes.", soil::GRID),
@@ -45,6 +51,9 @@ pub const SECTIONS: [KeyTable; 12] = [
     section("numerics", "Parameters of the method.", run::NUMERICS),
     section("forecast", "Used by `coulter forecast` only; `coulter run` ignores it.", forecast::FORECAST),
 ];
+
+/// Sections of which there are several, each with a name: `[body.disc]`.
+pub const NAMED: [&str; 4] = ["layer", "body", "joint", "stage"];
 
 /// The section of that name.
 #[must_use]
@@ -75,13 +84,13 @@ pub fn at(path: &str) -> Option<&'static Key> {
     let names: Vec<&str> = path.split('.').collect();
     match names[..] {
         [name] => find("")?.key(name),
-        [kind @ ("body" | "joint" | "stage"), _, name] => find(kind)?.key(name),
+        [kind, _, name] if NAMED.contains(&kind) => find(kind)?.key(name),
         ["stage", _, "until", name] => UNTIL.key(name),
         ["stage", _, _, motion] => find("body")?.key(motion).filter(|key| key.kind.is_motion()),
         ["stage", _, _, motion, name] if find("body")?.key(motion)?.kind.is_motion() => MOTION.key(name),
         ["body", _, motion, name] if find("body")?.key(motion)?.kind.is_motion() => MOTION.key(name),
         ["grid", "follow", name] => FOLLOW.key(name),
-        [section, name] if !["body", "joint", "stage"].contains(&section) => find(section)?.key(name),
+        [section, name] if !NAMED.contains(&section) => find(section)?.key(name),
         _ => None,
     }
 }

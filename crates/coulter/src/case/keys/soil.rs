@@ -38,6 +38,19 @@ pub(super) const SOIL: &[Key] = &[
     key("k0", Kind::Number, Derived("1 − sin φ (Jaky 1944), φ_cv of sand; else ν/(1 − ν); on a slope as much more as the soil needs to rest, 1 without friction"), "Coefficient of earth pressure at rest K₀: horizontal over vertical stress at the start.").within(NOT_NEGATIVE),
 ];
 
+/// Keys of a layer: its depth, and those of a soil.
+pub(super) const LAYER: &[Key] = &{
+    let top =
+        key("top", Kind::Quantity(LENGTH), Required, "Depth of the top of the layer below the surface.")
+            .within(POSITIVE);
+    let (mut keys, mut n) = ([top; SOIL.len() + 1], 0);
+    while n < SOIL.len() {
+        keys[n + 1] = SOIL[n];
+        n += 1;
+    }
+    keys
+};
+
 pub(super) const GROUND: &[Key] = &[
     key("surface", Kind::Quantity(LENGTH), Quantity("0 m"), "Height of the level soil surface."),
     key("slope", Kind::Quantity(ANGLE), Quantity("0 deg"), "Angle of the slope along x, uphill positive: x and y lie in the surface, z is normal to it, and gravity is tilted.").within(SLOPE),

@@ -38,7 +38,9 @@ use glam::DVec3;
 pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problems) -> Option<Case> {
     let gravity = schema.top.number("gravity");
     let slope = ground::slope(&schema.ground);
-    let soil = gravity.and_then(|g| soil::soil(&schema.soil, (g, slope.unwrap_or_default()), problems));
+    let conditions = gravity.map(|g| (g, slope.unwrap_or_default()));
+    let soil = conditions.and_then(|conditions| soil::soil(&schema.soil, conditions, problems));
+    let layers = conditions.and_then(|conditions| soil::layers(&schema.layers, conditions, problems));
     let numerics = numerics(&schema.numerics, &schema.soil);
     let context = gravity.and_then(|g| context(schema, g, soil.as_ref().map(|s| s.law), problems));
     let bodies = context.as_ref().and_then(|context| bodies(schema, context, problems));
@@ -73,6 +75,7 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
         gravity: gravity?,
         slope: slope?,
         soil,
+        layers: layers?,
         ground,
         overburden,
         velocity,

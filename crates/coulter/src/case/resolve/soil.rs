@@ -4,7 +4,7 @@ use super::context::checked;
 use crate::case::at_rest;
 use crate::case::missing::{missing, required};
 use crate::case::problem::Problems;
-use crate::case::resolved::{Law, Potential, Soil};
+use crate::case::resolved::{Law, Layer, Potential, Soil};
 use crate::case::slope::Slope;
 use crate::case::typed::Section;
 use crate::case::validate;
@@ -44,7 +44,9 @@ pub(super) fn soil(
 ) -> Option<Soil> {
     let young_modulus = required(section, "young_modulus", problems);
     let poisson_ratio = section.number("poisson_ratio");
-    let law = law(section, problems).and_then(|law| checked(law, problems, validate::soil::law));
+    let path = &*section.path;
+    let law = law(section, problems)
+        .and_then(|law| checked(law, problems, |law, problems| validate::soil::law(path, law, problems)));
     let weight = match section.has("relative_density") {
         true => law.and_then(|law| weight_of_sand(section, gravity, &law, problems)),
         false => weight(section, gravity, problems),
@@ -55,7 +57,25 @@ pub(super) fn soil(
     let level = law.friction_angle().map_or(elastic, |friction_angle| 1.0 - friction_angle.sin());
     let k0 = section.number_or("k0", at_rest::k0(&slope, level, &law))?;
     let soil = Soil { law, density, unit_weight, young_modulus, poisson_ratio, k0 };
-    checked(soil, problems, validate::soil::soil)
+    checked(soil, problems, |soil, problems| validate::soil::soil(path, soil, problems))
+}
+
+/// The layers from the top down.
+pub(super) fn layers(
+    sections: &[Section],
+    conditions: (f64, Slope),
+    problems: &mut Problems,
+) -> Option<Vec<Layer>> {
+    let layer = |section: &Section| {
+        let top = required(section, "top", problems);
+        let soil = soil(section, conditions, problems);
+        let name = section.path.trim_start_matches("layer.").to_owned();
+        Some(Layer { name, top: top?, soil: soil? })
+    };
+    let all: Vec<_> = sections.iter().map(layer).collect();
+    let mut layers: Vec<Layer> = all.into_iter().collect::<Option<_>>()?;
+    layers.sort_by(|a, b| a.top.total_cmp(&b.top));
+    Some(layers)
 }
 
 /// Unit weight [N/m³] and density [kg/m³]; one may follow from the other.
@@ -69,7 +89,7 @@ fn weight(section: &Section, gravity: f64, problems: &mut Problems) -> Option<(f
                 return Some((gamma, gamma / gravity));
             }
             let message = "weightless soil, or no gravity: the density does not follow from the unit weight";
-            let cure = "add  density = \"2000 kg/m^3\"  to [soil]";
+            let cure = format!("add  density = \"2000 kg/m^3\"  to [{}]", section.path);
             problems.add(section.at("unit_weight"), message, cure);
             None
         }

@@ -16,7 +16,7 @@ pub(super) mod timing;
 use super::numbers::in_range;
 use super::path::Paths;
 use super::problem::{Problem, Problems};
-use super::resolved::{Case, Soil};
+use super::resolved::{Case, SOIL, Soil};
 
 /// Everything that is wrong with a case; empty for one that can be simulated.
 ///
@@ -33,7 +33,7 @@ pub fn validate(case: &Case) -> Vec<Problem> {
 #[must_use]
 pub fn validate_soil(soil: &Soil) -> Vec<Problem> {
     let mut problems = Problems::default();
-    soil::soil(soil, &mut problems);
+    soil::soil(SOIL, soil, &mut problems);
     problems.into_list()
 }
 
@@ -54,7 +54,13 @@ pub(super) fn whole(case: &Case, problems: &mut Problems) {
 fn parts(case: &Case, problems: &mut Problems) {
     names::case_name(&case.name, problems);
     in_range("gravity", case.gravity, problems);
-    soil::soil(&case.soil, problems);
+    for (path, of_section) in case.soils() {
+        soil::soil(&path, of_section, problems);
+    }
+    names::parts("layer", &case.layers.iter().map(|layer| &*layer.name).collect::<Vec<_>>(), problems);
+    for layer in &case.layers {
+        in_range(&format!("{}.top", layer.path()), layer.top, problems);
+    }
     parameters::numerics(&case.numerics, problems);
     parameters::forecast(&case.forecast, problems);
     names::parts("body", &case.bodies.iter().map(|body| &*body.name).collect::<Vec<_>>(), problems);
@@ -80,6 +86,7 @@ fn fits_together(case: &Case, problems: &mut Problems) {
     domain::velocity(case.velocity, &case.domain, problems);
     soil::overburden(case.overburden, &case.soil, case.ground.surface(), &case.domain, problems);
     soil::slope(case, problems);
+    soil::layers(case, problems);
     fit::bodies_fit(&Paths::of(case), &case.domain, problems);
     follow::follow(case, problems);
 }

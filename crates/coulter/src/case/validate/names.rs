@@ -4,6 +4,9 @@ use crate::case::names::{is_body_name, is_case_name};
 use crate::case::problem::Problems;
 use crate::case::resolved::GROUND;
 
+/// Largest number of layers: every one of them is a field of portions in the cells.
+const MOST_LAYERS: usize = 20;
+
 /// Largest number of bodies, and of joints; with more, the text and the report become unreadable.
 const LARGEST_NUMBER: usize = 500;
 
@@ -33,20 +36,24 @@ pub(in crate::case) fn part_name(kind: &str, name: &str, problems: &mut Problems
 
 fn plural(kind: &str) -> &'static str {
     match kind {
+        "layer" => "layers",
         "body" => "bodies",
         "joint" => "joints",
         _ => "stages",
     }
 }
 
-/// Whether there are not too many bodies or joints; reported if there are.
+/// Whether there are not too many layers, bodies or joints; reported if there are.
 pub(in crate::case) fn number_of(kind: &str, number: usize, problems: &mut Problems) -> bool {
-    if number > LARGEST_NUMBER {
+    let (most, cure) = match kind {
+        "layer" => (MOST_LAYERS, "join layers that are alike"),
+        _ => (LARGEST_NUMBER, "model fewer of them, or each group in a separate case"),
+    };
+    if number > most {
         let kinds = plural(kind);
-        let message = format!("{number} {kinds}; at most {LARGEST_NUMBER} are allowed");
-        problems.add(kind, message, "model fewer of them, or each group in a separate case");
+        problems.add(kind, format!("{number} {kinds}; at most {most} are allowed"), cure);
     }
-    number <= LARGEST_NUMBER
+    number <= most
 }
 
 /// Reports too many bodies or joints, and names that are not valid or stand for two.

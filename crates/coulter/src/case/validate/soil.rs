@@ -7,8 +7,8 @@ use crate::case::quantity::plain;
 use crate::case::resolved::{Case, Domain, Ground, Law, Potential, Soil, Wall};
 use crate::case::slope::Slope;
 
-/// Reports what is wrong with the soil.
-pub(in crate::case) fn soil(soil: &Soil, problems: &mut Problems) {
+/// Reports what is wrong with the soil of a section.
+pub(in crate::case) fn soil(path: &str, soil: &Soil, problems: &mut Problems) {
     let elastic = [
         ("young_modulus", soil.young_modulus),
         ("poisson_ratio", soil.poisson_ratio),
@@ -17,12 +17,12 @@ pub(in crate::case) fn soil(soil: &Soil, problems: &mut Problems) {
         ("k0", soil.k0),
     ];
     for (key, number) in elastic {
-        in_range(&format!("soil.{key}"), number, problems);
+        in_range(&format!("{path}.{key}"), number, problems);
     }
-    law(&soil.law, problems);
+    law(path, &soil.law, problems);
     if let Some(relative_density) = soil.relative_density() {
         // It follows from the density: a limit that was typed comes back with a rounding error.
-        in_range("soil.relative_density", (relative_density * 1e9).round() / 1e9, problems);
+        in_range(&format!("{path}.relative_density"), (relative_density * 1e9).round() / 1e9, problems);
     }
     if let Law::MohrCoulomb { critical_density: Some(critical), .. } = soil.law
         && critical > soil.density
@@ -32,19 +32,19 @@ pub(in crate::case) fn soil(soil: &Soil, problems: &mut Problems) {
             soil.density
         );
         let cure = "it must be at most the density; dense sand dilates by some per cent";
-        problems.add("soil.critical_density", message, cure);
+        problems.add(format!("{path}.critical_density"), message, cure);
     }
 }
 
 /// Reports what is wrong with a yield law.
-pub(in crate::case) fn law(law: &Law, problems: &mut Problems) {
+pub(in crate::case) fn law(path: &str, law: &Law, problems: &mut Problems) {
     let before = problems.len();
     for (key, number) in law_numbers(law) {
-        in_range(&format!("soil.{key}"), number, problems);
+        in_range(&format!("{path}.{key}"), number, problems);
     }
     if problems.len() == before {
-        plastic_flow(law, problems);
-        densities(law, problems);
+        plastic_flow(path, law, problems);
+        densities(path, law, problems);
     }
 }
 
@@ -105,23 +105,27 @@ fn law_numbers(law: &Law) -> Vec<(&'static str, f64)> {
 }
 
 /// Reports a densest state that is not denser than the loosest.
-fn densities(law: &Law, problems: &mut Problems) {
+fn densities(path: &str, law: &Law, problems: &mut Problems) {
     if let Law::Sand { minimum_density, maximum_density, .. } = *law
         && maximum_density <= minimum_density
     {
         let message = format!(
             "the densest state, {maximum_density:.1} kg/m³, is not denser than the loosest, {minimum_density:.1} kg/m³"
         );
-        problems.add("soil.maximum_density", message, "it must be above minimum_density");
+        problems.add(format!("{path}.maximum_density"), message, "it must be above minimum_density");
     }
 }
 
 /// Reports angles and a tension cut-off of frictional soil that contradict each other, and an end of dilation where there is none.
-fn plastic_flow(law: &Law, problems: &mut Problems) {
+fn plastic_flow(path: &str, law: &Law, problems: &mut Problems) {
     if law.friction_angle().is_some_and(|friction_angle| law.dilation_angle() > friction_angle) {
         let message =
             "the dilation angle ψ is larger than the friction angle φ: plastic flow would create energy";
-        problems.add("soil.dilation_angle", message, "it must be from 0 deg to the friction angle");
+        problems.add(
+            format!("{path}.dilation_angle"),
+            message,
+            "it must be from 0 deg to the friction angle",
+        );
     }
     let Law::MohrCoulomb { friction_angle, cohesion, tension_cutoff, critical_density, .. } = *law else {
         return;
@@ -131,11 +135,15 @@ fn plastic_flow(law: &Law, problems: &mut Problems) {
     if tension_cutoff > apex {
         let message =
             format!("the tension cut-off is beyond the apex of the yield cone, c cot φ = {apex:.4} Pa");
-        problems.add("soil.tension_cutoff", message, "lower it, or remove it for no tension at all");
+        problems.add(
+            format!("{path}.tension_cutoff"),
+            message,
+            "lower it, or remove it for no tension at all",
+        );
     }
     if law.dilation_angle() == 0.0 && critical_density.is_some() {
         let message = "soil with a dilation angle of 0 does not dilate";
-        problems.add("soil.critical_density", message, "remove it, or set  dilation_angle");
+        problems.add(format!("{path}.critical_density"), message, "remove it, or set  dilation_angle");
     }
 }
 
@@ -202,14 +210,76 @@ pub(super) fn slope(case: &Case, problems: &mut Problems) {
     if case.soil.unit_weight == 0.0 || !matches!(case.ground, Ground::Level { .. }) {
         return;
     }
+    for (n, (path, soil)) in case.soils().enumerate() {
+        let stresses = slope.principal_stresses(soil.k0).map(|ratio| ratio * stress_at_base(case, n));
+        if !at_rest::sustains(&soil.law, stresses) {
+            let angle = steepest(&slope);
+            let message = format!(
+                "the soil of [{path}] does not rest on a slope of {angle:.1}°: it would slide at once"
+            );
+            let cure = "make the slope gentler than the friction angle, or, with cohesion or undrained strength, the soil less deep";
+            problems.add(if slope.along == 0.0 { CROSS_SLOPE } else { SLOPE }, message, cure);
+        }
+    }
+}
+
+/// Stress normal to the surface at the base of a soil [Pa], by its number from the top down.
+fn stress_at_base(case: &Case, number: usize) -> f64 {
     let depth = case.ground.surface() - case.domain.low.z;
-    let normal = case.soil.unit_weight * slope.cosine() * depth + case.overburden;
-    let stresses = slope.principal_stresses(case.soil.k0).map(|ratio| ratio * normal);
-    if !at_rest::sustains(&case.soil.law, stresses) {
-        let message =
-            format!("the soil does not rest on a slope of {:.1}°: it would slide at once", steepest(&slope));
-        let cure = "make the slope gentler than the friction angle, or, with cohesion or undrained strength, the soil less deep";
-        problems.add(if slope.along == 0.0 { CROSS_SLOPE } else { SLOPE }, message, cure);
+    let tops = || case.layers.iter().map(|layer| layer.top.min(depth));
+    let bases = tops().chain([depth]);
+    let thicknesses = std::iter::once(0.0).chain(tops()).zip(bases).map(|(top, base)| base - top);
+    let weights = case.soils().map(|(_, soil)| soil.unit_weight * case.slope.cosine());
+    let each = weights.zip(thicknesses).take(number + 1);
+    case.overburden + each.map(|(weight, thickness)| weight * thickness).sum::<f64>()
+}
+
+/// Largest difference between the weights over the masses of the soils, over either: one gravity acts on all of them.
+const SAME_GRAVITY: f64 = 1e-6;
+
+/// Reports layers that lie in the wrong place, or that cannot lie in one case.
+pub(super) fn layers(case: &Case, problems: &mut Problems) {
+    if !case.layers.is_empty() && !matches!(case.ground, Ground::Level { .. }) {
+        let message = "layers of a column or a bank are not modelled";
+        problems.add(
+            case.layers[0].path(),
+            message,
+            "remove ground.x, ground.y and ground.radius, or the layers",
+        );
+    }
+    let depth = case.ground.surface() - case.domain.low.z;
+    let of = |soil: &Soil| soil.unit_weight / soil.density;
+    for (n, layer) in case.layers.iter().enumerate() {
+        let top = format!("{}.top", layer.path());
+        if layer.top >= depth {
+            let message =
+                format!("the layer begins below the floor of the box, {} m under the surface", plain(depth));
+            problems.add(&*top, message, "deepen domain.z, or remove the layer");
+        }
+        let above = case.layers[..n].last().map_or(0.0, |above| above.top);
+        if layer.top <= above {
+            let message = "two layers begin at this depth, or they are not in the order of their depth";
+            problems.add(&*top, message, "give every layer a depth of its own");
+        }
+        if (of(&layer.soil) - of(&case.soil)).abs() > SAME_GRAVITY * of(&case.soil).max(of(&layer.soil)) {
+            let message =
+                "unit_weight over density of this layer is not that of [soil]: one gravity acts on all soil";
+            problems.add(
+                format!("{}.unit_weight", layer.path()),
+                message,
+                "give one of the two and let the other follow",
+            );
+        }
+    }
+    let averaged =
+        |(_, soil): &(String, &Soil)| matches!(soil.law, Law::Sand { characteristic_length: Some(_), .. });
+    for (path, _) in case.soils().filter(averaged).skip(1) {
+        let message = "only one soil of a case may have a characteristic length";
+        problems.add(
+            format!("{path}.characteristic_length"),
+            message,
+            "remove it here or in the layer above",
+        );
     }
 }
 

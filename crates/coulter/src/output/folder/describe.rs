@@ -1,13 +1,18 @@
 //! The case in a few words, for the top of a report.
 
 use crate::case::resolved::{
-    Attitude, Body, Case, Change, GROUND, Law, Motion, Part, Potential, Stage, Until,
+    Attitude, Body, Case, Change, GROUND, Law, Layer, Motion, Part, Potential, Soil, Stage, Until,
 };
 use crate::output::units::{Unit, digits};
 
 /// Soil and bodies, each as a name and a description.
 pub(super) fn describe(case: &Case) -> Vec<[String; 2]> {
-    let mut lines = vec![["Soil".to_owned(), soil(case)]];
+    let mut lines = vec![["Soil".to_owned(), soil(&case.soil)]];
+    let depth = |layer: &Layer| quantity(layer.top, Unit::length(layer.top));
+    let layer = |layer: &Layer| {
+        [format!("Layer {}", layer.name), format!("from a depth of {}: {}", depth(layer), soil(&layer.soil))]
+    };
+    lines.extend(case.layers.iter().map(layer));
     if !case.slope.is_level() {
         let [along, across] = case.slope.angles().map(degrees);
         lines.push([
@@ -49,8 +54,7 @@ fn degrees(angle: f64) -> String {
     format!("{}°", digits(angle.to_degrees()))
 }
 
-fn soil(case: &Case) -> String {
-    let soil = &case.soil;
+fn soil(soil: &Soil) -> String {
     let law = match soil.law {
         Law::Elastic => "linear elastic".to_owned(),
         Law::Tresca { shear_strength } => format!("Tresca, sᵤ = {}", stress(shear_strength)),

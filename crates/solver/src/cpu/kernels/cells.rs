@@ -15,6 +15,7 @@ use std::ops::Range;
 /// The cells of a row.
 pub(crate) struct CellRow<'a> {
     pub(crate) fraction: &'a [Real],
+    /// Masses [kg], as if all soil of a cell were of its main material.
     pub(crate) mass: &'a [Real],
     pub(crate) stress: [&'a mut [Real]; 6],
     pub(crate) history: [&'a mut [Real]; HISTORY_COUNT],

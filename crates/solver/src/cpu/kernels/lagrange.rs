@@ -34,6 +34,7 @@ struct Inputs<'a> {
     model: &'a Model,
     grid: &'a Grid,
     fraction: &'a [Real],
+    /// Mass of each cell as if all its soil were of its main material [kg].
     soil_mass: &'a [Real],
     mass: &'a [Real],
     velocity: [&'a [Real]; 3],
@@ -66,6 +67,7 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
         row_sums,
         width_x,
         material,
+        mass_as_main,
         materials,
         ..
     } = workspace;
@@ -74,7 +76,7 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
         model,
         grid,
         fraction,
-        soil_mass: mass,
+        soil_mass: if mass_as_main.is_empty() { mass } else { mass_as_main },
         mass: &state.nodes.mass,
         velocity: velocity_before.each_ref().map(Vec::as_slice),
         row_has_soil,

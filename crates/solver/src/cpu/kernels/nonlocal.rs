@@ -98,7 +98,7 @@ impl Averaged<'_> {
 
     /// Volume fraction of the soil of the material, and its relative density times that.
     fn collect(&self, soil: &Soil, workspace: &Workspace, [fractions, densities]: &mut [Vec<Real>; 2]) {
-        let Soil { fraction, mass, .. } = soil;
+        let (fraction, mass) = (&soil.fraction, workspace.mass_of_laws(&soil.mass));
         workspace.team.rows2(&workspace.partition, fractions, densities, |row, fractions, densities| {
             fractions.fill(0.0);
             densities.fill(0.0);
@@ -139,6 +139,7 @@ impl Averaged<'_> {
     /// Enters the difference between the average and the own relative density of each cell.
     fn store(&self, soil: &mut Soil, workspace: &Workspace, [fractions, densities]: &[Vec<Real>; 2]) {
         let Soil { fraction, mass, history, .. } = soil;
+        let mass = workspace.mass_of_laws(mass);
         workspace.team.rows(&workspace.partition, &mut history[NONLOCAL_DENSITY], |row, out| {
             out.fill(0.0);
             self.cells_of_row(row, fraction, workspace, |c, i, volume| {

@@ -4,7 +4,7 @@ use super::cells::{BLOCK, Block, CellRow, MaterialConstants, RowConstants, cells
 use super::physics::tensor::mean;
 use super::return_mapping::apply;
 use super::{Real, Soil, WorkerScratch, Workspace};
-use crate::fields::{GAP_STRAIN, HISTORY_COUNT, main_material};
+use crate::fields::{GAP_STRAIN, HISTORY_COUNT, main_material, mass_as_main};
 use crate::grid::Grid;
 use crate::model::{FRACTION_KEPT, Model};
 use multiversion::multiversion;
@@ -29,10 +29,22 @@ struct Inputs<'a> {
     materials: &'a [MaterialConstants],
     /// Portions of the second material, the third, … in each cell.
     composition: &'a [Vec<Real>],
+    /// Densities of the undeformed materials [kg/m³].
+    densities: &'a [f64],
     /// Volume of the soil in each cell [m³].
     volume: &'a [Real],
     /// Rows that may hold soil.
     active: &'a [bool],
+}
+
+impl Inputs<'_> {
+    /// Masses of a row of cells as if all their soil were of the main material (see [`mass_as_main`]).
+    fn masses_as_main(&self, mass: &[Real], cells: Range<usize>) -> Vec<Real> {
+        let one = |(mass, c): (&Real, usize)| {
+            mass_as_main(self.composition, self.densities, f64::from(*mass), c) as Real
+        };
+        mass.iter().zip(cells).map(one).collect()
+    }
 }
 
 /// Removes debris, closes gaps that stand under pressure, returns stresses to the yield surface; in the `active` rows, the
@@ -45,6 +57,7 @@ pub(crate) fn update_after_remap(model: &Model, soil: &mut Soil, workspace: &mut
         row_values,
         workers,
         width_x,
+        densities,
         materials,
         ..
     } = workspace;
@@ -60,7 +73,7 @@ pub(crate) fn update_after_remap(model: &Model, soil: &mut Soil, workspace: &mut
             WorkerSlice { rows, fraction, mass, stress, history, debris, scratch }
         });
     let constants = RowConstants::new(model, materials, width_x, 0.0);
-    let inputs = Inputs { grid: &model.grid, constants, materials, composition, volume, active };
+    let inputs = Inputs { grid: &model.grid, constants, materials, composition, densities, volume, active };
     team.distribute(slices, |slice| update_slice(&inputs, slice));
 }
 
@@ -79,19 +92,21 @@ fn update_slice(inputs: &Inputs, slice: &mut WorkerSlice) {
         let own = n * row + 1..n * row + 1 + grid.padded_row();
         let (fraction, mass) = (&mut slice.fraction[own.clone()], &mut slice.mass[own.clone()]);
         slice.debris[n] = new_fractions(inputs, [r, q, plane], fraction, mass);
+        let start = r * row + 1;
+        let of_row = start..start + own.len();
+        let (material, as_main): (Vec<u8>, Vec<Real>) = if inputs.composition.is_empty() {
+            Default::default()
+        } else {
+            let main = |c: usize| main_material(inputs.composition, c) as u8;
+            (of_row.clone().map(main).collect(), inputs.masses_as_main(mass, of_row))
+        };
         let mut cells = CellRow {
             fraction,
-            mass,
+            mass: if as_main.is_empty() { mass } else { &as_main },
             stress: slice.stress.each_mut().map(|s| &mut s[own.clone()]),
             history: slice.history.each_mut().map(|h| cells_of(h, &own)),
             width_y: grid.width(1, q - 1) as Real,
             width_z: grid.width(2, plane - 1) as Real,
-        };
-        let start = r * row + 1;
-        let material: Vec<u8> = if inputs.composition.is_empty() {
-            Vec::new()
-        } else {
-            (start..start + own.len()).map(|c| main_material(inputs.composition, c) as u8).collect()
         };
         for (run, number) in runs(&material, 0..own.len()) {
             let constants = inputs.constants.of(&inputs.materials[number]);
@@ -126,14 +141,19 @@ fn new_fractions(
 /// Updates a cell that soil was moved into.
 pub(crate) fn update_cell(model: &Model, soil: &mut Soil, workspace: &mut Workspace, c: usize) {
     let grid = &model.grid;
-    let Workspace { width_x, workers, materials, .. } = workspace;
+    let Workspace { width_x, workers, densities, materials, .. } = workspace;
     let material = &materials[soil.main_material(c)];
     let constants = RowConstants::new(model, materials, width_x, 0.0).of(material);
     let [i, j, k] = grid.layers_of(c);
     let own = c - i..c - i + grid.padded_row();
+    let mass = &soil.mass[own.clone()];
+    let mut as_main = if soil.composition.is_empty() { Vec::new() } else { mass.to_vec() };
+    if let Some(own) = as_main.get_mut(i) {
+        *own = mass_as_main(&soil.composition, densities, f64::from(*own), c) as Real;
+    }
     let mut cells = CellRow {
         fraction: &soil.fraction[own.clone()],
-        mass: &soil.mass[own.clone()],
+        mass: if as_main.is_empty() { mass } else { &as_main },
         stress: soil.stress.each_mut().map(|s| &mut s[own.clone()]),
         history: soil.history.each_mut().map(|h| cells_of(h, &own)),
         width_y: grid.width(1, j) as Real,
