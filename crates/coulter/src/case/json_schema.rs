@@ -24,7 +24,17 @@ fn schema() -> Value {
                     "additionalProperties": stage });
                 properties.insert(section.name.into(), named);
             }
-            "layer" | "body" | "joint" => {
+            "layer" => {
+                let mut layer = object(&section);
+                for key in keys::find("soil").map(|soil| soil.keys).unwrap_or_default() {
+                    layer["properties"][key.name] =
+                        json!({ "$ref": format!("#/properties/soil/properties/{}", key.name) });
+                }
+                let named = json!({ "type": "object", "description": section.meaning,
+                    "additionalProperties": layer });
+                properties.insert(section.name.into(), named);
+            }
+            "body" | "joint" => {
                 let named = json!({ "type": "object", "description": section.meaning,
                     "additionalProperties": object(&section) });
                 properties.insert(section.name.into(), named);
