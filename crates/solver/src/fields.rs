@@ -237,3 +237,21 @@ impl<R: Copy + Into<f64>> Nodes<R> {
 fn to_f64<R: Copy + Into<f64>>(field: &[R]) -> Vec<f64> {
     field.iter().map(|value| (*value).into()).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_law_sees_the_density_of_its_own_soil() {
+        // Three cells with 0.3, 0.8 and none of a heavy second soil, all of them compressed by a fiftieth.
+        let composition = [vec![0.3, 0.8, 0.0]];
+        let densities = [1500.0, 1800.0];
+        for (cell, (mixed, own)) in
+            [(1590.0, 1500.0), (1740.0, 1800.0), (1500.0, 1500.0)].into_iter().enumerate()
+        {
+            let mass = mass_as_main(&composition, &densities, 1.02 * mixed, cell);
+            assert!((mass - 1.02 * own).abs() < 1e-9, "cell {cell}: {mass}");
+        }
+    }
+}

@@ -1,9 +1,9 @@
 //! What a case will cost: cells, memory, time step, number of steps.
 
-use super::model::model;
+use super::model::{material, model};
 use super::output_size::{self, OutputSize};
 use super::path::travel;
-use super::resolved::{Body, Case, Grid, Ground, Precision, Soil};
+use super::resolved::{Body, Case, Grid, Ground, Precision};
 use glam::DVec3;
 use serde::Serialize;
 use solver::footprint::{self, Footprint, rim_bins, surface_points};
@@ -75,18 +75,10 @@ pub fn cost(case: &Case) -> Cost {
     Cost { estimate, memory_bytes: memory.total(), memory, output }
 }
 
-/// Speed of the compression wave in a soil where it is stiffest [m/s].
-fn wave_speed(soil: &Soil) -> f64 {
-    let (young, nu) = (soil.stiffest_modulus(), soil.poisson_ratio);
-    let bulk = young / (3.0 * (1.0 - 2.0 * nu));
-    let shear = young / (2.0 * (1.0 + nu));
-    ((bulk + 4.0 / 3.0 * shear) / soil.density).sqrt()
-}
-
 /// Cells and steps of `case`.
 #[must_use]
 pub fn estimate(case: &Case) -> Estimate {
-    let wave_speed = case.soils().map(|(_, soil)| wave_speed(soil)).fold(0.0, f64::max);
+    let wave_speed = case.soils().map(|(_, soil)| material(soil).wave_speed()).fold(0.0, f64::max);
     let aspect = case.grid.aspect;
     let widths = DVec3::from_array(case.grid.faces.each_ref().map(|faces| finest_of(faces)));
     let time_step =

@@ -1,6 +1,7 @@
 //! Estimates of how much a run will write, and of the memory that writing takes.
 
-use super::resolved::{Case, Law, Precision};
+use super::model::material;
+use super::resolved::{Case, Precision};
 use serde::Serialize;
 use solver::fields::{ARRAYS, MEMORY_COUNT};
 use solver::state::RimSums;
@@ -53,8 +54,8 @@ pub fn output_size(case: &Case, [cells, filled]: [f64; 2], steps: f64) -> Output
     let lines = samples(case, steps) + 1.0;
     let fields_bytes = frames * one;
     let histories_bytes = lines * (LINES[0] * bodies + LINES[1]);
-    let memory =
-        if case.soils().any(|(_, soil)| matches!(soil.law, Law::Sand { .. })) { MEMORY_COUNT } else { 0 };
+    let remembers = case.soils().any(|(_, soil)| material(soil).remembers());
+    let memory = if remembers { MEMORY_COUNT } else { 0 };
     let arrays = ARRAYS + memory + case.layers.len();
     let checkpoints_bytes = 2.0 * PACKED_STATE * arrays as f64 * width(case) * filled;
     let total_bytes = fields_bytes + histories_bytes + checkpoints_bytes + REPORT;

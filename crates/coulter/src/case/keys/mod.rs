@@ -24,7 +24,7 @@ pub const SECTIONS: [KeyTable; 13] = [
     section("soil", "The soil; of ground in layers the uppermost.", soil::SOIL),
     section(
         "layer",
-        "A layer of another soil, `[layer.NAME]`, from its top down to that of the next layer below, or to the floor; any number of \
+        "A layer of another soil, `[layer.NAME]`, from its top down to that of the next layer below, or to the floor; up to 20 of \
          them. It has a depth and every key of `[soil]`.",
         soil::LAYER,
     ),

@@ -4,7 +4,7 @@ use crate::case::at_rest;
 use crate::case::numbers::in_range;
 use crate::case::problem::Problems;
 use crate::case::quantity::plain;
-use crate::case::resolved::{Case, Domain, Ground, Law, Potential, Soil, Wall};
+use crate::case::resolved::{Case, Domain, Ground, Law, Potential, SOIL, Soil, Wall};
 use crate::case::slope::Slope;
 
 /// Reports what is wrong with the soil of a section.
@@ -176,12 +176,17 @@ pub(in crate::case) fn overburden(
         problems.add(OVERBURDEN, message, cure);
         return;
     }
+    sustained((SOIL, soil), overburden, problems);
+}
+
+/// Reports an overburden [Pa] under which the soil of a section yields at once.
+fn sustained((path, soil): (&str, &Soil), overburden: f64, problems: &mut Problems) {
     let ratio = soil.k0;
-    let is_sustained = at_rest::sustains(&soil.law, [1.0, ratio, ratio].map(|r| r * overburden));
-    if !is_sustained {
-        let message =
-            format!("the soil cannot sustain this overburden with K₀ = {ratio:.3}: it would fail at once");
-        problems.add(OVERBURDEN, message, "add  k0 = 1  to [soil], or lower the overburden");
+    if !at_rest::sustains(&soil.law, [1.0, ratio, ratio].map(|r| r * overburden)) {
+        let message = format!(
+            "the soil of [{path}] cannot sustain this overburden with K₀ = {ratio:.3}: it would fail at once"
+        );
+        problems.add(OVERBURDEN, message, format!("add  k0 = 1  to [{path}], or lower the overburden"));
     }
 }
 
@@ -250,6 +255,7 @@ pub(super) fn layers(case: &Case, problems: &mut Problems) {
     let depth = case.ground.surface() - case.domain.low.z;
     let of = |soil: &Soil| soil.unit_weight / soil.density;
     for (n, layer) in case.layers.iter().enumerate() {
+        sustained((&layer.path(), &layer.soil), case.overburden, problems);
         let top = format!("{}.top", layer.path());
         if layer.top >= depth {
             let message =

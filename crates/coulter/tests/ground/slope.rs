@@ -1,8 +1,6 @@
 //! Ground on a slope: soil at rest stays at rest, bodies are drawn downhill, and what the slope contradicts is refused.
-#![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
-
-use coulter::case::{self, Case};
-use coulter::simulation::Simulation;
+use super::{SAND, fastest, read, run};
+use coulter::case::Case;
 
 fn text(soil: &str, ground: &str, body: &str) -> String {
     format!(
@@ -12,26 +10,11 @@ fn text(soil: &str, ground: &str, body: &str) -> String {
     )
 }
 
-const SAND: &str = "law = \"sand\"\ncritical_friction_angle = \"32 deg\"\nminimum_density = \"1400 kg/m^3\"\n\
-                    maximum_density = \"1700 kg/m^3\"\nrelative_density = 0.5\nstiffness_limit = \"10 kPa\"";
 const FRICTIONAL: &str = "law = \"mohr-coulomb\"\nfriction_angle = \"35 deg\"\nunit_weight = \"16 kN/m^3\"";
 const CLAY: &str = "law = \"tresca\"\nshear_strength = \"5 kPa\"\nunit_weight = \"16 kN/m^3\"";
 
 fn case(soil: &str, ground: &str, body: &str) -> Result<Case, String> {
-    case::parse(&text(soil, ground, body), "slope", &[]).map_err(|error| error.to_string())
-}
-
-fn run(case: &Case) -> Simulation {
-    let mut simulation = Simulation::new(case);
-    while !simulation.is_done() {
-        simulation.advance().unwrap();
-    }
-    simulation
-}
-
-/// Largest speed of a node along any axis [m/s].
-fn fastest(simulation: &Simulation) -> f64 {
-    simulation.state.nodes.velocity.iter().flatten().fold(0.0, |most: f64, v| most.max(v.abs()))
+    read(&text(soil, ground, body))
 }
 
 #[test]
@@ -75,11 +58,11 @@ fn what_a_slope_contradicts_is_refused() {
     refused(&format!("{FRICTIONAL}\nk0 = 0.3"), "slope = \"20 deg\"", "", "does not rest");
     let walls = text(FRICTIONAL, "slope = \"20 deg\"", "")
         .replace("[grid]", "x_walls = [\"smooth\", \"fixed\"]\n[grid]");
-    let message = case::parse(&walls, "slope", &[]).unwrap_err().to_string();
+    let message = read(&walls).unwrap_err();
     assert!(message.contains("smooth wall across a slope"), "{message}");
     let plane = text(FRICTIONAL, "cross_slope = \"20 deg\"", "")
         .replace("y = [\"-0.05 m\"", "symmetric = true\ny = [\"0 m\"");
-    let message = case::parse(&plane, "slope", &[]).unwrap_err().to_string();
+    let message = read(&plane).unwrap_err();
     assert!(message.contains("across a plane of symmetry"), "{message}");
 }
 

@@ -1,19 +1,15 @@
 //! Ground in layers: it rests, each layer has its own soil, a body that is towed meets the same ground everywhere, and what cannot be
 //! layered is refused.
-#![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
-
-use coulter::case::{self, Case};
+use super::{SAND, fastest, read};
 use coulter::simulation::Simulation;
 
-const SAND: &str = "law = \"sand\"\ncritical_friction_angle = \"32 deg\"\nminimum_density = \"1400 kg/m^3\"\n\
-                    maximum_density = \"1700 kg/m^3\"\nrelative_density = 0.3\nstiffness_limit = \"10 kPa\"\nyoung_modulus = \"5 MPa\"\n";
 const CLAY: &str =
     "law = \"tresca\"\nshear_strength = \"5 kPa\"\nunit_weight = \"18 kN/m^3\"\nyoung_modulus = \"3 MPa\"\n";
 const DENSE: &str = "law = \"mohr-coulomb\"\nfriction_angle = \"38 deg\"\nunit_weight = \"19 kN/m^3\"\nyoung_modulus = \"8 MPa\"\n";
 
 fn text(layers: &str, rest: &str) -> String {
     format!(
-        "format = 2\ngravity = \"9.81 m/s^2\"\n[soil]\n{SAND}{layers}\
+        "format = 2\ngravity = \"9.81 m/s^2\"\n[soil]\nyoung_modulus = \"5 MPa\"\n{SAND}{layers}\
          [domain]\nx = [\"-0.1 m\", \"0.1 m\"]\ny = [\"-0.05 m\", \"0.05 m\"]\nz = [\"-0.1 m\", \"0.05 m\"]\n\
          [grid]\ncell = \"10 mm\"\n{rest}\n"
     )
@@ -25,21 +21,8 @@ fn layered(rest: &str) -> String {
     text(&layers, &format!("[run]\nduration = \"0.05 s\"\n{rest}"))
 }
 
-fn read(text: &str) -> Result<Case, String> {
-    case::parse(text, "layers", &[]).map_err(|error| error.to_string())
-}
-
 fn run(text: &str) -> Simulation {
-    let mut simulation = Simulation::new(&read(text).unwrap());
-    while !simulation.is_done() {
-        simulation.advance().unwrap();
-    }
-    simulation
-}
-
-/// Largest speed of a node along any axis [m/s].
-fn fastest(simulation: &Simulation) -> f64 {
-    simulation.state.nodes.velocity.iter().flatten().fold(0.0, |most: f64, v| most.max(v.abs()))
+    super::run(&read(text).unwrap())
 }
 
 #[test]
@@ -113,9 +96,10 @@ fn what_cannot_be_layered_is_refused() {
     refused(&two, "", &["two layers begin"]);
     refused("[layer]\ntop = \"20 mm\"\n", "", &["[layer], which has no keys of its own"]);
     let averaged = format!(
-        "characteristic_length = \"30 mm\"\n[layer.deep]\ntop = \"50 mm\"\n{SAND}characteristic_length = \"30 mm\"\n"
+        "characteristic_length = \"30 mm\"\n[layer.deep]\ntop = \"50 mm\"\nyoung_modulus = \"5 MPa\"\n{SAND}characteristic_length = \"30 mm\"\n"
     );
     refused(&averaged, "", &["only one soil"]);
     let weak = clay("top = \"20 mm\"").replace("5 kPa", "0.2 kPa");
+    refused(&weak, "[ground]\noverburden = \"2 kPa\"\nsurface = \"0.05 m\"\n", &["layer.clay", "overburden"]);
     refused(&weak, "[ground]\nslope = \"20 deg\"\n", &["layer.clay", "does not rest"]);
 }

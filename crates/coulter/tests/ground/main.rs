@@ -1,0 +1,28 @@
+//! The ground at rest, on slopes and in layers.
+#![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
+
+mod layers;
+mod slope;
+
+use coulter::case::{self, Case};
+use coulter::simulation::Simulation;
+
+const SAND: &str = "law = \"sand\"\ncritical_friction_angle = \"32 deg\"\nminimum_density = \"1400 kg/m^3\"\n\
+                    maximum_density = \"1700 kg/m^3\"\nrelative_density = 0.5\nstiffness_limit = \"10 kPa\"\n";
+
+fn read(text: &str) -> Result<Case, String> {
+    case::parse(text, "ground", &[]).map_err(|error| error.to_string())
+}
+
+fn run(case: &Case) -> Simulation {
+    let mut simulation = Simulation::new(case);
+    while !simulation.is_done() {
+        simulation.advance().unwrap();
+    }
+    simulation
+}
+
+/// Largest speed of a node along any axis [m/s].
+fn fastest(simulation: &Simulation) -> f64 {
+    simulation.state.nodes.velocity.iter().flatten().fold(0.0, |most: f64, v| most.max(v.abs()))
+}
