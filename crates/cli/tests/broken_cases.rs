@@ -242,7 +242,7 @@ fn missing_values() {
 fn body_of_no_size_or_too_thin_for_the_grid() {
     refused(TOWED_DISC, "\"0.05 m\"", "\"0 m\"", &["body.disc.thickness", "above 0"]);
     refused(TOWED_DISC, "\"0.2 m\"", "\"-0.2 m\"", &["body.disc.diameter", "above 0"]);
-    refused(TOWED_DISC, "\"0.05 m\"", "\"20 mm\"", &["1.60 cells across", "grid.cell at most 10.0000 mm"]);
+    refused(TOWED_DISC, "\"0.05 m\"", "\"10 mm\"", &["0.80 cells across", "grid.cell at most 10.0000 mm"]);
     refused(FOOTING, "[\"1 m\", \"0.5 m\"]", "[\"1 m\", \"0 m\"]", &["must be above 0"]);
     refused(FOOTING, "[\"1 m\", \"0.5 m\"]", "[\"1 m\", \"1 m\", \"1 m\"]", &["plane strain"]);
 }

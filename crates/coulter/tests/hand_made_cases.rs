@@ -40,7 +40,7 @@ const FAULTS: &[Fault] = &[
     (TOWED_DISC, &["gravity=-9.81 m/s^2"], |c| c.gravity = -9.81),
     (TOWED_DISC, &["name=a b"], |c| c.name = "a b".into()),
     (TOWED_DISC, &["body.disc.diameter=0 m"], |c| c.bodies[0].shape = disc(0.0, 0.05)),
-    (TOWED_DISC, &["body.disc.thickness=20 mm"], |c| c.bodies[0].shape = disc(0.2, 0.02)),
+    (TOWED_DISC, &["body.disc.thickness=10 mm"], |c| c.bodies[0].shape = disc(0.2, 0.01)),
     (TOWED_DISC, &["body.disc.friction=-0.1"], |c| c.bodies[0].friction = -0.1),
     (TOWED_DISC, &["body.disc.axle_inertia=-1 kg*m^2"], |c| c.bodies[0].axle_inertia = -1.0),
     (TOWED_DISC, &["body.disc.x=0.7 m"], |c| c.bodies[0].position.x = 0.7),
@@ -63,7 +63,9 @@ const FAULTS: &[Fault] = &[
     (TOWED_DISC, &["output.history_interval=4 ns"], |c| c.output.history_interval = 4e-9),
     (TOWED_DISC, &["forecast.bow_wave=2"], |c| c.forecast.bow_wave = 2.0),
     (TOWED_DISC, &["soil.young_modulus=1e300 MPa"], |c| c.soil.young_modulus = 1e306),
-    (FOOTING, &["soil.shear_strength=0 Pa"], |c| c.soil.law = Law::Tresca { shear_strength: 0.0 }),
+    (FOOTING, &["soil.shear_strength=0 Pa"], |c| {
+        c.soil.law = Law::Tresca { shear_strength: 0.0, gradient: 0.0, softening: None }
+    }),
     (FOOTING, &["domain.y_walls=['fixed', 'fixed']"], |c| c.domain.walls[1] = [Wall::Fixed; 2]),
     (COLUMN, &["ground.surface=-9 m"], |c| match &mut c.ground {
         Ground::Level { surface } => *surface = -9.0,
@@ -125,7 +127,7 @@ fn a_fault_made_by_hand_is_found_like_a_typed_one() {
 fn what_no_file_can_say_is_found_too() {
     let faults: [(&str, Change); 13] = [
         ("body.disc.sinkage", |c| c.bodies[0].position.z = f64::NAN),
-        ("body.disc.adhesion_factor", |c| c.bodies[0].shear_limit = -1.0),
+        ("body.disc.adhesion_factor", |c| c.bodies[0].adhesion_factor = -1.0),
         ("body.disc.heave", |c| {
             c.bodies[0].translation[2] = Motion::Free { load: 0.0, support: f64::NAN, start: 0.0, ramp: 0.1 };
         }),
@@ -224,7 +226,7 @@ fn what_is_no_map_of_sections_is_refused() {
 /// Every number of a body.
 fn numbers_of_body(body: &mut Body) -> Vec<&mut f64> {
     let mut all = Vec::from(components(&mut body.position));
-    all.extend([&mut body.mass, &mut body.axle_inertia, &mut body.friction, &mut body.shear_limit]);
+    all.extend([&mut body.mass, &mut body.axle_inertia, &mut body.friction, &mut body.adhesion_factor]);
     all.extend(match &mut body.shape {
         Shape::Disc(disc) => {
             let rim = match &mut disc.rim {
@@ -266,15 +268,17 @@ fn numbers_of_body(body: &mut Body) -> Vec<&mut f64> {
     all
 }
 
-/// Every number of a case.
-fn numbers(case: &mut Case) -> Vec<&mut f64> {
-    let mut all = vec![&mut case.gravity, &mut case.overburden, &mut case.duration];
-    let soil = &mut case.soil;
-    all.extend([&mut soil.density, &mut soil.unit_weight, &mut soil.young_modulus]);
-    all.extend([&mut soil.poisson_ratio, &mut soil.k0]);
-    match &mut soil.law {
-        Law::Tresca { shear_strength } => all.push(shear_strength),
-        Law::VonMises { yield_stress, hardening_modulus } => all.extend([yield_stress, hardening_modulus]),
+fn numbers_of_law(law: &mut Law) -> Vec<&mut f64> {
+    match law {
+        Law::Tresca { shear_strength, gradient, softening } => {
+            let mut all = vec![shear_strength, gradient];
+            if let Some(softening) = softening {
+                all.extend([&mut softening.sensitivity, &mut softening.remoulding_strain]);
+                all.extend([&mut softening.rate_strengthening, &mut softening.reference_rate]);
+            }
+            all
+        }
+        Law::VonMises { yield_stress, hardening_modulus } => vec![yield_stress, hardening_modulus],
         Law::Sand {
             critical_friction_angle,
             minimum_density,
@@ -283,17 +287,28 @@ fn numbers(case: &mut Case) -> Vec<&mut f64> {
             characteristic_length,
             ..
         } => {
-            all.extend([critical_friction_angle, minimum_density, maximum_density, stiffness_limit]);
+            let mut all = vec![critical_friction_angle, minimum_density, maximum_density, stiffness_limit];
             all.extend(characteristic_length);
+            all
         }
         Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_cutoff, potential, .. } => {
-            all.extend([friction_angle, dilation_angle, cohesion, tension_cutoff]);
+            let mut all = vec![friction_angle, dilation_angle, cohesion, tension_cutoff];
             if let Potential::MenetreyWillam { meridional, deviatoric } = potential {
                 all.extend([meridional, deviatoric]);
             }
+            all
         }
-        _ => {}
+        Law::Elastic => Vec::new(),
     }
+}
+
+/// Every number of a case.
+fn numbers(case: &mut Case) -> Vec<&mut f64> {
+    let mut all = vec![&mut case.gravity, &mut case.overburden, &mut case.duration];
+    let soil = &mut case.soil;
+    all.extend([&mut soil.density, &mut soil.unit_weight, &mut soil.young_modulus]);
+    all.extend([&mut soil.poisson_ratio, &mut soil.k0]);
+    all.extend(numbers_of_law(&mut soil.law));
     match &mut case.ground {
         Ground::Level { surface } => all.push(surface),
         Ground::Column { low, high, radius } => {

@@ -126,7 +126,7 @@ fn what_was_repaired_is_a_warning_and_what_is_wrong_has_its_line() {
         ("body.tool.file=other.stl", "cannot be read"),
         ("body.tool.diameter=1 m", "`diameter` does not apply"),
         ("domain.plane_strain=true", "cannot be combined with plane_strain"),
-        ("grid.cell=60 mm", "cells across body.tool.file"),
+        ("grid.cell=100 mm", "cells across body.tool.file"),
         ("body.tool.spin={ slip = 0.1 }", "slip"),
     ] {
         let refusal = case(&disc(48, 200.0, 80.0), &[set]).unwrap_err();

@@ -1,9 +1,11 @@
 //! Shapes of bodies: how they are read, described and placed, what is refused, and that solver and forecast take them.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
+use coulter::case::model::model;
 use coulter::case::{self, Case, CaseError};
 use coulter::forecast::outlook;
 use coulter::simulation::Simulation;
+use glam::DVec3;
 
 /// A small box of sand on coarse cells, with a body that is towed and sinks.
 const BOX: &str = "format = 2\n[soil]\nlaw = 'mohr-coulomb'\nfriction_angle = '35 deg'\nunit_weight = '16 kN/m^3'\nyoung_modulus = '5 MPa'\n\
@@ -162,7 +164,7 @@ const REFUSALS: &[Refusal] = &[
     (WHEEL, &["grousers=0"], "grousers", "out of range"),
     (WHEEL, &["grousers=2.5"], "grousers", "whole number"),
     (WHEEL, &["grousers=16"], "grouser_thickness", "do not fit"),
-    (WHEEL, &["grouser_thickness=10 mm"], "grouser_thickness", "cells across"),
+    (WHEEL, &["grouser_thickness=5 mm"], "grouser_thickness", "cells across"),
     (BLADE, &["bevel=back"], "bevel", "blade with a bevel only"),
     (BLADE, &["bevel_angle=10 deg"], "bevel_angle", "as high as the blade"),
     (BLADE, &["bevel_angle=30 deg", "bevel=left"], "bevel", "does not apply"),
@@ -247,4 +249,25 @@ fn a_wheel_rolls_on_its_rim() {
         mechanics::Motion::Prescribed { speed, .. } => assert!((speed - 3.0).abs() < 1e-12, "{speed}"),
         other => panic!("{other:?}"),
     }
+}
+
+#[test]
+fn a_rim_of_one_cell_keeps_a_quarter_of_its_contact_points() {
+    let rim = |thickness: &str, set: &[&str]| {
+        let keys = ["shape=disc", "diameter=0.2 m", thickness];
+        let case = parse(&[&keys], set).unwrap();
+        let body = &model(&case, 1).bodies[0];
+        let cell = case.grid.cell;
+        let points =
+            body.shape.surface_points(DVec3::splat(0.25 * cell), DVec3::splat(body.edge_inset * cell));
+        let area: f64 = points.iter().filter(|p| p.normal.y == 0.0).map(|p| p.area).sum();
+        (body.edge_inset, area / (std::f64::consts::PI * 0.2 * case.grid.cell))
+    };
+    let close = |a: (f64, f64), b: (f64, f64)| (a.0 - b.0).abs() < 1e-9 && (a.1 - b.1).abs() < 1e-9;
+    // Cells of 20 mm.
+    assert!(close(rim("thickness=20 mm", &[]), (0.375, 0.25)));
+    assert!(close(rim("thickness=40 mm", &[]), (0.5, 1.0)));
+    assert!(close(rim("thickness=60 mm", &["numerics.edge_inset=1.2"]), (1.2, 0.6)));
+    let refused = parse(&[&["shape=disc", "diameter=0.2 m", "thickness=19 mm"]], &[]).unwrap_err();
+    assert!(refused.problems.iter().any(|p| p.message.contains("0.95 cells across")), "{refused:#?}");
 }

@@ -1,5 +1,6 @@
 //! The constitutive laws that the soil may have, as one type.
 
+use super::clay::Clay;
 use super::menetrey_willam::MenetreyWillam;
 use super::mohr_coulomb::MohrCoulomb;
 use super::sand::Sand;
@@ -18,6 +19,8 @@ pub enum Law {
     VonMises(VonMises),
     /// Sand whose strength, dilatancy and stiffness follow its density and pressure.
     Sand(Sand),
+    /// Undrained clay whose strength differs from point to point and changes with remoulding and rate.
+    Clay(Clay),
 }
 
 impl Law {
@@ -30,6 +33,7 @@ impl Law {
             Exact::MenetreyWillam(law) => Self::MenetreyWillam(MenetreyWillam::cast(law)),
             Exact::VonMises(law) => Self::VonMises(VonMises::cast(law)),
             Exact::Sand(law) => Self::Sand(Sand::cast(law)),
+            Exact::Clay(law) => Self::Clay(Clay::cast(law)),
         }
     }
 }
@@ -41,6 +45,7 @@ impl YieldLaw for Law {
             Self::MenetreyWillam(law) => law.may_yield(stress, point),
             Self::VonMises(law) => law.may_yield(stress, point),
             Self::Sand(law) => law.may_yield(stress, point),
+            Self::Clay(law) => law.may_yield(stress, point),
         }
     }
 
@@ -50,6 +55,7 @@ impl YieldLaw for Law {
             Self::MenetreyWillam(law) => law.return_map(trial, point),
             Self::VonMises(law) => law.return_map(trial, point),
             Self::Sand(law) => law.return_map(trial, point),
+            Self::Clay(law) => law.return_map(trial, point),
         }
     }
 }

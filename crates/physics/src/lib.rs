@@ -14,6 +14,6 @@ pub mod shape;
 pub mod single;
 
 pub use double::{
-    brick, elastic, law, limiter, menetrey_willam, mohr_coulomb, sand, tensor, viscosity, von_mises,
+    brick, clay, elastic, law, limiter, menetrey_willam, mohr_coulomb, sand, tensor, viscosity, von_mises,
     yield_law,
 };

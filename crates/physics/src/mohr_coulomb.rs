@@ -130,6 +130,12 @@ impl MohrCoulomb {
         (s1 - s3) + (s1 + s3) * self.sin_friction - self.cohesive
     }
 
+    /// Undrained shear strength [Pa] of soil without friction; `None` for other soil.
+    #[must_use]
+    pub fn undrained_strength(&self) -> Option<Real> {
+        (self.sin_friction == 0.0).then_some(0.5 * self.cohesive)
+    }
+
     /// Hydrostatic tensile strength c cot φ [Pa]; infinite for φ = 0.
     #[inline(always)]
     #[must_use]
@@ -177,7 +183,7 @@ impl MohrCoulomb {
 
     /// Return mapping of principal stresses [Pa] in shear: to the plane, else an edge, else the apex.
     #[inline(always)]
-    fn shear_return(&self, [s1, s2, s3]: [Real; 3], dilates: bool) -> [Real; 3] {
+    pub(crate) fn shear_return(&self, [s1, s2, s3]: [Real; 3], dilates: bool) -> [Real; 3] {
         let flow = self.flow(dilates);
         let [c1, c2, c3] = flow.correction;
         let (sp, sy) = (self.sin_friction, flow.sin_dilation);

@@ -10,6 +10,8 @@ const MERIDIAN: Real = 1e-6;
 
 #[path = "brick.rs"]
 pub mod brick;
+#[path = "clay.rs"]
+pub mod clay;
 #[path = "elastic.rs"]
 pub mod elastic;
 #[path = "law.rs"]

@@ -12,6 +12,8 @@ pub struct Memory {
     pub preconsolidation: Real,
     /// Nonlocal relative density less that of the point; the law does not change it.
     pub nonlocal_density: Real,
+    /// Undrained shear strength of intact clay [Pa]; the law does not change it.
+    pub intact_strength: Real,
 }
 
 /// State of a point of the soil at the start of a step.
@@ -27,6 +29,8 @@ pub struct Point {
     pub plastic_strain: Real,
     /// What the soil remembers, for laws that depend on it.
     pub memory: Memory,
+    /// Length of the step [s]: 0 in a remap, infinite where the soil is strained so slowly that its rate plays no role.
+    pub duration: Real,
 }
 
 /// Result of a return mapping.
@@ -48,6 +52,9 @@ pub struct Returned {
 pub trait YieldLaw {
     /// Whether the law depends on stress, density and memory of the point, and changes the memory.
     const REMEMBERS: bool = false;
+
+    /// Whether the law depends on the strength of the intact soil at the point, and on the length of the step.
+    const HAS_STRENGTH: bool = false;
 
     /// Whether a stress may lie outside the yield surface: a cheap check without false negatives.
     fn may_yield(&self, stress: Symmetric, point: &Point) -> bool;

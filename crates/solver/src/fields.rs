@@ -27,13 +27,50 @@ pub struct HistoryVariable {
     pub unit: &'static str,
     /// What it is averaged by.
     pub carrier: Carrier,
-    /// Whether only laws that remember need it (see [`physics::yield_law::YieldLaw::REMEMBERS`]); without such a material its
-    /// array is empty.
-    pub is_memory: bool,
+    /// Which materials need it; its array is empty where there is none of them.
+    pub needed_by: Needing,
+}
+
+/// Materials that need a history variable.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Needing {
+    /// All of them.
+    Every,
+    /// Those whose law remembers ([`physics::yield_law::YieldLaw::REMEMBERS`]).
+    Sand,
+    /// Those with a strength at each point ([`physics::yield_law::YieldLaw::HAS_STRENGTH`]).
+    Clay,
+}
+
+/// Which kinds of materials there are besides the usual ones.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Kinds {
+    /// One whose law remembers.
+    pub sand: bool,
+    /// One with a strength at each point.
+    pub clay: bool,
+}
+
+impl Kinds {
+    /// Whether one of them needs a history variable.
+    #[must_use]
+    pub fn need(self, variable: &HistoryVariable) -> bool {
+        match variable.needed_by {
+            Needing::Every => true,
+            Needing::Sand => self.sand,
+            Needing::Clay => self.clay,
+        }
+    }
+
+    /// Those of this and of another set.
+    #[must_use]
+    pub fn and(self, other: Self) -> Self {
+        Self { sand: self.sand || other.sand, clay: self.clay || other.clay }
+    }
 }
 
 macro_rules! history {
-    ($($(#[$doc:meta])* $name:ident = $file:literal [$unit:literal] by $carrier:ident, is_memory: $memory:literal;)*) => {
+    ($($(#[$doc:meta])* $name:ident = $file:literal [$unit:literal] by $carrier:ident, needed_by: $needing:ident;)*) => {
         // Numbers the variables; its variants bear the names of the constants below.
         #[allow(non_camel_case_types, clippy::upper_case_acronyms)]
         enum Number { $($name,)* Count }
@@ -45,22 +82,24 @@ macro_rules! history {
             name: $file,
             unit: $unit,
             carrier: Carrier::$carrier,
-            is_memory: $memory,
+            needed_by: Needing::$needing,
         },)*];
     };
 }
 
 history! {
     /// Equivalent plastic strain ∫√(⅔ ε̇ₚ:ε̇ₚ) dt.
-    PLASTIC_STRAIN = "plastic_strain" [""] by Volume, is_memory: false;
+    PLASTIC_STRAIN = "plastic_strain" [""] by Volume, needed_by: Every;
     /// Stress-free volumetric opening that must close before pressure can build up.
-    GAP_STRAIN = "gap" [""] by Volume, is_memory: false;
+    GAP_STRAIN = "gap" [""] by Volume, needed_by: Every;
     /// Largest stress ratio q/(g p) that the sand has mobilised.
-    STRESS_RATIO = "mobilised_stress_ratio" [""] by Volume, is_memory: true;
+    STRESS_RATIO = "mobilised_stress_ratio" [""] by Volume, needed_by: Sand;
     /// Preconsolidation pressure: the largest mean pressure that the sand has borne.
-    PRECONSOLIDATION = "preconsolidation_pressure" ["Pa"] by Volume, is_memory: true;
+    PRECONSOLIDATION = "preconsolidation_pressure" ["Pa"] by Volume, needed_by: Sand;
     /// Relative density averaged over the characteristic length, over-weighted, less that of the cell.
-    NONLOCAL_DENSITY = "nonlocal_density" [""] by Volume, is_memory: true;
+    NONLOCAL_DENSITY = "nonlocal_density" [""] by Volume, needed_by: Sand;
+    /// Undrained shear strength of the clay before it was remoulded, at the reference rate.
+    INTACT_STRENGTH = "intact_shear_strength" ["Pa"] by Volume, needed_by: Clay;
 }
 
 /// Fields of the cells. Each array covers the grid with its ghosts (see [`Grid::index`]).
@@ -91,10 +130,16 @@ pub struct Nodes<R = f64> {
 }
 
 impl<R> Soil<R> {
-    /// Whether it has the arrays of laws that remember.
+    /// Kinds of materials that it has arrays for.
     #[must_use]
-    pub fn remembers(&self) -> bool {
-        HISTORY.iter().zip(&self.history).any(|(variable, field)| variable.is_memory && !field.is_empty())
+    pub fn kinds(&self) -> Kinds {
+        let has = |kind| {
+            HISTORY
+                .iter()
+                .zip(&self.history)
+                .any(|(variable, field)| variable.needed_by == kind && !field.is_empty())
+        };
+        Kinds { sand: has(Needing::Sand), clay: has(Needing::Clay) }
     }
 
     /// Everything that is transported with the soil besides volume and mass: stress, composition, history.
@@ -167,29 +212,22 @@ impl<R> Nodes<R> {
     }
 }
 
-/// Arrays of a state of one material that does not remember.
-pub const ARRAYS: usize = 2 + 6 + HISTORY_COUNT - MEMORY_COUNT + 7;
-
-/// Number of history variables that only laws that remember need.
-pub const MEMORY_COUNT: usize = {
-    let (mut count, mut n) = (0, 0);
-    while n < HISTORY_COUNT {
-        count += HISTORY[n].is_memory as usize;
-        n += 1;
-    }
-    count
-};
+/// Number of arrays of a state of some materials.
+#[must_use]
+pub fn arrays(materials: usize, kinds: Kinds) -> usize {
+    2 + 6 + HISTORY.iter().filter(|variable| kinds.need(variable)).count() + materials - 1 + 7
+}
 
 impl<R: Copy + Default> Soil<R> {
-    /// Fields without soil, for a number of materials; `remembers` if the law of one needs the memory of the soil.
+    /// Fields without soil, for a number of materials, of some kinds.
     #[must_use]
-    pub fn empty(grid: &Grid, materials: usize, remembers: bool) -> Self {
+    pub fn empty(grid: &Grid, materials: usize, kinds: Kinds) -> Self {
         let zeros = || vec![R::default(); grid.entries];
         Self {
             fraction: zeros(),
             mass: zeros(),
             stress: std::array::from_fn(|_| zeros()),
-            history: HISTORY.map(|h| if h.is_memory && !remembers { Vec::new() } else { zeros() }),
+            history: HISTORY.map(|h| if kinds.need(&h) { zeros() } else { Vec::new() }),
             composition: (1..materials).map(|_| zeros()).collect(),
         }
     }

@@ -3,8 +3,7 @@
 
 use crate::contact::{BodyCell, ContactNode, kept_per_constraint, layout, rim, stays_across};
 use crate::cpu::workspace;
-use crate::fields::{ARRAYS, MEMORY_COUNT};
-use crate::material::Material;
+use crate::fields::arrays;
 use crate::model::{BodyModel, Model};
 use crate::scalar::Scalar;
 use crate::state::Contact;
@@ -48,8 +47,7 @@ pub fn footprint<R: Scalar>(model: &Model, threads: usize, moved: &[DVec3]) -> F
 
 /// Fields of a state, and those that are written only where there is soil.
 fn fields<R>(model: &Model) -> [f64; 2] {
-    let memory = if model.materials.iter().any(Material::remembers) { MEMORY_COUNT } else { 0 };
-    let arrays = (ARRAYS + memory + model.materials.len() - 1) as f64;
+    let arrays = arrays(model.materials.len(), model.kinds()) as f64;
     let one = (model.grid.entries * size_of::<R>()) as f64;
     [arrays * one, (arrays - WRITTEN) * one]
 }

@@ -3,6 +3,7 @@
 use crate::balance::kinetic_energy;
 use crate::contact::cut_out_bodies;
 use crate::energy;
+use crate::fields::INTACT_STRENGTH;
 use crate::grid::Grid;
 use crate::material::Material;
 pub use crate::model::Filling;
@@ -27,7 +28,7 @@ pub fn at_rest_on<R: Precision>(model: &Model, ground: &Ground) -> State<R> {
 
 /// No soil of the model's materials.
 fn empty<R: Scalar>(grid: &Grid, model: &Model) -> Soil<R> {
-    Soil::empty(grid, model.materials.len(), model.materials.iter().any(Material::remembers))
+    Soil::empty(grid, model.materials.len(), model.kinds())
 }
 
 /// Volume fractions and materials of some bodies of soil.
@@ -39,6 +40,25 @@ fn filled<R: Scalar>(grid: &Grid, fillings: &[Filling], model: &Model) -> Soil<R
         add(&mut soil, &own, filling.material);
     }
     soil
+}
+
+/// Gives the soil of every cell the strength of its materials at the height of the cell's centre.
+fn strengthen<R: Scalar>(model: &Model, grid: &Grid, soil: &mut Soil<R>) {
+    if soil.history[INTACT_STRENGTH].is_empty() {
+        return;
+    }
+    for c in 0..grid.entries {
+        if soil.fraction[c] > R::default() {
+            let [_, _, k] = grid.layers_of(c);
+            let z = 0.5 * (grid.faces[2][k] + grid.faces[2][k + 1]);
+            let own = |material: &Material| material.strength.map_or(0.0, |profile| profile.at(z));
+            let first = own(model.material());
+            let others = model.materials[1..].iter().zip(&soil.composition);
+            let mean = others
+                .fold(first, |sum, (material, portion)| sum + portion[c].to_f64() * (own(material) - first));
+            soil.history[INTACT_STRENGTH][c] = R::cast(mean);
+        }
+    }
 }
 
 /// The undisturbed ground in the cells of a grid that has moved: in one column only along an axis along which it is uniform.
@@ -60,6 +80,7 @@ impl<R: Scalar> Undisturbed<R> {
         }));
         let mut soil = filled(&grid, &ground.fillings, model);
         weigh(model, &grid, &mut soil);
+        strengthen(model, &grid, &mut soil);
         rest_stress(model, &grid, &mut soil, ground.overburden);
         Self { grid, soil }
     }
@@ -105,6 +126,7 @@ fn of_soil<R: Precision>(model: &Model, mut soil: Soil<R>, overburden: f64) -> S
     let at_rest: Vec<_> = poses.iter().map(|pose| (*pose, Twist::ZERO)).collect();
     let mechanism = model.mechanism().state(&at_rest);
     weigh(model, &model.grid, &mut soil);
+    strengthen(model, &model.grid, &mut soil);
     rest_stress(model, &model.grid, &mut soil, overburden);
     cut_out_bodies(model, &mut soil, &poses);
     relieve_void(&mut soil);

@@ -1,11 +1,10 @@
 //! The materials of the soil.
 
+use crate::fields::Kinds;
 use physics::elastic::{Elastic, Stiffening};
 use physics::law::Law;
 use physics::tensor::Symmetric;
 use physics::viscosity::BulkViscosity;
-#[cfg(doc)]
-use physics::yield_law::YieldLaw;
 
 /// A soil, with its elastic moduli, yield law and density.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,6 +21,27 @@ pub struct Material {
     pub characteristic_length: Option<f64>,
     /// Coefficient of earth pressure at rest K₀: ratio of horizontal to vertical stress at the start.
     pub k0: f64,
+    /// Strength of the intact soil at the start, for laws with a strength at each point.
+    pub strength: Option<StrengthProfile>,
+}
+
+/// An undrained shear strength that grows with depth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StrengthProfile {
+    /// Height from which it grows downwards [m].
+    pub top: f64,
+    /// Strength there and above [Pa].
+    pub at_top: f64,
+    /// Growth per depth k [Pa/m].
+    pub gradient: f64,
+}
+
+impl StrengthProfile {
+    /// Strength at a height [Pa].
+    #[must_use]
+    pub fn at(&self, z: f64) -> f64 {
+        self.at_top + self.gradient * (self.top - z).max(0.0)
+    }
 }
 
 impl Material {
@@ -35,6 +55,7 @@ impl Material {
             density,
             characteristic_length: None,
             k0: 1.0,
+            strength: None,
         }
     }
 
@@ -71,10 +92,24 @@ impl Material {
         }
     }
 
-    /// Whether its law depends on what the soil remembers (see [`YieldLaw::REMEMBERS`]).
+    /// What its law needs of the soil besides what every law does.
     #[must_use]
-    pub fn remembers(&self) -> bool {
-        matches!(self.yield_law, Some(Law::Sand(_)))
+    pub fn kinds(&self) -> Kinds {
+        Kinds {
+            sand: matches!(self.yield_law, Some(Law::Sand(_))),
+            clay: matches!(self.yield_law, Some(Law::Clay(_))),
+        }
+    }
+
+    /// Undrained shear strength [Pa] up to the reference rate, of soil that has one, from that of the intact soil [Pa] and the
+    /// equivalent plastic strain.
+    #[must_use]
+    pub fn shear_strength(&self, intact: f64, plastic_strain: f64) -> Option<f64> {
+        match self.yield_law? {
+            Law::MohrCoulomb(law) => law.undrained_strength(),
+            Law::Clay(law) => Some(law.slow_strength(intact, plastic_strain)),
+            Law::MenetreyWillam(_) | Law::VonMises(_) | Law::Sand(_) => None,
+        }
     }
 
     /// Bulk viscosity with coefficients b₁ and b₂.

@@ -1,6 +1,7 @@
 //! What is fixed during a run: grid, boundaries, materials, bodies, parameters of the method.
 
 use crate::boundary::{Boundaries, Boundary, Symmetry};
+use crate::fields::Kinds;
 use crate::grid::{Grid, longer_step};
 use crate::material::Material;
 use glam::{DMat3, DQuat, DVec3};
@@ -54,8 +55,11 @@ pub struct BodyModel {
     pub motion: [Motion; 6],
     /// Coefficient of friction against the soil.
     pub friction: f64,
-    /// Largest frictional traction [Pa], whatever the pressure; infinite for no such limit.
-    pub shear_limit: f64,
+    /// Adhesion factor α: the largest frictional traction over the undrained shear strength of the soil, whatever the pressure;
+    /// infinite for no such limit.
+    pub adhesion_factor: f64,
+    /// Distance between its contact points and its sharp edges, in cell widths.
+    pub edge_inset: f64,
 }
 
 impl BodyModel {
@@ -151,8 +155,6 @@ pub struct Method {
     pub bulk_viscosity: [f64; 2],
     /// Contact method.
     pub contact: ContactMethod,
-    /// Distance between contact points and sharp edges, in cell widths.
-    pub edge_inset: f64,
     /// Spacing of the contact points, in cell widths.
     pub point_spacing: f64,
 }
@@ -167,7 +169,6 @@ impl Default for Method {
             hourglass_yielding: 0.1,
             bulk_viscosity: [0.02, 1.2],
             contact: ContactMethod::Impulse,
-            edge_inset: 0.5,
             point_spacing: 0.25,
         }
     }
@@ -249,6 +250,12 @@ impl Model {
     #[must_use]
     pub fn wave_speed(&self) -> f64 {
         self.materials.iter().map(Material::wave_speed).fold(0.0, f64::max)
+    }
+
+    /// Kinds of its materials.
+    #[must_use]
+    pub fn kinds(&self) -> Kinds {
+        self.materials.iter().fold(Kinds::default(), |kinds, material| kinds.and(material.kinds()))
     }
 
     /// Density of the lightest material [kg/m³].

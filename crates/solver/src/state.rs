@@ -85,6 +85,8 @@ pub struct Contact {
     pub point: u32,
     /// Material in its cell.
     pub material: u32,
+    /// Largest frictional traction, whatever the pressure [Pa]; infinite for no such limit.
+    pub shear_limit: f64,
     /// Side of the body's mid-plane on which it lies: 0 and 1, or 2 on the plane.
     pub side: u8,
     /// Whether the body's next point is its mirror image in that plane.
@@ -115,8 +117,8 @@ pub struct Contact {
 
 impl Contact {
     /// All its numbers except the indices of body and point.
-    pub(crate) fn to_array(self) -> [f64; 33] {
-        let mut values = [0.0; 33];
+    pub(crate) fn to_array(self) -> [f64; 34] {
+        let mut values = [0.0; 34];
         let [i, j, k] = self.cell.map(f64::from);
         let scalars = [f64::from(self.material), i, j, k, self.area, self.width, self.penetration];
         let vectors = [self.normal, self.arm, self.slip, self.impulse, self.anchor];
@@ -124,11 +126,12 @@ impl Contact {
             scalars.into_iter().chain(self.weight).chain(vectors.into_iter().flat_map(|v| v.to_array()));
         values.iter_mut().zip(all).for_each(|(value, new)| *value = new);
         (values[30], values[31], values[32]) = (self.side.into(), self.is_paired.into(), self.octant.into());
+        values[33] = self.shear_limit;
         values
     }
 
     /// The inverse of [`Contact::to_array`].
-    pub(crate) fn of([body, point]: [usize; 2], values: [f64; 33]) -> Self {
+    pub(crate) fn of([body, point]: [usize; 2], values: [f64; 34]) -> Self {
         let [material, i, j, k, area, width, penetration, ..] = values;
         let vector = |n: usize| DVec3::from_slice(&values[15 + 3 * n..]);
         Self {
@@ -148,6 +151,7 @@ impl Contact {
             side: values[30] as u8,
             is_paired: values[31] != 0.0,
             octant: values[32] as u8,
+            shear_limit: values[33],
         }
     }
 }
@@ -247,7 +251,7 @@ impl<R: Copy + Default> State<R> {
     #[must_use]
     pub fn of_block(&self, whole: &Grid, block: &Grid) -> Self {
         let mut own = Self {
-            soil: Soil::empty(block, self.soil.composition.len() + 1, self.soil.remembers()),
+            soil: Soil::empty(block, self.soil.composition.len() + 1, self.soil.kinds()),
             nodes: Nodes::at_rest(block),
             bodies: self.bodies.clone(),
             mechanism: self.mechanism.clone(),

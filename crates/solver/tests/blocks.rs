@@ -27,7 +27,8 @@ fn body(name: &str, shape: Box<dyn Shape>, start: DVec3) -> BodyModel {
         start: Pose::at(start),
         inertia: Inertia::principal(2.0, DVec3::splat(0.01)),
         friction: 0.3,
-        shear_limit: f64::INFINITY,
+        adhesion_factor: f64::INFINITY,
+        edge_inset: 0.5,
         motion: [
             Motion::Prescribed { before: 0.0, speed: 0.4, start: 0.0, ramp: 0.01, end: f64::INFINITY },
             Motion::Fixed,

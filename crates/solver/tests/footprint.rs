@@ -22,7 +22,8 @@ fn body(shape: Box<dyn Shape>, start: DVec3) -> BodyModel {
         start: Pose::at(start),
         inertia: Inertia::principal(1.0, DVec3::splat(0.005)),
         friction: 0.3,
-        shear_limit: f64::INFINITY,
+        adhesion_factor: f64::INFINITY,
+        edge_inset: 0.5,
         motion: [
             Motion::Prescribed { before: 0.0, speed: 0.3, start: 0.0, ramp: 0.01, end: f64::INFINITY },
             Motion::Fixed,

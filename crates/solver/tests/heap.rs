@@ -45,7 +45,8 @@ fn a_step_allocates_no_memory() {
             start: Pose::at(DVec3::new(0.0, 0.0, 0.09)),
             inertia: Inertia::principal(1.0, DVec3::splat(0.005)),
             friction: 0.3,
-            shear_limit: f64::INFINITY,
+            adhesion_factor: f64::INFINITY,
+            edge_inset: 0.5,
             motion: [
                 Motion::Prescribed { before: 0.0, speed: 0.3, start: 0.0, ramp: 0.01, end: f64::INFINITY },
                 Motion::Fixed,

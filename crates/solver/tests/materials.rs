@@ -28,7 +28,8 @@ fn bank(materials: usize) -> Model {
         start: Pose::at(DVec3::new(-0.02, 0.03, 0.02)),
         inertia: Inertia::principal(1.0, DVec3::splat(0.01)),
         friction: 0.3,
-        shear_limit: f64::INFINITY,
+        adhesion_factor: f64::INFINITY,
+        edge_inset: 0.5,
         motion: [
             Motion::Prescribed { before: 0.0, speed: 0.3, start: 0.0, ramp: 0.01, end: f64::INFINITY },
             Motion::Fixed,

@@ -42,7 +42,8 @@ fn towed(shape: Box<dyn Shape>) -> [DVec3; 2] {
         start,
         inertia: Inertia::principal(1.0, DVec3::splat(0.005)),
         friction: 0.3,
-        shear_limit: f64::INFINITY,
+        adhesion_factor: f64::INFINITY,
+        edge_inset: 0.5,
         motion: [moving(0.3), Motion::Fixed, moving(-0.15), Motion::Fixed, Motion::Fixed, Motion::FREE],
     });
     let mut state = at_rest::<f64>(&model, &below(0.0));

@@ -36,7 +36,8 @@ fn tow(y: f64) -> Model {
         start: Pose::at(DVec3::new(0.0, y, 0.1)),
         inertia: Inertia::principal(1.0, DVec3::splat(0.005)),
         friction: 0.3,
-        shear_limit: f64::INFINITY,
+        adhesion_factor: f64::INFINITY,
+        edge_inset: 0.5,
         motion: [
             moving(0.3),
             Motion::Fixed,

@@ -32,7 +32,8 @@ fn towed(height: f64) -> BodyModel {
         start: Pose::at(DVec3::new(0.0, 0.02, height)),
         inertia: Inertia::principal(2.0, DVec3::splat(0.01)),
         friction: 0.3,
-        shear_limit: f64::INFINITY,
+        adhesion_factor: f64::INFINITY,
+        edge_inset: 0.5,
         motion: [
             Motion::Prescribed { before: 0.0, speed: SPEED, start: 0.0, ramp: 0.005, end: f64::INFINITY },
             Motion::Fixed,

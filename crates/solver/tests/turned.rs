@@ -45,7 +45,8 @@ fn towed(shape: Box<dyn Shape>, quarters: u32, steps: usize) -> Vec<Sample> {
         start: Pose { position: rotation * DVec3::new(-0.03, 0.013, height), rotation },
         inertia: Inertia::principal(1.0, DVec3::splat(0.005)),
         friction: 0.3,
-        shear_limit: f64::INFINITY,
+        adhesion_factor: f64::INFINITY,
+        edge_inset: 0.5,
         motion: [along(0), along(1), along(2), Motion::Fixed, Motion::Fixed, Motion::FREE],
     });
     let mut state = at_rest::<f64>(&model, &below(0.0));

@@ -1,4 +1,5 @@
-//! B1, B2, B9: a strip footing on weightless undrained soil: smooth, rough, and nearly incompressible soil.
+//! B1, B2, B9, B10: a strip footing on weightless undrained soil: smooth, rough, nearly incompressible soil, and strength that grows with
+//! depth.
 
 use crate::error::VerifyError;
 use crate::probe::mean;
@@ -6,6 +7,7 @@ use crate::runner::Runner;
 
 const CASE: &str = include_str!("../../../validation/B1_strip_footing/case.toml");
 const ROUGH: &str = include_str!("../../../validation/B2_rough_strip_footing/case.toml");
+const GROWING: &str = include_str!("../../../validation/B10_strength_with_depth/case.toml");
 /// Width of the footing in the case file [m].
 const WIDTH: f64 = 1.0;
 /// Undrained strength in the case file [Pa].
@@ -36,6 +38,21 @@ pub(crate) fn locking(runner: &mut Runner) -> Result<(), VerifyError> {
             let strip = Strip { id: "B9", poisson_ratio, ..Strip::smooth(16) };
             let (factor, seconds) = strip.bearing(runner, &variant)?;
             runner.put("B9", &variant, seconds, &[(FACTOR, factor)])?;
+        }
+    }
+    Ok(())
+}
+
+/// B10.
+pub(crate) fn growing_strength(runner: &mut Runner) -> Result<(), VerifyError> {
+    for growth in [1.0, 4.0] {
+        for cells in MESHES {
+            let variant = format!("k B/s_u0 = {growth}, B/h = {cells}");
+            if runner.wants("B10", &variant)? {
+                let strip = Strip { id: "B10", case: GROWING, growth: Some(growth), ..Strip::smooth(cells) };
+                let (factor, seconds) = strip.bearing(runner, &variant)?;
+                runner.put("B10", &variant, seconds, &[("F/(B s_u0)", factor)])?;
+            }
         }
     }
     Ok(())
@@ -107,19 +124,21 @@ struct Strip {
     poisson_ratio: f64,
     /// Cell width along x over that along z.
     flatness: u32,
+    /// Growth of the strength with depth, k B/s_u0, of a case that has one.
+    growth: Option<f64>,
 }
 
 impl Strip {
     /// That of B1.
     fn smooth(cells: u32) -> Self {
-        Self { id: "B1", case: CASE, cells, offset: 0.0, poisson_ratio: 0.3, flatness: 1 }
+        Self { id: "B1", case: CASE, cells, offset: 0.0, poisson_ratio: 0.3, flatness: 1, growth: None }
     }
 
     /// Bearing capacity factor, and its wall-clock time [s].
     fn bearing(&self, runner: &mut Runner, variant: &str) -> Result<(f64, f64), VerifyError> {
         let cell = WIDTH / f64::from(self.cells);
         let width = WIDTH + 2.0 * self.offset * cell;
-        let overrides = [
+        let mut overrides = vec![
             format!("grid.cell={} m", cell / f64::from(self.flatness)),
             format!("grid.aspect=[{}, 1, 1]", self.flatness),
             format!("body.footing.size=['{width} m', '0.5 m']"),
@@ -127,9 +146,13 @@ impl Strip {
             // The grid must not follow the edges: the effect of their position within a cell is what is studied.
             "grid.fit=false".to_owned(),
         ];
+        overrides.extend(
+            self.growth.map(|growth| format!("soil.strength_gradient={} Pa/m", growth * STRENGTH / WIDTH)),
+        );
         let simulation = runner.run(self.id, variant, self.case, &overrides)?;
         let slab = simulation.case.domain.high.y - simulation.case.domain.low.y;
-        let range = [0.03 * WIDTH, 0.06 * WIDTH];
+        // Strength that grows with depth is read early: with every hundredth of a width the footing finds 0.07 k B more.
+        let range = if self.growth.is_some() { [0.005, 0.01] } else { [0.03, 0.06] }.map(|part| part * WIDTH);
         let force = mean(&simulation.history.bodies[0], range, |s| s.sinkage, |s| s.vertical);
         Ok((force / (width * slab * STRENGTH), simulation.wall_s))
     }

@@ -94,6 +94,7 @@ fn model(face: Face, cell: f64) -> Model {
     let material = Material {
         yield_law: Some(Law::MohrCoulomb(law)),
         k0: 0.43,
+        strength: None,
         ..Material::linear_elastic(elastic, 1600.0)
     };
     let faces = |low: f64, high: f64| {
@@ -134,6 +135,7 @@ fn body(face: Face, y: f64) -> BodyModel {
         inertia: Inertia::NONE,
         motion: [x, Motion::Fixed, z, Motion::Fixed, Motion::Fixed, spin],
         friction: FRICTION,
-        shear_limit: f64::INFINITY,
+        adhesion_factor: f64::INFINITY,
+        edge_inset: 0.5,
     }
 }

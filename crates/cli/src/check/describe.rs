@@ -5,8 +5,8 @@ use coulter::case::Case;
 use coulter::case::mesh_file::MeshReport;
 use coulter::case::quantity::plain;
 use coulter::case::resolved::{
-    Attitude, Body, Change, GROUND, Joint, JointKind, Law, MOTIONS, Measured, Motion, Potential, Soil, Stage,
-    Until,
+    Attitude, Body, Change, ClaySoftening, GROUND, Joint, JointKind, Law, MOTIONS, Measured, Motion,
+    Potential, Soil, Stage, Until,
 };
 use glam::DVec3;
 use std::fmt::Write;
@@ -70,7 +70,9 @@ pub(crate) fn describe_soil(text: &mut String, soil: &Soil) -> std::fmt::Result 
 fn strength(soil: &Soil) -> String {
     match soil.law {
         Law::Elastic => "elastic".to_owned(),
-        Law::Tresca { shear_strength } => format!("tresca, s_u = {shear_strength} Pa"),
+        Law::Tresca { shear_strength, gradient, softening } => {
+            undrained_strength(shear_strength, gradient, softening)
+        }
         Law::VonMises { yield_stress, hardening_modulus } => {
             format!("von-mises, σ_y = {yield_stress} Pa, H = {hardening_modulus} Pa")
         }
@@ -118,6 +120,24 @@ fn strength(soil: &Soil) -> String {
     }
 }
 
+/// Shear strength of clay, and what changes it: depth in Pa/m, strain and rate.
+fn undrained_strength(shear_strength: f64, gradient: f64, softening: Option<ClaySoftening>) -> String {
+    let mut text = format!("tresca, s_u = {shear_strength} Pa");
+    if gradient > 0.0 {
+        text += &format!(" + {gradient} Pa/m × depth");
+    }
+    if let Some(ClaySoftening { sensitivity, remoulding_strain, rate_strengthening, reference_rate }) =
+        softening
+    {
+        text += &format!(
+            ",\n         S_t = {sensitivity} (95 % lost at a strain of {remoulding_strain}), {} % more per tenfold rate above \
+             {reference_rate} 1/s",
+            plain(100.0 * rate_strengthening)
+        );
+    }
+    text
+}
+
 fn describe_body(text: &mut String, case: &Case, body: &Body) -> std::fmt::Result {
     let metres = |x: f64| format!("{} m", plain(x));
     let shape = body.shape.describe(&metres);
@@ -127,8 +147,8 @@ fn describe_body(text: &mut String, case: &Case, body: &Body) -> std::fmt::Resul
     }
     let mut friction =
         if body.friction.is_finite() { format!("μ = {}", body.friction) } else { "rough".into() };
-    if body.shear_limit.is_finite() {
-        friction += &format!(", at most {} Pa", body.shear_limit);
+    if body.adhesion_factor.is_finite() {
+        friction += &format!(", at most {} s_u", body.adhesion_factor);
     }
     let weight = match body.translation[2] {
         Motion::Free { .. } => format!(", W = {:.4} N", case.gravity * body.mass),

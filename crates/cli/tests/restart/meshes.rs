@@ -187,7 +187,7 @@ fn a_finished_run_can_be_given_a_study_and_one_can_be_replaced() {
 #[test]
 fn a_mesh_that_cannot_be_had_is_refused_before_anything_runs() {
     let sandbox = Sandbox::new();
-    let thin = ["--set", "body.disc.thickness=60 mm"];
+    let thin = ["--set", "body.disc.thickness=35 mm"];
     let cures = ["mesh 1 of 3", "39.375 mm", "too few to resolve contact", "--meshes 2"];
     sandbox.run(&study(&thin)).is(2, &cures);
     assert!(!sandbox.out("").exists());

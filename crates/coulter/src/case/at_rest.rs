@@ -37,7 +37,7 @@ pub(super) fn sustains(law: &Law, stresses: [f64; 3]) -> bool {
     match *law {
         Law::Elastic => true,
         Law::Sand { critical_friction_angle, .. } => friction(critical_friction_angle, 0.0),
-        Law::Tresca { shear_strength } => most - least <= 2.0 * shear_strength,
+        Law::Tresca { shear_strength, .. } => most - least <= 2.0 * shear_strength,
         Law::VonMises { yield_stress, .. } => most - least <= yield_stress,
         Law::MohrCoulomb { friction_angle, cohesion, .. } => friction(friction_angle, cohesion),
     }

@@ -182,7 +182,7 @@ mod tests {
             let problem = &error.problems[0];
             format!("{error}: {} {}", problem.message, problem.cure)
         };
-        let thin = message(study(TOWED_DISC, &[], 3).unwrap_err());
+        let thin = message(study(TOWED_DISC, &["body.disc.thickness=25 mm"], 3).unwrap_err());
         for words in ["mesh 1 of 3", "28.125 mm", "too few to resolve contact", "2.25 times", "--meshes 2"] {
             assert!(thin.contains(words), "`{words}` is not in: {thin}");
         }

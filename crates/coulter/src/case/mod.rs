@@ -5,6 +5,7 @@
 
 mod advice;
 mod at_rest;
+mod cells_across;
 pub mod documentation;
 mod error;
 pub mod estimate;

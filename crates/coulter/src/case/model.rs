@@ -1,9 +1,10 @@
 //! The solver's model of a case.
 
 use super::resolved::Case;
-use super::resolved::{self, Follow, Law, Motion, Potential};
+use super::resolved::{self, ClaySoftening, Follow, Law, Motion, Potential};
 use glam::{DMat3, DVec3};
 use mechanics::{Inertia, Pose};
+use physics::clay::{Clay, ClayParameters};
 use physics::elastic::{Elastic, Stiffening};
 use physics::law::Law as ConstitutiveLaw;
 use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
@@ -13,7 +14,7 @@ use physics::shape::Shape;
 use physics::von_mises::VonMises;
 use solver::boundary::{Boundaries, Boundary};
 use solver::grid::Grid;
-use solver::material::Material;
+use solver::material::{Material, StrengthProfile};
 use solver::model::{BodyModel, ContactMethod, Filling, Ground, Method, Model};
 
 /// The model that a case means, its grid laid out for vectors of `lanes` numbers.
@@ -23,7 +24,7 @@ pub fn model(case: &Case, lanes: usize) -> Model {
     Model {
         grid: Grid::with_open_faces(case.grid.faces.clone(), boundaries.open_faces(), lanes)
             .with_aspect(case.grid.aspect),
-        materials: case.soils().map(|(_, soil)| material(soil)).collect(),
+        materials: materials(case),
         gravity: case.gravity,
         down: case.slope.down(),
         soil_gravity: if case.soil.unit_weight > 0.0 {
@@ -35,7 +36,7 @@ pub fn model(case: &Case, lanes: usize) -> Model {
         ground: Ground { fillings: fillings(case), overburden: case.overburden },
         boundaries,
         follow: case.grid.follow,
-        bodies: case.bodies.iter().map(body).collect(),
+        bodies: case.bodies.iter().map(|own| body(case, own)).collect(),
         joints: case.joints.iter().map(|joint| joint.mechanical(&case.bodies)).collect(),
         method: Method {
             courant: case.numerics.courant,
@@ -47,10 +48,22 @@ pub fn model(case: &Case, lanes: usize) -> Model {
                 resolved::Contact::Penalty => ContactMethod::Penalty,
                 resolved::Contact::Impulse => ContactMethod::Impulse,
             },
-            edge_inset: case.numerics.edge_inset,
             point_spacing: case.numerics.point_spacing,
         },
     }
+}
+
+/// The materials of the soils from the top down, each with its strength from the top of its layer.
+fn materials(case: &Case) -> Vec<Material> {
+    let tops = std::iter::once(0.0).chain(case.layers.iter().map(|layer| layer.top));
+    let each = case.soils().zip(tops).map(|((_, soil), top)| {
+        let mut own = material(soil);
+        if let Some(profile) = &mut own.strength {
+            profile.top = case.ground.surface() - top;
+        }
+        own
+    });
+    each.collect()
 }
 
 /// Mean pressure below which the elastic moduli of sand are constant [Pa]: no test was made at less.
@@ -73,6 +86,12 @@ pub fn material(soil: &resolved::Soil) -> Material {
             _ => None,
         },
         k0: soil.k0,
+        strength: match soil.law {
+            Law::Tresca { shear_strength, gradient, .. } => {
+                Some(StrengthProfile { top: 0.0, at_top: shear_strength, gradient })
+            }
+            _ => None,
+        },
     }
 }
 
@@ -126,12 +145,26 @@ fn open_ends(body: Option<&resolved::Body>, axis: usize, duration: f64) -> [Boun
     }
 }
 
+/// The law of clay with a strength at each point.
+fn clay(elastic: Elastic, softening: Option<ClaySoftening>) -> Clay {
+    const NONE: ClaySoftening = ClaySoftening {
+        sensitivity: 1.0,
+        remoulding_strain: 1.0,
+        rate_strengthening: 0.0,
+        reference_rate: 1.0,
+    };
+    let ClaySoftening { sensitivity, remoulding_strain, rate_strengthening, reference_rate } =
+        softening.unwrap_or(NONE);
+    Clay::new(elastic, &ClayParameters { sensitivity, remoulding_strain, rate_strengthening, reference_rate })
+}
+
 fn yield_law(elastic: Elastic, law: Law) -> Option<ConstitutiveLaw> {
     match law {
         Law::Elastic => None,
-        Law::Tresca { shear_strength } => {
+        Law::Tresca { shear_strength, gradient: 0.0, softening: None } => {
             Some(ConstitutiveLaw::MohrCoulomb(MohrCoulomb::tresca(elastic, shear_strength)))
         }
+        Law::Tresca { softening, .. } => Some(ConstitutiveLaw::Clay(clay(elastic, softening))),
         Law::VonMises { yield_stress, hardening_modulus } => {
             Some(ConstitutiveLaw::VonMises(VonMises::new(elastic, yield_stress, hardening_modulus)))
         }
@@ -183,14 +216,15 @@ fn yield_law(elastic: Elastic, law: Law) -> Option<ConstitutiveLaw> {
     }
 }
 
-fn body(body: &resolved::Body) -> BodyModel {
+fn body(case: &Case, body: &resolved::Body) -> BodyModel {
     BodyModel {
         name: body.name.clone(),
         shape: body.solid(),
         start: Pose { position: body.position, rotation: body.attitude.of_axle() },
         inertia: inertia(body),
         friction: body.friction,
-        shear_limit: body.shear_limit,
+        adhesion_factor: body.adhesion_factor,
+        edge_inset: case.edge_inset(body),
         motion: body.motions(),
     }
 }

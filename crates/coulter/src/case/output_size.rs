@@ -3,7 +3,7 @@
 use super::model::material;
 use super::resolved::{Case, Precision};
 use serde::Serialize;
-use solver::fields::{ARRAYS, MEMORY_COUNT};
+use solver::fields::{Kinds, arrays};
 use solver::state::RimSums;
 
 /// A cell with soil in a field file [bytes]: 18 numbers of 32 bits, compressed; measured (towed disc 59, column 61).
@@ -54,9 +54,8 @@ pub fn output_size(case: &Case, [cells, filled]: [f64; 2], steps: f64) -> Output
     let lines = samples(case, steps) + 1.0;
     let fields_bytes = frames * one;
     let histories_bytes = lines * (LINES[0] * bodies + LINES[1]);
-    let remembers = case.soils().any(|(_, soil)| material(soil).remembers());
-    let memory = if remembers { MEMORY_COUNT } else { 0 };
-    let arrays = ARRAYS + memory + case.layers.len();
+    let kinds = case.soils().fold(Kinds::default(), |kinds, (_, soil)| kinds.and(material(soil).kinds()));
+    let arrays = arrays(case.soils().count(), kinds);
     let checkpoints_bytes = 2.0 * PACKED_STATE * arrays as f64 * width(case) * filled;
     let total_bytes = fields_bytes + histories_bytes + checkpoints_bytes + REPORT;
     OutputSize { frames, fields_bytes, histories_bytes, checkpoints_bytes, total_bytes }

@@ -54,6 +54,9 @@ pub const TORQUE: Measure = measure("a torque", [2, 1, -2, 0], "N*m", "2 N*m");
 pub const STRESS: Measure = measure("a stress", [-1, 1, -2, 0], "Pa", "5 MPa");
 /// A unit weight [N/m³].
 pub const UNIT_WEIGHT: Measure = measure("a unit weight", [-2, 1, -2, 0], "N/m^3", "16 kN/m^3");
+/// A growth of strength with depth [Pa/m].
+pub const STRENGTH_GRADIENT: Measure =
+    measure("a growth of strength with depth", [-2, 1, -2, 0], "Pa/m", "1.5 kPa/m");
 /// A stiffness [N/m].
 pub const STIFFNESS: Measure = measure("a stiffness", [0, 1, -2, 0], "N/m", "20 kN/m");
 /// A damping coefficient [N s/m].

@@ -176,8 +176,12 @@ pub enum Law {
     Elastic,
     /// Tresca: undrained shear strength s_u [Pa].
     Tresca {
-        /// Undrained shear strength s_u [Pa].
+        /// Undrained shear strength s_u of the intact soil, at the top of its layer [Pa].
         shear_strength: f64,
+        /// Its growth with depth k [Pa/m].
+        gradient: f64,
+        /// What remoulding and rate do to it; `None` for nothing.
+        softening: Option<ClaySoftening>,
     },
     /// Von Mises with linear isotropic hardening.
     VonMises {
@@ -224,7 +228,31 @@ pub enum Law {
     },
 }
 
+/// What remoulding and rate of shear do to the strength of undrained clay (Einav & Randolph 2005).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ClaySoftening {
+    /// Sensitivity S_t ≥ 1: strength of the intact clay over that of the remoulded one.
+    pub sensitivity: f64,
+    /// Plastic shear strain at which 95 % of the loss has happened, ξ₉₅.
+    pub remoulding_strain: f64,
+    /// Gain of strength per tenfold rate of shear, μ ≥ 0.
+    pub rate_strengthening: f64,
+    /// Rate of shear up to which there is none [1/s].
+    pub reference_rate: f64,
+}
+
 impl Law {
+    /// The law at a depth below the top of its layer [m]: with the strength that undrained soil has there.
+    #[must_use]
+    pub fn at_depth(self, depth: f64) -> Self {
+        match self {
+            Self::Tresca { shear_strength, gradient, softening } => {
+                Self::Tresca { shear_strength: shear_strength + gradient * depth, gradient, softening }
+            }
+            _ => self,
+        }
+    }
+
     /// What soil of this law is called in messages.
     #[must_use]
     pub fn kind(&self) -> &'static str {
@@ -279,7 +307,7 @@ impl Law {
     pub fn cohesion(&self) -> Option<f64> {
         match *self {
             Self::Elastic => None,
-            Self::Tresca { shear_strength } => Some(shear_strength),
+            Self::Tresca { shear_strength, .. } => Some(shear_strength),
             Self::VonMises { yield_stress, .. } => Some(0.5 * yield_stress),
             Self::MohrCoulomb { cohesion, .. } => Some(cohesion),
             Self::Sand { .. } => Some(0.0),

@@ -23,8 +23,9 @@ pub struct Body {
     pub axle_inertia: f64,
     /// Coefficient of friction μ of its surface against the soil; infinite for a rough (no-slip) one.
     pub friction: f64,
-    /// Largest frictional traction [Pa], whatever the pressure: α s_u; infinite for no such limit.
-    pub shear_limit: f64,
+    /// Adhesion factor α: the largest frictional traction over the undrained shear strength s_u, whatever the pressure; infinite for
+    /// no such limit.
+    pub adhesion_factor: f64,
     /// Motion along x (tow), y (lateral), z (heave).
     pub translation: [Motion; 3],
     /// Yaw about the vertical, tilt about the axis that yaw carries, and spin about the axle.

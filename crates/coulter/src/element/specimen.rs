@@ -32,9 +32,13 @@ impl Specimen {
     /// A specimen under a stress [Pa], at a density [kg/m³]; its memory is that of the stress.
     #[must_use]
     pub fn new(material: Material, stress: Symmetric, density: f64) -> Self {
-        let memory =
-            Memory { stress_ratio: 0.0, preconsolidation: (-mean(stress)).max(0.0), ..Memory::default() };
-        let point = Point { stress, density, memory, ..Point::default() };
+        let memory = Memory {
+            stress_ratio: 0.0,
+            preconsolidation: (-mean(stress)).max(0.0),
+            intact_strength: material.strength.map_or(0.0, |profile| profile.at_top),
+            ..Memory::default()
+        };
+        let point = Point { stress, density, memory, duration: f64::INFINITY, ..Point::default() };
         Self { material, point, gap: 0.0, strain: [0.0; 6] }
     }
 

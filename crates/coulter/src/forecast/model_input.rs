@@ -182,7 +182,17 @@ fn soil(case: &Case, body: &Towed, remarks: &mut Vec<String>) -> Result<Soil, St
         Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, .. } => {
             (friction_angle, dilation_angle, cohesion)
         }
-        Law::Tresca { shear_strength } => (0.0, 0.0, shear_strength),
+        Law::Tresca { gradient, .. } if gradient > 0.0 => {
+            return Err("the strength of the soil grows with depth; the closed forms are for a uniform one: give the mean over \
+                        the depth that the body disturbs, without strength_gradient"
+                .into());
+        }
+        Law::Tresca { shear_strength, softening, .. } => {
+            if softening.is_some() {
+                remarks.push("clay with the strength of the intact soil at the reference rate".into());
+            }
+            (0.0, 0.0, shear_strength)
+        }
         Law::VonMises { yield_stress, hardening_modulus } => {
             let strength = yield_stress / 3_f64.sqrt();
             remarks.push(format!(
@@ -222,8 +232,7 @@ fn soil(case: &Case, body: &Towed, remarks: &mut Vec<String>) -> Result<Soil, St
         remarks.push("rough surface: shear stress up to s_u".into());
         1.0
     };
-    let adhesion_factor =
-        if friction_angle > 0.0 { 1.0 } else { (body.shear_limit / cohesion).clamp(0.0, 1.0) };
+    let adhesion_factor = if friction_angle > 0.0 { 1.0 } else { body.adhesion_factor.clamp(0.0, 1.0) };
     Ok(Soil { friction_angle, dilation_angle, cohesion, unit_weight, body_friction, adhesion_factor })
 }
 

@@ -3,6 +3,7 @@
 
 mod layers;
 mod slope;
+mod strength;
 
 use coulter::case::{self, Case};
 use coulter::simulation::Simulation;

@@ -9,7 +9,7 @@ use coulter::output::folder::{Outcome, RunStatistics};
 use glam::{DQuat, DVec3};
 use mechanics::{BodyState, Inertia, MechanismState, Twist};
 use physics::shape::DiscRim;
-use solver::fields::PLASTIC_STRAIN;
+use solver::fields::{Kinds, PLASTIC_STRAIN};
 use solver::grid::Grid;
 use solver::state::{Body, Nodes, Pose, Soil, State};
 
@@ -160,7 +160,7 @@ fn body(name: &str, shape: Shape, position: DVec3) -> case::Body {
         mass: 6.0,
         axle_inertia: 0.03,
         friction: 0.5,
-        shear_limit: f64::INFINITY,
+        adhesion_factor: f64::INFINITY,
         translation: [
             case::Motion::Prescribed { before: 0.0, speed: 0.1, start: 0.5, ramp: 0.2, end: f64::INFINITY },
             case::Motion::Fixed,
@@ -189,7 +189,7 @@ fn height(kind: Kind, x: f64, y: f64) -> f64 {
 /// The grid and the state at time `time` [s].
 pub(crate) fn state(case: &Case, kind: Kind, time: f64) -> (Grid, State) {
     let grid = Grid::new(case.grid.faces.clone());
-    let (mut soil, mut nodes) = (Soil::empty(&grid, 1, false), Nodes::at_rest(&grid));
+    let (mut soil, mut nodes) = (Soil::empty(&grid, 1, Kinds::default()), Nodes::at_rest(&grid));
     let [columns, rows, layers] = grid.cells();
     let toe = DVec3::new(TRAVEL + 0.04, 0.0, -DEPTH);
     for (k, j, i) in triples(layers, rows, columns) {

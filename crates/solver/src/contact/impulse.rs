@@ -142,9 +142,8 @@ impl EffectiveMass {
             tangential_mass: 1.0 / delassus_diagonal.max_element(),
             bias_velocity: -OVERLAP_BIAS * constraint.overlap * bias_speed(problem, constraint),
             friction: problem.model.bodies[constraint.jacobian.body].friction.min(1e6),
-            shear_limit: problem.model.bodies[constraint.jacobian.body].shear_limit
-                * constraint.area
-                * problem.dt,
+            // All points of a constraint lie in one cell.
+            shear_limit: problem.contacts[constraint.first].shear_limit * constraint.area * problem.dt,
         })
     }
 

@@ -86,7 +86,7 @@ impl ContactLaw for Penalty {
         for n in 0..problem.contacts.len() {
             let relative = problem.slip_velocity_of(n);
             let body = &problem.model.bodies[problem.contacts[n].body as usize];
-            let friction = [body.friction.min(1e6), body.shear_limit];
+            let friction = [body.friction.min(1e6), problem.contacts[n].shear_limit];
             let (normal, tangential) = self.tractions(&mut problem.contacts[n], relative, friction);
             let scale = problem.contacts[n].area * problem.dt;
             self.impulses.push([normal * scale, tangential * scale]);

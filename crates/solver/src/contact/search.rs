@@ -8,8 +8,9 @@ use super::slip::clear_rims;
 use super::workspace::ContactWorkspace;
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::workspace::SoilWorkspace;
+use crate::fields::{INTACT_STRENGTH, PLASTIC_STRAIN};
 use crate::halo::{self, Halo};
-use crate::model::Model;
+use crate::model::{BodyModel, Model};
 use crate::scalar::Scalar;
 use crate::state::{Contact, Soil, State};
 use glam::DVec3;
@@ -58,7 +59,8 @@ pub(crate) fn search<R: Scalar>(
             if neighbours.cover(pose.position + in_space[0], in_space[1]) {
                 continue;
             }
-            if let Some(mut contact) = view.find_contact(known, in_space, pose.position, law.as_ref()) {
+            let of_body = (&model.bodies[n], pose.position);
+            if let Some(mut contact) = view.find_contact(known, in_space, of_body, law.as_ref()) {
                 (contact.body, contact.point) = (n as u32, p as u32);
                 (contact.side, contact.is_paired) = (point.side, point.is_paired);
                 contact.area *= point.area;
@@ -112,7 +114,7 @@ impl<R: Scalar> View<'_, R> {
         &self,
         known: Option<&Contact>,
         [arm, normal]: [DVec3; 2],
-        reference: DVec3,
+        (body, reference): (&BodyModel, DVec3),
         law: &dyn ContactLaw,
     ) -> Option<Contact> {
         let position = reference + arm;
@@ -133,6 +135,7 @@ impl<R: Scalar> View<'_, R> {
             cell: whole.map(|layer| layer as u32),
             octant: self.octant(cell, probe),
             material: self.material_of(base) as u32,
+            shear_limit: self.shear_limit(body, cell, normal),
             weight,
             area: coverage,
             width: self.width_along(cell, normal),
@@ -189,6 +192,30 @@ impl<R: Scalar> View<'_, R> {
         grid.smallest_width(widths) * grid.length_along(normal)
     }
 
+    /// Largest frictional traction of a body at a point in a cell [Pa]: a portion of the strength that the soil there has, however slowly
+    /// it is sheared; infinite where that has no undrained strength. A cell without soil stands for the next one along the
+    /// normal; clay that is not there either has no strength.
+    fn shear_limit(&self, body: &BodyModel, cell: [usize; 3], normal: DVec3) -> f64 {
+        if body.adhesion_factor.is_infinite() {
+            return f64::INFINITY;
+        }
+        let grid = &self.model.grid;
+        let index = |[i, j, k]: [usize; 3]| grid.index(i, j, k);
+        let beyond = self.next(cell, grid.main_axis(normal), normal).map_or(index(cell), index);
+        let at = if self.soil.fraction[index(cell)] > R::default() { index(cell) } else { beyond };
+        let [intact, plastic_strain] = [INTACT_STRENGTH, PLASTIC_STRAIN]
+            .map(|h| self.soil.history[h].get(at).map_or(0.0, |value| value.to_f64()));
+        let strength = self.model.materials[self.material_of(at)].shear_strength(intact, plastic_strain);
+        strength.map_or(f64::INFINITY, |strength| body.adhesion_factor * strength)
+    }
+
+    /// The next cell along an axis, in the direction of a vector, if the grid has one there.
+    fn next(&self, cell: [usize; 3], axis: usize, direction: DVec3) -> Option<[usize; 3]> {
+        let mut next = cell;
+        next[axis] = if direction[axis] > 0.0 { cell[axis] + 1 } else { cell[axis].checked_sub(1)? };
+        (next[axis] < self.model.grid.cells()[axis]).then_some(next)
+    }
+
     fn material_of(&self, cell: usize) -> usize {
         self.material.get(cell).map_or(0, |m| usize::from(*m))
     }
@@ -211,12 +238,7 @@ impl<R: Scalar> View<'_, R> {
     fn gap(&self, cell: [usize; 3], normal: DVec3) -> f64 {
         let grid = &self.model.grid;
         let axis = grid.main_axis(normal);
-        let outward = normal[axis] > 0.0;
-        let neighbour = |out: bool| -> Option<[usize; 3]> {
-            let mut next = cell;
-            next[axis] = if out == outward { cell[axis] + 1 } else { cell[axis].checked_sub(1)? };
-            (next[axis] < grid.cells()[axis]).then_some(next)
-        };
+        let neighbour = |out: bool| self.next(cell, axis, if out { normal } else { -normal });
         let sample = |at: Option<[usize; 3]>| match at {
             // Outside the grid is a wall: no void.
             None => (0.0, 1.0, 1.0, 0.0),

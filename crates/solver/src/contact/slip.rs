@@ -31,7 +31,7 @@ pub(super) fn account_slip<R>(
             bodies[n].parts[part].add(impulses, c.arm, model.modelled_fraction());
         }
         let sums = &mut bodies[n].rim[surfaces[n].bin_of(c.point)];
-        sums.add_impulses(impulses, body.friction, body.shear_limit * contact);
+        sums.add_impulses(impulses, body.friction, c.shear_limit * contact);
         sums.add_slip(impulses, slip, contact, &directions(c, impulses[0], axle));
     }
     dissipation

@@ -23,6 +23,7 @@ pub fn sand(faces: [Vec<f64>; 3]) -> Model {
     let material = Material {
         yield_law: Some(Law::MohrCoulomb(law)),
         k0: 0.43,
+        strength: None,
         ..Material::linear_elastic(elastic, 1600.0)
     };
     Model { gravity: 9.81, soil_gravity: 9.81, ..Model::bare(Grid::new(faces), material) }
@@ -42,6 +43,7 @@ pub fn dense_sand(characteristic_length: Option<f64>) -> Material {
     Material {
         yield_law: Some(Law::Sand(law)),
         k0: 0.45,
+        strength: None,
         characteristic_length,
         ..Material::linear_elastic(elastic, 1600.0)
     }

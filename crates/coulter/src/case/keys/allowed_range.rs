@@ -35,6 +35,7 @@ const fn from(low: Bound, high: Bound) -> AllowedRange {
 
 pub(super) const POSITIVE: AllowedRange = from(Exclusive(0.0), Bound::None);
 pub(super) const NOT_NEGATIVE: AllowedRange = from(Inclusive(0.0), Bound::None);
+pub(super) const AT_LEAST_ONE: AllowedRange = from(Inclusive(1.0), Bound::None);
 pub(super) const FRACTION: AllowedRange = from(Inclusive(0.0), Inclusive(1.0));
 pub(super) const POSITIVE_FRACTION: AllowedRange = from(Exclusive(0.0), Inclusive(1.0));
 pub(super) const BELOW_HALF: AllowedRange =

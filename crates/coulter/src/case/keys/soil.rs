@@ -1,12 +1,15 @@
 //! Keys of the soil, of the box round it and of the grid.
 
 use super::allowed_range::{
-    ACUTE, ASPECT, BELOW_HALF, ECCENTRICITY, GROWTH, NOT_NEGATIVE, POSITIVE, RELATIVE_DENSITY, SLOPE,
+    ACUTE, ASPECT, AT_LEAST_ONE, BELOW_HALF, ECCENTRICITY, GROWTH, NOT_NEGATIVE, POSITIVE, RELATIVE_DENSITY,
+    SLOPE,
 };
 use super::default_value::DefaultValue::{Derived, Flag, Number, Quantity, Ratios, Required, Walls, Word};
 use super::key::{Key, Kind, key};
 use super::words::{FOLLOWED, LAWS, POTENTIALS};
-use crate::case::quantity::{ANGLE, DENSITY, LENGTH, SPEED, STRESS, UNIT_WEIGHT};
+use crate::case::quantity::{
+    ANGLE, DENSITY, FREQUENCY, LENGTH, SPEED, STRENGTH_GRADIENT, STRESS, UNIT_WEIGHT,
+};
 
 pub(super) const SOIL: &[Key] = &[
     key("law", Kind::Choice(&LAWS), Required, "Yield law: frictional with constant angles, sand whose strength follows its density, undrained, metal plasticity, or none (elastic)."),
@@ -28,7 +31,12 @@ pub(super) const SOIL: &[Key] = &[
     key("compression_modulus", Kind::Quantity(STRESS), Quantity("32 MPa"), "Bulk modulus of plastic compression at I_D = 0.5 and 100 kPa (sand).").within(POSITIVE),
     key("stiffness_limit", Kind::Quantity(STRESS), Quantity("50 kPa"), "Mean pressure beyond which the elastic moduli no longer grow; it sets the time step (sand).").within(POSITIVE),
     key("characteristic_length", Kind::Quantity(LENGTH), Derived("none"), "Length over which the density that governs strength and dilatancy is averaged, so that bands of softening sand do not depend on the cells; at least two cells, some 15 grain sizes (sand).").within(POSITIVE),
-    key("shear_strength", Kind::Quantity(STRESS), Derived("required for tresca"), "Undrained shear strength s_u (tresca).").within(POSITIVE),
+    key("shear_strength", Kind::Quantity(STRESS), Derived("required for tresca"), "Undrained shear strength s_u at the top of the soil, or of its layer; 0 only if it grows with depth (tresca).").within(NOT_NEGATIVE),
+    key("strength_gradient", Kind::Quantity(STRENGTH_GRADIENT), Quantity("0 kPa/m"), "Growth of the undrained shear strength with depth k: s_u + k z (tresca).").within(NOT_NEGATIVE),
+    key("sensitivity", Kind::Number, Number(1.0), "Sensitivity S_t: strength of the intact clay over that of the remoulded one; 1 for clay that keeps its strength (tresca).").within(AT_LEAST_ONE),
+    key("remoulding_strain", Kind::Number, Number(20.0), "Plastic shear strain at which 95 % of the loss has happened ξ₉₅ (tresca with sensitivity).").within(POSITIVE),
+    key("rate_strengthening", Kind::Number, Number(0.0), "Gain of strength per tenfold rate of shear μ; 0.05 to 0.2 is usual (tresca).").within(NOT_NEGATIVE),
+    key("reference_rate", Kind::Quantity(FREQUENCY), Quantity("1e-5 Hz"), "Rate of shear, per second, at which the strength was measured (tresca with rate_strengthening).").within(POSITIVE),
     key("yield_stress", Kind::Quantity(STRESS), Derived("required for von-mises"), "Initial yield stress σ_y in uniaxial tension (von-mises).").within(POSITIVE),
     key("hardening_modulus", Kind::Quantity(STRESS), Quantity("0 Pa"), "Hardening modulus H: slope of the yield stress over the equivalent plastic strain (von-mises).").within(NOT_NEGATIVE),
     key("unit_weight", Kind::Quantity(UNIT_WEIGHT), Derived("density × gravity"), "Unit weight γ; 0 for weightless soil.").within(NOT_NEGATIVE),

@@ -4,7 +4,7 @@ use super::context::{Context, checked};
 use super::{motion, stages};
 use crate::case::missing::{missing, required};
 use crate::case::problem::Problems;
-use crate::case::resolved::{Attitude, Body, Law, MOTIONS};
+use crate::case::resolved::{Attitude, Body, MOTIONS};
 use crate::case::shapes::{self, Shape};
 use crate::case::typed::Section;
 use crate::case::validate;
@@ -22,7 +22,7 @@ pub(super) fn body(
 ) -> Option<Body> {
     let shape = shape(section, context, problems);
     let friction = friction(section, shape.as_ref(), problems);
-    let shear_limit = shear_limit(section, context, problems);
+    let adhesion_factor = adhesion_factor(section, context, problems);
     let mass = mass(section, context.gravity, problems);
     let attitude = attitude(section);
     let typed: [_; 6] =
@@ -53,7 +53,7 @@ pub(super) fn body(
         axle_inertia: inertia?,
         shape,
         friction: friction?,
-        shear_limit: shear_limit?,
+        adhesion_factor: adhesion_factor?,
         translation: [forward?, lateral?, heave?],
         rotation: [yaw?, tilt?, spin?],
         parts: Vec::new(),
@@ -93,19 +93,18 @@ fn shape(section: &Section, context: &Context, problems: &mut Problems) -> Optio
     checked(shape, problems, |shape, problems| validate::body::shape(&section.path, shape, around, problems))
 }
 
-/// Largest frictional traction [Pa]: the adhesion factor times the undrained shear strength.
-fn shear_limit(section: &Section, context: &Context, problems: &mut Problems) -> Option<f64> {
+/// The adhesion factor; infinite for no limit.
+fn adhesion_factor(section: &Section, context: &Context, problems: &mut Problems) -> Option<f64> {
     if !section.has("adhesion_factor") {
         return Some(f64::INFINITY);
     }
-    let factor = section.number("adhesion_factor");
-    let Some(Law::Tresca { shear_strength }) = context.law else {
+    if !context.has_undrained_soil {
         let message = "`adhesion_factor` applies only to soil with an undrained shear strength";
         let cure = "remove it, or choose law = \"tresca\"";
         problems.add(section.at("adhesion_factor"), message, cure);
         return None;
-    };
-    Some(factor? * shear_strength)
+    }
+    section.number("adhesion_factor")
 }
 
 /// The mass, if it is known; the outer `None` if it was given wrongly.

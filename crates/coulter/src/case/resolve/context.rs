@@ -25,6 +25,8 @@ pub(super) struct Context {
     pub(super) symmetric_x: bool,
     /// Yield law of the soil, if it could be read.
     pub(super) law: Option<Law>,
+    /// Whether the uppermost soil or a layer has an undrained shear strength.
+    pub(super) has_undrained_soil: bool,
     /// Initial velocity of the soil [m/s], as typed.
     pub(super) velocity: DVec3,
     /// The slab of a plane strain case.

@@ -124,7 +124,21 @@ fn context(schema: &Schema, gravity: f64, law: Option<Law>, problems: &mut Probl
     let velocity = ground::typed_velocity(&schema.ground);
     let surface = surface?;
     let slope = ground::slope(&schema.ground)?;
-    Some(Context { gravity, slope, cell, aspect, surface, symmetric, symmetric_x, law, velocity, slab })
+    let mut soils = std::iter::once(&schema.soil).chain(&schema.layers);
+    let has_undrained_soil = soils.any(|soil| soil.text("law").as_deref() == Some("tresca"));
+    Some(Context {
+        gravity,
+        slope,
+        cell,
+        aspect,
+        surface,
+        symmetric,
+        symmetric_x,
+        law,
+        has_undrained_soil,
+        velocity,
+        slab,
+    })
 }
 
 /// All bodies, or `None` if any of them is wrong.

@@ -4,7 +4,7 @@ use super::context::checked;
 use crate::case::at_rest;
 use crate::case::missing::{missing, required};
 use crate::case::problem::Problems;
-use crate::case::resolved::{Law, Layer, Potential, Soil};
+use crate::case::resolved::{ClaySoftening, Law, Layer, Potential, Soil};
 use crate::case::slope::Slope;
 use crate::case::typed::Section;
 use crate::case::validate;
@@ -33,7 +33,14 @@ const SAND: [&str; 10] = [
     "stiffness_limit",
     "characteristic_length",
 ];
-const UNDRAINED: [&str; 1] = ["shear_strength"];
+const UNDRAINED: [&str; 6] = [
+    "shear_strength",
+    "strength_gradient",
+    "sensitivity",
+    "remoulding_strain",
+    "rate_strengthening",
+    "reference_rate",
+];
 const METAL: [&str; 2] = ["yield_stress", "hardening_modulus"];
 
 /// The soil under gravity [m/s²] on a slope.
@@ -133,8 +140,10 @@ fn law(section: &Section, problems: &mut Problems) -> Option<Law> {
         "mohr-coulomb" => mohr_coulomb(section, problems),
         "sand" => sand(section, problems),
         "tresca" => {
-            let shear_strength = required(section, "shear_strength", problems)?;
-            Some(Law::Tresca { shear_strength })
+            let shear_strength = required(section, "shear_strength", problems);
+            let softening = softening(section, problems);
+            let gradient = section.number("strength_gradient")?;
+            Some(Law::Tresca { shear_strength: shear_strength?, gradient, softening: softening? })
         }
         "von-mises" => {
             let yield_stress = required(section, "yield_stress", problems);
@@ -143,6 +152,28 @@ fn law(section: &Section, problems: &mut Problems) -> Option<Law> {
         }
         _ => Some(Law::Elastic),
     }
+}
+
+/// What remoulding and rate do to undrained clay; `None` for nothing.
+#[allow(clippy::option_option)]
+fn softening(section: &Section, problems: &mut Problems) -> Option<Option<ClaySoftening>> {
+    let found = ClaySoftening {
+        sensitivity: section.number("sensitivity")?,
+        remoulding_strain: section.number("remoulding_strain")?,
+        rate_strengthening: section.number("rate_strengthening")?,
+        reference_rate: section.number("reference_rate")?,
+    };
+    let without = [
+        ("remoulding_strain", "sensitivity", found.sensitivity == 1.0),
+        ("reference_rate", "rate_strengthening", found.rate_strengthening == 0.0),
+    ];
+    for (key, needs, has_none) in without {
+        if has_none && section.has(key) {
+            let message = format!("`{key}` has no effect without `{needs}`");
+            problems.add(section.at(key), message, format!("remove it, or give `{needs}`"));
+        }
+    }
+    Some((found.sensitivity != 1.0 || found.rate_strengthening != 0.0).then_some(found))
 }
 
 fn sand(section: &Section, problems: &mut Problems) -> Option<Law> {

@@ -90,9 +90,9 @@ fn joined(body: &Body, members: Vec<&Body>, problems: &mut Problems) -> Body {
     for (n, member) in members.into_iter().enumerate() {
         if member.shape.has_surface() {
             if n == 0 && !body.shape.has_surface() {
-                (whole.friction, whole.shear_limit) = (member.friction, member.shear_limit);
+                (whole.friction, whole.adhesion_factor) = (member.friction, member.adhesion_factor);
             }
-            if [member.friction, member.shear_limit] != [whole.friction, whole.shear_limit] {
+            if [member.friction, member.adhesion_factor] != [whole.friction, whole.adhesion_factor] {
                 let message =
                     format!("`{}` is welded to `{}`, but its friction differs", member.name, body.name);
                 let cure = "bodies that are welded together have one coefficient of friction; use a hinge for different ones";

@@ -1,5 +1,6 @@
 //! A body by itself: its numbers, its size in cells, its motion.
 
+use crate::case::cells_across::cells_across;
 use crate::case::numbers::{in_range, in_range_or_infinite};
 use crate::case::problem::Problems;
 use crate::case::quantity::plain;
@@ -7,8 +8,8 @@ use crate::case::resolved::{Body, MOTIONS, Motion};
 use crate::case::shapes::Shape;
 use glam::DVec3;
 
-/// Least number of cells across a body: with fewer, soil fits between its contact points unnoticed.
-const MIN_CELLS_ACROSS: f64 = 2.0;
+/// Least number of cells across a body: with fewer, soil leaks through it.
+const MIN_CELLS_ACROSS: f64 = 1.0;
 
 /// Reports what is wrong with a body in a grid whose fine cells have the widths `cell` [m], and that may be one slab.
 pub(in crate::case) fn body(body: &Body, (cell, plane_strain): (DVec3, bool), problems: &mut Problems) {
@@ -44,7 +45,7 @@ pub(in crate::case) fn shape(
         problems.add(format!("{path}.{}", conflict.key), conflict.message, conflict.cure);
     }
     if problems.len() == before && !problems.ignores_resolution() {
-        cells_across(path, shape, (cell, plane_strain), problems);
+        resolution(path, shape, (cell, plane_strain), problems);
     }
     if let Some(conflict) = shape.plane_strain_conflict().filter(|_| plane_strain) {
         problems.add(format!("{path}.{}", conflict.key), conflict.message, conflict.cure);
@@ -52,24 +53,16 @@ pub(in crate::case) fn shape(
 }
 
 /// Reports a shape with too few cells across to resolve contact.
-fn cells_across(path: &str, shape: &Shape, (cell, plane_strain): (DVec3, bool), problems: &mut Problems) {
-    // The slab of a plane strain case is one cell wide, whatever the body.
-    let sizes: Vec<_> = shape.sizes().into_iter().filter(|s| !(plane_strain && s.axis == Some(1))).collect();
-    let narrowest =
-        |key| sizes.iter().filter(|s| s.key == key).map(|s| s.length).fold(f64::INFINITY, f64::min);
-    for size in sizes.iter().filter(|size| size.length == narrowest(size.key)) {
-        // A length along several axes may lie along the widest cells.
-        let widest = if plane_strain { cell.x.max(cell.z) } else { cell.max_element() };
-        let width = size.axis.map_or(widest, |axis| cell[axis]);
-        let cells = size.length / width;
+fn resolution(path: &str, shape: &Shape, grid: (DVec3, bool), problems: &mut Problems) {
+    for (size, cells) in cells_across(shape, grid) {
         if cells >= MIN_CELLS_ACROSS * (1.0 - 1e-9) {
             continue;
         }
         let path = format!("{path}.{}", size.key);
         let message = format!("only {cells:.2} cells across {path}: too few to resolve contact");
         let cure = format!(
-            "make grid.cell at most {:.4} mm for 2 cells across; 4 or more are advisable",
-            1e3 * size.length / MIN_CELLS_ACROSS * (cell.min_element() / width)
+            "make grid.cell at most {:.4} mm for one cell across; 4 or more are advisable",
+            1e3 * grid.0.min_element() * cells / MIN_CELLS_ACROSS
         );
         problems.add(path, message, cure);
     }
@@ -93,10 +86,8 @@ fn attitude(path: &str, body: &Body, problems: &mut Problems) {
 
 fn surface(path: &str, body: &Body, problems: &mut Problems) {
     in_range_or_infinite(&format!("{path}.friction"), body.friction, problems);
-    // The key is a factor, the case holds the traction.
-    if body.shear_limit.is_nan() || body.shear_limit < 0.0 {
-        let message = format!("the largest frictional traction is {} Pa", plain(body.shear_limit));
-        problems.add(format!("{path}.adhesion_factor"), message, "it must be 0 or more, or infinite");
+    if body.adhesion_factor != f64::INFINITY {
+        in_range(&format!("{path}.adhesion_factor"), body.adhesion_factor, problems);
     }
 }
 

@@ -33,7 +33,7 @@ fn contact_points_remain(case: &Case, problems: &mut Problems) {
     }
     for (_, body) in case.touching() {
         let (low, high) = body.solid().bounds();
-        let left = high - low - 2.0 * case.numerics.edge_inset * cells;
+        let left = high - low - 2.0 * case.edge_inset(body) * cells;
         if left.cmplt(1e-6 * cells).any() {
             let message = format!("the inset leaves no contact points on body `{}`", body.name);
             let default = keys::at(EDGE_INSET).map_or_else(String::new, |key| key.default.text());

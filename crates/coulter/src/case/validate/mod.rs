@@ -86,6 +86,7 @@ fn fits_together(case: &Case, problems: &mut Problems) {
     domain::velocity(case.velocity, &case.domain, problems);
     soil::overburden(case.overburden, &case.soil, case.ground.surface(), &case.domain, problems);
     soil::slope(case, problems);
+    soil::growing_strength(case, problems);
     soil::layers(case, problems);
     fit::bodies_fit(&Paths::of(case), &case.domain, problems);
     follow::follow(case, problems);

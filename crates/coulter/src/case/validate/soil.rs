@@ -4,7 +4,7 @@ use crate::case::at_rest;
 use crate::case::numbers::in_range;
 use crate::case::problem::Problems;
 use crate::case::quantity::plain;
-use crate::case::resolved::{Case, Domain, Ground, Law, Potential, SOIL, Soil, Wall};
+use crate::case::resolved::{Case, ClaySoftening, Domain, Ground, Law, Potential, SOIL, Soil, Wall};
 use crate::case::slope::Slope;
 
 /// Reports what is wrong with the soil of a section.
@@ -45,6 +45,7 @@ pub(in crate::case) fn law(path: &str, law: &Law, problems: &mut Problems) {
     if problems.len() == before {
         plastic_flow(path, law, problems);
         densities(path, law, problems);
+        no_strength(path, law, problems);
     }
 }
 
@@ -52,7 +53,10 @@ pub(in crate::case) fn law(path: &str, law: &Law, problems: &mut Problems) {
 fn law_numbers(law: &Law) -> Vec<(&'static str, f64)> {
     match *law {
         Law::Elastic => Vec::new(),
-        Law::Tresca { shear_strength } => vec![("shear_strength", shear_strength)],
+        Law::Tresca { shear_strength, gradient, softening } => {
+            let own = [("shear_strength", shear_strength), ("strength_gradient", gradient)];
+            own.into_iter().chain(softening.into_iter().flat_map(softening_numbers)).collect()
+        }
         Law::VonMises { yield_stress, hardening_modulus } => {
             vec![("yield_stress", yield_stress), ("hardening_modulus", hardening_modulus)]
         }
@@ -104,6 +108,15 @@ fn law_numbers(law: &Law) -> Vec<(&'static str, f64)> {
     }
 }
 
+fn softening_numbers(softening: ClaySoftening) -> [(&'static str, f64); 4] {
+    [
+        ("sensitivity", softening.sensitivity),
+        ("remoulding_strain", softening.remoulding_strain),
+        ("rate_strengthening", softening.rate_strengthening),
+        ("reference_rate", softening.reference_rate),
+    ]
+}
+
 /// Reports a densest state that is not denser than the loosest.
 fn densities(path: &str, law: &Law, problems: &mut Problems) {
     if let Law::Sand { minimum_density, maximum_density, .. } = *law
@@ -113,6 +126,15 @@ fn densities(path: &str, law: &Law, problems: &mut Problems) {
             "the densest state, {maximum_density:.1} kg/m³, is not denser than the loosest, {minimum_density:.1} kg/m³"
         );
         problems.add(format!("{path}.maximum_density"), message, "it must be above minimum_density");
+    }
+}
+
+/// Reports undrained soil without any strength.
+fn no_strength(path: &str, law: &Law, problems: &mut Problems) {
+    if let Law::Tresca { shear_strength: 0.0, gradient: 0.0, .. } = law {
+        let message = "the soil has no strength at any depth";
+        let cure = "it must be above 0, or grow with depth: strength_gradient = \"1.5 kPa/m\"";
+        problems.add(format!("{path}.shear_strength"), message, cure);
     }
 }
 
@@ -216,8 +238,10 @@ pub(super) fn slope(case: &Case, problems: &mut Problems) {
         return;
     }
     for (n, (path, soil)) in case.soils().enumerate() {
-        let stresses = slope.principal_stresses(soil.k0).map(|ratio| ratio * stress_at_base(case, n));
-        if !at_rest::sustains(&soil.law, stresses) {
+        let rests = |(law, stress): (Law, f64)| {
+            at_rest::sustains(&law, slope.principal_stresses(soil.k0).map(|ratio| ratio * stress))
+        };
+        if !ends(case, n).into_iter().all(rests) {
             let angle = steepest(&slope);
             let message = format!(
                 "the soil of [{path}] does not rest on a slope of {angle:.1}°: it would slide at once"
@@ -226,6 +250,37 @@ pub(super) fn slope(case: &Case, problems: &mut Problems) {
             problems.add(if slope.along == 0.0 { CROSS_SLOPE } else { SLOPE }, message, cure);
         }
     }
+}
+
+/// Reports clay on level ground whose strength grows with depth, but more slowly than the stresses at rest.
+pub(super) fn growing_strength(case: &Case, problems: &mut Problems) {
+    if !case.slope.is_level() || case.soil.unit_weight == 0.0 {
+        return;
+    }
+    for (n, (path, soil)) in case.soils().enumerate() {
+        let rests = |(law, stress): (Law, f64)| {
+            at_rest::sustains(&law, [1.0, soil.k0, soil.k0].map(|ratio| ratio * stress))
+        };
+        if matches!(soil.law, Law::Tresca { gradient, .. } if gradient > 0.0)
+            && !ends(case, n).into_iter().all(rests)
+        {
+            let message = format!(
+                "the soil of [{path}] does not bear its own weight with K₀ = {:.3}: it would fail at once",
+                soil.k0
+            );
+            problems.add(format!("{path}.strength_gradient"), message, format!("add  k0 = 1  to [{path}]"));
+        }
+    }
+}
+
+/// Laws at top and base of a soil, by its number from the top down, each with the stress normal to the surface there [Pa].
+fn ends(case: &Case, number: usize) -> [(Law, f64); 2] {
+    let law = case.soils().nth(number).map_or(case.soil.law, |(_, soil)| soil.law);
+    let above = number.checked_sub(1).map_or(case.overburden, |above| stress_at_base(case, above));
+    let depth = case.ground.surface() - case.domain.low.z;
+    let tops: Vec<f64> = case.layers.iter().map(|layer| layer.top.min(depth)).chain([depth]).collect();
+    let top = number.checked_sub(1).map_or(0.0, |above| tops[above]);
+    [(law, above), (law.at_depth(tops[number] - top), stress_at_base(case, number))]
 }
 
 /// Stress normal to the surface at the base of a soil [Pa], by its number from the top down.

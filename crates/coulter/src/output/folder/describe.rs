@@ -57,7 +57,20 @@ fn degrees(angle: f64) -> String {
 fn soil(soil: &Soil) -> String {
     let law = match soil.law {
         Law::Elastic => "linear elastic".to_owned(),
-        Law::Tresca { shear_strength } => format!("Tresca, sᵤ = {}", stress(shear_strength)),
+        Law::Tresca { shear_strength, gradient, softening } => {
+            let mut text = format!("Tresca, sᵤ = {}", stress(shear_strength));
+            if gradient > 0.0 {
+                text += &format!(" + {} kPa/m × depth", digits(1e-3 * gradient));
+            }
+            if let Some(softening) = softening.filter(|softening| softening.sensitivity > 1.0) {
+                text += &format!(", sensitivity {}", digits(softening.sensitivity));
+            }
+            if let Some(softening) = softening.filter(|softening| softening.rate_strengthening > 0.0) {
+                text +=
+                    &format!(", {} % more per tenfold rate", digits(100.0 * softening.rate_strengthening));
+            }
+            text
+        }
         Law::VonMises { yield_stress, hardening_modulus } => {
             format!("von Mises, σ_y = {}, H = {}", stress(yield_stress), stress(hardening_modulus))
         }
@@ -102,8 +115,8 @@ fn describe_body(case: &Case, body: &Body) -> String {
     } else {
         "rough".to_owned()
     };
-    if body.shear_limit.is_finite() {
-        friction += &format!(", at most {}", stress(body.shear_limit));
+    if body.adhesion_factor.is_finite() {
+        friction += &format!(", at most {} sᵤ", digits(body.adhesion_factor));
     }
     let weight = match body.translation[2] {
         Motion::Free { .. } => format!(", weight {} N", digits(case.gravity * body.mass)),

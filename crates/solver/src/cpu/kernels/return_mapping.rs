@@ -1,6 +1,7 @@
 //! Return mapping of the trial stresses of a block of cells.
 
 use super::cells::{BLOCK, Block, CellRow, RowConstants, tensor};
+use super::physics::clay::Clay;
 use super::physics::elastic::Elastic;
 use super::physics::law::Law;
 use super::physics::menetrey_willam::MenetreyWillam;
@@ -10,7 +11,7 @@ use super::physics::tensor::{Symmetric, mean};
 use super::physics::von_mises::VonMises;
 use super::physics::yield_law::{Memory, Point, YieldLaw};
 use super::{LANES, Real};
-use crate::fields::{NONLOCAL_DENSITY, PLASTIC_STRAIN, PRECONSOLIDATION, STRESS_RATIO};
+use crate::fields::{INTACT_STRENGTH, NONLOCAL_DENSITY, PLASTIC_STRAIN, PRECONSOLIDATION, STRESS_RATIO};
 use multiversion::multiversion;
 
 /// Mean of the stresses before and after a step: with it the sum of the work over steps is exact for central differences.
@@ -51,6 +52,7 @@ pub(super) fn apply(
         Law::MenetreyWillam(law) => menetrey_willam(constants, law, cells, block),
         Law::VonMises(law) => von_mises(constants, law, cells, block),
         Law::Sand(law) => sand(constants, law, cells, block),
+        Law::Clay(law) => clay(constants, law, cells, block),
     }
 }
 
@@ -69,14 +71,17 @@ fn apply_law<L: YieldLaw>(
     let plastic_strain = &cells.history[PLASTIC_STRAIN][own.clone()];
     let [stress_ratio, preconsolidation, _] =
         MEMORY.map(|h| if L::REMEMBERS { &cells.history[h][own.clone()] } else { plastic_strain });
+    let intact = if L::HAS_STRENGTH { &cells.history[INTACT_STRENGTH][own.clone()] } else { plastic_strain };
     for i in 0..n {
         let trial = tensor(&b.trial, i);
         let memory = Memory {
             stress_ratio: stress_ratio[i],
             preconsolidation: preconsolidation[i],
             nonlocal_density: 0.0,
+            intact_strength: intact[i],
         };
-        let point = Point { plastic_strain: plastic_strain[i], memory, ..Point::default() };
+        let duration = constants.dt;
+        let point = Point { plastic_strain: plastic_strain[i], memory, duration, ..Point::default() };
         b.yields[i] = if yield_law.may_yield(trial, &point) { b.bears_stress[i] } else { 0.0 };
     }
     let (mut index, mut count) = ([0_u8; BLOCK], 0);
@@ -93,7 +98,7 @@ fn apply_law<L: YieldLaw>(
         for (l, i) in lanes() {
             packed.load::<L>(constants, cells, b, (l, i));
         }
-        packed.return_stress(yield_law, &dissipation);
+        packed.return_stress((yield_law, constants.dt), &dissipation);
         for (l, i) in lanes() {
             packed.store::<L>(constants, cells, b, (l, i));
         }
@@ -136,6 +141,11 @@ fn sand(constants: &RowConstants, law: &Sand, cells: &mut CellRow, b: &mut Block
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn clay(constants: &RowConstants, law: &Clay, cells: &mut CellRow, b: &mut Block) -> usize {
+    apply_law(constants, law, plastic_work(&constants.material.elastic), cells, b)
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn von_mises(constants: &RowConstants, law: &VonMises, cells: &mut CellRow, b: &mut Block) -> usize {
     apply_law(constants, law, plastic_work(&constants.material.elastic), cells, b)
 }
@@ -153,6 +163,8 @@ struct Yielding {
     is_critical: [Real; LANES],
     /// Memory at the start of the step, later at its end, in the order of [`MEMORY`].
     memory: [[Real; LANES]; 3],
+    /// Strength of the intact soil [Pa], for laws that depend on it.
+    intact_strength: [Real; LANES],
     /// Equivalent plastic strain at the start of the step, later at its end.
     plastic_strain: [Real; LANES],
     /// Increment of the gap strain.
@@ -180,6 +192,9 @@ impl Yielding {
         let critical = constants.material.critical_density * cells.fraction[own] * volume;
         self.plastic_strain[l] = cells.history[PLASTIC_STRAIN][own];
         self.is_critical[l] = if cells.mass[own] >= critical { 0.0 } else { 1.0 };
+        if L::HAS_STRENGTH {
+            self.intact_strength[l] = cells.history[INTACT_STRENGTH][own];
+        }
         if L::REMEMBERS {
             self.density[l] = cells.mass[own] / (cells.fraction[own] * volume);
             for (memory, h) in self.memory.iter_mut().zip(MEMORY) {
@@ -216,7 +231,7 @@ impl Yielding {
     #[inline(always)]
     fn return_stress(
         &mut self,
-        yield_law: &impl YieldLaw,
+        (yield_law, duration): (&impl YieldLaw, Real),
         dissipation: &impl Fn(Symmetric, Symmetric, Symmetric) -> Real,
     ) {
         for l in 0..LANES {
@@ -226,6 +241,7 @@ impl Yielding {
                 stress_ratio: self.memory[0][l],
                 preconsolidation: self.memory[1][l],
                 nonlocal_density: self.memory[2][l],
+                intact_strength: self.intact_strength[l],
             };
             let point = Point {
                 stress: old,
@@ -233,6 +249,7 @@ impl Yielding {
                 is_critical: self.is_critical[l] > 0.0,
                 plastic_strain: self.plastic_strain[l],
                 memory,
+                duration,
             };
             let returned = yield_law.return_map(trial, &point);
             self.memory[0][l] = returned.memory.stress_ratio;
