@@ -28,6 +28,12 @@ pub(super) fn say(text: &str) -> Result<(), Failure> {
     }
 }
 
+/// The overrides of a case, with the one that `--accept-drained` stands for.
+pub(super) fn overrides(given: &[String], accept_drained: bool) -> Vec<String> {
+    let accepted = accept_drained.then(|| "water.accept_drained=true".to_owned());
+    given.iter().cloned().chain(accepted).collect()
+}
+
 /// Refuses a file where a results folder is expected.
 pub(super) fn refuse_file(folder: &Path) -> Result<(), Failure> {
     if !folder.exists() || folder.is_dir() {

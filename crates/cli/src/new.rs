@@ -49,6 +49,7 @@ macro_rules! templates {
 templates! {
     TowedDisc: "towed_disc.toml", "A free disc towed over dry sand";
     PressAndTow: "press_and_tow.toml", "A disc that is pressed into sand, held, towed and lifted, in stages";
+    UnderWater: "disc_under_water.toml", "A free disc towed over sand under water";
     Rockhopper: "rockhopper.toml", "Three rockhopper discs on one axle, each free to turn";
     SweptWing: "swept_wing.toml", "Four discs along a wing that is swept by 45°";
     Cable: "disc_on_a_cable.toml", "A disc towed by a cable";

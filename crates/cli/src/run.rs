@@ -28,6 +28,9 @@ pub(super) struct Arguments {
     /// Sets a key, such as soil.friction_angle="38 deg"; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
+    /// Take soil under water for drained, whatever its drainage number
+    #[arg(long)]
+    accept_drained: bool,
     /// Resume from the last checkpoint; start if there is none yet
     #[arg(long)]
     resume: bool,
@@ -58,13 +61,14 @@ impl Arguments {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     // Before anything else: a signal during the start must be handled like a later one.
     let interrupts = signals::listen();
-    let mut case = case::load(&arguments.case, &arguments.overrides)?;
+    let overrides = crate::common::overrides(&arguments.overrides, arguments.accept_drained);
+    let mut case = case::load(&arguments.case, &overrides)?;
     if let Some(threads) = arguments.threads {
         case.numerics.threads = usize::from(threads);
     }
     let text = case::text(&arguments.case)?;
     let source_name = arguments.case.display().to_string();
-    let typed = case::overridden(&text, &source_name, &arguments.overrides)?;
+    let typed = case::overridden(&text, &source_name, &overrides)?;
     let coarser = match arguments.meshes {
         Some(count) => meshes::coarser(&case, &typed, &source_name, count)?,
         None => Vec::new(),

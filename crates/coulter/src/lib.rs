@@ -5,6 +5,7 @@ pub mod case;
 mod domain;
 pub mod element;
 pub mod forecast;
+mod ground_column;
 pub mod history;
 pub mod interrupts;
 pub mod mesh_study;

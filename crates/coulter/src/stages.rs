@@ -121,9 +121,9 @@ fn too_late<R: Precision>(case: &Case, on: usize, value: f64, state: &State<R>) 
 /// The force or torque [N or N m] that has held a degree of freedom of a body against soil and weight.
 fn support(case: &Case, history: &History, body: usize, motion: usize) -> f64 {
     let now = history.bodies[body].last().copied().unwrap_or_default();
-    let weight = case.gravity * case.bodies[body].whole_mass() * case.slope.down() + DVec3::ZERO;
+    let weight = case.weight(&case.bodies[body]) * case.slope.down() + DVec3::ZERO;
     match motion {
-        0 => now.drag - weight.x,
+        0 => now.drag + now.water_drag - weight.x,
         1 => -now.lateral - weight.y,
         2 => -weight.z - now.vertical,
         3 => -now.moment_z,

@@ -14,6 +14,7 @@ use proptest::prelude::*;
 use serde_json::json;
 
 const TOWED_DISC: &str = include_str!("../../../cases/light_disc.toml");
+const UNDER_WATER: &str = include_str!("../../../cases/disc_under_water.toml");
 const FOOTING: &str = include_str!("../../../cases/strip_footing.toml");
 const COLUMN: &str = include_str!("../../../cases/column_collapse.toml");
 const BAR: &str = include_str!("../../../validation/A10_taylor_bar/case.toml");
@@ -298,7 +299,7 @@ fn numbers_of_law(law: &mut Law) -> Vec<&mut f64> {
             }
             all
         }
-        Law::Elastic => Vec::new(),
+        _ => Vec::new(),
     }
 }
 
@@ -338,6 +339,15 @@ fn numbers(case: &mut Case) -> Vec<&mut f64> {
         &mut numerics.point_spacing,
     ]);
     all.extend(case.bodies.iter_mut().flat_map(numbers_of_body));
+    if let Some(water) = &mut case.water {
+        all.extend([
+            &mut water.level,
+            &mut water.density,
+            &mut water.grain_density,
+            &mut water.drag_coefficient,
+        ]);
+        all.extend(water.permeability.iter_mut().chain(&mut water.volume_strain));
+    }
     all
 }
 
@@ -364,11 +374,12 @@ fn changed(value: f64, how: usize, factor: f64) -> f64 {
 
 fn perturbed() -> impl Strategy<Value = Case> {
     let change = (any::<prop::sample::Index>(), 0usize..14, 0.5f64..2.0);
-    let coarse: [(&str, &str, &[&str]); 7] = [
+    let coarse: [(&str, &str, &[&str]); 8] = [
         (TOWED_DISC, "grid.cell=25 mm", &[]),
         (FOOTING, "grid.cell=0.25 m", &[]),
         (COLUMN, "grid.cell=25 mm", &[]),
         (BAR, "grid.cell=0.4 mm", &[]),
+        (UNDER_WATER, "grid.cell=12.5 mm", &[]),
         (TOWED_DISC, "grid.cell=25 mm", &["body.disc.rim=rounded"]),
         (TOWED_DISC, "grid.cell=25 mm", &["body.disc.rim=bevelled", "body.disc.bevel_angle=40 deg"]),
         (

@@ -163,6 +163,30 @@ fn noise_and_step_size_are_reported() {
 }
 
 #[test]
+fn soil_that_does_not_drain_is_reported() {
+    let number = |permeability: &str, accepted: bool| {
+        let mut case = tow(&[
+            "water.level=1 m",
+            "soil.unit_weight=9 kN/m^3",
+            "water.volume_strain=0.05",
+            &format!("water.permeability={permeability}"),
+            "water.accept_drained=true",
+        ]);
+        case.water.as_mut().unwrap().accept_drained = accepted;
+        let trust = grade(&case, &history());
+        let check = trust.checks.iter().find(|check| check.name == "drainage number").unwrap().clone();
+        (check.value.unwrap(), check.verdict)
+    };
+    // N_s = (9.81/9) 0.2 m/s × 0.05/k
+    let (value, verdict) = number("30 mm/s", false);
+    assert!((value - 9.81 / 9.0 * 0.2 * 0.05 / 0.03).abs() < 1e-9, "{value}");
+    assert_eq!(verdict, Verdict::Good);
+    assert_eq!(number("10 mm/s", false).1, Verdict::Doubtful);
+    assert_eq!([number("1 mm/s", false).1, number("1 mm/s", true).1], [Verdict::Broken, Verdict::Doubtful]);
+    assert!(grade(&tow(&[]), &history()).checks.iter().all(|check| check.name != "drainage number"));
+}
+
+#[test]
 fn a_run_that_was_stopped_is_broken_and_says_why() {
     let case = tow(&[]);
     let why = "12 % of the energy is unexplained";

@@ -2,6 +2,7 @@
 
 use crate::configuration::Configuration;
 use crate::error::Invalid;
+use crate::fluid::Fluid;
 use crate::gimbal;
 use crate::inertia::Inertia;
 use crate::motion::Motion;
@@ -22,6 +23,8 @@ pub struct Body {
     /// Fraction of the body that is modelled: ½ for each symmetry plane through it. Impulses act on this fraction; everything
     /// else refers to the whole body.
     pub modelled_fraction: f64,
+    /// The fluid that it moves in.
+    pub fluid: Fluid,
 }
 
 impl Body {
@@ -34,7 +37,7 @@ impl Body {
     /// A body with given degrees of freedom, modelled as a whole.
     #[must_use]
     pub fn new(inertia: Inertia, motion: [Motion; 6]) -> Self {
-        Self { inertia, motion, modelled_fraction: 1.0 }
+        Self { inertia, motion, modelled_fraction: 1.0, fluid: Fluid::NONE }
     }
 
     /// Whether no rotation is fixed or prescribed.
@@ -60,6 +63,10 @@ impl Body {
         // Also without free motions: what is not a number would spread into momenta and reactions.
         if !(self.inertia.mass.is_finite() && self.inertia.centre.is_finite()) {
             return Err(Invalid::Mass);
+        }
+        let Fluid { displaced, centre, drag } = self.fluid;
+        if !(displaced.is_finite() && centre.is_finite() && drag.is_finite()) {
+            return Err(Invalid::Fluid);
         }
         if !self.inertia.tensor.is_finite() {
             return Err(Invalid::Tensor);
@@ -135,6 +142,14 @@ impl Body {
         let turning = state.pose.axes().transpose() * angular;
         let moving = if self.inertia.mass > 0.0 { linear.length_squared() / self.inertia.mass } else { 0.0 };
         0.5 * (moving + turning.dot(self.inertia.inverse_tensor() * turning))
+    }
+
+    /// Potential energy [J] of the whole body in a gravity field [m/s²], less that of the fluid that it displaces; 0 with both centres at
+    /// the origin.
+    #[must_use]
+    pub fn potential_energy(&self, state: &BodyState, gravity: DVec3) -> f64 {
+        let displaced = self.fluid.displaced * state.pose.point(self.fluid.centre);
+        gravity.dot(displaced - self.inertia.mass * self.centre(state))
     }
 
     /// Centre of mass in space [m].

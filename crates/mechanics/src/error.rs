@@ -13,6 +13,8 @@ pub enum Invalid {
     Triangle,
     /// The modelled fraction of a body must lie above 0 and not above 1.
     ModelledFraction,
+    /// What the fluid does to a body is not a number.
+    Fluid,
     /// A joint names a body that is not there, or connects a body with itself.
     Joint,
 }
@@ -24,6 +26,7 @@ impl fmt::Display for Invalid {
             Self::Tensor => "a body that rotates freely needs a symmetric, positive inertia tensor",
             Self::Triangle => "the largest principal moment of inertia exceeds the sum of the other two",
             Self::ModelledFraction => "the modelled fraction of a body must lie above 0 and not above 1",
+            Self::Fluid => "buoyancy and drag of a body must be finite",
             Self::Joint => {
                 "a joint must connect two different bodies of the mechanism, or one with the ground"
             }

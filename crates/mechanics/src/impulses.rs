@@ -6,9 +6,9 @@ use crate::wrench::Wrench;
 /// The impulses on a body in one step, about its reference point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Impulses {
-    /// Of the loads.
+    /// Of the loads, and of the drag of a fluid.
     pub load: Wrench,
-    /// Of gravity.
+    /// Of gravity, and of buoyancy.
     pub gravity: Wrench,
     /// Of contact, on the whole body.
     pub contact: Wrench,
@@ -25,9 +25,9 @@ pub struct Impulses {
 /// Work done on a whole body in one step [J], by what does it. The sum is the change of its kinetic energy.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Work {
-    /// Of the loads.
+    /// Of the loads, and of the drag of a fluid.
     pub load: f64,
-    /// Of gravity: what the body loses in potential energy.
+    /// Of gravity and buoyancy: what the body loses in potential energy.
     pub gravity: f64,
     /// Of contact.
     pub contact: f64,

@@ -92,10 +92,11 @@ impl Mechanism {
         self.each(state).map(|(body, now)| body.kinetic_energy(now)).sum()
     }
 
-    /// Potential energy [J] of the whole bodies in a gravity field [m/s²]; 0 with every centre of mass at the origin.
+    /// Potential energy [J] of the whole bodies in a gravity field [m/s²], less that of the fluid that they displace; 0 with every centre at
+    /// the origin.
     #[must_use]
     pub fn potential_energy(&self, state: &MechanismState, gravity: DVec3) -> f64 {
-        self.each(state).map(|(body, now)| -body.inertia.mass * gravity.dot(body.centre(now))).sum()
+        self.each(state).map(|(body, now)| body.potential_energy(now, gravity)).sum()
     }
 
     /// Energy stored in the joints [J].

@@ -1,6 +1,6 @@
 //! The motion of a mechanism in one step, for given impulses of contact.
 //!
-//! At the start of the step contact, loads and changes of prescribed speeds act as impulses, with the reactions of joints and
+//! At the start of the step contact, loads, the drag of a fluid and changes of prescribed speeds act as impulses, with the reactions of joints and
 //! supports in the configuration there. Within the step gravity, gyroscopic terms, joints and supports act by the midpoint rule of
 //! Simo & Wong (1991), which conserves energy and momentum. The configuration depends on the twist, so both are found by iteration.
 
@@ -80,7 +80,7 @@ impl Mechanism {
             moving.inertia = moving.configuration.mean_inertia(&body.inertia);
             moving.axes = axes(moving, now);
             moving.mobility = Mobility::new(&moving.inertia, &Directions::new(body, &moving.axes));
-            moving.impulses.load = load(body, &moving.axes, &conditions);
+            moving.impulses.load = load(body, &moving.axes, &conditions) + drag(body, now, conditions.dt);
         }
         self.find_rows(step);
     }
@@ -96,7 +96,9 @@ impl Mechanism {
             moving.inertia = moving.configuration.mean_inertia(&body.inertia);
             moving.axes = axes(moving, now);
             moving.mobility = Mobility::new(&moving.inertia, &Directions::new(body, &moving.axes));
-            moving.impulses.gravity = Wrench::at(moving.inertia.arm, body.inertia.mass * dt * gravity);
+            let lifted = moving.configuration.mean(body.fluid.centre);
+            moving.impulses.gravity = Wrench::at(moving.inertia.arm, body.inertia.mass * dt * gravity)
+                + body.fluid.buoyancy(lifted, dt, gravity);
         }
         self.find_rows(step);
     }
@@ -184,6 +186,15 @@ fn load(body: &Body, axes: &Axes, conditions: &Conditions) -> Wrench {
         }
     }
     sum
+}
+
+/// Impulse of the fluid's drag, at the velocity of the step before.
+fn drag(body: &Body, now: &BodyState, dt: f64) -> Wrench {
+    if body.fluid.drag == 0.0 {
+        return Wrench::ZERO;
+    }
+    let arm = now.pose.axes() * body.fluid.centre;
+    Wrench::at(arm, dt * body.fluid.drag(now.twist.at(arm)))
 }
 
 /// The twist that a momentum makes of the free motions beside a prescribed twist.

@@ -108,7 +108,7 @@ impl Material {
         match self.yield_law? {
             Law::MohrCoulomb(law) => law.undrained_strength(),
             Law::Clay(law) => Some(law.slow_strength(intact, plastic_strain)),
-            Law::MenetreyWillam(_) | Law::VonMises(_) | Law::Sand(_) => None,
+            _ => None,
         }
     }
 

@@ -6,7 +6,7 @@ use crate::grid::{Grid, longer_step};
 use crate::material::Material;
 use glam::{DMat3, DQuat, DVec3};
 use mechanics::joint::Joint;
-use mechanics::{Inertia, Mechanism, Motion, Pose};
+use mechanics::{Fluid, Inertia, Mechanism, Motion, Pose};
 use physics::shape::{RimPoint, Shape};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -60,14 +60,17 @@ pub struct BodyModel {
     pub adhesion_factor: f64,
     /// Distance between its contact points and its sharp edges, in cell widths.
     pub edge_inset: f64,
+    /// The fluid that the whole body moves in; of no effect on a body without a free motion.
+    pub fluid: Fluid,
 }
 
 impl BodyModel {
     /// The body without its surface. The mass of a body without a free motion plays no role.
     fn mechanical(&self, modelled_fraction: f64) -> mechanics::Body {
         let moves_freely = self.motion.iter().any(Motion::is_free);
-        let inertia = if moves_freely { self.inertia } else { Inertia::NONE };
-        mechanics::Body { modelled_fraction, ..mechanics::Body::new(inertia, self.motion.clone()) }
+        let (inertia, fluid) =
+            if moves_freely { (self.inertia, self.fluid) } else { (Inertia::NONE, Fluid::NONE) };
+        mechanics::Body { modelled_fraction, fluid, ..mechanics::Body::new(inertia, self.motion.clone()) }
     }
 
     /// A vector of the body frame in space, with the body at a pose; a body that is not rotated keeps its bits.

@@ -34,6 +34,7 @@ fn towed(method: ContactMethod, y: f64, steps: usize) -> (Model, State) {
         friction: 0.3,
         adhesion_factor: f64::INFINITY,
         edge_inset: 0.5,
+        fluid: mechanics::Fluid::NONE,
         motion: [
             moving(0.3),
             Motion::Fixed,

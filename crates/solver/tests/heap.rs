@@ -47,6 +47,7 @@ fn a_step_allocates_no_memory() {
             friction: 0.3,
             adhesion_factor: f64::INFINITY,
             edge_inset: 0.5,
+            fluid: mechanics::Fluid::NONE,
             motion: [
                 Motion::Prescribed { before: 0.0, speed: 0.3, start: 0.0, ramp: 0.01, end: f64::INFINITY },
                 Motion::Fixed,

@@ -44,6 +44,7 @@ fn towed(shape: Box<dyn Shape>) -> [DVec3; 2] {
         friction: 0.3,
         adhesion_factor: f64::INFINITY,
         edge_inset: 0.5,
+        fluid: mechanics::Fluid::NONE,
         motion: [moving(0.3), Motion::Fixed, moving(-0.15), Motion::Fixed, Motion::Fixed, Motion::FREE],
     });
     let mut state = at_rest::<f64>(&model, &below(0.0));

@@ -38,6 +38,7 @@ fn tow(y: f64) -> Model {
         friction: 0.3,
         adhesion_factor: f64::INFINITY,
         edge_inset: 0.5,
+        fluid: mechanics::Fluid::NONE,
         motion: [
             moving(0.3),
             Motion::Fixed,

@@ -34,6 +34,7 @@ fn towed(height: f64) -> BodyModel {
         friction: 0.3,
         adhesion_factor: f64::INFINITY,
         edge_inset: 0.5,
+        fluid: mechanics::Fluid::NONE,
         motion: [
             Motion::Prescribed { before: 0.0, speed: SPEED, start: 0.0, ramp: 0.005, end: f64::INFINITY },
             Motion::Fixed,

@@ -47,6 +47,7 @@ fn towed(shape: Box<dyn Shape>, quarters: u32, steps: usize) -> Vec<Sample> {
         friction: 0.3,
         adhesion_factor: f64::INFINITY,
         edge_inset: 0.5,
+        fluid: mechanics::Fluid::NONE,
         motion: [along(0), along(1), along(2), Motion::Fixed, Motion::Fixed, Motion::FREE],
     });
     let mut state = at_rest::<f64>(&model, &below(0.0));

@@ -1,5 +1,5 @@
-//! B1, B2, B9, B10: a strip footing on weightless undrained soil: smooth, rough, nearly incompressible soil, and strength that grows with
-//! depth.
+//! B1, B2, B9, B10, B11: a strip footing on weightless undrained soil: smooth, rough, nearly incompressible soil, strength that grows with
+//! depth, and two layers.
 
 use crate::error::VerifyError;
 use crate::probe::mean;
@@ -7,6 +7,7 @@ use crate::runner::Runner;
 
 const CASE: &str = include_str!("../../../validation/B1_strip_footing/case.toml");
 const ROUGH: &str = include_str!("../../../validation/B2_rough_strip_footing/case.toml");
+const LAYERS: &str = include_str!("../../../validation/B11_two_layers/case.toml");
 const GROWING: &str = include_str!("../../../validation/B10_strength_with_depth/case.toml");
 /// Width of the footing in the case file [m].
 const WIDTH: f64 = 1.0;
@@ -49,9 +50,29 @@ pub(crate) fn growing_strength(runner: &mut Runner) -> Result<(), VerifyError> {
         for cells in MESHES {
             let variant = format!("k B/s_u0 = {growth}, B/h = {cells}");
             if runner.wants("B10", &variant)? {
-                let strip = Strip { id: "B10", case: GROWING, growth: Some(growth), ..Strip::smooth(cells) };
+                let below = vec![format!("soil.strength_gradient={} Pa/m", growth * STRENGTH / WIDTH)];
+                let strip = Strip { id: "B10", case: GROWING, below, ..Strip::smooth(cells) };
                 let (factor, seconds) = strip.bearing(runner, &variant)?;
                 runner.put("B10", &variant, seconds, &[("F/(B s_u0)", factor)])?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// B11.
+pub(crate) fn two_layers(runner: &mut Runner) -> Result<(), VerifyError> {
+    for [ratio, depth] in [[2.0, 0.25], [0.5, 0.5]] {
+        for cells in MESHES {
+            let variant = format!("s_u2/s_u1 = {ratio}, H/B = {depth}, B/h = {cells}");
+            if runner.wants("B11", &variant)? {
+                let below = vec![
+                    format!("layer.lower.shear_strength={} Pa", ratio * STRENGTH),
+                    format!("layer.lower.top={} m", depth * WIDTH),
+                ];
+                let strip = Strip { id: "B11", case: LAYERS, below, ..Strip::smooth(cells) };
+                let (factor, seconds) = strip.bearing(runner, &variant)?;
+                runner.put("B11", &variant, seconds, &[("F/(B s_u1)", factor)])?;
             }
         }
     }
@@ -124,14 +145,14 @@ struct Strip {
     poisson_ratio: f64,
     /// Cell width along x over that along z.
     flatness: u32,
-    /// Growth of the strength with depth, k B/s_u0, of a case that has one.
-    growth: Option<f64>,
+    /// Overrides for the strength of the soil below; without any it is that at the surface.
+    below: Vec<String>,
 }
 
 impl Strip {
     /// That of B1.
     fn smooth(cells: u32) -> Self {
-        Self { id: "B1", case: CASE, cells, offset: 0.0, poisson_ratio: 0.3, flatness: 1, growth: None }
+        Self { id: "B1", case: CASE, cells, offset: 0.0, poisson_ratio: 0.3, flatness: 1, below: Vec::new() }
     }
 
     /// Bearing capacity factor, and its wall-clock time [s].
@@ -146,13 +167,11 @@ impl Strip {
             // The grid must not follow the edges: the effect of their position within a cell is what is studied.
             "grid.fit=false".to_owned(),
         ];
-        overrides.extend(
-            self.growth.map(|growth| format!("soil.strength_gradient={} Pa/m", growth * STRENGTH / WIDTH)),
-        );
+        overrides.extend(self.below.iter().cloned());
         let simulation = runner.run(self.id, variant, self.case, &overrides)?;
         let slab = simulation.case.domain.high.y - simulation.case.domain.low.y;
-        // Strength that grows with depth is read early: with every hundredth of a width the footing finds 0.07 k B more.
-        let range = if self.growth.is_some() { [0.005, 0.01] } else { [0.03, 0.06] }.map(|part| part * WIDTH);
+        // Where strength changes with depth it is read early: with every hundredth of a width the footing finds another one.
+        let range = if self.below.is_empty() { [0.03, 0.06] } else { [0.005, 0.01] }.map(|part| part * WIDTH);
         let force = mean(&simulation.history.bodies[0], range, |s| s.sinkage, |s| s.vertical);
         Ok((force / (width * slab * STRENGTH), simulation.wall_s))
     }

@@ -137,5 +137,6 @@ fn body(face: Face, y: f64) -> BodyModel {
         friction: FRICTION,
         adhesion_factor: f64::INFINITY,
         edge_inset: 0.5,
+        fluid: mechanics::Fluid::NONE,
     }
 }

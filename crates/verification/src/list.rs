@@ -73,6 +73,7 @@ pub const BENCHMARKS: &[Benchmark] = &[
     benchmark!("B8", "B8_deep_flow", Run, flow::run),
     benchmark!("B9", "B9_locking", Run, footing::locking),
     benchmark!("B10", "B10_strength_with_depth", Run, footing::growing_strength),
+    benchmark!("B11", "B11_two_layers", Run, footing::two_layers),
     benchmark!("C1", "C1_column_collapse", Run, column::run),
     benchmark!("C2", "C2_round_column", Run, round_column::run),
     benchmark!("C3", "C3_soil_volume", Balances, conservation::volume),

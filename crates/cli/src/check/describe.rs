@@ -6,7 +6,7 @@ use coulter::case::mesh_file::MeshReport;
 use coulter::case::quantity::plain;
 use coulter::case::resolved::{
     Attitude, Body, Change, ClaySoftening, GROUND, Joint, JointKind, Law, MOTIONS, Measured, Motion,
-    Potential, Soil, Stage, Until,
+    Potential, Soil, Stage, Until, Water,
 };
 use glam::DVec3;
 use std::fmt::Write;
@@ -19,6 +19,7 @@ pub(super) fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
         writeln!(text, "layer    {}, from a depth of {} m", layer.name, plain(layer.top))?;
         describe_soil(text, &layer.soil)?;
     }
+    describe_water(text, case)?;
     if !case.slope.is_level() {
         let [along, across] = case.slope.angles().map(f64::to_degrees);
         writeln!(
@@ -50,6 +51,35 @@ pub(super) fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
         )?;
     }
     Ok(())
+}
+
+/// The water, and whether it drains from the soil.
+fn describe_water(text: &mut String, case: &Case) -> std::fmt::Result {
+    let Some(water) = case.water else { return Ok(()) };
+    write!(
+        text,
+        "water    up to {} m, ρ_w = {} kg/m³, C_d = {}",
+        plain(water.level),
+        plain(water.density),
+        plain(water.drag_coefficient)
+    )?;
+    let (Some(permeability), Some(strain)) = (water.permeability, case.volume_strain()) else {
+        return writeln!(text);
+    };
+    write!(text, ", k = {} m/s, ε = {strain:.4}", plain(permeability))?;
+    match case.drainage_number() {
+        Some(number) => writeln!(
+            text,
+            "\n         drainage number (γ_w/γ′) v ε/k = {number:.3} at {} m/s: {}",
+            plain(case.largest_speed()),
+            match number {
+                n if n <= Water::DRAINED[0] => "drained",
+                n if n <= Water::DRAINED[1] => "partly drained, doubtful",
+                _ => "does not drain",
+            }
+        ),
+        None => writeln!(text),
+    }
 }
 
 /// The soil of a case.
@@ -151,6 +181,9 @@ fn describe_body(text: &mut String, case: &Case, body: &Body) -> std::fmt::Resul
         friction += &format!(", at most {} s_u", body.adhesion_factor);
     }
     let weight = match body.translation[2] {
+        Motion::Free { .. } if case.water.is_some() => {
+            format!(", W = {:.4} N, W′ = {:.4} N in water", case.gravity * body.mass, case.weight(body))
+        }
         Motion::Free { .. } => format!(", W = {:.4} N", case.gravity * body.mass),
         _ => String::new(),
     };

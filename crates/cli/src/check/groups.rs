@@ -31,7 +31,7 @@ pub(super) fn groups(case: &Case, body: &Body) -> Groups {
     let speed = body.guided().translation.iter().map(prescribed_speed).fold(0.0, f64::max);
     Groups {
         t_bar: t / d,
-        w_bar: body.pressing_force(case.normal_gravity()).and_then(|w| over_weight(w / (t * d * d))),
+        w_bar: body.pressing_force(case.normal_weight(body)).and_then(|w| over_weight(w / (t * d * d))),
         e_bar: over_weight(case.soil.young_modulus / d),
         c_bar: case.soil.law.cohesion().and_then(|c| over_weight(c / d)),
         froude: (case.gravity > 0.0).then_some(speed.powi(2) / (case.gravity * d)),

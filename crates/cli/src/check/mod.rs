@@ -16,7 +16,7 @@ pub(super) use describe::describe_soil;
 use groups::groups;
 use mesh_cost::{MeshCost, describe_meshes};
 use std::fmt::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -25,6 +25,9 @@ pub(super) struct Arguments {
     /// Sets a key, such as soil.friction_angle="38 deg"; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
+    /// Take soil under water for drained, whatever its drainage number
+    #[arg(long)]
+    accept_drained: bool,
     /// Also show the meshes that `coulter run --meshes N` would run, and what they cost together
     #[arg(long, value_name = "N", value_parser = crate::common::meshes())]
     meshes: Option<usize>,
@@ -37,11 +40,12 @@ pub(super) struct Arguments {
 const MAX_WARNINGS: usize = 20;
 
 pub(super) fn check(arguments: &Arguments) -> Result<(), Failure> {
-    let case = case::load(&arguments.case, &arguments.overrides)?;
+    let overrides = crate::common::overrides(&arguments.overrides, arguments.accept_drained);
+    let case = case::load(&arguments.case, &overrides)?;
     let cost = estimate::cost(&case);
     let seconds = run_time::estimate(&case, &cost);
     let meshes = match arguments.meshes {
-        Some(count) => meshes(arguments, &case, count)?,
+        Some(count) => meshes(&arguments.case, &overrides, &case, count)?,
         None => Vec::new(),
     };
     let folder = PathBuf::from("results").join(&case.name);
@@ -65,10 +69,10 @@ pub(super) fn check(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 /// The meshes of a study, the coarsest first.
-fn meshes(arguments: &Arguments, case: &Case, count: usize) -> Result<Vec<MeshCost>, Failure> {
-    let text = case::text(&arguments.case)?;
-    let source_name = arguments.case.display().to_string();
-    let typed = case::overridden(&text, &source_name, &arguments.overrides)?;
+fn meshes(path: &Path, overrides: &[String], case: &Case, count: usize) -> Result<Vec<MeshCost>, Failure> {
+    let text = case::text(path)?;
+    let source_name = path.display().to_string();
+    let typed = case::overridden(&text, &source_name, overrides)?;
     let coarser = case::meshes::coarser(case, &typed, &source_name, count)?;
     let cases = coarser.iter().map(|mesh| &mesh.case).chain([case]);
     Ok(cases.map(MeshCost::of).collect())

@@ -42,10 +42,12 @@ mod toml_tree;
 mod tree;
 mod typed;
 mod uncertainty;
+mod under_water;
 mod units;
 mod unknown;
 mod validate;
 mod values;
+mod water;
 
 pub use advice::advice;
 pub use error::{CaseError, LocatedProblem};

@@ -225,6 +225,7 @@ fn body(case: &Case, body: &resolved::Body) -> BodyModel {
         friction: body.friction,
         adhesion_factor: body.adhesion_factor,
         edge_inset: case.edge_inset(body),
+        fluid: case.fluid(body),
         motion: body.motions(),
     }
 }

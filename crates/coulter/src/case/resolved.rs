@@ -6,6 +6,7 @@ pub use super::rigid_body::{Attitude, Body, MOTIONS, Part, Staged};
 use super::slope::Slope;
 use super::stage;
 pub use super::stage::{Change, MotionTable, Stage, StageQuantity, Until};
+pub use super::water::Water;
 use glam::DVec3;
 pub use mechanics::Motion;
 use serde::Serialize;
@@ -23,6 +24,9 @@ pub struct Case {
     /// Slope of the ground, in whose surface x and y lie.
     #[serde(skip_serializing_if = "Slope::is_level")]
     pub slope: Slope,
+    /// The water over it; `None` for dry ground.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub water: Option<Water>,
     /// The soil, of ground in layers the uppermost.
     pub soil: Soil,
     /// The layers below it, from the top down.
@@ -99,12 +103,6 @@ impl Case {
         std::iter::once((SOIL.to_owned(), &self.soil)).chain(layers)
     }
 
-    /// Acceleration of gravity normal to the surface of the ground [m/s²].
-    #[must_use]
-    pub fn normal_gravity(&self) -> f64 {
-        self.gravity * self.slope.cosine()
-    }
-
     /// The bodies that have a surface, which the soil can touch, with their numbers.
     pub fn touching(&self) -> impl Iterator<Item = (usize, &Body)> {
         self.bodies.iter().enumerate().filter(|(_, body)| body.has_surface())
@@ -116,9 +114,9 @@ impl Case {
 pub struct Soil {
     /// Yield law.
     pub law: Law,
-    /// Inertial density ρ [kg/m³] (γ/g unless given).
+    /// Inertial density ρ [kg/m³] (γ/g unless given); under water the dry density.
     pub density: f64,
-    /// Unit weight γ [N/m³]; 0 for weightless soil.
+    /// Unit weight γ [N/m³], under water the submerged one γ′; 0 for weightless soil.
     pub unit_weight: f64,
     /// Young's modulus E [Pa].
     pub young_modulus: f64,

@@ -332,12 +332,12 @@ impl Body {
         }
     }
 
-    /// Force that presses the body into the ground once it is released [N]: its weight and the load on its heave, downwards;
-    /// `None` for a body that does not heave freely.
+    /// Force that presses the body into the ground once it is released [N]: its weight normal to the surface (less buoyancy) and the
+    /// load on its heave, downwards; `None` for a body that does not heave freely.
     #[must_use]
-    pub fn pressing_force(&self, gravity: f64) -> Option<f64> {
+    pub fn pressing_force(&self, weight: f64) -> Option<f64> {
         match self.own_guide().translation[2] {
-            Motion::Free { load, .. } => Some(self.whole_mass() * gravity - load),
+            Motion::Free { load, .. } => Some(weight - load),
             _ => None,
         }
     }

@@ -26,6 +26,8 @@ pub(super) fn read(root: &[Entry], problems: &mut Problems) -> Schema {
     if !top.has("format") {
         format::missing(problems);
     }
+    let water =
+        sections.iter().find(|e| e.key == "water").map(|entry| section(entry, "water", "water", problems));
     let mut one = |name: &str| match sections.iter().find(|e| e.key == name) {
         Some(entry) => section(entry, name, name, problems),
         None => with_defaults(name, name),
@@ -39,6 +41,7 @@ pub(super) fn read(root: &[Entry], problems: &mut Problems) -> Schema {
     let (layers, bodies, joints, stages) = (all("layer"), all("body"), all("joint"), all("stage"));
     Schema {
         top,
+        water,
         soil,
         layers,
         ground,

@@ -137,6 +137,8 @@ impl Section {
 #[derive(Clone, Debug)]
 pub(super) struct Schema {
     pub(super) top: Section,
+    /// `None` where the case has no such section.
+    pub(super) water: Option<Section>,
     pub(super) soil: Section,
     pub(super) ground: Section,
     pub(super) domain: Section,

@@ -51,6 +51,9 @@ pub fn document(outlook: &Outlook, intervals: &Intervals, in_full: bool) -> Valu
         "remarks": outlook.input.remarks,
         "interval_inputs": inputs(intervals),
     });
+    if let Some(under_water) = &outlook.under_water {
+        document["water"] = under_water.document(forecast);
+    }
     if outlook.input.towing.body.disc().is_some() {
         document["discs"] = json!(outlook.input.bodies);
     }

@@ -12,6 +12,7 @@ mod tables;
 mod towed;
 mod uncertainty;
 mod variable;
+mod water;
 
 pub use curves::{Curves, Series, curves};
 pub use document::document;
@@ -22,3 +23,4 @@ pub use range::{Range, Unreadable};
 pub use tables::{table, uncertainty_table};
 pub use uncertainty::{Effort, InputDeviation, Interval, Intervals, MAX_INPUTS, intervals};
 pub use variable::{Variable, find, variables};
+pub use water::UnderWater;

@@ -266,7 +266,7 @@ fn load(
     let name = &body.name;
     let start = ground.surface - (body.position.z + body.bounds().0.z);
     let heave = &body.translation[2];
-    match body.pressing_force(case.gravity) {
+    match body.pressing_force(case.weight(body)) {
         Some(load) if load > 0.0 => return Ok(Load::Weight(load * count)),
         Some(_) => {
             return Err(format!(

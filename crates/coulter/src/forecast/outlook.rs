@@ -1,6 +1,7 @@
 //! What the closed-form models say of a case.
 
 use super::model_input::{ModelInput, model_input};
+use super::water::UnderWater;
 use crate::case::Case;
 use analytic::Forecast;
 use analytic::disc::{Drive, Mechanism};
@@ -15,6 +16,8 @@ pub struct Outlook {
     pub input: ModelInput,
     /// The results of the models.
     pub forecast: Forecast,
+    /// What water does to them; `None` on dry ground.
+    pub under_water: Option<UnderWater>,
 }
 
 /// Evaluates every closed-form model for the body of `case`.
@@ -29,7 +32,8 @@ pub fn outlook(case: &Case) -> Result<Outlook, String> {
             model.note = key.to_owned();
         }
     }
-    Ok(Outlook { case: case.name.clone(), input, forecast })
+    let under_water = UnderWater::of(case, &input)?;
+    Ok(Outlook { case: case.name.clone(), input, forecast, under_water })
 }
 
 /// The key that a model needs and the case lacks, if that is why the model does not apply.

@@ -47,6 +47,9 @@ pub fn table(outlook: &Outlook, intervals: &Intervals) -> String {
         let names: Vec<&str> = group.iter().map(|m| m.name).collect();
         let _ = writeln!(text, "{}\n    {}", names.join(", "), group[0].note);
     }
+    if let Some(under_water) = &outlook.under_water {
+        text += &under_water.text(&outlook.forecast, outlook.sinks());
+    }
     let _ = closing(&mut text, outlook);
     text
 }

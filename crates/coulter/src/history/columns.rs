@@ -3,7 +3,7 @@
 
 use super::reference::Reference;
 use super::rim::RimLine;
-use super::{BodySample, BoundarySample, EnergySample, ForceSample, SurfacePoint};
+use super::{BodySample, BoundarySample, EnergySample, ForceSample, RutSection, SurfacePoint};
 
 /// A column of a history file.
 #[derive(Debug)]
@@ -156,6 +156,12 @@ pub const FORCES: &[Column<BodySample>] = &[
     }),
     BodyColumn::sampled("moment y", "N m", "the same about y", |s| &mut s.moment_y),
     BodyColumn::sampled("moment z", "N m", "the same about z", |s| &mut s.moment_z),
+    BodyColumn::sampled(
+        "water drag",
+        "N",
+        "drag of the water against the tow, ½ρC_dA v²; not part of the drag F_H, which is that of the soil",
+        |s| &mut s.water_drag,
+    ),
     BodyColumn::derived("Z", "-", "z/d", |s, reference| reference.length_group(s.sinkage)),
     BodyColumn::derived("u_bar", "-", "u/d", |s, reference| reference.length_group(s.displacement)),
     BodyColumn::derived("F_H_bar", "-", "F_H/(γ t d²); empty for weightless soil", |s, reference| {
@@ -271,7 +277,74 @@ pub const BOUNDARIES: &[Column<BoundarySample>] = &[
 pub const GROUND_LEFT: &[Column<SurfacePoint>] = &[
     Column::sampled("x", "m", "position along x", |s| &mut s.x),
     Column::sampled("y", "m", "position along y", |s| &mut s.y),
-    Column::sampled("z", "m", "height of the surface of the soil", |s| &mut s.z),
+    Column::sampled("z", "m", "height of the surface of the soil", |s| &mut s.column.z),
+    Column::sampled(
+        "compaction",
+        "m",
+        "volume per area that the soil has lost since the start by becoming denser; negative where it is looser",
+        |s| &mut s.column.compaction,
+    ),
+    Column::sampled("void", "m", "the same of voids below the surface, less that of soil above it", |s| {
+        &mut s.column.void
+    }),
+    Column::sampled("disturbed", "m", "the same of soil with an equivalent plastic strain above 0.1", |s| {
+        &mut s.column.disturbed
+    }),
+    Column::sampled("mixed", "m", "the same of soil with one above 1", |s| &mut s.column.mixed),
+    Column::sampled(
+        "disturbed to",
+        "m",
+        "height down to which soil is disturbed; of the surface where none is",
+        |s| &mut s.column.disturbed_to,
+    ),
+];
+
+/// Columns of `height_map.csv`.
+pub const HEIGHT_MAP: &[Column<SurfacePoint>] = GROUND_LEFT;
+
+/// Columns of `rut.csv`.
+pub const RUT: &[Column<RutSection>] = &[
+    Column::sampled("position", "m", "position along the tow: x, of a lateral tow y", |s| &mut s.position),
+    Column::sampled("depth", "m", "depth of the deepest point below the undisturbed surface", |s| {
+        &mut s.depth
+    }),
+    Column::sampled(
+        "width",
+        "m",
+        "width between the points at which the surface rises to the undisturbed one",
+        |s| &mut s.width,
+    ),
+    Column::sampled("area", "m^2", "area of the rut: soil displaced per metre", |s| &mut s.area),
+    Column::sampled(
+        "high berm",
+        "m",
+        "height of the berm on the side of larger y, of a lateral tow larger x",
+        |s| &mut s.high_berm,
+    ),
+    Column::sampled("low berm", "m", "height of the berm on the other side", |s| &mut s.low_berm),
+    Column::sampled("berm area", "m^2", "area of both berms", |s| &mut s.berm_area),
+    Column::sampled(
+        "compaction",
+        "m^2",
+        "area that the soil has lost by becoming denser; negative where it has become looser",
+        |s| &mut s.compaction,
+    ),
+    Column::sampled("void", "m^2", "area of voids below the surface, less that of soil above it", |s| {
+        &mut s.void
+    }),
+    Column::sampled(
+        "disturbed",
+        "m^2",
+        "area of disturbed soil, with an equivalent plastic strain above 0.1: soil disturbed per metre",
+        |s| &mut s.disturbed,
+    ),
+    Column::sampled("mixed", "m^2", "area of mixed soil, with one above 1", |s| &mut s.mixed),
+    Column::sampled(
+        "disturbed depth",
+        "m",
+        "depth below the undisturbed surface down to which soil is disturbed",
+        |s| &mut s.disturbed_depth,
+    ),
 ];
 
 /// Columns of `filtered.csv`.

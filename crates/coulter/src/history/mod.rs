@@ -4,11 +4,14 @@
 pub mod blocks;
 pub mod columns;
 pub mod filter;
+mod ground;
 pub mod probes;
 pub mod reference;
 pub mod rim;
 pub mod steady;
 
+pub use crate::ground_column::GroundColumn;
+pub use ground::{RutSection, SurfacePoint};
 use mechanics::Motion;
 use rim::RimHistory;
 use serde::{Deserialize, Serialize};
@@ -57,6 +60,8 @@ pub struct BodySample {
     pub moment_y: f64,
     /// The same about z [N m].
     pub moment_z: f64,
+    /// Drag of the water against the tow [N], which is not part of `drag`.
+    pub water_drag: f64,
     /// Soil inside the body [m³] (a measure of leakage).
     pub leaked_volume: f64,
     /// Volume of the body below the undisturbed surface [m³].
@@ -172,26 +177,6 @@ pub struct BoundarySample {
     pub wall_area: f64,
     /// Largest rise of the normal pressure on floor and side walls above that at rest [Pa].
     pub stress_rise: f64,
-}
-
-/// A point of the surface of the soil that a grid that travels has left behind, when it lay in the last layer of cells at the
-/// end through which the soil leaves.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct SurfacePoint {
-    /// Middle of its column of cells along x [m].
-    pub x: f64,
-    /// Along y [m].
-    pub y: f64,
-    /// Height of the surface [m].
-    pub z: f64,
-}
-
-impl SurfacePoint {
-    /// Its position along x (0) or y (1) [m].
-    #[must_use]
-    pub fn along(&self, axis: usize) -> f64 {
-        if axis == 0 { self.x } else { self.y }
-    }
 }
 
 /// The beginning of a stage of a run.

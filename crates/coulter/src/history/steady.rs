@@ -38,6 +38,9 @@ pub struct Steady {
     /// Mean moments of the soil about the axes of space through the reference point [N m].
     #[serde(rename = "moment_Nm")]
     pub moment: Option<[f64; 3]>,
+    /// Mean drag of the water against the tow [N], not part of `drag`; `null` on dry ground.
+    #[serde(rename = "water_drag_N")]
+    pub water_drag: Option<f64>,
     /// Mean sinkage [m].
     #[serde(rename = "sinkage_m")]
     pub sinkage: Option<f64>,
@@ -237,6 +240,7 @@ pub fn steady(samples: &[BodySample], reference: &Reference, window: Range<usize
             .zip(mean(|s| s.moment_y))
             .zip(mean(|s| s.moment_z))
             .map(|((x, y), z)| [x, y, z]),
+        water_drag: mean(|s| s.water_drag).filter(|drag| *drag != 0.0),
         sinkage: mean(|s| s.sinkage),
         turn_ratio,
         slip: turn_ratio.map(analytic::slip),

@@ -1,6 +1,6 @@
 //! The results folder of a run, and everything that is written into it.
 
-use super::fields::{HeightMap, filled_cells};
+use super::fields::{HeightMap, Rut, filled_cells, ruts};
 use super::files::{
     BODIES, LOG, Named, OutputError, PICTURES, PLOTS, REPORT, RESOLVED, TYPED, make_folder, read_text,
     write_whole, write_with,
@@ -10,17 +10,20 @@ use super::meshes::{as_read_back, attach};
 use super::pictures::write_pictures;
 use super::plots::Overlay;
 use super::report::{ReportText, Summary, rims, write_report};
-use super::tables::{HistoryFiles, read_history, read_rims, validate_history, write_filtered, write_rims};
+use super::tables::{
+    HistoryFiles, read_history, read_rims, validate_history, write_filtered, write_ground, write_rims,
+};
 use super::vtk::FieldSeries;
 use crate::case::mesh_file::hash_of;
 use crate::case::resolved::MotionTable;
 use crate::case::{Case, FORMAT, with_files};
 use crate::domain::PlacedDomain;
-use crate::history::History;
 use crate::history::rim::RimLine;
+use crate::history::{History, RutSection};
 use solver::grid::Grid;
 use solver::precision::Precision;
 use solver::state::State;
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -142,16 +145,22 @@ impl Results {
             self.fields.write(case, grid, state, history)?;
         }
         let map = HeightMap::of(case, grid, state, &history.ground_left);
+        let ruts = ruts(case, &map, state, &history.bodies);
+        let taken_out =
+            history.bodies.iter().filter_map(|samples| samples.first()).map(|s| s.embedded_volume).sum();
         self.record.statistics = statistics.clone();
         let mut summary = Summary {
             filled_cells: filled_cells(&PlacedDomain::of(grid, state.grid_position), state),
-            surface: map.figures(),
+            surface: map.figures(taken_out),
+            ruts: means(&history.names, &ruts),
             ..Summary::of(&self.record)
         };
         summary.fill(history, &self.record);
         attach(&self.dir, &self.record, &mut summary)?;
         summary.write(&self.dir)?;
         write_pictures(&self.dir.join(PICTURES), case, grid, state, &map)?;
+        let sections: Vec<_> = ruts.into_iter().map(|rut| rut.sections).collect();
+        write_ground(&self.dir, &history.names, &map.points(), &sections)?;
         let rims: Vec<_> = rims(history, &self.record)
             .into_iter()
             .map(|rim| rim.map_or(Vec::new(), |rim| rim.lines))
@@ -165,6 +174,11 @@ impl Results {
         self.record.write(&self.dir)?;
         Ok(summary)
     }
+}
+
+/// What bodies have left behind, by name; nothing of one that has not gone far enough.
+fn means(names: &[String], ruts: &[Rut]) -> BTreeMap<String, RutSection> {
+    names.iter().zip(ruts).filter_map(|(name, rut)| Some((name.clone(), rut.mean?))).collect()
 }
 
 /// Copies the files of tables that motions follow; returns the keys that lead to each, and its copy, relative to the folder.

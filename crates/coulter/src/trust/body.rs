@@ -4,6 +4,7 @@ use super::check::Check;
 use super::limits::{self, Limit};
 use super::setting::{BodySetting, Setting};
 use super::steadiness::Trend;
+use super::verdict::Verdict;
 use crate::history::reference::Reference;
 use crate::history::steady::{Steady, SteadyPart, is_tow, steady, window};
 use crate::history::{BodySample, History};
@@ -34,6 +35,7 @@ impl BodyChecks<'_> {
             checks.extend(self.inertia(inside, &steady));
             checks.extend(self.free_wheel(&steady));
         }
+        checks.extend(self.drainage(inside));
         checks.extend(self.heave(&steady));
         checks
     }
@@ -93,6 +95,23 @@ impl BodyChecks<'_> {
         let speed = inside.iter().map(|s| s.speed.abs()).sum::<f64>() / inside.len().max(1) as f64;
         let added = analytic::inertia_pressure(self.setting.density, speed) * depth * self.reference.width;
         (force > 0.0).then(|| self.check(&limits::INERTIA, 100.0 * added / force))
+    }
+
+    /// The drainage number at the mean speed over the window.
+    fn drainage(&self, inside: &[BodySample]) -> Option<Check> {
+        let per_speed = self.setting.drainage_per_speed?;
+        let ways = inside.windows(2).map(|pair| {
+            let [a, b] = [&pair[0], &pair[1]];
+            let level =
+                (b.displacement - a.displacement).hypot(b.lateral_displacement - a.lateral_displacement);
+            level.hypot(b.sinkage - a.sinkage)
+        });
+        let way: f64 = ways.sum();
+        let duration = inside.last()?.time - inside.first()?.time;
+        let check =
+            self.check(&limits::DRAINAGE, if duration > 0.0 { per_speed * way / duration } else { 0.0 });
+        let is_accepted = self.setting.accepts_drained && check.verdict == Verdict::Broken;
+        Some(if is_accepted { Check { verdict: Verdict::Doubtful, ..check } } else { check })
     }
 
     /// How far the turn ratio of a wheel without torque lies outside its physical range.

@@ -20,6 +20,10 @@ pub struct Setting {
     pub energy_floor: f64,
     /// Depth of the floor below the undisturbed surface [m].
     pub floor_depth: f64,
+    /// Drainage number per speed [s/m]; `None` for dry ground and for undrained soil.
+    pub drainage_per_speed: Option<f64>,
+    /// Whether the soil is taken for drained, whatever its drainage number.
+    pub accepts_drained: bool,
     /// The bodies, in the order of the case.
     pub bodies: Vec<BodySetting>,
 }
@@ -66,6 +70,8 @@ impl Setting {
             changes_volume: [changes(0), changes(1)],
             energy_floor: 1e-12 * weight * size.z,
             floor_depth: case.ground.surface() - case.domain.low.z,
+            drainage_per_speed: case.drainage_per_speed(),
+            accepts_drained: case.water.is_some_and(|water| water.accept_drained),
             bodies: case.bodies.iter().map(|body| BodySetting::of(case, body)).collect(),
         }
     }

@@ -1,9 +1,11 @@
-//! The ground at rest, on slopes and in layers.
+//! The ground at rest, on slopes, in layers and under water.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 mod layers;
+mod left_behind;
 mod slope;
 mod strength;
+mod water;
 
 use coulter::case::{self, Case};
 use coulter::simulation::Simulation;

@@ -1,7 +1,7 @@
 //! The columns of the history files, in the documentation as in the program.
 
 use coulter::history::columns::{
-    BOUNDARIES, Column, ENERGY, FILTERED, FORCES, GROUND_LEFT, JOINTS, PARTS, RIM,
+    BOUNDARIES, Column, ENERGY, FILTERED, FORCES, GROUND_LEFT, HEIGHT_MAP, JOINTS, PARTS, RIM, RUT,
 };
 
 /// The columns of a file as a table in Markdown.
@@ -29,6 +29,8 @@ fn columns_are_documented() {
     let expected = replaced(&expected, "energy.csv", &table(ENERGY));
     let expected = replaced(&expected, "boundaries.csv", &table(BOUNDARIES));
     let expected = replaced(&expected, "ground_left.csv", &table(GROUND_LEFT));
+    let expected = replaced(&expected, "height_map.csv", &table(HEIGHT_MAP));
+    let expected = replaced(&expected, "rut.csv", &table(RUT));
     let expected = replaced(&expected, "filtered.csv", &table(FILTERED));
     let expected = replaced(&expected, "rim.csv", &table(RIM));
     if std::env::var_os("COULTER_UPDATE").is_some() {
@@ -50,6 +52,7 @@ fn names_are_used_once() {
     check(ENERGY);
     check(BOUNDARIES);
     check(GROUND_LEFT);
+    check(RUT);
     check(FILTERED);
     check(RIM);
 }

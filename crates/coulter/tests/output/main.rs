@@ -139,7 +139,7 @@ fn csv_headers_are_a_contract() {
         "time [s],displacement u [m],sinkage z [m],drag F_H [N],vertical F_V [N],lateral [N],axle torque [N m],\
          rotation [rad],spin [rad/s],turn ratio [-],normal drag [N],friction drag [N],normal vertical [N],\
          friction vertical [N],leak [m^3],embedded [m^3],speed v [m/s],heave speed [m/s],rolling speed [m/s],\
-         lateral displacement [m],yaw [rad],tilt [rad],moment x [N m],moment y [N m],moment z [N m],Z [-],u_bar [-],F_H_bar [-],\
+         lateral displacement [m],yaw [rad],tilt [rad],moment x [N m],moment y [N m],moment z [N m],water drag [N],Z [-],u_bar [-],F_H_bar [-],\
          F_V_bar [-]"
     );
     assert_eq!(

@@ -73,6 +73,7 @@ pub(crate) fn case(kind: Kind, cell: f64) -> Case {
         title: "Free disc towed over medium dense sand (made-up data)".into(),
         gravity: 9.81,
         slope: Slope::default(),
+        water: None,
         soil: sand(if kind == Kind::Column { 0.0 } else { 16e3 }),
         ground: match kind {
             Kind::Column => {

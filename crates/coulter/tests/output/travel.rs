@@ -93,7 +93,7 @@ fn over_soil_at_rest_everything_stays_where_it_is_in_the_ground() {
     for line in &lines {
         let rows: Vec<f64> = case.grid.faces[1].windows(2).map(|f| 0.5 * (f[0] + f[1])).collect();
         assert_eq!(line.iter().map(|point| point.y).collect::<Vec<_>>(), rows);
-        assert!(line.iter().all(|point| point.x == line[0].x && point.z.abs() < 1e-12), "{line:?}");
+        assert!(line.iter().all(|point| point.x == line[0].x && point.column.z.abs() < 1e-12), "{line:?}");
     }
     let edges: f64 = simulation.history.boundaries.iter().map(|b| b.wall_area + b.lid_area).sum();
     assert_eq!(edges, 0.0, "the open faces are no walls");
@@ -157,7 +157,7 @@ fn the_rut_is_kept_through_a_restart() {
     assert_eq!(back.ground_left.len(), whole.history.ground_left.len());
     let near = |a: f64, b: f64| (a - b).abs() < 1e-8;
     let pairs = back.ground_left.iter().zip(&whole.history.ground_left);
-    assert!(pairs.into_iter().all(|(a, b)| near(a.x, b.x) && near(a.y, b.y) && near(a.z, b.z)));
+    assert!(pairs.into_iter().all(|(a, b)| near(a.x, b.x) && near(a.y, b.y) && near(a.column.z, b.column.z)));
     let header = fs::read_to_string(results.join("ground_left.csv")).unwrap();
-    assert!(header.starts_with("x [m],y [m],z [m]\n"));
+    assert!(header.starts_with("x [m],y [m],z [m],compaction [m],"));
 }

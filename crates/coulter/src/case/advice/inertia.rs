@@ -30,7 +30,7 @@ fn inertia(case: &Case, body: &Body, (speed, depth): (f64, f64), notes: &mut Vec
     }
     let froude = analytic::froude(speed, case.gravity, depth);
     let added = analytic::inertia_pressure(case.soil.density, speed);
-    let ratio = match body.pressing_force(case.normal_gravity()) {
+    let ratio = match body.pressing_force(case.normal_weight(body)) {
         Some(load) if load > 0.0 => {
             let slab = case.domain.high.y - case.domain.low.y;
             let width = if case.domain.plane_strain { slab } else { body.size().y };

@@ -7,7 +7,7 @@ mod walls;
 use super::estimate::estimate;
 use super::model::sand;
 use super::path::{Paths, body_length};
-use super::resolved::{Body, Case, Law, Motion, Potential, Soil};
+use super::resolved::{Body, Case, Law, Motion, Potential, Soil, Water};
 use glam::DVec3;
 use passive::passive_coefficient;
 use physics::elastic::Elastic;
@@ -25,6 +25,7 @@ pub fn advice(case: &Case) -> Vec<String> {
         surface(body, &mut notes);
     }
     timing(case, &mut notes);
+    drainage(case, &mut notes);
     for (path, soil) in case.soils() {
         let mut own = Vec::new();
         strength((case, &path), soil, &mut own);
@@ -122,6 +123,20 @@ fn timing(case: &Case, notes: &mut Vec<String>) {
             cost.time_step_s
         ));
     }
+}
+
+/// Whether water can follow as the soil is sheared.
+fn drainage(case: &Case, notes: &mut Vec<String>) {
+    let Some(number) = case.drainage_number().filter(|number| *number > Water::DRAINED[0]) else { return };
+    let effect = if case.volume_strain().is_some_and(|strain| strain < 0.0) {
+        "the soil contracts as it is sheared, and the water in it bears part of the load: it may liquefy"
+    } else {
+        "the soil dilates as it is sheared, and suction makes it stronger than the run says"
+    };
+    notes.push(format!(
+        "Drainage number (γ_w/γ′) v ε/k = {number:.3}: {effect}; up to {} it drains.",
+        Water::DRAINED[0]
+    ));
 }
 
 /// Dilatancy index above which sand counts as softening (chosen: a peak of 3.4° above the critical angle).

@@ -62,6 +62,8 @@ pub(super) const SLOPE: AllowedRange = AllowedRange {
     high: Inclusive(FRAC_PI_4),
     why: "no sand rests on a steeper one",
 };
+pub(super) const VOLUME_STRAIN: AllowedRange =
+    AllowedRange { low: Inclusive(-0.3), high: Inclusive(0.5), why: "from the loosest to the densest soils" };
 pub(super) const GROWTH: AllowedRange = from(Inclusive(1.0), Inclusive(1.5));
 pub(super) const ASPECT: AllowedRange =
     AllowedRange { low: Inclusive(1.0), high: Inclusive(4.0), why: "flatter cells have not been tested" };

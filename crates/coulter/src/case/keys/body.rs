@@ -201,13 +201,20 @@ pub(super) const BODY: &[Key] = &[
         "Frictional traction is at most α s_u, whatever the pressure (tresca).",
     )
     .within(FRACTION),
-    key("weight", Kind::Quantity(FORCE), Derived("mass × gravity"), "Weight W of the whole body.")
+    key("weight", Kind::Quantity(FORCE), Derived("mass × gravity"), "Weight W of the whole body, in air.")
         .within(POSITIVE),
     key(
         "mass",
         Kind::Quantity(MASS),
         Derived("weight / gravity"),
         "Mass of the whole body; needed only if it moves freely.",
+    )
+    .within(POSITIVE),
+    key(
+        "submerged_weight",
+        Kind::Quantity(FORCE),
+        Derived("weight less buoyancy"),
+        "Weight in water W′, instead of `weight` or `mass` (with `[water]`).",
     )
     .within(POSITIVE),
     key(

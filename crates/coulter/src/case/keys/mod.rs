@@ -10,6 +10,7 @@ mod key;
 mod run;
 mod soil;
 mod stage;
+mod water;
 pub mod words;
 
 pub use allowed_range::{AllowedRange, Bound};
@@ -19,7 +20,7 @@ pub use key::{Key, KeyTable, Kind};
 use key::section;
 
 /// All sections.
-pub const SECTIONS: [KeyTable; 13] = [
+pub const SECTIONS: [KeyTable; 14] = [
     section("", "At the top of the file, before any section.", run::TOP),
     section("soil", "The soil; of ground in layers the uppermost.", soil::SOIL),
     section(
@@ -29,6 +30,12 @@ pub const SECTIONS: [KeyTable; 13] = [
         soil::LAYER,
     ),
     section("ground", "Where there is soil at the start.", soil::GROUND),
+    section(
+        "water",
+        "Water over the ground. Without this section the ground is dry. Under water `unit_weight` of a soil is its submerged unit weight γ′, \
+         `density` its dry density, and the weight of a body is reduced by its buoyancy.",
+        water::WATER,
+    ),
     section("domain", "The box that is modelled.", soil::DOMAIN),
     section("grid", "Cell sizes.", soil::GRID),
     section("body", "A rigid body, `[body.NAME]`; any number of them.", body::BODY),

@@ -23,7 +23,8 @@ pub(super) fn body(
     let shape = shape(section, context, problems);
     let friction = friction(section, shape.as_ref(), problems);
     let adhesion_factor = adhesion_factor(section, context, problems);
-    let mass = mass(section, context.gravity, problems);
+    let displaced = shape.as_ref().map_or(0.0, |shape| context.displaced_by(shape.solid().as_ref()));
+    let mass = mass(section, context, displaced, problems);
     let attitude = attitude(section);
     let typed: [_; 6] =
         std::array::from_fn(|n| motion::typed(section, MOTIONS[n], is_carried && !context.planes_forbid(n)));
@@ -35,7 +36,7 @@ pub(super) fn body(
         let message = format!("[{}] moves freely{carried} but its weight is not given", section.path);
         problems.add(&section.path, message, "add  weight = \"40 N\"  or  mass = \"4 kg\"");
     }
-    let [along, across, normal] = context.support(mass.unwrap_or(0.0)).to_array();
+    let [along, across, normal] = context.support(mass.map_or(0.0, |mass| mass - displaced)).to_array();
     let support = [along, across, normal, 0.0, 0.0];
     let mut freedom = |n: usize| motion::freedom((section, n), typed[n].as_ref(), support[n], problems);
     let [forward, lateral, heave, yaw, tilt] = std::array::from_fn(&mut freedom);
@@ -107,9 +108,18 @@ fn adhesion_factor(section: &Section, context: &Context, problems: &mut Problems
     section.number("adhesion_factor")
 }
 
-/// The mass, if it is known; the outer `None` if it was given wrongly.
+/// The mass, if it is known; the outer `None` if it was given wrongly. The body displaces this mass of water [kg].
 #[allow(clippy::option_option)]
-fn mass(section: &Section, gravity: f64, problems: &mut Problems) -> Option<Option<f64>> {
+fn mass(
+    section: &Section,
+    context: &Context,
+    displaced: f64,
+    problems: &mut Problems,
+) -> Option<Option<f64>> {
+    let gravity = context.gravity;
+    if section.has("submerged_weight") {
+        return submerged(section, context, displaced, problems).map(Some);
+    }
     let (weight, mass) = (section.number("weight"), section.number("mass"));
     if weight.is_none() && section.has("weight") || mass.is_none() && section.has("mass") {
         return None;
@@ -138,6 +148,26 @@ fn mass(section: &Section, gravity: f64, problems: &mut Problems) -> Option<Opti
         }
         (None, None) => Some(None),
     }
+}
+
+/// The mass of a body of a given weight in water.
+fn submerged(section: &Section, context: &Context, displaced: f64, problems: &mut Problems) -> Option<f64> {
+    let path = section.at("submerged_weight");
+    if context.water.is_none() {
+        let cure = "add a section [water], or give the `weight`";
+        problems.add(path, "without water there is no submerged weight", cure);
+        return None;
+    }
+    if let Some(key) = ["weight", "mass"].into_iter().find(|key| section.has(key)) {
+        let message = format!("`{key}` and `submerged_weight` both say what the body weighs");
+        problems.add(path, message, "keep one of them");
+        return None;
+    }
+    if context.gravity <= 0.0 {
+        problems.add(path, "without gravity the mass does not follow from the weight", "give the mass");
+        return None;
+    }
+    Some(section.number("submerged_weight")? / context.gravity + displaced)
 }
 
 /// The moment of inertia about the axle; `turns` is the key of a rotation that is free.

@@ -2,16 +2,19 @@
 
 use super::clearance::SoilConditions;
 use crate::case::problem::Problems;
-use crate::case::resolved::Law;
+use crate::case::resolved::{Body, Law, Water};
 use crate::case::rigid_body::planes_forbid;
 use crate::case::shapes::slab::Slab;
 use crate::case::slope::Slope;
 use glam::DVec3;
+use physics::shape::Shape as Solid;
 
 /// What the sections of a case have in common.
 pub(super) struct Context {
     /// Acceleration of gravity [m/s²].
     pub(super) gravity: f64,
+    /// The water over it.
+    pub(super) water: Option<Water>,
     /// Slope of the ground.
     pub(super) slope: Slope,
     /// Cell size in the fine zone [m].
@@ -37,6 +40,18 @@ impl Context {
     /// Widths along x, y, z of the cells in the fine zone [m].
     pub(super) fn fine_cell(&self) -> DVec3 {
         self.cell * self.aspect
+    }
+
+    /// Mass of the water that a solid displaces [kg].
+    pub(super) fn displaced_by(&self, solid: &dyn Solid) -> f64 {
+        self.water.map_or(0.0, |water| water.displaced_by(solid, self.slab.map(|slab| slab.width)).0)
+    }
+
+    /// Mass of a body with its parts less that of the water that it displaces [kg].
+    pub(super) fn submerged_mass(&self, body: &Body) -> f64 {
+        let displaced =
+            self.water.map_or(0.0, |water| water.displaced(body, self.slab.map(|slab| slab.width)).0);
+        body.whole_mass() - displaced
     }
 
     /// Force along x, y, z that holds a mass [kg] against gravity [N].

@@ -16,6 +16,7 @@ mod motion;
 mod soil;
 mod stages;
 mod timing;
+mod water;
 mod weld;
 
 use super::keys;
@@ -25,7 +26,7 @@ use super::numbers::in_range;
 use super::path::Paths;
 use super::problem::Problems;
 use super::resolved::{
-    Body, Case, Contact, Joint, Law, MOTIONS, MotionTable, Numerics, Precision, Soil, Stage,
+    Body, Case, Contact, Joint, Law, MOTIONS, MotionTable, Numerics, Precision, Soil, Stage, Water,
 };
 use super::shapes::slab::Slab;
 use super::slope::Slope;
@@ -38,11 +39,13 @@ use glam::DVec3;
 pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problems) -> Option<Case> {
     let gravity = schema.top.number("gravity");
     let slope = ground::slope(&schema.ground);
-    let conditions = gravity.map(|g| (g, slope.unwrap_or_default()));
+    let water = water::water(schema.water.as_ref(), problems);
+    let conditions = gravity.zip(water).map(|(g, water)| (on_soil(g, water), slope.unwrap_or_default()));
     let soil = conditions.and_then(|conditions| soil::soil(&schema.soil, conditions, problems));
     let layers = conditions.and_then(|conditions| soil::layers(&schema.layers, conditions, problems));
     let numerics = numerics(&schema.numerics, &schema.soil);
-    let context = gravity.and_then(|g| context(schema, g, soil.as_ref().map(|s| s.law), problems));
+    let conditions = gravity.zip(water);
+    let context = conditions.and_then(|c| context(schema, c, soil.as_ref().map(|s| s.law), problems));
     let bodies = context.as_ref().and_then(|context| bodies(schema, context, problems));
     let parts = bodies.and_then(|bodies| parts(schema, bodies, context.as_ref()?, problems));
     let (bodies, joints, stages) = match parts {
@@ -74,6 +77,7 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
         name,
         gravity: gravity?,
         slope: slope?,
+        water: water?,
         soil,
         layers: layers?,
         ground,
@@ -100,11 +104,23 @@ pub(super) fn soil_alone(
 ) -> Option<(String, Soil)> {
     let gravity = schema.top.number("gravity");
     let gravity = gravity.filter(|g| in_range("gravity", *g, problems));
+    let water = water::water(schema.water.as_ref(), problems);
+    let gravity = gravity.zip(water).map(|(g, water)| on_soil(g, water));
     let soil = gravity.and_then(|g| soil::soil(&schema.soil, (g, Slope::default()), problems));
     Some((name(&schema.top, source_name, problems)?, soil?))
 }
 
-fn context(schema: &Schema, gravity: f64, law: Option<Law>, problems: &mut Problems) -> Option<Context> {
+/// Weight per mass of soil [m/s²], which water makes less.
+fn on_soil(gravity: f64, water: Option<Water>) -> f64 {
+    water.map_or(gravity, |water| water.soil_gravity(gravity))
+}
+
+fn context(
+    schema: &Schema,
+    (gravity, water): (f64, Option<Water>),
+    law: Option<Law>,
+    problems: &mut Problems,
+) -> Option<Context> {
     let cell = required(&schema.grid, "cell", problems);
     let aspect = schema.grid.list("aspect").filter(|widths| widths.len() == 3);
     let aspect = aspect.map(|widths| DVec3::from_slice(&widths));
@@ -128,6 +144,7 @@ fn context(schema: &Schema, gravity: f64, law: Option<Law>, problems: &mut Probl
     let has_undrained_soil = soils.any(|soil| soil.text("law").as_deref() == Some("tresca"));
     Some(Context {
         gravity,
+        water,
         slope,
         cell,
         aspect,

@@ -12,6 +12,7 @@ mod parameters;
 pub(super) mod soil;
 mod stages;
 pub(super) mod timing;
+pub(super) mod water;
 
 use super::numbers::in_range;
 use super::path::Paths;
@@ -54,6 +55,9 @@ pub(super) fn whole(case: &Case, problems: &mut Problems) {
 fn parts(case: &Case, problems: &mut Problems) {
     names::case_name(&case.name, problems);
     in_range("gravity", case.gravity, problems);
+    if let Some(water) = &case.water {
+        water::numbers(water, problems);
+    }
     for (path, of_section) in case.soils() {
         soil::soil(&path, of_section, problems);
     }
@@ -90,4 +94,5 @@ fn fits_together(case: &Case, problems: &mut Problems) {
     soil::layers(case, problems);
     fit::bodies_fit(&Paths::of(case), &case.domain, problems);
     follow::follow(case, problems);
+    water::water(case, problems);
 }

@@ -22,6 +22,7 @@ pub(super) fn sample<R: Precision>(
     let rate = if interval > 0.0 { 1.0 / interval } else { 0.0 };
     let normal = (now.normal - then.normal) * rate;
     let friction = (now.friction - then.friction) * rate;
+    let in_water = fixed.fluid.drag(twist.at(pose.rotation * fixed.fluid.centre));
     let symmetry = model.symmetry();
     let normal = symmetry.of_whole(normal);
     let force = symmetry.of_whole(normal + friction);
@@ -49,6 +50,7 @@ pub(super) fn sample<R: Precision>(
         moment_x: moment.x,
         moment_y: moment.y,
         moment_z: moment.z,
+        water_drag: 0.0 - in_water.x,
         leaked_volume: body.leaked_volume / model.modelled_fraction(),
         embedded_volume: body.embedded_volume / model.modelled_fraction(),
     }

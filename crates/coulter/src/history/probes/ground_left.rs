@@ -1,7 +1,7 @@
 //! The probe of the ground that a grid that travels leaves behind: the height of the soil where it flows out.
 
 use crate::domain::PlacedDomain;
-use crate::history::SurfacePoint;
+use crate::history::{GroundColumn, SurfacePoint};
 use solver::boundary::Boundary;
 use solver::model::Model;
 use solver::precision::Precision;
@@ -19,10 +19,11 @@ pub fn record_ground_left<R: Precision>(model: &Model, state: &State<R>, left: &
     if !left.last().is_none_or(is_due) {
         return;
     }
+    let densities: Vec<f64> = model.materials.iter().map(|material| material.density).collect();
     left.extend((0..cells[1 - axis]).map(|n| {
         let [i, j] = if axis == 0 { [last, n] } else { [n, last] };
-        let z = domain.surface_height(state, [i, j]);
-        SurfacePoint { x: domain.centre(0, i), y: domain.centre(1, j), z }
+        let column = GroundColumn::of(&domain, state, &densities, [i, j]);
+        SurfacePoint { x: domain.centre(0, i), y: domain.centre(1, j), column }
     }));
 }
 
@@ -73,7 +74,7 @@ mod tests {
             let lines: Vec<f64> = left.chunks(5).map(|line| line[0].along(axis)).collect();
             assert_eq!(lines, expected, "axis {axis}, end {end}");
             for (n, point) in left.iter().enumerate() {
-                assert_eq!((point.along(1 - axis), point.z), (0.5 + (n % 5) as f64, 1.25));
+                assert_eq!((point.along(1 - axis), point.column.z), (0.5 + (n % 5) as f64, 1.25));
             }
         }
     }

@@ -3,7 +3,9 @@
 //! SI units, as computed; nothing here writes or draws.
 
 mod cell;
+mod rut;
 mod surface;
 
 pub(crate) use cell::{CellView, filled_cells, node_velocity};
+pub use rut::{Rut, ruts};
 pub use surface::{HeightMap, SurfaceFigures, reference_height};

@@ -2,7 +2,7 @@
 
 use crate::case::resolved::{Case, Ground};
 use crate::domain::PlacedDomain;
-use crate::history::SurfacePoint;
+use crate::history::{GroundColumn, SurfacePoint};
 use serde::{Deserialize, Serialize};
 use solver::grid::Grid;
 use solver::precision::Precision;
@@ -18,8 +18,8 @@ pub struct HeightMap {
     pub centres: [Vec<f64>; 2],
     /// Edges of the columns along x and y [m].
     pub edges: [Vec<f64>; 2],
-    /// Height z of the surface [m], x fastest.
-    pub height: Vec<f64>,
+    /// The columns of soil, x fastest.
+    pub columns: Vec<GroundColumn>,
     /// Height of the undisturbed surface [m].
     pub reference: f64,
     /// Ends along x and y of what lies inside the grid [m]; beyond them is the ground that it has left behind.
@@ -38,6 +38,17 @@ pub struct SurfaceFigures {
     pub rut_volume_m3: f64,
     /// Volume of the berms above it [m³].
     pub berm_volume_m3: f64,
+    /// Volume that the soil has lost by compaction [m³]; negative where it has become looser.
+    pub compaction_m3: f64,
+    /// Volume of voids below the surface, less that of soil above it [m³].
+    pub void_m3: f64,
+    /// Volume of disturbed soil [m³].
+    pub disturbed_m3: f64,
+    /// Volume of mixed soil [m³].
+    pub mixed_m3: f64,
+    /// Volume of the rut that berms, compaction, voids and the holes in which bodies started do not explain, over that of the rut: soil that
+    /// has left the map.
+    pub unexplained: f64,
 }
 
 /// Height of the undisturbed surface [m]; for a column of soil that of the floor on which it collapses.
@@ -55,13 +66,14 @@ impl HeightMap {
     #[must_use]
     pub fn of(case: &Case, grid: &Grid, state: &State<impl Precision>, left: &[SurfacePoint]) -> Self {
         let domain = PlacedDomain::of(grid, state.grid_position);
-        let [columns, rows, _] = domain.cells();
-        let places = (0..rows).flat_map(|j| (0..columns).map(move |i| [i, j]));
-        let height = places.map(|place| domain.surface_height(state, place)).collect();
+        let [along, across, _] = domain.cells();
+        let places = (0..across).flat_map(|j| (0..along).map(move |i| [i, j]));
+        let densities: Vec<f64> = case.soils().map(|(_, soil)| soil.density).collect();
+        let columns = places.map(|place| GroundColumn::of(&domain, state, &densities, place)).collect();
         let edges = [0, 1].map(|axis| domain.faces[axis].clone());
         let inside = [0, 1].map(|axis| domain.ends(axis));
         let centres = edges.each_ref().map(|edges| middles(edges));
-        let mut map = Self { centres, edges, height, reference: reference_height(case), inside };
+        let mut map = Self { centres, edges, columns, reference: reference_height(case), inside };
         map.join(left);
         if case.domain.symmetric {
             map.mirror();
@@ -84,22 +96,22 @@ impl HeightMap {
         let (before, inside) = (low.len(), edges.len() - 1);
         let edges = low.iter().map(|(x, _)| x - half[0]).chain(edges.iter().copied());
         let edges: Vec<f64> = edges.chain(high.iter().map(|(x, _)| x + half[1])).collect();
-        let height = |n: usize, m: usize| match n.checked_sub(before) {
-            None => low[n].1[m].z,
+        let column = |n: usize, m: usize| match n.checked_sub(before) {
+            None => low[n].1[m].column,
             Some(n) if n < inside => {
                 if axis == 0 {
-                    self.at(n, m)
+                    self.column(n, m)
                 } else {
-                    self.at(m, n)
+                    self.column(m, n)
                 }
             }
-            Some(n) => high[n - inside].1[m].z,
+            Some(n) => high[n - inside].1[m].column,
         };
         let along = edges.len() - 1;
-        self.height = if axis == 0 {
-            (0..across).flat_map(|m| (0..along).map(move |n| (n, m))).map(|(n, m)| height(n, m)).collect()
+        self.columns = if axis == 0 {
+            (0..across).flat_map(|m| (0..along).map(move |n| (n, m))).map(|(n, m)| column(n, m)).collect()
         } else {
-            (0..along).flat_map(|n| (0..across).map(move |m| (n, m))).map(|(n, m)| height(n, m)).collect()
+            (0..along).flat_map(|n| (0..across).map(move |m| (n, m))).map(|(n, m)| column(n, m)).collect()
         };
         self.centres[axis] = middles(&edges);
         self.edges[axis] = edges;
@@ -124,8 +136,8 @@ impl HeightMap {
         *edges = edges.iter().rev().map(|y| -y).chain(edges.iter().skip(1).copied()).collect();
         self.centres[1] = middles(edges);
         self.inside[1] = [-self.inside[1][1], self.inside[1][1]];
-        let rows = self.height.chunks_exact(columns);
-        self.height = rows.clone().rev().chain(rows).flatten().copied().collect();
+        let rows = self.columns.chunks_exact(columns);
+        self.columns = rows.clone().rev().chain(rows).flatten().copied().collect();
     }
 
     /// A range along x (0) or y (1) [m], extended over the ground left behind.
@@ -142,12 +154,26 @@ impl HeightMap {
     /// Height [m] of column `(i, j)`.
     #[must_use]
     pub fn at(&self, i: usize, j: usize) -> f64 {
-        self.height.get(j * self.centres[0].len() + i).copied().unwrap_or(f64::NAN)
+        self.columns.get(j * self.centres[0].len() + i).map_or(f64::NAN, |column| column.z)
     }
 
-    /// Depth of the rut, height of the berms and their volumes.
+    /// Column `(i, j)`.
     #[must_use]
-    pub fn figures(&self) -> SurfaceFigures {
+    pub fn column(&self, i: usize, j: usize) -> GroundColumn {
+        self.columns[j * self.centres[0].len() + i]
+    }
+
+    /// Its columns with their places, x fastest.
+    #[must_use]
+    pub fn points(&self) -> Vec<SurfacePoint> {
+        let places = self.centres[1].iter().flat_map(|y| self.centres[0].iter().map(move |x| [*x, *y]));
+        places.zip(&self.columns).map(|([x, y], column)| SurfacePoint { x, y, column: *column }).collect()
+    }
+
+    /// Depth of the rut, height of the berms, their volumes and what else has become of the soil, of which bodies had taken out a volume
+    /// [m³] before the start.
+    #[must_use]
+    pub fn figures(&self, taken_out: f64) -> SurfaceFigures {
         let mut figures = SurfaceFigures::default();
         for (j, dy) in self.edges[1].windows(2).map(|e| e[1] - e[0]).enumerate() {
             for (i, dx) in self.edges[0].windows(2).map(|e| e[1] - e[0]).enumerate() {
@@ -159,7 +185,16 @@ impl HeightMap {
                     figures.rut_depth_m = figures.rut_depth_m.max(-rise);
                     figures.rut_volume_m3 -= rise * dx * dy;
                 }
+                let column = self.column(i, j);
+                figures.compaction_m3 += column.compaction * dx * dy;
+                figures.void_m3 += column.void * dx * dy;
+                figures.disturbed_m3 += column.disturbed * dx * dy;
+                figures.mixed_m3 += column.mixed * dx * dy;
             }
+        }
+        let SurfaceFigures { rut_volume_m3: rut, berm_volume_m3: berm, compaction_m3, void_m3, .. } = figures;
+        if rut > 0.0 {
+            figures.unexplained = (rut - berm - compaction_m3 + void_m3 - taken_out) / rut;
         }
         figures
     }
@@ -201,13 +236,27 @@ fn nearest(edges: &[f64], value: f64) -> usize {
 mod tests {
     use super::*;
 
+    fn column(z: f64) -> GroundColumn {
+        GroundColumn { z, ..GroundColumn::default() }
+    }
+
+    fn heights(map: &HeightMap) -> Vec<f64> {
+        map.columns.iter().map(|column| column.z).collect()
+    }
+
     /// Two columns by two rows of unit cells whose low corner lies at a position along an axis, at heights 1 to 4.
     fn map(axis: usize, at: f64) -> HeightMap {
         let mut edges = [vec![0.0, 1.0, 2.0], vec![0.0, 1.0, 2.0]];
         edges[axis].iter_mut().for_each(|edge| *edge += at);
         let centres = edges.each_ref().map(|edges| middles(edges));
         let inside = edges.each_ref().map(|edges| [edges[0], edges[2]]);
-        HeightMap { centres, edges, height: vec![1.0, 2.0, 3.0, 4.0], reference: 0.0, inside }
+        HeightMap {
+            centres,
+            edges,
+            columns: vec![1.0, 2.0, 3.0, 4.0].into_iter().map(column).collect(),
+            reference: 0.0,
+            inside,
+        }
     }
 
     /// A line across an axis at a position, as high as a number and a tenth more.
@@ -215,7 +264,7 @@ mod tests {
         [0, 1].map(|n| {
             let across = 0.5 + f64::from(n);
             let [x, y] = if axis == 0 { [at, across] } else { [across, at] };
-            SurfacePoint { x, y, z: height + 0.1 * f64::from(n) }
+            SurfacePoint { x, y, column: column(height + 0.1 * f64::from(n)) }
         })
     }
 
@@ -224,7 +273,7 @@ mod tests {
         let mut map = map(0, 2.25);
         map.join(&[line(0, 0.5, 7.0), line(0, 1.5, 8.0), line(0, 2.5, 9.0)].concat());
         assert_eq!(map.edges[0], [0.0, 1.0, 2.0, 2.25, 3.25, 4.25]);
-        assert_eq!(map.height, [7.0, 8.0, 9.0, 1.0, 2.0, 7.1, 8.1, 9.1, 3.0, 4.0]);
+        assert_eq!(heights(&map), [7.0, 8.0, 9.0, 1.0, 2.0, 7.1, 8.1, 9.1, 3.0, 4.0]);
         assert_eq!(map.with_ground_left(0, [3.0, 4.0]), [0.0, 4.0]);
         assert_eq!(map.with_ground_left(1, [0.5, 1.5]), [0.5, 1.5]);
     }
@@ -234,7 +283,7 @@ mod tests {
         let mut map = map(1, -1.5);
         map.join(&[line(1, 1.5, 7.0), line(1, 0.5, 8.0)].concat());
         assert_eq!(map.edges[1], [-1.5, -0.5, 0.5, 1.0, 2.0]);
-        assert_eq!(map.height, [1.0, 2.0, 3.0, 4.0, 8.0, 8.1, 7.0, 7.1]);
+        assert_eq!(heights(&map), [1.0, 2.0, 3.0, 4.0, 8.0, 8.1, 7.0, 7.1]);
     }
 
     #[test]

@@ -7,8 +7,8 @@ use crate::output::files::{
     SUMMARY, TYPED,
 };
 use crate::output::tables::{
-    BOUNDARIES_FILE, ENERGY_FILE, GROUND_LEFT_FILE, HistoryNames, filtered_name, forces_name, joint_name,
-    part_name, rim_name,
+    BOUNDARIES_FILE, ENERGY_FILE, GROUND_LEFT_FILE, HEIGHT_MAP_FILE, HistoryNames, filtered_name,
+    forces_name, joint_name, part_name, rim_name, rut_name,
 };
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -126,11 +126,21 @@ pub(crate) fn remove_parts(dir: &Path) -> Result<(), OutputError> {
 fn remove_result(dir: &Path, record: &RunRecord) -> Result<(), OutputError> {
     let HistoryNames { bodies: names, parts, joints } = record.names();
     let mut files: Vec<String> = (0..names.len())
-        .flat_map(|n| [forces_name, filtered_name, rim_name].map(|name| name(&names, n)))
+        .flat_map(|n| [forces_name, filtered_name, rim_name, rut_name].map(|name| name(&names, n)))
         .collect();
     files.extend(parts.iter().map(|name| part_name(name)));
     files.extend(joints.iter().map(|name| joint_name(name)));
-    let fixed = [SUMMARY, REPORT, ENERGY_FILE, BOUNDARIES_FILE, GROUND_LEFT_FILE, RESOLVED, TYPED, LOG];
+    let fixed = [
+        SUMMARY,
+        REPORT,
+        ENERGY_FILE,
+        BOUNDARIES_FILE,
+        GROUND_LEFT_FILE,
+        HEIGHT_MAP_FILE,
+        RESOLVED,
+        TYPED,
+        LOG,
+    ];
     files.extend(fixed.iter().chain(&LISTS).map(|name| (*name).to_owned()));
     for file in files {
         remove_file(&dir.join(file))?;

@@ -119,7 +119,7 @@ fn describe_body(case: &Case, body: &Body) -> String {
         friction += &format!(", at most {} sᵤ", digits(body.adhesion_factor));
     }
     let weight = match body.translation[2] {
-        Motion::Free { .. } => format!(", weight {} N", digits(case.gravity * body.mass)),
+        Motion::Free { .. } => weight(case, body),
         _ => String::new(),
     };
     let Attitude { yaw, tilt, pitch } = body.attitude;
@@ -127,6 +127,15 @@ fn describe_body(case: &Case, body: &Body) -> String {
         [("yaw", yaw), ("tilt", tilt), ("pitch", pitch)].into_iter().filter(|(_, angle)| *angle != 0.0);
     let turned: String = turned.map(|(name, angle)| format!(", {name} {}", degrees(angle))).collect();
     format!("{shape}{turned}, {friction}{weight}; {}", motions(body))
+}
+
+/// Weight of a body with its parts, in air and in water.
+fn weight(case: &Case, body: &Body) -> String {
+    let mut text = format!(", weight {} N", digits(case.gravity * body.whole_mass()));
+    if case.water.is_some() {
+        text += &format!(" ({} N in water)", digits(case.weight(body)));
+    }
+    text
 }
 
 /// How long a stage lasts, and what changes in it.

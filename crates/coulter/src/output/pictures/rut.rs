@@ -50,9 +50,9 @@ fn height_scale(map: &HeightMap, level: bool, across: [f64; 2], sideways: [f64; 
         let (i, j) = (n % map.centres[0].len(), n / map.centres[0].len());
         let inside = |v: f64, r: [f64; 2]| v >= r[0] && v <= r[1];
         let shown = inside(map.centres[0][i], across) && inside(map.centres[1][j], sideways);
-        shown.then(|| 1e3 * (map.height[n] - map.reference))
+        shown.then(|| 1e3 * (map.columns[n].z - map.reference))
     };
-    let most = largest((0..map.height.len()).filter_map(rise)).max(1e-3);
+    let most = largest((0..map.columns.len()).filter_map(rise)).max(1e-3);
     if level {
         Scale::linear(ColourMap::Diverging, -most, most, "height [mm]".into())
     } else {

@@ -129,6 +129,10 @@ pub(super) fn body_rows(reference: &Reference, body: &BodySummary) -> Vec<TableR
     if steady.lateral.is_some_and(|force| force != 0.0) {
         table.push("Lateral force", "", table.force(steady.lateral), "steady mean, to the left positive");
     }
+    if steady.water_drag.is_some() {
+        let note = "steady mean, ½ρC<sub>d</sub>A v²; not part of the drag";
+        table.push("Drag of the water", "", table.force(steady.water_drag), note);
+    }
     table.push("Sinkage", "z", table.length(steady.sinkage), "steady mean");
     table.bound(steady.sinkage_interval, Unit::length);
     if reference.radius.is_some() {
@@ -309,7 +313,25 @@ pub(super) fn balance_rows(record: &RunRecord, summary: &Summary) -> Vec<TableRo
         row("Height of the berm", height, "highest point of the free surface"),
         row("Volume of the rut", litres(surface.rut_volume_m3), "below the undisturbed surface"),
         row("Volume of the berms", litres(surface.berm_volume_m3), "above it"),
+        row("Compaction", litres(surface.compaction_m3), "volume that the soil has lost by becoming denser"),
+        row("Disturbed soil", litres(surface.disturbed_m3), "equivalent plastic strain above 0.1"),
     ]);
+    let millimetres = |x: f64| format!("{} mm", digits(1e3 * x));
+    let area = |x: f64| format!("{} cm²", digits(1e4 * x));
+    for (name, rut) in &summary.ruts {
+        let of =
+            |what: &str| if summary.ruts.len() > 1 { format!("{what}, {name}") } else { what.to_owned() };
+        let size = format!("{} × {}", millimetres(rut.width), millimetres(rut.depth));
+        let berms = format!("{}, {}", millimetres(rut.high_berm), millimetres(rut.low_berm));
+        rows.extend([
+            row(&of("Rut behind the body"), size, "width and depth, mean over the last part of the tow"),
+            row(&of("Berms beside it"), berms, "on the side of larger y, and on the other"),
+            row(&of("Displaced per metre"), area(rut.area), "area of the rut; 1 cm² is 0.1 dm³ per metre"),
+            row(&of("Disturbed per metre"), area(rut.disturbed), "equivalent plastic strain above 0.1"),
+            row(&of("Disturbed down to"), millimetres(rut.disturbed_depth), "below the undisturbed surface"),
+            row(&of("Mixed per metre"), area(rut.mixed), "equivalent plastic strain above 1"),
+        ]);
+    }
     rows
 }
 

@@ -3,7 +3,7 @@
 use crate::case::FORMAT;
 use crate::history::rim::{RimAverage, RimPlace, SlipReversal, shear_reversals, slip_reversals};
 use crate::history::steady::{Peak, Steady, peak, steady, window};
-use crate::history::{BodySample, EnergySample, ForceSample, History};
+use crate::history::{BodySample, EnergySample, ForceSample, History, RutSection};
 use crate::mesh_study::{Figures, MeshStudy};
 use crate::output::fields::SurfaceFigures;
 use crate::output::files::{OutputError, SUMMARY, read_json, write_json};
@@ -38,6 +38,8 @@ pub struct Summary {
     pub energy: EnergySummary,
     /// The free surface at the end.
     pub surface: SurfaceFigures,
+    /// What the bodies have left behind, by name: mean sections across their ruts.
+    pub ruts: BTreeMap<String, RutSection>,
     /// The bodies by name.
     pub bodies: BTreeMap<String, BodySummary>,
     /// All bodies together; `null` where only one touches the soil.

@@ -1,17 +1,17 @@
 //! `forces.csv`, `part_NAME.csv`, `joint_NAME.csv`, `energy.csv`, `boundaries.csv` and, of a grid that travels, `ground_left.csv`: the histories as tables with
-//! units in the header; and `filtered.csv` and `rim.csv`, written at the end of a run.
+//! units in the header; and `filtered.csv`, `rim.csv`, `rut.csv` and `height_map.csv`, written at the end of a run.
 //!
 //! The files are kept open during the run and flushed after every block, so that a killed run leaves whole lines; a
 //! resumed run rewrites them from the history of the checkpoint.
 
 use super::table::{Table, push_line};
-use crate::history::History;
 use crate::history::columns::{
-    self, Column, FILTERED, FORCES, GROUND_LEFT, JOINTS, PARTS, RIM, Source, header,
+    self, Column, FILTERED, FORCES, GROUND_LEFT, HEIGHT_MAP, JOINTS, PARTS, RIM, RUT, Source, header,
 };
 use crate::history::filter::filtered;
 use crate::history::reference::Reference;
 use crate::history::rim::RimLine;
+use crate::history::{History, RutSection, SurfacePoint};
 use crate::output::files::{Named, OutputError, file_safe, write_whole};
 use std::fs::File;
 use std::io::Write;
@@ -23,6 +23,9 @@ pub(crate) const ENERGY_FILE: &str = "energy.csv";
 pub(crate) const BOUNDARIES_FILE: &str = "boundaries.csv";
 /// Name of the file about the ground that the grid has left behind.
 pub(crate) const GROUND_LEFT_FILE: &str = "ground_left.csv";
+
+/// Name of the file with the surface of the ground at the end.
+pub(crate) const HEIGHT_MAP_FILE: &str = "height_map.csv";
 
 /// Name of the file that holds a body's history: `forces.csv`, or `forces_NAME.csv` when there are several bodies.
 #[must_use]
@@ -111,6 +114,33 @@ pub(crate) fn write_rims(dir: &Path, names: &[String], rims: &[Vec<RimLine>]) ->
         let mut text = format!("{}\n", header(RIM));
         push_lines(&mut text, lines, RIM, &Reference::default());
         write_whole(&dir.join(rim_name(names, body)), text.as_bytes())?;
+    }
+    Ok(())
+}
+
+/// Name of the file about the rut of a body: `rut.csv`, or `rut_NAME.csv` when there are several bodies.
+pub(crate) fn rut_name(names: &[String], body: usize) -> String {
+    name_of("rut", names, body)
+}
+
+/// Writes the ground at the end of a run: its height map, and the rut of every body that has one.
+///
+/// # Errors
+/// When a file cannot be written.
+pub(crate) fn write_ground(
+    dir: &Path,
+    names: &[String],
+    map: &[SurfacePoint],
+    ruts: &[Vec<RutSection>],
+) -> Result<(), OutputError> {
+    let write = |name: &str, text: &str| write_whole(&dir.join(name), text.as_bytes());
+    let mut text = format!("{}\n", header(HEIGHT_MAP));
+    push_lines(&mut text, map, HEIGHT_MAP, &Reference::default());
+    write(HEIGHT_MAP_FILE, &text)?;
+    for (body, sections) in ruts.iter().enumerate().filter(|(_, sections)| !sections.is_empty()) {
+        let mut text = format!("{}\n", header(RUT));
+        push_lines(&mut text, sections, RUT, &Reference::default());
+        write(&rut_name(names, body), &text)?;
     }
     Ok(())
 }

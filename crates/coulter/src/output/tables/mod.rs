@@ -7,11 +7,11 @@ mod csv;
 mod table;
 mod validate;
 
-pub(crate) use csv::{BOUNDARIES_FILE, ENERGY_FILE, GROUND_LEFT_FILE};
+pub(crate) use csv::{BOUNDARIES_FILE, ENERGY_FILE, GROUND_LEFT_FILE, HEIGHT_MAP_FILE, rut_name};
 pub use csv::{
     HistoryFiles, HistoryNames, filtered_name, forces_name, joint_name, part_name, read_history, rim_name,
 };
-pub(crate) use csv::{read_rims, write_filtered, write_rims};
+pub(crate) use csv::{read_rims, write_filtered, write_ground, write_rims};
 pub use table::Table;
 pub(crate) use table::push_line;
 pub use validate::validate_history;

@@ -1,6 +1,7 @@
 //! Surfaces: `.vtp`. The bodies where they are, and the free surface.
 
 use super::file::{DataArray, Dataset};
+use crate::history::GroundColumn;
 use crate::output::fields::HeightMap;
 use crate::output::files::OutputError;
 use glam::DVec3;
@@ -41,10 +42,16 @@ pub(super) fn write_surface(path: &Path, map: &HeightMap, time: f64) -> Result<(
             .map(|(i, j)| [corner(i - 1, j - 1), corner(i, j - 1), corner(i, j), corner(i - 1, j)]),
         polygon_count: columns.saturating_sub(1) * rows.saturating_sub(1),
     };
-    let one = [map.height.len(), 1];
+    let array = |name: &'static str, value: fn(&GroundColumn) -> f64| {
+        DataArray::singles(name, [map.columns.len(), 1], map.columns.iter().map(value))
+    };
+    let rise = map.columns.iter().map(|column| column.z - map.reference);
     let point_data = vec![
-        DataArray::singles("height", one, map.height.iter().copied()),
-        DataArray::singles("rise", one, map.height.iter().map(|z| z - map.reference)),
+        array("height", |column| column.z),
+        DataArray::singles("rise", [map.columns.len(), 1], rise),
+        array("compaction", |column| column.compaction),
+        array("disturbed", |column| column.disturbed),
+        array("mixed", |column| column.mixed),
     ];
     surface.write(path, time, point_data)
 }

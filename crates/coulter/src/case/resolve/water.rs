@@ -1,0 +1,28 @@
+//! The water over the ground.
+
+use super::context::checked;
+use crate::case::missing::required;
+use crate::case::problem::Problems;
+use crate::case::resolved::Water;
+use crate::case::typed::Section;
+use crate::case::validate;
+
+/// The water, if the case has any; the outer `None` where it was given wrongly.
+#[allow(clippy::option_option)]
+pub(super) fn water(section: Option<&Section>, problems: &mut Problems) -> Option<Option<Water>> {
+    let Some(section) = section else { return Some(None) };
+    let optional = |key: &str| match section.has(key) {
+        true => section.number(key).map(Some),
+        false => Some(None),
+    };
+    let water = Water {
+        level: required(section, "level", problems)?,
+        density: section.number("density")?,
+        grain_density: section.number("grain_density")?,
+        permeability: optional("permeability")?,
+        volume_strain: optional("volume_strain")?,
+        drag_coefficient: section.number("drag_coefficient")?,
+        accept_drained: section.flag("accept_drained")?,
+    };
+    checked(water, problems, validate::water::numbers).map(Some)
+}

@@ -1,0 +1,127 @@
+//! A case under water: weights of its bodies, the drag of the water, and whether water can follow as the soil changes its volume.
+
+use super::model::sand;
+use super::resolved::{Body, Case, Law, Soil};
+use super::water::in_slab;
+use glam::DVec3;
+use mechanics::{Fluid, Motion};
+use physics::shape::Mesh;
+
+impl Soil {
+    /// Volume strain ε from the start to the critical state at low pressure, positive for soil that dilates: (n_max − n)/(1 − n_max),
+    /// the same as ρ/ρ_crit − 1. `None` for soil whose law does not say it, 0 for undrained soil.
+    #[must_use]
+    pub fn volume_strain(&self) -> Option<f64> {
+        match self.law {
+            Law::MohrCoulomb { critical_density, .. } => Some(self.density / critical_density? - 1.0),
+            Law::Sand { .. } => {
+                // Zero dilatancy index, which is linear in I_D.
+                let index = |relative_density| {
+                    let soil = self.at_density(self.density_at(relative_density)?);
+                    sand(&soil).map(|(_, index)| index)
+                };
+                let [at_0, at_1] = [index(0.0)?, index(1.0)?];
+                Some(self.density / self.density_at(at_0 / (at_0 - at_1))? - 1.0)
+            }
+            law if law.friction_angle().is_some() => None,
+            _ => Some(0.0),
+        }
+    }
+}
+
+impl Case {
+    /// Volume strain of the uppermost soil as it fails, given or from its law.
+    #[must_use]
+    pub fn volume_strain(&self) -> Option<f64> {
+        self.water.and_then(|water| water.volume_strain).or_else(|| self.soil.volume_strain())
+    }
+
+    /// Drainage number per speed [s/m]: N_s/v = (γ_w/γ′) |ε|/k, the speed of the shearing over that at which water can follow. `None`
+    /// without water, without a permeability, and for soil without friction.
+    #[must_use]
+    pub fn drainage_per_speed(&self) -> Option<f64> {
+        let water = self.water?;
+        self.soil.law.friction_angle()?;
+        let relative_weight = water.unit_weight(self.gravity) / self.soil.unit_weight;
+        Some(relative_weight * self.volume_strain()?.abs() / water.permeability?)
+    }
+
+    /// Drainage number at the largest speed at which a body is driven.
+    #[must_use]
+    pub fn drainage_number(&self) -> Option<f64> {
+        Some(self.drainage_per_speed()? * self.largest_speed())
+    }
+
+    /// Largest speed at which a body is driven [m/s].
+    #[must_use]
+    pub fn largest_speed(&self) -> f64 {
+        let in_stages = self.stages.iter().flat_map(|stage| &stage.changes);
+        let staged = in_stages.filter(|change| change.motion < 3).map(|change| &change.to);
+        let bodies = self.bodies.iter().flat_map(|body| &body.translation);
+        bodies.chain(staged).map(|motion| fastest(motion, self.duration)).fold(0.0, f64::max)
+    }
+
+    /// What the water does to a body.
+    #[must_use]
+    pub fn fluid(&self, body: &Body) -> Fluid {
+        let Some(water) = self.water else { return Fluid::NONE };
+        let (displaced, centre) = water.displaced(body, self.slab());
+        let area = in_slab(body.solid().as_ref(), self.slab()) * frontal_area(body, self.tow_axis(body));
+        Fluid { displaced, centre, drag: 0.5 * water.density * water.drag_coefficient * area }
+    }
+
+    /// Weight of a whole body less its buoyancy [N].
+    #[must_use]
+    pub fn weight(&self, body: &Body) -> f64 {
+        let displaced = self.water.map_or(0.0, |water| water.displaced(body, self.slab()).0);
+        self.gravity * (body.whole_mass() - displaced)
+    }
+
+    /// The component of that normal to the surface of the ground [N].
+    #[must_use]
+    pub fn normal_weight(&self, body: &Body) -> f64 {
+        self.weight(body) * self.slope.cosine()
+    }
+
+    /// Width of the slab of plane strain [m].
+    fn slab(&self) -> Option<f64> {
+        self.domain.plane_strain.then_some(self.domain.high.y - self.domain.low.y)
+    }
+
+    /// The horizontal axis along which a body is towed.
+    fn tow_axis(&self, body: &Body) -> DVec3 {
+        let moves = |n: usize| body.guided().translation[n] != Motion::Fixed;
+        if moves(1) && !moves(0) { DVec3::Y } else { DVec3::X }
+    }
+}
+
+/// Largest speed of a motion that is prescribed [m/s].
+fn fastest(motion: &Motion, duration: f64) -> f64 {
+    const INTERVALS: u32 = 1000;
+    match motion {
+        Motion::Prescribed { before, speed, .. } => before.abs().max(speed.abs()),
+        Motion::Course(course) => {
+            let interval = duration / f64::from(INTERVALS);
+            let at = |n: u32| course.displacement(f64::from(n) * interval);
+            (0..INTERVALS).map(|n| (at(n + 1) - at(n)).abs() / interval).fold(0.0, f64::max)
+        }
+        Motion::Fixed | Motion::Free { .. } => 0.0,
+    }
+}
+
+/// Area of a body with its parts at the start, projected along a direction [m²]; one part does not hide another.
+fn frontal_area(body: &Body, direction: DVec3) -> f64 {
+    let frame = body.attitude.of_axle().inverse();
+    let of = |mesh: Mesh, direction: DVec3| {
+        // Each face in front has one behind it.
+        let both = mesh.triangles.iter().map(|corners| {
+            let [a, b, c] = corners.map(|n| mesh.points[n as usize]);
+            0.5 * (b - a).cross(c - a).dot(direction).abs()
+        });
+        0.5 * both.sum::<f64>()
+    };
+    let own = of(body.own_solid().mesh(), frame * direction);
+    let parts =
+        body.parts.iter().map(|part| of(part.solid().mesh(), part.rotation.inverse() * (frame * direction)));
+    parts.fold(own, |sum, area| sum + area)
+}
