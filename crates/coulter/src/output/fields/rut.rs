@@ -11,7 +11,8 @@ use solver::state::State;
 pub struct Rut {
     /// Sections along the tow, over every column of cells.
     pub sections: Vec<RutSection>,
-    /// Their mean over what the body has left behind in the last part of the tow; `None` where it has not gone farther than its length.
+    /// Their mean behind the body, from one length behind its middle on, over the last part of the tow or at least half a length; `None`
+    /// where it has not gone farther than its length.
     pub mean: Option<RutSection>,
 }
 
@@ -70,8 +71,11 @@ fn passed(case: &Case, n: usize, (axis, end): (usize, f64), samples: &[Vec<BodyS
     if (end - first).abs() <= length {
         return None;
     }
-    let rear = end - 0.5 * length * (end - first).signum();
-    let from = rear - case.output.steady_fraction * (rear - first);
+    // One length behind its middle the sides of the rut have come to rest.
+    let along = (end - first).signum();
+    let rear = end - length * along;
+    let part = (case.output.steady_fraction * (rear - first).abs()).max(0.5 * length);
+    let from = rear - part * along;
     Some([from.min(rear), from.max(rear)])
 }
 

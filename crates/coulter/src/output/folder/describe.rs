@@ -13,6 +13,7 @@ pub(super) fn describe(case: &Case) -> Vec<[String; 2]> {
         [format!("Layer {}", layer.name), format!("from a depth of {}: {}", depth(layer), soil(&layer.soil))]
     };
     lines.extend(case.layers.iter().map(layer));
+    lines.extend(water(case));
     if !case.slope.is_level() {
         let [along, across] = case.slope.angles().map(degrees);
         lines.push([
@@ -40,6 +41,21 @@ pub(super) fn describe(case: &Case) -> Vec<[String; 2]> {
         lines.push([joint.name.clone(), text]);
     }
     lines
+}
+
+/// The water, and whether it drains from the soil.
+fn water(case: &Case) -> Option<[String; 2]> {
+    let water = case.water?;
+    let depth = water.level - case.ground.surface();
+    let mut text =
+        format!("{} deep, ρ_w = {} kg/m³", quantity(depth, Unit::length(depth)), digits(water.density));
+    if let Some((permeability, strain)) = water.permeability.zip(case.volume_strain()) {
+        text += &format!(", k = {} m/s, ε = {}", digits(permeability), digits(strain));
+    }
+    if let Some(number) = case.drainage_number() {
+        text += &format!(", drainage number {}", digits(number));
+    }
+    Some(["Water".to_owned(), text])
 }
 
 fn quantity(value: f64, unit: Unit) -> String {

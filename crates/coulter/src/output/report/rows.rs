@@ -130,7 +130,7 @@ pub(super) fn body_rows(reference: &Reference, body: &BodySummary) -> Vec<TableR
         table.push("Lateral force", "", table.force(steady.lateral), "steady mean, to the left positive");
     }
     if steady.water_drag.is_some() {
-        let note = "steady mean, ½ρC<sub>d</sub>A v²; not part of the drag";
+        let note = "steady mean; not part of the drag, which is that of the soil";
         table.push("Drag of the water", "", table.force(steady.water_drag), note);
     }
     table.push("Sinkage", "z", table.length(steady.sinkage), "steady mean");
