@@ -122,6 +122,7 @@ fn what_is_not_submerged_or_does_not_drain_is_refused() {
     let shallow = WATER.replace("2 m", "10 mm");
     for (water, soil, body, message) in [
         ("[water]\npermeability = \"1 mm/s\"\n", SAND, "", "`water.level` is missing"),
+        ("[water]\naccept_drained = true\n", SAND, "", "without water there is nothing to drain"),
         ("[water]\nlevel = \"2 m\"\n", SAND, "", "the permeability of the soil is not given"),
         (WATER, &mohr, "", "the volume strain of the soil as it fails is not given"),
         (&format!("{WATER}volume_strain = 0.05\n"), &heavy, "", "is that of a soil with"),

@@ -11,6 +11,11 @@ use crate::case::validate;
 #[allow(clippy::option_option)]
 pub(super) fn water(section: Option<&Section>, problems: &mut Problems) -> Option<Option<Water>> {
     let Some(section) = section else { return Some(None) };
+    if section.has("accept_drained") && !section.has("level") {
+        let cure = "leave out --accept-drained, or add a section [water] with a `level`";
+        problems.add(section.at("accept_drained"), "without water there is nothing to drain", cure);
+        return None;
+    }
     let optional = |key: &str| match section.has(key) {
         true => section.number(key).map(Some),
         false => Some(None),
