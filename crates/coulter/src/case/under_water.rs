@@ -21,6 +21,10 @@ impl Soil {
                     sand(&soil).map(|(_, index)| index)
                 };
                 let [at_0, at_1] = [index(0.0)?, index(1.0)?];
+                if at_1 <= at_0 {
+                    // With so small a Q no density is critical at low pressure.
+                    return None;
+                }
                 Some(self.density / self.density_at(at_0 / (at_0 - at_1))? - 1.0)
             }
             law if law.friction_angle().is_some() => None,
@@ -37,13 +41,14 @@ impl Case {
     }
 
     /// Drainage number per speed [s/m]: N_s/v = (γ_w/γ′) |ε|/k, the speed of the shearing over that at which water can follow. `None`
-    /// without water, without a permeability, and for soil without friction.
+    /// without water, without a permeability, and for soil without friction or weight.
     #[must_use]
     pub fn drainage_per_speed(&self) -> Option<f64> {
         let water = self.water?;
         self.soil.law.friction_angle()?;
         let relative_weight = water.unit_weight(self.gravity) / self.soil.unit_weight;
-        Some(relative_weight * self.volume_strain()?.abs() / water.permeability?)
+        let number = relative_weight * self.volume_strain()?.abs() / water.permeability?;
+        number.is_finite().then_some(number)
     }
 
     /// Drainage number at the largest speed at which a body is driven.

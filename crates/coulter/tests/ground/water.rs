@@ -124,6 +124,7 @@ fn what_is_not_submerged_or_does_not_drain_is_refused() {
         ("[water]\npermeability = \"1 mm/s\"\n", SAND, "", "`water.level` is missing"),
         ("[water]\naccept_drained = true\n", SAND, "", "without water there is nothing to drain"),
         ("[water]\nlevel = \"2 m\"\n", SAND, "", "the permeability of the soil is not given"),
+        (WATER, &format!("{SAND}bolton_q = 4"), "", "the volume strain of the soil as it fails is not given"),
         (WATER, &mohr, "", "the volume strain of the soil as it fails is not given"),
         (&format!("{WATER}volume_strain = 0.05\n"), &heavy, "", "is that of a soil with"),
         (&format!("{WATER}grain_density = \"900 kg/m^3\"\n"), SAND, "", "are not heavier than the water"),
