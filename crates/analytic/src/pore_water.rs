@@ -34,12 +34,6 @@ pub struct Suction {
 }
 
 impl PoreWater {
-    /// Drainage number N_s = (γ_w/γ′) v ε/k at a speed [m/s], in soil of a submerged unit weight [N/m³]: well below 1 the water follows.
-    #[must_use]
-    pub fn drainage_number(&self, speed: f64, submerged: f64) -> f64 {
-        self.unit_weight / submerged * speed * self.volume_strain / self.permeability
-    }
-
     /// Largest suction [Pa], at which the water cavitates: 100 kPa + γ_w z_w.
     #[must_use]
     pub fn cavitation(&self) -> f64 {
@@ -149,10 +143,5 @@ mod tests {
         let [slow, fast, faster, fastest] = [0.0, 1.0, 200.0, 400.0].map(drag);
         assert!(slow.0 < fast.0 && fast.0 < faster.0 && faster.0 == fastest.0);
         assert_eq!([slow.1, fast.1, faster.1, fastest.1], [false, false, true, true]);
-    }
-
-    #[test]
-    fn the_drainage_number_compares_the_speed_with_that_of_the_water() {
-        assert!((water(1e-3).drainage_number(0.2, 9500.0) - 1e4 / 9500.0 * 0.2 * 0.05 / 1e-3).abs() < 1e-12);
     }
 }
