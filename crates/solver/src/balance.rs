@@ -21,6 +21,7 @@ pub(crate) fn account<R: Precision>(
     balance.plastic += sums.plastic;
     balance.viscous += sums.viscous;
     balance.hourglass += sums.hourglass;
+    balance.seepage += sums.seepage;
     balance.external += sums.gravity;
     balance.friction += work.friction_work;
     balance.contact -= work.on_soil + work.friction_work;

@@ -40,6 +40,8 @@ pub enum Needing {
     Sand,
     /// Those with a strength at each point ([`physics::yield_law::YieldLaw::HAS_STRENGTH`]).
     Clay,
+    /// Any whose pore pressure is computed ([`crate::model::Model::pore_water`]).
+    Water,
 }
 
 /// Which kinds of materials there are besides the usual ones.
@@ -49,6 +51,8 @@ pub struct Kinds {
     pub sand: bool,
     /// One with a strength at each point.
     pub clay: bool,
+    /// Any whose pore pressure is computed.
+    pub water: bool,
 }
 
 impl Kinds {
@@ -59,13 +63,18 @@ impl Kinds {
             Needing::Every => true,
             Needing::Sand => self.sand,
             Needing::Clay => self.clay,
+            Needing::Water => self.water,
         }
     }
 
     /// Those of this and of another set.
     #[must_use]
     pub fn and(self, other: Self) -> Self {
-        Self { sand: self.sand || other.sand, clay: self.clay || other.clay }
+        Self {
+            sand: self.sand || other.sand,
+            clay: self.clay || other.clay,
+            water: self.water || other.water,
+        }
     }
 }
 
@@ -100,6 +109,10 @@ history! {
     NONLOCAL_DENSITY = "nonlocal_density" [""] by Volume, needed_by: Sand;
     /// Undrained shear strength of the clay before it was remoulded, at the reference rate.
     INTACT_STRENGTH = "intact_shear_strength" ["Pa"] by Volume, needed_by: Clay;
+    /// Excess pore pressure: that of the water between the grains beyond the hydrostatic one.
+    PORE_PRESSURE = "excess_pore_pressure" ["Pa"] by Volume, needed_by: Water;
+    /// The same, extrapolated to the next step, in which it acts.
+    PORE_PRESSURE_AHEAD = "excess_pore_pressure_ahead" ["Pa"] by Volume, needed_by: Water;
 }
 
 /// Fields of the cells. Each array covers the grid with its ghosts (see [`Grid::index`]).
@@ -139,7 +152,7 @@ impl<R> Soil<R> {
                 .zip(&self.history)
                 .any(|(variable, field)| variable.needed_by == kind && !field.is_empty())
         };
-        Kinds { sand: has(Needing::Sand), clay: has(Needing::Clay) }
+        Kinds { sand: has(Needing::Sand), clay: has(Needing::Clay), water: has(Needing::Water) }
     }
 
     /// Everything that is transported with the soil besides volume and mass: stress, composition, history.

@@ -2,7 +2,7 @@
 //! prediction may exceed any integer.
 
 use crate::contact::{BodyCell, ContactNode, kept_per_constraint, layout, rim, stays_across};
-use crate::cpu::workspace;
+use crate::cpu::{seepage, workspace};
 use crate::fields::arrays;
 use crate::model::{BodyModel, Model};
 use crate::scalar::Scalar;
@@ -40,7 +40,8 @@ pub fn footprint<R: Scalar>(model: &Model, threads: usize, moved: &[DVec3]) -> F
     let per_surface_point = size_of::<(DVec3, u32, u16)>() as f64;
     let per_constraint = per_constraint(size_of::<ContactNode>()) + kept_per_constraint(model);
     let [contact, layout] = contact(model, moved, [per_surface_point, per_constraint]);
-    let workspace = workspace::footprint::<R>(model, workspace::team_size(grid, threads));
+    let workspace =
+        workspace::footprint::<R>(model, workspace::team_size(grid, threads)) + seepage::footprint(model);
     let body_cells = body_cells(model) * size_of::<BodyCell>() as f64;
     Footprint { fields, fields_of_soil, workspace, contact: contact + body_cells, layout }
 }

@@ -20,6 +20,7 @@ pub mod halo;
 pub mod initial;
 pub mod material;
 pub mod model;
+mod pore_pressure;
 pub mod precision;
 pub mod remap;
 mod scalar;

@@ -98,6 +98,7 @@ impl Material {
         Kinds {
             sand: matches!(self.yield_law, Some(Law::Sand(_))),
             clay: matches!(self.yield_law, Some(Law::Clay(_))),
+            water: false,
         }
     }
 

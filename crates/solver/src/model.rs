@@ -28,6 +28,8 @@ pub struct Model {
     pub surface: f64,
     /// The undisturbed ground, which enters through an inflow boundary.
     pub ground: Ground,
+    /// Water in the pores of the soil, all of which is saturated; `None` for soil that is dry, drained or undrained by its law.
+    pub pore_water: Option<PoreWater>,
     /// The faces of the grid.
     pub boundaries: Boundaries,
     /// What the grid follows; nothing where it stands still.
@@ -198,6 +200,7 @@ impl Model {
             soil_gravity: 0.0,
             surface: 0.0,
             ground: Ground::default(),
+            pore_water: None,
             boundaries: Boundaries([[Boundary::SmoothWall; 2]; 3]),
             follow: None,
             bodies: Vec::new(),
@@ -258,7 +261,8 @@ impl Model {
     /// Kinds of its materials.
     #[must_use]
     pub fn kinds(&self) -> Kinds {
-        self.materials.iter().fold(Kinds::default(), |kinds, material| kinds.and(material.kinds()))
+        let water = Kinds { water: self.pore_water.is_some(), ..Kinds::default() };
+        self.materials.iter().fold(water, |kinds, material| kinds.and(material.kinds()))
     }
 
     /// Density of the lightest material [kg/m³].
@@ -290,6 +294,34 @@ impl Model {
     #[must_use]
     pub fn mass_moved(&self) -> f64 {
         1e-7 * self.least_density() * self.least_volume()
+    }
+}
+
+/// Water in the pores of the soil. Pressures are those beyond the hydrostatic one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PoreWater {
+    /// Permeability of the soil k (hydraulic conductivity) [m/s].
+    pub permeability: f64,
+    /// Unit weight of the water γ_w [N/m³].
+    pub unit_weight: f64,
+    /// Height of the surface of the water [m].
+    pub level: f64,
+}
+
+impl PoreWater {
+    /// Tension below the atmospheric pressure at which water cavitates [Pa]: that of a vacuum, about the pressure of the atmosphere.
+    pub const ATMOSPHERE: f64 = 1e5;
+
+    /// Mobility of the water k/γ_w [m²/(Pa s)]: seepage velocity through unit area per pressure gradient.
+    #[must_use]
+    pub fn mobility(&self) -> f64 {
+        self.permeability / self.unit_weight
+    }
+
+    /// Excess pore pressure at which the water cavitates at a height [Pa].
+    #[must_use]
+    pub fn cavitation_pressure(&self, z: f64) -> f64 {
+        -(Self::ATMOSPHERE + self.unit_weight * (self.level - z).max(0.0))
     }
 }
 

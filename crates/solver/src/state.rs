@@ -37,6 +37,8 @@ pub struct ContactImpulse {
     pub friction: DVec3,
     /// Angular impulse about the reference point [N m s].
     pub moment: DVec3,
+    /// The portion of `normal` that excess pore pressure has exerted [N s].
+    pub pore: DVec3,
 }
 
 /// What the soil has done to a part of a body's surface since the start. Vectors along the surface have three components: along
@@ -167,6 +169,8 @@ pub struct EnergyBalance {
     pub viscous: f64,
     /// Dissipation by hourglass viscosity.
     pub hourglass: f64,
+    /// Dissipation by pore water that seeps through the soil.
+    pub seepage: f64,
     /// Frictional dissipation on bodies.
     pub friction: f64,
     /// Energy stored, dissipated or added by the contact method: springs, damping, corrections of the

@@ -8,6 +8,7 @@ use crate::cpu::workspace::RowSums;
 use crate::error::Breakdown;
 use crate::halo::{self, At};
 use crate::model::Model;
+use crate::pore_pressure;
 use crate::precision::Precision;
 use crate::remap::remap;
 use crate::state::State;
@@ -25,20 +26,22 @@ pub fn step<R: Precision>(
     let dt = model.time_step();
     // Lagrangian stage: the soil deforms, the grid stays.
     R::lagrangian_stage(model, state, &mut workspace.soil, dt);
-    let Workspace { soil, contact, mechanism, bodies: moving, halo } = workspace;
+    let Workspace { soil, contact, seepage, mechanism, bodies: moving, halo } = workspace;
     let sums = soil.total_of_stage(&model.grid, halo.as_mut());
     bodies::predict(model, mechanism, state, moving);
     let work = contact::solve(model, state, (soil, halo.as_mut()), contact, moving);
     bodies::advance(mechanism, state, moving);
     halo::fill(halo.as_mut(), &model.grid, At::Nodes, &mut state.nodes.velocity);
+    pore_pressure::renew(model, state, soil, seepage, halo.as_mut());
     account(model, state, &sums, moving, &work);
     state.time += dt;
     state.step += 1;
     // Eulerian stage, only when the soil has moved far enough to need it.
     if is_remap_due(model, state, &sums) {
         remap(model, state, workspace);
-        let Workspace { soil, contact, halo, .. } = workspace;
+        let Workspace { soil, contact, seepage, halo, .. } = workspace;
         contact::search(model, state, soil, contact, halo.as_mut());
+        pore_pressure::find_paths(model, state, seepage, contact);
     }
     check(model, state, &sums, dt)
 }

@@ -2,10 +2,12 @@
 
 use crate::contact;
 use crate::contact::workspace::ContactWorkspace;
+use crate::cpu::seepage::SeepageWorkspace;
 use crate::cpu::stopwatch::Stopwatch;
 use crate::cpu::workspace::SoilWorkspace;
 use crate::halo::{Halo, Whole};
 use crate::model::{Model, RimBin};
+use crate::pore_pressure;
 use crate::precision::Precision;
 use crate::state::State;
 use mechanics::{Mechanism, Step};
@@ -16,6 +18,8 @@ pub struct Workspace<R: Precision = f64> {
     pub(crate) soil: SoilWorkspace<R>,
     /// For contact.
     pub(crate) contact: ContactWorkspace,
+    /// For pore water.
+    pub(crate) seepage: SeepageWorkspace,
     /// Bodies and joints.
     pub(crate) mechanism: Mechanism,
     /// The same during a step.
@@ -45,6 +49,7 @@ impl<R: Precision> Workspace<R> {
         let mut workspace = Self {
             soil: SoilWorkspace::new(model, state, threads),
             contact: ContactWorkspace::new(model, state, halo.as_mut()),
+            seepage: SeepageWorkspace::new(model),
             mechanism: model.mechanism(),
             bodies: Step::default(),
             halo,
@@ -53,6 +58,11 @@ impl<R: Precision> Workspace<R> {
             let Self { soil, contact, halo, .. } = &mut workspace;
             contact::first_search(model, state, soil, contact, halo.as_mut());
         }
+        let Self { contact, seepage, .. } = &mut workspace;
+        if model.pore_water.is_some() && state.step > 0 {
+            contact.body_cells = contact::bodies_at_search(model, state);
+        }
+        pore_pressure::find_paths(model, state, seepage, contact);
         workspace
     }
 
@@ -87,7 +97,7 @@ impl<R: Precision> Workspace<R> {
     /// Memory in use [bytes], except what the contact law keeps during a step.
     #[must_use]
     pub fn memory(&self) -> usize {
-        self.soil.memory() + self.contact.memory()
+        self.soil.memory() + self.contact.memory() + self.seepage.memory()
     }
 
     /// The portion of it for surfaces and contact points [bytes].

@@ -15,7 +15,7 @@ use physics::von_mises::VonMises;
 use solver::boundary::{Boundaries, Boundary};
 use solver::grid::Grid;
 use solver::material::{Material, StrengthProfile};
-use solver::model::{BodyModel, ContactMethod, Filling, Ground, Method, Model};
+use solver::model::{BodyModel, ContactMethod, Filling, Ground, Method, Model, PoreWater};
 
 /// The model that a case means, its grid laid out for vectors of `lanes` numbers.
 #[must_use]
@@ -34,6 +34,7 @@ pub fn model(case: &Case, lanes: usize) -> Model {
         },
         surface: case.ground.surface(),
         ground: Ground { fillings: fillings(case), overburden: case.overburden },
+        pore_water: pore_water(case),
         boundaries,
         follow: case.grid.follow,
         bodies: case.bodies.iter().map(|own| body(case, own)).collect(),
@@ -51,6 +52,13 @@ pub fn model(case: &Case, lanes: usize) -> Model {
             point_spacing: case.numerics.point_spacing,
         },
     }
+}
+
+/// The water in the pores, where its pressure is computed.
+fn pore_water(case: &Case) -> Option<PoreWater> {
+    let water = case.water.filter(|water| water.pore_pressure)?;
+    let unit_weight = water.unit_weight(case.gravity);
+    Some(PoreWater { permeability: water.permeability?, unit_weight, level: water.level })
 }
 
 /// The materials of the soils from the top down, each with its strength from the top of its layer.

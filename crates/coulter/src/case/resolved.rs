@@ -285,6 +285,13 @@ impl Law {
         }
     }
 
+    /// Whether its stress is that of the grains, beside which water in the pores has a pressure of its own; false for soil that is
+    /// undrained by its law.
+    #[must_use]
+    pub fn bears_effective_stress(&self) -> bool {
+        self.friction_angle().is_some() || matches!(self, Self::Elastic)
+    }
+
     /// Dilation angle ψ [rad]; 0 for isochoric flow.
     #[must_use]
     pub fn dilation_angle(&self) -> f64 {

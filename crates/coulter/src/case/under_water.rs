@@ -51,6 +51,12 @@ impl Case {
         number.is_finite().then_some(number)
     }
 
+    /// Whether the pore pressure is computed; otherwise soil under water is drained.
+    #[must_use]
+    pub fn computes_pore_pressure(&self) -> bool {
+        self.water.is_some_and(|water| water.pore_pressure)
+    }
+
     /// Drainage number at the largest speed at which a body is driven.
     #[must_use]
     pub fn drainage_number(&self) -> Option<f64> {

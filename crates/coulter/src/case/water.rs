@@ -18,6 +18,8 @@ pub struct Water {
     pub permeability: Option<f64>,
     /// Volume strain ε of the soil as it fails, positive where it dilates; `None` for that which follows from its law.
     pub volume_strain: Option<f64>,
+    /// Whether the pore pressure is computed; otherwise the soil is drained.
+    pub pore_pressure: bool,
     /// Drag coefficient C_d of the bodies.
     pub drag_coefficient: f64,
     /// Whether the soil is taken for drained, whatever its drainage number.

@@ -162,6 +162,18 @@ pub const FORCES: &[Column<BodySample>] = &[
         "drag of the water against the tow, ½ρC_dA v²; not part of the drag F_H, which is that of the soil",
         |s| &mut s.water_drag,
     ),
+    BodyColumn::sampled(
+        "pore pressure drag",
+        "N",
+        "portion of the drag F_H that excess pore pressure exerts on the body; 0 where none is computed",
+        |s| &mut s.pore_drag,
+    ),
+    BodyColumn::sampled(
+        "pore pressure vertical",
+        "N",
+        "the same of the vertical force F_V; negative where suction holds the body down",
+        |s| &mut s.pore_vertical,
+    ),
     BodyColumn::derived("Z", "-", "z/d", |s, reference| reference.length_group(s.sinkage)),
     BodyColumn::derived("u_bar", "-", "u/d", |s, reference| reference.length_group(s.displacement)),
     BodyColumn::derived("F_H_bar", "-", "F_H/(γ t d²); empty for weightless soil", |s, reference| {
@@ -231,6 +243,12 @@ pub const ENERGY: &[Column<EnergySample>] = &[
     ),
     EnergyColumn::sampled("viscous", "J", "dissipation by bulk viscosity", |s| &mut s.viscous),
     EnergyColumn::sampled("hourglass", "J", "dissipation by hourglass viscosity", |s| &mut s.hourglass),
+    EnergyColumn::sampled(
+        "seepage",
+        "J",
+        "dissipation by pore water that seeps through the soil; 0 where no pore pressure is computed",
+        |s| &mut s.seepage,
+    ),
     EnergyColumn::sampled("remap loss", "J", "kinetic and elastic energy lost in remaps", |s| &mut s.remap_loss),
     EnergyColumn::derived(
         "closure",

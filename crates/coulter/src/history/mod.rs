@@ -62,6 +62,10 @@ pub struct BodySample {
     pub moment_z: f64,
     /// Drag of the water against the tow [N], which is not part of `drag`.
     pub water_drag: f64,
+    /// Portion of the drag that excess pore pressure exerts [N].
+    pub pore_drag: f64,
+    /// Portion of the vertical force that it exerts [N].
+    pub pore_vertical: f64,
     /// Soil inside the body [m³] (a measure of leakage).
     pub leaked_volume: f64,
     /// Volume of the body below the undisturbed surface [m³].
@@ -127,6 +131,8 @@ pub struct EnergySample {
     pub viscous: f64,
     /// Dissipation by hourglass viscosity.
     pub hourglass: f64,
+    /// Dissipation by pore water that seeps through the soil.
+    pub seepage: f64,
     /// Kinetic and elastic energy lost in remaps.
     pub remap_loss: f64,
     /// Soil volume over the volume at the start.
@@ -146,6 +152,7 @@ impl EnergySample {
             + self.contact
             + self.viscous
             + self.hourglass
+            + self.seepage
             + self.remap_loss;
         self.external - explained
     }

@@ -70,7 +70,7 @@ impl Setting {
             changes_volume: [changes(0), changes(1)],
             energy_floor: 1e-12 * weight * size.z,
             floor_depth: case.ground.surface() - case.domain.low.z,
-            drainage_per_speed: case.drainage_per_speed(),
+            drainage_per_speed: case.drainage_per_speed().filter(|_| !case.computes_pore_pressure()),
             accepts_drained: case.water.is_some_and(|water| water.accept_drained),
             bodies: case.bodies.iter().map(|body| BodySetting::of(case, body)).collect(),
         }

@@ -34,6 +34,20 @@ pub(crate) fn find_bodies<R: Scalar>(
     }
 }
 
+/// The cells that bodies occupied at the last contact search, for a run that resumes.
+pub(crate) fn bodies_at_search<R: Scalar>(model: &Model, state: &State<R>) -> Vec<BodyCell> {
+    let top = top_of_soil(&model.grid, &state.soil).max(model.surface - state.grid_position.z);
+    let mut cells = Vec::new();
+    for (n, (fixed, body)) in model.bodies.iter().zip(&state.bodies).enumerate() {
+        let pose = body.searched_at;
+        let in_grid = Pose { position: pose.position - state.grid_position, ..pose };
+        each_occupied_cell((model, top), fixed, &in_grid, |cell, fraction| {
+            cells.push(BodyCell { body: n, cell, fraction });
+        });
+    }
+    cells
+}
+
 /// A cell that a body occupies, wholly or in part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BodyCell {

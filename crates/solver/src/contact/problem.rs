@@ -26,6 +26,8 @@ pub(crate) struct ContactProblem<'a> {
     pub(crate) hourglass_correction: &'a [[DVec3; 8]],
     /// Normal and frictional impulse on the soil at each contact point in this step [N s].
     pub(crate) impulses: &'a mut [[DVec3; 2]],
+    /// Pore pressure at each contact point [Pa]; empty where none is computed.
+    pub(crate) pore_pressures: &'a [f64],
     /// Fraction of each body that is modelled.
     pub(crate) modelled_fraction: f64,
     /// Time step [s].
@@ -165,12 +167,17 @@ impl ContactProblem<'_> {
         self.moving.apply_wrench(first.0.body, &both);
     }
 
+    /// Pore pressure at a contact point [Pa].
+    pub(crate) fn pore_pressure(&self, contact: usize) -> f64 {
+        self.pore_pressures.get(contact).copied().unwrap_or(0.0)
+    }
+
     /// Records the impulses on the soil at a contact point in this step [N s], and adds the reaction to the contact impulse of
-    /// its body.
-    pub(crate) fn record(&mut self, contact: usize, normal: DVec3, friction: DVec3) {
+    /// its body; `water` is the portion of the normal impulse that the pore water exerts.
+    pub(crate) fn record(&mut self, contact: usize, [normal, friction]: [DVec3; 2], water: DVec3) {
         let c = &self.contacts[contact];
-        let total = &mut self.bodies[c.body as usize].contact_impulse;
-        total.add(&[normal, friction], c.arm, self.modelled_fraction);
+        let body = &mut self.bodies[c.body as usize];
+        body.contact_impulse.add(&[normal, friction], water, c.arm, self.modelled_fraction);
         self.impulses[contact] = [normal, friction];
     }
 }

@@ -15,10 +15,10 @@ pub(super) fn account_slip<R>(
     workspace: &ContactWorkspace,
     moving: &Step,
 ) -> f64 {
-    let ContactWorkspace { surfaces, nodes, corner_nodes, impulses, .. } = workspace;
+    let ContactWorkspace { surfaces, nodes, corner_nodes, impulses, pore_pressures, .. } = workspace;
     let State { contacts, bodies, mechanism, .. } = state;
     let (dt, mut dissipation) = (model.time_step(), 0.0);
-    for ((c, corners), impulses) in contacts.iter().zip(corner_nodes).zip(impulses) {
+    for (number, ((c, corners), impulses)) in contacts.iter().zip(corner_nodes).zip(impulses).enumerate() {
         if *impulses == [DVec3::ZERO; 2] {
             continue;
         }
@@ -27,11 +27,12 @@ pub(super) fn account_slip<R>(
         dissipation += impulses[1].dot(slip);
         let (body, contact) = (&model.bodies[n], c.area * dt);
         let axle = mechanism.bodies[n].pose.rotation * DVec3::Y;
+        let water = pore_pressures.get(number).map_or(0.0, |pressure| pressure * contact);
         if let Some(part) = surfaces[n].part_of(c.point) {
-            bodies[n].parts[part].add(impulses, c.arm, model.modelled_fraction());
+            bodies[n].parts[part].add(impulses, water * c.normal, c.arm, model.modelled_fraction());
         }
         let sums = &mut bodies[n].rim[surfaces[n].bin_of(c.point)];
-        sums.add_impulses(impulses, body.friction, c.shear_limit * contact);
+        sums.add_impulses(c, impulses, water, [body.friction, c.shear_limit * contact]);
         sums.add_slip(impulses, slip, contact, &directions(c, impulses[0], axle));
     }
     dissipation
@@ -54,19 +55,26 @@ fn mean_slip(c: &Contact, nodes: &[ContactNode], corners: &[u32; 8], moving: &St
 fn directions(c: &Contact, normal: DVec3, axle: DVec3) -> [DVec3; 3] {
     // That along which the pressure acts: of the constraint, where several points have one.
     let normal = if normal == DVec3::ZERO { c.normal } else { normal.normalize() };
+    let normal = if normal.dot(c.normal) < 0.0 { -normal } else { normal };
     let along = normal.cross(axle).normalize_or_zero();
     let across = along.cross(normal);
     [along, across, across * [1.0, -1.0, 0.0][side(c)]]
 }
 
 impl RimSums {
-    /// Adds the impulses on the soil of one contact point in one step, with the friction coefficient and the limit of the
-    /// frictional impulse [N s].
-    fn add_impulses(&mut self, [normal, friction]: &[DVec3; 2], coefficient: f64, limit: f64) {
-        let pressure = normal.length();
+    /// Adds the impulses on the soil of one contact point in one step, with that of the pore water along the normal [N s], the
+    /// friction coefficient, and the limit of the frictional impulse [N s]. Pore water may pull.
+    fn add_impulses(
+        &mut self,
+        c: &Contact,
+        [normal, friction]: &[DVec3; 2],
+        water: f64,
+        [coefficient, limit]: [f64; 2],
+    ) {
+        let pressure = normal.length().copysign(normal.dot(c.normal));
         self.normal += pressure;
         self.friction += friction.length();
-        self.friction_limit += (coefficient * pressure).min(limit);
+        self.friction_limit += (coefficient * (pressure - water).max(0.0)).min(limit);
         self.impulse -= *normal + *friction;
     }
 
@@ -90,8 +98,16 @@ pub(super) fn clear_rims<R>(model: &Model, state: &mut State<R>, workspace: &Con
 }
 
 impl ContactImpulse {
-    /// Adds the impulses on the soil of one contact point in one step.
-    pub(super) fn add(&mut self, [normal, friction]: &[DVec3; 2], arm: DVec3, modelled_fraction: f64) {
+    /// Adds the impulses on the soil of one contact point in one step; `water` is the portion of the normal one that the pore water
+    /// exerts.
+    pub(super) fn add(
+        &mut self,
+        [normal, friction]: &[DVec3; 2],
+        water: DVec3,
+        arm: DVec3,
+        modelled_fraction: f64,
+    ) {
+        self.pore -= water / modelled_fraction;
         self.normal -= *normal / modelled_fraction;
         self.friction -= *friction / modelled_fraction;
         self.moment -= arm.cross(*normal + *friction) / modelled_fraction;

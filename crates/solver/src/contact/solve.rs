@@ -1,5 +1,6 @@
 //! Contact in one step: the contact law changes the velocities of nodes and bodies.
 
+use super::pore_pressure::read_pressures;
 use super::problem::{ContactNode, ContactProblem};
 use super::slip::account_slip;
 use super::workspace::ContactWorkspace;
@@ -32,8 +33,17 @@ pub(crate) fn solve<R: Scalar>(
     if state.bodies.is_empty() {
         return ContactWork::default();
     }
-    let ContactWorkspace { law, nodes, corner_nodes, constraint, hourglass_correction, impulses, .. } =
-        &mut *workspace;
+    read_pressures(model, state, workspace, halo);
+    let ContactWorkspace {
+        law,
+        nodes,
+        corner_nodes,
+        constraint,
+        hourglass_correction,
+        impulses,
+        pore_pressures,
+        ..
+    } = &mut *workspace;
     gather(&state.nodes, &soil.velocity_before, nodes, halo);
     find_inverse_masses(model, nodes);
     impulses.clear();
@@ -48,6 +58,7 @@ pub(crate) fn solve<R: Scalar>(
         constraint,
         hourglass_correction,
         impulses,
+        pore_pressures,
         modelled_fraction: model.modelled_fraction(),
         dt: model.time_step(),
     });

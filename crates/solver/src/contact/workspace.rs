@@ -31,6 +31,10 @@ pub(crate) struct ContactWorkspace {
     pub(crate) hourglass_correction: Vec<[DVec3; 8]>,
     /// Normal and frictional impulse on the soil at each contact point in the last step [N s].
     pub(crate) impulses: Vec<[DVec3; 2]>,
+    /// For each contact point the index in memory of the cell whose pore pressure acts there, if the block has it.
+    pub(crate) pressure_cells: Vec<Option<usize>>,
+    /// Pore pressures that act at the contact points in a step [Pa]; empty where none is computed.
+    pub(crate) pore_pressures: Vec<f64>,
 }
 
 impl std::fmt::Debug for ContactWorkspace {
@@ -51,6 +55,8 @@ impl ContactWorkspace {
             constraint: Vec::new(),
             hourglass_correction: Vec::new(),
             impulses: Vec::new(),
+            pressure_cells: Vec::new(),
+            pore_pressures: Vec::new(),
         };
         workspace.connect(model, state, halo);
         workspace
@@ -72,6 +78,8 @@ impl ContactWorkspace {
             + size_of_val(self.constraint.as_slice())
             + size_of_val(self.hourglass_correction.as_slice())
             + size_of_val(self.impulses.as_slice())
+            + size_of_val(self.pressure_cells.as_slice())
+            + size_of_val(self.pore_pressures.as_slice())
     }
 }
 

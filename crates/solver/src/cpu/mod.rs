@@ -3,6 +3,7 @@
 pub(crate) mod kernels;
 pub mod machine;
 pub mod partition;
+pub(crate) mod seepage;
 pub mod stopwatch;
 pub mod threads;
 pub(crate) mod workspace;

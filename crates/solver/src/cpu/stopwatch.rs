@@ -15,14 +15,23 @@ pub enum Stage {
     Remap,
     /// Loads and drives of the bodies, contact, and contact search.
     Contact,
+    /// Pore pressure.
+    Seepage,
     /// Energy balance and checks.
     Other,
 }
 
 impl Stage {
     /// All stages, in the order of their numbers.
-    pub const ALL: [Self; 6] =
-        [Self::Lagrange, Self::Plasticity, Self::Nodes, Self::Remap, Self::Contact, Self::Other];
+    pub const ALL: [Self; 7] = [
+        Self::Lagrange,
+        Self::Plasticity,
+        Self::Nodes,
+        Self::Remap,
+        Self::Contact,
+        Self::Seepage,
+        Self::Other,
+    ];
 }
 
 /// Time by stage of a worker.

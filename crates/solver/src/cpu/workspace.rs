@@ -106,6 +106,8 @@ pub(crate) struct RowSums {
     pub viscous: f64,
     /// Dissipation by hourglass viscosity [J].
     pub hourglass: f64,
+    /// Dissipation by seepage: work done on the pore water [J].
+    pub seepage: f64,
     /// Work of gravity [J].
     pub gravity: f64,
     /// Kinetic energy of the nodes [J].
@@ -124,6 +126,7 @@ impl RowSums {
             plastic: self.plastic + other.plastic,
             viscous: self.viscous + other.viscous,
             hourglass: self.hourglass + other.hourglass,
+            seepage: self.seepage + other.seepage,
             gravity: self.gravity + other.gravity,
             kinetic: self.kinetic + other.kinetic,
             displacement: self.displacement.max(other.displacement),
@@ -132,17 +135,27 @@ impl RowSums {
         }
     }
 
-    fn to_array(self) -> [f64; 8] {
-        let Self { plastic, viscous, hourglass, gravity, kinetic, .. } = self;
-        let yields = f64::from(self.yields);
-        [plastic, viscous, hourglass, gravity, kinetic, self.displacement, self.displacement_light, yields]
+    fn to_array(self) -> [f64; 9] {
+        let Self { plastic, viscous, hourglass, seepage, gravity, kinetic, .. } = self;
+        let (yields, light) = (f64::from(self.yields), self.displacement_light);
+        [plastic, viscous, hourglass, seepage, gravity, kinetic, self.displacement, light, yields]
     }
 
     fn of(
-        [plastic, viscous, hourglass, gravity, kinetic, displacement, displacement_light, yields]: [f64; 8],
+        [plastic, viscous, hourglass, seepage, gravity, kinetic, displacement, light, yields]: [f64; 9],
     ) -> Self {
-        let yields = yields as u32;
-        Self { plastic, viscous, hourglass, gravity, kinetic, displacement, displacement_light, yields }
+        let (yields, displacement_light) = (yields as u32, light);
+        Self {
+            plastic,
+            viscous,
+            hourglass,
+            seepage,
+            gravity,
+            kinetic,
+            displacement,
+            displacement_light,
+            yields,
+        }
     }
 }
 

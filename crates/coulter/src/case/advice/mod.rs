@@ -127,7 +127,8 @@ fn timing(case: &Case, notes: &mut Vec<String>) {
 
 /// Whether water can follow as the soil is sheared.
 fn drainage(case: &Case, notes: &mut Vec<String>) {
-    let Some(number) = case.drainage_number().filter(|number| *number > Water::DRAINED[0]) else { return };
+    let beyond = |number: &f64| *number > Water::DRAINED[0] && !case.computes_pore_pressure();
+    let Some(number) = case.drainage_number().filter(beyond) else { return };
     let effect = if case.volume_strain().is_some_and(|strain| strain < 0.0) {
         "the soil contracts as it is sheared, and the water in it bears part of the load: it may liquefy"
     } else {

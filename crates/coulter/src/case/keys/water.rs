@@ -31,6 +31,12 @@ pub(super) const WATER: &[Key] = &[
     )
     .within(VOLUME_STRAIN),
     key(
+        "pore_pressure",
+        Kind::Flag,
+        Flag(false),
+        "Whether the pressure of the pore water is computed; otherwise the soil is drained, without excess pore pressure.",
+    ),
+    key(
         "drag_coefficient",
         Kind::Number,
         Number(1.0),

@@ -26,6 +26,7 @@ pub(super) fn water(section: Option<&Section>, problems: &mut Problems) -> Optio
         grain_density: section.number("grain_density")?,
         permeability: optional("permeability")?,
         volume_strain: optional("volume_strain")?,
+        pore_pressure: section.flag("pore_pressure")?,
         drag_coefficient: section.number("drag_coefficient")?,
         accept_drained: section.flag("accept_drained")?,
     };

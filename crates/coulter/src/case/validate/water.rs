@@ -3,7 +3,7 @@
 use crate::case::numbers::in_range;
 use crate::case::problem::Problems;
 use crate::case::quantity::plain;
-use crate::case::resolved::{Case, Motion, Water};
+use crate::case::resolved::{Case, Contact, Motion, Water};
 
 /// Largest portion of solids in a soil: one of a larger submerged unit weight is not what was meant.
 const MOST_SOLIDS: f64 = 0.8;
@@ -38,7 +38,11 @@ pub(super) fn water(case: &Case, problems: &mut Problems) {
     below(case, &water, problems);
     unit_weights(case, &water, problems);
     floating(case, problems);
-    drainage(case, &water, problems);
+    if water.pore_pressure {
+        pore_pressure(case, &water, problems);
+    } else {
+        drainage(case, &water, problems);
+    }
 }
 
 /// Whether soil and bodies lie below the surface of the water.
@@ -94,6 +98,31 @@ fn floating(case: &Case, problems: &mut Problems) {
     }
 }
 
+/// Whether the pore pressure can be computed.
+fn pore_pressure(case: &Case, water: &Water, problems: &mut Problems) {
+    if water.permeability.is_none() {
+        let message = "the permeability of the soil is not given, from which its pore pressure follows";
+        problems.add("water", message, "add  permeability = \"1e-4 m/s\"  (fine sand) to [water]");
+    }
+    if water.accept_drained {
+        let message = "the soil is taken for drained, and its pore pressure is to be computed";
+        problems.add(
+            "water.accept_drained",
+            message,
+            "leave out one of `pore_pressure` and `accept_drained`",
+        );
+    }
+    for (path, _) in case.soils().filter(|(_, soil)| !soil.law.bears_effective_stress()) {
+        let message = "the law is that of soil from which no water can flow: its stress is the total one, with the pore pressure in it";
+        let cure = "use  law = \"sand\"  or  \"mohr-coulomb\", or leave out water.pore_pressure";
+        problems.add(format!("{path}.law"), message, cure);
+    }
+    if case.numerics.contact == Contact::Penalty {
+        let message = "the penalty method knows no pore pressure";
+        problems.add("numerics.contact", message, "use  contact = \"impulse\"");
+    }
+}
+
 /// Whether the drainage number is known and small enough.
 fn drainage(case: &Case, water: &Water, problems: &mut Problems) {
     if case.soil.law.friction_angle().is_none() {
@@ -118,7 +147,7 @@ fn drainage(case: &Case, water: &Water, problems: &mut Problems) {
             plain(case.largest_speed()),
             plain(Water::DRAINED[1])
         );
-        let cure = "move more slowly, forecast with `coulter forecast`, which has a suction term, or run it as drained with --accept-drained";
+        let cure = "compute the pore pressure:  pore_pressure = true  in [water]; or move more slowly, or run it as drained with --accept-drained";
         problems.add("water.permeability", message, cure);
     }
 }

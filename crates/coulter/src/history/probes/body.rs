@@ -26,6 +26,7 @@ pub(super) fn sample<R: Precision>(
     let symmetry = model.symmetry();
     let normal = symmetry.of_whole(normal);
     let force = symmetry.of_whole(normal + friction);
+    let pore = symmetry.of_whole((now.pore - then.pore) * rate);
     let moment = symmetry.moment_of_whole((now.moment - then.moment) * rate);
     // The axis of tilt points where the body rolls.
     let ahead = state.tilt_axis(n);
@@ -51,6 +52,8 @@ pub(super) fn sample<R: Precision>(
         moment_y: moment.y,
         moment_z: moment.z,
         water_drag: 0.0 - in_water.x,
+        pore_drag: 0.0 - pore.x,
+        pore_vertical: pore.z,
         leaked_volume: body.leaked_volume / model.modelled_fraction(),
         embedded_volume: body.embedded_volume / model.modelled_fraction(),
     }

@@ -21,6 +21,7 @@ pub(super) fn sample<R: Precision>(model: &Model, state: &State<R>) -> EnergySam
         contact: terms.contact * whole,
         viscous: terms.viscous * whole,
         hourglass: terms.hourglass * whole,
+        seepage: terms.seepage * whole,
         remap_loss: terms.remap * whole,
         volume_ratio: (soil_volume(&model.grid, &state.soil) - terms.inflow_volume) / terms.volume_start,
         overdense: overdense_portion(model, &state.soil),

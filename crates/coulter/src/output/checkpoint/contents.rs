@@ -9,7 +9,7 @@ use solver::state::State;
 /// What every checkpoint begins with.
 pub(super) const MAGIC: &[u8; 7] = b"COULTER";
 /// Version of what follows; a checkpoint of another version cannot be resumed.
-pub(super) const VERSION: u8 = b'F';
+pub(super) const VERSION: u8 = b'G';
 
 /// What a checkpoint holds.
 #[derive(Clone, Debug, PartialEq, Deserialize)]

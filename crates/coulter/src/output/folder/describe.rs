@@ -55,6 +55,7 @@ fn water(case: &Case) -> Option<[String; 2]> {
     if let Some(number) = case.drainage_number() {
         text += &format!(", drainage number {}", digits(number));
     }
+    text += if water.pore_pressure { "; pore pressure computed" } else { "; drained" };
     Some(["Water".to_owned(), text])
 }
 

@@ -250,7 +250,7 @@ fn strain_row_of(inputs: &Inputs, slice: &mut WorkerSlice, [q, plane]: [usize; 2
     let mut forces: [&mut [Real]; COEFFICIENTS] =
         std::array::from_fn(|_| out.next().map_or(Default::default(), |f| &mut f[1..1 + length]));
     let sums = &mut slice.sums[n];
-    (sums.plastic, sums.viscous, sums.hourglass, sums.yields) = (0.0, 0.0, 0.0, 0);
+    (sums.plastic, sums.viscous, sums.hourglass, sums.seepage, sums.yields) = (0.0, 0.0, 0.0, 0.0, 0);
     let material = inputs.material.get(start..start + length).unwrap_or_default();
     for (run, number) in runs(material, grid.strained_columns()) {
         let constants = inputs.cells.of(&inputs.materials[number]);

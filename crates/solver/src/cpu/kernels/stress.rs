@@ -15,7 +15,7 @@ use super::return_mapping::apply;
 use super::{LANES, Real};
 use crate::cpu::stopwatch::{Stage, Stopwatch};
 use crate::cpu::workspace::{COEFFICIENTS, RowSums};
-use crate::fields::GAP_STRAIN;
+use crate::fields::{GAP_STRAIN, PORE_PRESSURE_AHEAD};
 use multiversion::multiversion;
 use std::ops::Range;
 
@@ -56,6 +56,9 @@ pub(crate) fn strain_cells(
         sums.plastic += plastic;
         sums.viscous += viscous * f64::from(constants.dt);
         sums.hourglass += hourglass * f64::from(constants.dt);
+        if !cells.history[PORE_PRESSURE_AHEAD].is_empty() {
+            sums.seepage += add_pore_pressure(constants, cells, block) * f64::from(constants.dt);
+        }
         force_coefficients(block, forces);
         stopwatch.lap(Stage::Lagrange);
     }
@@ -219,6 +222,27 @@ fn cut_off_three(b: &mut Block, first: usize, one: &mut [Real], two: &mut [Real]
         (one[i], two[i], three[i]) = (s(0), s(1), s(2));
         (b.trial[first][i], b.trial[first + 1][i], b.trial[first + 2][i]) = (one[i], two[i], three[i]);
     }
+}
+
+/// Adds the pore pressure to the stresses that act on the nodes, in all soil: unlike the grains, the water in it bears pressure
+/// across an open gap, too. Returns the power that goes into the water [W].
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
+fn add_pore_pressure(constants: &RowConstants, cells: &CellRow, b: &mut Block) -> f64 {
+    let (start, n) = (b.start, b.n.min(BLOCK));
+    let own = start..start + n;
+    let (width, fraction) = (&constants.width_x[own.clone()], &cells.fraction[own.clone()]);
+    let pressure = &cells.history[PORE_PRESSURE_AHEAD][own];
+    let (hy, hz) = (cells.width_y, cells.width_z);
+    for i in 0..n {
+        let (hx, f) = (width[i], fraction[i]);
+        b.area[0][i] = -0.25 * f * hy * hz;
+        b.area[1][i] = -0.25 * f * hx * hz;
+        b.area[2][i] = -0.25 * f * hx * hy;
+        let viscous = if b.bears_stress[i] > 0.0 { b.viscous[i] } else { 0.0 };
+        b.viscous[i] = viscous - pressure[i];
+        b.work[i] = -pressure[i] * b.rate[i] * f * (hx * hy * hz);
+    }
+    lane_sum(&b.work[..n])
 }
 
 /// Coefficients of the nodal forces from stress and hourglass viscosity: the plain term, and the terms signed

@@ -1,0 +1,96 @@
+//! Which cells have a pore pressure of their own, and how well water flows between them. Found anew when soil and bodies have moved.
+
+use super::SeepageWorkspace;
+use crate::grid::Grid;
+use crate::scalar::Scalar;
+
+/// Portion of a cell outside the bodies below which the cell belongs to them.
+const LEAST_OPEN: f64 = 0.05;
+
+/// Portion of the room outside the bodies that soil fills in a cell with a pore pressure of its own; with less, it is open water.
+const LEAST_FILLED: f64 = 0.5;
+
+/// Least distance between the middle of a cell and open water, in cell widths. A cell that is half full has its middle in the
+/// surface; a distance of zero would be no worse an approximation, but could not be divided by.
+const LEAST_DISTANCE: f64 = 0.1;
+
+/// Finds the conductances from the volume fractions of the soil, with those of bodies in `workspace.body_fraction`.
+pub(crate) fn find<R: Scalar>(grid: &Grid, fraction: &[R], workspace: &mut SeepageWorkspace) {
+    let SeepageWorkspace { conductance, diagonal, body_fraction, .. } = workspace;
+    let cells = Cells { grid, fraction, body_fraction };
+    conductance.iter_mut().for_each(|field| field.fill(0.0));
+    diagonal.fill(0.0);
+    let inside = [0, 1, 2].map(|axis| grid.inside(axis));
+    for (k, j) in inside[2].clone().flat_map(|k| inside[1].clone().map(move |j| (k, j))) {
+        for layers in inside[0].clone().map(|i| [i, j, k]) {
+            let cell = grid.index(layers[0], layers[1], layers[2]);
+            if !cells.is_saturated(cell) {
+                continue;
+            }
+            for axis in 0..3 {
+                for end in [0, 1] {
+                    let Some(flow) = cells.flow(layers, axis, end) else { continue };
+                    diagonal[cell] += flow.conductance;
+                    if flow.to_soil && end == 1 {
+                        conductance[axis][cell] = flow.conductance;
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// How water flows through a face of a cell.
+struct Flow {
+    /// Area over distance [m].
+    conductance: f64,
+    /// Whether to soil with a pore pressure of its own; else to open water.
+    to_soil: bool,
+}
+
+struct Cells<'a, R> {
+    grid: &'a Grid,
+    fraction: &'a [R],
+    body_fraction: &'a [f64],
+}
+
+impl<R: Scalar> Cells<'_, R> {
+    /// Portion of a cell outside the bodies.
+    fn open(&self, cell: usize) -> f64 {
+        (1.0 - self.body_fraction[cell]).max(0.0)
+    }
+
+    /// Portion of that which soil fills.
+    fn filled(&self, cell: usize) -> f64 {
+        (self.fraction[cell].to_f64() / self.open(cell).max(LEAST_OPEN)).min(1.0)
+    }
+
+    fn is_saturated(&self, cell: usize) -> bool {
+        self.open(cell) > LEAST_OPEN && self.filled(cell) >= LEAST_FILLED
+    }
+
+    /// Flow between a saturated cell and its neighbour along an axis, at the low end (0) or the high end (1); `None` where a wall, a
+    /// plane of symmetry or a body lies between. Beyond open boundaries lies ground without excess pore pressure.
+    fn flow(&self, layers: [usize; 3], axis: usize, end: usize) -> Option<Flow> {
+        let mut beyond = layers;
+        beyond[axis] = if end == 1 { layers[axis] + 1 } else { layers[axis].checked_sub(1)? };
+        if beyond[axis] >= self.grid.cells()[axis] {
+            return None;
+        }
+        let [own, other] = [layers, beyond].map(|[i, j, k]| self.grid.index(i, j, k));
+        let [width, next] = [layers, beyond].map(|at| self.grid.width(axis, at[axis]));
+        let area = self.grid.volume(layers[0], layers[1], layers[2]) / width;
+        let middles = 0.5 * (width + next);
+        if !self.grid.inside(axis).contains(&beyond[axis]) {
+            return Some(Flow { conductance: area / middles, to_soil: false });
+        }
+        if self.open(other) <= LEAST_OPEN {
+            return None;
+        }
+        let open = 0.5 * (self.open(own) + self.open(other));
+        let to_soil = self.is_saturated(other);
+        let to_surface = (self.filled(own) - 0.5) * width + self.filled(other) * next;
+        let distance = if to_soil { middles } else { to_surface.max(LEAST_DISTANCE * width) };
+        Some(Flow { conductance: open * area / distance, to_soil })
+    }
+}

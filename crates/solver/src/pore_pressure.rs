@@ -1,0 +1,50 @@
+//! The pressure of the water in the pores of the soil.
+//!
+//! Grains and water do not compress, so water must flow in where the soil expands: ∇·(k/γ_w ∇p) = ∇·v, with p the pressure beyond the
+//! hydrostatic one and v the velocity of the soil. The soil feels it as a total stress σ − p 1. Both are solved in turn: the pressure
+//! from the velocities at the end of a step, after contact, and extrapolated acts in the next. What that pressure will do to the
+//! velocities is anticipated by the inertia of the soil, which stands beside the mobility of the water and bounds the pressure of
+//! water that can hardly flow. The time step remains that of the soil, whatever the permeability.
+
+use crate::contact;
+use crate::contact::workspace::ContactWorkspace;
+use crate::cpu::seepage::{self, SeepageWorkspace};
+use crate::cpu::stopwatch::Stage;
+use crate::cpu::workspace::SoilWorkspace;
+use crate::halo::Halo;
+use crate::model::Model;
+use crate::precision::Precision;
+use crate::state::State;
+
+/// How much of the inertia of the soil is anticipated, over that of its nodes in a full row of cubes. Above 1 for the light nodes in
+/// its surface; more makes pressures lag behind, and changes nothing in steady motion.
+const ANTICIPATED: f64 = 1.5;
+
+/// Renews the pore pressures at the end of a step, from the velocities after contact.
+pub(crate) fn renew<R: Precision>(
+    model: &Model,
+    state: &mut State<R>,
+    soil: &mut SoilWorkspace<R>,
+    seepage: &mut SeepageWorkspace,
+    halo: &mut dyn Halo,
+) {
+    let Some(water) = &model.pore_water else { return };
+    let inertia = ANTICIPATED * model.time_step() / model.least_density();
+    seepage::balance_water((model, water), inertia, state, soil, (seepage, halo));
+    soil.stopwatch().lap(Stage::Seepage);
+}
+
+/// Finds between which cells water can flow, after a contact search, and where a run resumes.
+pub(crate) fn find_paths<R: Precision>(
+    model: &Model,
+    state: &State<R>,
+    seepage: &mut SeepageWorkspace,
+    contact: &mut ContactWorkspace,
+) {
+    if model.pore_water.is_none() {
+        return;
+    }
+    seepage.set_bodies(&contact.body_cells);
+    seepage::find(&model.grid, &state.soil.fraction, seepage);
+    contact::find_pressure_cells(model, state, seepage, contact);
+}
