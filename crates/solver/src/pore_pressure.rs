@@ -18,7 +18,7 @@ use crate::state::State;
 
 /// How much of the inertia of the soil is anticipated, over that of its nodes in a full row of cubes. Above 1 for the light nodes in
 /// its surface; more makes pressures lag behind, and changes nothing in steady motion.
-const ANTICIPATED: f64 = 1.5;
+const ANTICIPATED: f64 = 2.0;
 
 /// Renews the pore pressures at the end of a step, from the velocities after contact.
 pub(crate) fn renew<R: Precision>(

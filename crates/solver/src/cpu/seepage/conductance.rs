@@ -4,11 +4,12 @@ use super::SeepageWorkspace;
 use crate::grid::Grid;
 use crate::scalar::Scalar;
 
-/// Portion of a cell outside the bodies below which the cell belongs to them.
-const LEAST_OPEN: f64 = 0.05;
-
 /// Portion of the room outside the bodies that soil fills in a cell with a pore pressure of its own; with less, it is open water.
 const LEAST_FILLED: f64 = 0.5;
+
+/// Portion of a cell outside the bodies up to which it is no open water, whatever soil fills of it: a void in so thin a slice beside
+/// a body is an error of the volume fractions. The pressure must act in all of its soil, as the contact impulses do.
+const SLICE: f64 = 0.25;
 
 /// Least distance between the middle of a cell and open water, in cell widths. A cell that is half full has its middle in the
 /// surface; a distance of zero would be no worse an approximation, but could not be divided by.
@@ -62,11 +63,13 @@ impl<R: Scalar> Cells<'_, R> {
 
     /// Portion of that which soil fills.
     fn filled(&self, cell: usize) -> f64 {
-        (self.fraction[cell].to_f64() / self.open(cell).max(LEAST_OPEN)).min(1.0)
+        let (own, open) = (self.fraction[cell].to_f64(), self.open(cell));
+        if own < open { own / open } else { 1.0 }
     }
 
     fn is_saturated(&self, cell: usize) -> bool {
-        self.open(cell) > LEAST_OPEN && self.filled(cell) >= LEAST_FILLED
+        let has_soil = self.fraction[cell] > R::default();
+        has_soil && (self.open(cell) <= SLICE || self.filled(cell) >= LEAST_FILLED)
     }
 
     /// Flow between a saturated cell and its neighbour along an axis, at the low end (0) or the high end (1); `None` where a wall, a
@@ -84,11 +87,11 @@ impl<R: Scalar> Cells<'_, R> {
         if !self.grid.inside(axis).contains(&beyond[axis]) {
             return Some(Flow { conductance: area / middles, to_soil: false });
         }
-        if self.open(other) <= LEAST_OPEN {
+        let to_soil = self.is_saturated(other);
+        if !to_soil && self.open(other) <= SLICE {
             return None;
         }
         let open = 0.5 * (self.open(own) + self.open(other));
-        let to_soil = self.is_saturated(other);
         let to_surface = (self.filled(own) - 0.5) * width + self.filled(other) * next;
         let distance = if to_soil { middles } else { to_surface.max(LEAST_DISTANCE * width) };
         Some(Flow { conductance: open * area / distance, to_soil })
