@@ -1,0 +1,136 @@
+#!/usr/bin/env python3
+"""A disc that is pressed into soil (D1) and one that is towed free (D3), beside the closed forms: pressed_and_free.py COULTER FOLDER [SOIL ...]
+
+Runs what is not yet in FOLDER, one after the other, and prints the tables of docs/studies/pressed-and-free.md. SOIL is `sand` or
+`mohr-coulomb`; both if none is given. Python 3.
+"""
+
+import csv
+import json
+import math
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+DIAMETER, THICKNESS = 0.2, 0.05  # m
+PRESSED = ROOT / "scripts" / "cases" / "pressed_disc.toml"
+TOWED = {"sand": "towed_disc.toml", "mohr-coulomb": "towed_disc_mohr_coulomb.toml"}
+UNIT_WEIGHT = {"sand": 14367.88, "mohr-coulomb": 16000.0}  # N/m³
+CELLS = (16, 24, 32)  # cells of the disc's diameter along x; half as high
+WEIGHTS = (0.6, 1.2, 2.4, 3.5, 6.0)  # W/(γ t d²)
+TEXTBOOK = {  # the soil of cases/towed_disc_mohr_coulomb.toml
+    "law": '"mohr-coulomb"',
+    "friction_angle": '"35 deg"',
+    "dilation_angle": '"0 deg"',
+    "cohesion": '"0 Pa"',
+    "unit_weight": '"16 kN/m^3"',
+    "young_modulus": '"5 MPa"',
+    "poisson_ratio": "0.3",
+}
+# Light discs, which sink by some millimetres: flat cells half as high, at half the speed, so that v²/(g z) stays below 0.2.
+LIGHT = {
+    "grid.cell": '"3 mm"',
+    "grid.aspect": "[3, 3, 1]",
+    "grid.fine_x": '["-0.108 m", "0.126 m"]',
+    "grid.fine_y": '["0 m", "0.054 m"]',
+    "grid.fine_z": '["-0.06 m", "0.03 m"]',
+    "body.disc.forward": '{ speed = "0.1 m/s", start = "0.3 s", ramp = "0.1 s" }',
+}
+HEAVY = {
+    "domain.z": '["-0.3 m", "0.1 m"]',
+    "grid.fine_x": '["-0.144 m", "0.192 m"]',
+    "grid.fine_z": '["-0.144 m", "0.045 m"]',
+}
+
+
+def words(sets):
+    return [word for key, value in sets.items() for word in ("--set", f"{key}={value}")]
+
+
+def run(coulter, case, folder, sets):
+    if not (folder / "summary.json").exists():
+        command = [coulter, "run", case, "--output", folder, "--force", "--threads", "1"] + words(sets)
+        subprocess.run(command, check=False, stdout=subprocess.DEVNULL)
+    return json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+
+
+def forecast(coulter, case, sets):
+    done = subprocess.run([coulter, "forecast", case, "--json"] + words(sets), check=True, capture_output=True, text=True)
+    return json.loads(done.stdout)
+
+
+def history(folder):
+    with open(folder / "forces.csv", encoding="utf-8") as file:
+        return [{name: float(value) for name, value in row.items() if value} for row in csv.DictReader(file)]
+
+
+def moving_average(values, half):
+    return [sum(values[i - half : i + half + 1]) / (2 * half + 1) for i in range(half, len(values) - half)]
+
+
+def pressed_case(folder, soil):
+    """The case of the pressed disc, in textbook soil with that of the shipped case."""
+    text = PRESSED.read_text(encoding="utf-8")
+    if soil == "mohr-coulomb":
+        begin, end = text.index("[soil]"), text.index("[domain]")
+        text = text[:begin] + "[soil]\n" + "".join(f"{k} = {v}\n" for k, v in TEXTBOOK.items()) + "\n" + text[end:]
+    path = folder / f"pressed_{soil}.toml"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def pressed(coulter, folder, soil):
+    """Vertical force at z = 0.1 d, its noise from 0.05 d on, and the closed forms at that depth."""
+    case = pressed_case(folder, soil)
+    for cells in CELLS:
+        out = folder / f"pressed_{soil}_{cells}"
+        summary = run(coulter, case, out, {"grid.cell": f'"{1e3 * DIAMETER / cells / 2} mm"'})
+        rows = [row for row in history(out) if "sinkage z [m]" in row]
+        step = rows[-2]["sinkage z [m]"] - rows[-3]["sinkage z [m]"]
+        half = round(0.01 * DIAMETER / step)
+        depth = [row["sinkage z [m]"] for row in rows][half:-half]
+        force = [row["vertical F_V [N]"] for row in rows]
+        mean = moving_average(force, half)
+        noise = [f - m for f, m, z in zip(force[half:-half], mean, depth) if 0.05 <= z / DIAMETER <= 0.1]
+        level = [m for m, z in zip(mean, depth) if 0.05 <= z / DIAMETER <= 0.1]
+        rms = math.sqrt(sum(x * x for x in noise) / len(noise))
+        at = min(range(len(depth)), key=lambda i: abs(depth[i] - 0.1 * DIAMETER))
+        at_half = min(range(len(depth)), key=lambda i: abs(depth[i] - 0.05 * DIAMETER))
+        print(
+            f"D1 {soil} d/h {cells}: F_V {mean[at]:.2f} N at {1e3 * depth[at]:.2f} mm, {mean[at_half]:.2f} N at {1e3 * depth[at_half]:.2f} mm; "
+            f"noise {100 * rms / (sum(level) / len(level)):.2f} %; {summary['verdict'] if 'verdict' in summary else ''}"
+        )
+    found = forecast(coulter, case, {"body.disc.sinkage": '"20 mm"', "run.duration": '"1 ms"'})
+    show(found, "D1 " + soil)
+
+
+def free(coulter, folder, soil):
+    """Sinkage, drag, skid and axle torque of the free disc at several weights, and the closed forms of the same case."""
+    case = ROOT / "cases" / TOWED[soil]
+    for ratio in WEIGHTS:
+        weight = ratio * UNIT_WEIGHT[soil] * THICKNESS * DIAMETER**2
+        sets = {"body.disc.weight": f'"{weight:.2f} N"'} | (LIGHT if ratio < 2 else HEAVY)
+        summary = run(coulter, case, folder / f"free_{soil}_{ratio}", sets)
+        body = summary["bodies"]["disc"]
+        mean = body["steady"]
+        print(f"D3 {soil} W/(γtd²) {ratio}: W {weight:.2f} N, " + json.dumps(mean))
+        show(forecast(coulter, case, sets), f"D3 {soil} {ratio}")
+
+
+def show(found, label):
+    for model in found["models"]:
+        if model.get("applicable", True):
+            print(f"{label}: " + json.dumps(model))
+
+
+def main():
+    coulter, folder = sys.argv[1], Path(sys.argv[2])
+    folder.mkdir(parents=True, exist_ok=True)
+    for soil in sys.argv[3:] or ("sand", "mohr-coulomb"):
+        pressed(coulter, folder, soil)
+        free(coulter, folder, soil)
+
+
+if __name__ == "__main__":
+    main()
