@@ -87,22 +87,35 @@ def pressed(coulter, folder, soil):
         out = folder / f"pressed_{soil}_{cells}"
         summary = run(coulter, case, out, {"grid.cell": f'"{1e3 * DIAMETER / cells / 2} mm"'})
         rows = [row for row in history(out) if "sinkage z [m]" in row]
-        step = rows[-2]["sinkage z [m]"] - rows[-3]["sinkage z [m]"]
-        half = round(0.01 * DIAMETER / step)
-        depth = [row["sinkage z [m]"] for row in rows][half:-half]
+        half = round(0.01 * DIAMETER / (rows[-2]["sinkage z [m]"] - rows[-3]["sinkage z [m]"]))
         force = [row["vertical F_V [N]"] for row in rows]
         mean = moving_average(force, half)
-        noise = [f - m for f, m, z in zip(force[half:-half], mean, depth) if 0.05 <= z / DIAMETER <= 0.1]
-        level = [m for m, z in zip(mean, depth) if 0.05 <= z / DIAMETER <= 0.1]
-        rms = math.sqrt(sum(x * x for x in noise) / len(noise))
-        at = min(range(len(depth)), key=lambda i: abs(depth[i] - 0.1 * DIAMETER))
-        at_half = min(range(len(depth)), key=lambda i: abs(depth[i] - 0.05 * DIAMETER))
-        print(
-            f"D1 {soil} d/h {cells}: F_V {mean[at]:.2f} N at {1e3 * depth[at]:.2f} mm, {mean[at_half]:.2f} N at {1e3 * depth[at_half]:.2f} mm; "
-            f"noise {100 * rms / (sum(level) / len(level)):.2f} %; {summary['verdict'] if 'verdict' in summary else ''}"
-        )
+        depth = [row["sinkage z [m]"] for row in rows][half:-half]
+        window = [n for n, z in enumerate(depth) if 0.05 <= z / DIAMETER <= 0.1]
+        rms = math.sqrt(sum((force[n + half] - mean[n]) ** 2 for n in window) / len(window))
+        level = sum(mean[n] for n in window) / len(window)
+        at = [min(range(len(depth)), key=lambda n: abs(depth[n] - z * DIAMETER)) for z in (0.05, 0.1)]
+        forces = "; ".join(f"{mean[n]:.1f} N" for n in at)
+        print(f"D1 | {soil} | {cells} | {forces} | noise {100 * rms / level:.2f} % | {summary['trust']['verdict']}")
     found = forecast(coulter, case, {"body.disc.sinkage": '"20 mm"', "run.duration": '"1 ms"'})
-    show(found, "D1 " + soil)
+    for model in (model for model in found["models"] if model["applicable"]):
+        print(f"D1 | {soil} | {model['name']} | {model['vertical_N']:.1f} N ({ends(model, 'vertical_N', 1.0)})")
+    davis = [model for model in found["models_davis"] if model["name"] == found["recommended"]]
+    print("".join(f"D1 | {soil} | {model['name']}, Davis' angle | {model['vertical_N']:.1f} N" for model in davis))
+
+
+def ends(model, quantity, size):
+    interval = model["interval"][quantity]
+    return f"{interval['low'] * size:.3g} to {interval['high'] * size:.3g}" if interval else "–"
+
+
+def front(folder, sinkage):
+    """Angle of the front of the contact [°] and its height over the undisturbed surface [mm], from the stress on the rim."""
+    with open(folder / "rim.csv", encoding="utf-8") as file:
+        rim = [(float(row["angle [rad]"]), float(row["normal stress [Pa]"] or 0)) for row in csv.DictReader(file)]
+    most = max(stress for _, stress in rim)
+    angle = max(angle for angle, stress in rim if stress > 0.02 * most)
+    return math.degrees(angle), 1e3 * (0.5 * DIAMETER * (1 - math.cos(angle)) - sinkage)
 
 
 def free(coulter, folder, soil):
@@ -111,17 +124,24 @@ def free(coulter, folder, soil):
     for ratio in WEIGHTS:
         weight = ratio * UNIT_WEIGHT[soil] * THICKNESS * DIAMETER**2
         sets = {"body.disc.weight": f'"{weight:.2f} N"'} | (LIGHT if ratio < 2 else HEAVY)
-        summary = run(coulter, case, folder / f"free_{soil}_{ratio}", sets)
-        body = summary["bodies"]["disc"]
-        mean = body["steady"]
-        print(f"D3 {soil} W/(γtd²) {ratio}: W {weight:.2f} N, " + json.dumps(mean))
-        show(forecast(coulter, case, sets), f"D3 {soil} {ratio}")
-
-
-def show(found, label):
-    for model in found["models"]:
-        if model.get("applicable", True):
-            print(f"{label}: " + json.dumps(model))
+        out = folder / f"free_{soil}_{ratio}"
+        summary = run(coulter, case, out, sets)
+        mean = summary["bodies"]["disc"]["steady"]
+        sinkage, drag = mean["sinkage_m"], mean["drag_N"]
+        angle, height = front(out, sinkage)
+        resultant = math.degrees(math.atan(drag / mean["vertical_N"]))
+        print(
+            f"D3 | {soil} | {ratio} | {weight:.1f} N | z {1e3 * sinkage:.1f} mm | F_H {drag:.2f} N | skid {mean['turn_ratio'] - 1:.2f} | "
+            f"torque {200 * mean['axle_torque_Nm'] / (weight * DIAMETER):.3f} % | noise {100 * mean['drag_noise']:.2f} % | "
+            f"{summary['trust']['verdict']} | front {angle:.0f}°, {height:.1f} mm, resultant {resultant:.1f}°, {resultant / angle:.2f} of it"
+        )
+        found = forecast(coulter, case, sets)
+        for model in (model for model in found["models"] if model["applicable"]):
+            skid = "–" if model["skid"] is None else f"{model['skid']:.2f}"
+            print(
+                f"D3 | {soil} | {ratio} | {model['name']} | z {1e3 * model['sinkage_m']:.1f} ({ends(model, 'sinkage_m', 1e3)}) mm | "
+                f"F_H {model['drag_N']:.2f} ({ends(model, 'drag_N', 1.0)}) N | skid {skid}"
+            )
 
 
 def main():

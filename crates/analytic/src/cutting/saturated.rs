@@ -28,7 +28,7 @@ pub struct SaturatedCut {
     pub shear_suction: f64,
     /// Mean suction on the blade [Pa].
     pub blade_suction: f64,
-    /// Whether the water cavitates everywhere, so that the force is as large as it can be.
+    /// Whether the water cavitates on both, so that the force is as large as it can be.
     pub cavitates: bool,
 }
 
@@ -46,11 +46,11 @@ pub struct SaturatedSand {
 }
 
 impl SaturatedSand {
-    /// Force on a blade that cuts a layer as thick as it is deep: the smaller of that without cavitation and that with cavitation everywhere.
+    /// Force on a blade that cuts a layer as thick as it is deep.
     ///
     /// With W₁ and W₂, suction times area of shear plane and blade, and G, the weight of the layer on the blade:
     /// K₂ = [W₁ sin φ + W₂ sin(α+β+φ) + G sin(β+φ)]/sin(α+β+δ+φ), F_H = K₂ sin(α+δ) − W₂ sin α, F_V = W₂ cos α − K₂ cos(α+δ), β that of the
-    /// smallest F_H. Source: Miedema (1987, 2019), The Delft Sand, Clay & Rock Cutting Model, ch. 6 (re-derived). Inertia, cohesion and the
+    /// smallest F_H. The mean suction on either face is at most that of cavitation. Source: Miedema (1987, 2019), The Delft Sand, Clay & Rock Cutting Model, ch. 6 (re-derived). Inertia, cohesion and the
     /// sides of a narrow blade are left out. Valid for 15° ≤ α ≤ 60°, 1 ≤ h_b/h_i ≤ 10, no surcharge.
     ///
     /// # Errors
@@ -64,19 +64,32 @@ impl SaturatedSand {
         within("suction at which water cavitates [Pa]", self.cavitation, f64::MIN_POSITIVE, f64::MAX)?;
         within("surcharge [Pa]", blade.surcharge, 0.0, 0.0)?;
         within("cohesion [Pa]", soil.cohesion, 0.0, 0.0)?;
-        let free = self.smallest(soil, blade, |angle| {
-            let mean = self.seepage(blade, angle).mean_suction()?;
-            let [shear_plane, blade] = [mean.shear_plane, mean.blade].map(|mean| mean * self.pressure);
-            Ok(MeanSuction { shear_plane, blade })
-        })?;
-        let cavitating = self.smallest(soil, blade, |_| {
-            Ok(MeanSuction { shear_plane: self.cavitation, blade: self.cavitation })
-        })?;
-        Ok(if free.force.drag <= cavitating.force.drag {
-            free
-        } else {
-            SaturatedCut { cavitates: true, ..cavitating }
+        let (phi, delta) = (soil.friction_angle, wall_friction(soil));
+        let highest = (PI - blade.rake - phi - delta - LEFT).min(SHEAR_ANGLES[1]);
+        if highest <= SHEAR_ANGLES[0] {
+            return undefined("the cut layer", "blade angle and friction leave no layer that slides");
+        }
+        let drag = |angle: f64| {
+            let found = self.suction(blade, angle);
+            found.map_or(f64::INFINITY, |found| self.equilibrium(soil, blade, angle, found).drag)
+        };
+        let (shear_angle, _) = minimum(SHEAR_ANGLES[0], highest, STEPS, drag);
+        let found = self.suction(blade, shear_angle)?;
+        Ok(SaturatedCut {
+            force: self.equilibrium(soil, blade, shear_angle, found),
+            shear_angle,
+            shear_suction: found.shear_plane,
+            blade_suction: found.blade,
+            cavitates: found.shear_plane.min(found.blade) >= self.cavitation,
         })
+    }
+
+    /// Mean suction [Pa] at a shear angle [rad], on each of the two faces at most that at which the water cavitates.
+    fn suction(&self, blade: &Blade, shear_angle: f64) -> ModelResult<MeanSuction> {
+        let mean = self.seepage(blade, shear_angle).mean_suction()?;
+        let [shear_plane, blade] =
+            [mean.shear_plane, mean.blade].map(|mean| (mean * self.pressure).min(self.cavitation));
+        Ok(MeanSuction { shear_plane, blade })
     }
 
     fn seepage(&self, blade: &Blade, shear_angle: f64) -> Seepage {
@@ -87,32 +100,6 @@ impl SaturatedSand {
             permeability_ratio: self.permeability_ratio,
             closed_tip: WORN_TIP,
         }
-    }
-
-    /// The mechanism of the smallest drag, for a suction [Pa] that depends on the shear angle.
-    fn smallest(
-        &self,
-        soil: &Soil,
-        blade: &Blade,
-        suction: impl Fn(f64) -> ModelResult<MeanSuction>,
-    ) -> ModelResult<SaturatedCut> {
-        let friction = soil.friction_angle + wall_friction(soil);
-        let highest = (PI - blade.rake - friction - LEFT).min(SHEAR_ANGLES[1]);
-        if highest <= SHEAR_ANGLES[0] {
-            return undefined("the cut layer", "blade angle and friction leave no layer that slides");
-        }
-        let drag = |angle: f64| {
-            suction(angle).map_or(f64::INFINITY, |found| self.equilibrium(soil, blade, angle, found).drag)
-        };
-        let (shear_angle, _) = minimum(SHEAR_ANGLES[0], highest, STEPS, drag);
-        let found = suction(shear_angle)?;
-        Ok(SaturatedCut {
-            force: self.equilibrium(soil, blade, shear_angle, found),
-            shear_angle,
-            shear_suction: found.shear_plane,
-            blade_suction: found.blade,
-            cavitates: false,
-        })
     }
 
     /// Equilibrium of the layer at a shear angle [rad] under a suction [Pa].

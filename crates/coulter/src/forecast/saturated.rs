@@ -5,6 +5,7 @@ use crate::case::Case;
 use crate::case::resolved::Plough;
 use analytic::cutting::{Blade, PloughCoefficients, PloughForce, SaturatedCut};
 use analytic::forecast::{Body, FacetedBody, Front};
+use analytic::resistive::Facet;
 use analytic::{Load, PoreWater};
 use std::f64::consts::FRAC_PI_2;
 
@@ -26,7 +27,7 @@ impl BladeUnderWater {
         let (front, width) = match &towing.body {
             _ if towing.pressed => return None,
             Body::Block(block) => (block.front(), block.size[1]),
-            Body::Faceted(body) => (plane_front(body)?, body.width),
+            Body::Faceted(body) => plane_front(body)?,
             Body::Disc(_) | Body::Plate(_) => return None,
         };
         let mut found = Self {
@@ -45,26 +46,24 @@ impl BladeUnderWater {
     }
 }
 
-/// The front of a body whose facets that face forwards lie in one plane across the tow, as high as the body.
-fn plane_front(body: &FacetedBody) -> Option<Front> {
+/// The front of a body whose facets that face forwards lie in one plane across the tow, as high as the body; and its mean width [m].
+fn plane_front(body: &FacetedBody) -> Option<(Front, f64)> {
     /// Normals that differ by less are the same.
     const SAME: f64 = 1e-6;
-    let mut forward = body.facets.iter().filter(|facet| facet.normal[0] > SAME);
-    let normal = forward.clone().max_by(|a, b| a.area.total_cmp(&b.area))?.normal;
-    let is_plane = normal[1].abs() < SAME
-        && forward.all(|facet| facet.normal.iter().zip(normal).all(|(a, b)| (a - b).abs() < SAME));
-    let along = |sign: f64| {
-        let of = body.facets.iter().filter(|facet| facet.normal[0] > SAME);
-        of.map(|facet| sign * facet.centroid[2] + 2.0 * facet.half_height).fold(f64::NEG_INFINITY, f64::max)
+    let forward: Vec<&Facet> = body.facets.iter().filter(|facet| facet.normal[0] > SAME).collect();
+    let normal = forward.first()?.normal;
+    let is_same = |facet: &&Facet| facet.normal.iter().zip(normal).all(|(a, b)| (a - b).abs() < SAME);
+    let is_plane = normal[1].abs() < SAME && forward.iter().all(is_same);
+    // How far it extends upwards and downwards; the facets reach half their height beyond their middles.
+    let reaches = |sign: f64| {
+        let ends = forward.iter().map(|facet| sign * facet.centroid[2] + 2.0 * facet.half_height);
+        ends.fold(f64::NEG_INFINITY, f64::max)
     };
-    let is_high = along(1.0) > body.height - body.below && along(-1.0) > body.below;
+    let is_high = reaches(1.0) > body.height - body.below && reaches(-1.0) > body.below;
     let rake = FRAC_PI_2 - normal[2].atan2(normal[0]);
-    (is_plane && is_high).then_some(Front {
-        rake,
-        lower_edge: 0.0,
-        upper_edge: body.height,
-        length_behind: 0.0,
-    })
+    let width = forward.iter().map(|facet| facet.area).sum::<f64>() * rake.sin() / body.height;
+    let front = Front { rake, lower_edge: 0.0, upper_edge: body.height, length_behind: 0.0 };
+    (is_plane && is_high).then_some((front, width))
 }
 
 /// The tow force of a plough with the least and with the most of its coefficients.

@@ -165,7 +165,7 @@ fn blade_text(blade: &BladeUnderWater) -> String {
     let of = |value: fn(&SaturatedCut) -> f64, unit: &str| spread(cuts.each_ref().map(value), unit);
     let capped = if cuts[1].cavitates { "; the water cavitates, the force grows no further" } else { "" };
     format!(
-        "blade in saturated sand (Miedema, plane strain; the drained models add nothing to it), for a third of ε/k, ε/k and three times it: \
+        "blade in saturated sand (Miedema, plane strain, the weight of the layer included), for a third of ε/k, ε/k and three times it: \
          F_H = {}, F_V = {}; shear angle {:.1}°, suction on the shear plane {}, on the blade {}{capped}",
         of(|cut| cut.force.drag, "N"),
         of(|cut| cut.force.vertical, "N"),
