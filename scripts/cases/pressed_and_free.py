@@ -37,6 +37,7 @@ LIGHT = {
     "grid.fine_z": '["-0.06 m", "0.03 m"]',
     "body.disc.forward": '{ speed = "0.1 m/s", start = "0.3 s", ramp = "0.1 s" }',
 }
+FINE = {"grid.cell": '"2 mm"', "grid.aspect": "[4, 4, 1]"}
 HEAVY = {
     "domain.z": '["-0.3 m", "0.1 m"]',
     "grid.fine_x": '["-0.144 m", "0.192 m"]',
@@ -121,10 +122,13 @@ def front(folder, sinkage):
 def free(coulter, folder, soil):
     """Sinkage, drag, skid and axle torque of the free disc at several weights, and the closed forms of the same case."""
     case = ROOT / "cases" / TOWED[soil]
-    for ratio in WEIGHTS:
+    runs = [(ratio, f"free_{soil}_{ratio}", LIGHT if ratio < 2 else HEAVY) for ratio in WEIGHTS]
+    if soil == "sand":  # the lightest once more, on finer cells
+        runs.insert(1, (WEIGHTS[0], f"free_{soil}_{WEIGHTS[0]}_fine", LIGHT | FINE))
+    for ratio, name, grid in runs:
         weight = ratio * UNIT_WEIGHT[soil] * THICKNESS * DIAMETER**2
-        sets = {"body.disc.weight": f'"{weight:.2f} N"'} | (LIGHT if ratio < 2 else HEAVY)
-        out = folder / f"free_{soil}_{ratio}"
+        sets = {"body.disc.weight": f'"{weight:.2f} N"'} | grid
+        out = folder / name
         summary = run(coulter, case, out, sets)
         mean = summary["bodies"]["disc"]["steady"]
         sinkage, drag = mean["sinkage_m"], mean["drag_N"]

@@ -1,5 +1,6 @@
 //! Blades in saturated sand beside the tables of Miedema (2019), The Delft Sand, Clay & Rock Cutting Model (CC BY-NC), LibreTexts edition:
 //! appendices D, E, H, I and J. Blade angle α, wall friction δ, friction angle φ in degrees.
+#![allow(clippy::unwrap_used)] // clippy does not recognise test helpers
 
 use analytic::Soil;
 use analytic::cutting::{Blade, PloughCoefficients, SaturatedCut, SaturatedSand, Seepage};
