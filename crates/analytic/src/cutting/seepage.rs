@@ -7,7 +7,8 @@ use crate::error::{ModelResult, undefined, within};
 use crate::numeric::solve_linear;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Elements along the shear plane, the blade and the upper face of the layer (chosen: 80 of them change p₁ by 0.3 %, p₂ by 0.6 %).
+/// Elements along the shear plane, the blade and the upper face of the layer (chosen: four times as many change p₁ₘ by up to
+/// 0.5 %, p₂ₘ by up to 1.2 %, before a blade ten times as high as the layer 1.8 %).
 const ELEMENTS: usize = 24;
 /// Elements along the shorter faces.
 const FEW: usize = 12;
@@ -17,7 +18,8 @@ const AT_TIP: usize = 8;
 const FIRST: f64 = 0.02;
 const GROWTH: f64 = 1.25;
 const FAR: f64 = 300.0;
-/// Length of the layer beyond the top of the blade, both of its faces open to the water (chosen: longer ones change nothing).
+/// Length of the layer beyond the top of the blade, both of its faces open to the water (chosen: one twice as long has at most
+/// 1 % more suction on the blade).
 const BEYOND: f64 = 3.0;
 
 /// A blade, its shear plane, and what is permeable.
