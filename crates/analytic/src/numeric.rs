@@ -100,6 +100,33 @@ pub(crate) fn minimum(mut a: f64, mut b: f64, steps: usize, f: impl Fn(f64) -> f
     if fc < fd { (c, fc) } else { (d, fd) }
 }
 
+/// The solution x of A x = b by elimination with partial pivoting; `None` if A is singular. Rows of A are overwritten.
+pub(crate) fn solve_linear(mut rows: Vec<Vec<f64>>, mut right: Vec<f64>) -> Option<Vec<f64>> {
+    let n = right.len();
+    for column in 0..n {
+        let pivot = (column..n).max_by(|&a, &b| rows[a][column].abs().total_cmp(&rows[b][column].abs()))?;
+        rows.swap(column, pivot);
+        right.swap(column, pivot);
+        let (above, below) = rows.split_at_mut(column + 1);
+        let base = &above[column];
+        if base[column] == 0.0 || !base[column].is_finite() {
+            return None;
+        }
+        for (offset, row) in below.iter_mut().enumerate() {
+            let factor = row[column] / base[column];
+            for (entry, of_base) in row[column..].iter_mut().zip(&base[column..]) {
+                *entry -= factor * of_base;
+            }
+            right[column + 1 + offset] -= factor * right[column];
+        }
+    }
+    for column in (0..n).rev() {
+        let known: f64 = (column + 1..n).map(|other| rows[column][other] * right[other]).sum();
+        right[column] = (right[column] - known) / rows[column][column];
+    }
+    Some(right)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -115,6 +142,13 @@ mod tests {
         let found = root(0.0, 2.0, 1e-13, |x| x * x - 2.0).unwrap();
         assert!((found - 2.0_f64.sqrt()).abs() < 1e-12);
         assert!(root(0.0, 1.0, 1e-12, |x| x + 1.0).is_none());
+    }
+
+    #[test]
+    fn linear_equations_are_solved_and_singular_ones_refused() {
+        let found = solve_linear(vec![vec![0.0, 2.0], vec![3.0, 1.0]], vec![4.0, 5.0]).unwrap();
+        assert!((found[0] - 1.0).abs() < 1e-14 && (found[1] - 2.0).abs() < 1e-14);
+        assert!(solve_linear(vec![vec![1.0, 2.0], vec![2.0, 4.0]], vec![1.0, 2.0]).is_none());
     }
 
     #[test]

@@ -1,7 +1,9 @@
 //! Water in the pores of soil that dilates as it is sheared: whether it can follow, and the suction where it cannot.
 
+use crate::cutting::{Blade, SaturatedCut, SaturatedSand};
 use crate::error::{ModelResult, positive, within};
 use crate::forecast::{Forecast, Load, Towing, forecast};
+use crate::soil::Soil;
 
 /// Mean suction in the failing soil over γ_w v z ε/k. Of Miedema's form (1987); between 0.1 and 0.3 along the shear plane and the face of a
 /// blade by his finite elements (recalled, not re-read). For round bodies an order of magnitude.
@@ -47,6 +49,26 @@ impl PoreWater {
         let free = times * MEAN_SUCTION * self.unit_weight * speed * depth.max(0.0) * self.volume_strain
             / self.permeability;
         free.min(self.cavitation())
+    }
+
+    /// A blade of a height [m] that cuts the sand at a speed [m/s], with the suction a number of times that of the theory; the sand is as
+    /// permeable where it has been sheared as where it has not.
+    ///
+    /// # Errors
+    /// As [`SaturatedSand::cut`].
+    pub fn cut(
+        &self,
+        soil: &Soil,
+        blade: &Blade,
+        height: f64,
+        speed: f64,
+        times: f64,
+    ) -> ModelResult<SaturatedCut> {
+        positive("permeability [m/s]", self.permeability)?;
+        let pressure =
+            times * self.unit_weight * speed * blade.depth * self.volume_strain / self.permeability;
+        let cavitation = self.cavitation();
+        SaturatedSand { height, pressure, cavitation, permeability_ratio: 1.0 }.cut(soil, blade)
     }
 
     /// The models with suction, at a speed [m/s], where it is a number of times the usual one.

@@ -1,14 +1,20 @@
-//! Soil-cutting models of narrow blades, in three dimensions.
+//! Soil-cutting models of blades: narrow ones in three dimensions, wide ones in saturated sand; and the tow force of a plough.
 //!
 //! None of them covers a face that overhangs the soil (the front of a disc): their rake is at most 90°.
 
 mod godwin_spoor;
 mod hansen;
 mod mckyes_ali;
+mod plough;
+mod saturated;
+mod seepage;
 
 pub use godwin_spoor::{effective_width, godwin_spoor};
 pub use hansen::hansen_end_factor;
 pub use mckyes_ali::{CuttingFactors, mckyes_ali, mckyes_ali_factors};
+pub use plough::{PloughCoefficients, PloughForce};
+pub use saturated::{SaturatedCut, SaturatedSand};
+pub use seepage::{MeanSuction, Seepage};
 
 use crate::error::{ModelResult, positive, within};
 use crate::soil::Soil;

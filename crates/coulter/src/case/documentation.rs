@@ -71,6 +71,7 @@ fn kind(kind: &Kind) -> String {
         Kind::Format => format!("`{FORMAT}`"),
         Kind::Number => "number".into(),
         Kind::Ratios => "three numbers, along x, y and z".into(),
+        Kind::Interval => "low and high, two numbers".into(),
         Kind::Count => "whole number".into(),
         Kind::Flag => "`true` or `false`".into(),
         Kind::Quantity(measure) => format!("{}: `\"{}\"`", measure.name, measure.example),

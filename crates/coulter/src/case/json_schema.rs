@@ -133,6 +133,9 @@ fn kind(key: &Key) -> Value {
         Kind::Ratios => json!({
             "type": "array", "items": number("number", key.range), "minItems": 3, "maxItems": 3
         }),
+        Kind::Interval => json!({
+            "type": "array", "items": number("number", key.range), "minItems": 2, "maxItems": 2
+        }),
         Kind::Count => number("integer", key.range),
         Kind::Flag => json!({ "type": "boolean" }),
         Kind::Quantity(measure) => quantity(measure.example),

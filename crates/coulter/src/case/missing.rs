@@ -48,6 +48,7 @@ fn example(path: &str) -> String {
         Some(Kind::Modulus(offset)) => format!("\"102 kN/m^(n+{offset})\""),
         Some(Kind::NamePair) => "[\"frame\", \"disc\"]".into(),
         Some(Kind::Ratios) => "[3, 3, 1]".into(),
+        Some(Kind::Interval) => "[0.3, 0.5]".into(),
         Some(Kind::Count) => "24".into(),
         Some(Kind::Flag) => "true".into(),
         _ => "0.3".into(),

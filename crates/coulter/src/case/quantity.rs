@@ -61,6 +61,9 @@ pub const STRENGTH_GRADIENT: Measure =
 pub const STIFFNESS: Measure = measure("a stiffness", [0, 1, -2, 0], "N/m", "20 kN/m");
 /// A damping coefficient [N s/m].
 pub const DAMPING: Measure = measure("a damping coefficient", [0, 1, -1, 0], "N*s/m", "50 N*s/m");
+/// A resistance per speed and area [N s/m³].
+pub const RATE_RESISTANCE: Measure =
+    measure("a resistance per speed and area", [-2, 1, -1, 0], "N*s/m^3", "200 kN*s/m^3");
 /// A moment of inertia [kg m²].
 pub const INERTIA: Measure = measure("a moment of inertia", [2, 1, 0, 0], "kg*m^2", "0.02 kg*m^2");
 

@@ -528,6 +528,19 @@ pub struct Measured {
     pub plate_stiffness: Option<f64>,
     /// Pressure–sinkage parameters.
     pub plate: Option<Plate>,
+    /// Coefficients of a plough under water.
+    pub plough: Option<Plough>,
+}
+
+/// Coefficients of the tow force of a plough under water, each least and most.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Plough {
+    /// C_w: friction over the weight in water.
+    pub weight: [f64; 2],
+    /// C_s: slow resistance over γ′ D³.
+    pub slow: [f64; 2],
+    /// C_d: growth of the resistance with the speed over D² [N s/m³].
+    pub rate: [f64; 2],
 }
 
 /// Pressure–sinkage parameters of Bekker, p = (k_c/b + k_φ) zⁿ, and shear deformation modulus of Janosi and Hanamoto.

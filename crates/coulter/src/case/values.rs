@@ -31,7 +31,11 @@ pub(super) fn value(node: &Value, kind: &Kind, path: &str, problems: &mut Proble
             return Given::Number(f64::from(format::FORMAT));
         }
         Kind::Number => number(node).map(Given::Number),
-        Kind::Ratios => ratios(node).map(Given::List),
+        Kind::Ratios => numbers(node, 3, "three numbers without units, along x, y and z, such as [3, 3, 1]")
+            .map(Given::List),
+        Kind::Interval => {
+            numbers(node, 2, "two numbers without units, low and high, such as [0.3, 0.5]").map(Given::List)
+        }
         Kind::Count => count(node).map(Given::Number),
         Kind::Flag => flag(node).map(Given::Flag),
         Kind::Quantity(measure) => quantity(node, measure).map(Given::Number),
@@ -202,16 +206,17 @@ fn list(node: &Value, measure: &Measure, lengths: RangeInclusive<usize>) -> Read
     items.iter().enumerate().map(element).collect()
 }
 
-fn ratios(node: &Value) -> Read<Vec<f64>> {
-    const CURE: &str = "write three numbers without units, along x, y and z, such as [3, 3, 1]";
+/// A list of this many numbers without units, of which `what` says what to write.
+fn numbers(node: &Value, count: usize, what: &str) -> Read<Vec<f64>> {
+    let cure = format!("write {what}");
     match node {
-        Value::List(items) if items.len() == 3 => {
+        Value::List(items) if items.len() == count => {
             let element =
                 |(n, item)| number(item).map_err(|complaint| Complaint { element: Some(n), ..complaint });
             items.iter().enumerate().map(element).collect()
         }
-        Value::List(items) => complain(format!("expected 3 numbers, found {}", items.len()), CURE),
-        _ => wrong_type(node, "a list of 3 numbers", CURE),
+        Value::List(items) => complain(format!("expected {count} numbers, found {}", items.len()), cure),
+        _ => wrong_type(node, &format!("a list of {count} numbers"), cure),
     }
 }
 

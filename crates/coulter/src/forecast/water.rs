@@ -1,9 +1,11 @@
 //! What water does to the forecast: whether it can follow, the suction where it cannot, and its drag on the bodies.
 
 use super::model_input::ModelInput;
+use super::saturated::{BladeUnderWater, PloughUnderWater};
 use crate::case::Case;
 use crate::case::resolved::Water;
 use crate::text::wrapped;
+use analytic::cutting::{PloughForce, SaturatedCut};
 use analytic::forecast::{Forecast, ModelForecast};
 use analytic::{PoreWater, Suction};
 use serde_json::{Value, json};
@@ -23,6 +25,10 @@ pub struct UnderWater {
     pub drag: f64,
     /// The models with a third of the suction, with it and with three times as much; `None` where the water follows freely.
     pub suction: Option<[Suction; 3]>,
+    /// The body as a blade that cuts saturated sand; `None` for one without a plane front, and where the water follows freely.
+    pub blade: Option<BladeUnderWater>,
+    /// The tow force of a plough, if the case has its coefficients.
+    pub plough: Option<PloughUnderWater>,
 }
 
 impl UnderWater {
@@ -31,11 +37,22 @@ impl UnderWater {
     /// # Errors
     /// In words, where the soil contracts faster than its water can leave, or no model has an answer with suction.
     pub(super) fn of(case: &Case, input: &ModelInput) -> Result<Option<Self>, String> {
-        let Some(water) = case.water else { return Ok(None) };
+        let Some(water) = case.water else {
+            let message =
+                "the coefficients of a plough are for ground under water; add [water], or remove them";
+            return if case.forecast.plough.is_some() { Err(message.into()) } else { Ok(None) };
+        };
         let speed = case.largest_speed();
         let bodies = case.bodies.iter().map(|body| case.fluid(body).drag * speed * speed);
-        let mut found =
-            Self { speed, drainage_number: case.drainage_number(), drag: bodies.sum(), suction: None };
+        let plough = case.forecast.plough.as_ref();
+        let mut found = Self {
+            speed,
+            drainage_number: case.drainage_number(),
+            drag: bodies.sum(),
+            suction: None,
+            blade: None,
+            plough: plough.map(|plough| PloughUnderWater::of(case, input, plough, speed)).transpose()?,
+        };
         let (Some(number), Some(strain), Some(permeability)) =
             (found.drainage_number, case.volume_strain(), water.permeability)
         else {
@@ -56,6 +73,7 @@ impl UnderWater {
             };
             let at = |times: f64| pores.forecast(&input.towing, speed, times).map_err(|why| why.to_string());
             found.suction = Some([at(FACTORS[0])?, at(FACTORS[1])?, at(FACTORS[2])?]);
+            found.blade = BladeUnderWater::of(input, &pores, speed, FACTORS);
         }
         Ok(Some(found))
     }
@@ -108,6 +126,9 @@ impl UnderWater {
             );
             let _ = writeln!(text, "{}", wrapped(&note));
         }
+        for line in self.blade.iter().map(blade_text).chain(self.plough.iter().map(plough_text)) {
+            let _ = writeln!(text, "{}", wrapped(&line));
+        }
         if self.drag > 0.0 {
             let _ = writeln!(text, "drag of the water on all bodies, in addition: {:.4} N", self.drag);
         }
@@ -130,8 +151,64 @@ impl UnderWater {
         json!({
             "speed_m_s": self.speed, "drainage_number": self.drainage_number, "water_drag_N": self.drag,
             "suction_factors": FACTORS, "with_suction": self.suction.as_ref().map(|all| all.each_ref().map(one)),
+            "blade": self.blade.as_ref().map(blade_document), "plough": self.plough.as_ref().map(plough_document),
         })
     }
+}
+
+/// The cut of a blade in words.
+fn blade_text(blade: &BladeUnderWater) -> String {
+    let cuts = match &blade.cuts {
+        Ok(cuts) => cuts,
+        Err(why) => return format!("blade in saturated sand (Miedema): no answer: {why}"),
+    };
+    let of = |value: fn(&SaturatedCut) -> f64, unit: &str| spread(cuts.each_ref().map(value), unit);
+    let capped = if cuts[1].cavitates { "; the water cavitates, the force grows no further" } else { "" };
+    format!(
+        "blade in saturated sand (Miedema, plane strain, the weight of the layer included), for a third of ε/k, ε/k and three times it: \
+         F_H = {}, F_V = {}; shear angle {:.1}°, suction on the shear plane {}, on the blade {}{capped}",
+        of(|cut| cut.force.drag, "N"),
+        of(|cut| cut.force.vertical, "N"),
+        cuts[1].shear_angle.to_degrees(),
+        of(|cut| 1e-3 * cut.shear_suction, "kPa"),
+        of(|cut| 1e-3 * cut.blade_suction, "kPa")
+    )
+}
+
+/// The tow force of a plough in words.
+fn plough_text(plough: &PloughUnderWater) -> String {
+    let [low, high] = plough.forces;
+    let of = |part: fn(&PloughForce) -> f64| format!("{:.4} to {:.4} N", part(&low), part(&high));
+    format!(
+        "tow force of a plough, C_w W′ + C_s γ′ D³ + C_d v D², with the coefficients of the case (W′ = {:.4} N, D = {:.4} m): {}; friction {}, \
+         slow resistance {}, by the speed {}",
+        plough.weight,
+        plough.depth,
+        of(PloughForce::total),
+        of(|force| force.friction),
+        of(|force| force.slow),
+        of(|force| force.rate)
+    )
+}
+
+fn blade_document(blade: &BladeUnderWater) -> Value {
+    let one = |cut: &SaturatedCut| {
+        json!({
+            "drag_N": cut.force.drag, "vertical_N": cut.force.vertical, "shear_angle_rad": cut.shear_angle,
+            "shear_suction_Pa": cut.shear_suction, "blade_suction_Pa": cut.blade_suction, "cavitates": cut.cavitates,
+        })
+    };
+    let depth = if blade.depth.is_finite() { json!(blade.depth) } else { Value::Null };
+    json!({
+        "blade_angle_rad": blade.angle, "depth_m": depth, "note": blade.cuts.as_ref().err(),
+        "cuts": blade.cuts.as_ref().ok().map(|cuts| cuts.each_ref().map(one)),
+    })
+}
+
+fn plough_document(plough: &PloughUnderWater) -> Value {
+    let one = |force: PloughForce| json!({ "tow_N": force.total(), "friction_N": force.friction, "slow_N": force.slow, "rate_N": force.rate });
+    let [low, high] = plough.forces.map(one);
+    json!({ "weight_N": plough.weight, "depth_m": plough.depth, "low": low, "high": high })
 }
 
 /// The same model in another forecast, if it has an answer.

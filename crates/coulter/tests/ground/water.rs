@@ -159,3 +159,57 @@ fn a_forecast_has_suction_where_the_water_cannot_follow_and_none_for_soil_that_m
     assert!(outlook(&loose).unwrap_err().contains("it may liquefy"));
     assert!(outlook(&case("", SAND, DISC)).unwrap().under_water.is_none());
 }
+
+const BLADE: &str = "[body.blade]\nshape = \"blade\"\nwidth = \"0.2 m\"\nheight = \"0.16 m\"\nthickness = \"30 mm\"\npitch = \"-45 deg\"\n\
+                     friction = 0.4\nsinkage = \"50 mm\"\nforward = { speed = \"0.15 m/s\" }\n";
+const WEDGE: &str = "[body.wedge]\nshape = \"wedge\"\nlength = \"0.12 m\"\nwidth = \"0.2 m\"\nheight = \"0.12 m\"\nfriction = 0.4\n\
+                     sinkage = \"50 mm\"\nforward = { speed = \"0.15 m/s\" }\n";
+
+fn forecast_under_water(extra: &str, body: &str) -> Result<coulter::forecast::UnderWater, String> {
+    let fine = format!("{}accept_drained = true\n{extra}", WATER.replace("1 cm/s", "1e-4 m/s"));
+    let read = read(&text(&fine, SAND, body))?;
+    Ok(outlook(&read)?.under_water.unwrap())
+}
+
+#[test]
+fn a_blade_or_a_wedge_cuts_saturated_sand_and_a_disc_does_not() {
+    let blade = forecast_under_water("", BLADE).unwrap().blade.unwrap();
+    let [less, usual, more] = blade.cuts.unwrap().map(|cut| cut.force.drag);
+    assert!(0.0 < less && less < usual && usual < more && more < 3.0 * usual, "{less} {usual} {more} N");
+    // The thick blade reaches below its front by 30 mm sin 45°.
+    assert!((blade.depth / (0.05 - 0.03 * 0.5_f64.sqrt()) - 1.0).abs() < 1e-9, "{} m", blade.depth);
+    // As high over its base as long: its face is that of the blade.
+    let height = 0.16 * 0.5_f64.sqrt();
+    let same =
+        WEDGE.replace("50 mm", &format!("{} m", blade.depth)).replace("0.12 m", &format!("{height} m"));
+    let wedge = forecast_under_water("", &same).unwrap().blade.unwrap();
+    assert!((wedge.angle - blade.angle).abs() < 1e-9 && (wedge.depth / blade.depth - 1.0).abs() < 1e-6);
+    let of_wedge = wedge.cuts.unwrap()[1].force.drag;
+    assert!((of_wedge / usual - 1.0).abs() < 1e-6, "{of_wedge} N, not {usual} N");
+    let upright = forecast_under_water("", &BLADE.replace("-45 deg", "0 deg")).unwrap().blade.unwrap();
+    assert!(upright.cuts.unwrap_err().contains("the valid range is 15° to 60°"));
+    assert!(forecast_under_water("", DISC).unwrap().blade.is_none());
+}
+
+#[test]
+fn a_plough_has_a_tow_force_where_its_coefficients_are_given() {
+    let keys = "[forecast]\nplough_weight_coefficient = [0.3, 0.5]\nplough_slow_coefficient = [5, 15]\n\
+                plough_rate_coefficient = [\"50 kN*s/m^3\", \"200 kN*s/m^3\"]\n";
+    let body = format!("{BLADE}weight = \"100 N\"\n");
+    let found = forecast_under_water(keys, &body).unwrap().plough.unwrap();
+    let weight = 100.0 - 9810.0 * 0.2 * 0.16 * 0.03;
+    let unit_weight = case(WATER, SAND, "").soil.unit_weight;
+    for (force, [by_weight, slow, rate]) in found.forces.iter().zip([[0.3, 5.0, 5e4], [0.5, 15.0, 2e5]]) {
+        let depth = 0.05_f64;
+        let expected = by_weight * weight + slow * unit_weight * depth.powi(3) + rate * 0.15 * depth * depth;
+        assert!((force.total() / expected - 1.0).abs() < 1e-6, "{} N, not {expected}", force.total());
+    }
+    let refused = |keys: &str, body: &str| forecast_under_water(keys, body).unwrap_err();
+    let two = keys.replace("plough_slow_coefficient = [5, 15]\n", "");
+    assert!(refused(&two, &body).contains("needs all three coefficients"));
+    assert!(refused(&keys.replace("[5, 15]", "[15, 5]"), &body).contains("starts above its end"));
+    assert!(refused(&keys.replace("[5, 15]", "[5, 10, 15]"), &body).contains("expected 2 numbers"));
+    assert!(refused(keys, DISC).contains("fix its heave"));
+    let dry = outlook(&read(&text(keys, SAND, &body)).unwrap()).unwrap_err();
+    assert!(dry.contains("add [water]"), "{dry}");
+}

@@ -4,7 +4,7 @@ use super::allowed_range::{BACKFILL, EXPONENT, FRACTION, NOT_NEGATIVE, POSITIVE}
 use super::default_value::DefaultValue::{Derived, Number, Otherwise, Quantity, Word};
 use super::key::{Key, Kind, key};
 use super::words::{FACTORS, PUBLISHED_SOILS};
-use crate::case::quantity::{ANGLE, LENGTH, STRESS, UNIT_WEIGHT};
+use crate::case::quantity::{ANGLE, LENGTH, RATE_RESISTANCE, STRESS, UNIT_WEIGHT};
 
 pub(super) const FORECAST: &[Key] = &[
     key(
@@ -54,6 +54,27 @@ pub(super) const FORECAST: &[Key] = &[
         "Inclination β of the ground in front of the disc, positive when it rises (PW).",
     )
     .within(BACKFILL),
+    key(
+        "plough_weight_coefficient",
+        Kind::Interval,
+        Derived("none"),
+        "C_w of the tow force of a plough under water, C_w W′ + C_s γ′ D³ + C_d v D²: friction over its weight in water, least and most.",
+    )
+    .within(NOT_NEGATIVE),
+    key(
+        "plough_slow_coefficient",
+        Kind::Interval,
+        Derived("none"),
+        "C_s of the same: slow resistance over γ′ D³, D the depth, least and most.",
+    )
+    .within(NOT_NEGATIVE),
+    key(
+        "plough_rate_coefficient",
+        Kind::Range(RATE_RESISTANCE),
+        Derived("none"),
+        "C_d of the same: growth of the resistance with the speed over D², least and most.",
+    )
+    .within(NOT_NEGATIVE),
     key(
         "factors",
         Kind::Choice(&FACTORS),

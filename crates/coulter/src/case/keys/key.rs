@@ -17,6 +17,8 @@ pub enum Kind {
     Number,
     /// Three numbers without a unit, along x, y and z.
     Ratios,
+    /// Low and high end: two numbers without a unit.
+    Interval,
     /// A whole number, 0 or more.
     Count,
     /// `true` or `false`.

@@ -2,7 +2,7 @@
 
 use crate::case::missing::required;
 use crate::case::problem::Problems;
-use crate::case::resolved::{Factors, Measured, Plate};
+use crate::case::resolved::{Factors, Measured, Plate, Plough};
 use crate::case::typed::Section;
 use analytic::wheel::{CMU_SAND, TERRAINS, Terrain};
 
@@ -22,8 +22,33 @@ pub(super) fn measured(section: &Section, problems: &mut Problems) -> Option<Mea
         bow_wave: section.number("bow_wave")?,
         backfill: section.number("backfill")?,
         factors,
+        plough: plough(section, problems),
     };
     (problems.len() == before).then_some(measured)
+}
+
+const COEFFICIENTS: [&str; 3] =
+    ["plough_weight_coefficient", "plough_slow_coefficient", "plough_rate_coefficient"];
+
+/// Coefficients of a plough: all three or none.
+fn plough(section: &Section, problems: &mut Problems) -> Option<Plough> {
+    if !COEFFICIENTS.iter().any(|key| section.has(key)) {
+        return None;
+    }
+    let [weight, slow, rate] = COEFFICIENTS.map(|key| {
+        if !section.has(key) {
+            let message =
+                format!("`{key}` is missing: the tow force of a plough needs all three coefficients");
+            problems.add(section.at(key), message, "give its least and its most, equal if it is known");
+        }
+        let list = section.list(key)?;
+        let ends: [f64; 2] = list.try_into().ok()?;
+        if ends[0] > ends[1] {
+            problems.add(section.at(key), format!("`{key}` starts above its end"), "write the least first");
+        }
+        Some(ends)
+    });
+    Some(Plough { weight: weight?, slow: slow?, rate: rate? })
 }
 
 const CONSTANTS: [&str; 3] = ["sinkage_exponent", "cohesive_modulus", "frictional_modulus"];
