@@ -11,7 +11,7 @@ use solver::fields::Nodes;
 use solver::grid::Grid;
 use solver::halo::in_process::partition;
 use solver::initial::{at_rest, set_in_motion};
-use solver::model::{BodyModel, ContactMethod, Model};
+use solver::model::{BodyModel, ContactMethod, Model, PoreWater};
 use solver::precision::Precision;
 use solver::state::State;
 use solver::step::step;
@@ -66,6 +66,13 @@ fn penalty(lanes: usize) -> Model {
 fn softening(lanes: usize) -> Model {
     let mut model = impulse(lanes);
     model.materials = vec![dense_sand(Some(0.05))];
+    model
+}
+
+/// The same under water whose pressure is computed.
+fn under_water(lanes: usize) -> Model {
+    let mut model = softening(lanes);
+    model.pore_water = Some(PoreWater { permeability: 2e-4, unit_weight: 1e4, level: 1.0 });
     model
 }
 
@@ -131,6 +138,12 @@ fn blocks_are_the_whole<R: Precision>(model: fn(usize) -> Model, before: [&[usiz
 #[test]
 fn two_blocks_side_by_side() {
     blocks_are_the_whole::<f64>(impulse, [&[9], &[]], 1);
+}
+
+#[test]
+fn blocks_with_pore_water_side_by_side_and_above_each_other() {
+    blocks_are_the_whole::<f64>(under_water, [&[9], &[6]], 2);
+    blocks_are_the_whole::<f32>(under_water, [&[4, 13], &[]], 1);
 }
 
 #[test]

@@ -13,6 +13,7 @@ mod circle;
 mod column;
 mod confined;
 mod conservation;
+mod consolidation;
 mod control;
 mod disc;
 pub mod document;
@@ -61,6 +62,7 @@ mod three_meshes;
 pub mod trace;
 mod transport;
 mod wall;
+mod wall_under_water;
 mod wave;
 
 pub use findings::Findings;

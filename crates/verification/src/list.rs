@@ -4,9 +4,10 @@ use crate::error::VerifyError;
 use crate::expectations::Expectations;
 use crate::runner::Runner;
 use crate::{
-    attitude, blade, circle, column, conservation, control, disc, element, flow, footing, friction, group,
-    light, long_tow, other_codes, plate, positions, precision, repeat, rest, rigid, rotating, rough_wall,
-    round_column, scaling, softening, strip_sand, taylor, three_meshes, transport, wall, wave,
+    attitude, blade, circle, column, conservation, consolidation, control, disc, element, flow, footing,
+    friction, group, light, long_tow, other_codes, plate, positions, precision, repeat, rest, rigid,
+    rotating, rough_wall, round_column, scaling, softening, strip_sand, taylor, three_meshes, transport,
+    wall, wall_under_water, wave,
 };
 use std::sync::LazyLock;
 
@@ -88,6 +89,8 @@ pub const BENCHMARKS: &[Benchmark] = &[
     benchmark!("E3", "E3_wall", Run, other_codes::wall),
     benchmark!("F1", "F1_friction_on_known_faces", Run, friction::run),
     benchmark!("F2", "F2_pressure_before_a_blade", Run, blade::run),
+    benchmark!("W1", "W1_consolidation", Run, consolidation::run),
+    benchmark!("W2", "W2_wall_under_water", Run, wall_under_water::run),
     benchmark!("P1", "P1_single_precision", Run, precision::run),
     benchmark!("N1", "N1_wrong_angle", Run, control::run),
 ];
