@@ -24,7 +24,8 @@ pub(crate) fn account<R: Precision>(
     balance.seepage += sums.seepage;
     balance.external += sums.gravity;
     balance.friction += work.friction_work;
-    balance.contact -= work.on_soil + work.friction_work;
+    balance.seepage += work.water_work;
+    balance.contact -= work.on_soil + work.friction_work + work.water_work;
     for n in 0..state.bodies.len() {
         let done = bodies.work(n);
         balance.external += modelled * (done.load + done.gravity + done.joint + done.drive);

@@ -26,9 +26,10 @@ pub(crate) fn renew<R: Precision>(
     state: &mut State<R>,
     soil: &mut SoilWorkspace<R>,
     seepage: &mut SeepageWorkspace,
-    halo: &mut dyn Halo,
+    (contact, halo): (&ContactWorkspace, &mut dyn Halo),
 ) {
     let Some(water) = &model.pore_water else { return };
+    seepage.open_gaps(contact.pressure_cells.iter().zip(&contact.openings));
     let inertia = ANTICIPATED * model.time_step() / model.least_density();
     seepage::balance_water((model, water), inertia, state, soil, (seepage, halo));
     soil.stopwatch().lap(Stage::Seepage);

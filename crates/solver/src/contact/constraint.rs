@@ -27,8 +27,6 @@ pub(super) struct Constraint {
     pub(super) overlap: f64,
     /// Impulse on the soil in this step [N s].
     pub(super) impulse: DVec3,
-    /// Impulse of the pore water along the normal in this step [N s]: the rest of the normal impulse is that of the grains.
-    pub(super) water: f64,
 }
 
 /// Sums over the points of a constraint.
@@ -40,13 +38,10 @@ struct Sums {
     arm: DVec3,
     overlap: f64,
     impulse: DVec3,
-    water: f64,
 }
 
 impl Sums {
-    /// Adds a point at which the pore water exerts a pressure [Pa].
-    fn add(&mut self, c: &Contact, pore_pressure: f64) {
-        self.water += c.area * pore_pressure;
+    fn add(&mut self, c: &Contact) {
         self.area += c.area;
         for (sum, w) in self.weight.iter_mut().zip(c.weight) {
             *sum += c.area * w;
@@ -65,7 +60,6 @@ impl Sums {
             arm: self.arm + other.arm,
             overlap: self.overlap + other.overlap,
             impulse: self.impulse + other.impulse,
-            water: self.water + other.water,
         }
     }
 }
@@ -115,7 +109,7 @@ impl Constraints {
                 sums.push(Default::default());
             }
             of_contact[n] = Some(at);
-            sums[at][side(c)].add(c, problem.pore_pressure(n));
+            sums[at][side(c)].add(c);
         }
         for (constraint, [left, right, middle]) in constraints.iter_mut().zip(sums) {
             let all = left.plus(right).plus(middle);
@@ -125,7 +119,6 @@ impl Constraints {
             constraint.jacobian.normal = all.normal.normalize_or_zero();
             constraint.overlap = all.overlap / all.area;
             constraint.impulse = all.impulse;
-            constraint.water = all.water * problem.dt;
         }
     }
 }

@@ -100,14 +100,13 @@ fn update_history(problem: &mut ContactProblem, n: usize, constraint: Option<&Co
     let impulse = constraint.map_or(DVec3::ZERO, |p| (area / p.area) * p.impulse);
     if let Some(constraint) = constraint {
         let normal = impulse.dot(constraint.jacobian.normal) * constraint.jacobian.normal;
-        let water = (area / constraint.area) * constraint.water * constraint.jacobian.normal;
-        problem.record(n, [normal, impulse - normal], water);
+        problem.record(n, normal, impulse - normal);
     }
     let slip = problem.slip_velocity_of(n);
     let c = &mut problem.contacts[n];
     let penetration = (c.penetration + slip.dot(c.normal) * problem.dt).min(c.penetration.max(0.0));
     // Round-off must not open an active point.
-    let held = constraint.is_some_and(|p| p.impulse.dot(p.jacobian.normal) > p.water);
+    let held = constraint.is_some_and(|p| p.impulse.dot(p.jacobian.normal) > 0.0);
     c.penetration = if held { penetration.max(0.0) } else { penetration };
     c.impulse = impulse;
 }
@@ -148,19 +147,19 @@ impl EffectiveMass {
         })
     }
 
-    /// The impulse after one relaxation, projected on the Coulomb cone, whose apex is the impulse of the pore water.
+    /// The impulse after one relaxation, projected on the Coulomb cone.
     fn projected_impulse(&self, problem: &ContactProblem, constraint: &Constraint, relaxation: f64) -> DVec3 {
         let relative = problem.slip_velocity_of_constraint(&constraint.jacobian);
         let closing = relative.dot(constraint.jacobian.normal);
         let old_normal = constraint.impulse.dot(constraint.jacobian.normal);
-        let new_normal = (old_normal + relaxation * (closing - self.bias_velocity) * self.normal_mass)
-            .max(constraint.water);
+        let new_normal =
+            (old_normal + relaxation * (closing - self.bias_velocity) * self.normal_mass).max(0.0);
         if new_normal == 0.0 && old_normal == 0.0 {
             return DVec3::ZERO;
         }
         let old_friction = constraint.impulse - old_normal * constraint.jacobian.normal;
         let sliding = relative - closing * constraint.jacobian.normal;
-        let limit = (self.friction * (new_normal - constraint.water)).min(self.shear_limit);
+        let limit = (self.friction * new_normal).min(self.shear_limit);
         let friction = (old_friction + relaxation * sliding * self.tangential_mass).clamp_length_max(limit);
         new_normal * constraint.jacobian.normal + friction
     }

@@ -95,7 +95,7 @@ impl ContactLaw for Penalty {
             if *normal != DVec3::ZERO {
                 let jacobian = problem.jacobian(n);
                 problem.exchange(&jacobian, *normal + *friction);
-                problem.record(n, [*normal, *friction], DVec3::ZERO);
+                problem.record(n, *normal, *friction);
             }
         }
         for n in 0..problem.contacts.len() {

@@ -167,17 +167,49 @@ impl ContactProblem<'_> {
         self.moving.apply_wrench(first.0.body, &both);
     }
 
-    /// Pore pressure at a contact point [Pa].
-    pub(crate) fn pore_pressure(&self, contact: usize) -> f64 {
-        self.pore_pressures.get(contact).copied().unwrap_or(0.0)
+    /// Exerts the pore pressures on soil and bodies at the contact points. What the contact law adds is between the grains and the
+    /// body.
+    pub(crate) fn press_water(&mut self) {
+        for n in 0..self.pore_pressures.len() {
+            let impulse = self.water_impulse(n);
+            if impulse != DVec3::ZERO {
+                self.exchange(&self.jacobian(n), impulse);
+            }
+        }
+    }
+
+    /// Records what they have exerted, as part of the normal impulses.
+    pub(crate) fn record_water(&mut self) {
+        for n in 0..self.pore_pressures.len() {
+            let water = self.water_impulse(n);
+            if water != DVec3::ZERO {
+                let c = &self.contacts[n];
+                let total = &mut self.bodies[c.body as usize].contact_impulse;
+                total.add(&[water, DVec3::ZERO], water, c.arm, self.modelled_fraction);
+                self.impulses[n][0] += water;
+            }
+        }
+    }
+
+    /// Impulse of the pore water on the soil at a contact point in this step [N s].
+    fn water_impulse(&self, contact: usize) -> DVec3 {
+        let c = &self.contacts[contact];
+        self.pore_pressures[contact] * c.area * self.dt * c.normal
+    }
+
+    /// Rate at which a gap between soil and body grows at a contact point, times its area [m³/s]: water must fill it. What removes an
+    /// overlap opens no gap.
+    pub(crate) fn opening(&self, contact: usize) -> f64 {
+        let c = &self.contacts[contact];
+        if c.penetration < 0.0 { -self.slip_velocity_of(contact).dot(c.normal) * c.area } else { 0.0 }
     }
 
     /// Records the impulses on the soil at a contact point in this step [N s], and adds the reaction to the contact impulse of
-    /// its body; `water` is the portion of the normal impulse that the pore water exerts.
-    pub(crate) fn record(&mut self, contact: usize, [normal, friction]: [DVec3; 2], water: DVec3) {
+    /// its body.
+    pub(crate) fn record(&mut self, contact: usize, normal: DVec3, friction: DVec3) {
         let c = &self.contacts[contact];
-        let body = &mut self.bodies[c.body as usize];
-        body.contact_impulse.add(&[normal, friction], water, c.arm, self.modelled_fraction);
+        let total = &mut self.bodies[c.body as usize].contact_impulse;
+        total.add(&[normal, friction], DVec3::ZERO, c.arm, self.modelled_fraction);
         self.impulses[contact] = [normal, friction];
     }
 }

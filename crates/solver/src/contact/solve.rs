@@ -20,6 +20,8 @@ pub(crate) struct ContactWork {
     pub(crate) on_soil: f64,
     /// Frictional dissipation [J].
     pub(crate) friction_work: f64,
+    /// Work done on the water that fills gaps between soil and bodies [J].
+    pub(crate) water_work: f64,
 }
 
 /// Solves contact between soil and bodies for one step. The contact impulse on each body is added to its total.
@@ -42,13 +44,14 @@ pub(crate) fn solve<R: Scalar>(
         hourglass_correction,
         impulses,
         pore_pressures,
+        openings,
         ..
     } = &mut *workspace;
     gather(&state.nodes, &soil.velocity_before, nodes, halo);
     find_inverse_masses(model, nodes);
     impulses.clear();
     impulses.resize(state.contacts.len(), [DVec3::ZERO; 2]);
-    law.act(&mut ContactProblem {
+    let mut problem = ContactProblem {
         model,
         contacts: &mut state.contacts,
         moving,
@@ -61,11 +64,18 @@ pub(crate) fn solve<R: Scalar>(
         pore_pressures,
         modelled_fraction: model.modelled_fraction(),
         dt: model.time_step(),
-    });
+    };
+    problem.press_water();
+    law.act(&mut problem);
+    problem.record_water();
+    openings.clear();
+    openings.extend((0..pore_pressures.len()).map(|n| problem.opening(n)));
+    let lost = pore_pressures.iter().zip(&*openings).map(|(pressure, opening)| pressure * opening);
+    let water_work = -lost.sum::<f64>() * model.time_step();
     let on_soil = scatter(&mut state.nodes, nodes);
     let friction_work = account_slip(model, state, workspace, moving);
     soil.stopwatch().lap(Stage::Contact);
-    ContactWork { on_soil, friction_work }
+    ContactWork { on_soil, friction_work, water_work }
 }
 
 /// Gathers velocities and masses of the contact nodes from the blocks that own them.

@@ -35,6 +35,8 @@ pub(crate) struct ContactWorkspace {
     pub(crate) pressure_cells: Vec<Option<usize>>,
     /// Pore pressures that act at the contact points in a step [Pa]; empty where none is computed.
     pub(crate) pore_pressures: Vec<f64>,
+    /// Volume per time by which gaps between soil and bodies grow there [m³/s].
+    pub(crate) openings: Vec<f64>,
 }
 
 impl std::fmt::Debug for ContactWorkspace {
@@ -57,6 +59,7 @@ impl ContactWorkspace {
             impulses: Vec::new(),
             pressure_cells: Vec::new(),
             pore_pressures: Vec::new(),
+            openings: Vec::new(),
         };
         workspace.connect(model, state, halo);
         workspace
@@ -80,6 +83,7 @@ impl ContactWorkspace {
             + size_of_val(self.impulses.as_slice())
             + size_of_val(self.pressure_cells.as_slice())
             + size_of_val(self.pore_pressures.as_slice())
+            + size_of_val(self.openings.as_slice())
     }
 }
 

@@ -15,7 +15,7 @@ use crate::grid::Grid;
 use crate::model::Model;
 
 /// Number of arrays over the grid in a workspace.
-const ARRAYS: usize = 10;
+const ARRAYS: usize = 11;
 
 /// Conductances between the cells, and scratch memory of the conjugate gradients. Arrays cover the grid with its ghosts (see
 /// [`Grid::index`]), and are empty where no pore pressure is computed.
@@ -36,6 +36,8 @@ pub(crate) struct SeepageWorkspace {
     product: Vec<f64>,
     /// Fraction of each cell that bodies occupy.
     body_fraction: Vec<f64>,
+    /// Rate at which gaps between bodies and the soil of a cell grow [m³/s].
+    openings: Vec<f64>,
 }
 
 impl SeepageWorkspace {
@@ -51,6 +53,7 @@ impl SeepageWorkspace {
             direction: zeros(),
             product: zeros(),
             body_fraction: zeros(),
+            openings: zeros(),
         }
     }
 
@@ -66,6 +69,14 @@ impl SeepageWorkspace {
         for own in cells {
             self.body_fraction[own.cell] = (self.body_fraction[own.cell] + own.fraction).min(1.0);
         }
+    }
+
+    /// Enters the rates at which gaps grow between bodies and cells [m³/s], which take in water as soil does that expands. A cell that
+    /// the block does not have is none.
+    pub(crate) fn open_gaps<'a>(&mut self, gaps: impl Iterator<Item = (&'a Option<usize>, &'a f64)>) {
+        self.openings.fill(0.0);
+        gaps.filter_map(|(cell, rate)| Some(((*cell)?, rate)))
+            .for_each(|(cell, rate)| self.openings[cell] += rate);
     }
 
     /// Memory in use [bytes].

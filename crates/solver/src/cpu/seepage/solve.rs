@@ -105,7 +105,9 @@ impl Balance<'_> {
     ) {
         let grid = &self.model.grid;
         let SoilWorkspace { team, partition, row_has_soil, row_values, width_x, .. } = soil;
-        let SeepageWorkspace { conductance, diagonal, inverse, residual, direction, product, .. } = workspace;
+        let SeepageWorkspace {
+            conductance, diagonal, inverse, residual, direction, product, openings, ..
+        } = workspace;
         let each = partition.split(inverse).zip(partition.split(residual)).zip(partition.split(product));
         let items = each.zip(partition.split_by(1, row_values)).zip(partition.ranges());
         team.distribute(items, |((((inverse, residual), product), values), rows)| {
@@ -135,7 +137,9 @@ impl Balance<'_> {
                 let pressure = &state.soil.history[PORE_PRESSURE][start..];
                 let (inverse, diagonal) = (&mut inverse[columns], &diagonal[start..]);
                 let mut squares = 0.0;
+                let openings = &openings[start..];
                 for i in 0..taken.len() {
+                    taken[i] += openings[i];
                     let per = if diagonal[i] > 0.0 { 1.0 / diagonal[i] } else { 0.0 };
                     squares += taken[i] * taken[i] * per;
                     taken[i] = -(taken[i] + flow[i]);
