@@ -56,6 +56,7 @@ templates! {
     DrivenWheel: "driven_wheel.toml", "A driven wheel at 30 % slip";
     GrouseredWheel: "grousered_wheel.toml", "A driven wheel with grousers";
     WheelOnSlope: "wheel_on_slope.toml", "A driven wheel with grousers that climbs a slope";
+    FurrowedField: "furrowed_field.toml", "A free disc towed across the furrows of a field";
     HarrowDisc: "harrow_disc.toml", "A dished harrow disc at 20° yaw and 15° tilt";
     Opener: "double_disc_opener.toml", "A double-disc opener";
     Blade: "blade.toml", "A blade with a rake angle of 45°";

@@ -405,6 +405,62 @@ fn several_problems_are_reported_at_once() {
 }
 
 #[test]
+fn uneven_ground() {
+    let at = |new: &str, location: &str, words: &[&str]| {
+        refused_at(FOOTING, "[grid]", &format!("{new}\n[grid]"), location, words);
+    };
+    let furrows = "[furrows]\nspacing = \"0.5 m\"\ndepth = \"20 mm\"\n";
+    at(&furrows.replace("20 mm", "-20 mm"), "depth = \"-20", &["furrows.depth", "above 0", "help:"]);
+    at(&furrows.replace("\"0.5 m\"", "0.5"), "spacing = 0.5", &["furrows.spacing", "unit", "help:"]);
+    at(&furrows.replace("0.5 m", "5 s"), "spacing = \"5 s", &["a length is needed", "help:"]);
+    at(&furrows.replace("0.5 m", "1 mm"), "spacing = \"1 mm", &["2 cells", "help:"]);
+    at(&furrows.replace("depth", "width"), "width = ", &["`width`", "help:"]);
+    at(&furrows.replace("20 mm", "90 m"), "[furrows]", &["not inside the box", "help:"]);
+    at(&format!("{furrows}direction = \"0 deg\""), "[furrows]", &["across the slab", "help:"]);
+    at("[furrows]\nspacing = nan\n", "spacing = nan", &["furrows.spacing", "help:"]);
+    let ball = "[soil_body.ball]\nshape = \"block\"\nsize = [\"0.1 m\", \"0.1 m\"]\nelevation = \"-90 m\"\n\
+                law = \"elastic\"\nyoung_modulus = \"9 MPa\"\nunit_weight = \"16 kN/m^3\"\n";
+    at(ball, "elevation = \"-90 m", &["outside the box", "help:"]);
+    at(&ball.replace("block", "frame"), "shape = \"frame\"", &["no volume", "help:"]);
+    at(&ball.replace("ball", "a b"), "[soil_body.a b", &["not valid TOML"]);
+    at("[soil_body]\nshape = \"block\"\n", "shape = \"block\"\n\n[grid]", &["has no keys of its own"]);
+}
+
+#[test]
+fn files_of_heights() {
+    let complaint_with = |name: &str, content: &[u8], more: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join(name), content).unwrap();
+        let section = format!("[height_map]\nfile = \"{name}\"\n{more}\n[grid]");
+        let path = folder.path().join("broken.toml");
+        let case = FOOTING.replacen("[grid]", &section, 1);
+        std::fs::write(&path, &case).unwrap();
+        let line = case[..case.find("file =").unwrap()].matches('\n').count() + 1;
+        let text = complaint(&["check", path.to_str().unwrap()]);
+        assert!(text.contains(&format!("broken.toml:{line}:")), "line {line} is not named: {text}");
+        assert!(text.contains("help:"), "no cure: {text}");
+        // Long lines are broken.
+        text.replace('│', " ").split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let placed = "unit = \"m\"\nx = [\"-9 m\", \"9 m\"]\ny = [\"-9 m\", \"9 m\"]";
+    assert!(complaint_with("map.csv", b"", "").contains("empty"));
+    assert!(complaint_with("map.csv", b"x,y,z\n0,0,0\n", "").contains("no unit of length"));
+    assert!(complaint_with("map.csv", b"x [m],y [s],z [m]\n0,0,0\n", "").contains("no unit of length"));
+    assert!(complaint_with("map.csv", b"1,2\n3,4\n", "").contains("unit is not given"));
+    assert!(complaint_with("map.csv", b"1\n", placed).contains("1 × 1 points"));
+    assert!(complaint_with("map.csv", b"0,0\n0,nan\n", placed).contains("line 2"));
+    assert!(
+        complaint_with("map.csv", b"0,0\n0,0\n", &placed.replace("\"9 m", "\"-8 m"))
+            .contains("the map lies over")
+    );
+    assert!(complaint_with("map.tif", b"II*\0\x08\0\0\0", placed).contains("not a whole TIFF"));
+    assert!(complaint_with("map.tif", b"", placed).contains("not a whole TIFF"));
+    let heights = placed.replace("unit = \"m\"", "heights = [\"0 mm\", \"1 mm\"]");
+    assert!(complaint_with("map.png", b"\x89PNG\r\n\x1a\n", &heights).contains("not a whole PNG"));
+    assert!(complaint_with("map.bmp", b"BM", placed).contains("extension"));
+}
+
+#[test]
 fn files_that_are_no_case() {
     assert!(complaint_about(b"").contains("the case is empty"));
     assert!(complaint_about(b"# nothing\n\n").contains("coulter new"));

@@ -82,14 +82,16 @@ impl<'a> PlacedDomain<'a> {
         self.grid.volume(i, j, k)
     }
 
-    /// Height of the free surface over column `(i, j)` [m]: the soil of the uppermost cell that is at least half full and of the
-    /// cell above it, heaped on the floor of the former. Detached soil above and voids below do not count.
+    /// Height of the free surface over column `(i, j)` [m], as [`PlacedDomain::height_of`] takes it.
     pub(crate) fn surface_height(&self, state: &State<impl Precision>, [i, j]: [usize; 2]) -> f64 {
+        self.height_of(|k| state.soil.fraction.get(self.index([i, j, k])).map_or(0.0, |f| (*f).into()))
+    }
+
+    /// Height of the free surface over a column whose cells hold these fractions of soil [m]: the soil of the uppermost cell that is at
+    /// least half full and of the cell above it, heaped on the floor of the former. Detached soil above and voids below do not count.
+    pub(crate) fn height_of(&self, held: impl Fn(usize) -> f64) -> f64 {
         let layers = self.cells()[2];
-        let fraction = |k: usize| {
-            let fraction = state.soil.fraction.get(self.index([i, j, k]));
-            fraction.map_or(0.0, |f| (*f).into().clamp(0.0, 1.0))
-        };
+        let fraction = |k: usize| held(k).clamp(0.0, 1.0);
         let Some(top) = (0..layers).rev().find(|&k| fraction(k) >= 0.5) else {
             return self.faces[2][0] + fraction(0) * self.width(2, 0);
         };

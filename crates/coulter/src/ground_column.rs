@@ -3,6 +3,7 @@
 use crate::domain::PlacedDomain;
 use serde::{Deserialize, Serialize};
 use solver::fields::PLASTIC_STRAIN;
+use solver::material::Material;
 use solver::precision::Precision;
 use solver::state::State;
 
@@ -30,11 +31,12 @@ impl GroundColumn {
     /// The same above which soil counts as mixed: layers have been sheared past each other by their own thickness (chosen).
     pub const MIXED: f64 = 1.0;
 
-    /// The soil in column `(i, j)` of a domain, of materials of these densities at the start [kg/m³].
+    /// The soil in column `(i, j)` of a domain, of these materials, each as dense at the start as at
+    /// the height of the cell.
     pub(crate) fn of(
         domain: &PlacedDomain,
         state: &State<impl Precision>,
-        densities: &[f64],
+        materials: &[Material],
         [i, j]: [usize; 2],
     ) -> Self {
         let soil = &state.soil;
@@ -49,10 +51,12 @@ impl GroundColumn {
                 continue;
             }
             let height = fraction * domain.width(2, k);
-            let others = soil.composition.iter().zip(&densities[1..]);
-            let density = others.fold(densities[0], |sum, (portion, density)| {
+            let middle = domain.centre(2, k);
+            let first = materials[0].density_at(middle);
+            let others = soil.composition.iter().zip(&materials[1..]);
+            let density = others.fold(first, |sum, (portion, material)| {
                 let portion: f64 = portion[cell].into();
-                sum + portion * (density - densities[0])
+                sum + portion * (material.density_at(middle) - first)
             });
             let mass: f64 = soil.mass[cell].into();
             content += height;
@@ -69,5 +73,12 @@ impl GroundColumn {
         column.compaction = as_at_start - content;
         column.void = z - domain.faces[2][0] - content;
         column
+    }
+
+    /// The undisturbed ground in a column whose cells hold these fractions of soil.
+    pub(crate) fn undisturbed(domain: &PlacedDomain, held: impl Fn(usize) -> f64) -> Self {
+        let z = domain.height_of(&held);
+        let content: f64 = (0..domain.cells()[2]).map(|k| held(k) * domain.width(2, k)).sum();
+        Self { z, disturbed_to: z, void: z - domain.faces[2][0] - content, ..Self::default() }
     }
 }

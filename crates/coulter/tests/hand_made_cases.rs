@@ -15,6 +15,7 @@ use serde_json::json;
 
 const TOWED_DISC: &str = include_str!("../../../cases/light_disc.toml");
 const UNDER_WATER: &str = include_str!("../../../cases/disc_under_water.toml");
+const FURROWED: &str = include_str!("../../../cases/furrowed_field.toml");
 const FOOTING: &str = include_str!("../../../cases/strip_footing.toml");
 const COLUMN: &str = include_str!("../../../cases/column_collapse.toml");
 const BAR: &str = include_str!("../../../validation/A10_taylor_bar/case.toml");
@@ -286,9 +287,11 @@ fn numbers_of_law(law: &mut Law) -> Vec<&mut f64> {
             maximum_density,
             stiffness_limit,
             characteristic_length,
+            density_gradient,
             ..
         } => {
             let mut all = vec![critical_friction_angle, minimum_density, maximum_density, stiffness_limit];
+            all.push(density_gradient);
             all.extend(characteristic_length);
             all
         }
@@ -339,6 +342,17 @@ fn numbers(case: &mut Case) -> Vec<&mut f64> {
         &mut numerics.point_spacing,
     ]);
     all.extend(case.bodies.iter_mut().flat_map(numbers_of_body));
+    if let Some(furrows) = &mut case.relief.furrows {
+        all.extend([&mut furrows.spacing, &mut furrows.depth, &mut furrows.direction, &mut furrows.offset]);
+    }
+    for body in &mut case.soil_bodies {
+        all.extend(components(&mut body.position));
+        all.extend([&mut body.attitude.yaw, &mut body.attitude.tilt, &mut body.attitude.pitch]);
+        all.extend([&mut body.soil.density, &mut body.soil.unit_weight, &mut body.soil.young_modulus]);
+        if let Shape::Sphere(sphere) = &mut body.shape {
+            all.push(&mut sphere.diameter);
+        }
+    }
     if let Some(water) = &mut case.water {
         all.extend([
             &mut water.level,
@@ -372,14 +386,27 @@ fn changed(value: f64, how: usize, factor: f64) -> f64 {
     }
 }
 
+/// A ball of other soil in the ground.
+const LENS: [&str; 8] = [
+    "grid.aspect=[1, 1, 1]",
+    "soil_body.lens.shape=sphere",
+    "soil_body.lens.diameter=80 mm",
+    "soil_body.lens.elevation=-90 mm",
+    "soil_body.lens.law=tresca",
+    "soil_body.lens.shear_strength=5 kPa",
+    "soil_body.lens.density=1500 kg/m^3",
+    "soil_body.lens.young_modulus=3 MPa",
+];
+
 fn perturbed() -> impl Strategy<Value = Case> {
     let change = (any::<prop::sample::Index>(), 0usize..14, 0.5f64..2.0);
-    let coarse: [(&str, &str, &[&str]); 8] = [
+    let coarse: [(&str, &str, &[&str]); 9] = [
         (TOWED_DISC, "grid.cell=25 mm", &[]),
         (FOOTING, "grid.cell=0.25 m", &[]),
         (COLUMN, "grid.cell=25 mm", &[]),
         (BAR, "grid.cell=0.4 mm", &[]),
         (UNDER_WATER, "grid.cell=12.5 mm", &[]),
+        (FURROWED, "grid.cell=16 mm", &LENS),
         (TOWED_DISC, "grid.cell=25 mm", &["body.disc.rim=rounded"]),
         (TOWED_DISC, "grid.cell=25 mm", &["body.disc.rim=bevelled", "body.disc.bevel_angle=40 deg"]),
         (

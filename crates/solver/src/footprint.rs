@@ -134,7 +134,8 @@ fn point_fractions(model: &Model, body: &BodyModel, moved: DVec3) -> [f64; 2] {
         let those = points.iter().filter(|p| of(body.start.position + body.rotated(&body.start, p.position)));
         those.map(|p| area(&p)).sum::<f64>() / points.iter().map(|p| p.area).sum::<f64>()
     };
-    let in_soil = |x: DVec3| x.z <= model.surface && (0..3).all(|axis| is_in(axis, x, 0.0));
+    let top = model.top_of_ground();
+    let in_soil = |x: DVec3| x.z <= top && (0..3).all(|axis| is_in(axis, x, 0.0));
     let touching = fraction(&in_soil).max(fraction(&|x| in_soil(x + moved)));
     [fraction(&|x| !stays || is_in(1, x, spacing)), touching]
 }

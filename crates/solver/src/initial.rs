@@ -1,6 +1,7 @@
 //! The state before the first step: soil at rest under its own weight, bodies where the case puts them.
 
 use crate::balance::kinetic_energy;
+use crate::boundary::Boundary;
 use crate::contact::cut_out_bodies;
 use crate::energy;
 use crate::fields::INTACT_STRENGTH;
@@ -11,19 +12,20 @@ use crate::model::{Ground, Model};
 use crate::precision::Precision;
 use crate::scalar::Scalar;
 use crate::state::{Body, EnergyBalance, Nodes, Pose, Soil, State, Twist};
+use crate::uneven;
 use glam::DVec3;
 
 /// The state at rest of a box of soil.
 #[must_use]
 pub fn at_rest<R: Precision>(model: &Model, filling: &Filling) -> State<R> {
-    at_rest_on(model, &Ground { fillings: vec![*filling], overburden: 0.0 })
+    at_rest_on(model, &Ground { fillings: vec![*filling], ..Ground::default() })
 }
 
 /// The state at rest of any ground. If there is an overburden, the soil reaches up to the lid of the box, which does not move
 /// and bears the pressure from then on.
 #[must_use]
 pub fn at_rest_on<R: Precision>(model: &Model, ground: &Ground) -> State<R> {
-    of_soil(model, filled(&model.grid, &ground.fillings, model), ground.overburden)
+    of_soil(model, filled(&model.grid, ground, model), ground.overburden)
 }
 
 /// No soil of the model's materials.
@@ -31,15 +33,35 @@ fn empty<R: Scalar>(grid: &Grid, model: &Model) -> Soil<R> {
     Soil::empty(grid, model.materials.len(), model.kinds())
 }
 
-/// Volume fractions and materials of some bodies of soil.
-fn filled<R: Scalar>(grid: &Grid, fillings: &[Filling], model: &Model) -> Soil<R> {
+/// Volume fractions and materials of the ground.
+fn filled<R: Scalar>(grid: &Grid, ground: &Ground, model: &Model) -> Soil<R> {
     let mut soil = empty(grid, model);
-    for filling in fillings {
+    if !ground.is_even() {
+        let bodies = ground.bodies.iter().map(|body| body.material);
+        let materials: Vec<usize> = bodies.chain(ground.fillings.iter().map(|f| f.material)).collect();
+        uneven::portions(grid, ground, |cell, portions| {
+            for (own, material) in portions.iter().zip(&materials) {
+                add_to(&mut soil, cell, *own, *material);
+            }
+        });
+        return soil;
+    }
+    for filling in &ground.fillings {
         let mut own = vec![R::default(); grid.entries];
         fill(grid, filling, &mut own);
         add(&mut soil, &own, filling.material);
     }
     soil
+}
+
+/// Volume fractions of undisturbed ground in the cells of a grid.
+#[must_use]
+pub fn undisturbed_fractions(grid: &Grid, ground: &Ground) -> Vec<f64> {
+    let mut fractions = vec![0.0; grid.entries];
+    uneven::portions(grid, ground, |cell, portions| {
+        fractions[cell] = portions.iter().sum::<f64>().min(1.0);
+    });
+    fractions
 }
 
 /// Gives the soil of every cell the strength of its materials at the height of the cell's centre.
@@ -61,10 +83,13 @@ fn strengthen<R: Scalar>(model: &Model, grid: &Grid, soil: &mut Soil<R>) {
     }
 }
 
-/// The undisturbed ground in the cells of a grid that has moved: in one column only along an axis along which it is uniform.
+/// The undisturbed ground in the cells of a grid that has moved: in one column only along an axis along which it is uniform, beyond the
+/// open boundary only where there is one alone.
 pub(crate) struct Undisturbed<R> {
     /// In coordinates of the ground.
     grid: Grid,
+    /// Layers of the model's grid that are the first here.
+    first: [usize; 3],
     /// State of the cells; their masses are those of the grid here.
     pub(crate) soil: Soil<R>,
 }
@@ -73,28 +98,44 @@ impl<R: Scalar> Undisturbed<R> {
     /// The ground of a model where the grid is now, `position` from where it started [m].
     pub(crate) fn new(model: &Model, position: DVec3) -> Self {
         let ground = &model.ground;
-        let grid = Grid::new(std::array::from_fn(|axis| {
-            let faces = &model.grid.faces[axis];
+        let needed: [_; 3] = std::array::from_fn(|axis| {
             let is_one = axis < 2 && ground.is_uniform_along(axis);
-            faces[..if is_one { 2 } else { faces.len() }].iter().map(|x| x + position[axis]).collect()
+            if is_one { 0..1 } else { entered(model, axis).unwrap_or(0..model.grid.cells()[axis]) }
+        });
+        let grid = Grid::new(std::array::from_fn(|axis| {
+            let layers = &needed[axis];
+            model.grid.faces[axis][layers.start..=layers.end].iter().map(|x| x + position[axis]).collect()
         }));
-        let mut soil = filled(&grid, &ground.fillings, model);
+        let mut soil = filled(&grid, ground, model);
         weigh(model, &grid, &mut soil);
         strengthen(model, &grid, &mut soil);
         rest_stress(model, &grid, &mut soil, ground.overburden);
-        Self { grid, soil }
+        Self { grid, first: needed.map(|layers| layers.start), soil }
     }
 
     /// Index here of a cell of the model's grid.
     pub(crate) fn index(&self, layers: [usize; 3]) -> usize {
         let cells = self.grid.cells();
-        let [i, j, k] = std::array::from_fn(|axis| layers[axis].min(cells[axis] - 1));
+        let here = |axis: usize| layers[axis].saturating_sub(self.first[axis]).min(cells[axis] - 1);
+        let [i, j, k] = std::array::from_fn(here);
         self.grid.index(i, j, k)
     }
 
     /// Density of the soil in a cell here [kg/m³].
     pub(crate) fn density(&self, model: &Model, cell: usize) -> f64 {
-        density(model, &self.soil, cell)
+        density(model, (&self.grid, &self.soil), cell)
+    }
+}
+
+/// The layers beyond the inflow boundary across an axis, where no other boundary lets in ground.
+fn entered(model: &Model, axis: usize) -> Option<std::ops::Range<usize>> {
+    let faces = (0..3).flat_map(|axis| [(axis, 0), (axis, 1)]);
+    let mut inflow = faces.filter(|(axis, end)| model.boundaries.0[*axis][*end] == Boundary::Inflow);
+    match (inflow.next(), inflow.next()) {
+        (Some((only, end)), None) if only == axis => {
+            Some(model.grid.outside(axis, end)).filter(|layers| !layers.is_empty())
+        }
+        _ => None,
     }
 }
 
@@ -107,16 +148,21 @@ pub fn at_rest_filled<R: Precision>(model: &Model, fraction: Vec<R>) -> State<R>
 /// Adds soil of a material where there is still room for it.
 fn add<R: Scalar>(soil: &mut Soil<R>, fraction: &[R], material: usize) {
     for (c, own) in fraction.iter().enumerate() {
-        let held = soil.fraction[c].to_f64();
-        let added = own.to_f64().min(1.0 - held);
-        if added > 0.0 {
-            let all = held + added;
-            for (n, portion) in soil.composition.iter_mut().enumerate() {
-                let own = if n + 1 == material { added } else { 0.0 };
-                portion[c] = R::cast((portion[c].to_f64() * held + own) / all);
-            }
-            soil.fraction[c] = R::cast(all);
+        add_to(soil, c, own.to_f64(), material);
+    }
+}
+
+/// Adds soil of a material to a cell, where there is still room for it.
+fn add_to<R: Scalar>(soil: &mut Soil<R>, c: usize, fraction: f64, material: usize) {
+    let held = soil.fraction[c].to_f64();
+    let added = fraction.min(1.0 - held);
+    if added > 0.0 {
+        let all = held + added;
+        for (n, portion) in soil.composition.iter_mut().enumerate() {
+            let own = if n + 1 == material { added } else { 0.0 };
+            portion[c] = R::cast((portion[c].to_f64() * held + own) / all);
         }
+        soil.fraction[c] = R::cast(all);
     }
 }
 
@@ -241,11 +287,14 @@ fn relieve_void<R: Scalar>(soil: &mut Soil<R>) {
     }
 }
 
-/// Density of the undeformed soil in a cell [kg/m³].
-fn density<R: Scalar>(model: &Model, soil: &Soil<R>, c: usize) -> f64 {
-    let first = model.material().density;
+/// Density of the undeformed soil in a cell [kg/m³]: that at the height of its centre.
+fn density<R: Scalar>(model: &Model, (grid, soil): (&Grid, &Soil<R>), c: usize) -> f64 {
+    let [_, _, k] = grid.layers_of(c);
+    let z = 0.5 * (grid.faces[2][k] + grid.faces[2][k + 1]);
+    let first = model.material().density_at(z);
     let others = model.materials[1..].iter().zip(&soil.composition);
-    others.fold(first, |sum, (material, portion)| sum + portion[c].to_f64() * (material.density - first))
+    others
+        .fold(first, |sum, (material, portion)| sum + portion[c].to_f64() * (material.density_at(z) - first))
 }
 
 fn weigh<R: Scalar>(model: &Model, grid: &Grid, soil: &mut Soil<R>) {
@@ -254,8 +303,9 @@ fn weigh<R: Scalar>(model: &Model, grid: &Grid, soil: &mut Soil<R>) {
         for j in 0..ny {
             for i in 0..nx {
                 let c = grid.index(i, j, k);
-                soil.mass[c] =
-                    R::cast(density(model, soil, c) * soil.fraction[c].to_f64() * grid.volume(i, j, k));
+                soil.mass[c] = R::cast(
+                    density(model, (grid, soil), c) * soil.fraction[c].to_f64() * grid.volume(i, j, k),
+                );
             }
         }
     }

@@ -23,6 +23,31 @@ pub struct Material {
     pub k0: f64,
     /// Strength of the intact soil at the start, for laws with a strength at each point.
     pub strength: Option<StrengthProfile>,
+    /// Density of the undeformed soil where it grows with depth; `density` then is that at the top.
+    pub density_profile: Option<DensityProfile>,
+}
+
+/// A relative density of sand that grows with depth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DensityProfile {
+    /// Height from which it grows downwards [m].
+    pub top: f64,
+    /// Relative density there and above.
+    pub at_top: f64,
+    /// Its growth per depth [1/m].
+    pub gradient: f64,
+    /// Densities in the loosest and the densest state [kg/m³].
+    pub limits: [f64; 2],
+}
+
+impl DensityProfile {
+    /// Density at a height [kg/m³].
+    #[must_use]
+    pub fn at(&self, z: f64) -> f64 {
+        let [loosest, densest] = self.limits;
+        let relative = self.at_top + self.gradient * (self.top - z).max(0.0);
+        loosest * densest / (densest - relative * (densest - loosest))
+    }
 }
 
 /// An undrained shear strength that grows with depth.
@@ -56,7 +81,14 @@ impl Material {
             characteristic_length: None,
             k0: 1.0,
             strength: None,
+            density_profile: None,
         }
+    }
+
+    /// Density of the undeformed soil at a height [kg/m³].
+    #[must_use]
+    pub fn density_at(&self, z: f64) -> f64 {
+        self.density_profile.map_or(self.density, |profile| profile.at(z))
     }
 
     /// Speed of the compression wave [m/s].

@@ -4,6 +4,7 @@ use crate::boundary::{Boundaries, Boundary, Symmetry};
 use crate::fields::Kinds;
 use crate::grid::{Grid, longer_step};
 use crate::material::Material;
+use crate::relief::Relief;
 use glam::{DMat3, DQuat, DVec3};
 use mechanics::joint::Joint;
 use mechanics::{Fluid, Inertia, Mechanism, Motion, Pose};
@@ -24,7 +25,7 @@ pub struct Model {
     pub down: DVec3,
     /// Weight of the soil over its mass, γ/ρ [m/s²]; not that of gravity where the soil is taken to be weightless.
     pub soil_gravity: f64,
-    /// Height of the undisturbed surface of the soil [m].
+    /// Height of the undisturbed surface of the soil [m]; of uneven ground the level over which its relief rises and falls.
     pub surface: f64,
     /// The undisturbed ground, which enters through an inflow boundary.
     pub ground: Ground,
@@ -209,6 +210,16 @@ impl Model {
         }
     }
 
+    /// Height that no surface of the undisturbed ground exceeds [m].
+    #[must_use]
+    pub fn top_of_ground(&self) -> f64 {
+        if self.ground.is_even() {
+            return self.surface;
+        }
+        let tops = self.ground.bodies.iter().map(|body| body.bounds[1].z);
+        tops.fold(self.surface + self.ground.relief.range()[1], f64::max)
+    }
+
     /// The first material: the only one of most models.
     #[must_use]
     pub fn material(&self) -> &Material {
@@ -335,23 +346,68 @@ pub struct Follow {
 }
 
 /// The undisturbed ground: soil at rest under its own weight and a pressure on its surface.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default)]
 pub struct Ground {
-    /// Where soil is, each filling in what the ones before it have left free. Infinite along an axis along which the grid moves.
+    /// Where soil is, each filling in what the ones before it have left free. Infinite along an axis along which the grid moves. In
+    /// uneven ground the first one is the uppermost, and all are infinite along x and y.
     pub fillings: Vec<Filling>,
     /// Pressure on the surface [Pa].
     pub overburden: f64,
+    /// How far its surface lies above the top of the first filling.
+    pub relief: Relief,
+    /// Bodies of other soil, which take the place of the fillings, each in what the ones before it have left free.
+    pub bodies: Vec<SoilBody>,
 }
 
 impl Ground {
+    /// Whether it is made of boxes alone: its surface is level, and there are no bodies of other soil in it.
+    #[must_use]
+    pub fn is_even(&self) -> bool {
+        self.relief.is_level() && self.bodies.is_empty()
+    }
+
     /// Whether the ground is the same everywhere along x (0) or y (1).
     #[must_use]
     pub fn is_uniform_along(&self, axis: usize) -> bool {
-        self.fillings.iter().all(|filling| {
-            filling.radius.is_none()
-                && filling.low[axis] == f64::NEG_INFINITY
-                && filling.high[axis] == f64::INFINITY
-        })
+        let is_plain = self.bodies.is_empty() && self.relief.is_uniform_along(axis);
+        is_plain
+            && self.fillings.iter().all(|filling| {
+                filling.radius.is_none()
+                    && filling.low[axis] == f64::NEG_INFINITY
+                    && filling.high[axis] == f64::INFINITY
+            })
+    }
+}
+
+/// A body of soil of another kind: a lens, a backfilled trench, a heap.
+#[derive(Clone, Debug)]
+pub struct SoilBody {
+    shape: Arc<dyn Shape>,
+    position: DVec3,
+    /// From the axes of space to those of the shape.
+    to_shape: DQuat,
+    /// Corners of the box round it [m].
+    pub bounds: [DVec3; 2],
+    /// Number of its material.
+    pub material: usize,
+}
+
+impl SoilBody {
+    /// Soil of a material in a shape that has this pose.
+    #[must_use]
+    pub fn new(shape: Arc<dyn Shape>, pose: &Pose, material: usize) -> Self {
+        let to_shape = pose.rotation.inverse();
+        let extent = |axis: DVec3| shape.extent(to_shape * axis);
+        let high = DVec3::from_array(DVec3::AXES.map(extent));
+        let low = DVec3::from_array(DVec3::AXES.map(|axis| -extent(-axis)));
+        let bounds = [pose.position + low, pose.position + high];
+        Self { shape, position: pose.position, to_shape, bounds, material }
+    }
+
+    /// Distance from its surface [m]; negative inside.
+    #[must_use]
+    pub fn distance(&self, x: DVec3) -> f64 {
+        self.shape.signed_distance(self.to_shape * (x - self.position))
     }
 }
 

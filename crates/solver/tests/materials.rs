@@ -52,7 +52,7 @@ fn halves(axis: usize, at: f64) -> [Filling; 2] {
 }
 
 fn run(model: &Model, fillings: &[Filling]) -> State {
-    let mut state = at_rest_on::<f64>(model, &Ground { fillings: fillings.to_vec(), overburden: 0.0 });
+    let mut state = at_rest_on::<f64>(model, &Ground { fillings: fillings.to_vec(), ..Ground::default() });
     let mut workspace = Workspace::new(model, &mut state, 2);
     for _ in 0..600 {
         step(model, &mut state, &mut workspace).unwrap();
@@ -81,7 +81,7 @@ fn layers_of_different_density_stay_at_rest() {
     model.bodies.clear();
     (model.materials[1].density, model.materials[1].k0) = (1200.0, 0.7);
     let mut state =
-        at_rest_on::<f64>(&model, &Ground { fillings: halves(2, -0.043).to_vec(), overburden: 0.0 });
+        at_rest_on::<f64>(&model, &Ground { fillings: halves(2, -0.043).to_vec(), ..Ground::default() });
     let mut workspace = Workspace::new(&model, &mut state, 1);
     for _ in 0..200 {
         step(&model, &mut state, &mut workspace).unwrap();

@@ -52,7 +52,7 @@ fn travelling(height: f64, lanes: usize) -> Model {
     let mut model = sand(faces.clone());
     model.boundaries.0[0] = [Outflow, Inflow];
     model.grid = Grid::with_open_faces(faces, model.boundaries.open_faces(), lanes);
-    model.ground = Ground { fillings: vec![half_space()], overburden: 0.0 };
+    model.ground = Ground { fillings: vec![half_space()], ..Ground::default() };
     model.follow = Some(Follow { body: 0, axes: [true, false, false] });
     model.method.remap_displacement = 0.05;
     model.bodies.push(towed(height));

@@ -95,6 +95,7 @@ fn model(face: Face, cell: f64) -> Model {
         yield_law: Some(Law::MohrCoulomb(law)),
         k0: 0.43,
         strength: None,
+        density_profile: None,
         ..Material::linear_elastic(elastic, 1600.0)
     };
     let faces = |low: f64, high: f64| {

@@ -19,6 +19,7 @@ pub(super) fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
         writeln!(text, "layer    {}, from a depth of {} m", layer.name, plain(layer.top))?;
         describe_soil(text, &layer.soil)?;
     }
+    describe_relief(text, case)?;
     describe_water(text, case)?;
     if !case.slope.is_level() {
         let [along, across] = case.slope.angles().map(f64::to_degrees);
@@ -48,6 +49,35 @@ pub(super) fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
         writeln!(
             text,
             "note     the keys of [forecast] are used by `coulter forecast` only; a run ignores them"
+        )?;
+    }
+    Ok(())
+}
+
+/// The relief of the ground, and the soil bodies in it.
+fn describe_relief(text: &mut String, case: &Case) -> std::fmt::Result {
+    for body in &case.soil_bodies {
+        let shape = body.shape.describe(&|x: f64| format!("{} m", plain(x)));
+        let [x, y, z] = body.position.to_array().map(plain);
+        writeln!(text, "inside   soil body {}: {shape}, at ({x}, {y}, {z}) m", body.name)?;
+        describe_soil(text, &body.soil)?;
+    }
+    if let Some(map) = &case.relief.map {
+        let ([columns, rows], [low, high]) = (map.heights().size(), map.heights().range().map(plain));
+        writeln!(
+            text,
+            "surface  height map {}, {columns} × {rows} points, from {low} to {high} m",
+            map.file
+        )?;
+    }
+    if let Some(furrows) = case.relief.furrows {
+        writeln!(
+            text,
+            "surface  furrows {} m deep, {} m apart, at {:.4}° from x, up to {:.1}° steep",
+            plain(furrows.depth),
+            plain(furrows.spacing),
+            furrows.direction.to_degrees(),
+            furrows.steepest().atan().to_degrees()
         )?;
     }
     Ok(())
@@ -116,12 +146,17 @@ fn strength(soil: &Soil) -> String {
             compression_modulus,
             stiffness_limit,
             characteristic_length,
+            density_gradient,
         } => format!(
-            "sand, φ_cv = {:.4}°, I_D = {:.3} (ρ from {minimum_density:.1} to {maximum_density:.1} kg/m³), Q = {bolton_q}, \
+            "sand, φ_cv = {:.4}°, I_D = {:.3}{} (ρ from {minimum_density:.1} to {maximum_density:.1} kg/m³), Q = {bolton_q}, \
              R = {bolton_r},\n         half of its strength at a strain of {reference_strain}, compression modulus {} Pa, \
              stiffer up to {} Pa{}",
             critical_friction_angle.to_degrees(),
             soil.relative_density().unwrap_or(f64::NAN),
+            match density_gradient {
+                0.0 => String::new(),
+                gradient => format!(" + {}/m × depth", plain(gradient)),
+            },
             plain(compression_modulus),
             plain(stiffness_limit),
             characteristic_length.map_or(String::new(), |length| format!(

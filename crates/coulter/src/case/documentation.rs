@@ -1,7 +1,7 @@
 //! The tables of docs/case-file.md, generated from the tables of keys.
 
 use super::format::{FORMAT, RENAMED_KEYS, RENAMED_VALUES};
-use super::keys::{self, FOLLOW, KeyTable, Kind, MOTION, NAMED, UNTIL, words};
+use super::keys::{self, FOLLOW, KeyTable, Kind, MOTION, NAMED, PLACE_KEYS, UNTIL, words};
 use std::fmt::Write;
 
 const HEADER: &str = "| key | value | default | meaning |\n|---|---|---|---|\n";
@@ -30,10 +30,11 @@ pub fn tables() -> String {
     text
 }
 
-/// The section without keys that another one has explained: a layer has those of the soil.
+/// The section without keys that another one has explained: a layer has those of the soil, a soil body those of a shape as well.
 fn own(section: KeyTable) -> KeyTable {
     match section.name {
         "layer" => KeyTable { keys: &section.keys[..1], ..section },
+        "soil_body" => KeyTable { keys: &section.keys[..PLACE_KEYS], ..section },
         _ => section,
     }
 }

@@ -152,7 +152,7 @@ fn footprint(case: &Case) -> Footprint {
 
 fn filled_cells(case: &Case) -> f64 {
     let (low, high, fraction) = match case.ground {
-        Ground::Level { surface } => (case.domain.low, case.domain.high.with_z(surface), 1.0),
+        Ground::Level { .. } => (case.domain.low, case.domain.high.with_z(case.top_of_ground()), 1.0),
         Ground::Column { low, high, radius: None } => (low, high, 1.0),
         Ground::Column { low, high, radius: Some(_) } => (low, high, FRAC_PI_4),
     };

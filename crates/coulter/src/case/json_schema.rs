@@ -2,7 +2,7 @@
 
 use super::format::FORMAT;
 use super::keys::words::{DENSITIES, WALLS};
-use super::keys::{self, AllowedRange, Bound, DefaultValue, Key, KeyTable, Kind};
+use super::keys::{self, AllowedRange, Bound, DefaultValue, Key, KeyTable, Kind, SHAPE_KEYS};
 use super::quantity::TURN_RATE;
 use serde_json::{Map, Value, json};
 
@@ -24,11 +24,16 @@ fn schema() -> Value {
                     "additionalProperties": stage });
                 properties.insert(section.name.into(), named);
             }
-            "layer" => {
+            "layer" | "soil_body" => {
                 let mut layer = object(&section);
                 for key in keys::find("soil").map(|soil| soil.keys).unwrap_or_default() {
                     layer["properties"][key.name] =
                         json!({ "$ref": format!("#/properties/soil/properties/{}", key.name) });
+                }
+                let shapes = keys::find("body").map(|body| &body.keys[..SHAPE_KEYS]).unwrap_or_default();
+                for key in shapes.iter().filter(|_| section.name == "soil_body") {
+                    let of_body = "#/properties/body/additionalProperties/properties";
+                    layer["properties"][key.name] = json!({ "$ref": format!("{of_body}/{}", key.name) });
                 }
                 let named = json!({ "type": "object", "description": section.meaning,
                     "additionalProperties": layer });

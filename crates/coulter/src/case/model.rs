@@ -14,7 +14,7 @@ use physics::shape::Shape;
 use physics::von_mises::VonMises;
 use solver::boundary::{Boundaries, Boundary};
 use solver::grid::Grid;
-use solver::material::{Material, StrengthProfile};
+use solver::material::{DensityProfile, Material, StrengthProfile};
 use solver::model::{BodyModel, ContactMethod, Filling, Ground, Method, Model, PoreWater};
 
 /// The model that a case means, its grid laid out for vectors of `lanes` numbers.
@@ -33,7 +33,7 @@ pub fn model(case: &Case, lanes: usize) -> Model {
             0.0
         },
         surface: case.ground.surface(),
-        ground: Ground { fillings: fillings(case), overburden: case.overburden },
+        ground: ground(case),
         pore_water: pore_water(case),
         boundaries,
         follow: case.grid.follow,
@@ -61,14 +61,29 @@ fn pore_water(case: &Case) -> Option<PoreWater> {
     Some(PoreWater { permeability: water.permeability?, unit_weight, level: water.level })
 }
 
-/// The materials of the soils from the top down, each with its strength from the top of its layer.
-fn materials(case: &Case) -> Vec<Material> {
-    let tops = std::iter::once(0.0).chain(case.layers.iter().map(|layer| layer.top));
+/// The undisturbed ground that a case means.
+pub(crate) fn ground(case: &Case) -> Ground {
+    let first = 1 + case.layers.len();
+    let bodies = case.soil_bodies.iter().enumerate().map(|(n, body)| body.solver_body(first + n));
+    Ground {
+        fillings: fillings(case),
+        overburden: case.overburden,
+        relief: case.relief.of_solver(),
+        bodies: bodies.collect(),
+    }
+}
+
+/// The materials of the soils from the top down and of the soil bodies, each with its strength and density from its top.
+pub(crate) fn materials(case: &Case) -> Vec<Material> {
+    let depths = std::iter::once(0.0).chain(case.layers.iter().map(|layer| layer.top));
+    let heaps = case.soil_bodies.iter().map(|body| body.solver_body(0).bounds[1].z);
+    let tops = depths.map(|top| case.ground.surface() - top).chain(heaps);
     let each = case.soils().zip(tops).map(|((_, soil), top)| {
         let mut own = material(soil);
         if let Some(profile) = &mut own.strength {
-            profile.top = case.ground.surface() - top;
+            profile.top = top;
         }
+        own.density_profile = density_profile(soil, top);
         own
     });
     each.collect()
@@ -100,7 +115,16 @@ pub fn material(soil: &resolved::Soil) -> Material {
             }
             _ => None,
         },
+        density_profile: None,
     }
+}
+
+/// The growth of density with depth below a height [m]; `None` for soil that is equally dense everywhere.
+fn density_profile(soil: &resolved::Soil, top: f64) -> Option<DensityProfile> {
+    let Law::Sand { minimum_density, maximum_density, density_gradient, .. } = soil.law else { return None };
+    let at_top = soil.relative_density().filter(|_| density_gradient > 0.0)?;
+    let limits = [minimum_density, maximum_density];
+    Some(DensityProfile { top, at_top, gradient: density_gradient, limits })
 }
 
 /// The law of sand, and its dilatancy index at the start, at low pressure; `None` for other soil.

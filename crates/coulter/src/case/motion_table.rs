@@ -1,5 +1,6 @@
 //! A motion from a CSV file: displacements or speeds over time.
 
+use super::data_file::{self, FileProblem, problem, unit};
 use super::quantity::{self, Measure, TIME};
 use mechanics::Course;
 use std::path::Path;
@@ -7,36 +8,21 @@ use std::path::Path;
 /// Largest file that is read [bytes].
 const MAX_BYTES: u64 = 8 << 20;
 
-/// What is wrong with a table, and what to do.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct TableProblem {
-    pub(super) message: String,
-    pub(super) cure: String,
-}
-
-fn problem<T>(message: impl Into<String>, cure: impl Into<String>) -> Result<T, TableProblem> {
-    Err(TableProblem { message: message.into(), cure: cure.into() })
-}
-
 /// Reads a table of times and displacements, or of times and speeds, in these measures.
 ///
 /// # Errors
-/// [`TableProblem`] says what is wrong with the file, and in which line.
-pub(super) fn read(path: &Path, measures: [&Measure; 2]) -> Result<Course, TableProblem> {
+/// [`FileProblem`] says what is wrong with the file, and in which line.
+pub(super) fn read(path: &Path, measures: [&Measure; 2]) -> Result<Course, FileProblem> {
     let [way, rate] = measures;
     let header = format!(
         "its first line must name two columns with their units: time [s],displacement [{}] or time [s],speed [{}]",
         unit_of(way),
         unit_of(rate)
     );
-    let text = text(path)?;
-    let mut lines = csv::ReaderBuilder::new()
-        .comment(Some(b'#'))
-        .trim(csv::Trim::All)
-        .delimiter(if text.lines().any(|line| line.contains(';')) { b';' } else { b',' })
-        .from_reader(text.as_bytes());
+    let text = data_file::text(data_file::bytes(path, (MAX_BYTES, "give it fewer lines"))?)?;
+    let mut lines = data_file::lines(&text, true);
     let names =
-        lines.headers().map_err(|error| TableProblem { message: error.to_string(), cure: header.clone() })?;
+        lines.headers().map_err(|error| FileProblem { message: error.to_string(), cure: header.clone() })?;
     let units: Vec<Option<&str>> = names.iter().map(unit).collect();
     let [Some(time_unit), Some(value_unit)] = units[..] else {
         return problem(
@@ -64,10 +50,10 @@ pub(super) fn read(path: &Path, measures: [&Measure; 2]) -> Result<Course, Table
 fn columns(
     lines: &mut csv::Reader<&[u8]>,
     [seconds, scale]: [f64; 2],
-) -> Result<(Vec<f64>, Vec<f64>), TableProblem> {
+) -> Result<(Vec<f64>, Vec<f64>), FileProblem> {
     let (mut times, mut values) = (Vec::new(), Vec::new());
     for record in lines.records() {
-        let record = record.map_err(|error| TableProblem {
+        let record = record.map_err(|error| FileProblem {
             message: error.to_string(),
             cure: "give every line two numbers".to_owned(),
         })?;
@@ -94,33 +80,12 @@ fn unit_of(measure: &Measure) -> &str {
     measure.example.split_once(' ').map_or("", |(_, unit)| unit)
 }
 
-/// The unit in a header such as `time [s]`.
-fn unit(header: &str) -> Option<&str> {
-    header.split_once('[')?.1.strip_suffix(']')
-}
-
-fn text(path: &Path) -> Result<String, TableProblem> {
-    const CURE: &str = "check the path, which is relative to the folder of the case file";
-    let about = std::fs::metadata(path).or_else(|error| problem(format!("cannot be read: {error}"), CURE))?;
-    if !about.is_file() {
-        return problem("not an ordinary file", CURE);
-    }
-    if about.len() > MAX_BYTES {
-        return problem(
-            format!("{} bytes, at most {MAX_BYTES} are read", about.len()),
-            "give it fewer lines",
-        );
-    }
-    let bytes = std::fs::read(path).or_else(|error| problem(format!("cannot be read: {error}"), CURE))?;
-    String::from_utf8(bytes).or_else(|_| problem("not a text file", "save it as CSV, in UTF-8"))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::case::quantity::{ANGLE, LENGTH, SPEED, TURN_RATE};
 
-    fn table(text: &str, measures: [&Measure; 2]) -> Result<Course, TableProblem> {
+    fn table(text: &str, measures: [&Measure; 2]) -> Result<Course, FileProblem> {
         let file = tempfile::NamedTempFile::new().unwrap();
         std::fs::write(file.path(), text).unwrap();
         read(file.path(), measures)

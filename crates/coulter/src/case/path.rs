@@ -107,7 +107,7 @@ impl<'a> Paths<'a> {
     }
 
     /// Least and largest displacement of the grid [m]: those of the body that it follows.
-    fn of_grid(&self) -> [DVec3; 2] {
+    pub(super) fn of_grid(&self) -> [DVec3; 2] {
         let Some(Follow { body, axes }) = self.follow else { return [DVec3::ZERO; 2] };
         let followed = self.bodies.get(body).map_or([DVec3::ZERO; 2], |body| range(body, self.duration));
         followed.map(|end| DVec3::from_array(std::array::from_fn(|n| if axes[n] { end[n] } else { 0.0 })))

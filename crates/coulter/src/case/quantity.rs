@@ -57,6 +57,9 @@ pub const UNIT_WEIGHT: Measure = measure("a unit weight", [-2, 1, -2, 0], "N/m^3
 /// A growth of strength with depth [Pa/m].
 pub const STRENGTH_GRADIENT: Measure =
     measure("a growth of strength with depth", [-2, 1, -2, 0], "Pa/m", "1.5 kPa/m");
+/// A growth of relative density with depth [1/m].
+pub const DENSITY_GRADIENT: Measure =
+    measure("a growth of relative density with depth", [-1, 0, 0, 0], "1/m", "0.5 1/m");
 /// A stiffness [N/m].
 pub const STIFFNESS: Measure = measure("a stiffness", [0, 1, -2, 0], "N/m", "20 kN/m");
 /// A damping coefficient [N s/m].

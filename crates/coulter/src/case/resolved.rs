@@ -2,13 +2,17 @@
 //! can be simulated.
 
 pub use super::joint::{GROUND, Joint, JointKind};
+use super::relief::Relief;
+use super::rigid_body::pitched;
 pub use super::rigid_body::{Attitude, Body, MOTIONS, Part, Staged};
+use super::shapes::Shape;
 use super::slope::Slope;
 use super::stage;
 pub use super::stage::{Change, MotionTable, Stage, StageQuantity, Until};
 pub use super::water::Water;
 use glam::DVec3;
 pub use mechanics::Motion;
+use mechanics::Pose;
 use serde::Serialize;
 pub use solver::model::Follow;
 
@@ -32,8 +36,14 @@ pub struct Case {
     /// The layers below it, from the top down.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub layers: Vec<Layer>,
+    /// Bodies of soil of another kind, in the order of the file; where two overlap, the first counts.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub soil_bodies: Vec<SoilBody>,
     /// Where there is soil at the start.
     pub ground: Ground,
+    /// How its surface rises and falls.
+    #[serde(skip_serializing_if = "Relief::is_level")]
+    pub relief: Relief,
     /// Vertical pressure of the lid on the soil at the start [Pa].
     pub overburden: f64,
     /// Initial velocity of the soil [m/s].
@@ -97,10 +107,21 @@ impl Case {
         Ok(case)
     }
 
-    /// The soils from the top down, each with the path of its section.
-    pub fn soils(&self) -> impl Iterator<Item = (String, &Soil)> {
+    /// The soil and its layers from the top down, each with the path of its section.
+    pub fn layered_soils(&self) -> impl Iterator<Item = (String, &Soil)> {
         let layers = self.layers.iter().map(|layer| (layer.path(), &layer.soil));
         std::iter::once((SOIL.to_owned(), &self.soil)).chain(layers)
+    }
+
+    /// All soils, each with the path of its section: the layers from the top down, then the soil bodies.
+    pub fn soils(&self) -> impl Iterator<Item = (String, &Soil)> {
+        self.layered_soils().chain(self.soil_bodies.iter().map(|body| (body.path(), &body.soil)))
+    }
+
+    /// Whether the surface is level, or an even slope, and no soil body lies in the ground.
+    #[must_use]
+    pub fn is_even(&self) -> bool {
+        self.relief.is_level() && self.soil_bodies.is_empty()
     }
 
     /// The bodies that have a surface, which the soil can touch, with their numbers.
@@ -148,6 +169,21 @@ impl Soil {
     #[must_use]
     pub fn density_at(&self, relative_density: f64) -> Option<f64> {
         self.law.density_at(relative_density)
+    }
+
+    /// Growth of the relative density with depth [1/m].
+    #[must_use]
+    pub fn density_gradient(&self) -> f64 {
+        if let Law::Sand { density_gradient, .. } = self.law { density_gradient } else { 0.0 }
+    }
+
+    /// The same soil as it is at a depth below its top [m].
+    #[must_use]
+    pub fn at_depth(&self, depth: f64) -> Self {
+        let soil = Self { law: self.law.at_depth(depth), ..self.clone() };
+        let relative = self.relative_density().map(|relative| relative + self.density_gradient() * depth);
+        let density = relative.filter(|_| self.density_gradient() > 0.0).and_then(|r| self.density_at(r));
+        density.map_or_else(|| soil.clone(), |density| soil.at_density(density))
     }
 
     /// Relative density at the start, of sand: (e_max − e)/(e_max − e_min).
@@ -223,7 +259,16 @@ pub enum Law {
         stiffness_limit: f64,
         /// Length over which the density that governs the strength is averaged [m].
         characteristic_length: Option<f64>,
+        /// Growth of the relative density at the start with the depth below the top of the soil [1/m].
+        #[serde(skip_serializing_if = "is_zero")]
+        density_gradient: f64,
     },
+}
+
+/// Whether a number is 0.
+#[allow(clippy::trivially_copy_pass_by_ref)] // as serde calls it
+fn is_zero(number: &f64) -> bool {
+    *number == 0.0
 }
 
 /// What remoulding and rate of shear do to the strength of undrained clay (Einav & Randolph 2005).
@@ -353,6 +398,35 @@ impl Layer {
     /// Path of its section.
     pub(crate) fn path(&self) -> String {
         format!("layer.{}", self.name)
+    }
+}
+
+/// A body of soil of another kind.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SoilBody {
+    /// Its name.
+    pub name: String,
+    /// Its shape.
+    pub shape: Shape,
+    /// Its reference point [m].
+    pub position: DVec3,
+    /// Its attitude.
+    pub attitude: Attitude,
+    /// Its soil.
+    pub soil: Soil,
+}
+
+impl SoilBody {
+    /// Path of its section.
+    pub(crate) fn path(&self) -> String {
+        format!("soil_body.{}", self.name)
+    }
+
+    /// The solver's soil body, of this material.
+    pub(crate) fn solver_body(&self, material: usize) -> solver::model::SoilBody {
+        let solid = pitched(&self.shape, self.attitude.pitch);
+        let pose = Pose { position: self.position, rotation: self.attitude.of_axle() };
+        solver::model::SoilBody::new(solid.into(), &pose, material)
     }
 }
 
@@ -582,6 +656,12 @@ pub fn case_text(case: &Case) -> String {
     // Its content says what a mesh is, not where it was read.
     for body in &mut case.bodies {
         body.shape.forget_file();
+    }
+    for body in &mut case.soil_bodies {
+        body.shape.forget_file();
+    }
+    if let Some(map) = &mut case.relief.map {
+        map.file.clear();
     }
     // A case is made of numbers, names and lists: it always has a text.
     serde_json::to_string(&case).unwrap_or_default()

@@ -94,7 +94,7 @@ impl Part {
 }
 
 /// The solid of a shape that is rotated by a pitch [rad].
-fn pitched(shape: &Shape, pitch: f64) -> Box<dyn Solid> {
+pub(super) fn pitched(shape: &Shape, pitch: f64) -> Box<dyn Solid> {
     let solid = shape.solid();
     if pitch == 0.0 || solid.is_revolved() { solid } else { Box::new(Rotated::new(solid, pitch)) }
 }

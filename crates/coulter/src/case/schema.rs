@@ -26,8 +26,10 @@ pub(super) fn read(root: &[Entry], problems: &mut Problems) -> Schema {
     if !top.has("format") {
         format::missing(problems);
     }
-    let water =
-        sections.iter().find(|e| e.key == "water").map(|entry| section(entry, "water", "water", problems));
+    let mut optional = |name: &str| {
+        sections.iter().find(|e| e.key == name).map(|entry| section(entry, name, name, problems))
+    };
+    let [water, height_map, furrows] = ["water", "height_map", "furrows"].map(&mut optional);
     let mut one = |name: &str| match sections.iter().find(|e| e.key == name) {
         Some(entry) => section(entry, name, name, problems),
         None => with_defaults(name, name),
@@ -38,13 +40,17 @@ pub(super) fn read(root: &[Entry], problems: &mut Problems) -> Schema {
         Some(entry) => named(entry, kind, problems),
         None => Vec::new(),
     };
-    let (layers, bodies, joints, stages) = (all("layer"), all("body"), all("joint"), all("stage"));
+    let (layers, soil_bodies) = (all("layer"), all("soil_body"));
+    let (bodies, joints, stages) = (all("body"), all("joint"), all("stage"));
     Schema {
         top,
         water,
         soil,
         layers,
+        soil_bodies,
         ground,
+        height_map,
+        furrows,
         domain,
         grid,
         bodies,
@@ -103,6 +109,7 @@ fn as_typed(default: &DefaultValue) -> Option<Value> {
 fn named(entry: &Entry, kind: &str, problems: &mut Problems) -> Vec<Section> {
     let example = match kind {
         "layer" => "layer.clay",
+        "soil_body" => "soil_body.lens",
         "body" => "body.disc",
         "joint" => "joint.axle",
         _ => "stage.tow",

@@ -141,10 +141,13 @@ pub(super) struct Schema {
     pub(super) water: Option<Section>,
     pub(super) soil: Section,
     pub(super) ground: Section,
+    pub(super) height_map: Option<Section>,
+    pub(super) furrows: Option<Section>,
     pub(super) domain: Section,
     pub(super) grid: Section,
     pub(super) bodies: Vec<Section>,
     pub(super) layers: Vec<Section>,
+    pub(super) soil_bodies: Vec<Section>,
     pub(super) joints: Vec<Section>,
     pub(super) stages: Vec<Section>,
     pub(super) run: Section,
@@ -157,7 +160,8 @@ impl Schema {
     /// Says in which folder the files lie that the case names.
     pub(super) fn lie_in(&mut self, folder: &Path) {
         let in_stages = self.stages.iter_mut().flat_map(|stage| &mut stage.inner);
-        for section in self.bodies.iter_mut().chain(in_stages) {
+        let of_ground = self.soil_bodies.iter_mut().chain(&mut self.height_map);
+        for section in self.bodies.iter_mut().chain(in_stages).chain(of_ground) {
             section.folder = folder.to_path_buf();
         }
     }

@@ -34,12 +34,7 @@ pub struct ModelInput {
 /// # Errors
 /// The reason, in words, why they do not apply.
 pub fn model_input(case: &Case) -> Result<ModelInput, String> {
-    if !case.layers.is_empty() {
-        return Err("the ground lies in layers, and the closed forms are for one soil; run the solver".into());
-    }
-    if !case.slope.is_level() {
-        return Err("the ground slopes, and the closed forms are for level ground; run the solver".into());
-    }
+    is_plain(case)?;
     let mut remarks = Vec::new();
     let staged = case.steady_stage().map(|_| case.in_steady_stage()).transpose()?;
     if let Some(stage) = case.steady_stage() {
@@ -89,6 +84,25 @@ pub fn model_input(case: &Case) -> Result<ModelInput, String> {
     let bodies = bodies.iter().map(|b| b.name.clone()).collect();
     let mirrored = course == Course::TowedBackwards;
     Ok(ModelInput { bodies, kind, towing, mirrored, extra_load, remarks })
+}
+
+/// Refuses ground that is not that of the closed forms: level, and of one uniform soil.
+fn is_plain(case: &Case) -> Result<(), String> {
+    if !case.layers.is_empty() {
+        return Err("the ground lies in layers, and the closed forms are for one soil; run the solver".into());
+    }
+    if !case.slope.is_level() {
+        return Err("the ground slopes, and the closed forms are for level ground; run the solver".into());
+    }
+    if !case.is_even() {
+        return Err("the ground is uneven or has soil bodies in it, and the closed forms are for level ground of one soil; run the solver".into());
+    }
+    if case.soil.density_gradient() > 0.0 {
+        return Err("the density of the sand grows with depth; the closed forms are for a uniform one: give the mean over the depth that the \
+                    body disturbs, without relative_density_gradient"
+            .into());
+    }
+    Ok(())
 }
 
 /// Refuses a body that is moved or loaded sideways otherwise than by a tow at given speeds.

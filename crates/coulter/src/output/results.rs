@@ -103,6 +103,7 @@ impl Results {
     pub fn write_case_file(&self, case: &Case, text: &str) -> Result<(), OutputError> {
         let mut copies = copy_meshes(&self.dir, case)?;
         copies.extend(copy_tables(&self.dir, case)?);
+        copies.extend(copy_height_map(&self.dir, case)?);
         write_whole(&self.dir.join(TYPED), with_files(text, &copies).as_bytes())
     }
 
@@ -194,27 +195,43 @@ fn copy_tables(dir: &Path, case: &Case) -> Result<Vec<(Vec<String>, String)>, Ou
     Ok(copies)
 }
 
-/// Copies the files that bodies were read from; returns the keys that lead to each, and its copy, relative to the folder.
+/// Copies the files that bodies and soil bodies were read from; returns the keys that lead to each, and its copy, relative to the
+/// folder.
 fn copy_meshes(dir: &Path, case: &Case) -> Result<Vec<(Vec<String>, String)>, OutputError> {
     let mut copies = Vec::new();
-    for body in &case.bodies {
-        let Some(mesh) = body.shape.mesh() else { continue };
-        let extension =
-            mesh.path().extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
-        let copy = format!("{BODIES}/{}.{extension}", body.name);
-        make_folder(&dir.join(BODIES))?;
-        let (from, to) = (mesh.path(), dir.join(&copy));
-        let mut source = fs::File::open(from).named("read", from)?;
-        write_with(&to, |file| std::io::copy(&mut source, file).map(|_| ()))?;
-        if hash_of(&to).named("read", &to)? != mesh.hash {
-            return Err(OutputError::content(
-                from,
-                "the file has changed since the case was read; start again",
-            ));
-        }
-        copies.push((["body", &body.name, "file"].map(str::to_owned).into(), copy));
+    let bodies = case.bodies.iter().map(|body| ("body", &body.name, &body.shape));
+    let of_soil = case.soil_bodies.iter().map(|body| ("soil_body", &body.name, &body.shape));
+    for (kind, name, shape) in bodies.chain(of_soil) {
+        let Some(mesh) = shape.mesh() else { continue };
+        let file = if kind == "body" { name.clone() } else { format!("{kind}.{name}") };
+        let copy = copy_of(dir, mesh.path(), (&file, &mesh.hash))?;
+        copies.push(([kind, name, "file"].map(str::to_owned).into(), copy));
     }
     Ok(copies)
+}
+
+/// Copies the file of a height map; returns the keys that lead to it, and its copy, relative to the folder.
+fn copy_height_map(dir: &Path, case: &Case) -> Result<Option<(Vec<String>, String)>, OutputError> {
+    let Some(map) = &case.relief.map else { return Ok(None) };
+    let copy = copy_of(dir, map.path(), (HEIGHT_MAP, map.file_hash()))?;
+    Ok(Some(([HEIGHT_MAP, "file"].map(str::to_owned).into(), copy)))
+}
+
+/// Section of a height map, and name of the copy of its file.
+const HEIGHT_MAP: &str = "height_map";
+
+/// Copies a file, whose content had this hash as the case was read, under this name into the folder of the bodies; returns its place.
+fn copy_of(dir: &Path, from: &Path, (name, hash): (&str, &str)) -> Result<String, OutputError> {
+    let extension = from.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
+    let copy = format!("{BODIES}/{name}.{extension}");
+    make_folder(&dir.join(BODIES))?;
+    let to = dir.join(&copy);
+    let mut source = fs::File::open(from).named("read", from)?;
+    write_with(&to, |file| std::io::copy(&mut source, file).map(|_| ()))?;
+    if hash_of(&to).named("read", &to)? != hash {
+        return Err(OutputError::content(from, "the file has changed since the case was read; start again"));
+    }
+    Ok(copy)
 }
 
 /// Removes a whole result, runs on coarser meshes included; a folder with other files in it is never touched.

@@ -1,10 +1,13 @@
 //! The ground at rest, on slopes, in layers and under water.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
+mod density;
 mod layers;
 mod left_behind;
 mod slope;
+mod soil_bodies;
 mod strength;
+mod uneven;
 mod water;
 
 use coulter::case::{self, Case};
@@ -15,6 +18,12 @@ const SAND: &str = "law = \"sand\"\ncritical_friction_angle = \"32 deg\"\nminimu
 
 fn read(text: &str) -> Result<Case, String> {
     case::parse(text, "ground", &[]).map_err(|error| error.to_string())
+}
+
+/// Everything that is wrong with a case: paths, messages and cures.
+fn complaints(text: &str) -> String {
+    let problems = case::parse(text, "ground", &[]).unwrap_err().problems;
+    problems.into_iter().map(|p| format!("{}: {} {}\n", p.path, p.message, p.cure)).collect()
 }
 
 fn run(case: &Case) -> Simulation {

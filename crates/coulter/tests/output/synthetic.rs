@@ -1,6 +1,7 @@
 //! A made-up case: nothing here was simulated. A rut and berms shaped by a formula, histories that look like a tow.
 
 use coulter::case::Case;
+use coulter::case::relief::Relief;
 use coulter::case::resolved as case;
 use coulter::case::shapes::{Block, Disc, Shape};
 use coulter::case::slope::Slope;
@@ -63,11 +64,8 @@ pub(crate) fn case(kind: Kind, cell: f64) -> Case {
     let fine_high = DVec3::new(0.8, 0.12, 0.08);
     let disc = Disc { diameter: DIAMETER, thickness: 0.04, rim: DiscRim::Square, dish: None };
     let disc = body("disc", Shape::Disc(disc), DVec3::new(0.0, 0.0, 0.1));
-    let block = body(
-        "scraper",
-        Shape::Block(Block { size: DVec3::new(0.03, 0.08, 0.1) }),
-        DVec3::new(-0.1, 0.0, 0.05),
-    );
+    let block = Block { size: DVec3::new(0.03, 0.08, 0.1) };
+    let block = body("scraper", Shape::Block(block), DVec3::new(-0.1, 0.0, 0.05));
     Case {
         name: "synthetic_disc".into(),
         title: "Free disc towed over medium dense sand (made-up data)".into(),
@@ -82,6 +80,8 @@ pub(crate) fn case(kind: Kind, cell: f64) -> Case {
             }
             _ => case::Ground::Level { surface: 0.0 },
         },
+        relief: Relief::default(),
+        soil_bodies: Vec::new(),
         overburden: 0.0,
         velocity: DVec3::ZERO,
         domain: case::Domain {

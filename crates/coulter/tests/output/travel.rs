@@ -47,8 +47,11 @@ fn travelling(case: &Case, raised: f64) -> Model {
     model.boundaries.0[0] = [Outflow, Inflow];
     model.grid = Grid::with_open_faces(case.grid.faces.clone(), model.boundaries.open_faces(), f64::LANES);
     let top = DVec3::new(f64::INFINITY, f64::INFINITY, 0.0);
-    model.ground =
-        Ground { fillings: vec![Filling::between(DVec3::NEG_INFINITY, top)], overburden: case.overburden };
+    model.ground = Ground {
+        fillings: vec![Filling::between(DVec3::NEG_INFINITY, top)],
+        overburden: case.overburden,
+        ..Ground::default()
+    };
     model.follow = Some(Follow { body: 0, axes: [true, false, false] });
     model.bodies[0].start.position.z += raised;
     model

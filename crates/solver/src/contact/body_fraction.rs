@@ -21,7 +21,7 @@ pub(crate) fn find_bodies<R: Scalar>(
 ) {
     body_cells.clear();
     // What bodies occupy high above the soil concerns nobody, and is most of a wheel.
-    let top = top_of_soil(&model.grid, &state.soil).max(model.surface - state.grid_position.z);
+    let top = top_of_soil(&model.grid, &state.soil).max(model.top_of_ground() - state.grid_position.z);
     for (n, fixed) in model.bodies.iter().enumerate() {
         let pose = *state.pose(n);
         let in_grid = Pose { position: pose.position - state.grid_position, ..pose };
@@ -126,7 +126,8 @@ pub(super) fn measure_bodies<R: Scalar>(
     let terms = body_cells.iter().filter_map(|c| {
         let layers = grid.layers_of(c.cell);
         let whole @ [i, j, k] = grid.in_whole(layers);
-        let below = ((surface - grid.faces[2][layers[2]]) / grid.width(2, layers[2])).clamp(0.0, 1.0);
+        let rise = local_rise(model, grid, (layers, *grid_position));
+        let below = ((surface + rise - grid.faces[2][layers[2]]) / grid.width(2, layers[2])).clamp(0.0, 1.0);
         let volume = grid.volume_of(c.cell);
         let leaked = (soil.fraction[c.cell].to_f64() + c.fraction - 1.0).max(0.0) * volume;
         let number = ((c.body * nz + k) * ny + j) * nx + i;
@@ -140,6 +141,16 @@ pub(super) fn measure_bodies<R: Scalar>(
         body.embedded_volume += embedded;
         body.leaked_volume += leaked;
     }
+}
+
+/// How far the undisturbed surface over a cell lies above the level one [m].
+fn local_rise(model: &Model, grid: &Grid, ([i, j, _], position): ([usize; 3], DVec3)) -> f64 {
+    if model.ground.relief.is_level() {
+        return 0.0;
+    }
+    let middle =
+        |axis: usize, n: usize| 0.5 * (grid.faces[axis][n] + grid.faces[axis][n + 1]) + position[axis];
+    model.ground.relief.at([middle(0, i), middle(1, j)])
 }
 
 /// Fraction of a cell that a shape covers, from 4³ samples; samples near the surface are weighted. `own` takes a position to the

@@ -24,6 +24,7 @@ pub fn sand(faces: [Vec<f64>; 3]) -> Model {
         yield_law: Some(Law::MohrCoulomb(law)),
         k0: 0.43,
         strength: None,
+        density_profile: None,
         ..Material::linear_elastic(elastic, 1600.0)
     };
     Model { gravity: 9.81, soil_gravity: 9.81, ..Model::bare(Grid::new(faces), material) }
@@ -44,6 +45,7 @@ pub fn dense_sand(characteristic_length: Option<f64>) -> Material {
         yield_law: Some(Law::Sand(law)),
         k0: 0.45,
         strength: None,
+        density_profile: None,
         characteristic_length,
         ..Material::linear_elastic(elastic, 1600.0)
     }

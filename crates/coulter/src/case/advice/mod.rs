@@ -2,6 +2,7 @@
 
 mod inertia;
 mod passive;
+mod relief;
 mod walls;
 
 use super::estimate::estimate;
@@ -24,6 +25,7 @@ pub fn advice(case: &Case) -> Vec<String> {
         inertia::speed(case, body, &mut notes);
         surface(body, &mut notes);
     }
+    relief::uneven(case, &mut notes);
     timing(case, &mut notes);
     drainage(case, &mut notes);
     for (path, soil) in case.soils() {
@@ -31,7 +33,7 @@ pub fn advice(case: &Case) -> Vec<String> {
         strength((case, &path), soil, &mut own);
         softening((case, &path), soil, &mut own);
         sand_at_rest(soil, &mut own);
-        let is_one = case.layers.is_empty();
+        let is_one = case.soils().count() == 1;
         notes.extend(own.into_iter().map(|note| if is_one { note } else { format!("[{path}]: {note}") }));
     }
     if case.bodies.is_empty() && case.soil.unit_weight == 0.0 && case.velocity == DVec3::ZERO {

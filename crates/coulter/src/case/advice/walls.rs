@@ -41,13 +41,13 @@ pub(super) fn walls_and_lid(case: &Case, body: &Body, notes: &mut Vec<String>) {
 
 /// Warns where the expected heap may reach the lid. Soil that fills the box touches it by intention.
 fn lid(case: &Case, body: &Body, heap: f64, notes: &mut Vec<String>) {
-    let headroom = case.domain.high.z - case.ground.surface();
+    let headroom = case.domain.high.z - case.top_of_ground();
     if headroom > 0.0 && heap + case.grid.fine_cell().z > headroom * (1.0 + 1e-9) {
         notes.push(format!(
             "{}: the lid is low: soil may heap up {heap:.3} m above the surface, and soil that reaches the lid increases \
              the force; raise the upper end of domain.z to {:.3} m or more.",
             body.name,
-            case.ground.surface() + heap + 2.0 * case.grid.fine_cell().z
+            case.top_of_ground() + heap + 2.0 * case.grid.fine_cell().z
         ));
     }
 }

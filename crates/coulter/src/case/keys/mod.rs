@@ -7,6 +7,7 @@ mod default_value;
 mod forecast;
 mod joint;
 mod key;
+mod relief;
 mod run;
 mod soil;
 mod stage;
@@ -16,11 +17,12 @@ pub mod words;
 pub use allowed_range::{AllowedRange, Bound};
 pub use default_value::DefaultValue;
 pub use key::{Key, KeyTable, Kind};
+pub use relief::{PLACE_KEYS, SHAPE_KEYS};
 
 use key::section;
 
 /// All sections.
-pub const SECTIONS: [KeyTable; 14] = [
+pub const SECTIONS: [KeyTable; 17] = [
     section("", "At the top of the file, before any section.", run::TOP),
     section("soil", "The soil; of ground in layers the uppermost.", soil::SOIL),
     section(
@@ -29,7 +31,26 @@ pub const SECTIONS: [KeyTable; 14] = [
          them. It has a depth and every key of `[soil]`.",
         soil::LAYER,
     ),
+    section(
+        "soil_body",
+        "A body of soil of another kind, `[soil_body.NAME]`: a lens, a boulder of clay, a backfilled trench; above the surface a heap. Up to 20 of \
+         them; where two overlap, the first in the file counts. It has a place and an attitude, and besides these every key of a \
+         `[body.NAME]` that describes its shape, and every key of `[soil]`. Strength and density that grow with depth do so from its highest \
+         point.",
+        relief::SOIL_BODY,
+    ),
     section("ground", "Where there is soil at the start.", soil::GROUND),
+    section(
+        "height_map",
+        "Heights of the ground from a file, over `ground.surface`. The map must cover the domain, of a grid that follows a body on its \
+         whole path.",
+        relief::HEIGHT_MAP,
+    ),
+    section(
+        "furrows",
+        "Furrows: a surface that rises and falls periodically, alone or added to a height map.",
+        relief::FURROWS,
+    ),
     section(
         "water",
         "Water over the ground. Without this section the ground is dry. Under water `unit_weight` of a soil is its submerged unit weight γ′, \
@@ -60,7 +81,7 @@ pub const SECTIONS: [KeyTable; 14] = [
 ];
 
 /// Sections of which there are several, each with a name: `[body.disc]`.
-pub const NAMED: [&str; 4] = ["layer", "body", "joint", "stage"];
+pub const NAMED: [&str; 5] = ["layer", "soil_body", "body", "joint", "stage"];
 
 /// The section of that name.
 #[must_use]

@@ -8,7 +8,7 @@ use super::default_value::DefaultValue::{Derived, Flag, Number, Quantity, Ratios
 use super::key::{Key, Kind, key};
 use super::words::{FOLLOWED, LAWS, POTENTIALS};
 use crate::case::quantity::{
-    ANGLE, DENSITY, FREQUENCY, LENGTH, SPEED, STRENGTH_GRADIENT, STRESS, UNIT_WEIGHT,
+    ANGLE, DENSITY, DENSITY_GRADIENT, FREQUENCY, LENGTH, SPEED, STRENGTH_GRADIENT, STRESS, UNIT_WEIGHT,
 };
 
 pub(super) const SOIL: &[Key] = &[
@@ -25,6 +25,7 @@ pub(super) const SOIL: &[Key] = &[
     key("minimum_density", Kind::Quantity(DENSITY), Derived("required for sand"), "Dry density in the loosest state, at e_max (sand).").within(POSITIVE),
     key("maximum_density", Kind::Quantity(DENSITY), Derived("required for sand"), "Dry density in the densest state, at e_min (sand).").within(POSITIVE),
     key("relative_density", Kind::RelativeDensity, Derived("from the density"), "Relative density I_D at the start, instead of `density` or `unit_weight`; below 0 for sand looser than e_max (sand).").within(RELATIVE_DENSITY),
+    key("relative_density_gradient", Kind::Quantity(DENSITY_GRADIENT), Quantity("0 1/m"), "Growth of the relative density with depth, from that at the top of the soil, or of its layer; at its base it is at most 1 (sand).").within(NOT_NEGATIVE),
     key("bolton_q", Kind::Number, Number(10.0), "Bolton's Q: 10 for quartz and feldspar, 8 for limestone (sand).").within(POSITIVE),
     key("bolton_r", Kind::Number, Number(0.7), "Bolton's R: relative density of the critical state at low pressure over 1/(Q − 5) (sand).").within(NOT_NEGATIVE),
     key("reference_strain", Kind::Number, Number(0.002), "Plastic shear strain at which half of the strength is mobilised, at I_D = 0.5 and up to 20 kPa (sand).").within(POSITIVE),
@@ -60,7 +61,7 @@ pub(super) const LAYER: &[Key] = &{
 };
 
 pub(super) const GROUND: &[Key] = &[
-    key("surface", Kind::Quantity(LENGTH), Quantity("0 m"), "Height of the level soil surface."),
+    key("surface", Kind::Quantity(LENGTH), Quantity("0 m"), "Height of the level soil surface; of uneven ground that over which it rises and falls. Sinkages and depths count from it."),
     key("slope", Kind::Quantity(ANGLE), Quantity("0 deg"), "Angle of the slope along x, uphill positive: x and y lie in the surface, z is normal to it, and gravity is tilted.").within(SLOPE),
     key("cross_slope", Kind::Quantity(ANGLE), Quantity("0 deg"), "The same along y.").within(SLOPE),
     key(

@@ -25,6 +25,8 @@ pub const MESH_UNITS: [&str; 5] = ["m", "cm", "mm", "in", "ft"];
 /// Words for the relative density of sand: about the middle of each class of ISO 14688-2.
 pub const DENSITIES: [(&str, f64); 5] =
     [("very loose", 0.1), ("loose", 0.25), ("medium dense", 0.5), ("dense", 0.75), ("very dense", 0.9)];
+/// Sections of furrows.
+pub const FURROWS: [&str; 2] = ["sinusoidal", "triangular"];
 /// Axes along which a grid can follow a body.
 pub const FOLLOWED: [&str; 7] = ["x", "y", "z", "xy", "xz", "yz", "xyz"];
 /// Flow potentials of the Mohr–Coulomb law.

@@ -196,7 +196,7 @@ fn axle_inertia(
     Some(mass.unwrap_or_else(|| nominal_mass(shape)) * shape.solid().mass_properties().about_axle())
 }
 
-fn attitude(section: &Section) -> Option<Attitude> {
+pub(super) fn attitude(section: &Section) -> Option<Attitude> {
     let [yaw, tilt, pitch] = ["yaw", "tilt", "pitch"].map(|key| section.number(key));
     Some(Attitude { yaw: yaw?, tilt: tilt?, pitch: pitch? })
 }

@@ -21,8 +21,10 @@ pub(super) struct Context {
     pub(super) cell: f64,
     /// Widths of the cells in the fine zone along x, y, z over it.
     pub(super) aspect: DVec3,
-    /// Height of the soil's surface [m].
+    /// Height of the soil's surface [m]; of uneven ground that over which it rises and falls.
     pub(super) surface: f64,
+    /// Heights between which the surface of the ground lies at the start [m].
+    pub(super) between: [f64; 2],
     pub(super) symmetric: bool,
     /// Whether x = 0 is a plane of symmetry.
     pub(super) symmetric_x: bool,

@@ -30,7 +30,8 @@ fn default_box(context: &Context, paths: &Paths) -> Option<Extent> {
         .map(|b| clearance(b, &context.soil_conditions(), paths.duration))
         .fold(Clearance::default(), Clearance::and);
     let at_least = |needed: f64| needed.max(MIN_SIDE * length);
-    let floor = around.low.z.min(context.surface) - need.below.max(MIN_BELOW * length);
+    let [lowest, highest] = context.between;
+    let floor = around.low.z.min(lowest) - need.below.max(MIN_BELOW * length);
     let lid = (MIN_ABOVE * length).max(need.above + OVER_HEAP * context.fine_cell().z);
     Some(Extent {
         low: DVec3::new(
@@ -41,7 +42,7 @@ fn default_box(context: &Context, paths: &Paths) -> Option<Extent> {
         high: DVec3::new(
             around.high.x + at_least(need.along[1]),
             around.high.y + at_least(need.sideways),
-            context.surface + lid,
+            highest + lid,
         ),
     })
 }

@@ -29,7 +29,7 @@ fn default_fine_zone(context: &Context, domain: &Domain, paths: &Paths) -> Exten
     let heap = |body: &Body| clearance(body, &context.soil_conditions(), paths.duration).above;
     let heap = paths.bodies.iter().map(heap).fold(0.0, f64::max);
     let [min, max] = FINE_ABOVE.map(|lengths| lengths * length);
-    let high = high.with_z(context.surface + heap.clamp(min, max));
+    let high = high.with_z(context.between[1] + heap.clamp(min, max));
     Extent { low: low.max(domain.low), high: high.min(domain.high) }
 }
 

@@ -13,7 +13,9 @@ mod ground;
 mod joint;
 mod mesh;
 mod motion;
+mod relief;
 mod soil;
+mod soil_body;
 mod stages;
 mod timing;
 mod water;
@@ -25,8 +27,9 @@ use super::names;
 use super::numbers::in_range;
 use super::path::Paths;
 use super::problem::Problems;
+use super::relief::Relief;
 use super::resolved::{
-    Body, Case, Contact, Joint, Law, MOTIONS, MotionTable, Numerics, Precision, Soil, Stage, Water,
+    Body, Case, Contact, Joint, Law, MOTIONS, MotionTable, Numerics, Precision, Soil, SoilBody, Stage, Water,
 };
 use super::shapes::slab::Slab;
 use super::slope::Slope;
@@ -40,18 +43,18 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
     let gravity = schema.top.number("gravity");
     let slope = ground::slope(&schema.ground);
     let water = water::water(schema.water.as_ref(), problems);
-    let conditions = gravity.zip(water).map(|(g, water)| (on_soil(g, water), slope.unwrap_or_default()));
+    let given = gravity.zip(water);
+    let conditions = given.map(|(g, water)| (on_soil(g, water), slope.unwrap_or_default()));
     let soil = conditions.and_then(|conditions| soil::soil(&schema.soil, conditions, problems));
     let layers = conditions.and_then(|conditions| soil::layers(&schema.layers, conditions, problems));
     let numerics = numerics(&schema.numerics, &schema.soil);
-    let conditions = gravity.zip(water);
-    let context = conditions.and_then(|c| context(schema, c, soil.as_ref().map(|s| s.law), problems));
+    let relief = relief::relief(schema, problems);
+    let law = soil.as_ref().map(|s| s.law);
+    let mut context = given.and_then(|given| context(schema, given, (law, relief.as_ref()), problems));
+    let soil_bodies = context.as_mut().and_then(|context| soil_bodies(schema, context, problems));
     let bodies = context.as_ref().and_then(|context| bodies(schema, context, problems));
     let parts = bodies.and_then(|bodies| parts(schema, bodies, context.as_ref()?, problems));
-    let (bodies, joints, stages) = match parts {
-        Some((bodies, joints, stages)) => (Some(bodies), Some(joints), Some(stages)),
-        None => (None, None, None),
-    };
+    let (bodies, joints, stages) = parts.map_or((None, None, None), |(b, j, s)| (Some(b), Some(j), Some(s)));
     let name = name(&schema.top, source_name, problems);
     let typed_stages = (&schema.stages[..], stages.as_deref());
     let duration = bodies.as_ref().and_then(|b| timing::duration(&schema.run, b, typed_stages, problems));
@@ -66,8 +69,7 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
     let paths = Paths { bodies: &bodies, follow, duration };
     let domain = domain::domain(&schema.domain, &context, &paths, problems)?;
     let ground = ground::ground(&schema.ground, context.surface, &domain, problems)?;
-    let soil = soil?;
-    let velocity = ground::velocity(&schema.ground, &domain, problems)?;
+    let (soil, velocity) = (soil?, ground::velocity(&schema.ground, &domain, problems)?);
     let overburden = ground::overburden(&schema.ground, &soil, ground.surface(), &domain, problems)?;
     validate::fit::bodies_fit(&paths, &domain, problems);
     let grid = mesh::grid(&schema.grid, &context, (&domain, &ground), &paths, problems)?;
@@ -80,7 +82,9 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
         water: water?,
         soil,
         layers: layers?,
+        soil_bodies: soil_bodies?,
         ground,
+        relief: relief?,
         overburden,
         velocity,
         domain,
@@ -118,7 +122,7 @@ fn on_soil(gravity: f64, water: Option<Water>) -> f64 {
 fn context(
     schema: &Schema,
     (gravity, water): (f64, Option<Water>),
-    law: Option<Law>,
+    (law, relief): (Option<Law>, Option<&Relief>),
     problems: &mut Problems,
 ) -> Option<Context> {
     let cell = required(&schema.grid, "cell", problems);
@@ -139,8 +143,12 @@ fn context(
     };
     let velocity = ground::typed_velocity(&schema.ground);
     let surface = surface?;
+    let between = match relief.filter(|relief| !relief.is_level()) {
+        Some(relief) => relief.of_solver().range().map(|rise| surface + rise),
+        None => [surface; 2],
+    };
     let slope = ground::slope(&schema.ground)?;
-    let mut soils = std::iter::once(&schema.soil).chain(&schema.layers);
+    let mut soils = std::iter::once(&schema.soil).chain(&schema.layers).chain(&schema.soil_bodies);
     let has_undrained_soil = soils.any(|soil| soil.text("law").as_deref() == Some("tresca"));
     Some(Context {
         gravity,
@@ -149,6 +157,7 @@ fn context(
         cell,
         aspect,
         surface,
+        between,
         symmetric,
         symmetric_x,
         law,
@@ -156,6 +165,15 @@ fn context(
         velocity,
         slab,
     })
+}
+
+/// All soil bodies, or `None` if any of them is wrong; heaps raise the highest surface.
+fn soil_bodies(schema: &Schema, context: &mut Context, problems: &mut Problems) -> Option<Vec<SoilBody>> {
+    let gravity = on_soil(context.gravity, context.water);
+    let all = soil_body::soil_bodies(&schema.soil_bodies, context, gravity, problems)?;
+    let tops = all.iter().map(|body| body.solver_body(0).bounds[1].z);
+    context.between[1] = tops.fold(context.between[1], f64::max);
+    Some(all)
 }
 
 /// All bodies, or `None` if any of them is wrong.

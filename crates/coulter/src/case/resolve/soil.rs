@@ -21,11 +21,12 @@ const FRICTIONAL: [&str; 8] = [
     "critical_density",
 ];
 const SMOOTH: [&str; 2] = ["meridional_eccentricity", "deviatoric_eccentricity"];
-const SAND: [&str; 10] = [
+const SAND: [&str; 11] = [
     "critical_friction_angle",
     "minimum_density",
     "maximum_density",
     "relative_density",
+    "relative_density_gradient",
     "bolton_q",
     "bolton_r",
     "reference_strain",
@@ -193,6 +194,7 @@ fn sand(section: &Section, problems: &mut Problems) -> Option<Law> {
             true => Some(section.number("characteristic_length")?),
             false => None,
         },
+        density_gradient: section.number("relative_density_gradient")?,
     })
 }
 

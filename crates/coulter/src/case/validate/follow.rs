@@ -56,7 +56,7 @@ fn ground(case: &Case, axis: usize, problems: &mut Problems) {
             format!("the ground is not the same everywhere along {name}, where the grid follows a body");
         problems.add("grid.follow", message, "remove grid.follow, or make the ground level");
     }
-    if axis == 2 && case.ground.surface() >= case.domain.high.z {
+    if axis == 2 && case.top_of_ground() >= case.domain.high.z {
         let message = "the soil reaches up to the lid, which cannot follow a body";
         problems.add("grid.follow.axes", message, "leave z out, or raise the box above the soil");
     }

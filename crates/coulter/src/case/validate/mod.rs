@@ -9,6 +9,7 @@ pub(super) mod grid;
 mod joint;
 pub(super) mod names;
 mod parameters;
+pub(super) mod relief;
 pub(super) mod soil;
 mod stages;
 pub(super) mod timing;
@@ -65,6 +66,11 @@ fn parts(case: &Case, problems: &mut Problems) {
     for layer in &case.layers {
         in_range(&format!("{}.top", layer.path()), layer.top, problems);
     }
+    names::parts("soil_body", &case.soil_bodies.iter().map(|b| &*b.name).collect::<Vec<_>>(), problems);
+    for body in &case.soil_bodies {
+        relief::soil_body(body, case.domain.plane_strain, problems);
+    }
+    relief::numbers(&case.relief, problems);
     parameters::numerics(&case.numerics, problems);
     parameters::forecast(&case.forecast, problems);
     names::parts("body", &case.bodies.iter().map(|body| &*body.name).collect::<Vec<_>>(), problems);
@@ -92,6 +98,8 @@ fn fits_together(case: &Case, problems: &mut Problems) {
     soil::slope(case, problems);
     soil::growing_strength(case, problems);
     soil::layers(case, problems);
+    soil::density(case, problems);
+    relief::relief(case, problems);
     fit::bodies_fit(&Paths::of(case), &case.domain, problems);
     follow::follow(case, problems);
     water::water(case, problems);

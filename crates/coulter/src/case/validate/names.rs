@@ -4,7 +4,7 @@ use crate::case::names::{is_body_name, is_case_name};
 use crate::case::problem::Problems;
 use crate::case::resolved::GROUND;
 
-/// Largest number of layers: every one of them is a field of portions in the cells.
+/// Largest number of layers, and of soil bodies: every one of them is a field of portions in the cells.
 const MOST_LAYERS: usize = 20;
 
 /// Largest number of bodies, and of joints; with more, the text and the report become unreadable.
@@ -37,6 +37,7 @@ pub(in crate::case) fn part_name(kind: &str, name: &str, problems: &mut Problems
 fn plural(kind: &str) -> &'static str {
     match kind {
         "layer" => "layers",
+        "soil_body" => "soil bodies",
         "body" => "bodies",
         "joint" => "joints",
         _ => "stages",
@@ -47,6 +48,7 @@ fn plural(kind: &str) -> &'static str {
 pub(in crate::case) fn number_of(kind: &str, number: usize, problems: &mut Problems) -> bool {
     let (most, cure) = match kind {
         "layer" => (MOST_LAYERS, "join layers that are alike"),
+        "soil_body" => (MOST_LAYERS, "join soil bodies that are alike, in a mesh of several parts"),
         _ => (LARGEST_NUMBER, "model fewer of them, or each group in a separate case"),
     };
     if number > most {

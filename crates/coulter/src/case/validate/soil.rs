@@ -91,6 +91,7 @@ fn law_numbers(law: &Law) -> Vec<(&'static str, f64)> {
             compression_modulus,
             stiffness_limit,
             characteristic_length,
+            density_gradient,
         } => {
             let mut numbers = vec![
                 ("critical_friction_angle", critical_friction_angle),
@@ -99,6 +100,7 @@ fn law_numbers(law: &Law) -> Vec<(&'static str, f64)> {
                 ("bolton_q", bolton_q),
                 ("bolton_r", bolton_r),
                 ("reference_strain", reference_strain),
+                ("relative_density_gradient", density_gradient),
                 ("compression_modulus", compression_modulus),
                 ("stiffness_limit", stiffness_limit),
             ];
@@ -237,7 +239,7 @@ pub(super) fn slope(case: &Case, problems: &mut Problems) {
     if case.soil.unit_weight == 0.0 || !matches!(case.ground, Ground::Level { .. }) {
         return;
     }
-    for (n, (path, soil)) in case.soils().enumerate() {
+    for (n, (path, soil)) in case.layered_soils().enumerate() {
         let rests = |(law, stress): (Law, f64)| {
             at_rest::sustains(&law, slope.principal_stresses(soil.k0).map(|ratio| ratio * stress))
         };
@@ -257,7 +259,7 @@ pub(super) fn growing_strength(case: &Case, problems: &mut Problems) {
     if !case.slope.is_level() || case.soil.unit_weight == 0.0 {
         return;
     }
-    for (n, (path, soil)) in case.soils().enumerate() {
+    for (n, (path, soil)) in case.layered_soils().enumerate() {
         let rests = |(law, stress): (Law, f64)| {
             at_rest::sustains(&law, [1.0, soil.k0, soil.k0].map(|ratio| ratio * stress))
         };
@@ -275,7 +277,7 @@ pub(super) fn growing_strength(case: &Case, problems: &mut Problems) {
 
 /// Laws at top and base of a soil, by its number from the top down, each with the stress normal to the surface there [Pa].
 fn ends(case: &Case, number: usize) -> [(Law, f64); 2] {
-    let law = case.soils().nth(number).map_or(case.soil.law, |(_, soil)| soil.law);
+    let law = case.layered_soils().nth(number).map_or(case.soil.law, |(_, soil)| soil.law);
     let above = number.checked_sub(1).map_or(case.overburden, |above| stress_at_base(case, above));
     let depth = case.ground.surface() - case.domain.low.z;
     let tops: Vec<f64> = case.layers.iter().map(|layer| layer.top.min(depth)).chain([depth]).collect();
@@ -289,9 +291,17 @@ fn stress_at_base(case: &Case, number: usize) -> f64 {
     let tops = || case.layers.iter().map(|layer| layer.top.min(depth));
     let bases = tops().chain([depth]);
     let thicknesses = std::iter::once(0.0).chain(tops()).zip(bases).map(|(top, base)| base - top);
-    let weights = case.soils().map(|(_, soil)| soil.unit_weight * case.slope.cosine());
-    let each = weights.zip(thicknesses).take(number + 1);
-    case.overburden + each.map(|(weight, thickness)| weight * thickness).sum::<f64>()
+    let cosine = case.slope.cosine();
+    let weight = |soil: &Soil, thickness: f64| {
+        let mean = if soil.density_gradient() > 0.0 {
+            soil.at_depth(0.5 * thickness).unit_weight
+        } else {
+            soil.unit_weight
+        };
+        mean * cosine * thickness
+    };
+    let each = case.layered_soils().zip(thicknesses).take(number + 1);
+    case.overburden + each.map(|((_, soil), thickness)| weight(soil, thickness)).sum::<f64>()
 }
 
 /// Largest difference between the weights over the masses of the soils, over either: one gravity acts on all of them.
@@ -322,11 +332,13 @@ pub(super) fn layers(case: &Case, problems: &mut Problems) {
             let message = "two layers begin at this depth, or they are not in the order of their depth";
             problems.add(&*top, message, "give every layer a depth of its own");
         }
-        if (of(&layer.soil) - of(&case.soil)).abs() > SAME_GRAVITY * of(&case.soil).max(of(&layer.soil)) {
+    }
+    for (path, soil) in case.soils().skip(1) {
+        if (of(soil) - of(&case.soil)).abs() > SAME_GRAVITY * of(&case.soil).max(of(soil)) {
             let message =
-                "unit_weight over density of this layer is not that of [soil]: one gravity acts on all soil";
+                "unit_weight over density of this soil is not that of [soil]: one gravity acts on all soil";
             problems.add(
-                format!("{}.unit_weight", layer.path()),
+                format!("{path}.unit_weight"),
                 message,
                 "give one of the two and let the other follow",
             );
@@ -341,6 +353,41 @@ pub(super) fn layers(case: &Case, problems: &mut Problems) {
             message,
             "remove it here or in the layer above",
         );
+    }
+}
+
+/// Reports sand whose density grows beyond its densest state, or without end as the grid goes down.
+pub(super) fn density(case: &Case, problems: &mut Problems) {
+    let floor = case.domain.low.z;
+    let surface = case.ground.surface();
+    let tops =
+        || std::iter::once(0.0).chain(case.layers.iter().map(|layer| layer.top)).map(|top| surface - top);
+    let bases = tops().skip(1).chain([floor]);
+    let layers = tops().zip(bases);
+    let bodies = case.soil_bodies.iter().map(|body| body.solver_body(0).bounds.map(|corner| corner.z));
+    let ends = layers.chain(bodies.map(|[low, high]| (high, low.max(floor))));
+    for ((path, soil), (top, base)) in case.soils().zip(ends) {
+        let gradient = soil.density_gradient();
+        let Some(start) = soil.relative_density().filter(|_| gradient > 0.0) else { continue };
+        let at = format!("{path}.relative_density_gradient");
+        if case.grid.follow.is_some_and(|follow| follow.axes[2]) {
+            let message = "the density grows with depth, and the grid follows a body along z";
+            problems.add(&*at, message, "leave z out of grid.follow.axes");
+        }
+        let deepest = start + gradient * (top - base);
+        if deepest > 1.0 + 1e-9 {
+            let message = format!(
+                "the relative density reaches 1, the densest state, at a depth of {:.4} m below the top of this soil, and {deepest:.3} at \
+                 its base, {:.4} m deep",
+                ((1.0 - start) / gradient).max(0.0),
+                top - base
+            );
+            problems.add(
+                at,
+                message,
+                "make it smaller, or begin a layer of the densest sand there, [layer.NAME]",
+            );
+        }
     }
 }
 

@@ -49,7 +49,7 @@ pub(super) fn water(case: &Case, problems: &mut Problems) {
 fn below(case: &Case, water: &Water, problems: &mut Problems) {
     let tops =
         case.touching().map(|(_, body)| (format!("`{}`", body.name), body.position.z + body.bounds().1.z));
-    for (what, top) in std::iter::once(("the ground".to_owned(), case.ground.surface())).chain(tops) {
+    for (what, top) in std::iter::once(("the ground".to_owned(), case.top_of_ground())).chain(tops) {
         if top > water.level {
             let message =
                 format!("{what} reaches up to {} m, above the water at {} m", plain(top), plain(water.level));

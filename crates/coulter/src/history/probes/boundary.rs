@@ -35,7 +35,7 @@ pub(super) fn sample<R: Precision>(case: &Case, model: &Model, state: &State<R>)
             if cell.fraction(state) < TOUCHES {
                 return;
             }
-            if face.0 != 2 && !held_soil(&case.ground, cell.centre) {
+            if face.0 != 2 && !held_soil(case, model, cell.centre) {
                 sample.wall_area += cell.area * whole;
             }
             let rise = cell.normal_pressure(state) - pressure_at_rest(case, model, &cell);
@@ -60,7 +60,7 @@ pub fn most_pressed_lid_cell<R: Precision>(model: &Model, state: &State<R>) -> D
 
 /// Whether the soil reaches up to the lid from the start: then the lid is part of the case.
 fn is_covered(case: &Case) -> bool {
-    case.ground.surface() >= case.domain.high.z - 1e-9 * case.grid.cell
+    case.top_of_ground() >= case.domain.high.z - 1e-9 * case.grid.cell
 }
 
 /// Floor and side walls; planes of symmetry and of plane strain and faces through which soil flows are not among them.
@@ -81,9 +81,10 @@ fn walls(case: &Case, model: &Model) -> Vec<Face> {
 }
 
 /// Whether there was soil at this position at the start.
-fn held_soil(ground: &Ground, x: DVec3) -> bool {
-    match *ground {
-        Ground::Level { surface } => x.z <= surface,
+fn held_soil(case: &Case, model: &Model, x: DVec3) -> bool {
+    match case.ground {
+        Ground::Level { .. } if model.ground.bodies.iter().any(|body| body.distance(x) < 0.0) => true,
+        Ground::Level { .. } => x.z <= local_surface(model, x) + settling(case),
         Ground::Column { low, high, radius } => {
             x.cmpge(low).all()
                 && x.cmple(high).all()
@@ -94,12 +95,28 @@ fn held_soil(ground: &Ground, x: DVec3) -> bool {
 
 /// Pressure on the cell's face at the start [Pa].
 fn pressure_at_rest(case: &Case, model: &Model, cell: &FaceCell) -> f64 {
-    if !held_soil(&case.ground, cell.centre) {
+    if !held_soil(case, model, cell.centre) {
         return 0.0;
     }
-    let depth = (model.surface - cell.centre.z).max(0.0);
-    let vertical = model.material().density * model.soil_gravity * -model.down.z * depth + case.overburden;
+    let surface = local_surface(model, cell.centre);
+    let depth = (surface - cell.centre.z).max(0.0);
+    let vertical =
+        model.material().density_at(surface - 0.5 * depth) * model.soil_gravity * -model.down.z * depth
+            + case.overburden;
     if cell.axis == 2 { vertical } else { model.material().k0 * vertical }
+}
+
+/// Height over which an uneven surface settles, and is smeared as a grid travels over it [m]: a cell.
+fn settling(case: &Case) -> f64 {
+    if case.relief.is_level() { 0.0 } else { case.grid.fine_cell().z }
+}
+
+/// Height of the undisturbed surface over a point [m], without heaps of other soil.
+fn local_surface(model: &Model, x: DVec3) -> f64 {
+    if model.ground.relief.is_level() {
+        return model.surface;
+    }
+    model.surface + model.ground.relief.at([x.x, x.y])
 }
 
 /// A cell at a face of the box.

@@ -19,10 +19,9 @@ pub fn record_ground_left<R: Precision>(model: &Model, state: &State<R>, left: &
     if !left.last().is_none_or(is_due) {
         return;
     }
-    let densities: Vec<f64> = model.materials.iter().map(|material| material.density).collect();
     left.extend((0..cells[1 - axis]).map(|n| {
         let [i, j] = if axis == 0 { [last, n] } else { [n, last] };
-        let column = GroundColumn::of(&domain, state, &densities, [i, j]);
+        let column = GroundColumn::of(&domain, state, &model.materials, [i, j]);
         SurfacePoint { x: domain.centre(0, i), y: domain.centre(1, j), column }
     }));
 }

@@ -97,7 +97,8 @@ fn section(
 ) -> RutSection {
     let column = |m: usize| if axis == 0 { map.column(n, m) } else { map.column(m, n) };
     let (edges, across) = (&map.edges[1 - axis], &map.centres[1 - axis]);
-    let rise = |m: usize| column(m).z - map.reference;
+    let before = |m: usize| if axis == 0 { map.column_before(n, m) } else { map.column_before(m, n) };
+    let rise = |m: usize| column(m).z - before(m).z;
     let mut found = RutSection { position, ..RutSection::default() };
     let Some(deepest) = inside.iter().copied().min_by(|a, b| rise(*a).total_cmp(&rise(*b))) else {
         return found;
@@ -107,11 +108,11 @@ fn section(
         found.area += width * (-rise).max(0.0);
         found.berm_area += width * rise.max(0.0);
         found.compaction += width * column.compaction;
-        found.void += width * column.void;
+        found.void += width * (column.void - before(m).void);
         found.disturbed += width * column.disturbed;
         found.mixed += width * column.mixed;
         if column.disturbed > 0.0 {
-            found.disturbed_depth = found.disturbed_depth.max(map.reference - column.disturbed_to);
+            found.disturbed_depth = found.disturbed_depth.max(before(m).z - column.disturbed_to);
         }
         let berm = if across[m] > track { &mut found.high_berm } else { &mut found.low_berm };
         *berm = berm.max(rise);
@@ -157,6 +158,7 @@ mod tests {
         };
         HeightMap {
             columns: centres.iter().map(column).collect(),
+            undisturbed: Vec::new(),
             centres: [vec![0.5], centres],
             inside: [[0.0, 1.0], [-2.0, 2.0]],
             edges: [vec![0.0, 1.0], edges],

@@ -1,10 +1,13 @@
 //! The free surface as a height map: the rut, the berms, and their sizes.
 
+use crate::case::model::{ground, materials};
 use crate::case::resolved::{Case, Ground};
 use crate::domain::PlacedDomain;
 use crate::history::{GroundColumn, SurfacePoint};
+use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use solver::grid::Grid;
+use solver::initial::undisturbed_fractions;
 use solver::precision::Precision;
 use solver::state::State;
 
@@ -20,7 +23,9 @@ pub struct HeightMap {
     pub edges: [Vec<f64>; 2],
     /// The columns of soil, x fastest.
     pub columns: Vec<GroundColumn>,
-    /// Height of the undisturbed surface [m].
+    /// The same columns as they were before anything moved; none where the ground was level.
+    pub undisturbed: Vec<GroundColumn>,
+    /// Height of the undisturbed surface [m]; of uneven ground that over which it rises and falls.
     pub reference: f64,
     /// Ends along x and y of what lies inside the grid [m]; beyond them is the ground that it has left behind.
     pub inside: [[f64; 2]; 2],
@@ -68,17 +73,33 @@ impl HeightMap {
         let domain = PlacedDomain::of(grid, state.grid_position);
         let [along, across, _] = domain.cells();
         let places = (0..across).flat_map(|j| (0..along).map(move |i| [i, j]));
-        let densities: Vec<f64> = case.soils().map(|(_, soil)| soil.density).collect();
-        let columns = places.map(|place| GroundColumn::of(&domain, state, &densities, place)).collect();
+        let materials = materials(case);
+        let columns = places.map(|place| GroundColumn::of(&domain, state, &materials, place)).collect();
         let edges = [0, 1].map(|axis| domain.faces[axis].clone());
         let inside = [0, 1].map(|axis| domain.ends(axis));
         let centres = edges.each_ref().map(|edges| middles(edges));
-        let mut map = Self { centres, edges, columns, reference: reference_height(case), inside };
+        let (undisturbed, reference) = (Vec::new(), reference_height(case));
+        let mut map = Self { centres, edges, columns, undisturbed, reference, inside };
         map.join(left);
+        map.undisturbed = map.before(case, &domain.faces[2]);
         if case.domain.symmetric {
             map.mirror();
         }
         map
+    }
+
+    /// Its columns before anything moved, in layers of cells with these faces [m].
+    fn before(&self, case: &Case, layers: &[f64]) -> Vec<GroundColumn> {
+        if case.is_even() {
+            return Vec::new();
+        }
+        let grid = Grid::new([self.edges[0].clone(), self.edges[1].clone(), layers.to_vec()]);
+        let fractions = undisturbed_fractions(&grid, &ground(case));
+        let domain = PlacedDomain::of(&grid, DVec3::ZERO);
+        let [along, across, _] = domain.cells();
+        let column =
+            |i: usize, j: usize| GroundColumn::undisturbed(&domain, |k| fractions[domain.index([i, j, k])]);
+        (0..across).flat_map(|j| (0..along).map(move |i| (i, j))).map(|(i, j)| column(i, j)).collect()
     }
 
     /// Adds the lines of the ground left behind that lie beyond what is inside.
@@ -136,8 +157,10 @@ impl HeightMap {
         *edges = edges.iter().rev().map(|y| -y).chain(edges.iter().skip(1).copied()).collect();
         self.centres[1] = middles(edges);
         self.inside[1] = [-self.inside[1][1], self.inside[1][1]];
-        let rows = self.columns.chunks_exact(columns);
-        self.columns = rows.clone().rev().chain(rows).flatten().copied().collect();
+        for all in [&mut self.columns, &mut self.undisturbed] {
+            let rows = all.chunks_exact(columns);
+            *all = rows.clone().rev().chain(rows).flatten().copied().collect();
+        }
     }
 
     /// A range along x (0) or y (1) [m], extended over the ground left behind.
@@ -155,6 +178,20 @@ impl HeightMap {
     #[must_use]
     pub fn at(&self, i: usize, j: usize) -> f64 {
         self.columns.get(j * self.centres[0].len() + i).map_or(f64::NAN, |column| column.z)
+    }
+
+    /// Height of the surface over column `(i, j)` above the undisturbed one [m].
+    #[must_use]
+    pub fn rise(&self, i: usize, j: usize) -> f64 {
+        self.column(i, j).z - self.column_before(i, j).z
+    }
+
+    /// Column `(i, j)` before anything moved.
+    #[must_use]
+    pub fn column_before(&self, i: usize, j: usize) -> GroundColumn {
+        let level =
+            GroundColumn { z: self.reference, disturbed_to: self.reference, ..GroundColumn::default() };
+        self.undisturbed.get(j * self.centres[0].len() + i).copied().unwrap_or(level)
     }
 
     /// Column `(i, j)`.
@@ -177,7 +214,7 @@ impl HeightMap {
         let mut figures = SurfaceFigures::default();
         for (j, dy) in self.edges[1].windows(2).map(|e| e[1] - e[0]).enumerate() {
             for (i, dx) in self.edges[0].windows(2).map(|e| e[1] - e[0]).enumerate() {
-                let rise = self.at(i, j) - self.reference;
+                let rise = self.rise(i, j);
                 if rise > 0.0 {
                     figures.berm_height_m = figures.berm_height_m.max(rise);
                     figures.berm_volume_m3 += rise * dx * dy;
@@ -187,7 +224,7 @@ impl HeightMap {
                 }
                 let column = self.column(i, j);
                 figures.compaction_m3 += column.compaction * dx * dy;
-                figures.void_m3 += column.void * dx * dy;
+                figures.void_m3 += (column.void - self.column_before(i, j).void) * dx * dy;
                 figures.disturbed_m3 += column.disturbed * dx * dy;
                 figures.mixed_m3 += column.mixed * dx * dy;
             }
@@ -199,16 +236,18 @@ impl HeightMap {
         figures
     }
 
-    /// Height [m] of the row of columns at `y` [m], for each column along x.
+    /// Heights [m] of the row of columns at `y` [m], at first and now, for each column along x.
     #[must_use]
-    pub fn along(&self, y: f64) -> Vec<[f64; 2]> {
+    pub fn along(&self, y: f64) -> Vec<[f64; 3]> {
         let row = nearest(&self.edges[1], y);
-        self.centres[0].iter().enumerate().map(|(i, x)| [*x, self.at(i, row)]).collect()
+        let heights = |i: usize| [self.column_before(i, row).z, self.at(i, row)];
+        let each = self.centres[0].iter().enumerate().map(|(i, x)| (x, heights(i)));
+        each.map(|(x, [before, now])| [*x, before, now]).collect()
     }
 
-    /// Mean height [m] over the columns whose centres lie in `from..=to` along x, for each row along y.
+    /// Mean heights [m], at first and now, over the columns whose centres lie in `from..=to` along x, for each row along y.
     #[must_use]
-    pub fn section(&self, from: f64, to: f64) -> Vec<[f64; 2]> {
+    pub fn section(&self, from: f64, to: f64) -> Vec<[f64; 3]> {
         let x = &self.centres[0];
         let mut inside: Vec<usize> = (0..x.len()).filter(|&i| x[i] >= from && x[i] <= to).collect();
         if inside.is_empty() {
@@ -218,7 +257,9 @@ impl HeightMap {
             inside.extend(nearest);
         }
         let mean = |j: usize| inside.iter().map(|&i| self.at(i, j)).sum::<f64>() / inside.len() as f64;
-        self.centres[1].iter().enumerate().map(|(j, y)| [*y, mean(j)]).collect()
+        let before =
+            |j: usize| inside.iter().map(|&i| self.column_before(i, j).z).sum::<f64>() / inside.len() as f64;
+        self.centres[1].iter().enumerate().map(|(j, y)| [*y, before(j), mean(j)]).collect()
     }
 }
 
@@ -254,6 +295,7 @@ mod tests {
             centres,
             edges,
             columns: vec![1.0, 2.0, 3.0, 4.0].into_iter().map(column).collect(),
+            undisturbed: Vec::new(),
             reference: 0.0,
             inside,
         }

@@ -13,6 +13,11 @@ pub(super) fn describe(case: &Case) -> Vec<[String; 2]> {
         [format!("Layer {}", layer.name), format!("from a depth of {}: {}", depth(layer), soil(&layer.soil))]
     };
     lines.extend(case.layers.iter().map(layer));
+    lines.extend(case.soil_bodies.iter().map(|body| {
+        let shape = body.shape.describe(&|value: f64| quantity(value, Unit::length(value)));
+        [format!("Soil body {}", body.name), format!("{shape}: {}", soil(&body.soil))]
+    }));
+    lines.extend(relief(case));
     lines.extend(water(case));
     if !case.slope.is_level() {
         let [along, across] = case.slope.angles().map(degrees);
@@ -41,6 +46,25 @@ pub(super) fn describe(case: &Case) -> Vec<[String; 2]> {
         lines.push([joint.name.clone(), text]);
     }
     lines
+}
+
+/// The relief of the ground.
+fn relief(case: &Case) -> Option<[String; 2]> {
+    let length = |value: f64| quantity(value, Unit::length(value));
+    let map = case.relief.map.as_ref().map(|map| {
+        let [low, high] = map.heights().range();
+        format!("height map {}, from {} to {}", map.file, length(low), length(high))
+    });
+    let furrows = case.relief.furrows.map(|furrows| {
+        format!(
+            "furrows {} deep, {} apart, at {} from x",
+            length(furrows.depth),
+            length(furrows.spacing),
+            degrees(furrows.direction)
+        )
+    });
+    let parts: Vec<String> = map.into_iter().chain(furrows).collect();
+    (!parts.is_empty()).then(|| ["Surface".to_owned(), parts.join("; ")])
 }
 
 /// The water, and whether it drains from the soil.
@@ -91,10 +115,14 @@ fn soil(soil: &Soil) -> String {
         Law::VonMises { yield_stress, hardening_modulus } => {
             format!("von Mises, σ_y = {}, H = {}", stress(yield_stress), stress(hardening_modulus))
         }
-        Law::Sand { critical_friction_angle, .. } => format!(
-            "sand, φ_cv = {}, I_D = {}",
+        Law::Sand { critical_friction_angle, density_gradient, .. } => format!(
+            "sand, φ_cv = {}, I_D = {}{}",
             degrees(critical_friction_angle),
-            digits(soil.relative_density().unwrap_or(f64::NAN))
+            digits(soil.relative_density().unwrap_or(f64::NAN)),
+            match density_gradient {
+                0.0 => String::new(),
+                gradient => format!(" + {}/m × depth", digits(gradient)),
+            }
         ),
         Law::MohrCoulomb {
             friction_angle, dilation_angle, cohesion, potential, critical_density, ..

@@ -27,7 +27,7 @@ pub(super) fn plan<R: Precision>(scene: &Scene<'_, R>, map: &HeightMap) -> View 
     let scale = height_scale(map, level, across, sideways);
     view.paint(|x, y| {
         let (i, j) = (find(&map.edges[0], x)?, find(&map.edges[1], y)?);
-        Some(scale.colour(1e3 * (map.at(i, j) - map.reference)))
+        Some(scale.colour(1e3 * map.rise(i, j)))
     });
     for (n, body) in scene.case.touching() {
         for points in body.outlines() {
@@ -50,7 +50,7 @@ fn height_scale(map: &HeightMap, level: bool, across: [f64; 2], sideways: [f64; 
         let (i, j) = (n % map.centres[0].len(), n / map.centres[0].len());
         let inside = |v: f64, r: [f64; 2]| v >= r[0] && v <= r[1];
         let shown = inside(map.centres[0][i], across) && inside(map.centres[1][j], sideways);
-        shown.then(|| 1e3 * (map.columns[n].z - map.reference))
+        shown.then(|| 1e3 * map.rise(i, j))
     };
     let most = largest((0..map.columns.len()).filter_map(rise)).max(1e-3);
     if level {
@@ -66,8 +66,9 @@ pub(super) struct Profile {
     title: String,
     /// The horizontal axis: `x` or `y`.
     axis: char,
-    /// Position along the axis and height above the undisturbed surface [m].
-    points: Vec<[f64; 2]>,
+    /// Position along the axis, height above the undisturbed surface at first and at the end [m]; of uneven ground above that over which
+    /// it rises and falls.
+    points: Vec<[f64; 3]>,
     /// The range of the axis that the chart shows [m].
     shown: [f64; 2],
     /// Whether heights and lengths are drawn to the same scale.
@@ -77,7 +78,9 @@ pub(super) struct Profile {
 /// The profile along the tow in the mid-plane, and the cross-section of the rut behind the first body.
 pub(super) fn profiles<R: Precision>(scene: &Scene<'_, R>, map: &HeightMap) -> Vec<Profile> {
     let Scene { case, state, .. } = *scene;
-    let rise = |points: Vec<[f64; 2]>| points.into_iter().map(|p| [p[0], p[1] - map.reference]).collect();
+    let level = map.reference;
+    let rise =
+        |points: Vec<[f64; 3]>| points.into_iter().map(|p| [p[0], p[1] - level, p[2] - level]).collect();
     let first = case.touching().next();
     let y = first.map_or(0.5 * (map.edges[1][0] + map.edges[1][map.edges[1].len() - 1]), |(n, _)| {
         state.pose(n).position.y
@@ -113,16 +116,22 @@ impl Profile {
     pub(super) fn write(&self, dir: &Path) -> Result<(), OutputError> {
         let mut table = format!("{} [m],height [m]\n", self.axis);
         for point in &self.points {
-            push_line(&mut table, point);
+            push_line(&mut table, &[point[0], point[2]]);
         }
         write_whole(&dir.join(format!("{}.csv", self.name)), table.as_bytes())?;
         write_whole(&dir.join(format!("{}.svg", self.name)), self.chart().svg().as_bytes())
     }
 
     fn chart(&self) -> Chart {
-        let inside = |p: &&[f64; 2]| p[0] >= self.shown[0] && p[0] <= self.shown[1];
-        let points: Vec<[f64; 2]> = self.points.iter().filter(inside).map(|p| p.map(|v| 1e3 * v)).collect();
-        let ends = [points.first(), points.last()].map(|p| [p.map_or(0.0, |p| p[0]), 0.0]);
+        let inside = |p: &&[f64; 3]| p[0] >= self.shown[0] && p[0] <= self.shown[1];
+        let points: Vec<[f64; 3]> = self.points.iter().filter(inside).map(|p| p.map(|v| 1e3 * v)).collect();
+        let is_level = points.iter().all(|p| p[1] == 0.0);
+        let undisturbed = if is_level {
+            [points.first(), points.last()].map(|p| [p.map_or(0.0, |p| p[0]), 0.0]).to_vec()
+        } else {
+            points.iter().map(|p| [p[0], p[1]]).collect()
+        };
+        let points: Vec<[f64; 2]> = points.iter().map(|p| [p[0], p[2]]).collect();
         Chart {
             title: self.title.clone(),
             x_label: format!("{} [mm]", self.axis),
@@ -131,12 +140,7 @@ impl Profile {
             with_zero: true,
             height: 250.0,
             curves: vec![
-                Curve {
-                    name: "undisturbed".into(),
-                    points: ends.to_vec(),
-                    colour: 6,
-                    stroke: Stroke::Dashed,
-                },
+                Curve { name: "undisturbed".into(), points: undisturbed, colour: 6, stroke: Stroke::Dashed },
                 Curve::solid("at the end", 5, points),
             ],
             ..Chart::default()

@@ -45,7 +45,7 @@ pub(super) fn write_surface(path: &Path, map: &HeightMap, time: f64) -> Result<(
     let array = |name: &'static str, value: fn(&GroundColumn) -> f64| {
         DataArray::singles(name, [map.columns.len(), 1], map.columns.iter().map(value))
     };
-    let rise = map.columns.iter().map(|column| column.z - map.reference);
+    let rise = (0..rows).flat_map(|j| (0..columns).map(move |i| map.rise(i, j)));
     let point_data = vec![
         array("height", |column| column.z),
         DataArray::singles("rise", [map.columns.len(), 1], rise),
