@@ -45,7 +45,7 @@ pub(crate) fn find_paths<R: Precision>(
     if model.pore_water.is_none() {
         return;
     }
-    seepage.set_bodies(&contact.body_cells);
+    seepage.set_bodies(contact.body_cells.iter().map(|own| (own.cell, own.fraction)));
     seepage::find(&model.grid, &state.soil.fraction, seepage);
     contact::find_pressure_cells(model, state, seepage, contact);
 }

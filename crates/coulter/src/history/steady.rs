@@ -41,6 +41,9 @@ pub struct Steady {
     /// Mean drag of the water against the tow [N], not part of `drag`; `null` on dry ground.
     #[serde(rename = "water_drag_N")]
     pub water_drag: Option<f64>,
+    /// Mean portions of `drag` and `vertical` that excess pore pressure exerts [N]; `null` where none is computed.
+    #[serde(rename = "pore_pressure_N")]
+    pub pore_pressure: Option<[f64; 2]>,
     /// Mean sinkage [m].
     #[serde(rename = "sinkage_m")]
     pub sinkage: Option<f64>,
@@ -241,6 +244,10 @@ pub fn steady(samples: &[BodySample], reference: &Reference, window: Range<usize
             .zip(mean(|s| s.moment_z))
             .map(|((x, y), z)| [x, y, z]),
         water_drag: mean(|s| s.water_drag).filter(|drag| *drag != 0.0),
+        pore_pressure: mean(|s| s.pore_drag)
+            .zip(mean(|s| s.pore_vertical))
+            .map(|(drag, vertical)| [drag, vertical])
+            .filter(|force| *force != [0.0; 2]),
         sinkage: mean(|s| s.sinkage),
         turn_ratio,
         slip: turn_ratio.map(analytic::slip),

@@ -116,6 +116,7 @@ fn the_summary_keeps_its_names() {
         "/energy/friction_J",
         "/energy/viscous_J",
         "/energy/hourglass_J",
+        "/energy/seepage_J",
         "/energy/remap_loss_J",
         "/energy/closure",
         "/bodies/disc/steady/from_m",
@@ -139,12 +140,12 @@ fn csv_headers_are_a_contract() {
         "time [s],displacement u [m],sinkage z [m],drag F_H [N],vertical F_V [N],lateral [N],axle torque [N m],\
          rotation [rad],spin [rad/s],turn ratio [-],normal drag [N],friction drag [N],normal vertical [N],\
          friction vertical [N],leak [m^3],embedded [m^3],speed v [m/s],heave speed [m/s],rolling speed [m/s],\
-         lateral displacement [m],yaw [rad],tilt [rad],moment x [N m],moment y [N m],moment z [N m],water drag [N],Z [-],u_bar [-],F_H_bar [-],\
+         lateral displacement [m],yaw [rad],tilt [rad],moment x [N m],moment y [N m],moment z [N m],water drag [N],pore pressure drag [N],pore pressure vertical [N],Z [-],u_bar [-],F_H_bar [-],\
          F_V_bar [-]"
     );
     assert_eq!(
         header(ENERGY),
-        "time [s],external [J],kinetic [J],elastic [J],plastic [J],friction [J],contact method [J],viscous [J],hourglass [J],\
+        "time [s],external [J],kinetic [J],elastic [J],plastic [J],friction [J],contact method [J],viscous [J],hourglass [J],seepage [J],\
          remap loss [J],closure [-],volume ratio [-],overdense mass [-]"
     );
     assert_eq!(

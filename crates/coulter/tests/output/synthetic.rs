@@ -287,6 +287,7 @@ pub(crate) fn history(case: &Case, count: usize) -> History {
             contact: 0.01 * work,
             viscous: 0.02 * work,
             hourglass: 0.015 * work,
+            seepage: 0.0,
             remap_loss: 0.01 * work,
             volume_ratio: 1.0 + 2e-4 * time / 6.0,
             overdense: 0.0,

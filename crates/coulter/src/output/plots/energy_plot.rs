@@ -12,7 +12,7 @@ type Entry = (&'static str, fn(&EnergySample) -> f64);
 /// The energy balance against time.
 #[must_use]
 pub fn energy_plot(energy: &[EnergySample]) -> Plot {
-    let entries: [Entry; 9] = [
+    let entries: [Entry; 10] = [
         ("external work", |e| e.external),
         ("plastic", |e| e.plastic),
         ("friction", |e| e.friction),
@@ -22,12 +22,13 @@ pub fn energy_plot(energy: &[EnergySample]) -> Plot {
         ("viscous", |e| e.viscous),
         ("hourglass", |e| e.hourglass),
         ("remap loss", |e| e.remap_loss),
+        ("seepage", |e| e.seepage),
     ];
     let unit = Unit::energy(largest(energy.iter().flat_map(|e| entries.map(|(_, value)| value(e)))));
     let curve = |(n, (name, value)): (usize, &Entry)| Curve {
         name: (*name).to_owned(),
         points: energy.iter().map(|e| [e.time, value(e) / unit.size]).collect(),
-        // Seven colours, nine entries: the last two are dashed.
+        // Seven colours, ten entries: the last three are dashed.
         colour: n,
         stroke: if n >= 7 { Stroke::Dashed } else { Stroke::Solid },
     };

@@ -133,6 +133,12 @@ pub(super) fn body_rows(reference: &Reference, body: &BodySummary) -> Vec<TableR
         let note = "steady mean; not part of the drag, which is that of the soil";
         table.push("Drag of the water", "", table.force(steady.water_drag), note);
     }
+    if let Some([drag, vertical]) = steady.pore_pressure {
+        let note = "steady mean; the portion of the drag that excess pore pressure exerts on the body";
+        table.push("Pore pressure drag", "", table.force(Some(drag)), note);
+        let note = "the same of the vertical force; negative where suction holds the body down";
+        table.push("Pore pressure vertical", "", table.force(Some(vertical)), note);
+    }
     table.push("Sinkage", "z", table.length(steady.sinkage), "steady mean");
     table.bound(steady.sinkage_interval, Unit::length);
     if reference.radius.is_some() {
@@ -264,6 +270,8 @@ pub(super) fn energy_rows(summary: &Summary) -> Vec<TableRow> {
         ("Hourglass", energy.hourglass, "numerical"),
         ("Remap loss", energy.remap_loss, "numerical"),
     ];
+    let seepage = energy.seepage.filter(|seepage| *seepage != 0.0);
+    let seepage = seepage.map(|seepage| ("Seepage", Some(seepage), "pore water that flows through the soil"));
     let row = |(name, e, note): (&str, Option<f64>, &str)| TableRow {
         name: name.into(),
         symbol: "",
@@ -272,7 +280,7 @@ pub(super) fn energy_rows(summary: &Summary) -> Vec<TableRow> {
         group: per_cent(e),
         note: note.into(),
     };
-    let mut rows: Vec<TableRow> = entries.into_iter().map(row).collect();
+    let mut rows: Vec<TableRow> = entries.into_iter().chain(seepage).map(row).collect();
     let closure = energy.closure.map_or(NONE.to_owned(), |c| format!("{} %", digits(100.0 * c)));
     let note = "not explained by any entry".to_owned();
     let explained: Option<f64> = entries[1..].iter().map(|(_, e, _)| *e).sum();

@@ -97,6 +97,9 @@ pub struct EnergySummary {
     /// Dissipation by hourglass viscosity [J].
     #[serde(rename = "hourglass_J")]
     pub hourglass: Option<f64>,
+    /// Dissipation by pore water that seeps through the soil [J].
+    #[serde(rename = "seepage_J")]
+    pub seepage: Option<f64>,
     /// Kinetic and elastic energy lost in remaps [J].
     #[serde(rename = "remap_loss_J")]
     pub remap_loss: Option<f64>,
@@ -265,6 +268,7 @@ impl From<&EnergySample> for EnergySummary {
             contact: finite(e.contact),
             viscous: finite(e.viscous),
             hourglass: finite(e.hourglass),
+            seepage: finite(e.seepage),
             remap_loss: finite(e.remap_loss),
             closure: finite(e.closure()),
         }

@@ -10,7 +10,6 @@ mod solve;
 pub(crate) use conductance::find;
 pub(crate) use solve::balance_water;
 
-use crate::contact::BodyCell;
 use crate::grid::Grid;
 use crate::model::Model;
 
@@ -63,11 +62,11 @@ impl SeepageWorkspace {
         self.diagonal[cell] > 0.0
     }
 
-    /// Enters the portions of the cells that bodies occupy.
-    pub(crate) fn set_bodies(&mut self, cells: &[BodyCell]) {
+    /// Enters the portions of the cells that bodies occupy: cells and fractions.
+    pub(crate) fn set_bodies(&mut self, cells: impl Iterator<Item = (usize, f64)>) {
         self.body_fraction.fill(0.0);
-        for own in cells {
-            self.body_fraction[own.cell] = (self.body_fraction[own.cell] + own.fraction).min(1.0);
+        for (cell, fraction) in cells {
+            self.body_fraction[cell] = (self.body_fraction[cell] + fraction).min(1.0);
         }
     }
 

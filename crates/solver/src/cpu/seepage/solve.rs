@@ -7,7 +7,7 @@ use crate::fields::{HISTORY_COUNT, PORE_PRESSURE, PORE_PRESSURE_AHEAD};
 use crate::grid::Grid;
 use crate::halo::{self, At, Halo};
 use crate::model::{Model, PoreWater};
-use crate::precision::Precision;
+use crate::scalar::Scalar;
 use crate::state::State;
 
 /// Portion of the water that soil takes in or gives off in a step by which the balance of its flow may be off: a root mean square, with
@@ -32,7 +32,7 @@ struct Balance<'a> {
 /// Changes the pore pressures so that water flows in where the soil expands with its present velocities:
 /// (M + T) A Δp = −f V div v − M A p, with A what flows out of the cells per mobility, M the mobility, and T the inertia of the soil.
 /// Returns the number of iterations.
-pub(crate) fn balance_water<R: Precision>(
+pub(crate) fn balance_water<R: Scalar>(
     (model, water): (&Model, &PoreWater),
     inertia: f64,
     state: &mut State<R>,
@@ -70,12 +70,7 @@ pub(crate) fn balance_water<R: Precision>(
 impl Balance<'_> {
     /// Starts from the change of the last step, and puts what it and the present pressures make flow together into `direction`
     /// [m²/s].
-    fn guess<R: Precision>(
-        &self,
-        state: &State<R>,
-        soil: &SoilWorkspace<R>,
-        workspace: &mut SeepageWorkspace,
-    ) {
+    fn guess<R: Scalar>(&self, state: &State<R>, soil: &SoilWorkspace<R>, workspace: &mut SeepageWorkspace) {
         let SoilWorkspace { team, partition, row_has_soil, .. } = soil;
         let [pressure, ahead] = [PORE_PRESSURE, PORE_PRESSURE_AHEAD].map(|h| &state.soil.history[h]);
         let SeepageWorkspace { change, direction, diagonal, .. } = workspace;
@@ -97,7 +92,7 @@ impl Balance<'_> {
 
     /// The residual of the guess, and where the pressure is sought. Sums over the rows: the square of the residual, and that of the
     /// expansion of the soil.
-    fn find_residual<R: Precision>(
+    fn find_residual<R: Scalar>(
         &self,
         state: &State<R>,
         soil: &mut SoilWorkspace<R>,
@@ -152,12 +147,7 @@ impl Balance<'_> {
     }
 
     /// The new pressures, and those extrapolated to the next step; water cavitates rather than bear more tension.
-    fn finish<R: Precision>(
-        &self,
-        state: &mut State<R>,
-        soil: &SoilWorkspace<R>,
-        workspace: &SeepageWorkspace,
-    ) {
+    fn finish<R: Scalar>(&self, state: &mut State<R>, soil: &SoilWorkspace<R>, workspace: &SeepageWorkspace) {
         let grid = &self.model.grid;
         let SoilWorkspace { team, partition, row_has_soil, .. } = soil;
         let [now, ahead] = pressures(&mut state.soil.history);
@@ -187,12 +177,7 @@ fn pressures<R>(history: &mut [Vec<R>; HISTORY_COUNT]) -> [&mut Vec<R>; 2] {
 }
 
 /// The next direction of the search: the residual over the conductances, conjugate to the last direction.
-fn turn<R: Precision>(
-    grid: &Grid,
-    soil: &SoilWorkspace<R>,
-    workspace: &mut SeepageWorkspace,
-    conjugate: f64,
-) {
+fn turn<R: Scalar>(grid: &Grid, soil: &SoilWorkspace<R>, workspace: &mut SeepageWorkspace, conjugate: f64) {
     let SoilWorkspace { team, partition, row_has_soil, .. } = soil;
     let SeepageWorkspace { inverse, residual, direction, .. } = workspace;
     team.rows(partition, direction, |row, direction| {
@@ -210,7 +195,7 @@ fn turn<R: Precision>(
 }
 
 /// What the direction makes flow out of the cells. Sum over the rows: its product with the direction.
-fn apply<R: Precision>(grid: &Grid, soil: &mut SoilWorkspace<R>, workspace: &mut SeepageWorkspace) {
+fn apply<R: Scalar>(grid: &Grid, soil: &mut SoilWorkspace<R>, workspace: &mut SeepageWorkspace) {
     let SoilWorkspace { team, partition, row_has_soil, row_values, .. } = soil;
     let SeepageWorkspace { conductance, diagonal, direction, product: flow, .. } = workspace;
     let items = partition.split(flow).zip(partition.split_by(1, row_values)).zip(partition.ranges());
@@ -229,7 +214,7 @@ fn apply<R: Precision>(grid: &Grid, soil: &mut SoilWorkspace<R>, workspace: &mut
 }
 
 /// Goes so far along the direction. Sum over the rows: the square of the residual that is left.
-fn advance<R: Precision>(
+fn advance<R: Scalar>(
     grid: &Grid,
     soil: &mut SoilWorkspace<R>,
     workspace: &mut SeepageWorkspace,
