@@ -15,7 +15,7 @@ use crate::state::State;
 const TOLERANCE: f64 = 0.02;
 
 /// Most iterations in a step.
-const ITERATIONS: usize = 60;
+const ITERATIONS: usize = 400;
 
 /// What is the same for all cells.
 struct Balance<'a> {
