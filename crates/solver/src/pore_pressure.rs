@@ -46,6 +46,6 @@ pub(crate) fn find_paths<R: Precision>(
         return;
     }
     seepage.set_bodies(contact.body_cells.iter().map(|own| (own.cell, own.fraction)));
-    seepage::find(&model.grid, &state.soil.fraction, seepage);
+    seepage::find(model, &state.soil, seepage);
     contact::find_pressure_cells(model, state, seepage, contact);
 }

@@ -1,7 +1,9 @@
 //! Which cells have a pore pressure of their own, and how well water flows between them. Found anew when soil and bodies have moved.
 
 use super::SeepageWorkspace;
+use crate::fields::Soil;
 use crate::grid::Grid;
+use crate::model::Model;
 use crate::scalar::Scalar;
 
 /// Portion of the room outside the bodies that soil fills in a cell with a pore pressure of its own; with less, it is open water.
@@ -15,10 +17,18 @@ const SLICE: f64 = 0.25;
 /// surface; a distance of zero would be no worse an approximation, but could not be divided by.
 const LEAST_DISTANCE: f64 = 0.1;
 
-/// Finds the conductances from the volume fractions of the soil, with those of bodies in `workspace.body_fraction`.
-pub(crate) fn find<R: Scalar>(grid: &Grid, fraction: &[R], workspace: &mut SeepageWorkspace) {
+/// Density over that of the undeformed soil below which grains float in open water: they hold no pressure, which would accelerate so
+/// little mass without bound.
+const LEAST_DENSITY: f64 = 0.5;
+
+/// Finds the conductances from volume fractions and masses of the soil, with the volume fractions of bodies in
+/// `workspace.body_fraction`.
+pub(crate) fn find<R: Scalar>(model: &Model, soil: &Soil<R>, workspace: &mut SeepageWorkspace) {
     let SeepageWorkspace { conductance, diagonal, body_fraction, .. } = workspace;
-    let cells = Cells { grid, fraction, body_fraction };
+    let Soil { fraction, mass, .. } = soil;
+    let grid = &model.grid;
+    let cells =
+        Cells { grid, fraction, mass, least_density: LEAST_DENSITY * model.least_density(), body_fraction };
     conductance.iter_mut().for_each(|field| field.fill(0.0));
     diagonal.fill(0.0);
     let inside = [0, 1, 2].map(|axis| grid.inside(axis));
@@ -52,6 +62,9 @@ struct Flow {
 struct Cells<'a, R> {
     grid: &'a Grid,
     fraction: &'a [R],
+    mass: &'a [R],
+    /// Density of soil that holds a pressure [kg/m³].
+    least_density: f64,
     body_fraction: &'a [f64],
 }
 
@@ -68,8 +81,9 @@ impl<R: Scalar> Cells<'_, R> {
     }
 
     fn is_saturated(&self, cell: usize) -> bool {
-        let has_soil = self.fraction[cell] > R::default();
-        has_soil && (self.open(cell) <= SLICE || self.filled(cell) >= LEAST_FILLED)
+        let fraction = self.fraction[cell].to_f64();
+        let holds = self.mass[cell].to_f64() > self.least_density * fraction * self.grid.volume_of(cell);
+        fraction > 0.0 && holds && (self.open(cell) <= SLICE || self.filled(cell) >= LEAST_FILLED)
     }
 
     /// Flow between a saturated cell and its neighbour along an axis, at the low end (0) or the high end (1); `None` where a wall, a

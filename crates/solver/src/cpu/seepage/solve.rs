@@ -171,9 +171,9 @@ impl Balance<'_> {
 
 /// Pore pressures, now and extrapolated to the next step.
 fn pressures<R>(history: &mut [Vec<R>; HISTORY_COUNT]) -> [&mut Vec<R>; 2] {
-    let [.., now, ahead] = history;
-    const { assert!(PORE_PRESSURE == HISTORY_COUNT - 2 && PORE_PRESSURE_AHEAD == HISTORY_COUNT - 1) }
-    [now, ahead]
+    const { assert!(PORE_PRESSURE < PORE_PRESSURE_AHEAD) }
+    let (low, high) = history.split_at_mut(PORE_PRESSURE_AHEAD);
+    [&mut low[PORE_PRESSURE], &mut high[0]]
 }
 
 /// The next direction of the search: the residual over the conductances, conjugate to the last direction.
