@@ -43,7 +43,7 @@ const OFTEN: &str = "numerics.remap_displacement=0.01";
 const PENALTY: &str = "numerics.contact=\"penalty\"";
 
 /// Every family of the verification suite, both precisions, both contact methods, one to three threads.
-const SET_UPS: [SetUp; 29] = [
+const SET_UPS: [SetUp; 30] = [
     set_up(
         "sand at rest",
         "validation/A4_soil_at_rest/case.toml",
@@ -56,6 +56,7 @@ const SET_UPS: [SetUp; 29] = [
     set_up("elastic bounce, penalty", "validation/A6_rigid_mechanics/bouncing.toml", &[PENALTY], 1, 400),
     set_up("rolling wheel", "validation/A6_rigid_mechanics/rolling.toml", &["grid.cell=\"25 mm\""], 1, 600),
     set_up("sliding block", "validation/A6_rigid_mechanics/sliding.toml", &[], 3, 600),
+    set_up("wall under water", "validation/W2_wall_under_water/case.toml", &[OFTEN], 2, 400),
     set_up("plane wheel", "validation/A7_scaling/case.toml", &[OFTEN], 1, 400),
     set_up("towed disc", "validation/A8_repeatability/case.toml", &[OFTEN], 1, 400),
     set_up(

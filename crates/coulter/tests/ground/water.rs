@@ -120,6 +120,9 @@ fn what_is_not_submerged_or_does_not_drain_is_refused() {
     let twice = format!("{BLOCK}weight = \"2 N\"\nsubmerged_weight = \"1 N\"\nheave = \"free\"");
     let fine = WATER.replace("1 cm/s", "1e-5 m/s");
     let shallow = WATER.replace("2 m", "10 mm");
+    let pressed = format!("{WATER}pore_pressure = true\n");
+    let clay = "law = \"tresca\"\nshear_strength = \"2 kPa\"\nunit_weight = \"6 kN/m^3\"";
+    let penalty = format!("{BLOCK}[numerics]\ncontact = \"penalty\"\n");
     for (water, soil, body, message) in [
         ("[water]\npermeability = \"1 mm/s\"\n", SAND, "", "`water.level` is missing"),
         ("[water]\naccept_drained = true\n", SAND, "", "without water there is nothing to drain"),
@@ -135,11 +138,37 @@ fn what_is_not_submerged_or_does_not_drain_is_refused() {
         ("", SAND, &format!("{BLOCK}submerged_weight = \"1 N\"\nheave = \"free\""), "without water"),
         (&fine, SAND, DISC, "the soil does not drain: drainage number"),
         (&format!("{WATER}volume_strain = 2\n"), SAND, "", "water.volume_strain = 2 is out of range"),
+        (&pressed, clay, "", "the law is that of soil from which no water can flow"),
+        (&pressed, SAND, &penalty, "the penalty method knows no pore pressure"),
+        (&format!("{pressed}accept_drained = true\n"), SAND, DISC, "the soil is taken for drained, and its"),
+        (
+            "[water]\nlevel = \"2 m\"\npore_pressure = true\n",
+            SAND,
+            "",
+            "from which its pore pressure follows",
+        ),
+        (&format!("{WATER}pore_pressure = \"yes\"\n"), SAND, "", "pore_pressure"),
     ] {
         let refused = read(&text(water, soil, body)).unwrap_err();
         assert!(refused.contains(message), "{message}: {refused}");
     }
     assert!(read(&text(&format!("{fine}accept_drained = true\n"), SAND, DISC)).is_ok());
+}
+
+#[test]
+fn fine_sand_under_water_runs_with_its_pore_pressure_and_without_a_drainage_check() {
+    let fine = format!("{}pore_pressure = true\n", WATER.replace("1 cm/s", "1e-4 m/s"));
+    let case = case(&fine, SAND, &DISC.replace("weight = \"100 N\"", "weight = \"300 N\""));
+    let mut simulation: Simulation = Simulation::new(&case);
+    while !simulation.is_done() {
+        simulation.advance().unwrap();
+    }
+    let end = simulation.history.bodies[0].last().unwrap();
+    assert!(end.pore_vertical != 0.0 && end.pore_vertical.abs() < 300.0, "{} N", end.pore_vertical);
+    let energy = simulation.history.energy.last().unwrap();
+    assert!(energy.seepage > 0.0 && energy.closure().abs() < 0.05, "{energy:?}");
+    assert!(case.drainage_number() > Some(5.0));
+    assert_eq!(coulter::trust::Setting::of(&case).drainage_per_speed, None);
 }
 
 #[test]
