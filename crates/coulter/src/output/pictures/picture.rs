@@ -23,7 +23,7 @@ pub struct Caption {
 }
 
 /// The pictures in the order of the report.
-pub const PICTURES: [Caption; 7] = [
+pub const PICTURES: [Caption; 8] = [
     Caption {
         file: "soil_plastic_strain.png",
         title: "Where the soil has yielded",
@@ -41,6 +41,12 @@ pub const PICTURES: [Caption; 7] = [
         title: "Pressure",
         text: "Mean pressure, compression positive. Colours end at the 99.9th percentile. Speckle is numerical noise; pressure that \
                extends to the walls of the box means that the box is too small.",
+    },
+    Caption {
+        file: "soil_pore_pressure.png",
+        title: "Excess pore pressure",
+        text: "Pressure of the pore water beyond the hydrostatic one: red where it bears load, blue where soil that loosens sucks it in. \
+               Colours end at the 99.9th percentile. It should fade well inside the box.",
     },
     Caption {
         file: "soil_fraction.png",
@@ -84,6 +90,9 @@ pub fn write_pictures(
     scene.fraction().write(&dir.join("soil_fraction.png"))?;
     scene.plastic_strain().write(&dir.join("soil_plastic_strain.png"))?;
     scene.pressure().write(&dir.join("soil_pressure.png"))?;
+    if let Some(pore_pressure) = scene.pore_pressure() {
+        pore_pressure.write(&dir.join("soil_pore_pressure.png"))?;
+    }
     scene.speed().write(&dir.join("soil_speed.png"))?;
     if !case.domain.plane_strain {
         plan(&scene, map).canvas.write(&dir.join("rut_plan.png"))?;

@@ -10,7 +10,7 @@ use crate::output::units::Unit;
 use glam::DVec3;
 use mechanics::{BodyState, Pose};
 use physics::shape::Shape;
-use solver::fields::PLASTIC_STRAIN;
+use solver::fields::{PLASTIC_STRAIN, PORE_PRESSURE};
 use solver::precision::Precision;
 use solver::state::State;
 
@@ -169,6 +169,20 @@ impl<'a, R: Precision> Scene<'a, R> {
         self.slice("Mean pressure (compression positive)", &scale, |c| {
             (c.fraction > SHOWN).then(|| c.pressure() / unit.size)
         })
+    }
+
+    /// The excess pore pressure, where one is computed.
+    pub(super) fn pore_pressure(&self) -> Option<Canvas> {
+        if self.state.soil.history[PORE_PRESSURE].is_empty() {
+            return None;
+        }
+        let most = self.high_end(|c| c.history(PORE_PRESSURE).abs()).max(1.0);
+        let unit = Unit::stress(most);
+        let (end, label) = (most / unit.size, format!("excess pore pressure [{}]", unit.name));
+        let scale = Scale::linear(ColourMap::Diverging, -end, end, label);
+        Some(self.slice("Excess pore pressure", &scale, |c| {
+            (c.fraction > SHOWN).then(|| c.history(PORE_PRESSURE) / unit.size)
+        }))
     }
 
     pub(super) fn speed(&self) -> Canvas {
