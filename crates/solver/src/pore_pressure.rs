@@ -11,6 +11,7 @@ use crate::contact::workspace::ContactWorkspace;
 use crate::cpu::seepage::{self, SeepageWorkspace};
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::workspace::SoilWorkspace;
+use crate::error::{Breakdown, Location};
 use crate::halo::Halo;
 use crate::model::Model;
 use crate::precision::Precision;
@@ -21,18 +22,31 @@ use crate::state::State;
 const ANTICIPATED: f64 = 2.0;
 
 /// Renews the pore pressures at the end of a step, from the velocities after contact.
+///
+/// # Errors
+/// [`Breakdown`] where no pressures balance the flow of the water.
 pub(crate) fn renew<R: Precision>(
     model: &Model,
     state: &mut State<R>,
     soil: &mut SoilWorkspace<R>,
     seepage: &mut SeepageWorkspace,
     (contact, halo): (&ContactWorkspace, &mut dyn Halo),
-) {
-    let Some(water) = &model.pore_water else { return };
+) -> Result<(), Breakdown> {
+    let Some(water) = &model.pore_water else { return Ok(()) };
     seepage.open_gaps(contact.pressure_cells.iter().zip(&contact.openings));
     let inertia = ANTICIPATED * model.time_step() / model.least_density();
-    seepage::balance_water((model, water), inertia, state, soil, (seepage, halo));
+    let off = seepage::balance_water((model, water), inertia, state, soil, (seepage, halo));
     soil.stopwatch().lap(Stage::Seepage);
+    if off == 0.0 {
+        return Ok(());
+    }
+    Err(Breakdown::Untrustworthy {
+        what: format!("the flow of the pore water does not balance (off by {off:.1} times what is allowed)"),
+        cure: "use a smaller numerics.courant, or fewer cells".into(),
+        time: state.time,
+        step: state.step,
+        location: Location::UNKNOWN,
+    })
 }
 
 /// Finds between which cells water can flow, after a contact search, and where a run resumes.

@@ -32,7 +32,7 @@ pub fn step<R: Precision>(
     let work = contact::solve(model, state, (soil, halo.as_mut()), contact, moving);
     bodies::advance(mechanism, state, moving);
     halo::fill(halo.as_mut(), &model.grid, At::Nodes, &mut state.nodes.velocity);
-    pore_pressure::renew(model, state, soil, seepage, (contact, halo.as_mut()));
+    pore_pressure::renew(model, state, soil, seepage, (contact, halo.as_mut()))?;
     account(model, state, &sums, moving, &work);
     state.time += dt;
     state.step += 1;

@@ -31,14 +31,14 @@ struct Balance<'a> {
 
 /// Changes the pore pressures so that water flows in where the soil expands with its present velocities:
 /// (M + T) A Δp = −f V div v − M A p, with A what flows out of the cells per mobility, M the mobility, and T the inertia of the soil.
-/// Returns the number of iterations.
+/// Returns 0, or, where the balance cannot be met, how far it is off over what is allowed.
 pub(crate) fn balance_water<R: Scalar>(
     (model, water): (&Model, &PoreWater),
     inertia: f64,
     state: &mut State<R>,
     soil: &mut SoilWorkspace<R>,
     (workspace, halo): (&mut SeepageWorkspace, &mut dyn Halo),
-) -> usize {
+) -> f64 {
     let mobility = water.mobility();
     let height = state.grid_position.z;
     let balance = Balance { model, water, mobility, with_inertia: mobility + inertia, height };
@@ -47,24 +47,24 @@ pub(crate) fn balance_water<R: Scalar>(
     balance.find_residual(state, soil, workspace);
     let [mut left, taken] = soil.total_of_rows(&model.grid, halo);
     let enough = TOLERANCE * TOLERANCE * taken;
-    let (mut iterations, mut conjugate) = (0, 0.0);
-    while left > enough && iterations < ITERATIONS {
+    let mut conjugate = 0.0;
+    for _ in 0..ITERATIONS {
+        if left <= enough {
+            break;
+        }
         turn(&model.grid, soil, workspace, conjugate);
         halo::fill(halo, &model.grid, At::Cells, [&mut workspace.direction]);
         apply(&model.grid, soil, workspace);
         let [curvature, _] = soil.total_of_rows(&model.grid, halo);
-        if curvature <= 0.0 {
-            break;
-        }
         advance(&model.grid, soil, workspace, left / curvature);
         let [next, _] = soil.total_of_rows(&model.grid, halo);
         conjugate = next / left;
         left = next;
-        iterations += 1;
     }
     balance.finish(state, soil, workspace);
     halo::fill(halo, &model.grid, At::Cells, pressures(&mut state.soil.history));
-    iterations
+    // What is not a number is found by the check at the end of the step.
+    if left > enough { (left / enough).sqrt() } else { 0.0 }
 }
 
 impl Balance<'_> {
