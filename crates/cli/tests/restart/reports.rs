@@ -70,7 +70,7 @@ fn damaged_results_are_refused_with_file_and_line() {
         ("a time of before", with_field(&whole, 6, 1, "0.001"), &["forces.csv, line 6", "time [s]", "later"]),
         ("no time", with_field(&whole, 4, 1, ""), &["forces.csv, line 4", "time [s]"]),
         ("a header", whole.lines().next().unwrap().to_owned() + "\n", &["forces.csv has no line"]),
-        ("half a line", whole[..whole.len() - 20].to_owned(), &["forces.csv: line", "fields, expected 30"]),
+        ("half a line", whole[..whole.len() - 20].to_owned(), &["forces.csv: line", "fields, expected 32"]),
     ];
     for (what, text, words) in damages {
         fs::write(sandbox.out("forces.csv"), text).unwrap();
