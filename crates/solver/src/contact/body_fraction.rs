@@ -19,24 +19,20 @@ pub(crate) fn find_bodies<R: Scalar>(
     body_fraction: &mut [R],
     body_cells: &mut Vec<BodyCell>,
 ) {
-    body_cells.clear();
-    // What bodies occupy high above the soil concerns nobody, and is most of a wheel.
-    let top = top_of_soil(&model.grid, &state.soil).max(model.top_of_ground() - state.grid_position.z);
-    for (n, fixed) in model.bodies.iter().enumerate() {
-        let pose = *state.pose(n);
-        let in_grid = Pose { position: pose.position - state.grid_position, ..pose };
-        each_occupied_cell((model, top), fixed, &in_grid, |cell, fraction| {
-            let sum = body_fraction[cell].to_f64() + R::cast(fraction).to_f64();
-            body_fraction[cell] = R::cast(sum.min(1.0));
-            body_cells.push(BodyCell { body: n, cell, fraction });
-        });
-        state.bodies[n].searched_at = pose;
+    for n in 0..state.bodies.len() {
+        state.bodies[n].searched_at = *state.pose(n);
+    }
+    *body_cells = bodies_at_search(model, state);
+    for own in body_cells {
+        let sum = body_fraction[own.cell].to_f64() + R::cast(own.fraction).to_f64();
+        body_fraction[own.cell] = R::cast(sum.min(1.0));
     }
 }
 
-/// The cells that bodies occupied at the last contact search, for a run that resumes.
+/// The cells near the soil that bodies occupied at the last contact search.
 pub(crate) fn bodies_at_search<R: Scalar>(model: &Model, state: &State<R>) -> Vec<BodyCell> {
-    let top = top_of_soil(&model.grid, &state.soil).max(model.surface - state.grid_position.z);
+    // What bodies occupy high above the soil concerns nobody, and is most of a wheel.
+    let top = top_of_soil(&model.grid, &state.soil).max(model.top_of_ground() - state.grid_position.z);
     let mut cells = Vec::new();
     for (n, (fixed, body)) in model.bodies.iter().zip(&state.bodies).enumerate() {
         let pose = body.searched_at;
