@@ -3,18 +3,75 @@
 use crate::failure::Failure;
 use clap::builder::TypedValueParser as _;
 use coulter::case::meshes::COUNTS;
+use coulter::case::quantity::{TIME, parse};
+use coulter::case::variations::ErrorSource;
+use coulter::run::Budget;
+use std::fmt::Display;
 use std::io::Write;
+use std::ops::RangeInclusive;
 use std::path::Path;
 
 /// The allowed numbers of threads.
 pub(super) fn threads() -> clap::builder::RangedI64ValueParser<u16> {
-    clap::value_parser!(u16).range(0..=solver::cpu::threads::MAX_WORKERS as i64)
+    clap::value_parser!(u16).range(0..=MOST_THREADS as i64)
+}
+
+/// Most threads of a run.
+pub(super) const MOST_THREADS: usize = solver::cpu::threads::MAX_WORKERS;
+/// The allowed numbers of cases of a study that run at the same time.
+pub(super) const WORKERS: RangeInclusive<u16> = 1..=1024;
+/// The allowed numbers of threads of each run of a study.
+pub(super) const STUDY_THREADS: RangeInclusive<u16> = 1..=64;
+
+/// The allowed numbers of cases that run at the same time.
+pub(super) fn workers() -> clap::builder::RangedI64ValueParser<u16> {
+    clap::value_parser!(u16).range(i64::from(*WORKERS.start())..=i64::from(*WORKERS.end()))
+}
+
+/// The allowed numbers of threads of each run of a study.
+pub(super) fn study_threads() -> clap::builder::RangedI64ValueParser<u16> {
+    clap::value_parser!(u16).range(i64::from(*STUDY_THREADS.start())..=i64::from(*STUDY_THREADS.end()))
 }
 
 /// The allowed numbers of meshes.
 pub(super) fn meshes() -> impl clap::builder::TypedValueParser<Value = usize> {
     let (least, most) = (*COUNTS.start() as u64, *COUNTS.end() as u64);
     clap::value_parser!(u64).range(least..=most).map(|count| usize::try_from(count).unwrap_or(*COUNTS.end()))
+}
+
+/// A budget: a time with its unit, or how many times the case's own run.
+///
+/// # Errors
+/// What to write instead.
+pub fn budget(text: &str) -> Result<Budget, String> {
+    let times = text.strip_suffix("times").or_else(|| text.strip_suffix('x')).unwrap_or(text).trim();
+    let (budget, size) = match (times.parse::<f64>(), parse(text, &TIME)) {
+        (Ok(times), _) => (Budget::Times(times), times),
+        (_, Ok(seconds)) => (Budget::Seconds(seconds), seconds),
+        _ => {
+            return Err(
+                "write a time, such as \"20 min\", or a multiple of the run itself, such as 4x".to_owned()
+            );
+        }
+    };
+    if size.is_finite() && size >= 0.0 { Ok(budget) } else { Err("a budget is a positive number".to_owned()) }
+}
+
+/// A source of uncertainty that variations examine.
+///
+/// # Errors
+/// The words for them.
+pub fn error_source(text: &str) -> Result<ErrorSource, String> {
+    let examined = ErrorSource::ALL.into_iter().filter(|source| *source != ErrorSource::Statistics);
+    let words: Vec<&str> = examined.clone().map(ErrorSource::word).collect();
+    let found = examined.into_iter().find(|source| source.word() == text.trim());
+    found.ok_or_else(|| format!("one of {}", words.join(", ")))
+}
+
+/// The folder of a run, as an argument names it.
+pub(super) fn results_folder(path: &Path) -> Result<&Path, Failure> {
+    let problem = || format!("{} is not a folder; name the one that `coulter run` wrote", path.display());
+    if path.is_dir() { Ok(path) } else { Err(Failure::Request(problem())) }
 }
 
 /// Prints to standard output. A reader that has closed the pipe (`| head`) is not an error.
@@ -34,6 +91,21 @@ pub(super) fn overrides(given: &[String], accept_drained: bool) -> Vec<String> {
     given.iter().cloned().chain(accepted).collect()
 }
 
+/// Refuses a number outside the range that the command line allows for it, whoever asks.
+pub(super) fn require_range<N: PartialOrd + Display>(
+    name: &str,
+    number: Option<N>,
+    allowed: RangeInclusive<N>,
+) -> Result<(), Failure> {
+    match number {
+        Some(number) if !allowed.contains(&number) => {
+            let (least, most) = allowed.into_inner();
+            Err(Failure::Request(format!("{name} = {number}: it must be from {least} to {most}")))
+        }
+        _ => Ok(()),
+    }
+}
+
 /// Refuses a file where a results folder is expected.
 pub(super) fn refuse_file(folder: &Path) -> Result<(), Failure> {
     if !folder.exists() || folder.is_dir() {
@@ -49,4 +121,21 @@ pub(super) fn refuse_file(folder: &Path) -> Result<(), Failure> {
 pub(super) fn say_json(value: &impl serde::Serialize) -> Result<(), Failure> {
     let text = serde_json::to_string_pretty(value).map_err(|e| Failure::Request(e.to_string()))?;
     say(&format!("{text}\n"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_budget_is_a_time_or_a_multiple() {
+        assert_eq!(budget("20 min"), Ok(Budget::Seconds(1200.0)));
+        assert_eq!(budget("30min"), Ok(Budget::Seconds(1800.0)));
+        for text in ["4", "4x", "4 times"] {
+            assert_eq!(budget(text), Ok(Budget::Times(4.0)), "{text}");
+        }
+        assert!(budget("-1 s").is_err() && budget("soon").unwrap_err().contains("20 min"));
+        assert_eq!(error_source("domain"), Ok(ErrorSource::Domain));
+        assert!(error_source("statistics").unwrap_err().contains("mesh, domain, speed, precision"));
+    }
 }

@@ -3,11 +3,10 @@
 use coulter::case::CaseError;
 use miette::{GraphicalReportHandler, GraphicalTheme};
 use std::io::{IsTerminal, Write};
-use std::process::ExitCode;
 
 /// Why a command failed.
 #[derive(Debug, thiserror::Error)]
-pub(super) enum Failure {
+pub enum Failure {
     /// The case file is wrong.
     #[error(transparent)]
     Case(#[from] CaseError),
@@ -38,14 +37,14 @@ impl Failure {
     }
 
     /// Reports the failure on standard error.
-    pub(super) fn report(&self) -> ExitCode {
+    pub(super) fn report(&self) -> u8 {
         let text = match self {
             Self::Case(error) => render(error, is_colourful()),
             Self::Request(message) | Self::Physics(message) => format!("error: {message}\n"),
             Self::Stopped { message, .. } => format!("{message}\n"),
         };
         let _ = std::io::stderr().lock().write_all(text.as_bytes());
-        ExitCode::from(self.exit_code())
+        self.exit_code()
     }
 }
 
@@ -56,7 +55,12 @@ fn is_colourful() -> bool {
     std::io::stderr().is_terminal() && !is_plain
 }
 
-/// Every problem with its line, and a count.
+/// Every problem with its line, and a count, as the command prints them.
+#[must_use]
+pub fn problems_text(error: &CaseError) -> String {
+    render(error, false)
+}
+
 fn render(error: &CaseError, colour: bool) -> String {
     let theme = if colour { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
     let handler = GraphicalReportHandler::new_themed(theme).with_width(110).with_links(false);

@@ -26,7 +26,7 @@ pub(super) struct Arguments {
 const SCHEMA: &str = "#:schema ./schema.json\n";
 
 /// The surface that the tool from an STL file refers to.
-const OPENER: &str = include_str!("../../../cases/opener.stl");
+const OPENER: &str = include_str!("../cases/opener.stl");
 
 macro_rules! templates {
     ($($name:ident: $file:literal, $about:literal;)*) => {
@@ -39,7 +39,7 @@ macro_rules! templates {
             /// File name and text.
             fn file(self) -> (&'static str, &'static str) {
                 match self {
-                    $(Self::$name => ($file, include_str!(concat!("../../../cases/", $file))),)*
+                    $(Self::$name => ($file, include_str!(concat!("../cases/", $file))),)*
                 }
             }
         }
@@ -108,10 +108,12 @@ fn write(path: &Path, text: &str, force: bool) -> Result<(), Failure> {
 /// The templates, one a line.
 fn list() -> String {
     let mut text = String::new();
-    for value in Template::value_variants().iter().filter_map(Template::to_possible_value) {
+    let templates = || Template::value_variants().iter().filter_map(Template::to_possible_value);
+    let width = templates().map(|value| value.get_name().len()).max().unwrap_or(0) + 2;
+    for value in templates() {
         let about = value.get_help().map(ToString::to_string).unwrap_or_default();
         // Writing to a string cannot fail.
-        let _ = writeln!(text, "{:14}{about}", value.get_name());
+        let _ = writeln!(text, "{:width$}{about}", value.get_name());
     }
     text
 }

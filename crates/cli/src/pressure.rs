@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use analytic::earth_pressure::{Comparison, Face, PassiveField, compare};
 use analytic::error::ModelResult;
 use coulter::case::quantity::{self, ANGLE};
+use coulter::formats;
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 
@@ -75,6 +76,7 @@ fn document(found: &Comparison) -> Value {
         coefficients
             .insert("sokolovskii".into(), json!({ "K_n": coefficient, "rupture_ratio": rupture_ratio }));
     }
+    coefficients.insert("format".into(), json!(formats::DOCUMENT));
     coefficients.insert("reasons".into(), Value::Object(reasons));
     Value::Object(coefficients)
 }

@@ -2,6 +2,8 @@
 
 use crate::common::say;
 use crate::failure::Failure;
+use coulter::formats;
+use serde_json::json;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use verification::expected_failures::{disagreements, expected_failures};
@@ -72,7 +74,8 @@ pub(super) fn verify(arguments: &Arguments) -> Result<(), Failure> {
     };
     let expected = expected_failures();
     if arguments.json {
-        crate::common::say_json(&findings.rows.iter().map(Row::json).collect::<Vec<_>>())?;
+        let rows: Vec<_> = findings.rows.iter().map(Row::json).collect();
+        crate::common::say_json(&json!({ "format": formats::DOCUMENT, "rows": rows }))?;
     } else {
         say(&format!(
             "{}

@@ -179,10 +179,32 @@ fn a_fast_tow_is_warned_of_by_what_inertia_adds() {
 #[test]
 fn run_does_not_overwrite_unasked() {
     let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("run.json"), "{}").unwrap();
+    std::fs::write(folder.path().join("run.json"), "{\"format\": 1}").unwrap();
     let refusal =
         coulter().args(["run", &shipped("light_disc.toml"), "-o"]).arg(folder.path()).assert().code(2);
     assert!(String::from_utf8_lossy(&refusal.get_output().stderr).contains("--force"));
+}
+
+#[test]
+fn results_of_another_format_are_refused_with_what_to_do() {
+    let folder = tempfile::tempdir().unwrap();
+    for (record, words) in [
+        ("{\"format\": 2}", ["newer than this version", "install a newer version"]),
+        ("{\"format\": 0}", ["no longer read", "run its case.toml again"]),
+        ("{}", ["does not say in which format", "run its case.toml again"]),
+    ] {
+        std::fs::write(folder.path().join("run.json"), record).unwrap();
+        let path = folder.path().to_str().unwrap();
+        let case = shipped("light_disc.toml");
+        for arguments in
+            [&["report", path][..], &["run", &case, "-o", path], &["run", &case, "--force", "-o", path]]
+        {
+            let refusal = coulter().args(arguments).assert().code(2);
+            let said = String::from_utf8_lossy(&refusal.get_output().stderr).into_owned();
+            assert!(words.iter().all(|word| said.contains(word)), "{arguments:?}: {said}");
+        }
+        assert_eq!(std::fs::read_to_string(folder.path().join("run.json")).unwrap(), record);
+    }
 }
 
 #[test]
@@ -240,4 +262,58 @@ fn a_breakdown_exits_with_1_and_leaves_what_there_is() {
     let summary = std::fs::read_to_string(out.join("summary.json")).unwrap();
     let summary: Value = serde_json::from_str(&summary).unwrap();
     assert_eq!(summary["trust"]["verdict"], "broken");
+}
+
+#[test]
+fn completions_and_manual_pages_name_every_command() {
+    let help = String::from_utf8(coulter().arg("--help").output().unwrap().stdout).unwrap();
+    let commands: Vec<&str> = help
+        .lines()
+        .skip_while(|line| *line != "Commands:")
+        .skip(1)
+        .take_while(|line| !line.is_empty())
+        .filter_map(|line| line.split_whitespace().next())
+        .filter(|name| *name != "help")
+        .collect();
+    assert!(commands.contains(&"render") && commands.len() > 14, "{commands:?}");
+    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+        let script = coulter().args(["completions", shell]).output().unwrap().stdout;
+        let script = String::from_utf8(script).unwrap();
+        assert!(commands.iter().all(|name| script.contains(name)), "{shell}");
+    }
+    let folder = tempfile::tempdir().unwrap();
+    coulter().arg("man").arg(folder.path()).assert().success();
+    for name in commands {
+        let page = std::fs::read_to_string(folder.path().join(format!("coulter-{name}.1"))).unwrap();
+        assert!(page.contains(".SH SYNOPSIS"), "{name}");
+    }
+    coulter().arg("man").arg(folder.path().join("missing")).assert().code(2);
+}
+
+#[test]
+fn what_render_cannot_draw_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let refused = |arguments: &[&str], said: &str| {
+        let output = coulter().current_dir(&folder).arg("render").args(arguments).output().unwrap();
+        let text = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.code() == Some(2) && text.contains(said), "{arguments:?}: {text}");
+    };
+    refused(&["missing"], "is not a folder");
+    refused(&["."], "holds no result");
+    refused(&[".", "-o", "tow.mp4"], "must end in .png");
+    refused(&[".", "--size", "12x12"], "from 64 to");
+    refused(&[".", "--elevation", "100"], "-20 to 90 degrees");
+    refused(&[".", "--at", "3"], "with its unit");
+    refused(&[".", "--zoom", "0"], "from 0.1 to 50");
+    std::fs::write(folder.path().join("mine.png"), "mine").unwrap();
+    refused(&[".", "-o", "mine.png"], "--force replaces it");
+}
+
+#[test]
+fn the_case_of_the_readme_checks() {
+    let readme = std::fs::read_to_string(format!("{}/../../README.md", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let case = readme.split("```toml\n").nth(1).unwrap().split("```").next().unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("disc.toml"), case).unwrap();
+    coulter().current_dir(&folder).args(["check", "disc.toml"]).assert().success();
 }

@@ -2,9 +2,11 @@
 
 pub mod bench;
 pub mod case;
+pub mod confidence;
 mod domain;
 pub mod element;
 pub mod forecast;
+pub mod formats;
 mod ground_column;
 pub mod history;
 pub mod interrupts;

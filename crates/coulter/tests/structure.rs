@@ -18,11 +18,16 @@
 //! **The arrows between the formats of output.** In `coulter/src/output` a format depends on those that [`OUTPUT`] lists for it,
 //! and on no other.
 //!
+//! **Whole packages.** What a crate includes in its program (`include_str!`) lies in its folder, if need be behind a link: a published
+//! package holds nothing else.
+//!
 //! The first lists below are the known violations. An entry that is no longer needed is an error, too.
 #![allow(clippy::unwrap_used)] // clippy does not recognise test helpers
 
 #[path = "structure/circles.rs"]
 mod circles;
+#[path = "structure/includes.rs"]
+mod includes;
 #[path = "structure/items.rs"]
 mod items;
 #[path = "structure/modules.rs"]
@@ -43,8 +48,8 @@ const FUNCTIONS: &[(&str, &str, &str)] = &[];
 /// Names of several public types: crate, name.
 const TYPES: &[(&str, &str)] = &[];
 
-/// The formats of `coulter/src/output`, folders and files, each with those that it uses. Nobody uses the report but `meshes` and
-/// the facade.
+/// The formats of `coulter/src/output`, folders and files, each with those that it uses. Nobody uses the report but `meshes`,
+/// `confidence` and the facade.
 const OUTPUT: &[(&str, &[&str])] = &[
     ("files", &[]),
     ("units", &[]),
@@ -54,13 +59,31 @@ const OUTPUT: &[(&str, &[&str])] = &[
     ("tables", &["files"]),
     ("vtk", &["files", "fields"]),
     ("plots", &["units"]),
+    ("page", &[]),
+    ("view", &["files", "vtk", "plots", "folder"]),
     ("pictures", &["files", "units", "fields", "tables", "plots"]),
+    ("render", &["files", "units", "tables", "plots", "pictures", "folder", "view"]),
     ("forecast", &["files", "units", "tables", "plots"]),
     ("element", &["files", "units", "tables", "plots"]),
     ("folder", &["files", "units", "tables", "plots"]),
-    ("report", &["files", "units", "fields", "plots", "pictures", "folder"]),
+    ("report", &["files", "units", "fields", "plots", "pictures", "folder", "page", "view"]),
     ("meshes", &["files", "tables", "folder", "report"]),
-    ("results", &["files", "fields", "tables", "vtk", "plots", "pictures", "folder", "report", "meshes"]),
+    ("confidence", &["files", "tables", "folder", "report"]),
+    (
+        "results",
+        &[
+            "files",
+            "fields",
+            "tables",
+            "vtk",
+            "plots",
+            "pictures",
+            "folder",
+            "report",
+            "meshes",
+            "confidence",
+        ],
+    ),
 ];
 
 /// Name and folder of every crate.
@@ -110,6 +133,11 @@ fn no_two_public_types_of_a_crate_share_a_name() {
         let own = TYPES.iter().filter(|(of, _)| *of == sources.name).map(|(_, name)| *name);
         items::types(modules, sources, &own.collect::<Vec<_>>())
     });
+}
+
+#[test]
+fn what_a_program_includes_lies_in_its_crate() {
+    check(|sources, modules| includes::outside(modules, sources));
 }
 
 #[test]

@@ -11,7 +11,7 @@ use coulter::history::reference::Reference;
 use coulter::simulation::Simulation;
 use glam::DVec3;
 
-const CASE: &str = include_str!("../../../validation/D8_yaw_and_tilt/case.toml");
+const CASE: &str = include_str!("../validation/D8_yaw_and_tilt/case.toml");
 /// Yaw and tilt [°].
 const YAWS: [f64; 5] = [0.0, 10.0, 20.0, 30.0, 45.0];
 const TILTS: [f64; 2] = [0.0, 15.0];

@@ -6,7 +6,7 @@ use coulter::simulation::Simulation;
 use glam::DVec3;
 use physics::tensor::mean;
 
-const CASE: &str = include_str!("../../../validation/F2_pressure_before_a_blade/case.toml");
+const CASE: &str = include_str!("../validation/F2_pressure_before_a_blade/case.toml");
 /// Rise of the plane that bounds the sheared zone below, 45° − φ/2 with the φ of the case file [°].
 const RISE: f64 = 27.5;
 /// Distance of the zone from the blade, in cell widths.

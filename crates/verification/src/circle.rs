@@ -6,8 +6,8 @@ use crate::probe::mean;
 use crate::runner::Runner;
 use std::f64::consts::PI;
 
-const CLAY: &str = include_str!("../../../validation/B3_circular_footing/case.toml");
-const SAND: &str = include_str!("../../../validation/B3g_circular_footing_on_sand/case.toml");
+const CLAY: &str = include_str!("../validation/B3_circular_footing/case.toml");
+const SAND: &str = include_str!("../validation/B3g_circular_footing_on_sand/case.toml");
 /// Diameter of the circle, side of the square in the case files [m].
 const WIDTH: f64 = 1.0;
 /// Unit weight [N/m³] and Young's modulus [Pa] of the sand in the case file.

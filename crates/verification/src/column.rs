@@ -5,8 +5,8 @@ use crate::probe::thickness;
 use crate::runner::Runner;
 use coulter::simulation::Simulation;
 
-const CASE: &str = include_str!("../../../validation/C1_column_collapse/case.toml");
-const SAND: &str = include_str!("../../../validation/C1_column_collapse/sand.toml");
+const CASE: &str = include_str!("../validation/C1_column_collapse/case.toml");
+const SAND: &str = include_str!("../validation/C1_column_collapse/sand.toml");
 /// Half width of the column in the case file [m].
 const WIDTH: f64 = 0.1;
 /// Thickness of the soil at the front, in cells.

@@ -6,7 +6,7 @@ use coulter::history::reference::Reference;
 use coulter::history::steady::{Steady, steady, window};
 use coulter::simulation::Simulation;
 
-const CASE: &str = include_str!("../../../cases/light_disc.toml");
+const CASE: &str = include_str!("../cases/light_disc.toml");
 /// Diameter of the disc [m].
 const DIAMETER: f64 = 0.2;
 

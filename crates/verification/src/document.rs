@@ -1,11 +1,11 @@
-//! The table in the documents: between two markers in README.md, and in docs/verification.md.
+//! The tables in the documents: a few figures between two markers in README.md, all of them in docs/verification.md.
 
 use crate::expected_failures::ExpectedFailure;
 use crate::findings::Findings;
 use crate::grades;
 use crate::list::{BENCHMARKS, Benchmark};
 use crate::plot;
-use crate::row::{Judgement, Row};
+use crate::row::{Expected, Judgement, Row};
 use crate::run_balances::RunBalances;
 use crate::table;
 use std::fmt::Write;
@@ -14,13 +14,64 @@ use std::path::Path;
 const BEGIN: &str = "<!-- verify:begin -->";
 const END: &str = "<!-- verify:end -->";
 
-/// `text` with the table between its markers; `None` if it has none.
+/// The figures that README.md shows, chosen for what readers know from textbooks: id, case, quantity, and what it is called there.
+const HEADLINES: [[&str; 4]; 6] = [
+    ["B2", "B/h = 32", "bearing capacity factor N_c", "rough strip footing on clay, N_c"],
+    [
+        "B8",
+        "rough cylinder, R/h = 8",
+        "resistance factor N",
+        "pipe moved through clay, deep, resistance factor",
+    ],
+    [
+        "B5",
+        "φ = 35°, ψ = 35°, H/h = 16, pushed 0.3 H",
+        "K_p, heave included",
+        "smooth wall, passive, K_p at φ = 35°",
+    ],
+    [
+        "B6",
+        "φ = 35°, δ = 23.3°, ψ = 35°, H/h = 16",
+        "K_n = K_p cos δ",
+        "rough wall, passive, normal part of K_p at φ = 35°",
+    ],
+    [
+        "B4",
+        "rough, φ = 35°, ψ = 35°, B/h = 16",
+        "bearing capacity factor N_γ",
+        "rough strip footing on sand, N_γ at φ = 35°",
+    ],
+    [
+        "W1",
+        "25 cells, T = 0.6",
+        "pore pressure at the base over the exact one",
+        "consolidation, pore pressure over Terzaghi's",
+    ],
+];
+
+/// `text` with the headlines between its markers; `None` if it has none.
 #[must_use]
 pub fn between_markers(text: &str, rows: &[Row]) -> Option<String> {
     let (before, rest) = text.split_once(BEGIN)?;
     let (_, after) = rest.split_once(END)?;
-    let table = summary(rows);
-    Some(format!("{before}{BEGIN}\n{table}\n{}.\n{END}{after}", table::closing(rows)))
+    Some(format!("{before}{BEGIN}\n{}\n{}.\n{END}{after}", headlines(rows), table::closing(rows)))
+}
+
+/// The table of the headlines; those whose benchmark was not run are left out.
+fn headlines(rows: &[Row]) -> String {
+    let mut text = String::from(
+        "| beside an exact solution | id | exact | Coulter | off by |\n| --- | --- | --: | --: | --: |\n",
+    );
+    for [id, case, quantity, name] in HEADLINES {
+        let found = rows.iter().find(|row| row.id == id && row.case == case && row.quantity == quantity);
+        let Some(row) = found else { continue };
+        let Expected::Value(exact) = row.expected else { continue };
+        let mark = if row.judgement() == Judgement::Fails { "**" } else { "" };
+        let off = format!("{mark}{:+.1} %{mark}", 100.0 * (row.obtained / exact - 1.0)).replace('-', "−");
+        let (expected, obtained) = (table::expected(row), table::figure(row.obtained));
+        let _ = writeln!(text, "| {name} | {id} | {expected} | {obtained} | {off} |");
+    }
+    text
 }
 
 /// One line for every benchmark: how many of its figures pass, and the one that deviates most from what was expected.
@@ -76,7 +127,7 @@ pub fn page(findings: &Findings, expected: &[ExpectedFailure]) -> String {
          rows with – are for information. The error is a fraction of the expected value where the tolerance is one, otherwise in \
          the unit of the quantity.\n\n",
     );
-    let _ = writeln!(text, "{}.\n", table::closing(&findings.rows));
+    let _ = writeln!(text, "{}.\n\n{}", table::closing(&findings.rows), summary(&findings.rows));
     for benchmark in BENCHMARKS {
         let rows: Vec<Row> = findings.rows.iter().filter(|row| row.id == benchmark.id).cloned().collect();
         if rows.is_empty() {
@@ -198,11 +249,26 @@ mod tests {
     }
 
     #[test]
+    fn every_headline_is_a_row_of_the_suite() {
+        let page =
+            std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/verification.md"))
+                .unwrap();
+        for [id, case, quantity, _] in HEADLINES {
+            assert!(page.contains(&format!("| {id} | {case} | {quantity} |")), "{id}, {case}, {quantity}");
+        }
+    }
+
+    #[test]
     fn only_what_is_between_the_markers_changes() {
-        let rows = [Row::info("B1", "B/h = 16", "N_c", 5.2).within(5.1416, 0.02, "Prandtl")];
+        let rows =
+            [Row::info("B2", "B/h = 32", "bearing capacity factor N_c", 5.2).within(5.1416, 0.02, "Prandtl")];
         let text = format!("above\n{BEGIN}\nold\n{END}\nbelow\n");
         let new = between_markers(&text, &rows).unwrap();
         assert!(new.starts_with("above\n") && new.ends_with("\nbelow\n") && !new.contains("old"));
+        assert!(new.contains("N_c | B2 | 5.142 | 5.200 | +1.1 % |"), "{new}");
+        let far =
+            [Row::info("B2", "B/h = 32", "bearing capacity factor N_c", 6.0).within(5.1416, 0.02, "Prandtl")];
+        assert!(between_markers(&text, &far).unwrap().contains("| **+16.7 %** |"));
         assert_eq!(between_markers(&new, &rows).unwrap(), new);
         assert_eq!(between_markers("no markers", &rows), None);
     }

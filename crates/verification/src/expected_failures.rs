@@ -6,7 +6,7 @@ use crate::list::find;
 use crate::row::Row;
 use serde::Deserialize;
 
-const FILE: &str = include_str!("../../../validation/expected_failures.toml");
+const FILE: &str = include_str!("../validation/expected_failures.toml");
 
 /// Rows that are expected to fail for one reason.
 #[derive(Clone, Debug, Deserialize, PartialEq)]

@@ -5,8 +5,8 @@ use crate::probe::mean;
 use crate::runner::Runner;
 use std::f64::consts::PI;
 
-const CYLINDER_CASE: &str = include_str!("../../../validation/B8_deep_flow/case.toml");
-const SPHERE_CASE: &str = include_str!("../../../validation/B8_deep_flow/sphere.toml");
+const CYLINDER_CASE: &str = include_str!("../validation/B8_deep_flow/case.toml");
+const SPHERE_CASE: &str = include_str!("../validation/B8_deep_flow/sphere.toml");
 /// Diameter in the case files [m].
 const DIAMETER: f64 = 1.0;
 /// Undrained strength in the case files [Pa].

@@ -5,10 +5,10 @@ use crate::error::VerifyError;
 use crate::probe::mean;
 use crate::runner::Runner;
 
-const CASE: &str = include_str!("../../../validation/B1_strip_footing/case.toml");
-const ROUGH: &str = include_str!("../../../validation/B2_rough_strip_footing/case.toml");
-const LAYERS: &str = include_str!("../../../validation/B11_two_layers/case.toml");
-const GROWING: &str = include_str!("../../../validation/B10_strength_with_depth/case.toml");
+const CASE: &str = include_str!("../validation/B1_strip_footing/case.toml");
+const ROUGH: &str = include_str!("../validation/B2_rough_strip_footing/case.toml");
+const LAYERS: &str = include_str!("../validation/B11_two_layers/case.toml");
+const GROWING: &str = include_str!("../validation/B10_strength_with_depth/case.toml");
 /// Width of the footing in the case file [m].
 const WIDTH: f64 = 1.0;
 /// Undrained strength in the case file [Pa].

@@ -5,7 +5,7 @@ use crate::probe::mean;
 use crate::runner::Runner;
 use coulter::simulation::Simulation;
 
-const CASE: &str = include_str!("../../../validation/D9_discs_on_an_axle/case.toml");
+const CASE: &str = include_str!("../validation/D9_discs_on_an_axle/case.toml");
 /// Diameter and thickness in the case file [m].
 const DIAMETER: f64 = 0.2;
 const THICKNESS: f64 = 0.05;

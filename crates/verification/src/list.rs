@@ -42,7 +42,7 @@ macro_rules! benchmark {
         Benchmark {
             id: $id,
             folder: $folder,
-            expected: include_str!(concat!("../../../validation/", $folder, "/expected.toml")),
+            expected: include_str!(concat!("../validation/", $folder, "/expected.toml")),
             work: Procedure::$kind($work),
         }
     };

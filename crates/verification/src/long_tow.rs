@@ -5,7 +5,7 @@ use crate::runner::Runner;
 use coulter::simulation::Simulation;
 use cpu_time::ProcessTime;
 
-const CASE: &str = include_str!("../../../validation/D10_long_tow/case.toml");
+const CASE: &str = include_str!("../validation/D10_long_tow/case.toml");
 /// Diameter in the case file [m].
 const DIAMETER: f64 = 0.2;
 /// Stretches of the tow whose drags are compared [d].

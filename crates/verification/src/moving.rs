@@ -8,7 +8,7 @@ use glam::DVec3;
 use mechanics::Twist;
 use solver::initial::set_body_in_motion;
 
-const CASE: &str = include_str!("../../../validation/A8_repeatability/moving.toml");
+const CASE: &str = include_str!("../validation/A8_repeatability/moving.toml");
 /// Speed of the moving set-up [m/s]: 12 cells over the run.
 const SPEED: f64 = 0.2;
 

@@ -6,9 +6,9 @@ use crate::probe::mean;
 use crate::runner::Runner;
 use coulter::simulation::Simulation;
 
-const COLUMN: &str = include_str!("../../../validation/E1_sand_column/case.toml");
-const DISC: &str = include_str!("../../../validation/E2_disc_drag/case.toml");
-const WALL: &str = include_str!("../../../validation/E3_wall/case.toml");
+const COLUMN: &str = include_str!("../validation/E1_sand_column/case.toml");
+const DISC: &str = include_str!("../validation/E2_disc_drag/case.toml");
+const WALL: &str = include_str!("../validation/E3_wall/case.toml");
 /// Fraction of the soil's mass that lies between the origin and the front of the heap.
 const MASS_FRACTION: f64 = 0.995;
 

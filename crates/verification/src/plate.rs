@@ -5,7 +5,7 @@ use crate::line::at_zero;
 use crate::runner::Runner;
 use coulter::history::BodySample;
 
-const CASE: &str = include_str!("../../../validation/B7_inclined_plate/case.toml");
+const CASE: &str = include_str!("../validation/B7_inclined_plate/case.toml");
 /// Length of the face below the ground in the case file [m].
 const LENGTH: f64 = 1.0;
 /// Speed along its normal in the case file [m/s].

@@ -6,9 +6,9 @@ use crate::runner::Runner;
 use coulter::history::BodySample;
 use coulter::simulation::Simulation;
 
-const BLOCK: &str = include_str!("../../../validation/A11_position_and_direction/block.toml");
-const CYLINDER: &str = include_str!("../../../validation/A11_position_and_direction/cylinder.toml");
-const ROTATED_BLOCK: &str = include_str!("../../../validation/A11_position_and_direction/rotated_block.toml");
+const BLOCK: &str = include_str!("../validation/A11_position_and_direction/block.toml");
+const CYLINDER: &str = include_str!("../validation/A11_position_and_direction/cylinder.toml");
+const ROTATED_BLOCK: &str = include_str!("../validation/A11_position_and_direction/rotated_block.toml");
 /// Cell of the case files [m].
 const CELL: f64 = 0.0625;
 /// Strength times width of the case files [N/m].

@@ -10,10 +10,10 @@ use solver::initial::{self, Filling};
 use solver::step::step;
 use solver::workspace::Workspace;
 
-const FOOTING: &str = include_str!("../../../validation/B1_strip_footing/case.toml");
-const WALL: &str = include_str!("../../../validation/B5_passive_wall/case.toml");
-const TOW: &str = include_str!("../../../cases/light_disc.toml");
-const SAND: &str = include_str!("../../../validation/A4_soil_at_rest/case.toml");
+const FOOTING: &str = include_str!("../validation/B1_strip_footing/case.toml");
+const WALL: &str = include_str!("../validation/B5_passive_wall/case.toml");
+const TOW: &str = include_str!("../cases/light_disc.toml");
+const SAND: &str = include_str!("../validation/A4_soil_at_rest/case.toml");
 /// Runs of the tow in each precision.
 const RUNS: usize = 4;
 /// Time steps of the sand at rest.

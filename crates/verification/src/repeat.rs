@@ -8,7 +8,7 @@ use coulter::output::checkpoint::Checkpoint;
 use coulter::simulation::Simulation;
 use solver::state::State;
 
-const CASE: &str = include_str!("../../../validation/A8_repeatability/case.toml");
+const CASE: &str = include_str!("../validation/A8_repeatability/case.toml");
 /// Distance of the disc from the middle in the mirrored pair, a fraction of a cell [m].
 const OFFSET: f64 = 7e-3;
 

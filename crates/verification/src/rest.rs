@@ -9,7 +9,7 @@ use solver::step::step;
 use solver::workspace::Workspace;
 use std::time::Instant;
 
-const CASE: &str = include_str!("../../../validation/A4_soil_at_rest/case.toml");
+const CASE: &str = include_str!("../validation/A4_soil_at_rest/case.toml");
 /// Heights of the surface above a face of the grid, in cells.
 const HEIGHTS: [f64; 4] = [0.0, 0.5, 0.01, 0.99];
 const STEPS: usize = 10_000;

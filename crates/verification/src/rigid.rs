@@ -10,10 +10,10 @@ use mechanics::Twist;
 use solver::initial::set_body_in_motion;
 use std::f64::consts::PI;
 
-const SLIDING: &str = include_str!("../../../validation/A6_rigid_mechanics/sliding.toml");
-const FALLING: &str = include_str!("../../../validation/A6_rigid_mechanics/falling.toml");
-const BOUNCING: &str = include_str!("../../../validation/A6_rigid_mechanics/bouncing.toml");
-const ROLLING: &str = include_str!("../../../validation/A6_rigid_mechanics/rolling.toml");
+const SLIDING: &str = include_str!("../validation/A6_rigid_mechanics/sliding.toml");
+const FALLING: &str = include_str!("../validation/A6_rigid_mechanics/falling.toml");
+const BOUNCING: &str = include_str!("../validation/A6_rigid_mechanics/bouncing.toml");
+const ROLLING: &str = include_str!("../validation/A6_rigid_mechanics/rolling.toml");
 const GRAVITY: f64 = 9.81;
 const ACCELERATION: &str = "acceleration over the exact value";
 

@@ -4,7 +4,7 @@ use crate::error::VerifyError;
 use crate::probe::mean;
 use crate::runner::Runner;
 
-const CASE: &str = include_str!("../../../validation/B6_rough_passive_wall/case.toml");
+const CASE: &str = include_str!("../validation/B6_rough_passive_wall/case.toml");
 /// Depth of the wall in the case file [m].
 const HEIGHT: f64 = 1.0;
 

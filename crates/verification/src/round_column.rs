@@ -9,8 +9,8 @@ use coulter::simulation::Simulation;
 use glam::DVec3;
 use std::f64::consts::PI;
 
-const CASE: &str = include_str!("../../../validation/C2_round_column/case.toml");
-const SAND: &str = include_str!("../../../validation/C2_round_column/sand.toml");
+const CASE: &str = include_str!("../validation/C2_round_column/case.toml");
+const SAND: &str = include_str!("../validation/C2_round_column/sand.toml");
 /// Radius of the column [m].
 const RADIUS: f64 = 0.1;
 /// Thickness of the sand at the front, in cells.

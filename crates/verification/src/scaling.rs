@@ -5,7 +5,7 @@ use crate::runner::Runner;
 use coulter::history::BodySample;
 use coulter::simulation::Simulation;
 
-const CASE: &str = include_str!("../../../validation/A7_scaling/case.toml");
+const CASE: &str = include_str!("../validation/A7_scaling/case.toml");
 /// The numbers of the case file: key, values, unit, and the power of the scale that they are proportional to.
 const LENGTHS: [(&str, [f64; 2]); 2] = [("domain.x", [-0.3, 0.4]), ("domain.z", [-0.2, 0.15])];
 const NUMBERS: [(&str, f64, &str, f64); 5] = [

@@ -5,7 +5,7 @@ use crate::probe::mean;
 use crate::runner::Runner;
 use coulter::simulation::Simulation;
 
-const CASE: &str = include_str!("../../../validation/B5n_softening_bank/case.toml");
+const CASE: &str = include_str!("../validation/B5n_softening_bank/case.toml");
 /// Height of the bank in the case file [m].
 const HEIGHT: f64 = 1.0;
 /// Cells over the height.

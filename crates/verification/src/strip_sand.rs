@@ -5,7 +5,7 @@ use crate::error::VerifyError;
 use crate::runner::Runner;
 use analytic::bearing::{weight_factor_exact_smooth, weight_factor_martin_rough};
 
-const CASE: &str = include_str!("../../../validation/B4_strip_footing_on_sand/case.toml");
+const CASE: &str = include_str!("../validation/B4_strip_footing_on_sand/case.toml");
 /// Width of the footing in the case file [m].
 const WIDTH: f64 = 1.0;
 /// Unit weight of the sand in the case file [N/m³].

@@ -7,8 +7,8 @@ use coulter::simulation::Simulation;
 use solver::fields::PLASTIC_STRAIN;
 use std::f64::consts::PI;
 
-const CASE: &str = include_str!("../../../validation/A10_taylor_bar/case.toml");
-const ON_BLOCK: &str = include_str!("../../../validation/A10_taylor_bar/on_block.toml");
+const CASE: &str = include_str!("../validation/A10_taylor_bar/case.toml");
+const ON_BLOCK: &str = include_str!("../validation/A10_taylor_bar/on_block.toml");
 /// Radius of the bar in the case file [mm].
 const BAR: f64 = 3.2;
 const DEVIATION: &str = "largest deviation of the length during the impact";

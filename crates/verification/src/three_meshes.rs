@@ -8,7 +8,7 @@ use coulter::mesh_study::{BodyOnMesh, MeshResult, MeshRun, MeshStudy, evaluate};
 use coulter::simulation::Simulation;
 use coulter::trust::Trust;
 
-const CASE: &str = include_str!("../../../validation/D11_three_meshes/case.toml");
+const CASE: &str = include_str!("../validation/D11_three_meshes/case.toml");
 const MESHES: [&str; 3] = ["coarse", "middle", "fine"];
 /// The body in the case file.
 const BODY: &str = "disc";

@@ -4,7 +4,7 @@ use crate::error::VerifyError;
 use crate::runner::Runner;
 use coulter::simulation::Simulation;
 
-const CASE: &str = include_str!("../../../validation/B5_passive_wall/case.toml");
+const CASE: &str = include_str!("../validation/B5_passive_wall/case.toml");
 /// Height of the bank in the case file [m].
 const HEIGHT: f64 = 1.0;
 /// Displacements over the height between which the thrust is averaged, for a short push and for a long one.

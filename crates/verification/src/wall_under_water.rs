@@ -3,7 +3,7 @@
 use crate::error::VerifyError;
 use crate::runner::Runner;
 
-const CASE: &str = include_str!("../../../validation/W2_wall_under_water/case.toml");
+const CASE: &str = include_str!("../validation/W2_wall_under_water/case.toml");
 /// Height of the bank in the case file [m].
 const HEIGHT: f64 = 1.0;
 /// Speed of the wall in the case file [m/s].

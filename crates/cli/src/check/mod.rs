@@ -4,19 +4,23 @@ mod cost;
 mod describe;
 mod groups;
 mod mesh_cost;
+mod variation_cost;
 
 use crate::common::{say, say_json};
 use crate::failure::Failure;
 use crate::run_time;
 use cost::describe_cost;
 use coulter::case::estimate::{self, Cost};
+use coulter::case::variations::variations;
 use coulter::case::{self, Case, machine, resources};
+use coulter::formats;
 use describe::describe;
 pub(super) use describe::describe_soil;
 use groups::groups;
 use mesh_cost::{MeshCost, describe_meshes};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
+use variation_cost::VariationCosts;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -31,6 +35,9 @@ pub(super) struct Arguments {
     /// Also show the meshes that `coulter run --meshes N` would run, and what they cost together
     #[arg(long, value_name = "N", value_parser = crate::common::meshes())]
     meshes: Option<usize>,
+    /// Also show the variations that `coulter run --confidence` would run, and what they cost
+    #[arg(long)]
+    confidence: bool,
     /// Print one JSON document
     #[arg(long)]
     json: bool,
@@ -48,17 +55,18 @@ pub(super) fn check(arguments: &Arguments) -> Result<(), Failure> {
         Some(count) => meshes(&arguments.case, &overrides, &case, count)?,
         None => Vec::new(),
     };
-    let folder = PathBuf::from("results").join(&case.name);
-    let mut warnings = case::advice(&case);
-    warnings.extend(resources::warnings(&cost, &folder));
+    let variations = match arguments.confidence {
+        true => Some(variation_costs(&arguments.case, &overrides, &case)?),
+        false => None,
+    };
+    let warnings = warnings(&case, &cost);
     if arguments.json {
-        return as_json((&case, &cost, seconds), &meshes, &warnings);
+        return as_json((&case, &cost, seconds), (&meshes, variations.as_ref()), &warnings);
     }
-    let mut text = String::new();
+    let mut text = described(&case, &cost, seconds);
     // Writing to a string cannot fail.
-    let _ = describe(&mut text, &case)
-        .and_then(|()| describe_cost(&mut text, &case, &cost, seconds))
-        .and_then(|()| describe_meshes(&mut text, &meshes));
+    let _ = describe_meshes(&mut text, &meshes)
+        .and_then(|()| variations.iter().try_for_each(|costs| costs.describe(&mut text)));
     for warning in warnings.iter().take(MAX_WARNINGS) {
         let _ = writeln!(text, "warning  {warning}");
     }
@@ -66,6 +74,33 @@ pub(super) fn check(arguments: &Arguments) -> Result<(), Failure> {
         let _ = writeln!(text, "warning  … and {more} more; --json lists all");
     }
     say(&text)
+}
+
+/// A case as understood and what it costs, in words; without the time that it takes, which would have to be measured.
+#[must_use]
+pub fn check_text(case: &Case) -> String {
+    described(case, &estimate::cost(case), None)
+}
+
+/// The same with warnings as one JSON document, that of `coulter check --json`.
+#[must_use]
+pub fn check_document(case: &Case) -> serde_json::Value {
+    let cost = estimate::cost(case);
+    document((case, &cost, None), &warnings(case, &cost))
+}
+
+fn described(case: &Case, cost: &Cost, seconds: Option<f64>) -> String {
+    let mut text = String::new();
+    // Writing to a string cannot fail.
+    let _ = describe(&mut text, case).and_then(|()| describe_cost(&mut text, case, cost, seconds));
+    text
+}
+
+fn warnings(case: &Case, cost: &Cost) -> Vec<String> {
+    let folder = PathBuf::from("results").join(&case.name);
+    let mut warnings = case::advice(case);
+    warnings.extend(resources::warnings(cost, &folder));
+    warnings
 }
 
 /// The meshes of a study, the coarsest first.
@@ -78,15 +113,34 @@ fn meshes(path: &Path, overrides: &[String], case: &Case, count: usize) -> Resul
     Ok(cases.map(MeshCost::of).collect())
 }
 
+/// The variations of the case, and what they cost.
+fn variation_costs(path: &Path, overrides: &[String], case: &Case) -> Result<VariationCosts, Failure> {
+    let text = case::text(path)?;
+    let source_name = path.display().to_string();
+    let typed = case::overridden(&text, &source_name, overrides)?;
+    Ok(VariationCosts::of(case, &variations(case, &typed, &source_name, &[])?))
+}
+
 fn as_json(
-    (case, cost, seconds): (&Case, &Cost, Option<f64>),
-    meshes: &[MeshCost],
+    case: (&Case, &Cost, Option<f64>),
+    (meshes, variations): (&[MeshCost], Option<&VariationCosts>),
     warnings: &[String],
 ) -> Result<(), Failure> {
+    let mut document = document(case, warnings);
+    if !meshes.is_empty() {
+        document["meshes"] = serde_json::json!(meshes);
+    }
+    if let Some(variations) = variations {
+        document["variations"] = serde_json::json!(variations);
+    }
+    say_json(&document)
+}
+
+fn document((case, cost, seconds): (&Case, &Cost, Option<f64>), warnings: &[String]) -> serde_json::Value {
     let groups: serde_json::Map<String, serde_json::Value> =
         case.bodies.iter().map(|b| (b.name.clone(), serde_json::json!(groups(case, b)))).collect();
     let mut document = serde_json::json!({
-        "case": case.name, "groups": groups, "cost": cost, "estimated_wall_s": seconds,
+        "format": formats::DOCUMENT, "case": case.name, "groups": groups, "cost": cost, "estimated_wall_s": seconds,
         "memory_available_bytes": machine::memory_available(), "warnings": warnings, "resolved": case,
     });
     let surfaces: serde_json::Map<String, serde_json::Value> = case
@@ -97,8 +151,5 @@ fn as_json(
     if !surfaces.is_empty() {
         document["surfaces"] = surfaces.into();
     }
-    if !meshes.is_empty() {
-        document["meshes"] = serde_json::json!(meshes);
-    }
-    say_json(&document)
+    document
 }

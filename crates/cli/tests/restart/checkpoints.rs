@@ -12,8 +12,9 @@ const FLIPPED: Damage = |bytes| {
 };
 const CUT: Damage = |bytes| bytes.truncate(bytes.len() / 3);
 const EMPTY: Damage = Vec::clear;
-/// The version number of a later version.
-const OTHER_VERSION: Damage = |bytes| bytes[7] = b'~';
+/// The version of a later and of an earlier format.
+const LATER: Damage = |bytes| bytes[7] = b'~';
+const EARLIER: Damage = |bytes| bytes[7] = b'A';
 
 fn damage(sandbox: &Sandbox, name: &str, harm: Damage) {
     let path = sandbox.out(&format!("checkpoints/{name}.checkpoint"));
@@ -71,9 +72,14 @@ fn without_a_whole_checkpoint_a_person_is_asked_and_a_scheduler_starts_again() {
 fn a_checkpoint_of_another_version_is_called_so() {
     let sandbox = Sandbox::new();
     sandbox.killed(&[]);
-    damage(&sandbox, "last", OTHER_VERSION);
-    damage(&sandbox, "previous", OTHER_VERSION);
-    sandbox.run(&["--resume"]).is(2, &["written by another version of Coulter", "--force"]);
+    for (harm, words) in [
+        (LATER, ["written by a newer version of Coulter", "install", "--force"]),
+        (EARLIER, ["written by an older version of Coulter", "finish the run with that one", "--force"]),
+    ] {
+        damage(&sandbox, "last", harm);
+        damage(&sandbox, "previous", harm);
+        sandbox.run(&["--resume"]).is(2, &words);
+    }
 }
 
 #[test]

@@ -15,7 +15,8 @@ fn limited(sandbox: &Sandbox, trap: &str, arguments: &[&str]) -> String {
 fn reaches_the_end_of(sandbox: &Sandbox, whole: &Sandbox, arguments: &[&str]) {
     assert!(sandbox.is_tidy(), "half a file is left");
     for (so_far, all) in sandbox.histories().iter().zip(&whole.histories()).take(3) {
-        assert!(so_far.lines().count() > 5 && all.starts_with(so_far.as_str()));
+        // How far it came is up to the wall clock, by which checkpoints are written.
+        assert!(so_far.lines().count() > 1 && all.starts_with(so_far.as_str()));
     }
     sandbox.report().is(0, &[]);
     sandbox.run(&[arguments, &["--resume"]].concat()).is(0, &["done"]);

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
 mod checkpoints;
+mod confidence;
 mod full_disk;
 mod leftovers;
 mod locks;

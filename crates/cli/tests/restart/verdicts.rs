@@ -8,7 +8,12 @@ use serde_json::Value;
 fn verdict(sandbox: &Sandbox, reply: &Reply) -> String {
     let verdict = sandbox.summary()["trust"]["verdict"].as_str().unwrap().to_owned();
     let html = sandbox.text("report.html");
-    assert!(html.contains(&format!("<section class=\"trust {verdict}\">")), "the report says otherwise");
+    assert!(
+        html.contains(&format!(
+            "Can it be trusted? <span class=\"verdict light {verdict}\">{verdict}</span>"
+        )),
+        "the report says otherwise"
+    );
     assert_eq!(reply.code, Some(i32::from(verdict == "broken")), "{verdict}: {}", reply.err);
     let is_done = reply.err.lines().any(|line| line.starts_with("done"));
     assert_eq!(is_done, verdict != "broken", "{}", reply.err);

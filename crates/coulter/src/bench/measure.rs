@@ -4,6 +4,7 @@ use super::measurement::{Measurement, Split};
 use super::work::Work;
 use crate::case::{Case, resolved};
 use crate::domain::PlacedDomain;
+use crate::formats;
 use crate::simulation::Simulation;
 use cpu_time::ProcessTime;
 use solver::cpu::machine;
@@ -14,7 +15,7 @@ use std::time::Instant;
 
 /// The towed disc in the midst of its tow: it starts 20 mm deep, moving, so that there is no need to wait for it.
 pub const TOWED_DISC: (&str, [&str; 4]) = (
-    include_str!("../../../../cases/light_disc.toml"),
+    include_str!("../../cases/light_disc.toml"),
     [
         "body.disc.sinkage=20 mm",
         "body.disc.forward.start=0 s",
@@ -53,6 +54,7 @@ pub fn measure(options: &Options) -> Result<Measurement, Breakdown> {
             let cells = single.cells.iter().product::<usize>() as f64;
             let rate = 1e-6 * single.filled_cells as f64 * f64::from(options.steps) / seconds;
             Ok(Measurement {
+                format: formats::DOCUMENT,
                 times_double: Some(single.million_cell_steps_per_core_second / rate),
                 memory_of_double: Some(single.bytes_per_cell * cells / bytes),
                 ..single
@@ -91,6 +93,7 @@ fn measure_in<R: Precision>(options: &Options) -> Result<Measurement, Breakdown>
     // Shares of the processor time: the clock also runs while others have the processor.
     let work = Work { cell_steps, returned, seconds: alone.processor, bytes: size_of::<R>() };
     Ok(Measurement {
+        format: formats::DOCUMENT,
         case: options.case.name.clone(),
         precision: R::NAME,
         times_double: None,

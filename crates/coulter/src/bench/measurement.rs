@@ -5,6 +5,8 @@ use serde::Serialize;
 /// What was measured.
 #[derive(Clone, Debug, Serialize)]
 pub struct Measurement {
+    /// Version of the document.
+    pub format: u32,
     /// Name of the case.
     pub case: String,
     /// Precision of the arithmetic.

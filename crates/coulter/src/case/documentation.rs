@@ -30,6 +30,14 @@ pub fn tables() -> String {
     text
 }
 
+/// The table of the keys of a section of another file than a case, in Markdown.
+#[must_use]
+pub fn table(section: &KeyTable, heading: &str) -> String {
+    let mut text = format!("### {heading}\n{}\n\n{HEADER}", section.meaning);
+    rows(section, &mut text);
+    text
+}
+
 /// The section without keys that another one has explained: a layer has those of the soil, a soil body those of a shape as well.
 fn own(section: KeyTable) -> KeyTable {
     match section.name {
@@ -85,6 +93,10 @@ fn kind(kind: &Kind) -> String {
             let words = words::DENSITIES.map(|(word, density)| format!("`\"{word}\"` ({density})"));
             format!("number, or {}", words.join(", "))
         }
+        Kind::Choices(words) => format!("one or several of {}", listed(words)),
+        Kind::Names => "list of names".into(),
+        Kind::Values => "list of values".into(),
+        Kind::Assignments => "`{ \"grid.cell\" = \"20 mm\" }`".into(),
         Kind::NamePair => "two names: `[\"frame\", \"disc\"]`".into(),
         Kind::WallPair => format!("two of {}", listed(&words::WALLS)),
         Kind::Follow => "`{ body = \"disc\", axes = \"x\" }`".into(),

@@ -92,6 +92,14 @@ impl CaseError {
         Self::of(name, located.collect())
     }
 
+    /// A text that cannot be used, with these problems, each at a range of its bytes.
+    #[must_use]
+    pub fn in_text(name: &str, text: &str, problems: Vec<(Range<usize>, Problem)>) -> Self {
+        let source = Arc::new(NamedSource::new(name, text.to_owned()));
+        let located = problems.into_iter().map(|(at, problem)| LocatedProblem::in_text(problem, &source, at));
+        Self::of(name, located.collect())
+    }
+
     /// The first few of these problems.
     pub(super) fn of(name: &str, mut problems: Vec<LocatedProblem>) -> Self {
         let unseen = problems.len().saturating_sub(MAX_REPORTED);

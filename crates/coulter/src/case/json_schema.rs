@@ -3,7 +3,7 @@
 use super::format::FORMAT;
 use super::keys::words::{DENSITIES, WALLS};
 use super::keys::{self, AllowedRange, Bound, DefaultValue, Key, KeyTable, Kind, SHAPE_KEYS};
-use super::quantity::TURN_RATE;
+use super::quantity::{Measure, TURN_RATE};
 use serde_json::{Map, Value, json};
 
 /// The schema as pretty text with a newline at the end; `cases/schema.json` holds it.
@@ -71,7 +71,9 @@ fn stage_motions() -> Value {
         "properties": properties, "additionalProperties": false })
 }
 
-fn object(section: &KeyTable) -> Value {
+/// The schema of a section.
+#[must_use]
+pub fn object(section: &KeyTable) -> Value {
     let required: Vec<&str> =
         section.keys.iter().filter(|k| k.default == DefaultValue::Required).map(|k| k.name).collect();
     json!({
@@ -83,7 +85,9 @@ fn object(section: &KeyTable) -> Value {
     })
 }
 
-fn keys_of(section: &KeyTable) -> Map<String, Value> {
+/// The schemas of the keys of a section.
+#[must_use]
+pub fn keys_of(section: &KeyTable) -> Map<String, Value> {
     section.keys.iter().map(|key| (key.name.to_owned(), property(key))).collect()
 }
 
@@ -159,6 +163,14 @@ fn kind(key: &Key) -> Value {
         Kind::RelativeDensity => json!({ "anyOf": [
             number("number", key.range), { "enum": DENSITIES.map(|(word, _)| word) },
         ] }),
+        Kind::Choices(words) => json!({ "anyOf": [
+            { "enum": words }, { "type": "array", "items": { "enum": words }, "minItems": 1, "uniqueItems": true }
+        ] }),
+        Kind::Names => json!({ "type": "array", "items": { "type": "string" } }),
+        Kind::Values => json!({
+            "type": "array", "items": { "type": ["string", "number", "boolean"] }, "minItems": 1
+        }),
+        Kind::Assignments => json!({ "type": "object" }),
         Kind::NamePair => json!({
             "type": "array", "items": { "type": "string" }, "minItems": 2, "maxItems": 2,
             "examples": [["frame", "disc"]]
@@ -168,23 +180,26 @@ fn kind(key: &Key) -> Value {
         }
         Kind::Follow => object(&keys::FOLLOW),
         Kind::Until => object(&keys::UNTIL),
-        Kind::Motion { still, way, speed, load } => {
-            let mut ways = vec![
-                json!({ "enum": [still, "free"] }),
-                motion(speed.example, "speed", &["start", "ramp", "end"]),
-                motion(load.example, "load", &["start", "ramp"]),
-                motion(way.example, "displacement", &["start", "ramp"]),
-                motion("tow.csv", "table", &["start"]),
-            ];
-            if let Some(slip) = keys::MOTION.key("slip").filter(|_| *speed == TURN_RATE) {
-                let properties = json!({ "slip": property(slip) });
-                ways.push(json!({
-                    "type": "object", "additionalProperties": false, "required": ["slip"], "properties": properties
-                }));
-            }
-            json!({ "anyOf": ways })
-        }
+        Kind::Motion { still, way, speed, load } => motion_ways(still, way, speed, load),
     }
+}
+
+/// How a degree of freedom moves: a word, or one of several tables.
+fn motion_ways(still: &str, way: &Measure, speed: &Measure, load: &Measure) -> Value {
+    let mut ways = vec![
+        json!({ "enum": [still, "free"] }),
+        motion(speed.example, "speed", &["start", "ramp", "end"]),
+        motion(load.example, "load", &["start", "ramp"]),
+        motion(way.example, "displacement", &["start", "ramp"]),
+        motion("tow.csv", "table", &["start"]),
+    ];
+    if let Some(slip) = keys::MOTION.key("slip").filter(|_| *speed == TURN_RATE) {
+        let properties = json!({ "slip": property(slip) });
+        ways.push(json!({
+            "type": "object", "additionalProperties": false, "required": ["slip"], "properties": properties
+        }));
+    }
+    json!({ "anyOf": ways })
 }
 
 /// A motion that is written as a table: a speed or a load, and its times.

@@ -31,6 +31,18 @@ pub fn load_for_forecast(
     parse_with_deviations(&text(path)?, &name, overrides, Problems::without_resolution())
 }
 
+/// As [`load_for_forecast`], from the text of a case file; `source_name` is what to call it in messages.
+///
+/// # Errors
+/// As [`load_for_forecast`].
+pub fn parse_for_forecast(
+    text: &str,
+    source_name: &str,
+    overrides: &[String],
+) -> Result<(Case, Vec<StandardDeviation>), CaseError> {
+    parse_with_deviations(text, source_name, overrides, Problems::without_resolution())
+}
+
 /// Reads the soil of the case file at `path`, and the name of the case. It needs no other section than `[soil]`; those that it has are
 /// checked for their form only.
 ///

@@ -14,7 +14,7 @@ pub const RATIO: f64 = 1.5;
 pub const COUNTS: RangeInclusive<usize> = 2..=4;
 /// Least ratio of the representative widths of neighbouring meshes (chosen: with less, the difference of two figures is mostly
 /// scatter). It is 1.5 unless cells were fitted to flat faces.
-const LEAST_RATIO: f64 = 1.2;
+pub(super) const LEAST_RATIO: f64 = 1.2;
 
 /// A case on a coarser mesh.
 #[derive(Clone, Debug)]
@@ -90,7 +90,12 @@ pub fn coarser(
 }
 
 /// The case on cells that are `factor` times as wide.
-fn on_cells(case: &Case, text: &str, source_name: &str, factor: f64) -> Result<CoarserMesh, CaseError> {
+pub(super) fn on_cells(
+    case: &Case,
+    text: &str,
+    source_name: &str,
+    factor: f64,
+) -> Result<CoarserMesh, CaseError> {
     // Nine digits: not more than a reader would type.
     let cell = 1e3 * case.grid.cell * factor;
     let cell: f64 = format!("{cell:.8e}").parse().unwrap_or(cell);
@@ -103,11 +108,22 @@ fn on_cells(case: &Case, text: &str, source_name: &str, factor: f64) -> Result<C
             overrides.push(format!("domain.{name}=[\"{} m\", \"{} m\"]", low[axis], high[axis]));
         }
     }
-    let typed = overridden(text, source_name, &overrides)?;
-    let mut coarser = parse(&typed, source_name, &[])?;
-    // Threads may have been set by hand.
-    coarser.numerics.threads = case.numerics.threads;
+    let (coarser, typed) = changed(case, text, source_name, &overrides)?;
     Ok(CoarserMesh { case: coarser, typed, name: format!("{cell}mm") })
+}
+
+/// The case with overrides, and its text with them.
+pub(super) fn changed(
+    case: &Case,
+    text: &str,
+    source_name: &str,
+    overrides: &[String],
+) -> Result<(Case, String), CaseError> {
+    let typed = overridden(text, source_name, overrides)?;
+    let mut changed = parse(&typed, source_name, &[])?;
+    // Threads may have been set by hand.
+    changed.numerics.threads = case.numerics.threads;
+    Ok((changed, typed))
 }
 
 /// The error of a coarser mesh, which says that it is one.

@@ -10,6 +10,7 @@ mod data_file;
 pub mod documentation;
 mod error;
 pub mod estimate;
+pub mod form;
 pub mod format;
 mod ground_extent;
 mod height_file;
@@ -51,6 +52,7 @@ mod units;
 mod unknown;
 mod validate;
 mod values;
+pub mod variations;
 mod water;
 
 pub use advice::advice;
@@ -58,11 +60,14 @@ pub use data_file::FileProblem;
 pub use error::{CaseError, LocatedProblem};
 pub use format::FORMAT;
 pub use height_file::HeightFile;
-pub use load::{from_json, load, load_for_forecast, load_soil, parse, parse_soil, require_valid, text};
+pub use load::{
+    from_json, load, load_for_forecast, load_soil, parse, parse_for_forecast, parse_soil, require_valid, text,
+};
+pub use names::nearest;
 pub use overrides::overridden;
 pub(crate) use overrides::with_files;
 pub(crate) use path::travel;
 pub use problem::Problem;
-pub use resolved::{Case, case_text};
+pub use resolved::{Case, case_text, case_text_with_forecast};
 pub use uncertainty::StandardDeviation;
 pub use validate::{validate, validate_soil};

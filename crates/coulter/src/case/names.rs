@@ -37,7 +37,8 @@ pub(super) fn case_name(source_name: &str) -> String {
 }
 
 /// The candidate that is most similar to `typed`, if any is similar.
-pub(super) fn nearest<'a>(typed: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+#[must_use]
+pub fn nearest<'a>(typed: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     let lower = typed.to_lowercase();
     candidates
         .map(|name| (strsim::jaro_winkler(&lower, &name.to_lowercase()), name))

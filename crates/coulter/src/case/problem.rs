@@ -16,7 +16,9 @@ pub struct Problem {
 }
 
 impl Problem {
-    pub(super) fn new(path: impl Into<String>, message: impl Into<String>, cure: impl Into<String>) -> Self {
+    /// What is wrong at a path, and what to do about it.
+    #[must_use]
+    pub fn new(path: impl Into<String>, message: impl Into<String>, cure: impl Into<String>) -> Self {
         Self { path: path.into(), message: message.into(), cure: cure.into() }
     }
 }
@@ -44,7 +46,7 @@ pub(super) enum Aim {
 
 /// Collects problems, so that all are reported at once.
 #[derive(Debug, Default)]
-pub(super) struct Problems {
+pub struct Problems {
     found: Vec<(Aim, Problem)>,
     known: HashSet<Problem>,
     ignores_resolution: bool,
@@ -62,17 +64,12 @@ impl Problems {
     }
 
     /// Adds a problem with the value at a path; the same one only once.
-    pub(super) fn add(
-        &mut self,
-        path: impl Into<String>,
-        message: impl Into<String>,
-        cure: impl Into<String>,
-    ) {
+    pub fn add(&mut self, path: impl Into<String>, message: impl Into<String>, cure: impl Into<String>) {
         self.push(Aim::Value, Problem::new(path, message, cure));
     }
 
     /// Adds a problem with the name of the entry at a path.
-    pub(super) fn add_to_name(
+    pub fn add_to_name(
         &mut self,
         path: impl Into<String>,
         message: impl Into<String>,
@@ -87,11 +84,15 @@ impl Problems {
         }
     }
 
-    pub(super) fn is_empty(&self) -> bool {
+    /// Whether there is none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
         self.found.is_empty()
     }
 
-    pub(super) fn len(&self) -> usize {
+    /// Their number.
+    #[must_use]
+    pub fn len(&self) -> usize {
         self.found.len()
     }
 

@@ -3,8 +3,8 @@
 //! Grammar: a number, then symbols joined by `*`, `·`, a space or `/` (which divides by the one symbol that follows),
 //! each with an optional whole exponent: `16 kN/m^3`, `35 deg`, `2 N*m`, `9.81 m/s²`.
 
-pub use super::units::QuantityError;
-use super::units::{self, Dimension};
+use super::units;
+pub use super::units::{Dimension, QuantityError};
 
 /// A measurable quantity: its name in messages, its dimension and an example.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -161,7 +161,8 @@ pub fn describe(dimension: Dimension) -> String {
 }
 
 /// Splits `12.5e-3 mm` after the number; an `e` belongs to it only when an exponent follows.
-pub(super) fn split_number(text: &str) -> (&str, &str) {
+#[must_use]
+pub fn split_number(text: &str) -> (&str, &str) {
     let bytes: Vec<(usize, char)> = text.char_indices().collect();
     let at = |n: usize| bytes.get(n).map(|(_, c)| *c);
     let is_digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());

@@ -645,14 +645,19 @@ pub enum Factors {
     Lyamin,
 }
 
-/// The resolved case as text, but for what makes no difference to the results.
+/// The resolved case as text, but for what makes no difference to the results of a run.
 #[must_use]
 pub fn case_text(case: &Case) -> String {
+    case_text_with_forecast(&Case { forecast: Measured::default(), ..case.clone() })
+}
+
+/// The resolved case as text, but for what makes no difference to the results of a run or of a forecast.
+#[must_use]
+pub fn case_text_with_forecast(case: &Case) -> String {
     let mut case = case.clone();
     case.numerics.threads = 0;
     case.output.checkpoint_interval = 0.0;
     case.output.filter_cutoff = 0.0;
-    case.forecast = Measured::default();
     // Its content says what a mesh is, not where it was read.
     for body in &mut case.bodies {
         body.shape.forget_file();

@@ -1,7 +1,8 @@
 //! Checks the tree of a case against the tables of keys, and fills in their defaults. Nothing is interpreted here.
 
+use super::form;
 use super::format;
-use super::keys::{self, DefaultValue, KeyTable};
+use super::keys::{self, KeyTable};
 use super::problem::Problems;
 use super::tree::{Entry, Value, join};
 use super::typed::{Given, Schema, Section};
@@ -13,7 +14,7 @@ use super::values::value;
 pub(super) fn read(root: &[Entry], problems: &mut Problems) -> Schema {
     let names: Vec<&str> = keys::SECTIONS.iter().map(|s| s.name).filter(|n| !n.is_empty()).collect();
     let (sections, plain): (Vec<&Entry>, Vec<&Entry>) = root.iter().partition(|e| names.contains(&&*e.key));
-    let mut top = with_defaults("", "");
+    let mut top = form::with_defaults(table(""), "");
     let top_keys = table("").keys;
     for entry in plain {
         match top_keys.iter().find(|k| k.name == entry.key) {
@@ -32,7 +33,7 @@ pub(super) fn read(root: &[Entry], problems: &mut Problems) -> Schema {
     let [water, height_map, furrows] = ["water", "height_map", "furrows"].map(&mut optional);
     let mut one = |name: &str| match sections.iter().find(|e| e.key == name) {
         Some(entry) => section(entry, name, name, problems),
-        None => with_defaults(name, name),
+        None => form::with_defaults(table(name), name),
     };
     let (soil, ground, domain, grid) = (one("soil"), one("ground"), one("domain"), one("grid"));
     let (run, output, numerics, forecast) = (one("run"), one("output"), one("numerics"), one("forecast"));
@@ -67,42 +68,6 @@ pub(super) fn read(root: &[Entry], problems: &mut Problems) -> Schema {
 fn table(kind: &str) -> &'static KeyTable {
     const NONE: KeyTable = KeyTable { name: "", meaning: "", keys: &[] };
     keys::find(kind).unwrap_or(&NONE)
-}
-
-/// A section in which nothing is given.
-fn with_defaults(kind: &str, path: &str) -> Section {
-    let mut section = Section::empty(path);
-    for key in table(kind).keys {
-        if let Some(default) = as_typed(&key.default) {
-            // Every default can be read: a test reads them all.
-            section.insert_default(
-                key.name,
-                value(&default, &key.kind, &join(path, key.name), &mut Problems::default()),
-            );
-        }
-    }
-    section
-}
-
-/// A default as it would be typed; `None` if it is derived, or if there is none.
-fn as_typed(default: &DefaultValue) -> Option<Value> {
-    match *default {
-        DefaultValue::Number(number) => {
-            Some(if number.fract() == 0.0 { Value::Integer(number as i64) } else { Value::Number(number) })
-        }
-        DefaultValue::Ratios(numbers) => Some(Value::List(numbers.map(Value::Number).into())),
-        DefaultValue::Quantity(text)
-        | DefaultValue::Otherwise { quantity: text, .. }
-        | DefaultValue::Word(text) => Some(Value::Text(text.to_owned())),
-        DefaultValue::Flag(flag) => Some(Value::Flag(flag)),
-        DefaultValue::Walls(walls) => {
-            Some(Value::List(walls.map(|wall| Value::Text(wall.to_owned())).into()))
-        }
-        DefaultValue::Required
-        | DefaultValue::DurationOver(_)
-        | DefaultValue::ByLaw { .. }
-        | DefaultValue::Derived(_) => None,
-    }
 }
 
 /// The sections `[kind.NAME]`.
@@ -143,7 +108,7 @@ fn named(entry: &Entry, kind: &str, problems: &mut Problems) -> Vec<Section> {
 }
 
 fn section(entry: &Entry, kind: &str, path: &str, problems: &mut Problems) -> Section {
-    let mut read = with_defaults(kind, path);
+    let mut read = form::with_defaults(table(kind), path);
     let known = table(kind).keys;
     let Value::Table(table) = &entry.value else {
         let message = format!("`{path}` must be a section, not {}", entry.value.kind());
@@ -196,6 +161,7 @@ fn motions(entry: &Entry, stage: &str, problems: &mut Problems) -> Section {
 
 #[cfg(test)]
 mod tests {
+    use super::super::form::default_as_typed as as_typed;
     use super::*;
 
     #[test]

@@ -2,12 +2,18 @@
 
 /// A value.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Value {
+pub enum Value {
+    /// Text.
     Text(String),
+    /// A whole number.
     Integer(i64),
+    /// Any other number.
     Number(f64),
+    /// `true` or `false`.
     Flag(bool),
+    /// A list.
     List(Vec<Value>),
+    /// A table, in the order of the text.
     Table(Vec<Entry>),
     /// What no key allows; with the article, for messages.
     Other(&'static str),
@@ -15,7 +21,8 @@ pub(super) enum Value {
 
 impl Value {
     /// Its type with the article, for messages.
-    pub(super) fn kind(&self) -> &'static str {
+    #[must_use]
+    pub fn kind(&self) -> &'static str {
         match self {
             Self::Text(_) => "text",
             Self::Integer(_) | Self::Number(_) => "a number",
@@ -29,12 +36,15 @@ impl Value {
 
 /// A key of a table with its value.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Entry {
-    pub(super) key: String,
-    pub(super) value: Value,
+pub struct Entry {
+    /// The key.
+    pub key: String,
+    /// Its value.
+    pub value: Value,
 }
 
 /// The path of a key in the section at `path`, which is empty at the top.
-pub(super) fn join(path: &str, key: &str) -> String {
+#[must_use]
+pub fn join(path: &str, key: &str) -> String {
     if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") }
 }

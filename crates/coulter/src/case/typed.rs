@@ -1,6 +1,6 @@
 //! The content of a case as typed: sections and values in SI units, with the defaults of the keys that are left out.
 
-use super::tree::join;
+use super::tree::{Value, join};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -12,6 +12,8 @@ pub(super) enum Given {
     Flag(bool),
     List(Vec<f64>),
     Words(Vec<String>),
+    /// As typed.
+    AsTyped(Value),
     Motion(Motion),
     /// Name of a body, and axes.
     Follow([String; 2]),
@@ -48,7 +50,7 @@ pub(super) struct Until {
 
 /// A section as typed.
 #[derive(Clone, Debug)]
-pub(super) struct Section {
+pub struct Section {
     /// Its path: `soil`, or `body.disc`; empty for the top.
     pub(super) path: String,
     /// Folder of the case file, to which files that it names are relative.
@@ -81,12 +83,14 @@ impl Section {
     }
 
     /// The path of a key: `soil.cohesion`, or `gravity` at the top.
-    pub(super) fn at(&self, key: &str) -> String {
+    #[must_use]
+    pub fn at(&self, key: &str) -> String {
         join(&self.path, key)
     }
 
     /// Whether the key is given, right or wrong.
-    pub(super) fn has(&self, key: &str) -> bool {
+    #[must_use]
+    pub fn has(&self, key: &str) -> bool {
         self.given.contains_key(key)
     }
 
@@ -95,7 +99,9 @@ impl Section {
         self.given.get(key).or_else(|| self.defaults.get(key)).and_then(pick)
     }
 
-    pub(super) fn number(&self, key: &str) -> Option<f64> {
+    /// The number of a key.
+    #[must_use]
+    pub fn number(&self, key: &str) -> Option<f64> {
         self.get(key, |v| if let Given::Number(n) = v { Some(*n) } else { None })
     }
 
@@ -104,11 +110,15 @@ impl Section {
         if self.has(key) { self.number(key) } else { Some(derived) }
     }
 
-    pub(super) fn text(&self, key: &str) -> Option<String> {
+    /// The text of a key.
+    #[must_use]
+    pub fn text(&self, key: &str) -> Option<String> {
         self.get(key, |v| if let Given::Text(t) = v { Some(t.clone()) } else { None })
     }
 
-    pub(super) fn flag(&self, key: &str) -> Option<bool> {
+    /// The flag of a key.
+    #[must_use]
+    pub fn flag(&self, key: &str) -> Option<bool> {
         self.get(key, |v| if let Given::Flag(f) = v { Some(*f) } else { None })
     }
 
@@ -116,8 +126,16 @@ impl Section {
         self.get(key, |v| if let Given::List(l) = v { Some(l.clone()) } else { None })
     }
 
-    pub(super) fn words(&self, key: &str) -> Option<Vec<String>> {
+    /// The words of a key.
+    #[must_use]
+    pub fn words(&self, key: &str) -> Option<Vec<String>> {
         self.get(key, |v| if let Given::Words(w) = v { Some(w.clone()) } else { None })
+    }
+
+    /// What was typed for a key whose values are not read any further.
+    #[must_use]
+    pub fn as_typed(&self, key: &str) -> Option<Value> {
+        self.get(key, |v| if let Given::AsTyped(value) = v { Some(value.clone()) } else { None })
     }
 
     pub(super) fn follow(&self, key: &str) -> Option<[String; 2]> {

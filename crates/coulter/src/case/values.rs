@@ -46,6 +46,10 @@ pub(super) fn value(node: &Value, kind: &Kind, path: &str, problems: &mut Proble
         Kind::Range(measure) => list(node, measure, 2..=2).map(Given::List),
         Kind::Vector(measure) => list(node, measure, 2..=3).map(Given::List),
         Kind::NamePair => names(node).map(Given::Words),
+        Kind::Choices(words) => choices(node, words).map(Given::Words),
+        Kind::Names => any_names(node).map(Given::Words),
+        Kind::Values => values(node).map(Given::AsTyped),
+        Kind::Assignments => assignments(node).map(Given::AsTyped),
         Kind::WallPair => walls(node).map(Given::Words),
         Kind::Follow => return follow(node, path, problems),
         Kind::Until => return until(node, path, problems),
@@ -230,6 +234,48 @@ fn names(node: &Value) -> Read<Vec<String>> {
             items.iter().enumerate().map(element).collect()
         }
         _ => complain("expected the names of two bodies", CURE),
+    }
+}
+
+/// Words from a list, each at most once; one alone may be written without brackets.
+fn choices(node: &Value, words: &[&str]) -> Read<Vec<String>> {
+    let alone = [node.clone()];
+    let items = if let Value::List(items) = node { items.as_slice() } else { &alone };
+    let element =
+        |(n, item)| choice(item, words).map_err(|complaint| Complaint { element: Some(n), ..complaint });
+    let chosen = items.iter().enumerate().map(element).collect::<Read<Vec<String>>>()?;
+    if chosen.is_empty() || (1..chosen.len()).any(|n| chosen[..n].contains(&chosen[n])) {
+        let all = words.iter().map(|w| format!("\"{w}\"")).collect::<Vec<_>>().join(", ");
+        return complain("expected one or several words, each once", format!("possible: [{all}]"));
+    }
+    Ok(chosen)
+}
+
+/// Names, any number of them.
+fn any_names(node: &Value) -> Read<Vec<String>> {
+    let Value::List(items) = node else {
+        return wrong_type(node, "a list of names", "write it such as [\"phi\", \"weight\"]");
+    };
+    let element = |(n, item)| {
+        text(item).map(str::to_owned).map_err(|complaint| Complaint { element: Some(n), ..complaint })
+    };
+    items.iter().enumerate().map(element).collect()
+}
+
+/// A list of values that are read later.
+fn values(node: &Value) -> Read<Value> {
+    match node {
+        Value::List(items) if !items.is_empty() => Ok(node.clone()),
+        Value::List(_) => complain("the list is empty", "give it values, such as [\"30 deg\", \"35 deg\"]"),
+        _ => wrong_type(node, "a list of values", "write it such as [\"30 deg\", \"35 deg\"]"),
+    }
+}
+
+/// A table whose keys are those of a case.
+fn assignments(node: &Value) -> Read<Value> {
+    match node {
+        Value::Table(_) => Ok(node.clone()),
+        _ => wrong_type(node, "a table", "write it such as { \"grid.cell\" = \"20 mm\" }"),
     }
 }
 

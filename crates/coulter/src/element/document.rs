@@ -2,6 +2,7 @@
 
 use super::path::{Ending, TestKind};
 use super::tested::{ElementTests, Tested};
+use crate::formats;
 use serde_json::{Map, Value, json};
 
 impl TestKind {
@@ -21,6 +22,7 @@ impl TestKind {
 #[must_use]
 pub fn document(tests: &ElementTests) -> Value {
     json!({
+        "format": formats::DOCUMENT,
         "case": tests.case,
         "test": tests.kind.word(),
         "soil": tests.soil,

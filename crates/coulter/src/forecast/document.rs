@@ -2,6 +2,7 @@
 
 use super::outlook::{Outlook, mechanism_word};
 use super::uncertainty::{InputDeviation, Interval, Intervals};
+use crate::formats;
 use analytic::Towing;
 use analytic::disc::Drive;
 use analytic::forecast::{Load, ModelForecast, Range, Strength};
@@ -33,6 +34,7 @@ pub fn document(outlook: &Outlook, intervals: &Intervals, in_full: bool) -> Valu
         .as_ref()
         .map(|f| json!({ "drag_N": f.drag, "vertical_N": f.vertical, "torque_Nm": f.torque }));
     let mut document = json!({
+        "format": formats::DOCUMENT,
         "case": outlook.case,
         "kind": outlook.input.kind,
         "bodies": outlook.input.bodies,

@@ -5,6 +5,15 @@ use crate::trust::limits::{self, Limit};
 use crate::trust::{BodySetting, Check, Verdict};
 
 impl MeshStudy {
+    /// Takes out intervals of a sinkage that is prescribed: it is known.
+    pub fn leave_out_prescribed(&mut self, bodies: &[BodySetting]) {
+        for body in bodies.iter().filter(|body| !body.heaves_freely) {
+            if let Some(study) = self.bodies.get_mut(&body.name) {
+                study.figures.sinkage = None;
+            }
+        }
+    }
+
     /// The checks of the study; a figure without an interval is doubtful. `is_towed` says which of the bodies are.
     #[must_use]
     pub fn checks(&self, bodies: &[BodySetting], is_towed: impl Fn(&str) -> bool) -> Vec<Check> {

@@ -183,7 +183,7 @@ fn millimetres(metres: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::trust::Check;
+    use crate::trust::{BodySetting, Check};
 
     fn disc() -> Reference {
         Reference {
@@ -269,6 +269,18 @@ mod tests {
         assert!(turn_ratio.half_width < 1e-9, "{turn_ratio:?}");
         let coarsest = &study.meshes[0].bodies["disc"];
         assert!((coarsest.means.sinkage.unwrap() - 0.029).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_prescribed_sinkage_has_no_interval() {
+        let mut study = study(&CELLS, |_| steady_or_not(true), |cell| history(cell, 2.0));
+        let disc =
+            |heaves_freely| [BodySetting { name: "disc".into(), heaves_freely, ..BodySetting::default() }];
+        study.leave_out_prescribed(&disc(true));
+        assert!(study.bodies["disc"].figures.sinkage.is_some());
+        study.leave_out_prescribed(&disc(false));
+        let figures = &study.bodies["disc"].figures;
+        assert!(figures.sinkage.is_none() && figures.drag.is_some());
     }
 
     #[test]

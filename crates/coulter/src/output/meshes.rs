@@ -79,7 +79,8 @@ pub(super) fn attach(dir: &Path, record: &RunRecord, summary: &mut Summary) -> R
         .iter()
         .map(|mesh| MeshRun { result: &mesh.result, trust: &mesh.summary.trust, history: &mesh.history })
         .collect();
-    let study = evaluate(&runs, &record.bodies, record.steady_part());
+    let mut study = evaluate(&runs, &record.bodies, record.steady_part());
+    study.leave_out_prescribed(&record.setting.bodies);
     let own = runs.last().map_or(&[][..], |run| &run.history.bodies);
     let towed: Vec<&str> = record
         .bodies

@@ -1,22 +1,25 @@
 //! The results folder of a run, and everything that is written into it.
 
+use super::confidence;
 use super::fields::{HeightMap, Rut, filled_cells, ruts};
 use super::files::{
     BODIES, LOG, Named, OutputError, PICTURES, PLOTS, REPORT, RESOLVED, TYPED, make_folder, read_text,
     write_whole, write_with,
 };
-use super::folder::{Log, Outcome, RunRecord, RunStatistics, clear, clear_meshes, remove_parts};
+use super::folder::{Log, Outcome, RunRecord, RunStatistics, clear, clear_beside, remove_parts};
 use super::meshes::{as_read_back, attach};
 use super::pictures::write_pictures;
 use super::plots::Overlay;
 use super::report::{ReportText, Summary, rims, write_report};
 use super::tables::{
-    HistoryFiles, read_history, read_rims, validate_history, write_filtered, write_ground, write_rims,
+    HistoryFiles, HistoryNames, read_history, read_rims, validate_history, write_filtered, write_ground,
+    write_rims,
 };
 use super::vtk::FieldSeries;
 use crate::case::mesh_file::hash_of;
 use crate::case::resolved::MotionTable;
 use crate::case::{Case, FORMAT, with_files};
+use crate::confidence::{Confidence, VariationResult};
 use crate::domain::PlacedDomain;
 use crate::history::rim::RimLine;
 use crate::history::{History, RutSection};
@@ -169,8 +172,11 @@ impl Results {
         write_rims(&self.dir, &history.names, &rims)?;
         write_filtered(&self.dir, history, &self.record.bodies, self.record.filter_cutoff)?;
         // As written, so that a report that is rebuilt from the files is the same to the last digit.
-        let rims = read_rims(&self.dir, &history.names)?;
-        report(&self.dir, &self.record, &summary, (history, &rims))?;
+        let written = (
+            &read_history(&self.dir, &HistoryNames::of(history), true)?,
+            &*read_rims(&self.dir, &history.names)?,
+        );
+        report(&self.dir, &self.record, &summary, written, &[])?;
         // Last: until it says how the run ended, a resumed run repeats all this.
         self.record.write(&self.dir)?;
         Ok(summary)
@@ -234,9 +240,9 @@ fn copy_of(dir: &Path, from: &Path, (name, hash): (&str, &str)) -> Result<String
     Ok(copy)
 }
 
-/// Removes a whole result, runs on coarser meshes included; a folder with other files in it is never touched.
+/// Removes a whole result, runs on coarser meshes and of variations included; a folder with other files in it is never touched.
 pub(crate) fn clear_all(dir: &Path) -> Result<(), OutputError> {
-    clear_meshes(dir)?;
+    clear_beside(dir)?;
     clear(dir, true)
 }
 
@@ -267,11 +273,42 @@ pub(crate) fn add_mesh_study(dir: &Path, case: &Case, meshes: &[String]) -> Resu
     Ok(summary)
 }
 
+/// Gives a run that has come to its end the intervals that follow from these variations, in the summary, the report and the log,
+/// unless it has them already. `confidence` says what was allowed and spent.
+///
+/// # Errors
+/// When the folder holds no such result, or a file cannot be read or written.
+pub(crate) fn add_confidence(
+    dir: &Path,
+    confidence: Confidence,
+    variations: &[VariationResult],
+) -> Result<Summary, OutputError> {
+    let record = RunRecord::read(dir)?;
+    let mut summary = Summary::read(dir)?;
+    let known = summary.clone();
+    confidence::attach(dir, &record, &mut summary, (confidence, variations))?;
+    if known.confidence.is_some() && known.confidence == confidence::as_read_back(&summary) {
+        return Ok(known);
+    }
+    Log::append(&dir.join(LOG))?.line(&format!("intervals from {} variations", variations.len()))?;
+    summary.write(dir)?;
+    rebuild_report(dir)?;
+    Ok(summary)
+}
+
 /// Rebuilds `report.html` from the other files of a results folder; for a killed run from those that exist.
 ///
 /// # Errors
 /// When the folder holds no result, or a file is broken.
 pub fn rebuild_report(dir: &Path) -> Result<PathBuf, OutputError> {
+    rebuild_report_with(dir, &[])
+}
+
+/// As [`rebuild_report`], with curves of measurements and other runs laid over its plots. They are not kept in the folder.
+///
+/// # Errors
+/// As [`rebuild_report`].
+pub fn rebuild_report_with(dir: &Path, laid_over: &[Overlay]) -> Result<PathBuf, OutputError> {
     let record = RunRecord::read(dir)?;
     let names = record.names();
     let is_whole = record.statistics.outcome.is_end();
@@ -286,7 +323,7 @@ pub fn rebuild_report(dir: &Path) -> Result<PathBuf, OutputError> {
         summary.fill(&history, &record);
         summary
     };
-    report(dir, &record, &summary, (&history, &read_rims(dir, &names.bodies)?))?;
+    report(dir, &record, &summary, (&history, &read_rims(dir, &names.bodies)?), laid_over)?;
     Ok(dir.join(REPORT))
 }
 
@@ -295,12 +332,14 @@ fn report(
     record: &RunRecord,
     summary: &Summary,
     (history, rims): (&History, &[Vec<RimLine>]),
+    laid_over: &[Overlay],
 ) -> Result<(), OutputError> {
     let optional = |name: &str| {
         let path = dir.join(name);
         if path.is_file() { read_text(&path).map(Some) } else { Ok(None) }
     };
-    let text = ReportText { resolved: optional(RESOLVED)?, typed: optional(TYPED)? };
+    let text =
+        ReportText { resolved: optional(RESOLVED)?, typed: optional(TYPED)?, laid_over: laid_over.to_vec() };
     make_folder(&dir.join(PLOTS))?;
     write_report(dir, record, summary, (history, rims), &text)
 }

@@ -57,8 +57,9 @@ pub(super) fn largest(values: impl Iterator<Item = f64>) -> f64 {
     values.filter(|v| v.is_finite()).fold(0.0, |most, v| most.max(v.abs()))
 }
 
-/// A number with three significant digits.
-pub(super) fn digits(value: f64) -> String {
+/// A number with three significant digits; a dash where it is not finite.
+#[must_use]
+pub fn digits(value: f64) -> String {
     if !value.is_finite() {
         return "–".to_owned();
     }

@@ -37,7 +37,7 @@ pub fn run_meshes(case: &Case, coarser: &[CoarserMesh], options: &RunOptions) ->
     }
     let label = label(coarser.len(), coarser.len());
     let start = if is_new { Start::Replace } else { options.start };
-    let part = Part { label, meshes: names, is_coarser: false };
+    let part = Part { label, meshes: names, is_beside: false };
     run_locked(case, &RunOptions { start, ..*options }, &part)
 }
 
@@ -66,7 +66,7 @@ fn run_coarser(mesh: &CoarserMesh, label: String, options: &RunOptions) -> Resul
             Err(other) => return Err(other),
         }
     }
-    let part = Part { label, meshes: Vec::new(), is_coarser: true };
+    let part = Part { label, meshes: Vec::new(), is_beside: true };
     match run_locked(&mesh.case, &own, &part) {
         Ok(End::Finished(_)) | Err(RunError::Physics { .. }) => Ok(None),
         Ok(stopped @ End::Stopped(..)) => Ok(Some(stopped)),

@@ -1,5 +1,6 @@
 //! A run from case to results: the loop of the simulation with those who write its results, and the report at its end.
 
+mod confidence;
 mod meshes;
 mod observers;
 mod options;
@@ -9,18 +10,19 @@ pub mod watch;
 
 use crate::case::{Case, require_valid, resolved};
 use crate::output::checkpoint;
-use crate::output::folder::{Outcome, StageRecord, clear_meshes};
+use crate::output::folder::{Outcome, StageRecord, clear_beside};
 use crate::output::progress::Progress;
 use crate::output::{Results, Summary, mean_lines, study_lines};
 use crate::simulation::{Simulation, Stop};
 use crate::trust::Verdict;
-use observers::{Checkpoints, Fields, ProgressBar, Signals, Tables, Watch, statistics};
+use observers::{Checkpoints, Fields, Followed, ProgressBar, Signals, Tables, Watch, statistics};
 use solver::precision::Precision;
 use std::path::Path;
 use std::time::Instant;
 
+pub use confidence::{Budget, Request, relative_cost, run_confidence};
 pub use meshes::run_meshes;
-pub use options::{End, RunError, RunOptions, Start};
+pub use options::{End, Follower, NoFollower, RunError, RunOptions, Start};
 use part::Part;
 use start::{ended_before, lock, open};
 
@@ -29,6 +31,14 @@ use start::{ended_before, lock, open};
 /// # Errors
 /// [`RunError`] when the case is not valid, the physics fails, or the results cannot be read or written.
 pub fn run(case: &Case, options: &RunOptions) -> Result<End, RunError> {
+    run_followed(case, options, &mut NoFollower)
+}
+
+/// As [`run()`], with someone who is told of every sample and may end the run there.
+///
+/// # Errors
+/// As [`run()`].
+pub fn run_followed(case: &Case, options: &RunOptions, follower: &mut dyn Follower) -> Result<End, RunError> {
     require_valid(case)?;
     let _lock = lock(options)?;
     if options.start == Start::AutoResume
@@ -37,25 +47,39 @@ pub fn run(case: &Case, options: &RunOptions) -> Result<End, RunError> {
         return Ok(End::Finished(Box::new(summary)));
     }
     if options.start == Start::Replace {
-        // Those of an earlier mesh study are no longer of this result.
-        clear_meshes(options.folder)?;
+        // Those of an earlier mesh study and of variations are no longer of this result.
+        clear_beside(options.folder)?;
     }
-    run_locked(case, options, &Part::default())
+    run_locked_followed(case, options, &Part::default(), follower)
 }
 
 /// Runs a case in a folder that is locked.
 fn run_locked(case: &Case, options: &RunOptions, part: &Part) -> Result<End, RunError> {
+    run_locked_followed(case, options, part, &mut NoFollower)
+}
+
+fn run_locked_followed(
+    case: &Case,
+    options: &RunOptions,
+    part: &Part,
+    follower: &mut dyn Follower,
+) -> Result<End, RunError> {
     match case.numerics.precision {
-        resolved::Precision::Double => run_in::<f64>(case, options, part),
-        resolved::Precision::Single => run_in::<f32>(case, options, part),
+        resolved::Precision::Double => run_in::<f64>(case, options, part, follower),
+        resolved::Precision::Single => run_in::<f32>(case, options, part, follower),
     }
 }
 
-fn run_in<R: Precision>(case: &Case, options: &RunOptions, part: &Part) -> Result<End, RunError> {
+fn run_in<R: Precision>(
+    case: &Case,
+    options: &RunOptions,
+    part: &Part,
+    follower: &mut dyn Follower,
+) -> Result<End, RunError> {
     let began = Instant::now();
     let (mut simulation, mut results) = open::<R>(case, options, part)?;
     let mut progress = Progress::start(case, simulation.state.time, options.quiet).labelled(&part.label);
-    let stop = observed(&mut simulation, &mut results, &mut progress, options)?;
+    let stop = observed(&mut simulation, &mut results, &mut progress, options, follower)?;
     let outcome = match &stop {
         Stop::Finished => Outcome::Finished,
         Stop::Asked(_) => Outcome::Interrupted,
@@ -105,6 +129,7 @@ fn observed<R: Precision>(
     results: &mut Results,
     progress: &mut Progress,
     options: &RunOptions,
+    follower: &mut dyn Follower,
 ) -> Result<Stop, RunError> {
     let Results { tables, fields, log, record, .. } = results;
     let stop = simulation.run(&mut [
@@ -112,6 +137,7 @@ fn observed<R: Precision>(
         &mut ProgressBar(progress),
         &mut Watch,
         &mut Fields(fields),
+        &mut Followed(follower),
         &mut Signals(options.interrupts),
         &mut Checkpoints::new(options.folder, options.interrupts, log, record),
     ])?;
@@ -122,7 +148,7 @@ fn observed<R: Precision>(
 fn closing_message(summary: &Summary, seconds: f64, (folder, part): (&Path, &Part)) -> String {
     let report = folder.join("report.html");
     let end = format!("in {seconds:.1} s; the report is {}", report.display());
-    if part.is_coarser {
+    if part.is_beside {
         let grade = format!("{}; {end}", summary.trust.verdict.name());
         return [mean_lines(summary), vec![grade]].concat().join("\n");
     }

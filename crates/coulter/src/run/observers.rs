@@ -1,5 +1,6 @@
 //! Those who observe a run on behalf of its results folder. Each knows one thing; what they share is in the folder.
 
+use super::options::Follower;
 use super::watch::watch;
 use crate::case;
 use crate::interrupts::Interrupts;
@@ -51,6 +52,15 @@ impl<R: Precision> Observer<R> for Fields<'_> {
             self.0.write(case, &model.grid, state, history)?;
         }
         Ok(Next::Continue)
+    }
+}
+
+/// Tells a follower. It comes after those who write at a sample, so that one at which it stops the run is complete.
+pub(super) struct Followed<'a>(pub(super) &'a mut dyn Follower);
+
+impl<R: Precision> Observer<R> for Followed<'_> {
+    fn sampled(&mut self, simulation: &Simulation<R>) -> Result<Next, ObserverError> {
+        Ok(self.0.sampled(&simulation.history))
     }
 }
 

@@ -1,9 +1,10 @@
 //! What a run is asked to do, and how it can end.
 
 use crate::case::CaseError;
+use crate::history::History;
 use crate::interrupts::Interrupts;
 use crate::output::{OutputError, Summary};
-use crate::simulation::ObserverError;
+use crate::simulation::{Next, ObserverError};
 use solver::error::Breakdown;
 use std::path::{Path, PathBuf};
 
@@ -38,12 +39,29 @@ pub struct RunOptions<'a> {
     pub typed: &'a str,
 }
 
+/// Who follows a run by its samples, whatever its precision: the caller of [`run_followed`](super::run_followed).
+pub trait Follower {
+    /// The history has a new sample, the last one of each of its lists, and the tables and fields of the folder are up to it. The run
+    /// waits meanwhile.
+    fn sampled(&mut self, history: &History) -> Next;
+}
+
+/// Nobody follows the run.
+#[derive(Clone, Copy, Debug)]
+pub struct NoFollower;
+
+impl Follower for NoFollower {
+    fn sampled(&mut self, _: &History) -> Next {
+        Next::Continue
+    }
+}
+
 /// How a run ended.
 #[derive(Debug)]
 pub enum End {
     /// It reached its end, now or before.
     Finished(Box<Summary>),
-    /// It was stopped by this signal; the checkpoint from which it can be resumed.
+    /// It was stopped by this signal, or by a follower (0); the checkpoint from which it can be resumed.
     Stopped(i32, PathBuf),
 }
 

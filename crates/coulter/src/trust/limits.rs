@@ -381,8 +381,92 @@ pub const COARSER_MESHES: Limit = Limit {
     advice: "make grid.cell smaller, so that the coarser meshes can be used too; or run the case's own mesh alone, without --meshes",
 };
 
+/// Contribution of the mesh to an interval.
+pub const EFFECT_OF_MESH: Limit = Limit {
+    name: "effect of the mesh",
+    unit: "%",
+    good: 10.0,
+    doubtful: NEVER,
+    more_is_better: false,
+    meaning: "largest contribution of the mesh to an interval of the body, over the value; only with `--confidence`, as are the next six",
+    reason: "chosen: a grid-convergence index of 10 % is common for forces of contact on eight to sixteen cells, and the safety factor in it is 1.25 at least",
+    advice: "make grid.cell smaller",
+};
+
+/// Contribution of the domain to an interval.
+pub const EFFECT_OF_DOMAIN: Limit = Limit {
+    name: "effect of the domain",
+    unit: "%",
+    good: 5.0,
+    doubtful: NEVER,
+    more_is_better: false,
+    meaning: "the same of the domain: three times the change in one that ends 1.5 times as far away",
+    reason: "5 % is the accuracy required of forces",
+    advice: "make the domain larger; if its walls are real (a soil bin), use --without domain",
+};
+
+/// Contribution of the speed to an interval.
+pub const EFFECT_OF_SPEED: Limit = Limit {
+    name: "effect of the speed",
+    unit: "%",
+    good: 5.0,
+    doubtful: NEVER,
+    more_is_better: false,
+    meaning: "the same of the speed: twice the change at half of it",
+    reason: "as for the domain",
+    advice: "move more slowly; if the speed is a part of the problem, use --without speed",
+};
+
+/// Contribution of the precision to an interval.
+pub const EFFECT_OF_PRECISION: Limit = Limit {
+    name: "effect of the precision",
+    unit: "%",
+    good: 2.0,
+    doubtful: NEVER,
+    more_is_better: false,
+    meaning: "the same of the precision: 1.25 times the change in the other one",
+    reason: "single and double precision agree within 0.5 % in the verification suite (P1); a motion that is sensitive to rounding scatters by more",
+    advice: "use numerics.precision = \"double\"; where it is double already, the motion is sensitive to small disturbances, and a longer run averages over more of them",
+};
+
+/// Half-width of the widest interval.
+pub const CONFIDENCE: Limit = Limit {
+    name: "confidence interval",
+    unit: "%",
+    good: 15.0,
+    doubtful: NEVER,
+    more_is_better: false,
+    meaning: "half-width of the widest interval of the body (90 %), over its value",
+    reason: "chosen: beyond it the sign of a design change of the usual size would be open",
+    advice: "reduce what dominates it: see `confidence` in summary.json",
+};
+
+/// Whether the force on a body still changes.
+pub const LEVEL_FORCE: Limit = Limit {
+    name: "level force",
+    unit: "%",
+    good: 10.0,
+    doubtful: NEVER,
+    more_is_better: false,
+    meaning: "change of the force over its mean over the window: of a body that is towed, of the drag since the stretch before the window, of the same length; of one that is moved vertically and not towed, of the vertical force along the trend of eight block averages",
+    reason: "as for the steady drag: the interval is that of the mean over the window, not of a load that stays",
+    advice: "tow or press farther, or use a stiffer soil, for a load that stays; where the resistance grows with depth, read the interval as that of the mean over the window",
+};
+
+/// Variations that should have been run, and give nothing.
+pub const MISSING_VARIATIONS: Limit = Limit {
+    name: "missing variations",
+    unit: "",
+    good: 0.0,
+    doubtful: NEVER,
+    more_is_better: false,
+    meaning: "number of variations that were not run for lack of budget, are broken, or cannot be compared, and of bodies without statistics",
+    reason: "an interval may be too narrow by what was not examined",
+    advice: "give more time (--budget) or look at their reports in variations",
+};
+
 /// Every limit, in the order of the checks.
-pub const ALL: [&Limit; 28] = [
+pub const ALL: [&Limit; 35] = [
     &COMPLETED,
     &ENERGY_BALANCE,
     &HOURGLASS,
@@ -411,7 +495,25 @@ pub const ALL: [&Limit; 28] = [
     &VERTICAL_INTERVAL,
     &SINKAGE_INTERVAL,
     &COARSER_MESHES,
+    &EFFECT_OF_MESH,
+    &EFFECT_OF_DOMAIN,
+    &EFFECT_OF_SPEED,
+    &EFFECT_OF_PRECISION,
+    &CONFIDENCE,
+    &LEVEL_FORCE,
+    &MISSING_VARIATIONS,
 ];
 
-/// The limits of a mesh study, which come after all others.
+/// The limits of a mesh study, which come after those of a run.
 pub const OF_MESHES: [&Limit; 4] = [&DRAG_INTERVAL, &VERTICAL_INTERVAL, &SINKAGE_INTERVAL, &COARSER_MESHES];
+
+/// The limits of the variations of a case, which come after all others.
+pub const OF_CONFIDENCE: [&Limit; 7] = [
+    &EFFECT_OF_MESH,
+    &EFFECT_OF_DOMAIN,
+    &EFFECT_OF_SPEED,
+    &EFFECT_OF_PRECISION,
+    &CONFIDENCE,
+    &LEVEL_FORCE,
+    &MISSING_VARIATIONS,
+];

@@ -61,7 +61,23 @@ impl Trust {
 
     /// Puts the checks of a mesh study in place of those of an earlier one, and grades the run anew.
     pub fn set_mesh_checks(&mut self, checks: Vec<Check>) {
-        self.checks.retain(|check| limits::OF_MESHES.iter().all(|limit| limit.name != check.name));
+        self.replace(&limits::OF_MESHES, checks);
+    }
+
+    /// The same with the checks of the variations of the case.
+    pub fn set_confidence_checks(&mut self, checks: Vec<Check>) {
+        self.replace(&limits::OF_CONFIDENCE, checks);
+    }
+
+    /// The worst verdict of all checks but those of variations.
+    #[must_use]
+    pub fn verdict_without_confidence(&self) -> Verdict {
+        let is_of_run = |check: &&Check| limits::OF_CONFIDENCE.iter().all(|limit| limit.name != check.name);
+        self.checks.iter().filter(is_of_run).map(|check| check.verdict).max().unwrap_or_default()
+    }
+
+    fn replace(&mut self, of: &[&Limit], checks: Vec<Check>) {
+        self.checks.retain(|check| of.iter().all(|limit| limit.name != check.name));
         self.checks.extend(checks);
         self.verdict = self.checks.iter().map(|c| c.verdict).max().unwrap_or_default();
     }

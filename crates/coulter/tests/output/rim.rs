@@ -125,6 +125,14 @@ fn a_locked_disc_slides_forwards_and_its_report_shows_it() {
 }
 
 #[test]
+fn a_frictionless_disc_has_no_plot_of_mobilised_friction() {
+    let dir = tempfile::tempdir().unwrap();
+    run(&tow(&["body.disc.friction=0"]), dir.path());
+    let report = fs::read_to_string(dir.path().join("report.html")).unwrap();
+    assert!(report.contains("Stress on the rim of disc") && !report.contains("Mobilised friction"));
+}
+
+#[test]
 fn the_faces_of_a_block_are_told_apart() {
     let dir = tempfile::tempdir().unwrap();
     // It sinks as it goes: sand under a block that keeps its depth slackens.

@@ -1,6 +1,7 @@
 //! The checks on small samples of source: violations are found, everything else passes.
 
 use super::circles::circles;
+use super::includes::outside;
 use super::items::{functions, types};
 use super::modules::{Modules, Sources};
 use super::uses::uses;
@@ -149,6 +150,23 @@ fn an_exception_permits_a_circle_and_must_be_needed() {
 fn violations(text: &str, exceptions: &[(&str, &str)]) -> Vec<String> {
     let sources = sources(&[("lib.rs", text)]);
     functions(&Modules::of(&sources), &sources, exceptions)
+}
+
+#[test]
+fn includes_from_outside_the_crate_are_found() {
+    let of = |file: &str, text: &str| {
+        let sources = sources(&[("lib.rs", "mod a;"), (file, text)]);
+        outside(&Modules::of(&sources), &sources)
+    };
+    let include = |path: &str| format!("const TEXT: &str = include_str!(\"{path}\");");
+    assert!(of("a.rs", &include("../cases/a.toml")).is_empty());
+    assert!(of("a/mod.rs", &include("../../cases/a.toml")).is_empty());
+    assert!(
+        of("a.rs", &include("../../../cases/a.toml"))[0].contains("src/a.rs includes ../../../cases/a.toml")
+    );
+    let defined = "macro_rules! of { ($f:literal) => { include_str!(concat!(\"../../../cases/\", $f)) }; }";
+    assert_eq!(of("a.rs", defined).len(), 1);
+    assert!(of("a.rs", &format!("#[cfg(test)]\nmod tests {{ {} }}", include("../../../x"))).is_empty());
 }
 
 #[test]

@@ -37,6 +37,14 @@ pub enum Kind {
     RelativeDensity,
     /// The names of two bodies.
     NamePair,
+    /// Words from a list, each at most once.
+    Choices(&'static [&'static str]),
+    /// Names, any number of them.
+    Names,
+    /// A list of values, each as its key wants it.
+    Values,
+    /// A table of keys of a case and what to set them to.
+    Assignments,
     /// The boundary conditions at the low and at the high end.
     WallPair,
     /// What the grid follows: a table with a body and axes.
@@ -81,7 +89,8 @@ pub struct Key {
 
 impl Key {
     /// The same key with a range.
-    pub(super) const fn within(self, range: AllowedRange) -> Self {
+    #[must_use]
+    pub const fn within(self, range: AllowedRange) -> Self {
         Self { range: Some(range), ..self }
     }
 
@@ -123,10 +132,14 @@ impl KeyTable {
     }
 }
 
-pub(super) const fn key(name: &'static str, kind: Kind, default: DefaultValue, meaning: &'static str) -> Key {
+/// A key without a range.
+#[must_use]
+pub const fn key(name: &'static str, kind: Kind, default: DefaultValue, meaning: &'static str) -> Key {
     Key { name, kind, default, range: None, meaning }
 }
 
-pub(super) const fn section(name: &'static str, meaning: &'static str, keys: &'static [Key]) -> KeyTable {
+/// A section.
+#[must_use]
+pub const fn section(name: &'static str, meaning: &'static str, keys: &'static [Key]) -> KeyTable {
     KeyTable { name, meaning, keys }
 }

@@ -16,10 +16,8 @@ pub mod words;
 
 pub use allowed_range::{AllowedRange, Bound};
 pub use default_value::DefaultValue;
-pub use key::{Key, KeyTable, Kind};
+pub use key::{Key, KeyTable, Kind, key, section};
 pub use relief::{PLACE_KEYS, SHAPE_KEYS};
-
-use key::section;
 
 /// All sections.
 pub const SECTIONS: [KeyTable; 17] = [

@@ -2,9 +2,12 @@
 
 use super::contents::{Checkpoint, MAGIC, VERSION};
 use super::paths::{path, previous_path};
+use crate::case::machine;
 use crate::output::files::OutputError;
 use solver::precision::Precision;
+use std::cmp::Ordering;
 use std::fs;
+use std::io::{self, Read};
 use std::path::Path;
 use xxhash_rust::xxh3::xxh3_64;
 
@@ -31,18 +34,14 @@ impl<R: Precision> Checkpoint<R> {
         let file = fs::read(path).map_err(|e| broken(&format!("no checkpoint to resume from ({e})")))?;
         let header = file.split_first_chunk::<8>().filter(|(magic, _)| magic.starts_with(MAGIC));
         let Some((magic, rest)) = header else { return Err(broken("not a Coulter checkpoint")) };
-        if magic[7] != VERSION {
-            return Err(broken(
-                "written by another version of Coulter, which stores checkpoints in another way",
-            ));
-        }
+        check_version(magic[7]).map_err(|problem| broken(&problem))?;
         let Some((packed, hash)) = rest.split_last_chunk::<8>() else {
             return Err(broken("the checkpoint is cut off"));
         };
         if xxh3_64(packed).to_le_bytes() != *hash {
             return Err(broken("the checkpoint is damaged (its hash is wrong)"));
         }
-        let plain = zstd::decode_all(packed).map_err(|e| broken(&e.to_string()))?;
+        let plain = unpacked(packed, most_bytes()).map_err(|e| broken(&e.to_string()))?;
         let unreadable = |e: postcard::Error| broken(&format!("cannot be read: {e}"));
         let (precision, _) = postcard::take_from_bytes::<String>(&plain).map_err(unreadable)?;
         if precision != R::NAME {
@@ -52,5 +51,56 @@ impl<R: Precision> Checkpoint<R> {
             )));
         }
         postcard::from_bytes(&plain).map_err(unreadable)
+    }
+}
+
+/// Largest record that is unpacked [bytes]: the state that is read from it takes as much memory again.
+fn most_bytes() -> u64 {
+    machine::memory_available().map_or(u64::MAX, |bytes| (0.5 * bytes) as u64)
+}
+
+/// Unpacks a record of at most `most` bytes: a few bytes of a forged file may say that they stand for any number.
+fn unpacked(packed: &[u8], most: u64) -> io::Result<Vec<u8>> {
+    let mut plain = Vec::new();
+    zstd::Decoder::new(packed)?.take(most.saturating_add(1)).read_to_end(&mut plain)?;
+    if plain.len() as u64 > most {
+        return Err(io::Error::other("its contents need more memory than is free"));
+    }
+    Ok(plain)
+}
+
+/// Whether a checkpoint of this version can be read; if not, what to do.
+fn check_version(found: u8) -> Result<(), String> {
+    let [other, known] = [found, VERSION].map(u8::escape_ascii);
+    let why = |age: &str, cure: &str| {
+        Err(format!(
+            "written by {age} version of Coulter (format {other} of checkpoints; this one reads {known}); {cure}"
+        ))
+    };
+    match found.cmp(&VERSION) {
+        Ordering::Equal => Ok(()),
+        Ordering::Greater => why("a newer", "install that to resume the run"),
+        Ordering::Less => why("an older", "finish the run with that one"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_more_is_unpacked_than_fits() {
+        let packed = zstd::encode_all(&[0_u8; 1 << 20][..], 1).unwrap();
+        assert_eq!(unpacked(&packed, 1 << 20).unwrap().len(), 1 << 20);
+        assert!(unpacked(&packed, (1 << 20) - 1).unwrap_err().to_string().contains("memory"));
+        assert!(unpacked(&packed[..packed.len() / 2], 1 << 20).is_err());
+    }
+
+    #[test]
+    fn another_version_is_refused_with_what_to_do() {
+        assert_eq!(check_version(VERSION), Ok(()));
+        let [older, newer] = [VERSION - 1, VERSION + 1].map(|version| check_version(version).unwrap_err());
+        assert!(older.contains("an older version") && older.contains("finish"), "{older}");
+        assert!(newer.contains("a newer version") && newer.contains("install"), "{newer}");
     }
 }

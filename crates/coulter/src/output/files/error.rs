@@ -67,6 +67,14 @@ pub enum OutputError {
         /// The folder.
         path: PathBuf,
     },
+    /// A file is of another version of the format of results.
+    #[error("{path}: {problem}", path = path.display())]
+    Format {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it, and what to do.
+        problem: String,
+    },
     /// A file does not have the expected content.
     #[error("{path}: {problem}", path = path.display())]
     Content {

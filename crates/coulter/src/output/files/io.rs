@@ -2,10 +2,13 @@
 
 use super::error::{Named, OutputError};
 use super::names::{BODIES, CHECKPOINTS, FIELDS, MESHES, PICTURES, PLOTS};
+use crate::formats;
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::Path;
 
+/// What to do with results of an older version.
+const AGAIN: &str = "read it with the version of Coulter that wrote it, or run its case.toml again into another folder (-o DIR)";
 /// Folders inside a results folder.
 const INNER: [&str; 6] = [BODIES, CHECKPOINTS, FIELDS, MESHES, PICTURES, PLOTS];
 
@@ -59,9 +62,13 @@ pub(crate) fn write_json<T: serde::Serialize>(path: &Path, value: &T) -> Result<
     write_whole(path, text.as_bytes())
 }
 
-/// Reads a value from JSON.
-pub(crate) fn read_json<T: serde::de::DeserializeOwned>(path: &Path) -> Result<T, OutputError> {
-    serde_json::from_str(&read_text(path)?).map_err(|e| OutputError::content(path, e))
+/// Reads a value of a results folder from JSON; `key` says in which version of the format it is.
+pub(crate) fn read_json<T: serde::de::DeserializeOwned>(path: &Path, key: &str) -> Result<T, OutputError> {
+    let value: serde_json::Value =
+        serde_json::from_str(&read_text(path)?).map_err(|e| OutputError::content(path, e))?;
+    formats::check(value[key].as_u64(), formats::RESULTS, "results", AGAIN)
+        .map_err(|problem| OutputError::Format { path: path.to_path_buf(), problem })?;
+    serde_json::from_value(value).map_err(|e| OutputError::content(path, e))
 }
 
 #[cfg(all(test, target_os = "linux"))]

@@ -12,5 +12,5 @@ pub(crate) use io::{make_folder, read_json, read_text, sync_folder, write_json, 
 
 pub(crate) use names::{
     BODIES, CHECKPOINTS, FIELDS, LISTS, LOG, MESHES, PICTURES, PLOTS, REPORT, RESOLVED, SUMMARY, TYPED,
-    file_safe,
+    VARIATIONS, file_safe,
 };

@@ -14,6 +14,8 @@ pub(crate) const TYPED: &str = "case.toml";
 pub(crate) const REPORT: &str = "report.html";
 pub(crate) const LOG: &str = "run.log";
 pub(crate) const LISTS: [&str; 3] = ["soil.pvd", "surface.pvd", "body.pvd"];
+/// Folder of the runs of variations of the case.
+pub(crate) const VARIATIONS: &str = "variations";
 pub(crate) const SUMMARY: &str = "summary.json";
 
 /// A body's name in a form that is safe in file names.

@@ -4,7 +4,7 @@ use super::lock::LOCK;
 use super::run_record::{Outcome, RUN_RECORD, RunRecord};
 use crate::output::files::{
     BODIES, CHECKPOINTS, FIELDS, LISTS, LOG, MESHES, Named, OutputError, PICTURES, PLOTS, REPORT, RESOLVED,
-    SUMMARY, TYPED,
+    SUMMARY, TYPED, VARIATIONS,
 };
 use crate::output::tables::{
     BOUNDARIES_FILE, ENERGY_FILE, GROUND_LEFT_FILE, HEIGHT_MAP_FILE, HistoryNames, filtered_name,
@@ -27,23 +27,28 @@ pub enum Contents {
 /// Inspects a folder.
 ///
 /// # Errors
-/// When it cannot be listed.
+/// When it cannot be listed, or holds a run of another version of the format.
 pub fn inspect(dir: &Path) -> Result<Contents, OutputError> {
     if !dir.exists() {
         return Ok(Contents::Nothing);
     }
     // The record names the bodies, hence the files. Without one only the files that a run writes before it are known to be
     // ours.
-    if let Ok(record) = RunRecord::read(dir) {
-        return Ok(Contents::Run(Box::new(record)));
+    match RunRecord::read(dir) {
+        Ok(record) => return Ok(Contents::Run(Box::new(record))),
+        // A run, but which files it wrote is not known.
+        Err(error @ OutputError::Format { .. }) => return Err(error),
+        Err(_) => {}
     }
     let early = [LOCK.to_owned(), format!("{RUN_RECORD}.part")];
     for entry in fs::read_dir(dir).named("list", dir)? {
         let entry = entry.named("list", dir)?;
         let name = entry.file_name();
-        // Runs on coarser meshes outlive that on the finest while it is started again.
-        let is_ours = early.iter().any(|e| name == e.as_str())
-            || name == MESHES && coarser_runs(dir)?.iter().all(|(_, contents)| !contents.is_foreign());
+        // Runs on coarser meshes outlive that on the finest while it is started again, and so do variations.
+        let mut is_ours = early.iter().any(|e| name == e.as_str());
+        for folder in BESIDE.into_iter().filter(|folder| name == *folder) {
+            is_ours = runs_in(&dir.join(folder))?.iter().all(|(_, contents)| !contents.is_foreign());
+        }
         if !is_ours {
             return Ok(Contents::Foreign);
         }
@@ -57,27 +62,34 @@ impl Contents {
     }
 }
 
-/// The folders of runs on coarser meshes, with their contents.
-fn coarser_runs(dir: &Path) -> Result<Vec<(PathBuf, Contents)>, OutputError> {
-    let folder = dir.join(MESHES);
+/// The folders that hold runs beside that of the case: on coarser meshes, and of its variations.
+const BESIDE: [&str; 2] = [MESHES, VARIATIONS];
+
+/// The folders of runs in such a folder, with their contents.
+fn runs_in(folder: &Path) -> Result<Vec<(PathBuf, Contents)>, OutputError> {
     let mut runs = Vec::new();
     if folder.is_symlink() || folder.is_file() {
-        return Ok(vec![(folder, Contents::Foreign)]);
+        return Ok(vec![(folder.to_path_buf(), Contents::Foreign)]);
     }
     if !folder.is_dir() {
         return Ok(runs);
     }
-    for entry in fs::read_dir(&folder).named("list", &folder)? {
-        let path = entry.named("list", &folder)?.path();
+    for entry in fs::read_dir(folder).named("list", folder)? {
+        let path = entry.named("list", folder)?.path();
         let contents = if path.is_dir() && !path.is_symlink() { inspect(&path)? } else { Contents::Foreign };
         runs.push((path, contents));
     }
     Ok(runs)
 }
 
-/// Removes the runs on coarser meshes, and their folders if nothing else is in them; what no run has written stays.
-pub(crate) fn clear_meshes(dir: &Path) -> Result<(), OutputError> {
-    for (path, contents) in coarser_runs(dir)? {
+/// Removes the runs on coarser meshes and those of variations, and their folders if nothing else is in them; what no run has
+/// written stays.
+pub(crate) fn clear_beside(dir: &Path) -> Result<(), OutputError> {
+    BESIDE.into_iter().try_for_each(|name| clear_runs(&dir.join(name)))
+}
+
+fn clear_runs(folder: &Path) -> Result<(), OutputError> {
+    for (path, contents) in runs_in(folder)? {
         if let Contents::Run(record) = &contents {
             remove_result(&path, record)?;
         }
@@ -86,8 +98,7 @@ pub(crate) fn clear_meshes(dir: &Path) -> Result<(), OutputError> {
             remove_if_empty(&path)?;
         }
     }
-    let folder = dir.join(MESHES);
-    if folder.is_symlink() { Ok(()) } else { remove_if_empty(&folder) }
+    if folder.is_symlink() { Ok(()) } else { remove_if_empty(folder) }
 }
 
 /// Clears a folder for a new result; a folder with other files in it is never touched.
@@ -148,7 +159,7 @@ fn remove_result(dir: &Path, record: &RunRecord) -> Result<(), OutputError> {
     for (folder, extensions) in [
         (BODIES, &["stl", "obj", "ply", "csv"][..]),
         (FIELDS, &["vtr", "vtp"]),
-        (PICTURES, &["png", "svg", "csv"]),
+        (PICTURES, &["png", "svg", "csv", "gif", "apng"]),
         (PLOTS, &["svg"]),
         (CHECKPOINTS, &["checkpoint"]),
     ] {

@@ -9,7 +9,7 @@ mod log;
 mod run_record;
 
 pub use contents::{Contents, inspect};
-pub(crate) use contents::{clear, clear_meshes, remove_parts};
+pub(crate) use contents::{clear, clear_beside, remove_parts};
 pub use lock::Lock;
 pub use log::Log;
 pub use run_record::{JointRecord, Outcome, PartRecord, RunRecord, RunStatistics, StageRecord, hash_of};

@@ -6,6 +6,7 @@ use crate::case::Case;
 use crate::case::case_text;
 use crate::case::meshes::representative_width;
 use crate::case::resolved::{GROUND, Ground, Joint, Stage};
+use crate::formats;
 use crate::history::History;
 use crate::history::probes::places;
 use crate::history::reference::Reference;
@@ -89,6 +90,8 @@ impl StageRecord {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct RunRecord {
+    /// Version of the format of the results folder.
+    pub format: u32,
     /// Version of Coulter.
     pub version: String,
     /// Name of the case.
@@ -195,6 +198,7 @@ impl RunRecord {
         let faces = &case.grid.faces;
         let widths = faces.iter().flat_map(|f| f.windows(2).map(|w| w[1] - w[0]));
         Self {
+            format: formats::RESULTS,
             version: env!("CARGO_PKG_VERSION").to_owned(),
             case: case.name.clone(),
             case_hash: hash_of(case),
@@ -269,12 +273,12 @@ impl RunRecord {
     /// Reads `run.json` from a results folder.
     ///
     /// # Errors
-    /// When the file is missing or is not a record of a run.
+    /// When the file is missing, is not a record of a run, or that of another version of the format.
     pub fn read(dir: &Path) -> Result<Self, OutputError> {
         let path = dir.join(RUN_RECORD);
         if !path.is_file() {
             return Err(OutputError::NoResult { path: dir.to_path_buf() });
         }
-        read_json(&path)
+        read_json(&path, "format")
     }
 }

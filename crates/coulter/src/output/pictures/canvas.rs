@@ -1,4 +1,5 @@
-//! An image to draw on, written as a PNG file. It is drawn at twice the size and scaled down, which smooths edges.
+//! An image to draw on, written as a PNG file, and as another one for dark screens. It is drawn at twice the size and scaled down,
+//! which smooths edges.
 
 use crate::output::files::OutputError;
 use crate::output::plots::Rgb;
@@ -8,16 +9,23 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{FontTransform, register_font};
 use std::io::Write as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
+/// A colour on paper and light screens, and on dark ones.
+pub(crate) type Tone = [Rgb; 2];
+/// The ground of a picture; that of the page on dark screens.
+const PAPER: Tone = [[255, 255, 255], [22, 25, 29]];
+/// Axes and text.
+pub(super) const INK: Tone = [[30, 30, 30], [214, 218, 222]];
+
 /// Supersampling: every pixel of the file is drawn as a square of this many pixels.
-const SUPERSAMPLING: usize = 2;
+pub(crate) const SUPERSAMPLING: usize = 2;
 const FONT: &[u8] = include_bytes!("../../../assets/DejaVuSans-subset.ttf");
 
 /// How a text is aligned to its position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Anchor {
+pub(crate) enum Anchor {
     Left,
     Centre,
     Right,
@@ -26,63 +34,67 @@ pub(super) enum Anchor {
 }
 
 /// An image being drawn. Positions are in pixels of the file, from the top left corner.
-pub(super) struct Canvas {
+pub(crate) struct Canvas {
     width: usize,
     height: usize,
-    pixels: Vec<u8>,
+    /// On paper, and on a dark screen.
+    pixels: [Vec<u8>; 2],
 }
 
 impl Canvas {
-    /// A white image.
-    pub(super) fn new(width: usize, height: usize) -> Self {
-        Self { width, height, pixels: vec![255; 3 * width * height * SUPERSAMPLING * SUPERSAMPLING] }
+    /// An empty image.
+    pub(crate) fn new(width: usize, height: usize) -> Self {
+        let count = width * height * SUPERSAMPLING * SUPERSAMPLING;
+        Self { width, height, pixels: PAPER.map(|paper| paper.repeat(count)) }
     }
 
     /// Colours the pixels of a box by a function of the position; `None` leaves a pixel as it is.
-    pub(super) fn paint(
+    pub(crate) fn paint(
         &mut self,
         [left, top, right, bottom]: [f64; 4],
-        colour: impl Fn(f64, f64) -> Option<Rgb>,
+        colour: impl Fn(f64, f64) -> Option<Tone>,
     ) {
         let factor = SUPERSAMPLING as f64;
         let clip = |v: f64, most: usize| ((v * factor).round().max(0.0) as usize).min(most * SUPERSAMPLING);
         let row = self.width * SUPERSAMPLING;
         for y in clip(top, self.height)..clip(bottom, self.height) {
             for x in clip(left, self.width)..clip(right, self.width) {
-                if let Some(rgb) = colour((x as f64 + 0.5) / factor, (y as f64 + 0.5) / factor) {
-                    self.pixels[3 * (y * row + x)..][..3].copy_from_slice(&rgb);
+                let Some(tone) = colour((x as f64 + 0.5) / factor, (y as f64 + 0.5) / factor) else {
+                    continue;
+                };
+                for (pixels, rgb) in self.pixels.iter_mut().zip(tone) {
+                    pixels[3 * (y * row + x)..][..3].copy_from_slice(&rgb);
                 }
             }
         }
     }
 
     /// Draws a line through points.
-    pub(super) fn line(&mut self, points: &[[f64; 2]], colour: Rgb, width: f64) {
+    pub(super) fn line(&mut self, points: &[[f64; 2]], tone: Tone, width: f64) {
         let factor = SUPERSAMPLING as f64;
         let path: Vec<(i32, i32)> = points
             .iter()
             .filter(|p| p[0].is_finite() && p[1].is_finite())
             .map(|p| ((p[0] * factor).round() as i32, (p[1] * factor).round() as i32))
             .collect();
-        let style =
-            RGBColor(colour[0], colour[1], colour[2]).stroke_width((width * factor).round().max(1.0) as u32);
-        self.draw(|area| {
+        let width = (width * factor).round().max(1.0) as u32;
+        self.draw(tone, |area, colour| {
             // The backend clips what lies outside the image; nothing else can fail.
-            let _ = area.draw(&PathElement::new(path, style));
+            let _ = area.draw(&PathElement::new(path.clone(), colour.stroke_width(width)));
         });
     }
 
     /// Draws a dashed horizontal line.
-    pub(super) fn dashes(&mut self, [from, to]: [f64; 2], y: f64, colour: Rgb) {
+    pub(super) fn dashes(&mut self, [from, to]: [f64; 2], y: f64, tone: Tone) {
         let mut x = from;
         while x < to {
-            self.line(&[[x, y], [(x + 7.0).min(to), y]], colour, 1.0);
+            self.line(&[[x, y], [(x + 7.0).min(to), y]], tone, 1.0);
             x += 12.0;
         }
     }
 
     /// Writes a text of `size` pixels.
-    pub(super) fn text(&mut self, text: &str, [x, y]: [f64; 2], size: f64, anchor: Anchor) {
+    pub(crate) fn text(&mut self, text: &str, [x, y]: [f64; 2], size: f64, anchor: Anchor) {
         static READY: OnceLock<bool> = OnceLock::new();
         if !READY.get_or_init(|| register_font("sans-serif", FontStyle::Normal, FONT).is_ok()) {
             return;
@@ -95,34 +107,49 @@ impl Canvas {
             Anchor::Upwards => (HPos::Center, FontTransform::Rotate270),
         };
         let font = ("sans-serif", size * factor).into_font().transform(rotation);
-        let style = TextStyle::from(font).color(&RGBColor(30, 30, 30)).pos(Pos::new(across, VPos::Center));
+        let style = TextStyle::from(font).pos(Pos::new(across, VPos::Center));
         let position = ((x * factor).round() as i32, (y * factor).round() as i32);
-        self.draw(|area| {
+        self.draw(INK, |area, colour| {
             // A character that the font lacks is left out.
-            let _ = area.draw_text(text, &style, position);
+            let _ = area.draw_text(text, &style.color(&colour), position);
         });
     }
 
-    fn draw(&mut self, action: impl FnOnce(&DrawingArea<BitMapBackend<'_>, plotters::coord::Shift>)) {
+    fn draw(
+        &mut self,
+        tone: Tone,
+        action: impl Fn(&DrawingArea<BitMapBackend<'_>, plotters::coord::Shift>, RGBColor),
+    ) {
         let size = ((self.width * SUPERSAMPLING) as u32, (self.height * SUPERSAMPLING) as u32);
-        let area = BitMapBackend::with_buffer(&mut self.pixels, size).into_drawing_area();
-        action(&area);
+        for (pixels, [red, green, blue]) in self.pixels.iter_mut().zip(tone) {
+            let area = BitMapBackend::with_buffer(pixels, size).into_drawing_area();
+            action(&area, RGBColor(red, green, blue));
+        }
     }
 
-    /// Writes the image as a PNG file.
+    /// Writes the image as a PNG file, and the one for dark screens beside it.
     pub(super) fn write(&self, path: &Path) -> Result<(), OutputError> {
-        crate::output::files::write_whole(path, &self.png())
+        for (dark, path) in [(false, path.to_path_buf()), (true, dark_variant(path))] {
+            crate::output::files::write_whole(&path, &self.png(dark))?;
+        }
+        Ok(())
+    }
+
+    /// Red, green and blue of every pixel, of the image on paper or on a dark screen.
+    pub(crate) fn rgb(&self, dark: bool) -> Vec<u8> {
+        let pixels = &self.pixels[usize::from(dark)];
+        let row = |y: usize| (0..self.width).flat_map(move |x| self.mean(pixels, x, y));
+        (0..self.height).flat_map(row).collect()
     }
 
     /// The image as the bytes of a PNG file.
-    fn png(&self) -> Vec<u8> {
-        let mut lines = Vec::with_capacity((3 * self.width + 1) * self.height);
-        for y in 0..self.height {
-            lines.push(0);
-            for x in 0..self.width {
-                lines.extend(self.mean(x, y));
-            }
-        }
+    pub(crate) fn png(&self, dark: bool) -> Vec<u8> {
+        let rgb = self.rgb(dark);
+        // Before every line stands how it was filtered: not at all.
+        let lines: Vec<u8> = rgb
+            .chunks_exact(3 * self.width)
+            .flat_map(|line| [0].into_iter().chain(line.iter().copied()))
+            .collect();
         let mut encoder = ZlibEncoder::new(Vec::new(), Compression::best());
         // Writing to memory cannot fail.
         let _ = encoder.write_all(&lines);
@@ -139,19 +166,22 @@ impl Canvas {
     }
 
     /// Mean colour of the drawn pixels that form one pixel of the file.
-    fn mean(&self, x: usize, y: usize) -> Rgb {
+    fn mean(&self, pixels: &[u8], x: usize, y: usize) -> Rgb {
         let row = self.width * SUPERSAMPLING;
         std::array::from_fn(|channel| {
             let sample = |n: usize| {
                 let (dx, dy) = (n % SUPERSAMPLING, n / SUPERSAMPLING);
-                usize::from(
-                    self.pixels[3 * ((y * SUPERSAMPLING + dy) * row + x * SUPERSAMPLING + dx) + channel],
-                )
+                usize::from(pixels[3 * ((y * SUPERSAMPLING + dy) * row + x * SUPERSAMPLING + dx) + channel])
             };
             let count = SUPERSAMPLING * SUPERSAMPLING;
             (((0..count).map(sample).sum::<usize>() + count / 2) / count) as u8
         })
     }
+}
+
+/// The file of a picture for dark screens.
+pub(crate) fn dark_variant(path: &Path) -> PathBuf {
+    path.with_extension("dark.png")
 }
 
 fn push_chunk(png: &mut Vec<u8>, name: &[u8; 4], data: &[u8]) {

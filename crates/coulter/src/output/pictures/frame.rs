@@ -1,7 +1,7 @@
 //! The frame of a picture: a region of space at true scale, axes with units, and the bar that explains the colours.
 
-use super::canvas::{Anchor, Canvas};
-use crate::output::plots::{ColourMap, Rgb, tick_label, ticks};
+use super::canvas::{Anchor, Canvas, INK, Tone};
+use crate::output::plots::{ColourMap, tick_label, ticks};
 
 const LEFT: f64 = 84.0;
 const TOP: f64 = 62.0;
@@ -12,7 +12,6 @@ const BAR_WIDTH: f64 = 18.0;
 const MOST: [f64; 2] = [1240.0, 760.0];
 /// A flat view is given at least this height [pixels], so that the colour bar can be read.
 const LEAST_BAR: f64 = 190.0;
-const INK: Rgb = [30, 30, 30];
 
 /// How values become colours.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,13 +36,18 @@ impl Scale {
     }
 
     /// The colour of a value in the unit shown.
-    pub(super) fn colour(&self, value: f64) -> Rgb {
+    pub(super) fn colour(&self, value: f64) -> Tone {
         let position = if self.logarithmic {
             (value.max(self.low) / self.low).ln() / (self.high / self.low).ln()
         } else {
             (value - self.low) / (self.high - self.low)
         };
-        self.map.at(position)
+        self.tone(position)
+    }
+
+    /// The colour at a fraction of the scale.
+    fn tone(&self, position: f64) -> Tone {
+        [self.map.at(position), self.map.for_dark().at(position)]
     }
 
     fn marks(&self) -> Vec<(f64, String)> {
@@ -112,7 +116,7 @@ impl View {
     }
 
     /// Colours the view by a function of the point of space.
-    pub(super) fn paint(&mut self, colour: impl Fn(f64, f64) -> Option<Rgb>) {
+    pub(super) fn paint(&mut self, colour: impl Fn(f64, f64) -> Option<Tone>) {
         let (top, scale) = (self.top(), self.scale);
         let (across, upward) = (self.across, self.upward);
         let area = [LEFT, top, LEFT + self.width, top + self.height];
@@ -121,13 +125,13 @@ impl View {
     }
 
     /// Draws a line through points of space.
-    pub(super) fn line(&mut self, points: &[[f64; 2]], colour: Rgb, width: f64) {
+    pub(super) fn line(&mut self, points: &[[f64; 2]], colour: Tone, width: f64) {
         let pixels: Vec<[f64; 2]> = points.iter().map(|p| self.to_pixels(*p)).collect();
         self.canvas.line(&pixels, colour, width);
     }
 
     /// Draws a dashed level across the view, if it is inside.
-    pub(super) fn level(&mut self, height: f64, colour: Rgb) {
+    pub(super) fn level(&mut self, height: f64, colour: Tone) {
         if height > self.upward[0] && height < self.upward[1] {
             let y = self.to_pixels([self.across[0], height])[1];
             self.canvas.dashes([LEFT, LEFT + self.width], y, colour);
@@ -168,7 +172,7 @@ impl View {
         let left = LEFT + self.width + 22.0;
         let (top, height) = (TOP, self.height.max(LEAST_BAR));
         let area = [left, top, left + BAR_WIDTH, top + height];
-        self.canvas.paint(area, |_, y| Some(scale.map.at(1.0 - (y - top) / height)));
+        self.canvas.paint(area, |_, y| Some(scale.tone(1.0 - (y - top) / height)));
         let corners = [
             [area[0], area[1]],
             [area[2], area[1]],

@@ -7,5 +7,7 @@ mod frame;
 mod picture;
 mod rut;
 mod scene;
+mod soil;
 
+pub(crate) use canvas::{Anchor, Canvas, SUPERSAMPLING, Tone, dark_variant};
 pub use picture::{Caption, PICTURES, write_pictures};

@@ -58,7 +58,7 @@ pub const PICTURES: [Caption; 8] = [
         file: "rut_plan.png",
         title: "The surface from above",
         text: "Height of the free surface against the undisturbed one: blue is below (rut), brown above (berm); for soil \
-               heaped on a floor, the height above the floor. The dark outline is the body.",
+               heaped on a floor, the height above the floor. The outline is the body.",
     },
     Caption {
         file: "profile.svg",
@@ -73,7 +73,7 @@ pub const PICTURES: [Caption; 8] = [
     },
 ];
 
-/// Draws all pictures of a state, with the map of its free surface, into `dir`.
+/// Draws all pictures of a state, with the map of its free surface, into `dir`, each for light and for dark screens.
 ///
 /// # Errors
 /// When a file cannot be written.

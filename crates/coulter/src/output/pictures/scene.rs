@@ -1,11 +1,12 @@
 //! A slice through soil and bodies, coloured by one quantity.
 
-use super::canvas::Canvas;
+use super::canvas::{Canvas, Tone};
 use super::frame::{Scale, View};
+use super::soil::SmoothSoil;
 use crate::case::resolved::{Case, Ground};
 use crate::domain::PlacedDomain;
 use crate::output::fields::{CellView, reference_height};
-use crate::output::plots::{ColourMap, Rgb};
+use crate::output::plots::ColourMap;
 use crate::output::units::Unit;
 use glam::DVec3;
 use mechanics::{BodyState, Pose};
@@ -14,10 +15,10 @@ use solver::fields::{PLASTIC_STRAIN, PORE_PRESSURE};
 use solver::precision::Precision;
 use solver::state::State;
 
-const STEEL: Rgb = [196, 202, 210];
-pub(super) const OUTLINE: Rgb = [25, 28, 35];
-const SURFACE: Rgb = [70, 70, 70];
-/// Cells with less soil than this are left out, except in the picture of the volume fraction.
+const STEEL: Tone = [[196, 202, 210], [112, 120, 130]];
+pub(super) const OUTLINE: Tone = [[25, 28, 35], [228, 232, 236]];
+const SURFACE: Tone = [[70, 70, 70], [170, 174, 180]];
+/// Cells with less soil than this do not count for the ends of a scale.
 const SHOWN: f64 = 0.5;
 
 /// The state from which the pictures are made, and the region that they show.
@@ -77,25 +78,32 @@ impl<'a, R: Precision> Scene<'a, R> {
         range
     }
 
-    /// A slice coloured by the `value` of each cell; `None` is left white.
-    fn slice(&self, title: &str, scale: &Scale, value: impl Fn(&CellView<R>) -> Option<f64>) -> Canvas {
+    /// A slice in which soil has a smooth surface, at a volume fraction of ½, and is coloured by the `value` of each cell.
+    fn slice(&self, title: &str, scale: &Scale, value: impl Fn(&CellView<R>) -> f64) -> Canvas {
+        let cell = |i: usize, k: usize| CellView::of(self.domain, self.state, [i, self.row, k]);
+        let y = self.domain.centre(1, self.row);
+        let soil = SmoothSoil::new(
+            [&self.domain.faces[0], &self.domain.faces[2]],
+            |i, k| (cell(i, k).fraction, value(&cell(i, k))),
+            |x, z| self.distance(DVec3::new(x, y, z)) < 0.0,
+        );
+        self.view(title, scale, |x, z| soil.at(x, z).map(|value| scale.colour(value)))
+    }
+
+    /// A slice of raw cells.
+    fn raw_slice(&self, title: &str, scale: &Scale, value: impl Fn(&CellView<R>) -> Option<f64>) -> Canvas {
+        self.view(title, scale, |x, z| {
+            let at = [find(&self.domain.faces[0], x)?, self.row, find(&self.domain.faces[2], z)?];
+            value(&CellView::of(self.domain, self.state, at)).map(|value| scale.colour(value))
+        })
+    }
+
+    /// A view of the mid-plane with the bodies over what is there.
+    fn view(&self, title: &str, scale: &Scale, colour: impl Fn(f64, f64) -> Option<Tone>) -> Canvas {
         let mut view = View::new(self.across, self.upward);
-        let [columns, _, layers] = self.domain.cells();
-        let cells: Vec<Option<Rgb>> = (0..columns * layers)
-            .map(|n| {
-                let cell = CellView::of(self.domain, self.state, [n % columns, self.row, n / columns]);
-                value(&cell).map(|v| scale.colour(v))
-            })
-            .collect();
         let y = self.domain.centre(1, self.row);
         let pixel = view.pixel();
-        view.paint(|x, z| {
-            self.body_colour(DVec3::new(x, y, z), pixel).or_else(|| {
-                let i = find(&self.domain.faces[0], x)?;
-                let k = find(&self.domain.faces[2], z)?;
-                cells[k * columns + i]
-            })
-        });
+        view.paint(|x, z| self.body_colour(DVec3::new(x, y, z), pixel).or_else(|| colour(x, z)));
         self.spokes(&mut view);
         if let Ground::Level { .. } = self.case.ground {
             view.level(reference_height(self.case), SURFACE);
@@ -104,11 +112,15 @@ impl<'a, R: Precision> Scene<'a, R> {
         view.canvas
     }
 
+    /// Distance from the nearest body [m], negative inside.
+    fn distance(&self, point: DVec3) -> f64 {
+        let all = self.bodies().map(|(body, shape)| shape.signed_distance(body.pose.point_in_body(point)));
+        all.fold(f64::INFINITY, f64::min)
+    }
+
     /// The colour of a body at a point, if there is one.
-    fn body_colour(&self, point: DVec3, pixel: f64) -> Option<Rgb> {
-        let nearest =
-            self.bodies().map(|(body, shape)| shape.signed_distance(body.pose.point_in_body(point)));
-        let distance = nearest.fold(f64::INFINITY, f64::min);
+    fn body_colour(&self, point: DVec3, pixel: f64) -> Option<Tone> {
+        let distance = self.distance(point);
         if distance.abs() < 1.2 * pixel { Some(OUTLINE) } else { (distance < 0.0).then_some(STEEL) }
     }
 
@@ -148,7 +160,7 @@ impl<'a, R: Precision> Scene<'a, R> {
 
     pub(super) fn fraction(&self) -> Canvas {
         let scale = Scale::linear(ColourMap::Earth, 0.0, 1.0, "volume fraction [–]".into());
-        self.slice("Soil volume fraction", &scale, |c| Some(c.fraction).filter(|f| *f > 1e-3))
+        self.raw_slice("Soil volume fraction", &scale, |c| Some(c.fraction).filter(|f| *f > 1e-3))
     }
 
     pub(super) fn plastic_strain(&self) -> Canvas {
@@ -156,9 +168,7 @@ impl<'a, R: Precision> Scene<'a, R> {
         let high = 10f64.powf(most.log10().ceil());
         let label = "plastic strain [–], logarithmic".into();
         let scale = Scale { map: ColourMap::Sequential, low: 1e-3 * high, high, logarithmic: true, label };
-        self.slice("Equivalent plastic strain", &scale, |c| {
-            (c.fraction > SHOWN).then_some(c.history(PLASTIC_STRAIN))
-        })
+        self.slice("Equivalent plastic strain", &scale, |c| c.history(PLASTIC_STRAIN))
     }
 
     pub(super) fn pressure(&self) -> Canvas {
@@ -166,9 +176,7 @@ impl<'a, R: Precision> Scene<'a, R> {
         let unit = Unit::stress(most);
         let label = format!("pressure [{}]", unit.name);
         let scale = Scale::linear(ColourMap::Sequential, 0.0, most / unit.size, label);
-        self.slice("Mean pressure (compression positive)", &scale, |c| {
-            (c.fraction > SHOWN).then(|| c.pressure() / unit.size)
-        })
+        self.slice("Mean pressure (compression positive)", &scale, |c| c.pressure() / unit.size)
     }
 
     /// The excess pore pressure, where one is computed.
@@ -180,9 +188,7 @@ impl<'a, R: Precision> Scene<'a, R> {
         let unit = Unit::stress(most);
         let (end, label) = (most / unit.size, format!("excess pore pressure [{}]", unit.name));
         let scale = Scale::linear(ColourMap::Diverging, -end, end, label);
-        Some(self.slice("Excess pore pressure", &scale, |c| {
-            (c.fraction > SHOWN).then(|| c.history(PORE_PRESSURE) / unit.size)
-        }))
+        Some(self.slice("Excess pore pressure", &scale, |c| c.history(PORE_PRESSURE) / unit.size))
     }
 
     pub(super) fn speed(&self) -> Canvas {
@@ -190,9 +196,7 @@ impl<'a, R: Precision> Scene<'a, R> {
         let unit = Unit::speed(most);
         let scale =
             Scale::linear(ColourMap::Sequential, 0.0, most / unit.size, format!("speed [{}]", unit.name));
-        self.slice("Speed of the soil", &scale, |c| {
-            (c.fraction > SHOWN).then(|| c.velocity().length() / unit.size)
-        })
+        self.slice("Speed of the soil", &scale, |c| c.velocity().length() / unit.size)
     }
 }
 

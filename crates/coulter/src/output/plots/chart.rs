@@ -1,7 +1,9 @@
 //! Line charts as SVG text: the same style for every plot of a report. Text and axes inherit the colour of the page, so
 //! that charts suit light and dark pages and paper.
 
-use super::chart_marks::{Axes, BOTTOM, LEFT, RIGHT, WIDTH, draw_curve, draw_level, key, marked, plain};
+use super::chart_marks::{
+    Axes, BOTTOM, LEFT, RIGHT, WIDTH, draw_curve, draw_level, escaped, key, marked, plain,
+};
 use super::curve::{Curve, Level};
 use super::scale::{labelled_ticks, logarithm, padded_range};
 use std::fmt::Write as _;
@@ -80,13 +82,17 @@ impl Chart {
         let mut svg = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height}\" role=\"img\" \
              aria-label=\"{}\" font-family=\"system-ui, 'Segoe UI', 'DejaVu Sans', sans-serif\" font-size=\"12\" \
-             fill=\"currentColor\">\n",
-            plain(&self.title)
+             fill=\"currentColor\"{}>\n",
+            plain(&self.title),
+            self.attributes(&axes)
         );
         self.draw_ground(&mut svg, &axes);
+        svg.push_str("<g class=\"curves\">\n");
+        self.draw_shaded(&mut svg, &axes);
         for curve in &self.curves {
             draw_curve(&mut svg, &axes, curve);
         }
+        svg.push_str("</g>\n");
         for level in &self.levels {
             draw_level(&mut svg, &axes, level);
         }
@@ -100,6 +106,27 @@ impl Chart {
         svg.push_str(&legend.concat());
         svg.push_str("</svg>\n");
         svg
+    }
+
+    /// What the script of a page needs in order to tell values from positions: ranges of the axes, where they stand, their labels.
+    /// On a logarithmic axis ranges are logarithms.
+    fn attributes(&self, axes: &Axes) -> String {
+        let ([x0, x1], [y0, y1]) = (axes.x, axes.y);
+        let logarithmic = match (self.logarithmic, self.logarithmic_x) {
+            (true, _) => "xy",
+            (false, true) => "x",
+            (false, false) => "",
+        };
+        let down = if self.y_down { " data-down=\"\"" } else { "" };
+        format!(
+            " class=\"chart\" data-range=\"{x0:.6e} {x1:.6e} {y0:.6e} {y1:.6e}\" data-box=\"{LEFT} {} {:.1} {:.1}\" \
+             data-logarithmic=\"{logarithmic}\"{down} data-x=\"{}\" data-y=\"{}\"",
+            WIDTH - RIGHT,
+            axes.top,
+            axes.bottom,
+            escaped(&self.x_label),
+            escaped(&self.y_label)
+        )
     }
 
     fn axes(&self, top: f64, bottom: f64) -> Axes {
@@ -120,16 +147,7 @@ impl Chart {
 
     fn draw_ground(&self, svg: &mut String, axes: &Axes) {
         let (right, top, bottom) = (WIDTH - RIGHT, axes.top, axes.bottom);
-        if let Some([from, to]) = self.shaded.filter(|s| s.iter().all(|x| x.is_finite())) {
-            let (a, b) = (axes.x_at(from).clamp(LEFT, right), axes.x_at(to).clamp(LEFT, right));
-            let _ = writeln!(
-                svg,
-                "<rect x=\"{:.1}\" y=\"{top:.1}\" width=\"{:.1}\" height=\"{:.1}\" opacity=\"0.07\"/>",
-                a.min(b),
-                (b - a).abs(),
-                bottom - top
-            );
-        }
+        svg.push_str("<g class=\"ticks\">\n");
         for (tick, label) in labelled_ticks(axes.x, 6, self.logarithmic || self.logarithmic_x) {
             let x = axes.x_at(tick);
             let _ = write!(
@@ -159,6 +177,7 @@ impl Chart {
                 label
             );
         }
+        svg.push_str("</g>\n");
         let _ = writeln!(
             svg,
             "<rect x=\"{LEFT}\" y=\"{top:.1}\" width=\"{:.1}\" height=\"{:.1}\" fill=\"none\" stroke=\"currentColor\" stroke-opacity=\"0.5\"/>",
@@ -166,6 +185,19 @@ impl Chart {
             bottom - top
         );
         self.draw_labels(svg, axes);
+    }
+
+    fn draw_shaded(&self, svg: &mut String, axes: &Axes) {
+        let Some([from, to]) = self.shaded.filter(|s| s.iter().all(|x| x.is_finite())) else { return };
+        let [a, b] = [from, to].map(|x| axes.x_at(x).clamp(LEFT, WIDTH - RIGHT));
+        let _ = writeln!(
+            svg,
+            "<rect x=\"{:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"{:.1}\" opacity=\"0.07\"/>",
+            a.min(b),
+            axes.top,
+            (b - a).abs(),
+            axes.bottom - axes.top
+        );
     }
 
     fn draw_labels(&self, svg: &mut String, axes: &Axes) {

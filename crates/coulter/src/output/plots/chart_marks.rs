@@ -33,7 +33,7 @@ impl Axes {
     }
 }
 
-fn colour(number: usize) -> &'static str {
+pub(super) fn colour(number: usize) -> &'static str {
     CURVES[number % CURVES.len()]
 }
 
@@ -57,32 +57,29 @@ pub(super) fn key(curve: &Curve, x: f64, y: f64) -> String {
 }
 
 pub(super) fn draw_curve(svg: &mut String, axes: &Axes, curve: &Curve) {
-    if curve.stroke == Stroke::Dots {
-        for [x, y] in thinned(&curve.points) {
-            if x.is_finite() && y.is_finite() {
-                let (cx, cy) = (axes.x_at(x), axes.y_at(y));
-                let _ = writeln!(
-                    svg,
-                    "<circle cx=\"{cx:.1}\" cy=\"{cy:.1}\" r=\"2.5\" fill=\"{}\"/>",
-                    colour(curve.colour)
-                );
-            }
-        }
-        return;
-    }
+    let is_dots = curve.stroke == Stroke::Dots;
     let mut path = String::new();
     let mut pen_up = true;
     for [x, y] in thinned(&curve.points) {
         if x.is_finite() && y.is_finite() {
-            let _ = write!(path, "{}{:.1} {:.1}", if pen_up { 'M' } else { 'L' }, axes.x_at(x), axes.y_at(y));
+            let (begin, end) = if is_dots { ('M', "h0") } else { (if pen_up { 'M' } else { 'L' }, "") };
+            let _ = write!(path, "{begin}{:.2} {:.2}{end}", axes.x_at(x), axes.y_at(y));
             pen_up = false;
         } else {
             pen_up = true;
         }
     }
-    if !path.is_empty() {
-        let _ = writeln!(svg, "<path d=\"{path}\" fill=\"none\" stroke-linejoin=\"round\" {}/>", pen(curve));
+    if path.is_empty() {
+        return;
     }
+    // A dot is the round end of a line without length: it stays round however the page stretches its curves.
+    let pen = if is_dots {
+        format!("stroke=\"{}\" stroke-width=\"5\" stroke-linecap=\"round\"", colour(curve.colour))
+    } else {
+        format!("stroke-linejoin=\"round\" {}", pen(curve))
+    };
+    let name = escaped(&curve.name);
+    let _ = writeln!(svg, "<path d=\"{path}\" fill=\"none\" data-name=\"{name}\" {pen}/>");
 }
 
 pub(super) fn draw_level(svg: &mut String, axes: &Axes, level: &Level) {
@@ -90,13 +87,16 @@ pub(super) fn draw_level(svg: &mut String, axes: &Axes, level: &Level) {
         return;
     }
     let (a, b, y) = (axes.x_at(level.from), axes.x_at(level.to), axes.y_at(level.value));
+    let (low, high) = (a.min(b), a.max(b));
+    // At its end, unless the label would then begin before the axis.
+    let is_wide = 6.2 * plain(&level.label).chars().count() as f64 > high - LEFT - 8.0;
+    let (x, anchor) = if is_wide { (low + 4.0, "start") } else { (high - 4.0, "end") };
     let _ = writeln!(
         svg,
-        "<path d=\"M{a:.1} {y:.1}H{b:.1}\" stroke=\"{0}\" stroke-width=\"1.4\" stroke-dasharray=\"2 3\"/>\
-         <text x=\"{1:.1}\" y=\"{2:.1}\" text-anchor=\"end\" font-size=\"11\" fill=\"{0}\" stroke=\"var(--page, #fff)\" \
-         stroke-width=\"3.5\" paint-order=\"stroke\" stroke-linejoin=\"round\">{3}</text>",
+        "<g class=\"level\"><path d=\"M{a:.1} {y:.1}H{b:.1}\" stroke=\"{0}\" stroke-width=\"1.4\" stroke-dasharray=\"2 3\"/>\
+         <text x=\"{x:.1}\" y=\"{1:.1}\" text-anchor=\"{anchor}\" font-size=\"11\" fill=\"{0}\" stroke=\"var(--page, #fff)\" \
+         stroke-width=\"3.5\" paint-order=\"stroke\" stroke-linejoin=\"round\">{2}</text></g>",
         colour(level.colour),
-        b.max(a) - 4.0,
         y - 8.0,
         marked(&level.label)
     );
@@ -128,7 +128,7 @@ fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
 }
 
 /// Text with the reserved characters of XML escaped.
-fn escaped(text: &str) -> String {
+pub(super) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 

@@ -2,6 +2,7 @@
 //!
 //! Nothing here reads a state or writes a file. Units are chosen so that axes are easy to read.
 
+mod bars;
 mod chart;
 mod chart_marks;
 mod colour;
@@ -13,6 +14,7 @@ mod plot;
 mod rim_plot;
 mod scale;
 
+pub use bars::{Bar, BarGroup, Bars};
 pub use chart::Chart;
 pub(crate) use colour::{CURVES, ColourMap, Rgb};
 pub use curve::{Curve, Level, Stroke};

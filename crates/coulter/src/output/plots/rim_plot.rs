@@ -18,7 +18,12 @@ pub fn rim_plots(reference: &Reference, lines: &[RimLine]) -> Vec<Plot> {
         return Vec::new();
     };
     let rim = Rim { reference, lines: &lines[first..=last] };
-    vec![rim.stresses(), rim.slip(), rim.friction()]
+    let mut plots = vec![rim.stresses(), rim.slip()];
+    // A body without friction has no limit of it.
+    if rim.lines.iter().any(|line| line.mobilised.is_finite()) {
+        plots.push(rim.friction());
+    }
+    plots
 }
 
 /// The portion of a rim that is in contact.

@@ -1,19 +1,24 @@
 //! `report.html`: one self-contained page, made from the histories, the summary and the pictures.
 
 use super::assembly::{self, ForceRow};
+use super::body_rows::body_rows;
+use super::cite::{Citation, citation};
+use super::confidence::{self, ConfidenceSection};
+use super::headline::{Tile, sentences, tiles};
 use super::meshes::{self, IntervalRow, MeshRow};
 use super::rows::{
-    CheckRow, TableRow, balance_rows, body_rows, check_rows, energy_rows, facts, scales_text, statistics,
-    window_text,
+    CheckRow, TableRow, balance_rows, check_rows, energy_rows, facts, scales_text, statistics, window_text,
 };
+use super::space::{Space, space};
 use super::summary::{BodySummary, Summary};
 use crate::history::History;
 use crate::history::reference::Reference;
 use crate::history::rim::RimLine;
 use crate::output::files::{Named, OutputError, file_safe, read_text, write_whole};
 use crate::output::folder::{Outcome, RunRecord};
-use crate::output::pictures::PICTURES;
-use crate::output::plots::{BodyHistory, Plot, closure_plot, energy_plot, rim_plots};
+use crate::output::page::{lowered, render_page};
+use crate::output::pictures::{PICTURES, dark_variant};
+use crate::output::plots::{BodyHistory, Overlay, Plot, closure_plot, energy_plot, rim_plots};
 use crate::trust::Verdict;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -22,6 +27,8 @@ use std::fs;
 use std::path::Path;
 
 const TEMPLATE: &str = include_str!("../../../assets/report.html");
+/// The script of the soil surface in three dimensions.
+const VIEW: &str = include_str!("../../../assets/view.js");
 
 /// The text of the case.
 #[derive(Clone, Debug, Default)]
@@ -30,14 +37,18 @@ pub(crate) struct ReportText {
     pub(crate) resolved: Option<String>,
     /// The case as typed.
     pub(crate) typed: Option<String>,
+    /// Curves of measurements and other runs, for this report only.
+    pub(crate) laid_over: Vec<Overlay>,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Default, Serialize)]
 struct Figure {
     title: String,
     caption: String,
     svg: Option<String>,
     image: Option<String>,
+    /// The image for dark screens.
+    dark_image: Option<String>,
 }
 
 #[derive(Debug, Serialize)]
@@ -46,6 +57,7 @@ struct BodySection {
     kind: String,
     window: String,
     scales: String,
+    tiles: Vec<Tile>,
     rows: Vec<TableRow>,
     /// Whether any of the rows has an interval.
     has_intervals: bool,
@@ -66,6 +78,7 @@ struct MeshSection {
 struct Page<'a> {
     record: &'a RunRecord,
     facts: Vec<[String; 2]>,
+    sentences: Vec<String>,
     problem: Option<String>,
     verdict: Verdict,
     checks: Vec<CheckRow>,
@@ -73,12 +86,15 @@ struct Page<'a> {
     all_bodies: Vec<[String; 2]>,
     parts: Vec<ForceRow>,
     joints: Vec<ForceRow>,
+    confidence: Option<ConfidenceSection>,
     meshes: Vec<MeshSection>,
     pictures: Vec<Figure>,
     energy: Vec<TableRow>,
     balances: Vec<TableRow>,
     balance_plots: Vec<Figure>,
     statistics: Vec<[String; 2]>,
+    space: Space,
+    citation: Citation,
     resolved: Option<String>,
     typed: Option<String>,
 }
@@ -98,16 +114,23 @@ pub(crate) fn write_report(
             continue;
         }
         let body = summary.bodies.get(&reference.name).unwrap_or(&empty);
-        let view = BodyHistory { reference, samples, steady: &body.steady, overlays: &record.overlays };
+        let overlays = [record.overlays.as_slice(), text.laid_over.as_slice()].concat();
+        let view = BodyHistory { reference, samples, steady: &body.steady, overlays: &overlays };
         let mut plots = view.plots();
         plots.extend(rim_plots(reference, rims.get(n).map_or(&[], Vec::as_slice)));
         write_plots(dir, &plots)?;
-        bodies.push(body_section(record, reference, body, plots));
+        let rut = summary.ruts.get(&reference.name);
+        let tiles = tiles(record, summary, history, &reference.name);
+        let rows = body_rows(reference, body, rut);
+        bodies.push(BodySection { tiles, rows, ..body_section(record, reference, body, plots) });
     }
     let balance_plots = vec![energy_plot(&history.energy), closure_plot(&history.energy)];
     write_plots(dir, &balance_plots)?;
     let page = Page {
         facts: facts(record, summary),
+        sentences: sentences(record, summary, history),
+        space: space(dir, record, history),
+        citation: citation(record, summary),
         problem: problem(&record.statistics.outcome),
         verdict: summary.trust.verdict,
         checks: check_rows(&summary.trust),
@@ -115,6 +138,7 @@ pub(crate) fn write_report(
         all_bodies: assembly::all_bodies(summary),
         parts: assembly::part_rows(record, summary),
         joints: assembly::joint_rows(record, summary),
+        confidence: confidence::section(summary),
         meshes: mesh_sections(dir, summary)?,
         pictures: pictures(dir)?,
         energy: energy_rows(summary),
@@ -147,10 +171,7 @@ fn mesh_sections(dir: &Path, summary: &Summary) -> Result<Vec<MeshSection>, Outp
 }
 
 fn render(page: &Page<'_>) -> Result<String, minijinja::Error> {
-    let mut environment = minijinja::Environment::new();
-    // Because the name ends in .html, everything inserted is escaped unless it is marked safe.
-    environment.add_template("report.html", TEMPLATE)?;
-    environment.get_template("report.html")?.render(minijinja::value::Serde(page))
+    render_page(TEMPLATE, page, &[("view.js", VIEW)])
 }
 
 fn write_plots(dir: &Path, plots: &[Plot]) -> Result<(), OutputError> {
@@ -162,22 +183,13 @@ fn write_plots(dir: &Path, plots: &[Plot]) -> Result<(), OutputError> {
 }
 
 fn figure(plot: Plot) -> Figure {
-    Figure { title: String::new(), caption: lowered(&plot.caption), svg: Some(plot.svg), image: None }
-}
-
-/// Text as HTML, with subscripts: the letter after `_` is lowered.
-fn lowered(text: &str) -> String {
-    let mut html = String::new();
-    let mut letters = text.chars();
-    while let Some(letter) = letters.next() {
-        match letter {
-            '_' => html.extend(letters.next().map(|low| format!("<sub>{low}</sub>"))),
-            '<' => html.push_str("&lt;"),
-            '&' => html.push_str("&amp;"),
-            _ => html.push(letter),
-        }
+    Figure {
+        title: String::new(),
+        caption: lowered(&plot.caption),
+        svg: Some(plot.svg),
+        image: None,
+        dark_image: None,
     }
-    html
 }
 
 /// The pictures of the run, in the order of the report.
@@ -188,15 +200,24 @@ fn pictures(dir: &Path) -> Result<Vec<Figure>, OutputError> {
         if !path.is_file() {
             continue;
         }
-        let (svg, image) = if picture.file.ends_with(".svg") {
-            (Some(read_text(&path)?), None)
+        let mut figure =
+            Figure { title: picture.title.into(), caption: picture.text.into(), ..Figure::default() };
+        if picture.file.ends_with(".svg") {
+            figure.svg = Some(read_text(&path)?);
         } else {
-            let bytes = fs::read(&path).named("read", &path)?;
-            (None, Some(format!("data:image/png;base64,{}", STANDARD.encode(bytes))))
-        };
-        figures.push(Figure { title: picture.title.into(), caption: picture.text.into(), svg, image });
+            figure.image = Some(embedded(&path)?);
+            let dark = dark_variant(&path);
+            figure.dark_image = if dark.is_file() { Some(embedded(&dark)?) } else { None };
+        }
+        figures.push(figure);
     }
     Ok(figures)
+}
+
+/// A picture as part of the page.
+fn embedded(path: &Path) -> Result<String, OutputError> {
+    let bytes = fs::read(path).named("read", path)?;
+    Ok(format!("data:image/png;base64,{}", STANDARD.encode(bytes)))
 }
 
 fn problem(outcome: &Outcome) -> Option<String> {
@@ -214,14 +235,14 @@ fn body_section(
     body: &BodySummary,
     plots: Vec<Plot>,
 ) -> BodySection {
-    let rows = body_rows(reference, body);
     BodySection {
-        has_intervals: rows.iter().any(|row| !row.interval.is_empty()),
+        has_intervals: body.steady.drag_interval.is_some() || body.steady.vertical_interval.is_some(),
         name: reference.name.clone(),
         kind: reference.kind.clone(),
         window: window_text(body),
         scales: scales_text(record, reference),
-        rows,
+        tiles: Vec::new(),
+        rows: Vec::new(),
         plots: plots.into_iter().map(figure).collect(),
     }
 }

@@ -1,9 +1,7 @@
 //! The tables of a report.
 
-use super::summary::{BodySummary, RimSummary, Summary};
+use super::summary::{BodySummary, Summary};
 use crate::history::reference::Reference;
-use crate::history::rim::{RimPlace, SlipReversal};
-use crate::history::steady::{Steady, Traction};
 use crate::output::folder::RunRecord;
 use crate::output::units::{Unit, digits};
 use crate::trust::{Check, Trust, Verdict};
@@ -53,147 +51,6 @@ pub(super) fn check_rows(trust: &Trust) -> Vec<CheckRow> {
         }
     };
     trust.concerns().into_iter().chain(good).map(row).collect()
-}
-
-/// Collects the rows of one body: a quantity with its unit, and its dimensionless group.
-struct BodyRows<'a> {
-    reference: &'a Reference,
-    rows: Vec<TableRow>,
-}
-
-impl BodyRows<'_> {
-    fn push(&mut self, name: &str, symbol: &'static str, [value, group]: [String; 2], note: &str) {
-        let interval = String::new();
-        self.rows.push(TableRow { name: name.into(), symbol, value, interval, group, note: note.into() });
-    }
-
-    /// Gives the last row its interval.
-    fn bound(&mut self, interval: Option<[f64; 2]>, unit: impl Fn(f64) -> Unit) {
-        if let (Some(row), Some([low, high])) = (self.rows.last_mut(), interval) {
-            let unit = unit(low.abs().max(high.abs()));
-            let text = format!("{} … {} {}", digits(low / unit.size), digits(high / unit.size), unit.name);
-            row.interval = text.trim_end().to_owned();
-        }
-    }
-
-    /// What the rim bears, and where its slip changes sign: by angle of a body that can roll, otherwise by arc.
-    fn push_rim(&mut self, rim: &RimSummary) {
-        self.push("Drag on the rim", "", self.force(rim.drag), "steady mean; the rest is on the flanks");
-        self.push("Vertical force on the rim", "", self.force(rim.vertical), "steady mean");
-        let mobilised = bare(rim.mobilised_friction);
-        self.push(
-            "Mobilised friction",
-            "",
-            [NONE.into(), mobilised],
-            "on the rim, over its limit; steady mean",
-        );
-        let place = |angle: f64, arc: f64| match self.reference.radius {
-            Some(_) => format!("{}°", digits(angle.to_degrees())),
-            None => format!("{} mm", digits(1e3 * arc)),
-        };
-        let slip =
-            |r: &SlipReversal| format!("{} … {}", place(r.from_rad, r.from_m), place(r.to_rad, r.to_m));
-        let shear = |r: &RimPlace| place(r.angle_rad, r.arc_m);
-        let slips = rim.slip_reversals.iter().map(|r| (slip(r), "slip", "; in between the soil sticks"));
-        let shears = rim.shear_reversals.iter().map(|r| (shear(r), "shear stress", ""));
-        let reversals: Vec<_> = slips.chain(shears).collect();
-        for (at, what, addition) in reversals {
-            let note = format!("{what} along the rim; from straight below, front positive{addition}");
-            self.push("Change of sign", "", [at, NONE.into()], &note);
-        }
-    }
-
-    fn force(&self, force: Option<f64>) -> [String; 2] {
-        [value(force, Unit::force), bare(force.and_then(|f| self.reference.force_group(f)))]
-    }
-
-    fn torque(&self, torque: Option<f64>) -> [String; 2] {
-        let force = torque.map(|m| m / self.reference.length);
-        [value(torque, Unit::torque), bare(force.and_then(|f| self.reference.force_group(f)))]
-    }
-
-    fn length(&self, length: Option<f64>) -> [String; 2] {
-        [value(length, Unit::length), bare(length.and_then(|z| self.reference.length_group(z)))]
-    }
-}
-
-/// Steady means and largest values of a body.
-pub(super) fn body_rows(reference: &Reference, body: &BodySummary) -> Vec<TableRow> {
-    let (steady, peak) = (&body.steady, &body.peak);
-    let mut table = BodyRows { reference, rows: Vec::new() };
-    table.push("Drag", "F<sub>H</sub>", table.force(steady.drag), "steady mean");
-    table.bound(steady.drag_interval, Unit::force);
-    table.push("Vertical force", "F<sub>V</sub>", table.force(steady.vertical), "steady mean, up positive");
-    table.bound(steady.vertical_interval, Unit::force);
-    // Half models and bodies without a yaw have none.
-    if steady.lateral.is_some_and(|force| force != 0.0) {
-        table.push("Lateral force", "", table.force(steady.lateral), "steady mean, to the left positive");
-    }
-    if steady.water_drag.is_some() {
-        let note = "steady mean; not part of the drag, which is that of the soil";
-        table.push("Drag of the water", "", table.force(steady.water_drag), note);
-    }
-    if let Some([drag, vertical]) = steady.pore_pressure {
-        let note = "steady mean; the portion of the drag that excess pore pressure exerts on the body";
-        table.push("Pore pressure drag", "", table.force(Some(drag)), note);
-        let note = "the same of the vertical force; negative where suction holds the body down";
-        table.push("Pore pressure vertical", "", table.force(Some(vertical)), note);
-    }
-    table.push("Sinkage", "z", table.length(steady.sinkage), "steady mean");
-    table.bound(steady.sinkage_interval, Unit::length);
-    if reference.radius.is_some() {
-        table.push("Turn ratio", "ω r / v", [NONE.into(), bare(steady.turn_ratio)], "1 rolls, 0 slides");
-        table.bound(steady.turn_ratio_interval, |_| Unit { name: "", size: 1.0 });
-        let note = "−1 locked, 0 rolls, above 0 driven";
-        table.push("Slip", "s", [NONE.into(), bare(steady.slip)], note);
-        let note = "steady mean; forward positive; group M / (γ t d³)";
-        table.push("Axle torque", "M", table.torque(steady.axle_torque), note);
-    }
-    traction_rows(&mut table, steady);
-    table.push_rim(&body.rim);
-    let noise = steady.drag_noise.map_or(NONE.to_owned(), |n| format!("{} %", digits(100.0 * n)));
-    table.push(
-        "Drag noise",
-        "",
-        [noise, NONE.into()],
-        "rms about a moving mean over 0.02 d, over the mean drag",
-    );
-    let at = peak.at_m.map_or(String::new(), |u| format!("at u = {} m", digits(u)));
-    table.push("Peak drag", "", table.force(peak.drag), &at);
-    table.push("Peak vertical force", "", table.force(peak.vertical), "");
-    table.push("Deepest sinkage", "", table.length(peak.sinkage), "");
-    table.rows
-}
-
-/// What it costs to move a body that is towed, and what a driven one pulls.
-fn traction_rows(table: &mut BodyRows<'_>, steady: &Steady) {
-    let Traction { specific_resistance, drag_per_width, tow_power, axle_power, tractive_efficiency, .. } =
-        steady.traction;
-    if !table.reference.towed {
-        return;
-    }
-    table.push(
-        "Specific resistance",
-        "F<sub>H</sub>/F<sub>V</sub>",
-        [NONE.into(), bare(specific_resistance)],
-        "",
-    );
-    let per_width = drag_per_width.map_or(NONE.to_owned(), |f| format!("{} N/m", digits(f)));
-    table.push("Drag per width", "", [per_width, NONE.into()], "over the width across the tow");
-    let power = |power: Option<f64>| power.map_or(NONE.to_owned(), |p| format!("{} W", digits(p)));
-    table.push("Tow power", "F<sub>H</sub> v", [power(tow_power), NONE.into()], "negative where it pulls");
-    if axle_power.is_some_and(|power| power > 0.0) {
-        table.push(
-            "Axle power",
-            "",
-            [power(axle_power), NONE.into()],
-            "torque on the axle times the rate of rotation",
-        );
-    }
-    if tractive_efficiency.is_some() {
-        let note = "power of the drawbar pull over that of the axle";
-        table.push("Tractive efficiency", "", [NONE.into(), bare(tractive_efficiency)], note);
-    }
 }
 
 pub(super) fn facts(record: &RunRecord, summary: &Summary) -> Vec<[String; 2]> {
@@ -324,22 +181,6 @@ pub(super) fn balance_rows(record: &RunRecord, summary: &Summary) -> Vec<TableRo
         row("Compaction", litres(surface.compaction_m3), "volume that the soil has lost by becoming denser"),
         row("Disturbed soil", litres(surface.disturbed_m3), "equivalent plastic strain above 0.1"),
     ]);
-    let millimetres = |x: f64| format!("{} mm", digits(1e3 * x));
-    let area = |x: f64| format!("{} cm²", digits(1e4 * x));
-    for (name, rut) in &summary.ruts {
-        let of =
-            |what: &str| if summary.ruts.len() > 1 { format!("{what}, {name}") } else { what.to_owned() };
-        let size = format!("{} × {}", millimetres(rut.width), millimetres(rut.depth));
-        let berms = format!("{}, {}", millimetres(rut.high_berm), millimetres(rut.low_berm));
-        rows.extend([
-            row(&of("Rut behind the body"), size, "width and depth, mean over the last part of the tow"),
-            row(&of("Berms beside it"), berms, "on the side of larger y, and on the other"),
-            row(&of("Displaced per metre"), area(rut.area), "area of the rut; 1 cm² is 0.1 dm³ per metre"),
-            row(&of("Disturbed per metre"), area(rut.disturbed), "equivalent plastic strain above 0.1"),
-            row(&of("Disturbed down to"), millimetres(rut.disturbed_depth), "below the undisturbed surface"),
-            row(&of("Mixed per metre"), area(rut.mixed), "equivalent plastic strain above 1"),
-        ]);
-    }
     rows
 }
 

@@ -1,6 +1,8 @@
 //! `summary.json`: the main results for scripts. The names are a contract.
 
 use crate::case::FORMAT;
+use crate::confidence::Confidence;
+use crate::formats;
 use crate::history::rim::{RimAverage, RimPlace, SlipReversal, shear_reversals, slip_reversals};
 use crate::history::steady::{Peak, Steady, peak, steady, window};
 use crate::history::{BodySample, EnergySample, ForceSample, History, RutSection};
@@ -20,6 +22,8 @@ use std::path::Path;
 pub struct Summary {
     /// Version of the case-file format that the case was written in; 0 in summaries of format 1, which do not say.
     pub format: u32,
+    /// Version of the format of the results folder.
+    pub results_format: u32,
     /// Name of the case.
     pub case: String,
     /// Version of Coulter.
@@ -57,6 +61,8 @@ pub struct Summary {
     pub trust: Trust,
     /// The case on several meshes; `null` where only one was run.
     pub mesh_study: Option<MeshStudy>,
+    /// Intervals from variations of the case; `null` without `--confidence`.
+    pub confidence: Option<Confidence>,
 }
 
 /// Results on the soil.
@@ -281,6 +287,7 @@ impl Summary {
     pub fn of(record: &RunRecord) -> Self {
         Self {
             format: FORMAT,
+            results_format: formats::RESULTS,
             case: record.case.clone(),
             version: record.version.clone(),
             cells: record.cells.iter().map(|n| *n as u64).product(),
@@ -356,6 +363,12 @@ impl Summary {
         self.mesh_study = Some(study);
     }
 
+    /// Adds the intervals that follow from variations of the case, and their checks to the grade.
+    pub(crate) fn set_confidence(&mut self, confidence: Confidence) {
+        self.trust.set_confidence_checks(confidence.checks());
+        self.confidence = Some(confidence);
+    }
+
     /// The summary as it is without a mesh study.
     pub(crate) fn remove_mesh_study(&mut self) {
         for BodySummary { steady, .. } in self.bodies.values_mut() {
@@ -385,8 +398,8 @@ impl Summary {
     /// Reads `summary.json` from a results folder.
     ///
     /// # Errors
-    /// When the file cannot be read or is not a summary.
+    /// When the file cannot be read, is not a summary, or is of another version of the format.
     pub fn read(dir: &Path) -> Result<Self, OutputError> {
-        read_json(&dir.join(SUMMARY))
+        read_json(&dir.join(SUMMARY), "results_format")
     }
 }

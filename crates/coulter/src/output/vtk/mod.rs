@@ -6,8 +6,11 @@
 
 mod file;
 mod polygons;
+mod read;
 mod series;
 mod soil;
 mod time_list;
 
+pub(crate) use read::VtkFile;
 pub use series::FieldSeries;
+pub(crate) use time_list::{TimedFile, read_time_list};

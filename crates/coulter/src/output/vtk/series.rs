@@ -2,7 +2,7 @@
 
 use super::polygons::{write_body, write_surface};
 use super::soil::write_soil;
-use super::time_list::{Frame, read_time_list, write_time_list};
+use super::time_list::{TimedFile, read_time_list, write_time_list};
 use crate::case::Case;
 use crate::domain::PlacedDomain;
 use crate::history::History;
@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 pub struct FieldSeries {
     dir: PathBuf,
     /// Of soil, free surface and bodies, as in [`LISTS`].
-    frames: [Vec<Frame>; 3],
+    frames: [Vec<TimedFile>; 3],
     next_frame: usize,
 }
 
@@ -75,16 +75,16 @@ impl FieldSeries {
         let soil = format!("{FIELDS}/soil_{n:04}.vtr");
         let domain = PlacedDomain::of(grid, state.grid_position);
         write_soil(&self.dir.join(&soil), &domain, state)?;
-        self.frames[0].push(Frame { time, part: 0, file: soil });
+        self.frames[0].push(TimedFile { time, part: 0, file: soil });
         let surface = format!("{FIELDS}/surface_{n:04}.vtp");
         let map = HeightMap::of(case, grid, state, &history.ground_left);
         write_surface(&self.dir.join(&surface), &map, time)?;
-        self.frames[1].push(Frame { time, part: 0, file: surface });
+        self.frames[1].push(TimedFile { time, part: 0, file: surface });
         for (number, described) in case.touching() {
             let body = &state.mechanism.bodies[number];
             let file = format!("{FIELDS}/body_{}_{n:04}.vtp", file_safe(&described.name));
             write_body(&self.dir.join(&file), described.solid().as_ref(), body, time)?;
-            self.frames[2].push(Frame { time, part: number, file });
+            self.frames[2].push(TimedFile { time, part: number, file });
         }
         self.next_frame += 1;
         for (frames, name) in self.frames.iter().zip(LISTS) {

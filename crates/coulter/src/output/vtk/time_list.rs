@@ -6,21 +6,21 @@ use std::path::Path;
 
 /// One line of a time list: when, which part, which file (relative to the list).
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Frame {
+pub(crate) struct TimedFile {
     /// Time [s].
-    pub(super) time: f64,
+    pub(crate) time: f64,
     /// Number of the part (body).
-    pub(super) part: usize,
+    pub(crate) part: usize,
     /// File, relative to the list.
-    pub(super) file: String,
+    pub(crate) file: String,
 }
 
 /// Writes a list.
-pub(super) fn write_time_list(path: &Path, frames: &[Frame]) -> Result<(), OutputError> {
+pub(super) fn write_time_list(path: &Path, frames: &[TimedFile]) -> Result<(), OutputError> {
     let mut text = String::from(
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n<Collection>\n",
     );
-    for Frame { time, part, file } in frames {
+    for TimedFile { time, part, file } in frames {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "<DataSet timestep=\"{time}\" group=\"\" part=\"{part}\" file=\"{file}\"/>");
     }
@@ -29,7 +29,7 @@ pub(super) fn write_time_list(path: &Path, frames: &[Frame]) -> Result<(), Outpu
 }
 
 /// Reads back a list that [`write_time_list`] wrote; none when there is no such file.
-pub(super) fn read_time_list(path: &Path) -> Result<Vec<Frame>, OutputError> {
+pub(crate) fn read_time_list(path: &Path) -> Result<Vec<TimedFile>, OutputError> {
     if !path.is_file() {
         return Ok(Vec::new());
     }
@@ -42,7 +42,7 @@ pub(super) fn read_time_list(path: &Path) -> Result<Vec<Frame>, OutputError> {
                 line[start..].split('"').next()
             };
             let parse = || {
-                Some(Frame {
+                Some(TimedFile {
                     time: attribute("timestep")?.parse().ok()?,
                     part: attribute("part")?.parse().ok()?,
                     file: attribute("file")?.to_owned(),

@@ -1,0 +1,52 @@
+//! The variations of a case, and what they cost.
+
+use coulter::case::Case;
+use coulter::case::variations::{LeftOut, VariationPlan};
+use coulter::run::relative_cost;
+use serde::Serialize;
+use std::fmt::Write;
+
+/// One variation.
+#[derive(Debug, Serialize)]
+struct VariationCost {
+    name: String,
+    source: &'static str,
+    what: String,
+    /// Work over that of the case itself.
+    relative_cost: f64,
+}
+
+/// All variations, and those that do not apply: name and reason.
+#[derive(Debug, Serialize)]
+pub(super) struct VariationCosts {
+    runs: Vec<VariationCost>,
+    left_out: Vec<[String; 2]>,
+}
+
+impl VariationCosts {
+    pub(super) fn of(case: &Case, plan: &VariationPlan) -> Self {
+        let runs = plan.variations.iter().map(|variation| VariationCost {
+            name: variation.name.clone(),
+            source: variation.source.word(),
+            what: variation.what.clone(),
+            relative_cost: relative_cost(case, variation),
+        });
+        let left_out = |left_out: &LeftOut| [left_out.name.clone(), left_out.why.clone()];
+        Self { runs: runs.collect(), left_out: plan.left_out.iter().map(left_out).collect() }
+    }
+
+    /// A line for each, and one for all of them.
+    pub(super) fn describe(&self, text: &mut String) -> std::fmt::Result {
+        for VariationCost { source, what, relative_cost, .. } in &self.runs {
+            writeln!(
+                text,
+                "varied   {source}: {what}, {relative_cost:.2} times the work of the case itself"
+            )?;
+        }
+        for [name, why] in &self.left_out {
+            writeln!(text, "varied   not {}: {why}", name.replace('_', " "))?;
+        }
+        let sum: f64 = self.runs.iter().map(|run| run.relative_cost).sum();
+        writeln!(text, "varied   together {sum:.2} times the work of the case itself")
+    }
+}

@@ -1,0 +1,102 @@
+//! `coulter run`: runs a case.
+
+mod request;
+
+use crate::common::say_json;
+use crate::failure::Failure;
+use crate::signals;
+use coulter::case;
+use coulter::case::variations::ErrorSource;
+use coulter::run::{Budget, NoFollower, Start};
+use std::io::Write;
+use std::path::PathBuf;
+
+pub use request::{PreparedRun, RunRequest, graded};
+
+#[derive(Debug, clap::Args)]
+pub(super) struct Arguments {
+    /// The case file
+    case: PathBuf,
+    /// Where to write the results [default: results/NAME]
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    /// Overwrite existing results
+    #[arg(long, conflicts_with_all = ["resume", "auto_resume"])]
+    force: bool,
+    /// Threads; 0 for one per core
+    #[arg(long, value_name = "N", value_parser = crate::common::threads())]
+    threads: Option<u16>,
+    /// Sets a key, such as soil.friction_angle="38 deg"; may be repeated
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    overrides: Vec<String>,
+    /// Take soil under water for drained, whatever its drainage number
+    #[arg(long)]
+    accept_drained: bool,
+    /// Resume from the last checkpoint; start if there is none yet
+    #[arg(long)]
+    resume: bool,
+    /// For schedulers: start, resume, or leave a finished run unchanged
+    #[arg(long, conflicts_with = "resume")]
+    auto_resume: bool,
+    /// Run the case on N meshes, each with cells 1.5 times as wide as the next, to get intervals of drag, vertical force,
+    /// sinkage and turn ratio; 3 is usual. The finest is the case's own. Takes about 1.25 times as long as
+    /// without, in plane strain some 1.7 times; `check --meshes N` has the figure
+    #[arg(long, value_name = "N", value_parser = crate::common::meshes())]
+    meshes: Option<usize>,
+    /// Run variations of the case as well (coarser meshes, a larger domain, half the speed, the other precision) to get one
+    /// interval (90 %) for each force and sinkage, and what dominates it. `check --confidence` shows what they cost
+    #[arg(long, conflicts_with = "meshes")]
+    confidence: bool,
+    /// How long the variations may take together: "20 min", or a multiple of the case's own run such as 4x. What does not fit
+    /// is reported as not examined [default: 6x]
+    #[arg(long, value_name = "TIME", requires = "confidence", value_parser = crate::common::budget)]
+    budget: Option<Budget>,
+    /// What the intervals leave out, because it is a part of the problem: domain (real walls), speed (a fast tow that is meant),
+    /// mesh, precision; may be repeated
+    #[arg(long, value_name = "SOURCE", requires = "confidence", value_delimiter = ',', value_parser = crate::common::error_source)]
+    without: Vec<ErrorSource>,
+    /// Print summary.json at the end
+    #[arg(long)]
+    json: bool,
+}
+
+impl Arguments {
+    fn request(&self) -> Result<RunRequest, Failure> {
+        let confidence = self.confidence.then(|| (self.budget.unwrap_or_default(), self.without.clone()));
+        Ok(RunRequest {
+            text: case::text(&self.case)?,
+            source_name: self.case.display().to_string(),
+            overrides: crate::common::overrides(&self.overrides, self.accept_drained),
+            output: self.output.clone(),
+            start: self.start(),
+            threads: self.threads,
+            meshes: self.meshes,
+            confidence,
+            quiet: self.json,
+        })
+    }
+
+    fn start(&self) -> Start {
+        match (self.force, self.resume, self.auto_resume) {
+            (true, ..) => Start::Replace,
+            (_, true, _) => Start::Resume,
+            (.., true) => Start::AutoResume,
+            _ => Start::Anew,
+        }
+    }
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    // Before anything else: a signal during the start must be handled like a later one.
+    let interrupts = signals::listen();
+    let prepared = arguments.request()?.prepare()?;
+    for warning in &prepared.warnings {
+        // Where standard error cannot be written, the log still has it.
+        let _ = writeln!(std::io::stderr().lock(), "warning: {warning}");
+    }
+    let summary = prepared.run(&interrupts, &mut NoFollower)?;
+    if arguments.json {
+        say_json(&*summary)?;
+    }
+    graded(&summary)
+}

@@ -1,0 +1,177 @@
+//! A request to run a case, from whoever makes it: read, checked, and run.
+
+use crate::common::{MOST_THREADS, refuse_file, require_range};
+use crate::failure::Failure;
+use coulter::case::estimate::{self, Cost};
+use coulter::case::meshes::{self, CoarserMesh};
+use coulter::case::variations::{ErrorSource, VariationPlan, variations};
+use coulter::case::{self, Case};
+use coulter::interrupts::Interrupts;
+use coulter::output::{OutputError, Summary, checkpoint};
+use coulter::run::{self, Budget, End, Follower, Request, RunError, RunOptions, Start};
+use coulter::trust::Verdict;
+use std::path::PathBuf;
+
+/// What is to be run, and how.
+#[derive(Clone, Debug)]
+pub struct RunRequest {
+    /// The text of the case file.
+    pub text: String,
+    /// Its path, as it was given.
+    pub source_name: String,
+    /// Keys that are set, such as `soil.friction_angle=38 deg`.
+    pub overrides: Vec<String>,
+    /// Results folder; by default `results/NAME`.
+    pub output: Option<PathBuf>,
+    /// What to do with a folder that holds a run.
+    pub start: Start,
+    /// Threads, 0 for one per core; by default those of the case.
+    pub threads: Option<u16>,
+    /// On how many meshes, the case's own among them, if on several.
+    pub meshes: Option<usize>,
+    /// With variations: how long these may take together, and what they leave out.
+    pub confidence: Option<(Budget, Vec<ErrorSource>)>,
+    /// Show no progress.
+    pub quiet: bool,
+}
+
+/// A run that is ready to begin.
+#[derive(Debug)]
+pub struct PreparedRun {
+    /// The case.
+    pub case: Case,
+    /// Results folder.
+    pub folder: PathBuf,
+    /// Warnings that memory or disk space may not suffice.
+    pub warnings: Vec<String>,
+    start: Start,
+    quiet: bool,
+    typed: String,
+    coarser: Vec<CoarserMesh>,
+    plan: Option<(Budget, VariationPlan)>,
+    /// The option that asks for more than the case itself, followed by a space.
+    option: String,
+}
+
+impl RunRequest {
+    /// Reads the case and plans what is run beside it; runs nothing.
+    ///
+    /// # Errors
+    /// [`Failure`] where the case or the request is wrong.
+    pub fn prepare(&self) -> Result<PreparedRun, Failure> {
+        require_range("threads", self.threads.map(usize::from), 0..=MOST_THREADS)?;
+        require_range("meshes", self.meshes, meshes::COUNTS)?;
+        let mut case = case::parse(&self.text, &self.source_name, &self.overrides)?;
+        if let Some(threads) = self.threads {
+            case.numerics.threads = usize::from(threads);
+        }
+        let typed = case::overridden(&self.text, &self.source_name, &self.overrides)?;
+        let coarser = match self.meshes {
+            Some(count) => meshes::coarser(&case, &typed, &self.source_name, count)?,
+            None => Vec::new(),
+        };
+        let plan = match &self.confidence {
+            Some((budget, without)) => {
+                Some((*budget, variations(&case, &typed, &self.source_name, without)?))
+            }
+            None => None,
+        };
+        let option = match (&self.confidence, self.meshes) {
+            (Some(_), _) => "--confidence ".to_owned(),
+            (None, Some(count)) => format!("--meshes {count} "),
+            (None, None) => String::new(),
+        };
+        let folder = self.output.clone().unwrap_or_else(|| PathBuf::from("results").join(&case.name));
+        refuse_file(&folder)?;
+        let cost = cost(&case, &coarser, plan.as_ref().map(|(_, plan)| plan));
+        let warnings = case::resources::warnings(&cost, &folder);
+        let (start, quiet) = (self.start, self.quiet);
+        Ok(PreparedRun { case, folder, warnings, start, quiet, typed, coarser, plan, option })
+    }
+}
+
+/// The cost of a case, with the space that the results of the coarser meshes and of the variations take, and the memory of the
+/// largest.
+fn cost(case: &Case, coarser: &[CoarserMesh], plan: Option<&VariationPlan>) -> Cost {
+    let mut cost = estimate::cost(case);
+    let varied = plan.iter().flat_map(|plan| plan.variations.iter().map(|variation| &variation.case));
+    for beside in coarser.iter().map(|mesh| &mesh.case).chain(varied) {
+        let beside = estimate::cost(beside);
+        cost.output.total_bytes += beside.output.total_bytes;
+        cost.memory_bytes = cost.memory_bytes.max(beside.memory_bytes);
+    }
+    cost
+}
+
+impl PreparedRun {
+    /// Runs the case to its end, or until `interrupts` ask to stop; `follower` is told of every sample of a case that is run without
+    /// others beside it, and may stop it. The summary may be that of a broken run: see [`graded`].
+    ///
+    /// # Errors
+    /// [`Failure`] where the run broke down, was stopped (signal 0: by the follower), or could not read or write its results.
+    pub fn run(&self, interrupts: &Interrupts, follower: &mut dyn Follower) -> Result<Box<Summary>, Failure> {
+        let options = RunOptions {
+            folder: &self.folder,
+            start: self.start,
+            quiet: self.quiet,
+            warnings: &self.warnings,
+            interrupts,
+            typed: &self.typed,
+        };
+        let end = match (self.coarser.as_slice(), &self.plan) {
+            (_, Some((budget, plan))) => {
+                run::run_confidence(&self.case, Request { plan, budget: *budget }, &options)
+            }
+            ([], None) => run::run_followed(&self.case, &options, follower),
+            (coarser, None) => run::run_meshes(&self.case, coarser, &options),
+        };
+        self.conclude(end, &options)
+    }
+
+    /// What the end of a run means to whoever asked for it.
+    fn conclude(&self, end: Result<End, RunError>, options: &RunOptions) -> Result<Box<Summary>, Failure> {
+        match end {
+            Ok(End::Finished(summary)) => Ok(summary),
+            Ok(End::Stopped(signal, checkpoint)) => Err(Failure::Stopped {
+                signal,
+                message: format!(
+                    "stopped; the results so far were written, {}--resume continues from {}",
+                    self.option,
+                    checkpoint.display()
+                ),
+            }),
+            Err(error @ (RunError::Physics { .. } | RunError::BrokeDownBefore { .. })) => {
+                Err(Failure::Physics(error.to_string()))
+            }
+            Err(RunError::Case(error)) => Err(error.into()),
+            Err(error) => Err(refusal(&error, options)),
+        }
+    }
+}
+
+/// A result that may be used.
+///
+/// # Errors
+/// [`Failure::Physics`] where it is graded broken.
+pub fn graded(summary: &Summary) -> Result<(), Failure> {
+    if summary.trust.verdict == Verdict::Broken {
+        let why = run::verdict(summary).join("\n");
+        return Err(Failure::Physics(format!("the result must not be used\n{why}")));
+    }
+    Ok(())
+}
+
+/// Why a run could not be started, or its results not be written.
+fn refusal(error: &RunError, options: &RunOptions) -> Failure {
+    let message = error.to_string();
+    match (error, options.interrupts.stopped_by()) {
+        // Stopped while waiting for the lock.
+        (RunError::Output(OutputError::Busy { .. }), Some(signal)) => Failure::Stopped { signal, message },
+        (RunError::Output(OutputError::File { .. }), _) if checkpoint::exists(options.folder) => {
+            Failure::Request(format!(
+                "{message}\nearlier results are intact; once this is fixed, --resume continues from the last checkpoint"
+            ))
+        }
+        _ => Failure::Request(message),
+    }
+}

@@ -1,0 +1,61 @@
+//! The study of a command: read from its file, or from the folder into which it was expanded.
+
+use crate::failure::Failure;
+use coulter::case;
+use std::path::{Path, PathBuf};
+use studies::study::{self, Study};
+use studies::sweep::expand::expand;
+use studies::sweep::line::CaseLine;
+use studies::sweep::store::{Store, StudyError};
+
+/// A study with its folder and its cases.
+pub(super) struct Expanded {
+    pub(super) study: Study,
+    pub(super) store: Store,
+    pub(super) lines: Vec<CaseLine>,
+}
+
+/// Reads a study file, expands it, and writes its folder.
+pub(super) fn expanded(path: &Path, output: Option<&Path>) -> Result<Expanded, Failure> {
+    let text = case::text(path)?;
+    let study = study::read(path)?;
+    let folder = output.map_or_else(|| usual(&study.name), Path::to_path_buf);
+    crate::common::refuse_file(&folder)?;
+    let lines = expand(&study)?;
+    let valid = lines.iter().filter(|line| line.refused.is_empty()).count();
+    if let (0, Some(first)) = (valid, lines.first()) {
+        return Err(Failure::Request(format!(
+            "none of the {} cases of the study is valid; the first one: {}",
+            lines.len(),
+            first.refused
+        )));
+    }
+    let store = Store::create(&folder, &study, &text, &lines).map_err(refused)?;
+    Ok(Expanded { study, store, lines })
+}
+
+/// The usual folder of a study.
+fn usual(name: &str) -> PathBuf {
+    PathBuf::from("results").join(name)
+}
+
+/// The folder of a study that was expanded: named itself, or by its study file.
+pub(super) fn opened(path: &Path) -> Result<Store, Failure> {
+    let folder = match path.file_stem() {
+        Some(stem) if path.is_file() => usual(&stem.to_string_lossy()),
+        _ => path.to_path_buf(),
+    };
+    Store::open(&folder).map_err(refused)
+}
+
+/// A study as it was when it was expanded, with its cases.
+pub(super) fn read(store: Store) -> Result<Expanded, Failure> {
+    let (text, origin) = store.case().map_err(refused)?;
+    let study = study::read_expanded(&store.study_file(), &origin.study, (&text, &origin.case))?;
+    let lines = store.lines().map_err(refused)?;
+    Ok(Expanded { study, store, lines })
+}
+
+pub(super) fn refused(error: StudyError) -> Failure {
+    Failure::Request(error.to_string())
+}

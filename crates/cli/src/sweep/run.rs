@@ -1,0 +1,114 @@
+//! `coulter sweep run`: cases of a study, by their ids or all that are left.
+
+use super::folder::{opened, refused};
+use crate::failure::Failure;
+use crate::signals;
+use coulter::interrupts::Interrupts;
+use indicatif::{ProgressBar, ProgressStyle};
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+use std::time::Duration;
+use studies::study::Pool;
+use studies::sweep::evaluate::{Shared, Unended, evaluate};
+use studies::sweep::line::CaseLine;
+use studies::sweep::outcome::{Ending, Outcome};
+use studies::sweep::pool::{self, PoolEnd, Watcher};
+use studies::sweep::store::Store;
+
+#[derive(Debug, clap::Args)]
+pub(super) struct Arguments {
+    /// Folder of a study that was expanded, or its file where that is results/NAME
+    study: PathBuf,
+    /// Ids of cases, separated by commas; may be repeated [default: all that are left]
+    #[arg(long = "id", value_name = "ID", value_delimiter = ',')]
+    ids: Vec<String>,
+    /// Threads of each run of the solver
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = crate::common::study_threads())]
+    threads: u16,
+    /// Without --id: cases that run at the same time [default: as many as cores and memory allow]
+    #[arg(long, value_name = "N", value_parser = crate::common::workers())]
+    workers: Option<u16>,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let threads = usize::from(arguments.threads);
+    let shared = shared(&opened(&arguments.study)?, threads, signals::listen())?;
+    if !arguments.ids.is_empty() {
+        return some(&shared, &arguments.ids);
+    }
+    let lines = shared.store.lines().map_err(refused)?;
+    let pool = Pool { workers: arguments.workers.map(usize::from), threads };
+    let end = pooled(&shared, &lines, &pool, false);
+    match (end.stopped, end.failed) {
+        (Some(signal), _) => Err(stopped(signal)),
+        (None, 0) => Ok(()),
+        (None, failed) => {
+            let message = format!("{failed} cases could not be run; `coulter sweep collect` says why");
+            Err(Failure::Request(message))
+        }
+    }
+}
+
+/// Runs the cases of these ids one after the other. One that fails does not keep the others from being run.
+fn some(shared: &Shared, ids: &[String]) -> Result<(), Failure> {
+    let lines = shared.store.find(ids).map_err(refused)?;
+    let (mut broken, mut failed) = (Vec::new(), Vec::new());
+    for line in &lines {
+        match evaluate(shared, line) {
+            Ok(Outcome { ending: Ending::Done, .. }) => {}
+            Ok(outcome) => broken.push(format!("{} {}: {}", line.id, outcome.ending.word(), outcome.reason)),
+            Err(Unended::Stopped(signal)) => return Err(stopped(signal)),
+            Err(why) => failed.push(format!("{}: {why}", line.id)),
+        }
+    }
+    match (failed.is_empty(), broken.is_empty()) {
+        (true, true) => Ok(()),
+        (true, false) => Err(Failure::Physics(broken.join("\n"))),
+        (false, _) => Err(Failure::Request([failed, broken].concat().join("\n"))),
+    }
+}
+
+/// The failure of a study that a signal has stopped.
+pub(super) fn stopped(signal: i32) -> Failure {
+    let message = "stopped; what has ended is kept, and the same command goes on from here".to_owned();
+    Failure::Stopped { signal, message }
+}
+
+/// Runs what is left of a study on this machine, with a bar on the terminal.
+pub(super) fn pooled(shared: &Shared, lines: &[CaseLine], pool: &Pool, quiet: bool) -> PoolEnd {
+    let ids: BTreeSet<&str> = lines.iter().map(|line| line.id.as_str()).collect();
+    let had = shared.store.with_outcome().unwrap_or_default();
+    let before = ids.iter().filter(|id| had.contains(**id)).count();
+    let bar = if quiet { ProgressBar::hidden() } else { ProgressBar::new(ids.len() as u64) };
+    let style =
+        ProgressStyle::with_template("{bar:30} {pos}/{len} cases, {elapsed} gone, {eta} to go  {msg}");
+    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    bar.set_position(before as u64);
+    bar.reset_eta();
+    bar.enable_steady_tick(Duration::from_millis(500));
+    let end = pool::run(shared, lines, pool, &Bar(&bar));
+    bar.finish_and_clear();
+    end
+}
+
+/// The bar of a pool.
+struct Bar<'a>(&'a ProgressBar);
+
+impl Watcher for Bar<'_> {
+    fn ended(&self, line: &CaseLine, outcome: &Result<Outcome, Unended>) {
+        match outcome {
+            Ok(Outcome { ending: Ending::Done, .. }) => {}
+            Ok(outcome) => self.0.set_message(format!("point {} {}", line.point, outcome.ending.word())),
+            Err(why) => self.0.set_message(format!("point {}: {why}", line.point)),
+        }
+        if outcome.is_ok() {
+            self.0.inc(1);
+        }
+    }
+}
+
+/// What all cases of a study on this machine share.
+pub(super) fn shared(store: &Store, threads: usize, interrupts: Interrupts) -> Result<Shared, Failure> {
+    let (text, origin) = store.case().map_err(refused)?;
+    Ok(Shared { store: store.clone(), text, path: origin.case, threads, interrupts })
+}

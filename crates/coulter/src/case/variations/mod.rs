@@ -1,0 +1,13 @@
+//! The same case varied, to see how far its results depend on what is a choice of the model: the cells, the domain, the speed and
+//! the precision. Each variation is a case of its own, with a text of its own.
+
+mod change;
+mod domain;
+mod plan;
+mod source;
+mod speed;
+
+pub use domain::FARTHER;
+pub use plan::{LeftOut, Variation, VariationPlan, variations};
+pub use source::ErrorSource;
+pub use speed::LONGER;

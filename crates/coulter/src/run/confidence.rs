@@ -1,0 +1,224 @@
+//! A case and its variations: the case first, whose cost tells what the variations will take, then those that the budget allows.
+
+use super::options::{End, RunError, RunOptions, Start};
+use super::part::Part;
+use super::start::{ended_before, lock};
+use super::{run_locked, verdict};
+use crate::case::variations::{LeftOut, Variation, VariationPlan};
+use crate::case::{Case, estimate, require_valid, resolved};
+use crate::confidence::{Confidence, Status, VariationResult};
+use crate::output::folder::clear_beside;
+use crate::output::{
+    Summary, add_confidence, confidence_lines, finished, make_variations_folder, progress, variation_folder,
+};
+use crate::trust::Verdict;
+
+/// How long the variations may take together.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Budget {
+    /// So many times as long as the case's own run.
+    Times(f64),
+    /// So long, in seconds of wall clock.
+    Seconds(f64),
+}
+
+impl Default for Budget {
+    /// Enough for all variations of most cases: two coarser meshes take a quarter of the case's own time, half the speed twice, the
+    /// other precision once, and a larger domain up to twice.
+    fn default() -> Self {
+        Self::Times(6.0)
+    }
+}
+
+impl Budget {
+    fn seconds(self, own_s: f64) -> f64 {
+        match self {
+            Self::Times(times) => times * own_s,
+            Self::Seconds(seconds) => seconds,
+        }
+    }
+}
+
+/// What intervals are asked for.
+#[derive(Clone, Copy, Debug)]
+pub struct Request<'a> {
+    /// The variations.
+    pub plan: &'a VariationPlan,
+    /// How long they may take.
+    pub budget: Budget,
+}
+
+/// Time per cell and step in single precision over that in double (`docs/performance.md`: two thirds).
+const SINGLE: f64 = 0.67;
+
+/// Runs a case and its variations, and writes its results with the intervals that follow from all of them.
+///
+/// The case's own results lie in the folder as those of [`super::run`], and those of the variations below it in `variations`. A
+/// variation is run if the time that is predicted for it, from that of the case's own run, fits into what is left of the budget;
+/// otherwise it is reported as not examined. With [`Start::Resume`] and [`Start::AutoResume`] runs that have come to their end are left
+/// unchanged, the one that was stopped is resumed, and a larger budget examines what was left out.
+///
+/// # Errors
+/// As [`super::run`]; [`RunError::Physics`] only where the case itself breaks down.
+pub fn run_confidence(case: &Case, request: Request, options: &RunOptions) -> Result<End, RunError> {
+    require_valid(case)?;
+    for variation in &request.plan.variations {
+        require_valid(&variation.case)?;
+    }
+    let _lock = lock(options)?;
+    let own = match own_run(case, options)? {
+        End::Finished(summary) => summary,
+        stopped @ End::Stopped(..) => return Ok(stopped),
+    };
+    make_variations_folder(options.folder)?;
+    let budget = request.budget.seconds(own.wall_s);
+    let mut books = Books { own: &own, case, budget, spent: 0.0, results: Vec::new() };
+    let count = request.plan.variations.len();
+    for (n, variation) in request.plan.variations.iter().enumerate() {
+        let label = format!("variation {} of {count}, {}", n + 1, variation.name.replace('_', " "));
+        if let Some(stopped) = books.examine(variation, label, options)? {
+            return Ok(stopped);
+        }
+    }
+    books.results.extend(request.plan.left_out.iter().map(left_out));
+    let confidence = Confidence { budget_s: budget, spent_s: books.spent, ..Confidence::default() };
+    let summary = add_confidence(options.folder, confidence, &books.results)?;
+    let lines = [confidence_lines(&summary), verdict(&summary)].concat();
+    progress::tell(&lines.join("\n"), options.quiet);
+    Ok(End::Finished(Box::new(summary)))
+}
+
+/// The run of the case itself, unless it has come to its end before.
+fn own_run(case: &Case, options: &RunOptions) -> Result<End, RunError> {
+    if matches!(options.start, Start::Resume | Start::AutoResume) {
+        match ended_before(case, options.folder) {
+            Ok(Some(summary)) => return Ok(End::Finished(Box::new(summary))),
+            Ok(None) => {}
+            // A person asks for it again.
+            Err(RunError::BrokeDownBefore { .. }) if options.start == Start::Resume => {}
+            Err(other) => return Err(other),
+        }
+    } else if options.start == Start::Replace {
+        clear_beside(options.folder)?;
+    }
+    run_locked(case, options, &Part { label: "the case itself".to_owned(), ..Part::default() })
+}
+
+fn left_out(left_out: &LeftOut) -> VariationResult {
+    VariationResult {
+        name: left_out.name.clone(),
+        source: left_out.source,
+        status: Status::NotApplicable,
+        because: Some(left_out.why.clone()),
+        ..VariationResult::default()
+    }
+}
+
+/// What was allowed and spent, and what became of the variations so far.
+struct Books<'a> {
+    own: &'a Summary,
+    case: &'a Case,
+    /// [s]
+    budget: f64,
+    /// [s]
+    spent: f64,
+    results: Vec<VariationResult>,
+}
+
+impl Books<'_> {
+    /// Examines a variation, if it can be; how its run was stopped, if it was.
+    fn examine(
+        &mut self,
+        variation: &Variation,
+        label: String,
+        options: &RunOptions,
+    ) -> Result<Option<End>, RunError> {
+        let predicted = self.predicted(variation);
+        let mut result = VariationResult {
+            name: variation.name.clone(),
+            source: variation.source,
+            what: variation.what.clone(),
+            predicted_wall_s: Some(predicted),
+            time_factor: variation.time_factor,
+            ..VariationResult::default()
+        };
+        let resumes = matches!(options.start, Start::Resume | Start::AutoResume);
+        if !(resumes && has_ended(variation, options)?) {
+            if let Some(why) = self.objection(predicted) {
+                result.because = Some(why);
+                self.results.push(result);
+                return Ok(None);
+            }
+            if let Some(stopped) = run_variation(variation, label, options)? {
+                return Ok(Some(stopped));
+            }
+        }
+        if let Some((wall_s, _)) = finished(options.folder, &variation.name)? {
+            self.spent += wall_s;
+            result.status = Status::Examined;
+        }
+        self.results.push(result);
+        Ok(None)
+    }
+
+    /// Time that a variation will take [s], by the work that it is beside the case itself.
+    fn predicted(&self, variation: &Variation) -> f64 {
+        self.own.wall_s * relative_cost(self.case, variation)
+    }
+
+    fn objection(&self, predicted: f64) -> Option<String> {
+        if self.own.trust.verdict_without_confidence() == Verdict::Broken {
+            return Some("the case's own run is broken".to_owned());
+        }
+        let left = self.budget - self.spent;
+        (predicted > left).then(|| {
+            format!(
+                "it would take about {predicted:.1} s, and {:.1} s of the budget of {:.1} s are left: give more with --budget and \
+                 --resume",
+                left.max(0.0),
+                self.budget
+            )
+        })
+    }
+}
+
+/// Work of a variation over that of the case itself: steps times cells with soil, and how fast they are.
+#[must_use]
+pub fn relative_cost(case: &Case, variation: &Variation) -> f64 {
+    let work = |case: &Case| {
+        let estimate = estimate::estimate(case);
+        let speed = if case.numerics.precision == resolved::Precision::Single { SINGLE } else { 1.0 };
+        estimate.steps * estimate.filled_cells * speed
+    };
+    work(&variation.case) / work(case)
+}
+
+/// Whether the run of a variation has come to its end before; one of another version of it is run anew.
+fn has_ended(variation: &Variation, options: &RunOptions) -> Result<bool, RunError> {
+    match ended_before(&variation.case, &variation_folder(options.folder, &variation.name)) {
+        Ok(summary) => Ok(summary.is_some()),
+        Err(RunError::BrokeDownBefore { .. }) => Ok(true),
+        Err(RunError::OtherCase(_)) => Ok(false),
+        Err(other) => Err(other),
+    }
+}
+
+/// Runs a variation; how it was stopped, if it was.
+fn run_variation(
+    variation: &Variation,
+    label: String,
+    options: &RunOptions,
+) -> Result<Option<End>, RunError> {
+    let folder = variation_folder(options.folder, &variation.name);
+    // What lies there after a budget that was smaller, or a version that varied it otherwise, is no longer of use.
+    let is_other = matches!(ended_before(&variation.case, &folder), Err(RunError::OtherCase(_)));
+    let start = if is_other { Start::Replace } else { options.start };
+    let own = RunOptions { folder: &folder, typed: &variation.typed, warnings: &[], start, ..*options };
+    let _lock = lock(&own)?;
+    let part = Part { label, meshes: Vec::new(), is_beside: true };
+    match run_locked(&variation.case, &own, &part) {
+        Ok(End::Finished(_)) | Err(RunError::Physics { .. }) => Ok(None),
+        Ok(stopped @ End::Stopped(..)) => Ok(Some(stopped)),
+        Err(other) => Err(other),
+    }
+}

@@ -1,0 +1,118 @@
+//! `coulter.run`.
+
+use crate::attend::{ask_to_stop, attend};
+use crate::failure::raised;
+use crate::follow::{Asking, told};
+use crate::source::{Source, SourceText, count, request};
+use coulter::case::variations::ErrorSource;
+use coulter::interrupts::Interrupts;
+use coulter::run::{Budget, Follower, NoFollower, Start};
+use coulter_cli::{Failure, PreparedRun, RunRequest, budget, error_source, graded};
+use pyo3::prelude::*;
+use serde::Deserialize;
+use std::path::PathBuf;
+
+/// What is asked for, as the Python part writes it.
+#[derive(Debug, Deserialize)]
+struct RunCall {
+    source: Source,
+    set: Vec<String>,
+    output: Option<PathBuf>,
+    start: StartWord,
+    threads: Option<i64>,
+    meshes: Option<i64>,
+    confidence: bool,
+    budget: Option<String>,
+    without: Vec<String>,
+    quiet: bool,
+}
+
+/// What to do with a folder that holds a run.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum StartWord {
+    New,
+    Replace,
+    Resume,
+    AutoResume,
+}
+
+impl From<StartWord> for Start {
+    fn from(word: StartWord) -> Self {
+        match word {
+            StartWord::New => Self::Anew,
+            StartWord::Replace => Self::Replace,
+            StartWord::Resume => Self::Resume,
+            StartWord::AutoResume => Self::AutoResume,
+        }
+    }
+}
+
+impl RunCall {
+    fn request(&self) -> PyResult<RunRequest> {
+        let SourceText { text, name } = self.source.text()?;
+        let refused = |why: String| raised(&Failure::Request(why));
+        let budget = self.budget.as_deref().map(budget).transpose().map_err(refused)?;
+        let without: Result<Vec<ErrorSource>, String> =
+            self.without.iter().map(|word| error_source(word)).collect();
+        let without = without.map_err(refused)?;
+        let confidence = self.confidence.then(|| (budget.unwrap_or(Budget::default()), without));
+        Ok(RunRequest {
+            text,
+            source_name: name,
+            overrides: self.set.clone(),
+            output: self.output.clone(),
+            start: self.start.into(),
+            threads: count("threads", self.threads)?,
+            meshes: count("meshes", self.meshes)?,
+            confidence,
+            quiet: self.quiet,
+        })
+    }
+}
+
+/// Runs a case to its end, or until `on_sample(time, bodies)` returns `False` or raises, or Ctrl-C. `warn(text)` is told of warnings
+/// before it begins. Returns the results folder, how it ended (`finished`, `stopped` or `broken`), and of a broken one why.
+///
+/// # Errors
+/// `Failure`; the exception of a callback; `KeyboardInterrupt`. A run that has begun leaves a checkpoint.
+#[pyfunction]
+pub(crate) fn run(
+    py: Python<'_>,
+    call: &str,
+    on_sample: Option<Bound<'_, PyAny>>,
+    warn: Bound<'_, PyAny>,
+) -> PyResult<(PathBuf, &'static str, String)> {
+    let wanted: RunRequest = request::<RunCall>(call)?.request()?;
+    let prepared = py.detach(|| wanted.prepare()).map_err(|failure| raised(&failure))?;
+    for warning in &prepared.warnings {
+        warn.call1((warning,))?;
+    }
+    let interrupts = Interrupts::default();
+    let end = attended(py, &prepared, on_sample, &interrupts)?;
+    match end {
+        Ok(()) => Ok((prepared.folder, "finished", String::new())),
+        Err(Failure::Stopped { signal: 0, .. }) => Ok((prepared.folder, "stopped", String::new())),
+        Err(Failure::Physics(why)) => Ok((prepared.folder, "broken", why)),
+        Err(failure) => Err(raised(&failure)),
+    }
+}
+
+fn attended(
+    py: Python<'_>,
+    prepared: &PreparedRun,
+    on_sample: Option<Bound<'_, PyAny>>,
+    interrupts: &Interrupts,
+) -> PyResult<Result<(), Failure>> {
+    let is_followed = on_sample.is_some();
+    attend(
+        py,
+        |sender| {
+            let mut asking = Asking::of(&prepared.case, sender);
+            let follower: &mut dyn Follower = if is_followed { &mut asking } else { &mut NoFollower };
+            prepared.run(interrupts, follower).and_then(|summary| graded(&summary))
+        },
+        |sample| on_sample.as_ref().map_or(Ok(true), |callback| told(callback, &sample)),
+        || ask_to_stop(interrupts),
+    )
+}

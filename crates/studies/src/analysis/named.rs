@@ -1,0 +1,14 @@
+//! Tables with names.
+
+use crate::table::Table;
+
+/// A table with its name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NamedTable {
+    /// Name of its file, without ending.
+    pub name: String,
+    /// Title.
+    pub title: String,
+    /// The table.
+    pub table: Table,
+}

@@ -1,0 +1,21 @@
+//! Charts of a study as SVG text, in the style of the report of a run.
+
+mod classes;
+mod collapse;
+mod effects;
+mod family;
+mod label;
+mod named;
+mod portions;
+#[cfg(test)]
+pub(crate) mod samples;
+mod surrogate;
+
+pub(crate) use classes::models;
+pub use collapse::collapse_chart;
+pub use effects::{FactorEffect, main_effects_chart, tornado_chart};
+pub use family::{ChartRequest, family_chart};
+pub use label::{axis_label, plain_label};
+pub use named::NamedChart;
+pub use portions::sobol_chart;
+pub use surrogate::surrogate_chart;

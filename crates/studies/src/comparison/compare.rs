@@ -1,0 +1,185 @@
+//! A comparison from its items to its figures.
+
+use super::align::{Aligned, aligned};
+use super::figures::{Differences, differences};
+use super::item::{Item, ItemKind};
+use super::steady::{SteadyMean, steady_mean};
+use crate::measured::Quantity;
+
+/// What is asked for.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ComparisonRequest {
+    /// The number of the item that is the reference; `None` for the first measurement, otherwise the first item.
+    pub reference: Option<usize>,
+    /// Along what; `None` for what the reference runs along.
+    pub against: Option<Quantity>,
+    /// What is compared; empty for all that the reference and another have.
+    pub quantities: Vec<Quantity>,
+    /// The part of the abscissa that counts [SI].
+    pub window: Option<[f64; 2]>,
+    /// Whether the zero of the abscissa of the others is moved to where they fit best.
+    pub align: bool,
+}
+
+/// One quantity of one item beside the reference.
+#[derive(Clone, Debug)]
+pub struct Compared {
+    /// The number of the item.
+    pub item: usize,
+    /// What is compared.
+    pub quantity: Quantity,
+    /// Its whole curve, moved with the shift.
+    pub curve: Vec<[f64; 2]>,
+    /// The curves at common abscissae; `None` where they share none.
+    pub aligned: Option<Aligned>,
+    /// Their differences.
+    pub differences: Option<Differences>,
+    /// Its steady mean.
+    pub mean: Option<SteadyMean>,
+    /// Whether this and that of the reference have a value in common within their 90 % intervals.
+    pub overlaps: Option<bool>,
+}
+
+/// A comparison.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    /// The number of the reference.
+    pub reference: usize,
+    /// Along what.
+    pub against: Quantity,
+    /// What was compared, each with the curve of the reference and its steady mean.
+    pub quantities: Vec<(Quantity, Vec<[f64; 2]>, Option<SteadyMean>)>,
+    /// Every other item beside the reference.
+    pub compared: Vec<Compared>,
+}
+
+/// The part of a curve at its end over which a mean counts as steady.
+const STEADY: f64 = 0.4;
+
+/// Compares items with their reference.
+///
+/// # Errors
+/// Why they have nothing to be compared, and what to do.
+pub fn compare(items: &[Item], request: &ComparisonRequest) -> Result<Comparison, String> {
+    let first_measured = items.iter().position(|item| item.kind == ItemKind::Measured);
+    let number = request.reference.or(first_measured).unwrap_or(0);
+    let reference = items.get(number).ok_or("there is nothing to compare")?;
+    if items.len() < 2 {
+        return Err(
+            "name two things or more: results folders, forecasts, case files, measured CSV files".to_owned()
+        );
+    }
+    let against = against(reference, request)?;
+    let mut quantities = Vec::new();
+    for quantity in wanted(items, number, against, request) {
+        let curve = reference.curve(quantity, against, &[]).unwrap_or_default();
+        let curve = inside(&curve, request.window);
+        if curve.len() >= 2 {
+            let mean = mean_of(reference, quantity, against, (&curve, request));
+            quantities.push((quantity, curve, mean));
+        }
+    }
+    if quantities.is_empty() {
+        return Err(format!(
+            "{} has no quantity along {} that another has, too; choose with --quantity and --against, or widen --window",
+            reference.name,
+            against.name()
+        ));
+    }
+    let mut compared = Vec::new();
+    for (quantity, curve, mean) in &quantities {
+        for (other, item) in items.iter().enumerate().filter(|(n, _)| *n != number) {
+            compared.extend(beside((item, other), (*quantity, curve, *mean), against, request));
+        }
+    }
+    Ok(Comparison { reference: number, against, quantities, compared })
+}
+
+fn against(reference: &Item, request: &ComparisonRequest) -> Result<Quantity, String> {
+    let found: Vec<Quantity> = reference.record.abscissae().collect();
+    match request.against {
+        Some(wanted) if found.contains(&wanted) => Ok(wanted),
+        Some(wanted) => Err(format!(
+            "{} does not run along {}; it has {}",
+            reference.name,
+            wanted.name(),
+            found.iter().map(|quantity| quantity.name()).collect::<Vec<_>>().join(", ")
+        )),
+        None => found.first().copied().ok_or_else(|| {
+            format!(
+                "{} has no curve to be the reference; name a run or a measurement first, or with --reference",
+                reference.name
+            )
+        }),
+    }
+}
+
+/// The quantities of the reference that another has.
+fn wanted(items: &[Item], number: usize, against: Quantity, request: &ComparisonRequest) -> Vec<Quantity> {
+    let is_known = |quantity: Quantity| {
+        let mut others = items.iter().enumerate().filter(|(n, _)| *n != number);
+        others.any(|(_, item)| {
+            item.stated(quantity).is_some() || item.record.values(quantity).is_some() || item.model.is_some()
+        })
+    };
+    let is_wanted = |quantity: &Quantity| {
+        if request.quantities.is_empty() {
+            // Speeds and rotations are compared where they are asked for.
+            *quantity < Quantity::Speed && is_known(*quantity)
+        } else {
+            request.quantities.contains(quantity)
+        }
+    };
+    items[number].record.ordinates(against).filter(is_wanted).collect()
+}
+
+fn inside(points: &[[f64; 2]], window: Option<[f64; 2]>) -> Vec<[f64; 2]> {
+    let [from, to] = window.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
+    points.iter().copied().filter(|point| point[0] >= from && point[0] <= to).collect()
+}
+
+/// The steady mean of an item: over the window, where there is one; what the item states itself; or over the end of its curve. Curves
+/// along a sinkage or a slip are never steady.
+fn mean_of(
+    item: &Item,
+    quantity: Quantity,
+    against: Quantity,
+    (curve, request): (&[[f64; 2]], &ComparisonRequest),
+) -> Option<SteadyMean> {
+    if !matches!(against, Quantity::Displacement | Quantity::Time) {
+        return None;
+    }
+    if curve.is_empty() || (request.window.is_none() && item.kind != ItemKind::Measured) {
+        return item.stated(quantity);
+    }
+    let (first, last) = (curve.first()?[0], curve.last()?[0]);
+    let begin = if request.window.is_some() { first } else { last - STEADY * (last - first) };
+    let values: Vec<f64> = curve.iter().filter(|point| point[0] >= begin).map(|point| point[1]).collect();
+    steady_mean(&values)
+}
+
+fn beside(
+    (item, number): (&Item, usize),
+    (quantity, reference, mean): (Quantity, &[[f64; 2]], Option<SteadyMean>),
+    against: Quantity,
+    request: &ComparisonRequest,
+) -> Option<Compared> {
+    let at: Vec<f64> = reference.iter().map(|point| point[0]).collect();
+    let curve = item.curve(quantity, against, &at).unwrap_or_default();
+    let curve = if request.align { curve } else { inside(&curve, request.window) };
+    let found = aligned(reference, &curve, request.align && item.model.is_none());
+    let own = mean_of(item, quantity, against, (&curve, request));
+    if curve.is_empty() && own.is_none() {
+        return None;
+    }
+    let shift = found.as_ref().map_or(0.0, |found| found.shift);
+    Some(Compared {
+        item: number,
+        quantity,
+        curve: curve.iter().map(|[x, y]| [x + shift, *y]).collect(),
+        differences: found.as_ref().and_then(differences),
+        aligned: found,
+        overlaps: mean.zip(own).map(|(a, b)| a.overlaps(&b)),
+        mean: own,
+    })
+}

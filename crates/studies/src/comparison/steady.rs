@@ -1,0 +1,89 @@
+//! Steady means with 90 % intervals that know that neighbouring values are correlated.
+
+use coulter::history::blocks::{STUDENT_90, block_averages, standard_error};
+
+/// A mean over a window.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SteadyMean {
+    /// The mean [SI].
+    pub mean: f64,
+    /// Half of its 90 % interval [SI], where that is known.
+    pub half: Option<f64>,
+}
+
+impl SteadyMean {
+    /// Its interval; the mean alone where that is not known.
+    #[must_use]
+    pub fn interval(&self) -> [f64; 2] {
+        let half = self.half.unwrap_or(0.0);
+        [self.mean - half, self.mean + half]
+    }
+
+    /// Whether two intervals have a value in common.
+    #[must_use]
+    pub fn overlaps(&self, other: &Self) -> bool {
+        let ([low, high], [other_low, other_high]) = (self.interval(), other.interval());
+        low <= other_high && other_low <= high
+    }
+}
+
+/// Fewest values of an interval.
+const FEWEST: usize = 4;
+/// 95 % quantile of the normal distribution.
+const NORMAL: f64 = 1.644_853_627;
+
+/// The mean of values that follow each other evenly. With 24 or more its interval is that of averages over eight blocks, as of a run;
+/// with fewer that of a first-order autoregression: n (1 − ρ)/(1 + ρ) of the n values count. Source: Bayley & Hammersley (1946), The
+/// "effective" number of independent observations in an autocorrelated time series, JRSS Supplement 8(2).
+#[must_use]
+pub fn steady_mean(values: &[f64]) -> Option<SteadyMean> {
+    let count = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / count;
+    if !mean.is_finite() {
+        return None;
+    }
+    if let Some(blocks) = block_averages(values) {
+        return Some(SteadyMean { mean, half: Some(STUDENT_90 * standard_error(&blocks)) });
+    }
+    if values.len() < FEWEST {
+        return Some(SteadyMean { mean, half: None });
+    }
+    let squares: f64 = values.iter().map(|v| (v - mean).powi(2)).sum();
+    let products: f64 = values.windows(2).map(|pair| (pair[0] - mean) * (pair[1] - mean)).sum();
+    let correlation = if squares > 0.0 { (products / squares).clamp(0.0, 0.9) } else { 0.0 };
+    let effective = (count * (1.0 - correlation) / (1.0 + correlation)).max(2.0);
+    let error = (squares / (count - 1.0) / effective).sqrt();
+    Some(SteadyMean { mean, half: Some(student_90(effective - 1.0) * error) })
+}
+
+/// 95 % quantile of Student's distribution, by the first terms of its expansion. Source: Abramowitz & Stegun (1972), 26.7.5.
+fn student_90(freedom: f64) -> f64 {
+    let (z, z3) = (NORMAL, NORMAL.powi(3));
+    let first = (z3 + z) / (4.0 * freedom);
+    let second = (5.0 * z.powi(5) + 16.0 * z3 + 3.0 * z) / (96.0 * freedom * freedom);
+    z + first + second
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn student_is_that_of_the_tables() {
+        for (freedom, known) in [(3.0, 2.353), (7.0, 1.895), (30.0, 1.697)] {
+            assert!((student_90(freedom) / known - 1.0).abs() < 0.02, "{freedom}: {}", student_90(freedom));
+        }
+    }
+
+    #[test]
+    fn correlated_values_determine_a_mean_less_well() {
+        let even: Vec<f64> = (0..20).map(|n| f64::from(n % 2)).collect();
+        let slow: Vec<f64> = (0..20).map(|n| f64::from(n / 10)).collect();
+        let [even, slow] = [even, slow].map(|values| steady_mean(&values).unwrap());
+        assert_eq!((even.mean, slow.mean), (0.5, 0.5));
+        assert!(slow.half.unwrap() > 2.5 * even.half.unwrap());
+        assert_eq!(steady_mean(&[1.0, 2.0]).unwrap().half, None);
+        assert!(steady_mean(&[1.0; 50]).unwrap().overlaps(&SteadyMean { mean: 1.0, half: None }));
+        assert!(steady_mean(&[]).is_none());
+    }
+}

@@ -1,0 +1,96 @@
+//! Curves of measurements and other runs for the plots of a report.
+
+use crate::comparison::{Item, ItemKind, Unreadable, read_item};
+use crate::measured::{Quantity, Record};
+use coulter::history::steady::moving_average;
+use coulter::output::plots::{Overlay, PlotKind};
+use std::path::Path;
+
+/// Width of the moving average of the forces of another run, over the length of its curve (chosen: as smooth as the report's own).
+const SMOOTHING: f64 = 0.02;
+
+/// Which quantity over which belongs to which plot.
+const PLOTS: [(PlotKind, Quantity, Quantity); 6] = [
+    (PlotKind::ForceDisplacement, Quantity::Displacement, Quantity::Drag),
+    (PlotKind::ForceDisplacement, Quantity::Displacement, Quantity::Vertical),
+    (PlotKind::ForceSinkage, Quantity::Sinkage, Quantity::Drag),
+    (PlotKind::ForceSinkage, Quantity::Sinkage, Quantity::Vertical),
+    (PlotKind::SinkageDisplacement, Quantity::Displacement, Quantity::Sinkage),
+    (PlotKind::AxleTorque, Quantity::Displacement, Quantity::Torque),
+];
+
+/// The curves of a results folder or of a measured CSV file, as they are laid over the plots of all bodies of a report; `body` names
+/// the body of a run with several.
+///
+/// # Errors
+/// [`Unreadable`] says what is wrong with it, also where it has no curve that a report shows.
+pub fn laid_over(path: &Path, body: Option<&str>) -> Result<Vec<Overlay>, Unreadable> {
+    let item = read_item(path, body)?;
+    if !matches!(item.kind, ItemKind::Run | ItemKind::Measured) {
+        return Err(Unreadable::Other(format!(
+            "{}: a {} has no curves of its own; name the results folder of a run or a measured CSV file",
+            path.display(),
+            item.kind.name()
+        )));
+    }
+    let overlays: Vec<Overlay> =
+        PLOTS.iter().filter_map(|(plot, x, y)| overlay(&item, path, *plot, [*x, *y])).collect();
+    if overlays.is_empty() {
+        return Err(Unreadable::Other(format!(
+            "{}: it has no drag, vertical force, sinkage or axle torque along displacement or sinkage; give it such columns",
+            path.display()
+        )));
+    }
+    Ok(overlays)
+}
+
+fn overlay(item: &Item, path: &Path, plot: PlotKind, [x, y]: [Quantity; 2]) -> Option<Overlay> {
+    let (along, values) = (item.record.values(x)?, item.record.values(y)?);
+    // A wheel without torque and a column of zeros say nothing.
+    if values.iter().all(|value| *value == 0.0) || along.iter().all(|value| *value == along[0]) {
+        return None;
+    }
+    let measured = item.kind == ItemKind::Measured;
+    let values = if measured { values.to_vec() } else { smooth(&item.record, values) };
+    let points = along.iter().zip(values).map(|(x, y)| [*x, y]);
+    let file = path.file_stem().or(path.file_name()).map(|name| name.to_string_lossy().into_owned());
+    // An underscore would lower the letter after it.
+    let source = file.unwrap_or_else(|| path.display().to_string()).replace('_', " ");
+    Some(Overlay {
+        name: format!("{}, {source}", y.label()),
+        plot,
+        body: None,
+        measured,
+        points: points.filter(|point| point.iter().all(|v| v.is_finite())).collect(),
+    })
+}
+
+/// Values of a run without what is fast.
+fn smooth(record: &Record, values: &[f64]) -> Vec<f64> {
+    let Some(times) = record.values(Quantity::Time) else { return values.to_vec() };
+    let span = times.last().zip(times.first()).map_or(0.0, |(last, first)| last - first);
+    moving_average(times, values, SMOOTHING * span)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::files::write;
+
+    #[test]
+    fn measured_curves_go_to_their_plots_and_others_are_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("field_trial.csv");
+        write(&path, b"displacement [mm],drag [N],sinkage [mm]\n0,0,1\n10,5,2\n20,6,3\n").unwrap();
+        let found = laid_over(&path, None).unwrap();
+        let plots: Vec<PlotKind> = found.iter().map(|overlay| overlay.plot).collect();
+        assert_eq!(
+            plots,
+            [PlotKind::ForceDisplacement, PlotKind::ForceSinkage, PlotKind::SinkageDisplacement]
+        );
+        assert!(found[0].measured && found[0].name == "drag F_H, field trial");
+        assert_eq!(found[0].points[1], [0.01, 5.0]);
+        write(&path, b"time [s],speed [m/s]\n0,1\n1,2\n").unwrap();
+        assert!(laid_over(&path, None).unwrap_err().to_string().contains("give it such columns"));
+    }
+}

@@ -1,0 +1,21 @@
+//! What many cases say together: studies of cases that vary, comparison with measurements, calibration.
+
+pub mod analysis;
+pub mod calibration;
+pub mod charts;
+pub mod comparison;
+pub mod expression;
+pub mod files;
+mod laid_over;
+mod linear_algebra;
+pub mod measured;
+pub mod page;
+pub mod responses;
+pub mod sheet;
+pub mod sources;
+pub mod statistics;
+pub mod study;
+pub mod sweep;
+pub mod table;
+
+pub use laid_over::laid_over;

@@ -1,0 +1,207 @@
+//! What a column of a measured curve can be: its names, its unit, and whether curves run along it.
+
+use coulter::case::quantity::{
+    ANGLE, FORCE, LENGTH, Measure, SPEED, STRESS, TIME, TORQUE, TURN_RATE, parse_any,
+};
+
+/// A quantity of a curve; values are in SI units.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Quantity {
+    /// Time [s].
+    Time,
+    /// Displacement u along the tow [m].
+    Displacement,
+    /// Sinkage z [m], positive downwards.
+    Sinkage,
+    /// Slip s, −1 locked, 0 rolling.
+    Slip,
+    /// Drag F_H [N].
+    Drag,
+    /// Vertical force F_V [N].
+    Vertical,
+    /// Lateral force [N].
+    Lateral,
+    /// Torque of the soil about the axle [N m].
+    Torque,
+    /// Pressure under a plate or on the base of a cone [Pa]: the vertical force over the area.
+    Pressure,
+    /// Speed v [m/s].
+    Speed,
+    /// Rotation Ω about the axle [rad].
+    Rotation,
+    /// Rate of rotation ω [rad/s].
+    Spin,
+}
+
+/// One quantity: its name in files, its aliases, its unit, its symbol, what it measures.
+struct Entry {
+    quantity: Quantity,
+    names: &'static [&'static str],
+    unit: &'static str,
+    label: &'static str,
+    /// `None` for a plain number.
+    measure: Option<Measure>,
+}
+
+const fn entry(
+    quantity: Quantity,
+    names: &'static [&'static str],
+    unit: &'static str,
+    label: &'static str,
+    measure: Option<Measure>,
+) -> Entry {
+    Entry { quantity, names, unit, label, measure }
+}
+
+/// Every quantity; the first of its names is the one that is written.
+const ALL: [Entry; 12] = [
+    entry(Quantity::Time, &["time", "t"], "s", "time t", Some(TIME)),
+    entry(
+        Quantity::Displacement,
+        &["displacement", "displacement u", "u", "travel", "distance", "x"],
+        "m",
+        "displacement u",
+        Some(LENGTH),
+    ),
+    entry(
+        Quantity::Sinkage,
+        &["sinkage", "sinkage z", "z", "depth", "penetration", "indentation", "settlement"],
+        "m",
+        "sinkage z",
+        Some(LENGTH),
+    ),
+    entry(Quantity::Slip, &["slip", "slip ratio", "s"], "-", "slip s", None),
+    entry(
+        Quantity::Drag,
+        &["drag", "drag F_H", "F_H", "horizontal", "horizontal force", "draught", "draft", "pull"],
+        "N",
+        "drag F_H",
+        Some(FORCE),
+    ),
+    entry(
+        Quantity::Vertical,
+        &["vertical", "vertical F_V", "F_V", "vertical force", "force", "load", "normal force"],
+        "N",
+        "vertical force F_V",
+        Some(FORCE),
+    ),
+    entry(Quantity::Lateral, &["lateral", "lateral force", "side force"], "N", "lateral force", Some(FORCE)),
+    entry(Quantity::Torque, &["axle torque", "torque", "moment", "M"], "N m", "axle torque M", Some(TORQUE)),
+    entry(
+        Quantity::Pressure,
+        &["pressure", "p", "cone resistance", "q_c", "cone index"],
+        "Pa",
+        "pressure p",
+        Some(STRESS),
+    ),
+    entry(Quantity::Speed, &["speed", "v", "velocity"], "m/s", "speed v", Some(SPEED)),
+    entry(Quantity::Rotation, &["rotation"], "rad", "rotation Ω", Some(ANGLE)),
+    entry(Quantity::Spin, &["spin", "omega", "ω"], "rad/s", "rate of rotation ω", Some(TURN_RATE)),
+];
+
+impl Quantity {
+    /// Every quantity.
+    pub fn all() -> impl Iterator<Item = Self> {
+        ALL.iter().map(|entry| entry.quantity)
+    }
+
+    /// The quantity with this name or alias, whatever its case.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        let is_meant = |known: &str| known.eq_ignore_ascii_case(name);
+        ALL.iter().find(|entry| entry.names.iter().any(|known| is_meant(known))).map(|entry| entry.quantity)
+    }
+
+    /// Every name and alias.
+    pub fn names() -> impl Iterator<Item = &'static str> {
+        ALL.iter().flat_map(|entry| entry.names.iter().copied())
+    }
+
+    fn entry(self) -> &'static Entry {
+        // Entries are in the order of the variants, which a test asserts.
+        &ALL[self as usize]
+    }
+
+    /// Its name in files, such as `drag`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        self.entry().names[0]
+    }
+
+    /// Its SI unit, such as `N`.
+    #[must_use]
+    pub fn unit(self) -> &'static str {
+        self.entry().unit
+    }
+
+    /// Its name in charts, such as `drag F_H`.
+    #[must_use]
+    pub fn label(self) -> &'static str {
+        self.entry().label
+    }
+
+    /// Name and unit, such as `drag [N]`.
+    #[must_use]
+    pub fn header(self) -> String {
+        format!("{} [{}]", self.name(), self.unit())
+    }
+
+    /// Whether curves run along it: time, displacement, sinkage, slip.
+    #[must_use]
+    pub fn is_abscissa(self) -> bool {
+        self <= Self::Slip
+    }
+
+    /// How many SI units a unit is.
+    ///
+    /// # Errors
+    /// What is wrong with the unit, in words.
+    pub fn factor(self, unit: &str) -> Result<f64, String> {
+        let Some(measure) = self.entry().measure else {
+            return match unit.trim() {
+                "-" | "" | "1" => Ok(1.0),
+                "%" => Ok(0.01),
+                other => Err(format!("[{other}] is a unit, but {} is a plain number", self.name())),
+            };
+        };
+        let (factor, dimension) = parse_any(&format!("1 {unit}")).map_err(|error| error.to_string())?;
+        if dimension == measure.dimension && factor > 0.0 {
+            return Ok(factor);
+        }
+        Err(format!("[{unit}] is not a unit of {}", measure.name))
+    }
+
+    /// A unit in which it may be given, for messages.
+    #[must_use]
+    pub fn example(self) -> &'static str {
+        match self.entry().measure {
+            _ if self == Self::Pressure => "kPa",
+            _ if self == Self::Torque => "N m",
+            Some(measure) => measure.example.split_once(' ').map_or("", |(_, unit)| unit),
+            None => "-",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn entries_are_in_the_order_of_the_variants() {
+        for (n, quantity) in Quantity::all().enumerate() {
+            assert_eq!(quantity as usize, n);
+            assert!(quantity.factor(quantity.unit()).unwrap() == 1.0, "{quantity:?}");
+            assert!(quantity.factor(quantity.example()).is_ok(), "{quantity:?}");
+        }
+    }
+
+    #[test]
+    fn no_name_means_two_quantities() {
+        let mut names: Vec<String> = Quantity::names().map(str::to_lowercase).collect();
+        let count = names.len();
+        names.sort();
+        names.dedup();
+        assert_eq!(names.len(), count);
+    }
+}

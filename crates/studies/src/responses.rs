@@ -1,0 +1,109 @@
+//! The responses of a study: the columns of its table besides the factors.
+
+use serde::{Deserialize, Serialize};
+
+/// What one model says of one body; `null` where it does not.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Figures {
+    /// The model: `solver`, or the name of a closed form.
+    pub model: String,
+    /// The body.
+    pub body: String,
+    /// Whether it is the recommended closed form, or the first body of a run.
+    pub recommended: bool,
+    /// Grade of a run: `good` or `doubtful`.
+    pub grade: Option<String>,
+    /// Mean drag [N].
+    #[serde(rename = "drag_N")]
+    pub drag: Option<f64>,
+    /// Mean vertical force [N].
+    #[serde(rename = "vertical_N")]
+    pub vertical: Option<f64>,
+    /// Mean lateral force [N].
+    #[serde(rename = "lateral_N")]
+    pub lateral: Option<f64>,
+    /// Sinkage [m].
+    #[serde(rename = "sinkage_m")]
+    pub sinkage: Option<f64>,
+    /// Slip.
+    pub slip: Option<f64>,
+    /// Torque about the axle [N m].
+    #[serde(rename = "axle_torque_Nm")]
+    pub axle_torque: Option<f64>,
+    /// Largest drag [N].
+    #[serde(rename = "peak_drag_N")]
+    pub peak_drag: Option<f64>,
+    /// Largest vertical force [N].
+    #[serde(rename = "peak_vertical_N")]
+    pub peak_vertical: Option<f64>,
+    /// Scatter of the drag over its mean.
+    pub drag_noise: Option<f64>,
+    /// Dimensionless drag F_H/(γ t d²).
+    #[serde(rename = "F_H_bar")]
+    pub drag_group: Option<f64>,
+    /// Dimensionless vertical force F_V/(γ t d²).
+    #[serde(rename = "F_V_bar")]
+    pub vertical_group: Option<f64>,
+    /// Dimensionless sinkage z/d.
+    #[serde(rename = "Z")]
+    pub sinkage_group: Option<f64>,
+    /// Dimensionless thickness t/d.
+    pub t_bar: Option<f64>,
+    /// Dimensionless weight W/(γ t d²).
+    #[serde(rename = "W_bar")]
+    pub weight_group: Option<f64>,
+    /// Dimensionless stiffness E/(γ d).
+    #[serde(rename = "E_bar")]
+    pub stiffness_group: Option<f64>,
+    /// Dimensionless cohesion c/(γ d).
+    #[serde(rename = "c_bar")]
+    pub cohesion_group: Option<f64>,
+}
+
+/// A response.
+#[derive(Clone, Copy, Debug)]
+pub struct ResponseColumn {
+    /// The name of its column.
+    pub name: &'static str,
+    /// Its unit.
+    pub unit: &'static str,
+    /// Its name in charts.
+    pub label: &'static str,
+    /// Its value.
+    pub of: fn(&Figures) -> Option<f64>,
+}
+
+const fn response(
+    name: &'static str,
+    unit: &'static str,
+    label: &'static str,
+    of: fn(&Figures) -> Option<f64>,
+) -> ResponseColumn {
+    ResponseColumn { name, unit, label, of }
+}
+
+/// All responses, in the order of the table.
+pub const RESPONSES: [ResponseColumn; 16] = [
+    response("drag", "N", "drag F_H", |f| f.drag),
+    response("vertical", "N", "vertical force F_V", |f| f.vertical),
+    response("lateral", "N", "lateral force F_y", |f| f.lateral),
+    response("sinkage", "m", "sinkage z", |f| f.sinkage),
+    response("slip", "-", "slip s", |f| f.slip),
+    response("axle_torque", "N m", "axle torque M", |f| f.axle_torque),
+    response("peak_drag", "N", "largest drag", |f| f.peak_drag),
+    response("peak_vertical", "N", "largest vertical force", |f| f.peak_vertical),
+    response("drag_noise", "-", "scatter of the drag over its mean", |f| f.drag_noise),
+    response("F_H_bar", "-", "drag F_H/(γtd²)", |f| f.drag_group),
+    response("F_V_bar", "-", "vertical force F_V/(γtd²)", |f| f.vertical_group),
+    response("Z", "-", "sinkage z/d", |f| f.sinkage_group),
+    response("t_bar", "-", "thickness t/d", |f| f.t_bar),
+    response("W_bar", "-", "weight W/(γtd²)", |f| f.weight_group),
+    response("E_bar", "-", "stiffness E/(γd)", |f| f.stiffness_group),
+    response("c_bar", "-", "cohesion c/(γd)", |f| f.cohesion_group),
+];
+
+/// The names of the responses.
+pub fn names<'a>() -> impl Iterator<Item = &'a str> {
+    RESPONSES.iter().map(|response| response.name)
+}

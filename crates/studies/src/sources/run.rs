@@ -1,0 +1,97 @@
+//! The history of a finished or stopped run as a record.
+
+use crate::measured::{Quantity, Record};
+use coulter::history::BodySample;
+use coulter::history::blocks::{STUDENT_90, block_averages, standard_error};
+use coulter::history::reference::Reference;
+use coulter::history::steady::window;
+use coulter::output::folder::{Contents, Outcome, RunRecord, inspect};
+use coulter::output::tables::read_history;
+use std::ops::Range;
+use std::path::Path;
+
+/// A run: its history and its steady window.
+#[derive(Clone, Debug)]
+pub struct RunSource {
+    /// The history of one body.
+    pub record: Record,
+    /// The lines of the steady window.
+    pub steady: Range<usize>,
+    /// The folder's record of the run.
+    pub run: RunRecord,
+}
+
+/// Reads the history of a body from a results folder; the first body with a surface unless one is named.
+///
+/// # Errors
+/// What keeps it from being read, with a cure.
+pub fn read_run(folder: &Path, body: Option<&str>) -> Result<RunSource, String> {
+    let shown = folder.display();
+    let run = match inspect(folder).map_err(|error| error.to_string())? {
+        Contents::Run(run) => *run,
+        Contents::Nothing | Contents::Foreign => {
+            return Err(format!(
+                "{shown} holds no results of a run; name the folder that `coulter run` wrote"
+            ));
+        }
+    };
+    let number = match body {
+        Some(name) => run.bodies.iter().position(|reference| reference.name == name).ok_or_else(|| {
+            let names: Vec<&str> = run.bodies.iter().map(|reference| reference.name.as_str()).collect();
+            format!("{shown}: no body is called `{name}`; its bodies are {}", names.join(", "))
+        })?,
+        None => run.bodies.iter().position(Reference::has_surface).unwrap_or(0),
+    };
+    let is_whole = run.statistics.outcome == Outcome::Finished;
+    let history = read_history(folder, &run.names(), is_whole).map_err(|error| error.to_string())?;
+    let (Some(samples), Some(reference)) = (history.bodies.get(number), run.bodies.get(number)) else {
+        return Err(format!("{shown}: the run has no body"));
+    };
+    let steady = window(samples, reference, run.steady_part());
+    Ok(RunSource { record: record(&folder.display().to_string(), samples, reference), steady, run })
+}
+
+/// A quantity and where a sample has it.
+type Column = (Quantity, fn(&BodySample) -> f64);
+
+/// The columns of a history that curves use.
+fn record(name: &str, samples: &[BodySample], reference: &Reference) -> Record {
+    let mut record = Record { name: name.to_owned(), ..Record::default() };
+    let columns: [Column; 10] = [
+        (Quantity::Time, |s| s.time),
+        (Quantity::Displacement, |s| s.displacement),
+        (Quantity::Sinkage, |s| s.sinkage),
+        (Quantity::Drag, |s| s.drag),
+        (Quantity::Vertical, |s| s.vertical),
+        (Quantity::Lateral, |s| s.lateral),
+        (Quantity::Torque, |s| s.axle_torque),
+        (Quantity::Speed, |s| s.speed),
+        (Quantity::Rotation, |s| s.rotation),
+        (Quantity::Spin, |s| s.spin),
+    ];
+    for (quantity, value) in columns {
+        record.push(quantity, samples.iter().map(value).collect());
+    }
+    if let Some(area) = base_area(reference) {
+        record.push(Quantity::Pressure, samples.iter().map(|s| s.vertical / area).collect());
+    }
+    record
+}
+
+/// The area of a round base [m²].
+fn base_area(reference: &Reference) -> Option<f64> {
+    let is_round = matches!(reference.kind.as_str(), "cone" | "cylinder") && !reference.towed;
+    is_round.then_some(0.25 * std::f64::consts::PI * reference.length * reference.length)
+}
+
+impl RunSource {
+    /// The mean of a quantity over the steady window, and half of its 90 % interval from averages over blocks, where there are enough
+    /// samples for one.
+    #[must_use]
+    pub fn steady_mean(&self, quantity: Quantity) -> Option<(f64, Option<f64>)> {
+        let values = self.record.values(quantity)?.get(self.steady.clone()).filter(|v| !v.is_empty())?;
+        let mean = values.iter().sum::<f64>() / values.len() as f64;
+        let half = block_averages(values).map(|blocks| STUDENT_90 * standard_error(&blocks));
+        mean.is_finite().then_some((mean, half))
+    }
+}

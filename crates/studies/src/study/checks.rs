@@ -1,0 +1,163 @@
+//! What of a study can be checked only as a whole: whether designs have what they need, and names lead somewhere.
+
+use super::assignments::assignments;
+use super::points::{Formless, count, point};
+use super::{Design, Level, Part, Study, keys};
+use crate::responses;
+use coulter::case::form::{Entry, Form, Problems, Value, find, join, nearest};
+use coulter::case::keys::NAMED;
+
+/// Reports what is wrong with a study as a whole.
+pub(super) fn check(form: &Form, study: &Study, problems: &mut Problems) {
+    let Ok(case) = Form::read(&study.case_text, &study.case_path) else {
+        problems.add(
+            "case",
+            "the file of the case is not TOML",
+            "`coulter check` says what is wrong with it",
+        );
+        return;
+    };
+    for factor in &study.factors {
+        let path = join("factor", &factor.name);
+        match &factor.key {
+            Some(key) => has_section(key, &join(&path, "key"), &case.entries, problems),
+            None if study.parts.iter().all(|part| !is_in_formula(&factor.name, part)) => problems
+                .add_to_name(
+                    path,
+                    format!("`{}` has no key, and no formula uses it", factor.name),
+                    "add key = \"soil.friction_angle\", or use it in [derived]",
+                ),
+            None => {}
+        }
+    }
+    for part in &study.parts {
+        let path = if part.name.is_empty() { String::new() } else { join("part", &part.name) };
+        let given = problems.len();
+        design(study, part, &path, problems);
+        if problems.len() == given {
+            formulas(study, part, (form, &path, &case.entries), problems);
+        }
+    }
+    charts(study, problems);
+}
+
+fn is_in_formula(name: &str, part: &Part) -> bool {
+    part.derived.iter().any(|(_, formula)| formula.names().contains(&name))
+}
+
+/// Reports a key of a named section that the case does not have.
+fn has_section(key: &str, at: &str, tree: &[Entry], problems: &mut Problems) {
+    let names: Vec<&str> = key.split('.').collect();
+    let [kind, name, _, ..] = names[..] else { return };
+    if !NAMED.contains(&kind) || find(tree, &join(kind, name)).is_some() {
+        return;
+    }
+    let known: Vec<&str> = match find(tree, kind) {
+        Some(Value::Table(entries)) => entries.iter().map(|entry| entry.key.as_str()).collect(),
+        _ => Vec::new(),
+    };
+    let cure = match nearest(name, known.iter().copied()) {
+        Some(near) => format!("did you mean `{kind}.{near}`?"),
+        None if known.is_empty() => format!("the case has no section [{kind}.NAME]"),
+        None => format!("the case has {}", known.join(", ")),
+    };
+    problems.add(at, format!("the case has no section [{kind}.{name}]"), cure);
+}
+
+/// Reports factors that lack what the design needs.
+fn design(study: &Study, part: &Part, path: &str, problems: &mut Problems) {
+    let factors = || part.factors.iter().map(|n| &study.factors[*n]);
+    let at = join(path, "design");
+    for factor in factors() {
+        let lacks = if part.design.fills_space() {
+            factor.range.is_none_or(|[low, high]| low >= high) && factor.levels.len() < 2
+        } else {
+            factor.levels.is_empty()
+        };
+        if lacks {
+            let message = format!("the factor `{}` has nothing that the design could vary", factor.name);
+            let cure = if part.design.fills_space() {
+                "give it range = [\"30 deg\", \"45 deg\"]"
+            } else {
+                "give it values = [\"30 deg\", \"35 deg\"], or levels = 4 over its range"
+            };
+            problems.add_to_name(join("factor", &factor.name), message, cure);
+        }
+    }
+    if part.design == Design::List {
+        let counts: Vec<String> =
+            factors().map(|factor| format!("{} has {}", factor.name, factor.levels.len())).collect();
+        if factors().any(|factor| Some(factor.levels.len()) != factors().next().map(|f| f.levels.len())) {
+            let message = format!("a list needs as many levels of every factor: {}", counts.join(", "));
+            problems.add(at.clone(), message, "give every factor as many values, or write design = \"grid\"");
+        }
+    }
+    if part.factors.is_empty() {
+        problems.add(join(path, "factors"), "no factor is varied", "name one, or leave the key out for all");
+    }
+    let points = count(study, part);
+    if points > keys::MOST_POINTS {
+        let message = format!("the design has {points} points, at most {} are possible", keys::MOST_POINTS);
+        problems.add(at, message, "use fewer levels, or design = \"sobol\" with points = 1000");
+    }
+}
+
+/// Reports formulas that have no value at the first levels.
+fn formulas(
+    study: &Study,
+    part: &Part,
+    (form, path, tree): (&Form, &str, &[Entry]),
+    problems: &mut Problems,
+) {
+    if part.derived.is_empty() {
+        return;
+    }
+    let first = |n: &usize| -> Option<Level> {
+        let factor = &study.factors[*n];
+        factor.levels.first().cloned().or_else(|| factor.at(0.5).map(|number| factor.level(number)))
+    };
+    let Some(levels) = part.factors.iter().map(first).collect::<Option<Vec<Level>>>() else { return };
+    let Err(Formless { key, why }) = point(study, part, tree, levels) else { return };
+    // It stands in the part, or at the top of the file.
+    let own = join(path, "derived");
+    let in_part = assignments(find(&form.entries, &own).cloned(), "").iter().any(|(name, _)| *name == key);
+    let at = join(if in_part { &own } else { "derived" }, &key);
+    let cure = "use names of factors, or keys that the case gives a number";
+    problems.add(at, format!("the formula of {key}: {why}"), cure);
+}
+
+/// Reports charts of columns and parts that do not exist.
+fn charts(study: &Study, problems: &mut Problems) {
+    let factors: Vec<&str> = study.factors.iter().map(|factor| factor.name.as_str()).collect();
+    let columns: Vec<&str> = factors.iter().copied().chain(responses::names()).collect();
+    let parts: Vec<&str> = study.parts.iter().map(|part| part.name.as_str()).collect();
+    let responses: Vec<&str> = responses::names().collect();
+    for (n, typed) in study.responses.iter().enumerate() {
+        lead_nowhere(&format!("responses[{n}]"), (typed, &responses), "response", problems);
+    }
+    for chart in &study.charts {
+        let path = join("chart", &chart.name);
+        let wanted = [
+            ("x", Some(&chart.x), &columns, "column"),
+            ("y", Some(&chart.y), &columns, "column"),
+            ("family", chart.family.as_ref(), &factors, "factor"),
+            ("part", chart.part.as_ref(), &parts, "part"),
+        ];
+        for (key, typed, known, what) in wanted {
+            if let Some(typed) = typed {
+                lead_nowhere(&join(&path, key), (typed, known), what, problems);
+            }
+        }
+    }
+}
+
+/// Reports a name that is not among the known ones.
+fn lead_nowhere(at: &str, (typed, known): (&str, &[&str]), what: &str, problems: &mut Problems) {
+    if known.contains(&typed) {
+        return;
+    }
+    let near = nearest(typed, known.iter().copied());
+    let cure = near
+        .map_or_else(|| format!("there are {}", known.join(", ")), |near| format!("did you mean `{near}`?"));
+    problems.add(at, format!("the study has no {what} `{typed}`"), cure);
+}

@@ -1,0 +1,17 @@
+//! A study: which cases it consists of, as its file says.
+
+mod assignments;
+mod checks;
+mod design;
+mod factor;
+pub mod keys;
+mod model;
+mod points;
+mod read;
+pub mod schema;
+
+pub use design::{Design, ModelKind};
+pub use factor::{Factor, Level};
+pub use model::{ChartWish, Part, Pool, Study};
+pub use points::{Point, points};
+pub use read::{read, read_expanded};

@@ -1,0 +1,80 @@
+//! A study as its file says, with everything that can be checked without running a case.
+
+use super::{Design, Factor, ModelKind};
+use crate::expression::Expression;
+
+/// A study.
+#[derive(Clone, Debug)]
+pub struct Study {
+    /// Its name, that of its file.
+    pub name: String,
+    /// Heading of its page.
+    pub title: String,
+    /// The case that is varied: path of its file.
+    pub case_path: String,
+    /// The text of that file.
+    pub case_text: String,
+    /// Whether every closed form that applies gets a row of the table.
+    pub all_closed_forms: bool,
+    /// Responses whose effects are analysed; empty for the usual ones.
+    pub responses: Vec<String>,
+    /// The factors, in the order of the file.
+    pub factors: Vec<Factor>,
+    /// The parts, in the order of the file; one at least.
+    pub parts: Vec<Part>,
+    /// The charts, in the order of the file.
+    pub charts: Vec<ChartWish>,
+    /// How cases are run on this machine.
+    pub pool: Pool,
+}
+
+/// A part of a study.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// Its name; empty of a study that has only one.
+    pub name: String,
+    /// What is evaluated at every point.
+    pub models: Vec<ModelKind>,
+    /// Which points it has.
+    pub design: Design,
+    /// Number of points of a design that fills space; 0 of the others.
+    pub points: usize,
+    /// Start of the random numbers.
+    pub seed: u64,
+    /// Its factors: numbers in the list of the study.
+    pub factors: Vec<usize>,
+    /// Keys of the case and their values at all points, as TOML.
+    pub set: Vec<(String, String)>,
+    /// Keys of the case that follow from others.
+    pub derived: Vec<(String, Expression)>,
+}
+
+/// A chart that the file asks for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ChartWish {
+    /// Its name.
+    pub name: String,
+    /// Column along the x axis.
+    pub x: String,
+    /// Column along the y axis.
+    pub y: String,
+    /// Factor of which every level gets a curve.
+    pub family: Option<String>,
+    /// The part that is shown; all without.
+    pub part: Option<String>,
+    /// Whether both axes are logarithmic.
+    pub logarithmic: bool,
+    /// Whether the x axis alone is logarithmic.
+    pub logarithmic_x: bool,
+    /// Whether it shows how well all points fall onto one curve.
+    pub collapse: bool,
+}
+
+/// How cases are run on this machine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pool {
+    /// Cases that run at the same time; `None` for as many as cores and memory allow.
+    pub workers: Option<usize>,
+    /// Threads of each run of the solver.
+    pub threads: usize,
+}

@@ -1,0 +1,375 @@
+//! From the text of a study file to a study; everything that is wrong is reported at once, each with its place.
+
+use super::assignments::assignments;
+use super::factor::numbers_of;
+use super::keys::{self, table};
+use super::model::{ChartWish, Part, Pool, Study};
+use super::{Design, Factor, ModelKind};
+use crate::expression::{self, Expression};
+use coulter::case::form::{Entry, Form, Problems, Section, Value, accepts, find, join, nearest, section};
+use coulter::case::{self, CaseError};
+use std::path::Path;
+
+/// Reads the study file at `path`.
+///
+/// # Errors
+/// [`CaseError`] holds everything that is wrong with it, with its place in the file; or what is wrong with the file of the case.
+pub fn read(path: &Path) -> Result<Study, CaseError> {
+    let stem = path.file_stem();
+    let name = stem.map_or_else(|| "study".to_owned(), |stem| stem.to_string_lossy().into_owned());
+    read_with(path, &name, None)
+}
+
+/// Reads a study that was expanded: the copy of its file, its name, and the text of the case with the path of its file.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_expanded(path: &Path, name: &str, case: (&str, &str)) -> Result<Study, CaseError> {
+    read_with(path, name, Some(case))
+}
+
+fn read_with(path: &Path, name: &str, case: Option<(&str, &str)>) -> Result<Study, CaseError> {
+    let form = Form::read(&case::text(path)?, &path.display().to_string())?;
+    let mut problems = Problems::default();
+    let top = top(&form, &mut problems);
+    let mut factors = Vec::new();
+    for (name, entries) in named(&form, "factor", &mut problems) {
+        let given = problems.len();
+        let read = factor(&name, &entries, &mut problems);
+        factors.extend(read.filter(|_| problems.len() == given));
+    }
+    let names: Vec<String> =
+        named(&form, "factor", &mut Problems::default()).into_iter().map(|(name, _)| name).collect();
+    if names.is_empty() {
+        problems.add("factor", "the study varies nothing", "add a factor: [factor.phi]");
+    }
+    let charts = named(&form, "chart", &mut problems);
+    let charts: Vec<ChartWish> = charts.iter().map(|(name, e)| chart(name, e, &mut problems)).collect();
+    let pool = pool(&form, &mut problems);
+    let parts = parts(&form, &names, &mut problems);
+    if !problems.is_empty() {
+        return Err(form.error(problems));
+    }
+    let (case_path, case_text) = match case {
+        Some((text, path)) => (path.to_owned(), text.to_owned()),
+        None => of_case(path, &top, &form)?,
+    };
+    let study = Study {
+        title: top.text("title").unwrap_or_else(|| name.to_owned()),
+        name: name.to_owned(),
+        case_path,
+        case_text,
+        responses: top.words("responses").unwrap_or_default(),
+        all_closed_forms: top.text("closed_forms").as_deref() == Some("all"),
+        factors,
+        parts,
+        charts,
+        pool,
+    };
+    super::checks::check(&form, &study, &mut problems);
+    if problems.is_empty() { Ok(study) } else { Err(form.error(problems)) }
+}
+
+/// The path of the case that is varied, and its text.
+fn of_case(path: &Path, top: &Section, form: &Form) -> Result<(String, String), CaseError> {
+    let typed = top.text("case").unwrap_or_default();
+    let found = path.parent().unwrap_or(Path::new("")).join(&typed);
+    let text = case::text(&found).map_err(|error| {
+        let why = error.problems.first().map_or_else(|| error.to_string(), |problem| problem.message.clone());
+        let mut problems = Problems::default();
+        problems.add("case", why, "check the path, which is relative to the folder of the study");
+        form.error(problems)
+    })?;
+    Ok((found.display().to_string(), text))
+}
+
+/// The keys at the top: those of the file, and those of a part.
+fn top(form: &Form, problems: &mut Problems) -> Section {
+    let own: Vec<&str> = table("").keys.iter().map(|key| key.name).collect();
+    let of_part: Vec<&str> = table("part").keys.iter().map(|key| key.name).collect();
+    let sections: Vec<&str> = keys::SECTIONS.iter().map(|s| s.name).filter(|name| !name.is_empty()).collect();
+    let read = section(&form.entries, &table(""), "", &[of_part, sections].concat(), problems);
+    // Of a part, what stands at the top is only looked at for what is wrong with it.
+    let part: Vec<Entry> = form.entries.iter().filter(|e| !own.contains(&e.key.as_str())).cloned().collect();
+    let sections: Vec<&str> = keys::SECTIONS.iter().map(|s| s.name).collect();
+    let _ = section(&part, &table("part"), "", &sections, problems);
+    read
+}
+
+/// The sections `[kind.NAME]`.
+fn named(form: &Form, kind: &str, problems: &mut Problems) -> Vec<(String, Vec<Entry>)> {
+    let Some(value) = find(&form.entries, kind) else { return Vec::new() };
+    let cure = format!("give every {kind} its own section: [{kind}.NAME]");
+    let Value::Table(entries) = value else {
+        problems.add(kind, format!("`{kind}` must be a table, not {}", value.kind()), cure);
+        return Vec::new();
+    };
+    let mut found = Vec::new();
+    for entry in entries {
+        let path = join(kind, &entry.key);
+        let plain = |c: char| c.is_ascii_alphanumeric() || "_-".contains(c);
+        match &entry.value {
+            Value::Table(_) if entry.key.is_empty() || !entry.key.chars().all(plain) => {
+                let message = format!("`{}` is not a name of a {kind}", entry.key);
+                problems.add_to_name(path, message, "use letters, digits, - and _ only");
+            }
+            Value::Table(inner) => found.push((entry.key.clone(), inner.clone())),
+            other => {
+                let message = format!("`{path}` must be a section, not {}", other.kind());
+                problems.add_to_name(path, message, cure.clone());
+            }
+        }
+    }
+    found
+}
+
+/// A factor; `None` where it is wrong.
+fn factor(name: &str, entries: &[Entry], problems: &mut Problems) -> Option<Factor> {
+    let path = join("factor", name);
+    let read = section(entries, &table("factor"), &path, &[], problems);
+    let items = |key: &str| match read.as_typed(key) {
+        Some(Value::List(items)) => items,
+        _ => Vec::new(),
+    };
+    let (values, range) = (items("values"), items("range"));
+    let at = |key: &str| join(&path, key);
+    if !read.has("values") && !read.has("range") {
+        let cure = "give it values = [\"30 deg\", \"35 deg\"], or range = [\"30 deg\", \"45 deg\"]";
+        problems.add_to_name(
+            path.clone(),
+            format!("the factor `{name}` has neither values nor a range"),
+            cure,
+        );
+        return None;
+    }
+    if read.has("range") && range.len() != 2 {
+        problems.add(
+            at("range"),
+            "a range has two values, low and high",
+            "write range = [\"30 deg\", \"45 deg\"]",
+        );
+        return None;
+    }
+    let key = read.text("key");
+    if let Some(key) = &key {
+        accepted(key, &path, [&values, &range], problems)?;
+    }
+    let all: Vec<Value> = values.iter().chain(&range).cloned().collect();
+    let (unit, numbers) = match numbers_of(&all) {
+        Some((unit, numbers)) => (Some(unit), numbers),
+        None => (None, Vec::new()),
+    };
+    let mut factor = Factor {
+        name: name.to_owned(),
+        key,
+        label: read.text("label").unwrap_or_else(|| name.to_owned()),
+        unit,
+        levels: Vec::new(),
+        range: None,
+        logarithmic: read.text("scale").as_deref() == Some("logarithmic"),
+    };
+    let (of_values, of_range) = numbers.split_at(values.len().min(numbers.len()));
+    spread(&mut factor, &read, (&values, of_values, of_range), problems)?;
+    Some(factor)
+}
+
+/// Whether the key of a factor exists, and takes its values.
+fn accepted(key: &str, path: &str, [values, range]: [&[Value]; 2], problems: &mut Problems) -> Option<()> {
+    let mut is_accepted = true;
+    for (list, values) in [("values", values), ("range", range)] {
+        for (n, value) in values.iter().enumerate() {
+            if let Err([message, cure]) = accepts(key, value) {
+                let is_unknown = coulter::case::keys::at(key).is_none();
+                let at = if is_unknown { join(path, "key") } else { format!("{path}.{list}[{n}]") };
+                problems.add(at, message, cure);
+                is_accepted = false;
+            }
+        }
+    }
+    is_accepted.then_some(())
+}
+
+/// Gives a factor its range and its levels.
+fn spread(
+    factor: &mut Factor,
+    read: &Section,
+    (values, of_values, of_range): (&[Value], &[f64], &[f64]),
+    problems: &mut Problems,
+) -> Option<()> {
+    let at = |key: &str| read.at(key);
+    let is_numeric = factor.unit.is_some();
+    if (read.has("range") || read.has("levels")) && !is_numeric {
+        let message = "the values are not numbers of one kind, between which there is nothing";
+        problems.add(
+            at("range"),
+            message,
+            "give values = […] without a range, or numbers with the same unit",
+        );
+        return None;
+    }
+    let numbers = if of_range.is_empty() { of_values } else { of_range };
+    let (low, high) =
+        numbers.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), n| (l.min(*n), h.max(*n)));
+    if is_numeric {
+        if read.has("range") && of_range[0] >= of_range[1] {
+            problems.add(at("range"), "the low end is not below the high end", "write the lower value first");
+            return None;
+        }
+        if factor.logarithmic && low <= 0.0 {
+            problems.add(at("scale"), "a logarithmic scale needs values above 0", "write scale = \"linear\"");
+            return None;
+        }
+        factor.range = Some([low, high]);
+    }
+    factor.levels = if read.has("values") {
+        let number = |n: usize| of_values.get(n).copied();
+        values.iter().enumerate().map(|(n, value)| Factor::level_of(value, number(n))).collect()
+    } else {
+        let count = read.number("levels").unwrap_or(0.0) as usize;
+        let fraction = |n: usize| n as f64 / (count.max(2) - 1) as f64;
+        (0..count).filter_map(|n| factor.at(fraction(n))).map(|number| factor.level(number)).collect()
+    };
+    Some(())
+}
+
+fn chart(name: &str, entries: &[Entry], problems: &mut Problems) -> ChartWish {
+    let read = section(entries, &table("chart"), &join("chart", name), &[], problems);
+    let scale = read.text("scale").unwrap_or_default();
+    ChartWish {
+        name: name.to_owned(),
+        x: read.text("x").unwrap_or_default(),
+        y: read.text("y").unwrap_or_default(),
+        family: read.text("family"),
+        part: read.text("part"),
+        logarithmic: scale == "logarithmic",
+        logarithmic_x: scale == "logarithmic-x",
+        collapse: read.flag("collapse").unwrap_or(false),
+    }
+}
+
+fn pool(form: &Form, problems: &mut Problems) -> Pool {
+    let entries = match find(&form.entries, "pool") {
+        Some(Value::Table(entries)) => entries.clone(),
+        Some(other) => {
+            problems.add(
+                "pool",
+                format!("`pool` must be a section, not {}", other.kind()),
+                "write it as a heading: [pool]",
+            );
+            Vec::new()
+        }
+        None => Vec::new(),
+    };
+    let read = section(&entries, &table("pool"), "pool", &[], problems);
+    Pool {
+        workers: read.number("workers").map(|count| count as usize),
+        threads: read.number("threads").map_or(1, |count| count as usize),
+    }
+}
+
+/// The parts; without any section of them the study is one.
+fn parts(form: &Form, names: &[String], problems: &mut Problems) -> Vec<Part> {
+    let of_part = |entry: &&Entry| table("part").keys.iter().any(|key| key.name == entry.key);
+    let shared: Vec<Entry> = form.entries.iter().filter(of_part).cloned().collect();
+    let sections = named(form, "part", problems);
+    if sections.is_empty() {
+        return vec![part(("", ""), &shared, &[], names, problems)];
+    }
+    sections
+        .iter()
+        .map(|(name, own)| part((name, &join("part", name)), own, &shared, names, problems))
+        .collect()
+}
+
+/// A part, from its own keys and those that it shares with others.
+fn part(
+    (name, path): (&str, &str),
+    own: &[Entry],
+    shared: &[Entry],
+    names: &[String],
+    problems: &mut Problems,
+) -> Part {
+    // What is shared was checked where it stands.
+    let own_read = section(own, &table("part"), path, &[], problems);
+    let shared_read = section(shared, &table("part"), "", &[], &mut Problems::default());
+    let of = |key: &str| if own_read.has(key) { &own_read } else { &shared_read };
+    let design = Design::of(&of("design").text("design").unwrap_or_default());
+    let words = of("models").words("models").unwrap_or_else(|| vec!["closed-form".to_owned()]);
+    let mut factors = Vec::new();
+    for (n, typed) in of("factors").words("factors").unwrap_or_else(|| names.to_vec()).iter().enumerate() {
+        match names.iter().position(|name| name == typed) {
+            Some(number) if factors.contains(&number) => {
+                let at = format!("{}[{n}]", of("factors").at("factors"));
+                problems.add(at, format!("the factor `{typed}` is named twice"), "name every factor once");
+            }
+            Some(number) => factors.push(number),
+            None => {
+                let near = nearest(typed, names.iter().map(String::as_str));
+                let known = || format!("known: {}", names.join(", "));
+                let cure = near.map_or_else(known, |near| format!("did you mean `{near}`?"));
+                let at = format!("{}[{n}]", of("factors").at("factors"));
+                problems.add(at, format!("there is no factor `{typed}`"), cure);
+            }
+        }
+    }
+    let points = of("points").number("points");
+    if design.fills_space() && points.is_none() && !of("points").has("points") {
+        problems.add(
+            join(path, "points"),
+            "`points` is missing: how many points the design has",
+            "add points = 64",
+        );
+    }
+    Part {
+        name: name.to_owned(),
+        models: ModelKind::all_of(&words),
+        design,
+        points: points.filter(|_| design.fills_space()).unwrap_or(0.0) as usize,
+        seed: of("seed").number("seed").unwrap_or(1.0) as u64,
+        factors,
+        set: [(&shared_read, ""), (&own_read, path)]
+            .iter()
+            .flat_map(|(read, at)| set(read, at, problems))
+            .collect(),
+        derived: [(&shared_read, ""), (&own_read, path)]
+            .iter()
+            .flat_map(|(read, at)| derived(read, at, problems))
+            .collect(),
+    }
+}
+
+fn set(read: &Section, path: &str, problems: &mut Problems) -> Vec<(String, String)> {
+    let mut list = Vec::new();
+    for (key, value) in assignments(read.as_typed("set"), "") {
+        match accepts(&key, &value) {
+            Ok(()) => list.push((key, super::factor::toml_of(&value))),
+            Err([message, cure]) => problems.add(format!("{}.{key}", join(path, "set")), message, cure),
+        }
+    }
+    list
+}
+
+fn derived(read: &Section, path: &str, problems: &mut Problems) -> Vec<(String, Expression)> {
+    let mut list = Vec::new();
+    for (key, value) in assignments(read.as_typed("derived"), "") {
+        let at = format!("{}.{key}", join(path, "derived"));
+        const CURE: &str = "write a formula of factors and keys, such as \"t_bar * body.disc.diameter\"";
+        let Value::Text(text) = &value else {
+            problems.add(at, format!("expected a formula as text, found {}", value.kind()), CURE);
+            continue;
+        };
+        if coulter::case::keys::at(&key).is_none() {
+            problems.add(
+                at,
+                format!("there is no key `{key}` in a case"),
+                "name a key such as body.disc.thickness",
+            );
+            continue;
+        }
+        match expression::parse(text) {
+            Ok(read) => list.push((key, read)),
+            Err(why) => problems.add(at, format!("`{text}` cannot be read: {why}"), CURE),
+        }
+    }
+    list
+}

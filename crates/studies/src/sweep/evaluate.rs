@@ -1,0 +1,214 @@
+//! A case of a study, from its line to its outcome.
+
+use super::expand::{self, reason};
+use super::line::CaseLine;
+use super::outcome::{Ending, Outcome};
+use super::store::{Store, StudyError};
+use crate::responses::Figures;
+use crate::study::ModelKind;
+use coulter::case::{self, Case, CaseError};
+use coulter::forecast::{self, Outlook};
+use coulter::history::reference::Reference;
+use coulter::interrupts::Interrupts;
+use coulter::output::folder::RunRecord;
+use coulter::output::{BodySummary, OutputError, Summary};
+use coulter::run::{self, End, RunError, RunOptions, Start};
+use coulter::trust::Verdict;
+
+/// Why a case has no outcome.
+#[derive(Debug, thiserror::Error)]
+pub enum Unended {
+    /// The folder of the study could not be read or written, or no longer fits.
+    #[error(transparent)]
+    Study(#[from] StudyError),
+    /// The results of its run could not be written or read.
+    #[error(transparent)]
+    Output(#[from] OutputError),
+    /// Another engine is running it.
+    #[error("another engine is running the case {0}")]
+    Busy(String),
+    /// A signal stopped it; a run goes on from there.
+    #[error("stopped by signal {0}")]
+    Stopped(i32),
+    /// Anything else.
+    #[error("{0}")]
+    Other(String),
+}
+
+/// What all cases of a study share.
+#[derive(Clone, Debug)]
+pub struct Shared {
+    /// The folder of the study.
+    pub store: Store,
+    /// The text of the case that is varied.
+    pub text: String,
+    /// The path of its file.
+    pub path: String,
+    /// Threads of each run of the solver.
+    pub threads: usize,
+    /// Requests from outside.
+    pub interrupts: Interrupts,
+}
+
+/// Brings a case to its outcome and enters it; one that has an outcome is left as it is.
+///
+/// # Errors
+/// [`Unended`] where it has none; the reason is noted in the folder of the study, unless it was stopped or another engine has it.
+pub fn evaluate(shared: &Shared, line: &CaseLine) -> Result<Outcome, Unended> {
+    if let Some(outcome) = shared.store.outcome(&line.id) {
+        return Ok(outcome);
+    }
+    match outcome(shared, line) {
+        Ok(outcome) => {
+            shared.store.enter(&outcome)?;
+            Ok(outcome)
+        }
+        Err(why @ (Unended::Busy(_) | Unended::Stopped(_))) => Err(why),
+        Err(why) => {
+            shared.store.note_failure(&line.id, &why.to_string())?;
+            Err(why)
+        }
+    }
+}
+
+fn outcome(shared: &Shared, line: &CaseLine) -> Result<Outcome, Unended> {
+    let refused =
+        |reason: String| Outcome { id: line.id.clone(), ending: Ending::Refused, reason, rows: Vec::new() };
+    if !line.refused.is_empty() {
+        return Ok(refused(line.refused.clone()));
+    }
+    let case = match expand::read(&shared.text, &shared.path, line) {
+        Ok(case) => case,
+        Err(error) => return Err(Unended::Other(reason(&error))),
+    };
+    let now = expand::id(&case, line.model);
+    if now != line.id {
+        return Err(StudyError::Changed { id: line.id.clone(), now }.into());
+    }
+    match line.model {
+        ModelKind::ClosedForm => Ok(match forecast::outlook(&case) {
+            Ok(outlook) => Outcome {
+                id: line.id.clone(),
+                ending: Ending::Done,
+                reason: if outlook.recommended().is_some() {
+                    String::new()
+                } else {
+                    outlook.forecast.recommendation.replace('\n', " ")
+                },
+                rows: closed_forms(&outlook),
+            },
+            Err(why) => refused(format!("there is no forecast for this case: {why}")),
+        }),
+        ModelKind::Solver => solved(shared, line, case),
+    }
+}
+
+/// The rows of the closed forms that apply.
+fn closed_forms(outlook: &Outlook) -> Vec<Figures> {
+    let recommended = outlook.recommended().map(|model| model.name);
+    let groups = &outlook.forecast.groups;
+    let (scale, length) = (outlook.force_scale(), outlook.input.towing.body.length());
+    let over = |value: f64, reference: f64| Some(value / reference).filter(|ratio| ratio.is_finite());
+    let applicable = outlook.forecast.models.iter().filter(|model| model.applicable);
+    let rows = applicable.filter_map(|model| {
+        let found = model.prediction?;
+        Some(Figures {
+            model: model.name.to_owned(),
+            body: outlook.input.kind.to_owned(),
+            recommended: Some(model.name) == recommended,
+            drag: Some(found.drag),
+            vertical: Some(found.vertical),
+            lateral: found.lateral,
+            sinkage: found.sinkage,
+            slip: found.slip,
+            axle_torque: outlook.moment(model).map(|[_, y, _]| y),
+            drag_group: over(found.drag, scale),
+            vertical_group: over(found.vertical, scale),
+            sinkage_group: found.sinkage.and_then(|z| over(z, length)),
+            t_bar: Some(groups.thickness),
+            weight_group: groups.weight,
+            stiffness_group: groups.stiffness,
+            cohesion_group: groups.cohesion,
+            ..Figures::default()
+        })
+    });
+    rows.collect()
+}
+
+/// Runs the solver: a new run, or one that goes on from its checkpoint.
+fn solved(shared: &Shared, line: &CaseLine, mut case: Case) -> Result<Outcome, Unended> {
+    case.numerics.threads = shared.threads;
+    let typed = case::overridden(&shared.text, &shared.path, &line.set)
+        .map_err(|error: CaseError| Unended::Other(reason(&error)))?;
+    let folder = shared.store.run_folder(&line.id);
+    let options = RunOptions {
+        folder: &folder,
+        start: Start::AutoResume,
+        quiet: true,
+        warnings: &[],
+        interrupts: &shared.interrupts,
+        typed: &typed,
+    };
+    let broken =
+        |reason: String| Outcome { id: line.id.clone(), ending: Ending::Broken, reason, rows: Vec::new() };
+    match run::run(&case, &options) {
+        Ok(End::Finished(summary)) if summary.trust.verdict == Verdict::Broken => {
+            Ok(broken(run::verdict(&summary).join("; ")))
+        }
+        Ok(End::Finished(summary)) => {
+            let record = RunRecord::read(&folder)?;
+            let rows = runs(&case, &summary, &record.bodies);
+            Ok(Outcome { id: line.id.clone(), ending: Ending::Done, reason: String::new(), rows })
+        }
+        Ok(End::Stopped(signal, _)) => Err(Unended::Stopped(signal)),
+        Err(RunError::Physics { cause, .. }) => Ok(broken(cause.to_string())),
+        Err(RunError::BrokeDownBefore { cause, .. }) => Ok(broken(cause)),
+        Err(RunError::Output(OutputError::Busy { .. })) => match shared.interrupts.stopped_by() {
+            Some(signal) => Err(Unended::Stopped(signal)),
+            None => Err(Unended::Busy(line.id.clone())),
+        },
+        Err(RunError::Output(error)) => Err(error.into()),
+        Err(error) => Err(Unended::Other(error.to_string())),
+    }
+}
+
+/// The rows of a run: one for every body with a surface.
+fn runs(case: &Case, summary: &Summary, references: &[Reference]) -> Vec<Figures> {
+    let outlook = forecast::outlook(case).ok();
+    let bodies = references.iter().filter(|reference| reference.has_surface());
+    let rows = bodies.enumerate().filter_map(|(n, reference)| {
+        let body = summary.bodies.get(&reference.name)?;
+        let groups = outlook.as_ref().filter(|_| n == 0).map(|outlook| &outlook.forecast.groups);
+        Some(Figures {
+            recommended: n == 0,
+            grade: Some(summary.trust.verdict.name().to_owned()),
+            weight_group: groups.and_then(|groups| groups.weight),
+            stiffness_group: groups.and_then(|groups| groups.stiffness),
+            cohesion_group: groups.and_then(|groups| groups.cohesion),
+            ..of_body(reference, body)
+        })
+    });
+    rows.collect()
+}
+
+fn of_body(reference: &Reference, BodySummary { steady, peak, .. }: &BodySummary) -> Figures {
+    let force = |force: Option<f64>| force.and_then(|force| reference.force_group(force));
+    Figures {
+        model: "solver".to_owned(),
+        body: reference.name.clone(),
+        drag: steady.drag,
+        vertical: steady.vertical,
+        lateral: steady.lateral,
+        sinkage: steady.sinkage,
+        slip: steady.slip,
+        axle_torque: steady.axle_torque,
+        peak_drag: peak.drag,
+        peak_vertical: peak.vertical,
+        drag_noise: steady.drag_noise,
+        drag_group: force(steady.drag),
+        vertical_group: force(steady.vertical),
+        sinkage_group: steady.sinkage.and_then(|z| reference.length_group(z)),
+        t_bar: reference.length_group(reference.width),
+        ..Figures::default()
+    }
+}

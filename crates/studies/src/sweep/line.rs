@@ -1,0 +1,36 @@
+//! A line of `cases.jsonl`: one case of a study.
+
+use crate::study::ModelKind;
+use serde::{Deserialize, Serialize};
+
+/// A case of a study. Lines with the same id are the same case and are run once.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CaseLine {
+    /// Hash of the case as understood and of what is evaluated.
+    pub id: String,
+    /// Number of the point in the study, from 1.
+    pub point: usize,
+    /// The part of the study; empty where it has only one.
+    pub part: String,
+    /// What is evaluated.
+    pub model: ModelKind,
+    /// The factors and their levels there, varied or not.
+    pub factors: Vec<FactorLevel>,
+    /// What is set in the case, as `--set` takes it.
+    pub set: Vec<String>,
+    /// Predicted memory of a run [bytes]; 0 of a closed form.
+    pub memory_bytes: f64,
+    /// Why the case is not valid; empty for one that is.
+    pub refused: String,
+}
+
+/// The level of a factor.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FactorLevel {
+    /// Name of the factor.
+    pub name: String,
+    /// Its number in the unit of the factor; `null` for a word.
+    pub number: Option<f64>,
+    /// The level as typed.
+    pub shown: String,
+}

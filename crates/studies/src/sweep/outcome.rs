@@ -1,0 +1,41 @@
+//! What came out of a case.
+
+use crate::responses::Figures;
+use serde::{Deserialize, Serialize};
+
+/// How a case ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Ending {
+    /// With results.
+    Done,
+    /// The run is broken: its results must not be used.
+    Broken,
+    /// The case is not valid, or no closed form applies to it.
+    Refused,
+}
+
+impl Ending {
+    /// Its word in tables.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Done => "done",
+            Self::Broken => "broken",
+            Self::Refused => "refused",
+        }
+    }
+}
+
+/// The outcome of a case: the same bytes wherever and however often it is run.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Outcome {
+    /// The id of the case.
+    pub id: String,
+    /// How it ended.
+    pub ending: Ending,
+    /// Why, unless it is done.
+    pub reason: String,
+    /// What the models say: of the solver a row for every body, of the closed forms one for every model.
+    pub rows: Vec<Figures>,
+}

@@ -1,0 +1,114 @@
+//! A table of a study: named columns with units, of numbers or of words, each of which may be missing.
+
+mod checks;
+mod csv;
+mod error;
+mod header;
+mod parquet;
+#[cfg(test)]
+mod samples;
+
+pub use self::csv::{from_csv, to_csv};
+pub use self::parquet::{from_parquet, to_parquet};
+pub use error::TableError;
+
+/// What a column is in a study.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// What names a row: its number, its id.
+    Key,
+    /// What was varied: a factor of the design.
+    Factor,
+    /// What came out: a response.
+    Response,
+    /// What is said of the row: its state, its grade, a reason.
+    Remark,
+}
+
+/// The values of a column, one for each row.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Values {
+    /// Numbers in the unit of the column.
+    Numbers(Vec<Option<f64>>),
+    /// Words.
+    Words(Vec<Option<String>>),
+}
+
+impl Values {
+    /// The number of rows.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Numbers(list) => list.len(),
+            Self::Words(list) => list.len(),
+        }
+    }
+
+    /// Whether there is no row.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+/// A column.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    /// Its name in files, such as `drag` or `soil.friction_angle`.
+    pub name: String,
+    /// Its unit, such as `N` or `deg`; `-` for a plain number, empty for words.
+    pub unit: String,
+    /// Its name in charts, such as `drag F_H`.
+    pub label: String,
+    /// What it is.
+    pub role: Role,
+    /// Its values.
+    pub values: Values,
+}
+
+impl Column {
+    /// Its header in a CSV file: `drag [N]`, or the name alone for words.
+    #[must_use]
+    pub fn header(&self) -> String {
+        if self.unit.is_empty() { self.name.clone() } else { format!("{} [{}]", self.name, self.unit) }
+    }
+}
+
+/// Columns of equal length.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Table {
+    /// The columns, in the order of the file.
+    pub columns: Vec<Column>,
+}
+
+impl Table {
+    /// The number of rows.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        self.columns.first().map_or(0, |column| column.values.len())
+    }
+
+    /// The column of that name.
+    #[must_use]
+    pub fn column(&self, name: &str) -> Option<&Column> {
+        self.columns.iter().find(|column| column.name == name)
+    }
+
+    /// The numbers of the column of that name; `None` where there is none, or it holds words.
+    #[must_use]
+    pub fn numbers(&self, name: &str) -> Option<&[Option<f64>]> {
+        match &self.column(name)?.values {
+            Values::Numbers(list) => Some(list),
+            Values::Words(_) => None,
+        }
+    }
+
+    /// The words of the column of that name; `None` where there is none, or it holds numbers.
+    #[must_use]
+    pub fn words(&self, name: &str) -> Option<&[Option<String>]> {
+        match &self.column(name)?.values {
+            Values::Words(list) => Some(list),
+            Values::Numbers(_) => None,
+        }
+    }
+}

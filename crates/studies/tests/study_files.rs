@@ -1,0 +1,218 @@
+//! Study files: what is understood of them, and that every broken one is refused with its place and a cure.
+#![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
+
+use coulter::case::CaseError;
+use std::path::Path;
+use studies::study::{Study, read};
+use studies::sweep::expand::expand;
+
+const CASE: &str = include_str!("../../../cases/light_disc.toml");
+
+const STUDY: &str = r#"format = 2
+case = "disc.toml"
+
+[set]
+"grid.cell" = "25 mm"
+
+[derived]
+"body.disc.thickness" = "t_bar * body.disc.diameter"
+
+[factor.phi]
+key = "soil.friction_angle"
+values = ["30 deg", "35 deg"]
+range = ["30 deg", "40 deg"]
+
+[factor.weight]
+key = "body.disc.weight"
+range = ["20 N", "0.1 kN"]
+levels = 3
+
+[factor.t_bar]
+values = [0.25, 0.5]
+range = [0.2, 0.6]
+
+[part.grid]
+
+[part.filled]
+design = "sobol"
+points = 8
+factors = ["phi", "weight", "t_bar"]
+
+[chart.drag]
+x = "phi"
+y = "drag"
+family = "weight"
+part = "grid"
+"#;
+
+fn study(text: &str) -> Result<Study, CaseError> {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("disc.toml"), CASE).unwrap();
+    let path = folder.path().join("study.toml");
+    std::fs::write(&path, text).unwrap();
+    read(&path)
+}
+
+#[test]
+fn a_study_is_expanded() {
+    let study = study(STUDY).unwrap();
+    let lines = expand(&study).unwrap();
+    assert_eq!(lines.len(), 2 * 3 * 2 + 8);
+    assert!(lines.iter().all(|line| line.refused.is_empty()), "{lines:?}");
+    // The unit of the first value is that of the factor.
+    let weights: Vec<f64> = lines[..6].iter().map(|line| line.factors[1].number.unwrap()).collect();
+    assert_eq!(weights, [20.0, 20.0, 60.0, 60.0, 100.0, 100.0]);
+    assert!(lines[0].set.contains(&"body.disc.thickness=\"0.05 m\"".to_owned()), "{:?}", lines[0].set);
+    let inside = |line: &&studies::sweep::line::CaseLine| {
+        let [phi, weight, t_bar] = [0, 1, 2].map(|n| line.factors[n].number.unwrap());
+        (30.0..=40.0).contains(&phi) && (20.0..=100.0).contains(&weight) && (0.2..=0.6).contains(&t_bar)
+    };
+    assert!(lines[12..].iter().all(|line| inside(&line)));
+    let mut ids: Vec<&str> = lines.iter().map(|line| line.id.as_str()).collect();
+    ids.sort_unstable();
+    ids.dedup();
+    assert_eq!(ids.len(), lines.len());
+}
+
+#[test]
+fn points_that_are_the_same_case_have_one_id() {
+    let twice = STUDY.replace("values = [\"30 deg\", \"35 deg\"]", "values = [\"30 deg\", \"30.0 deg\"]");
+    let lines = expand(&study(&twice).unwrap()).unwrap();
+    assert_eq!(lines[0].id, lines[6].id);
+}
+
+#[test]
+fn a_point_that_is_no_valid_case_is_listed_with_its_reason() {
+    let with_dilation = STUDY.replace("\"grid.cell\" = \"25 mm\"", "\"soil.dilation_angle\" = \"32 deg\"");
+    let lines = expand(&study(&with_dilation).unwrap()).unwrap();
+    let refused: Vec<&str> =
+        lines[..12].iter().map(|line| line.refused.as_str()).filter(|why| !why.is_empty()).collect();
+    assert_eq!(refused.len(), 6);
+    assert!(refused[0].contains("dilation"), "{refused:?}");
+}
+
+/// Replaces `old` by `new` and expects a message about the line of `new`, or about the heading of its section, that contains all of
+/// `words`.
+#[track_caller]
+fn refused(old: &str, new: &str, words: &[&str]) {
+    assert!(STUDY.contains(old), "the study has no `{old}`");
+    let broken = STUDY.replacen(old, new, 1);
+    let error = study(&broken).unwrap_err();
+    let at = STUDY.find(old).unwrap();
+    let lines = |upto: usize| broken[..upto].matches('\n').count() + 1;
+    let heading = broken[..at].rfind("\n[").map_or(0, |n| n + 1);
+    let (first, last) = (lines(at), lines(at + new.len()));
+    let fits = |p: &&coulter::case::LocatedProblem| {
+        ((first..=last).contains(&p.line) || p.line == lines(heading))
+            && !p.cure.is_empty()
+            && words.iter().all(|word| p.message.contains(word) || p.cure.contains(word))
+    };
+    assert!(error.problems.iter().any(|p| fits(&p)), "{first}..{last} {words:?}: {:#?}", error.problems);
+}
+
+#[test]
+fn broken_studies_are_refused_with_place_and_cure() {
+    refused("format = 2", "format = 3", &["newer than this version"]);
+    refused("format = 2", "format = 1", &["no longer read", "format = 2"]);
+    refused("format = 2\n", "", &["`format` is missing", "format = 2"]);
+    refused("case = \"disc.toml\"", "case = \"dics.toml\"", &["dics.toml", "relative to the folder"]);
+    refused("case = \"disc.toml\"", "case = 3", &["expected text"]);
+    refused("[factor.phi]", "[factors.phi]", &["expected a list of names, found a table"]);
+    refused("[chart.drag]", "[charts.drag]", &["unknown key `charts`", "did you mean `chart`?"]);
+    refused("[factor.phi]", "[factor.\"p h i\"]", &["is not a name of a factor"]);
+    refused(
+        "key = \"soil.friction_angle\"",
+        "key = \"soil.frictionangle\"",
+        &["no key `soil.frictionangle`"],
+    );
+    refused(
+        "key = \"body.disc.weight\"",
+        "key = \"body.disk.weight\"",
+        &["no section [body.disk]", "body.disc"],
+    );
+    refused("\"35 deg\"]", "\"35 m\"]", &["an angle is needed"]);
+    refused("\"35 deg\"]", "35]", &["a bare number has no unit"]);
+    refused("\"35 deg\"]", "\"95 deg\"]", &["out of range"]);
+    refused("values = [\"30 deg\", \"35 deg\"]", "values = []", &["the list is empty"]);
+    refused("values = [\"30 deg\", \"35 deg\"]", "values = \"30 deg\"", &["expected a list"]);
+    refused("range = [\"20 N\", \"0.1 kN\"]", "range = [\"20 N\"]", &["a range has two values"]);
+    refused("range = [\"20 N\", \"0.1 kN\"]", "range = [\"20 N\", \"0.01 kN\"]", &["not below the high end"]);
+    refused(
+        "range = [\"20 N\", \"0.1 kN\"]\nlevels = 3",
+        "scale = \"linear\"",
+        &["neither values nor a range"],
+    );
+    refused("levels = 3", "levels = 1", &["out of range", "from 2"]);
+    refused("levels = 3", "levls = 3", &["unknown key `levls`", "did you mean `levels`?"]);
+    refused("range = [0.2, 0.6]", "range = [0, 0.6]\nscale = \"logarithmic\"", &["needs values above 0"]);
+    refused("design = \"sobol\"", "design = \"sobel\"", &["did you mean \"sobol\"?"]);
+    refused("points = 8", "points = 1", &["out of range"]);
+    refused("design = \"sobol\"\npoints = 8", "design = \"sobol\"", &["`points` is missing"]);
+    refused("\"t_bar\"]", "\"tbar\"]", &["no factor `tbar`", "did you mean `t_bar`?"]);
+    refused("\"t_bar\"]", "\"phi\"]", &["named twice"]);
+    refused("[part.grid]", "[part.grid]\ndesign = \"list\"", &["as many levels of every factor"]);
+    refused("[part.grid]", "[part.grid]\nmodels = [\"solver\", \"solver\"]", &["each once"]);
+    refused("\"grid.cell\" = \"25 mm\"", "\"grid.cel\" = \"25 mm\"", &["no key `grid.cel`"]);
+    refused("\"grid.cell\" = \"25 mm\"", "\"grid.cell\" = \"25 N\"", &["a length is needed"]);
+    refused(
+        "\"t_bar * body.disc.diameter\"",
+        "\"t_bar * body.disc.diamter\"",
+        &["`body.disc.diamter` is neither"],
+    );
+    refused("\"t_bar * body.disc.diameter\"", "\"t_bar * (2\"", &["cannot be read", "not closed"]);
+    refused("\"t_bar * body.disc.diameter\"", "3", &["expected a formula as text"]);
+    refused("y = \"drag\"", "y = \"darg\"", &["no column `darg`", "did you mean `drag`?"]);
+    refused("family = \"weight\"", "family = \"wieght\"", &["no factor `wieght`"]);
+    refused("part = \"grid\"", "part = \"gird\"", &["no part `gird`"]);
+    refused("x = \"phi\"", "z = \"phi\"", &["unknown key `z`"]);
+}
+
+#[test]
+fn a_study_that_varies_nothing_or_is_empty_is_refused() {
+    let error = study("format = 2\ncase = \"disc.toml\"\n").unwrap_err();
+    assert!(error.problems.iter().any(|p| p.message.contains("varies nothing")), "{error:?}");
+    let error = study("").unwrap_err();
+    assert!(error.problems.iter().any(|p| p.message.contains("`case` is missing")), "{error:?}");
+    assert!(study("case = [").is_err());
+    assert!(read(Path::new("/no/such/study.toml")).is_err());
+}
+
+#[test]
+fn too_many_points_are_refused() {
+    let levels = "levels = 1000";
+    let many = STUDY
+        .replace("levels = 3", levels)
+        .replace("values = [\"30 deg\", \"35 deg\"]", levels)
+        .replace("values = [0.25, 0.5]", levels);
+    let error = study(&many).unwrap_err();
+    assert!(error.problems.iter().any(|p| p.message.contains("1000000000 points")), "{error:?}");
+}
+
+/// No study file, however garbled, causes a panic.
+#[test]
+fn garbled_studies_never_panic() {
+    let mut state = 7_u64;
+    let mut random = |below: usize| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as usize % below
+    };
+    for _ in 0..400 {
+        let mut text = STUDY.as_bytes().to_vec();
+        for _ in 0..=random(3) {
+            let at = random(text.len());
+            match random(3) {
+                0 => text[at] = b"0\"[]{}=.,-ae\n*/^(#"[random(18)],
+                1 => drop(text.drain(at..(at + random(20)).min(text.len()))),
+                _ => {
+                    let from = random(text.len());
+                    let piece = text[from..(from + random(30)).min(text.len())].to_vec();
+                    text.splice(at..at, piece);
+                }
+            }
+        }
+        let Ok(text) = String::from_utf8(text) else { continue };
+        if let Ok(study) = study(&text) {
+            let _ = expand(&study);
+        }
+    }
+}
