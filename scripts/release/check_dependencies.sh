@@ -24,6 +24,8 @@ else
     fi
 fi
 
+# Of all systems, also those that are never built here.
+cargo fetch --locked --quiet
 "$deny" --locked --offline check bans licenses sources
 # The database is a git repository on GitHub, which not every machine can reach; a weakness in a dependency is no fault of a change.
 if timeout 120 "$deny" fetch db >/dev/null 2>&1; then
