@@ -20,8 +20,8 @@ const LINES: [f64; 2] = [236.0, 155.0];
 const PACKED_STATE: f64 = 0.93;
 /// Report, pictures and plots [bytes]; measured.
 const REPORT: f64 = 0.8e6;
-/// Memory for pictures, plots and the report of any case [bytes]; measured.
-const PICTURES: f64 = 15e6;
+/// Memory for pictures, each for light and for dark screens, plots and the report of any case [bytes]; measured.
+const PICTURES: f64 = 31e6;
 /// Largest number of records of the sums over a rim; when there are more, every second one is dropped. The ends of a window are
 /// then known to about a hundredth of the run (chosen: memory and checkpoints stay small however long the run).
 pub const MOST_RIM_RECORDS: usize = 256;
