@@ -21,7 +21,7 @@ SOON = 'body.disc.forward={ speed = "0.2 m/s", start = "0.02 s", ramp = "0.01 s"
 
 
 def many_discs(number):
-    """A case of overlapping discs: contact points outweigh the grid."""
+    """A case of thin discs side by side."""
     text = """format = 2
 [soil]
 law = "mohr-coulomb"
@@ -30,7 +30,7 @@ unit_weight = "16 kN/m^3"
 young_modulus = "5 MPa"
 [domain]
 x = ["-0.2 m", "0.4 m"]
-y = ["-0.2 m", "0.2 m"]
+y = ["-0.7 m", "0.7 m"]
 z = ["-0.2 m", "0.1 m"]
 [grid]
 cell = "25 mm"
@@ -43,7 +43,8 @@ history_interval = "1 ms"
         text += f"""[body.d{n}]
 shape = "disc"
 diameter = "0.2 m"
-thickness = "0.05 m"
+thickness = "26 mm"
+y = "{27 * n - 526} mm"
 friction = 0.3
 sinkage = "{20 + n % 7} mm"
 forward = {{ speed = "0.2 m/s", ramp = "1 s" }}
