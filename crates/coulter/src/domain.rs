@@ -7,8 +7,9 @@ use glam::DVec3;
 use solver::grid::Grid;
 use solver::precision::Precision;
 use solver::state::State;
+use std::ops::Range;
 
-/// The domain of a whole grid at its position.
+/// The domain of a grid at its position; of a block the portion that it owns.
 #[derive(Clone, Debug)]
 pub(crate) struct PlacedDomain<'a> {
     /// The grid.
@@ -22,7 +23,10 @@ pub(crate) struct PlacedDomain<'a> {
 impl<'a> PlacedDomain<'a> {
     /// The domain of a grid that has moved so far [m].
     pub(crate) fn of(grid: &'a Grid, grid_position: DVec3) -> Self {
-        let inside = [0, 1, 2].map(|axis| grid.inside(axis));
+        let inside = [0, 1, 2].map(|axis| {
+            let (own, first) = (&grid.own[axis], grid.first[axis]);
+            own.start - first..own.end - first
+        });
         let faces = std::array::from_fn(|axis| {
             let faces = &grid.faces[axis][inside[axis].start..=inside[axis].end];
             let moved = grid_position[axis];
@@ -35,6 +39,19 @@ impl<'a> PlacedDomain<'a> {
     /// Number of cells along x, y, z.
     pub(crate) fn cells(&self) -> [usize; 3] {
         self.faces.each_ref().map(|faces| faces.len() - 1)
+    }
+
+    /// Layers of cells of the whole domain that these are, along x, y, z.
+    pub(crate) fn layers(&self) -> [Range<usize>; 3] {
+        std::array::from_fn(|axis| {
+            let (own, domain) = (&self.grid.own[axis], &self.grid.domain[axis]);
+            own.start - domain.start..own.end - domain.start
+        })
+    }
+
+    /// Whether a face of the whole domain bounds it, at the low end (0) or the high end (1) along an axis.
+    pub(crate) fn reaches(&self, axis: usize, end: usize) -> bool {
+        !self.grid.is_cut(axis, end)
     }
 
     /// Ends along an axis [m].
@@ -80,23 +97,6 @@ impl<'a> PlacedDomain<'a> {
     pub(crate) fn volume(&self, at: [usize; 3]) -> f64 {
         let [i, j, k] = self.in_grid(at);
         self.grid.volume(i, j, k)
-    }
-
-    /// Height of the free surface over column `(i, j)` [m], as [`PlacedDomain::height_of`] takes it.
-    pub(crate) fn surface_height(&self, state: &State<impl Precision>, [i, j]: [usize; 2]) -> f64 {
-        self.height_of(|k| state.soil.fraction.get(self.index([i, j, k])).map_or(0.0, |f| (*f).into()))
-    }
-
-    /// Height of the free surface over a column whose cells hold these fractions of soil [m]: the soil of the uppermost cell that is at
-    /// least half full and of the cell above it, heaped on the floor of the former. Detached soil above and voids below do not count.
-    pub(crate) fn height_of(&self, held: impl Fn(usize) -> f64) -> f64 {
-        let layers = self.cells()[2];
-        let fraction = |k: usize| held(k).clamp(0.0, 1.0);
-        let Some(top) = (0..layers).rev().find(|&k| fraction(k) >= 0.5) else {
-            return self.faces[2][0] + fraction(0) * self.width(2, 0);
-        };
-        let above = if top + 1 < layers { fraction(top + 1) * self.width(2, top + 1) } else { 0.0 };
-        self.faces[2][top] + fraction(top) * self.width(2, top) + above
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::domain::PlacedDomain;
 use serde::{Deserialize, Serialize};
 use solver::fields::PLASTIC_STRAIN;
+use solver::halo::Halo;
 use solver::material::Material;
 use solver::precision::Precision;
 use solver::state::State;
@@ -31,22 +32,114 @@ impl GroundColumn {
     /// The same above which soil counts as mixed: layers have been sheared past each other by their own thickness (chosen).
     pub const MIXED: f64 = 1.0;
 
-    /// The soil in column `(i, j)` of a domain, of these materials, each as dense at the start as at
-    /// the height of the cell.
-    pub(crate) fn of(
+    /// How many numbers it is.
+    pub(crate) const NUMBERS: usize = 6;
+
+    /// Its numbers.
+    pub(crate) fn to_array(self) -> [f64; Self::NUMBERS] {
+        let Self { z, compaction, void, disturbed, mixed, disturbed_to } = self;
+        [z, compaction, void, disturbed, mixed, disturbed_to]
+    }
+
+    /// The column of these numbers.
+    pub(crate) fn from_numbers(numbers: &[f64]) -> Self {
+        let [z, compaction, void, disturbed, mixed, disturbed_to] = std::array::from_fn(|n| numbers[n]);
+        Self { z, compaction, void, disturbed, mixed, disturbed_to }
+    }
+
+    /// The soil in columns `(i, j)` of a domain, of these materials, each as dense at the start as at the height of the cell. Where
+    /// the grid is cut along z, what the blocks above have found is passed down, and only those at the bottom know the whole of
+    /// their columns; the others return none.
+    pub(crate) fn of_all(
+        domain: &PlacedDomain,
+        state: &State<impl Precision>,
+        (materials, halo): (&[Material], &Halo),
+        places: &[[usize; 2]],
+    ) -> Vec<Self> {
+        let mut columns = vec![Column::default(); places.len()];
+        let [below, above] = halo.beyond(2);
+        for turn in 0..=above + below {
+            if turn == above {
+                for (column, place) in columns.iter_mut().zip(places) {
+                    column.descend(domain, state, materials, *place);
+                }
+            }
+            if turn < above + below {
+                let own: Vec<f64> = columns.iter().flat_map(|column| column.to_array()).collect();
+                let [_, from_above] = halo.exchange(2, [own.clone(), own]);
+                if turn < above {
+                    columns = from_above.chunks_exact(Column::NUMBERS).map(Column::of).collect();
+                }
+            }
+        }
+        if !domain.reaches(2, 0) {
+            return Vec::new();
+        }
+        let floor = domain.faces[2][0];
+        columns.iter().map(|column| column.finish(floor)).collect()
+    }
+
+    /// The undisturbed ground in a column whose cells hold these fractions of soil.
+    pub(crate) fn undisturbed(domain: &PlacedDomain, held: impl Fn(usize) -> f64) -> Self {
+        let mut column = Column::default();
+        (0..domain.cells()[2]).rev().for_each(|k| column.find_surface(domain, k, held(k)));
+        let Self { z, .. } = column.finish(domain.faces[2][0]);
+        let content: f64 = (0..domain.cells()[2]).map(|k| held(k) * domain.width(2, k)).sum();
+        Self { z, disturbed_to: z, void: z - domain.faces[2][0] - content, ..Self::default() }
+    }
+}
+
+/// What is known of a column down to some layer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Column {
+    /// Height of the surface [m]; not a number as long as none is found.
+    surface: f64,
+    /// Height of the soil in the lowest layer so far [m].
+    lowest: f64,
+    /// That of all of it [m].
+    content: f64,
+    /// The same if it had the density of its start [m].
+    as_at_start: f64,
+    disturbed: f64,
+    mixed: f64,
+    /// Lowest floor of a disturbed cell; infinite where there is none [m].
+    disturbed_to: f64,
+}
+
+impl Default for Column {
+    fn default() -> Self {
+        Self::of(&[f64::NAN, 0.0, 0.0, 0.0, 0.0, 0.0, f64::INFINITY])
+    }
+}
+
+impl Column {
+    const NUMBERS: usize = 7;
+
+    fn to_array(self) -> [f64; Self::NUMBERS] {
+        let Self { surface, lowest, content, as_at_start, disturbed, mixed, disturbed_to } = self;
+        [surface, lowest, content, as_at_start, disturbed, mixed, disturbed_to]
+    }
+
+    fn of(numbers: &[f64]) -> Self {
+        let [surface, lowest, content, as_at_start, disturbed, mixed, disturbed_to] =
+            std::array::from_fn(|n| numbers[n]);
+        Self { surface, lowest, content, as_at_start, disturbed, mixed, disturbed_to }
+    }
+
+    /// Adds the layers of a domain, from above.
+    fn descend(
+        &mut self,
         domain: &PlacedDomain,
         state: &State<impl Precision>,
         materials: &[Material],
         [i, j]: [usize; 2],
-    ) -> Self {
+    ) {
         let soil = &state.soil;
-        let z = domain.surface_height(state, [i, j]);
-        let mut column = Self { z, disturbed_to: z, ..Self::default() };
-        let (mut content, mut as_at_start) = (0.0, 0.0);
         let area = domain.width(0, i) * domain.width(1, j);
         for k in (0..domain.cells()[2]).rev() {
             let cell = domain.index([i, j, k]);
             let fraction: f64 = soil.fraction[cell].into();
+            self.find_surface(domain, k, fraction);
             if fraction <= 0.0 {
                 continue;
             }
@@ -59,26 +152,40 @@ impl GroundColumn {
                 sum + portion * (material.density_at(middle) - first)
             });
             let mass: f64 = soil.mass[cell].into();
-            content += height;
-            as_at_start += mass / (area * density);
+            self.content += height;
+            self.as_at_start += mass / (area * density);
             let strain: f64 = soil.history[PLASTIC_STRAIN][cell].into();
-            if strain > Self::DISTURBED {
-                column.disturbed += height;
-                column.disturbed_to = column.disturbed_to.min(domain.faces[2][k]);
+            if strain > GroundColumn::DISTURBED {
+                self.disturbed += height;
+                self.disturbed_to = self.disturbed_to.min(domain.faces[2][k]);
             }
-            if strain > Self::MIXED {
-                column.mixed += height;
+            if strain > GroundColumn::MIXED {
+                self.mixed += height;
             }
         }
-        column.compaction = as_at_start - content;
-        column.void = z - domain.faces[2][0] - content;
-        column
     }
 
-    /// The undisturbed ground in a column whose cells hold these fractions of soil.
-    pub(crate) fn undisturbed(domain: &PlacedDomain, held: impl Fn(usize) -> f64) -> Self {
-        let z = domain.height_of(&held);
-        let content: f64 = (0..domain.cells()[2]).map(|k| held(k) * domain.width(2, k)).sum();
-        Self { z, disturbed_to: z, void: z - domain.faces[2][0] - content, ..Self::default() }
+    /// The surface lies in the uppermost cell that is at least half full: the soil of this and of the cell above it, heaped on the
+    /// floor of the former. Detached soil above and voids below do not count.
+    fn find_surface(&mut self, domain: &PlacedDomain, k: usize, fraction: f64) {
+        let fraction = fraction.clamp(0.0, 1.0);
+        let height = fraction * domain.width(2, k);
+        if self.surface.is_nan() && fraction >= 0.5 {
+            self.surface = domain.faces[2][k] + height + self.lowest;
+        }
+        self.lowest = height;
+    }
+
+    /// The whole column, on its floor [m].
+    fn finish(&self, floor: f64) -> GroundColumn {
+        let z = if self.surface.is_nan() { floor + self.lowest } else { self.surface };
+        GroundColumn {
+            z,
+            compaction: self.as_at_start - self.content,
+            void: z - floor - self.content,
+            disturbed: self.disturbed,
+            mixed: self.mixed,
+            disturbed_to: self.disturbed_to.min(z),
+        }
     }
 }

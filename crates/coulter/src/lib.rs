@@ -1,6 +1,7 @@
 //! From case file to report: the public API of the library.
 
 pub mod bench;
+pub mod blocks;
 pub mod case;
 pub mod confidence;
 mod domain;

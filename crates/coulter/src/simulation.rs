@@ -1,5 +1,6 @@
 //! The simulation of a case: its model, its state, the loop of a run, and who observes it.
 
+use crate::blocks::{self, TooManyBlocks};
 use crate::case::model::model;
 use crate::case::{Case, CaseError, case_text, require_valid};
 use crate::domain::PlacedDomain;
@@ -16,6 +17,7 @@ use solver::balance;
 use solver::cpu::stopwatch::Stopwatch;
 use solver::error::Breakdown;
 use solver::grid::Grid;
+use solver::halo::{Communicator, Halo};
 use solver::initial;
 use solver::model::Model;
 use solver::precision::Precision;
@@ -125,7 +127,7 @@ impl<R: Precision> Simulation<R> {
     pub fn of_model(case: &Case, model: Model) -> Self {
         let mut state = initial::at_rest_on(&model, &model.ground);
         if case.velocity != DVec3::ZERO {
-            initial::set_in_motion(&model, &mut state, case.velocity);
+            initial::set_in_motion(&model, &mut state, case.velocity, &Halo::whole());
         }
         Self::with_state(case, model, state)
     }
@@ -138,10 +140,33 @@ impl<R: Precision> Simulation<R> {
         Self::with_state(case, model, state)
     }
 
-    fn with_state(case: &Case, model: Model, mut state: State<R>) -> Self {
+    /// The block of a grid that a process has in a run from the start of a valid case, in which each process has one. Every block
+    /// has the whole history, bodies and energy balance; soil and nodes are its own.
+    ///
+    /// # Errors
+    /// When the grid has too few layers of cells for so many blocks.
+    ///
+    /// # Panics
+    /// May panic if the case is not valid.
+    pub fn of_block(case: &Case, communicator: Box<dyn Communicator>) -> Result<Self, TooManyBlocks> {
+        let mut model = model(case, R::LANES);
+        let cut = blocks::decompose(&model, communicator.size())?;
+        let mut state = initial::at_rest_in_block(&mut model, cut.own(communicator.rank()));
+        let halo = Halo::of_block(&cut, communicator);
+        if case.velocity != DVec3::ZERO {
+            initial::set_in_motion(&model, &mut state, case.velocity, &halo);
+        }
+        Ok(Self::with_halo(case, model, state, halo))
+    }
+
+    fn with_state(case: &Case, model: Model, state: State<R>) -> Self {
+        Self::with_halo(case, model, state, Halo::whole())
+    }
+
+    fn with_halo(case: &Case, model: Model, mut state: State<R>, halo: Halo) -> Self {
         let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
         let threads = if case.numerics.threads == 0 { cores } else { case.numerics.threads };
-        let workspace = Workspace::new(&model, &mut state, threads);
+        let workspace = Workspace::of_block(&model, &mut state, threads, halo);
         let names: Vec<String> = case.bodies.iter().map(|b| b.name.clone()).collect();
         let rims = workspace.rims().map(|bins| RimHistory::of(bins, model.modelled_fraction())).collect();
         let part_names: Vec<String> = probes::places(case).into_iter().map(|(name, _)| name).collect();
@@ -181,7 +206,8 @@ impl<R: Precision> Simulation<R> {
     /// Sets soil and bodies in motion before the first step; the energy balance counts their energy as external work.
     pub fn set_in_motion(&mut self, push: impl FnOnce(&Model, &mut State<R>)) {
         push(&self.model, &mut self.state);
-        self.state.energy_balance.kinetic_start = balance::kinetic_energy(&self.model, &self.state);
+        self.state.energy_balance.kinetic_start =
+            balance::kinetic_energy(&self.model, &self.state, self.workspace.halo());
     }
 
     /// A run resumed from a checkpoint; `wall_s` seconds of wall clock have been spent on it.
@@ -252,6 +278,12 @@ impl<R: Precision> Simulation<R> {
         } else {
             self.history.stages_ended.is_some()
         }
+    }
+
+    /// Communication with the other blocks of the grid.
+    #[must_use]
+    pub fn halo(&self) -> &Halo {
+        self.workspace.halo()
     }
 
     /// Number of threads at work.
@@ -348,14 +380,15 @@ impl<R: Precision> Simulation<R> {
 
     /// Enters the present state into the history.
     fn sample(&mut self) {
-        let Self { case, model, state, last_sample, history, .. } = self;
-        probes::sample(case, model, state, last_sample, history);
+        let Self { case, model, state, workspace, last_sample, history, .. } = self;
+        probes::sample((case, model), state, workspace.halo(), last_sample, history);
     }
 
     /// Keeps the surface of the soil that is about to leave a grid that travels; after every step, so that its lines lie as close
     /// as the cells however far samples are apart.
     fn record_ground_left(&mut self) {
-        probes::record_ground_left(&self.model, &self.state, &mut self.history.ground_left);
+        let Self { model, state, workspace, history, .. } = self;
+        probes::record_ground_left(model, state, workspace.halo(), &mut history.ground_left);
     }
 
     /// Takes a number of steps, without samples.

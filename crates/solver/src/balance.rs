@@ -3,6 +3,7 @@
 use crate::contact::ContactWork;
 use crate::cpu::workspace::RowSums;
 use crate::energy;
+use crate::halo::Halo;
 use crate::model::Model;
 use crate::precision::Precision;
 use crate::state::State;
@@ -34,14 +35,12 @@ pub(crate) fn account<R: Precision>(
 }
 
 /// Kinetic energy of soil and bodies [J], of the modelled portion.
-#[must_use]
-pub fn kinetic_energy<R: Precision>(model: &Model, state: &State<R>) -> f64 {
+pub fn kinetic_energy<R: Precision>(model: &Model, state: &State<R>, halo: &Halo) -> f64 {
     let bodies = model.modelled_fraction() * model.mechanism().kinetic_energy(&state.mechanism);
-    energy::kinetic(model, state) + bodies
+    energy::kinetic(model, state, halo) + bodies
 }
 
 /// Elastic energy of the soil [J], of the modelled portion.
-#[must_use]
-pub fn elastic_energy<R: Precision>(model: &Model, state: &State<R>) -> f64 {
-    energy::elastic(model, &state.soil)
+pub fn elastic_energy<R: Precision>(model: &Model, state: &State<R>, halo: &Halo) -> f64 {
+    energy::elastic(model, &state.soil, halo)
 }

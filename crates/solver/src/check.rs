@@ -2,6 +2,7 @@
 
 use crate::cpu::workspace::RowSums;
 use crate::error::{Breakdown, Location};
+use crate::halo::Halo;
 use crate::model::Model;
 use crate::precision::Precision;
 use crate::state::State;
@@ -16,9 +17,9 @@ pub(crate) fn check<R: Precision>(
     model: &Model,
     state: &State<R>,
     sums: &RowSums,
-    dt: f64,
+    halo: &Halo,
 ) -> Result<(), Breakdown> {
-    let (time, step) = (state.time, state.step);
+    let (time, step, dt) = (state.time, state.step, model.time_step());
     for (n, (fixed, body)) in model.bodies.iter().zip(&state.bodies).enumerate() {
         let (pose, twist) = (state.pose(n), state.twist(n));
         let is_finite = pose.position.is_finite() && pose.rotation.is_finite();
@@ -29,12 +30,12 @@ pub(crate) fn check<R: Precision>(
         }
     }
     if !(sums.kinetic.is_finite() && sums.plastic.is_finite()) {
-        let location = offending_node(model, state, |v| !v.is_finite());
+        let location = offending_node(model, state, halo, |v| !v.is_finite());
         return Err(Breakdown::NotANumber { field: "the velocity of the soil".into(), time, step, location });
     }
     let cells = sums.displacement.max(sums.displacement_light) / model.grid.finest();
     if cells > 0.9 {
-        let location = offending_node(model, state, |v| v.abs() * dt > 0.3 * model.grid.finest());
+        let location = offending_node(model, state, halo, |v| v.abs() * dt > 0.3 * model.grid.finest());
         return Err(Breakdown::Runaway { cells, time, step, location });
     }
     stays_inside(model, state)
@@ -63,18 +64,30 @@ fn stays_inside<R>(model: &Model, state: &State<R>) -> Result<(), Breakdown> {
     Ok(())
 }
 
-/// Offending node: of those with a velocity component that `is_bad`, or of all where there is none, the one
+/// Offending node of all blocks: of those with a velocity component that `is_bad`, or of all where there is none, the one
 /// that has moved farthest since the last remap.
-fn offending_node<R: Precision>(model: &Model, state: &State<R>, is_bad: impl Fn(f64) -> bool) -> Location {
+fn offending_node<R: Precision>(
+    model: &Model,
+    state: &State<R>,
+    halo: &Halo,
+    is_bad: impl Fn(f64) -> bool,
+) -> Location {
     let bad = |n: &usize| state.nodes.velocity.iter().any(|v| is_bad(v[*n].to_f64()));
     let moved = |n: usize| state.nodes.displacement.iter().map(|u| u[n].to_f64().abs()).fold(0.0, f64::max);
     let [_, row, plane] = model.grid.stride;
     // Ghosts have no position.
     let nodes = || (plane..model.grid.entries).filter(|n| n % row > 0 && n % plane >= row);
     let farther = |a: usize, b: usize| if moved(b) > moved(a) { b } else { a };
-    let found = nodes().filter(bad).reduce(farther).or_else(|| nodes().reduce(farther));
-    let layers = found.map_or([usize::MAX; 3], |n| model.grid.layers_of(n));
-    Location::at(DVec3::from_array(std::array::from_fn(|axis| {
-        model.grid.faces[axis].get(layers[axis]).copied().unwrap_or(f64::NAN) + state.grid_position[axis]
-    })))
+    let own = nodes().filter(bad).reduce(farther).or_else(|| nodes().reduce(farther));
+    let found = own.map_or([-1.0; 5], |n| {
+        let layers = model.grid.layers_of(n);
+        let [x, y, z] = std::array::from_fn(|axis| {
+            model.grid.faces[axis].get(layers[axis]).copied().unwrap_or(f64::NAN) + state.grid_position[axis]
+        });
+        [f64::from(u8::from(bad(&n))), moved(n), x, y, z]
+    });
+    let all = halo.gather(found.to_vec());
+    let worse = |a: &[f64], b: &[f64]| (a[0], a[1]) < (b[0], b[1]);
+    let worst = all.chunks_exact(5).reduce(|a, b| if worse(a, b) { b } else { a });
+    Location::at(worst.map_or(DVec3::NAN, |found| DVec3::from_slice(&found[2..])))
 }

@@ -1,10 +1,10 @@
 //! Sums over the whole grid, always in double precision: energies, mass and volume of the soil. Taken at
 //! samples and before and after a remap, not every step.
 //!
-//! Each row is summed on its own, then the rows in memory order, so the result does not depend on the number
-//! of threads.
+//! Each row is summed on its own, then the rows of all blocks exactly: neither threads nor blocks change a bit.
 
 use crate::cpu::workspace::SoilWorkspace;
+use crate::exact_sum::{ExactSum, over_blocks};
 use crate::fields::mass_as_main;
 use crate::grid::Grid;
 use crate::halo::Halo;
@@ -14,13 +14,13 @@ use crate::scalar::Scalar;
 use crate::state::{Soil, State};
 
 /// Elastic energy of the soil [J].
-pub(crate) fn elastic<R: Precision>(model: &Model, soil: &Soil<R>) -> f64 {
-    sum_rows(&model.grid, |row| R::elastic_energy(model, soil, row))
+pub(crate) fn elastic<R: Precision>(model: &Model, soil: &Soil<R>, halo: &Halo) -> f64 {
+    sum_rows(&model.grid, halo, |row| R::elastic_energy(model, soil, row))
 }
 
 /// Kinetic energy of the soil [J].
-pub(crate) fn kinetic<R: Precision>(model: &Model, state: &State<R>) -> f64 {
-    sum_rows(&model.grid, |row| R::kinetic_energy(&model.grid, &state.nodes, row))
+pub(crate) fn kinetic<R: Precision>(model: &Model, state: &State<R>, halo: &Halo) -> f64 {
+    sum_rows(&model.grid, halo, |row| R::kinetic_energy(&model.grid, &state.nodes, row))
 }
 
 /// Elastic and kinetic energy of the soil [J], computed in parallel.
@@ -28,7 +28,7 @@ pub(crate) fn total<R: Precision>(
     model: &Model,
     state: &State<R>,
     workspace: &mut SoilWorkspace<R>,
-    halo: &mut dyn Halo,
+    halo: &Halo,
 ) -> f64 {
     let SoilWorkspace { team, partition, row_values, .. } = workspace;
     team.distribute(partition.split_by(1, row_values).zip(partition.ranges()), |(values, rows)| {
@@ -45,18 +45,13 @@ pub(crate) fn total<R: Precision>(
 }
 
 /// Volume of the soil [m³].
-#[must_use]
-pub fn soil_volume<R: Scalar>(grid: &Grid, soil: &Soil<R>) -> f64 {
-    sum_rows(grid, |row| volume_of_row(grid, &soil.fraction, row))
+pub fn soil_volume<R: Scalar>(grid: &Grid, soil: &Soil<R>, halo: &Halo) -> f64 {
+    sum_cells(grid, halo, |c, volume| soil.fraction[c].to_f64() * volume)
 }
 
 /// Mass of the soil [kg].
-#[must_use]
-pub fn soil_mass<R: Scalar>(grid: &Grid, soil: &Soil<R>) -> f64 {
-    let rows = grid.inside(2).flat_map(|k| grid.inside(1).map(move |j| (j, k)));
-    let cells = rows.flat_map(|(j, k)| grid.inside(0).map(move |i| [i, j, k]));
-    let own = cells.filter(|cell| grid.owns(grid.in_whole(*cell)));
-    own.map(|[i, j, k]| soil.mass[grid.index(i, j, k)].to_f64()).sum()
+pub fn soil_mass<R: Scalar>(grid: &Grid, soil: &Soil<R>, halo: &Halo) -> f64 {
+    sum_cells(grid, halo, |c, _| soil.mass[c].to_f64())
 }
 
 /// Density over that of the densest state of the soil without pressure beyond which soil is denser than it can be: pressures do not
@@ -64,42 +59,36 @@ pub fn soil_mass<R: Scalar>(grid: &Grid, soil: &Soil<R>) -> f64 {
 pub const OVERDENSE: f64 = 1.1;
 
 /// Portion of the soil's mass that lies in cells denser than [`OVERDENSE`] times its densest state: an error of the solver.
-#[must_use]
-pub fn overdense_portion<R: Scalar>(model: &Model, soil: &Soil<R>) -> f64 {
+pub fn overdense_portion<R: Scalar>(model: &Model, soil: &Soil<R>, halo: &Halo) -> f64 {
     let grid = &model.grid;
     let densities = model.densities();
-    let overdense = |[q, plane]: [usize; 2]| {
+    let mass = soil_mass(grid, soil, halo);
+    let overdense = sum_cells(grid, halo, |c, volume| {
+        let densest = OVERDENSE * model.materials[soil.main_material(c)].densest();
+        let mass = mass_as_main(&soil.composition, &densities, soil.mass[c].to_f64(), c);
+        if mass > densest * soil.fraction[c].to_f64() * volume { soil.mass[c].to_f64() } else { 0.0 }
+    });
+    if mass > 0.0 { overdense / mass } else { 0.0 }
+}
+
+/// Sum over the rows `[q, plane]` of cells and of nodes that the block owns, and over all blocks.
+fn sum_rows(grid: &Grid, halo: &Halo, of_row: impl Fn([usize; 2]) -> f64) -> f64 {
+    let [_, ny, nz] = grid.cells();
+    let rows = (1..=nz + 1).flat_map(|plane| (1..=ny + 1).map(move |q| [q, plane]));
+    let owned = rows.filter(|[q, plane]| grid.owned_row(plane * grid.rows() + q).is_some());
+    let mut sum = ExactSum::default();
+    owned.for_each(|row| sum.add(of_row(row)));
+    let [sum] = over_blocks(halo, [sum]);
+    sum
+}
+
+/// Sum over the cells of the domain, each given by its index and its volume [m³], row by row.
+fn sum_cells(grid: &Grid, halo: &Halo, of_cell: impl Fn(usize, f64) -> f64) -> f64 {
+    sum_rows(grid, halo, |[q, plane]| {
         if !grid.is_inside([q, plane]) {
             return 0.0;
         }
         let start = plane * grid.stride[2] + q * grid.stride[1] + 1;
-        let cells = grid.inside(0).map(|i| (start + i, grid.volume(i, q - 1, plane - 1)));
-        let too_dense = cells.filter(|(c, volume)| {
-            let densest = OVERDENSE * model.materials[soil.main_material(*c)].densest();
-            let mass = mass_as_main(&soil.composition, &densities, soil.mass[*c].to_f64(), *c);
-            mass > densest * soil.fraction[*c].to_f64() * volume
-        });
-        too_dense.map(|(c, _)| soil.mass[c].to_f64()).fold(0.0, |a, b| a + b)
-    };
-    let mass = soil_mass(grid, soil);
-    if mass > 0.0 { sum_rows(grid, overdense) / mass } else { 0.0 }
-}
-
-/// Sum over the rows `[q, plane]` of cells and of nodes that the block owns, in memory order.
-fn sum_rows(grid: &Grid, of_row: impl Fn([usize; 2]) -> f64) -> f64 {
-    let [_, ny, nz] = grid.cells();
-    let rows = (1..=nz + 1).flat_map(|plane| (1..=ny + 1).map(move |q| [q, plane]));
-    let owned = rows.filter(|[q, plane]| grid.owned_row(plane * grid.rows() + q).is_some());
-    owned.map(of_row).fold(0.0, |a, b| a + b)
-}
-
-/// Volume of the soil in row `q` of a memory plane of cells [m³].
-fn volume_of_row<R: Scalar>(grid: &Grid, fraction: &[R], [q, plane]: [usize; 2]) -> f64 {
-    if !grid.is_inside([q, plane]) {
-        return 0.0;
-    }
-    let start = plane * grid.stride[2] + q * grid.stride[1] + 1;
-    grid.inside(0)
-        .map(|i| fraction[start + i].to_f64() * grid.volume(i, q - 1, plane - 1))
-        .fold(0.0, |a, b| a + b)
+        grid.inside(0).map(|i| of_cell(start + i, grid.volume(i, q - 1, plane - 1))).fold(0.0, |a, b| a + b)
+    })
 }

@@ -5,8 +5,9 @@
 //! domain beyond an outflow boundary. Nodes on such a boundary and beyond it are at rest.
 
 use crate::boundary::Boundary;
+use crate::exact_sum::{ExactSum, over_blocks};
 use crate::grid::Grid;
-use crate::halo::{self, Halo};
+use crate::halo::Halo;
 use crate::initial::Undisturbed;
 use crate::model::Model;
 use crate::precision::Precision;
@@ -46,7 +47,7 @@ type Content = [f64; 3];
 
 impl<R: Precision> Ghosts<R> {
     /// Those of a grid with open faces, before the first sweep; `volume` is that of the soil in the displaced cells [m³].
-    pub(crate) fn new(model: &Model, state: &State<R>, volume: &[R], halo: &mut dyn Halo) -> Option<Self> {
+    pub(crate) fn new(model: &Model, state: &State<R>, volume: &[R], halo: &Halo) -> Option<Self> {
         model.grid.has_open_faces().then(|| Self {
             undisturbed: Undisturbed::new(model, state.grid_position),
             held: content(model, &state.soil, volume, halo),
@@ -60,7 +61,7 @@ impl<R: Precision> Ghosts<R> {
         model: &Model,
         state: &mut State<R>,
         [volume, cell]: [&mut Vec<R>; 2],
-        halo: &mut dyn Halo,
+        halo: &Halo,
     ) {
         let left = content(model, &state.soil, volume, halo);
         let EnergyBalance { inflow_volume, inflow_mass, inflow_elastic, .. } = &mut state.energy_balance;
@@ -91,7 +92,7 @@ impl<R: Precision> Ghosts<R> {
 
     /// Puts undisturbed ground into a cell; returns its volume fraction.
     fn enter(&self, model: &Model, soil: &mut Soil<R>, layers @ [i, j, k]: [usize; 3]) -> f64 {
-        let (here, there) = (model.grid.index(i, j, k), self.undisturbed.index(layers));
+        let (here, there) = (model.grid.index(i, j, k), self.undisturbed.index(model, layers));
         let undisturbed = &self.undisturbed.soil;
         soil.arrays_mut().zip(undisturbed.arrays()).for_each(|(to, from)| to[here] = from[there]);
         let fraction = undisturbed.fraction[there].to_f64();
@@ -168,29 +169,29 @@ fn stop_nodes<R: Precision>(grid: &Grid, cell_mass: &[R], nodes: &mut Nodes<R>) 
     }
 }
 
-/// What the ghost layers of all blocks hold, summed in the order of the rows of the whole grid.
-fn content<R: Precision>(model: &Model, soil: &Soil<R>, volume: &[R], halo: &mut dyn Halo) -> Content {
+/// What the ghost layers of all blocks hold.
+fn content<R: Precision>(model: &Model, soil: &Soil<R>, volume: &[R], halo: &Halo) -> Content {
     let grid = &model.grid;
     let [nx, ny, nz] = grid.cells();
     let rows = (0..nz).flat_map(|k| (0..ny).map(move |j| [j, k]));
-    let own = rows.filter_map(|[j, k]| {
+    let mut sums = [ExactSum::default(); 3];
+    for [j, k] in rows {
         let [_, y, z] = grid.in_whole([0, j, k]);
-        (grid.accounts_for(1, y) && grid.accounts_for(2, z)).then(|| {
-            let is_ghost = !(grid.inside(1).contains(&j) && grid.inside(2).contains(&k));
-            let columns =
-                |range: Range<usize>| content_of(model, soil, volume, range.map(move |i| [i, j, k]));
-            let sum = if is_ghost {
-                columns(0..nx)
-            } else {
-                let [low, high] = [0, 1].map(|end| columns(grid.outside(0, end)));
-                std::array::from_fn(|n| low[n] + high[n])
-            };
-            (z * grid.whole_cells()[1] + y, sum)
-        })
-    });
-    halo::in_order(halo, own)
-        .into_iter()
-        .fold([0.0; 3], |sum, (_, row)| std::array::from_fn(|n| sum[n] + row[n]))
+        if !(grid.accounts_for(1, y) && grid.accounts_for(2, z)) {
+            continue;
+        }
+        let is_ghost = !(grid.inside(1).contains(&j) && grid.inside(2).contains(&k));
+        let mut add = |columns: Range<usize>| {
+            let held = content_of(model, soil, volume, columns.map(|i| [i, j, k]));
+            sums.iter_mut().zip(held).for_each(|(sum, term)| sum.add(term));
+        };
+        if is_ghost {
+            add(0..nx);
+        } else {
+            [0, 1].into_iter().for_each(|end| add(grid.outside(0, end)));
+        }
+    }
+    over_blocks(halo, sums)
 }
 
 /// What some cells hold.

@@ -192,6 +192,14 @@ impl Grid {
             || (whole >= domain.end && own.end == domain.end)
     }
 
+    /// Layers of cells of the whole grid that the block accounts for along `axis` (see [`Grid::accounts_for`]).
+    #[must_use]
+    pub fn accounted(&self, axis: usize) -> Range<usize> {
+        let (own, domain) = (&self.own[axis], &self.domain[axis]);
+        let start = if own.start == domain.start { 0 } else { own.start };
+        start..if own.end == domain.end { self.whole_cells()[axis] } else { own.end }
+    }
+
     /// Whether a row of the memory, `[q, plane]`, is one of cells in the domain or in the ghost layers of a cut.
     #[must_use]
     pub fn is_inside(&self, [q, plane]: [usize; 2]) -> bool {

@@ -6,6 +6,7 @@ use crate::contact::cut_out_bodies;
 use crate::energy;
 use crate::fields::INTACT_STRENGTH;
 use crate::grid::Grid;
+use crate::halo::Halo;
 use crate::material::Material;
 pub use crate::model::Filling;
 use crate::model::{Ground, Model};
@@ -14,6 +15,7 @@ use crate::scalar::Scalar;
 use crate::state::{Body, EnergyBalance, Nodes, Pose, Soil, State, Twist};
 use crate::uneven;
 use glam::DVec3;
+use std::ops::Range;
 
 /// The state at rest of a box of soil.
 #[must_use]
@@ -26,6 +28,34 @@ pub fn at_rest<R: Precision>(model: &Model, filling: &Filling) -> State<R> {
 #[must_use]
 pub fn at_rest_on<R: Precision>(model: &Model, ground: &Ground) -> State<R> {
     of_soil(model, filled(&model.grid, ground, model), ground.overburden)
+}
+
+/// Layers of a slab of the grid in which the state at rest of a block is found.
+const SLAB: usize = 16;
+
+/// The state at rest of a block of the grid, on the model's ground; the grid of the model is the whole before and the block
+/// afterwards. Stresses are those under all that lies above, also where the grid is cut along z: they are found in one slab across y
+/// after the other, so that no process needs memory for the whole.
+#[must_use]
+pub fn at_rest_in_block<R: Precision>(model: &mut Model, own: [Range<usize>; 3]) -> State<R> {
+    let block = model.grid.block(own);
+    let whole = std::mem::replace(&mut model.grid, block.clone());
+    if !(block.is_cut(2, 0) || block.is_cut(2, 1)) {
+        return at_rest_on(model, &model.ground);
+    }
+    let needed = block.first[1]..block.first[1] + block.cells()[1];
+    let needed = needed.start.max(whole.domain[1].start)..needed.end.min(whole.domain[1].end);
+    let last = whole.domain[1].end.saturating_sub(SLAB).max(whole.domain[1].start);
+    let mut state: Option<State<R>> = None;
+    for start in needed.clone().step_by(SLAB).map(|start| start.min(last)) {
+        let rows = start..(start + SLAB).min(whole.domain[1].end);
+        model.grid = whole.block([whole.domain[0].clone(), rows, whole.domain[2].clone()]);
+        let slab = at_rest_on::<R>(model, &model.ground);
+        let own = state.get_or_insert_with(|| slab.without_soil(&block));
+        own.take_over(&block, &slab, &model.grid);
+    }
+    model.grid = block;
+    state.unwrap_or_else(|| at_rest_on(model, &model.ground))
 }
 
 /// No soil of the model's materials.
@@ -88,7 +118,7 @@ fn strengthen<R: Scalar>(model: &Model, grid: &Grid, soil: &mut Soil<R>) {
 pub(crate) struct Undisturbed<R> {
     /// In coordinates of the ground.
     grid: Grid,
-    /// Layers of the model's grid that are the first here.
+    /// Layers of the whole grid that are the first here.
     first: [usize; 3],
     /// State of the cells; their masses are those of the grid here.
     pub(crate) soil: Soil<R>,
@@ -98,13 +128,21 @@ impl<R: Scalar> Undisturbed<R> {
     /// The ground of a model where the grid is now, `position` from where it started [m].
     pub(crate) fn new(model: &Model, position: DVec3) -> Self {
         let ground = &model.ground;
+        // Of the whole grid: upwards all of it, for stresses at rest come from the weight above.
         let needed: [_; 3] = std::array::from_fn(|axis| {
+            let first = model.grid.first[axis];
+            let in_whole = |layers: Range<usize>| layers.start + first..layers.end + first;
             let is_one = axis < 2 && ground.is_uniform_along(axis);
-            if is_one { 0..1 } else { entered(model, axis).unwrap_or(0..model.grid.cells()[axis]) }
+            let all = if axis == 2 {
+                0..model.grid.whole_cells()[2]
+            } else {
+                in_whole(0..model.grid.cells()[axis])
+            };
+            if is_one { in_whole(0..1) } else { entered(model, axis).map_or(all, in_whole) }
         });
         let grid = Grid::new(std::array::from_fn(|axis| {
             let layers = &needed[axis];
-            model.grid.faces[axis][layers.start..=layers.end].iter().map(|x| x + position[axis]).collect()
+            model.grid.whole[axis][layers.start..=layers.end].iter().map(|x| x + position[axis]).collect()
         }));
         let mut soil = filled(&grid, ground, model);
         weigh(model, &grid, &mut soil);
@@ -114,9 +152,10 @@ impl<R: Scalar> Undisturbed<R> {
     }
 
     /// Index here of a cell of the model's grid.
-    pub(crate) fn index(&self, layers: [usize; 3]) -> usize {
+    pub(crate) fn index(&self, model: &Model, layers: [usize; 3]) -> usize {
         let cells = self.grid.cells();
-        let here = |axis: usize| layers[axis].saturating_sub(self.first[axis]).min(cells[axis] - 1);
+        let whole = model.grid.in_whole(layers);
+        let here = |axis: usize| whole[axis].saturating_sub(self.first[axis]).min(cells[axis] - 1);
         let [i, j, k] = std::array::from_fn(here);
         self.grid.index(i, j, k)
     }
@@ -128,7 +167,7 @@ impl<R: Scalar> Undisturbed<R> {
 }
 
 /// The layers beyond the inflow boundary across an axis, where no other boundary lets in ground.
-fn entered(model: &Model, axis: usize) -> Option<std::ops::Range<usize>> {
+fn entered(model: &Model, axis: usize) -> Option<Range<usize>> {
     let faces = (0..3).flat_map(|axis| [(axis, 0), (axis, 1)]);
     let mut inflow = faces.filter(|(axis, end)| model.boundaries.0[*axis][*end] == Boundary::Inflow);
     match (inflow.next(), inflow.next()) {
@@ -183,8 +222,8 @@ fn of_soil<R: Precision>(model: &Model, mut soil: Soil<R>, overburden: f64) -> S
         R::nodal_masses(&model.grid, n, &soil.mass, row);
     }
     let energy_balance = EnergyBalance {
-        elastic_start: energy::elastic(model, &soil),
-        volume_start: energy::soil_volume(&model.grid, &soil),
+        elastic_start: energy::elastic(model, &soil, &Halo::whole()),
+        volume_start: energy::soil_volume(&model.grid, &soil, &Halo::whole()),
         ..EnergyBalance::default()
     };
     let contacts = Vec::new();
@@ -202,9 +241,15 @@ fn of_soil<R: Precision>(model: &Model, mut soil: Soil<R>, overburden: f64) -> S
     }
 }
 
+/// What the energy balance of a block starts from: volume and elastic energy of the soil in all blocks.
+pub(crate) fn balance_blocks<R: Precision>(model: &Model, state: &mut State<R>, halo: &Halo) {
+    state.energy_balance.elastic_start = energy::elastic(model, &state.soil, halo);
+    state.energy_balance.volume_start = energy::soil_volume(&model.grid, &state.soil, halo);
+}
+
 /// Sets all soil in motion with a velocity [m/s], but for what the walls hold; the energy balance counts its energy as
 /// external work.
-pub fn set_in_motion<R: Precision>(model: &Model, state: &mut State<R>, velocity: DVec3) {
+pub fn set_in_motion<R: Precision>(model: &Model, state: &mut State<R>, velocity: DVec3, halo: &Halo) {
     for n in (0..model.grid.entries).filter(|n| state.nodes.mass[*n] > R::default()) {
         let layers = model.grid.layers_of(n);
         let free = model.boundaries.free_components(&model.grid, model.grid.in_whole(layers));
@@ -212,7 +257,7 @@ pub fn set_in_motion<R: Precision>(model: &Model, state: &mut State<R>, velocity
             field[n] = R::cast(if free { own } else { 0.0 });
         }
     }
-    state.energy_balance.kinetic_start = kinetic_energy(model, state);
+    state.energy_balance.kinetic_start = kinetic_energy(model, state, halo);
 }
 
 /// Sets a body in motion at the start, as far as its fixed motions and joints allow; the energy balance counts its energy as
@@ -221,7 +266,7 @@ pub fn set_body_in_motion<R: Precision>(model: &Model, state: &mut State<R>, bod
     let mut start: Vec<_> = state.mechanism.bodies.iter().map(|body| (body.pose, body.twist)).collect();
     start[body].1 = twist;
     state.mechanism = model.mechanism().state(&start);
-    state.energy_balance.kinetic_start = kinetic_energy(model, state);
+    state.energy_balance.kinetic_start = kinetic_energy(model, state, &Halo::whole());
 }
 
 /// Volume fractions of a box of soil, or of the round column inside it.

@@ -12,6 +12,7 @@ mod contact;
 pub mod cpu;
 pub mod energy;
 pub mod error;
+pub mod exact_sum;
 pub mod fields;
 pub mod footprint;
 mod ghosts;

@@ -30,7 +30,7 @@ pub(crate) fn renew<R: Precision>(
     state: &mut State<R>,
     soil: &mut SoilWorkspace<R>,
     seepage: &mut SeepageWorkspace,
-    (contact, halo): (&ContactWorkspace, &mut dyn Halo),
+    (contact, halo): (&ContactWorkspace, &Halo),
 ) -> Result<(), Breakdown> {
     let Some(water) = &model.pore_water else { return Ok(()) };
     seepage.open_gaps(contact.pressure_cells.iter().zip(&contact.openings));

@@ -43,7 +43,7 @@ pub trait Precision: Scalar {
         model: &Model,
         soil: &mut Soil<Self>,
         workspace: &mut SoilWorkspace<Self>,
-        halo: &mut dyn Halo,
+        halo: &Halo,
     );
 
     /// Masses of a row of nodes from those of the cells [kg].
@@ -125,7 +125,7 @@ macro_rules! precision {
                 model: &Model,
                 soil: &mut Soil<Self>,
                 workspace: &mut SoilWorkspace<Self>,
-                halo: &mut dyn Halo,
+                halo: &Halo,
             ) {
                 $module::nonlocal::average(model, soil, workspace, halo);
             }

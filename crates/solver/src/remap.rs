@@ -24,7 +24,7 @@ const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [2, 0, 1], [1, 2, 0], [2, 1, 0], [0,
 /// and every stress is admissible. What is lost is entered into the energy balance.
 pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut Workspace<R>) {
     let Workspace { soil, contact, halo, .. } = workspace;
-    let (grid, halo) = (&model.grid, halo.as_mut());
+    let (grid, halo) = (&model.grid, halo);
     let before = energy::total(model, state, soil, halo) - state.energy_balance.inflow_elastic;
     let active = rows_near_soil(grid, &soil.row_has_soil);
     halo::fill(halo, grid, At::Nodes, &mut state.nodes.displacement);
@@ -32,16 +32,17 @@ pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut 
     R::displaced_volumes(model, state, soil);
     let mut ghosts = Ghosts::new(model, state, &soil.velocity_before[0], halo);
     let axes = if model.is_driven_along_y() { [1, 0, 2] } else { [0, 1, 2] };
-    for axis in ORDERS[(state.remaps % 6) as usize].map(|n| axes[n]) {
-        if grid.whole_cells()[axis] > 1 {
-            R::sweep(model, state, soil, axis, &active);
-            fill_swept(model, state, soil, (ghosts.as_mut(), halo));
-        }
+    let order = ORDERS[(state.remaps % 6) as usize].map(|n| axes[n]);
+    for axis in order.into_iter().filter(|axis| grid.whole_cells()[*axis] > 1) {
+        R::sweep(model, state, soil, axis, &active);
+        fill_swept(model, state, soil, (ghosts.as_mut(), halo));
     }
     R::update_after_remap(model, &mut state.soil, soil, &active);
     if let Some(ghosts) = ghosts {
         ghosts.finish(model, &mut state.soil);
     }
+    // Whether a row next to the outermost ghost layer holds soil, only its owner knows: debris would stay in that layer.
+    halo::fill(halo, grid, At::Cells, state.soil.arrays_mut());
     let [volume, mass] = soil.total_of_rows(grid, halo);
     reset_nodes(grid, state, soil);
     halo::fill(halo, grid, At::Nodes, [&mut state.nodes.mass]);
@@ -63,7 +64,7 @@ fn fill_swept<R: Precision>(
     model: &Model,
     state: &mut State<R>,
     workspace: &mut SoilWorkspace<R>,
-    (ghosts, halo): (Option<&mut Ghosts<R>>, &mut dyn Halo),
+    (ghosts, halo): (Option<&mut Ghosts<R>>, &Halo),
 ) {
     let grid = &model.grid;
     let [soil, cell, _] = &mut workspace.velocity_before;

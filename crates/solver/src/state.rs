@@ -254,25 +254,48 @@ impl<R: Copy + Default> State<R> {
     /// and energy balance are the same in every block.
     #[must_use]
     pub fn of_block(&self, whole: &Grid, block: &Grid) -> Self {
-        let mut own = Self {
+        let mut own = self.without_soil(block);
+        own.take_over(block, self, whole);
+        own
+    }
+
+    /// The same bodies, contacts and energy balance in another block, which holds nothing yet.
+    #[must_use]
+    pub fn without_soil(&self, block: &Grid) -> Self {
+        Self {
             soil: Soil::empty(block, self.soil.composition.len() + 1, self.soil.kinds()),
             nodes: Nodes::at_rest(block),
             bodies: self.bodies.clone(),
             mechanism: self.mechanism.clone(),
             contacts: self.contacts.clone(),
             ..*self
+        }
+    }
+
+    /// Takes over what another block of the same grid accounts for and this block holds.
+    pub fn take_over(&mut self, block: &Grid, other: &Self, of: &Grid) {
+        let shared = |axis: usize| {
+            let (own, its) = (block.first[axis], of.accounted(axis));
+            its.start.max(own)..its.end.min(own + block.cells()[axis])
         };
+        let [columns, rows, planes] = [0, 1, 2].map(shared);
+        if columns.is_empty() || rows.is_empty() || planes.is_empty() {
+            return;
+        }
         let copy = |from: &Vec<R>, to: &mut Vec<R>, beyond: usize| {
-            let [nx, ny, nz] = block.cells().map(|n| n + beyond);
-            for (j, k) in (0..nz).flat_map(|k| (0..ny).map(move |j| (j, k))) {
-                let [i, there_j, there_k] = block.in_whole([0, j, k]);
-                let (here, there) = (block.index(0, j, k), whole.index(i, there_j, there_k));
-                to[here..here + nx].copy_from_slice(&from[there..there + nx]);
+            let length = columns.len() + beyond;
+            for k in planes.start..planes.end + beyond {
+                for j in rows.start..rows.end + beyond {
+                    let [here, there] = [block, of].map(|grid| {
+                        let [x, y, z] = grid.first;
+                        grid.index(columns.start - x, j - y, k - z)
+                    });
+                    to[here..here + length].copy_from_slice(&from[there..there + length]);
+                }
             }
         };
-        self.soil.arrays().zip(own.soil.arrays_mut()).for_each(|(from, to)| copy(from, to, 0));
-        self.nodes.arrays().zip(own.nodes.arrays_mut()).for_each(|(from, to)| copy(from, to, 1));
-        own
+        other.soil.arrays().zip(self.soil.arrays_mut()).for_each(|(from, to)| copy(from, to, 0));
+        other.nodes.arrays().zip(self.nodes.arrays_mut()).for_each(|(from, to)| copy(from, to, 1));
     }
 }
 

@@ -27,12 +27,12 @@ pub fn step<R: Precision>(
     // Lagrangian stage: the soil deforms, the grid stays.
     R::lagrangian_stage(model, state, &mut workspace.soil, dt);
     let Workspace { soil, contact, seepage, mechanism, bodies: moving, halo } = workspace;
-    let sums = soil.total_of_stage(&model.grid, halo.as_mut());
+    let sums = soil.total_of_stage(&model.grid, halo);
     bodies::predict(model, mechanism, state, moving);
-    let work = contact::solve(model, state, (soil, halo.as_mut()), contact, moving);
+    let work = contact::solve(model, state, (soil, halo), contact, moving);
     bodies::advance(mechanism, state, moving);
-    halo::fill(halo.as_mut(), &model.grid, At::Nodes, &mut state.nodes.velocity);
-    pore_pressure::renew(model, state, soil, seepage, (contact, halo.as_mut()))?;
+    halo::fill(halo, &model.grid, At::Nodes, &mut state.nodes.velocity);
+    pore_pressure::renew(model, state, soil, seepage, (contact, halo))?;
     account(model, state, &sums, moving, &work);
     state.time += dt;
     state.step += 1;
@@ -40,10 +40,10 @@ pub fn step<R: Precision>(
     if is_remap_due(model, state, &sums) {
         remap(model, state, workspace);
         let Workspace { soil, contact, seepage, halo, .. } = workspace;
-        contact::search(model, state, soil, contact, halo.as_mut());
+        contact::search(model, state, soil, contact, halo);
         pore_pressure::find_paths(model, state, seepage, contact);
     }
-    check(model, state, &sums, dt)
+    check(model, state, &sums, &workspace.halo)
 }
 
 /// Whether soil or a body has moved so far since the last remap that another is due.

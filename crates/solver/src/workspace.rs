@@ -5,7 +5,8 @@ use crate::contact::workspace::ContactWorkspace;
 use crate::cpu::seepage::SeepageWorkspace;
 use crate::cpu::stopwatch::Stopwatch;
 use crate::cpu::workspace::SoilWorkspace;
-use crate::halo::{Halo, Whole};
+use crate::halo::Halo;
+use crate::initial;
 use crate::model::{Model, RimBin};
 use crate::pore_pressure;
 use crate::precision::Precision;
@@ -25,7 +26,7 @@ pub struct Workspace<R: Precision = f64> {
     /// The same during a step.
     pub(crate) bodies: Step,
     /// Communication with the other blocks of the grid.
-    pub(crate) halo: Box<dyn Halo>,
+    pub(crate) halo: Halo,
 }
 
 impl<R: Precision> std::fmt::Debug for Workspace<R> {
@@ -39,16 +40,18 @@ impl<R: Precision> Workspace<R> {
     /// search.
     #[must_use]
     pub fn new(model: &Model, state: &mut State<R>, threads: usize) -> Self {
-        Self::of_block(model, state, threads, Box::new(Whole))
+        Self::of_block(model, state, threads, Halo::whole())
     }
 
     /// The same for one block of a partitioned grid.
     #[must_use]
-    pub fn of_block(model: &Model, state: &mut State<R>, threads: usize, halo: Box<dyn Halo>) -> Self {
-        let mut halo = halo;
+    pub fn of_block(model: &Model, state: &mut State<R>, threads: usize, halo: Halo) -> Self {
+        if state.step == 0 && !halo.is_alone() {
+            initial::balance_blocks(model, state, &halo);
+        }
         let mut workspace = Self {
             soil: SoilWorkspace::new(model, state, threads),
-            contact: ContactWorkspace::new(model, state, halo.as_mut()),
+            contact: ContactWorkspace::new(model, state, &halo),
             seepage: SeepageWorkspace::new(model),
             mechanism: model.mechanism(),
             bodies: Step::default(),
@@ -56,7 +59,7 @@ impl<R: Precision> Workspace<R> {
         };
         if state.step == 0 {
             let Self { soil, contact, halo, .. } = &mut workspace;
-            contact::first_search(model, state, soil, contact, halo.as_mut());
+            contact::first_search(model, state, soil, contact, halo);
         }
         let Self { contact, seepage, .. } = &mut workspace;
         if model.pore_water.is_some() && state.step > 0 {
@@ -87,6 +90,12 @@ impl<R: Precision> Workspace<R> {
     #[must_use]
     pub fn threads(&self) -> usize {
         self.soil.threads()
+    }
+
+    /// Communication with the other blocks of the grid.
+    #[must_use]
+    pub fn halo(&self) -> &Halo {
+        &self.halo
     }
 
     /// Time by stage of the calling thread.

@@ -7,6 +7,7 @@ use common::{sand, uniform};
 use glam::DVec3;
 use solver::energy::soil_volume;
 use solver::grid::Grid;
+use solver::halo::Halo;
 use solver::initial::{Filling, at_rest};
 use solver::remap::remap;
 use solver::workspace::Workspace;
@@ -39,7 +40,7 @@ fn translation(cells: usize, radius: f64, eta: f64) -> (f64, f64) {
     state.soil.fraction = sphere(&model.grid, from, radius);
     let cell = (1.0 / cells as f64).powi(3);
     state.soil.mass = state.soil.fraction.iter().map(|f| f * cell * model.material().density).collect();
-    let volume = soil_volume(&model.grid, &state.soil);
+    let volume = soil_volume(&model.grid, &state.soil, &Halo::whole());
     let steps = (way.x * cells as f64 / eta).round();
     let mut workspace = Workspace::new(&model, &mut state, 2);
     for _ in 0..steps as usize {
@@ -53,7 +54,9 @@ fn translation(cells: usize, radius: f64, eta: f64) -> (f64, f64) {
         state.soil.fraction.iter().zip(&target).map(|(a, b)| (a - b).abs()).sum::<f64>() * cell / volume;
     assert!(state.soil.fraction.iter().all(|f| (0.0..=1.0 + 1e-12).contains(f)));
     // With the debris that remaps remove, no volume is lost.
-    let lost = 1.0 - (soil_volume(&model.grid, &state.soil) + state.energy_balance.debris_volume) / volume;
+    let lost = 1.0
+        - (soil_volume(&model.grid, &state.soil, &Halo::whole()) + state.energy_balance.debris_volume)
+            / volume;
     (error, lost)
 }
 

@@ -9,6 +9,7 @@ use physics::tensor::contract;
 use solver::balance::kinetic_energy;
 use solver::energy::soil_volume;
 use solver::grid::Grid;
+use solver::halo::Halo;
 use solver::initial::at_rest_filled;
 use solver::material::Material;
 use solver::model::Model;
@@ -48,7 +49,8 @@ fn rotate(runner: &mut Runner, variant: &str, cells: u32) -> Result<(), VerifyEr
             state.nodes.velocity[2][n] = -rate * x.x;
         }
     });
-    let (volume, kinetic) = (soil_volume(grid, &state.soil), kinetic_energy(&model, &state));
+    let (volume, kinetic) =
+        (soil_volume(grid, &state.soil, &Halo::whole()), kinetic_energy(&model, &state, &Halo::whole()));
     let mut workspace = Workspace::new(&model, &mut state, 1);
     let mut reported = Instant::now();
     let mut stress = 0.0_f64;
@@ -67,10 +69,10 @@ fn rotate(runner: &mut Runner, variant: &str, cells: u32) -> Result<(), VerifyEr
     let misplaced =
         0.5 * over_cells(grid, |c, size| (state.soil.fraction[c] - fraction[c]).abs() * size) / volume;
     let figures = [
-        ("volume over the initial volume", soil_volume(grid, &state.soil) / volume),
+        ("volume over the initial volume", soil_volume(grid, &state.soil, &Halo::whole()) / volume),
         ("largest stress, root mean square over E", stress / YOUNG),
         ("shape error", misplaced),
-        ("kinetic energy over the initial energy", kinetic_energy(&model, &state) / kinetic),
+        ("kinetic energy over the initial energy", kinetic_energy(&model, &state, &Halo::whole()) / kinetic),
     ];
     runner.put("A3", variant, seconds, &figures)
 }
@@ -82,7 +84,7 @@ fn root_mean_square(model: &Model, state: &State) -> f64 {
         let s = soil.stress.each_ref().map(|field| field[c]);
         soil.fraction[c] * size * contract(s, s)
     });
-    (squared / soil_volume(&model.grid, soil)).sqrt()
+    (squared / soil_volume(&model.grid, soil, &Halo::whole())).sqrt()
 }
 
 /// The model of an empty slab round the origin, one cell thick.

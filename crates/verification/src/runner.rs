@@ -14,6 +14,7 @@ use coulter::history::largest;
 use coulter::run::watch::watch as would_stop;
 use coulter::simulation::Simulation;
 use solver::energy::soil_mass;
+use solver::halo::Halo;
 use std::time::{Duration, Instant};
 
 /// Runs cases and collects the results.
@@ -295,6 +296,6 @@ fn mass_error(simulation: &Simulation) -> f64 {
     let Simulation { model, state, .. } = simulation;
     let before = model.material().density * state.energy_balance.volume_start;
     let balance = &state.energy_balance;
-    let now = soil_mass(&model.grid, &state.soil) + balance.debris_mass - balance.inflow_mass;
+    let now = soil_mass(&model.grid, &state.soil, &Halo::whole()) + balance.debris_mass - balance.inflow_mass;
     (now - before) / before
 }

@@ -16,6 +16,22 @@ pub struct SurfacePoint {
 }
 
 impl SurfacePoint {
+    /// How many numbers it is.
+    pub(crate) const NUMBERS: usize = 2 + GroundColumn::NUMBERS;
+
+    /// Its numbers.
+    pub(crate) fn to_array(self) -> [f64; Self::NUMBERS] {
+        let mut numbers = [0.0; Self::NUMBERS];
+        [numbers[0], numbers[1]] = [self.x, self.y];
+        numbers[2..].copy_from_slice(&self.column.to_array());
+        numbers
+    }
+
+    /// The point of these numbers.
+    pub(crate) fn of(numbers: &[f64]) -> Self {
+        Self { x: numbers[0], y: numbers[1], column: GroundColumn::from_numbers(&numbers[2..]) }
+    }
+
     /// Its position along x (0) or y (1) [m].
     #[must_use]
     pub fn along(&self, axis: usize) -> f64 {

@@ -44,7 +44,7 @@ pub fn watch<R: Precision>(simulation: &Simulation<R>) -> Result<(), Breakdown> 
         let what = format!(
             "soil presses against the lid with {per_cent:.1} % of the force on the bodies (limit {limit} %)"
         );
-        return broken(what, limits::LID.advice, most_pressed_lid_cell(model, state));
+        return broken(what, limits::LID.advice, most_pressed_lid_cell(model, state, simulation.halo()));
     }
     Ok(())
 }

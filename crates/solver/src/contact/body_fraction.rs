@@ -1,7 +1,8 @@
 //! Body volume fraction: the fraction of each cell that bodies occupy.
 
+use crate::exact_sum::{ExactSum, over_blocks};
 use crate::grid::Grid;
-use crate::halo::{self, Halo};
+use crate::halo::Halo;
 use crate::model::{BodyModel, Model};
 use crate::scalar::Scalar;
 use crate::state::{Pose, Soil, State};
@@ -113,29 +114,27 @@ pub(super) fn measure_bodies<R: Scalar>(
     model: &Model,
     state: &mut State<R>,
     body_cells: &[BodyCell],
-    halo: &mut dyn Halo,
+    halo: &Halo,
 ) {
     let State { soil, bodies, grid_position, .. } = state;
     let surface = model.surface - grid_position.z;
     let grid = &model.grid;
-    let [nx, ny, nz] = grid.whole_cells();
-    let terms = body_cells.iter().filter_map(|c| {
+    let mut sums = vec![[ExactSum::default(); 2]; bodies.len()];
+    for c in body_cells {
         let layers = grid.layers_of(c.cell);
-        let whole @ [i, j, k] = grid.in_whole(layers);
+        if !grid.owns(grid.in_whole(layers)) {
+            continue;
+        }
         let rise = local_rise(model, grid, (layers, *grid_position));
         let below = ((surface + rise - grid.faces[2][layers[2]]) / grid.width(2, layers[2])).clamp(0.0, 1.0);
         let volume = grid.volume_of(c.cell);
         let leaked = (soil.fraction[c.cell].to_f64() + c.fraction - 1.0).max(0.0) * volume;
-        let number = ((c.body * nz + k) * ny + j) * nx + i;
-        grid.owns(whole).then_some((number, [c.fraction * below * volume, leaked]))
-    });
-    for body in bodies.iter_mut() {
-        (body.embedded_volume, body.leaked_volume) = (0.0, 0.0);
+        let [embedded, all_leaked] = &mut sums[c.body];
+        embedded.add(c.fraction * below * volume);
+        all_leaked.add(leaked);
     }
-    for (number, [embedded, leaked]) in halo::in_order(halo, terms) {
-        let body = &mut bodies[number / (nx * ny * nz)];
-        body.embedded_volume += embedded;
-        body.leaked_volume += leaked;
+    for (body, sums) in bodies.iter_mut().zip(sums) {
+        [body.embedded_volume, body.leaked_volume] = over_blocks(halo, sums);
     }
 }
 

@@ -31,7 +31,7 @@ pub(crate) fn remove_overlap<R: Precision>(
     state: &mut State<R>,
     soil: &mut SoilWorkspace<R>,
     contact: &mut ContactWorkspace,
-    halo: &mut dyn Halo,
+    halo: &Halo,
 ) {
     find_bodies(model, state, &mut soil.velocity_before[0], &mut contact.body_cells);
     let mut cells: Vec<usize> = contact.body_cells.iter().map(|c| c.cell).collect();
@@ -39,8 +39,9 @@ pub(crate) fn remove_overlap<R: Precision>(
     cells.dedup();
     for _ in 0..ROUNDS {
         let transfers = distribute(&model.grid, &state.soil.fraction, &soil.velocity_before[0], &cells);
-        let is_done = halo::in_order(halo, std::iter::once((0, [transfers.len() as f64])));
-        if is_done.iter().all(|(_, [left])| *left == 0.0) {
+        let mut left = [transfers.len() as i64];
+        halo.add(&mut left);
+        if left == [0] {
             break;
         }
         transfer(model, state, soil, &transfers);

@@ -36,7 +36,7 @@ pub(super) fn read_pressures<R: Scalar>(
     model: &Model,
     state: &State<R>,
     workspace: &mut ContactWorkspace,
-    halo: &mut dyn Halo,
+    halo: &Halo,
 ) {
     let ContactWorkspace { pressure_cells, pore_pressures, .. } = workspace;
     pore_pressures.clear();

@@ -21,7 +21,7 @@ pub(crate) fn first_search<R: Scalar>(
     state: &mut State<R>,
     soil: &mut SoilWorkspace<R>,
     workspace: &mut ContactWorkspace,
-    halo: &mut dyn Halo,
+    halo: &Halo,
 ) {
     clear_rims(model, state, workspace);
     find_bodies(model, state, &mut soil.velocity_before[0], &mut workspace.body_cells);
@@ -35,7 +35,7 @@ pub(crate) fn search<R: Scalar>(
     state: &mut State<R>,
     soil: &mut SoilWorkspace<R>,
     workspace: &mut ContactWorkspace,
-    halo: &mut dyn Halo,
+    halo: &Halo,
 ) {
     let SoilWorkspace { velocity_before: [body_fraction, ..], material, .. } = &mut *soil;
     let ContactWorkspace { body_cells, surfaces, law, .. } = workspace;
@@ -77,7 +77,7 @@ pub(crate) fn search<R: Scalar>(
 }
 
 /// The contacts found by all blocks, in the order of bodies and points.
-fn all_contacts(found: Vec<Contact>, halo: &mut dyn Halo) -> Vec<Contact> {
+fn all_contacts(found: Vec<Contact>, halo: &Halo) -> Vec<Contact> {
     if halo.is_alone() {
         return found;
     }

@@ -28,7 +28,7 @@ pub(crate) struct ContactWork {
 pub(crate) fn solve<R: Scalar>(
     model: &Model,
     state: &mut State<R>,
-    (soil, halo): (&mut SoilWorkspace<R>, &mut dyn Halo),
+    (soil, halo): (&mut SoilWorkspace<R>, &Halo),
     workspace: &mut ContactWorkspace,
     moving: &mut Step,
 ) -> ContactWork {
@@ -79,7 +79,7 @@ pub(crate) fn solve<R: Scalar>(
 }
 
 /// Gathers velocities and masses of the contact nodes from the blocks that own them.
-fn gather<R: Scalar>(grid: &Nodes<R>, before: &[Vec<R>; 3], nodes: &mut [ContactNode], halo: &mut dyn Halo) {
+fn gather<R: Scalar>(grid: &Nodes<R>, before: &[Vec<R>; 3], nodes: &mut [ContactNode], halo: &Halo) {
     for node in nodes.iter_mut() {
         if let Some(n) = node.node {
             node.mass = grid.mass[n].to_f64();

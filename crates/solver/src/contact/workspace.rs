@@ -47,7 +47,7 @@ impl std::fmt::Debug for ContactWorkspace {
 
 impl ContactWorkspace {
     /// Workspace for the bodies of a model and the contacts of a state.
-    pub(crate) fn new<R: Scalar>(model: &Model, state: &State<R>, halo: &mut dyn Halo) -> Self {
+    pub(crate) fn new<R: Scalar>(model: &Model, state: &State<R>, halo: &Halo) -> Self {
         let mut workspace = Self {
             law: law(model),
             surfaces: model.bodies.iter().map(|body| Surface::new(model, body)).collect(),
@@ -66,7 +66,7 @@ impl ContactWorkspace {
     }
 
     /// Finds contact nodes and constraints after a contact search.
-    pub(super) fn connect<R: Scalar>(&mut self, model: &Model, state: &State<R>, halo: &mut dyn Halo) {
+    pub(super) fn connect<R: Scalar>(&mut self, model: &Model, state: &State<R>, halo: &Halo) {
         (self.nodes, self.corner_nodes) = contact_nodes(model, &state.contacts);
         let fractions = fractions(model, state, halo);
         (self.constraint, self.hourglass_correction) = constraint::number(model, state, &fractions);
@@ -88,7 +88,7 @@ impl ContactWorkspace {
 }
 
 /// Volume fractions in the cells of all contact points.
-fn fractions<R: Scalar>(model: &Model, state: &State<R>, halo: &mut dyn Halo) -> Vec<f64> {
+fn fractions<R: Scalar>(model: &Model, state: &State<R>, halo: &Halo) -> Vec<f64> {
     let grid = &model.grid;
     let own = state.contacts.iter().enumerate().filter_map(|(n, contact)| {
         let whole = contact.cell.map(|layer| layer as usize);

@@ -5,6 +5,7 @@
 #![allow(unsafe_code)]
 
 use super::partition::RowPartition;
+use smallvec::SmallVec;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Condvar, Mutex};
 use std::thread::JoinHandle;
@@ -46,7 +47,7 @@ const SPINS: u32 = 4000;
 const YIELDS: u32 = 200;
 
 impl Team {
-    /// A team of `size` workers (at least one, at most 64).
+    /// A team of `size` workers (at least one, at most [`MAX_WORKERS`]).
     #[must_use]
     pub fn new(size: usize) -> Self {
         let shared = Arc::new(Shared {
@@ -123,9 +124,7 @@ impl Team {
 
     /// Runs the job on each item of an iterator, with one worker for each; at most as many items as workers.
     pub fn distribute<T: Send>(&self, items: impl Iterator<Item = T>, job: impl Fn(&mut T) + Sync) {
-        let mut items = worker_items(items);
-        let count = items.iter().take_while(|item| item.is_some()).count();
-        self.for_each(&mut items[..count], |item| item.iter_mut().for_each(&job));
+        self.for_each(&mut worker_items(items), job);
     }
 
     /// Calls `job(row, output)` for every row of the partition, in parallel, with the row of `output`.
@@ -163,12 +162,15 @@ impl Team {
     }
 }
 
-/// Maximum number of workers of a team: their items lie on the stack, so that a step allocates no memory.
-pub const MAX_WORKERS: usize = 64;
+/// Maximum number of workers of a team; beyond it a number is a slip of the pen.
+pub const MAX_WORKERS: usize = 4096;
 
-/// One item for each worker; `None` beyond the last.
-pub(crate) fn worker_items<T>(mut items: impl Iterator<Item = T>) -> [Option<T>; MAX_WORKERS] {
-    std::array::from_fn(|_| items.next())
+/// As many workers' items lie on the stack, so that a step allocates no memory; those of larger teams do not.
+const ON_STACK: usize = 64;
+
+/// One item for each worker.
+pub(crate) fn worker_items<T>(items: impl Iterator<Item = T>) -> SmallVec<[T; ON_STACK]> {
+    items.collect()
 }
 
 struct ItemsPointer<T>(*mut T);

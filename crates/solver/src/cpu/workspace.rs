@@ -3,9 +3,10 @@
 use super::partition::{RowPartition, SerialFallback, Throughput};
 use super::stopwatch::Stopwatch;
 use super::threads::{MAX_WORKERS, Team};
+use crate::exact_sum::{ExactSum, over_blocks};
 use crate::fields::{Soil, mass_as_main};
 use crate::grid::Grid;
-use crate::halo::{self, Halo};
+use crate::halo::Halo;
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::state::State;
@@ -97,7 +98,7 @@ impl<R: Copy> Coefficients<R> {
     }
 }
 
-/// Sums over a row, in an order that does not depend on the number of threads.
+/// Sums over a row, or over the whole grid.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct RowSums {
     /// Plastic dissipation [J].
@@ -118,45 +119,6 @@ pub(crate) struct RowSums {
     pub displacement_light: f64,
     /// Number of cells whose stress was returned to the yield surface.
     pub yields: u32,
-}
-
-impl RowSums {
-    fn plus(self, other: Self) -> Self {
-        Self {
-            plastic: self.plastic + other.plastic,
-            viscous: self.viscous + other.viscous,
-            hourglass: self.hourglass + other.hourglass,
-            seepage: self.seepage + other.seepage,
-            gravity: self.gravity + other.gravity,
-            kinetic: self.kinetic + other.kinetic,
-            displacement: self.displacement.max(other.displacement),
-            displacement_light: self.displacement_light.max(other.displacement_light),
-            yields: self.yields + other.yields,
-        }
-    }
-
-    fn to_array(self) -> [f64; 9] {
-        let Self { plastic, viscous, hourglass, seepage, gravity, kinetic, .. } = self;
-        let (yields, light) = (f64::from(self.yields), self.displacement_light);
-        [plastic, viscous, hourglass, seepage, gravity, kinetic, self.displacement, light, yields]
-    }
-
-    fn of(
-        [plastic, viscous, hourglass, seepage, gravity, kinetic, displacement, light, yields]: [f64; 9],
-    ) -> Self {
-        let (yields, displacement_light) = (yields as u32, light);
-        Self {
-            plastic,
-            viscous,
-            hourglass,
-            seepage,
-            gravity,
-            kinetic,
-            displacement,
-            displacement_light,
-            yields,
-        }
-    }
 }
 
 /// Number of row buffers in the Lagrangian stage.
@@ -240,29 +202,43 @@ impl<R: Scalar> SoilWorkspace<R> {
             + size_of_val(self.row_values.as_slice())
     }
 
-    /// Sums of the two values by row over the whole grid, in row order.
-    pub(crate) fn total_of_rows(&self, grid: &Grid, halo: &mut dyn Halo) -> [f64; 2] {
-        let add = |sum: [f64; 2], own: &[f64; 2]| [sum[0] + own[0], sum[1] + own[1]];
-        if halo.is_alone() {
-            return self.row_values.iter().fold([0.0; 2], add);
+    /// Sums of the two values by row over the whole grid.
+    pub(crate) fn total_of_rows(&self, grid: &Grid, halo: &Halo) -> [f64; 2] {
+        let mut sums = [ExactSum::default(); 2];
+        for (row, values) in self.row_values.iter().enumerate() {
+            if grid.owned_row(row).is_some() {
+                sums.iter_mut().zip(values).for_each(|(sum, value)| sum.add(*value));
+            }
         }
-        let own = self.row_values.iter().enumerate();
-        let rows = halo::in_order(halo, own.filter_map(|(row, v)| Some((grid.owned_row(row)?, *v))));
-        rows.iter().fold([0.0; 2], |sum, (_, own)| add(sum, own))
+        over_blocks(halo, sums)
     }
 
     /// Sums of the Lagrangian stage over the whole grid.
-    pub(crate) fn total_of_stage(&self, grid: &Grid, halo: &mut dyn Halo) -> RowSums {
-        if halo.is_alone() {
-            return self.row_sums[self.partition.all()]
-                .iter()
-                .copied()
-                .fold(RowSums::default(), RowSums::plus);
+    pub(crate) fn total_of_stage(&self, grid: &Grid, halo: &Halo) -> RowSums {
+        let mut sums = [ExactSum::default(); 6];
+        let mut farthest = [0.0_f64; 2];
+        let mut yields = 0;
+        for row in self.partition.all().filter(|row| grid.owned_row(*row).is_some()) {
+            let own = &self.row_sums[row];
+            let terms = [own.plastic, own.viscous, own.hourglass, own.seepage, own.gravity, own.kinetic];
+            sums.iter_mut().zip(terms).for_each(|(sum, term)| sum.add(term));
+            farthest = [farthest[0].max(own.displacement), farthest[1].max(own.displacement_light)];
+            yields += own.yields;
         }
-        let own = self.row_sums.iter().enumerate();
-        let own = own.filter_map(|(row, sums)| Some((grid.owned_row(row)?, sums.to_array())));
-        let rows = halo::in_order(halo, own);
-        rows.into_iter().map(|(_, sums)| RowSums::of(sums)).fold(RowSums::default(), RowSums::plus)
+        halo.largest(&mut farthest);
+        let [plastic, viscous, hourglass, seepage, gravity, kinetic] = over_blocks(halo, sums);
+        let [displacement, displacement_light] = farthest;
+        RowSums {
+            plastic,
+            viscous,
+            hourglass,
+            seepage,
+            gravity,
+            kinetic,
+            displacement,
+            displacement_light,
+            yields,
+        }
     }
 
     /// Finds which rows hold soil, and of which material; then rebalances the partition.

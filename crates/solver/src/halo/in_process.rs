@@ -1,85 +1,111 @@
 //! Several blocks in one process, each on its own thread: a stand-in for message passing, for the tests.
 
-use super::Halo;
+use super::decomposition::Decomposition;
+use super::{Communicator, Halo};
 use crate::grid::Grid;
-use std::ops::Range;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Barrier, Mutex, PoisonError};
 
-/// To and from a neighbour.
-type Link = (Sender<Vec<f64>>, Receiver<Vec<f64>>);
-
-/// One of several blocks.
+/// One of several.
 #[derive(Debug)]
 pub struct InProcess {
-    number: usize,
-    /// To and from the neighbours along y and z, at the low end and at the high end.
-    neighbours: [[Option<Link>; 2]; 2],
+    rank: usize,
+    /// To and from each of the others.
+    links: Vec<Option<Link>>,
     board: Arc<Board>,
 }
 
-/// Shared memory of the gathers: one slot for each block.
+/// To and from another.
+type Link = (Sender<Vec<f64>>, Receiver<Vec<f64>>);
+
+/// Shared memory of the collective operations: one slot for each.
 #[derive(Debug)]
 struct Board {
     slots: Mutex<Vec<Vec<f64>>>,
     barrier: Barrier,
 }
 
-/// Partitions a grid before the given layers of its domain along y and z. Returns each block with its links to the others.
+/// So many communicators that are linked to each other.
+#[must_use]
+pub fn communicators(count: usize) -> Vec<InProcess> {
+    let board = Arc::new(Board { slots: Mutex::new(vec![Vec::new(); count]), barrier: Barrier::new(count) });
+    let of_rank =
+        |rank| InProcess { rank, links: (0..count).map(|_| None).collect(), board: Arc::clone(&board) };
+    let mut all: Vec<InProcess> = (0..count).map(of_rank).collect();
+    for low in 0..count {
+        for high in low + 1..count {
+            let ((up, from_low), (down, from_high)) = (channel(), channel());
+            all[low].links[high] = Some((up, from_high));
+            all[high].links[low] = Some((down, from_low));
+        }
+    }
+    all
+}
+
+/// Partitions a grid before the given layers of its domain along y and z. Returns each block with its link to the others.
 ///
 /// # Panics
 /// If a block gets too few layers (see [`Grid::block`]).
 #[must_use]
-pub fn partition(whole: &Grid, before: [&[usize]; 2]) -> Vec<(Grid, InProcess)> {
-    let ranges = |axis: usize| -> Vec<Range<usize>> {
-        let domain = &whole.domain[axis];
-        let ends = before[axis - 1].iter().map(|layer| domain.start + layer).chain([domain.end]);
-        ends.scan(domain.start, |start, end| Some(std::mem::replace(start, end)..end)).collect()
-    };
-    let [rows, planes] = [ranges(1), ranges(2)];
-    let count = rows.len() * planes.len();
-    let board = Arc::new(Board { slots: Mutex::new(vec![Vec::new(); count]), barrier: Barrier::new(count) });
-    let mut blocks: Vec<(Grid, InProcess)> = (0..count)
-        .map(|number| {
-            let (j, k) = (number % rows.len(), number / rows.len());
-            let own = [whole.domain[0].clone(), rows[j].clone(), planes[k].clone()];
-            let block = InProcess { number, neighbours: Default::default(), board: Arc::clone(&board) };
-            (whole.block(own), block)
-        })
-        .collect();
-    for number in 0..count {
-        for (axis, step, is_last) in
-            [(0, 1, (number + 1).is_multiple_of(rows.len())), (1, rows.len(), number + rows.len() >= count)]
-        {
-            if !is_last {
-                let ((up, from_below), (down, from_above)) = (channel(), channel());
-                blocks[number].1.neighbours[axis][1] = Some((up, from_above));
-                blocks[number + step].1.neighbours[axis][0] = Some((down, from_below));
-            }
-        }
-    }
-    blocks
+pub fn partition(whole: &Grid, before: [&[usize]; 2]) -> Vec<(Grid, Halo)> {
+    let cut = Decomposition::cut(whole, before);
+    let blocks = (0..cut.count()).map(|number| whole.block(cut.own(number)));
+    let halos = communicators(cut.count()).into_iter().map(|own| Halo::of_block(&cut, Box::new(own)));
+    blocks.zip(halos).collect()
 }
 
-impl Halo for InProcess {
-    fn is_alone(&self) -> bool {
-        false
+impl Communicator for InProcess {
+    fn rank(&self) -> usize {
+        self.rank
+    }
+
+    fn size(&self) -> usize {
+        self.links.len()
     }
 
     /// # Panics
-    /// If the neighbour has failed.
-    fn exchange(&mut self, axis: usize, end: usize, values: Vec<f64>) -> Vec<f64> {
-        let Some((to, from)) = &self.neighbours[axis - 1][end] else { return values };
-        assert!(to.send(values).is_ok(), "the neighbour has gone");
-        from.recv().unwrap_or_else(|_| panic!("the neighbour has gone"))
+    /// If one of the others has failed.
+    fn exchange(&mut self, with: [Option<usize>; 2], values: [Vec<f64>; 2]) -> [Vec<f64>; 2] {
+        let links = with.map(|other| other.and_then(|other| self.links[other].as_ref()));
+        for (link, values) in links.iter().zip(values) {
+            if let Some((to, _)) = link {
+                assert!(to.send(values).is_ok(), "the neighbour has gone");
+            }
+        }
+        links.map(|link| {
+            let received = link.map(|(_, from)| from.recv());
+            received
+                .map_or_else(Vec::new, |values| values.unwrap_or_else(|_| panic!("the neighbour has gone")))
+        })
     }
 
-    fn gather(&mut self, values: Vec<f64>) -> Vec<f64> {
+    fn gather(&mut self, values: &[f64]) -> Vec<Vec<f64>> {
         let slots = || self.board.slots.lock().unwrap_or_else(PoisonError::into_inner);
-        slots()[self.number] = values;
+        slots()[self.rank] = values.to_vec();
         self.board.barrier.wait();
-        let all = slots().concat();
+        let all = slots().clone();
         self.board.barrier.wait();
         all
+    }
+
+    fn collect(&mut self, values: &[f64]) -> Vec<Vec<f64>> {
+        let all = self.gather(values);
+        if self.rank == 0 { all } else { Vec::new() }
+    }
+
+    fn add(&mut self, values: &mut [i64]) {
+        // The board takes any 64 bits.
+        let own: Vec<f64> = values.iter().map(|value| f64::from_bits(value.cast_unsigned())).collect();
+        let all = self.gather(&own);
+        for (n, value) in values.iter_mut().enumerate() {
+            *value = all.iter().map(|own| own[n].to_bits().cast_signed()).sum();
+        }
+    }
+
+    fn largest(&mut self, values: &mut [f64]) {
+        let all = self.gather(values);
+        for (n, value) in values.iter_mut().enumerate() {
+            *value = all.iter().map(|own| own[n]).fold(f64::NEG_INFINITY, f64::max);
+        }
     }
 }

@@ -1,39 +1,181 @@
-//! Communication between the blocks of a grid: exchange of ghost layers, and global gathers.
+//! Communication between the blocks of a grid: exchange of ghost layers, sums, and gathers.
 
+pub mod decomposition;
 pub mod in_process;
+#[cfg(feature = "mpi")]
+pub mod mpi;
 
 use crate::grid::{GHOSTS, Grid};
 use crate::scalar::Scalar;
+use decomposition::Decomposition;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// Communication of a block with the others. All blocks must call the same functions in the same order.
-pub trait Halo: Send {
-    /// Whether this block is the whole grid.
-    fn is_alone(&self) -> bool;
+/// The processes of a run, each with a block of the grid, as one of them sees them. All must call the same functions in the same
+/// order.
+pub trait Communicator: Send {
+    /// Number of this process, from 0.
+    fn rank(&self) -> usize;
 
-    /// Sends `values` to the neighbour at the low end (0) or the high end (1) along `axis`, and returns what
-    /// the neighbour has sent.
-    fn exchange(&mut self, axis: usize, end: usize, values: Vec<f64>) -> Vec<f64>;
+    /// Number of processes.
+    fn size(&self) -> usize;
 
-    /// Sends `values` to all blocks, and returns the values of all, concatenated in the same order
-    /// everywhere.
-    fn gather(&mut self, values: Vec<f64>) -> Vec<f64>;
+    /// Sends values to two other processes and returns what these have sent here; nothing where there is none. Lengths are the same
+    /// in both directions.
+    fn exchange(&mut self, with: [Option<usize>; 2], values: [Vec<f64>; 2]) -> [Vec<f64>; 2];
+
+    /// Sends `values` to all processes, and returns those of each.
+    fn gather(&mut self, values: &[f64]) -> Vec<Vec<f64>>;
+
+    /// Sends `values` to process 0, which gets those of each; the others get nothing.
+    fn collect(&mut self, values: &[f64]) -> Vec<Vec<f64>>;
+
+    /// Replaces each of `values` by its sum over all processes.
+    fn add(&mut self, values: &mut [i64]);
+
+    /// Replaces each of `values` by the largest in any process.
+    fn largest(&mut self, values: &mut [f64]);
 }
 
-/// A block that is the whole grid: nothing is exchanged.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Whole;
+/// What a process has sent so far.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Traffic {
+    /// Messages to neighbours.
+    pub messages: u64,
+    /// Bytes in them.
+    pub message_bytes: u64,
+    /// Operations of all processes together.
+    pub collectives: u64,
+    /// Bytes that this process has put into them.
+    pub collective_bytes: u64,
+}
 
-impl Halo for Whole {
-    fn is_alone(&self) -> bool {
-        true
+/// Communication of a block with the others; nothing for a block that is the whole grid.
+#[derive(Default)]
+pub struct Halo {
+    line: Option<Mutex<Line>>,
+    rank: usize,
+    blocks: usize,
+    /// Ranks of the neighbours along y and z, at the low end and at the high end.
+    neighbours: [[Option<usize>; 2]; 2],
+    /// Numbers of blocks beyond it along y and z, at the low end and at the high end.
+    beyond: [[usize; 2]; 2],
+}
+
+/// The line to the others.
+struct Line {
+    communicator: Box<dyn Communicator>,
+    traffic: Traffic,
+}
+
+impl std::fmt::Debug for Halo {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Halo of block {} of {}", self.rank, self.blocks())
+    }
+}
+
+impl Halo {
+    /// A block that is the whole grid.
+    #[must_use]
+    pub fn whole() -> Self {
+        Self::default()
     }
 
-    fn exchange(&mut self, _: usize, _: usize, values: Vec<f64>) -> Vec<f64> {
-        values
+    /// The block that a process has in a decomposition with one for each.
+    ///
+    /// # Panics
+    /// If there are not as many processes as blocks.
+    #[must_use]
+    pub fn of_block(decomposition: &Decomposition, communicator: Box<dyn Communicator>) -> Self {
+        let (rank, blocks) = (communicator.rank(), communicator.size());
+        assert!(blocks == decomposition.count(), "one block for each process");
+        let neighbours = decomposition.neighbours(rank);
+        let line = (blocks > 1).then(|| Mutex::new(Line { communicator, traffic: Traffic::default() }));
+        Self { line, rank, blocks, neighbours, beyond: decomposition.beyond(rank) }
     }
 
-    fn gather(&mut self, values: Vec<f64>) -> Vec<f64> {
-        values
+    /// Whether this block is the whole grid.
+    #[must_use]
+    pub fn is_alone(&self) -> bool {
+        self.line.is_none()
+    }
+
+    /// Number of this block.
+    #[must_use]
+    pub fn rank(&self) -> usize {
+        self.rank
+    }
+
+    /// Number of blocks.
+    #[must_use]
+    pub fn blocks(&self) -> usize {
+        self.blocks.max(1)
+    }
+
+    /// Numbers of blocks along `axis`, 1 or 2, beyond the low end of this one and beyond its high end.
+    #[must_use]
+    pub fn beyond(&self, axis: usize) -> [usize; 2] {
+        self.beyond[axis - 1]
+    }
+
+    /// What this block has sent so far.
+    #[must_use]
+    pub fn traffic(&self) -> Traffic {
+        self.line().map_or_else(Traffic::default, |line| line.traffic)
+    }
+
+    fn line(&self) -> Option<MutexGuard<'_, Line>> {
+        self.line.as_ref().map(|line| line.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+
+    /// Sends values to the neighbours at the low end and at the high end along `axis`, 1 or 2, and returns what these have sent;
+    /// nothing where there is none. What is sent both ways between two blocks is of the same length.
+    pub fn exchange(&self, axis: usize, values: [Vec<f64>; 2]) -> [Vec<f64>; 2] {
+        let Some(mut line) = self.line() else { return Default::default() };
+        let with = self.neighbours[axis - 1];
+        for (_, own) in with.iter().zip(&values).filter(|(with, _)| with.is_some()) {
+            line.traffic.messages += 1;
+            line.traffic.message_bytes += size_of_val(own.as_slice()) as u64;
+        }
+        line.communicator.exchange(with, values)
+    }
+
+    /// The values of all blocks, those of the first first, the same everywhere.
+    pub fn gather(&self, values: Vec<f64>) -> Vec<f64> {
+        match self.line() {
+            None => values,
+            Some(mut line) => line.counted(&values).gather(&values).concat(),
+        }
+    }
+
+    /// The values of each block, in block 0; nothing in the others.
+    pub fn collect(&self, values: Vec<f64>) -> Vec<Vec<f64>> {
+        match self.line() {
+            None => vec![values],
+            Some(mut line) => line.counted(&values).collect(&values),
+        }
+    }
+
+    /// Replaces each of `values` by its sum over all blocks.
+    pub fn add(&self, values: &mut [i64]) {
+        if let Some(mut line) = self.line() {
+            line.counted(values).add(values);
+        }
+    }
+
+    /// Replaces each of `values` by the largest in any block.
+    pub fn largest(&self, values: &mut [f64]) {
+        if let Some(mut line) = self.line() {
+            line.counted(values).largest(values);
+        }
+    }
+}
+
+impl Line {
+    /// The communicator for a collective operation with these values.
+    fn counted<T>(&mut self, values: &[T]) -> &mut dyn Communicator {
+        self.traffic.collectives += 1;
+        self.traffic.collective_bytes += size_of_val(values) as u64;
+        self.communicator.as_mut()
     }
 }
 
@@ -48,7 +190,7 @@ pub(crate) enum At {
 
 /// Fills the ghost layers of some arrays with their owners' values.
 pub(crate) fn fill<'a, R: Scalar>(
-    halo: &mut dyn Halo,
+    halo: &Halo,
     grid: &Grid,
     at: At,
     arrays: impl IntoIterator<Item = &'a mut Vec<R>>,
@@ -57,23 +199,30 @@ pub(crate) fn fill<'a, R: Scalar>(
         return;
     }
     let mut arrays: Vec<_> = arrays.into_iter().collect();
+    let stride = grid.stride[1];
     for axis in [1, 2] {
-        let ends: Vec<usize> = (0..2).filter(|end| grid.is_cut(axis, *end)).collect();
-        for end in ends {
-            let sent = rows(grid, at, axis, edge(grid, at, axis, end));
-            let mut values = Vec::with_capacity(sent.len() * arrays.len() * grid.stride[1]);
-            for array in &arrays {
-                for row in &sent {
-                    let own = &array[row * grid.stride[1]..][..grid.stride[1]];
-                    values.extend(own.iter().map(|value| value.to_f64()));
+        let sent = [0, 1].map(|end| {
+            let mut values = Vec::new();
+            if grid.is_cut(axis, end) {
+                let sent = rows(grid, at, axis, edge(grid, at, axis, end));
+                values.reserve(sent.len() * arrays.len() * stride);
+                for array in &arrays {
+                    for row in &sent {
+                        values.extend(array[row * stride..][..stride].iter().map(|value| value.to_f64()));
+                    }
                 }
             }
-            let received = halo.exchange(axis, end, values);
+            values
+        });
+        for (end, received) in halo.exchange(axis, sent).into_iter().enumerate() {
+            if !grid.is_cut(axis, end) {
+                continue;
+            }
             let filled = rows(grid, at, axis, ghosts(grid, at, axis, end));
-            let mut received = received.chunks_exact(grid.stride[1]);
+            let mut received = received.chunks_exact(stride);
             for array in &mut arrays {
                 for row in &filled {
-                    let own = &mut array[row * grid.stride[1]..][..grid.stride[1]];
+                    let own = &mut array[row * stride..][..stride];
                     for (value, new) in own.iter_mut().zip(received.next().unwrap_or_default()) {
                         *value = R::cast(*new);
                     }
@@ -119,7 +268,7 @@ fn rows(grid: &Grid, at: At, axis: usize, layers: std::ops::Range<usize>) -> Vec
 /// Values of all blocks with their keys, sorted by key, so that a sum over them does not depend on the
 /// partition of the grid.
 pub(crate) fn in_order<const N: usize>(
-    halo: &mut dyn Halo,
+    halo: &Halo,
     own: impl Iterator<Item = (usize, [f64; N])>,
 ) -> Vec<(usize, [f64; N])> {
     let values = own.flat_map(|(key, values)| std::iter::once(key as f64).chain(values)).collect();

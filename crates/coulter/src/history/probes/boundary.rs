@@ -6,6 +6,8 @@ use crate::case::resolved::Ground;
 use crate::domain::PlacedDomain;
 use crate::history::BoundarySample;
 use glam::DVec3;
+use solver::exact_sum::{ExactSum, over_blocks};
+use solver::halo::Halo;
 use solver::model::Model;
 use solver::precision::Precision;
 use solver::state::State;
@@ -18,15 +20,21 @@ type Face = (usize, bool);
 
 /// The soil at the faces of the domain; forces and areas are those of the whole, not of the modelled portion.
 #[must_use]
-pub(super) fn sample<R: Precision>(case: &Case, model: &Model, state: &State<R>) -> BoundarySample {
+pub(super) fn sample<R: Precision>(
+    case: &Case,
+    model: &Model,
+    state: &State<R>,
+    halo: &Halo,
+) -> BoundarySample {
     let whole = 1.0 / model.modelled_fraction();
     let domain = PlacedDomain::of(&model.grid, state.grid_position);
-    let mut sample = BoundarySample { time: state.time, ..BoundarySample::default() };
+    let [mut lid_area, mut lid_force, mut wall_area] = [ExactSum::default(); 3];
+    let mut stress_rise = [0.0_f64];
     if !is_covered(case) {
         over((2, true), &domain, |cell| {
             if cell.fraction(state) >= TOUCHES {
-                sample.lid_area += cell.area * whole;
-                sample.lid_force += cell.normal_pressure(state).max(0.0) * cell.area * whole;
+                lid_area.add(cell.area * whole);
+                lid_force.add(cell.normal_pressure(state).max(0.0) * cell.area * whole);
             }
         });
     }
@@ -36,18 +44,20 @@ pub(super) fn sample<R: Precision>(case: &Case, model: &Model, state: &State<R>)
                 return;
             }
             if face.0 != 2 && !held_soil(case, model, cell.centre) {
-                sample.wall_area += cell.area * whole;
+                wall_area.add(cell.area * whole);
             }
             let rise = cell.normal_pressure(state) - pressure_at_rest(case, model, &cell);
-            sample.stress_rise = sample.stress_rise.max(rise);
+            stress_rise[0] = stress_rise[0].max(rise);
         });
     }
-    sample
+    let [lid_area, lid_force, wall_area] = over_blocks(halo, [lid_area, lid_force, wall_area]);
+    halo.largest(&mut stress_rise);
+    BoundarySample { time: state.time, lid_area, lid_force, wall_area, stress_rise: stress_rise[0] }
 }
 
 /// Middle of the lid's cell that bears the highest pressure [m].
 #[must_use]
-pub fn most_pressed_lid_cell<R: Precision>(model: &Model, state: &State<R>) -> DVec3 {
+pub fn most_pressed_lid_cell<R: Precision>(model: &Model, state: &State<R>, halo: &Halo) -> DVec3 {
     let (mut most, mut position) = (f64::NEG_INFINITY, DVec3::NAN);
     let domain = PlacedDomain::of(&model.grid, state.grid_position);
     over((2, true), &domain, |cell| {
@@ -55,7 +65,10 @@ pub fn most_pressed_lid_cell<R: Precision>(model: &Model, state: &State<R>) -> D
             (most, position) = (cell.normal_pressure(state), cell.centre);
         }
     });
-    position
+    let all = halo.gather([[most].as_slice(), &position.to_array()].concat());
+    let higher = |a: &[f64], b: &[f64]| a[0] < b[0];
+    let found = all.chunks_exact(4).reduce(|a, b| if higher(a, b) { b } else { a });
+    found.map_or(position, |found| DVec3::from_slice(&found[1..]))
 }
 
 /// Whether the soil reaches up to the lid from the start: then the lid is part of the case.
@@ -141,6 +154,9 @@ impl FaceCell {
 }
 
 fn over((axis, is_high): Face, domain: &PlacedDomain, mut each: impl FnMut(FaceCell)) {
+    if !domain.reaches(axis, usize::from(is_high)) {
+        return;
+    }
     let cells = domain.cells();
     let layer = if is_high { cells[axis] - 1 } else { 0 };
     let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);

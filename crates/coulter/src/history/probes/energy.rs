@@ -3,19 +3,20 @@
 use crate::history::EnergySample;
 use solver::balance;
 use solver::energy::{overdense_portion, soil_volume};
+use solver::halo::Halo;
 use solver::model::Model;
 use solver::precision::Precision;
 use solver::state::State;
 
 /// The energy balance of the whole, not of the modelled portion.
-pub(super) fn sample<R: Precision>(model: &Model, state: &State<R>) -> EnergySample {
+pub(super) fn sample<R: Precision>(model: &Model, state: &State<R>, halo: &Halo) -> EnergySample {
     let terms = &state.energy_balance;
     let whole = 1.0 / model.modelled_fraction();
     EnergySample {
         time: state.time,
         external: (terms.external + terms.kinetic_start + terms.inflow_elastic) * whole,
-        kinetic: balance::kinetic_energy(model, state) * whole,
-        elastic: (balance::elastic_energy(model, state) - terms.elastic_start) * whole,
+        kinetic: balance::kinetic_energy(model, state, halo) * whole,
+        elastic: (balance::elastic_energy(model, state, halo) - terms.elastic_start) * whole,
         plastic: terms.plastic * whole,
         friction: terms.friction * whole,
         contact: terms.contact * whole,
@@ -23,7 +24,8 @@ pub(super) fn sample<R: Precision>(model: &Model, state: &State<R>) -> EnergySam
         hourglass: terms.hourglass * whole,
         seepage: terms.seepage * whole,
         remap_loss: terms.remap * whole,
-        volume_ratio: (soil_volume(&model.grid, &state.soil) - terms.inflow_volume) / terms.volume_start,
-        overdense: overdense_portion(model, &state.soil),
+        volume_ratio: (soil_volume(&model.grid, &state.soil, halo) - terms.inflow_volume)
+            / terms.volume_start,
+        overdense: overdense_portion(model, &state.soil, halo),
     }
 }

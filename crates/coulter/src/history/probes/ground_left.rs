@@ -3,27 +3,46 @@
 use crate::domain::PlacedDomain;
 use crate::history::{GroundColumn, SurfacePoint};
 use solver::boundary::Boundary;
+use solver::halo::Halo;
 use solver::model::Model;
 use solver::precision::Precision;
 use solver::state::State;
 
 /// Adds the surface over the last layer of cells at the outflow boundary to what the grid has left behind: at the start, and
-/// whenever the grid has travelled at least the width of this layer since then.
-pub fn record_ground_left<R: Precision>(model: &Model, state: &State<R>, left: &mut Vec<SurfacePoint>) {
+/// whenever the grid has travelled at least the width of this layer since then. Each block of a grid has the whole of it.
+pub fn record_ground_left<R: Precision>(
+    model: &Model,
+    state: &State<R>,
+    halo: &Halo,
+    left: &mut Vec<SurfacePoint>,
+) {
     let Some((axis, end)) = outflow(model) else { return };
-    let domain = PlacedDomain::of(&model.grid, state.grid_position);
-    let cells = domain.cells();
-    let (last, away) = if end == 0 { (0, 1.0) } else { (cells[axis] - 1, -1.0) };
-    let (width, here) = (domain.width(axis, last), domain.centre(axis, last));
+    let (faces, inside) = (&model.grid.whole[axis], &model.grid.domain[axis]);
+    let (last, away) = if end == 0 { (inside.start, 1.0) } else { (inside.end - 1, -1.0) };
+    let [low, high] = [faces[last], faces[last + 1]].map(|face| face + state.grid_position[axis]);
+    let (width, here) = (faces[last + 1] - faces[last], 0.5 * (high + low));
     let is_due = |point: &SurfacePoint| away * (here - point.along(axis)) >= width * (1.0 - 1e-9);
     if !left.last().is_none_or(is_due) {
         return;
     }
-    left.extend((0..cells[1 - axis]).map(|n| {
-        let [i, j] = if axis == 0 { [last, n] } else { [n, last] };
-        let column = GroundColumn::of(&domain, state, &model.materials, [i, j]);
-        SurfacePoint { x: domain.centre(0, i), y: domain.centre(1, j), column }
-    }));
+    let domain = PlacedDomain::of(&model.grid, state.grid_position);
+    let [columns, rows, _] = domain.layers();
+    let in_line = if axis == 0 { rows } else { columns };
+    let number = if end == 0 { 0 } else { domain.cells()[axis] - 1 };
+    let places: Vec<[usize; 2]> = if domain.reaches(axis, end) {
+        (0..in_line.len()).map(|n| if axis == 0 { [number, n] } else { [n, number] }).collect()
+    } else {
+        Vec::new()
+    };
+    let own = GroundColumn::of_all(&domain, state, (&model.materials, halo), &places);
+    let points = places.iter().zip(own).map(|(&[i, j], column)| SurfacePoint {
+        x: domain.centre(0, i),
+        y: domain.centre(1, j),
+        column,
+    });
+    // Blocks beside each other are in the order of y.
+    let all = halo.gather(points.flat_map(SurfacePoint::to_array).collect());
+    left.extend(all.chunks_exact(SurfacePoint::NUMBERS).map(SurfacePoint::of));
 }
 
 /// Axis and end, the low one (0) or the high one (1), of the outflow boundary that the grid leaves ground behind at: of a grid
@@ -66,7 +85,7 @@ mod tests {
             // The grid moves back in between, over ground that it has left before.
             for travelled in [0.0, 0.5, 1.0, 1.5, 0.0, 2.5, 3.0] {
                 state.grid_position[axis] = away * travelled;
-                record_ground_left(&model, &state, &mut left);
+                record_ground_left(&model, &state, &Halo::whole(), &mut left);
             }
             let first = if end == 0 { 0.5 } else { 4.5 };
             let expected = [0.0, 1.0, 2.5].map(|travelled| first + away * travelled);
@@ -83,7 +102,7 @@ mod tests {
         let model = Model { follow: None, ..travelling(0, 0) };
         let (state, mut left) =
             (at_rest::<f64>(&model, &Filling::between(DVec3::ZERO, DVec3::ONE)), Vec::new());
-        record_ground_left(&model, &state, &mut left);
+        record_ground_left(&model, &state, &Halo::whole(), &mut left);
         assert!(left.is_empty());
     }
 }

@@ -18,15 +18,16 @@ pub use boundary::most_pressed_lid_cell;
 pub use ground_left::record_ground_left;
 pub use last_sample::LastSample;
 pub(crate) use part::places;
+use solver::halo::Halo;
 use solver::model::Model;
 use solver::precision::Precision;
 use solver::state::State;
 
 /// Enters a state into the history; `last` is what the probes remember of the sample before, and of this one then.
 pub fn sample<R: Precision>(
-    case: &Case,
-    model: &Model,
+    (case, model): (&Case, &Model),
     state: &State<R>,
+    halo: &Halo,
     last: &mut LastSample,
     history: &mut History,
 ) {
@@ -42,7 +43,7 @@ pub fn sample<R: Precision>(
     for (n, rim) in history.rims.iter_mut().enumerate() {
         rim.push(state.time, rim::sums(model, &state.bodies[n]));
     }
-    history.energy.push(energy::sample(model, state));
-    history.boundaries.push(boundary::sample(case, model, state));
+    history.energy.push(energy::sample(model, state, halo));
+    history.boundaries.push(boundary::sample(case, model, state, halo));
     *last = LastSample::of(state);
 }

@@ -7,6 +7,7 @@ use crate::history::{GroundColumn, SurfacePoint};
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use solver::grid::Grid;
+use solver::halo::Halo;
 use solver::initial::undisturbed_fractions;
 use solver::precision::Precision;
 use solver::state::State;
@@ -72,9 +73,8 @@ impl HeightMap {
     pub fn of(case: &Case, grid: &Grid, state: &State<impl Precision>, left: &[SurfacePoint]) -> Self {
         let domain = PlacedDomain::of(grid, state.grid_position);
         let [along, across, _] = domain.cells();
-        let places = (0..across).flat_map(|j| (0..along).map(move |i| [i, j]));
-        let materials = materials(case);
-        let columns = places.map(|place| GroundColumn::of(&domain, state, &materials, place)).collect();
+        let places: Vec<_> = (0..across).flat_map(|j| (0..along).map(move |i| [i, j])).collect();
+        let columns = GroundColumn::of_all(&domain, state, (&materials(case), &Halo::whole()), &places);
         let edges = [0, 1].map(|axis| domain.faces[axis].clone());
         let inside = [0, 1].map(|axis| domain.ends(axis));
         let centres = edges.each_ref().map(|edges| middles(edges));

@@ -101,12 +101,12 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
         scratch,
     });
     let mut slices = worker_items(each);
-    let slices = &mut slices[..partition.ranges().len()];
     let clock = Instant::now();
-    team.for_each(slices, |slice| slice.iter_mut().for_each(|slice| strain_and_move(&inputs, slice)));
-    pass_forces_on(slices);
-    team.for_each(slices, |slice| slice.iter_mut().for_each(|slice| move_waiting(&inputs, slice)));
-    if slices.len() > 1
+    team.for_each(&mut slices, |slice| strain_and_move(&inputs, slice));
+    pass_forces_on(&mut slices);
+    team.for_each(&mut slices, |slice| move_waiting(&inputs, slice));
+    drop(slices);
+    if partition.ranges().len() > 1
         && let Some(speed) = workers[0].throughput.speed()
     {
         let load: f64 = workers.iter().map(|worker| worker.throughput.load()).sum();
@@ -183,13 +183,12 @@ fn strain_and_move(inputs: &Inputs, slice: &mut WorkerSlice) {
 
 /// Passes on to every slice what its waiting nodes need from the slice before: the forces of the cells below,
 /// and the coefficients of the last row of cells.
-fn pass_forces_on(slices: &mut [Option<WorkerSlice>]) {
+fn pass_forces_on(slices: &mut [WorkerSlice]) {
     for n in (1..slices.len()).rev() {
         let (low, high) = slices.split_at_mut(n);
-        if let (Some(low), Some(high)) = (&mut low[n - 1], &mut high[0]) {
-            std::mem::swap(&mut low.scratch.below, &mut high.scratch.below);
-            std::mem::swap(&mut low.scratch.coefficients[0], &mut high.scratch.coefficients[0]);
-        }
+        let (low, high) = (&mut low[n - 1], &mut high[0]);
+        std::mem::swap(&mut low.scratch.below, &mut high.scratch.below);
+        std::mem::swap(&mut low.scratch.coefficients[0], &mut high.scratch.coefficients[0]);
     }
 }
 

@@ -31,7 +31,7 @@ struct Averaged<'a> {
 }
 
 /// Renews the nonlocal densities of the soil of the first material with a characteristic length.
-pub(crate) fn average(model: &Model, soil: &mut Soil, workspace: &mut Workspace, halo: &mut dyn Halo) {
+pub(crate) fn average(model: &Model, soil: &mut Soil, workspace: &mut Workspace, halo: &Halo) {
     let found = model.materials.iter().enumerate().find_map(|(n, m)| Some((n, m.characteristic_length?)));
     let Some((material, length)) = found else { return };
     let Some(Law::Sand(law)) = workspace.materials[material].yield_law else { return };
@@ -153,7 +153,7 @@ impl Averaged<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::halo::Whole;
+    use crate::halo::Halo;
     use crate::initial::{Filling, at_rest};
     use crate::material::Material;
     use crate::scalar::Scalar;
@@ -196,7 +196,7 @@ mod tests {
         let everywhere = Filling::between(DVec3::splat(-1e9), DVec3::splat(1e9));
         let mut state = at_rest::<Real>(&model, &everywhere);
         let mut workspace = Workspace::new(&model, &state, 2);
-        average(&model, &mut state.soil, &mut workspace, &mut Whole);
+        average(&model, &mut state.soil, &mut workspace, &Halo::whole());
         let most = |field: &[Real]| field.iter().fold(0.0, |most: Real, x| most.max(x.abs()));
         assert!(most(&state.soil.history[NONLOCAL_DENSITY]) < 1e-4);
 
@@ -206,7 +206,7 @@ mod tests {
         for j in 0..3 {
             state.soil.mass[grid.index(30, j, 30)] *= 1.02;
         }
-        average(&model, &mut state.soil, &mut workspace, &mut Whole);
+        average(&model, &mut state.soil, &mut workspace, &Halo::whole());
         let density = |c: usize| law.relative_density(state.soil.mass[c] / grid.volume_of(c) as Real);
         let undisturbed = f64::from(density(grid.index(0, 1, 0)));
         let (mut sum, mut spread) = (0.0, [0.0; 2]);

@@ -37,7 +37,7 @@ pub(crate) fn balance_water<R: Scalar>(
     inertia: f64,
     state: &mut State<R>,
     soil: &mut SoilWorkspace<R>,
-    (workspace, halo): (&mut SeepageWorkspace, &mut dyn Halo),
+    (workspace, halo): (&mut SeepageWorkspace, &Halo),
 ) -> f64 {
     let mobility = water.mobility();
     let height = state.grid_position.z;

@@ -1,15 +1,12 @@
-//! A grid partitioned into blocks, each on its own thread, gives the same bits as the whole grid.
-#![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
+//! Models whose bodies lie across the cuts between blocks, and what of a block must be equal to the whole.
+#![allow(dead_code, unreachable_pub, clippy::unwrap_used)]
 
-mod common;
-
-use common::{below, dense_sand, sand, uniform};
+use super::common::{below, dense_sand, sand, uniform};
 use glam::DVec3;
 use mechanics::{Inertia, Motion, Pose};
 use physics::shape::{Block, Disc, Shape};
-use solver::fields::Nodes;
 use solver::grid::Grid;
-use solver::halo::in_process::partition;
+use solver::halo::Halo;
 use solver::initial::{at_rest, set_in_motion};
 use solver::model::{BodyModel, ContactMethod, Model, PoreWater};
 use solver::precision::Precision;
@@ -17,9 +14,9 @@ use solver::state::State;
 use solver::step::step;
 use solver::workspace::Workspace;
 
-const STEPS: usize = 160;
+pub const STEPS: usize = 160;
 
-fn body(name: &str, shape: Box<dyn Shape>, start: DVec3) -> BodyModel {
+pub fn body(name: &str, shape: Box<dyn Shape>, start: DVec3) -> BodyModel {
     let free = |load| Motion::Free { load, support: 0.0, start: 0.0, ramp: 0.005 };
     BodyModel {
         name: name.into(),
@@ -42,7 +39,7 @@ fn body(name: &str, shape: Box<dyn Shape>, start: DVec3) -> BodyModel {
 }
 
 /// A towed disc and a towed block in moving sand, both across the boundaries of grid blocks.
-fn model(contact: ContactMethod, lanes: usize) -> Model {
+pub fn model(contact: ContactMethod, lanes: usize) -> Model {
     let mut model = sand([uniform(-0.2, 0.26, 23), uniform(-0.2, 0.2, 20), uniform(-0.16, 0.08, 12)]);
     model.grid = Grid::padded(model.grid.faces.clone(), lanes);
     model.method.contact = contact;
@@ -54,42 +51,42 @@ fn model(contact: ContactMethod, lanes: usize) -> Model {
     model
 }
 
-fn impulse(lanes: usize) -> Model {
+pub fn impulse(lanes: usize) -> Model {
     model(ContactMethod::Impulse, lanes)
 }
 
-fn penalty(lanes: usize) -> Model {
+pub fn penalty(lanes: usize) -> Model {
     model(ContactMethod::Penalty, lanes)
 }
 
 /// The same in dense sand with a characteristic length of two cells and a half.
-fn softening(lanes: usize) -> Model {
+pub fn softening(lanes: usize) -> Model {
     let mut model = impulse(lanes);
     model.materials = vec![dense_sand(Some(0.05))];
     model
 }
 
 /// The same under water whose pressure is computed.
-fn under_water(lanes: usize) -> Model {
+pub fn under_water(lanes: usize) -> Model {
     let mut model = softening(lanes);
     model.pore_water = Some(PoreWater { permeability: 2e-4, unit_weight: 1e4, level: 1.0 });
     model
 }
 
-fn start<R: Precision>(model: &Model) -> State<R> {
+pub fn start<R: Precision>(model: &Model) -> State<R> {
     let mut state = at_rest::<R>(model, &below(0.0));
-    set_in_motion(model, &mut state, DVec3::new(0.05, 0.1, 0.02));
+    set_in_motion(model, &mut state, DVec3::new(0.05, 0.1, 0.02), &Halo::whole());
     state
 }
 
-fn go<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut Workspace<R>) {
+pub fn go<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut Workspace<R>) {
     for _ in 0..STEPS {
         step(model, state, workspace).unwrap();
     }
 }
 
 /// Asserts that a block holds the same values as the whole grid where it owns cells and nodes.
-fn assert_same<R: Precision>(whole: (&Grid, &State<R>), block: (&Grid, &State<R>)) {
+pub fn assert_same<R: Precision>(whole: (&Grid, &State<R>), block: (&Grid, &State<R>)) {
     let (grid, own) = (block.0, block.1.soil.arrays().zip(whole.1.soil.arrays()));
     let nodes = block.1.nodes.arrays().zip(whole.1.nodes.arrays());
     let each = own.map(|pair| (0, pair)).chain(nodes.map(|pair| (1, pair)));
@@ -108,71 +105,4 @@ fn assert_same<R: Precision>(whole: (&Grid, &State<R>), block: (&Grid, &State<R>
     assert_eq!(block.1.contacts, whole.1.contacts);
     assert_eq!(block.1.energy_balance, whole.1.energy_balance);
     assert_eq!((block.1.remaps, block.1.time), (whole.1.remaps, whole.1.time));
-}
-
-fn blocks_are_the_whole<R: Precision>(model: fn(usize) -> Model, before: [&[usize]; 2], threads: usize) {
-    let whole = model(R::LANES);
-    let mut state = start::<R>(&whole);
-    let mut workspace = Workspace::new(&whole, &mut state, 1);
-    let begin = start::<R>(&whole);
-    go(&whole, &mut state, &mut workspace);
-    assert!(state.remaps > 10 && state.contacts.len() > 100, "{} remaps", state.remaps);
-    let still: Nodes<R> = Nodes::at_rest(&whole.grid);
-    assert!(state.nodes.velocity != still.velocity);
-    let blocks = partition(&whole.grid, before);
-    assert_eq!(blocks.len(), (before[0].len() + 1) * (before[1].len() + 1));
-    std::thread::scope(|scope| {
-        for (grid, halo) in blocks {
-            let (begin, state, whole) = (&begin, &state, &whole.grid);
-            scope.spawn(move || {
-                let mut own = begin.of_block(whole, &grid);
-                let model = Model { grid, ..model(R::LANES) };
-                let mut workspace = Workspace::of_block(&model, &mut own, threads, Box::new(halo));
-                go(&model, &mut own, &mut workspace);
-                assert_same((whole, state), (&model.grid, &own));
-            });
-        }
-    });
-}
-
-#[test]
-fn two_blocks_side_by_side() {
-    blocks_are_the_whole::<f64>(impulse, [&[9], &[]], 1);
-}
-
-#[test]
-fn blocks_with_pore_water_side_by_side_and_above_each_other() {
-    blocks_are_the_whole::<f64>(under_water, [&[9], &[6]], 2);
-    blocks_are_the_whole::<f32>(under_water, [&[4, 13], &[]], 1);
-}
-
-#[test]
-fn three_uneven_blocks_side_by_side() {
-    blocks_are_the_whole::<f64>(impulse, [&[4, 13], &[]], 2);
-}
-
-#[test]
-fn two_blocks_one_above_the_other() {
-    blocks_are_the_whole::<f64>(impulse, [&[], &[7]], 1);
-}
-
-#[test]
-fn six_blocks_that_meet_at_edges() {
-    blocks_are_the_whole::<f64>(impulse, [&[5, 11], &[7]], 1);
-}
-
-#[test]
-fn blocks_with_penalty_contact() {
-    blocks_are_the_whole::<f64>(penalty, [&[8], &[6]], 1);
-}
-
-#[test]
-fn blocks_in_single_precision() {
-    blocks_are_the_whole::<f32>(impulse, [&[6, 12], &[]], 1);
-}
-
-#[test]
-fn blocks_of_softening_sand() {
-    blocks_are_the_whole::<f64>(softening, [&[7, 12], &[6]], 1);
-    blocks_are_the_whole::<f32>(softening, [&[9], &[]], 2);
 }
