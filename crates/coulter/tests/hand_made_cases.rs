@@ -59,7 +59,7 @@ const FAULTS: &[Fault] = &[
     (TOWED_DISC, &["ground.overburden=-1 kPa"], |c| c.overburden = -1e3),
     (TOWED_DISC, &["grid.growth=3"], |c| c.grid.growth = 3.0),
     (TOWED_DISC, &["numerics.courant=0"], |c| c.numerics.courant = 0.0),
-    (TOWED_DISC, &["numerics.threads=65"], |c| c.numerics.threads = 65),
+    (TOWED_DISC, &["numerics.threads=4097"], |c| c.numerics.threads = 4097),
     (TOWED_DISC, &["numerics.edge_inset=3"], |c| c.numerics.edge_inset = 3.0),
     (TOWED_DISC, &["output.steady_fraction=1.5"], |c| c.output.steady_fraction = 1.5),
     (TOWED_DISC, &["output.history_interval=4 ns"], |c| c.output.history_interval = 4e-9),
