@@ -58,18 +58,18 @@ fn is_same<R: Precision>(set_up: &SetUp, counts: &[usize]) -> Vec<bool> {
     counts.iter().map(compare).collect()
 }
 
+/// Every set-up in 2, 3 or 4 blocks, in turn; with `COULTER_ALL_BLOCKS=1` in each of these numbers.
 #[test]
 fn blocks_change_no_bit() {
     let counts = [2, 3, 4];
-    let mut compared = [0; 3];
-    for set_up in &SET_UPS {
-        let done = if set_up.is_single() {
-            is_same::<f32>(set_up, &counts)
-        } else {
-            is_same::<f64>(set_up, &counts)
-        };
-        compared.iter_mut().zip(done).for_each(|(sum, done)| *sum += u32::from(done));
+    let all = std::env::var_os("COULTER_ALL_BLOCKS").is_some();
+    let mut compared = 0;
+    for (n, set_up) in SET_UPS.iter().enumerate() {
+        let counts = if all { &counts[..] } else { &counts[n % 3..=n % 3] };
+        let done =
+            if set_up.is_single() { is_same::<f32>(set_up, counts) } else { is_same::<f64>(set_up, counts) };
+        compared += done.iter().filter(|done| **done).count();
     }
     // Grids of plane strain have one layer along y and, coarse as they are here, few along z.
-    assert!(compared.iter().all(|count| *count >= 20), "{compared:?}");
+    assert!(compared >= if all { 60 } else { 20 }, "{compared}");
 }
