@@ -88,11 +88,6 @@ impl Communicator for InProcess {
         all
     }
 
-    fn collect(&mut self, values: &[f64]) -> Vec<Vec<f64>> {
-        let all = self.gather(values);
-        if self.rank == 0 { all } else { Vec::new() }
-    }
-
     fn add(&mut self, values: &mut [i64]) {
         // The board takes any 64 bits.
         let own: Vec<f64> = values.iter().map(|value| f64::from_bits(value.cast_unsigned())).collect();

@@ -26,9 +26,6 @@ pub trait Communicator: Send {
     /// Sends `values` to all processes, and returns those of each.
     fn gather(&mut self, values: &[f64]) -> Vec<Vec<f64>>;
 
-    /// Sends `values` to process 0, which gets those of each; the others get nothing.
-    fn collect(&mut self, values: &[f64]) -> Vec<Vec<f64>>;
-
     /// Replaces each of `values` by its sum over all processes.
     fn add(&mut self, values: &mut [i64]);
 
@@ -36,35 +33,17 @@ pub trait Communicator: Send {
     fn largest(&mut self, values: &mut [f64]);
 }
 
-/// What a process has sent so far.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Traffic {
-    /// Messages to neighbours.
-    pub messages: u64,
-    /// Bytes in them.
-    pub message_bytes: u64,
-    /// Operations of all processes together.
-    pub collectives: u64,
-    /// Bytes that this process has put into them.
-    pub collective_bytes: u64,
-}
-
 /// Communication of a block with the others; nothing for a block that is the whole grid.
 #[derive(Default)]
 pub struct Halo {
-    line: Option<Mutex<Line>>,
+    /// The line to the others.
+    line: Option<Mutex<Box<dyn Communicator>>>,
     rank: usize,
     blocks: usize,
     /// Ranks of the neighbours along y and z, at the low end and at the high end.
     neighbours: [[Option<usize>; 2]; 2],
     /// Numbers of blocks beyond it along y and z, at the low end and at the high end.
     beyond: [[usize; 2]; 2],
-}
-
-/// The line to the others.
-struct Line {
-    communicator: Box<dyn Communicator>,
-    traffic: Traffic,
 }
 
 impl std::fmt::Debug for Halo {
@@ -89,7 +68,7 @@ impl Halo {
         let (rank, blocks) = (communicator.rank(), communicator.size());
         assert!(blocks == decomposition.count(), "one block for each process");
         let neighbours = decomposition.neighbours(rank);
-        let line = (blocks > 1).then(|| Mutex::new(Line { communicator, traffic: Traffic::default() }));
+        let line = (blocks > 1).then(|| Mutex::new(communicator));
         Self { line, rank, blocks, neighbours, beyond: decomposition.beyond(rank) }
     }
 
@@ -117,13 +96,7 @@ impl Halo {
         self.beyond[axis - 1]
     }
 
-    /// What this block has sent so far.
-    #[must_use]
-    pub fn traffic(&self) -> Traffic {
-        self.line().map_or_else(Traffic::default, |line| line.traffic)
-    }
-
-    fn line(&self) -> Option<MutexGuard<'_, Line>> {
+    fn line(&self) -> Option<MutexGuard<'_, Box<dyn Communicator>>> {
         self.line.as_ref().map(|line| line.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
@@ -131,51 +104,29 @@ impl Halo {
     /// nothing where there is none. What is sent both ways between two blocks is of the same length.
     pub fn exchange(&self, axis: usize, values: [Vec<f64>; 2]) -> [Vec<f64>; 2] {
         let Some(mut line) = self.line() else { return Default::default() };
-        let with = self.neighbours[axis - 1];
-        for (_, own) in with.iter().zip(&values).filter(|(with, _)| with.is_some()) {
-            line.traffic.messages += 1;
-            line.traffic.message_bytes += size_of_val(own.as_slice()) as u64;
-        }
-        line.communicator.exchange(with, values)
+        line.exchange(self.neighbours[axis - 1], values)
     }
 
     /// The values of all blocks, those of the first first, the same everywhere.
     pub fn gather(&self, values: Vec<f64>) -> Vec<f64> {
         match self.line() {
             None => values,
-            Some(mut line) => line.counted(&values).gather(&values).concat(),
-        }
-    }
-
-    /// The values of each block, in block 0; nothing in the others.
-    pub fn collect(&self, values: Vec<f64>) -> Vec<Vec<f64>> {
-        match self.line() {
-            None => vec![values],
-            Some(mut line) => line.counted(&values).collect(&values),
+            Some(mut line) => line.gather(&values).concat(),
         }
     }
 
     /// Replaces each of `values` by its sum over all blocks.
     pub fn add(&self, values: &mut [i64]) {
         if let Some(mut line) = self.line() {
-            line.counted(values).add(values);
+            line.add(values);
         }
     }
 
     /// Replaces each of `values` by the largest in any block.
     pub fn largest(&self, values: &mut [f64]) {
         if let Some(mut line) = self.line() {
-            line.counted(values).largest(values);
+            line.largest(values);
         }
-    }
-}
-
-impl Line {
-    /// The communicator for a collective operation with these values.
-    fn counted<T>(&mut self, values: &[T]) -> &mut dyn Communicator {
-        self.traffic.collectives += 1;
-        self.traffic.collective_bytes += size_of_val(values) as u64;
-        self.communicator.as_mut()
     }
 }
 

@@ -7,7 +7,7 @@ use ::mpi::collective::SystemOperation;
 use ::mpi::datatype::PartitionMut;
 use ::mpi::request::{WaitGuard, scope};
 use ::mpi::topology::{Rank, SimpleCommunicator};
-use ::mpi::traits::{CommunicatorCollectives, Destination, Root, Source};
+use ::mpi::traits::{CommunicatorCollectives, Destination, Source};
 use ::mpi::{Tag, traits};
 
 /// This process in the world of all that MPI has started.
@@ -76,20 +76,6 @@ impl Communicator for World {
         let mut all = vec![0.0; counts.iter().sum::<i32>() as usize];
         let mut partition = PartitionMut::new(&mut all[..], &counts[..], &starts[..]);
         world().all_gather_varcount_into(values, &mut partition);
-        of_each(&all, &counts)
-    }
-
-    fn collect(&mut self, values: &[f64]) -> Vec<Vec<f64>> {
-        let [counts, starts] = places(values.len());
-        let world = world();
-        let root = traits::Communicator::process_at_rank(&world, 0);
-        if self.rank() != 0 {
-            root.gather_varcount_into(values);
-            return Vec::new();
-        }
-        let mut all = vec![0.0; counts.iter().sum::<i32>() as usize];
-        let mut partition = PartitionMut::new(&mut all[..], &counts[..], &starts[..]);
-        root.gather_varcount_into_root(values, &mut partition);
         of_each(&all, &counts)
     }
 
