@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use clap::builder::TypedValueParser as _;
+use coulter::case::cores;
 use coulter::case::meshes::COUNTS;
 use coulter::case::quantity::{TIME, parse};
 use coulter::case::variations::ErrorSource;
@@ -14,6 +15,24 @@ use std::path::Path;
 /// The allowed numbers of threads.
 pub(super) fn threads() -> clap::builder::RangedI64ValueParser<u16> {
     clap::value_parser!(u16).range(0..=MOST_THREADS as i64)
+}
+
+/// Threads of a run, as asked for, or for 0 as many as it has by default; says what was not granted.
+pub(super) fn default_threads(asked: usize) -> usize {
+    if asked > 0 {
+        return asked;
+    }
+    let by_default = cores::threads_by_default();
+    warn(&by_default.notes);
+    by_default.count
+}
+
+/// Prints warnings to standard error.
+pub(super) fn warn(warnings: &[String]) {
+    for warning in warnings {
+        // Where it cannot be written the command does its work all the same.
+        let _ = writeln!(std::io::stderr().lock(), "warning: {warning}");
+    }
 }
 
 /// Most threads of a run.

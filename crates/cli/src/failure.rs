@@ -24,6 +24,9 @@ pub enum Failure {
         /// What was written, and how to continue.
         message: String,
     },
+    /// The first of several processes says why; the exit code.
+    #[error("another process of the run has failed")]
+    Elsewhere(u8),
 }
 
 impl Failure {
@@ -33,7 +36,13 @@ impl Failure {
             Self::Physics(_) => 1,
             Self::Stopped { signal, .. } => u8::try_from(128 + signal).unwrap_or(130),
             Self::Case(_) | Self::Request(_) => 2,
+            Self::Elsewhere(code) => *code,
         }
+    }
+
+    /// The same without a word, of a process that is not the first of several: they all fail alike.
+    pub(super) fn unsaid(self) -> Self {
+        Self::Elsewhere(self.exit_code())
     }
 
     /// Reports the failure on standard error.
@@ -42,6 +51,7 @@ impl Failure {
             Self::Case(error) => render(error, is_colourful()),
             Self::Request(message) | Self::Physics(message) => format!("error: {message}\n"),
             Self::Stopped { message, .. } => format!("{message}\n"),
+            Self::Elsewhere(_) => String::new(),
         };
         let _ = std::io::stderr().lock().write_all(text.as_bytes());
         self.exit_code()

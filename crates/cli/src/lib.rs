@@ -14,6 +14,7 @@ mod forecast;
 mod manual;
 mod new;
 mod pressure;
+mod processes;
 mod render;
 mod report;
 mod run;

@@ -1,6 +1,6 @@
 //! `coulter verify`: the verification suite.
 
-use crate::common::say;
+use crate::common::{default_threads, say};
 use crate::failure::Failure;
 use coulter::formats;
 use serde_json::json;
@@ -34,7 +34,7 @@ pub(super) struct Arguments {
     /// Sets a key in every case that is run from a case file, such as numerics.contact=impulse; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
-    /// Threads; 0 for one per core
+    /// Threads; 0 for as many as a run has by default (`coulter run --help`)
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = crate::common::threads())]
     threads: u16,
     /// Folder of the result cache, from which the same command continues after an interruption
@@ -54,7 +54,7 @@ pub(super) fn verify(arguments: &Arguments) -> Result<(), Failure> {
     let options = SuiteOptions {
         fast: arguments.fast,
         overrides: arguments.overrides.clone(),
-        threads: usize::from(arguments.threads),
+        threads: default_threads(usize::from(arguments.threads)),
         folder: Some(arguments.output.clone()),
         fresh: arguments.fresh,
         only_list: false,

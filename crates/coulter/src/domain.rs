@@ -28,12 +28,16 @@ impl<'a> PlacedDomain<'a> {
             own.start - first..own.end - first
         });
         let faces = std::array::from_fn(|axis| {
-            let faces = &grid.faces[axis][inside[axis].start..=inside[axis].end];
-            let moved = grid_position[axis];
-            // A grid that stands still keeps the bits of its faces, the sign of zero among them.
-            if moved == 0.0 { faces.to_vec() } else { faces.iter().map(|face| face + moved).collect() }
+            let own = &inside[axis];
+            placed(&grid.faces[axis][own.start..=own.end], grid_position[axis])
         });
         Self { grid, faces, first: inside.map(|layers| layers.start) }
+    }
+
+    /// Positions of the faces of the whole domain along an axis, of a grid that has moved so far [m].
+    pub(crate) fn whole_faces(grid: &Grid, axis: usize, grid_position: DVec3) -> Vec<f64> {
+        let domain = &grid.domain[axis];
+        placed(&grid.whole[axis][domain.start..=domain.end], grid_position[axis])
     }
 
     /// Number of cells along x, y, z.
@@ -98,6 +102,11 @@ impl<'a> PlacedDomain<'a> {
         let [i, j, k] = self.in_grid(at);
         self.grid.volume(i, j, k)
     }
+}
+
+/// Faces of a grid that has moved so far [m]. One that stands still keeps the bits of its faces, the sign of zero among them.
+fn placed(faces: &[f64], moved: f64) -> Vec<f64> {
+    if moved == 0.0 { faces.to_vec() } else { faces.iter().map(|face| face + moved).collect() }
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! The simulation of a case: its model, its state, the loop of a run, and who observes it.
 
-use crate::blocks::{self, TooManyBlocks};
+use crate::blocks::{self, Balance, TooManyBlocks};
 use crate::case::model::model;
-use crate::case::{Case, CaseError, case_text, require_valid};
+use crate::case::{Case, CaseError, case_text, cores, require_valid};
 use crate::domain::PlacedDomain;
 use crate::history::History;
 use crate::history::probes::{self, LastSample};
@@ -17,6 +17,7 @@ use solver::balance;
 use solver::cpu::stopwatch::Stopwatch;
 use solver::error::Breakdown;
 use solver::grid::Grid;
+use solver::halo::decomposition::Decomposition;
 use solver::halo::{Communicator, Halo};
 use solver::initial;
 use solver::model::Model;
@@ -99,6 +100,7 @@ pub struct Simulation<R: Precision = f64> {
     setting: Setting,
     workspace: Workspace<R>,
     last_sample: LastSample,
+    balance: Balance,
 }
 
 impl<R: Precision> Simulation<R> {
@@ -159,14 +161,30 @@ impl<R: Precision> Simulation<R> {
         Ok(Self::with_halo(case, model, state, halo))
     }
 
+    /// The same of a run resumed from a checkpoint that was read for this block (see [`blocks::of_case`]).
+    ///
+    /// # Errors
+    /// As [`Simulation::of_block`].
+    pub fn resume_block(
+        case: &Case,
+        checkpoint: Checkpoint<R>,
+        communicator: Box<dyn Communicator>,
+        wall_s: f64,
+    ) -> Result<Self, TooManyBlocks> {
+        let mut model = model(case, R::LANES);
+        let cut = blocks::decompose(&model, communicator.size())?;
+        model.grid = model.grid.block(cut.own(communicator.rank()));
+        let Checkpoint { state, history, last_sample, .. } = checkpoint;
+        let halo = Halo::of_block(&cut, communicator);
+        Ok(Self::with_halo(case, model, state, halo).with_history(history, last_sample, wall_s))
+    }
+
     fn with_state(case: &Case, model: Model, state: State<R>) -> Self {
         Self::with_halo(case, model, state, Halo::whole())
     }
 
     fn with_halo(case: &Case, model: Model, mut state: State<R>, halo: Halo) -> Self {
-        let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-        let threads = if case.numerics.threads == 0 { cores } else { case.numerics.threads };
-        let workspace = Workspace::of_block(&model, &mut state, threads, halo);
+        let workspace = Workspace::of_block(&model, &mut state, cores::threads(case.numerics.threads), halo);
         let names: Vec<String> = case.bodies.iter().map(|b| b.name.clone()).collect();
         let rims = workspace.rims().map(|bins| RimHistory::of(bins, model.modelled_fraction())).collect();
         let part_names: Vec<String> = probes::places(case).into_iter().map(|(name, _)| name).collect();
@@ -191,6 +209,7 @@ impl<R: Precision> Simulation<R> {
             setting: Setting::of(case),
             workspace,
             last_sample,
+            balance: Balance::default(),
         };
         if simulation.state.step == 0 {
             let Self { case, model, state, workspace, history, .. } = &mut simulation;
@@ -245,6 +264,7 @@ impl<R: Precision> Simulation<R> {
             precision: R::NAME,
             case: case_text(&self.case),
             state: &self.state,
+            block: (&self.model.grid, self.halo()),
             history: &self.history,
             last_sample: &self.last_sample,
         }
@@ -357,13 +377,41 @@ impl<R: Precision> Simulation<R> {
         Ok(())
     }
 
-    /// Takes a step, and a sample where one is due; returns whether one was.
-    fn step_and_sample(&mut self) -> Result<bool, Breakdown> {
+    /// Takes a step.
+    fn step(&mut self) -> Result<(), Breakdown> {
+        let talked = self.halo().traffic().seconds;
         let clock = std::time::Instant::now();
         let stepped = step(&self.model, &mut self.state, &mut self.workspace);
-        self.wall_s += clock.elapsed().as_secs_f64();
+        let seconds = clock.elapsed().as_secs_f64();
+        self.wall_s += seconds;
+        self.balance.count(seconds - (self.halo().traffic().seconds - talked));
         stepped?;
         self.record_ground_left();
+        self.rebalance();
+        Ok(())
+    }
+
+    /// Cuts the grid anew where that makes steps shorter, as soil and yielding move over it.
+    fn rebalance(&mut self) {
+        let Self { model, state, workspace, balance, .. } = self;
+        let costs = || workspace.costs(&model.grid);
+        let Some(cut) = balance.decide(&model.grid, costs, (state.step, workspace.halo())) else { return };
+        self.recut(&cut);
+    }
+
+    /// Passes soil from block to block until the grid is cut in this way; changes no bit of the run. All blocks must do so at the same
+    /// step, which is not the first.
+    ///
+    /// # Panics
+    /// If there are not as many blocks as before.
+    pub fn recut(&mut self, cut: &Decomposition) {
+        let Self { model, state, workspace, .. } = self;
+        workspace.recut(model, state, cut);
+    }
+
+    /// Takes a step, and a sample where one is due; returns whether one was.
+    fn step_and_sample(&mut self) -> Result<bool, Breakdown> {
+        self.step()?;
         let due = self.last_sample.time + self.case.output.history_interval - 0.5 * self.model.time_step();
         let Self { case, history, state, .. } = &*self;
         let stage_is_over = stages::time_is_over(case, history, state.time, self.model.time_step());
@@ -396,11 +444,7 @@ impl<R: Precision> Simulation<R> {
     /// # Errors
     /// [`Breakdown`] when the physics fails.
     pub fn steps(&mut self, number: u32) -> Result<(), Breakdown> {
-        (0..number).try_for_each(|_| {
-            step(&self.model, &mut self.state, &mut self.workspace)?;
-            self.record_ground_left();
-            Ok(())
-        })
+        (0..number).try_for_each(|_| self.step())
     }
 
     /// Where the time of the calling thread goes.

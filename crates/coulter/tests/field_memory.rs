@@ -4,6 +4,7 @@
 use coulter::case;
 use coulter::output::vtk::FieldSeries;
 use coulter::simulation::Simulation;
+use solver::halo::Halo;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -39,7 +40,7 @@ fn writing(cell: &str) -> (usize, usize) {
     let mut series = FieldSeries::create(folder.path()).unwrap();
     let before = IN_USE.load(Ordering::Relaxed);
     MOST.store(before, Ordering::Relaxed);
-    series.write(&case, &model.grid, &state, &history).unwrap();
+    series.write(&case, (&model.grid, &Halo::whole()), &state, &history).unwrap();
     (model.grid.cells().iter().product(), MOST.load(Ordering::Relaxed) - before)
 }
 

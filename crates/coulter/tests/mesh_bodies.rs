@@ -90,6 +90,7 @@ fn a_results_folder_holds_the_files_of_its_case() {
         warnings: &[],
         interrupts: &interrupts,
         typed: &typed,
+        communicator: coulter::run::alone,
     };
     run::run(&case, &options(Start::Anew)).unwrap();
     assert!(results.join("bodies/tool.stl").is_file());

@@ -71,18 +71,7 @@ const OUTPUT: &[(&str, &[&str])] = &[
     ("confidence", &["files", "tables", "folder", "report"]),
     (
         "results",
-        &[
-            "files",
-            "fields",
-            "tables",
-            "vtk",
-            "plots",
-            "pictures",
-            "folder",
-            "report",
-            "meshes",
-            "confidence",
-        ],
+        &["files", "fields", "tables", "plots", "pictures", "folder", "report", "meshes", "confidence"],
     ),
 ];
 

@@ -20,6 +20,7 @@ pub(crate) fn raised(failure: &Failure) -> PyErr {
         Failure::Request(message) => of_kind("request", message.clone()),
         Failure::Physics(message) => of_kind("physics", message.clone()),
         Failure::Stopped { message, .. } => of_kind("stopped", message.clone()),
+        Failure::Elsewhere(_) => of_kind("internal", failure.to_string()),
     }
 }
 

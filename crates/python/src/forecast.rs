@@ -7,7 +7,7 @@ use crate::failure::{internal, refused, wrong_case};
 use crate::pool;
 use crate::source::{Source, SourceText, count, request};
 use analytic::forecast::ModelForecast;
-use coulter::case::{self, CaseError};
+use coulter::case::{self, CaseError, cores};
 use coulter::forecast::{Outlook, outlook};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -24,7 +24,7 @@ struct ForecastCall {
     /// Number of points.
     count: usize,
     which: Which,
-    /// Threads, 0 for one per core.
+    /// Threads, 0 for as many as a run has by default.
     threads: i64,
 }
 
@@ -177,11 +177,10 @@ pub(crate) fn forecast<'py>(
         return Err(internal());
     }
     let points = Points { source: call.source.text()?, call: &call, columns };
-    let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     if call.threads > MOST_THREADS {
         return Err(refused(format!("threads = {}: it must be from 0 to {MOST_THREADS}", call.threads)));
     }
-    let threads = count("threads", Some(call.threads))?.filter(|threads| *threads > 0).unwrap_or(cores);
+    let threads = cores::threads(count("threads", Some(call.threads))?.unwrap_or_default());
     let stop = AtomicBool::new(false);
     let said = attend(
         py,

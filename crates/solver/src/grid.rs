@@ -106,6 +106,27 @@ impl Grid {
             .with_aspect(aspect)
     }
 
+    /// Whether this is a whole grid.
+    #[must_use]
+    pub fn is_whole(&self) -> bool {
+        self.own == self.domain
+    }
+
+    /// Those of some layers of cells of the whole grid that the block or its ghost layers hold.
+    #[must_use]
+    pub fn held_of(&self, layers: &[Range<usize>; 3]) -> [Range<usize>; 3] {
+        std::array::from_fn(|axis| {
+            let (first, its) = (self.first[axis], &layers[axis]);
+            its.start.max(first)..its.end.min(first + self.cells()[axis])
+        })
+    }
+
+    /// The whole grid that this is a block of.
+    #[must_use]
+    pub fn uncut(&self) -> Self {
+        self.block(self.domain.clone())
+    }
+
     /// Number of cells along x, y, z.
     #[must_use]
     pub fn cells(&self) -> [usize; 3] {
@@ -274,6 +295,18 @@ impl Grid {
             (own.contains(&layer) || is_last).then_some(layer)
         };
         Some(layer(2, plane)? * (cells[1] + 1) + layer(1, q)?)
+    }
+
+    /// Whether a row of cells of the memory, `[q, plane]`, lies next to nodes of this block: of the ghost layers beyond a cut, the
+    /// first one only.
+    #[must_use]
+    pub fn is_beside_own(&self, [q, plane]: [usize; 2]) -> bool {
+        [(1, q), (2, plane)].into_iter().all(|(axis, n)| {
+            let own = &self.own[axis];
+            let is_near_low = !self.is_cut(axis, 0) || n + self.first[axis] >= own.start;
+            let is_near_high = !self.is_cut(axis, 1) || n + self.first[axis] <= own.end + 1;
+            is_near_low && is_near_high
+        })
     }
 
     /// Width of cell layer `n` along `axis` [m].

@@ -138,7 +138,8 @@ impl<R: Scalar> Undisturbed<R> {
             } else {
                 in_whole(0..model.grid.cells()[axis])
             };
-            if is_one { in_whole(0..1) } else { entered(model, axis).map_or(all, in_whole) }
+            // The same layer in every block, for the same bits.
+            if is_one { 0..1 } else { entered(model, axis).map_or(all, in_whole) }
         });
         let grid = Grid::new(std::array::from_fn(|axis| {
             let layers = &needed[axis];

@@ -22,6 +22,7 @@ pub mod initial;
 pub mod material;
 pub mod model;
 mod pore_pressure;
+pub mod portion;
 pub mod precision;
 pub mod relief;
 pub mod remap;

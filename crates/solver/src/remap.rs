@@ -27,6 +27,8 @@ pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut 
     let (grid, halo) = (&model.grid, halo);
     let before = energy::total(model, state, soil, halo) - state.energy_balance.inflow_elastic;
     let active = rows_near_soil(grid, &soil.row_has_soil);
+    // Since the last remap only the first of the ghost layers has been strained.
+    halo::fill(halo, grid, At::Cells, state.soil.arrays_mut());
     halo::fill(halo, grid, At::Nodes, &mut state.nodes.displacement);
     ghosts::follow(model, state);
     R::displaced_volumes(model, state, soil);

@@ -272,30 +272,19 @@ impl<R: Copy + Default> State<R> {
         }
     }
 
+    /// The same bodies, contacts and energy balance, and arrays of soil and nodes without entries: those that are needed have one.
+    #[must_use]
+    pub fn without_fields(&self) -> Self {
+        let mut own = self.without_soil(&Grid::new(std::array::from_fn(|_| vec![0.0, 1.0])));
+        let arrays = own.soil.arrays_mut();
+        arrays.for_each(|field| field.truncate(1));
+        own.nodes.arrays_mut().for_each(|field| field.truncate(1));
+        own
+    }
+
     /// Takes over what another block of the same grid accounts for and this block holds.
     pub fn take_over(&mut self, block: &Grid, other: &Self, of: &Grid) {
-        let shared = |axis: usize| {
-            let (own, its) = (block.first[axis], of.accounted(axis));
-            its.start.max(own)..its.end.min(own + block.cells()[axis])
-        };
-        let [columns, rows, planes] = [0, 1, 2].map(shared);
-        if columns.is_empty() || rows.is_empty() || planes.is_empty() {
-            return;
-        }
-        let copy = |from: &Vec<R>, to: &mut Vec<R>, beyond: usize| {
-            let length = columns.len() + beyond;
-            for k in planes.start..planes.end + beyond {
-                for j in rows.start..rows.end + beyond {
-                    let [here, there] = [block, of].map(|grid| {
-                        let [x, y, z] = grid.first;
-                        grid.index(columns.start - x, j - y, k - z)
-                    });
-                    to[here..here + length].copy_from_slice(&from[there..there + length]);
-                }
-            }
-        };
-        other.soil.arrays().zip(self.soil.arrays_mut()).for_each(|(from, to)| copy(from, to, 0));
-        other.nodes.arrays().zip(self.nodes.arrays_mut()).for_each(|(from, to)| copy(from, to, 1));
+        self.put(block, &other.portion(of, [0, 1, 2].map(|axis| of.accounted(axis))));
     }
 }
 

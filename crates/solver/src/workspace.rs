@@ -5,7 +5,9 @@ use crate::contact::workspace::ContactWorkspace;
 use crate::cpu::seepage::SeepageWorkspace;
 use crate::cpu::stopwatch::Stopwatch;
 use crate::cpu::workspace::SoilWorkspace;
+use crate::grid::Grid;
 use crate::halo::Halo;
+use crate::halo::decomposition::Decomposition;
 use crate::initial;
 use crate::model::{Model, RimBin};
 use crate::pore_pressure;
@@ -66,7 +68,26 @@ impl<R: Precision> Workspace<R> {
             contact.body_cells = contact::bodies_at_search(model, state);
         }
         pore_pressure::find_paths(model, state, seepage, contact);
+        workspace.soil.settle(state);
         workspace
+    }
+
+    /// What each row of cells of the block costs in a step, over that of a row of which no cell yields; y fastest.
+    #[must_use]
+    pub fn costs(&self, grid: &Grid) -> Vec<f64> {
+        self.soil.costs_of_own(grid)
+    }
+
+    /// Passes soil from block to block until the grid is cut in this way; changes no bit of the run. All blocks must do so after the
+    /// same step.
+    ///
+    /// # Panics
+    /// If there are not as many blocks as before.
+    pub fn recut(&mut self, model: &mut Model, state: &mut State<R>, cut: &Decomposition) {
+        let threads = self.threads();
+        (model.grid, *state) = state.recut(&model.grid, cut, &self.halo);
+        let halo = std::mem::take(&mut self.halo).recut(cut);
+        *self = Self::of_block(model, state, threads, halo);
     }
 
     /// Other motions of the model's bodies take over: they start from the speeds that the bodies have.

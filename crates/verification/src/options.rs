@@ -9,7 +9,7 @@ pub struct SuiteOptions {
     pub fast: bool,
     /// Overrides for every case that is run from a case file.
     pub overrides: Vec<String>,
-    /// Threads; 0 for one per core.
+    /// Threads; 0 for as many as `coulter::case::cores::threads_by_default`.
     pub threads: usize,
     /// Folder of the result cache, from which a stopped verification continues; `None` for no cache.
     pub folder: Option<PathBuf>,

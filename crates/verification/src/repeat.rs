@@ -41,7 +41,7 @@ fn resumed(runner: &mut Runner) -> Result<Simulation, VerifyError> {
     }
     let folder = std::env::temp_dir().join(format!("coulter-verify-{}", std::process::id()));
     first.checkpoint().write(&folder)?;
-    let read = Checkpoint::read(&folder);
+    let read = Checkpoint::read(&folder, &first.model.grid);
     // A folder that cannot be removed does no harm.
     let _ = std::fs::remove_dir_all(&folder);
     let mut second = Simulation::resume(&first.case, read?.0, first.wall_s);

@@ -1,6 +1,6 @@
 //! `coulter calibrate`: soil and contact parameters from measured curves.
 
-use crate::common::{refuse_file, say, say_json};
+use crate::common::{default_threads, refuse_file, say, say_json};
 use crate::failure::Failure;
 use crate::signals;
 use coulter::case;
@@ -8,7 +8,8 @@ use coulter::interrupts::Interrupts;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use studies::calibration::{
-    Calibration, CalibrationError, Request, calibrate, document, page, runs_csv, samples_csv, text,
+    Calibration, CalibrationError, ModelChoice, Request, calibrate, document, page, runs_csv, samples_csv,
+    text,
 };
 use studies::files;
 
@@ -27,6 +28,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let request = arguments.request(&runs)?;
     let identity = arguments.identity(&request)?;
     refuse_other(arguments, &folder, &identity)?;
+    if !matches!(request.model, ModelChoice::ClosedForm) {
+        default_threads(request.threads.unwrap_or_default());
+    }
     let mut tell = |line: &str| {
         if !arguments.json {
             // Where standard error cannot be written, the results still say everything.

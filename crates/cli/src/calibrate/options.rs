@@ -52,7 +52,7 @@ pub(crate) struct Arguments {
     /// Seed of all random numbers
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
-    /// Threads of a run; 0 for one per core
+    /// Threads of a run; 0 for as many as a run has by default (`coulter run --help`)
     #[arg(long, value_name = "N", value_parser = crate::common::threads())]
     threads: Option<u16>,
     /// Sets a key of the case; may be repeated

@@ -2,13 +2,13 @@
 
 mod request;
 
-use crate::common::say_json;
+use crate::common::{say_json, warn};
 use crate::failure::Failure;
+use crate::processes::World;
 use crate::signals;
 use coulter::case;
 use coulter::case::variations::ErrorSource;
 use coulter::run::{Budget, NoFollower, Start};
-use std::io::Write;
 use std::path::PathBuf;
 
 pub use request::{PreparedRun, RunRequest, graded};
@@ -23,7 +23,8 @@ pub(super) struct Arguments {
     /// Overwrite existing results
     #[arg(long, conflicts_with_all = ["resume", "auto_resume"])]
     force: bool,
-    /// Threads; 0 for one per core
+    /// Threads of each process [default: those of the case]; 0 for as many as `SLURM_CPUS_PER_TASK` says, or else `OMP_NUM_THREADS`,
+    /// or else one per core that it may use by affinity and control groups (processes on one machine share its cores)
     #[arg(long, value_name = "N", value_parser = crate::common::threads())]
     threads: Option<u16>,
     /// Sets a key, such as soil.friction_angle="38 deg"; may be repeated
@@ -87,15 +88,28 @@ impl Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let world = World::begin()?;
+    let beside = [(arguments.meshes.is_some(), "--meshes"), (arguments.confidence, "--confidence")];
+    if let Some((_, option)) = beside.iter().find(|(is_asked, _)| *is_asked && world.size() > 1) {
+        let why = format!(
+            "{option} starts one run after the other, each in one process; leave out mpirun, or run the cases one by one"
+        );
+        return Err(if world.is_first() { Failure::Request(why) } else { Failure::Elsewhere(2) });
+    }
+    let outcome = run_one(arguments, &world);
+    // All processes end alike; the first says how.
+    if world.is_first() { outcome } else { outcome.map_err(Failure::unsaid) }
+}
+
+fn run_one(arguments: &Arguments, world: &World) -> Result<(), Failure> {
     // Before anything else: a signal during the start must be handled like a later one.
     let interrupts = signals::listen();
     let prepared = arguments.request()?.prepare()?;
-    for warning in &prepared.warnings {
-        // Where standard error cannot be written, the log still has it.
-        let _ = writeln!(std::io::stderr().lock(), "warning: {warning}");
+    if world.is_first() {
+        warn(&prepared.warnings);
     }
     let summary = prepared.run(&interrupts, &mut NoFollower)?;
-    if arguments.json {
+    if arguments.json && world.is_first() {
         say_json(&*summary)?;
     }
     graded(&summary)

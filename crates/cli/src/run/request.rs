@@ -2,10 +2,11 @@
 
 use crate::common::{MOST_THREADS, refuse_file, require_range};
 use crate::failure::Failure;
+use crate::processes;
 use coulter::case::estimate::{self, Cost};
 use coulter::case::meshes::{self, CoarserMesh};
 use coulter::case::variations::{ErrorSource, VariationPlan, variations};
-use coulter::case::{self, Case};
+use coulter::case::{self, Case, cores};
 use coulter::interrupts::Interrupts;
 use coulter::output::{OutputError, Summary, checkpoint};
 use coulter::run::{self, Budget, End, Follower, Request, RunError, RunOptions, Start};
@@ -25,7 +26,7 @@ pub struct RunRequest {
     pub output: Option<PathBuf>,
     /// What to do with a folder that holds a run.
     pub start: Start,
-    /// Threads, 0 for one per core; by default those of the case.
+    /// Threads of each process, 0 for as many as [`cores::threads_by_default`]; by default those of the case.
     pub threads: Option<u16>,
     /// On how many meshes, the case's own among them, if on several.
     pub meshes: Option<usize>,
@@ -84,7 +85,10 @@ impl RunRequest {
         let folder = self.output.clone().unwrap_or_else(|| PathBuf::from("results").join(&case.name));
         refuse_file(&folder)?;
         let cost = cost(&case, &coarser, plan.as_ref().map(|(_, plan)| plan));
-        let warnings = case::resources::warnings(&cost, &folder);
+        let mut warnings = case::resources::warnings(&cost, &folder);
+        if case.numerics.threads == 0 {
+            warnings.extend(cores::threads_by_default().notes);
+        }
         let (start, quiet) = (self.start, self.quiet);
         Ok(PreparedRun { case, folder, warnings, start, quiet, typed, coarser, plan, option })
     }
@@ -117,6 +121,7 @@ impl PreparedRun {
             warnings: &self.warnings,
             interrupts,
             typed: &self.typed,
+            communicator: processes::communicator,
         };
         let end = match (self.coarser.as_slice(), &self.plan) {
             (_, Some((budget, plan))) => {
@@ -144,6 +149,7 @@ impl PreparedRun {
                 Err(Failure::Physics(error.to_string()))
             }
             Err(RunError::Case(error)) => Err(error.into()),
+            Err(RunError::Elsewhere) => Err(Failure::Elsewhere(2)),
             Err(error) => Err(refusal(&error, options)),
         }
     }

@@ -1,8 +1,10 @@
 //! `coulter sweep run`: cases of a study, by their ids or all that are left.
 
 use super::folder::{opened, refused};
+use crate::common::warn;
 use crate::failure::Failure;
 use crate::signals;
+use coulter::case::cores;
 use coulter::interrupts::Interrupts;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::collections::BTreeSet;
@@ -86,6 +88,9 @@ pub(super) fn pooled(shared: &Shared, lines: &[CaseLine], pool: &Pool, quiet: bo
     bar.set_position(before as u64);
     bar.reset_eta();
     bar.enable_steady_tick(Duration::from_millis(500));
+    if pool.workers.is_none() {
+        warn(&cores::cores().notes);
+    }
     let end = pool::run(shared, lines, pool, &Bar(&bar));
     bar.finish_and_clear();
     end

@@ -133,7 +133,7 @@ fn timed(simulation: &mut Simulation<impl Precision>, steps: u32) -> Result<Take
     Ok(Taken { wall: wall.elapsed().as_secs_f64(), processor: processor.elapsed().as_secs_f64() })
 }
 
-fn case_for(options: &Options, threads: usize) -> Case {
+pub(super) fn case_for(options: &Options, threads: usize) -> Case {
     let mut case = options.case.clone();
     case.numerics.threads = threads;
     case

@@ -2,9 +2,15 @@
 
 mod measure;
 mod measurement;
+mod network;
+mod ranks;
+mod scaling;
 mod table;
 mod work;
 
 pub use measure::{Options, TOWED_DISC, measure};
 pub use measurement::{Measurement, Operations, Split};
+pub use network::Network;
+pub use ranks::{RankError, RankMeasurement, measure_ranks};
+pub use scaling::{Modelled, Scaling, scaling, scaling_table};
 pub use table::table;

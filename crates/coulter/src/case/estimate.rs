@@ -1,5 +1,6 @@
 //! What a case will cost: cells, memory, time step, number of steps.
 
+use super::cores;
 use super::model::{material, model};
 use super::output_size::{self, OutputSize};
 use super::path::travel;
@@ -121,12 +122,6 @@ fn all_rim_bins(case: &Case) -> f64 {
     model.bodies.iter().map(|body| rim_bins(&model, body)).sum()
 }
 
-/// Threads that a run is given.
-fn threads(case: &Case) -> usize {
-    let cores = || std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-    if case.numerics.threads == 0 { cores() } else { case.numerics.threads }
-}
-
 /// The body with the most contact points: its name and their number.
 pub(super) fn most_contact_points(case: &Case) -> Option<(String, f64)> {
     let model = model(case, LANES);
@@ -142,7 +137,7 @@ fn moved(body: &Body, duration: f64) -> DVec3 {
 }
 
 fn footprint(case: &Case) -> Footprint {
-    let threads = threads(case);
+    let threads = cores::threads(case.numerics.threads);
     let moved: Vec<DVec3> = case.bodies.iter().map(|body| moved(body, case.duration)).collect();
     match case.numerics.precision {
         Precision::Double => footprint::footprint::<f64>(&model(case, f64::LANES), threads, &moved),

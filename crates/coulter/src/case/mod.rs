@@ -6,6 +6,7 @@
 mod advice;
 mod at_rest;
 mod cells_across;
+pub mod cores;
 mod data_file;
 pub mod documentation;
 mod error;

@@ -1,31 +1,27 @@
 //! The results folder of a run, and everything that is written into it.
 
 use super::confidence;
-use super::fields::{HeightMap, Rut, filled_cells, ruts};
+use super::fields::{Rut, ruts};
 use super::files::{
     BODIES, LOG, Named, OutputError, PICTURES, PLOTS, REPORT, RESOLVED, TYPED, make_folder, read_text,
     write_whole, write_with,
 };
 use super::folder::{Log, Outcome, RunRecord, RunStatistics, clear, clear_beside, remove_parts};
 use super::meshes::{as_read_back, attach};
-use super::pictures::write_pictures;
+use super::pictures::{Shown, write_pictures};
 use super::plots::Overlay;
 use super::report::{ReportText, Summary, rims, write_report};
 use super::tables::{
     HistoryFiles, HistoryNames, read_history, read_rims, validate_history, write_filtered, write_ground,
     write_rims,
 };
-use super::vtk::FieldSeries;
 use crate::case::mesh_file::hash_of;
 use crate::case::resolved::MotionTable;
 use crate::case::{Case, FORMAT, with_files};
 use crate::confidence::{Confidence, VariationResult};
-use crate::domain::PlacedDomain;
 use crate::history::rim::RimLine;
 use crate::history::{History, RutSection};
-use solver::grid::Grid;
 use solver::precision::Precision;
-use solver::state::State;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -36,8 +32,6 @@ pub struct Results {
     dir: PathBuf,
     /// The histories.
     pub tables: HistoryFiles,
-    /// Soil, free surface and bodies over time.
-    pub fields: FieldSeries,
     /// What happened when.
     pub log: Log,
     /// What identifies the folder, and how far the run is.
@@ -56,7 +50,6 @@ impl Results {
         // First of all: it identifies the folder, should the run be killed immediately.
         let record = RunRecord::of(case);
         record.write(dir)?;
-        let fields = FieldSeries::create(dir)?;
         let resolved = toml::to_string(case).map_err(|e| OutputError::content(&dir.join(RESOLVED), e))?;
         let header = "# The case as it was understood: SI units, radians, every default filled in. Written by Coulter.\n";
         write_whole(&dir.join(RESOLVED), format!("{header}format = {FORMAT}\n{resolved}").as_bytes())?;
@@ -64,28 +57,24 @@ impl Results {
             tables: HistoryFiles::create(dir, &record.bodies, &record.names())?,
             log: Log::create(&dir.join(LOG))?,
             dir: dir.to_path_buf(),
-            fields,
             record,
         })
     }
 
-    /// Opens the folder of a run that is resumed from a checkpoint taken at `time` [s] with the history so far: rewrites
-    /// the history files and drops the field files of later times.
+    /// Opens the folder of a run that is resumed from a checkpoint with the history so far: rewrites the history files.
     ///
     /// # Errors
     /// When there is no result in the folder or it cannot be written.
-    pub fn resume(dir: &Path, case: &Case, history: &History, time: f64) -> Result<Self, OutputError> {
+    pub fn resume(dir: &Path, case: &Case, history: &History) -> Result<Self, OutputError> {
         let before = RunRecord::read(dir)?;
         remove_parts(dir)?;
         let statistics = RunStatistics { outcome: Outcome::Running, ..before.statistics };
         let record =
             RunRecord { overlays: before.overlays, meshes: before.meshes, statistics, ..RunRecord::of(case) };
-        let fields = FieldSeries::resume(dir, time)?;
         let mut results = Self {
             tables: HistoryFiles::create(dir, &record.bodies, &record.names())?,
             log: Log::append(&dir.join(LOG))?,
             dir: dir.to_path_buf(),
-            fields,
             record,
         };
         results.tables.append(history)?;
@@ -131,30 +120,26 @@ impl Results {
         self.record.write(&self.dir)
     }
 
-    /// Writes the last fields, the summary, the pictures and the report at the end of a run, also of one that broke down or
-    /// was stopped, as the statistics say. A stopped run leaves no fields of the time at which it was stopped.
+    /// Writes the summary, the pictures and the report at the end of a run, also of one that broke down or was stopped, as the
+    /// statistics say.
     ///
     /// # Errors
     /// When a file cannot be written.
-    pub fn finish(
+    pub fn finish<R: Precision>(
         &mut self,
         case: &Case,
-        grid: &Grid,
-        state: &State<impl Precision>,
+        shown: &Shown<R>,
         history: &History,
         statistics: &RunStatistics,
     ) -> Result<Summary, OutputError> {
         self.tables.append(history)?;
-        if statistics.outcome != Outcome::Interrupted {
-            self.fields.write(case, grid, state, history)?;
-        }
-        let map = HeightMap::of(case, grid, state, &history.ground_left);
-        let ruts = ruts(case, &map, state, &history.bodies);
+        let Shown { grid, state, map, filled_cells } = shown;
+        let ruts = ruts(case, map, state, &history.bodies);
         let taken_out =
             history.bodies.iter().filter_map(|samples| samples.first()).map(|s| s.embedded_volume).sum();
         self.record.statistics = statistics.clone();
         let mut summary = Summary {
-            filled_cells: filled_cells(&PlacedDomain::of(grid, state.grid_position), state),
+            filled_cells: *filled_cells,
             surface: map.figures(taken_out),
             ruts: means(&history.names, &ruts),
             ..Summary::of(&self.record)
@@ -162,7 +147,7 @@ impl Results {
         summary.fill(history, &self.record);
         attach(&self.dir, &self.record, &mut summary)?;
         summary.write(&self.dir)?;
-        write_pictures(&self.dir.join(PICTURES), case, grid, state, &map)?;
+        write_pictures(&self.dir.join(PICTURES), case, grid, state, map)?;
         let sections: Vec<_> = ruts.into_iter().map(|rut| rut.sections).collect();
         write_ground(&self.dir, &history.names, &map.points(), &sections)?;
         let rims: Vec<_> = rims(history, &self.record)

@@ -5,26 +5,31 @@ mod meshes;
 mod observers;
 mod options;
 mod part;
+mod processes;
 mod start;
 pub mod watch;
 
 use crate::case::{Case, require_valid, resolved};
 use crate::output::checkpoint;
 use crate::output::folder::{Outcome, StageRecord, clear_beside};
-use crate::output::progress::Progress;
+use crate::output::pictures::Shown;
+use crate::output::progress::{self, Progress};
+use crate::output::vtk::FieldSeries;
 use crate::output::{Results, Summary, mean_lines, study_lines};
 use crate::simulation::{Simulation, Stop};
 use crate::trust::Verdict;
 use observers::{Checkpoints, Fields, Followed, ProgressBar, Signals, Tables, Watch, statistics};
+use solver::halo::Halo;
 use solver::precision::Precision;
 use std::path::Path;
 use std::time::Instant;
 
 pub use confidence::{Budget, Request, relative_cost, run_confidence};
 pub use meshes::run_meshes;
-pub use options::{End, Follower, NoFollower, RunError, RunOptions, Start};
+pub use options::{End, Follower, NoFollower, RunError, RunOptions, Start, alone};
 use part::Part;
-use start::{ended_before, lock, open};
+use processes::Processes;
+use start::{Opened, ended_before, lock, open};
 
 /// Runs a case and writes its results.
 ///
@@ -40,7 +45,8 @@ pub fn run(case: &Case, options: &RunOptions) -> Result<End, RunError> {
 /// As [`run()`].
 pub fn run_followed(case: &Case, options: &RunOptions, follower: &mut dyn Follower) -> Result<End, RunError> {
     require_valid(case)?;
-    let _lock = lock(options)?;
+    let mut processes = Processes::of(options);
+    let _lock = processes.first_alone(|| Ok(lock(options)?))?;
     if options.start == Start::AutoResume
         && let Some(summary) = ended_before(case, options.folder)?
     {
@@ -48,7 +54,7 @@ pub fn run_followed(case: &Case, options: &RunOptions, follower: &mut dyn Follow
     }
     if options.start == Start::Replace {
         // Those of an earlier mesh study and of variations are no longer of this result.
-        clear_beside(options.folder)?;
+        processes.first_alone(|| Ok(clear_beside(options.folder)?))?;
     }
     run_locked_followed(case, options, &Part::default(), follower)
 }
@@ -77,41 +83,37 @@ fn run_in<R: Precision>(
     follower: &mut dyn Follower,
 ) -> Result<End, RunError> {
     let began = Instant::now();
-    let (mut simulation, mut results) = open::<R>(case, options, part)?;
-    let mut progress = Progress::start(case, simulation.state.time, options.quiet).labelled(&part.label);
-    let stop = observed(&mut simulation, &mut results, &mut progress, options, follower)?;
-    let outcome = match &stop {
-        Stop::Finished => Outcome::Finished,
-        Stop::Asked(_) => Outcome::Interrupted,
-        Stop::BrokenDown(cause) => Outcome::BrokeDown(cause.to_string()),
-    };
-    let Simulation { model, state, history, .. } = &simulation;
-    let statistics = statistics(&simulation, outcome);
-    for StageRecord { name, from_s, to_s } in &statistics.stages {
-        results.log.line(&format!("stage {name}: t = {from_s:.6} to {to_s:.6} s"))?;
-    }
-    let summary = results.finish(case, &model.grid, state, history, &statistics)?;
+    let Opened { mut simulation, mut fields, mut results } = open::<R>(case, options, part)?;
+    // Of several processes the first keeps the folder; the others have their soil to write.
+    let quiet = options.quiet || results.is_none();
+    let mut progress = Progress::start(case, simulation.state.time, quiet).labelled(&part.label);
+    let kept = (&mut fields, results.as_mut());
+    let ended = observed(&mut simulation, kept, &mut progress, options, follower).and_then(|stop| {
+        let kept = (&mut fields, results.as_mut());
+        Ok((conclude(&simulation, &stop, kept, options.folder)?, stop))
+    });
+    let (summary, stop) = ended.inspect_err(|error| give_up(simulation.halo(), error))?;
+    let (state, mut log) = (&simulation.state, results.map(|results| results.log));
+    let mut line = |line: &str| log.as_mut().map_or(Ok(()), |log| log.line(line));
     let seconds = began.elapsed().as_secs_f64();
     match stop {
         Stop::Finished => {
-            checkpoint::forget_previous(options.folder)?;
-            results
-                .log
-                .line(&format!("finished after {} steps, {seconds:.1} s since the start", state.step))?;
-            for line in verdict(&summary) {
-                results.log.line(&line)?;
+            if simulation.halo().rank() == 0 {
+                checkpoint::forget_previous(options.folder)?;
             }
+            line(&format!("finished after {} steps, {seconds:.1} s since the start", state.step))?;
+            verdict(&summary).iter().try_for_each(|own| line(own))?;
             progress.finish(&part.headed(closing_message(&summary, seconds, (options.folder, part))));
             Ok(End::Finished(Box::new(summary)))
         }
         Stop::Asked(why) => {
-            results.log.line(&format!("stopped by {why} at t = {} s", state.time))?;
+            line(&format!("stopped by {why} at t = {} s", state.time))?;
             progress.finish(&part.headed("stopped; --resume continues from here".to_owned()));
             let signal = options.interrupts.stopped_by().unwrap_or_default();
             Ok(End::Stopped(signal, checkpoint::path(options.folder)))
         }
         Stop::BrokenDown(cause) => {
-            results.log.line(&format!("broke down: {cause}"))?;
+            line(&format!("broke down: {cause}"))?;
             progress.finish(&part.headed("broke down".to_owned()));
             Err(RunError::Physics {
                 cause: Box::new(cause),
@@ -122,16 +124,28 @@ fn run_in<R: Precision>(
     }
 }
 
+/// Ends all processes when one of them cannot write its results, which the others do not know.
+fn give_up(halo: &Halo, error: &RunError) {
+    if !halo.is_alone() {
+        let message = format!("error: process {}: {error}", halo.rank());
+        progress::tell(&format!("{message}; --resume continues from the last checkpoint"), false);
+        halo.abort(2);
+    }
+}
+
 /// The loop of the run, in the order in which its observers are told of a sample. The state is written before anything else
 /// that the end of the run leaves: all that can be rebuilt from it.
 fn observed<R: Precision>(
     simulation: &mut Simulation<R>,
-    results: &mut Results,
+    (fields, results): (&mut FieldSeries, Option<&mut Results>),
     progress: &mut Progress,
     options: &RunOptions,
     follower: &mut dyn Follower,
 ) -> Result<Stop, RunError> {
-    let Results { tables, fields, log, record, .. } = results;
+    let (tables, books) = match results {
+        Some(Results { tables, log, record, .. }) => (Some(tables), Some((log, record))),
+        None => (None, None),
+    };
     let stop = simulation.run(&mut [
         &mut Tables(tables),
         &mut ProgressBar(progress),
@@ -139,9 +153,42 @@ fn observed<R: Precision>(
         &mut Fields(fields),
         &mut Followed(follower),
         &mut Signals(options.interrupts),
-        &mut Checkpoints::new(options.folder, options.interrupts, log, record),
+        &mut Checkpoints::new(options.folder, options.interrupts, books),
     ])?;
     Ok(stop)
+}
+
+/// Writes what the end of a run leaves, also of one that broke down or was stopped; one that was stopped leaves no fields of the time
+/// at which it was.
+fn conclude<R: Precision>(
+    simulation: &Simulation<R>,
+    stop: &Stop,
+    (fields, results): (&mut FieldSeries, Option<&mut Results>),
+    folder: &Path,
+) -> Result<Summary, RunError> {
+    let outcome = match stop {
+        Stop::Finished => Outcome::Finished,
+        Stop::Asked(_) => Outcome::Interrupted,
+        Stop::BrokenDown(cause) => Outcome::BrokeDown(cause.to_string()),
+    };
+    let Simulation { case, model, state, history, .. } = simulation;
+    let block = (&model.grid, simulation.halo());
+    let statistics = statistics(simulation, outcome);
+    if statistics.outcome != Outcome::Interrupted {
+        fields.write(case, block, state, history)?;
+    }
+    let shown = Shown::of(case, block, state, &history.ground_left);
+    let summary = match (results, shown) {
+        (Some(results), Some(shown)) => {
+            for StageRecord { name, from_s, to_s } in &statistics.stages {
+                results.log.line(&format!("stage {name}: t = {from_s:.6} to {to_s:.6} s"))?;
+            }
+            Some(results.finish(case, &shown, history, &statistics)?)
+        }
+        _ => None,
+    };
+    simulation.halo().meet();
+    summary.map_or_else(|| Ok(Summary::read(folder)?), Ok)
 }
 
 /// The last message of a finished run.

@@ -11,14 +11,17 @@ use crate::output::vtk::FieldSeries;
 use crate::simulation::{Next, Observer, ObserverError, Simulation, Stop};
 use solver::precision::Precision;
 use std::path::Path;
+use std::sync::atomic::Ordering;
 use std::time::Instant;
 
-/// Adds every sample to the history files.
-pub(super) struct Tables<'a>(pub(super) &'a mut HistoryFiles);
+/// Adds every sample to the history files, in the process that keeps them.
+pub(super) struct Tables<'a>(pub(super) Option<&'a mut HistoryFiles>);
 
 impl<R: Precision> Observer<R> for Tables<'_> {
     fn sampled(&mut self, simulation: &Simulation<R>) -> Result<Next, ObserverError> {
-        self.0.append(&simulation.history)?;
+        if let Some(tables) = &mut self.0 {
+            tables.append(&simulation.history)?;
+        }
         Ok(Next::Continue)
     }
 }
@@ -49,7 +52,7 @@ impl<R: Precision> Observer<R> for Fields<'_> {
     fn sampled(&mut self, simulation: &Simulation<R>) -> Result<Next, ObserverError> {
         let Simulation { case, model, state, history, .. } = simulation;
         if self.0.is_due(state.time, case.output.field_interval) {
-            self.0.write(case, &model.grid, state, history)?;
+            self.0.write(case, (&model.grid, simulation.halo()), state, history)?;
         }
         Ok(Next::Continue)
     }
@@ -64,22 +67,28 @@ impl<R: Precision> Observer<R> for Followed<'_> {
     }
 }
 
-/// Stops the run when a signal asks for it.
+/// Stops the run when a signal asks for it: all processes when it asks one of them.
 pub(super) struct Signals<'a>(pub(super) &'a Interrupts);
 
 impl<R: Precision> Observer<R> for Signals<'_> {
-    fn between_steps(&mut self, _: &Simulation<R>) -> Result<Next, ObserverError> {
-        let signal = self.0.stopped_by();
-        Ok(signal.map_or(Next::Continue, |signal| Next::Stop(format!("signal {signal}"))))
+    fn between_steps(&mut self, simulation: &Simulation<R>) -> Result<Next, ObserverError> {
+        let mut signal = [f64::from(self.0.stopped_by().unwrap_or_default())];
+        simulation.halo().largest(&mut signal);
+        if signal[0] == 0.0 {
+            return Ok(Next::Continue);
+        }
+        let signal = signal[0] as usize;
+        self.0.stop.store(signal, Ordering::Relaxed);
+        Ok(Next::Stop(format!("signal {signal}")))
     }
 }
 
-/// Writes checkpoints: by the wall clock, on request, and at the end.
+/// Writes checkpoints: by the wall clock of the first process, on request, and at the end.
 pub(super) struct Checkpoints<'a> {
     folder: &'a Path,
     interrupts: &'a Interrupts,
-    log: &'a mut Log,
-    record: &'a mut RunRecord,
+    /// Log and record, in the process that keeps them.
+    books: Option<(&'a mut Log, &'a mut RunRecord)>,
     /// When the last one was written.
     last: Instant,
 }
@@ -88,20 +97,24 @@ impl<'a> Checkpoints<'a> {
     pub(super) fn new(
         folder: &'a Path,
         interrupts: &'a Interrupts,
-        log: &'a mut Log,
-        record: &'a mut RunRecord,
+        books: Option<(&'a mut Log, &'a mut RunRecord)>,
     ) -> Self {
-        Self { folder, interrupts, log, record, last: Instant::now() }
+        Self { folder, interrupts, books, last: Instant::now() }
     }
 }
 
 impl<R: Precision> Observer<R> for Checkpoints<'_> {
     fn between_steps(&mut self, simulation: &Simulation<R>) -> Result<Next, ObserverError> {
         let is_due = self.last.elapsed().as_secs_f64() >= simulation.case.output.checkpoint_interval;
-        if self.interrupts.take_checkpoint() || is_due {
+        let asks = self.interrupts.take_checkpoint() || is_due;
+        let mut asked = [f64::from(u8::from(asks))];
+        simulation.halo().largest(&mut asked);
+        if asked[0] > 0.0 {
             simulation.checkpoint().write(self.folder)?;
-            self.record.update(self.folder, statistics(simulation, Outcome::Running))?;
-            self.log.line(&format!("checkpoint at t = {} s", simulation.state.time))?;
+            if let Some((log, record)) = &mut self.books {
+                record.update(self.folder, statistics(simulation, Outcome::Running))?;
+                log.line(&format!("checkpoint at t = {} s", simulation.state.time))?;
+            }
             self.last = Instant::now();
         }
         Ok(Next::Continue)

@@ -1,11 +1,13 @@
 //! What a run is asked to do, and how it can end.
 
+use crate::blocks::TooManyBlocks;
 use crate::case::CaseError;
 use crate::history::History;
 use crate::interrupts::Interrupts;
 use crate::output::{OutputError, Summary};
 use crate::simulation::{Next, ObserverError};
 use solver::error::Breakdown;
+use solver::halo::{Alone, Communicator};
 use std::path::{Path, PathBuf};
 
 /// What to do with a folder that already holds a run.
@@ -37,6 +39,14 @@ pub struct RunOptions<'a> {
     pub interrupts: &'a Interrupts,
     /// The case file as typed, with overrides written into it; stored with the results.
     pub typed: &'a str,
+    /// The line to the other processes of the run, asked for at its start; [`alone`] for a run in one process.
+    pub communicator: fn() -> Box<dyn Communicator>,
+}
+
+/// The line of a run in one process.
+#[must_use]
+pub fn alone() -> Box<dyn Communicator> {
+    Box::new(Alone)
 }
 
 /// Who follows a run by its samples, whatever its precision: the caller of [`run_followed`](super::run_followed).
@@ -71,6 +81,12 @@ pub enum RunError {
     /// The case cannot be simulated; nothing was written.
     #[error(transparent)]
     Case(#[from] CaseError),
+    /// The grid cannot be cut into as many blocks as there are processes; nothing was written.
+    #[error(transparent)]
+    Blocks(#[from] TooManyBlocks),
+    /// Another process of the run has failed, and says why.
+    #[error("another process of the run has failed")]
+    Elsewhere,
     /// Results could not be read or written.
     #[error(transparent)]
     Output(#[from] OutputError),

@@ -2,15 +2,18 @@
 
 use super::options::{RunError, RunOptions, Start};
 use super::part::Part;
+use super::processes::Processes;
+use crate::blocks;
 use crate::case::case_text;
 use crate::case::{self, Case};
-use crate::domain::PlacedDomain;
 use crate::output::checkpoint::{self, Checkpoint};
 use crate::output::folder::{Contents, Lock, Outcome, RunRecord, hash_of, inspect};
+use crate::output::vtk::FieldSeries;
 use crate::output::{
     OutputError, Results, Summary, clear_all, make_meshes_folder, overlays, require_nothing,
 };
 use crate::simulation::Simulation;
+use solver::grid::Grid;
 use solver::precision::Precision;
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -76,88 +79,152 @@ pub(super) fn begin_study(case: &Case, meshes: &[String], options: &RunOptions) 
     Ok(true)
 }
 
+/// A run that is about to begin or to go on.
+pub(super) struct Opened<R: Precision> {
+    pub(super) simulation: Simulation<R>,
+    pub(super) fields: FieldSeries,
+    /// The folder, in the first of several processes.
+    pub(super) results: Option<Results>,
+}
+
 /// The simulation and its folder, new or resumed.
 pub(super) fn open<R: Precision>(
     case: &Case,
     options: &RunOptions,
     part: &Part,
-) -> Result<(Simulation<R>, Results), RunError> {
+) -> Result<Opened<R>, RunError> {
+    let mut processes = Processes::of(options);
     let resumes = matches!(options.start, Start::Resume | Start::AutoResume);
-    if resumes && let Contents::Run(record) = inspect(options.folder)? {
-        same_case(case, &record, options.folder)?;
-        if checkpoint::exists(options.folder) {
-            match resume(case, options, part, record.statistics.wall_seconds) {
-                Err(RunError::Output(OutputError::Content { path, problem }))
-                    if options.start == Start::AutoResume =>
-                {
-                    let why = format!("started again, because {} cannot be used: {problem}", path.display());
-                    return create(case, options, part, Some(&why));
-                }
-                Err(RunError::Output(OutputError::Content { path, problem })) => {
-                    return Err(RunError::Unusable { path, problem });
-                }
-                other => return other,
-            }
-        }
-        return create(case, options, part, Some("started again, because there was no checkpoint yet"));
+    let grid = blocks::of_case::<R>(case, processes.place())?;
+    let found = if resumes { inspect(options.folder)? } else { Contents::Nothing };
+    let exists = checkpoint::exists(options.folder);
+    // The first process must not begin to change the folder before all have looked at it.
+    processes.agree(Ok(()))?;
+    let Contents::Run(record) = found else { return create(case, options, part, (processes, None)) };
+    same_case(case, &record, options.folder)?;
+    if !exists {
+        let why = "started again, because there was no checkpoint yet".to_owned();
+        return create(case, options, part, (processes, Some(why)));
     }
-    create(case, options, part, None)
+    match read_checkpoint(case, &grid, options, &mut processes) {
+        Ok(read) => resume(case, options, part, (processes, read, record.statistics.wall_seconds)),
+        Err(RunError::Output(OutputError::Content { path, problem })) => match options.start {
+            Start::AutoResume => {
+                let why = format!("started again, because {} cannot be used: {problem}", path.display());
+                create(case, options, part, (processes, Some(why)))
+            }
+            _ => Err(RunError::Unusable { path, problem }),
+        },
+        Err(other) => Err(other),
+    }
+}
+
+/// The last checkpoint that all processes can read, and what is wrong with the last of all, if it is not that.
+fn read_checkpoint<R: Precision>(
+    case: &Case,
+    grid: &Grid,
+    options: &RunOptions,
+    processes: &mut Processes,
+) -> Result<(Checkpoint<R>, Option<String>), RunError> {
+    let folder = options.folder;
+    let mut all = |read: Result<Checkpoint<R>, OutputError>| match read {
+        Ok(_) if processes.is_anyone(false) => {
+            Err(OutputError::content(&checkpoint::path(folder), "another process cannot read its portion"))
+        }
+        Ok(checkpoint) => Ok(checkpoint),
+        Err(error) => {
+            processes.is_anyone(true);
+            Err(error)
+        }
+    };
+    let (checkpoint, damaged) = match all(Checkpoint::read_last(folder, grid)) {
+        Ok(checkpoint) => (checkpoint, None),
+        Err(last) => match all(Checkpoint::read_previous(folder, grid)) {
+            Ok(checkpoint) => (checkpoint, Some(last.to_string())),
+            Err(_) => return Err(last.into()),
+        },
+    };
+    if checkpoint.case != case_text(case) {
+        return Err(RunError::OtherCase(folder.to_path_buf()));
+    }
+    Ok((checkpoint, damaged))
 }
 
 fn resume<R: Precision>(
     case: &Case,
     options: &RunOptions,
     part: &Part,
-    wall_s: f64,
-) -> Result<(Simulation<R>, Results), RunError> {
-    let (checkpoint, damaged) = Checkpoint::read(options.folder)?;
-    if checkpoint.case != case_text(case) {
-        return Err(RunError::OtherCase(options.folder.to_path_buf()));
-    }
-    let simulation = Simulation::resume(case, checkpoint, wall_s);
-    let mut results = Results::resume(options.folder, case, &simulation.history, simulation.state.time)?;
-    if !part.meshes.is_empty() {
-        results.name_meshes(&part.meshes)?;
-    }
-    if let Some(problem) = damaged {
-        checkpoint::forget_last(options.folder)?;
-        results.log.line(&format!("fell back to the previous checkpoint: {problem}"))?;
-    }
-    results
-        .log
-        .line(&format!("resumed at t = {} s, step {}", simulation.state.time, simulation.state.step))?;
-    Ok((simulation, results))
+    (mut processes, (checkpoint, damaged), wall_s): (Processes, (Checkpoint<R>, Option<String>), f64),
+) -> Result<Opened<R>, RunError> {
+    let (history, time, step) = (checkpoint.history.clone(), checkpoint.state.time, checkpoint.state.step);
+    let results = processes.first_alone(|| {
+        let mut results = Results::resume(options.folder, case, &history)?;
+        if !part.meshes.is_empty() {
+            results.name_meshes(&part.meshes)?;
+        }
+        if let Some(problem) = damaged {
+            checkpoint::forget_last(options.folder)?;
+            results.log.line(&format!("fell back to the previous checkpoint: {problem}"))?;
+        }
+        results.log.line(&format!("resumed at t = {time} s, step {step}"))?;
+        Ok(results)
+    })?;
+    let fields = FieldSeries::resume(options.folder, time)?;
+    let simulation = Simulation::resume_block(case, checkpoint, processes.into_communicator(), wall_s)?;
+    Ok(Opened { simulation, fields, results })
 }
 
 fn create<R: Precision>(
     case: &Case,
     options: &RunOptions,
     part: &Part,
-    why: Option<&str>,
-) -> Result<(Simulation<R>, Results), RunError> {
+    (mut processes, why): (Processes, Option<String>),
+) -> Result<Opened<R>, RunError> {
     let may_replace = options.start == Start::Replace || why.is_some();
-    let mut results = Results::create(options.folder, case, may_replace)?;
-    results.name_meshes(&part.meshes)?;
-    results.write_case_file(case, options.typed)?;
-    let simulation = Simulation::new(case);
-    let Simulation { model, state, history, .. } = &simulation;
-    let [nx, ny, nz] = PlacedDomain::of(&model.grid, state.grid_position).cells();
-    let (dt, threads) = (model.time_step(), simulation.threads());
-    results.log.line(&format!("{} version {}", case.name, env!("CARGO_PKG_VERSION")))?;
-    if let Some(why) = why {
-        results.log.line(why)?;
+    let mut results = processes.first_alone(|| {
+        let mut results = Results::create(options.folder, case, may_replace)?;
+        results.name_meshes(&part.meshes)?;
+        results.write_case_file(case, options.typed)?;
+        Ok(results)
+    })?;
+    let mut fields = FieldSeries::create(options.folder)?;
+    let simulation = Simulation::<R>::of_block(case, processes.into_communicator())?;
+    if let Some(results) = &mut results {
+        log_start(&simulation, results, (options, why))?;
+        overlay_forecast(case, results)?;
     }
-    results.log.line(&format!(
-        "grid {nx} x {ny} x {nz}, time step {dt:.4e} s, {} precision, {threads} threads",
+    let Simulation { model, state, history, .. } = &simulation;
+    fields.write(case, (&model.grid, simulation.halo()), state, history)?;
+    simulation.checkpoint().write(options.folder)?;
+    Ok(Opened { simulation, fields, results })
+}
+
+/// What the log says at the start of a run.
+fn log_start<R: Precision>(
+    simulation: &Simulation<R>,
+    results: &mut Results,
+    (options, why): (&RunOptions, Option<String>),
+) -> Result<(), OutputError> {
+    let Simulation { case, model, .. } = simulation;
+    let [nx, ny, nz] = model.grid.domain.clone().map(|layers| layers.len());
+    let (dt, threads) = (model.time_step(), simulation.threads());
+    let log = &mut results.log;
+    log.line(&format!("{} version {}", case.name, env!("CARGO_PKG_VERSION")))?;
+    if let Some(why) = why {
+        log.line(&why)?;
+    }
+    let processes = match simulation.halo().blocks() {
+        1 => String::new(),
+        count => format!("{count} processes, each with "),
+    };
+    log.line(&format!(
+        "grid {nx} x {ny} x {nz}, time step {dt:.4e} s, {} precision, {processes}{threads} threads",
         R::NAME
     ))?;
     for note in case::advice(case).iter().chain(options.warnings) {
-        results.log.line(&format!("note: {note}"))?;
+        log.line(&format!("note: {note}"))?;
     }
-    overlay_forecast(case, &mut results)?;
-    results.fields.write(case, &model.grid, state, history)?;
-    simulation.checkpoint().write(options.folder)?;
-    Ok((simulation, results))
+    Ok(())
 }
 
 /// Adds the closed forms to the plots. Where they do not apply the log says why; the run does not depend on them.

@@ -30,7 +30,7 @@ const OFTEN: &str = "numerics.remap_displacement=0.01";
 const PENALTY: &str = "numerics.contact=\"penalty\"";
 
 /// Every family of the verification suite, both precisions, both contact methods, one to three threads.
-pub const SET_UPS: [SetUp; 30] = [
+pub const SET_UPS: [SetUp; 31] = [
     set_up(
         "sand at rest",
         "validation/A4_soil_at_rest/case.toml",
@@ -91,6 +91,14 @@ pub const SET_UPS: [SetUp; 30] = [
     set_up("plate on loose sand", "cases/cmu_plate.toml", LOOSE, 2, 400),
     set_up("plate on dense sand, single", "cases/cmu_plate.toml", DENSE, 3, 400),
     set_up("two bodies", "validation/A8_repeatability/case.toml", TWO, 2, 300),
+    // Ground that enters a travelling grid whose rows are not all as wide.
+    set_up(
+        "assembly",
+        "cases/rockhopper.toml",
+        &["grid.cell=\"18 mm\"", "grid.fine_y=[\"-0.1 m\", \"0.1 m\"]", OFTEN],
+        2,
+        200,
+    ),
 ];
 const VELOCITY: &str = "ground.velocity=[\"0.3 m/s\", \"0.1 m/s\", \"0 m/s\"]";
 const MOVING: &[&str] = &[

@@ -1,6 +1,7 @@
 //! Sand whose density grows with depth: its mass and weight follow, it rests, enters a grid that travels, and stays within its limits.
 use super::{SAND, complaints, fastest, read, run};
 use coulter::simulation::Simulation;
+use solver::halo::Halo;
 
 fn text(gradient: &str, rest: &str) -> String {
     format!(
@@ -65,7 +66,13 @@ fn what_enters_a_grid_is_as_dense_as_its_place() {
         let expected = density(0.2 + 3.0 * depth);
         assert!((found / expected - 1.0).abs() < 1e-6, "{depth} m: {found}, not {expected} kg/m³");
     }
-    let map = coulter::output::fields::HeightMap::of(&simulation.case, grid, &simulation.state, &[]);
+    let map = coulter::output::fields::HeightMap::of(
+        &simulation.case,
+        (grid, &Halo::whole()),
+        &simulation.state,
+        &[],
+    )
+    .unwrap();
     // Where nothing has moved little is compacted: by the elastic strain ahead of the block, at a modulus of some 0.5 MPa.
     let undisturbed = map.column(map.centres[0].len() - 1, 0);
     assert!(undisturbed.compaction.abs() < 5e-4, "{undisturbed:?}");

@@ -1,6 +1,7 @@
 //! The ground that a body leaves behind: the books of rut, berms and compaction close, and the sections agree with the whole.
 use super::{SAND, read};
 use coulter::output::fields::{HeightMap, ruts};
+use solver::halo::Halo;
 
 #[test]
 fn what_is_missing_in_the_rut_is_in_the_berms_or_compacted() {
@@ -20,7 +21,8 @@ fn what_is_missing_in_the_rut_is_in_the_berms_or_compacted() {
     let case = read(&text).unwrap();
     let simulation = super::run(&case);
     let (state, history) = (&simulation.state, &simulation.history);
-    let map = HeightMap::of(&case, &simulation.model.grid, state, &history.ground_left);
+    let map =
+        HeightMap::of(&case, (&simulation.model.grid, &Halo::whole()), state, &history.ground_left).unwrap();
     // The blocks start in holes.
     let whole = map.figures(2.0 * 0.04 * 0.04 * 0.02);
     assert!(
@@ -59,7 +61,7 @@ fn a_body_that_has_not_moved_has_left_nothing() {
     );
     let case = read(&text).unwrap();
     let simulation = super::run(&case);
-    let map = HeightMap::of(&case, &simulation.model.grid, &simulation.state, &[]);
+    let map = HeightMap::of(&case, (&simulation.model.grid, &Halo::whole()), &simulation.state, &[]).unwrap();
     let found = ruts(&case, &map, &simulation.state, &simulation.history.bodies);
     assert!(found[0].mean.is_none() && found[0].sections.iter().all(|s| s.disturbed == 0.0 && s.area < 1e-9));
 }

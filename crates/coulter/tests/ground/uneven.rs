@@ -3,6 +3,7 @@ use super::{SAND, complaints, fastest, read, run};
 use coulter::case::{self, Case};
 use coulter::output::fields::HeightMap;
 use coulter::simulation::Simulation;
+use solver::halo::Halo;
 use solver::initial::undisturbed_fractions;
 
 const ROCK: &str = "law = \"mohr-coulomb\"\nfriction_angle = \"35 deg\"\nunit_weight = \"16 kN/m^3\"\n";
@@ -39,7 +40,9 @@ fn map(height: impl Fn(f64, f64) -> f64) -> String {
 fn settled(case: &Case) -> [f64; 3] {
     let mut simulation = Simulation::new(case);
     let grid = simulation.model.grid.clone();
-    let heights = |simulation: &Simulation| HeightMap::of(case, &grid, &simulation.state, &[]);
+    let heights = |simulation: &Simulation| {
+        HeightMap::of(case, (&grid, &Halo::whole()), &simulation.state, &[]).unwrap()
+    };
     let mass: f64 = simulation.state.soil.mass.iter().sum();
     let (mut kinetic, mut moved) = (0.0_f64, 0.0_f64);
     while !simulation.is_done() {
@@ -129,7 +132,8 @@ fn the_books_of_a_rut_across_furrows_close() {
     for direction in ["", "direction = \"0 deg\"\noffset = \"0.1 m\"\n"] {
         let case = read(&towed(direction, "")).unwrap();
         let simulation = run(&case);
-        let map = HeightMap::of(&case, &simulation.model.grid, &simulation.state, &[]);
+        let map =
+            HeightMap::of(&case, (&simulation.model.grid, &Halo::whole()), &simulation.state, &[]).unwrap();
         let taken_out = simulation.history.bodies[0][0].embedded_volume;
         let figures = map.figures(taken_out);
         println!("{direction}: {figures:?}, taken out {taken_out}");
@@ -247,7 +251,7 @@ fn a_map_must_know_the_ground_wherever_the_grid_goes() {
 fn the_map_that_a_run_leaves_is_ground_for_the_next() {
     let case = read(&towed("", "")).unwrap();
     let simulation = Simulation::<f64>::new(&case);
-    let map = HeightMap::of(&case, &simulation.model.grid, &simulation.state, &[]);
+    let map = HeightMap::of(&case, (&simulation.model.grid, &Halo::whole()), &simulation.state, &[]).unwrap();
     let mut table = "x [m],y [m],z [m]\n".to_owned();
     for (j, y) in map.centres[1].iter().enumerate() {
         for (i, x) in map.centres[0].iter().enumerate() {

@@ -9,14 +9,35 @@ mod synthetic;
 mod travel;
 mod vtk;
 
+use coulter::case::Case;
+use coulter::history::History;
 use coulter::history::columns::{BOUNDARIES, ENERGY, FORCES, header};
 use coulter::output::folder::{Outcome, RunStatistics};
+use coulter::output::pictures::Shown;
 use coulter::output::plots::{Overlay, PlotKind};
 use coulter::output::tables::{HistoryNames, Table, read_history};
+use coulter::output::vtk::FieldSeries;
 use coulter::output::{OutputError, Results, Summary, rebuild_report};
+use solver::grid::Grid;
+use solver::halo::Halo;
+use solver::precision::Precision;
+use solver::state::State;
 use std::fs;
 use std::path::Path;
 use synthetic::{Kind, case, history, state, statistics};
+
+/// Writes the last fields of a run, and all that its end leaves.
+pub(crate) fn finish<R: Precision>(
+    results: &mut Results,
+    (case, grid): (&Case, &Grid),
+    (state, history): (&State<R>, &History),
+    statistics: &RunStatistics,
+) -> Summary {
+    let block = (grid, &Halo::whole());
+    FieldSeries::resume(results.dir(), state.time).unwrap().write(case, block, state, history).unwrap();
+    let shown = Shown::of(case, block, state, &history.ground_left).unwrap();
+    results.finish(case, &shown, history, statistics).unwrap()
+}
 
 /// Writes a whole results folder and returns its summary.
 fn write(dir: &Path, kind: Kind, cell: f64, count: usize) -> Summary {
@@ -39,7 +60,7 @@ fn write(dir: &Path, kind: Kind, cell: f64, count: usize) -> Summary {
         ])
         .unwrap();
     results.write_case_file(&case, "name = \"synthetic\"\n").unwrap();
-    results.finish(&case, &grid, &state, &history, &statistics()).unwrap()
+    finish(&mut results, (&case, &grid), (&state, &history), &statistics())
 }
 
 #[test]
@@ -219,19 +240,22 @@ fn a_resumed_run_goes_on_where_the_checkpoint_was() {
     let case = case(Kind::Disc, 0.04);
     let full = history(&case, 60);
     let mut results = Results::create(dir.path(), &case, false).unwrap();
+    let mut fields = FieldSeries::create(dir.path()).unwrap();
+    let halo = Halo::whole();
     for time in [0.0, 1.0, 2.0] {
         let (grid, state) = state(&case, Kind::Disc, time);
-        results.fields.write(&case, &grid, &state, &full).unwrap();
-        results.fields.write(&case, &grid, &state, &full).unwrap();
+        fields.write(&case, (&grid, &halo), &state, &full).unwrap();
+        fields.write(&case, (&grid, &halo), &state, &full).unwrap();
     }
     results.tables.append(&full).unwrap();
     drop(results);
     let mut early = full.clone();
     early.bodies[0].truncate(25);
-    let mut results = Results::resume(dir.path(), &case, &early, 1.5).unwrap();
+    let mut results = Results::resume(dir.path(), &case, &early).unwrap();
+    let mut fields = FieldSeries::resume(dir.path(), 1.5).unwrap();
     assert_eq!(Table::read(&dir.path().join("forces.csv")).unwrap().rows(), 25);
     let (grid, later) = state(&case, Kind::Disc, 1.75);
-    results.fields.write(&case, &grid, &later, &early).unwrap();
+    fields.write(&case, (&grid, &halo), &later, &early).unwrap();
     let list = fs::read_to_string(dir.path().join("soil.pvd")).unwrap();
     let times: Vec<&str> = list.split("timestep=\"").skip(1).filter_map(|t| t.split('"').next()).collect();
     assert_eq!(times, ["0", "1", "1.75"]);
@@ -299,7 +323,7 @@ fn strange_runs_are_reported_too() {
         for history in [&broken, &empty, &constant] {
             let dir = tempfile::tempdir().unwrap();
             let mut results = Results::create(dir.path(), &case, false).unwrap();
-            results.finish(&case, &grid, &state, history, &statistics).unwrap();
+            finish(&mut results, (&case, &grid), (&state, history), &statistics);
             let html = fs::read_to_string(dir.path().join("report.html")).unwrap();
             assert!(html.contains("broke down: cell &lt;3,4,5&gt; &amp; more"), "{kind:?}");
             let drawn = html.split("<h2>The case</h2>").next().unwrap();
@@ -323,7 +347,7 @@ fn a_body_that_is_only_pushed_down_is_plotted_over_time() {
         sample.rolling_speed = 0.0;
     }
     let mut results = Results::create(dir.path(), &case, false).unwrap();
-    let summary = results.finish(&case, &grid, &state, &pushed, &statistics()).unwrap();
+    let summary = finish(&mut results, (&case, &grid), (&state, &pushed), &statistics());
     let steady = &summary.bodies["disc"].steady;
     assert_eq!((steady.turn_ratio, steady.drag_noise), (None, None));
     assert!((steady.from_s.unwrap() - 0.7 * 6.0).abs() < 0.05);

@@ -1,7 +1,9 @@
 //! Pictures in space and animations.
 
 use super::synthetic::{Kind, case, history, state};
+use coulter::output::vtk::FieldSeries;
 use coulter::output::{Colouring, OutputError, RenderOptions, Results, Viewpoint, render};
+use solver::halo::Halo;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -23,12 +25,14 @@ fn recorded(dir: &Path, kind: Kind) {
     let case = case(kind, 0.03);
     let history = history(&case, 40);
     let mut results = Results::create(dir, &case, true).unwrap();
+    let mut fields = FieldSeries::create(dir).unwrap();
+    let halo = Halo::whole();
     for time in [0.0, 0.5, 1.0] {
         let (grid, state) = state(&case, kind, time * case.duration);
-        results.fields.write(&case, &grid, &state, &history).unwrap();
+        fields.write(&case, (&grid, &halo), &state, &history).unwrap();
     }
     let (grid, state) = state(&case, kind, case.duration);
-    results.finish(&case, &grid, &state, &history, &super::statistics()).unwrap();
+    super::finish(&mut results, (&case, &grid), (&state, &history), &super::statistics());
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! Stress and slip along the rim, in the results of short runs.
 
+use super::finish;
 use coulter::case::{self, Case};
 use coulter::output::folder::{Outcome, RunStatistics};
 use coulter::output::tables::Table;
@@ -41,7 +42,7 @@ fn run(case: &Case, dir: &Path) -> Summary {
     let Simulation { case, model, state, history, .. } = &simulation;
     let mut results = Results::create(dir, case, false).unwrap();
     let statistics = RunStatistics { outcome: Outcome::Finished, ..RunStatistics::default() };
-    results.finish(case, &model.grid, state, history, &statistics).unwrap()
+    finish(&mut results, (case, &model.grid), (state, history), &statistics)
 }
 
 fn sum(table: &Table, of: impl Fn(&dyn Fn(&str) -> f64) -> f64) -> f64 {

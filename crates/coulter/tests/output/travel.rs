@@ -1,5 +1,6 @@
 //! The output of a grid that travels after a body: ground coordinates, no ghost layers, and the ground left behind.
 
+use super::finish;
 use crate::vtk::{array, doubles, floats};
 use coulter::case::model::model;
 use coulter::case::{self, Case};
@@ -68,7 +69,7 @@ fn write(dir: &Path, simulation: &Simulation) -> coulter::output::Summary {
     let Simulation { case, model, state, history, .. } = simulation;
     let mut results = Results::create(dir, case, false).unwrap();
     let statistics = RunStatistics { outcome: Outcome::Finished, ..RunStatistics::default() };
-    results.finish(case, &model.grid, state, history, &statistics).unwrap()
+    finish(&mut results, (case, &model.grid), (state, history), &statistics)
 }
 
 /// The lines of the ground left behind.
@@ -147,7 +148,7 @@ fn the_rut_is_kept_through_a_restart() {
     assert!(lines(&case, &before).len() > 2);
     whole.checkpoint().write(dir.path()).unwrap();
     to_the_end(&mut whole);
-    let checkpoint = Checkpoint::read(dir.path()).unwrap().0;
+    let checkpoint = Checkpoint::read(dir.path(), &whole.model.grid).unwrap().0;
     let mut resumed = Simulation::<f64>::resume_model(&case, travelling(&case, 0.0), checkpoint, 0.0);
     assert_eq!(resumed.history.ground_left, before);
     to_the_end(&mut resumed);

@@ -2,9 +2,10 @@
 
 use crate::synthetic::{Kind, case, state};
 use coulter::history::History;
-use coulter::output::Results;
+use coulter::output::vtk::FieldSeries;
 use flate2::read::ZlibDecoder;
 use solver::fields::HISTORY;
+use solver::halo::Halo;
 use std::fs;
 use std::io::Read;
 use std::path::Path;
@@ -43,8 +44,8 @@ pub(crate) fn doubles(raw: &[u8]) -> Vec<f64> {
 fn written(dir: &Path, kind: Kind) -> (coulter::case::Case, solver::grid::Grid, solver::state::State) {
     let case = case(kind, 0.02);
     let (grid, state) = state(&case, kind, 1.5);
-    let mut results = Results::create(dir, &case, false).unwrap();
-    results.fields.write(&case, &grid, &state, &History::default()).unwrap();
+    let mut fields = FieldSeries::create(dir).unwrap();
+    fields.write(&case, (&grid, &Halo::whole()), &state, &History::default()).unwrap();
     (case, grid, state)
 }
 

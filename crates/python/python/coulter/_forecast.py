@@ -174,7 +174,7 @@ def forecast(
             needs none. Arrays are broadcast against each other by numpy's rules.
         grid: vary the keys, each with an array of one axis, in every combination instead: an axis for each, in their order.
         model: the name of a model, such as ``"BC-WW"``, or ``"all"``; by default the one that is recommended at each point.
-        threads: number of threads, 0 for one per core.
+        threads: number of threads, 0 for as many as ``coulter run`` has by default.
 
     Raises:
         CaseError: the case is wrong at every point; with file, line and cure.

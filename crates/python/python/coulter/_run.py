@@ -100,7 +100,7 @@ def run(
         output: results folder; ``results/NAME`` by default.
         start: ``new`` refuses a folder that holds a run; ``replace`` starts again; ``resume`` continues from the last checkpoint;
             ``auto-resume`` starts, continues, or leaves a finished run as it is.
-        threads: threads of the solver, 0 for one per core; by default those of the case. They change no bit of the results.
+        threads: threads of the solver, 0 for as many as ``coulter run`` has by default; by default those of the case. They change no bit of the results.
         meshes: run the case on so many meshes, to get intervals.
         confidence: run variations of the case as well, to get one 90 % interval for each force and sinkage.
         budget: how long the variations may take together: ``"20 min"``, or ``"4x"`` the run itself.

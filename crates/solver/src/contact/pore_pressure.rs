@@ -10,6 +10,7 @@ use crate::scalar::Scalar;
 use crate::state::{Contact, State};
 
 /// Finds the cell whose pore pressure acts at each contact point: its own, or the next one along the normal where its own has none.
+/// Where a cut lies between the two, both blocks must know.
 pub(crate) fn find_pressure_cells<R: Scalar>(
     model: &Model,
     state: &State<R>,
@@ -24,7 +25,7 @@ pub(crate) fn find_pressure_cells<R: Scalar>(
 fn cell_of(model: &Model, seepage: &SeepageWorkspace, c: &Contact) -> Option<usize> {
     let grid = &model.grid;
     let whole = c.cell.map(|layer| layer as usize);
-    let [i, j, k] = grid.in_block(whole).filter(|_| grid.owns(whole))?;
+    let [i, j, k] = grid.in_block(whole).filter(|[_, j, k]| grid.is_beside_own([j + 1, k + 1]))?;
     let own = grid.index(i, j, k);
     let axis = grid.main_axis(c.normal);
     let next = if c.normal[axis] > 0.0 { own + grid.stride[axis] } else { own - grid.stride[axis] };
@@ -50,8 +51,10 @@ pub(super) fn read_pressures<R: Scalar>(
         return;
     }
     pore_pressures.resize(state.contacts.len(), 0.0);
+    let is_owned = |n: usize| model.grid.owns(state.contacts[n].cell.map(|layer| layer as usize));
     let known = pressure_cells.iter().zip(own).enumerate();
-    let known = known.filter_map(|(n, (cell, pressure))| cell.map(|_| (n, [pressure])));
+    let known =
+        known.filter_map(|(n, (cell, pressure))| cell.filter(|_| is_owned(n)).map(|_| (n, [pressure])));
     for (n, [pressure]) in halo::in_order(halo, known) {
         pore_pressures[n] = pressure;
     }

@@ -29,6 +29,8 @@ pub struct SoilWorkspace<R: Scalar> {
     pub(crate) costs: Vec<f64>,
     /// Whether a row of cells holds soil, in memory order.
     pub(crate) row_has_soil: Vec<bool>,
+    /// Whether it is strained: it holds soil, and nodes of this block lie beside it.
+    pub(crate) row_is_strained: Vec<bool>,
     /// Number of the main material of each cell; empty where there is only one material.
     pub(crate) material: Vec<u8>,
     /// Mass of each cell if all its soil were of its main material (see [`mass_as_main`]); empty where there is only one material.
@@ -152,6 +154,7 @@ impl<R: Scalar> SoilWorkspace<R> {
             serial_fallback: SerialFallback::default(),
             costs: vec![0.0; planes * rows],
             row_has_soil: vec![false; rows * (planes + 1)],
+            row_is_strained: vec![false; rows * (planes + 1)],
             material: Vec::new(),
             mass_as_main: Vec::new(),
             densities: model.densities(),
@@ -166,6 +169,17 @@ impl<R: Scalar> SoilWorkspace<R> {
         };
         workspace.find_soil(grid, &state.soil);
         workspace
+    }
+
+    /// Moves the arrays of a state, one after the other, to memory that is first touched by the workers that will use it: on a machine
+    /// with several memory nodes it is then near them.
+    pub(crate) fn settle(&mut self, state: &mut State<R>) {
+        if self.threads() == 1 {
+            return;
+        }
+        let Self { team, partition, velocity_before, .. } = self;
+        let own = state.soil.arrays_mut().chain(state.nodes.arrays_mut());
+        own.chain(velocity_before).for_each(|array| settle(team, partition, array));
     }
 
     /// The masses from which laws take their density, with those of the cells [kg]: of the main material where there are several.
@@ -198,6 +212,7 @@ impl<R: Scalar> SoilWorkspace<R> {
             + size_of_val(self.row_sums.as_slice())
             + size_of_val(self.costs.as_slice())
             + size_of_val(self.row_has_soil.as_slice())
+            + size_of_val(self.row_is_strained.as_slice())
             + size_of_val(self.material.as_slice())
             + size_of_val(self.row_values.as_slice())
     }
@@ -254,11 +269,26 @@ impl<R: Scalar> SoilWorkspace<R> {
         for (n, cells) in soil.fraction.chunks_exact(grid.stride[1]).take(self.row_has_soil.len()).enumerate()
         {
             self.row_has_soil[n] = cells.iter().any(|f| *f > R::default());
-            if !self.row_has_soil[n] {
+            self.row_is_strained[n] = self.row_has_soil[n] && grid.is_beside_own(grid.row_and_plane(n));
+            if !self.row_is_strained[n] {
                 self.row_sums[n] = RowSums::default();
             }
         }
         self.rebalance(grid);
+    }
+
+    /// Cost of each row of cells that the block owns, y fastest.
+    pub(crate) fn costs_of_own(&self, grid: &Grid) -> Vec<f64> {
+        let first = self.partition.all().start;
+        let [rows, planes] = [1, 2].map(|axis| {
+            let (own, first) = (&grid.own[axis], grid.first[axis]);
+            own.start - first + 1..own.end - first + 1
+        });
+        let index = |plane: usize, q: usize| plane * grid.rows() + q - first;
+        planes
+            .flat_map(|plane| rows.clone().map(move |q| index(plane, q)))
+            .map(|row| self.costs[row])
+            .collect()
     }
 
     /// Rebalances the partition by the cost of the rows, which depends on soil and yielding cells. Faster
@@ -269,11 +299,11 @@ impl<R: Scalar> SoilWorkspace<R> {
         /// Cost of the return mapping of a cell, relative to all else that is done for a cell.
         const RETURN: f64 = 1.8;
         let per_cell = RETURN / grid.cells()[0] as f64;
-        let Self { partition, serial_fallback, costs, row_has_soil, row_sums, workers, .. } = self;
+        let Self { partition, serial_fallback, costs, row_is_strained, row_sums, workers, .. } = self;
         let first = partition.all().start;
-        let each = row_has_soil[first..].iter().zip(&row_sums[first..]);
-        for (cost, (has_soil, sums)) in costs.iter_mut().zip(each) {
-            *cost = if *has_soil { 1.0 + per_cell * f64::from(sums.yields) } else { VOID };
+        let each = row_is_strained[first..].iter().zip(&row_sums[first..]);
+        for (cost, (is_strained, sums)) in costs.iter_mut().zip(each) {
+            *cost = if *is_strained { 1.0 + per_cell * f64::from(sums.yields) } else { VOID };
         }
         let all_known = workers.iter().all(|worker| worker.throughput.speed().is_some());
         let size = if serial_fallback.should_run_alone() { 1 } else { workers.len() };
@@ -283,6 +313,18 @@ impl<R: Scalar> SoilWorkspace<R> {
             worker.throughput.assign(load);
         }
     }
+}
+
+/// Copies an array to memory that the workers touch first.
+fn settle<R: Scalar>(team: &Team, partition: &RowPartition, array: &mut Vec<R>) {
+    let (old, stride) = (std::mem::take(array), partition.stride);
+    // The system gives zeroed memory to whoever writes to it first.
+    *array = vec![R::default(); old.len()];
+    team.rows(partition, array, |row, own| own.copy_from_slice(&old[row * stride..][..stride]));
+    let rows = partition.all();
+    let (low, high) = (rows.start * stride, rows.end * stride);
+    array[..low].copy_from_slice(&old[..low]);
+    array[high..].copy_from_slice(&old[high..]);
 }
 
 fn column_widths<R: Scalar>(grid: &Grid) -> [Vec<R>; 2] {
@@ -310,7 +352,7 @@ pub(crate) fn footprint<R: Scalar>(model: &Model, threads: usize) -> f64 {
     let own = 3 * COEFFICIENTS * row + NODE_SUMS * plane + ROW_BUFFERS * row;
     let waiting = NODE_SUMS * (plane + row);
     let of_materials = if model.materials.len() > 1 { size_of::<R>() + size_of::<u8>() } else { 0 };
-    let per_row = size_of::<RowSums>() + size_of::<bool>() + size_of::<[f64; 2]>();
+    let per_row = size_of::<RowSums>() + 2 * size_of::<bool>() + size_of::<[f64; 2]>();
     let of_rows = rows * (planes + 1) * per_row + rows * planes * size_of::<f64>();
     let reals =
         (3.0 + averages) * grid.entries as f64 + threads * own as f64 + (threads - 1.0) * waiting as f64;

@@ -44,8 +44,9 @@ impl Decomposition {
         best.map(|(_, _, cut)| cut)
     }
 
-    /// Cost of the costliest block.
-    fn highest(&self, whole: &Grid, cost: &[f64]) -> f64 {
+    /// Cost of the costliest block; `cost` as in [`Decomposition::by_cost`].
+    #[must_use]
+    pub fn highest(&self, whole: &Grid, cost: &[f64]) -> f64 {
         let rows = whole.domain[1].len();
         let [y, z] = [1, 2].map(|axis| whole.domain[axis].start);
         let of_block = |number: usize| -> f64 {

@@ -88,6 +88,27 @@ impl Communicator for InProcess {
         all
     }
 
+    fn collect(&mut self, values: &[f64]) -> Vec<Vec<f64>> {
+        let all = self.gather(values);
+        if self.rank == 0 { all } else { Vec::new() }
+    }
+
+    /// # Panics
+    /// If one of the others has failed.
+    fn deliver(&mut self, mut values: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+        for (link, values) in self.links.iter().zip(&mut values) {
+            if let Some((to, _)) = link {
+                assert!(to.send(std::mem::take(values)).is_ok(), "another block has gone");
+            }
+        }
+        for (link, values) in self.links.iter().zip(&mut values) {
+            if let Some((_, from)) = link {
+                *values = from.recv().unwrap_or_else(|_| panic!("another block has gone"));
+            }
+        }
+        values
+    }
+
     fn add(&mut self, values: &mut [i64]) {
         // The board takes any 64 bits.
         let own: Vec<f64> = values.iter().map(|value| f64::from_bits(value.cast_unsigned())).collect();
@@ -102,5 +123,11 @@ impl Communicator for InProcess {
         for (n, value) in values.iter_mut().enumerate() {
             *value = all.iter().map(|own| own[n]).fold(f64::NEG_INFINITY, f64::max);
         }
+    }
+
+    /// # Panics
+    /// Always.
+    fn abort(&mut self, code: i32) {
+        panic!("block {} cannot go on ({code})", self.rank);
     }
 }

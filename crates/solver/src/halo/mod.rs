@@ -9,6 +9,7 @@ use crate::grid::{GHOSTS, Grid};
 use crate::scalar::Scalar;
 use decomposition::Decomposition;
 use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Instant;
 
 /// The processes of a run, each with a block of the grid, as one of them sees them. All must call the same functions in the same
 /// order.
@@ -26,24 +27,89 @@ pub trait Communicator: Send {
     /// Sends `values` to all processes, and returns those of each.
     fn gather(&mut self, values: &[f64]) -> Vec<Vec<f64>>;
 
+    /// Sends `values` to process 0, which gets those of each; the others get nothing.
+    fn collect(&mut self, values: &[f64]) -> Vec<Vec<f64>>;
+
+    /// Sends each process its own values, those of number `n` to process `n`, and returns what each has sent here.
+    fn deliver(&mut self, values: Vec<Vec<f64>>) -> Vec<Vec<f64>>;
+
     /// Replaces each of `values` by its sum over all processes.
     fn add(&mut self, values: &mut [i64]);
 
     /// Replaces each of `values` by the largest in any process.
     fn largest(&mut self, values: &mut [f64]);
+
+    /// Ends all processes, with an exit code: this one cannot go on, and the others would wait for it.
+    fn abort(&mut self, code: i32);
+}
+
+/// The only process of a run.
+#[derive(Clone, Copy, Debug)]
+pub struct Alone;
+
+impl Communicator for Alone {
+    fn rank(&self) -> usize {
+        0
+    }
+
+    fn size(&self) -> usize {
+        1
+    }
+
+    fn exchange(&mut self, _: [Option<usize>; 2], _: [Vec<f64>; 2]) -> [Vec<f64>; 2] {
+        Default::default()
+    }
+
+    fn gather(&mut self, values: &[f64]) -> Vec<Vec<f64>> {
+        vec![values.to_vec()]
+    }
+
+    fn collect(&mut self, values: &[f64]) -> Vec<Vec<f64>> {
+        self.gather(values)
+    }
+
+    fn deliver(&mut self, values: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+        values
+    }
+
+    fn add(&mut self, _: &mut [i64]) {}
+
+    fn largest(&mut self, _: &mut [f64]) {}
+
+    fn abort(&mut self, _: i32) {}
+}
+
+/// What a process has sent so far.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Traffic {
+    /// Messages to neighbours.
+    pub messages: u64,
+    /// Bytes in them.
+    pub message_bytes: u64,
+    /// Operations of all processes together.
+    pub collectives: u64,
+    /// Bytes that this process has put into them.
+    pub collective_bytes: u64,
+    /// Time spent on all this, waiting for others included [s].
+    pub seconds: f64,
 }
 
 /// Communication of a block with the others; nothing for a block that is the whole grid.
 #[derive(Default)]
 pub struct Halo {
-    /// The line to the others.
-    line: Option<Mutex<Box<dyn Communicator>>>,
+    line: Option<Mutex<Line>>,
     rank: usize,
     blocks: usize,
     /// Ranks of the neighbours along y and z, at the low end and at the high end.
     neighbours: [[Option<usize>; 2]; 2],
     /// Numbers of blocks beyond it along y and z, at the low end and at the high end.
     beyond: [[usize; 2]; 2],
+}
+
+/// The line to the others.
+struct Line {
+    communicator: Box<dyn Communicator>,
+    traffic: Traffic,
 }
 
 impl std::fmt::Debug for Halo {
@@ -68,7 +134,7 @@ impl Halo {
         let (rank, blocks) = (communicator.rank(), communicator.size());
         assert!(blocks == decomposition.count(), "one block for each process");
         let neighbours = decomposition.neighbours(rank);
-        let line = (blocks > 1).then(|| Mutex::new(communicator));
+        let line = (blocks > 1).then(|| Mutex::new(Line { communicator, traffic: Traffic::default() }));
         Self { line, rank, blocks, neighbours, beyond: decomposition.beyond(rank) }
     }
 
@@ -96,7 +162,25 @@ impl Halo {
         self.beyond[axis - 1]
     }
 
-    fn line(&self) -> Option<MutexGuard<'_, Box<dyn Communicator>>> {
+    /// The same line to the others, for a grid that is cut anew.
+    ///
+    /// # Panics
+    /// If there are not as many processes as blocks.
+    #[must_use]
+    pub fn recut(self, decomposition: &Decomposition) -> Self {
+        let Self { line, rank, blocks, .. } = self;
+        assert!(blocks.max(1) == decomposition.count(), "one block for each process");
+        let (neighbours, beyond) = (decomposition.neighbours(rank), decomposition.beyond(rank));
+        Self { line, rank, blocks, neighbours, beyond }
+    }
+
+    /// What this block has sent so far.
+    #[must_use]
+    pub fn traffic(&self) -> Traffic {
+        self.line().map_or_else(Traffic::default, |line| line.traffic)
+    }
+
+    fn line(&self) -> Option<MutexGuard<'_, Line>> {
         self.line.as_ref().map(|line| line.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
@@ -104,29 +188,86 @@ impl Halo {
     /// nothing where there is none. What is sent both ways between two blocks is of the same length.
     pub fn exchange(&self, axis: usize, values: [Vec<f64>; 2]) -> [Vec<f64>; 2] {
         let Some(mut line) = self.line() else { return Default::default() };
-        line.exchange(self.neighbours[axis - 1], values)
+        let with = self.neighbours[axis - 1];
+        for (_, own) in with.iter().zip(&values).filter(|(with, _)| with.is_some()) {
+            line.traffic.messages += 1;
+            line.traffic.message_bytes += size_of_val(own.as_slice()) as u64;
+        }
+        line.timed(|communicator| communicator.exchange(with, values))
     }
 
     /// The values of all blocks, those of the first first, the same everywhere.
     pub fn gather(&self, values: Vec<f64>) -> Vec<f64> {
         match self.line() {
             None => values,
-            Some(mut line) => line.gather(&values).concat(),
+            Some(mut line) => {
+                line.collectively(&values, |communicator| communicator.gather(&values)).concat()
+            }
+        }
+    }
+
+    /// The values of each block, in block 0; nothing in the others.
+    pub fn collect(&self, values: Vec<f64>) -> Vec<Vec<f64>> {
+        match self.line() {
+            None => vec![values],
+            Some(mut line) => line.collectively(&values, |communicator| communicator.collect(&values)),
+        }
+    }
+
+    /// Sends each block its own values, and returns what each has sent to this one.
+    pub fn deliver(&self, values: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+        match self.line() {
+            None => values,
+            Some(mut line) => line.timed(|communicator| communicator.deliver(values)),
         }
     }
 
     /// Replaces each of `values` by its sum over all blocks.
     pub fn add(&self, values: &mut [i64]) {
         if let Some(mut line) = self.line() {
-            line.add(values);
+            line.collectively(&values.to_vec(), |communicator| communicator.add(values));
         }
     }
 
     /// Replaces each of `values` by the largest in any block.
     pub fn largest(&self, values: &mut [f64]) {
         if let Some(mut line) = self.line() {
-            line.largest(values);
+            line.collectively(&values.to_vec(), |communicator| communicator.largest(values));
         }
+    }
+
+    /// Waits for all blocks.
+    pub fn meet(&self) {
+        self.add(&mut [0]);
+    }
+
+    /// Ends the processes of all blocks, with an exit code: this one cannot go on, and the others would wait for it. Where there are no
+    /// others, nothing happens.
+    pub fn abort(&self, code: i32) {
+        if let Some(mut line) = self.line() {
+            line.communicator.abort(code);
+        }
+    }
+}
+
+impl Line {
+    /// Communicates, and adds the time that this takes.
+    fn timed<T>(&mut self, communicate: impl FnOnce(&mut dyn Communicator) -> T) -> T {
+        let clock = Instant::now();
+        let outcome = communicate(self.communicator.as_mut());
+        self.traffic.seconds += clock.elapsed().as_secs_f64();
+        outcome
+    }
+
+    /// The same for an operation of all processes, into which these values go.
+    fn collectively<V, T>(
+        &mut self,
+        values: &[V],
+        communicate: impl FnOnce(&mut dyn Communicator) -> T,
+    ) -> T {
+        self.traffic.collectives += 1;
+        self.traffic.collective_bytes += size_of_val(values) as u64;
+        self.timed(communicate)
     }
 }
 

@@ -4,10 +4,10 @@
 
 use super::Communicator;
 use ::mpi::collective::SystemOperation;
-use ::mpi::datatype::PartitionMut;
+use ::mpi::datatype::{Partition, PartitionMut};
 use ::mpi::request::{WaitGuard, scope};
 use ::mpi::topology::{Rank, SimpleCommunicator};
-use ::mpi::traits::{CommunicatorCollectives, Destination, Source};
+use ::mpi::traits::{CommunicatorCollectives, Destination, Root, Source};
 use ::mpi::{Tag, traits};
 
 /// This process in the world of all that MPI has started.
@@ -25,8 +25,13 @@ fn world() -> SimpleCommunicator {
 fn places(own: usize) -> [Vec<i32>; 2] {
     let mut counts = vec![0_i32; World.size()];
     world().all_gather_into(&(own as i32), &mut counts[..]);
-    let starts = counts.iter().scan(0, |next, count| Some(std::mem::replace(next, *next + count))).collect();
+    let starts = starts(&counts);
     [counts, starts]
+}
+
+/// Where the values of each process begin among all.
+fn starts(counts: &[i32]) -> Vec<i32> {
+    counts.iter().scan(0, |next, count| Some(std::mem::replace(next, *next + count))).collect()
 }
 
 /// The values of each process from those of all.
@@ -79,6 +84,33 @@ impl Communicator for World {
         of_each(&all, &counts)
     }
 
+    fn collect(&mut self, values: &[f64]) -> Vec<Vec<f64>> {
+        let [counts, starts] = places(values.len());
+        let world = world();
+        let root = traits::Communicator::process_at_rank(&world, 0);
+        if self.rank() != 0 {
+            root.gather_varcount_into(values);
+            return Vec::new();
+        }
+        let mut all = vec![0.0; counts.iter().sum::<i32>() as usize];
+        let mut partition = PartitionMut::new(&mut all[..], &counts[..], &starts[..]);
+        root.gather_varcount_into_root(values, &mut partition);
+        of_each(&all, &counts)
+    }
+
+    fn deliver(&mut self, values: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+        let counts: Vec<i32> = values.iter().map(|own| own.len() as i32).collect();
+        let mut received = vec![0_i32; counts.len()];
+        world().all_to_all_into(&counts[..], &mut received[..]);
+        let (sent, [counts, received]) = (values.concat(), [counts, received]);
+        let mut all = vec![0.0; received.iter().sum::<i32>() as usize];
+        let [from, to] = [&counts, &received].map(|counts| starts(counts));
+        let own = Partition::new(&sent[..], &counts[..], &from[..]);
+        let mut partition = PartitionMut::new(&mut all[..], &received[..], &to[..]);
+        world().all_to_all_varcount_into(&own, &mut partition);
+        of_each(&all, &received)
+    }
+
     fn add(&mut self, values: &mut [i64]) {
         let own = values.to_vec();
         world().all_reduce_into(&own[..], values, SystemOperation::sum());
@@ -87,5 +119,9 @@ impl Communicator for World {
     fn largest(&mut self, values: &mut [f64]) {
         let own = values.to_vec();
         world().all_reduce_into(&own[..], values, SystemOperation::max());
+    }
+
+    fn abort(&mut self, code: i32) {
+        traits::Communicator::abort(&world(), code);
     }
 }

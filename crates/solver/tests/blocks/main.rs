@@ -42,6 +42,39 @@ fn blocks_are_the_whole<R: Precision>(model: fn(usize) -> Model, before: [&[usiz
     });
 }
 
+/// A grid that is cut anew in the midst of a run.
+fn blocks_may_be_recut<R: Precision>(model: fn(usize) -> Model, cuts: [[&[usize]; 2]; 2]) {
+    let whole = model(R::LANES);
+    let mut state = start::<R>(&whole);
+    let mut workspace = Workspace::new(&whole, &mut state, 1);
+    let begin = start::<R>(&whole);
+    go(&whole, &mut state, &mut workspace);
+    go(&whole, &mut state, &mut workspace);
+    let after = Decomposition::cut(&whole.grid, cuts[1]);
+    std::thread::scope(|scope| {
+        for (grid, halo) in partition(&whole.grid, cuts[0]) {
+            let (begin, state, whole, after) = (&begin, &state, &whole.grid, &after);
+            scope.spawn(move || {
+                let mut own = begin.of_block(whole, &grid);
+                let mut model = Model { grid, ..model(R::LANES) };
+                let mut workspace = Workspace::of_block(&model, &mut own, 1, halo);
+                go(&model, &mut own, &mut workspace);
+                workspace.recut(&mut model, &mut own, after);
+                assert_eq!(model.grid.own, after.own(workspace.halo().rank()));
+                go(&model, &mut own, &mut workspace);
+                assert_same((whole, state), (&model.grid, &own));
+            });
+        }
+    });
+}
+
+#[test]
+fn blocks_that_are_recut_on_the_way() {
+    blocks_may_be_recut::<f64>(impulse, [[&[9], &[]], [&[], &[7]]]);
+    blocks_may_be_recut::<f32>(softening, [[&[5, 11], &[]], [&[8, 13], &[]]]);
+    blocks_may_be_recut::<f64>(under_water, [[&[9], &[6]], [&[6], &[8]]]);
+}
+
 #[test]
 fn two_blocks_side_by_side() {
     blocks_are_the_whole::<f64>(impulse, [&[9], &[]], 1);
@@ -50,6 +83,8 @@ fn two_blocks_side_by_side() {
 #[test]
 fn blocks_with_pore_water_side_by_side_and_above_each_other() {
     blocks_are_the_whole::<f64>(under_water, [&[9], &[6]], 2);
+    // Contact points above the surface press on water below the cut.
+    blocks_are_the_whole::<f64>(under_water, [&[], &[8]], 1);
     blocks_are_the_whole::<f32>(under_water, [&[4, 13], &[]], 1);
 }
 

@@ -160,6 +160,7 @@ impl Solver<'_> {
             warnings: &[],
             interrupts: self.interrupts,
             typed: &typed,
+            communicator: coulter::run::alone,
         };
         match run::run(&case, &options) {
             Ok(End::Finished(summary)) => {

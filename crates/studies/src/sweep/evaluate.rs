@@ -148,6 +148,7 @@ fn solved(shared: &Shared, line: &CaseLine, mut case: Case) -> Result<Outcome, U
         warnings: &[],
         interrupts: &shared.interrupts,
         typed: &typed,
+        communicator: coulter::run::alone,
     };
     let broken =
         |reason: String| Outcome { id: line.id.clone(), ending: Ending::Broken, reason, rows: Vec::new() };

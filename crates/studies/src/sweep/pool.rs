@@ -4,6 +4,7 @@ use super::evaluate::{Shared, Unended, evaluate};
 use super::line::CaseLine;
 use super::outcome::Outcome;
 use crate::study::{ModelKind, Pool};
+use coulter::case::cores;
 use coulter::case::machine::memory_available;
 use std::collections::HashSet;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -49,7 +50,7 @@ pub fn run(shared: &Shared, lines: &[CaseLine], pool: &Pool, watcher: &dyn Watch
     left.reverse();
     left.sort_by(|a, b| a.memory_bytes.total_cmp(&b.memory_bytes));
     let memory = memory_available().map_or(f64::INFINITY, |free| MEMORY_SHARE * free);
-    let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    let cores = cores::cores().count;
     let has_runs = left.iter().any(|line| line.model == ModelKind::Solver);
     let usual = if has_runs { (cores / pool.threads).max(1) } else { cores };
     let workers = pool.workers.unwrap_or(usual).clamp(1, left.len().max(1));

@@ -116,7 +116,14 @@ pub(super) const NUMERICS: &[Key] = &[
     .within(NOT_NEGATIVE),
     key("point_spacing", Kind::Number, Number(0.25), "Spacing of contact points, in cell widths.")
         .within(SPACING),
-    key("threads", Kind::Count, Number(0.0), "Threads; 0 for one per core.").within(THREADS),
+    key(
+        "threads",
+        Kind::Count,
+        Number(0.0),
+        "Threads of each process; 0 for as many as SLURM_CPUS_PER_TASK says, or else OMP_NUM_THREADS, or else one per core that it \
+         may use (processes on one machine share its cores).",
+    )
+    .within(THREADS),
     key(
         "precision",
         Kind::Choice(&PRECISIONS),

@@ -3,13 +3,27 @@
 use crate::history::History;
 use crate::history::probes::LastSample;
 use serde::{Deserialize, Serialize};
+use solver::grid::Grid;
+use solver::halo::Halo;
 use solver::precision::Precision;
 use solver::state::State;
+use std::ops::Range;
 
 /// What every checkpoint begins with.
 pub(super) const MAGIC: &[u8; 7] = b"COULTER";
 /// Version of what follows; a checkpoint of another version cannot be resumed.
-pub(super) const VERSION: u8 = b'G';
+pub(super) const VERSION: u8 = b'H';
+
+/// Soil and nodes of a block, in a file of their own beside the checkpoint.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(super) struct PortionFile {
+    /// Its name.
+    pub(super) name: String,
+    /// Layers of cells of the whole grid along x, y, z that it holds.
+    pub(super) layers: [Range<usize>; 3],
+    /// Hash of what it holds.
+    pub(super) hash: u64,
+}
 
 /// What a checkpoint holds.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -18,8 +32,10 @@ pub struct Checkpoint<R = f64> {
     pub precision: String,
     /// The resolved case, as text; a run must not resume with another.
     pub case: String,
-    /// The state of the solver.
+    /// The state of the solver; without soil and nodes as long as these are in files of their own.
     pub state: State<R>,
+    /// Those files; none where the grid was in one block.
+    pub(super) portions: Vec<PortionFile>,
     /// The history so far.
     pub history: History,
     /// Time and impulses at the last sample.
@@ -27,7 +43,7 @@ pub struct Checkpoint<R = f64> {
 }
 
 /// The same, borrowed from a run that continues.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Debug)]
 pub struct CheckpointView<'a, R> {
     /// Name of the precision of its fields.
     pub precision: &'static str,
@@ -35,10 +51,23 @@ pub struct CheckpointView<'a, R> {
     pub case: String,
     /// The state of the solver.
     pub state: &'a State<R>,
+    /// The grid, or this block of it, and the line to the others.
+    pub block: (&'a Grid, &'a Halo),
     /// The history so far.
     pub history: &'a History,
     /// Time and impulses at the last sample.
     pub last_sample: &'a LastSample,
+}
+
+/// What is written of it into the main file, in the order of [`Checkpoint`].
+#[derive(Debug, Serialize)]
+pub(super) struct Record<'a, R> {
+    pub(super) precision: &'static str,
+    pub(super) case: &'a str,
+    pub(super) state: &'a State<R>,
+    pub(super) portions: &'a [PortionFile],
+    pub(super) history: &'a History,
+    pub(super) last_sample: &'a LastSample,
 }
 
 impl<R: Precision> CheckpointView<'_, R> {
@@ -49,6 +78,7 @@ impl<R: Precision> CheckpointView<'_, R> {
             precision: self.precision.to_owned(),
             case: self.case.clone(),
             state: self.state.clone(),
+            portions: Vec::new(),
             history: self.history.clone(),
             last_sample: self.last_sample.clone(),
         }

@@ -4,44 +4,52 @@ use super::contents::{Checkpoint, MAGIC, VERSION};
 use super::paths::{path, previous_path};
 use crate::case::machine;
 use crate::output::files::OutputError;
+use solver::grid::Grid;
+use solver::portion::Portion;
 use solver::precision::Precision;
 use std::cmp::Ordering;
 use std::fs;
 use std::io::{self, Read};
+use std::ops::Range;
 use std::path::Path;
 use xxhash_rust::xxh3::xxh3_64;
 
 impl<R: Precision> Checkpoint<R> {
     /// Reads the last checkpoint of a results folder or, where that is not whole, the one before; with what is wrong with the
-    /// last one in that case.
+    /// last one in that case. The state is that on a `grid`, or on the block that this is.
     ///
     /// # Errors
     /// When there is none, or none is whole, or it was written by another version or in another precision.
-    pub fn read(dir: &Path) -> Result<(Self, Option<OutputError>), OutputError> {
-        let last = match Self::read_file(&path(dir)) {
+    pub fn read(dir: &Path, grid: &Grid) -> Result<(Self, Option<OutputError>), OutputError> {
+        let last = match Self::read_last(dir, grid) {
             Ok(checkpoint) => return Ok((checkpoint, None)),
             Err(error) => error,
         };
-        let previous = previous_path(dir);
-        if !previous.is_file() {
+        if !previous_path(dir).is_file() {
             return Err(last);
         }
-        Self::read_file(&previous).map(|checkpoint| (checkpoint, Some(last)))
+        Self::read_previous(dir, grid).map(|checkpoint| (checkpoint, Some(last)))
     }
 
-    fn read_file(path: &Path) -> Result<Self, OutputError> {
+    /// Reads the last checkpoint alone.
+    ///
+    /// # Errors
+    /// As [`Checkpoint::read`].
+    pub fn read_last(dir: &Path, grid: &Grid) -> Result<Self, OutputError> {
+        Self::read_file(&path(dir), grid)
+    }
+
+    /// Reads the checkpoint before the last.
+    ///
+    /// # Errors
+    /// As [`Checkpoint::read`].
+    pub fn read_previous(dir: &Path, grid: &Grid) -> Result<Self, OutputError> {
+        Self::read_file(&previous_path(dir), grid)
+    }
+
+    fn read_file(path: &Path, grid: &Grid) -> Result<Self, OutputError> {
         let broken = |what: &str| OutputError::content(path, what);
-        let file = fs::read(path).map_err(|e| broken(&format!("no checkpoint to resume from ({e})")))?;
-        let header = file.split_first_chunk::<8>().filter(|(magic, _)| magic.starts_with(MAGIC));
-        let Some((magic, rest)) = header else { return Err(broken("not a Coulter checkpoint")) };
-        check_version(magic[7]).map_err(|problem| broken(&problem))?;
-        let Some((packed, hash)) = rest.split_last_chunk::<8>() else {
-            return Err(broken("the checkpoint is cut off"));
-        };
-        if xxh3_64(packed).to_le_bytes() != *hash {
-            return Err(broken("the checkpoint is damaged (its hash is wrong)"));
-        }
-        let plain = unpacked(packed, most_bytes()).map_err(|e| broken(&e.to_string()))?;
+        let (plain, _) = read_record(path)?;
         let unreadable = |e: postcard::Error| broken(&format!("cannot be read: {e}"));
         let (precision, _) = postcard::take_from_bytes::<String>(&plain).map_err(unreadable)?;
         if precision != R::NAME {
@@ -50,8 +58,51 @@ impl<R: Precision> Checkpoint<R> {
                 "the checkpoint is in {precision} precision, the case asks for {wanted}"
             )));
         }
-        postcard::from_bytes(&plain).map_err(unreadable)
+        let mut checkpoint: Self = postcard::from_bytes(&plain).map_err(unreadable)?;
+        drop(plain);
+        if checkpoint.portions.is_empty() {
+            if !grid.is_whole() {
+                checkpoint.state = checkpoint.state.of_block(&grid.uncut(), grid);
+            }
+            return Ok(checkpoint);
+        }
+        checkpoint.state = checkpoint.state.without_soil(grid);
+        for file in &checkpoint.portions {
+            if grid.held_of(&file.layers).iter().any(Range::is_empty) {
+                continue;
+            }
+            let path = path.with_file_name(&file.name);
+            let (plain, hash) = read_record(&path)?;
+            if hash != file.hash {
+                return Err(OutputError::content(&path, "it belongs to another checkpoint"));
+            }
+            let portion: Portion<R> = postcard::from_bytes(&plain)
+                .map_err(|e| OutputError::content(&path, format!("cannot be read: {e}")))?;
+            if portion.layers != file.layers || !portion.is_consistent() {
+                return Err(OutputError::content(&path, "it does not hold what the checkpoint says"));
+            }
+            checkpoint.state.put(grid, &portion);
+        }
+        Ok(checkpoint)
     }
+}
+
+/// The record of a file, unpacked, and its hash.
+fn read_record(path: &Path) -> Result<(Vec<u8>, u64), OutputError> {
+    let broken = |what: &str| OutputError::content(path, what);
+    let file = fs::read(path).map_err(|e| broken(&format!("no checkpoint to resume from ({e})")))?;
+    let header = file.split_first_chunk::<8>().filter(|(magic, _)| magic.starts_with(MAGIC));
+    let Some((magic, rest)) = header else { return Err(broken("not a Coulter checkpoint")) };
+    check_version(magic[7]).map_err(|problem| broken(&problem))?;
+    let Some((packed, hash)) = rest.split_last_chunk::<8>() else {
+        return Err(broken("the checkpoint is cut off"));
+    };
+    let found = xxh3_64(packed);
+    if found.to_le_bytes() != *hash {
+        return Err(broken("the checkpoint is damaged (its hash is wrong)"));
+    }
+    let plain = unpacked(packed, most_bytes()).map_err(|e| broken(&e.to_string()))?;
+    Ok((plain, found))
 }
 
 /// Largest record that is unpacked [bytes]: the state that is read from it takes as much memory again.

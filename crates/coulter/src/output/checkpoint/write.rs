@@ -1,8 +1,9 @@
 //! Writing a checkpoint.
 
-use super::contents::{CheckpointView, MAGIC, VERSION};
-use super::paths::{failed_path, path, previous_path};
+use super::contents::{CheckpointView, MAGIC, PortionFile, Record, VERSION};
+use super::paths::{failed_path, path, portion_name, previous_path, remove_old_portions};
 use crate::output::files::{CHECKPOINTS, Named, OutputError, make_folder, sync_folder};
+use serde::Serialize;
 use solver::precision::Precision;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, IntoInnerError, Write};
@@ -13,74 +14,127 @@ use xxhash_rust::xxh3::Xxh3;
 const LEVEL: i32 = 1;
 
 impl<R: Precision> CheckpointView<'_, R> {
-    /// Writes the last checkpoint of a results folder and keeps the one before.
+    /// Writes the last checkpoint of a results folder and keeps the one before. All blocks of a grid must call this: each writes its
+    /// soil and nodes, and when all have, the first the rest; until then the last checkpoint is the one before.
     ///
     /// # Errors
-    /// When the file cannot be written; the checkpoints that are there stay.
+    /// When a file cannot be written; the checkpoints that are there stay.
     pub fn write(&self, dir: &Path) -> Result<(), OutputError> {
         let (path, previous) = (path(dir), previous_path(dir));
         self.write_to(dir, &path, || {
             if path.is_file() { fs::rename(&path, &previous).named("replace", &previous) } else { Ok(()) }
-        })
+        })?;
+        if self.is_first() { remove_old_portions(dir, self.state.step) } else { Ok(()) }
     }
 
     /// Writes the state of a run that broke down, next to the last good checkpoints.
     ///
     /// # Errors
-    /// When the file cannot be written.
+    /// When a file cannot be written.
     pub fn write_failed(&self, dir: &Path) -> Result<(), OutputError> {
         self.write_to(dir, &failed_path(dir), || Ok(()))
     }
 
-    /// Writes the file next to `path`, makes room and moves it there.
+    fn is_first(&self) -> bool {
+        self.block.1.rank() == 0
+    }
+
     fn write_to(
         &self,
         dir: &Path,
         path: &Path,
         make_room: impl FnOnce() -> Result<(), OutputError>,
     ) -> Result<(), OutputError> {
-        let folder = dir.join(CHECKPOINTS);
-        make_folder(&folder)?;
-        let part = path.with_extension("checkpoint.part");
-        let written = self.write_part(&part).and_then(|()| make_room());
-        if let Err(error) = written {
+        let portions = self.write_portion(dir)?;
+        if !self.is_first() {
+            return Ok(());
+        }
+        let without_soil;
+        let mut state = self.state;
+        if !portions.is_empty() {
+            without_soil = self.state.without_fields();
+            state = &without_soil;
+        }
+        let Self { precision, case, history, last_sample, .. } = self;
+        let record = Record { precision, case, state, portions: &portions, history, last_sample };
+        write_file(path, &record, make_room).map(|_| ())
+    }
+
+    /// Writes soil and nodes of a block; returns the files of all, in the first block. Nothing where there is only one.
+    fn write_portion(&self, dir: &Path) -> Result<Vec<PortionFile>, OutputError> {
+        let (grid, halo) = self.block;
+        if halo.is_alone() {
+            return Ok(Vec::new());
+        }
+        let name = |rank: usize| portion_name(self.state.step, [rank, halo.blocks()]);
+        let layers = [0, 1, 2].map(|axis| grid.accounted(axis));
+        let path = dir.join(CHECKPOINTS).join(name(halo.rank()));
+        let hash = write_file(&path, &self.state.portion(grid, layers.clone()), || Ok(()))?;
+        let own = layers.iter().flat_map(|own| [own.start as f64, own.end as f64]);
+        let halves = [(hash >> 32) as f64, (hash & u64::from(u32::MAX)) as f64];
+        let all = halo.collect(own.chain(halves).collect());
+        let file = |(rank, numbers): (usize, &Vec<f64>)| PortionFile {
+            name: name(rank),
+            layers: std::array::from_fn(|axis| numbers[2 * axis] as usize..numbers[2 * axis + 1] as usize),
+            hash: ((numbers[6] as u64) << 32) | numbers[7] as u64,
+        };
+        Ok(all.iter().enumerate().map(file).collect())
+    }
+}
+
+/// Writes a record next to `path`, makes room and moves it there; returns its hash.
+fn write_file(
+    path: &Path,
+    record: &impl Serialize,
+    make_room: impl FnOnce() -> Result<(), OutputError>,
+) -> Result<u64, OutputError> {
+    let folder = path.parent().unwrap_or(path);
+    make_folder(folder)?;
+    let part = path.with_extension("checkpoint.part");
+    let written = write_part(&part, record).and_then(|hash| make_room().map(|()| hash));
+    let hash = match written {
+        Ok(hash) => hash,
+        Err(error) => {
             // What could not be written whole is of no use; that it cannot be removed either is no news.
             let _ = fs::remove_file(&part);
             return Err(error);
         }
-        fs::rename(&part, path).named("replace", path)?;
-        sync_folder(&folder)
-    }
+    };
+    fs::rename(&part, path).named("replace", path)?;
+    sync_folder(folder)?;
+    Ok(hash)
+}
 
-    fn write_part(&self, part: &Path) -> Result<(), OutputError> {
-        let file = File::create(part).named("create", part)?;
-        let mut out = BufWriter::with_capacity(1 << 20, file);
-        out.write_all(MAGIC).and_then(|()| out.write_all(&[VERSION])).named("write", part)?;
-        let mut hashed = Hashed { out, hash: Xxh3::new(), failure: None };
-        self.pack(&mut hashed, part)?;
-        let Hashed { mut out, hash, .. } = hashed;
-        out.write_all(&hash.digest().to_le_bytes()).named("write", part)?;
-        let file = out.into_inner().map_err(IntoInnerError::into_error).named("write", part)?;
-        file.sync_all().named("write", part)
-    }
+fn write_part(part: &Path, record: &impl Serialize) -> Result<u64, OutputError> {
+    let file = File::create(part).named("create", part)?;
+    let mut out = BufWriter::with_capacity(1 << 20, file);
+    out.write_all(MAGIC).and_then(|()| out.write_all(&[VERSION])).named("write", part)?;
+    let mut hashed = Hashed { out, hash: Xxh3::new(), failure: None };
+    pack(record, &mut hashed, part)?;
+    let Hashed { mut out, hash, .. } = hashed;
+    let hash = hash.digest();
+    out.write_all(&hash.to_le_bytes()).named("write", part)?;
+    let file = out.into_inner().map_err(IntoInnerError::into_error).named("write", part)?;
+    file.sync_all().named("write", part)?;
+    Ok(hash)
+}
 
-    /// Packs the record; a full disc is called by its name.
-    fn pack(&self, hashed: &mut Hashed<impl Write>, part: &Path) -> Result<(), OutputError> {
-        let encoder = zstd::Encoder::new(&mut *hashed, LEVEL).named("write", part)?;
-        // Numbers come one by one.
-        let buffer = BufWriter::with_capacity(1 << 16, encoder);
-        let packed = match postcard::to_io(self, buffer) {
-            Ok(buffer) => {
-                let encoder = buffer.into_inner().map_err(IntoInnerError::into_error);
-                encoder.and_then(|encoder| encoder.finish().map(drop)).named("write", part)
-            }
-            Err(error) => Err(OutputError::content(part, error)),
-        };
-        // What the operating system said has more to tell.
-        packed.or_else(|error| {
-            hashed.failure.take().map_or(Err(error), |failure| Err(failure).named("write", part))
-        })
-    }
+/// Packs a record; a full disc is called by its name.
+fn pack(record: &impl Serialize, hashed: &mut Hashed<impl Write>, part: &Path) -> Result<(), OutputError> {
+    let encoder = zstd::Encoder::new(&mut *hashed, LEVEL).named("write", part)?;
+    // Numbers come one by one.
+    let buffer = BufWriter::with_capacity(1 << 16, encoder);
+    let packed = match postcard::to_io(record, buffer) {
+        Ok(buffer) => {
+            let encoder = buffer.into_inner().map_err(IntoInnerError::into_error);
+            encoder.and_then(|encoder| encoder.finish().map(drop)).named("write", part)
+        }
+        Err(error) => Err(OutputError::content(part, error)),
+    };
+    // What the operating system said has more to tell.
+    packed.or_else(|error| {
+        hashed.failure.take().map_or(Err(error), |failure| Err(failure).named("write", part))
+    })
 }
 
 /// Passes on what is written and keeps its hash.

@@ -68,24 +68,38 @@ pub fn reference_height(case: &Case) -> f64 {
 
 impl HeightMap {
     /// The free surface of a state, with that which its grid has left behind on its way along x or along y (`left`, lines across
-    /// that way). Of a grid that has travelled along both there is only what is inside.
+    /// that way). Of a grid that has travelled along both there is only what is inside. Of a grid in blocks the first gets the map
+    /// of all, and the others get none.
     #[must_use]
-    pub fn of(case: &Case, grid: &Grid, state: &State<impl Precision>, left: &[SurfacePoint]) -> Self {
+    pub fn of(
+        case: &Case,
+        (grid, halo): (&Grid, &Halo),
+        state: &State<impl Precision>,
+        left: &[SurfacePoint],
+    ) -> Option<Self> {
         let domain = PlacedDomain::of(grid, state.grid_position);
         let [along, across, _] = domain.cells();
         let places: Vec<_> = (0..across).flat_map(|j| (0..along).map(move |i| [i, j])).collect();
-        let columns = GroundColumn::of_all(&domain, state, (&materials(case), &Halo::whole()), &places);
-        let edges = [0, 1].map(|axis| domain.faces[axis].clone());
-        let inside = [0, 1].map(|axis| domain.ends(axis));
+        let own = GroundColumn::of_all(&domain, state, (&materials(case), halo), &places);
+        // Blocks beside each other are in the order of y, and x runs fastest.
+        let all = halo.collect(own.into_iter().flat_map(GroundColumn::to_array).collect());
+        if all.is_empty() {
+            return None;
+        }
+        let numbers = all.iter().flat_map(|own| own.chunks_exact(GroundColumn::NUMBERS));
+        let columns = numbers.map(GroundColumn::from_numbers).collect();
+        let [x, y, z] = [0, 1, 2].map(|axis| PlacedDomain::whole_faces(grid, axis, state.grid_position));
+        let inside = [&x, &y].map(|faces| [faces[0], faces[faces.len() - 1]]);
+        let edges = [x, y];
         let centres = edges.each_ref().map(|edges| middles(edges));
         let (undisturbed, reference) = (Vec::new(), reference_height(case));
         let mut map = Self { centres, edges, columns, undisturbed, reference, inside };
         map.join(left);
-        map.undisturbed = map.before(case, &domain.faces[2]);
+        map.undisturbed = map.before(case, &z);
         if case.domain.symmetric {
             map.mirror();
         }
-        map
+        Some(map)
     }
 
     /// Its columns before anything moved, in layers of cells with these faces [m].

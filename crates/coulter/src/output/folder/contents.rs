@@ -158,10 +158,10 @@ fn remove_result(dir: &Path, record: &RunRecord) -> Result<(), OutputError> {
     }
     for (folder, extensions) in [
         (BODIES, &["stl", "obj", "ply", "csv"][..]),
-        (FIELDS, &["vtr", "vtp"]),
+        (FIELDS, &["vtr", "pvtr", "vtp"]),
         (PICTURES, &["png", "svg", "csv", "gif", "apng"]),
         (PLOTS, &["svg"]),
-        (CHECKPOINTS, &["checkpoint"]),
+        (CHECKPOINTS, &["checkpoint", "portion"]),
     ] {
         remove_files(&dir.join(folder), extensions)?;
     }

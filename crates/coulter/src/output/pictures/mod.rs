@@ -7,7 +7,9 @@ mod frame;
 mod picture;
 mod rut;
 mod scene;
+mod shown;
 mod soil;
 
 pub(crate) use canvas::{Anchor, Canvas, SUPERSAMPLING, Tone, dark_variant};
 pub use picture::{Caption, PICTURES, write_pictures};
+pub use shown::Shown;

@@ -34,13 +34,7 @@ pub(super) struct Scene<'a, R> {
 
 impl<'a, R: Precision> Scene<'a, R> {
     pub(super) fn new(case: &'a Case, domain: &'a PlacedDomain<'a>, state: &'a State<R>) -> Self {
-        let middle = 0.5 * (case.domain.low.y + case.domain.high.y);
-        let plane = match case.touching().next() {
-            _ if case.domain.symmetric => 0.0,
-            Some((n, _)) => state.pose(n).position.y,
-            None => middle,
-        };
-        let row = domain.faces[1].iter().skip(1).position(|y| *y > plane).unwrap_or(0);
+        let row = row_at(&domain.faces[1], plane_shown(case, state));
         let shapes: Vec<Box<dyn Shape>> = case.bodies.iter().map(|b| b.solid()).collect();
         let mut scene = Self { case, domain, state, shapes, row, across: [0.0; 2], upward: [0.0; 2] };
         scene.across = scene.range(0);
@@ -198,6 +192,20 @@ impl<'a, R: Precision> Scene<'a, R> {
             Scale::linear(ColourMap::Sequential, 0.0, most / unit.size, format!("speed [{}]", unit.name));
         self.slice("Speed of the soil", &scale, |c| c.velocity().length() / unit.size)
     }
+}
+
+/// Position along y of the slices: the middle of the first body, or of the domain [m].
+pub(super) fn plane_shown<R>(case: &Case, state: &State<R>) -> f64 {
+    match case.touching().next() {
+        _ if case.domain.symmetric => 0.0,
+        Some((n, _)) => state.pose(n).position.y,
+        None => 0.5 * (case.domain.low.y + case.domain.high.y),
+    }
+}
+
+/// The row of cells between these faces along y that holds a plane; the first if none does.
+pub(super) fn row_at(faces: &[f64], plane: f64) -> usize {
+    faces.iter().skip(1).position(|y| *y > plane).unwrap_or(0)
 }
 
 /// The index of the interval of `edges` that contains `value`.

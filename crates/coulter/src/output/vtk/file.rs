@@ -3,7 +3,7 @@
 //! No array is ever whole in memory. Tags say where their array begins, and an array begins with the sizes of its compressed
 //! blocks; both are known only when it is written, and are filled in then.
 
-use crate::output::files::{OutputError, write_with};
+use crate::output::files::{OutputError, write_whole, write_with};
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
 use std::fmt::Write as _;
@@ -56,15 +56,15 @@ impl<'a> DataArray<'a> {
         Self { name, components: 1, count, numbers: Numbers::Integers(Box::new(numbers)) }
     }
 
-    /// Its tag, with the offset of its data behind the beginning of all data [bytes].
-    fn tag(&self, offset: u64) -> String {
+    /// What its tag says of it: kind, name, components.
+    fn attributes(&self) -> String {
         let kind = match self.numbers {
             Numbers::Singles(_) => "Float32",
             Numbers::Doubles(_) => "Float64",
             Numbers::Integers(_) => "Int64",
         };
         let mut tag = format!(
-            "<DataArray type=\"{kind}\" Name=\"{}\" NumberOfComponents=\"{}\"",
+            "DataArray type=\"{kind}\" Name=\"{}\" NumberOfComponents=\"{}\"",
             self.name, self.components
         );
         if self.components == 6 {
@@ -74,7 +74,13 @@ impl<'a> DataArray<'a> {
                 let _ = write!(tag, " ComponentName{n}=\"{component}\"");
             }
         }
-        format!("{tag} format=\"appended\" offset={:OFFSET$}/>\n", format!("\"{offset}\""))
+        tag
+    }
+
+    /// Its tag, with the offset of its data behind the beginning of all data [bytes].
+    fn tag(&self, offset: u64) -> String {
+        let attributes = self.attributes();
+        format!("<{attributes} format=\"appended\" offset={:OFFSET$}/>\n", format!("\"{offset}\""))
     }
 
     fn bytes(&self) -> usize {
@@ -174,6 +180,31 @@ pub(super) struct Dataset<'a> {
 }
 
 impl Dataset<'_> {
+    /// Writes a file that joins several of this kind, given by their extents and their names beside it, to a whole extent.
+    pub(super) fn write_joined(
+        &self,
+        path: &Path,
+        whole: &str,
+        pieces: &[(String, String)],
+    ) -> Result<(), OutputError> {
+        let mut content = String::new();
+        // Writing to a string cannot fail.
+        for (name, arrays) in &self.sections {
+            let tags = arrays.iter().map(|array| format!("<P{}/>\n", array.attributes()));
+            let _ = write!(content, "<P{name}>\n{}</P{name}>\n", tags.collect::<String>());
+        }
+        for (extent, source) in pieces {
+            let _ = writeln!(content, "<Piece {extent} Source=\"{source}\"/>");
+        }
+        let kind = self.kind;
+        let text = format!(
+            "<?xml version=\"1.0\"?>\n<VTKFile type=\"P{kind}\" version=\"1.0\" byte_order=\"LittleEndian\" \
+             header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n<P{kind} Whole{whole} GhostLevel=\"0\">\n\
+             {content}</P{kind}>\n</VTKFile>\n"
+        );
+        write_whole(path, text.as_bytes())
+    }
+
     /// Writes the file.
     pub(super) fn write(mut self, path: &Path) -> Result<(), OutputError> {
         write_with(path, |file| {

@@ -1,7 +1,7 @@
 //! The field files of a run over time: soil, free surface and bodies, with a time list of each.
 
 use super::polygons::{write_body, write_surface};
-use super::soil::write_soil;
+use super::soil::{write_blocks, write_soil};
 use super::time_list::{TimedFile, read_time_list, write_time_list};
 use crate::case::Case;
 use crate::domain::PlacedDomain;
@@ -9,6 +9,7 @@ use crate::history::History;
 use crate::output::fields::HeightMap;
 use crate::output::files::{FIELDS, LISTS, OutputError, file_safe, make_folder};
 use solver::grid::Grid;
+use solver::halo::Halo;
 use solver::precision::Precision;
 use solver::state::State;
 use std::path::{Path, PathBuf};
@@ -57,14 +58,14 @@ impl FieldSeries {
     }
 
     /// Writes the current fields, unless files of exactly this time exist, and updates the time lists. The free surface includes
-    /// that which a grid that travels has left behind.
+    /// that which a grid that travels has left behind. Of a grid in blocks each writes its own soil, and the first all else.
     ///
     /// # Errors
     /// When a file cannot be written.
     pub fn write(
         &mut self,
         case: &Case,
-        grid: &Grid,
+        (grid, halo): (&Grid, &Halo),
         state: &State<impl Precision>,
         history: &History,
     ) -> Result<(), OutputError> {
@@ -72,12 +73,20 @@ impl FieldSeries {
         if self.frames[0].last().is_some_and(|frame| frame.time == time) {
             return Ok(());
         }
-        let soil = format!("{FIELDS}/soil_{n:04}.vtr");
+        let extension = if halo.is_alone() { "vtr" } else { "pvtr" };
+        let soil = format!("{FIELDS}/soil_{n:04}.{extension}");
         let domain = PlacedDomain::of(grid, state.grid_position);
-        write_soil(&self.dir.join(&soil), &domain, state)?;
+        let path = self.dir.join(&soil);
+        if halo.is_alone() {
+            write_soil(&path, &domain, state)?;
+        } else {
+            write_blocks(&path, (&domain, halo), state)?;
+        }
         self.frames[0].push(TimedFile { time, part: 0, file: soil });
+        self.next_frame += 1;
+        // The other blocks keep to the first list alone: it says when fields are due.
+        let Some(map) = HeightMap::of(case, (grid, halo), state, &history.ground_left) else { return Ok(()) };
         let surface = format!("{FIELDS}/surface_{n:04}.vtp");
-        let map = HeightMap::of(case, grid, state, &history.ground_left);
         write_surface(&self.dir.join(&surface), &map, time)?;
         self.frames[1].push(TimedFile { time, part: 0, file: surface });
         for (number, described) in case.touching() {
@@ -86,7 +95,6 @@ impl FieldSeries {
             write_body(&self.dir.join(&file), described.solid().as_ref(), body, time)?;
             self.frames[2].push(TimedFile { time, part: number, file });
         }
-        self.next_frame += 1;
         for (frames, name) in self.frames.iter().zip(LISTS) {
             if !frames.is_empty() {
                 write_time_list(&self.dir.join(name), frames)?;

@@ -5,8 +5,10 @@ use crate::domain::PlacedDomain;
 use crate::output::fields::{CellView, node_velocity};
 use crate::output::files::OutputError;
 use solver::fields::HISTORY;
+use solver::halo::Halo;
 use solver::precision::Precision;
 use solver::state::State;
+use std::ops::Range;
 use std::path::Path;
 
 /// Indices of `[columns, rows, layers]`, the first running fastest.
@@ -14,16 +16,53 @@ fn each_place([columns, rows, layers]: [usize; 3]) -> impl Iterator<Item = [usiz
     (0..layers).flat_map(move |k| (0..rows).flat_map(move |j| (0..columns).map(move |i| [i, j, k])))
 }
 
-/// Writes the soil.
+/// Writes the soil of a whole grid.
 pub(super) fn write_soil(
     path: &Path,
     domain: &PlacedDomain,
     state: &State<impl Precision>,
 ) -> Result<(), OutputError> {
-    let [x, y, z] = domain.cells();
-    let extent = format!("Extent=\"0 {x} 0 {y} 0 {z}\"");
-    let nodes = [x + 1, y + 1, z + 1];
-    let node_velocities = each_place(nodes).flat_map(|at| node_velocity(state, domain.index(at)).to_array());
+    dataset(domain, state).write(path)
+}
+
+/// Writes the soil of each block beside `path`, and in `path` how they make up the whole; the first block writes that when all others
+/// have written theirs.
+pub(super) fn write_blocks(
+    path: &Path,
+    (domain, halo): (&PlacedDomain, &Halo),
+    state: &State<impl Precision>,
+) -> Result<(), OutputError> {
+    let name = |rank: usize| {
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        format!("{stem}_{rank:04}.vtr")
+    };
+    let own = dataset(domain, state);
+    let whole = extent(&domain.grid.domain.clone().map(|layers| 0..layers.len()));
+    let layers = domain.layers();
+    own.write(&path.with_file_name(name(halo.rank())))?;
+    let all = halo.collect(layers.iter().flat_map(|own| [own.start as f64, own.end as f64]).collect());
+    if all.is_empty() {
+        return Ok(());
+    }
+    let of_block = |ends: &Vec<f64>| {
+        extent(&std::array::from_fn(|axis| ends[2 * axis] as usize..ends[2 * axis + 1] as usize))
+    };
+    let pieces: Vec<_> = all.iter().enumerate().map(|(rank, ends)| (of_block(ends), name(rank))).collect();
+    dataset(domain, state).write_joined(path, &whole, &pieces)
+}
+
+/// The attribute of some layers.
+fn extent(layers: &[Range<usize>; 3]) -> String {
+    let [x, y, z] = layers;
+    format!("Extent=\"{} {} {} {} {} {}\"", x.start, x.end, y.start, y.end, z.start, z.end)
+}
+
+/// The soil of a domain as arrays.
+fn dataset<'a>(domain: &'a PlacedDomain<'a>, state: &'a State<impl Precision>) -> Dataset<'a> {
+    let extent = extent(&domain.layers());
+    let nodes = domain.cells().map(|n| n + 1);
+    let node_velocities =
+        each_place(nodes).flat_map(move |at| node_velocity(state, domain.index(at)).to_array());
     let axes = ["x", "y", "z"].into_iter().zip(&domain.faces);
     Dataset {
         kind: "RectilinearGrid",
@@ -40,7 +79,6 @@ pub(super) fn write_soil(
             ),
         ],
     }
-    .write(path)
 }
 
 fn cell_arrays<'a, R: Precision>(domain: &'a PlacedDomain<'a>, state: &'a State<R>) -> Vec<DataArray<'a>> {

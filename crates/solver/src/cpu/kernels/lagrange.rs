@@ -38,7 +38,7 @@ struct Inputs<'a> {
     soil_mass: &'a [Real],
     mass: &'a [Real],
     velocity: [&'a [Real]; 3],
-    row_has_soil: &'a [bool],
+    row_is_strained: &'a [bool],
     /// Material of each cell; empty where there is only one.
     material: &'a [u8],
     materials: &'a [MaterialConstants],
@@ -61,7 +61,7 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
         team,
         partition,
         serial_fallback,
-        row_has_soil,
+        row_is_strained,
         velocity_before,
         workers,
         row_sums,
@@ -79,7 +79,7 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
         soil_mass: if mass_as_main.is_empty() { mass } else { mass_as_main },
         mass: &state.nodes.mass,
         velocity: velocity_before.each_ref().map(Vec::as_slice),
-        row_has_soil,
+        row_is_strained,
         material,
         materials,
         clears,
@@ -138,7 +138,7 @@ impl Inputs<'_> {
     /// Whether there is soil around a row of nodes. If not, the cells below exert no forces on it.
     fn nodes_have_soil(&self, [q, plane]: [usize; 2]) -> bool {
         let rows = self.grid.rows();
-        let cells = |p: usize, q: usize| self.row_has_soil[p * rows + q];
+        let cells = |p: usize, q: usize| self.row_is_strained[p * rows + q];
         q > 0 && (cells(plane - 1, q - 1) || cells(plane - 1, q) || cells(plane, q - 1) || cells(plane, q))
     }
 }
@@ -226,8 +226,8 @@ fn strain_row_of(inputs: &Inputs, slice: &mut WorkerSlice, [q, plane]: [usize; 2
     let [_, row, stride] = grid.stride;
     let length = grid.padded_row();
     let WorkerScratch { coefficients: [_, ahead], block, stopwatch, .. } = &mut *slice.scratch;
-    let has_soil = inputs.row_has_soil[plane * grid.rows() + q];
-    if !has_soil || !grid.is_inside([q, plane]) {
+    let is_strained = inputs.row_is_strained[plane * grid.rows() + q];
+    if !is_strained || !grid.is_inside([q, plane]) {
         set_to_zero(ahead);
         return;
     }
