@@ -13,7 +13,7 @@ use crate::grid::Grid;
 use crate::halo::{self, At, Halo};
 use crate::model::Model;
 use crate::precision::Precision;
-use crate::state::State;
+use crate::state::{Nodes, State};
 use crate::workspace::Workspace;
 
 /// The six orders of the axes; each begins where the last ended, so that no axis is favoured. 0 is the horizontal axis along which
@@ -27,9 +27,10 @@ pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut 
     let (grid, halo) = (&model.grid, halo);
     let before = energy::total(model, state, soil, halo) - state.energy_balance.inflow_elastic;
     let active = rows_near_soil(grid, &soil.row_has_soil);
-    // Since the last remap only the first of the ghost layers has been strained.
+    // Since the last remap only the first of the ghost layers has been strained and moved.
     halo::fill(halo, grid, At::Cells, state.soil.arrays_mut());
-    halo::fill(halo, grid, At::Nodes, &mut state.nodes.displacement);
+    let Nodes { displacement, velocity, .. } = &mut state.nodes;
+    halo::fill(halo, grid, At::Nodes, displacement.iter_mut().chain(velocity));
     ghosts::follow(model, state);
     R::displaced_volumes(model, state, soil);
     let mut ghosts = Ghosts::new(model, state, &soil.velocity_before[0], halo);

@@ -31,7 +31,7 @@ pub fn step<R: Precision>(
     bodies::predict(model, mechanism, state, moving);
     let work = contact::solve(model, state, (soil, halo), contact, moving);
     bodies::advance(mechanism, state, moving);
-    halo::fill(halo, &model.grid, At::Nodes, &mut state.nodes.velocity);
+    halo::fill_first(halo, &model.grid, At::Nodes, &mut state.nodes.velocity);
     pore_pressure::renew(model, state, soil, seepage, (contact, halo))?;
     account(model, state, &sums, moving, &work);
     state.time += dt;

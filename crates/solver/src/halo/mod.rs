@@ -287,6 +287,26 @@ pub(crate) fn fill<'a, R: Scalar>(
     at: At,
     arrays: impl IntoIterator<Item = &'a mut Vec<R>>,
 ) {
+    fill_layers(halo, grid, (at, GHOSTS), arrays);
+}
+
+/// Fills the first of the ghost layers only, beside the block.
+pub(crate) fn fill_first<'a, R: Scalar>(
+    halo: &Halo,
+    grid: &Grid,
+    at: At,
+    arrays: impl IntoIterator<Item = &'a mut Vec<R>>,
+) {
+    fill_layers(halo, grid, (at, 1), arrays);
+}
+
+/// Fills so many ghost layers, from the block outwards.
+fn fill_layers<'a, R: Scalar>(
+    halo: &Halo,
+    grid: &Grid,
+    (at, depth): (At, usize),
+    arrays: impl IntoIterator<Item = &'a mut Vec<R>>,
+) {
     if halo.is_alone() {
         return;
     }
@@ -296,7 +316,7 @@ pub(crate) fn fill<'a, R: Scalar>(
         let sent = [0, 1].map(|end| {
             let mut values = Vec::new();
             if grid.is_cut(axis, end) {
-                let sent = rows(grid, at, axis, edge(grid, at, axis, end));
+                let sent = rows(grid, at, axis, edge(grid, (at, depth), axis, end));
                 values.reserve(sent.len() * arrays.len() * stride);
                 for array in &arrays {
                     for row in &sent {
@@ -310,7 +330,7 @@ pub(crate) fn fill<'a, R: Scalar>(
             if !grid.is_cut(axis, end) {
                 continue;
             }
-            let filled = rows(grid, at, axis, ghosts(grid, at, axis, end));
+            let filled = rows(grid, at, axis, ghosts(grid, (at, depth), axis, end));
             let mut received = received.chunks_exact(stride);
             for array in &mut arrays {
                 for row in &filled {
@@ -325,24 +345,24 @@ pub(crate) fn fill<'a, R: Scalar>(
 }
 
 /// Layers needed by the neighbour at an end. Both blocks hold the nodes on the boundary between them.
-fn edge(grid: &Grid, at: At, axis: usize, end: usize) -> std::ops::Range<usize> {
+fn edge(grid: &Grid, (at, depth): (At, usize), axis: usize, end: usize) -> std::ops::Range<usize> {
     let on_boundary = usize::from(at == At::Nodes);
     if end == 0 {
         let own = grid.own[axis].start - grid.first[axis];
-        own + on_boundary..own + on_boundary + GHOSTS
+        own + on_boundary..own + on_boundary + depth
     } else {
         let beyond = grid.own[axis].end - grid.first[axis];
-        beyond - GHOSTS..beyond
+        beyond - depth..beyond
     }
 }
 
 /// Ghost layers at an end.
-fn ghosts(grid: &Grid, at: At, axis: usize, end: usize) -> std::ops::Range<usize> {
+fn ghosts(grid: &Grid, (at, depth): (At, usize), axis: usize, end: usize) -> std::ops::Range<usize> {
     if end == 0 {
-        0..GHOSTS
+        GHOSTS - depth..GHOSTS
     } else {
         let own = grid.own[axis].end - grid.first[axis] + usize::from(at == At::Nodes);
-        own..own + GHOSTS
+        own..own + depth
     }
 }
 

@@ -43,7 +43,7 @@ pub(crate) fn balance_water<R: Scalar>(
     let height = state.grid_position.z;
     let balance = Balance { model, water, mobility, with_inertia: mobility + inertia, height };
     balance.guess(state, soil, workspace);
-    halo::fill(halo, &model.grid, At::Cells, [&mut workspace.direction]);
+    halo::fill_first(halo, &model.grid, At::Cells, [&mut workspace.direction]);
     balance.find_residual(state, soil, workspace);
     let [mut left, taken] = soil.total_of_rows(&model.grid, halo);
     let enough = TOLERANCE * TOLERANCE * taken;
@@ -53,7 +53,7 @@ pub(crate) fn balance_water<R: Scalar>(
             break;
         }
         turn(&model.grid, soil, workspace, conjugate);
-        halo::fill(halo, &model.grid, At::Cells, [&mut workspace.direction]);
+        halo::fill_first(halo, &model.grid, At::Cells, [&mut workspace.direction]);
         apply(&model.grid, soil, workspace);
         let [curvature, _] = soil.total_of_rows(&model.grid, halo);
         advance(&model.grid, soil, workspace, left / curvature);
@@ -62,7 +62,7 @@ pub(crate) fn balance_water<R: Scalar>(
         left = next;
     }
     balance.finish(state, soil, workspace);
-    halo::fill(halo, &model.grid, At::Cells, pressures(&mut state.soil.history));
+    halo::fill_first(halo, &model.grid, At::Cells, pressures(&mut state.soil.history));
     // What is not a number is found by the check at the end of the step.
     if left > enough { (left / enough).sqrt() } else { 0.0 }
 }
