@@ -200,9 +200,9 @@ impl Halo {
     pub fn gather(&self, values: Vec<f64>) -> Vec<f64> {
         match self.line() {
             None => values,
-            Some(mut line) => {
-                line.collectively(&values, |communicator| communicator.gather(&values)).concat()
-            }
+            Some(mut line) => line
+                .collectively(size_of_val(values.as_slice()), |communicator| communicator.gather(&values))
+                .concat(),
         }
     }
 
@@ -210,7 +210,8 @@ impl Halo {
     pub fn collect(&self, values: Vec<f64>) -> Vec<Vec<f64>> {
         match self.line() {
             None => vec![values],
-            Some(mut line) => line.collectively(&values, |communicator| communicator.collect(&values)),
+            Some(mut line) => line
+                .collectively(size_of_val(values.as_slice()), |communicator| communicator.collect(&values)),
         }
     }
 
@@ -225,14 +226,14 @@ impl Halo {
     /// Replaces each of `values` by its sum over all blocks.
     pub fn add(&self, values: &mut [i64]) {
         if let Some(mut line) = self.line() {
-            line.collectively(&values.to_vec(), |communicator| communicator.add(values));
+            line.collectively(size_of_val(values), |communicator| communicator.add(values));
         }
     }
 
     /// Replaces each of `values` by the largest in any block.
     pub fn largest(&self, values: &mut [f64]) {
         if let Some(mut line) = self.line() {
-            line.collectively(&values.to_vec(), |communicator| communicator.largest(values));
+            line.collectively(size_of_val(values), |communicator| communicator.largest(values));
         }
     }
 
@@ -259,14 +260,10 @@ impl Line {
         outcome
     }
 
-    /// The same for an operation of all processes, into which these values go.
-    fn collectively<V, T>(
-        &mut self,
-        values: &[V],
-        communicate: impl FnOnce(&mut dyn Communicator) -> T,
-    ) -> T {
+    /// The same for an operation of all processes, into which so many bytes go.
+    fn collectively<T>(&mut self, bytes: usize, communicate: impl FnOnce(&mut dyn Communicator) -> T) -> T {
         self.traffic.collectives += 1;
-        self.traffic.collective_bytes += size_of_val(values) as u64;
+        self.traffic.collective_bytes += bytes as u64;
         self.timed(communicate)
     }
 }
