@@ -51,8 +51,13 @@ fn positive(text: &str) -> Result<f64, String> {
 
 pub(super) fn bench(arguments: &Arguments) -> Result<(), Failure> {
     let world = World::begin()?;
-    let options = options(arguments, world.size() > 1 || arguments.as_rank || !arguments.ranks.is_empty())?;
-    if world.size() > 1 || arguments.as_rank {
+    world.conclude(bench_in(arguments, &world))
+}
+
+fn bench_in(arguments: &Arguments, world: &World) -> Result<(), Failure> {
+    let is_rank = world.size() > 1 || arguments.as_rank;
+    let options = options(arguments, is_rank || !arguments.ranks.is_empty())?;
+    if is_rank {
         let measured = as_rank(&options)?;
         return if world.is_first() { say_scaling(arguments, vec![measured]) } else { Ok(()) };
     }

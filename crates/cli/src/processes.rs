@@ -30,6 +30,20 @@ impl World {
         self.universe.as_ref().is_none_or(|universe| line::place(universe)[0] == 0)
     }
 
+    /// Ends the work of this process, alike in all. Of several the first says why it failed, here and now: a launcher that sees one
+    /// of them leave with a failure ends the others, which wait for each other only as long as there is a world.
+    pub(crate) fn conclude(&self, outcome: Result<(), Failure>) -> Result<(), Failure> {
+        outcome.map_err(|failure| {
+            if self.size() == 1 {
+                return failure;
+            }
+            if self.is_first() {
+                failure.report();
+            }
+            failure.unsaid()
+        })
+    }
+
     pub(crate) fn size(&self) -> usize {
         self.universe.as_ref().map_or(1, |universe| line::place(universe)[1])
     }

@@ -94,11 +94,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let why = format!(
             "{option} starts one run after the other, each in one process; leave out mpirun, or run the cases one by one"
         );
-        return Err(if world.is_first() { Failure::Request(why) } else { Failure::Elsewhere(2) });
+        return world.conclude(Err(Failure::Request(why)));
     }
-    let outcome = run_one(arguments, &world);
-    // All processes end alike; the first says how.
-    if world.is_first() { outcome } else { outcome.map_err(Failure::unsaid) }
+    world.conclude(run_one(arguments, &world))
 }
 
 fn run_one(arguments: &Arguments, world: &World) -> Result<(), Failure> {
