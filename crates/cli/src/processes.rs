@@ -66,7 +66,7 @@ mod line {
         match *universe {}
     }
 
-    /// The line to the other processes of a run: there are none.
+    /// The communicator of a run in one process.
     pub(crate) fn communicator() -> Box<dyn Communicator> {
         coulter::run::alone()
     }
@@ -116,7 +116,7 @@ mod line {
         [world.rank() as usize, world.size() as usize]
     }
 
-    /// The line to the other processes of a run.
+    /// The communicator of a run.
     pub(crate) fn communicator() -> Box<dyn Communicator> {
         if HAS_BEGUN.load(Ordering::Relaxed) {
             Box::new(solver::halo::mpi::World)

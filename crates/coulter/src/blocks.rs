@@ -57,12 +57,6 @@ pub(crate) struct Balance {
     seconds: f64,
 }
 
-impl Default for Balance {
-    fn default() -> Self {
-        Self { next: Self::FIRST, interval: Self::FIRST, seconds: 0.0 }
-    }
-}
-
 impl Balance {
     /// Steps to the first comparison.
     const FIRST: u64 = 64;
@@ -70,6 +64,11 @@ impl Balance {
     const LONGEST: u64 = 2048;
     /// Fraction of the time of a step that must be gained.
     const GAIN: f64 = 0.05;
+
+    /// That of a run which begins, or goes on, at a step.
+    pub(crate) fn from(step: u64) -> Self {
+        Self { next: step + Self::FIRST, interval: Self::FIRST, seconds: 0.0 }
+    }
 
     /// Counts a step that took so long without communication [s].
     pub(crate) fn count(&mut self, seconds: f64) {

@@ -200,6 +200,7 @@ impl<R: Precision> Simulation<R> {
             ..History::default()
         };
         let last_sample = LastSample::of(&state);
+        let balance = Balance::from(state.step);
         let mut simulation = Self {
             case: case.clone(),
             model,
@@ -209,7 +210,7 @@ impl<R: Precision> Simulation<R> {
             setting: Setting::of(case),
             workspace,
             last_sample,
-            balance: Balance::default(),
+            balance,
         };
         if simulation.state.step == 0 {
             let Self { case, model, state, workspace, history, .. } = &mut simulation;

@@ -50,7 +50,7 @@ pub struct RankMeasurement {
     pub bytes_per_cut_row: f64,
     /// Messages per cut of a block; 0 without cuts.
     pub messages_per_cut: f64,
-    /// Operations of all processes together.
+    /// Collective operations.
     pub collectives: f64,
     /// Bytes that all processes put into them.
     pub collective_bytes: f64,
@@ -84,8 +84,9 @@ pub fn measure_ranks(
     }
 }
 
-/// What one process has to say of itself, in the order in which it is gathered. Times are those of all steps.
+/// What one process has to say of itself. Times are those of all steps.
 struct Own {
+    remaps: u64,
     wall: f64,
     compute: f64,
     contact: f64,
@@ -98,8 +99,6 @@ struct Own {
     filled: f64,
 }
 
-const OWN: usize = 10;
-
 fn measure_in<R: Precision>(
     options: &Options,
     mut communicator: Box<dyn Communicator>,
@@ -107,35 +106,31 @@ fn measure_in<R: Precision>(
     let network = Network::measure(communicator.as_mut());
     let mut simulation = Simulation::<R>::of_block(&case_for(options, options.threads), communicator)?;
     simulation.steps(options.warm_up)?;
-    let remaps = simulation.state.remaps;
     let own = own(&mut simulation, options.steps)?;
-    let remaps = simulation.state.remaps - remaps;
-    let all: Vec<Own> =
-        simulation.halo().gather(own.to_array().to_vec()).chunks_exact(OWN).map(Own::of).collect();
-    let steps = f64::from(options.steps);
-    let sum = |value: fn(&Own) -> f64| all.iter().map(value).sum::<f64>();
-    let most = |value: fn(&Own) -> f64| all.iter().map(value).fold(0.0, f64::max);
+    let (steps, ranks) = (f64::from(options.steps), simulation.halo().blocks());
+    let sum = |value: f64| simulation.halo().gather(vec![value]).iter().sum::<f64>();
+    let most = |value: f64| simulation.halo().gather(vec![value]).into_iter().fold(0.0, f64::max);
     let per = |value: f64, of: f64| if of > 0.0 { value / of } else { 0.0 };
     let [columns, rows, planes] = simulation.model.grid.domain.clone().map(|layers| layers.len());
     Ok(RankMeasurement {
         format: formats::DOCUMENT,
         case: options.case.name.clone(),
         precision: R::NAME.to_owned(),
-        ranks: all.len(),
+        ranks,
         threads: simulation.threads(),
         cells: [columns, rows, planes],
-        filled_cells: sum(|own| own.filled) as usize,
+        filled_cells: sum(own.filled) as usize,
         steps: options.steps,
-        remaps,
-        step_s: most(|own| own.wall) / steps,
-        compute_s: [most(|own| own.compute), sum(|own| own.compute) / all.len() as f64].map(|s| s / steps),
-        contact: sum(|own| own.contact) / all.len() as f64,
-        messages: most(|own| own.messages) / steps,
-        message_bytes: most(|own| own.bytes) / steps,
-        bytes_per_cut_row: per(sum(|own| own.bytes), steps * sum(|own| own.cut_rows)),
-        messages_per_cut: per(sum(|own| own.messages), steps * sum(|own| own.cuts)),
-        collectives: most(|own| own.collectives) / steps,
-        collective_bytes: sum(|own| own.collective_bytes) / steps,
+        remaps: own.remaps,
+        step_s: most(own.wall) / steps,
+        compute_s: [most(own.compute), sum(own.compute) / ranks as f64].map(|s| s / steps),
+        contact: sum(own.contact) / ranks as f64,
+        messages: most(own.messages) / steps,
+        message_bytes: most(own.bytes) / steps,
+        bytes_per_cut_row: per(sum(own.bytes), steps * sum(own.cut_rows)),
+        messages_per_cut: per(sum(own.messages), steps * sum(own.cuts)),
+        collectives: most(own.collectives) / steps,
+        collective_bytes: sum(own.collective_bytes) / steps,
         network,
     })
 }
@@ -144,8 +139,10 @@ fn measure_in<R: Precision>(
 /// on the steps that follow.
 fn own<R: Precision>(simulation: &mut Simulation<R>, steps: u32) -> Result<Own, Breakdown> {
     simulation.halo().meet();
+    let remaps = simulation.state.remaps;
     let (before, clock) = (simulation.halo().traffic(), Instant::now());
     simulation.steps(steps)?;
+    let remaps = simulation.state.remaps - remaps;
     let (wall, after) = (clock.elapsed().as_secs_f64(), simulation.halo().traffic());
     simulation.stopwatch().start();
     simulation.steps(steps.div_ceil(4))?;
@@ -155,6 +152,7 @@ fn own<R: Precision>(simulation: &mut Simulation<R>, steps: u32) -> Result<Own, 
     let domain = PlacedDomain::of(grid, simulation.state.grid_position);
     let [cuts, cut_rows] = cuts(grid);
     Ok(Own {
+        remaps,
         wall,
         compute: wall - (after.seconds - before.seconds),
         contact: stopwatch.seconds(Stage::Contact) / all,
@@ -173,39 +171,4 @@ fn cuts(grid: &Grid) -> [f64; 2] {
     let each = [(1, 0), (1, 1), (2, 0), (2, 1)];
     let cut = each.into_iter().filter(|(axis, end)| grid.is_cut(*axis, *end));
     cut.fold([0.0, 0.0], |[cuts, rows], (axis, _)| [cuts + 1.0, rows + grid.own[3 - axis].len() as f64])
-}
-
-impl Own {
-    fn to_array(&self) -> [f64; OWN] {
-        let Self {
-            wall,
-            compute,
-            contact,
-            messages,
-            bytes,
-            collectives,
-            collective_bytes,
-            cut_rows,
-            cuts,
-            filled,
-        } = *self;
-        [wall, compute, contact, messages, bytes, collectives, collective_bytes, cut_rows, cuts, filled]
-    }
-
-    fn of(values: &[f64]) -> Self {
-        let [wall, compute, contact, messages, bytes, collectives, collective_bytes, cut_rows, cuts, filled] =
-            std::array::from_fn(|n| values[n]);
-        Self {
-            wall,
-            compute,
-            contact,
-            messages,
-            bytes,
-            collectives,
-            collective_bytes,
-            cut_rows,
-            cuts,
-            filled,
-        }
-    }
 }

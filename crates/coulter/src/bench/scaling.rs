@@ -154,8 +154,8 @@ pub fn scaling_table(scaling: &Scaling, processors: usize) -> String {
     }
     let _ = writeln!(
         text,
-        "{:>6}{:>9}{:>11}{:>12}{:>11}{:>10}{:>10}{:>10}{:>11}",
-        "ranks", "threads", "time", "computing", "imbalance", "messages", "kB", "together", "efficiency"
+        "{:>6}{:>9}{:>11}{:>12}{:>11}{:>10}{:>10}{:>13}{:>11}",
+        "ranks", "threads", "time", "computing", "imbalance", "messages", "kB", "collectives", "efficiency"
     );
     let one = measured.iter().find(|own| own.ranks == 1).map(|own| own.step_s);
     for own in measured {
@@ -164,7 +164,7 @@ pub fn scaling_table(scaling: &Scaling, processors: usize) -> String {
             .map_or(String::new(), |one| format!("{:.0} %", 100.0 * one / (own.ranks as f64 * own.step_s)));
         let _ = writeln!(
             text,
-            "{:>6}{:>9}{:>8.2} ms{:>9.2} ms{:>9.1} %{:>10.1}{:>10.1}{:>10.1}{efficiency:>11}{}",
+            "{:>6}{:>9}{:>8.2} ms{:>9.2} ms{:>9.1} %{:>10.1}{:>10.1}{:>13.1}{efficiency:>11}{}",
             own.ranks,
             own.threads,
             1e3 * own.step_s,
@@ -179,7 +179,7 @@ pub fn scaling_table(scaling: &Scaling, processors: usize) -> String {
     if let Some(network) = network {
         let _ = writeln!(
             text,
-            "\nPrediction, not measured, with {:.1} µs + bytes / ({:.1} GB/s) for a message and {:.1} µs log₂ P for what P do together:\n",
+            "\nPrediction, not measured, with {:.1} µs + bytes / ({:.1} GB/s) for a message and {:.1} µs log₂ P for a collective operation of P:\n",
             1e6 * network.latency_s,
             1e-9 * network.bandwidth,
             1e6 * network.collective_s

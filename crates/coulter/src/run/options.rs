@@ -39,11 +39,11 @@ pub struct RunOptions<'a> {
     pub interrupts: &'a Interrupts,
     /// The case file as typed, with overrides written into it; stored with the results.
     pub typed: &'a str,
-    /// The line to the other processes of the run, asked for at its start; [`alone`] for a run in one process.
+    /// The communicator of the run, asked for at its start; [`alone`] for a run in one process.
     pub communicator: fn() -> Box<dyn Communicator>,
 }
 
-/// The line of a run in one process.
+/// The communicator of a run in one process.
 #[must_use]
 pub fn alone() -> Box<dyn Communicator> {
     Box::new(Alone)

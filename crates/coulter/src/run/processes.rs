@@ -19,7 +19,7 @@ impl Processes {
         [self.communicator.rank(), self.communicator.size()]
     }
 
-    /// The line to the others.
+    /// The communicator, and what went through it.
     pub(super) fn into_communicator(self) -> Box<dyn Communicator> {
         self.communicator
     }

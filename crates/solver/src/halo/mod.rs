@@ -106,7 +106,7 @@ pub struct Halo {
     beyond: [[usize; 2]; 2],
 }
 
-/// The line to the others.
+/// The communicator, and what went through it.
 struct Line {
     communicator: Box<dyn Communicator>,
     traffic: Traffic,
@@ -162,7 +162,7 @@ impl Halo {
         self.beyond[axis - 1]
     }
 
-    /// The same line to the others, for a grid that is cut anew.
+    /// The same communicator, for a grid that is cut anew.
     ///
     /// # Panics
     /// If there are not as many processes as blocks.

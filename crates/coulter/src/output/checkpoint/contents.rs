@@ -51,7 +51,7 @@ pub struct CheckpointView<'a, R> {
     pub case: String,
     /// The state of the solver.
     pub state: &'a State<R>,
-    /// The grid, or this block of it, and the line to the others.
+    /// The grid, or this block of it, and its halo.
     pub block: (&'a Grid, &'a Halo),
     /// The history so far.
     pub history: &'a History,

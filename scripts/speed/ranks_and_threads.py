@@ -1,0 +1,62 @@
+#!/usr/bin/env python3
+"""Threads beside processes, in turns: time of a step of the towed disc at d/h = 40.
+
+    ranks_and_threads.py COULTER [ROUNDS]
+
+COULTER is built with `--features mpi`. Each round runs one thread, two threads, two processes of one thread and one process under
+`mpirun`, and takes the seconds in steps over their number from `summary.json`. Last come the medians, and the medians of the ratios
+within a round. Python 3, standard library only.
+"""
+
+import json
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+CASE = Path(__file__).resolve().parents[2] / "cases" / "light_disc.toml"
+KEYS = [
+    'grid.cell="5 mm"',
+    'run.tow_distance="2 mm"',
+    "body.disc.sinkage=20 mm",
+    "body.disc.forward.start=0 s",
+    "body.disc.forward.ramp=10 ms",
+    "body.disc.heave.ramp=10 ms",
+]
+UNBOUND = ["mpirun", "--bind-to", "none", "-n"]
+WAYS = {"1 thread": ([], 1), "2 threads": ([], 2), "2 processes": ([*UNBOUND, "2"], 1), "1 process": ([*UNBOUND, "1"], 1)}
+RATIOS = [("1 thread", "2 threads"), ("2 processes", "2 threads"), ("1 process", "1 thread")]
+
+
+def milliseconds(coulter: str, launcher: list[str], threads: int) -> float:
+    """Time of a step [ms]."""
+    allowed = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"} if os.geteuid() == 0 else {}
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = Path(scratch) / "run"
+        sets = [word for key in KEYS for word in ("--set", key)]
+        words = [*launcher, coulter, "run", str(CASE), *sets, "--threads", str(threads), "-o", str(folder)]
+        done = subprocess.run(words, env={**os.environ, **allowed}, capture_output=True, text=True)
+        # 1: a result that the run does not trust takes as long.
+        if done.returncode not in (0, 1):
+            sys.exit(done.stderr)
+        summary = json.loads((folder / "summary.json").read_text())
+    return 1e3 * summary["wall_s"] / summary["steps"]
+
+
+def main() -> None:
+    coulter, rounds = str(Path(sys.argv[1]).resolve()), int(sys.argv[2]) if len(sys.argv) > 2 else 5
+    taken: dict[str, list[float]] = {way: [] for way in WAYS}
+    for _ in range(rounds):
+        for way, (launcher, threads) in WAYS.items():
+            taken[way].append(milliseconds(coulter, launcher, threads))
+        print("  ".join(f"{way}: {times[-1]:.2f} ms" for way, times in taken.items()), flush=True)
+    print("medians:", "  ".join(f"{way}: {statistics.median(times):.2f} ms" for way, times in taken.items()))
+    for one, other in RATIOS:
+        each = [a / b for a, b in zip(taken[one], taken[other])]
+        print(f"{one} over {other}: {statistics.median(each):.2f} ({min(each):.2f} to {max(each):.2f})")
+
+
+if __name__ == "__main__":
+    main()
