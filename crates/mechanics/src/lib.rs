@@ -42,6 +42,6 @@ pub use mechanism::{JointState, Mechanism, MechanismState};
 pub use mobility::Mobility;
 pub use motion::Motion;
 pub use pose::Pose;
-pub use step::{Conditions, Step};
+pub use step::{Conditions, Step, StruckBody};
 pub use twist::Twist;
 pub use wrench::Wrench;

@@ -4,6 +4,7 @@
 //! step with these impulses.
 
 use crate::impulses::{Impulses, Work};
+use crate::mobility::Mobility;
 use crate::moving::{MovingBody, MovingJoint};
 use crate::system::System;
 use crate::twist::Twist;
@@ -30,7 +31,47 @@ pub struct Step {
     pub(crate) system: System,
 }
 
+/// What contact needs of a body in its sweeps, apart from all else: how it moves and responds.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct StruckBody {
+    /// Its twist.
+    pub twist: Twist,
+    mobility: Mobility,
+    /// The whole body over its modelled portion.
+    whole: f64,
+    /// Impulses of contact so far, on the whole body.
+    contact: Wrench,
+}
+
+impl StruckBody {
+    /// Applies an impulse about the reference point to the modelled portion of the body.
+    #[inline]
+    pub fn apply(&mut self, impulse: &Wrench) {
+        let on_whole = self.whole * *impulse;
+        self.contact += on_whole;
+        self.twist += self.mobility.response(&on_whole);
+    }
+}
+
 impl Step {
+    /// A body as contact sees it; what happens to it counts once it is [put back](Self::put_back).
+    #[must_use]
+    pub fn struck(&self, body: usize) -> StruckBody {
+        let body = &self.bodies[body];
+        StruckBody {
+            twist: body.twist,
+            mobility: body.mobility,
+            whole: 1.0 / body.modelled_fraction,
+            contact: body.impulses.contact,
+        }
+    }
+
+    /// Takes over the twist of a body and the impulses on it.
+    pub fn put_back(&mut self, body: usize, struck: &StruckBody) {
+        let body = &mut self.bodies[body];
+        (body.twist, body.impulses.contact) = (struck.twist, struck.contact);
+    }
+
     /// Duration [s].
     #[must_use]
     pub fn dt(&self) -> f64 {

@@ -19,6 +19,7 @@ impl Twist {
 
     /// Velocity of the body's point at `arm` from the reference point [m/s].
     #[must_use]
+    #[inline]
     pub fn at(&self, arm: DVec3) -> DVec3 {
         self.linear + self.angular.cross(arm)
     }
@@ -26,12 +27,14 @@ impl Twist {
 
 impl Add for Twist {
     type Output = Self;
+    #[inline]
     fn add(self, other: Self) -> Self {
         Self { linear: self.linear + other.linear, angular: self.angular + other.angular }
     }
 }
 
 impl AddAssign for Twist {
+    #[inline]
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
@@ -46,6 +49,7 @@ impl Sub for Twist {
 
 impl Mul<Twist> for f64 {
     type Output = Twist;
+    #[inline]
     fn mul(self, twist: Twist) -> Twist {
         Twist { linear: self * twist.linear, angular: self * twist.angular }
     }

@@ -20,6 +20,7 @@ impl Wrench {
 
     /// Of a force or an impulse at `arm` from the reference point [m].
     #[must_use]
+    #[inline]
     pub fn at(arm: DVec3, force: DVec3) -> Self {
         Self { force, moment: arm.cross(force) }
     }
@@ -45,12 +46,14 @@ impl Wrench {
 
 impl Add for Wrench {
     type Output = Self;
+    #[inline]
     fn add(self, other: Self) -> Self {
         Self { force: self.force + other.force, moment: self.moment + other.moment }
     }
 }
 
 impl AddAssign for Wrench {
+    #[inline]
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
@@ -65,6 +68,7 @@ impl Sub for Wrench {
 
 impl Mul<Wrench> for f64 {
     type Output = Wrench;
+    #[inline]
     fn mul(self, wrench: Wrench) -> Wrench {
         Wrench { force: self * wrench.force, moment: self * wrench.moment }
     }

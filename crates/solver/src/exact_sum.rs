@@ -61,6 +61,14 @@ impl ExactSum {
         self.digits[digit + 1] += sign * high;
     }
 
+    /// Adds the terms of another sum.
+    pub fn merge(&mut self, mut other: Self) {
+        // The carries of both fit into what a thousand terms leave.
+        self.carry();
+        other.carry();
+        self.digits.iter_mut().zip(other.digits).for_each(|(own, digit)| *own += digit);
+    }
+
     /// Brings all digits but the last into 0 to 2³² − 1: the only such form of the sum.
     fn carry(&mut self) {
         let mut carry = 0;
@@ -159,6 +167,13 @@ mod tests {
         let all = sum(&terms);
         terms.reverse();
         assert_eq!(sum(&terms).to_bits(), all.to_bits());
+        let mut parts = ExactSum::default();
+        for part in terms.chunks(1023) {
+            let mut own = ExactSum::default();
+            part.iter().for_each(|term| own.add(*term));
+            parts.merge(own);
+        }
+        assert_eq!(parts.value().to_bits(), all.to_bits());
         terms.sort_by(f64::total_cmp);
         assert_eq!(sum(&terms).to_bits(), all.to_bits());
         terms.extend(terms.clone().iter().map(|term| -term));

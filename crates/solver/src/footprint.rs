@@ -1,7 +1,7 @@
 //! Memory of a run, predicted from its model before anything is allocated. All in bytes, as floats, since a
 //! prediction may exceed any integer.
 
-use crate::contact::{BodyCell, ContactNode, kept_per_constraint, layout, rim, stays_across};
+use crate::contact::{BodyCell, ContactNode, SlipTerms, kept_per_constraint, layout, rim, stays_across};
 use crate::cpu::{seepage, workspace};
 use crate::fields::arrays;
 use crate::model::{BodyModel, Model};
@@ -99,12 +99,14 @@ fn body_cells(model: &Model) -> f64 {
     model.bodies.iter().filter(|body| body.shape.has_surface()).map(cells).sum()
 }
 
-/// Memory of a contact point, before and after a search: the point, its nodes, its constraint, its impulses.
+/// Memory of a contact point, before and after a search: the point, its nodes, its constraint and whether it is active, its impulses,
+/// and what it adds to the sums over the rim.
 fn per_contact() -> f64 {
     let one = size_of::<Contact>() as f64;
     let lists = size_of::<[u32; 8]>()
-        + 2 * size_of::<Option<usize>>()
+        + size_of::<(usize, u32, bool)>()
         + size_of::<[DVec3; 2]>()
+        + size_of::<SlipTerms>()
         + size_of::<[usize; 8]>();
     2.0 * one + lists as f64
 }

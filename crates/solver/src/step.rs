@@ -27,7 +27,7 @@ pub fn step<R: Precision>(
     // Lagrangian stage: the soil deforms, the grid stays.
     R::lagrangian_stage(model, state, &mut workspace.soil, dt);
     let Workspace { soil, contact, seepage, mechanism, bodies: moving, halo } = workspace;
-    let sums = soil.total_of_stage(&model.grid, halo);
+    let sums = soil.total_of_stage(halo);
     bodies::predict(model, mechanism, state, moving);
     let work = contact::solve(model, state, (soil, halo), contact, moving);
     bodies::advance(mechanism, state, moving);

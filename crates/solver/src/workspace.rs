@@ -51,9 +51,10 @@ impl<R: Precision> Workspace<R> {
         if state.step == 0 && !halo.is_alone() {
             initial::balance_blocks(model, state, &halo);
         }
+        let soil = SoilWorkspace::new(model, state, threads);
         let mut workspace = Self {
-            soil: SoilWorkspace::new(model, state, threads),
-            contact: ContactWorkspace::new(model, state, &halo),
+            contact: ContactWorkspace::new(model, state, soil.crew(), &halo),
+            soil,
             seepage: SeepageWorkspace::new(model),
             mechanism: model.mechanism(),
             bodies: Step::default(),
@@ -63,9 +64,9 @@ impl<R: Precision> Workspace<R> {
             let Self { soil, contact, halo, .. } = &mut workspace;
             contact::first_search(model, state, soil, contact, halo);
         }
-        let Self { contact, seepage, .. } = &mut workspace;
+        let Self { contact, seepage, soil, .. } = &mut workspace;
         if model.pore_water.is_some() && state.step > 0 {
-            contact.body_cells = contact::bodies_at_search(model, state);
+            contact.body_cells = contact::bodies_at_search(model, state, soil.crew());
         }
         pore_pressure::find_paths(model, state, seepage, contact);
         workspace.soil.settle(state);

@@ -1,5 +1,7 @@
 //! Body volume fraction: the fraction of each cell that bodies occupy.
 
+use crate::cpu::threads::Crew;
+use crate::cpu::workspace::SoilWorkspace;
 use crate::exact_sum::{ExactSum, over_blocks};
 use crate::grid::Grid;
 use crate::halo::Halo;
@@ -17,13 +19,14 @@ const LAYERS_ABOVE_SOIL: usize = 3;
 pub(crate) fn find_bodies<R: Scalar>(
     model: &Model,
     state: &mut State<R>,
-    body_fraction: &mut [R],
+    soil: &mut SoilWorkspace<R>,
     body_cells: &mut Vec<BodyCell>,
 ) {
     for n in 0..state.bodies.len() {
         state.bodies[n].searched_at = *state.pose(n);
     }
-    *body_cells = bodies_at_search(model, state);
+    *body_cells = bodies_at_search(model, state, soil.crew());
+    let body_fraction = &mut soil.velocity_before[0];
     for own in body_cells {
         let sum = body_fraction[own.cell].to_f64() + R::cast(own.fraction).to_f64();
         body_fraction[own.cell] = R::cast(sum.min(1.0));
@@ -31,18 +34,23 @@ pub(crate) fn find_bodies<R: Scalar>(
 }
 
 /// The cells near the soil that bodies occupied at the last contact search.
-pub(crate) fn bodies_at_search<R: Scalar>(model: &Model, state: &State<R>) -> Vec<BodyCell> {
+pub(crate) fn bodies_at_search<R: Scalar>(model: &Model, state: &State<R>, crew: Crew) -> Vec<BodyCell> {
+    /// Cells that a thread takes at once.
+    const AT_ONCE: usize = 64;
     // What bodies occupy high above the soil concerns nobody, and is most of a wheel.
     let top = top_of_soil(&model.grid, &state.soil).max(model.top_of_ground() - state.grid_position.z);
-    let mut cells = Vec::new();
+    let mut found = Vec::new();
     for (n, (fixed, body)) in model.bodies.iter().zip(&state.bodies).enumerate() {
         let pose = body.searched_at;
         let in_grid = Pose { position: pose.position - state.grid_position, ..pose };
-        each_occupied_cell((model, top), fixed, &in_grid, |cell, fraction| {
-            cells.push(BodyCell { body: n, cell, fraction });
+        let cells = cells_near((model, top), fixed, &in_grid);
+        let each = crew.collect(cells.len(), AT_ONCE, |range| {
+            let occupied = occupied(model, (fixed, &in_grid), &cells[range]);
+            occupied.map(|(cell, fraction)| BodyCell { body: n, cell, fraction }).collect::<Vec<_>>()
         });
+        found.extend(each.into_iter().flatten());
     }
-    cells
+    found
 }
 
 /// A cell that a body occupies, wholly or in part.
@@ -65,32 +73,31 @@ fn top_of_soil<R: Scalar>(grid: &Grid, soil: &Soil<R>) -> f64 {
     faces[(highest + LAYERS_ABOVE_SOIL).min(faces.len() - 1)]
 }
 
-/// Calls `each(cell, fraction)` for the cells below a height [m] that a body occupies, wholly or in part.
-fn each_occupied_cell(
-    (model, top): (&Model, f64),
-    fixed: &BodyModel,
-    pose: &Pose,
-    mut each: impl FnMut(usize, f64),
-) {
+/// Those of some cells that a body occupies, wholly or in part: their indices in memory, and the volume fractions of the body.
+fn occupied<'a>(
+    model: &'a Model,
+    (fixed, pose): (&'a BodyModel, &Pose),
+    cells: &'a [[usize; 3]],
+) -> impl Iterator<Item = (usize, f64)> + 'a {
     let grid = &model.grid;
     let (position, rotation) = (pose.position, fixed.attitude(pose).inverse());
-    let own = |x: DVec3| rotation * (x - position);
-    let mut visit = |[i, j, k]: [usize; 3]| {
-        let fraction = covered(grid, [i, j, k], (fixed.shape.as_ref(), own));
-        if fraction > 0.0 {
-            each(grid.index(i, j, k), fraction);
-        }
-    };
+    let own = move |x: DVec3| rotation * (x - position);
+    let each = cells.iter().map(move |cell| (*cell, covered(grid, *cell, (fixed.shape.as_ref(), own))));
+    each.filter(|(_, fraction)| *fraction > 0.0).map(|([i, j, k], fraction)| (grid.index(i, j, k), fraction))
+}
+
+/// The cells below a height [m] that the boxes around a body touch, i fastest.
+fn cells_near((model, top): (&Model, f64), fixed: &BodyModel, pose: &Pose) -> Vec<[usize; 3]> {
+    let grid = &model.grid;
     let mut boxes = fixed.boxes(pose);
     boxes.iter_mut().for_each(|(_, high)| high.z = high.z.min(top));
     if let [whole] = boxes[..] {
-        cells_in(grid, whole).for_each(visit);
-    } else {
-        // Boxes of several parts may share cells.
-        let cells: BTreeSet<[usize; 3]> =
-            boxes.into_iter().flat_map(|part| cells_in(grid, part).map(|[i, j, k]| [k, j, i])).collect();
-        cells.into_iter().for_each(|[k, j, i]| visit([i, j, k]));
+        return cells_in(grid, whole).collect();
     }
+    // Boxes of several parts may share cells.
+    let cells: BTreeSet<[usize; 3]> =
+        boxes.into_iter().flat_map(|part| cells_in(grid, part).map(|[i, j, k]| [k, j, i])).collect();
+    cells.into_iter().map(|[k, j, i]| [i, j, k]).collect()
 }
 
 /// The cells that a box touches, i fastest.
@@ -188,9 +195,10 @@ fn normal(x: DVec3, step: DVec3, distance: impl Fn(DVec3) -> f64) -> DVec3 {
 pub(crate) fn cut_out_bodies<R: Scalar>(model: &Model, soil: &mut Soil<R>, poses: &[Pose]) {
     let mut body_fraction = vec![0.0; model.grid.entries];
     for (fixed, pose) in model.bodies.iter().zip(poses) {
-        each_occupied_cell((model, f64::INFINITY), fixed, pose, |c, fraction| {
-            body_fraction[c] = (body_fraction[c] + fraction).min(1.0)
-        });
+        let cells = cells_near((model, f64::INFINITY), fixed, pose);
+        for (c, fraction) in occupied(model, (fixed, pose), &cells) {
+            body_fraction[c] = (body_fraction[c] + fraction).min(1.0);
+        }
     }
     for (f, fraction) in soil.fraction.iter_mut().zip(&body_fraction) {
         let space = R::cast(1.0 - fraction);

@@ -9,24 +9,68 @@
 
 use super::cut_cell;
 use super::problem::{ContactJacobian, ContactProblem, side};
+use crate::cpu::threads::Crew;
 use crate::model::Model;
 use crate::state::{Contact, State};
 use glam::DVec3;
 use std::collections::HashMap;
 
-/// An active constraint of one step.
+/// A constraint in one step.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Constraint {
-    /// Its first contact point.
-    pub(super) first: usize,
-    /// Mean Jacobian of its points.
+    /// Its first contact point that is active, if there is one.
+    pub(super) first: Option<usize>,
+    /// Mean Jacobian of its active points.
     pub(super) jacobian: ContactJacobian,
-    /// Area [m²].
+    /// Their area [m²].
     pub(super) area: f64,
     /// Mean overlap of body and soil, in cells.
     pub(super) overlap: f64,
     /// Impulse on the soil in this step [N s].
     pub(super) impulse: DVec3,
+}
+
+/// The contact points of each constraint, by its number.
+#[derive(Debug, Default)]
+pub(crate) struct ConstraintPoints {
+    /// Number of the constraint of each contact point.
+    pub(super) number: Vec<usize>,
+    /// Where the points of each constraint begin among `points`, and where the last end.
+    start: Vec<usize>,
+    points: Vec<u32>,
+}
+
+impl ConstraintPoints {
+    /// From the number of the constraint of each contact point.
+    fn new(number: Vec<usize>) -> Self {
+        let constraints = number.iter().max().map_or(0, |last| last + 1);
+        let mut start = vec![0; constraints + 1];
+        number.iter().for_each(|n| start[n + 1] += 1);
+        (0..constraints).for_each(|n| start[n + 1] += start[n]);
+        let (mut next, mut points) = (start.clone(), vec![0; number.len()]);
+        for (point, n) in number.iter().enumerate() {
+            points[next[*n]] = point as u32;
+            next[*n] += 1;
+        }
+        Self { number, start, points }
+    }
+
+    /// Number of constraints.
+    pub(super) fn len(&self) -> usize {
+        self.start.len().saturating_sub(1)
+    }
+
+    /// The contact points of a constraint, in order.
+    pub(super) fn of(&self, constraint: usize) -> impl Iterator<Item = usize> + '_ {
+        self.points[self.start[constraint]..self.start[constraint + 1]].iter().map(|point| *point as usize)
+    }
+
+    /// Memory in use [bytes].
+    pub(super) fn memory(&self) -> usize {
+        size_of_val(self.number.as_slice())
+            + size_of_val(self.start.as_slice())
+            + size_of_val(self.points.as_slice())
+    }
 }
 
 /// Sums over the points of a constraint.
@@ -64,73 +108,40 @@ impl Sums {
     }
 }
 
-/// Memory for each constraint [bytes].
-pub(super) const PER_CONSTRAINT: usize =
-    size_of::<Constraint>() + size_of::<[Sums; 3]>() + size_of::<Option<usize>>();
-
-/// The active constraints of a step.
-#[derive(Debug, Default)]
-pub(super) struct Constraints {
-    /// The constraints, in the order of their first points.
-    pub(super) each: Vec<Constraint>,
-    /// For each contact point the index of its constraint, if it is active.
-    pub(super) of_contact: Vec<Option<usize>>,
-    /// For the number of a constraint its index, if it is active.
-    index: Vec<Option<usize>>,
-    /// Points on the two sides of the body's mid-plane are summed separately, so that mirroring in y changes
-    /// no bit.
-    sums: Vec<[Sums; 3]>,
-}
-
-impl Constraints {
-    /// Collects the active points into constraints.
-    pub(super) fn find(&mut self, problem: &ContactProblem, is_active: impl Fn(usize) -> bool) {
-        let Self { each: constraints, of_contact, index, sums } = self;
-        constraints.clear();
-        sums.clear();
-        for (list, length) in
-            [(&mut *index, problem.hourglass_correction.len()), (&mut *of_contact, problem.contacts.len())]
-        {
-            list.clear();
-            list.resize(length, None);
+impl Constraint {
+    /// The constraint with this number, of those of its points that are active.
+    pub(super) fn of(problem: &ContactProblem, number: usize, is_active: impl Fn(usize) -> bool) -> Self {
+        // Points on the two sides of the body's mid-plane are summed separately, so that mirroring in y changes no bit.
+        let (mut first, mut sums) = (None, [Sums::default(); 3]);
+        for n in problem.constraint_points.of(number).filter(|n| is_active(*n)) {
+            first.get_or_insert(n);
+            let c = &problem.contacts[n];
+            sums[side(c)].add(c);
         }
-        for (n, c) in problem.contacts.iter().enumerate().filter(|(n, _)| is_active(*n)) {
-            let at = *index[problem.constraint[n]].get_or_insert(constraints.len());
-            if at == constraints.len() {
-                let (nodes, hourglass_correction) =
-                    (problem.corner_nodes[n], problem.hourglass_correction[problem.constraint[n]]);
-                let jacobian = ContactJacobian {
-                    body: c.body as usize,
-                    nodes,
-                    hourglass_correction,
-                    ..ContactJacobian::default()
-                };
-                constraints.push(Constraint { first: n, jacobian, ..Constraint::default() });
-                sums.push(Default::default());
-            }
-            of_contact[n] = Some(at);
-            sums[at][side(c)].add(c);
-        }
-        for (constraint, [left, right, middle]) in constraints.iter_mut().zip(sums) {
-            let all = left.plus(right).plus(middle);
-            constraint.area = all.area;
-            constraint.jacobian.weight = all.weight.map(|w| w / all.area);
-            constraint.jacobian.arm = all.arm / all.area;
-            constraint.jacobian.normal = all.normal.normalize_or_zero();
-            constraint.overlap = all.overlap / all.area;
-            constraint.impulse = all.impulse;
-        }
+        let Some(n) = first else { return Self::default() };
+        let [left, right, middle] = sums;
+        let all = left.plus(&right).plus(&middle);
+        let jacobian = ContactJacobian {
+            body: problem.contacts[n].body as usize,
+            arm: all.arm / all.area,
+            nodes: problem.corner_nodes[n],
+            weight: all.weight.map(|w| w / all.area),
+            normal: all.normal.normalize_or_zero(),
+            hourglass_correction: problem.hourglass_correction[number],
+        };
+        Self { first, jacobian, area: all.area, overlap: all.overlap / all.area, impulse: all.impulse }
     }
 }
 
-/// For each contact point the number of its constraint (by body, face and quarter of a cell), and for each constraint its
+/// Numbers the constraints (by body, face and quarter of a cell), in the order of their first contact points, and finds for each constraint its
 /// cut-cell hourglass correction; `fraction` is the volume fraction in the cell of each contact point.
 pub(crate) fn number<R>(
     model: &Model,
     State { bodies, grid_position, contacts, .. }: &State<R>,
     fraction: &[f64],
-) -> (Vec<usize>, Vec<[DVec3; 8]>) {
-    let surfaces = cut_cell::surfaces(model, bodies, *grid_position, contacts);
+    crew: Crew,
+) -> (ConstraintPoints, Vec<[DVec3; 8]>) {
+    let surfaces = cut_cell::surfaces(model, bodies, *grid_position, contacts, crew);
     let mut numbers = HashMap::new();
     let each = contacts.iter().map(|c| {
         let axis = model.grid.main_axis(c.normal);
@@ -142,6 +153,6 @@ pub(crate) fn number<R>(
     let each: Vec<usize> = each.collect();
     let sampled = (contacts.as_slice(), fraction, &surfaces);
     let hourglass_correction =
-        cut_cell::corrections(model, bodies, *grid_position, sampled, (&each, numbers.len()));
-    (each, hourglass_correction)
+        cut_cell::corrections(model, bodies, *grid_position, sampled, (&each, numbers.len()), crew);
+    (ConstraintPoints::new(each), hourglass_correction)
 }

@@ -9,6 +9,7 @@
 //! difference, in proportion to its normal force.
 
 use super::problem::side;
+use crate::cpu::threads::Crew;
 use crate::grid::Grid;
 use crate::model::Model;
 use crate::state::{Body, Contact};
@@ -17,6 +18,8 @@ use std::collections::HashMap;
 
 /// Samples of a cell along each axis.
 const SAMPLES: usize = 4;
+/// Cells that a thread takes at once.
+const AT_ONCE: usize = 8;
 /// A surface has an edge in a cell where its contact points represent less than this fraction of its area
 /// there.
 const WHOLE: f64 = 0.75;
@@ -47,6 +50,7 @@ pub(super) fn surfaces(
     bodies: &[Body],
     grid_position: DVec3,
     contacts: &[Contact],
+    crew: Crew,
 ) -> CellSurfaces {
     // The two sides of the body's mid-plane are summed separately, so that mirroring in y changes no bit.
     type Sampled<'a> = (&'a Contact, [f64; 3]);
@@ -54,37 +58,42 @@ pub(super) fn surfaces(
     for c in contacts {
         sampled.entry((c.body, c.cell)).or_insert((c, [0.0; 3])).1[side(c)] += c.area;
     }
-    let surface = |(key, (c, [left, right, middle])): (_, Sampled)| {
+    let sampled: Vec<_> = sampled.into_iter().collect();
+    let surface = |(key, (c, [left, right, middle])): &(_, Sampled)| {
         let area = Cell::new(model, bodies, grid_position, c).area(c.normal);
-        (key, CellSurface { sampled: left + right + middle, area })
+        (*key, CellSurface { sampled: left + right + middle, area })
     };
-    sampled.into_iter().map(surface).collect()
+    let each =
+        crew.collect(sampled.len(), AT_ONCE, |range| sampled[range].iter().map(surface).collect::<Vec<_>>());
+    each.into_iter().flatten().collect()
 }
 
-/// For each constraint the correction at the eight nodes of its cell per unit normal force.
+/// For each constraint the correction at the eight nodes of its cell per unit normal force, from its first contact point.
 pub(super) fn corrections(
     model: &Model,
     bodies: &[Body],
     grid_position: DVec3,
     (contacts, fraction, surfaces): (&[Contact], &[f64], &CellSurfaces),
     (constraint, constraints): (&[usize], usize),
+    crew: Crew,
 ) -> Vec<[DVec3; 8]> {
-    let mut corrections = vec![None; constraints];
-    for ((c, fraction), number) in contacts.iter().zip(fraction).zip(constraint) {
-        corrections[*number].get_or_insert_with(|| {
-            let none = [DVec3::ZERO; 8];
-            let surface = &surfaces[&(c.body, c.cell)];
-            // A face aligned with the grid cuts all cells alike: the corrections cancel, except at its edges. There the inset
-            // of the contact points has this effect already.
-            if is_aligned(c.normal) || !surface.is_whole() {
-                return none;
-            }
-            let area = surface.sampled.max(surface.area);
-            let cell = Cell::new(model, bodies, grid_position, c);
-            cell.hourglass_correction(*fraction).map(|force| force / area)
-        });
-    }
-    corrections.into_iter().map(Option::unwrap_or_default).collect()
+    let mut first = vec![0; constraints];
+    constraint.iter().enumerate().rev().for_each(|(n, number)| first[*number] = n);
+    let correction = |n: &usize| {
+        let (c, none) = (&contacts[*n], [DVec3::ZERO; 8]);
+        let surface = &surfaces[&(c.body, c.cell)];
+        // A face aligned with the grid cuts all cells alike: the corrections cancel, except at its edges. There the inset
+        // of the contact points has this effect already.
+        if is_aligned(c.normal) || !surface.is_whole() {
+            return none;
+        }
+        let area = surface.sampled.max(surface.area);
+        let cell = Cell::new(model, bodies, grid_position, c);
+        cell.hourglass_correction(fraction[*n]).map(|force| force / area)
+    };
+    let each =
+        crew.collect(constraints, AT_ONCE, |range| first[range].iter().map(correction).collect::<Vec<_>>());
+    each.into_iter().flatten().collect()
 }
 
 /// Whether a face with this normal is parallel to faces of the cells; on a body that is turned by 90° but for round-off.

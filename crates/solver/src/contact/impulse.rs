@@ -9,25 +9,33 @@
 //! fractions show soil inside a body, a bias velocity proportional to the body's speed removes the overlap; a
 //! body at rest has none, so that its load does not drift.
 
-use super::constraint::{self, Constraint, Constraints};
+use super::constraint::Constraint;
 use super::cut_cell::is_aligned;
+use super::gauss_seidel::{self, Prepared, SweptIsland};
 use super::law::ContactLaw;
-use super::problem::{ContactJacobian, ContactProblem, over_corners};
+use super::problem::{ContactJacobian, ContactProblem, POINTS_AT_ONCE, over_corners, slip_velocity};
 use crate::state::Contact;
 use glam::DVec3;
+use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Impulse contact: the active constraints of a step and their effective masses.
+/// Impulse contact: the constraints of a step and the islands during its sweeps.
 #[derive(Debug, Default)]
 pub(super) struct Impulses {
-    constraints: Constraints,
-    masses: Vec<Option<EffectiveMass>>,
-    groups: Vec<Group>,
+    /// Constraints with their effective masses, by number.
+    prepared: Vec<Prepared>,
+    /// Numbers of the active ones, in the order of their first points.
+    order: Vec<usize>,
+    /// For each contact point whether it is active.
+    is_active: Vec<AtomicBool>,
+    islands: Vec<SweptIsland>,
 }
 
 /// Memory for each constraint [bytes].
 pub(super) const PER_CONSTRAINT: f64 =
-    (constraint::PER_CONSTRAINT + size_of::<Option<EffectiveMass>>() + size_of::<Group>()) as f64;
+    (size_of::<Prepared>() + size_of::<usize>() + gauss_seidel::PER_CONSTRAINT) as f64;
 
+/// Constraints that a thread takes at least: fewer are not worth its waking.
+const CONSTRAINTS_AT_ONCE: usize = 16;
 /// Symmetric sweeps per step; fewer than two give wrong forces.
 const SWEEPS: usize = 4;
 /// Separation threshold: an active point of a curved or inclined face opens when the volume fractions show a
@@ -63,29 +71,92 @@ impl ContactLaw for Impulses {
     }
 
     fn act(&mut self, problem: &mut ContactProblem) {
+        self.prepare(problem);
+        self.sweep(problem);
+        self.update_history(problem);
+    }
+}
+
+impl Impulses {
+    /// Finds the active points, their constraints and effective masses.
+    fn prepare(&mut self, problem: &ContactProblem) {
         let touches = |n: usize| {
             let c = &problem.contacts[n];
             let closing = || problem.slip_velocity_of(n).dot(c.normal);
             is_closed(c) || c.penetration > -REACH * c.width && c.penetration + closing() * problem.dt > 0.0
         };
-        let Self { constraints, masses, groups } = self;
-        constraints.find(problem, touches);
-        let (constraints, constraint_of) = (&mut constraints.each, &constraints.of_contact);
-        masses.clear();
-        masses.extend(constraints.iter().map(|p| EffectiveMass::new(problem, p)));
-        mirrored_groups(problem, constraints, masses, groups);
-        for group in groups.iter() {
-            group.apply(problem, constraints, [group.first, group.second].map(|n| constraints[n].impulse));
-        }
-        for _ in 0..SWEEPS {
-            for group in groups.iter().chain(groups.iter().rev()) {
-                group.relax(problem, constraints, masses);
+        let Self { prepared, order, is_active, .. } = self;
+        is_active.resize_with(problem.contacts.len(), AtomicBool::default);
+        prepared.resize_with(problem.constraint_points.len(), Prepared::default);
+        problem.crew.portions(prepared, CONSTRAINTS_AT_ONCE, |first, prepared| {
+            for (n, one) in prepared.iter_mut().enumerate() {
+                let constraint = Constraint::of(problem, first + n, |point| {
+                    let touches = touches(point);
+                    is_active[point].store(touches, Ordering::Relaxed);
+                    touches
+                });
+                let mass = constraint.first.and_then(|point| EffectiveMass::new(problem, &constraint, point));
+                *one = (constraint, mass);
             }
+        });
+        order.clear();
+        order.extend((0..prepared.len()).filter(|n| prepared[*n].0.first.is_some()));
+        order.sort_unstable_by_key(|n| prepared[*n].0.first);
+    }
+
+    /// Finds the impulses of the constraints, and the velocities with them.
+    fn sweep(&mut self, problem: &mut ContactProblem) {
+        let Self { prepared, order, islands, .. } = self;
+        let count = problem.islands.nodes.len();
+        islands.resize_with(count, SweptIsland::default);
+        let least = (CONSTRAINTS_AT_ONCE * count).div_ceil(order.len().max(1)).max(1);
+        // Joints connect islands; without them all sweeps are one piece of work.
+        let has_joints = problem.moving.joints() > 0;
+        let (known, sweeps) = (&*problem, if has_joints { 0 } else { SWEEPS });
+        problem.crew.portions(islands, least, |first, islands| {
+            for (n, island) in islands.iter_mut().enumerate() {
+                island.begin(known, first + n, (prepared, order));
+                island.sweep(sweeps);
+            }
+        });
+        for _ in 0..if has_joints { SWEEPS } else { 0 } {
+            problem
+                .crew
+                .portions(islands, least, |_, islands| islands.iter_mut().for_each(|island| island.sweep(1)));
+            islands.iter().for_each(|island| island.put_bodies_back(problem));
             problem.moving.relax_joints();
+            islands.iter_mut().for_each(|island| island.strike(problem));
         }
-        for (n, constraint) in constraint_of.iter().enumerate() {
-            update_history(problem, n, constraint.map(|p| &constraints[p]));
+        for (n, island) in islands.iter().enumerate() {
+            island.put_back(problem, n, prepared);
         }
+    }
+
+    /// Updates the history of the points: the portion of each of its constraint's impulse, and its distance.
+    fn update_history(&self, problem: &mut ContactProblem) {
+        let Self { prepared, is_active, .. } = self;
+        let ContactProblem {
+            contacts,
+            impulses,
+            nodes,
+            corner_nodes,
+            moving,
+            constraint_points,
+            dt,
+            crew,
+            ..
+        } = problem;
+        let (nodes, moving, dt) = (&**nodes, &**moving, *dt);
+        crew.portions2((contacts, impulses), POINTS_AT_ONCE, |first, contacts, impulses| {
+            for (n, (c, impulses)) in contacts.iter_mut().zip(impulses).enumerate() {
+                let n = first + n;
+                let constraint = &prepared[constraint_points.number[n]].0;
+                let constraint = is_active[n].load(Ordering::Relaxed).then_some(constraint);
+                *impulses = take_portion(c, constraint);
+                let closing = slip_velocity(c, (nodes, &corner_nodes[n]), moving).dot(c.normal);
+                move_on(c, closing * dt, constraint);
+            }
+        });
     }
 }
 
@@ -94,26 +165,26 @@ fn is_closed(c: &Contact) -> bool {
     c.penetration >= -ROUND_OFF * c.width
 }
 
-/// Updates the history of a point: its portion of its constraint's impulse, if it has one, and its distance.
-fn update_history(problem: &mut ContactProblem, n: usize, constraint: Option<&Constraint>) {
-    let area = problem.contacts[n].area;
-    let impulse = constraint.map_or(DVec3::ZERO, |p| (area / p.area) * p.impulse);
-    if let Some(constraint) = constraint {
-        let normal = impulse.dot(constraint.jacobian.normal) * constraint.jacobian.normal;
-        problem.record(n, normal, impulse - normal);
-    }
-    let slip = problem.slip_velocity_of(n);
-    let c = &mut problem.contacts[n];
-    let penetration = (c.penetration + slip.dot(c.normal) * problem.dt).min(c.penetration.max(0.0));
+/// Gives a point its portion of its constraint's impulse, if it has one. Returns its normal and frictional portions [N s].
+fn take_portion(c: &mut Contact, constraint: Option<&Constraint>) -> [DVec3; 2] {
+    c.impulse = constraint.map_or(DVec3::ZERO, |p| (c.area / p.area) * p.impulse);
+    constraint.map_or([DVec3::ZERO; 2], |p| {
+        let normal = c.impulse.dot(p.jacobian.normal) * p.jacobian.normal;
+        [normal, c.impulse - normal]
+    })
+}
+
+/// Updates the distance of a point by how far it has closed in the step [m].
+fn move_on(c: &mut Contact, closed: f64, constraint: Option<&Constraint>) {
+    let penetration = (c.penetration + closed).min(c.penetration.max(0.0));
     // Round-off must not open an active point.
     let held = constraint.is_some_and(|p| p.impulse.dot(p.jacobian.normal) > 0.0);
     c.penetration = if held { penetration.max(0.0) } else { penetration };
-    c.impulse = impulse;
 }
 
 /// Effective masses and limits of a constraint, constant during the sweeps of a step.
-#[derive(Debug)]
-struct EffectiveMass {
+#[derive(Clone, Copy, Debug)]
+pub(super) struct EffectiveMass {
     /// Normal effective mass: inverse of the diagonal of the Delassus operator along the normal [kg].
     normal_mass: f64,
     /// Tangential effective mass: the same along the axis in which it is least [kg].
@@ -127,8 +198,9 @@ struct EffectiveMass {
 }
 
 impl EffectiveMass {
-    /// `None` where neither soil nor body can move along the normal: there is nothing to solve for.
-    fn new(problem: &ContactProblem, constraint: &Constraint) -> Option<Self> {
+    /// Of a constraint with this point among its active ones. `None` where neither soil nor body can move along the normal: there is
+    /// nothing to solve for.
+    fn new(problem: &ContactProblem, constraint: &Constraint, point: usize) -> Option<Self> {
         let (jacobian, normal) = (&constraint.jacobian, constraint.jacobian.normal);
         let delassus_diagonal = delassus_diagonal(problem, jacobian);
         let soil = |n: usize| {
@@ -143,25 +215,31 @@ impl EffectiveMass {
             bias_velocity: -OVERLAP_BIAS * constraint.overlap * bias_speed(problem, constraint),
             friction: problem.model.bodies[constraint.jacobian.body].friction.min(1e6),
             // All points of a constraint lie in one cell.
-            shear_limit: problem.contacts[constraint.first].shear_limit * constraint.area * problem.dt,
+            shear_limit: problem.contacts[point].shear_limit * constraint.area * problem.dt,
         })
     }
 
-    /// The impulse after one relaxation, projected on the Coulomb cone.
-    fn projected_impulse(&self, problem: &ContactProblem, constraint: &Constraint, relaxation: f64) -> DVec3 {
-        let relative = problem.slip_velocity_of_constraint(&constraint.jacobian);
-        let closing = relative.dot(constraint.jacobian.normal);
-        let old_normal = constraint.impulse.dot(constraint.jacobian.normal);
+    /// The impulse on a constraint with this normal and impulse after one relaxation from this relative velocity, projected on the
+    /// Coulomb cone.
+    #[inline]
+    pub(super) fn projected_impulse(
+        &self,
+        relative: DVec3,
+        (along, impulse): (DVec3, DVec3),
+        relaxation: f64,
+    ) -> DVec3 {
+        let closing = relative.dot(along);
+        let old_normal = impulse.dot(along);
         let new_normal =
             (old_normal + relaxation * (closing - self.bias_velocity) * self.normal_mass).max(0.0);
         if new_normal == 0.0 && old_normal == 0.0 {
             return DVec3::ZERO;
         }
-        let old_friction = constraint.impulse - old_normal * constraint.jacobian.normal;
-        let sliding = relative - closing * constraint.jacobian.normal;
+        let old_friction = impulse - old_normal * along;
+        let sliding = relative - closing * along;
         let limit = (self.friction * new_normal).min(self.shear_limit);
         let friction = (old_friction + relaxation * sliding * self.tangential_mass).clamp_length_max(limit);
-        new_normal * constraint.jacobian.normal + friction
+        new_normal * along + friction
     }
 }
 
@@ -174,86 +252,9 @@ fn bias_speed(problem: &ContactProblem, constraint: &Constraint) -> f64 {
     velocity.length() * (normal / grid.length_along(velocity.normalize_or_zero()))
 }
 
-/// One constraint (then both indices are the same), or two on opposite sides of the body's mid-plane. Two are
-/// relaxed simultaneously, from the same velocities: a case and its mirror image then stay mirror images to
-/// the bit, whatever the order of the constraints.
-#[derive(Debug)]
-struct Group {
-    /// Indices of the constraints.
-    first: usize,
-    second: usize,
-    /// Under-relaxation factor, so that two constraints on the same soil or body do not overshoot.
-    relaxation: f64,
-}
-
-impl Group {
-    fn relax(
-        &self,
-        problem: &mut ContactProblem,
-        constraints: &mut [Constraint],
-        masses: &[Option<EffectiveMass>],
-    ) {
-        let indices = [self.first, self.second];
-        let new = indices.map(|n| {
-            let old = constraints[n].impulse;
-            masses[n].as_ref().map_or(old, |t| t.projected_impulse(problem, &constraints[n], self.relaxation))
-        });
-        let change = [new[0] - constraints[self.first].impulse, new[1] - constraints[self.second].impulse];
-        self.apply(problem, constraints, change);
-        for (n, impulse) in indices.into_iter().zip(new) {
-            constraints[n].impulse = impulse;
-        }
-    }
-
-    /// Applies impulses at the constraints.
-    fn apply(&self, problem: &mut ContactProblem, constraints: &[Constraint], impulse: [DVec3; 2]) {
-        let [first, second] = [self.first, self.second].map(|n| &constraints[n].jacobian);
-        if impulse == [DVec3::ZERO; 2] {
-            return;
-        }
-        if self.first == self.second {
-            problem.exchange(first, impulse[0]);
-        } else {
-            problem.exchange_both((first, impulse[0]), (second, impulse[1]));
-        }
-    }
-}
-
-/// Groups the constraints. Mirror images are neighbours, as surface points are.
-fn mirrored_groups(
-    problem: &ContactProblem,
-    constraints: &[Constraint],
-    masses: &[Option<EffectiveMass>],
-    groups: &mut Vec<Group>,
-) {
-    groups.clear();
-    let mut first = 0;
-    while first < constraints.len() {
-        let next = first + 1;
-        let is_pair =
-            next < constraints.len() && are_mirrored(problem, &constraints[first], &constraints[next]);
-        let second = if is_pair { next } else { first };
-        let relaxation = match (&masses[first], &masses[second]) {
-            (Some(a), Some(b)) if is_pair => {
-                1.0 / (1.0 + coupling(problem, (&constraints[first], a), (&constraints[second], b)))
-            }
-            _ => 1.0,
-        };
-        groups.push(Group { first, second, relaxation });
-        first = second + 1;
-    }
-}
-
-/// Whether the first points of two constraints are each other's mirror image. In the mirror image of the case
-/// their order is reversed, even when the grid cuts the two sides of the body differently.
-fn are_mirrored(problem: &ContactProblem, a: &Constraint, b: &Constraint) -> bool {
-    let (p, q) = (&problem.contacts[a.first], &problem.contacts[b.first]);
-    b.first == a.first + 1 && p.body == q.body && p.is_paired && q.point == p.point + 1
-}
-
 /// Coupling of two constraints: velocity that an impulse at one causes at the other, over that at its own; 0
 /// to 1.
-fn coupling(
+pub(super) fn coupling(
     problem: &ContactProblem,
     (a, mass_a): (&Constraint, &EffectiveMass),
     (b, mass_b): (&Constraint, &EffectiveMass),

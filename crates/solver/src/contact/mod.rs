@@ -7,7 +7,9 @@
 mod body_fraction;
 mod constraint;
 mod cut_cell;
+mod gauss_seidel;
 mod impulse;
+mod islands;
 mod law;
 mod method;
 mod neighbours;
@@ -28,5 +30,6 @@ pub(crate) use overlap::remove_overlap;
 pub(crate) use pore_pressure::find_pressure_cells;
 pub(crate) use problem::ContactNode;
 pub(crate) use search::{first_search, search};
+pub(crate) use slip::SlipTerms;
 pub(crate) use solve::{ContactWork, solve};
 pub(crate) use surface::{Surface, layout, rim, stays_across};

@@ -33,7 +33,7 @@ pub(crate) fn remove_overlap<R: Precision>(
     contact: &mut ContactWorkspace,
     halo: &Halo,
 ) {
-    find_bodies(model, state, &mut soil.velocity_before[0], &mut contact.body_cells);
+    find_bodies(model, state, soil, &mut contact.body_cells);
     let mut cells: Vec<usize> = contact.body_cells.iter().map(|c| c.cell).collect();
     cells.sort_unstable();
     cells.dedup();

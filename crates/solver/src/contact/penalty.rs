@@ -95,7 +95,7 @@ impl ContactLaw for Penalty {
             if *normal != DVec3::ZERO {
                 let jacobian = problem.jacobian(n);
                 problem.exchange(&jacobian, *normal + *friction);
-                problem.record(n, *normal, *friction);
+                problem.impulses[n] = [*normal, *friction];
             }
         }
         for n in 0..problem.contacts.len() {

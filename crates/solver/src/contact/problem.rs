@@ -1,10 +1,14 @@
 //! The contact problem of one step: contact points, contact nodes, bodies, and the Jacobians that connect
 //! them.
 
+use super::constraint::ConstraintPoints;
+use super::islands::Islands;
+use crate::cpu::threads::Crew;
 use crate::model::Model;
 use crate::state::{Body, Contact};
 use glam::DVec3;
-use mechanics::{Step, Wrench};
+use mechanics::Step;
+use std::ops::Range;
 
 /// The contact problem of one step. The contact law starts from velocities without contact and updates them;
 /// those of the nodes are then written back to the grid.
@@ -19,8 +23,10 @@ pub(crate) struct ContactProblem<'a> {
     pub(crate) nodes: &'a mut [ContactNode],
     /// For each contact point the indices of its cell's nodes among the contact nodes.
     pub(crate) corner_nodes: &'a [[u32; 8]],
-    /// For each contact point the number of its constraint.
-    pub(crate) constraint: &'a [usize],
+    /// The contact points of each constraint.
+    pub(crate) constraint_points: &'a ConstraintPoints,
+    /// Bodies that share contact nodes.
+    pub(crate) islands: &'a Islands,
     /// For each constraint the cut-cell hourglass correction: forces at its cell's nodes per unit normal
     /// force.
     pub(crate) hourglass_correction: &'a [[DVec3; 8]],
@@ -32,7 +38,12 @@ pub(crate) struct ContactProblem<'a> {
     pub(crate) modelled_fraction: f64,
     /// Time step [s].
     pub(crate) dt: f64,
+    /// The threads at work.
+    pub(crate) crew: Crew<'a>,
 }
+
+/// Contact points that a thread takes at least: fewer are not worth its waking.
+pub(crate) const POINTS_AT_ONCE: usize = 128;
 
 /// A contact node: a node of a cell that holds a contact point.
 #[derive(Clone, Copy, Debug, Default)]
@@ -108,31 +119,9 @@ impl ContactProblem<'_> {
         }
     }
 
-    /// Velocity of a body at `arm` minus that of the soil in a cell, from the cell's nodes and their weights
-    /// [m/s].
-    pub(crate) fn slip_velocity(
-        &self,
-        (body, arm): (usize, DVec3),
-        nodes: &[u32; 8],
-        weight: &[f64; 8],
-    ) -> DVec3 {
-        let soil = |n: usize| weight[n] * self.nodes[nodes[n] as usize].velocity;
-        self.moving.velocity_at(body, arm) - over_corners(std::array::from_fn(soil))
-    }
-
     /// Relative velocity at a contact point [m/s].
     pub(crate) fn slip_velocity_of(&self, contact: usize) -> DVec3 {
-        let Contact { body, arm, weight, .. } = &self.contacts[contact];
-        self.slip_velocity((*body as usize, *arm), &self.corner_nodes[contact], weight)
-    }
-
-    /// Relative velocity at a constraint [m/s], including the cut-cell correction, so that it is
-    /// work-conjugate to the impulse.
-    pub(crate) fn slip_velocity_of_constraint(&self, jacobian: &ContactJacobian) -> DVec3 {
-        let corrected =
-            |n: usize| jacobian.hourglass_correction[n].dot(self.nodes[jacobian.nodes[n] as usize].velocity);
-        self.slip_velocity((jacobian.body, jacobian.arm), &jacobian.nodes, &jacobian.weight)
-            - over_corners(std::array::from_fn(corrected)) * jacobian.normal
+        slip_velocity(&self.contacts[contact], (self.nodes, &self.corner_nodes[contact]), self.moving)
     }
 
     /// Applies an impulse [N s] to the soil and its reaction to the free motions of the body.
@@ -142,29 +131,6 @@ impl ContactProblem<'_> {
             node.velocity += node.inverse_mass * jacobian.on_node(n, impulse);
         }
         self.moving.apply(jacobian.body, jacobian.arm, -impulse);
-    }
-
-    /// The same for two constraints of one body simultaneously; swapping them changes no bit.
-    pub(crate) fn exchange_both(
-        &mut self,
-        first: (&ContactJacobian, DVec3),
-        second: (&ContactJacobian, DVec3),
-    ) {
-        let gain = |nodes: &[ContactNode], (jacobian, impulse): (&ContactJacobian, DVec3), n: usize| {
-            nodes[jacobian.nodes[n] as usize].inverse_mass * jacobian.on_node(n, impulse)
-        };
-        for (n, node) in first.0.nodes.iter().enumerate() {
-            let own = gain(self.nodes, first, n);
-            let shared = second.0.nodes.iter().position(|other| other == node);
-            let both = shared.map_or(own, |m| own + gain(self.nodes, second, m));
-            self.nodes[*node as usize].velocity += both;
-        }
-        for (n, node) in second.0.nodes.iter().enumerate().filter(|(_, node)| !first.0.nodes.contains(node)) {
-            let own = gain(self.nodes, second, n);
-            self.nodes[*node as usize].velocity += own;
-        }
-        let both = Wrench::at(first.0.arm, -first.1) + Wrench::at(second.0.arm, -second.1);
-        self.moving.apply_wrench(first.0.body, &both);
     }
 
     /// Exerts the pore pressures on soil and bodies at the contact points. What the contact law adds is between the grains and the
@@ -204,12 +170,34 @@ impl ContactProblem<'_> {
         if c.penetration < 0.0 { -self.slip_velocity_of(contact).dot(c.normal) * c.area } else { 0.0 }
     }
 
-    /// Records the impulses on the soil at a contact point in this step [N s], and adds the reaction to the contact impulse of
-    /// its body.
-    pub(crate) fn record(&mut self, contact: usize, normal: DVec3, friction: DVec3) {
-        let c = &self.contacts[contact];
-        let total = &mut self.bodies[c.body as usize].contact_impulse;
-        total.add(&[normal, friction], DVec3::ZERO, c.arm, self.modelled_fraction);
-        self.impulses[contact] = [normal, friction];
+    /// Adds the reactions to the impulses on the soil at the contact points to the contact impulses of the bodies.
+    pub(crate) fn add_reactions(&mut self) {
+        let Self { contacts, impulses, bodies, modelled_fraction, crew, .. } = self;
+        let (contacts, impulses, modelled_fraction) = (&**contacts, &**impulses, *modelled_fraction);
+        crew.portions(bodies, 1, |first, bodies| {
+            for (n, body) in bodies.iter_mut().enumerate() {
+                let own = of_body(contacts, first + n);
+                let each = contacts[own.clone()].iter().zip(&impulses[own]);
+                for (c, impulses) in each.filter(|(_, impulses)| **impulses != [DVec3::ZERO; 2]) {
+                    body.contact_impulse.add(impulses, DVec3::ZERO, c.arm, modelled_fraction);
+                }
+            }
+        });
     }
+}
+
+/// Velocity of a body at a contact point minus that of the soil there, from the nodes of its cell [m/s].
+pub(crate) fn slip_velocity(
+    c: &Contact,
+    (nodes, corners): (&[ContactNode], &[u32; 8]),
+    moving: &Step,
+) -> DVec3 {
+    let soil = |n: usize| c.weight[n] * nodes[corners[n] as usize].velocity;
+    moving.velocity_at(c.body as usize, c.arm) - over_corners(std::array::from_fn(soil))
+}
+
+/// The contact points of a body.
+pub(crate) fn of_body(contacts: &[Contact], body: usize) -> Range<usize> {
+    let first = |body: usize| contacts.partition_point(|c| (c.body as usize) < body);
+    first(body)..first(body + 1)
 }

@@ -5,6 +5,7 @@ use super::law::ContactLaw;
 use super::neighbours::Neighbours;
 use super::problem::{corners, over_corners};
 use super::slip::clear_rims;
+use super::surface::Surface;
 use super::workspace::ContactWorkspace;
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::workspace::SoilWorkspace;
@@ -12,8 +13,9 @@ use crate::fields::{INTACT_STRENGTH, PLASTIC_STRAIN};
 use crate::halo::{self, Halo};
 use crate::model::{BodyModel, Model};
 use crate::scalar::Scalar;
-use crate::state::{Contact, Soil, State};
+use crate::state::{Contact, Pose, Soil, State};
 use glam::DVec3;
+use std::ops::Range;
 
 /// The first contact search of a run, which also computes the body volume fractions and begins the sums over the rims.
 pub(crate) fn first_search<R: Scalar>(
@@ -24,7 +26,7 @@ pub(crate) fn first_search<R: Scalar>(
     halo: &Halo,
 ) {
     clear_rims(model, state, workspace);
-    find_bodies(model, state, &mut soil.velocity_before[0], &mut workspace.body_cells);
+    find_bodies(model, state, soil, &mut workspace.body_cells);
     search(model, state, soil, workspace, halo);
 }
 
@@ -37,44 +39,35 @@ pub(crate) fn search<R: Scalar>(
     workspace: &mut ContactWorkspace,
     halo: &Halo,
 ) {
-    let SoilWorkspace { velocity_before: [body_fraction, ..], material, .. } = &mut *soil;
     let ContactWorkspace { body_cells, surfaces, law, .. } = workspace;
     measure_bodies(model, state, body_cells, halo);
-    let grid_position = state.grid_position;
     let view = View {
         model,
         soil: &state.soil,
         node_mass: &state.nodes.mass,
-        body_fraction,
-        material,
-        grid_position,
+        body_fraction: &soil.velocity_before[0],
+        material: &soil.material,
+        grid_position: state.grid_position,
+        known: &state.contacts,
+        law: law.as_ref(),
     };
     let mut found = Vec::with_capacity(state.contacts.len());
-    let mut known = state.contacts.iter().peekable();
     for (n, surface) in surfaces.iter().enumerate() {
-        let (pose, neighbours) = (state.pose(n), Neighbours::of(model, state, n));
-        for (p, point) in surface.points().enumerate() {
-            let known = known.next_if(|c| (c.body as usize, c.point as usize) == (n, p));
-            let in_space = [point.position, point.normal].map(|v| model.bodies[n].rotated(pose, v));
-            if neighbours.cover(pose.position + in_space[0], in_space[1]) {
-                continue;
-            }
-            let of_body = (&model.bodies[n], pose.position);
-            if let Some(mut contact) = view.find_contact(known, in_space, of_body, law.as_ref()) {
-                (contact.body, contact.point) = (n as u32, p as u32);
-                (contact.side, contact.is_paired) = (point.side, point.is_paired);
-                contact.area *= point.area;
-                found.push(contact);
-            }
-        }
+        let body = (n, state.pose(n), &Neighbours::of(model, state, n));
+        let each =
+            soil.crew().collect(surface.len(), POINTS_AT_ONCE, |points| view.search(body, surface, points));
+        found.extend(each.into_iter().flatten());
     }
     for c in body_cells {
-        body_fraction[c.cell] = R::default();
+        soil.velocity_before[0][c.cell] = R::default();
     }
     state.contacts = all_contacts(found, halo);
-    workspace.connect(model, state, halo);
+    workspace.connect(model, state, soil.crew(), halo);
     soil.stopwatch().lap(Stage::Contact);
 }
+
+/// Points of a surface that a thread takes at once.
+const POINTS_AT_ONCE: usize = 64;
 
 /// The contacts found by all blocks, in the order of bodies and points.
 fn all_contacts(found: Vec<Contact>, halo: &Halo) -> Vec<Contact> {
@@ -105,9 +98,41 @@ struct View<'a, R> {
     material: &'a [u8],
     /// How far the grid has moved [m].
     grid_position: DVec3,
+    /// The contacts of the last search.
+    known: &'a [Contact],
+    law: &'a dyn ContactLaw,
 }
 
 impl<R: Scalar> View<'_, R> {
+    /// Those points of a range that are contacts of a body.
+    fn search(
+        &self,
+        (n, pose, neighbours): (usize, &Pose, &Neighbours),
+        surface: &Surface,
+        points: Range<usize>,
+    ) -> Vec<Contact> {
+        let number = |c: &Contact| (c.body as usize, c.point as usize);
+        let first = self.known.partition_point(|c| number(c) < (n, points.start));
+        let mut known = self.known[first..].iter().peekable();
+        let body = &self.model.bodies[n];
+        let mut found = Vec::new();
+        for p in points {
+            let point = surface.point(p);
+            let known = known.next_if(|c| number(c) == (n, p));
+            let in_space = [point.position, point.normal].map(|v| body.rotated(pose, v));
+            if neighbours.cover(pose.position + in_space[0], in_space[1]) {
+                continue;
+            }
+            if let Some(mut contact) = self.find_contact(known, in_space, (body, pose.position)) {
+                (contact.body, contact.point) = (n as u32, p as u32);
+                (contact.side, contact.is_paired) = (point.side, point.is_paired);
+                contact.area *= point.area;
+                found.push(contact);
+            }
+        }
+        found
+    }
+
     /// A contact point of a body, if it lies in the block with soil to act on; `known` is the same point at
     /// the last search, if it was in contact with soil then.
     fn find_contact(
@@ -115,7 +140,6 @@ impl<R: Scalar> View<'_, R> {
         known: Option<&Contact>,
         [arm, normal]: [DVec3; 2],
         (body, reference): (&BodyModel, DVec3),
-        law: &dyn ContactLaw,
     ) -> Option<Contact> {
         let position = reference + arm;
         // A point on a face between two cells belongs to the outer one, a point on an edge to the cell nearer
@@ -145,7 +169,7 @@ impl<R: Scalar> View<'_, R> {
             ..known.copied().unwrap_or_default()
         };
         let travel = known.map(|c| (position - c.anchor).length());
-        law.update(&mut contact, self.gap(cell, normal), travel);
+        self.law.update(&mut contact, self.gap(cell, normal), travel);
         Some(contact)
     }
 

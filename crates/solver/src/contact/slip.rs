@@ -1,41 +1,82 @@
 //! Slip of the bodies' surfaces along the soil in one step: frictional dissipation, and the sums over the bins of the rim.
 
-use super::problem::{ContactNode, side};
+use super::problem::{ContactNode, POINTS_AT_ONCE, of_body, side};
 use super::workspace::ContactWorkspace;
+use crate::cpu::threads::Crew;
 use crate::model::Model;
 use crate::state::{Contact, ContactImpulse, RimSums, State};
 use glam::DVec3;
 use mechanics::Step;
+
+/// What a contact point adds to the sums over the rim in a step.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct SlipTerms {
+    /// Frictional dissipation [J].
+    dissipation: f64,
+    /// Impulse of the pore water along the normal [N s].
+    water: f64,
+    sums: RimSums,
+}
 
 /// Adds the contact impulses of the step and the slip to the sums over the rim. Returns the frictional dissipation [J]:
 /// frictional impulses times the mean of the slip velocities before and after the step, as for every other work.
 pub(super) fn account_slip<R>(
     model: &Model,
     state: &mut State<R>,
-    workspace: &ContactWorkspace,
-    moving: &Step,
+    workspace: &mut ContactWorkspace,
+    (moving, crew): (&Step, Crew),
 ) -> f64 {
-    let ContactWorkspace { surfaces, nodes, corner_nodes, impulses, pore_pressures, .. } = workspace;
+    let ContactWorkspace { surfaces, nodes, corner_nodes, impulses, pore_pressures, terms, .. } = workspace;
     let State { contacts, bodies, mechanism, .. } = state;
-    let (dt, mut dissipation) = (model.time_step(), 0.0);
-    for (number, ((c, corners), impulses)) in contacts.iter().zip(corner_nodes).zip(impulses).enumerate() {
-        if *impulses == [DVec3::ZERO; 2] {
-            continue;
+    let (contacts, impulses, nodes) = (&*contacts, &*impulses, &*nodes);
+    terms.resize(contacts.len(), SlipTerms::default());
+    crew.portions(terms, POINTS_AT_ONCE, |first, terms| {
+        for (n, terms) in terms.iter_mut().enumerate().map(|(n, terms)| (first + n, terms)) {
+            let c = &contacts[n];
+            *terms = SlipTerms::default();
+            if impulses[n] != [DVec3::ZERO; 2] {
+                let slip = mean_slip(c, nodes, &corner_nodes[n], moving);
+                let axle = mechanism.bodies[c.body as usize].pose.rotation * DVec3::Y;
+                let pressure = pore_pressures.get(n).copied().unwrap_or(0.0);
+                *terms = SlipTerms::of(model, c, (&impulses[n], slip), (axle, pressure));
+            }
         }
-        let n = c.body as usize;
-        let slip = mean_slip(c, nodes, corners, moving);
-        dissipation += impulses[1].dot(slip);
-        let (body, contact) = (&model.bodies[n], c.area * dt);
-        let axle = mechanism.bodies[n].pose.rotation * DVec3::Y;
-        let water = pore_pressures.get(number).map_or(0.0, |pressure| pressure * contact);
-        if let Some(part) = surfaces[n].part_of(c.point) {
-            bodies[n].parts[part].add(impulses, water * c.normal, c.arm, model.modelled_fraction());
+    });
+    let terms = &*terms;
+    crew.portions(bodies, 1, |first, bodies| {
+        for (n, body) in bodies.iter_mut().enumerate() {
+            let own = of_body(contacts, first + n);
+            let each = contacts[own.clone()].iter().zip(&impulses[own.clone()]).zip(&terms[own]);
+            for ((c, impulses), terms) in each.filter(|((_, impulses), _)| **impulses != [DVec3::ZERO; 2]) {
+                let surface = &surfaces[first + n];
+                if let Some(part) = surface.part_of(c.point) {
+                    let water = terms.water * c.normal;
+                    body.parts[part].add(impulses, water, c.arm, model.modelled_fraction());
+                }
+                body.rim[surface.bin_of(c.point)].add(&terms.sums);
+            }
         }
-        let sums = &mut bodies[n].rim[surfaces[n].bin_of(c.point)];
-        sums.add_impulses(c, impulses, water, [body.friction, c.shear_limit * contact]);
+    });
+    terms.iter().fold(0.0, |sum, terms| sum + terms.dissipation)
+}
+
+impl SlipTerms {
+    /// Of a point with these impulses on the soil [N s] and this slip velocity [m/s]; also needed are the direction of its body's
+    /// axle and the pore pressure [Pa].
+    fn of(
+        model: &Model,
+        c: &Contact,
+        (impulses, slip): (&[DVec3; 2], DVec3),
+        (axle, pressure): (DVec3, f64),
+    ) -> Self {
+        let contact = c.area * model.time_step();
+        let water = pressure * contact;
+        let mut sums = RimSums::default();
+        let friction = model.bodies[c.body as usize].friction;
+        sums.add_impulses(c, impulses, water, [friction, c.shear_limit * contact]);
         sums.add_slip(impulses, slip, contact, &directions(c, impulses[0], axle));
+        Self { dissipation: impulses[1].dot(slip), water, sums }
     }
-    dissipation
 }
 
 /// Mean of the relative velocity at a contact point before and after the step [m/s].
@@ -62,6 +103,19 @@ fn directions(c: &Contact, normal: DVec3, axle: DVec3) -> [DVec3; 3] {
 }
 
 impl RimSums {
+    /// Adds what a contact point contributes.
+    fn add(&mut self, other: &Self) {
+        self.contact += other.contact;
+        self.normal += other.normal;
+        self.friction += other.friction;
+        self.friction_limit += other.friction_limit;
+        for n in 0..3 {
+            self.shear[n] += other.shear[n];
+            self.slip[n] += other.slip[n];
+        }
+        self.impulse += other.impulse;
+    }
+
     /// Adds the impulses on the soil of one contact point in one step, with that of the pore water along the normal [N s], the
     /// friction coefficient, and the limit of the frictional impulse [N s]. Pore water may pull.
     fn add_impulses(

@@ -40,7 +40,8 @@ pub(crate) fn solve<R: Scalar>(
         law,
         nodes,
         corner_nodes,
-        constraint,
+        constraint_points,
+        islands,
         hourglass_correction,
         impulses,
         pore_pressures,
@@ -58,22 +59,25 @@ pub(crate) fn solve<R: Scalar>(
         bodies: &mut state.bodies,
         nodes,
         corner_nodes,
-        constraint,
+        constraint_points,
+        islands,
         hourglass_correction,
         impulses,
         pore_pressures,
         modelled_fraction: model.modelled_fraction(),
         dt: model.time_step(),
+        crew: soil.crew(),
     };
     problem.press_water();
     law.act(&mut problem);
+    problem.add_reactions();
     problem.record_water();
     openings.clear();
     openings.extend((0..pore_pressures.len()).map(|n| problem.opening(n)));
     let lost = pore_pressures.iter().zip(&*openings).map(|(pressure, opening)| pressure * opening);
     let water_work = -lost.sum::<f64>() * model.time_step();
     let on_soil = scatter(&mut state.nodes, nodes);
-    let friction_work = account_slip(model, state, workspace, moving);
+    let friction_work = account_slip(model, state, workspace, (moving, soil.crew()));
     soil.stopwatch().lap(Stage::Contact);
     ContactWork { on_soil, friction_work, water_work }
 }

@@ -172,14 +172,18 @@ impl Surface {
         self.parts.get(point as usize).map(|part| usize::from(*part))
     }
 
-    /// The points, in the order of their numbers.
-    pub(crate) fn points(&self) -> impl Iterator<Item = ContactPoint> + '_ {
-        self.points.iter().map(|(position, kind, _)| {
-            let (normal, area) = self.kinds[(kind & !PAIRED) as usize];
-            let across = position.y - self.middle;
-            let side = if across == 0.0 { 2 } else { u8::from(across < 0.0) };
-            ContactPoint { position: *position, normal, area, side, is_paired: kind & PAIRED != 0 }
-        })
+    /// Number of points.
+    pub(crate) fn len(&self) -> usize {
+        self.points.len()
+    }
+
+    /// A point, from its number.
+    pub(crate) fn point(&self, point: usize) -> ContactPoint {
+        let (position, kind, _) = self.points[point];
+        let (normal, area) = self.kinds[(kind & !PAIRED) as usize];
+        let across = position.y - self.middle;
+        let side = if across == 0.0 { 2 } else { u8::from(across < 0.0) };
+        ContactPoint { position, normal, area, side, is_paired: kind & PAIRED != 0 }
     }
 
     /// Memory in use [bytes].
@@ -204,8 +208,9 @@ mod tests {
         let same = |a: &ContactPoint, b: &SurfacePoint| {
             (a.position, a.normal, a.area) == (b.position, b.normal, b.area)
         };
-        assert!(surface.points().zip(&points).all(|(a, b)| same(&a, b)));
-        assert_eq!(surface.points().filter(|p| p.is_paired).count(), points.len() / 2);
+        let found: Vec<_> = (0..surface.len()).map(|n| surface.point(n)).collect();
+        assert!(found.iter().zip(&points).all(|(a, b)| same(a, b)) && found.len() == points.len());
+        assert_eq!(found.iter().filter(|p| p.is_paired).count(), points.len() / 2);
         assert!(surface.memory() < 2 * size_of_val(points.as_slice()) / 3);
     }
 }

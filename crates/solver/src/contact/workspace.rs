@@ -1,12 +1,15 @@
 //! Scratch memory of contact.
 
 use super::body_fraction::BodyCell;
-use super::constraint;
+use super::constraint::{self, ConstraintPoints};
+use super::islands::Islands;
 use super::law::ContactLaw;
 use super::method::law;
 use super::nodes::contact_nodes;
 use super::problem::ContactNode;
+use super::slip::SlipTerms;
 use super::surface::Surface;
+use crate::cpu::threads::Crew;
 use crate::halo::{self, Halo};
 use crate::model::Model;
 use crate::scalar::Scalar;
@@ -25,12 +28,16 @@ pub(crate) struct ContactWorkspace {
     pub(crate) nodes: Vec<ContactNode>,
     /// For each contact point the indices of its cell's nodes among them.
     pub(crate) corner_nodes: Vec<[u32; 8]>,
-    /// For each contact point the number of its constraint.
-    pub(crate) constraint: Vec<usize>,
+    /// The contact points of each constraint.
+    pub(crate) constraint_points: ConstraintPoints,
+    /// Bodies that share contact nodes.
+    pub(crate) islands: Islands,
     /// For each constraint the cut-cell hourglass correction at its cell's nodes, per unit normal force.
     pub(crate) hourglass_correction: Vec<[DVec3; 8]>,
     /// Normal and frictional impulse on the soil at each contact point in the last step [N s].
     pub(crate) impulses: Vec<[DVec3; 2]>,
+    /// What each contact point adds to the sums over the rim in a step.
+    pub(crate) terms: Vec<SlipTerms>,
     /// For each contact point the index in memory of the cell whose pore pressure acts there, if the block has it.
     pub(crate) pressure_cells: Vec<Option<usize>>,
     /// Pore pressures that act at the contact points in a step [Pa]; empty where none is computed.
@@ -47,29 +54,33 @@ impl std::fmt::Debug for ContactWorkspace {
 
 impl ContactWorkspace {
     /// Workspace for the bodies of a model and the contacts of a state.
-    pub(crate) fn new<R: Scalar>(model: &Model, state: &State<R>, halo: &Halo) -> Self {
+    pub(crate) fn new<R: Scalar>(model: &Model, state: &State<R>, crew: Crew, halo: &Halo) -> Self {
         let mut workspace = Self {
             law: law(model),
             surfaces: model.bodies.iter().map(|body| Surface::new(model, body)).collect(),
             body_cells: Vec::new(),
             nodes: Vec::new(),
             corner_nodes: Vec::new(),
-            constraint: Vec::new(),
+            constraint_points: ConstraintPoints::default(),
+            islands: Islands::default(),
             hourglass_correction: Vec::new(),
             impulses: Vec::new(),
+            terms: Vec::new(),
             pressure_cells: Vec::new(),
             pore_pressures: Vec::new(),
             openings: Vec::new(),
         };
-        workspace.connect(model, state, halo);
+        workspace.connect(model, state, crew, halo);
         workspace
     }
 
     /// Finds contact nodes and constraints after a contact search.
-    pub(super) fn connect<R: Scalar>(&mut self, model: &Model, state: &State<R>, halo: &Halo) {
+    pub(super) fn connect<R: Scalar>(&mut self, model: &Model, state: &State<R>, crew: Crew, halo: &Halo) {
         (self.nodes, self.corner_nodes) = contact_nodes(model, &state.contacts);
+        self.islands = Islands::new(&state.contacts, &self.corner_nodes, &self.nodes);
         let fractions = fractions(model, state, halo);
-        (self.constraint, self.hourglass_correction) = constraint::number(model, state, &fractions);
+        (self.constraint_points, self.hourglass_correction) =
+            constraint::number(model, state, &fractions, crew);
     }
 
     /// Memory in use [bytes], except what the contact law keeps during a step.
@@ -78,9 +89,11 @@ impl ContactWorkspace {
             + size_of_val(self.body_cells.as_slice())
             + size_of_val(self.nodes.as_slice())
             + size_of_val(self.corner_nodes.as_slice())
-            + size_of_val(self.constraint.as_slice())
+            + self.constraint_points.memory()
+            + self.islands.memory()
             + size_of_val(self.hourglass_correction.as_slice())
             + size_of_val(self.impulses.as_slice())
+            + size_of_val(self.terms.as_slice())
             + size_of_val(self.pressure_cells.as_slice())
             + size_of_val(self.pore_pressures.as_slice())
             + size_of_val(self.openings.as_slice())

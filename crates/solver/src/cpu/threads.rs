@@ -6,6 +6,7 @@
 
 use super::partition::RowPartition;
 use smallvec::SmallVec;
+use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Condvar, Mutex};
 use std::thread::JoinHandle;
@@ -162,6 +163,66 @@ impl Team {
     }
 }
 
+/// The threads of a team that are at work, for loops other than over rows.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Crew<'a> {
+    team: &'a Team,
+    workers: usize,
+}
+
+impl<'a> Crew<'a> {
+    /// As many threads of a team as a partition has ranges.
+    pub(crate) fn of(team: &'a Team, partition: &RowPartition) -> Self {
+        Self { team, workers: partition.ranges().len() }
+    }
+
+    /// Calls `job(first, portion)` on successive portions of the items, in parallel; no portion but a single one has fewer than
+    /// `least` items.
+    pub(crate) fn portions<T: Send>(
+        self,
+        items: &mut [T],
+        least: usize,
+        job: impl Fn(usize, &mut [T]) + Sync,
+    ) {
+        let portions = (items.len() / least).clamp(1, self.workers);
+        let size = items.len().div_ceil(portions).max(1);
+        let each = items.chunks_mut(size).enumerate();
+        self.team.distribute(each, |(n, portion)| job(*n * size, portion));
+    }
+
+    /// The same for two lists of the same length.
+    pub(crate) fn portions2<A: Send, B: Send>(
+        self,
+        (first, second): (&mut [A], &mut [B]),
+        least: usize,
+        job: impl Fn(usize, &mut [A], &mut [B]) + Sync,
+    ) {
+        let portions = (first.len() / least).clamp(1, self.workers);
+        let size = first.len().div_ceil(portions).max(1);
+        let each = first.chunks_mut(size).zip(second.chunks_mut(size)).enumerate();
+        self.team.distribute(each, |(n, (first, second))| job(*n * size, first, second));
+    }
+
+    /// The results of `job(range)` for successive ranges of so many numbers below `length`, in order. They are dealt to the threads in
+    /// turn, since neighbours are often alike in cost.
+    pub(crate) fn collect<T: Send>(
+        self,
+        length: usize,
+        range: usize,
+        job: impl Fn(Range<usize>) -> T + Sync,
+    ) -> Vec<T> {
+        let ranges = length.div_ceil(range);
+        let workers = self.workers.min(ranges).max(1);
+        let mut dealt = worker_items((0..workers).map(|n| (n, Vec::new())));
+        self.team.for_each(&mut dealt, |(n, results)| {
+            let own = (*n..ranges).step_by(workers);
+            results.extend(own.map(|n| job(n * range..length.min((n + 1) * range))));
+        });
+        let mut dealt: Vec<_> = dealt.into_iter().map(|(_, results)| results.into_iter()).collect();
+        (0..ranges).filter_map(|n| dealt[n % workers].next()).collect()
+    }
+}
+
 /// Maximum number of workers of a team; beyond it a number is a slip of the pen.
 pub const MAX_WORKERS: usize = 4096;
 
@@ -257,6 +318,21 @@ mod tests {
                 team.for_each(&mut counts, |c| *c += 1);
             }
             assert_eq!(counts, vec![1000; size]);
+        }
+    }
+
+    #[test]
+    fn a_crew_takes_every_item_once_and_keeps_their_order() {
+        let team = Team::new(3);
+        let crew = Crew { team: &team, workers: 3 };
+        for length in [0, 1, 2, 7, 100] {
+            let mut items = vec![0; length];
+            crew.portions(&mut items, 2, |first, portion| {
+                portion.iter_mut().enumerate().for_each(|(n, item)| *item += first + n);
+            });
+            assert!(items.iter().enumerate().all(|(n, item)| n == *item));
+            let collected = crew.collect(length, 4, |range| range.collect::<Vec<_>>());
+            assert_eq!(collected.concat(), items);
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::partition::{RowPartition, SerialFallback, Throughput};
 use super::stopwatch::Stopwatch;
-use super::threads::{MAX_WORKERS, Team};
+use super::threads::{Crew, MAX_WORKERS, Team};
 use crate::exact_sum::{ExactSum, over_blocks};
 use crate::fields::{Soil, mass_as_main};
 use crate::grid::Grid;
@@ -78,6 +78,8 @@ pub(crate) struct WorkerScratch<R: Scalar> {
     pub(crate) row: Vec<R>,
     /// Scratch memory for a block of cells.
     pub(crate) block: Box<R::CellBlock>,
+    /// Sums over the worker's rows in the Lagrangian stage.
+    pub(crate) sums: StageSums,
     /// Throughput of this worker.
     pub(crate) throughput: Throughput,
     /// Time by stage of this worker.
@@ -123,6 +125,40 @@ pub(crate) struct RowSums {
     pub yields: u32,
 }
 
+/// Sums over several rows, exact.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct StageSums {
+    /// Plastic, viscous, hourglass and seepage dissipation, work of gravity, kinetic energy.
+    energies: [ExactSum; 6],
+    /// Largest displacements, of all nodes and of light ones.
+    farthest: [f64; 2],
+    yields: u32,
+}
+
+impl StageSums {
+    /// Over some rows.
+    pub(crate) fn of<'a>(rows: impl Iterator<Item = &'a RowSums>) -> Self {
+        let mut sums = Self::default();
+        for own in rows {
+            let terms = [own.plastic, own.viscous, own.hourglass, own.seepage, own.gravity, own.kinetic];
+            sums.energies.iter_mut().zip(terms).for_each(|(sum, term)| sum.add(term));
+            sums.reach([own.displacement, own.displacement_light], own.yields);
+        }
+        sums
+    }
+
+    fn reach(&mut self, [all, light]: [f64; 2], yields: u32) {
+        self.farthest = [self.farthest[0].max(all), self.farthest[1].max(light)];
+        self.yields += yields;
+    }
+
+    fn merge(mut self, other: &Self) -> Self {
+        self.energies.iter_mut().zip(other.energies).for_each(|(sum, other)| sum.merge(other));
+        self.reach(other.farthest, other.yields);
+        self
+    }
+}
+
 /// Number of row buffers in the Lagrangian stage.
 pub(crate) const ROW_BUFFERS: usize = 6;
 
@@ -142,6 +178,7 @@ impl<R: Scalar> SoilWorkspace<R> {
             waiting: vec![R::default(); if n > 0 { NODE_SUMS * (plane + row) } else { 0 }],
             row: vec![R::default(); ROW_BUFFERS * row],
             block: R::cell_block(),
+            sums: StageSums::default(),
             throughput: Throughput::default(),
             stopwatch: Stopwatch::default(),
         };
@@ -229,19 +266,11 @@ impl<R: Scalar> SoilWorkspace<R> {
     }
 
     /// Sums of the Lagrangian stage over the whole grid.
-    pub(crate) fn total_of_stage(&self, grid: &Grid, halo: &Halo) -> RowSums {
-        let mut sums = [ExactSum::default(); 6];
-        let mut farthest = [0.0_f64; 2];
-        let mut yields = 0;
-        for row in self.partition.all().filter(|row| grid.owned_row(*row).is_some()) {
-            let own = &self.row_sums[row];
-            let terms = [own.plastic, own.viscous, own.hourglass, own.seepage, own.gravity, own.kinetic];
-            sums.iter_mut().zip(terms).for_each(|(sum, term)| sum.add(term));
-            farthest = [farthest[0].max(own.displacement), farthest[1].max(own.displacement_light)];
-            yields += own.yields;
-        }
+    pub(crate) fn total_of_stage(&self, halo: &Halo) -> RowSums {
+        let each = self.workers.iter().take(self.partition.ranges().len()).map(|worker| &worker.sums);
+        let StageSums { energies, mut farthest, yields } = each.fold(StageSums::default(), StageSums::merge);
         halo.largest(&mut farthest);
-        let [plastic, viscous, hourglass, seepage, gravity, kinetic] = over_blocks(halo, sums);
+        let [plastic, viscous, hourglass, seepage, gravity, kinetic] = over_blocks(halo, energies);
         let [displacement, displacement_light] = farthest;
         RowSums {
             plastic,
@@ -254,6 +283,11 @@ impl<R: Scalar> SoilWorkspace<R> {
             displacement_light,
             yields,
         }
+    }
+
+    /// The threads at work, for loops other than over rows.
+    pub(crate) fn crew(&self) -> Crew<'_> {
+        Crew::of(&self.team, &self.partition)
     }
 
     /// Finds which rows hold soil, and of which material; then rebalances the partition.

@@ -11,7 +11,7 @@ use super::stress::{NodeRows, strain_cells};
 use super::{Coefficients, Real, Soil, State, WorkerScratch, Workspace};
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::threads::worker_items;
-use crate::cpu::workspace::{COEFFICIENTS, NODE_SUMS, RowSums};
+use crate::cpu::workspace::{COEFFICIENTS, NODE_SUMS, RowSums, StageSums};
 use crate::fields::HISTORY_COUNT;
 use crate::grid::Grid;
 use crate::model::Model;
@@ -192,7 +192,7 @@ fn pass_forces_on(slices: &mut [WorkerSlice]) {
     }
 }
 
-/// Moves the nodes of a slice that had to wait for the cells below and behind them.
+/// Moves the nodes of a slice that had to wait for the cells below and behind them, and adds up the sums of its rows.
 fn move_waiting(inputs: &Inputs, slice: &mut WorkerSlice) {
     let lengths @ [row, _] = [inputs.grid.stride[1], inputs.grid.padded_nodes()];
     for n in 0..inputs.waiting(slice) {
@@ -210,6 +210,8 @@ fn move_waiting(inputs: &Inputs, slice: &mut WorkerSlice) {
         }
         move_row_of(inputs, slice, row_and_plane, n);
     }
+    let own = slice.rows.clone().zip(&*slice.sums).filter(|(row, _)| inputs.grid.owned_row(*row).is_some());
+    slice.scratch.sums = StageSums::of(own.map(|(_, sums)| sums));
 }
 
 /// Sets force coefficients to zero, unless they are.
