@@ -63,9 +63,14 @@ impl ExactSum {
 
     /// Adds the terms of another sum.
     pub fn merge(&mut self, mut other: Self) {
-        // The carries of both fit into what a thousand terms leave.
-        self.carry();
-        other.carry();
+        let terms = (ROOM - self.room) + (ROOM - other.room);
+        if terms <= ROOM {
+            self.room = ROOM - terms;
+        } else {
+            // The carries of both fit into what a thousand terms leave.
+            self.carry();
+            other.carry();
+        }
         self.digits.iter_mut().zip(other.digits).for_each(|(own, digit)| *own += digit);
     }
 

@@ -37,7 +37,8 @@ impl std::ops::Add for Lanes {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
-        Self(std::array::from_fn(|n| self.0[n] + other.0[n]))
+        let ([a, b, c, d], [p, q, r, s]) = (self.0, other.0);
+        Self([a + p, b + q, c + r, d + s])
     }
 }
 
@@ -45,7 +46,8 @@ impl std::ops::Mul for Lanes {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
-        Self(std::array::from_fn(|n| self.0[n] * other.0[n]))
+        let ([a, b, c, d], [p, q, r, s]) = (self.0, other.0);
+        Self([a * p, b * q, c * r, d * s])
     }
 }
 
@@ -53,7 +55,8 @@ impl std::ops::Mul<Lanes> for f64 {
     type Output = Lanes;
     #[inline]
     fn mul(self, v: Lanes) -> Lanes {
-        Lanes(v.0.map(|x| self * x))
+        let [a, b, c, d] = v.0;
+        Lanes([self * a, self * b, self * c, self * d])
     }
 }
 
@@ -92,20 +95,33 @@ impl SweptConstraint {
     /// Relative velocity [m/s], including the cut-cell correction, so that it is work-conjugate to the impulse.
     #[inline]
     fn slip_velocity(&self, nodes: &[SweptNode], body: &StruckBody) -> DVec3 {
-        let velocity = self.nodes.map(|node| nodes[node as usize].velocity);
-        let soil = over_corners(std::array::from_fn(|n| self.weight[n] * velocity[n])).vector();
-        let corrected = over_corners(std::array::from_fn(|n| self.hourglass_correction[n].dot(velocity[n])));
-        body.twist.at(self.arm) - soil - corrected * self.normal
+        let (mut soil, mut corrected) = ([Lanes::default(); 8], [0.0; 8]);
+        for n in 0..8 {
+            let velocity = nodes[self.nodes[n] as usize].velocity;
+            soil[n] = self.weight[n] * velocity;
+            corrected[n] = self.hourglass_correction[n].dot(velocity);
+        }
+        body.twist.at(self.arm) - over_corners(soil).vector() - over_corners(corrected) * self.normal
+    }
+
+    /// The impulse after one relaxation.
+    #[inline]
+    fn relaxed(&self, (nodes, bodies): (&[SweptNode], &[StruckBody]), relaxation: f64) -> DVec3 {
+        let Some(mass) = &self.mass else { return self.impulse };
+        let relative = self.slip_velocity(nodes, &bodies[self.body]);
+        mass.projected_impulse(relative, (self.normal, self.impulse), relaxation)
     }
 
     /// Changes of the nodes' velocities by an impulse on the soil [m/s].
     #[inline]
     fn gains(&self, nodes: &[SweptNode], impulse: DVec3) -> [Lanes; 8] {
         let (along, impulse) = (impulse.dot(self.normal), Lanes::of(impulse));
-        std::array::from_fn(|n| {
+        let mut gains = [Lanes::default(); 8];
+        for n in 0..8 {
             let on_node = self.weight[n] * impulse + along * self.hourglass_correction[n];
-            nodes[self.nodes[n] as usize].inverse_mass * on_node
-        })
+            gains[n] = nodes[self.nodes[n] as usize].inverse_mass * on_node;
+        }
+        gains
     }
 }
 
@@ -146,11 +162,11 @@ impl SweptIsland {
         island: usize,
         (prepared, order): (&[Prepared], &[usize]),
     ) {
-        let own = problem.islands.nodes[island].iter().map(|node| &problem.nodes[*node as usize]);
+        let own = problem.islands.nodes[island].iter().map(|node| *node as usize);
         self.nodes.clear();
         self.nodes.extend(own.map(|node| SweptNode {
-            velocity: Lanes::of(node.velocity),
-            inverse_mass: Lanes::of(node.inverse_mass),
+            velocity: Lanes::of(problem.velocity[node]),
+            inverse_mass: Lanes::of(problem.inverse_mass[node]),
         }));
         self.numbers.clear();
         self.constraints.clear();
@@ -200,7 +216,7 @@ impl SweptIsland {
     pub(super) fn put_back(&self, problem: &mut ContactProblem, island: usize, prepared: &mut [Prepared]) {
         self.put_bodies_back(problem);
         for (node, own) in problem.islands.nodes[island].iter().zip(&self.nodes) {
-            problem.nodes[*node as usize].velocity = own.velocity.vector();
+            problem.velocity[*node as usize] = own.velocity.vector();
         }
         for constraint in &self.constraints {
             prepared[constraint.number].0.impulse = constraint.impulse;
@@ -253,14 +269,14 @@ fn sweep(times: usize, groups: &[Group], constraints: &mut [SweptConstraint], (n
 impl Group {
     #[inline]
     fn relax(&self, constraints: &mut [SweptConstraint], (nodes, bodies): Velocities) {
-        let relaxed = |c: &SweptConstraint| {
-            c.mass.as_ref().map_or(c.impulse, |mass| {
-                let relative = c.slip_velocity(nodes, &bodies[c.body]);
-                mass.projected_impulse(relative, (c.normal, c.impulse), self.relaxation)
-            })
+        let first = constraints[self.first].relaxed((nodes, bodies), self.relaxation);
+        let is_single = self.first == self.second;
+        let second = if is_single {
+            first
+        } else {
+            constraints[self.second].relaxed((nodes, bodies), self.relaxation)
         };
-        let first = relaxed(&constraints[self.first]);
-        let new = [first, if self.first == self.second { first } else { relaxed(&constraints[self.second]) }];
+        let new = [first, second];
         let change = [new[0] - constraints[self.first].impulse, new[1] - constraints[self.second].impulse];
         self.apply(change, constraints, (nodes, bodies));
         constraints[self.first].impulse = new[0];

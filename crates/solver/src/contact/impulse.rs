@@ -138,7 +138,7 @@ impl Impulses {
         let ContactProblem {
             contacts,
             impulses,
-            nodes,
+            velocity,
             corner_nodes,
             moving,
             constraint_points,
@@ -146,14 +146,14 @@ impl Impulses {
             crew,
             ..
         } = problem;
-        let (nodes, moving, dt) = (&**nodes, &**moving, *dt);
+        let (velocity, moving, dt) = (&**velocity, &**moving, *dt);
         crew.portions2((contacts, impulses), POINTS_AT_ONCE, |first, contacts, impulses| {
             for (n, (c, impulses)) in contacts.iter_mut().zip(impulses).enumerate() {
                 let n = first + n;
                 let constraint = &prepared[constraint_points.number[n]].0;
                 let constraint = is_active[n].load(Ordering::Relaxed).then_some(constraint);
                 *impulses = take_portion(c, constraint);
-                let closing = slip_velocity(c, (nodes, &corner_nodes[n]), moving).dot(c.normal);
+                let closing = slip_velocity(c, (velocity, &corner_nodes[n]), moving).dot(c.normal);
                 move_on(c, closing * dt, constraint);
             }
         });
@@ -205,7 +205,7 @@ impl EffectiveMass {
         let delassus_diagonal = delassus_diagonal(problem, jacobian);
         let soil = |n: usize| {
             let impulse = jacobian.on_node(n, normal);
-            (impulse * impulse).dot(problem.nodes[jacobian.nodes[n] as usize].inverse_mass)
+            (impulse * impulse).dot(problem.inverse_mass[jacobian.nodes[n] as usize])
         };
         let normal_mass = over_corners(std::array::from_fn(soil))
             + delassus_of_body(problem, jacobian).dot(normal * normal);
@@ -264,7 +264,7 @@ pub(super) fn coupling(
         let other = b.jacobian.nodes.iter().position(|m| *m == node);
         other.map_or(0.0, |m| {
             let both = a.jacobian.on_node(n, a.jacobian.normal) * b.jacobian.on_node(m, b.jacobian.normal);
-            both.abs().dot(problem.nodes[node as usize].inverse_mass)
+            both.abs().dot(problem.inverse_mass[node as usize])
         })
     };
     let through_soil = over_corners(std::array::from_fn(shared));
@@ -276,9 +276,8 @@ pub(super) fn coupling(
 
 /// Diagonal of the Delassus operator: velocity per impulse along x, y, z, of soil and body together [1/kg].
 fn delassus_diagonal(problem: &ContactProblem, jacobian: &ContactJacobian) -> DVec3 {
-    let soil = |n: usize| {
-        jacobian.weight[n] * jacobian.weight[n] * problem.nodes[jacobian.nodes[n] as usize].inverse_mass
-    };
+    let soil =
+        |n: usize| jacobian.weight[n] * jacobian.weight[n] * problem.inverse_mass[jacobian.nodes[n] as usize];
     over_corners(std::array::from_fn(soil)) + delassus_of_body(problem, jacobian)
 }
 

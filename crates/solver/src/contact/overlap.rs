@@ -11,6 +11,7 @@
 use super::body_fraction::find_bodies;
 use super::problem::{corners, over_corners};
 use super::workspace::ContactWorkspace;
+use crate::cpu::threads::Crew;
 use crate::cpu::workspace::SoilWorkspace;
 use crate::fields::Carrier;
 use crate::grid::Grid;
@@ -38,7 +39,8 @@ pub(crate) fn remove_overlap<R: Precision>(
     cells.sort_unstable();
     cells.dedup();
     for _ in 0..ROUNDS {
-        let transfers = distribute(&model.grid, &state.soil.fraction, &soil.velocity_before[0], &cells);
+        let fractions = [&state.soil.fraction, &soil.velocity_before[0]].map(Vec::as_slice);
+        let transfers = distribute(&model.grid, fractions, &cells, soil.crew());
         let mut left = [transfers.len() as i64];
         halo.add(&mut left);
         if left == [0] {
@@ -91,29 +93,38 @@ fn neighbours(grid: &Grid, cell: usize) -> impl Iterator<Item = (usize, usize)> 
 
 /// The transfers of a round: an overlap is distributed over all neighbours with space, in proportion to it; a
 /// cell that would receive more than it has space for reduces all transfers to it by the same factor.
-fn distribute<R: Scalar>(grid: &Grid, fraction: &[R], body_fraction: &[R], cells: &[usize]) -> Vec<Transfer> {
+fn distribute<R: Scalar>(
+    grid: &Grid,
+    [fraction, body_fraction]: [&[R]; 2],
+    cells: &[usize],
+    crew: Crew,
+) -> Vec<Transfer> {
+    /// Cells that a thread takes at once.
+    const AT_ONCE: usize = 64;
     let held = |c: usize| fraction[c].to_f64();
     let space = |c: usize| (1.0 - body_fraction[c].to_f64() - held(c)) * grid.volume_of(c);
-    let mut demand: BTreeMap<usize, Layered<f64>> = BTreeMap::new();
-    let mut transfers = Vec::new();
-    for &from in cells {
-        let smallest = R::ROUND_OFF * grid.volume_of(from);
-        let excess = (-space(from)).min(held(from) * grid.volume_of(from));
-        if excess <= smallest {
-            continue;
-        }
+    let smallest = |from: usize| R::ROUND_OFF * grid.volume_of(from);
+    let excess = |from: usize| (-space(from)).min(held(from) * grid.volume_of(from));
+    let of_cell = |from: usize| {
+        let (smallest, excess) = (smallest(from), excess(from));
         // Only into cells with soil: it would otherwise be ejected into the void.
-        let receivers =
-            || neighbours(grid, from).filter(|(n, _)| fraction[*n] > R::default() && space(*n) > smallest);
+        let receives = move |n: usize| fraction[n] > R::default() && space(n) > smallest;
+        let receivers = move || neighbours(grid, from).filter(move |(n, _)| receives(*n));
         let mut total = Layered::default();
         receivers().for_each(|(n, side)| total.add(side, space(n)));
         let total = total.total();
-        for (to, side) in receivers() {
+        receivers().map(move |(to, side)| {
             let volume = excess.min(total) * space(to) / total;
-            demand.entry(to).or_default().add(side, volume);
-            transfers.push(Transfer { from, to, side, volume });
-        }
-    }
+            Transfer { from, to, side, volume }
+        })
+    };
+    let each = crew.collect(cells.len(), AT_ONCE, |range| {
+        let overlapping = cells[range].iter().filter(|from| excess(**from) > smallest(**from));
+        overlapping.flat_map(|from| of_cell(*from)).collect::<Vec<_>>()
+    });
+    let mut transfers = each.concat();
+    let mut demand: BTreeMap<usize, Layered<f64>> = BTreeMap::new();
+    transfers.iter().for_each(|t| demand.entry(t.to).or_default().add(t.side, t.volume));
     for t in &mut transfers {
         t.volume *= (space(t.to) / demand[&t.to].total()).min(1.0);
     }

@@ -19,8 +19,10 @@ pub(crate) struct ContactProblem<'a> {
     pub(crate) moving: &'a mut Step,
     /// Contact impulses on them so far.
     pub(crate) bodies: &'a mut [Body],
-    /// Contact nodes.
-    pub(crate) nodes: &'a mut [ContactNode],
+    /// Velocities of the contact nodes [m/s].
+    pub(crate) velocity: &'a mut [DVec3],
+    /// Their inverse masses along x, y, z [1/kg]; 0 where a node has no mass or a boundary holds it.
+    pub(crate) inverse_mass: &'a [DVec3],
     /// For each contact point the indices of its cell's nodes among the contact nodes.
     pub(crate) corner_nodes: &'a [[u32; 8]],
     /// The contact points of each constraint.
@@ -52,10 +54,6 @@ pub(crate) struct ContactNode {
     pub(crate) node: Option<usize>,
     /// Whether this block owns it.
     pub(crate) is_owned: bool,
-    /// Velocity [m/s].
-    pub(crate) velocity: DVec3,
-    /// Inverse mass along x, y, z [1/kg]; 0 where the node has no mass or a boundary holds it.
-    pub(crate) inverse_mass: DVec3,
     /// Velocity components that no boundary holds.
     pub(crate) is_free: [bool; 3],
     /// Mass [kg].
@@ -121,14 +119,14 @@ impl ContactProblem<'_> {
 
     /// Relative velocity at a contact point [m/s].
     pub(crate) fn slip_velocity_of(&self, contact: usize) -> DVec3 {
-        slip_velocity(&self.contacts[contact], (self.nodes, &self.corner_nodes[contact]), self.moving)
+        slip_velocity(&self.contacts[contact], (self.velocity, &self.corner_nodes[contact]), self.moving)
     }
 
     /// Applies an impulse [N s] to the soil and its reaction to the free motions of the body.
     pub(crate) fn exchange(&mut self, jacobian: &ContactJacobian, impulse: DVec3) {
         for (n, index) in jacobian.nodes.iter().enumerate() {
-            let node = &mut self.nodes[*index as usize];
-            node.velocity += node.inverse_mass * jacobian.on_node(n, impulse);
+            let node = *index as usize;
+            self.velocity[node] += self.inverse_mass[node] * jacobian.on_node(n, impulse);
         }
         self.moving.apply(jacobian.body, jacobian.arm, -impulse);
     }
@@ -187,12 +185,8 @@ impl ContactProblem<'_> {
 }
 
 /// Velocity of a body at a contact point minus that of the soil there, from the nodes of its cell [m/s].
-pub(crate) fn slip_velocity(
-    c: &Contact,
-    (nodes, corners): (&[ContactNode], &[u32; 8]),
-    moving: &Step,
-) -> DVec3 {
-    let soil = |n: usize| c.weight[n] * nodes[corners[n] as usize].velocity;
+pub(crate) fn slip_velocity(c: &Contact, (velocity, corners): (&[DVec3], &[u32; 8]), moving: &Step) -> DVec3 {
+    let soil = |n: usize| c.weight[n] * velocity[corners[n] as usize];
     moving.velocity_at(c.body as usize, c.arm) - over_corners(std::array::from_fn(soil))
 }
 

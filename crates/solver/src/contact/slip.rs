@@ -1,6 +1,6 @@
 //! Slip of the bodies' surfaces along the soil in one step: frictional dissipation, and the sums over the bins of the rim.
 
-use super::problem::{ContactNode, POINTS_AT_ONCE, of_body, side};
+use super::problem::{POINTS_AT_ONCE, of_body, side};
 use super::workspace::ContactWorkspace;
 use crate::cpu::threads::Crew;
 use crate::model::Model;
@@ -26,16 +26,19 @@ pub(super) fn account_slip<R>(
     workspace: &mut ContactWorkspace,
     (moving, crew): (&Step, Crew),
 ) -> f64 {
-    let ContactWorkspace { surfaces, nodes, corner_nodes, impulses, pore_pressures, terms, .. } = workspace;
+    let ContactWorkspace { surfaces, nodes, velocity, corner_nodes, impulses, pore_pressures, terms, .. } =
+        workspace;
     let State { contacts, bodies, mechanism, .. } = state;
-    let (contacts, impulses, nodes) = (&*contacts, &*impulses, &*nodes);
+    // Twice the mean.
+    velocity.iter_mut().zip(nodes).for_each(|(velocity, node)| *velocity += node.velocity_before);
+    let (contacts, impulses, velocity) = (&*contacts, &*impulses, &*velocity);
     terms.resize(contacts.len(), SlipTerms::default());
     crew.portions(terms, POINTS_AT_ONCE, |first, terms| {
         for (n, terms) in terms.iter_mut().enumerate().map(|(n, terms)| (first + n, terms)) {
             let c = &contacts[n];
             *terms = SlipTerms::default();
             if impulses[n] != [DVec3::ZERO; 2] {
-                let slip = mean_slip(c, nodes, &corner_nodes[n], moving);
+                let slip = mean_slip(c, velocity, &corner_nodes[n], moving);
                 let axle = mechanism.bodies[c.body as usize].pose.rotation * DVec3::Y;
                 let pressure = pore_pressures.get(n).copied().unwrap_or(0.0);
                 *terms = SlipTerms::of(model, c, (&impulses[n], slip), (axle, pressure));
@@ -79,15 +82,12 @@ impl SlipTerms {
     }
 }
 
-/// Mean of the relative velocity at a contact point before and after the step [m/s].
-fn mean_slip(c: &Contact, nodes: &[ContactNode], corners: &[u32; 8], moving: &Step) -> DVec3 {
+/// Mean of the relative velocity at a contact point before and after the step [m/s], from twice that of the contact nodes.
+fn mean_slip(c: &Contact, twice: &[DVec3], corners: &[u32; 8], moving: &Step) -> DVec3 {
     let body = c.body as usize;
     let of_body = 0.5 * (moving.velocity_at(body, c.arm) + moving.twist_before(body).at(c.arm));
     let each = corners.iter().zip(c.weight);
-    let of_soil = each.fold(DVec3::ZERO, |v, (n, w)| {
-        let node = &nodes[*n as usize];
-        v + 0.5 * w * (node.velocity + node.velocity_before)
-    });
+    let of_soil = each.fold(DVec3::ZERO, |v, (n, w)| v + 0.5 * w * twice[*n as usize]);
     of_body - of_soil
 }
 

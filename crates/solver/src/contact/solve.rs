@@ -39,6 +39,8 @@ pub(crate) fn solve<R: Scalar>(
     let ContactWorkspace {
         law,
         nodes,
+        velocity,
+        inverse_mass,
         corner_nodes,
         constraint_points,
         islands,
@@ -48,8 +50,8 @@ pub(crate) fn solve<R: Scalar>(
         openings,
         ..
     } = &mut *workspace;
-    gather(&state.nodes, &soil.velocity_before, nodes, halo);
-    find_inverse_masses(model, nodes);
+    gather(&state.nodes, &soil.velocity_before, (nodes, velocity), halo);
+    find_inverse_masses(model, nodes, inverse_mass);
     impulses.clear();
     impulses.resize(state.contacts.len(), [DVec3::ZERO; 2]);
     let mut problem = ContactProblem {
@@ -57,7 +59,8 @@ pub(crate) fn solve<R: Scalar>(
         contacts: &mut state.contacts,
         moving,
         bodies: &mut state.bodies,
-        nodes,
+        velocity,
+        inverse_mass,
         corner_nodes,
         constraint_points,
         islands,
@@ -76,41 +79,51 @@ pub(crate) fn solve<R: Scalar>(
     openings.extend((0..pore_pressures.len()).map(|n| problem.opening(n)));
     let lost = pore_pressures.iter().zip(&*openings).map(|(pressure, opening)| pressure * opening);
     let water_work = -lost.sum::<f64>() * model.time_step();
-    let on_soil = scatter(&mut state.nodes, nodes);
+    let on_soil = scatter(&mut state.nodes, nodes, velocity);
     let friction_work = account_slip(model, state, workspace, (moving, soil.crew()));
     soil.stopwatch().lap(Stage::Contact);
     ContactWork { on_soil, friction_work, water_work }
 }
 
 /// Gathers velocities and masses of the contact nodes from the blocks that own them.
-fn gather<R: Scalar>(grid: &Nodes<R>, before: &[Vec<R>; 3], nodes: &mut [ContactNode], halo: &Halo) {
+fn gather<R: Scalar>(
+    grid: &Nodes<R>,
+    before: &[Vec<R>; 3],
+    (nodes, velocity): (&mut [ContactNode], &mut Vec<DVec3>),
+    halo: &Halo,
+) {
+    velocity.clear();
     for node in nodes.iter_mut() {
-        if let Some(n) = node.node {
-            node.mass = grid.mass[n].to_f64();
-            (node.velocity, node.velocity_before) = (velocity_of(&grid.velocity, n), velocity_of(before, n));
-        }
+        let own = node
+            .node
+            .map(|n| (grid.mass[n].to_f64(), velocity_of(&grid.velocity, n), velocity_of(before, n)));
+        let (mass, now, before) = own.unwrap_or_default();
+        (node.mass, node.velocity_free, node.velocity_before) = (mass, now, before);
     }
     if !halo.is_alone() {
         let owned = nodes.iter().enumerate().filter(|(_, node)| node.is_owned);
         let values = owned.map(|(n, node)| {
-            let ([vx, vy, vz], [bx, by, bz]) = (node.velocity.to_array(), node.velocity_before.to_array());
+            let ([vx, vy, vz], [bx, by, bz]) =
+                (node.velocity_free.to_array(), node.velocity_before.to_array());
             (n, [node.mass, vx, vy, vz, bx, by, bz])
         });
         for (n, [mass, vx, vy, vz, bx, by, bz]) in halo::in_order(halo, values) {
             nodes[n].mass = mass;
-            (nodes[n].velocity, nodes[n].velocity_before) = (DVec3::new(vx, vy, vz), DVec3::new(bx, by, bz));
+            (nodes[n].velocity_free, nodes[n].velocity_before) =
+                (DVec3::new(vx, vy, vz), DVec3::new(bx, by, bz));
         }
     }
+    velocity.extend(nodes.iter().map(|node| node.velocity_free));
 }
 
-/// Inverse masses of the contact nodes, and their velocities without contact.
-fn find_inverse_masses(model: &Model, nodes: &mut [ContactNode]) {
+/// Inverse masses of the contact nodes.
+fn find_inverse_masses(model: &Model, nodes: &[ContactNode], inverse_mass: &mut Vec<DVec3>) {
     let mass_moved = model.mass_moved();
-    for node in nodes {
-        node.velocity_free = node.velocity;
+    inverse_mass.clear();
+    inverse_mass.extend(nodes.iter().map(|node| {
         let free = DVec3::from_array(node.is_free.map(|is_free| if is_free { 1.0 } else { 0.0 }));
-        node.inverse_mass = if node.mass > mass_moved { free / node.mass } else { DVec3::ZERO };
-    }
+        if node.mass > mass_moved { free / node.mass } else { DVec3::ZERO }
+    }));
 }
 
 fn velocity_of<R: Scalar>(velocity: &[Vec<R>; 3], node: usize) -> DVec3 {
@@ -119,16 +132,15 @@ fn velocity_of<R: Scalar>(velocity: &[Vec<R>; 3], node: usize) -> DVec3 {
 
 /// Writes the velocities back to the grid. Returns the work on the soil [J]: impulse on each node times the
 /// mean of its velocities before and after the step.
-fn scatter<R: Scalar>(grid: &mut Nodes<R>, nodes: &[ContactNode]) -> f64 {
+fn scatter<R: Scalar>(grid: &mut Nodes<R>, nodes: &[ContactNode], velocity: &[DVec3]) -> f64 {
     let mut work = 0.0;
-    for node in nodes {
+    for (node, velocity) in nodes.iter().zip(velocity) {
         if let Some(n) = node.node {
-            for (v, new) in grid.velocity.iter_mut().zip(node.velocity.to_array()) {
+            for (v, new) in grid.velocity.iter_mut().zip(velocity.to_array()) {
                 v[n] = R::cast(new);
             }
         }
-        work += node.mass
-            * (node.velocity - node.velocity_free).dot(0.5 * (node.velocity + node.velocity_before));
+        work += node.mass * (velocity - node.velocity_free).dot(0.5 * (velocity + node.velocity_before));
     }
     work
 }

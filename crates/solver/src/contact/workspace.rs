@@ -26,6 +26,10 @@ pub(crate) struct ContactWorkspace {
     pub(crate) body_cells: Vec<BodyCell>,
     /// Contact nodes.
     pub(crate) nodes: Vec<ContactNode>,
+    /// Their velocities [m/s].
+    pub(crate) velocity: Vec<DVec3>,
+    /// Their inverse masses along x, y, z [1/kg]; 0 where a node has no mass or a boundary holds it.
+    pub(crate) inverse_mass: Vec<DVec3>,
     /// For each contact point the indices of its cell's nodes among them.
     pub(crate) corner_nodes: Vec<[u32; 8]>,
     /// The contact points of each constraint.
@@ -60,6 +64,8 @@ impl ContactWorkspace {
             surfaces: model.bodies.iter().map(|body| Surface::new(model, body)).collect(),
             body_cells: Vec::new(),
             nodes: Vec::new(),
+            velocity: Vec::new(),
+            inverse_mass: Vec::new(),
             corner_nodes: Vec::new(),
             constraint_points: ConstraintPoints::default(),
             islands: Islands::default(),
@@ -88,6 +94,8 @@ impl ContactWorkspace {
         self.surfaces.iter().map(Surface::memory).sum::<usize>()
             + size_of_val(self.body_cells.as_slice())
             + size_of_val(self.nodes.as_slice())
+            + size_of_val(self.velocity.as_slice())
+            + size_of_val(self.inverse_mass.as_slice())
             + size_of_val(self.corner_nodes.as_slice())
             + self.constraint_points.memory()
             + self.islands.memory()

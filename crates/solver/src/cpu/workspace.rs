@@ -267,8 +267,9 @@ impl<R: Scalar> SoilWorkspace<R> {
 
     /// Sums of the Lagrangian stage over the whole grid.
     pub(crate) fn total_of_stage(&self, halo: &Halo) -> RowSums {
-        let each = self.workers.iter().take(self.partition.ranges().len()).map(|worker| &worker.sums);
-        let StageSums { energies, mut farthest, yields } = each.fold(StageSums::default(), StageSums::merge);
+        let mut each = self.workers.iter().take(self.partition.ranges().len()).map(|worker| &worker.sums);
+        let first = each.next().copied().unwrap_or_default();
+        let StageSums { energies, mut farthest, yields } = each.fold(first, StageSums::merge);
         halo.largest(&mut farthest);
         let [plastic, viscous, hourglass, seepage, gravity, kinetic] = over_blocks(halo, energies);
         let [displacement, displacement_light] = farthest;
