@@ -3,9 +3,10 @@
 
     ranks_and_threads.py COULTER [ROUNDS]
 
-COULTER is built with `--features mpi`. Each round runs one thread, two threads, two processes of one thread and one process under
-`mpirun`, and takes the seconds in steps over their number from `summary.json`. Last come the medians, and the medians of the ratios
-within a round. Python 3, standard library only.
+COULTER is built with `--features mpi`. Each round runs one thread, two threads, two processes of one thread, one process under `mpirun`
+and two runs of one thread at once that have nothing to do with each other, and takes the seconds in steps over their number from
+`summary.json`. Last come the medians, and the medians of the ratios within a round. Two runs at once show what the machine has to give:
+on many a virtual one the second core is not a whole one. Python 3, standard library only.
 """
 
 import json
@@ -27,30 +28,38 @@ KEYS = [
 ]
 UNBOUND = ["mpirun", "--bind-to", "none", "-n"]
 WAYS = {"1 thread": ([], 1), "2 threads": ([], 2), "2 processes": ([*UNBOUND, "2"], 1), "1 process": ([*UNBOUND, "1"], 1)}
-RATIOS = [("1 thread", "2 threads"), ("2 processes", "2 threads"), ("1 process", "1 thread")]
+# Half of the time that two runs take at once: that of a step, if threads had nothing to share.
+BOTH = "2 runs, halved"
+RATIOS = [("1 thread", "2 threads"), ("1 thread", BOTH), (BOTH, "2 threads"), ("2 processes", "2 threads"), ("1 process", "1 thread")]
 
 
-def milliseconds(coulter: str, launcher: list[str], threads: int) -> float:
-    """Time of a step [ms]."""
+def milliseconds(coulter: str, launcher: list[str], threads: int, runs: int = 1) -> float:
+    """Mean time of a step [ms] of so many runs at once."""
     allowed = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"} if os.geteuid() == 0 else {}
     with tempfile.TemporaryDirectory() as scratch:
-        folder = Path(scratch) / "run"
+        folders = [Path(scratch) / f"run{n}" for n in range(runs)]
         sets = [word for key in KEYS for word in ("--set", key)]
-        words = [*launcher, coulter, "run", str(CASE), *sets, "--threads", str(threads), "-o", str(folder)]
-        done = subprocess.run(words, env={**os.environ, **allowed}, capture_output=True, text=True)
-        # 1: a result that the run does not trust takes as long.
-        if done.returncode not in (0, 1):
-            sys.exit(done.stderr)
-        summary = json.loads((folder / "summary.json").read_text())
-    return 1e3 * summary["wall_s"] / summary["steps"]
+        words = [*launcher, coulter, "run", str(CASE), *sets, "--threads", str(threads), "-o"]
+        started = [
+            subprocess.Popen([*words, str(folder)], env={**os.environ, **allowed}, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+            for folder in folders
+        ]
+        for one in started:
+            complaint = one.communicate()[1]
+            # 1: a result that the run does not trust takes as long.
+            if one.returncode not in (0, 1):
+                sys.exit(complaint)
+        summaries = [json.loads((folder / "summary.json").read_text()) for folder in folders]
+    return statistics.mean(1e3 * summary["wall_s"] / summary["steps"] for summary in summaries)
 
 
 def main() -> None:
     coulter, rounds = str(Path(sys.argv[1]).resolve()), int(sys.argv[2]) if len(sys.argv) > 2 else 5
-    taken: dict[str, list[float]] = {way: [] for way in WAYS}
+    taken: dict[str, list[float]] = {way: [] for way in [*WAYS, BOTH]}
     for _ in range(rounds):
         for way, (launcher, threads) in WAYS.items():
             taken[way].append(milliseconds(coulter, launcher, threads))
+        taken[BOTH].append(milliseconds(coulter, [], 1, runs=2) / 2)
         print("  ".join(f"{way}: {times[-1]:.2f} ms" for way, times in taken.items()), flush=True)
     print("medians:", "  ".join(f"{way}: {statistics.median(times):.2f} ms" for way, times in taken.items()))
     for one, other in RATIOS:

@@ -10,6 +10,7 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Condvar, Mutex};
 use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
 
 type Job = *const (dyn Fn(usize) + Sync);
 
@@ -45,7 +46,9 @@ impl std::fmt::Debug for Team {
 }
 
 const SPINS: u32 = 4000;
-const YIELDS: u32 = 200;
+/// How long a thread offers its core to others before it goes to sleep: longer than what the calling thread does alone within a step,
+/// since it takes a tenth of a millisecond to wake.
+const PATIENCE: Duration = Duration::from_millis(2);
 
 impl Team {
     /// A team of `size` workers (at least one, at most [`MAX_WORKERS`]).
@@ -293,7 +296,8 @@ fn wait_for_turn(shared: &Shared, turn: usize) {
         }
         std::hint::spin_loop();
     }
-    for _ in 0..YIELDS {
+    let start = Instant::now();
+    while start.elapsed() < PATIENCE {
         if ready() {
             return;
         }
