@@ -43,7 +43,8 @@ pub(crate) struct ConstraintPoints {
 impl ConstraintPoints {
     /// From the number of the constraint of each contact point.
     fn new(number: Vec<usize>) -> Self {
-        let constraints = number.iter().max().map_or(0, |last| last + 1);
+        let Some(last) = number.iter().max() else { return Self::default() };
+        let constraints = last + 1;
         let mut start = vec![0; constraints + 1];
         number.iter().for_each(|n| start[n + 1] += 1);
         (0..constraints).for_each(|n| start[n + 1] += start[n]);

@@ -1,55 +1,56 @@
-//! Distribution of the grid's rows among the workers.
+//! Distribution of the grid's rows among the threads.
 
 use std::ops::Range;
 
-/// Partition of the rows of the grid among the workers: contiguous runs, so that arrays can be split safely.
+/// Partition of the rows of the grid into portions: contiguous runs, so that arrays can be split safely.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RowPartition {
-    /// First row of each worker, and the end.
+    /// First row of each portion, and the end.
     bounds: Vec<usize>,
-    /// Minimum number of rows per worker.
+    /// Minimum number of rows per portion.
     least: usize,
     /// Array entries per row.
     pub stride: usize,
 }
 
 impl RowPartition {
-    /// Partitions rows `first..` with the given costs among `workers` so that each has about the same cost,
+    /// Partitions rows `first..` with the given costs into `portions` so that each has about the same cost,
     /// and at least `least` rows.
     ///
     /// # Panics
     /// If there are too few rows.
     #[must_use]
-    pub fn new(first: usize, cost: &[f64], [workers, least]: [usize; 2], stride: usize) -> Self {
-        assert!(workers > 0 && workers * least <= cost.len(), "too few rows for {workers} workers");
-        let mut partition = Self { bounds: vec![first; workers + 1], least, stride };
-        partition.rebalance(cost, workers, |_| 1.0);
+    pub fn new(first: usize, cost: &[f64], [portions, least]: [usize; 2], stride: usize) -> Self {
+        assert!(portions > 0 && portions * least <= cost.len(), "too few rows for {portions} portions");
+        let mut partition = Self { bounds: vec![first; portions + 1], least, stride };
+        partition.rebalance(cost, portions, |_| 1.0);
         partition
     }
 
-    /// Rebalances among `workers`, at most as many as at first, so that workers of the given speeds take
-    /// about the same time.
-    pub fn rebalance(&mut self, cost: &[f64], workers: usize, speed: impl Fn(usize) -> f64) {
+    /// Rebalances into `portions`, at most as many as at first, with costs in proportion to the given shares.
+    pub fn rebalance(&mut self, cost: &[f64], portions: usize, share: impl Fn(usize) -> f64) {
         let first = self.bounds[0];
-        self.bounds.resize(workers + 1, first);
-        let (total, all): (f64, f64) = (cost.iter().sum(), (0..workers).map(&speed).sum());
-        let (mut row, mut sum, mut faster) = (0, 0.0, 0.0);
-        for worker in 1..workers {
-            faster += speed(worker - 1);
-            let due = total * faster / all;
+        self.bounds.resize(portions + 1, first);
+        let (total, all): (f64, f64) = (cost.iter().sum(), (0..portions).map(&share).sum());
+        let (mut row, mut sum, mut shares) = (0, 0.0, 0.0);
+        for portion in 1..portions {
+            shares += share(portion - 1);
+            let due = total * shares / all;
             // Round to the nearer end of a row.
             while row < cost.len() && sum + 0.5 * cost[row] < due {
                 sum += cost[row];
                 row += 1;
             }
-            let [low, high] =
-                [self.bounds[worker - 1] + self.least, first + cost.len() - (workers - worker) * self.least];
-            self.bounds[worker] = (first + row).clamp(low, high);
+            let [low, high] = [
+                self.bounds[portion - 1] + self.least,
+                first + cost.len() - (portions - portion) * self.least,
+            ];
+            self.bounds[portion] = (first + row).clamp(low, high);
         }
-        self.bounds[workers] = first + cost.len();
+        self.bounds[portions] = first + cost.len();
     }
 
-    /// Load of each worker, from the costs by which the rows were partitioned.
+    /// Load of each portion, from the costs by which the rows were partitioned.
     pub fn loads<'a>(&'a self, cost: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
         let first = self.bounds[0];
         self.ranges().map(move |rows| cost[rows.start - first..rows.end - first].iter().sum())
@@ -61,12 +62,12 @@ impl RowPartition {
         self.bounds[0]..self.bounds[self.bounds.len() - 1]
     }
 
-    /// The rows of each worker.
+    /// The rows of each portion.
     pub fn ranges(&self) -> impl ExactSizeIterator<Item = Range<usize>> + '_ {
         self.bounds.windows(2).map(|b| b[0]..b[1])
     }
 
-    /// Splits an array into the workers' rows.
+    /// Splits an array into the rows of the portions.
     pub fn split<'a, T>(&'a self, array: &'a mut [T]) -> impl Iterator<Item = &'a mut [T]> {
         self.split_by(if array.is_empty() { 0 } else { self.stride }, array)
     }

@@ -105,30 +105,31 @@ impl Team {
         assert!(!self.shared.failed.load(Ordering::Relaxed), "a worker thread panicked");
     }
 
-    /// Runs `job(&mut items[worker])` on as many workers as there are items. A single item is processed by
-    /// the calling thread, without synchronisation.
+    /// Runs `job` on every item: on the first by the first worker and so on, on those beyond the number of workers by whoever is
+    /// ready first. A single item is processed by the calling thread, without synchronisation.
     ///
     /// # Panics
-    /// If there are more items than workers, or the job panics.
+    /// If the job panics.
     pub fn for_each<T: Send>(&self, items: &mut [T], job: impl Fn(&mut T) + Sync) {
-        assert!(items.len() <= self.size(), "more items than workers");
         if let [item] = items {
             job(item);
             return;
         }
         let base = ItemsPointer(items.as_mut_ptr());
-        let count = items.len();
+        let (count, next) = (items.len(), AtomicUsize::new(self.size()));
         self.run(&|worker| {
-            if worker < count {
-                // SAFETY: worker numbers are unique, so no two workers get the same item.
-                job(unsafe { &mut *base.at(worker) });
+            let mut own = worker;
+            while own < count {
+                // SAFETY: numbers of workers are unique, and so are those beyond that are counted up: no two workers get the same item.
+                job(unsafe { &mut *base.at(own) });
+                own = next.fetch_add(1, Ordering::Relaxed);
             }
         });
     }
 
-    /// Runs the job on each item of an iterator, with one worker for each; at most as many items as workers.
+    /// The same for the items of an iterator.
     pub fn distribute<T: Send>(&self, items: impl Iterator<Item = T>, job: impl Fn(&mut T) + Sync) {
-        self.for_each(&mut worker_items(items), job);
+        self.for_each(&mut team_items(items), job);
     }
 
     /// Calls `job(row, output)` for every row of the partition, in parallel, with the row of `output`.
@@ -174,9 +175,9 @@ pub(crate) struct Crew<'a> {
 }
 
 impl<'a> Crew<'a> {
-    /// As many threads of a team as a partition has ranges.
+    /// The threads of a team, at most as many as a partition has ranges.
     pub(crate) fn of(team: &'a Team, partition: &RowPartition) -> Self {
-        Self { team, workers: partition.ranges().len() }
+        Self { team, workers: partition.ranges().len().min(team.size()) }
     }
 
     /// Calls `job(first, portion)` on successive portions of the items, in parallel; no portion but a single one has fewer than
@@ -216,7 +217,7 @@ impl<'a> Crew<'a> {
     ) -> Vec<T> {
         let ranges = length.div_ceil(range);
         let workers = self.workers.min(ranges).max(1);
-        let mut dealt = worker_items((0..workers).map(|n| (n, Vec::new())));
+        let mut dealt = team_items((0..workers).map(|n| (n, Vec::new())));
         self.team.for_each(&mut dealt, |(n, results)| {
             let own = (*n..ranges).step_by(workers);
             results.extend(own.map(|n| job(n * range..length.min((n + 1) * range))));
@@ -232,8 +233,8 @@ pub const MAX_WORKERS: usize = 4096;
 /// As many workers' items lie on the stack, so that a step allocates no memory; those of larger teams do not.
 const ON_STACK: usize = 64;
 
-/// One item for each worker.
-pub(crate) fn worker_items<T>(items: impl Iterator<Item = T>) -> SmallVec<[T; ON_STACK]> {
+/// Items for the workers of a team.
+pub(crate) fn team_items<T>(items: impl Iterator<Item = T>) -> SmallVec<[T; ON_STACK]> {
     items.collect()
 }
 
@@ -314,14 +315,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_worker_runs_once_each_time() {
+    fn every_item_is_processed_once_each_time() {
         for size in [1, 2, 3, 5] {
             let team = Team::new(size);
-            let mut counts = vec![0_usize; size];
+            let mut counts = vec![0_usize; 3 * size];
             for _ in 0..1000 {
                 team.for_each(&mut counts, |c| *c += 1);
             }
-            assert_eq!(counts, vec![1000; size]);
+            assert_eq!(counts, vec![1000; 3 * size]);
         }
     }
 

@@ -46,8 +46,9 @@ pub struct SoilWorkspace<R: Scalar> {
     pub(crate) velocity_before: [Vec<R>; 3],
     /// Averages of soil with a characteristic length; empty without.
     pub(crate) averages: [[Vec<R>; 2]; 2],
-    /// Scratch memory of each worker.
-    pub(crate) workers: Vec<WorkerScratch<R>>,
+    /// Scratch memory of each portion of the rows: the first ones belong to a thread each, the small ones after them to whoever is
+    /// ready first.
+    pub(crate) portions: Vec<PortionScratch<R>>,
     /// Sums over each row in the Lagrangian stage.
     pub(crate) row_sums: Vec<RowSums>,
     /// Two values for each row, to be summed.
@@ -62,27 +63,27 @@ impl<R: Scalar> std::fmt::Debug for SoilWorkspace<R> {
     }
 }
 
-/// Scratch memory of a worker, aligned against false sharing: it is written in every row.
+/// Scratch memory of a portion of the rows, aligned against false sharing: it is written in every row.
 #[repr(align(128))]
-pub(crate) struct WorkerScratch<R: Scalar> {
+pub(crate) struct PortionScratch<R: Scalar> {
     /// Force coefficients of two successive rows of cells.
     pub(crate) coefficients: [Coefficients<R>; 2],
-    /// Force coefficients of the worker's first row.
+    /// Force coefficients of the portion's first row.
     pub(crate) first: Coefficients<R>,
     /// Force and damping (four rows for each row of nodes) exerted on a plane of nodes by the cells below it.
     pub(crate) below: Vec<R>,
-    /// The same, row by row, for the worker's first nodes that wait for cells of another worker; those of the
-    /// first worker do not.
+    /// The same, row by row, for the portion's first nodes that wait for cells of another one; those of the
+    /// first portion do not.
     pub(crate) waiting: Vec<R>,
     /// Row buffers of the nodes.
     pub(crate) row: Vec<R>,
     /// Scratch memory for a block of cells.
     pub(crate) block: Box<R::CellBlock>,
-    /// Sums over the worker's rows in the Lagrangian stage.
+    /// Sums over the portion's rows in the Lagrangian stage.
     pub(crate) sums: StageSums,
-    /// Throughput of this worker.
+    /// Throughput of the thread to which it belongs.
     pub(crate) throughput: Throughput,
-    /// Time by stage of this worker.
+    /// Time by stage.
     pub(crate) stopwatch: Stopwatch,
 }
 
@@ -171,7 +172,7 @@ impl<R: Scalar> SoilWorkspace<R> {
         let planes = grid.cells()[2] + 1;
         let rows = plane / row;
         let coefficients = || Coefficients { values: vec![R::default(); COEFFICIENTS * row], are_zero: true };
-        let worker = |n| WorkerScratch {
+        let portion = |n| PortionScratch {
             coefficients: [coefficients(), coefficients()],
             first: coefficients(),
             below: vec![R::default(); NODE_SUMS * plane],
@@ -184,10 +185,11 @@ impl<R: Scalar> SoilWorkspace<R> {
         };
         let least = rows + 1;
         let threads = team_size(grid, threads);
+        let portions = portion_count(grid, threads);
         let averaged = if model.has_characteristic_length() { grid.entries } else { 0 };
         let mut workspace = Self {
             team: Team::new(threads),
-            partition: RowPartition::new(rows, &vec![1.0; planes * rows], [threads, least], row),
+            partition: RowPartition::new(rows, &vec![1.0; planes * rows], [portions, least], row),
             serial_fallback: SerialFallback::default(),
             costs: vec![0.0; planes * rows],
             row_has_soil: vec![false; rows * (planes + 1)],
@@ -199,7 +201,7 @@ impl<R: Scalar> SoilWorkspace<R> {
             clear: 0,
             velocity_before: state.nodes.velocity.clone(),
             averages: std::array::from_fn(|_| std::array::from_fn(|_| vec![R::default(); averaged])),
-            workers: (0..threads).map(worker).collect(),
+            portions: (0..portions).map(portion).collect(),
             row_sums: vec![RowSums::default(); rows * (planes + 1)],
             row_values: vec![[0.0; 2]; rows * (planes + 1)],
             width_x: column_widths(grid),
@@ -232,20 +234,20 @@ impl<R: Scalar> SoilWorkspace<R> {
 
     /// Time by stage of the calling thread.
     pub(crate) fn stopwatch(&mut self) -> &mut Stopwatch {
-        &mut self.workers[0].stopwatch
+        &mut self.portions[0].stopwatch
     }
 
     /// Memory in use [bytes].
     #[must_use]
     pub(crate) fn memory(&self) -> usize {
-        let own = |w: &WorkerScratch<R>| {
+        let own = |w: &PortionScratch<R>| {
             let coefficients = w.coefficients.iter().chain([&w.first]).map(|c| &c.values);
             let rows = coefficients.chain([&w.below, &w.waiting, &w.row]);
             rows.map(|row| size_of_val(row.as_slice())).sum::<usize>() + size_of_val(&*w.block)
         };
         let averages = self.averages.iter().flatten().chain([&self.mass_as_main]);
         self.velocity_before.iter().chain(averages).map(|field| size_of_val(field.as_slice())).sum::<usize>()
-            + self.workers.iter().map(own).sum::<usize>()
+            + self.portions.iter().map(own).sum::<usize>()
             + size_of_val(self.row_sums.as_slice())
             + size_of_val(self.costs.as_slice())
             + size_of_val(self.row_has_soil.as_slice())
@@ -267,7 +269,7 @@ impl<R: Scalar> SoilWorkspace<R> {
 
     /// Sums of the Lagrangian stage over the whole grid.
     pub(crate) fn total_of_stage(&self, halo: &Halo) -> RowSums {
-        let mut each = self.workers.iter().take(self.partition.ranges().len()).map(|worker| &worker.sums);
+        let mut each = self.portions.iter().take(self.partition.ranges().len()).map(|portion| &portion.sums);
         let first = each.next().copied().unwrap_or_default();
         let StageSums { energies, mut farthest, yields } = each.fold(first, StageSums::merge);
         halo.largest(&mut farthest);
@@ -327,25 +329,31 @@ impl<R: Scalar> SoilWorkspace<R> {
     }
 
     /// Rebalances the partition by the cost of the rows, which depends on soil and yielding cells. Faster
-    /// workers get more; in the serial fallback, the calling thread gets all.
+    /// threads get more; in the serial fallback, the calling thread gets all.
     pub(crate) fn rebalance(&mut self, grid: &Grid) {
         /// Cost of a row without soil, relative to one with soil.
         const VOID: f64 = 0.02;
         /// Cost of the return mapping of a cell, relative to all else that is done for a cell.
         const RETURN: f64 = 1.8;
         let per_cell = RETURN / grid.cells()[0] as f64;
-        let Self { partition, serial_fallback, costs, row_is_strained, row_sums, workers, .. } = self;
+        let Self { team, partition, serial_fallback, costs, row_is_strained, row_sums, portions, .. } = self;
         let first = partition.all().start;
         let each = row_is_strained[first..].iter().zip(&row_sums[first..]);
         for (cost, (is_strained, sums)) in costs.iter_mut().zip(each) {
             *cost = if *is_strained { 1.0 + per_cell * f64::from(sums.yields) } else { VOID };
         }
-        let all_known = workers.iter().all(|worker| worker.throughput.speed().is_some());
-        let size = if serial_fallback.should_run_alone() { 1 } else { workers.len() };
-        partition
-            .rebalance(costs, size, |n| workers[n].throughput.speed().filter(|_| all_known).unwrap_or(1.0));
-        for (worker, load) in workers.iter_mut().zip(partition.loads(costs)) {
-            worker.throughput.assign(load);
+        let (threads, count) = (team.size(), portions.len());
+        let speed = |n: usize| portions[n].throughput.speed();
+        let all_known = (0..threads).all(|n| speed(n).is_some());
+        let speed = |n: usize| speed(n).filter(|_| all_known).unwrap_or(1.0);
+        let tail = if count > threads { TAIL } else { 0.0 };
+        let own = (1.0 - tail) / (0..threads).map(speed).sum::<f64>();
+        let size = if serial_fallback.should_run_alone() { 1 } else { count };
+        partition.rebalance(costs, size, |n| {
+            if n < threads { own * speed(n) } else { tail / (count - threads) as f64 }
+        });
+        for (portion, load) in portions.iter_mut().zip(partition.loads(costs)) {
+            portion.throughput.assign(load);
         }
     }
 }
@@ -374,8 +382,23 @@ fn column_widths<R: Scalar>(grid: &Grid) -> [Vec<R>; 2] {
 /// Number of threads of a team for which `threads` were asked.
 pub(crate) fn team_size(grid: &Grid, threads: usize) -> usize {
     let (rows, planes) = (grid.rows(), grid.cells()[2] + 1);
-    // Nodes must not wait for the cells of more than one other worker.
+    // Nodes must not wait for the cells of more than one other portion.
     threads.clamp(1, (planes * rows / (rows + 1)).min(MAX_WORKERS))
+}
+
+/// Portion of the cost that is kept in small portions for the threads that are ready first: how fast a core is changes from step to
+/// step.
+const TAIL: f64 = 0.12;
+
+/// Number of portions of the rows: one for each thread, and the small ones.
+fn portion_count(grid: &Grid, threads: usize) -> usize {
+    /// Small portions for each thread, at most: the first nodes of each must wait for the one before.
+    const SMALL: usize = 4;
+    if threads == 1 {
+        return 1;
+    }
+    let most = team_size(grid, MAX_WORKERS);
+    threads + ((TAIL * most as f64) as usize).min(SMALL * threads).min(most - threads)
 }
 
 /// Memory of the workspace of a grid [bytes].
@@ -383,7 +406,7 @@ pub(crate) fn footprint<R: Scalar>(model: &Model, threads: usize) -> f64 {
     let grid = &model.grid;
     let averages = if model.has_characteristic_length() { 4.0 } else { 0.0 };
     let [_, row, plane] = grid.stride;
-    let (threads, rows, planes) = (threads as f64, grid.rows(), grid.cells()[2] + 1);
+    let (threads, rows, planes) = (portion_count(grid, threads) as f64, grid.rows(), grid.cells()[2] + 1);
     let own = 3 * COEFFICIENTS * row + NODE_SUMS * plane + ROW_BUFFERS * row;
     let waiting = NODE_SUMS * (plane + row);
     let of_materials = if model.materials.len() > 1 { size_of::<R>() + size_of::<u8>() } else { 0 };

@@ -1,16 +1,16 @@
 //! The Lagrangian stage: the soil deforms, the grid stays.
 //!
-//! Each worker processes its rows in memory order: it strains a row of cells, then moves the row of nodes
+//! The rows of each portion are processed in memory order: a worker strains a row of cells, then moves the row of nodes
 //! before it while the forces are still in the cache. Old and new velocities are separate arrays, so no
-//! worker reads what another writes. Only the first rows of nodes of each worker, one more than a plane has,
-//! must wait for the cells below or behind them, which belong to another worker.
+//! worker reads what another writes. Only the first rows of nodes of each portion, one more than a plane has,
+//! must wait for the cells below or behind them, which belong to another portion.
 
 use super::cells::{CellRow, MaterialConstants, RowConstants, cells_of, runs};
 use super::nodes::{NodeConstants, NodeRow, finish_row, gather_forces, move_row};
 use super::stress::{NodeRows, strain_cells};
-use super::{Coefficients, Real, Soil, State, WorkerScratch, Workspace};
+use super::{Coefficients, PortionScratch, Real, Soil, State, Workspace};
 use crate::cpu::stopwatch::Stage;
-use crate::cpu::threads::worker_items;
+use crate::cpu::threads::team_items;
 use crate::cpu::workspace::{COEFFICIENTS, NODE_SUMS, RowSums, StageSums};
 use crate::fields::HISTORY_COUNT;
 use crate::grid::Grid;
@@ -18,15 +18,15 @@ use crate::model::Model;
 use std::ops::Range;
 use std::time::Instant;
 
-/// A worker's slice of everything that the stage writes.
-struct WorkerSlice<'a> {
+/// A portion's slice of everything that the stage writes.
+struct PortionSlice<'a> {
     rows: Range<usize>,
     stress: [&'a mut [Real]; 6],
     history: [&'a mut [Real]; HISTORY_COUNT],
     displacement: [&'a mut [Real]; 3],
     velocity: [&'a mut [Real]; 3],
     sums: &'a mut [RowSums],
-    scratch: &'a mut WorkerScratch,
+    scratch: &'a mut PortionScratch,
 }
 
 /// What the stage only reads.
@@ -63,7 +63,7 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
         serial_fallback,
         row_is_strained,
         velocity_before,
-        workers,
+        portions,
         row_sums,
         width_x,
         material,
@@ -91,7 +91,7 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
     let mut velocity = state.nodes.velocity.each_mut().map(|v| partition.split(v));
     let mut history = history.each_mut().map(|h| partition.split(h));
     let mut sums = partition.split_by(1, row_sums);
-    let each = partition.ranges().zip(workers.iter_mut()).map(move |(rows, scratch)| WorkerSlice {
+    let each = partition.ranges().zip(portions.iter_mut()).map(move |(rows, scratch)| PortionSlice {
         rows,
         stress: stress.each_mut().map(|s| s.next().unwrap_or_default()),
         history: history.each_mut().map(|h| h.next().unwrap_or_default()),
@@ -100,19 +100,19 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
         sums: sums.next().unwrap_or_default(),
         scratch,
     });
-    let mut slices = worker_items(each);
+    let mut slices = team_items(each);
     let clock = Instant::now();
     team.for_each(&mut slices, |slice| strain_and_move(&inputs, slice));
     pass_forces_on(&mut slices);
     team.for_each(&mut slices, |slice| move_waiting(&inputs, slice));
     drop(slices);
     if partition.ranges().len() > 1
-        && let Some(speed) = workers[0].throughput.speed()
+        && let Some(speed) = portions[0].throughput.speed()
     {
-        let load: f64 = workers.iter().map(|worker| worker.throughput.load()).sum();
+        let load: f64 = portions.iter().map(|portion| portion.throughput.load()).sum();
         serial_fallback.record(clock.elapsed().as_secs_f64(), load / speed);
     }
-    workers[0].stopwatch.lap(Stage::Nodes);
+    portions[0].stopwatch.lap(Stage::Nodes);
 }
 
 /// Prepares the stage: afterwards the new velocities belong to the state, the old ones to the workspace.
@@ -130,7 +130,7 @@ fn prepare(grid: &Grid, state: &mut State, workspace: &mut Workspace) -> bool {
 
 impl Inputs<'_> {
     /// Number of a slice's rows of nodes that must wait. Below the lowest plane there is nothing to wait for.
-    fn waiting(&self, slice: &WorkerSlice) -> usize {
+    fn waiting(&self, slice: &PortionSlice) -> usize {
         let rows = self.grid.rows();
         if slice.rows.start > rows { rows + 1 } else { 0 }
     }
@@ -149,7 +149,7 @@ fn sums_of(row: usize, q: usize) -> Range<usize> {
 }
 
 /// Strains all cells of a slice and moves all its nodes except those that must wait.
-fn strain_and_move(inputs: &Inputs, slice: &mut WorkerSlice) {
+fn strain_and_move(inputs: &Inputs, slice: &mut PortionSlice) {
     let clock = Instant::now();
     let lengths @ [row, _] = [inputs.grid.stride[1], inputs.grid.padded_nodes()];
     let waiting_rows = inputs.waiting(slice);
@@ -158,10 +158,10 @@ fn strain_and_move(inputs: &Inputs, slice: &mut WorkerSlice) {
     for (n, row_and_plane) in slice.rows.clone().map(|r| inputs.grid.row_and_plane(r)).enumerate() {
         strain_row_of(inputs, slice, row_and_plane, n);
         let waits = n < waiting_rows;
-        let WorkerScratch { coefficients: [behind, ahead], first, below, waiting, row: buffer, .. } =
+        let PortionScratch { coefficients: [behind, ahead], first, below, waiting, row: buffer, .. } =
             &mut *slice.scratch;
         if n == 0 && waits {
-            // The row behind belongs to another worker: these nodes get all their forces later.
+            // The row behind belongs to another portion: these nodes get all their forces later.
             first.copy_from(ahead);
         } else if inputs.nodes_have_soil(row_and_plane) {
             let sum = if waits { &mut waiting[sums_of(row, n)] } else { &mut buffer[sums_of(row, 0)] };
@@ -183,7 +183,7 @@ fn strain_and_move(inputs: &Inputs, slice: &mut WorkerSlice) {
 
 /// Passes on to every slice what its waiting nodes need from the slice before: the forces of the cells below,
 /// and the coefficients of the last row of cells.
-fn pass_forces_on(slices: &mut [WorkerSlice]) {
+fn pass_forces_on(slices: &mut [PortionSlice]) {
     for n in (1..slices.len()).rev() {
         let (low, high) = slices.split_at_mut(n);
         let (low, high) = (&mut low[n - 1], &mut high[0]);
@@ -193,12 +193,12 @@ fn pass_forces_on(slices: &mut [WorkerSlice]) {
 }
 
 /// Moves the nodes of a slice that had to wait for the cells below and behind them, and adds up the sums of its rows.
-fn move_waiting(inputs: &Inputs, slice: &mut WorkerSlice) {
+fn move_waiting(inputs: &Inputs, slice: &mut PortionSlice) {
     let lengths @ [row, _] = [inputs.grid.stride[1], inputs.grid.padded_nodes()];
     for n in 0..inputs.waiting(slice) {
         let row_and_plane = inputs.grid.row_and_plane(slice.rows.start + n);
         if inputs.nodes_have_soil(row_and_plane) {
-            let WorkerScratch { coefficients: [behind, _], first, below, waiting, row: buffer, .. } =
+            let PortionScratch { coefficients: [behind, _], first, below, waiting, row: buffer, .. } =
                 &mut *slice.scratch;
             let (below, sum) = (&mut below[sums_of(row, row_and_plane[0])], &mut buffer[sums_of(row, 0)]);
             if n == 0 {
@@ -223,11 +223,11 @@ fn set_to_zero(coefficients: &mut Coefficients) {
 }
 
 /// Strains the `n`th row of cells of a slice; its force coefficients go to the second row of coefficients.
-fn strain_row_of(inputs: &Inputs, slice: &mut WorkerSlice, [q, plane]: [usize; 2], n: usize) {
+fn strain_row_of(inputs: &Inputs, slice: &mut PortionSlice, [q, plane]: [usize; 2], n: usize) {
     let grid = inputs.grid;
     let [_, row, stride] = grid.stride;
     let length = grid.padded_row();
-    let WorkerScratch { coefficients: [_, ahead], block, stopwatch, .. } = &mut *slice.scratch;
+    let PortionScratch { coefficients: [_, ahead], block, stopwatch, .. } = &mut *slice.scratch;
     let is_strained = inputs.row_is_strained[plane * grid.rows() + q];
     if !is_strained || !grid.is_inside([q, plane]) {
         set_to_zero(ahead);
@@ -261,7 +261,7 @@ fn strain_row_of(inputs: &Inputs, slice: &mut WorkerSlice, [q, plane]: [usize; 2
 }
 
 /// Moves the `n`th row of nodes of a slice under the forces in the row buffer.
-fn move_row_of(inputs: &Inputs, slice: &mut WorkerSlice, row_and_plane: [usize; 2], n: usize) {
+fn move_row_of(inputs: &Inputs, slice: &mut PortionSlice, row_and_plane: [usize; 2], n: usize) {
     let row = inputs.grid.stride[1];
     let nodes = inputs.grid.padded_nodes();
     let own = n * row + 1..n * row + 1 + nodes;

@@ -3,15 +3,15 @@
 use super::cells::{BLOCK, Block, CellRow, MaterialConstants, RowConstants, cells_of, runs};
 use super::physics::tensor::mean;
 use super::return_mapping::apply;
-use super::{Real, Soil, WorkerScratch, Workspace};
+use super::{PortionScratch, Real, Soil, Workspace};
 use crate::fields::{GAP_STRAIN, HISTORY_COUNT, main_material, mass_as_main};
 use crate::grid::Grid;
 use crate::model::{FRACTION_KEPT, Model};
 use multiversion::multiversion;
 use std::ops::Range;
 
-/// A worker's rows of what the cells hold.
-struct WorkerSlice<'a> {
+/// A portion's rows of what the cells hold.
+struct PortionSlice<'a> {
     rows: Range<usize>,
     fraction: &'a mut [Real],
     mass: &'a mut [Real],
@@ -19,7 +19,7 @@ struct WorkerSlice<'a> {
     history: [&'a mut [Real]; HISTORY_COUNT],
     /// Volume and mass of the debris by row.
     debris: &'a mut [[f64; 2]],
-    scratch: &'a mut WorkerScratch,
+    scratch: &'a mut PortionScratch,
 }
 
 /// Everything that the update only reads.
@@ -55,7 +55,7 @@ pub(crate) fn update_after_remap(model: &Model, soil: &mut Soil, workspace: &mut
         partition,
         velocity_before: [volume, ..],
         row_values,
-        workers,
+        portions,
         width_x,
         densities,
         materials,
@@ -65,19 +65,19 @@ pub(crate) fn update_after_remap(model: &Model, soil: &mut Soil, workspace: &mut
     let mut stress = stress.each_mut().map(|s| partition.split(s));
     let mut history = history.each_mut().map(|h| partition.split(h));
     let fields = partition.split(fraction).zip(partition.split(mass));
-    let own = partition.split_by(1, row_values).zip(workers);
+    let own = partition.split_by(1, row_values).zip(portions);
     let slices =
         partition.ranges().zip(fields).zip(own).map(move |((rows, (fraction, mass)), (debris, scratch))| {
             let stress = stress.each_mut().map(|s| s.next().unwrap_or_default());
             let history = history.each_mut().map(|h| h.next().unwrap_or_default());
-            WorkerSlice { rows, fraction, mass, stress, history, debris, scratch }
+            PortionSlice { rows, fraction, mass, stress, history, debris, scratch }
         });
     let constants = RowConstants::new(model, materials, width_x, 0.0);
     let inputs = Inputs { grid: &model.grid, constants, materials, composition, densities, volume, active };
     team.distribute(slices, |slice| update_slice(&inputs, slice));
 }
 
-fn update_slice(inputs: &Inputs, slice: &mut WorkerSlice) {
+fn update_slice(inputs: &Inputs, slice: &mut PortionSlice) {
     let grid = inputs.grid;
     let [_, ny, nz] = grid.cells();
     let row = grid.stride[1];
@@ -141,7 +141,7 @@ fn new_fractions(
 /// Updates a cell that soil was moved into.
 pub(crate) fn update_cell(model: &Model, soil: &mut Soil, workspace: &mut Workspace, c: usize) {
     let grid = &model.grid;
-    let Workspace { width_x, workers, densities, materials, .. } = workspace;
+    let Workspace { width_x, portions, densities, materials, .. } = workspace;
     let material = &materials[soil.main_material(c)];
     let constants = RowConstants::new(model, materials, width_x, 0.0).of(material);
     let [i, j, k] = grid.layers_of(c);
@@ -159,7 +159,7 @@ pub(crate) fn update_cell(model: &Model, soil: &mut Soil, workspace: &mut Worksp
         width_y: grid.width(1, j) as Real,
         width_z: grid.width(2, k) as Real,
     };
-    update_cells(&constants, &mut cells, i..i + 1, &mut workers[0].block);
+    update_cells(&constants, &mut cells, i..i + 1, &mut portions[0].block);
 }
 
 /// Updates some cells of a row, of one material.

@@ -13,7 +13,7 @@ type State = crate::state::State<Real>;
 type Soil = crate::state::Soil<Real>;
 type Nodes = crate::state::Nodes<Real>;
 type Workspace = crate::cpu::workspace::SoilWorkspace<Real>;
-type WorkerScratch = crate::cpu::workspace::WorkerScratch<Real>;
+type PortionScratch = crate::cpu::workspace::PortionScratch<Real>;
 type Coefficients = crate::cpu::workspace::Coefficients<Real>;
 use physics::single as physics;
 
