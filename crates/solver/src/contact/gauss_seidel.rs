@@ -4,7 +4,7 @@
 //! bodies and constraints are therefore copied into little memory before the sweeps, and back afterwards.
 
 use super::constraint::Constraint;
-use super::impulse::{EffectiveMass, coupling};
+use super::effective_mass::{EffectiveMass, coupling};
 use super::problem::{ContactProblem, over_corners};
 use glam::DVec3;
 use mechanics::{StruckBody, Wrench};

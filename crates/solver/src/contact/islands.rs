@@ -1,7 +1,6 @@
 //! Islands: bodies that share contact nodes. What happens at the contact points of one island within a step does not depend on the
 //! others, so that threads can work on several at once.
 
-use super::problem::ContactNode;
 use crate::state::Contact;
 
 /// The bodies of a model in islands, and the contact nodes of each.
@@ -16,12 +15,12 @@ pub(crate) struct Islands {
 }
 
 impl Islands {
-    /// The islands of some contact points, which are in the order of the bodies.
-    pub(crate) fn new(contacts: &[Contact], corner_nodes: &[[u32; 8]], nodes: &[ContactNode]) -> Self {
+    /// The islands of some contact points, which are in the order of the bodies, with so many nodes.
+    pub(crate) fn new(contacts: &[Contact], corner_nodes: &[[u32; 8]], nodes: usize) -> Self {
         let bodies = contacts.last().map_or(0, |c| c.body as usize + 1);
         // Each body points to an earlier one of its island, the first to itself.
         let mut earlier: Vec<usize> = (0..bodies).collect();
-        let mut owner = vec![None; nodes.len()];
+        let mut owner = vec![None; nodes];
         for (c, corners) in contacts.iter().zip(corner_nodes) {
             for node in corners {
                 let other = *owner[*node as usize].get_or_insert(c.body as usize);
@@ -29,8 +28,7 @@ impl Islands {
                 earlier[a.max(b)] = a.min(b);
             }
         }
-        let mut islands =
-            Self { of_body: vec![None; bodies], nodes: Vec::new(), place: vec![0; nodes.len()] };
+        let mut islands = Self { of_body: vec![None; bodies], nodes: Vec::new(), place: vec![0; nodes] };
         for (node, owner) in owner.into_iter().enumerate() {
             if let Some(owner) = owner {
                 let island = islands.number(first(&earlier, owner));
@@ -86,7 +84,7 @@ mod tests {
         let corners: Vec<[u32; 8]> =
             each.iter().map(|(_, node)| std::array::from_fn(|n| node + n as u32)).collect();
         let nodes = each.iter().map(|(_, node)| *node as usize + 8).max().unwrap_or(0);
-        Islands::new(&contacts, &corners, &vec![ContactNode::default(); nodes])
+        Islands::new(&contacts, &corners, nodes)
     }
 
     #[test]

@@ -6,7 +6,9 @@
 
 mod body_fraction;
 mod constraint;
+mod constraint_points;
 mod cut_cell;
+mod effective_mass;
 mod gauss_seidel;
 mod impulse;
 mod islands;
@@ -20,6 +22,7 @@ mod pore_pressure;
 mod problem;
 mod search;
 mod slip;
+mod slip_terms;
 mod solve;
 mod surface;
 pub(crate) mod workspace;
@@ -30,6 +33,6 @@ pub(crate) use overlap::remove_overlap;
 pub(crate) use pore_pressure::find_pressure_cells;
 pub(crate) use problem::ContactNode;
 pub(crate) use search::{first_search, search};
-pub(crate) use slip::SlipTerms;
+pub(crate) use slip_terms::SlipTerms;
 pub(crate) use solve::{ContactWork, solve};
 pub(crate) use surface::{Surface, layout, rim, stays_across};

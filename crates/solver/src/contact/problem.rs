@@ -1,7 +1,7 @@
 //! The contact problem of one step: contact points, contact nodes, bodies, and the Jacobians that connect
 //! them.
 
-use super::constraint::ConstraintPoints;
+use super::constraint_points::ConstraintPoints;
 use super::islands::Islands;
 use crate::cpu::threads::Crew;
 use crate::model::Model;

@@ -1,22 +1,13 @@
 //! Slip of the bodies' surfaces along the soil in one step: frictional dissipation, and the sums over the bins of the rim.
 
-use super::problem::{POINTS_AT_ONCE, of_body, side};
+use super::problem::{POINTS_AT_ONCE, of_body};
+use super::slip_terms::SlipTerms;
 use super::workspace::ContactWorkspace;
 use crate::cpu::threads::Crew;
 use crate::model::Model;
 use crate::state::{Contact, ContactImpulse, RimSums, State};
 use glam::DVec3;
 use mechanics::Step;
-
-/// What a contact point adds to the sums over the rim in a step.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct SlipTerms {
-    /// Frictional dissipation [J].
-    dissipation: f64,
-    /// Impulse of the pore water along the normal [N s].
-    water: f64,
-    sums: RimSums,
-}
 
 /// Adds the contact impulses of the step and the slip to the sums over the rim. Returns the frictional dissipation [J]:
 /// frictional impulses times the mean of the slip velocities before and after the step, as for every other work.
@@ -63,25 +54,6 @@ pub(super) fn account_slip<R>(
     terms.iter().fold(0.0, |sum, terms| sum + terms.dissipation)
 }
 
-impl SlipTerms {
-    /// Of a point with these impulses on the soil [N s] and this slip velocity [m/s]; also needed are the direction of its body's
-    /// axle and the pore pressure [Pa].
-    fn of(
-        model: &Model,
-        c: &Contact,
-        (impulses, slip): (&[DVec3; 2], DVec3),
-        (axle, pressure): (DVec3, f64),
-    ) -> Self {
-        let contact = c.area * model.time_step();
-        let water = pressure * contact;
-        let mut sums = RimSums::default();
-        let friction = model.bodies[c.body as usize].friction;
-        sums.add_impulses(c, impulses, water, [friction, c.shear_limit * contact]);
-        sums.add_slip(impulses, slip, contact, &directions(c, impulses[0], axle));
-        Self { dissipation: impulses[1].dot(slip), water, sums }
-    }
-}
-
 /// Mean of the relative velocity at a contact point before and after the step [m/s], from twice that of the contact nodes.
 fn mean_slip(c: &Contact, twice: &[DVec3], corners: &[u32; 8], moving: &Step) -> DVec3 {
     let body = c.body as usize;
@@ -89,17 +61,6 @@ fn mean_slip(c: &Contact, twice: &[DVec3], corners: &[u32; 8], moving: &Step) ->
     let each = corners.iter().zip(c.weight);
     let of_soil = each.fold(DVec3::ZERO, |v, (n, w)| v + 0.5 * w * twice[*n as usize]);
     of_body - of_soil
-}
-
-/// Directions along the surface: along the outline, along the axle, and along the axle away from the mid-plane. A flank has no
-/// outline.
-fn directions(c: &Contact, normal: DVec3, axle: DVec3) -> [DVec3; 3] {
-    // That along which the pressure acts: of the constraint, where several points have one.
-    let normal = if normal == DVec3::ZERO { c.normal } else { normal.normalize() };
-    let normal = if normal.dot(c.normal) < 0.0 { -normal } else { normal };
-    let along = normal.cross(axle).normalize_or_zero();
-    let across = along.cross(normal);
-    [along, across, across * [1.0, -1.0, 0.0][side(c)]]
 }
 
 impl RimSums {
@@ -114,31 +75,6 @@ impl RimSums {
             self.slip[n] += other.slip[n];
         }
         self.impulse += other.impulse;
-    }
-
-    /// Adds the impulses on the soil of one contact point in one step, with that of the pore water along the normal [N s], the
-    /// friction coefficient, and the limit of the frictional impulse [N s]. Pore water may pull.
-    fn add_impulses(
-        &mut self,
-        c: &Contact,
-        [normal, friction]: &[DVec3; 2],
-        water: f64,
-        [coefficient, limit]: [f64; 2],
-    ) {
-        let pressure = normal.length().copysign(normal.dot(c.normal));
-        self.normal += pressure;
-        self.friction += friction.length();
-        self.friction_limit += (coefficient * (pressure - water).max(0.0)).min(limit);
-        self.impulse -= *normal + *friction;
-    }
-
-    /// Adds shear and slip of one contact point along these directions, with its area times the time step [m² s].
-    fn add_slip(&mut self, impulses: &[DVec3; 2], slip: DVec3, contact: f64, directions: &[DVec3; 3]) {
-        self.contact += contact;
-        for (n, direction) in directions.iter().enumerate() {
-            self.shear[n] -= impulses[1].dot(*direction);
-            self.slip[n] += slip.dot(*direction) * contact;
-        }
     }
 }
 

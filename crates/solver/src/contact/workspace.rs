@@ -1,13 +1,14 @@
 //! Scratch memory of contact.
 
 use super::body_fraction::BodyCell;
-use super::constraint::{self, ConstraintPoints};
+use super::constraint;
+use super::constraint_points::ConstraintPoints;
 use super::islands::Islands;
 use super::law::ContactLaw;
 use super::method::law;
 use super::nodes::contact_nodes;
 use super::problem::ContactNode;
-use super::slip::SlipTerms;
+use super::slip_terms::SlipTerms;
 use super::surface::Surface;
 use crate::cpu::threads::Crew;
 use crate::halo::{self, Halo};
@@ -83,7 +84,7 @@ impl ContactWorkspace {
     /// Finds contact nodes and constraints after a contact search.
     pub(super) fn connect<R: Scalar>(&mut self, model: &Model, state: &State<R>, crew: Crew, halo: &Halo) {
         (self.nodes, self.corner_nodes) = contact_nodes(model, &state.contacts);
-        self.islands = Islands::new(&state.contacts, &self.corner_nodes, &self.nodes);
+        self.islands = Islands::new(&state.contacts, &self.corner_nodes, self.nodes.len());
         let fractions = fractions(model, state, halo);
         (self.constraint_points, self.hourglass_correction) =
             constraint::number(model, state, &fractions, crew);

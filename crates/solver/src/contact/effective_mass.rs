@@ -1,0 +1,112 @@
+//! Effective masses of the constraints, and the impulses that follow from them.
+
+use super::constraint::Constraint;
+use super::problem::{ContactJacobian, ContactProblem, over_corners};
+use glam::DVec3;
+
+/// Fraction of an overlap that the bias velocity removes while the body travels one cell.
+const OVERLAP_BIAS: f64 = 1.0;
+
+/// Effective masses and limits of a constraint, constant during the sweeps of a step.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct EffectiveMass {
+    /// Normal effective mass: inverse of the diagonal of the Delassus operator along the normal [kg].
+    normal_mass: f64,
+    /// Tangential effective mass: the same along the axis in which it is least [kg].
+    tangential_mass: f64,
+    /// Bias velocity: closing velocity that the constraint asks for [m/s].
+    bias_velocity: f64,
+    /// Coefficient of friction.
+    friction: f64,
+    /// Largest frictional impulse in a step [N s].
+    shear_limit: f64,
+}
+
+impl EffectiveMass {
+    /// Of a constraint with this point among its active ones. `None` where neither soil nor body can move along the normal: there is
+    /// nothing to solve for.
+    pub(super) fn new(problem: &ContactProblem, constraint: &Constraint, point: usize) -> Option<Self> {
+        let (jacobian, normal) = (&constraint.jacobian, constraint.jacobian.normal);
+        let delassus_diagonal = delassus_diagonal(problem, jacobian);
+        let soil = |n: usize| {
+            let impulse = jacobian.on_node(n, normal);
+            (impulse * impulse).dot(problem.inverse_mass[jacobian.nodes[n] as usize])
+        };
+        let normal_mass = over_corners(std::array::from_fn(soil))
+            + delassus_of_body(problem, jacobian).dot(normal * normal);
+        (normal_mass > 0.0).then(|| Self {
+            normal_mass: 1.0 / normal_mass,
+            tangential_mass: 1.0 / delassus_diagonal.max_element(),
+            bias_velocity: -OVERLAP_BIAS * constraint.overlap * bias_speed(problem, constraint),
+            friction: problem.model.bodies[constraint.jacobian.body].friction.min(1e6),
+            // All points of a constraint lie in one cell.
+            shear_limit: problem.contacts[point].shear_limit * constraint.area * problem.dt,
+        })
+    }
+
+    /// The impulse on a constraint with this normal and impulse after one relaxation from this relative velocity, projected on the
+    /// Coulomb cone.
+    #[inline]
+    pub(super) fn projected_impulse(
+        &self,
+        relative: DVec3,
+        (along, impulse): (DVec3, DVec3),
+        relaxation: f64,
+    ) -> DVec3 {
+        let closing = relative.dot(along);
+        let old_normal = impulse.dot(along);
+        let new_normal =
+            (old_normal + relaxation * (closing - self.bias_velocity) * self.normal_mass).max(0.0);
+        if new_normal == 0.0 && old_normal == 0.0 {
+            return DVec3::ZERO;
+        }
+        let old_friction = impulse - old_normal * along;
+        let sliding = relative - closing * along;
+        let limit = (self.friction * new_normal).min(self.shear_limit);
+        let friction = (old_friction + relaxation * sliding * self.tangential_mass).clamp_length_max(limit);
+        new_normal * along + friction
+    }
+}
+
+/// Speed of the body for the bias velocity [m/s]. The overlap is measured in widths of the cell along the normal, the travel
+/// within which it is removed in widths along the velocity.
+fn bias_speed(problem: &ContactProblem, constraint: &Constraint) -> f64 {
+    let velocity = problem.moving.twist(constraint.jacobian.body).linear;
+    let grid = &problem.model.grid;
+    let normal = grid.length_along(constraint.jacobian.normal);
+    velocity.length() * (normal / grid.length_along(velocity.normalize_or_zero()))
+}
+
+/// Coupling of two constraints: velocity that an impulse at one causes at the other, over that at its own; 0
+/// to 1.
+pub(super) fn coupling(
+    problem: &ContactProblem,
+    (a, mass_a): (&Constraint, &EffectiveMass),
+    (b, mass_b): (&Constraint, &EffectiveMass),
+) -> f64 {
+    let shared = |n: usize| {
+        let node = a.jacobian.nodes[n];
+        let other = b.jacobian.nodes.iter().position(|m| *m == node);
+        other.map_or(0.0, |m| {
+            let both = a.jacobian.on_node(n, a.jacobian.normal) * b.jacobian.on_node(m, b.jacobian.normal);
+            both.abs().dot(problem.inverse_mass[node as usize])
+        })
+    };
+    let through_soil = over_corners(std::array::from_fn(shared));
+    let through_body =
+        0.5 * (delassus_of_body(problem, &a.jacobian) + delassus_of_body(problem, &b.jacobian));
+    let size = through_soil + through_body.dot((a.jacobian.normal * b.jacobian.normal).abs());
+    (size * mass_a.normal_mass.max(mass_b.normal_mass)).clamp(0.0, 1.0)
+}
+
+/// Diagonal of the Delassus operator: velocity per impulse along x, y, z, of soil and body together [1/kg].
+fn delassus_diagonal(problem: &ContactProblem, jacobian: &ContactJacobian) -> DVec3 {
+    let soil =
+        |n: usize| jacobian.weight[n] * jacobian.weight[n] * problem.inverse_mass[jacobian.nodes[n] as usize];
+    over_corners(std::array::from_fn(soil)) + delassus_of_body(problem, jacobian)
+}
+
+/// Contribution of the body to the diagonal of the Delassus operator [1/kg].
+fn delassus_of_body(problem: &ContactProblem, jacobian: &ContactJacobian) -> DVec3 {
+    problem.moving.inverse_mass_diagonal(jacobian.body, jacobian.arm)
+}

@@ -1,0 +1,73 @@
+//! What one contact point adds to the sums over the rim in a step.
+
+use super::problem::side;
+use crate::model::Model;
+use crate::state::{Contact, RimSums};
+use glam::DVec3;
+
+/// What a contact point adds to the sums over the rim in a step.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct SlipTerms {
+    /// Frictional dissipation [J].
+    pub(super) dissipation: f64,
+    /// Impulse of the pore water along the normal [N s].
+    pub(super) water: f64,
+    pub(super) sums: RimSums,
+}
+
+impl SlipTerms {
+    /// Of a point with these impulses on the soil [N s] and this slip velocity [m/s]; also needed are the direction of its body's
+    /// axle and the pore pressure [Pa].
+    pub(super) fn of(
+        model: &Model,
+        c: &Contact,
+        (impulses, slip): (&[DVec3; 2], DVec3),
+        (axle, pressure): (DVec3, f64),
+    ) -> Self {
+        let contact = c.area * model.time_step();
+        let water = pressure * contact;
+        let mut sums = RimSums::default();
+        let friction = model.bodies[c.body as usize].friction;
+        sums.add_impulses(c, impulses, water, [friction, c.shear_limit * contact]);
+        sums.add_slip(impulses, slip, contact, &directions(c, impulses[0], axle));
+        Self { dissipation: impulses[1].dot(slip), water, sums }
+    }
+}
+
+/// Directions along the surface: along the outline, along the axle, and along the axle away from the mid-plane. A flank has no
+/// outline.
+fn directions(c: &Contact, normal: DVec3, axle: DVec3) -> [DVec3; 3] {
+    // That along which the pressure acts: of the constraint, where several points have one.
+    let normal = if normal == DVec3::ZERO { c.normal } else { normal.normalize() };
+    let normal = if normal.dot(c.normal) < 0.0 { -normal } else { normal };
+    let along = normal.cross(axle).normalize_or_zero();
+    let across = along.cross(normal);
+    [along, across, across * [1.0, -1.0, 0.0][side(c)]]
+}
+
+impl RimSums {
+    /// Adds the impulses on the soil of one contact point in one step, with that of the pore water along the normal [N s], the
+    /// friction coefficient, and the limit of the frictional impulse [N s]. Pore water may pull.
+    fn add_impulses(
+        &mut self,
+        c: &Contact,
+        [normal, friction]: &[DVec3; 2],
+        water: f64,
+        [coefficient, limit]: [f64; 2],
+    ) {
+        let pressure = normal.length().copysign(normal.dot(c.normal));
+        self.normal += pressure;
+        self.friction += friction.length();
+        self.friction_limit += (coefficient * (pressure - water).max(0.0)).min(limit);
+        self.impulse -= *normal + *friction;
+    }
+
+    /// Adds shear and slip of one contact point along these directions, with its area times the time step [m² s].
+    fn add_slip(&mut self, impulses: &[DVec3; 2], slip: DVec3, contact: f64, directions: &[DVec3; 3]) {
+        self.contact += contact;
+        for (n, direction) in directions.iter().enumerate() {
+            self.shear[n] -= impulses[1].dot(*direction);
+            self.slip[n] += slip.dot(*direction) * contact;
+        }
+    }
+}
