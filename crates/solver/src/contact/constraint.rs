@@ -91,7 +91,7 @@ impl Constraint {
     }
 }
 
-/// Numbers the constraints (by body, face and quarter of a cell), in the order of their first contact points, and finds for each constraint its
+/// Numbers the constraints (by body, face and quarter of a cell), in the order of their first contact points, and finds for each its
 /// cut-cell hourglass correction; `fraction` is the volume fraction in the cell of each contact point.
 pub(crate) fn number<R>(
     model: &Model,

@@ -27,7 +27,7 @@ pub(crate) struct ContactWorkspace {
     pub(crate) body_cells: Vec<BodyCell>,
     /// Contact nodes.
     pub(crate) nodes: Vec<ContactNode>,
-    /// Their velocities [m/s].
+    /// Their velocities during a step; once slip is accounted for, the sums of those before and after it [m/s].
     pub(crate) velocity: Vec<DVec3>,
     /// Their inverse masses along x, y, z [1/kg]; 0 where a node has no mass or a boundary holds it.
     pub(crate) inverse_mass: Vec<DVec3>,

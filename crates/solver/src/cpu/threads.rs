@@ -188,8 +188,7 @@ impl<'a> Crew<'a> {
         least: usize,
         job: impl Fn(usize, &mut [T]) + Sync,
     ) {
-        let portions = (items.len() / least).clamp(1, self.workers);
-        let size = items.len().div_ceil(portions).max(1);
+        let size = self.portion(items.len(), least);
         let each = items.chunks_mut(size).enumerate();
         self.team.distribute(each, |(n, portion)| job(*n * size, portion));
     }
@@ -201,29 +200,30 @@ impl<'a> Crew<'a> {
         least: usize,
         job: impl Fn(usize, &mut [A], &mut [B]) + Sync,
     ) {
-        let portions = (first.len() / least).clamp(1, self.workers);
-        let size = first.len().div_ceil(portions).max(1);
+        let size = self.portion(first.len(), least);
         let each = first.chunks_mut(size).zip(second.chunks_mut(size)).enumerate();
         self.team.distribute(each, |(n, (first, second))| job(*n * size, first, second));
     }
 
-    /// The results of `job(range)` for successive ranges of so many numbers below `length`, in order. They are dealt to the threads in
-    /// turn, since neighbours are often alike in cost.
+    /// Number of items in a portion.
+    fn portion(self, items: usize, least: usize) -> usize {
+        items.div_ceil((items / least).clamp(1, self.workers)).max(1)
+    }
+
+    /// The results of `job(range)` for successive ranges of so many numbers below `length`, in order.
     pub(crate) fn collect<T: Send>(
         self,
         length: usize,
         range: usize,
         job: impl Fn(Range<usize>) -> T + Sync,
     ) -> Vec<T> {
-        let ranges = length.div_ceil(range);
-        let workers = self.workers.min(ranges).max(1);
-        let mut dealt = team_items((0..workers).map(|n| (n, Vec::new())));
-        self.team.for_each(&mut dealt, |(n, results)| {
-            let own = (*n..ranges).step_by(workers);
-            results.extend(own.map(|n| job(n * range..length.min((n + 1) * range))));
-        });
-        let mut dealt: Vec<_> = dealt.into_iter().map(|(_, results)| results.into_iter()).collect();
-        (0..ranges).filter_map(|n| dealt[n % workers].next()).collect()
+        let ranges = (0..length).step_by(range).map(|first| first..length.min(first + range));
+        if self.workers == 1 {
+            return ranges.map(job).collect();
+        }
+        let mut results: Vec<_> = ranges.map(|range| (range, None)).collect();
+        self.team.for_each(&mut results, |(range, result)| *result = Some(job(range.clone())));
+        results.into_iter().filter_map(|(_, result)| result).collect()
     }
 }
 
