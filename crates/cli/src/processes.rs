@@ -119,7 +119,7 @@ mod line {
     /// The communicator of a run.
     pub(crate) fn communicator() -> Box<dyn Communicator> {
         if HAS_BEGUN.load(Ordering::Relaxed) {
-            Box::new(solver::halo::mpi::World)
+            Box::new(solver::halo::mpi::World::default())
         } else {
             coulter::run::alone()
         }

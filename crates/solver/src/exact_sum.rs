@@ -113,16 +113,26 @@ impl ExactSum {
 }
 
 /// The values of some sums over all blocks.
-pub fn over_blocks<const N: usize>(halo: &Halo, mut sums: [ExactSum; N]) -> [f64; N] {
+pub fn over_blocks<const N: usize>(halo: &Halo, sums: [ExactSum; N]) -> [f64; N] {
+    begin_over_blocks(halo, sums, &[]);
+    end_over_blocks(halo, sums).0
+}
+
+/// Begins to add some sums over all blocks, and to find the largest of other values in any of them.
+pub(crate) fn begin_over_blocks<const N: usize>(halo: &Halo, mut sums: [ExactSum; N], compared: &[f64]) {
     if !halo.is_alone() {
         sums.iter_mut().for_each(ExactSum::carry);
-        let mut digits: Vec<i64> = sums.iter().flat_map(|sum| sum.digits).collect();
-        halo.add(&mut digits);
-        for (sum, digits) in sums.iter_mut().zip(digits.chunks_exact(DIGITS + 1)) {
-            sum.digits.copy_from_slice(digits);
-        }
+        halo.begin_reduction(sums.iter().flat_map(|sum| sum.digits).collect(), compared.to_vec());
     }
-    sums.map(ExactSum::value)
+}
+
+/// The values of the sums over all blocks, from those of this one, and the largest of the other values, if there are several blocks.
+pub(crate) fn end_over_blocks<const N: usize>(halo: &Halo, mut own: [ExactSum; N]) -> ([f64; N], Vec<f64>) {
+    let (digits, largest) = halo.end_reduction();
+    for (sum, digits) in own.iter_mut().zip(digits.chunks_exact(DIGITS + 1)) {
+        sum.digits.copy_from_slice(digits);
+    }
+    (own.map(ExactSum::value), largest)
 }
 
 #[cfg(test)]

@@ -131,6 +131,9 @@ pub struct Soil<R = f64> {
     pub composition: Vec<Vec<R>>,
 }
 
+/// What is done with nodes that have been moved, and their velocities before [m/s].
+pub type Known<'a, R> = dyn FnMut(&Nodes<R>, &[Vec<R>; 3]) + 'a;
+
 /// Fields of the nodes. Each array covers the grid with its ghosts (see [`Grid::index`]).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Nodes<R = f64> {

@@ -6,13 +6,20 @@ use crate::grid::Grid;
 use crate::halo::Halo;
 use crate::model::Model;
 pub use crate::scalar::Scalar;
-use crate::state::{Nodes, Soil, State};
+use crate::state::{Known, Nodes, Soil, State};
 
 /// A number type with its kernels. Rows are numbered in memory order (see [`Grid::row_and_plane`]).
 pub trait Precision: Scalar {
     /// Strains the soil and moves its nodes by one step of `dt` [s]: stresses and displacements at the end of
-    /// the step, velocities without contact half a step later.
-    fn lagrangian_stage(model: &Model, state: &mut State<Self>, workspace: &mut SoilWorkspace<Self>, dt: f64);
+    /// the step, velocities without contact half a step later. Calls `known` as soon as the nodes of the block that contact needs
+    /// are moved.
+    fn lagrangian_stage(
+        model: &Model,
+        state: &mut State<Self>,
+        workspace: &mut SoilWorkspace<Self>,
+        dt: f64,
+        known: &mut Known<'_, Self>,
+    );
 
     /// Volumes [m³] of the displaced cells and of the soil in them, from which the sweeps of a remap start.
     fn displaced_volumes(model: &Model, state: &State<Self>, workspace: &mut SoilWorkspace<Self>);
@@ -85,8 +92,9 @@ macro_rules! precision {
                 state: &mut State<Self>,
                 workspace: &mut SoilWorkspace<Self>,
                 dt: f64,
+                known: &mut Known<'_, Self>,
             ) {
-                $module::lagrange::lagrange(model, state, workspace, dt);
+                $module::lagrange::lagrange(model, state, workspace, dt, known);
             }
 
             fn displaced_volumes(model: &Model, state: &State<Self>, workspace: &mut SoilWorkspace<Self>) {

@@ -1,7 +1,7 @@
 //! Everything that changes during a run: the content of a checkpoint. The fields of the soil are `f64` or
 //! `f32`, all else is `f64`.
 
-pub use crate::fields::{Nodes, STRESS_NAMES, Soil};
+pub use crate::fields::{Known, Nodes, STRESS_NAMES, Soil};
 use crate::grid::Grid;
 use glam::DVec3;
 pub use mechanics::{MechanismState, Pose, Twist};

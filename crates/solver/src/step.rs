@@ -24,14 +24,22 @@ pub fn step<R: Precision>(
     workspace: &mut Workspace<R>,
 ) -> Result<(), Breakdown> {
     let dt = model.time_step();
-    // Lagrangian stage: the soil deforms, the grid stays.
-    R::lagrangian_stage(model, state, &mut workspace.soil, dt);
-    let Workspace { soil, contact, seepage, mechanism, bodies: moving, halo } = workspace;
-    let sums = soil.total_of_stage(halo);
+    // Lagrangian stage: the soil deforms, the grid stays. Messages between blocks are under way while there is something to compute:
+    // contact nodes during the rest of the stage, the nodes beside cuts and the sums during contact.
+    let Workspace { soil, contact, seepage, mechanism, bodies: moving, halo } = &mut *workspace;
+    let mut known = |nodes: &_, before: &_| contact.begin_gather(nodes, before, halo);
+    R::lagrangian_stage(model, state, soil, dt, &mut known);
+    let beside_cuts = (At::Nodes, 1);
+    halo::begin_filling(halo, &model.grid, beside_cuts, state.nodes.velocity.iter());
+    let sums = soil.sums_of_stage();
+    sums.begin_total(halo);
     bodies::predict(model, mechanism, state, moving);
-    let work = contact::solve(model, state, (soil, halo), contact, moving);
+    contact::solve(model, state, (soil, halo), contact, moving);
+    // First: contact nodes in ghost layers then get their velocities after contact, which are known here, too.
+    halo::end_filling(halo, &model.grid, beside_cuts, state.nodes.velocity.iter_mut());
+    let work = contact::apply(model, state, soil, contact, moving);
     bodies::advance(mechanism, state, moving);
-    halo::fill_first(halo, &model.grid, At::Nodes, &mut state.nodes.velocity);
+    let sums = sums.total(halo);
     pore_pressure::renew(model, state, soil, seepage, (contact, halo))?;
     account(model, state, &sums, moving, &work);
     state.time += dt;

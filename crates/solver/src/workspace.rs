@@ -64,7 +64,8 @@ impl<R: Precision> Workspace<R> {
             let Self { soil, contact, halo, .. } = &mut workspace;
             contact::first_search(model, state, soil, contact, halo);
         }
-        let Self { contact, seepage, soil, .. } = &mut workspace;
+        let Self { contact, seepage, soil, halo, .. } = &mut workspace;
+        soil.strain_first(&model.grid, contact.first_row(&model.grid, halo));
         if model.pore_water.is_some() && state.step > 0 {
             contact.body_cells = contact::bodies_at_search(model, state, soil.crew());
         }
@@ -112,6 +113,12 @@ impl<R: Precision> Workspace<R> {
     #[must_use]
     pub fn threads(&self) -> usize {
         self.soil.threads()
+    }
+
+    /// Whether the nodes that contact needs of this block are moved before the others, so that they reach the other blocks meanwhile.
+    #[must_use]
+    pub fn moves_contact_first(&self) -> bool {
+        self.soil.far_portions > 0
     }
 
     /// Communication with the other blocks of the grid.

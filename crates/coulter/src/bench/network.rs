@@ -34,15 +34,11 @@ impl Network {
         let points = LENGTHS.map(|length| {
             let mut shortest = f64::INFINITY;
             for _ in 0..ROUNDS {
-                let values = vec![1.0; if partner.is_some() { length } else { 0 }];
-                // Of two partners the first lies at the low end of the second.
-                let (with, values) = if rank.is_multiple_of(2) {
-                    ([None, partner], [Vec::new(), values])
-                } else {
-                    ([partner, None], [values, Vec::new()])
-                };
+                let values = vec![1.0; length];
+                let messages = partner.map(|partner| (partner, values)).into_iter().collect();
                 let clock = Instant::now();
-                communicator.exchange(with, values);
+                communicator.begin_exchange(messages);
+                communicator.end_exchange();
                 shortest = shortest.min(clock.elapsed().as_secs_f64());
             }
             [(length * size_of::<f64>()) as f64, shortest]
@@ -50,7 +46,8 @@ impl Network {
         let mut collective = f64::INFINITY;
         for _ in 0..ROUNDS {
             let clock = Instant::now();
-            communicator.add(&mut [1]);
+            communicator.begin_reduction(vec![1], Vec::new());
+            communicator.end_reduction();
             collective = collective.min(clock.elapsed().as_secs_f64());
         }
         let [latency, per_byte] = fitted(&points);

@@ -8,7 +8,7 @@
 //! with s the strained rows of the largest block over all rows, m messages of b bytes in all, c operations of all P processes together,
 //! B the bytes that these put into them, and latency α, bandwidth β and α_c of [`Network`]. T_contact and T_cells are those of one
 //! process, m, b, c and B those of the largest measured number of processes, per cut and per row at a cut. Cells are taken to be
-//! shared evenly.
+//! shared evenly. Communication counts in full, though most of that of a step is under way while there is something to compute.
 
 use super::network::Network;
 use super::ranks::RankMeasurement;

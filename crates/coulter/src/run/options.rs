@@ -46,7 +46,7 @@ pub struct RunOptions<'a> {
 /// The communicator of a run in one process.
 #[must_use]
 pub fn alone() -> Box<dyn Communicator> {
-    Box::new(Alone)
+    Box::new(Alone::default())
 }
 
 /// Who follows a run by its samples, whatever its precision: the caller of [`run_followed`](super::run_followed).

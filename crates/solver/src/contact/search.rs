@@ -63,6 +63,7 @@ pub(crate) fn search<R: Scalar>(
     }
     state.contacts = all_contacts(found, halo);
     workspace.connect(model, state, soil.crew(), halo);
+    soil.strain_first(&model.grid, workspace.first_row(&model.grid, halo));
     soil.stopwatch().lap(Stage::Contact);
 }
 

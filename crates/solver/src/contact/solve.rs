@@ -6,7 +6,7 @@ use super::slip::account_slip;
 use super::workspace::ContactWorkspace;
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::workspace::SoilWorkspace;
-use crate::halo::{self, Halo};
+use crate::halo::Halo;
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::state::{Nodes, State};
@@ -24,21 +24,23 @@ pub(crate) struct ContactWork {
     pub(crate) water_work: f64,
 }
 
-/// Solves contact between soil and bodies for one step. The contact impulse on each body is added to its total.
+/// Solves contact between soil and bodies for one step. The contact impulse on each body is added to its total; the grid still has the
+/// velocities without contact.
 pub(crate) fn solve<R: Scalar>(
     model: &Model,
     state: &mut State<R>,
     (soil, halo): (&mut SoilWorkspace<R>, &Halo),
     workspace: &mut ContactWorkspace,
     moving: &mut Step,
-) -> ContactWork {
+) {
     if state.bodies.is_empty() {
-        return ContactWork::default();
+        return;
     }
     read_pressures(model, state, workspace, halo);
     let ContactWorkspace {
         law,
         nodes,
+        owners,
         velocity,
         inverse_mass,
         corner_nodes,
@@ -49,8 +51,10 @@ pub(crate) fn solve<R: Scalar>(
         pore_pressures,
         openings,
         ..
-    } = &mut *workspace;
-    gather(&state.nodes, &soil.velocity_before, (nodes, velocity), halo);
+    } = workspace;
+    owners.end(nodes, (&state.nodes, &soil.velocity_before), halo);
+    velocity.clear();
+    velocity.extend(nodes.iter().map(|node| node.velocity_free));
     find_inverse_masses(model, nodes, inverse_mass);
     impulses.clear();
     impulses.resize(state.contacts.len(), [DVec3::ZERO; 2]);
@@ -77,43 +81,26 @@ pub(crate) fn solve<R: Scalar>(
     problem.record_water();
     openings.clear();
     openings.extend((0..pore_pressures.len()).map(|n| problem.opening(n)));
-    let lost = pore_pressures.iter().zip(&*openings).map(|(pressure, opening)| pressure * opening);
+}
+
+/// Gives the grid the velocities that contact has found, and adds up the work of the step.
+pub(crate) fn apply<R: Scalar>(
+    model: &Model,
+    state: &mut State<R>,
+    soil: &mut SoilWorkspace<R>,
+    workspace: &mut ContactWorkspace,
+    moving: &Step,
+) -> ContactWork {
+    if state.bodies.is_empty() {
+        return ContactWork::default();
+    }
+    let ContactWorkspace { nodes, velocity, pore_pressures, openings, .. } = &*workspace;
+    let lost = pore_pressures.iter().zip(openings).map(|(pressure, opening)| pressure * opening);
     let water_work = -lost.sum::<f64>() * model.time_step();
     let on_soil = scatter(&mut state.nodes, nodes, velocity);
     let friction_work = account_slip(model, state, workspace, (moving, soil.crew()));
     soil.stopwatch().lap(Stage::Contact);
     ContactWork { on_soil, friction_work, water_work }
-}
-
-/// Gathers velocities and masses of the contact nodes from the blocks that own them.
-fn gather<R: Scalar>(
-    grid: &Nodes<R>,
-    before: &[Vec<R>; 3],
-    (nodes, velocity): (&mut [ContactNode], &mut Vec<DVec3>),
-    halo: &Halo,
-) {
-    velocity.clear();
-    for node in nodes.iter_mut() {
-        let own = node
-            .node
-            .map(|n| (grid.mass[n].to_f64(), velocity_of(&grid.velocity, n), velocity_of(before, n)));
-        let (mass, now, before) = own.unwrap_or_default();
-        (node.mass, node.velocity_free, node.velocity_before) = (mass, now, before);
-    }
-    if !halo.is_alone() {
-        let owned = nodes.iter().enumerate().filter(|(_, node)| node.is_owned);
-        let values = owned.map(|(n, node)| {
-            let ([vx, vy, vz], [bx, by, bz]) =
-                (node.velocity_free.to_array(), node.velocity_before.to_array());
-            (n, [node.mass, vx, vy, vz, bx, by, bz])
-        });
-        for (n, [mass, vx, vy, vz, bx, by, bz]) in halo::in_order(halo, values) {
-            nodes[n].mass = mass;
-            (nodes[n].velocity_free, nodes[n].velocity_before) =
-                (DVec3::new(vx, vy, vz), DVec3::new(bx, by, bz));
-        }
-    }
-    velocity.extend(nodes.iter().map(|node| node.velocity_free));
 }
 
 /// Inverse masses of the contact nodes.
@@ -124,10 +111,6 @@ fn find_inverse_masses(model: &Model, nodes: &[ContactNode], inverse_mass: &mut 
         let free = DVec3::from_array(node.is_free.map(|is_free| if is_free { 1.0 } else { 0.0 }));
         if node.mass > mass_moved { free / node.mass } else { DVec3::ZERO }
     }));
-}
-
-fn velocity_of<R: Scalar>(velocity: &[Vec<R>; 3], node: usize) -> DVec3 {
-    DVec3::from_array(velocity.each_ref().map(|component| component[node].to_f64()))
 }
 
 /// Writes the velocities back to the grid. Returns the work on the soil [J]: impulse on each node times the

@@ -3,6 +3,7 @@
 use super::body_fraction::BodyCell;
 use super::constraint;
 use super::constraint_points::ConstraintPoints;
+use super::gather::Owners;
 use super::islands::Islands;
 use super::law::ContactLaw;
 use super::method::law;
@@ -11,10 +12,11 @@ use super::problem::ContactNode;
 use super::slip_terms::SlipTerms;
 use super::surface::Surface;
 use crate::cpu::threads::Crew;
+use crate::grid::Grid;
 use crate::halo::{self, Halo};
 use crate::model::Model;
 use crate::scalar::Scalar;
-use crate::state::State;
+use crate::state::{Nodes, State};
 use glam::DVec3;
 
 /// Memory that contact keeps between steps, and between two contact searches.
@@ -27,6 +29,8 @@ pub(crate) struct ContactWorkspace {
     pub(crate) body_cells: Vec<BodyCell>,
     /// Contact nodes.
     pub(crate) nodes: Vec<ContactNode>,
+    /// The blocks that own them.
+    pub(crate) owners: Owners,
     /// Their velocities during a step; once slip is accounted for, the sums of those before and after it [m/s].
     pub(crate) velocity: Vec<DVec3>,
     /// Their inverse masses along x, y, z [1/kg]; 0 where a node has no mass or a boundary holds it.
@@ -65,6 +69,7 @@ impl ContactWorkspace {
             surfaces: model.bodies.iter().map(|body| Surface::new(model, body)).collect(),
             body_cells: Vec::new(),
             nodes: Vec::new(),
+            owners: Owners::default(),
             velocity: Vec::new(),
             inverse_mass: Vec::new(),
             corner_nodes: Vec::new(),
@@ -84,10 +89,22 @@ impl ContactWorkspace {
     /// Finds contact nodes and constraints after a contact search.
     pub(super) fn connect<R: Scalar>(&mut self, model: &Model, state: &State<R>, crew: Crew, halo: &Halo) {
         (self.nodes, self.corner_nodes) = contact_nodes(model, &state.contacts);
+        self.owners = Owners::of(&self.nodes, halo);
         self.islands = Islands::new(&state.contacts, &self.corner_nodes, self.nodes.len());
         let fractions = fractions(model, state, halo);
         (self.constraint_points, self.hourglass_correction) =
             constraint::number(model, state, &fractions, crew);
+    }
+
+    /// Begins to send the other blocks what they need to know of this one's contact nodes.
+    pub(crate) fn begin_gather<R: Scalar>(&self, nodes: &Nodes<R>, before: &[Vec<R>; 3], halo: &Halo) {
+        self.owners.begin(&self.nodes, (nodes, before), halo);
+    }
+
+    /// First row of nodes in memory that other blocks need of this one, if there is one.
+    pub(crate) fn first_row(&self, grid: &Grid, halo: &Halo) -> Option<usize> {
+        let owned = self.nodes.iter().filter(|node| node.is_owned).filter_map(|node| node.node);
+        owned.min().filter(|_| !halo.is_alone()).map(|n| n / grid.stride[1])
     }
 
     /// Memory in use [bytes], except what the contact law keeps during a step.
@@ -95,6 +112,7 @@ impl ContactWorkspace {
         self.surfaces.iter().map(Surface::memory).sum::<usize>()
             + size_of_val(self.body_cells.as_slice())
             + size_of_val(self.nodes.as_slice())
+            + self.owners.memory()
             + size_of_val(self.velocity.as_slice())
             + size_of_val(self.inverse_mass.as_slice())
             + size_of_val(self.corner_nodes.as_slice())

@@ -27,13 +27,37 @@ impl RowPartition {
         partition
     }
 
-    /// Rebalances into `portions`, at most as many as at first, with costs in proportion to the given shares.
+    /// Rebalances into `portions` with costs in proportion to the given shares.
     pub fn rebalance(&mut self, cost: &[f64], portions: usize, share: impl Fn(usize) -> f64) {
-        let first = self.bounds[0];
-        self.bounds.resize(portions + 1, first);
-        let (total, all): (f64, f64) = (cost.iter().sum(), (0..portions).map(&share).sum());
+        self.bounds.resize(portions + 1, 0);
+        self.cut(cost, 0..portions, share);
+    }
+
+    /// Rebalances into portions of the first so many rows, and others of the rest. Returns whether there are rows enough; if not, all is
+    /// as before.
+    pub fn rebalance_apart(
+        &mut self,
+        cost: &[f64],
+        first: usize,
+        portions: [usize; 2],
+        share: impl Fn(usize) -> f64,
+    ) -> bool {
+        let [of_first, of_rest] = portions;
+        if first < of_first * self.least || cost.len() < first + of_rest * self.least {
+            return false;
+        }
+        self.bounds.resize(of_first + of_rest + 1, 0);
+        self.cut(&cost[..first], 0..of_first, &share);
+        self.cut(&cost[first..], of_first..of_first + of_rest, &share);
+        true
+    }
+
+    /// Cuts rows of these costs into some of the portions, the first of which begins where it does.
+    fn cut(&mut self, cost: &[f64], portions: Range<usize>, share: impl Fn(usize) -> f64) {
+        let first = self.bounds[portions.start];
+        let (total, all): (f64, f64) = (cost.iter().sum(), portions.clone().map(&share).sum());
         let (mut row, mut sum, mut shares) = (0, 0.0, 0.0);
-        for portion in 1..portions {
+        for portion in portions.start + 1..portions.end {
             shares += share(portion - 1);
             let due = total * shares / all;
             // Round to the nearer end of a row.
@@ -43,11 +67,11 @@ impl RowPartition {
             }
             let [low, high] = [
                 self.bounds[portion - 1] + self.least,
-                first + cost.len() - (portions - portion) * self.least,
+                first + cost.len() - (portions.end - portion) * self.least,
             ];
             self.bounds[portion] = (first + row).clamp(low, high);
         }
-        self.bounds[portions] = first + cost.len();
+        self.bounds[portions.end] = first + cost.len();
     }
 
     /// Load of each portion, from the costs by which the rows were partitioned.
@@ -201,6 +225,10 @@ mod tests {
         assert_eq!(partition.ranges().collect::<Vec<_>>(), [0..5, 5..7, 7..12]);
         partition.rebalance(&cost, 1, |_| 1.0);
         assert_eq!((partition.ranges().len(), partition.all()), (1, 0..12));
+        assert!(partition.rebalance_apart(&cost, 4, [1, 2], |_| 1.0));
+        assert_eq!(partition.ranges().collect::<Vec<_>>(), [0..4, 4..8, 8..12]);
+        assert!(!partition.rebalance_apart(&cost, 11, [1, 2], |_| 1.0), "too few rows");
+        assert_eq!(partition.ranges().len(), 3);
     }
 
     #[test]

@@ -111,9 +111,10 @@ impl Team {
     /// # Panics
     /// If the job panics.
     pub fn for_each<T: Send>(&self, items: &mut [T], job: impl Fn(&mut T) + Sync) {
-        if let [item] = items {
-            job(item);
-            return;
+        match items {
+            [] => return,
+            [item] => return job(item),
+            _ => {}
         }
         let base = ItemsPointer(items.as_mut_ptr());
         let (count, next) = (items.len(), AtomicUsize::new(self.size()));

@@ -3,7 +3,7 @@
 use super::partition::{RowPartition, SerialFallback, Throughput};
 use super::stopwatch::Stopwatch;
 use super::threads::{Crew, MAX_WORKERS, Team};
-use crate::exact_sum::{ExactSum, over_blocks};
+use crate::exact_sum::{ExactSum, begin_over_blocks, end_over_blocks, over_blocks};
 use crate::fields::{Soil, mass_as_main};
 use crate::grid::Grid;
 use crate::halo::Halo;
@@ -23,6 +23,11 @@ pub struct SoilWorkspace<R: Scalar> {
     pub(crate) team: Team,
     /// Partition of the rows of memory planes 1 to nz + 1 (nodes, and the cells above them).
     pub(crate) partition: RowPartition,
+    /// First row of nodes that contact needs, if this is one of several blocks and has any: the rows from there on are strained first, so
+    /// that the other blocks get them early.
+    pub(crate) contact_from: Option<usize>,
+    /// Number of portions of the rows before these; 0 where all are strained together.
+    pub(crate) far_portions: usize,
     /// Whether one thread alone would be faster.
     pub(crate) serial_fallback: SerialFallback,
     /// Cost of each row at the last rebalancing.
@@ -85,6 +90,24 @@ pub(crate) struct PortionScratch<R: Scalar> {
     pub(crate) throughput: Throughput,
     /// Time by stage.
     pub(crate) stopwatch: Stopwatch,
+}
+
+impl<R: Scalar> PortionScratch<R> {
+    fn new(grid: &Grid, has_to_wait: bool) -> Self {
+        let [_, row, plane] = grid.stride;
+        let coefficients = || Coefficients { values: vec![R::default(); COEFFICIENTS * row], are_zero: true };
+        Self {
+            coefficients: [coefficients(), coefficients()],
+            first: coefficients(),
+            below: vec![R::default(); NODE_SUMS * plane],
+            waiting: vec![R::default(); if has_to_wait { NODE_SUMS * (plane + row) } else { 0 }],
+            row: vec![R::default(); ROW_BUFFERS * row],
+            block: R::cell_block(),
+            sums: StageSums::default(),
+            throughput: Throughput::default(),
+            stopwatch: Stopwatch::default(),
+        }
+    }
 }
 
 /// Force coefficients of a row of cells.
@@ -158,6 +181,31 @@ impl StageSums {
         self.reach(other.farthest, other.yields);
         self
     }
+
+    /// Begins to find those over the whole grid.
+    pub(crate) fn begin_total(&self, halo: &Halo) {
+        begin_over_blocks(halo, self.energies, &self.farthest);
+    }
+
+    /// Those over the whole grid, from those of the block.
+    pub(crate) fn total(self, halo: &Halo) -> RowSums {
+        let Self { energies, mut farthest, yields } = self;
+        let ([plastic, viscous, hourglass, seepage, gravity, kinetic], largest) =
+            end_over_blocks(halo, energies);
+        farthest.iter_mut().zip(largest).for_each(|(own, largest)| *own = largest);
+        let [displacement, displacement_light] = farthest;
+        RowSums {
+            plastic,
+            viscous,
+            hourglass,
+            seepage,
+            gravity,
+            kinetic,
+            displacement,
+            displacement_light,
+            yields,
+        }
+    }
 }
 
 /// Number of row buffers in the Lagrangian stage.
@@ -169,20 +217,7 @@ impl<R: Scalar> SoilWorkspace<R> {
     pub(crate) fn new(model: &Model, state: &State<R>, threads: usize) -> Self {
         let grid = &model.grid;
         let [_, row, plane] = grid.stride;
-        let planes = grid.cells()[2] + 1;
-        let rows = plane / row;
-        let coefficients = || Coefficients { values: vec![R::default(); COEFFICIENTS * row], are_zero: true };
-        let portion = |n| PortionScratch {
-            coefficients: [coefficients(), coefficients()],
-            first: coefficients(),
-            below: vec![R::default(); NODE_SUMS * plane],
-            waiting: vec![R::default(); if n > 0 { NODE_SUMS * (plane + row) } else { 0 }],
-            row: vec![R::default(); ROW_BUFFERS * row],
-            block: R::cell_block(),
-            sums: StageSums::default(),
-            throughput: Throughput::default(),
-            stopwatch: Stopwatch::default(),
-        };
+        let (planes, rows) = (grid.cells()[2] + 1, plane / row);
         let least = rows + 1;
         let threads = team_size(grid, threads);
         let portions = portion_count(grid, threads);
@@ -190,6 +225,8 @@ impl<R: Scalar> SoilWorkspace<R> {
         let mut workspace = Self {
             team: Team::new(threads),
             partition: RowPartition::new(rows, &vec![1.0; planes * rows], [portions, least], row),
+            contact_from: None,
+            far_portions: 0,
             serial_fallback: SerialFallback::default(),
             costs: vec![0.0; planes * rows],
             row_has_soil: vec![false; rows * (planes + 1)],
@@ -201,7 +238,7 @@ impl<R: Scalar> SoilWorkspace<R> {
             clear: 0,
             velocity_before: state.nodes.velocity.clone(),
             averages: std::array::from_fn(|_| std::array::from_fn(|_| vec![R::default(); averaged])),
-            portions: (0..portions).map(portion).collect(),
+            portions: (0..portions).map(|n| PortionScratch::new(grid, n > 0)).collect(),
             row_sums: vec![RowSums::default(); rows * (planes + 1)],
             row_values: vec![[0.0; 2]; rows * (planes + 1)],
             width_x: column_widths(grid),
@@ -267,25 +304,11 @@ impl<R: Scalar> SoilWorkspace<R> {
         over_blocks(halo, sums)
     }
 
-    /// Sums of the Lagrangian stage over the whole grid.
-    pub(crate) fn total_of_stage(&self, halo: &Halo) -> RowSums {
+    /// Sums of the Lagrangian stage over the block.
+    pub(crate) fn sums_of_stage(&self) -> StageSums {
         let mut each = self.portions.iter().take(self.partition.ranges().len()).map(|portion| &portion.sums);
         let first = each.next().copied().unwrap_or_default();
-        let StageSums { energies, mut farthest, yields } = each.fold(first, StageSums::merge);
-        halo.largest(&mut farthest);
-        let [plastic, viscous, hourglass, seepage, gravity, kinetic] = over_blocks(halo, energies);
-        let [displacement, displacement_light] = farthest;
-        RowSums {
-            plastic,
-            viscous,
-            hourglass,
-            seepage,
-            gravity,
-            kinetic,
-            displacement,
-            displacement_light,
-            yields,
-        }
+        each.fold(first, StageSums::merge)
     }
 
     /// The threads at work, for loops other than over rows.
@@ -336,24 +359,54 @@ impl<R: Scalar> SoilWorkspace<R> {
         /// Cost of the return mapping of a cell, relative to all else that is done for a cell.
         const RETURN: f64 = 1.8;
         let per_cell = RETURN / grid.cells()[0] as f64;
-        let Self { team, partition, serial_fallback, costs, row_is_strained, row_sums, portions, .. } = self;
+        let Self { partition, costs, row_is_strained, row_sums, .. } = self;
         let first = partition.all().start;
         let each = row_is_strained[first..].iter().zip(&row_sums[first..]);
         for (cost, (is_strained, sums)) in costs.iter_mut().zip(each) {
             *cost = if *is_strained { 1.0 + per_cell * f64::from(sums.yields) } else { VOID };
         }
-        let (threads, count) = (team.size(), portions.len());
+        self.divide(grid);
+    }
+
+    /// Divides the rows by their costs.
+    fn divide(&mut self, grid: &Grid) {
+        let Self { team, partition, serial_fallback, costs, portions, contact_from, far_portions, .. } = self;
+        let (threads, count) = (team.size(), portion_count(grid, team.size()));
         let speed = |n: usize| portions[n].throughput.speed();
         let all_known = (0..threads).all(|n| speed(n).is_some());
         let speed = |n: usize| speed(n).filter(|_| all_known).unwrap_or(1.0);
         let tail = if count > threads { TAIL } else { 0.0 };
         let own = (1.0 - tail) / (0..threads).map(speed).sum::<f64>();
-        let size = if serial_fallback.should_run_alone() { 1 } else { count };
-        partition.rebalance(costs, size, |n| {
-            if n < threads { own * speed(n) } else { tail / (count - threads) as f64 }
-        });
+        let share = |n: usize| match n {
+            _ if n >= count => speed(n - count),
+            _ if n >= threads => tail / (count - threads) as f64,
+            _ => own * speed(n),
+        };
+        *far_portions = 0;
+        if serial_fallback.should_run_alone() {
+            partition.rebalance(costs, 1, share);
+        } else {
+            // The first nodes of the rows from there on wait for those before.
+            let far =
+                contact_from.map_or(0, |row| row.saturating_sub(partition.all().start + grid.rows() + 1));
+            if partition.rebalance_apart(costs, far, [count, threads], share) {
+                *far_portions = count;
+            } else {
+                partition.rebalance(costs, count, share);
+            }
+        }
         for (portion, load) in portions.iter_mut().zip(partition.loads(costs)) {
             portion.throughput.assign(load);
+        }
+    }
+
+    /// Has the rows of nodes from this one on, which contact needs, strained before the others; for one of several blocks.
+    pub(crate) fn strain_first(&mut self, grid: &Grid, contact_from: Option<usize>) {
+        if self.contact_from != contact_from {
+            let count = portion_count(grid, self.threads()) + self.threads();
+            self.portions.resize_with(count, || PortionScratch::new(grid, true));
+            self.contact_from = contact_from;
+            self.divide(grid);
         }
     }
 }

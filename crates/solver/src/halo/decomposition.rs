@@ -12,6 +12,15 @@ pub struct Decomposition {
     columns: Range<usize>,
 }
 
+/// A block that touches another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Neighbour {
+    /// Its number.
+    pub rank: usize,
+    /// Where it lies along y and z: −1 at the low end, 1 at the high end, 0 in the same layers.
+    pub side: [i32; 2],
+}
+
 impl Decomposition {
     /// Cuts a grid before the given layers of its domain along y and z.
     #[must_use]
@@ -75,14 +84,17 @@ impl Decomposition {
         [self.columns.clone(), self.slabs[0][j].clone(), self.slabs[1][k].clone()]
     }
 
-    /// Numbers of a block's neighbours along y and z, at the low end and at the high end.
+    /// The blocks that touch one, along y and z and across its edges.
     #[must_use]
-    pub fn neighbours(&self, number: usize) -> [[Option<usize>; 2]; 2] {
-        let (at, steps) = (self.place(number), [1, self.slabs[0].len()]);
-        std::array::from_fn(|axis| {
-            let last = self.slabs[axis].len() - 1;
-            [(at[axis] > 0).then(|| number - steps[axis]), (at[axis] < last).then(|| number + steps[axis])]
-        })
+    pub fn neighbours(&self, number: usize) -> Vec<Neighbour> {
+        let (at, count) = (self.place(number), self.blocks());
+        let step =
+            |axis: usize, side: i32| at[axis].checked_add_signed(side as isize).filter(|n| *n < count[axis]);
+        let sides = (-1..=1).flat_map(|z| (-1..=1).map(move |y| [y, z])).filter(|side| *side != [0, 0]);
+        let beside = |side: [i32; 2]| Some((step(0, side[0])?, step(1, side[1])?));
+        sides
+            .filter_map(|side| beside(side).map(|(j, k)| Neighbour { rank: k * count[0] + j, side }))
+            .collect()
     }
 
     /// Numbers of blocks beyond one along y and z, at the low end and at the high end.
@@ -132,8 +144,9 @@ mod tests {
         let cut = Decomposition::cut(&grid(12, 10), [&[4, 8], &[6]]);
         assert_eq!((cut.count(), cut.blocks()), (6, [3, 2]));
         assert_eq!(cut.own(4), [0..8, 4..8, 6..10]);
-        assert_eq!(cut.neighbours(4), [[Some(3), Some(5)], [Some(1), None]]);
-        assert_eq!(cut.neighbours(0), [[None, Some(1)], [None, Some(3)]]);
+        let of = |number: usize| cut.neighbours(number).iter().map(|n| (n.rank, n.side)).collect::<Vec<_>>();
+        assert_eq!(of(4), [(0, [-1, -1]), (1, [0, -1]), (2, [1, -1]), (3, [-1, 0]), (5, [1, 0])]);
+        assert_eq!(of(0), [(1, [1, 0]), (3, [0, 1]), (4, [1, 1])]);
     }
 
     #[test]

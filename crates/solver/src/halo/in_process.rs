@@ -13,6 +13,10 @@ pub struct InProcess {
     /// To and from each of the others.
     links: Vec<Option<Link>>,
     board: Arc<Board>,
+    /// Those with which an exchange has begun.
+    partners: Vec<usize>,
+    gathered: Vec<f64>,
+    reduced: (Vec<i64>, Vec<f64>),
 }
 
 /// To and from another.
@@ -29,8 +33,14 @@ struct Board {
 #[must_use]
 pub fn communicators(count: usize) -> Vec<InProcess> {
     let board = Arc::new(Board { slots: Mutex::new(vec![Vec::new(); count]), barrier: Barrier::new(count) });
-    let of_rank =
-        |rank| InProcess { rank, links: (0..count).map(|_| None).collect(), board: Arc::clone(&board) };
+    let of_rank = |rank| InProcess {
+        rank,
+        links: (0..count).map(|_| None).collect(),
+        board: Arc::clone(&board),
+        partners: Vec::new(),
+        gathered: Vec::new(),
+        reduced: Default::default(),
+    };
     let mut all: Vec<InProcess> = (0..count).map(of_rank).collect();
     for low in 0..count {
         for high in low + 1..count {
@@ -65,18 +75,49 @@ impl Communicator for InProcess {
 
     /// # Panics
     /// If one of the others has failed.
-    fn exchange(&mut self, with: [Option<usize>; 2], values: [Vec<f64>; 2]) -> [Vec<f64>; 2] {
-        let links = with.map(|other| other.and_then(|other| self.links[other].as_ref()));
-        for (link, values) in links.iter().zip(values) {
-            if let Some((to, _)) = link {
-                assert!(to.send(values).is_ok(), "the neighbour has gone");
-            }
+    fn begin_exchange(&mut self, messages: Vec<(usize, Vec<f64>)>) {
+        self.partners = messages.iter().map(|(partner, _)| *partner).collect();
+        for (partner, values) in messages {
+            let sent = self.links[partner].as_ref().map(|(to, _)| to.send(values));
+            assert!(sent.is_some_and(|sent| sent.is_ok()), "the neighbour has gone");
         }
-        links.map(|link| {
-            let received = link.map(|(_, from)| from.recv());
-            received
-                .map_or_else(Vec::new, |values| values.unwrap_or_else(|_| panic!("the neighbour has gone")))
-        })
+    }
+
+    /// # Panics
+    /// If one of the others has failed.
+    fn end_exchange(&mut self) -> Vec<Vec<f64>> {
+        let received = |partner: &usize| self.links[*partner].as_ref().and_then(|(_, from)| from.recv().ok());
+        self.partners
+            .iter()
+            .map(|partner| received(partner).unwrap_or_else(|| panic!("the neighbour has gone")))
+            .collect()
+    }
+
+    fn begin_gather(&mut self, values: Vec<f64>, _: &[usize]) {
+        self.gathered = values;
+    }
+
+    fn end_gather(&mut self) -> Vec<f64> {
+        let own = std::mem::take(&mut self.gathered);
+        self.gather(&own).concat()
+    }
+
+    fn begin_reduction(&mut self, added: Vec<i64>, compared: Vec<f64>) {
+        self.reduced = (added, compared);
+    }
+
+    fn end_reduction(&mut self) -> (Vec<i64>, Vec<f64>) {
+        let (mut added, mut compared) = std::mem::take(&mut self.reduced);
+        // The board takes any 64 bits.
+        let bits = added.iter().map(|value| f64::from_bits(value.cast_unsigned()));
+        let all = self.gather(&bits.chain(compared.iter().copied()).collect::<Vec<_>>());
+        for (n, value) in added.iter_mut().enumerate() {
+            *value = all.iter().map(|own| own[n].to_bits().cast_signed()).sum();
+        }
+        for (n, value) in compared.iter_mut().enumerate() {
+            *value = all.iter().map(|own| own[added.len() + n]).fold(f64::NEG_INFINITY, f64::max);
+        }
+        (added, compared)
     }
 
     fn gather(&mut self, values: &[f64]) -> Vec<Vec<f64>> {
@@ -107,22 +148,6 @@ impl Communicator for InProcess {
             }
         }
         values
-    }
-
-    fn add(&mut self, values: &mut [i64]) {
-        // The board takes any 64 bits.
-        let own: Vec<f64> = values.iter().map(|value| f64::from_bits(value.cast_unsigned())).collect();
-        let all = self.gather(&own);
-        for (n, value) in values.iter_mut().enumerate() {
-            *value = all.iter().map(|own| own[n].to_bits().cast_signed()).sum();
-        }
-    }
-
-    fn largest(&mut self, values: &mut [f64]) {
-        let all = self.gather(values);
-        for (n, value) in values.iter_mut().enumerate() {
-            *value = all.iter().map(|own| own[n]).fold(f64::NEG_INFINITY, f64::max);
-        }
     }
 
     /// # Panics

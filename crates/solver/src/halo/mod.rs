@@ -7,12 +7,13 @@ pub mod mpi;
 
 use crate::grid::{GHOSTS, Grid};
 use crate::scalar::Scalar;
-use decomposition::Decomposition;
+use decomposition::{Decomposition, Neighbour};
+use std::ops::Range;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 
 /// The processes of a run, each with a block of the grid, as one of them sees them. All must call the same functions in the same
-/// order.
+/// order; one operation of each kind may have begun, others may begin and end before it ends.
 pub trait Communicator: Send {
     /// Number of this process, from 0.
     fn rank(&self) -> usize;
@@ -20,9 +21,29 @@ pub trait Communicator: Send {
     /// Number of processes.
     fn size(&self) -> usize;
 
-    /// Sends values to two other processes and returns what these have sent here; nothing where there is none. Lengths are the same
-    /// in both directions.
-    fn exchange(&mut self, with: [Option<usize>; 2], values: [Vec<f64>; 2]) -> [Vec<f64>; 2];
+    /// Begins to send each of these processes a message, and to receive one of the same length from it.
+    fn begin_exchange(&mut self, messages: Vec<(usize, Vec<f64>)>);
+
+    /// Ends the exchange that was begun: what each of the processes has sent, in the same order.
+    fn end_exchange(&mut self) -> Vec<Vec<f64>>;
+
+    /// Begins to send `values` to all processes, of which each sends so many.
+    fn begin_gather(&mut self, values: Vec<f64>, counts: &[usize]);
+
+    /// Ends the gather that was begun: the values of all processes, those of the first first.
+    fn end_gather(&mut self) -> Vec<f64>;
+
+    /// Begins to find the sums over all processes of some numbers, and the largest in any process of others.
+    fn begin_reduction(&mut self, added: Vec<i64>, compared: Vec<f64>);
+
+    /// Ends the reduction that was begun.
+    fn end_reduction(&mut self) -> (Vec<i64>, Vec<f64>);
+
+    /// Replaces each of `values` by the largest in any process.
+    fn largest(&mut self, values: &mut [f64]) {
+        self.begin_reduction(Vec::new(), values.to_vec());
+        values.copy_from_slice(&self.end_reduction().1);
+    }
 
     /// Sends `values` to all processes, and returns those of each.
     fn gather(&mut self, values: &[f64]) -> Vec<Vec<f64>>;
@@ -33,19 +54,16 @@ pub trait Communicator: Send {
     /// Sends each process its own values, those of number `n` to process `n`, and returns what each has sent here.
     fn deliver(&mut self, values: Vec<Vec<f64>>) -> Vec<Vec<f64>>;
 
-    /// Replaces each of `values` by its sum over all processes.
-    fn add(&mut self, values: &mut [i64]);
-
-    /// Replaces each of `values` by the largest in any process.
-    fn largest(&mut self, values: &mut [f64]);
-
     /// Ends all processes, with an exit code: this one cannot go on, and the others would wait for it.
     fn abort(&mut self, code: i32);
 }
 
 /// The only process of a run.
-#[derive(Clone, Copy, Debug)]
-pub struct Alone;
+#[derive(Clone, Debug, Default)]
+pub struct Alone {
+    gathered: Vec<f64>,
+    reduced: (Vec<i64>, Vec<f64>),
+}
 
 impl Communicator for Alone {
     fn rank(&self) -> usize {
@@ -56,8 +74,26 @@ impl Communicator for Alone {
         1
     }
 
-    fn exchange(&mut self, _: [Option<usize>; 2], _: [Vec<f64>; 2]) -> [Vec<f64>; 2] {
-        Default::default()
+    fn begin_exchange(&mut self, _: Vec<(usize, Vec<f64>)>) {}
+
+    fn end_exchange(&mut self) -> Vec<Vec<f64>> {
+        Vec::new()
+    }
+
+    fn begin_gather(&mut self, values: Vec<f64>, _: &[usize]) {
+        self.gathered = values;
+    }
+
+    fn end_gather(&mut self) -> Vec<f64> {
+        std::mem::take(&mut self.gathered)
+    }
+
+    fn begin_reduction(&mut self, added: Vec<i64>, compared: Vec<f64>) {
+        self.reduced = (added, compared);
+    }
+
+    fn end_reduction(&mut self) -> (Vec<i64>, Vec<f64>) {
+        std::mem::take(&mut self.reduced)
     }
 
     fn gather(&mut self, values: &[f64]) -> Vec<Vec<f64>> {
@@ -71,10 +107,6 @@ impl Communicator for Alone {
     fn deliver(&mut self, values: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
         values
     }
-
-    fn add(&mut self, _: &mut [i64]) {}
-
-    fn largest(&mut self, _: &mut [f64]) {}
 
     fn abort(&mut self, _: i32) {}
 }
@@ -100,8 +132,7 @@ pub struct Halo {
     line: Option<Mutex<Line>>,
     rank: usize,
     blocks: usize,
-    /// Ranks of the neighbours along y and z, at the low end and at the high end.
-    neighbours: [[Option<usize>; 2]; 2],
+    neighbours: Vec<Neighbour>,
     /// Numbers of blocks beyond it along y and z, at the low end and at the high end.
     beyond: [[usize; 2]; 2],
 }
@@ -187,22 +218,70 @@ impl Halo {
     /// Sends values to the neighbours at the low end and at the high end along `axis`, 1 or 2, and returns what these have sent;
     /// nothing where there is none. What is sent both ways between two blocks is of the same length.
     pub fn exchange(&self, axis: usize, values: [Vec<f64>; 2]) -> [Vec<f64>; 2] {
-        let Some(mut line) = self.line() else { return Default::default() };
-        let with = self.neighbours[axis - 1];
-        for (_, own) in with.iter().zip(&values).filter(|(with, _)| with.is_some()) {
-            line.traffic.messages += 1;
-            line.traffic.message_bytes += size_of_val(own.as_slice()) as u64;
+        let beside = [-1, 1].map(|end| {
+            let side = if axis == 1 { [end, 0] } else { [0, end] };
+            self.neighbours.iter().find(|neighbour| neighbour.side == side).map(|neighbour| neighbour.rank)
+        });
+        let each = beside.iter().zip(values);
+        self.begin_exchange(each.filter_map(|(rank, values)| rank.map(|rank| (rank, values))).collect());
+        let mut received = self.end_exchange().into_iter();
+        beside.map(|rank| rank.and_then(|_| received.next()).unwrap_or_default())
+    }
+
+    /// Begins to send messages to other blocks, and to receive one of the same length from each.
+    fn begin_exchange(&self, messages: Vec<(usize, Vec<f64>)>) {
+        if let Some(mut line) = self.line() {
+            line.traffic.messages += messages.len() as u64;
+            let bytes: usize = messages.iter().map(|(_, values)| size_of_val(values.as_slice())).sum();
+            line.traffic.message_bytes += bytes as u64;
+            line.timed(|communicator| communicator.begin_exchange(messages));
         }
-        line.timed(|communicator| communicator.exchange(with, values))
+    }
+
+    /// What these blocks have sent, in the same order.
+    fn end_exchange(&self) -> Vec<Vec<f64>> {
+        self.line().map_or_else(Vec::new, |mut line| line.timed(|communicator| communicator.end_exchange()))
+    }
+
+    /// Begins to send values to all blocks, of which each sends so many.
+    pub(crate) fn begin_gather(&self, values: Vec<f64>, counts: &[usize]) {
+        if let Some(mut line) = self.line() {
+            let bytes = size_of_val(values.as_slice());
+            line.collectively(bytes, |communicator| communicator.begin_gather(values, counts));
+        }
+    }
+
+    /// The values of all blocks, those of the first first.
+    pub(crate) fn end_gather(&self) -> Vec<f64> {
+        self.line().map_or_else(Vec::new, |mut line| line.timed(|communicator| communicator.end_gather()))
+    }
+
+    /// Begins to find the sums over all blocks of some numbers, and the largest in any block of others.
+    pub(crate) fn begin_reduction(&self, added: Vec<i64>, compared: Vec<f64>) {
+        if let Some(mut line) = self.line() {
+            let bytes = size_of_val(added.as_slice()) + size_of_val(compared.as_slice());
+            line.collectively(bytes, |communicator| communicator.begin_reduction(added, compared));
+        }
+    }
+
+    /// Ends the reduction that was begun.
+    pub(crate) fn end_reduction(&self) -> (Vec<i64>, Vec<f64>) {
+        self.line()
+            .map_or_else(Default::default, |mut line| line.timed(|communicator| communicator.end_reduction()))
     }
 
     /// The values of all blocks, those of the first first, the same everywhere.
     pub fn gather(&self, values: Vec<f64>) -> Vec<f64> {
+        self.gather_each(values).concat()
+    }
+
+    /// The values of each block, the same everywhere.
+    pub(crate) fn gather_each(&self, values: Vec<f64>) -> Vec<Vec<f64>> {
         match self.line() {
-            None => values,
-            Some(mut line) => line
-                .collectively(size_of_val(values.as_slice()), |communicator| communicator.gather(&values))
-                .concat(),
+            None => vec![values],
+            Some(mut line) => {
+                line.collectively(size_of_val(values.as_slice()), |communicator| communicator.gather(&values))
+            }
         }
     }
 
@@ -225,15 +304,17 @@ impl Halo {
 
     /// Replaces each of `values` by its sum over all blocks.
     pub fn add(&self, values: &mut [i64]) {
-        if let Some(mut line) = self.line() {
-            line.collectively(size_of_val(values), |communicator| communicator.add(values));
+        if !self.is_alone() {
+            self.begin_reduction(values.to_vec(), Vec::new());
+            values.copy_from_slice(&self.end_reduction().0);
         }
     }
 
     /// Replaces each of `values` by the largest in any block.
     pub fn largest(&self, values: &mut [f64]) {
-        if let Some(mut line) = self.line() {
-            line.collectively(size_of_val(values), |communicator| communicator.largest(values));
+        if !self.is_alone() {
+            self.begin_reduction(Vec::new(), values.to_vec());
+            values.copy_from_slice(&self.end_reduction().1);
         }
     }
 
@@ -301,77 +382,97 @@ pub(crate) fn fill_first<'a, R: Scalar>(
 fn fill_layers<'a, R: Scalar>(
     halo: &Halo,
     grid: &Grid,
-    (at, depth): (At, usize),
+    layers: (At, usize),
     arrays: impl IntoIterator<Item = &'a mut Vec<R>>,
 ) {
-    if halo.is_alone() {
-        return;
+    if !halo.is_alone() {
+        let mut arrays: Vec<_> = arrays.into_iter().collect();
+        begin_filling(halo, grid, layers, arrays.iter().map(|array| &**array));
+        end_filling(halo, grid, layers, arrays.iter_mut().map(|array| &mut **array));
     }
-    let mut arrays: Vec<_> = arrays.into_iter().collect();
+}
+
+/// Begins to fill so many ghost layers: sends the neighbours what they need.
+pub(crate) fn begin_filling<'a, R: Scalar>(
+    halo: &Halo,
+    grid: &Grid,
+    (at, depth): (At, usize),
+    arrays: impl Iterator<Item = &'a Vec<R>> + Clone,
+) {
     let stride = grid.stride[1];
-    for axis in [1, 2] {
-        let sent = [0, 1].map(|end| {
-            let mut values = Vec::new();
-            if grid.is_cut(axis, end) {
-                let sent = rows(grid, at, axis, edge(grid, (at, depth), axis, end));
-                values.reserve(sent.len() * arrays.len() * stride);
-                for array in &arrays {
-                    for row in &sent {
-                        values.extend(array[row * stride..][..stride].iter().map(|value| value.to_f64()));
-                    }
-                }
+    let message = |neighbour: &Neighbour| {
+        let sent = rows(grid, [1, 2].map(|axis| edge(grid, (at, depth), axis, neighbour.side[axis - 1])));
+        let mut values = Vec::with_capacity(sent.len() * arrays.clone().count() * stride);
+        for array in arrays.clone() {
+            for row in &sent {
+                values.extend(array[row * stride..][..stride].iter().map(|value| value.to_f64()));
             }
-            values
-        });
-        for (end, received) in halo.exchange(axis, sent).into_iter().enumerate() {
-            if !grid.is_cut(axis, end) {
-                continue;
-            }
-            let filled = rows(grid, at, axis, ghosts(grid, (at, depth), axis, end));
-            let mut received = received.chunks_exact(stride);
-            for array in &mut arrays {
-                for row in &filled {
-                    let own = &mut array[row * stride..][..stride];
-                    for (value, new) in own.iter_mut().zip(received.next().unwrap_or_default()) {
-                        *value = R::cast(*new);
-                    }
-                }
+        }
+        (neighbour.rank, values)
+    };
+    halo.begin_exchange(halo.neighbours.iter().map(message).collect());
+}
+
+/// Fills the ghost layers with what the neighbours have sent.
+pub(crate) fn end_filling<'a, R: Scalar>(
+    halo: &Halo,
+    grid: &Grid,
+    (at, depth): (At, usize),
+    arrays: impl Iterator<Item = &'a mut Vec<R>>,
+) {
+    let stride = grid.stride[1];
+    let received = halo.end_exchange();
+    let filled = halo.neighbours.iter().map(|neighbour| {
+        rows(grid, [1, 2].map(|axis| ghosts(grid, (at, depth), axis, neighbour.side[axis - 1])))
+    });
+    let mut each: Vec<_> =
+        filled.zip(&received).map(|(rows, values)| (rows, values.chunks_exact(stride))).collect();
+    for array in arrays {
+        for (rows, values) in &mut each {
+            for (row, new) in rows.iter().zip(values) {
+                let own = &mut array[row * stride..][..stride];
+                own.iter_mut().zip(new).for_each(|(value, new)| *value = R::cast(*new));
             }
         }
     }
 }
 
-/// Layers needed by the neighbour at an end. Both blocks hold the nodes on the boundary between them.
-fn edge(grid: &Grid, (at, depth): (At, usize), axis: usize, end: usize) -> std::ops::Range<usize> {
-    let on_boundary = usize::from(at == At::Nodes);
-    if end == 0 {
-        let own = grid.own[axis].start - grid.first[axis];
-        own + on_boundary..own + on_boundary + depth
-    } else {
-        let beyond = grid.own[axis].end - grid.first[axis];
-        beyond - depth..beyond
+/// Layers along an axis needed by the neighbour on a side. Both blocks hold the nodes on the boundary between them.
+fn edge(grid: &Grid, (at, depth): (At, usize), axis: usize, side: i32) -> Range<usize> {
+    let beyond = grid.own[axis].end - grid.first[axis];
+    match side {
+        0 => between_cuts(grid, at, axis),
+        1 => beyond - depth..beyond,
+        _ => {
+            let first = grid.own[axis].start - grid.first[axis] + usize::from(at == At::Nodes);
+            first..first + depth
+        }
     }
 }
 
-/// Ghost layers at an end.
-fn ghosts(grid: &Grid, (at, depth): (At, usize), axis: usize, end: usize) -> std::ops::Range<usize> {
-    if end == 0 {
-        GHOSTS - depth..GHOSTS
-    } else {
-        let own = grid.own[axis].end - grid.first[axis] + usize::from(at == At::Nodes);
-        own..own + depth
+/// Ghost layers along an axis that the neighbour on a side owns.
+fn ghosts(grid: &Grid, (at, depth): (At, usize), axis: usize, side: i32) -> Range<usize> {
+    match side {
+        0 => between_cuts(grid, at, axis),
+        1 => {
+            let first = grid.own[axis].end - grid.first[axis] + usize::from(at == At::Nodes);
+            first..first + depth
+        }
+        _ => GHOSTS - depth..GHOSTS,
     }
 }
 
-/// Indices of the memory rows in some layers along y or z.
-fn rows(grid: &Grid, at: At, axis: usize, layers: std::ops::Range<usize>) -> Vec<usize> {
-    let [_, ny, nz] = grid.cells().map(|n| n + usize::from(at == At::Nodes));
-    let row = |j: usize, k: usize| (k + 1) * grid.rows() + j + 1;
-    if axis == 1 {
-        (0..nz).flat_map(|k| layers.clone().map(move |j| row(j, k))).collect()
-    } else {
-        layers.flat_map(|k| (0..ny).map(move |j| row(j, k))).collect()
-    }
+/// All layers along an axis but the ghost layers at cuts.
+fn between_cuts(grid: &Grid, at: At, axis: usize) -> Range<usize> {
+    let (own, first, on_boundary) = (&grid.own[axis], grid.first[axis], usize::from(at == At::Nodes));
+    let low = if grid.is_cut(axis, 0) { own.start - first } else { 0 };
+    let high = if grid.is_cut(axis, 1) { own.end - first } else { grid.cells()[axis] };
+    low..high + on_boundary
+}
+
+/// Indices of the memory rows in some layers along y and z.
+fn rows(grid: &Grid, [y, z]: [Range<usize>; 2]) -> Vec<usize> {
+    z.flat_map(|k| y.clone().map(move |j| (k + 1) * grid.rows() + j + 1)).collect()
 }
 
 /// Values of all blocks with their keys, sorted by key, so that a sum over them does not depend on the

@@ -29,16 +29,22 @@ fn blocks_are_the_whole<R: Precision>(model: fn(usize) -> Model, before: [&[usiz
     let blocks = partition(&whole.grid, before);
     assert_eq!(blocks.len(), (before[0].len() + 1) * (before[1].len() + 1));
     std::thread::scope(|scope| {
+        let mut running = Vec::new();
         for (grid, halo) in blocks {
             let (begin, state, whole) = (&begin, &state, &whole.grid);
-            scope.spawn(move || {
+            let block = scope.spawn(move || {
                 let mut own = begin.of_block(whole, &grid);
                 let model = Model { grid, ..model(R::LANES) };
                 let mut workspace = Workspace::of_block(&model, &mut own, threads, halo);
                 go(&model, &mut own, &mut workspace);
                 assert_same((whole, state), (&model.grid, &own));
+                workspace.moves_contact_first()
             });
+            running.push(block);
         }
+        // In portions of the rows for several threads there may be too few of them.
+        let mut each = running.into_iter().map(|block| block.join().unwrap());
+        assert!(each.any(|moves_first| moves_first) || threads > 1);
     });
 }
 

@@ -15,6 +15,7 @@ use crate::cpu::workspace::{COEFFICIENTS, NODE_SUMS, RowSums, StageSums};
 use crate::fields::HISTORY_COUNT;
 use crate::grid::Grid;
 use crate::model::Model;
+use crate::state::Known;
 use std::ops::Range;
 use std::time::Instant;
 
@@ -53,14 +54,71 @@ const REBALANCES: u64 = 64;
 
 /// Strains the soil and moves the nodes by one step of `dt` [s]: stresses and displacements at the end of the
 /// step, velocities without contact half a step later. Dissipation and displacements are left in the sums by
-/// row.
-pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspace, dt: f64) {
-    let grid = &model.grid;
-    let clears = prepare(grid, state, workspace);
+/// row. Calls `known(nodes, velocities before)` as soon as the nodes of this block that contact needs are moved.
+pub(crate) fn lagrange(
+    model: &Model,
+    state: &mut State,
+    workspace: &mut Workspace,
+    dt: f64,
+    known: &mut Known<'_, Real>,
+) {
+    let clears = prepare(&model.grid, state, workspace);
+    let clock = Instant::now();
+    if workspace.contact_from.is_none() {
+        known(&state.nodes, &workspace.velocity_before);
+    }
+    let turns: &[Turn] = if workspace.far_portions > 0 { &[Turn::Near, Turn::Far] } else { &[Turn::All] };
+    for turn in turns {
+        strain(model, state, workspace, (dt, clears), *turn);
+        if workspace.contact_from.is_some() && *turn != Turn::Far {
+            known(&state.nodes, &workspace.velocity_before);
+        }
+    }
+    let Workspace { team, partition, serial_fallback, portions, .. } = workspace;
+    if team.size() > 1
+        && partition.ranges().len() > 1
+        && let Some(speed) = portions[0].throughput.speed()
+    {
+        let load: f64 = portions.iter().map(|portion| portion.throughput.load()).sum();
+        serial_fallback.record(clock.elapsed().as_secs_f64(), load / speed);
+    }
+    portions[0].stopwatch.lap(Stage::Nodes);
+}
+
+/// Which portions of the rows are strained.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Turn {
+    All,
+    /// Those with the nodes that contact needs. The first nodes of the first one still wait.
+    Near,
+    /// The others, before them in memory.
+    Far,
+}
+
+impl Turn {
+    /// The portions that are strained, those among which forces are passed on, and those whose first nodes have all their forces then;
+    /// of so many far ones among all.
+    fn portions(self, far: usize, all: usize) -> [Range<usize>; 3] {
+        match self {
+            Self::All => [0..all, 0..all, 0..all],
+            Self::Near => [far..all, far..all, far + 1..all],
+            Self::Far => [0..far, 0..far + 1, 0..far + 1],
+        }
+    }
+}
+
+/// Strains the cells of some portions and moves their nodes.
+fn strain(
+    model: &Model,
+    state: &mut State,
+    workspace: &mut Workspace,
+    (dt, clears): (f64, bool),
+    turn: Turn,
+) {
     let Workspace {
         team,
         partition,
-        serial_fallback,
+        far_portions: far,
         row_is_strained,
         velocity_before,
         portions,
@@ -74,7 +132,7 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
     let Soil { fraction, mass, stress, history, .. } = &mut state.soil;
     let inputs = Inputs {
         model,
-        grid,
+        grid: &model.grid,
         fraction,
         soil_mass: if mass_as_main.is_empty() { mass } else { mass_as_main },
         mass: &state.nodes.mass,
@@ -101,18 +159,10 @@ pub(crate) fn lagrange(model: &Model, state: &mut State, workspace: &mut Workspa
         scratch,
     });
     let mut slices = team_items(each);
-    let clock = Instant::now();
-    team.for_each(&mut slices, |slice| strain_and_move(&inputs, slice));
-    pass_forces_on(&mut slices);
-    team.for_each(&mut slices, |slice| move_waiting(&inputs, slice));
-    drop(slices);
-    if partition.ranges().len() > 1
-        && let Some(speed) = portions[0].throughput.speed()
-    {
-        let load: f64 = portions.iter().map(|portion| portion.throughput.load()).sum();
-        serial_fallback.record(clock.elapsed().as_secs_f64(), load / speed);
-    }
-    portions[0].stopwatch.lap(Stage::Nodes);
+    let [strained, passed, moved] = turn.portions(*far, slices.len());
+    team.for_each(&mut slices[strained], |slice| strain_and_move(&inputs, slice));
+    pass_forces_on(&mut slices[passed]);
+    team.for_each(&mut slices[moved], |slice| move_waiting(&inputs, slice));
 }
 
 /// Prepares the stage: afterwards the new velocities belong to the state, the old ones to the workspace.
