@@ -10,7 +10,8 @@ use crate::cpu::workspace::SoilWorkspace;
 use crate::energy;
 use crate::ghosts::{self, Ghosts};
 use crate::grid::Grid;
-use crate::halo::{self, At, Halo};
+use crate::halo::Halo;
+use crate::halo::filling::{At, fill};
 use crate::model::Model;
 use crate::precision::Precision;
 use crate::state::{Nodes, State};
@@ -28,9 +29,9 @@ pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut 
     let before = energy::total(model, state, soil, halo) - state.energy_balance.inflow_elastic;
     let active = rows_near_soil(grid, &soil.row_has_soil);
     // Since the last remap only the first of the ghost layers has been strained and moved.
-    halo::fill(halo, grid, At::Cells, state.soil.arrays_mut());
+    fill(halo, grid, At::Cells, state.soil.arrays_mut());
     let Nodes { displacement, velocity, .. } = &mut state.nodes;
-    halo::fill(halo, grid, At::Nodes, displacement.iter_mut().chain(velocity));
+    fill(halo, grid, At::Nodes, displacement.iter_mut().chain(velocity));
     ghosts::follow(model, state);
     R::displaced_volumes(model, state, soil);
     let mut ghosts = Ghosts::new(model, state, &soil.velocity_before[0], halo);
@@ -45,10 +46,10 @@ pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut 
         ghosts.finish(model, &mut state.soil);
     }
     // Whether a row next to the outermost ghost layer holds soil, only its owner knows: debris would stay in that layer.
-    halo::fill(halo, grid, At::Cells, state.soil.arrays_mut());
+    fill(halo, grid, At::Cells, state.soil.arrays_mut());
     let [volume, mass] = soil.total_of_rows(grid, halo);
     reset_nodes(grid, state, soil);
-    halo::fill(halo, grid, At::Nodes, [&mut state.nodes.mass]);
+    fill(halo, grid, At::Nodes, [&mut state.nodes.mass]);
     contact::remove_overlap(model, state, soil, contact, halo);
     stop_massless_nodes(model, state, soil);
     soil.find_soil(grid, &state.soil);
@@ -76,8 +77,8 @@ fn fill_swept<R: Precision>(
     }
     let State { soil: fields, nodes, .. } = state;
     let cells = fields.arrays_mut().chain([soil, cell]);
-    halo::fill(halo, grid, At::Cells, cells);
-    halo::fill(halo, grid, At::Nodes, nodes.velocity.iter_mut().chain([&mut nodes.mass]));
+    fill(halo, grid, At::Cells, cells);
+    fill(halo, grid, At::Nodes, nodes.velocity.iter_mut().chain([&mut nodes.mass]));
 }
 
 /// Rows that hold soil or lie beside one that does.

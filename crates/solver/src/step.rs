@@ -6,7 +6,7 @@ use crate::check::check;
 use crate::contact;
 use crate::cpu::workspace::RowSums;
 use crate::error::Breakdown;
-use crate::halo::{self, At};
+use crate::halo::filling::{At, begin_filling, end_filling};
 use crate::model::Model;
 use crate::pore_pressure;
 use crate::precision::Precision;
@@ -30,13 +30,13 @@ pub fn step<R: Precision>(
     let mut known = |nodes: &_, before: &_| contact.begin_gather(nodes, before, halo);
     R::lagrangian_stage(model, state, soil, dt, &mut known);
     let beside_cuts = (At::Nodes, 1);
-    halo::begin_filling(halo, &model.grid, beside_cuts, state.nodes.velocity.iter());
+    begin_filling(halo, &model.grid, beside_cuts, state.nodes.velocity.iter());
     let sums = soil.sums_of_stage();
     sums.begin_total(halo);
     bodies::predict(model, mechanism, state, moving);
     contact::solve(model, state, (soil, halo), contact, moving);
     // First: contact nodes in ghost layers then get their velocities after contact, which are known here, too.
-    halo::end_filling(halo, &model.grid, beside_cuts, state.nodes.velocity.iter_mut());
+    end_filling(halo, &model.grid, beside_cuts, state.nodes.velocity.iter_mut());
     let work = contact::apply(model, state, soil, contact, moving);
     bodies::advance(mechanism, state, moving);
     let sums = sums.total(halo);

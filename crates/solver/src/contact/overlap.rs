@@ -15,7 +15,8 @@ use crate::cpu::threads::Crew;
 use crate::cpu::workspace::SoilWorkspace;
 use crate::fields::Carrier;
 use crate::grid::Grid;
-use crate::halo::{self, At, Halo};
+use crate::halo::Halo;
+use crate::halo::filling::{At, fill};
 use crate::model::Model;
 use crate::precision::Precision;
 use crate::scalar::Scalar;
@@ -47,9 +48,9 @@ pub(crate) fn remove_overlap<R: Precision>(
             break;
         }
         transfer(model, state, soil, &transfers);
-        halo::fill(halo, &model.grid, At::Cells, state.soil.arrays_mut());
+        fill(halo, &model.grid, At::Cells, state.soil.arrays_mut());
         let nodes = state.nodes.velocity.iter_mut().chain([&mut state.nodes.mass]);
-        halo::fill(halo, &model.grid, At::Nodes, nodes);
+        fill(halo, &model.grid, At::Nodes, nodes);
     }
 }
 

@@ -9,7 +9,8 @@ use super::physics::sand::Sand;
 use super::{Real, Soil, Workspace};
 use crate::fields::NONLOCAL_DENSITY;
 use crate::grid::Grid;
-use crate::halo::{self, At, Halo};
+use crate::halo::Halo;
+use crate::halo::filling::{At, fill};
 use crate::model::Model;
 
 /// Weight of the average in the nonlocal value. Above 1 it limits the width of bands from below (Vermeer & Brinkgreve 1994).
@@ -40,12 +41,12 @@ pub(crate) fn average(model: &Model, soil: &mut Soil, workspace: &mut Workspace,
     let [mut own, mut other] = std::mem::take(&mut workspace.averages);
     averaged.collect(soil, workspace, &mut own);
     for pass in (0..count).flat_map(|_| &passes) {
-        halo::fill(halo, &model.grid, At::Cells, &mut own);
+        fill(halo, &model.grid, At::Cells, &mut own);
         averaged.spread(workspace, pass, &own, &mut other);
         std::mem::swap(&mut own, &mut other);
     }
     averaged.store(soil, workspace, &own);
-    halo::fill(halo, &model.grid, At::Cells, [&mut soil.history[NONLOCAL_DENSITY]]);
+    fill(halo, &model.grid, At::Cells, [&mut soil.history[NONLOCAL_DENSITY]]);
     workspace.averages = [own, other];
 }
 

@@ -5,7 +5,8 @@ use super::{SeepageWorkspace, columns};
 use crate::cpu::workspace::SoilWorkspace;
 use crate::fields::{HISTORY_COUNT, PORE_PRESSURE, PORE_PRESSURE_AHEAD};
 use crate::grid::Grid;
-use crate::halo::{self, At, Halo};
+use crate::halo::Halo;
+use crate::halo::filling::{At, fill_first};
 use crate::model::{Model, PoreWater};
 use crate::scalar::Scalar;
 use crate::state::State;
@@ -43,7 +44,7 @@ pub(crate) fn balance_water<R: Scalar>(
     let height = state.grid_position.z;
     let balance = Balance { model, water, mobility, with_inertia: mobility + inertia, height };
     balance.guess(state, soil, workspace);
-    halo::fill_first(halo, &model.grid, At::Cells, [&mut workspace.direction]);
+    fill_first(halo, &model.grid, At::Cells, [&mut workspace.direction]);
     balance.find_residual(state, soil, workspace);
     let [mut left, taken] = soil.total_of_rows(&model.grid, halo);
     let enough = TOLERANCE * TOLERANCE * taken;
@@ -53,7 +54,7 @@ pub(crate) fn balance_water<R: Scalar>(
             break;
         }
         turn(&model.grid, soil, workspace, conjugate);
-        halo::fill_first(halo, &model.grid, At::Cells, [&mut workspace.direction]);
+        fill_first(halo, &model.grid, At::Cells, [&mut workspace.direction]);
         apply(&model.grid, soil, workspace);
         let [curvature, _] = soil.total_of_rows(&model.grid, halo);
         advance(&model.grid, soil, workspace, left / curvature);
@@ -62,7 +63,7 @@ pub(crate) fn balance_water<R: Scalar>(
         left = next;
     }
     balance.finish(state, soil, workspace);
-    halo::fill_first(halo, &model.grid, At::Cells, pressures(&mut state.soil.history));
+    fill_first(halo, &model.grid, At::Cells, pressures(&mut state.soil.history));
     // What is not a number is found by the check at the end of the step.
     if left > enough { (left / enough).sqrt() } else { 0.0 }
 }
