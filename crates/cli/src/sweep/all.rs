@@ -10,6 +10,7 @@ use crate::failure::Failure;
 use crate::signals;
 
 #[derive(Debug, clap::Args)]
+#[group(id = "whole study")] // a name of its own beside that of the steps, which a build with checks demands
 pub(super) struct Arguments {
     #[command(flatten)]
     source: Source,
