@@ -6,20 +6,20 @@ use std::path::Path;
 use tempfile::TempDir;
 
 /// A folder with the files of a test, in which the command is run.
-pub struct Desk {
+pub(crate) struct Desk {
     folder: TempDir,
 }
 
 /// What the command answered.
-pub struct Answer {
-    pub code: i32,
-    pub out: String,
-    pub error: String,
+pub(crate) struct Answer {
+    pub(crate) code: i32,
+    pub(crate) out: String,
+    pub(crate) error: String,
 }
 
 impl Desk {
     /// A new folder with these files: name and content.
-    pub fn with(files: &[(&str, &str)]) -> Desk {
+    pub(crate) fn with(files: &[(&str, &str)]) -> Desk {
         let desk = Desk { folder: tempfile::tempdir().unwrap() };
         for (name, content) in files {
             desk.write(name, content.as_bytes());
@@ -27,20 +27,20 @@ impl Desk {
         desk
     }
 
-    pub fn path(&self) -> &Path {
+    pub(crate) fn path(&self) -> &Path {
         self.folder.path()
     }
 
-    pub fn write(&self, name: &str, content: &[u8]) {
+    pub(crate) fn write(&self, name: &str, content: &[u8]) {
         std::fs::write(self.path().join(name), content).unwrap();
     }
 
-    pub fn read(&self, name: &str) -> String {
+    pub(crate) fn read(&self, name: &str) -> String {
         std::fs::read_to_string(self.path().join(name)).unwrap()
     }
 
     /// `coulter ARGUMENTS`, run in the folder.
-    pub fn coulter(&self, arguments: &[&str]) -> Answer {
+    pub(crate) fn coulter(&self, arguments: &[&str]) -> Answer {
         let output =
             Command::cargo_bin("coulter").unwrap().current_dir(self.path()).args(arguments).output().unwrap();
         let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
@@ -52,7 +52,7 @@ impl Desk {
     }
 
     /// The same, whose exit code must be this.
-    pub fn expect(&self, code: i32, arguments: &[&str]) -> Answer {
+    pub(crate) fn expect(&self, code: i32, arguments: &[&str]) -> Answer {
         let answer = self.coulter(arguments);
         assert_eq!(answer.code, code, "{arguments:?}:\n{}\n{}", answer.out, answer.error);
         answer
@@ -61,12 +61,12 @@ impl Desk {
 
 impl Answer {
     /// Both streams, without line breaks that a terminal's width has put in.
-    pub fn text(&self) -> String {
+    pub(crate) fn text(&self) -> String {
         format!("{} {}", self.out, self.error).split_whitespace().collect::<Vec<_>>().join(" ")
     }
 
     /// Each of these words stands in the answer.
-    pub fn says(&self, words: &[&str]) -> &Answer {
+    pub(crate) fn says(&self, words: &[&str]) -> &Answer {
         let text = self.text();
         for word in words {
             assert!(text.contains(word), "{word:?} is missing in:\n{}\n{}", self.out, self.error);
