@@ -4,7 +4,8 @@
     scripts/report/browser.py target/release/coulter [--run DIR] [--keep DIR] [--pages PAGE …]
 
 At 390 and 1280 pixels, light and dark: no errors on the console, no request to a network, nothing wider than the window, every chart
-with curves, every picture loaded, the view in space not empty. Then values under the pointer and under a finger, zoom and back, the
+with curves, every picture loaded, the view in space not empty, the text of every cell of every table to be seen, numbers below their
+heads, charts whose legends stand outside the axes and whose series differ without colour. Then values under the pointer and under a finger, zoom and back, the
 time slider, play, turning. At last on paper: no empty page, the case unfolded. Needs Python and chromium only; --run takes a
 results folder instead of computing one, --keep leaves pages, screenshots and prints in a folder, --pages opens these instead.
 """
@@ -134,7 +135,7 @@ const wrong = [], wide = innerWidth;
 if (document.documentElement.scrollWidth > wide) wrong.push(`the page is ${document.documentElement.scrollWidth} wide`);
 for (const part of document.querySelectorAll('main *')) {
   const box = part.getBoundingClientRect();
-  const hidden = part.closest('.scroll, svg, .word, pre, [hidden]');
+  const hidden = part.closest('.scroll, svg, .spoken, pre, [hidden]');
   if (!hidden && box.width > 0 && box.right > wide + 1) wrong.push(`<${part.localName} class="${part.className}"> ends at ${box.right.toFixed()} of ${wide}`);
 }
 for (const svg of document.querySelectorAll('figure svg')) {
@@ -156,6 +157,54 @@ for (const canvas of document.querySelectorAll('canvas')) {
 }
 const text = document.querySelector('main').innerText;
 for (const word of ['NaN', 'undefined', 'Infinity', '{{ ', ' }}']) if (text.includes(word)) wrong.push(`the text has ${word}`);
+return wrong;
+"""
+# What is wrong with the tables and the legends of a page, all of it unfolded.
+TABLES = r"""
+const wrong = [], folded = [...document.querySelectorAll('details:not([open])')];
+for (const part of folded) part.open = true;
+await new Promise(r => setTimeout(r, 60));
+for (const [number, table] of [...document.querySelectorAll('table')].entries()) {
+  const name = `table ${number + 1} (${table.textContent.trim().slice(0, 30)})`, heads = table.tHead ? [...table.tHead.rows[0].cells] : [];
+  // On a narrow screen a row becomes a block, without heads and dashes.
+  const stacked = table.matches('.stack') && getComputedStyle(table).display === 'block';
+  for (const cell of table.querySelectorAll('td, th')) {
+    const text = cell.innerText.trim() || cell.textContent.trim();
+    if (!text || stacked && (cell.localName === 'th' || text === '–')) continue;
+    const range = document.createRange();
+    range.selectNodeContents(cell);
+    const box = range.getBoundingClientRect(), style = getComputedStyle(cell), own = cell.getBoundingClientRect();
+    const clipped = style.clipPath !== 'none' || style.overflow === 'hidden' && (own.width < box.width - 2 || own.height < box.height - 2);
+    if (box.width < 4 || box.height < 8 || own.width < 4 || own.height < 8 || clipped || style.visibility !== 'visible' || +style.opacity < 0.3)
+      wrong.push(`${name}: the text "${text.slice(0, 30)}" is not to be seen`);
+    if (/NaN|undefined|Infinity|\bnull\b|not a number/i.test(text)) wrong.push(`${name}: a cell says "${text.slice(0, 30)}"`);
+    if (/\d\.\d*000+\d?°|\d\.\d{6}/.test(text)) wrong.push(`${name}: too many digits in "${text.slice(0, 30)}"`);
+  }
+  if (stacked) continue;
+  for (const row of table.tBodies[0] ? table.tBodies[0].rows : []) {
+    if (heads.length && row.cells.length !== heads.length) { wrong.push(`${name}: ${row.cells.length} cells under ${heads.length} heads`); break; }
+    const apart = [...row.cells].findIndex((cell, n) => heads[n] && Math.abs(cell.getBoundingClientRect().left - heads[n].getBoundingClientRect().left) > 1.5);
+    if (apart >= 0) { wrong.push(`${name}: column ${apart + 1} does not stand under its head`); break; }
+  }
+}
+for (const part of folded) part.open = false;
+for (const svg of document.querySelectorAll('svg.chart')) {
+  const name = svg.getAttribute('aria-label'), [, , top] = svg.dataset.box.split(' ').map(Number), looks = new Map();
+  const paths = [...svg.querySelectorAll('.curves path[data-name]')].filter(path => path.dataset.name);
+  for (const path of paths) {
+    const mark = path.nextElementSibling && path.nextElementSibling.matches('.mark') ? path.nextElementSibling : null;
+    const look = [path.getAttribute('stroke-dasharray'), path.getAttribute('stroke-linecap'), mark && mark.getAttribute('d'), mark && mark.getAttribute('fill') === 'none'];
+    if (looks.has(look.join())) wrong.push(`the chart ${name}: ${path.dataset.name} and ${looks.get(look.join())} look alike without colour`);
+    looks.set(look.join(), path.dataset.name);
+  }
+  const frame = svg.getBoundingClientRect(), scale = frame.width / svg.viewBox.baseVal.width;
+  for (const text of svg.querySelectorAll(':scope > text')) {
+    const box = text.getBoundingClientRect();
+    if (box.right > frame.right + 2 || box.left < frame.left - 2) wrong.push(`the chart ${name}: "${text.textContent.slice(0, 30)}" is cut off`);
+    if (paths.some(path => path.dataset.name.replaceAll('_', '') === text.textContent) && box.bottom - frame.top > top * scale + 2)
+      wrong.push(`the chart ${name}: its legend stands inside the axes`);
+  }
+}
 return wrong;
 """
 PICTURE = """const c = document.querySelector('#view canvas'), d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
@@ -233,7 +282,7 @@ def try_page(browser, name, path, keep):
             touch = width == 390
             where = f"{name}, {width} px, {'dark' if dark else 'light'}"
             browser.open(path, width, dark, touch)
-            found = browser.evaluate(LOOK)
+            found = browser.evaluate(LOOK) + browser.evaluate(TABLES)
             if keep:
                 shot = browser.call("Page.captureScreenshot", format="png", captureBeyondViewport=True)
                 (keep / f"{name}_{width}_{'dark' if dark else 'light'}.png").write_bytes(base64.b64decode(shot["data"]))
@@ -303,14 +352,21 @@ STUDY = f"""
 format = 2
 case = "{ROOT / 'cases' / 'studies' / 'free_disc.toml'}"
 title = "Angles and friction"
+closed_forms = "all"
 [factor.phi]
 key = "soil.friction_angle"
 range = ["30 deg", "42 deg"]
 levels = 4
+label = "friction angle φ"
 [factor.mu]
 key = "body.disc.friction"
 range = [0.1, 0.6]
 levels = 3
+label = "friction μ"
+[chart.drag]
+x = "phi"
+y = "drag"
+family = "mu"
 """
 
 

@@ -4,7 +4,7 @@ use crate::common::{say, say_json};
 use crate::failure::Failure;
 use analytic::earth_pressure::{Comparison, Face, PassiveField, compare};
 use analytic::error::ModelResult;
-use coulter::case::quantity::{self, ANGLE};
+use coulter::case::quantity::{self, ANGLE, short};
 use coulter::formats;
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -83,11 +83,11 @@ fn document(found: &Comparison) -> Value {
 
 fn table(face: &Face, found: &Comparison) -> Result<(), Failure> {
     let mut text = format!(
-        "φ = {:.4}°, δ = {:.4}°, α = {:.4}°, β = {:.4}°\nnormal thrust P_n = ½ γ L² K_n\n\n{:<14} {:>9}\n",
-        face.friction_angle.to_degrees(),
-        face.wall_friction.to_degrees(),
-        face.surface.to_degrees(),
-        face.backfill.to_degrees(),
+        "φ = {}°, δ = {}°, α = {}°, β = {}°\nnormal thrust P_n = ½ γ L² K_n\n\n{:<14} {:>9}\n",
+        short(face.friction_angle.to_degrees()),
+        short(face.wall_friction.to_degrees()),
+        short(face.surface.to_degrees()),
+        short(face.backfill.to_degrees()),
         "method",
         "K_n"
     );

@@ -208,6 +208,10 @@ class Chart {
     const origin = (axis, end) => this.at(axis, this.value(axis, end)) - size(axis) * end;
     this.group.setAttribute('transform', `matrix(${size('x')} 0 0 ${size('y')} ${origin('x', this.left)} ${origin('y', this.top)})`);
     if (isWhole) this.group.removeAttribute('transform');
+    for (const mark of this.group.querySelectorAll('.mark')) {
+      const place = /translate\([^)]*\)/.exec(mark.getAttribute('transform'))[0];
+      mark.setAttribute('transform', isWhole ? place : `${place} scale(${1 / size('x')} ${1 / size('y')})`);
+    }
     this.group.classList.toggle('zoomed', !isWhole);
     for (const { text, beside, x, y } of this.levels) {
       text.setAttribute('x', Math.max(Math.min(this.at('x', this.value('x', x)), this.right), this.left) + beside);

@@ -28,6 +28,15 @@ pub struct Figures {
     pub sinkage: Option<f64>,
     /// Slip.
     pub slip: Option<f64>,
+    /// Drawbar pull −F_H [N].
+    #[serde(rename = "pull_N")]
+    pub pull: Option<f64>,
+    /// Drawbar pull over the weight that the soil bears, −F_H/F_V.
+    pub pull_over_weight: Option<f64>,
+    /// Turn ratio ω r / v: 1 rolls, 0 slides.
+    pub turn_ratio: Option<f64>,
+    /// Power of the pull over that of the axle; of a driven body that pulls.
+    pub efficiency: Option<f64>,
     /// Torque about the axle [N m].
     #[serde(rename = "axle_torque_Nm")]
     pub axle_torque: Option<f64>,
@@ -61,6 +70,25 @@ pub struct Figures {
     pub cohesion_group: Option<f64>,
 }
 
+impl Figures {
+    /// With what follows from drag, vertical force, slip and torque: pull, turn ratio, and, of a body that rolls on a radius [m],
+    /// its efficiency P v/(T ω), where the soil resists with the torque T and P is positive.
+    #[must_use]
+    pub fn with_traction(self, radius: Option<f64>) -> Self {
+        let pull = self.drag.map(|drag| 0.0 - drag);
+        let turn_ratio = self.slip.map(analytic::turn_ratio);
+        let over = |force: f64| self.vertical.filter(|weight| *weight > 0.0).map(|weight| force / weight);
+        let efficiency = || {
+            let torque = self.axle_torque.map(|torque| -torque).filter(|torque| *torque > 0.0)?;
+            Some(
+                pull.filter(|pull| *pull > 0.0)? * radius?
+                    / (torque * turn_ratio.filter(|ratio| *ratio > 0.0)?),
+            )
+        };
+        Self { pull, pull_over_weight: pull.and_then(over), turn_ratio, efficiency: efficiency(), ..self }
+    }
+}
+
 /// A response.
 #[derive(Clone, Copy, Debug)]
 pub struct ResponseColumn {
@@ -84,12 +112,16 @@ const fn response(
 }
 
 /// All responses, in the order of the table.
-pub const RESPONSES: [ResponseColumn; 16] = [
+pub const RESPONSES: [ResponseColumn; 20] = [
     response("drag", "N", "drag F_H", |f| f.drag),
     response("vertical", "N", "vertical force F_V", |f| f.vertical),
     response("lateral", "N", "lateral force F_y", |f| f.lateral),
     response("sinkage", "m", "sinkage z", |f| f.sinkage),
     response("slip", "-", "slip s", |f| f.slip),
+    response("pull", "N", "drawbar pull P", |f| f.pull),
+    response("pull_over_weight", "-", "pull over weight P/F_V", |f| f.pull_over_weight),
+    response("turn_ratio", "-", "turn ratio ωr/v", |f| f.turn_ratio),
+    response("efficiency", "-", "tractive efficiency η", |f| f.efficiency),
     response("axle_torque", "N m", "axle torque M", |f| f.axle_torque),
     response("peak_drag", "N", "largest drag", |f| f.peak_drag),
     response("peak_vertical", "N", "largest vertical force", |f| f.peak_vertical),
@@ -106,4 +138,30 @@ pub const RESPONSES: [ResponseColumn; 16] = [
 /// The names of the responses.
 pub fn names<'a>() -> impl Iterator<Item = &'a str> {
     RESPONSES.iter().map(|response| response.name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_wheel_pulls_follows_from_its_forces() {
+        let wheel = |drag: f64, slip: f64| Figures {
+            drag: Some(drag),
+            vertical: Some(100.0),
+            slip: Some(slip),
+            axle_torque: Some(-10.0),
+            ..Figures::default()
+        };
+        let driven = wheel(-50.0, 0.2).with_traction(Some(0.125));
+        assert_eq!(
+            (driven.pull, driven.pull_over_weight, driven.turn_ratio),
+            (Some(50.0), Some(0.5), Some(1.25))
+        );
+        // 50 N × v over 10 N m × 1.25 v/0.125 m.
+        assert_eq!(driven.efficiency, Some(0.5));
+        assert_eq!(wheel(-50.0, 1.0).with_traction(Some(0.125)).efficiency, Some(0.0));
+        assert_eq!(wheel(20.0, -0.1).with_traction(Some(0.125)).efficiency, None);
+        assert_eq!(Figures::default().with_traction(Some(0.1)), Figures::default());
+    }
 }

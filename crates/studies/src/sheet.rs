@@ -1,5 +1,6 @@
 //! A self-contained HTML page of tables and charts, in the look of the report of a run; tables as text for a terminal.
 
+pub(crate) use coulter::case::quantity::short;
 use coulter::output::render_page;
 use serde::Serialize;
 
@@ -81,17 +82,6 @@ impl SheetTable {
     }
 }
 
-/// A number with four significant digits.
-#[must_use]
-pub fn short(value: f64) -> String {
-    if !value.is_finite() {
-        return "–".to_owned();
-    }
-    let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
-    let size = rounded.abs();
-    if size != 0.0 && !(1e-4..1e7).contains(&size) { format!("{rounded:e}") } else { format!("{rounded}") }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -104,9 +94,5 @@ mod tests {
         let section = SheetSection { title: "T".into(), tables: vec![table], ..SheetSection::default() };
         let html = Sheet { sections: vec![section], ..Sheet::default() }.html().unwrap();
         assert!(html.contains("a&lt;b") && html.ends_with("</html>"));
-        assert_eq!(
-            [short(0.123_456), short(-1e-9), short(0.0), short(f64::NAN)],
-            ["0.1235", "-1e-9", "0", "–"]
-        );
     }
 }

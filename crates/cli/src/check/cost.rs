@@ -2,7 +2,7 @@
 
 use coulter::case::Case;
 use coulter::case::estimate::Cost;
-use coulter::case::quantity::plain;
+use coulter::case::quantity::short;
 use coulter::case::resources::format_bytes;
 use std::fmt::Write;
 
@@ -18,12 +18,12 @@ pub(super) fn describe_cost(
     writeln!(
         text,
         "box      x {} to {} m, y {} to {} m, z {} to {} m{}",
-        plain(low.x),
-        plain(high.x),
-        plain(low.y),
-        plain(high.y),
-        plain(low.z),
-        plain(high.z),
+        short(low.x),
+        short(high.x),
+        short(low.y),
+        short(high.y),
+        short(low.z),
+        short(high.z),
         symmetry(case)
     )?;
     writeln!(
@@ -55,8 +55,11 @@ pub(super) fn describe_cost(
     )?;
     writeln!(
         text,
-        "time     {:.4} s in {} steps of {:.3e} s (wave speed {:.1} m/s)",
-        case.duration, cost.estimate.steps, cost.estimate.time_step_s, cost.estimate.wave_speed_m_per_s
+        "time     {} s in {} steps of {} s (wave speed {} m/s)",
+        short(case.duration),
+        cost.estimate.steps,
+        short(cost.estimate.time_step_s),
+        short(cost.estimate.wave_speed_m_per_s)
     )?;
     match seconds {
         Some(seconds) => writeln!(text, "run time about {seconds:.0} s on this machine"),
@@ -81,7 +84,7 @@ fn symmetry(case: &Case) -> &'static str {
 fn finest(case: &Case) -> String {
     let widths = case.grid.faces.each_ref().map(|faces| {
         let finest = faces.windows(2).map(|f| f[1] - f[0]).fold(f64::INFINITY, f64::min);
-        format!("{:.4}", 1e3 * finest)
+        short(1e3 * finest)
     });
     if widths[0] == widths[1] && widths[1] == widths[2] { widths[0].clone() } else { widths.join(" × ") }
 }

@@ -3,7 +3,7 @@
 use super::groups::groups;
 use coulter::case::Case;
 use coulter::case::mesh_file::MeshReport;
-use coulter::case::quantity::plain;
+use coulter::case::quantity::short;
 use coulter::case::resolved::{
     Attitude, Body, Change, ClaySoftening, GROUND, Joint, JointKind, Law, MOTIONS, Measured, Motion,
     Potential, Soil, Stage, Until, Water,
@@ -16,7 +16,7 @@ pub(super) fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
     writeln!(text, "{} ({})", case.title, case.name)?;
     describe_soil(text, &case.soil)?;
     for layer in &case.layers {
-        writeln!(text, "layer    {}, from a depth of {} m", layer.name, plain(layer.top))?;
+        writeln!(text, "layer    {}, from a depth of {} m", layer.name, short(layer.top))?;
         describe_soil(text, &layer.soil)?;
     }
     describe_relief(text, case)?;
@@ -25,17 +25,21 @@ pub(super) fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
         let [along, across] = case.slope.angles().map(f64::to_degrees);
         writeln!(
             text,
-            "slope    {along:.4}° along x, {across:.4}° along y, uphill; z is normal to the surface"
+            "slope    {}° along x, {}° along y, uphill; z is normal to the surface",
+            short(along),
+            short(across)
         )?;
     }
     for body in &case.bodies {
         describe_body(text, case, body)?;
         for part in &body.parts {
-            let shape = part.shape.describe(&|x: f64| format!("{} m", plain(x)));
+            let shape = part.shape.describe(&|x: f64| format!("{} m", short(x)));
             writeln!(
                 text,
-                "part     {}: {shape}, m = {:.4} kg, welded to {}",
-                part.name, part.mass, body.name
+                "part     {}: {shape}, m = {} kg, welded to {}",
+                part.name,
+                short(part.mass),
+                body.name
             )?;
         }
     }
@@ -57,13 +61,13 @@ pub(super) fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
 /// The relief of the ground, and the soil bodies in it.
 fn describe_relief(text: &mut String, case: &Case) -> std::fmt::Result {
     for body in &case.soil_bodies {
-        let shape = body.shape.describe(&|x: f64| format!("{} m", plain(x)));
-        let [x, y, z] = body.position.to_array().map(plain);
+        let shape = body.shape.describe(&|x: f64| format!("{} m", short(x)));
+        let [x, y, z] = body.position.to_array().map(short);
         writeln!(text, "inside   soil body {}: {shape}, at ({x}, {y}, {z}) m", body.name)?;
         describe_soil(text, &body.soil)?;
     }
     if let Some(map) = &case.relief.map {
-        let ([columns, rows], [low, high]) = (map.heights().size(), map.heights().range().map(plain));
+        let ([columns, rows], [low, high]) = (map.heights().size(), map.heights().range().map(short));
         writeln!(
             text,
             "surface  height map {}, {columns} × {rows} points, from {low} to {high} m",
@@ -73,11 +77,11 @@ fn describe_relief(text: &mut String, case: &Case) -> std::fmt::Result {
     if let Some(furrows) = case.relief.furrows {
         writeln!(
             text,
-            "surface  furrows {} m deep, {} m apart, at {:.4}° from x, up to {:.1}° steep",
-            plain(furrows.depth),
-            plain(furrows.spacing),
-            furrows.direction.to_degrees(),
-            furrows.steepest().atan().to_degrees()
+            "surface  furrows {} m deep, {} m apart, at {}° from x, up to {}° steep",
+            short(furrows.depth),
+            short(furrows.spacing),
+            degrees(furrows.direction),
+            degrees(furrows.steepest().atan())
         )?;
     }
     Ok(())
@@ -89,19 +93,20 @@ fn describe_water(text: &mut String, case: &Case) -> std::fmt::Result {
     write!(
         text,
         "water    up to {} m, ρ_w = {} kg/m³, C_d = {}",
-        plain(water.level),
-        plain(water.density),
-        plain(water.drag_coefficient)
+        short(water.level),
+        short(water.density),
+        short(water.drag_coefficient)
     )?;
     let (Some(permeability), Some(strain)) = (water.permeability, case.volume_strain()) else {
         return writeln!(text);
     };
-    write!(text, ", k = {} m/s, ε = {strain:.4}", plain(permeability))?;
+    write!(text, ", k = {} m/s, ε = {}", short(permeability), short(strain))?;
     match case.drainage_number() {
         Some(number) => writeln!(
             text,
-            "\n         drainage number (γ_w/γ′) v ε/k = {number:.3} at {} m/s: {}",
-            plain(case.largest_speed()),
+            "\n         drainage number (γ_w/γ′) v ε/k = {} at {} m/s: {}",
+            short(number),
+            short(case.largest_speed()),
             match number {
                 n if n <= Water::DRAINED[0] => "drained",
                 n if n <= Water::DRAINED[1] => "partly drained, doubtful",
@@ -117,13 +122,29 @@ pub(crate) fn describe_soil(text: &mut String, soil: &Soil) -> std::fmt::Result 
     writeln!(text, "soil     {}", strength(soil))?;
     writeln!(
         text,
-        "         γ = {} N/m³, ρ = {:.1} kg/m³, E = {} Pa, ν = {}, K₀ = {:.3}",
-        plain(soil.unit_weight),
-        soil.density,
-        plain(soil.young_modulus),
-        plain(soil.poisson_ratio),
-        soil.k0
+        "         γ = {} kN/m³, ρ = {} kg/m³, E = {}, ν = {}, K₀ = {}",
+        short(soil.unit_weight / 1e3),
+        short(soil.density),
+        pressure(soil.young_modulus),
+        short(soil.poisson_ratio),
+        short(soil.k0)
     )
+}
+
+/// A stress [Pa] in a unit that fits.
+fn pressure(stress: f64) -> String {
+    let (size, unit) = match stress.abs() {
+        1e9.. => (1e9, "GPa"),
+        1e6.. => (1e6, "MPa"),
+        1e3.. => (1e3, "kPa"),
+        _ => (1.0, "Pa"),
+    };
+    format!("{} {unit}", short(stress / size))
+}
+
+/// An angle [rad] in degrees.
+fn degrees(angle: f64) -> String {
+    short(angle.to_degrees())
 }
 
 /// Yield law and strength of a soil.
@@ -134,7 +155,7 @@ fn strength(soil: &Soil) -> String {
             undrained_strength(shear_strength, gradient, softening)
         }
         Law::VonMises { yield_stress, hardening_modulus } => {
-            format!("von-mises, σ_y = {yield_stress} Pa, H = {hardening_modulus} Pa")
+            format!("von-mises, σ_y = {}, H = {}", pressure(yield_stress), pressure(hardening_modulus))
         }
         Law::Sand {
             critical_friction_angle,
@@ -148,20 +169,22 @@ fn strength(soil: &Soil) -> String {
             characteristic_length,
             density_gradient,
         } => format!(
-            "sand, φ_cv = {:.4}°, I_D = {:.3}{} (ρ from {minimum_density:.1} to {maximum_density:.1} kg/m³), Q = {bolton_q}, \
-             R = {bolton_r},\n         half of its strength at a strain of {reference_strain}, compression modulus {} Pa, \
-             stiffer up to {} Pa{}",
-            critical_friction_angle.to_degrees(),
-            soil.relative_density().unwrap_or(f64::NAN),
+            "sand, φ_cv = {}°, I_D = {}{} (ρ from {} to {} kg/m³), Q = {bolton_q}, \
+             R = {bolton_r},\n         half of its strength at a strain of {reference_strain}, compression modulus {}, \
+             stiffer up to {}{}",
+            degrees(critical_friction_angle),
+            short(soil.relative_density().unwrap_or(f64::NAN)),
             match density_gradient {
                 0.0 => String::new(),
-                gradient => format!(" + {}/m × depth", plain(gradient)),
+                gradient => format!(" + {}/m × depth", short(gradient)),
             },
-            plain(compression_modulus),
-            plain(stiffness_limit),
+            short(minimum_density),
+            short(maximum_density),
+            pressure(compression_modulus),
+            pressure(stiffness_limit),
             characteristic_length.map_or(String::new(), |length| format!(
                 ",\n         characteristic length {} m",
-                plain(length)
+                short(length)
             ))
         ),
         Law::MohrCoulomb {
@@ -172,14 +195,16 @@ fn strength(soil: &Soil) -> String {
             potential,
             critical_density,
         } => format!(
-            "mohr-coulomb, φ = {:.4}°, ψ = {:.4}°{}, c = {cohesion} Pa, tension up to {tension_cutoff} Pa{}",
-            friction_angle.to_degrees(),
-            dilation_angle.to_degrees(),
-            critical_density.map_or(String::new(), |rho| format!(" down to {rho:.1} kg/m³")),
+            "mohr-coulomb, φ = {}°, ψ = {}°{}, c = {}, tension up to {}{}",
+            degrees(friction_angle),
+            degrees(dilation_angle),
+            critical_density.map_or(String::new(), |rho| format!(" down to {} kg/m³", short(rho))),
+            pressure(cohesion),
+            pressure(tension_cutoff),
             match potential {
                 Potential::MohrCoulomb => String::new(),
                 Potential::MenetreyWillam { meridional, deviatoric } =>
-                    format!(", smooth potential (ε = {meridional}, e = {deviatoric:.4})"),
+                    format!(", smooth potential (ε = {}, e = {})", short(meridional), short(deviatoric)),
             }
         ),
     }
@@ -187,9 +212,9 @@ fn strength(soil: &Soil) -> String {
 
 /// Shear strength of clay, and what changes it: depth in Pa/m, strain and rate.
 fn undrained_strength(shear_strength: f64, gradient: f64, softening: Option<ClaySoftening>) -> String {
-    let mut text = format!("tresca, s_u = {shear_strength} Pa");
+    let mut text = format!("tresca, s_u = {}", pressure(shear_strength));
     if gradient > 0.0 {
-        text += &format!(" + {gradient} Pa/m × depth");
+        text += &format!(" + {}/m × depth", pressure(gradient));
     }
     if let Some(ClaySoftening { sensitivity, remoulding_strain, rate_strengthening, reference_rate }) =
         softening
@@ -197,17 +222,17 @@ fn undrained_strength(shear_strength: f64, gradient: f64, softening: Option<Clay
         text += &format!(
             ",\n         S_t = {sensitivity} (95 % lost at a strain of {remoulding_strain}), {} % more per tenfold rate above \
              {reference_rate} 1/s",
-            plain(100.0 * rate_strengthening)
+            short(100.0 * rate_strengthening)
         );
     }
     text
 }
 
 fn describe_body(text: &mut String, case: &Case, body: &Body) -> std::fmt::Result {
-    let metres = |x: f64| format!("{} m", plain(x));
+    let metres = |x: f64| format!("{} m", short(x));
     let shape = body.shape.describe(&metres);
     if !body.shape.has_surface() {
-        writeln!(text, "body     {}: {shape}, m = {:.4} kg", body.name, body.mass)?;
+        writeln!(text, "body     {}: {shape}, m = {} kg", body.name, short(body.mass))?;
         return describe_motions(text, body);
     }
     let mut friction =
@@ -217,18 +242,18 @@ fn describe_body(text: &mut String, case: &Case, body: &Body) -> std::fmt::Resul
     }
     let weight = match body.translation[2] {
         Motion::Free { .. } if case.water.is_some() => {
-            format!(", W = {:.4} N, W′ = {:.4} N in water", case.gravity * body.mass, case.weight(body))
+            let [dry, wet] = [case.gravity * body.mass, case.weight(body)].map(short);
+            format!(", W = {dry} N, W′ = {wet} N in water")
         }
-        Motion::Free { .. } => format!(", W = {:.4} N", case.gravity * body.mass),
+        Motion::Free { .. } => format!(", W = {} N", short(case.gravity * body.mass)),
         _ => String::new(),
     };
-    writeln!(text, "body     {}: {shape}, {friction}, m = {:.4} kg{weight}", body.name, body.mass)?;
+    writeln!(text, "body     {}: {shape}, {friction}, m = {} kg{weight}", body.name, short(body.mass))?;
     if let Some(report) = body.shape.mesh_report() {
         describe_mesh(text, report)?;
     }
     let Attitude { yaw, tilt, pitch } = body.attitude;
     if body.attitude != Attitude::default() {
-        let degrees = |angle: f64| plain(angle.to_degrees());
         writeln!(
             text,
             "         attitude yaw {}°, tilt {}°, pitch {}°",
@@ -241,10 +266,10 @@ fn describe_body(text: &mut String, case: &Case, body: &Body) -> std::fmt::Resul
     let groups = groups(case, body);
     let optional =
         [("W̄", groups.w_bar), ("Ē", groups.e_bar), ("c̄", groups.c_bar), ("v²/(gd)", groups.froude)];
-    let mut list = format!("t̄ = {:.4}", groups.t_bar);
+    let mut list = format!("t̄ = {}", short(groups.t_bar));
     for (name, value) in optional {
         if let Some(value) = value {
-            write!(list, ", {name} = {value:.4}")?;
+            write!(list, ", {name} = {}", short(value))?;
         }
     }
     writeln!(text, "         {list}")
@@ -268,7 +293,7 @@ fn describe_motions(text: &mut String, body: &Body) -> std::fmt::Result {
 /// A stage: how long it lasts, and the motions that change.
 fn describe_stage(text: &mut String, case: &Case, stage: &Stage) -> std::fmt::Result {
     match stage.until {
-        None => writeln!(text, "stage    {}: {} s", stage.name, plain(stage.duration))?,
+        None => writeln!(text, "stage    {}: {} s", stage.name, short(stage.duration))?,
         Some(Until { body, quantity, value }) => {
             let [name, unit] = quantity.words();
             writeln!(
@@ -276,8 +301,8 @@ fn describe_stage(text: &mut String, case: &Case, stage: &Stage) -> std::fmt::Re
                 "stage    {}: until {} has a {name} of {} {unit}, at most {} s",
                 stage.name,
                 case.bodies[body].name,
-                plain(value),
-                plain(stage.duration)
+                short(value),
+                short(stage.duration)
             )?;
         }
     }
@@ -298,23 +323,23 @@ fn describe_joint(text: &mut String, case: &Case, joint: &Joint) -> std::fmt::Re
     let name = |body: usize| &*case.bodies[body].name;
     let first = joint.first.map_or(GROUND, name);
     write!(text, "joint    {}: {}, {first} – {}", joint.name, joint.kind.word(), name(joint.second))?;
-    let direction = |axis: DVec3| axis.to_array().map(plain).join(", ");
+    let direction = |axis: DVec3| axis.to_array().map(short).join(", ");
     match joint.kind {
         JointKind::Hinge { axis, friction_torque, drive_torque } => {
             write!(text, ", axis ({})", direction(axis))?;
             for (name, torque) in [("friction", friction_torque), ("drive", drive_torque)] {
                 if torque != 0.0 {
-                    write!(text, ", {name} {} N m", plain(torque))?;
+                    write!(text, ", {name} {} N m", short(torque))?;
                 }
             }
         }
         JointKind::Ball => {}
         JointKind::Slider { axis } => write!(text, ", axis ({})", direction(axis))?,
         JointKind::Spring { stiffness, damping, length, .. } => {
-            write!(text, ", {} N/m, {} N s/m, {} m long", plain(stiffness), plain(damping), plain(length))?;
+            write!(text, ", {} N/m, {} N s/m, {} m long", short(stiffness), short(damping), short(length))?;
         }
     }
-    let [x, y, z] = joint.position.to_array().map(plain);
+    let [x, y, z] = joint.position.to_array().map(short);
     writeln!(text, ", at ({x}, {y}, {z}) m")
 }
 
@@ -330,8 +355,12 @@ fn describe_mesh(text: &mut String, report: &MeshReport) -> std::fmt::Result {
     };
     writeln!(
         text,
-        "         surface closed, {} points, {shells}{cavities}, V = {:.6e} m³, centroid at ({x:.4e}, {y:.4e}, {z:.4e}) m",
-        report.points, report.volume
+        "         surface closed, {} points, {shells}{cavities}, V = {} m³, centroid at ({}, {}, {}) m",
+        report.points,
+        short(report.volume),
+        short(x),
+        short(y),
+        short(z)
     )?;
     report.repairs.iter().try_for_each(|repair| writeln!(text, "         repaired {repair}"))
 }
@@ -340,18 +369,18 @@ fn describe_freedom(freedom: &Motion, speed_unit: &str, load_unit: &str) -> Stri
     match *freedom {
         Motion::Fixed => "fixed".into(),
         Motion::Course(ref course) => {
-            format!("a given displacement over time, at most {} {speed_unit}", plain(course.fastest()))
+            format!("a given displacement over time, at most {} {speed_unit}", short(course.fastest()))
         }
         Motion::Prescribed { speed, start, ramp, end, .. } => {
-            let until = if end.is_finite() { format!(" until {} s", plain(end)) } else { String::new() };
-            format!("{} {speed_unit}, from {} s within {} s{until}", plain(speed), plain(start), plain(ramp))
+            let until = if end.is_finite() { format!(" until {} s", short(end)) } else { String::new() };
+            format!("{} {speed_unit}, from {} s within {} s{until}", short(speed), short(start), short(ramp))
         }
         Motion::Free { load: 0.0, support: 0.0, .. } => "free".into(),
         Motion::Free { load: 0.0, start, ramp, .. } => {
-            format!("free, released from {} s within {} s", plain(start), plain(ramp))
+            format!("free, released from {} s within {} s", short(start), short(ramp))
         }
         Motion::Free { load, start, ramp, .. } => {
-            format!("free, load {load:.4} {load_unit} from {} s within {} s", plain(start), plain(ramp))
+            format!("free, load {} {load_unit} from {} s within {} s", short(load), short(start), short(ramp))
         }
     }
 }

@@ -3,6 +3,7 @@
 use crate::run_time;
 use coulter::case::Case;
 use coulter::case::estimate::{self, Cost};
+use coulter::case::quantity::short;
 use coulter::case::resources::format_bytes;
 use serde::Serialize;
 use std::fmt::Write;
@@ -30,9 +31,9 @@ pub(super) fn describe_meshes(text: &mut String, meshes: &[MeshCost]) -> std::fm
         let Cost { estimate, memory_bytes, output, .. } = &mesh.cost;
         writeln!(
             text,
-            "mesh {}   cells of {:.4} mm: {} cells, {} steps, memory {}, results {}{}",
+            "mesh {}   cells of {} mm: {} cells, {} steps, memory {}, results {}{}",
             n + 1,
-            1e3 * mesh.cell_m,
+            short(1e3 * mesh.cell_m),
             estimate.cells,
             estimate.steps,
             format_bytes(*memory_bytes),

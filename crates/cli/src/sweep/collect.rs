@@ -62,5 +62,5 @@ fn told(lacking: &[Lack]) -> String {
     if lacking.len() > MOST_LISTED {
         lines.push(format!("  … and {} more, in without_results.csv", lacking.len() - MOST_LISTED));
     }
-    format!("{} cases have no results\n{}", lacking.len(), lines.join("\n"))
+    format!("{} cases have no results that can be used\n{}", lacking.len(), lines.join("\n"))
 }

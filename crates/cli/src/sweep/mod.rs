@@ -8,6 +8,7 @@ mod run;
 mod script;
 mod source;
 mod study;
+mod teller;
 
 use crate::failure::Failure;
 use std::path::Path;

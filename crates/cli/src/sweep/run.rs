@@ -1,20 +1,18 @@
 //! `coulter sweep run`: cases of a study, by their ids or all that are left.
 
 use super::folder::{opened, refused};
+use super::teller::Teller;
 use crate::common::warn;
 use crate::failure::Failure;
 use crate::signals;
 use coulter::case::cores;
 use coulter::interrupts::Interrupts;
-use indicatif::{ProgressBar, ProgressStyle};
-use std::collections::BTreeSet;
 use std::path::PathBuf;
-use std::time::Duration;
 use studies::study::Pool;
 use studies::sweep::evaluate::{Shared, Unended, evaluate};
 use studies::sweep::line::CaseLine;
 use studies::sweep::outcome::{Ending, Outcome};
-use studies::sweep::pool::{self, PoolEnd, Watcher};
+use studies::sweep::pool::{self, PoolEnd};
 use studies::sweep::store::Store;
 
 #[derive(Debug, clap::Args)]
@@ -76,40 +74,15 @@ pub(super) fn stopped(signal: i32) -> Failure {
     Failure::Stopped { signal, message }
 }
 
-/// Runs what is left of a study on this machine, with a bar on the terminal.
+/// Runs what is left of a study on this machine and tells how it gets on; `quiet`, nothing on standard output.
 pub(super) fn pooled(shared: &Shared, lines: &[CaseLine], pool: &Pool, quiet: bool) -> PoolEnd {
-    let ids: BTreeSet<&str> = lines.iter().map(|line| line.id.as_str()).collect();
-    let had = shared.store.with_outcome().unwrap_or_default();
-    let before = ids.iter().filter(|id| had.contains(**id)).count();
-    let bar = if quiet { ProgressBar::hidden() } else { ProgressBar::new(ids.len() as u64) };
-    let style =
-        ProgressStyle::with_template("{bar:30} {pos}/{len} cases, {elapsed} gone, {eta} to go  {msg}");
-    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-    bar.set_position(before as u64);
-    bar.reset_eta();
-    bar.enable_steady_tick(Duration::from_millis(500));
     if pool.workers.is_none() {
         warn(&cores::cores().notes);
     }
-    let end = pool::run(shared, lines, pool, &Bar(&bar));
-    bar.finish_and_clear();
+    let teller = Teller::of(shared, lines, quiet);
+    let end = pool::run(shared, lines, pool, &teller);
+    teller.end();
     end
-}
-
-/// The bar of a pool.
-struct Bar<'a>(&'a ProgressBar);
-
-impl Watcher for Bar<'_> {
-    fn ended(&self, line: &CaseLine, outcome: &Result<Outcome, Unended>) {
-        match outcome {
-            Ok(Outcome { ending: Ending::Done, .. }) => {}
-            Ok(outcome) => self.0.set_message(format!("point {} {}", line.point, outcome.ending.word())),
-            Err(why) => self.0.set_message(format!("point {}: {why}", line.point)),
-        }
-        if outcome.is_ok() {
-            self.0.inc(1);
-        }
-    }
 }
 
 /// What all cases of a study on this machine share.

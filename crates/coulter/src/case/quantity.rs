@@ -189,6 +189,23 @@ pub fn plain(number: f64) -> String {
     format!("{number:.6e}").parse::<f64>().unwrap_or(number).to_string()
 }
 
+/// A number as people read it: up to four significant digits, without zeros that say nothing, `32` and not `32.0000`; a dash where it
+/// is not finite.
+#[must_use]
+pub fn short(number: f64) -> String {
+    if !number.is_finite() {
+        return "–".to_owned();
+    }
+    let rounded: f64 = format!("{number:.3e}").parse().unwrap_or(number);
+    let size = rounded.abs();
+    // Adding zero turns a negative zero into a positive one.
+    if size != 0.0 && !(1e-4..1e7).contains(&size) {
+        format!("{rounded:e}")
+    } else {
+        format!("{}", rounded + 0.0)
+    }
+}
+
 /// A number in SI units for display, in the unit of its measure: `90 deg`.
 #[must_use]
 pub fn with_unit(number: f64, measure: &Measure) -> String {
@@ -199,6 +216,13 @@ pub fn with_unit(number: f64, measure: &Measure) -> String {
 
 #[cfg(test)]
 mod tests {
+    #[test]
+    fn numbers_have_the_digits_that_people_read() {
+        let texts =
+            [32.000_000_000_000_01, 0.123_456, -1e-9, -0.0, f64::NAN, 14_400.0, 2.0e7].map(super::short);
+        assert_eq!(texts, ["32", "0.1235", "-1e-9", "0", "–", "14400", "2e7"]);
+    }
+
     #[test]
     fn every_measure_is_shown_in_its_unit() {
         for measure in super::NAMED {

@@ -4,6 +4,7 @@ use super::carried::touching;
 use super::direction::along_the_tow;
 use super::towed::{Course, bodies, body, course};
 use crate::case::model::sand;
+use crate::case::quantity::short;
 use crate::case::resolved::{self, Body as Towed, Case, Factors, Ground, Law, Measured, Motion};
 use crate::case::travel;
 use analytic::bearing::Method;
@@ -298,13 +299,14 @@ fn load(
     let soil = ground.depth();
     if deepest >= soil {
         remarks.push(format!(
-            "`{name}` extends through the soil to its floor: a sinkage of {soil:.4} m, the whole depth of the soil"
+            "`{name}` extends through the soil to its floor: a sinkage of {} m, the whole depth of the soil",
+            short(soil)
         ));
         return Ok(Load::Sinkage(soil));
     }
     remarks.push(format!(
-        "the heave of `{name}` is prescribed: evaluated at its deepest position, a sinkage of {:.4} m",
-        deepest
+        "the heave of `{name}` is prescribed: evaluated at its deepest position, a sinkage of {} m",
+        short(deepest)
     ));
     Ok(Load::Sinkage(deepest))
 }

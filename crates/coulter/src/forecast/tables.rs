@@ -2,6 +2,7 @@
 
 use super::outlook::{Outlook, mechanism_word};
 use super::uncertainty::{InputDeviation, Intervals};
+use crate::case::quantity::short;
 use crate::text::wrapped;
 use analytic::disc::{Drive, Mechanism};
 use analytic::forecast::{Load, ModelForecast, Prediction, Strength};
@@ -59,12 +60,7 @@ fn meaning_of_intervals(intervals: &Intervals) -> String {
     let of = |s: &InputDeviation| {
         let (size, unit) = (s.variable.size, s.variable.unit);
         let unit = if unit == "-" { String::new() } else { format!(" {unit}") };
-        format!(
-            "{} {} ± {}{unit}",
-            s.variable.label,
-            significant(s.mean / size),
-            significant(s.deviation / size)
-        )
+        format!("{} {} ± {}{unit}", s.variable.label, short(s.mean / size), short(s.deviation / size))
     };
     let inputs = intervals.inputs.iter().map(of).collect::<Vec<_>>().join(", ");
     let whose = if intervals.assumed { "assumed" } else { "stated" };
@@ -111,32 +107,24 @@ fn unanswered(intervals: &Intervals) -> Option<String> {
     })
 }
 
-/// Four significant digits.
-fn significant(value: f64) -> String {
-    let digits = if value == 0.0 { 0 } else { 3 - value.abs().log10().floor() as i32 };
-    let text = format!("{value:.*}", digits.clamp(0, 9) as usize);
-    let trimmed = text.trim_end_matches('0').trim_end_matches('.');
-    if text.contains('.') { trimmed.to_owned() } else { text }
-}
-
 fn heading(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
     let towing = &outlook.input.towing;
     let vertical = match towing.load {
-        Load::Weight(weight) => format!("free to sink under {weight:.4} N"),
-        Load::Sinkage(z) => format!("held at a sinkage of {:.4} mm", 1e3 * z),
+        Load::Weight(weight) => format!("free to sink under {} N", short(weight)),
+        Load::Sinkage(z) => format!("held at a sinkage of {} mm", short(1e3 * z)),
     };
     let axle = match towing.drive {
         _ if towing.pressed => "pressed straight down".to_owned(),
         Drive::Locked if towing.body.disc().is_none() => "not rotating".to_owned(),
         Drive::Free => "free to rotate".to_owned(),
         Drive::Locked => "locked".to_owned(),
-        Drive::Braked(torque) => format!("braked with {torque:.4} N m"),
-        Drive::Driven(torque) => format!("driven with {torque:.4} N m"),
-        Drive::Slip(slip) => format!("rotated at a slip of {slip:.4}"),
+        Drive::Braked(torque) => format!("braked with {} N m", short(torque)),
+        Drive::Driven(torque) => format!("driven with {} N m", short(torque)),
+        Drive::Slip(slip) => format!("rotated at a slip of {}", short(slip)),
     };
     writeln!(text, "{}: {}, {vertical}, {axle}", outlook.case, outlook.input.bodies.join(", "))?;
     let g = &outlook.forecast.groups;
-    let mut list = format!("t̄ = {:.4}", g.thickness);
+    let mut list = format!("t̄ = {}", short(g.thickness));
     let known = [
         ("W̄", g.weight),
         ("Z", g.sinkage),
@@ -146,7 +134,7 @@ fn heading(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
     ];
     for (name, value) in known {
         if let Some(value) = value {
-            write!(list, ", {name} = {value:.4}")?;
+            write!(list, ", {name} = {}", short(value))?;
         }
     }
     writeln!(text, "{list}")?;

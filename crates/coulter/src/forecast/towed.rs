@@ -1,5 +1,6 @@
 //! The bodies of a case as the closed-form models represent them.
 
+use crate::case::quantity::short;
 use crate::case::resolved::{Attitude, Body as Towed, Case, Motion};
 use crate::case::shapes::ClosedForm;
 use crate::case::travel;
@@ -57,9 +58,9 @@ pub(super) fn bodies<'a>(
     }
     let count = discs.len();
     remarks.push(format!(
-        "{count} equal discs at a spacing of {:.4} m: treated as one assembly; drag, vertical force and weight are those \
+        "{count} equal discs at a spacing of {} m: treated as one assembly; drag, vertical force and weight are those \
          of all discs",
-        spacing
+        short(spacing)
     ));
     let assembly = Assembly { count: u32::try_from(count).unwrap_or(u32::MAX), spacing };
     Ok((discs, Some(assembly)))
@@ -168,10 +169,10 @@ fn plate(block: Block) -> Body {
 fn turned(body: &Towed) -> String {
     let keeps = if body.steers() { "; the models assume that it keeps them" } else { "" };
     format!(
-        "`{}` has a yaw of {:.4}° and a tilt of {:.4}°{keeps}: only resistive force theory in space applies",
+        "`{}` has a yaw of {}° and a tilt of {}°{keeps}: only resistive force theory in space applies",
         body.name,
-        body.attitude.yaw.to_degrees(),
-        body.attitude.tilt.to_degrees()
+        short(body.attitude.yaw.to_degrees()),
+        short(body.attitude.tilt.to_degrees())
     )
 }
 
@@ -190,7 +191,7 @@ fn block(case: &Case, size: DVec3, orientation: f64, remarks: &mut Vec<String>) 
     let plane_strain = case.domain.plane_strain;
     let across = if plane_strain { case.domain.high.y - case.domain.low.y } else { size.y };
     if plane_strain {
-        remarks.push(format!("plane strain: the forces are those on a slab {across:.4} m wide"));
+        remarks.push(format!("plane strain: the forces are those on a slab {} m wide", short(across)));
     }
     let orientation = (orientation + PI).rem_euclid(2.0 * PI) - PI;
     Block { size: [size.x, across, size.z], orientation, plane_strain, has_base: true }

@@ -369,6 +369,12 @@ pub const RUT: &[Column<RutSection>] = &[
 pub const FILTERED: &[Column<BodySample>] = &[
     BodyColumn::sampled("time", "s", "time since the start", |s| &mut s.time),
     BodyColumn::sampled("displacement u", "m", "displacement along x, not filtered", |s| &mut s.displacement),
+    BodyColumn::sampled(
+        "sinkage z",
+        "m",
+        "depth of the lowest point below the undisturbed surface, not filtered",
+        |s| &mut s.sinkage,
+    ),
     BodyColumn::sampled("drag F_H", "N", "drag", |s| &mut s.drag),
     BodyColumn::sampled("vertical F_V", "N", "vertical force", |s| &mut s.vertical),
     BodyColumn::sampled("lateral", "N", "lateral force", |s| &mut s.lateral),

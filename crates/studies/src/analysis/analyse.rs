@@ -12,7 +12,7 @@ use crate::table::{Column, Table, Values};
 use std::collections::BTreeSet;
 
 /// Responses that are analysed unless others are asked for.
-const RESPONSES: [&str; 3] = ["drag", "vertical", "sinkage"];
+pub const USUAL_RESPONSES: [&str; 3] = ["drag", "vertical", "sinkage"];
 /// The groups of a collapse that every study with them gets: y, x.
 const COLLAPSE: [&str; 2] = ["F_H_bar", "Z"];
 
@@ -27,9 +27,10 @@ pub struct Analysis {
     pub remarks: Vec<String>,
 }
 
-/// Analyses the table of a study. Nothing fails: what cannot be computed is among the remarks.
+/// Analyses the table of a study: the rows that are done. Nothing fails: what cannot be computed is among the remarks.
 #[must_use]
 pub fn analyse(table: &Table, request: &AnalysisRequest) -> Analysis {
+    let table = &table.without_unused();
     let mut analysis = Analysis::default();
     for chart in &request.charts {
         let made = if chart.collapse { collapse_chart(table, chart) } else { family_chart(table, chart) };
@@ -63,7 +64,7 @@ fn responses<'a>(table: &'a Table, request: &AnalysisRequest, remarks: &mut Vec<
     let numbers =
         |name: &str| table.column(name).filter(|column| matches!(column.values, Values::Numbers(_)));
     if request.responses.is_empty() {
-        return RESPONSES.iter().filter_map(|name| numbers(name)).collect();
+        return USUAL_RESPONSES.iter().filter_map(|name| numbers(name)).collect();
     }
     let mut found = Vec::new();
     for name in &request.responses {
@@ -203,6 +204,31 @@ mod tests {
         let grid = analyse(&grid(), &AnalysisRequest::default());
         assert!(grid.remarks.iter().any(|remark| remark.contains("19 points for 3")), "{:?}", grid.remarks);
         assert!(grid.charts.iter().any(|chart| chart.name == "tornado_drag_plain_model"));
+    }
+
+    #[test]
+    fn a_single_factor_has_no_tornado_and_no_indices() {
+        let mut table = filled(64);
+        table.columns.retain(|column| !["b", "c"].contains(&column.name.as_str()));
+        let analysis = analyse(&table, &AnalysisRequest::default());
+        let names: Vec<&str> = analysis.charts.iter().map(|chart| chart.name.as_str()).collect();
+        assert_eq!(names, ["main_effects_drag"]);
+        assert!(
+            !analysis.remarks.iter().any(|remark| remark.contains("Sobol") || remark.contains("tornado"))
+        );
+    }
+
+    #[test]
+    fn rows_that_are_not_done_are_in_no_chart() {
+        let mut table = grid();
+        let Values::Numbers(drag) = &mut table.columns[4].values else { panic!("numbers") };
+        // A broken run keeps its figure.
+        drag[3] = Some(1e9);
+        let drawn = |table: &Table| {
+            let chart = ChartRequest { x: "angle".into(), y: "drag".into(), ..ChartRequest::default() };
+            analyse(table, &AnalysisRequest { charts: vec![chart], ..AnalysisRequest::default() })
+        };
+        assert_eq!(drawn(&table), drawn(&grid()));
     }
 
     #[test]

@@ -11,6 +11,6 @@ mod response;
 mod sample;
 mod space;
 
-pub use analyse::{Analysis, analyse};
+pub use analyse::{Analysis, USUAL_RESPONSES, analyse};
 pub use named::NamedTable;
 pub use request::AnalysisRequest;

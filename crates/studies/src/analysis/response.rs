@@ -61,8 +61,11 @@ impl Question<'_> {
             ..IndexRow::default()
         };
         answer.rows = (0..self.factors.len()).map(named).collect();
-        let surrogate = self.surrogate(sample, &mut answer);
-        self.tornado(sample, surrogate.as_ref(), &mut answer);
+        // Of a single factor there is nothing to rank.
+        if self.factors.len() > 1 {
+            let surrogate = self.surrogate(sample, &mut answer);
+            self.tornado(sample, surrogate.as_ref(), &mut answer);
+        }
         self.regressions(sample, &mut answer);
         answer
     }

@@ -2,7 +2,7 @@
 
 use super::classes::classes;
 use super::family::ChartRequest;
-use super::label::{axis_label, plain_label};
+use super::label::{axis_label, class_name, plain_label};
 use super::named::{NamedChart, file_name};
 use crate::statistics::collapse::collapse;
 use crate::table::Table;
@@ -31,8 +31,8 @@ pub fn collapse_chart(table: &Table, request: &ChartRequest) -> Result<NamedChar
         }
         Some(column) => {
             for (colour, class) in classes(column, &all).iter().enumerate() {
-                let name = class.label.replace('_', " ");
-                curves.push(Curve { name, points: both(&class.rows), colour, stroke: Stroke::Dots });
+                let (name, stroke) = (class_name(column, &class.label), Stroke::Marks(colour));
+                curves.push(Curve { name, points: both(&class.rows), colour, stroke });
             }
         }
     }
@@ -50,7 +50,8 @@ pub fn collapse_chart(table: &Table, request: &ChartRequest) -> Result<NamedChar
         curves,
         ..Chart::default()
     };
-    let colours = family.map(|column| format!(" Colours: {}.", plain_label(column))).unwrap_or_default();
+    let colours =
+        family.map(|column| format!(" Colours and marks: {}.", plain_label(column))).unwrap_or_default();
     let caption = format!(
         "{title}, all {} points. Half of them lie within {} % of the running median, nine in ten within {} %.{colours}",
         found.points,

@@ -39,14 +39,13 @@ pub fn main_effects_chart(response: &Column, model: &str, effects: &[FactorEffec
         let name =
             format!("{}: {}", plain_label(effect.factor), range_text(effect.factor, effect.words, range));
         curves.push(Curve { name: String::new(), points: bars, colour, stroke: Stroke::Faint });
-        curves.push(Curve { name: String::new(), points: points.clone(), colour, stroke: Stroke::Dots });
-        curves.push(Curve::solid(&name, colour, points));
+        curves.push(Curve { name, points, colour, stroke: Stroke::Marked { dash: colour, mark: colour } });
     }
     let chart = Chart {
         title: title.clone(),
         x_label: "place in the range of the factor [–]".into(),
         y_label: format!("mean {}", axis_label(response)),
-        height: 330.0 + 9.0 * effects.len() as f64,
+        height: 340.0,
         curves,
         ..Chart::default()
     };

@@ -1,15 +1,13 @@
 //! Families of curves: a response over a factor or over another response, a curve for each level of a second factor and each model.
 
 use super::classes::{Class, MOST_CLASSES, classes, models};
-use super::label::{axis_label, plain_label, value_text};
+use super::label::{axis_label, class_name, plain_label, value_text};
 use super::named::{NamedChart, file_name};
 use crate::table::{Column, Role, Table, Values};
 use coulter::output::plots::{Bar, BarGroup, Bars, Chart, Curve, Stroke};
 
 /// Levels of the x axis up to which points are joined through their means where other factors vary, too (chosen).
 const MOST_LEVELS: usize = 12;
-/// Strokes of the models, repeated.
-const STROKES: [Stroke; 4] = [Stroke::Solid, Stroke::Dashed, Stroke::Dotted, Stroke::Faint];
 
 /// A chart that a study asks for.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -109,10 +107,13 @@ fn curves(
             let both = members.rows.iter().filter(|row| rows.rows.binary_search(row).is_ok());
             let mut points: Vec<[f64; 2]> = both.filter_map(|row| Some([xs[*row]?, ys[*row]?])).collect();
             points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
-            let parts = [members.label.as_str(), if several { rows.label.as_str() } else { "" }];
-            let name = parts.iter().filter(|part| !part.is_empty()).copied().collect::<Vec<_>>().join(", ");
             if !points.is_empty() {
-                list.push(Series { name: name.replace('_', " "), class, model, points });
+                list.push(Series {
+                    name: series_name(family, members, several.then_some(rows)),
+                    class,
+                    model,
+                    points,
+                });
             }
         }
     }
@@ -131,6 +132,13 @@ fn curves(
         ..Chart::default()
     };
     (!list.is_empty()).then(|| chart.svg())
+}
+
+/// The class of the family and the model: `φ = 30 deg, solver`.
+fn series_name(family: Option<&Column>, class: &Class, model: Option<&Class>) -> String {
+    let class = family.map(|column| class_name(column, &class.label));
+    let model = model.map(|model| model.label.replace('_', " "));
+    class.into_iter().chain(model).collect::<Vec<_>>().join(", ")
 }
 
 /// Whether points are joined: those over a factor at few places, or at many where no other factor varies and the family has levels; and
@@ -156,18 +164,27 @@ fn are_curves(x: &Column, family: Option<&Column>, others: usize) -> bool {
 fn strokes(series: &Series, number: usize, joined: bool, has_family: bool) -> Vec<Curve> {
     if !joined {
         let (name, points) = (series.name.clone(), series.points.clone());
-        return vec![Curve { name, points, colour: number, stroke: Stroke::Dots }];
+        return vec![Curve { name, points, colour: number, stroke: Stroke::Marks(number) }];
     }
-    // Colour tells the levels apart and the stroke the models; without levels colour is free for the models.
+    // Colour and marks tell the levels apart, dashes the models; without levels all three are free for the models.
     let (colour, stroke) = if has_family {
-        (series.class, STROKES[series.model % STROKES.len()])
+        (series.class, Stroke::Marked { dash: series.model, mark: series.class })
     } else {
-        (series.model, Stroke::Solid)
+        (series.model, Stroke::Marked { dash: series.model, mark: series.model })
     };
     let mean = |part: &[[f64; 2]]| [part[0][0], part.iter().map(|p| p[1]).sum::<f64>() / part.len() as f64];
-    let means = series.points.chunk_by(|a, b| a[0] == b[0]).map(mean).collect();
-    let line = Curve { name: series.name.clone(), points: means, colour, stroke };
-    vec![line, Curve { name: String::new(), points: series.points.clone(), colour, stroke: Stroke::Dots }]
+    let means: Vec<[f64; 2]> = series.points.chunk_by(|a, b| a[0] == b[0]).map(mean).collect();
+    let mut drawn = Vec::new();
+    if means.len() < series.points.len() {
+        drawn.push(Curve {
+            name: String::new(),
+            points: series.points.clone(),
+            colour,
+            stroke: Stroke::Dots,
+        });
+    }
+    drawn.push(Curve { name: series.name.clone(), points: means, colour, stroke });
+    drawn
 }
 
 /// A group of bars for each word of the x axis, a bar of the mean for each class and model.
@@ -187,7 +204,7 @@ fn bars(table: &Table, x: &Column, y: &Column, family: Option<&Column>, title: &
                     continue;
                 }
                 let colour = class * by_model.len() + model;
-                let name = format!("{} {}", members.label, rows.label).trim().replace('_', " ");
+                let name = series_name(family, members, (by_model.len() > 1).then_some(rows));
                 if !name.is_empty() && !names.contains(&(name.clone(), colour)) {
                     names.push((name, colour));
                 }
@@ -227,7 +244,8 @@ mod tests {
         let chart = family_chart(&grid(), &request("angle", "drag", Some("depth"))).unwrap();
         assert_eq!(chart.name, "drag_over_angle_depth");
         assert!(
-            chart.svg.contains("0.1 m, solver") && chart.svg.contains("0.2 m, plain model"),
+            chart.svg.contains(">depth = 0.1 m, solver<")
+                && chart.svg.contains(">depth = 0.2 m, plain model<"),
             "{}",
             chart.svg
         );
@@ -245,8 +263,11 @@ mod tests {
             column("drag", "N", Role::Response, numbers(0)),
         ];
         let chart = family_chart(&Table { columns }, &request("a", "drag", Some("b"))).unwrap();
-        // The points, and those of the legend.
-        assert_eq!([chart.svg.matches("h0").count(), chart.svg.matches("<circle").count()], [40, 5]);
+        // The points, of which those of the first range are dots, and those of the legend.
+        assert_eq!(
+            [chart.svg.matches("h0").count(), chart.svg.matches("class=\"mark\"").count()],
+            [40, 32 + 5]
+        );
         assert!(!chart.svg.contains("stroke-linejoin"), "{}", chart.svg);
     }
 
@@ -254,6 +275,22 @@ mod tests {
     fn models_that_are_the_family_are_named_once() {
         let chart = family_chart(&grid(), &request("angle", "drag", Some("model"))).unwrap();
         assert!(chart.svg.contains(">solver<") && chart.svg.contains(">plain model<"), "{}", chart.svg);
+    }
+
+    #[test]
+    fn no_two_series_are_alike_without_colour() {
+        let chart = family_chart(&grid(), &request("angle", "drag", Some("depth"))).unwrap();
+        fn value<'a>(line: &'a str, name: &str) -> Option<&'a str> {
+            line.split(name).nth(1)?.split('"').nth(1)
+        }
+        // The model by its dashes, the level by its marks, which follow the line.
+        let lines: Vec<&str> = chart.svg.lines().collect();
+        let looks: std::collections::BTreeSet<[&str; 2]> = lines
+            .windows(2)
+            .filter(|pair| pair[0].contains("data-name=\"depth ="))
+            .map(|pair| [value(pair[0], "dasharray="), value(pair[1], " d=")].map(Option::unwrap_or_default))
+            .collect();
+        assert_eq!(looks.len(), 4, "{looks:?}");
     }
 
     #[test]

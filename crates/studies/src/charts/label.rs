@@ -1,7 +1,7 @@
 //! How columns and their values are called in charts.
 
 use crate::table::{Column, Values};
-use coulter::output::digits;
+use coulter::case::quantity;
 
 /// The name of a column in words: its label; the name of the file where it has none of its own, without underscores, which would
 /// lower letters.
@@ -35,14 +35,24 @@ pub(super) fn shown_range(column: &Column, [low, high]: [f64; 2]) -> String {
     with_unit(&format!("{} to {}", short(low), short(high)), column)
 }
 
-/// A number with three digits, without zeros that say nothing.
+/// A number with up to four digits and a true minus sign.
 pub(super) fn short(value: f64) -> String {
-    let text = digits(value);
-    if text.contains('.') && !text.contains('e') {
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
-    } else {
-        text
+    quantity::short(value).replace('-', "\u{2212}")
+}
+
+/// The symbol at the end of a label, `φ` of `friction angle φ`; the whole label where there is none.
+pub(super) fn symbol(column: &Column) -> String {
+    let is_symbol = |word: &str| word.chars().count() == 1 || !word.chars().all(|c| c.is_ascii_alphabetic());
+    match column.label.rsplit_once(' ') {
+        Some((_, last)) if is_symbol(last) => last.to_owned(),
+        _ => plain_label(column),
     }
+}
+
+/// What a class of a column is called in a legend: `φ = 30 deg`; a model by its name alone.
+pub(super) fn class_name(column: &Column, class: &str) -> String {
+    let class = class.replace('_', " ");
+    if column.name == "model" { class } else { format!("{} = {class}", symbol(column)) }
 }
 
 /// The text of a value: its word, or its number with unit.
@@ -65,6 +75,27 @@ fn with_unit(text: &str, column: &Column) -> String {
 mod tests {
     use super::*;
     use crate::table::Role;
+
+    #[test]
+    fn a_class_is_named_with_its_factor() {
+        let column = |name: &str, label: &str| Column {
+            name: name.into(),
+            unit: "deg".into(),
+            label: label.into(),
+            role: Role::Factor,
+            values: Values::Numbers(vec![Some(25.0)]),
+        };
+        for (label, name) in [
+            ("friction angle φ", "φ = 30 deg"),
+            ("weight W/(γtd²)", "W/(γtd²) = 30 deg"),
+            ("drag F_H", "F_H = 30 deg"),
+            ("tip radius", "tip radius = 30 deg"),
+            ("", "a b = 30 deg"),
+        ] {
+            assert_eq!(class_name(&column("a_b", label), "30 deg"), name);
+        }
+        assert_eq!(class_name(&column("model", "model"), "plain_model"), "plain model");
+    }
 
     #[test]
     fn labels_have_units_and_no_stray_subscripts() {

@@ -201,10 +201,10 @@ fn chart(
     quantity: Quantity,
     (curve, mean): (&[[f64; 2]], Option<SteadyMean>),
 ) -> String {
-    let stroke = |item: &Item| match item.kind {
-        ItemKind::Measured => Stroke::Dots,
-        ItemKind::ClosedForm | ItemKind::Forecast => Stroke::Dashed,
-        ItemKind::Run => Stroke::Solid,
+    let stroke = |item: &Item, mark: usize| match item.kind {
+        ItemKind::Measured => Stroke::Marks(mark),
+        ItemKind::ClosedForm | ItemKind::Forecast => Stroke::Marked { dash: 1 + mark % 7, mark },
+        ItemKind::Run => Stroke::Marked { dash: 0, mark },
     };
     let ends = [curve.first().map_or(0.0, |p| p[0]), curve.last().map_or(0.0, |p| p[0])];
     let mut curves = Vec::new();
@@ -215,7 +215,7 @@ fn chart(
             name: item.name.replace('_', " "),
             points: points.to_vec(),
             colour: number,
-            stroke: stroke(item),
+            stroke: stroke(item, number),
         });
         levels.extend(mean.map(|mean| Level {
             label: short(mean.mean),

@@ -1,14 +1,12 @@
-//! Rows without a result, by state and reason.
+//! Rows whose figures are not used, by state and reason.
 
 use crate::table::{Column, Role, Table, Values};
 use serde::Serialize;
 
-/// The state of a row that has its result.
-const DONE: &str = "done";
 /// Rows that are named one by one, at most (chosen).
 const NAMED: usize = 12;
 
-/// Rows that have no result for the same reason.
+/// Rows that are not used for the same reason.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Gap {
     /// Their state, such as `failed`.
@@ -29,10 +27,10 @@ pub fn gaps(table: &Table) -> Vec<Gap> {
     let reasons = table.words("reason");
     let mut found: Vec<(Gap, Vec<usize>)> = Vec::new();
     for (row, state) in states.iter().enumerate() {
-        let state = state.clone().unwrap_or_else(|| "missing".to_owned());
-        if state == DONE {
+        if table.is_done(row) {
             continue;
         }
+        let state = state.clone().unwrap_or_else(|| "missing".to_owned());
         let reason = reasons.and_then(|list| list[row].clone()).unwrap_or_default();
         match found.iter_mut().find(|(gap, _)| gap.state == state && gap.reason == reason) {
             Some((_, rows)) => rows.push(row),

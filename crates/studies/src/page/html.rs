@@ -26,7 +26,7 @@ pub struct Page {
     pub facts: Vec<(String, String)>,
     /// Number of rows of the table of the study.
     pub rows: usize,
-    /// Rows without a result.
+    /// Rows whose figures are not used.
     pub gaps: Vec<Gap>,
     /// Warnings, shown above everything else but the gaps.
     pub warnings: Vec<String>,
@@ -130,7 +130,7 @@ mod tests {
             html.contains("<h1>Angles &amp; &lt;depths&gt;</h1>")
                 && html.contains("prefers-color-scheme: dark")
         );
-        let [gap, chart] = ["1 of 40 rows have no result", "<svg"].map(|text| html.find(text).unwrap());
+        let [gap, chart] = ["1 of 40 rows are not used", "<svg"].map(|text| html.find(text).unwrap());
         assert!(
             gap < chart && html.contains("The range is wide.") && html.contains("What each factor means")
         );

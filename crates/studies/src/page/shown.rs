@@ -3,7 +3,7 @@
 use crate::analysis::NamedTable;
 use crate::charts::axis_label;
 use crate::table::{Column, Values};
-use coulter::output::digits;
+use coulter::case::quantity::short;
 use serde::Serialize;
 
 /// Rows of a table on the page, at most (chosen); all are in its file.
@@ -15,8 +15,16 @@ pub(super) struct ShownTable {
     name: String,
     title: String,
     columns: Vec<ShownColumn>,
-    rows: Vec<Vec<String>>,
+    rows: Vec<ShownRow>,
     left_out: usize,
+}
+
+/// A row of texts.
+#[derive(Clone, Debug, Serialize)]
+struct ShownRow {
+    cells: Vec<String>,
+    /// Whether its figures are in no mean, chart or index.
+    unused: bool,
 }
 
 /// The head of a column.
@@ -31,11 +39,15 @@ struct ShownColumn {
 pub(super) fn shown_table(named: &NamedTable) -> ShownTable {
     let columns: Vec<&Column> = named.table.columns.iter().filter(|column| has_values(column)).collect();
     let count = named.table.rows().min(MOST_ROWS);
+    let row = |row: usize| ShownRow {
+        cells: columns.iter().map(|column| cell(column, row)).collect(),
+        unused: !named.table.is_done(row),
+    };
     ShownTable {
         name: named.name.clone(),
         title: named.title.clone(),
         columns: columns.iter().map(|column| head(column)).collect(),
-        rows: (0..count).map(|row| columns.iter().map(|column| cell(column, row)).collect()).collect(),
+        rows: (0..count).map(row).collect(),
         left_out: named.table.rows() - count,
     }
 }
@@ -59,13 +71,11 @@ fn cell(column: &Column, row: usize) -> String {
         Values::Words(list) => list[row].clone().unwrap_or_default(),
         Values::Numbers(list) => match list[row] {
             None => String::new(),
+            // Points and ids are counted, not measured.
             Some(number) if number.fract() == 0.0 && number.abs() < 1e6 => {
                 format!("{number}").replace('-', "\u{2212}")
             }
-            Some(number) if column.unit == "-" && number.abs() < 10.0 => {
-                format!("{number:.3}").replace('-', "\u{2212}")
-            }
-            Some(number) => digits(number),
+            Some(number) => short(number).replace('-', "\u{2212}"),
         },
     }
 }

@@ -95,7 +95,7 @@ fn outcome(shared: &Shared, line: &CaseLine) -> Result<Outcome, Unended> {
                 } else {
                     outlook.forecast.recommendation.replace('\n', " ")
                 },
-                rows: closed_forms(&outlook),
+                rows: closed_forms(&outlook, rolling_radius(&case)),
             },
             Err(why) => refused(format!("there is no forecast for this case: {why}")),
         }),
@@ -103,8 +103,13 @@ fn outcome(shared: &Shared, line: &CaseLine) -> Result<Outcome, Unended> {
     }
 }
 
-/// The rows of the closed forms that apply.
-fn closed_forms(outlook: &Outlook) -> Vec<Figures> {
+/// The radius [m] on which the first body that touches the soil rolls.
+fn rolling_radius(case: &Case) -> Option<f64> {
+    Reference::all(case).into_iter().find(Reference::has_surface)?.radius
+}
+
+/// The rows of the closed forms that apply to a body that rolls on this radius [m].
+fn closed_forms(outlook: &Outlook, radius: Option<f64>) -> Vec<Figures> {
     let recommended = outlook.recommended().map(|model| model.name);
     let groups = &outlook.forecast.groups;
     let (scale, length) = (outlook.force_scale(), outlook.input.towing.body.length());
@@ -112,7 +117,7 @@ fn closed_forms(outlook: &Outlook) -> Vec<Figures> {
     let applicable = outlook.forecast.models.iter().filter(|model| model.applicable);
     let rows = applicable.filter_map(|model| {
         let found = model.prediction?;
-        Some(Figures {
+        let figures = Figures {
             model: model.name.to_owned(),
             body: outlook.input.kind.to_owned(),
             recommended: Some(model.name) == recommended,
@@ -130,7 +135,8 @@ fn closed_forms(outlook: &Outlook) -> Vec<Figures> {
             stiffness_group: groups.stiffness,
             cohesion_group: groups.cohesion,
             ..Figures::default()
-        })
+        };
+        Some(figures.with_traction(radius))
     });
     rows.collect()
 }
@@ -150,20 +156,23 @@ fn solved(shared: &Shared, line: &CaseLine, mut case: Case) -> Result<Outcome, U
         typed: &typed,
         communicator: coulter::run::alone,
     };
-    let broken =
-        |reason: String| Outcome { id: line.id.clone(), ending: Ending::Broken, reason, rows: Vec::new() };
+    let ended = |ending: Ending, reason: String, summary: &Summary| {
+        let record = RunRecord::read(&folder)?;
+        Ok(Outcome { id: line.id.clone(), ending, reason, rows: runs(&case, summary, &record.bodies) })
+    };
+    // A run that broke down has figures up to there, unless the machine went down with it.
+    let broken = |reason: String| match Summary::read(&folder) {
+        Ok(summary) => ended(Ending::Broken, reason, &summary),
+        Err(_) => Ok(Outcome { id: line.id.clone(), ending: Ending::Broken, reason, rows: Vec::new() }),
+    };
     match run::run(&case, &options) {
         Ok(End::Finished(summary)) if summary.trust.verdict == Verdict::Broken => {
-            Ok(broken(run::verdict(&summary).join("; ")))
+            ended(Ending::Broken, run::verdict(&summary).join("; "), &summary)
         }
-        Ok(End::Finished(summary)) => {
-            let record = RunRecord::read(&folder)?;
-            let rows = runs(&case, &summary, &record.bodies);
-            Ok(Outcome { id: line.id.clone(), ending: Ending::Done, reason: String::new(), rows })
-        }
+        Ok(End::Finished(summary)) => ended(Ending::Done, String::new(), &summary),
         Ok(End::Stopped(signal, _)) => Err(Unended::Stopped(signal)),
-        Err(RunError::Physics { cause, .. }) => Ok(broken(cause.to_string())),
-        Err(RunError::BrokeDownBefore { cause, .. }) => Ok(broken(cause)),
+        Err(RunError::Physics { cause, .. }) => broken(cause.to_string()),
+        Err(RunError::BrokeDownBefore { cause, .. }) => broken(cause),
         Err(RunError::Output(OutputError::Busy { .. })) => match shared.interrupts.stopped_by() {
             Some(signal) => Err(Unended::Stopped(signal)),
             None => Err(Unended::Busy(line.id.clone())),
@@ -193,16 +202,20 @@ fn runs(case: &Case, summary: &Summary, references: &[Reference]) -> Vec<Figures
 }
 
 fn of_body(reference: &Reference, BodySummary { steady, peak, .. }: &BodySummary) -> Figures {
+    let figures = Figures {
+        drag: steady.drag,
+        vertical: steady.vertical,
+        slip: steady.slip,
+        axle_torque: steady.axle_torque,
+        ..Figures::default()
+    };
     let force = |force: Option<f64>| force.and_then(|force| reference.force_group(force));
     Figures {
         model: "solver".to_owned(),
         body: reference.name.clone(),
-        drag: steady.drag,
-        vertical: steady.vertical,
+        efficiency: steady.traction.tractive_efficiency,
         lateral: steady.lateral,
         sinkage: steady.sinkage,
-        slip: steady.slip,
-        axle_torque: steady.axle_torque,
         peak_drag: peak.drag,
         peak_vertical: peak.vertical,
         drag_noise: steady.drag_noise,
@@ -210,6 +223,6 @@ fn of_body(reference: &Reference, BodySummary { steady, peak, .. }: &BodySummary
         vertical_group: force(steady.vertical),
         sinkage_group: steady.sinkage.and_then(|z| reference.length_group(z)),
         t_bar: reference.length_group(reference.width),
-        ..Figures::default()
+        ..figures.with_traction(reference.radius)
     }
 }

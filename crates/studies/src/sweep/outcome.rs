@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 pub enum Ending {
     /// With results.
     Done,
-    /// The run is broken: its results must not be used.
+    /// The run is broken: its figures are kept, and must not be used.
     Broken,
     /// The case is not valid, or no closed form applies to it.
     Refused,

@@ -15,6 +15,8 @@ const MEMORY_SHARE: f64 = 0.8;
 
 /// Who is told how a pool gets on.
 pub trait Watcher: Sync {
+    /// A case begins.
+    fn begun(&self, _line: &CaseLine) {}
     /// A case has ended, or could not.
     fn ended(&self, line: &CaseLine, outcome: &Result<Outcome, Unended>);
 }
@@ -41,14 +43,16 @@ struct Queue<'a> {
     end: PoolEnd,
 }
 
-/// Runs the cases that have no outcome yet. Runs of the solver come first, the largest of them first, so that none is left for the end.
+/// Runs the cases that have no outcome yet: the closed forms, which take no time, in their order; then the runs of the solver, the
+/// largest of them first, so that none is left for the end.
 pub fn run(shared: &Shared, lines: &[CaseLine], pool: &Pool, watcher: &dyn Watcher) -> PoolEnd {
     let had = shared.store.with_outcome().unwrap_or_default();
     let mut seen = HashSet::new();
     let mut left: Vec<&CaseLine> = lines.iter().filter(|line| seen.insert(&line.id)).collect();
     left.retain(|line| !had.contains(&line.id) || shared.store.outcome(&line.id).is_none());
     left.reverse();
-    left.sort_by(|a, b| a.memory_bytes.total_cmp(&b.memory_bytes));
+    let is_closed = |line: &CaseLine| line.model == ModelKind::ClosedForm;
+    left.sort_by(|a, b| is_closed(a).cmp(&is_closed(b)).then(a.memory_bytes.total_cmp(&b.memory_bytes)));
     let memory = memory_available().map_or(f64::INFINITY, |free| MEMORY_SHARE * free);
     let cores = cores::cores().count;
     let has_runs = left.iter().any(|line| line.model == ModelKind::Solver);
@@ -69,6 +73,7 @@ pub fn run(shared: &Shared, lines: &[CaseLine], pool: &Pool, watcher: &dyn Watch
 /// Takes cases from the queue until none is left.
 fn work(shared: &Shared, (queue, free, memory): (&Mutex<Queue>, &Condvar, f64), watcher: &dyn Watcher) {
     while let Some(line) = next(shared, queue, free, memory) {
+        watcher.begun(line);
         // A fault in one case must not take the others with it.
         let outcome = catch_unwind(AssertUnwindSafe(|| evaluate(shared, line))).unwrap_or_else(|_| {
             let why = "an internal error: please report it with the case".to_owned();

@@ -2,11 +2,10 @@
 
 use super::collect::Collected;
 use super::store::{Store, StudyError};
-use crate::analysis::{Analysis, AnalysisRequest, NamedTable, analyse};
+use crate::analysis::{Analysis, AnalysisRequest, NamedTable, USUAL_RESPONSES, analyse};
 use crate::charts::ChartRequest;
 use crate::page::{Page, page};
 use crate::study::{Part, Study};
-
 use crate::table::{Column, Role, Table, Values, to_csv, to_parquet};
 use std::path::PathBuf;
 
@@ -34,9 +33,29 @@ pub fn write(store: &Store, study: &Study, collected: &Collected) -> Result<Vec<
         files.push(store.write(&format!("{name}.csv"), text.as_bytes())?);
     }
     let description = collected.counts.text();
-    let text = page(&Page::of(&study.title, &description, table, analysis));
+    let mut shown = Page::of(&study.title, &description, table, analysis);
+    shown.tables.push(points(study, table));
+    let text = page(&shown);
     files.push(store.write("report.html", text.map_err(|error| other(error.to_string()))?.as_bytes())?);
     Ok(files)
+}
+
+/// The points with what the study looks at, as the page shows them.
+fn points(study: &Study, table: &Table) -> NamedTable {
+    let charts = study.charts.iter().flat_map(|chart| [&chart.x, &chart.y]);
+    let mut looked_at: Vec<&str> = study.responses.iter().chain(charts).map(String::as_str).collect();
+    if study.responses.is_empty() {
+        looked_at.extend(USUAL_RESPONSES);
+    }
+    let is_shown = |column: &&Column| match column.role {
+        Role::Key => !["id", "closed_form"].contains(&column.name.as_str()),
+        Role::Factor => true,
+        Role::Response => looked_at.contains(&column.name.as_str()),
+        // Why rows are not used stands above all else.
+        Role::Remark => column.name != "reason",
+    };
+    let columns = table.columns.iter().filter(is_shown).cloned().collect();
+    NamedTable { name: "table".to_owned(), title: "Points".to_owned(), table: Table { columns } }
 }
 
 /// The cases without results as a table.

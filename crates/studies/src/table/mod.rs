@@ -111,4 +111,29 @@ impl Table {
             Values::Numbers(_) => None,
         }
     }
+
+    /// Whether a row has the state `done`, or no column says. Figures of any other, such as those of a broken run, are shown and not used.
+    #[must_use]
+    pub fn is_done(&self, row: usize) -> bool {
+        self.words("state").is_none_or(|states| states[row].as_deref() == Some(DONE))
+    }
+
+    /// The table without the responses of rows that are not done.
+    #[must_use]
+    pub(crate) fn without_unused(&self) -> Self {
+        let done: Vec<bool> = (0..self.rows()).map(|row| self.is_done(row)).collect();
+        let used = |column: &Column| match &column.values {
+            Values::Numbers(list) if column.role == Role::Response => Column {
+                values: Values::Numbers(
+                    list.iter().zip(&done).map(|(value, done)| value.filter(|_| *done)).collect(),
+                ),
+                ..column.clone()
+            },
+            _ => column.clone(),
+        };
+        Self { columns: self.columns.iter().map(used).collect() }
+    }
 }
+
+/// The state of a row whose figures may be used.
+const DONE: &str = "done";

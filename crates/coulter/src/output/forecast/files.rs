@@ -2,7 +2,7 @@
 
 use crate::forecast::{Curves, Series};
 use crate::output::files::{OutputError, make_folder, write_json, write_whole};
-use crate::output::plots::{CURVES, Chart, Curve, Stroke};
+use crate::output::plots::{Chart, Curve, Stroke};
 use crate::output::tables::push_line;
 use crate::output::units::{Unit, largest};
 use std::path::{Path, PathBuf};
@@ -127,8 +127,7 @@ fn chart(curves: &Curves, x_label: &str, along: &[f64], ordinate: Ordinate<'_>) 
         let stroke = match series.name {
             // Only the recommended model is drawn as a solid line.
             name if name == curves.recommended => Stroke::Solid,
-            _ if colour < CURVES.len() => Stroke::Dashed,
-            _ => Stroke::Dotted,
+            _ => Stroke::Marked { dash: 1 + colour % 7, mark: colour },
         };
         let any = points.iter().any(|p| p[1].is_finite());
         any.then(|| Curve { name: series.name.to_owned(), points, colour, stroke })

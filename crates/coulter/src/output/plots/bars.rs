@@ -1,5 +1,6 @@
 //! Charts of horizontal bars as SVG text, in the style of the others: a line for each bar or for each group of bars.
 
+use super::chart::{LINE, legend_name};
 use super::chart_marks::{BOTTOM, RIGHT, WIDTH, colour, marked, plain};
 use super::scale::{labelled_ticks, padded_range};
 use std::fmt::Write as _;
@@ -7,6 +8,8 @@ use std::fmt::Write as _;
 /// Height of a bar and space between two groups [pixels].
 const BAR: f64 = 15.0;
 const SPACE: f64 = 9.0;
+/// Distance of the stripes of a bar [pixels].
+const STRIPE: f64 = 4.0;
 /// Width of a letter [pixels], on average.
 const LETTER: f64 = 6.4;
 
@@ -67,7 +70,8 @@ impl Bars {
     pub fn svg(&self) -> String {
         let axis = self.axis();
         let title = if self.title.is_empty() { 10.0 } else { 30.0 };
-        let top = title + if self.names.is_empty() { 0.0 } else { 18.0 };
+        let legend = self.legend(axis.left, title + 5.0);
+        let top = title + LINE * legend.len() as f64;
         let bottom =
             top + SPACE + self.groups.iter().map(|group| self.lines(group) * BAR + SPACE).sum::<f64>();
         let mut svg = format!(
@@ -88,7 +92,7 @@ impl Bars {
             let _ =
                 writeln!(svg, "<text x=\"8\" y=\"17\" font-size=\"14\" font-weight=\"600\">{text}</text>");
         }
-        self.draw_legend(&mut svg, axis.left, title + 5.0);
+        svg.push_str(&legend.concat());
         svg.push_str("</svg>\n");
         svg
     }
@@ -156,35 +160,60 @@ impl Bars {
         }
     }
 
-    fn draw_legend(&self, svg: &mut String, left: f64, y: f64) {
-        let mut x = left;
+    /// The legend's entries, line by line.
+    fn legend(&self, left: f64, top: f64) -> Vec<String> {
+        let (mut lines, mut x): (Vec<String>, f64) = (Vec::new(), f64::INFINITY);
         for (name, number) in &self.names {
-            let _ = writeln!(
-                svg,
-                "<rect x=\"{x:.1}\" y=\"{:.1}\" width=\"14\" height=\"9\" fill=\"{}\"/>\
-                 <text x=\"{:.1}\" y=\"{:.1}\">{}</text>",
-                y - 4.5,
-                colour(*number),
-                x + 20.0,
-                y + 4.0,
-                marked(name)
-            );
-            x += 38.0 + LETTER * plain(name).chars().count() as f64;
+            let (name, wide) = legend_name(name, left);
+            if x + wide > WIDTH - RIGHT {
+                x = left;
+                lines.push(String::new());
+            }
+            let y = top + LINE * (lines.len() as f64 - 1.0);
+            if let Some(line) = lines.last_mut() {
+                fill(line, *number, [x, y - 4.5, 14.0, 9.0]);
+                let _ = writeln!(
+                    line,
+                    "<text x=\"{:.1}\" y=\"{:.1}\">{}</text>",
+                    x + 20.0,
+                    y + 4.0,
+                    marked(&name)
+                );
+            }
+            x += wide;
         }
+        lines
+    }
+}
+
+/// A rectangle in the colour of a number, with stripes of its own, so that bars differ without colour, too: x, y, width, height.
+fn fill(svg: &mut String, number: usize, [x, y, wide, tall]: [f64; 4]) {
+    let is_pale = number / 4 % 2 == 1;
+    let _ = writeln!(
+        svg,
+        "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{wide:.1}\" height=\"{tall}\" fill=\"{0}\" fill-opacity=\"{1}\" stroke=\"{0}\"/>",
+        colour(number),
+        if is_pale { 0.3 } else { 0.85 }
+    );
+    let mut stripes = String::new();
+    if number % 2 == 1 {
+        for n in 1..=(wide / STRIPE) as usize {
+            let _ = write!(stripes, "M{:.1} {y:.1}v{tall}", x + STRIPE * n as f64);
+        }
+    }
+    if number / 2 % 2 == 1 {
+        let _ = write!(stripes, "M{x:.1} {:.1}h{wide:.1}", y + 0.5 * tall);
+    }
+    if !stripes.is_empty() {
+        let ink = if is_pale { colour(number) } else { "var(--page, #fff)" };
+        let _ = writeln!(svg, "<path d=\"{stripes}\" fill=\"none\" stroke=\"{ink}\" stroke-width=\"1.2\"/>");
     }
 }
 
 fn draw_bar(svg: &mut String, axis: &Axis, y: f64, bar: &Bar, base: f64) {
     let (from, to) = (axis.at(base), axis.at(bar.value));
     let height = BAR - 3.0;
-    let _ = writeln!(
-        svg,
-        "<rect x=\"{:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"{height}\" fill=\"{}\" fill-opacity=\"0.85\"/>",
-        from.min(to),
-        y + 1.5,
-        (to - from).abs(),
-        colour(bar.colour)
-    );
+    fill(svg, bar.colour, [from.min(to), y + 1.5, (to - from).abs(), height]);
     let mut end = to;
     if let Some(ends) = bar.interval.filter(|ends| ends.iter().all(|x| x.is_finite())) {
         let [low, high] = ends.map(|x| axis.at(x));

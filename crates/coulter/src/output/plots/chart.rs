@@ -4,7 +4,7 @@
 use super::chart_marks::{
     Axes, BOTTOM, LEFT, RIGHT, WIDTH, draw_curve, draw_level, escaped, key, marked, plain,
 };
-use super::curve::{Curve, Level};
+use super::curve::{Curve, Level, Stroke};
 use super::scale::{labelled_ticks, logarithm, padded_range};
 use std::fmt::Write as _;
 
@@ -38,13 +38,14 @@ pub struct Chart {
 }
 
 impl Chart {
-    /// The chart as SVG text.
+    /// The chart as SVG text. No two named curves are alike, whether or not one sees colours: of those that would be, later ones get marks.
     #[must_use]
     pub fn svg(&self) -> String {
+        let chart = Self { curves: told_apart(&self.curves), ..self.clone() };
         match (self.logarithmic, self.logarithmic_x) {
-            (true, _) => self.in_logarithms().drawn(),
-            (false, true) => self.in_logarithms_of_x().drawn(),
-            (false, false) => self.drawn(),
+            (true, _) => chart.in_logarithms().drawn(),
+            (false, true) => chart.in_logarithms_of_x().drawn(),
+            (false, false) => chart.drawn(),
         }
     }
 
@@ -75,9 +76,11 @@ impl Chart {
     }
 
     fn drawn(&self) -> String {
-        let height = if self.height > 0.0 { self.height } else { 330.0 };
         let legend = self.legend();
-        let top = if self.title.is_empty() { 10.0 } else { 30.0 } + 18.0 * legend.len() as f64;
+        // A long legend makes the chart higher, not its axes lower.
+        let height = if self.height > 0.0 { self.height } else { 330.0 }
+            + LINE * legend.len().saturating_sub(2) as f64;
+        let top = if self.title.is_empty() { 10.0 } else { 30.0 } + LINE * legend.len() as f64;
         let axes = self.axes(top, height - BOTTOM);
         let mut svg = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height}\" role=\"img\" \
@@ -222,12 +225,12 @@ impl Chart {
         let base = if self.title.is_empty() { 14.0 } else { 35.0 };
         let (mut lines, mut x): (Vec<String>, f64) = (Vec::new(), f64::INFINITY);
         for curve in named {
-            let wide = 34.0 + 6.6 * plain(&curve.name).chars().count() as f64;
+            let (name, wide) = legend_name(&curve.name, LEFT);
             if x + wide > WIDTH - RIGHT {
                 x = LEFT;
                 lines.push(String::new());
             }
-            let y = base + 18.0 * (lines.len() as f64 - 1.0);
+            let y = base + LINE * (lines.len() as f64 - 1.0);
             if let Some(line) = lines.last_mut() {
                 let _ = write!(line, "{}", key(curve, x, y));
                 let _ = writeln!(
@@ -235,13 +238,44 @@ impl Chart {
                     "<text x=\"{:.1}\" y=\"{:.1}\">{}</text>",
                     x + 22.0,
                     y + 4.0,
-                    marked(&curve.name)
+                    marked(&name)
                 );
             }
             x += wide;
         }
         lines
     }
+}
+
+/// The curves with strokes that differ in dashes or marks, as far as there are any.
+fn told_apart(curves: &[Curve]) -> Vec<Curve> {
+    let mut used = std::collections::BTreeSet::new();
+    let apart = |curve: &Curve| {
+        let mut stroke = curve.stroke;
+        if !curve.name.is_empty() && stroke != Stroke::Faint && !used.insert(stroke.look()) {
+            stroke = stroke.others().find(|other| used.insert(other.look())).unwrap_or(stroke);
+        }
+        Curve { stroke, ..curve.clone() }
+    };
+    curves.iter().map(apart).collect()
+}
+
+/// Height of a line of a legend [pixels].
+pub(super) const LINE: f64 = 18.0;
+
+/// A name in a legend whose lines begin at `left`, shortened to what one line holds, and the width of its entry [pixels].
+pub(super) fn legend_name(name: &str, left: f64) -> (String, f64) {
+    const KEY: f64 = 34.0;
+    const LETTER: f64 = 6.6;
+    let letters = |name: &str| name.chars().filter(|c| *c != '_').count();
+    let most = ((WIDTH - RIGHT - left - KEY) / LETTER) as usize;
+    let shown = if letters(name) > most {
+        format!("{}…", name.chars().take(most.saturating_sub(1)).collect::<String>())
+    } else {
+        name.to_owned()
+    };
+    let wide = KEY + LETTER * letters(&shown) as f64;
+    (shown, wide)
 }
 
 fn extended([low, high]: [f64; 2], span: f64) -> [f64; 2] {
@@ -251,8 +285,54 @@ fn extended([low, high]: [f64; 2], span: f64) -> [f64; 2] {
 
 #[cfg(test)]
 mod tests {
-    use super::super::curve::Stroke;
     use super::*;
+
+    #[test]
+    fn no_two_curves_are_alike_without_colour() {
+        for stroke in [Stroke::Solid, Stroke::Dashed, Stroke::Dotted, Stroke::Marked { dash: 3, mark: 2 }] {
+            let curve =
+                |n: usize| Curve { stroke, ..Curve::solid(&format!("{n}"), 0, vec![[0.0, n as f64]]) };
+            let looks: std::collections::BTreeSet<_> = told_apart(&(0..60).map(curve).collect::<Vec<_>>())
+                .iter()
+                .map(|curve| curve.stroke.look())
+                .collect();
+            assert_eq!(looks.len(), 60, "{stroke:?}");
+        }
+        let pair = |stroke| [0, 1].map(|n| Curve { stroke, ..Curve::solid("a", n, Vec::new()) });
+        let dots = told_apart(&pair(Stroke::Dots));
+        assert_eq!([dots[0].stroke, dots[1].stroke], [Stroke::Dots, Stroke::Marks(1)]);
+        // What has no name in the legend stays as it is.
+        let unnamed = pair(Stroke::Solid).map(|curve| Curve { name: String::new(), ..curve });
+        assert_eq!(told_apart(&unnamed), unnamed);
+    }
+
+    #[test]
+    fn a_legend_of_many_entries_stands_above_the_axes_and_within_the_picture() {
+        let curve = |n: usize| Curve {
+            name: format!(
+                "friction angle φ = {n} deg, a model with a long name of its own, {}",
+                "x".repeat(n)
+            ),
+            points: vec![[0.0, n as f64], [1.0, 2.0]],
+            colour: n,
+            stroke: Stroke::Marked { dash: n / 7, mark: n % 7 },
+        };
+        let svg = Chart { title: "t".into(), curves: (0..30).map(curve).collect(), ..Chart::default() }.svg();
+        let number = |text: &str, name: &str| -> f64 {
+            let rest = text.split(&format!("{name}=\"")).nth(1).unwrap_or_default();
+            rest.split('"').next().unwrap_or_default().parse().unwrap_or(f64::NAN)
+        };
+        let (_, after) = svg.split_once("<rect x=\"66\"").unwrap();
+        let (top, tall) = (number(after, " y"), number(after, " height"));
+        assert!(tall > 200.0, "the axes are {tall} high");
+        let legend: Vec<&str> = svg.split("<text").filter(|text| text.contains("deg,")).collect();
+        assert_eq!(legend.len(), 30);
+        for text in legend {
+            let (x, y) = (number(text, " x"), number(text, " y"));
+            let letters = text.split('>').nth(1).unwrap_or_default().chars().count() as f64;
+            assert!(y < top && x + 6.0 * letters < WIDTH, "{text}");
+        }
+    }
 
     #[test]
     fn unusual_series_are_drawn() {
@@ -265,7 +345,8 @@ mod tests {
             vec![[0.0, 1e-320], [1e-320, 0.0]],
         ];
         for points in odd {
-            for stroke in [Stroke::Solid, Stroke::Dots] {
+            for stroke in [Stroke::Solid, Stroke::Dots, Stroke::Marks(3), Stroke::Marked { dash: 9, mark: 9 }]
+            {
                 let curve = Curve { name: "a_b <c>".into(), points: points.clone(), colour: 99, stroke };
                 let level = Level { label: "m".into(), value: f64::NAN, from: 0.0, to: 1.0, colour: 0 };
                 for (true_scale, logarithmic, logarithmic_x) in

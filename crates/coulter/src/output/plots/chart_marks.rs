@@ -1,7 +1,7 @@
 //! What is drawn inside the axes of a chart: curves, levels, text with subscripts.
 
 use super::colour::CURVES;
-use super::curve::{Curve, Level, Stroke};
+use super::curve::{Curve, DASHES, Level, MARKS, Stroke};
 use std::fmt::Write as _;
 
 /// Points of a drawn curve at most; more would not be visible.
@@ -37,30 +37,64 @@ pub(super) fn colour(number: usize) -> &'static str {
     CURVES[number % CURVES.len()]
 }
 
+/// Patterns of dashes; the first is solid.
+const PATTERNS: [&str; DASHES] =
+    ["", "6 4", "1.5 2.5", "10 3 2 3", "14 4", "10 3 2 3 2 3", "4 2", "14 3 4 3"];
+/// Shapes of marks about their middle, and whether they are filled; the first is a dot.
+const SHAPES: [(&str, bool); MARKS] = [
+    ("M-3 0a3 3 0 1 0 6 0a3 3 0 1 0-6 0z", true),
+    ("M-2.9-2.9h5.8v5.8h-5.8z", true),
+    ("M0-3.9L3.6 2.7H-3.6z", true),
+    ("M0-4.2L3.6 0L0 4.2L-3.6 0z", false),
+    ("M-3-3L3 3M3-3L-3 3", false),
+    ("M-2.9-2.9h5.8v5.8h-5.8z", false),
+    ("M0 3.9L3.6-2.7H-3.6z", false),
+    ("M-4 0H4M0-4V4", false),
+];
+/// Marks along a line at most (chosen): more would hide its dashes.
+const MOST_MARKS: usize = 12;
+
 fn pen(curve: &Curve) -> String {
     let (width, more) = match curve.stroke {
-        Stroke::Solid | Stroke::Dots => (2.0, ""),
         Stroke::Faint => (0.8, " stroke-opacity=\"0.45\""),
-        Stroke::Dashed => (2.0, " stroke-dasharray=\"6 4\""),
-        Stroke::Dotted => (2.0, " stroke-dasharray=\"1.5 2.5\""),
+        _ => (2.0, ""),
     };
-    format!("stroke=\"{}\" stroke-width=\"{width}\"{more}", colour(curve.colour))
+    let dashes = match PATTERNS[curve.stroke.look().0.unwrap_or(0)] {
+        "" => String::new(),
+        pattern => format!(" stroke-dasharray=\"{pattern}\""),
+    };
+    format!("stroke=\"{}\" stroke-width=\"{width}\"{dashes}{more}", colour(curve.colour))
+}
+
+/// A mark at a place of the picture. The script of a page keeps its size when it stretches the curves.
+fn mark(number: usize, colour: &str, x: f64, y: f64) -> String {
+    let (shape, is_filled) = SHAPES[number % MARKS];
+    let fill = if is_filled { colour } else { "none" };
+    format!(
+        "<path class=\"mark\" transform=\"translate({x:.2} {y:.2})\" d=\"{shape}\" fill=\"{fill}\" stroke=\"{colour}\" \
+         stroke-width=\"1.4\"/>"
+    )
 }
 
 pub(super) fn key(curve: &Curve, x: f64, y: f64) -> String {
+    let line = format!("<path d=\"M{x:.1} {y:.1}h18\" {}/>", pen(curve));
+    let shape = |number: usize| mark(number, colour(curve.colour), x + 9.0, y);
     match curve.stroke {
         Stroke::Dots => {
             format!("<circle cx=\"{:.1}\" cy=\"{y:.1}\" r=\"3\" fill=\"{}\"/>", x + 9.0, colour(curve.colour))
         }
-        _ => format!("<path d=\"M{x:.1} {y:.1}h18\" {}/>", pen(curve)),
+        Stroke::Marks(number) => shape(number),
+        Stroke::Marked { mark, .. } => line + &shape(mark),
+        _ => line,
     }
 }
 
 pub(super) fn draw_curve(svg: &mut String, axes: &Axes, curve: &Curve) {
-    let is_dots = curve.stroke == Stroke::Dots;
+    let is_dots = matches!(curve.stroke, Stroke::Dots | Stroke::Marks(_));
     let mut path = String::new();
     let mut pen_up = true;
-    for [x, y] in thinned(&curve.points) {
+    let points = thinned(&curve.points);
+    for [x, y] in points.iter().copied() {
         if x.is_finite() && y.is_finite() {
             let (begin, end) = if is_dots { ('M', "h0") } else { (if pen_up { 'M' } else { 'L' }, "") };
             let _ = write!(path, "{begin}{:.2} {:.2}{end}", axes.x_at(x), axes.y_at(y));
@@ -74,12 +108,23 @@ pub(super) fn draw_curve(svg: &mut String, axes: &Axes, curve: &Curve) {
     }
     // A dot is the round end of a line without length: it stays round however the page stretches its curves.
     let pen = if is_dots {
-        format!("stroke=\"{}\" stroke-width=\"5\" stroke-linecap=\"round\"", colour(curve.colour))
+        // Below other marks it is what the script of a page finds values at.
+        let width =
+            if matches!(curve.stroke, Stroke::Marks(number) if number % MARKS != 0) { 0.0 } else { 5.0 };
+        format!("stroke=\"{}\" stroke-width=\"{width}\" stroke-linecap=\"round\"", colour(curve.colour))
     } else {
         format!("stroke-linejoin=\"round\" {}", pen(curve))
     };
     let name = escaped(&curve.name);
     let _ = writeln!(svg, "<path d=\"{path}\" fill=\"none\" data-name=\"{name}\" {pen}/>");
+    let (number, every) = match curve.stroke {
+        Stroke::Marks(number) if !number.is_multiple_of(MARKS) => (number, 1),
+        Stroke::Marked { mark, .. } => (mark, points.len().div_ceil(MOST_MARKS)),
+        _ => return,
+    };
+    for [x, y] in points.iter().step_by(every).filter(|p| p.iter().all(|x| x.is_finite())) {
+        let _ = writeln!(svg, "{}", mark(number, colour(curve.colour), axes.x_at(*x), axes.y_at(*y)));
+    }
 }
 
 pub(super) fn draw_level(svg: &mut String, axes: &Axes, level: &Level) {

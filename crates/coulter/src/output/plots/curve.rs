@@ -13,6 +13,43 @@ pub enum Stroke {
     Dotted,
     /// Dots: a measurement.
     Dots,
+    /// A line with marks, one of several series: the numbers of its dashes and of the shape of its marks, so that it differs from the
+    /// others without colour, too.
+    Marked {
+        /// Number of the pattern of dashes; 0 is solid.
+        dash: usize,
+        /// Number of the shape.
+        mark: usize,
+    },
+    /// Marks alone, one of several series: the number of their shape; 0 are dots.
+    Marks(usize),
+}
+
+/// Patterns of dashes, the first of which is solid, and shapes of marks, the first of which is a dot.
+pub(super) const DASHES: usize = 8;
+pub(super) const MARKS: usize = 8;
+
+impl Stroke {
+    /// Numbers of its dashes (none of marks alone) and of its mark.
+    pub(super) fn look(self) -> (Option<usize>, Option<usize>) {
+        match self {
+            Self::Solid | Self::Faint => (Some(0), None),
+            Self::Dashed => (Some(1), None),
+            Self::Dotted => (Some(2), None),
+            Self::Dots => (None, Some(0)),
+            Self::Marked { dash, mark } => (Some(dash % DASHES), Some(mark % MARKS)),
+            Self::Marks(mark) => (None, Some(mark % MARKS)),
+        }
+    }
+
+    /// Strokes of the same kind with other marks, and then of other dashes.
+    pub(super) fn others(self) -> impl Iterator<Item = Self> {
+        let dash = self.look().0;
+        (0..DASHES * MARKS).map(move |n| match dash {
+            Some(dash) => Self::Marked { dash: (dash + n / MARKS) % DASHES, mark: n % MARKS },
+            None => Self::Marks(n % MARKS),
+        })
+    }
 }
 
 /// A curve.

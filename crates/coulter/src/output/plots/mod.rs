@@ -16,7 +16,7 @@ mod scale;
 
 pub use bars::{Bar, BarGroup, Bars};
 pub use chart::Chart;
-pub(crate) use colour::{CURVES, ColourMap, Rgb};
+pub(crate) use colour::{ColourMap, Rgb};
 pub use curve::{Curve, Level, Stroke};
 pub use energy_plot::{closure_plot, energy_plot};
 pub(crate) use mesh_plot::MeshPlot;

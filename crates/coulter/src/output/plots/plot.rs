@@ -56,7 +56,14 @@ impl BodyHistory<'_> {
     /// All plots of the body that have something to show.
     #[must_use]
     pub fn plots(&self) -> Vec<Plot> {
-        let mut plots = vec![self.forces(), self.force_sinkage(), self.sinkage()];
+        let mut plots = vec![self.forces()];
+        // A body that is held at its depth has no course of it.
+        if self.sinks() || self.overlays.iter().any(|overlay| overlay.plot == PlotKind::ForceSinkage) {
+            plots.push(self.force_sinkage());
+        }
+        if self.sinks() || self.overlays.iter().any(|overlay| overlay.plot == PlotKind::SinkageDisplacement) {
+            plots.push(self.sinkage());
+        }
         if self.reference.turns || self.samples.iter().any(|s| s.rotation != 0.0) {
             plots.extend(self.reference.radius.map(|_| self.turn_ratio()));
             plots.push(self.rotation());
@@ -65,6 +72,13 @@ impl BodyHistory<'_> {
             plots.push(self.axle_torque());
         }
         plots
+    }
+
+    /// Whether the depth changes by more than a thousandth of the body (chosen).
+    fn sinks(&self) -> bool {
+        let depths = || self.samples.iter().map(|s| s.sinkage).filter(|z| z.is_finite());
+        let span = depths().fold(f64::NEG_INFINITY, f64::max) - depths().fold(f64::INFINITY, f64::min);
+        span > 1e-3 * self.reference.length
     }
 
     fn plot(&self, name: &str, chart: Chart, caption: &str) -> Plot {
@@ -113,7 +127,8 @@ impl BodyHistory<'_> {
                 [[_, y]] => ends.map(|x| [x, y / units[1]]).to_vec(),
                 _ => overlay.points.iter().map(|p| [p[0] / units[0], p[1] / units[1]]).collect(),
             };
-            let stroke = if overlay.measured { Stroke::Dots } else { Stroke::Dashed };
+            let stroke =
+                if overlay.measured { Stroke::Marks(n) } else { Stroke::Marked { dash: 1 + n % 7, mark: n } };
             Curve { name: overlay.name.clone(), points, colour: OVERLAY_COLOUR + n, stroke }
         };
         self.overlays.iter().filter(belongs).enumerate().map(curve).collect()

@@ -1,5 +1,6 @@
 //! The table of a body: steady means with their intervals, what moving it costs, its rim, its rut, the largest values.
 
+use super::headline::NO_DRAG;
 use super::rows::{NONE, TableRow, bare, value};
 use super::summary::{BodySummary, RimSummary};
 use crate::history::RutSection;
@@ -68,16 +69,50 @@ impl BodyRows<'_> {
     }
 }
 
-/// Steady means and largest values of a body.
+/// Torque over drag times rolling radius below which a body that turns is as good as free of it (chosen).
+const NO_TORQUE: f64 = 0.02;
+/// Depth over the deepest one from which on a body has kept its depth (chosen: round-off).
+const SAME_DEPTH: f64 = 1.0 - 1e-6;
+
+/// Steady means and largest values of a body: those that matter in its kind of motion, and further ones. What has no value is left out.
 pub(super) fn body_rows(
     reference: &Reference,
     body: &BodySummary,
     rut: Option<&RutSection>,
-) -> Vec<TableRow> {
-    let (steady, peak) = (&body.steady, &body.peak);
-    let mut table = BodyRows { reference, rows: Vec::new() };
-    table.push("Drag", "F<sub>H</sub>", table.force(steady.drag), "steady mean");
-    table.bound(steady.drag_interval, Unit::force);
+) -> [Vec<TableRow>; 2] {
+    let steady = &body.steady;
+    let new = || BodyRows { reference, rows: Vec::new() };
+    let (mut key, mut further) = (new(), new());
+    force_rows(&mut key, steady);
+    key.push("Sinkage", "z", key.length(steady.sinkage), "steady mean");
+    key.bound(steady.sinkage_interval, Unit::length);
+    roll_rows([&mut key, &mut further], steady);
+    if reference.towed {
+        traction_rows([&mut key, &mut further], &steady.traction);
+    }
+    peak_rows(&mut key, body);
+    rut_rows(&mut further, rut);
+    further.push_rim(&body.rim);
+    let noise = steady.drag_noise.map_or(NONE.to_owned(), |n| format!("{} %", digits(100.0 * n)));
+    let note = "rms about a moving mean over 0.02 d, over the mean drag";
+    further.push("Drag noise", "", [noise, NONE.into()], note);
+    [key, further].map(|table| {
+        table
+            .rows
+            .into_iter()
+            .filter(|row| [&row.value, &row.group].iter().any(|text| *text != NONE))
+            .collect()
+    })
+}
+
+/// The forces of the soil, and of the water.
+fn force_rows(table: &mut BodyRows<'_>, steady: &Steady) {
+    let bears = steady.vertical.map_or(0.0, f64::abs);
+    // A body that is pressed straight down has no drag but noise.
+    if table.reference.towed || steady.drag.is_some_and(|drag| drag.abs() > NO_DRAG * bears) {
+        table.push("Drag", "F<sub>H</sub>", table.force(steady.drag), "steady mean");
+        table.bound(steady.drag_interval, Unit::force);
+    }
     table.push("Vertical force", "F<sub>V</sub>", table.force(steady.vertical), "steady mean, up positive");
     table.bound(steady.vertical_interval, Unit::force);
     // Half models and bodies without a yaw have none.
@@ -94,76 +129,57 @@ pub(super) fn body_rows(
         let note = "the same of the vertical force; negative where suction holds the body down";
         table.push("Pore pressure vertical", "", table.force(Some(vertical)), note);
     }
-    table.push("Sinkage", "z", table.length(steady.sinkage), "steady mean");
-    table.bound(steady.sinkage_interval, Unit::length);
-    if reference.radius.is_some() {
-        table.push("Turn ratio", "ω r / v", [NONE.into(), bare(steady.turn_ratio)], "1 rolls, 0 slides");
-        table.bound(steady.turn_ratio_interval, |_| Unit { name: "", size: 1.0 });
-        let note = "−1 locked, 0 rolls, above 0 driven";
-        table.push("Slip", "s", [NONE.into(), bare(steady.slip)], note);
-        let note = "steady mean; forward positive; group M / (γ t d³)";
-        table.push("Axle torque", "M", table.torque(steady.axle_torque), note);
+}
+
+/// How a body rolls that can.
+fn roll_rows([key, further]: [&mut BodyRows<'_>; 2], steady: &Steady) {
+    let Some(radius) = key.reference.radius else { return };
+    if key.reference.turns {
+        key.push("Turn ratio", "ω r / v", [NONE.into(), bare(steady.turn_ratio)], "1 rolls, 0 slides");
+        key.bound(steady.turn_ratio_interval, |_| Unit { name: "", size: 1.0 });
+        key.push("Slip", "s", [NONE.into(), bare(steady.slip)], "−1 locked, 0 rolls, above 0 driven");
     }
-    traction_rows(&mut table, steady);
-    rut_rows(&mut table, rut);
-    table.push_rim(&body.rim);
-    let noise = steady.drag_noise.map_or(NONE.to_owned(), |n| format!("{} %", digits(100.0 * n)));
-    table.push(
-        "Drag noise",
-        "",
-        [noise, NONE.into()],
-        "rms about a moving mean over 0.02 d, over the mean drag",
-    );
-    let at = peak.at_m.map_or(String::new(), |u| format!("at u = {} m", digits(u)));
-    table.push("Peak drag", "", table.force(peak.drag), &at);
+    let of_drag = steady.drag.map_or(0.0, |drag| NO_TORQUE * drag.abs() * radius);
+    let matters = steady.axle_torque.is_some_and(|torque| torque.abs() > of_drag);
+    let moves = key.reference.towed || key.reference.turns;
+    let table = if matters && moves { key } else { further };
+    let note = "steady mean; forward positive; group M / (γ t d³)";
+    table.push("Axle torque", "M", table.torque(steady.axle_torque), note);
+}
+
+/// The largest values of a run.
+fn peak_rows(table: &mut BodyRows<'_>, BodySummary { steady, peak, .. }: &BodySummary) {
+    if table.reference.towed {
+        let at = peak.at_m.map_or(String::new(), |u| format!("at u = {} m", digits(u)));
+        table.push("Peak drag", "", table.force(peak.drag), &at);
+    }
     table.push("Peak vertical force", "", table.force(peak.vertical), "");
-    table.push("Deepest sinkage", "", table.length(peak.sinkage), "");
-    table.rows
+    // A body that is held has one depth.
+    if !steady.sinkage.zip(peak.sinkage).is_some_and(|(mean, most)| mean.abs() >= SAME_DEPTH * most.abs()) {
+        table.push("Deepest sinkage", "", table.length(peak.sinkage), "");
+    }
 }
 
 /// What it costs to move a body that is towed, and what a driven one pulls.
-fn traction_rows(table: &mut BodyRows<'_>, steady: &Steady) {
-    let Traction {
-        drawbar_pull,
-        specific_resistance,
-        drag_per_width,
-        tow_power,
-        axle_power,
-        tractive_efficiency,
-        ..
-    } = steady.traction;
-    if !table.reference.towed {
-        return;
+fn traction_rows([key, further]: [&mut BodyRows<'_>; 2], traction: &Traction) {
+    if traction.drawbar_pull.is_some_and(|pull| pull > 0.0) {
+        let pull = key.force(traction.drawbar_pull);
+        key.push("Drawbar pull", "−F<sub>H</sub>", pull, "what it can tow, steady mean");
     }
-    if drawbar_pull.is_some_and(|pull| pull > 0.0) {
-        table.push(
-            "Drawbar pull",
-            "−F<sub>H</sub>",
-            table.force(drawbar_pull),
-            "what it can tow, steady mean",
-        );
-    }
-    table.push(
-        "Specific resistance",
-        "F<sub>H</sub>/F<sub>V</sub>",
-        [NONE.into(), bare(specific_resistance)],
-        "",
-    );
-    let per_width = drag_per_width.map_or(NONE.to_owned(), |f| format!("{} N/m", digits(f)));
-    table.push("Drag per width", "", [per_width, NONE.into()], "over the width across the tow");
-    let power = |power: Option<f64>| power.map_or(NONE.to_owned(), |p| format!("{} W", digits(p)));
-    table.push("Tow power", "F<sub>H</sub> v", [power(tow_power), NONE.into()], "negative where it pulls");
-    if axle_power.is_some_and(|power| power > 0.0) {
-        table.push(
-            "Axle power",
-            "",
-            [power(axle_power), NONE.into()],
-            "torque on the axle times the rate of rotation",
-        );
-    }
-    if tractive_efficiency.is_some() {
+    if traction.tractive_efficiency.is_some() {
         let note = "power of the drawbar pull over that of the axle";
-        table.push("Tractive efficiency", "", [NONE.into(), bare(tractive_efficiency)], note);
+        key.push("Tractive efficiency", "", [NONE.into(), bare(traction.tractive_efficiency)], note);
+    }
+    let resistance = [NONE.into(), bare(traction.specific_resistance)];
+    further.push("Specific resistance", "F<sub>H</sub>/F<sub>V</sub>", resistance, "");
+    let per_width = traction.drag_per_width.map_or(NONE.to_owned(), |f| format!("{} N/m", digits(f)));
+    further.push("Drag per width", "", [per_width, NONE.into()], "over the width across the tow");
+    let power =
+        |power: Option<f64>| [power.map_or(NONE.to_owned(), |p| format!("{} W", digits(p))), NONE.into()];
+    further.push("Tow power", "F<sub>H</sub> v", power(traction.tow_power), "negative where it pulls");
+    if traction.axle_power.is_some_and(|power| power > 0.0) {
+        let note = "torque on the axle times the rate of rotation";
+        further.push("Axle power", "", power(traction.axle_power), note);
     }
 }
 

@@ -21,7 +21,7 @@ const LOPSIDED: f64 = 0.15;
 const DRIVEN: f64 = 1.0;
 
 /// Drag over the vertical force below which a body that is not towed has none.
-const NO_DRAG: f64 = 1e-3;
+pub(super) const NO_DRAG: f64 = 1e-3;
 /// Power of the axle over that of the tow above which the body is driven, not free to turn (chosen).
 const NOTICEABLE: f64 = 0.05;
 

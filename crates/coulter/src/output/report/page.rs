@@ -58,7 +58,10 @@ struct BodySection {
     window: String,
     scales: String,
     tiles: Vec<Tile>,
+    /// The key numbers of this kind of motion.
     rows: Vec<TableRow>,
+    /// What else there is.
+    further: Vec<TableRow>,
     /// Whether any of the rows has an interval.
     has_intervals: bool,
     plots: Vec<Figure>,
@@ -117,12 +120,12 @@ pub(crate) fn write_report(
         let overlays = [record.overlays.as_slice(), text.laid_over.as_slice()].concat();
         let view = BodyHistory { reference, samples, steady: &body.steady, overlays: &overlays };
         let mut plots = view.plots();
-        plots.extend(rim_plots(reference, rims.get(n).map_or(&[], Vec::as_slice)));
+        plots.extend(rim_plots(reference, rims.get(n).map_or(&[], Vec::as_slice), record.cell_width));
         write_plots(dir, &plots)?;
         let rut = summary.ruts.get(&reference.name);
         let tiles = tiles(record, summary, history, &reference.name);
-        let rows = body_rows(reference, body, rut);
-        bodies.push(BodySection { tiles, rows, ..body_section(record, reference, body, plots) });
+        let [rows, further] = body_rows(reference, body, rut);
+        bodies.push(BodySection { tiles, rows, further, ..body_section(record, reference, body, plots) });
     }
     let balance_plots = vec![energy_plot(&history.energy), closure_plot(&history.energy)];
     write_plots(dir, &balance_plots)?;
@@ -243,6 +246,7 @@ fn body_section(
         scales: scales_text(record, reference),
         tiles: Vec::new(),
         rows: Vec::new(),
+        further: Vec::new(),
         plots: plots.into_iter().map(figure).collect(),
     }
 }
