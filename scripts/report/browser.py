@@ -178,7 +178,7 @@ for (const [number, table] of [...document.querySelectorAll('table')].entries())
     if (box.width < 4 || box.height < 8 || own.width < 4 || own.height < 8 || clipped || style.visibility !== 'visible' || +style.opacity < 0.3)
       wrong.push(`${name}: the text "${text.slice(0, 30)}" is not to be seen`);
     if (/NaN|undefined|Infinity|\bnull\b|not a number/i.test(text)) wrong.push(`${name}: a cell says "${text.slice(0, 30)}"`);
-    if (/\d\.\d*000+\d?°|\d\.\d{6}/.test(text)) wrong.push(`${name}: too many digits in "${text.slice(0, 30)}"`);
+    if (/\.\d*000°|[1-9]\d*\.\d{6}|0\.0*[1-9]\d{6}/.test(text)) wrong.push(`${name}: too many digits in "${text.slice(0, 30)}"`);
   }
   if (stacked) continue;
   for (const row of table.tBodies[0] ? table.tBodies[0].rows : []) {

@@ -10,7 +10,7 @@ pub const NOISE_WIDTH: f64 = 0.02;
 /// Least number of samples in the moving average; with fewer the noise would vanish by construction.
 pub const NOISE_SAMPLES: usize = 5;
 /// Ratio of drag to vertical force below which there is no noticeable drag.
-const NO_DRAG: f64 = 1e-3;
+pub(crate) const NO_DRAG: f64 = 1e-3;
 /// Displacement over the reference length below which a body does not count as towed.
 const NO_TOW: f64 = 1e-3;
 

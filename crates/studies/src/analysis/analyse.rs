@@ -213,6 +213,11 @@ mod tests {
         let analysis = analyse(&table, &AnalysisRequest::default());
         let names: Vec<&str> = analysis.charts.iter().map(|chart| chart.name.as_str()).collect();
         assert_eq!(names, ["main_effects_drag"]);
+        assert!(analysis.charts[0].svg.contains(">a [m]<") && !analysis.charts[0].svg.contains("place in"));
+        assert_eq!(
+            analysis.tables.iter().map(|table| table.name.as_str()).collect::<Vec<_>>(),
+            ["effects_drag"]
+        );
         assert!(
             !analysis.remarks.iter().any(|remark| remark.contains("Sobol") || remark.contains("tornado"))
         );

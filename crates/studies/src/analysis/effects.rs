@@ -6,7 +6,7 @@ use super::named::NamedTable;
 use crate::charts::plain_label;
 use crate::statistics::effects::LevelMean;
 use crate::table::{Column, Role, Table, Values};
-use coulter::output::digits;
+use coulter::case::quantity::short;
 
 /// A row of the table.
 #[derive(Clone, Debug)]
@@ -23,8 +23,8 @@ impl EffectRow {
         let place = level.level.round().max(0.0) as usize;
         let text = match factor.words.get(place) {
             Some(word) => word.clone(),
-            None if factor.column.unit == "-" => digits(level.level),
-            None => format!("{} {}", digits(level.level), factor.column.unit),
+            None if factor.column.unit == "-" => short(level.level),
+            None => format!("{} {}", short(level.level), factor.column.unit),
         };
         Self { words: [model.to_owned(), factor.column.name.clone(), text], level }
     }

@@ -55,17 +55,18 @@ impl Question<'_> {
         if !effects.is_empty() {
             answer.charts.push(main_effects_chart(self.response, self.model, &effects));
         }
+        // A single factor cannot be ranked.
+        if self.factors.len() < 2 {
+            return answer;
+        }
         let named = |k: usize| IndexRow {
             names: [self.model, &self.response.name, &self.factors[k].column.name].map(str::to_owned),
             points: sample.values.len(),
             ..IndexRow::default()
         };
         answer.rows = (0..self.factors.len()).map(named).collect();
-        // Of a single factor there is nothing to rank.
-        if self.factors.len() > 1 {
-            let surrogate = self.surrogate(sample, &mut answer);
-            self.tornado(sample, surrogate.as_ref(), &mut answer);
-        }
+        let surrogate = self.surrogate(sample, &mut answer);
+        self.tornado(sample, surrogate.as_ref(), &mut answer);
         self.regressions(sample, &mut answer);
         answer
     }

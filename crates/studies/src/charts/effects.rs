@@ -23,10 +23,13 @@ pub struct FactorEffect<'a> {
 pub fn main_effects_chart(response: &Column, model: &str, effects: &[FactorEffect<'_>]) -> NamedChart {
     let title = titled("main effects", response, model);
     let mut curves = Vec::new();
+    // A single factor of numbers has its own axis.
+    let own = effects.first().filter(|effect| effects.len() == 1 && effect.words.is_empty());
+    let is_own = own.is_some();
     for (colour, effect) in effects.iter().enumerate() {
         let Some((first, last)) = effect.levels.first().zip(effect.levels.last()) else { continue };
         let range = [first.level, last.level];
-        let place = |level: f64| (level - range[0]) / (range[1] - range[0]);
+        let place = |level: f64| if is_own { level } else { (level - range[0]) / (range[1] - range[0]) };
         let mut bars = Vec::new();
         for level in &effect.levels {
             if let Some(error) = level.error {
@@ -43,7 +46,8 @@ pub fn main_effects_chart(response: &Column, model: &str, effects: &[FactorEffec
     }
     let chart = Chart {
         title: title.clone(),
-        x_label: "place in the range of the factor [–]".into(),
+        x_label: own
+            .map_or("place in the range of the factor [–]".into(), |effect| axis_label(effect.factor)),
         y_label: format!("mean {}", axis_label(response)),
         height: 340.0,
         curves,
@@ -141,7 +145,9 @@ mod tests {
         let response = table.column("drag").unwrap();
         let chart = main_effects_chart(response, "plain_model", &[effect]);
         assert!(
-            chart.svg.contains("angle: 25 to 45 deg") && chart.svg.contains("mean drag [N]"),
+            chart.svg.contains("angle: 25 to 45 deg")
+                && chart.svg.contains("mean drag [N]")
+                && chart.svg.contains(">angle [deg]<"),
             "{}",
             chart.svg
         );

@@ -75,6 +75,8 @@ fn cell(column: &Column, row: usize) -> String {
             Some(number) if number.fract() == 0.0 && number.abs() < 1e6 => {
                 format!("{number}").replace('-', "\u{2212}")
             }
+            // A portion that is all round-off.
+            Some(number) if column.unit == "-" && number.abs() < 1e-9 => "0".to_owned(),
             Some(number) => short(number).replace('-', "\u{2212}"),
         },
     }

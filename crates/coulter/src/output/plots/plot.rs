@@ -5,7 +5,7 @@ use super::curve::{Curve, Level, Stroke};
 use super::overlay::{Overlay, PlotKind};
 use crate::history::BodySample;
 use crate::history::reference::Reference;
-use crate::history::steady::{Steady, is_tow, moving_average};
+use crate::history::steady::{NO_DRAG, Steady, is_tow, moving_average};
 use crate::output::units::{Unit, digits, largest};
 
 /// Width of the moving average of the force curves, over the reference length d (chosen: suppresses fluctuations with the
@@ -72,6 +72,12 @@ impl BodyHistory<'_> {
             plots.push(self.axle_torque());
         }
         plots
+    }
+
+    /// Whether there is drag to be shown: of a body that is pressed straight down it is noise.
+    fn has_drag(&self) -> bool {
+        let most = |force: fn(&BodySample) -> f64| largest(self.samples.iter().map(force));
+        self.reference.towed || most(|s| s.drag) > NO_DRAG * most(|s| s.vertical)
     }
 
     /// Whether the depth changes by more than a thousandth of the body (chosen).
@@ -146,12 +152,13 @@ impl BodyHistory<'_> {
     /// Raw and smoothed forces against `along`.
     fn force_curves(&self, along: &[f64], unit: f64, base: &Abscissa) -> Vec<Curve> {
         let forces: [Entry; 2] = [("drag F_H", |s| s.drag), ("vertical F_V", |s| s.vertical)];
+        let shown = || forces.iter().enumerate().skip(usize::from(!self.has_drag()));
         let mut curves = Vec::new();
-        for (colour, (_, force)) in forces.iter().enumerate() {
+        for (colour, (_, force)) in shown() {
             let points = self.series(along, unit, force);
             curves.push(Curve { name: String::new(), points, colour, stroke: Stroke::Faint });
         }
-        for (colour, (name, force)) in forces.iter().enumerate() {
+        for (colour, (name, force)) in shown() {
             let raw: Vec<f64> = self.samples.iter().map(|s| force(s) / unit).collect();
             let smooth = moving_average(&self.times(), &raw, base.smoothing);
             let points = along.iter().zip(smooth).map(|(x, f)| [*x, f]).collect();
@@ -168,7 +175,8 @@ impl BodyHistory<'_> {
             curves.extend(self.overlays(PlotKind::ForceDisplacement, &base.values, [base.unit, unit.size]));
         }
         let means = [("F_H", self.steady.drag), ("F_V", self.steady.vertical)];
-        let levels = means.iter().enumerate().filter_map(|(colour, (name, mean))| {
+        let shown = means.iter().enumerate().skip(usize::from(!self.has_drag()));
+        let levels = shown.filter_map(|(colour, (name, mean))| {
             let ([from, to], value) = (base.window?, mean.as_ref()? / unit.size);
             Some(Level {
                 label: format!("mean {name} = {} {}", digits(value), unit.name),

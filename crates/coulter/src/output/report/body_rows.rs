@@ -1,12 +1,11 @@
 //! The table of a body: steady means with their intervals, what moving it costs, its rim, its rut, the largest values.
 
-use super::headline::NO_DRAG;
 use super::rows::{NONE, TableRow, bare, value};
 use super::summary::{BodySummary, RimSummary};
 use crate::history::RutSection;
 use crate::history::reference::Reference;
 use crate::history::rim::{RimPlace, SlipReversal};
-use crate::history::steady::{Steady, Traction};
+use crate::history::steady::{NO_DRAG, Steady, Traction};
 use crate::output::units::{Unit, digits};
 
 /// Collects the rows of one body: a quantity with its unit, and its dimensionless group.

@@ -8,7 +8,7 @@ use super::summary::{BodySummary, Summary};
 use crate::confidence::BodyConfidence;
 use crate::history::blocks::{STUDENT_90, block_averages, standard_error};
 use crate::history::reference::Reference;
-use crate::history::steady::{Steady, window};
+use crate::history::steady::{NO_DRAG, Steady, window};
 use crate::history::{BodySample, History};
 use crate::output::folder::RunRecord;
 use crate::output::units::{Unit, digits};
@@ -20,8 +20,6 @@ const LOPSIDED: f64 = 0.15;
 /// Turn ratios from here on are those of a driven body.
 const DRIVEN: f64 = 1.0;
 
-/// Drag over the vertical force below which a body that is not towed has none.
-pub(super) const NO_DRAG: f64 = 1e-3;
 /// Power of the axle over that of the tow above which the body is driven, not free to turn (chosen).
 const NOTICEABLE: f64 = 0.05;
 
