@@ -144,8 +144,10 @@ fn word(line: &CaseLine) -> &'static str {
 /// Which case, how it ended, and its main figures or why it has none.
 fn told(line: &CaseLine, outcome: &Result<Outcome, Unended>) -> String {
     let part = if line.part.is_empty() { String::new() } else { format!(" of {}", line.part) };
+    // A level that a range was cut into has more digits than anybody reads.
+    let shown = |text: &str| text.parse().map_or(text.to_owned(), short);
     let levels: String =
-        line.factors.iter().map(|level| format!(", {} = {}", level.name, level.shown)).collect();
+        line.factors.iter().map(|level| format!(", {} = {}", level.name, shown(&level.shown))).collect();
     let end = match outcome {
         Ok(outcome) if outcome.ending == Ending::Done => figures(outcome),
         Ok(outcome) => {
