@@ -325,7 +325,8 @@ mod tests {
         let (_, after) = svg.split_once("<rect x=\"66\"").unwrap();
         let (top, tall) = (number(after, " y"), number(after, " height"));
         assert!(tall > 200.0, "the axes are {tall} high");
-        let legend: Vec<&str> = svg.split("<text").filter(|text| text.contains("deg,")).collect();
+        let texts = svg.split("<text").skip(1).filter_map(|text| text.split("</text>").next());
+        let legend: Vec<&str> = texts.filter(|text| text.contains("deg,")).collect();
         assert_eq!(legend.len(), 30);
         for text in legend {
             let (x, y) = (number(text, " x"), number(text, " y"));
