@@ -15,17 +15,10 @@ pub(super) fn describe_cost(
 ) -> std::fmt::Result {
     let [nx, ny, nz] = std::array::from_fn(|axis| case.grid.faces[axis].len().saturating_sub(1));
     let (low, high) = (case.domain.low, case.domain.high);
-    writeln!(
-        text,
-        "box      x {} to {} m, y {} to {} m, z {} to {} m{}",
-        short(low.x),
-        short(high.x),
-        short(low.y),
-        short(high.y),
-        short(low.z),
-        short(high.z),
-        symmetry(case)
-    )?;
+    let [low, high] = [low, high].map(|corner| corner.to_array().map(short));
+    let sides = ["x", "y", "z"].iter().zip(low.iter().zip(&high));
+    let sides: Vec<String> = sides.map(|(axis, (low, high))| format!("{axis} {low} to {high} m")).collect();
+    writeln!(text, "box      {}{}", sides.join(", "), symmetry(case))?;
     writeln!(
         text,
         "grid     {nx} × {ny} × {nz} = {} cells of {} mm and more, {} with soil",

@@ -147,6 +147,11 @@ fn degrees(angle: f64) -> String {
     short(angle.to_degrees())
 }
 
+/// The length [m] over which sand shears, on a line of its own.
+fn characteristic(length: f64) -> String {
+    format!(",\n         characteristic length {} m", short(length))
+}
+
 /// Yield law and strength of a soil.
 fn strength(soil: &Soil) -> String {
     match soil.law {
@@ -182,10 +187,7 @@ fn strength(soil: &Soil) -> String {
             short(maximum_density),
             pressure(compression_modulus),
             pressure(stiffness_limit),
-            characteristic_length.map_or(String::new(), |length| format!(
-                ",\n         characteristic length {} m",
-                short(length)
-            ))
+            characteristic_length.map_or(String::new(), characteristic)
         ),
         Law::MohrCoulomb {
             friction_angle,
