@@ -6,6 +6,7 @@ use coulter::case::cores;
 use coulter::case::meshes::COUNTS;
 use coulter::case::quantity::{TIME, parse};
 use coulter::case::variations::ErrorSource;
+use coulter::printed::plain;
 use coulter::run::Budget;
 use std::fmt::Display;
 use std::io::Write;
@@ -27,11 +28,15 @@ pub(super) fn default_threads(asked: usize) -> usize {
     by_default.count
 }
 
+/// Prints a line to standard error. Where it cannot be written the command does its work all the same.
+pub(super) fn tell(line: &str) {
+    let _ = writeln!(std::io::stderr().lock(), "{}", plain(line));
+}
+
 /// Prints warnings to standard error.
 pub(super) fn warn(warnings: &[String]) {
     for warning in warnings {
-        // Where it cannot be written the command does its work all the same.
-        let _ = writeln!(std::io::stderr().lock(), "warning: {warning}");
+        tell(&format!("warning: {warning}"));
     }
 }
 
@@ -93,10 +98,10 @@ pub(super) fn results_folder(path: &Path) -> Result<&Path, Failure> {
     if path.is_dir() { Ok(path) } else { Err(Failure::Request(problem())) }
 }
 
-/// Prints to standard output. A reader that has closed the pipe (`| head`) is not an error.
+/// Prints to standard output, as everything of this command that is for people, shells or programs. A reader that has closed the pipe (`| head`) is not an error.
 pub(super) fn say(text: &str) -> Result<(), Failure> {
     let mut out = std::io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+    match out.write_all(plain(text).as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
             Err(Failure::Request(format!("cannot write to standard output: {error}")))
         }

@@ -3,6 +3,7 @@
 use crate::calibrate::{quantity_named, window};
 use crate::common::{refuse_file, say, say_json};
 use crate::failure::Failure;
+use coulter::output::Inside;
 use std::path::{Path, PathBuf};
 use studies::comparison::{
     Comparison, ComparisonRequest, Item, Unreadable, compare, comparison_csv, comparison_document,
@@ -98,7 +99,7 @@ fn request(arguments: &Arguments) -> Result<ComparisonRequest, Failure> {
 
 fn refuse_existing(folder: &Path, force: bool) -> Result<(), Failure> {
     refuse_file(folder)?;
-    match FILES.iter().map(|name| folder.join(name)).find(|path| path.exists()) {
+    match FILES.iter().map(|name| folder.join(name)).find(|path| Inside::at(path).exists()) {
         Some(path) if !force => Err(Failure::Request(format!(
             "{} exists; use --force to overwrite it, or another folder",
             path.display()
@@ -112,9 +113,9 @@ fn write(items: &[Item], comparison: &Comparison, folder: &Path) -> Result<(), F
     let page = comparison_page(items, comparison).map_err(|error| fail(&error))?;
     let document = serde_json::to_string_pretty(&comparison_document(items, comparison));
     let document = document.map_err(|error| fail(&error))? + "\n";
-    files::make_folder(folder).map_err(|error| fail(&error))?;
+    files::make_folder(&Inside::of(folder, "")).map_err(|error| fail(&error))?;
     for (name, content) in FILES.into_iter().zip([page, comparison_csv(items, comparison), document]) {
-        files::write(&folder.join(name), content.as_bytes()).map_err(|error| fail(&error))?;
+        files::write(&Inside::of(folder, name), content.as_bytes()).map_err(|error| fail(&error))?;
     }
     Ok(())
 }

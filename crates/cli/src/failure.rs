@@ -1,6 +1,7 @@
 //! How a command can fail, and how failures are reported.
 
 use coulter::case::CaseError;
+use coulter::printed::plain;
 use miette::{GraphicalReportHandler, GraphicalTheme};
 use std::io::{IsTerminal, Write};
 
@@ -48,9 +49,10 @@ impl Failure {
     /// Reports the failure on standard error.
     pub(super) fn report(&self) -> u8 {
         let text = match self {
+            // Its texts are plain already; colours are ours.
             Self::Case(error) => render(error, is_colourful()),
-            Self::Request(message) | Self::Physics(message) => format!("error: {message}\n"),
-            Self::Stopped { message, .. } => format!("{message}\n"),
+            Self::Request(message) | Self::Physics(message) => format!("error: {}\n", plain(message)),
+            Self::Stopped { message, .. } => format!("{}\n", plain(message)),
             Self::Elsewhere(_) => String::new(),
         };
         let _ = std::io::stderr().lock().write_all(text.as_bytes());

@@ -25,7 +25,9 @@ mod sweep;
 mod verify;
 
 use clap::{CommandFactory, Parser, Subcommand};
-use common::say;
+use common::{say, tell};
+use coulter::printed::plain;
+use std::borrow::Cow;
 use std::ffi::OsString;
 use std::path::Path;
 
@@ -95,8 +97,12 @@ pub fn main(program: &Path, arguments: impl IntoIterator<Item = OsString>) -> u8
             Err(failure) => failure.report(),
         },
         Err(message) => {
-            // Where standard error cannot be written, only the exit code remains.
-            let _ = message.print();
+            // Where standard error cannot be written, only the exit code remains. Colours are for what holds nothing that acts on a terminal.
+            let text = message.render().to_string();
+            match plain(&text) {
+                Cow::Borrowed(_) => drop(message.print()),
+                Cow::Owned(shown) => tell(shown.trim_end()),
+            }
             2
         }
     }

@@ -1,10 +1,9 @@
 //! `coulter verify`: the verification suite.
 
-use crate::common::{default_threads, say};
+use crate::common::{default_threads, say, tell};
 use crate::failure::Failure;
 use coulter::formats;
 use serde_json::json;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use verification::expected_failures::{disagreements, expected_failures};
 use verification::options::SuiteOptions;
@@ -60,7 +59,7 @@ pub(super) fn verify(arguments: &Arguments) -> Result<(), Failure> {
         only_list: false,
     };
     let mut progress = |text: &str| {
-        let _ = writeln!(std::io::stderr().lock(), "{text}");
+        tell(text);
     };
     let findings = match arguments.refine {
         Some(meshes) => {
@@ -93,7 +92,7 @@ pub(super) fn verify(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.write {
         let written = document::write(Path::new("."), &findings, &expected);
         let written = written.map_err(|e| Failure::Request(format!("the table cannot be written: {e}")))?;
-        let _ = writeln!(std::io::stderr().lock(), "wrote {}", written.join(" and "));
+        tell(&format!("wrote {}", written.join(" and ")));
     }
     let mut complaints: Vec<String> =
         findings.broken.iter().map(|(id, why)| format!("{id} broke down: {why}")).collect();

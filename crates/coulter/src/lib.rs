@@ -13,6 +13,7 @@ pub mod history;
 pub mod interrupts;
 pub mod mesh_study;
 pub mod output;
+pub mod printed;
 pub mod run;
 pub mod simulation;
 mod stages;

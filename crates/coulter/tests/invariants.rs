@@ -115,6 +115,8 @@ fn one_file_starts_threads_and_few_are_unsafe() {
     for name in ["coulter", "studies", "verification", "cli", "python"] {
         let may = |path: &str| match name {
             "studies" => path == "sweep/pool.rs",
+            // What an allocator must do is unsafe.
+            "cli" => path == "allocator.rs",
             "python" => matches!(path, "attend.rs" | "pool.rs"),
             _ => false,
         };
@@ -143,6 +145,55 @@ fn above_the_solver_few_touch_files_and_fewer_print() {
         let found = offenders(name, &PRINTING[..5], nobody);
         assert!(found.is_empty(), "{found:#?}");
     }
+    // Of the command these alone print, and show what would act on a terminal.
+    let may = |path: &str| matches!(path, "common.rs" | "failure.rs" | "allocator.rs");
+    let found = offenders("cli", &PRINTING[..5], may);
+    assert!(found.is_empty(), "{found:#?}");
+}
+
+/// Words that open, make, move or remove an entry of a folder by its path, and follow a link there.
+const CHANGES: [&str; 9] = [
+    "File::create",
+    "File::options",
+    "OpenOptions",
+    "fs::write",
+    "fs::rename",
+    "fs::remove",
+    "fs::copy",
+    "fs::hard_link",
+    "create_dir",
+];
+const LOOKS: [&str; 6] = ["File::open", "fs::read", "read_dir", "metadata(", "canonicalize", "is_symlink"];
+
+/// Folders of results and studies come from others: what is in them is reached through `Inside` alone, which follows no link.
+#[test]
+fn one_place_opens_what_is_in_a_folder() {
+    let here = |path: &str| path.starts_with("output/files/inside/");
+    for name in ["coulter", "studies", "cli", "python"] {
+        // `new` writes the file that its user names.
+        let may = |path: &str| name == "coulter" && here(path) || name == "cli" && path == "new.rs";
+        let found = used_by(name, &CHANGES, may);
+        assert!(found.is_empty(), "{found:#?}");
+    }
+    // `io` copies the files that a case names, `files` reads those that the command line names.
+    let of_results = |path: &str| !path.starts_with("output/") || here(path) || path == "output/files/io.rs";
+    assert_eq!(used_by("coulter", &LOOKS, of_results), Vec::<String>::new());
+    assert_eq!(used_by("studies", &LOOKS, |path| path == "files.rs"), Vec::<String>::new());
+}
+
+/// As [`offenders`], without what only tests do.
+fn used_by(name: &str, words: &[&str], may: impl Fn(&str) -> bool) -> Vec<String> {
+    let own = |code: &str| code.split("#[cfg(test)]\nmod tests {").next().unwrap_or_default().to_owned();
+    let code = sources(name).into_iter().map(|(path, code)| (path, own(&code)));
+    let is_test = |path: &str| path.ends_with("/tests.rs") || path.ends_with("documentation.rs");
+    code.filter(|(path, _)| !may(path) && !is_test(path))
+        .filter_map(|(path, code)| {
+            let is_whole = |at: usize| !code[..at].ends_with(char::is_alphanumeric);
+            let is_used = |word: &str| code.match_indices(word).any(|(at, _)| is_whole(at));
+            let word = words.iter().find(|word| is_used(word))?;
+            Some(format!("crates/{name}/src/{path}: {word}"))
+        })
+        .collect()
 }
 
 /// The towed disc on a coarse grid, in the soil from the start, for a few hundred steps.

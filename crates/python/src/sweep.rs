@@ -46,7 +46,7 @@ impl Watcher for Telling<'_> {
             Err(why) => ("failed".to_owned(), why.to_string()),
         };
         let (answer, answered) = sync_channel(1);
-        let told = (line.point, line.id.clone(), state, reason);
+        let told = (line.point, line.id.to_string(), state, reason);
         let sender = self.sender.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         let goes_on = sender.send((told, answer)).is_ok() && answered.recv().unwrap_or(false);
         if !goes_on {

@@ -1,6 +1,8 @@
 //! Reading and writing of files, whole or not at all: the only file of this crate that touches any.
 
-use std::io::{self, Write};
+use coulter::output::Inside;
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 /// Why a file could not be read or written.
@@ -20,7 +22,7 @@ fn named<T>(result: io::Result<T>, action: &'static str, path: &Path) -> Result<
     result.map_err(|source| FileError { action, path: path.to_path_buf(), source })
 }
 
-/// The content of an ordinary file; one of more than `most` bytes, a folder or a pipe is refused.
+/// The content of an ordinary file that the user has named; one of more than `most` bytes, a folder or a pipe is refused.
 ///
 /// # Errors
 /// [`FileError`] where it cannot be read.
@@ -36,30 +38,58 @@ pub fn read(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
     named(std::fs::read(path), "read", path)
 }
 
+/// The content of an entry of a folder.
+///
+/// # Errors
+/// [`FileError`] where it cannot be read, has more than `most` bytes or is not an ordinary file.
+pub fn read_inside(from: &Inside, most: u64) -> Result<Vec<u8>, FileError> {
+    named(from.read(most), "read", &from.path())
+}
+
 /// Writes a whole file: under a name of its own first, which is then renamed, so that neither a kill nor another process that writes
 /// the same file leaves half of one.
 ///
 /// # Errors
 /// [`FileError`] where it cannot be written.
-pub fn write(path: &Path, content: &[u8]) -> Result<(), FileError> {
-    let mut name = path.file_name().unwrap_or_default().to_os_string();
-    name.push(format!(".{}.part", std::process::id()));
-    let draft = path.with_file_name(name);
-    let written = std::fs::File::create(&draft).and_then(|mut file| file.write_all(content));
-    let done = written.and_then(|()| std::fs::rename(&draft, path));
+pub fn write(to: &Inside, content: &[u8]) -> Result<(), FileError> {
+    write_with(to, |file| file.write_all(content))
+}
+
+/// As [`write`], as a stream.
+///
+/// # Errors
+/// [`FileError`] where it cannot be written.
+pub fn write_with(
+    to: &Inside,
+    write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
+) -> Result<(), FileError> {
+    let draft = to.with_ending(&format!(".{}.part", std::process::id()));
+    let written = draft.create().and_then(|file| {
+        let mut file = BufWriter::new(file);
+        write(&mut file).and_then(|()| file.flush())
+    });
+    let done = written.and_then(|()| draft.rename(to));
     if done.is_err() {
         // On a full disk half a file would only take up space.
-        let _ = std::fs::remove_file(&draft);
+        let _ = draft.remove();
     }
-    named(done, "write", path)
+    named(done, "write", &to.path())
 }
 
 /// Creates a folder and its parents.
 ///
 /// # Errors
 /// [`FileError`] where that is not possible.
-pub fn make_folder(path: &Path) -> Result<(), FileError> {
-    named(std::fs::create_dir_all(path), "create the folder", path)
+pub fn make_folder(at: &Inside) -> Result<(), FileError> {
+    named(at.make_folder(), "create the folder", &at.path())
+}
+
+/// The way to a folder inside another one.
+///
+/// # Errors
+/// [`FileError`] where it is there and is a link or no folder.
+pub fn folder(at: &Inside) -> Result<PathBuf, FileError> {
+    named(at.as_folder(), "use the folder", &at.path())
 }
 
 /// Whether a folder holds anything.
@@ -67,22 +97,19 @@ pub fn make_folder(path: &Path) -> Result<(), FileError> {
 /// # Errors
 /// [`FileError`] where it is a file, or cannot be read.
 pub fn is_used(folder: &Path) -> Result<bool, FileError> {
-    if !folder.exists() {
-        return Ok(false);
-    }
-    named(std::fs::read_dir(folder), "read", folder).map(|mut entries| entries.next().is_some())
+    named(Inside::of(folder, "").names(), "read", folder).map(|names| !names.is_empty())
 }
 
-/// The names of the files in a folder, in no order.
+/// The names of the files in a folder, in order.
 ///
 /// # Errors
 /// [`FileError`] where it cannot be read.
-pub fn names(folder: &Path) -> Result<Vec<String>, FileError> {
-    let entries = named(std::fs::read_dir(folder), "read", folder)?;
-    Ok(entries.filter_map(|entry| Some(entry.ok()?.file_name().to_string_lossy().into_owned())).collect())
+pub fn names(folder: &Inside) -> Result<Vec<String>, FileError> {
+    let names = named(folder.names(), "read", &folder.path())?;
+    Ok(names.iter().map(|name| name.to_string_lossy().into_owned()).collect())
 }
 
 /// Removes a file, if it is there.
-pub fn forget(path: &Path) {
-    let _ = std::fs::remove_file(path);
+pub fn forget(file: &Inside) {
+    let _ = file.remove();
 }

@@ -76,12 +76,14 @@ fn smooth(record: &Record, values: &[f64]) -> Vec<f64> {
 mod tests {
     use super::*;
     use crate::files::write;
+    use coulter::output::Inside;
 
     #[test]
     fn measured_curves_go_to_their_plots_and_others_are_refused() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("field_trial.csv");
-        write(&path, b"displacement [mm],drag [N],sinkage [mm]\n0,0,1\n10,5,2\n20,6,3\n").unwrap();
+        write(&Inside::at(&path), b"displacement [mm],drag [N],sinkage [mm]\n0,0,1\n10,5,2\n20,6,3\n")
+            .unwrap();
         let found = laid_over(&path, None).unwrap();
         let plots: Vec<PlotKind> = found.iter().map(|overlay| overlay.plot).collect();
         assert_eq!(
@@ -90,7 +92,7 @@ mod tests {
         );
         assert!(found[0].measured && found[0].name == "drag F_H, field trial");
         assert_eq!(found[0].points[1], [0.01, 5.0]);
-        write(&path, b"time [s],speed [m/s]\n0,1\n1,2\n").unwrap();
+        write(&Inside::at(&path), b"time [s],speed [m/s]\n0,1\n1,2\n").unwrap();
         assert!(laid_over(&path, None).unwrap_err().to_string().contains("give it such columns"));
     }
 }

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::signals;
 use coulter::case;
 use coulter::interrupts::Interrupts;
-use std::io::Write;
+use coulter::output::Inside;
 use std::path::{Path, PathBuf};
 use studies::calibration::{
     Calibration, CalibrationError, ModelChoice, Request, calibrate, document, page, runs_csv, samples_csv,
@@ -24,7 +24,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let interrupts = signals::listen();
     let folder = arguments.output.clone().unwrap_or_else(|| default_folder(&arguments.case));
     refuse_file(&folder)?;
-    let runs = folder.join("runs");
+    let runs = files::folder(&Inside::of(&folder, "runs"));
+    let runs = runs.map_err(|error| Failure::Request(error.to_string()))?;
     let request = arguments.request(&runs)?;
     let identity = arguments.identity(&request)?;
     refuse_other(arguments, &folder, &identity)?;
@@ -33,8 +34,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let mut tell = |line: &str| {
         if !arguments.json {
-            // Where standard error cannot be written, the results still say everything.
-            let _ = writeln!(std::io::stderr().lock(), "{line}");
+            crate::common::tell(line);
         }
     };
     let calibration = calibrated(&request, &interrupts, &mut tell, &folder)?;
@@ -71,11 +71,12 @@ fn default_folder(case: &Path) -> PathBuf {
 
 /// Refuses a folder that holds the calibration of another request.
 fn refuse_other(arguments: &Arguments, folder: &Path, identity: &str) -> Result<(), Failure> {
-    let path = folder.join(RESULT);
-    if arguments.force || !path.is_file() {
+    let result = Inside::of(folder, RESULT);
+    if arguments.force || !result.exists() {
         return Ok(());
     }
-    let content = files::read(&path, 1 << 28).map_err(|error| Failure::Request(error.to_string()))?;
+    let content =
+        files::read_inside(&result, 1 << 28).map_err(|error| Failure::Request(error.to_string()))?;
     let known: Option<serde_json::Value> = serde_json::from_slice(&content).ok();
     if known.is_some_and(|value| value["request"] == identity) {
         return Ok(());
@@ -108,12 +109,12 @@ fn write(
     if let Some(solver) = &calibration.solver {
         contents.push(("runs.csv", runs_csv(request, &solver.points)));
     }
-    files::make_folder(folder).map_err(|error| fail(&error))?;
+    files::make_folder(&Inside::of(folder, "")).map_err(|error| fail(&error))?;
     let mut written = Vec::new();
     for (name, content) in contents {
-        let path = folder.join(name);
-        files::write(&path, content.as_bytes()).map_err(|error| fail(&error))?;
-        written.push(path);
+        let file = Inside::of(folder, name);
+        files::write(&file, content.as_bytes()).map_err(|error| fail(&error))?;
+        written.push(file.path());
     }
     Ok(written)
 }

@@ -1,10 +1,9 @@
 //! What is told while a study runs: a line for every case that has ended, wherever the output goes, and a bar on a terminal.
 
-use crate::common::say;
+use crate::common::{say, tell};
 use coulter::case::quantity::short;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::collections::{BTreeMap, BTreeSet};
-use std::io::Write as _;
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 use studies::study::ModelKind;
@@ -45,7 +44,7 @@ impl Teller {
         let (mut cases, mut before) = (BTreeMap::new(), BTreeMap::new());
         for line in lines.iter().filter(|line| seen.insert(line.id.as_str())) {
             *cases.entry(word(line)).or_default() += 1;
-            *before.entry(word(line)).or_default() += usize::from(had.contains(&line.id));
+            *before.entry(word(line)).or_default() += usize::from(had.contains(line.id.as_str()));
         }
         let (all, done) = (cases.values().sum::<usize>(), before.values().sum::<usize>());
         let bar = if quiet { ProgressBar::hidden() } else { ProgressBar::new(all as u64) };
@@ -91,11 +90,11 @@ impl Teller {
     fn print(&self, text: &str) {
         self.bar.suspend(|| {
             // Where nobody listens any more the study goes on.
-            let _ = if self.quiet {
-                writeln!(std::io::stderr().lock(), "{text}").is_ok()
+            if self.quiet {
+                tell(text);
             } else {
-                say(&format!("{text}\n")).is_ok()
-            };
+                let _ = say(&format!("{text}\n"));
+            }
         });
     }
 }

@@ -2,15 +2,24 @@
 //! input. A module is one such problem.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
+#[cfg(unix)]
+mod strangers;
 mod support;
 
+#[cfg(unix)]
 mod adv_01_links_of_a_results_folder;
+#[cfg(unix)]
 mod adv_02_ids_in_scripts;
+#[cfg(unix)]
 mod adv_03_ids_and_links_of_a_study;
+#[cfg(unix)]
 mod adv_04_folder_names_in_scripts;
 mod adv_05_fans_of_triangles;
+#[cfg(unix)]
 mod adv_06_limit_of_address_space;
+#[cfg(unix)]
 mod adv_07_control_characters;
+#[cfg(unix)]
 mod adv_08_small_ones;
 mod adv_09_lateral_tow;
 mod adv_10_single_precision_pressed;

@@ -1,6 +1,7 @@
 //! The error for a case that cannot be run: everything that is wrong with it, with its place in the text that was typed.
 
 use super::problem::Problem;
+use crate::printed::{masked, plain};
 use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode};
 use std::{fmt, ops::Range, sync::Arc};
 
@@ -27,13 +28,18 @@ impl LocatedProblem {
         let text = source.inner();
         let span = within(text, span);
         let (line, column) = line_and_column(text, span.start);
-        let Problem { path, message, cure } = problem;
-        Self { path, message, cure, line, column, span, source: source.clone() }
+        Self { line, column, span, ..Self::nowhere(problem, source) }
     }
 
     fn nowhere(Problem { path, message, cure }: Problem, source: &Arc<NamedSource<String>>) -> Self {
+        let [path, message, cure] = [path, message, cure].map(|text| plain(&text).into_owned());
         Self { path, message, cure, line: 0, column: 0, span: 0..0, source: source.clone() }
     }
+}
+
+/// A text that was typed, as it may be shown.
+pub(super) fn source(name: &str, text: &str) -> Arc<NamedSource<String>> {
+    Arc::new(NamedSource::new(plain(name), masked(text)))
 }
 
 impl fmt::Display for LocatedProblem {
@@ -87,7 +93,7 @@ impl CaseError {
     /// A case that was not read from a text, with these problems.
     #[must_use]
     pub fn new(name: &str, problems: Vec<Problem>) -> Self {
-        let source = Arc::new(NamedSource::new(name, String::new()));
+        let source = source(name, "");
         let located = problems.into_iter().map(|problem| LocatedProblem::nowhere(problem, &source));
         Self::of(name, located.collect())
     }
@@ -95,7 +101,7 @@ impl CaseError {
     /// A text that cannot be used, with these problems, each at a range of its bytes.
     #[must_use]
     pub fn in_text(name: &str, text: &str, problems: Vec<(Range<usize>, Problem)>) -> Self {
-        let source = Arc::new(NamedSource::new(name, text.to_owned()));
+        let source = source(name, text);
         let located = problems.into_iter().map(|(at, problem)| LocatedProblem::in_text(problem, &source, at));
         Self::of(name, located.collect())
     }
@@ -104,7 +110,7 @@ impl CaseError {
     pub(super) fn of(name: &str, mut problems: Vec<LocatedProblem>) -> Self {
         let unseen = problems.len().saturating_sub(MAX_REPORTED);
         problems.truncate(MAX_REPORTED);
-        Self { name: name.to_owned(), problems, unseen }
+        Self { name: plain(name).into_owned(), problems, unseen }
     }
 }
 

@@ -1,7 +1,8 @@
 //! From the text of a case file, and overrides, or from nested maps, to a case that has been checked.
 
 use super::error::CaseError;
-use super::problem::Problems;
+use super::hidden;
+use super::problem::{Problem, Problems};
 use super::resolved::{Case, Soil};
 use super::toml_tree::{self, TomlTree};
 use super::tree::{Entry, Value};
@@ -133,6 +134,10 @@ pub fn from_json(value: &serde_json::Value, name: &str) -> Result<Case, CaseErro
         }
     };
     refuse_empty(&tree, name)?;
+    let hidden: Vec<Problem> = hidden::problems(&tree).into_iter().map(|(_, problem)| problem).collect();
+    if !hidden.is_empty() {
+        return Err(CaseError::new(name, hidden));
+    }
     let (case, _) = build(tree, name, Problems::default())
         .map_err(|problems| CaseError::new(name, problems.into_list()))?;
     Ok(case)

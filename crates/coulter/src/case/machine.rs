@@ -7,17 +7,65 @@ use std::path::Path;
 /// Where Linux mounts its control groups.
 const GROUPS: &str = "/sys/fs/cgroup";
 
-/// Memory that is available to a new program [bytes], where the system reports it: the free memory, or less where a control
-/// group (of a container, of a SLURM job) allows less.
+/// Memory that is available, and what sets the limit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MemoryLeft {
+    /// How much [bytes].
+    pub bytes: f64,
+    /// Whose it is, to be read after "free": empty for that of the machine.
+    pub of: &'static str,
+}
+
+/// What a run needs beside its grid, its contact points and its tables while it draws pictures and writes the report, with its program
+/// and its libraries mapped [bytes]: measured at 25 MB, rounded up. It counts where the system limits what is mapped.
+const BESIDE: f64 = 32e6;
+
+/// Memory that is available to a run, where the system reports it: the free memory, or less where a control group (of a container, of
+/// a SLURM job) or a limit of this process (`ulimit`, batch systems) allows less.
 #[must_use]
-pub fn memory_available() -> Option<f64> {
+pub fn memory_left() -> Option<MemoryLeft> {
     let free = sysinfo::System::new().ok().and_then(|mut system| {
         system.refresh_memory();
         Some(system.available_memory() as f64).filter(|bytes| *bytes > 0.0)
     });
     let own = std::fs::read_to_string("/proc/self/cgroup").unwrap_or_default();
-    let limit = left_in_groups(Path::new(GROUPS), &own);
-    [free, limit].into_iter().flatten().reduce(f64::min)
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let [space, data] = limits();
+    let within = |limit: Option<f64>, name: &str| Some((limit? - mapped(&status, name) - BESIDE).max(0.0));
+    let all = [
+        (free, ""),
+        (left_in_groups(Path::new(GROUPS), &own), " in the control group (of a container or a job)"),
+        (within(space, "VmSize:"), " within the limit of address space of this process (ulimit -v)"),
+        (within(data, "VmData:"), " within the limit of data of this process (ulimit -d)"),
+    ];
+    let known = all.into_iter().filter_map(|(bytes, of)| Some(MemoryLeft { bytes: bytes?, of }));
+    known.min_by(|a, b| a.bytes.total_cmp(&b.bytes))
+}
+
+/// As [`memory_left`], the number alone [bytes].
+#[must_use]
+pub fn memory_available() -> Option<f64> {
+    memory_left().map(|left| left.bytes)
+}
+
+/// The limits of address space and of data of this process [bytes].
+#[cfg(unix)]
+fn limits() -> [Option<f64>; 2] {
+    use rustix::process::{Resource, getrlimit};
+    [Resource::As, Resource::Data].map(|resource| getrlimit(resource).current.map(|bytes| bytes as f64))
+}
+
+/// There are none (untested).
+#[cfg(not(unix))]
+fn limits() -> [Option<f64>; 2] {
+    [None; 2]
+}
+
+/// What of a limit is used, by its name in `/proc/self/status` [bytes]; 0 where the system has no such file.
+fn mapped(status: &str, name: &str) -> f64 {
+    let value = status.lines().find_map(|line| line.strip_prefix(name));
+    let kilobytes: Option<f64> = value.and_then(|value| value.trim().strip_suffix("kB")?.trim().parse().ok());
+    1024.0 * kilobytes.unwrap_or(0.0)
 }
 
 /// Free space on the file system of a folder, which need not exist yet [bytes]; `None` where it is not known.
@@ -115,6 +163,13 @@ mod tests {
         assert_eq!(left_in_groups(top.path(), own), Some(0.0));
         group(&memory, &[("memory.stat", "inactive_file 1\ntotal_inactive_file 700000\n")]);
         assert_eq!(left_in_groups(top.path(), own), Some(5e5));
+    }
+
+    #[test]
+    fn what_is_mapped_is_read() {
+        let status = "Name:\tcoulter\nVmSize:\t  123456 kB\nVmData:\t   10 kB\n";
+        assert_eq!([mapped(status, "VmSize:"), mapped(status, "VmData:")], [126_418_944.0, 10_240.0]);
+        assert_eq!(mapped("", "VmSize:"), 0.0);
     }
 
     #[test]

@@ -15,6 +15,7 @@ pub mod form;
 pub mod format;
 mod ground_extent;
 mod height_file;
+mod hidden;
 mod joint;
 pub mod json_schema;
 mod json_tree;

@@ -1,6 +1,6 @@
 //! Where the keys of a case stand in the texts that were typed: from the path of a problem to a line.
 
-use super::error::{CaseError, LocatedProblem};
+use super::error::{CaseError, LocatedProblem, source};
 use super::problem::{Aim, Problem};
 use miette::NamedSource;
 use std::collections::BTreeMap;
@@ -32,12 +32,12 @@ pub(super) struct Places {
 impl Places {
     /// No entry yet, of a case file with this name and text.
     pub(super) fn new(name: &str, text: &str) -> Self {
-        Self { sources: vec![Arc::new(NamedSource::new(name, text.to_owned()))], entries: BTreeMap::new() }
+        Self { sources: vec![source(name, text)], entries: BTreeMap::new() }
     }
 
     /// Adds another text; returns its number.
     pub(super) fn add_source(&mut self, name: &str, text: &str) -> usize {
-        self.sources.push(Arc::new(NamedSource::new(name, text.to_owned())));
+        self.sources.push(source(name, text));
         self.sources.len() - 1
     }
 
@@ -54,7 +54,7 @@ impl Places {
     }
 
     /// Where the entry at a path stands; of a key that is not given, its section; otherwise the start of the file.
-    fn place(&self, path: &str, aim: Aim) -> Place {
+    pub(super) fn place(&self, path: &str, aim: Aim) -> Place {
         if let Some(entry) = self.entries.get(path) {
             return match aim {
                 Aim::Value => entry.value.clone(),

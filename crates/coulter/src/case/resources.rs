@@ -1,7 +1,7 @@
 //! Warnings, before a run begins, that memory or disk space may not suffice.
 
 use super::estimate::Cost;
-use super::machine::{free_space, memory_available};
+use super::machine::{free_space, memory_left};
 use std::path::Path;
 
 /// Fraction of the free memory or disk space above which there is a warning.
@@ -10,11 +10,12 @@ const NEARLY_ALL: f64 = 0.8;
 /// Warnings where this machine may not have enough memory for a case, or not enough disk space for its results.
 #[must_use]
 pub fn warnings(cost: &Cost, folder: &Path) -> Vec<String> {
-    let memory = memory_available().filter(|free| cost.memory_bytes > NEARLY_ALL * free).map(|free| {
+    let memory = memory_left().filter(|free| cost.memory_bytes > NEARLY_ALL * free.bytes).map(|free| {
         format!(
-            "The run needs about {} of memory, and {} are free: use a larger grid.cell or a smaller fine zone.",
+            "The run needs about {} of memory, and {} are free{}: use a larger grid.cell or a smaller fine zone.",
             format_bytes(cost.memory_bytes),
-            format_bytes(free)
+            format_bytes(free.bytes),
+            free.of
         )
     });
     let written = cost.output.total_bytes;

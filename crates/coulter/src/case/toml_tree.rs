@@ -1,5 +1,6 @@
 //! The text of a case, and overrides, to the tree of keys and values, and where each of them stands.
 
+use super::hidden;
 use super::names::nearest;
 use super::places::{Place, Places};
 use super::problem::Problem;
@@ -43,6 +44,9 @@ pub(super) fn read(name: &str, text: &str, overrides: &[String]) -> TomlTree {
     }
     for text in overrides {
         override_one(&mut read, overrides, text);
+    }
+    for (aim, problem) in hidden::problems(&read.tree) {
+        read.problems.push((read.places.place(&problem.path, aim), problem));
     }
     read
 }

@@ -2,6 +2,7 @@
 
 use super::outlook::{Outlook, mechanism_word};
 use super::uncertainty::Intervals;
+use crate::printed::text_cell;
 use std::fmt::Write;
 
 /// Header of `models.csv`.
@@ -44,11 +45,11 @@ pub fn models_csv(outlook: &Outlook, intervals: &Intervals) -> String {
         let sideways = [found.and_then(|p| p.lateral)].into_iter();
         let sideways: Vec<_> = sideways.chain([0, 1, 2].map(|axis| moment.map(|m| m[axis]))).collect();
         let word = found.and_then(|p| p.mechanism).map_or("", mechanism_word);
-        let note = model.note.replace('"', "'");
+        let note = text_cell(&model.note);
         let (name, applicable) = (model.name, model.applicable);
         let _ = writeln!(
             text,
-            "{name},{applicable},{},{word},{},{},{},\"{note}\"",
+            "{name},{applicable},{},{word},{},{},{},{note}",
             fields(&numbers),
             fields(&groups),
             fields(&spread),

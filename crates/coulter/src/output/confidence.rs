@@ -2,7 +2,7 @@
 //!
 //! Histories are read back from their files, so that intervals that are made later are the same to the bit.
 
-use super::files::{OutputError, VARIATIONS, make_folder};
+use super::files::{Inside, Named, OutputError, VARIATIONS, make_folder};
 use super::folder::{Contents, RunRecord, inspect};
 use super::report::Summary;
 use super::tables::read_history;
@@ -12,19 +12,22 @@ use crate::trust::Verdict;
 use std::path::{Path, PathBuf};
 
 /// Folder of the run of a variation.
-#[must_use]
-pub(crate) fn variation_folder(dir: &Path, name: &str) -> PathBuf {
-    dir.join(VARIATIONS).join(name)
+///
+/// # Errors
+/// When it, or that of all of them, is a link.
+pub(crate) fn variation_folder(dir: &Path, name: &str) -> Result<PathBuf, OutputError> {
+    let folder = Inside::of(dir, VARIATIONS).join(name);
+    folder.as_folder().named("use the folder", &folder.path())
 }
 
 /// Creates the folder that holds those of the variations.
 pub(crate) fn make_variations_folder(dir: &Path) -> Result<(), OutputError> {
-    make_folder(&dir.join(VARIATIONS))
+    make_folder(&Inside::of(dir, VARIATIONS))
 }
 
 /// The wall-clock time [s] and the summary of a variation's run that has come to its end.
 pub(crate) fn finished(dir: &Path, name: &str) -> Result<Option<(f64, Summary)>, OutputError> {
-    let folder = variation_folder(dir, name);
+    let folder = variation_folder(dir, name)?;
     match inspect(&folder)? {
         Contents::Run(record) if record.statistics.outcome.is_end() => {
             Ok(Some((record.statistics.wall_seconds, Summary::read(&folder)?)))
@@ -64,7 +67,7 @@ fn read(dir: &Path, result: &mut VariationResult) -> Result<Option<History>, Out
     if result.status != Status::Examined {
         return Ok(None);
     }
-    let folder = variation_folder(dir, &result.name);
+    let folder = variation_folder(dir, &result.name)?;
     let record = RunRecord::read(&folder)?;
     let summary = Summary::read(&folder)?;
     result.folder = format!("{VARIATIONS}/{}", result.name);

@@ -2,7 +2,7 @@
 //!
 //! Histories are read back from their files, so that a study that is made later is the same to the bit.
 
-use super::files::{MESHES, OutputError, make_folder};
+use super::files::{Inside, MESHES, Named, OutputError, make_folder};
 use super::folder::{Contents, RunRecord, inspect};
 use super::report::Summary;
 use super::tables::read_history;
@@ -12,9 +12,12 @@ use crate::mesh_study::{MeshResult, MeshRun, MeshStudy, evaluate};
 use std::path::{Path, PathBuf};
 
 /// Folder of the run on a coarser mesh, which is named by its cell size.
-#[must_use]
-pub fn mesh_folder(dir: &Path, name: &str) -> PathBuf {
-    dir.join(MESHES).join(name)
+///
+/// # Errors
+/// When it, or that of all of them, is a link, or the name leads elsewhere.
+pub fn mesh_folder(dir: &Path, name: &str) -> Result<PathBuf, OutputError> {
+    let folder = Inside::of(dir, MESHES).join(name);
+    folder.as_folder().named("use the folder", &folder.path())
 }
 
 /// Creates the folder that holds those of the coarser meshes.
@@ -22,7 +25,7 @@ pub fn mesh_folder(dir: &Path, name: &str) -> PathBuf {
 /// # Errors
 /// When it is a link, or cannot be created.
 pub(crate) fn make_meshes_folder(dir: &Path) -> Result<(), OutputError> {
-    make_folder(&dir.join(MESHES))
+    make_folder(&Inside::of(dir, MESHES))
 }
 
 /// A run on one mesh that has come to its end.
@@ -50,7 +53,7 @@ impl Ended {
 
     /// The run on a coarser mesh; `None` where it has not come to its end.
     fn coarser(dir: &Path, name: &str) -> Result<Option<Self>, OutputError> {
-        let folder = mesh_folder(dir, name);
+        let folder = mesh_folder(dir, name)?;
         match inspect(&folder)? {
             Contents::Run(record) if record.statistics.outcome.is_end() => {
                 Self::read(&folder, name, &record, Summary::read(&folder)?).map(Some)

@@ -26,7 +26,7 @@ pub mod vtk;
 
 pub(crate) use confidence::{finished, make_variations_folder, variation_folder};
 pub use element::write_element_tests;
-pub use files::OutputError;
+pub use files::{EntryKind, Inside, OutputError};
 pub use forecast::{ForecastFiles, overlays, write_forecast};
 pub(crate) use meshes::make_meshes_folder;
 pub use meshes::mesh_folder;

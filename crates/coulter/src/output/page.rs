@@ -2,6 +2,7 @@
 //!
 //! A page is one file that works without a network, without a server and, but for values under the pointer and zoom, without scripts.
 
+use crate::printed::plain;
 use serde::Serialize;
 
 /// The head of every page; its template needs a `title`.
@@ -12,7 +13,7 @@ const STYLE: &str = include_str!("../../assets/style.css");
 const CHARTS: &str = include_str!("../../assets/charts.js");
 
 /// Fills in a template, into which it can `include` `head.html` and `charts.js`, and what `more` names. Everything inserted is escaped
-/// unless the template marks it safe; the filter `lowered` makes subscripts, `symbols` those of symbols alone.
+/// unless the template marks it safe, and shows characters that would change the order of what is read; the filter `lowered` makes subscripts, `symbols` those of symbols alone.
 ///
 /// # Errors
 /// What the template engine says; only a defect of the program can cause it.
@@ -29,7 +30,8 @@ pub fn render_page(
     for (name, text) in own.into_iter().chain(more.iter().copied()) {
         environment.add_template(name, text)?;
     }
-    environment.get_template("page.html")?.render(minijinja::value::Serde(content))
+    let html = environment.get_template("page.html")?.render(minijinja::value::Serde(content))?;
+    Ok(plain(&html).into_owned())
 }
 
 /// Text as HTML, with subscripts: the letter after `_` is lowered.
@@ -81,6 +83,8 @@ mod tests {
         let html = render_page(template, &content, &[]).unwrap();
         assert!(html.contains("<title>a&lt;b – Coulter</title>") && html.ends_with("<p>a&lt;b</p>"));
         assert!(html.contains("prefers-color-scheme: dark") && !html.contains("{{"));
+        let content = std::collections::BTreeMap::from([("name", "a\u{202e}b\u{1b}")]);
+        assert!(render_page(template, &content, &[]).unwrap().ends_with("<p>a\\u202eb\\u001b</p>"));
         assert_eq!(lowered("F_H & <"), "F<sub>H</sub> &amp; &lt;");
         assert_eq!(symbols("φ_cv < F_H, a_disc & _"), "φ<sub>cv</sub> &lt; F<sub>H</sub>, a_disc &amp; _");
     }

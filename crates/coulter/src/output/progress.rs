@@ -4,6 +4,7 @@ use super::units::{Unit, digits};
 use crate::case::Case;
 use crate::history::reference::Reference;
 use crate::history::{BodySample, History};
+use crate::printed::plain;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::{IsTerminal, Write};
 use std::time::{Duration, Instant};
@@ -59,7 +60,7 @@ impl Progress {
     pub fn labelled(mut self, label: &str) -> Self {
         self.label = if label.is_empty() { String::new() } else { format!("{label}  ") };
         if let Display::Bar(bar) = &self.display {
-            bar.set_prefix(self.label.clone());
+            bar.set_prefix(plain(&self.label).into_owned());
         }
         self
     }
@@ -71,7 +72,7 @@ impl Progress {
             Display::Nothing => {}
             Display::Bar(bar) => {
                 bar.set_position((fraction * TICKS as f64) as u64);
-                bar.set_message(live(history, &self.references));
+                bar.set_message(plain(&live(history, &self.references)).into_owned());
             }
             Display::Lines { last_fraction, last_time } => {
                 let due = fraction - *last_fraction >= LINE_FRACTION && last_time.elapsed() >= LINE_PAUSE;
@@ -125,7 +126,7 @@ pub fn tell(message: &str, quiet: bool) {
 
 /// Prints a line on standard error. Where that cannot be written (a closed pipe, a lost terminal) the run continues.
 fn print_line(line: &str) {
-    let _ = writeln!(std::io::stderr().lock(), "{line}");
+    let _ = writeln!(std::io::stderr().lock(), "{}", plain(line));
 }
 
 /// Whether the terminal or its user wants plain lines, without colours and animation.

@@ -3,8 +3,8 @@
 use super::confidence;
 use super::fields::{Rut, ruts};
 use super::files::{
-    BODIES, LOG, Named, OutputError, PICTURES, PLOTS, REPORT, RESOLVED, TYPED, make_folder, read_text,
-    write_whole, write_with,
+    BODIES, Inside, Named, OutputError, PICTURES, PLOTS, REPORT, RESOLVED, TYPED, make_folder, read_text,
+    write_copy, write_whole,
 };
 use super::folder::{Log, Outcome, RunRecord, RunStatistics, clear, clear_beside, remove_parts};
 use super::meshes::{as_read_back, attach};
@@ -23,7 +23,6 @@ use crate::history::rim::RimLine;
 use crate::history::{History, RutSection};
 use solver::precision::Precision;
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 /// An open results folder.
@@ -46,16 +45,16 @@ impl Results {
     /// When the folder holds something else or cannot be written.
     pub fn create(dir: &Path, case: &Case, force: bool) -> Result<Self, OutputError> {
         clear(dir, force)?;
-        make_folder(dir)?;
+        make_folder(&Inside::of(dir, ""))?;
         // First of all: it identifies the folder, should the run be killed immediately.
         let record = RunRecord::of(case);
         record.write(dir)?;
         let resolved = toml::to_string(case).map_err(|e| OutputError::content(&dir.join(RESOLVED), e))?;
         let header = "# The case as it was understood: SI units, radians, every default filled in. Written by Coulter.\n";
-        write_whole(&dir.join(RESOLVED), format!("{header}format = {FORMAT}\n{resolved}").as_bytes())?;
+        write_whole(&Inside::of(dir, RESOLVED), format!("{header}format = {FORMAT}\n{resolved}").as_bytes())?;
         Ok(Self {
             tables: HistoryFiles::create(dir, &record.bodies, &record.names())?,
-            log: Log::create(&dir.join(LOG))?,
+            log: Log::create(dir)?,
             dir: dir.to_path_buf(),
             record,
         })
@@ -73,7 +72,7 @@ impl Results {
             RunRecord { overlays: before.overlays, meshes: before.meshes, statistics, ..RunRecord::of(case) };
         let mut results = Self {
             tables: HistoryFiles::create(dir, &record.bodies, &record.names())?,
-            log: Log::append(&dir.join(LOG))?,
+            log: Log::append(dir)?,
             dir: dir.to_path_buf(),
             record,
         };
@@ -96,7 +95,7 @@ impl Results {
         let mut copies = copy_meshes(&self.dir, case)?;
         copies.extend(copy_tables(&self.dir, case)?);
         copies.extend(copy_height_map(&self.dir, case)?);
-        write_whole(&self.dir.join(TYPED), with_files(text, &copies).as_bytes())
+        write_whole(&Inside::of(&self.dir, TYPED), with_files(text, &copies).as_bytes())
     }
 
     /// Overlays curves on the plots of the report: a forecast, a measurement.
@@ -147,7 +146,7 @@ impl Results {
         summary.fill(history, &self.record);
         attach(&self.dir, &self.record, &mut summary)?;
         summary.write(&self.dir)?;
-        write_pictures(&self.dir.join(PICTURES), case, grid, state, map)?;
+        write_pictures(&Inside::of(&self.dir, PICTURES), case, grid, state, map)?;
         let sections: Vec<_> = ruts.into_iter().map(|rut| rut.sections).collect();
         write_ground(&self.dir, &history.names, &map.points(), &sections)?;
         let rims: Vec<_> = rims(history, &self.record)
@@ -177,10 +176,9 @@ fn means(names: &[String], ruts: &[Rut]) -> BTreeMap<String, RutSection> {
 fn copy_tables(dir: &Path, case: &Case) -> Result<Vec<(Vec<String>, String)>, OutputError> {
     let mut copies = Vec::new();
     for MotionTable { keys, path } in &case.tables {
-        make_folder(&dir.join(BODIES))?;
+        make_folder(&Inside::of(dir, BODIES))?;
         let copy = format!("{BODIES}/{}.csv", keys.join("_"));
-        let mut source = fs::File::open(path).named("read", path)?;
-        write_with(&dir.join(&copy), |file| std::io::copy(&mut source, file).map(|_| ()))?;
+        write_copy(&Inside::of(dir, &copy), path)?;
         copies.push((keys.iter().cloned().chain(["table".to_owned()]).collect(), copy));
     }
     Ok(copies)
@@ -215,11 +213,10 @@ const HEIGHT_MAP: &str = "height_map";
 fn copy_of(dir: &Path, from: &Path, (name, hash): (&str, &str)) -> Result<String, OutputError> {
     let extension = from.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
     let copy = format!("{BODIES}/{name}.{extension}");
-    make_folder(&dir.join(BODIES))?;
-    let to = dir.join(&copy);
-    let mut source = fs::File::open(from).named("read", from)?;
-    write_with(&to, |file| std::io::copy(&mut source, file).map(|_| ()))?;
-    if hash_of(&to).named("read", &to)? != hash {
+    make_folder(&Inside::of(dir, BODIES))?;
+    let to = Inside::of(dir, &copy);
+    write_copy(&to, from)?;
+    if hash_of(&to.path()).named("read", &to.path())? != hash {
         return Err(OutputError::content(from, "the file has changed since the case was read; start again"));
     }
     Ok(copy)
@@ -251,7 +248,7 @@ pub(crate) fn add_mesh_study(dir: &Path, case: &Case, meshes: &[String]) -> Resu
     if known.is_some() && known == summary.mesh_study.as_ref().and_then(as_read_back) {
         return Summary::read(dir);
     }
-    Log::append(&dir.join(LOG))?.line(&format!("study of {} meshes", meshes.len() + 1))?;
+    Log::append(dir)?.line(&format!("study of {} meshes", meshes.len() + 1))?;
     record.write(dir)?;
     summary.write(dir)?;
     rebuild_report(dir)?;
@@ -275,7 +272,7 @@ pub(crate) fn add_confidence(
     if known.confidence.is_some() && known.confidence == confidence::as_read_back(&summary) {
         return Ok(known);
     }
-    Log::append(&dir.join(LOG))?.line(&format!("intervals from {} variations", variations.len()))?;
+    Log::append(dir)?.line(&format!("intervals from {} variations", variations.len()))?;
     summary.write(dir)?;
     rebuild_report(dir)?;
     Ok(summary)
@@ -320,11 +317,11 @@ fn report(
     laid_over: &[Overlay],
 ) -> Result<(), OutputError> {
     let optional = |name: &str| {
-        let path = dir.join(name);
-        if path.is_file() { read_text(&path).map(Some) } else { Ok(None) }
+        let file = Inside::of(dir, name);
+        if file.exists() { read_text(&file).map(Some) } else { Ok(None) }
     };
     let text =
         ReportText { resolved: optional(RESOLVED)?, typed: optional(TYPED)?, laid_over: laid_over.to_vec() };
-    make_folder(&dir.join(PLOTS))?;
+    make_folder(&Inside::of(dir, PLOTS))?;
     write_report(dir, record, summary, (history, rims), &text)
 }

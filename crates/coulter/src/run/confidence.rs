@@ -195,7 +195,7 @@ pub fn relative_cost(case: &Case, variation: &Variation) -> f64 {
 
 /// Whether the run of a variation has come to its end before; one of another version of it is run anew.
 fn has_ended(variation: &Variation, options: &RunOptions) -> Result<bool, RunError> {
-    match ended_before(&variation.case, &variation_folder(options.folder, &variation.name)) {
+    match ended_before(&variation.case, &variation_folder(options.folder, &variation.name)?) {
         Ok(summary) => Ok(summary.is_some()),
         Err(RunError::BrokeDownBefore { .. }) => Ok(true),
         Err(RunError::OtherCase(_)) => Ok(false),
@@ -209,7 +209,7 @@ fn run_variation(
     label: String,
     options: &RunOptions,
 ) -> Result<Option<End>, RunError> {
-    let folder = variation_folder(options.folder, &variation.name);
+    let folder = variation_folder(options.folder, &variation.name)?;
     // What lies there after a budget that was smaller, or a version that varied it otherwise, is no longer of use.
     let is_other = matches!(ended_before(&variation.case, &folder), Err(RunError::OtherCase(_)));
     let start = if is_other { Start::Replace } else { options.start };

@@ -56,7 +56,7 @@ fn label(mesh: usize, coarser: usize) -> String {
 
 /// The run on a coarser mesh, unless it has come to its end before; how it was stopped, if it was.
 fn run_coarser(mesh: &CoarserMesh, label: String, options: &RunOptions) -> Result<Option<End>, RunError> {
-    let folder = mesh_folder(options.folder, &mesh.name);
+    let folder = mesh_folder(options.folder, &mesh.name)?;
     let own = RunOptions { folder: &folder, typed: &mesh.typed, warnings: &[], ..*options };
     let _lock = lock(&own)?;
     if matches!(options.start, Start::Resume | Start::AutoResume) {

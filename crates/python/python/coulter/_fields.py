@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._errors import RequestError
+from ._inside import inside
 from ._optional import needed
 from ._vtk import VtkFile, read_vtk
 
@@ -225,13 +226,13 @@ def frames(folder: Path, name: str) -> list[tuple[float, int, Path]]:
     Raises:
         RequestError: where the list cannot be read.
     """
-    path = folder / name
+    path = inside(folder, name)
     if not path.is_file():
         return []
     try:
         tree = ElementTree.parse(path)
         return [
-            (float(tag.attrib["timestep"]), int(tag.attrib["part"]), folder / tag.attrib["file"])
+            (float(tag.attrib["timestep"]), int(tag.attrib["part"]), inside(folder, tag.attrib["file"]))
             for tag in tree.iter("DataSet")
         ]
     except (OSError, ValueError, KeyError, ElementTree.ParseError) as error:

@@ -14,6 +14,7 @@ import numpy.typing as npt
 
 from ._errors import RequestError
 from ._fields import BodyField, SoilField, SurfaceField, frames
+from ._inside import inside
 from ._native import RESULTS_FORMAT
 from ._table import Table
 
@@ -70,7 +71,7 @@ class Result:
         return f"<Result {self.folder}: {self.outcome}, {self.grade or 'not graded'}>"
 
     def _json(self, name: str) -> dict[str, Any]:
-        path = self.folder / name
+        path = inside(self.folder, name)
         try:
             document = json.loads(path.read_text(encoding="utf-8"))
         except OSError as error:
@@ -135,7 +136,7 @@ class Result:
             stem = f"{name}_{_file_safe(body or self.bodies[0])}"
         if stem not in self.tables:
             raise RequestError(f"{self.folder} has no table {name!r}; it has {', '.join(self.tables)}")
-        return Table.read(self.folder / f"{stem}.csv")
+        return Table.read(inside(self.folder, f"{stem}.csv"))
 
     @property
     def forces(self) -> Table:

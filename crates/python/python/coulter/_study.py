@@ -11,6 +11,7 @@ from pathlib import Path
 
 from . import _native
 from ._errors import CoulterWarning, RequestError, translated
+from ._inside import inside
 from ._results import Result
 from ._table import Table
 
@@ -42,7 +43,7 @@ class Study:
         Raises:
             RequestError: where the study has not been collected.
         """
-        return Table.read(self.folder / "table.csv")
+        return Table.read(inside(self.folder, "table.csv"))
 
     @cached_property
     def without_results(self) -> Table:
@@ -51,7 +52,7 @@ class Study:
         Raises:
             RequestError: where the study has not been collected.
         """
-        return Table.read(self.folder / "without_results.csv")
+        return Table.read(inside(self.folder, "without_results.csv"))
 
     @property
     def report(self) -> Path:
@@ -64,7 +65,7 @@ class Study:
         Raises:
             RequestError: where there is no such run.
         """
-        return Result(self.folder / "runs" / id)
+        return Result(inside(self.folder, f"runs/{id}"))
 
 
 def sweep(

@@ -64,9 +64,10 @@ impl Team {
             wake: Condvar::new(),
         });
         let threads = (1..size.clamp(1, MAX_WORKERS))
-            .map(|worker| {
+            // Where the system has no room for another thread the team is smaller: results do not depend on its size.
+            .map_while(|worker| {
                 let shared = Arc::clone(&shared);
-                std::thread::spawn(move || serve(&shared, worker))
+                std::thread::Builder::new().spawn(move || serve(&shared, worker)).ok()
             })
             .collect();
         Self { shared, threads }

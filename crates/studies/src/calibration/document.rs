@@ -6,6 +6,7 @@ use super::runs::{RunOutcome, SolverPoint};
 use super::stage::Stage;
 use crate::sheet::{SheetTable, short};
 use coulter::formats;
+use coulter::printed::text_cell;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 
@@ -179,7 +180,7 @@ pub fn runs_csv(request: &Request<'_>, points: &[SolverPoint]) -> String {
         .space
         .unknowns
         .iter()
-        .map(|u| format!("{} [{}]", u.name, if u.unit.is_empty() { "-" } else { &u.unit }));
+        .map(|u| text_cell(&format!("{} [{}]", u.name, if u.unit.is_empty() { "-" } else { &u.unit })));
     let mut text = format!("{},state,folder,reason\n", header.collect::<Vec<_>>().join(","));
     for point in points {
         let (state, why) = state(point);
@@ -187,17 +188,13 @@ pub fn runs_csv(request: &Request<'_>, points: &[SolverPoint]) -> String {
         let folder = point.folders.last().map_or(String::new(), |folder| folder.display().to_string());
         let _ = writeln!(
             text,
-            "{},{state},{},\"{}\"",
+            "{},{state},{},{}",
             values.join(","),
-            quoted(&folder),
-            why.replace('"', "'").replace('\n', " ")
+            text_cell(&folder),
+            text_cell(&why.replace('\n', " "))
         );
     }
     text
-}
-
-fn quoted(text: &str) -> String {
-    if text.contains([',', '"']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
 }
 
 /// The samples of the posterior as CSV.
@@ -207,7 +204,7 @@ pub fn samples_csv(stage: &Stage) -> String {
         .posterior
         .marginals
         .iter()
-        .map(|m| format!("{} [{}]", m.name, if m.unit.is_empty() { "-" } else { &m.unit }));
+        .map(|m| text_cell(&format!("{} [{}]", m.name, if m.unit.is_empty() { "-" } else { &m.unit })));
     let mut text = format!("{}\n", header.collect::<Vec<_>>().join(","));
     for sample in &stage.posterior.samples {
         let _ = writeln!(text, "{}", sample.iter().map(f64::to_string).collect::<Vec<_>>().join(","));

@@ -3,10 +3,12 @@
 use super::closed::first_problem;
 use super::data::MeasuredCurve;
 use super::space::Space;
+use crate::files;
 use crate::measured::Record;
 use crate::sources::{RunSource, local_means, read_run, rising};
 use coulter::case::{self, Case, CaseError};
 use coulter::interrupts::Interrupts;
+use coulter::output::Inside;
 use coulter::run::{self, End, RunError, RunOptions, Start};
 use coulter::trust::Verdict;
 use std::path::{Path, PathBuf};
@@ -151,7 +153,9 @@ impl Solver<'_> {
             Ok(found) => found,
             Err(error) => return Ok(Err(RunOutcome::Refused(first_problem(&error)))),
         };
-        let folder = self.folder.join(format!("{:016x}", xxh3_64(all.join("\n").as_bytes())));
+        let name = format!("{:016x}", xxh3_64(all.join("\n").as_bytes()));
+        let folder = files::folder(&Inside::of(self.folder, name));
+        let folder = folder.map_err(|error| SolverError::Other(error.to_string()))?;
         point.folders.push(folder.clone());
         let options = RunOptions {
             folder: &folder,

@@ -7,6 +7,7 @@ use crate::measured::Quantity;
 use crate::sheet::{Sheet, SheetFigure, SheetSection, SheetTable, short};
 use coulter::formats;
 use coulter::output::plots::{Chart, Curve, Level, Stroke};
+use coulter::printed::text_cell;
 use serde_json::{Value, json};
 
 const HEAD: [&str; 12] = [
@@ -109,9 +110,7 @@ pub fn comparison_csv(items: &[Item], comparison: &Comparison) -> String {
     for (cells, compared) in table.rows.iter().zip(&comparison.compared) {
         let mut fields: Vec<String> =
             cells.iter().map(|cell| if cell == "–" { String::new() } else { cell.clone() }).collect();
-        if fields[1].contains([',', '"']) {
-            fields[1] = format!("\"{}\"", fields[1].replace('"', "\"\""));
-        }
+        fields[1] = text_cell(&fields[1]);
         let mean = compared.mean.map_or([String::new(), String::new()], |mean| {
             [mean.mean.to_string(), mean.half.map_or(String::new(), |half| half.to_string())]
         });

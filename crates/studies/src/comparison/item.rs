@@ -1,11 +1,12 @@
 //! What can be compared: results folders of runs, forecasts, case files (by their closed form), and measured curves.
 
 use super::steady::SteadyMean;
-use crate::files;
+use crate::files::{self, FileError};
 use crate::measured::{Quantity, Record, read};
 use crate::sources::{Along, ClosedForm, read_run, rising};
 use coulter::case::{self, CaseError};
 use coulter::formats;
+use coulter::output::Inside;
 use serde_json::Value;
 use std::path::Path;
 
@@ -73,12 +74,16 @@ const FORECAST: &str = "forecast.json";
 pub fn read_item(path: &Path, body: Option<&str>) -> Result<Item, Unreadable> {
     let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
     if path.is_dir() {
-        let document = path.join(FORECAST);
-        return if document.is_file() { forecast(&document) } else { run(path, body) };
+        let document = Inside::of(path, FORECAST);
+        return if document.exists() {
+            forecast(&document.path(), files::read_inside(&document, MAX_BYTES))
+        } else {
+            run(path, body)
+        };
     }
     match extension.as_str() {
         "toml" => closed_form(path),
-        "json" => forecast(path),
+        "json" => forecast(path, files::read(path, MAX_BYTES)),
         "csv" | "txt" => measured(path),
         _ if !path.exists() => Err(Unreadable::Other(format!(
             "{}: there is no such file or folder; name results of a run, a forecast, a case file or a measured CSV file",
@@ -125,14 +130,14 @@ fn closed_form(path: &Path) -> Result<Item, Unreadable> {
     Ok(Item { means, model: Some(model), ..found })
 }
 
-fn forecast(path: &Path) -> Result<Item, Unreadable> {
+fn forecast(path: &Path, content: Result<Vec<u8>, FileError>) -> Result<Item, Unreadable> {
     let refuse = |why: &str| {
         Unreadable::Other(format!(
             "{}: {why}; name the forecast.json that `coulter forecast -o DIR` wrote",
             path.display()
         ))
     };
-    let bytes = files::read(path, MAX_BYTES).map_err(|error| refuse(&error.to_string()))?;
+    let bytes = content.map_err(|error| refuse(&error.to_string()))?;
     let document: Value =
         serde_json::from_slice(&bytes).map_err(|error| refuse(&format!("not JSON: {error}")))?;
     formats::check(document["format"].as_u64(), formats::DOCUMENT, "forecasts", "make the forecast again")

@@ -1,5 +1,6 @@
 //! The table of a study: a row for every case and model, whatever has become of it.
 
+use super::id::CaseId;
 use super::line::CaseLine;
 use super::outcome::{Ending, Outcome};
 use super::store::Store;
@@ -55,7 +56,7 @@ pub struct Lack {
     /// Number of its point.
     pub point: usize,
     /// Its id.
-    pub id: String,
+    pub id: CaseId,
     /// `broken`, `refused`, `failed` or `missing`.
     pub state: String,
     /// Why.
@@ -86,14 +87,14 @@ struct Row<'a> {
 /// Collects the outcomes of all cases.
 #[must_use]
 pub fn collect(store: &Store, study: &Study, lines: &[CaseLine]) -> Collected {
-    let mut outcomes: BTreeMap<&str, Option<Outcome>> = BTreeMap::new();
+    let mut outcomes: BTreeMap<&CaseId, Option<Outcome>> = BTreeMap::new();
     for line in lines {
         outcomes.entry(&line.id).or_insert_with(|| store.outcome(&line.id));
     }
     let (mut counts, mut lacking, mut rows) = (Counts::default(), Vec::new(), Vec::new());
     for line in lines {
         counts.cases += 1;
-        let outcome = outcomes.get(line.id.as_str()).and_then(Option::as_ref);
+        let outcome = outcomes.get(&line.id).and_then(Option::as_ref);
         let ended = outcome.map(|outcome| ending(study, line, outcome));
         let (state, reason) = state(store, line, ended, &mut counts);
         if state != Ending::Done.word() {
@@ -197,7 +198,7 @@ fn table(study: &Study, rows: &[Row]) -> Table {
             ..word("point", Role::Key, numbers(&|row| Some(row.line.point as f64)))
         },
         word("part", Role::Key, words(&|row| filled(&row.line.part))),
-        word("id", Role::Key, words(&|row| filled(&row.line.id))),
+        word("id", Role::Key, words(&|row| filled(row.line.id.as_str()))),
         word("model", Role::Key, words(&|row| filled(&row.figures.model))),
         word("closed_form", Role::Key, words(&|row| filled(&row.closed_form))),
         word("body", Role::Key, words(&|row| filled(&row.figures.body))),

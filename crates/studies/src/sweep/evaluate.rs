@@ -1,6 +1,7 @@
 //! A case of a study, from its line to its outcome.
 
 use super::expand::{self, reason};
+use super::id::CaseId;
 use super::line::CaseLine;
 use super::outcome::{Ending, Outcome};
 use super::store::{Store, StudyError};
@@ -26,7 +27,7 @@ pub enum Unended {
     Output(#[from] OutputError),
     /// Another engine is running it.
     #[error("another engine is running the case {0}")]
-    Busy(String),
+    Busy(CaseId),
     /// A signal stopped it; a run goes on from there.
     #[error("stopped by signal {0}")]
     Stopped(i32),
@@ -146,7 +147,7 @@ fn solved(shared: &Shared, line: &CaseLine, mut case: Case) -> Result<Outcome, U
     case.numerics.threads = shared.threads;
     let typed = case::overridden(&shared.text, &shared.path, &line.set)
         .map_err(|error: CaseError| Unended::Other(reason(&error)))?;
-    let folder = shared.store.run_folder(&line.id);
+    let folder = shared.store.run_folder(&line.id)?;
     let options = RunOptions {
         folder: &folder,
         start: Start::AutoResume,

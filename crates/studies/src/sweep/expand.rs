@@ -1,5 +1,6 @@
 //! From a study to its cases.
 
+use super::id::CaseId;
 use super::line::{CaseLine, FactorLevel};
 use crate::study::{ModelKind, Part, Point, Study, points};
 use coulter::case::estimate::cost;
@@ -33,7 +34,7 @@ fn line(study: &Study, part: &Part, (number, point): (usize, &Point), model: Mod
         Some(FactorLevel { name: factor.name.clone(), number: level.number, shown: level.shown.clone() })
     });
     let mut line = CaseLine {
-        id: String::new(),
+        id: CaseId::of_refused(0),
         point: number,
         part: part.name.clone(),
         model,
@@ -50,7 +51,7 @@ fn line(study: &Study, part: &Part, (number, point): (usize, &Point), model: Mod
             }
         }
         Err(error) => {
-            line.id = format!("x{:016x}", xxh3_64(format!("{model:?}{:?}", line.set).as_bytes()));
+            line.id = CaseId::of_refused(xxh3_64(format!("{model:?}{:?}", line.set).as_bytes()));
             line.refused = reason(&error);
         }
     }
@@ -71,12 +72,13 @@ pub fn read(text: &str, path: &str, line: &CaseLine) -> Result<Case, CaseError> 
 /// The id of a case: the hash of the case as understood, and of what is evaluated. A run does not depend on what only the closed forms
 /// read.
 #[must_use]
-pub fn id(case: &Case, model: ModelKind) -> String {
-    let (letter, text) = match model {
-        ModelKind::ClosedForm => ('f', case::case_text_with_forecast(case)),
-        ModelKind::Solver => ('r', case::case_text(case)),
-    };
-    format!("{letter}{:016x}", xxh3_64(text.as_bytes()))
+pub fn id(case: &Case, model: ModelKind) -> CaseId {
+    match model {
+        ModelKind::ClosedForm => {
+            CaseId::of_closed_form(xxh3_64(case::case_text_with_forecast(case).as_bytes()))
+        }
+        ModelKind::Solver => CaseId::of_run(xxh3_64(case::case_text(case).as_bytes())),
+    }
 }
 
 /// What is wrong with a case, in one line.

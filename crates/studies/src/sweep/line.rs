@@ -1,5 +1,6 @@
 //! A line of `cases.jsonl`: one case of a study.
 
+use super::id::CaseId;
 use crate::study::ModelKind;
 use serde::{Deserialize, Serialize};
 
@@ -7,7 +8,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CaseLine {
     /// Hash of the case as understood and of what is evaluated.
-    pub id: String,
+    pub id: CaseId,
     /// Number of the point in the study, from 1.
     pub point: usize,
     /// The part of the study; empty where it has only one.

@@ -6,9 +6,11 @@
 pub mod collect;
 pub mod evaluate;
 pub mod expand;
+pub mod id;
 pub mod line;
 pub mod outcome;
 pub mod pool;
+mod quote;
 pub mod report;
 pub mod script;
 pub mod store;

@@ -1,5 +1,6 @@
 //! What came out of a case.
 
+use super::id::CaseId;
 use crate::responses::Figures;
 use serde::{Deserialize, Serialize};
 
@@ -31,7 +32,7 @@ impl Ending {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Outcome {
     /// The id of the case.
-    pub id: String,
+    pub id: CaseId,
     /// How it ended.
     pub ending: Ending,
     /// Why, unless it is done.

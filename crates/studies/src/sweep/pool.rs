@@ -49,7 +49,7 @@ pub fn run(shared: &Shared, lines: &[CaseLine], pool: &Pool, watcher: &dyn Watch
     let had = shared.store.with_outcome().unwrap_or_default();
     let mut seen = HashSet::new();
     let mut left: Vec<&CaseLine> = lines.iter().filter(|line| seen.insert(&line.id)).collect();
-    left.retain(|line| !had.contains(&line.id) || shared.store.outcome(&line.id).is_none());
+    left.retain(|line| !had.contains(line.id.as_str()) || shared.store.outcome(&line.id).is_none());
     left.reverse();
     let is_closed = |line: &CaseLine| line.model == ModelKind::ClosedForm;
     left.sort_by(|a, b| is_closed(a).cmp(&is_closed(b)).then(a.memory_bytes.total_cmp(&b.memory_bytes)));
@@ -61,9 +61,12 @@ pub fn run(shared: &Shared, lines: &[CaseLine], pool: &Pool, watcher: &dyn Watch
     let queue = Mutex::new(Queue { left, used: 0.0, running: 0, end: PoolEnd::default() });
     let free = Condvar::new();
     std::thread::scope(|scope| {
-        for _ in 0..workers {
-            scope.spawn(|| work(shared, (&queue, &free, memory), watcher));
+        // This thread is one of them; where the system has no room for more, it does all the work.
+        for _ in 1..workers {
+            let work = || work(shared, (&queue, &free, memory), watcher);
+            let _ = std::thread::Builder::new().spawn_scoped(scope, work);
         }
+        work(shared, (&queue, &free, memory), watcher);
     });
     let mut end = queue.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner).end;
     end.stopped = end.stopped.or_else(|| shared.interrupts.stopped_by());

@@ -72,7 +72,7 @@ fn lacking(collected: &Collected) -> Table {
     Table {
         columns: vec![
             Column { unit: "-".to_owned(), values: point, ..words("point", Vec::new()) },
-            words("id", all.iter().map(|lack| Some(lack.id.clone())).collect()),
+            words("id", all.iter().map(|lack| Some(lack.id.to_string())).collect()),
             words("state", all.iter().map(|lack| Some(lack.state.clone())).collect()),
             words("reason", all.iter().map(|lack| Some(lack.reason.clone())).collect()),
         ],

@@ -1,13 +1,16 @@
 //! The folder of a study: where its files are, and how they are read and written.
 
+use super::id::CaseId;
 use super::line::CaseLine;
 use super::outcome::Outcome;
 use crate::files::{self, FileError};
 use crate::study::Study;
 use coulter::formats;
+use coulter::output::Inside;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::HashSet;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// Version of the format of the folder.
@@ -58,9 +61,9 @@ pub enum StudyError {
     )]
     Changed {
         /// The id in the list.
-        id: String,
+        id: CaseId,
         /// The id of the case as it is read now.
-        now: String,
+        now: CaseId,
     },
 }
 
@@ -89,11 +92,17 @@ impl Store {
     /// Where the folder holds none, or one of another version of the format.
     pub fn open(folder: &Path) -> Result<Self, StudyError> {
         let store = Self { folder: folder.to_path_buf() };
-        if !store.list().is_file() {
+        if !store.inside(LIST).exists() {
             return Err(StudyError::NoStudy(folder.to_path_buf()));
         }
         store.check_format()?;
+        store.check_folders()?;
         Ok(store)
+    }
+
+    /// Refuses links, before anything is run whose outcome could not be entered.
+    fn check_folders(&self) -> Result<(), StudyError> {
+        Ok([OUTCOMES, RUNS].iter().try_for_each(|name| files::folder(&self.inside(name)).map(drop))?)
     }
 
     /// Writes a study into a folder: a new one, or one that holds a study. Outcomes of cases that are still part of it remain.
@@ -102,26 +111,27 @@ impl Store {
     /// Where the folder holds something else or a study of another version of the format, or cannot be written.
     pub fn create(folder: &Path, study: &Study, text: &str, lines: &[CaseLine]) -> Result<Self, StudyError> {
         let store = Self { folder: folder.to_path_buf() };
-        if store.list().is_file() {
+        if store.inside(LIST).exists() {
             store.check_format()?;
         } else if files::is_used(folder)? {
             return Err(StudyError::Foreign(folder.to_path_buf()));
         }
-        files::make_folder(&store.outcomes())?;
+        store.check_folders()?;
+        files::make_folder(&store.inside(OUTCOMES))?;
         let source =
             std::path::absolute(&study.case_path).unwrap_or_else(|_| PathBuf::from(&study.case_path));
-        files::write(&folder.join(STUDY), text.as_bytes())?;
-        files::write(&folder.join(CASE), study.case_text.as_bytes())?;
+        files::write(&store.inside(STUDY), text.as_bytes())?;
+        files::write(&store.inside(CASE), study.case_text.as_bytes())?;
         let origin = Origin { format: FORMAT, study: study.name.clone(), case: source.display().to_string() };
         let origin = serde_json::to_string_pretty(&origin).unwrap_or_default() + "\n";
-        files::write(&folder.join(ORIGIN), origin.as_bytes())?;
-        let list: String = lines
-            .iter()
-            .filter_map(|line| serde_json::to_string(line).ok())
-            .map(|line| line + "\n")
-            .collect();
+        files::write(&store.inside(ORIGIN), origin.as_bytes())?;
         // Last: a folder with a list is complete.
-        files::write(&store.list(), list.as_bytes())?;
+        files::write_with(&store.inside(LIST), |file| {
+            lines.iter().try_for_each(|line| {
+                serde_json::to_writer(&mut *file, line)?;
+                file.write_all(b"\n")
+            })
+        })?;
         Ok(store)
     }
 
@@ -146,22 +156,25 @@ impl Store {
         self.folder.join(STUDY)
     }
 
-    fn outcomes(&self) -> PathBuf {
-        self.folder.join("outcomes")
+    /// An entry of the folder.
+    fn inside(&self, name: &str) -> Inside {
+        Inside::of(&self.folder, name)
     }
 
-    fn outcome_file(&self, id: &str) -> PathBuf {
-        self.outcomes().join(format!("{id}.json"))
+    fn outcome_file(&self, id: &CaseId) -> Inside {
+        self.inside(OUTCOMES).join(format!("{id}.json"))
     }
 
-    fn failure_file(&self, id: &str) -> PathBuf {
-        self.outcomes().join(format!("{id}.failed"))
+    fn failure_file(&self, id: &CaseId) -> Inside {
+        self.inside(OUTCOMES).join(format!("{id}.failed"))
     }
 
     /// Results folder of the run of a case.
-    #[must_use]
-    pub fn run_folder(&self, id: &str) -> PathBuf {
-        self.folder.join("runs").join(id)
+    ///
+    /// # Errors
+    /// Where it, or the folder of all runs, is a link.
+    pub fn run_folder(&self, id: &CaseId) -> Result<PathBuf, StudyError> {
+        Ok(files::folder(&self.inside(RUNS).join(id.as_str()))?)
     }
 
     /// The text of the case that is varied, and where it and the study come from.
@@ -178,10 +191,11 @@ impl Store {
     }
 
     fn text(&self, name: &str) -> Result<String, StudyError> {
-        let path = self.folder.join(name);
-        let bytes = files::read(&path, MOST_BYTES)?;
-        String::from_utf8(bytes)
-            .map_err(|_| StudyError::Content { path, problem: "it is not UTF-8 text".to_owned() })
+        let bytes = files::read_inside(&self.inside(name), MOST_BYTES)?;
+        String::from_utf8(bytes).map_err(|_| StudyError::Content {
+            path: self.folder.join(name),
+            problem: "it is not UTF-8 text".to_owned(),
+        })
     }
 
     /// All cases.
@@ -219,9 +233,9 @@ impl Store {
 
     /// The outcome of a case; `None` where there is none yet. One that a loss of power has left in pieces does not count.
     #[must_use]
-    pub fn outcome(&self, id: &str) -> Option<Outcome> {
-        let bytes = files::read(&self.outcome_file(id), MOST_BYTES).ok()?;
-        serde_json::from_slice(&bytes).ok().filter(|outcome: &Outcome| outcome.id == id)
+    pub fn outcome(&self, id: &CaseId) -> Option<Outcome> {
+        let bytes = files::read_inside(&self.outcome_file(id), MOST_BYTES).ok()?;
+        serde_json::from_slice(&bytes).ok().filter(|outcome: &Outcome| outcome.id == *id)
     }
 
     /// The ids with an outcome file, whole or not.
@@ -229,7 +243,7 @@ impl Store {
     /// # Errors
     /// Where the folder cannot be read.
     pub fn with_outcome(&self) -> Result<HashSet<String>, StudyError> {
-        let names = files::names(&self.outcomes())?;
+        let names = files::names(&self.inside(OUTCOMES))?;
         Ok(names.iter().filter_map(|name| name.strip_suffix(".json").map(str::to_owned)).collect())
     }
 
@@ -249,14 +263,14 @@ impl Store {
     ///
     /// # Errors
     /// Where it cannot be written.
-    pub fn note_failure(&self, id: &str, why: &str) -> Result<(), StudyError> {
+    pub fn note_failure(&self, id: &CaseId, why: &str) -> Result<(), StudyError> {
         Ok(files::write(&self.failure_file(id), why.as_bytes())?)
     }
 
     /// Why a case could not be brought to an outcome; `None` where nobody has tried, or was killed.
     #[must_use]
-    pub fn failure(&self, id: &str) -> Option<String> {
-        let bytes = files::read(&self.failure_file(id), MOST_BYTES).ok()?;
+    pub fn failure(&self, id: &CaseId) -> Option<String> {
+        let bytes = files::read_inside(&self.failure_file(id), MOST_BYTES).ok()?;
         Some(String::from_utf8_lossy(&bytes).trim().to_owned())
     }
 
@@ -265,12 +279,10 @@ impl Store {
     /// # Errors
     /// Where it cannot be written.
     pub fn write(&self, name: &str, content: &[u8]) -> Result<PathBuf, StudyError> {
-        let path = self.folder.join(name);
-        if let Some(parent) = path.parent() {
-            files::make_folder(parent)?;
-        }
-        files::write(&path, content)?;
-        Ok(path)
+        let file = self.inside(name);
+        files::make_folder(&file.beside(""))?;
+        files::write(&file, content)?;
+        Ok(file.path())
     }
 }
 
@@ -278,3 +290,5 @@ const LIST: &str = "cases.jsonl";
 const STUDY: &str = "study.toml";
 const CASE: &str = "case.toml";
 const ORIGIN: &str = "origin.json";
+const OUTCOMES: &str = "outcomes";
+const RUNS: &str = "runs";

@@ -1,12 +1,14 @@
 //! Tables as CSV text (RFC 4180): a header of names with units, `drag [N]`, then a line for each row. A missing value is an empty cell.
 //!
-//! Numbers have as many digits as bring back the same 64-bit number. Words have a header without a unit; a word of no letters is
+//! Numbers have as many digits as bring back the same 64-bit number. Words that a spreadsheet would compute have an apostrophe before
+//! them. Words have a header without a unit; a word of no letters is
 //! read back as missing. Roles and labels are not written.
 
 use super::checks::check;
 use super::error::TableError;
 use super::header::split;
 use super::{Column, Role, Table, Values};
+use coulter::printed::no_formula;
 
 /// The table as CSV text; lines end with a line feed.
 ///
@@ -15,7 +17,7 @@ use super::{Column, Role, Table, Values};
 pub fn to_csv(table: &Table) -> Result<String, TableError> {
     check(table)?;
     let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(table.columns.iter().map(Column::header))?;
+    writer.write_record(table.columns.iter().map(|column| no_formula(&column.header()).into_owned()))?;
     for row in 0..table.rows() {
         writer.write_record(table.columns.iter().map(|column| cell(&column.values, row)))?;
     }
@@ -60,7 +62,9 @@ pub fn from_csv(text: &str, role: impl Fn(&str) -> Role) -> Result<Table, TableE
 
 fn cell(values: &Values, row: usize) -> String {
     match values {
-        Values::Words(list) => list[row].clone().unwrap_or_default(),
+        Values::Words(list) => {
+            list[row].as_deref().map_or_else(String::new, |word| no_formula(word).into_owned())
+        }
         Values::Numbers(list) => list[row].map(number).unwrap_or_default(),
     }
 }

@@ -71,17 +71,18 @@ fn contact_points_are_not_too_many(case: &Case, problems: &mut Problems) {
 /// Refuses a case that needs more memory than this machine has; nothing of that size has been allocated yet.
 fn fits_into_memory(case: &Case, problems: &mut Problems) {
     let cost = estimate::cost(case);
-    let Some(available) = machine::memory_available() else { return };
-    if cost.memory_bytes <= available {
+    let Some(left) = machine::memory_left() else { return };
+    if cost.memory_bytes <= left.bytes {
         return;
     }
     let message = format!(
-        "the grid of {:.3e} cells needs {} of memory, the contact points {}, writing {}; {} are free",
+        "the grid of {:.3e} cells needs {} of memory, the contact points {}, writing {}; {} are free{}",
         cost.estimate.cells,
         format_bytes(cost.memory.grid_bytes),
         format_bytes(cost.memory.contact_bytes),
         format_bytes(cost.memory.outputs_bytes),
-        format_bytes(available)
+        format_bytes(left.bytes),
+        left.of
     );
     let cure = "make grid.cell larger, or the box or the fine zone smaller";
     problems.add("grid.cell", message, cure);

@@ -1,7 +1,6 @@
 //! Where the checkpoints of a results folder are.
 
-use crate::output::files::{CHECKPOINTS, Named, OutputError};
-use std::fs;
+use crate::output::files::{CHECKPOINTS, Inside, Named, OutputError};
 use std::path::{Path, PathBuf};
 
 const LAST: &str = "last.checkpoint";
@@ -11,18 +10,28 @@ const FAILED: &str = "failed.checkpoint";
 /// Path of the last checkpoint of a results folder.
 #[must_use]
 pub fn path(dir: &Path) -> PathBuf {
-    dir.join(CHECKPOINTS).join(LAST)
+    last(dir).path()
+}
+
+/// The last checkpoint of a results folder.
+pub(super) fn last(dir: &Path) -> Inside {
+    Inside::of(dir, CHECKPOINTS).join(LAST)
 }
 
 /// Path of the checkpoint of the state in which a run broke down.
 #[must_use]
 pub fn failed_path(dir: &Path) -> PathBuf {
-    dir.join(CHECKPOINTS).join(FAILED)
+    failed(dir).path()
 }
 
-/// Path of the checkpoint before the last.
-pub(super) fn previous_path(dir: &Path) -> PathBuf {
-    dir.join(CHECKPOINTS).join(PREVIOUS)
+/// The checkpoint of the state in which a run broke down.
+pub(super) fn failed(dir: &Path) -> Inside {
+    Inside::of(dir, CHECKPOINTS).join(FAILED)
+}
+
+/// The checkpoint before the last.
+pub(super) fn previous(dir: &Path) -> Inside {
+    Inside::of(dir, CHECKPOINTS).join(PREVIOUS)
 }
 
 /// Extension of the files that hold soil and nodes of a block.
@@ -38,28 +47,27 @@ pub(super) fn portion_name(step: u64, [rank, blocks]: [usize; 2]) -> String {
 /// # Errors
 /// When one cannot be removed.
 pub(super) fn remove_old_portions(dir: &Path, step: u64) -> Result<(), OutputError> {
-    let folder = dir.join(CHECKPOINTS);
+    let folder = Inside::of(dir, CHECKPOINTS);
     let mut portions = Vec::new();
-    for entry in fs::read_dir(&folder).named("list", &folder)? {
-        let path = entry.named("list", &folder)?.path();
-        if path.extension().is_some_and(|extension| extension == PORTION) {
-            let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-            let of_step: Option<u64> = name.split('_').next().and_then(|number| number.parse().ok());
-            portions.extend(of_step.map(|step| (step, path)));
+    for name in folder.names().named("list", &folder.path())? {
+        if Path::new(&name).extension().is_some_and(|extension| extension == PORTION) {
+            let shown = name.to_string_lossy();
+            let of_step: Option<u64> = shown.split('_').next().and_then(|number| number.parse().ok());
+            portions.extend(of_step.map(|step| (step, folder.join(&name))));
         }
     }
     let before = portions.iter().map(|(of_step, _)| *of_step).filter(|of_step| *of_step < step).max();
     let is_old = |of_step: u64| of_step != step && Some(of_step) != before;
-    for (_, path) in portions.iter().filter(|(of_step, _)| is_old(*of_step)) {
-        fs::remove_file(path).named("remove", path)?;
+    for (_, portion) in portions.iter().filter(|(of_step, _)| is_old(*of_step)) {
+        portion.remove().named("remove", &portion.path())?;
     }
     Ok(())
 }
 
-/// Whether a results folder has a checkpoint to resume from.
+/// Whether a results folder has a checkpoint to resume from; reading it says whether it can be used.
 #[must_use]
 pub fn exists(dir: &Path) -> bool {
-    [LAST, PREVIOUS].iter().any(|name| dir.join(CHECKPOINTS).join(name).is_file())
+    last(dir).exists() || previous(dir).exists()
 }
 
 /// Removes the last checkpoint: a damaged one must not replace the one before.
@@ -67,8 +75,7 @@ pub fn exists(dir: &Path) -> bool {
 /// # Errors
 /// When it is there and cannot be removed.
 pub fn forget_last(dir: &Path) -> Result<(), OutputError> {
-    let path = path(dir);
-    if path.is_file() { fs::remove_file(&path).named("remove", &path) } else { Ok(()) }
+    last(dir).remove().named("remove", &path(dir))
 }
 
 /// Removes the checkpoint before the last: a run that has come to its end needs no other to fall back on.
@@ -76,6 +83,6 @@ pub fn forget_last(dir: &Path) -> Result<(), OutputError> {
 /// # Errors
 /// When it is there and cannot be removed.
 pub fn forget_previous(dir: &Path) -> Result<(), OutputError> {
-    let path = previous_path(dir);
-    if path.is_file() { fs::remove_file(&path).named("remove", &path) } else { Ok(()) }
+    let previous = previous(dir);
+    previous.remove().named("remove", &previous.path())
 }

@@ -1,14 +1,13 @@
 //! Reading a checkpoint back.
 
 use super::contents::{Checkpoint, MAGIC, VERSION};
-use super::paths::{path, previous_path};
+use super::paths::{last, previous};
 use crate::case::machine;
-use crate::output::files::OutputError;
+use crate::output::files::{Inside, OutputError};
 use solver::grid::Grid;
 use solver::portion::Portion;
 use solver::precision::Precision;
 use std::cmp::Ordering;
-use std::fs;
 use std::io::{self, Read};
 use std::ops::Range;
 use std::path::Path;
@@ -25,7 +24,7 @@ impl<R: Precision> Checkpoint<R> {
             Ok(checkpoint) => return Ok((checkpoint, None)),
             Err(error) => error,
         };
-        if !previous_path(dir).is_file() {
+        if !previous(dir).exists() {
             return Err(last);
         }
         Self::read_previous(dir, grid).map(|checkpoint| (checkpoint, Some(last)))
@@ -36,7 +35,7 @@ impl<R: Precision> Checkpoint<R> {
     /// # Errors
     /// As [`Checkpoint::read`].
     pub fn read_last(dir: &Path, grid: &Grid) -> Result<Self, OutputError> {
-        Self::read_file(&path(dir), grid)
+        Self::read_file(&last(dir), grid)
     }
 
     /// Reads the checkpoint before the last.
@@ -44,12 +43,12 @@ impl<R: Precision> Checkpoint<R> {
     /// # Errors
     /// As [`Checkpoint::read`].
     pub fn read_previous(dir: &Path, grid: &Grid) -> Result<Self, OutputError> {
-        Self::read_file(&previous_path(dir), grid)
+        Self::read_file(&previous(dir), grid)
     }
 
-    fn read_file(path: &Path, grid: &Grid) -> Result<Self, OutputError> {
-        let broken = |what: &str| OutputError::content(path, what);
-        let (plain, _) = read_record(path)?;
+    fn read_file(file: &Inside, grid: &Grid) -> Result<Self, OutputError> {
+        let broken = |what: &str| OutputError::content(&file.path(), what);
+        let (plain, _) = read_record(file)?;
         let unreadable = |e: postcard::Error| broken(&format!("cannot be read: {e}"));
         let (precision, _) = postcard::take_from_bytes::<String>(&plain).map_err(unreadable)?;
         if precision != R::NAME {
@@ -67,19 +66,20 @@ impl<R: Precision> Checkpoint<R> {
             return Ok(checkpoint);
         }
         checkpoint.state = checkpoint.state.without_soil(grid);
-        for file in &checkpoint.portions {
-            if grid.held_of(&file.layers).iter().any(Range::is_empty) {
+        for named in &checkpoint.portions {
+            if grid.held_of(&named.layers).iter().any(Range::is_empty) {
                 continue;
             }
-            let path = path.with_file_name(&file.name);
-            let (plain, hash) = read_record(&path)?;
-            if hash != file.hash {
-                return Err(OutputError::content(&path, "it belongs to another checkpoint"));
+            let beside = file.beside(&named.name);
+            let wrong = |what: &str| OutputError::content(&beside.path(), what);
+            let (plain, hash) = read_record(&beside)?;
+            if hash != named.hash {
+                return Err(wrong("it belongs to another checkpoint"));
             }
-            let portion: Portion<R> = postcard::from_bytes(&plain)
-                .map_err(|e| OutputError::content(&path, format!("cannot be read: {e}")))?;
-            if portion.layers != file.layers || !portion.is_consistent() {
-                return Err(OutputError::content(&path, "it does not hold what the checkpoint says"));
+            let portion: Portion<R> =
+                postcard::from_bytes(&plain).map_err(|e| wrong(&format!("cannot be read: {e}")))?;
+            if portion.layers != named.layers || !portion.is_consistent() {
+                return Err(wrong("it does not hold what the checkpoint says"));
             }
             checkpoint.state.put(grid, &portion);
         }
@@ -88,9 +88,9 @@ impl<R: Precision> Checkpoint<R> {
 }
 
 /// The record of a file, unpacked, and its hash.
-fn read_record(path: &Path) -> Result<(Vec<u8>, u64), OutputError> {
-    let broken = |what: &str| OutputError::content(path, what);
-    let file = fs::read(path).map_err(|e| broken(&format!("no checkpoint to resume from ({e})")))?;
+fn read_record(from: &Inside) -> Result<(Vec<u8>, u64), OutputError> {
+    let broken = |what: &str| OutputError::content(&from.path(), what);
+    let file = from.read(most_bytes()).map_err(|e| broken(&format!("no checkpoint to resume from ({e})")))?;
     let header = file.split_first_chunk::<8>().filter(|(magic, _)| magic.starts_with(MAGIC));
     let Some((magic, rest)) = header else { return Err(broken("not a Coulter checkpoint")) };
     check_version(magic[7]).map_err(|problem| broken(&problem))?;

@@ -1,11 +1,10 @@
 //! Writing a checkpoint.
 
 use super::contents::{CheckpointView, MAGIC, PortionFile, Record, VERSION};
-use super::paths::{failed_path, path, portion_name, previous_path, remove_old_portions};
-use crate::output::files::{CHECKPOINTS, Named, OutputError, make_folder, sync_folder};
+use super::paths::{failed, last, portion_name, previous, remove_old_portions};
+use crate::output::files::{CHECKPOINTS, Inside, Named, OutputError, make_folder};
 use serde::Serialize;
 use solver::precision::Precision;
-use std::fs::{self, File};
 use std::io::{self, BufWriter, IntoInnerError, Write};
 use std::path::Path;
 use xxhash_rust::xxh3::Xxh3;
@@ -20,9 +19,9 @@ impl<R: Precision> CheckpointView<'_, R> {
     /// # Errors
     /// When a file cannot be written; the checkpoints that are there stay.
     pub fn write(&self, dir: &Path) -> Result<(), OutputError> {
-        let (path, previous) = (path(dir), previous_path(dir));
-        self.write_to(dir, &path, || {
-            if path.is_file() { fs::rename(&path, &previous).named("replace", &previous) } else { Ok(()) }
+        let (last, previous) = (last(dir), previous(dir));
+        self.write_to(dir, &last, || {
+            if last.exists() { last.rename(&previous).named("replace", &previous.path()) } else { Ok(()) }
         })?;
         if self.is_first() { remove_old_portions(dir, self.state.step) } else { Ok(()) }
     }
@@ -32,7 +31,7 @@ impl<R: Precision> CheckpointView<'_, R> {
     /// # Errors
     /// When a file cannot be written.
     pub fn write_failed(&self, dir: &Path) -> Result<(), OutputError> {
-        self.write_to(dir, &failed_path(dir), || Ok(()))
+        self.write_to(dir, &failed(dir), || Ok(()))
     }
 
     fn is_first(&self) -> bool {
@@ -42,7 +41,7 @@ impl<R: Precision> CheckpointView<'_, R> {
     fn write_to(
         &self,
         dir: &Path,
-        path: &Path,
+        file: &Inside,
         make_room: impl FnOnce() -> Result<(), OutputError>,
     ) -> Result<(), OutputError> {
         let portions = self.write_portion(dir)?;
@@ -57,7 +56,7 @@ impl<R: Precision> CheckpointView<'_, R> {
         }
         let Self { precision, case, history, last_sample, .. } = self;
         let record = Record { precision, case, state, portions: &portions, history, last_sample };
-        write_file(path, &record, make_room).map(|_| ())
+        write_file(file, &record, make_room).map(|_| ())
     }
 
     /// Writes soil and nodes of a block; returns the files of all, in the first block. Nothing where there is only one.
@@ -68,8 +67,8 @@ impl<R: Precision> CheckpointView<'_, R> {
         }
         let name = |rank: usize| portion_name(self.state.step, [rank, halo.blocks()]);
         let layers = [0, 1, 2].map(|axis| grid.accounted(axis));
-        let path = dir.join(CHECKPOINTS).join(name(halo.rank()));
-        let hash = write_file(&path, &self.state.portion(grid, layers.clone()), || Ok(()))?;
+        let file = Inside::of(dir, CHECKPOINTS).join(name(halo.rank()));
+        let hash = write_file(&file, &self.state.portion(grid, layers.clone()), || Ok(()))?;
         let own = layers.iter().flat_map(|own| [own.start as f64, own.end as f64]);
         let halves = [(hash >> 32) as f64, (hash & u64::from(u32::MAX)) as f64];
         let all = halo.collect(own.chain(halves).collect());
@@ -82,31 +81,32 @@ impl<R: Precision> CheckpointView<'_, R> {
     }
 }
 
-/// Writes a record next to `path`, makes room and moves it there; returns its hash.
+/// Writes a record next to `file`, makes room and moves it there; returns its hash.
 fn write_file(
-    path: &Path,
+    file: &Inside,
     record: &impl Serialize,
     make_room: impl FnOnce() -> Result<(), OutputError>,
 ) -> Result<u64, OutputError> {
-    let folder = path.parent().unwrap_or(path);
-    make_folder(folder)?;
-    let part = path.with_extension("checkpoint.part");
+    let (folder, path) = (file.beside(""), file.path());
+    make_folder(&folder)?;
+    let part = file.beside(format!("{}.checkpoint.part", file.stem()));
     let written = write_part(&part, record).and_then(|hash| make_room().map(|()| hash));
     let hash = match written {
         Ok(hash) => hash,
         Err(error) => {
             // What could not be written whole is of no use; that it cannot be removed either is no news.
-            let _ = fs::remove_file(&part);
+            let _ = part.remove();
             return Err(error);
         }
     };
-    fs::rename(&part, path).named("replace", path)?;
-    sync_folder(folder)?;
+    part.rename(file).named("replace", &path)?;
+    folder.sync_folder().named("write", &folder.path())?;
     Ok(hash)
 }
 
-fn write_part(part: &Path, record: &impl Serialize) -> Result<u64, OutputError> {
-    let file = File::create(part).named("create", part)?;
+fn write_part(draft: &Inside, record: &impl Serialize) -> Result<u64, OutputError> {
+    let part = &*draft.path();
+    let file = draft.create().named("create", part)?;
     let mut out = BufWriter::with_capacity(1 << 20, file);
     out.write_all(MAGIC).and_then(|()| out.write_all(&[VERSION])).named("write", part)?;
     let mut hashed = Hashed { out, hash: Xxh3::new(), failure: None };

@@ -2,7 +2,7 @@
 
 use super::plots::plots;
 use crate::element::{ElementTests, columns, document};
-use crate::output::files::{OutputError, SUMMARY, make_folder, write_json, write_whole};
+use crate::output::files::{Inside, OutputError, SUMMARY, make_folder, write_json, write_whole};
 use crate::output::tables::push_line;
 use std::path::{Path, PathBuf};
 
@@ -21,14 +21,14 @@ pub fn write_element_tests(
     let plots = plots(tests);
     let names = [CURVES, SUMMARY].into_iter().chain(plots.iter().map(|(name, _)| *name));
     let paths: Vec<PathBuf> = names.map(|name| dir.join(name)).collect();
-    if !force && paths.iter().any(|path| path.exists()) {
+    if !force && paths.iter().any(|path| Inside::at(path).exists()) {
         return Err(OutputError::Exists { path: dir.to_path_buf() });
     }
-    make_folder(dir)?;
-    write_whole(&dir.join(CURVES), curves(tests).as_bytes())?;
-    write_json(&dir.join(SUMMARY), &document(tests))?;
+    make_folder(&Inside::of(dir, ""))?;
+    write_whole(&Inside::of(dir, CURVES), curves(tests).as_bytes())?;
+    write_json(&Inside::of(dir, SUMMARY), &document(tests))?;
     for (name, svg) in &plots {
-        write_whole(&dir.join(name), svg.as_bytes())?;
+        write_whole(&Inside::of(dir, name), svg.as_bytes())?;
     }
     Ok(paths)
 }

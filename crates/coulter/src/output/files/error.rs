@@ -55,12 +55,6 @@ pub enum OutputError {
         /// The folder.
         path: PathBuf,
     },
-    /// A folder inside a results folder is a symbolic link.
-    #[error("{path} is a link to another folder; remove it, or choose another folder with -o DIR", path = path.display())]
-    Link {
-        /// The folder.
-        path: PathBuf,
-    },
     /// The folder holds no result.
     #[error("{path} holds no result of Coulter (it contains no run.json)", path = path.display())]
     NoResult {

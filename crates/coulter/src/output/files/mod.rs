@@ -3,12 +3,14 @@
 //! Every error names the file. Nothing here knows what is in a file.
 
 mod error;
+mod inside;
 mod io;
 mod names;
 
 pub(crate) use error::Named;
 pub use error::OutputError;
-pub(crate) use io::{make_folder, read_json, read_text, sync_folder, write_json, write_whole, write_with};
+pub use inside::{EntryKind, Inside};
+pub(crate) use io::{make_folder, read_json, read_text, write_copy, write_json, write_whole, write_with};
 
 pub(crate) use names::{
     BODIES, CHECKPOINTS, FIELDS, LISTS, LOG, MESHES, PICTURES, PLOTS, REPORT, RESOLVED, SUMMARY, TYPED,

@@ -3,15 +3,14 @@
 use super::lock::LOCK;
 use super::run_record::{Outcome, RUN_RECORD, RunRecord};
 use crate::output::files::{
-    BODIES, CHECKPOINTS, FIELDS, LISTS, LOG, MESHES, Named, OutputError, PICTURES, PLOTS, REPORT, RESOLVED,
-    SUMMARY, TYPED, VARIATIONS,
+    BODIES, CHECKPOINTS, EntryKind, FIELDS, Inside, LISTS, LOG, MESHES, Named, OutputError, PICTURES, PLOTS,
+    REPORT, RESOLVED, SUMMARY, TYPED, VARIATIONS,
 };
 use crate::output::tables::{
     BOUNDARIES_FILE, ENERGY_FILE, GROUND_LEFT_FILE, HEIGHT_MAP_FILE, HistoryNames, filtered_name,
     forces_name, joint_name, part_name, rim_name, rut_name,
 };
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// The contents of a results folder.
 #[derive(Debug)]
@@ -36,18 +35,16 @@ pub fn inspect(dir: &Path) -> Result<Contents, OutputError> {
     // ours.
     match RunRecord::read(dir) {
         Ok(record) => return Ok(Contents::Run(Box::new(record))),
-        // A run, but which files it wrote is not known.
-        Err(error @ OutputError::Format { .. }) => return Err(error),
+        // A run, but which files it wrote is not known; or the record is a link.
+        Err(error @ (OutputError::Format { .. } | OutputError::File { .. })) => return Err(error),
         Err(_) => {}
     }
     let early = [LOCK.to_owned(), format!("{RUN_RECORD}.part")];
-    for entry in fs::read_dir(dir).named("list", dir)? {
-        let entry = entry.named("list", dir)?;
-        let name = entry.file_name();
+    for name in Inside::of(dir, "").names().named("list", dir)? {
         // Runs on coarser meshes outlive that on the finest while it is started again, and so do variations.
         let mut is_ours = early.iter().any(|e| name == e.as_str());
         for folder in BESIDE.into_iter().filter(|folder| name == *folder) {
-            is_ours = runs_in(&dir.join(folder))?.iter().all(|(_, contents)| !contents.is_foreign());
+            is_ours = runs_in(&Inside::of(dir, folder))?.iter().all(|(_, contents)| !contents.is_foreign());
         }
         if !is_ours {
             return Ok(Contents::Foreign);
@@ -66,39 +63,38 @@ impl Contents {
 const BESIDE: [&str; 2] = [MESHES, VARIATIONS];
 
 /// The folders of runs in such a folder, with their contents.
-fn runs_in(folder: &Path) -> Result<Vec<(PathBuf, Contents)>, OutputError> {
-    let mut runs = Vec::new();
-    if folder.is_symlink() || folder.is_file() {
-        return Ok(vec![(folder.to_path_buf(), Contents::Foreign)]);
+fn runs_in(folder: &Inside) -> Result<Vec<(Inside, Contents)>, OutputError> {
+    match folder.kind() {
+        Ok(None) => return Ok(Vec::new()),
+        Ok(Some(EntryKind::Folder)) => {}
+        _ => return Ok(vec![(folder.clone(), Contents::Foreign)]),
     }
-    if !folder.is_dir() {
-        return Ok(runs);
-    }
-    for entry in fs::read_dir(folder).named("list", folder)? {
-        let path = entry.named("list", folder)?.path();
-        let contents = if path.is_dir() && !path.is_symlink() { inspect(&path)? } else { Contents::Foreign };
-        runs.push((path, contents));
-    }
-    Ok(runs)
+    let names = folder.names().named("list", &folder.path())?;
+    let runs = names.into_iter().map(|name| {
+        let run = folder.join(name);
+        let contents = if run.is_folder() { inspect(&run.path())? } else { Contents::Foreign };
+        Ok((run, contents))
+    });
+    runs.collect()
 }
 
 /// Removes the runs on coarser meshes and those of variations, and their folders if nothing else is in them; what no run has
 /// written stays.
 pub(crate) fn clear_beside(dir: &Path) -> Result<(), OutputError> {
-    BESIDE.into_iter().try_for_each(|name| clear_runs(&dir.join(name)))
+    BESIDE.into_iter().try_for_each(|name| clear_runs(&Inside::of(dir, name)))
 }
 
-fn clear_runs(folder: &Path) -> Result<(), OutputError> {
-    for (path, contents) in runs_in(folder)? {
+fn clear_runs(folder: &Inside) -> Result<(), OutputError> {
+    for (run, contents) in runs_in(folder)? {
         if let Contents::Run(record) = &contents {
-            remove_result(&path, record)?;
+            remove_result(&run.path(), record)?;
         }
         if !contents.is_foreign() {
-            remove_file(&path.join(LOCK))?;
-            remove_if_empty(&path)?;
+            remove_file(&run.join(LOCK))?;
+            remove_if_empty(&run)?;
         }
     }
-    if folder.is_symlink() { Ok(()) } else { remove_if_empty(folder) }
+    if folder.is_folder() { remove_if_empty(folder) } else { Ok(()) }
 }
 
 /// Clears a folder for a new result; a folder with other files in it is never touched.
@@ -120,14 +116,10 @@ pub(crate) fn clear(dir: &Path, force: bool) -> Result<(), OutputError> {
 /// Removes files that a killed run left unfinished.
 pub(crate) fn remove_parts(dir: &Path) -> Result<(), OutputError> {
     for folder in ["", BODIES, FIELDS, PICTURES, PLOTS, CHECKPOINTS] {
-        let folder = dir.join(folder);
-        if !folder.is_dir() {
-            continue;
-        }
-        for entry in fs::read_dir(&folder).named("list", &folder)? {
-            let path = entry.named("list", &folder)?.path();
-            if path.extension().is_some_and(|e| e == "part") {
-                remove_file(&path)?;
+        let folder = Inside::of(dir, folder);
+        for name in folder.names().named("list", &folder.path())? {
+            if Path::new(&name).extension().is_some_and(|e| e == "part") {
+                remove_file(&folder.join(name))?;
             }
         }
     }
@@ -154,7 +146,7 @@ fn remove_result(dir: &Path, record: &RunRecord) -> Result<(), OutputError> {
     ];
     files.extend(fixed.iter().chain(&LISTS).map(|name| (*name).to_owned()));
     for file in files {
-        remove_file(&dir.join(file))?;
+        remove_file(&Inside::of(dir, file))?;
     }
     for (folder, extensions) in [
         (BODIES, &["stl", "obj", "ply", "csv"][..]),
@@ -163,35 +155,32 @@ fn remove_result(dir: &Path, record: &RunRecord) -> Result<(), OutputError> {
         (PLOTS, &["svg"]),
         (CHECKPOINTS, &["checkpoint", "portion"]),
     ] {
-        remove_files(&dir.join(folder), extensions)?;
+        remove_files(&Inside::of(dir, folder), extensions)?;
     }
     // Last: as long as it exists, the folder is recognised as a result and the removal can be repeated.
     remove_parts(dir)?;
-    remove_file(&dir.join(RUN_RECORD))
+    remove_file(&Inside::of(dir, RUN_RECORD))
 }
 
-fn remove_file(path: &Path) -> Result<(), OutputError> {
-    if path.is_file() { fs::remove_file(path).named("remove", path) } else { Ok(()) }
+fn remove_file(file: &Inside) -> Result<(), OutputError> {
+    file.remove().named("remove", &file.path())
 }
 
 /// Removes the files with one of these extensions from a folder, and the folder if it is empty then.
-fn remove_files(folder: &Path, extensions: &[&str]) -> Result<(), OutputError> {
-    if !folder.is_dir() {
-        return Ok(());
-    }
-    let mut is_empty = true;
-    for entry in fs::read_dir(folder).named("list", folder)? {
-        let path = entry.named("list", folder)?.path();
-        if path.extension().is_some_and(|e| extensions.iter().any(|extension| e == *extension)) {
-            remove_file(&path)?;
+fn remove_files(folder: &Inside, extensions: &[&str]) -> Result<(), OutputError> {
+    let path = folder.path();
+    let mut is_empty = folder.exists();
+    for name in folder.names().named("list", &path)? {
+        if Path::new(&name).extension().is_some_and(|e| extensions.iter().any(|extension| e == *extension)) {
+            remove_file(&folder.join(name))?;
         } else {
             is_empty = false;
         }
     }
-    if is_empty { fs::remove_dir(folder).named("remove", folder) } else { Ok(()) }
+    if is_empty { folder.remove_folder().named("remove", &path) } else { Ok(()) }
 }
 
-fn remove_if_empty(folder: &Path) -> Result<(), OutputError> {
+fn remove_if_empty(folder: &Inside) -> Result<(), OutputError> {
     // No extension is removed: only an empty folder is.
     remove_files(folder, &[])
 }

@@ -3,10 +3,10 @@
 //! It is the operating system's lock on a file, which ends with the process that holds it: a killed run leaves the file
 //! behind, but not the lock. The file names its owner, for information.
 
-use crate::output::files::{Named, OutputError, make_folder};
-use std::fs::{self, File, OpenOptions, TryLockError};
+use crate::output::files::{Inside, Named, OutputError, make_folder};
+use std::fs::{File, TryLockError};
 use std::io::{Read, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Name of the file.
 pub(super) const LOCK: &str = "run.lock";
@@ -14,7 +14,7 @@ pub(super) const LOCK: &str = "run.lock";
 /// A lock that is held; dropping it releases it and removes its file.
 #[derive(Debug)]
 pub struct Lock {
-    path: PathBuf,
+    entry: Inside,
     // Open as long as the lock is held.
     file: File,
 }
@@ -25,17 +25,11 @@ impl Lock {
     /// # Errors
     /// [`OutputError::Busy`] when another run holds it, or the file cannot be written.
     pub fn take(dir: &Path) -> Result<Self, OutputError> {
-        make_folder(dir)?;
-        let path = dir.join(LOCK);
+        make_folder(&Inside::of(dir, ""))?;
+        let entry = Inside::of(dir, LOCK);
+        let path = entry.path();
         loop {
-            let mut options = OpenOptions::new();
-            let mut file = options
-                .read(true)
-                .write(true)
-                .create(true)
-                .truncate(false)
-                .open(&path)
-                .named("open", &path)?;
+            let mut file = entry.open_or_create().named("open", &path)?;
             match file.try_lock() {
                 Ok(()) => {}
                 Err(TryLockError::WouldBlock) => {
@@ -52,10 +46,10 @@ impl Lock {
                 Err(TryLockError::Error(error)) => return Err(error).named("lock", &path),
             }
             // The previous holder may have removed the file between our opening and locking it.
-            if is_at(&file, &path) {
+            if is_at(&file, &entry) {
                 file.set_len(0).named("write", &path)?;
                 file.write_all(holder().as_bytes()).named("write", &path)?;
-                return Ok(Self { path, file });
+                return Ok(Self { entry, file });
             }
         }
     }
@@ -64,7 +58,7 @@ impl Lock {
 impl Drop for Lock {
     fn drop(&mut self) {
         // A file that remains is not a lock; nothing depends on its removal.
-        let _ = fs::remove_file(&self.path);
+        let _ = self.entry.remove();
         let _ = self.file.unlock();
     }
 }
@@ -77,16 +71,16 @@ fn holder() -> String {
 
 /// Whether a path still refers to this open file.
 #[cfg(unix)]
-fn is_at(file: &File, path: &Path) -> bool {
+fn is_at(file: &File, entry: &Inside) -> bool {
     use std::os::unix::fs::MetadataExt;
-    let same = |a: &fs::Metadata, b: &fs::Metadata| a.dev() == b.dev() && a.ino() == b.ino();
-    file.metadata().ok().zip(fs::metadata(path).ok()).is_some_and(|(a, b)| same(&a, &b))
+    let number = |file: &File| file.metadata().ok().map(|about| (about.dev(), about.ino()));
+    entry.open().is_ok_and(|there| number(&there) == number(file))
 }
 
 /// An open file cannot be removed here (untested).
 #[cfg(not(unix))]
-fn is_at(_: &File, path: &Path) -> bool {
-    path.is_file()
+fn is_at(_: &File, entry: &Inside) -> bool {
+    entry.exists()
 }
 
 #[cfg(test)]
@@ -96,7 +90,7 @@ mod tests {
     #[test]
     fn one_at_a_time_and_a_leftover_file_is_no_lock() {
         let dir = tempfile::tempdir().unwrap();
-        fs::write(dir.path().join(LOCK), "process 1, since long ago\n").unwrap();
+        std::fs::write(dir.path().join(LOCK), "process 1, since long ago\n").unwrap();
         let lock = Lock::take(dir.path()).unwrap();
         let refusal = Lock::take(dir.path()).unwrap_err().to_string();
         assert!(refusal.contains(&format!("process {}", std::process::id())), "{refusal}");

@@ -1,8 +1,9 @@
 //! `run.log`: events with their times.
 
-use crate::output::files::{Named, OutputError};
-use std::fs::{File, OpenOptions};
-use std::io::Write;
+use crate::output::files::{Inside, LOG, Named, OutputError};
+use crate::printed::plain;
+use std::fs::File;
+use std::io::{Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
 
@@ -14,21 +15,23 @@ pub struct Log {
 }
 
 impl Log {
-    /// Creates a new log.
+    /// Creates the log of a results folder.
     ///
     /// # Errors
     /// When the file cannot be created.
-    pub fn create(path: &Path) -> Result<Self, OutputError> {
-        Ok(Self { path: path.to_path_buf(), file: File::create(path).named("create", path)? })
+    pub fn create(dir: &Path) -> Result<Self, OutputError> {
+        let log = Inside::of(dir, LOG);
+        Ok(Self { path: log.path(), file: log.create().named("create", &log.path())? })
     }
 
     /// Continues a log.
     ///
     /// # Errors
     /// When the file cannot be opened.
-    pub fn append(path: &Path) -> Result<Self, OutputError> {
-        let file = OpenOptions::new().create(true).append(true).open(path).named("open", path)?;
-        Ok(Self { path: path.to_path_buf(), file })
+    pub fn append(dir: &Path) -> Result<Self, OutputError> {
+        let log = Inside::of(dir, LOG);
+        let open = || log.open_or_create().and_then(|mut file| file.seek(SeekFrom::End(0)).map(|_| file));
+        Ok(Self { path: log.path(), file: open().named("open", &log.path())? })
     }
 
     /// Writes a line with a time stamp (UTC).
@@ -36,7 +39,7 @@ impl Log {
     /// # Errors
     /// When the file cannot be written.
     pub fn line(&mut self, text: &str) -> Result<(), OutputError> {
-        let line = format!("{}  {text}\n", stamp(SystemTime::now()));
+        let line = format!("{}  {}\n", stamp(SystemTime::now()), plain(text));
         self.file.write_all(line.as_bytes()).named("write", &self.path)?;
         self.file.flush().named("write", &self.path)
     }

@@ -11,7 +11,7 @@ use crate::history::History;
 use crate::history::probes::places;
 use crate::history::reference::Reference;
 use crate::history::steady::SteadyPart;
-use crate::output::files::{OutputError, read_json, write_json};
+use crate::output::files::{Inside, OutputError, read_json, write_json};
 use crate::output::plots::Overlay;
 use crate::output::tables::HistoryNames;
 use crate::trust::{Setting, Trust};
@@ -258,7 +258,7 @@ impl RunRecord {
     /// # Errors
     /// When the file cannot be written.
     pub fn write(&self, dir: &Path) -> Result<(), OutputError> {
-        write_json(&dir.join(RUN_RECORD), self)
+        write_json(&Inside::of(dir, RUN_RECORD), self)
     }
 
     /// Writes `run.json` anew, with these statistics.
@@ -275,10 +275,10 @@ impl RunRecord {
     /// # Errors
     /// When the file is missing, is not a record of a run, or that of another version of the format.
     pub fn read(dir: &Path) -> Result<Self, OutputError> {
-        let path = dir.join(RUN_RECORD);
-        if !path.is_file() {
+        let file = Inside::of(dir, RUN_RECORD);
+        if !file.exists() {
             return Err(OutputError::NoResult { path: dir.to_path_buf() });
         }
-        read_json(&path, "format")
+        read_json(&file, "format")
     }
 }

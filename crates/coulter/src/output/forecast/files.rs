@@ -1,7 +1,7 @@
 //! The files of a forecast: the models as a table and a document, their curves as a table and as plots.
 
 use crate::forecast::{Curves, Series};
-use crate::output::files::{OutputError, make_folder, write_json, write_whole};
+use crate::output::files::{Inside, OutputError, make_folder, write_json, write_whole};
 use crate::output::plots::{Chart, Curve, Stroke};
 use crate::output::tables::push_line;
 use crate::output::units::{Unit, largest};
@@ -37,15 +37,15 @@ pub fn write_forecast(
     let names = [MODELS, DOCUMENT, CURVE].into_iter().map(str::to_owned);
     let paths: Vec<PathBuf> =
         names.chain(plots.iter().map(|(name, _)| name.clone())).map(|n| dir.join(n)).collect();
-    if !force && paths.iter().any(|p| p.exists()) {
+    if !force && paths.iter().any(|p| Inside::at(p).exists()) {
         return Err(OutputError::Exists { path: dir.to_path_buf() });
     }
-    make_folder(dir)?;
-    write_whole(&dir.join(MODELS), files.models.as_bytes())?;
-    write_json(&dir.join(DOCUMENT), files.document)?;
-    write_whole(&dir.join(CURVE), curve_text(files.curves).as_bytes())?;
+    make_folder(&Inside::of(dir, ""))?;
+    write_whole(&Inside::of(dir, MODELS), files.models.as_bytes())?;
+    write_json(&Inside::of(dir, DOCUMENT), files.document)?;
+    write_whole(&Inside::of(dir, CURVE), curve_text(files.curves).as_bytes())?;
     for (name, svg) in &plots {
-        write_whole(&dir.join(name), svg.as_bytes())?;
+        write_whole(&Inside::of(dir, name), svg.as_bytes())?;
     }
     Ok(paths)
 }

@@ -1,7 +1,7 @@
 //! An image to draw on, written as a PNG file, and as another one for dark screens. It is drawn at twice the size and scaled down,
 //! which smooths edges.
 
-use crate::output::files::OutputError;
+use crate::output::files::{Inside, OutputError, write_whole};
 use crate::output::plots::Rgb;
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
@@ -9,7 +9,6 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{FontTransform, register_font};
 use std::io::Write as _;
-use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 /// A colour on paper and light screens, and on dark ones.
@@ -128,9 +127,9 @@ impl Canvas {
     }
 
     /// Writes the image as a PNG file, and the one for dark screens beside it.
-    pub(super) fn write(&self, path: &Path) -> Result<(), OutputError> {
-        for (dark, path) in [(false, path.to_path_buf()), (true, dark_variant(path))] {
-            crate::output::files::write_whole(&path, &self.png(dark))?;
+    pub(super) fn write(&self, file: &Inside) -> Result<(), OutputError> {
+        for (dark, file) in [(false, file), (true, &dark_variant(file))] {
+            write_whole(file, &self.png(dark))?;
         }
         Ok(())
     }
@@ -180,8 +179,8 @@ impl Canvas {
 }
 
 /// The file of a picture for dark screens.
-pub(crate) fn dark_variant(path: &Path) -> PathBuf {
-    path.with_extension("dark.png")
+pub(crate) fn dark_variant(file: &Inside) -> Inside {
+    file.beside(format!("{}.dark.png", file.stem()))
 }
 
 fn push_chunk(png: &mut Vec<u8>, name: &[u8; 4], data: &[u8]) {

@@ -5,11 +5,10 @@ use super::scene::Scene;
 use crate::case::resolved::Case;
 use crate::domain::PlacedDomain;
 use crate::output::fields::HeightMap;
-use crate::output::files::{OutputError, make_folder};
+use crate::output::files::{Inside, OutputError, make_folder};
 use solver::grid::Grid;
 use solver::precision::Precision;
 use solver::state::State;
-use std::path::Path;
 
 /// A picture: the name of its file in `pictures/`, and what to look for in it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -73,12 +72,12 @@ pub const PICTURES: [Caption; 8] = [
     },
 ];
 
-/// Draws all pictures of a state, with the map of its free surface, into `dir`, each for light and for dark screens.
+/// Draws all pictures of a state, with the map of its free surface, into the folder `dir`, each for light and for dark screens.
 ///
 /// # Errors
 /// When a file cannot be written.
 pub fn write_pictures(
-    dir: &Path,
+    dir: &Inside,
     case: &Case,
     grid: &Grid,
     state: &State<impl Precision>,

@@ -4,7 +4,7 @@ use super::frame::{Scale, View};
 use super::scene::{OUTLINE, Scene, find};
 use crate::case::resolved::{Case, Ground};
 use crate::output::fields::HeightMap;
-use crate::output::files::{OutputError, write_whole};
+use crate::output::files::{Inside, OutputError, write_whole};
 use crate::output::plots::{Chart, ColourMap, Curve, Stroke};
 use crate::output::tables::push_line;
 use crate::output::units::{digits, largest};
@@ -12,7 +12,6 @@ use glam::DVec3;
 use mechanics::Pose;
 use solver::precision::Precision;
 use solver::state::State;
-use std::path::Path;
 
 /// The free surface from above.
 pub(super) fn plan<R: Precision>(scene: &Scene<'_, R>, map: &HeightMap) -> View {
@@ -113,7 +112,7 @@ pub(super) fn profiles<R: Precision>(scene: &Scene<'_, R>, map: &HeightMap) -> V
 
 impl Profile {
     /// Writes the profile as a table and as a chart.
-    pub(super) fn write(&self, dir: &Path) -> Result<(), OutputError> {
+    pub(super) fn write(&self, dir: &Inside) -> Result<(), OutputError> {
         let mut table = format!("{} [m],height [m]\n", self.axis);
         for point in &self.points {
             push_line(&mut table, &[point[0], point[2]]);

@@ -1,10 +1,9 @@
 //! Animated files: frames one after the other.
 
-use crate::output::files::{OutputError, write_with};
+use crate::output::files::{Inside, OutputError, write_with};
 use gif::{DisposalMethod, Encoder, Repeat};
 use std::collections::HashMap;
 use std::io;
-use std::path::Path;
 
 /// Colours of a palette; one more is for pixels that stay as they were.
 const COLOURS: usize = 255;
@@ -22,13 +21,13 @@ pub(super) struct Animation<'a> {
 
 impl Animation<'_> {
     /// Writes a GIF: 255 colours for all frames, and of every frame only what has changed.
-    pub(super) fn write_gif(self, path: &Path) -> Result<(), OutputError> {
+    pub(super) fn write_gif(self, file: &Inside) -> Result<(), OutputError> {
         let ends = [self.count - 1, 0].map(|n| (self.frame)(n));
         let mut palette = Palette::of(&ends.concat());
         let [width, height] = self.size.map(|n| n as u16);
         // Hundredths of a second; players slow down what is faster than two.
         let delay = ((100.0 * self.pause).round() as u16).max(2);
-        write_with(path, |file| {
+        write_with(file, |file| {
             let mut encoder = Encoder::new(io::BufWriter::new(file), width, height, &palette.colours)
                 .map_err(io::Error::other)?;
             encoder.set_repeat(Repeat::Infinite).map_err(io::Error::other)?;
@@ -46,9 +45,9 @@ impl Animation<'_> {
     }
 
     /// Writes an animated PNG, in full colour.
-    pub(super) fn write_apng(self, path: &Path) -> Result<(), OutputError> {
+    pub(super) fn write_apng(self, file: &Inside) -> Result<(), OutputError> {
         let [width, height] = self.size.map(|n| n as u32);
-        write_with(path, |file| {
+        write_with(file, |file| {
             let mut encoder = png::Encoder::new(io::BufWriter::new(file), width, height);
             encoder.set_color(png::ColorType::Rgb);
             encoder.set_animated(self.count as u32, 0)?;

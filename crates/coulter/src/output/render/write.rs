@@ -3,7 +3,7 @@
 use super::animation::Animation;
 use super::frame::Renderer;
 use super::options::{ImageFormat, RenderOptions};
-use crate::output::files::{OutputError, make_folder, write_whole};
+use crate::output::files::{Inside, OutputError, make_folder, write_whole};
 use crate::output::folder::RunRecord;
 use crate::output::tables::read_history;
 use crate::output::view::{Detail, Recording, displacements};
@@ -43,9 +43,9 @@ pub fn render(
     let pictures = |format: &ImageFormat| if *format == ImageFormat::Png { 1 } else { frames.len() };
     let (mut done, all) = (0, formats.iter().map(pictures).sum());
     for (path, format) in options.files.iter().zip(formats) {
-        if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
-            make_folder(folder)?;
-        }
+        // In the results folder nothing is followed out of it; any other place is the user's.
+        let file = path.strip_prefix(dir).map_or_else(|_| Inside::at(path), |name| Inside::of(dir, name));
+        make_folder(&file.beside(""))?;
         let mut picture = |frame: usize| {
             let canvas = renderer.picture(frame);
             // The palette of a GIF needs two pictures twice.
@@ -55,13 +55,13 @@ pub fn render(
         };
         if format == ImageFormat::Png {
             let canvas = picture(nearest(&recording.times, options.time));
-            write_whole(path, &canvas.png(options.dark))?;
+            write_whole(&file, &canvas.png(options.dark))?;
             continue;
         }
         let mut frame = |n: usize| picture(frames[n]).rgb(options.dark);
         let pause = options.duration / frames.len() as f64;
         let animation = Animation { size: options.size, count: frames.len(), pause, frame: &mut frame };
-        if format == ImageFormat::Gif { animation.write_gif(path)? } else { animation.write_apng(path)? }
+        if format == ImageFormat::Gif { animation.write_gif(&file)? } else { animation.write_apng(&file)? }
     }
     Ok(())
 }

@@ -8,6 +8,7 @@ mod assembly;
 mod body_rows;
 mod cite;
 mod confidence;
+mod drawing;
 mod headline;
 mod meshes;
 mod page;

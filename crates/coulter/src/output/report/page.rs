@@ -4,6 +4,7 @@ use super::assembly::{self, ForceRow};
 use super::body_rows::body_rows;
 use super::cite::{Citation, citation};
 use super::confidence::{self, ConfidenceSection};
+use super::drawing::is_drawing;
 use super::headline::{Tile, sentences, tiles};
 use super::meshes::{self, IntervalRow, MeshRow};
 use super::rows::{
@@ -14,7 +15,7 @@ use super::summary::{BodySummary, Summary};
 use crate::history::History;
 use crate::history::reference::Reference;
 use crate::history::rim::RimLine;
-use crate::output::files::{Named, OutputError, file_safe, read_text, write_whole};
+use crate::output::files::{Inside, Named, OutputError, PLOTS, file_safe, read_text, write_whole};
 use crate::output::folder::{Outcome, RunRecord};
 use crate::output::page::{lowered, render_page};
 use crate::output::pictures::{PICTURES, dark_variant};
@@ -23,10 +24,11 @@ use crate::trust::Verdict;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde::Serialize;
-use std::fs;
 use std::path::Path;
 
 const TEMPLATE: &str = include_str!("../../../assets/report.html");
+/// Largest picture that is put into the page [bytes].
+const MOST_BYTES: u64 = 256 << 20;
 /// The script of the soil surface in three dimensions.
 const VIEW: &str = include_str!("../../../assets/view.js");
 
@@ -152,9 +154,9 @@ pub(crate) fn write_report(
         typed: text.typed.clone(),
         record,
     };
-    let path = dir.join("report.html");
-    let html = render(&page).map_err(|e| OutputError::content(&path, e))?;
-    write_whole(&path, html.as_bytes())
+    let file = Inside::of(dir, "report.html");
+    let html = render(&page).map_err(|e| OutputError::content(&file.path(), e))?;
+    write_whole(&file, html.as_bytes())
 }
 
 /// The bodies of the mesh study, if there is one.
@@ -180,7 +182,7 @@ fn render(page: &Page<'_>) -> Result<String, minijinja::Error> {
 fn write_plots(dir: &Path, plots: &[Plot]) -> Result<(), OutputError> {
     for plot in plots {
         let name = file_safe(&plot.name);
-        write_whole(&dir.join("plots").join(format!("{name}.svg")), plot.svg.as_bytes())?;
+        write_whole(&Inside::of(dir, PLOTS).join(format!("{name}.svg")), plot.svg.as_bytes())?;
     }
     Ok(())
 }
@@ -199,18 +201,22 @@ fn figure(plot: Plot) -> Figure {
 fn pictures(dir: &Path) -> Result<Vec<Figure>, OutputError> {
     let mut figures = Vec::new();
     for picture in &PICTURES {
-        let path = dir.join("pictures").join(picture.file);
-        if !path.is_file() {
+        let file = Inside::of(dir, "pictures").join(picture.file);
+        if !file.exists() {
             continue;
         }
         let mut figure =
             Figure { title: picture.title.into(), caption: picture.text.into(), ..Figure::default() };
         if picture.file.ends_with(".svg") {
-            figure.svg = Some(read_text(&path)?);
+            let svg = read_text(&file)?;
+            if !is_drawing(&svg) {
+                return Err(OutputError::content(&file.path(), "it is not the drawing of a run; remove it"));
+            }
+            figure.svg = Some(svg);
         } else {
-            figure.image = Some(embedded(&path)?);
-            let dark = dark_variant(&path);
-            figure.dark_image = if dark.is_file() { Some(embedded(&dark)?) } else { None };
+            figure.image = Some(embedded(&file)?);
+            let dark = dark_variant(&file);
+            figure.dark_image = if dark.exists() { Some(embedded(&dark)?) } else { None };
         }
         figures.push(figure);
     }
@@ -218,8 +224,8 @@ fn pictures(dir: &Path) -> Result<Vec<Figure>, OutputError> {
 }
 
 /// A picture as part of the page.
-fn embedded(path: &Path) -> Result<String, OutputError> {
-    let bytes = fs::read(path).named("read", path)?;
+fn embedded(file: &Inside) -> Result<String, OutputError> {
+    let bytes = file.read(MOST_BYTES).named("read", &file.path())?;
     Ok(format!("data:image/png;base64,{}", STANDARD.encode(bytes)))
 }
 

@@ -8,7 +8,7 @@ use crate::history::steady::{Peak, Steady, peak, steady, window};
 use crate::history::{BodySample, EnergySample, ForceSample, History, RutSection};
 use crate::mesh_study::{Figures, MeshStudy};
 use crate::output::fields::SurfaceFigures;
-use crate::output::files::{OutputError, SUMMARY, read_json, write_json};
+use crate::output::files::{Inside, OutputError, SUMMARY, read_json, write_json};
 use crate::output::folder::{RunRecord, StageRecord};
 use crate::trust::body::Mesh;
 use crate::trust::{Check, Trust};
@@ -392,7 +392,7 @@ impl Summary {
     /// # Errors
     /// When the file cannot be written.
     pub fn write(&self, dir: &Path) -> Result<(), OutputError> {
-        write_json(&dir.join(SUMMARY), self)
+        write_json(&Inside::of(dir, SUMMARY), self)
     }
 
     /// Reads `summary.json` from a results folder.
@@ -400,6 +400,6 @@ impl Summary {
     /// # Errors
     /// When the file cannot be read, is not a summary, or is of another version of the format.
     pub fn read(dir: &Path) -> Result<Self, OutputError> {
-        read_json(&dir.join(SUMMARY), "results_format")
+        read_json(&Inside::of(dir, SUMMARY), "results_format")
     }
 }

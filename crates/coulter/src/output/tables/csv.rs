@@ -12,7 +12,7 @@ use crate::history::filter::filtered;
 use crate::history::reference::Reference;
 use crate::history::rim::RimLine;
 use crate::history::{History, RutSection, SurfacePoint};
-use crate::output::files::{Named, OutputError, file_safe, write_whole};
+use crate::output::files::{Inside, Named, OutputError, file_safe, write_whole};
 use std::fs::File;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -100,7 +100,7 @@ pub(crate) fn write_filtered(
     for (body, (samples, reference)) in history.bodies.iter().zip(references).enumerate() {
         let mut text = format!("{}\n", header(FILTERED));
         push_lines(&mut text, &filtered(samples, cutoff), FILTERED, reference);
-        write_whole(&dir.join(filtered_name(&history.names, body)), text.as_bytes())?;
+        write_whole(&Inside::of(dir, filtered_name(&history.names, body)), text.as_bytes())?;
     }
     Ok(())
 }
@@ -113,7 +113,7 @@ pub(crate) fn write_rims(dir: &Path, names: &[String], rims: &[Vec<RimLine>]) ->
     for (body, lines) in rims.iter().enumerate() {
         let mut text = format!("{}\n", header(RIM));
         push_lines(&mut text, lines, RIM, &Reference::default());
-        write_whole(&dir.join(rim_name(names, body)), text.as_bytes())?;
+        write_whole(&Inside::of(dir, rim_name(names, body)), text.as_bytes())?;
     }
     Ok(())
 }
@@ -133,7 +133,7 @@ pub(crate) fn write_ground(
     map: &[SurfacePoint],
     ruts: &[Vec<RutSection>],
 ) -> Result<(), OutputError> {
-    let write = |name: &str, text: &str| write_whole(&dir.join(name), text.as_bytes());
+    let write = |name: &str, text: &str| write_whole(&Inside::of(dir, name), text.as_bytes());
     let mut text = format!("{}\n", header(HEIGHT_MAP));
     push_lines(&mut text, map, HEIGHT_MAP, &Reference::default());
     write(HEIGHT_MAP_FILE, &text)?;
@@ -150,8 +150,8 @@ pub(crate) fn write_ground(
 /// # Errors
 /// When a file is broken.
 pub(crate) fn read_rims(dir: &Path, names: &[String]) -> Result<Vec<Vec<RimLine>>, OutputError> {
-    let paths = (0..names.len()).map(|body| dir.join(rim_name(names, body)));
-    paths.map(|path| if path.is_file() { read(&path, RIM, true) } else { Ok(Vec::new()) }).collect()
+    let files = (0..names.len()).map(|body| Inside::of(dir, rim_name(names, body)));
+    files.map(|file| if file.exists() { read(&file, RIM, true) } else { Ok(Vec::new()) }).collect()
 }
 
 fn push_lines<S: Copy>(text: &mut String, samples: &[S], columns: &[Column<S>], reference: &Reference) {
@@ -190,14 +190,14 @@ impl HistoryFiles {
     pub fn create(dir: &Path, references: &[Reference], names: &HistoryNames) -> Result<Self, OutputError> {
         let HistoryNames { bodies: names, parts, joints } = names;
         let bodies = (0..names.len())
-            .map(|n| HistoryFile::create(dir.join(forces_name(names, n)), FORCES))
+            .map(|n| HistoryFile::create(Inside::of(dir, forces_name(names, n)), FORCES))
             .collect::<Result<_, _>>()?;
-        let parts = parts.iter().map(|name| HistoryFile::create(dir.join(part_name(name)), PARTS));
+        let parts = parts.iter().map(|name| HistoryFile::create(Inside::of(dir, part_name(name)), PARTS));
         let parts = parts.collect::<Result<_, _>>()?;
-        let joints = joints.iter().map(|name| HistoryFile::create(dir.join(joint_name(name)), JOINTS));
+        let joints = joints.iter().map(|name| HistoryFile::create(Inside::of(dir, joint_name(name)), JOINTS));
         let joints = joints.collect::<Result<_, _>>()?;
-        let energy = HistoryFile::create(dir.join(ENERGY_FILE), columns::ENERGY)?;
-        let boundaries = HistoryFile::create(dir.join(BOUNDARIES_FILE), columns::BOUNDARIES)?;
+        let energy = HistoryFile::create(Inside::of(dir, ENERGY_FILE), columns::ENERGY)?;
+        let boundaries = HistoryFile::create(Inside::of(dir, BOUNDARIES_FILE), columns::BOUNDARIES)?;
         let (dir, references) = (dir.to_path_buf(), references.to_vec());
         Ok(Self { bodies, parts, joints, energy, boundaries, ground_left: None, dir, references })
     }
@@ -222,7 +222,8 @@ impl HistoryFiles {
         self.energy.append(&history.energy, columns::ENERGY, &none)?;
         self.boundaries.append(&history.boundaries, columns::BOUNDARIES, &none)?;
         if self.ground_left.is_none() && !history.ground_left.is_empty() {
-            self.ground_left = Some(HistoryFile::create(self.dir.join(GROUND_LEFT_FILE), GROUND_LEFT)?);
+            self.ground_left =
+                Some(HistoryFile::create(Inside::of(&self.dir, GROUND_LEFT_FILE), GROUND_LEFT)?);
         }
         let file = self.ground_left.as_mut();
         file.map_or(Ok(()), |file| file.append(&history.ground_left, GROUND_LEFT, &none))
@@ -230,8 +231,9 @@ impl HistoryFiles {
 }
 
 impl HistoryFile {
-    fn create<S: Copy>(path: PathBuf, columns: &[Column<S>]) -> Result<Self, OutputError> {
-        let mut file = File::create(&path).named("create", &path)?;
+    fn create<S: Copy>(at: Inside, columns: &[Column<S>]) -> Result<Self, OutputError> {
+        let path = at.path();
+        let mut file = at.create().named("create", &path)?;
         writeln!(file, "{}", header(columns)).named("write", &path)?;
         Ok(Self { path, file, written: 0 })
     }
@@ -254,18 +256,18 @@ impl HistoryFile {
 
 /// Reads the samples of a history file back.
 fn read<S: Copy + Default>(
-    path: &Path,
+    file: &Inside,
     columns: &[Column<S>],
     is_whole: bool,
 ) -> Result<Vec<S>, OutputError> {
-    let table = Table::read_history(path, is_whole)?;
+    let table = Table::read_history(file, is_whole)?;
     let mut samples = vec![S::default(); table.rows()];
     for column in columns {
         let Source::Sampled(number) = column.source else { continue };
         let name = column.header();
         let values = table
             .column(&name)
-            .ok_or_else(|| OutputError::content(path, format!("column `{name}` is missing")))?;
+            .ok_or_else(|| OutputError::content(&file.path(), format!("column `{name}` is missing")))?;
         samples.iter_mut().zip(values).for_each(|(sample, value)| *number(sample) = *value);
     }
     Ok(samples)
@@ -279,11 +281,11 @@ fn read<S: Copy + Default>(
 pub fn read_history(dir: &Path, names: &HistoryNames, is_whole: bool) -> Result<History, OutputError> {
     let HistoryNames { bodies: names, parts: part_names, joints: joint_names } = names;
     let bodies = (0..names.len())
-        .map(|n| read(&dir.join(forces_name(names, n)), FORCES, is_whole))
+        .map(|n| read(&Inside::of(dir, forces_name(names, n)), FORCES, is_whole))
         .collect::<Result<_, _>>()?;
-    let parts = part_names.iter().map(|name| read(&dir.join(part_name(name)), PARTS, is_whole));
-    let joints = joint_names.iter().map(|name| read(&dir.join(joint_name(name)), JOINTS, is_whole));
-    let left = dir.join(GROUND_LEFT_FILE);
+    let parts = part_names.iter().map(|name| read(&Inside::of(dir, part_name(name)), PARTS, is_whole));
+    let joints = joint_names.iter().map(|name| read(&Inside::of(dir, joint_name(name)), JOINTS, is_whole));
+    let left = Inside::of(dir, GROUND_LEFT_FILE);
     let mut history = History {
         part_names: part_names.clone(),
         parts: parts.collect::<Result<_, _>>()?,
@@ -295,9 +297,9 @@ pub fn read_history(dir: &Path, names: &HistoryNames, is_whole: bool) -> Result<
         // The record of the run has them.
         stages: Vec::new(),
         stages_ended: None,
-        energy: read(&dir.join(ENERGY_FILE), columns::ENERGY, is_whole)?,
-        boundaries: read(&dir.join(BOUNDARIES_FILE), columns::BOUNDARIES, is_whole)?,
-        ground_left: if left.is_file() { read(&left, GROUND_LEFT, is_whole)? } else { Vec::new() },
+        energy: read(&Inside::of(dir, ENERGY_FILE), columns::ENERGY, is_whole)?,
+        boundaries: read(&Inside::of(dir, BOUNDARIES_FILE), columns::BOUNDARIES, is_whole)?,
+        ground_left: if left.exists() { read(&left, GROUND_LEFT, is_whole)? } else { Vec::new() },
     };
     if !is_whole {
         let others = [history.energy.len(), history.boundaries.len()];

@@ -1,6 +1,6 @@
 //! Tables of numbers in text files: a header line, comma-separated fields, an empty field for no value.
 
-use crate::output::files::{OutputError, read_text};
+use crate::output::files::{Inside, OutputError, read_text};
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -19,14 +19,14 @@ impl Table {
     /// # Errors
     /// When the file cannot be read, a line has too many or too few fields, or a field is not a number.
     pub fn read(path: &Path) -> Result<Self, OutputError> {
-        Self::parse(&read_text(path)?).map_err(|problem| OutputError::content(path, problem))
+        Self::parse(&read_text(&Inside::at(path))?).map_err(|problem| OutputError::content(path, problem))
     }
 
     /// Reads the table of a run; for a killed run (not `is_whole`) without an incomplete last line.
-    pub(super) fn read_history(path: &Path, is_whole: bool) -> Result<Self, OutputError> {
-        let text = read_text(path)?;
+    pub(super) fn read_history(file: &Inside, is_whole: bool) -> Result<Self, OutputError> {
+        let text = read_text(file)?;
         let end = if is_whole { text.len() } else { text.rfind('\n').map_or(0, |n| n + 1) };
-        Self::parse(&text[..end]).map_err(|problem| OutputError::content(path, problem))
+        Self::parse(&text[..end]).map_err(|problem| OutputError::content(&file.path(), problem))
     }
 
     fn parse(text: &str) -> Result<Self, String> {

@@ -4,10 +4,10 @@ use super::lattice::lattice;
 use super::solid::{RecordedBody, read_body};
 use super::surface::SurfaceAtTime;
 use crate::history::History;
-use crate::output::files::{LISTS, OutputError};
+use crate::output::files::{Inside, LISTS, OutputError};
 use crate::output::folder::RunRecord;
 use crate::output::vtk::{TimedFile, read_time_list};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// How much of a run is shown.
 #[derive(Clone, Copy, Debug)]
@@ -50,14 +50,15 @@ impl Recording {
     /// When a field file is missing or damaged.
     pub(crate) fn read(dir: &Path, record: &RunRecord, detail: Detail) -> Result<Option<Self>, OutputError> {
         let [_, surfaces, solids] = LISTS;
-        let listed = read_time_list(&dir.join(surfaces))?;
+        let listed = read_time_list(&Inside::of(dir, surfaces))?;
         let files = spread(&listed, detail.times);
         // Of a slab in plane strain; any width will do for a run without a body.
         let width = record.bodies.first().map_or(record.finest_cell, |body| body.width);
-        let read = |file: &&TimedFile| SurfaceAtTime::read(&dir.join(&file.file), width, record.symmetric_x);
+        let read =
+            |file: &&TimedFile| SurfaceAtTime::read(&Inside::of(dir, &file.file), width, record.symmetric_x);
         let surfaces = files.iter().map(read).collect::<Result<Vec<_>, _>>()?;
         let Some(first) = surfaces.first() else { return Ok(None) };
-        let bodies = read_bodies(dir, record, (&files, &read_time_list(&dir.join(solids))?), detail)?;
+        let bodies = read_bodies(dir, record, (&files, &read_time_list(&Inside::of(dir, solids))?), detail)?;
         let reach = bodies.iter().fold([[f64::INFINITY, f64::NEG_INFINITY]; 2], |all, body| {
             [0, 1].map(|n| [all[n][0].min(body.reach[n][0]), all[n][1].max(body.reach[n][1])])
         });
@@ -93,8 +94,8 @@ fn read_bodies(
     let mut bodies = Vec::new();
     for (number, body) in record.bodies.iter().enumerate() {
         let at = |time: f64| listed.iter().find(|file| file.part == number && file.time == time);
-        let files = times.iter().map(|time| at(time.time).map(|file| dir.join(&file.file)));
-        if let Some(files) = files.collect::<Option<Vec<PathBuf>>>() {
+        let files = times.iter().map(|time| at(time.time).map(|file| Inside::of(dir, &file.file)));
+        if let Some(files) = files.collect::<Option<Vec<Inside>>>() {
             bodies.extend(read_body(&body.name, &files, detail.triangles)?);
         }
     }

@@ -1,11 +1,10 @@
 //! A body: its surface once, and where it is at each time.
 
 use super::rigid::Tripod;
-use crate::output::files::OutputError;
+use crate::output::files::{Inside, OutputError};
 use crate::output::vtk::VtkFile;
 use glam::{DMat3, DVec3};
 use std::collections::HashMap;
-use std::path::Path;
 
 /// A body of a recording. Lengths in metres.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,24 +34,24 @@ impl RecordedBody {
 /// Reads a body at all times, with at most so many triangles.
 pub(super) fn read_body(
     name: &str,
-    files: &[impl AsRef<Path>],
+    files: &[Inside],
     most: usize,
 ) -> Result<Option<RecordedBody>, OutputError> {
     let Some(first) = files.first() else { return Ok(None) };
-    let file = VtkFile::read(first.as_ref())?;
+    let file = VtkFile::read(first)?;
     let start = triples(&file.numbers("Points")?);
     let corners: Vec<usize> = file.numbers("connectivity")?.iter().map(|n| *n as usize).collect();
     let Some(tripod) = Tripod::of(&start).filter(|_| corners.iter().all(|n| *n < start.len())) else {
-        return Err(OutputError::content(first.as_ref(), "its points are no surface"));
+        return Err(OutputError::content(&first.path(), "its points are no surface"));
     };
     let (low, high) = bounds(&start);
     let middle = 0.5 * (low + high);
     let (mut poses, mut reach) = (Vec::new(), [[f64::INFINITY, f64::NEG_INFINITY]; 2]);
     for path in files {
-        let now = triples(&VtkFile::read(path.as_ref())?.numbers("Points")?);
+        let now = triples(&VtkFile::read(path)?.numbers("Points")?);
         let rotation = tripod.rotation(&start, &now).filter(|_| now.len() == start.len());
         let rotation =
-            rotation.ok_or_else(|| OutputError::content(path.as_ref(), "it shows another surface"))?;
+            rotation.ok_or_else(|| OutputError::content(&path.path(), "it shows another surface"))?;
         let (low, high) = bounds(&now);
         for axis in 0..2 {
             reach[axis] = [reach[axis][0].min(low[axis]), reach[axis][1].max(high[axis])];

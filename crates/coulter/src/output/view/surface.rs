@@ -1,8 +1,7 @@
 //! The soil surface at one time, read back from its field file.
 
-use crate::output::files::OutputError;
+use crate::output::files::{Inside, OutputError};
 use crate::output::vtk::VtkFile;
-use std::path::Path;
 
 /// Heights over the columns of a grid, wherever it is.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -18,14 +17,14 @@ pub(super) struct SurfaceAtTime {
 impl SurfaceAtTime {
     /// Reads a surface; in plane strain its only row of columns becomes a strip of this width [m], and of a case that is symmetric
     /// about x = 0 the other half is added.
-    pub(super) fn read(path: &Path, width: f64, symmetric_x: bool) -> Result<Self, OutputError> {
-        let file = VtkFile::read(path)?;
+    pub(super) fn read(from: &Inside, width: f64, symmetric_x: bool) -> Result<Self, OutputError> {
+        let file = VtkFile::read(from)?;
         let (points, rises) = (file.numbers("Points")?, file.numbers("rise")?);
         let points: Vec<[f64; 3]> = points.chunks_exact(3).map(|p| [p[0], p[1], p[2]]).collect();
         let first_y = points.first().map_or(f64::NAN, |p| p[1]);
         let columns = points.iter().take_while(|p| p[1] == first_y).count();
         if columns < 2 || !points.len().is_multiple_of(columns) || rises.len() != points.len() {
-            return Err(OutputError::content(path, "its points are no rows of columns"));
+            return Err(OutputError::content(&from.path(), "its points are no rows of columns"));
         }
         let x = points[..columns].iter().map(|p| p[0]).collect();
         let y = points.iter().step_by(columns).map(|p| p[1]).collect();
@@ -37,7 +36,7 @@ impl SurfaceAtTime {
             surface.mirror();
         }
         if surface.axes.iter().any(|axis| axis.windows(2).any(|pair| pair[1] <= pair[0])) {
-            return Err(OutputError::content(path, "its columns are not in order"));
+            return Err(OutputError::content(&from.path(), "its columns are not in order"));
         }
         Ok(surface)
     }

@@ -3,12 +3,11 @@
 //! No array is ever whole in memory. Tags say where their array begins, and an array begins with the sizes of its compressed
 //! blocks; both are known only when it is written, and are filled in then.
 
-use crate::output::files::{OutputError, write_whole, write_with};
+use crate::output::files::{Inside, OutputError, write_whole, write_with};
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
 use std::fmt::Write as _;
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
-use std::path::Path;
 
 /// Bytes per compressed block.
 const BLOCK: usize = 1 << 16;
@@ -183,7 +182,7 @@ impl Dataset<'_> {
     /// Writes a file that joins several of this kind, given by their extents and their names beside it, to a whole extent.
     pub(super) fn write_joined(
         &self,
-        path: &Path,
+        file: &Inside,
         whole: &str,
         pieces: &[(String, String)],
     ) -> Result<(), OutputError> {
@@ -202,12 +201,12 @@ impl Dataset<'_> {
              header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n<P{kind} Whole{whole} GhostLevel=\"0\">\n\
              {content}</P{kind}>\n</VTKFile>\n"
         );
-        write_whole(path, text.as_bytes())
+        write_whole(file, text.as_bytes())
     }
 
     /// Writes the file.
-    pub(super) fn write(mut self, path: &Path) -> Result<(), OutputError> {
-        write_with(path, |file| {
+    pub(super) fn write(mut self, file: &Inside) -> Result<(), OutputError> {
+        write_with(file, |file| {
             let mut out = BufWriter::with_capacity(BLOCK, file);
             let count = self.sections.iter().map(|(_, arrays)| arrays.len()).sum();
             out.write_all(self.head(&vec![0; count]).as_bytes())?;

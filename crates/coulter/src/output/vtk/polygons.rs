@@ -3,15 +3,14 @@
 use super::file::{DataArray, Dataset};
 use crate::history::GroundColumn;
 use crate::output::fields::HeightMap;
-use crate::output::files::OutputError;
+use crate::output::files::{Inside, OutputError};
 use glam::DVec3;
 use mechanics::BodyState;
 use physics::shape::Shape;
-use std::path::Path;
 
 /// Writes a body's surface where it is, with the velocity of each point.
 pub(super) fn write_body(
-    path: &Path,
+    file: &Inside,
     shape: &dyn Shape,
     body: &BodyState,
     time: f64,
@@ -26,11 +25,11 @@ pub(super) fn write_body(
         polygons: mesh.triangles.iter().map(|corners| corners.map(i64::from)),
         polygon_count: mesh.triangles.len(),
     };
-    surface.write(path, time, vec![DataArray::singles("velocity", [arms.len(), 3], velocities)])
+    surface.write(file, time, vec![DataArray::singles("velocity", [arms.len(), 3], velocities)])
 }
 
 /// Writes the free surface, with its height over the undisturbed one.
-pub(super) fn write_surface(path: &Path, map: &HeightMap, time: f64) -> Result<(), OutputError> {
+pub(super) fn write_surface(file: &Inside, map: &HeightMap, time: f64) -> Result<(), OutputError> {
     let (columns, rows) = (map.centres[0].len(), map.centres[1].len());
     let places = (0..rows).flat_map(|j| (0..columns).map(move |i| (i, j)));
     let quads = (1..rows).flat_map(|j| (1..columns).map(move |i| (i, j)));
@@ -53,7 +52,7 @@ pub(super) fn write_surface(path: &Path, map: &HeightMap, time: f64) -> Result<(
         array("disturbed", |column| column.disturbed),
         array("mixed", |column| column.mixed),
     ];
-    surface.write(path, time, point_data)
+    surface.write(file, time, point_data)
 }
 
 /// Polygons of N corners each.
@@ -65,7 +64,7 @@ struct Surface<P, F> {
 }
 
 impl<P: Iterator<Item = DVec3>, F: Iterator<Item = [i64; N]>, const N: usize> Surface<P, F> {
-    fn write(self, path: &Path, time: f64, point_data: Vec<DataArray>) -> Result<(), OutputError> {
+    fn write(self, file: &Inside, time: f64, point_data: Vec<DataArray>) -> Result<(), OutputError> {
         let (points, polygons) = (self.point_count, self.polygon_count);
         let coordinates = self.points.flat_map(|p| p.to_array());
         let ends = (1..=polygons).map(|n| (n * N) as i64);
@@ -89,6 +88,6 @@ impl<P: Iterator<Item = DVec3>, F: Iterator<Item = [i64; N]>, const N: usize> Su
                 ),
             ],
         }
-        .write(path)
+        .write(file)
     }
 }

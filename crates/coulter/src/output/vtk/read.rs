@@ -1,10 +1,9 @@
 //! Reads back arrays of the files that this module writes.
 
-use crate::output::files::{Named, OutputError};
+use crate::output::files::{Inside, Named, OutputError};
 use flate2::read::ZlibDecoder;
-use std::fs;
 use std::io::Read as _;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Bytes of a number in a header of an array.
 const WORD: usize = size_of::<u64>();
@@ -12,6 +11,9 @@ const WORD: usize = size_of::<u64>();
 const BEGIN: &[u8] = b"<AppendedData encoding=\"raw\">\n_";
 /// Largest array that is read [bytes]: a file that is damaged must not fill the memory.
 const MOST_BYTES: usize = 1 << 30;
+
+/// Largest file that is read [bytes].
+const MOST_FILE: u64 = 8 << 30;
 
 /// A file with its arrays.
 pub(crate) struct VtkFile {
@@ -22,12 +24,13 @@ pub(crate) struct VtkFile {
 
 impl VtkFile {
     /// Reads a file.
-    pub(crate) fn read(path: &Path) -> Result<Self, OutputError> {
-        let bytes = fs::read(path).named("read", path)?;
+    pub(crate) fn read(from: &Inside) -> Result<Self, OutputError> {
+        let path = from.path();
+        let bytes = from.read(MOST_FILE).named("read", &path)?;
         let begin = bytes.windows(BEGIN.len()).position(|window| window == BEGIN);
-        let begin = begin.ok_or_else(|| OutputError::content(path, "it has no data"))?;
+        let begin = begin.ok_or_else(|| OutputError::content(&path, "it has no data"))?;
         let head = String::from_utf8_lossy(&bytes[..begin]).into_owned();
-        Ok(Self { path: path.to_path_buf(), head, data: bytes[begin + BEGIN.len()..].to_vec() })
+        Ok(Self { path, head, data: bytes[begin + BEGIN.len()..].to_vec() })
     }
 
     /// The numbers of an array.

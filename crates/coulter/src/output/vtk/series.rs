@@ -7,7 +7,7 @@ use crate::case::Case;
 use crate::domain::PlacedDomain;
 use crate::history::History;
 use crate::output::fields::HeightMap;
-use crate::output::files::{FIELDS, LISTS, OutputError, file_safe, make_folder};
+use crate::output::files::{FIELDS, Inside, LISTS, OutputError, file_safe, make_folder};
 use solver::grid::Grid;
 use solver::halo::Halo;
 use solver::precision::Precision;
@@ -29,7 +29,7 @@ impl FieldSeries {
     /// # Errors
     /// When its folder cannot be created.
     pub fn create(dir: &Path) -> Result<Self, OutputError> {
-        make_folder(&dir.join(FIELDS))?;
+        make_folder(&Inside::of(dir, FIELDS))?;
         Ok(Self { dir: dir.to_path_buf(), frames: Default::default(), next_frame: 0 })
     }
 
@@ -40,7 +40,7 @@ impl FieldSeries {
     pub fn resume(dir: &Path, time: f64) -> Result<Self, OutputError> {
         let mut series = Self::create(dir)?;
         for (list, name) in series.frames.iter_mut().zip(LISTS) {
-            *list = read_time_list(&dir.join(name))?;
+            *list = read_time_list(&Inside::of(dir, name))?;
             // A checkpoint is taken between steps: field files of exactly its time are valid.
             list.retain(|frame| frame.time <= time * (1.0 + 1e-12));
         }
@@ -76,28 +76,28 @@ impl FieldSeries {
         let extension = if halo.is_alone() { "vtr" } else { "pvtr" };
         let soil = format!("{FIELDS}/soil_{n:04}.{extension}");
         let domain = PlacedDomain::of(grid, state.grid_position);
-        let path = self.dir.join(&soil);
+        let to = Inside::of(&self.dir, &soil);
         if halo.is_alone() {
-            write_soil(&path, &domain, state)?;
+            write_soil(&to, &domain, state)?;
         } else {
-            write_blocks(&path, (&domain, halo), state)?;
+            write_blocks(&to, (&domain, halo), state)?;
         }
         self.frames[0].push(TimedFile { time, part: 0, file: soil });
         self.next_frame += 1;
         // The other blocks keep to the first list alone: it says when fields are due.
         let Some(map) = HeightMap::of(case, (grid, halo), state, &history.ground_left) else { return Ok(()) };
         let surface = format!("{FIELDS}/surface_{n:04}.vtp");
-        write_surface(&self.dir.join(&surface), &map, time)?;
+        write_surface(&Inside::of(&self.dir, &surface), &map, time)?;
         self.frames[1].push(TimedFile { time, part: 0, file: surface });
         for (number, described) in case.touching() {
             let body = &state.mechanism.bodies[number];
             let file = format!("{FIELDS}/body_{}_{n:04}.vtp", file_safe(&described.name));
-            write_body(&self.dir.join(&file), described.solid().as_ref(), body, time)?;
+            write_body(&Inside::of(&self.dir, &file), described.solid().as_ref(), body, time)?;
             self.frames[2].push(TimedFile { time, part: number, file });
         }
         for (frames, name) in self.frames.iter().zip(LISTS) {
             if !frames.is_empty() {
-                write_time_list(&self.dir.join(name), frames)?;
+                write_time_list(&Inside::of(&self.dir, name), frames)?;
             }
         }
         Ok(())

@@ -3,13 +3,12 @@
 use super::file::{DataArray, Dataset};
 use crate::domain::PlacedDomain;
 use crate::output::fields::{CellView, node_velocity};
-use crate::output::files::OutputError;
+use crate::output::files::{Inside, OutputError};
 use solver::fields::HISTORY;
 use solver::halo::Halo;
 use solver::precision::Precision;
 use solver::state::State;
 use std::ops::Range;
-use std::path::Path;
 
 /// Indices of `[columns, rows, layers]`, the first running fastest.
 fn each_place([columns, rows, layers]: [usize; 3]) -> impl Iterator<Item = [usize; 3]> {
@@ -18,28 +17,28 @@ fn each_place([columns, rows, layers]: [usize; 3]) -> impl Iterator<Item = [usiz
 
 /// Writes the soil of a whole grid.
 pub(super) fn write_soil(
-    path: &Path,
+    file: &Inside,
     domain: &PlacedDomain,
     state: &State<impl Precision>,
 ) -> Result<(), OutputError> {
-    dataset(domain, state).write(path)
+    dataset(domain, state).write(file)
 }
 
-/// Writes the soil of each block beside `path`, and in `path` how they make up the whole; the first block writes that when all others
+/// Writes the soil of each block beside `file`, and in `file` how they make up the whole; the first block writes that when all others
 /// have written theirs.
 pub(super) fn write_blocks(
-    path: &Path,
+    file: &Inside,
     (domain, halo): (&PlacedDomain, &Halo),
     state: &State<impl Precision>,
 ) -> Result<(), OutputError> {
     let name = |rank: usize| {
-        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        let stem = file.stem();
         format!("{stem}_{rank:04}.vtr")
     };
     let own = dataset(domain, state);
     let whole = extent(&domain.grid.domain.clone().map(|layers| 0..layers.len()));
     let layers = domain.layers();
-    own.write(&path.with_file_name(name(halo.rank())))?;
+    own.write(&file.beside(name(halo.rank())))?;
     let all = halo.collect(layers.iter().flat_map(|own| [own.start as f64, own.end as f64]).collect());
     if all.is_empty() {
         return Ok(());
@@ -48,7 +47,7 @@ pub(super) fn write_blocks(
         extent(&std::array::from_fn(|axis| ends[2 * axis] as usize..ends[2 * axis + 1] as usize))
     };
     let pieces: Vec<_> = all.iter().enumerate().map(|(rank, ends)| (of_block(ends), name(rank))).collect();
-    dataset(domain, state).write_joined(path, &whole, &pieces)
+    dataset(domain, state).write_joined(file, &whole, &pieces)
 }
 
 /// The attribute of some layers.

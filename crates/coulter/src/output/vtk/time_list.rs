@@ -1,8 +1,7 @@
 //! `.pvd`: the list of the files of a series by time, which ParaView opens.
 
-use crate::output::files::{Named, OutputError, write_whole};
+use crate::output::files::{Inside, OutputError, read_text, write_whole};
 use std::fmt::Write as _;
-use std::path::Path;
 
 /// One line of a time list: when, which part, which file (relative to the list).
 #[derive(Clone, Debug, PartialEq)]
@@ -16,7 +15,7 @@ pub(crate) struct TimedFile {
 }
 
 /// Writes a list.
-pub(super) fn write_time_list(path: &Path, frames: &[TimedFile]) -> Result<(), OutputError> {
+pub(super) fn write_time_list(to: &Inside, frames: &[TimedFile]) -> Result<(), OutputError> {
     let mut text = String::from(
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n<Collection>\n",
     );
@@ -25,15 +24,15 @@ pub(super) fn write_time_list(path: &Path, frames: &[TimedFile]) -> Result<(), O
         let _ = writeln!(text, "<DataSet timestep=\"{time}\" group=\"\" part=\"{part}\" file=\"{file}\"/>");
     }
     text.push_str("</Collection>\n</VTKFile>\n");
-    write_whole(path, text.as_bytes())
+    write_whole(to, text.as_bytes())
 }
 
 /// Reads back a list that [`write_time_list`] wrote; none when there is no such file.
-pub(crate) fn read_time_list(path: &Path) -> Result<Vec<TimedFile>, OutputError> {
-    if !path.is_file() {
+pub(crate) fn read_time_list(from: &Inside) -> Result<Vec<TimedFile>, OutputError> {
+    if !from.exists() {
         return Ok(Vec::new());
     }
-    let text = std::fs::read_to_string(path).named("read", path)?;
+    let text = read_text(from)?;
     let lines = text.lines().filter(|line| line.starts_with("<DataSet "));
     lines
         .map(|line| {
@@ -48,7 +47,8 @@ pub(crate) fn read_time_list(path: &Path) -> Result<Vec<TimedFile>, OutputError>
                     file: attribute("file")?.to_owned(),
                 })
             };
-            parse().ok_or_else(|| OutputError::content(path, format!("cannot make sense of `{line}`")))
+            parse()
+                .ok_or_else(|| OutputError::content(&from.path(), format!("cannot make sense of `{line}`")))
         })
         .collect()
 }
