@@ -66,7 +66,7 @@ impl Teller {
     fn counted(&self, line: &CaseLine, outcome: &Result<Outcome, Unended>) -> Option<String> {
         let model = word(line);
         let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
-        let is_done = matches!(outcome, Ok(Outcome { ending: Ending::Done, .. }));
+        let is_done = outcome.as_ref().is_ok_and(has_results);
         if outcome.is_ok() {
             *state.ended.entry(model).or_default() += 1;
             self.bar.inc(1);
@@ -148,13 +148,19 @@ fn told(line: &CaseLine, outcome: &Result<Outcome, Unended>) -> String {
     let levels: String =
         line.factors.iter().map(|level| format!(", {} = {}", level.name, shown(&level.shown))).collect();
     let end = match outcome {
-        Ok(outcome) if outcome.ending == Ending::Done => figures(outcome),
+        Ok(outcome) if has_results(outcome) => figures(outcome),
+        Ok(outcome) if outcome.ending == Ending::Done => format!("REFUSED: {}", outcome.reason),
         Ok(outcome) => {
             format!("{}: {}{}", outcome.ending.word().to_uppercase(), outcome.reason, kept(outcome))
         }
         Err(why) => format!("FAILED: {why}"),
     };
     format!("point {}{part}, {}{levels}: {end}", line.point, word(line))
+}
+
+/// Whether a case is done; one to which no closed form applies has nothing to show for it.
+fn has_results(outcome: &Outcome) -> bool {
+    outcome.ending == Ending::Done && !outcome.rows.is_empty()
 }
 
 /// What a broken run gave, which is in the table all the same.
@@ -164,7 +170,7 @@ fn kept(outcome: &Outcome) -> String {
 
 fn figures(outcome: &Outcome) -> String {
     let Some(row) = outcome.rows.iter().find(|row| row.recommended).or(outcome.rows.first()) else {
-        return "no closed form applies".to_owned();
+        return String::new();
     };
     let figure = |name: &str, value: Option<f64>, unit: &str| {
         value.filter(|value| value.is_finite()).map(|value| format!("{name} {} {unit}", short(value)))

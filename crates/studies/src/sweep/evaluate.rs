@@ -14,7 +14,7 @@ use coulter::interrupts::Interrupts;
 use coulter::output::folder::RunRecord;
 use coulter::output::{BodySummary, OutputError, Summary};
 use coulter::run::{self, End, RunError, RunOptions, Start};
-use coulter::trust::Verdict;
+use coulter::trust::{Check, Verdict};
 
 /// Why a case has no outcome.
 #[derive(Debug, thiserror::Error)]
@@ -168,7 +168,7 @@ fn solved(shared: &Shared, line: &CaseLine, mut case: Case) -> Result<Outcome, U
     };
     match run::run(&case, &options) {
         Ok(End::Finished(summary)) if summary.trust.verdict == Verdict::Broken => {
-            ended(Ending::Broken, run::verdict(&summary).join("; "), &summary)
+            ended(Ending::Broken, failed_checks(&summary), &summary)
         }
         Ok(End::Finished(summary)) => ended(Ending::Done, String::new(), &summary),
         Ok(End::Stopped(signal, _)) => Err(Unended::Stopped(signal)),
@@ -181,6 +181,12 @@ fn solved(shared: &Shared, line: &CaseLine, mut case: Case) -> Result<Outcome, U
         Err(RunError::Output(error)) => Err(error.into()),
         Err(error) => Err(Unended::Other(error.to_string())),
     }
+}
+
+/// The checks that make a run broken, each with its figure and its limits.
+fn failed_checks(summary: &Summary) -> String {
+    let failed = summary.trust.checks.iter().filter(|check| check.verdict == Verdict::Broken);
+    failed.map(Check::line).collect::<Vec<_>>().join("; ")
 }
 
 /// The rows of a run: one for every body with a surface.
