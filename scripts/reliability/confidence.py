@@ -54,18 +54,12 @@ def run(options, name, row, folder):
     return done.returncode, done.stderr, json.loads(summary.read_text()) if summary.is_file() else None
 
 
-def slab(folder, name):
-    """Width of the slab of plane strain [m], otherwise 1."""
-    domain = tomllib.loads((folder / name / "resolved.toml").read_text())["domain"]
-    return domain["high"][1] - domain["low"][1] if domain["plane_strain"] else 1.0
-
-
-def figure(row, summary, folder, name):
+def figure(row, summary):
     """The interval of the figure of a row, and its exact value; None without an interval."""
     bodies = (summary.get("confidence") or {}).get("bodies", {})
     body = next(iter(bodies), None)
     interval = bodies[body]["figures"].get(row["figure"]) if body else None
-    expected = row["expected"] * slab(folder, name)
+    expected = row["expected"]
     if row.get("per_sinkage"):
         expected *= summary["bodies"][body]["steady"]["sinkage_m"]
     return interval, expected
@@ -91,7 +85,7 @@ def judge_row(options, name, row, folder):
     code, error, summary = run(options, name, row, folder)
     if summary is None or summary.get("confidence") is None:
         return {"name": name, "inside": False, "width": None, "text": f"no intervals (code {code}): {error[-300:]}"}
-    interval, expected = figure(row, summary, folder, name)
+    interval, expected = figure(row, summary)
     if interval is None:
         why = [body["no_interval_because"] for body in summary["confidence"]["bodies"].values()]
         broken = [check["name"] for check in summary["trust"]["checks"] if check["verdict"] == "broken"]
@@ -123,7 +117,7 @@ def judge_fault(options, name, row, folder):
     trust = summary["trust"]
     concerns = [check for check in trust["checks"] if check["verdict"] != "good"]
     named = [check for check in concerns if check["name"] in row["checks"]]
-    interval, expected = figure(row, summary, folder, name)
+    interval, expected = figure(row, summary)
     widened = interval is not None and interval["dominated_by"] in row["sources"] and holds(interval, expected)
     why = "; ".join(f"{check['name']} {check['value']:.3g} {check['unit']}".strip() if check["value"] is not None else check["name"] for check in named)
     shown = "–"

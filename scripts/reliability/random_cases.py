@@ -110,8 +110,6 @@ class Case:
         self.sections["domain"] = {}
         if self.plane_strain:
             self.sections["domain"]["plane_strain"] = "true"
-            # The slab stays as wide when the cells get smaller, and so its forces and masses.
-            self.sections["domain"]["y"] = f'["0 m", {si(self.cell, "m")}]'
         elif draw.random() < 0.8:
             self.sections["domain"]["symmetric"] = "true"
         else:
@@ -134,7 +132,7 @@ class Case:
         if self.kind in ("free", "loaded", "dropped"):
             pressure = self.gamma * self.scale * 10 ** (draw.uniform(0.0, 0.8) if self.careful else draw.uniform(-2, 1.5))
             if self.plane_strain:
-                body["mass"] = si(pressure * self.scale * self.cell / gravity, "kg")
+                body["mass"] = si(pressure * self.scale / gravity, "kg")
             else:
                 body["weight"] = si(pressure * volume / self.scale, "N")
             body["heave"] = f"{{ load = \"0 N\", ramp = {si(ramp, 's')} }}"

@@ -21,7 +21,7 @@ pub mod uncertainty;
 pub mod wheel;
 
 pub use error::{ModelError, ModelResult};
-pub use forecast::{Forecast, Load, Towing, forecast};
+pub use forecast::{Forecast, Load, Towing, forecast, reference_force};
 pub use motion::{froude, inertia_pressure, slip, turn_ratio};
 pub use pore_water::{PoreWater, Suction};
 pub use soil::Soil;

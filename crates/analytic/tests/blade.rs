@@ -163,6 +163,8 @@ fn a_faceted_disc_has_the_forces_of_the_disc() {
     let round = FacetedBody {
         length: 0.2,
         width: 0.05,
+        breadth: 0.05,
+        plane_strain: false,
         height: 0.2,
         below: 0.1,
         axle: Axle::across(0.1),

@@ -2,6 +2,7 @@
 
 use crate::blocks::{self, Balance, TooManyBlocks};
 use crate::case::model::model;
+use crate::case::tow::TowDirection;
 use crate::case::{Case, CaseError, case_text, cores, require_valid};
 use crate::domain::PlacedDomain;
 use crate::history::History;
@@ -98,6 +99,7 @@ pub struct Simulation<R: Precision = f64> {
     /// Seconds of wall clock spent in steps.
     pub wall_s: f64,
     setting: Setting,
+    tows: Vec<TowDirection>,
     workspace: Workspace<R>,
     last_sample: LastSample,
     balance: Balance,
@@ -208,6 +210,7 @@ impl<R: Precision> Simulation<R> {
             history,
             wall_s: 0.0,
             setting: Setting::of(case),
+            tows: TowDirection::all(case),
             workspace,
             last_sample,
             balance,
@@ -429,8 +432,8 @@ impl<R: Precision> Simulation<R> {
 
     /// Enters the present state into the history.
     fn sample(&mut self) {
-        let Self { case, model, state, workspace, last_sample, history, .. } = self;
-        probes::sample((case, model), state, workspace.halo(), last_sample, history);
+        let Self { case, model, state, workspace, last_sample, history, tows, .. } = self;
+        probes::sample((case, model, tows), state, workspace.halo(), last_sample, history);
     }
 
     /// Keeps the surface of the soil that is about to leave a grid that travels; after every step, so that its lines lie as close

@@ -2,6 +2,7 @@
 
 use crate::case::quantity::plain;
 use crate::case::resolved::{Case, StageQuantity, Until};
+use crate::case::tow::TowDirection;
 use crate::history::{BodySample, History, StageStart};
 use glam::DVec3;
 use mechanics::Motion;
@@ -53,7 +54,7 @@ pub(crate) fn proceed<R: Precision>(
         return Ok(false);
     };
     let is_late = time_is_over(case, history, state.time, model.time_step());
-    let reached = case.stages[on].until.map(|until| reached(until, history, history.stages[on].time));
+    let reached = case.stages[on].until.map(|until| reached(case, until, history, history.stages[on].time));
     let is_over = match reached {
         None => is_late,
         Some((is_reached, _)) => is_reached,
@@ -83,13 +84,18 @@ pub(crate) fn proceed<R: Precision>(
 }
 
 /// Whether what ends a stage that began at a time [s] is reached, and its value now.
-fn reached(until: Until, history: &History, began: f64) -> (bool, f64) {
+fn reached(case: &Case, until: Until, history: &History, began: f64) -> (bool, f64) {
     let samples = &history.bodies[until.body];
     let first = samples.iter().rfind(|sample| sample.time <= began).copied().unwrap_or_default();
     let now = samples.last().copied().unwrap_or_default();
     let value = |sample: &BodySample| match until.quantity {
         StageQuantity::Sinkage => sample.sinkage,
-        StageQuantity::Displacement => sample.displacement - first.displacement,
+        StageQuantity::Displacement => {
+            // Along x also of a tow backwards.
+            let tow = TowDirection::of(case, &case.bodies[until.body]);
+            let sign = if tow.is_along_x() { tow.components()[0] } else { 1.0 };
+            sign * (sample.displacement - first.displacement)
+        }
         StageQuantity::VerticalForce => sample.vertical,
         StageQuantity::Drag => sample.drag,
         StageQuantity::AxleTorque => sample.axle_torque,
@@ -122,9 +128,11 @@ fn too_late<R: Precision>(case: &Case, on: usize, value: f64, state: &State<R>) 
 fn support(case: &Case, history: &History, body: usize, motion: usize) -> f64 {
     let now = history.bodies[body].last().copied().unwrap_or_default();
     let weight = case.weight(&case.bodies[body]) * case.slope.down() + DVec3::ZERO;
+    let tow = TowDirection::of(case, &case.bodies[body]);
+    let resists = tow.in_space(DVec3::new(now.drag + now.water_drag, -now.lateral, 0.0));
     match motion {
-        0 => now.drag + now.water_drag - weight.x,
-        1 => -now.lateral - weight.y,
+        0 => resists.x - weight.x,
+        1 => resists.y - weight.y,
         2 => -weight.z - now.vertical,
         3 => -now.moment_z,
         4 => -now.moment_x,

@@ -20,8 +20,8 @@ pub struct Body {
     /// Degrees of freedom: along x, y, z of space; yaw about z, tilt about the x axis that yaw carries, spin about the body's
     /// y axis, its axle. If all three rotations are free the body rotates freely.
     pub motion: [Motion; 6],
-    /// Fraction of the body that is modelled: ½ for each symmetry plane through it. Impulses act on this fraction; everything
-    /// else refers to the whole body.
+    /// Fraction of the body that is modelled: ½ for each symmetry plane through it; of a slice of a long body the slice over the
+    /// width that the rest refers to. Impulses act on this fraction; everything else refers to the whole body.
     pub modelled_fraction: f64,
     /// The fluid that it moves in.
     pub fluid: Fluid,
@@ -57,7 +57,7 @@ impl Body {
     /// # Errors
     /// [`Invalid`] where a free motion lacks the mass properties it needs.
     pub fn check(&self) -> Result<(), Invalid> {
-        if !(self.modelled_fraction > 0.0 && self.modelled_fraction <= 1.0) {
+        if !(self.modelled_fraction > 0.0 && self.modelled_fraction.is_finite()) {
             return Err(Invalid::ModelledFraction);
         }
         // Also without free motions: what is not a number would spread into momenta and reactions.

@@ -64,9 +64,9 @@ const QUANTITIES: [Quantity; 11] = [
     quantity("contact_angle", "rad", |_, m| m.prediction?.contact_angle),
     quantity("force_inclination", "rad", |_, m| Some(m.prediction?.force_inclination)),
     quantity("slip", "-", |_, m| m.prediction?.slip),
-    quantity("F_H_bar", "-", |outlook, m| Some(m.prediction?.drag / outlook.force_scale())),
-    quantity("F_V_bar", "-", |outlook, m| Some(m.prediction?.vertical / outlook.force_scale())),
-    quantity("Z", "-", |outlook, m| Some(m.prediction?.sinkage? / outlook.input.towing.body.length())),
+    quantity("F_H_bar", "-", |outlook, m| Some(m.prediction?.drag / outlook.force_scale()?)),
+    quantity("F_V_bar", "-", |outlook, m| Some(m.prediction?.vertical / outlook.force_scale()?)),
+    quantity("Z", "-", |outlook, m| Some(m.prediction?.sinkage? / outlook.length_scale())),
 ];
 
 /// What a model says at a point.

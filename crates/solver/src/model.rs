@@ -39,6 +39,9 @@ pub struct Model {
     pub bodies: Vec<BodyModel>,
     /// Joints between them, or between them and the ground.
     pub joints: Vec<Arc<dyn Joint>>,
+    /// Portion of the width of each body that is modelled: 1, of a slab of plane strain its thickness over the width that bodies,
+    /// forces and energies refer to.
+    pub modelled_width: f64,
     /// Parameters of the method.
     pub method: Method,
 }
@@ -206,6 +209,7 @@ impl Model {
             follow: None,
             bodies: Vec::new(),
             joints: Vec::new(),
+            modelled_width: 1.0,
             method: Method::default(),
         }
     }
@@ -257,10 +261,10 @@ impl Model {
         self.boundaries.symmetry()
     }
 
-    /// Portion of each body that is modelled: halved by each plane of symmetry.
+    /// Portion of each body that is modelled: that of its width, halved by each plane of symmetry.
     #[must_use]
     pub fn modelled_fraction(&self) -> f64 {
-        self.symmetry().modelled_fraction()
+        self.symmetry().modelled_fraction() * self.modelled_width
     }
 
     /// Speed of the fastest compression wave [m/s].

@@ -5,6 +5,7 @@ use crate::probe::mean;
 use crate::runner::Runner;
 use analytic::forecast::Candidate;
 use coulter::case::Case;
+use coulter::case::tow::TowDirection;
 use coulter::forecast::outlook;
 use coulter::history::BodySample;
 use coulter::history::reference::Reference;
@@ -84,16 +85,17 @@ struct Load {
 }
 
 impl Load {
-    fn of(sample: &BodySample) -> Self {
+    fn of(sample: &BodySample, tow: TowDirection) -> Self {
         Self {
-            force: DVec3::new(-sample.drag, sample.lateral, sample.vertical),
+            force: tow.in_space(DVec3::new(-sample.drag, sample.lateral, sample.vertical)),
             moment: DVec3::new(sample.moment_x, sample.moment_y, sample.moment_z),
         }
     }
 
     /// Mean over the steady part of a run.
     fn steady(simulation: &Simulation) -> Self {
-        let over = |value: &dyn Fn(&Self) -> f64| steady(simulation, |sample| value(&Self::of(sample)));
+        let tow = TowDirection::of(&simulation.case, &simulation.case.bodies[0]);
+        let over = |value: &dyn Fn(&Self) -> f64| steady(simulation, |sample| value(&Self::of(sample, tow)));
         let vector = |of: fn(&Self) -> DVec3| DVec3::from_array([0, 1, 2].map(|n| over(&|load| of(load)[n])));
         Self { force: vector(|load| load.force), moment: vector(|load| load.moment) }
     }
@@ -163,7 +165,8 @@ fn first_steps(runner: &Runner, sets: &[String]) -> Result<(Vec<Load>, f64), Ver
     for _ in 0..runner.lasting(STEPS) {
         simulation.advance()?;
     }
-    let loads = simulation.history.bodies[0].iter().skip(1).map(Load::of).collect();
+    let tow = TowDirection::of(&simulation.case, &simulation.case.bodies[0]);
+    let loads = simulation.history.bodies[0].iter().skip(1).map(|sample| Load::of(sample, tow)).collect();
     Ok((loads, simulation.wall_s))
 }
 

@@ -65,9 +65,8 @@ fn cylinder(
         overrides.extend(["body.bar.friction=rough".to_owned(), "body.bar.adhesion_factor=1".to_owned()]);
     }
     let simulation = runner.run("B8", variant, CYLINDER_CASE, &overrides)?;
-    let slab = simulation.case.domain.high.y - simulation.case.domain.low.y;
     let force = mean(&simulation.history.bodies[0], RANGE, |s| s.displacement, |s| s.drag);
-    Ok((force / (DIAMETER * slab * STRENGTH), simulation.wall_s))
+    Ok((force / (DIAMETER * STRENGTH), simulation.wall_s))
 }
 
 /// Factor of the sphere with this many cells across, and its wall-clock time [s].

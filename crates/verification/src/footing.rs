@@ -169,10 +169,9 @@ impl Strip {
         ];
         overrides.extend(self.below.iter().cloned());
         let simulation = runner.run(self.id, variant, self.case, &overrides)?;
-        let slab = simulation.case.domain.high.y - simulation.case.domain.low.y;
         // Where strength changes with depth it is read early: with every hundredth of a width the footing finds another one.
         let range = if self.below.is_empty() { [0.03, 0.06] } else { [0.005, 0.01] }.map(|part| part * WIDTH);
         let force = mean(&simulation.history.bodies[0], range, |s| s.sinkage, |s| s.vertical);
-        Ok((force / (width * slab * STRENGTH), simulation.wall_s))
+        Ok((force / (width * STRENGTH), simulation.wall_s))
     }
 }

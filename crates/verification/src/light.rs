@@ -6,8 +6,8 @@ use coulter::history::BodySample;
 use std::f64::consts::PI;
 
 const CASE: &str = include_str!("../validation/A12_light_body/case.toml");
-/// Weight of the sand that the body displaces when it is buried [N]: 16 kN/m³, radius 0.1 m, slab 12.5 mm.
-const DISPLACED: f64 = 16e3 * PI * 0.1 * 0.1 * 0.0125;
+/// Weight of the sand that the body displaces when it is buried [N] per metre: 16 kN/m³, radius 0.1 m.
+const DISPLACED: f64 = 16e3 * PI * 0.1 * 0.1;
 /// Acceleration of gravity [m/s²].
 const GRAVITY: f64 = 9.81;
 /// Height of fall [m].

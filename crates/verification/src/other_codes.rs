@@ -51,7 +51,7 @@ pub(crate) fn wall(runner: &mut Runner) -> Result<(), VerifyError> {
     let simulation = runner.run("E3", "H/h = 16", WALL, &[])?;
     let case = &simulation.case;
     let height = -case.domain.low.z;
-    let unit = 0.5 * case.soil.unit_weight * (case.domain.high.y - case.domain.low.y) * height * height;
+    let unit = 0.5 * case.soil.unit_weight * height * height;
     let window = [0.05 * height, 0.1 * height];
     let thrust = mean(&simulation.history.bodies[0], window, |s| s.displacement, |s| s.drag);
     let figures = [("K_p over the undisturbed height", thrust / unit)];

@@ -62,8 +62,7 @@ fn coefficient(
         format!("body.plate.heave={}", motion(-SPEED * sin)),
     ];
     let simulation = runner.run("B7", variant, CASE, &overrides)?;
-    let slab = simulation.case.domain.high.y - simulation.case.domain.low.y;
-    let half_weight = 0.5 * simulation.case.soil.unit_weight * slab;
+    let half_weight = 0.5 * simulation.case.soil.unit_weight;
     let along_normal = |displacement: f64| displacement / cos;
     let value = |s: &BodySample| {
         let length = LENGTH + along_normal(s.displacement) * sin / cos;

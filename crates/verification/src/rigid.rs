@@ -36,7 +36,7 @@ fn falling(runner: &mut Runner) -> Result<(), VerifyError> {
 
 fn sliding(runner: &mut Runner) -> Result<(), VerifyError> {
     let friction = 0.3;
-    let weight = 100.0;
+    let weight = 4000.0;
     for slope in [30.0_f64, 10.0] {
         let (sin, cos) = slope.to_radians().sin_cos();
         let loads = [

@@ -48,8 +48,7 @@ fn coefficient(
         format!("grid.cell={} m", HEIGHT / f64::from(cells)),
     ];
     let simulation = runner.run("B6", variant, CASE, &overrides)?;
-    let slab = simulation.case.domain.high.y - simulation.case.domain.low.y;
-    let unit = 0.5 * simulation.case.soil.unit_weight * HEIGHT * HEIGHT * slab;
+    let unit = 0.5 * simulation.case.soil.unit_weight * HEIGHT * HEIGHT;
     let range = [0.02 * HEIGHT, 0.05 * HEIGHT];
     let value = mean(&simulation.history.bodies[0], range, |s| s.displacement, |s| s.drag_normal / unit);
     Ok((value, simulation.wall_s))

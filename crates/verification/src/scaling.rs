@@ -12,7 +12,7 @@ const NUMBERS: [(&str, f64, &str, f64); 5] = [
     ("grid.cell", 0.0125, "m", 1.0),
     ("body.wheel.diameter", 0.2, "m", 1.0),
     ("body.wheel.sinkage", 0.01, "m", 1.0),
-    ("body.wheel.weight", 4.0, "N", 3.0),
+    ("body.wheel.weight", 320.0, "N", 2.0),
     ("soil.young_modulus", 5e6, "Pa", 1.0),
 ];
 const TIMES: [(&str, f64); 2] = [("run.duration", 0.2), ("output.history_interval", 0.002)];
@@ -55,11 +55,10 @@ fn difference(one: &Simulation, other: &Simulation, scale: f64, fraction: f64) -
     if a.len() != b.len() {
         return f64::NAN;
     }
-    let slab = one.case.domain.high.y - one.case.domain.low.y;
-    let unit = one.case.soil.unit_weight * 0.2 * 0.2 * slab;
+    let unit = one.case.soil.unit_weight * 0.2 * 0.2;
     let count = (fraction * (a.len() - 1) as f64) as usize;
     let error = |a: &BodySample, b: &BodySample, force: fn(&BodySample) -> f64| {
-        (force(a) - force(b) / scale.powi(3)).abs() / unit
+        (force(a) - force(b) / scale.powi(2)).abs() / unit
     };
     let each = a.iter().zip(b).take(count + 1);
     each.fold(0.0, |most: f64, (a, b)| {

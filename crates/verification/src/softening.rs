@@ -66,8 +66,7 @@ fn push(runner: &mut Runner, cells: u32) -> Result<(), VerifyError> {
     let mut simulation = runner.simulation(CASE, &[format!("grid.cell={} m", HEIGHT / f64::from(cells))])?;
     loosen(&mut simulation);
     runner.finish("B5n", &variant, &mut simulation)?;
-    let slab = simulation.case.domain.high.y - simulation.case.domain.low.y;
-    let unit = 0.5 * simulation.case.soil.unit_weight * slab * HEIGHT * HEIGHT;
+    let unit = 0.5 * simulation.case.soil.unit_weight * HEIGHT * HEIGHT;
     let samples = &simulation.history.bodies[0];
     let k_p = |station: f64| {
         let from_to = [station - WINDOW, station + WINDOW].map(|u| u * HEIGHT);

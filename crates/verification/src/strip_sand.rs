@@ -79,8 +79,7 @@ fn factor(
         format!("run.duration={duration} s"),
     ];
     let simulation = runner.run("B4", variant, CASE, &overrides)?;
-    let slab = simulation.case.domain.high.y - simulation.case.domain.low.y;
-    let unit = 0.5 * simulation.case.soil.unit_weight * WIDTH * WIDTH * slab;
+    let unit = 0.5 * simulation.case.soil.unit_weight * WIDTH * WIDTH;
     let points = simulation.history.bodies[0].iter().map(|s| [s.sinkage / WIDTH, s.vertical / unit]);
     Ok((footing.weight_factor(points)?, simulation.wall_s))
 }

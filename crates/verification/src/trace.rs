@@ -13,7 +13,7 @@ pub enum Trace {
     /// Nothing that could be drawn.
     #[default]
     None,
-    /// Force against the motion [N], in plane strain per width [N/m], over the displacement along it [m].
+    /// Force against the motion [N], in plane strain per metre of width, over the displacement along it [m].
     Force(Vec<[f64; 2]>),
     /// Thickness of the soil at the end [m] along x [m], in the first layer of cells along y.
     Heap(Vec<[f64; 2]>),
@@ -28,11 +28,9 @@ impl Trace {
                 let (first, last) = (samples[0], samples[samples.len() - 1]);
                 let sinks =
                     (last.sinkage - first.sinkage).abs() > (last.displacement - first.displacement).abs();
-                let domain = &simulation.case.domain;
-                let per = if domain.plane_strain { domain.high.y - domain.low.y } else { 1.0 };
-                let points = samples.iter().map(|s| {
-                    if sinks { [s.sinkage, s.vertical / per] } else { [s.displacement, s.drag / per] }
-                });
+                let points = samples
+                    .iter()
+                    .map(|s| if sinks { [s.sinkage, s.vertical] } else { [s.displacement, s.drag] });
                 Self::Force(averaged(&points.collect::<Vec<_>>()))
             }
             None if simulation.case.bodies.is_empty() => Self::Heap(heap(simulation)),

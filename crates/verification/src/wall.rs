@@ -106,8 +106,7 @@ fn thrust(
     let mut simulation = runner.simulation(CASE, &overrides)?;
     let half = 0.5 * f64::from(angle).to_radians();
     let rise = (std::f64::consts::FRAC_PI_4 - half).tan();
-    let slab = simulation.case.domain.high.y - simulation.case.domain.low.y;
-    let unit = 0.5 * simulation.case.soil.unit_weight * slab;
+    let unit = 0.5 * simulation.case.soil.unit_weight;
     let mut thrust = Vec::new();
     while !simulation.is_done() {
         let before = simulation.state.time;

@@ -90,8 +90,7 @@ fn push(
     while !simulation.is_done() {
         simulation.advance()?;
     }
-    let domain = &simulation.case.domain;
-    let unit = 0.5 * simulation.case.soil.unit_weight * HEIGHT * HEIGHT * (domain.high.y - domain.low.y);
+    let unit = 0.5 * simulation.case.soil.unit_weight * HEIGHT * HEIGHT;
     let samples = &simulation.history.bodies[0];
     let within = samples.iter().filter(|now| (from..=to).contains(&(now.displacement / HEIGHT)));
     let (sum, count) = within.fold((0.0, 0.0), |(sum, count), now| (sum + now.drag, count + 1.0));

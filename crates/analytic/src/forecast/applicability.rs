@@ -47,8 +47,7 @@ pub(super) fn mark_inapplicable(models: &mut [ModelForecast], towing: &Towing) {
 
 /// Why a prediction for a body that is pressed straight down lies outside the limits of its model.
 fn limit_for_pressed(model: Candidate, found: &Prediction, towing: &Towing) -> Option<&'static str> {
-    let breadth = towing.body.length().min(towing.body.width());
-    let is_deep = found.sinkage.unwrap_or(0.0) > MAX_PRESSED_DEPTH * breadth;
+    let is_deep = found.sinkage.unwrap_or(0.0) > MAX_PRESSED_DEPTH * towing.body.breadth();
     match model {
         Candidate::Footing if is_deep => {
             Some("deeper than two and a half widths: the soil no longer fails up to the surface")
@@ -69,6 +68,7 @@ fn limit_for_disc(
 ) -> Option<&'static str> {
     let (d, t) = (towing.body.length(), towing.body.width());
     let sinkage = found.sinkage.unwrap_or(0.0);
+    let has_ends = !matches!(&towing.body, Body::Faceted(body) if body.plane_strain);
     match model {
         Candidate::Bearing if governing == Some(Mechanism::Forwards) => {
             Some("under most of the thrust the soil fails forwards, at a lower pressure (see PW)")
@@ -82,7 +82,9 @@ fn limit_for_disc(
         Candidate::HetheringtonLittleton if sinkage > 0.2 * d => {
             Some("for shallow sinkage only, up to about a fifth of the diameter")
         }
-        Candidate::SpatialResistive | Candidate::PlanarResistive if sinkage > 1.5 * t => Some(TOO_DEEP),
+        Candidate::SpatialResistive | Candidate::PlanarResistive if has_ends && sinkage > 1.5 * t => {
+            Some(TOO_DEEP)
+        }
         Candidate::PlanarResistive if matches!(towing.body, Body::Faceted(_)) => Some(
             "the surface has lateral normals, for which the two-dimensional law, applied in slices along the tow, is not \
              meant",

@@ -3,7 +3,6 @@
 use crate::disc::Disc;
 use crate::error::{ModelResult, positive, within};
 use crate::resistive::{Axle, Facet};
-use crate::soil::Soil;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
@@ -30,7 +29,7 @@ pub enum Outline {
     Rectangle,
     /// A circle; width and length are its diameter.
     Circle,
-    /// A slice of an infinitely long strip; its length is that of the slice.
+    /// A slice of an infinitely long strip; its length is the width of the slice, to which forces refer.
     Strip,
 }
 
@@ -80,6 +79,10 @@ pub struct FacetedBody {
     pub length: f64,
     /// Width t across the tow [m].
     pub width: f64,
+    /// Shorter side of its plan [m]; in plane strain its length along the tow.
+    pub breadth: f64,
+    /// Whether it is a slice of an infinitely wide body.
+    pub plane_strain: bool,
     /// Height of its bounding box [m].
     pub height: f64,
     /// Depth of its lowest point below its origin, through which the axle runs [m].
@@ -164,11 +167,16 @@ impl Body {
         }
     }
 
-    /// Force scale of dimensionless forces [N]: γ t d², in undrained clay s_u t d.
+    /// Shorter side of its plan [m], which limits how deep it is when it is pressed down; in plane strain its length along x.
     #[must_use]
-    pub fn force_scale(&self, soil: &Soil) -> f64 {
-        let stress = if soil.is_undrained() { soil.cohesion } else { soil.unit_weight * self.length() };
-        stress * self.width() * self.length()
+    pub fn breadth(&self) -> f64 {
+        match self {
+            Self::Disc(disc) => disc.diameter.min(disc.thickness),
+            Self::Block(block) if block.plane_strain => block.size[0],
+            Self::Block(block) => block.size[0].min(block.size[1]),
+            Self::Faceted(body) => body.breadth,
+            Self::Plate(plate) => plate.breadth(),
+        }
     }
 
     /// The disc, if it is one.

@@ -2,7 +2,15 @@
 
 use super::{Load, ModelForecast, Towing};
 
-/// Dimensionless groups; the scales are d for lengths and γ t d² for forces, s_u t d in undrained clay.
+/// Reference force γ t d² [N] of a body of the reference width t and length d [m] in soil of the unit weight γ [N/m³], over which
+/// forces and weights are dimensionless, whatever the shape and the soil; `None` for weightless soil.
+#[must_use]
+pub fn reference_force(unit_weight: f64, width: f64, length: f64) -> Option<f64> {
+    let force = unit_weight * width * length * length;
+    (force > 0.0 && force.is_finite()).then_some(force)
+}
+
+/// Dimensionless groups; the scales are d for lengths and γ t d² for forces, [`reference_force`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Groups {
     /// Sinkage Z = z/d.
@@ -25,20 +33,20 @@ impl Groups {
     /// The groups of a case and of the prediction of its recommended model.
     pub(super) fn of(towing: &Towing, best: Option<&ModelForecast>) -> Self {
         let found = best.and_then(|model| model.prediction);
-        let (d, gamma) = (towing.body.length(), towing.soil.unit_weight);
-        let scale = towing.body.force_scale(&towing.soil);
+        let ([d, t], gamma) = (towing.reference_lengths(), towing.soil.unit_weight);
+        let over = |force: f64| towing.force_scale().map(|scale| force / scale);
         let (held, weight) = match towing.load {
-            Load::Weight(weight) => (None, Some(weight / scale)),
+            Load::Weight(weight) => (None, over(weight)),
             Load::Sinkage(z) => (Some(z / d), None),
         };
         Self {
             sinkage: held.or_else(|| found.and_then(|p| p.sinkage).map(|z| z / d)),
-            thickness: towing.body.width() / d,
+            thickness: t / d,
             weight,
             stiffness: towing.elastic_modulus.filter(|_| gamma > 0.0).map(|modulus| modulus / (gamma * d)),
             cohesion: (gamma > 0.0).then(|| towing.soil.cohesion / (gamma * d)),
-            drag: found.map(|p| p.drag / scale),
-            vertical: found.map(|p| p.vertical / scale),
+            drag: found.and_then(|p| over(p.drag)),
+            vertical: found.and_then(|p| over(p.vertical)),
         }
     }
 }

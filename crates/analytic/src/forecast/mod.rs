@@ -18,7 +18,7 @@ mod towing;
 pub use body::{Block, Body, FacetedBody, Front, Outline, Plate};
 pub use candidate::Candidate;
 pub use curve::{CurvePoint, curve};
-pub use groups::Groups;
+pub use groups::{Groups, reference_force};
 pub use predict::predict;
 pub use prediction::{ModelForecast, Prediction};
 pub use scatter::{Range, Scatter};

@@ -1,5 +1,6 @@
 //! The input of the forecast: a towed or pressed body in its soil.
 
+use super::groups::reference_force;
 use super::{Body, Outline};
 use crate::bearing::Method;
 use crate::disc::{Assembly, Disc, Drive};
@@ -23,6 +24,8 @@ pub struct Towing {
     pub soil: Soil,
     /// The body.
     pub body: Body,
+    /// Reference length d and width t [m] of the dimensionless groups; `None` for [`Body::length`] and [`Body::width`].
+    pub reference: Option<[f64; 2]>,
     /// Weight (of the whole assembly) or sinkage.
     pub load: Load,
     /// How the axle is driven.
@@ -107,6 +110,7 @@ impl Towing {
         Self {
             soil,
             body,
+            reference: None,
             load,
             drive,
             pressed,
@@ -146,6 +150,20 @@ impl Towing {
             positive("elastic modulus [Pa]", modulus)?;
         }
         Ok(())
+    }
+
+    /// Reference length d and width t [m] of the dimensionless groups.
+    #[must_use]
+    pub fn reference_lengths(&self) -> [f64; 2] {
+        self.reference.unwrap_or_else(|| [self.body.length(), self.body.width()])
+    }
+
+    /// The force over which forces and weights are dimensionless [N]: γ t d² of each body; `None` for weightless soil.
+    #[must_use]
+    pub fn force_scale(&self) -> Option<f64> {
+        let [d, t] = self.reference_lengths();
+        let count = self.assembly.map_or(1.0, |assembly| f64::from(assembly.count));
+        reference_force(self.soil.unit_weight, count * t, d)
     }
 
     /// The same case with one parameter changed; the dilation angle is limited to the friction angle.
@@ -193,6 +211,7 @@ impl Towing {
             Body::Disc(disc) => disc.diameter = diameter,
             Body::Plate(plate) if plate.outline == Outline::Circle => {
                 (plate.width, plate.length) = (diameter, diameter);
+                self.reference = self.reference.map(|_| [diameter; 2]);
             }
             _ => {}
         }

@@ -64,12 +64,15 @@ pub(super) fn describe_cost(
 
 /// Plane strain and planes of symmetry.
 fn symmetry(case: &Case) -> &'static str {
-    match (case.domain.plane_strain, case.domain.modelled_fraction()) {
-        (true, 1.0) => ", plane strain",
-        (true, _) => ", plane strain, symmetric half",
-        (false, 1.0) => "",
-        (false, 0.5) => ", symmetric half",
-        (false, _) => ", symmetric quarter",
+    let domain = &case.domain;
+    match (domain.plane_strain, domain.symmetric, domain.symmetric_x) {
+        (true, _, false) => ", plane strain: forces, weights and energies per metre of width",
+        (true, _, true) => {
+            ", plane strain, symmetric half: forces, weights and energies of the whole per metre of width"
+        }
+        (false, false, false) => "",
+        (false, true, true) => ", symmetric quarter",
+        (false, _, _) => ", symmetric half",
     }
 }
 

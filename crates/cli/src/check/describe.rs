@@ -1,6 +1,5 @@
 //! The case as understood, in words.
 
-use super::groups::groups;
 use coulter::case::Case;
 use coulter::case::mesh_file::MeshReport;
 use coulter::case::quantity::short;
@@ -8,6 +7,7 @@ use coulter::case::resolved::{
     Attitude, Body, Change, ClaySoftening, GROUND, Joint, JointKind, Law, MOTIONS, Measured, Motion,
     Potential, Soil, Stage, Until, Water,
 };
+use coulter::history::reference::Groups;
 use glam::DVec3;
 use std::fmt::Write;
 
@@ -265,7 +265,7 @@ fn describe_body(text: &mut String, case: &Case, body: &Body) -> std::fmt::Resul
         )?;
     }
     describe_motions(text, body)?;
-    let groups = groups(case, body);
+    let groups = Groups::of(case, body);
     let optional =
         [("W̄", groups.w_bar), ("Ē", groups.e_bar), ("c̄", groups.c_bar), ("v²/(gd)", groups.froude)];
     let mut list = format!("t̄ = {}", short(groups.t_bar));

@@ -2,7 +2,6 @@
 
 mod cost;
 mod describe;
-mod groups;
 mod mesh_cost;
 mod variation_cost;
 
@@ -14,9 +13,9 @@ use coulter::case::estimate::{self, Cost};
 use coulter::case::variations::variations;
 use coulter::case::{self, Case, machine, resources};
 use coulter::formats;
+use coulter::history::reference::Groups;
 use describe::describe;
 pub(super) use describe::describe_soil;
-use groups::groups;
 use mesh_cost::{MeshCost, describe_meshes};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -138,7 +137,7 @@ fn as_json(
 
 fn document((case, cost, seconds): (&Case, &Cost, Option<f64>), warnings: &[String]) -> serde_json::Value {
     let groups: serde_json::Map<String, serde_json::Value> =
-        case.bodies.iter().map(|b| (b.name.clone(), serde_json::json!(groups(case, b)))).collect();
+        case.bodies.iter().map(|b| (b.name.clone(), serde_json::json!(Groups::of(case, b)))).collect();
     let mut document = serde_json::json!({
         "format": formats::DOCUMENT, "case": case.name, "groups": groups, "cost": cost, "estimated_wall_s": seconds,
         "memory_available_bytes": machine::memory_available(), "warnings": warnings, "resolved": case,

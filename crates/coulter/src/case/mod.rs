@@ -46,6 +46,7 @@ pub mod shapes;
 pub mod slope;
 mod stage;
 mod toml_tree;
+pub mod tow;
 mod tree;
 mod typed;
 mod uncertainty;

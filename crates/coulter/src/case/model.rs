@@ -37,6 +37,7 @@ pub fn model(case: &Case, lanes: usize) -> Model {
         pore_water: pore_water(case),
         boundaries,
         follow: case.grid.follow,
+        modelled_width: case.domain.modelled_width(),
         bodies: case.bodies.iter().map(|own| body(case, own)).collect(),
         joints: case.joints.iter().map(|joint| joint.mechanical(&case.bodies)).collect(),
         method: Method {

@@ -484,18 +484,27 @@ pub struct Domain {
     pub symmetric: bool,
     /// The same for x = 0 and x ≥ 0.
     pub symmetric_x: bool,
-    /// Whether the case is plane strain: a slab one cell thick in y. Forces are per `high.y - low.y` metre of width.
+    /// Whether the case is plane strain: a slab one cell thick in y. Bodies, forces and weights are those of a width of
+    /// [`PLANE_STRAIN_WIDTH`], whatever the thickness of the slab.
     pub plane_strain: bool,
 }
 
 impl Domain {
-    /// Fraction of each body that is modelled: halved by each plane of symmetry.
+    /// Width of a body along y [m] that is itself so wide; in plane strain [`PLANE_STRAIN_WIDTH`].
     #[must_use]
-    pub fn modelled_fraction(&self) -> f64 {
-        let half = |is_cut: bool| if is_cut { 0.5 } else { 1.0 };
-        half(self.symmetric) * half(self.symmetric_x)
+    pub fn width_of_body(&self, own: f64) -> f64 {
+        if self.plane_strain { PLANE_STRAIN_WIDTH } else { own }
+    }
+
+    /// Portion of the width of each body that is modelled: in plane strain that of the slab, which may be more than 1, otherwise 1.
+    #[must_use]
+    pub fn modelled_width(&self) -> f64 {
+        if self.plane_strain { (self.high.y - self.low.y) / PLANE_STRAIN_WIDTH } else { 1.0 }
     }
 }
+
+/// Width of a body in plane strain [m]: its weight, load, mass and drive, forces on it and energies are those per metre of width.
+pub const PLANE_STRAIN_WIDTH: f64 = 1.0;
 
 /// Cell sizes: uniform inside the fine zone, growing geometrically outside it.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -2,7 +2,8 @@
 
 use super::model::sand;
 use super::resolved::{Body, Case, Law, Soil};
-use super::water::in_slab;
+use super::tow::TowDirection;
+use super::water::of_width;
 use glam::DVec3;
 use mechanics::{Fluid, Motion};
 use physics::shape::Mesh;
@@ -76,15 +77,16 @@ impl Case {
     #[must_use]
     pub fn fluid(&self, body: &Body) -> Fluid {
         let Some(water) = self.water else { return Fluid::NONE };
-        let (displaced, centre) = water.displaced(body, self.slab());
-        let area = in_slab(body.solid().as_ref(), self.slab()) * frontal_area(body, self.tow_axis(body));
+        let (displaced, centre) = water.displaced(body, self.domain.plane_strain);
+        let area = of_width(body.solid().as_ref(), self.domain.plane_strain)
+            * frontal_area(body, TowDirection::of(self, body).in_space(DVec3::X));
         Fluid { displaced, centre, drag: 0.5 * water.density * water.drag_coefficient * area }
     }
 
     /// Weight of a whole body less its buoyancy [N].
     #[must_use]
     pub fn weight(&self, body: &Body) -> f64 {
-        let displaced = self.water.map_or(0.0, |water| water.displaced(body, self.slab()).0);
+        let displaced = self.water.map_or(0.0, |water| water.displaced(body, self.domain.plane_strain).0);
         self.gravity * (body.whole_mass() - displaced)
     }
 
@@ -92,17 +94,6 @@ impl Case {
     #[must_use]
     pub fn normal_weight(&self, body: &Body) -> f64 {
         self.weight(body) * self.slope.cosine()
-    }
-
-    /// Width of the slab of plane strain [m].
-    fn slab(&self) -> Option<f64> {
-        self.domain.plane_strain.then_some(self.domain.high.y - self.domain.low.y)
-    }
-
-    /// The horizontal axis along which a body is towed.
-    fn tow_axis(&self, body: &Body) -> DVec3 {
-        let moves = |n: usize| body.guided().translation[n] != Motion::Fixed;
-        if moves(1) && !moves(0) { DVec3::Y } else { DVec3::X }
     }
 }
 

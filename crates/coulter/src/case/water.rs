@@ -1,5 +1,6 @@
 //! Water over the ground: its properties, and what soil and bodies weigh in it.
 
+use super::resolved::PLANE_STRAIN_WIDTH;
 use super::rigid_body::Body;
 use glam::DVec3;
 use physics::shape::Shape as Solid;
@@ -37,25 +38,24 @@ impl Water {
         gravity * (1.0 - self.density / self.grain_density)
     }
 
-    /// Mass of the water that a solid displaces [kg], which may lie in a slab of plane strain of this width [m], and the centre of its
-    /// volume [m].
+    /// Mass of the water that a solid displaces [kg], in plane strain that of its width there, and the centre of its volume [m].
     #[must_use]
-    pub(in crate::case) fn displaced_by(&self, solid: &dyn Solid, slab: Option<f64>) -> (f64, DVec3) {
+    pub(in crate::case) fn displaced_by(&self, solid: &dyn Solid, plane_strain: bool) -> (f64, DVec3) {
         if !solid.has_surface() {
             return (0.0, DVec3::ZERO);
         }
         let properties = solid.mass_properties();
-        (self.density * in_slab(solid, slab) * properties.volume, properties.centroid)
+        (self.density * of_width(solid, plane_strain) * properties.volume, properties.centroid)
     }
 
     /// The same for a body with its parts, the centre from its reference point.
     #[must_use]
-    pub(in crate::case) fn displaced(&self, body: &Body, slab: Option<f64>) -> (f64, DVec3) {
+    pub(in crate::case) fn displaced(&self, body: &Body, plane_strain: bool) -> (f64, DVec3) {
         let parts = body.parts.iter().map(|part| {
-            let (mass, centre) = self.displaced_by(part.solid().as_ref(), slab);
+            let (mass, centre) = self.displaced_by(part.solid().as_ref(), plane_strain);
             (mass, part.offset + part.rotation * centre)
         });
-        let own = std::iter::once(self.displaced_by(body.own_solid().as_ref(), slab));
+        let own = std::iter::once(self.displaced_by(body.own_solid().as_ref(), plane_strain));
         let (mass, moment) = own
             .chain(parts)
             .fold((0.0, DVec3::ZERO), |(sum, moment), (mass, centre)| (sum + mass, moment + mass * centre));
@@ -69,8 +69,8 @@ impl Water {
     }
 }
 
-/// Portion of a solid that lies in a slab of plane strain of this width [m]; 1 without one.
-pub(super) fn in_slab(solid: &dyn Solid, slab: Option<f64>) -> f64 {
+/// Width of a body in plane strain over that of the solid that stands for it; 1 otherwise.
+pub(super) fn of_width(solid: &dyn Solid, plane_strain: bool) -> f64 {
     let (low, high) = solid.bounds();
-    slab.map_or(1.0, |width| (width / (high.y - low.y)).min(1.0))
+    if plane_strain { PLANE_STRAIN_WIDTH / (high.y - low.y) } else { 1.0 }
 }

@@ -35,7 +35,7 @@ pub struct Curves {
     pub group_label: &'static str,
     /// The dimensionless abscissa, by point.
     pub group: Vec<f64>,
-    /// Force γ t d² that makes forces dimensionless [N], by point.
+    /// Force γ t d² that makes forces dimensionless [N], by point; not-a-number in weightless soil.
     pub force_scale: Vec<f64>,
     /// Reference length that makes lengths dimensionless [m], by point.
     pub length_scale: Vec<f64>,
@@ -67,8 +67,8 @@ pub fn curves(outlook: &Outlook, range: &Range, logarithmic: bool) -> Result<Cur
         values: range.values.iter().map(|v| v / variable.size).collect(),
         group: group.unwrap_or_else(|| range.values.iter().map(|v| v / variable.size).collect()),
         group_label,
-        force_scale: cases.iter().map(|c| c.body.force_scale(&c.soil)).collect(),
-        length_scale: cases.iter().map(|c| c.body.length()).collect(),
+        force_scale: cases.iter().map(|c| c.force_scale().unwrap_or(f64::NAN)).collect(),
+        length_scale: cases.iter().map(|c| c.reference_lengths()[0]).collect(),
         sinks: cases.iter().all(|c| matches!(c.load, Load::Weight(_))),
         recommended: outlook.recommended().map_or("", |m| m.name),
         logarithmic,
@@ -80,23 +80,23 @@ pub fn curves(outlook: &Outlook, range: &Range, logarithmic: bool) -> Result<Cur
 fn group(parameter: Parameter, cases: &[Towing], label: &'static str) -> (&'static str, Option<Vec<f64>>) {
     let of = |f: fn(&Towing) -> Option<f64>| cases.iter().map(f).collect::<Option<Vec<f64>>>();
     let weight = |c: &Towing| match c.load {
-        Load::Weight(weight) => Some(weight / c.body.force_scale(&c.soil)),
+        Load::Weight(weight) => Some(weight / c.force_scale()?),
         Load::Sinkage(_) => None,
     };
     let (name, values) = match parameter {
         Parameter::Sinkage => (
             "Z = z/d",
             of(|c| match c.load {
-                Load::Sinkage(z) => Some(z / c.body.length()),
+                Load::Sinkage(z) => Some(z / c.reference_lengths()[0]),
                 Load::Weight(_) => None,
             }),
         ),
         Parameter::Weight | Parameter::UnitWeight => ("W̄ = W/(γ t d²)", of(weight)),
         Parameter::Thickness | Parameter::Diameter => {
-            ("t̄ = t/d", of(|c| Some(c.body.width() / c.body.length())))
+            ("t̄ = t/d", of(|c| Some(c.reference_lengths()).map(|[d, t]| t / d)))
         }
         Parameter::Cohesion => {
-            ("c/(γ d)", of(|c| Some(c.soil.cohesion / (c.soil.unit_weight * c.body.length()))))
+            ("c/(γ d)", of(|c| Some(c.soil.cohesion / (c.soil.unit_weight * c.reference_lengths()[0]))))
         }
         _ => (label, None),
     };

@@ -94,7 +94,7 @@ fn drive(towing: &Towing) -> Value {
 fn model(outlook: &Outlook, model: &ModelForecast) -> Value {
     let found = model.prediction;
     let scale = outlook.force_scale();
-    let length = outlook.input.towing.body.length();
+    let length = outlook.length_scale();
     json!({
         "name": model.name,
         "applicable": model.applicable,
@@ -110,8 +110,8 @@ fn model(outlook: &Outlook, model: &ModelForecast) -> Value {
         "skid": found.and_then(|p| p.slip).map(|slip| analytic::turn_ratio(slip) - 1.0),
         "mechanism": found.and_then(|p| p.mechanism).map(mechanism_word),
         "sideways_share": found.and_then(|p| p.sideways_fraction),
-        "F_H_bar": found.map(|p| p.drag / scale),
-        "F_V_bar": found.map(|p| p.vertical / scale),
+        "F_H_bar": found.zip(scale).map(|(p, scale)| p.drag / scale),
+        "F_V_bar": found.zip(scale).map(|(p, scale)| p.vertical / scale),
         "Z": found.and_then(|p| p.sinkage).map(|z| z / length),
         "note": model.note,
     })

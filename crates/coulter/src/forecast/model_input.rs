@@ -7,6 +7,7 @@ use crate::case::model::sand;
 use crate::case::quantity::short;
 use crate::case::resolved::{self, Body as Towed, Case, Factors, Ground, Law, Measured, Motion};
 use crate::case::travel;
+use crate::history::reference::Reference;
 use analytic::bearing::Method;
 use analytic::disc::Drive;
 use analytic::forecast::Body;
@@ -69,6 +70,10 @@ pub fn model_input(case: &Case) -> Result<ModelInput, String> {
     let mut towing = Towing::new(soil, body, load, drive);
     towing.pressed = course == Course::Pressed;
     towing.assembly = assembly;
+    if matches!(towing.body, Body::Faceted(_) | Body::Plate(_)) {
+        let reference = Reference::of(case, first);
+        towing.reference = Some([reference.length, reference.width]);
+    }
     if towing.pressed && towing.assembly.is_some() {
         return Err("several bodies are pressed down; the closed forms are for one of them".into());
     }

@@ -15,7 +15,7 @@ lateral [N],moment x [N m],moment y [N m],moment z [N m],note";
 #[must_use]
 pub fn models_csv(outlook: &Outlook, intervals: &Intervals) -> String {
     let mut text = format!("{HEADER}\n");
-    let (scale, length) = (outlook.force_scale(), outlook.input.towing.body.length());
+    let (scale, length) = (outlook.force_scale(), outlook.length_scale());
     for model in &outlook.forecast.models {
         let found = model.prediction;
         let sinkage = found.and_then(|p| p.sinkage);
@@ -29,8 +29,8 @@ pub fn models_csv(outlook: &Outlook, intervals: &Intervals) -> String {
         ];
         let groups = [
             found.and_then(|p| p.sideways_fraction),
-            found.map(|p| p.drag / scale),
-            found.map(|p| p.vertical / scale),
+            found.zip(scale).map(|(p, scale)| p.drag / scale),
+            found.zip(scale).map(|(p, scale)| p.vertical / scale),
             sinkage.map(|z| z / length),
         ];
         let ends = |quantity: &str| {

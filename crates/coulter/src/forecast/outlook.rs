@@ -32,6 +32,14 @@ pub fn outlook(case: &Case) -> Result<Outlook, String> {
             model.note = key.to_owned();
         }
     }
+    if input.mirrored {
+        for found in forecast.models.iter_mut().chain(&mut forecast.models_other_strength) {
+            if let Some(found) = &mut found.prediction {
+                // The left of the mirror image is the right.
+                found.lateral = found.lateral.map(|force| 0.0 - force);
+            }
+        }
+    }
     let under_water = UnderWater::of(case, &input)?;
     Ok(Outlook { case: case.name.clone(), input, forecast, under_water })
 }
@@ -71,10 +79,16 @@ impl Outlook {
         Some(if self.input.mirrored { [x, -y, -z] } else { [x, y, z] })
     }
 
-    /// The reference force of one body [N]: γ t d², in undrained clay s_u t d.
+    /// The reference force γ t d² [N], of several bodies that of all; `None` for weightless soil.
     #[must_use]
-    pub fn force_scale(&self) -> f64 {
-        self.input.towing.body.force_scale(&self.input.towing.soil)
+    pub fn force_scale(&self) -> Option<f64> {
+        self.input.towing.force_scale()
+    }
+
+    /// The reference length d [m].
+    #[must_use]
+    pub fn length_scale(&self) -> f64 {
+        self.input.towing.reference_lengths()[0]
     }
 
     /// Whether the body sinks under its weight.

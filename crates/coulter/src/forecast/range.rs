@@ -37,7 +37,7 @@ impl Range {
         let read = |end: &str| {
             if relative {
                 let z = number(end).ok_or_else(|| wrong(&format!("`{end}` is not a number")))?;
-                return Ok(z * input.towing.body.length());
+                return Ok(z * input.towing.reference_lengths()[0]);
             }
             value(end, &variable).map_err(|why| wrong(&why))
         };

@@ -130,7 +130,7 @@ fn heading(text: &mut String, outlook: &Outlook) -> std::fmt::Result {
         ("Z", g.sinkage),
         ("Ē", g.stiffness),
         ("c̄", g.cohesion),
-        (if towing.soil.is_undrained() { "s_u td [N]" } else { "γtd² [N]" }, Some(outlook.force_scale())),
+        ("γtd² [N]", outlook.force_scale()),
     ];
     for (name, value) in known {
         if let Some(value) = value {
@@ -168,8 +168,8 @@ fn line(outlook: &Outlook, intervals: &Intervals, model: &ModelForecast) -> Stri
         shown(found.and_then(|p| p.contact_angle).map(f64::to_degrees), 6),
         shown(found.map(|p| p.force_inclination.to_degrees()), 6),
         shown(found.and_then(|p| p.slip), 7),
-        shown(drag.map(|f| f / scale), 8),
-        shown(vertical.map(|f| f / scale), 8),
+        shown(drag.zip(scale).map(|(f, scale)| f / scale), 8),
+        shown(vertical.zip(scale).map(|(f, scale)| f / scale), 8),
     ];
     format!("{:<22} {}  {}", model.name, columns.join(" "), found.map_or("–".into(), |p| mechanism(&p)))
 }

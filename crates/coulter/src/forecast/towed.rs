@@ -4,6 +4,7 @@ use crate::case::quantity::short;
 use crate::case::resolved::{Attitude, Body as Towed, Case, Motion};
 use crate::case::shapes::ClosedForm;
 use crate::case::travel;
+use crate::history::reference::Reference;
 use analytic::disc::{Assembly, Disc};
 use analytic::forecast::{Block, Body, FacetedBody, Outline, Plate};
 use analytic::resistive::{Axle, Facet};
@@ -129,7 +130,7 @@ pub(super) fn body(
     let represented = match body.shape.closed_form() {
         _ if !body.attitude.axle_is_across() => {
             remarks.push(turned(body));
-            Body::Faceted(faceted(body, course))
+            Body::Faceted(faceted(case, body, course))
         }
         ClosedForm::Disc { .. } if case.domain.plane_strain => {
             return Err(format!("the case is plane strain; the models are for a {kind} of finite width"));
@@ -147,7 +148,7 @@ pub(super) fn body(
             Plate { outline: Outline::Circle, width: diameter, length: diameter }.into()
         }
         ClosedForm::Column { .. } | ClosedForm::Facets { .. } | ClosedForm::None => {
-            Body::Faceted(faceted(body, course))
+            Body::Faceted(faceted(case, body, course))
         }
     };
     Ok((represented, kind))
@@ -186,23 +187,25 @@ fn mirrored(attitude: Attitude, course: Course) -> Attitude {
     }
 }
 
-/// A block rotated by `orientation` [rad]; in plane strain as wide as the slab.
+/// A block rotated by `orientation` [rad]; in plane strain a metre wide.
 fn block(case: &Case, size: DVec3, orientation: f64, remarks: &mut Vec<String>) -> Block {
     let plane_strain = case.domain.plane_strain;
-    let across = if plane_strain { case.domain.high.y - case.domain.low.y } else { size.y };
+    let across = case.domain.width_of_body(size.y);
     if plane_strain {
-        remarks.push(format!("plane strain: the forces are those on a slab {} m wide", short(across)));
+        remarks.push("plane strain: weights and forces are those per metre of width".into());
     }
     let orientation = (orientation + PI).rem_euclid(2.0 * PI) - PI;
     Block { size: [size.x, across, size.z], orientation, plane_strain, has_base: true }
 }
 
-/// A body represented by points on its surface, in its attitude.
-fn faceted(body: &Towed, course: Course) -> FacetedBody {
+/// A body represented by points on its surface, in its attitude; in plane strain a metre of it.
+fn faceted(case: &Case, body: &Towed, course: Course) -> FacetedBody {
     let posed = Towed { attitude: mirrored(body.attitude, course), ..body.clone() };
     let (solid, rotation) = (posed.solid(), posed.attitude.of_axle());
     let (low, high) = solid.bounds();
     let edges = high - low;
+    let plane_strain = case.domain.plane_strain;
+    let of_width = case.domain.width_of_body(edges.y) / edges.y;
     let (diameter, length) = match body.shape.closed_form() {
         ClosedForm::Disc { diameter, thickness } => (diameter, thickness),
         ClosedForm::Block { size } => (size.max_element(), size.max_element()),
@@ -218,16 +221,17 @@ fn faceted(body: &Towed, course: Course) -> FacetedBody {
         Facet {
             centroid: position.to_array(),
             normal: normal.to_array(),
-            area: p.area,
+            area: p.area * of_width,
             half_height: 0.5 * (p.area * (1.0 - normal.z.powi(2)).max(0.0)).sqrt(),
         }
     };
     let facets = solid.surface_points(DVec3::splat(spacing), DVec3::ZERO).into_iter().map(facet).collect();
     let radius = 0.5 * body.shape.rolling_diameter().unwrap_or(edges.z);
-    let width = if body.attitude.axle_is_across() { diameter } else { body.shape.reference_width() };
     FacetedBody {
         length: diameter,
-        width,
+        width: Reference::of(case, body).width,
+        breadth: if plane_strain { edges.x } else { edges.x.min(edges.y) },
+        plane_strain,
         height: posed.size().z,
         below: -posed.bounds().0.z,
         axle: Axle { direction: (rotation * DVec3::Y).to_array(), radius },

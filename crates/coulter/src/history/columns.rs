@@ -85,7 +85,7 @@ pub const FORCES: &[Column<BodySample>] = &[
     BodyColumn::sampled(
         "displacement u",
         "m",
-        "distance the reference point has travelled along x since the start",
+        "distance the reference point has travelled along the tow since the start",
         |s| &mut s.displacement,
     )
     .required(),
@@ -99,8 +99,13 @@ pub const FORCES: &[Column<BodySample>] = &[
     BodyColumn::sampled("drag F_H", "N", "horizontal force against the tow", |s| &mut s.drag).required(),
     BodyColumn::sampled("vertical F_V", "N", "vertical force, positive upwards", |s| &mut s.vertical)
         .required(),
-    BodyColumn::sampled("lateral", "N", "force along y; 0 in a symmetric case", |s| &mut s.lateral)
-        .required(),
+    BodyColumn::sampled(
+        "lateral",
+        "N",
+        "force across the tow, to the left positive; 0 in a symmetric case",
+        |s| &mut s.lateral,
+    )
+    .required(),
     BodyColumn::sampled(
         "axle torque",
         "N m",
@@ -133,7 +138,7 @@ pub const FORCES: &[Column<BodySample>] = &[
     BodyColumn::sampled("embedded", "m^3", "volume of the body below the undisturbed surface", |s| {
         &mut s.embedded_volume
     }),
-    BodyColumn::sampled("speed v", "m/s", "velocity along x", |s| &mut s.speed),
+    BodyColumn::sampled("speed v", "m/s", "velocity along the tow", |s| &mut s.speed),
     BodyColumn::sampled("heave speed", "m/s", "velocity upwards", |s| &mut s.heave_speed),
     BodyColumn::sampled(
         "rolling speed",
@@ -141,9 +146,12 @@ pub const FORCES: &[Column<BodySample>] = &[
         "velocity in the direction in which the body rolls: level, and across its axle",
         |s| &mut s.rolling_speed,
     ),
-    BodyColumn::sampled("lateral displacement", "m", "distance travelled along y since the start", |s| {
-        &mut s.lateral_displacement
-    }),
+    BodyColumn::sampled(
+        "lateral displacement",
+        "m",
+        "distance travelled across the tow since the start, to the left",
+        |s| &mut s.lateral_displacement,
+    ),
     BodyColumn::sampled("yaw", "rad", "rotation of the axle about z, positive to the left", |s| &mut s.yaw),
     BodyColumn::sampled(
         "tilt",
@@ -368,7 +376,9 @@ pub const RUT: &[Column<RutSection>] = &[
 /// Columns of `filtered.csv`.
 pub const FILTERED: &[Column<BodySample>] = &[
     BodyColumn::sampled("time", "s", "time since the start", |s| &mut s.time),
-    BodyColumn::sampled("displacement u", "m", "displacement along x, not filtered", |s| &mut s.displacement),
+    BodyColumn::sampled("displacement u", "m", "displacement along the tow, not filtered", |s| {
+        &mut s.displacement
+    }),
     BodyColumn::sampled(
         "sinkage z",
         "m",

@@ -22,13 +22,13 @@ use serde::{Deserialize, Serialize};
 pub struct BodySample {
     /// Time [s].
     pub time: f64,
-    /// Displacement u along the tow [m].
+    /// Displacement u along the tow [m]. The tow is that of the body: see [`crate::case::tow::TowDirection`].
     pub displacement: f64,
     /// Sinkage z_s of the lowest point below the undisturbed surface [m], positive downwards.
     pub sinkage: f64,
     /// Drag F_H: horizontal force against the tow [N].
     pub drag: f64,
-    /// Lateral force along y [N] (0 in a symmetric case).
+    /// Lateral force across the tow [N], to the left positive (0 in a symmetric case).
     pub lateral: f64,
     /// Vertical force F_V: positive when the soil pushes the body up [N].
     pub vertical: f64,
@@ -42,13 +42,13 @@ pub struct BodySample {
     pub rotation: f64,
     /// Rate of rotation ω [rad/s].
     pub spin: f64,
-    /// Forward speed v [m/s].
+    /// Speed v along the tow [m/s].
     pub speed: f64,
     /// Velocity in the direction in which the body rolls: level, and across its axle [m/s].
     pub rolling_speed: f64,
     /// Heave velocity, positive upwards [m/s].
     pub heave_speed: f64,
-    /// Displacement along y [m].
+    /// Displacement across the tow, to the left [m].
     pub lateral_displacement: f64,
     /// Yaw: rotation of the axle about z, from y [rad].
     pub yaw: f64,

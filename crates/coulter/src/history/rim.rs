@@ -19,7 +19,7 @@ pub struct RimRecord {
     /// Time [s].
     pub time: f64,
     /// Sums since the start over each bin, and last over the flanks; of the modelled portion, the impulse [N s] of the whole
-    /// body.
+    /// body, along its tow, across it and upwards.
     pub sums: Vec<RimSums>,
 }
 

@@ -356,6 +356,7 @@ mod tests {
             radius: Some(0.1),
             towed: true,
             turns: true,
+            ..Reference::default()
         }
     }
 

@@ -196,6 +196,7 @@ mod tests {
             radius: Some(0.1),
             towed: true,
             turns: true,
+            ..Reference::default()
         }
     }
 

@@ -93,7 +93,7 @@ impl BodyChecks<'_> {
         let depth = steady.sinkage.filter(|z| *z > 0.0)?;
         let force = steady.drag?.hypot(steady.vertical?);
         let speed = inside.iter().map(|s| s.speed.abs()).sum::<f64>() / inside.len().max(1) as f64;
-        let added = analytic::inertia_pressure(self.setting.density, speed) * depth * self.reference.width;
+        let added = analytic::inertia_pressure(self.setting.density, speed) * depth * self.reference.across;
         (force > 0.0).then(|| self.check(&limits::INERTIA, 100.0 * added / force))
     }
 

@@ -83,7 +83,7 @@ fn stress_ratio(setting: &Setting, history: &History) -> Option<f64> {
 
 /// Force on a body over its projected area: its embedded front, and its base [Pa].
 fn contact_pressure(body: &BodySetting, sample: &BodySample) -> f64 {
-    let [length, width, height] = [0, 1, 2].map(|axis| body.extent[axis].unwrap_or(body.slab));
+    let [length, width, height] = [0, 1, 2].map(|axis| body.extent[axis].unwrap_or(body.cell[axis]));
     let depth = sample.sinkage.min(height).max(body.cell[2]);
     // For a round body the chord at this depth.
     let base = body.diameter.map_or(length, |d| 2.0 * (depth.min(0.5 * d) * (d - depth.min(0.5 * d))).sqrt());

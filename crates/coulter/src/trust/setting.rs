@@ -2,6 +2,8 @@
 
 use crate::case::Case;
 use crate::case::resolved::{Body, Motion};
+use crate::case::tow::Measures;
+use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 /// Facts about a case.
@@ -34,14 +36,13 @@ pub struct Setting {
 pub struct BodySetting {
     /// Its name.
     pub name: String,
-    /// Smallest cell widths along x, y, z [m].
+    /// Smallest cell widths along the axes of its extent [m]; in plane strain the width of the body across.
     pub cell: [f64; 3],
-    /// Its extent along its own x, y, z [m]; `None` across the slab of plane strain.
+    /// Its extent along its own axes [m]: that next to its tow (of what rolls, that in which it does), across and upwards; `None`
+    /// across the slab of plane strain.
     pub extent: [Option<f64>; 3],
-    /// Its thickness along its own y [m], less than the extent of a dished disc; `None` across the slab of plane strain.
+    /// Its thickness across [m], less than the extent of a dished disc; `None` across the slab of plane strain.
     pub thickness: Option<f64>,
-    /// Width of the slab of plane strain [m].
-    pub slab: f64,
     /// Diameter of a body that is round in the plane of the tow [m].
     pub diameter: Option<f64>,
     /// Whether it moves vertically.
@@ -57,7 +58,7 @@ impl Setting {
     #[must_use]
     pub fn of(case: &Case) -> Self {
         let size = case.domain.high - case.domain.low;
-        let weight = case.soil.unit_weight * size.x * size.y * size.z;
+        let weight = case.soil.unit_weight * size.x * case.domain.width_of_body(size.y) * size.z;
         let changes = |n: usize| case.soils().any(|(_, soil)| soil.law.changes_volume()[n]);
         Self {
             gravity: if case.soil.unit_weight > 0.0 {
@@ -79,19 +80,20 @@ impl Setting {
 
 impl BodySetting {
     fn of(case: &Case, body: &Body) -> Self {
-        let (low, high) = body.solid().bounds();
-        let mut extent = (high - low).to_array().map(Some);
+        let finest = |faces: &Vec<f64>| faces.windows(2).map(|f| f[1] - f[0]).fold(f64::INFINITY, f64::min);
+        let cells = DVec3::from_array(case.grid.faces.each_ref().map(finest));
+        let Measures { extent, thickness, mut cell } = Measures::of(case, body, cells);
+        let mut extent = extent.to_array().map(Some);
         if case.domain.plane_strain {
             extent[1] = None;
         }
-        let finest = |faces: &Vec<f64>| faces.windows(2).map(|f| f[1] - f[0]).fold(f64::INFINITY, f64::min);
+        cell.y = case.domain.width_of_body(cell.y);
         let heave = &body.guided().translation[2];
         Self {
             name: body.name.clone(),
-            cell: case.grid.faces.each_ref().map(finest),
+            cell: cell.to_array(),
             extent,
-            thickness: extent[1].map(|extent| extent.min(body.thickness())),
-            slab: case.domain.high.y - case.domain.low.y,
+            thickness: extent[1].map(|_| thickness),
             diameter: body.wheel_diameter(),
             heaves: !matches!(heave, Motion::Fixed),
             heaves_freely: heave.is_free(),

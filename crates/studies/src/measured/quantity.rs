@@ -21,7 +21,7 @@ pub enum Quantity {
     Vertical,
     /// Lateral force [N].
     Lateral,
-    /// Torque of the soil about the axle [N m].
+    /// Torque of the soil about the axle [N m]; of a body that is driven in yaw, the moment against which it turns about z.
     Torque,
     /// Pressure under a plate or on the base of a cone [Pa]: the vertical force over the area.
     Pressure,
@@ -31,6 +31,12 @@ pub enum Quantity {
     Rotation,
     /// Rate of rotation ω [rad/s].
     Spin,
+    /// Moment of the soil about the x axis of space through the reference point [N m].
+    MomentX,
+    /// The same about y [N m].
+    MomentY,
+    /// The same about z [N m].
+    MomentZ,
 }
 
 /// One quantity: its name in files, its aliases, its unit, its symbol, what it measures.
@@ -54,7 +60,7 @@ const fn entry(
 }
 
 /// Every quantity; the first of its names is the one that is written.
-const ALL: [Entry; 12] = [
+const ALL: [Entry; 15] = [
     entry(Quantity::Time, &["time", "t"], "s", "time t", Some(TIME)),
     entry(
         Quantity::Displacement,
@@ -97,6 +103,9 @@ const ALL: [Entry; 12] = [
     entry(Quantity::Speed, &["speed", "v", "velocity"], "m/s", "speed v", Some(SPEED)),
     entry(Quantity::Rotation, &["rotation"], "rad", "rotation Ω", Some(ANGLE)),
     entry(Quantity::Spin, &["spin", "omega", "ω"], "rad/s", "rate of rotation ω", Some(TURN_RATE)),
+    entry(Quantity::MomentX, &["moment x", "M_x", "torque x"], "N m", "moment about x M_x", Some(TORQUE)),
+    entry(Quantity::MomentY, &["moment y", "M_y", "torque y"], "N m", "moment about y M_y", Some(TORQUE)),
+    entry(Quantity::MomentZ, &["moment z", "M_z", "torque z"], "N m", "moment about z M_z", Some(TORQUE)),
 ];
 
 impl Quantity {
@@ -176,7 +185,7 @@ impl Quantity {
     pub fn example(self) -> &'static str {
         match self.entry().measure {
             _ if self == Self::Pressure => "kPa",
-            _ if self == Self::Torque => "N m",
+            Some(measure) if measure.name == TORQUE.name => "N m",
             Some(measure) => measure.example.split_once(' ').map_or("", |(_, unit)| unit),
             None => "-",
         }

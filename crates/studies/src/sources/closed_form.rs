@@ -60,7 +60,12 @@ impl ClosedForm {
     /// # Errors
     /// Why the model has none, in words.
     pub fn values(&self, quantity: Quantity, along: Along, at: &[f64]) -> Result<Vec<f64>, String> {
-        values(&self.input.towing, self.candidate, quantity, (along, at))
+        let mut values = values(&self.input.towing, self.candidate, quantity, (along, at))?;
+        if self.input.mirrored && quantity == Quantity::Lateral {
+            // The left of the mirror image is the right.
+            values.iter_mut().for_each(|force| *force = 0.0 - *force);
+        }
+        Ok(values)
     }
 
     /// Along what its curves run that are measured along a quantity.

@@ -57,21 +57,28 @@ type Column = (Quantity, fn(&BodySample) -> f64);
 /// The columns of a history that curves use.
 fn record(name: &str, samples: &[BodySample], reference: &Reference) -> Record {
     let mut record = Record { name: name.to_owned(), ..Record::default() };
-    let columns: [Column; 10] = [
+    let columns: [Column; 12] = [
         (Quantity::Time, |s| s.time),
         (Quantity::Displacement, |s| s.displacement),
         (Quantity::Sinkage, |s| s.sinkage),
         (Quantity::Drag, |s| s.drag),
         (Quantity::Vertical, |s| s.vertical),
         (Quantity::Lateral, |s| s.lateral),
-        (Quantity::Torque, |s| s.axle_torque),
         (Quantity::Speed, |s| s.speed),
         (Quantity::Rotation, |s| s.rotation),
         (Quantity::Spin, |s| s.spin),
+        (Quantity::MomentX, |s| s.moment_x),
+        (Quantity::MomentY, |s| s.moment_y),
+        (Quantity::MomentZ, |s| s.moment_z),
     ];
     for (quantity, value) in columns {
         record.push(quantity, samples.iter().map(value).collect());
     }
+    let torque = |s: &BodySample| match reference.yaw_drive {
+        0.0 => s.axle_torque,
+        sign => 0.0 - sign * s.moment_z,
+    };
+    record.push(Quantity::Torque, samples.iter().map(torque).collect());
     if let Some(area) = base_area(reference) {
         record.push(Quantity::Pressure, samples.iter().map(|s| s.vertical / area).collect());
     }
@@ -93,5 +100,22 @@ impl RunSource {
         let mean = values.iter().sum::<f64>() / values.len() as f64;
         let half = block_averages(values).map(|blocks| STUDENT_90 * standard_error(&blocks));
         mean.is_finite().then_some((mean, half))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_torque_of_a_body_driven_in_yaw_is_that_about_z() {
+        let samples = [BodySample { moment_z: -18.0, axle_torque: 0.1, ..BodySample::default() }; 2];
+        let vane = |yaw_drive: f64| {
+            let reference = Reference { kind: "cylinder".into(), yaw_drive, ..Reference::default() };
+            record("run", &samples, &reference).values(Quantity::Torque).unwrap()[0]
+        };
+        assert_eq!([vane(1.0), vane(-1.0), vane(0.0)], [18.0, -18.0, 0.1]);
+        let record = record("run", &samples, &Reference::default());
+        assert_eq!(record.values(Quantity::MomentZ), Some(&[-18.0, -18.0][..]));
     }
 }

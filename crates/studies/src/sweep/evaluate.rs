@@ -9,7 +9,7 @@ use crate::responses::Figures;
 use crate::study::ModelKind;
 use coulter::case::{self, Case, CaseError};
 use coulter::forecast::{self, Outlook};
-use coulter::history::reference::Reference;
+use coulter::history::reference::{Groups, Reference};
 use coulter::interrupts::Interrupts;
 use coulter::output::folder::RunRecord;
 use coulter::output::{BodySummary, OutputError, Summary};
@@ -113,7 +113,7 @@ fn rolling_radius(case: &Case) -> Option<f64> {
 fn closed_forms(outlook: &Outlook, radius: Option<f64>) -> Vec<Figures> {
     let recommended = outlook.recommended().map(|model| model.name);
     let groups = &outlook.forecast.groups;
-    let (scale, length) = (outlook.force_scale(), outlook.input.towing.body.length());
+    let (scale, length) = (outlook.force_scale().unwrap_or(f64::NAN), outlook.length_scale());
     let over = |value: f64, reference: f64| Some(value / reference).filter(|ratio| ratio.is_finite());
     let applicable = outlook.forecast.models.iter().filter(|model| model.applicable);
     let rows = applicable.filter_map(|model| {
@@ -191,17 +191,17 @@ fn failed_checks(summary: &Summary) -> String {
 
 /// The rows of a run: one for every body with a surface.
 fn runs(case: &Case, summary: &Summary, references: &[Reference]) -> Vec<Figures> {
-    let outlook = forecast::outlook(case).ok();
     let bodies = references.iter().filter(|reference| reference.has_surface());
     let rows = bodies.enumerate().filter_map(|(n, reference)| {
         let body = summary.bodies.get(&reference.name)?;
-        let groups = outlook.as_ref().filter(|_| n == 0).map(|outlook| &outlook.forecast.groups);
+        let groups =
+            case.bodies.iter().find(|own| own.name == reference.name).map(|own| Groups::of(case, own));
         Some(Figures {
             recommended: n == 0,
             grade: Some(summary.trust.verdict.name().to_owned()),
-            weight_group: groups.and_then(|groups| groups.weight),
-            stiffness_group: groups.and_then(|groups| groups.stiffness),
-            cohesion_group: groups.and_then(|groups| groups.cohesion),
+            weight_group: groups.and_then(|groups| groups.w_bar),
+            stiffness_group: groups.and_then(|groups| groups.e_bar),
+            cohesion_group: groups.and_then(|groups| groups.c_bar),
             ..of_body(reference, body)
         })
     });

@@ -4,6 +4,7 @@ use super::passive::passive_coefficient;
 use crate::case::path::body_length;
 use crate::case::resolve::clearance::{SoilConditions, deepest};
 use crate::case::resolved::{Body, Case, Motion};
+use crate::case::tow::TowDirection;
 use physics::elastic::Elastic;
 
 /// Fraction of the force above which the contribution of inertia or viscosity is mentioned; chosen: less is below the
@@ -32,9 +33,8 @@ fn inertia(case: &Case, body: &Body, (speed, depth): (f64, f64), notes: &mut Vec
     let added = analytic::inertia_pressure(case.soil.density, speed);
     let ratio = match body.pressing_force(case.normal_weight(body)) {
         Some(load) if load > 0.0 => {
-            let slab = case.domain.high.y - case.domain.low.y;
-            let width = if case.domain.plane_strain { slab } else { body.size().y };
-            added * depth * width / load
+            let across = TowDirection::of(case, body).width_across(body);
+            added * depth * case.domain.width_of_body(across) / load
         }
         // Pressure due to the soil's weight grows from 0 at the surface: its mean is that at half the depth.
         _ => added / contact_pressure(case, 0.5 * depth),

@@ -9,6 +9,7 @@ use super::estimate::estimate;
 use super::model::sand;
 use super::path::{Paths, body_length};
 use super::resolved::{Body, Case, Law, Motion, Potential, Soil, Water};
+use super::tow::Measures;
 use glam::DVec3;
 use passive::passive_coefficient;
 use physics::elastic::Elastic;
@@ -60,14 +61,12 @@ fn surface(body: &Body, notes: &mut Vec<String>) {
 }
 
 fn resolution(case: &Case, body: &Body, notes: &mut Vec<String>) {
-    // Of a body that is turned: the sides of its own.
-    let (low, high) = body.solid().bounds();
-    let mut size = high - low;
-    size.y = size.y.min(body.thickness());
+    let Measures { extent: mut size, thickness, cell } = Measures::of(case, body, case.grid.fine_cell());
+    size.y = thickness;
     if case.domain.plane_strain {
         size.y = f64::INFINITY;
     }
-    let cells = size / case.grid.fine_cell();
+    let cells = size / cell;
     let narrow = cells.min_element();
     if narrow < 4.0 * (1.0 - 1e-9) {
         notes.push(format!(

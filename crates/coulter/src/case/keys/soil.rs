@@ -116,7 +116,12 @@ pub(super) const DOMAIN: &[Key] = &[
     ),
     key("symmetric", Kind::Flag, Flag(false), "Model only y ≥ 0; y = 0 is a plane of symmetry."),
     key("symmetric_x", Kind::Flag, Flag(false), "Model only x ≥ 0; x = 0 is a plane of symmetry."),
-    key("plane_strain", Kind::Flag, Flag(false), "Model a slab that is one cell thick in y."),
+    key(
+        "plane_strain",
+        Kind::Flag,
+        Flag(false),
+        "Model a slab that is one cell thick in y; weights, masses, loads and forces are per metre of width.",
+    ),
     key(
         "x_walls",
         Kind::WallPair,

@@ -28,7 +28,7 @@ pub(super) const UNTIL: &[Key] = &[
         "displacement",
         Kind::Quantity(LENGTH),
         Derived("one quantity"),
-        "Displacement along the tow since the stage began.",
+        "Displacement along the tow since the stage began; backwards, along −x, it is negative.",
     ),
     key(
         "vertical_force",

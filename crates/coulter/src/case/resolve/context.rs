@@ -46,13 +46,12 @@ impl Context {
 
     /// Mass of the water that a solid displaces [kg].
     pub(super) fn displaced_by(&self, solid: &dyn Solid) -> f64 {
-        self.water.map_or(0.0, |water| water.displaced_by(solid, self.slab.map(|slab| slab.width)).0)
+        self.water.map_or(0.0, |water| water.displaced_by(solid, self.slab.is_some()).0)
     }
 
     /// Mass of a body with its parts less that of the water that it displaces [kg].
     pub(super) fn submerged_mass(&self, body: &Body) -> f64 {
-        let displaced =
-            self.water.map_or(0.0, |water| water.displaced(body, self.slab.map(|slab| slab.width)).0);
+        let displaced = self.water.map_or(0.0, |water| water.displaced(body, self.slab.is_some()).0);
         body.whole_mass() - displaced
     }
 

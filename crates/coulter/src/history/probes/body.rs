@@ -1,17 +1,18 @@
 //! The probe of a body: where it is, how it moves, and the forces of the soil on it.
 
 use super::last_sample::LastSample;
+use crate::case::tow::TowDirection;
 use crate::history::BodySample;
 use glam::DVec3;
 use solver::model::Model;
 use solver::precision::Precision;
 use solver::state::State;
 
-/// A sample of body number `n`, its forces averaged since the last sample.
+/// A sample of body number `n` with this tow, its forces averaged since the last sample.
 pub(super) fn sample<R: Precision>(
     model: &Model,
     state: &State<R>,
-    n: usize,
+    (n, tow): (usize, TowDirection),
     last: &LastSample,
 ) -> BodySample {
     let (fixed, body) = (&model.bodies[n], &state.bodies[n]);
@@ -22,17 +23,18 @@ pub(super) fn sample<R: Precision>(
     let rate = if interval > 0.0 { 1.0 / interval } else { 0.0 };
     let normal = (now.normal - then.normal) * rate;
     let friction = (now.friction - then.friction) * rate;
-    let in_water = fixed.fluid.drag(twist.at(pose.rotation * fixed.fluid.centre));
+    let in_water = tow.turned(fixed.fluid.drag(twist.at(pose.rotation * fixed.fluid.centre)));
+    let moved = tow.turned(pose.position - fixed.start.position);
     let symmetry = model.symmetry();
-    let normal = symmetry.of_whole(normal);
-    let force = symmetry.of_whole(normal + friction);
-    let pore = symmetry.of_whole((now.pore - then.pore) * rate);
+    let force = tow.turned(symmetry.of_whole(symmetry.of_whole(normal) + friction));
+    let normal = tow.turned(symmetry.of_whole(normal));
+    let pore = tow.turned(symmetry.of_whole((now.pore - then.pore) * rate));
     let moment = symmetry.moment_of_whole((now.moment - then.moment) * rate);
     // The axis of tilt points where the body rolls.
     let ahead = state.tilt_axis(n);
     BodySample {
         time: state.time,
-        displacement: pose.position.x - fixed.start.position.x,
+        displacement: moved.x,
         sinkage: model.surface - fixed.bounds(pose).0.z,
         drag: 0.0 - force.x,
         lateral: force.y,
@@ -42,10 +44,10 @@ pub(super) fn sample<R: Precision>(
         axle_torque: moment.dot(axle),
         rotation: body.rotation,
         spin: twist.angular.dot(axle),
-        speed: twist.linear.x,
+        speed: tow.turned(twist.linear).x,
         rolling_speed: twist.linear.dot(ahead),
         heave_speed: twist.linear.z,
-        lateral_displacement: pose.position.y - fixed.start.position.y,
+        lateral_displacement: moved.y,
         yaw: ahead.y.atan2(ahead.x),
         tilt: axle.z.clamp(-1.0, 1.0).asin(),
         moment_x: moment.x,

@@ -14,6 +14,7 @@ mod rim;
 
 use super::History;
 use crate::case::Case;
+use crate::case::tow::TowDirection;
 pub use boundary::most_pressed_lid_cell;
 pub use ground_left::record_ground_left;
 pub use last_sample::LastSample;
@@ -23,16 +24,16 @@ use solver::model::Model;
 use solver::precision::Precision;
 use solver::state::State;
 
-/// Enters a state into the history; `last` is what the probes remember of the sample before, and of this one then.
+/// Enters a state into the history, with the tow of each body; `last` is what the probes remember of the sample before, and of this one then.
 pub fn sample<R: Precision>(
-    (case, model): (&Case, &Model),
+    (case, model, tows): (&Case, &Model, &[TowDirection]),
     state: &State<R>,
     halo: &Halo,
     last: &mut LastSample,
     history: &mut History,
 ) {
-    for (n, samples) in history.bodies.iter_mut().enumerate() {
-        samples.push(body::sample(model, state, n, last));
+    for (n, (samples, tow)) in history.bodies.iter_mut().zip(tows).enumerate() {
+        samples.push(body::sample(model, state, (n, *tow), last));
     }
     for (samples, (_, place)) in history.parts.iter_mut().zip(places(case)) {
         samples.push(part::sample(model, state, place, last));
@@ -40,8 +41,8 @@ pub fn sample<R: Precision>(
     for (n, (samples, joint)) in history.joints.iter_mut().zip(&case.joints).enumerate() {
         samples.push(joint::sample(model, joint, state, n, last));
     }
-    for (n, rim) in history.rims.iter_mut().enumerate() {
-        rim.push(state.time, rim::sums(model, &state.bodies[n]));
+    for (n, (rim, tow)) in history.rims.iter_mut().zip(tows).enumerate() {
+        rim.push(state.time, rim::sums(model, &state.bodies[n], *tow));
     }
     history.energy.push(energy::sample(model, state, halo));
     history.boundaries.push(boundary::sample(case, model, state, halo));

@@ -1,8 +1,10 @@
 //! What a body leaves of the ground: sections across its rut along the whole tow.
 
 use super::surface::HeightMap;
-use crate::case::resolved::{Case, Motion};
+use crate::case::resolved::{Body, Case};
+use crate::case::tow::TowDirection;
 use crate::history::{BodySample, RutSection};
+use glam::DVec3;
 use solver::precision::Precision;
 use solver::state::State;
 
@@ -25,16 +27,14 @@ pub fn ruts(
     state: &State<impl Precision>,
     samples: &[Vec<BodySample>],
 ) -> Vec<Rut> {
-    let tracks: Vec<(usize, f64)> = case
-        .touching()
-        .map(|(n, body)| (n, state.pose(n).position[1 - tow_axis(&body.guided().translation)]))
-        .collect();
+    let tracks: Vec<(usize, f64)> =
+        case.touching().map(|(n, body)| (n, state.pose(n).position[1 - tow_axis(case, body)])).collect();
     let of_body = |n: usize| {
         let body = &case.bodies[n];
         if !body.has_surface() || case.ground.surface() != map.reference {
             return Rut::default();
         }
-        let axis = tow_axis(&body.guided().translation);
+        let axis = tow_axis(case, body);
         let own = state.pose(n).position[1 - axis];
         let width = body.size()[1 - axis];
         // Tracks that are less than half a width apart are one.
@@ -56,17 +56,17 @@ pub fn ruts(
     (0..case.bodies.len()).map(of_body).collect()
 }
 
-/// The axis along which a body is towed.
-fn tow_axis(translation: &[Motion; 3]) -> usize {
-    usize::from(translation[0] == Motion::Fixed && translation[1] != Motion::Fixed)
+/// The axis along which a body is towed, or next to which.
+fn tow_axis(case: &Case, body: &Body) -> usize {
+    usize::from(TowDirection::of(case, body).is_lateral())
 }
 
 /// What the body has left behind in the last part of the tow [m], in which averages are taken.
 fn passed(case: &Case, n: usize, (axis, end): (usize, f64), samples: &[Vec<BodySample>]) -> Option<[f64; 2]> {
-    let travelled =
-        |sample: &BodySample| if axis == 0 { sample.displacement } else { sample.lateral_displacement };
-    let samples = samples.get(n)?;
-    let first = case.bodies[n].position[axis] + travelled(samples.first()?);
+    let first = samples.get(n)?.first()?;
+    let tow = TowDirection::of(case, &case.bodies[n]);
+    let travelled = tow.in_space(DVec3::new(first.displacement, first.lateral_displacement, 0.0));
+    let first = case.bodies[n].position[axis] + travelled[axis];
     let length = case.bodies[n].size()[axis];
     if (end - first).abs() <= length {
         return None;

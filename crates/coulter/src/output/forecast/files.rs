@@ -104,6 +104,9 @@ fn plots(curves: &Curves) -> Vec<(String, String)> {
             chart(curves, &curves.label, &curves.values, Ordinate { label: y_label, of, scale: &size });
         plots.push((format!("{name}.svg"), plain.svg()));
         let scale = if is_force { &curves.force_scale } else { &curves.length_scale };
+        if scale.iter().any(|scale| scale.is_nan()) {
+            continue;
+        }
         let bare =
             chart(curves, curves.group_label, &curves.group, Ordinate { label: group.to_owned(), of, scale });
         plots.push((format!("{name}_dimensionless.svg"), bare.svg()));

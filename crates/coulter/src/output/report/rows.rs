@@ -1,6 +1,7 @@
 //! The tables of a report.
 
 use super::summary::{BodySummary, Summary};
+use crate::case::resolved::PLANE_STRAIN_WIDTH;
 use crate::history::reference::Reference;
 use crate::output::folder::RunRecord;
 use crate::output::units::{Unit, digits};
@@ -57,9 +58,15 @@ pub(super) fn facts(record: &RunRecord, summary: &Summary) -> Vec<[String; 2]> {
     let [x, y, z] = record.cells;
     let kind = match (record.plane_strain, record.symmetric, record.symmetric_x) {
         _ if record.bodies.is_empty() => "no body",
-        (true, _, false) => "plane strain; forces on the modelled slab",
+        // A folder of a version that reported the forces on the slab.
+        (true, ..)
+            if record.bodies.iter().any(|body| body.has_surface() && body.width != PLANE_STRAIN_WIDTH) =>
+        {
+            "plane strain; forces on the modelled slab"
+        }
+        (true, _, false) => "plane strain; forces per metre of width",
         (true, _, true) => {
-            "plane strain, half modelled (symmetry at x = 0); forces on the whole body in the slab"
+            "plane strain, half modelled (symmetry at x = 0); forces on the whole body per metre of width"
         }
         (false, true, false) => "half of the body modelled (symmetry at y = 0); forces on the whole body",
         (false, false, true) => "half of the body modelled (symmetry at x = 0); forces on the whole body",
@@ -102,7 +109,7 @@ pub(super) fn scales_text(record: &RunRecord, reference: &Reference) -> String {
     let (d, t) = (digits(1e3 * reference.length), digits(1e3 * reference.width));
     let (length, width) =
         if reference.kind == "disc" { ("diameter", "thickness") } else { ("height", "width") };
-    let width = if record.plane_strain { "width of the slab" } else { width };
+    let width = if record.plane_strain { "width in plane strain" } else { width };
     let lengths = format!("d = {d} mm ({length}), t = {t} mm ({width})");
     match reference.force() {
         Some(force) => format!("{lengths}, γ t d² = {}", value(Some(force), Unit::force)),
