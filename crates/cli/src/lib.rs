@@ -24,7 +24,7 @@ mod signals;
 mod sweep;
 mod verify;
 
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use common::{say, tell};
 use coulter::printed::plain;
 use std::borrow::Cow;
@@ -89,7 +89,7 @@ enum Command {
 /// broken, 2 the request was wrong, 128 + n stopped by signal n.
 #[must_use]
 pub fn main(program: &Path, arguments: impl IntoIterator<Item = OsString>) -> u8 {
-    match Arguments::try_parse_from(arguments) {
+    match parsed(arguments) {
         Ok(arguments) => execute(program, &arguments),
         // Help and version go to standard output, which may be full.
         Err(message) if !message.use_stderr() => match say(&message.render().to_string()) {
@@ -106,6 +106,22 @@ pub fn main(program: &Path, arguments: impl IntoIterator<Item = OsString>) -> u8
             2
         }
     }
+}
+
+/// The arguments of a command line.
+fn parsed(arguments: impl IntoIterator<Item = OsString>) -> Result<Arguments, clap::Error> {
+    let mut command = with_negative_numbers(Arguments::command());
+    let mut matches = command.try_get_matches_from_mut(arguments)?;
+    Arguments::from_arg_matches_mut(&mut matches).map_err(|error| error.format(&mut command))
+}
+
+/// A command whose options take a negative number for a value, so that `--threads -1` is refused for its range and not as an option
+/// `-1` that nobody knows.
+fn with_negative_numbers(command: clap::Command) -> clap::Command {
+    let takes = |argument: &clap::Arg| argument.get_long().is_some() && argument.get_action().takes_values();
+    command
+        .mut_args(|argument| if takes(&argument) { argument.allow_negative_numbers(true) } else { argument })
+        .mut_subcommands(with_negative_numbers)
 }
 
 /// Executes the command; the exit code says how it ended.

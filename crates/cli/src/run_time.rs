@@ -20,7 +20,9 @@ const WRITING: [f64; 2] = [0.6, 1.3e-6];
 pub(super) fn estimate(case: &Case, cost: &Cost) -> Option<f64> {
     let Estimate { cells, filled_cells, steps, .. } = cost.estimate;
     let writing = WRITING[0] + WRITING[1] * cells * cost.output.frames;
-    measured(case).map(|rate| writing + steps * filled_cells * LATER_STEPS / rate)
+    // Where there is next to no soil there is nothing to measure.
+    let rate = measured(case).filter(|rate| *rate > 0.0)?;
+    Some(writing + steps * filled_cells * LATER_STEPS / rate).filter(|seconds| seconds.is_finite())
 }
 
 /// Cell-steps per second over the cells with soil, from the first steps of a region of the case.

@@ -83,6 +83,9 @@ pub(crate) fn proceed<R: Precision>(
     Ok(true)
 }
 
+/// Difference from a value [m, N or N m] that counts as round-off, of a value beyond 1 relative to it.
+const ROUND_OFF: f64 = 1e-9;
+
 /// Whether what ends a stage that began at a time [s] is reached, and its value now.
 fn reached(case: &Case, until: Until, history: &History, began: f64) -> (bool, f64) {
     let samples = &history.bodies[until.body];
@@ -101,7 +104,9 @@ fn reached(case: &Case, until: Until, history: &History, began: f64) -> (bool, f
         StageQuantity::AxleTorque => sample.axle_torque,
     };
     let missing = [value(&first) - until.value, value(&now) - until.value];
-    (missing[1] == 0.0 || missing[0] * missing[1] < 0.0, value(&now))
+    // Where the stage begins at the value, it is reached.
+    let is_there = missing.iter().any(|missing| missing.abs() <= ROUND_OFF * until.value.abs().max(1.0));
+    (is_there || missing[0] * missing[1] < 0.0, value(&now))
 }
 
 fn too_late<R: Precision>(case: &Case, on: usize, value: f64, state: &State<R>) -> Breakdown {

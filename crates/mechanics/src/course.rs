@@ -94,9 +94,9 @@ impl Course {
         }
     }
 
-    /// Least and largest displacement until a time [s], in [m or rad].
+    /// Times at which it passes its points or turns round, until a time and with it [s], rising.
     #[must_use]
-    pub fn extremes(&self, until: f64) -> [f64; 2] {
+    pub fn moments(&self, until: f64) -> Vec<f64> {
         // Between two points it turns round only where speeds were given, which are linear there.
         let turn = |n: usize| {
             let (from, to) = (self.speeds[n], self.speeds[n + 1]);
@@ -104,8 +104,24 @@ impl Course {
             self.times[n] + share * (self.times[n + 1] - self.times[n])
         };
         let inside = self.times.iter().copied().chain((0..self.times.len() - 1).map(turn));
-        let all = inside.filter(|time| *time < until).chain([until]);
-        all.map(|time| self.displacement(time)).fold([0.0, 0.0], |[low, high], d| [low.min(d), high.max(d)])
+        let mut all: Vec<f64> = inside.filter(|time| *time < until).chain([until]).collect();
+        all.sort_by(f64::total_cmp);
+        all
+    }
+
+    /// Least and largest displacement until a time [s], in [m or rad].
+    #[must_use]
+    pub fn extremes(&self, until: f64) -> [f64; 2] {
+        let all = self.moments(until).into_iter().map(|time| self.displacement(time));
+        all.fold([0.0, 0.0], |[low, high], d| [low.min(d), high.max(d)])
+    }
+
+    /// When it begins to move [s]: its last point at rest, or its first.
+    #[must_use]
+    pub fn begins(&self) -> f64 {
+        let moves =
+            |n: &usize| self.displacements[n + 1] != self.displacements[*n] || self.speeds[n + 1] != 0.0;
+        self.times[(0..self.times.len() - 1).find(moves).unwrap_or(0)]
     }
 
     /// Largest speed, without its sign [m/s or rad/s].

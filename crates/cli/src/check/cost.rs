@@ -55,11 +55,18 @@ pub(super) fn describe_cost(
         short(cost.estimate.wave_speed_m_per_s)
     )?;
     match seconds {
-        Some(seconds) => writeln!(text, "run time about {seconds:.0} s on this machine"),
+        Some(seconds) => writeln!(text, "run time about {} on this machine", time_in_words(seconds)),
         None => {
             writeln!(text, "run time {:.3e} cell steps", cost.estimate.steps * cost.estimate.filled_cells)
         }
     }
+}
+
+/// A time [s] in the unit in which one would say it.
+pub(super) fn time_in_words(seconds: f64) -> String {
+    const UNITS: [(f64, &str); 3] = [(365.25 * 86400.0, "years"), (86400.0, "days"), (3600.0, "h")];
+    let unit = UNITS.iter().find(|(unit, _)| seconds >= 2.0 * unit);
+    unit.map_or_else(|| format!("{seconds:.0} s"), |(unit, name)| format!("{:.0} {name}", seconds / unit))
 }
 
 /// Plane strain and planes of symmetry.

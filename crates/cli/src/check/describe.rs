@@ -4,9 +4,9 @@ use coulter::case::Case;
 use coulter::case::mesh_file::MeshReport;
 use coulter::case::quantity::short;
 use coulter::case::resolved::{
-    Attitude, Body, Change, ClaySoftening, GROUND, Joint, JointKind, Law, MOTIONS, Measured, Motion,
-    Potential, Soil, Stage, Until, Water,
+    Attitude, ClaySoftening, GROUND, Joint, JointKind, Law, Measured, Motion, Potential, Soil, Until, Water,
 };
+use coulter::case::{told_of_body, told_of_stage};
 use coulter::history::reference::Groups;
 use glam::DVec3;
 use std::fmt::Write;
@@ -30,8 +30,8 @@ pub(super) fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
             short(across)
         )?;
     }
-    for body in &case.bodies {
-        describe_body(text, case, body)?;
+    for (number, body) in case.bodies.iter().enumerate() {
+        describe_body(text, case, number)?;
         for part in &body.parts {
             let shape = part.shape.describe(&|x: f64| format!("{} m", short(x)));
             writeln!(
@@ -43,8 +43,8 @@ pub(super) fn describe(text: &mut String, case: &Case) -> std::fmt::Result {
             )?;
         }
     }
-    for stage in &case.stages {
-        describe_stage(text, case, stage)?;
+    for number in 0..case.stages.len() {
+        describe_stage(text, case, number)?;
     }
     for joint in &case.joints {
         describe_joint(text, case, joint)?;
@@ -230,12 +230,13 @@ fn undrained_strength(shear_strength: f64, gradient: f64, softening: Option<Clay
     text
 }
 
-fn describe_body(text: &mut String, case: &Case, body: &Body) -> std::fmt::Result {
+fn describe_body(text: &mut String, case: &Case, number: usize) -> std::fmt::Result {
+    let body = &case.bodies[number];
     let metres = |x: f64| format!("{} m", short(x));
     let shape = body.shape.describe(&metres);
     if !body.shape.has_surface() {
         writeln!(text, "body     {}: {shape}, m = {} kg", body.name, short(body.mass))?;
-        return describe_motions(text, body);
+        return describe_motions(text, case, number);
     }
     let mut friction =
         if body.friction.is_finite() { format!("μ = {}", body.friction) } else { "rough".into() };
@@ -264,7 +265,7 @@ fn describe_body(text: &mut String, case: &Case, body: &Body) -> std::fmt::Resul
             degrees(pitch)
         )?;
     }
-    describe_motions(text, body)?;
+    describe_motions(text, case, number)?;
     let groups = Groups::of(case, body);
     let optional =
         [("W̄", groups.w_bar), ("Ē", groups.e_bar), ("c̄", groups.c_bar), ("v²/(gd)", groups.froude)];
@@ -278,22 +279,20 @@ fn describe_body(text: &mut String, case: &Case, body: &Body) -> std::fmt::Resul
 }
 
 /// The degrees of freedom of a body, one a line.
-fn describe_motions(text: &mut String, body: &Body) -> std::fmt::Result {
+fn describe_motions(text: &mut String, case: &Case, number: usize) -> std::fmt::Result {
+    let body = &case.bodies[number];
     if body.guide.is_some() && body.motions().iter().all(Motion::is_free) {
         return writeln!(text, "         guided by its joint");
     }
-    for (n, (name, freedom)) in MOTIONS.into_iter().zip(body.motions()).enumerate() {
-        let (speed, load) = units(n);
-        // Steering is the exception.
-        if freedom != Motion::Fixed || !name.ends_with("_motion") {
-            writeln!(text, "         {name:11} {}", describe_freedom(&freedom, speed, load))?;
-        }
-    }
-    Ok(())
+    told_of_body(case, number).iter().try_for_each(|told| {
+        let name = told.path.rsplit('.').next().unwrap_or_default();
+        writeln!(text, "         {name:11} {}", told.words)
+    })
 }
 
 /// A stage: how long it lasts, and the motions that change.
-fn describe_stage(text: &mut String, case: &Case, stage: &Stage) -> std::fmt::Result {
+fn describe_stage(text: &mut String, case: &Case, number: usize) -> std::fmt::Result {
+    let stage = &case.stages[number];
     match stage.until {
         None => writeln!(text, "stage    {}: {} s", stage.name, short(stage.duration))?,
         Some(Until { body, quantity, value }) => {
@@ -308,17 +307,10 @@ fn describe_stage(text: &mut String, case: &Case, stage: &Stage) -> std::fmt::Re
             )?;
         }
     }
-    for Change { body, motion, to } in &stage.changes {
-        let (speed, load) = units(*motion);
-        let name = format!("{}.{}", case.bodies[*body].name, MOTIONS[*motion]);
-        writeln!(text, "         {name:11} {}", describe_freedom(to, speed, load))?;
-    }
-    Ok(())
-}
-
-/// Units of speed and load of a motion, by its number.
-fn units(motion: usize) -> (&'static str, &'static str) {
-    if motion < 3 { ("m/s", "N") } else { ("rad/s", "N m") }
+    told_of_stage(case, number).iter().try_for_each(|told| {
+        let name = told.path.splitn(3, '.').last().unwrap_or_default();
+        writeln!(text, "         {name:11} {}", told.words)
+    })
 }
 
 fn describe_joint(text: &mut String, case: &Case, joint: &Joint) -> std::fmt::Result {
@@ -365,24 +357,4 @@ fn describe_mesh(text: &mut String, report: &MeshReport) -> std::fmt::Result {
         short(z)
     )?;
     report.repairs.iter().try_for_each(|repair| writeln!(text, "         repaired {repair}"))
-}
-
-fn describe_freedom(freedom: &Motion, speed_unit: &str, load_unit: &str) -> String {
-    match *freedom {
-        Motion::Fixed => "fixed".into(),
-        Motion::Course(ref course) => {
-            format!("a given displacement over time, at most {} {speed_unit}", short(course.fastest()))
-        }
-        Motion::Prescribed { speed, start, ramp, end, .. } => {
-            let until = if end.is_finite() { format!(" until {} s", short(end)) } else { String::new() };
-            format!("{} {speed_unit}, from {} s within {} s{until}", short(speed), short(start), short(ramp))
-        }
-        Motion::Free { load: 0.0, support: 0.0, .. } => "free".into(),
-        Motion::Free { load: 0.0, start, ramp, .. } => {
-            format!("free, released from {} s within {} s", short(start), short(ramp))
-        }
-        Motion::Free { load, start, ramp, .. } => {
-            format!("free, load {} {load_unit} from {} s within {} s", short(load), short(start), short(ramp))
-        }
-    }
 }

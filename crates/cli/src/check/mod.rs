@@ -42,6 +42,8 @@ pub(super) struct Arguments {
     json: bool,
 }
 
+/// Time of a run that is mentioned [s]: a month (chosen).
+const LONG: f64 = 30.0 * 86400.0;
 /// Largest number of warnings that are printed.
 const MAX_WARNINGS: usize = 20;
 
@@ -58,7 +60,13 @@ pub(super) fn check(arguments: &Arguments) -> Result<(), Failure> {
         true => Some(variation_costs(&arguments.case, &overrides, &case)?),
         false => None,
     };
-    let warnings = warnings(&case, &cost);
+    let mut warnings = warnings(&case, &cost);
+    if let Some(long) = seconds.filter(|seconds| *seconds > LONG) {
+        let time = cost::time_in_words(long);
+        warnings.push(format!(
+            "The run would take some {time} on this machine: larger cells, a shorter run or softer soil take less."
+        ));
+    }
     if arguments.json {
         return as_json((&case, &cost, seconds), (&meshes, variations.as_ref()), &warnings);
     }
@@ -140,7 +148,7 @@ fn document((case, cost, seconds): (&Case, &Cost, Option<f64>), warnings: &[Stri
         case.bodies.iter().map(|b| (b.name.clone(), serde_json::json!(Groups::of(case, b)))).collect();
     let mut document = serde_json::json!({
         "format": formats::DOCUMENT, "case": case.name, "groups": groups, "cost": cost, "estimated_wall_s": seconds,
-        "memory_available_bytes": machine::memory_available(), "warnings": warnings, "resolved": case,
+        "memory_available_bytes": machine::memory_available(), "warnings": warnings, "motions": motions(case), "resolved": case,
     });
     let surfaces: serde_json::Map<String, serde_json::Value> = case
         .bodies
@@ -151,4 +159,11 @@ fn document((case, cost, seconds): (&Case, &Cost, Option<f64>), warnings: &[Stri
         document["surfaces"] = surfaces.into();
     }
     document
+}
+
+/// Every motion in words, by the path of its key.
+fn motions(case: &Case) -> serde_json::Map<String, serde_json::Value> {
+    let of_bodies = (0..case.bodies.len()).flat_map(|number| case::told_of_body(case, number));
+    let of_stages = (0..case.stages.len()).flat_map(|number| case::told_of_stage(case, number));
+    of_bodies.chain(of_stages).map(|told| (told.path, told.words.into())).collect()
 }

@@ -42,7 +42,8 @@ fn a_killed_run_is_reported_from_what_there_is() {
 #[test]
 fn a_stopped_run_is_reported_as_one() {
     let sandbox = Sandbox::new();
-    let mut run = sandbox.start_held(&[]);
+    let mut run = sandbox.start(&[]);
+    run.wait_until_under_way();
     run.signal("TERM");
     run.end().is(143, &[]);
     sandbox.report().is(0, &[]);

@@ -50,7 +50,10 @@ fn own(section: KeyTable) -> KeyTable {
 /// A line for each key of a section.
 fn rows(section: &KeyTable, text: &mut String) {
     for key in section.keys {
-        let range = key.range_text().map_or_else(String::new, |range| format!("; {range}"));
+        let mut range = key.range_text().map_or_else(String::new, |range| format!("; {range}"));
+        if let Some(usual) = key.usual_text() {
+            range += &format!("; usual: {usual}");
+        }
         let (value, default) = (kind(&key.kind), key.default.text());
         // Writing to a string cannot fail.
         let _ = writeln!(text, "| `{}` | {value}{range} | {default} | {} |", key.name, key.meaning);

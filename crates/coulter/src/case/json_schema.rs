@@ -102,7 +102,8 @@ fn property(key: &Key) -> Value {
 
 fn description(key: &Key) -> String {
     let range = key.range_text().map_or_else(String::new, |range| format!(" Allowed: {range}."));
-    format!("{}{range} Default: {}.", key.meaning, key.default.text())
+    let usual = key.usual_text().map_or_else(String::new, |usual| format!(" Usual: {usual}."));
+    format!("{}{range}{usual} Default: {}.", key.meaning, key.default.text())
 }
 
 /// A default as it would be typed.

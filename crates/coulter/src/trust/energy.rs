@@ -32,6 +32,17 @@ fn volume_change(setting: &Setting, end: &EnergySample) -> f64 {
     if is_expected { 0.0 } else { change.abs() }
 }
 
+/// Rise of the pressure in a closed box by the volume that has entered it, over what the soil bears [%].
+pub(super) fn pumped(setting: &Setting, history: &History) -> Option<Check> {
+    let per_volume = setting.pumped_per_volume?;
+    let entered = |samples: &Vec<BodySample>| {
+        let first = samples.first().map_or(0.0, |sample| sample.embedded_volume);
+        samples.iter().map(|sample| sample.embedded_volume - first).fold(0.0, f64::max)
+    };
+    let volume: f64 = history.bodies.iter().map(entered).sum();
+    Some(Check::of(&limits::PUMPED, None, 100.0 * per_volume * volume))
+}
+
 /// Lid, walls and floor.
 pub(super) fn boundary_checks(setting: &Setting, history: &History) -> Vec<Check> {
     let samples = &history.boundaries;

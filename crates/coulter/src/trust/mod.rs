@@ -31,6 +31,15 @@ pub struct Trust {
     pub checks: Vec<Check>,
 }
 
+/// The doubts about the values of a case, if there are any.
+fn unusual(setting: &Setting) -> Option<Check> {
+    let count = setting.unusual.len();
+    (count > 0).then(|| Check {
+        advice: setting.unusual.join(" "),
+        ..Check::of(&limits::UNUSUAL, None, count as f64)
+    })
+}
+
 impl Trust {
     /// Grades a run by its history; `part` is what averages are taken over, `failure` says why the run broke down, if it did.
     #[must_use]
@@ -54,6 +63,8 @@ impl Trust {
             }
         }
         checks.extend(energy::boundary_checks(setting, history));
+        checks.extend(energy::pumped(setting, history));
+        checks.extend(unusual(setting));
         checks.push(Check::of(&limits::STEP_SIZE, None, setting.courant));
         let verdict = checks.iter().map(|c| c.verdict).max().unwrap_or_default();
         Self { verdict, checks }

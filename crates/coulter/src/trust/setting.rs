@@ -1,8 +1,8 @@
 //! Facts about a case that the checks need in addition to the histories; stored in `run.json`.
 
-use crate::case::Case;
 use crate::case::resolved::{Body, Motion};
 use crate::case::tow::Measures;
+use crate::case::{self, Case, ClosedBox};
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
@@ -26,6 +26,10 @@ pub struct Setting {
     pub drainage_per_speed: Option<f64>,
     /// Whether the soil is taken for drained, whatever its drainage number.
     pub accepts_drained: bool,
+    /// Rise of the pressure in a closed box over what the soil bears, per volume of a body that enters [1/m³]; `None` for open ground.
+    pub pumped_per_volume: Option<f64>,
+    /// What no soil, body or tow has, each a sentence.
+    pub unusual: Vec<String>,
     /// The bodies, in the order of the case.
     pub bodies: Vec<BodySetting>,
 }
@@ -73,6 +77,8 @@ impl Setting {
             floor_depth: case.ground.surface() - case.domain.low.z,
             drainage_per_speed: case.drainage_per_speed().filter(|_| !case.computes_pore_pressure()),
             accepts_drained: case.water.is_some_and(|water| water.accept_drained),
+            pumped_per_volume: ClosedBox::of(case).map(|closed| closed.stiffness / closed.bearable),
+            unusual: case::unusual(case),
             bodies: case.bodies.iter().map(|body| BodySetting::of(case, body)).collect(),
         }
     }

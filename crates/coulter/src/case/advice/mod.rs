@@ -1,6 +1,9 @@
 //! Warnings about a case that can be run: whether the grid is fine enough, the tow slow enough, the box large enough.
 
+mod closed_box;
 mod inertia;
+mod leak;
+mod motions;
 mod passive;
 mod relief;
 mod walls;
@@ -10,6 +13,7 @@ use super::model::sand;
 use super::path::{Paths, body_length};
 use super::resolved::{Body, Case, Law, Motion, Potential, Soil, Water};
 use super::tow::Measures;
+use super::unusual::unusual;
 use glam::DVec3;
 use passive::passive_coefficient;
 use physics::elastic::Elastic;
@@ -18,14 +22,21 @@ use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
 /// Warnings, each a sentence or two; empty for a case without any.
 #[must_use]
 pub fn advice(case: &Case) -> Vec<String> {
-    let mut notes = Vec::new();
+    let mut notes = unusual(case);
     for (_, body) in case.touching() {
         resolution(case, body, &mut notes);
         fine_zone(case, body, &mut notes);
-        walls::walls_and_lid(case, body, &mut notes);
-        inertia::speed(case, body, &mut notes);
+        leak::leak(case, body, &mut notes);
+        motions::in_soil(case, body, &mut notes);
+        // Nothing fails in front of a body that never enters the ground.
+        if !motions::is_above_ground(case, body) {
+            walls::walls_and_lid(case, body, &mut notes);
+            inertia::speed(case, body, &mut notes);
+        }
         surface(body, &mut notes);
     }
+    motions::late(case, &mut notes);
+    closed_box::pumped(case, &mut notes);
     relief::uneven(case, &mut notes);
     timing(case, &mut notes);
     drainage(case, &mut notes);

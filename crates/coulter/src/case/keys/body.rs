@@ -3,6 +3,7 @@
 use super::allowed_range::{APEX, BEVEL, FRACTION, GROUSERS, IN_THE_RUN, NOT_NEGATIVE, POSITIVE, SLIP, TILT};
 use super::default_value::DefaultValue::{Derived, Quantity, Required, Word};
 use super::key::{Key, Kind, key};
+use super::usual_range::{SPEED as USUAL_SPEED, SURFACE_FRICTION};
 use super::words::{AXES, BEVELS, HOLLOWS, MESH_UNITS, RIMS, SHAPES};
 use crate::case::quantity::{ANGLE, FORCE, INERTIA, LENGTH, MASS, SPEED, TIME, TORQUE, TURN_RATE};
 
@@ -19,7 +20,8 @@ pub(super) const MOTION: &[Key] = &[
         Kind::Quantity(SPEED),
         Derived("one of speed, load, displacement, table"),
         "Speed after the ramp; for `spin` a rate of turning.",
-    ),
+    )
+    .usually(USUAL_SPEED),
     key(
         "load",
         Kind::Quantity(FORCE),
@@ -193,7 +195,8 @@ pub(super) const BODY: &[Key] = &[
         Derived("required except for a frame"),
         "Coefficient of friction μ against the soil, or \"rough\": no slip.",
     )
-    .within(NOT_NEGATIVE),
+    .within(NOT_NEGATIVE)
+    .usually(SURFACE_FRICTION),
     key(
         "adhesion_factor",
         Kind::Number,

@@ -2,7 +2,8 @@
 
 use super::allowed_range::AllowedRange;
 use super::default_value::DefaultValue;
-use crate::case::quantity::{Measure, plain, with_unit};
+use super::usual_range::UsualRange;
+use crate::case::quantity::{Measure, parse, plain, with_unit};
 
 /// What a value may be.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,6 +84,8 @@ pub struct Key {
     pub default: DefaultValue,
     /// Which numbers it allows; `None` for any, and where it has none.
     pub range: Option<AllowedRange>,
+    /// Which numbers are usual for it; `None` where any is.
+    pub usual: Option<UsualRange>,
     /// What it means.
     pub meaning: &'static str,
 }
@@ -92,6 +95,12 @@ impl Key {
     #[must_use]
     pub const fn within(self, range: AllowedRange) -> Self {
         Self { range: Some(range), ..self }
+    }
+
+    /// The same key with a usual range.
+    #[must_use]
+    pub const fn usually(self, usual: UsualRange) -> Self {
+        Self { usual: Some(usual), ..self }
     }
 
     /// A number of this key as one would write it, with its unit.
@@ -104,6 +113,23 @@ impl Key {
             Kind::Modulus(offset) => format!("{} N/m^(n+{offset})", plain(number)),
             _ => plain(number),
         }
+    }
+
+    /// The ends of its usual range, in SI units.
+    #[must_use]
+    pub fn usual_ends(&self) -> Option<[f64; 2]> {
+        let usual = self.usual?;
+        let read = |end: &str| match self.kind {
+            Kind::Quantity(measure) => parse(end, &measure).ok(),
+            _ => end.parse().ok(),
+        };
+        Some([read(usual.low)?, read(usual.high)?])
+    }
+
+    /// Its usual range in words: `50 kPa to 1 GPa (from mud to soft rock)`.
+    #[must_use]
+    pub fn usual_text(&self) -> Option<String> {
+        self.usual.map(|usual| format!("{} to {} ({})", usual.low, usual.high, usual.source))
     }
 
     /// Its range in words, if it has one.
@@ -135,11 +161,27 @@ impl KeyTable {
 /// A key without a range.
 #[must_use]
 pub const fn key(name: &'static str, kind: Kind, default: DefaultValue, meaning: &'static str) -> Key {
-    Key { name, kind, default, range: None, meaning }
+    Key { name, kind, default, range: None, usual: None, meaning }
 }
 
 /// A section.
 #[must_use]
 pub const fn section(name: &'static str, meaning: &'static str, keys: &'static [Key]) -> KeyTable {
     KeyTable { name, meaning, keys }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::case::keys::{MOTION, SECTIONS};
+
+    #[test]
+    fn every_usual_range_has_ends_in_order_and_within_what_is_allowed() {
+        for key in SECTIONS.iter().flat_map(|section| section.keys).chain(MOTION.keys) {
+            if key.usual.is_some() {
+                let [low, high] = key.usual_ends().expect(key.name);
+                assert!(low < high, "{}", key.name);
+                assert!(key.range.is_none_or(|range| range.contains(high)), "{}", key.name);
+            }
+        }
+    }
 }

@@ -11,6 +11,7 @@ mod relief;
 mod run;
 mod soil;
 mod stage;
+mod usual_range;
 mod water;
 pub mod words;
 
@@ -18,6 +19,7 @@ pub use allowed_range::{AllowedRange, Bound};
 pub use default_value::DefaultValue;
 pub use key::{Key, KeyTable, Kind, key, section};
 pub use relief::{PLACE_KEYS, SHAPE_KEYS};
+pub use usual_range::UsualRange;
 
 /// All sections.
 pub const SECTIONS: [KeyTable; 17] = [

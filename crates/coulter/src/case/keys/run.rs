@@ -3,6 +3,7 @@
 use super::allowed_range::{FRACTION, NOT_NEGATIVE, POSITIVE, POSITIVE_FRACTION, SPACING, THREADS};
 use super::default_value::DefaultValue::{ByLaw, Derived, DurationOver, Number, Quantity, Required, Word};
 use super::key::{Key, Kind, key};
+use super::usual_range::GRAVITY;
 use super::words::{CONTACTS, PRECISIONS};
 use crate::case::quantity::{ACCELERATION, FREQUENCY, LENGTH, TIME};
 
@@ -21,7 +22,8 @@ pub(super) const TOP: &[Key] = &[
         Quantity("9.81 m/s^2"),
         "Acceleration of gravity, downwards.",
     )
-    .within(NOT_NEGATIVE),
+    .within(NOT_NEGATIVE)
+    .usually(GRAVITY),
 ];
 
 pub(super) const RUN: &[Key] = &[

@@ -1,14 +1,23 @@
 //! Whether a case can be computed: its contact points, its time steps, the memory that it takes.
 
-use crate::case::estimate;
+use crate::case::estimate::{self, Estimate};
 use crate::case::keys;
 use crate::case::machine;
+use crate::case::model::material;
 use crate::case::problem::Problems;
 use crate::case::resolved::Case;
 use crate::case::resources::format_bytes;
 
 /// Largest number of time steps.
 const MAX_STEPS: f64 = 1e12;
+/// Least number: in a single step nothing that moves can meet soil that gives way.
+const MIN_STEPS: f64 = 2.0;
+/// Wave speeds [m/s] and densities [kg/m³] between which no stiffness and no density is at fault: those of mud and of steel, and wide
+/// limits round them (chosen).
+const WAVE_SPEEDS: [f64; 2] = [1.0, 1e4];
+const DENSITIES: [f64; 2] = [10.0, 1e5];
+/// Cell width below which cells are at fault [m]; chosen: less than a grain of silt.
+const SMALL_CELL: f64 = 1e-6;
 
 /// Reports a case that cannot be computed; its numbers must make sense.
 pub(super) fn cost(case: &Case, problems: &mut Problems) {
@@ -42,14 +51,53 @@ fn contact_points_remain(case: &Case, problems: &mut Problems) {
     }
 }
 
-/// Refuses numbers that are too large or too small to compute with, and runs that would take too many steps.
+/// Refuses numbers that are too large or too small to compute with, and runs that would take too many steps, or one.
 fn can_be_computed(case: &Case, problems: &mut Problems) {
     let cost = estimate::estimate(case);
-    if !(cost.time_step_s > 0.0 && cost.steps <= MAX_STEPS) {
-        let message =
-            format!("{:.1e} time steps of {:.1e} s are too many to run", cost.steps, cost.time_step_s);
-        let cure = "check run.duration, grid.cell, soil.young_modulus and the soil's density";
-        problems.add("soil", message, cure);
+    let is_computable = cost.time_step_s > 0.0 && cost.time_step_s.is_finite();
+    let message = if !is_computable || cost.steps > MAX_STEPS {
+        format!("{:.1e} time steps of {:.1e} s are too many to run", cost.steps, cost.time_step_s)
+    } else if cost.steps < MIN_STEPS {
+        format!(
+            "a run of {:.1e} s would be over in one time step, of {:.1e} s",
+            case.duration, cost.time_step_s
+        )
+    } else {
+        return;
+    };
+    let (path, cure) = at_fault(case, &cost);
+    problems.add(path, message, cure);
+}
+
+/// The key that makes a time step or the number of steps impossible, and its cure.
+fn at_fault(case: &Case, cost: &Estimate) -> (String, String) {
+    let outside = |value: f64, [low, high]: [f64; 2]| !(low..=high).contains(&value);
+    let soils = || case.soils().map(|(path, soil)| (path, soil.density, material(soil).wave_speed()));
+    // The fastest waves set the step.
+    let fastest = soils().max_by(|a, b| a.2.total_cmp(&b.2));
+    match fastest {
+        Some((path, density, _)) if outside(density, DENSITIES) => (
+            format!("{path}.density"),
+            format!("waves take their speed from it; it is {density:e} kg/m³, that of soil some 1500"),
+        ),
+        Some((path, _, speed)) if outside(speed, WAVE_SPEEDS) => {
+            let cure = format!(
+                "waves would travel at {speed:.1e} m/s; in soil it is some 20 to 500. Check the unit: 1 MPa is 1e6 Pa, 1 mPa is 0.001 Pa"
+            );
+            (format!("{path}.young_modulus"), cure)
+        }
+        _ if cost.smallest_cell_m < SMALL_CELL => (
+            "grid.cell".into(),
+            format!("its smallest cell is {:.1e} m; make it larger", cost.smallest_cell_m),
+        ),
+        _ if case.stages.is_empty() => (
+            "run".into(),
+            format!("the run lasts {:.1e} s; check its duration or tow_distance", case.duration),
+        ),
+        _ => (
+            "stage".into(),
+            format!("the stages last {:.1e} s together; check their durations", case.duration),
+        ),
     }
 }
 

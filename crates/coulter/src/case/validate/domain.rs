@@ -62,6 +62,9 @@ pub(super) fn ground_numbers(ground: &Ground, problems: &mut Problems) {
     }
 }
 
+/// Depth of the soil over the height of the box that counts as none.
+const NO_SOIL: f64 = 1e-6;
+
 /// Reports ground that does not fit into the box.
 pub(in crate::case) fn ground(ground: &Ground, domain: &Domain, problems: &mut Problems) {
     let surface = ground.surface();
@@ -73,6 +76,11 @@ pub(in crate::case) fn ground(ground: &Ground, domain: &Domain, problems: &mut P
             plain(domain.high.z)
         );
         problems.add("ground.surface", message, "change ground.surface or domain.z");
+        return;
+    }
+    if surface - domain.low.z < NO_SOIL * (domain.high.z - domain.low.z) {
+        let message = format!("there is no soil: it is {:.1e} m deep", surface - domain.low.z);
+        problems.add("ground.surface", message, "raise ground.surface, or deepen domain.z");
         return;
     }
     let Ground::Column { low, high, radius } = *ground else { return };

@@ -99,8 +99,10 @@ fn fits_together(case: &Case, problems: &mut Problems) {
     soil::growing_strength(case, problems);
     soil::layers(case, problems);
     soil::density(case, problems);
+    soil::flattened(case, problems);
     relief::relief(case, problems);
     fit::bodies_fit(&Paths::of(case), &case.domain, problems);
     follow::follow(case, problems);
+    stages::ends(case, problems);
     water::water(case, problems);
 }

@@ -2,6 +2,7 @@
 
 use crate::case::at_rest;
 use crate::case::numbers::in_range;
+use crate::case::own_weight::compression;
 use crate::case::problem::Problems;
 use crate::case::quantity::plain;
 use crate::case::resolved::{Case, ClaySoftening, Domain, Ground, Law, Potential, SOIL, Soil, Wall};
@@ -50,7 +51,7 @@ pub(in crate::case) fn law(path: &str, law: &Law, problems: &mut Problems) {
 }
 
 /// The numbers of a yield law, by key.
-fn law_numbers(law: &Law) -> Vec<(&'static str, f64)> {
+pub(in crate::case) fn law_numbers(law: &Law) -> Vec<(&'static str, f64)> {
     match *law {
         Law::Elastic => Vec::new(),
         Law::Tresca { shear_strength, gradient, softening } => {
@@ -353,6 +354,21 @@ pub(super) fn layers(case: &Case, problems: &mut Problems) {
             message,
             "remove it here or in the layer above",
         );
+    }
+}
+
+/// Reports soil that its own weight would flatten: its stiffness would bear less than its weight.
+pub(super) fn flattened(case: &Case, problems: &mut Problems) {
+    for (path, soil) in case.soils() {
+        let strain = compression(case, soil);
+        if strain > 0.5 {
+            let message = format!(
+                "the soil would be flattened by its own weight: with E = {} Pa by {strain:.1e} times its height",
+                plain(soil.young_modulus)
+            );
+            let cure = "check the unit: soil has some 1 to 100 MPa; 1 MPa is 1e6 Pa, 1 mPa is 0.001 Pa";
+            problems.add(format!("{path}.young_modulus"), message, cure);
+        }
     }
 }
 
