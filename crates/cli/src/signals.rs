@@ -4,13 +4,13 @@
 use coulter::interrupts::Interrupts;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// Installs the signal handlers; returns the requests that they set.
 ///
 /// A signal whose handler cannot be installed keeps its default action: nothing that was written is lost.
 pub(super) fn listen() -> Interrupts {
-    let interrupts = Interrupts::default();
+    let interrupts = Interrupts { at_sample: suspension(), ..Interrupts::default() };
     let mut stops = vec![SIGINT, SIGTERM];
     if !hangup_is_ignored() {
         stops.extend(hangup());
@@ -38,6 +38,28 @@ pub(super) fn ignore_file_size_signal() {
 /// There is no such signal (untested).
 #[cfg(not(unix))]
 pub(super) fn ignore_file_size_signal() {}
+
+/// For tests: `COULTER_SUSPEND_EVERY=5` suspends the program (SIGSTOP) at every fifth sample, so that what is done to it in its
+/// middle races no clock.
+#[cfg(unix)]
+fn suspension() -> Option<fn()> {
+    static EVERY: AtomicUsize = AtomicUsize::new(0);
+    static SAMPLES: AtomicUsize = AtomicUsize::new(0);
+    let every = std::env::var("COULTER_SUSPEND_EVERY").ok()?.parse().ok().filter(|every| *every > 0)?;
+    EVERY.store(every, Ordering::Relaxed);
+    Some(|| {
+        let samples = SAMPLES.fetch_add(1, Ordering::Relaxed) + 1;
+        if samples.is_multiple_of(EVERY.load(Ordering::Relaxed)) {
+            let _ = signal_hook::low_level::raise(signal_hook::consts::SIGSTOP);
+        }
+    })
+}
+
+/// There is no such signal (untested).
+#[cfg(not(unix))]
+fn suspension() -> Option<fn()> {
+    None
+}
 
 #[cfg(unix)]
 fn hangup() -> Option<i32> {

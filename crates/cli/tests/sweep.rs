@@ -46,6 +46,11 @@ impl Sandbox {
         self.0.path().join(name)
     }
 
+    /// How many outcomes a study has so far.
+    fn outcomes(&self, study: &str) -> usize {
+        std::fs::read_dir(self.path(study).join("outcomes")).map_or(0, Iterator::count)
+    }
+
     fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(assert_cmd::cargo::cargo_bin("coulter"));
         command.current_dir(self.0.path()).args(arguments).stdout(Stdio::piped()).stderr(Stdio::piped());
@@ -89,9 +94,11 @@ fn a_study_that_is_killed_ends_with_the_same_bytes() {
     let sandbox = Sandbox::new(STUDY);
     let text = sandbox.run(&["sweep", "study.toml", "-o", "whole"], 0);
     assert!(text.contains("12 cases: 12 done"), "{text}");
-    for milliseconds in [40, 150, 400] {
+    for outcomes in [1, 4, 10] {
         let mut child = sandbox.command(&["sweep", "study.toml", "-o", "killed"]).spawn().unwrap();
-        std::thread::sleep(Duration::from_millis(milliseconds));
+        while sandbox.outcomes("killed") < outcomes && child.try_wait().unwrap().is_none() {
+            std::thread::sleep(Duration::from_millis(1));
+        }
         child.kill().unwrap();
         child.wait().unwrap();
     }

@@ -66,8 +66,8 @@ fn intervals_of_a_run_that_was_killed_are_those_of_one_that_was_not() {
     // Killed in a variation, resumed, and the report rebuilt.
     let killed = Sandbox::new();
     let third = format!("variations/{}/forces.csv", NAMES[2]);
-    let mut run = killed.start(&with(&enough));
-    run.wait_for(&third, |sandbox| sandbox.text(&third).lines().count() > 5);
+    let mut run = killed.start_held(&with(&enough));
+    run.hold_at(&third, |sandbox| sandbox.text(&third).lines().count() > 5);
     run.signal("KILL");
     assert_eq!(run.end().code, None);
     assert!(killed.summary()["confidence"].is_null());

@@ -46,19 +46,18 @@ fn killed_at_once(leftover: &str, record: &str) -> Sandbox {
 #[test]
 fn a_run_killed_before_its_first_checkpoint_can_be_started_again() {
     let first = Sandbox::new();
-    let mut run = first.start(&TINY);
-    run.wait_for("a run.json", |sandbox| sandbox.out("run.json").is_file());
+    let mut run = first.start_held(&TINY);
     let record = first.text("run.json");
     run.signal("KILL");
     run.end();
     for leftover in ["a lock", "half a run.json", "a run.json"] {
         for start in ["--resume", "--auto-resume", "--force"] {
             let sandbox = killed_at_once(leftover, &record);
-            sandbox.start(&with(&[start])).wait_until_under_way();
+            sandbox.start_held(&with(&[start]));
             assert!(!sandbox.out("run.json.part").exists(), "{leftover}, {start}");
         }
     }
-    killed_at_once("a lock", &record).start(&TINY).wait_until_under_way();
+    killed_at_once("a lock", &record).start_held(&TINY);
     let refusal = killed_at_once("a run.json", &record).run(&TINY);
     refusal.is(2, &["stopped before its end", "--resume", "--force"]);
 }
@@ -66,8 +65,7 @@ fn a_run_killed_before_its_first_checkpoint_can_be_started_again() {
 #[test]
 fn a_stopped_run_wants_a_word_and_the_same_case() {
     let sandbox = Sandbox::new();
-    let mut run = sandbox.start(&[]);
-    run.wait_until_under_way();
+    let mut run = sandbox.start_held(&[]);
     run.signal("INT");
     run.end().is(130, &["--resume continues from"]);
     let before = sandbox.files();

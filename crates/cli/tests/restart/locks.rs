@@ -7,15 +7,12 @@ use std::fs;
 fn a_run_at_work_is_not_disturbed() {
     let (alone, sandbox) = (Sandbox::new(), Sandbox::new());
     alone.run(&[]).is(0, &[]);
-    let mut run = sandbox.start(&[]);
-    run.wait_until_under_way();
-    run.hold();
+    let run = sandbox.start_held(&[]);
     for start in [&[][..], &["--force"], &["--resume"]] {
         let before = sandbox.files();
         sandbox.run(start).is(2, &["another run is using out (process ", "-o DIR"]);
         assert!(sandbox.files() == before, "{start:?} has changed a file");
     }
-    run.go_on();
     run.end().is(0, &["done"]);
     assert!(sandbox.histories() == alone.histories() && sandbox.is_tidy());
 }
@@ -23,15 +20,12 @@ fn a_run_at_work_is_not_disturbed() {
 #[test]
 fn a_scheduler_waits_for_the_run_before_unless_it_is_stopped() {
     let sandbox = Sandbox::new();
-    let mut run = sandbox.start(&[]);
-    run.wait_until_under_way();
-    run.hold();
+    let run = sandbox.start_held(&[]);
     let mut stopped = sandbox.start(&["--auto-resume"]);
-    std::thread::sleep(std::time::Duration::from_millis(300));
+    stopped.wait_until_it_listens();
     stopped.signal("TERM");
     stopped.end().is(143, &["another run is using"]);
     let waiting = sandbox.start(&["--auto-resume", "--json"]);
-    run.go_on();
     run.end().is(0, &["done"]);
     assert!(waiting.end().is(0, &[]).out.contains("\"trust\""));
     assert!(sandbox.is_tidy());

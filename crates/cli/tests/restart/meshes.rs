@@ -75,8 +75,8 @@ fn is_complete(sandbox: &Sandbox) {
 }
 
 fn stopped(sandbox: &Sandbox, arguments: &[&str], watched: &str) -> Reply {
-    let mut run = sandbox.start(arguments);
-    run.wait_for(watched, |sandbox| sandbox.text(watched).lines().count() > 5);
+    let mut run = sandbox.start_held(arguments);
+    run.hold_at(watched, |sandbox| sandbox.text(watched).lines().count() > 5);
     run.signal("INT");
     run.end()
 }
@@ -149,8 +149,8 @@ fn a_study_that_was_stopped_anywhere_goes_on_to_the_same_results() {
 fn a_killed_study_goes_on_too() {
     let sandbox = Sandbox::new();
     for file in [format!("meshes/{}/forces.csv", COARSE[1]), "forces.csv".to_owned()] {
-        let mut run = sandbox.start(&study(&["--auto-resume"]));
-        run.wait_for(&file, |sandbox| sandbox.text(&file).lines().count() > 5);
+        let mut run = sandbox.start_held(&study(&["--auto-resume"]));
+        run.hold_at(&file, |sandbox| sandbox.text(&file).lines().count() > 5);
         run.signal("KILL");
         run.end();
     }

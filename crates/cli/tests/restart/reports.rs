@@ -42,8 +42,7 @@ fn a_killed_run_is_reported_from_what_there_is() {
 #[test]
 fn a_stopped_run_is_reported_as_one() {
     let sandbox = Sandbox::new();
-    let mut run = sandbox.start(&[]);
-    run.wait_until_under_way();
+    let mut run = sandbox.start_held(&[]);
     run.signal("TERM");
     run.end().is(143, &[]);
     sandbox.report().is(0, &[]);

@@ -54,8 +54,8 @@ pub(crate) const TINY: [&str; 4] = [
     r#"body.disc.forward={ speed = "0.2 m/s", start = "0.01 s", ramp = "0.01 s" }"#,
 ];
 
-/// Time limit for any event, even on a busy machine.
-const PATIENCE: Duration = Duration::from_secs(60);
+/// After how long without an event a test gives up: far beyond what a busy machine takes.
+const PATIENCE: Duration = Duration::from_secs(600);
 
 /// A folder with a case file in it; results go to `out`.
 pub(crate) struct Sandbox {
@@ -111,23 +111,50 @@ impl Sandbox {
 
     /// Output of a bash script in which `$@` runs the case.
     pub(crate) fn script(&self, script: &str, arguments: &[&str]) -> Reply {
+        self.bash(script, arguments).output().unwrap().into()
+    }
+
+    fn bash(&self, script: &str, arguments: &[&str]) -> Command {
         let run = self.command(arguments);
         let mut bash = Command::new("bash");
         bash.current_dir(&self.folder).args(["-c", script, "bash"]).arg(run.get_program());
-        bash.args(run.get_args()).stdin(Stdio::null()).output().unwrap().into()
+        bash.args(run.get_args()).stdin(Stdio::null());
+        bash
     }
 
     /// Starts a run, which is killed at the end of its test.
     pub(crate) fn start(&self, arguments: &[&str]) -> Running<'_> {
-        let mut command = self.command(arguments);
-        let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-        Running { sandbox: self, child: Some(child) }
+        Running::start(self, self.command(arguments))
+    }
+
+    /// The same, suspended by itself at its fifth sample, and at every fifth one after it is let go on.
+    #[track_caller]
+    pub(crate) fn start_held(&self, arguments: &[&str]) -> Running<'_> {
+        self.held(self.command(arguments))
+    }
+
+    /// The same by a bash script in which `$@` runs the case.
+    #[track_caller]
+    pub(crate) fn start_script_held(&self, script: &str) -> Running<'_> {
+        self.held(self.bash(script, &[]))
+    }
+
+    #[track_caller]
+    fn held(&self, mut command: Command) -> Running<'_> {
+        command.env("COULTER_SUSPEND_EVERY", "5");
+        let mut run = Running::start(self, command);
+        run.hold_at("the fifth sample", |_| true);
+        run
     }
 
     /// Starts a run and kills it when it has two checkpoints and some lines of history.
     pub(crate) fn killed(&self, arguments: &[&str]) {
-        let mut run = self.start(arguments);
-        run.wait_for("two checkpoints", |sandbox| sandbox.has_checkpoints() && sandbox.lines() > 20);
+        let mut run = self.start_held(arguments);
+        while !(self.has_checkpoints() && self.lines() > 20) {
+            run.signal("USR1");
+            run.go_on();
+            run.hold_at("five more samples", |_| true);
+        }
         run.signal("KILL");
         assert_eq!(run.end().code, None);
     }
@@ -173,53 +200,103 @@ impl Sandbox {
 /// A run in progress; it does not outlive its test.
 pub(crate) struct Running<'a> {
     sandbox: &'a Sandbox,
-    child: Option<Child>,
+    child: Child,
+    /// Where its output and its messages go.
+    streams: [PathBuf; 2],
 }
 
-impl Running<'_> {
-    /// Waits for a condition.
+impl<'a> Running<'a> {
+    fn start(sandbox: &'a Sandbox, mut command: Command) -> Self {
+        let streams =
+            ["out", "err"].map(|name| tempfile::Builder::new().prefix(name).tempfile_in(&sandbox.folder));
+        let streams = streams.map(|file| file.unwrap().into_temp_path().keep().unwrap());
+        let [out, err] = [0, 1].map(|n| fs::File::create(&streams[n]).unwrap());
+        let child = command.stdout(out).stderr(err).spawn().unwrap();
+        Self { sandbox, child, streams }
+    }
+
+    /// Whether the process is suspended.
+    fn is_held(&self) -> bool {
+        let about = fs::read_to_string(format!("/proc/{}/stat", self.child.id())).unwrap_or_default();
+        about.rsplit(") ").next().is_some_and(|state| state.starts_with('T'))
+    }
+
+    /// Lets a run that suspends itself go on until it has done so where a condition holds, and leaves it there.
     #[track_caller]
-    pub(crate) fn wait_for(&mut self, what: &str, is_so: impl Fn(&Sandbox) -> bool) {
+    pub(crate) fn hold_at(&mut self, what: &str, is_so: impl Fn(&Sandbox) -> bool) {
+        loop {
+            let held = self.wait(|run| run.is_held());
+            assert!(held, "the run ended without: {what}; {}", self.sandbox.text("run.log"));
+            if is_so(self.sandbox) {
+                return;
+            }
+            self.go_on();
+        }
+    }
+
+    /// Waits for an event; whether it came before the run had ended.
+    fn wait(&mut self, is_so: impl Fn(&Self) -> bool) -> bool {
         let began = Instant::now();
-        while !is_so(self.sandbox) {
-            let ended = self.child.as_mut().unwrap().try_wait().unwrap();
-            assert!(ended.is_none(), "the run ended without: {what}; {}", self.sandbox.text("run.log"));
-            assert!(began.elapsed() < PATIENCE, "no sign of: {what}; {}", self.sandbox.text("run.log"));
+        loop {
+            let ended = self.child.try_wait().unwrap();
+            if is_so(self) {
+                return true;
+            }
+            if ended.is_some() {
+                return false;
+            }
+            assert!(began.elapsed() < PATIENCE, "no event; {}", self.sandbox.text("run.log"));
             sleep(Duration::from_millis(2));
         }
     }
 
-    /// Waits until the first lines of the history are there.
+    /// Waits for a condition that stays, once it is met.
     #[track_caller]
-    pub(crate) fn wait_until_under_way(&mut self) {
-        self.wait_for("lines of the history", |sandbox| sandbox.lines() > 5);
+    pub(crate) fn wait_for(&mut self, what: &str, is_so: impl Fn(&Sandbox) -> bool) {
+        let came = self.wait(|run| is_so(run.sandbox));
+        assert!(came, "the run ended without: {what}; {}", self.sandbox.text("run.log"));
+    }
+
+    /// Waits until a process handles SIGTERM itself.
+    pub(crate) fn wait_until_it_listens(&mut self) {
+        let listens = |run: &Self| {
+            let status = fs::read_to_string(format!("/proc/{}/status", run.child.id())).unwrap_or_default();
+            let mask = status.lines().find_map(|line| line.strip_prefix("SigCgt:"));
+            mask.is_some_and(|mask| u64::from_str_radix(mask.trim(), 16).unwrap() >> 14 & 1 == 1)
+        };
+        assert!(self.wait(listens), "it ended before");
     }
 
     pub(crate) fn signal(&mut self, name: &str) {
-        let id = self.child.as_ref().unwrap().id().to_string();
+        let id = self.child.id().to_string();
         assert!(Command::new("kill").args(["-s", name, &id]).status().unwrap().success());
     }
 
-    /// Suspends the process, unnoticed by the program, or lets it continue.
-    pub(crate) fn hold(&mut self) {
-        self.signal("STOP");
-    }
-
+    /// Lets a suspended process continue.
     pub(crate) fn go_on(&mut self) {
         self.signal("CONT");
     }
 
+    /// Its end, however often it suspends itself before.
     pub(crate) fn end(mut self) -> Reply {
-        self.child.take().unwrap().wait_with_output().unwrap().into()
+        let status = loop {
+            if let Some(status) = self.child.try_wait().unwrap() {
+                break status;
+            }
+            if self.is_held() {
+                self.go_on();
+            }
+            sleep(Duration::from_millis(2));
+        };
+        let [stdout, stderr] = [0, 1].map(|n| fs::read(&self.streams[n]).unwrap());
+        Output { status, stdout, stderr }.into()
     }
 }
 
 impl Drop for Running<'_> {
     fn drop(&mut self) {
-        if let Some(child) = &mut self.child {
-            let _ = child.kill();
-            let _ = child.wait();
-        }
+        let _ = self.child.kill();
+        let _ = self.child.wait();
     }
 }
 

@@ -6,8 +6,7 @@ use super::sandbox::Sandbox;
 fn each_signal_has_its_exit_code() {
     for (signal, code) in [("INT", 130), ("TERM", 143), ("HUP", 129)] {
         let sandbox = Sandbox::new();
-        let mut run = sandbox.start(&[]);
-        run.wait_until_under_way();
+        let mut run = sandbox.start_held(&[]);
         run.signal(signal);
         run.end().is(code, &["stopped", "--resume", "last.checkpoint"]);
         let log = sandbox.text("run.log");
@@ -19,20 +18,20 @@ fn each_signal_has_its_exit_code() {
 #[test]
 fn a_hangup_does_not_stop_a_run_under_nohup() {
     let sandbox = Sandbox::new();
-    let script = "trap '' HUP; \"$@\" & run=$!; until [ $(wc -l <out/forces.csv) -gt 5 ]; do kill -0 $run || exit 9; sleep 0.01; done 2>/dev/null; \
-        kill -s HUP $run && wait $run";
-    sandbox.script(script, &[]).is(0, &["done"]);
+    let mut run = sandbox.start_script_held("trap '' HUP; exec \"$@\"");
+    run.signal("HUP");
+    run.end().is(0, &["done"]);
     assert!(!sandbox.text("run.log").contains("stopped by signal"));
 }
 
 #[test]
 fn a_checkpoint_can_be_asked_for() {
     let sandbox = Sandbox::new();
-    let mut run = sandbox.start(&["--set", "output.checkpoint_interval=1 h"]);
-    run.wait_until_under_way();
+    let mut run = sandbox.start_held(&["--set", "output.checkpoint_interval=1 h"]);
     assert!(!sandbox.text("run.log").contains("checkpoint at"));
     run.signal("USR1");
-    run.wait_for("the checkpoint", |sandbox| sandbox.text("run.log").contains("checkpoint at t = "));
+    run.go_on();
+    run.hold_at("the checkpoint", |sandbox| sandbox.text("run.log").contains("checkpoint at t = "));
     assert!(sandbox.has_checkpoints());
     run.end().is(0, &["done"]);
 }
@@ -40,13 +39,10 @@ fn a_checkpoint_can_be_asked_for() {
 #[test]
 fn a_second_stop_ends_at_once() {
     let sandbox = Sandbox::new();
-    let mut run = sandbox.start(&[]);
-    run.wait_until_under_way();
+    let mut run = sandbox.start_held(&[]);
     // Both signals are pending when it continues: it has no time to write anything between them.
-    run.hold();
     run.signal("TERM");
     run.signal("INT");
-    run.go_on();
     let code = run.end().code;
     assert!(code == Some(130) || code == Some(143), "{code:?}");
     assert!(!sandbox.text("run.log").contains("stopped by signal"), "{}", sandbox.text("run.log"));

@@ -71,6 +71,13 @@ impl<R: Precision> Observer<R> for Followed<'_> {
 pub(super) struct Signals<'a>(pub(super) &'a Interrupts);
 
 impl<R: Precision> Observer<R> for Signals<'_> {
+    fn sampled(&mut self, _: &Simulation<R>) -> Result<Next, ObserverError> {
+        if let Some(at_sample) = self.0.at_sample {
+            at_sample();
+        }
+        Ok(Next::Continue)
+    }
+
     fn between_steps(&mut self, simulation: &Simulation<R>) -> Result<Next, ObserverError> {
         let mut signal = [f64::from(self.0.stopped_by().unwrap_or_default())];
         simulation.halo().largest(&mut signal);
