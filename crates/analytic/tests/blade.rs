@@ -161,6 +161,7 @@ fn a_faceted_disc_has_the_forces_of_the_disc() {
         Facet { centroid: normal.map(|n| 0.1 * n), normal, area, half_height }
     });
     let round = FacetedBody {
+        plane_strain: false,
         length: 0.2,
         width: 0.05,
         breadth: 0.05,

@@ -53,12 +53,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         refuse_existing(folder, arguments.force)?;
     }
     let read = |path: &PathBuf| read_item(path, arguments.body.as_deref());
-    let items: Vec<Item> =
+    let mut items: Vec<Item> =
         arguments.items.iter().map(read).collect::<Result<_, _>>().map_err(|error| match error {
             Unreadable::Case(error) => Failure::Case(error),
             Unreadable::Other(why) => Failure::Request(why),
         })?;
-    let comparison = compare(&items, &request).map_err(Failure::Request)?;
+    let comparison = compare(&mut items, &request).map_err(Failure::Request)?;
     if let Some(folder) = &arguments.output {
         write(&items, &comparison, folder)?;
     }

@@ -52,11 +52,11 @@ pub(super) fn forecast(arguments: &Arguments) -> Result<(), Failure> {
     let effort = if arguments.uncertainty { Effort::Full } else { Effort::Quick };
     let intervals = forecast::intervals(&outlook, stated, effort);
     let document = forecast::document(&outlook, &intervals, arguments.uncertainty);
-    let files = match folder(arguments, &case.name) {
+    let (files, left_out) = match folder(arguments, &case.name) {
         Some(folder) => {
             refuse_file(&folder).and_then(|()| write(arguments, &outlook, &intervals, &document, &folder))?
         }
-        None => Vec::new(),
+        None => (Vec::new(), Vec::new()),
     };
     if arguments.json {
         return say_json(&document);
@@ -64,6 +64,13 @@ pub(super) fn forecast(arguments: &Arguments) -> Result<(), Failure> {
     say(&forecast::table(&outlook, &intervals))?;
     if arguments.uncertainty {
         say(&forecast::uncertainty_table(&intervals))?;
+    }
+    match left_out.first() {
+        Some(first) if left_out.len() > 1 => {
+            say(&format!("\n{} points of the curve are left out, such as: {first}\n", left_out.len()))?;
+        }
+        Some(only) => say(&format!("\n1 point of the curve is left out: {only}\n"))?,
+        None => {}
     }
     if !files.is_empty() {
         let list: Vec<String> = files.iter().map(|f| f.display().to_string()).collect();
@@ -136,7 +143,7 @@ fn write(
     intervals: &Intervals,
     document: &serde_json::Value,
     folder: &Path,
-) -> Result<Vec<PathBuf>, Failure> {
+) -> Result<(Vec<PathBuf>, Vec<String>), Failure> {
     let default = default_curve(&outlook.input.towing.body);
     let range_text = arguments.against.as_deref().unwrap_or(&default);
     let points = usize::from(arguments.points.unwrap_or(DEFAULT_POINTS));
@@ -146,5 +153,7 @@ fn write(
         .map_err(|why| Failure::Request(format!("--against {range_text}: {why}")))?;
     let models = forecast::models_csv(outlook, intervals);
     let files = ForecastFiles { models: &models, document, curves: &curves };
-    write_forecast(folder, &files, arguments.force).map_err(|e| Failure::Request(e.to_string()))
+    let written =
+        write_forecast(folder, &files, arguments.force).map_err(|e| Failure::Request(e.to_string()))?;
+    Ok((written, curves.left_out))
 }

@@ -127,7 +127,7 @@ fn forecast(overrides: &[&str]) -> (f64, [f64; 3], Option<f64>) {
     let held = ["body.disc.heave=fixed", "body.disc.sinkage=40 mm"];
     let all: Vec<&str> = held.iter().chain(overrides).copied().collect();
     let outlook = outlook(&case(&all).unwrap()).unwrap();
-    let model = outlook.recommended().unwrap();
+    let model = outlook.best().unwrap();
     let found = model.prediction.unwrap();
     (found.lateral.unwrap(), outlook.moment(model).unwrap(), found.slip)
 }

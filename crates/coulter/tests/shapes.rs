@@ -109,7 +109,7 @@ fn every_shape_has_a_forecast() {
     for (keys, (kind, more, text)) in EXAMPLES {
         let case = parse(&[keys, more], &["body.tool.heave=fixed", "body.tool.sinkage=40 mm"]).unwrap();
         let outlook = outlook(&case).unwrap();
-        let best = outlook.recommended().unwrap_or_else(|| panic!("{text}: no model"));
+        let best = outlook.best().unwrap_or_else(|| panic!("{text}: no model"));
         let found = best.prediction.unwrap();
         assert!(found.drag > 1.0 && found.drag < 500.0, "{text}: {} {found:?}", best.name);
         let notes = outlook.input.remarks.join("\n");
@@ -127,7 +127,7 @@ fn a_forecast_counts_the_sinkage_from_the_lowest_point() {
     let drag = |sinkage: &str| {
         let more = ["body.tool.heave=fixed", "body.tool.pitch=-30 deg", sinkage];
         let case = parse(&[WEDGE], &more).unwrap();
-        outlook(&case).unwrap().recommended().unwrap().prediction.unwrap().drag
+        outlook(&case).unwrap().best().unwrap().prediction.unwrap().drag
     };
     let ratio = drag("body.tool.sinkage=6 mm") / drag("body.tool.sinkage=60 mm");
     // The traction grows with the depth, the surface too: 1 %, but for the width of the facets and the corner at the front.

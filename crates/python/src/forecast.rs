@@ -116,7 +116,7 @@ impl Which {
         let models = &outlook.forecast.models;
         match self {
             Self::All => Ok(models.iter().map(|model| Said::of(outlook, model)).collect()),
-            Self::Recommended => Ok(vec![match outlook.recommended() {
+            Self::Recommended => Ok(vec![match outlook.best() {
                 Some(model) => Said::of(outlook, model),
                 None => Said { model: "", numbers: NOTHING, reason: outlook.forecast.recommendation.clone() },
             }]),

@@ -2,9 +2,6 @@
 
 use crate::error::{ModelResult, non_negative, within};
 
-/// Largest slip, a turn ratio of 4: the models have not been compared with measurements beyond it.
-pub(crate) const MAX_SLIP: f64 = 0.75;
-
 /// How the axle is driven.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Drive {
@@ -23,17 +20,27 @@ pub enum Drive {
 }
 
 impl Drive {
+    /// Whether it drives the body forwards: its drag is then the difference of a resistance and a thrust.
+    #[must_use]
+    pub fn drives(&self) -> bool {
+        match *self {
+            Self::Driven(torque) => torque > 0.0,
+            Self::Slip(slip) => slip > 0.0,
+            Self::Free | Self::Locked | Self::Braked(_) => false,
+        }
+    }
+
     /// Checks the torque or the slip.
     ///
     /// # Errors
-    /// If the torque is negative or the slip is not within −1 to ¾ (the turn ratio 4).
+    /// If the torque is negative or the slip is not within −1 (locked) to 1 (spinning on the spot).
     pub fn check(&self) -> ModelResult<()> {
         match *self {
             Self::Free | Self::Locked => Ok(()),
             Self::Braked(torque) | Self::Driven(torque) => {
                 non_negative("axle torque [N m]", torque).map(|_| ())
             }
-            Self::Slip(slip) => within("slip", slip, -1.0, MAX_SLIP).map(|_| ()),
+            Self::Slip(slip) => within("slip", slip, -1.0, 1.0).map(|_| ()),
         }
     }
 }

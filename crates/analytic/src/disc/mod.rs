@@ -19,7 +19,6 @@ pub use assembly::{Assembly, assembly_forces};
 pub use bearing_arc::{bearing_arc, indentation_force};
 pub use bow_wave::bow_wave_height;
 pub use drive::Drive;
-pub(crate) use drive::MAX_SLIP;
 pub(crate) use equilibrium::check_weight_carried;
 pub use equilibrium::{Equilibrium, MAX_RELATIVE_SINKAGE, equilibrium, equilibrium_depth, equilibrium_of};
 pub use forces::{DiscForces, Mechanism, Model, Setting, disc_forces, vertical_force};

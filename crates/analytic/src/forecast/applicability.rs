@@ -1,6 +1,7 @@
 //! The limits of the models: predictions that exist but lie outside them.
 
 use super::blade::{self, ROUNDING};
+use super::predict::greatest_thrust;
 use super::{Block, Body, Candidate, Load, ModelForecast, Prediction, Towing};
 use crate::disc::Mechanism;
 use crate::earth_pressure::{Face, coulomb, sokolovskii};
@@ -45,6 +46,20 @@ pub(super) fn mark_inapplicable(models: &mut [ModelForecast], towing: &Towing) {
     }
 }
 
+/// The further models on whose predictions the limits of these depend.
+pub(super) fn decisive(towing: &Towing, models: &[Candidate]) -> Vec<Candidate> {
+    let has = |list: &[Candidate]| models.iter().any(|model| list.contains(model));
+    let needed: &[Candidate] = match &towing.body {
+        _ if towing.pressed => &[],
+        Body::Disc(_) if has(&[Candidate::Bearing, Candidate::Wedge]) => &[Candidate::Governing],
+        Body::Block(_) if has(&[Candidate::SpatialResistive, Candidate::PlanarResistive]) => {
+            &[Candidate::PlaneStrain, Candidate::Wedge]
+        }
+        _ => &[],
+    };
+    needed.iter().copied().filter(|model| !models.contains(model)).collect()
+}
+
 /// Why a prediction for a body that is pressed straight down lies outside the limits of its model.
 fn limit_for_pressed(model: Candidate, found: &Prediction, towing: &Towing) -> Option<&'static str> {
     let is_deep = found.sinkage.unwrap_or(0.0) > MAX_PRESSED_DEPTH * towing.body.breadth();
@@ -84,6 +99,11 @@ fn limit_for_disc(
         }
         Candidate::SpatialResistive | Candidate::PlanarResistive if has_ends && sinkage > 1.5 * t => {
             Some(TOO_DEEP)
+        }
+        Candidate::SpatialResistive | Candidate::PlanarResistive
+            if -found.drag > greatest_thrust(towing, found, found.vertical) =>
+        {
+            Some("it pulls with more than W tan φ, the most that the soil under it can shear")
         }
         Candidate::PlanarResistive if matches!(towing.body, Body::Faceted(_)) => Some(
             "the surface has lateral normals, for which the two-dimensional law, applied in slices along the tow, is not \

@@ -45,18 +45,7 @@ pub(super) fn predict(
     };
     // A vertical force within rounding is 0.
     let vertical = if vertical.abs() < 1e-12 * drag { 0.0 } else { vertical };
-    Ok(Prediction {
-        drag,
-        vertical,
-        lateral: None,
-        moment: None,
-        sinkage: Some(sinkage),
-        contact_angle: None,
-        force_inclination: drag.atan2(vertical),
-        slip: None,
-        mechanism: None,
-        sideways_fraction: None,
-    })
+    Ok(Prediction::of_forces(drag, vertical, Some(sinkage)))
 }
 
 /// The least sinkage [m] at which front and base carry the weight [N].

@@ -1,6 +1,6 @@
 //! Predictions as a function of one parameter.
 
-use super::{Candidate, ModelForecast, Parameter, Strength, Towing, evaluate_all, predict};
+use super::{Candidate, ModelForecast, Parameter, Strength, Towing, applicability, evaluate};
 use crate::error::ModelResult;
 
 /// The predictions at one value of the parameter.
@@ -28,16 +28,11 @@ pub fn curve(
     let point = |value: &f64| {
         let case = base.with(parameter, *value);
         let plastic = Strength::recommended(&case).applied(&case)?;
-        let models = if candidates.is_empty() {
-            evaluate_all(&plastic, &case)
-        } else {
-            let table = predict::level_table(&plastic);
-            let one = |candidate: &Candidate| {
-                let towing = if candidate.is_plastic() { &plastic } else { &case };
-                ModelForecast::of(*candidate, predict::predict(*candidate, towing, table.as_ref()))
-            };
-            candidates.iter().map(one).collect()
-        };
+        let asked = if candidates.is_empty() { &Candidate::ALL[..] } else { candidates };
+        let needed: Vec<Candidate> =
+            asked.iter().copied().chain(applicability::decisive(&case, asked)).collect();
+        let mut models = evaluate(&needed, &plastic, &case);
+        models.truncate(asked.len());
         Ok(CurvePoint { value: *value, models })
     };
     values.iter().map(point).collect()

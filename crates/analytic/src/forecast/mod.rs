@@ -21,6 +21,7 @@ pub use curve::{CurvePoint, curve};
 pub use groups::{Groups, reference_force};
 pub use predict::predict;
 pub use prediction::{ModelForecast, Prediction};
+pub use recommendation::best;
 pub use scatter::{Range, Scatter};
 pub use strength::Strength;
 pub use towing::{Load, Parameter, Towing};
@@ -58,13 +59,14 @@ pub struct Forecast {
 pub fn forecast(towing: &Towing) -> ModelResult<Forecast> {
     towing.check()?;
     let strength = Strength::recommended(towing);
-    let models = evaluate_all(&strength.applied(towing)?, towing);
+    let all = &Candidate::ALL;
+    let models = evaluate(all, &strength.applied(towing)?, towing);
     let is_associated = (towing.soil.dilation_angle - towing.soil.friction_angle).abs() < 1e-12;
     let models_other_strength =
-        if is_associated { Vec::new() } else { evaluate_all(&strength.other().applied(towing)?, towing) };
+        if is_associated { Vec::new() } else { evaluate(all, &strength.other().applied(towing)?, towing) };
     let recommended = recommendation::recommended(towing, &models);
-    let best = models.iter().find(|model| Some(model.model) == recommended);
-    let best = best.or_else(|| models.iter().find(|model| model.applicable));
+    let best = recommendation::best(towing, &models);
+    let best = models.iter().find(|model| best.map_or(model.applicable, |best| model.model == best));
     let groups = Groups::of(towing, best);
     let faces = best.and_then(|model| model.prediction).and_then(|found| {
         let turn_ratio = towing.drive.turn_ratio(found.slip.unwrap_or(0.0));
@@ -83,14 +85,40 @@ pub fn forecast(towing: &Towing) -> ModelResult<Forecast> {
     })
 }
 
-/// All models: those of plasticity for `plastic`, the empirical ones, fitted to measured friction angles, for `measured`.
-fn evaluate_all(plastic: &Towing, measured: &Towing) -> Vec<ModelForecast> {
+/// Some models, judged at this very case: a prediction outside the limits of its model is marked, as in [`forecast`].
+///
+/// # Errors
+/// If the case is out of range of all models. Where a single model does not apply, its entry gives the reason.
+pub fn judge(towing: &Towing, candidates: &[Candidate]) -> ModelResult<Vec<ModelForecast>> {
+    towing.check()?;
+    let needed: Vec<Candidate> =
+        candidates.iter().copied().chain(applicability::decisive(towing, candidates)).collect();
+    let mut models = evaluate(&needed, &Strength::recommended(towing).applied(towing)?, towing);
+    models.truncate(candidates.len());
+    Ok(models)
+}
+
+/// The model recommended at this very case, or else the first that applies there without being recommended; `None` where none applies.
+///
+/// # Errors
+/// If the case is out of range of all models.
+pub fn best_at(towing: &Towing) -> ModelResult<Option<Candidate>> {
+    for candidate in recommendation::order(towing) {
+        if judge(towing, &[*candidate])?[0].applicable {
+            return Ok(Some(*candidate));
+        }
+    }
+    Ok(None)
+}
+
+/// Models: those of plasticity for `plastic`, the empirical ones, fitted to measured friction angles, for `measured`.
+fn evaluate(candidates: &[Candidate], plastic: &Towing, measured: &Towing) -> Vec<ModelForecast> {
     let table = predict::level_table(plastic);
-    let one = |candidate: Candidate| {
+    let one = |candidate: &Candidate| {
         let case = if candidate.is_plastic() { plastic } else { measured };
-        ModelForecast::of(candidate, predict(candidate, case, table.as_ref()))
+        ModelForecast::of(*candidate, predict(*candidate, case, table.as_ref()))
     };
-    let mut models: Vec<ModelForecast> = Candidate::ALL.into_iter().map(one).collect();
+    let mut models: Vec<ModelForecast> = candidates.iter().map(one).collect();
     applicability::mark_inapplicable(&mut models, measured);
     let caveat = recommendation::bearing_only_note(plastic, &models);
     if let (Some(caveat), Some(governing)) =

@@ -83,20 +83,30 @@ fn resistive(
             Load::Sinkage(z) => body_at_depth(law, &body, z, drive),
         }
     };
-    let SteadyTow { drag, vertical, lateral, moment, sinkage, slip, .. } = match (&towing.body, towing.load) {
-        (Body::Disc(disc), Load::Weight(weight)) => under_weight(law, disc, weight, towing.drive)?,
-        (Body::Disc(disc), Load::Sinkage(z)) => at_depth(law, disc, z, towing.drive)?,
-        (Body::Block(block), _) => {
-            of_facets(&block.facets(), 0.5 * height, Axle::across(0.5 * height), Drive::Locked)?
-        }
-        (Body::Faceted(body), _) => of_facets(&body.facets, body.below, body.axle, towing.drive)?,
-        (Body::Plate(_), _) => return undefined("the tow", "a plate is pressed straight down"),
-    };
+    let SteadyTow { drag, vertical, lateral, moment, torque, sinkage, slip } =
+        match (&towing.body, towing.load) {
+            (Body::Disc(disc), Load::Weight(weight)) => under_weight(law, disc, weight, towing.drive)?,
+            (Body::Disc(disc), Load::Sinkage(z)) => at_depth(law, disc, z, towing.drive)?,
+            (Body::Block(block), _) => {
+                of_facets(&block.facets(), 0.5 * height, Axle::across(0.5 * height), Drive::Locked)?
+            }
+            (Body::Faceted(body), _) => of_facets(&body.facets, body.below, body.axle, towing.drive)?,
+            (Body::Plate(_), _) => return undefined("the tow", "a plate is pressed straight down"),
+        };
     let rotates = towing.body.disc().is_some() || towing.drive != Drive::Locked;
     let found = prediction(towing, drag, vertical, Some(sinkage), rotates.then_some(slip))?;
     // In a plane no force acts sideways.
     let is_spatial = matches!(towing.body, Body::Faceted(_));
-    Ok(Prediction { lateral: is_spatial.then_some(lateral), moment: is_spatial.then_some(moment), ..found })
+    let radius = match &towing.body {
+        Body::Faceted(body) => body.axle.radius,
+        body => 0.5 * body.length(),
+    };
+    Ok(Prediction {
+        thrust: if towing.drive.drives() { (-torque / radius).max(0.0) } else { 0.0 },
+        lateral: is_spatial.then_some(lateral),
+        moment: is_spatial.then_some(moment),
+        ..found
+    })
 }
 
 fn hetherington(towing: &Towing, disc: &Disc) -> ModelResult<Prediction> {
@@ -160,18 +170,5 @@ fn prediction(
         (Some(z), Some(disc)) if z > 0.0 => Some(disc.contact(z, 0.0)?.angle),
         _ => None,
     };
-    let force_inclination = drag.atan2(vertical);
-    let (mechanism, sideways_fraction) = (None, None);
-    Ok(Prediction {
-        drag,
-        vertical,
-        lateral: None,
-        moment: None,
-        sinkage,
-        contact_angle,
-        force_inclination,
-        slip,
-        mechanism,
-        sideways_fraction,
-    })
+    Ok(Prediction { contact_angle, slip, ..Prediction::of_forces(drag, vertical, sinkage) })
 }

@@ -13,29 +13,44 @@ const NOT_PLANE: &str = "it is for a plane front or that of a disc across the to
 
 /// The prediction of one model at the soil's friction angle as given; `table` speeds up the wedge within its range.
 ///
-/// With a resistance factor f all forces are f times those of the model: a weight W sinks to where the model carries W/f.
+/// With a resistance factor f all forces are f times those of the model: a weight W sinks to where the model carries W/f. With a thrust
+/// factor g the thrust of a driven body is g times that as well, at most what the soil can shear, W tan φ + c A.
 ///
 /// # Errors
 /// If the model cannot be applied to the case or has no solution.
 pub fn predict(model: Candidate, towing: &Towing, table: Option<&PressureTable>) -> ModelResult<Prediction> {
     towing.check()?;
     let factor = towing.resistance_factor;
-    if factor == 1.0 {
+    if factor == 1.0 && towing.thrust_factor == 1.0 {
         return predict_unscaled(model, towing, table);
     }
     let load = match towing.load {
         Load::Weight(weight) => Load::Weight(weight / factor),
         Load::Sinkage(z) => Load::Sinkage(z),
     };
-    let scaled = Towing { load, resistance_factor: 1.0, ..towing.clone() };
+    let scaled = Towing { load, resistance_factor: 1.0, thrust_factor: 1.0, ..towing.clone() };
     let found = predict_unscaled(model, &scaled, table)?;
+    let vertical = factor * found.vertical;
+    let resistance = factor * (found.drag + found.thrust);
+    let thrust =
+        (towing.thrust_factor * factor * found.thrust).min(greatest_thrust(towing, &found, vertical));
     Ok(Prediction {
-        drag: factor * found.drag,
-        vertical: factor * found.vertical,
+        drag: resistance - thrust,
+        thrust,
+        vertical,
         lateral: found.lateral.map(|force| factor * force),
         moment: found.moment.map(|moment| moment.map(|m| factor * m)),
+        end_pressure: found.end_pressure.map(|pressure| factor * pressure),
         ..found
     })
+}
+
+/// The largest thrust [N] that the soil under a wheel can give: V tan φ + c A, in clay s_u A, with A the contact (of a disc; without
+/// cohesion it does not matter). Source: the maximum soil thrust of Bekker (1956).
+pub(super) fn greatest_thrust(towing: &Towing, found: &Prediction, vertical: f64) -> f64 {
+    let soil = &towing.soil;
+    let contact = found.sinkage.unwrap_or(0.0).max(0.0) * towing.body.length();
+    vertical * soil.friction_angle.tan() + soil.cohesion * towing.body.width() * contact.sqrt()
 }
 
 fn predict_unscaled(
@@ -77,8 +92,11 @@ fn suits_clay(model: Candidate, towing: &Towing) -> bool {
 }
 
 /// A table of the smooth wedge for the friction angle of `towing`; only a driven disc, or one at a given slip, needs wall
-/// friction as well.
+/// friction as well, and nothing that is pressed down or stands in clay needs any.
 pub(super) fn level_table(towing: &Towing) -> Option<PressureTable> {
+    if towing.pressed || towing.soil.is_undrained() || towing.body.disc().is_none() {
+        return None;
+    }
     let phi = towing.soil.friction_angle;
     let range = TableRange {
         friction_angle: (phi, phi),
@@ -127,15 +145,13 @@ fn disc(
 
 fn prediction(forces: &DiscForces, sinkage: f64) -> Prediction {
     Prediction {
-        drag: forces.drag,
-        vertical: forces.vertical,
-        lateral: None,
-        moment: None,
-        sinkage: Some(sinkage),
+        // The friction of the soil is the torque of the axle over the radius, and negative where it is driven.
+        thrust: (-forces.friction).max(0.0),
         contact_angle: Some(forces.contact_angle),
         force_inclination: forces.force_inclination,
         slip: Some(forces.slip),
         mechanism: Some(forces.mechanism),
         sideways_fraction: Some(forces.sideways_fraction),
+        ..Prediction::of_forces(forces.drag, forces.vertical, Some(sinkage))
     }
 }

@@ -7,8 +7,10 @@ use crate::error::{ModelError, ModelResult};
 /// Prediction of a model; quantities that the model does not give are `None`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Prediction {
-    /// Drag F_H [N].
+    /// Drag F_H [N]: resistance less [`Prediction::thrust`].
     pub drag: f64,
+    /// Thrust of a driven body [N]: the torque of the soil about its axle over the radius on which it rolls; 0 where nothing drives it.
+    pub thrust: f64,
     /// Vertical force F_V [N].
     pub vertical: f64,
     /// Lateral force along y, to the left [N].
@@ -27,6 +29,28 @@ pub struct Prediction {
     pub mechanism: Option<Mechanism>,
     /// Fraction of the thrust under which the soil fails sideways, 0 to 1.
     pub sideways_fraction: Option<f64>,
+    /// Pressure on the end of a cone or a pile [Pa], without the friction on its shaft.
+    pub end_pressure: Option<f64>,
+}
+
+impl Prediction {
+    /// Forces alone [N].
+    pub(super) fn of_forces(drag: f64, vertical: f64, sinkage: Option<f64>) -> Self {
+        Self {
+            drag,
+            thrust: 0.0,
+            vertical,
+            lateral: None,
+            moment: None,
+            sinkage,
+            contact_angle: None,
+            force_inclination: drag.atan2(vertical),
+            slip: None,
+            mechanism: None,
+            sideways_fraction: None,
+            end_pressure: None,
+        }
+    }
 }
 
 /// Entry of a model in a forecast.

@@ -23,18 +23,7 @@ pub(super) fn predict(model: Candidate, towing: &Towing) -> ModelResult<Predicti
         Load::Sinkage(z) => (carried(z)?, z),
         Load::Weight(weight) => (weight, equilibrium(towing, weight, &*carried)?),
     };
-    Ok(Prediction {
-        drag: 0.0,
-        vertical,
-        lateral: None,
-        moment: None,
-        sinkage: Some(sinkage),
-        contact_angle: None,
-        force_inclination: 0.0,
-        slip: None,
-        mechanism: None,
-        sideways_fraction: None,
-    })
+    Ok(Prediction::of_forces(0.0, vertical, Some(sinkage)))
 }
 
 /// The least sinkage [m] that carries the weight [N]; 0 where the ground carries it at its surface.

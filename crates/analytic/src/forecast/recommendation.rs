@@ -5,15 +5,45 @@ use crate::disc::Drive;
 use crate::soil::Soil;
 use std::f64::consts::FRAC_PI_2;
 
-/// The recommended model for the body: the first applicable one.
-pub(super) fn recommended(towing: &Towing, models: &[ModelForecast]) -> Option<Candidate> {
+/// The best of the models that apply, whether or not its record lets it be recommended.
+#[must_use]
+pub fn best(towing: &Towing, models: &[ModelForecast]) -> Option<Candidate> {
     let is_applicable =
         |candidate: Candidate| models.iter().any(|model| model.model == candidate && model.applicable);
     order(towing).iter().copied().find(|candidate| is_applicable(*candidate))
 }
 
+/// The recommended model for the body: the best one, unless it is known to be far off for bodies of this kind.
+pub(super) fn recommended(towing: &Towing, models: &[ModelForecast]) -> Option<Candidate> {
+    best(towing, models).filter(|best| failure(towing, *best).is_none())
+}
+
+/// Why the best model is not recommended: what it was beside measurements or the solver for bodies of this kind.
+fn failure(towing: &Towing, best: Candidate) -> Option<&'static str> {
+    let Body::Faceted(body) = &towing.body else { return None };
+    if towing.pressed || best != Candidate::SpatialResistive {
+        return None;
+    }
+    if towing.drive.drives() {
+        return Some(DRIVEN);
+    }
+    (body.axle.direction[1].abs() < ACROSS).then_some(TURNED)
+}
+
+/// Cosine of the angle between axle and the line across the tow from which it lies across: rounding.
+const ACROSS: f64 = 1.0 - 1e-9;
+/// What is known of resistive force theory for driven wheels with grousers.
+const DRIVEN: &str = "No model is recommended. Only 3D-RFT applies, and the pull of a driven wheel by it is an upper bound: of a \
+    wheel of 0.5 m with grousers under 1000 N at 40 % slip it gives 600 N, where the solver gave 229 N and a published rig of a \
+    single wheel 252 N, and a sinkage of 46 mm for 60 mm. It lets each grouser push against undisturbed soil. The interval takes \
+    the errors of thrust and resistance to be independent, and the thrust to be at most W tan φ.";
+/// What is known of it for discs with a yaw or a tilt.
+const TURNED: &str = "No model is recommended. Only 3D-RFT applies, and for discs with a yaw or a tilt it gave two to three times \
+    the drag and the vertical force of the solver, and three to ten times the lateral force (D8). Trust its trends, not its \
+    values.";
+
 /// The models that may be recommended, the best first: by the scores of docs/forecast.md.
-fn order(towing: &Towing) -> &'static [Candidate] {
+pub(super) fn order(towing: &Towing) -> &'static [Candidate] {
     match &towing.body {
         _ if towing.pressed && is_loose(&towing.soil) => &[Candidate::SpatialResistive, Candidate::Footing],
         _ if towing.pressed => &[Candidate::Footing, Candidate::SpatialResistive],
@@ -34,9 +64,11 @@ fn is_loose(soil: &Soil) -> bool {
 
 /// The recommendation for the case, with the reasons and the caveats.
 pub(super) fn recommend(towing: &Towing, models: &[ModelForecast]) -> String {
-    let best = recommended(towing, models);
+    let best = best(towing, models);
     let found = models.iter().find(|model| Some(model.model) == best).and_then(|model| model.prediction);
+    let known = best.and_then(|best| failure(towing, best));
     let mut text = match (&towing.body, best, found) {
+        _ if known.is_some() => known.unwrap_or_default().to_owned(),
         (_, Some(best), Some(found)) if towing.pressed => for_pressed(towing, best, &found),
         (Body::Disc(_), Some(Candidate::Bearing), _) => DISC_ON_CLAY.into(),
         (Body::Disc(_), _, Some(found)) => for_disc(towing, found.sideways_fraction.unwrap_or(1.0)),
@@ -118,9 +150,9 @@ fn for_disc(towing: &Towing, sideways: f64) -> String {
 }
 
 /// The recommendation where only resistive force theory applies.
-const RESISTIVE: &str = "Recommended: 3D-RFT, the only model that applies, a fit to plates in sand. For upright blocks, \
-    where it can be compared, it gives 1 to 2 times the passive thrust at a width of half the depth and 3 to 8 times at \
-    ten depths. Trust its trends more than its values.";
+const RESISTIVE: &str = "Recommended: 3D-RFT, a fit to plates in sand, for want of another: it has not been compared with \
+    measurements of such a body. For upright blocks it gives 1 to 2 times the passive thrust at a width of half the depth and 3 \
+    to 8 times at ten depths. Trust its trends more than its values.";
 
 /// The recommendation for a block.
 fn for_block(towing: &Towing, block: &Block, best: Candidate, found: &Prediction) -> String {
@@ -203,6 +235,9 @@ fn strength_warning(towing: &Towing) -> Option<&'static str> {
     }
 }
 
+/// The largest slip of a wheel that was compared with measurements.
+const MAX_COMPARED_SLIP: f64 = 0.75;
+
 /// Caveats that do not depend on the predictions.
 fn warnings(towing: &Towing) -> Vec<String> {
     let mut warnings = Vec::new();
@@ -226,6 +261,9 @@ fn warnings(towing: &Towing) -> Vec<String> {
         warnings.push(format!(
             "Cohesion matters: c/(γ d) = {cohesion:.3} raises the vertical force by more than 5 %."
         ));
+    }
+    if matches!(towing.drive, Drive::Slip(slip) if slip > MAX_COMPARED_SLIP) {
+        warnings.push("No model has been compared with measurements beyond a slip of 0.75.".into());
     }
     if towing.bow_wave_fraction > 0.0 {
         warnings.push("The bow wave is a hypothesis that has not been validated.".into());

@@ -34,6 +34,8 @@ pub struct Towing {
     pub pressed: bool,
     /// Resistance of the soil over that of the models: their own error, 1 for their predictions.
     pub resistance_factor: f64,
+    /// Thrust of a driven body over that of the models at the same resistance of the soil: the error of the one is not that of the other.
+    pub thrust_factor: f64,
     /// Gravity [m/s²]; converts weights to masses only.
     pub gravity: f64,
     /// Fraction of the displaced soil that stands as a bow wave before the disc, 0 to 1.
@@ -99,6 +101,8 @@ pub enum Parameter {
     ShearModulus,
     /// Resistance of the soil over that of the models.
     ResistanceFactor,
+    /// Thrust of a driven body over that of the models.
+    ThrustFactor,
 }
 
 impl Towing {
@@ -115,6 +119,7 @@ impl Towing {
             drive,
             pressed,
             resistance_factor: 1.0,
+            thrust_factor: 1.0,
             gravity: 9.81,
             bow_wave_fraction: 0.0,
             backfill: 0.0,
@@ -140,6 +145,7 @@ impl Towing {
             Load::Sinkage(z) => within("sinkage [m]", z, f64::MIN_POSITIVE, self.body.deepest())?,
         };
         positive("resistance factor", self.resistance_factor)?;
+        positive("thrust factor", self.thrust_factor)?;
         positive("gravity [m/s^2]", self.gravity)?;
         within("bow wave fraction", self.bow_wave_fraction, 0.0, 1.0)?;
         within("backfill [rad]", self.backfill, -10_f64.to_radians(), 25_f64.to_radians())?;
@@ -201,6 +207,7 @@ impl Towing {
             Parameter::PlateCohesive => case.change_terrain(|t| t.cohesive = value),
             Parameter::PlateFrictional => case.change_terrain(|t| t.frictional = value),
             Parameter::ResistanceFactor => case.resistance_factor = value,
+            Parameter::ThrustFactor => case.thrust_factor = value,
             Parameter::ShearModulus => case.change_terrain(|t| t.shear_modulus = value),
         }
         case

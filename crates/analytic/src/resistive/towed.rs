@@ -1,9 +1,8 @@
 //! Steady tow of a disc or any body in resistive force theory.
 
 use super::{Facet, Motion, Traction, Wrench, dot, rim_facets, wrench};
-use crate::disc::{Disc, Drive, MAX_SLIP, check_weight_carried, equilibrium_depth};
+use crate::disc::{Disc, Drive, check_weight_carried, equilibrium_depth};
 use crate::error::{ModelResult, positive, undefined, within};
-use crate::motion::turn_ratio;
 use crate::numeric::root;
 
 /// The axle of a body, through its origin.
@@ -64,7 +63,7 @@ pub struct SteadyTow {
 
 /// Forces on a disc at a sinkage [m]; the slip of a free, braked or driven disc is that which balances its torque.
 ///
-/// A braked disc is locked where no slip balances the brake; a driven one must not exceed the turn ratio 4.
+/// A braked disc is locked where no slip balances the brake.
 ///
 /// # Errors
 /// If the sinkage or the drive is out of range, or no slip balances the torque.
@@ -88,9 +87,12 @@ fn balanced(drive: Drive, at: impl Fn(f64) -> SteadyTow) -> ModelResult<SteadyTo
     if required > 0.0 && surplus(-1.0) <= 0.0 {
         return Ok(at(-1.0));
     }
-    match root(-1.0, MAX_SLIP, 1e-10, surplus) {
+    match root(-1.0, 1.0, 1e-10, surplus) {
         Some(slip) => Ok(at(slip)),
-        None => undefined("the slip", "no slip between -1 and 0.75 balances the torque on the axle"),
+        None => undefined(
+            "the slip",
+            "no slip between -1 and 1 balances the torque on the axle: it spins on the spot",
+        ),
     }
 }
 
@@ -111,14 +113,20 @@ pub fn body_at_depth(
     let Axle { direction, radius } = body.axle;
     let rolling_speed = body.axle.rolls_along();
     balanced(drive, |slip| {
-        let rate = turn_ratio(slip) * rolling_speed / radius;
+        let [speed, rim] = speeds(slip);
         let motion = Motion {
             height: body.below - z,
-            velocity: [1.0, 0.0, 0.0],
-            spin: direction.map(|component| rate * component),
+            velocity: [speed, 0.0, 0.0],
+            spin: direction.map(|component| rim * rolling_speed / radius * component),
         };
         tow(&wrench(law, body.facets, &motion), &direction, z, slip)
     })
+}
+
+/// Speeds of the axle and of the rim about it, of which only the ratio matters: the larger one is 1, so that it is finite up to spinning
+/// on the spot.
+fn speeds(slip: f64) -> [f64; 2] {
+    if slip > 0.0 { [1.0 - slip, 1.0] } else { [1.0, 1.0 + slip] }
 }
 
 /// The steady tow with these forces.
@@ -186,14 +194,12 @@ fn disc_at_slip(law: &impl Traction, disc: &Disc, sinkage: f64, slip: f64) -> St
     let radius = 0.5 * disc.diameter;
     let contact_angle = 2.0 * (sinkage / disc.diameter).sqrt().asin();
     // Forward rolling is a rotation about +y: the bottom moves backwards.
-    let motion = Motion {
-        height: radius - sinkage,
-        velocity: [1.0, 0.0, 0.0],
-        spin: [0.0, turn_ratio(slip) / radius, 0.0],
-    };
+    let [speed, rim] = speeds(slip);
+    let motion =
+        Motion { height: radius - sinkage, velocity: [speed, 0.0, 0.0], spin: [0.0, rim / radius, 0.0] };
     // The rear of the rim moves away from the soil at any slip. On the front the friction changes sign where the rim moves
     // normal to itself; a facet across that point would make the forces discontinuous in the slip.
-    let transition = turn_ratio(slip).clamp(0.0, 1.0).acos().min(contact_angle);
+    let transition = rim.acos().min(contact_angle);
     let mut front = rim_facets(disc, 0.0, transition);
     front.extend(rim_facets(disc, transition, contact_angle));
     tow(&wrench(law, &front, &motion), &Axle::across(radius).direction, sinkage, slip)

@@ -2,7 +2,7 @@
 
 use super::outlook::Outlook;
 use super::range::Range;
-use analytic::forecast::{Candidate, CurvePoint, Parameter, Prediction, curve};
+use analytic::forecast::{Candidate, CurvePoint, Parameter, Prediction, best, curve};
 use analytic::{Load, Towing};
 
 /// One model's curve; not-a-number where the model has no answer.
@@ -41,39 +41,54 @@ pub struct Curves {
     pub length_scale: Vec<f64>,
     /// Whether the body sinks under its weight, so that sinkage is a result.
     pub sinks: bool,
-    /// Name of the recommended model; empty if there is none.
+    /// Name of the model that is the best at most points; empty if there is none.
     pub recommended: &'static str,
+    /// Values that are not possible and were left out, each with the reason.
+    pub left_out: Vec<String>,
     /// Whether the axes are logarithmic.
     pub logarithmic: bool,
     /// One per model that has an answer anywhere.
     pub series: Vec<Series>,
 }
 
-/// Evaluates every model along the range.
+/// Evaluates every model along the range, but for values that are not possible.
 ///
 /// # Errors
-/// The reason why a value is not possible.
+/// The reasons where no value is possible.
 pub fn curves(outlook: &Outlook, range: &Range, logarithmic: bool) -> Result<Curves, String> {
     let (input, variable) = (&outlook.input, &range.variable);
-    let values: Vec<f64> = range.values.iter().map(|v| variable.model_value(input, *v)).collect();
-    for value in &range.values {
-        variable.set(input, *value).check().map_err(|why| why.to_string())?;
+    let wrong = |value: &f64| variable.set(input, *value).check().err();
+    let left_out: Vec<String> =
+        range.values.iter().filter_map(|value| Some(wrong(value)?.to_string())).collect();
+    let possible: Vec<f64> = range.values.iter().copied().filter(|value| wrong(value).is_none()).collect();
+    if possible.is_empty() {
+        return Err(left_out.first().cloned().unwrap_or_default());
     }
+    let values: Vec<f64> = possible.iter().map(|v| variable.model_value(input, *v)).collect();
     let points = curve(&input.towing, variable.parameter, &values, &[]).map_err(|e| e.to_string())?;
-    let cases: Vec<Towing> = range.values.iter().map(|v| variable.set(input, *v)).collect();
+    let cases: Vec<Towing> = possible.iter().map(|v| variable.set(input, *v)).collect();
     let (group_label, group) = group(variable.parameter, &cases, variable.label);
     Ok(Curves {
         label: format!("{} [{}]", variable.label, variable.unit),
-        values: range.values.iter().map(|v| v / variable.size).collect(),
-        group: group.unwrap_or_else(|| range.values.iter().map(|v| v / variable.size).collect()),
+        values: possible.iter().map(|v| v / variable.size).collect(),
+        group: group.unwrap_or_else(|| possible.iter().map(|v| v / variable.size).collect()),
         group_label,
         force_scale: cases.iter().map(|c| c.force_scale().unwrap_or(f64::NAN)).collect(),
         length_scale: cases.iter().map(|c| c.reference_lengths()[0]).collect(),
         sinks: cases.iter().all(|c| matches!(c.load, Load::Weight(_))),
-        recommended: outlook.recommended().map_or("", |m| m.name),
+        recommended: most_often_best(&cases, &points),
+        left_out,
         logarithmic,
         series: Candidate::ALL.into_iter().filter_map(|model| series(model, &points)).collect(),
     })
+}
+
+/// Name of the model that is the best at most points.
+fn most_often_best(cases: &[Towing], points: &[CurvePoint]) -> &'static str {
+    let bests: Vec<Candidate> =
+        cases.iter().zip(points).filter_map(|(case, point)| best(case, &point.models)).collect();
+    let count = |model: &Candidate| bests.iter().filter(|other| *other == model).count();
+    bests.iter().max_by_key(|model| count(model)).map_or("", |model| model.name())
 }
 
 /// The dimensionless form of the variable, where it has one.

@@ -35,7 +35,9 @@ pub fn table(outlook: &Outlook, intervals: &Intervals) -> String {
     for model in good {
         let _ = writeln!(text, "{}", line(outlook, intervals, model));
     }
-    let _ = writeln!(text, "{}", wrapped(&meaning_of_intervals(intervals)));
+    if !intervals.list.is_empty() {
+        let _ = writeln!(text, "{}", wrapped(&meaning_of_intervals(intervals)));
+    }
     if let Some(warning) = unanswered(intervals) {
         let _ = writeln!(text, "{}", wrapped(&warning));
     }
@@ -76,7 +78,7 @@ fn meaning_of_intervals(intervals: &Intervals) -> String {
     )
 }
 
-/// The errors of the models, as factors of one standard deviation.
+/// The errors of the models, as factors of one standard deviation; there is at least one interval.
 fn errors(intervals: &Intervals) -> String {
     let all = || intervals.list.iter().map(|i| i.model_error.exp());
     let (least, most) = (all().fold(f64::INFINITY, f64::min), all().fold(1.0, f64::max));
@@ -276,7 +278,13 @@ pub fn uncertainty_table(intervals: &Intervals) -> String {
     }
     let inputs =
         intervals.inputs.iter().map(|s| format!("{:>16}", s.key.rsplit('.').next().unwrap_or(&s.key)));
-    let inputs = inputs.chain([format!("{:>16}", "model itself")]);
+    let with_thrust = intervals
+        .list
+        .iter()
+        .any(|i| i.first_order.len() > intervals.inputs.len() + 1)
+        .then_some("its thrust");
+    let of_model = ["model itself"].into_iter().chain(with_thrust);
+    let inputs = inputs.chain(of_model.map(|name| format!("{name:>16}")));
     let _ = writeln!(
         text,
         "\n{:<22} {:<12} {:>8} {:>8} {:>8}   first-order Sobol index of\n{:<62} {}   evaluations",

@@ -9,8 +9,8 @@ use analytic::forecast::{Candidate, Parameter};
 use analytic::uncertainty::{Distribution, Uncertainty, propagate_towing, sweep_table};
 use serde::Serialize;
 
-/// Largest number of uncertain inputs; the error of the model is one more.
-pub const MAX_INPUTS: usize = 9;
+/// Largest number of uncertain inputs; the errors of the model in resistance and in thrust are two more.
+pub const MAX_INPUTS: usize = 8;
 /// Fixed seed, so that results can be repeated.
 const SEED: u64 = 1;
 
@@ -95,7 +95,8 @@ pub struct Interval {
     pub middle: f64,
     /// The value that 95 % lie below.
     pub high: f64,
-    /// First-order Sobol index by input, in the order that they were stated; the last is that of the error of the model.
+    /// First-order Sobol index by input, in the order that they were stated; then that of the error of the model, and for a driven body
+    /// that of the error of its thrust.
     pub first_order: Vec<f64>,
     /// Total Sobol index by input, likewise.
     pub total: Vec<f64>,
@@ -129,7 +130,7 @@ impl Effort {
     /// Resistive force theory and Wong and Reece's wheel take a millisecond per evaluation, Godwin and Spoor's blade, which
     /// solves a stress field, a third of that, the others some microseconds; the wedge of a disc without a table solves many
     /// fields and takes ten milliseconds.
-    fn evaluations(self, model: Candidate, has_table: bool) -> usize {
+    fn evaluations(self, model: Candidate, has_table: bool, drives: bool) -> usize {
         let is_slow = matches!(
             model,
             Candidate::SpatialResistive
@@ -142,6 +143,8 @@ impl Effort {
             Candidate::Governing | Candidate::Wedge | Candidate::PlaneStrain | Candidate::BrinchHansen
         );
         match self {
+            // A difference of two uncertain terms needs more.
+            Self::Quick if is_slow && drives => 480,
             Self::Quick if is_slow || (needs_table && !has_table) => 96,
             Self::Quick => 1024,
             Self::Full if needs_table && !has_table => 512,
@@ -186,10 +189,14 @@ pub fn intervals(outlook: &Outlook, stated: Vec<InputDeviation>, effort: Effort)
     let mut list = Vec::new();
     for model in outlook.forecast.models.iter().filter(|m| m.applicable) {
         let Some(value) = model.prediction else { continue };
-        let count = effort.evaluations(model.model, table.is_some());
+        let count = effort.evaluations(model.model, table.is_some(), input.towing.drive.drives());
         let model_error = model.model.log_error(&input.towing);
         let own = Distribution::LogNormal { median: 1.0, log_deviation: model_error };
-        let all = [&distributions[..], &[(Parameter::ResistanceFactor, own)]].concat();
+        let mut all = [&distributions[..], &[(Parameter::ResistanceFactor, own)]].concat();
+        // The drag of what is driven is a small difference: its error is not a part of it, but that of either term.
+        if input.towing.drive.drives() {
+            all.push((Parameter::ThrustFactor, own));
+        }
         let found = propagate_towing(&input.towing, &all, model.model, count, SEED, table.as_ref());
         let Ok(found) = found else { continue };
         let mut add =

@@ -268,7 +268,10 @@ impl Variable {
                 Load::Sinkage(z) => Some(z),
                 Load::Weight(_) => None,
             },
-            Parameter::Slip | Parameter::BrakeTorque | Parameter::ResistanceFactor => None,
+            Parameter::Slip
+            | Parameter::BrakeTorque
+            | Parameter::ResistanceFactor
+            | Parameter::ThrustFactor => None,
             Parameter::ConeIndex => towing.cone_index,
             Parameter::PlateStiffness => towing.plate_stiffness,
             Parameter::PlateExponent => towing.terrain.map(|t| t.exponent),

@@ -1,7 +1,7 @@
 //! A calibration from request to result.
 
 use super::closed::{ClosedResponse, NoClosedForm};
-use super::data::{MeasuredCurve, Selection};
+use super::data::{MeasuredCurve, Selection, Taken};
 use super::emulated::emulated;
 use super::interruptible::Interruptible;
 use super::likelihood::{Likelihood, Noise, Response};
@@ -9,7 +9,8 @@ use super::runs::{Solver, SolverError};
 use super::solver_stage::{Plan, SolverStage, calibrate_solver, least_budget};
 use super::space::Space;
 use super::stage::{Effort, Stage, calibrate_response};
-use crate::measured::Record;
+use crate::measured::{Quantity, Record};
+use crate::sources::{Along, ClosedForm, LeftOut};
 use coulter::case::{self, CaseError};
 use coulter::interrupts::Interrupts;
 use std::path::Path;
@@ -70,8 +71,8 @@ impl Request<'_> {
 /// What came out.
 #[derive(Clone, Debug)]
 pub struct Calibration {
-    /// What was fitted.
-    pub curves: Vec<MeasuredCurve>,
+    /// Points of the measurements that were not fitted.
+    pub left_out: Vec<LeftOut>,
     /// The closed form.
     pub closed: Option<Stage>,
     /// The solver.
@@ -134,35 +135,24 @@ pub fn calibrate(
     let Request { case, overrides, space, records, .. } = request;
     refuse_ends(request)?;
     let needs_closed = request.model != ModelChoice::Solver;
-    let models = ClosedResponse::models(case, overrides, space, (records, request.closed_form));
+    let forms = ClosedResponse::forms(case, overrides, space, (records, request.closed_form));
     let mut selection = request.selection.clone();
-    selection.is_pressed = match &models {
-        Ok(models) => models.iter().all(|(model, _)| model.is_pressed()),
+    selection.is_pressed = match &forms {
+        Ok(forms) => forms.iter().all(|(form, _)| form.is_pressed()),
         // Without a closed form curves of a body that goes down follow its sinkage.
         Err(_) => is_pressed(request)?,
     };
-    let curves = selection.curves(records).map_err(CalibrationError::Request)?;
-    let likelihood = Likelihood {
-        space: space.clone(),
-        curves: curves.clone(),
-        noise: request.noise,
-        model_error: request.model_error,
-    };
-    let mut calibration = Calibration { curves: curves.clone(), closed: None, solver: None };
+    let Taken { curves, left_out } = selection.curves(records).map_err(CalibrationError::Request)?;
+    let mut calibration = Calibration { left_out, closed: None, solver: None };
     if needs_closed {
-        let closed = ClosedResponse::new(case, overrides, space, (models?, curves.clone()));
-        let name = closed.name();
-        let response = Interruptible { response: &closed, interrupts };
-        tell(&format!("calibrating {name}"));
-        let surrogate = emulated(space, &response, (request.effort.seed, selection.is_pressed));
-        let used: &dyn Response = surrogate.as_ref().map_or(&response as &dyn Response, |found| found);
-        let stage = calibrate_response(&likelihood, used, &name, request.effort);
-        stopped(interrupts)?;
-        calibration.closed = Some(stage.map_err(CalibrationError::Request)?);
+        let models = ClosedResponse::models(forms?, records, &curves)?;
+        let (stage, left_out) = closed_form(request, &selection, models, (interrupts, tell))?;
+        (calibration.closed, calibration.left_out) = (Some(stage), left_out);
     }
     if request.model == ModelChoice::ClosedForm {
         return Ok(calibration);
     }
+    let likelihood = likelihood(request, curves.clone());
     refuse_budget(request, &curves)?;
     let mut plan = request.plan.clone();
     if request.narrow {
@@ -182,6 +172,34 @@ pub fn calibrate(
     stopped(interrupts)?;
     calibration.solver = Some(stage?);
     Ok(calibration)
+}
+
+fn likelihood(request: &Request<'_>, curves: Vec<MeasuredCurve>) -> Likelihood {
+    let (noise, model_error) = (request.noise, request.model_error);
+    Likelihood { space: request.space.clone(), curves, noise, model_error }
+}
+
+/// The calibration of the closed form, at the points where it applies, and the other points.
+fn closed_form(
+    request: &Request<'_>,
+    selection: &Selection,
+    models: Vec<(ClosedForm, Vec<String>)>,
+    (interrupts, tell): (&Interrupts, &mut dyn FnMut(&str)),
+) -> Result<(Stage, Vec<LeftOut>), CalibrationError> {
+    let Request { case, overrides, space, records, effort, .. } = request;
+    let judge =
+        |number: usize, abscissa: Quantity, at: &[f64]| models[number].0.refusals(Along::of(abscissa), at);
+    let Taken { curves, left_out } =
+        selection.curves_where(records, &judge).map_err(CalibrationError::Request)?;
+    let closed = ClosedResponse::new(case, overrides, space, (models.clone(), curves.clone()));
+    let name = closed.name();
+    let response = Interruptible { response: &closed, interrupts };
+    tell(&format!("calibrating {name}"));
+    let surrogate = emulated(space, &response, (effort.seed, selection.is_pressed));
+    let used: &dyn Response = surrogate.as_ref().map_or(&response as &dyn Response, |found| found);
+    let stage = calibrate_response(&likelihood(request, curves), used, &name, *effort);
+    stopped(interrupts)?;
+    Ok((stage.map_err(CalibrationError::Request)?, left_out))
 }
 
 /// What a stage says after a stop is of no use.
@@ -229,7 +247,7 @@ fn refuse_budget(request: &Request<'_>, curves: &[MeasuredCurve]) -> Result<(), 
             request.space.dimension()
         )));
     }
-    let along_slip = curves.iter().find(|curve| curve.abscissa == Some(crate::measured::Quantity::Slip));
+    let along_slip = curves.iter().find(|curve| curve.abscissa == Some(Quantity::Slip));
     along_slip.map_or(Ok(()), |curve| {
         Err(CalibrationError::Request(format!(
             "{}: a run has one slip; give every slip a file of its own that begins with a line such as # set body.wheel.spin.speed=3 rad/s",

@@ -4,7 +4,7 @@ use super::data::MeasuredCurve;
 use super::likelihood::{Response, Seen};
 use super::space::Space;
 use crate::measured::Record;
-use crate::sources::{Along, ClosedForm};
+use crate::sources::{Along, ClosedForm, ClosedForms, place};
 use coulter::case::{CaseError, load_for_forecast};
 use coulter::forecast::{Variable, find};
 use std::path::{Path, PathBuf};
@@ -37,24 +37,48 @@ pub enum NoClosedForm {
 const SAME: f64 = 1e-9;
 
 impl ClosedResponse {
-    /// The model for each measurement, at the middle of the priors.
+    /// The models for each measurement, at the middle of the priors.
     ///
     /// # Errors
-    /// [`NoClosedForm`] where the case is wrong or no model applies.
-    pub fn models(
+    /// [`NoClosedForm`] where the case is wrong or has none.
+    pub fn forms(
         case: &Path,
         overrides: &[String],
         space: &Space,
         (records, model): (&[Record], Option<&str>),
-    ) -> Result<Vec<(ClosedForm, Vec<String>)>, NoClosedForm> {
+    ) -> Result<Vec<(ClosedForms, Vec<String>)>, NoClosedForm> {
         let middle =
             space.overrides(&space.values(&vec![0.0; space.dimension()])).map_err(NoClosedForm::Model)?;
         let of = |record: &Record| {
             let all = [overrides, &middle, &record.settings].concat();
             let (case, _) = load_for_forecast(case, &all)?;
-            Ok((ClosedForm::of(&case, model).map_err(NoClosedForm::Model)?, record.settings.clone()))
+            Ok((ClosedForms::of(&case, model).map_err(NoClosedForm::Model)?, record.settings.clone()))
         };
         records.iter().map(of).collect()
+    }
+
+    /// For each measurement the model that applies at most of its points.
+    ///
+    /// # Errors
+    /// [`NoClosedForm::Model`] where none does.
+    pub fn models(
+        forms: Vec<(ClosedForms, Vec<String>)>,
+        records: &[Record],
+        curves: &[MeasuredCurve],
+    ) -> Result<Vec<(ClosedForm, Vec<String>)>, NoClosedForm> {
+        let of = |(number, (forms, settings)): (usize, (ClosedForms, Vec<String>))| {
+            let own = || curves.iter().filter(|curve| curve.record == number);
+            let at: Vec<f64> = own().flat_map(|curve| curve.at.iter().copied()).collect();
+            let abscissa = own().find_map(|curve| curve.abscissa);
+            let named = |why: String| {
+                let whole = abscissa
+                    .map_or(records[number].name.clone(), |along| place(&records[number], along, &at));
+                NoClosedForm::Model(format!("{whole}: {why}"))
+            };
+            let along = abscissa.map_or(Along::Steady, Along::of);
+            Ok((forms.chosen(along, &at).map_err(named)?, settings))
+        };
+        forms.into_iter().enumerate().map(of).collect()
     }
 
     /// The response of these models.
@@ -140,7 +164,7 @@ impl ClosedResponse {
                 Some(known) => known,
                 None => (curve.record, self.model(curve.record, values)?),
             };
-            let along = curve.abscissa.map_or(Along::Steady, |abscissa| current.along(abscissa));
+            let along = curve.abscissa.map_or(Along::Steady, Along::of);
             found.push(current.values(curve.quantity, along, &curve.at)?);
             model = Some((record, current));
         }

@@ -1,7 +1,7 @@
 //! What a calibration fits: points of measured curves, few enough to be independent.
 
 use crate::measured::{Channel, Quantity, Record};
-use crate::sources::rising;
+use crate::sources::{LeftOut, rising_rows, says_nothing};
 use coulter::history::blocks::{block_averages, standard_error};
 
 /// One curve: values of a quantity along an abscissa, or one steady mean.
@@ -45,31 +45,53 @@ pub struct Selection {
     pub is_pressed: bool,
 }
 
+/// Curves, and what was left out of them.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Taken {
+    /// The curves.
+    pub curves: Vec<MeasuredCurve>,
+    /// The points that say nothing.
+    pub left_out: Vec<LeftOut>,
+}
+
+/// For abscissae of a measurement why a model says nothing there: its number, along what, where.
+pub type Judge<'a> = dyn Fn(usize, Quantity, &[f64]) -> Vec<Option<String>> + 'a;
+
 impl Selection {
-    /// The curves of the measurements.
+    /// The curves of the measurements, without rows that say nothing by construction.
     ///
     /// # Errors
     /// Which measurement has none, and why.
-    pub fn curves(&self, records: &[Record]) -> Result<Vec<MeasuredCurve>, String> {
-        let mut curves = Vec::new();
+    pub fn curves(&self, records: &[Record]) -> Result<Taken, String> {
+        self.curves_where(records, &|_, _, at| vec![None; at.len()])
+    }
+
+    /// The curves of the measurements where a model says something.
+    ///
+    /// # Errors
+    /// Which measurement has none, and why.
+    pub fn curves_where(&self, records: &[Record], judge: &Judge<'_>) -> Result<Taken, String> {
+        let mut taken = Taken::default();
         for (number, record) in records.iter().enumerate() {
-            let before = curves.len();
+            let before = taken.curves.len();
             let (abscissa, is_steady) = self.abscissa(record)?;
             for quantity in self.wanted(record, abscissa) {
-                let found = self.curve(record, quantity, (abscissa, is_steady));
-                let mut curve =
+                let said = |at: &[f64]| judge(number, abscissa, at);
+                let found = self.curve(record, quantity, (abscissa, is_steady), &said);
+                let (mut curve, left_out) =
                     found.map_err(|why| format!("{}: {}: {why}", record.name, quantity.name()))?;
                 curve.record = number;
-                curves.push(curve);
+                taken.curves.push(curve);
+                taken.left_out.extend(left_out);
             }
-            if curves.len() == before {
+            if taken.curves.len() == before {
                 return Err(format!(
                     "{}: it has no column to be fitted; add drag [N], vertical [N], pressure [kPa] or axle torque [N m]",
                     record.name
                 ));
             }
         }
-        Ok(curves)
+        Ok(taken)
     }
 
     /// Along what the curves of a record run, and whether only their steady mean counts.
@@ -104,15 +126,20 @@ impl Selection {
         record: &Record,
         quantity: Quantity,
         (abscissa, is_steady): (Quantity, bool),
-    ) -> Result<MeasuredCurve, String> {
+        said: &dyn Fn(&[f64]) -> Vec<Option<String>>,
+    ) -> Result<(MeasuredCurve, Vec<LeftOut>), String> {
         let (Some(x), Some(channel)) = (record.values(abscissa), record.channel(quantity)) else {
             return Err("it has no such column".to_owned());
         };
-        let points = inside(&rising(x, &channel.values), self.window);
-        if points.len() < 2 {
+        let [from, to] = self.window.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
+        let mut rows = rising_rows(x, &channel.values);
+        rows.retain(|row| x[*row] >= from && x[*row] <= to);
+        if rows.len() < 2 {
             return Err("fewer than two of its points lie in the window".to_owned());
         }
-        let deviations = deviations_at(x, channel, &points);
+        let (rows, left_out) = self.telling(record, (abscissa, quantity), &rows, said)?;
+        let points: Vec<[f64; 2]> = rows.iter().map(|row| [x[*row], channel.values[*row]]).collect();
+        let deviations = deviations_at(channel, &rows);
         let (at, values, deviations) = if is_steady {
             steady(&points, self.window.is_some())
         } else {
@@ -122,7 +149,7 @@ impl Selection {
         if largest == 0.0 {
             return Err("all its values are 0".to_owned());
         }
-        Ok(MeasuredCurve {
+        let curve = MeasuredCurve {
             record: 0,
             name: format!("{} of {}", quantity.name(), record.name),
             quantity,
@@ -132,7 +159,38 @@ impl Selection {
             at,
             values,
             deviations,
-        })
+        };
+        Ok((curve, left_out))
+    }
+
+    /// The rows that say something of a model, and the others with the reason.
+    fn telling(
+        &self,
+        record: &Record,
+        (abscissa, quantity): (Quantity, Quantity),
+        rows: &[usize],
+        said: &dyn Fn(&[f64]) -> Vec<Option<String>>,
+    ) -> Result<(Vec<usize>, Vec<LeftOut>), String> {
+        let [x, y] = [abscissa, quantity].map(|quantity| record.values(quantity).unwrap_or_default());
+        let nothing = |row: &usize| {
+            says_nothing(self.is_pressed, (abscissa, x[*row]), (quantity, y[*row])).map(str::to_owned)
+        };
+        let speaking: Vec<usize> = rows.iter().copied().filter(|row| nothing(row).is_none()).collect();
+        let at: Vec<f64> = speaking.iter().map(|row| x[*row]).collect();
+        let refused: Vec<(usize, Option<String>)> = speaking.into_iter().zip(said(&at)).collect();
+        let kept: Vec<usize> = refused.iter().filter(|(_, why)| why.is_none()).map(|(row, _)| *row).collect();
+        let mut silent: Vec<(usize, f64, String)> = rows
+            .iter()
+            .filter_map(|row| Some((*row, x[*row], nothing(row)?)))
+            .chain(refused.into_iter().filter_map(|(row, why)| Some((row, x[row], why?))))
+            .collect();
+        silent.sort_by_key(|(row, ..)| *row);
+        let left_out = LeftOut::of(record, (abscissa, quantity), &silent);
+        if kept.is_empty() {
+            let all: Vec<String> = left_out.iter().map(LeftOut::text).collect();
+            return Err(format!("no point is left: {}", all.join("; ")));
+        }
+        Ok((kept, left_out))
     }
 }
 
@@ -157,16 +215,10 @@ impl MeasuredCurve {
     }
 }
 
-fn inside(points: &[[f64; 2]], window: Option<[f64; 2]>) -> Vec<[f64; 2]> {
-    let [from, to] = window.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
-    points.iter().copied().filter(|point| point[0] >= from && point[0] <= to).collect()
-}
-
-/// The standard deviations of the points that are left.
-fn deviations_at(x: &[f64], channel: &Channel, points: &[[f64; 2]]) -> Option<Vec<f64>> {
+/// The standard deviations of the rows that are left.
+fn deviations_at(channel: &Channel, rows: &[usize]) -> Option<Vec<f64>> {
     let all = channel.deviations.as_ref()?;
-    let at = |point: &[f64; 2]| x.iter().position(|x| *x == point[0]).and_then(|n| all.get(n).copied());
-    points.iter().map(at).collect()
+    rows.iter().map(|row| all.get(*row).copied()).collect()
 }
 
 type Points = (Vec<f64>, Vec<f64>, Option<Vec<f64>>);
@@ -215,12 +267,12 @@ mod tests {
         let plate = parse("depth [mm],force [N],drag [N]\n5,10,0\n10,30,0\n15,60,0\n", "p").unwrap();
         let pressed =
             Selection { quantities: vec![Quantity::Vertical], is_pressed: true, ..Selection::default() };
-        let curves = pressed.curves(&[plate]).unwrap();
+        let curves = pressed.curves(&[plate]).unwrap().curves;
         assert_eq!(curves[0].values, [10.0, 30.0, 60.0]);
         assert!(curves[0].is_logarithmic && curves[0].abscissa == Some(Quantity::Sinkage));
         let line = |n: u32| format!("{},{}\n", 0.01 * f64::from(n), if n < 50 { n } else { 50 });
         let tow = format!("u [m],drag [N]\n{}", (0..=100).map(line).collect::<String>());
-        let curves = Selection::default().curves(&[parse(&tow, "t").unwrap()]).unwrap();
+        let curves = Selection::default().curves(&[parse(&tow, "t").unwrap()]).unwrap().curves;
         assert_eq!((curves[0].values.as_slice(), curves[0].abscissa), (&[50.0][..], None));
     }
 
@@ -229,11 +281,16 @@ mod tests {
         let line = |n: u32| format!("{n},{},2\n", 1 + n);
         let text = format!("z [mm],force [N],force sd [N]\n{}", (0..400).map(line).collect::<String>());
         let pressed = Selection { is_pressed: true, ..Selection::default() };
-        let curves = pressed.curves(&[parse(&text, "p").unwrap()]).unwrap();
+        let curves = pressed.curves(&[parse(&text, "p").unwrap()]).unwrap().curves;
         assert_eq!(curves[0].at.len(), MOST_POINTS);
         assert_eq!(curves[0].deviations.as_deref(), Some(&[2.0; MOST_POINTS][..]));
         let timed = parse("t [s],force [N]\n1,2\n2,3\n", "p").unwrap();
         assert!(pressed.curves(&[timed]).unwrap_err().contains("sinkage [mm]"));
+        let lifted = parse("z [mm],force [N]\n0,0\n5,10\n8,0\n10,30\n15,60\n", "p").unwrap();
+        let taken = pressed.curves(&[lifted]).unwrap();
+        assert_eq!(taken.curves[0].values, [10.0, 30.0, 60.0]);
+        assert!(taken.curves[0].is_logarithmic && taken.left_out.len() == 2);
+        assert_eq!(taken.left_out[1].lines, [4]);
         let none = parse("z [mm],speed [m/s]\n1,2\n2,3\n", "p").unwrap();
         assert!(pressed.curves(&[none]).unwrap_err().contains("no column to be fitted"));
     }

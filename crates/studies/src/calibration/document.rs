@@ -5,6 +5,7 @@ use super::posterior::Marginal;
 use super::runs::{RunOutcome, SolverPoint};
 use super::stage::Stage;
 use crate::sheet::{SheetTable, short};
+use crate::sources::LeftOut;
 use coulter::formats;
 use coulter::printed::text_cell;
 use serde_json::{Value, json};
@@ -13,7 +14,7 @@ use std::fmt::Write as _;
 /// The document of a calibration.
 #[must_use]
 pub fn document(request: &Request<'_>, calibration: &Calibration) -> Value {
-    let measured: Vec<Value> = calibration.curves.iter().map(|curve| {
+    let measured: Vec<Value> = calibration.last().iter().flat_map(|stage| &stage.curves).map(|curve| {
         json!({
             "name": curve.name, "quantity": curve.quantity.name(), "unit": curve.quantity.unit(),
             "abscissa": curve.abscissa.map(|a| a.name()), "at": curve.at, "values": curve.values,
@@ -26,7 +27,7 @@ pub fn document(request: &Request<'_>, calibration: &Calibration) -> Value {
             "predictivity": solver.predictivity,
             "components": solver.components,
             "runs": solver.points.iter().map(|point| run(point, request)).collect::<Vec<_>>(),
-            "verification": solver.verified.as_ref().map(|seen| values(calibration, seen)),
+            "verification": solver.verified.as_ref().map(|seen| values(&solver.stage, seen)),
             "largest_surprise": solver.surprise,
         })
     });
@@ -39,16 +40,17 @@ pub fn document(request: &Request<'_>, calibration: &Calibration) -> Value {
         "links": request.space.links.iter().map(|link| link.text.clone()).collect::<Vec<_>>(),
         "seed": request.effort.seed,
         "measured": measured,
+        "left_out": calibration.left_out.iter().map(LeftOut::text).collect::<Vec<_>>(),
         "closed_form": calibration.closed.as_ref().map(|closed| stage(closed, request)),
         "solver": solver,
     })
 }
 
 /// What residuals see, as values [SI] of each curve.
-pub(super) fn values(calibration: &Calibration, seen: &[f64]) -> Vec<Vec<f64>> {
+pub(super) fn values(stage: &Stage, seen: &[f64]) -> Vec<Vec<f64>> {
     let mut first = 0;
     let mut list = Vec::new();
-    for curve in &calibration.curves {
+    for curve in &stage.curves {
         let points = curve.values.len();
         list.push((0..points).filter_map(|n| seen.get(first + n).map(|s| curve.unseen(n, *s))).collect());
         first += points;
@@ -64,7 +66,9 @@ fn stage(stage: &Stage, request: &Request<'_>) -> Value {
             "effective_samples": m.effective,
         })
     };
-    let bands = stage.bands.iter().map(|b| json!({ "best": b.best, "low": b.low, "high": b.high }));
+    let bands = stage.curves.iter().zip(&stage.bands).map(
+        |(curve, band)| json!({ "at": curve.at, "best": band.best, "low": band.low, "high": band.high }),
+    );
     json!({
         "model": stage.model,
         "parameters": stage.posterior.marginals.iter().map(marginal).collect::<Vec<_>>(),
@@ -135,6 +139,9 @@ pub fn correlations(stage: &Stage) -> SheetTable {
 #[must_use]
 pub fn text(calibration: &Calibration) -> String {
     let mut text = String::new();
+    for left_out in &calibration.left_out {
+        let _ = writeln!(text, "{}", left_out.text());
+    }
     let stages = calibration.closed.iter().chain(calibration.solver.as_ref().map(|solver| &solver.stage));
     for stage in stages {
         let _ =

@@ -23,7 +23,7 @@ mod surrogate;
 
 pub use calibrate::{Calibration, CalibrationError, ModelChoice, Request, calibrate};
 pub use closed::{ClosedResponse, NoClosedForm};
-pub use data::{MeasuredCurve, Selection};
+pub use data::{Judge, MeasuredCurve, Selection, Taken};
 pub use design_file::read_design;
 pub use document::{correlations, document, parameters, runs_csv, samples_csv, text};
 pub use draws::Draws;

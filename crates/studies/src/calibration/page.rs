@@ -19,11 +19,11 @@ const SAMPLES: usize = 400;
 pub fn page(request: &Request<'_>, calibration: &Calibration) -> Result<String, String> {
     let mut sections = Vec::new();
     if let Some(stage) = &calibration.closed {
-        sections.extend(of_stage(&calibration.curves, stage, &[]));
+        sections.extend(of_stage(stage, &[]));
     }
     if let Some(solver) = &calibration.solver {
-        let verified = solver.verified.as_ref().map(|seen| values(calibration, seen)).unwrap_or_default();
-        sections.extend(of_stage(&calibration.curves, &solver.stage, &verified));
+        let verified = solver.verified.as_ref().map(|seen| values(&solver.stage, seen)).unwrap_or_default();
+        sections.extend(of_stage(&solver.stage, &verified));
         sections.push(runs(request, &solver.points));
     }
     let stages = || calibration.closed.iter().chain(calibration.solver.as_ref().map(|solver| &solver.stage));
@@ -38,7 +38,7 @@ pub fn page(request: &Request<'_>, calibration: &Calibration) -> Result<String, 
             ["measured".to_owned(), names.join(", ")],
             ["unknowns".to_owned(), request.space.unknowns.iter().map(|u| u.name.clone()).collect::<Vec<_>>().join(", ")],
         ],
-        warnings: warnings.collect(),
+        warnings: calibration.left_out.iter().map(|l| [l.text(), String::new()]).chain(warnings).collect(),
         sections,
         footer: "Intervals are those of the posterior density, 5 to 95 %; docs/calibration.md explains likelihood, priors and sampler."
             .to_owned(),
@@ -46,7 +46,7 @@ pub fn page(request: &Request<'_>, calibration: &Calibration) -> Result<String, 
     sheet.html()
 }
 
-fn of_stage(curves: &[MeasuredCurve], stage: &Stage, verified: &[Vec<f64>]) -> Vec<SheetSection> {
+fn of_stage(stage: &Stage, verified: &[Vec<f64>]) -> Vec<SheetSection> {
     let mut tables = vec![parameters(stage)];
     if stage.posterior.marginals.len() > 1 {
         tables.push(correlations(stage));
@@ -64,7 +64,8 @@ fn of_stage(curves: &[MeasuredCurve], stage: &Stage, verified: &[Vec<f64>]) -> V
         short(stage.squares),
         stage.points
     );
-    let figures = curves
+    let figures = stage
+        .curves
         .iter()
         .zip(&stage.bands)
         .enumerate()

@@ -1,5 +1,6 @@
 //! One calibration of one model: the best values, samples of the posterior, the band of its curves.
 
+use super::data::MeasuredCurve;
 use super::fit::best;
 use super::likelihood::{Likelihood, Response};
 use super::posterior::{Advice, Posterior, quantile};
@@ -30,7 +31,9 @@ pub struct Stage {
     pub best: Vec<f64>,
     /// What is known afterwards.
     pub posterior: Posterior,
-    /// The curves.
+    /// What was fitted.
+    pub curves: Vec<MeasuredCurve>,
+    /// The model's values of these curves.
     pub bands: Vec<Band>,
     /// The sum of the squared residuals at the best values over their noise.
     pub squares: f64,
@@ -74,6 +77,7 @@ pub fn calibrate_response(
     advice.extend(misfit(likelihood, squares));
     Ok(Stage {
         model: model.to_owned(),
+        curves: likelihood.curves.clone(),
         bands: bands(likelihood, response, &seen.values, &posterior.samples),
         points: likelihood.points(),
         best: values,

@@ -5,6 +5,7 @@ use super::figures::{Differences, differences};
 use super::item::{Item, ItemKind};
 use super::steady::{SteadyMean, steady_mean};
 use crate::measured::Quantity;
+use crate::sources::{LeftOut, place, rising};
 
 /// What is asked for.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -34,6 +35,8 @@ pub struct Compared {
     pub aligned: Option<Aligned>,
     /// Their differences.
     pub differences: Option<Differences>,
+    /// Points of the reference at which a model says nothing.
+    pub left_out: Vec<LeftOut>,
     /// Its steady mean.
     pub mean: Option<SteadyMean>,
     /// Whether this and that of the reference have a value in common within their 90 % intervals.
@@ -56,23 +59,32 @@ pub struct Comparison {
 /// The part of a curve at its end over which a mean counts as steady.
 const STEADY: f64 = 0.4;
 
-/// Compares items with their reference.
+/// Compares items with their reference. Of each case file that closed form is taken that applies at most points of the reference.
 ///
 /// # Errors
 /// Why they have nothing to be compared, and what to do.
-pub fn compare(items: &[Item], request: &ComparisonRequest) -> Result<Comparison, String> {
+pub fn compare(items: &mut [Item], request: &ComparisonRequest) -> Result<Comparison, String> {
     let first_measured = items.iter().position(|item| item.kind == ItemKind::Measured);
     let number = request.reference.or(first_measured).unwrap_or(0);
-    let reference = items.get(number).ok_or("there is nothing to compare")?;
+    if items.is_empty() {
+        return Err("there is nothing to compare".to_owned());
+    }
     if items.len() < 2 {
         return Err(
             "name two things or more: results folders, forecasts, case files, measured CSV files".to_owned()
         );
     }
-    let against = against(reference, request)?;
+    let against = against(&items[number], request)?;
+    let places = items[number].record.values(against).unwrap_or_default();
+    let places: Vec<f64> =
+        inside(&rising(places, places), request.window).iter().map(|point| point[0]).collect();
+    let whole = place(&items[number].record, against, &places);
+    let settled = items.iter_mut().try_for_each(|item| item.settle(against, &places));
+    settled.map_err(|why| format!("{why} (for {whole})"))?;
+    let (items, reference) = (&*items, &items[number]);
     let mut quantities = Vec::new();
     for quantity in wanted(items, number, against, request) {
-        let curve = reference.curve(quantity, against, &[]).unwrap_or_default();
+        let (curve, _) = reference.curve(quantity, against, (&reference.record, &[]));
         let curve = inside(&curve, request.window);
         if curve.len() >= 2 {
             let mean = mean_of(reference, quantity, against, (&curve, request));
@@ -89,10 +101,28 @@ pub fn compare(items: &[Item], request: &ComparisonRequest) -> Result<Comparison
     let mut compared = Vec::new();
     for (quantity, curve, mean) in &quantities {
         for (other, item) in items.iter().enumerate().filter(|(n, _)| *n != number) {
-            compared.extend(beside((item, other), (*quantity, curve, *mean), against, request));
+            compared.extend(beside((item, other), reference, (*quantity, curve, *mean), (against, request)));
         }
     }
+    refuse_silence(items, &compared, against)?;
     Ok(Comparison { reference: number, against, quantities, compared })
+}
+
+/// Refuses a comparison in which nothing has a point or a mean in common with the reference.
+fn refuse_silence(items: &[Item], compared: &[Compared], against: Quantity) -> Result<(), String> {
+    if compared.is_empty() || compared.iter().any(|one| one.aligned.is_some() || one.mean.is_some()) {
+        return Ok(());
+    }
+    let said: Vec<String> = compared.iter().flat_map(|one| one.left_out.iter().map(LeftOut::text)).collect();
+    if !said.is_empty() {
+        return Err(format!("fewer than two points are left to be compared: {}", said.join("; ")));
+    }
+    let names: Vec<&str> = compared.iter().map(|one| items[one.item].name.as_str()).collect();
+    Err(format!(
+        "the reference has fewer than two points along its {} in common with {}; check the units, --window and --against",
+        against.name(),
+        names.join(", ")
+    ))
 }
 
 fn against(reference: &Item, request: &ComparisonRequest) -> Result<Quantity, String> {
@@ -160,16 +190,15 @@ fn mean_of(
 
 fn beside(
     (item, number): (&Item, usize),
+    known: &Item,
     (quantity, reference, mean): (Quantity, &[[f64; 2]], Option<SteadyMean>),
-    against: Quantity,
-    request: &ComparisonRequest,
+    (against, request): (Quantity, &ComparisonRequest),
 ) -> Option<Compared> {
-    let at: Vec<f64> = reference.iter().map(|point| point[0]).collect();
-    let curve = item.curve(quantity, against, &at).unwrap_or_default();
+    let (curve, left_out) = item.curve(quantity, against, (&known.record, reference));
     let curve = if request.align { curve } else { inside(&curve, request.window) };
     let found = aligned(reference, &curve, request.align && item.model.is_none());
     let own = mean_of(item, quantity, against, (&curve, request));
-    if curve.is_empty() && own.is_none() {
+    if curve.is_empty() && own.is_none() && left_out.is_empty() {
         return None;
     }
     let shift = found.as_ref().map_or(0.0, |found| found.shift);
@@ -179,6 +208,7 @@ fn beside(
         curve: curve.iter().map(|[x, y]| [x + shift, *y]).collect(),
         differences: found.as_ref().and_then(differences),
         aligned: found,
+        left_out,
         overlaps: mean.zip(own).map(|(a, b)| a.overlaps(&b)),
         mean: own,
     })

@@ -5,6 +5,7 @@ use super::item::{Item, ItemKind};
 use super::steady::SteadyMean;
 use crate::measured::Quantity;
 use crate::sheet::{Sheet, SheetFigure, SheetSection, SheetTable, short};
+use crate::sources::LeftOut;
 use coulter::formats;
 use coulter::output::plots::{Chart, Curve, Level, Stroke};
 use coulter::printed::text_cell;
@@ -93,6 +94,10 @@ fn means(items: &[Item], comparison: &Comparison) -> SheetTable {
 pub fn comparison_text(items: &[Item], comparison: &Comparison) -> String {
     let reference = items.get(comparison.reference).map_or("", |item| item.name.as_str());
     let mut text = format!("reference: {reference}, along {}\n", comparison.against.header());
+    for line in left_out(comparison) {
+        text.push_str(&line);
+        text.push('\n');
+    }
     text.push_str(&rows(items, comparison).text());
     let means = means(items, comparison);
     if !means.rows.is_empty() {
@@ -100,6 +105,14 @@ pub fn comparison_text(items: &[Item], comparison: &Comparison) -> String {
         text.push_str(&means.text());
     }
     text
+}
+
+/// Points of the reference at which models say nothing, in words; what several items leave out is said once.
+fn left_out(comparison: &Comparison) -> Vec<String> {
+    let mut lines: Vec<String> =
+        comparison.compared.iter().flat_map(|compared| compared.left_out.iter().map(LeftOut::text)).collect();
+    lines.dedup();
+    lines
 }
 
 /// The differences as CSV, in SI units.
@@ -151,6 +164,7 @@ pub fn comparison_document(items: &[Item], comparison: &Comparison) -> Value {
             "quantity": quantity.name(), "steady": mean(m),
         })).collect::<Vec<_>>(),
         "compared": comparison.compared.iter().map(one).collect::<Vec<_>>(),
+        "left_out": left_out(comparison),
     })
 }
 
@@ -187,7 +201,7 @@ pub fn comparison_page(items: &[Item], comparison: &Comparison) -> Result<String
     let sheet = Sheet {
         title: format!("Compared with {reference}"),
         facts: items.iter().map(kind).collect(),
-        warnings: Vec::new(),
+        warnings: left_out(comparison).into_iter().map(|line| [line, String::new()]).collect(),
         sections,
         footer: "Made by coulter compare.".to_owned(),
     };

@@ -3,7 +3,7 @@
 use super::steady::SteadyMean;
 use crate::files::{self, FileError};
 use crate::measured::{Quantity, Record, read};
-use crate::sources::{Along, ClosedForm, read_run, rising};
+use crate::sources::{Along, ClosedForm, ClosedForms, LeftOut, read_run, rising, says_nothing};
 use coulter::case::{self, CaseError};
 use coulter::formats;
 use coulter::output::Inside;
@@ -47,7 +47,9 @@ pub struct Item {
     pub record: Record,
     /// Steady means that it states itself.
     pub means: Vec<(Quantity, SteadyMean)>,
-    /// The model, of a case file.
+    /// The closed forms, of a case file.
+    pub forms: Option<ClosedForms>,
+    /// The one of them that is compared; `None` until [`Item::settle`].
     pub model: Option<ClosedForm>,
 }
 
@@ -97,7 +99,7 @@ pub fn read_item(path: &Path, body: Option<&str>) -> Result<Item, Unreadable> {
 }
 
 fn item(path: &Path, kind: ItemKind, record: Record) -> Item {
-    Item { name: path.display().to_string(), kind, record, means: Vec::new(), model: None }
+    Item { name: path.display().to_string(), kind, record, means: Vec::new(), forms: None, model: None }
 }
 
 fn measured(path: &Path) -> Result<Item, Unreadable> {
@@ -117,17 +119,9 @@ fn run(path: &Path, body: Option<&str>) -> Result<Item, Unreadable> {
 
 fn closed_form(path: &Path) -> Result<Item, Unreadable> {
     let (case, _) = case::load_for_forecast(path, &[])?;
-    let model =
-        ClosedForm::of(&case, None).map_err(|why| Unreadable::Other(format!("{}: {why}", path.display())))?;
-    let steady = [Quantity::Drag, Quantity::Vertical, Quantity::Sinkage, Quantity::Lateral];
-    let mean = |quantity: Quantity| {
-        let value = model.values(quantity, Along::Steady, &[]).ok()?.first().copied()?;
-        Some((quantity, SteadyMean { mean: value, half: None }))
-    };
-    let means = steady.into_iter().filter_map(mean).collect();
-    let mut found = item(path, ItemKind::ClosedForm, Record::default());
-    found.name = format!("{} ({})", path.display(), model.candidate.name());
-    Ok(Item { means, model: Some(model), ..found })
+    let forms = ClosedForms::of(&case, None)
+        .map_err(|why| Unreadable::Other(format!("{}: {why}", path.display())))?;
+    Ok(Item { forms: Some(forms), ..item(path, ItemKind::ClosedForm, Record::default()) })
 }
 
 fn forecast(path: &Path, content: Result<Vec<u8>, FileError>) -> Result<Item, Unreadable> {
@@ -165,23 +159,44 @@ fn forecast(path: &Path, content: Result<Vec<u8>, FileError>) -> Result<Item, Un
     Ok(Item { means, ..found })
 }
 
+/// Points of a curve, and those of its reference that it does not have.
+type Told = (Vec<[f64; 2]>, Vec<LeftOut>);
+
 impl Item {
-    /// Its curve of a quantity along an abscissa, rising; of a model at the abscissae of another curve. `None` where it has none.
-    #[must_use]
-    pub fn curve(&self, quantity: Quantity, abscissa: Quantity, at: &[f64]) -> Option<Vec<[f64; 2]>> {
-        if let Some(model) = &self.model {
-            let along = model.along(abscissa);
-            if along == Along::Steady {
-                return None;
-            }
-            // Where the model has no answer, such as at a sinkage of 0, its curve has a gap.
-            let value = |x: &f64| Some([*x, model.values(quantity, along, &[*x]).ok()?.first().copied()?]);
-            let points: Vec<[f64; 2]> = at.iter().filter_map(value).collect();
-            return (!points.is_empty()).then_some(points);
+    /// Chooses the closed form of a case file: the one that applies at most of the abscissae of the reference.
+    ///
+    /// # Errors
+    /// Why none does.
+    pub fn settle(&mut self, abscissa: Quantity, at: &[f64]) -> Result<(), String> {
+        let Some(forms) = self.forms.take() else { return Ok(()) };
+        let along = Along::of(abscissa);
+        let speaking: Vec<f64> =
+            at.iter().copied().filter(|x| abscissa != Quantity::Sinkage || *x > 0.0).collect();
+        let model = forms.chosen(along, &speaking).map_err(|why| format!("{}: {why}", self.name))?;
+        if along == Along::Steady {
+            let steady = [Quantity::Drag, Quantity::Vertical, Quantity::Sinkage, Quantity::Lateral];
+            let mean = |quantity: Quantity| {
+                let value = model.values(quantity, along, &[]).ok()?.first().copied()?;
+                Some((quantity, SteadyMean { mean: value, half: None }))
+            };
+            self.means = steady.into_iter().filter_map(mean).collect();
         }
-        let (x, y) = (self.record.values(abscissa)?, self.record.values(quantity)?);
+        self.name = format!("{} ({})", self.name, model.candidate.name());
+        self.model = Some(model);
+        Ok(())
+    }
+
+    /// Its curve of a quantity along an abscissa, rising; of a model at the points of the reference where it applies, with the others.
+    #[must_use]
+    pub fn curve(&self, quantity: Quantity, abscissa: Quantity, reference: (&Record, &[[f64; 2]])) -> Told {
+        if let Some(model) = &self.model {
+            return modelled(model, quantity, abscissa, reference);
+        }
+        let (Some(x), Some(y)) = (self.record.values(abscissa), self.record.values(quantity)) else {
+            return Told::default();
+        };
         let points = rising(x, y);
-        (points.len() >= 2).then_some(points)
+        (if points.len() >= 2 { points } else { Vec::new() }, Vec::new())
     }
 
     /// The steady mean that it states itself.
@@ -189,4 +204,33 @@ impl Item {
     pub fn stated(&self, quantity: Quantity) -> Option<SteadyMean> {
         self.means.iter().find(|(known, _)| *known == quantity).map(|(_, mean)| *mean)
     }
+}
+
+/// The curve of a model at the points of a reference.
+fn modelled(
+    model: &ClosedForm,
+    quantity: Quantity,
+    abscissa: Quantity,
+    (record, points): (&Record, &[[f64; 2]]),
+) -> Told {
+    let along = Along::of(abscissa);
+    if along == Along::Steady {
+        return Told::default();
+    }
+    let at: Vec<f64> = points.iter().map(|point| point[0]).collect();
+    let is_pressed = model.input.towing.pressed;
+    let mut curve = Vec::new();
+    let mut silent = Vec::new();
+    let x = record.values(abscissa).unwrap_or_default();
+    for ([at, value], refused) in points.iter().zip(model.refusals(along, &at)) {
+        let nothing = says_nothing(is_pressed, (abscissa, *at), (quantity, *value)).map(str::to_owned);
+        match nothing.or(refused).map_or_else(|| model.values(quantity, along, &[*at]), Err) {
+            Ok(found) => curve.extend(found.first().map(|value| [*at, *value])),
+            Err(why) => {
+                let row = x.iter().position(|known| known == at).unwrap_or(usize::MAX);
+                silent.push((row, *at, why));
+            }
+        }
+    }
+    (curve, LeftOut::of(record, (abscissa, quantity), &silent))
 }

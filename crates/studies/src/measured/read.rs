@@ -77,7 +77,19 @@ fn record(text: &str, name: &str, problems: &mut Vec<Placed>) -> Option<Record> 
         name: name.to_owned(),
         channels: channels(&contents, &values),
         settings: settings.map(|setting| setting.trim().to_owned()).collect(),
+        lines: numbers(text, body),
     })
+}
+
+/// The numbers of lines, from 1.
+fn numbers(text: &str, lines: &[Line<'_>]) -> Vec<usize> {
+    let (mut number, mut from) = (1, 0);
+    let count = |line: &Line<'_>| {
+        number += text.as_bytes()[from..line.at.start].iter().filter(|byte| **byte == b'\n').count();
+        from = line.at.start;
+        number
+    };
+    lines.iter().map(count).collect()
 }
 
 /// Reads a line into the columns.

@@ -22,6 +22,8 @@ pub struct Record {
     pub channels: Vec<Channel>,
     /// Keys of the case that hold for this measurement alone, such as `body.plate.diameter=50 mm`.
     pub settings: Vec<String>,
+    /// The line of the file of each row; empty of what is no file.
+    pub lines: Vec<usize>,
 }
 
 impl Record {

@@ -2,9 +2,11 @@
 
 use crate::measured::Quantity;
 use analytic::Towing;
-use analytic::forecast::{Body, Candidate, CurvePoint, Parameter, Prediction, Strength, curve, predict};
+use analytic::forecast::{
+    Body, Candidate, CurvePoint, Parameter, Prediction, Strength, best_at, curve, judge, predict,
+};
 use coulter::case::Case;
-use coulter::forecast::{ModelInput, model_input, outlook};
+use coulter::forecast::{ModelInput, model_input};
 
 /// Along what a closed-form curve runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,6 +19,108 @@ pub enum Along {
     Steady,
 }
 
+impl Along {
+    /// Along what a curve runs that was measured along a quantity.
+    #[must_use]
+    pub fn of(abscissa: Quantity) -> Self {
+        match abscissa {
+            Quantity::Slip => Self::Slip,
+            Quantity::Sinkage => Self::Sinkage,
+            _ => Self::Steady,
+        }
+    }
+
+    fn parameter(self) -> Parameter {
+        match self {
+            Self::Sinkage => Parameter::Sinkage,
+            Self::Slip => Parameter::Slip,
+            // Setting the resistance factor to what it is changes nothing.
+            Self::Steady => Parameter::ResistanceFactor,
+        }
+    }
+}
+
+/// Places at which models are judged before one is chosen (chosen: a model ends at some depth or slip, not in between).
+const TRIALS: usize = 24;
+/// Places that are judged one by one; of more, those between two take the verdict of both.
+const JUDGED: usize = 240;
+
+/// The closed forms of a case, of which one is chosen at the points that are asked for.
+#[derive(Clone, Debug)]
+pub struct ClosedForms {
+    /// Their input.
+    pub input: ModelInput,
+    wanted: Option<Candidate>,
+}
+
+impl ClosedForms {
+    /// Those of a case, or the one of that name.
+    ///
+    /// # Errors
+    /// Why there is none, in words.
+    pub fn of(case: &Case, name: Option<&str>) -> Result<Self, String> {
+        let input =
+            model_input(case).map_err(|why| format!("there is no closed form for this case: {why}"))?;
+        let known = |name: &str| {
+            Candidate::ALL.into_iter().find(|model| model.name().eq_ignore_ascii_case(name)).ok_or_else(
+                || {
+                    let names: Vec<&str> = Candidate::ALL.into_iter().map(Candidate::name).collect();
+                    format!("`{name}` is no model; known are {}", names.join(", "))
+                },
+            )
+        };
+        Ok(Self { input, wanted: name.map(known).transpose()? })
+    }
+
+    /// Whether the body is pressed down, so that its forces follow the sinkage.
+    #[must_use]
+    pub fn is_pressed(&self) -> bool {
+        self.input.towing.pressed
+    }
+
+    /// The one that applies at most of the points, the best of them where several do: each point is judged for itself, whatever the case
+    /// itself prescribes.
+    ///
+    /// # Errors
+    /// Why none applies at any of them, in words.
+    pub fn chosen(self, along: Along, at: &[f64]) -> Result<ClosedForm, String> {
+        if let Some(candidate) = self.wanted {
+            return Ok(ClosedForm { candidate, input: self.input });
+        }
+        let towing = &self.input.towing;
+        let trials: Vec<Towing> = match along {
+            Along::Steady => vec![towing.clone()],
+            _ => spread(at, TRIALS).map(|x| towing.with(along.parameter(), x)).collect(),
+        };
+        let mut votes: Vec<(Candidate, usize)> = Vec::new();
+        for best in trials.iter().filter_map(|trial| best_at(trial).ok().flatten()) {
+            match votes.iter_mut().find(|(known, _)| *known == best) {
+                Some((_, count)) => *count += 1,
+                None => votes.push((best, 1)),
+            }
+        }
+        match votes.into_iter().reduce(|most, next| if next.1 > most.1 { next } else { most }) {
+            Some((candidate, _)) => Ok(ClosedForm { candidate, input: self.input }),
+            None => Err(format!("no closed form applies{}", reason(&trials))),
+        }
+    }
+}
+
+/// So many of the values at most, evenly among them.
+fn spread(at: &[f64], most: usize) -> impl Iterator<Item = f64> {
+    let count = at.len().min(most);
+    (0..count).map(move |n| at[if count > 1 { n * (at.len() - 1) / (count - 1) } else { 0 }])
+}
+
+/// Why no model applies: of the first case, what is wrong with it, or what the recommendation says.
+fn reason(trials: &[Towing]) -> String {
+    let Some(trial) = trials.first() else { return ": there is no point".to_owned() };
+    match analytic::forecast(trial) {
+        Ok(forecast) => format!(". {}", forecast.recommendation),
+        Err(why) => format!(": {why}"),
+    }
+}
+
 /// A model and its input.
 #[derive(Clone, Debug)]
 pub struct ClosedForm {
@@ -27,26 +131,6 @@ pub struct ClosedForm {
 }
 
 impl ClosedForm {
-    /// The model of that name for a case; without a name, the recommended one.
-    ///
-    /// # Errors
-    /// Why there is none, in words.
-    pub fn of(case: &Case, name: Option<&str>) -> Result<Self, String> {
-        let outlook = outlook(case).map_err(|why| format!("there is no closed form for this case: {why}"))?;
-        let Some(name) = name else {
-            let Some(best) = outlook.recommended() else {
-                return Err(format!("no closed form applies. {}", outlook.forecast.recommendation));
-            };
-            return Ok(Self { candidate: best.model, input: outlook.input });
-        };
-        let wanted = Candidate::ALL.into_iter().find(|model| model.name().eq_ignore_ascii_case(name));
-        let Some(candidate) = wanted else {
-            let names: Vec<&str> = Candidate::ALL.into_iter().map(Candidate::name).collect();
-            return Err(format!("`{name}` is no model; known are {}", names.join(", ")));
-        };
-        Ok(Self { candidate, input: outlook.input })
-    }
-
     /// The same model for another case: other values of keys.
     ///
     /// # Errors
@@ -68,20 +152,38 @@ impl ClosedForm {
         Ok(values)
     }
 
-    /// Along what its curves run that are measured along a quantity.
+    /// For each abscissa why the model does not apply there; `None` where it does.
     #[must_use]
-    pub fn along(&self, abscissa: Quantity) -> Along {
-        match abscissa {
-            Quantity::Slip => Along::Slip,
-            Quantity::Sinkage => Along::Sinkage,
-            _ => Along::Steady,
+    pub fn refusals(&self, along: Along, at: &[f64]) -> Vec<Option<String>> {
+        if along == Along::Steady {
+            return vec![self.refusal(along, 0.0); at.len()];
         }
+        if at.len() <= JUDGED {
+            return at.iter().map(|x| self.refusal(along, *x)).collect();
+        }
+        let judged: Vec<(usize, Option<String>)> = (0..JUDGED)
+            .map(|n| n * (at.len() - 1) / (JUDGED - 1))
+            .map(|n| (n, self.refusal(along, at[n])))
+            .collect();
+        let of = |n: usize| {
+            let after = judged.partition_point(|(place, _)| *place < n);
+            let above = judged.get(after).and_then(|(_, why)| why.clone());
+            above.or_else(|| judged.get(after.saturating_sub(1)).and_then(|(_, why)| why.clone()))
+        };
+        (0..at.len()).map(of).collect()
     }
 
-    /// Whether the body is pressed down, so that its forces follow the sinkage.
-    #[must_use]
-    pub fn is_pressed(&self) -> bool {
-        self.input.towing.pressed
+    fn refusal(&self, along: Along, x: f64) -> Option<String> {
+        let towing = &self.input.towing;
+        let case = match along {
+            Along::Steady => towing.clone(),
+            _ => towing.with(along.parameter(), x),
+        };
+        match judge(&case, &[self.candidate]) {
+            Ok(found) if found[0].applicable => None,
+            Ok(found) => Some(format!("{} does not apply: {}", self.candidate.name(), found[0].note)),
+            Err(why) => Some(why.to_string()),
+        }
     }
 }
 
@@ -92,12 +194,8 @@ fn values(
     quantity: Quantity,
     (along, at): (Along, &[f64]),
 ) -> Result<Vec<f64>, String> {
-    let (parameter, at) = match along {
-        Along::Sinkage => (Parameter::Sinkage, at),
-        Along::Slip => (Parameter::Slip, at),
-        // Setting the resistance factor to what it is changes nothing.
-        Along::Steady => (Parameter::ResistanceFactor, &[towing.resistance_factor][..]),
-    };
+    let parameter = along.parameter();
+    let at = if along == Along::Steady { &[towing.resistance_factor][..] } else { at };
     let predictions = if towing.pressed {
         at.iter()
             .map(|value| pressed(towing, candidate, (parameter, *value)))
@@ -113,8 +211,7 @@ fn values(
     predictions.iter().map(value).collect()
 }
 
-/// The prediction for a body that is pressed down. Unlike [`curve`] it makes no table of passive pressures for every point, which only
-/// bodies under tow need, and which takes a thousand times as long as the rest.
+/// The prediction for a body that is pressed down, whose limits are judged apart.
 fn pressed(
     towing: &Towing,
     candidate: Candidate,
@@ -143,7 +240,10 @@ fn read(prediction: &Prediction, quantity: Quantity, towing: &Towing) -> Option<
         Quantity::Lateral => prediction.lateral,
         Quantity::Sinkage => prediction.sinkage,
         Quantity::Slip => prediction.slip,
-        Quantity::Pressure => Some(prediction.vertical / base_area(towing)?),
+        Quantity::Pressure => match prediction.end_pressure {
+            Some(pressure) => Some(pressure),
+            None => Some(prediction.vertical / base_area(towing)?),
+        },
         _ => None,
     }
 }

@@ -9,24 +9,27 @@ const LEAST_SAMPLES: usize = 3;
 /// The points whose abscissa lies beyond all before it: the loading of a curve that also unloads, in the order of the abscissa.
 #[must_use]
 pub fn rising(x: &[f64], y: &[f64]) -> Vec<[f64; 2]> {
+    rising_rows(x, y).into_iter().map(|row| [x[row], y[row]]).collect()
+}
+
+/// The rows of these points.
+#[must_use]
+pub fn rising_rows(x: &[f64], y: &[f64]) -> Vec<usize> {
     // A curve may run towards negative abscissae, as one of a locked to a rolling wheel does from 0 to −1.
     let falls = x.first().zip(x.last()).is_some_and(|(first, last)| last < first);
     let sign = if falls { -1.0 } else { 1.0 };
     let mut most = f64::NEG_INFINITY;
-    let mut points: Vec<[f64; 2]> = x
-        .iter()
-        .zip(y)
-        .filter(|(x, y)| {
-            let beyond = sign * **x > most && y.is_finite();
-            most = if beyond { sign * **x } else { most };
+    let mut rows: Vec<usize> = (0..x.len().min(y.len()))
+        .filter(|row| {
+            let beyond = sign * x[*row] > most && y[*row].is_finite();
+            most = if beyond { sign * x[*row] } else { most };
             beyond
         })
-        .map(|(x, y)| [*x, *y])
         .collect();
     if falls {
-        points.reverse();
+        rows.reverse();
     }
-    points
+    rows
 }
 
 /// The values of a curve at some abscissae: means over an eighth of their distance to both sides, or, where that holds fewer than three

@@ -2,8 +2,10 @@
 
 mod closed_form;
 mod curve;
+mod left_out;
 mod run;
 
-pub use closed_form::{Along, ClosedForm};
-pub use curve::{local_means, rising};
+pub use closed_form::{Along, ClosedForm, ClosedForms};
+pub use curve::{local_means, rising, rising_rows};
+pub use left_out::{LeftOut, place, says_nothing};
 pub use run::{RunSource, read_run};

@@ -91,7 +91,7 @@ fn outcome(shared: &Shared, line: &CaseLine) -> Result<Outcome, Unended> {
             Ok(outlook) => Outcome {
                 id: line.id.clone(),
                 ending: Ending::Done,
-                reason: if outlook.recommended().is_some() {
+                reason: if outlook.best().is_some() {
                     String::new()
                 } else {
                     outlook.forecast.recommendation.replace('\n', " ")
@@ -111,7 +111,7 @@ fn rolling_radius(case: &Case) -> Option<f64> {
 
 /// The rows of the closed forms that apply to a body that rolls on this radius [m].
 fn closed_forms(outlook: &Outlook, radius: Option<f64>) -> Vec<Figures> {
-    let recommended = outlook.recommended().map(|model| model.name);
+    let recommended = outlook.best().map(|model| model.name);
     let groups = &outlook.forecast.groups;
     let (scale, length) = (outlook.force_scale().unwrap_or(f64::NAN), outlook.length_scale());
     let over = |value: f64, reference: f64| Some(value / reference).filter(|ratio| ratio.is_finite());

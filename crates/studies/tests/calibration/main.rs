@@ -78,9 +78,10 @@ fn request<'a>(kind: &'a Kind, records: Vec<Record>, seed: u64) -> Request<'a> {
 /// The measurements with values of the model at known parameters, and noise.
 fn synthetic(kind: &Kind, known: &[f64], draws: &mut Draws) -> Vec<Record> {
     let space = space(kind.parameters);
-    let models = ClosedResponse::models(&kind.case, &[], &space, (&kind.records, None)).unwrap();
-    let is_pressed = models[0].0.is_pressed();
-    let curves = Selection { is_pressed, ..Selection::default() }.curves(&kind.records).unwrap();
+    let forms = ClosedResponse::forms(&kind.case, &[], &space, (&kind.records, None)).unwrap();
+    let is_pressed = forms[0].0.is_pressed();
+    let curves = Selection { is_pressed, ..Selection::default() }.curves(&kind.records).unwrap().curves;
+    let models = ClosedResponse::models(forms, &kind.records, &curves).unwrap();
     let response = ClosedResponse::new(&kind.case, &[], &space, (models, curves.clone()));
     let mut records = kind.records.clone();
     for (curve, values) in curves.iter().zip(response.curves_at(known).unwrap()) {

@@ -10,7 +10,7 @@ const POINTS: usize = 41;
 /// How far the force–sinkage curve extends beyond the deepest forecast.
 const BEYOND: f64 = 1.25;
 
-/// The recommended model and its rival, 3D-RFT or the bearing capacity, as overlays: levels for the tow, and curves against sinkage.
+/// The best model and its rival, 3D-RFT or the bearing capacity, as overlays: levels for the tow, and curves against sinkage.
 ///
 /// # Errors
 /// The reason why the closed forms do not apply to the case.
@@ -19,7 +19,7 @@ pub fn overlays(case: &Case) -> Result<Vec<Overlay>, String> {
     let [body] = &outlook.input.bodies[..] else {
         return Err("overlays are for a single body".into());
     };
-    let best = outlook.recommended();
+    let best = outlook.best();
     let is_rival = |m: &&ModelForecast| {
         let is_known = matches!(m.model, Candidate::SpatialResistive | Candidate::Footing);
         is_known && m.applicable && Some(m.model) != best.map(|b| b.model)
