@@ -14,10 +14,13 @@ pub mod exact;
 pub mod forecast;
 mod motion;
 mod numeric;
+pub mod penetration;
+pub mod pipe;
 mod pore_water;
 pub mod resistive;
 mod soil;
 pub mod uncertainty;
+pub mod uplift;
 pub mod wheel;
 
 pub use error::{ModelError, ModelResult};

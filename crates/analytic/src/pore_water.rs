@@ -127,6 +127,7 @@ mod tests {
             unit_weight: 9500.0,
             body_friction: 0.3,
             adhesion_factor: 1.0,
+            strength_gradient: 0.0,
         };
         Towing::new(soil, Disc { diameter: 0.4, thickness: 0.075 }, load, Drive::Free)
     }

@@ -18,6 +18,8 @@ pub struct Soil {
     pub body_friction: f64,
     /// Adhesion factor α of undrained clay: its friction on the body is at most α s_u, 0 to 1; without effect in other soil.
     pub adhesion_factor: f64,
+    /// Growth of the strength of undrained clay with depth k [Pa/m], from s_u = c at the surface; without effect in other soil.
+    pub strength_gradient: f64,
 }
 
 impl Soil {
@@ -30,6 +32,7 @@ impl Soil {
             positive("undrained shear strength [Pa]", self.cohesion)?;
             non_negative("unit weight [N/m^3]", self.unit_weight)?;
             within("adhesion factor", self.adhesion_factor, 0.0, 1.0)?;
+            non_negative("growth of the strength [Pa/m]", self.strength_gradient)?;
             return within("body friction", self.body_friction, 0.0, 2.0).map(|_| ());
         }
         let phi =
@@ -54,6 +57,12 @@ impl Soil {
         let angle = davis_friction_angle(self.friction_angle, self.dilation_angle)?;
         let cohesion = self.cohesion * angle.tan() / self.friction_angle.tan();
         Ok(Self { friction_angle: angle, dilation_angle: angle, cohesion, ..*self })
+    }
+
+    /// Undrained shear strength [Pa] at a depth [m].
+    #[must_use]
+    pub fn strength_at(&self, depth: f64) -> f64 {
+        self.cohesion + self.strength_gradient * depth
     }
 
     /// Whether it is undrained clay: φ = ψ = 0 and a shear strength s_u = c.

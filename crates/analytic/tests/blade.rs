@@ -18,6 +18,7 @@ fn soil(degrees: f64, friction: f64) -> Soil {
         unit_weight: 16e3,
         body_friction: friction,
         adhesion_factor: 1.0,
+        strength_gradient: 0.0,
     }
 }
 
@@ -161,7 +162,6 @@ fn a_faceted_disc_has_the_forces_of_the_disc() {
         Facet { centroid: normal.map(|n| 0.1 * n), normal, area, half_height }
     });
     let round = FacetedBody {
-        plane_strain: false,
         length: 0.2,
         width: 0.05,
         breadth: 0.05,

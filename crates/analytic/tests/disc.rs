@@ -21,6 +21,7 @@ fn sand(degrees: f64) -> Soil {
         unit_weight: 16e3,
         body_friction: 0.3,
         adhesion_factor: 1.0,
+        strength_gradient: 0.0,
     }
 }
 

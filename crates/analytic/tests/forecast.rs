@@ -22,6 +22,7 @@ fn towing(degrees: f64, load: Load, drive: Drive) -> Towing {
         unit_weight: 16e3,
         body_friction: 0.3,
         adhesion_factor: 1.0,
+        strength_gradient: 0.0,
     };
     Towing::new(soil, DISC, load, drive)
 }
@@ -331,6 +332,7 @@ fn held(model: Candidate, degrees: f64, sinkage: f64, drive: Drive) -> [f64; 2] 
         unit_weight: 13_030.0,
         body_friction: 0.4,
         adhesion_factor: 1.0,
+        strength_gradient: 0.0,
     };
     let disc = Disc { diameter: 0.116, thickness: 0.05 };
     let case = Towing::new(soil, disc, Load::Sinkage(sinkage), drive);

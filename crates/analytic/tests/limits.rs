@@ -16,6 +16,7 @@ fn soil(degrees: f64, friction: f64, cohesion: f64) -> Soil {
         unit_weight: 16e3,
         body_friction: friction,
         adhesion_factor: 1.0,
+        strength_gradient: 0.0,
     }
 }
 
@@ -100,12 +101,13 @@ proptest! {
             unit_weight: gamma,
             body_friction: mu,
             adhesion_factor: 1.0,
+            strength_gradient: 0.0,
         };
         let load = if choice < 5 { Load::Weight(load) } else { Load::Sinkage(held * diameter) };
         let ground = if choice == 7 { Soil { friction_angle: 0.0, dilation_angle: 0.0, ..ground } } else { ground };
         let body = match choice {
-            3 | 7 if extra > 0.5 => Plate { outline: Outline::Rectangle, width: diameter, length: thickness }.into(),
-            6 if extra > 0.5 => Plate { outline: Outline::Circle, width: diameter, length: diameter }.into(),
+            3 | 7 if extra > 0.5 => Plate { outline: Outline::Rectangle, width: diameter, length: thickness, height: thickness }.into(),
+            6 if extra > 0.5 => Plate { outline: Outline::Circle, width: diameter, length: diameter, height: thickness }.into(),
             _ => Disc { diameter, thickness }.into(),
         };
         let is_plate = matches!(body, Body::Plate(_));

@@ -118,6 +118,7 @@ fn cut(angles: [f64; 3], height: f64, pressure: f64, cavitation: f64) -> Saturat
         unit_weight: 1e-9,
         body_friction: delta.tan(),
         adhesion_factor: 1.0,
+        strength_gradient: 0.0,
     };
     let sand = SaturatedSand { height, pressure, cavitation, permeability_ratio: 1.0 };
     sand.cut(&soil, &Blade { width: 1.0, depth: 1.0, rake, surcharge: 0.0 }).unwrap()
@@ -205,6 +206,7 @@ fn slow_cutting_is_that_of_the_weight_alone_and_what_is_out_of_range_is_refused(
         unit_weight: 9e3,
         body_friction: 0.4,
         adhesion_factor: 1.0,
+        strength_gradient: 0.0,
     };
     let blade = Blade { width: 0.2, depth: 0.05, rake: 45_f64.to_radians(), surcharge: 0.0 };
     let sand = |pressure: f64, height: f64| SaturatedSand {

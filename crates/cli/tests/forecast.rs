@@ -499,7 +499,7 @@ fn a_blade_has_a_forecast_with_its_lengths() {
     }
     for (arguments, word) in [
         (["--against", "diameter=0.1 m..0.2 m"], "no model of a block"),
-        (["--against", "Z=0.1..2"], "at most 0.25 m"),
+        (["--against", "Z=1.1..2"], "at most 0.25 m"),
         (["--set", "body.tool.heave={ speed = \"-0.28 m/s\" }"], "at most 0.25 m"),
         (["--set", "body.tool.forward=\"fixed\""], "neither towed nor pressed down"),
         (["--set", "soil.friction_angle=\"52 deg\""], "10°"),

@@ -5,6 +5,7 @@
 mod corrections;
 mod davis;
 mod factors;
+mod growing;
 mod undrained;
 
 pub use corrections::{Corrections, Footing, Method, corrections};
@@ -13,5 +14,6 @@ pub use factors::{
     cohesion_factor, surcharge_factor, weight_factor_exact_smooth, weight_factor_hansen,
     weight_factor_lyamin, weight_factor_martin_rough, weight_factor_meyerhof, weight_factor_vesic,
 };
+pub use growing::growth_of_factor;
 pub(crate) use undrained::round_over_square;
 pub use undrained::{undrained_factor, undrained_friction_limit, undrained_pressure};

@@ -36,7 +36,7 @@ pub(super) fn mark_inapplicable(models: &mut [ModelForecast], towing: &Towing) {
                 let passive = if block.plane_strain { plane_strain } else { wedge };
                 limit_for_block(model.model, &found, towing, block, passive)
             }
-            Body::Disc(_) | Body::Faceted(_) | Body::Plate(_) => {
+            Body::Disc(_) | Body::Faceted(_) | Body::Plate(_) | Body::Cone(_) | Body::Pipe(_) => {
                 limit_for_disc(model.model, &found, towing, governing)
             }
         };
@@ -64,6 +64,9 @@ pub(super) fn decisive(towing: &Towing, models: &[Candidate]) -> Vec<Candidate> 
 fn limit_for_pressed(model: Candidate, found: &Prediction, towing: &Towing) -> Option<&'static str> {
     let is_deep = found.sinkage.unwrap_or(0.0) > MAX_PRESSED_DEPTH * towing.body.breadth();
     match model {
+        Candidate::Penetration if !is_deep && matches!(towing.body, Body::Plate(_)) => Some(
+            "shallower than two and a half widths: the soil fails up to the surface (see the bearing capacity)",
+        ),
         Candidate::Footing if is_deep => {
             Some("deeper than two and a half widths: the soil no longer fails up to the surface")
         }

@@ -137,7 +137,10 @@ fn front_force<'a>(
             }
             Ok(Box::new(|z| cutting(towing, block, z, godwin_spoor)))
         }
-        Candidate::Footing => undefined(model.name(), super::other_models::PRESSED),
+        Candidate::Footing | Candidate::Penetration | Candidate::Pipe => {
+            undefined(model.name(), super::other_models::PRESSED)
+        }
+        Candidate::Uplift => undefined(model.name(), super::other_models::RAISED),
         _ => undefined(model.name(), "it is for discs and wheels, which have a curved front"),
     }
 }

@@ -6,8 +6,10 @@ use crate::resistive::{Axle, Facet};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
-/// Deepest sinkage of a plate in the range of the models, over its shorter side (chosen).
+/// Deepest sinkage of a plate in the range of the models that look for one, over its shorter side (chosen).
 const DEEPEST_PLATE: f64 = 10.0;
+/// Deepest sinkage of a plate or a pipe over its shorter side (chosen: what is deeper is a pile, or is held by deep soil).
+const DEEPEST: f64 = 20.0;
 
 /// The body.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +22,42 @@ pub enum Body {
     Faceted(FacetedBody),
     /// A level plate that is pressed straight down: a footing.
     Plate(Plate),
+    /// A cone on a shaft, tip down, that is pressed straight down.
+    Cone(Penetrometer),
+    /// A long cylinder that lies and is pressed down or pulled up.
+    Pipe(Pipe),
+}
+
+/// A cone on a shaft, tip down.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Penetrometer {
+    /// Diameter d of its base [m].
+    pub diameter: f64,
+    /// Angle at its tip [rad], between opposite sides.
+    pub apex: f64,
+    /// Diameter of its shaft [m].
+    pub shaft: f64,
+    /// Its surface.
+    pub surface: FacetedBody,
+}
+
+impl Penetrometer {
+    /// Height of the cone alone [m].
+    #[must_use]
+    pub fn tip(&self) -> f64 {
+        0.5 * self.diameter / (0.5 * self.apex).tan()
+    }
+}
+
+/// A long cylinder that lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pipe {
+    /// Diameter d [m].
+    pub diameter: f64,
+    /// Its length, or that of the slice of an infinitely long one [m].
+    pub length: f64,
+    /// Whether it is such a slice.
+    pub plane_strain: bool,
 }
 
 /// Outline of the base of a plate.
@@ -42,6 +80,8 @@ pub struct Plate {
     pub width: f64,
     /// Length of the base [m].
     pub length: f64,
+    /// Height of the body above it [m].
+    pub height: f64,
 }
 
 impl Plate {
@@ -118,6 +158,12 @@ impl From<Plate> for Body {
     }
 }
 
+impl From<Pipe> for Body {
+    fn from(pipe: Pipe) -> Self {
+        Self::Pipe(pipe)
+    }
+}
+
 impl From<Block> for Body {
     fn from(block: Block) -> Self {
         Self::Block(block)
@@ -133,6 +179,8 @@ impl Body {
             Self::Block(block) => block.size[2],
             Self::Faceted(body) => body.length,
             Self::Plate(plate) => plate.breadth(),
+            Self::Cone(cone) => cone.diameter,
+            Self::Pipe(pipe) => pipe.diameter,
         }
     }
 
@@ -144,6 +192,8 @@ impl Body {
             Self::Block(block) => block.size[1],
             Self::Faceted(body) => body.width,
             Self::Plate(plate) => plate.area() / plate.breadth(),
+            Self::Cone(cone) => cone.diameter,
+            Self::Pipe(pipe) => pipe.length,
         }
     }
 
@@ -155,6 +205,8 @@ impl Body {
             Self::Block(block) => block.height(),
             Self::Faceted(body) => body.height,
             Self::Plate(plate) => DEEPEST_PLATE * plate.breadth(),
+            Self::Cone(cone) => cone.surface.height,
+            Self::Pipe(pipe) => pipe.diameter,
         }
     }
 
@@ -163,6 +215,8 @@ impl Body {
     pub fn deepest(&self) -> f64 {
         match self {
             Self::Disc(disc) => 0.95 * disc.diameter,
+            Self::Plate(plate) => plate.height.max(DEEPEST * plate.breadth()),
+            Self::Pipe(pipe) => DEEPEST * pipe.diameter,
             _ => self.height(),
         }
     }
@@ -176,6 +230,7 @@ impl Body {
             Self::Block(block) => block.size[0].min(block.size[1]),
             Self::Faceted(body) => body.breadth,
             Self::Plate(plate) => plate.breadth(),
+            Self::Cone(_) | Self::Pipe(_) => self.length(),
         }
     }
 
@@ -210,6 +265,15 @@ impl Body {
                 }
                 within("orientation [rad]", block.orientation, -PI, PI).map(|_| ())
             }
+            Self::Cone(cone) => {
+                within("shaft diameter [m]", cone.shaft, 0.0, cone.diameter)?;
+                within("cone angle [rad]", cone.apex, 0.01, PI)?;
+                positive("diameter of the cone [m]", cone.diameter).map(|_| ())
+            }
+            Self::Pipe(pipe) => {
+                positive("diameter of the pipe [m]", pipe.diameter)?;
+                positive("length of the pipe [m]", pipe.length).map(|_| ())
+            }
             Self::Faceted(body) => {
                 for length in [body.length, body.width, body.height] {
                     positive("length of the body [m]", length)?;
@@ -218,6 +282,7 @@ impl Body {
             }
             Self::Plate(plate) => {
                 positive("width of the plate [m]", plate.width)?;
+                positive("height of the plate [m]", plate.height)?;
                 positive("length of the plate [m]", plate.length).map(|_| ())
             }
         }

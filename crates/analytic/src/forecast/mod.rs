@@ -10,12 +10,13 @@ mod other_models;
 mod predict;
 mod prediction;
 mod pressed;
+mod pushed;
 mod recommendation;
 mod scatter;
 mod strength;
 mod towing;
 
-pub use body::{Block, Body, FacetedBody, Front, Outline, Plate};
+pub use body::{Block, Body, FacetedBody, Front, Outline, Penetrometer, Pipe, Plate};
 pub use candidate::Candidate;
 pub use curve::{CurvePoint, curve};
 pub use groups::{Groups, reference_force};

@@ -15,6 +15,8 @@ use crate::wheel::{
 
 /// Why a footing is no model of a towed body.
 pub(super) const PRESSED: &str = "it is for a body that is pressed straight down";
+/// Why uplift is no model of another body.
+pub(super) const RAISED: &str = "it is for a body that is pulled up";
 /// Pressure over depth under a level plate in 3D-RFT, relative to its stiffness ξ_n.
 const LEVEL_PLATE: f64 = 0.875;
 
@@ -40,7 +42,8 @@ pub(super) fn predict(model: Candidate, towing: &Towing) -> ModelResult<Predicti
         return undefined(model.name(), "it is for cohesionless soil");
     }
     match model {
-        Candidate::Footing => undefined(model.name(), PRESSED),
+        Candidate::Footing | Candidate::Penetration | Candidate::Pipe => undefined(model.name(), PRESSED),
+        Candidate::Uplift => undefined(model.name(), RAISED),
         Candidate::McKyesAli | Candidate::GodwinSpoor | Candidate::BrinchHansen => undefined(
             model.name(),
             "the front of a disc overhangs the soil (rake above 90°), beyond the range of this blade model",
@@ -91,7 +94,9 @@ fn resistive(
                 of_facets(&block.facets(), 0.5 * height, Axle::across(0.5 * height), Drive::Locked)?
             }
             (Body::Faceted(body), _) => of_facets(&body.facets, body.below, body.axle, towing.drive)?,
-            (Body::Plate(_), _) => return undefined("the tow", "a plate is pressed straight down"),
+            (Body::Plate(_) | Body::Cone(_) | Body::Pipe(_), _) => {
+                return undefined("the tow", "this body is pressed straight down");
+            }
         };
     let rotates = towing.body.disc().is_some() || towing.drive != Drive::Locked;
     let found = prediction(towing, drag, vertical, Some(sinkage), rotates.then_some(slip))?;

@@ -61,9 +61,17 @@ fn predict_unscaled(
     if towing.soil.is_undrained() && !suits_clay(model, towing) {
         return undefined(model.name(), "it is for frictional soil, not for undrained clay");
     }
+    if towing.soil.strength_gradient > 0.0 && towing.soil.is_undrained() && !suits_growth(model, towing) {
+        return undefined(
+            model.name(),
+            "it is for clay of uniform strength: give the mean over the depth that the body disturbs, without strength_gradient",
+        );
+    }
     let found = match (&towing.body, model) {
         _ if towing.pressed => pressed::predict(model, towing),
-        (Body::Plate(_), _) => undefined(model.name(), "a plate is pressed straight down"),
+        (Body::Plate(_) | Body::Cone(_) | Body::Pipe(_), _) => {
+            undefined(model.name(), "this body is pressed straight down, or pulled up")
+        }
         (_, Candidate::SpatialResistive | Candidate::PlanarResistive) => other_models::predict(model, towing),
         (Body::Block(block), _) => blade::predict(model, towing, block, table),
         (Body::Faceted(_), _) => undefined(model.name(), NOT_PLANE),
@@ -86,7 +94,22 @@ fn predict_unscaled(
 fn suits_clay(model: Candidate, towing: &Towing) -> bool {
     match model {
         Candidate::Bearing => towing.body.disc().is_some(),
-        Candidate::Footing | Candidate::Bekker | Candidate::WismerLuth | Candidate::Brixius => true,
+        Candidate::Footing
+        | Candidate::Penetration
+        | Candidate::Pipe
+        | Candidate::Uplift
+        | Candidate::Bekker
+        | Candidate::WismerLuth
+        | Candidate::Brixius => true,
+        _ => false,
+    }
+}
+
+/// Whether a model has a form for clay whose strength grows with depth.
+fn suits_growth(model: Candidate, towing: &Towing) -> bool {
+    match model {
+        Candidate::Footing => matches!(towing.body, Body::Plate(_)),
+        Candidate::Penetration | Candidate::Pipe | Candidate::Uplift => true,
         _ => false,
     }
 }

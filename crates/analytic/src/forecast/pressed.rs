@@ -1,9 +1,14 @@
 //! A body that is pressed straight down: a plate, a disc that does not roll, any body by its facets.
 
-use super::{Body, Candidate, Load, Outline, Plate, Prediction, Towing};
-use crate::bearing::{Footing, round_over_square, weight_factor_exact_smooth, weight_factor_martin_rough};
+use super::other_models::{PRESSED, RAISED};
+use super::pushed::{held, pushed};
+use super::{Body, Candidate, Load, Outline, Penetrometer, Plate, Prediction, Towing};
+use crate::bearing::{
+    Footing, growth_of_factor, round_over_square, undrained_factor, weight_factor_exact_smooth,
+    weight_factor_martin_rough,
+};
 use crate::capacity::ultimate_pressure;
-use crate::disc::{equilibrium_depth, indentation_force};
+use crate::disc::{Disc, equilibrium_depth, indentation_force};
 use crate::error::{ModelResult, undefined};
 use crate::resistive::{Facet, Motion, PlanarLaw, SpatialLaw, Traction, rim_facets, wrench};
 use crate::soil::Soil;
@@ -18,12 +23,43 @@ const ROUGH: f64 = 0.5;
 /// # Errors
 /// If the model cannot be applied to the body, its input is out of range, or no sinkage carries the load.
 pub(super) fn predict(model: Candidate, towing: &Towing) -> ModelResult<Prediction> {
+    if towing.raised || model == Candidate::Uplift {
+        return lifted(model, towing);
+    }
+    if model == Candidate::Penetration {
+        return penetrated(towing);
+    }
     let carried = force(model, towing)?;
     let (vertical, sinkage) = match towing.load {
         Load::Sinkage(z) => (carried(z)?, z),
         Load::Weight(weight) => (weight, equilibrium(towing, weight, &*carried)?),
     };
     Ok(Prediction::of_forces(0.0, vertical, Some(sinkage)))
+}
+
+/// A body that is pulled up: the soil holds it down.
+fn lifted(model: Candidate, towing: &Towing) -> ModelResult<Prediction> {
+    match towing.load {
+        _ if !towing.raised => undefined(model.name(), RAISED),
+        _ if model != Candidate::Uplift => undefined(model.name(), PRESSED),
+        Load::Sinkage(z) => Ok(Prediction::of_forces(0.0, -held(towing, z)?, Some(z))),
+        Load::Weight(_) => {
+            undefined(model.name(), "it gives the force that holds a body, not where it comes to rest")
+        }
+    }
+}
+
+/// A cone or a pile, with the pressure on its end.
+fn penetrated(towing: &Towing) -> ModelResult<Prediction> {
+    // Sand bears nothing at its surface, where it has no stress.
+    let carried = |z: f64| if z > 0.0 { Ok(pushed(towing, z)?.0) } else { Ok(0.0) };
+    let (z, weight) = match towing.load {
+        Load::Sinkage(z) => (z, None),
+        Load::Weight(weight) => (equilibrium(towing, weight, &carried)?, Some(weight)),
+    };
+    let (vertical, end) = pushed(towing, z)?;
+    let forces = Prediction::of_forces(0.0, weight.unwrap_or(vertical), Some(z));
+    Ok(Prediction { end_pressure: Some(end), ..forces })
 }
 
 /// The least sinkage [m] that carries the weight [N]; 0 where the ground carries it at its surface.
@@ -55,6 +91,7 @@ fn force(model: Candidate, towing: &Towing) -> ModelResult<Force<'_>> {
             resistive(PlanarLaw::new(super::other_models::plate_stiffness(towing)?)?, towing, Facet::sliced)
         }
         Candidate::Bekker => bekker(towing),
+        Candidate::Pipe => pipe(towing),
         _ => undefined(model.name(), "it is for a body under tow"),
     }
 }
@@ -63,7 +100,15 @@ fn footing(towing: &Towing) -> ModelResult<Force<'_>> {
     match &towing.body {
         Body::Plate(plate) => Ok(Box::new(move |z| capacity(towing, plate, z))),
         Body::Disc(disc) => Ok(Box::new(move |z| indentation_force(&towing.soil, disc, z, towing.method))),
-        Body::Block(_) | Body::Faceted(_) => undefined(
+        Body::Pipe(pipe) if !towing.soil.is_undrained() => {
+            let thickness = if pipe.plane_strain { STRIP * pipe.diameter } else { pipe.length };
+            let (disc, part) = (Disc { diameter: pipe.diameter, thickness }, pipe.length / thickness);
+            Ok(Box::new(move |z| Ok(part * indentation_force(&towing.soil, &disc, z, towing.method)?)))
+        }
+        Body::Pipe(_) => {
+            undefined(Candidate::Footing.name(), "of a pipe in clay more is known: see the model of a pipe")
+        }
+        Body::Block(_) | Body::Faceted(_) | Body::Cone(_) => undefined(
             Candidate::Footing.name(),
             "it is for a level base, or the rim of a disc; this body has neither",
         ),
@@ -81,7 +126,43 @@ fn capacity(towing: &Towing, plate: &Plate, z: f64) -> ModelResult<f64> {
     let pressure =
         ultimate_pressure(soil, &Footing { width, length, depth: z, load_inclination: 0.0 }, towing.method)?;
     let base = pressure.base * base_ratio(towing, plate)?;
-    Ok((base + pressure.by_depth * z) * plate.area())
+    let grown = growing_base(towing, plate, z, length)?;
+    Ok((grown.unwrap_or(base) + pressure.by_depth * z) * plate.area())
+}
+
+/// Pressure [Pa] without the overburden under a base on clay whose strength grows with depth; `None` where it does not.
+///
+/// s_u [N_c s_c (1 + 0.2 D/B s̄/s_u) + ΔN], with the strength s_u at the base and s̄ the mean above it, which the depth factor is about (as
+/// ISO 19901-4 has it), and ΔN of [`growth_of_factor`].
+fn growing_base(towing: &Towing, plate: &Plate, z: f64, length: f64) -> ModelResult<Option<f64>> {
+    let soil = &towing.soil;
+    if !soil.is_undrained() || soil.strength_gradient == 0.0 {
+        return Ok(None);
+    }
+    let width = plate.breadth();
+    let strength = soil.strength_at(z);
+    let at = |depth: f64| undrained_factor(&Footing { width, length, depth, load_inclination: 0.0 });
+    let (surface, deep) = (at(0.0)?, at(z)?);
+    let depth_gain = (deep - surface) * soil.strength_at(0.5 * z) / strength;
+    let growth = growth_of_factor(soil.strength_gradient * width / strength, width / length)?;
+    Ok(Some(strength * ((surface + depth_gain) * base_ratio(towing, plate)? + growth)))
+}
+
+/// A pipe in clay [N].
+fn pipe(towing: &Towing) -> ModelResult<Force<'_>> {
+    let Body::Pipe(pipe) = &towing.body else {
+        return undefined(
+            Candidate::Pipe.name(),
+            "it is for a pipe: a lying cylinder at least three diameters long",
+        );
+    };
+    if !towing.soil.is_undrained() {
+        return undefined(Candidate::Pipe.name(), "it is for undrained clay");
+    }
+    let roughness = roughness_on_clay(&towing.soil);
+    Ok(Box::new(move |z| {
+        Ok(pipe.length * crate::pipe::pipe_penetration(&towing.soil, pipe.diameter, z, roughness)?)
+    }))
 }
 
 /// What a base that is not rough, and in clay a round one, does to the pressure at the surface.
@@ -104,7 +185,7 @@ fn base_ratio(towing: &Towing, plate: &Plate) -> ModelResult<f64> {
 }
 
 /// How rough a base on clay is, 0 to 1: its friction under the pressure of a strip over s_u, at most the adhesion factor.
-fn roughness_on_clay(soil: &Soil) -> f64 {
+pub(super) fn roughness_on_clay(soil: &Soil) -> f64 {
     (soil.body_friction * (2.0 + std::f64::consts::PI)).min(soil.adhesion_factor)
 }
 
@@ -126,7 +207,8 @@ fn resistive<'a>(
             let base = [Facet { centroid: [0.0; 3], normal: DOWN, area: plate.area(), half_height: 0.0 }];
             Box::new(move |z| Ok(sum(&base, -z)))
         }
-        Body::Disc(disc) => Box::new(move |z| {
+        Body::Disc(_) | Body::Pipe(_) => Box::new(move |z| {
+            let disc = &Disc { diameter: towing.body.length(), thickness: towing.body.width() };
             let angle = disc.contact(z, 0.0)?.angle;
             // The upper half of a disc moves away from the soil.
             let angle = angle.min(std::f64::consts::FRAC_PI_2);
@@ -137,7 +219,7 @@ fn resistive<'a>(
             let facets = block.facets().map(|facet| projected(&facet));
             Box::new(move |z| Ok(sum(&facets, 0.5 * block.height() - z)))
         }
-        Body::Faceted(body) => {
+        Body::Faceted(body) | Body::Cone(Penetrometer { surface: body, .. }) => {
             let facets: Vec<Facet> = body.facets.iter().map(projected).collect();
             Box::new(move |z| Ok(sum(&facets, body.below - z)))
         }

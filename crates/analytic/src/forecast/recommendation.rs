@@ -45,15 +45,20 @@ const TURNED: &str = "No model is recommended. Only 3D-RFT applies, and for disc
 /// The models that may be recommended, the best first: by the scores of docs/forecast.md.
 pub(super) fn order(towing: &Towing) -> &'static [Candidate] {
     match &towing.body {
-        _ if towing.pressed && is_loose(&towing.soil) => &[Candidate::SpatialResistive, Candidate::Footing],
-        _ if towing.pressed => &[Candidate::Footing, Candidate::SpatialResistive],
+        _ if towing.raised => &[Candidate::Uplift],
+        Body::Pipe(_) if towing.soil.is_undrained() => &[Candidate::Pipe],
+        _ if towing.pressed && is_loose(&towing.soil) => {
+            &[Candidate::SpatialResistive, Candidate::Footing, Candidate::Penetration]
+        }
+        Body::Cone(_) => &[Candidate::Penetration, Candidate::SpatialResistive],
+        _ if towing.pressed => &[Candidate::Footing, Candidate::SpatialResistive, Candidate::Penetration],
         Body::Disc(_) if towing.soil.is_undrained() => &[Candidate::Bearing],
         Body::Disc(_) => &[Candidate::Governing],
         Body::Block(block) if block.plane_strain => {
             &[Candidate::PlaneStrain, Candidate::McKyesAli, Candidate::SpatialResistive]
         }
         Body::Block(_) => &[Candidate::Wedge, Candidate::McKyesAli, Candidate::SpatialResistive],
-        Body::Faceted(_) | Body::Plate(_) => &[Candidate::SpatialResistive],
+        Body::Faceted(_) | Body::Plate(_) | Body::Pipe(_) => &[Candidate::SpatialResistive],
     }
 }
 
@@ -80,7 +85,11 @@ pub(super) fn recommend(towing: &Towing, models: &[ModelForecast]) -> String {
         }
         (Body::Block(block), Some(best), Some(found)) => for_block(towing, block, best, &found),
         (Body::Faceted(_), Some(_), _) => RESISTIVE.into(),
-        _ => "No model applies. Run the solver for this case.".into(),
+        _ => {
+            let first = models.iter().find(|model| model.model == order(towing)[0]);
+            let why = first.map_or("", |model| model.note.as_str());
+            format!("No model applies ({why}). Run the solver for this case.")
+        }
     };
     for warning in warnings(towing).into_iter().chain(bearing_only_note(towing, models)) {
         text.push(' ');
@@ -109,6 +118,27 @@ fn for_pressed(towing: &Towing, best: Candidate, found: &Prediction) -> String {
              The solver, whose sand with ψ = 0 keeps its volume, is nearer to the bearing capacity."
         }
         Candidate::SpatialResistive => RESISTIVE,
+        Candidate::Uplift => {
+            "Recommended: the weight of the soil above the body and its shear on the planes at the sides, up to the flow around a deep \
+             one in clay. Tests scatter about it by a quarter to a third; nothing holds the body from below."
+        }
+        Candidate::Pipe => {
+            "Recommended: the penetration of a pipe into clay from its surface, a fit to finite elements with the heave beside it, \
+             between a smooth and a rough pipe."
+        }
+        Candidate::Penetration if towing.soil.is_undrained() => {
+            "Recommended: the bearing factor of a cone or a pile in clay, s_u N + σ_v0: that of a shallow one, up to that of a deep \
+             one, which for a cone grows with the rigidity G/s_u; and the friction α s_u on a shaft as wide as its end."
+        }
+        Candidate::Penetration => {
+            "Recommended: the limit pressure of a spherical cavity, which stiffness and dilation raise, with the wedge and the fan of \
+             soil under the end; and the friction on a shaft as wide as it. Expect a factor of 1.5, and more where the modulus at \
+             such a low pressure is not known. A smooth cone may bear a third less."
+        }
+        _ if towing.soil.is_undrained() && towing.soil.strength_gradient > 0.0 => {
+            "Recommended: the bearing capacity of clay whose strength grows with depth, for a smooth strip by the method of \
+             characteristics, for a circle by a fit to it, with a depth factor for the mean strength above the base."
+        }
         _ if towing.soil.is_undrained() => {
             "Recommended: the bearing capacity of undrained clay, s_u N_c with Skempton's factors for shape and depth, plus the \
              overburden beside the base; the hole is taken to stay open. At the surface it is exact for a strip and a circle."
@@ -223,7 +253,8 @@ pub(super) fn bearing_only_note(towing: &Towing, models: &[ModelForecast]) -> Op
 /// Which friction angle the plasticity models use in soil with ψ < φ, and why.
 fn strength_warning(towing: &Towing) -> Option<&'static str> {
     match (&towing.body, Strength::recommended(towing)) {
-        (Body::Faceted(_), _) => None,
+        (Body::Faceted(_) | Body::Cone(_), _) => None,
+        _ if towing.raised => None,
         (_, Strength::Full) => Some(
             "The flow is non-associated: the plasticity models use the friction angle itself, which was nearer to measurements and \
              to the solver than Davis' angle; the values at Davis' angle are given as well, those of a weaker soil.",

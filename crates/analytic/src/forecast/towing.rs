@@ -32,6 +32,8 @@ pub struct Towing {
     pub drive: Drive,
     /// Whether it is pressed straight down, without a tow and without turning; a [`super::Plate`] always is.
     pub pressed: bool,
+    /// Whether it is pulled straight up, from where it lies buried; it then counts as pressed, with an upward motion.
+    pub raised: bool,
     /// Resistance of the soil over that of the models: their own error, 1 for their predictions.
     pub resistance_factor: f64,
     /// Thrust of a driven body over that of the models at the same resistance of the soil: the error of the one is not that of the other.
@@ -46,8 +48,12 @@ pub struct Towing {
     pub method: Method,
     /// Several discs on one axle.
     pub assembly: Option<Assembly>,
-    /// Young's modulus of the soil [Pa]; for the group Ē only.
+    /// Young's modulus of the soil [Pa]; for the group Ē, and for cones and piles.
     pub elastic_modulus: Option<f64>,
+    /// Poisson's ratio of the soil.
+    pub poisson_ratio: f64,
+    /// Coefficient of earth pressure at rest K₀.
+    pub rest_pressure: f64,
     /// Bekker's plate constants, for Bekker and Wong–Reece; their c and φ are replaced by those of the soil.
     pub terrain: Option<PressureSinkage>,
     /// Cone index [Pa], for Wismer–Luth and Brixius.
@@ -69,7 +75,7 @@ pub enum Parameter {
     UnitWeight,
     /// μ.
     BodyFriction,
-    /// d [m]; of a disc or a round plate only.
+    /// d [m]; of a disc, a pipe or a round plate only.
     Diameter,
     /// t [m]; of a disc only.
     Thickness,
@@ -110,7 +116,7 @@ impl Towing {
     #[must_use]
     pub fn new(soil: Soil, body: impl Into<Body>, load: Load, drive: Drive) -> Self {
         let body = body.into();
-        let pressed = matches!(body, Body::Plate(_));
+        let pressed = matches!(body, Body::Plate(_) | Body::Cone(_) | Body::Pipe(_));
         Self {
             soil,
             body,
@@ -118,6 +124,7 @@ impl Towing {
             load,
             drive,
             pressed,
+            raised: false,
             resistance_factor: 1.0,
             thrust_factor: 1.0,
             gravity: 9.81,
@@ -126,6 +133,8 @@ impl Towing {
             method: Method::default(),
             assembly: None,
             elastic_modulus: None,
+            poisson_ratio: 0.3,
+            rest_pressure: 0.5,
             terrain: None,
             cone_index: None,
             plate_stiffness: None,
@@ -179,6 +188,10 @@ impl Towing {
         match parameter {
             Parameter::FrictionAngle => {
                 case.soil.friction_angle = value;
+                // So does K₀ where it is Jaky's 1 − sin φ.
+                if (self.rest_pressure - (1.0 - self.soil.friction_angle.sin())).abs() < 1e-9 {
+                    case.rest_pressure = 1.0 - value.sin();
+                }
                 // Associated flow stays associated; otherwise the dilation angle stays.
                 let associated = self.soil.dilation_angle >= self.soil.friction_angle;
                 case.soil.dilation_angle =
@@ -220,6 +233,7 @@ impl Towing {
                 (plate.width, plate.length) = (diameter, diameter);
                 self.reference = self.reference.map(|_| [diameter; 2]);
             }
+            Body::Pipe(pipe) => pipe.diameter = diameter,
             _ => {}
         }
     }

@@ -75,6 +75,7 @@ pub(crate) fn sand(degrees: f64, unit_weight: f64, friction: f64) -> Soil {
         unit_weight,
         body_friction: friction,
         adhesion_factor: 1.0,
+        strength_gradient: 0.0,
     }
 }
 
@@ -86,7 +87,7 @@ pub(crate) fn measured_sand(degrees: f64) -> Soil {
     sand(degrees, 13_030.0, FRICTIONS[1])
 }
 
-const PLATE: Plate = Plate { outline: Outline::Circle, width: 0.08, length: 0.08 };
+const PLATE: Plate = Plate { outline: Outline::Circle, width: 0.08, length: 0.08, height: 0.05 };
 const WHEEL: Disc = Disc { diameter: 0.116, thickness: 0.05 };
 const SHIPPED: Disc = Disc { diameter: 0.2, thickness: 0.05 };
 
@@ -167,7 +168,7 @@ pub(crate) fn rows() -> Vec<Row> {
 
 /// A rough strip footing at the surface, 1 m wide, whose load is ½ γ B² N_γ per metre.
 fn strip(degrees: f64, factor: f64) -> Row {
-    let plate = Plate { outline: Outline::Strip, width: 1.0, length: 1.0 };
+    let plate = Plate { outline: Outline::Strip, width: 1.0, length: 1.0, height: 1.0 };
     let soil = sand(degrees, 16e3, 1.0);
     pressed(Class::SolverFootings, soil, plate, (1e-6, 0.5 * 16e3 * factor))
 }

@@ -59,7 +59,7 @@ fn a_row_without_a_value_changes_nothing_and_is_said() {
 
 #[test]
 fn where_no_point_is_left_the_file_and_its_lines_are_named() {
-    let desk = Desk::with(&[("plate.toml", PLATE), ("deep.csv", &curve(&["0,0", "400,900", "500,990"]))]);
+    let desk = Desk::with(&[("plate.toml", PLATE), ("deep.csv", &curve(&["0,0", "1900,900", "2100,990"]))]);
     for command in ["calibrate", "compare"] {
         let more: &[&str] = if command == "calibrate" { &["--parameter", PRIOR] } else { &[] };
         let answer = desk.expect(2, &[&[command, "plate.toml", "deep.csv"][..], more].concat());

@@ -6,7 +6,7 @@ const WHEEL: &str = r#"
 format = 2
 gravity = "9.8 m/s^2"
 soil = { law = "mohr-coulomb", friction_angle = "38.7 deg", cohesion = "0 Pa", density = "1700 kg/m^3", young_modulus = "1 MPa" }
-domain = { x = ["-0.5 m", "0.5 m"], y = ["0 m", "0.4 m"], z = ["-0.2 m", "0.15 m"], symmetric = true }
+domain = { x = ["-0.5 m", "1 m"], y = ["0 m", "0.4 m"], z = ["-0.2 m", "0.15 m"], symmetric = true }
 run = { tow_distance = "0.4 m" }
 grid = { cell = "10 mm" }
 [body.wheel]

@@ -51,33 +51,40 @@ pub fn model_input(case: &Case) -> Result<ModelInput, String> {
     let (mut body, kind) = body(case, first, course, &mut remarks)?;
     let ground = ground(case, &body)?;
     let soil = soil(case, first, &mut remarks)?;
-    suits_clay(&soil, &body)?;
+    suits_clay(&soil, &body, course)?;
     let count = bodies.len() as f64;
-    let load = load(case, first, &ground, count, &mut remarks)?;
+    let load = match course {
+        Course::Raised => lifted_from(first, &ground, &mut remarks)?,
+        _ => load(case, first, &ground, count, &mut remarks)?,
+    };
     if let (Body::Block(block), Load::Sinkage(z)) = (&mut body, load) {
         block.has_base = z < ground.depth() * (1.0 - 1e-9);
     }
     let drive = match &body {
-        _ if course == Course::Pressed => Drive::Locked,
-        Body::Block(_) | Body::Plate(_) => Drive::Locked,
+        _ if matches!(course, Course::Pressed | Course::Raised) => Drive::Locked,
+        Body::Block(_) | Body::Plate(_) | Body::Cone(_) | Body::Pipe(_) => Drive::Locked,
         Body::Disc(_) => drive(first, 0.5 * body.length())?,
         Body::Faceted(_) if first.shape.rolling_diameter().is_some() => drive(first, 0.5 * body.length())?,
         Body::Faceted(_) => Drive::Locked,
     };
-    if course != Course::Pressed && drive == Drive::Locked && !matches!(first.spin(), Motion::Fixed) {
+    let is_towed = !matches!(course, Course::Pressed | Course::Raised);
+    if is_towed && drive == Drive::Locked && !matches!(first.spin(), Motion::Fixed) {
         remarks.push(format!("`{}` may rotate; the models assume that it does not", first.name));
     }
     let mut towing = Towing::new(soil, body, load, drive);
-    towing.pressed = course == Course::Pressed;
+    (towing.pressed, towing.raised) = (!is_towed, course == Course::Raised);
     towing.assembly = assembly;
     if matches!(towing.body, Body::Faceted(_) | Body::Plate(_)) {
         let reference = Reference::of(case, first);
         towing.reference = Some([reference.length, reference.width]);
     }
     if towing.pressed && towing.assembly.is_some() {
-        return Err("several bodies are pressed down; the closed forms are for one of them".into());
+        return Err(
+            "several bodies are pressed down or pulled up; the closed forms are for one of them".into()
+        );
     }
     towing.elastic_modulus = Some(case.soil.young_modulus);
+    (towing.poisson_ratio, towing.rest_pressure) = (case.soil.poisson_ratio, case.soil.k0);
     add_measured(&mut towing, &case.forecast, &mut remarks);
     remarks.extend(unused_keys(&towing, kind));
     if case.gravity > 0.0 {
@@ -202,11 +209,6 @@ fn soil(case: &Case, body: &Towed, remarks: &mut Vec<String>) -> Result<Soil, St
         Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, .. } => {
             (friction_angle, dilation_angle, cohesion)
         }
-        Law::Tresca { gradient, .. } if gradient > 0.0 => {
-            return Err("the strength of the soil grows with depth; the closed forms are for a uniform one: give the mean over \
-                        the depth that the body disturbs, without strength_gradient"
-                .into());
-        }
         Law::Tresca { shear_strength, softening, .. } => {
             if softening.is_some() {
                 remarks.push("clay with the strength of the intact soil at the reference rate".into());
@@ -243,7 +245,26 @@ fn soil(case: &Case, body: &Towed, remarks: &mut Vec<String>) -> Result<Soil, St
     if unit_weight <= 0.0 && friction_angle > 0.0 {
         return Err("the soil is weightless; in the closed forms strength comes from weight".into());
     }
-    let body_friction = if body.friction.is_finite() {
+    let body_friction = friction_of(body, friction_angle, remarks);
+    let adhesion_factor = if friction_angle > 0.0 { 1.0 } else { body.adhesion_factor.clamp(0.0, 1.0) };
+    let strength_gradient = match case.soil.law {
+        Law::Tresca { gradient, .. } => gradient,
+        _ => 0.0,
+    };
+    Ok(Soil {
+        friction_angle,
+        dilation_angle,
+        cohesion,
+        unit_weight,
+        body_friction,
+        adhesion_factor,
+        strength_gradient,
+    })
+}
+
+/// Friction of the soil of this friction angle [rad] on the body.
+fn friction_of(body: &Towed, friction_angle: f64, remarks: &mut Vec<String>) -> f64 {
+    if body.friction.is_finite() {
         body.friction
     } else if friction_angle > 0.0 {
         remarks.push("rough surface: friction tan φ".into());
@@ -251,9 +272,7 @@ fn soil(case: &Case, body: &Towed, remarks: &mut Vec<String>) -> Result<Soil, St
     } else {
         remarks.push("rough surface: shear stress up to s_u".into());
         1.0
-    };
-    let adhesion_factor = if friction_angle > 0.0 { 1.0 } else { body.adhesion_factor.clamp(0.0, 1.0) };
-    Ok(Soil { friction_angle, dilation_angle, cohesion, unit_weight, body_friction, adhesion_factor })
+    }
 }
 
 /// Peak friction angle of sand at low pressure, and its dilation angle by φ = φ_cv + 0.8 ψ (Bolton 1986) [rad].
@@ -265,14 +284,44 @@ fn angles_of_sand(soil: &resolved::Soil, critical: f64) -> (f64, f64) {
     (peak, ((peak - critical) / 0.8).max(0.0))
 }
 
-/// Refuses a body for which there is no closed form in undrained clay.
-fn suits_clay(soil: &Soil, body: &Body) -> Result<(), String> {
-    if soil.is_undrained() && matches!(body, Body::Block(_) | Body::Faceted(_)) {
-        return Err("the soil is undrained clay, for which there are closed forms of discs and wheels, and of level plates that \
-                    are pressed down; run the solver for another body"
-            .into());
+/// Refuses a body for which there is no closed form in undrained clay, with the reason for its kind.
+fn suits_clay(soil: &Soil, body: &Body, course: Course) -> Result<(), String> {
+    let why = match body {
+        _ if !soil.is_undrained() => return Ok(()),
+        Body::Block(_) if course == Course::Pressed => {
+            "a block whose base is not level presses on clay with two faces at once, for which no factor is published"
+        }
+        Body::Block(_) => {
+            "a blade is held by a wedge of clay before it and by shear at its sides, and where its top is buried the clay flows round it; no \
+             published form spans the two and has been compared with measurements"
+        }
+        Body::Faceted(body) if body.axle.direction[1].abs() < 1.0 - 1e-9 => {
+            "on a yawed or tilted disc the clay is cut by one flank and leaves a gap behind the other; how they share the force is not \
+             published in closed form"
+        }
+        Body::Faceted(_) if course == Course::Towed || course == Course::TowedBackwards => {
+            "bearing factors in clay are known for discs and wheels across the tow, not for another surface under tow"
+        }
+        Body::Faceted(_) => {
+            "bearing factors in clay are known for level bases, cones, discs and pipes, not for another surface that is pressed down"
+        }
+        Body::Disc(_) | Body::Plate(_) | Body::Cone(_) | Body::Pipe(_) => return Ok(()),
+    };
+    Err(format!("the soil is undrained clay: {why}; run the solver"))
+}
+
+/// Where a body that is pulled up begins, by its lowest point.
+fn lifted_from(body: &Towed, ground: &LevelGround, remarks: &mut Vec<String>) -> Result<Load, String> {
+    let depth = ground.surface - (body.position.z + body.bounds().0.z);
+    if depth <= 0.0 {
+        return Err(format!("`{}` is pulled up and does not reach into the soil", body.name));
     }
-    Ok(())
+    remarks.push(format!(
+        "`{}` is pulled up: the force is that of the soil where it begins, with its lowest point at a depth of {depth:.4} m; its own weight \
+         is not part of it",
+        body.name
+    ));
+    Ok(Load::Sinkage(depth))
 }
 
 /// The load of a free heave, or the deepest sinkage [m] that the motion prescribes.

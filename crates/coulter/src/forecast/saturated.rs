@@ -28,7 +28,7 @@ impl BladeUnderWater {
             _ if towing.pressed => return None,
             Body::Block(block) => (block.front(), block.size[1]),
             Body::Faceted(body) => plane_front(body)?,
-            Body::Disc(_) | Body::Plate(_) => return None,
+            Body::Disc(_) | Body::Plate(_) | Body::Cone(_) | Body::Pipe(_) => return None,
         };
         let mut found = Self {
             angle: front.rake,

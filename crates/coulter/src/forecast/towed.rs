@@ -1,12 +1,12 @@
 //! The bodies of a case as the closed-form models represent them.
 
 use crate::case::quantity::short;
-use crate::case::resolved::{Attitude, Body as Towed, Case, Motion};
-use crate::case::shapes::ClosedForm;
+use crate::case::resolved::{Attitude, Body as Towed, Case, Law, Motion};
+use crate::case::shapes::{ClosedForm, Shape};
 use crate::case::travel;
 use crate::history::reference::Reference;
 use analytic::disc::{Assembly, Disc};
-use analytic::forecast::{Block, Body, FacetedBody, Outline, Plate};
+use analytic::forecast::{Block, Body, FacetedBody, Outline, Penetrometer, Pipe, Plate};
 use analytic::resistive::{Axle, Facet};
 use glam::DVec3;
 use physics::shape::SurfacePoint;
@@ -84,7 +84,12 @@ pub(super) enum Course {
     TowedBackwards,
     /// It is pressed straight down.
     Pressed,
+    /// It is pulled straight up.
+    Raised,
 }
+
+/// Length over diameter from which a lying cylinder is a pipe (chosen: its ends carry little).
+const LONG: f64 = 3.0;
 
 /// How a body of the case moves.
 ///
@@ -101,17 +106,20 @@ pub(super) fn course(case: &Case, body: &Towed) -> Result<Course, String> {
         return Ok(if along > 0.0 { Course::Towed } else { Course::TowedBackwards });
     }
     let heave = &body.translation[2];
-    let sinks = match heave {
-        Motion::Free { .. } => true,
-        Motion::Prescribed { .. } | Motion::Course(_) => travel(heave, case.duration) < 0.0,
-        Motion::Fixed => false,
+    let rise = match heave {
+        Motion::Free { .. } => -1.0,
+        Motion::Prescribed { .. } | Motion::Course(_) => travel(heave, case.duration),
+        Motion::Fixed => 0.0,
     };
-    if sinks {
+    if rise < 0.0 {
         return Ok(Course::Pressed);
     }
+    if rise > 0.0 {
+        return Ok(Course::Raised);
+    }
     Err(format!(
-        "`{name}` is neither towed nor pressed down; give it a tow, forward = {{ speed = \"0.1 m/s\" }}, or a heave that is free or \
-         goes down, heave = {{ speed = \"-0.01 m/s\" }}",
+        "`{name}` is neither towed nor pressed down nor pulled up; give it a tow, forward = {{ speed = \"0.1 m/s\" }}, or a heave that is \
+         free, goes down, heave = {{ speed = \"-0.01 m/s\" }}, or up",
         name = body.name
     ))
 }
@@ -127,10 +135,18 @@ pub(super) fn body(
     remarks: &mut Vec<String>,
 ) -> Result<(Body, &'static str), String> {
     let kind = body.shape.kind();
+    let is_vertical = matches!(course, Course::Pressed | Course::Raised);
     let represented = match body.shape.closed_form() {
         _ if !body.attitude.axle_is_across() => {
             remarks.push(turned(body));
             Body::Faceted(faceted(case, body, course))
+        }
+        ClosedForm::Disc { diameter, thickness }
+            if is_vertical && is_pipe(case, course, diameter, thickness) =>
+        {
+            let plane_strain = case.domain.plane_strain;
+            let length = case.domain.width_of_body(thickness);
+            Pipe { diameter, length, plane_strain }.into()
         }
         ClosedForm::Disc { .. } if case.domain.plane_strain => {
             return Err(format!("the case is plane strain; the models are for a {kind} of finite width"));
@@ -142,16 +158,34 @@ pub(super) fn body(
         ClosedForm::Block { size } => {
             let pitch = mirrored(body.attitude, course).pitch;
             let block = block(case, size, pitch, remarks);
-            if course == Course::Pressed { plate(block) } else { block.into() }
+            if is_vertical { plate(block) } else { block.into() }
         }
-        ClosedForm::Column { diameter, .. } if course == Course::Pressed => {
-            Plate { outline: Outline::Circle, width: diameter, length: diameter }.into()
+        ClosedForm::Column { diameter, height } if is_vertical => {
+            Plate { outline: Outline::Circle, width: diameter, length: diameter, height }.into()
+        }
+        ClosedForm::Facets { .. } if course == Course::Pressed && body.attitude.pitch == 0.0 => {
+            match &body.shape {
+                Shape::Cone(cone) => Body::Cone(Penetrometer {
+                    diameter: cone.diameter,
+                    apex: cone.apex,
+                    shaft: cone.shaft,
+                    surface: faceted(case, body, course),
+                }),
+                _ => Body::Faceted(faceted(case, body, course)),
+            }
         }
         ClosedForm::Column { .. } | ClosedForm::Facets { .. } | ClosedForm::None => {
             Body::Faceted(faceted(case, body, course))
         }
     };
     Ok((represented, kind))
+}
+
+/// Whether a lying cylinder is a pipe: in plane strain, or a long one that is pulled up or lies on clay, where more is known of pipes than
+/// of discs.
+fn is_pipe(case: &Case, course: Course, diameter: f64, length: f64) -> bool {
+    let is_clay = matches!(case.soil.law, Law::Tresca { .. } | Law::VonMises { .. });
+    case.domain.plane_strain || (length >= LONG * diameter && (is_clay || course == Course::Raised))
 }
 
 /// A block that is pressed down: the plate that its base is where one of its faces is level.
@@ -161,9 +195,9 @@ fn plate(block: Block) -> Body {
     if (quarters - quarters.round()).abs() > 1e-9 {
         return block.into();
     }
-    let width = if (quarters.round() as i64) % 2 == 0 { long } else { high };
+    let (width, height) = if (quarters.round() as i64) % 2 == 0 { (long, high) } else { (high, long) };
     let outline = if block.plane_strain { Outline::Strip } else { Outline::Rectangle };
-    Plate { outline, width, length: across }.into()
+    Plate { outline, width, length: across, height }.into()
 }
 
 /// The remark on a body whose axle does not lie across the tow.
@@ -183,7 +217,7 @@ fn mirrored(attitude: Attitude, course: Course) -> Attitude {
         Course::TowedBackwards => {
             Attitude { yaw: -attitude.yaw, tilt: attitude.tilt, pitch: -attitude.pitch }
         }
-        Course::Towed | Course::Pressed => attitude,
+        Course::Towed | Course::Pressed | Course::Raised => attitude,
     }
 }
 

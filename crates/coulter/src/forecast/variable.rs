@@ -206,6 +206,8 @@ impl Variable {
                 Body::Plate(plate) if self.parameter == Parameter::Diameter => {
                     plate.outline == Outline::Circle
                 }
+                Body::Pipe(_) => self.parameter == Parameter::Diameter,
+                Body::Cone(_) => false,
                 Body::Plate(_) => matches!(
                     self.parameter,
                     Parameter::PlateExponent | Parameter::PlateCohesive | Parameter::PlateFrictional
@@ -252,6 +254,7 @@ impl Variable {
             Parameter::Diameter => match &towing.body {
                 Body::Disc(disc) => Some(disc.diameter),
                 Body::Plate(plate) if plate.outline == Outline::Circle => Some(plate.width),
+                Body::Pipe(pipe) => Some(pipe.diameter),
                 _ => None,
             },
             Parameter::Thickness => towing.body.disc().map(|disc| disc.thickness),

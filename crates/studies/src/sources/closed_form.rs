@@ -252,6 +252,7 @@ fn read(prediction: &Prediction, quantity: Quantity, towing: &Towing) -> Option<
 fn base_area(towing: &Towing) -> Option<f64> {
     match &towing.body {
         Body::Plate(plate) => Some(plate.area()),
+        Body::Cone(cone) => Some(0.25 * std::f64::consts::PI * cone.diameter * cone.diameter),
         Body::Faceted(body) if towing.pressed => {
             Some(0.25 * std::f64::consts::PI * body.length * body.length)
         }
