@@ -5,7 +5,7 @@ mod motion;
 mod stiffness;
 mod values;
 
-use super::resolved::{Case, Law, Soil};
+use super::resolved::Case;
 
 /// Everything that is unusual about a case, each a sentence; empty for a case without any.
 #[must_use]
@@ -18,9 +18,4 @@ pub fn unusual(case: &Case) -> Vec<String> {
         motion::motions(case, &mut doubts);
     }
     doubts
-}
-
-/// Whether a material is soil: not metal, and not elastic for good.
-fn is_soil(soil: &Soil) -> bool {
-    !matches!(soil.law, Law::VonMises { .. } | Law::Elastic)
 }

@@ -1,6 +1,6 @@
 //! Soil that its own weight would flatten, or that is stiffer than any soil under so little stress.
 
-use super::is_soil;
+use super::values::is_soil;
 use crate::case::own_weight::{compression, depth};
 use crate::case::path::body_length;
 use crate::case::quantity::plain;

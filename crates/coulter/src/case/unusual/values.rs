@@ -1,8 +1,7 @@
 //! Values outside the usual ranges of their keys.
 
-use super::is_soil;
 use crate::case::keys::{self, Key, Kind};
-use crate::case::resolved::{Case, MOTIONS, Motion, Soil};
+use crate::case::resolved::{Case, Law, MOTIONS, Motion, Soil};
 use crate::case::shapes::Shape;
 use crate::case::validate::soil::law_numbers;
 
@@ -50,6 +49,11 @@ pub(super) fn values(case: &Case, doubts: &mut Vec<String>) {
             ));
         }
     }
+}
+
+/// Whether a material is soil: not metal, and not elastic for good.
+pub(super) fn is_soil(soil: &Soil) -> bool {
+    !matches!(soil.law, Law::VonMises { .. } | Law::Elastic)
 }
 
 /// The numbers of a soil, by key.
