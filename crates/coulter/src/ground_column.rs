@@ -56,22 +56,15 @@ impl GroundColumn {
         (materials, halo): (&[Material], &Halo),
         places: &[[usize; 2]],
     ) -> Vec<Self> {
-        let mut columns = vec![Column::default(); places.len()];
-        let [below, above] = halo.beyond(2);
-        for turn in 0..=above + below {
-            if turn == above {
-                for (column, place) in columns.iter_mut().zip(places) {
-                    column.descend(domain, state, materials, *place);
-                }
+        let numbers = vec![Column::default().to_array(); places.len()];
+        let numbers = downwards(halo, numbers, |columns| {
+            for (numbers, place) in columns.iter_mut().zip(places) {
+                let mut column = Column::of(numbers);
+                column.descend(domain, state, materials, *place);
+                *numbers = column.to_array();
             }
-            if turn < above + below {
-                let own: Vec<f64> = columns.iter().flat_map(|column| column.to_array()).collect();
-                let [_, from_above] = halo.exchange(2, [own.clone(), own]);
-                if turn < above {
-                    columns = from_above.chunks_exact(Column::NUMBERS).map(Column::of).collect();
-                }
-            }
-        }
+        });
+        let columns: Vec<Column> = numbers.iter().map(|numbers| Column::of(numbers)).collect();
         if !domain.reaches(2, 0) {
             return Vec::new();
         }
@@ -87,6 +80,30 @@ impl GroundColumn {
         let content: f64 = (0..domain.cells()[2]).map(|k| held(k) * domain.width(2, k)).sum();
         Self { z, disturbed_to: z, void: z - domain.faces[2][0] - content, ..Self::default() }
     }
+}
+
+/// Numbers of columns of cells after a block has gone down its own layers of them: what the blocks above have found is passed down to
+/// it first, and only those at the bottom know the whole of their columns.
+pub(crate) fn downwards<const N: usize>(
+    halo: &Halo,
+    mut columns: Vec<[f64; N]>,
+    mut descend: impl FnMut(&mut [[f64; N]]),
+) -> Vec<[f64; N]> {
+    let [below, above] = halo.beyond(2);
+    for turn in 0..=above + below {
+        if turn == above {
+            descend(&mut columns);
+        }
+        if turn < above + below {
+            let own = columns.concat();
+            let [_, from_above] = halo.exchange(2, [own.clone(), own]);
+            if turn < above {
+                let (numbers, _) = from_above.as_chunks::<N>();
+                columns = numbers.to_vec();
+            }
+        }
+    }
+    columns
 }
 
 /// What is known of a column down to some layer.

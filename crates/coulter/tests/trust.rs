@@ -96,6 +96,131 @@ fn energy_volume_and_leak_are_judged_relatively() {
     assert_eq!([leak(0.007), leak(0.05)], [Verdict::Doubtful, Verdict::Broken]);
 }
 
+/// The checks of this name of a history with these facts.
+fn check(setting: &Setting, history: &History, name: &str) -> Vec<coulter::trust::Check> {
+    let case = tow(&[]);
+    let trust = Trust::grade(setting, history, &Reference::all(&case), case.output.steady_fraction, None);
+    trust.checks.into_iter().filter(|check| check.name == name).collect()
+}
+
+/// A tray of sand above the ground leaked out of a volume of nothing: "not available", and broken.
+#[test]
+fn leak_is_relative_to_what_soil_surrounds() {
+    let mut setting = Setting::of(&tow(&[]));
+    let disc = std::f64::consts::PI * 0.01 * setting.bodies[0].extent[1].unwrap();
+    assert!((setting.bodies[0].volume / disc - 1.0).abs() < 0.02, "{}", setting.bodies[0].volume);
+    setting.bodies[0].volume = 1e-3;
+    let leak = |setting: &Setting, embedded: f64, leaked: f64| {
+        let mut history = history();
+        for sample in &mut history.bodies[0] {
+            (sample.embedded_volume, sample.leaked_volume) = (embedded, leaked);
+            sample.sinkage = if embedded > 0.0 { 1e-5 } else { -0.05 };
+        }
+        check(setting, &history, "leak").pop().unwrap()
+    };
+    let above = leak(&setting, 0.0, 7e-6);
+    assert!((above.value.unwrap() - 0.7).abs() < 1e-9 && above.verdict == Verdict::Doubtful, "{above:?}");
+    assert_eq!(leak(&setting, 0.0, 4e-6).verdict, Verdict::Good);
+    assert_eq!(leak(&setting, 0.0, 2e-4).verdict, Verdict::Broken);
+    // A body that has sunk by a hair: a layer of one cell over its base counts.
+    let [length, width] = [0.2, setting.bodies[0].extent[1].unwrap()];
+    setting.bodies[0].diameter = None;
+    let layer = length * width * setting.cell[2];
+    let hair = leak(&setting, 1e-9, 0.004 * layer);
+    assert!((hair.value.unwrap() - 0.4).abs() < 1e-6 && hair.verdict == Verdict::Good, "{hair:?}");
+    assert_eq!(leak(&setting, 1e-9, 0.02 * layer).verdict, Verdict::Broken);
+}
+
+#[test]
+fn compression_that_the_pressure_demands_is_no_lost_volume() {
+    let compressed = |compression: f64| {
+        let mut history = history();
+        let end = history.energy.last_mut().unwrap();
+        (end.volume_ratio, end.compression) = (0.97, compression);
+        check(&Setting::of(&tow(&[])), &history, "soil volume")[0].clone()
+    };
+    assert_eq!(compressed(0.0).verdict, Verdict::Broken);
+    assert_eq!(compressed(0.03).verdict, Verdict::Good);
+    assert!((compressed(0.02).value.unwrap() - 1.0).abs() < 1e-9, "{:?}", compressed(0.02));
+    // What there was from the start is no change.
+    let mut history = history();
+    history.energy.iter_mut().for_each(|sample| sample.compression = 0.05);
+    assert_eq!(check(&Setting::of(&tow(&[])), &history, "soil volume")[0].value, Some(0.0));
+}
+
+#[test]
+fn voids_under_soil_are_reported() {
+    assert_eq!(only("void under soil", |h| h.energy.last_mut().unwrap().void = 0.2), Verdict::Doubtful);
+}
+
+/// A plate that is pulled out of the soil, with 0 N throughout, was good.
+#[test]
+fn a_body_without_soil_and_a_run_without_motion_are_not_good() {
+    let silent = |from: usize| {
+        let mut damaged = history();
+        for sample in damaged.bodies[0].iter_mut().skip(from) {
+            (sample.drag, sample.vertical) = (0.0, 1e-9);
+        }
+        let trust = grade(&tow(&[]), &damaged);
+        let concerns: Vec<&str> = trust.concerns().iter().map(|c| c.name.as_str()).collect();
+        assert_eq!(concerns, ["contact"]);
+        (trust.verdict, trust.concerns()[0].advice.clone())
+    };
+    assert!(silent(0).1.contains("has not met the soil"), "{:?}", silent(0));
+    assert!(silent(200).1.contains("has left the soil"), "{:?}", silent(200));
+    assert_eq!(silent(0).0, Verdict::Doubtful);
+    let stands = |h: &mut History| {
+        h.bodies[0].iter_mut().for_each(|s| s.displacement *= 1e-5);
+    };
+    assert_eq!(only("motion", stands), Verdict::Doubtful);
+}
+
+/// "166 552 045 394 %", "847 %": quotients of nearly nothing.
+#[test]
+fn figures_of_nearly_nothing_have_a_floor() {
+    let setting = Setting::of(&tow(&[]));
+    // A driven wheel whose thrust is its resistance: a pull of nothing, and noise of some newtons.
+    let mut rover = history();
+    for (n, sample) in rover.bodies[0].iter_mut().enumerate() {
+        sample.drag = -0.01 + if n % 2 == 0 { 0.3 } else { -0.3 };
+        sample.axle_torque = -1.0;
+    }
+    let noise = |history: &History| check(&setting, history, "drag noise")[0].value.unwrap();
+    assert!((2.2..3.2).contains(&noise(&rover)), "{}: 0.3 N over 1 N m/0.1 m", noise(&rover));
+    rover.bodies[0].iter_mut().for_each(|s| s.axle_torque = 0.0);
+    assert!((5.5..8.0).contains(&noise(&rover)), "{}: 0.3 N over a tenth of 40 N", noise(&rover));
+    // Nothing acts: the stress of the soil itself is the scale, and the lid has no body to be compared with.
+    let mut nothing = history();
+    nothing.bodies[0].iter_mut().for_each(|s| (s.drag, s.vertical) = (1e-9, 1e-9));
+    nothing.boundaries.iter_mut().for_each(|b| {
+        (b.stress_rise, b.lid_area, b.lid_force) = (0.02 * setting.floor_pressure, 1e-4, 1.0);
+    });
+    let value = |name: &str| check(&setting, &nothing, name)[0].value.unwrap();
+    assert!((value("stress at the boundaries") - 20.0).abs() < 1e-6);
+    assert_eq!(value("soil at the lid"), 1.0);
+    assert!(value("drag noise") < 1.0 && value("steady drag") < 1.0);
+    assert!(check(&setting, &nothing, "inertia (Froude number)").is_empty());
+    // Energies of a run in which nothing happens.
+    let last = nothing.energy.last_mut().unwrap();
+    *last = EnergySample { external: 1e-20, hourglass: 1e-15, volume_ratio: 1.0, ..*last };
+    (last.plastic, last.kinetic) = (0.0, 0.0);
+    assert!(check(&setting, &nothing, "hourglass energy")[0].value.unwrap() < 1e-3);
+}
+
+/// In single precision the elastic energy of the soil at rest changes by its last digits, which is no error of the balance.
+#[test]
+fn rounding_of_the_elastic_energy_is_not_unexplained() {
+    let closure = |precision: &str, part: f64| {
+        let setting = Setting::of(&tow(&[&format!("numerics.precision={precision}")]));
+        let rounding = 16.0 * f64::from(f32::EPSILON) * setting.elastic_at_rest;
+        let sample = EnergySample { external: 1e-9, elastic: -part * rounding, ..EnergySample::default() };
+        setting.closure(&sample)
+    };
+    assert_eq!(closure("single", 0.5), 0.0);
+    assert!(closure("single", 50.0) > 0.01, "{}", closure("single", 50.0));
+    assert!(closure("double", 0.5) > 0.0);
+}
+
 #[test]
 fn what_is_not_a_number_is_broken() {
     let mut damaged = history();
@@ -160,6 +285,50 @@ fn noise_and_step_size_are_reported() {
         let case = tow(&[&format!("numerics.courant={courant}")]);
         assert_eq!(grade(&case, &history()).verdict, verdict);
     }
+}
+
+/// Every force that a report shows is graded like the drag.
+#[test]
+fn vertical_and_lateral_forces_and_torques_are_graded() {
+    let free = Setting::of(&tow(&[]));
+    let mut held = free.clone();
+    (held.bodies[0].heaves, held.bodies[0].heaves_freely) = (false, false);
+    let pressed = |setting: &Setting| {
+        let mut setting = setting.clone();
+        setting.bodies[0].heaves = true;
+        setting
+    };
+    let history_of = |change: fn(usize, &mut BodySample)| {
+        let mut history = history();
+        history.bodies[0].iter_mut().enumerate().for_each(|(n, sample)| change(n, sample));
+        history
+    };
+    let verdict = |setting: &Setting, history: &History, name: &str| {
+        check(setting, history, name).first().map(|check| check.verdict)
+    };
+    let noisy = history_of(|n, s| s.vertical = if n % 2 == 0 { 30.0 } else { 50.0 });
+    assert_eq!(verdict(&held, &noisy, "vertical noise"), Some(Verdict::Doubtful));
+    assert_eq!(verdict(&pressed(&held), &noisy, "vertical noise"), Some(Verdict::Doubtful));
+    assert_eq!(verdict(&held, &history(), "vertical noise"), Some(Verdict::Good));
+    assert_eq!(verdict(&free, &noisy, "vertical noise"), None, "a free body bears its weight");
+    let rising = history_of(|n, s| s.vertical = 20.0 + 0.1 * n as f64);
+    assert_eq!(verdict(&held, &rising, "steady vertical force"), Some(Verdict::Doubtful));
+    assert_eq!(verdict(&pressed(&held), &rising, "steady vertical force"), None, "it grows with the depth");
+    let cells = |setting: &Setting| verdict(setting, &history(), "cells for the vertical force");
+    assert_eq!([cells(&held), cells(&free)], [Some(Verdict::Doubtful), None], "60 mm on cells of 12.5 mm");
+    let small = history_of(|n, s| s.vertical = if n % 2 == 0 { 0.2 } else { -0.2 });
+    assert_eq!(verdict(&held, &small, "vertical noise"), Some(Verdict::Good), "of a drag of 15 N");
+    let sideways = history_of(|n, s| s.lateral = if n % 2 == 0 { 30.0 } else { 50.0 });
+    assert_eq!(verdict(&free, &sideways, "lateral noise"), Some(Verdict::Doubtful));
+    assert_eq!(verdict(&free, &history(), "lateral noise"), None);
+    let mut turned = free.clone();
+    turned.bodies[0].turned_about = Some(2);
+    let torque = history_of(|n, s| s.moment_z = if n % 2 == 0 { 5.0 } else { 8.0 });
+    assert_eq!(verdict(&turned, &torque, "torque noise"), Some(Verdict::Doubtful));
+    assert_eq!(verdict(&turned, &torque, "steady torque"), Some(Verdict::Good));
+    assert_eq!(verdict(&free, &torque, "torque noise"), None);
+    let turns = Setting::of(&tow(&["body.disc.spin={ speed = '3 rad/s' }"]));
+    assert_eq!(turns.bodies[0].turned_about, Some(1));
 }
 
 #[test]

@@ -54,8 +54,22 @@ pub fn soil_mass<R: Scalar>(grid: &Grid, soil: &Soil<R>, halo: &Halo) -> f64 {
     sum_cells(grid, halo, |c, _| soil.mass[c].to_f64())
 }
 
-/// Density over that of the densest state of the soil without pressure beyond which soil is denser than it can be: pressures do not
-/// compress it elastically by a tenth.
+/// Volume by which the pressure compresses the soil elastically [m³]; not of sand, whose volume follows its own law.
+pub fn compressed_volume<R: Scalar>(model: &Model, soil: &Soil<R>, halo: &Halo) -> f64 {
+    sum_cells(&model.grid, halo, |c, volume| soil.fraction[c].to_f64() * volume * compression(model, soil, c))
+}
+
+/// Elastic volume strain of a cell, positive in compression; 0 of sand.
+fn compression<R: Scalar>(model: &Model, soil: &Soil<R>, c: usize) -> f64 {
+    let material = &model.materials[soil.main_material(c)];
+    if material.stiffening().is_some() {
+        return 0.0;
+    }
+    let pressure = -soil.stress[..3].iter().map(|stress| stress[c].to_f64()).sum::<f64>() / 3.0;
+    pressure / material.elastic.bulk
+}
+
+/// Density over that of the densest state of the soil, compressed elastically, beyond which soil is denser than it can be.
 pub const OVERDENSE: f64 = 1.1;
 
 /// Portion of the soil's mass that lies in cells denser than [`OVERDENSE`] times its densest state: an error of the solver.
@@ -65,6 +79,7 @@ pub fn overdense_portion<R: Scalar>(model: &Model, soil: &Soil<R>, halo: &Halo) 
     let mass = soil_mass(grid, soil, halo);
     let overdense = sum_cells(grid, halo, |c, volume| {
         let densest = OVERDENSE * model.materials[soil.main_material(c)].densest();
+        let densest = densest * (1.0 + compression(model, soil, c).max(0.0));
         let mass = mass_as_main(&soil.composition, &densities, soil.mass[c].to_f64(), c);
         if mass > densest * soil.fraction[c].to_f64() * volume { soil.mass[c].to_f64() } else { 0.0 }
     });

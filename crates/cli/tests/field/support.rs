@@ -59,6 +59,17 @@ impl Desk {
     }
 }
 
+impl Desk {
+    /// Figure and verdict of the check of this name in a results folder of the desk; `None` where the run has no such check.
+    pub(crate) fn graded(&self, results: &str, check: &str) -> Option<(Option<f64>, String)> {
+        let summary = self.read(&format!("{results}/summary.json"));
+        let summary: serde_json::Value = serde_json::from_str(&summary).unwrap();
+        let checks = summary["trust"]["checks"].as_array().unwrap().clone();
+        let found = checks.into_iter().find(|found| found["name"] == check)?;
+        Some((found["value"].as_f64(), found["verdict"].as_str().unwrap().to_owned()))
+    }
+}
+
 impl Answer {
     /// Both streams, without line breaks that a terminal's width has put in.
     pub(crate) fn text(&self) -> String {

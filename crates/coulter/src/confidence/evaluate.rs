@@ -132,12 +132,12 @@ impl OwnBody<'_> {
     fn force_change(&self) -> Option<f64> {
         let change = if self.is_towed() {
             let now = self.steady.drag?;
-            (now - self.earlier()?.drag?) / now
+            (now - self.earlier()?.drag?) / self.steady.drag_scale(self.reference)
         } else {
             self.setting.filter(|setting| setting.heaves && !setting.heaves_freely)?;
             let vertical: Vec<f64> = self.inside.iter().map(|s| s.vertical).collect();
             let trend = Trend::of(&vertical)?;
-            trend.change / trend.mean
+            trend.change / self.steady.scale(Some(trend.mean))
         };
         change.is_finite().then_some(change.abs())
     }

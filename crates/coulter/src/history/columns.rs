@@ -268,10 +268,22 @@ pub const ENERGY: &[Column<EnergySample>] = &[
     EnergyColumn::sampled("volume ratio", "-", "soil volume, less what has entered the domain, over that at the start", |s| &mut s.volume_ratio)
         .required(),
     EnergyColumn::sampled(
+        "elastic compression",
+        "-",
+        "volume by which the pressure compresses the soil elastically, over the volume at the start; not of sand",
+        |s| &mut s.compression,
+    ),
+    EnergyColumn::sampled(
         "overdense mass",
         "-",
-        "portion of the soil's mass in cells denser than 1.1 times its densest state without pressure",
+        "portion of the soil's mass in cells denser than 1.1 times its densest state, compressed elastically",
         |s| &mut s.overdense,
+    ),
+    EnergyColumn::sampled(
+        "void under soil",
+        "-",
+        "volume of voids under soil at rest that neither a body nor cohesion carries, over that of soil with a plastic strain above 0.1",
+        |s| &mut s.void,
     ),
 ];
 

@@ -72,6 +72,14 @@ pub struct BodySample {
     pub embedded_volume: f64,
 }
 
+impl BodySample {
+    /// Magnitude of the force of the soil [N].
+    #[must_use]
+    pub fn force(&self) -> f64 {
+        self.drag.hypot(self.vertical).hypot(self.lateral)
+    }
+}
+
 /// One line of the history of a joint, or of a part of a body. Forces are those of the first body on the second through the joint, or
 /// of the soil on the part, averaged over the interval that ends at `time`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -137,8 +145,13 @@ pub struct EnergySample {
     pub remap_loss: f64,
     /// Soil volume over the volume at the start.
     pub volume_ratio: f64,
+    /// Volume by which the pressure compresses the soil elastically, over the volume at the start; not of sand, whose law changes its
+    /// volume in other ways, too.
+    pub compression: f64,
     /// Portion of the soil's mass that is denser than it can be.
     pub overdense: f64,
+    /// Volume of voids under soil at rest that neither a body nor cohesion carries, over that of disturbed soil.
+    pub void: f64,
 }
 
 impl EnergySample {

@@ -9,8 +9,12 @@ use std::ops::Range;
 pub const NOISE_WIDTH: f64 = 0.02;
 /// Least number of samples in the moving average; with fewer the noise would vanish by construction.
 pub const NOISE_SAMPLES: usize = 5;
-/// Ratio of drag to vertical force below which there is no noticeable drag.
+/// Ratio of drag to vertical force below which a body that is not towed has no noticeable drag.
 pub(crate) const NO_DRAG: f64 = 1e-3;
+/// Part of the whole force on a body with which a smaller component is compared: relative to itself, what is almost zero is all noise.
+pub const LEAST_SCALE: f64 = 0.1;
+/// Part of the reference force γ t d² below which a force is none: the weight of the soil in some cells.
+const NO_FORCE: f64 = 1e-4;
 /// Displacement over the reference length below which a body does not count as towed.
 const NO_TOW: f64 = 1e-3;
 
@@ -57,7 +61,7 @@ pub struct Steady {
     /// What it costs to move the body, and what it pulls.
     pub traction: Traction,
     /// Scatter of the drag: root mean square of the drag less its moving average over 0.02 d (at least five samples),
-    /// over the mean drag.
+    /// over [`Steady::drag_scale`].
     pub drag_noise: Option<f64>,
     /// Whether drag and sinkage change by less than their limits over the window; `null` without a tow.
     pub is_steady: Option<bool>,
@@ -72,6 +76,31 @@ pub struct Steady {
     pub sinkage_interval: Option<[f64; 2]>,
     /// Interval of the mean turn ratio.
     pub turn_ratio_interval: Option<[f64; 2]>,
+}
+
+impl Steady {
+    /// What a component of the force on the body is compared with [N]: itself, or a tenth of the whole force where that is larger.
+    #[must_use]
+    pub fn scale(&self, component: Option<f64>) -> f64 {
+        component.unwrap_or(0.0).abs().max(LEAST_SCALE * self.whole_force())
+    }
+
+    /// What the drag is compared with [N]: as any component, or the thrust of a body that turns, torque over radius, where that is
+    /// larger: its pull is the difference of thrust and resistance.
+    #[must_use]
+    pub fn drag_scale(&self, reference: &Reference) -> f64 {
+        let turning = reference.radius.filter(|_| reference.turns);
+        let thrust = turning.zip(self.axle_torque).map_or(0.0, |(radius, torque)| (torque / radius).abs());
+        let least = NO_FORCE * reference.force().unwrap_or(0.0);
+        self.scale(self.drag).max(thrust).max(least)
+    }
+
+    /// Magnitude of the mean force [N].
+    #[must_use]
+    pub fn whole_force(&self) -> f64 {
+        let force = [self.drag, self.vertical, self.lateral].map(Option::unwrap_or_default);
+        force.iter().map(|f| f * f).sum::<f64>().sqrt()
+    }
 }
 
 /// Steady means of what it costs to move a body through the soil, and of what a driven body pulls; `null` in JSON where there is none.
@@ -99,12 +128,15 @@ pub struct Traction {
 impl Traction {
     /// From the means of drag and vertical force [N], of the power of the tow and of the axle [W].
     fn of(reference: &Reference, [drag, vertical, tow_power, axle_power]: [Option<f64>; 4]) -> Self {
-        let over = |a: Option<f64>, b: Option<f64>| finite(a? / b.filter(|b| *b > 0.0)?);
+        // What would be a thousandfold is a quotient of almost nothing.
+        let over = |a: Option<f64>, b: Option<f64>| {
+            a.zip(b).filter(|(a, b)| *b > NO_DRAG * a.abs()).map(|(a, b)| a / b)
+        };
         let axle_power = axle_power.filter(|_| reference.turns);
         Self {
             drawbar_pull: drag.map(|drag| 0.0 - drag),
             specific_resistance: over(drag, vertical),
-            drag_per_width: over(drag, Some(reference.across)),
+            drag_per_width: drag.and_then(|drag| finite(drag / reference.across)),
             tow_power,
             axle_power,
             tractive_efficiency: over(tow_power.map(|power| -power).filter(|power| *power > 0.0), axle_power),
@@ -227,17 +259,18 @@ pub fn steady(samples: &[BodySample], reference: &Reference, window: Range<usize
         finite(sum / weights.iter().sum::<f64>())
     };
     let drag = mean(|s| s.drag);
+    let vertical = mean(|s| s.vertical);
     let (first, last) = (&inside[0], &inside[inside.len() - 1]);
     let turn_ratio = mean(|s| s.spin)
         .zip(mean(|s| s.rolling_speed))
         .and_then(|(spin, speed)| reference.turn_ratio(spin, speed));
-    Steady {
+    let mut steady = Steady {
         from_m: finite(first.displacement),
         to_m: finite(last.displacement),
         from_s: finite(first.time),
         to_s: finite(last.time),
         drag,
-        vertical: mean(|s| s.vertical),
+        vertical,
         lateral: mean(|s| s.lateral),
         moment: mean(|s| s.moment_x)
             .zip(mean(|s| s.moment_y))
@@ -254,19 +287,17 @@ pub fn steady(samples: &[BodySample], reference: &Reference, window: Range<usize
         axle_torque: mean(|s| s.axle_torque),
         traction: Traction::of(
             reference,
-            [drag, mean(|s| s.vertical), mean(|s| s.drag * s.speed), mean(|s| -s.axle_torque * s.spin)],
+            [drag, vertical, mean(|s| s.drag * s.speed), mean(|s| -s.axle_torque * s.spin)],
         ),
-        // The drag of a body that is pushed down is almost zero, and noise relative to it is meaningless.
-        drag_noise: drag
-            .filter(|drag| drag.abs() > NO_DRAG * mean(|s| s.vertical).unwrap_or(0.0).abs())
-            .and_then(|drag| noise(inside, reference, drag)),
-        // Filled in from the grade of the run, and from a mesh study.
-        is_steady: None,
-        drag_interval: None,
-        vertical_interval: None,
-        sinkage_interval: None,
-        turn_ratio_interval: None,
-    }
+        // The rest is filled in below, from the grade of the run, and from a mesh study.
+        ..Steady::default()
+    };
+    // The drag of a body that is only pushed down is almost zero, and means nothing.
+    let has_drag =
+        |drag: &f64| is_tow(samples, reference) || drag.abs() > NO_DRAG * vertical.unwrap_or(0.0).abs();
+    let scale = steady.drag_scale(reference);
+    steady.drag_noise = drag.filter(has_drag).and_then(|_| noise(inside, reference, scale));
+    steady
 }
 
 /// Interval of each sample of the window; equal weights if all intervals vanish.
@@ -276,7 +307,7 @@ fn weights(samples: &[BodySample], window: Range<usize>) -> Vec<f64> {
     if weights.iter().sum::<f64>() > 0.0 { weights } else { vec![1.0; weights.len()] }
 }
 
-fn noise(inside: &[BodySample], reference: &Reference, mean: f64) -> Option<f64> {
+fn noise(inside: &[BodySample], reference: &Reference, scale: f64) -> Option<f64> {
     let drag: Vec<f64> = inside.iter().map(|s| s.drag).collect();
     let (along, width): (Vec<f64>, f64) = if is_tow(inside, reference) {
         (inside.iter().map(|s| s.displacement).collect(), NOISE_WIDTH * reference.length)
@@ -285,7 +316,7 @@ fn noise(inside: &[BodySample], reference: &Reference, mean: f64) -> Option<f64>
     };
     let smooth = moving_average(&along, &drag, width);
     let square: f64 = drag.iter().zip(&smooth).map(|(f, s)| (f - s).powi(2)).sum::<f64>() / drag.len() as f64;
-    finite(square.sqrt() / mean.abs())
+    finite(square.sqrt() / scale)
 }
 
 fn finite(value: f64) -> Option<f64> {

@@ -82,17 +82,22 @@ fn body_study(bodies: &[BodyRun]) -> BodyStudy {
     }
     let Some(finest) = bodies.last() else { return BodyStudy::default() };
     let means = &finest.steady;
-    let vertical = means.vertical.unwrap_or(0.0).abs();
+    // A sinkage of less than a cell is compared with that.
+    let depth = means.sinkage.map(|z| z.abs().max(finest.run.result.cell_m));
     let figures = Figures {
-        // A very small drag is compared with the vertical force.
         drag: interval(
             bodies,
             |s| s.drag,
             finest.error(|s| s.drag),
-            means.drag.map(|f| f.abs().max(0.1 * vertical)),
+            Some(means.drag_scale(finest.reference)),
         ),
-        vertical: interval(bodies, |s| s.vertical, finest.error(|s| s.vertical), Some(vertical)),
-        sinkage: interval(bodies, |s| s.sinkage, finest.error(|s| s.sinkage), means.sinkage.map(f64::abs)),
+        vertical: interval(
+            bodies,
+            |s| s.vertical,
+            finest.error(|s| s.vertical),
+            Some(means.scale(means.vertical)),
+        ),
+        sinkage: interval(bodies, |s| s.sinkage, finest.error(|s| s.sinkage), depth),
         turn_ratio: interval(bodies, |s| s.turn_ratio, finest.turn_ratio_error(), Some(1.0)),
     };
     BodyStudy { no_interval_because: None, figures }
@@ -151,8 +156,9 @@ impl BodyRun<'_> {
     /// Whether the vertical force of a body that is not towed changes over the window by less than that of one that is may.
     fn is_level(&self) -> bool {
         debug_assert!(!is_tow(self.samples, self.reference));
+        let scale = self.steady.scale(self.steady.vertical);
         Trend::of(&self.of(|s| s.vertical))
-            .is_some_and(|trend| 100.0 * trend.change.abs() <= limits::STEADY_DRAG.good * trend.mean.abs())
+            .is_some_and(|trend| 100.0 * trend.change.abs() <= limits::STEADY_DRAG.good * scale)
     }
 
     fn of(&self, value: fn(&BodySample) -> f64) -> Vec<f64> {

@@ -5,7 +5,7 @@ use crate::history::probes::most_pressed_lid_cell;
 use crate::history::{EnergySample, History};
 use crate::simulation::Simulation;
 use crate::trust::energy::body_force;
-use crate::trust::limits;
+use crate::trust::{Setting, limits};
 use glam::DVec3;
 use solver::error::{Breakdown, Location};
 use solver::model::Model;
@@ -30,7 +30,7 @@ pub fn watch<R: Precision>(simulation: &Simulation<R>) -> Result<(), Breakdown> 
         Err(Breakdown::Untrustworthy { what, cure: cure.to_owned(), time, step, location })
     };
     let middle = state.mechanism.bodies.first().map_or(DVec3::NAN, |body| body.pose.position);
-    if let Some(error) = fatal_balance_error(&history.energy, simulation.setting().energy_floor) {
+    if let Some(error) = fatal_balance_error(&history.energy, simulation.setting()) {
         let what = format!("{:.0} % of the energy is unexplained", 100.0 * error);
         return broken(what, limits::ENERGY_BALANCE.advice, middle);
     }
@@ -39,7 +39,7 @@ pub fn watch<R: Precision>(simulation: &Simulation<R>) -> Result<(), Breakdown> 
         let cure = "contact between bodies is not modelled: keep them apart, by their motions or by joints";
         return broken(what, cure, at);
     }
-    if let Some(per_cent) = pressed_lid(history) {
+    if let Some(per_cent) = pressed_lid(history, simulation.setting().least_force()) {
         let limit = limits::LID.doubtful;
         let what = format!(
             "soil presses against the lid with {per_cent:.1} % of the force on the bodies (limit {limit} %)"
@@ -71,15 +71,15 @@ fn latest<T>(samples: &[T]) -> Option<&[T]> {
 }
 
 /// Least relative error of the energy balance over the last samples, if it is fatal in all of them.
-fn fatal_balance_error(energy: &[EnergySample], floor: f64) -> Option<f64> {
-    let error = |e: &EnergySample| if e.scale() > floor { (e.unexplained() / e.scale()).abs() } else { 0.0 };
-    let least = latest(energy)?.iter().map(error).fold(f64::INFINITY, f64::min);
+fn fatal_balance_error(energy: &[EnergySample], setting: &Setting) -> Option<f64> {
+    let least =
+        latest(energy)?.iter().map(|sample| setting.closure(sample).abs()).fold(f64::INFINITY, f64::min);
     (least > FATAL_BALANCE_ERROR).then_some(least)
 }
 
 /// Least force on the lid over the largest recent force on the bodies [%], if it is beyond the limit in all of the last
-/// samples.
-fn pressed_lid(history: &History) -> Option<f64> {
+/// samples; `least` is a force that means anything [N].
+fn pressed_lid(history: &History, least: f64) -> Option<f64> {
     let count = history.boundaries.len();
     let force = latest(&history.boundaries)?.iter().map(|b| b.lid_force).fold(f64::INFINITY, f64::min);
     if force <= 0.0 {
@@ -87,5 +87,5 @@ fn pressed_lid(history: &History) -> Option<f64> {
     }
     let most = (count.saturating_sub(RECENT)..count).map(|n| body_force(history, n)).fold(0.0, f64::max);
     let per_cent = 100.0 * force / most;
-    (most > 0.0 && per_cent > limits::LID.doubtful).then_some(per_cent)
+    (most > least && per_cent > limits::LID.doubtful).then_some(per_cent)
 }

@@ -1,13 +1,14 @@
 //! The checks of one body: its motion, its forces, and how well the grid resolves it.
 
 use super::check::Check;
+use super::contact;
 use super::limits::{self, Limit};
 use super::setting::{BodySetting, Setting};
 use super::steadiness::Trend;
 use super::verdict::Verdict;
 use crate::history::reference::Reference;
 use crate::history::steady::{Steady, SteadyPart, is_tow, steady, window};
-use crate::history::{BodySample, History};
+use crate::history::{BodySample, History, largest};
 
 /// A body with everything that its checks need.
 pub(super) struct BodyChecks<'a> {
@@ -27,28 +28,41 @@ impl BodyChecks<'_> {
         let range = window(self.samples, self.reference, self.part);
         let steady = steady(self.samples, self.reference, range.clone());
         let inside = self.samples.get(range).unwrap_or_default();
+        let is_towed = is_tow(self.samples, self.reference);
         let mut checks = vec![self.check(&limits::LEAK, self.leak())];
+        checks.extend(contact::of_body(self.setting, self.body, self.samples, inside));
         checks.extend(self.resolution(&steady));
-        if is_tow(self.samples, self.reference) {
+        if is_towed {
             checks.extend(self.trends(inside, &steady));
             checks.extend(steady.drag_noise.map(|noise| self.check(&limits::NOISE, 100.0 * noise)));
             checks.extend(self.inertia(inside, &steady));
-            checks.extend(self.free_wheel(&steady));
+            checks.extend(self.free_wheel(inside, &steady));
         }
+        checks.extend(self.forces(inside, &steady, is_towed));
         checks.extend(self.drainage(inside));
         checks.extend(self.heave(&steady));
         checks
     }
 
-    fn check(&self, limit: &'static Limit, value: f64) -> Check {
+    pub(super) fn check(&self, limit: &'static Limit, value: f64) -> Check {
         Check::of(limit, Some(&self.body.name), value)
     }
 
-    /// Soil inside the body over its embedded volume at the end [%]; 0 for a body that hardly touches the soil.
+    /// Soil inside the body over the volume of the body that soil surrounds [%]; 0 for a body that hardly touches the soil. That of a
+    /// body that was never below the surface, as of a tray that carries soil, is the largest of the run over its whole volume: what has
+    /// passed through its floor has left it at the end.
     fn leak(&self) -> f64 {
         let Some(end) = self.samples.last() else { return 0.0 };
+        let was_below = self.samples.iter().any(|s| s.embedded_volume > 0.0);
+        let (leaked, volume) = if was_below || self.body.volume <= 0.0 {
+            // The fit of soil and body is known to a layer of one cell over its base at best.
+            let layer = (base(self.body, end.sinkage) * self.body.cell[2]).min(self.body.volume);
+            (end.leaked_volume, end.embedded_volume.max(layer))
+        } else {
+            (largest(self.samples.iter().map(|s| s.leaked_volume)), self.body.volume)
+        };
         let cell: f64 = self.body.cell.iter().product();
-        if end.leaked_volume <= 1e-3 * cell { 0.0 } else { 100.0 * end.leaked_volume / end.embedded_volume }
+        if leaked <= 1e-3 * cell { 0.0 } else { 100.0 * leaked / volume.max(1e-3 * cell) }
     }
 
     /// Cells over sinkage, contact chord and width, where the force depends on them.
@@ -57,6 +71,9 @@ impl BodyChecks<'_> {
         let mut checks = Vec::new();
         checks.extend(mesh.cells_over_sinkage.map(|n| self.check(&limits::SINKAGE_CELLS, n)));
         checks.extend(mesh.cells_over_chord.map(|n| self.check(&limits::CHORD_CELLS, n)));
+        if is_tow(self.samples, self.reference) && self.shows_vertical(steady) {
+            checks.extend(mesh.cells_over_sinkage.map(|n| self.check(&limits::VERTICAL_CELLS, n)));
+        }
         let width = self.body.thickness.or(self.body.extent[1]);
         checks.extend(width.map(|y| self.check(&limits::WIDTH_CELLS, y / self.body.cell[1])));
         checks
@@ -64,9 +81,7 @@ impl BodyChecks<'_> {
 
     fn trends(&self, inside: &[BodySample], steady: &Steady) -> Vec<Check> {
         let trend = |value: fn(&BodySample) -> f64| Trend::of(&inside.iter().map(value).collect::<Vec<_>>());
-        let vertical = steady.vertical.unwrap_or(0.0).abs();
-        // A very small drag is compared with the vertical force.
-        let drag = steady.drag.unwrap_or(0.0).abs().max(0.1 * vertical);
+        let drag = steady.drag_scale(self.reference).max(self.setting.least_force());
         let mut checks = vec![self.trend(&limits::STEADY_DRAG, trend(|s| s.drag), drag)];
         if self.body.heaves_freely {
             let depth = steady.sinkage.unwrap_or(0.0).abs().max(self.body.cell[2]);
@@ -76,7 +91,7 @@ impl BodyChecks<'_> {
     }
 
     /// The change of a quantity over the window relative to its size; doubtful where the window has too few samples.
-    fn trend(&self, limit: &'static Limit, trend: Option<Trend>, scale: f64) -> Check {
+    pub(super) fn trend(&self, limit: &'static Limit, trend: Option<Trend>, scale: f64) -> Check {
         match trend {
             Some(trend) if scale > 0.0 => self.check(limit, 100.0 * trend.change.abs() / scale),
             Some(_) => self.check(limit, 0.0),
@@ -94,7 +109,8 @@ impl BodyChecks<'_> {
         let force = steady.drag?.hypot(steady.vertical?);
         let speed = inside.iter().map(|s| s.speed.abs()).sum::<f64>() / inside.len().max(1) as f64;
         let added = analytic::inertia_pressure(self.setting.density, speed) * depth * self.reference.across;
-        (force > 0.0).then(|| self.check(&limits::INERTIA, 100.0 * added / force))
+        // Where no force acts, the check of contact speaks.
+        (force > self.setting.least_force()).then(|| self.check(&limits::INERTIA, 100.0 * added / force))
     }
 
     /// The drainage number at the mean speed over the window.
@@ -114,9 +130,9 @@ impl BodyChecks<'_> {
         Some(if is_accepted { Check { verdict: Verdict::Doubtful, ..check } } else { check })
     }
 
-    /// How far the turn ratio of a wheel without torque lies outside its physical range.
-    fn free_wheel(&self, steady: &Steady) -> Option<Check> {
-        let ratio = steady.turn_ratio.filter(|_| self.body.turns_freely)?;
+    /// How far the turn ratio of a wheel without torque lies outside its physical range, unless the wheel stands.
+    fn free_wheel(&self, inside: &[BodySample], steady: &Steady) -> Option<Check> {
+        let ratio = steady.turn_ratio.filter(|_| self.body.turns_freely && is_tow(inside, self.reference))?;
         Some(self.check(&limits::FREE_WHEEL, (-ratio).max(ratio - 1.0).max(0.0)))
     }
 
@@ -125,6 +141,7 @@ impl BodyChecks<'_> {
         let mut checks = Vec::new();
         if self.body.heaves_freely
             && self.has_touched()
+            && !self.is_above_ground()
             && let (Some(sinkage), Some(height)) = (steady.sinkage, self.body.extent[2])
         {
             checks.push(self.check(&limits::RIDING_HEIGHT, (-100.0 * sinkage / height).max(0.0)));
@@ -137,11 +154,24 @@ impl BodyChecks<'_> {
         checks
     }
 
+    /// Whether the body has been above the ground all the time, where it may have met a soil body.
+    fn is_above_ground(&self) -> bool {
+        self.setting.heaped && self.samples.iter().all(|s| s.sinkage <= 0.0)
+    }
+
     /// Whether the body has been in the soil.
     fn has_touched(&self) -> bool {
         !self.history.boundaries.is_empty()
             && self.samples.iter().any(|s| s.sinkage > 0.0 || s.vertical > 0.0)
     }
+}
+
+/// Area of a body's base at a sinkage of at least a cell [m²]; of a round body its chord times its width.
+pub(super) fn base(body: &BodySetting, sinkage: f64) -> f64 {
+    let [length, width, height] = [0, 1, 2].map(|axis| body.extent[axis].unwrap_or(body.cell[axis]));
+    let depth = sinkage.min(height).max(body.cell[2]);
+    let chord = |d: f64| 2.0 * (depth.min(0.5 * d) * (d - depth.min(0.5 * d))).sqrt();
+    body.diameter.map_or(length, chord) * width
 }
 
 /// How well the grid resolves a body's contact with the ground.
@@ -155,9 +185,12 @@ pub struct Mesh {
 
 impl Mesh {
     /// The sinkage matters for a towed body and for a round one, not for a flat base that is pressed down; the chord for all
-    /// but a towed body with a flat front.
+    /// but a towed body with a flat front. Neither is defined for a body that is above the ground all the time.
     #[must_use]
     pub fn of(body: &BodySetting, reference: &Reference, samples: &[BodySample], steady: &Steady) -> Self {
+        if samples.iter().all(|s| s.sinkage <= 0.0 && s.embedded_volume <= 0.0) {
+            return Self::default();
+        }
         let depth = steady.sinkage.map(|z| z.max(0.0));
         let is_towed = is_tow(samples, reference);
         let matters = is_towed || body.diameter.is_some();

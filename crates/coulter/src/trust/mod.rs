@@ -5,8 +5,10 @@
 
 pub mod body;
 mod check;
+mod contact;
 pub mod documentation;
 pub(crate) mod energy;
+mod forces;
 pub mod limits;
 mod setting;
 pub mod steadiness;
@@ -56,6 +58,7 @@ impl Trust {
             checks.push(Check { advice: why.to_owned(), ..Check::of(&limits::COMPLETED, None, 1.0) });
         }
         checks.extend(energy::checks(setting, history));
+        checks.extend(contact::of_motion(setting, history));
         for (n, reference) in references.iter().enumerate() {
             if let (Some(body), Some(samples)) = (setting.bodies.get(n), history.bodies.get(n)) {
                 let body_checks = body::BodyChecks { setting, body, reference, samples, history, part };

@@ -168,7 +168,7 @@ fn csv_headers_are_a_contract() {
     assert_eq!(
         header(ENERGY),
         "time [s],external [J],kinetic [J],elastic [J],plastic [J],friction [J],contact method [J],viscous [J],hourglass [J],seepage [J],\
-         remap loss [J],closure [-],volume ratio [-],overdense mass [-]"
+         remap loss [J],closure [-],volume ratio [-],elastic compression [-],overdense mass [-],void under soil [-]"
     );
     assert_eq!(
         header(BOUNDARIES),

@@ -290,7 +290,9 @@ pub(crate) fn history(case: &Case, count: usize) -> History {
             seepage: 0.0,
             remap_loss: 0.01 * work,
             volume_ratio: 1.0 + 2e-4 * time / 6.0,
+            compression: 0.0,
             overdense: 0.0,
+            void: 0.0,
         });
     }
     History {

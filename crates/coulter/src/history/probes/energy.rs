@@ -2,7 +2,7 @@
 
 use crate::history::EnergySample;
 use solver::balance;
-use solver::energy::{overdense_portion, soil_volume};
+use solver::energy::{compressed_volume, overdense_portion, soil_volume};
 use solver::halo::Halo;
 use solver::model::Model;
 use solver::precision::Precision;
@@ -26,6 +26,9 @@ pub(super) fn sample<R: Precision>(model: &Model, state: &State<R>, halo: &Halo)
         remap_loss: terms.remap * whole,
         volume_ratio: (soil_volume(&model.grid, &state.soil, halo) - terms.inflow_volume)
             / terms.volume_start,
+        compression: compressed_volume(model, &state.soil, halo) / terms.volume_start,
         overdense: overdense_portion(model, &state.soil, halo),
+        // Of its own probe.
+        void: 0.0,
     }
 }

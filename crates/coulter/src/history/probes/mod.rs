@@ -11,8 +11,9 @@ mod joint;
 mod last_sample;
 mod part;
 mod rim;
+mod voids;
 
-use super::History;
+use super::{EnergySample, History};
 use crate::case::Case;
 use crate::case::tow::TowDirection;
 pub use boundary::most_pressed_lid_cell;
@@ -44,7 +45,8 @@ pub fn sample<R: Precision>(
     for (n, (rim, tow)) in history.rims.iter_mut().zip(tows).enumerate() {
         rim.push(state.time, rim::sums(model, &state.bodies[n], *tow));
     }
-    history.energy.push(energy::sample(model, state, halo));
+    let void = voids::sample(case, model, state, halo);
+    history.energy.push(EnergySample { void, ..energy::sample(model, state, halo) });
     history.boundaries.push(boundary::sample(case, model, state, halo));
     *last = LastSample::of(state);
 }

@@ -5,6 +5,7 @@ use super::curve::{Curve, Stroke};
 use super::plot::Plot;
 use crate::history::EnergySample;
 use crate::output::units::{Unit, largest};
+use crate::trust::Setting;
 
 /// An entry of the energy balance with its name.
 type Entry = (&'static str, fn(&EnergySample) -> f64);
@@ -60,8 +61,8 @@ pub fn energy_plot(energy: &[EnergySample]) -> Plot {
 
 /// The errors of the energy and volume balances against time, in percent.
 #[must_use]
-pub fn closure_plot(energy: &[EnergySample]) -> Plot {
-    let points = energy.iter().map(|e| [e.time, 100.0 * e.closure()]).collect();
+pub fn closure_plot(setting: &Setting, energy: &[EnergySample]) -> Plot {
+    let points = energy.iter().map(|e| [e.time, 100.0 * setting.closure(e)]).collect();
     let volume = energy.iter().map(|e| [e.time, 100.0 * (e.volume_ratio - 1.0)]).collect();
     let chart = Chart {
         title: "Errors of the balances".to_owned(),

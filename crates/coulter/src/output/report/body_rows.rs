@@ -93,7 +93,7 @@ pub(super) fn body_rows(
     rut_rows(&mut further, rut);
     further.push_rim(&body.rim);
     let noise = steady.drag_noise.map_or(NONE.to_owned(), |n| format!("{} %", digits(100.0 * n)));
-    let note = "rms about a moving mean over 0.02 d, over the mean drag";
+    let note = "rms about a moving mean over 0.02 d, over the mean drag (at least a tenth of the force, or the thrust)";
     further.push("Drag noise", "", [noise, NONE.into()], note);
     [key, further].map(|table| {
         table

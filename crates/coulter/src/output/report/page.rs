@@ -129,7 +129,7 @@ pub(crate) fn write_report(
         let [rows, further] = body_rows(reference, body, rut);
         bodies.push(BodySection { tiles, rows, further, ..body_section(record, reference, body, plots) });
     }
-    let balance_plots = vec![energy_plot(&history.energy), closure_plot(&history.energy)];
+    let balance_plots = vec![energy_plot(&history.energy), closure_plot(&record.setting, &history.energy)];
     write_plots(dir, &balance_plots)?;
     let page = Page {
         facts: facts(record, summary),
@@ -146,7 +146,7 @@ pub(crate) fn write_report(
         confidence: confidence::section(summary),
         meshes: mesh_sections(dir, summary)?,
         pictures: pictures(dir)?,
-        energy: energy_rows(summary),
+        energy: energy_rows(record, summary),
         balances: balance_rows(record, summary),
         balance_plots: balance_plots.into_iter().map(figure).collect(),
         statistics: statistics(record, summary),

@@ -117,10 +117,12 @@ pub(super) fn scales_text(record: &RunRecord, reference: &Reference) -> String {
     }
 }
 
-pub(super) fn energy_rows(summary: &Summary) -> Vec<TableRow> {
+pub(super) fn energy_rows(record: &RunRecord, summary: &Summary) -> Vec<TableRow> {
     let energy = &summary.energy;
+    // Of no energy there are no parts.
+    let all = energy.external.filter(|all| all.abs() > record.setting.energy_floor);
     let per_cent = |e: Option<f64>| {
-        let ratio = e.zip(energy.external).filter(|(_, all)| *all != 0.0).map(|(e, all)| e / all);
+        let ratio = e.zip(all).map(|(e, all)| e / all);
         ratio.map_or(NONE.to_owned(), |r| format!("{} %", digits(100.0 * r)))
     };
     let entries = [

@@ -11,7 +11,7 @@ use crate::output::fields::SurfaceFigures;
 use crate::output::files::{Inside, OutputError, SUMMARY, read_json, write_json};
 use crate::output::folder::{RunRecord, StageRecord};
 use crate::trust::body::Mesh;
-use crate::trust::{Check, Trust};
+use crate::trust::{Check, Setting, Trust};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -109,7 +109,8 @@ pub struct EnergySummary {
     /// Kinetic and elastic energy lost in remaps [J].
     #[serde(rename = "remap_loss_J")]
     pub remap_loss: Option<f64>,
-    /// Relative error of the energy balance: unexplained energy over the external work.
+    /// Relative error of the energy balance: unexplained energy, beyond rounding, over the largest of external work, plastic
+    /// dissipation and kinetic energy.
     pub closure: Option<f64>,
 }
 
@@ -262,8 +263,9 @@ pub struct MeshSummary {
     pub cells_over_chord: Option<f64>,
 }
 
-impl From<&EnergySample> for EnergySummary {
-    fn from(e: &EnergySample) -> Self {
+impl EnergySummary {
+    /// The entries of a sample, in a case with these facts.
+    fn of(e: &EnergySample, setting: &Setting) -> Self {
         let finite = |value: f64| value.is_finite().then_some(value);
         Self {
             external: finite(e.external),
@@ -276,7 +278,7 @@ impl From<&EnergySample> for EnergySummary {
             hourglass: finite(e.hourglass),
             seepage: finite(e.seepage),
             remap_loss: finite(e.remap_loss),
-            closure: finite(e.closure()),
+            closure: finite(setting.closure(e)),
         }
     }
 }
@@ -340,7 +342,7 @@ impl Summary {
             })
             .collect();
         let last = history.energy.last();
-        self.energy = last.map(EnergySummary::from).unwrap_or_default();
+        self.energy = last.map(|e| EnergySummary::of(e, &record.setting)).unwrap_or_default();
         self.soil.volume_ratio = last.map(|e| e.volume_ratio).filter(|v| v.is_finite());
         let leaks = history.bodies.iter().filter_map(|samples| samples.last());
         self.soil.leaked_m3 = leaks.map(|s| s.leaked_volume).filter(|v| v.is_finite()).sum::<f64>() + 0.0;
