@@ -127,7 +127,7 @@ mod tests {
         made.warnings.push("The range is wide.".into());
         let html = page(&made).unwrap();
         assert!(
-            html.contains("<h1>Angles &amp; &lt;depths&gt;</h1>")
+            html.contains("<h1><bdi>Angles &amp; &lt;depths&gt;</bdi></h1>")
                 && html.contains("prefers-color-scheme: dark")
         );
         let [gap, chart] = ["1 of 40 rows are not used", "<svg"].map(|text| html.find(text).unwrap());
