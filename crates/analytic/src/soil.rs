@@ -59,6 +59,12 @@ impl Soil {
         Ok(Self { friction_angle: angle, dilation_angle: angle, cohesion, ..*self })
     }
 
+    /// How rough a base on undrained clay is, 0 to 1: its friction under the pressure of a strip over s_u, at most the adhesion factor.
+    #[must_use]
+    pub fn roughness_of_clay(&self) -> f64 {
+        (self.body_friction * (2.0 + std::f64::consts::PI)).min(self.adhesion_factor)
+    }
+
     /// Undrained shear strength [Pa] at a depth [m].
     #[must_use]
     pub fn strength_at(&self, depth: f64) -> f64 {

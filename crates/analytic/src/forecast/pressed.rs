@@ -11,7 +11,6 @@ use crate::capacity::ultimate_pressure;
 use crate::disc::{Disc, equilibrium_depth, indentation_force};
 use crate::error::{ModelResult, undefined};
 use crate::resistive::{Facet, Motion, PlanarLaw, SpatialLaw, Traction, rim_facets, wrench};
-use crate::soil::Soil;
 
 /// Width over breadth that stands for an infinite strip.
 const STRIP: f64 = 1e9;
@@ -159,7 +158,7 @@ fn pipe(towing: &Towing) -> ModelResult<Force<'_>> {
     if !towing.soil.is_undrained() {
         return undefined(Candidate::Pipe.name(), "it is for undrained clay");
     }
-    let roughness = roughness_on_clay(&towing.soil);
+    let roughness = towing.soil.roughness_of_clay();
     Ok(Box::new(move |z| {
         Ok(pipe.length * crate::pipe::pipe_penetration(&towing.soil, pipe.diameter, z, roughness)?)
     }))
@@ -173,7 +172,7 @@ fn base_ratio(towing: &Towing, plate: &Plate) -> ModelResult<f64> {
     let soil = &towing.soil;
     if soil.is_undrained() {
         let is_round = plate.outline == Outline::Circle;
-        return Ok(if is_round { round_over_square(roughness_on_clay(soil)) } else { 1.0 });
+        return Ok(if is_round { round_over_square(soil.roughness_of_clay()) } else { 1.0 });
     }
     if soil.cohesion > 0.0 {
         return Ok(1.0);
@@ -182,11 +181,6 @@ fn base_ratio(towing: &Towing, plate: &Plate) -> ModelResult<f64> {
     let roughness = (soil.body_friction / (ROUGH * phi.tan())).min(1.0);
     let smooth = weight_factor_exact_smooth(phi)? / weight_factor_martin_rough(phi)?;
     Ok(smooth.powf(1.0 - roughness))
-}
-
-/// How rough a base on clay is, 0 to 1: its friction under the pressure of a strip over s_u, at most the adhesion factor.
-pub(super) fn roughness_on_clay(soil: &Soil) -> f64 {
-    (soil.body_friction * (2.0 + std::f64::consts::PI)).min(soil.adhesion_factor)
 }
 
 /// The vertical force of a traction law; `projected` maps facets to those of the law.

@@ -1,6 +1,5 @@
 //! Cones and piles at depth, and bodies that are pulled up, as bodies of the forecast.
 
-use super::pressed::roughness_on_clay;
 use super::{Body, Candidate, Outline, Penetrometer, Plate, Towing};
 use crate::bearing::{Footing, round_over_square, undrained_factor};
 use crate::error::{ModelResult, undefined, within};
@@ -64,7 +63,7 @@ fn clay_pressure(
     [shoulder, mean]: [f64; 2],
 ) -> ModelResult<f64> {
     let soil = &towing.soil;
-    let roughness = roughness_on_clay(soil);
+    let roughness = soil.roughness_of_clay();
     let strength = soil.strength_at(shoulder);
     let growth = soil.strength_gradient * diameter / strength;
     let shallow = conical_factor(cone.apex, shoulder / diameter, growth, roughness)? * strength;
@@ -81,7 +80,7 @@ fn pile_pressure(towing: &Towing, plate: &Plate, z: f64) -> ModelResult<f64> {
     let (width, length) = (plate.width, plate.width);
     if soil.is_undrained() {
         let factor = undrained_factor(&Footing { width, length, depth: z, load_inclination: 0.0 })?;
-        let round = round_over_square(roughness_on_clay(soil));
+        let round = round_over_square(soil.roughness_of_clay());
         return Ok(factor * round * soil.strength_at(z) + soil.unit_weight * z);
     }
     let deep = end_pressure(soil, &stiffness(towing)?, towing.rest_pressure, z)?;
@@ -116,7 +115,7 @@ impl Shaft {
         let [top, bottom] = self.reach;
         if towing.soil.is_undrained() {
             let mean = towing.soil.strength_at(0.5 * (top + bottom));
-            return Ok(roughness_on_clay(&towing.soil) * mean * PI * self.diameter * (bottom - top));
+            return Ok(towing.soil.roughness_of_clay() * mean * PI * self.diameter * (bottom - top));
         }
         let stiffness = stiffness(towing)?;
         let end = |depth: f64| end_pressure(&towing.soil, &stiffness, towing.rest_pressure, depth + self.tip);
@@ -132,7 +131,7 @@ pub(super) fn held(towing: &Towing, z: f64) -> ModelResult<f64> {
     }
     match &towing.body {
         Body::Pipe(pipe) => {
-            let rest = (towing.rest_pressure, roughness_on_clay(soil));
+            let rest = (towing.rest_pressure, soil.roughness_of_clay());
             Ok(pipe.length * pipe_uplift(soil, pipe.diameter, z - 0.5 * pipe.diameter, rest)?)
         }
         Body::Plate(plate) => {

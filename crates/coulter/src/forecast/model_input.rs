@@ -60,13 +60,7 @@ pub fn model_input(case: &Case) -> Result<ModelInput, String> {
     if let (Body::Block(block), Load::Sinkage(z)) = (&mut body, load) {
         block.has_base = z < ground.depth() * (1.0 - 1e-9);
     }
-    let drive = match &body {
-        _ if matches!(course, Course::Pressed | Course::Raised) => Drive::Locked,
-        Body::Block(_) | Body::Plate(_) | Body::Cone(_) | Body::Pipe(_) => Drive::Locked,
-        Body::Disc(_) => drive(first, 0.5 * body.length())?,
-        Body::Faceted(_) if first.shape.rolling_diameter().is_some() => drive(first, 0.5 * body.length())?,
-        Body::Faceted(_) => Drive::Locked,
-    };
+    let drive = drive_of(first, &body, course)?;
     let is_towed = !matches!(course, Course::Pressed | Course::Raised);
     if is_towed && drive == Drive::Locked && !matches!(first.spin(), Motion::Fixed) {
         remarks.push(format!("`{}` may rotate; the models assume that it does not", first.name));
@@ -363,6 +357,17 @@ fn load(
         short(deepest)
     ));
     Ok(Load::Sinkage(deepest))
+}
+
+/// How a body is driven, as far as its models know: one that cannot roll, or moves straight down or up, is locked.
+fn drive_of(towed: &Towed, body: &Body, course: Course) -> Result<Drive, String> {
+    Ok(match body {
+        _ if matches!(course, Course::Pressed | Course::Raised) => Drive::Locked,
+        Body::Block(_) | Body::Plate(_) | Body::Cone(_) | Body::Pipe(_) => Drive::Locked,
+        Body::Disc(_) => drive(towed, 0.5 * body.length())?,
+        Body::Faceted(_) if towed.shape.rolling_diameter().is_some() => drive(towed, 0.5 * body.length())?,
+        Body::Faceted(_) => Drive::Locked,
+    })
 }
 
 /// The condition at the axle of a body of this radius [m]; a prescribed rotation gives the slip.
