@@ -162,7 +162,6 @@ fn surfaces_that_bound_no_body_are_refused() {
     };
     refused_in_all(&with(&|s| s.triangles.truncate(47)), "not closed: 3 edges");
     refused_in_all(&with(&|s| s.triangles.truncate(20)), "not closed");
-    refused_in_all(&with(&|s| s.triangles.push(s.triangles[0])), "More than two".to_lowercase().as_str());
     refused_in_all(&with(&|s| s.points[5][1] = f64::NAN), "finite");
     refused_in_all(&with(&|s| s.points[5][1] = f64::INFINITY), "finite");
     refused_in_all(&with(&|s| s.points.iter_mut().for_each(|x| x[1] = 0.0)), "");
@@ -217,6 +216,38 @@ fn what_can_be_repaired_is_repaired_with_a_report() {
         let report = load(folder.path(), name, &hollow, "mm").unwrap().report().clone();
         assert!(report.cavities == 1 && (report.volume - 8.75e-4).abs() < 1e-9, "{name}: {report:?}");
     }
+    // A facet there twice, one that hangs by an edge, a seam, a corner in the middle of another facet's edge.
+    repaired_in_all(
+        &with(&|s| s.triangles.push(s.triangles[0])),
+        volume,
+        "1 triangles that were there twice were dropped, at (",
+    );
+    repaired_in_all(
+        &with(&|s| {
+            let [a, b, _] = s.triangles[7];
+            s.points.push([0.0, 40.0, 110.0]);
+            s.triangles.push([a, b, s.points.len() as u32 - 1]);
+        }),
+        volume,
+        "1 triangles of a flap",
+    );
+    let mut seam = whole.as_soup();
+    for (x, t) in seam.points.iter_mut().zip((0..).map(|n| n / 3)) {
+        x[1] += if t % 4 == 1 { 2e-3 } else { 0.0 };
+    }
+    repaired_in_all(&seam, volume, "a seam of 24 edges was closed, at (");
+    repaired_in_all(
+        &with(&|s| {
+            let [a, b, c] = s.triangles[2];
+            let middle = [0, 1, 2].map(|n| 0.5 * (s.points[a as usize][n] + s.points[b as usize][n]));
+            s.points.push(middle);
+            let new = s.points.len() as u32 - 1;
+            s.triangles[2] = [a, new, c];
+            s.triangles.push([new, b, c]);
+        }),
+        volume,
+        "1 triangles were divided at corners",
+    );
     // Points that differ by the rounding of a program that writes six digits.
     let mut rounded = whole.as_soup();
     rounded.points.iter_mut().enumerate().for_each(|(n, x)| x[0] += 1e-5 * f64::from(n as u32 % 5));
@@ -341,20 +372,95 @@ fn what_is_not_a_file_is_refused() {
 }
 
 #[test]
-fn a_face_that_no_corner_sees_whole_is_refused() {
-    let star: String = (0..16)
-        .map(|n| {
+fn faces_that_no_corner_sees_whole_are_divided_and_crossing_ones_refused() {
+    // A star of 16 corners, 5 thick, its ends one face each; on lines that go on.
+    let star = |z: f64| {
+        (0..16_u32).map(move |n| {
             let (angle, radius) =
-                (f64::from(n) * std::f64::consts::TAU / 16.0, if n % 2 == 0 { 10.0 } else { 2.0 });
-            format!("v {} {} 0\n", radius * angle.cos(), radius * angle.sin())
+                (f64::from(n) * std::f64::consts::TAU / 16.0, if n % 2 == 0 { 10.0 } else { 4.0 });
+            format!("v {} {} {z}\n", radius * angle.cos(), radius * angle.sin())
         })
-        .collect();
+    };
+    let numbers = |n: Vec<u32>| n.iter().map(u32::to_string).collect::<Vec<_>>().join(" \\\n");
+    let points: String = star(0.0).chain(star(5.0)).collect();
+    let sides: String =
+        (1..=16_u32).map(|n| format!("f {n} {} {} {}\n", n % 16 + 1, n % 16 + 17, n + 16)).collect();
+    let text = |low: Vec<u32>| {
+        let ends = format!("f {}\nf {}\n", numbers(low), numbers((17..=32).collect()));
+        format!("# Units: mm\n{points}{ends}{sides}")
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let whole = text((1..=16).rev().collect());
+    let mesh = load(folder.path(), "star.obj", whole.as_bytes(), "mm").unwrap();
+    let area = 8.0 * 10.0 * 4.0 * (std::f64::consts::TAU / 16.0).sin();
+    assert!((1e9 * mesh.report().volume / (5.0 * area) - 1.0).abs() < 1e-12, "{:?}", mesh.report());
+    assert!(mesh.report().repairs.is_empty(), "{:?}", mesh.report());
+    let mut crossed: Vec<u32> = (1..=16).rev().collect();
+    crossed.swap(3, 9);
     refused(
         "star.obj",
-        format!("{star}f 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16\n").as_bytes(),
+        text(crossed).as_bytes(),
         "mm",
-        "not convex",
+        "line 49: a face of 16 corners crosses itself: mend the face",
     );
+    // One corner of it is lifted.
+    let bent = whole.replacen("v 10 0 5\n", "v 10 0 5.1\n", 1);
+    let mesh = load(folder.path(), "star.obj", bent.as_bytes(), "mm").unwrap();
+    assert!(mesh.report().repairs[0].contains("faces are not plane, by up to"), "{:?}", mesh.report());
+}
+
+#[test]
+fn the_unit_that_a_file_states_is_used_or_contradicted() {
+    let folder = tempfile::tempdir().unwrap();
+    let surface = disc(12, 8.0, 2.0);
+    let binary = |header: &str| {
+        let mut bytes = files::binary_stl(&surface);
+        bytes[..80].fill(b' ');
+        bytes[..header.len()].copy_from_slice(header.as_bytes());
+        bytes
+    };
+    let of = |name: &str| ENCODINGS.iter().find(|(known, _)| *known == name).unwrap().1(&surface);
+    let text = |name: &str, from: &str, to: &str| {
+        String::from_utf8_lossy(&of(name)).replacen(from, to, 1).into_bytes()
+    };
+    let low = [b"ply\ncomment unit: inch\n", &of("low.ply")[4..]].concat();
+    for (name, bytes, place) in [
+        ("a.stl", binary("UNITS=in COLOR=abcd"), "in its header"),
+        ("b.stl", text("text.stl", "solid part", "solid part units=IN"), "line 1"),
+        ("a.obj", text("faces.obj", "# part", "# part\n# Units: inches"), "line 2"),
+        ("a.ply", text("text.ply", "comment part", "obj_info unit of measure: inch"), "line 3"),
+        ("b.ply", low, "line 2"),
+    ] {
+        let metres = load(folder.path(), name, &bytes, "in").unwrap().report().size.y;
+        assert!((metres - 0.0508).abs() < 1e-9);
+        let taken = MeshBody::load(folder.path(), name, None).unwrap();
+        assert!(taken.unit == 0.0254 && (taken.report().size.y - 0.0508).abs() < 1e-9, "{name}");
+        let problem = load(folder.path(), name, &bytes, "mm").unwrap_err().to_string();
+        for words in [place, "unit = \"mm\"", "write unit = \"in\""] {
+            assert!(problem.contains(words), "{name}: {problem}");
+        }
+    }
+    for bytes in [binary(""), binary("COLOR=abcd,MATERIAL=efgh"), binary("unit 7 of the harrow")] {
+        assert!(load(folder.path(), "c.stl", &bytes, "in").unwrap().report().repairs.is_empty());
+        let problem = MeshBody::load(folder.path(), "c.stl", None).unwrap_err().to_string();
+        assert!(problem.contains("does not state the unit") && problem.contains("add  unit ="), "{problem}");
+    }
+    let odd = load(folder.path(), "c.stl", &binary("units=furlong"), "in").unwrap();
+    assert!(odd.report().repairs[0].contains("`units=furlong`"), "{:?}", odd.report());
+}
+
+#[test]
+fn large_meshes_and_fans_are_read_and_laid_out_in_seconds() {
+    let folder = tempfile::tempdir().unwrap();
+    for segments in [4000, 90_000] {
+        // Its ends are fans about the middle.
+        let bytes = files::binary_stl(&disc(segments, 200.0, 50.0));
+        let mesh = load(folder.path(), "fan.stl", &bytes, "mm").unwrap();
+        let began = Instant::now();
+        let solid = coulter::case::shapes::CaseShape::solid(&mesh);
+        let points = solid.surface_points(glam::DVec3::splat(2e-3), glam::DVec3::splat(2e-3));
+        assert!(points.len() > 10_000 && began.elapsed() < Duration::from_secs(20), "{:?}", began.elapsed());
+    }
 }
 
 /// Peak memory of this process [bytes].

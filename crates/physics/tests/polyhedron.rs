@@ -48,7 +48,7 @@ fn time_of_a_distance() {
         let sum: f64 = points.iter().map(|x| solid.signed_distance(*x)).sum();
         let each = began.elapsed().as_secs_f64() / points.len() as f64;
         let began = Instant::now();
-        assert!(repaired(mesh).is_ok());
+        assert!(repaired(&mesh).is_ok());
         let checked = began.elapsed().as_secs_f64();
         let triangles = solid.surface().triangles.len();
         println!(

@@ -1,9 +1,10 @@
 //! Small ones: text that a spreadsheet would compute; weights in plane strain; numbers at the ends of what a computer holds, stages that
-//! begin where they should end, negative counts.
+//! begin where they should end, negative counts; a block of millions of contact points.
 
 use super::strangers::{CASE, STUDY, snapshot};
 use super::support::Desk;
 use serde_json::Value;
+use std::time::{Duration, Instant};
 
 #[test]
 fn no_table_holds_a_formula() {
@@ -158,4 +159,17 @@ fn a_negative_count_is_refused_for_its_range() {
         answer.says(&["invalid value"]);
         assert!(!answer.text().contains("-- -"), "{}", answer.text());
     }
+}
+
+/// Of millions of contact points none is laid out.
+#[test]
+fn a_large_block_is_checked_in_seconds_and_little_memory() {
+    let case = "format = 2\nsoil = { law = 'mohr-coulomb', friction_angle = '35 deg', unit_weight = '16 kN/m^3', young_modulus = '2 MPa' }\n\
+                grid = { cell = '50 mm' }\nrun = { duration = '0.1 s' }\n[body.b]\nshape = 'block'\nsize = ['14 m', '14 m', '14 m']\n\
+                friction = 0.3\nsinkage = '60 mm'\n";
+    let desk = Desk::with(&[("case.toml", case)]);
+    let began = Instant::now();
+    desk.expect(0, &["check", "case.toml"]).says(&["run time about", "contact points"]);
+    // Seconds; on a busy machine more.
+    assert!(began.elapsed() < Duration::from_secs(40), "{:?}", began.elapsed());
 }

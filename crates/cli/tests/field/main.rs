@@ -38,6 +38,7 @@ mod field_14_forecast_pull_of_grousered_wheel;
 mod field_15_measured_csv_dialects;
 mod field_18_scattered_and_asc_heights;
 mod field_19_vane_torque;
+mod field_20_floor_of_the_tray;
 mod field_20_tray_of_soil;
 mod field_21_overburden_in_a_closed_box;
 mod user_11_study_page;

@@ -122,8 +122,9 @@ fn all_rim_bins(case: &Case) -> f64 {
     model.bodies.iter().map(|body| rim_bins(&model, body)).sum()
 }
 
-/// The body with the most contact points: its name and their number.
-pub(super) fn most_contact_points(case: &Case) -> Option<(String, f64)> {
+/// The body with the most contact points: its name and their number, without laying them out.
+#[must_use]
+pub fn most_contact_points(case: &Case) -> Option<(String, f64)> {
     let model = model(case, LANES);
     let points = model.bodies.iter().map(|body| (body.name.clone(), surface_points(&model, body)));
     points.max_by(|a, b| a.1.total_cmp(&b.1))

@@ -48,6 +48,7 @@ pub mod shapes;
 pub mod slope;
 mod stage;
 mod told;
+mod thickness;
 mod toml_tree;
 pub mod tow;
 mod tree;

@@ -1,8 +1,8 @@
 //! Facets and sharp edges of a triangle mesh.
 
+use super::edges::{Side, by_edge, sides};
 use super::mesh::Mesh;
 use glam::DVec3;
-use std::collections::BTreeMap;
 
 /// Cosine of the angle between the normals of two triangles beyond which their common edge is sharp: 25°.
 pub(super) const SHARP: f64 = 0.906;
@@ -27,37 +27,29 @@ pub(super) fn normals(mesh: &Mesh) -> Vec<DVec3> {
     mesh.triangles.iter().map(normal).collect()
 }
 
-/// A triangle at an edge, and its corner opposite to it.
-type Side = (usize, u32);
-
 impl Facets {
     /// The facets of a mesh whose triangles share their points.
     pub(super) fn new(mesh: &Mesh, normals: &[DVec3]) -> Self {
-        let mut edges: BTreeMap<[u32; 2], Vec<Side>> = BTreeMap::new();
-        for (number, [a, b, c]) in mesh.triangles.iter().enumerate() {
-            for [first, second, opposite] in [[a, b, c], [b, c, a], [c, a, b]] {
-                let ends = [*first.min(second), *first.max(second)];
-                edges.entry(ends).or_default().push((number, *opposite));
-            }
-        }
+        let sides = sides(&mesh.triangles);
         let mut parent: Vec<usize> = (0..normals.len()).collect();
-        for sides in edges.values() {
-            if let [(one, _), (other, _)] = sides[..]
+        for edge in by_edge(&sides) {
+            if let [one, other] = edge
+                && let [one, other] = [one, other].map(|side| side.triangle as usize)
                 && normals[one].dot(normals[other]) > SHARP
             {
                 let (one, other) = (root(&mut parent, one), root(&mut parent, other));
                 parent[one.max(other)] = one.min(other);
             }
         }
-        let mut number = BTreeMap::new();
-        let of: Vec<usize> = (0..normals.len())
-            .map(|triangle| {
-                let next = number.len();
-                *number.entry(root(&mut parent, triangle)).or_insert(next)
-            })
-            .collect();
-        let convex = convex(mesh, normals, (&of, number.len()), &edges);
-        Self { normal: flat(normals, &of, number.len()), of, convex }
+        // A facet is numbered where its first triangle comes.
+        let (mut of, mut facets) = (vec![0; normals.len()], 0);
+        for triangle in 0..normals.len() {
+            let root = root(&mut parent, triangle);
+            of[triangle] = if root == triangle { facets } else { of[root] };
+            facets += usize::from(root == triangle);
+        }
+        let convex = convex(mesh, normals, (&of, facets), &sides);
+        Self { normal: flat(normals, &of, facets), of, convex }
     }
 }
 
@@ -76,20 +68,22 @@ fn convex(
     mesh: &Mesh,
     normals: &[DVec3],
     (of, facets): (&[usize], usize),
-    edges: &BTreeMap<[u32; 2], Vec<Side>>,
+    sides: &[Side],
 ) -> Vec<Vec<[DVec3; 2]>> {
     let mut convex = vec![Vec::new(); facets];
-    for (ends, sides) in edges {
-        let ends = ends.map(|n| mesh.points[n as usize]);
-        if let [(one, _), (other, opposite)] = sides[..] {
-            let is_sharp = normals[one].dot(normals[other]) <= SHARP;
+    for edge in by_edge(sides) {
+        let ends = [edge[0].low, edge[0].high].map(|n| mesh.points[n as usize]);
+        if let [one, other] = edge {
+            let [first, second] = [one, other].map(|side| normals[side.triangle as usize]);
+            let opposite = mesh.triangles[other.triangle as usize][(usize::from(other.corner) + 2) % 3];
+            let is_sharp = first.dot(second) <= SHARP;
             let beyond = mesh.points[opposite as usize] - ends[0];
-            if !is_sharp || normals[one].dot(beyond) >= 0.0 {
+            if !is_sharp || first.dot(beyond) >= 0.0 {
                 continue;
             }
         }
-        for (triangle, _) in sides {
-            convex[of[*triangle]].push(ends);
+        for side in edge {
+            convex[of[side.triangle as usize]].push(ends);
         }
     }
     convex

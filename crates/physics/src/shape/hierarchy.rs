@@ -2,6 +2,7 @@
 //! ray meets and those in a box are found in about the logarithm of their number.
 
 use glam::DVec3;
+use std::cell::Cell;
 
 /// Most triangles in a leaf.
 const LEAF: usize = 4;
@@ -124,6 +125,21 @@ impl Hierarchy {
             enters <= leaves && leaves >= 0.0
         };
         self.visit(meets, each);
+    }
+
+    /// Visits triangles near a ray from a point, as far as what `visit` returned last, in lengths of the direction.
+    pub(super) fn first_along(&self, from: DVec3, direction: DVec3, mut visit: impl FnMut(usize) -> f64) {
+        let inverse = direction.recip();
+        let farthest = Cell::new(f64::INFINITY);
+        let meets = |low: DVec3, high: DVec3| {
+            let (one, other) = ((low - from) * inverse, (high - from) * inverse);
+            let (enters, leaves) = (one.min(other).max_element(), one.max(other).min_element());
+            enters <= leaves && leaves >= 0.0 && enters <= farthest.get()
+        };
+        self.visit(meets, |triangle| {
+            farthest.set(visit(triangle));
+            true
+        });
     }
 
     /// Largest coordinate along a direction [m].

@@ -25,6 +25,7 @@ mod rim;
 mod rotated;
 mod sampler;
 mod sphere;
+mod thickness;
 mod triangle;
 
 pub use block::Block;
@@ -39,11 +40,12 @@ pub use outlines::{Bevel, DiscRim, Dish, Grousers, blade, cone, disc, wedge, whe
 pub use point::SurfacePoint;
 pub use polyhedron::Polyhedron;
 pub use profile::Profile;
-pub use repair::{Defect, Repaired, repaired};
+pub use repair::{Defect, Mend, MendKind, Repaired, repaired};
 pub use revolved::Revolved;
 pub use rim::{Rim, RimPoint};
 pub use rotated::Rotated;
 pub use sphere::Sphere;
+pub use thickness::{Thin, ThinSearch};
 
 use glam::{DMat3, DVec3};
 use std::collections::BTreeMap;

@@ -4,10 +4,11 @@ use super::edges::neighbours;
 use super::hierarchy::Hierarchy;
 use super::mass::MassProperties;
 use super::mesh::Mesh;
+use super::sampler::{self, Plan};
 use super::triangle::{self, Feature};
-use super::{Shape, sampler};
+use super::{Shape, SurfacePoint};
 use glam::DVec3;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// A triangle must be nearer than another one by this, as a factor of the squared distance, to be looked for: above a face the boxes
 /// of all its triangles are as near as the face itself, but for rounding.
@@ -30,6 +31,8 @@ struct Parts {
     /// Pseudo-normal of each point.
     point_normals: Vec<DVec3>,
     mass_properties: MassProperties,
+    /// How contact points are laid out, once some were.
+    plan: OnceLock<Plan>,
 }
 
 impl Polyhedron {
@@ -48,6 +51,7 @@ impl Polyhedron {
             mass_properties: MassProperties::of_mesh(&surface),
             hierarchy,
             surface,
+            plan: OnceLock::new(),
         };
         Self { parts: Arc::new(parts) }
     }
@@ -132,6 +136,12 @@ impl Shape for Polyhedron {
 
     fn mass_properties(&self) -> MassProperties {
         self.parts.mass_properties
+    }
+
+    fn surface_points(&self, spacing: DVec3, inset: DVec3) -> Vec<SurfacePoint> {
+        let distance = |x| self.signed_distance(x);
+        let plan = self.parts.plan.get_or_init(|| Plan::new(self.surface(), distance));
+        sampler::sample_as_planned(self.surface(), distance, plan, (spacing.min_element(), inset))
     }
 
     fn surface_point_count(&self, spacing: DVec3, _inset: DVec3) -> f64 {

@@ -1,16 +1,18 @@
 //! From the triangles of a file to a closed surface that is oriented everywhere, or why there is none.
 //!
 //! Points that coincide become one; triangles that join a point to itself are dropped; slivers without height are turned into
-//! parts of their neighbours; and what is oriented against the rest is turned round. A surface with a gap, with more than two
-//! triangles at an edge, or that goes through itself is refused with a place.
+//! parts of their neighbours; and what is oriented against the rest is turned round. Edges without two triangles are mended where one
+//! answer is safe (`mend`). A surface that cannot be, or that goes through itself, is refused with a place.
 
 mod crossing;
 mod defect;
+mod mend;
 mod shells;
 mod slivers;
 mod weld;
 
 pub use defect::Defect;
+pub use mend::{Mend, MendKind};
 
 use super::edges::{by_edge, sides};
 use super::hierarchy::bounds;
@@ -43,6 +45,8 @@ pub struct Repaired {
     pub inverted: bool,
     /// Distance up to which points were merged [m], where that is more than rounding.
     pub merged_within: Option<f64>,
+    /// What else was repaired so that every edge has two triangles.
+    pub mends: Vec<Mend>,
     /// Whether there were so many triangles close together that not all pairs were searched for crossings.
     pub partly_searched: bool,
 }
@@ -51,15 +55,15 @@ pub struct Repaired {
 ///
 /// # Errors
 /// [`Defect`] says why they bound none.
-pub fn repaired(surface: Mesh) -> Result<Repaired, Defect> {
-    let (low, high) = check(&surface)?;
+pub fn repaired(surface: &Mesh) -> Result<Repaired, Defect> {
+    let (low, high) = check(surface)?;
     let size = (high - low).max_element();
-    let (closed, merged_within) = closed(surface, size)?;
-    let Connected { mut surface, dropped, flattened } = closed;
+    let Connected { mut surface, dropped, flattened, merged_within, mends } = closed(surface, size)?;
     let oriented = match shells::orient(&mut surface, size) {
         // A part that crosses another one lies partly inside it.
         Err(nested @ Defect::Nested { .. }) => {
-            crossing::pierces(&Polyhedron::new(surface), TOUCHING * size)?;
+            let solid = Polyhedron::new(surface);
+            crossing::pierces(&solid, TOUCHING * size).map_err(|crossing| shells::named(&solid, crossing))?;
             return Err(nested);
         }
         other => other?,
@@ -69,7 +73,8 @@ pub fn repaired(surface: Mesh) -> Result<Repaired, Defect> {
         return Err(Defect::NoVolume);
     }
     let solid = Polyhedron::new(surface);
-    let is_searched = crossing::search(&solid, TOUCHING * size)?;
+    let is_searched =
+        crossing::search(&solid, TOUCHING * size).map_err(|crossing| shells::named(&solid, crossing))?;
     Ok(Repaired {
         solid,
         shells: oriented.shells,
@@ -79,6 +84,7 @@ pub fn repaired(surface: Mesh) -> Result<Repaired, Defect> {
         turned: oriented.turned,
         inverted: oriented.inverted,
         merged_within,
+        mends,
         partly_searched: !is_searched,
     })
 }
@@ -98,17 +104,21 @@ fn check(surface: &Mesh) -> Result<(DVec3, DVec3), Defect> {
     if extent > 0.0 && extent.is_finite() { Ok((low, high)) } else { Err(Defect::Empty) }
 }
 
-/// The surface with as few points merged as make it closed, and up to which distance [m] they were where that is more than rounding.
-fn closed(surface: Mesh, size: f64) -> Result<(Connected, Option<f64>), Defect> {
+/// The surface with as few points merged as make it closed; mended where none do.
+fn closed(surface: &Mesh, size: f64) -> Result<Connected, Defect> {
     // Where every triangle has points of its own, no edge has two triangles.
     let is_soup = surface.points.len() == 3 * surface.triangles.len();
-    if !is_soup && let Ok(closed) = connected(&surface, 0.0, size) {
-        return Ok((closed, None));
+    if !is_soup && let Ok(closed) = connected(surface, 0.0, size) {
+        return Ok(closed);
     }
-    connected(&surface, SAME[0] * size, size).map(|closed| (closed, None)).or_else(|defect| {
+    connected(surface, SAME[0] * size, size).or_else(|defect| {
         let distance = SAME[1] * size;
+        if let Ok(closed) = connected(surface, distance, size) {
+            return Ok(Connected { merged_within: Some(distance), ..closed });
+        }
         // What is wrong is said of the surface as it is.
-        connected(&surface, distance, size).map(|closed| (closed, Some(distance))).map_err(|_| defect)
+        let (whole, mends, merged_within) = mend::mended(surface, size, defect)?;
+        Ok(Connected { mends, merged_within, ..connected(&whole, 0.0, size)? })
     })
 }
 
@@ -117,6 +127,9 @@ struct Connected {
     surface: Mesh,
     dropped: usize,
     flattened: usize,
+    /// Distance up to which points were merged [m], where that is more than rounding.
+    merged_within: Option<f64>,
+    mends: Vec<Mend>,
 }
 
 /// The surface with points merged that are no more than a tolerance apart [m]; with 0 none are.
@@ -132,7 +145,7 @@ fn connected(surface: &Mesh, tolerance: f64, size: f64) -> Result<Connected, Def
     let mut surface = weld::without_spare_points(&Mesh { points, triangles });
     require_closed(&surface)?;
     let flattened = slivers::flatten(&mut surface, SAME[1] * size);
-    Ok(Connected { surface, dropped, flattened })
+    Ok(Connected { surface, dropped, flattened, merged_within: None, mends: Vec::new() })
 }
 
 /// Whether every edge has two triangles.

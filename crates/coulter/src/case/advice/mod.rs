@@ -12,6 +12,7 @@ use super::estimate::estimate;
 use super::model::sand;
 use super::path::{Paths, body_length};
 use super::resolved::{Body, Case, Law, Motion, Potential, Soil, Water};
+use super::thickness::{self, ThinPlace};
 use super::tow::Measures;
 use super::unusual::unusual;
 use glam::DVec3;
@@ -78,13 +79,7 @@ fn resolution(case: &Case, body: &Body, notes: &mut Vec<String>) {
         size.y = f64::INFINITY;
     }
     let cells = size / cell;
-    let narrow = cells.min_element();
-    if narrow < 4.0 * (1.0 - 1e-9) {
-        notes.push(format!(
-            "{}: {narrow:.1} cells across its narrowest side; below 4 the force is uncertain by tens of per cent.",
-            body.name
-        ));
-    }
+    let narrow = thinnest(case, body, cells.min_element(), notes);
     let wide = cells.x.min(cells.z);
     if wide < 10.0 && wide > narrow {
         notes.push(format!(
@@ -92,6 +87,33 @@ fn resolution(case: &Case, body: &Body, notes: &mut Vec<String>) {
             body.name
         ));
     }
+}
+
+/// Cells across which a body is resolved well, and those below which soil leaks through it: measured on a tray and a bucket of sheet.
+const ENOUGH_CELLS: f64 = 4.0;
+const TIGHT_CELLS: f64 = 2.0;
+
+/// Warns where there are few cells across a body, or across a part of it that is thinner; returns the least number of them. `side` is
+/// that across the narrowest side of its box.
+fn thinnest(case: &Case, body: &Body, side: f64, notes: &mut Vec<String>) -> f64 {
+    let (enough, slack) = (ENOUGH_CELLS * (1.0 - 1e-9), 1.0 - 1e-3);
+    let thin = thickness::thin_places(case, body, enough);
+    let thin = thin.into_iter().min_by(|a, b| a.cells.total_cmp(&b.cells));
+    let (cells, what) = match thin {
+        Some(ThinPlace { cells, wall: Some((thickness, place)), .. }) if cells * slack < side => {
+            (cells, format!("where it is thinnest, {:.4} mm at {place}", 1e3 * thickness))
+        }
+        Some(ThinPlace { cells, path, wall: None }) if cells < side * slack => (cells, path),
+        _ => (side, "its narrowest side".to_owned()),
+    };
+    if cells < enough {
+        let leaks = if cells < TIGHT_CELLS { ", and below 2 soil leaks through it" } else { "" };
+        notes.push(format!(
+            "{}: {cells:.1} cells across {what}; below 4 the force is uncertain by tens of per cent{leaks}.",
+            body.name
+        ));
+    }
+    cells
 }
 
 fn fine_zone(case: &Case, body: &Body, notes: &mut Vec<String>) {

@@ -1,5 +1,6 @@
 //! Files with heights of the ground: CSV (columns or a grid), TIFF and PNG.
 
+mod geo_keys;
 mod placement;
 mod png_file;
 mod table;
@@ -36,6 +37,7 @@ struct FileContent {
     /// Hash of the file itself.
     hash: String,
     heights: Arc<HeightField>,
+    remarks: Vec<String>,
 }
 
 impl PartialEq for HeightFile {
@@ -54,9 +56,13 @@ impl HeightFile {
         let path = folder.join(file);
         let bytes = data_file::bytes(&path, (MAX_BYTES, TOO_MANY))?;
         let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
+        let mut remarks = Vec::new();
         let raster = match extension.as_str() {
             "csv" => table::read(&data_file::text(bytes)?, placement),
-            "tif" | "tiff" => tiff_file::read(bytes, placement),
+            "tif" | "tiff" => tiff_file::read(bytes, placement).map(|(raster, said)| {
+                remarks = said;
+                raster
+            }),
             "png" => png_file::read(&bytes, placement),
             _ => {
                 let message =
@@ -79,7 +85,7 @@ impl HeightFile {
             return problem("its heights do not lie on a grid", "give it two lines or more along x and y");
         };
         let content =
-            FileContent { hash: hash_of(&path).map_err(unreadable)?, path, heights: heights.into() };
+            FileContent { hash: hash_of(&path).map_err(unreadable)?, path, heights: heights.into(), remarks };
         Ok(Self {
             file: file.to_owned(),
             hash: format!("{:032x}", hasher.digest128()),
@@ -97,6 +103,12 @@ impl HeightFile {
     #[must_use]
     pub fn file_hash(&self) -> &str {
         &self.content.hash
+    }
+
+    /// What is to be said of it, such as what it leaves open.
+    #[must_use]
+    pub fn remarks(&self) -> &[String] {
+        &self.content.remarks
     }
 
     /// Its heights, in the axes of the case.

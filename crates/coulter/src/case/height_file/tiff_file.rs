@@ -1,5 +1,6 @@
 //! Heights as the pixels of a TIFF image, which may say where it lies (GeoTIFF).
 
+use super::geo_keys::GeoKeys;
 use super::placement::{Placement, Raster, require_size, turned};
 use crate::case::data_file::{FileProblem, problem};
 use std::io::Cursor;
@@ -12,15 +13,16 @@ const MOST_MEMORY: usize = 64 << 20;
 
 type Image = Decoder<Cursor<Vec<u8>>>;
 
-/// Reads an image.
-pub(super) fn read(bytes: Vec<u8>, placement: &Placement) -> Result<Raster, FileProblem> {
+/// Reads an image; with what is to be said of it.
+pub(super) fn read(bytes: Vec<u8>, placement: &Placement) -> Result<(Raster, Vec<String>), FileProblem> {
     const WHY: &str = "this image does not say where it lies";
     Placement::no_effect(placement.heights.is_some(), "heights", "the pixels of a TIFF image are heights")?;
-    let scale =
-        Placement::needed(placement.unit, "unit", "a TIFF image does not name the unit of its heights")?;
     let mut limits = Limits::default();
     limits.decoding_buffer_size = MOST_MEMORY;
     let mut image = Decoder::new(Cursor::new(bytes)).map_err(broken)?.with_limits(limits);
+    let keys = GeoKeys::of(&mut image);
+    let scale = unit_of_heights(placement, &keys)?;
+    let [factor, summand] = keys.scaling()?;
     let (width, height) = image.dimensions().map_err(broken)?;
     let size = [width as usize, height as usize];
     require_size(size)?;
@@ -33,15 +35,29 @@ pub(super) fn read(bytes: Vec<u8>, placement: &Placement) -> Result<Raster, File
         let message = format!("{} has no height ({})", place(n), pixels[n]);
         return problem(message, "fill in what was not measured, or cut it off");
     }
-    let heights: Vec<f64> = pixels.iter().map(|z| scale * z - placement.datum).collect();
-    let lines = match geography(&mut image)? {
-        Some(places) => {
+    let heights: Vec<f64> = pixels.iter().map(|z| scale * (factor * z + summand) - placement.datum).collect();
+    let (lines, remark) = match geography(&mut image, &keys)? {
+        Some((places, remark)) => {
             placement.knows_places()?;
-            places.lines(size, placement.origin.unwrap_or_default())
+            (places.lines(size, placement.origin.unwrap_or_default()), remark)
         }
-        None => placement.lines(size, WHY)?,
+        None => (placement.lines(size, WHY)?, None),
     };
-    Ok(Raster { lines, heights: turned(&heights, size[0]) })
+    Ok((Raster { lines, heights: turned(&heights, size[0]) }, remark.into_iter().collect()))
+}
+
+/// The unit of the heights [m]: that of the case, which must be that of the file if this states one.
+fn unit_of_heights(placement: &Placement, keys: &GeoKeys) -> Result<f64, FileProblem> {
+    // A foot and one of the US survey count as the same.
+    const SAME: f64 = 1e-5;
+    match (placement.unit, keys.vertical_unit()?) {
+        (Some(unit), Some(own)) if (unit / own.metres - 1.0).abs() > SAME => problem(
+            format!("the unit of its heights is {}, that of height_map.unit is {unit} m", own.name),
+            "remove `unit`; if the file is wrong about itself, correct it there",
+        ),
+        (_, Some(own)) => Ok(own.metres),
+        (unit, None) => Placement::needed(unit, "unit", "the image does not name the unit of its heights"),
+    }
 }
 
 fn broken(error: TiffError) -> FileProblem {
@@ -103,19 +119,11 @@ impl Geography {
     }
 }
 
-/// Where the image says that it lies, if it does.
-fn geography(image: &mut Image) -> Result<Option<Geography>, FileProblem> {
-    /// Keys of the directory: 1 of the kind of the model, which is 2 in degrees; that of the raster, which is 2 for points.
-    const MODEL: u16 = 1024;
-    const RASTER: u16 = 1025;
+/// Where the image says that it lies, if it does, and what is to be said of that.
+fn geography(image: &mut Image, keys: &GeoKeys) -> Result<Option<(Geography, Option<String>)>, FileProblem> {
     let numbers = |image: &mut Image, tag| image.get_tag_f64_vec(tag).ok();
     let (scale, tie) = (numbers(image, Tag::ModelPixelScaleTag), numbers(image, Tag::ModelTiepointTag));
-    let directory = image.get_tag_u16_vec(Tag::GeoKeyDirectoryTag).unwrap_or_default();
-    let key =
-        |name: u16| directory.chunks_exact(4).skip(1).find(|entry| entry[0] == name).map(|entry| entry[3]);
-    if key(MODEL) == Some(2) {
-        return problem("its coordinates are degrees", "project it to metres, as of UTM");
-    }
+    keys.require_projected()?;
     let (Some(scale), Some(tie)) = (scale, tie) else {
         let is_turned = image.find_tag(Tag::ModelTransformationTag).is_ok_and(|tag| tag.is_some());
         if is_turned {
@@ -132,6 +140,9 @@ fn geography(image: &mut Image) -> Result<Option<Geography>, FileProblem> {
     if !(*dx > 0.0 && *dy > 0.0 && [dx, dy, i, j, x, y].iter().all(|number| number.is_finite())) {
         return problem("its pixels have no size (ModelPixelScale)", "save the image again");
     }
-    let half = if key(RASTER) == Some(2) { 0.0 } else { 0.5 };
-    Ok(Some(Geography { first: [x + (half - i) * dx, y - (half - j) * dy], pixel: [*dx, *dy] }))
+    let half = if keys.places_are_middles() { 0.0 } else { 0.5 };
+    let (unit, remark) = keys.unit()?;
+    let metres = |lengths: [f64; 2]| lengths.map(|length| unit.metres * length);
+    let first = metres([x + (half - i) * dx, y - (half - j) * dy]);
+    Ok(Some((Geography { first, pixel: metres([*dx, *dy]) }, remark)))
 }

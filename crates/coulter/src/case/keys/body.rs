@@ -186,8 +186,8 @@ pub(super) const BODY: &[Key] = &[
     key(
         "unit",
         Kind::Choice(&MESH_UNITS),
-        Derived("required for a mesh"),
-        "Unit of the coordinates in the file (mesh).",
+        Derived("that which the file states; required where it states none"),
+        "Unit of the coordinates in the file (mesh). It must be that which the file states in a comment or header.",
     ),
     key(
         "friction",

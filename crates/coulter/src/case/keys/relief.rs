@@ -18,7 +18,9 @@ pub(super) const HEIGHT_MAP: &[Key] = &[
     key(
         "unit",
         Kind::Choice(&MESH_UNITS),
-        Derived("required for TIFF, and for CSV without a header"),
+        Derived(
+            "that which a TIFF states; required for a TIFF that states none, and for CSV without a header",
+        ),
         "Unit of the heights in a file that does not name it.",
     ),
     key(

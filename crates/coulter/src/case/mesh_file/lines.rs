@@ -4,7 +4,7 @@ use super::problem::{DAMAGED, MeshFileProblem, refuse};
 use std::io::{BufRead, Read};
 
 /// Longest line [bytes].
-const LONGEST: u64 = 1 << 14;
+const LONGEST: u64 = 1 << 16;
 
 /// The lines of a text.
 pub(super) struct Lines<R> {
@@ -34,9 +34,23 @@ impl<R: BufRead> Lines<R> {
         }
     }
 
-    /// The refusal of the present line.
+    /// The refusal of the present line, which is not what the format has there.
     pub(super) fn wrong<T>(&self, message: impl std::fmt::Display) -> Result<T, MeshFileProblem> {
-        refuse(format!("line {}: {message}", self.number), DAMAGED)
+        self.refused(message, DAMAGED)
+    }
+
+    /// The refusal of the present line, with a cure of its own.
+    pub(super) fn refused<T>(
+        &self,
+        message: impl std::fmt::Display,
+        cure: &str,
+    ) -> Result<T, MeshFileProblem> {
+        refuse(format!("line {}: {message}", self.number), cure)
+    }
+
+    /// Number of the present line.
+    pub(super) fn number(&self) -> usize {
+        self.number
     }
 
     /// What follows the lines that were read.

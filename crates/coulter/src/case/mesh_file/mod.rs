@@ -1,6 +1,7 @@
 //! Files with the surface of a body: STL (binary and text), OBJ, PLY (text and binary). A file is read line by line or triangle by
 //! triangle, so that a large or broken one is refused before it takes up memory, and every refusal says where in the file it is.
 
+mod explain;
 mod limits;
 mod lines;
 mod obj;
@@ -9,6 +10,8 @@ mod polygon;
 mod problem;
 mod report;
 mod stl;
+mod surface;
+mod unit;
 
 pub use limits::MOST_TRIANGLES;
 pub use problem::MeshFileProblem;
@@ -16,11 +19,12 @@ pub use report::MeshReport;
 
 use glam::DVec3;
 use limits::TOO_MANY;
-use physics::shape::{Defect, Mesh, Polyhedron, Repaired, repaired};
+use physics::shape::{Mesh, Polyhedron, Repaired, repaired};
 use problem::refuse;
 use std::fs::File;
 use std::io::{BufReader, Read};
 use std::path::Path;
+use surface::Surface;
 use xxhash_rust::xxh3::Xxh3;
 
 /// Largest file [bytes]: as much as so many triangles take up as text.
@@ -33,33 +37,43 @@ const SIZES: [f64; 2] = [1e-3, 100.0];
 pub struct MeshFile {
     /// The solid [m].
     pub solid: Polyhedron,
+    /// Unit of the coordinates in the file [m].
+    pub unit: f64,
     /// What it is like, and what was repaired.
     pub report: MeshReport,
     /// Hash of the content of the file.
     pub hash: String,
 }
 
-/// Reads a file whose unit of length is so many metres; it is called `unit` in messages.
+/// Reads a file whose unit of length has this name and is so many metres, or the one that the file states.
 ///
 /// # Errors
 /// [`MeshFileProblem`] says what is wrong with it, where, and what to do.
-pub fn read(path: &Path, (unit, metres): (&str, f64)) -> Result<MeshFile, MeshFileProblem> {
+pub fn read(path: &Path, unit: Option<(&str, f64)>) -> Result<MeshFile, MeshFileProblem> {
     let format = Format::of(path)?;
     let bytes = size_of(path)?;
     let mut surface = format.read(path, bytes)?;
-    if surface.triangles.is_empty() {
+    if surface.mesh.triangles.is_empty() {
         return refuse("it holds no triangles", "export a solid body; the file may be of another kind");
     }
-    if let Some(n) = surface.points.iter().position(|x| !x.is_finite()) {
+    if let Some(n) = surface.mesh.points.iter().position(|x| !x.is_finite()) {
         let message = format!("the coordinates of point {} are not finite numbers", n + 1);
         return refuse(message, "export the body again");
     }
-    surface.points.iter_mut().for_each(|x| *x *= metres);
-    require_plausible_size(&surface, unit)?;
-    let found = repaired(surface).map_err(|defect| explain(&defect, (unit, metres)))?;
-    let report = MeshReport::of(&found);
+    let (unit, metres) = unit::of_file(unit, surface.unit.as_ref())?;
+    surface.mesh.points.iter_mut().for_each(|x| *x *= metres);
+    require_plausible_size(&surface.mesh, &unit)?;
+    let found =
+        repaired(&surface.mesh).map_err(|defect| explain::explain(&defect, &surface, (&unit, metres)))?;
+    let report = MeshReport::of(&found, &surface, (&unit, metres));
     let Repaired { solid, .. } = found;
-    Ok(MeshFile { solid, report, hash: hash_of(path).map_err(|error| unreadable(path, &error))? })
+    let hash = hash_of(path).map_err(|error| unreadable(path, &error))?;
+    Ok(MeshFile { solid, unit: metres, report, hash })
+}
+
+/// A place [m] in coordinates whose unit is so many metres, in words.
+pub(super) fn place_in_file(place: DVec3, metres: f64) -> String {
+    explain::place_in_file(place, (unit::name_of(metres), metres))
 }
 
 /// Hash of the content of a file.
@@ -101,7 +115,7 @@ impl Format {
         }
     }
 
-    fn read(self, path: &Path, bytes: u64) -> Result<Mesh, MeshFileProblem> {
+    fn read(self, path: &Path, bytes: u64) -> Result<Surface, MeshFileProblem> {
         let open = || File::open(path).map_err(|error| unreadable(path, &error));
         let mut start = [0; 512];
         let mut length = 0;
@@ -167,51 +181,4 @@ fn require_plausible_size(surface: &Mesh, unit: &str) -> Result<(), MeshFileProb
         message,
         "give the unit in which the file was written: m, cm, mm, in or ft; a body is 1 mm to 100 m large",
     )
-}
-
-/// What is wrong with a surface, in the coordinates of the file.
-fn explain(defect: &Defect, (unit, metres): (&str, f64)) -> MeshFileProblem {
-    let at = |place: &DVec3| {
-        let [x, y, z] = (*place / metres).to_array();
-        format!("({x:.6}, {y:.6}, {z:.6}) {unit}")
-    };
-    const SOLID: &str = "repair the surface in the program that it comes from, and export it as one solid";
-    const UNITE: &str = "unite the parts into one solid (a Boolean union) and export it again";
-    match defect {
-        Defect::Empty => MeshFileProblem::new("none of its triangles has an area", SOLID),
-        Defect::NotFinite { point } => {
-            MeshFileProblem::new(format!("the coordinates of point {} are not finite", point + 1), SOLID)
-        }
-        Defect::NoSuchPoint { triangle } => MeshFileProblem::new(
-            format!("triangle {} refers to a point that is not there", triangle + 1),
-            SOLID,
-        ),
-        Defect::Open { edges, place } => MeshFileProblem::new(
-            format!(
-                "the surface is not closed: {edges} edges have a triangle on one side only, one of them at {}",
-                at(place)
-            ),
-            SOLID,
-        ),
-        Defect::NotManifold { edges, triangles, place } => MeshFileProblem::new(
-            format!("more than two triangles meet at {edges} edges, {triangles} of them at {}", at(place)),
-            UNITE,
-        ),
-        Defect::OneSided { place } => MeshFileProblem::new(
-            format!("the surface has no inside: its two sides are one, as seen at {}", at(place)),
-            SOLID,
-        ),
-        Defect::Crossing { place } => {
-            MeshFileProblem::new(format!("the surface goes through itself at {}", at(place)), UNITE)
-        }
-        Defect::Nested { place } => MeshFileProblem::new(
-            format!("a part lies inside another one at {}, and faces outwards like it", at(place)),
-            "remove it, or unite the parts; a cavity faces inwards",
-        ),
-        Defect::Scattered { shells } => MeshFileProblem::new(
-            format!("it consists of {shells} separate parts, at most 2000 are possible"),
-            UNITE,
-        ),
-        Defect::NoVolume => MeshFileProblem::new("the surface encloses no volume", SOLID),
-    }
 }

@@ -1,55 +1,84 @@
 //! OBJ (Wavefront 1995): points, and faces that name them by their numbers. Anything about looks is passed over.
 
-use super::limits::{MOST_TRIANGLES, require_few};
+use super::limits::{MOST_TRIANGLES, TOO_MANY, require_few};
 use super::lines::{Lines, coordinates, shown};
 use super::polygon;
-use super::problem::MeshFileProblem;
-use physics::shape::Mesh;
+use super::problem::{MEND_FACE, MeshFileProblem};
+use super::surface::Surface;
+use super::unit;
 use std::io::BufRead;
 
 /// Words about normals, textures, groups and lines; the faces alone bound the body.
 const PASSED_OVER: [&str; 14] =
     ["vt", "vn", "vp", "g", "o", "s", "usemtl", "mtllib", "mg", "l", "p", "lod", "shadow_obj", "trace_obj"];
+/// Words of curved surfaces.
+const CURVED: [&str; 8] = ["cstype", "deg", "curv", "curv2", "surf", "parm", "trim", "bmat"];
 
-pub(super) fn read(reader: impl BufRead) -> Result<Mesh, MeshFileProblem> {
+pub(super) fn read(reader: impl BufRead) -> Result<Surface, MeshFileProblem> {
     let mut lines = Lines::new(reader);
-    let mut mesh = Mesh::default();
-    let mut corners = Vec::new();
-    while let Some(line) = lines.next()? {
-        let mut words = line.split('#').next().unwrap_or_default().split_whitespace();
+    let mut surface = Surface::counting("line");
+    while let Some(line) = whole_line(&mut lines)? {
+        let (code, comment) = line.split_once('#').unwrap_or((&line, ""));
+        if surface.unit.is_none() {
+            surface.unit = unit::stated(comment, || format!("line {}", lines.number()));
+        }
+        let mut words = code.split_whitespace();
         match words.next() {
             None => {}
             Some("v") => match coordinates(words) {
-                Ok(_) if mesh.points.len() >= 3 * MOST_TRIANGLES => {
-                    return lines.wrong(format!("more than {} points", 3 * MOST_TRIANGLES));
+                Ok(_) if surface.mesh.points.len() >= 3 * MOST_TRIANGLES => {
+                    return lines.refused(format!("more than {} points", 3 * MOST_TRIANGLES), TOO_MANY);
                 }
-                Ok(x) => mesh.points.push(x.into()),
+                Ok(x) => surface.mesh.points.push(x.into()),
                 Err(why) => return lines.wrong(why),
             },
-            Some("f") => {
-                corners.clear();
-                for word in words.take(polygon::MOST_CORNERS + 1) {
-                    match index(word, mesh.points.len()) {
-                        Some(n) => corners.push(n),
-                        None => {
-                            return lines.wrong(format!("{} is not one of the points so far", shown(word)));
-                        }
-                    }
-                }
-                if !(3..=polygon::MOST_CORNERS).contains(&corners.len()) {
-                    return lines.wrong(format!("a face has 3 to {} corners", polygon::MOST_CORNERS));
-                }
-                let Some(triangles) = polygon::triangles(&corners, &mesh.points) else {
-                    return lines.wrong("a face that is not convex: export the body with triangles only");
-                };
-                mesh.triangles.extend(triangles);
-                require_few(mesh.triangles.len() as u64, "it holds at least")?;
-            }
+            Some("f") => face(words, &lines, &mut surface)?,
             Some(word) if PASSED_OVER.contains(&word) => {}
+            Some(word) if CURVED.contains(&word) => {
+                let message = format!("{} belongs to a curved surface, which is not read", shown(word));
+                return lines.refused(message, "export the body as a mesh, with plane faces");
+            }
             Some(word) => return lines.wrong(format!("{} is not expected in an OBJ file", shown(word))),
         }
     }
-    Ok(mesh)
+    Ok(surface)
+}
+
+/// The next line with those on which it goes on after a `\\`.
+fn whole_line<R: BufRead>(lines: &mut Lines<R>) -> Result<Option<String>, MeshFileProblem> {
+    const LONGEST: usize = 1 << 17;
+    let Some(mut line) = lines.next()? else { return Ok(None) };
+    while line.ends_with('\\') && !line.contains('#') && line.len() < LONGEST {
+        line.pop();
+        line.push(' ');
+        line += &lines.next()?.unwrap_or_default();
+    }
+    Ok(Some(line))
+}
+
+/// Adds a face.
+fn face<'a, R: BufRead>(
+    words: impl Iterator<Item = &'a str>,
+    lines: &Lines<R>,
+    surface: &mut Surface,
+) -> Result<(), MeshFileProblem> {
+    let mut corners = Vec::new();
+    for word in words {
+        match index(word, surface.mesh.points.len()) {
+            Some(n) => corners.push(n),
+            None => return lines.wrong(format!("{} is not one of the points so far", shown(word))),
+        }
+    }
+    let most = polygon::MOST_CORNERS;
+    if !(3..=most).contains(&corners.len()) {
+        return lines
+            .refused(format!("a face has 3 to {most} corners, this one {}", corners.len()), MEND_FACE);
+    }
+    match polygon::divided(&corners, &surface.mesh.points) {
+        Ok(face) => surface.add(face, lines.number() as u64),
+        Err(why) => return lines.refused(format!("a face of {} corners {why}", corners.len()), MEND_FACE),
+    }
+    require_few(surface.mesh.triangles.len() as u64, "it holds at least")
 }
 
 /// The point that a corner such as `7`, `7/1/3` or `-1` names: from 1, or back from the last one.

@@ -1,11 +1,12 @@
 //! PLY (Turk 1994): a header that says which elements follow, and with which properties; then these, as text or binary.
 
-use super::limits::{MOST_TRIANGLES, require_few};
+use super::limits::{MOST_TRIANGLES, TOO_MANY, require_few};
 use super::lines::{Lines, shown};
 use super::polygon;
-use super::problem::{DAMAGED, MeshFileProblem, refuse};
+use super::problem::{DAMAGED, MEND_FACE, MeshFileProblem, refuse};
+use super::surface::Surface;
+use super::unit::{self, Stated};
 use glam::DVec3;
-use physics::shape::Mesh;
 use std::io::BufRead;
 
 /// Most lines of a header.
@@ -72,34 +73,45 @@ enum Encoding {
     HighFirst,
 }
 
-pub(super) fn read(reader: impl BufRead) -> Result<Mesh, MeshFileProblem> {
+pub(super) fn read(reader: impl BufRead) -> Result<Surface, MeshFileProblem> {
     let mut lines = Lines::new(reader);
-    let (encoding, elements) = header(&mut lines)?;
+    let Header { encoding, elements, unit } = header(&mut lines)?;
     let mut source = match encoding {
         Encoding::Text => Source::Text { lines, words: Vec::new() },
         _ => Source::Binary { reader: lines.into_rest(), is_high_first: encoding == Encoding::HighFirst },
     };
-    let mut mesh = Mesh::default();
+    let mut surface = Surface::counting("face");
+    surface.unit = unit;
     for element in &elements {
         match element.name.as_str() {
-            "vertex" => points(element, &mut source, &mut mesh)?,
-            "face" => faces(element, &mut source, &mut mesh)?,
+            "vertex" => points(element, &mut source, &mut surface)?,
+            "face" => faces(element, &mut source, &mut surface)?,
             "tristrips" => return refuse("it holds strips of triangles", "export the body with faces"),
             _ => passed_over(element, &mut source)?,
         }
     }
-    Ok(mesh)
+    Ok(surface)
 }
 
-fn header<R: BufRead>(lines: &mut Lines<R>) -> Result<(Encoding, Vec<Element>), MeshFileProblem> {
-    let mut encoding = None;
+/// What a header says.
+struct Header {
+    encoding: Encoding,
+    elements: Vec<Element>,
+    unit: Option<Stated>,
+}
+
+fn header<R: BufRead>(lines: &mut Lines<R>) -> Result<Header, MeshFileProblem> {
+    let (mut encoding, mut unit) = (None, None);
     let mut elements: Vec<Element> = Vec::new();
     for n in 0..MOST_LINES {
         let Some(line) = lines.next()? else { return lines.wrong("the header has no end") };
         let words: Vec<&str> = line.split_whitespace().collect();
         match words[..] {
             ["ply"] if n == 0 => {}
-            ["comment" | "obj_info", ..] | [] => {}
+            ["comment" | "obj_info", ..] => {
+                unit = unit.or_else(|| unit::stated(&line, || format!("line {}", lines.number())));
+            }
+            [] => {}
             ["format", kind, _] => {
                 encoding = match kind {
                     "ascii" => Some(Encoding::Text),
@@ -121,7 +133,7 @@ fn header<R: BufRead>(lines: &mut Lines<R>) -> Result<(Encoding, Vec<Element>), 
             },
             ["end_header"] => {
                 return match encoding {
-                    Some(encoding) => Ok((encoding, elements)),
+                    Some(encoding) => Ok(Header { encoding, elements, unit }),
                     None => lines.wrong("the header does not say the format"),
                 };
             }
@@ -213,11 +225,18 @@ impl<R: BufRead> Source<R> {
     }
 }
 
+/// What is wrong with an element, and the cure.
+type Wrong = (String, &'static str);
+
+fn damaged<T>(why: impl Into<String>) -> Result<T, Wrong> {
+    Err((why.into(), DAMAGED))
+}
+
 /// Calls `each(property, number)` for the numbers of every element; of lists also for each of their numbers.
 fn walk<R: BufRead>(
     element: &Element,
     source: &mut Source<R>,
-    mut each: impl FnMut(u64, Option<(usize, f64)>) -> Result<(), String>,
+    mut each: impl FnMut(u64, Option<(usize, f64)>) -> Result<(), Wrong>,
 ) -> Result<(), MeshFileProblem> {
     if element.properties.is_empty() {
         return if element.count == 0 {
@@ -230,14 +249,14 @@ fn walk<R: BufRead>(
         let place = || format!("{} {}", element.name, n + 1);
         source.begin(place)?;
         let ends = || MeshFileProblem::new(format!("{} is not complete", place()), DAMAGED);
-        let wrong = |why: String| MeshFileProblem::new(format!("{}: {why}", place()), DAMAGED);
+        let wrong = |(why, cure): Wrong| MeshFileProblem::new(format!("{}: {why}", place()), cure);
         for (which, property) in element.properties.iter().enumerate() {
             let count = match property.length {
                 None => 1,
                 Some(length) => {
                     let count = source.next(length).ok_or_else(ends)?;
                     if !(0.0..=f64::from(u32::MAX)).contains(&count) || count.fract() != 0.0 {
-                        return Err(wrong(format!("a list cannot have {count} numbers")));
+                        return Err(wrong((format!("a list cannot have {count} numbers"), DAMAGED)));
                     }
                     count as u64
                 }
@@ -260,7 +279,7 @@ fn passed_over<R: BufRead>(element: &Element, source: &mut Source<R>) -> Result<
 fn points<R: BufRead>(
     element: &Element,
     source: &mut Source<R>,
-    mesh: &mut Mesh,
+    surface: &mut Surface,
 ) -> Result<(), MeshFileProblem> {
     let place = |axis: &str| element.properties.iter().position(|p| p.name == axis && p.length.is_none());
     let [Some(x), Some(y), Some(z)] = ["x", "y", "z"].map(place) else {
@@ -273,8 +292,8 @@ fn points<R: BufRead>(
             Some((which, number)) if which == y => point.y = number,
             Some((which, number)) if which == z => point.z = number,
             Some(_) => {}
-            None if point.is_finite() => mesh.points.push(point),
-            None => return Err("a coordinate is not a finite number".to_owned()),
+            None if point.is_finite() => surface.mesh.points.push(point),
+            None => return damaged("a coordinate is not a finite number"),
         }
         Ok(())
     })
@@ -283,7 +302,7 @@ fn points<R: BufRead>(
 fn faces<R: BufRead>(
     element: &Element,
     source: &mut Source<R>,
-    mesh: &mut Mesh,
+    surface: &mut Surface,
 ) -> Result<(), MeshFileProblem> {
     let is_list =
         |p: &PropertyOf| ["vertex_indices", "vertex_index"].contains(&p.name.as_str()) && p.length.is_some();
@@ -291,28 +310,29 @@ fn faces<R: BufRead>(
         return refuse("its faces have no list vertex_indices", DAMAGED);
     };
     let mut corners: Vec<u32> = Vec::new();
-    walk(element, source, |_, found| {
+    walk(element, source, |number_of_face, found| {
+        let count = surface.mesh.points.len();
         match found {
             Some((which, number)) if which == list => {
-                if number.fract() != 0.0 || !(0.0..mesh.points.len() as f64).contains(&number) {
-                    return Err(format!("{number} is not one of the {} points before it", mesh.points.len()));
+                if number.fract() != 0.0 || !(0.0..count as f64).contains(&number) {
+                    return damaged(format!("{number} is not one of the {count} points before it"));
                 }
                 if corners.len() >= polygon::MOST_CORNERS {
-                    return Err(format!("a face has at most {} corners", polygon::MOST_CORNERS));
+                    return Err((format!("a face has at most {} corners", polygon::MOST_CORNERS), MEND_FACE));
                 }
                 corners.push(number as u32);
             }
             Some(_) => {}
             None => {
                 if corners.len() < 3 {
-                    return Err("a face has at least 3 corners".to_owned());
+                    return damaged("a face has at least 3 corners");
                 }
-                let triangles = polygon::triangles(&corners, &mesh.points)
-                    .ok_or("a face is not convex: export the body with triangles only")?;
-                mesh.triangles.extend(triangles);
+                let face = polygon::divided(&corners, &surface.mesh.points)
+                    .map_err(|why| (format!("a face of {} corners {why}", corners.len()), MEND_FACE))?;
+                surface.add(face, number_of_face + 1);
                 corners.clear();
-                require_few(mesh.triangles.len() as u64, "it holds at least")
-                    .map_err(|problem| problem.message)?;
+                let triangles = surface.mesh.triangles.len() as u64;
+                require_few(triangles, "it holds at least").map_err(|problem| (problem.message, TOO_MANY))?;
             }
         }
         Ok(())

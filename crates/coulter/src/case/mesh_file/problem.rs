@@ -30,5 +30,9 @@ pub(super) fn refuse<T>(message: impl Into<String>, cure: impl Into<String>) -> 
     Err(MeshFileProblem::new(message, cure))
 }
 
+/// What to do about a face that cannot be divided.
+pub(super) const MEND_FACE: &str =
+    "mend the face in the program that it comes from, or export the body with triangles only";
+
 /// What to do about a file that ends too early or holds something else than it says.
 pub(super) const DAMAGED: &str = "the file is damaged or of another kind: export the body again";

@@ -1,7 +1,9 @@
 //! What a surface was like.
 
+use super::explain::place_in_file;
+use super::surface::Surface;
 use glam::DVec3;
-use physics::shape::{Repaired, Shape};
+use physics::shape::{Mend, MendKind, Repaired, Shape};
 use serde::Serialize;
 
 /// What the surface of a body is like, and what was repaired.
@@ -26,21 +28,50 @@ pub struct MeshReport {
 }
 
 impl MeshReport {
-    pub(super) fn of(found: &Repaired) -> Self {
+    /// Of what was found in a surface that was read in this unit [m].
+    pub(super) fn of(found: &Repaired, surface: &Surface, unit: (&str, f64)) -> Self {
+        let mut repairs = repairs(found);
+        repairs.extend(found.mends.iter().map(|mend| mended(mend, surface, unit)));
+        repairs.extend(surface.uneven.map(|(faces, off, first)| {
+            format!(
+                "{faces} faces are not plane, by up to {off:.3e} {}, and were divided into triangles, the first in {} {first}",
+                unit.0, surface.counted
+            )
+        }));
+        repairs.extend(surface.unit.as_ref().and_then(|stated| stated.remark(unit.0)));
         let solid = &found.solid;
         let ((low, high), mass) = (solid.bounds(), solid.mass_properties());
-        let surface = solid.surface();
+        let mesh = solid.surface();
         Self {
-            triangles: surface.triangles.len(),
-            points: surface.points.len(),
+            triangles: mesh.triangles.len(),
+            points: mesh.points.len(),
             size: high - low,
             volume: mass.volume,
             centroid: mass.centroid,
             shells: found.shells,
             cavities: found.cavities,
-            repairs: repairs(found),
+            repairs,
         }
     }
+}
+
+/// A repair in words.
+fn mended(mend: &Mend, surface: &Surface, unit: (&str, f64)) -> String {
+    let count = mend.triangles;
+    let what = match mend.kind {
+        MendKind::Doubled => format!("{count} triangles that were there twice were dropped"),
+        MendKind::InnerWall => {
+            format!("{count} triangles of an inner wall between two parts were removed: they are one")
+        }
+        MendKind::Flap => {
+            format!("{count} triangles of a flap, which hung on the surface by an edge, were removed")
+        }
+        MendKind::Divided => {
+            format!("{count} triangles were divided at corners of others in the middle of their edges")
+        }
+        MendKind::Seam => format!("a seam of {count} edges was closed"),
+    };
+    format!("{what}, at {}{}", place_in_file(mend.place, unit), surface.named(mend.place))
 }
 
 fn repairs(found: &Repaired) -> Vec<String> {

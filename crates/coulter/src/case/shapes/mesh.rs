@@ -7,10 +7,11 @@ use crate::case::missing::missing;
 use crate::case::problem::Problems;
 use crate::case::quantity::{self, LENGTH};
 use crate::case::typed::Section;
-use physics::shape;
+use glam::DVec3;
+use physics::shape::{self, Thin, ThinSearch};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// A solid whose surface is in a file. Copies share what was read of it.
 #[derive(Clone, Debug, Serialize)]
@@ -31,6 +32,8 @@ struct Content {
     path: PathBuf,
     solid: shape::Polyhedron,
     report: MeshReport,
+    /// Whether it is its own mirror image in the planes across the axes, once that was asked.
+    mirrored: [OnceLock<bool>; 3],
 }
 
 impl PartialEq for MeshBody {
@@ -43,31 +46,46 @@ impl PartialEq for MeshBody {
 impl MeshBody {
     pub(super) const KEYS: &[&str] = &["file", "unit"];
 
-    /// The solid in a file in a folder, whose unit of length is written like that of a length: `mm`.
+    /// The solid in a file in a folder, whose unit of length is written like that of a length: `mm`. Without one it is that which the
+    /// file states.
     ///
     /// # Errors
     /// [`MeshFileProblem`] says what is wrong with the file, where, and what to do.
-    pub fn load(folder: &Path, file: &str, unit: &str) -> Result<Self, MeshFileProblem> {
-        let metres = quantity::parse(&format!("1 {unit}"), &LENGTH).map_err(|error| MeshFileProblem {
-            message: error.to_string(),
-            cure: "write a unit of length, such as \"mm\"".to_owned(),
-        })?;
+    pub fn load<'a>(
+        folder: &Path,
+        file: &str,
+        unit: impl Into<Option<&'a str>>,
+    ) -> Result<Self, MeshFileProblem> {
+        let metres = |unit: &'a str| match quantity::parse(&format!("1 {unit}"), &LENGTH) {
+            Ok(metres) => Ok((unit, metres)),
+            Err(error) => Err(MeshFileProblem {
+                message: error.to_string(),
+                cure: "write a unit of length, such as \"mm\"".to_owned(),
+            }),
+        };
+        let given = unit.into().map(metres).transpose()?;
         let path = folder.join(file);
-        let MeshFile { solid, report, hash } = mesh_file::read(&path, (unit, metres))?;
-        let content = Arc::new(Content { path, solid, report });
-        Ok(Self { file: file.to_owned(), unit: metres, hash, content })
+        let MeshFile { solid, unit, report, hash } = mesh_file::read(&path, given)?;
+        let content = Arc::new(Content { path, solid, report, mirrored: Default::default() });
+        Ok(Self { file: file.to_owned(), unit, hash, content })
     }
 
     pub(super) fn read(section: &Section, _slab: Option<Slab>, problems: &mut Problems) -> Option<Self> {
-        for key in Self::KEYS.iter().filter(|key| !section.has(key)) {
-            missing(section, key, problems);
+        if !section.has("file") {
+            missing(section, "file", problems);
         }
-        let (file, unit) = (section.text("file")?, section.text("unit")?);
-        Self::load(&section.folder, &file, &unit)
+        let file = section.text("file")?;
+        let unit = if section.has("unit") { Some(section.text("unit")?) } else { None };
+        Self::load(&section.folder, &file, unit.as_deref())
             .map_err(|MeshFileProblem { message, cure }| {
                 problems.add(section.at("file"), format!("{file}: {message}"), cure);
             })
             .ok()
+    }
+
+    /// A place of its surface [m] in the coordinates of the file, in words.
+    pub(in crate::case) fn place_in_file(&self, place: DVec3) -> String {
+        mesh_file::place_in_file(place, self.unit)
     }
 
     /// Where the file is that was read.
@@ -115,7 +133,13 @@ impl CaseShape for MeshBody {
     }
 
     fn is_mirrored(&self, axis: usize) -> bool {
-        self.content.solid.is_mirrored(axis, MIRRORED * self.report().size.max_element())
+        let Content { solid, mirrored, .. } = &*self.content;
+        let tolerance = MIRRORED * self.report().size.max_element();
+        *mirrored[axis].get_or_init(|| solid.is_mirrored(axis, tolerance))
+    }
+
+    fn thinnest(&self, search: &ThinSearch) -> Option<Thin> {
+        self.content.solid.thinnest(search)
     }
 
     fn mesh_report(&self) -> Option<&MeshReport> {

@@ -2,7 +2,7 @@
 
 use crate::case::mesh_file::MeshReport;
 use glam::DVec3;
-use physics::shape;
+use physics::shape::{self, Thin, ThinSearch};
 
 /// What the program asks of a shape. The body frame is that of [`shape::Shape`].
 pub trait CaseShape {
@@ -39,6 +39,10 @@ pub trait CaseShape {
     /// Whether it is its own mirror image in the plane through its reference point across an axis of its own.
     fn is_mirrored(&self, _axis: usize) -> bool {
         true
+    }
+    /// Its thinnest place, where its `sizes` do not say how thin it is.
+    fn thinnest(&self, _search: &ThinSearch) -> Option<Thin> {
+        None
     }
     /// What its surface is like, if that was read from a file.
     fn mesh_report(&self) -> Option<&MeshReport> {

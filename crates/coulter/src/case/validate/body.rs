@@ -4,8 +4,9 @@ use crate::case::cells_across::cells_across;
 use crate::case::numbers::{in_range, in_range_or_infinite};
 use crate::case::problem::Problems;
 use crate::case::quantity::plain;
-use crate::case::resolved::{Body, MOTIONS, Motion};
+use crate::case::resolved::{Body, Case, MOTIONS, Motion};
 use crate::case::shapes::Shape;
+use crate::case::thickness::{ThinPlace, thin_places};
 use glam::DVec3;
 
 /// Least number of cells across a body: with fewer, soil leaks through it.
@@ -63,6 +64,25 @@ fn resolution(path: &str, shape: &Shape, grid: (DVec3, bool), problems: &mut Pro
         let cure = format!(
             "make grid.cell at most {:.4} mm for one cell across; 4 or more are advisable",
             1e3 * grid.0.min_element() * cells / MIN_CELLS_ACROSS
+        );
+        problems.add(path, message, cure);
+    }
+}
+
+/// Reports walls of bodies from files that are too thin to resolve contact; the rounding of STL makes none so.
+pub(super) fn walls(case: &Case, problems: &mut Problems) {
+    let places =
+        case.touching().flat_map(|(_, body)| thin_places(case, body, MIN_CELLS_ACROSS * (1.0 - 1e-5)));
+    for ThinPlace { path, cells, wall } in places {
+        let Some((thickness, place)) = wall else { continue };
+        let message = format!(
+            "only {cells:.2} cells across {path} where it is thinnest, {:.4} mm at {place}: too few to resolve contact, and soil \
+             would pass through it",
+            1e3 * thickness
+        );
+        let cure = format!(
+            "make grid.cell at most {:.4} mm for one cell across, or the wall thicker; 4 or more are advisable",
+            1e3 * case.grid.fine_cell().min_element() * cells / MIN_CELLS_ACROSS
         );
         problems.add(path, message, cure);
     }

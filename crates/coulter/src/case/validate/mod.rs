@@ -102,6 +102,9 @@ fn fits_together(case: &Case, problems: &mut Problems) {
     soil::flattened(case, problems);
     relief::relief(case, problems);
     fit::bodies_fit(&Paths::of(case), &case.domain, problems);
+    if !problems.ignores_resolution() {
+        body::walls(case, problems);
+    }
     follow::follow(case, problems);
     stages::ends(case, problems);
     water::water(case, problems);

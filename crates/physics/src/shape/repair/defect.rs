@@ -24,6 +24,22 @@ pub enum Defect {
         /// The middle of one of them [m].
         place: DVec3,
     },
+    /// The surface is not closed where two sides of it nearly meet.
+    Seam {
+        /// Number of edges with one triangle.
+        edges: usize,
+        /// Distance between the sides where it is widest [m].
+        width: f64,
+        /// A point there [m].
+        place: DVec3,
+    },
+    /// A part without thickness hangs on the surface.
+    Sheet {
+        /// Number of its triangles.
+        triangles: usize,
+        /// The middle of one of them [m].
+        place: DVec3,
+    },
     /// More than two triangles share an edge.
     NotManifold {
         /// Number of such edges.
@@ -36,6 +52,11 @@ pub enum Defect {
     /// It has only one side, like a Möbius strip or a Klein bottle.
     OneSided {
         /// Where the sides meet [m].
+        place: DVec3,
+    },
+    /// Two parts of it overlap.
+    Overlap {
+        /// Where the surface of one goes through that of the other [m].
         place: DVec3,
     },
     /// It goes through itself.

@@ -3,7 +3,8 @@
 use super::defect::Defect;
 use crate::shape::Mesh;
 use crate::shape::edges::{by_edge, sides};
-use crate::shape::hierarchy::Hierarchy;
+use crate::shape::hierarchy::{Hierarchy, bounds};
+use crate::shape::polyhedron::Polyhedron;
 use crate::shape::triangle;
 use glam::DVec3;
 
@@ -116,6 +117,24 @@ fn shells(surface: &Mesh) -> Result<Found, Defect> {
         shells.push(shell);
     }
     Ok((shell_of, is_turned, shells))
+}
+
+/// A crossing as an overlap, where it is of two shells: those of the triangles nearest to the place.
+pub(super) fn named(solid: &Polyhedron, crossing: Defect) -> Defect {
+    let (Defect::Crossing { place }, Ok((shell_of, ..))) = (crossing, shells(solid.surface())) else {
+        return crossing;
+    };
+    let corners = &solid.hierarchy().corners;
+    let (low, high) = bounds(corners.iter().flatten().copied());
+    let margin = DVec3::splat(1e-6 * (high - low).max_element());
+    let mut there = Vec::new();
+    solid.hierarchy().in_box(place - margin, place + margin, |n| {
+        if triangle::nearest(place, &corners[n]).0.distance(place) <= margin.x {
+            there.push(shell_of[n]);
+        }
+        true
+    });
+    if there.iter().any(|shell| *shell != there[0]) { Defect::Overlap { place } } else { crossing }
 }
 
 /// Triangles of each shell from which it is asked what lies round it.
