@@ -2,7 +2,6 @@
 
 use super::cells_across::cells_across;
 use super::path::range;
-use super::resolve::clearance::{SoilConditions, clearance};
 use super::resolved::{Body, Case};
 use super::shapes::Shape;
 use glam::{DMat3, DVec3};
@@ -75,8 +74,9 @@ fn highest_in_soil(case: &Case, body: &Body) -> f64 {
         return f64::INFINITY;
     }
     let [lowest, _] = range(body, case.duration);
-    let heap = clearance(body, &SoilConditions::of(case), case.duration).above;
-    case.top_of_ground() + heap + case.grid.fine_cell().z - lowest.z
+    // In front of a body soil heaps up no higher than that is deep (chosen).
+    let depth = case.top_of_ground() - (body.position.z + body.bounds().0.z + lowest.z);
+    case.top_of_ground() + depth.max(0.0) + case.grid.fine_cell().z - lowest.z
 }
 
 /// The thinnest of the lengths that describe a shape.

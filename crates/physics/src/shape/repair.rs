@@ -117,7 +117,7 @@ fn closed(surface: &Mesh, size: f64) -> Result<Connected, Defect> {
             return Ok(Connected { merged_within: Some(distance), ..closed });
         }
         // What is wrong is said of the surface as it is.
-        let (whole, mends, merged_within) = mend::mended(surface, size, defect)?;
+        let (whole, mends, merged_within) = mend::mended(surface, [size, distance], defect)?;
         Ok(Connected { mends, merged_within, ..connected(&whole, 0.0, size)? })
     })
 }

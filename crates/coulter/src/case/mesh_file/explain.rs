@@ -6,6 +6,8 @@ use glam::DVec3;
 use physics::shape::Defect;
 
 const SOLID: &str = "repair the surface in the program that it comes from, and export it as one solid";
+const WELD: &str =
+    "merge its points over that distance in the program that it comes from (\"weld\", \"stitch\")";
 const UNITE: &str = "unite the parts into one solid (a Boolean union) and export it again";
 
 /// What is wrong with a surface that was read in this unit [m].
@@ -21,22 +23,16 @@ pub(super) fn explain(defect: &Defect, surface: &Surface, (unit, metres): (&str,
             problem(format!("triangle {} refers to a point that is not there", triangle + 1), SOLID)
         }
         Defect::Open { edges, place } => {
-            let message = format!(
-                "the surface is not closed: {edges} edges have a triangle on one side only, one of them at {}",
-                at(place)
-            );
-            problem(message, SOLID)
+            let message =
+                format!("{edges} edges have a triangle on one side only, one of them at {}", at(place));
+            problem(format!("the surface is not closed: {message}"), SOLID)
         }
         Defect::Seam { edges, width, place } => {
+            let apart = format!("{:.4} {unit} apart, at {}", width / metres, at(place));
             let message = format!(
-                "the surface is not closed: it has a seam of {edges} edges, whose sides are up to {:.4} {unit} apart, at {}",
-                width / metres,
-                at(place)
+                "the surface is not closed: it has a seam of {edges} edges, whose sides are up to {apart}"
             );
-            problem(
-                message,
-                "merge its points over that distance in the program that it comes from (\"weld\", \"stitch\")",
-            )
+            problem(message, WELD)
         }
         Defect::Sheet { triangles, place } => {
             let message = format!(
@@ -46,11 +42,8 @@ pub(super) fn explain(defect: &Defect, surface: &Surface, (unit, metres): (&str,
             problem(message, "give it a thickness of a cell at least, or remove it")
         }
         Defect::NotManifold { edges, triangles, place } => {
-            let message = format!(
-                "more than two triangles meet at {edges} edges, {triangles} of them at {}",
-                at(place)
-            );
-            problem(message, UNITE)
+            let there = format!("{triangles} of them at {}", at(place));
+            problem(format!("more than two triangles meet at {edges} edges, {there}"), UNITE)
         }
         Defect::OneSided { place } => problem(
             format!("the surface has no inside: its two sides are one, as seen at {}", at(place)),

@@ -4,7 +4,7 @@
 //! That repair is made which leaves the fewest edges without exactly two triangles; the surface is mended when there is none left.
 
 use super::defect::Defect;
-use super::{SAME, weld};
+use super::weld::welded;
 use crate::shape::Mesh;
 use crate::shape::edges::{Side, by_edge, sides};
 use crate::shape::triangle::area_vector;
@@ -51,9 +51,10 @@ const MOST_PAIRS: usize = 50_000_000;
 /// A closed surface, how it was mended, and the width of the seams that were closed [m].
 pub(super) type Mended = (Mesh, Vec<Mend>, Option<f64>);
 
-/// The surface mended; `defect` is what is wrong with it otherwise, `size` that of the body [m].
-pub(super) fn mended(surface: &Mesh, size: f64, defect: Defect) -> Result<Mended, Defect> {
-    let mut mesh = without_lines(weld::welded(surface, SAME[1] * size));
+/// The surface mended; `size` is that of the body [m], `rounding` the distance up to which points are the same [m], `defect` what is wrong
+/// with it otherwise.
+pub(super) fn mended(surface: &Mesh, [size, rounding]: [f64; 2], defect: Defect) -> Result<Mended, Defect> {
+    let mut mesh = without_lines(welded(surface, rounding));
     let mut mends: Vec<Mend> = Vec::new();
     let steps: [&dyn Fn(&Mesh) -> Option<(Mesh, Mend)>; 4] =
         [&|m| doubled(m, 1), &|m| doubled(m, 2), &flaps, &|m| divided(m, ON_EDGE * size)];
@@ -244,16 +245,16 @@ fn sewn(mesh: &Mesh, width: f64) -> Option<(Mesh, Mend)> {
         points: ends.iter().map(|(_, n)| mesh.points[*n as usize]).collect(),
         triangles: (0..ends.len() as u32).map(|n| [n; 3]).collect(),
     };
-    let welded = weld::welded(&own, width);
+    let sewn = welded(&own, width);
     let mut points = mesh.points.clone();
     let mut number: Vec<u32> = (0..points.len() as u32).collect();
     // The first of the points that become one stands for them.
-    let mut first = vec![u32::MAX; welded.points.len()];
-    for ((_, n), [new, ..]) in ends.iter().zip(&welded.triangles) {
+    let mut first = vec![u32::MAX; sewn.points.len()];
+    for ((_, n), [new, ..]) in ends.iter().zip(&sewn.triangles) {
         let first = &mut first[*new as usize];
         if *first == u32::MAX {
             *first = *n;
-            points[*n as usize] = welded.points[*new as usize];
+            points[*n as usize] = sewn.points[*new as usize];
         }
         number[*n as usize] = *first;
     }
