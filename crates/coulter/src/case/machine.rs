@@ -17,7 +17,7 @@ pub struct MemoryLeft {
 }
 
 /// What a run needs beside its grid, its contact points and its tables while it draws pictures and writes the report, with its program
-/// and its libraries mapped [bytes]: measured at 25 MB, rounded up. It counts where the system limits what is mapped.
+/// and its libraries mapped [bytes], chosen. It counts where the system limits what is mapped.
 const BESIDE: f64 = 32e6;
 
 /// Memory that is available to a run, where the system reports it: the free memory, or less where a control group (of a container, of
