@@ -2,15 +2,7 @@
 
 use super::{Load, ModelForecast, Towing};
 
-/// Reference force γ t d² [N] of a body of the reference width t and length d [m] in soil of the unit weight γ [N/m³], over which
-/// forces and weights are dimensionless, whatever the shape and the soil; `None` for weightless soil.
-#[must_use]
-pub fn reference_force(unit_weight: f64, width: f64, length: f64) -> Option<f64> {
-    let force = unit_weight * width * length * length;
-    (force > 0.0 && force.is_finite()).then_some(force)
-}
-
-/// Dimensionless groups; the scales are d for lengths and γ t d² for forces, [`reference_force`].
+/// Dimensionless groups; the scales are d for lengths and γ t d² for forces, [`super::reference_force`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Groups {
     /// Sinkage Z = z/d.

@@ -16,10 +16,10 @@ mod scatter;
 mod strength;
 mod towing;
 
-pub use body::{Block, Body, FacetedBody, Front, Outline, Penetrometer, Pipe, Plate};
+pub use body::{Block, Body, FacetedBody, Front, Outline, Penetrometer, Pipe, Plate, reference_force};
 pub use candidate::Candidate;
 pub use curve::{CurvePoint, curve};
-pub use groups::{Groups, reference_force};
+pub use groups::Groups;
 pub use predict::predict;
 pub use prediction::{ModelForecast, Prediction};
 pub use recommendation::best;

@@ -1,6 +1,6 @@
 //! The input of the forecast: a towed or pressed body in its soil.
 
-use super::groups::reference_force;
+use super::body::reference_force;
 use super::{Body, Outline};
 use crate::bearing::Method;
 use crate::disc::{Assembly, Disc, Drive};

@@ -72,7 +72,7 @@ fn in_plane_strain_a_weight_is_that_of_a_metre() {
         assert!(desk.read("results/report.html").contains("per metre of width"), "{set}");
     }
     assert!(
-        (sinkage[2] / sinkage[0] - 1.0).abs() < 1e-3,
+        (sinkage[2] / sinkage[0] - 1.0).abs() < 1e-2,
         "the thickness of the slab means nothing: {sinkage:?}"
     );
     assert!((sinkage[1] / sinkage[0] - 1.0).abs() < 0.25, "{sinkage:?}");

@@ -4,7 +4,7 @@
 pub use super::joint::{GROUND, Joint, JointKind};
 use super::relief::Relief;
 use super::rigid_body::pitched;
-pub use super::rigid_body::{Attitude, Body, MOTIONS, Part, Staged};
+pub use super::rigid_body::{Attitude, Body, MOTIONS, PLANE_STRAIN_WIDTH, Part, Staged};
 use super::shapes::Shape;
 use super::slope::Slope;
 use super::stage;
@@ -502,9 +502,6 @@ impl Domain {
         if self.plane_strain { (self.high.y - self.low.y) / PLANE_STRAIN_WIDTH } else { 1.0 }
     }
 }
-
-/// Width of a body in plane strain [m]: its weight, load, mass and drive, forces on it and energies are those per metre of width.
-pub const PLANE_STRAIN_WIDTH: f64 = 1.0;
 
 /// Cell sizes: uniform inside the fine zone, growing geometrically outside it.
 #[derive(Clone, Debug, PartialEq, Serialize)]

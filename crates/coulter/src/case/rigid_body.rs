@@ -6,6 +6,9 @@ use mechanics::Motion;
 use physics::shape::{Compound, Placed, Rotated, Shape as Solid};
 use serde::Serialize;
 
+/// Width of a body in plane strain [m]: its weight, load, mass and drive, forces on it and energies are those per metre of width.
+pub const PLANE_STRAIN_WIDTH: f64 = 1.0;
+
 /// A rigid body.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Body {

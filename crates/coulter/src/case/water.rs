@@ -1,7 +1,6 @@
 //! Water over the ground: its properties, and what soil and bodies weigh in it.
 
-use super::resolved::PLANE_STRAIN_WIDTH;
-use super::rigid_body::Body;
+use super::rigid_body::{Body, PLANE_STRAIN_WIDTH};
 use glam::DVec3;
 use physics::shape::Shape as Solid;
 use serde::Serialize;
