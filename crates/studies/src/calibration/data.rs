@@ -110,7 +110,15 @@ impl Selection {
     }
 
     fn wanted(&self, record: &Record, abscissa: Quantity) -> Vec<Quantity> {
-        let usual = [Quantity::Drag, Quantity::Vertical, Quantity::Pressure, Quantity::Torque];
+        let usual = [
+            Quantity::Drag,
+            Quantity::Vertical,
+            Quantity::Pressure,
+            Quantity::Torque,
+            Quantity::MomentX,
+            Quantity::MomentY,
+            Quantity::MomentZ,
+        ];
         let is_wanted = |quantity: &Quantity| {
             if self.quantities.is_empty() {
                 usual.contains(quantity)

@@ -155,7 +155,7 @@ fn wanted(items: &[Item], number: usize, against: Quantity, request: &Comparison
     let is_wanted = |quantity: &Quantity| {
         if request.quantities.is_empty() {
             // Speeds and rotations are compared where they are asked for.
-            *quantity < Quantity::Speed && is_known(*quantity)
+            !matches!(quantity, Quantity::Speed | Quantity::Rotation | Quantity::Spin) && is_known(*quantity)
         } else {
             request.quantities.contains(quantity)
         }
