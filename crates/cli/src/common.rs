@@ -12,6 +12,7 @@ use std::fmt::Display;
 use std::io::Write;
 use std::ops::RangeInclusive;
 use std::path::Path;
+use studies::measured::ColumnChoice;
 
 /// The allowed numbers of threads.
 pub(super) fn threads() -> clap::builder::RangedI64ValueParser<u16> {
@@ -38,6 +39,11 @@ pub(super) fn warn(warnings: &[String]) {
     for warning in warnings {
         tell(&format!("warning: {warning}"));
     }
+}
+
+/// What `--column` says of the columns of measured files.
+pub(super) fn choices(typed: &[String]) -> Result<Vec<ColumnChoice>, Failure> {
+    typed.iter().map(|typed| ColumnChoice::parse(typed).map_err(Failure::Request)).collect()
 }
 
 /// Most threads of a run.

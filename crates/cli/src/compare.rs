@@ -1,7 +1,7 @@
 //! `coulter compare`: runs, closed forms and measurements side by side.
 
 use crate::calibrate::{quantity_named, window};
-use crate::common::{refuse_file, say, say_json};
+use crate::common::{choices, refuse_file, say, say_json};
 use crate::failure::Failure;
 use coulter::output::Inside;
 use std::path::{Path, PathBuf};
@@ -10,6 +10,7 @@ use studies::comparison::{
     comparison_page, comparison_text, read_item,
 };
 use studies::files;
+use studies::measured::refuse_unused;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -31,6 +32,9 @@ pub(super) struct Arguments {
     /// Move the zero of the abscissa of each curve to where it fits the reference best
     #[arg(long)]
     align: bool,
+    /// What a column of a measured file is: COLUMN=QUANTITY, COLUMN="-QUANTITY [UNIT]" of the other sign, COLUMN=- to leave it out; may be repeated
+    #[arg(long = "column", value_name = "COLUMN=QUANTITY")]
+    columns: Vec<String>,
     /// The body of runs with several
     #[arg(long, value_name = "NAME")]
     body: Option<String>,
@@ -52,12 +56,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(folder) = &arguments.output {
         refuse_existing(folder, arguments.force)?;
     }
-    let read = |path: &PathBuf| read_item(path, arguments.body.as_deref());
+    let choices = choices(&arguments.columns)?;
+    let read = |path: &PathBuf| read_item(path, arguments.body.as_deref(), &choices);
     let mut items: Vec<Item> =
         arguments.items.iter().map(read).collect::<Result<_, _>>().map_err(|error| match error {
             Unreadable::Case(error) => Failure::Case(error),
             Unreadable::Other(why) => Failure::Request(why),
         })?;
+    refuse_unused(&choices, items.iter().map(|item| &item.record)).map_err(Failure::Request)?;
     let comparison = compare(&mut items, &request).map_err(Failure::Request)?;
     if let Some(folder) = &arguments.output {
         write(&items, &comparison, folder)?;

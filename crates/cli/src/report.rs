@@ -1,11 +1,12 @@
 //! `coulter report`: rebuilds report.html from results.
 
-use crate::common::{results_folder, say};
+use crate::common::{choices, results_folder, say};
 use crate::failure::Failure;
 use coulter::output::rebuild_report_with;
 use std::path::PathBuf;
 use studies::comparison::Unreadable;
 use studies::laid_over;
+use studies::measured::{Record, refuse_unused};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -15,6 +16,9 @@ pub(super) struct Arguments {
     /// Lay the curves of another run (its folder) or of a measurement (CSV) over the plots; repeatable. They are not kept in DIR
     #[arg(long, value_name = "ITEM")]
     with: Vec<PathBuf>,
+    /// What a column of a measured file is: COLUMN=QUANTITY, COLUMN="-QUANTITY [UNIT]" of the other sign, COLUMN=- to leave it out; may be repeated
+    #[arg(long = "column", value_name = "COLUMN=QUANTITY", requires = "with")]
+    columns: Vec<String>,
     /// The body of laid-over runs with several
     #[arg(long, value_name = "NAME", requires = "with")]
     body: Option<String>,
@@ -22,13 +26,21 @@ pub(super) struct Arguments {
 
 pub(super) fn report(arguments: &Arguments) -> Result<(), Failure> {
     let folder = results_folder(&arguments.folder)?;
-    let mut curves = Vec::new();
+    let choices = choices(&arguments.columns)?;
+    let (mut curves, mut records) = (Vec::new(), Vec::new());
     for item in &arguments.with {
-        curves.extend(laid_over(item, arguments.body.as_deref()).map_err(|error| match error {
+        let found = laid_over(item, arguments.body.as_deref(), &choices);
+        let (laid, record) = found.map_err(|error| match error {
             Unreadable::Case(error) => Failure::Case(error),
             Unreadable::Other(why) => Failure::Request(why),
-        })?);
+        })?;
+        curves.extend(laid);
+        records.push(record);
     }
-    let report = rebuild_report_with(folder, &curves).map_err(|e| Failure::Request(e.to_string()))?;
-    say(&format!("{}\n", report.display()))
+    refuse_unused(&choices, records.iter()).map_err(Failure::Request)?;
+    let remarks: Vec<String> = records.iter().flat_map(Record::named_remarks).collect();
+    let report = rebuild_report_with(folder, &curves, &remarks);
+    let report = report.map_err(|e| Failure::Request(e.to_string()))?;
+    let notes: String = remarks.iter().map(|remark| format!("note: {remark}\n")).collect();
+    say(&format!("{notes}{}\n", report.display()))
 }

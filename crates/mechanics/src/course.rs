@@ -56,6 +56,12 @@ impl Course {
         Self { times: self.times.iter().map(|time| time + by).collect(), ..self.clone() }
     }
 
+    /// Times of its first and its last point [s].
+    #[must_use]
+    pub fn span(&self) -> [f64; 2] {
+        [self.times[0], self.times[self.times.len() - 1]]
+    }
+
     /// The numbers that it consists of: times, displacements and speeds.
     pub fn numbers(&self) -> impl Iterator<Item = f64> {
         self.times.iter().chain(&self.displacements).chain(&self.speeds).copied()

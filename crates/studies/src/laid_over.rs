@@ -1,7 +1,7 @@
 //! Curves of measurements and other runs for the plots of a report.
 
 use crate::comparison::{Item, ItemKind, Unreadable, read_item};
-use crate::measured::{Quantity, Record};
+use crate::measured::{ColumnChoice, Quantity, Record};
 use coulter::history::steady::moving_average;
 use coulter::output::plots::{Overlay, PlotKind};
 use std::path::Path;
@@ -19,13 +19,18 @@ const PLOTS: [(PlotKind, Quantity, Quantity); 6] = [
     (PlotKind::AxleTorque, Quantity::Displacement, Quantity::Torque),
 ];
 
-/// The curves of a results folder or of a measured CSV file, as they are laid over the plots of all bodies of a report; `body` names
-/// the body of a run with several.
+/// The curves of a results folder or of a measured CSV file, as they are laid over the plots of all bodies of a report, and the record
+/// that they are from; `body` names the body of a run with several, and `choices` say what the columns of a measurement are.
 ///
 /// # Errors
 /// [`Unreadable`] says what is wrong with it, also where it has no curve that a report shows.
-pub fn laid_over(path: &Path, body: Option<&str>) -> Result<Vec<Overlay>, Unreadable> {
-    let item = read_item(path, body)?;
+pub fn laid_over(
+    path: &Path,
+    body: Option<&str>,
+    choices: &[ColumnChoice],
+) -> Result<(Vec<Overlay>, Record), Unreadable> {
+    let item = read_item(path, body, choices)?;
+    item.record.refuse_groups().map_err(Unreadable::Other)?;
     if !matches!(item.kind, ItemKind::Run | ItemKind::Measured) {
         return Err(Unreadable::Other(format!(
             "{}: a {} has no curves of its own; name the results folder of a run or a measured CSV file",
@@ -41,7 +46,7 @@ pub fn laid_over(path: &Path, body: Option<&str>) -> Result<Vec<Overlay>, Unread
             path.display()
         )));
     }
-    Ok(overlays)
+    Ok((overlays, item.record))
 }
 
 fn overlay(item: &Item, path: &Path, plot: PlotKind, [x, y]: [Quantity; 2]) -> Option<Overlay> {
@@ -84,7 +89,7 @@ mod tests {
         let path = folder.path().join("field_trial.csv");
         write(&Inside::at(&path), b"displacement [mm],drag [N],sinkage [mm]\n0,0,1\n10,5,2\n20,6,3\n")
             .unwrap();
-        let found = laid_over(&path, None).unwrap();
+        let found = laid_over(&path, None, &[]).unwrap().0;
         let plots: Vec<PlotKind> = found.iter().map(|overlay| overlay.plot).collect();
         assert_eq!(
             plots,
@@ -93,6 +98,6 @@ mod tests {
         assert!(found[0].measured && found[0].name == "drag F_H, field trial");
         assert_eq!(found[0].points[1], [0.01, 5.0]);
         write(&Inside::at(&path), b"time [s],speed [m/s]\n0,1\n1,2\n").unwrap();
-        assert!(laid_over(&path, None).unwrap_err().to_string().contains("give it such columns"));
+        assert!(laid_over(&path, None, &[]).unwrap_err().to_string().contains("give it such columns"));
     }
 }

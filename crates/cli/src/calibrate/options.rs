@@ -1,5 +1,6 @@
 //! What `coulter calibrate` is asked for, from the words of the command line.
 
+use crate::common::choices;
 use crate::failure::Failure;
 use coulter::case::{self, quantity};
 use std::path::{Path, PathBuf};
@@ -40,6 +41,9 @@ pub(crate) struct Arguments {
     /// What is fitted, such as drag,vertical [default: every force, pressure and torque of the file]
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     quantity: Vec<String>,
+    /// What a column of a measured file is: COLUMN=QUANTITY, COLUMN="-QUANTITY [UNIT]" of the other sign, COLUMN=- to leave it out; may be repeated
+    #[arg(long = "column", value_name = "COLUMN=QUANTITY")]
+    columns: Vec<String>,
     /// With --model both: keep the solver's runs within what the closed form leaves open
     #[arg(long)]
     narrow: bool,
@@ -84,10 +88,12 @@ impl Arguments {
     /// The request; its runs will lie in the folder `runs`.
     pub(super) fn request<'a>(&'a self, runs: &'a Path) -> Result<Request<'a>, Failure> {
         let space = Space::read(&self.parameters, &self.links)?;
+        let choices = choices(&self.columns)?;
         let mut records = Vec::new();
         for path in &self.measured {
-            records.push(measured::read(path)?);
+            records.push(measured::read(path, &choices)?);
         }
+        measured::refuse_unused(&choices, records.iter()).map_err(Failure::Request)?;
         let noise = match self.noise.as_deref().map(|typed| percent("--noise", typed)).transpose()? {
             Some(noise) if noise > 0.0 => Noise::Given(noise),
             Some(_) => return Err(Failure::Request("--noise must be above 0 %, such as 5%".to_owned())),

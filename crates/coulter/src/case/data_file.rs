@@ -1,5 +1,4 @@
-//! Files with numbers that a case names: read as a whole, none larger than its use warrants, with columns whose header names their
-//! units.
+//! Files with numbers that a case names: read as a whole, none larger than its use warrants.
 
 use std::path::Path;
 
@@ -29,24 +28,4 @@ pub(super) fn bytes(path: &Path, (most, smaller): (u64, &str)) -> Result<Vec<u8>
         return problem(format!("{} bytes, at most {most} are read", about.len()), smaller);
     }
     std::fs::read(path).or_else(|error| problem(format!("cannot be read: {error}"), PATH))
-}
-
-/// The same as text.
-pub(super) fn text(bytes: Vec<u8>) -> Result<String, FileProblem> {
-    String::from_utf8(bytes).or_else(|_| problem("not a text file", "save it as CSV, in UTF-8"))
-}
-
-/// The lines of a table, whose fields are separated by commas or, where there are any, by semicolons; `#` begins a comment.
-pub(super) fn lines(text: &str, has_header: bool) -> csv::Reader<&[u8]> {
-    csv::ReaderBuilder::new()
-        .comment(Some(b'#'))
-        .trim(csv::Trim::All)
-        .has_headers(has_header)
-        .delimiter(if text.lines().any(|line| line.contains(';')) { b';' } else { b',' })
-        .from_reader(text.as_bytes())
-}
-
-/// The unit in a header such as `time [s]`.
-pub(super) fn unit(header: &str) -> Option<&str> {
-    header.split_once('[')?.1.strip_suffix(']')
 }

@@ -192,7 +192,7 @@ fn motion_ways(still: &str, way: &Measure, speed: &Measure, load: &Measure) -> V
         motion(speed.example, "speed", &["start", "ramp", "end"]),
         motion(load.example, "load", &["start", "ramp"]),
         motion(way.example, "displacement", &["start", "ramp"]),
-        motion("tow.csv", "table", &["start"]),
+        motion("tow.csv", "table", &["start", "from"]),
     ];
     if let Some(slip) = keys::MOTION.key("slip").filter(|_| *speed == TURN_RATE) {
         let properties = json!({ "slip": property(slip) });

@@ -49,6 +49,7 @@ pub(super) enum Aim {
 pub struct Problems {
     found: Vec<(Aim, Problem)>,
     known: HashSet<Problem>,
+    remarks: Vec<String>,
     ignores_resolution: bool,
 }
 
@@ -82,6 +83,18 @@ impl Problems {
         if self.known.insert(problem.clone()) {
             self.found.push((aim, problem));
         }
+    }
+
+    /// Keeps what is to be said of how a file was read, which is no problem; the same only once.
+    pub(super) fn remark(&mut self, remark: String) {
+        if !self.remarks.contains(&remark) {
+            self.remarks.push(remark);
+        }
+    }
+
+    /// All remarks, in the order in which they were made.
+    pub(super) fn remarks(&self) -> &[String] {
+        &self.remarks
     }
 
     /// Whether there is none.

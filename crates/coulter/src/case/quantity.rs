@@ -93,12 +93,46 @@ const NAMED: [Measure; 14] = [
 /// # Errors
 /// [`QuantityError`] says what is wrong and, where possible, what was meant.
 pub fn parse(text: &str, measure: &Measure) -> Result<f64, QuantityError> {
-    let (value, dimension) = parse_any(text)?;
+    let (value, dimension) = parse_any(text).map_err(|error| sensible(error, text, measure))?;
     if dimension == measure.dimension {
         return Ok(value);
     }
     let found = describe(dimension);
     Err(QuantityError::WrongDimension { text: text.trim().to_owned(), found, needed: measure.name })
+}
+
+/// Without a suggestion that leads astray: a unit that stands alone is like one of the same measure, or like none.
+fn sensible(error: QuantityError, text: &str, measure: &Measure) -> QuantityError {
+    match error {
+        QuantityError::UnknownUnit { unit, .. } if split_number(text.trim()).1.trim() == unit => {
+            let nearest = units::nearest_of(&unit, measure.dimension).map(str::to_owned);
+            QuantityError::UnknownUnit { unit, nearest }
+        }
+        other => other,
+    }
+}
+
+/// How many SI units of a measure a unit is; what is wrong with it in words. A mass in place of a force, as scales and old gauges show
+/// it, is named.
+///
+/// # Errors
+/// In words, without a cure.
+pub fn unit_size(unit: &str, measure: &Measure) -> Result<f64, String> {
+    let text = format!("1 {unit}");
+    let (size, dimension) = parse_any(&text).map_err(|error| sensible(error, &text, measure).to_string())?;
+    if dimension == measure.dimension && size > 0.0 {
+        return Ok(size);
+    }
+    let mut per_acceleration = measure.dimension;
+    per_acceleration.0[0] -= 1;
+    per_acceleration.0[2] += 2;
+    let of_mass = dimension == per_acceleration;
+    let hint = if of_mass {
+        ": it has a mass where a force belongs; of forces write kgf, gf, tf or lbf"
+    } else {
+        ""
+    };
+    Err(format!("[{unit}] is not a unit of {}{hint}", measure.name))
 }
 
 /// Reads `text` as a quantity of any dimension; the value in SI units.
@@ -280,6 +314,16 @@ mod tests {
         close("9.81 m/s²", &ACCELERATION, 9.81);
         close("9.81 m s^-2", &ACCELERATION, 9.81);
         close("1_000 mm", &LENGTH, 1.0);
+        for (text, newtons) in [("1 lbf", 4.448_221_615_260_5), ("1 kgf", 9.806_65), ("2 tf", 19_613.3)] {
+            close(text, &FORCE, newtons);
+        }
+        close("1 psi", &STRESS, 6894.757_293_168_361);
+        close("1 ksf", &STRESS, 47_880.258_980_335_84);
+        close("1 kgf/cm^2", &STRESS, 98_066.5);
+        close("3 kN/m²", &STRESS, 3e3);
+        close("3 N/mm²", &STRESS, 3e6);
+        close("10 mph", &SPEED, 4.4704);
+        close("2 kNm", &TORQUE, 2e3);
         close("0 deg", &ANGLE, 0.0);
     }
 
@@ -312,6 +356,9 @@ mod tests {
         assert!(complaint("5", &LENGTH).contains("no unit"));
         assert!(complaint("5 kPaa", &STRESS).contains("did you mean `kPa`?"));
         assert!(complaint("5 kn", &FORCE).contains("did you mean `kN`?"));
+        assert!(complaint("5 kgff", &FORCE).contains("did you mean `kgf`?"));
+        assert!(!complaint("5 kgg", &FORCE).contains("`kg`"));
+        assert!(unit_size("kg/cm^2", &STRESS).unwrap_err().contains("a mass where a force belongs"));
         assert!(complaint("", &LENGTH).contains("number"));
         assert!(complaint("nan m", &LENGTH).contains("number"));
         assert!(complaint("inf m", &LENGTH).contains("number"));

@@ -63,6 +63,9 @@ pub struct Case {
     /// Files of tables that motions follow.
     #[serde(skip)]
     pub tables: Vec<MotionTable>,
+    /// What is to be said of how its files were read.
+    #[serde(skip)]
+    pub remarks: Vec<String>,
     /// Duration of the run [s]; of one of several stages the longest possible.
     pub duration: f64,
     /// What to write, and how often.

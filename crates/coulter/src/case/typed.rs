@@ -36,6 +36,8 @@ pub(super) struct Motion {
     pub(super) displacement: Option<f64>,
     /// The file of a table.
     pub(super) table: Option<String>,
+    /// The word that says which of its times is the start.
+    pub(super) from: Option<String>,
     /// Whether a time was given.
     pub(super) is_timed: bool,
 }

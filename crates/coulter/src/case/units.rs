@@ -83,25 +83,61 @@ const fn unit(symbol: &'static str, factor: f64, dimension: [i32; 4], prefixes: 
     Unit { symbol, factor, dimension, prefixes }
 }
 
-const UNITS: [Unit; 20] = [
+/// Standard gravity [m/s²] by definition (3rd General Conference on Weights and Measures, 1901), and the avoirdupois pound [kg]
+/// (international agreement of 1959): what units of force and pressure of both kinds are made of.
+const STANDARD_GRAVITY: f64 = 9.80665;
+const POUND: f64 = 0.453_592_37;
+const POUND_FORCE: f64 = POUND * STANDARD_GRAVITY;
+const FOOT: f64 = 0.3048;
+const INCH: f64 = 0.0254;
+const FORCE: [i32; 4] = [1, 1, -2, 0];
+const PRESSURE: [i32; 4] = [-1, 1, -2, 0];
+const TORQUE: [i32; 4] = [2, 1, -2, 0];
+
+const UNITS: [Unit; 45] = [
     unit("m", 1.0, [1, 0, 0, 0], true),
-    unit("in", 0.0254, [1, 0, 0, 0], false),
-    unit("ft", 0.3048, [1, 0, 0, 0], false),
+    unit("in", INCH, [1, 0, 0, 0], false),
+    unit("inch", INCH, [1, 0, 0, 0], false),
+    unit("ft", FOOT, [1, 0, 0, 0], false),
+    unit("yd", 3.0 * FOOT, [1, 0, 0, 0], false),
+    unit("mi", 5280.0 * FOOT, [1, 0, 0, 0], false),
     unit("g", 1e-3, [0, 1, 0, 0], true),
+    unit("lb", POUND, [0, 1, 0, 0], false),
     unit("s", 1.0, [0, 0, 1, 0], true),
+    unit("sec", 1.0, [0, 0, 1, 0], false),
     unit("rad", 1.0, [0, 0, 0, 1], true),
-    unit("N", 1.0, [1, 1, -2, 0], true),
-    unit("Pa", 1.0, [-1, 1, -2, 0], true),
+    unit("N", 1.0, FORCE, true),
+    unit("gf", 1e-3 * STANDARD_GRAVITY, FORCE, false),
+    unit("kgf", STANDARD_GRAVITY, FORCE, false),
+    unit("kp", STANDARD_GRAVITY, FORCE, false),
+    unit("tf", 1e3 * STANDARD_GRAVITY, FORCE, false),
+    unit("lbf", POUND_FORCE, FORCE, false),
+    unit("kip", 1e3 * POUND_FORCE, FORCE, false),
+    unit("Pa", 1.0, PRESSURE, true),
+    unit("bar", 1e5, PRESSURE, true),
+    unit("atm", 101_325.0, PRESSURE, false),
+    unit("psi", POUND_FORCE / (INCH * INCH), PRESSURE, false),
+    unit("ksi", 1e3 * POUND_FORCE / (INCH * INCH), PRESSURE, false),
+    unit("psf", POUND_FORCE / (FOOT * FOOT), PRESSURE, false),
+    unit("ksf", 1e3 * POUND_FORCE / (FOOT * FOOT), PRESSURE, false),
+    unit("tsf", 2e3 * POUND_FORCE / (FOOT * FOOT), PRESSURE, false),
+    unit("Nm", 1.0, TORQUE, true),
+    unit("Ncm", 1e-2, TORQUE, false),
+    unit("Nmm", 1e-3, TORQUE, false),
     unit("J", 1.0, [2, 1, -2, 0], true),
     unit("W", 1.0, [2, 1, -3, 0], true),
-    unit("bar", 1e5, [-1, 1, -2, 0], true),
     unit("t", 1e3, [0, 1, 0, 0], false),
     unit("min", 60.0, [0, 0, 1, 0], false),
     unit("h", 3600.0, [0, 0, 1, 0], false),
+    unit("hr", 3600.0, [0, 0, 1, 0], false),
+    unit("mph", 5280.0 * FOOT / 3600.0, [1, 0, -1, 0], false),
+    unit("kph", 1.0 / 3.6, [1, 0, -1, 0], false),
     unit("deg", std::f64::consts::PI / 180.0, [0, 0, 0, 1], false),
     unit("°", std::f64::consts::PI / 180.0, [0, 0, 0, 1], false),
     unit("rev", std::f64::consts::TAU, [0, 0, 0, 1], false),
     unit("rpm", std::f64::consts::TAU / 60.0, [0, 0, -1, 1], false),
+    unit("rps", std::f64::consts::TAU, [0, 0, -1, 1], false),
+    unit("dps", std::f64::consts::PI / 180.0, [0, 0, -1, 1], false),
     unit("Hz", 1.0, [0, 0, -1, 0], true),
     unit("1", 1.0, [0, 0, 0, 0], false),
 ];
@@ -121,10 +157,17 @@ const PREFIXES: [(&str, f64); 11] = [
 ];
 
 /// Symbols that are suggested when an unknown one is similar.
-const COMMON: [&str; 27] = [
-    "m", "mm", "cm", "km", "µm", "kg", "g", "t", "s", "ms", "min", "h", "rad", "deg", "N", "kN", "MN", "Pa",
-    "kPa", "MPa", "GPa", "bar", "J", "kJ", "rpm", "rev", "Hz",
+const COMMON: [&str; 35] = [
+    "m", "mm", "cm", "km", "µm", "in", "ft", "kg", "g", "t", "lb", "s", "ms", "min", "h", "rad", "deg", "N",
+    "kN", "MN", "kgf", "lbf", "Pa", "kPa", "MPa", "GPa", "bar", "psi", "J", "kJ", "Nm", "rpm", "rev", "Hz",
+    "mph",
 ];
+
+/// The symbol most like an unknown one, of those of a dimension.
+pub(super) fn nearest_of(symbol: &str, dimension: Dimension) -> Option<&'static str> {
+    let fits = |known: &&str| parse(known).is_ok_and(|(_, of_known)| of_known == dimension);
+    nearest(symbol, COMMON.into_iter().filter(fits))
+}
 
 /// Largest exponent that makes sense; a larger one is a typing error.
 const EXPONENT_LIMIT: i32 = 9;

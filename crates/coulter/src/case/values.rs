@@ -1,7 +1,7 @@
 //! From a value of the tree to a value of the kind that its key requires, in SI units; or what is wrong with it.
 
 use super::format;
-use super::keys::words::{DENSITIES, WALLS};
+use super::keys::words::{DENSITIES, ORIGINS, WALLS};
 use super::keys::{DefaultValue, FOLLOW, Key, Kind, MOTION, UNTIL};
 use super::names::nearest;
 use super::numbers::{in_range, in_range_or_infinite};
@@ -410,6 +410,7 @@ fn motion_table(
             "displacement" => Kind::Quantity(*way),
             "slip" => Kind::Number,
             "table" => Kind::Text,
+            "from" => Kind::Choice(&ORIGINS),
             "start" | "ramp" | "end" => {
                 motion.is_timed = true;
                 Kind::Quantity(TIME)
@@ -422,8 +423,9 @@ fn motion_table(
         let path = join(path, &entry.key);
         let number = match value(&entry.value, &kind, &path, problems) {
             Given::Number(number) => number,
-            Given::Text(file) => {
-                motion.table = Some(file);
+            Given::Text(text) => {
+                let place = if entry.key == "from" { &mut motion.from } else { &mut motion.table };
+                *place = Some(text);
                 continue;
             }
             _ => continue,

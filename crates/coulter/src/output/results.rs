@@ -160,7 +160,7 @@ impl Results {
             &read_history(&self.dir, &HistoryNames::of(history), true)?,
             &*read_rims(&self.dir, &history.names)?,
         );
-        report(&self.dir, &self.record, &summary, written, &[])?;
+        report(&self.dir, &self.record, &summary, written, (&[], &[]))?;
         // Last: until it says how the run ended, a resumed run repeats all this.
         self.record.write(&self.dir)?;
         Ok(summary)
@@ -283,14 +283,19 @@ pub(crate) fn add_confidence(
 /// # Errors
 /// When the folder holds no result, or a file is broken.
 pub fn rebuild_report(dir: &Path) -> Result<PathBuf, OutputError> {
-    rebuild_report_with(dir, &[])
+    rebuild_report_with(dir, &[], &[])
 }
 
-/// As [`rebuild_report`], with curves of measurements and other runs laid over its plots. They are not kept in the folder.
+/// As [`rebuild_report`], with curves of measurements and other runs laid over its plots, and remarks on them. They are not kept in the
+/// folder.
 ///
 /// # Errors
 /// As [`rebuild_report`].
-pub fn rebuild_report_with(dir: &Path, laid_over: &[Overlay]) -> Result<PathBuf, OutputError> {
+pub fn rebuild_report_with(
+    dir: &Path,
+    laid_over: &[Overlay],
+    remarks: &[String],
+) -> Result<PathBuf, OutputError> {
     let record = RunRecord::read(dir)?;
     let names = record.names();
     let is_whole = record.statistics.outcome.is_end();
@@ -305,7 +310,7 @@ pub fn rebuild_report_with(dir: &Path, laid_over: &[Overlay]) -> Result<PathBuf,
         summary.fill(&history, &record);
         summary
     };
-    report(dir, &record, &summary, (&history, &read_rims(dir, &names.bodies)?), laid_over)?;
+    report(dir, &record, &summary, (&history, &read_rims(dir, &names.bodies)?), (laid_over, remarks))?;
     Ok(dir.join(REPORT))
 }
 
@@ -314,14 +319,18 @@ fn report(
     record: &RunRecord,
     summary: &Summary,
     (history, rims): (&History, &[Vec<RimLine>]),
-    laid_over: &[Overlay],
+    (laid_over, remarks): (&[Overlay], &[String]),
 ) -> Result<(), OutputError> {
     let optional = |name: &str| {
         let file = Inside::of(dir, name);
         if file.exists() { read_text(&file).map(Some) } else { Ok(None) }
     };
-    let text =
-        ReportText { resolved: optional(RESOLVED)?, typed: optional(TYPED)?, laid_over: laid_over.to_vec() };
+    let text = ReportText {
+        resolved: optional(RESOLVED)?,
+        typed: optional(TYPED)?,
+        laid_over: laid_over.to_vec(),
+        remarks: remarks.to_vec(),
+    };
     make_folder(&Inside::of(dir, PLOTS))?;
     write_report(dir, record, summary, (history, rims), &text)
 }

@@ -110,6 +110,7 @@ pub(crate) fn case(kind: Kind, cell: f64) -> Case {
         layers: Vec::new(),
         stages: Vec::new(),
         tables: Vec::new(),
+        remarks: Vec::new(),
         duration: 6.0,
         output: OUTPUT,
         numerics: numerics(),

@@ -6,7 +6,7 @@ import json
 import os
 import subprocess
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from ._broken import BrokenRun
@@ -49,6 +49,7 @@ def compare(
     reference: str | os.PathLike[str] | None = None,
     against: str | None = None,
     quantities: Sequence[str] = (),
+    columns: Mapping[str, str] | None = None,
     window: str | None = None,
     align: bool = False,
     output: str | os.PathLike[str] | None = None,
@@ -60,6 +61,7 @@ def compare(
         reference: the item that the others are compared with; the first measured one by default.
         against: along what: ``u``, ``z``, ``t`` or ``slip``.
         quantities: what is compared, such as ``["drag", "vertical"]``.
+        columns: what columns of measured files are, where their names do not say it: ``{"qc [MPa]": "pressure", "note": "-"}``.
         window: the part of the abscissa that counts, such as ``'"5 mm".."25 mm"'``.
         align: move the zero of the abscissa of each curve to where it fits the reference best.
         output: where to write page, table and document; an earlier comparison there is replaced.
@@ -76,6 +78,8 @@ def compare(
             words += [option, value]
     if quantities:
         words += ["--quantity", ",".join(quantities)]
+    for column, meaning in (columns or {}).items():
+        words += ["--column", f"{column}={meaning}"]
     if align:
         words.append("--align")
     if output is not None:

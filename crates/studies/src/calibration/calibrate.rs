@@ -9,7 +9,7 @@ use super::runs::{Solver, SolverError};
 use super::solver_stage::{Plan, SolverStage, calibrate_solver, least_budget};
 use super::space::Space;
 use super::stage::{Effort, Stage, calibrate_response};
-use crate::measured::{Quantity, Record};
+use crate::measured::{Quantity, Record, settle_force};
 use crate::sources::{Along, ClosedForm, LeftOut};
 use coulter::case::{self, CaseError};
 use coulter::interrupts::Interrupts;
@@ -77,6 +77,8 @@ pub struct Calibration {
     pub closed: Option<Stage>,
     /// The solver.
     pub solver: Option<SolverStage>,
+    /// What is to be said of how the measurements were read.
+    pub remarks: Vec<String>,
 }
 
 impl Calibration {
@@ -132,21 +134,23 @@ pub fn calibrate(
     interrupts: &Interrupts,
     tell: &mut dyn FnMut(&str),
 ) -> Result<Calibration, CalibrationError> {
-    let Request { case, overrides, space, records, .. } = request;
+    let Request { case, overrides, space, .. } = request;
     refuse_ends(request)?;
     let needs_closed = request.model != ModelChoice::Solver;
-    let forms = ClosedResponse::forms(case, overrides, space, (records, request.closed_form));
+    let forms = ClosedResponse::forms(case, overrides, space, (&request.records, request.closed_form));
     let mut selection = request.selection.clone();
     selection.is_pressed = match &forms {
         Ok(forms) => forms.iter().all(|(form, _)| form.is_pressed()),
         // Without a closed form curves of a body that goes down follow its sinkage.
         Err(_) => is_pressed(request)?,
     };
+    let records = &settled(&request.records, selection.is_pressed).map_err(CalibrationError::Request)?;
     let Taken { curves, left_out } = selection.curves(records).map_err(CalibrationError::Request)?;
-    let mut calibration = Calibration { left_out, closed: None, solver: None };
+    let remarks = records.iter().flat_map(Record::named_remarks).collect();
+    let mut calibration = Calibration { left_out, closed: None, solver: None, remarks };
     if needs_closed {
         let models = ClosedResponse::models(forms?, records, &curves)?;
-        let (stage, left_out) = closed_form(request, &selection, models, (interrupts, tell))?;
+        let (stage, left_out) = closed_form(request, (&selection, records), models, (interrupts, tell))?;
         (calibration.closed, calibration.left_out) = (Some(stage), left_out);
     }
     if request.model == ModelChoice::ClosedForm {
@@ -182,11 +186,11 @@ fn likelihood(request: &Request<'_>, curves: Vec<MeasuredCurve>) -> Likelihood {
 /// The calibration of the closed form, at the points where it applies, and the other points.
 fn closed_form(
     request: &Request<'_>,
-    selection: &Selection,
+    (selection, records): (&Selection, &[Record]),
     models: Vec<(ClosedForm, Vec<String>)>,
     (interrupts, tell): (&Interrupts, &mut dyn FnMut(&str)),
 ) -> Result<(Stage, Vec<LeftOut>), CalibrationError> {
-    let Request { case, overrides, space, records, effort, .. } = request;
+    let Request { case, overrides, space, effort, .. } = request;
     let judge =
         |number: usize, abscissa: Quantity, at: &[f64]| models[number].0.refusals(Along::of(abscissa), at);
     let Taken { curves, left_out } =
@@ -200,6 +204,20 @@ fn closed_form(
     let stage = calibrate_response(&likelihood(request, curves), used, &name, *effort);
     stopped(interrupts)?;
     Ok((stage.map_err(CalibrationError::Request)?, left_out))
+/// The measurements, with forces turned that follow another convention of signs: what is pressed down is pressed up, and what is towed is
+/// dragged back.
+fn settled(records: &[Record], is_pressed: bool) -> Result<Vec<Record>, String> {
+    let loads: &[Quantity] =
+        if is_pressed { &[Quantity::Vertical, Quantity::Pressure] } else { &[Quantity::Drag] };
+    let mut settled = records.to_vec();
+    for record in &mut settled {
+        record.refuse_groups()?;
+        let along = if is_pressed { Some(Quantity::Sinkage) } else { record.abscissae().next() };
+        for load in loads {
+            settle_force(record, *load, along.unwrap_or(Quantity::Time), Some(1.0))?;
+        }
+    }
+    Ok(settled)
 }
 
 /// What a stage says after a stop is of no use.

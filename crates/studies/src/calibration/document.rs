@@ -41,6 +41,7 @@ pub fn document(request: &Request<'_>, calibration: &Calibration) -> Value {
         "seed": request.effort.seed,
         "measured": measured,
         "left_out": calibration.left_out.iter().map(LeftOut::text).collect::<Vec<_>>(),
+        "remarks": calibration.remarks,
         "closed_form": calibration.closed.as_ref().map(|closed| stage(closed, request)),
         "solver": solver,
     })
@@ -176,6 +177,9 @@ pub fn text(calibration: &Calibration) -> String {
             None => "the run at the best values cannot be used: take them for unverified".to_owned(),
         };
         let _ = writeln!(text, "{verified}");
+    }
+    for remark in &calibration.remarks {
+        let _ = writeln!(text, "note: {remark}");
     }
     text
 }

@@ -38,7 +38,14 @@ pub fn page(request: &Request<'_>, calibration: &Calibration) -> Result<String, 
             ["measured".to_owned(), names.join(", ")],
             ["unknowns".to_owned(), request.space.unknowns.iter().map(|u| u.name.clone()).collect::<Vec<_>>().join(", ")],
         ],
-        warnings: calibration.left_out.iter().map(|l| [l.text(), String::new()]).chain(warnings).collect(),
+        warnings: calibration
+            .left_out
+            .iter()
+            .map(LeftOut::text)
+            .chain(calibration.remarks.iter().cloned())
+            .map(|note| [note, String::new()])
+            .chain(warnings)
+            .collect(),
         sections,
         footer: "Intervals are those of the posterior density, 5 to 95 %; docs/calibration.md explains likelihood, priors and sampler."
             .to_owned(),

@@ -5,6 +5,7 @@ use super::data::MeasuredCurve;
 use super::space::Space;
 use crate::files;
 use crate::measured::Record;
+use crate::sheet::short;
 use crate::sources::{RunSource, local_means, read_run, rising};
 use coulter::case::{self, Case, CaseError};
 use coulter::interrupts::Interrupts;
@@ -132,6 +133,9 @@ impl Solver<'_> {
             };
             let curves = self.curves.iter().filter(|curve| curve.record == number);
             for curve in curves {
+                if let Some(why) = apart(curve, &sources[source].1) {
+                    return Err(SolverError::Other(why));
+                }
                 match (taken(curve, &sources[source].1), &mut point.outcome) {
                     (Ok(values), RunOutcome::Curves(list)) => list.extend(values),
                     (Err(why), outcome) => *outcome = RunOutcome::Failed(why),
@@ -208,6 +212,26 @@ fn taken(curve: &MeasuredCurve, source: &RunSource) -> Result<Vec<f64>, String> 
         curve.seen(point, value).ok_or_else(why)
     };
     values.iter().enumerate().map(seen).collect()
+}
+
+/// Why a curve and a run have no point in common, which no values of the unknowns change.
+fn apart(curve: &MeasuredCurve, source: &RunSource) -> Option<String> {
+    let abscissa = curve.abscissa?;
+    let ends = |values: &[f64]| {
+        values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(*v), high.max(*v)])
+    };
+    let [run, measured] = [ends(source.record.values(abscissa)?), ends(&curve.at)];
+    (measured[0] > run[1] || measured[1] < run[0]).then(|| {
+        let shown = |[low, high]: [f64; 2]| format!("{} to {} {}", short(low), short(high), abscissa.unit());
+        format!(
+            "{}: measured at a {} of {}, and the run goes from {}: no point in common; check units and signs of the file, and how far the \
+             case goes",
+            curve.name,
+            abscissa.name(),
+            shown(measured),
+            shown(run)
+        )
+    })
 }
 
 fn missing(curve: &MeasuredCurve, column: &str) -> String {

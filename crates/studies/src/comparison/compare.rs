@@ -1,8 +1,10 @@
 //! A comparison from its items to its figures.
 
 use super::align::{Aligned, aligned};
+use super::common::in_common;
 use super::figures::{Differences, differences};
 use super::item::{Item, ItemKind};
+use super::settled::{scale, settle_signs};
 use super::steady::{SteadyMean, steady_mean};
 use crate::measured::Quantity;
 use crate::sources::{LeftOut, place, rising};
@@ -54,6 +56,8 @@ pub struct Comparison {
     pub quantities: Vec<(Quantity, Vec<[f64; 2]>, Option<SteadyMean>)>,
     /// Every other item beside the reference.
     pub compared: Vec<Compared>,
+    /// What is to be said of how files were read, and of items that have nothing in common with the reference.
+    pub remarks: Vec<String>,
 }
 
 /// The part of a curve at its end over which a mean counts as steady.
@@ -74,6 +78,7 @@ pub fn compare(items: &mut [Item], request: &ComparisonRequest) -> Result<Compar
             "name two things or more: results folders, forecasts, case files, measured CSV files".to_owned()
         );
     }
+    scale(items)?;
     let against = against(&items[number], request)?;
     let places = items[number].record.values(against).unwrap_or_default();
     let places: Vec<f64> =
@@ -81,9 +86,11 @@ pub fn compare(items: &mut [Item], request: &ComparisonRequest) -> Result<Compar
     let whole = place(&items[number].record, against, &places);
     let settled = items.iter_mut().try_for_each(|item| item.settle(against, &places));
     settled.map_err(|why| format!("{why} (for {whole})"))?;
+    let wanted = wanted(items, number, against, request);
+    settle_signs(items, against, &wanted)?;
     let (items, reference) = (&*items, &items[number]);
     let mut quantities = Vec::new();
-    for quantity in wanted(items, number, against, request) {
+    for quantity in wanted {
         let (curve, _) = reference.curve(quantity, against, (&reference.record, &[]));
         let curve = inside(&curve, request.window);
         if curve.len() >= 2 {
@@ -104,25 +111,22 @@ pub fn compare(items: &mut [Item], request: &ComparisonRequest) -> Result<Compar
             compared.extend(beside((item, other), reference, (*quantity, curve, *mean), (against, request)));
         }
     }
-    refuse_silence(items, &compared, against)?;
-    Ok(Comparison { reference: number, against, quantities, compared })
+    let shares = |n: usize| {
+        compared.iter().any(|one| one.item == n && (one.aligned.is_some() || one.overlaps.is_some()))
+    };
+    refuse_silence(&compared, shares)?;
+    let mut remarks: Vec<String> = items.iter().flat_map(|item| item.record.named_remarks()).collect();
+    remarks.extend(in_common(items, (number, against), shares, request.window)?);
+    Ok(Comparison { reference: number, against, quantities, compared, remarks })
 }
 
-/// Refuses a comparison in which nothing has a point or a mean in common with the reference.
-fn refuse_silence(items: &[Item], compared: &[Compared], against: Quantity) -> Result<(), String> {
-    if compared.is_empty() || compared.iter().any(|one| one.aligned.is_some() || one.mean.is_some()) {
+/// Refuses a comparison in which models say nothing at the points of the reference, and nothing else shares any with it.
+fn refuse_silence(compared: &[Compared], shares: impl Fn(usize) -> bool) -> Result<(), String> {
+    let said: Vec<String> = compared.iter().flat_map(|one| one.left_out.iter().map(LeftOut::text)).collect();
+    if said.is_empty() || compared.iter().any(|one| shares(one.item)) {
         return Ok(());
     }
-    let said: Vec<String> = compared.iter().flat_map(|one| one.left_out.iter().map(LeftOut::text)).collect();
-    if !said.is_empty() {
-        return Err(format!("fewer than two points are left to be compared: {}", said.join("; ")));
-    }
-    let names: Vec<&str> = compared.iter().map(|one| items[one.item].name.as_str()).collect();
-    Err(format!(
-        "the reference has fewer than two points along its {} in common with {}; check the units, --window and --against",
-        against.name(),
-        names.join(", ")
-    ))
+    Err(format!("fewer than two points are left to be compared: {}", said.join("; ")))
 }
 
 fn against(reference: &Item, request: &ComparisonRequest) -> Result<Quantity, String> {

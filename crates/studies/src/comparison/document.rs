@@ -104,6 +104,9 @@ pub fn comparison_text(items: &[Item], comparison: &Comparison) -> String {
         text.push('\n');
         text.push_str(&means.text());
     }
+    for remark in &comparison.remarks {
+        text.push_str(&format!("note: {remark}\n"));
+    }
     text
 }
 
@@ -165,6 +168,7 @@ pub fn comparison_document(items: &[Item], comparison: &Comparison) -> Value {
         })).collect::<Vec<_>>(),
         "compared": comparison.compared.iter().map(one).collect::<Vec<_>>(),
         "left_out": left_out(comparison),
+        "remarks": comparison.remarks,
     })
 }
 
@@ -201,7 +205,11 @@ pub fn comparison_page(items: &[Item], comparison: &Comparison) -> Result<String
     let sheet = Sheet {
         title: format!("Compared with {reference}"),
         facts: items.iter().map(kind).collect(),
-        warnings: left_out(comparison).into_iter().map(|line| [line, String::new()]).collect(),
+        warnings: left_out(comparison)
+            .into_iter()
+            .chain(comparison.remarks.iter().cloned())
+            .map(|line| [line, String::new()])
+            .collect(),
         sections,
         footer: "Made by coulter compare.".to_owned(),
     };

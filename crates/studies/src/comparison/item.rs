@@ -2,10 +2,11 @@
 
 use super::steady::SteadyMean;
 use crate::files::{self, FileError};
-use crate::measured::{Quantity, Record, read};
+use crate::measured::{ColumnChoice, Quantity, Record, read};
 use crate::sources::{Along, ClosedForm, ClosedForms, LeftOut, read_run, rising, says_nothing};
 use coulter::case::{self, CaseError};
 use coulter::formats;
+use coulter::history::reference::Reference;
 use coulter::output::Inside;
 use serde_json::Value;
 use std::path::Path;
@@ -51,6 +52,8 @@ pub struct Item {
     pub forms: Option<ClosedForms>,
     /// The one of them that is compared; `None` until [`Item::settle`].
     pub model: Option<ClosedForm>,
+    /// What makes its results dimensionless, of a run and of a case.
+    pub reference: Option<Reference>,
 }
 
 /// Why an argument cannot be compared.
@@ -69,11 +72,11 @@ const MAX_BYTES: u64 = 64 << 20;
 /// Name of the document in the folder of a forecast.
 const FORECAST: &str = "forecast.json";
 
-/// Reads what an argument names; `body` is the body of a run with several.
+/// Reads what an argument names; `body` is the body of a run with several, and `choices` say what the columns of measurements are.
 ///
 /// # Errors
 /// [`Unreadable`] says what is wrong with it.
-pub fn read_item(path: &Path, body: Option<&str>) -> Result<Item, Unreadable> {
+pub fn read_item(path: &Path, body: Option<&str>, choices: &[ColumnChoice]) -> Result<Item, Unreadable> {
     let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
     if path.is_dir() {
         let document = Inside::of(path, FORECAST);
@@ -86,7 +89,7 @@ pub fn read_item(path: &Path, body: Option<&str>) -> Result<Item, Unreadable> {
     match extension.as_str() {
         "toml" => closed_form(path),
         "json" => forecast(path, files::read(path, MAX_BYTES)),
-        "csv" | "txt" => measured(path),
+        "csv" | "txt" | "tsv" | "dat" => measured(path, choices),
         _ if !path.exists() => Err(Unreadable::Other(format!(
             "{}: there is no such file or folder; name results of a run, a forecast, a case file or a measured CSV file",
             path.display()
@@ -99,11 +102,19 @@ pub fn read_item(path: &Path, body: Option<&str>) -> Result<Item, Unreadable> {
 }
 
 fn item(path: &Path, kind: ItemKind, record: Record) -> Item {
-    Item { name: path.display().to_string(), kind, record, means: Vec::new(), forms: None, model: None }
+    Item {
+        name: path.display().to_string(),
+        kind,
+        record,
+        means: Vec::new(),
+        forms: None,
+        model: None,
+        reference: None,
+    }
 }
 
-fn measured(path: &Path) -> Result<Item, Unreadable> {
-    Ok(item(path, ItemKind::Measured, read(path)?))
+fn measured(path: &Path, choices: &[ColumnChoice]) -> Result<Item, Unreadable> {
+    Ok(item(path, ItemKind::Measured, read(path, choices)?))
 }
 
 fn run(path: &Path, body: Option<&str>) -> Result<Item, Unreadable> {
@@ -114,14 +125,20 @@ fn run(path: &Path, body: Option<&str>) -> Result<Item, Unreadable> {
         Some((quantity, SteadyMean { mean, half }))
     };
     let means = quantities.filter_map(mean).collect();
-    Ok(Item { means, ..item(path, ItemKind::Run, source.record.clone()) })
+    let is_it = |reference: &&Reference| match body {
+        Some(name) => reference.name == name,
+        None => reference.has_surface(),
+    };
+    let reference = source.run.bodies.iter().find(is_it).cloned();
+    Ok(Item { means, reference, ..item(path, ItemKind::Run, source.record.clone()) })
 }
 
 fn closed_form(path: &Path) -> Result<Item, Unreadable> {
     let (case, _) = case::load_for_forecast(path, &[])?;
     let forms = ClosedForms::of(&case, None)
         .map_err(|why| Unreadable::Other(format!("{}: {why}", path.display())))?;
-    Ok(Item { forms: Some(forms), ..item(path, ItemKind::ClosedForm, Record::default()) })
+    let reference = Reference::all(&case).into_iter().find(Reference::has_surface);
+    Ok(Item { forms: Some(forms), reference, ..item(path, ItemKind::ClosedForm, Record::default()) })
 }
 
 fn forecast(path: &Path, content: Result<Vec<u8>, FileError>) -> Result<Item, Unreadable> {

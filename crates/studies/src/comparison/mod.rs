@@ -1,10 +1,12 @@
 //! Runs, closed forms and measurements side by side: aligned, with differences, peaks and steady means.
 
 mod align;
+mod common;
 mod compare;
 mod document;
 mod figures;
 mod item;
+mod settled;
 mod steady;
 
 pub use align::{Aligned, aligned};

@@ -1,8 +1,9 @@
 //! What a column of a measured curve can be: its names, its unit, and whether curves run along it.
 
 use coulter::case::quantity::{
-    ANGLE, FORCE, LENGTH, Measure, SPEED, STRESS, TIME, TORQUE, TURN_RATE, parse_any,
+    ANGLE, FORCE, LENGTH, Measure, SPEED, STRESS, TIME, TORQUE, TURN_RATE, unit_size,
 };
+use coulter::case::table_file::plain_name;
 
 /// A quantity of a curve; values are in SI units.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -71,7 +72,16 @@ const ALL: [Entry; 15] = [
     ),
     entry(
         Quantity::Sinkage,
-        &["sinkage", "sinkage z", "z", "depth", "penetration", "indentation", "settlement"],
+        &[
+            "sinkage",
+            "sinkage z",
+            "z",
+            "depth",
+            "penetration",
+            "penetration depth",
+            "indentation",
+            "settlement",
+        ],
         "m",
         "sinkage z",
         Some(LENGTH),
@@ -79,14 +89,37 @@ const ALL: [Entry; 15] = [
     entry(Quantity::Slip, &["slip", "slip ratio", "s"], "-", "slip s", None),
     entry(
         Quantity::Drag,
-        &["drag", "drag F_H", "F_H", "horizontal", "horizontal force", "draught", "draft", "pull"],
+        &[
+            "drag",
+            "drag F_H",
+            "F_H",
+            "horizontal",
+            "horizontal force",
+            "draught",
+            "draught force",
+            "draft",
+            "draft force",
+            "pull",
+        ],
         "N",
         "drag F_H",
         Some(FORCE),
     ),
     entry(
         Quantity::Vertical,
-        &["vertical", "vertical F_V", "F_V", "vertical force", "force", "load", "normal force"],
+        &[
+            "vertical",
+            "vertical F_V",
+            "F_V",
+            "vertical force",
+            "vertical load",
+            "force",
+            "load",
+            "normal force",
+            "normal load",
+            "axial force",
+            "axial load",
+        ],
         "N",
         "vertical force F_V",
         Some(FORCE),
@@ -95,7 +128,16 @@ const ALL: [Entry; 15] = [
     entry(Quantity::Torque, &["axle torque", "torque", "moment", "M"], "N m", "axle torque M", Some(TORQUE)),
     entry(
         Quantity::Pressure,
-        &["pressure", "p", "cone resistance", "q_c", "cone index"],
+        &[
+            "pressure",
+            "p",
+            "cone resistance",
+            "q_c",
+            "cone index",
+            "tip resistance",
+            "penetration resistance",
+            "contact pressure",
+        ],
         "Pa",
         "pressure p",
         Some(STRESS),
@@ -108,22 +150,39 @@ const ALL: [Entry; 15] = [
     entry(Quantity::MomentZ, &["moment z", "M_z", "torque z"], "N m", "moment about z M_z", Some(TORQUE)),
 ];
 
+/// The name of the quantity, and whether the column holds standard deviations of it: `drag sd`, `drag ±`.
+pub(super) fn split_deviation(name: &str) -> (&str, bool) {
+    for mark in ["±", "+-", " sd", "_sd", " SD", "_SD", " standard deviation"] {
+        if let Some(base) = name.strip_suffix(mark) {
+            return (base.trim(), true);
+        }
+    }
+    (name, false)
+}
+
 impl Quantity {
     /// Every quantity.
     pub fn all() -> impl Iterator<Item = Self> {
         ALL.iter().map(|entry| entry.quantity)
     }
 
-    /// The quantity with this name or alias, whatever its case.
+    /// The quantity with this name or alias, whatever its case and the marks between its words: `q_c`, `qc`, `cone_resistance`.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
-        let is_meant = |known: &str| known.eq_ignore_ascii_case(name);
+        let plain = plain_name(name);
+        let is_meant = |known: &str| plain_name(known) == plain;
         ALL.iter().find(|entry| entry.names.iter().any(|known| is_meant(known))).map(|entry| entry.quantity)
     }
 
     /// Every name and alias.
     pub fn names() -> impl Iterator<Item = &'static str> {
         ALL.iter().flat_map(|entry| entry.names.iter().copied())
+    }
+
+    /// Its names and aliases.
+    #[must_use]
+    pub fn aliases(self) -> &'static [&'static str] {
+        self.entry().names
     }
 
     fn entry(self) -> &'static Entry {
@@ -161,6 +220,12 @@ impl Quantity {
         self <= Self::Slip
     }
 
+    /// Whether it is a force, a torque or a pressure.
+    #[must_use]
+    pub fn is_load(self) -> bool {
+        (Self::Drag..=Self::Pressure).contains(&self)
+    }
+
     /// How many SI units a unit is.
     ///
     /// # Errors
@@ -173,11 +238,7 @@ impl Quantity {
                 other => Err(format!("[{other}] is a unit, but {} is a plain number", self.name())),
             };
         };
-        let (factor, dimension) = parse_any(&format!("1 {unit}")).map_err(|error| error.to_string())?;
-        if dimension == measure.dimension && factor > 0.0 {
-            return Ok(factor);
-        }
-        Err(format!("[{unit}] is not a unit of {}", measure.name))
+        unit_size(unit, &measure)
     }
 
     /// A unit in which it may be given, for messages.
@@ -207,7 +268,7 @@ mod tests {
 
     #[test]
     fn no_name_means_two_quantities() {
-        let mut names: Vec<String> = Quantity::names().map(str::to_lowercase).collect();
+        let mut names: Vec<String> = Quantity::names().map(plain_name).collect();
         let count = names.len();
         names.sort();
         names.dedup();

@@ -1,6 +1,17 @@
 //! A record: columns of one measurement, one run or one model, line by line.
 
 use super::Quantity;
+use coulter::case::quantity::plain;
+use coulter::history::reference::Reference;
+
+/// What a dimensionless column is a part of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Group {
+    /// The reference length d of the body.
+    Length,
+    /// Its reference force γ t d².
+    Force,
+}
 
 /// A column of a record.
 #[derive(Clone, Debug, PartialEq)]
@@ -11,6 +22,12 @@ pub struct Channel {
     pub values: Vec<f64>,
     /// Their standard deviations, in the same unit, where they are known.
     pub deviations: Option<Vec<f64>>,
+    /// What its values are parts of, of a dimensionless column that was not scaled yet.
+    pub group: Option<Group>,
+    /// What its file calls it; empty of a run.
+    pub title: String,
+    /// Whether its sign was stated, so that it is not to be doubted.
+    pub is_stated: bool,
 }
 
 /// Columns of equal length, in SI units.
@@ -24,6 +41,10 @@ pub struct Record {
     pub settings: Vec<String>,
     /// The line of the file of each row; empty of what is no file.
     pub lines: Vec<usize>,
+    /// What the columns of its file are called; empty of a run.
+    pub titles: Vec<String>,
+    /// What is to be said of how its file was read.
+    pub remarks: Vec<String>,
 }
 
 impl Record {
@@ -41,7 +62,67 @@ impl Record {
 
     /// Adds a column without standard deviations.
     pub fn push(&mut self, quantity: Quantity, values: Vec<f64>) {
-        self.channels.push(Channel { quantity, values, deviations: None });
+        self.channels.push(Channel {
+            quantity,
+            values,
+            deviations: None,
+            group: None,
+            title: String::new(),
+            is_stated: true,
+        });
+    }
+
+    /// Whether a column is dimensionless, and was not scaled yet.
+    #[must_use]
+    pub fn has_groups(&self) -> bool {
+        self.channels.iter().any(|channel| channel.group.is_some())
+    }
+
+    /// Refuses dimensionless columns where nothing says how to scale them.
+    ///
+    /// # Errors
+    /// Which, with a cure.
+    pub fn refuse_groups(&self) -> Result<(), String> {
+        match self.channels.iter().find(|channel| channel.group.is_some()) {
+            Some(channel) => Err(format!(
+                "{}: \"{}\" is dimensionless, and only a comparison with a case or a run says what it is a part of; give it as {}",
+                self.name,
+                channel.title,
+                channel.quantity.header()
+            )),
+            None => Ok(()),
+        }
+    }
+
+    /// Scales dimensionless columns with the length d and the force γ t d² of a body.
+    ///
+    /// # Errors
+    /// Why a force cannot be.
+    pub fn scale(&mut self, reference: &Reference) -> Result<(), String> {
+        let force =
+            reference.force().ok_or_else(|| format!("{}: weightless soil scales no forces", self.name));
+        for channel in &mut self.channels {
+            let factor = match channel.group.take() {
+                Some(Group::Length) => reference.length,
+                Some(Group::Force) => force.clone()?,
+                None => continue,
+            };
+            let deviations = channel.deviations.iter_mut().flatten();
+            channel.values.iter_mut().chain(deviations).for_each(|value| *value *= factor);
+        }
+        self.remarks.push(format!(
+            "dimensionless columns were scaled with d = {} m, t = {} m and γ = {} N/m³ of `{}`",
+            plain(reference.length),
+            plain(reference.width),
+            plain(reference.unit_weight),
+            reference.name
+        ));
+        Ok(())
+    }
+
+    /// Its remarks, each with the name of the file.
+    pub fn named_remarks(&self) -> impl Iterator<Item = String> + '_ {
+        self.remarks.iter().map(|remark| format!("{}: {remark}", self.name))
     }
 
     /// The number of lines.

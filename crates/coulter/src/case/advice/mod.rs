@@ -6,6 +6,7 @@ mod leak;
 mod motions;
 mod passive;
 mod relief;
+mod tables;
 mod walls;
 
 use super::estimate::estimate;
@@ -39,6 +40,7 @@ pub fn advice(case: &Case) -> Vec<String> {
     motions::late(case, &mut notes);
     closed_box::pumped(case, &mut notes);
     relief::uneven(case, &mut notes);
+    tables::files(case, &mut notes);
     timing(case, &mut notes);
     drainage(case, &mut notes);
     for (path, soil) in case.soils() {

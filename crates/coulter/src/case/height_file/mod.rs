@@ -1,8 +1,11 @@
-//! Files with heights of the ground: CSV (columns or a grid), TIFF and PNG.
+//! Files with heights of the ground: tables of points or a grid, ESRI grids, TIFF and PNG.
 
+mod esri;
 mod geo_keys;
+mod marks;
 mod placement;
 mod png_file;
+mod scattered;
 mod table;
 mod tiff_file;
 
@@ -56,23 +59,19 @@ impl HeightFile {
         let path = folder.join(file);
         let bytes = data_file::bytes(&path, (MAX_BYTES, TOO_MANY))?;
         let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
-        let mut remarks = Vec::new();
-        let raster = match extension.as_str() {
-            "csv" => table::read(&data_file::text(bytes)?, placement),
-            "tif" | "tiff" => tiff_file::read(bytes, placement).map(|(raster, said)| {
-                remarks = said;
-                raster
-            }),
-            "png" => png_file::read(&bytes, placement),
+        let (raster, remarks) = match extension.as_str() {
+            "csv" | "txt" | "tsv" | "dat" | "asc" => table::read(bytes, false, placement)?,
+            "xyz" => table::read(bytes, true, placement)?,
+            "tif" | "tiff" => tiff_file::read(bytes, placement)?,
+            "png" => (png_file::read(&bytes, placement)?, Vec::new()),
             _ => {
                 let message =
                     format!("its extension is `{extension}`, which is not that of a format that can be read");
-                problem(
-                    message,
-                    "save the heights as CSV, TIFF or PNG, with the extension .csv, .tif or .png",
-                )
+                let cure = "save the heights as CSV, ESRI grid, points, TIFF or PNG, with the extension .csv, .asc, .xyz, .tif or .png";
+                return problem(message, cure);
             }
-        }?;
+        };
+        marks::none_in(&raster, placement.datum)?;
         let Raster { lines, heights } = raster;
         let mut hasher = Xxh3::new();
         let numbers = lines.iter().flatten().chain(&heights);
@@ -97,6 +96,12 @@ impl HeightFile {
     #[must_use]
     pub fn path(&self) -> &Path {
         &self.content.path
+    }
+
+    /// What is to be said of how it was read.
+    #[must_use]
+    pub fn remarks(&self) -> &[String] {
+        &self.content.remarks
     }
 
     /// Hash of the file itself.

@@ -52,6 +52,14 @@ impl Placement {
         Ok(())
     }
 
+    /// The unit of a file that cannot name one [m]: metres unless the case says otherwise.
+    pub(super) fn in_metres(&self, remarks: &mut Vec<String>) -> f64 {
+        self.unit.unwrap_or_else(|| {
+            remarks.push("it names no unit: taken as metres; height_map.unit says otherwise".to_owned());
+            1.0
+        })
+    }
+
     /// Positions of the lines along both axes of a file that holds heights alone.
     pub(super) fn lines(&self, size: [usize; 2], why: &str) -> Result<[Vec<f64>; 2], FileProblem> {
         Self::no_effect(self.origin.is_some(), "origin", "the file has no coordinates")?;

@@ -4,7 +4,7 @@ use super::allowed_range::{APEX, BEVEL, FRACTION, GROUSERS, IN_THE_RUN, NOT_NEGA
 use super::default_value::DefaultValue::{Derived, Quantity, Required, Word};
 use super::key::{Key, Kind, key};
 use super::usual_range::{SPEED as USUAL_SPEED, SURFACE_FRICTION};
-use super::words::{AXES, BEVELS, HOLLOWS, MESH_UNITS, RIMS, SHAPES};
+use super::words::{AXES, BEVELS, HOLLOWS, MESH_UNITS, ORIGINS, RIMS, SHAPES};
 use crate::case::quantity::{ANGLE, FORCE, INERTIA, LENGTH, MASS, SPEED, TIME, TORQUE, TURN_RATE};
 
 const FIXED: &str = "fixed";
@@ -38,9 +38,15 @@ pub(super) const MOTION: &[Key] = &[
         "table",
         Kind::Text,
         Derived("one of speed, load, displacement, table"),
-        "CSV file, relative to the folder of the case file, of displacements or speeds over time; its header names them with their \
-         units: `time [s],displacement [mm]` or `time [s],speed [mm/s]`. Between its lines a displacement is a smooth curve without \
-         overshoot, a speed is linear.",
+        "Table, relative to the folder of the case file, of displacements or speeds over time (docs/tables.md); its header names them \
+         with their units: `time [s],displacement [mm]` or `time [s],speed [mm/s]`. Between its lines a displacement is a smooth curve \
+         without overshoot, a speed is linear.",
+    ),
+    key(
+        "from",
+        Kind::Choice(&ORIGINS),
+        Word("zero"),
+        "Which time of a table is `start`: its zero, or its `first line`, of a log that counts from elsewhere.",
     ),
     key(
         "slip",

@@ -13,13 +13,14 @@ pub(super) const HEIGHT_MAP: &[Key] = &[
         "file",
         Kind::Text,
         Required,
-        "File with heights, relative to the folder of the case file: CSV, TIFF (GeoTIFF) or PNG. See *Uneven ground*.",
+        "File with heights, relative to the folder of the case file: table (CSV), ESRI grid, points (.xyz), TIFF (GeoTIFF) or PNG. See *Uneven ground*.",
     ),
     key(
         "unit",
         Kind::Choice(&MESH_UNITS),
         Derived(
-            "that which a TIFF states; required for a TIFF that states none, and for CSV without a header",
+            "that which a TIFF states; required for a TIFF that states none, and for CSV without a header; metres for .asc \
+             and .xyz",
         ),
         "Unit of the heights in a file that does not name it.",
     ),

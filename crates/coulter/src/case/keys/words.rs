@@ -20,6 +20,10 @@ pub const HOLLOWS: [&str; 2] = ["left", "right"];
 pub const JOINTS: [&str; 5] = ["hinge", "ball", "slider", "spring", "cable"];
 /// Axes of a cylinder.
 pub const AXES: [&str; 3] = ["x", "y", "z"];
+/// What a table's times count from: their zero, or its first line.
+pub const ORIGINS: [&str; 2] = ["zero", FIRST_LINE];
+/// The word for the latter.
+pub const FIRST_LINE: &str = "first line";
 /// Units of the coordinates in the file of a mesh.
 pub const MESH_UNITS: [&str; 5] = ["m", "cm", "mm", "in", "ft"];
 /// Words for the relative density of sand: about the middle of each class of ISO 14688-2.

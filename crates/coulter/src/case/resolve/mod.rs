@@ -61,10 +61,8 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
     let forecast = forecast::measured(&schema.forecast, problems);
     let output = duration.and_then(|d| timing::output(&schema.output, d, problems));
     let (context, bodies) = (context?, bodies?);
-    let follow = match schema.grid.has("follow") {
-        true => Some(mesh::follow(&schema.grid, &bodies, problems)?),
-        false => None,
-    };
+    let follow = schema.grid.has("follow").then(|| mesh::follow(&schema.grid, &bodies, problems));
+    let follow = follow.map_or(Some(None), |follow| follow.map(Some))?;
     let duration = duration?;
     let paths = Paths { bodies: &bodies, follow, duration };
     let domain = domain::domain(&schema.domain, &context, &paths, problems)?;
@@ -93,6 +91,7 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
         joints: joints?,
         stages: stages?,
         tables: tables(schema),
+        remarks: problems.remarks().to_vec(),
         duration,
         output: output?,
         numerics: numerics?,

@@ -1,9 +1,9 @@
 //! How a degree of freedom moves.
 
 use super::context::checked;
-use crate::case::motion_table;
+use crate::case::keys::words::FIRST_LINE;
+use crate::case::motion_table::{self, TabledMotion};
 use crate::case::problem::Problems;
-use crate::case::quantity::{ANGLE, LENGTH, Measure, SPEED, TURN_RATE};
 use crate::case::resolved::{MOTIONS, Motion};
 use crate::case::typed::{self, Section};
 use crate::case::validate;
@@ -31,8 +31,7 @@ pub(super) fn freedom(
     problems: &mut Problems,
 ) -> Option<Motion> {
     let path = section.at(MOTIONS[number]);
-    let measures = if number < 3 { [&LENGTH, &SPEED] } else { [&ANGLE, &TURN_RATE] };
-    let motion = read(typed?, support, &path, (&section.folder, measures), problems)?;
+    let motion = read(typed?, support, &path, (&section.folder, number), problems)?;
     checked(motion, problems, |motion, problems| validate::body::motion(&path, motion, problems))
 }
 
@@ -84,7 +83,7 @@ fn read(
     motion: &typed::Motion,
     support: f64,
     path: &str,
-    (folder, measures): (&Path, [&Measure; 2]),
+    (folder, number): (&Path, usize),
     problems: &mut Problems,
 ) -> Option<Motion> {
     let (start, ramp) = (motion.start, motion.ramp);
@@ -106,12 +105,20 @@ fn read(
         problems.add(path, "only a speed has an `end`", "remove `end`, which belongs to a speed");
         return None;
     }
+    if motion.from.is_some() && motion.table.is_none() {
+        problems.add(path, "only a table has a `from`", "remove `from`; `start` says when a motion begins");
+        return None;
+    }
     if let Some(displacement) = motion.displacement {
         return displaced(displacement, [start, ramp], path, problems).map(Motion::Course);
     }
     if let Some(file) = &motion.table {
-        return match motion_table::read(&folder.join(file), measures) {
-            Ok(course) => Some(Motion::Course(course.later(start))),
+        let begins_with_first = motion.from.as_deref() == Some(FIRST_LINE);
+        return match motion_table::read(&folder.join(file), number, begins_with_first) {
+            Ok(TabledMotion { course, remarks }) => {
+                remarks.iter().for_each(|remark| problems.remark(format!("{path}: {file}: {remark}")));
+                Some(Motion::Course(course.later(start)))
+            }
             Err(problem) => {
                 problems.add(format!("{path}.table"), format!("{file}: {}", problem.message), problem.cure);
                 None

@@ -50,11 +50,16 @@ fn height_map(section: &Section, problems: &mut Problems) -> Option<HeightFile> 
     };
     let placement = Placement { unit, ends: [x, y], heights, origin, datum: section.number("datum")? };
     let file = section.text("file")?;
-    HeightFile::load(&section.folder, &file, &placement)
-        .map_err(|problem| {
-            problems.add(section.at("file"), format!("{file}: {}", problem.message), problem.cure)
-        })
-        .ok()
+    match HeightFile::load(&section.folder, &file, &placement) {
+        Ok(map) => {
+            map.remarks().iter().for_each(|remark| problems.remark(format!("height_map: {file}: {remark}")));
+            Some(map)
+        }
+        Err(problem) => {
+            problems.add(section.at("file"), format!("{file}: {}", problem.message), problem.cure);
+            None
+        }
+    }
 }
 
 fn origin(section: &Section, problems: &mut Problems) -> Option<[f64; 2]> {

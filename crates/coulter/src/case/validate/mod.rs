@@ -7,6 +7,7 @@ pub(super) mod fit;
 mod follow;
 pub(super) mod grid;
 mod joint;
+mod motions;
 pub(super) mod names;
 mod parameters;
 pub(super) mod relief;
@@ -106,6 +107,7 @@ fn fits_together(case: &Case, problems: &mut Problems) {
         body::walls(case, problems);
     }
     follow::follow(case, problems);
+    motions::times(case, problems);
     stages::ends(case, problems);
     water::water(case, problems);
 }

@@ -41,6 +41,8 @@ pub(crate) struct ReportText {
     pub(crate) typed: Option<String>,
     /// Curves of measurements and other runs, for this report only.
     pub(crate) laid_over: Vec<Overlay>,
+    /// What is to be said of them.
+    pub(crate) remarks: Vec<String>,
 }
 
 #[derive(Debug, Default, Serialize)]
@@ -131,8 +133,9 @@ pub(crate) fn write_report(
     }
     let balance_plots = vec![energy_plot(&history.energy), closure_plot(&record.setting, &history.energy)];
     write_plots(dir, &balance_plots)?;
+    let laid_over = text.remarks.iter().map(|remark| ["laid over".to_owned(), remark.clone()]);
     let page = Page {
-        facts: facts(record, summary),
+        facts: facts(record, summary).into_iter().chain(laid_over).collect(),
         sentences: sentences(record, summary, history),
         space: space(dir, record, history),
         citation: citation(record, summary),
