@@ -204,6 +204,8 @@ fn closed_form(
     let stage = calibrate_response(&likelihood(request, curves), used, &name, *effort);
     stopped(interrupts)?;
     Ok((stage.map_err(CalibrationError::Request)?, left_out))
+}
+
 /// The measurements, with forces turned that follow another convention of signs: what is pressed down is pressed up, and what is towed is
 /// dragged back.
 fn settled(records: &[Record], is_pressed: bool) -> Result<Vec<Record>, String> {

@@ -6,6 +6,7 @@ use super::document::{correlations, parameters, state, values};
 use super::runs::SolverPoint;
 use super::stage::{Band, Stage};
 use crate::sheet::{Sheet, SheetFigure, SheetSection, SheetTable, short};
+use crate::sources::LeftOut;
 use coulter::output::plots::{Chart, Curve, Stroke};
 
 /// Pairs of unknowns that are drawn at most, and samples of each.

@@ -15,7 +15,8 @@ pub(super) fn scale(items: &mut [Item]) -> Result<(), String> {
         let Some(first) = references.first() else { return item.record.refuse_groups() };
         let same = |a: f64, b: f64| (a - b).abs() <= 1e-6 * b.abs();
         let is_same = |other: &Reference| {
-            same(other.length, first.length) && same(other.force().unwrap_or(0.0), first.force().unwrap_or(0.0))
+            same(other.length, first.length)
+                && same(other.force().unwrap_or(0.0), first.force().unwrap_or(0.0))
         };
         if !references.iter().all(is_same) {
             return Err(format!(
@@ -34,7 +35,10 @@ pub(super) fn scale(items: &mut [Item]) -> Result<(), String> {
 /// # Errors
 /// What is wrong, with the cure, where the difference may be real.
 pub(super) fn settle_signs(items: &mut [Item], against: Quantity, wanted: &[Quantity]) -> Result<(), String> {
-    for n in (0..items.len()).filter(|n| items[*n].kind == ItemKind::Measured) {
+    for n in 0..items.len() {
+        if items[n].kind != ItemKind::Measured {
+            continue;
+        }
         for quantity in wanted.iter().filter(|quantity| quantity.is_load()) {
             let measured = &items[n].record;
             let (x, y) = (measured.values(against), measured.values(*quantity));

@@ -98,12 +98,6 @@ impl HeightFile {
         &self.content.path
     }
 
-    /// What is to be said of how it was read.
-    #[must_use]
-    pub fn remarks(&self) -> &[String] {
-        &self.content.remarks
-    }
-
     /// Hash of the file itself.
     #[must_use]
     pub fn file_hash(&self) -> &str {
