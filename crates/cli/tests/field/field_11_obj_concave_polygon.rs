@@ -57,7 +57,7 @@ fn a_track_shoe_is_read() {
     let ply = format!("{head}{}{}", lines(&points, |_| String::new()), lines(&faces, |n| n.to_string()));
     let desk = Desk::with(&[("case.toml", CASE), ("shoe.obj", &obj(&faces)), ("shoe.ply", &ply)]);
     // Twelve corners are ten triangles.
-    let words = ["44 triangles", "surface closed", "V = 6.912000e-5 m³"];
+    let words = ["44 triangles", "surface closed", "V = 6.912e-5 m³"];
     desk.expect(0, &["check", "case.toml"]).says(&words);
     desk.expect(0, &["check", "case.toml", "--set", "body.tool.file=shoe.ply"]).says(&words);
 }
