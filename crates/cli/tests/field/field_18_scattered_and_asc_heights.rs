@@ -92,7 +92,7 @@ fn a_mark_of_no_height_is_named_with_its_place() {
         "hole.csv",
         &(header.to_owned() + &points(",", "-4321")),
         2,
-        &["is -4321 a mark for no height?", "x = -0.1 m, y = 0 m"],
+        &["is -4321", "x = -0.1 m, y = 0 m"],
     );
     check("map.xyz", &points(" ", "-32767"), 2, &["line 71: is -32767 a mark for no height?"]);
     let holed = grid("").replacen("0.009", "-9999", 1);
