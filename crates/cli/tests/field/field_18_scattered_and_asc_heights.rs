@@ -88,12 +88,7 @@ fn a_mark_of_no_height_is_named_with_its_place() {
         &["line 72: \"nan\" is not a finite number", "fill in"],
     );
     check("hole.csv", &(header.to_owned() + &points(",", "-32768")), 2, &["is -32768 a mark for no height?"]);
-    check(
-        "hole.csv",
-        &(header.to_owned() + &points(",", "-4321")),
-        2,
-        &["is -4321", "x = -0.1 m, y = 0 m"],
-    );
+    check("hole.csv", &(header.to_owned() + &points(",", "-4321")), 2, &["is -4321", "x = -0.1 m, y = 0 m"]);
     check("map.xyz", &points(" ", "-32767"), 2, &["line 71: is -32767 a mark for no height?"]);
     let holed = grid("").replacen("0.009", "-9999", 1);
     check("grid.asc", &holed, 2, &["line 7: column 1, row 1 from the top: no height (NODATA_value -9999)"]);
