@@ -4,7 +4,6 @@
 use super::strangers::{CASE, STUDY, snapshot};
 use super::support::Desk;
 use serde_json::Value;
-use std::time::{Duration, Instant};
 
 #[test]
 fn no_table_holds_a_formula() {
@@ -168,8 +167,5 @@ fn a_large_block_is_checked_in_seconds_and_little_memory() {
                 grid = { cell = '50 mm' }\nrun = { duration = '0.1 s' }\n[body.b]\nshape = 'block'\nsize = ['14 m', '14 m', '14 m']\n\
                 friction = 0.3\nsinkage = '60 mm'\n";
     let desk = Desk::with(&[("case.toml", case)]);
-    let began = Instant::now();
-    desk.expect(0, &["check", "case.toml"]).says(&["run time about", "contact points"]);
-    // Seconds; on a busy machine more.
-    assert!(began.elapsed() < Duration::from_secs(40), "{:?}", began.elapsed());
+    desk.expect_within("40", 0, &["check", "case.toml"]).says(&["run time about", "contact points"]);
 }

@@ -1,5 +1,4 @@
 //! The command in a folder of its own.
-#![allow(dead_code)] // until every module is there
 
 use assert_cmd::Command;
 use std::path::Path;
@@ -41,8 +40,21 @@ impl Desk {
 
     /// `coulter ARGUMENTS`, run in the folder.
     pub(crate) fn coulter(&self, arguments: &[&str]) -> Answer {
-        let output =
-            Command::cargo_bin("coulter").unwrap().current_dir(self.path()).args(arguments).output().unwrap();
+        self.answer(Command::cargo_bin("coulter").unwrap().args(arguments))
+    }
+
+    /// The same, killed after so many seconds of processor time: the clock of a busy machine says nothing.
+    #[track_caller]
+    pub(crate) fn expect_within(&self, seconds: &str, code: i32, arguments: &[&str]) -> Answer {
+        let mut shell = Command::new("sh");
+        shell.args(["-c", "ulimit -t \"$1\"; shift; exec \"$@\"", "sh", seconds]);
+        let answer = self.answer(shell.arg(assert_cmd::cargo::cargo_bin("coulter")).args(arguments));
+        assert_eq!(answer.code, code, "{arguments:?}:\n{}\n{}", answer.out, answer.error);
+        answer
+    }
+
+    fn answer(&self, command: &mut Command) -> Answer {
+        let output = command.current_dir(self.path()).output().unwrap();
         let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
         Answer {
             code: output.status.code().unwrap_or(-1),
