@@ -75,6 +75,10 @@ fn results(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     }
     for entry in std::fs::read_dir(folder.join("outcomes")).unwrap() {
         let entry = entry.unwrap();
+        // What a killed process had not written to its end.
+        if entry.path().extension().is_some_and(|extension| extension == "part") {
+            continue;
+        }
         found.insert(entry.file_name().to_string_lossy().into_owned(), std::fs::read(entry.path()).unwrap());
     }
     found

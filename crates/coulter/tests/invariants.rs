@@ -40,7 +40,12 @@ fn sources(name: &str) -> Vec<(String, String)> {
 
 /// The files of a crate that use one of these words, except those that may.
 fn offenders(name: &str, words: &[&str], may: impl Fn(&str) -> bool) -> Vec<String> {
-    let uses = |code: &str| words.iter().find(|word| code.contains(**word)).copied();
+    // A word is none within a longer one, such as `TableFile::`.
+    let stands = |code: &str, word: &str| {
+        code.match_indices(word)
+            .any(|(at, _)| !code[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_'))
+    };
+    let uses = |code: &str| words.iter().find(|word| stands(code, word)).copied();
     sources(name)
         .iter()
         .filter(|(path, _)| !may(path))

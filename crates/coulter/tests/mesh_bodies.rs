@@ -120,7 +120,11 @@ fn what_was_repaired_is_a_warning_and_what_is_wrong_has_its_line() {
     let inverted = case(&disc(48, 200.0, 80.0).inverted(), &[]).unwrap();
     assert!(advice(&inverted).iter().any(|note| note.contains("all triangles face inwards")));
     let refusal = case(&union(&cube(100.0), &cube(100.0).moved([30.0, 20.0, 10.0])), &[]).unwrap_err();
-    assert!(refusal.contains("body.tool.file") && refusal.contains("goes through itself at"), "{refusal}");
+    assert!(
+        refusal.contains("body.tool.file")
+            && refusal.contains("two parts overlap: one goes through the other at"),
+        "{refusal}"
+    );
     for (set, words) in [
         ("body.tool.unit=km", "possible"),
         ("body.tool.unit=m", "unit is probably wrong"),

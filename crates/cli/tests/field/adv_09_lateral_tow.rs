@@ -55,7 +55,9 @@ fn a_tow_along_y_or_backwards_is_graded_as_one_along_x() {
     let ahead = summary(&case(LONG, WIDE, ALONG_X, &format!("forward = {SPEED}")));
     let names = |summary: &Value| {
         let checks = summary["trust"]["checks"].as_array().unwrap();
-        checks.iter().map(|check| check["name"].as_str().unwrap().to_owned()).collect::<Vec<_>>()
+        // A tow backwards is unusual, and said to be so.
+        let names = checks.iter().map(|check| check["name"].as_str().unwrap().to_owned());
+        names.filter(|name| name != "unusual values").collect::<Vec<_>>()
     };
     assert!(names(&ahead).contains(&"steady drag".to_owned()), "{:?}", names(&ahead));
     let along_y = r#"["0.125 m", "0.1 m", "0.2 m"]"#;

@@ -85,17 +85,17 @@ fn a_checkpoint_of_another_version_is_called_so() {
 #[test]
 fn a_breakdown_leaves_what_failed_and_what_was_good() {
     let sandbox = Sandbox::new();
-    let soft = ["--set", "soil.young_modulus=100 Pa"];
-    let reply = sandbox.run(&soft).is(1, &["t = ", "step", "failed.checkpoint"]);
+    let heavy = ["--set", r#"body.disc.heave={ load = "-5000 N" }"#];
+    let reply = sandbox.run(&heavy).is(1, &["t = ", "step", "failed.checkpoint"]);
     assert!(sandbox.out("checkpoints/failed.checkpoint").is_file());
     assert!(sandbox.out("checkpoints/last.checkpoint").is_file());
     let cause = reply.err.lines().find_map(|line| line.strip_prefix("error: ")).unwrap().to_owned();
     let before = sandbox.files();
-    let again = sandbox.run(&[&soft[..], &["--auto-resume"]].concat());
+    let again = sandbox.run(&[&heavy[..], &["--auto-resume"]].concat());
     again.is(1, &["broke down before", &cause, "--force"]);
     assert!(sandbox.files() == before, "a file has changed");
     // Resumed from the good one it fails in the same way.
-    sandbox.run(&[&soft[..], &["--resume"]].concat()).is(1, &[&cause]);
+    sandbox.run(&[&heavy[..], &["--resume"]].concat()).is(1, &[&cause]);
     assert!(sandbox.text("run.log").contains("resumed at"));
     sandbox
         .start(&["--force"])

@@ -3,7 +3,7 @@
 use super::data_file::{self, FileProblem, problem};
 use super::names::nearest;
 use super::quantity::{ANGLE, LENGTH, Measure, SPEED, TIME, TURN_RATE, unit_size};
-use super::table_file::{Column, TableFile, plain_name};
+use super::table_file::{TableColumn, TableFile, plain_name};
 use mechanics::Course;
 use std::path::Path;
 
@@ -195,7 +195,7 @@ fn choose(table: &TableFile, motion: usize, remarks: &mut Vec<String>) -> Result
 }
 
 /// What a column is, and how many SI units its unit is; `None` where its name says nothing of this motion.
-fn of_column(column: &Column, motion: usize) -> Result<Option<(Meaning, f64)>, FileProblem> {
+fn of_column(column: &TableColumn, motion: usize) -> Result<Option<(Meaning, f64)>, FileProblem> {
     let known = |name: &str| meaning(name, motion);
     let fits = |meaning: &Meaning, unit: &str| size(*meaning, unit, motion).is_ok();
     let Some((meaning, unit)) = column.meaning(known, fits) else { return Ok(None) };

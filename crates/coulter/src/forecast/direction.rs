@@ -76,7 +76,7 @@ mod tests {
         let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
         let text = DISC.replace("tow_distance = \"0.32 m\"", "duration = \"1 s\"");
         let case = parse(&text, "case.toml", &overrides).unwrap();
-        crate::forecast::outlook(&case).unwrap().recommended().unwrap().prediction.as_ref().unwrap().drag
+        crate::forecast::outlook(&case).unwrap().best().unwrap().prediction.as_ref().unwrap().drag
     }
 
     #[test]

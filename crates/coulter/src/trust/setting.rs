@@ -113,7 +113,9 @@ impl Setting {
             floor_depth: depth,
             drainage_per_speed: case.drainage_per_speed().filter(|_| !case.computes_pore_pressure()),
             accepts_drained: case.water.is_some_and(|water| water.accept_drained),
-            pumped_per_volume: ClosedBox::of(case).map(|closed| closed.stiffness / closed.bearable),
+            pumped_per_volume: ClosedBox::of(case)
+                .map(|closed| closed.stiffness / closed.bearable)
+                .filter(|rise| rise.is_finite()),
             unusual: case::unusual(case),
             bodies: case.bodies.iter().map(|body| BodySetting::of(case, body)).collect(),
         }
@@ -161,6 +163,9 @@ fn elastic_at_rest(case: &Case, floor_pressure: f64) -> f64 {
     /// Pressure to which the modulus of sand refers [Pa]; at lower ones it is softer.
     const REFERENCE: f64 = 1e5;
     let top = case.overburden;
+    if floor_pressure <= 0.0 {
+        return 0.0;
+    }
     let mean_square = (floor_pressure.powi(2) + floor_pressure * top + top.powi(2)) / 3.0;
     let softest = case.soils().map(|(_, soil)| soil.young_modulus).fold(f64::INFINITY, f64::min);
     0.5 * mean_square / (softest * (floor_pressure / REFERENCE).min(1.0).sqrt())

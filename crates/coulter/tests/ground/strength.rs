@@ -89,7 +89,7 @@ fn the_closed_forms_are_for_uniform_strength() {
     let disc = "[body.disc]\nshape = \"disc\"\ndiameter = \"80 mm\"\nthickness = \"40 mm\"\nfriction = 0.3\nweight = \"10 N\"\n\
                 forward = { speed = \"0.1 m/s\", ramp = \"10 ms\" }\nheave = \"free\"\n[run]\nduration = \"0.1 s\"";
     let grown = read(&text("shear_strength = \"1 kPa\"\nstrength_gradient = \"20 kPa/m\"", disc)).unwrap();
-    assert!(outlook(&grown).is_err());
+    assert!(outlook(&grown).map_or(true, |outlook| outlook.recommended().is_none()));
     let sensitive = read(&text("shear_strength = \"1 kPa\"\nsensitivity = 3", disc)).unwrap();
     assert!(outlook(&sensitive).is_ok());
 }

@@ -3,7 +3,7 @@
 use super::space::Space;
 use crate::files;
 use coulter::case::CaseError;
-use coulter::case::table_file::{Column, TableFile};
+use coulter::case::table_file::{TableColumn, TableFile};
 use std::path::Path;
 
 /// Largest file that is read [bytes].
@@ -23,7 +23,8 @@ pub fn read_design(path: &Path, space: &Space) -> Result<Vec<Vec<f64>>, CaseErro
     let mut columns = Vec::new();
     for unknown in &space.unknowns {
         let unit = if unknown.unit.is_empty() { "-" } else { &unknown.unit };
-        let is_it = |column: &Column| column.name == unknown.name && column.unit.as_deref() == Some(unit);
+        let is_it =
+            |column: &TableColumn| column.name == unknown.name && column.unit.as_deref() == Some(unit);
         let found = table.columns().iter().position(is_it);
         columns.push(found.ok_or_else(|| {
             refuse(format!(

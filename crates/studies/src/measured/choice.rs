@@ -2,7 +2,7 @@
 
 use super::quantity::{Quantity, split_deviation};
 use coulter::case::nearest;
-use coulter::case::table_file::{Column, plain_name};
+use coulter::case::table_file::{TableColumn, plain_name};
 
 /// What a column is, whatever its header says.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,7 +71,7 @@ impl ColumnChoice {
     }
 
     /// Whether it speaks of a column, the `n`-th of its file.
-    pub(super) fn is_of(&self, column: &Column, n: usize) -> bool {
+    pub(super) fn is_of(&self, column: &TableColumn, n: usize) -> bool {
         self.is_titled(&column.title) || self.column == (n + 1).to_string()
     }
 

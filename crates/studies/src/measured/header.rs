@@ -4,7 +4,7 @@ use super::choice::ColumnChoice;
 use super::quantity::{Quantity, split_deviation};
 use super::record::Group;
 use coulter::case::nearest;
-use coulter::case::table_file::{Column, Placed, TableFile, placed, plain_name};
+use coulter::case::table_file::{Placed, TableColumn, TableFile, placed, plain_name};
 use coulter::history::columns::{FILTERED, FORCES};
 
 /// What a column holds.
@@ -111,7 +111,7 @@ fn is_same(one: Content, other: Content) -> bool {
 }
 
 /// What a column is by its header; `None` where its name is not known.
-fn known(column: &Column) -> Result<Option<Content>, Placed> {
+fn known(column: &TableColumn) -> Result<Option<Content>, Placed> {
     if let Some(found) = grouped(column) {
         return Ok(Some(Content::Values(found)));
     }
@@ -151,7 +151,7 @@ fn known(column: &Column) -> Result<Option<Content>, Placed> {
 }
 
 /// A length over d or a force over γ t d², as runs write them: `Z [-]`, `u_bar [-]`, `F_H_bar [-]`.
-fn grouped(column: &Column) -> Option<Values> {
+fn grouped(column: &TableColumn) -> Option<Values> {
     if !matches!(column.unit.as_deref(), Some("-" | "–" | "1")) {
         return None;
     }
@@ -166,7 +166,7 @@ fn grouped(column: &Column) -> Option<Values> {
 }
 
 /// What a column was said to be.
-fn chosen(choice: &ColumnChoice, column: &Column) -> Result<Option<Content>, Placed> {
+fn chosen(choice: &ColumnChoice, column: &TableColumn) -> Result<Option<Content>, Placed> {
     let Some(meaning) = &choice.meaning else { return Ok(Some(Content::Ignored)) };
     let quantity = meaning.quantity;
     let suffix = || {
@@ -205,7 +205,7 @@ fn is_of_a_run(name: &str) -> bool {
 }
 
 /// The name that was probably meant: of a quantity that has the unit of the column.
-fn hint(column: &Column) -> Option<String> {
+fn hint(column: &TableColumn) -> Option<String> {
     const LEAST_LETTERS: usize = 3;
     let base = split_deviation(&column.name).0;
     let has_unit =

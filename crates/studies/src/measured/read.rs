@@ -6,7 +6,7 @@ use super::signs::settle_depth;
 use super::{Channel, Quantity, Record};
 use crate::files;
 use coulter::case::CaseError;
-use coulter::case::table_file::{Body, Placed, TableFile, TableText, placed};
+use coulter::case::table_file::{Placed, TableFile, TableNumbers, TableText, placed};
 use std::path::Path;
 
 /// Largest file that is read [bytes]: some 200 000 lines of five columns.
@@ -101,7 +101,7 @@ fn filled(
 fn channels(
     table: &TableFile,
     (wanted, contents): (&[usize], &[Content]),
-    body: &Body,
+    body: &TableNumbers,
     (record, problems): (&mut Record, &mut Vec<Placed>),
 ) {
     for ((content, values), n) in contents.iter().zip(&body.columns).zip(wanted) {
@@ -126,7 +126,7 @@ fn channels(
     }
 }
 
-fn deviations(wanted: Quantity, contents: &[Content], body: &Body) -> Option<Vec<f64>> {
+fn deviations(wanted: Quantity, contents: &[Content], body: &TableNumbers) -> Option<Vec<f64>> {
     contents.iter().zip(&body.columns).find_map(|(content, values)| match content {
         Content::Deviations(quantity, factor) if *quantity == wanted => {
             Some(values.iter().map(|value| factor * value).collect())
@@ -139,7 +139,7 @@ fn deviations(wanted: Quantity, contents: &[Content], body: &Body) -> Option<Vec
 fn rules(
     table: &TableFile,
     (wanted, contents): (&[usize], &[Content]),
-    body: &Body,
+    body: &TableNumbers,
     problems: &mut Vec<Placed>,
 ) {
     for ((content, values), column) in contents.iter().zip(&body.columns).zip(wanted) {

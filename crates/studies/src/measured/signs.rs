@@ -2,7 +2,7 @@
 
 use super::header::{Sign, Values};
 use super::{Quantity, Record};
-use coulter::case::table_file::{Column, Placed, placed};
+use coulter::case::table_file::{Placed, TableColumn, placed};
 
 /// Part of the largest magnitude up to which values of the other sign are noise (chosen).
 const NOISE: f64 = 0.05;
@@ -29,7 +29,7 @@ impl Values {
 pub(super) fn settle_depth(
     found: &Values,
     mut values: Vec<f64>,
-    column: &Column,
+    column: &TableColumn,
     remarks: &mut Vec<String>,
 ) -> Result<Vec<f64>, Placed> {
     if found.quantity != Quantity::Sinkage || found.is_stated() {

@@ -126,7 +126,7 @@ mod tests {
         let points = [point(0, 0.0, "no"), point(2, 0.2, "deep"), point(1, 0.1, "deep")];
         let list = LeftOut::of(&record, (Quantity::Sinkage, Quantity::Vertical), &points);
         assert_eq!(list.len(), 2);
-        assert_eq!(list[0].text(), "a.csv: vertical force: 1 point is left out (line 2, sinkage 0 mm): no");
+        assert_eq!(list[0].text(), "a.csv: vertical: 1 point is left out (line 2, sinkage 0 mm): no");
         assert!(list[1].text().contains("2 points are left out (lines 4 to 3, sinkage 100 to 200 mm): deep"));
     }
 }

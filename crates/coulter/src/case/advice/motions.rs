@@ -110,10 +110,6 @@ mod tests {
                 "sinkage = '20 mm'\nheave = { displacement = '25 mm', ramp = '0.4 s' }",
                 "plate: is lifted out of the soil, up 0.025 m from a sinkage of 0.02 m",
             ),
-            (
-                "heave = { displacement = '-25 mm', start = '2 s', ramp = '0.4 s' }",
-                "body.plate.heave begins at 2 s, and nothing comes of it",
-            ),
             ("heave = { speed = '-0.1 m/s', start = '0.5 s' }", "body.plate.heave begins at 0.5 s"),
         ] {
             let notes = notes(more);

@@ -14,8 +14,6 @@ pub(super) fn uneven(case: &Case, notes: &mut Vec<String>) {
     if case.relief.is_level() {
         return;
     }
-    let map = case.relief.map.iter();
-    notes.extend(map.flat_map(|map| map.remarks().iter().map(|remark| format!("{}: {remark}.", map.file))));
     slopes(case, notes);
     resolution(case, notes);
     for (_, body) in case.touching() {

@@ -7,7 +7,7 @@ use std::ops::Range;
 
 /// A column, as its header names it.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Column {
+pub struct TableColumn {
     /// What the header says, such as `sinkage (mm)`.
     pub title: String,
     /// Its name: the title without the unit in brackets.
@@ -24,12 +24,12 @@ pub fn plain_name(name: &str) -> String {
     name.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect()
 }
 
-impl Column {
+impl TableColumn {
     fn new(field: &Field<'_>) -> Self {
         let title = field.text.replace("\"\"", "\"").split_whitespace().collect::<Vec<_>>().join(" ");
         let (name, unit) = match in_brackets(&title) {
             Some((name, unit)) => (name.to_owned(), Some(unit.to_owned())),
-            None => (title.clone(), None),
+            None => (before_open_bracket(&title).unwrap_or(&title).to_owned(), None),
         };
         Self { title, name, unit, at: field.at.clone() }
     }
@@ -55,6 +55,12 @@ impl Column {
     }
 }
 
+/// What stands before a bracket that is never closed: a name whose unit is not known.
+fn before_open_bracket(title: &str) -> Option<&str> {
+    let (name, rest) = title.split_once(['[', '('])?;
+    (!rest.contains([']', ')'])).then(|| name.trim())
+}
+
 /// What stands before the brackets at the end of a title, and in them.
 fn in_brackets(title: &str) -> Option<(&str, &str)> {
     let (open, close) = if title.ends_with(']') { ('[', ']') } else { ('(', ')') };
@@ -64,8 +70,8 @@ fn in_brackets(title: &str) -> Option<(&str, &str)> {
 }
 
 /// The columns of a header, without empty ones at its end.
-pub(super) fn columns(names: &[Field<'_>]) -> Vec<Column> {
-    let mut columns: Vec<Column> = names.iter().map(Column::new).collect();
+pub(super) fn columns(names: &[Field<'_>]) -> Vec<TableColumn> {
+    let mut columns: Vec<TableColumn> = names.iter().map(TableColumn::new).collect();
     while columns.last().is_some_and(|column| column.title.is_empty()) {
         columns.pop();
     }
@@ -73,7 +79,7 @@ pub(super) fn columns(names: &[Field<'_>]) -> Vec<Column> {
 }
 
 /// Gives the columns the units of a line below the header; `false` where it holds no units.
-pub(super) fn take_units(columns: &mut [Column], line: &Line<'_>, separator: Separator) -> bool {
+pub(super) fn take_units(columns: &mut [TableColumn], line: &Line<'_>, separator: Separator) -> bool {
     let unit = |field: &Field<'_>| {
         let bare = field.text.trim_matches(['[', ']', '(', ')', ' ']);
         let is_unit = !number::is_number(field, separator)

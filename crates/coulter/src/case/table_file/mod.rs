@@ -13,7 +13,7 @@ mod separator;
 mod text;
 mod words;
 
-pub use header::{Column, plain_name};
+pub use header::{TableColumn, plain_name};
 pub use lines::{Field, Line};
 pub(super) use placed::line_of;
 pub use placed::{Placed, placed};
@@ -36,7 +36,7 @@ const SAMPLE: usize = 20;
 pub struct TableFile {
     text: TableText,
     separator: Separator,
-    columns: Vec<Column>,
+    columns: Vec<TableColumn>,
     header: Range<usize>,
     /// Where the lines of numbers begin [bytes].
     body: usize,
@@ -44,7 +44,7 @@ pub struct TableFile {
 
 /// Numbers of a table.
 #[derive(Clone, Debug, Default)]
-pub struct Body {
+pub struct TableNumbers {
     /// The columns that were asked for, in the units of the file.
     pub columns: Vec<Vec<f64>>,
     /// Where each line begins [bytes].
@@ -106,7 +106,7 @@ impl TableFile {
 
     /// The columns that its header names; none where it begins with numbers.
     #[must_use]
-    pub fn columns(&self) -> &[Column] {
+    pub fn columns(&self) -> &[TableColumn] {
         &self.columns
     }
 
@@ -144,8 +144,8 @@ impl TableFile {
 
     /// The numbers in some columns; `absent` says what is to be done about a field without one.
     #[must_use]
-    pub fn numbers(&self, wanted: &[usize], absent: &'static str) -> Body {
-        let mut body = Body { columns: vec![Vec::new(); wanted.len()], ..Body::default() };
+    pub fn numbers(&self, wanted: &[usize], absent: &'static str) -> TableNumbers {
+        let mut body = TableNumbers { columns: vec![Vec::new(); wanted.len()], ..TableNumbers::default() };
         let mut numbers = Numbers::new(self.separator, absent);
         for line in self.lines() {
             match self.count(&line, wanted) {

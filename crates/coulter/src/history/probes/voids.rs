@@ -134,7 +134,7 @@ mod tests {
             "format = 2\n[soil]\nlaw = 'mohr-coulomb'\nfriction_angle = '30 deg'\ncohesion = '{cohesion}'\n\
              unit_weight = '16 kN/m^3'\nyoung_modulus = '1 MPa'\n\
              [domain]\nx = ['-25 mm', '25 mm']\ny = ['-25 mm', '25 mm']\nz = ['-50 mm', '0 m']\n\
-             [grid]\ncell = '10 mm'\n[run]\nduration = '1 s'\n{}",
+             [grid]\ncell = '10 mm'\nfine_x = ['-25 mm', '25 mm']\nfine_y = ['-25 mm', '25 mm']\nfine_z = ['-50 mm', '0 m']\n[run]\nduration = '1 s'\n{}",
             if with_block { block } else { "" }
         );
         let mut simulation = Simulation::new(&parse(&text, "voids.toml", &[]).unwrap());

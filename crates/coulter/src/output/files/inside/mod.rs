@@ -277,15 +277,20 @@ fn named(top: &Path) -> &Path {
 fn step(folder: &Opened, name: &std::ffi::OsStr) -> io::Result<Opened> {
     let shown = name.to_string_lossy();
     match folder.kind(name)? {
-        None => Err(io::ErrorKind::NotFound.into()),
+        None => Err(no_such_file()),
         Some(EntryKind::Folder) => folder.into_folder(name),
         Some(other) => Err(forbidden(other, &format!("its folder {shown}"), "a folder")),
     }
 }
 
+/// What the system says of a file that is not there: 2 is ENOENT, and ERROR_FILE_NOT_FOUND.
+fn no_such_file() -> io::Error {
+    io::Error::from_raw_os_error(2)
+}
+
 fn expect_file(kind: Option<EntryKind>) -> io::Result<()> {
     match kind {
-        None => Err(io::ErrorKind::NotFound.into()),
+        None => Err(no_such_file()),
         Some(EntryKind::File { .. }) => Ok(()),
         Some(other) => Err(forbidden(other, "it", "an ordinary file")),
     }
