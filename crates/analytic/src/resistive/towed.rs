@@ -5,6 +5,10 @@ use crate::disc::{Disc, Drive, check_weight_carried, equilibrium_depth};
 use crate::error::{ModelResult, positive, undefined, within};
 use crate::numeric::root;
 
+/// Slip up to which a body that nothing drives is looked for (chosen): one that is towed along its axle balances its torque at any slip, and
+/// at 1 it would stand still.
+const FREE: f64 = 0.75;
+
 /// The axle of a body, through its origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axle {
@@ -87,12 +91,12 @@ fn balanced(drive: Drive, at: impl Fn(f64) -> SteadyTow) -> ModelResult<SteadyTo
     if required > 0.0 && surplus(-1.0) <= 0.0 {
         return Ok(at(-1.0));
     }
-    match root(-1.0, 1.0, 1e-10, surplus) {
+    let most = if required < 0.0 { 1.0 } else { FREE };
+    match root(-1.0, most, 1e-10, surplus) {
         Some(slip) => Ok(at(slip)),
-        None => undefined(
-            "the slip",
-            "no slip between -1 and 1 balances the torque on the axle: it spins on the spot",
-        ),
+        None => {
+            undefined("the slip", format!("no slip between -1 and {most} balances the torque on the axle"))
+        }
     }
 }
 

@@ -129,12 +129,12 @@ mod tests {
 
     /// Cells of 10 mm, five each way, in soil of this cohesion, with or without a block round the middle of the box.
     fn cells(cohesion: &str, with_block: bool) -> Simulation {
-        let block = "[body.block]\nshape = 'block'\nsize = ['10 mm', '10 mm', '10 mm']\nfriction = 0.3\nelevation = '-25 mm'\n";
+        let block = "[body.block]\nshape = 'block'\nsize = ['10 mm', '10 mm', '10 mm']\nfriction = 0.3\nx = '25 mm'\ny = '25 mm'\nelevation = '-25 mm'\n";
         let text = format!(
             "format = 2\n[soil]\nlaw = 'mohr-coulomb'\nfriction_angle = '30 deg'\ncohesion = '{cohesion}'\n\
              unit_weight = '16 kN/m^3'\nyoung_modulus = '1 MPa'\n\
-             [domain]\nx = ['-25 mm', '25 mm']\ny = ['-25 mm', '25 mm']\nz = ['-50 mm', '0 m']\n\
-             [grid]\ncell = '10 mm'\nfine_x = ['-25 mm', '25 mm']\nfine_y = ['-25 mm', '25 mm']\nfine_z = ['-50 mm', '0 m']\n[run]\nduration = '1 s'\n{}",
+             [domain]\nx = ['0 m', '50 mm']\ny = ['0 m', '50 mm']\nz = ['-50 mm', '0 m']\n\
+             [grid]\ncell = '10 mm'\n[run]\nduration = '1 s'\n{}",
             if with_block { block } else { "" }
         );
         let mut simulation = Simulation::new(&parse(&text, "voids.toml", &[]).unwrap());
