@@ -217,6 +217,17 @@ fn what_can_be_repaired_is_repaired_with_a_report() {
         let report = load(folder.path(), name, &hollow, "mm").unwrap().report().clone();
         assert!(report.cavities == 1 && (report.volume - 8.75e-4).abs() < 1e-9, "{name}: {report:?}");
     }
+}
+
+#[test]
+fn what_people_have_is_repaired_with_its_place() {
+    let whole = disc(12, 200.0, 50.0);
+    let volume = whole.volume();
+    let with = |change: &dyn Fn(&mut Surface)| {
+        let mut surface = whole.clone();
+        change(&mut surface);
+        surface
+    };
     // A facet there twice, one that hangs by an edge, a seam, a corner in the middle of another facet's edge.
     repaired_in_all(
         &with(&|s| s.triangles.push(s.triangles[0])),

@@ -52,7 +52,7 @@ fn a_fine_sphere() {
     const RINGS: usize = 200;
     let at = |i: usize, j: usize| {
         let (sin, cos) = (TAU * (j % (2 * RINGS)) as f64 / (2 * RINGS) as f64).sin_cos();
-        let r = if i % RINGS == 0 { 0.0 } else { (0.5 * TAU * i as f64 / RINGS as f64).sin() };
+        let r = if i.is_multiple_of(RINGS) { 0.0 } else { (0.5 * TAU * i as f64 / RINGS as f64).sin() };
         [0.2 * r * cos, 0.2 * r * sin, 0.2 * (0.5 * TAU * i as f64 / RINGS as f64).cos()]
     };
     let square = |n: usize| {

@@ -85,7 +85,7 @@ fn a_checkpoint_of_another_version_is_called_so() {
 #[test]
 fn a_breakdown_leaves_what_failed_and_what_was_good() {
     let sandbox = Sandbox::new();
-    let heavy = ["--set", r#"body.disc.heave={ load = "-5000 N" }"#];
+    let heavy = ["--set", r#"body.disc.heave={ load = "-50000 N" }"#];
     let reply = sandbox.run(&heavy).is(1, &["t = ", "step", "failed.checkpoint"]);
     assert!(sandbox.out("checkpoints/failed.checkpoint").is_file());
     assert!(sandbox.out("checkpoints/last.checkpoint").is_file());

@@ -198,7 +198,7 @@ fn a_mesh_that_cannot_be_had_is_refused_before_anything_runs() {
 #[test]
 fn a_coarser_mesh_that_breaks_down_leaves_the_others_and_is_the_grade() {
     let sandbox = Sandbox::new();
-    let heavy = ["--set", r#"body.disc.heave={ load = "-5000 N" }"#];
+    let heavy = ["--set", r#"body.disc.heave={ load = "-50000 N" }"#];
     let reply = sandbox.run(&study(&heavy));
     assert_eq!(reply.code, Some(1), "{}", reply.err);
     for mesh in ["mesh 1 of 3", "mesh 2 of 3", "mesh 3 of 3"] {

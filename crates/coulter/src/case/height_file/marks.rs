@@ -52,7 +52,7 @@ pub(super) fn none_in(raster: &Raster, datum: f64) -> Result<(), FileProblem> {
     if ![sorted[0], sorted[sorted.len() - 1]].iter().any(is_none) {
         return Ok(());
     }
-    let Some(n) = raster.heights.iter().position(|height| is_none(height)) else { return Ok(()) };
+    let Some(n) = raster.heights.iter().position(is_none) else { return Ok(()) };
     let columns = raster.lines[0].len();
     let [x, y] = [raster.lines[0][n % columns], raster.lines[1][n / columns]].map(plain);
     refuse(

@@ -50,7 +50,7 @@ pub(super) fn gridded(
             "give it points that surround the ground of the case",
         )
     };
-    if !(spacing > 1e-9 * size[0].max(size[1])) || points.len() < LEAST_POINTS {
+    if spacing.is_nan() || spacing <= 1e-9 * size[0].max(size[1]) || points.len() < LEAST_POINTS {
         return flat();
     }
     // In distances of points from the middle: the triangulation wants no tiny numbers.

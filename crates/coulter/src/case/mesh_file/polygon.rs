@@ -177,7 +177,7 @@ mod tests {
         whole(&comb);
         // A star, and a spiral of three turns.
         let at = |angle: f64, r: f64| [r * angle.cos(), r * angle.sin()];
-        let star = |n: u32| at(f64::from(n) * TAU / 200.0, if n % 2 == 0 { 10.0 } else { 2.0 });
+        let star = |n: u32| at(f64::from(n) * TAU / 200.0, if n.is_multiple_of(2) { 10.0 } else { 2.0 });
         whole(&(0..200).map(star).collect::<Vec<_>>());
         let turn = |n: u32| f64::from(n) * TAU / 40.0;
         let outer = (0..120).map(|n| at(turn(n), 1.0 + turn(n)));

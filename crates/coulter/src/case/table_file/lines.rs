@@ -130,12 +130,12 @@ fn words<'a>(line: &Field<'a>, ends: impl Fn(&str, char) -> bool) -> Vec<Field<'
             '"' => quoted = !quoted,
             '[' | '(' => depth += 1,
             ']' | ')' => depth -= 1,
-            _ if depth <= 0 && !quoted && ends(&text[begin..n], c) => {
+            _ if depth <= 0 && !quoted && ends(&text[begin..n], c)
                 // A bracket that opens after blanks is the unit of what stands before them.
-                if !text[n..].trim_start().starts_with(['[', '(']) {
-                    push(begin, n);
-                    begin = n;
-                }
+                && !text[n..].trim_start().starts_with(['[', '(']) =>
+            {
+                push(begin, n);
+                begin = n;
             }
             _ => {}
         }

@@ -42,6 +42,10 @@ pub struct TableFile {
     body: usize,
 }
 
+/// The numbers of a table without a header, line by line; the numbers of its columns and lines, and what is to be said of how they were
+/// read.
+type Grid = (Vec<f64>, [usize; 2], Option<String>);
+
 /// Numbers of a table.
 #[derive(Clone, Debug, Default)]
 pub struct TableNumbers {
@@ -193,7 +197,7 @@ impl TableFile {
     ///
     /// # Errors
     /// The first thing that is wrong.
-    pub fn grid(&self, absent: &'static str) -> Result<(Vec<f64>, [usize; 2], Option<String>), Placed> {
+    pub fn grid(&self, absent: &'static str) -> Result<Grid, Placed> {
         let mut numbers = Numbers::new(self.separator, absent);
         let (mut all, mut size) = (Vec::new(), [0, 0]);
         for line in self.lines() {

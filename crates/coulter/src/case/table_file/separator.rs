@@ -25,5 +25,5 @@ pub(super) fn separator_of(lines: &[Field<'_>]) -> Separator {
 /// The text without what stands in quotes.
 fn outside_quotes(text: &str) -> String {
     let parts: Vec<&str> = text.split('"').collect();
-    if parts.len() % 2 == 0 { text.to_owned() } else { parts.into_iter().step_by(2).collect() }
+    if parts.len().is_multiple_of(2) { text.to_owned() } else { parts.into_iter().step_by(2).collect() }
 }

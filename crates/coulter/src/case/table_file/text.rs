@@ -61,7 +61,7 @@ impl From<&str> for TableText {
 
 fn wide(bytes: &[u8], pair: fn([u8; 2]) -> u16) -> Option<String> {
     let units: Vec<u16> = bytes.chunks_exact(2).map(|two| pair([two[0], two[1]])).collect();
-    if bytes.len() % 2 == 0 { String::from_utf16(&units).ok() } else { None }
+    if bytes.len().is_multiple_of(2) { String::from_utf16(&units).ok() } else { None }
 }
 
 fn windows(bytes: &[u8]) -> Option<String> {

@@ -51,12 +51,15 @@ const MOST_PAIRS: usize = 50_000_000;
 /// A closed surface, how it was mended, and the width of the seams that were closed [m].
 pub(super) type Mended = (Mesh, Vec<Mend>, Option<f64>);
 
+/// A way to mend a surface: what it becomes, if there is something to mend.
+type Step<'a> = &'a dyn Fn(&Mesh) -> Option<(Mesh, Mend)>;
+
 /// The surface mended; `size` is that of the body [m], `rounding` the distance up to which points are the same [m], `defect` what is wrong
 /// with it otherwise.
 pub(super) fn mended(surface: &Mesh, [size, rounding]: [f64; 2], defect: Defect) -> Result<Mended, Defect> {
     let mut mesh = without_lines(welded(surface, rounding));
     let mut mends: Vec<Mend> = Vec::new();
-    let steps: [&dyn Fn(&Mesh) -> Option<(Mesh, Mend)>; 4] =
+    let steps: [Step<'_>; 4] =
         [&|m| doubled(m, 1), &|m| doubled(m, 2), &flaps, &|m| divided(m, ON_EDGE * size)];
     let mut left = bad_edges(&mesh);
     for _ in 0..MOST_ROUNDS {

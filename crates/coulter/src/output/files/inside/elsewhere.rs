@@ -19,7 +19,7 @@ impl Opened {
         }
     }
 
-    pub(super) fn into_folder(&self, name: &OsStr) -> io::Result<Self> {
+    pub(super) fn folder_in(&self, name: &OsStr) -> io::Result<Self> {
         Ok(Self(self.0.join(name)))
     }
 

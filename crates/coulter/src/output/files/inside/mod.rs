@@ -278,7 +278,7 @@ fn step(folder: &Opened, name: &std::ffi::OsStr) -> io::Result<Opened> {
     let shown = name.to_string_lossy();
     match folder.kind(name)? {
         None => Err(no_such_file()),
-        Some(EntryKind::Folder) => folder.into_folder(name),
+        Some(EntryKind::Folder) => folder.folder_in(name),
         Some(other) => Err(forbidden(other, &format!("its folder {shown}"), "a folder")),
     }
 }

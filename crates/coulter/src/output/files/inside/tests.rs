@@ -1,3 +1,5 @@
+#![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
+
 use super::*;
 use std::fs;
 use std::os::unix::fs::symlink;

@@ -26,7 +26,7 @@ impl Opened {
         Ok(Self(openat(CWD, path, FOLDER, Mode::empty())?))
     }
 
-    pub(super) fn into_folder(&self, name: &OsStr) -> io::Result<Self> {
+    pub(super) fn folder_in(&self, name: &OsStr) -> io::Result<Self> {
         Ok(Self(openat(&self.0, name, FOLDER | OFlags::NOFOLLOW, Mode::empty())?))
     }
 
