@@ -34,9 +34,10 @@ fn failure(towing: &Towing, best: Candidate) -> Option<&'static str> {
 const ACROSS: f64 = 1.0 - 1e-9;
 /// What is known of resistive force theory for driven wheels with grousers.
 const DRIVEN: &str = "No model is recommended. Only 3D-RFT applies, and the pull of a driven wheel by it is an upper bound: of a \
-    wheel of 0.5 m with grousers under 1000 N at 40 % slip it gives 600 N, where the solver gave 229 N and a published rig of a \
-    single wheel 252 N, and a sinkage of 46 mm for 60 mm. It lets each grouser push against undisturbed soil. The interval takes \
-    the errors of thrust and resistance to be independent, and the thrust to be at most W tan φ.";
+    wheel of 0.5 m with grousers under 1000 N at 40 % slip it gives 600 N, where the solver gave 229 N and a particle code 252 N \
+    (both known when the interval was made; neither is a measurement), and a sinkage of 46 mm for 60 mm. It lets each grouser \
+    push against undisturbed soil. The interval takes the errors of thrust and resistance to be independent, and the thrust to be \
+    at most W tan φ.";
 /// What is known of it for discs with a yaw or a tilt.
 const TURNED: &str = "No model is recommended. Only 3D-RFT applies, and for discs with a yaw or a tilt it gave two to three times \
     the drag and the vertical force of the solver, and three to ten times the lateral force (D8). Trust its trends, not its \

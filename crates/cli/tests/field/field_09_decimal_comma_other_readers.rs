@@ -2,7 +2,7 @@
 
 use crate::support::Desk;
 
-const GROUND: &str = r#"format = 2
+pub(crate) const GROUND: &str = r#"format = 2
 soil = { law = "mohr-coulomb", friction_angle = "32 deg", cohesion = "0.3 kPa", unit_weight = "15 kN/m^3", young_modulus = "1 MPa" }
 domain = { x = ["-0.4 m", "0.4 m"], y = ["-0.3 m", "0.3 m"], z = ["-0.25 m", "0.2 m"] }
 grid = { cell = "20 mm" }

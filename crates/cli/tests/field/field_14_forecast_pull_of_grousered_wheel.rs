@@ -24,13 +24,13 @@ spin = { slip = 0.4 }
 "#;
 
 #[test]
-fn the_interval_of_the_pull_holds_what_solver_and_rig_found() {
+fn the_interval_of_the_pull_holds_what_solver_and_particle_code_found() {
     let desk = Desk::with(&[("wheel.toml", WHEEL)]);
     let answer = desk.expect(0, &["forecast", "wheel.toml", "--json"]);
     let seen: serde_json::Value = serde_json::from_str(&answer.out).unwrap();
     let model = seen["models"].as_array().unwrap().iter().find(|model| model["name"] == "3D-RFT").unwrap();
     let [low, high] = ["low", "high"].map(|end| model["interval"]["drag_N"][end].as_f64().unwrap());
-    // Pulls of 252 and 229 N; the soil can shear W tan φ.
+    // Pulls of 252 N (a particle code) and 229 N (the solver), known when the interval was made; the soil can shear W tan φ.
     assert!(low < -252.0 && high > -229.0, "{low} {high}");
     assert!(low >= -801.3, "{low}");
     assert!(seen["recommended"].is_null());

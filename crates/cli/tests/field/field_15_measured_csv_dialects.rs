@@ -1,22 +1,10 @@
 //! Measured curves as instruments write them, in each command that takes them; columns named on the command line; no common point is an
 //! error.
 
+use crate::field_01_calibrate_first_row_zero::PLATE;
 use crate::support::{Answer, Desk};
 use serde_json::Value;
 
-const PLATE: &str = r#"format = 2
-soil = { law = "mohr-coulomb", friction_angle = "32 deg", unit_weight = "14 kN/m^3", young_modulus = "2 MPa" }
-domain = { x = ["0 m", "0.3 m"], y = ["0 m", "0.3 m"], z = ["-0.25 m", "0.06 m"], symmetric = true, symmetric_x = true }
-grid = { cell = "8 mm", growth = 1.25 }
-run = { duration = "0.4 s" }
-[body.plate]
-shape = "cylinder"
-axis = "z"
-diameter = "90 mm"
-length = "50 mm"
-friction = 0.4
-heave = { speed = "-0.08 m/s", ramp = "0.02 s" }
-"#;
 const FORCES: &str = "sinkage [mm],force [N]\n4,21\n8,46\n12,75\n";
 
 fn compared(file: &[u8], more: &[&str]) -> (Desk, Answer) {

@@ -1,22 +1,8 @@
 //! Heights as surveys and GIS deliver them: scattered points are triangulated, ESRI grids and points are read, and a mark of no height is
 //! named with its place.
 
+use crate::field_09_decimal_comma_other_readers::GROUND;
 use crate::support::Desk;
-
-const GROUND: &str = r#"format = 2
-soil = { law = "mohr-coulomb", friction_angle = "32 deg", cohesion = "0.3 kPa", unit_weight = "15 kN/m^3", young_modulus = "1 MPa" }
-domain = { x = ["-0.4 m", "0.4 m"], y = ["-0.3 m", "0.3 m"], z = ["-0.25 m", "0.2 m"] }
-grid = { cell = "20 mm" }
-run = { duration = "0.2 s" }
-[height_map]
-file = "grid.asc"
-[body.plate]
-shape = "block"
-size = ["0.1 m", "0.1 m", "0.1 m"]
-friction = 0.3
-sinkage = "-30 mm"
-heave = { speed = "-0.1 m/s" }
-"#;
 
 fn height(x: f64) -> f64 {
     0.02 * (6.0 * x).sin()
@@ -49,7 +35,7 @@ fn survey(count: u32) -> String {
 }
 
 fn check(name: &str, content: &str, code: i32, words: &[&str]) {
-    let desk = Desk::with(&[("ground.toml", GROUND), (name, content)]);
+    let desk = Desk::with(&[("ground.toml", &GROUND.replace("ground.csv", "grid.asc")), (name, content)]);
     desk.expect(code, &["check", "ground.toml", "--set", &format!("height_map.file={name}")]).says(words);
 }
 

@@ -2,6 +2,7 @@
 
 use super::problem::MeshFileProblem;
 use super::surface::Surface;
+use crate::case::quantity::plain;
 use glam::DVec3;
 use physics::shape::Defect;
 
@@ -71,12 +72,5 @@ pub(super) fn explain(defect: &Defect, surface: &Surface, (unit, metres): (&str,
 pub(super) fn place_in_file(place: DVec3, (unit, metres): (&str, f64)) -> String {
     // Without the sign of a zero.
     let [x, y, z] = (place / metres).to_array().map(|x| x + 0.0);
-    format!("({}, {}, {}) {unit}", short(x), short(y), short(z))
-}
-
-/// A number with six digits at most, and no zeros at its end.
-fn short(x: f64) -> String {
-    let text = format!("{x:.6}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+    format!("({}, {}, {}) {unit}", plain(x), plain(y), plain(z))
 }

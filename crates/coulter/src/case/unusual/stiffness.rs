@@ -39,11 +39,10 @@ pub(super) fn stiffness(case: &Case, doubts: &mut Vec<String>) {
         }
         if stress > 0.0 && modulus > STIFF * stress {
             doubts.push(format!(
-                "{path}.young_modulus = {} Pa is {:.0} times the stress here, {stress:.0} Pa, which no soil has; the time steps are {:.0} times \
-                 as short as with a hundredth of it, which changes forces on bodies that go far but little.",
+                "{path}.young_modulus = {} Pa is {:.0} times the stress here, {stress:.0} Pa, which no soil has; a hundredth of it makes the time steps \
+                 ten times as long and changes forces on bodies that go far but little.",
                 plain(soil.young_modulus),
-                modulus / stress,
-                10.0
+                modulus / stress
             ));
         }
     }
