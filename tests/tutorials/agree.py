@@ -75,7 +75,7 @@ def missing_line(expected, output, tolerance):
 
 
 def value_of(file, path):
-    """A value of a JSON file by its path, or the last number of a column of a CSV file."""
+    """A value of a JSON file by its path, `trust.checks.drag noise.value`, or the last number of a column of a CSV file."""
     if file.suffix == ".csv":
         with file.open(encoding="utf-8", newline="") as stream:
             rows = list(csv.DictReader(line for line in stream if not line.startswith("#")))
@@ -85,7 +85,12 @@ def value_of(file, path):
     while left:
         if isinstance(value, list):
             key, _, left = left.partition(".")
-            value = value[int(key)]
+            # An item has a number, or a name of its own: what is listed before it may change.
+            named = {str(n): item for n, item in enumerate(value)}
+            named |= {item["name"]: item for item in value if isinstance(item, dict) and "name" in item}
+            if key not in named:
+                raise KeyError(f"no {key} in {', '.join(named)}")
+            value = named[key]
             continue
         # A key may hold dots itself, such as soil.friction_angle.
         key = next((key for key in sorted(value, key=len, reverse=True) if left == key or left.startswith(key + ".")), None)
