@@ -122,6 +122,9 @@ pub struct Soil<R = f64> {
     pub fraction: Vec<R>,
     /// Mass of soil in the cell [kg].
     pub mass: Vec<R>,
+    /// Void that must close before the soil of the cell can be compressed, over the volume of the cell; part of the gap strain until
+    /// the next remap, not carried with the soil (see [`crate::enclosed`]).
+    pub enclosed_void: Vec<R>,
     /// Cauchy stress of the soil (not scaled by the fraction), tension positive: xx, yy, zz, xy, yz, xz [Pa].
     pub stress: [Vec<R>; 6],
     /// History variables, in the order of [`HISTORY`].
@@ -175,14 +178,16 @@ impl<R> Soil<R> {
 
     /// All arrays.
     pub fn arrays(&self) -> impl Iterator<Item = &Vec<R>> {
-        [&self.fraction, &self.mass].into_iter().chain(self.carried().map(|(_, field)| field))
+        [&self.fraction, &self.mass, &self.enclosed_void]
+            .into_iter()
+            .chain(self.carried().map(|(_, field)| field))
     }
 
     /// All arrays, mutable.
     pub fn arrays_mut(&mut self) -> impl Iterator<Item = &mut Vec<R>> {
-        let Self { fraction, mass, stress, history, composition } = self;
+        let Self { fraction, mass, enclosed_void, stress, history, composition } = self;
         let history = history.iter_mut().filter(|field| !field.is_empty());
-        [fraction, mass].into_iter().chain(stress).chain(composition).chain(history)
+        [fraction, mass, enclosed_void].into_iter().chain(stress).chain(composition).chain(history)
     }
 }
 
@@ -191,6 +196,13 @@ impl<R: Copy + Into<f64>> Soil<R> {
     #[must_use]
     pub fn main_material(&self, cell: usize) -> usize {
         main_material(&self.composition, cell)
+    }
+
+    /// Mean pressure in the soil of a cell [Pa], compression positive.
+    #[must_use]
+    pub fn pressure(&self, cell: usize) -> f64 {
+        let [xx, yy, zz] = [0, 1, 2].map(|c| self.stress[c][cell].into());
+        -((xx + yy) + zz) / 3.0
     }
 }
 
@@ -231,7 +243,7 @@ impl<R> Nodes<R> {
 /// Number of arrays of a state of some materials.
 #[must_use]
 pub fn arrays(materials: usize, kinds: Kinds) -> usize {
-    2 + 6 + HISTORY.iter().filter(|variable| kinds.need(variable)).count() + materials - 1 + 7
+    3 + 6 + HISTORY.iter().filter(|variable| kinds.need(variable)).count() + materials - 1 + 7
 }
 
 impl<R: Copy + Default> Soil<R> {
@@ -242,6 +254,7 @@ impl<R: Copy + Default> Soil<R> {
         Self {
             fraction: zeros(),
             mass: zeros(),
+            enclosed_void: zeros(),
             stress: std::array::from_fn(|_| zeros()),
             history: HISTORY.map(|h| if kinds.need(&h) { zeros() } else { Vec::new() }),
             composition: (1..materials).map(|_| zeros()).collect(),
@@ -256,6 +269,7 @@ impl<R: Copy + Into<f64>> Soil<R> {
         Soil {
             fraction: to_f64(&self.fraction),
             mass: to_f64(&self.mass),
+            enclosed_void: to_f64(&self.enclosed_void),
             stress: self.stress.each_ref().map(|field| to_f64(field)),
             history: self.history.each_ref().map(|field| to_f64(field)),
             composition: self.composition.iter().map(|field| to_f64(field)).collect(),

@@ -10,6 +10,7 @@ pub mod boundary;
 mod check;
 mod contact;
 pub mod cpu;
+mod enclosed;
 pub mod energy;
 pub mod error;
 pub mod exact_sum;

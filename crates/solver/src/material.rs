@@ -106,6 +106,18 @@ impl Material {
         }
     }
 
+    /// Bulk modulus at a mean pressure [Pa].
+    #[must_use]
+    pub fn bulk_modulus(&self, pressure: f64) -> f64 {
+        self.elastic.bulk * self.stiffening().map_or(1.0, |stiffening| stiffening.factor(pressure))
+    }
+
+    /// Whether it opens where it cannot bear the tension, so that a gap must close before it bears pressure again.
+    #[must_use]
+    pub fn opens(&self) -> bool {
+        matches!(self.yield_law, Some(Law::MohrCoulomb(_) | Law::MenetreyWillam(_) | Law::Sand(_)))
+    }
+
     /// Density in the densest state without pressure [kg/m³]. The laws other than that of sand do not compact.
     #[must_use]
     pub fn densest(&self) -> f64 {

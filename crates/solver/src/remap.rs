@@ -7,6 +7,7 @@
 use crate::contact;
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::workspace::SoilWorkspace;
+use crate::enclosed;
 use crate::energy;
 use crate::ghosts::{self, Ghosts};
 use crate::grid::Grid;
@@ -32,6 +33,7 @@ pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut 
     fill(halo, grid, At::Cells, state.soil.arrays_mut());
     let Nodes { displacement, velocity, .. } = &mut state.nodes;
     fill(halo, grid, At::Nodes, displacement.iter_mut().chain(velocity));
+    enclosed::take_back(&mut state.soil, soil);
     ghosts::follow(model, state);
     R::displaced_volumes(model, state, soil);
     let mut ghosts = Ghosts::new(model, state, &soil.velocity_before[0], halo);
@@ -53,6 +55,7 @@ pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut 
     contact::remove_overlap(model, state, soil, contact, halo);
     stop_massless_nodes(model, state, soil);
     soil.find_soil(grid, &state.soil);
+    enclosed::lend(model, &mut state.soil, soil);
     R::average_density(model, &mut state.soil, soil, halo);
     soil.clear = 2;
     state.remaps += 1;

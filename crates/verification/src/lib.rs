@@ -22,6 +22,7 @@ pub mod error;
 pub mod expectation;
 pub mod expectations;
 pub mod expected_failures;
+mod falls;
 pub mod findings;
 mod flow;
 mod footing;

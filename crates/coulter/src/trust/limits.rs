@@ -151,7 +151,7 @@ pub const LEAK: Limit = Limit {
     more_is_better: false,
     meaning: "soil inside the body at the end over the body's volume below the surface, at least a layer of one cell over its base; of a body that was never below it, the most at any time over its whole volume",
     reason: "soil that leaks into a body exerts no force on it; footings, walls and inclined plates of the verification suite with 0.1 to 0.7 % agree with exact solutions within their tolerance (the aim of the suite is 0.1 %, C4)",
-    advice: "use a finer grid, or a body with fewer sharp edges oblique to the grid; cells that are long and flat leak more than cubes",
+    advice: "use a finer grid: soil stays only in walls that are a cell or two thick, or where bodies leave it no way out",
 };
 
 /// Voids under soil.
@@ -162,7 +162,7 @@ pub const VOID: Limit = Limit {
     doubtful: NEVER,
     more_is_better: false,
     meaning: "volume at the end of voids under soil at rest (0.7 cells of it or more) over that of disturbed soil; where neither a body nor a cohesion of c > γ b/2 over a cell's width b carries the soil",
-    reason: "the tolerance of the soil volume: a void is volume without soil, by which the surface stands too high (a light disc on sand without cohesion leaves 1 %, a column that has collapsed 2 %, a block of sand that has fallen 12 %)",
+    reason: "the tolerance of the soil volume: a void is volume without soil, by which the surface stands too high (a light disc on sand without cohesion left 1 %, a column that had collapsed 2 %, before enclosed voids were closed)",
     advice: "cells that are filled in part bear sand over a void: do not trust depth and shape of ruts and heaps; forces may be used",
 };
 

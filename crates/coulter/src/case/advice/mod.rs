@@ -2,7 +2,6 @@
 
 mod closed_box;
 mod inertia;
-mod leak;
 mod motions;
 mod passive;
 mod relief;
@@ -28,7 +27,6 @@ pub fn advice(case: &Case) -> Vec<String> {
     for (_, body) in case.touching() {
         resolution(case, body, &mut notes);
         fine_zone(case, body, &mut notes);
-        leak::leak(case, body, &mut notes);
         motions::in_soil(case, body, &mut notes);
         // Nothing fails in front of a body that never enters the ground.
         if !motions::is_above_ground(case, body) {

@@ -12,7 +12,7 @@ use std::ops::Range;
 /// What every checkpoint begins with.
 pub(super) const MAGIC: &[u8; 7] = b"COULTER";
 /// Version of what follows; a checkpoint of another version cannot be resumed.
-pub(super) const VERSION: u8 = b'I';
+pub(super) const VERSION: u8 = b'J';
 
 /// Soil and nodes of a block, in a file of their own beside the checkpoint.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]

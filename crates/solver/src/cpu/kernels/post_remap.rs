@@ -61,7 +61,7 @@ pub(crate) fn update_after_remap(model: &Model, soil: &mut Soil, workspace: &mut
         materials,
         ..
     } = workspace;
-    let Soil { fraction, mass, stress, history, composition } = soil;
+    let Soil { fraction, mass, stress, history, composition, .. } = soil;
     let mut stress = stress.each_mut().map(|s| partition.split(s));
     let mut history = history.each_mut().map(|h| partition.split(h));
     let fields = partition.split(fraction).zip(partition.split(mass));

@@ -42,7 +42,9 @@ pub(crate) fn displaced_volumes(model: &Model, state: &State, workspace: &mut Wo
                 let volume =
                     grid.volume(i, q - 1, plane - 1) + swollen(grid, displacement, [i, q - 1, plane - 1]);
                 cell[i + 1] = volume as Real;
-                soil[i + 1] = state.soil.fraction[row * grid.stride[1] + i + 1] * cell[i + 1];
+                let c = row * grid.stride[1] + i + 1;
+                let closed = grid.volume(i, q - 1, plane - 1) as Real * state.soil.enclosed_void[c];
+                soil[i + 1] = state.soil.fraction[c] * (cell[i + 1] + closed);
             }
         }
     });
@@ -81,7 +83,7 @@ pub(crate) fn sweep(
             *f = if *cell > 0.0 { soil / cell } else { 0.0 };
         }
     });
-    let Soil { fraction, mass, stress, history, composition } = &mut state.soil;
+    let Soil { fraction, mass, stress, history, composition, .. } = &mut state.soil;
     let Nodes { velocity, displacement, mass: node_mass } = &mut state.nodes;
     let displacement = &mut displacement[axis];
     let sweep = Sweep { grid, axis, row_active: active };
