@@ -97,8 +97,11 @@ pub fn parse(text: &str, measure: &Measure) -> Result<f64, QuantityError> {
     if dimension == measure.dimension {
         return Ok(value);
     }
-    let found = describe(dimension);
-    Err(QuantityError::WrongDimension { text: text.trim().to_owned(), found, needed: measure.name })
+    let text = text.trim();
+    let unit = split_number(text).1.trim();
+    let meant = units::nearest_of(unit, measure.dimension).filter(|near| near.eq_ignore_ascii_case(unit));
+    let (text, found) = (text.to_owned(), describe(dimension));
+    Err(QuantityError::WrongDimension { text, found, needed: measure.name, meant })
 }
 
 /// Without a suggestion that leads astray: a unit that stands alone is like one of the same measure, or like none.
@@ -323,6 +326,8 @@ mod tests {
         close("3 kN/m²", &STRESS, 3e3);
         close("3 N/mm²", &STRESS, 3e6);
         close("10 mph", &SPEED, 4.4704);
+        close("4 kn", &SPEED, 4.0 * 1852.0 / 3600.0);
+        close("1 knot", &SPEED, 1852.0 / 3600.0);
         close("2 kNm", &TORQUE, 2e3);
         close("0 deg", &ANGLE, 0.0);
     }
