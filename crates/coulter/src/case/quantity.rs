@@ -98,8 +98,8 @@ pub fn parse(text: &str, measure: &Measure) -> Result<f64, QuantityError> {
         return Ok(value);
     }
     let text = text.trim();
-    let unit = split_number(text).1.trim();
-    let meant = units::nearest_of(unit, measure.dimension).filter(|near| near.eq_ignore_ascii_case(unit));
+    let meant = split_number(text).1.trim().replace("kn", "kN");
+    let meant = units::parse(&meant).is_ok_and(|(_, of)| of == measure.dimension).then_some(meant);
     let (text, found) = (text.to_owned(), describe(dimension));
     Err(QuantityError::WrongDimension { text, found, needed: measure.name, meant })
 }
@@ -361,6 +361,7 @@ mod tests {
         assert!(complaint("5", &LENGTH).contains("no unit"));
         assert!(complaint("5 kPaa", &STRESS).contains("did you mean `kPa`?"));
         assert!(complaint("5 kn", &FORCE).contains("did you mean `kN`?"));
+        assert!(complaint("16 kn/m^3", &UNIT_WEIGHT).contains("did you mean `kN/m^3`?"));
         assert!(complaint("5 kgff", &FORCE).contains("did you mean `kgf`?"));
         assert!(!complaint("5 kgg", &FORCE).contains("`kg`"));
         assert!(unit_size("kg/cm^2", &STRESS).unwrap_err().contains("a mass where a force belongs"));

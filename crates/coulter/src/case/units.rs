@@ -69,8 +69,8 @@ pub enum QuantityError {
         found: String,
         /// What is needed.
         needed: &'static str,
-        /// A symbol for that which differs in small and large letters alone.
-        meant: Option<&'static str>,
+        /// The unit with kilonewtons for knots, where that is one of what is needed.
+        meant: Option<String>,
     },
 }
 
@@ -164,10 +164,10 @@ const PREFIXES: [(&str, f64); 11] = [
 ];
 
 /// Symbols that are suggested when an unknown one is similar.
-const COMMON: [&str; 36] = [
+const COMMON: [&str; 35] = [
     "m", "mm", "cm", "km", "µm", "in", "ft", "kg", "g", "t", "lb", "s", "ms", "min", "h", "rad", "deg", "N",
     "kN", "MN", "kgf", "lbf", "Pa", "kPa", "MPa", "GPa", "bar", "psi", "J", "kJ", "Nm", "rpm", "rev", "Hz",
-    "mph", "kn",
+    "mph",
 ];
 
 /// The symbol most like an unknown one, of those of a dimension.
