@@ -29,7 +29,7 @@ pub(super) fn report(arguments: &Arguments) -> Result<(), Failure> {
     let choices = choices(&arguments.columns)?;
     let (mut curves, mut records) = (Vec::new(), Vec::new());
     for item in &arguments.with {
-        let found = laid_over(item, arguments.body.as_deref(), &choices);
+        let found = laid_over(item, folder, arguments.body.as_deref(), &choices);
         let (laid, record) = found.map_err(|error| match error {
             Unreadable::Case(error) => Failure::Case(error),
             Unreadable::Other(why) => Failure::Request(why),

@@ -110,7 +110,8 @@ fn a_study_that_is_killed_ends_with_the_same_bytes() {
     sandbox.run(&["sweep", "expand", "study.toml", "-o", "killed"], 0);
     let ids = sandbox.run(&["sweep", "script", "killed", "--for", "ids"], 0);
     for id in ids.lines() {
-        sandbox.run(&["sweep", "run", "killed", "--id", id], 0);
+        let told = sandbox.run(&["sweep", "run", "killed", "--id", id], 0);
+        assert!(told.starts_with("point "), "{told}");
         sandbox.run(&["sweep", "run", "killed", "--id", id], 0);
     }
     assert_eq!(sandbox.run(&["sweep", "script", "killed", "--for", "ids"], 0), "");

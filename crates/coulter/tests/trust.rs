@@ -405,6 +405,24 @@ fn a_plane_of_symmetry_across_the_tow_leaves_no_torque() {
     assert!(samples.iter().all(|s| s.axle_torque == 0.0 && s.drag == 0.0));
 }
 
+/// Without a tow nothing else asks how many samples the steady means rest on.
+#[test]
+fn too_few_samples_are_doubted_of_a_pressed_body_as_of_a_towed_one() {
+    let few = |displacement: f64| {
+        let mut all = history();
+        all.bodies[0].iter_mut().for_each(|sample| sample.displacement *= displacement);
+        all.bodies[0].retain(|sample| (250.0 * sample.time).round() % 40.0 == 0.0);
+        check(&Setting::of(&tow(&[])), &all, "samples")
+    };
+    for displacement in [0.0, 1.0] {
+        let found = few(displacement);
+        assert_eq!(found.len(), 1, "{displacement}");
+        assert_eq!(found[0].verdict, Verdict::Doubtful);
+        assert!(found[0].advice.contains("output.history_interval"));
+    }
+    assert_eq!(check(&Setting::of(&tow(&[])), &history(), "samples"), []);
+}
+
 /// The table of limits in the documentation is that of the program; with `COULTER_UPDATE=1` it is written instead.
 #[test]
 fn the_documented_limits_are_up_to_date() {

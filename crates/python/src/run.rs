@@ -1,7 +1,7 @@
 //! `coulter.run`.
 
 use crate::attend::{ask_to_stop, attend};
-use crate::failure::raised;
+use crate::failure::{raised, refused};
 use crate::follow::{Asking, told};
 use crate::source::{Source, SourceText, count, request};
 use coulter::case::variations::ErrorSource;
@@ -18,7 +18,7 @@ struct RunCall {
     source: Source,
     set: Vec<String>,
     output: Option<PathBuf>,
-    start: StartWord,
+    start: String,
     threads: Option<i64>,
     meshes: Option<i64>,
     confidence: bool,
@@ -28,23 +28,15 @@ struct RunCall {
 }
 
 /// What to do with a folder that holds a run.
-#[derive(Clone, Copy, Debug, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-enum StartWord {
-    New,
-    Replace,
-    Resume,
-    AutoResume,
-}
-
-impl From<StartWord> for Start {
-    fn from(word: StartWord) -> Self {
-        match word {
-            StartWord::New => Self::Anew,
-            StartWord::Replace => Self::Replace,
-            StartWord::Resume => Self::Resume,
-            StartWord::AutoResume => Self::AutoResume,
-        }
+fn start(word: &str) -> PyResult<Start> {
+    match word {
+        "new" => Ok(Start::Anew),
+        "replace" => Ok(Start::Replace),
+        "resume" => Ok(Start::Resume),
+        "auto-resume" => Ok(Start::AutoResume),
+        _ => Err(refused(format!(
+            "start = \"{word}\": it must be \"new\", \"replace\", \"resume\" or \"auto-resume\""
+        ))),
     }
 }
 
@@ -62,7 +54,7 @@ impl RunCall {
             source_name: name,
             overrides: self.set.clone(),
             output: self.output.clone(),
-            start: self.start.into(),
+            start: start(&self.start)?,
             threads: count("threads", self.threads)?,
             meshes: count("meshes", self.meshes)?,
             confidence,

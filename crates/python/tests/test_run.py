@@ -151,7 +151,7 @@ def test_a_broken_run_is_no_silent_success(in_folder: Path) -> None:
 def test_wrong_arguments_are_refused(in_folder: Path) -> None:
     with pytest.raises(ValueError, match="on_sample"):
         coulter.run(DISC, meshes=3, on_sample=print)
-    with pytest.raises(coulter.RequestError, match="unknown variant"):
+    with pytest.raises(coulter.RequestError, match='it must be "new", "replace"'):
         coulter.run(DISC, start="again")  # type: ignore[arg-type]
     with pytest.raises(coulter.RequestError, match="no value of a case"):
         coulter.run(DISC, set={"soil.friction_angle": object()})

@@ -1,6 +1,6 @@
 //! Curves of measurements and other runs for the plots of a report.
 
-use crate::comparison::{Item, ItemKind, Unreadable, read_item};
+use crate::comparison::{Item, ItemKind, Unreadable, read_item, settle_signs};
 use crate::measured::{ColumnChoice, Quantity, Record};
 use coulter::history::steady::moving_average;
 use coulter::output::plots::{Overlay, PlotKind};
@@ -20,16 +20,18 @@ const PLOTS: [(PlotKind, Quantity, Quantity); 6] = [
 ];
 
 /// The curves of a results folder or of a measured CSV file, as they are laid over the plots of all bodies of a report, and the record
-/// that they are from; `body` names the body of a run with several, and `choices` say what the columns of a measurement are.
+/// that they are from. `body` names the body of a run with several, and `choices` say what the columns of a measurement are, whose forces
+/// have the signs of those of the report's own run, in the folder `run`.
 ///
 /// # Errors
 /// [`Unreadable`] says what is wrong with it, also where it has no curve that a report shows.
 pub fn laid_over(
     path: &Path,
+    run: &Path,
     body: Option<&str>,
     choices: &[ColumnChoice],
 ) -> Result<(Vec<Overlay>, Record), Unreadable> {
-    let item = read_item(path, body, choices)?;
+    let mut item = read_item(path, body, choices)?;
     item.record.refuse_groups().map_err(Unreadable::Other)?;
     if !matches!(item.kind, ItemKind::Run | ItemKind::Measured) {
         return Err(Unreadable::Other(format!(
@@ -38,15 +40,32 @@ pub fn laid_over(
             item.kind.name()
         )));
     }
+    if item.kind == ItemKind::Measured {
+        item = signed_as(item, read_item(run, None, &[])?).map_err(Unreadable::Other)?;
+    }
+    Ok((overlays(&item, path)?, item.record))
+}
+
+fn overlays(item: &Item, path: &Path) -> Result<Vec<Overlay>, Unreadable> {
     let overlays: Vec<Overlay> =
-        PLOTS.iter().filter_map(|(plot, x, y)| overlay(&item, path, *plot, [*x, *y])).collect();
+        PLOTS.iter().filter_map(|(plot, x, y)| overlay(item, path, *plot, [*x, *y])).collect();
     if overlays.is_empty() {
         return Err(Unreadable::Other(format!(
             "{}: it has no drag, vertical force, sinkage or axle torque along displacement or sinkage; give it such columns",
             path.display()
         )));
     }
-    Ok((overlays, item.record))
+    Ok(overlays)
+}
+
+/// A measurement whose forces have the signs of those of a run, along the first abscissa of the plots that the measurement has.
+fn signed_as(measured: Item, run: Item) -> Result<Item, String> {
+    let along = measured.record.abscissae().find(|along| PLOTS.iter().any(|(_, x, _)| x == along));
+    let Some(along) = along else { return Ok(measured) };
+    let mut both = [measured, run];
+    settle_signs(&mut both, along, &PLOTS.map(|(_, _, quantity)| quantity))?;
+    let [measured, _] = both;
+    Ok(measured)
 }
 
 fn overlay(item: &Item, path: &Path, plot: PlotKind, [x, y]: [Quantity; 2]) -> Option<Overlay> {
@@ -89,7 +108,8 @@ mod tests {
         let path = folder.path().join("field_trial.csv");
         write(&Inside::at(&path), b"displacement [mm],drag [N],sinkage [mm]\n0,0,1\n10,5,2\n20,6,3\n")
             .unwrap();
-        let found = laid_over(&path, None, &[]).unwrap().0;
+        let read = || read_item(&path, None, &[]).unwrap();
+        let found = overlays(&read(), &path).unwrap();
         let plots: Vec<PlotKind> = found.iter().map(|overlay| overlay.plot).collect();
         assert_eq!(
             plots,
@@ -98,6 +118,24 @@ mod tests {
         assert!(found[0].measured && found[0].name == "drag F_H, field trial");
         assert_eq!(found[0].points[1], [0.01, 5.0]);
         write(&Inside::at(&path), b"time [s],speed [m/s]\n0,1\n1,2\n").unwrap();
-        assert!(laid_over(&path, None, &[]).unwrap_err().to_string().contains("give it such columns"));
+        assert!(overlays(&read(), &path).unwrap_err().to_string().contains("give it such columns"));
+    }
+
+    #[test]
+    fn a_measured_force_of_the_other_sign_is_turned_or_refused_as_in_a_comparison() {
+        let folder = tempfile::tempdir().unwrap();
+        let read = |name: &str, text: &str| {
+            let path = folder.path().join(name);
+            write(&Inside::at(&path), text.as_bytes()).unwrap();
+            read_item(&path, None, &[]).unwrap()
+        };
+        let of_run = |text: &str| Item { kind: ItemKind::Run, ..read("run.csv", text) };
+        let run = of_run("sinkage [mm],vertical [N]\n1,5\n2,6\n");
+        let settled = signed_as(read("press.csv", "sinkage [mm],vertical [N]\n1,-5\n2,-7\n"), run).unwrap();
+        assert_eq!(settled.record.values(Quantity::Vertical), Some(&[5.0, 7.0][..]));
+        assert!(settled.record.remarks[0].contains("its sign was turned"));
+        let run = of_run("displacement [mm],vertical [N]\n1,5\n2,6\n");
+        let towed = read("tow.csv", "displacement [mm],vertical [N]\n1,-5\n2,-7\n");
+        assert!(signed_as(towed, run).unwrap_err().contains("--column"));
     }
 }

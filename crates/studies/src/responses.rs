@@ -28,10 +28,10 @@ pub struct Figures {
     pub sinkage: Option<f64>,
     /// Slip.
     pub slip: Option<f64>,
-    /// Drawbar pull −F_H [N].
+    /// Drawbar pull −F_H, of a run on a slope less the weight along it [N].
     #[serde(rename = "pull_N")]
     pub pull: Option<f64>,
-    /// Drawbar pull over the weight that the soil bears, −F_H/F_V.
+    /// Drawbar pull over the weight that the soil bears.
     pub pull_over_weight: Option<f64>,
     /// Turn ratio ω r / v: 1 rolls, 0 slides.
     pub turn_ratio: Option<f64>,
@@ -75,7 +75,7 @@ impl Figures {
     /// its efficiency P v/(T ω), where the soil resists with the torque T and P is positive.
     #[must_use]
     pub fn with_traction(self, radius: Option<f64>) -> Self {
-        let pull = self.drag.map(|drag| 0.0 - drag);
+        let pull = self.pull.or(self.drag.map(|drag| 0.0 - drag));
         let turn_ratio = self.slip.map(analytic::turn_ratio);
         let over = |force: f64| self.vertical.filter(|weight| *weight > 0.0).map(|weight| force / weight);
         let efficiency = || {

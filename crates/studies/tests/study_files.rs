@@ -54,6 +54,18 @@ fn study(text: &str) -> Result<Study, CaseError> {
 }
 
 #[test]
+fn a_case_is_no_study_and_a_study_no_case() {
+    let said = |error: CaseError| {
+        assert_eq!(error.problems.len(), 1);
+        format!("{error}: {}; {}", error.problems[0].message, error.problems[0].cure)
+    };
+    let of_case = said(study(CASE).unwrap_err());
+    assert!(of_case.contains("is a case, not a study") && of_case.contains("coulter run"), "{of_case}");
+    let of_study = said(coulter::case::parse(STUDY, "study.toml", &[]).unwrap_err());
+    assert!(of_study.contains("is a study, not a case") && of_study.contains("coulter sweep study.toml"));
+}
+
+#[test]
 fn a_study_is_expanded() {
     let study = study(STUDY).unwrap();
     let lines = expand(&study).unwrap();

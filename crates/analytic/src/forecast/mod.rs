@@ -78,7 +78,7 @@ pub fn forecast(towing: &Towing) -> ModelResult<Forecast> {
         scatter: Scatter::of(&models),
         side_faces: faces,
         recommended,
-        recommendation: recommendation::recommend(towing, &models),
+        recommendation: recommendation::recommend(towing, &models, &models_other_strength),
         operative_friction_angle: towing.soil.operative()?.friction_angle,
         models,
         strength,

@@ -68,8 +68,8 @@ fn is_loose(soil: &Soil) -> bool {
     soil.cohesion == 0.0 && soil.dilation_angle <= 0.0
 }
 
-/// The recommendation for the case, with the reasons and the caveats.
-pub(super) fn recommend(towing: &Towing, models: &[ModelForecast]) -> String {
+/// The recommendation for the case, with the reasons and the caveats; `others` are the models at the other friction angle.
+pub(super) fn recommend(towing: &Towing, models: &[ModelForecast], others: &[ModelForecast]) -> String {
     let best = best(towing, models);
     let found = models.iter().find(|model| Some(model.model) == best).and_then(|model| model.prediction);
     let known = best.and_then(|best| failure(towing, best));
@@ -92,7 +92,9 @@ pub(super) fn recommend(towing: &Towing, models: &[ModelForecast]) -> String {
             format!("No model applies ({why}). Run the solver for this case.")
         }
     };
-    for warning in warnings(towing).into_iter().chain(bearing_only_note(towing, models)) {
+    let recommended = recommended(towing, models).filter(|model| model.is_plastic());
+    let has_other = others.iter().any(|m| Some(m.model) == recommended && m.prediction.is_some());
+    for warning in warnings(towing, has_other).into_iter().chain(bearing_only_note(towing, models)) {
         text.push(' ');
         text.push_str(&warning);
     }
@@ -251,27 +253,29 @@ pub(super) fn bearing_only_note(towing: &Towing, models: &[ModelForecast]) -> Op
         .then(|| format!("Only BC has a solution here: PW has none ({}).", wedge.note))
 }
 
-/// Which friction angle the plasticity models use in soil with ψ < φ, and why.
-fn strength_warning(towing: &Towing) -> Option<&'static str> {
-    match (&towing.body, Strength::recommended(towing)) {
-        (Body::Faceted(_) | Body::Cone(_), _) => None,
-        _ if towing.raised => None,
-        (_, Strength::Full) => Some(
-            "The flow is non-associated: the plasticity models use the friction angle itself, which was nearer to measurements and \
-             to the solver than Davis' angle; the values at Davis' angle are given as well, those of a weaker soil.",
-        ),
-        (_, Strength::Davis) => Some(
-            "The flow is non-associated: the plasticity models use Davis' angle, which was nearer to the solver for walls and \
-             blades; the values at the full friction angle are given as well, those of a stronger soil.",
-        ),
-    }
+/// Which friction angle the plasticity models use in soil with ψ < φ, and why; `has_other` where the values at the other one are shown.
+fn strength_warning(towing: &Towing, has_other: bool) -> Option<String> {
+    let [used, other] = match (&towing.body, Strength::recommended(towing)) {
+        (Body::Faceted(_) | Body::Cone(_), _) => return None,
+        _ if towing.raised => return None,
+        (_, Strength::Full) => [
+            "the friction angle itself, which was nearer to measurements and to the solver than Davis' angle",
+            "Davis' angle are given as well, those of a weaker soil",
+        ],
+        (_, Strength::Davis) => [
+            "Davis' angle, which was nearer to the solver for walls and blades",
+            "the full friction angle are given as well, those of a stronger soil",
+        ],
+    };
+    let given = if has_other { format!("; the values at {other}") } else { String::new() };
+    Some(format!("The flow is non-associated: the plasticity models use {used}{given}."))
 }
 
 /// The largest slip of a wheel that was compared with measurements.
 const MAX_COMPARED_SLIP: f64 = 0.75;
 
 /// Caveats that do not depend on the predictions.
-fn warnings(towing: &Towing) -> Vec<String> {
+fn warnings(towing: &Towing, has_other: bool) -> Vec<String> {
     let mut warnings = Vec::new();
     let slides = match towing.drive {
         Drive::Locked => true,
@@ -286,7 +290,7 @@ fn warnings(towing: &Towing) -> Vec<String> {
         );
     }
     if towing.soil.dilation_angle < towing.soil.friction_angle - 1e-9 {
-        warnings.extend(strength_warning(towing).map(String::from));
+        warnings.extend(strength_warning(towing, has_other));
     }
     let cohesion = towing.soil.cohesion / (towing.soil.unit_weight * towing.body.length());
     if cohesion > 0.006 && towing.body.disc().is_some() && !towing.soil.is_undrained() {

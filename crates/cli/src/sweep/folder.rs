@@ -17,6 +17,12 @@ pub(super) struct Expanded {
 
 /// Reads a study file, expands it, and writes its folder.
 pub(super) fn expanded(path: &Path, output: Option<&Path>) -> Result<Expanded, Failure> {
+    if path.is_dir() {
+        let shown = path.display();
+        return Err(Failure::Request(format!(
+            "{shown}: a folder, not a study; name the file of the study, or go on with `coulter sweep run {shown}` in the folder of one"
+        )));
+    }
     let text = case::text(path)?;
     let study = study::read(path)?;
     let folder = output.map_or_else(|| usual(&study.name), Path::to_path_buf);

@@ -1,8 +1,8 @@
 //! `coulter sweep run`: cases of a study, by their ids or all that are left.
 
 use super::folder::{opened, refused};
-use super::teller::Teller;
-use crate::common::warn;
+use super::teller::{Teller, told};
+use crate::common::{say, warn};
 use crate::failure::Failure;
 use crate::signals;
 use coulter::case::cores;
@@ -11,7 +11,7 @@ use std::path::PathBuf;
 use studies::study::Pool;
 use studies::sweep::evaluate::{Shared, Unended, evaluate};
 use studies::sweep::line::CaseLine;
-use studies::sweep::outcome::{Ending, Outcome};
+use studies::sweep::outcome::Ending;
 use studies::sweep::pool::{self, PoolEnd};
 use studies::sweep::store::Store;
 
@@ -55,7 +55,7 @@ fn some(shared: &Shared, ids: &[String]) -> Result<(), Failure> {
     let (mut broken, mut failed) = (Vec::new(), Vec::new());
     for line in &lines {
         match evaluate(shared, line) {
-            Ok(Outcome { ending: Ending::Done, .. }) => {}
+            Ok(outcome) if outcome.ending == Ending::Done => say(&format!("{}\n", told(line, &Ok(outcome))))?,
             Ok(outcome) => broken.push(format!("{} {}: {}", line.id, outcome.ending.word(), outcome.reason)),
             Err(Unended::Stopped(signal)) => return Err(stopped(signal)),
             Err(why) => failed.push(format!("{}: {why}", line.id)),

@@ -141,7 +141,7 @@ fn word(line: &CaseLine) -> &'static str {
 }
 
 /// Which case, how it ended, and its main figures or why it has none.
-fn told(line: &CaseLine, outcome: &Result<Outcome, Unended>) -> String {
+pub(super) fn told(line: &CaseLine, outcome: &Result<Outcome, Unended>) -> String {
     let part = if line.part.is_empty() { String::new() } else { format!(" of {}", line.part) };
     // A level that a range was cut into has more digits than anybody reads.
     let shown = |text: &str| text.parse().map_or(text.to_owned(), short);

@@ -90,3 +90,24 @@ fn a_cylinder_in_plane_strain_is_a_metre_of_it() {
     });
     assert!(forces[0] > 100.0 && (forces[0] / forces[1] - 1.0).abs() < 0.05, "{forces:?}");
 }
+
+/// Plane strain was named of blocks alone; and values at another friction angle were announced where none are shown.
+#[test]
+fn a_pressed_pipe_is_told_per_metre_of_width_and_what_is_announced_is_shown() {
+    let pressed = |soil: &str, domain: &str, body: &str| {
+        let case = format!(
+            "format = 2\nsoil = {{ {soil}, unit_weight = '16 kN/m^3', young_modulus = '1 MPa' }}\n\
+             domain = {{ x = ['-0.6 m', '0.6 m'], z = ['-0.6 m', '0.2 m'], {domain} }}\ngrid = {{ cell = '20 mm' }}\n\
+             run = {{ duration = '1 s' }}\n[body.tool]\n{body}\nfriction = 0.5\nsinkage = '0 mm'\nheave = {{ speed = '-0.05 m/s' }}\n"
+        );
+        Desk::with(&[("case.toml", &case)]).expect(0, &["forecast", "case.toml"])
+    };
+    let pipe = "shape = 'cylinder'\naxis = 'y'\ndiameter = '0.2 m'";
+    pressed("law = 'tresca', shear_strength = '2 kPa'", "plane_strain = true", pipe)
+        .says(&["per metre of width"]);
+    let plate = "shape = 'block'\nsize = ['0.2 m', '0.2 m', '0.05 m']";
+    let sand = "law = 'mohr-coulomb', friction_angle = '32 deg', dilation_angle = '0 deg'";
+    let answer = pressed(sand, "y = ['-0.6 m', '0.6 m']", plate);
+    answer.says(&["non-associated"]);
+    assert!(!answer.out.contains("are given as well"), "{}", answer.out);
+}

@@ -48,6 +48,7 @@ fn what_no_soil_no_body_and_no_tow_has_is_doubted() {
         ("\"1 MPa\"", "\"40 kPa\"", &["soil.young_modulus = 40000 Pa is unusual: 50 kPa to 1 GPa"]),
         ("\"32 deg\"", "\"3.2 deg\"", &["soil.friction_angle = 3.2 deg is unusual"]),
         ("\"0.36 m\" }", "\"0.01 m\" }", &["towed 0.01 m only, 0.05 of its length"]),
+        ("\"100 N\"", "\"100 MN\"", &["body.disc: it is pressed down with 1e8 N", "no soil bears that"]),
         ("\"50 mm\"", "\"50 cm\"", &["body.disc.thickness = 0.5 m is more than the diameter"]),
     ] {
         checked(DISC, old, new, 0).says(&["warning"]).says(words);
@@ -60,6 +61,16 @@ fn what_no_soil_no_body_and_no_tow_has_is_doubted() {
     checked(&clay, "\"5 kPa\"", "\"5 Pa\"", 0)
         .says(&["soil.shear_strength = 5 Pa is unusual", "5000 Pa meant"]);
     checked(&clay, "\"5 kPa\"", "\"100 kPa\"", 0).says(&["is 10 times the strength"]);
+}
+
+/// A table's speed was 0 to the checks.
+#[test]
+fn a_tow_by_a_table_is_as_fast_as_one_that_is_given() {
+    let case = DISC
+        .replace("forward = { speed = \"0.2 m/s\", start = \"0.3 s\" }", "forward = { table = \"tow.csv\" }")
+        .replace("tow_distance = \"0.36 m\"", "duration = \"0.2 s\"");
+    let desk = Desk::with(&[("case.toml", &case), ("tow.csv", "time [s],speed [m/s]\n0,0\n0.1,2\n0.2,2\n")]);
+    desk.expect(0, &["check", "case.toml"]).says(&["v²/(gd) = 2.03", "Froude number", "bulk viscosity"]);
 }
 
 #[test]
@@ -93,4 +104,6 @@ forward = { speed = "0.2 m/s" }
     answer.says(&["unusual values", "soil.unit_weight = 1440"]);
     let summary = desk.read("results/case/summary.json");
     assert!(summary.contains("unusual values"), "{summary}");
+    desk.expect(0, &["compare", "results/case", "results/case"])
+        .says(&["note: results/case: the run is graded", "doubtful"]);
 }

@@ -133,7 +133,7 @@ pub fn from_json(value: &serde_json::Value, name: &str) -> Result<Case, CaseErro
             return Err(CaseError::unreadable(name, message, "give a map of its sections"));
         }
     };
-    refuse_empty(&tree, name)?;
+    refuse_other(&tree, name)?;
     let hidden: Vec<Problem> = hidden::problems(&tree).into_iter().map(|(_, problem)| problem).collect();
     if !hidden.is_empty() {
         return Err(CaseError::new(name, hidden));
@@ -163,7 +163,7 @@ fn read_tree<T>(
     if !problems.is_empty() {
         return Err(places.error_at(problems));
     }
-    refuse_empty(&tree, source_name)?;
+    refuse_other(&tree, source_name)?;
     build(tree, source_name).map_err(|problems| places.error(problems.into_aimed()))
 }
 
@@ -176,11 +176,17 @@ pub fn require_valid(case: &Case) -> Result<(), CaseError> {
     if problems.is_empty() { Ok(()) } else { Err(CaseError::new(&case.name, problems)) }
 }
 
-fn refuse_empty(tree: &[Entry], name: &str) -> Result<(), CaseError> {
+/// Refuses what is no case at all, before everything that it lacks.
+fn refuse_other(tree: &[Entry], name: &str) -> Result<(), CaseError> {
     if tree.is_empty() {
         let message = format!("{name}: the case is empty");
         let cure = "`coulter new towed-disc` writes one to start from";
         return Err(CaseError::unreadable(name, message, cure));
+    }
+    let has = |key: &str| tree.iter().any(|entry| entry.key == key);
+    if has("factor") && !has("soil") {
+        let cure = format!("run it with  coulter sweep {name}");
+        return Err(CaseError::unreadable(name, format!("{name}: this is a study, not a case"), &cure));
     }
     Ok(())
 }

@@ -77,7 +77,7 @@ pub use load::{
 pub use names::nearest;
 pub use overrides::overridden;
 pub(crate) use overrides::with_files;
-pub(crate) use path::travel;
+pub(crate) use path::{fastest, travel};
 pub use problem::Problem;
 pub use resolved::{Case, case_text, case_text_with_forecast};
 pub use told::{ToldMotion, told_of_body, told_of_stage};

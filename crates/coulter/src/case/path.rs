@@ -29,6 +29,15 @@ pub(crate) fn travel(freedom: &Motion, time: f64) -> f64 {
     if before == 0.0 { driven } else { driven + before * (time - since(start)) }
 }
 
+/// Largest speed of a prescribed motion, without its sign [m/s or rad/s]; 0 for any other.
+pub(crate) fn fastest(motion: &Motion) -> f64 {
+    match motion {
+        Motion::Prescribed { speed, .. } => speed.abs(),
+        Motion::Course(course) => course.fastest(),
+        Motion::Fixed | Motion::Free { .. } => 0.0,
+    }
+}
+
 /// Least and largest displacement of a body along x, y, z within a time [m], as far as it is prescribed.
 pub(super) fn range(body: &Body, time: f64) -> [DVec3; 2] {
     let guide = body.guided();

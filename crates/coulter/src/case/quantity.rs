@@ -97,8 +97,11 @@ pub fn parse(text: &str, measure: &Measure) -> Result<f64, QuantityError> {
     if dimension == measure.dimension {
         return Ok(value);
     }
-    let found = describe(dimension);
-    Err(QuantityError::WrongDimension { text: text.trim().to_owned(), found, needed: measure.name })
+    let text = text.trim();
+    let meant = split_number(text).1.trim().replace("kn", "kN");
+    let meant = units::parse(&meant).is_ok_and(|(_, of)| of == measure.dimension).then_some(meant);
+    let (text, found) = (text.to_owned(), describe(dimension));
+    Err(QuantityError::WrongDimension { text, found, needed: measure.name, meant })
 }
 
 /// Without a suggestion that leads astray: a unit that stands alone is like one of the same measure, or like none.
@@ -323,6 +326,8 @@ mod tests {
         close("3 kN/m²", &STRESS, 3e3);
         close("3 N/mm²", &STRESS, 3e6);
         close("10 mph", &SPEED, 4.4704);
+        close("4 kn", &SPEED, 4.0 * 1852.0 / 3600.0);
+        close("1 knot", &SPEED, 1852.0 / 3600.0);
         close("2 kNm", &TORQUE, 2e3);
         close("0 deg", &ANGLE, 0.0);
     }
@@ -356,6 +361,7 @@ mod tests {
         assert!(complaint("5", &LENGTH).contains("no unit"));
         assert!(complaint("5 kPaa", &STRESS).contains("did you mean `kPa`?"));
         assert!(complaint("5 kn", &FORCE).contains("did you mean `kN`?"));
+        assert!(complaint("16 kn/m^3", &UNIT_WEIGHT).contains("did you mean `kN/m^3`?"));
         assert!(complaint("5 kgff", &FORCE).contains("did you mean `kgf`?"));
         assert!(!complaint("5 kgg", &FORCE).contains("`kg`"));
         assert!(unit_size("kg/cm^2", &STRESS).unwrap_err().contains("a mass where a force belongs"));

@@ -548,6 +548,11 @@ pub struct Output {
     pub filter_cutoff: f64,
 }
 
+impl Output {
+    /// Least number of lines of forces.csv in the steady window of which a run has statistics.
+    pub const FEWEST_SAMPLES: usize = 24;
+}
+
 /// Contact method between soil and bodies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]

@@ -61,7 +61,7 @@ pub enum QuantityError {
         why: &'static str,
     },
     /// A unit, but of something else.
-    #[error("`{text}` is {found}, but {needed} is needed")]
+    #[error("`{text}` is {found}, but {needed} is needed{}", meant.as_ref().map_or(String::new(), |n| format!("; did you mean `{n}`?")))]
     WrongDimension {
         /// What was typed.
         text: String,
@@ -69,6 +69,8 @@ pub enum QuantityError {
         found: String,
         /// What is needed.
         needed: &'static str,
+        /// The unit with kilonewtons for knots, where that is one of what is needed.
+        meant: Option<String>,
     },
 }
 
@@ -90,11 +92,13 @@ const POUND: f64 = 0.453_592_37;
 const POUND_FORCE: f64 = POUND * STANDARD_GRAVITY;
 const FOOT: f64 = 0.3048;
 const INCH: f64 = 0.0254;
+/// A nautical mile, 1852 m (International Hydrographic Conference, 1929), an hour.
+const KNOT: f64 = 1852.0 / 3600.0;
 const FORCE: [i32; 4] = [1, 1, -2, 0];
 const PRESSURE: [i32; 4] = [-1, 1, -2, 0];
 const TORQUE: [i32; 4] = [2, 1, -2, 0];
 
-const UNITS: [Unit; 45] = [
+const UNITS: [Unit; 48] = [
     unit("m", 1.0, [1, 0, 0, 0], true),
     unit("in", INCH, [1, 0, 0, 0], false),
     unit("inch", INCH, [1, 0, 0, 0], false),
@@ -132,6 +136,9 @@ const UNITS: [Unit; 45] = [
     unit("hr", 3600.0, [0, 0, 1, 0], false),
     unit("mph", 5280.0 * FOOT / 3600.0, [1, 0, -1, 0], false),
     unit("kph", 1.0 / 3.6, [1, 0, -1, 0], false),
+    unit("kn", KNOT, [1, 0, -1, 0], false),
+    unit("knot", KNOT, [1, 0, -1, 0], false),
+    unit("knots", KNOT, [1, 0, -1, 0], false),
     unit("deg", std::f64::consts::PI / 180.0, [0, 0, 0, 1], false),
     unit("°", std::f64::consts::PI / 180.0, [0, 0, 0, 1], false),
     unit("rev", std::f64::consts::TAU, [0, 0, 0, 1], false),

@@ -48,6 +48,9 @@ pub fn model_input(case: &Case) -> Result<ModelInput, String> {
     let first = *bodies.first().ok_or("the case has no body that can touch the soil")?;
     no_lateral_tow(&bodies)?;
     let course = course(case, first)?;
+    if case.domain.plane_strain {
+        remarks.push("plane strain: weights and forces are those per metre of width".into());
+    }
     let (mut body, kind) = body(case, first, course, &mut remarks)?;
     let ground = ground(case, &body)?;
     let soil = soil(case, first, &mut remarks)?;

@@ -157,7 +157,7 @@ pub(super) fn body(
         }
         ClosedForm::Block { size } => {
             let pitch = mirrored(body.attitude, course).pitch;
-            let block = block(case, size, pitch, remarks);
+            let block = block(case, size, pitch);
             if is_vertical { plate(block) } else { block.into() }
         }
         ClosedForm::Column { diameter, height } if is_vertical => {
@@ -222,12 +222,9 @@ fn mirrored(attitude: Attitude, course: Course) -> Attitude {
 }
 
 /// A block rotated by `orientation` [rad]; in plane strain a metre wide.
-fn block(case: &Case, size: DVec3, orientation: f64, remarks: &mut Vec<String>) -> Block {
+fn block(case: &Case, size: DVec3, orientation: f64) -> Block {
     let plane_strain = case.domain.plane_strain;
     let across = case.domain.width_of_body(size.y);
-    if plane_strain {
-        remarks.push("plane strain: weights and forces are those per metre of width".into());
-    }
     let orientation = (orientation + PI).rem_euclid(2.0 * PI) - PI;
     Block { size: [size.x, across, size.z], orientation, plane_strain, has_base: true }
 }

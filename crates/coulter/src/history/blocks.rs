@@ -1,9 +1,11 @@
 //! Averages over blocks of a window, and how well they determine the mean.
 
+use crate::case::resolved::Output;
+
 /// Number of blocks; eight leave seven degrees of freedom about their mean, and six about a straight line.
 pub const BLOCKS: usize = 8;
 /// Least number of samples in a block.
-const MIN_SAMPLES: usize = 3;
+const MIN_SAMPLES: usize = Output::FEWEST_SAMPLES / BLOCKS;
 /// 95 % quantile of Student's distribution with seven degrees of freedom: ± this many standard errors hold the mean with a
 /// probability of 90 %.
 pub const STUDENT_90: f64 = 1.895;

@@ -404,7 +404,9 @@ pub const FILTERED: &[Column<BodySample>] = &[
     BodyColumn::sampled("moment x", "N m", "moment about the x axis of space", |s| &mut s.moment_x),
     BodyColumn::sampled("moment y", "N m", "the same about y", |s| &mut s.moment_y),
     BodyColumn::sampled("moment z", "N m", "the same about z", |s| &mut s.moment_z),
-    BodyColumn::derived("drawbar pull", "N", "−F_H", |s, _| Some(0.0 - s.drag)),
+    BodyColumn::derived("drawbar pull", "N", "−F_H, less the weight along a slope", |s, r| {
+        Some(0.0 - s.drag - r.weight_along.unwrap_or(0.0))
+    }),
     BodyColumn::derived("tow power", "W", "F_H v, of filtered drag and speed", |s, _| Some(s.drag * s.speed)),
     BodyColumn::derived("axle power", "W", "−M ω, of filtered torque and rate", |s, _| {
         Some(-s.axle_torque * s.spin)

@@ -1,6 +1,7 @@
 //! The reference lengths and force that make a body's results dimensionless, and its rolling radius.
 
 use super::BodySample;
+use crate::case::fastest;
 use crate::case::resolved::{Body, Case, Motion};
 use crate::case::tow::{TowDirection, squared};
 use serde::{Deserialize, Serialize};
@@ -27,6 +28,12 @@ fn width(body: &Body, tow: TowDirection) -> f64 {
     squared(body.main_shape(), yaw).0.reference_width()
 }
 
+/// Component of the weight of a body against its tow, uphill positive [N].
+fn weight_along(case: &Case, body: &Body, tow: TowDirection) -> Option<f64> {
+    let rise = -tow.turned(case.slope.down()).x;
+    (rise != 0.0).then(|| rise * case.weight(body))
+}
+
 /// Dimensionless groups of one body, as far as they are known before a run; `None` where the soil is weightless.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Groups {
@@ -51,9 +58,7 @@ impl Groups {
         let reference = Reference::of(case, body);
         let (d, gamma) = (reference.length, case.soil.unit_weight);
         let over_weight = |x: f64| (gamma > 0.0).then_some(x / gamma);
-        let speed =
-            |motion: &Motion| if let Motion::Prescribed { speed, .. } = motion { speed.abs() } else { 0.0 };
-        let speed = body.guided().translation.iter().map(speed).fold(0.0, f64::max);
+        let speed = body.guided().translation.iter().map(fastest).fold(0.0, f64::max);
         let pressed = body.pressing_force(case.normal_weight(body));
         Self {
             t_bar: reference.width / d,
@@ -89,6 +94,9 @@ pub struct Reference {
     /// The direction of its tow.
     #[serde(default)]
     pub tow: TowDirection,
+    /// Weight of the body against its tow along the slope of the ground [N], negative downhill; `None` where the tow is level.
+    #[serde(default)]
+    pub weight_along: Option<f64>,
     /// 1 of a body that is driven in yaw to the left and does not turn about an axle, −1 to the right; 0 of any other.
     #[serde(default)]
     pub yaw_drive: f64,
@@ -113,6 +121,7 @@ impl Reference {
             radius: body.wheel_diameter().map(|diameter| 0.5 * diameter),
             towed: body.guided().translation[..2].iter().any(|motion| *motion != Motion::Fixed),
             tow,
+            weight_along: weight_along(case, body, tow),
             yaw_drive: if *body.spin() == Motion::Fixed {
                 drive(&body.guided().rotation[0], case.duration)
             } else {
@@ -181,6 +190,25 @@ mod tests {
         let case = parse(BLOCK, "case.toml", &sets).unwrap();
         let Reference { tow, across, width, .. } = Reference::of(&case, &case.bodies[0]);
         (tow.components(), across, width)
+    }
+
+    #[test]
+    fn the_weight_along_a_slope_counts_against_the_tow() {
+        let along = |sets: &[&str]| {
+            let sets: Vec<String> = sets.iter().map(|set| (*set).to_owned()).collect();
+            let case = parse(BLOCK, "case.toml", &sets).unwrap();
+            Reference::of(&case, &case.bodies[0]).weight_along
+        };
+        let (weight, ahead, back) = (
+            "body.a.weight=200 N",
+            "body.a.forward={ speed = '0.3 m/s' }",
+            "body.a.forward={ speed = '-0.3 m/s' }",
+        );
+        assert_eq!(along(&[weight, ahead]), None);
+        assert_eq!(along(&[weight, ahead, "ground.cross_slope=15 deg"]), None);
+        let up = along(&[weight, ahead, "ground.slope=15 deg"]).unwrap();
+        assert!((up - 200.0 * 15_f64.to_radians().sin()).abs() < 1e-9, "{up}");
+        assert!((along(&[weight, back, "ground.slope=15 deg"]).unwrap() + up).abs() < 1e-9);
     }
 
     #[test]

@@ -63,7 +63,7 @@ pub struct Steady {
     /// Scatter of the drag: root mean square of the drag less its moving average over 0.02 d (at least five samples),
     /// over [`Steady::drag_scale`].
     pub drag_noise: Option<f64>,
-    /// Whether drag and sinkage change by less than their limits over the window; `null` without a tow.
+    /// Whether drag and sinkage change by less than their limits over the window; `null` without a tow, and of too few samples.
     pub is_steady: Option<bool>,
     /// Interval of the mean drag [N] from a mesh study; `null` where only one mesh was run, as are the next three.
     #[serde(rename = "drag_N_interval")]
@@ -107,7 +107,7 @@ impl Steady {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Traction {
-    /// Drawbar pull −F_H [N]: what the soil pushes the body forwards with; negative where it resists.
+    /// Drawbar pull [N]: −F_H, what the soil pushes the body forwards with, less its weight along a slope; negative where it resists.
     #[serde(rename = "drawbar_pull_N")]
     pub drawbar_pull: Option<f64>,
     /// Specific resistance F_H/F_V: drag over the vertical force.
@@ -121,7 +121,7 @@ pub struct Traction {
     /// Power that turns the body against the torque of the soil, −M ω [W].
     #[serde(rename = "axle_power_W")]
     pub axle_power: Option<f64>,
-    /// Tractive efficiency of a driven body: power of its pull over that of its axle.
+    /// Tractive efficiency of a driven body: power of −F_H over that of its axle; on a slope climbing counts.
     pub tractive_efficiency: Option<f64>,
 }
 
@@ -134,7 +134,7 @@ impl Traction {
         };
         let axle_power = axle_power.filter(|_| reference.turns);
         Self {
-            drawbar_pull: drag.map(|drag| 0.0 - drag),
+            drawbar_pull: drag.map(|drag| 0.0 - drag - reference.weight_along.unwrap_or(0.0)),
             specific_resistance: over(drag, vertical),
             drag_per_width: drag.and_then(|drag| finite(drag / reference.across)),
             tow_power,
@@ -418,6 +418,9 @@ mod tests {
         assert!((tractive_efficiency.unwrap() - 0.3).abs() < 1e-12);
         let towed: Vec<_> = samples.iter().map(|s| BodySample { drag: 30.0, ..*s }).collect();
         assert_eq!(steady(&towed, &disc(), 0..20).traction.tractive_efficiency, None);
+        // On a slope its weight is to be carried as well.
+        let climbs = Reference { weight_along: Some(52.0), ..disc() };
+        assert_eq!(steady(&samples, &climbs, 0..20).traction.drawbar_pull, Some(-22.0));
     }
 
     fn tow(count: usize, drag: impl Fn(f64) -> f64) -> Vec<BodySample> {

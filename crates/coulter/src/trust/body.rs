@@ -6,6 +6,7 @@ use super::limits::{self, Limit};
 use super::setting::{BodySetting, Setting};
 use super::steadiness::Trend;
 use super::verdict::Verdict;
+use crate::case::resolved::Output;
 use crate::history::reference::Reference;
 use crate::history::steady::{Steady, SteadyPart, is_tow, steady, window};
 use crate::history::{BodySample, History, largest};
@@ -32,6 +33,11 @@ impl BodyChecks<'_> {
         let mut checks = vec![self.check(&limits::LEAK, self.leak())];
         checks.extend(contact::of_body(self.setting, self.body, self.samples, inside));
         checks.extend(self.resolution(&steady));
+        // Said where it keeps others from being made.
+        checks.extend(
+            (inside.len() < Output::FEWEST_SAMPLES)
+                .then(|| self.check(&limits::SAMPLES, inside.len() as f64)),
+        );
         if is_towed {
             checks.extend(self.trends(inside, &steady));
             checks.extend(steady.drag_noise.map(|noise| self.check(&limits::NOISE, 100.0 * noise)));
@@ -82,25 +88,18 @@ impl BodyChecks<'_> {
     fn trends(&self, inside: &[BodySample], steady: &Steady) -> Vec<Check> {
         let trend = |value: fn(&BodySample) -> f64| Trend::of(&inside.iter().map(value).collect::<Vec<_>>());
         let drag = steady.drag_scale(self.reference).max(self.setting.least_force());
-        let mut checks = vec![self.trend(&limits::STEADY_DRAG, trend(|s| s.drag), drag)];
+        let mut checks = Vec::from_iter(self.trend(&limits::STEADY_DRAG, trend(|s| s.drag), drag));
         if self.body.heaves_freely {
             let depth = steady.sinkage.unwrap_or(0.0).abs().max(self.body.cell[2]);
-            checks.push(self.trend(&limits::STEADY_SINKAGE, trend(|s| s.sinkage), depth));
+            checks.extend(self.trend(&limits::STEADY_SINKAGE, trend(|s| s.sinkage), depth));
         }
         checks
     }
 
-    /// The change of a quantity over the window relative to its size; doubtful where the window has too few samples.
-    pub(super) fn trend(&self, limit: &'static Limit, trend: Option<Trend>, scale: f64) -> Check {
-        match trend {
-            Some(trend) if scale > 0.0 => self.check(limit, 100.0 * trend.change.abs() / scale),
-            Some(_) => self.check(limit, 0.0),
-            None => Check::unavailable(
-                limit,
-                Some(&self.body.name),
-                "the window has too few samples for eight averages: use a shorter output.history_interval or a longer tow",
-            ),
-        }
+    /// The change of a quantity over the window relative to its size; `None` where the window has too few samples.
+    pub(super) fn trend(&self, limit: &'static Limit, trend: Option<Trend>, scale: f64) -> Option<Check> {
+        let change = |trend: Trend| if scale > 0.0 { 100.0 * trend.change.abs() / scale } else { 0.0 };
+        trend.map(|trend| self.check(limit, change(trend)))
     }
 
     /// Contribution of the soil's momentum to the force: dynamic pressure on the embedded portion of the front.

@@ -92,7 +92,7 @@ impl BodyChecks<'_> {
         let [of_noise, of_change] = force.limits;
         let mut checks = vec![self.check(of_noise, 100.0 * noise / force.scale)];
         if force.is_steady {
-            checks.push(self.trend(of_change, Trend::of(&values), force.scale));
+            checks.extend(self.trend(of_change, Trend::of(&values), force.scale));
         }
         checks
     }

@@ -2,7 +2,7 @@
 
 use super::verdict::Verdict;
 use crate::case::ClosedBox;
-use crate::case::resolved::Water;
+use crate::case::resolved::{Output, Water};
 
 /// The limits of a figure.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -224,6 +224,18 @@ pub const NOISE: Limit = Limit {
     meaning: "scatter of the drag about its moving average over 0.02 d, over the same",
     reason: "the mean over a window of ten independent fluctuations is then known to 3 %",
     advice: "use a finer grid or a longer tow",
+};
+
+/// Samples of the steady window, where they are too few for any statistics.
+pub const SAMPLES: Limit = Limit {
+    name: "samples",
+    unit: "",
+    good: Output::FEWEST_SAMPLES as f64,
+    doubtful: NEVER,
+    more_is_better: true,
+    meaning: "lines of the history in the steady window, where they are too few for eight averages",
+    reason: "of fewer neither a trend nor a scatter is known, and the mean is that of some moments",
+    advice: "use a shorter output.history_interval or a longer run",
 };
 
 /// Trend of the drag.
@@ -611,7 +623,7 @@ pub const MISSING_VARIATIONS: Limit = Limit {
 };
 
 /// Every limit, in the order of the checks.
-pub const ALL: [&Limit; 47] = [
+pub const ALL: [&Limit; 48] = [
     &COMPLETED,
     &ENERGY_BALANCE,
     &HOURGLASS,
@@ -628,6 +640,7 @@ pub const ALL: [&Limit; 47] = [
     &CHORD_CELLS,
     &VERTICAL_CELLS,
     &WIDTH_CELLS,
+    &SAMPLES,
     &STEADY_DRAG,
     &STEADY_SINKAGE,
     &NOISE,

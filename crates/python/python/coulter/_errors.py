@@ -60,7 +60,7 @@ _OPTIONS = {
     "--meshes 3 --resume": 'meshes=3, start="resume"',
     "--confidence --resume": 'confidence=True, start="resume"',
     "--resume": 'start="resume"',
-    "with -o DIR": "with output=DIR",
+    "-o DIR": "output=DIR",
 }
 
 

@@ -41,7 +41,7 @@ pub struct Compared {
     pub left_out: Vec<LeftOut>,
     /// Its steady mean.
     pub mean: Option<SteadyMean>,
-    /// Whether this and that of the reference have a value in common within their 90 % intervals.
+    /// Whether this and that of the reference have a value in common within their 90 % intervals; `None` where neither has one.
     pub overlaps: Option<bool>,
 }
 
@@ -111,8 +111,11 @@ pub fn compare(items: &mut [Item], request: &ComparisonRequest) -> Result<Compar
             compared.extend(beside((item, other), reference, (*quantity, curve, *mean), (against, request)));
         }
     }
+    let has_mean =
+        |one: &Compared| quantities.iter().any(|(known, _, mean)| *known == one.quantity && mean.is_some());
     let shares = |n: usize| {
-        compared.iter().any(|one| one.item == n && (one.aligned.is_some() || one.overlaps.is_some()))
+        let both = |one: &Compared| one.aligned.is_some() || (one.mean.is_some() && has_mean(one));
+        compared.iter().any(|one| one.item == n && both(one))
     };
     refuse_silence(&compared, shares)?;
     let mut remarks: Vec<String> = items.iter().flat_map(|item| item.record.named_remarks()).collect();
@@ -213,7 +216,7 @@ fn beside(
         differences: found.as_ref().and_then(differences),
         aligned: found,
         left_out,
-        overlaps: mean.zip(own).map(|(a, b)| a.overlaps(&b)),
+        overlaps: mean.zip(own).and_then(|(a, b)| a.overlaps(&b)),
         mean: own,
     })
 }

@@ -7,7 +7,7 @@ use crate::sources::{Along, ClosedForm, ClosedForms, LeftOut, read_run, rising, 
 use coulter::case::{self, CaseError};
 use coulter::formats;
 use coulter::history::reference::Reference;
-use coulter::output::Inside;
+use coulter::output::{Inside, Summary};
 use serde_json::Value;
 use std::path::Path;
 
@@ -130,7 +130,16 @@ fn run(path: &Path, body: Option<&str>) -> Result<Item, Unreadable> {
         None => reference.has_surface(),
     };
     let reference = source.run.bodies.iter().find(is_it).cloned();
-    Ok(Item { means, reference, ..item(path, ItemKind::Run, source.record.clone()) })
+    let mut record = source.record.clone();
+    record.remarks.extend(grade(path));
+    Ok(Item { means, reference, ..item(path, ItemKind::Run, record) })
+}
+
+/// What is to be said of the grade of a run that is not good.
+fn grade(folder: &Path) -> Option<String> {
+    let trust = Summary::read(folder).ok()?.trust;
+    let worst = trust.concerns().first().map(|check| check.line())?;
+    Some(format!("the run is graded {}: {worst}", trust.verdict.name()))
 }
 
 fn closed_form(path: &Path) -> Result<Item, Unreadable> {

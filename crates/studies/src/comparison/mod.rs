@@ -14,4 +14,5 @@ pub use compare::{Compared, Comparison, ComparisonRequest, compare};
 pub use document::{comparison_csv, comparison_document, comparison_page, comparison_text};
 pub use figures::{Differences, Peak, differences};
 pub use item::{Item, ItemKind, Unreadable, read_item};
+pub(crate) use settled::settle_signs;
 pub use steady::{SteadyMean, steady_mean};

@@ -34,7 +34,7 @@ pub(super) fn scale(items: &mut [Item]) -> Result<(), String> {
 ///
 /// # Errors
 /// What is wrong, with the cure, where the difference may be real.
-pub(super) fn settle_signs(items: &mut [Item], against: Quantity, wanted: &[Quantity]) -> Result<(), String> {
+pub(crate) fn settle_signs(items: &mut [Item], against: Quantity, wanted: &[Quantity]) -> Result<(), String> {
     for n in 0..items.len() {
         if items[n].kind != ItemKind::Measured {
             continue;

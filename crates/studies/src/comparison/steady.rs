@@ -19,14 +19,18 @@ impl SteadyMean {
         [self.mean - half, self.mean + half]
     }
 
-    /// Whether two intervals have a value in common.
+    /// Whether two intervals have a value in common but for round-off; `None` where neither is known.
     #[must_use]
-    pub fn overlaps(&self, other: &Self) -> bool {
+    pub fn overlaps(&self, other: &Self) -> Option<bool> {
+        self.half.or(other.half)?;
+        let slack = ROUND_OFF * self.mean.abs().max(other.mean.abs());
         let ([low, high], [other_low, other_high]) = (self.interval(), other.interval());
-        low <= other_high && other_low <= high
+        Some(low <= other_high + slack && other_low <= high + slack)
     }
 }
 
+/// Part of a mean within which two are the same.
+const ROUND_OFF: f64 = 1e-9;
 /// Fewest values of an interval.
 const FEWEST: usize = 4;
 /// 95 % quantile of the normal distribution.
@@ -83,7 +87,12 @@ mod tests {
         assert_eq!((even.mean, slow.mean), (0.5, 0.5));
         assert!(slow.half.unwrap() > 2.5 * even.half.unwrap());
         assert_eq!(steady_mean(&[1.0, 2.0]).unwrap().half, None);
-        assert!(steady_mean(&[1.0; 50]).unwrap().overlaps(&SteadyMean { mean: 1.0, half: None }));
+        let level = steady_mean(&[1.0; 50]).unwrap();
+        let alone = |mean: f64| SteadyMean { mean, half: None };
+        assert_eq!(level.overlaps(&alone(1.0)), Some(true));
+        assert_eq!(level.overlaps(&alone(1.0 + 3e-16)), Some(true), "round-off");
+        assert_eq!(level.overlaps(&alone(1.1)), Some(false));
+        assert_eq!(alone(1.0).overlaps(&alone(1.1)), None, "no interval, no verdict");
         assert!(steady_mean(&[]).is_none());
     }
 }

@@ -29,7 +29,13 @@ pub fn read_expanded(path: &Path, name: &str, case: (&str, &str)) -> Result<Stud
 }
 
 fn read_with(path: &Path, name: &str, case: Option<(&str, &str)>) -> Result<Study, CaseError> {
-    let form = Form::read(&case::text(path)?, &path.display().to_string())?;
+    let shown = path.display().to_string();
+    let form = Form::read(&case::text(path)?, &shown)?;
+    let has = |key: &str| find(&form.entries, key).is_some();
+    if has("soil") && !has("case") && !has("factor") {
+        let cure = format!("run it with  coulter run {shown},  or name it in a study:  case = \"CASE.toml\"");
+        return Err(CaseError::unreadable(&shown, format!("{shown}: this is a case, not a study"), &cure));
+    }
     let mut problems = Problems::default();
     let top = top(&form, &mut problems);
     let mut factors = Vec::new();

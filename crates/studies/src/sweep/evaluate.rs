@@ -9,12 +9,16 @@ use crate::responses::Figures;
 use crate::study::ModelKind;
 use coulter::case::{self, Case, CaseError};
 use coulter::forecast::{self, Outlook};
+use coulter::history::BodySample;
 use coulter::history::reference::{Groups, Reference};
+use coulter::history::steady::{Steady, SteadyPart, steady, window};
 use coulter::interrupts::Interrupts;
 use coulter::output::folder::RunRecord;
+use coulter::output::tables::read_history;
 use coulter::output::{BodySummary, OutputError, Summary};
 use coulter::run::{self, End, RunError, RunOptions, Start};
 use coulter::trust::{Check, Verdict};
+use std::path::Path;
 
 /// Why a case has no outcome.
 #[derive(Debug, thiserror::Error)]
@@ -159,7 +163,7 @@ fn solved(shared: &Shared, line: &CaseLine, mut case: Case) -> Result<Outcome, U
     };
     let ended = |ending: Ending, reason: String, summary: &Summary| {
         let record = RunRecord::read(&folder)?;
-        Ok(Outcome { id: line.id.clone(), ending, reason, rows: runs(&case, summary, &record.bodies) })
+        Ok(Outcome { id: line.id.clone(), ending, reason, rows: runs(&case, summary, (&folder, &record)) })
     };
     // A run that broke down has figures up to there, unless the machine went down with it.
     let broken = |reason: String| match Summary::read(&folder) {
@@ -189,11 +193,27 @@ fn failed_checks(summary: &Summary) -> String {
     failed.map(Check::line).collect::<Vec<_>>().join("; ")
 }
 
+/// Part of a run, at its end, over which the figures of a body that still sinks are averaged (chosen: its depth changes by some 2 %).
+const AT_END: f64 = 0.02;
+
+/// The means at the end of a run of a body that is pressed down until then, where a closed form is evaluated; `None` for any other.
+fn at_end(reference: &Reference, run: &RunRecord, samples: &[BodySample]) -> Option<Steady> {
+    let end = window(samples, reference, SteadyPart { fraction: AT_END, ..run.steady_part() });
+    let whole = samples.get(window(samples, reference, run.steady_part()))?;
+    let [first, last] = [whole.first()?.sinkage, whole.last()?.sinkage];
+    let sinks = !reference.towed && last - first > AT_END * last.abs();
+    sinks.then(|| steady(samples, reference, end))
+}
+
 /// The rows of a run: one for every body with a surface.
-fn runs(case: &Case, summary: &Summary, references: &[Reference]) -> Vec<Figures> {
-    let bodies = references.iter().filter(|reference| reference.has_surface());
-    let rows = bodies.enumerate().filter_map(|(n, reference)| {
-        let body = summary.bodies.get(&reference.name)?;
+fn runs(case: &Case, summary: &Summary, (folder, run): (&Path, &RunRecord)) -> Vec<Figures> {
+    // A run that broke down may have no history that can be read; its means are what it has.
+    let history = read_history(folder, &run.names(), false).map(|history| history.bodies).unwrap_or_default();
+    let bodies = run.bodies.iter().enumerate().filter(|(_, reference)| reference.has_surface());
+    let rows = bodies.enumerate().filter_map(|(n, (number, reference))| {
+        let mut body = summary.bodies.get(&reference.name)?.clone();
+        let end = history.get(number).and_then(|samples| at_end(reference, run, samples));
+        body.steady = end.unwrap_or(body.steady);
         let groups =
             case.bodies.iter().find(|own| own.name == reference.name).map(|own| Groups::of(case, own));
         Some(Figures {
@@ -202,7 +222,7 @@ fn runs(case: &Case, summary: &Summary, references: &[Reference]) -> Vec<Figures
             weight_group: groups.and_then(|groups| groups.w_bar),
             stiffness_group: groups.and_then(|groups| groups.e_bar),
             cohesion_group: groups.and_then(|groups| groups.c_bar),
-            ..of_body(reference, body)
+            ..of_body(reference, &body)
         })
     });
     rows.collect()
@@ -214,6 +234,7 @@ fn of_body(reference: &Reference, BodySummary { steady, peak, .. }: &BodySummary
         vertical: steady.vertical,
         slip: steady.slip,
         axle_torque: steady.axle_torque,
+        pull: steady.traction.drawbar_pull,
         ..Figures::default()
     };
     let force = |force: Option<f64>| force.and_then(|force| reference.force_group(force));
@@ -231,5 +252,32 @@ fn of_body(reference: &Reference, BodySummary { steady, peak, .. }: &BodySummary
         sinkage_group: steady.sinkage.and_then(|z| reference.length_group(z)),
         t_bar: reference.length_group(reference.width),
         ..figures.with_traction(reference.radius)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_body_that_is_pressed_to_the_end_has_the_figures_of_its_last_depth() {
+        let sample = |n: u32| BodySample {
+            time: 1e-3 * f64::from(n),
+            sinkage: 60e-6 * f64::from(n),
+            vertical: f64::from(n),
+            ..BodySample::default()
+        };
+        let samples: Vec<BodySample> = (0..=1000).map(sample).collect();
+        let (plate, run) = (
+            Reference { length: 0.1, ..Reference::default() },
+            RunRecord { steady_fraction: 0.3, ..RunRecord::default() },
+        );
+        let end = at_end(&plate, &run, &samples).unwrap();
+        assert!((end.vertical.unwrap() - 990.0).abs() < 1.0 && (end.sinkage.unwrap() - 0.0594).abs() < 1e-4);
+        let held: Vec<BodySample> =
+            samples.iter().map(|s| BodySample { sinkage: s.sinkage.min(0.03), ..*s }).collect();
+        assert_eq!(at_end(&plate, &run, &held), None, "held at its depth in the whole window");
+        let towed = Reference { towed: true, ..plate };
+        assert_eq!(at_end(&towed, &run, &samples), None);
     }
 }

@@ -1,9 +1,9 @@
 //! Whether a motion is slow enough: what inertia and bulk viscosity add to the force.
 
 use super::passive::passive_coefficient;
-use crate::case::path::body_length;
+use crate::case::path::{body_length, fastest};
 use crate::case::resolve::clearance::{SoilConditions, deepest};
-use crate::case::resolved::{Body, Case, Motion};
+use crate::case::resolved::{Body, Case};
 use crate::case::tow::TowDirection;
 use physics::elastic::Elastic;
 
@@ -13,14 +13,14 @@ const NOTABLE: f64 = 0.1;
 
 /// Whether the motion is slow enough to be quasi-static.
 pub(super) fn speed(case: &Case, body: &Body, notes: &mut Vec<String>) {
-    let speeds = body.guided().translation.each_ref().map(prescribed_speed);
-    let axis = (0..3).fold(0, |fastest, axis| if speeds[axis] > speeds[fastest] { axis } else { fastest });
-    let fastest = speeds[axis];
+    let speeds = body.guided().translation.each_ref().map(fastest);
+    let axis = (0..3).fold(0, |most, axis| if speeds[axis] > speeds[most] { axis } else { most });
+    let speed = speeds[axis];
     let length = body_length(std::slice::from_ref(body));
     // A body that enters the soil later is not in it yet: a tenth of its length is assumed.
     let depth = deepest(body, &SoilConditions::of(case), case.duration).max(0.1 * length);
-    inertia(case, body, (fastest, depth), notes);
-    viscosity(case, body, (fastest, depth), case.grid.fine_cell()[axis], notes);
+    inertia(case, body, (speed, depth), notes);
+    viscosity(case, body, (speed, depth), case.grid.fine_cell()[axis], notes);
 }
 
 /// What the soil's inertia adds to the force. The ground carries the load of a body that is free to sink at any speed, so
@@ -79,8 +79,4 @@ fn viscosity(case: &Case, body: &Body, (speed, depth): (f64, f64), cell: f64, no
             100.0 * viscous / pressure
         ));
     }
-}
-
-fn prescribed_speed(freedom: &Motion) -> f64 {
-    if let Motion::Prescribed { speed, .. } = freedom { speed.abs() } else { 0.0 }
 }

@@ -1,5 +1,6 @@
 //! Warnings about a case that can be run: whether the grid is fine enough, the tow slow enough, the box large enough.
 
+mod base;
 mod closed_box;
 mod inertia;
 mod motions;
@@ -11,7 +12,8 @@ mod walls;
 use super::estimate::estimate;
 use super::model::sand;
 use super::path::{Paths, body_length};
-use super::resolved::{Body, Case, Law, Motion, Potential, Soil, Water};
+use super::quantity::plain;
+use super::resolved::{Body, Case, Law, Motion, Output, Potential, Soil, Water};
 use super::thickness::{self, ThinPlace};
 use super::tow::Measures;
 use super::unusual::unusual;
@@ -27,6 +29,7 @@ pub fn advice(case: &Case) -> Vec<String> {
     for (_, body) in case.touching() {
         resolution(case, body, &mut notes);
         fine_zone(case, body, &mut notes);
+        base::within_cell(case, body, &mut notes);
         motions::in_soil(case, body, &mut notes);
         // Nothing fails in front of a body that never enters the ground.
         if !motions::is_above_ground(case, body) {
@@ -155,6 +158,23 @@ fn timing(case: &Case, notes: &mut Vec<String>) {
         notes.push(format!(
             "output.history_interval is shorter than a time step, {:.2e} s.",
             cost.time_step_s
+        ));
+    }
+    few_samples(case, notes);
+}
+
+/// Whether there are samples enough for steady means that a run is graded by.
+fn few_samples(case: &Case, notes: &mut Vec<String>) {
+    let during = case.steady_stage().map_or(case.duration, |stage| case.stages[stage].duration);
+    let Output { history_interval, steady_fraction, .. } = case.output;
+    let fewest = Output::FEWEST_SAMPLES;
+    let samples = steady_fraction * during / history_interval;
+    if !case.bodies.is_empty() && samples < fewest as f64 {
+        notes.push(format!(
+            "output.history_interval = {} s leaves {samples:.0} samples for the steady means, fewer than {fewest}: the run will be graded \
+             doubtful; {:.2e} s leaves 50.",
+            plain(history_interval),
+            steady_fraction * during / 50.0
         ));
     }
 }

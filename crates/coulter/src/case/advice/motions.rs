@@ -145,4 +145,28 @@ mod tests {
             "{notes}"
         );
     }
+
+    #[test]
+    fn a_history_with_too_few_lines_for_steady_means_is_doubted() {
+        let pressed = "heave = { speed = '-0.05 m/s' }\n[output]\nhistory_interval = ";
+        let few = notes(&format!("{pressed}'50 ms'"));
+        assert!(few.contains("output.history_interval = 0.05 s leaves 3 samples"), "{few}");
+        assert!(!notes(&format!("{pressed}'5 ms'")).contains("samples"));
+    }
+
+    #[test]
+    fn a_base_within_a_cell_is_doubted_with_the_depths_of_the_faces() {
+        let held = |depth: &str| notes(&format!("forward = {{ speed = '0.1 m/s' }}\nsinkage = '{depth}'"));
+        let within = held("33 mm");
+        assert!(within.contains("body.plate: its base lies 0.36 cells inside a cell"), "{within}");
+        assert!(within.contains("a sinkage of 25 mm or 37.5 mm"), "{within}");
+        assert!(!held("25 mm").contains("inside a cell"));
+    }
+
+    #[test]
+    fn a_weight_that_no_soil_bears_is_doubted() {
+        let said = |weight: &str| notes(&format!("weight = '{weight}'\nheave = 'free'"));
+        assert!(said("100 MN").contains("body.plate: it is pressed down with 1e8 N"), "{}", said("100 MN"));
+        assert!(!said("5 kN").contains("no soil bears"));
+    }
 }

@@ -67,7 +67,7 @@ pub fn read(path: &Path, unit: Option<(&str, f64)>) -> Result<MeshFile, MeshFile
         repaired(&surface.mesh).map_err(|defect| explain::explain(&defect, &surface, (&unit, metres)))?;
     let report = MeshReport::of(&found, &surface, (&unit, metres));
     let Repaired { solid, .. } = found;
-    let hash = hash_of(path).map_err(|error| unreadable(path, &error))?;
+    let hash = hash_of(path).map_err(|error| unreadable(&error))?;
     Ok(MeshFile { solid, unit: metres, report, hash })
 }
 
@@ -116,12 +116,12 @@ impl Format {
     }
 
     fn read(self, path: &Path, bytes: u64) -> Result<Surface, MeshFileProblem> {
-        let open = || File::open(path).map_err(|error| unreadable(path, &error));
+        let open = || File::open(path).map_err(|error| unreadable(&error));
         let mut start = [0; 512];
         let mut length = 0;
         let mut head = open()?.take(start.len() as u64);
         while let Some(count) =
-            Some(head.read(&mut start[length..]).map_err(|e| unreadable(path, &e))?).filter(|n| *n > 0)
+            Some(head.read(&mut start[length..]).map_err(|e| unreadable(&e))?).filter(|n| *n > 0)
         {
             length += count;
         }
@@ -143,7 +143,7 @@ impl Format {
 
 /// Size of an ordinary file that is not too large [bytes]. A pipe or a device could be endless.
 fn size_of(path: &Path) -> Result<u64, MeshFileProblem> {
-    let about = std::fs::metadata(path).map_err(|error| unreadable(path, &error))?;
+    let about = std::fs::metadata(path).map_err(|error| unreadable(&error))?;
     if !about.is_file() {
         let what = if about.is_dir() { "a folder" } else { "a pipe or a device" };
         return refuse(format!("it is {what}, not a file"), "name an STL, OBJ or PLY file");
@@ -159,12 +159,12 @@ fn size_of(path: &Path) -> Result<u64, MeshFileProblem> {
     }
 }
 
-fn unreadable(path: &Path, error: &std::io::Error) -> MeshFileProblem {
+fn unreadable(error: &std::io::Error) -> MeshFileProblem {
     let cure = match error.kind() {
         std::io::ErrorKind::NotFound => "check the path: it is relative to the folder of the case file",
         _ => "check that the file can be read",
     };
-    MeshFileProblem::new(format!("{} cannot be read: {error}", path.display()), cure)
+    MeshFileProblem::new(format!("it cannot be read: {error}"), cure)
 }
 
 fn require_plausible_size(surface: &Mesh, unit: &str) -> Result<(), MeshFileProblem> {

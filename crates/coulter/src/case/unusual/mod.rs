@@ -1,6 +1,7 @@
 //! What no soil, body or tow has: values outside what is usual for their keys, soil that is too soft or too stiff for its weight, and
 //! motions that can hardly be meant. Such a case can be run; `check` says it, and the run is graded doubtful.
 
+mod load;
 mod motion;
 mod stiffness;
 mod values;
@@ -15,6 +16,7 @@ pub fn unusual(case: &Case) -> Vec<String> {
     if case.gravity > 0.0 {
         values::values(case, &mut doubts);
         stiffness::stiffness(case, &mut doubts);
+        load::loads(case, &mut doubts);
         motion::motions(case, &mut doubts);
     }
     doubts

@@ -3,9 +3,9 @@
 
 use super::values;
 use crate::case::model::material;
-use crate::case::path::{range, travel};
+use crate::case::path::{fastest, range, travel};
 use crate::case::quantity::plain;
-use crate::case::resolved::{Body, Case, Motion};
+use crate::case::resolved::{Body, Case};
 
 /// Way of a body that sinks or rolls freely over its length below which its tow is doubted (chosen): the force on towed discs is steady
 /// after 0.5 to 1.5 diameters.
@@ -18,11 +18,7 @@ const FAST: f64 = 0.3;
 pub(super) fn motions(case: &Case, doubts: &mut Vec<String>) {
     let waves = material(&case.soil).wave_speed();
     for (path, motion) in values::motions(case) {
-        let speed = match &motion {
-            Motion::Prescribed { speed, .. } => speed.abs(),
-            Motion::Course(course) => course.fastest(),
-            Motion::Fixed | Motion::Free { .. } => 0.0,
-        };
+        let speed = fastest(&motion);
         if speed > FAST * waves {
             doubts.push(format!(
                 "{path}: {} m/s is {:.0} % of the speed of waves in this soil, {waves:.1} m/s: it cannot give way; is the speed meant, and the \

@@ -3,7 +3,7 @@
 use super::values::is_soil;
 use crate::case::own_weight::{compression, depth};
 use crate::case::path::body_length;
-use crate::case::quantity::plain;
+use crate::case::quantity::{plain, short};
 use crate::case::resolved::Case;
 
 /// Mean strain under its own weight beyond which soil is doubted (chosen): loose sand and soft clay are compressed by 1 to 2 %.
@@ -31,9 +31,9 @@ pub(super) fn stiffness(case: &Case, doubts: &mut Vec<String>) {
             ));
         } else if modulus < SOFT_OF_STRENGTH * strength {
             doubts.push(format!(
-                "{path}.young_modulus = {} Pa is {:.0} times the strength, {} Pa; soft clay has 50 to 100 times.",
+                "{path}.young_modulus = {} Pa is {} times the strength, {} Pa; soft clay has 50 to 100 times.",
                 plain(soil.young_modulus),
-                modulus / strength,
+                short(modulus / strength),
                 plain(strength)
             ));
         }

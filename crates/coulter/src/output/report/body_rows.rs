@@ -161,8 +161,17 @@ fn peak_rows(table: &mut BodyRows<'_>, BodySummary { steady, peak, .. }: &BodySu
 
 /// What it costs to move a body that is towed, and what a driven one pulls.
 fn traction_rows([key, further]: [&mut BodyRows<'_>; 2], traction: &Traction) {
-    if traction.drawbar_pull.is_some_and(|pull| pull > 0.0) {
-        let pull = key.force(traction.drawbar_pull);
+    let pull = key.force(traction.drawbar_pull);
+    if let Some(weight) = key.reference.weight_along {
+        key.push(
+            "Weight along the slope",
+            "",
+            key.force(Some(weight)),
+            "against the tow positive; less buoyancy",
+        );
+        let note = "−F<sub>H</sub> less the weight along the slope, steady mean; below 0 it has to be held";
+        key.push("Drawbar pull", "", pull, note);
+    } else if traction.drawbar_pull.is_some_and(|pull| pull > 0.0) {
         key.push("Drawbar pull", "−F<sub>H</sub>", pull, "what it can tow, steady mean");
     }
     if traction.tractive_efficiency.is_some() {

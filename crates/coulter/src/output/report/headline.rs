@@ -106,7 +106,8 @@ impl View<'_> {
             format!("resists the tow with {}", text(&drag, Unit::force))
         };
         let depth = sinkage.map_or(String::new(), |z| format!(" at a sinkage of {z}"));
-        Some(format!("The {name} {force}{depth}{}.", self.rolling()))
+        let slope = on_slope(-drag.value, self.reference.weight_along.unwrap_or(0.0));
+        Some(format!("The {name} {force}{slope}{depth}{}.", self.rolling()))
     }
 
     /// How the body rolls, as the end of a sentence.
@@ -138,7 +139,8 @@ impl View<'_> {
         };
         [
             if pull.is_some() {
-                tile("Drawbar pull", pull, Unit::force)
+                let is_level = self.reference.weight_along.is_none();
+                tile(if is_level { "Drawbar pull" } else { "Traction" }, pull, Unit::force)
             } else {
                 tile("Drag", drag, Unit::force)
             },
@@ -151,6 +153,23 @@ impl View<'_> {
         .into_iter()
         .flatten()
         .collect()
+    }
+}
+
+/// Part of the weight along a slope within which a pull is as large (chosen: that of a wheel that climbs freely is within 0.3 %).
+const BALANCED: f64 = 0.02;
+
+/// What of the force of the soil [N] goes into carrying a body up a slope, whose weight draws it down with `weight` [N].
+fn on_slope(pull: f64, weight: f64) -> String {
+    let shown = text(&Figure::exact(weight.abs()), Unit::force);
+    match () {
+        () if weight == 0.0 => String::new(),
+        () if weight < 0.0 => format!(" (its weight draws it forwards with {shown})"),
+        () if (pull - weight).abs() <= BALANCED * weight => {
+            " (as much as its weight draws it down the slope)".to_owned()
+        }
+        () if pull > weight => format!(" (of which {shown} carry its weight up the slope)"),
+        () => format!(" (while its weight draws it down the slope with {shown}, and it has to be held)"),
     }
 }
 
@@ -433,6 +452,28 @@ mod tests {
             all[1].contains("must not be used") && all[1].contains("energy balance (−371\u{a0}%)"),
             "{all:?}"
         );
+    }
+
+    #[test]
+    fn on_a_slope_a_pull_is_measured_by_the_weight_that_it_carries() {
+        let (mut record, mut summary, history) = disc();
+        let steady = &mut summary.bodies.get_mut("disc").unwrap().steady;
+        (steady.drag, steady.turn_ratio) = (Some(-43.0), Some(1.4));
+        for (weight, words) in [
+            (
+                52.0,
+                "pulls with 43.0 N (while its weight draws it down the slope with 52.0 N, and it has to be held)",
+            ),
+            (43.1, "pulls with 43.0 N (as much as its weight draws it down the slope)"),
+            (20.0, "pulls with 43.0 N (of which 20.0 N carry its weight up the slope)"),
+            (-20.0, "pulls with 43.0 N (its weight draws it forwards with 20.0 N)"),
+        ] {
+            record.bodies[0].weight_along = Some(weight);
+            let said = &sentences(&record, &summary, &history)[0];
+            assert!(said.contains(words), "{said}");
+            let names: Vec<_> = tiles(&record, &summary, &history, "disc").iter().map(|t| t.name).collect();
+            assert_eq!(names[0], "Traction");
+        }
     }
 
     #[test]
