@@ -123,7 +123,7 @@ pub struct Soil<R = f64> {
     /// Mass of soil in the cell [kg].
     pub mass: Vec<R>,
     /// Void that must close before the soil of the cell can be compressed, over the volume of the cell; part of the gap strain until
-    /// the next remap, not carried with the soil (see [`crate::enclosed`]).
+    /// the next remap, not carried with the soil.
     pub enclosed_void: Vec<R>,
     /// Cauchy stress of the soil (not scaled by the fraction), tension positive: xx, yy, zz, xy, yz, xz [Pa].
     pub stress: [Vec<R>; 6],
