@@ -18,8 +18,9 @@ use crate::state::Soil;
 const BEARS: f64 = 0.9;
 /// Volume fraction from which on a cell has no void to close: remaps leave that of soil that shears a little below 1 (chosen).
 const CLOSED: f64 = 0.98;
-/// Volume fraction from which on soil counts as lying on top of a cell (chosen).
-const LOAD: f64 = 0.01;
+/// Volume fraction of the cell above, over that of a cell, from which on soil lies on top of it (chosen): above a free surface there is
+/// less, and a column that falls through a slot is about as full everywhere.
+const LOAD: f64 = 0.5;
 /// How many cells away, on both sides, there must be soil that can bear. One less than there are ghost layers: the first of these then has
 /// the same voids as in the block that owns it.
 const REACH: usize = GHOSTS - 1;
@@ -94,7 +95,7 @@ impl<R: Scalar> Column<'_, R> {
             return false;
         }
         let between = |axis: usize| [0, 1].into_iter().all(|end| self.bears(cell, axis, end));
-        let has_load = || self.fraction[cell + self.model.grid.stride[2]].to_f64() >= LOAD;
+        let has_load = || self.fraction[cell + self.model.grid.stride[2]].to_f64() >= LOAD * fraction;
         between(2) || (has_load() && (between(0) || between(1)))
     }
 

@@ -23,7 +23,7 @@ mod adv_07_control_characters;
 mod adv_08_small_ones;
 mod adv_09_lateral_tow;
 mod adv_10_single_precision_pressed;
-mod adv_11_cones_on_few_cells;
+mod adv_11_leak_foretold;
 mod adv_12_vertical_force_of_a_held_body;
 mod falling_block;
 mod field_01_calibrate_first_row_zero;

@@ -4,8 +4,7 @@
 //! and is dragged along on the outer: soil enters the body, and a void opens next to it. After a remap, soil
 //! that overlaps a body (volume fractions of soil and bodies add up to more than 1) moves to neighbouring
 //! cells that hold soil and have space, with its mass, momentum, stress and history. Soil for which there is
-//! no space is pressed outwards into the soil of cells of which bodies occupy less: its mass joins theirs at the same volume, and the
-//! pressure rises as in any compression, so that an edge or a tip meets the resistance of the soil that it must displace.
+//! no space stays.
 //!
 //! All sums over neighbours are taken in an order for which mirroring in y changes no bit.
 
@@ -14,23 +13,19 @@ use super::problem::{corners, over_corners};
 use super::workspace::ContactWorkspace;
 use crate::cpu::threads::Crew;
 use crate::cpu::workspace::SoilWorkspace;
-use crate::fields::{Carrier, GAP_STRAIN};
+use crate::fields::Carrier;
 use crate::grid::Grid;
 use crate::halo::Halo;
 use crate::halo::filling::{At, fill};
 use crate::model::Model;
 use crate::precision::Precision;
 use crate::scalar::Scalar;
-use crate::state::{Nodes, Soil, State};
+use crate::state::{Nodes, State};
 use glam::DVec3;
 use std::collections::BTreeMap;
 
 /// Rounds of redistribution; each moves the overlap that the one before has left.
 const ROUNDS: usize = 3;
-/// Rounds in which soil without space is pressed into other soil; each moves it one cell outwards.
-const ROUNDS_INTO_SOIL: usize = 4;
-/// Volumetric strain by which soil pressed into a cell may compress that in it, in a round (chosen).
-const MOST_COMPRESSION: f64 = 0.02;
 
 /// Updates the body volume fractions and moves overlapping soil out of the bodies.
 pub(crate) fn remove_overlap<R: Precision>(
@@ -44,30 +39,19 @@ pub(crate) fn remove_overlap<R: Precision>(
     let mut cells: Vec<usize> = contact.body_cells.iter().map(|c| c.cell).collect();
     cells.sort_unstable();
     cells.dedup();
-    for (goes, rounds) in [(Goes::IntoSpace, ROUNDS), (Goes::IntoSoil, ROUNDS_INTO_SOIL)] {
-        for _ in 0..rounds {
-            let fractions = [&state.soil.fraction, &soil.velocity_before[0]].map(Vec::as_slice);
-            let transfers = distribute((&model.grid, fractions, goes), &cells, soil.crew());
-            let mut left = [transfers.len() as i64];
-            halo.add(&mut left);
-            if left == [0] {
-                break;
-            }
-            transfer(model, state, soil, &transfers);
-            fill(halo, &model.grid, At::Cells, state.soil.arrays_mut());
-            let nodes = state.nodes.velocity.iter_mut().chain([&mut state.nodes.mass]);
-            fill(halo, &model.grid, At::Nodes, nodes);
+    for _ in 0..ROUNDS {
+        let fractions = [&state.soil.fraction, &soil.velocity_before[0]].map(Vec::as_slice);
+        let transfers = distribute(&model.grid, fractions, &cells, soil.crew());
+        let mut left = [transfers.len() as i64];
+        halo.add(&mut left);
+        if left == [0] {
+            break;
         }
+        transfer(model, state, soil, &transfers);
+        fill(halo, &model.grid, At::Cells, state.soil.arrays_mut());
+        let nodes = state.nodes.velocity.iter_mut().chain([&mut state.nodes.mass]);
+        fill(halo, &model.grid, At::Nodes, nodes);
     }
-}
-
-/// Where overlapping soil goes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Goes {
-    /// Into cells that have space.
-    IntoSpace,
-    /// Into cells that bodies occupy less of, whose soil it compresses.
-    IntoSoil,
 }
 
 /// Soil that moves from one cell to another.
@@ -108,44 +92,32 @@ fn neighbours(grid: &Grid, cell: usize) -> impl Iterator<Item = (usize, usize)> 
     })
 }
 
-/// The transfers of a round: an overlap is distributed over the neighbours that receive it, in proportion to their space or, where
-/// it is pressed into soil, to the soil outside bodies; a cell that would receive more than it takes reduces all transfers to it by the
-/// same factor.
+/// The transfers of a round: an overlap is distributed over all neighbours with space, in proportion to it; a
+/// cell that would receive more than it has space for reduces all transfers to it by the same factor.
 fn distribute<R: Scalar>(
-    (grid, [fraction, body_fraction], goes): (&Grid, [&[R]; 2], Goes),
+    grid: &Grid,
+    [fraction, body_fraction]: [&[R]; 2],
     cells: &[usize],
     crew: Crew,
 ) -> Vec<Transfer> {
     /// Cells that a thread takes at once.
     const AT_ONCE: usize = 64;
     let held = |c: usize| fraction[c].to_f64();
-    let open = |c: usize| 1.0 - body_fraction[c].to_f64();
-    let space = |c: usize| (open(c) - held(c)) * grid.volume_of(c);
+    let space = |c: usize| (1.0 - body_fraction[c].to_f64() - held(c)) * grid.volume_of(c);
     let smallest = |from: usize| R::ROUND_OFF * grid.volume_of(from);
     let excess = |from: usize| (-space(from)).min(held(from) * grid.volume_of(from));
-    // Only into cells with soil: it would otherwise be ejected into the void.
-    let share = |from: usize, n: usize| match goes {
-        _ if held(n) <= 0.0 => 0.0,
-        Goes::IntoSpace => Some(space(n)).filter(|space| *space > smallest(from)).unwrap_or(0.0),
-        Goes::IntoSoil if open(n) <= open(from) => 0.0,
-        Goes::IntoSoil => held(n) * open(n) * grid.volume_of(n),
-    };
-    let taken = |n: usize| match goes {
-        Goes::IntoSpace => space(n),
-        Goes::IntoSoil => space(n).max(0.0) + MOST_COMPRESSION * held(n) * grid.volume_of(n),
-    };
     let of_cell = |from: usize| {
-        let excess = excess(from);
-        let receivers = move || {
-            neighbours(grid, from)
-                .map(move |(n, side)| (n, side, share(from, n)))
-                .filter(|(.., share)| *share > 0.0)
-        };
+        let (smallest, excess) = (smallest(from), excess(from));
+        // Only into cells with soil: it would otherwise be ejected into the void.
+        let receives = move |n: usize| fraction[n] > R::default() && space(n) > smallest;
+        let receivers = move || neighbours(grid, from).filter(move |(n, _)| receives(*n));
         let mut total = Layered::default();
-        receivers().for_each(|(_, side, share)| total.add(side, share));
+        receivers().for_each(|(n, side)| total.add(side, space(n)));
         let total = total.total();
-        let moved = if goes == Goes::IntoSpace { excess.min(total) } else { excess };
-        receivers().map(move |(to, side, share)| Transfer { from, to, side, volume: moved * share / total })
+        receivers().map(move |(to, side)| {
+            let volume = excess.min(total) * space(to) / total;
+            Transfer { from, to, side, volume }
+        })
     };
     let each = crew.collect(cells.len(), AT_ONCE, |range| {
         let overlapping = cells[range].iter().filter(|from| excess(**from) > smallest(**from));
@@ -155,7 +127,7 @@ fn distribute<R: Scalar>(
     let mut demand: BTreeMap<usize, Layered<f64>> = BTreeMap::new();
     transfers.iter().for_each(|t| demand.entry(t.to).or_default().add(t.side, t.volume));
     for t in &mut transfers {
-        t.volume *= (taken(t.to) / demand[&t.to].total()).min(1.0);
+        t.volume *= (space(t.to) / demand[&t.to].total()).min(1.0);
     }
     transfers
 }
@@ -203,12 +175,8 @@ fn transfer<R: Precision>(
         let mass_out = soil.mass[*c].to_f64() * out / held;
         let mass_in = change.mass_in.total();
         let held_mass = soil.mass[*c].to_f64();
-        let volume = grid.volume_of(*c);
-        let space = (1.0 - workspace.velocity_before[0][*c].to_f64()) * volume - held;
-        // What finds no space takes none.
-        let pressed = (into - space.max(0.0)).clamp(0.0, into);
         // Round-off must not leave an emptied cell with a negative volume.
-        soil.fraction[*c] = R::cast((held + (into - pressed - out)).max(0.0) / volume);
+        soil.fraction[*c] = R::cast((held + (into - out)).max(0.0) / grid.volume_of(*c));
         soil.mass[*c] = R::cast((held_mass + (mass_in - mass_out)).max(0.0));
         if into > 0.0 {
             for ((carrier, field), sum) in soil.carried_mut().zip(&change.carried_in) {
@@ -218,26 +186,11 @@ fn transfer<R: Precision>(
                 };
                 field[*c] = R::cast((field[*c].to_f64() * own + sum.total()) / (own + added));
             }
-            if pressed > R::ROUND_OFF * volume {
-                compress(model, soil, *c, pressed / (held + into));
-            }
             R::update_cell(model, soil, workspace, *c);
         }
         masses.insert(*c, (mass_out, mass_in, change.momentum_in.total()));
     }
     move_nodes(grid, nodes, &masses);
-}
-
-/// Compresses the soil of a cell by a volumetric strain, its gap first.
-fn compress<R: Scalar>(model: &Model, soil: &mut Soil<R>, cell: usize, strain: f64) {
-    let gap = soil.history[GAP_STRAIN][cell].to_f64();
-    let closed = gap.min(strain);
-    soil.history[GAP_STRAIN][cell] = R::cast(gap - closed);
-    let pressure = soil.pressure(cell);
-    let rise = model.materials[soil.main_material(cell)].bulk_modulus(pressure) * (strain - closed);
-    for normal in &mut soil.stress[..3] {
-        normal[cell] = R::cast(normal[cell].to_f64() - rise);
-    }
 }
 
 fn velocity<R: Scalar>(nodes: &Nodes<R>, n: usize) -> DVec3 {

@@ -3,6 +3,7 @@
 mod base;
 mod closed_box;
 mod inertia;
+mod leak;
 mod motions;
 mod passive;
 mod relief;
@@ -30,6 +31,7 @@ pub fn advice(case: &Case) -> Vec<String> {
         resolution(case, body, &mut notes);
         fine_zone(case, body, &mut notes);
         base::within_cell(case, body, &mut notes);
+        leak::leak(case, body, &mut notes);
         motions::in_soil(case, body, &mut notes);
         // Nothing fails in front of a body that never enters the ground.
         if !motions::is_above_ground(case, body) {
