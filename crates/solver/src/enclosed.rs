@@ -47,9 +47,10 @@ pub(crate) fn lend<R: Scalar>(model: &Model, soil: &mut Soil<R>, workspace: &Soi
         (0..workspace.row_has_soil.len()).filter(|row| workspace.row_has_soil[*row]).collect();
     /// Rows that a thread takes at once.
     const AT_ONCE: usize = 64;
-    let column = Column { model, fraction: &soil.fraction, body_fraction: &workspace.velocity_before[0] };
+    let round =
+        Surroundings { model, fraction: &soil.fraction, body_fraction: &workspace.velocity_before[0] };
     let each = workspace.crew().collect(rows.len(), AT_ONCE, |range| {
-        rows[range].iter().flat_map(|row| column.enclosed_in(*row)).collect::<Vec<_>>()
+        rows[range].iter().flat_map(|row| round.enclosed_in(*row)).collect::<Vec<_>>()
     });
     for (cell, void) in each.concat() {
         let material = &model.materials[soil.main_material(cell)];
@@ -68,14 +69,14 @@ pub(crate) fn lend<R: Scalar>(model: &Model, soil: &mut Soil<R>, workspace: &Soi
     }
 }
 
-/// What decides whether soil above and below encloses a cell.
-struct Column<'a, R> {
+/// What decides whether soil encloses a cell.
+struct Surroundings<'a, R> {
     model: &'a Model,
     fraction: &'a [R],
     body_fraction: &'a [R],
 }
 
-impl<R: Scalar> Column<'_, R> {
+impl<R: Scalar> Surroundings<'_, R> {
     /// The enclosed cells of a row of the memory, with their voids over their volumes.
     fn enclosed_in(&self, row: usize) -> Vec<(usize, f64)> {
         let grid = &self.model.grid;

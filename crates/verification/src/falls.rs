@@ -32,7 +32,7 @@ pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
     }
     runner.part("C5", "shelf", |runner| {
         let is_void = |i: usize, k: usize| i >= SHELF && SHELF_VOID.contains(&k);
-        let simulation = filled(runner, "shelf", &[], |i, k| k < GROUND + 10 && !is_void(i, k))?;
+        let simulation = filled(runner, "shelf", |i, k| k < GROUND + 10 && !is_void(i, k))?;
         let columns = simulation.model.grid.cells()[0];
         let void: f64 = (0..columns).map(|i| void_below(&simulation, i)).sum();
         let at_start = ((columns - SHELF) * SHELF_VOID.len()) as f64;
@@ -41,7 +41,7 @@ pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
     })?;
     runner.part("C5", "slot", |runner| {
         let is_filled = |i: usize, k: usize| k < if SLOT.contains(&i) { GROUND } else { GROUND + 8 };
-        let simulation = filled(runner, "slot", &[], is_filled)?;
+        let simulation = filled(runner, "slot", is_filled)?;
         let third = GROUND..GROUND + SLOT_THIRD;
         let cells = SLOT.flat_map(|i| third.clone().map(move |k| [i, k]));
         let soil: f64 = cells.map(|cell| fraction(&simulation, cell)).sum();
@@ -57,10 +57,9 @@ pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
 fn filled(
     runner: &mut Runner,
     variant: &str,
-    overrides: &[String],
     is_filled: impl Fn(usize, usize) -> bool,
 ) -> Result<Simulation, VerifyError> {
-    let mut simulation = at_start(runner, overrides, is_filled)?;
+    let mut simulation = at_start(runner, &[], is_filled)?;
     runner.finish("C5", variant, &mut simulation)?;
     Ok(simulation)
 }
