@@ -26,7 +26,7 @@ pub(crate) fn account<R: Precision>(
     balance.external += sums.gravity;
     balance.friction += work.friction_work;
     balance.seepage += work.water_work;
-    balance.contact -= work.on_soil + work.friction_work + work.water_work;
+    balance.contact -= work.on_soil + work.friction_work + work.water_work + sums.pressing;
     for n in 0..state.bodies.len() {
         let done = bodies.work(n);
         balance.external += modelled * (done.load + done.gravity + done.joint + done.drive);

@@ -25,10 +25,10 @@ const LOAD: f64 = 0.5;
 /// the same voids as in the block that owns it.
 const REACH: usize = GHOSTS - 1;
 
-/// Takes back what is left of the voids that were lent, before a remap; afterwards [`Soil::enclosed_void`] is what has closed.
+/// Takes back what is left of the voids that were lent, before a remap; afterwards [`Soil::apart`] is what has closed.
 pub(crate) fn take_back<R: Scalar>(soil: &mut Soil<R>, workspace: &SoilWorkspace<R>) {
     let SoilWorkspace { team, partition, .. } = workspace;
-    let (gap, void) = (&mut soil.history[GAP_STRAIN], &mut soil.enclosed_void);
+    let (gap, void) = (&mut soil.history[GAP_STRAIN], &mut soil.apart);
     team.rows2(partition, gap, void, |_, gap, void| {
         for (gap, void) in gap.iter_mut().zip(void).filter(|(_, void)| **void > R::default()) {
             // The soil's own gap closes first.
@@ -42,7 +42,7 @@ pub(crate) fn take_back<R: Scalar>(soil: &mut Soil<R>, workspace: &SoilWorkspace
 /// Lends voids between soil and soil to the soil of their cells, after a remap. Bodies occupy `body_fraction` of the cells; a void beside a
 /// body is the body's to close.
 pub(crate) fn lend<R: Scalar>(model: &Model, soil: &mut Soil<R>, workspace: &SoilWorkspace<R>) {
-    soil.enclosed_void.fill(R::default());
+    soil.apart.fill(R::default());
     let rows: Vec<usize> =
         (0..workspace.row_has_soil.len()).filter(|row| workspace.row_has_soil[*row]).collect();
     /// Rows that a thread takes at once.
@@ -63,7 +63,7 @@ pub(crate) fn lend<R: Scalar>(model: &Model, soil: &mut Soil<R>, workspace: &Soi
             (pressure / material.bulk_modulus(pressure) * soil.fraction[cell].to_f64()).clamp(0.0, void);
         soil.fraction[cell] = R::cast(soil.fraction[cell].to_f64() + expansion);
         let void = R::cast(void - expansion);
-        soil.enclosed_void[cell] = void;
+        soil.apart[cell] = void;
         soil.history[GAP_STRAIN][cell] = R::cast(soil.history[GAP_STRAIN][cell].to_f64() + void.to_f64());
         soil.stress.iter_mut().for_each(|s| s[cell] = R::default());
     }

@@ -122,9 +122,9 @@ pub struct Soil<R = f64> {
     pub fraction: Vec<R>,
     /// Mass of soil in the cell [kg].
     pub mass: Vec<R>,
-    /// Void that must close before the soil of the cell can be compressed, over the volume of the cell; part of the gap strain until
-    /// the next remap, not carried with the soil.
-    pub enclosed_void: Vec<R>,
+    /// Volume strain of the soil apart from that of its cell, since the last remap: positive where a void was lent to it, which must close
+    /// before it can be compressed, negative where soil that overlapped a body was pressed. Not carried with the soil.
+    pub apart: Vec<R>,
     /// Cauchy stress of the soil (not scaled by the fraction), tension positive: xx, yy, zz, xy, yz, xz [Pa].
     pub stress: [Vec<R>; 6],
     /// History variables, in the order of [`HISTORY`].
@@ -178,16 +178,14 @@ impl<R> Soil<R> {
 
     /// All arrays.
     pub fn arrays(&self) -> impl Iterator<Item = &Vec<R>> {
-        [&self.fraction, &self.mass, &self.enclosed_void]
-            .into_iter()
-            .chain(self.carried().map(|(_, field)| field))
+        [&self.fraction, &self.mass, &self.apart].into_iter().chain(self.carried().map(|(_, field)| field))
     }
 
     /// All arrays, mutable.
     pub fn arrays_mut(&mut self) -> impl Iterator<Item = &mut Vec<R>> {
-        let Self { fraction, mass, enclosed_void, stress, history, composition } = self;
+        let Self { fraction, mass, apart, stress, history, composition } = self;
         let history = history.iter_mut().filter(|field| !field.is_empty());
-        [fraction, mass, enclosed_void].into_iter().chain(stress).chain(composition).chain(history)
+        [fraction, mass, apart].into_iter().chain(stress).chain(composition).chain(history)
     }
 }
 
@@ -254,7 +252,7 @@ impl<R: Copy + Default> Soil<R> {
         Self {
             fraction: zeros(),
             mass: zeros(),
-            enclosed_void: zeros(),
+            apart: zeros(),
             stress: std::array::from_fn(|_| zeros()),
             history: HISTORY.map(|h| if kinds.need(&h) { zeros() } else { Vec::new() }),
             composition: (1..materials).map(|_| zeros()).collect(),
@@ -269,7 +267,7 @@ impl<R: Copy + Into<f64>> Soil<R> {
         Soil {
             fraction: to_f64(&self.fraction),
             mass: to_f64(&self.mass),
-            enclosed_void: to_f64(&self.enclosed_void),
+            apart: to_f64(&self.apart),
             stress: self.stress.each_ref().map(|field| to_f64(field)),
             history: self.history.each_ref().map(|field| to_f64(field)),
             composition: self.composition.iter().map(|field| to_f64(field)).collect(),

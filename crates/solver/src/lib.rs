@@ -8,6 +8,7 @@ pub mod balance;
 pub mod bodies;
 pub mod boundary;
 mod check;
+mod confined;
 mod contact;
 pub mod cpu;
 mod enclosed;

@@ -6,6 +6,7 @@
 //! velocities is anticipated by the inertia of the soil, which stands beside the mobility of the water and bounds the pressure of
 //! water that can hardly flow. The time step remains that of the soil, whatever the permeability.
 
+use crate::confined::Pressed;
 use crate::contact;
 use crate::contact::workspace::ContactWorkspace;
 use crate::cpu::seepage::{self, SeepageWorkspace};
@@ -30,11 +31,19 @@ pub(crate) fn renew<R: Precision>(
     state: &mut State<R>,
     soil: &mut SoilWorkspace<R>,
     seepage: &mut SeepageWorkspace,
-    (contact, halo): (&ContactWorkspace, &Halo),
+    (contact, pressed): (&ContactWorkspace, &[Pressed]),
+    halo: &Halo,
 ) -> Result<(), Breakdown> {
     let Some(water) = &model.pore_water else { return Ok(()) };
-    seepage.open_gaps(contact.pressure_cells.iter().zip(&contact.openings));
-    let inertia = ANTICIPATED * model.time_step() / model.least_density();
+    let dt = model.time_step();
+    let opened = contact
+        .pressure_cells
+        .iter()
+        .zip(&contact.openings)
+        .filter_map(|(cell, rate)| Some(((*cell)?, *rate)));
+    let closed = pressed.iter().map(|own| (own.cell, -own.volume(&model.grid, &state.soil) / dt));
+    seepage.open_gaps(opened.chain(closed));
+    let inertia = ANTICIPATED * dt / model.least_density();
     let off = seepage::balance_water((model, water), inertia, state, soil, (seepage, halo));
     soil.stopwatch().lap(Stage::Seepage);
     if off == 0.0 {

@@ -3,6 +3,7 @@
 use crate::balance::account;
 use crate::bodies;
 use crate::check::check;
+use crate::confined;
 use crate::contact;
 use crate::cpu::workspace::RowSums;
 use crate::error::Breakdown;
@@ -27,11 +28,13 @@ pub fn step<R: Precision>(
     // Lagrangian stage: the soil deforms, the grid stays. Messages between blocks are under way while there is something to compute:
     // contact nodes during the rest of the stage, the nodes beside cuts and the sums during contact.
     let Workspace { soil, contact, seepage, mechanism, bodies: moving, halo } = &mut *workspace;
+    let pressed = confined::press(model, state, &contact.confined);
     let mut known = |nodes: &_, before: &_| contact.begin_gather(nodes, before, halo);
     R::lagrangian_stage(model, state, soil, dt, &mut known);
     let beside_cuts = (At::Nodes, 1);
     begin_filling(halo, &model.grid, beside_cuts, state.nodes.velocity.iter());
-    let sums = soil.sums_of_stage();
+    let mut sums = soil.sums_of_stage();
+    sums.add_pressing(confined::work(model, &state.soil, &pressed));
     sums.begin_total(halo);
     bodies::predict(model, mechanism, state, moving);
     contact::solve(model, state, (soil, halo), contact, moving);
@@ -40,7 +43,7 @@ pub fn step<R: Precision>(
     let work = contact::apply(model, state, soil, contact, moving);
     bodies::advance(mechanism, state, moving);
     let sums = sums.total(halo);
-    pore_pressure::renew(model, state, soil, seepage, (contact, halo))?;
+    pore_pressure::renew(model, state, soil, seepage, (contact, &pressed), halo)?;
     account(model, state, &sums, moving, &work);
     state.time += dt;
     state.step += 1;

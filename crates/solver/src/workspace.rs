@@ -1,5 +1,6 @@
 //! Scratch memory of the time step; nothing in it must survive a step.
 
+use crate::confined;
 use crate::contact;
 use crate::contact::workspace::ContactWorkspace;
 use crate::cpu::seepage::SeepageWorkspace;
@@ -66,8 +67,9 @@ impl<R: Precision> Workspace<R> {
         }
         let Self { contact, seepage, soil, halo, .. } = &mut workspace;
         soil.strain_first(&model.grid, contact.first_row(&model.grid, halo));
-        if model.pore_water.is_some() && state.step > 0 {
+        if state.step > 0 {
             contact.body_cells = contact::bodies_at_search(model, state, soil.crew());
+            contact.confined = confined::find(&state.soil, &contact.body_cells);
         }
         pore_pressure::find_paths(model, state, seepage, contact);
         workspace.soil.settle(state);

@@ -25,8 +25,6 @@ pub(super) struct Constraint {
     pub(super) jacobian: ContactJacobian,
     /// Their area [m²].
     pub(super) area: f64,
-    /// Mean overlap of body and soil, in cells.
-    pub(super) overlap: f64,
     /// Impulse on the soil in this step [N s].
     pub(super) impulse: DVec3,
 }
@@ -38,7 +36,6 @@ struct Sums {
     weight: [f64; 8],
     normal: DVec3,
     arm: DVec3,
-    overlap: f64,
     impulse: DVec3,
 }
 
@@ -50,7 +47,6 @@ impl Sums {
         }
         self.normal += c.area * c.normal;
         self.arm += c.area * c.arm;
-        self.overlap += c.area * c.penetration.max(0.0) / c.width;
         self.impulse += c.impulse;
     }
 
@@ -60,7 +56,6 @@ impl Sums {
             weight: std::array::from_fn(|n| self.weight[n] + other.weight[n]),
             normal: self.normal + other.normal,
             arm: self.arm + other.arm,
-            overlap: self.overlap + other.overlap,
             impulse: self.impulse + other.impulse,
         }
     }
@@ -87,7 +82,7 @@ impl Constraint {
             normal: all.normal.normalize_or_zero(),
             hourglass_correction: problem.hourglass_correction[number],
         };
-        Self { first, jacobian, area: all.area, overlap: all.overlap / all.area, impulse: all.impulse }
+        Self { first, jacobian, area: all.area, impulse: all.impulse }
     }
 }
 

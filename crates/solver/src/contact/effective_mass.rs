@@ -4,9 +4,6 @@ use super::constraint::Constraint;
 use super::problem::{ContactJacobian, ContactProblem, over_corners};
 use glam::DVec3;
 
-/// Fraction of an overlap that the bias velocity removes while the body travels one cell.
-const OVERLAP_BIAS: f64 = 1.0;
-
 /// Effective masses and limits of a constraint, constant during the sweeps of a step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct EffectiveMass {
@@ -14,8 +11,6 @@ pub(super) struct EffectiveMass {
     normal_mass: f64,
     /// Tangential effective mass: the same along the axis in which it is least [kg].
     tangential_mass: f64,
-    /// Bias velocity: closing velocity that the constraint asks for [m/s].
-    bias_velocity: f64,
     /// Coefficient of friction.
     friction: f64,
     /// Largest frictional impulse in a step [N s].
@@ -37,7 +32,6 @@ impl EffectiveMass {
         (normal_mass > 0.0).then(|| Self {
             normal_mass: 1.0 / normal_mass,
             tangential_mass: 1.0 / delassus_diagonal.max_element(),
-            bias_velocity: -OVERLAP_BIAS * constraint.overlap * bias_speed(problem, constraint),
             friction: problem.model.bodies[constraint.jacobian.body].friction.min(1e6),
             // All points of a constraint lie in one cell.
             shear_limit: problem.contacts[point].shear_limit * constraint.area * problem.dt,
@@ -55,8 +49,7 @@ impl EffectiveMass {
     ) -> DVec3 {
         let closing = relative.dot(along);
         let old_normal = impulse.dot(along);
-        let new_normal =
-            (old_normal + relaxation * (closing - self.bias_velocity) * self.normal_mass).max(0.0);
+        let new_normal = (old_normal + relaxation * closing * self.normal_mass).max(0.0);
         if new_normal == 0.0 && old_normal == 0.0 {
             return DVec3::ZERO;
         }
@@ -66,15 +59,6 @@ impl EffectiveMass {
         let friction = (old_friction + relaxation * sliding * self.tangential_mass).clamp_length_max(limit);
         new_normal * along + friction
     }
-}
-
-/// Speed of the body for the bias velocity [m/s]. The overlap is measured in widths of the cell along the normal, the travel
-/// within which it is removed in widths along the velocity.
-fn bias_speed(problem: &ContactProblem, constraint: &Constraint) -> f64 {
-    let velocity = problem.moving.twist(constraint.jacobian.body).linear;
-    let grid = &problem.model.grid;
-    let normal = grid.length_along(constraint.jacobian.normal);
-    velocity.length() * (normal / grid.length_along(velocity.normalize_or_zero()))
 }
 
 /// Coupling of two constraints: velocity that an impulse at one causes at the other, over that at its own; 0

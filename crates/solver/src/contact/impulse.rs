@@ -5,9 +5,7 @@
 //! the bodies inside the iteration: no contact stiffness, no limit on the time step, stable for bodies much
 //! lighter than the soil that they displace.
 //!
-//! An open contact point keeps its gap and may close it within a step, but no further. Where the volume
-//! fractions show soil inside a body, a bias velocity proportional to the body's speed removes the overlap; a
-//! body at rest has none, so that its load does not drift.
+//! An open contact point keeps its gap and may close it within a step, but no further.
 
 use super::constraint::Constraint;
 use super::cut_cell::is_aligned;
@@ -60,7 +58,7 @@ impl ContactLaw for Impulses {
         let touches = travel.is_some() && is_closed(c);
         let separation = if is_aligned(c.normal) { SEPARATION_FLAT } else { SEPARATION };
         if touches && gap < separation * c.width {
-            c.penetration = (-gap).max(0.0);
+            c.penetration = 0.0;
             return;
         }
         let open = travel.filter(|_| !touches);

@@ -11,6 +11,7 @@ use super::nodes::contact_nodes;
 use super::problem::ContactNode;
 use super::slip_terms::SlipTerms;
 use super::surface::Surface;
+use crate::confined::Confined;
 use crate::cpu::threads::Crew;
 use crate::grid::Grid;
 use crate::halo::{self, Halo};
@@ -27,6 +28,8 @@ pub(crate) struct ContactWorkspace {
     pub(crate) surfaces: Vec<Surface>,
     /// Cells that bodies occupy, wholly or in part, in the order of the bodies.
     pub(crate) body_cells: Vec<BodyCell>,
+    /// Cells with soil that overlaps a body and found no space beside it.
+    pub(crate) confined: Vec<Confined>,
     /// Contact nodes.
     pub(crate) nodes: Vec<ContactNode>,
     /// The blocks that own them.
@@ -68,6 +71,7 @@ impl ContactWorkspace {
             law: law(model),
             surfaces: model.bodies.iter().map(|body| Surface::new(model, body)).collect(),
             body_cells: Vec::new(),
+            confined: Vec::new(),
             nodes: Vec::new(),
             owners: Owners::default(),
             velocity: Vec::new(),
@@ -111,6 +115,7 @@ impl ContactWorkspace {
     pub(crate) fn memory(&self) -> usize {
         self.surfaces.iter().map(Surface::memory).sum::<usize>()
             + size_of_val(self.body_cells.as_slice())
+            + size_of_val(self.confined.as_slice())
             + size_of_val(self.nodes.as_slice())
             + self.owners.memory()
             + size_of_val(self.velocity.as_slice())

@@ -139,6 +139,8 @@ pub(crate) struct RowSums {
     pub seepage: f64,
     /// Work of gravity [J].
     pub gravity: f64,
+    /// Work done on the soil that was pressed out of bodies [J].
+    pub pressing: f64,
     /// Kinetic energy of the nodes [J].
     pub kinetic: f64,
     /// Largest component of a nodal displacement since the last remap, each divided by the aspect of the cells [m].
@@ -152,8 +154,8 @@ pub(crate) struct RowSums {
 /// Sums over several rows, exact.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct StageSums {
-    /// Plastic, viscous, hourglass and seepage dissipation, work of gravity, kinetic energy.
-    energies: [ExactSum; 6],
+    /// Plastic, viscous, hourglass and seepage dissipation, work of gravity, kinetic energy, work of pressing.
+    energies: [ExactSum; 7],
     /// Largest displacements, of all nodes and of light ones.
     farthest: [f64; 2],
     yields: u32,
@@ -164,7 +166,8 @@ impl StageSums {
     pub(crate) fn of<'a>(rows: impl Iterator<Item = &'a RowSums>) -> Self {
         let mut sums = Self::default();
         for own in rows {
-            let terms = [own.plastic, own.viscous, own.hourglass, own.seepage, own.gravity, own.kinetic];
+            let dissipated = [own.plastic, own.viscous, own.hourglass, own.seepage];
+            let terms = dissipated.into_iter().chain([own.gravity, own.kinetic]);
             sums.energies.iter_mut().zip(terms).for_each(|(sum, term)| sum.add(term));
             sums.reach([own.displacement, own.displacement_light], own.yields);
         }
@@ -174,6 +177,11 @@ impl StageSums {
     fn reach(&mut self, [all, light]: [f64; 2], yields: u32) {
         self.farthest = [self.farthest[0].max(all), self.farthest[1].max(light)];
         self.yields += yields;
+    }
+
+    /// Adds the work of pressing.
+    pub(crate) fn add_pressing(&mut self, work: ExactSum) {
+        self.energies[6].merge(work);
     }
 
     fn merge(mut self, other: &Self) -> Self {
@@ -190,7 +198,7 @@ impl StageSums {
     /// Those over the whole grid, from those of the block.
     pub(crate) fn total(self, halo: &Halo) -> RowSums {
         let Self { energies, mut farthest, yields } = self;
-        let ([plastic, viscous, hourglass, seepage, gravity, kinetic], largest) =
+        let ([plastic, viscous, hourglass, seepage, gravity, kinetic, pressing], largest) =
             end_over_blocks(halo, energies);
         farthest.iter_mut().zip(largest).for_each(|(own, largest)| *own = largest);
         let [displacement, displacement_light] = farthest;
@@ -201,6 +209,7 @@ impl StageSums {
             seepage,
             gravity,
             kinetic,
+            pressing,
             displacement,
             displacement_light,
             yields,

@@ -43,8 +43,8 @@ pub(crate) fn displaced_volumes(model: &Model, state: &State, workspace: &mut Wo
                     grid.volume(i, q - 1, plane - 1) + swollen(grid, displacement, [i, q - 1, plane - 1]);
                 cell[i + 1] = volume as Real;
                 let c = row * grid.stride[1] + i + 1;
-                let closed = grid.volume(i, q - 1, plane - 1) as Real * state.soil.enclosed_void[c];
-                soil[i + 1] = state.soil.fraction[c] * (cell[i + 1] + closed);
+                let apart = grid.volume(i, q - 1, plane - 1) as Real * state.soil.apart[c];
+                soil[i + 1] = state.soil.fraction[c] * (cell[i + 1] + apart);
             }
         }
     });

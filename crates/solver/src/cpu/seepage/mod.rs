@@ -70,12 +70,10 @@ impl SeepageWorkspace {
         }
     }
 
-    /// Enters the rates at which gaps grow between bodies and cells [m³/s], which take in water as soil does that expands. A cell that
-    /// the block does not have is none.
-    pub(crate) fn open_gaps<'a>(&mut self, gaps: impl Iterator<Item = (&'a Option<usize>, &'a f64)>) {
+    /// Enters the rates at which gaps grow between bodies and cells [m³/s], which take in water as soil does that expands.
+    pub(crate) fn open_gaps(&mut self, gaps: impl Iterator<Item = (usize, f64)>) {
         self.openings.fill(0.0);
-        gaps.filter_map(|(cell, rate)| Some(((*cell)?, rate)))
-            .for_each(|(cell, rate)| self.openings[cell] += rate);
+        gaps.for_each(|(cell, rate)| self.openings[cell] += rate);
     }
 
     /// Memory in use [bytes].
