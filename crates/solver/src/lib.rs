@@ -8,7 +8,6 @@ pub mod balance;
 pub mod bodies;
 pub mod boundary;
 mod check;
-mod confined;
 mod contact;
 pub mod cpu;
 mod enclosed;

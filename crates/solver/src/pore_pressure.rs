@@ -6,9 +6,8 @@
 //! velocities is anticipated by the inertia of the soil, which stands beside the mobility of the water and bounds the pressure of
 //! water that can hardly flow. The time step remains that of the soil, whatever the permeability.
 
-use crate::confined::Pressed;
-use crate::contact;
 use crate::contact::workspace::ContactWorkspace;
+use crate::contact::{self, Pressed};
 use crate::cpu::seepage::{self, SeepageWorkspace};
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::workspace::SoilWorkspace;

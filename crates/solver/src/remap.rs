@@ -4,7 +4,6 @@
 //! remap to remap; then volume fractions, admissible stresses and nodal masses are updated, and the soil that
 //! overlaps a body is moved out of it.
 
-use crate::confined;
 use crate::contact;
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::workspace::SoilWorkspace;
@@ -57,7 +56,7 @@ pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut 
     stop_massless_nodes(model, state, soil);
     soil.find_soil(grid, &state.soil);
     enclosed::lend(model, &mut state.soil, soil);
-    contact.confined = confined::find(&state.soil, &contact.body_cells);
+    contact.confined = contact::find_confined(&state.soil, &contact.body_cells);
     R::average_density(model, &mut state.soil, soil, halo);
     soil.clear = 2;
     state.remaps += 1;

@@ -3,7 +3,6 @@
 use crate::balance::account;
 use crate::bodies;
 use crate::check::check;
-use crate::confined;
 use crate::contact;
 use crate::cpu::workspace::RowSums;
 use crate::error::Breakdown;
@@ -28,13 +27,13 @@ pub fn step<R: Precision>(
     // Lagrangian stage: the soil deforms, the grid stays. Messages between blocks are under way while there is something to compute:
     // contact nodes during the rest of the stage, the nodes beside cuts and the sums during contact.
     let Workspace { soil, contact, seepage, mechanism, bodies: moving, halo } = &mut *workspace;
-    let pressed = confined::press(model, state, &contact.confined);
+    let pressed = contact::press(model, state, &contact.confined);
     let mut known = |nodes: &_, before: &_| contact.begin_gather(nodes, before, halo);
     R::lagrangian_stage(model, state, soil, dt, &mut known);
     let beside_cuts = (At::Nodes, 1);
     begin_filling(halo, &model.grid, beside_cuts, state.nodes.velocity.iter());
     let mut sums = soil.sums_of_stage();
-    sums.add_pressing(confined::work(model, &state.soil, &pressed));
+    sums.add_pressing(contact::pressing_work(model, &state.soil, &pressed));
     sums.begin_total(halo);
     bodies::predict(model, mechanism, state, moving);
     contact::solve(model, state, (soil, halo), contact, moving);

@@ -1,6 +1,5 @@
 //! Scratch memory of the time step; nothing in it must survive a step.
 
-use crate::confined;
 use crate::contact;
 use crate::contact::workspace::ContactWorkspace;
 use crate::cpu::seepage::SeepageWorkspace;
@@ -69,7 +68,7 @@ impl<R: Precision> Workspace<R> {
         soil.strain_first(&model.grid, contact.first_row(&model.grid, halo));
         if state.step > 0 {
             contact.body_cells = contact::bodies_at_search(model, state, soil.crew());
-            contact.confined = confined::find(&state.soil, &contact.body_cells);
+            contact.confined = contact::find_confined(&state.soil, &contact.body_cells);
         }
         pore_pressure::find_paths(model, state, seepage, contact);
         workspace.soil.settle(state);

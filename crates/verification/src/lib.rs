@@ -23,6 +23,7 @@ pub mod expectation;
 pub mod expectations;
 pub mod expected_failures;
 mod falls;
+mod few_cells;
 pub mod findings;
 mod flow;
 mod footing;

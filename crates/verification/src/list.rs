@@ -4,10 +4,10 @@ use crate::error::VerifyError;
 use crate::expectations::Expectations;
 use crate::runner::Runner;
 use crate::{
-    attitude, blade, circle, column, conservation, consolidation, control, disc, element, falls, flow,
-    footing, friction, group, light, long_tow, other_codes, plate, positions, precision, repeat, rest, rigid,
-    rotating, rough_wall, round_column, scaling, softening, strip_sand, taylor, three_meshes, transport,
-    wall, wall_under_water, wave,
+    attitude, blade, circle, column, conservation, consolidation, control, disc, element, falls, few_cells,
+    flow, footing, friction, group, light, long_tow, other_codes, plate, positions, precision, repeat, rest,
+    rigid, rotating, rough_wall, round_column, scaling, softening, strip_sand, taylor, three_meshes,
+    transport, wall, wall_under_water, wave,
 };
 use std::sync::LazyLock;
 
@@ -80,6 +80,7 @@ pub const BENCHMARKS: &[Benchmark] = &[
     benchmark!("C3", "C3_soil_volume", Balances, conservation::volume),
     benchmark!("C4", "C4_soil_inside_bodies", Balances, conservation::leak),
     benchmark!("C5", "C5_falls_and_slots", Run, falls::run),
+    benchmark!("C6", "C6_bodies_on_few_cells", Run, few_cells::run),
     benchmark!("D3", "D3_towed_disc", Run, disc::run),
     benchmark!("D8", "D8_yaw_and_tilt", Run, attitude::run),
     benchmark!("D9", "D9_discs_on_an_axle", Run, group::run),

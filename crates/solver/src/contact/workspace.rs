@@ -1,6 +1,7 @@
 //! Scratch memory of contact.
 
 use super::body_fraction::BodyCell;
+use super::confined::Confined;
 use super::constraint;
 use super::constraint_points::ConstraintPoints;
 use super::gather::Owners;
@@ -11,7 +12,6 @@ use super::nodes::contact_nodes;
 use super::problem::ContactNode;
 use super::slip_terms::SlipTerms;
 use super::surface::Surface;
-use crate::confined::Confined;
 use crate::cpu::threads::Crew;
 use crate::grid::Grid;
 use crate::halo::{self, Halo};

@@ -3,7 +3,6 @@
 mod base;
 mod closed_box;
 mod inertia;
-mod leak;
 mod motions;
 mod passive;
 mod relief;
@@ -22,6 +21,7 @@ use glam::DVec3;
 use passive::passive_coefficient;
 use physics::elastic::Elastic;
 use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
+use std::collections::BTreeSet;
 
 /// Warnings, each a sentence or two; empty for a case without any.
 #[must_use]
@@ -31,7 +31,6 @@ pub fn advice(case: &Case) -> Vec<String> {
         resolution(case, body, &mut notes);
         fine_zone(case, body, &mut notes);
         base::within_cell(case, body, &mut notes);
-        leak::leak(case, body, &mut notes);
         motions::in_soil(case, body, &mut notes);
         // Nothing fails in front of a body that never enters the ground.
         if !motions::is_above_ground(case, body) {
@@ -57,6 +56,9 @@ pub fn advice(case: &Case) -> Vec<String> {
     if case.bodies.is_empty() && case.soil.unit_weight == 0.0 && case.velocity == DVec3::ZERO {
         notes.push("There is no body and the soil has no weight: nothing will happen.".into());
     }
+    // Two motions of a body may have the same ramp.
+    let mut said = BTreeSet::new();
+    notes.retain(|note| said.insert(note.clone()));
     notes
 }
 

@@ -162,7 +162,13 @@ fn stays_inside(body: &Body, domain: &Domain, paths: &Paths, problems: &mut Prob
             plain(domain.low.z),
             plain(domain.high.z)
         );
-        let key = if start.low.z < domain.low.z { "sinkage" } else { "heave" };
-        problems.add(at(body, key), message, "make domain.z deeper, or start the body higher");
+        let (key, cure) = if start.low.z >= domain.high.z {
+            ("sinkage", "make domain.z higher, or start the body lower")
+        } else if start.low.z < domain.low.z {
+            ("sinkage", "make domain.z deeper, or start the body higher")
+        } else {
+            ("heave", "make domain.z deeper, or the path shorter")
+        };
+        problems.add(at(body, key), message, cure);
     }
 }

@@ -5,7 +5,7 @@
 //! its nodes know. It is strained by the rest, evenly over some travel of the body; its pressure rises, presses on the body, and drives the soil out of
 //! the cell.
 
-use crate::contact::BodyCell;
+use super::body_fraction::BodyCell;
 use crate::exact_sum::ExactSum;
 use crate::fields::GAP_STRAIN;
 use crate::grid::Grid;
