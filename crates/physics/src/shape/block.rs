@@ -1,6 +1,6 @@
 //! The block: a rectangular box with sharp edges, such as a footing, a wall or a plate.
 
-use super::{MassProperties, Mesh, Shape, SurfacePoint, divisions, midpoint, paired};
+use super::{MassProperties, Mesh, Shape, SurfacePoint, even_divisions, midpoint, paired};
 use glam::DVec3;
 
 /// A box centred on the origin.
@@ -39,7 +39,8 @@ impl Shape for Block {
             if width <= 0.0 || height <= 0.0 {
                 continue;
             }
-            let (columns, rows) = (divisions(width, spacing[first]), divisions(height, spacing[second]));
+            let (columns, rows) =
+                (even_divisions(width, spacing[first]), even_divisions(height, spacing[second]));
             for side in [-1.0, 1.0] {
                 for n in 0..(columns * rows) as usize {
                     let (column, row) = (n % columns as usize, n / columns as usize);
@@ -62,7 +63,7 @@ impl Shape for Block {
             let (first, second) = ((axis + 1) % 3, (axis + 2) % 3);
             let (width, height) = (usable[first], usable[second]);
             if width > 0.0 && height > 0.0 {
-                2.0 * divisions(width, spacing[first]) * divisions(height, spacing[second])
+                2.0 * even_divisions(width, spacing[first]) * even_divisions(height, spacing[second])
             } else {
                 0.0
             }

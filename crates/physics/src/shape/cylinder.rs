@@ -1,8 +1,8 @@
 //! The cylinder: with sharp rims and its axis along x, y or z, such as a pile, a pipe or a circular footing.
 
 use super::{
-    Disc, MassProperties, Mesh, RimInset, Shape, SurfacePoint, divisions, midpoint, paired, ring, ring_count,
-    ring_points,
+    Disc, MassProperties, Mesh, RimInset, Shape, SurfacePoint, divisions, even_divisions, midpoint, paired,
+    ring, ring_count, ring_points,
 };
 use glam::DVec3;
 use serde::Serialize;
@@ -102,8 +102,7 @@ impl Shape for Cylinder {
         let mut points = Vec::new();
         let width = self.length - 2.0 * inset.y;
         if width > 0.0 {
-            // An even number: points on the centre plane, where two cells may meet, would be assigned to one of them.
-            let rows = 2.0 * divisions(0.5 * width, along);
+            let rows = even_divisions(width, along);
             let around = ring(TAU * radius, spacing);
             let area = TAU * radius * width / (rows * around.len() as f64);
             for row in 0..rows as usize {
@@ -138,7 +137,7 @@ impl Shape for Cylinder {
         let [along, spacing] = self.spacing(spacing);
         let width = self.length - 2.0 * inset.y;
         let outer = (radius - RimInset::new(inset).least()).max(0.0);
-        let side = 2.0 * divisions(0.5 * width, along) * ring_count(TAU * radius, spacing);
+        let side = even_divisions(width, along) * ring_count(TAU * radius, spacing);
         let rings = if outer > 0.0 { divisions(outer, spacing) } else { 0.0 };
         let area = PI * (outer / spacing).powi(2);
         let around = |length: f64| ring_count(length, spacing);

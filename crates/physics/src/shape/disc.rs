@@ -1,6 +1,9 @@
 //! The disc: a flat cylinder with sharp rims and its axle along `y`.
 
-use super::{MassProperties, Mesh, RimInset, Shape, SurfacePoint, divisions, midpoint, paired, ring_points};
+use super::{
+    MassProperties, Mesh, RimInset, Shape, SurfacePoint, divisions, even_divisions, midpoint, paired,
+    ring_points,
+};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
 
@@ -53,7 +56,7 @@ impl Shape for Disc {
     fn surface_point_count(&self, spacing: DVec3, inset: DVec3) -> f64 {
         let (across, spacing) = (spacing.y, spacing.x.min(spacing.z));
         let width = self.thickness - 2.0 * inset.y;
-        let rim = 2.0 * divisions(0.5 * width, across) * divisions(PI * self.diameter, spacing);
+        let rim = even_divisions(width, across) * divisions(PI * self.diameter, spacing);
         let outer = self.radius() - RimInset::new(inset).least();
         let rings = divisions(outer, spacing);
         let area = PI * (outer / spacing).powi(2);
@@ -95,8 +98,7 @@ fn rim_points(disc: &Disc, [across, spacing]: [f64; 2], inset: f64, points: &mut
     if width <= 0.0 {
         return;
     }
-    // An even number: points on the centre plane, where two cells may meet, would be assigned to one of them.
-    let rows = 2.0 * divisions(0.5 * width, across);
+    let rows = even_divisions(width, across);
     let columns = divisions(PI * disc.diameter, spacing);
     let area = width / rows * PI * disc.diameter / columns;
     for row in 0..rows as usize {

@@ -74,6 +74,11 @@ fn divisions(length: f64, spacing: f64) -> f64 {
     (length / spacing * (1.0 - 1e-9)).ceil().max(1.0)
 }
 
+/// The same, but an even number: points on a middle plane, where two cells may meet, would be assigned to one of them.
+fn even_divisions(length: f64, spacing: f64) -> f64 {
+    2.0 * divisions(0.5 * length, spacing)
+}
+
 /// Number of points in rings of the given radii, each with `around` of its circumference points; for more rings than could
 /// be laid out it is estimated as `area`.
 fn ring_points(rings: f64, radius: impl Fn(f64) -> f64, around: impl Fn(f64) -> f64, area: f64) -> f64 {
