@@ -65,7 +65,7 @@ pub struct BodyModel {
     /// infinite for no such limit.
     pub adhesion_factor: f64,
     /// Distance between its contact points and its sharp edges, in cell widths.
-    pub edge_inset: f64,
+    pub edge_inset: DVec3,
     /// The fluid that the whole body moves in; of no effect on a body without a free motion.
     pub fluid: Fluid,
 }

@@ -34,7 +34,7 @@ fn towed(method: ContactMethod, y: f64, steps: usize) -> (Model, State) {
         inertia: Inertia::principal(1.0, DVec3::splat(0.005)),
         friction: 0.3,
         adhesion_factor: f64::INFINITY,
-        edge_inset: 0.5,
+        edge_inset: DVec3::splat(0.5),
         fluid: mechanics::Fluid::NONE,
         motion: [
             moving(0.3),

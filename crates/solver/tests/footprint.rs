@@ -23,7 +23,7 @@ fn body(shape: Box<dyn Shape>, start: DVec3) -> BodyModel {
         inertia: Inertia::principal(1.0, DVec3::splat(0.005)),
         friction: 0.3,
         adhesion_factor: f64::INFINITY,
-        edge_inset: 0.5,
+        edge_inset: DVec3::splat(0.5),
         fluid: mechanics::Fluid::NONE,
         motion: [
             Motion::Prescribed { before: 0.0, speed: 0.3, start: 0.0, ramp: 0.01, end: f64::INFINITY },

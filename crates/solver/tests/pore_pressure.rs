@@ -30,7 +30,7 @@ fn pressed(permeability: f64) -> Model {
         inertia: Inertia::principal(2.0, DVec3::splat(0.01)),
         friction: 0.3,
         adhesion_factor: f64::INFINITY,
-        edge_inset: 0.5,
+        edge_inset: DVec3::splat(0.5),
         fluid: mechanics::Fluid::NONE,
         motion: [fixed.clone(), fixed.clone(), down, fixed.clone(), fixed.clone(), fixed],
     });

@@ -43,7 +43,7 @@ fn towed(shape: Box<dyn Shape>) -> [DVec3; 2] {
         inertia: Inertia::principal(1.0, DVec3::splat(0.005)),
         friction: 0.3,
         adhesion_factor: f64::INFINITY,
-        edge_inset: 0.5,
+        edge_inset: DVec3::splat(0.5),
         fluid: mechanics::Fluid::NONE,
         motion: [moving(0.3), Motion::Fixed, moving(-0.15), Motion::Fixed, Motion::Fixed, Motion::FREE],
     });

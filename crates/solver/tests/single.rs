@@ -37,7 +37,7 @@ fn tow(y: f64) -> Model {
         inertia: Inertia::principal(1.0, DVec3::splat(0.005)),
         friction: 0.3,
         adhesion_factor: f64::INFINITY,
-        edge_inset: 0.5,
+        edge_inset: DVec3::splat(0.5),
         fluid: mechanics::Fluid::NONE,
         motion: [
             moving(0.3),

@@ -41,7 +41,7 @@ fn discs_after(threads: usize) -> State {
             inertia: Inertia::principal(0.3, DVec3::splat(0.0005)),
             friction: 0.3,
             adhesion_factor: f64::INFINITY,
-            edge_inset: 0.5,
+            edge_inset: DVec3::splat(0.5),
             fluid: mechanics::Fluid::NONE,
             motion: [
                 moving(0.3 + y),

@@ -37,7 +37,7 @@ fn towed(height: f64) -> BodyModel {
         inertia: Inertia::principal(2.0, DVec3::splat(0.01)),
         friction: 0.3,
         adhesion_factor: f64::INFINITY,
-        edge_inset: 0.5,
+        edge_inset: DVec3::splat(0.5),
         fluid: mechanics::Fluid::NONE,
         motion: [
             Motion::Prescribed { before: 0.0, speed: SPEED, start: 0.0, ramp: 0.005, end: f64::INFINITY },

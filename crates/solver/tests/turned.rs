@@ -46,7 +46,7 @@ fn towed(shape: Box<dyn Shape>, quarters: u32, steps: usize) -> Vec<Sample> {
         inertia: Inertia::principal(1.0, DVec3::splat(0.005)),
         friction: 0.3,
         adhesion_factor: f64::INFINITY,
-        edge_inset: 0.5,
+        edge_inset: DVec3::splat(0.5),
         fluid: mechanics::Fluid::NONE,
         motion: [along(0), along(1), along(2), Motion::Fixed, Motion::Fixed, Motion::FREE],
     });

@@ -137,7 +137,7 @@ fn body(face: Face, y: f64) -> BodyModel {
         motion: [x, Motion::Fixed, z, Motion::Fixed, Motion::Fixed, spin],
         friction: FRICTION,
         adhesion_factor: f64::INFINITY,
-        edge_inset: 0.5,
+        edge_inset: DVec3::splat(0.5),
         fluid: mechanics::Fluid::NONE,
     }
 }

@@ -24,14 +24,21 @@ const USUAL: f64 = 0.5;
 const MOST: f64 = 0.1;
 
 impl Case {
-    /// Distance between the contact points of a body and its sharp edges [cell widths]. Half a cell from both edges would leave a
-    /// thin rim few points or none; a larger inset that was asked for stays as it is.
+    /// Distance between the contact points of a body and its sharp edges, along each of its axes [cell widths]. Half a cell from both
+    /// edges would leave a thin rim few points or none; a larger inset that was asked for stays as it is.
     #[must_use]
-    pub fn edge_inset(&self, body: &Body) -> f64 {
-        let inset = self.numerics.edge_inset;
+    pub fn edge_inset(&self, body: &Body) -> DVec3 {
+        let mut inset = DVec3::splat(self.numerics.edge_inset);
+        if self.numerics.edge_inset > USUAL {
+            return inset;
+        }
         let grid = (self.grid.fine_cell(), self.domain.plane_strain);
         let shapes = std::iter::once(&body.shape).chain(body.parts.iter().map(|part| &part.shape));
-        let least = shapes.flat_map(|shape| cells_across(shape, grid)).map(|(_, cells)| cells);
-        if inset > USUAL { inset } else { inset.min(MOST * least.fold(f64::INFINITY, f64::min)) }
+        for (size, cells) in shapes.flat_map(|shape| cells_across(shape, grid)) {
+            for axis in (0..3).filter(|axis| size.axis.is_none_or(|along| along == *axis)) {
+                inset[axis] = inset[axis].min(MOST * cells);
+            }
+        }
+        inset
     }
 }

@@ -73,7 +73,7 @@ const ROUND_OFF: f64 = 1e-9;
 pub(crate) fn layout(model: &Model, body: &BodyModel) -> (DVec3, DVec3) {
     let finest = DVec3::from_array(std::array::from_fn(|axis| model.grid.finest_along(axis)));
     let rotation = DMat3::from_quat(body.attitude(&body.start));
-    let inset = inset_in_frame(body.edge_inset * finest, rotation);
+    let inset = body.edge_inset * inset_in_frame(finest, rotation);
     let spacing = model.method.point_spacing * model.grid.fine_cell();
     // Along the axes of a body that is rotated cells have no width of their own.
     let is_aligned = rotation == DMat3::IDENTITY;

@@ -25,7 +25,7 @@ pub fn body(name: &str, shape: Box<dyn Shape>, start: DVec3) -> BodyModel {
         inertia: Inertia::principal(2.0, DVec3::splat(0.01)),
         friction: 0.3,
         adhesion_factor: f64::INFINITY,
-        edge_inset: 0.5,
+        edge_inset: DVec3::splat(0.5),
         fluid: mechanics::Fluid::NONE,
         motion: [
             Motion::Prescribed { before: 0.0, speed: 0.4, start: 0.0, ramp: 0.01, end: f64::INFINITY },
