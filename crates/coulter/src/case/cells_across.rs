@@ -19,7 +19,7 @@ pub(super) fn cells_across(shape: &Shape, (cell, plane_strain): (DVec3, bool)) -
 }
 
 /// The inset that a thin body reduces, in cell widths, and the portion of its thickness to which it does: four fifths of a thin rim keep
-/// contact points. With a quarter a flat disc of one cell found 40 % of its drag on four, with four fifths 80 % (docs/studies/thin-bodies.md).
+/// contact points. With a quarter a flat disc of one cell found 42 % of its drag on four, with four fifths 108 % (docs/studies/thin-bodies.md).
 const USUAL: f64 = 0.5;
 const MOST: f64 = 0.1;
 

@@ -145,7 +145,7 @@ fn numerics() -> case::Numerics {
         bulk_viscosity_linear: 0.02,
         bulk_viscosity_quadratic: 1.2,
         contact: case::Contact::Penalty,
-        edge_inset: DVec3::splat(0.5),
+        edge_inset: 0.5,
         point_spacing: 0.5,
         threads: 2,
         precision: case::Precision::Double,
