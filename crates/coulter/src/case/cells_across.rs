@@ -28,17 +28,23 @@ impl Case {
     /// edges would leave a thin rim few points or none; a larger inset that was asked for stays as it is.
     #[must_use]
     pub fn edge_inset(&self, body: &Body) -> DVec3 {
-        let mut inset = DVec3::splat(self.numerics.edge_inset);
+        let inset = DVec3::splat(self.numerics.edge_inset);
         if self.numerics.edge_inset > USUAL {
             return inset;
         }
         let grid = (self.grid.fine_cell(), self.domain.plane_strain);
-        let shapes = std::iter::once(&body.shape).chain(body.parts.iter().map(|part| &part.shape));
-        for (size, cells) in shapes.flat_map(|shape| cells_across(shape, grid)) {
-            for axis in (0..3).filter(|axis| size.axis.is_none_or(|along| along == *axis)) {
-                inset[axis] = inset[axis].min(MOST * cells);
+        let thinnest = |shape: &Shape| {
+            // A frame has no surface.
+            let mut across = if shape.sizes().is_empty() { DVec3::ZERO } else { DVec3::INFINITY };
+            for (size, cells) in cells_across(shape, grid) {
+                for axis in (0..3).filter(|axis| size.axis.is_none_or(|along| along == *axis)) {
+                    across[axis] = across[axis].min(cells);
+                }
             }
-        }
-        inset
+            across
+        };
+        // Parts may lie side by side and be one: then together.
+        let parts = body.parts.iter().map(|part| thinnest(&part.shape));
+        inset.min(MOST * parts.fold(thinnest(&body.shape), |sum, part| sum + part))
     }
 }
