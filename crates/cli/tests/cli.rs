@@ -246,7 +246,7 @@ fn a_breakdown_exits_with_1_and_leaves_what_there_is() {
         .assert()
         .code(1);
     let reply = String::from_utf8_lossy(&failure.get_output().stderr).into_owned();
-    for word in ["left the box", "t = ", "step", "near (", "failed.checkpoint"] {
+    for word in ["between two remaps", "t = ", "step", "near (", "failed.checkpoint"] {
         assert!(reply.contains(word), "`{word}` is not in: {reply}");
     }
     // The last good checkpoint, here that of the start, is not overwritten by the state that failed.

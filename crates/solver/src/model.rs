@@ -61,10 +61,10 @@ pub struct BodyModel {
     pub motion: [Motion; 6],
     /// Coefficient of friction against the soil.
     pub friction: f64,
-    /// Adhesion factor α: the largest frictional traction over the undrained shear strength of the soil, whatever the pressure;
-    /// infinite for no such limit.
+    /// Adhesion factor α: the largest frictional traction over the undrained shear strength of the soil, whatever the pressure. Above 1
+    /// the soil itself is the limit.
     pub adhesion_factor: f64,
-    /// Distance between its contact points and its sharp edges, in cell widths.
+    /// Distance between its contact points and its sharp edges along each of its axes, in cell widths.
     pub edge_inset: DVec3,
     /// The fluid that the whole body moves in; of no effect on a body without a free motion.
     pub fluid: Fluid,

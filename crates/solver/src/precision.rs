@@ -24,13 +24,14 @@ pub trait Precision: Scalar {
     /// Volumes [m³] of the displaced cells and of the soil in them, from which the sweeps of a remap start.
     fn displaced_volumes(model: &Model, state: &State<Self>, workspace: &mut SoilWorkspace<Self>);
 
-    /// One sweep of a remap along `axis`, over the `active` rows.
+    /// One sweep of a remap along `axis`, over the `active` rows. No soil flows into the `filled` cells.
     fn sweep(
         model: &Model,
         state: &mut State<Self>,
         workspace: &mut SoilWorkspace<Self>,
         axis: usize,
         active: &[bool],
+        filled: &[usize],
     );
 
     /// Post-remap update: volume fractions from the transported volumes, and admissible stresses. Volume [m³]
@@ -107,8 +108,9 @@ macro_rules! precision {
                 workspace: &mut SoilWorkspace<Self>,
                 axis: usize,
                 active: &[bool],
+                filled: &[usize],
             ) {
-                $module::sweep::sweep(model, state, workspace, axis, active);
+                $module::sweep::sweep(model, state, workspace, axis, active, filled);
             }
 
             fn update_after_remap(

@@ -39,8 +39,9 @@ pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut 
     let mut ghosts = Ghosts::new(model, state, &soil.velocity_before[0], halo);
     let axes = if model.is_driven_along_y() { [1, 0, 2] } else { [0, 1, 2] };
     let order = ORDERS[(state.remaps % 6) as usize].map(|n| axes[n]);
+    let filled = contact::filled(&contact.body_cells);
     for axis in order.into_iter().filter(|axis| grid.whole_cells()[*axis] > 1) {
-        R::sweep(model, state, soil, axis, &active);
+        R::sweep(model, state, soil, axis, &active, &filled);
         fill_swept(model, state, soil, (ghosts.as_mut(), halo));
     }
     R::update_after_remap(model, &mut state.soil, soil, &active);

@@ -87,7 +87,8 @@ pub struct Contact {
     pub point: u32,
     /// Material in its cell.
     pub material: u32,
-    /// Largest frictional traction, whatever the pressure [Pa]; infinite for no such limit.
+    /// Largest frictional force, whatever the pressure, over `area` [Pa]: with what the point represents of the margins along edges;
+    /// infinite for no such limit.
     pub shear_limit: f64,
     /// Side of the body's mid-plane on which it lies: 0 and 1, or 2 on the plane.
     pub side: u8,
@@ -103,7 +104,7 @@ pub struct Contact {
     pub normal: DVec3,
     /// From the body's reference point to the point [m].
     pub arm: DVec3,
-    /// Area represented by the point [m²].
+    /// Area of the surface round the point [m²].
     pub area: f64,
     /// Smallest width of its cell [m].
     pub width: f64,

@@ -57,8 +57,7 @@ fn on_clay(
 ) -> Result<(f64, f64), VerifyError> {
     let mut overrides = vec![format!("grid.cell={} m", WIDTH / f64::from(cells))];
     if is_rough {
-        overrides
-            .extend(["body.footing.friction=rough".to_owned(), "body.footing.adhesion_factor=1".to_owned()]);
+        overrides.push("body.footing.friction=rough".to_owned());
     }
     let text = if is_square {
         CLAY.replace(ROUND, &format!("shape = \"block\"\nsize = [\"{WIDTH} m\", \"{WIDTH} m\", \"0.5 m\"]\n"))

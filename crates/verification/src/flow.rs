@@ -1,4 +1,4 @@
-//! B8: deep flow of undrained soil round a cylinder and a sphere.
+//! B8: deep flow of undrained soil round a cylinder and a sphere, and round a cylinder that is turned.
 
 use crate::error::VerifyError;
 use crate::probe::mean;
@@ -7,6 +7,7 @@ use std::f64::consts::PI;
 
 const CYLINDER_CASE: &str = include_str!("../validation/B8_deep_flow/case.toml");
 const SPHERE_CASE: &str = include_str!("../validation/B8_deep_flow/sphere.toml");
+const TURNED_CASE: &str = include_str!("../validation/B8_deep_flow/turned.toml");
 /// Diameter in the case files [m].
 const DIAMETER: f64 = 1.0;
 /// Undrained strength in the case files [Pa].
@@ -34,6 +35,14 @@ pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
             runner.put("B8", &variant, seconds, &[(FACTOR, factor)])?;
         }
     }
+    for (cells, size) in [(10, "10 mm"), (15, "6.5 mm")] {
+        let variant = format!("rough cylinder, turned, D/h = {cells}");
+        if runner.wants("B8", &variant)? {
+            let simulation = runner.run("B8", &variant, TURNED_CASE, &[format!("grid.cell={size}")])?;
+            let torque = mean(&simulation.history.bodies[0], TURNED, |s| s.time, |s| -s.moment_z);
+            runner.put("B8", &variant, simulation.wall_s, &[("torque [N m]", torque)])?;
+        }
+    }
     Ok(())
 }
 
@@ -49,6 +58,9 @@ fn word(is_rough: bool) -> &'static str {
 /// Displacements between which the force is averaged [m].
 const RANGE: [f64; 2] = [0.1 * DIAMETER, 0.15 * DIAMETER];
 
+/// Times between which the torque of the turned cylinder is averaged [s].
+const TURNED: [f64; 2] = [0.04, 0.1];
+
 /// Factor of the cylinder with this many cells across under an overburden [s_u], and its wall-clock time [s].
 fn cylinder(
     runner: &mut Runner,
@@ -62,7 +74,7 @@ fn cylinder(
         format!("ground.overburden={} Pa", overburden * STRENGTH),
     ];
     if is_rough {
-        overrides.extend(["body.bar.friction=rough".to_owned(), "body.bar.adhesion_factor=1".to_owned()]);
+        overrides.push("body.bar.friction=rough".to_owned());
     }
     let simulation = runner.run("B8", variant, CYLINDER_CASE, &overrides)?;
     let force = mean(&simulation.history.bodies[0], RANGE, |s| s.displacement, |s| s.drag);
@@ -73,8 +85,7 @@ fn cylinder(
 fn sphere(runner: &mut Runner, variant: &str, cells: u32, is_rough: bool) -> Result<(f64, f64), VerifyError> {
     let mut overrides = vec![format!("grid.cell={} m", DIAMETER / f64::from(cells))];
     if is_rough {
-        overrides
-            .extend(["body.sphere.friction=rough".to_owned(), "body.sphere.adhesion_factor=1".to_owned()]);
+        overrides.push("body.sphere.friction=rough".to_owned());
     }
     let simulation = runner.run("B8", variant, SPHERE_CASE, &overrides)?;
     let samples = &simulation.history.bodies[0];

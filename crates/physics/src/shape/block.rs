@@ -50,7 +50,12 @@ impl Shape for Block {
                     position[second] = height * midpoint(row, rows);
                     let mut normal = DVec3::ZERO;
                     normal[axis] = side;
-                    points.push(SurfacePoint { position, normal, area: width * height / (columns * rows) });
+                    points.push(SurfacePoint {
+                        position,
+                        normal,
+                        area: width * height / (columns * rows),
+                        represents: self.size[first] * self.size[second] / (columns * rows),
+                    });
                 }
             }
         }

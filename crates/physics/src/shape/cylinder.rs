@@ -71,8 +71,9 @@ impl Cylinder {
         }
     }
 
-    fn point(self, position: DVec3, normal: DVec3, area: f64) -> SurfacePoint {
-        SurfacePoint { position: self.body_frame(position), normal: self.body_frame(normal), area }
+    fn point(self, position: DVec3, normal: DVec3, [area, represents]: [f64; 2]) -> SurfacePoint {
+        let (position, normal) = (self.body_frame(position), self.body_frame(normal));
+        SurfacePoint { position, normal, area, represents }
     }
 }
 
@@ -104,12 +105,12 @@ impl Shape for Cylinder {
         if width > 0.0 {
             let rows = even_divisions(width, along);
             let around = ring(TAU * radius, spacing);
-            let area = TAU * radius * width / (rows * around.len() as f64);
+            let area = |width: f64| TAU * radius * width / (rows * around.len() as f64);
             for row in 0..rows as usize {
                 let along = DVec3::Y * (width * midpoint(row, rows));
                 points.extend(around.iter().map(|[a, b]| {
                     let normal = DVec3::new(*a, 0.0, *b);
-                    self.point(radius * normal + along, normal, area)
+                    self.point(radius * normal + along, normal, [width, self.length].map(area))
                 }));
             }
         }
@@ -124,8 +125,9 @@ impl Shape for Cylinder {
                     let outer = (radius - inset.towards(*b)).max(0.0);
                     let radius = outer * (n as f64 + 0.5) / rings;
                     let area = TAU * radius * outer / (rings * around.len() as f64);
+                    let represents = area * (0.5 * self.diameter / outer).powi(2);
                     let flat = DVec3::new(*a, 0.0, *b);
-                    self.point(radius * flat + 0.5 * self.length * normal, normal, area)
+                    self.point(radius * flat + 0.5 * self.length * normal, normal, [area, represents])
                 }));
             }
         }

@@ -100,13 +100,14 @@ fn rim_points(disc: &Disc, [across, spacing]: [f64; 2], inset: f64, points: &mut
     }
     let rows = even_divisions(width, across);
     let columns = divisions(PI * disc.diameter, spacing);
-    let area = width / rows * PI * disc.diameter / columns;
+    let [area, represents] = [width, disc.thickness].map(|width| width / rows * PI * disc.diameter / columns);
     for row in 0..rows as usize {
         let y = width * midpoint(row, rows);
         for column in 0..columns as usize {
             let (sin, cos) = (TAU * (column as f64 + 0.5) / columns).sin_cos();
             let normal = DVec3::new(sin, 0.0, cos);
-            points.push(SurfacePoint { position: normal * disc.radius() + DVec3::Y * y, normal, area });
+            let position = normal * disc.radius() + DVec3::Y * y;
+            points.push(SurfacePoint { position, normal, area, represents });
         }
     }
 }
@@ -126,6 +127,7 @@ fn face_points(disc: &Disc, side: f64, spacing: f64, inset: RimInset, points: &m
                 position: DVec3::new(radius * sin, side * 0.5 * disc.thickness, radius * cos),
                 normal: DVec3::Y * side,
                 area,
+                represents: area * (disc.radius() / outer).powi(2),
             });
         }
     }

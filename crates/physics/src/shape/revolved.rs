@@ -156,6 +156,7 @@ impl Shape for Revolved {
         let mut points = Vec::new();
         for edge in edges {
             let rows = self.rows(edge, spacing, inset);
+            let first = points.len();
             for n in 0..rows.count as usize {
                 let directions = ring(TAU * rows.radius(n as f64), rows.spacing);
                 let share = TAU / directions.len() as f64;
@@ -167,17 +168,18 @@ impl Shape for Revolved {
                         position: self.turned(rows.edge.at(middle), *direction),
                         normal: self.turned(rows.edge.normal(middle), *direction),
                         area: kept * share * rows.edge.swept(low, high),
+                        represents: 0.0,
                     })
                 }));
             }
+            let own = &mut points[first..];
+            let sampled: f64 = own.iter().map(|p| p.area).sum();
+            own.iter_mut().for_each(|p| p.represents = p.area * TAU * rows.edge.swept(0.0, 1.0) / sampled);
         }
         if is_half {
             let flip = |v: DVec3| DVec3::new(v.x, -v.y, v.z);
-            let image = |p: &SurfacePoint| SurfacePoint {
-                position: flip(p.position),
-                normal: flip(p.normal),
-                area: p.area,
-            };
+            let image =
+                |p: &SurfacePoint| SurfacePoint { position: flip(p.position), normal: flip(p.normal), ..*p };
             let images: Vec<SurfacePoint> = points.iter().map(image).collect();
             points.extend(images);
         }

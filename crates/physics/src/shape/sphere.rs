@@ -54,7 +54,7 @@ impl Shape for Sphere {
             let area = zone / around.len() as f64;
             points.extend(around.iter().map(|[x, y]| {
                 let normal = DVec3::new(x * latitude.cos(), y * latitude.cos(), latitude.sin());
-                SurfacePoint { position: radius * normal, normal, area }
+                SurfacePoint { position: radius * normal, normal, area, represents: area }
             }));
         }
         paired(points)

@@ -3,7 +3,7 @@
 //! The nodal velocities cannot follow an edge or a tip within a cell, so that remaps carry soil to where the body is. Overlap removal moves
 //! it to space near by. Where soil is confined there is none: what is left means that the soil of the cell has been compressed by more than
 //! its nodes know. It is strained by the rest, evenly over some travel of the body; its pressure rises, presses on the body, and drives the soil out of
-//! the cell.
+//! the cell. It would also drive it on into the body: no remap carries soil into cells that a body fills.
 
 use super::body_fraction::BodyCell;
 use crate::exact_sum::ExactSum;
@@ -15,8 +15,8 @@ use crate::state::{Soil, State};
 use glam::DVec3;
 use std::collections::BTreeMap;
 
-/// Volume fraction of bodies from which on a cell has no space for soil to be compressed into (chosen).
-const OCCUPIED: f64 = 0.99;
+/// Volume fraction of bodies from which on they fill a cell: it has no space for soil to flow or to be compressed into (chosen).
+const FILLED: f64 = 0.95;
 
 /// Travel of the body, in cell widths, within which confined soil is compressed (chosen: that between two remaps).
 const PRESSED_WITHIN: f64 = 0.1;
@@ -34,22 +34,33 @@ pub(crate) struct Confined {
 
 /// The cells with confined soil after a remap, in the order of the memory.
 pub(crate) fn find<R: Scalar>(soil: &Soil<R>, body_cells: &[BodyCell]) -> Vec<Confined> {
-    let mut occupied: BTreeMap<usize, (f64, &BodyCell)> = BTreeMap::new();
-    for own in body_cells {
-        let (sum, most) = occupied.entry(own.cell).or_insert((0.0, own));
-        *sum += own.fraction;
-        *most = if own.fraction > most.fraction { own } else { most };
-    }
-    let confined = occupied.into_iter().filter_map(|(cell, (bodies, most))| {
+    let confined = occupied(body_cells).into_iter().filter_map(|(cell, (bodies, most))| {
         let soil = soil.fraction[cell].to_f64();
         let overlap = soil + bodies - 1.0;
-        (overlap > R::ROUND_OFF && bodies < OCCUPIED).then(|| Confined {
+        (overlap > R::ROUND_OFF && bodies < FILLED).then(|| Confined {
             cell,
             body: most.body,
             strain: overlap / soil,
         })
     });
     confined.collect()
+}
+
+/// The cells that bodies filled at the last contact search, in the order of the memory.
+pub(crate) fn filled(body_cells: &[BodyCell]) -> Vec<usize> {
+    let filled = occupied(body_cells).into_iter().filter(|(_, (bodies, _))| *bodies >= FILLED);
+    filled.map(|(cell, _)| cell).collect()
+}
+
+/// The volume fraction of all bodies in each cell that they occupy, and what occupies most of it.
+fn occupied(body_cells: &[BodyCell]) -> BTreeMap<usize, (f64, &BodyCell)> {
+    let mut occupied: BTreeMap<usize, (f64, &BodyCell)> = BTreeMap::new();
+    for own in body_cells {
+        let (sum, most) = occupied.entry(own.cell).or_insert((0.0, own));
+        *sum += own.fraction;
+        *most = if own.fraction > most.fraction { own } else { most };
+    }
+    occupied
 }
 
 /// Compression of a cell's soil in a step.

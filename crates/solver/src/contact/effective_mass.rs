@@ -11,7 +11,7 @@ pub(super) struct EffectiveMass {
     normal_mass: f64,
     /// Tangential effective mass: the same along the axis in which it is least [kg].
     tangential_mass: f64,
-    /// Coefficient of friction.
+    /// Coefficient of friction; infinite for a rough body.
     friction: f64,
     /// Largest frictional impulse in a step [N s].
     shear_limit: f64,
@@ -32,7 +32,7 @@ impl EffectiveMass {
         (normal_mass > 0.0).then(|| Self {
             normal_mass: 1.0 / normal_mass,
             tangential_mass: 1.0 / delassus_diagonal.max_element(),
-            friction: problem.model.bodies[constraint.jacobian.body].friction.min(1e6),
+            friction: problem.model.bodies[constraint.jacobian.body].friction,
             // All points of a constraint lie in one cell.
             shear_limit: problem.contacts[point].shear_limit * constraint.area * problem.dt,
         })
@@ -50,12 +50,16 @@ impl EffectiveMass {
         let closing = relative.dot(along);
         let old_normal = impulse.dot(along);
         let new_normal = (old_normal + relaxation * closing * self.normal_mass).max(0.0);
-        if new_normal == 0.0 && old_normal == 0.0 {
+        // Several constraints share the pressure on a face as they like: where friction does not depend on it, those without pressure
+        // bear their share of friction all the same.
+        let sticks = self.friction.is_infinite() && self.shear_limit.is_finite();
+        if !sticks && new_normal == 0.0 && old_normal == 0.0 {
             return DVec3::ZERO;
         }
         let old_friction = impulse - old_normal * along;
         let sliding = relative - closing * along;
-        let limit = (self.friction * new_normal).min(self.shear_limit);
+        let of_pressure = if sticks { f64::INFINITY } else { self.friction.min(1e6) * new_normal };
+        let limit = of_pressure.min(self.shear_limit);
         let friction = (old_friction + relaxation * sliding * self.tangential_mass).clamp_length_max(limit);
         new_normal * along + friction
     }

@@ -173,8 +173,7 @@ fn take_portion(c: &mut Contact, constraint: Option<&Constraint>) -> [DVec3; 2] 
 
 /// Updates the distance of a point by how far it has closed in the step [m].
 fn move_on(c: &mut Contact, closed: f64, constraint: Option<&Constraint>) {
-    let penetration = (c.penetration + closed).min(c.penetration.max(0.0));
     // Round-off must not open an active point.
     let held = constraint.is_some_and(|p| p.impulse.dot(p.jacobian.normal) > 0.0);
-    c.penetration = if held { penetration.max(0.0) } else { penetration };
+    c.penetration = if held { 0.0 } else { (c.penetration + closed).min(0.0) };
 }

@@ -30,7 +30,7 @@ mod surface;
 pub(crate) mod workspace;
 
 pub(crate) use body_fraction::{BodyCell, bodies_at_search, cut_out_bodies};
-pub(crate) use confined::{Pressed, find as find_confined, press, work as pressing_work};
+pub(crate) use confined::{Pressed, filled, find as find_confined, press, work as pressing_work};
 pub(crate) use method::kept_per_constraint;
 pub(crate) use overlap::remove_overlap;
 pub(crate) use pore_pressure::find_pressure_cells;

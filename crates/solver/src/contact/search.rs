@@ -128,6 +128,7 @@ impl<R: Scalar> View<'_, R> {
                 (contact.body, contact.point) = (n as u32, p as u32);
                 (contact.side, contact.is_paired) = (point.side, point.is_paired);
                 contact.area *= point.area;
+                contact.shear_limit *= point.represents / point.area;
                 found.push(contact);
             }
         }
@@ -218,12 +219,9 @@ impl<R: Scalar> View<'_, R> {
     }
 
     /// Largest frictional traction of a body at a point in a cell [Pa]: a portion of the strength that the soil there has, however slowly
-    /// it is sheared; infinite where that has no undrained strength. A cell without soil stands for the next one along the
-    /// normal; clay that is not there either has no strength.
+    /// it is sheared, and at most all of it; infinite where that has no undrained strength. A cell without soil stands for the next one
+    /// along the normal; clay that is not there either has no strength.
     fn shear_limit(&self, body: &BodyModel, cell: [usize; 3], normal: DVec3) -> f64 {
-        if body.adhesion_factor.is_infinite() {
-            return f64::INFINITY;
-        }
         let grid = &self.model.grid;
         let index = |[i, j, k]: [usize; 3]| grid.index(i, j, k);
         let beyond = self.next(cell, grid.main_axis(normal), normal).map_or(index(cell), index);
@@ -231,7 +229,7 @@ impl<R: Scalar> View<'_, R> {
         let [intact, plastic_strain] = [INTACT_STRENGTH, PLASTIC_STRAIN]
             .map(|h| self.soil.history[h].get(at).map_or(0.0, |value| value.to_f64()));
         let strength = self.model.materials[self.material_of(at)].shear_strength(intact, plastic_strain);
-        strength.map_or(f64::INFINITY, |strength| body.adhesion_factor * strength)
+        strength.map_or(f64::INFINITY, |strength| body.adhesion_factor.min(1.0) * strength)
     }
 
     /// The next cell along an axis, in the direction of a vector, if the grid has one there.

@@ -32,7 +32,9 @@ pub(super) fn account_slip<R>(
                 let slip = mean_slip(c, velocity, &corner_nodes[n], moving);
                 let axle = mechanism.bodies[c.body as usize].pose.rotation * DVec3::Y;
                 let pressure = pore_pressures.get(n).copied().unwrap_or(0.0);
-                *terms = SlipTerms::of(model, c, (&impulses[n], slip), (axle, pressure));
+                let point = surfaces[c.body as usize].point(c.point as usize);
+                let share = point.represents / point.area;
+                *terms = SlipTerms::of(model, (c, share), (&impulses[n], slip), (axle, pressure));
             }
         }
     });

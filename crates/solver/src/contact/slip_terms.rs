@@ -16,11 +16,11 @@ pub(crate) struct SlipTerms {
 }
 
 impl SlipTerms {
-    /// Of a point with these impulses on the soil [N s] and this slip velocity [m/s]; also needed are the direction of its body's
-    /// axle and the pore pressure [Pa].
+    /// Of a point, what it represents over the area round it, its impulses on the soil [N s] and its slip velocity [m/s]; also needed are
+    /// the direction of its body's axle and the pore pressure [Pa].
     pub(super) fn of(
         model: &Model,
-        c: &Contact,
+        (c, share): (&Contact, f64),
         (impulses, slip): (&[DVec3; 2], DVec3),
         (axle, pressure): (DVec3, f64),
     ) -> Self {
@@ -29,7 +29,7 @@ impl SlipTerms {
         let mut sums = RimSums::default();
         let friction = model.bodies[c.body as usize].friction;
         sums.add_impulses(c, impulses, water, [friction, c.shear_limit * contact]);
-        sums.add_slip(impulses, slip, contact, &directions(c, impulses[0], axle));
+        sums.add_slip(impulses, slip, share * contact, &directions(c, impulses[0], axle));
         Self { dissipation: impulses[1].dot(slip), water, sums }
     }
 }

@@ -12,8 +12,8 @@ pub(crate) struct Surface {
     /// Position in the body frame [m]; index into `kinds`, with the highest bit set where the next point is the mirror image
     /// in the body's mid-plane y = 0; and bin of the rim, or as many as there are bins on a flank.
     points: Vec<(DVec3, u32, u16)>,
-    /// Normals and areas [m²].
-    kinds: Vec<(DVec3, f64)>,
+    /// Normals; areas round the points, and what these represent [m²].
+    kinds: Vec<(DVec3, [f64; 2])>,
     /// The bins of the rim.
     rim: Vec<RimBin>,
     /// Where the body's mid-plane is [m].
@@ -36,8 +36,10 @@ pub(crate) struct ContactPoint {
     pub(crate) position: DVec3,
     /// Outward unit normal.
     pub(crate) normal: DVec3,
-    /// Area [m²].
+    /// Area of the surface round it [m²].
     pub(crate) area: f64,
+    /// That with its share of the margins along the edges of its face [m²].
+    pub(crate) represents: f64,
     /// Side of the body's mid-plane y = 0: 0 and 1, or 2 on the plane.
     pub(crate) side: u8,
     /// Whether the next point is its mirror image in that plane.
@@ -126,10 +128,11 @@ impl Surface {
         let bins = bins(points, rim);
         let (mut indices, mut kinds) = (BTreeMap::new(), Vec::new());
         let kept = points.iter().enumerate().map(|(n, p)| {
-            let key = [p.normal.x, p.normal.y, p.normal.z, p.area].map(f64::to_bits);
+            let areas = [p.area, p.represents];
+            let key = [p.normal.x, p.normal.y, p.normal.z, areas[0], areas[1]].map(f64::to_bits);
             let index = *indices.entry(key).or_insert(kinds.len());
             if index == kinds.len() {
-                kinds.push((p.normal, p.area));
+                kinds.push((p.normal, areas));
             }
             let is_paired = points.get(n + 1).is_some_and(|next| are_mirrored(p, next, middle));
             let bin = rim.bin_of(p.position, p.normal).map_or(bins.len(), |(bin, _)| bin);
@@ -152,7 +155,7 @@ impl Surface {
         };
         for (position, kind, bin) in &self.points {
             if let Some(bin) = self.rim.get_mut(usize::from(*bin)).filter(|_| is_modelled(*position)) {
-                bin.area += self.kinds[(kind & !PAIRED) as usize].1;
+                bin.area += self.kinds[(kind & !PAIRED) as usize].1[1];
             }
         }
     }
@@ -180,10 +183,10 @@ impl Surface {
     /// A point, from its number.
     pub(crate) fn point(&self, point: usize) -> ContactPoint {
         let (position, kind, _) = self.points[point];
-        let (normal, area) = self.kinds[(kind & !PAIRED) as usize];
+        let (normal, [area, represents]) = self.kinds[(kind & !PAIRED) as usize];
         let across = position.y - self.middle;
         let side = if across == 0.0 { 2 } else { u8::from(across < 0.0) };
-        ContactPoint { position, normal, area, side, is_paired: kind & PAIRED != 0 }
+        ContactPoint { position, normal, area, represents, side, is_paired: kind & PAIRED != 0 }
     }
 
     /// Memory in use [bytes].

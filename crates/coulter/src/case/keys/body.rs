@@ -206,7 +206,7 @@ pub(super) const BODY: &[Key] = &[
     key(
         "adhesion_factor",
         Kind::Number,
-        Derived("no such limit"),
+        Derived("1: the strength of the soil"),
         "Frictional traction is at most α s_u, whatever the pressure (tresca).",
     )
     .within(FRACTION),

@@ -66,13 +66,15 @@ fn swollen(grid: &Grid, displacement: &[Vec<Real>; 3], [i, j, k]: [usize; 3]) ->
 }
 
 /// One sweep: volume, mass, stress and history, momentum. Arrays that have served their purpose make room for others: the
-/// displacement along the axis for the reaches, the volume fractions for what is being carried.
+/// displacement along the axis for the reaches, the volume fractions for what is being carried. To the nodes a surface within a cell is
+/// none: what they drive into the `filled` cells stays before these.
 pub(crate) fn sweep(
     model: &Model,
     state: &mut State,
     workspace: &mut Workspace,
     axis: usize,
     active: &[bool],
+    filled: &[usize],
 ) {
     let grid = &model.grid;
     let Workspace { team, partition, velocity_before, .. } = workspace;
@@ -89,6 +91,10 @@ pub(crate) fn sweep(
     let sweep = Sweep { grid, axis, row_active: active };
     let inputs = FluxInputs { sweep, displacement, fraction, soil, cell };
     team.rows(partition, flux, |row, out| inputs.volume_fluxes(row, out));
+    for low in filled {
+        let high = low + grid.stride[axis];
+        (flux[*low], flux[high]) = (flux[*low].min(0.0), flux[high].max(0.0));
+    }
     team.rows(partition, cell, |row, out| sweep.undo_displacement(row, displacement, out));
     let reach = displacement;
     team.rows(partition, reach, |row, out| sweep.reaches(row, [flux, fraction, soil], out));
