@@ -34,7 +34,7 @@ fn a_disc_that_falls_out_of_the_box_is_a_breakdown() {
     let shipped = format!("{}/../../cases/light_disc.toml", env!("CARGO_MANIFEST_DIR"));
     std::fs::copy(shipped, sandbox.out("").with_file_name("case.toml")).unwrap();
     let reply =
-        sandbox.run(&["--set", "grid.cell=25 mm", "--set", r#"body.disc.heave={ speed = "-1 m/s" }"#]);
+        sandbox.run(&["--set", "grid.cell=25 mm", "--set", r#"body.disc.heave={ load = "-50000 N" }"#]);
     let reply =
         reply.is(1, &["body `disc` left the box below at t = ", "(step ", "near (", "failed.checkpoint"]);
     assert_eq!(verdict(&sandbox, &reply), "broken");

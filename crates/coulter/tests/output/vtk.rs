@@ -81,6 +81,45 @@ fn soil_files_hold_every_cell_in_its_place() {
 }
 
 #[test]
+fn stress_that_alternates_from_cell_to_cell_is_not_shown() {
+    let case = case(Kind::Disc, 0.02);
+    let (grid, mut state) = state(&case, Kind::Disc, 1.5);
+    let written = |state: &solver::state::State| {
+        let dir = tempfile::tempdir().unwrap();
+        let mut fields = FieldSeries::create(dir.path()).unwrap();
+        fields.write(&case, (&grid, &Halo::whole()), state, &History::default()).unwrap();
+        floats(&array(&fs::read(dir.path().join("fields/soil_0000.vtr")).unwrap(), "stress"))
+    };
+    let before = written(&state);
+    let [nx, ny, nz] = grid.cells();
+    let places = || (0..nz).flat_map(move |k| (0..ny).flat_map(move |j| (0..nx).map(move |i| [i, j, k])));
+    for [i, j, k] in places() {
+        let n = grid.index(i, j, k);
+        let sign = |m: usize| if m.is_multiple_of(2) { 1e3 } else { -1e3 };
+        state.soil.stress[0][n] += sign(i + k);
+        state.soil.stress[1][n] += sign(i + j + k);
+        state.soil.stress[2][n] += 50.0 * i as f64;
+    }
+    let after = written(&state);
+    let well_filled = |[i, j, k]: [usize; 3]| state.soil.fraction[grid.index(i, j, k)] >= 0.5;
+    let mut inside = 0;
+    for at @ [i, j, k] in
+        places().filter(|[i, j, k]| i % nx > 0 && i + 1 < nx && *j > 0 && j + 1 < ny && *k > 0)
+    {
+        let around = |n: usize| [i + n % 3 - 1, j + n / 3 % 3 - 1, k + n / 9 - 1];
+        if !(0..27).all(|n| around(n)[2] < nz && well_filled(around(n))) {
+            continue;
+        }
+        let place = i + nx * (j + ny * k);
+        let change = |c: usize| after[6 * place + c] - before[6 * place + c];
+        assert!(change(0).abs() < 0.01 && change(1).abs() < 0.01, "{at:?}: {} {}", change(0), change(1));
+        assert!((change(2) - 50.0 * i as f64).abs() < 0.01, "{at:?}: {}", change(2));
+        inside += 1;
+    }
+    assert!(inside > 100, "{inside}");
+}
+
+#[test]
 fn bodies_are_drawn_where_they_are() {
     let dir = tempfile::tempdir().unwrap();
     let (_, _, state) = written(dir.path(), Kind::Two);

@@ -7,6 +7,8 @@ use solver::state::State;
 
 /// Cells with less soil than this are void: what they hold is rounding and is shown as nothing.
 const VOID: f64 = 1e-6;
+/// Cells with less soil than this bear stress of their own only.
+const WELL_FILLED: f64 = 0.5;
 /// Cells with less soil than this have no density: in slivers mass over volume scatters by a factor of ten and more.
 const SLIVER: f64 = 0.01;
 
@@ -52,9 +54,59 @@ impl<'a, R: Precision> CellView<'a, R> {
         if count > 0.0 { sum / count } else { DVec3::ZERO }
     }
 
-    /// Stress xx, yy, zz, xy, yz, xz [Pa], tension positive.
+    /// Stress xx, yy, zz, xy, yz, xz [Pa], tension positive, without what alternates from cell to cell along two or three axes: that
+    /// exerts no force on any node, and says nothing of the soil. Stress that varies linearly stays as it is.
     pub(crate) fn stress(&self) -> [f64; 6] {
-        std::array::from_fn(|c| self.unless_void(self.state.soil.stress[c][self.index]))
+        if self.is_void() {
+            return [0.0; 6];
+        }
+        let mut sum = [0.0; 6];
+        for node in 0..8 {
+            let shares = self.shares(node);
+            for (cell, share) in shares.into_iter().flatten() {
+                for (sum, component) in sum.iter_mut().zip(&self.state.soil.stress) {
+                    *sum += 0.125 * share * component[cell].into();
+                }
+            }
+        }
+        sum
+    }
+
+    /// The part of the stresses of the cells round one of its nodes that is constant or linear there, in this cell: the cells with their
+    /// shares; its own stress alone where one of them holds little soil. Bit `axis` of the node is set at the high end.
+    fn shares(&self, node: usize) -> [Option<(usize, f64)>; 8] {
+        let grid = self.domain.grid;
+        let cells = self.domain.cells();
+        let is_flat = |axis: usize| grid.whole_cells()[axis] == 1;
+        let axes = (0..3).filter(|axis| !is_flat(*axis)).count() as f64;
+        // Beyond the end of the domain lies the mirror image of the cell.
+        let step = |axis: usize| -> isize {
+            let (is_high, stride) = (node >> axis & 1 == 1, grid.stride[axis].cast_signed());
+            let is_last = self.at[axis] == if is_high { cells[axis] - 1 } else { 0 };
+            if is_last && self.domain.reaches(axis, usize::from(is_high)) {
+                0
+            } else if is_high {
+                stride
+            } else {
+                -stride
+            }
+        };
+        let steps = [0, 1, 2].map(step);
+        let mut shares = [None; 8];
+        for (n, share) in shares.iter_mut().enumerate() {
+            let beyond = (0..3).filter(|axis| n >> axis & 1 == 1);
+            if beyond.clone().any(is_flat) {
+                continue;
+            }
+            let cell = self.index.wrapping_add_signed(beyond.clone().map(|axis| steps[axis]).sum());
+            if self.state.soil.fraction[cell].into() < WELL_FILLED {
+                let mut own = [None; 8];
+                own[0] = Some((self.index, 1.0));
+                return own;
+            }
+            *share = Some((cell, (1.0 + axes - 2.0 * beyond.count() as f64) / axes.exp2()));
+        }
+        shares
     }
 
     /// Mean pressure, positive in compression [Pa].
