@@ -54,8 +54,8 @@ impl BodyChecks<'_> {
         Check::of(limit, Some(&self.body.name), value)
     }
 
-    /// Soil inside the body over the volume of the body that soil surrounds [%], the most in the window or at the end; 0 for a body that
-    /// hardly touches the soil. That of a body that was never below the surface, as of a tray that carries soil, is the most of the run
+    /// Soil inside the body over the volume of the body that soil surrounds [%], its mean over the window, as forces are, or at the end where that
+    /// is more; 0 for a body that hardly touches the soil. That of a body that was never below the surface, as of a tray that carries soil, is the most of the run
     /// over its whole volume: what has passed through its floor has left it at the end.
     fn leak(&self, inside: &[BodySample]) -> f64 {
         let cell: f64 = self.body.cell.iter().product();
@@ -69,7 +69,8 @@ impl BodyChecks<'_> {
         // The fit of soil and body is known to a layer of one cell over its base at best.
         let layer = |s: &BodySample| (base(self.body, s.sinkage) * self.body.cell[2]).min(self.body.volume);
         let of_sample = |s: &BodySample| relative(s.leaked_volume, s.embedded_volume.max(layer(s)));
-        largest(inside.iter().chain(self.samples.last()).map(of_sample))
+        let mean = inside.iter().map(of_sample).sum::<f64>() / inside.len().max(1) as f64;
+        largest([mean].into_iter().chain(self.samples.last().map(of_sample)))
     }
 
     /// Cells over sinkage, contact chord and width, where the force depends on them.

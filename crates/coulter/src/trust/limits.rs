@@ -149,7 +149,7 @@ pub const LEAK: Limit = Limit {
     good: 0.5,
     doubtful: 1.0,
     more_is_better: false,
-    meaning: "soil inside the body over its volume below the surface, at least a layer of one cell over its base, the most in the steady window or at the end; of a body that was never below the surface, the most at any time over its whole volume",
+    meaning: "soil inside the body over its volume below the surface, at least a layer of one cell over its base, averaged over the steady window, or at the end where that is more; of a body that was never below the surface, the most at any time over its whole volume",
     reason: "soil that leaks into a body exerts no force on it; footings, walls and inclined plates of the verification suite with 0.1 to 0.7 % agree with exact solutions within their tolerance (the aim of the suite is 0.1 %, C4)",
     advice: "use a finer grid, or a body with fewer sharp edges oblique to the grid; cells that are long and flat leak more than cubes",
 };
