@@ -109,6 +109,6 @@ fn stresses_along_the_rim_add_up_to_the_force() {
             rim.iter().zip(bins).filter(|(_, b)| b.middle.angle < -0.6).map(|(s, _)| s.normal).sum();
         assert!(behind < 0.02 * normal, "{method:?}: {behind} of {normal} N s acts behind");
         let area: f64 = bins.iter().map(|bin| bin.area).sum();
-        assert!((area / (std::f64::consts::PI * 0.2 * 0.06) - 1.0).abs() < 1e-9, "{area}");
+        assert!((area / (std::f64::consts::PI * 0.2 * 0.08) - 1.0).abs() < 1e-9, "{area}");
     }
 }

@@ -66,8 +66,7 @@ fn swollen(grid: &Grid, displacement: &[Vec<Real>; 3], [i, j, k]: [usize; 3]) ->
 }
 
 /// One sweep: volume, mass, stress and history, momentum. Arrays that have served their purpose make room for others: the
-/// displacement along the axis for the reaches, the volume fractions for what is being carried. To the nodes a surface within a cell is
-/// none: what they drive into the `filled` cells stays before these.
+/// displacement along the axis for the reaches, the volume fractions for what is being carried.
 pub(crate) fn sweep(
     model: &Model,
     state: &mut State,
@@ -91,10 +90,7 @@ pub(crate) fn sweep(
     let sweep = Sweep { grid, axis, row_active: active };
     let inputs = FluxInputs { sweep, displacement, fraction, soil, cell };
     team.rows(partition, flux, |row, out| inputs.volume_fluxes(row, out));
-    for low in filled {
-        let high = low + grid.stride[axis];
-        (flux[*low], flux[high]) = (flux[*low].min(0.0), flux[high].max(0.0));
-    }
+    close(filled, grid.stride[axis], flux);
     team.rows(partition, cell, |row, out| sweep.undo_displacement(row, displacement, out));
     let reach = displacement;
     team.rows(partition, reach, |row, out| sweep.reaches(row, [flux, fraction, soil], out));
@@ -127,6 +123,21 @@ pub(crate) fn sweep(
         std::mem::swap(velocity, spare);
     }
     team.rows(partition, node_mass, |row, out| carry_mass(grid, axis, row, flux, out));
+}
+
+/// Lets nothing into the `filled` cells, in the order of the memory, but from one into another: to the nodes a surface within a cell is
+/// none, and what they drive into the body stays before it.
+fn close(filled: &[usize], stride: usize, flux: &mut [Real]) {
+    let is_filled = |cell: usize| filled.binary_search(&cell).is_ok();
+    for &low in filled {
+        let high = low + stride;
+        if !is_filled(low - stride) {
+            flux[low] = flux[low].min(0.0);
+        }
+        if !is_filled(high) {
+            flux[high] = flux[high].max(0.0);
+        }
+    }
 }
 
 /// Masses of a row of nodes from those of the cells [kg].
