@@ -24,7 +24,8 @@ pub trait Precision: Scalar {
     /// Volumes [m³] of the displaced cells and of the soil in them, from which the sweeps of a remap start.
     fn displaced_volumes(model: &Model, state: &State<Self>, workspace: &mut SoilWorkspace<Self>);
 
-    /// One sweep of a remap along `axis`, over the `active` rows. No soil flows into the `filled` cells.
+    /// One sweep of a remap along `axis`, over the `active` rows. No soil flows into the `filled` cells
+    /// but from one into another.
     fn sweep(
         model: &Model,
         state: &mut State<Self>,

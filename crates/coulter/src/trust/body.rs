@@ -54,9 +54,9 @@ impl BodyChecks<'_> {
         Check::of(limit, Some(&self.body.name), value)
     }
 
-    /// Soil inside the body over the volume of the body that soil surrounds [%], its mean over the window, as forces are, or at the end where that
-    /// is more; 0 for a body that hardly touches the soil. That of a body that was never below the surface, as of a tray that carries soil, is the most of the run
-    /// over its whole volume: what has passed through its floor has left it at the end.
+    /// Soil inside the body over the volume of the body that soil surrounds [%], its mean over the window, as of forces, or at the end
+    /// where that is more; 0 for a body that hardly touches the soil. That of a body that was never below the surface, as of a tray that
+    /// carries soil, is the most of the run over its whole volume: what has passed through its floor has left it at the end.
     fn leak(&self, inside: &[BodySample]) -> f64 {
         let cell: f64 = self.body.cell.iter().product();
         let relative = |leaked: f64, volume: f64| {

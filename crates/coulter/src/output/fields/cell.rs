@@ -7,7 +7,7 @@ use solver::state::State;
 
 /// Cells with less soil than this are void: what they hold is rounding and is shown as nothing.
 const VOID: f64 = 1e-6;
-/// Cells with less soil than this bear stress of their own only.
+/// Nodes beside a cell with less soil than this lie at a surface: what alternates round them is not told from what varies.
 const WELL_FILLED: f64 = 0.5;
 /// Cells with less soil than this have no density: in slivers mass over volume scatters by a factor of ten and more.
 const SLIVER: f64 = 0.01;
