@@ -23,7 +23,7 @@ pub(crate) fn account<R: Precision>(
     balance.viscous += sums.viscous;
     balance.hourglass += sums.hourglass;
     balance.seepage += sums.seepage;
-    balance.external += sums.gravity;
+    balance.external += sums.gravity - sums.beyond;
     balance.friction += work.friction_work;
     balance.seepage += work.water_work;
     balance.contact -= work.on_soil + work.friction_work + work.water_work + sums.pressing;

@@ -3,6 +3,7 @@
 use crate::grid::Grid;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
+use std::ops::Range;
 
 /// A face of the grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -17,25 +18,41 @@ pub enum Boundary {
     Inflow,
     /// Soil leaves through it where the grid moves the other way. What lies beyond is at rest and like the soil next to it.
     Outflow,
+    /// Undisturbed ground lies beyond it and bears what it bears at rest, however the soil moves: the face yields, soil leaves and
+    /// ground enters. Every step the cells beyond start from their stress at rest, strained by the nodes of the face against others at
+    /// rest, so that waves leave in part.
+    ConstantStress,
     /// No boundary of the domain but a cut, beyond which lies another block.
     Halo,
 }
 
 impl Boundary {
-    /// Which velocity components vanish at a node on a face across `axis`.
+    /// Which velocity components vanish at a node on a face across `axis`; at constant stress, at the nodes beyond it.
     #[must_use]
     pub fn holds(self, axis: usize) -> [bool; 3] {
         match self {
             Self::SmoothWall | Self::Symmetry => std::array::from_fn(|component| component == axis),
-            Self::RoughWall | Self::Inflow | Self::Outflow => [true; 3],
+            Self::RoughWall | Self::Inflow | Self::Outflow | Self::ConstantStress => [true; 3],
             Self::Halo => [false; 3],
         }
     }
 
-    /// Whether soil flows through it as the grid moves, so that the grid has ghost layers beyond it.
+    /// Whether soil flows through it, so that the grid has ghost layers beyond it.
     #[must_use]
     pub fn is_open(self) -> bool {
-        matches!(self, Self::Inflow | Self::Outflow)
+        matches!(self, Self::Inflow | Self::Outflow | Self::ConstantStress)
+    }
+
+    /// Whether undisturbed ground enters through it.
+    #[must_use]
+    pub fn lets_ground_in(self) -> bool {
+        matches!(self, Self::Inflow | Self::ConstantStress)
+    }
+
+    /// Whether nodes on the face move freely.
+    #[must_use]
+    pub fn yields(self) -> bool {
+        matches!(self, Self::ConstantStress | Self::Halo)
     }
 }
 
@@ -62,9 +79,10 @@ impl Boundaries {
         let mut free = [true; 3];
         for axis in 0..3 {
             let domain = &grid.domain[axis];
-            let is_held = [layer[axis] <= domain.start, layer[axis] >= domain.end];
-            for (boundary, is_held) in self.0[axis].iter().zip(is_held) {
-                if is_held {
+            let is_on = [layer[axis] == domain.start, layer[axis] == domain.end];
+            let is_beyond = [layer[axis] < domain.start, layer[axis] > domain.end];
+            for (end, boundary) in self.0[axis].iter().enumerate() {
+                if is_beyond[end] || is_on[end] && !boundary.yields() {
                     for (component, _) in boundary.holds(axis).iter().enumerate().filter(|(_, held)| **held) {
                         free[component] = false;
                     }
@@ -72,6 +90,31 @@ impl Boundaries {
             }
         }
         free
+    }
+
+    /// Whether any lets the nodes on it move against a constant stress.
+    #[must_use]
+    pub fn have_constant_stress(&self) -> bool {
+        self.0.as_flattened().contains(&Boundary::ConstantStress)
+    }
+
+    /// Layers of cells of a block that are strained along `axis`: those of the domain, with the ghost layers of cuts, and the first
+    /// layer beyond a boundary at constant stress.
+    #[must_use]
+    pub fn strained(&self, grid: &Grid, axis: usize) -> Range<usize> {
+        let inside = grid.inside(axis);
+        let more = [0, 1].map(|end| {
+            let is_yielding = self.of_block(grid, axis, end) == Boundary::ConstantStress;
+            usize::from(is_yielding && !grid.outside(axis, end).is_empty())
+        });
+        inside.start - more[0]..inside.end + more[1]
+    }
+
+    /// Whether a row of cells of the memory, `[q, plane]`, is strained in a block.
+    #[must_use]
+    pub fn strain_row(&self, grid: &Grid, [q, plane]: [usize; 2]) -> bool {
+        let contains = |axis: usize, n: usize| n > 0 && self.strained(grid, axis).contains(&(n - 1));
+        contains(1, q) && contains(2, plane)
     }
 
     /// The planes of symmetry among them.

@@ -181,6 +181,16 @@ impl<R> Soil<R> {
         [&self.fraction, &self.mass, &self.apart].into_iter().chain(self.carried().map(|(_, field)| field))
     }
 
+    /// The arrays that change as the soil is strained: stress and what there is of history.
+    pub fn strained(&self) -> impl Iterator<Item = &Vec<R>> {
+        self.stress.iter().chain(self.history.iter().filter(|field| !field.is_empty()))
+    }
+
+    /// The same, mutable.
+    pub fn strained_mut(&mut self) -> impl Iterator<Item = &mut Vec<R>> {
+        self.stress.iter_mut().chain(self.history.iter_mut().filter(|field| !field.is_empty()))
+    }
+
     /// All arrays, mutable.
     pub fn arrays_mut(&mut self) -> impl Iterator<Item = &mut Vec<R>> {
         let Self { fraction, mass, apart, stress, history, composition } = self;

@@ -2,9 +2,11 @@
 //!
 //! A sweep of the remap treats the ghost layers as it does all cells, so that soil passes the boundary like any face. After
 //! each sweep they are refilled: with undisturbed ground beyond an inflow boundary, with the state of the next cell of the
-//! domain beyond an outflow boundary. Nodes on such a boundary and beyond it are at rest.
+//! domain beyond an outflow boundary. Nodes on such a boundary and beyond it are at rest; on a boundary at constant stress they move, and
+//! the first layer beyond it is strained like any cell, but every step from its stress at rest.
 
 use crate::boundary::Boundary;
+use crate::contact::BodyCell;
 use crate::exact_sum::{ExactSum, over_blocks};
 use crate::grid::Grid;
 use crate::halo::Halo;
@@ -38,6 +40,8 @@ pub(crate) fn follow<R: Precision>(model: &Model, state: &mut State<R>) {
 /// The ghost layers during a remap.
 pub(crate) struct Ghosts<R> {
     undisturbed: Undisturbed<R>,
+    /// The cells that bodies occupied at the last contact search.
+    bodies: Vec<BodyCell>,
     /// What they held after they were filled last.
     held: Content,
 }
@@ -47,9 +51,15 @@ type Content = [f64; 3];
 
 impl<R: Precision> Ghosts<R> {
     /// Those of a grid with open faces, before the first sweep; `volume` is that of the soil in the displaced cells [m³].
-    pub(crate) fn new(model: &Model, state: &State<R>, volume: &[R], halo: &Halo) -> Option<Self> {
+    pub(crate) fn new(
+        model: &Model,
+        state: &State<R>,
+        volume: &[R],
+        (bodies, halo): (&[BodyCell], &Halo),
+    ) -> Option<Self> {
         model.grid.has_open_faces().then(|| Self {
             undisturbed: Undisturbed::new(model, state.grid_position),
+            bodies: bodies.to_vec(),
             held: content(model, &state.soil, volume, halo),
         })
     }
@@ -77,17 +87,38 @@ impl<R: Precision> Ghosts<R> {
             };
             (volume[c], cell[c]) = (R::cast(fraction * whole), R::cast(whole));
         });
-        stop_nodes(grid, &state.soil.mass, &mut state.nodes);
+        self.cut_out(model, &mut state.soil, Some(volume));
+        stop_nodes(model, &state.soil.mass, &mut state.nodes);
         self.held = content(model, &state.soil, volume, halo);
     }
 
     /// Fills the layers beyond inflow boundaries after the last sweep, when volume fractions are known again.
     pub(crate) fn finish(&self, model: &Model, soil: &mut Soil<R>) {
         for_each_ghost(&model.grid, |face, layers| {
-            if model.boundaries.0[face.axis][face.end] == Boundary::Inflow {
+            if model.boundaries.0[face.axis][face.end].lets_ground_in() {
                 self.enter(model, soil, layers);
             }
         });
+        self.cut_out(model, soil, None);
+    }
+
+    /// Makes room in the ghost layers for the bodies that cross a boundary at constant stress, such as a shaft through the lid.
+    fn cut_out(&self, model: &Model, soil: &mut Soil<R>, mut volume: Option<&mut Vec<R>>) {
+        if !model.boundaries.have_constant_stress() {
+            return;
+        }
+        for own in &self.bodies {
+            let (c, space) = (own.cell, 1.0 - own.fraction);
+            let fraction = soil.fraction[c].to_f64();
+            if model.grid.is_in_domain(c) || fraction <= space {
+                continue;
+            }
+            let kept = |value: R| R::cast(value.to_f64() * space / fraction);
+            (soil.fraction[c], soil.mass[c]) = (R::cast(space), kept(soil.mass[c]));
+            if let Some(volume) = volume.as_deref_mut() {
+                volume[c] = kept(volume[c]);
+            }
+        }
     }
 
     /// Puts undisturbed ground into a cell; returns its volume fraction.
@@ -150,14 +181,19 @@ fn copy_inner<R: Precision>(
     volume[from].to_f64() / cell[from].to_f64()
 }
 
-/// Stops the nodes on open faces and beyond them, and gives the latter the masses of the cells round them.
-fn stop_nodes<R: Precision>(grid: &Grid, cell_mass: &[R], nodes: &mut Nodes<R>) {
+/// Stops the nodes on open faces, unless these yield, and beyond them, and gives the latter the masses of the cells round them.
+fn stop_nodes<R: Precision>(model: &Model, cell_mass: &[R], nodes: &mut Nodes<R>) {
+    let grid = &model.grid;
     let [x, y, z] = grid.stride;
     for (face, outside) in open_faces(grid) {
         let on_face = if face.end == 0 { outside.end } else { outside.start };
+        let yields = model.boundaries.0[face.axis][face.end].yields();
         let mut ranges = grid.cells().map(|n| 0..n + 1);
         ranges[face.axis] = outside.start..outside.end + 1;
         for_each_in(ranges, |layers @ [i, j, k]| {
+            if yields && layers[face.axis] == on_face {
+                return;
+            }
             let n = grid.index(i, j, k);
             nodes.velocity.iter_mut().for_each(|v| v[n] = R::default());
             if layers[face.axis] != on_face {
@@ -166,6 +202,63 @@ fn stop_nodes<R: Precision>(grid: &Grid, cell_mass: &[R], nodes: &mut Nodes<R>) 
                 nodes.mass[n] = R::cast(0.125 * sum);
             }
         });
+    }
+}
+
+/// The ground in the first layer beyond the boundaries at constant stress, from which it starts in every step.
+pub(crate) struct Beyond<R> {
+    /// Index in memory and volume of each cell [m³]; none for those that another block accounts for.
+    cells: Vec<(usize, f64)>,
+    /// Its stress and history at rest: one list for each array, in the order of the cells.
+    at_rest: Vec<Vec<R>>,
+}
+
+impl<R: Precision> Beyond<R> {
+    /// That of a block whose grid has moved as far as in a state.
+    pub(crate) fn new(model: &Model, state: &State<R>) -> Self {
+        if !model.boundaries.have_constant_stress() {
+            return Self { cells: Vec::new(), at_rest: Vec::new() };
+        }
+        let grid = &model.grid;
+        let undisturbed = Undisturbed::<R>::new(model, state.grid_position);
+        let (mut cells, mut from) = (Vec::new(), Vec::new());
+        let ranges = [0, 1, 2].map(|axis| model.boundaries.strained(grid, axis));
+        for_each_in(ranges, |layers @ [i, j, k]| {
+            let c = grid.index(i, j, k);
+            if !grid.is_in_domain(c) {
+                let whole = grid.in_whole(layers);
+                let is_own = (0..3).all(|axis| grid.accounts_for(axis, whole[axis]));
+                cells.push((c, if is_own { grid.volume(i, j, k) } else { 0.0 }));
+                from.push(undisturbed.index(model, layers));
+            }
+        });
+        let strained = undisturbed.soil.strained();
+        let at_rest = strained.map(|field| from.iter().map(|c| field[*c]).collect()).collect();
+        Self { cells, at_rest }
+    }
+
+    /// Puts it back to rest.
+    pub(crate) fn rest(&self, soil: &mut Soil<R>) {
+        if self.cells.is_empty() {
+            return;
+        }
+        for (field, at_rest) in soil.strained_mut().zip(&self.at_rest) {
+            for ((c, _), value) in self.cells.iter().zip(at_rest) {
+                field[*c] = *value;
+            }
+        }
+    }
+
+    /// The elastic energy that it has taken up since then [J].
+    pub(crate) fn taken_up(&self, model: &Model, soil: &Soil<R>) -> ExactSum {
+        let mut sum = ExactSum::default();
+        for (n, (c, volume)) in self.cells.iter().enumerate() {
+            let material = &model.materials[soil.main_material(*c)];
+            let now = material.elastic_energy(soil.stress.each_ref().map(|field| field[*c].to_f64()));
+            let at_rest = std::array::from_fn(|component| self.at_rest[component][n].to_f64());
+            sum.add(volume * soil.fraction[*c].to_f64() * (now - material.elastic_energy(at_rest)));
+        }
+        sum
     }
 }
 

@@ -204,6 +204,13 @@ impl Grid {
         if end == 0 { 0..inside.start } else { inside.end..self.cells()[axis] }
     }
 
+    /// Whether a cell of the memory lies in the domain, or in the ghost layers of a cut.
+    #[must_use]
+    pub fn is_in_domain(&self, cell: usize) -> bool {
+        let layers = self.layers_of(cell);
+        (0..3).all(|axis| self.inside(axis).contains(&layers[axis]))
+    }
+
     /// Whether the block owns a layer of the whole grid along `axis`, or has it as the ghost layer of an open face beside its own.
     #[must_use]
     pub fn accounts_for(&self, axis: usize, whole: usize) -> bool {
@@ -332,6 +339,18 @@ impl Grid {
     pub fn volume_of(&self, index: usize) -> f64 {
         let [i, j, k] = self.layers_of(index);
         self.volume(i, j, k)
+    }
+
+    /// Volume of the dual cell of a node: an eighth of each cell round it [m³].
+    #[must_use]
+    pub fn volume_round(&self, node: [usize; 3]) -> f64 {
+        let width = |axis: usize| {
+            let n = node[axis];
+            let low = if n > 0 { self.width(axis, n - 1) } else { 0.0 };
+            let high = if n < self.cells()[axis] { self.width(axis, n) } else { 0.0 };
+            0.5 * (low + high)
+        };
+        (0..3).map(width).product()
     }
 
     /// The smallest cell width of the whole grid along `axis` [m].

@@ -170,7 +170,7 @@ impl<R: Scalar> Undisturbed<R> {
 /// The layers beyond the inflow boundary across an axis, where no other boundary lets in ground.
 fn entered(model: &Model, axis: usize) -> Option<Range<usize>> {
     let faces = (0..3).flat_map(|axis| [(axis, 0), (axis, 1)]);
-    let mut inflow = faces.filter(|(axis, end)| model.boundaries.0[*axis][*end] == Boundary::Inflow);
+    let mut inflow = faces.filter(|(axis, end)| model.boundaries.0[*axis][*end].lets_ground_in());
     match (inflow.next(), inflow.next()) {
         (Some((only, end)), None) if only == axis => {
             Some(model.grid.outside(axis, end)).filter(|layers| !layers.is_empty())
@@ -361,13 +361,15 @@ fn weigh<R: Scalar>(model: &Model, grid: &Grid, soil: &mut Soil<R>) {
 /// (m_k + m_{k+1}) g / 2A`, so that the first step moves nothing; σ_x = σ_y = K₀ σ_z, and on a slope τ_xz and τ_yz likewise from g_x and
 /// g_y, for ground that is uniform along them. Taken before the bodies' space is
 /// cut out: soil beside and under a body that starts in it bears what it bore before the body was there.
+///
+/// Where a boundary at constant stress is the lid, the overburden acts on it, not on the top of the ghost layers above it.
 fn rest_stress<R: Scalar>(model: &Model, grid: &Grid, soil: &mut Soil<R>, overburden: f64) {
     let [nx, ny, nz] = grid.cells();
     let gravity = model.soil_gravity * model.down;
     for j in 0..ny {
         for i in 0..nx {
             let area = grid.width(0, i) * grid.width(1, j);
-            let (mut force, mut mass_above) = (DVec3::ZERO, 0.0);
+            let (mut force, mut mass_above) = (-weight_above(model, grid, soil, [i, j]), 0.0);
             for k in (0..nz).rev() {
                 let c = grid.index(i, j, k);
                 let (mass, fraction): (f64, f64) = (soil.mass[c].to_f64(), soil.fraction[c].to_f64());
@@ -384,6 +386,17 @@ fn rest_stress<R: Scalar>(model: &Model, grid: &Grid, soil: &mut Soil<R>, overbu
             }
         }
     }
+}
+
+/// Weight of the ground in the ghost layers above a lid at constant stress, in a column of cells [N].
+fn weight_above<R: Scalar>(model: &Model, grid: &Grid, soil: &Soil<R>, [i, j]: [usize; 2]) -> DVec3 {
+    if model.boundaries.0[2][1] != Boundary::ConstantStress {
+        return DVec3::ZERO;
+    }
+    let layers = model.grid.whole_cells()[2] - model.grid.domain[2].end;
+    let nz = grid.cells()[2];
+    let mass: f64 = (nz - layers..nz).map(|k| soil.mass[grid.index(i, j, k)].to_f64()).sum();
+    mass * model.soil_gravity * model.down
 }
 
 #[cfg(test)]

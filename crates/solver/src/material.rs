@@ -127,6 +127,14 @@ impl Material {
         }
     }
 
+    /// Density below which the soil is no longer one body [kg/m³], so that it must be compressed before it bears pressure; 0 of soil that
+    /// does not open. Cracks along one or two axes leave no gap, which would free the third axis of stress, too: without this cohesive soil that is torn again and
+    /// again expanded to a tenth of its density. Chosen: rubble has a little more than half the density of what it was.
+    #[must_use]
+    pub fn loosest(&self) -> f64 {
+        if self.opens() { 0.5 * self.density } else { 0.0 }
+    }
+
     /// Elastic energy density at a stress [J/m³].
     #[must_use]
     pub fn elastic_energy(&self, stress: Symmetric) -> f64 {

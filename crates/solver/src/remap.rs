@@ -9,7 +9,7 @@ use crate::cpu::stopwatch::Stage;
 use crate::cpu::workspace::SoilWorkspace;
 use crate::enclosed;
 use crate::energy;
-use crate::ghosts::{self, Ghosts};
+use crate::ghosts::{self, Beyond, Ghosts};
 use crate::grid::Grid;
 use crate::halo::Halo;
 use crate::halo::filling::{At, fill};
@@ -25,7 +25,7 @@ const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [2, 0, 1], [1, 2, 0], [2, 1, 0], [0,
 /// Carries everything back to the grid. Afterwards the displacement is zero, the nodal masses are those of the cells,
 /// and every stress is admissible. What is lost is entered into the energy balance.
 pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut Workspace<R>) {
-    let Workspace { soil, contact, halo, .. } = workspace;
+    let Workspace { soil, contact, halo, beyond, .. } = workspace;
     let (grid, halo) = (&model.grid, halo);
     let before = energy::total(model, state, soil, halo) - state.energy_balance.inflow_elastic;
     let active = rows_near_soil(grid, &soil.row_has_soil);
@@ -36,7 +36,8 @@ pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut 
     enclosed::take_back(&mut state.soil, soil);
     ghosts::follow(model, state);
     R::displaced_volumes(model, state, soil);
-    let mut ghosts = Ghosts::new(model, state, &soil.velocity_before[0], halo);
+    let bodies = (&contact.body_cells[..], &*halo);
+    let mut ghosts = Ghosts::new(model, state, &soil.velocity_before[0], bodies);
     let axes = if model.is_driven_along_y() { [1, 0, 2] } else { [0, 1, 2] };
     let order = ORDERS[(state.remaps % 6) as usize].map(|n| axes[n]);
     let filled = contact::filled(&contact.body_cells);
@@ -55,9 +56,13 @@ pub fn remap<R: Precision>(model: &Model, state: &mut State<R>, workspace: &mut 
     fill(halo, grid, At::Nodes, [&mut state.nodes.mass]);
     contact::remove_overlap(model, state, soil, contact, halo);
     stop_massless_nodes(model, state, soil);
+    contact::carry(model, state, &contact.body_cells);
     soil.find_soil(grid, &state.soil);
     enclosed::lend(model, &mut state.soil, soil);
-    contact.confined = contact::find_confined(&state.soil, &contact.body_cells);
+    contact.confined = contact::find_confined(grid, &state.soil, &contact.body_cells);
+    if model.follow.is_some() {
+        *beyond = Beyond::new(model, state);
+    }
     R::average_density(model, &mut state.soil, soil, halo);
     soil.clear = 2;
     state.remaps += 1;

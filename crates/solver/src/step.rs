@@ -26,7 +26,8 @@ pub fn step<R: Precision>(
     let dt = model.time_step();
     // Lagrangian stage: the soil deforms, the grid stays. Messages between blocks are under way while there is something to compute:
     // contact nodes during the rest of the stage, the nodes beside cuts and the sums during contact.
-    let Workspace { soil, contact, seepage, mechanism, bodies: moving, halo } = &mut *workspace;
+    let Workspace { soil, contact, seepage, mechanism, bodies: moving, beyond, halo } = &mut *workspace;
+    beyond.rest(&mut state.soil);
     let pressed = contact::press(model, state, &contact.confined);
     let mut known = |nodes: &_, before: &_| contact.begin_gather(nodes, before, halo);
     R::lagrangian_stage(model, state, soil, dt, &mut known);
@@ -34,6 +35,7 @@ pub fn step<R: Precision>(
     begin_filling(halo, &model.grid, beside_cuts, state.nodes.velocity.iter());
     let mut sums = soil.sums_of_stage();
     sums.add_pressing(contact::pressing_work(model, &state.soil, &pressed));
+    sums.add_beyond(beyond.taken_up(model, &state.soil));
     sums.begin_total(halo);
     bodies::predict(model, mechanism, state, moving);
     contact::solve(model, state, (soil, halo), contact, moving);

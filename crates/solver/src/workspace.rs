@@ -5,6 +5,7 @@ use crate::contact::workspace::ContactWorkspace;
 use crate::cpu::seepage::SeepageWorkspace;
 use crate::cpu::stopwatch::Stopwatch;
 use crate::cpu::workspace::SoilWorkspace;
+use crate::ghosts::Beyond;
 use crate::grid::Grid;
 use crate::halo::Halo;
 use crate::halo::decomposition::Decomposition;
@@ -27,6 +28,8 @@ pub struct Workspace<R: Precision = f64> {
     pub(crate) mechanism: Mechanism,
     /// The same during a step.
     pub(crate) bodies: Step,
+    /// The ground beyond boundaries at constant stress.
+    pub(crate) beyond: Beyond<R>,
     /// Communication with the other blocks of the grid.
     pub(crate) halo: Halo,
 }
@@ -58,6 +61,7 @@ impl<R: Precision> Workspace<R> {
             seepage: SeepageWorkspace::new(model),
             mechanism: model.mechanism(),
             bodies: Step::default(),
+            beyond: Beyond::new(model, state),
             halo,
         };
         if state.step == 0 {
@@ -68,7 +72,7 @@ impl<R: Precision> Workspace<R> {
         soil.strain_first(&model.grid, contact.first_row(&model.grid, halo));
         if state.step > 0 {
             contact.body_cells = contact::bodies_at_search(model, state, soil.crew());
-            contact.confined = contact::find_confined(&state.soil, &contact.body_cells);
+            contact.confined = contact::find_confined(&model.grid, &state.soil, &contact.body_cells);
         }
         pore_pressure::find_paths(model, state, seepage, contact);
         workspace.soil.settle(state);

@@ -66,6 +66,7 @@ mod transport;
 mod wall;
 mod wall_under_water;
 mod wave;
+mod yielding_box;
 
 pub use findings::Findings;
 pub use list::{BENCHMARKS, Benchmark, expectations, find};

@@ -7,7 +7,7 @@ use crate::{
     attitude, blade, circle, column, conservation, consolidation, control, disc, element, falls, few_cells,
     flow, footing, friction, group, light, long_tow, other_codes, plate, positions, precision, repeat, rest,
     rigid, rotating, rough_wall, round_column, scaling, softening, strip_sand, taylor, three_meshes,
-    transport, wall, wall_under_water, wave,
+    transport, wall, wall_under_water, wave, yielding_box,
 };
 use std::sync::LazyLock;
 
@@ -75,6 +75,7 @@ pub const BENCHMARKS: &[Benchmark] = &[
     benchmark!("B9", "B9_locking", Run, footing::locking),
     benchmark!("B10", "B10_strength_with_depth", Run, footing::growing_strength),
     benchmark!("B11", "B11_two_layers", Run, footing::two_layers),
+    benchmark!("B12", "B12_box_at_constant_stress", Run, yielding_box::run),
     benchmark!("C1", "C1_column_collapse", Run, column::run),
     benchmark!("C2", "C2_round_column", Run, round_column::run),
     benchmark!("C3", "C3_soil_volume", Balances, conservation::volume),

@@ -1,7 +1,7 @@
 //! Soil that fills its box up to the lid: walls, floor and lid do not yield, and what enters compresses all of it.
 
 use super::path::range;
-use super::resolved::{Body, Case, Ground, Soil};
+use super::resolved::{Body, Case, Ground, Soil, Wall};
 use super::water::of_width;
 use glam::DVec3;
 
@@ -22,13 +22,19 @@ impl ClosedBox {
     /// Rise of the pressure that does no harm, over what the soil bears [%]; chosen: a cone in clay read 4 % low at 18 %.
     pub const HARMLESS: f64 = 10.0;
 
-    /// The closed box of a case; `None` where soil can rise or leave.
+    /// The closed box of a case; `None` where soil can rise or leave, through a face at constant stress too.
     #[must_use]
     pub fn of(case: &Case) -> Option<Self> {
         let Ground::Level { surface } = case.ground else { return None };
         let size = case.domain.high - case.domain.low;
         let is_full = case.domain.high.z - surface <= 1e-9 * size.z;
-        if !is_full || case.grid.follow.is_some() || !case.relief.is_level() || case.bodies.is_empty() {
+        let yields = case.domain.walls.as_flattened().contains(&Wall::Pressure);
+        if !is_full
+            || yields
+            || case.grid.follow.is_some()
+            || !case.relief.is_level()
+            || case.bodies.is_empty()
+        {
             return None;
         }
         // Layers yield together: their compliances add up.

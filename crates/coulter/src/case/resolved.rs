@@ -472,6 +472,8 @@ pub enum Wall {
     Smooth,
     /// No motion at all.
     Fixed,
+    /// None: the ground beyond it bears what it bears at rest, soil leaves and ground enters.
+    Pressure,
 }
 
 /// The box that is modelled.
@@ -493,6 +495,12 @@ pub struct Domain {
 }
 
 impl Domain {
+    /// The boundary at the top.
+    #[must_use]
+    pub fn lid(&self) -> Wall {
+        self.walls[2][1]
+    }
+
     /// Width of a body along y [m] that is itself so wide; in plane strain [`PLANE_STRAIN_WIDTH`].
     #[must_use]
     pub fn width_of_body(&self, own: f64) -> f64 {

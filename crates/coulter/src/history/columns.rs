@@ -134,7 +134,12 @@ pub const FORCES: &[Column<BodySample>] = &[
     BodyColumn::derived("friction vertical", "N", "vertical force due to friction", |s, _| {
         Some(s.vertical - s.vertical_normal)
     }),
-    BodyColumn::sampled("leak", "m^3", "soil volume that overlaps the body", |s| &mut s.leaked_volume),
+    BodyColumn::sampled(
+        "leak",
+        "m^3",
+        "soil volume inside the body: in the cells that it fills, and what finds no space in those that it cuts",
+        |s| &mut s.leaked_volume,
+    ),
     BodyColumn::sampled("embedded", "m^3", "volume of the body below the undisturbed surface", |s| {
         &mut s.embedded_volume
     }),

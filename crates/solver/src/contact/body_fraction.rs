@@ -10,7 +10,7 @@ use crate::scalar::Scalar;
 use crate::state::{Pose, Soil, State};
 use glam::DVec3;
 use physics::shape::Shape;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Layers above the highest soil of which bodies are known: the contact search looks two cells away from a point's own.
 const LAYERS_ABOVE_SOIL: usize = 3;
@@ -64,6 +64,26 @@ pub(crate) struct BodyCell {
     pub(crate) fraction: f64,
 }
 
+/// Volume fraction of bodies from which on they fill a cell: it has no space for soil to flow or to be compressed into (chosen).
+pub(super) const FILLED: f64 = 0.95;
+
+/// The cells that bodies filled at the last contact search, in the order of the memory.
+pub(crate) fn filled(body_cells: &[BodyCell]) -> Vec<usize> {
+    let filled = by_cell(body_cells).into_iter().filter(|(_, (bodies, _))| *bodies >= FILLED);
+    filled.map(|(cell, _)| cell).collect()
+}
+
+/// The volume fraction of all bodies in each cell that they occupy, and what occupies most of it.
+pub(super) fn by_cell(body_cells: &[BodyCell]) -> BTreeMap<usize, (f64, &BodyCell)> {
+    let mut occupied: BTreeMap<usize, (f64, &BodyCell)> = BTreeMap::new();
+    for own in body_cells {
+        let (sum, most) = occupied.entry(own.cell).or_insert((0.0, own));
+        *sum += own.fraction;
+        *most = if own.fraction > most.fraction { own } else { most };
+    }
+    occupied
+}
+
 /// Height [m] in the grid up to which bodies can concern the soil.
 fn top_of_soil<R: Scalar>(grid: &Grid, soil: &Soil<R>) -> f64 {
     let mut planes = soil.fraction.chunks_exact(grid.stride[2]);
@@ -115,8 +135,12 @@ fn cells_in(grid: &Grid, (low, high): (DVec3, DVec3)) -> impl Iterator<Item = [u
     })
 }
 
-/// Measures the embedded volume of each body, and the leak into it: the volume by which soil and body
-/// together exceed their cells [m³].
+/// Compression of the soil in a cut cell up to which overlap is no leak: as the body moves on it is compressed by so much before the next
+/// remap (chosen: random cases on coarse cells with 3 % of the embedded volume in such overlaps were within 18 % of cells half as wide).
+const PENDING: f64 = 0.1;
+
+/// Measures the embedded volume of each body, and the leak into it: the volume of soil in the cells that bodies fill, and of what finds no
+/// space in those that they cut [m³].
 pub(super) fn measure_bodies<R: Scalar>(
     model: &Model,
     state: &mut State<R>,
@@ -126,6 +150,7 @@ pub(super) fn measure_bodies<R: Scalar>(
     let State { soil, bodies, grid_position, .. } = state;
     let surface = model.surface - grid_position.z;
     let grid = &model.grid;
+    let filled = filled(body_cells);
     let mut sums = vec![[ExactSum::default(); 2]; bodies.len()];
     for c in body_cells {
         let layers = grid.layers_of(c.cell);
@@ -135,7 +160,9 @@ pub(super) fn measure_bodies<R: Scalar>(
         let rise = local_rise(model, grid, (layers, *grid_position));
         let below = ((surface + rise - grid.faces[2][layers[2]]) / grid.width(2, layers[2])).clamp(0.0, 1.0);
         let volume = grid.volume_of(c.cell);
-        let leaked = (soil.fraction[c.cell].to_f64() + c.fraction - 1.0).max(0.0) * volume;
+        let held = soil.fraction[c.cell].to_f64();
+        let pending = if filled.binary_search(&c.cell).is_ok() { 0.0 } else { PENDING * held };
+        let leaked = (held + c.fraction - 1.0 - pending).max(0.0) * volume;
         let [embedded, all_leaked] = &mut sums[c.body];
         embedded.add(c.fraction * below * volume);
         all_leaked.add(leaked);

@@ -5,7 +5,7 @@
 //! its nodes know. It is strained by the rest, evenly over some travel of the body; its pressure rises, presses on the body, and drives the soil out of
 //! the cell. It would also drive it on into the body: no remap carries soil into cells that a body fills.
 
-use super::body_fraction::BodyCell;
+use super::body_fraction::{BodyCell, FILLED, by_cell};
 use crate::exact_sum::ExactSum;
 use crate::fields::GAP_STRAIN;
 use crate::grid::Grid;
@@ -13,10 +13,6 @@ use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::state::{Soil, State};
 use glam::DVec3;
-use std::collections::BTreeMap;
-
-/// Volume fraction of bodies from which on they fill a cell: it has no space for soil to flow or to be compressed into (chosen).
-const FILLED: f64 = 0.95;
 
 /// Travel of the body, in cell widths, within which confined soil is compressed (chosen: that between two remaps).
 const PRESSED_WITHIN: f64 = 0.1;
@@ -33,8 +29,9 @@ pub(crate) struct Confined {
 }
 
 /// The cells with confined soil after a remap, in the order of the memory.
-pub(crate) fn find<R: Scalar>(soil: &Soil<R>, body_cells: &[BodyCell]) -> Vec<Confined> {
-    let confined = occupied(body_cells).into_iter().filter_map(|(cell, (bodies, most))| {
+pub(crate) fn find<R: Scalar>(grid: &Grid, soil: &Soil<R>, body_cells: &[BodyCell]) -> Vec<Confined> {
+    let in_domain = by_cell(body_cells).into_iter().filter(|(cell, _)| grid.is_in_domain(*cell));
+    let confined = in_domain.filter_map(|(cell, (bodies, most))| {
         let soil = soil.fraction[cell].to_f64();
         let overlap = soil + bodies - 1.0;
         (overlap > R::ROUND_OFF && bodies < FILLED).then(|| Confined {
@@ -44,23 +41,6 @@ pub(crate) fn find<R: Scalar>(soil: &Soil<R>, body_cells: &[BodyCell]) -> Vec<Co
         })
     });
     confined.collect()
-}
-
-/// The cells that bodies filled at the last contact search, in the order of the memory.
-pub(crate) fn filled(body_cells: &[BodyCell]) -> Vec<usize> {
-    let filled = occupied(body_cells).into_iter().filter(|(_, (bodies, _))| *bodies >= FILLED);
-    filled.map(|(cell, _)| cell).collect()
-}
-
-/// The volume fraction of all bodies in each cell that they occupy, and what occupies most of it.
-fn occupied(body_cells: &[BodyCell]) -> BTreeMap<usize, (f64, &BodyCell)> {
-    let mut occupied: BTreeMap<usize, (f64, &BodyCell)> = BTreeMap::new();
-    for own in body_cells {
-        let (sum, most) = occupied.entry(own.cell).or_insert((0.0, own));
-        *sum += own.fraction;
-        *most = if own.fraction > most.fraction { own } else { most };
-    }
-    occupied
 }
 
 /// Compression of a cell's soil in a step.

@@ -5,6 +5,7 @@
 //! history.
 
 mod body_fraction;
+mod carried;
 mod confined;
 mod constraint;
 mod constraint_points;
@@ -29,8 +30,9 @@ mod solve;
 mod surface;
 pub(crate) mod workspace;
 
-pub(crate) use body_fraction::{BodyCell, bodies_at_search, cut_out_bodies};
-pub(crate) use confined::{Pressed, filled, find as find_confined, press, work as pressing_work};
+pub(crate) use body_fraction::{BodyCell, bodies_at_search, cut_out_bodies, filled};
+pub(crate) use carried::carry;
+pub(crate) use confined::{Pressed, find as find_confined, press, work as pressing_work};
 pub(crate) use method::kept_per_constraint;
 pub(crate) use overlap::remove_overlap;
 pub(crate) use pore_pressure::find_pressure_cells;

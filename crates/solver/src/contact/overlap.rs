@@ -4,11 +4,12 @@
 //! and is dragged along on the outer: soil enters the body, and a void opens next to it. After a remap, soil
 //! that overlaps a body (volume fractions of soil and bodies add up to more than 1) moves to neighbouring
 //! cells that hold soil and have space, with its mass, momentum, stress and history. Soil for which there is
-//! no space stays.
+//! no space stays, unless a body fills its cell: there it cannot be compressed (see [`super::confined`]), and is pressed into the soil
+//! beside the body, a little at a time.
 //!
 //! All sums over neighbours are taken in an order for which mirroring in y changes no bit.
 
-use super::body_fraction::find_bodies;
+use super::body_fraction::{FILLED, find_bodies};
 use super::problem::{corners, over_corners};
 use super::workspace::ContactWorkspace;
 use crate::cpu::threads::Crew;
@@ -36,16 +37,21 @@ pub(crate) fn remove_overlap<R: Precision>(
     halo: &Halo,
 ) {
     find_bodies(model, state, soil, &mut contact.body_cells);
-    let mut cells: Vec<usize> = contact.body_cells.iter().map(|c| c.cell).collect();
+    let own = contact.body_cells.iter().map(|c| c.cell);
+    let mut cells: Vec<usize> = own.filter(|cell| model.grid.is_in_domain(*cell)).collect();
     cells.sort_unstable();
     cells.dedup();
-    for _ in 0..ROUNDS {
+    let filled: Vec<usize> = {
+        let body_fraction = &soil.velocity_before[0];
+        cells.iter().copied().filter(|c| body_fraction[*c].to_f64() >= FILLED).collect()
+    };
+    for (cells, room) in [(&cells, Room::Space); ROUNDS].into_iter().chain([(&filled, Room::Soil)]) {
         let fractions = [&state.soil.fraction, &soil.velocity_before[0]].map(Vec::as_slice);
-        let transfers = distribute(&model.grid, fractions, &cells, soil.crew());
+        let transfers = distribute(&model.grid, (fractions, room), cells, soil.crew());
         let mut left = [transfers.len() as i64];
         halo.add(&mut left);
         if left == [0] {
-            break;
+            continue;
         }
         transfer(model, state, soil, &transfers);
         fill(halo, &model.grid, At::Cells, state.soil.arrays_mut());
@@ -53,6 +59,18 @@ pub(crate) fn remove_overlap<R: Precision>(
         fill(halo, &model.grid, At::Nodes, nodes);
     }
 }
+
+/// Where overlapping soil goes.
+#[derive(Clone, Copy, Debug)]
+enum Room {
+    /// Into the space of cells that are not full.
+    Space,
+    /// Into soil beside the bodies.
+    Soil,
+}
+
+/// Soil that a cell takes up by pressing in a remap, over what it holds (chosen).
+const PRESSED_AT_ONCE: f64 = 0.02;
 
 /// Soil that moves from one cell to another.
 #[derive(Clone, Copy, Debug)]
@@ -79,14 +97,14 @@ impl<T: Copy + std::ops::Add<Output = T>> Layered<T> {
     }
 }
 
-/// Indices of a cell's 26 neighbours inside the grid, and their layer in y (0 to 2).
+/// Indices of a cell's 26 neighbours in the domain, and their layer in y (0 to 2).
 fn neighbours(grid: &Grid, cell: usize) -> impl Iterator<Item = (usize, usize)> + '_ {
-    let (layers, cells) = (grid.layers_of(cell), grid.cells());
+    let (layers, inside) = (grid.layers_of(cell), [0, 1, 2].map(|axis| grid.inside(axis)));
     (0..27).filter(|n| *n != 13).filter_map(move |n| {
         let step = [n % 3, n / 3 % 3, n / 9];
         let mut at = [0; 3];
         for axis in 0..3 {
-            at[axis] = (layers[axis] + step[axis]).checked_sub(1).filter(|p| *p < cells[axis])?;
+            at[axis] = (layers[axis] + step[axis]).checked_sub(1).filter(|p| inside[axis].contains(p))?;
         }
         Some((grid.index(at[0], at[1], at[2]), step[1]))
     })
@@ -96,16 +114,22 @@ fn neighbours(grid: &Grid, cell: usize) -> impl Iterator<Item = (usize, usize)> 
 /// cell that would receive more than it has space for reduces all transfers to it by the same factor.
 fn distribute<R: Scalar>(
     grid: &Grid,
-    [fraction, body_fraction]: [&[R]; 2],
+    ([fraction, body_fraction], room): ([&[R]; 2], Room),
     cells: &[usize],
     crew: Crew,
 ) -> Vec<Transfer> {
     /// Cells that a thread takes at once.
     const AT_ONCE: usize = 64;
     let held = |c: usize| fraction[c].to_f64();
-    let space = |c: usize| (1.0 - body_fraction[c].to_f64() - held(c)) * grid.volume_of(c);
+    let body = |c: usize| body_fraction[c].to_f64();
+    let overlap = |c: usize| (held(c) + body(c) - 1.0) * grid.volume_of(c);
+    let space = |c: usize| match room {
+        Room::Space => -overlap(c),
+        Room::Soil if body(c) >= FILLED => 0.0,
+        Room::Soil => PRESSED_AT_ONCE * held(c) * (1.0 - body(c)) * grid.volume_of(c),
+    };
     let smallest = |from: usize| R::ROUND_OFF * grid.volume_of(from);
-    let excess = |from: usize| (-space(from)).min(held(from) * grid.volume_of(from));
+    let excess = |from: usize| overlap(from).min(held(from) * grid.volume_of(from));
     let of_cell = |from: usize| {
         let (smallest, excess) = (smallest(from), excess(from));
         // Only into cells with soil: it would otherwise be ejected into the void.

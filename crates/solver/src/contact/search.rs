@@ -1,6 +1,7 @@
 //! Contact search: the cells in which contact points lie, and the gaps between body and soil.
 
-use super::body_fraction::{find_bodies, measure_bodies};
+use super::body_fraction::{FILLED, find_bodies, measure_bodies};
+use super::carried::{SLIVER, is_among_filled};
 use super::law::ContactLaw;
 use super::neighbours::Neighbours;
 use super::problem::{corners, over_corners};
@@ -192,9 +193,13 @@ impl<R: Scalar> View<'_, R> {
         let mut weight = [0.0; 8];
         for (n, offset) in corners(grid.stride).iter().enumerate() {
             let factor = |axis: usize| shape[axis][n >> axis & 1];
-            let full = density * self.node_volume(cell, n);
+            let full = density * grid.volume_round(std::array::from_fn(|axis| cell[axis] + (n >> axis & 1)));
             let mass = self.node_mass[base + offset].to_f64();
-            let moves = mass > self.model.mass_moved();
+            let is_carried = || {
+                let is_filled = |c: usize| self.body_fraction[c].to_f64() >= FILLED;
+                mass < SLIVER * full && is_among_filled(grid, self.soil, base + offset, is_filled)
+            };
+            let moves = mass > self.model.mass_moved() && !is_carried();
             weight[n] =
                 if moves { (factor(0) * factor(1) * factor(2)).min(MASS_RATIO * mass / full) } else { 0.0 };
         }
@@ -241,19 +246,6 @@ impl<R: Scalar> View<'_, R> {
 
     fn material_of(&self, cell: usize) -> usize {
         self.material.get(cell).map_or(0, |m| usize::from(*m))
-    }
-
-    /// Volume of the dual cell of corner `n` of a cell: an eighth of each cell around it [m³].
-    fn node_volume(&self, cell: [usize; 3], n: usize) -> f64 {
-        let grid = &self.model.grid;
-        (0..3)
-            .map(|axis| {
-                let node = cell[axis] + (n >> axis & 1);
-                let low = if node > 0 { grid.width(axis, node - 1) } else { 0.0 };
-                let high = if node < grid.cells()[axis] { grid.width(axis, node) } else { 0.0 };
-                0.5 * (low + high)
-            })
-            .product()
     }
 
     /// Gap between body and soil along the normal [m], negative where they overlap. Only void between the two

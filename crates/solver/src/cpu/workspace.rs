@@ -86,6 +86,8 @@ pub(crate) struct PortionScratch<R: Scalar> {
     pub(crate) block: Box<R::CellBlock>,
     /// Sums over the portion's rows in the Lagrangian stage.
     pub(crate) sums: StageSums,
+    /// What its cells beyond boundaries at constant stress dissipate in the Lagrangian stage [J].
+    pub(crate) dissipated_beyond: ExactSum,
     /// Throughput of the thread to which it belongs.
     pub(crate) throughput: Throughput,
     /// Time by stage.
@@ -104,6 +106,7 @@ impl<R: Scalar> PortionScratch<R> {
             row: vec![R::default(); ROW_BUFFERS * row],
             block: R::cell_block(),
             sums: StageSums::default(),
+            dissipated_beyond: ExactSum::default(),
             throughput: Throughput::default(),
             stopwatch: Stopwatch::default(),
         }
@@ -141,6 +144,8 @@ pub(crate) struct RowSums {
     pub gravity: f64,
     /// Work done on the soil that was pressed out of bodies [J].
     pub pressing: f64,
+    /// Work done on the ground beyond boundaries at constant stress [J].
+    pub beyond: f64,
     /// Kinetic energy of the nodes [J].
     pub kinetic: f64,
     /// Largest component of a nodal displacement since the last remap, each divided by the aspect of the cells [m].
@@ -154,11 +159,19 @@ pub(crate) struct RowSums {
 /// Sums over several rows, exact.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct StageSums {
-    /// Plastic, viscous, hourglass and seepage dissipation, work of gravity, kinetic energy, work of pressing.
-    energies: [ExactSum; 7],
+    /// Plastic, viscous, hourglass and seepage dissipation, work of gravity, kinetic energy, work of pressing, and on the ground beyond
+    /// boundaries at constant stress.
+    energies: [ExactSum; 8],
     /// Largest displacements, of all nodes and of light ones.
     farthest: [f64; 2],
     yields: u32,
+}
+
+impl RowSums {
+    /// What all of the dissipation is [J].
+    pub(crate) fn dissipated(&self) -> f64 {
+        self.plastic + self.viscous + self.hourglass + self.seepage
+    }
 }
 
 impl StageSums {
@@ -184,6 +197,11 @@ impl StageSums {
         self.energies[6].merge(work);
     }
 
+    /// Adds work on the ground beyond boundaries at constant stress.
+    pub(crate) fn add_beyond(&mut self, work: ExactSum) {
+        self.energies[7].merge(work);
+    }
+
     fn merge(mut self, other: &Self) -> Self {
         self.energies.iter_mut().zip(other.energies).for_each(|(sum, other)| sum.merge(other));
         self.reach(other.farthest, other.yields);
@@ -198,7 +216,7 @@ impl StageSums {
     /// Those over the whole grid, from those of the block.
     pub(crate) fn total(self, halo: &Halo) -> RowSums {
         let Self { energies, mut farthest, yields } = self;
-        let ([plastic, viscous, hourglass, seepage, gravity, kinetic, pressing], largest) =
+        let ([plastic, viscous, hourglass, seepage, gravity, kinetic, pressing, beyond], largest) =
             end_over_blocks(halo, energies);
         farthest.iter_mut().zip(largest).for_each(|(own, largest)| *own = largest);
         let [displacement, displacement_light] = farthest;
@@ -210,6 +228,7 @@ impl StageSums {
             gravity,
             kinetic,
             pressing,
+            beyond,
             displacement,
             displacement_light,
             yields,

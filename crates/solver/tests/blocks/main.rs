@@ -6,7 +6,7 @@ mod common;
 mod models;
 
 use common::below;
-use models::{assert_same, go, impulse, penalty, softening, start, under_water};
+use models::{assert_same, go, impulse, penalty, softening, start, under_water, yielding};
 use solver::fields::Nodes;
 use solver::grid::Grid;
 use solver::halo::decomposition::Decomposition;
@@ -107,6 +107,12 @@ fn two_blocks_one_above_the_other() {
 #[test]
 fn six_blocks_that_meet_at_edges() {
     blocks_are_the_whole::<f64>(impulse, [&[5, 11], &[7]], 1);
+}
+
+#[test]
+fn blocks_with_sides_at_constant_stress() {
+    blocks_are_the_whole::<f64>(yielding, [&[9], &[7]], 2);
+    blocks_are_the_whole::<f32>(yielding, [&[5, 11], &[]], 1);
 }
 
 #[test]

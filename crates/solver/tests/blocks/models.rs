@@ -5,10 +5,11 @@ use super::common::{below, dense_sand, sand, uniform};
 use glam::DVec3;
 use mechanics::{Inertia, Motion, Pose};
 use physics::shape::{Block, Disc, Shape};
+use solver::boundary::Boundary;
 use solver::grid::Grid;
 use solver::halo::Halo;
 use solver::initial::{at_rest, set_in_motion};
-use solver::model::{BodyModel, ContactMethod, Model, PoreWater};
+use solver::model::{BodyModel, ContactMethod, Ground, Model, PoreWater};
 use solver::precision::Precision;
 use solver::state::State;
 use solver::step::step;
@@ -57,6 +58,16 @@ pub fn impulse(lanes: usize) -> Model {
 
 pub fn penalty(lanes: usize) -> Model {
     model(ContactMethod::Penalty, lanes)
+}
+
+/// The same with sides at constant stress.
+pub fn yielding(lanes: usize) -> Model {
+    let mut model = impulse(lanes);
+    model.boundaries.0[0] = [Boundary::ConstantStress; 2];
+    model.boundaries.0[1] = [Boundary::ConstantStress; 2];
+    model.grid = Grid::with_open_faces(model.grid.faces.clone(), model.boundaries.open_faces(), lanes);
+    model.ground = Ground { fillings: vec![below(0.0)], ..Ground::default() };
+    model
 }
 
 /// The same in dense sand with a characteristic length of two cells and a half.

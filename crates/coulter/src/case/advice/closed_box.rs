@@ -19,7 +19,8 @@ pub(super) fn pumped(case: &Case, notes: &mut Vec<String>) {
     notes.push(format!(
         "The soil fills its box, and walls, floor and lid do not yield: {:.3e} m³ of bodies enter, and the pressure rises everywhere by \
          K ΔV/V = {:.1} kPa, {relative:.0} % of what the soil bears round them ({:.1} kPa){over_strength}, and their resistance with it. A box \
-         {larger:.1} times as long, wide and deep has {:.0} % of it.",
+         {larger:.1} times as long, wide and deep has {:.0} % of it; boundaries at constant stress (`pressure` in domain.z_walls, x_walls, \
+         y_walls) have none.",
         entering,
         1e-3 * rise,
         1e-3 * closed.bearable,

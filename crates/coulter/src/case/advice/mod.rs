@@ -244,8 +244,7 @@ fn strength((case, path): (&Case, &str), soil: &Soil, notes: &mut Vec<String>) {
     }
     if dilation_angle > 0.0 && critical_density.is_none() {
         notes.push(format!(
-            "Dilation is not limited: over large displacements ψ > 0 makes the soil too strong. \
-             {path}.critical_density limits it."
+            "Dilation ends only when the soil has expanded by a quarter, and makes it too strong on the way; {path}.critical_density ends it earlier."
         ));
     }
     if let Potential::MenetreyWillam { meridional, deviatoric } = potential {

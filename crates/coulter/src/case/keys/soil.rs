@@ -24,7 +24,7 @@ pub(super) const SOIL: &[Key] = &[
     key("flow_potential", Kind::Choice(&POTENTIALS), Word("mohr-coulomb"), "Plastic flow potential: the Mohr–Coulomb pyramid with ψ in place of φ, or the smooth potential that Abaqus uses (mohr-coulomb)."),
     key("meridional_eccentricity", Kind::Number, Number(0.1), "How fast the smooth potential approaches its asymptote; has no effect without cohesion (menetrey-willam).").within(NOT_NEGATIVE),
     key("deviatoric_eccentricity", Kind::Number, Derived("(3 − sin φ)/(3 + sin φ)"), "Shape of the smooth potential in the deviatoric plane; 1 is a circle (menetrey-willam).").within(ECCENTRICITY),
-    key("critical_density", Kind::Quantity(DENSITY), Derived("none"), "Density below which the soil no longer dilates (mohr-coulomb, with dilation_angle).").within(POSITIVE),
+    key("critical_density", Kind::Quantity(DENSITY), Derived("0.8 of the density"), "Density below which the soil no longer dilates (mohr-coulomb, with dilation_angle).").within(POSITIVE),
     key("critical_friction_angle", Kind::Quantity(ANGLE), Derived("required for sand"), "Friction angle of the critical state in triaxial compression φ_cv; about the angle of repose (sand).").within(ACUTE).usually(CRITICAL_ANGLE),
     key("minimum_density", Kind::Quantity(DENSITY), Derived("required for sand"), "Dry density in the loosest state, at e_max (sand).").within(POSITIVE).usually(DRY_DENSITY),
     key("maximum_density", Kind::Quantity(DENSITY), Derived("required for sand"), "Dry density in the densest state, at e_min (sand).").within(POSITIVE).usually(DRY_DENSITY),
@@ -115,7 +115,9 @@ pub(super) const DOMAIN: &[Key] = &[
     key(
         "z",
         Kind::Range(LENGTH),
-        Derived("1.25 body lengths of soil, 0.4 of headroom, more where the heap of soil needs it"),
+        Derived(
+            "1.25 body lengths of soil (1.9 where nothing is towed), 0.4 of headroom, more where the heap of soil needs it",
+        ),
         "The box in height: floor and lid.",
     ),
     key("symmetric", Kind::Flag, Flag(false), "Model only y ≥ 0; y = 0 is a plane of symmetry."),
@@ -130,15 +132,21 @@ pub(super) const DOMAIN: &[Key] = &[
         "x_walls",
         Kind::WallPair,
         Walls(["smooth", "smooth"]),
-        "Walls at the low and the high end of x; `fixed` by default where ground.slope is given.",
+        "Walls at the low and the high end of x; `fixed` by default where ground.slope is given, `pressure` for none: the ground beyond bears \
+         its stress at rest.",
     ),
     key(
         "y_walls",
         Kind::WallPair,
         Walls(["smooth", "smooth"]),
-        "Walls at the low and the high end of y; `fixed` by default where ground.cross_slope is given.",
+        "Walls at the low and the high end of y; `fixed` by default where ground.cross_slope is given, `pressure` as along x.",
     ),
-    key("z_walls", Kind::WallPair, Walls(["fixed", "smooth"]), "Floor and lid."),
+    key(
+        "z_walls",
+        Kind::WallPair,
+        Walls(["fixed", "smooth"]),
+        "Floor and lid; a `pressure` lid keeps ground.overburden however the soil rises.",
+    ),
 ];
 
 /// Keys of what the grid follows.

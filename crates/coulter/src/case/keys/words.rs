@@ -40,7 +40,7 @@ pub const CONTACTS: [&str; 2] = ["penalty", "impulse"];
 /// Precisions of the soil's fields.
 pub const PRECISIONS: [&str; 2] = ["double", "single"];
 /// Boundary conditions of a wall.
-pub const WALLS: [&str; 2] = ["smooth", "fixed"];
+pub const WALLS: [&str; 3] = ["smooth", "fixed", "pressure"];
 /// Authors of the shape, depth and inclination factors of the bearing capacity model.
 pub const FACTORS: [&str; 3] = ["meyerhof", "hansen-vesic", "lyamin"];
 /// Soils with published pressure–sinkage parameters.

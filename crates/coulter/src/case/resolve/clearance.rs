@@ -10,6 +10,8 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 /// Sinkage of a body that is free to sink [body lengths]; chosen: the shipped disc sinks half as deep, a disc that does
 /// not turn up to three times.
 const FREE_SINKAGE: f64 = 0.1;
+/// The same for the height of the heap; chosen: air above it costs next to nothing, and soil that reaches the lid ends the run.
+const FREE_SINKAGE_AT_MOST: f64 = 1.0;
 /// Slope of a heap of cohesive or undrained soil [rad]; chosen: steeper than sand, and such soil does break up.
 const COHESIVE_SLOPE: f64 = FRAC_PI_4;
 /// Least slope of a heap [rad]; chosen: with less the foot of the heap would extend without limit.
@@ -80,6 +82,8 @@ impl SoilConditions {
 pub(in crate::case) struct Clearance {
     /// Above the undisturbed surface: the top of the heap.
     pub(in crate::case) above: f64,
+    /// The same if a body that is free to sink does so much more than expected.
+    pub(in crate::case) above_at_most: f64,
     /// In front of the low and the high end of the path along x.
     pub(in crate::case) along: [f64; 2],
     /// On either side of the path.
@@ -94,6 +98,7 @@ impl Clearance {
         let [low, high] = self.along;
         Self {
             above: self.above.max(other.above),
+            above_at_most: self.above_at_most.max(other.above_at_most),
             along: [low.max(other.along[0]), high.max(other.along[1])],
             sideways: self.sideways.max(other.sideways),
             below: self.below.max(other.below),
@@ -107,12 +112,17 @@ pub(in crate::case) fn deepest(body: &Body, soil: &SoilConditions, duration: f64
         let parts = body.surfaces();
         return parts.iter().map(|part| deepest(part, soil, duration)).fold(f64::NEG_INFINITY, f64::max);
     }
+    sunk(body, soil, duration, FREE_SINKAGE)
+}
+
+/// Depth of the lowest point of a body without parts [m]; where it is free to sink at least so many body lengths.
+fn sunk(body: &Body, soil: &SoilConditions, duration: f64, free: f64) -> f64 {
     let size = body.size();
-    let free = match body.guided().translation[2] {
-        Motion::Free { .. } => FREE_SINKAGE * size.x.max(size.z),
+    let least = match body.guided().translation[2] {
+        Motion::Free { .. } => free * size.x.max(size.z),
         _ => 0.0,
     };
-    (soil.surface - path(body, duration).low.z).max(free).min(soil.surface - soil.floor)
+    (soil.surface - path(body, duration).low.z).max(least).min(soil.surface - soil.floor)
 }
 
 /// The clearance that a body needs round its path: the largest that any of its parts needs.
@@ -129,9 +139,12 @@ pub(in crate::case) fn clearance(body: &Body, soil: &SoilConditions, duration: f
         return Clearance::default();
     }
     if depth <= 0.0 {
-        return Clearance { above: soil.run_up(), ..Clearance::default() };
+        return Clearance { above: soil.run_up(), above_at_most: soil.run_up(), ..Clearance::default() };
     }
-    pressed(body, soil, depth, duration).and(towed(body, soil, depth, duration))
+    let at_most = sunk(body, soil, duration, FREE_SINKAGE_AT_MOST);
+    let [own, deeper] = [depth, at_most]
+        .map(|depth| pressed(body, soil, depth, duration).and(towed(body, soil, depth, duration)));
+    Clearance { above_at_most: own.above.max(deeper.above), ..own }
 }
 
 /// Clearance for the heap and the failure zone of a tow.
@@ -148,7 +161,7 @@ fn towed(body: &Body, soil: &SoilConditions, depth: f64, duration: f64) -> Clear
     let along = [if moved.x < 0.0 { ahead } else { 0.0 }, if moved.x > 0.0 { ahead } else { 0.0 }];
     // The crescents at the ends of a face extend as far as the wedge in front of it.
     let sideways = if moved.y == 0.0 { wedge + foot } else { ahead };
-    Clearance { above, along, sideways, below: 0.0 }
+    Clearance { above, along, sideways, ..Clearance::default() }
 }
 
 /// Clearance for a body that sinks: the heave next to it, and the failure zone under a footing.
@@ -169,7 +182,7 @@ fn pressed(body: &Body, soil: &SoilConditions, depth: f64, duration: f64) -> Cle
     let reach = FOOTING_FRACTION * breadth * flank * (FRAC_PI_2 * phi.tan()).exp();
     let spiral = 0.5 * breadth * phi.cos() / (FRAC_PI_4 - 0.5 * phi).sin().max(f64::MIN_POSITIVE);
     let below = FOOTING_FRACTION * spiral * ((FRAC_PI_4 + 0.5 * phi) * phi.tan()).exp();
-    Clearance { above, along: [reach; 2], sideways: reach, below }
+    Clearance { above, along: [reach; 2], sideways: reach, below, ..Clearance::default() }
 }
 
 /// Height of the heap [m] formed by the swept soil, `area` over the body's width [m²]: a wedge at the slope of repose in

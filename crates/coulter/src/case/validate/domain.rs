@@ -3,7 +3,7 @@
 use crate::case::numbers::{in_order, in_range};
 use crate::case::problem::Problems;
 use crate::case::quantity::plain;
-use crate::case::resolved::{Domain, Ground, Wall};
+use crate::case::resolved::{Case, Domain, Ground, Wall};
 use glam::DVec3;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -38,7 +38,11 @@ pub(in crate::case) fn domain(domain: &Domain, problems: &mut Problems) {
 }
 
 fn walls(domain: &Domain, problems: &mut Problems) {
-    let [x, y, _] = domain.walls;
+    let [x, y, z] = domain.walls;
+    if z[0] == Wall::Pressure {
+        let message = "a floor at constant stress bears no more than the soil at rest: everything would sink";
+        problems.add("domain.z_walls", message, "let z_walls begin with \"fixed\" or \"smooth\"");
+    }
     let slab_is_fixed = domain.plane_strain && y != [Wall::Smooth; 2];
     if slab_is_fixed || domain.symmetric && y[0] != Wall::Smooth {
         let message = "a plane of symmetry, or of plane strain, is smooth";
@@ -64,6 +68,35 @@ pub(super) fn ground_numbers(ground: &Ground, problems: &mut Problems) {
 
 /// Depth of the soil over the height of the box that counts as none.
 const NO_SOIL: f64 = 1e-6;
+
+/// Reports boundaries at constant stress that the ground or a grid that follows a body contradicts.
+pub(in crate::case) fn constant_stress(case: &Case, problems: &mut Problems) {
+    let domain = &case.domain;
+    if !domain.walls.as_flattened().contains(&Wall::Pressure) {
+        return;
+    }
+    if matches!(case.ground, Ground::Column { .. }) {
+        let message =
+            "no ground lies beyond the boundaries of a column, which has none to bear its stress at rest";
+        problems.add("domain", message, "write \"smooth\" or \"fixed\" instead of \"pressure\"");
+    }
+    let is_covered = case.ground.surface() >= domain.high.z;
+    if domain.lid() == Wall::Pressure && !(is_covered && case.overburden > 0.0) {
+        let message = "a lid of constant pressure needs soil up to the lid and the pressure on it";
+        let cure =
+            "give ground.overburden, and let domain.z end at ground.surface; a free surface needs no lid";
+        problems.add("domain.z_walls", message, cure);
+    }
+    for (axis, name) in AXES.into_iter().enumerate() {
+        let follows = case.grid.follow.is_some_and(|follow| follow.axes[axis]);
+        if follows && domain.walls[axis].contains(&Wall::Pressure) {
+            let message = format!(
+                "there are no walls along {name} in a grid that follows a body: ground enters there already"
+            );
+            problems.add(format!("domain.{name}_walls"), message, "remove it");
+        }
+    }
+}
 
 /// Reports ground that does not fit into the box.
 pub(in crate::case) fn ground(ground: &Ground, domain: &Domain, problems: &mut Problems) {

@@ -95,6 +95,7 @@ fn parts(case: &Case, problems: &mut Problems) {
 fn fits_together(case: &Case, problems: &mut Problems) {
     domain::ground(&case.ground, &case.domain, problems);
     domain::velocity(case.velocity, &case.domain, problems);
+    domain::constant_stress(case, problems);
     soil::overburden(case.overburden, &case.soil, case.ground.surface(), &case.domain, problems);
     soil::slope(case, problems);
     soil::growing_strength(case, problems);

@@ -40,6 +40,8 @@ pub struct MaterialConstants {
     pub(super) critical_density: Real,
     /// Density in its densest state without pressure [kg/m³].
     pub(super) densest: Real,
+    /// Density below which it bears no pressure [kg/m³]; 0 for none.
+    pub(super) loosest: Real,
     pub(super) viscosity: BulkViscosity,
     /// ε ρ c / 4 [kg/(s m²)].
     pub(super) hourglass: Real,
@@ -59,6 +61,7 @@ impl MaterialConstants {
             yield_law: material.yield_law.as_ref().map(Law::cast),
             critical_density: material.critical_density.unwrap_or(0.0) as Real,
             densest: material.densest() as Real,
+            loosest: material.loosest() as Real,
             viscosity: BulkViscosity::cast(&material.viscosity(method.bulk_viscosity)),
             hourglass,
         }

@@ -12,6 +12,7 @@ use super::{Coefficients, PortionScratch, Real, Soil, State, Workspace};
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::threads::team_items;
 use crate::cpu::workspace::{COEFFICIENTS, NODE_SUMS, RowSums, StageSums};
+use crate::exact_sum::ExactSum;
 use crate::fields::HISTORY_COUNT;
 use crate::grid::Grid;
 use crate::model::Model;
@@ -203,6 +204,7 @@ fn strain_and_move(inputs: &Inputs, slice: &mut PortionSlice) {
     let clock = Instant::now();
     let lengths @ [row, _] = [inputs.grid.stride[1], inputs.grid.padded_nodes()];
     let waiting_rows = inputs.waiting(slice);
+    slice.scratch.dissipated_beyond = ExactSum::default();
     slice.scratch.below.fill(0.0);
     set_to_zero(&mut slice.scratch.coefficients[0]);
     for (n, row_and_plane) in slice.rows.clone().map(|r| inputs.grid.row_and_plane(r)).enumerate() {
@@ -262,6 +264,7 @@ fn move_waiting(inputs: &Inputs, slice: &mut PortionSlice) {
     }
     let own = slice.rows.clone().zip(&*slice.sums).filter(|(row, _)| inputs.grid.owned_row(*row).is_some());
     slice.scratch.sums = StageSums::of(own.map(|(_, sums)| sums));
+    slice.scratch.sums.add_beyond(slice.scratch.dissipated_beyond);
 }
 
 /// Sets force coefficients to zero, unless they are.
@@ -277,9 +280,11 @@ fn strain_row_of(inputs: &Inputs, slice: &mut PortionSlice, [q, plane]: [usize; 
     let grid = inputs.grid;
     let [_, row, stride] = grid.stride;
     let length = grid.padded_row();
-    let PortionScratch { coefficients: [_, ahead], block, stopwatch, .. } = &mut *slice.scratch;
+    let PortionScratch { coefficients: [_, ahead], block, stopwatch, dissipated_beyond, .. } =
+        &mut *slice.scratch;
     let is_strained = inputs.row_is_strained[plane * grid.rows() + q];
-    if !is_strained || !grid.is_inside([q, plane]) {
+    let is_inside = grid.is_inside([q, plane]);
+    if !is_strained || !(is_inside || inputs.model.boundaries.strain_row(grid, [q, plane])) {
         set_to_zero(ahead);
         return;
     }
@@ -302,12 +307,29 @@ fn strain_row_of(inputs: &Inputs, slice: &mut PortionSlice, [q, plane]: [usize; 
         std::array::from_fn(|_| out.next().map_or(Default::default(), |f| &mut f[1..1 + length]));
     let sums = &mut slice.sums[n];
     (sums.plastic, sums.viscous, sums.hourglass, sums.seepage, sums.yields) = (0.0, 0.0, 0.0, 0.0, 0);
+    // What is dissipated beyond a boundary at constant stress is the ground's there.
+    let mut beyond = RowSums::default();
     let material = inputs.material.get(start..start + length).unwrap_or_default();
-    for (run, number) in runs(material, grid.strained_columns()) {
-        let constants = inputs.cells.of(&inputs.materials[number]);
-        let work = (&mut **block, &mut *stopwatch);
-        strain_cells(&constants, &node_rows, (&mut cell_row, run), work, &mut forces, sums);
+    for (columns, is_beyond) in strained_columns(inputs.model, is_inside) {
+        let sums = if is_beyond { &mut beyond } else { &mut *sums };
+        for (run, number) in runs(material, columns) {
+            let constants = inputs.cells.of(&inputs.materials[number]);
+            let work = (&mut **block, &mut *stopwatch);
+            strain_cells(&constants, &node_rows, (&mut cell_row, run), work, &mut forces, sums);
+        }
     }
+    if grid.accounts_for(1, q - 1 + grid.first[1]) && grid.accounts_for(2, plane - 1 + grid.first[2]) {
+        dissipated_beyond.add(beyond.dissipated());
+    }
+}
+
+/// The columns of a row of cells that are strained, in parts that lie in the domain or beyond it.
+fn strained_columns(model: &Model, is_inside: bool) -> impl Iterator<Item = (Range<usize>, bool)> {
+    let (grid, all) = (&model.grid, model.boundaries.strained(&model.grid, 0));
+    let inside = grid.inside(0);
+    let own = if all == inside { grid.strained_columns() } else { inside.clone() };
+    let parts = [(all.start..inside.start, true), (own, !is_inside), (inside.end..all.end, true)];
+    parts.into_iter().filter(|(columns, _)| !columns.is_empty())
 }
 
 /// Moves the `n`th row of nodes of a slice under the forces in the row buffer.
@@ -338,6 +360,12 @@ fn move_row_of(inputs: &Inputs, slice: &mut PortionSlice, row_and_plane: [usize;
 fn apply_boundaries(inputs: &Inputs, [q, plane]: [usize; 2], velocity: &mut [&mut [Real]; 3]) {
     let Inputs { grid, model, .. } = inputs;
     let nodes = grid.cells()[0] + 1;
+    // The first nodes that are held at the high end, and those after the last at the low end.
+    let held = |axis: usize| {
+        let inside = grid.inside(axis);
+        let [low, high] = [0, 1].map(|end| usize::from(model.boundaries.of_block(grid, axis, end).yields()));
+        [inside.start + 1 - low, inside.end + high]
+    };
     let mut hold = |[axis, end]: [usize; 2], columns: Range<usize>| {
         for (v, held) in velocity.iter_mut().zip(model.boundaries.of_block(grid, axis, end).holds(axis)) {
             if held {
@@ -346,15 +374,15 @@ fn apply_boundaries(inputs: &Inputs, [q, plane]: [usize; 2], velocity: &mut [&mu
         }
     };
     for (axis, layer) in [(1, q - 1), (2, plane - 1)] {
-        let inside = grid.inside(axis);
-        if layer <= inside.start {
+        let [low, high] = held(axis);
+        if layer < low {
             hold([axis, 0], 0..nodes);
         }
-        if layer >= inside.end {
+        if layer >= high {
             hold([axis, 1], 0..nodes);
         }
     }
-    let inside = grid.inside(0);
-    hold([0, 0], 0..inside.start + 1);
-    hold([0, 1], inside.end..nodes);
+    let [low, high] = held(0);
+    hold([0, 0], 0..low);
+    hold([0, 1], high.min(nodes)..nodes);
 }

@@ -174,14 +174,15 @@ fn update_cells(constants: &RowConstants, cells: &mut CellRow, columns: Range<us
     }
 }
 
-/// Soil with a gap was mixed with soil under pressure: lets the pressure close the gap, or its volume is lost.
+/// Soil with a gap was mixed with soil under pressure: lets the pressure close the gap, or its volume is lost. Soil looser than it can be has a gap.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw+avx2+fma", "x86_64+avx2+fma"))]
 fn close_gaps(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
     let (start, n) = (b.start, b.n.min(BLOCK));
     let own = start..start + n;
     let (fraction, gap_strain) = (&cells.fraction[own.clone()], &cells.history[GAP_STRAIN][own.clone()]);
     let (mass, width) = (&cells.mass[own.clone()], &constants.width_x[own.clone()]);
-    let densest = constants.material.densest * cells.width_y * cells.width_z;
+    let area = cells.width_y * cells.width_z;
+    let [densest, loosest] = [constants.material.densest, constants.material.loosest].map(|d| d * area);
     let stress = cells.stress.each_ref().map(|s| &s[own.clone()]);
     let (bulk, stiffening) = (constants.material.elastic.bulk, constants.material.stiffening);
     for i in 0..n {
@@ -190,8 +191,11 @@ fn close_gaps(constants: &RowConstants, cells: &CellRow, b: &mut Block) {
         let bulk = stiffening.map_or(bulk, |stiffening| bulk * stiffening.factor(pressure));
         let most = pressure / bulk;
         // The mean of two gaps is more than mixed soil can close by, since a gap is a logarithmic strain.
+        // Soil that is too loose for its gap to tell all has at least one up to where it bears pressure.
+        let loose = loosest * width[i] * fraction[i] / mass[i] - 1.0;
+        let gap = if gap_strain[i] > loose { gap_strain[i] } else { loose };
         let room = densest * width[i] * fraction[i] / mass[i] - 1.0 + most;
-        let gap = if gap_strain[i] < room { gap_strain[i] } else { room };
+        let gap = if gap < room { gap } else { room };
         let gap = if gap > 0.0 { gap } else { 0.0 };
         let closes = (gap > 0.0) & (pressure > 0.0);
         let closed = if gap < most { gap } else { most };

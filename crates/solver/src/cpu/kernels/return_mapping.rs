@@ -311,6 +311,7 @@ mod tests {
             yield_law: None,
             critical_density: 0.0,
             densest: DENSITY,
+            loosest: 0.0,
             stiffening: None,
             viscosity: BulkViscosity { linear: 0.0, quadratic: 0.0 },
             hourglass: 0.0,
