@@ -1,7 +1,7 @@
 //! The energy balance of soil and bodies.
 
 use crate::contact::ContactWork;
-use crate::cpu::workspace::RowSums;
+use crate::cpu::stage_sums::RowSums;
 use crate::energy;
 use crate::halo::Halo;
 use crate::model::Model;

@@ -1,6 +1,6 @@
 //! The check at the end of a step: whether the state can still be trusted.
 
-use crate::cpu::workspace::RowSums;
+use crate::cpu::stage_sums::RowSums;
 use crate::error::{Breakdown, Location};
 use crate::halo::Halo;
 use crate::model::Model;

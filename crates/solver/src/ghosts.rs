@@ -38,10 +38,10 @@ pub(crate) fn follow<R: Precision>(model: &Model, state: &mut State<R>) {
 }
 
 /// The ghost layers during a remap.
-pub(crate) struct Ghosts<R> {
+pub(crate) struct Ghosts<'a, R> {
     undisturbed: Undisturbed<R>,
     /// The cells that bodies occupied at the last contact search.
-    bodies: Vec<BodyCell>,
+    bodies: &'a [BodyCell],
     /// What they held after they were filled last.
     held: Content,
 }
@@ -49,17 +49,17 @@ pub(crate) struct Ghosts<R> {
 /// Volume [m³], mass [kg] and elastic energy [J] of the soil in the ghost layers.
 type Content = [f64; 3];
 
-impl<R: Precision> Ghosts<R> {
+impl<'a, R: Precision> Ghosts<'a, R> {
     /// Those of a grid with open faces, before the first sweep; `volume` is that of the soil in the displaced cells [m³].
     pub(crate) fn new(
         model: &Model,
         state: &State<R>,
         volume: &[R],
-        (bodies, halo): (&[BodyCell], &Halo),
+        (bodies, halo): (&'a [BodyCell], &Halo),
     ) -> Option<Self> {
         model.grid.has_open_faces().then(|| Self {
             undisturbed: Undisturbed::new(model, state.grid_position),
-            bodies: bodies.to_vec(),
+            bodies,
             held: content(model, &state.soil, volume, halo),
         })
     }
@@ -107,7 +107,7 @@ impl<R: Precision> Ghosts<R> {
         if !model.boundaries.have_constant_stress() {
             return;
         }
-        for own in &self.bodies {
+        for own in self.bodies {
             let (c, space) = (own.cell, 1.0 - own.fraction);
             let fraction = soil.fraction[c].to_f64();
             if model.grid.is_in_domain(c) || fraction <= space {

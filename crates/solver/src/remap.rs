@@ -78,7 +78,7 @@ fn fill_swept<R: Precision>(
     model: &Model,
     state: &mut State<R>,
     workspace: &mut SoilWorkspace<R>,
-    (ghosts, halo): (Option<&mut Ghosts<R>>, &Halo),
+    (ghosts, halo): (Option<&mut Ghosts<'_, R>>, &Halo),
 ) {
     let grid = &model.grid;
     let [soil, cell, _] = &mut workspace.velocity_before;

@@ -4,7 +4,7 @@ use crate::balance::account;
 use crate::bodies;
 use crate::check::check;
 use crate::contact;
-use crate::cpu::workspace::RowSums;
+use crate::cpu::stage_sums::RowSums;
 use crate::error::Breakdown;
 use crate::halo::filling::{At, begin_filling, end_filling};
 use crate::model::Model;

@@ -90,6 +90,7 @@ fn relieved<R: Precision>() {
     let now = elastic_energy(&model, &state, &Halo::whole()) + kinetic_energy(&model, &state, &Halo::whole());
     let spent = balance.plastic + balance.viscous + balance.hourglass + balance.remap;
     let unexplained = now + spent - balance.elastic_start - balance.inflow_elastic - balance.external;
+    // 1.2 % was found before the limit was set.
     assert!(unexplained.abs() < 0.02 * balance.external.abs(), "{unexplained} J of {} J", balance.external);
 }
 

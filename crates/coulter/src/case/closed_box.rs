@@ -1,7 +1,7 @@
 //! Soil that fills its box up to the lid: walls, floor and lid do not yield, and what enters compresses all of it.
 
 use super::path::range;
-use super::resolved::{Body, Case, Ground, Soil, Wall};
+use super::resolved::{Body, Case, Ground, Soil};
 use super::water::of_width;
 use glam::DVec3;
 
@@ -28,9 +28,8 @@ impl ClosedBox {
         let Ground::Level { surface } = case.ground else { return None };
         let size = case.domain.high - case.domain.low;
         let is_full = case.domain.high.z - surface <= 1e-9 * size.z;
-        let yields = case.domain.walls.as_flattened().contains(&Wall::Pressure);
         if !is_full
-            || yields
+            || case.domain.yields()
             || case.grid.follow.is_some()
             || !case.relief.is_level()
             || case.bodies.is_empty()

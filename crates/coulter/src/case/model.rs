@@ -93,7 +93,7 @@ pub(crate) fn materials(case: &Case) -> Vec<Material> {
 /// Density at which soil with ψ > 0 ceases to dilate over that at the start, where no critical density is given; chosen: from its densest to
 /// its loosest state sand expands by about a quarter. Without an end a random case fell to a seventh of its density, too light for the time
 /// step.
-pub(super) const LOOSEST: f64 = 0.8;
+const FULLY_DILATED: f64 = 0.8;
 
 /// Mean pressure below which the elastic moduli of sand are constant [Pa]: no test was made at less.
 const CONSTANT_BELOW: f64 = 1e3;
@@ -107,7 +107,7 @@ pub fn material(soil: &resolved::Soil) -> Material {
         yield_law: yield_law(elastic, soil.law),
         critical_density: match soil.law {
             Law::MohrCoulomb { critical_density, dilation_angle, .. } => {
-                critical_density.or((dilation_angle > 0.0).then_some(LOOSEST * soil.density))
+                critical_density.or((dilation_angle > 0.0).then_some(FULLY_DILATED * soil.density))
             }
             Law::Elastic | Law::Tresca { .. } | Law::VonMises { .. } | Law::Sand { .. } => None,
         },

@@ -495,6 +495,12 @@ pub struct Domain {
 }
 
 impl Domain {
+    /// Whether any boundary is at constant stress.
+    #[must_use]
+    pub fn yields(&self) -> bool {
+        self.walls.as_flattened().contains(&Wall::Pressure)
+    }
+
     /// The boundary at the top.
     #[must_use]
     pub fn lid(&self) -> Wall {

@@ -150,7 +150,7 @@ pub const LEAK: Limit = Limit {
     doubtful: 1.0,
     more_is_better: false,
     meaning: "soil inside the body (all in the cells that it fills; in those that it cuts what is compressed by more than a tenth for want of space) over its volume below the surface, at least a layer of one cell over its base, averaged over the steady window, or at the end where that is more; of a body that was never below the surface, the most at any time over its whole volume",
-    reason: "soil that leaks into a body exerts no force on it; footings, walls and inclined plates of the verification suite with 0.1 to 0.7 % agree with exact solutions within their tolerance (the aim of the suite is 0.1 %, C4); what cut cells have no space for is compressed as the body moves on: three random cases with 2.5 to 3.4 % of it were within 18 % of cells half as wide",
+    reason: "soil that leaks into a body exerts no force on it; footings, walls and inclined plates of the verification suite with 0.1 to 0.7 % agree with exact solutions within their tolerance (the aim of the suite is 0.1 %, C4); what cut cells have no space for is compressed as the body moves on: two random cases with 2.5 and 3.0 % of it were within 13 % of cells half as wide",
     advice: "use a finer grid, or a body with fewer sharp edges oblique to the grid; cells that are long and flat leak more than cubes",
 };
 

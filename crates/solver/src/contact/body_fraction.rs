@@ -136,7 +136,7 @@ fn cells_in(grid: &Grid, (low, high): (DVec3, DVec3)) -> impl Iterator<Item = [u
 }
 
 /// Compression of the soil in a cut cell up to which overlap is no leak: as the body moves on it is compressed by so much before the next
-/// remap (chosen: random cases on coarse cells with 3 % of the embedded volume in such overlaps were within 18 % of cells half as wide).
+/// remap (chosen: two random cases on four and six cells with 2.5 and 3.0 % of the embedded volume in such overlaps were within 13 % of cells half as wide).
 const PENDING: f64 = 0.1;
 
 /// Measures the embedded volume of each body, and the leak into it: the volume of soil in the cells that bodies fill, and of what finds no

@@ -9,7 +9,7 @@
 //!
 //! All sums over neighbours are taken in an order for which mirroring in y changes no bit.
 
-use super::body_fraction::{FILLED, find_bodies};
+use super::body_fraction::{FILLED, filled, find_bodies};
 use super::problem::{corners, over_corners};
 use super::workspace::ContactWorkspace;
 use crate::cpu::threads::Crew;
@@ -41,23 +41,37 @@ pub(crate) fn remove_overlap<R: Precision>(
     let mut cells: Vec<usize> = own.filter(|cell| model.grid.is_in_domain(*cell)).collect();
     cells.sort_unstable();
     cells.dedup();
-    let filled: Vec<usize> = {
-        let body_fraction = &soil.velocity_before[0];
-        cells.iter().copied().filter(|c| body_fraction[*c].to_f64() >= FILLED).collect()
-    };
-    for (cells, room) in [(&cells, Room::Space); ROUNDS].into_iter().chain([(&filled, Room::Soil)]) {
-        let fractions = [&state.soil.fraction, &soil.velocity_before[0]].map(Vec::as_slice);
-        let transfers = distribute(&model.grid, (fractions, room), cells, soil.crew());
-        let mut left = [transfers.len() as i64];
-        halo.add(&mut left);
-        if left == [0] {
-            continue;
+    let mut filled = filled(&contact.body_cells);
+    filled.retain(|cell| model.grid.is_in_domain(*cell));
+    let mut round = |cells: &[usize], room| redistribute(model, state, (soil, halo), cells, room);
+    for _ in 0..ROUNDS {
+        if !round(&cells, Room::Space) {
+            break;
         }
-        transfer(model, state, soil, &transfers);
-        fill(halo, &model.grid, At::Cells, state.soil.arrays_mut());
-        let nodes = state.nodes.velocity.iter_mut().chain([&mut state.nodes.mass]);
-        fill(halo, &model.grid, At::Nodes, nodes);
     }
+    round(&filled, Room::Soil);
+}
+
+/// One round: moves what overlaps in some cells; returns whether anything did in any block.
+fn redistribute<R: Precision>(
+    model: &Model,
+    state: &mut State<R>,
+    (soil, halo): (&mut SoilWorkspace<R>, &Halo),
+    cells: &[usize],
+    room: Room,
+) -> bool {
+    let fractions = [&state.soil.fraction, &soil.velocity_before[0]].map(Vec::as_slice);
+    let transfers = distribute(&model.grid, (fractions, room), cells, soil.crew());
+    let mut left = [transfers.len() as i64];
+    halo.add(&mut left);
+    if left == [0] {
+        return false;
+    }
+    transfer(model, state, soil, &transfers);
+    fill(halo, &model.grid, At::Cells, state.soil.arrays_mut());
+    let nodes = state.nodes.velocity.iter_mut().chain([&mut state.nodes.mass]);
+    fill(halo, &model.grid, At::Nodes, nodes);
+    true
 }
 
 /// Where overlapping soil goes.

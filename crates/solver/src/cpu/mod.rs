@@ -4,6 +4,7 @@ pub(crate) mod kernels;
 pub mod machine;
 pub mod partition;
 pub(crate) mod seepage;
+pub(crate) mod stage_sums;
 pub mod stopwatch;
 pub mod threads;
 pub(crate) mod workspace;

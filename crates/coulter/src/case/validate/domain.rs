@@ -72,7 +72,7 @@ const NO_SOIL: f64 = 1e-6;
 /// Reports boundaries at constant stress that the ground or a grid that follows a body contradicts.
 pub(in crate::case) fn constant_stress(case: &Case, problems: &mut Problems) {
     let domain = &case.domain;
-    if !domain.walls.as_flattened().contains(&Wall::Pressure) {
+    if !domain.yields() {
         return;
     }
     if matches!(case.ground, Ground::Column { .. }) {

@@ -9,9 +9,10 @@ use super::cells::{CellRow, MaterialConstants, RowConstants, cells_of, runs};
 use super::nodes::{NodeConstants, NodeRow, finish_row, gather_forces, move_row};
 use super::stress::{NodeRows, strain_cells};
 use super::{Coefficients, PortionScratch, Real, Soil, State, Workspace};
+use crate::cpu::stage_sums::{RowSums, StageSums};
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::threads::team_items;
-use crate::cpu::workspace::{COEFFICIENTS, NODE_SUMS, RowSums, StageSums};
+use crate::cpu::workspace::{COEFFICIENTS, NODE_SUMS};
 use crate::exact_sum::ExactSum;
 use crate::fields::HISTORY_COUNT;
 use crate::grid::Grid;
@@ -283,8 +284,7 @@ fn strain_row_of(inputs: &Inputs, slice: &mut PortionSlice, [q, plane]: [usize; 
     let PortionScratch { coefficients: [_, ahead], block, stopwatch, dissipated_beyond, .. } =
         &mut *slice.scratch;
     let is_strained = inputs.row_is_strained[plane * grid.rows() + q];
-    let is_inside = grid.is_inside([q, plane]);
-    if !is_strained || !(is_inside || inputs.model.boundaries.strain_row(grid, [q, plane])) {
+    if !is_strained || !inputs.model.boundaries.strain_row(grid, [q, plane]) {
         set_to_zero(ahead);
         return;
     }
@@ -310,7 +310,7 @@ fn strain_row_of(inputs: &Inputs, slice: &mut PortionSlice, [q, plane]: [usize; 
     // What is dissipated beyond a boundary at constant stress is the ground's there.
     let mut beyond = RowSums::default();
     let material = inputs.material.get(start..start + length).unwrap_or_default();
-    for (columns, is_beyond) in strained_columns(inputs.model, is_inside) {
+    for (columns, is_beyond) in strained_columns(inputs.model, grid.is_inside([q, plane])) {
         let sums = if is_beyond { &mut beyond } else { &mut *sums };
         for (run, number) in runs(material, columns) {
             let constants = inputs.cells.of(&inputs.materials[number]);

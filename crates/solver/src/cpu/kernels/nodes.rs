@@ -3,7 +3,8 @@
 
 use super::Real;
 use super::lanes::{lane_max, lane_sum};
-use crate::cpu::workspace::{NODE_SUMS, RowSums};
+use crate::cpu::stage_sums::RowSums;
+use crate::cpu::workspace::NODE_SUMS;
 use crate::model::Model;
 use multiversion::multiversion;
 
