@@ -1,7 +1,7 @@
-//! Slivers of soil in cells that bodies fill: they are carried along.
+//! Remnants of soil in cells that bodies fill: they are carried along.
 //!
 //! A body that moves on leaves a little soil in the cells that it comes to fill. The nodes round it have no other soil, and nothing but the
-//! stress of the sliver would resist the pressure of contact, which would drive them on for ever. They move with the body instead, and
+//! stress of the remnant would resist the pressure of contact, which would drive them on for ever. They move with the body instead, and
 //! contact does not act on them.
 
 use super::body_fraction::{BodyCell, FILLED, by_cell};
@@ -14,9 +14,9 @@ use crate::state::State;
 use glam::DVec3;
 use std::collections::BTreeMap;
 
-/// Mass of a node over that of one in the midst of soil up to which it belongs to a sliver (chosen: twice what cells that are just filled
+/// Mass of a node over that of one in the midst of soil up to which it belongs to a remnant (chosen: twice what cells that are just filled
 /// have space for).
-pub(super) const SLIVER: f64 = 0.1;
+pub(super) const REMNANT: f64 = 0.1;
 
 /// Whether all soil round a node lies in cells that bodies fill.
 pub(super) fn is_among_filled<R: Scalar>(
@@ -29,7 +29,7 @@ pub(super) fn is_among_filled<R: Scalar>(
     cells.into_iter().all(|c| soil.fraction[c] <= R::default() || is_filled(c))
 }
 
-/// Gives the nodes of slivers the velocity of the body in which they lie; after a remap.
+/// Gives the nodes of remnants the velocity of the body in which they lie; after a remap.
 pub(crate) fn carry<R: Scalar>(model: &Model, state: &mut State<R>, body_cells: &[BodyCell]) {
     let grid = &model.grid;
     let mut occupied = by_cell(body_cells);
@@ -42,8 +42,8 @@ pub(crate) fn carry<R: Scalar>(model: &Model, state: &mut State<R>, body_cells: 
         for offset in corners(grid.stride) {
             let node = cell + offset;
             let (mass, full) = (nodes.mass[node].to_f64(), density * grid.volume_round(grid.layers_of(node)));
-            let is_sliver = mass > model.mass_moved() && mass < SLIVER * full;
-            if is_sliver && is_among_filled(grid, soil, node, |c| occupied.contains_key(&c)) {
+            let is_remnant = mass > model.mass_moved() && mass < REMNANT * full;
+            if is_remnant && is_among_filled(grid, soil, node, |c| occupied.contains_key(&c)) {
                 carried.entry(node).or_insert(most.body);
             }
         }

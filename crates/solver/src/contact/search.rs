@@ -1,7 +1,7 @@
 //! Contact search: the cells in which contact points lie, and the gaps between body and soil.
 
 use super::body_fraction::{FILLED, find_bodies, measure_bodies};
-use super::carried::{SLIVER, is_among_filled};
+use super::carried::{REMNANT, is_among_filled};
 use super::law::ContactLaw;
 use super::neighbours::Neighbours;
 use super::problem::{corners, over_corners};
@@ -197,7 +197,7 @@ impl<R: Scalar> View<'_, R> {
             let mass = self.node_mass[base + offset].to_f64();
             let is_carried = || {
                 let is_filled = |c: usize| self.body_fraction[c].to_f64() >= FILLED;
-                mass < SLIVER * full && is_among_filled(grid, self.soil, base + offset, is_filled)
+                mass < REMNANT * full && is_among_filled(grid, self.soil, base + offset, is_filled)
             };
             let moves = mass > self.model.mass_moved() && !is_carried();
             weight[n] =
