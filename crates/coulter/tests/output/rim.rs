@@ -167,3 +167,28 @@ fn the_faces_of_a_block_are_told_apart() {
     let corners = table.column("x").unwrap().iter().zip(table.column("z").unwrap());
     assert!(corners.into_iter().all(|(x, z)| x.abs().min(z.abs()) < 0.05 - 0.0125));
 }
+
+/// In plane strain the margins along the edges of a body lie beside the slab: what the points of the base represent is the base, and
+/// a rough base that is dragged over clay bears α s_u of it.
+#[test]
+fn in_plane_strain_the_base_is_as_large_as_it_is() {
+    let changes = [
+        "grid.cell=\"125 mm\"",
+        "body.footing.friction=\"rough\"",
+        "body.footing.adhesion_factor=0.5",
+        "body.footing.heave={ speed = \"-0.002 m/s\" }",
+        "body.footing.forward={ speed = \"0.02 m/s\", ramp = \"0.2 s\" }",
+        "run.duration=\"1 s\"",
+    ];
+    let dir = tempfile::tempdir().unwrap();
+    let text = include_str!("../../../../cases/strip_footing.toml");
+    let all = changes.map(str::to_owned);
+    let summary = run(&case::parse(text, "case.toml", &all).unwrap(), dir.path());
+    let drag = summary.bodies["footing"].steady.drag.unwrap();
+    // A column of points of 28 at the rear edge may be free of soil.
+    assert!((drag / 500.0 - 1.0).abs() < 0.05, "{drag} N of α s_u B = 500 N");
+    let table = Table::read(&dir.path().join("rim.csv")).unwrap();
+    let base = |l: &dyn Fn(&str) -> f64| if l("z") < -0.249 { l("area") } else { 0.0 };
+    let area = sum(&table, base);
+    assert!((area - 1.0).abs() < 1e-9, "{area} m² of 1 m²");
+}

@@ -82,6 +82,23 @@ pub(crate) fn layout(model: &Model, body: &BodyModel) -> (DVec3, DVec3) {
     (if is_aligned { spacing } else { DVec3::splat(spacing.min_element()) }, inset)
 }
 
+/// Portion of a body's width along y that has contact points, where it passes through the grid from side to side: the margins along
+/// its edges then lie outside. 1 elsewhere.
+fn margins_outside(model: &Model, body: &BodyModel, margin: f64) -> f64 {
+    let (low, high) = body.bounds(&body.start);
+    let [first, last] = model.grid.ends(1);
+    let round_off = ROUND_OFF * (last - first);
+    let passes = low.y + margin <= first + round_off && high.y - margin >= last - round_off;
+    if passes { 1.0 - 2.0 * margin / (high.y - low.y) } else { 1.0 }
+}
+
+/// Takes margins off what the points represent, of faces that have such margins.
+fn leave_out_margins(points: &mut [SurfacePoint], portion: f64) {
+    for point in points.iter_mut().filter(|p| p.represents > (1.0 + ROUND_OFF) * p.area) {
+        point.represents *= portion;
+    }
+}
+
 /// The rim of a body, in bins.
 pub(crate) fn rim(model: &Model, body: &BodyModel) -> Rim {
     Rim::of(body.shape.as_ref(), RIM_BIN * model.grid.finest())
@@ -114,6 +131,7 @@ impl Surface {
             let (low, high) = (low - spacing.y, high + spacing.y);
             let across = |p: &SurfacePoint| body.start.position.y + body.rotated(&body.start, p.position).y;
             points.retain(|p| (low..=high).contains(&across(p)));
+            leave_out_margins(&mut points, margins_outside(model, body, inset.y));
         }
         let rim = rim(model, body);
         let mut surface = Self::of(&points, &rim, body.shape.mid_plane());
