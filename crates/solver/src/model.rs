@@ -134,9 +134,9 @@ fn of_axle(axle: DVec3) -> DQuat {
 /// A bin of a body's rim: what lies between two points of its outline.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct RimBin {
-    /// Its middle: the mean of its contact points.
+    /// Its middle: the mean of its samples.
     pub middle: RimPoint,
-    /// Area of the modelled portion of its surface [m²]; 0 where no contact point represents it, as next to a sharp edge.
+    /// Area of the modelled portion of its surface [m²]; 0 outside the grid.
     pub area: f64,
 }
 

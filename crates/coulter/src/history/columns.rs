@@ -435,12 +435,7 @@ pub const RIM: &[Column<RimLine>] = &[
         "distance along the outline from straight below, with the same sign",
         |l| &mut l.arc,
     ),
-    RimColumn::sampled(
-        "x",
-        "m",
-        "middle of the bin, the mean of its contact points, from the reference point",
-        |l| &mut l.x,
-    ),
+    RimColumn::sampled("x", "m", "middle of the bin, from the reference point", |l| &mut l.x),
     RimColumn::sampled("z", "m", "the same", |l| &mut l.z),
     RimColumn::sampled("area", "m^2", "area of the surface that it represents", |l| &mut l.area),
     RimColumn::sampled("contact", "-", "fraction of area and time in contact", |l| &mut l.contact),

@@ -103,7 +103,7 @@ pub struct RimPlace {
 pub struct RimAverage {
     /// Begin and end of the window [s].
     pub window: [f64; 2],
-    /// Its bins, in the order of their arcs, without those that no contact point represents.
+    /// Its bins, in the order of their arcs, without those that lie outside the grid.
     pub lines: Vec<RimLine>,
     /// Contribution of rim and flanks to the drag [N].
     pub drag: [f64; 2],

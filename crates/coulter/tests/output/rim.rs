@@ -163,9 +163,10 @@ fn the_faces_of_a_block_are_told_apart() {
     let (front, below) = (force(&|x, _| x > 0.0499, "drag"), force(&|_, z| z < -0.0499, "vertical"));
     assert!(front > 0.25 * rim.drag.unwrap() && below > 0.5 * rim.vertical.unwrap(), "{front} {below}");
     assert_eq!(force(&|x, _| x < -0.0499, "normal stress"), 0.0, "nothing presses from behind");
-    // Half a cell next to an edge has no contact points, and no line.
-    let corners = table.column("x").unwrap().iter().zip(table.column("z").unwrap());
-    assert!(corners.into_iter().all(|(x, z)| x.abs().min(z.abs()) < 0.05 - 0.0125));
+    // Half a cell next to an edge has no contact points, but bears its share.
+    let area = sum(&table, |l| if l("z") < -0.0499 { l("area") } else { 0.0 });
+    assert!((area - 0.01).abs() < 1e-9, "{area} m² of a base of 0.01 m²");
+    assert!(force(&|x, z| z < -0.0499 && x.abs() > 0.05 - 0.0125, "normal stress") > 0.0);
 }
 
 /// In plane strain the margins along the edges of a body lie beside the slab: what the points of the base represent is the base, and
@@ -191,4 +192,19 @@ fn in_plane_strain_the_base_is_as_large_as_it_is() {
     let base = |l: &dyn Fn(&str) -> f64| if l("z") < -0.249 { l("area") } else { 0.0 };
     let area = sum(&table, base);
     assert!((area - 1.0).abs() < 1e-9, "{area} m² of 1 m²");
+}
+
+/// Prandtl (1920): a smooth strip on undrained soil bears (2 + π) s_u at every point. Contact points beside each other bear 20 and 180 %
+/// of it; their nodes do not.
+#[test]
+fn a_footing_bears_the_same_at_every_point() {
+    let dir = tempfile::tempdir().unwrap();
+    let text = include_str!("../../../../cases/strip_footing.toml");
+    run(&case::parse(text, "case.toml", &["run.duration=\"2 s\"".to_owned()]).unwrap(), dir.path());
+    let table = Table::read(&dir.path().join("rim.csv")).unwrap();
+    let [z, stress] = ["z", "normal stress"].map(|name| table.column(name).unwrap());
+    let base: Vec<_> = z.iter().zip(stress).filter(|(z, _)| **z < -0.249).map(|(_, stress)| stress).collect();
+    assert_eq!(base.len(), 32);
+    let exact = 1e3 * (2.0 + std::f64::consts::PI);
+    assert!(base.iter().all(|stress| (*stress / exact - 1.0).abs() < 0.2), "{base:?}, {exact} Pa");
 }

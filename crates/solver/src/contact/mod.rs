@@ -23,6 +23,7 @@ mod overlap;
 mod penalty;
 mod pore_pressure;
 mod problem;
+mod rim_stress;
 mod search;
 mod slip;
 mod slip_terms;

@@ -11,6 +11,7 @@ use super::workspace::ContactWorkspace;
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::workspace::SoilWorkspace;
 use crate::fields::{INTACT_STRENGTH, PLASTIC_STRAIN};
+use crate::grid::Grid;
 use crate::halo::{self, Halo};
 use crate::model::{BodyModel, Model};
 use crate::scalar::Scalar;
@@ -83,6 +84,41 @@ fn all_contacts(found: Vec<Contact>, halo: &Halo) -> Vec<Contact> {
     halo::in_order(halo, own).into_iter().map(of).collect()
 }
 
+/// Where a point of a surface lies in the grid.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    /// Its cell, in the block.
+    pub(super) cell: [usize; 3],
+    /// The same in the whole grid.
+    pub(super) whole: [usize; 3],
+    /// The point, moved by round-off into its cell [m].
+    pub(super) probe: DVec3,
+    /// Trilinear shape functions of the cell's nodes.
+    pub(super) weight: [f64; 8],
+}
+
+/// Where a point of a surface lies, from its position in the grid, its lever arm and its normal; `None` outside the block.
+pub(super) fn place(grid: &Grid, in_grid: DVec3, (arm, normal): (DVec3, DVec3)) -> Option<Place> {
+    // A point on a face between two cells belongs to the outer one, a point on an edge to the cell nearer
+    // to the body's centre, so that mirror images belong to mirror images of cells.
+    let probe = in_grid + 1e-9 * grid.finest() * (normal - 0.5 * arm.signum() * (DVec3::ONE - normal.abs()));
+    let faces = &grid.faces;
+    let cell = [layer(&faces[0], probe.x)?, layer(&faces[1], probe.y)?, layer(&faces[2], probe.z)?];
+    let whole = grid.in_whole(cell);
+    let shape = shape_functions(grid, cell, in_grid);
+    let weight = std::array::from_fn(|n| shape[0][n & 1] * shape[1][n >> 1 & 1] * shape[2][n >> 2 & 1]);
+    grid.owns(whole).then_some(Place { cell, whole, probe, weight })
+}
+
+/// Linear shape functions of the low and the high node along each axis, each from the opposite face: mirroring in y only swaps them.
+fn shape_functions(grid: &Grid, cell: [usize; 3], position: DVec3) -> [[f64; 2]; 3] {
+    std::array::from_fn(|axis| {
+        let (faces, n) = (&grid.faces[axis], cell[axis]);
+        let value = |distance: f64| (distance / grid.width(axis, n)).clamp(0.0, 1.0);
+        [value(faces[n + 1] - position[axis]), value(position[axis] - faces[n])]
+    })
+}
+
 /// Layer of the cell that holds a coordinate, if it is inside the grid.
 fn layer(faces: &[f64], x: f64) -> Option<usize> {
     let n = faces.partition_point(|face| *face <= x);
@@ -145,19 +181,10 @@ impl<R: Scalar> View<'_, R> {
         (body, reference): (&BodyModel, DVec3),
     ) -> Option<Contact> {
         let position = reference + arm;
-        // A point on a face between two cells belongs to the outer one, a point on an edge to the cell nearer
-        // to the body's centre, so that mirror images belong to mirror images of cells.
-        let finest = self.model.grid.finest();
         let in_grid = position - self.grid_position;
-        let probe = in_grid + 1e-9 * finest * (normal - 0.5 * arm.signum() * (DVec3::ONE - normal.abs()));
-        let faces = &self.model.grid.faces;
-        let cell = [layer(&faces[0], probe.x)?, layer(&faces[1], probe.y)?, layer(&faces[2], probe.z)?];
-        let (base, whole) =
-            (self.model.grid.index(cell[0], cell[1], cell[2]), self.model.grid.in_whole(cell));
-        if !self.model.grid.owns(whole) {
-            return None;
-        }
-        let (weight, coverage) = self.weights(cell, in_grid)?;
+        let Place { cell, whole, probe, weight } = place(&self.model.grid, in_grid, (arm, normal))?;
+        let base = self.model.grid.index(cell[0], cell[1], cell[2]);
+        let (weight, coverage) = self.weights(cell, weight)?;
         let mut contact = Contact {
             cell: whole.map(|layer| layer as u32),
             octant: self.octant(cell, probe),
@@ -176,23 +203,15 @@ impl<R: Scalar> View<'_, R> {
         Some(contact)
     }
 
-    /// Trilinear weights of the cell's nodes, reduced at nodes with little mass, and the fraction of its area
+    /// Weights of the cell's nodes from their shape functions, reduced at nodes with little mass, and the fraction of its area
     /// that a point represents among such nodes: a few grains must not carry the whole contact pressure.
-    fn weights(&self, cell: [usize; 3], position: DVec3) -> Option<([f64; 8], f64)> {
+    fn weights(&self, cell: [usize; 3], shape: [f64; 8]) -> Option<([f64; 8], f64)> {
         const MASS_RATIO: f64 = 2.5;
         let grid = &self.model.grid;
         let base = grid.index(cell[0], cell[1], cell[2]);
         let density = self.model.materials[self.material_of(base)].density;
-        // Linear shape functions of the low and the high node, each from the opposite face: mirroring in y
-        // only swaps them.
-        let shape: [[f64; 2]; 3] = std::array::from_fn(|axis| {
-            let (faces, n) = (&grid.faces[axis], cell[axis]);
-            let value = |distance: f64| (distance / grid.width(axis, n)).clamp(0.0, 1.0);
-            [value(faces[n + 1] - position[axis]), value(position[axis] - faces[n])]
-        });
         let mut weight = [0.0; 8];
         for (n, offset) in corners(grid.stride).iter().enumerate() {
-            let factor = |axis: usize| shape[axis][n >> axis & 1];
             let full = density * grid.volume_round(std::array::from_fn(|axis| cell[axis] + (n >> axis & 1)));
             let mass = self.node_mass[base + offset].to_f64();
             let is_carried = || {
@@ -200,8 +219,7 @@ impl<R: Scalar> View<'_, R> {
                 mass < REMNANT * full && is_among_filled(grid, self.soil, base + offset, is_filled)
             };
             let moves = mass > self.model.mass_moved() && !is_carried();
-            weight[n] =
-                if moves { (factor(0) * factor(1) * factor(2)).min(MASS_RATIO * mass / full) } else { 0.0 };
+            weight[n] = if moves { shape[n].min(MASS_RATIO * mass / full) } else { 0.0 };
         }
         let sum = over_corners(weight);
         (sum > 1e-3).then(|| (weight.map(|w| w / sum), (2.0 * sum).min(1.0)))

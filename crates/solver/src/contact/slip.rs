@@ -17,8 +17,17 @@ pub(super) fn account_slip<R>(
     workspace: &mut ContactWorkspace,
     (moving, crew): (&Step, Crew),
 ) -> f64 {
-    let ContactWorkspace { surfaces, nodes, velocity, corner_nodes, impulses, pore_pressures, terms, .. } =
-        workspace;
+    let ContactWorkspace {
+        surfaces,
+        nodes,
+        velocity,
+        corner_nodes,
+        impulses,
+        pore_pressures,
+        terms,
+        rim_stress,
+        ..
+    } = workspace;
     let State { contacts, bodies, mechanism, .. } = state;
     // Twice the mean.
     velocity.iter_mut().zip(nodes).for_each(|(velocity, node)| *velocity += node.velocity_before);
@@ -32,8 +41,7 @@ pub(super) fn account_slip<R>(
                 let slip = mean_slip(c, velocity, &corner_nodes[n], moving);
                 let axle = mechanism.bodies[c.body as usize].pose.rotation * DVec3::Y;
                 let pressure = pore_pressures.get(n).copied().unwrap_or(0.0);
-                let point = surfaces[c.body as usize].point(c.point as usize);
-                let share = point.represents / point.area;
+                let share = surfaces[c.body as usize].represented(c) / c.area;
                 *terms = SlipTerms::of(model, (c, share), (&impulses[n], slip), (axle, pressure));
             }
         }
@@ -49,10 +57,10 @@ pub(super) fn account_slip<R>(
                     let water = terms.water * c.normal;
                     body.parts[part].add(impulses, water, c.arm, model.modelled_fraction());
                 }
-                body.rim[surface.bin_of(c.point)].add(&terms.sums);
             }
         }
     });
+    rim_stress.add(contacts, bodies, terms);
     terms.iter().fold(0.0, |sum, terms| sum + terms.dissipation)
 }
 
@@ -66,8 +74,21 @@ fn mean_slip(c: &Contact, twice: &[DVec3], corners: &[u32; 8], moving: &Step) ->
 }
 
 impl RimSums {
+    /// The impulses times one factor, contact and slip times another.
+    pub(super) fn times(&self, [impulses, contact]: [f64; 2]) -> Self {
+        Self {
+            contact: contact * self.contact,
+            normal: impulses * self.normal,
+            friction: impulses * self.friction,
+            friction_limit: impulses * self.friction_limit,
+            shear: self.shear.map(|s| impulses * s),
+            slip: self.slip.map(|s| contact * s),
+            impulse: impulses * self.impulse,
+        }
+    }
+
     /// Adds what a contact point contributes.
-    fn add(&mut self, other: &Self) {
+    pub(super) fn add(&mut self, other: &Self) {
         self.contact += other.contact;
         self.normal += other.normal;
         self.friction += other.friction;

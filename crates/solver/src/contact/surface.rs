@@ -1,6 +1,7 @@
 //! Contact points of a body's surface, stored compactly, since most of them never touch soil.
 
 use crate::model::{BodyModel, Model, RimBin};
+use crate::state::Contact;
 use glam::{DMat3, DVec3};
 use mechanics::Motion;
 use physics::shape::{Rim, SurfacePoint, inset_in_frame};
@@ -16,6 +17,8 @@ pub(crate) struct Surface {
     kinds: Vec<(DVec3, [f64; 2])>,
     /// The bins of the rim.
     rim: Vec<RimBin>,
+    /// Samples of the whole rim, up to its edges: positions and normals in the body frame [m], areas [m²] and bins.
+    samples: Vec<(DVec3, DVec3, f64, u16)>,
     /// Where the body's mid-plane is [m].
     middle: f64,
     /// Part of the body to which each point belongs; empty where there is only one.
@@ -135,7 +138,7 @@ impl Surface {
         }
         let rim = rim(model, body);
         let mut surface = Self::of(&points, &rim, body.shape.mid_plane());
-        surface.measure_rim(model, body);
+        surface.sample_rim(model, body, (&rim, spacing));
         if body.shape.parts() > 1 {
             surface.parts = points.iter().map(|point| body.shape.part_of(point.position) as u16).collect();
         }
@@ -158,11 +161,11 @@ impl Surface {
         });
         let points = kept.collect();
         kinds.shrink_to_fit();
-        Self { points, kinds, rim: bins, middle, parts: Vec::new() }
+        Self { points, kinds, rim: bins, samples: Vec::new(), middle, parts: Vec::new() }
     }
 
-    /// Finds the areas of the bins: those of the points that do not always stay outside the grid.
-    fn measure_rim(&mut self, model: &Model, body: &BodyModel) {
+    /// Samples the rim, without what always stays outside the grid, and finds the areas of its bins.
+    fn sample_rim(&mut self, model: &Model, body: &BodyModel, (rim, spacing): (&Rim, DVec3)) {
         let held: Vec<usize> = (0..2).filter(|axis| stays_across(body, *axis)).collect();
         let is_modelled = |position: DVec3| {
             let at = body.start.position + body.rotated(&body.start, position);
@@ -171,11 +174,26 @@ impl Surface {
                 (low..=high).contains(&at[*axis])
             })
         };
-        for (position, kind, bin) in &self.points {
-            if let Some(bin) = self.rim.get_mut(usize::from(*bin)).filter(|_| is_modelled(*position)) {
-                bin.area += self.kinds[(kind & !PAIRED) as usize].1[1];
+        let mut points = body.shape.surface_points(spacing, DVec3::ZERO);
+        points.retain(|point| is_modelled(point.position));
+        self.rim = bins(&points, rim);
+        for point in points {
+            if let Some((bin, _)) = rim.bin_of(point.position, point.normal) {
+                self.rim[bin].area += point.area;
+                self.samples.push((point.position, point.normal, point.area, bin as u16));
             }
         }
+    }
+
+    /// Samples of the whole rim: positions and normals in the body frame [m], areas [m²] and bins.
+    pub(crate) fn samples(&self) -> impl ExactSizeIterator<Item = (DVec3, DVec3, f64, usize)> + '_ {
+        self.samples.iter().map(|(position, normal, area, bin)| (*position, *normal, *area, (*bin).into()))
+    }
+
+    /// What a contact point of the surface represents, as far as it has soil to act on [m²].
+    pub(crate) fn represented(&self, c: &Contact) -> f64 {
+        let point = self.point(c.point as usize);
+        point.represents / point.area * c.area
     }
 
     /// The bins of the rim, in the order of their arcs.
@@ -212,6 +230,7 @@ impl Surface {
         size_of_val(self.points.as_slice())
             + size_of_val(self.kinds.as_slice())
             + size_of_val(self.rim.as_slice())
+            + size_of_val(self.samples.as_slice())
             + size_of_val(self.parts.as_slice())
     }
 }

@@ -10,6 +10,7 @@ use super::law::ContactLaw;
 use super::method::law;
 use super::nodes::contact_nodes;
 use super::problem::ContactNode;
+use super::rim_stress::RimStress;
 use super::slip_terms::SlipTerms;
 use super::surface::Surface;
 use crate::cpu::threads::Crew;
@@ -50,6 +51,8 @@ pub(crate) struct ContactWorkspace {
     pub(crate) impulses: Vec<[DVec3; 2]>,
     /// What each contact point adds to the sums over the rim in a step.
     pub(crate) terms: Vec<SlipTerms>,
+    /// By way of which nodes.
+    pub(crate) rim_stress: RimStress,
     /// For each contact point the index in memory of the cell whose pore pressure acts there, if the block has it.
     pub(crate) pressure_cells: Vec<Option<usize>>,
     /// Pore pressures that act at the contact points in a step [Pa]; empty where none is computed.
@@ -82,6 +85,7 @@ impl ContactWorkspace {
             hourglass_correction: Vec::new(),
             impulses: Vec::new(),
             terms: Vec::new(),
+            rim_stress: RimStress::default(),
             pressure_cells: Vec::new(),
             pore_pressures: Vec::new(),
             openings: Vec::new(),
@@ -98,6 +102,7 @@ impl ContactWorkspace {
         let fractions = fractions(model, state, halo);
         (self.constraint_points, self.hourglass_correction) =
             constraint::number(model, state, &fractions, crew);
+        self.rim_stress = RimStress::new(model, state, &self.surfaces, halo);
     }
 
     /// Begins to send the other blocks what they need to know of this one's contact nodes.
@@ -126,6 +131,7 @@ impl ContactWorkspace {
             + size_of_val(self.hourglass_correction.as_slice())
             + size_of_val(self.impulses.as_slice())
             + size_of_val(self.terms.as_slice())
+            + self.rim_stress.memory()
             + size_of_val(self.pressure_cells.as_slice())
             + size_of_val(self.pore_pressures.as_slice())
             + size_of_val(self.openings.as_slice())

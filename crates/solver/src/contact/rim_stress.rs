@@ -1,0 +1,171 @@
+//! Stress and slip along the rims, by way of the nodes.
+//!
+//! Contact points outnumber the nodes behind a face, and share its load as they like: in the middle of a footing that bears 5.1 kPa neighbouring
+//! ones bore 2 and 8 kPa. What the nodes bear is determined. So what acts at the points goes to the nodes with their weights, is divided by the area
+//! of the surface that each node stands for, and comes back to the surface by interpolation: to samples of all of it, up to its edges. Sums
+//! over a face stay the same.
+
+use super::problem::{corners, of_body};
+use super::search::{Place, place};
+use super::slip_terms::SlipTerms;
+use super::surface::Surface;
+use crate::halo::{self, Halo};
+use crate::model::Model;
+use crate::state::{Body, Contact, RimSums, State};
+use std::collections::HashMap;
+
+/// A node behind one face of a body: the body, the face's main axis and side, and the node's number in the whole grid.
+type Key = (u32, usize, bool, usize);
+
+/// Places of a cell's nodes among those behind the rims; `NONE` for a node that no contact point acts on.
+type Places = [u32; 8];
+
+const NONE: u32 = u32::MAX;
+
+/// A sample of a rim's surface.
+#[derive(Clone, Copy, Debug)]
+struct Sample {
+    body: usize,
+    bin: usize,
+    /// Area round it [m²].
+    area: f64,
+    nodes: Places,
+    /// Shape functions of the nodes.
+    weight: [f64; 8],
+}
+
+/// The nodes behind the rims of all bodies, and the samples of their surface, until the next contact search.
+#[derive(Debug, Default)]
+pub(crate) struct RimStress {
+    /// For each contact point the places of its nodes; `None` on a flank.
+    of_contacts: Vec<Option<Places>>,
+    samples: Vec<Sample>,
+    /// Area of the surface that each node stands for [m²], and the same of what the contact points represent.
+    area: Vec<f64>,
+    held: Vec<f64>,
+    /// Sums over the contact points of a step at each node.
+    sums: Vec<RimSums>,
+}
+
+impl RimStress {
+    /// After a contact search.
+    pub(super) fn new<R>(model: &Model, state: &State<R>, surfaces: &[Surface], halo: &Halo) -> Self {
+        let [nx, ny, _] = model.grid.whole_cells().map(|n| n + 1);
+        let stride = [1, nx, nx * ny];
+        let number = |cell: [usize; 3]| (0..3).map(|axis| cell[axis] * stride[axis]).sum::<usize>();
+        let mut places = HashMap::new();
+        let mut place_of = |c: &Contact| {
+            let axis = model.grid.main_axis(c.normal);
+            let base = number(c.cell.map(|layer| layer as usize));
+            corners(stride).map(|offset| {
+                let next = places.len() as u32;
+                *places.entry((c.body, axis, c.normal[axis] > 0.0, base + offset)).or_insert(next)
+            })
+        };
+        let is_on_rim = |c: &Contact| {
+            let surface = &surfaces[c.body as usize];
+            surface.bin_of(c.point) < surface.rim().len()
+        };
+        let of_contacts: Vec<_> = state.contacts.iter().map(|c| is_on_rim(c).then(|| place_of(c))).collect();
+        let samples = samples(model, state, surfaces, (&places, &number), halo);
+        let [mut area, mut held] = [0, 1].map(|_| vec![0.0; places.len()]);
+        for sample in &samples {
+            add_to(&mut area, (&sample.nodes, &sample.weight), sample.area);
+        }
+        for (c, nodes) in state.contacts.iter().zip(&of_contacts) {
+            if let Some(nodes) = nodes {
+                add_to(&mut held, (nodes, &c.weight), surfaces[c.body as usize].represented(c));
+            }
+        }
+        Self { of_contacts, samples, area, held, sums: Vec::new() }
+    }
+
+    /// Adds what acts at the contact points in a step to the sums over the rims: on the rims by way of the nodes, on the flanks as it is.
+    pub(super) fn add(&mut self, contacts: &[Contact], bodies: &mut [Body], terms: &[SlipTerms]) {
+        let Self { of_contacts, samples, area, held, sums } = self;
+        sums.clear();
+        sums.resize(area.len(), RimSums::default());
+        for ((c, nodes), terms) in contacts.iter().zip(&*of_contacts).zip(terms) {
+            let Some(nodes) = nodes else { continue };
+            for (node, weight) in nodes.iter().zip(c.weight).filter(|(_, weight)| *weight > 0.0) {
+                sums[*node as usize].add(&terms.sums.times([weight; 2]));
+            }
+        }
+        for ((sums, area), held) in sums.iter_mut().zip(area).zip(held) {
+            let is_behind = *area > 0.0 && *held > 0.0;
+            *sums = if is_behind { sums.times([1.0 / *area, 1.0 / *held]) } else { RimSums::default() };
+        }
+        for (n, body) in bodies.iter_mut().enumerate() {
+            let own = of_body(contacts, n);
+            let flank = body.rim.len() - 1;
+            let each = of_contacts[own.clone()].iter().zip(&terms[own]);
+            each.filter(|(nodes, _)| nodes.is_none()).for_each(|(_, terms)| body.rim[flank].add(&terms.sums));
+        }
+        for sample in &*samples {
+            let rim = &mut bodies[sample.body].rim[sample.bin];
+            let behind = sample.nodes.iter().zip(sample.weight);
+            for (node, weight) in behind.filter(|(node, weight)| **node != NONE && *weight > 0.0) {
+                rim.add(&sums[*node as usize].times([weight * sample.area; 2]));
+            }
+        }
+    }
+
+    /// Memory in use [bytes].
+    pub(super) fn memory(&self) -> usize {
+        size_of_val(self.of_contacts.as_slice())
+            + size_of_val(self.samples.as_slice())
+            + size_of_val(self.area.as_slice())
+            + size_of_val(self.held.as_slice())
+            + size_of_val(self.sums.as_slice())
+    }
+}
+
+fn add_to(sums: &mut [f64], (nodes, weight): (&Places, &[f64; 8]), value: f64) {
+    for (node, weight) in nodes.iter().zip(weight).filter(|(node, _)| **node != NONE) {
+        sums[*node as usize] += weight * value;
+    }
+}
+
+/// The samples of all rims behind which there are nodes that contact points act on, in all blocks.
+fn samples<R>(
+    model: &Model,
+    state: &State<R>,
+    surfaces: &[Surface],
+    (places, number): (&HashMap<Key, u32>, &impl Fn([usize; 3]) -> usize),
+    halo: &Halo,
+) -> Vec<Sample> {
+    let [nx, ny, _] = model.grid.whole_cells().map(|n| n + 1);
+    let offsets = corners([1, nx, nx * ny]);
+    let nodes_of = |body: usize, axis: usize, is_high: bool, base: usize| {
+        offsets
+            .map(|offset| places.get(&(body as u32, axis, is_high, base + offset)).copied().unwrap_or(NONE))
+    };
+    let mut own = Vec::new();
+    let mut first = 0;
+    for (n, surface) in surfaces.iter().enumerate() {
+        let (body, pose) = (&model.bodies[n], &state.bodies[n].searched_at);
+        for (m, (position, normal, area, bin)) in surface.samples().enumerate() {
+            let [arm, normal] = [position, normal].map(|v| body.rotated(pose, v));
+            let at = pose.position - state.grid_position + arm;
+            let Some(Place { whole, weight, .. }) = place(&model.grid, at, (arm, normal)) else { continue };
+            let axis = model.grid.main_axis(normal);
+            let face = f64::from(2 * axis as u8 + u8::from(normal[axis] > 0.0));
+            let base = number(whole);
+            if nodes_of(n, axis, normal[axis] > 0.0, base).iter().all(|node| *node == NONE) {
+                continue;
+            }
+            let mut values = [0.0; 13];
+            values[..5].copy_from_slice(&[n as f64, bin as f64, area, face, base as f64]);
+            values[5..].copy_from_slice(&weight);
+            own.push((first + m, values));
+        }
+        first += surface.samples().len();
+    }
+    let all = if halo.is_alone() { own } else { halo::in_order(halo, own.into_iter()) };
+    let sample = |(_, v): (usize, [f64; 13])| {
+        let (body, face) = (v[0] as usize, v[3] as usize);
+        let nodes = nodes_of(body, face / 2, face % 2 == 1, v[4] as usize);
+        Sample { body, bin: v[1] as usize, area: v[2], nodes, weight: std::array::from_fn(|n| v[5 + n]) }
+    };
+    all.into_iter().map(sample).collect()
+}
