@@ -124,7 +124,7 @@ pub(crate) fn write_report(
         let overlays = [record.overlays.as_slice(), text.laid_over.as_slice()].concat();
         let view = BodyHistory { reference, samples, steady: &body.steady, overlays: &overlays };
         let mut plots = view.plots();
-        plots.extend(rim_plots(reference, rims.get(n).map_or(&[], Vec::as_slice), record.cell_width));
+        plots.extend(rim_plots(reference, rims.get(n).map_or(&[], Vec::as_slice)));
         write_plots(dir, &plots)?;
         let rut = summary.ruts.get(&reference.name);
         let tiles = tiles(record, summary, history, &reference.name);
