@@ -1,5 +1,5 @@
-//! The stress below a footing was drawn from contact point to contact point, a saw-tooth of 0 to 15 kPa about 5: the plot shows running
-//! means over two cells and says so; the file keeps the points.
+//! The stress below a footing was given from contact point to contact point, a saw-tooth of 0 to 15 kPa about 5: file and plot go by way of
+//! the nodes.
 
 use crate::support::Desk;
 
@@ -58,9 +58,8 @@ fn contact_stress_along_the_rim_can_be_read() {
         rim.lines().skip(1).map(|line| line.split(',').nth(at).unwrap().parse().unwrap()).collect();
     let raw: Vec<f64> = points.into_iter().filter(|stress| *stress > 0.0).collect();
     let svg = desk.read("out/plots/footing_rim_stress.svg");
-    assert!(svg.contains("mean over 2 cells, 250 mm"), "{svg}");
     let shown = ordinates(&svg, "normal stress");
-    assert!(roughness(&shown) < 0.2 && roughness(&raw) > 2.0 * roughness(&shown), "{raw:?} {shown:?}");
+    assert!(roughness(&shown) < 0.2 && roughness(&raw) < 0.2, "{raw:?} {shown:?}");
     // Forces and depths of the same times stand side by side, and a pressed body has no key numbers of a tow.
     assert!(desk.read("out/filtered.csv").lines().next().unwrap().contains("sinkage z [m]"));
     let html = desk.read("out/report.html");

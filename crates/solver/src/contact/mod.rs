@@ -21,6 +21,7 @@ mod neighbours;
 mod nodes;
 mod overlap;
 mod penalty;
+mod place;
 mod pore_pressure;
 mod problem;
 mod rim_stress;

@@ -5,8 +5,9 @@
 //! of the surface that each node stands for, and comes back to the surface by interpolation: to samples of all of it, up to its edges. Sums
 //! over a face stay the same.
 
+use super::place::{place, trilinear};
 use super::problem::{corners, of_body};
-use super::search::{Place, place};
+
 use super::slip_terms::SlipTerms;
 use super::surface::Surface;
 use crate::halo::{self, Halo};
@@ -25,13 +26,23 @@ const NONE: u32 = u32::MAX;
 /// A sample of a rim's surface.
 #[derive(Clone, Copy, Debug)]
 struct Sample {
-    body: usize,
-    bin: usize,
+    body: u16,
+    bin: u16,
+    nodes: Places,
     /// Area round it [m²].
     area: f64,
-    nodes: Places,
-    /// Shape functions of the nodes.
-    weight: [f64; 8],
+    /// Shape functions of the high nodes along each axis.
+    at: [f64; 3],
+}
+
+impl Sample {
+    /// The places of the nodes that contact points act on, with the area of the sample that falls to each [m²].
+    fn shares(&self) -> impl Iterator<Item = (usize, f64)> {
+        let weight = trilinear(&self.at.map(|high| [1.0 - high, high]));
+        let each = self.nodes.into_iter().zip(weight).filter(|(node, weight)| *node != NONE && *weight > 0.0);
+        let area = self.area;
+        each.map(move |(node, weight)| (node as usize, weight * area))
+    }
 }
 
 /// The nodes behind the rims of all bodies, and the samples of their surface, until the next contact search.
@@ -70,12 +81,12 @@ impl RimStress {
         let samples = samples(model, state, surfaces, (&places, &number), halo);
         let [mut area, mut held] = [0, 1].map(|_| vec![0.0; places.len()]);
         for sample in &samples {
-            add_to(&mut area, (&sample.nodes, &sample.weight), sample.area);
+            sample.shares().for_each(|(node, share)| area[node] += share);
         }
         for (c, nodes) in state.contacts.iter().zip(&of_contacts) {
-            if let Some(nodes) = nodes {
-                add_to(&mut held, (nodes, &c.weight), surfaces[c.body as usize].represented(c));
-            }
+            let represented = surfaces[c.body as usize].represented(c);
+            let each = nodes.iter().flat_map(|nodes| nodes.iter().zip(c.weight));
+            each.for_each(|(node, weight)| held[*node as usize] += weight * represented);
         }
         Self { of_contacts, samples, area, held, sums: Vec::new() }
     }
@@ -102,11 +113,8 @@ impl RimStress {
             each.filter(|(nodes, _)| nodes.is_none()).for_each(|(_, terms)| body.rim[flank].add(&terms.sums));
         }
         for sample in &*samples {
-            let rim = &mut bodies[sample.body].rim[sample.bin];
-            let behind = sample.nodes.iter().zip(sample.weight);
-            for (node, weight) in behind.filter(|(node, weight)| **node != NONE && *weight > 0.0) {
-                rim.add(&sums[*node as usize].times([weight * sample.area; 2]));
-            }
+            let rim = &mut bodies[usize::from(sample.body)].rim[usize::from(sample.bin)];
+            sample.shares().for_each(|(node, share)| rim.add(&sums[node].times([share; 2])));
         }
     }
 
@@ -117,12 +125,6 @@ impl RimStress {
             + size_of_val(self.area.as_slice())
             + size_of_val(self.held.as_slice())
             + size_of_val(self.sums.as_slice())
-    }
-}
-
-fn add_to(sums: &mut [f64], (nodes, weight): (&Places, &[f64; 8]), value: f64) {
-    for (node, weight) in nodes.iter().zip(weight).filter(|(node, _)| **node != NONE) {
-        sums[*node as usize] += weight * value;
     }
 }
 
@@ -147,25 +149,23 @@ fn samples<R>(
         for (m, (position, normal, area, bin)) in surface.samples().enumerate() {
             let [arm, normal] = [position, normal].map(|v| body.rotated(pose, v));
             let at = pose.position - state.grid_position + arm;
-            let Some(Place { whole, weight, .. }) = place(&model.grid, at, (arm, normal)) else { continue };
+            let Some(found) = place(&model.grid, at, (arm, normal)) else { continue };
             let axis = model.grid.main_axis(normal);
             let face = f64::from(2 * axis as u8 + u8::from(normal[axis] > 0.0));
-            let base = number(whole);
+            let base = number(found.whole);
             if nodes_of(n, axis, normal[axis] > 0.0, base).iter().all(|node| *node == NONE) {
                 continue;
             }
-            let mut values = [0.0; 13];
-            values[..5].copy_from_slice(&[n as f64, bin as f64, area, face, base as f64]);
-            values[5..].copy_from_slice(&weight);
-            own.push((first + m, values));
+            let [x, y, z] = found.along.map(|[_, high]| high);
+            own.push((first + m, [n as f64, bin as f64, area, face, base as f64, x, y, z]));
         }
         first += surface.samples().len();
     }
     let all = if halo.is_alone() { own } else { halo::in_order(halo, own.into_iter()) };
-    let sample = |(_, v): (usize, [f64; 13])| {
-        let (body, face) = (v[0] as usize, v[3] as usize);
-        let nodes = nodes_of(body, face / 2, face % 2 == 1, v[4] as usize);
-        Sample { body, bin: v[1] as usize, area: v[2], nodes, weight: std::array::from_fn(|n| v[5 + n]) }
+    let sample = |(_, [body, bin, area, face, base, x, y, z]): (usize, [f64; 8])| {
+        let face = face as usize;
+        let nodes = nodes_of(body as usize, face / 2, face % 2 == 1, base as usize);
+        Sample { body: body as u16, bin: bin as u16, nodes, area, at: [x, y, z] }
     };
     all.into_iter().map(sample).collect()
 }

@@ -4,6 +4,7 @@ use super::body_fraction::{FILLED, find_bodies, measure_bodies};
 use super::carried::{REMNANT, is_among_filled};
 use super::law::ContactLaw;
 use super::neighbours::Neighbours;
+use super::place::{Place, place};
 use super::problem::{corners, over_corners};
 use super::slip::clear_rims;
 use super::surface::Surface;
@@ -11,7 +12,6 @@ use super::workspace::ContactWorkspace;
 use crate::cpu::stopwatch::Stage;
 use crate::cpu::workspace::SoilWorkspace;
 use crate::fields::{INTACT_STRENGTH, PLASTIC_STRAIN};
-use crate::grid::Grid;
 use crate::halo::{self, Halo};
 use crate::model::{BodyModel, Model};
 use crate::scalar::Scalar;
@@ -84,47 +84,6 @@ fn all_contacts(found: Vec<Contact>, halo: &Halo) -> Vec<Contact> {
     halo::in_order(halo, own).into_iter().map(of).collect()
 }
 
-/// Where a point of a surface lies in the grid.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
-    /// Its cell, in the block.
-    pub(super) cell: [usize; 3],
-    /// The same in the whole grid.
-    pub(super) whole: [usize; 3],
-    /// The point, moved by round-off into its cell [m].
-    pub(super) probe: DVec3,
-    /// Trilinear shape functions of the cell's nodes.
-    pub(super) weight: [f64; 8],
-}
-
-/// Where a point of a surface lies, from its position in the grid, its lever arm and its normal; `None` outside the block.
-pub(super) fn place(grid: &Grid, in_grid: DVec3, (arm, normal): (DVec3, DVec3)) -> Option<Place> {
-    // A point on a face between two cells belongs to the outer one, a point on an edge to the cell nearer
-    // to the body's centre, so that mirror images belong to mirror images of cells.
-    let probe = in_grid + 1e-9 * grid.finest() * (normal - 0.5 * arm.signum() * (DVec3::ONE - normal.abs()));
-    let faces = &grid.faces;
-    let cell = [layer(&faces[0], probe.x)?, layer(&faces[1], probe.y)?, layer(&faces[2], probe.z)?];
-    let whole = grid.in_whole(cell);
-    let shape = shape_functions(grid, cell, in_grid);
-    let weight = std::array::from_fn(|n| shape[0][n & 1] * shape[1][n >> 1 & 1] * shape[2][n >> 2 & 1]);
-    grid.owns(whole).then_some(Place { cell, whole, probe, weight })
-}
-
-/// Linear shape functions of the low and the high node along each axis, each from the opposite face: mirroring in y only swaps them.
-fn shape_functions(grid: &Grid, cell: [usize; 3], position: DVec3) -> [[f64; 2]; 3] {
-    std::array::from_fn(|axis| {
-        let (faces, n) = (&grid.faces[axis], cell[axis]);
-        let value = |distance: f64| (distance / grid.width(axis, n)).clamp(0.0, 1.0);
-        [value(faces[n + 1] - position[axis]), value(position[axis] - faces[n])]
-    })
-}
-
-/// Layer of the cell that holds a coordinate, if it is inside the grid.
-fn layer(faces: &[f64], x: f64) -> Option<usize> {
-    let n = faces.partition_point(|face| *face <= x);
-    (n >= 1 && n < faces.len()).then(|| n - 1)
-}
-
 /// What the contact search reads.
 struct View<'a, R> {
     model: &'a Model,
@@ -182,9 +141,10 @@ impl<R: Scalar> View<'_, R> {
     ) -> Option<Contact> {
         let position = reference + arm;
         let in_grid = position - self.grid_position;
-        let Place { cell, whole, probe, weight } = place(&self.model.grid, in_grid, (arm, normal))?;
+        let found = place(&self.model.grid, in_grid, (arm, normal))?;
+        let Place { cell, whole, probe, .. } = found;
         let base = self.model.grid.index(cell[0], cell[1], cell[2]);
-        let (weight, coverage) = self.weights(cell, weight)?;
+        let (weight, coverage) = self.weights(cell, found.shape_functions())?;
         let mut contact = Contact {
             cell: whole.map(|layer| layer as u32),
             octant: self.octant(cell, probe),

@@ -17,8 +17,9 @@ pub(crate) struct Surface {
     kinds: Vec<(DVec3, [f64; 2])>,
     /// The bins of the rim.
     rim: Vec<RimBin>,
-    /// Samples of the whole rim, up to its edges: positions and normals in the body frame [m], areas [m²] and bins.
-    samples: Vec<(DVec3, DVec3, f64, u16)>,
+    /// Samples of the whole rim, up to its edges, stored like the points; their normals and areas.
+    samples: Vec<(DVec3, u32, u16)>,
+    sample_kinds: Vec<(DVec3, [f64; 2])>,
     /// Where the body's mid-plane is [m].
     middle: f64,
     /// Part of the body to which each point belongs; empty where there is only one.
@@ -123,6 +124,28 @@ fn bins(points: &[SurfacePoint], rim: &Rim) -> Vec<RimBin> {
     bins.into_iter().map(bin).collect()
 }
 
+/// Points, and normals and areas of them, as [`Surface`] stores them.
+type Compact = (Vec<(DVec3, u32, u16)>, Vec<(DVec3, [f64; 2])>);
+
+/// Points in that form; `is_paired` says whether the mirror image of a point is the next.
+fn compact(points: &[SurfacePoint], rim: &Rim, is_paired: impl Fn(usize) -> bool) -> Compact {
+    let (mut indices, mut kinds) = (BTreeMap::new(), Vec::new());
+    let flank = rim.middles().len();
+    let kept = points.iter().enumerate().map(|(n, p)| {
+        let areas = [p.area, p.represents];
+        let key = [p.normal.x, p.normal.y, p.normal.z, areas[0], areas[1]].map(f64::to_bits);
+        let index = *indices.entry(key).or_insert(kinds.len());
+        if index == kinds.len() {
+            kinds.push((p.normal, areas));
+        }
+        let bin = rim.bin_of(p.position, p.normal).map_or(flank, |(bin, _)| bin);
+        (p.position, index as u32 | if is_paired(n) { PAIRED } else { 0 }, bin as u16)
+    });
+    let kept = kept.collect();
+    kinds.shrink_to_fit();
+    (kept, kinds)
+}
+
 impl Surface {
     /// Surface points of a body, without those that always stay outside the grid, such as beyond a symmetry
     /// plane.
@@ -147,21 +170,12 @@ impl Surface {
 
     fn of(points: &[SurfacePoint], rim: &Rim, middle: f64) -> Self {
         let bins = bins(points, rim);
-        let (mut indices, mut kinds) = (BTreeMap::new(), Vec::new());
-        let kept = points.iter().enumerate().map(|(n, p)| {
-            let areas = [p.area, p.represents];
-            let key = [p.normal.x, p.normal.y, p.normal.z, areas[0], areas[1]].map(f64::to_bits);
-            let index = *indices.entry(key).or_insert(kinds.len());
-            if index == kinds.len() {
-                kinds.push((p.normal, areas));
-            }
-            let is_paired = points.get(n + 1).is_some_and(|next| are_mirrored(p, next, middle));
-            let bin = rim.bin_of(p.position, p.normal).map_or(bins.len(), |(bin, _)| bin);
-            (p.position, index as u32 | if is_paired { PAIRED } else { 0 }, bin as u16)
+        let (mut points, kinds) = compact(points, rim, |n| {
+            points.get(n + 1).is_some_and(|next| are_mirrored(&points[n], next, middle))
         });
-        let points = kept.collect();
-        kinds.shrink_to_fit();
-        Self { points, kinds, rim: bins, samples: Vec::new(), middle, parts: Vec::new() }
+        points.shrink_to_fit();
+        let (samples, sample_kinds) = (Vec::new(), Vec::new());
+        Self { points, kinds, rim: bins, samples, sample_kinds, middle, parts: Vec::new() }
     }
 
     /// Samples the rim, without what always stays outside the grid, and finds the areas of its bins.
@@ -176,18 +190,20 @@ impl Surface {
         };
         let mut points = body.shape.surface_points(spacing, DVec3::ZERO);
         points.retain(|point| is_modelled(point.position));
+        points.retain(|point| rim.bin_of(point.position, point.normal).is_some());
         self.rim = bins(&points, rim);
-        for point in points {
-            if let Some((bin, _)) = rim.bin_of(point.position, point.normal) {
-                self.rim[bin].area += point.area;
-                self.samples.push((point.position, point.normal, point.area, bin as u16));
-            }
+        (self.samples, self.sample_kinds) = compact(&points, rim, |_| false);
+        for ((_, _, bin), point) in self.samples.iter().zip(&points) {
+            self.rim[usize::from(*bin)].area += point.area;
         }
     }
 
     /// Samples of the whole rim: positions and normals in the body frame [m], areas [m²] and bins.
     pub(crate) fn samples(&self) -> impl ExactSizeIterator<Item = (DVec3, DVec3, f64, usize)> + '_ {
-        self.samples.iter().map(|(position, normal, area, bin)| (*position, *normal, *area, (*bin).into()))
+        self.samples.iter().map(|(position, kind, bin)| {
+            let (normal, [area, _]) = self.sample_kinds[*kind as usize];
+            (*position, normal, area, usize::from(*bin))
+        })
     }
 
     /// What a contact point of the surface represents, as far as it has soil to act on [m²].
@@ -231,6 +247,7 @@ impl Surface {
             + size_of_val(self.kinds.as_slice())
             + size_of_val(self.rim.as_slice())
             + size_of_val(self.samples.as_slice())
+            + size_of_val(self.sample_kinds.as_slice())
             + size_of_val(self.parts.as_slice())
     }
 }
