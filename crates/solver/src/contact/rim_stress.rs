@@ -88,14 +88,14 @@ impl RimStress {
             let each = nodes.iter().flat_map(|nodes| nodes.iter().zip(c.weight));
             each.for_each(|(node, weight)| held[*node as usize] += weight * represented);
         }
-        Self { of_contacts, samples, area, held, sums: Vec::new() }
+        let sums = vec![RimSums::default(); places.len()];
+        Self { of_contacts, samples, area, held, sums }
     }
 
     /// Adds what acts at the contact points in a step to the sums over the rims: on the rims by way of the nodes, on the flanks as it is.
     pub(super) fn add(&mut self, contacts: &[Contact], bodies: &mut [Body], terms: &[SlipTerms]) {
         let Self { of_contacts, samples, area, held, sums } = self;
-        sums.clear();
-        sums.resize(area.len(), RimSums::default());
+        sums.fill(RimSums::default());
         for ((c, nodes), terms) in contacts.iter().zip(&*of_contacts).zip(terms) {
             let Some(nodes) = nodes else { continue };
             for (node, weight) in nodes.iter().zip(c.weight).filter(|(_, weight)| *weight > 0.0) {
