@@ -5,9 +5,9 @@
 //! of the surface that each node stands for, and comes back to the surface by interpolation: to samples of all of it, up to its edges. Sums
 //! over a face stay the same.
 
+use super::nodes::corners_in_whole;
 use super::place::{place, trilinear};
-use super::problem::{corners, of_body};
-
+use super::problem::of_body;
 use super::slip_terms::SlipTerms;
 use super::surface::Surface;
 use crate::halo::{self, Halo};
@@ -61,16 +61,12 @@ pub(crate) struct RimStress {
 impl RimStress {
     /// After a contact search.
     pub(super) fn new<R>(model: &Model, state: &State<R>, surfaces: &[Surface], halo: &Halo) -> Self {
-        let [nx, ny, _] = model.grid.whole_cells().map(|n| n + 1);
-        let stride = [1, nx, nx * ny];
-        let number = |cell: [usize; 3]| (0..3).map(|axis| cell[axis] * stride[axis]).sum::<usize>();
         let mut places = HashMap::new();
         let mut place_of = |c: &Contact| {
             let axis = model.grid.main_axis(c.normal);
-            let base = number(c.cell.map(|layer| layer as usize));
-            corners(stride).map(|offset| {
+            corners_in_whole(&model.grid, c.cell.map(|layer| layer as usize)).map(|node| {
                 let next = places.len() as u32;
-                *places.entry((c.body, axis, c.normal[axis] > 0.0, base + offset)).or_insert(next)
+                *places.entry((c.body, axis, c.normal[axis] > 0.0, node)).or_insert(next)
             })
         };
         let is_on_rim = |c: &Contact| {
@@ -78,7 +74,7 @@ impl RimStress {
             surface.bin_of(c.point) < surface.rim().len()
         };
         let of_contacts: Vec<_> = state.contacts.iter().map(|c| is_on_rim(c).then(|| place_of(c))).collect();
-        let samples = samples(model, state, surfaces, (&places, &number), halo);
+        let samples = samples(model, state, surfaces, &places, halo);
         let [mut area, mut held] = [0, 1].map(|_| vec![0.0; places.len()]);
         for sample in &samples {
             sample.shares().for_each(|(node, share)| area[node] += share);
@@ -133,14 +129,12 @@ fn samples<R>(
     model: &Model,
     state: &State<R>,
     surfaces: &[Surface],
-    (places, number): (&HashMap<Key, u32>, &impl Fn([usize; 3]) -> usize),
+    places: &HashMap<Key, u32>,
     halo: &Halo,
 ) -> Vec<Sample> {
-    let [nx, ny, _] = model.grid.whole_cells().map(|n| n + 1);
-    let offsets = corners([1, nx, nx * ny]);
-    let nodes_of = |body: usize, axis: usize, is_high: bool, base: usize| {
-        offsets
-            .map(|offset| places.get(&(body as u32, axis, is_high, base + offset)).copied().unwrap_or(NONE))
+    let nodes_of = |body: usize, axis: usize, is_high: bool, cell: [usize; 3]| {
+        corners_in_whole(&model.grid, cell)
+            .map(|node| places.get(&(body as u32, axis, is_high, node)).copied().unwrap_or(NONE))
     };
     let mut own = Vec::new();
     let mut first = 0;
@@ -152,19 +146,18 @@ fn samples<R>(
             let Some(found) = place(&model.grid, at, (arm, normal)) else { continue };
             let axis = model.grid.main_axis(normal);
             let face = f64::from(2 * axis as u8 + u8::from(normal[axis] > 0.0));
-            let base = number(found.whole);
-            if nodes_of(n, axis, normal[axis] > 0.0, base).iter().all(|node| *node == NONE) {
+            if nodes_of(n, axis, normal[axis] > 0.0, found.whole).iter().all(|node| *node == NONE) {
                 continue;
             }
-            let [x, y, z] = found.along.map(|[_, high]| high);
-            own.push((first + m, [n as f64, bin as f64, area, face, base as f64, x, y, z]));
+            let ([i, j, k], [x, y, z]) = (found.whole.map(|n| n as f64), found.along.map(|[_, high]| high));
+            own.push((first + m, [n as f64, bin as f64, area, face, i, j, k, x, y, z]));
         }
         first += surface.samples().len();
     }
     let all = if halo.is_alone() { own } else { halo::in_order(halo, own.into_iter()) };
-    let sample = |(_, [body, bin, area, face, base, x, y, z]): (usize, [f64; 8])| {
+    let sample = |(_, [body, bin, area, face, i, j, k, x, y, z]): (usize, [f64; 10])| {
         let face = face as usize;
-        let nodes = nodes_of(body as usize, face / 2, face % 2 == 1, base as usize);
+        let nodes = nodes_of(body as usize, face / 2, face % 2 == 1, [i, j, k].map(|layer| layer as usize));
         Sample { body: body as u16, bin: bin as u16, nodes, area, at: [x, y, z] }
     };
     all.into_iter().map(sample).collect()

@@ -88,7 +88,7 @@ pub(crate) fn layout(model: &Model, body: &BodyModel) -> (DVec3, DVec3) {
 
 /// Portion of a body's width along y that has contact points, where it passes through the grid from side to side: the margins along
 /// its edges then lie outside. 1 elsewhere.
-fn margins_outside(model: &Model, body: &BodyModel, margin: f64) -> f64 {
+fn portion_with_points(model: &Model, body: &BodyModel, margin: f64) -> f64 {
     let (low, high) = body.bounds(&body.start);
     let [first, last] = model.grid.ends(1);
     let round_off = ROUND_OFF * (last - first);
@@ -157,7 +157,7 @@ impl Surface {
             let (low, high) = (low - spacing.y, high + spacing.y);
             let across = |p: &SurfacePoint| body.start.position.y + body.rotated(&body.start, p.position).y;
             points.retain(|p| (low..=high).contains(&across(p)));
-            leave_out_margins(&mut points, margins_outside(model, body, inset.y));
+            leave_out_margins(&mut points, portion_with_points(model, body, inset.y));
         }
         let rim = rim(model, body);
         let mut surface = Self::of(&points, &rim, body.shape.mid_plane());
