@@ -49,7 +49,8 @@ impl<'a, R: Precision> Shown<'a, R> {
     }
 }
 
-/// The rows of cells along which the slices lie, in the first block.
+/// The row of cells along which the slices lie, with its neighbours, whose stresses have a share in what is shown of it, in the first
+/// block.
 fn slab<R: Precision>(
     case: &Case,
     (grid, halo): (&Grid, &Halo),
@@ -57,8 +58,8 @@ fn slab<R: Precision>(
 ) -> Option<(Grid, State<R>)> {
     let faces = PlacedDomain::whole_faces(grid, 1, state.grid_position);
     let [columns, rows, planes] = grid.domain.clone();
-    let first = rows.start + row_at(&faces, plane_shown(case, state));
-    let start = first.min(rows.end.saturating_sub(GHOSTS)).max(rows.start);
+    let row = rows.start + row_at(&faces, plane_shown(case, state));
+    let start = row.saturating_sub(1).min(rows.end.saturating_sub(GHOSTS)).max(rows.start);
     let shown = grid.uncut().block([columns, start..(start + GHOSTS).min(rows.end), planes]);
     let shared: [Range<usize>; 3] = std::array::from_fn(|axis| {
         let (own, shown) = (&grid.own[axis], &shown.own[axis]);
