@@ -14,7 +14,7 @@ use crate::cpu::threads::Crew;
 use crate::model::Model;
 use crate::state::{Contact, State};
 use glam::DVec3;
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 /// A constraint in one step.
 #[derive(Clone, Debug, Default)]
@@ -95,7 +95,7 @@ pub(crate) fn number<R>(
     crew: Crew,
 ) -> (ConstraintPoints, Vec<[DVec3; 8]>) {
     let surfaces = cut_cell::surfaces(model, bodies, *grid_position, contacts, crew);
-    let mut numbers = HashMap::new();
+    let mut numbers = FxHashMap::default();
     let each = contacts.iter().map(|c| {
         let axis = model.grid.main_axis(c.normal);
         let is_whole = surfaces[&(c.body, c.cell)].is_whole();

@@ -14,7 +14,7 @@ use crate::grid::Grid;
 use crate::model::Model;
 use crate::state::{Body, Contact};
 use glam::DVec3;
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 /// Samples of a cell along each axis.
 const SAMPLES: usize = 4;
@@ -42,7 +42,7 @@ impl CellSurface {
 }
 
 /// The surfaces of the bodies in the cells that hold contact points, by body and cell.
-pub(super) type CellSurfaces = HashMap<(u32, [u32; 3]), CellSurface>;
+pub(super) type CellSurfaces = FxHashMap<(u32, [u32; 3]), CellSurface>;
 
 /// Finds the surfaces in the cells of the contact points.
 pub(super) fn surfaces(
@@ -54,7 +54,7 @@ pub(super) fn surfaces(
 ) -> CellSurfaces {
     // The two sides of the body's mid-plane are summed separately, so that mirroring in y changes no bit.
     type Sampled<'a> = (&'a Contact, [f64; 3]);
-    let mut sampled: HashMap<_, Sampled> = HashMap::new();
+    let mut sampled: FxHashMap<_, Sampled> = FxHashMap::default();
     for c in contacts {
         sampled.entry((c.body, c.cell)).or_insert((c, [0.0; 3])).1[side(c)] += c.area;
     }

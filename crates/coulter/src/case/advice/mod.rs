@@ -32,6 +32,7 @@ pub fn advice(case: &Case) -> Vec<String> {
         fine_zone(case, body, &mut notes);
         base::within_cell(case, body, &mut notes);
         motions::in_soil(case, body, &mut notes);
+        motions::through_elastic_soil(case, body, &mut notes);
         // Nothing fails in front of a body that never enters the ground.
         if !motions::is_above_ground(case, body) {
             walls::walls_and_lid(case, body, &mut notes);

@@ -1,8 +1,8 @@
 //! Whether motions begin within the run, and take the bodies into the soil.
 
-use crate::case::path::range;
+use crate::case::path::{displacement, range};
 use crate::case::quantity::plain;
-use crate::case::resolved::{Body, Case, Ground, MOTIONS, Motion};
+use crate::case::resolved::{Body, Case, Ground, Law, MOTIONS, Motion};
 use crate::case::told::lasts;
 use glam::DVec3;
 
@@ -72,6 +72,30 @@ pub(super) fn in_soil(case: &Case, body: &Body, notes: &mut Vec<String>) {
             "{name}: is lifted out of the soil, up {} m from a sinkage of {} m: a positive heave goes upwards.",
             plain(up.z),
             plain(-lowest)
+        ));
+    }
+}
+
+/// Part of its narrowest side by which a body may be moved through soil that has no strength (chosen: strains of order one half).
+const ELASTIC_TRAVEL: f64 = 0.5;
+
+/// Warns of a body that is to plough soil which only stretches.
+pub(super) fn through_elastic_soil(case: &Case, body: &Body, notes: &mut Vec<String>) {
+    let Some((path, _)) = case.soils().find(|(_, soil)| matches!(soil.law, Law::Elastic)) else { return };
+    let deepest = body.position.z + body.reach().0.z + range(body, case.duration)[0].z;
+    let depth = case.ground.surface() - deepest;
+    let mut size = body.size();
+    if case.domain.plane_strain {
+        size.y = f64::INFINITY;
+    }
+    let (travel, width) = (displacement(body, case.duration).length(), size.min_element());
+    if depth > case.grid.fine_cell().z && travel > ELASTIC_TRAVEL * width {
+        notes.push(format!(
+            "{}: is moved by {} m through soil without a strength ({path}.law = \"elastic\"), which stretches and does not flow: the cells will be \
+             torn; give the soil a strength, or move the body by less than {} m.",
+            body.name,
+            plain(travel),
+            plain(ELASTIC_TRAVEL * width)
         ));
     }
 }
@@ -168,5 +192,31 @@ mod tests {
         let said = |weight: &str| notes(&format!("weight = '{weight}'\nheave = 'free'"));
         assert!(said("100 MN").contains("body.plate: it is pressed down with 1e8 N"), "{}", said("100 MN"));
         assert!(!said("5 kN").contains("no soil bears"));
+    }
+
+    #[test]
+    fn ploughing_soil_without_a_strength_is_doubted() {
+        let notes = |more: &str, law: &str| {
+            let text = format!(
+                "format = 2\nsoil = {{ {law}, unit_weight = '15 kN/m^3', young_modulus = '1 MPa', poisson_ratio = 0.3 }}\n\
+                 domain = {{ x = ['-0.3 m', '0.3 m'], y = ['-0.3 m', '0.3 m'], z = ['-0.3 m', '0.2 m'] }}\ngrid = {{ cell = '12.5 mm', growth = 1.3 }}\n\
+                 run = {{ duration = '0.5 s' }}\n[body.plate]\nshape = 'block'\nsize = ['0.1 m', '0.1 m', '0.05 m']\nfriction = 0.3\n{more}\n"
+            );
+            advice(&parse(&text, "case.toml", &[]).unwrap()).join("\n")
+        };
+        let (words, elastic) = ("plate: is moved by", "law = 'elastic'");
+        for (more, law, is_doubted) in [
+            ("sinkage = '40 mm'\nforward = { speed = '0.2 m/s' }", elastic, true),
+            (
+                "sinkage = '40 mm'\nforward = { speed = '0.2 m/s' }",
+                "law = 'tresca', shear_strength = '2 kPa'",
+                false,
+            ),
+            ("sinkage = '40 mm'\nforward = { displacement = '20 mm', ramp = '0.4 s' }", elastic, false),
+            ("heave = { displacement = '-60 mm', ramp = '0.4 s' }", elastic, true),
+            ("forward = { speed = '0.2 m/s' }\nheave = { load = '0 N' }\nweight = '20 N'", elastic, false),
+        ] {
+            assert_eq!(notes(more, law).contains(words), is_doubted, "{more}, {law}: {}", notes(more, law));
+        }
     }
 }
