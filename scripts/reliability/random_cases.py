@@ -8,12 +8,14 @@ to a frame or to a second body; the ground is of every law, some of it in layers
 
 None may panic, hang or end otherwise than docs/reliability.md says. For every run that is graded good this script looks
 for itself, in the CSV files, at motion, energy balance and leak. The first graded good are run again on cells of two
-thirds the size: the drag of a towed body, the vertical force of any other, must be within 25 % in nine of ten.
+thirds the size: the drag of a towed body, the sinkage of a loaded or dropped one, the vertical force of any other, must be within
+25 % in nine of ten. With --changes all good and doubtful ones are, and a table says by how much their answers move, over the least
+number of cells across the body, its contact chord and its sinkage.
 
 At the end a table says for each shape, and for each kind of ground and motion, how many were good, doubtful and broken,
 and which checks broke them: of the sample alone, without the careful ones that are drawn to make up the good ones.
 
-    random_cases.py path/to/coulter [--count 500] [--finer 60] [--seed 1] [--jobs 2] [--short] [--keep DIR]
+    random_cases.py path/to/coulter [--count 500] [--finer 60] [--seed 1] [--jobs 2] [--short] [--changes] [--keep DIR]
 
 With --keep every outcome is written down as soon as it is known; given again, the same command continues from there, as
 long as the program is the same to the byte.
@@ -588,9 +590,26 @@ def out_of_bounds(case, folder):
     return faults
 
 
-def force(case, summary):
-    body = summary["bodies"]["thing"]
-    return body["steady"]["drag_N" if case.towed else "vertical_N"]
+def answer(case, summary):
+    """Drag of a towed body [N], sinkage of one that its weight or a load presses [m], vertical force of any other [N]."""
+    steady = summary["bodies"]["thing"]["steady"]
+    return steady["drag_N" if case.towed else "sinkage_m" if case.kind in ("loaded", "dropped") else "vertical_N"]
+
+
+def print_changes(records):
+    """By how much answers move on cells of two thirds the size, over the least number of cells that a grade counts."""
+    counted = ("cells over width", "cells over contact chord", "cells over sinkage")
+    print("change on cells of two thirds the size; least cells over width, chord, sinkage: number, median, three of four, nine of ten")
+    for low, high in ((0, 2), (2, 4), (4, 6), (6, math.inf)):
+        changes = []
+        for r in records:
+            cells = [r["checks"][name] for name in counted if r["checks"].get(name) is not None]
+            if cells and low <= min(cells) < high and r["answer"] and "law elastic" not in r["features"]:
+                changes.append(abs(r["finer"] / r["answer"] - 1))
+        changes.sort()
+        if changes:
+            parts = (f"{100 * changes[int(part * len(changes))]:.0f} %" for part in (0.5, 0.75, 0.9))
+            print(f"  {low} to {high}: {len(changes)}, {', '.join(parts)}")
 
 
 class Outcomes:
@@ -655,6 +674,7 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--short", action="store_true", help="50 cases, none of them finer")
+    parser.add_argument("--changes", action="store_true", help="all good and doubtful ones on finer cells, and a table")
     parser.add_argument("--keep", help="folder for a line of JSON per case")
     options = parser.parse_args()
     if options.short:
@@ -687,7 +707,7 @@ def main():
                 record["checks"] = {c["name"]: c["value"] for c in trust["checks"]}
                 record["doubts"] = [c["name"] for c in trust["checks"] if c["verdict"] != "good"]
                 record["broken"] = [c["name"] for c in trust["checks"] if c["verdict"] == "broken"]
-                record["force"] = force(case, summary)
+                record["answer"] = answer(case, summary)
                 if (code == 1) != (trust["verdict"] == "broken"):
                     faults.append(f"case {n}: graded {trust['verdict']}, exit code {code}")
                 faults.extend(f"case {n}: graded good with {w}" for w in wrong)
@@ -701,7 +721,7 @@ def main():
             if summary is None or code not in (0, 1):
                 faults.append(f"case {record['n']}, finer: ends with {code}: {told[-400:]}")
                 return
-            record["finer"] = force(case, summary)
+            record["finer"] = answer(case, summary)
             record["finer_verdict"] = summary["trust"]["verdict"]
 
         with ThreadPoolExecutor(options.jobs) as team:
@@ -712,7 +732,10 @@ def main():
                 more = list(team.map(lambda n: one(n, True), range(len(done), len(done) + 10)))
                 done += more
                 good += [pair for pair in more if pair[1]["verdict"] == "good"]
-            list(team.map(finer, good[: options.finer]))
+            compared = good[: options.finer]
+            if options.changes:
+                compared += [pair for pair in done if pair[1]["verdict"] in ("good", "doubtful") and pair not in compared]
+            list(team.map(finer, compared))
         if options.keep:
             lines = [json.dumps(record) + "\n" for record in sorted(records, key=lambda r: r["n"])]
             (Path(options.keep) / f"seed-{options.seed}.jsonl").write_text("".join(lines))
@@ -725,14 +748,17 @@ def main():
     for why in refused:
         if "panick" in why or not why.startswith("2"):
             faults.append(f"check: {why}")
-    compared = [r for r in records if r.get("finer") is not None]
-    near = [r for r in compared if abs(r["finer"] - r["force"]) <= 0.25 * max(abs(r["finer"]), abs(r["force"]))]
+    again = [r for r in records if r.get("finer") is not None]
+    if options.changes:
+        print_changes(again)
+    compared = [r for r in again if r["verdict"] == "good"][: options.finer]
+    near = [r for r in compared if abs(r["finer"] - r["answer"]) <= 0.25 * max(abs(r["finer"]), abs(r["answer"]))]
     if options.finer:
         fraction = len(near) / len(compared) if compared else 0
         print(f"{len(near)} of {len(compared)} graded good are within 25 % on cells of two thirds the size ({100 * fraction:.0f} %)")
         for r in compared:
             if r not in near:
-                print(f"  case {r['n']} ({r['kind']}): {r['force']:.4g} N, finer {r['finer']:.4g} N")
+                print(f"  case {r['n']} ({r['kind']}): {r['answer']:.4g}, finer {r['finer']:.4g}")
         if len(compared) < options.finer or fraction < 0.9:
             faults.append("too few graded good are near their finer selves")
     for fault in faults:

@@ -2,6 +2,7 @@
 
 use crate::error::VerifyError;
 use crate::runner::Runner;
+use coulter::output::fields::shown_pressure;
 use coulter::simulation::Simulation;
 use glam::DVec3;
 use physics::tensor::mean;
@@ -20,27 +21,32 @@ pub(crate) fn run(runner: &mut Runner) -> Result<(), VerifyError> {
         return Ok(());
     }
     let mut simulation = runner.simulation(CASE, &[])?;
-    let [at_rest, _] = roughness(&simulation);
+    let [at_rest, _] = roughness(&simulation, |cell| pressure_of(&simulation, cell));
     runner.finish("F2", variant, &mut simulation)?;
-    let [departure, checkerboard] = roughness(&simulation);
+    let [departure, checkerboard] = roughness(&simulation, |cell| pressure_of(&simulation, cell));
+    let shown = shown_pressure(&simulation.model.grid, &simulation.state);
+    let columns = simulation.model.grid.cells()[0];
+    let [written, written_checkerboard] = roughness(&simulation, |[i, k]| shown[k * columns + i]);
     let figures = [
         ("departure from the four neighbours over the mean, at rest", at_rest),
         ("departure from the four neighbours over the mean", departure),
         ("checkerboard over the mean", checkerboard),
+        ("departure from the four neighbours over the mean, as written", written),
+        ("checkerboard over the mean, as written", written_checkerboard),
         ("scatter of the drag over its mean", scatter(&simulation)),
     ];
     runner.put("F2", variant, simulation.wall_s, &figures)
 }
 
-/// Root mean square over the sheared zone, over the mean pressure there: of the departure from the mean of the four neighbours
-/// in the x–z plane, and of the part that alternates along x and z.
-fn roughness(simulation: &Simulation) -> [f64; 2] {
+/// Root mean square over the sheared zone, over the mean pressure there: of the departure of the pressure of a column and a layer [Pa]
+/// from the mean of the four neighbours in the x–z plane, and of the part that alternates along x and z.
+fn roughness(simulation: &Simulation, pressure_of: impl Fn([usize; 2]) -> f64) -> [f64; 2] {
     let [nx, _, nz] = simulation.model.grid.cells();
     let cells = (1..nz - 1).flat_map(|k| (1..nx - 1).map(move |i| [i, k]));
     let zone: Vec<[usize; 2]> = cells.filter(|cell| is_in_zone(simulation, *cell)).collect();
     let (mut pressure, mut departure, mut checkerboard) = (0.0, 0.0, 0.0);
     for [i, k] in &zone {
-        let p = |di: usize, dk: usize| pressure_of(simulation, [i + di - 1, k + dk - 1]);
+        let p = |di: usize, dk: usize| pressure_of([i + di - 1, k + dk - 1]);
         let own = p(1, 1);
         let sides = (p(0, 1) + p(2, 1)) + (p(1, 0) + p(1, 2));
         let corners = (p(0, 0) + p(2, 0)) + (p(0, 2) + p(2, 2));

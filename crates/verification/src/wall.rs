@@ -97,12 +97,16 @@ fn thrust(
     from_to @ [_, to]: [f64; 2],
 ) -> Result<(Vec<Thrust>, f64), VerifyError> {
     let variant = name(angles_and_cells, from_to);
-    let overrides = [
+    let mut overrides = vec![
         format!("soil.friction_angle={angle} deg"),
         format!("soil.dilation_angle={dilation} deg"),
         format!("grid.cell={} m", HEIGHT / f64::from(cells)),
         format!("run.tow_distance={} m", to * HEIGHT),
     ];
+    // The exact factor is that of sand which dilates without end.
+    if dilation > 0 {
+        overrides.push("soil.critical_density=1 kg/m^3".to_owned());
+    }
     let mut simulation = runner.simulation(CASE, &overrides)?;
     let half = 0.5 * f64::from(angle).to_radians();
     let rise = (std::f64::consts::FRAC_PI_4 - half).tan();

@@ -61,8 +61,8 @@ fn a_wall_of_few_cells_is_warned_of() {
     let desk = Desk::with(&[("case.toml", CASE), ("bucket.obj", &bucket(20.0))]);
     desk.expect(0, &["check", "case.toml"]).says(&[
         "bucket: 2.0 cells across where it is thinnest, 19.95",
-        "below 4",
-        "below 2 soil leaks",
+        "two thirds as wide",
+        "moved by 18 % in the median",
     ]);
     desk.write("bucket.obj", bucket(60.0).as_bytes());
     let thick = desk.expect(0, &["check", "case.toml"]);

@@ -2,6 +2,7 @@
 
 mod base;
 mod closed_box;
+mod few_cells;
 mod inertia;
 mod motions;
 mod passive;
@@ -14,8 +15,6 @@ use super::model::sand;
 use super::path::{Paths, body_length};
 use super::quantity::plain;
 use super::resolved::{Body, Case, Law, Motion, Output, Potential, Soil, Water};
-use super::thickness::{self, ThinPlace};
-use super::tow::Measures;
 use super::unusual::unusual;
 use glam::DVec3;
 use passive::passive_coefficient;
@@ -28,7 +27,7 @@ use std::collections::BTreeSet;
 pub fn advice(case: &Case) -> Vec<String> {
     let mut notes = unusual(case);
     for (_, body) in case.touching() {
-        resolution(case, body, &mut notes);
+        few_cells::resolution(case, body, &mut notes);
         fine_zone(case, body, &mut notes);
         base::within_cell(case, body, &mut notes);
         motions::in_soil(case, body, &mut notes);
@@ -78,50 +77,6 @@ fn surface(body: &Body, notes: &mut Vec<String>) {
             report.centroid.length()
         ));
     }
-}
-
-fn resolution(case: &Case, body: &Body, notes: &mut Vec<String>) {
-    let Measures { extent: mut size, thickness, cell } = Measures::of(case, body, case.grid.fine_cell());
-    size.y = thickness;
-    if case.domain.plane_strain {
-        size.y = f64::INFINITY;
-    }
-    let cells = size / cell;
-    let narrow = thinnest(case, body, cells.min_element(), notes);
-    let wide = cells.x.min(cells.z);
-    if wide < 10.0 && wide > narrow {
-        notes.push(format!(
-            "{}: {wide:.1} cells across in the plane of the tow; 16 or more are advisable.",
-            body.name
-        ));
-    }
-}
-
-/// Cells across which a body is resolved well, and those below which soil leaks through it: measured on a tray and a bucket of sheet.
-const ENOUGH_CELLS: f64 = 4.0;
-const TIGHT_CELLS: f64 = 2.0;
-
-/// Warns where there are few cells across a body, or across a part of it that is thinner; returns the least number of them. `side` is
-/// that across the narrowest side of its box.
-fn thinnest(case: &Case, body: &Body, side: f64, notes: &mut Vec<String>) -> f64 {
-    let (enough, slack) = (ENOUGH_CELLS * (1.0 - 1e-9), 1.0 - 1e-3);
-    let thin = thickness::thin_places(case, body, enough);
-    let thin = thin.into_iter().min_by(|a, b| a.cells.total_cmp(&b.cells));
-    let (cells, what) = match thin {
-        Some(ThinPlace { cells, wall: Some((thickness, place)), .. }) if cells * slack < side => {
-            (cells, format!("where it is thinnest, {:.4} mm at {place}", 1e3 * thickness))
-        }
-        Some(ThinPlace { cells, path, wall: None }) if cells < side * slack => (cells, path),
-        _ => (side, "its narrowest side".to_owned()),
-    };
-    if cells < enough {
-        let leaks = if cells < TIGHT_CELLS { ", and below 2 soil leaks through it" } else { "" };
-        notes.push(format!(
-            "{}: {cells:.1} cells across {what}; below 4 the force is uncertain by tens of per cent{leaks}.",
-            body.name
-        ));
-    }
-    cells
 }
 
 fn fine_zone(case: &Case, body: &Body, notes: &mut Vec<String>) {

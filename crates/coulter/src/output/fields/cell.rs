@@ -2,6 +2,7 @@
 
 use crate::domain::PlacedDomain;
 use glam::DVec3;
+use solver::grid::Grid;
 use solver::precision::Precision;
 use solver::state::State;
 
@@ -139,6 +140,15 @@ impl<'a, R: Precision> CellView<'a, R> {
 /// Velocity of a node [m/s].
 pub(crate) fn node_velocity(state: &State<impl Precision>, node: usize) -> DVec3 {
     DVec3::from_array(std::array::from_fn(|axis| state.nodes.velocity[axis][node].into()))
+}
+
+/// Mean pressure of all cells as it is written and drawn [Pa], compression positive, x fastest, then y; zero where a cell is void.
+#[must_use]
+pub fn shown_pressure<R: Precision>(grid: &Grid, state: &State<R>) -> Vec<f64> {
+    let domain = PlacedDomain::of(grid, state.grid_position);
+    let [columns, rows, layers] = domain.cells();
+    let each = (0..layers).flat_map(|k| (0..rows).flat_map(move |j| (0..columns).map(move |i| [i, j, k])));
+    each.map(|at| CellView::of(&domain, state, at).pressure()).collect()
 }
 
 /// Number of cells with soil.

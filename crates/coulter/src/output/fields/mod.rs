@@ -6,6 +6,7 @@ mod cell;
 mod rut;
 mod surface;
 
+pub use cell::shown_pressure;
 pub(crate) use cell::{CellView, filled_cells, node_velocity};
 pub use rut::{Rut, ruts};
 pub use surface::{HeightMap, SurfaceFigures, reference_height};
