@@ -751,7 +751,7 @@ def main():
     again = [r for r in records if r.get("finer") is not None]
     if options.changes:
         print_changes(again)
-    compared = [r for r in again if r["verdict"] == "good"][: options.finer]
+    compared = [r for r in again if r["verdict"] == "good"]
     near = [r for r in compared if abs(r["finer"] - r["answer"]) <= 0.25 * max(abs(r["finer"]), abs(r["answer"]))]
     if options.finer:
         fraction = len(near) / len(compared) if compared else 0

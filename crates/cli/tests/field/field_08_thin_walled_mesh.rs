@@ -62,7 +62,7 @@ fn a_wall_of_few_cells_is_warned_of() {
     desk.expect(0, &["check", "case.toml"]).says(&[
         "bucket: 2.0 cells across where it is thinnest, 19.95",
         "two thirds as wide",
-        "moved by 18 % in the median",
+        "changed by 18 % in the median",
     ]);
     desk.write("bucket.obj", bucket(60.0).as_bytes());
     let thick = desk.expect(0, &["check", "case.toml"]);

@@ -1,7 +1,6 @@
 //! Warnings of too few cells across a body and over its sinkage, with how far the answer moves on finer ones.
 
-use super::motions::is_above_ground;
-use crate::case::path::range;
+use super::motions::{is_above_ground, lowest};
 use crate::case::resolved::{Body, Case, Motion};
 use crate::case::thickness::{self, ThinPlace};
 use crate::case::tow::Measures;
@@ -10,16 +9,15 @@ use crate::case::tow::Measures;
 const ENOUGH_CELLS: f64 = 4.0;
 const TIGHT_CELLS: f64 = 2.0;
 
-/// Up to how many cells across a body, its contact chord or its sinkage the answers of random cases moved by how much on cells of two thirds
-/// the size, in the median and in nine of ten: `scripts/reliability/random_cases.py --changes`, docs/reliability.md.
+/// Below how many cells over width, contact chord or sinkage the drag, vertical force or sinkage of random cases changed by how much on cells
+/// two thirds as wide, in the median and in nine of ten: `scripts/reliability/random_cases.py --changes`, docs/reliability.md.
 const CHANGES: [(f64, [f64; 2]); 2] = [(TIGHT_CELLS, [0.18, 0.38]), (ENOUGH_CELLS, [0.08, 0.29])];
 
-/// How far the answer moves on finer cells, where there are so few.
+/// How far the answer changes on finer cells, where there are so few.
 fn change(cells: f64) -> Option<String> {
-    let (_, [median, most]) = CHANGES.into_iter().find(|(most, _)| cells < most * (1.0 - 1e-9))?;
+    let (_, [median, most]) = CHANGES.into_iter().find(|(below, _)| cells < below * (1.0 - 1e-9))?;
     Some(format!(
-        "on cells two thirds as wide the answers of random cases with so few moved by {:.0} % in the median and by up to {:.0} % in nine of \
-         ten",
+        "with so few, random cases changed by {:.0} % in the median, and by up to {:.0} % in nine of ten, on cells two thirds as wide",
         100.0 * median,
         100.0 * most
     ))
@@ -71,9 +69,45 @@ fn sinkage(case: &Case, body: &Body, notes: &mut Vec<String>) {
     if !is_towed || z.is_free() || body.steers() || !case.is_even() || is_above_ground(case, body) {
         return;
     }
-    let lowest = body.position.z + body.reach().0.z + range(body, case.duration)[0].z;
-    let cells = (case.ground.surface() - lowest) / case.grid.fine_cell().z;
+    let cells = (case.ground.surface() - lowest(case, body)) / case.grid.fine_cell().z;
     if let Some(change) = change(cells) {
         notes.push(format!("{}: {cells:.1} cells over its sinkage: {change}.", body.name));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::case::{advice, parse};
+
+    #[test]
+    fn few_cells_over_the_sinkage_of_a_body_that_is_held_and_towed_are_doubted() {
+        let notes = |more: &str| {
+            let text = format!(
+                "format = 2\nsoil = {{ law = 'mohr-coulomb', friction_angle = '32 deg', unit_weight = '15 kN/m^3', young_modulus = '1 MPa' }}\n\
+                 domain = {{ x = ['-0.3 m', '0.3 m'], y = ['-0.3 m', '0.3 m'], z = ['-0.3 m', '0.2 m'] }}\ngrid = {{ cell = '12.5 mm', growth = 1.3 }}\n\
+                 run = {{ duration = '0.5 s' }}\n[body.plate]\nshape = 'block'\nsize = ['0.1 m', '0.1 m', '0.1 m']\nfriction = 0.3\n{more}\n"
+            );
+            advice(&parse(&text, "case.toml", &[]).unwrap()).join("\n")
+        };
+        let towed = "forward = { speed = '0.1 m/s' }";
+        for (more, words) in [
+            (
+                format!("sinkage = '12.5 mm'\n{towed}"),
+                Some("plate: 1.0 cells over its sinkage: with so few, random cases changed by 18 %"),
+            ),
+            (
+                format!("sinkage = '37.5 mm'\n{towed}"),
+                Some("plate: 3.0 cells over its sinkage: with so few, random cases changed by 8 %"),
+            ),
+            (format!("sinkage = '50 mm'\n{towed}"), None),
+            (format!("{towed}\nheave = 'free'\nweight = '20 N'"), None),
+            ("heave = { speed = '-0.02 m/s' }".to_owned(), None),
+        ] {
+            let notes = notes(&more);
+            assert!(
+                words.map_or(!notes.contains("over its sinkage"), |words| notes.contains(words)),
+                "{more}: {notes}"
+            );
+        }
     }
 }

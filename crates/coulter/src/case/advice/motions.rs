@@ -40,12 +40,16 @@ fn begins(path: &str, how: &Motion, lasts: f64, notes: &mut Vec<String>) {
     }
 }
 
+/// Height of the lowest point of a body on its path [m], as far as that is prescribed.
+pub(super) fn lowest(case: &Case, body: &Body) -> f64 {
+    body.position.z + body.reach().0.z + range(body, case.duration)[0].z
+}
+
 /// Whether a body stays above the undisturbed ground on its whole path; heaps do not count.
 pub(super) fn is_above_ground(case: &Case, body: &Body) -> bool {
     let highest = case.ground.surface() + case.relief.of_solver().extremes(case.area())[1];
     let falls = body.guided().translation[2].is_free();
-    let low = body.position.z + body.reach().0.z + range(body, case.duration)[0].z;
-    !falls && low >= highest - 1e-9
+    !falls && lowest(case, body) >= highest - 1e-9
 }
 
 /// Warns of bodies that never meet soil, and of those that are lifted out of it at once.
@@ -76,14 +80,13 @@ pub(super) fn in_soil(case: &Case, body: &Body, notes: &mut Vec<String>) {
     }
 }
 
-/// Part of its narrowest side by which a body may be moved through soil that has no strength (chosen: strains of order one half).
+/// Part of its narrowest side by which a body may be moved through soil that has no strength (chosen: a strain of one half).
 const ELASTIC_TRAVEL: f64 = 0.5;
 
 /// Warns of a body that is to plough soil which only stretches.
 pub(super) fn through_elastic_soil(case: &Case, body: &Body, notes: &mut Vec<String>) {
     let Some((path, _)) = case.soils().find(|(_, soil)| matches!(soil.law, Law::Elastic)) else { return };
-    let deepest = body.position.z + body.reach().0.z + range(body, case.duration)[0].z;
-    let depth = case.ground.surface() - deepest;
+    let depth = case.ground.surface() - lowest(case, body);
     let mut size = body.size();
     if case.domain.plane_strain {
         size.y = f64::INFINITY;
