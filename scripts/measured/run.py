@@ -7,7 +7,8 @@
 ROW is a name of validation/measured/rows.toml or a pattern such as 'M2*'; without one all rows are run. Rows that others need (of which
 ratios are formed, and the given rows of the same set, which widen the intervals) are run with them. Every row is run by the solver on one
 thread and, where one applies, evaluated by the closed form. Runs that are finished in OUT are read, not repeated, and those that were
-stopped go on; use another OUT, or another --round, after the program has changed. Predictions are written to validation/blind/predictions.toml.
+stopped go on; use another OUT, or another --round, after the program has changed. Predictions are written to validation/blind/predictions.toml,
+what was computed of given rows to validation/measured/computed.toml; page.py draws docs/measured.md from both.
 
 Python 3.11 or newer, standard library only.
 """
@@ -30,6 +31,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "validation" / "measured"
 REGISTER = ROOT / "validation" / "blind" / "predictions.toml"
+COMPUTED = FOLDER / "computed.toml"
 RATE = 10e6  # filled cell-steps per second and core (6 to 13 million in short runs beside two others), until runs in OUT say otherwise
 NORMAL = 1.645  # half-width of a 90 % interval in standard deviations
 WIDER = {"good": 1.0, "doubtful": 1.25, "broken": 2.0, "unfinished": 2.0}  # the intervals of runs of this grade
@@ -38,6 +40,7 @@ COLUMNS = {
     "travel": "displacement u [m]", "rotation": "rotation [rad]", "turn": "turn ratio [-]",
 }
 FIELDS = ["row", "quantity", "value", "low", "high", "model", "grade", "command", "round"]
+GIVEN_FIELDS = ["row", "quantity", "unit", "measured", "scale", "value", "model", "grade", "round"]
 MATHS = {name: getattr(math, name) for name in ("sqrt", "log", "exp", "pi", "tan", "radians")} | {"max": max, "min": min}
 
 
@@ -82,7 +85,7 @@ class Row:
                 raise Fault(f"{self.name}: its set has no quantity '{name}'")
         self.number = resolved(shared.get("number", {}) | table.get("number", {}), self.name)
         fill = lambda words: [filled(word, self.number, self.name) for word in words]
-        self.case = FOLDER / shared["case"] if "case" in shared else None
+        self.case = (FOLDER / shared["case"]).resolve() if "case" in shared else None
         self.override = fill(shared.get("override", []) + table.get("override", [])) + (trials if self.case else [])
         self.closed = shared.get("closed", True) and self.case is not None
         self.closed_override = shared.get("closed_override", [])
@@ -422,25 +425,25 @@ def digits(value):
     return text if re.search(r"[.e]", text) else text + ".0"
 
 
-def register(new, order):
-    """Writes predictions, in place of those of the same row, quantity, model and round. All others stay."""
-    old = tomllib.loads(REGISTER.read_text()).get("prediction", []) if REGISTER.is_file() else []
+def register(path, key, what, new, order):
+    """Writes tables [[key]] of predictions or of given rows, in place of those of the same row, quantity, model and round. All others stay."""
+    old = tomllib.loads(path.read_text()).get(key, []) if path.is_file() else []
     same = lambda entry: tuple(entry[key] for key in ("row", "quantity", "model", "round"))
     merged = list(({same(entry): entry for entry in old} | {same(entry): entry for entry in new}).values())
     # Rounds and models one below the other; rows that are no longer listed come last.
     position = lambda entry: (order.get((entry["row"], entry["quantity"]), len(order)), entry["model"] != "solver", entry["round"])
     merged.sort(key=position)
-    lines = ["# Predictions of the blind rows of validation/measured, written by scripts/measured/run.py: value and 90 % interval.", ""]
+    lines = [f"# {what}", ""]
     for entry in merged:
-        lines.append("[[prediction]]")
-        for key in FIELDS:
-            value = entry[key]
-            lines.append(f"{key} = {digits(value) if isinstance(value, float) else json.dumps(value, ensure_ascii=False)}")
+        lines.append(f"[[{key}]]")
+        for field, value in entry.items():
+            lines.append(f"{field} = {digits(value) if isinstance(value, float) else json.dumps(value, ensure_ascii=False)}")
         lines.append("")
-    REGISTER.parent.mkdir(parents=True, exist_ok=True)
-    partial = REGISTER.with_suffix(".part")
+    path.parent.mkdir(parents=True, exist_ok=True)
+    partial = path.with_suffix(".part")
     partial.write_text("\n".join(lines))
-    partial.replace(REGISTER)
+    partial.replace(path)
+    print(f"{len(new)} of round {new[0]['round']} written to {path.relative_to(ROOT)}")
 
 
 def number(value):
@@ -448,8 +451,8 @@ def number(value):
 
 
 def report(harness, rows, given):
-    """Prints the table, and returns the predictions."""
-    predictions, results = [], []
+    """Prints the table, and returns the predictions and what was computed of given rows."""
+    predictions, computed, results = [], [], []
     solver = lambda row, name: harness.values.get(row.name, {}).get(name)
 
     def closed(row, name):
@@ -469,6 +472,11 @@ def report(harness, rows, given):
                     found = harness.forecast(row, name)
                     value = found and found["value"]
                 entry[model] = value
+                if value is not None and measured is not None:
+                    scale = formula(spec["scale"], row.number, row.name) if "scale" in spec else 0.0
+                    told_by = found["model"] if found else grade
+                    computed.append(dict(zip(GIVEN_FIELDS, [
+                        row.name, name, spec.get("unit", ""), float(measured), scale, value, model, told_by, given.round])))
                 if value is None or not row.blind:
                     continue
                 values = harness.values.get(row.name, {}) if model == "solver" else {}
@@ -491,7 +499,7 @@ def report(harness, rows, given):
         for note in harness.notes.get(row.name, []):
             print(f"    {note}")
     harness.save("rows.json", results)
-    return predictions
+    return predictions, computed
 
 
 def main():
@@ -561,13 +569,14 @@ def work(harness, chosen, given):
     # Rows whose quantities others use come first.
     for row in sorted(chosen, key=lambda row: len(row.of)):
         harness.values[row.name] = harness.evaluate(row)
-    predictions = report(harness, chosen, given)
+    predictions, computed = report(harness, chosen, given)
     if given.set or given.dry:
         return
     order = {(row.name, name): n for n, (row, name) in enumerate((row, name) for row in harness.rows.values() for name in row.shown)}
     if predictions:
-        register(predictions, order)
-        print(f"{len(predictions)} predictions of round {given.round} written to {REGISTER.relative_to(ROOT)}")
+        register(REGISTER, "prediction", "Predictions of the blind rows of validation/measured, written by scripts/measured/run.py: value and 90 % interval.", predictions, order)
+    if computed:
+        register(COMPUTED, "given", "What was computed of given rows, written by scripts/measured/run.py. An error is relative to the measured figure, or to a tenth of `scale` where that is larger.", computed, order)
 
 
 try:
