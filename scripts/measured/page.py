@@ -51,7 +51,6 @@ class Table:
         self.set_of = {row["name"]: row["set"] for row in rows["row"]}
         self.given = latest(load("validation", "measured", "computed.toml").get("given", []))
         predictions = load("validation", "blind", "predictions.toml").get("prediction", [])
-        # Which closed form it was is told in `grade`.
         self.blind = latest(predictions)
 
     def kind(self, row):
@@ -265,6 +264,8 @@ def picture(table):
 
 def main():
     table = Table()
+    if not table.given:
+        sys.exit("page.py: validation/measured/computed.toml holds no given row; run scripts/measured/run.py")
     wanted = {PAGE: page(table), PICTURE: picture(table)}
     if sys.argv[1:] == ["--check"]:
         stale = [str(path.relative_to(ROOT)) for path, new in wanted.items() if not path.is_file() or path.read_text(encoding="utf-8") != new]
