@@ -83,6 +83,8 @@ class Row:
         for name in [*self.shown, *self.measured]:
             if name not in self.quantity:
                 raise Fault(f"{self.name}: its set has no quantity '{name}'")
+            if self.blind and "sd" not in self.quantity[name]:
+                raise Fault(f"{self.name}: '{name}' is to be predicted, and has no sd")
         self.number = resolved(shared.get("number", {}) | table.get("number", {}), self.name)
         fill = lambda words: [filled(word, self.number, self.name) for word in words]
         self.case = (FOLDER / shared["case"]).resolve() if "case" in shared else None
