@@ -15,12 +15,12 @@ import math
 import subprocess
 import sys
 import tempfile
+import tomllib
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 SANDS = HERE.parents[1] / "cases" / "sands"
 GRAINS = {"karlsruhe_fine": 2650.0, "toyoura": 2640.0, "hostun_rf": 2650.0, "ottawa_f65": 2650.0}  # kg/m^3
-VOID_RATIOS = {"karlsruhe_fine": (1.054, 0.677), "toyoura": (0.977, 0.605), "hostun_rf": (1.041, 0.648), "ottawa_f65": (0.7389, 0.4915)}
 LIMIT = ["--set", "soil.stiffness_limit=500 kPa"]
 # Tests at up to this pressure were used to fit the constants of the law [kPa].
 CALIBRATED = 110.0
@@ -30,6 +30,12 @@ def published(name):
     """Lines of a file of published values, as dictionaries."""
     with open(HERE / "published" / name, encoding="utf-8") as file:
         return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+def limits(sand):
+    """Void ratios in the loosest and in the densest state, from the densities of cases/sands."""
+    soil = tomllib.loads((SANDS / f"{sand}.toml").read_text(encoding="utf-8"))["soil"]
+    return [GRAINS[sand] / float(soil[key].split()[0]) - 1.0 for key in ("minimum_density", "maximum_density")]
 
 
 class Program:
@@ -229,13 +235,14 @@ def stiffness_ratios(program, sand, void_ratio, relative_density):
 def stiffness(program):
     print("\nComputed over published; in each cell loose, medium and dense sand (I_D = 0.3, 0.6, 0.9)\n")
     table = {}
-    for sand, (loosest, densest) in VOID_RATIOS.items():
+    for sand in GRAINS:
+        loosest, densest = limits(sand)
         for relative_density in (0.3, 0.6, 0.9):
             void_ratio = loosest - relative_density * (loosest - densest)
             for name, ratio in stiffness_ratios(program, sand, void_ratio, relative_density).items():
                 table.setdefault(name, {}).setdefault(sand, []).append(ratio)
-    line(["modulus", *VOID_RATIOS, "geometric mean"])
-    line(["---"] + ["--:"] * (len(VOID_RATIOS) + 1))
+    line(["modulus", *GRAINS, "geometric mean"])
+    line(["---"] + ["--:"] * (len(GRAINS) + 1))
     for name, row in table.items():
         logarithms = [math.log(ratio) for ratios in row.values() for ratio in ratios]
         mean = math.exp(sum(logarithms) / len(logarithms))
