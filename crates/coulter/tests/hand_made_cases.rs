@@ -286,13 +286,14 @@ fn numbers_of_law(law: &mut Law) -> Vec<&mut f64> {
             critical_friction_angle,
             minimum_density,
             maximum_density,
+            preconsolidation,
             stiffness_limit,
             characteristic_length,
             density_gradient,
             ..
         } => {
             let mut all = vec![critical_friction_angle, minimum_density, maximum_density, stiffness_limit];
-            all.push(density_gradient);
+            all.extend([preconsolidation, density_gradient]);
             all.extend(characteristic_length);
             all
         }

@@ -4,7 +4,7 @@ use crate::balance::kinetic_energy;
 use crate::boundary::Boundary;
 use crate::contact::cut_out_bodies;
 use crate::energy;
-use crate::fields::INTACT_STRENGTH;
+use crate::fields::{INTACT_STRENGTH, PRECONSOLIDATION};
 use crate::grid::Grid;
 use crate::halo::Halo;
 use crate::material::Material;
@@ -94,21 +94,33 @@ pub fn undisturbed_fractions(grid: &Grid, ground: &Ground) -> Vec<f64> {
     fractions
 }
 
-/// Gives the soil of every cell the strength of its materials at the height of the cell's centre.
-fn strengthen<R: Scalar>(model: &Model, grid: &Grid, soil: &mut Soil<R>) {
-    if soil.history[INTACT_STRENGTH].is_empty() {
+/// Gives the soil of every cell what its materials remember at the height of the cell's centre.
+fn remember<R: Scalar>(model: &Model, grid: &Grid, soil: &mut Soil<R>) {
+    let strength = |material: &Material, z| material.strength.map_or(0.0, |profile| profile.at(z));
+    remember_one(model, grid, soil, INTACT_STRENGTH, strength);
+    remember_one(model, grid, soil, PRECONSOLIDATION, |material, _| material.preconsolidation);
+}
+
+fn remember_one<R: Scalar>(
+    model: &Model,
+    grid: &Grid,
+    soil: &mut Soil<R>,
+    variable: usize,
+    of: impl Fn(&Material, f64) -> f64,
+) {
+    if soil.history[variable].is_empty() {
         return;
     }
     for c in 0..grid.entries {
         if soil.fraction[c] > R::default() {
             let [_, _, k] = grid.layers_of(c);
             let z = 0.5 * (grid.faces[2][k] + grid.faces[2][k + 1]);
-            let own = |material: &Material| material.strength.map_or(0.0, |profile| profile.at(z));
+            let own = |material: &Material| of(material, z);
             let first = own(model.material());
             let others = model.materials[1..].iter().zip(&soil.composition);
             let mean = others
                 .fold(first, |sum, (material, portion)| sum + portion[c].to_f64() * (own(material) - first));
-            soil.history[INTACT_STRENGTH][c] = R::cast(mean);
+            soil.history[variable][c] = R::cast(mean);
         }
     }
 }
@@ -147,7 +159,7 @@ impl<R: Scalar> Undisturbed<R> {
         }));
         let mut soil = filled(&grid, ground, model);
         weigh(model, &grid, &mut soil);
-        strengthen(model, &grid, &mut soil);
+        remember(model, &grid, &mut soil);
         rest_stress(model, &grid, &mut soil, ground.overburden);
         Self { grid, first: needed.map(|layers| layers.start), soil }
     }
@@ -212,7 +224,7 @@ fn of_soil<R: Precision>(model: &Model, mut soil: Soil<R>, overburden: f64) -> S
     let at_rest: Vec<_> = poses.iter().map(|pose| (*pose, Twist::ZERO)).collect();
     let mechanism = model.mechanism().state(&at_rest);
     weigh(model, &model.grid, &mut soil);
-    strengthen(model, &model.grid, &mut soil);
+    remember(model, &model.grid, &mut soil);
     rest_stress(model, &model.grid, &mut soil, overburden);
     cut_out_bodies(model, &mut soil, &poses);
     relieve_void(&mut soil);

@@ -21,6 +21,8 @@ pub struct Material {
     pub characteristic_length: Option<f64>,
     /// Coefficient of earth pressure at rest K₀: ratio of horizontal to vertical stress at the start.
     pub k0: f64,
+    /// Largest mean pressure that sand has borne before the start [Pa].
+    pub preconsolidation: f64,
     /// Strength of the intact soil at the start, for laws with a strength at each point.
     pub strength: Option<StrengthProfile>,
     /// Density of the undeformed soil where it grows with depth; `density` then is that at the top.
@@ -80,6 +82,7 @@ impl Material {
             density,
             characteristic_length: None,
             k0: 1.0,
+            preconsolidation: 0.0,
             strength: None,
             density_profile: None,
         }

@@ -170,12 +170,13 @@ fn strength(soil: &Soil) -> String {
             bolton_r,
             reference_strain,
             compression_modulus,
+            preconsolidation,
             stiffness_limit,
             characteristic_length,
             density_gradient,
         } => format!(
             "sand, φ_cv = {}°, I_D = {}{} (ρ from {} to {} kg/m³), Q = {bolton_q}, \
-             R = {bolton_r},\n         half of its strength at a strain of {reference_strain}, compression modulus {}, \
+             R = {bolton_r},\n         half of its strength at a strain of {reference_strain}, compression modulus {}{}, \
              stiffer up to {}{}",
             degrees(critical_friction_angle),
             short(soil.relative_density().unwrap_or(f64::NAN)),
@@ -186,6 +187,10 @@ fn strength(soil: &Soil) -> String {
             short(minimum_density),
             short(maximum_density),
             pressure(compression_modulus),
+            match preconsolidation {
+                0.0 => String::new(),
+                before => format!(" beyond {}", pressure(before)),
+            },
             pressure(stiffness_limit),
             characteristic_length.map_or(String::new(), characteristic)
         ),

@@ -117,6 +117,10 @@ pub fn material(soil: &resolved::Soil) -> Material {
             _ => None,
         },
         k0: soil.k0,
+        preconsolidation: match soil.law {
+            Law::Sand { preconsolidation, .. } => preconsolidation,
+            _ => 0.0,
+        },
         strength: match soil.law {
             Law::Tresca { shear_strength, gradient, .. } => {
                 Some(StrengthProfile { top: 0.0, at_top: shear_strength, gradient })

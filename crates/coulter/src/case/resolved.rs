@@ -258,6 +258,9 @@ pub enum Law {
         reference_strain: f64,
         /// Bulk modulus of plastic compression at 100 kPa [Pa].
         compression_modulus: f64,
+        /// Largest mean pressure that the soil has borne before [Pa].
+        #[serde(skip_serializing_if = "is_zero")]
+        preconsolidation: f64,
         /// Mean pressure beyond which the elastic moduli no longer grow [Pa].
         stiffness_limit: f64,
         /// Length over which the density that governs the strength is averaged [m].

@@ -34,7 +34,7 @@ impl Specimen {
     pub fn new(material: Material, stress: Symmetric, density: f64) -> Self {
         let memory = Memory {
             stress_ratio: 0.0,
-            preconsolidation: (-mean(stress)).max(0.0),
+            preconsolidation: (-mean(stress)).max(material.preconsolidation),
             intact_strength: material.strength.map_or(0.0, |profile| profile.at_top),
             ..Memory::default()
         };

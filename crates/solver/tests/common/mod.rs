@@ -24,6 +24,7 @@ pub fn sand(faces: [Vec<f64>; 3]) -> Model {
         yield_law: Some(Law::MohrCoulomb(law)),
         k0: 0.43,
         strength: None,
+        preconsolidation: 0.0,
         density_profile: None,
         ..Material::linear_elastic(elastic, 1600.0)
     };
@@ -37,14 +38,15 @@ pub fn dense_sand(characteristic_length: Option<f64>) -> Material {
         critical_friction: 33_f64.to_radians(),
         limit_density: [1350.0, 1650.0],
         bolton: [10.0, 0.7],
-        reference_strain: 0.002,
-        compression_modulus: 32e6,
+        reference_strain: 0.0009,
+        compression_modulus: 18e6,
     };
     let law = Sand::new(elastic, Stiffening { least: 1e3, most: 2e4 }, &parameters);
     Material {
         yield_law: Some(Law::Sand(law)),
         k0: 0.45,
         strength: None,
+        preconsolidation: 0.0,
         density_profile: None,
         characteristic_length,
         ..Material::linear_elastic(elastic, 1600.0)

@@ -21,7 +21,7 @@ const FRICTIONAL: [&str; 8] = [
     "critical_density",
 ];
 const SMOOTH: [&str; 2] = ["meridional_eccentricity", "deviatoric_eccentricity"];
-const SAND: [&str; 11] = [
+const SAND: [&str; 12] = [
     "critical_friction_angle",
     "minimum_density",
     "maximum_density",
@@ -31,6 +31,7 @@ const SAND: [&str; 11] = [
     "bolton_r",
     "reference_strain",
     "compression_modulus",
+    "preconsolidation_pressure",
     "stiffness_limit",
     "characteristic_length",
 ];
@@ -189,6 +190,7 @@ fn sand(section: &Section, problems: &mut Problems) -> Option<Law> {
         bolton_r: section.number("bolton_r")?,
         reference_strain: section.number("reference_strain")?,
         compression_modulus: section.number("compression_modulus")?,
+        preconsolidation: section.number("preconsolidation_pressure")?,
         stiffness_limit: section.number("stiffness_limit")?,
         characteristic_length: match section.has("characteristic_length") {
             true => Some(section.number("characteristic_length")?),

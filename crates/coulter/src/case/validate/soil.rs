@@ -90,6 +90,7 @@ pub(in crate::case) fn law_numbers(law: &Law) -> Vec<(&'static str, f64)> {
             bolton_r,
             reference_strain,
             compression_modulus,
+            preconsolidation,
             stiffness_limit,
             characteristic_length,
             density_gradient,
@@ -103,6 +104,7 @@ pub(in crate::case) fn law_numbers(law: &Law) -> Vec<(&'static str, f64)> {
                 ("reference_strain", reference_strain),
                 ("relative_density_gradient", density_gradient),
                 ("compression_modulus", compression_modulus),
+                ("preconsolidation_pressure", preconsolidation),
                 ("stiffness_limit", stiffness_limit),
             ];
             numbers.extend(characteristic_length.map(|length| ("characteristic_length", length)));

@@ -169,8 +169,8 @@ mod tests {
             critical_friction: 0.56,
             limit_density: [1350.0, 1650.0],
             bolton: [10.0, 0.7],
-            reference_strain: 0.002,
-            compression_modulus: 32e6,
+            reference_strain: 0.0009,
+            compression_modulus: 18e6,
         };
         let stiffening = exact::elastic::Stiffening { least: 1e3, most: 2e4 };
         let law = exact::sand::Sand::new(elastic, stiffening, &parameters);
