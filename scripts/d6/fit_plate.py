@@ -22,7 +22,7 @@ MEASURED = [22.1, 51.4, 87.9, 134.7, 192.8]  # N
 SCATTER = 0.1  # of ln F
 GRAINS = 2650.0  # kg/m^3
 DENSEST = 0.63  # e_min/e_max
-# Middle and standard deviation of the priors, by rule: phi_cv [deg], e_max, ln(a/0.0009), ln(K_c/18 MPa)
+# Middle and standard deviation of the priors, by rule: phi_cv [deg], e_max, ln(a/0.0009), ln(K_c/20 MPa)
 PRIORS = {
     1: ([31.0, 1.02, 0.0, 0.0], [1.5, 0.03, math.log(2.0), math.log(1.5)]),
     2: ([33.0, 1.03, 0.0, 0.0], [3.0, 0.05, math.log(3.0), math.log(3.0)]),
@@ -37,7 +37,7 @@ def overrides(unknowns):
         f"soil.minimum_density={GRAINS / (1 + e_max):.4f} kg/m^3",
         f"soil.maximum_density={GRAINS / (1 + DENSEST * e_max):.4f} kg/m^3",
         f"soil.reference_strain={0.0009 * math.exp(strain):.7f}",
-        f"soil.compression_modulus={18e6 * math.exp(modulus):.1f} Pa",
+        f"soil.compression_modulus={20e6 * math.exp(modulus):.1f} Pa",
     ]
 
 

@@ -9,7 +9,7 @@
 //!   relative density. Flow is radial in the deviatoric plane; plastic volume compacts by D = A (M − k_d I_R − η) per plastic shear
 //!   strain. At the peak that is a multiple of I_R; where I_R = 0, D vanishes at η = M: the critical state.
 //! * **Compression**: p = p_c, the preconsolidation pressure, which grows with the compaction at a plastic bulk modulus that rises
-//!   with the square root of the pressure (Janbu 1963) and with density.
+//!   with pressure (Janbu 1963) and density.
 //!
 //! Density is the state that both share: what shear and compression compact is denser, and so stronger. Elastic moduli grow with
 //! the square root of the pressure. Free of branches, so that loops vectorise.
@@ -37,8 +37,9 @@ const MOST_CONTRACTION: f64 = 0.7;
 /// A, the slope of the dilatancy over the stress ratio. Like the constants below fitted to the tests of Karlsruhe fine sand (Wichtmann
 /// and Triantafyllidis 2016) and of Toyoura sand (Fukushima and Tatsuoka 1984) together.
 const DILATANCY: f64 = 0.6;
-/// Peak friction angle less the critical one over Bolton's index, in triaxial compression: 3.4° [rad] (Bolton 1986: 3°).
-const PEAK_ANGLE: f64 = 0.059_341_194_567_807_2;
+/// Peak friction angle less the critical one over Bolton's index, in triaxial compression: 4.0° [rad]. Sand that softens passes its peak
+/// short of it; of what is reached Bolton (1986) found 3°.
+const PEAK_ANGLE: f64 = 0.069_813_170_079_773_18;
 /// Dilatancy −dε_v/dε₁ at the peak over Bolton's index (Bolton 1986: 0.3).
 const PEAK_DILATANCY: f64 = 0.28;
 /// Range of the relative density, wider than that of the standard tests: sand may be laid looser than in them, and vibration or shear
@@ -48,7 +49,7 @@ pub const RELATIVE_DENSITY: [f64; 2] = [-0.5, 1.2];
 const RIGID: Real = 1e15;
 /// How the reference strain falls and the compression modulus rises with the relative density: exponents of e.
 const STRAIN_DENSITY: Real = -1.5;
-const COMPRESSION_DENSITY: Real = 1.5;
+const COMPRESSION_DENSITY: Real = 1.15;
 
 /// Parameters of sand.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -231,9 +232,9 @@ impl Sand {
         let strain = self.reference_strain
             * exponential(STRAIN_DENSITY * looseness)
             * max(pressure * (1.0 / CONSTANT_STRAIN), 1.0).sqrt();
-        let compression = self.compression_modulus
-            * exponential(COMPRESSION_DENSITY * looseness)
-            * (max(pressure, LEAST_PRESSURE) * (1.0 / ATMOSPHERE)).sqrt();
+        let root = (max(pressure, LEAST_PRESSURE) * (1.0 / ATMOSPHERE)).sqrt();
+        let compression =
+            self.compression_modulus * exponential(COMPRESSION_DENSITY * looseness) * (root * root.sqrt());
         let is_densest = point.density >= self.densest;
         Moduli {
             peak,

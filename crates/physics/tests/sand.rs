@@ -17,7 +17,7 @@ fn sand() -> Sand {
         limit_density: [1350.0, 1650.0],
         bolton: [10.0, 0.7],
         reference_strain: 0.0009,
-        compression_modulus: 18e6,
+        compression_modulus: 20e6,
     };
     Sand::new(elastic(), Stiffening { least: 1e3, most: 1e5 }, &parameters)
 }

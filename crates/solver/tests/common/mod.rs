@@ -39,7 +39,7 @@ pub fn dense_sand(characteristic_length: Option<f64>) -> Material {
         limit_density: [1350.0, 1650.0],
         bolton: [10.0, 0.7],
         reference_strain: 0.0009,
-        compression_modulus: 18e6,
+        compression_modulus: 20e6,
     };
     let law = Sand::new(elastic, Stiffening { least: 1e3, most: 2e4 }, &parameters);
     Material {

@@ -33,7 +33,7 @@ pub(super) const SOIL: &[Key] = &[
     key("bolton_q", Kind::Number, Number(10.0), "Bolton's Q: 10 for quartz and feldspar, 8 for limestone (sand).").within(POSITIVE),
     key("bolton_r", Kind::Number, Number(0.7), "Bolton's R: relative density of the critical state at low pressure over 1/(Q − 5) (sand).").within(NOT_NEGATIVE),
     key("reference_strain", Kind::Number, Number(0.0009), "Plastic shear strain at which half of the strength is mobilised, at I_D = 0.5 and up to 20 kPa (sand).").within(POSITIVE),
-    key("compression_modulus", Kind::Quantity(STRESS), Quantity("18 MPa"), "Bulk modulus of plastic compression at I_D = 0.5 and 100 kPa (sand).").within(POSITIVE),
+    key("compression_modulus", Kind::Quantity(STRESS), Quantity("20 MPa"), "Bulk modulus of plastic compression at I_D = 0.5 and 100 kPa (sand).").within(POSITIVE),
     key("preconsolidation_pressure", Kind::Quantity(STRESS), Quantity("0 Pa"), "Largest mean pressure that the soil has borne before: of rolled, vibrated or once deeper ground; up to it compression is elastic (sand).").within(NOT_NEGATIVE),
     key("stiffness_limit", Kind::Quantity(STRESS), Quantity("50 kPa"), "Mean pressure beyond which the elastic moduli no longer grow; it sets the time step (sand).").within(POSITIVE),
     key("characteristic_length", Kind::Quantity(LENGTH), Derived("none"), "Length over which the density that governs strength and dilatancy is averaged, so that bands of softening sand do not depend on the cells; at least two cells, some 15 grain sizes (sand).").within(POSITIVE),

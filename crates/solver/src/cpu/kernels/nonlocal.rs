@@ -170,7 +170,7 @@ mod tests {
             limit_density: [1350.0, 1650.0],
             bolton: [10.0, 0.7],
             reference_strain: 0.0009,
-            compression_modulus: 18e6,
+            compression_modulus: 20e6,
         };
         let stiffening = exact::elastic::Stiffening { least: 1e3, most: 2e4 };
         let law = exact::sand::Sand::new(elastic, stiffening, &parameters);

@@ -408,7 +408,7 @@ mod tests {
             limit_density: [1350.0, 1650.0],
             bolton: [10.0, 0.7],
             reference_strain: 0.0009,
-            compression_modulus: 18e6,
+            compression_modulus: 20e6,
         };
         let stiffening = Stiffening { least: 1e3, most: 5e4 };
         assert_vectorised(&Sand::new(elastic, stiffening, &parameters), sand);
