@@ -155,6 +155,39 @@ fn a_test_that_ends_early_says_so() {
 }
 
 #[test]
+fn sand_that_was_compressed_before_is_elastic_up_to_that_pressure() {
+    let modulus = |sets: &[&str]| {
+        let tests = tests(TestKind::Isotropic, &soil(SAND, sets), |plan| {
+            (plan.pressures, plan.largest_pressure) = (vec![20e3], 200e3);
+        });
+        let points = &tests.tested[0].course.points;
+        let at = |pressure: f64| points.iter().position(|point| point.vertical >= pressure).unwrap();
+        let (a, b) = (&points[at(40e3)], &points[at(80e3)]);
+        (b.vertical - a.vertical) / (b.density / a.density).ln()
+    };
+    // K between 40 and 80 kPa, with E = 75 MPa √(p/100 kPa) up to 50 kPa.
+    let elastic = modulus(&["preconsolidation_pressure=100 kPa"]);
+    assert!((27e6..30e6).contains(&elastic), "{elastic}");
+    assert!(modulus(&[]) < 0.5 * elastic, "{}", modulus(&[]));
+}
+
+#[test]
+fn sand_is_elastic_at_small_strains_whatever_its_reference_strain() {
+    let modulus = |strain: &str| {
+        let sets = ["stiffness_limit=200 kPa", "preconsolidation_pressure=1 MPa", strain];
+        let tests = tests(TestKind::Triaxial, &soil(SAND, &sets), |plan| {
+            (plan.pressures, plan.largest_strain) = (vec![100e3], 2e-4);
+        });
+        let points = &tests.tested[0].course.points;
+        let first = points.iter().find(|point| point.vertical > point.lateral + 1e3).unwrap();
+        (first.vertical - first.lateral) / first.axial_strain()
+    };
+    for strain in ["reference_strain=0.0009", "reference_strain=0.005"] {
+        close(modulus(strain), 75e6, 0.1);
+    }
+}
+
+#[test]
 fn what_cannot_be_tested_is_refused() {
     let refusal = |soil: &Soil, kind, change: &dyn Fn(&mut Plan)| {
         let mut plan = Plan::usual(kind, soil);
@@ -184,7 +217,7 @@ fn what_cannot_be_tested_is_refused() {
 fn unusual_soils_are_tested_without_an_end_that_is_not_finite() {
     let soils = [
         soil(SAND, &["reference_strain=1e-7", "relative_density=1.2"]),
-        soil(SAND, &["reference_strain=1", "relative_density=-0.4"]),
+        soil(SAND, &["reference_strain=1", "relative_density=-0.4", "k0=0.6"]),
         soil(SAND, &["compression_modulus=1 Pa", "young_modulus=1 Pa"]),
         soil(SAND, &["stiffness_limit=1 Pa", "critical_friction_angle=1 deg"]),
         soil(SAND, &["critical_friction_angle=60 deg", "poisson_ratio=0.49"]),

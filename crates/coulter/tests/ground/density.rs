@@ -1,6 +1,7 @@
 //! Sand whose density grows with depth: its mass and weight follow, it rests, enters a grid that travels, and stays within its limits.
 use super::{SAND, complaints, fastest, read, run};
 use coulter::simulation::Simulation;
+use solver::fields::PRECONSOLIDATION;
 use solver::halo::Halo;
 
 fn text(gradient: &str, rest: &str) -> String {
@@ -105,4 +106,18 @@ fn a_density_beyond_the_densest_is_refused() {
     let clay = "[layer.clay]\ntop = \"50 mm\"\nlaw = \"tresca\"\nshear_strength = \"5 kPa\"\nunit_weight = \"18 kN/m^3\"\n\
                 young_modulus = \"3 MPa\"\nrelative_density_gradient = \"1 1/m\"\n";
     refused(clay, "does not apply to law = \"tresca\"");
+}
+
+#[test]
+fn ground_that_was_pressed_before_is_compressed_elastically() {
+    let pressed = "preconsolidation_pressure = \"50 kPa\"\n";
+    let layer = format!("[layer.deep]\ntop = \"0.1 m\"\nyoung_modulus = \"5 MPa\"\n{SAND}");
+    let simulation = run(&read(&text(&format!("{pressed}{layer}"), REST)).unwrap());
+    assert!(fastest(&simulation) < 1e-9, "{} m/s", fastest(&simulation));
+    let (soil, grid) = (&simulation.state.soil, &simulation.model.grid);
+    for (k, pressure) in [(0, 0.0), (9, 0.0), (10, 50e3), (19, 50e3), (20, 0.0)] {
+        let found = soil.history[PRECONSOLIDATION][grid.index(3, 3, k)];
+        assert!((found - pressure).abs() < 1e-6, "layer {k}: {found} Pa");
+    }
+    assert!(complaints(&text("preconsolidation_pressure = \"-1 kPa\"\n", REST)).contains("0 or more"));
 }
