@@ -152,6 +152,11 @@ fn characteristic(length: f64) -> String {
     format!(",\n         characteristic length {} m", short(length))
 }
 
+/// The pressure from which sand is compressed for good [Pa], if it has borne one before.
+fn beyond(preconsolidation: f64) -> String {
+    if preconsolidation > 0.0 { format!(" beyond {}", pressure(preconsolidation)) } else { String::new() }
+}
+
 /// Yield law and strength of a soil.
 fn strength(soil: &Soil) -> String {
     match soil.law {
@@ -187,10 +192,7 @@ fn strength(soil: &Soil) -> String {
             short(minimum_density),
             short(maximum_density),
             pressure(compression_modulus),
-            match preconsolidation {
-                0.0 => String::new(),
-                before => format!(" beyond {}", pressure(before)),
-            },
+            beyond(preconsolidation),
             pressure(stiffness_limit),
             characteristic_length.map_or(String::new(), characteristic)
         ),

@@ -95,7 +95,7 @@ pub(in crate::case) fn law_numbers(law: &Law) -> Vec<(&'static str, f64)> {
             characteristic_length,
             density_gradient,
         } => {
-            let mut numbers = vec![
+            let own = [
                 ("critical_friction_angle", critical_friction_angle),
                 ("minimum_density", minimum_density),
                 ("maximum_density", maximum_density),
@@ -107,8 +107,7 @@ pub(in crate::case) fn law_numbers(law: &Law) -> Vec<(&'static str, f64)> {
                 ("preconsolidation_pressure", preconsolidation),
                 ("stiffness_limit", stiffness_limit),
             ];
-            numbers.extend(characteristic_length.map(|length| ("characteristic_length", length)));
-            numbers
+            own.into_iter().chain(characteristic_length.map(|l| ("characteristic_length", l))).collect()
         }
     }
 }
