@@ -95,7 +95,6 @@ fn model(face: Face, cell: f64) -> Model {
         yield_law: Some(Law::MohrCoulomb(law)),
         k0: 0.43,
         strength: None,
-        preconsolidation: 0.0,
         density_profile: None,
         ..Material::linear_elastic(elastic, 1600.0)
     };

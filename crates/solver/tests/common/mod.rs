@@ -24,7 +24,6 @@ pub fn sand(faces: [Vec<f64>; 3]) -> Model {
         yield_law: Some(Law::MohrCoulomb(law)),
         k0: 0.43,
         strength: None,
-        preconsolidation: 0.0,
         density_profile: None,
         ..Material::linear_elastic(elastic, 1600.0)
     };
@@ -46,7 +45,6 @@ pub fn dense_sand(characteristic_length: Option<f64>) -> Material {
         yield_law: Some(Law::Sand(law)),
         k0: 0.45,
         strength: None,
-        preconsolidation: 0.0,
         density_profile: None,
         characteristic_length,
         ..Material::linear_elastic(elastic, 1600.0)

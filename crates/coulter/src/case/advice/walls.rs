@@ -26,6 +26,7 @@ pub(super) fn walls_and_lid(case: &Case, body: &Body, notes: &mut Vec<String>) {
     let near: Vec<String> = gaps
         .iter()
         .map(|(side, gap, needed)| (side, gap, needed.max(least)))
+        // A default box is exactly as far away as recommended, but for rounding.
         .filter(|(_, gap, wanted)| **gap > 0.0 && **gap < *wanted * (1.0 - 1e-9))
         .map(|(side, gap, wanted)| format!("{gap:.3} m {side}, {wanted:.3} m recommended"))
         .collect();
