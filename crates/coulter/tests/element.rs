@@ -149,7 +149,7 @@ fn a_test_that_ends_early_says_so() {
     assert_eq!(crushed.tested[0].course.ending, Ending::Crushed);
     assert!(crushed.remarks.iter().any(|r| r.contains("ended early")), "{:?}", crushed.remarks);
     // Soil without cohesion cannot be pulled.
-    let material = coulter::case::model::material(&soil(MOHR_COULOMB, &[]));
+    let material = soil(MOHR_COULOMB, &[]).material();
     let specimen = Specimen::new(material, [-1e3, -1e3, -1e3, 0.0, 0.0, 0.0], material.density);
     let held = Held { component: 0, stress: 1e3, direction: [1.0, 1.0, 0.0, 0.0, 0.0, 0.0] };
     assert!(specimen.strained_under([0.0, 0.0, -1e-5, 0.0, 0.0, 0.0], &held).is_none());

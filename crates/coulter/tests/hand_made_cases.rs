@@ -1,7 +1,9 @@
 //! A case is checked however it was made: from a file, from nested maps, or by hand.
 #![allow(clippy::unwrap_used)] // helpers of tests are not known as tests
 
-use coulter::case::resolved::{Body, Case, Ground, Law, Potential, Wall};
+use coulter::case::resolved::{
+    Body, Case, Ground, Law, MohrCoulomb, Potential, Sand, Tresca, VonMises, Wall,
+};
 use coulter::case::shapes::{Cylinder, Shape, Sphere};
 use coulter::case::{self, CaseError, Problem, keys, validate};
 use coulter::interrupts::Interrupts;
@@ -65,16 +67,14 @@ const FAULTS: &[Fault] = &[
     (TOWED_DISC, &["output.history_interval=4 ns"], |c| c.output.history_interval = 4e-9),
     (TOWED_DISC, &["forecast.bow_wave=2"], |c| c.forecast.bow_wave = 2.0),
     (TOWED_DISC, &["soil.young_modulus=1e300 MPa"], |c| c.soil.young_modulus = 1e306),
-    (FOOTING, &["soil.shear_strength=0 Pa"], |c| {
-        c.soil.law = Law::Tresca { shear_strength: 0.0, gradient: 0.0, softening: None }
-    }),
+    (FOOTING, &["soil.shear_strength=0 Pa"], |c| c.soil.law = Law::Tresca(Tresca::default())),
     (FOOTING, &["domain.y_walls=['fixed', 'fixed']"], |c| c.domain.walls[1] = [Wall::Fixed; 2]),
     (COLUMN, &["ground.surface=-9 m"], |c| match &mut c.ground {
         Ground::Level { surface } => *surface = -9.0,
         Ground::Column { high, .. } => high.z = -9.0,
     }),
     (BAR, &["soil.hardening_modulus=-1 MPa"], |c| match &mut c.soil.law {
-        Law::VonMises { hardening_modulus, .. } => *hardening_modulus = -1e6,
+        Law::VonMises(metal) => metal.hardening_modulus = -1e6,
         _ => panic!("no metal"),
     }),
     (BAR, &["ground.radius=0 mm"], |c| match &mut c.ground {
@@ -85,9 +85,9 @@ const FAULTS: &[Fault] = &[
 
 fn mohr_coulomb(case: &mut Case) -> [&mut f64; 4] {
     match &mut case.soil.law {
-        Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_cutoff, .. } => {
-            [friction_angle, dilation_angle, cohesion, tension_cutoff]
-        }
+        Law::MohrCoulomb(MohrCoulomb {
+            friction_angle, dilation_angle, cohesion, tension_cutoff, ..
+        }) => [friction_angle, dilation_angle, cohesion, tension_cutoff],
         _ => panic!("no sand"),
     }
 }
@@ -273,7 +273,7 @@ fn numbers_of_body(body: &mut Body) -> Vec<&mut f64> {
 
 fn numbers_of_law(law: &mut Law) -> Vec<&mut f64> {
     match law {
-        Law::Tresca { shear_strength, gradient, softening } => {
+        Law::Tresca(Tresca { shear_strength, gradient, softening }) => {
             let mut all = vec![shear_strength, gradient];
             if let Some(softening) = softening {
                 all.extend([&mut softening.sensitivity, &mut softening.remoulding_strain]);
@@ -281,8 +281,8 @@ fn numbers_of_law(law: &mut Law) -> Vec<&mut f64> {
             }
             all
         }
-        Law::VonMises { yield_stress, hardening_modulus } => vec![yield_stress, hardening_modulus],
-        Law::Sand {
+        Law::VonMises(VonMises { yield_stress, hardening_modulus }) => vec![yield_stress, hardening_modulus],
+        Law::Sand(Sand {
             critical_friction_angle,
             minimum_density,
             maximum_density,
@@ -291,13 +291,20 @@ fn numbers_of_law(law: &mut Law) -> Vec<&mut f64> {
             characteristic_length,
             density_gradient,
             ..
-        } => {
+        }) => {
             let mut all = vec![critical_friction_angle, minimum_density, maximum_density, stiffness_limit];
             all.extend([preconsolidation, density_gradient]);
             all.extend(characteristic_length);
             all
         }
-        Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_cutoff, potential, .. } => {
+        Law::MohrCoulomb(MohrCoulomb {
+            friction_angle,
+            dilation_angle,
+            cohesion,
+            tension_cutoff,
+            potential,
+            ..
+        }) => {
             let mut all = vec![friction_angle, dilation_angle, cohesion, tension_cutoff];
             if let Potential::MenetreyWillam { meridional, deviatoric } = potential {
                 all.extend([meridional, deviatoric]);

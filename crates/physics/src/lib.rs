@@ -13,7 +13,4 @@ pub mod interface;
 pub mod shape;
 pub mod single;
 
-pub use double::{
-    brick, clay, elastic, law, limiter, menetrey_willam, mohr_coulomb, sand, tensor, viscosity, von_mises,
-    yield_law,
-};
+pub use double::*;

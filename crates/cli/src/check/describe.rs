@@ -2,10 +2,8 @@
 
 use coulter::case::Case;
 use coulter::case::mesh_file::MeshReport;
-use coulter::case::quantity::short;
-use coulter::case::resolved::{
-    Attitude, ClaySoftening, GROUND, Joint, JointKind, Law, Measured, Motion, Potential, Soil, Until, Water,
-};
+use coulter::case::quantity::{short, short_stress};
+use coulter::case::resolved::{Attitude, GROUND, Joint, JointKind, Measured, Motion, Soil, Until, Water};
 use coulter::case::{told_of_body, told_of_stage};
 use coulter::history::reference::Groups;
 use glam::DVec3;
@@ -119,122 +117,21 @@ fn describe_water(text: &mut String, case: &Case) -> std::fmt::Result {
 
 /// The soil of a case.
 pub(crate) fn describe_soil(text: &mut String, soil: &Soil) -> std::fmt::Result {
-    writeln!(text, "soil     {}", strength(soil))?;
+    writeln!(text, "soil     {}", soil.spelled_out())?;
     writeln!(
         text,
         "         γ = {} kN/m³, ρ = {} kg/m³, E = {}, ν = {}, K₀ = {}",
         short(soil.unit_weight / 1e3),
         short(soil.density),
-        pressure(soil.young_modulus),
+        short_stress(soil.young_modulus),
         short(soil.poisson_ratio),
         short(soil.k0)
     )
 }
 
-/// A stress [Pa] in a unit that fits.
-fn pressure(stress: f64) -> String {
-    let (size, unit) = match stress.abs() {
-        1e9.. => (1e9, "GPa"),
-        1e6.. => (1e6, "MPa"),
-        1e3.. => (1e3, "kPa"),
-        _ => (1.0, "Pa"),
-    };
-    format!("{} {unit}", short(stress / size))
-}
-
 /// An angle [rad] in degrees.
 fn degrees(angle: f64) -> String {
     short(angle.to_degrees())
-}
-
-/// The length [m] over which sand shears, on a line of its own.
-fn characteristic(length: f64) -> String {
-    format!(",\n         characteristic length {} m", short(length))
-}
-
-/// The pressure from which sand is compressed for good [Pa], if it has borne one before.
-fn beyond(preconsolidation: f64) -> String {
-    if preconsolidation > 0.0 { format!(" beyond {}", pressure(preconsolidation)) } else { String::new() }
-}
-
-/// Yield law and strength of a soil.
-fn strength(soil: &Soil) -> String {
-    match soil.law {
-        Law::Elastic => "elastic".to_owned(),
-        Law::Tresca { shear_strength, gradient, softening } => {
-            undrained_strength(shear_strength, gradient, softening)
-        }
-        Law::VonMises { yield_stress, hardening_modulus } => {
-            format!("von-mises, σ_y = {}, H = {}", pressure(yield_stress), pressure(hardening_modulus))
-        }
-        Law::Sand {
-            critical_friction_angle,
-            minimum_density,
-            maximum_density,
-            bolton_q,
-            bolton_r,
-            reference_strain,
-            compression_modulus,
-            preconsolidation,
-            stiffness_limit,
-            characteristic_length,
-            density_gradient,
-        } => format!(
-            "sand, φ_cv = {}°, I_D = {}{} (ρ from {} to {} kg/m³), Q = {bolton_q}, \
-             R = {bolton_r},\n         half of its strength at a strain of {reference_strain}, compression modulus {}{}, \
-             stiffer up to {}{}",
-            degrees(critical_friction_angle),
-            short(soil.relative_density().unwrap_or(f64::NAN)),
-            match density_gradient {
-                0.0 => String::new(),
-                gradient => format!(" + {}/m × depth", short(gradient)),
-            },
-            short(minimum_density),
-            short(maximum_density),
-            pressure(compression_modulus),
-            beyond(preconsolidation),
-            pressure(stiffness_limit),
-            characteristic_length.map_or(String::new(), characteristic)
-        ),
-        Law::MohrCoulomb {
-            friction_angle,
-            dilation_angle,
-            cohesion,
-            tension_cutoff,
-            potential,
-            critical_density,
-        } => format!(
-            "mohr-coulomb, φ = {}°, ψ = {}°{}, c = {}, tension up to {}{}",
-            degrees(friction_angle),
-            degrees(dilation_angle),
-            critical_density.map_or(String::new(), |rho| format!(" down to {} kg/m³", short(rho))),
-            pressure(cohesion),
-            pressure(tension_cutoff),
-            match potential {
-                Potential::MohrCoulomb => String::new(),
-                Potential::MenetreyWillam { meridional, deviatoric } =>
-                    format!(", smooth potential (ε = {}, e = {})", short(meridional), short(deviatoric)),
-            }
-        ),
-    }
-}
-
-/// Shear strength of clay, and what changes it: depth in Pa/m, strain and rate.
-fn undrained_strength(shear_strength: f64, gradient: f64, softening: Option<ClaySoftening>) -> String {
-    let mut text = format!("tresca, s_u = {}", pressure(shear_strength));
-    if gradient > 0.0 {
-        text += &format!(" + {}/m × depth", pressure(gradient));
-    }
-    if let Some(ClaySoftening { sensitivity, remoulding_strain, rate_strengthening, reference_rate }) =
-        softening
-    {
-        text += &format!(
-            ",\n         S_t = {sensitivity} (95 % lost at a strain of {remoulding_strain}), {} % more per tenfold rate above \
-             {reference_rate} 1/s",
-            short(100.0 * rate_strengthening)
-        );
-    }
-    text
 }
 
 fn describe_body(text: &mut String, case: &Case, number: usize) -> std::fmt::Result {

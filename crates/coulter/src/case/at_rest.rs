@@ -29,34 +29,18 @@ fn extremes(stresses: [f64; 3]) -> [f64; 2] {
 
 /// Whether soil of a law sustains these principal stresses [Pa], compression positive; of sand up to the critical state, since shear
 /// beyond it only hardens it up to its peak.
-pub(super) fn sustains(law: &Law, stresses: [f64; 3]) -> bool {
-    let [most, least] = extremes(stresses);
-    let friction = |angle: f64, cohesion: f64| {
-        most - least <= (most + least) * angle.sin() + 2.0 * cohesion * angle.cos()
-    };
-    match *law {
-        Law::Elastic => true,
-        Law::Sand { critical_friction_angle, .. } => friction(critical_friction_angle, 0.0),
-        Law::Tresca { shear_strength, .. } => most - least <= 2.0 * shear_strength,
-        Law::VonMises { yield_stress, .. } => most - least <= yield_stress,
-        Law::MohrCoulomb { friction_angle, cohesion, .. } => friction(friction_angle, cohesion),
-    }
+pub(super) fn sustains(law: &Law, mut stresses: [f64; 3]) -> bool {
+    stresses.sort_by(|a, b| b.total_cmp(a));
+    law.sustains(stresses)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::case::resolved::Potential;
+    use crate::case::resolved::MohrCoulomb;
 
     fn frictional(angle: f64) -> Law {
-        Law::MohrCoulomb {
-            friction_angle: angle.to_radians(),
-            dilation_angle: 0.0,
-            cohesion: 0.0,
-            tension_cutoff: 0.0,
-            potential: Potential::MohrCoulomb,
-            critical_density: None,
-        }
+        Law::MohrCoulomb(MohrCoulomb { friction_angle: angle.to_radians(), ..MohrCoulomb::default() })
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! What a case will cost: cells, memory, time step, number of steps.
 
 use super::cores;
-use super::model::{material, model};
+use super::model::model;
 use super::output_size::{self, OutputSize};
 use super::path::travel;
 use super::resolved::{Body, Case, Grid, Ground, Precision};
@@ -79,7 +79,7 @@ pub fn cost(case: &Case) -> Cost {
 /// Cells and steps of `case`.
 #[must_use]
 pub fn estimate(case: &Case) -> Estimate {
-    let wave_speed = case.soils().map(|(_, soil)| material(soil).wave_speed()).fold(0.0, f64::max);
+    let wave_speed = case.soils().map(|(_, soil)| soil.material().wave_speed()).fold(0.0, f64::max);
     let aspect = case.grid.aspect;
     let widths = DVec3::from_array(case.grid.faces.each_ref().map(|faces| finest_of(faces)));
     let time_step =

@@ -143,6 +143,7 @@ pub(super) fn default_as_typed(default: &DefaultValue) -> Option<Value> {
             Some(Value::List(walls.map(|wall| Value::Text(wall.to_owned())).into()))
         }
         DefaultValue::Required
+        | DefaultValue::RequiredFor(_)
         | DefaultValue::DurationOver(_)
         | DefaultValue::ByLaw { .. }
         | DefaultValue::Derived(_) => None,

@@ -1,20 +1,14 @@
 //! The solver's model of a case.
 
 use super::resolved::Case;
-use super::resolved::{self, ClaySoftening, Follow, Law, Motion, Potential};
+use super::resolved::{self, Follow, Motion};
 use glam::{DMat3, DVec3};
 use mechanics::{Inertia, Pose};
-use physics::clay::{Clay, ClayParameters};
-use physics::elastic::{Elastic, Stiffening};
-use physics::law::Law as ConstitutiveLaw;
-use physics::menetrey_willam::{Eccentricity, MenetreyWillam};
-use physics::mohr_coulomb::MohrCoulomb;
-use physics::sand::{Sand, SandParameters};
+use physics::sand::Sand;
 use physics::shape::Shape;
-use physics::von_mises::VonMises;
 use solver::boundary::{Boundaries, Boundary};
 use solver::grid::Grid;
-use solver::material::{DensityProfile, Material, StrengthProfile};
+use solver::material::Material;
 use solver::model::{BodyModel, ContactMethod, Filling, Ground, Method, Model, PoreWater};
 
 /// The model that a case means, its grid laid out for vectors of `lanes` numbers.
@@ -80,72 +74,20 @@ pub(crate) fn materials(case: &Case) -> Vec<Material> {
     let heaps = case.soil_bodies.iter().map(|body| body.solver_body(0).bounds[1].z);
     let tops = depths.map(|top| case.ground.surface() - top).chain(heaps);
     let each = case.soils().zip(tops).map(|((_, soil), top)| {
-        let mut own = material(soil);
+        let mut own = soil.material();
         if let Some(profile) = &mut own.strength {
             profile.top = top;
         }
-        own.density_profile = density_profile(soil, top);
+        own.density_profile = soil.density_profile(top);
         own
     });
     each.collect()
 }
 
-/// Density at which soil with ψ > 0 ceases to dilate over that at the start, where no critical density is given; chosen: from its densest to
-/// its loosest state sand expands by about a quarter. Without an end a random case fell to a seventh of its density, too light for the time
-/// step.
-const FULLY_DILATED: f64 = 0.8;
-
-/// Mean pressure below which the elastic moduli of sand are constant [Pa]: no test was made at less.
-const CONSTANT_BELOW: f64 = 1e3;
-
-/// The solver's material for a soil.
-#[must_use]
-pub fn material(soil: &resolved::Soil) -> Material {
-    let elastic = Elastic::new(soil.stiffest_modulus(), soil.poisson_ratio);
-    Material {
-        elastic,
-        yield_law: yield_law(elastic, soil.law),
-        critical_density: match soil.law {
-            Law::MohrCoulomb { critical_density, dilation_angle, .. } => {
-                critical_density.or((dilation_angle > 0.0).then_some(FULLY_DILATED * soil.density))
-            }
-            Law::Elastic | Law::Tresca { .. } | Law::VonMises { .. } | Law::Sand { .. } => None,
-        },
-        density: soil.density,
-        characteristic_length: match soil.law {
-            Law::Sand { characteristic_length, .. } => characteristic_length,
-            _ => None,
-        },
-        k0: soil.k0,
-        preconsolidation: match soil.law {
-            Law::Sand { preconsolidation, .. } => preconsolidation,
-            _ => 0.0,
-        },
-        strength: match soil.law {
-            Law::Tresca { shear_strength, gradient, .. } => {
-                Some(StrengthProfile { top: 0.0, at_top: shear_strength, gradient })
-            }
-            _ => None,
-        },
-        density_profile: None,
-    }
-}
-
-/// The growth of density with depth below a height [m]; `None` for soil that is equally dense everywhere.
-fn density_profile(soil: &resolved::Soil, top: f64) -> Option<DensityProfile> {
-    let Law::Sand { minimum_density, maximum_density, density_gradient, .. } = soil.law else { return None };
-    let at_top = soil.relative_density().filter(|_| density_gradient > 0.0)?;
-    let limits = [minimum_density, maximum_density];
-    Some(DensityProfile { top, at_top, gradient: density_gradient, limits })
-}
-
 /// The law of sand, and its dilatancy index at the start, at low pressure; `None` for other soil.
 #[must_use]
 pub fn sand(soil: &resolved::Soil) -> Option<(Sand, f64)> {
-    match material(soil).yield_law {
-        Some(ConstitutiveLaw::Sand(law)) => Some((law, law.dilatancy_index(soil.relative_density()?, 0.0))),
-        _ => None,
-    }
+    soil.law.sand().map(|sand| sand.at_start(soil))
 }
 
 /// Walls, planes of symmetry at the low ends along x and y, and open ends where the grid follows a body.
@@ -187,77 +129,6 @@ fn open_ends(body: Option<&resolved::Body>, axis: usize, duration: f64) -> [Boun
         (2, _) => [Boundary::Inflow; 2],
         (_, true) => [Boundary::Inflow, Boundary::Outflow],
         (_, false) => [Boundary::Outflow, Boundary::Inflow],
-    }
-}
-
-/// The law of clay with a strength at each point.
-fn clay(elastic: Elastic, softening: Option<ClaySoftening>) -> Clay {
-    const NONE: ClaySoftening = ClaySoftening {
-        sensitivity: 1.0,
-        remoulding_strain: 1.0,
-        rate_strengthening: 0.0,
-        reference_rate: 1.0,
-    };
-    let ClaySoftening { sensitivity, remoulding_strain, rate_strengthening, reference_rate } =
-        softening.unwrap_or(NONE);
-    Clay::new(elastic, &ClayParameters { sensitivity, remoulding_strain, rate_strengthening, reference_rate })
-}
-
-fn yield_law(elastic: Elastic, law: Law) -> Option<ConstitutiveLaw> {
-    match law {
-        Law::Elastic => None,
-        Law::Tresca { shear_strength, gradient: 0.0, softening: None } => {
-            Some(ConstitutiveLaw::MohrCoulomb(MohrCoulomb::tresca(elastic, shear_strength)))
-        }
-        Law::Tresca { softening, .. } => Some(ConstitutiveLaw::Clay(clay(elastic, softening))),
-        Law::VonMises { yield_stress, hardening_modulus } => {
-            Some(ConstitutiveLaw::VonMises(VonMises::new(elastic, yield_stress, hardening_modulus)))
-        }
-        Law::Sand {
-            critical_friction_angle,
-            minimum_density,
-            maximum_density,
-            bolton_q,
-            bolton_r,
-            reference_strain,
-            compression_modulus,
-            stiffness_limit,
-            ..
-        } => {
-            let parameters = SandParameters {
-                critical_friction: critical_friction_angle,
-                limit_density: [minimum_density, maximum_density],
-                bolton: [bolton_q, bolton_r],
-                reference_strain,
-                compression_modulus,
-            };
-            let least = CONSTANT_BELOW.min(stiffness_limit);
-            let stiffening = Stiffening { least, most: stiffness_limit };
-            Some(ConstitutiveLaw::Sand(Sand::new(elastic, stiffening, &parameters)))
-        }
-        Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, tension_cutoff, potential, .. } => {
-            let (phi, psi) = (friction_angle, dilation_angle);
-            Some(match potential {
-                Potential::MohrCoulomb => ConstitutiveLaw::MohrCoulomb(MohrCoulomb::new(
-                    elastic,
-                    phi,
-                    psi,
-                    cohesion,
-                    tension_cutoff,
-                )),
-                Potential::MenetreyWillam { meridional, deviatoric } => {
-                    let shape = Eccentricity { meridional, deviatoric };
-                    ConstitutiveLaw::MenetreyWillam(MenetreyWillam::new(
-                        elastic,
-                        phi,
-                        psi,
-                        cohesion,
-                        tension_cutoff,
-                        shape,
-                    ))
-                }
-            })
-        }
     }
 }
 

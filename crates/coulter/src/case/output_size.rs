@@ -1,6 +1,5 @@
 //! Estimates of how much a run will write, and of the memory that writing takes.
 
-use super::model::material;
 use super::resolved::{Case, Precision};
 use serde::Serialize;
 use solver::fields::{Kinds, arrays};
@@ -54,7 +53,7 @@ pub fn output_size(case: &Case, [cells, filled]: [f64; 2], steps: f64) -> Output
     let lines = samples(case, steps) + 1.0;
     let fields_bytes = frames * one;
     let histories_bytes = lines * (LINES[0] * bodies + LINES[1]);
-    let kinds = case.soils().fold(Kinds::default(), |kinds, (_, soil)| kinds.and(material(soil).kinds()));
+    let kinds = case.soils().fold(Kinds::default(), |kinds, (_, soil)| kinds.and(soil.material().kinds()));
     let arrays = arrays(case.soils().count(), kinds);
     let checkpoints_bytes = 2.0 * PACKED_STATE * arrays as f64 * width(case) * filled;
     let total_bytes = fields_bytes + histories_bytes + checkpoints_bytes + REPORT;

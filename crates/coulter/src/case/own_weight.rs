@@ -1,6 +1,5 @@
 //! What its own weight does to soil.
 
-use super::model::material;
 use super::resolved::{Case, Soil};
 
 /// Depth of the box below the surface [m].
@@ -10,6 +9,6 @@ pub(super) fn depth(case: &Case) -> f64 {
 
 /// Mean strain of a soil in the box under its own weight, γ H/(2 M), M the oedometric modulus.
 pub(super) fn compression(case: &Case, soil: &Soil) -> f64 {
-    let modulus = material(soil).wave_speed().powi(2) * soil.density;
+    let modulus = soil.material().wave_speed().powi(2) * soil.density;
     0.5 * soil.unit_weight * depth(case) / modulus
 }

@@ -243,6 +243,18 @@ pub fn short(number: f64) -> String {
     }
 }
 
+/// A stress [Pa] as people read it, in a unit that fits, with up to four significant digits.
+#[must_use]
+pub fn short_stress(stress: f64) -> String {
+    let (size, unit) = match stress.abs() {
+        1e9.. => (1e9, "GPa"),
+        1e6.. => (1e6, "MPa"),
+        1e3.. => (1e3, "kPa"),
+        _ => (1.0, "Pa"),
+    };
+    format!("{} {unit}", short(stress / size))
+}
+
 /// A number in SI units for display, in the unit of its measure: `90 deg`.
 #[must_use]
 pub fn with_unit(number: f64, measure: &Measure) -> String {

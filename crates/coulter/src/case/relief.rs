@@ -1,6 +1,13 @@
 //! The relief of the ground in a case: a height map from a file, furrows, or both.
 
 use super::height_file::HeightFile;
+use super::keys::allowed_range::POSITIVE;
+use super::keys::words::FURROWS as SECTIONS;
+use super::keys::{DefaultValue, Key, KeyOf, Kind, Place, declared, in_ranges, numbers, read};
+use super::problem::Problems;
+use super::quantity::{ANGLE, LENGTH};
+use super::typed::Section;
+use DefaultValue::{Quantity, Word};
 use serde::Serialize;
 use solver::relief::{self, FurrowShape};
 
@@ -16,7 +23,7 @@ pub struct Relief {
 }
 
 /// Parallel furrows, all alike, as far above the level surface as below it.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Furrows {
     /// Distance from crest to crest [m].
     pub spacing: f64,
@@ -30,7 +37,46 @@ pub struct Furrows {
     pub is_triangular: bool,
 }
 
+/// Keys of furrows, and where their values lie.
+type Field = KeyOf<Furrows>;
+
+const FIELDS: &[Field] = &[
+    Field::new("spacing", Kind::Quantity(LENGTH), Place::Number(|furrows| &mut furrows.spacing))
+        .within(POSITIVE)
+        .means("Distance from crest to crest; at least two cells."),
+    Field::new("depth", Kind::Quantity(LENGTH), Place::Number(|furrows| &mut furrows.depth))
+        .within(POSITIVE)
+        .means("Height of the crests above the troughs. The mean level of furrows is `ground.surface`."),
+    Field::new("direction", Kind::Quantity(ANGLE), Place::Number(|furrows| &mut furrows.direction))
+        .default(Quantity("90 deg"))
+        .means("Angle from x to the furrows: 90 deg across the tow, 0 deg along it."),
+    Field::new("offset", Kind::Quantity(LENGTH), Place::Number(|furrows| &mut furrows.offset))
+        .default(Quantity("0 m"))
+        .means(
+            "Distance of a crest from x = y = 0 across the furrows, towards +x, or towards +y of furrows \
+             along x.",
+        ),
+    Field::new(
+        "section",
+        Kind::Choice(&SECTIONS),
+        Place::Word(|furrows, word| furrows.is_triangular = word == "triangular"),
+    )
+    .default(Word("sinusoidal"))
+    .means("Section of the furrows: a cosine, or straight flanks between sharp crests and troughs."),
+];
+
 impl Furrows {
+    pub(in crate::case) const KEYS: &[Key] = &declared::<_, { FIELDS.len() }>(FIELDS);
+
+    pub(in crate::case) fn typed(section: &Section, problems: &mut Problems) -> Option<Self> {
+        read(FIELDS, Self::default(), section, problems)
+    }
+
+    /// Reports numbers that are out of range.
+    pub(in crate::case) fn check(&self, problems: &mut Problems) {
+        in_ranges("furrows", &numbers(FIELDS, self), problems);
+    }
+
     /// Unit vector along x and y across the furrows, towards +x, or towards +y of furrows along x.
     #[must_use]
     pub fn across(&self) -> [f64; 2] {

@@ -1,38 +1,11 @@
 //! A case under water: weights of its bodies, the drag of the water, and whether water can follow as the soil changes its volume.
 
-use super::model::sand;
-use super::resolved::{Body, Case, Law, Soil};
+use super::resolved::{Body, Case};
 use super::tow::TowDirection;
 use super::water::of_width;
 use glam::DVec3;
 use mechanics::{Fluid, Motion};
 use physics::shape::Mesh;
-
-impl Soil {
-    /// Volume strain ε from the start to the critical state at low pressure, positive for soil that dilates: (n_max − n)/(1 − n_max),
-    /// the same as ρ/ρ_crit − 1. `None` for soil whose law does not say it, 0 for undrained soil.
-    #[must_use]
-    pub fn volume_strain(&self) -> Option<f64> {
-        match self.law {
-            Law::MohrCoulomb { critical_density, .. } => Some(self.density / critical_density? - 1.0),
-            Law::Sand { .. } => {
-                // Zero dilatancy index, which is linear in I_D.
-                let index = |relative_density| {
-                    let soil = self.at_density(self.density_at(relative_density)?);
-                    sand(&soil).map(|(_, index)| index)
-                };
-                let [at_0, at_1] = [index(0.0)?, index(1.0)?];
-                if at_1 <= at_0 {
-                    // With so small a Q no density is critical at low pressure.
-                    return None;
-                }
-                Some(self.density / self.density_at(at_0 / (at_0 - at_1))? - 1.0)
-            }
-            law if law.friction_angle().is_some() => None,
-            _ => Some(0.0),
-        }
-    }
-}
 
 impl Case {
     /// Volume strain of the uppermost soil as it fails, given or from its law.

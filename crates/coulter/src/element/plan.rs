@@ -5,7 +5,6 @@ use super::path::{Test, TestKind, Unsustained, run};
 use super::remarks::remarks;
 use super::shown::{decimals, stress};
 use super::tested::{ElementTests, Tested};
-use crate::case::model::material;
 use crate::case::quantity::plain;
 use crate::case::resolved::{Law, Soil};
 use crate::case::{Problem, validate_soil};
@@ -121,7 +120,7 @@ impl Plan {
             largest_strain: self.largest_strain,
             largest_pressure: self.largest_pressure,
         };
-        let course = run(&material(soil), &test)?;
+        let course = run(&soil.material(), &test)?;
         let figures = figures(soil, &test, &course);
         Ok(Tested { test, relative_density: soil.relative_density(), course, figures })
     }

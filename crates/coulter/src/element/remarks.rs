@@ -4,7 +4,7 @@ use super::figures::peak;
 use super::path::{Ending, TestKind};
 use super::shown::{decimals, stress};
 use super::tested::Tested;
-use crate::case::resolved::{Law, Soil};
+use crate::case::resolved::{Law, Sand, Soil};
 use std::collections::BTreeMap;
 
 /// Mean pressure from which grains of sand are crushed [Pa] (chosen: quartz sands bend in the oedometer from some 1 MPa on).
@@ -31,14 +31,14 @@ pub(super) fn remarks(kind: TestKind, soil: &Soil, tested: &[Tested]) -> Vec<Str
 fn of_law(kind: TestKind, soil: &Soil, tested: &[Tested]) -> Vec<String> {
     let mut remarks = Vec::new();
     match soil.law {
-        Law::Tresca { .. } => remarks.push(
+        Law::Tresca(_) => remarks.push(
             "undrained soil: stresses are total ones, its volume changes elastically only; consolidation is not described"
                 .to_owned(),
         ),
-        Law::MohrCoulomb { cohesion, .. } if cohesion > 0.0 && kind.shears() => remarks.push(
+        Law::MohrCoulomb(law) if law.cohesion > 0.0 && kind.shears() => remarks.push(
             "angles are those of a soil without cohesion that bears the same stresses: they fall with the pressure".to_owned(),
         ),
-        Law::Sand { stiffness_limit, .. } => {
+        Law::Sand(Sand { stiffness_limit, .. }) => {
             let all = tested.iter().flat_map(|t| &t.course.points);
             let largest = all.map(|point| point.pressure).fold(0.0, f64::max);
             // The last decimals of a constant pressure do not count.

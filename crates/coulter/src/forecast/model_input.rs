@@ -3,9 +3,9 @@
 use super::carried::touching;
 use super::direction::along_the_tow;
 use super::towed::{Course, bodies, body, course};
-use crate::case::model::sand;
 use crate::case::quantity::short;
-use crate::case::resolved::{self, Body as Towed, Case, Factors, Ground, Law, Measured, Motion};
+use crate::case::resolved::{Body as Towed, Case, Factors, Ground, Measured, Motion};
+use crate::case::soil::Strength;
 use crate::case::travel;
 use crate::history::reference::Reference;
 use analytic::bearing::Method;
@@ -202,52 +202,13 @@ fn ground(case: &Case, body: &Body) -> Result<LevelGround, String> {
 
 fn soil(case: &Case, body: &Towed, remarks: &mut Vec<String>) -> Result<Soil, String> {
     let unit_weight = case.soil.unit_weight;
-    let (friction_angle, dilation_angle, cohesion) = match case.soil.law {
-        Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, .. } => {
-            (friction_angle, dilation_angle, cohesion)
-        }
-        Law::Tresca { shear_strength, softening, .. } => {
-            if softening.is_some() {
-                remarks.push("clay with the strength of the intact soil at the reference rate".into());
-            }
-            (0.0, 0.0, shear_strength)
-        }
-        Law::VonMises { yield_stress, hardening_modulus } => {
-            let strength = yield_stress / 3_f64.sqrt();
-            remarks.push(format!(
-                "von-mises as undrained clay of s_u = σ_y/√3 = {:.4} kPa, its strength in simple shear{}",
-                1e-3 * strength,
-                if hardening_modulus > 0.0 { "; it is taken not to harden" } else { "" }
-            ));
-            (0.0, 0.0, strength)
-        }
-        Law::Sand { critical_friction_angle, .. } => {
-            let (friction_angle, dilation_angle) = angles_of_sand(&case.soil, critical_friction_angle);
-            remarks.push(format!(
-                "sand as Mohr-Coulomb soil with the strength that its density gives it: φ = {:.2}°, ψ = {:.2}° (φ_cv = {:.2}°); it is not \
-                 fully mobilised in loose sand, nor kept in dense sand",
-                friction_angle.to_degrees(),
-                dilation_angle.to_degrees(),
-                critical_friction_angle.to_degrees()
-            ));
-            (friction_angle, dilation_angle, 0.0)
-        }
-        other => {
-            let kind = other.kind();
-            return Err(format!(
-                "the soil is {kind}; the closed forms are for sand, Mohr-Coulomb soil and undrained clay"
-            ));
-        }
-    };
+    let Strength { friction_angle, dilation_angle, cohesion, gradient } =
+        case.soil.for_closed_forms(remarks)?;
     if unit_weight <= 0.0 && friction_angle > 0.0 {
         return Err("the soil is weightless; in the closed forms strength comes from weight".into());
     }
     let body_friction = friction_of(body, friction_angle, remarks);
     let adhesion_factor = if friction_angle > 0.0 { 1.0 } else { body.adhesion_factor.clamp(0.0, 1.0) };
-    let strength_gradient = match case.soil.law {
-        Law::Tresca { gradient, .. } => gradient,
-        _ => 0.0,
-    };
     Ok(Soil {
         friction_angle,
         dilation_angle,
@@ -255,7 +216,7 @@ fn soil(case: &Case, body: &Towed, remarks: &mut Vec<String>) -> Result<Soil, St
         unit_weight,
         body_friction,
         adhesion_factor,
-        strength_gradient,
+        strength_gradient: gradient,
     })
 }
 
@@ -270,15 +231,6 @@ fn friction_of(body: &Towed, friction_angle: f64, remarks: &mut Vec<String>) -> 
         remarks.push("rough surface: shear stress up to s_u".into());
         1.0
     }
-}
-
-/// Peak friction angle of sand at low pressure, and its dilation angle by φ = φ_cv + 0.8 ψ (Bolton 1986) [rad].
-fn angles_of_sand(soil: &resolved::Soil, critical: f64) -> (f64, f64) {
-    let peak = sand(soil).map_or(critical, |(law, index)| {
-        let ratio = law.peak_ratio(index);
-        (3.0 * ratio / (6.0 + ratio)).asin()
-    });
-    (peak, ((peak - critical) / 0.8).max(0.0))
 }
 
 /// Refuses a body for which there is no closed form in undrained clay, with the reason for its kind.

@@ -184,7 +184,7 @@ pub(super) fn body(
 /// Whether a lying cylinder is a pipe: in plane strain, or a long one that is pulled up or lies on clay, where more is known of pipes than
 /// of discs.
 fn is_pipe(case: &Case, course: Course, diameter: f64, length: f64) -> bool {
-    let is_clay = matches!(case.soil.law, Law::Tresca { .. } | Law::VonMises { .. });
+    let is_clay = matches!(case.soil.law, Law::Tresca(_) | Law::VonMises(_));
     case.domain.plane_strain || (length >= LONG * diameter && (is_clay || course == Course::Raised))
 }
 

@@ -20,7 +20,7 @@ mod render;
 mod report;
 mod results;
 pub mod tables;
-mod units;
+pub(crate) mod units;
 mod view;
 pub mod vtk;
 

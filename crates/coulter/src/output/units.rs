@@ -2,9 +2,9 @@
 
 /// A unit in which a quantity is shown, and its size in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Unit {
-    pub(super) name: &'static str,
-    pub(super) size: f64,
+pub(crate) struct Unit {
+    pub(crate) name: &'static str,
+    pub(crate) size: f64,
 }
 
 impl Unit {
@@ -15,18 +15,18 @@ impl Unit {
     }
 
     /// A unit for lengths up to `largest` [m].
-    pub(super) fn length(largest: f64) -> Self {
+    pub(crate) fn length(largest: f64) -> Self {
         Self::pick(largest, &[("mm", 1e-3), ("m", 1.0)])
     }
 
     /// A unit for forces up to `largest` [N].
-    pub(super) fn force(largest: f64) -> Self {
+    pub(crate) fn force(largest: f64) -> Self {
         let unit = Self::pick(largest / 10.0, &[("N", 1.0), ("kN", 1e3), ("MN", 1e6)]);
         if largest < 10.0 { Self { name: "N", size: 1.0 } } else { unit }
     }
 
     /// A unit for torques up to `largest` [N m].
-    pub(super) fn torque(largest: f64) -> Self {
+    pub(crate) fn torque(largest: f64) -> Self {
         let force = Self::force(largest);
         let name = match force.name {
             "kN" => "kN m",
@@ -37,23 +37,23 @@ impl Unit {
     }
 
     /// A unit for stresses up to `largest` [Pa].
-    pub(super) fn stress(largest: f64) -> Self {
+    pub(crate) fn stress(largest: f64) -> Self {
         Self::pick(largest, &[("Pa", 1.0), ("kPa", 1e3), ("MPa", 1e6)])
     }
 
     /// A unit for energies up to `largest` [J].
-    pub(super) fn energy(largest: f64) -> Self {
+    pub(crate) fn energy(largest: f64) -> Self {
         Self::pick(largest / 10.0, &[("J", 1.0), ("kJ", 1e3), ("MJ", 1e6)])
     }
 
     /// A unit for speeds up to `largest` [m/s].
-    pub(super) fn speed(largest: f64) -> Self {
+    pub(crate) fn speed(largest: f64) -> Self {
         Self::pick(largest, &[("mm/s", 1e-3), ("m/s", 1.0)])
     }
 }
 
 /// Largest finite size among values.
-pub(super) fn largest(values: impl Iterator<Item = f64>) -> f64 {
+pub(crate) fn largest(values: impl Iterator<Item = f64>) -> f64 {
     values.filter(|v| v.is_finite()).fold(0.0, |most, v| most.max(v.abs()))
 }
 
@@ -72,6 +72,21 @@ pub fn digits(value: f64) -> String {
         format!("{value:.*}", (2 - whole).clamp(0, 6) as usize)
     };
     text.replace('-', "\u{2212}")
+}
+
+/// A quantity with three digits in a unit.
+pub(crate) fn quantity(value: f64, unit: Unit) -> String {
+    format!("{} {}", digits(value / unit.size), unit.name)
+}
+
+/// A stress [Pa] with three digits, in a unit that fits.
+pub(crate) fn stress(value: f64) -> String {
+    if value == 0.0 { "0".to_owned() } else { quantity(value, Unit::stress(value)) }
+}
+
+/// An angle [rad] in degrees with three digits.
+pub(crate) fn degrees(angle: f64) -> String {
+    format!("{}°", digits(angle.to_degrees()))
 }
 
 #[cfg(test)]

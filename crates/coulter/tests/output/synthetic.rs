@@ -120,14 +120,14 @@ pub(crate) fn case(kind: Kind, cell: f64) -> Case {
 
 fn sand(unit_weight: f64) -> case::Soil {
     case::Soil {
-        law: case::Law::MohrCoulomb {
+        law: case::Law::MohrCoulomb(case::MohrCoulomb {
             friction_angle: 0.61,
             dilation_angle: 0.1,
             cohesion: 0.0,
             tension_cutoff: 0.0,
             potential: case::Potential::MohrCoulomb,
             critical_density: None,
-        },
+        }),
         density: 1631.0,
         unit_weight,
         young_modulus: 2e6,

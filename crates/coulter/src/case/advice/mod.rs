@@ -14,7 +14,7 @@ use super::estimate::estimate;
 use super::model::sand;
 use super::path::{Paths, body_length};
 use super::quantity::plain;
-use super::resolved::{Body, Case, Law, Motion, Output, Potential, Soil, Water};
+use super::resolved::{Body, Case, Law, MohrCoulomb, Motion, Output, Potential, Sand, Soil, Water};
 use super::unusual::unusual;
 use glam::DVec3;
 use passive::passive_coefficient;
@@ -159,7 +159,7 @@ const SOFTENING: f64 = 1.0;
 
 /// Softening sand whose bands depend on the cells.
 fn softening((case, path): (&Case, &str), soil: &Soil, notes: &mut Vec<String>) {
-    let Law::Sand { characteristic_length, .. } = soil.law else { return };
+    let Some(Sand { characteristic_length, .. }) = soil.law.sand() else { return };
     let cell = case.grid.fine_cell().max_element();
     let consequence =
         "bands of softening sand are as wide as the cells, and its strength after the peak depends on them";
@@ -186,11 +186,8 @@ fn sand_at_rest(soil: &Soil, notes: &mut Vec<String>) {
 }
 
 fn strength((case, path): (&Case, &str), soil: &Soil, notes: &mut Vec<String>) {
-    let Law::MohrCoulomb { friction_angle, dilation_angle, cohesion, potential, critical_density, .. } =
-        soil.law
-    else {
-        return;
-    };
+    let Law::MohrCoulomb(law) = soil.law else { return };
+    let MohrCoulomb { friction_angle, dilation_angle, cohesion, potential, critical_density, .. } = law;
     let length = body_length(&case.bodies);
     let relative = cohesion / (soil.unit_weight * length);
     if cohesion > 0.0 && relative < 0.01 {

@@ -1,7 +1,7 @@
 //! Ground that is not level: whether its slopes stand, its furrows are resolved, and bodies start above them.
 
 use crate::case::path::Paths;
-use crate::case::resolved::{Body, Case, Law};
+use crate::case::resolved::{Body, Case, Law, Tresca};
 
 /// Cells from crest to crest below which furrows are mentioned (chosen: a crest and a trough of four cells each).
 const CELLS_A_FURROW: f64 = 8.0;
@@ -64,7 +64,7 @@ fn slopes(case: &Case, notes: &mut Vec<String>) {
     let [lowest, highest] = relief.extremes(case.area());
     let angle = steepest.to_degrees();
     match case.soil.law {
-        Law::Tresca { shear_strength, .. } => {
+        Law::Tresca(Tresca { shear_strength, .. }) => {
             if case.soil.unit_weight * (highest - lowest) > STABLE_HEIGHT * shear_strength {
                 notes.push(format!(
                     "The surface rises by {:.3} m: where it is steep, clay of this strength slides at once beyond {:.3} m.",

@@ -33,47 +33,47 @@ const fn from(low: Bound, high: Bound) -> AllowedRange {
     AllowedRange { low, high, why: "" }
 }
 
-pub(super) const POSITIVE: AllowedRange = from(Exclusive(0.0), Bound::None);
-pub(super) const NOT_NEGATIVE: AllowedRange = from(Inclusive(0.0), Bound::None);
-pub(super) const AT_LEAST_ONE: AllowedRange = from(Inclusive(1.0), Bound::None);
-pub(super) const FRACTION: AllowedRange = from(Inclusive(0.0), Inclusive(1.0));
-pub(super) const POSITIVE_FRACTION: AllowedRange = from(Exclusive(0.0), Inclusive(1.0));
-pub(super) const BELOW_HALF: AllowedRange =
+pub(in crate::case) const POSITIVE: AllowedRange = from(Exclusive(0.0), Bound::None);
+pub(in crate::case) const NOT_NEGATIVE: AllowedRange = from(Inclusive(0.0), Bound::None);
+pub(in crate::case) const AT_LEAST_ONE: AllowedRange = from(Inclusive(1.0), Bound::None);
+pub(in crate::case) const FRACTION: AllowedRange = from(Inclusive(0.0), Inclusive(1.0));
+pub(in crate::case) const POSITIVE_FRACTION: AllowedRange = from(Exclusive(0.0), Inclusive(1.0));
+pub(in crate::case) const BELOW_HALF: AllowedRange =
     AllowedRange { low: Inclusive(0.0), high: Exclusive(0.5), why: "0.5 would be incompressible" };
-pub(super) const ACUTE: AllowedRange = from(Inclusive(0.0), Exclusive(FRAC_PI_2));
-pub(super) const BEVEL: AllowedRange = from(Exclusive(0.0), Exclusive(FRAC_PI_2));
-pub(super) const APEX: AllowedRange = from(Exclusive(0.0), Exclusive(PI));
-pub(super) const GROUSERS: AllowedRange =
+pub(in crate::case) const ACUTE: AllowedRange = from(Inclusive(0.0), Exclusive(FRAC_PI_2));
+pub(in crate::case) const BEVEL: AllowedRange = from(Exclusive(0.0), Exclusive(FRAC_PI_2));
+pub(in crate::case) const APEX: AllowedRange = from(Exclusive(0.0), Exclusive(PI));
+pub(in crate::case) const GROUSERS: AllowedRange =
     AllowedRange { low: Inclusive(1.0), high: Inclusive(360.0), why: "a wheel without grousers is a disc" };
-pub(super) const RELATIVE_DENSITY: AllowedRange = AllowedRange {
+pub(in crate::case) const RELATIVE_DENSITY: AllowedRange = AllowedRange {
     low: Inclusive(sand::RELATIVE_DENSITY[0]),
     high: Inclusive(sand::RELATIVE_DENSITY[1]),
     why: "0 is the loosest and 1 the densest state of the standard tests",
 };
-pub(super) const SLIP: AllowedRange =
+pub(in crate::case) const SLIP: AllowedRange =
     AllowedRange { low: Inclusive(-1.0), high: Exclusive(1.0), why: "1 is spinning on the spot" };
-pub(super) const TILT: AllowedRange = AllowedRange {
+pub(in crate::case) const TILT: AllowedRange = AllowedRange {
     low: Inclusive(-FRAC_PI_2),
     high: Inclusive(FRAC_PI_2),
     why: "beyond 90° the axle points back; turn the body by yaw instead",
 };
-pub(super) const SLOPE: AllowedRange = AllowedRange {
+pub(in crate::case) const SLOPE: AllowedRange = AllowedRange {
     low: Inclusive(-FRAC_PI_4),
     high: Inclusive(FRAC_PI_4),
     why: "no sand rests on a steeper one",
 };
-pub(super) const VOLUME_STRAIN: AllowedRange =
+pub(in crate::case) const VOLUME_STRAIN: AllowedRange =
     AllowedRange { low: Inclusive(-0.3), high: Inclusive(0.5), why: "from the loosest to the densest soils" };
-pub(super) const GROWTH: AllowedRange = from(Inclusive(1.0), Inclusive(1.5));
-pub(super) const ASPECT: AllowedRange =
+pub(in crate::case) const GROWTH: AllowedRange = from(Inclusive(1.0), Inclusive(1.5));
+pub(in crate::case) const ASPECT: AllowedRange =
     AllowedRange { low: Inclusive(1.0), high: Inclusive(4.0), why: "flatter cells have not been tested" };
-pub(super) const SPACING: AllowedRange = from(Inclusive(0.05), Inclusive(4.0));
-pub(super) const ECCENTRICITY: AllowedRange = from(Exclusive(0.5), Inclusive(1.0));
-pub(super) const EXPONENT: AllowedRange = from(Inclusive(0.05), Inclusive(2.5));
-pub(super) const BACKFILL: AllowedRange =
+pub(in crate::case) const SPACING: AllowedRange = from(Inclusive(0.05), Inclusive(4.0));
+pub(in crate::case) const ECCENTRICITY: AllowedRange = from(Exclusive(0.5), Inclusive(1.0));
+pub(in crate::case) const EXPONENT: AllowedRange = from(Inclusive(0.05), Inclusive(2.5));
+pub(in crate::case) const BACKFILL: AllowedRange =
     from(Inclusive(-10.0 * (PI / 180.0)), Inclusive(25.0 * (PI / 180.0)));
-pub(super) const THREADS: AllowedRange = from(Inclusive(0.0), Inclusive(MAX_WORKERS as f64));
-pub(super) const IN_THE_RUN: AllowedRange = AllowedRange {
+pub(in crate::case) const THREADS: AllowedRange = from(Inclusive(0.0), Inclusive(MAX_WORKERS as f64));
+pub(in crate::case) const IN_THE_RUN: AllowedRange = AllowedRange {
     low: Inclusive(0.0),
     high: Bound::None,
     why: "a negative time is before the start of the run",

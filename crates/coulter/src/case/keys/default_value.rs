@@ -6,6 +6,8 @@
 pub enum DefaultValue {
     /// Nothing: the key must be given.
     Required,
+    /// Nothing: the key must be given with a soil law of this word.
+    RequiredFor(&'static str),
     /// A number without a unit.
     Number(f64),
     /// Three numbers without a unit.
@@ -41,11 +43,18 @@ pub enum DefaultValue {
 }
 
 impl DefaultValue {
+    /// Whether the key must be given, at least where its law applies.
+    #[must_use]
+    pub(in crate::case) const fn is_required(&self) -> bool {
+        matches!(self, Self::Required | Self::RequiredFor(_))
+    }
+
     /// In words, for the documentation.
     #[must_use]
     pub fn text(&self) -> String {
         match self {
             Self::Required => "required".to_owned(),
+            Self::RequiredFor(law) => format!("required for {law}"),
             Self::Number(number) => number.to_string(),
             Self::Ratios([x, y, z]) => format!("[{x}, {y}, {z}]"),
             Self::Quantity(text) | Self::Derived(text) => (*text).to_owned(),

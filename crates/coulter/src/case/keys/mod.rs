@@ -1,30 +1,30 @@
 //! Every key of a case file, with its kind, default, range and meaning. Reading, `validate`, the JSON schema and the
 //! documentation all follow from these tables.
 
-mod allowed_range;
+pub(in crate::case) mod allowed_range;
 mod body;
 mod default_value;
-mod forecast;
 mod joint;
 mod key;
+mod key_of;
 mod relief;
 mod run;
 mod soil;
 mod stage;
-mod usual_range;
-mod water;
+pub(in crate::case) mod usual_range;
 pub mod words;
 
 pub use allowed_range::{AllowedRange, Bound};
 pub use default_value::DefaultValue;
 pub use key::{Key, KeyTable, Kind, key, section};
+pub(in crate::case) use key_of::{KeyOf, Place, count, declared, in_ranges, joined, numbers, read};
 pub use relief::{PLACE_KEYS, SHAPE_KEYS};
 pub use usual_range::UsualRange;
 
 /// All sections.
 pub const SECTIONS: [KeyTable; 17] = [
     section("", "At the top of the file, before any section.", run::TOP),
-    section("soil", "The soil; of ground in layers the uppermost.", soil::SOIL),
+    section("soil", "The soil; of ground in layers the uppermost.", super::soil::KEYS),
     section(
         "layer",
         "A layer of another soil, `[layer.NAME]`, from its top down to that of the next layer below, or to the floor; up to 20 of \
@@ -49,13 +49,13 @@ pub const SECTIONS: [KeyTable; 17] = [
     section(
         "furrows",
         "Furrows: a surface that rises and falls periodically, alone or added to a height map.",
-        relief::FURROWS,
+        super::relief::Furrows::KEYS,
     ),
     section(
         "water",
         "Water over the ground. Without this section the ground is dry. Under water `unit_weight` of a soil is its submerged unit weight γ′, \
          `density` its dry density, and the weight of a body is reduced by its buoyancy.",
-        water::WATER,
+        super::water::Water::KEYS,
     ),
     section("domain", "The box that is modelled.", soil::DOMAIN),
     section("grid", "Cell sizes.", soil::GRID),
@@ -75,9 +75,13 @@ pub const SECTIONS: [KeyTable; 17] = [
         stage::STAGE,
     ),
     section("run", "How long to run.", run::RUN),
-    section("output", "What to write, and how often.", run::OUTPUT),
-    section("numerics", "Parameters of the method.", run::NUMERICS),
-    section("forecast", "Used by `coulter forecast` only; `coulter run` ignores it.", forecast::FORECAST),
+    section("output", "What to write, and how often.", super::output::Output::KEYS),
+    section("numerics", "Parameters of the method.", super::numerics::Numerics::KEYS),
+    section(
+        "forecast",
+        "Used by `coulter forecast` only; `coulter run` ignores it.",
+        super::measured::Measured::KEYS,
+    ),
 ];
 
 /// Sections of which there are several, each with a name: `[body.disc]`.

@@ -1,12 +1,12 @@
 //! Keys of ground that is not level, and of bodies of other soil in it.
 
-use super::allowed_range::{POSITIVE, TILT};
+use super::allowed_range::TILT;
 use super::body::BODY;
-use super::default_value::DefaultValue::{Derived, Quantity, Required, Word};
+use super::default_value::DefaultValue::{Derived, Quantity, Required};
 use super::key::{Key, Kind, key};
-use super::soil::SOIL;
-use super::words::{FURROWS as SECTIONS, MESH_UNITS};
+use super::words::MESH_UNITS;
 use crate::case::quantity::{ANGLE, LENGTH};
+use crate::case::soil::KEYS as SOIL;
 
 pub(super) const HEIGHT_MAP: &[Key] = &[
     key(
@@ -49,36 +49,6 @@ pub(super) const HEIGHT_MAP: &[Key] = &[
         "The point of the file, in its coordinates, that is x = y = 0 of the case; of a file that has coordinates.",
     ),
     key("datum", Kind::Quantity(LENGTH), Quantity("0 m"), "Height in the file that is `ground.surface`."),
-];
-
-pub(super) const FURROWS: &[Key] = &[
-    key("spacing", Kind::Quantity(LENGTH), Required, "Distance from crest to crest; at least two cells.")
-        .within(POSITIVE),
-    key(
-        "depth",
-        Kind::Quantity(LENGTH),
-        Required,
-        "Height of the crests above the troughs. The mean level of furrows is `ground.surface`.",
-    )
-    .within(POSITIVE),
-    key(
-        "direction",
-        Kind::Quantity(ANGLE),
-        Quantity("90 deg"),
-        "Angle from x to the furrows: 90 deg across the tow, 0 deg along it.",
-    ),
-    key(
-        "offset",
-        Kind::Quantity(LENGTH),
-        Quantity("0 m"),
-        "Distance of a crest from x = y = 0 across the furrows, towards +x, or towards +y of furrows along x.",
-    ),
-    key(
-        "section",
-        Kind::Choice(&SECTIONS),
-        Word("sinusoidal"),
-        "Section of the furrows: a cosine, or straight flanks between sharp crests and troughs.",
-    ),
 ];
 
 /// Number of keys that describe a shape: those of a body up to the file of its mesh.

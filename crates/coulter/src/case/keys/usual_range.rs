@@ -15,31 +15,37 @@ const fn usual(low: &'static str, high: &'static str, source: &'static str) -> U
     UsualRange { low, high, source }
 }
 
-pub(super) const STIFFNESS: UsualRange = usual("50 kPa", "1 GPa", "from mud to soft rock");
-pub(super) const POISSON: UsualRange = usual(
+pub(in crate::case) const STIFFNESS: UsualRange = usual("50 kPa", "1 GPa", "from mud to soft rock");
+pub(in crate::case) const POISSON: UsualRange = usual(
     "0.05",
     "0.496",
     "0.1 to 0.4 drained, up to 0.49 undrained; nearer to 0.5 the time steps become short",
 );
-pub(super) const WEIGHT: UsualRange =
+pub(in crate::case) const WEIGHT: UsualRange =
     usual("3 kN/m^3", "26 kN/m^3", "from mud under water to gravel; under another gravity in proportion");
-pub(super) const DENSITY: UsualRange =
+pub(in crate::case) const DENSITY: UsualRange =
     usual("700 kg/m^3", "2700 kg/m^3", "from peat to gravel; beside a submerged unit weight give it");
-pub(super) const FRICTION_ANGLE: UsualRange = usual("15 deg", "50 deg", "from plastic clay to dense gravel");
-pub(super) const CRITICAL_ANGLE: UsualRange =
+pub(in crate::case) const FRICTION_ANGLE: UsualRange =
+    usual("15 deg", "50 deg", "from plastic clay to dense gravel");
+pub(in crate::case) const CRITICAL_ANGLE: UsualRange =
     usual("20 deg", "42 deg", "from glass beads to angular gravel; sands have 30 to 37 deg, Bolton 1986");
-pub(super) const COHESION: UsualRange = usual("0 kPa", "300 kPa", "up to cemented soil");
-pub(super) const UNDRAINED_STRENGTH: UsualRange = usual("50 Pa", "1 MPa", "from slurry to hard clay");
-pub(super) const GROWTH_OF_STRENGTH: UsualRange = usual("0 kPa/m", "50 kPa/m", "1 to 3 kPa/m at sea");
-pub(super) const DRY_DENSITY: UsualRange =
+pub(in crate::case) const COHESION: UsualRange = usual("0 kPa", "300 kPa", "up to cemented soil");
+pub(in crate::case) const UNDRAINED_STRENGTH: UsualRange =
+    usual("50 Pa", "1 MPa", "from slurry to hard clay");
+pub(in crate::case) const GROWTH_OF_STRENGTH: UsualRange =
+    usual("0 kPa/m", "50 kPa/m", "1 to 3 kPa/m at sea");
+pub(in crate::case) const DRY_DENSITY: UsualRange =
     usual("700 kg/m^3", "2600 kg/m^3", "from sand of shells to heavy minerals");
-pub(super) const AT_REST: UsualRange = usual("0.2", "4", "from dense sand to clay that has borne much more");
-pub(super) const SURFACE_FRICTION: UsualRange =
+pub(in crate::case) const AT_REST: UsualRange =
+    usual("0.2", "4", "from dense sand to clay that has borne much more");
+pub(in crate::case) const SURFACE_FRICTION: UsualRange =
     usual("0", "1", "steel and rubber have 0.2 to 0.8; what lets nothing slip is \"rough\"");
-pub(super) const SPEED: UsualRange = usual("-10 m/s", "10 m/s", "gear and vehicles stay below");
-pub(super) const PERMEABILITY: UsualRange = usual("1e-12 m/s", "0.1 m/s", "from dense clay to gravel");
-pub(super) const WATER_DENSITY: UsualRange = usual("900 kg/m^3", "1300 kg/m^3", "from hot water to brine");
-pub(super) const GRAIN_DENSITY: UsualRange =
+pub(in crate::case) const SPEED: UsualRange = usual("-10 m/s", "10 m/s", "gear and vehicles stay below");
+pub(in crate::case) const PERMEABILITY: UsualRange =
+    usual("1e-12 m/s", "0.1 m/s", "from dense clay to gravel");
+pub(in crate::case) const WATER_DENSITY: UsualRange =
+    usual("900 kg/m^3", "1300 kg/m^3", "from hot water to brine");
+pub(in crate::case) const GRAIN_DENSITY: UsualRange =
     usual("1200 kg/m^3", "5500 kg/m^3", "from plastic to heavy minerals; quartz has 2650");
-pub(super) const GRAVITY: UsualRange =
+pub(in crate::case) const GRAVITY: UsualRange =
     usual("1.6 m/s^2", "2500 m/s^2", "from the Moon to a centrifuge; 0 for none");

@@ -2,8 +2,6 @@
 
 use analytic::wheel::{CMU_SAND, TERRAINS};
 
-/// Soil laws.
-pub const LAWS: [&str; 5] = ["mohr-coulomb", "sand", "tresca", "von-mises", "elastic"];
 /// Body shapes.
 pub const SHAPES: [&str; 10] = [
     "disc", "block", "cylinder", "sphere", //

@@ -7,21 +7,17 @@ pub(super) mod clearance;
 mod context;
 mod domain;
 mod fitting;
-mod forecast;
 mod grading;
 mod ground;
 mod joint;
 mod mesh;
 mod motion;
 mod relief;
-mod soil;
 mod soil_body;
 mod stages;
 mod timing;
-mod water;
 mod weld;
 
-use super::keys;
 use super::missing::{range, required};
 use super::names;
 use super::numbers::in_range;
@@ -29,10 +25,11 @@ use super::path::Paths;
 use super::problem::Problems;
 use super::relief::Relief;
 use super::resolved::{
-    Body, Case, Contact, Joint, Law, MOTIONS, MotionTable, Numerics, Precision, Soil, SoilBody, Stage, Water,
+    Body, Case, Joint, Law, MOTIONS, Measured, MotionTable, Numerics, Output, Soil, SoilBody, Stage, Water,
 };
 use super::shapes::slab::Slab;
 use super::slope::Slope;
+use super::soil::{self, Conditions};
 use super::typed::{Schema, Section};
 use super::validate;
 use context::{Context, checked};
@@ -42,12 +39,13 @@ use glam::DVec3;
 pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problems) -> Option<Case> {
     let gravity = schema.top.number("gravity");
     let slope = ground::slope(&schema.ground);
-    let water = water::water(schema.water.as_ref(), problems);
+    let water = Water::typed(schema.water.as_ref(), problems);
     let given = gravity.zip(water);
-    let conditions = given.map(|(g, water)| (on_soil(g, water), slope.unwrap_or_default()));
+    let conditions =
+        given.map(|(g, water)| Conditions { gravity: on_soil(g, water), slope: slope.unwrap_or_default() });
     let soil = conditions.and_then(|conditions| soil::soil(&schema.soil, conditions, problems));
     let layers = conditions.and_then(|conditions| soil::layers(&schema.layers, conditions, problems));
-    let numerics = numerics(&schema.numerics, &schema.soil);
+    let numerics = Numerics::typed(&schema.numerics, &schema.soil, problems);
     let relief = relief::relief(schema, problems);
     let law = soil.as_ref().map(|s| s.law);
     let mut context = given.and_then(|given| context(schema, given, (law, relief.as_ref()), problems));
@@ -58,8 +56,8 @@ pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problem
     let name = name(&schema.top, source_name, problems);
     let typed_stages = (&schema.stages[..], stages.as_deref());
     let duration = bodies.as_ref().and_then(|b| timing::duration(&schema.run, b, typed_stages, problems));
-    let forecast = forecast::measured(&schema.forecast, problems);
-    let output = duration.and_then(|d| timing::output(&schema.output, d, problems));
+    let forecast = Measured::typed(&schema.forecast, problems);
+    let output = duration.and_then(|d| Output::typed(&schema.output, d, problems));
     let (context, bodies) = (context?, bodies?);
     let follow = schema.grid.has("follow").then(|| mesh::follow(&schema.grid, &bodies, problems));
     let follow = follow.map_or(Some(None), |follow| follow.map(Some))?;
@@ -107,9 +105,10 @@ pub(super) fn soil_alone(
 ) -> Option<(String, Soil)> {
     let gravity = schema.top.number("gravity");
     let gravity = gravity.filter(|g| in_range("gravity", *g, problems));
-    let water = water::water(schema.water.as_ref(), problems);
+    let water = Water::typed(schema.water.as_ref(), problems);
     let gravity = gravity.zip(water).map(|(g, water)| on_soil(g, water));
-    let soil = gravity.and_then(|g| soil::soil(&schema.soil, (g, Slope::default()), problems));
+    let soil = gravity
+        .and_then(|g| soil::soil(&schema.soil, Conditions { gravity: g, slope: Slope::default() }, problems));
     Some((name(&schema.top, source_name, problems)?, soil?))
 }
 
@@ -220,26 +219,4 @@ fn parts(
 fn name(top: &Section, source_name: &str, problems: &mut Problems) -> Option<String> {
     let name = if top.has("name") { top.text("name")? } else { names::case_name(source_name) };
     checked(name, problems, |name, problems| validate::names::case_name(name, problems))
-}
-
-fn numerics(section: &Section, soil: &Section) -> Option<Numerics> {
-    // Undrained soil tolerates and needs more viscosity: its contact pressure does not vanish at the surface. So does metal.
-    let viscosity = |key| {
-        let law = soil.text("law").unwrap_or_default();
-        let default = keys::at(&section.at(key)).and_then(|known| known.default.for_law(&law));
-        section.number_or(key, default?)
-    };
-    Some(Numerics {
-        courant: section.number("courant")?,
-        remap_displacement: section.number("remap_displacement")?,
-        hourglass: section.number("hourglass")?,
-        hourglass_yielding: section.number("hourglass_yielding")?,
-        bulk_viscosity_linear: viscosity("bulk_viscosity_linear")?,
-        bulk_viscosity_quadratic: section.number("bulk_viscosity_quadratic")?,
-        contact: if section.text("contact")? == "penalty" { Contact::Penalty } else { Contact::Impulse },
-        edge_inset: section.number("edge_inset")?,
-        point_spacing: section.number("point_spacing")?,
-        threads: section.number("threads")? as usize,
-        precision: if section.text("precision")? == "single" { Precision::Single } else { Precision::Double },
-    })
 }

@@ -2,33 +2,21 @@
 
 use super::context::checked;
 use crate::case::height_file::{HeightFile, Placement};
-use crate::case::missing::{missing, range, required};
+use crate::case::missing::{missing, range};
 use crate::case::problem::Problems;
 use crate::case::quantity::{self, LENGTH};
 use crate::case::relief::{Furrows, Relief};
 use crate::case::typed::{Schema, Section};
-use crate::case::validate;
 
 /// The relief, level where the case has neither section; `None` where one was given wrongly.
 pub(super) fn relief(schema: &Schema, problems: &mut Problems) -> Option<Relief> {
     let map = schema.height_map.as_ref().map(|section| height_map(section, problems));
-    let furrows = schema.furrows.as_ref().map(|section| furrows(section, problems));
+    let furrows = schema.furrows.as_ref().map(|section| Furrows::typed(section, problems));
     let relief = Relief {
         map: map.map_or(Some(None), |map| map.map(Some))?,
         furrows: furrows.map_or(Some(None), |furrows| furrows.map(Some))?,
     };
-    checked(relief, problems, validate::relief::numbers)
-}
-
-fn furrows(section: &Section, problems: &mut Problems) -> Option<Furrows> {
-    let (spacing, depth) = (required(section, "spacing", problems), required(section, "depth", problems));
-    Some(Furrows {
-        spacing: spacing?,
-        depth: depth?,
-        direction: section.number("direction")?,
-        offset: section.number("offset")?,
-        is_triangular: section.text("section")? == "triangular",
-    })
+    checked(relief, problems, |relief, problems| relief.furrows.iter().for_each(|f| f.check(problems)))
 }
 
 fn height_map(section: &Section, problems: &mut Problems) -> Option<HeightFile> {

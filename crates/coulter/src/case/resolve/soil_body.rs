@@ -2,11 +2,11 @@
 
 use super::body::attitude;
 use super::context::{Context, checked};
-use super::soil;
 use crate::case::missing::{missing, required};
 use crate::case::problem::Problems;
 use crate::case::resolved::SoilBody;
 use crate::case::shapes;
+use crate::case::soil::{self, Conditions};
 use crate::case::typed::Section;
 use crate::case::validate;
 use glam::DVec3;
@@ -33,7 +33,7 @@ fn soil_body(
     }
     let shape = shapes::read(section, context.slab, problems);
     let elevation = required(section, "elevation", problems);
-    let soil = soil::soil(section, (on_soil, context.slope), problems);
+    let soil = soil::soil(section, Conditions { gravity: on_soil, slope: context.slope }, problems);
     let middle = context.slab.filter(|_| !section.has("y")).map(|slab| slab.middle);
     let y = middle.or_else(|| section.number("y"));
     let position = DVec3::new(section.number("x")?, y?, context.surface + elevation?);

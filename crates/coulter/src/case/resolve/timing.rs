@@ -1,13 +1,10 @@
-//! How long to run, and how often to write.
+//! How long to run.
 
-use super::context::checked;
-use crate::case::keys;
 use crate::case::missing::missing;
 use crate::case::path::travel;
 use crate::case::problem::Problems;
-use crate::case::resolved::{Body, Motion, Output, Stage};
+use crate::case::resolved::{Body, Motion, Stage};
 use crate::case::typed::Section;
-use crate::case::validate;
 
 /// The duration [s].
 pub(super) fn duration(
@@ -72,24 +69,4 @@ fn arrival_time(freedom: &Motion, distance: f64) -> Option<f64> {
     }
     let arrives = travel(freedom, time).abs() >= distance * (1.0 - 1e-9);
     Some(if arrives { time } else { f64::INFINITY })
-}
-
-/// Cut-off frequency of the filter over the rate of the history, unless given: a wave of 25 lines.
-const FILTER: f64 = 0.04;
-
-/// What to write.
-pub(super) fn output(section: &Section, duration: f64, problems: &mut Problems) -> Option<Output> {
-    let interval = |key| {
-        let default = keys::at(&section.at(key)).and_then(|known| known.default.of_duration(duration));
-        section.number_or(key, default?)
-    };
-    let history_interval = interval("history_interval")?;
-    let output = Output {
-        history_interval,
-        filter_cutoff: section.number_or("filter_cutoff", FILTER / history_interval)?,
-        field_interval: interval("field_interval")?,
-        checkpoint_interval: section.number("checkpoint_interval")?,
-        steady_fraction: section.number("steady_fraction")?,
-    };
-    checked(output, problems, |output, problems| validate::timing::output(output, duration, problems))
 }

@@ -2,7 +2,6 @@
 //! way.
 
 use super::values;
-use crate::case::model::material;
 use crate::case::path::{fastest, range, travel};
 use crate::case::quantity::plain;
 use crate::case::resolved::{Body, Case};
@@ -16,7 +15,7 @@ const FAST: f64 = 0.3;
 
 /// Doubts motions.
 pub(super) fn motions(case: &Case, doubts: &mut Vec<String>) {
-    let waves = material(&case.soil).wave_speed();
+    let waves = case.soil.material().wave_speed();
     for (path, motion) in values::motions(case) {
         let speed = fastest(&motion);
         if speed > FAST * waves {

@@ -3,7 +3,6 @@
 use crate::case::keys::{self, Key, Kind};
 use crate::case::resolved::{Case, Law, MOTIONS, Motion, Soil};
 use crate::case::shapes::Shape;
-use crate::case::validate::soil::law_numbers;
 
 /// Acceleration of gravity to which unit weights refer [m/s²].
 const EARTH: f64 = 9.81;
@@ -21,7 +20,7 @@ pub(super) fn values(case: &Case, doubts: &mut Vec<String>) {
                 && key == "density"
                 && outside(&format!("{path}.unit_weight"), soil.unit_weight, case.gravity / EARTH).is_some()
         };
-        for (key, number) in numbers(soil).into_iter().filter(|(key, _)| !of_weight(key)) {
+        for (key, number) in soil.numbers().into_iter().filter(|(key, _)| !of_weight(key)) {
             let scale = if key == "unit_weight" { case.gravity / EARTH } else { 1.0 };
             doubt(&format!("{path}.{key}"), number, scale);
         }
@@ -53,19 +52,7 @@ pub(super) fn values(case: &Case, doubts: &mut Vec<String>) {
 
 /// Whether a material is soil: not metal, and not elastic for good.
 pub(super) fn is_soil(soil: &Soil) -> bool {
-    !matches!(soil.law, Law::VonMises { .. } | Law::Elastic)
-}
-
-/// The numbers of a soil, by key.
-fn numbers(soil: &Soil) -> Vec<(&'static str, f64)> {
-    let own = [
-        ("young_modulus", soil.young_modulus),
-        ("poisson_ratio", soil.poisson_ratio),
-        ("unit_weight", soil.unit_weight),
-        ("density", soil.density),
-        ("k0", soil.k0),
-    ];
-    own.into_iter().chain(law_numbers(&soil.law)).collect()
+    !matches!(soil.law, Law::VonMises(_) | Law::Elastic)
 }
 
 /// The translations of all bodies, at the start and in stages, each with its path.

@@ -3,7 +3,6 @@
 use crate::case::estimate::{self, Estimate};
 use crate::case::keys;
 use crate::case::machine;
-use crate::case::model::material;
 use crate::case::problem::Problems;
 use crate::case::resolved::Case;
 use crate::case::resources::format_bytes;
@@ -72,7 +71,7 @@ fn can_be_computed(case: &Case, problems: &mut Problems) {
 /// The key that makes a time step or the number of steps impossible, and its cure.
 fn at_fault(case: &Case, cost: &Estimate) -> (String, String) {
     let outside = |value: f64, [low, high]: [f64; 2]| !(low..=high).contains(&value);
-    let soils = || case.soils().map(|(path, soil)| (path, soil.density, material(soil).wave_speed()));
+    let soils = || case.soils().map(|(path, soil)| (path, soil.density, soil.material().wave_speed()));
     // The fastest waves set the step.
     let fastest = soils().max_by(|a, b| a.2.total_cmp(&b.2));
     match fastest {

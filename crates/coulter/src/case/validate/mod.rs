@@ -9,7 +9,6 @@ pub(super) mod grid;
 mod joint;
 mod motions;
 pub(super) mod names;
-mod parameters;
 pub(super) mod relief;
 pub(super) mod soil;
 mod stages;
@@ -36,7 +35,7 @@ pub fn validate(case: &Case) -> Vec<Problem> {
 #[must_use]
 pub fn validate_soil(soil: &Soil) -> Vec<Problem> {
     let mut problems = Problems::default();
-    soil::soil(SOIL, soil, &mut problems);
+    soil.check(SOIL, &mut problems);
     problems.into_list()
 }
 
@@ -58,10 +57,10 @@ fn parts(case: &Case, problems: &mut Problems) {
     names::case_name(&case.name, problems);
     in_range("gravity", case.gravity, problems);
     if let Some(water) = &case.water {
-        water::numbers(water, problems);
+        water.check(problems);
     }
     for (path, of_section) in case.soils() {
-        soil::soil(&path, of_section, problems);
+        of_section.check(&path, problems);
     }
     names::parts("layer", &case.layers.iter().map(|layer| &*layer.name).collect::<Vec<_>>(), problems);
     for layer in &case.layers {
@@ -71,9 +70,9 @@ fn parts(case: &Case, problems: &mut Problems) {
     for body in &case.soil_bodies {
         relief::soil_body(body, case.domain.plane_strain, problems);
     }
-    relief::numbers(&case.relief, problems);
-    parameters::numerics(&case.numerics, problems);
-    parameters::forecast(&case.forecast, problems);
+    case.relief.furrows.iter().for_each(|furrows| furrows.check(problems));
+    case.numerics.check(problems);
+    case.forecast.check(problems);
     names::parts("body", &case.bodies.iter().map(|body| &*body.name).collect::<Vec<_>>(), problems);
     names::parts("joint", &case.joints.iter().map(|joint| &*joint.name).collect::<Vec<_>>(), problems);
     for body in &case.bodies {
@@ -82,7 +81,7 @@ fn parts(case: &Case, problems: &mut Problems) {
     joint::joints(case, problems);
     stages::stages(case, problems);
     timing::duration(case.duration, problems);
-    timing::output(&case.output, case.duration, problems);
+    case.output.check(case.duration, problems);
     domain::domain(&case.domain, problems);
     domain::ground_numbers(&case.ground, problems);
     domain::velocity_numbers(case.velocity, problems);

@@ -4,7 +4,6 @@
 use crate::case::numbers::in_range;
 use crate::case::problem::Problems;
 use crate::case::quantity::plain;
-use crate::case::relief::Relief;
 use crate::case::resolved::{Attitude, Case, Domain, Ground, SoilBody};
 use crate::case::validate::body;
 use glam::DVec3;
@@ -12,15 +11,6 @@ use glam::DVec3;
 const AXES: [&str; 2] = ["x", "y"];
 /// Least spacing of furrows in cells: fewer cannot hold a crest and a trough.
 const LEAST_CELLS: f64 = 2.0;
-
-/// Reports numbers of a relief that make no sense by themselves.
-pub(in crate::case) fn numbers(relief: &Relief, problems: &mut Problems) {
-    let Some(furrows) = relief.furrows else { return };
-    in_range("furrows.spacing", furrows.spacing, problems);
-    in_range("furrows.depth", furrows.depth, problems);
-    in_range("furrows.direction", furrows.direction, problems);
-    in_range("furrows.offset", furrows.offset, problems);
-}
 
 /// Reports what is wrong with a soil body by itself, but for its soil.
 pub(in crate::case) fn soil_body(soil_body: &SoilBody, plane_strain: bool, problems: &mut Problems) {

@@ -5,173 +5,8 @@ use crate::case::numbers::in_range;
 use crate::case::own_weight::compression;
 use crate::case::problem::Problems;
 use crate::case::quantity::plain;
-use crate::case::resolved::{Case, ClaySoftening, Domain, Ground, Law, Potential, SOIL, Soil, Wall};
+use crate::case::resolved::{Case, Domain, Ground, Law, SOIL, Soil, Wall};
 use crate::case::slope::Slope;
-
-/// Reports what is wrong with the soil of a section.
-pub(in crate::case) fn soil(path: &str, soil: &Soil, problems: &mut Problems) {
-    let elastic = [
-        ("young_modulus", soil.young_modulus),
-        ("poisson_ratio", soil.poisson_ratio),
-        ("unit_weight", soil.unit_weight),
-        ("density", soil.density),
-        ("k0", soil.k0),
-    ];
-    for (key, number) in elastic {
-        in_range(&format!("{path}.{key}"), number, problems);
-    }
-    law(path, &soil.law, problems);
-    if let Some(relative_density) = soil.relative_density() {
-        // It follows from the density: a limit that was typed comes back with a rounding error.
-        in_range(&format!("{path}.relative_density"), (relative_density * 1e9).round() / 1e9, problems);
-    }
-    if let Law::MohrCoulomb { critical_density: Some(critical), .. } = soil.law
-        && critical > soil.density
-    {
-        let message = format!(
-            "the initial density of the soil, {:.1} kg/m³, is below its critical density",
-            soil.density
-        );
-        let cure = "it must be at most the density; dense sand dilates by some per cent";
-        problems.add(format!("{path}.critical_density"), message, cure);
-    }
-}
-
-/// Reports what is wrong with a yield law.
-pub(in crate::case) fn law(path: &str, law: &Law, problems: &mut Problems) {
-    let before = problems.len();
-    for (key, number) in law_numbers(law) {
-        in_range(&format!("{path}.{key}"), number, problems);
-    }
-    if problems.len() == before {
-        plastic_flow(path, law, problems);
-        densities(path, law, problems);
-        no_strength(path, law, problems);
-    }
-}
-
-/// The numbers of a yield law, by key.
-pub(in crate::case) fn law_numbers(law: &Law) -> Vec<(&'static str, f64)> {
-    match *law {
-        Law::Elastic => Vec::new(),
-        Law::Tresca { shear_strength, gradient, softening } => {
-            let own = [("shear_strength", shear_strength), ("strength_gradient", gradient)];
-            own.into_iter().chain(softening.into_iter().flat_map(softening_numbers)).collect()
-        }
-        Law::VonMises { yield_stress, hardening_modulus } => {
-            vec![("yield_stress", yield_stress), ("hardening_modulus", hardening_modulus)]
-        }
-        Law::MohrCoulomb {
-            friction_angle,
-            dilation_angle,
-            cohesion,
-            tension_cutoff,
-            potential,
-            critical_density,
-        } => {
-            let mut numbers = vec![
-                ("friction_angle", friction_angle),
-                ("dilation_angle", dilation_angle),
-                ("cohesion", cohesion),
-                ("tension_cutoff", tension_cutoff),
-            ];
-            if let Potential::MenetreyWillam { meridional, deviatoric } = potential {
-                numbers.push(("meridional_eccentricity", meridional));
-                numbers.push(("deviatoric_eccentricity", deviatoric));
-            }
-            numbers.extend(critical_density.map(|density| ("critical_density", density)));
-            numbers
-        }
-        Law::Sand {
-            critical_friction_angle,
-            minimum_density,
-            maximum_density,
-            bolton_q,
-            bolton_r,
-            reference_strain,
-            compression_modulus,
-            preconsolidation,
-            stiffness_limit,
-            characteristic_length,
-            density_gradient,
-        } => {
-            let own = [
-                ("critical_friction_angle", critical_friction_angle),
-                ("minimum_density", minimum_density),
-                ("maximum_density", maximum_density),
-                ("bolton_q", bolton_q),
-                ("bolton_r", bolton_r),
-                ("reference_strain", reference_strain),
-                ("relative_density_gradient", density_gradient),
-                ("compression_modulus", compression_modulus),
-                ("preconsolidation_pressure", preconsolidation),
-                ("stiffness_limit", stiffness_limit),
-            ];
-            own.into_iter().chain(characteristic_length.map(|l| ("characteristic_length", l))).collect()
-        }
-    }
-}
-
-fn softening_numbers(softening: ClaySoftening) -> [(&'static str, f64); 4] {
-    [
-        ("sensitivity", softening.sensitivity),
-        ("remoulding_strain", softening.remoulding_strain),
-        ("rate_strengthening", softening.rate_strengthening),
-        ("reference_rate", softening.reference_rate),
-    ]
-}
-
-/// Reports a densest state that is not denser than the loosest.
-fn densities(path: &str, law: &Law, problems: &mut Problems) {
-    if let Law::Sand { minimum_density, maximum_density, .. } = *law
-        && maximum_density <= minimum_density
-    {
-        let message = format!(
-            "the densest state, {maximum_density:.1} kg/m³, is not denser than the loosest, {minimum_density:.1} kg/m³"
-        );
-        problems.add(format!("{path}.maximum_density"), message, "it must be above minimum_density");
-    }
-}
-
-/// Reports undrained soil without any strength.
-fn no_strength(path: &str, law: &Law, problems: &mut Problems) {
-    if let Law::Tresca { shear_strength: 0.0, gradient: 0.0, .. } = law {
-        let message = "the soil has no strength at any depth";
-        let cure = "it must be above 0, or grow with depth: strength_gradient = \"1.5 kPa/m\"";
-        problems.add(format!("{path}.shear_strength"), message, cure);
-    }
-}
-
-/// Reports angles and a tension cut-off of frictional soil that contradict each other, and an end of dilation where there is none.
-fn plastic_flow(path: &str, law: &Law, problems: &mut Problems) {
-    if law.friction_angle().is_some_and(|friction_angle| law.dilation_angle() > friction_angle) {
-        let message =
-            "the dilation angle ψ is larger than the friction angle φ: plastic flow would create energy";
-        problems.add(
-            format!("{path}.dilation_angle"),
-            message,
-            "it must be from 0 deg to the friction angle",
-        );
-    }
-    let Law::MohrCoulomb { friction_angle, cohesion, tension_cutoff, critical_density, .. } = *law else {
-        return;
-    };
-    // The apex of the cone; for φ = 0 there is none.
-    let apex = if friction_angle > 0.0 { cohesion / friction_angle.tan() } else { f64::INFINITY };
-    if tension_cutoff > apex {
-        let message =
-            format!("the tension cut-off is beyond the apex of the yield cone, c cot φ = {apex:.4} Pa");
-        problems.add(
-            format!("{path}.tension_cutoff"),
-            message,
-            "lower it, or remove it for no tension at all",
-        );
-    }
-    if law.dilation_angle() == 0.0 && critical_density.is_some() {
-        let message = "soil with a dilation angle of 0 does not dilate";
-        problems.add(format!("{path}.critical_density"), message, "remove it, or set  dilation_angle");
-    }
-}
 
 /// Reports an overburden [Pa] that is no pressure.
 pub(super) fn overburden_number(overburden: f64, problems: &mut Problems) {
@@ -265,7 +100,7 @@ pub(super) fn growing_strength(case: &Case, problems: &mut Problems) {
         let rests = |(law, stress): (Law, f64)| {
             at_rest::sustains(&law, [1.0, soil.k0, soil.k0].map(|ratio| ratio * stress))
         };
-        if matches!(soil.law, Law::Tresca { gradient, .. } if gradient > 0.0)
+        if matches!(soil.law, Law::Tresca(clay) if clay.gradient > 0.0)
             && !ends(case, n).into_iter().all(rests)
         {
             let message = format!(
@@ -346,8 +181,9 @@ pub(super) fn layers(case: &Case, problems: &mut Problems) {
             );
         }
     }
-    let averaged =
-        |(_, soil): &(String, &Soil)| matches!(soil.law, Law::Sand { characteristic_length: Some(_), .. });
+    let averaged = |(_, soil): &(String, &Soil)| {
+        soil.law.sand().is_some_and(|sand| sand.characteristic_length.is_some())
+    };
     for (path, _) in case.soils().filter(averaged).skip(1) {
         let message = "only one soil of a case may have a characteristic length";
         problems.add(

@@ -1,36 +1,11 @@
 //! The water: its numbers, whether soil and bodies lie below it, and whether the soil drains.
 
-use crate::case::numbers::in_range;
 use crate::case::problem::Problems;
 use crate::case::quantity::plain;
 use crate::case::resolved::{Case, Contact, Motion, Water};
 
 /// Largest portion of solids in a soil: one of a larger submerged unit weight is not what was meant.
 const MOST_SOLIDS: f64 = 0.8;
-
-/// Reports what is wrong with the numbers of the water.
-pub(in crate::case) fn numbers(water: &Water, problems: &mut Problems) {
-    let before = problems.len();
-    let optional = [("permeability", water.permeability), ("volume_strain", water.volume_strain)];
-    let always = [
-        ("level", water.level),
-        ("density", water.density),
-        ("grain_density", water.grain_density),
-        ("drag_coefficient", water.drag_coefficient),
-    ];
-    let given = optional.into_iter().filter_map(|(key, number)| Some((key, number?)));
-    for (key, number) in always.into_iter().chain(given) {
-        in_range(&format!("water.{key}"), number, problems);
-    }
-    if problems.len() == before && water.grain_density <= water.density {
-        let message = format!(
-            "the grains, {} kg/m³, are not heavier than the water, {} kg/m³",
-            plain(water.grain_density),
-            plain(water.density)
-        );
-        problems.add("water.grain_density", message, "quartz sand has 2650 kg/m^3");
-    }
-}
 
 /// Reports soil and bodies that are not submerged, and soil that does not drain.
 pub(super) fn water(case: &Case, problems: &mut Problems) {

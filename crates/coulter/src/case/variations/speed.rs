@@ -46,8 +46,7 @@ pub(super) fn half_speed(original: Original) -> Result<Change, String> {
 
 /// Why the case has no slower counterpart.
 fn objection(case: &Case) -> Option<&'static str> {
-    let has_rate =
-        |law: &Law| matches!(law, Law::Tresca { softening: Some(s), .. } if s.rate_strengthening > 0.0);
+    let has_rate = |law: &Law| matches!(law, Law::Tresca(clay) if clay.depends_on_rate());
     if case.computes_pore_pressure() {
         Some("the pore water has a time scale of its own, so that the speed is a part of the problem")
     } else if case.soils().any(|(_, soil)| has_rate(&soil.law)) {

@@ -1,9 +1,7 @@
 //! The case in a few words, for the top of a report.
 
-use crate::case::resolved::{
-    Attitude, Body, Case, Change, GROUND, Law, Layer, Motion, Part, Potential, Soil, Stage, Until,
-};
-use crate::output::units::{Unit, digits};
+use crate::case::resolved::{Attitude, Body, Case, Change, GROUND, Layer, Motion, Part, Soil, Stage, Until};
+use crate::output::units::{Unit, degrees, digits, quantity, stress};
 
 /// Soil and bodies, each as a name and a description.
 pub(super) fn describe(case: &Case) -> Vec<[String; 2]> {
@@ -83,70 +81,14 @@ fn water(case: &Case) -> Option<[String; 2]> {
     Some(["Water".to_owned(), text])
 }
 
-fn quantity(value: f64, unit: Unit) -> String {
-    format!("{} {}", digits(value / unit.size), unit.name)
-}
-
-fn stress(value: f64) -> String {
-    if value == 0.0 { "0".to_owned() } else { quantity(value, Unit::stress(value)) }
-}
-
-fn degrees(angle: f64) -> String {
-    format!("{}°", digits(angle.to_degrees()))
-}
-
 fn soil(soil: &Soil) -> String {
-    let law = match soil.law {
-        Law::Elastic => "linear elastic".to_owned(),
-        Law::Tresca { shear_strength, gradient, softening } => {
-            let mut text = format!("Tresca, sᵤ = {}", stress(shear_strength));
-            if gradient > 0.0 {
-                text += &format!(" + {} kPa/m × depth", digits(1e-3 * gradient));
-            }
-            if let Some(softening) = softening.filter(|softening| softening.sensitivity > 1.0) {
-                text += &format!(", sensitivity {}", digits(softening.sensitivity));
-            }
-            if let Some(softening) = softening.filter(|softening| softening.rate_strengthening > 0.0) {
-                text +=
-                    &format!(", {} % more per tenfold rate", digits(100.0 * softening.rate_strengthening));
-            }
-            text
-        }
-        Law::VonMises { yield_stress, hardening_modulus } => {
-            format!("von Mises, σ_y = {}, H = {}", stress(yield_stress), stress(hardening_modulus))
-        }
-        Law::Sand { critical_friction_angle, density_gradient, .. } => format!(
-            "sand, φ_cv = {}, I_D = {}{}",
-            degrees(critical_friction_angle),
-            digits(soil.relative_density().unwrap_or(f64::NAN)),
-            match density_gradient {
-                0.0 => String::new(),
-                gradient => format!(" + {}/m × depth", digits(gradient)),
-            }
-        ),
-        Law::MohrCoulomb {
-            friction_angle, dilation_angle, cohesion, potential, critical_density, ..
-        } => {
-            let limit = critical_density.map(|rho| format!(" down to {} kg/m³", digits(rho)));
-            let smooth = match potential {
-                Potential::MohrCoulomb => "",
-                Potential::MenetreyWillam { .. } => ", potential of Menétrey and Willam",
-            };
-            format!(
-                "Mohr–Coulomb, φ = {}, ψ = {}{}, c = {}{smooth}",
-                degrees(friction_angle),
-                degrees(dilation_angle),
-                limit.unwrap_or_default(),
-                stress(cohesion)
-            )
-        }
-    };
     let weight = if soil.unit_weight > 0.0 {
         format!("γ = {} kN/m³", digits(soil.unit_weight / 1e3))
     } else {
         format!("weightless, ρ = {} kg/m³", digits(soil.density))
     };
-    format!("{law}, E = {}, ν = {}, {weight}", stress(soil.young_modulus), digits(soil.poisson_ratio))
+    let [modulus, ratio] = [stress(soil.young_modulus), digits(soil.poisson_ratio)];
+    format!("{}, E = {modulus}, ν = {ratio}, {weight}", soil.summary())
 }
 
 fn describe_body(case: &Case, body: &Body) -> String {
