@@ -157,7 +157,7 @@ def page(table):
         "",
         f"{figures} measured figures of {sources} sources, of wheels, plates, footings, blades, spheres and walls, beside what Coulter computes. The soil of D6 is fitted to a plate in the same bed; of",
         "M1, M3, M4, M6 and the plates of M7 one or two numbers that the set leaves open were decided by the given rows themselves (round 2), so that their given rows are no test; of the others nothing is fitted: [the page of the sets](../validation/measured/README.md) says what was chosen and why, and has the rule of the intervals.",
-        f"Computed by `scripts/measured/run.py` (round {rounds} of the law of sand; M2, M7's wheel, M8 and M10, which are of other soils, and D6 and M5 are of round 1). An error is relative to what was measured, of drags and pulls that may vanish to a tenth of the load where that is larger; beyond a factor of 1.6 is there an error beyond 60 %.",
+        f"Computed by `scripts/measured/run.py` (round {rounds} of the law of sand; M2, M7's wheel, M8 and M10, which are of other soils, are of round 1). An error is relative to what was measured, of drags and pulls that may vanish to a tenth of the load where that is larger; beyond a factor of 1.6 is there an error beyond 60 %.",
         "",
         *scores,
         "",
