@@ -38,7 +38,7 @@ pub struct Soil {
 
 const LAW: [Key; 1] = [key(
     "law",
-    Kind::Choice(&law::WORDS),
+    Kind::Choice(law::WORDS),
     Required,
     "Yield law: frictional with constant angles, sand whose strength follows its density, undrained, metal \
      plasticity, or none (elastic).",

@@ -110,12 +110,9 @@ fn typed_law(section: &Section, problems: &mut Problems) -> Option<Law> {
         missing(section, "law", problems);
     }
     let word = section.text("law")?;
-    let own = law::KEYS_OF.iter().find(|(law, _)| *law == word).map_or(&[][..], |(_, keys)| keys);
-    for key in law::KEYS_OF.iter().flat_map(|(_, keys)| *keys) {
-        if section.has(key.name) && !own.iter().any(|own| own.name == key.name) {
-            let message = format!("`{}` does not apply to law = \"{word}\"", key.name);
-            problems.add(section.at(key.name), message, "remove it, or choose another law");
-        }
+    for key in law::KEYS.iter().filter(|key| section.has(key.name) && !law::has_key(&word, key.name)) {
+        let message = format!("`{}` does not apply to law = \"{word}\"", key.name);
+        problems.add(section.at(key.name), message, "remove it, or choose another law");
     }
     law::typed(&word, section, problems)
 }

@@ -22,50 +22,58 @@ use serde::Serialize;
 use solver::material::Material;
 use std::ops::Deref;
 
-/// The yield law of the soil.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Law {
-    /// Linear elastic.
-    Elastic,
-    /// Undrained clay.
-    Tresca(Tresca),
-    /// Metal that hardens.
-    VonMises(VonMises),
-    /// Frictional soil with constant angles.
-    MohrCoulomb(MohrCoulomb),
-    /// Sand whose strength and stiffness follow its density and pressure.
-    Sand(Sand),
+macro_rules! laws {
+    ($($law:ident: $about:literal;)*) => {
+        /// The yield law of the soil.
+        #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+        #[serde(rename_all = "kebab-case")]
+        pub enum Law {
+            $(#[doc = $about] $law($law),)*
+            /// Linear elastic.
+            Elastic,
+        }
+
+        /// The words of the laws.
+        pub(in crate::case) const WORDS: &[&str] = &[$($law::WORD,)* Elastic::WORD];
+
+        /// The keys that the laws declare.
+        const LISTS: &[&[Key]] = &[$($law::DECLARED),*];
+
+        /// Whether the law of a word has a key.
+        pub(super) fn has_key(word: &str, key: &str) -> bool {
+            $(word == $law::WORD && $law::FIELDS.iter().any(|own| own.key.name == key))||*
+        }
+
+        /// The law of this word as typed; `None` with problems added.
+        pub(super) fn typed(word: &str, section: &Section, problems: &mut Problems) -> Option<Law> {
+            match word {
+                $($law::WORD => $law::typed(section, problems).map(Law::$law),)*
+                _ => Some(Law::Elastic),
+            }
+        }
+
+        impl Deref for Law {
+            type Target = dyn SoilLaw;
+
+            fn deref(&self) -> &Self::Target {
+                match self {
+                    $(Self::$law(law) => law,)*
+                    Self::Elastic => &Elastic,
+                }
+            }
+        }
+    };
 }
 
-/// The words of the laws.
-pub(in crate::case) const WORDS: [&str; 5] =
-    [MohrCoulomb::WORD, Sand::WORD, Tresca::WORD, VonMises::WORD, Elastic::WORD];
-
-/// The keys of each law, by its word.
-pub(super) const KEYS_OF: [(&str, &[Key]); 4] = [
-    (MohrCoulomb::WORD, MohrCoulomb::DECLARED),
-    (Sand::WORD, Sand::DECLARED),
-    (Tresca::WORD, Tresca::DECLARED),
-    (VonMises::WORD, VonMises::DECLARED),
-];
+laws! {
+    MohrCoulomb: "Frictional soil with constant angles.";
+    Sand: "Sand whose strength and stiffness follow its density and pressure.";
+    Tresca: "Undrained clay.";
+    VonMises: "Metal that hardens.";
+}
 
 /// The keys of all laws, each once.
-pub(super) const KEYS: &[Key] = {
-    const LISTS: &[&[Key]] = &[MohrCoulomb::DECLARED, Sand::DECLARED, Tresca::DECLARED, VonMises::DECLARED];
-    &joined::<{ count(LISTS) }>(LISTS)
-};
-
-/// The law of this word as typed; `None` with problems added.
-pub(super) fn typed(word: &str, section: &Section, problems: &mut Problems) -> Option<Law> {
-    match word {
-        MohrCoulomb::WORD => MohrCoulomb::typed(section, problems).map(Law::MohrCoulomb),
-        Sand::WORD => Sand::typed(section, problems).map(Law::Sand),
-        Tresca::WORD => Tresca::typed(section, problems).map(Law::Tresca),
-        VonMises::WORD => VonMises::typed(section, problems).map(Law::VonMises),
-        _ => Some(Law::Elastic),
-    }
-}
+pub(super) const KEYS: &[Key] = &joined::<{ count(LISTS) }>(LISTS);
 
 /// What a law says of itself. Angles are in rad, stresses in Pa.
 pub trait SoilLaw {
@@ -157,20 +165,6 @@ pub struct Strength {
     pub cohesion: f64,
     /// Growth of the undrained shear strength with depth [Pa/m].
     pub gradient: f64,
-}
-
-impl Deref for Law {
-    type Target = dyn SoilLaw;
-
-    fn deref(&self) -> &Self::Target {
-        match self {
-            Self::Elastic => &Elastic,
-            Self::Tresca(law) => law,
-            Self::VonMises(law) => law,
-            Self::MohrCoulomb(law) => law,
-            Self::Sand(law) => law,
-        }
-    }
 }
 
 impl Law {

@@ -62,7 +62,7 @@ impl Potential {
 
 type Field = KeyOf<MohrCoulomb>;
 
-const KEYS: &[Field] = &[
+const FIELDS: &[Field] = &[
     Field::new("friction_angle", Kind::Quantity(ANGLE), Place::Number(|soil| &mut soil.friction_angle))
         .required_for("mohr-coulomb")
         .within(ACUTE)
@@ -136,10 +136,11 @@ const FULLY_DILATED: f64 = 0.8;
 
 impl MohrCoulomb {
     pub(super) const WORD: &'static str = "mohr-coulomb";
-    pub(super) const DECLARED: &'static [Key] = &declared::<_, { KEYS.len() }>(KEYS);
+    pub(super) const FIELDS: &'static [Field] = FIELDS;
+    pub(super) const DECLARED: &'static [Key] = &declared::<_, { FIELDS.len() }>(FIELDS);
 
     pub(super) fn typed(section: &Section, problems: &mut Problems) -> Option<Self> {
-        let soil = read(KEYS, Self::default(), section, problems);
+        let soil = read(FIELDS, Self::default(), section, problems);
         let potential = section.number("friction_angle").and_then(|_| section.text("flow_potential"));
         if potential.is_some_and(|word| word != SMOOTH) {
             for key in OF_SMOOTH.iter().filter(|key| section.has(key)) {
@@ -154,7 +155,7 @@ impl MohrCoulomb {
 
 impl SoilLaw for MohrCoulomb {
     fn numbers(&self) -> Vec<(&'static str, f64)> {
-        numbers(KEYS, self)
+        numbers(FIELDS, self)
     }
 
     fn kind(&self) -> &'static str {

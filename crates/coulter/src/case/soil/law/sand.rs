@@ -53,7 +53,7 @@ fn is_zero(number: &f64) -> bool {
 
 type Field = KeyOf<Sand>;
 
-const KEYS: &[Field] = &[
+const FIELDS: &[Field] = &[
     Field::new(
         "critical_friction_angle",
         Kind::Quantity(ANGLE),
@@ -153,10 +153,11 @@ const CONSTANT_BELOW: f64 = 1e3;
 
 impl Sand {
     pub(super) const WORD: &'static str = "sand";
-    pub(super) const DECLARED: &'static [Key] = &declared::<_, { KEYS.len() }>(KEYS);
+    pub(super) const FIELDS: &'static [Field] = FIELDS;
+    pub(super) const DECLARED: &'static [Key] = &declared::<_, { FIELDS.len() }>(FIELDS);
 
     pub(super) fn typed(section: &Section, problems: &mut Problems) -> Option<Self> {
-        read(KEYS, Self::default(), section, problems)
+        read(FIELDS, Self::default(), section, problems)
     }
 
     /// Density [kg/m³] at a relative density.
@@ -194,7 +195,7 @@ impl Sand {
 
 impl SoilLaw for Sand {
     fn numbers(&self) -> Vec<(&'static str, f64)> {
-        numbers(KEYS, self)
+        numbers(FIELDS, self)
     }
 
     fn kind(&self) -> &'static str {

@@ -43,7 +43,7 @@ pub struct ClaySoftening {
 
 type Field = KeyOf<Tresca>;
 
-const KEYS: &[Field] = &[
+const FIELDS: &[Field] = &[
     Field::new("shear_strength", Kind::Quantity(STRESS), Place::Number(|clay| &mut clay.shear_strength))
         .required_for("tresca")
         .within(NOT_NEGATIVE)
@@ -107,11 +107,12 @@ const INSENSITIVE: ClaySoftening =
 
 impl Tresca {
     pub(super) const WORD: &'static str = "tresca";
-    pub(super) const DECLARED: &'static [Key] = &declared::<_, { KEYS.len() }>(KEYS);
+    pub(super) const FIELDS: &'static [Field] = FIELDS;
+    pub(super) const DECLARED: &'static [Key] = &declared::<_, { FIELDS.len() }>(FIELDS);
 
     pub(super) fn typed(section: &Section, problems: &mut Problems) -> Option<Self> {
         let start = Self { softening: Some(INSENSITIVE), ..Self::default() };
-        let clay = read(KEYS, start, section, problems);
+        let clay = read(FIELDS, start, section, problems);
         let idle = [
             ("remoulding_strain", "sensitivity", section.number("sensitivity") == Some(1.0)),
             ("reference_rate", "rate_strengthening", section.number("rate_strengthening") == Some(0.0)),
@@ -143,7 +144,7 @@ impl Tresca {
 
 impl SoilLaw for Tresca {
     fn numbers(&self) -> Vec<(&'static str, f64)> {
-        numbers(KEYS, self)
+        numbers(FIELDS, self)
     }
 
     fn kind(&self) -> &'static str {

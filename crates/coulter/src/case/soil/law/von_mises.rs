@@ -24,7 +24,7 @@ pub struct VonMises {
 
 type Field = KeyOf<VonMises>;
 
-const KEYS: &[Field] = &[
+const FIELDS: &[Field] = &[
     Field::new("yield_stress", Kind::Quantity(STRESS), Place::Number(|metal| &mut metal.yield_stress))
         .required_for("von-mises")
         .within(POSITIVE)
@@ -41,16 +41,17 @@ const KEYS: &[Field] = &[
 
 impl VonMises {
     pub(super) const WORD: &'static str = "von-mises";
-    pub(super) const DECLARED: &'static [Key] = &declared::<_, { KEYS.len() }>(KEYS);
+    pub(super) const FIELDS: &'static [Field] = FIELDS;
+    pub(super) const DECLARED: &'static [Key] = &declared::<_, { FIELDS.len() }>(FIELDS);
 
     pub(super) fn typed(section: &Section, problems: &mut Problems) -> Option<Self> {
-        read(KEYS, Self::default(), section, problems)
+        read(FIELDS, Self::default(), section, problems)
     }
 }
 
 impl SoilLaw for VonMises {
     fn numbers(&self) -> Vec<(&'static str, f64)> {
-        numbers(KEYS, self)
+        numbers(FIELDS, self)
     }
 
     fn kind(&self) -> &'static str {
