@@ -13,7 +13,7 @@ const OPENMP: &str = "OMP_NUM_THREADS";
 const OF_JOB: &str = "SLURM_CPUS_ON_NODE";
 /// Processes that a launcher has started on this machine: `OpenMPI`, MPICH and Intel MPI, MVAPICH.
 const BESIDE: [&str; 3] = ["OMPI_COMM_WORLD_LOCAL_SIZE", "MPI_LOCALNRANKS", "MV2_COMM_WORLD_LOCAL_SIZE"];
-/// The same by machine, of `srun`: `4(x2),3`; and which of them this is.
+/// Processors of each machine, of `srun`: `4(x2),3`; and which of the machines this is.
 const BY_MACHINE: [&str; 2] = ["SLURM_STEP_TASKS_PER_NODE", "SLURM_NODEID"];
 
 /// A number of cores or threads, and how it came about.

@@ -61,7 +61,7 @@ pub struct Cost {
     pub estimate: Estimate,
     /// Total memory [bytes].
     pub memory_bytes: f64,
-    /// Its components.
+    /// Memory by what takes it.
     pub memory: Memory,
     /// What the run will write.
     pub output: OutputSize,

@@ -17,7 +17,7 @@ use super::places::Places;
 /// A file with keys, and where each of them stands in its text.
 #[derive(Debug)]
 pub struct Form {
-    /// Its entries, in the order of the text.
+    /// Entries of the file, in the order of the text.
     pub entries: Vec<Entry>,
     places: Places,
 }

@@ -9,11 +9,11 @@ pub const FORMAT: u32 = 2;
 /// A key that has a new name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RenamedKey {
-    /// Its section: `soil`, or `body` for `[body.NAME]`.
+    /// Section of the renamed key: `soil`, or `body` for `[body.NAME]`.
     pub section: &'static str,
-    /// Its old name.
+    /// Old name of the key.
     pub old: &'static str,
-    /// Its name today.
+    /// Name of the key today.
     pub new: &'static str,
 }
 

@@ -13,7 +13,7 @@ pub const GROUND: &str = "ground";
 /// A joint between two bodies, or between the ground and a body.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Joint {
-    /// Its name in the file.
+    /// Name of the joint in the file.
     pub name: String,
     /// The first body, by number; `None` for the ground.
     pub first: Option<usize>,
@@ -47,7 +47,7 @@ pub enum JointKind {
     },
     /// Any motion, against a spring with a damper.
     Spring {
-        /// Its end at the first body, at the start [m].
+        /// End of the spring at the first body, at the start [m].
         from: DVec3,
         /// Force per extension [N/m].
         stiffness: f64,
@@ -67,7 +67,7 @@ impl JointKind {
         !matches!(self, Self::Spring { .. })
     }
 
-    /// Its word in a case file.
+    /// Word of the joint in a case file.
     #[must_use]
     pub fn word(&self) -> &'static str {
         match self {

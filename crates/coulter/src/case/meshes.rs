@@ -21,7 +21,7 @@ pub(super) const LEAST_RATIO: f64 = 1.2;
 pub struct CoarserMesh {
     /// The case.
     pub case: Case,
-    /// Its text.
+    /// Text of the case as a case file.
     pub typed: String,
     /// Name of its folder: its cell size.
     pub name: String,

@@ -7,7 +7,7 @@ use solver::state::RimSums;
 
 /// A cell with soil in a field file [bytes]: 18 numbers of 32 bits, compressed; measured (towed disc 59, column 61).
 const PACKED_CELL: f64 = 60.0;
-/// The same without soil: all zeros; measured.
+/// A cell without soil in a field file [bytes]: all zeros, compressed; measured.
 const PACKED_VOID: f64 = 0.5;
 /// A column of cells in a free-surface file [bytes]; measured on the towed disc.
 const PACKED_COLUMN: f64 = 21.0;

@@ -38,9 +38,9 @@ impl std::error::Error for Problem {}
 /// What of an entry a problem is about: where the message points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Aim {
-    /// Its value.
+    /// Value of the key that is wrong.
     Value,
-    /// Its name.
+    /// Name of the key that is wrong.
     Name,
 }
 
@@ -103,7 +103,7 @@ impl Problems {
         self.found.is_empty()
     }
 
-    /// Their number.
+    /// Number of the problems.
     #[must_use]
     pub fn len(&self) -> usize {
         self.found.len()

@@ -9,9 +9,9 @@ pub use super::units::{Dimension, QuantityError};
 /// A measurable quantity: its name in messages, its dimension and an example.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Measure {
-    /// Its name with the article: `a length`.
+    /// Name of the measure with the article: `a length`.
     pub name: &'static str,
-    /// Its dimension.
+    /// Dimension of the measure.
     pub dimension: Dimension,
     /// The unit in which it is shown: that of the SI, degrees for an angle.
     pub unit: &'static str,

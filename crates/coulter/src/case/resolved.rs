@@ -141,11 +141,11 @@ impl Case {
 /// A layer of the ground below the uppermost soil.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Layer {
-    /// Its name.
+    /// Name of the layer.
     pub name: String,
     /// Depth of its top below the surface [m].
     pub top: f64,
-    /// Its soil.
+    /// Soil of the layer.
     pub soil: Soil,
 }
 
@@ -159,15 +159,15 @@ impl Layer {
 /// A body of soil of another kind.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SoilBody {
-    /// Its name.
+    /// Name of the soil body.
     pub name: String,
-    /// Its shape.
+    /// Shape of the soil body.
     pub shape: Shape,
-    /// Its reference point [m].
+    /// Reference point of the soil body [m].
     pub position: DVec3,
-    /// Its attitude.
+    /// Attitude of the soil body.
     pub attitude: Attitude,
-    /// Its soil.
+    /// Soil of the soil body.
     pub soil: Soil,
 }
 
@@ -239,7 +239,7 @@ pub struct Domain {
     pub walls: [[Wall; 2]; 3],
     /// Whether y = 0 is a plane of symmetry and only y ≥ 0 is modelled. Forces are reported for the whole body.
     pub symmetric: bool,
-    /// The same for x = 0 and x ≥ 0.
+    /// Whether x = 0 is a plane of symmetry and only x ≥ 0 is modelled.
     pub symmetric_x: bool,
     /// Whether the case is plane strain: a slab one cell thick in y. Bodies, forces and weights are those of a width of
     /// [`PLANE_STRAIN_WIDTH`], whatever the thickness of the slab.

@@ -12,9 +12,9 @@ pub const PLANE_STRAIN_WIDTH: f64 = 1.0;
 /// A rigid body.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Body {
-    /// Its name in the file.
+    /// Name of the body in the file.
     pub name: String,
-    /// Its shape.
+    /// Shape of the body.
     pub shape: Shape,
     /// Reference point at the start [m].
     pub position: DVec3,
@@ -47,7 +47,7 @@ pub struct Body {
 /// How a body moves in a run of several stages, for estimates of its path.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Staged {
-    /// Its motions in the stage over which averages are taken; free where they are so in any stage.
+    /// Motions in the stage over which averages are taken; free where they are so in any stage.
     pub motions: [Motion; 6],
     /// Least and largest displacement along x, y and z that is prescribed [m].
     pub bounds: [[f64; 2]; 3],
@@ -58,11 +58,11 @@ pub struct Staged {
 /// A body that is welded to another: they move as one rigid body.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Part {
-    /// Its name in the file.
+    /// Name of the part in the file.
     pub name: String,
-    /// Its shape.
+    /// Shape of the part.
     pub shape: Shape,
-    /// Its reference point, from that of the body that it is a part of, in the axes of that body [m].
+    /// Reference point of the part, from that of the body that it belongs to, in the axes of that body [m].
     pub offset: DVec3,
     /// Rotation of its frame to the frame of that body; its axle lies along y in its own.
     pub rotation: DQuat,
@@ -75,7 +75,7 @@ pub struct Part {
 }
 
 impl Part {
-    /// Its solid in its own frame.
+    /// Solid of the part in the part's own frame.
     #[must_use]
     pub fn solid(&self) -> Box<dyn Solid> {
         pitched(&self.shape, self.pitch)
@@ -168,7 +168,7 @@ impl Body {
         self.staged.as_ref().map_or(&self.rotation[2], |staged| &staged.motions[5])
     }
 
-    /// Its six degrees of freedom at the start: along x, y, z; yaw, tilt, spin.
+    /// The six degrees of freedom of the body at the start: along x, y, z; yaw, tilt, spin.
     #[must_use]
     pub fn motions(&self) -> [Motion; 6] {
         let ([x, y, z], [yaw, tilt, spin]) = (self.translation.clone(), self.rotation.clone());
@@ -234,7 +234,7 @@ impl Body {
         self.guided().rotation.iter().any(|motion| *motion != Motion::Fixed)
     }
 
-    /// Its shape, rotated by its pitch, in the frame that tilt and yaw carry: axle along y.
+    /// Shape of the body, rotated by its pitch, in the frame that tilt and yaw carry: axle along y.
     #[must_use]
     pub fn solid(&self) -> Box<dyn Solid> {
         let own = self.own_solid();
@@ -245,7 +245,7 @@ impl Body {
         Box::new(Compound::new(std::iter::once(own).chain(self.parts.iter().map(Part::placed)).collect()))
     }
 
-    /// The same without what is welded to it.
+    /// Shape of the body without what is welded to it, rotated by its pitch.
     #[must_use]
     pub fn own_solid(&self) -> Box<dyn Solid> {
         pitched(&self.shape, self.attitude.pitch)
@@ -317,7 +317,7 @@ impl Body {
         high - low
     }
 
-    /// The same for all attitudes that its yaw and tilt may take.
+    /// Low and high corner of the body for all attitudes that its yaw and tilt may take.
     #[must_use]
     pub fn reach(&self) -> (DVec3, DVec3) {
         let (low, high) = self.bounds();

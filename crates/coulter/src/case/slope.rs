@@ -6,9 +6,9 @@ use serde::Serialize;
 /// Slope of the ground.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Slope {
-    /// Its angle along x, uphill positive [rad].
+    /// Angle of the slope along x, uphill positive [rad].
     pub along: f64,
-    /// Its angle along y, uphill positive [rad].
+    /// Angle of the slope along y, uphill positive [rad].
     pub across: f64,
 }
 
@@ -19,7 +19,7 @@ impl Slope {
         *self == Self::default()
     }
 
-    /// Its angles along x and y [rad].
+    /// Angles of the slope along x and y [rad].
     #[must_use]
     pub fn angles(&self) -> [f64; 2] {
         [self.along, self.across]

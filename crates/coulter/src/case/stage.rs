@@ -7,7 +7,7 @@ use std::path::PathBuf;
 /// A stage of a run.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Stage {
-    /// Its name in the file.
+    /// Name of the stage in the file.
     pub name: String,
     /// How long it lasts [s]; where something else ends it, how long at most.
     pub duration: f64,
@@ -35,7 +35,7 @@ pub struct Until {
     pub body: usize,
     /// Which quantity.
     pub quantity: StageQuantity,
-    /// Its value, in SI units.
+    /// Value that ends the stage, in SI units.
     pub value: f64,
 }
 
@@ -65,7 +65,7 @@ impl StageQuantity {
         ("axle_torque", Self::AxleTorque),
     ];
 
-    /// Its name in words, and its unit.
+    /// Name of the quantity in words, and its unit.
     #[must_use]
     pub fn words(self) -> [&'static str; 2] {
         match self {

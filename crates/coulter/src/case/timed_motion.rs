@@ -10,7 +10,7 @@ pub(super) struct TimedMotion {
     pub(super) span: [f64; 2],
     /// How long the run goes on after the moment from which its times count [s].
     pub(super) remaining: f64,
-    /// Its last speed [m/s or rad/s].
+    /// Last speed of the motion [m/s or rad/s].
     pub(super) last_speed: f64,
 }
 

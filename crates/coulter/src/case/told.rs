@@ -112,7 +112,7 @@ fn tell(how: &Motion, motion: usize, lasts: f64) -> String {
 struct Leg {
     /// When it begins and ends [s].
     times: [f64; 2],
-    /// Its displacement [m or rad].
+    /// Displacement over the leg [m or rad].
     way: f64,
 }
 
@@ -166,7 +166,7 @@ fn rate(speed: f64, motion: usize) -> String {
     format!("{} {}", plain(speed), if motion < 3 { "m/s" } else { "rad/s" })
 }
 
-/// The same number in four digits.
+/// A number in four digits.
 fn rounded(number: f64) -> f64 {
     format!("{number:.3e}").parse().unwrap_or(number)
 }

@@ -39,7 +39,7 @@ impl TowDirection {
         case.bodies.iter().map(|body| Self::of(case, body)).collect()
     }
 
-    /// Its components along x and y.
+    /// Components of the direction along x and y.
     #[must_use]
     pub fn components(self) -> [f64; 2] {
         self.0
@@ -148,7 +148,7 @@ pub(crate) struct Measures {
     /// Extent of the body along its own axes: of what rolls along the level axis in which it does, of any other along that which lies
     /// next to the tow first.
     pub(crate) extent: DVec3,
-    /// Its thickness across: less than its extent of a dished disc.
+    /// Thickness of the body across the tow: of a dished disc less than its extent.
     pub(crate) thickness: f64,
     /// Widths of the cells along these axes.
     pub(crate) cell: DVec3,

@@ -20,7 +20,7 @@ pub enum Value {
 }
 
 impl Value {
-    /// Its type with the article, for messages.
+    /// Type of the value with the article, for messages.
     #[must_use]
     pub fn kind(&self) -> &'static str {
         match self {
@@ -39,7 +39,7 @@ impl Value {
 pub struct Entry {
     /// The key.
     pub key: String,
-    /// Its value.
+    /// Value of the entry.
     pub value: Value,
 }
 

@@ -53,7 +53,7 @@ pub(super) struct Until {
 /// A section as typed.
 #[derive(Clone, Debug)]
 pub struct Section {
-    /// Its path: `soil`, or `body.disc`; empty for the top.
+    /// Path of the section: `soil`, or `body.disc`; empty for the top.
     pub(super) path: String,
     /// Folder of the case file, to which files that it names are relative.
     pub(super) folder: PathBuf,

@@ -137,7 +137,7 @@ impl Water {
         (self.density * of_width(solid, plane_strain) * properties.volume, properties.centroid)
     }
 
-    /// The same for a body with its parts, the centre from its reference point.
+    /// Mass of the water that a body with its parts displaces [kg], and the centre of its volume from the reference point [m].
     #[must_use]
     pub(in crate::case) fn displaced(&self, body: &Body, plane_strain: bool) -> (f64, DVec3) {
         let parts = body.parts.iter().map(|part| {

@@ -75,9 +75,9 @@ const VERTICAL_SYSTEMS: [(u16, u16); 6] =
 /// A unit of length that a file states.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct FileUnit {
-    /// Its name, and which key says so.
+    /// Name of the unit, and which key says so.
     pub(super) name: String,
-    /// Its length [m].
+    /// Length of the unit [m].
     pub(super) metres: f64,
 }
 

@@ -110,7 +110,7 @@ impl HeightFile {
         &self.content.remarks
     }
 
-    /// Its heights, in the axes of the case.
+    /// Heights of the file, in the axes of the case.
     #[must_use]
     pub fn heights(&self) -> &Arc<HeightField> {
         &self.content.heights

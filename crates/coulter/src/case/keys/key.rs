@@ -76,7 +76,7 @@ impl Kind {
 /// One key.
 #[derive(Clone, Copy, Debug)]
 pub struct Key {
-    /// Its name in its section.
+    /// Name of the key in its section.
     pub name: &'static str,
     /// What its value may be.
     pub kind: Kind,
@@ -91,13 +91,13 @@ pub struct Key {
 }
 
 impl Key {
-    /// The same key with a range.
+    /// This key with the range of what it allows.
     #[must_use]
     pub const fn within(self, range: AllowedRange) -> Self {
         Self { range: Some(range), ..self }
     }
 
-    /// The same key with a usual range.
+    /// This key with the range of what is usual.
     #[must_use]
     pub const fn usually(self, usual: UsualRange) -> Self {
         Self { usual: Some(usual), ..self }
@@ -126,13 +126,13 @@ impl Key {
         Some([read(usual.low)?, read(usual.high)?])
     }
 
-    /// Its usual range in words: `50 kPa to 1 GPa (from mud to soft rock)`.
+    /// Usual range of the key in words: `50 kPa to 1 GPa (from mud to soft rock)`.
     #[must_use]
     pub fn usual_text(&self) -> Option<String> {
         self.usual.map(|usual| format!("{} to {} ({})", usual.low, usual.high, usual.source))
     }
 
-    /// Its range in words, if it has one.
+    /// Allowed range of the key in words, if it has one.
     #[must_use]
     pub fn range_text(&self) -> Option<String> {
         self.range.map(|range| range.text(|number| self.shown(number)))
@@ -146,7 +146,7 @@ pub struct KeyTable {
     pub name: &'static str,
     /// What the section is about.
     pub meaning: &'static str,
-    /// Its keys.
+    /// Keys of the section.
     pub keys: &'static [Key],
 }
 

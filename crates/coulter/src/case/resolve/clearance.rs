@@ -30,13 +30,13 @@ const FOOTING_FRACTION: f64 = 0.5;
 /// What the clearance depends on.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::case) struct SoilConditions {
-    /// Its yield law.
+    /// Yield law of the soil.
     pub(in crate::case) law: Law,
     /// Height of its surface [m].
     pub(in crate::case) surface: f64,
     /// Height of the floor [m]; minus infinity as long as it is not known.
     pub(in crate::case) floor: f64,
-    /// Its initial velocity [m/s].
+    /// Initial velocity of the soil [m/s].
     pub(in crate::case) velocity: DVec3,
     /// Acceleration of gravity [m/s²].
     pub(in crate::case) gravity: f64,
@@ -82,7 +82,7 @@ impl SoilConditions {
 pub(in crate::case) struct Clearance {
     /// Above the undisturbed surface: the top of the heap.
     pub(in crate::case) above: f64,
-    /// The same if a body that is free to sink does so much more than expected.
+    /// Clearance above the soil if a body that is free to sink sinks much more than expected [m].
     pub(in crate::case) above_at_most: f64,
     /// In front of the low and the high end of the path along x.
     pub(in crate::case) along: [f64; 2],

@@ -80,7 +80,7 @@ impl Context {
     }
 }
 
-/// The same part of the case, or `None` if `check` finds something wrong with it: what follows from it would be wrong, too.
+/// A part of the case, or `None` if `check` finds something wrong with it: what follows from it would be wrong, too.
 pub(super) fn checked<T>(
     part: T,
     problems: &mut Problems,

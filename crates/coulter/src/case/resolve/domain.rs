@@ -13,7 +13,7 @@ use glam::DVec3;
 /// Least clearance below the bodies and to the sides [body lengths]; chosen: the ground fails over some three sinkages,
 /// and a disc seldom sinks deeper than a third of its diameter.
 const MIN_BELOW: f64 = 1.25;
-/// The same below bodies that are only pressed; chosen: of nine random cases floor or walls bore more than 40 % of the contact pressure in all
+/// Least clearance below bodies that are only pressed [body lengths]; chosen: of nine random cases floor or walls bore more than 40 % of the contact pressure in all
 /// with 1.25, in four with half as much again; their forces changed by up to 6 %.
 const MIN_BELOW_PRESSED: f64 = 1.9;
 const MIN_SIDE: f64 = 1.5;

@@ -9,7 +9,7 @@ use crate::case::typed::Section;
 use crate::case::validate;
 use glam::DVec3;
 
-/// Its slope; `None` where it cannot be read.
+/// Slope of the ground; `None` where it cannot be read.
 pub(super) fn slope(section: &Section) -> Option<Slope> {
     Some(Slope { along: section.number("slope")?, across: section.number("cross_slope")? })
 }

@@ -93,7 +93,7 @@ impl CaseShape for Blade {
         })
     }
 
-    /// Its height.
+    /// Height of the blade.
     fn reference_length(&self) -> f64 {
         self.size.z
     }

@@ -52,7 +52,7 @@ impl CaseShape for Block {
         (0..3).map(|axis| Size::along("size", self.size[axis], axis)).collect()
     }
 
-    /// Its height.
+    /// Height of the block.
     fn reference_length(&self) -> f64 {
         self.size.z
     }

@@ -16,7 +16,7 @@ pub struct Disc {
     pub diameter: f64,
     /// Thickness t [m].
     pub thickness: f64,
-    /// Its rim.
+    /// Rim of the disc.
     pub rim: DiscRim,
     /// How it is dished; `None` if it is flat.
     pub dish: Option<Dish>,

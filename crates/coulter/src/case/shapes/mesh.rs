@@ -119,7 +119,7 @@ impl CaseShape for MeshBody {
         })
     }
 
-    /// Its height.
+    /// Height of the mesh.
     fn reference_length(&self) -> f64 {
         self.report().size.z
     }

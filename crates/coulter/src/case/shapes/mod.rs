@@ -44,7 +44,7 @@ macro_rules! shapes {
         const KEYS: &[(&str, &[&str])] = &[$(($word, $name::KEYS)),*];
 
         impl Shape {
-            /// Its word in a case file.
+            /// Word of the shape in a case file.
             #[must_use]
             pub fn kind(&self) -> &'static str {
                 match self {
@@ -61,13 +61,13 @@ macro_rules! shapes {
         }
 
         impl Shape {
-            /// Its file, of a mesh.
+            /// File of a mesh; `None` for other shapes.
             #[must_use]
             pub fn mesh(&self) -> Option<&MeshBody> {
                 if let Self::MeshBody(mesh) = self { Some(mesh) } else { None }
             }
 
-            /// The same without the name of its file, for comparisons.
+            /// Forgets the name of the file, so that shapes can be compared.
             pub(super) fn forget_file(&mut self) {
                 if let Self::MeshBody(mesh) = self {
                     mesh.file.clear();

@@ -3,9 +3,9 @@
 /// The slab of a plane strain case.
 #[derive(Clone, Copy)]
 pub(in crate::case) struct Slab {
-    /// Its width along y [m].
+    /// Width of the slab along y [m].
     pub(in crate::case) width: f64,
-    /// Its middle [m].
+    /// Middle of the slab along y [m].
     pub(in crate::case) middle: f64,
     /// Distance of contact points from sharp edges [m].
     pub(in crate::case) inset: f64,

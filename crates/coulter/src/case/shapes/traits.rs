@@ -40,7 +40,7 @@ pub trait CaseShape {
     fn is_mirrored(&self, _axis: usize) -> bool {
         true
     }
-    /// Its thinnest place, where its `sizes` do not say how thin it is.
+    /// Thinnest place of the shape, where its `sizes` do not say how thin it is.
     fn thinnest(&self, _search: &ThinSearch) -> Option<Thin> {
         None
     }
@@ -61,7 +61,7 @@ pub trait CaseShape {
 /// A length that describes a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Size {
-    /// Its key.
+    /// Key of the size.
     pub key: &'static str,
     /// The length [m].
     pub length: f64,

@@ -38,7 +38,7 @@ impl CaseShape for Wedge {
         (0..3).map(|axis| Size::along(keys[axis], self.size[axis], axis)).collect()
     }
 
-    /// Its height.
+    /// Height of the wedge.
     fn reference_length(&self) -> f64 {
         self.size.z
     }

@@ -15,7 +15,7 @@ pub struct Wheel {
     pub diameter: f64,
     /// Width t along the axle [m].
     pub thickness: f64,
-    /// Its grousers, straight and as wide as it is.
+    /// Grousers of the wheel, straight and as wide as it is.
     pub grousers: Grousers,
 }
 

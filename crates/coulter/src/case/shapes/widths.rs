@@ -5,7 +5,7 @@ use crate::case::missing::required;
 use crate::case::problem::Problems;
 use crate::case::typed::Section;
 
-/// Its width [m]: the key `width`, or in plane strain that of the slab.
+/// Width of a body [m]: the key `width`, or in plane strain that of the slab.
 pub(super) fn across(section: &Section, slab: Option<Slab>, problems: &mut Problems) -> Option<f64> {
     match slab {
         None => required(section, "width", problems),

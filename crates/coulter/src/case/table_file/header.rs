@@ -10,9 +10,9 @@ use std::ops::Range;
 pub struct TableColumn {
     /// What the header says, such as `sinkage (mm)`.
     pub title: String,
-    /// Its name: the title without the unit in brackets.
+    /// Name of the column: the title without the unit in brackets.
     pub name: String,
-    /// Its unit, in brackets after the name or in a line of units below the header.
+    /// Unit of the column, in brackets after the name or in a line of units below the header.
     pub unit: Option<String>,
     /// Where the title stands [bytes].
     pub at: Range<usize>,

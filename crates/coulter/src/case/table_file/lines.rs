@@ -8,7 +8,7 @@ const QUOTED_LINES: usize = 10;
 /// A field of a line, without blanks and quotes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Field<'a> {
-    /// Its text.
+    /// Text of the line.
     pub text: &'a str,
     /// Where it stands [bytes].
     pub at: Range<usize>,
@@ -19,7 +19,7 @@ pub struct Field<'a> {
 /// A line that is neither empty nor a comment.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Line<'a> {
-    /// Its fields.
+    /// Fields of the line.
     pub fields: Vec<Field<'a>>,
     /// Where it stands [bytes].
     pub at: Range<usize>,

@@ -96,7 +96,7 @@ impl TableFile {
         TableText::decode(bytes).map(Self::new)
     }
 
-    /// Its text; places of problems refer to it.
+    /// Text of the file; places of problems refer to it.
     #[must_use]
     pub fn text(&self) -> &str {
         &self.text.text
@@ -126,7 +126,7 @@ impl TableFile {
         self.columns.iter().map(|column| format!("\"{}\"", column.title)).collect::<Vec<_>>().join(", ")
     }
 
-    /// Its comments, without their `#`.
+    /// Comments of the file, without their `#`.
     pub fn comments(&self) -> impl Iterator<Item = &str> {
         comments(&self.text.text)
     }

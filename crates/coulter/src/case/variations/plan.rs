@@ -20,7 +20,7 @@ pub struct Variation {
     pub what: String,
     /// The case.
     pub case: Case,
-    /// Its text.
+    /// Text of the case as a case file.
     pub typed: String,
     /// How much longer everything takes that the case prescribes: 2 at half the speed.
     pub time_factor: f64,

@@ -23,7 +23,7 @@ impl ErrorSource {
     /// All of them, in the order in which they are shown.
     pub const ALL: [Self; 5] = [Self::Mesh, Self::Domain, Self::Speed, Self::Precision, Self::Statistics];
 
-    /// Its word, as in `summary.json` and on the command line.
+    /// Word of the source, as in `summary.json` and on the command line.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {

@@ -77,7 +77,7 @@ pub(super) const KEYS: &[Key] = &joined::<{ count(LISTS) }>(LISTS);
 
 /// What a law says of itself. Angles are in rad, stresses in Pa.
 pub trait SoilLaw {
-    /// Its parameters, each with the name of its key.
+    /// Parameters of the law, each with the name of its key.
     fn numbers(&self) -> Vec<(&'static str, f64)>;
 
     /// What soil of this law is called in messages.
@@ -177,7 +177,7 @@ impl Law {
         }
     }
 
-    /// Its parameters if it is that of sand.
+    /// Parameters of the law if it is that of sand.
     #[must_use]
     pub fn sand(&self) -> Option<&Sand> {
         if let Self::Sand(sand) = self { Some(sand) } else { None }

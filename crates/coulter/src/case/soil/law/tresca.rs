@@ -22,7 +22,7 @@ use solver::material::{Material, StrengthProfile};
 pub struct Tresca {
     /// Undrained shear strength s_u of the intact soil, at the top of its layer [Pa].
     pub shear_strength: f64,
-    /// Its growth with depth k [Pa/m].
+    /// Growth of the strength with depth k [Pa/m].
     pub gradient: f64,
     /// What remoulding and rate do to it; `None` for nothing.
     pub softening: Option<ClaySoftening>,
