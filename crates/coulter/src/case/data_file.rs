@@ -19,7 +19,7 @@ pub(super) fn problem<T>(message: impl Into<String>, cure: impl Into<String>) ->
 const PATH: &str = "check the path, which is relative to the folder of the case file";
 
 /// The content of an ordinary file of at most so many bytes; `smaller` says how to make it smaller.
-pub(super) fn bytes(path: &Path, (most, smaller): (u64, &str)) -> Result<Vec<u8>, FileProblem> {
+pub(super) fn bytes(path: &Path, most: u64, smaller: &str) -> Result<Vec<u8>, FileProblem> {
     let about = std::fs::metadata(path).or_else(|error| problem(format!("cannot be read: {error}"), PATH))?;
     if !about.is_file() {
         return problem("not an ordinary file", PATH);

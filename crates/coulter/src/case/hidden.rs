@@ -14,14 +14,14 @@ pub(super) fn problems(tree: &[Entry]) -> Vec<(Aim, Problem)> {
 fn walk(entries: &[Entry], path: &str, found: &mut Vec<(Aim, Problem)>) {
     for Entry { key, value } in entries {
         let path = join(path, key);
-        look(key, true, (&path, Aim::Name), found);
+        look(key, true, &path, Aim::Name, found);
         look_into(value, key == "title", &path, found);
     }
 }
 
 fn look_into(value: &Value, is_line: bool, path: &str, found: &mut Vec<(Aim, Problem)>) {
     match value {
-        Value::Text(text) => look(text, is_line, (path, Aim::Value), found),
+        Value::Text(text) => look(text, is_line, path, Aim::Value, found),
         Value::Table(entries) => walk(entries, path, found),
         Value::List(values) => {
             for (n, value) in values.iter().enumerate() {
@@ -32,7 +32,7 @@ fn look_into(value: &Value, is_line: bool, path: &str, found: &mut Vec<(Aim, Pro
     }
 }
 
-fn look(text: &str, is_line: bool, (path, aim): (&str, Aim), found: &mut Vec<(Aim, Problem)>) {
+fn look(text: &str, is_line: bool, path: &str, aim: Aim, found: &mut Vec<(Aim, Problem)>) {
     let hidden = text.chars().position(|c| is_hidden(c) || is_line && c.is_control());
     if let Some((place, c)) = hidden.and_then(|place| Some((place, text.chars().nth(place)?))) {
         let what = if c.is_control() { "a control character" } else { "a mark for the direction of text" };

@@ -68,7 +68,7 @@ pub fn coarser(
     let mut finer = representative_width(case);
     for step in 1..count {
         let mesh = on_cells(case, text, source_name, RATIO.powi(i32::try_from(step).unwrap_or(i32::MAX)))
-            .map_err(|error| explained(error, case, (step, count)))?;
+            .map_err(|error| explained(error, case, step, count))?;
         let width = representative_width(&mesh.case);
         if width < LEAST_RATIO * finer {
             let message = format!(
@@ -127,7 +127,7 @@ pub(super) fn changed(
 }
 
 /// The error of a coarser mesh, which says that it is one.
-fn explained(mut error: CaseError, case: &Case, (step, count): (usize, usize)) -> CaseError {
+fn explained(mut error: CaseError, case: &Case, step: usize, count: usize) -> CaseError {
     let factor = RATIO.powi(i32::try_from(step).unwrap_or(i32::MAX));
     let cell = plain(1e3 * factor * case.grid.cell);
     error.name = format!("{} (mesh {} of {count}, with grid.cell = {cell} mm)", error.name, count - step);

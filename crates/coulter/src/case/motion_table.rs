@@ -110,7 +110,7 @@ type Chosen = (usize, f64, Meaning);
 /// # Errors
 /// [`FileProblem`] says what is wrong with the file, and in which line.
 pub(super) fn read(path: &Path, motion: usize, begins_with_first: bool) -> Result<TabledMotion, FileProblem> {
-    let table = TableFile::read(data_file::bytes(path, (MAX_BYTES, "give it fewer lines"))?)?;
+    let table = TableFile::read(data_file::bytes(path, MAX_BYTES, "give it fewer lines")?)?;
     let mut remarks: Vec<String> = table.remark().map(str::to_owned).into_iter().collect();
     let [time, value] = choose(&table, motion, &mut remarks)?;
     let mut body = table.numbers(&[time.0, value.0], "give every line a time and a value, or leave it out");

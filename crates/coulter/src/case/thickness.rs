@@ -33,7 +33,7 @@ pub(super) fn thin_places(case: &Case, body: &Body, fewer_than: f64) -> Vec<Thin
     let highest = highest_in_soil(case, body);
     let thinnest = |(name, shape, rotation, offset): (&String, &Shape, DMat3, DVec3)| {
         let Some(mesh) = shape.mesh() else {
-            return by_measures((name, shape), (cell, case.domain.plane_strain), fewer_than);
+            return by_measures(name, shape, (cell, case.domain.plane_strain), fewer_than);
         };
         let thin = shape.thinnest(&ThinSearch {
             cell: cell.max_element(),
@@ -80,7 +80,7 @@ fn highest_in_soil(case: &Case, body: &Body) -> f64 {
 }
 
 /// The thinnest of the lengths that describe a shape.
-fn by_measures((name, shape): (&str, &Shape), grid: (DVec3, bool), fewer_than: f64) -> Option<ThinPlace> {
+fn by_measures(name: &str, shape: &Shape, grid: (DVec3, bool), fewer_than: f64) -> Option<ThinPlace> {
     let sizes = cells_across(shape, grid).into_iter().filter(|(_, cells)| *cells < fewer_than);
     let (size, cells) = sizes.min_by(|a, b| a.1.total_cmp(&b.1))?;
     Some(ThinPlace { path: format!("body.{name}.{}", size.key), cells, wall: None })

@@ -19,13 +19,13 @@ pub(super) fn speed(case: &Case, body: &Body, notes: &mut Vec<String>) {
     let length = body_length(std::slice::from_ref(body));
     // A body that enters the soil later is not in it yet: a tenth of its length is assumed.
     let depth = deepest(body, &SoilConditions::of(case), case.duration).max(0.1 * length);
-    inertia(case, body, (speed, depth), notes);
-    viscosity(case, body, (speed, depth), case.grid.fine_cell()[axis], notes);
+    inertia(case, body, speed, depth, notes);
+    viscosity(case, body, speed, depth, case.grid.fine_cell()[axis], notes);
 }
 
 /// What the soil's inertia adds to the force. The ground carries the load of a body that is free to sink at any speed, so
 /// that inertia is compared with this load; for any other body it is compared with the passive thrust.
-fn inertia(case: &Case, body: &Body, (speed, depth): (f64, f64), notes: &mut Vec<String>) {
+fn inertia(case: &Case, body: &Body, speed: f64, depth: f64, notes: &mut Vec<String>) {
     if case.gravity <= 0.0 || case.soil.unit_weight <= 0.0 || speed <= 0.0 {
         return;
     }
@@ -62,7 +62,7 @@ fn contact_pressure(case: &Case, depth: f64) -> f64 {
 }
 
 /// What bulk viscosity adds to the pressure on the body; `cell` is the width of a cell along the motion [m].
-fn viscosity(case: &Case, body: &Body, (speed, depth): (f64, f64), cell: f64, notes: &mut Vec<String>) {
+fn viscosity(case: &Case, body: &Body, speed: f64, depth: f64, cell: f64, notes: &mut Vec<String>) {
     let pressure = contact_pressure(case, depth);
     let wave_speed =
         Elastic::new(case.soil.stiffest_modulus(), case.soil.poisson_ratio).wave_speed(case.soil.density);

@@ -47,8 +47,8 @@ pub fn advice(case: &Case) -> Vec<String> {
     drainage(case, &mut notes);
     for (path, soil) in case.soils() {
         let mut own = Vec::new();
-        strength((case, &path), soil, &mut own);
-        softening((case, &path), soil, &mut own);
+        strength(case, &path, soil, &mut own);
+        softening(case, &path, soil, &mut own);
         sand_at_rest(soil, &mut own);
         let is_one = case.soils().count() == 1;
         notes.extend(own.into_iter().map(|note| if is_one { note } else { format!("[{path}]: {note}") }));
@@ -158,7 +158,7 @@ fn drainage(case: &Case, notes: &mut Vec<String>) {
 const SOFTENING: f64 = 1.0;
 
 /// Softening sand whose bands depend on the cells.
-fn softening((case, path): (&Case, &str), soil: &Soil, notes: &mut Vec<String>) {
+fn softening(case: &Case, path: &str, soil: &Soil, notes: &mut Vec<String>) {
     let Some(Sand { characteristic_length, .. }) = soil.law.sand() else { return };
     let cell = case.grid.fine_cell().max_element();
     let consequence =
@@ -185,7 +185,7 @@ fn sand_at_rest(soil: &Soil, notes: &mut Vec<String>) {
     }
 }
 
-fn strength((case, path): (&Case, &str), soil: &Soil, notes: &mut Vec<String>) {
+fn strength(case: &Case, path: &str, soil: &Soil, notes: &mut Vec<String>) {
     let Law::MohrCoulomb(law) = soil.law else { return };
     let MohrCoulomb { friction_angle, dilation_angle, cohesion, potential, critical_density, .. } = law;
     let length = body_length(&case.bodies);

@@ -57,7 +57,7 @@ impl HeightFile {
     /// [`FileProblem`] says what is wrong with the file, where, and what to do.
     pub(super) fn load(folder: &Path, file: &str, placement: &Placement) -> Result<Self, FileProblem> {
         let path = folder.join(file);
-        let bytes = data_file::bytes(&path, (MAX_BYTES, TOO_MANY))?;
+        let bytes = data_file::bytes(&path, MAX_BYTES, TOO_MANY)?;
         let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
         let (raster, remarks) = match extension.as_str() {
             "csv" | "txt" | "tsv" | "dat" | "asc" => table::read(bytes, false, placement)?,

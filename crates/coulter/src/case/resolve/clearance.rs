@@ -150,7 +150,7 @@ pub(in crate::case) fn clearance(body: &Body, soil: &SoilConditions, duration: f
 /// Clearance for the heap and the failure zone of a tow.
 fn towed(body: &Body, soil: &SoilConditions, depth: f64, duration: f64) -> Clearance {
     let moved = relative_displacement(body, soil, duration);
-    let above = heap(body, soil, depth * moved.x.hypot(moved.y), (depth, duration));
+    let above = heap(body, soil, depth * moved.x.hypot(moved.y), depth, duration);
     if moved.x == 0.0 && moved.y == 0.0 {
         return Clearance { above, ..Clearance::default() };
     }
@@ -176,7 +176,7 @@ fn pressed(body: &Body, soil: &SoilConditions, depth: f64, duration: f64) -> Cle
     }
     let breadth = breadth(body, soil, depth);
     // The displaced soil rises on both sides.
-    let above = heap(body, soil, 0.5 * sunk * breadth, (depth, duration));
+    let above = heap(body, soil, 0.5 * sunk * breadth, depth, duration);
     let phi = soil.friction_angle();
     let flank = (FRAC_PI_4 + 0.5 * phi).tan();
     let reach = FOOTING_FRACTION * breadth * flank * (FRAC_PI_2 * phi.tan()).exp();
@@ -189,7 +189,7 @@ fn pressed(body: &Body, soil: &SoilConditions, depth: f64, duration: f64) -> Cle
 /// front of the whole width, b H²/(2 tan φ), which ends in a quarter of a cone on either side, π H³/(12 tan²φ).
 ///
 /// A body retains soil up to its own height; what flows over it is a layer no thicker than the depth of cut.
-fn heap(body: &Body, soil: &SoilConditions, area: f64, (depth, duration): (f64, f64)) -> f64 {
+fn heap(body: &Body, soil: &SoilConditions, area: f64, depth: f64, duration: f64) -> f64 {
     let slope = soil.slope();
     let plane = (2.0 * area * slope).sqrt();
     let moved = relative_displacement(body, soil, duration);

@@ -138,13 +138,13 @@ pub(super) fn guide(stages: &[Stage], bodies: &mut [Body], surface: f64) {
     let sinkage: Vec<f64> = bodies.iter().map(|body| surface - body.position.z - body.bounds().0.z).collect();
     let is_named = |n: usize| stages.iter().any(|stage| stage.changes.iter().any(|change| change.body == n));
     for n in (0..bodies.len()).filter(|n| is_named(*n)) {
-        let staged = staged(stages, (n, &bodies[n]), steady, &sinkage);
+        let staged = staged(stages, n, &bodies[n], steady, &sinkage);
         bodies[n].staged = Some(staged);
     }
 }
 
 /// How one body moves in a run of several stages.
-fn staged(stages: &[Stage], (number, body): (usize, &Body), steady: usize, sinkage: &[f64]) -> Staged {
+fn staged(stages: &[Stage], number: usize, body: &Body, steady: usize, sinkage: &[f64]) -> Staged {
     let mut now = body.motions();
     let mut motions = now.clone();
     let mut since = [0.0; 3];

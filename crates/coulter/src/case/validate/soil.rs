@@ -37,11 +37,11 @@ pub(in crate::case) fn overburden(
         problems.add(OVERBURDEN, message, cure);
         return;
     }
-    sustained((SOIL, soil), overburden, problems);
+    sustained(SOIL, soil, overburden, problems);
 }
 
 /// Reports an overburden [Pa] under which the soil of a section yields at once.
-fn sustained((path, soil): (&str, &Soil), overburden: f64, problems: &mut Problems) {
+fn sustained(path: &str, soil: &Soil, overburden: f64, problems: &mut Problems) {
     let ratio = soil.k0;
     if !at_rest::sustains(&soil.law, [1.0, ratio, ratio].map(|r| r * overburden)) {
         let message = format!(
@@ -157,7 +157,7 @@ pub(super) fn layers(case: &Case, problems: &mut Problems) {
     let depth = case.ground.surface() - case.domain.low.z;
     let of = |soil: &Soil| soil.unit_weight / soil.density;
     for (n, layer) in case.layers.iter().enumerate() {
-        sustained((&layer.path(), &layer.soil), case.overburden, problems);
+        sustained(&layer.path(), &layer.soil, case.overburden, problems);
         let top = format!("{}.top", layer.path());
         if layer.top >= depth {
             let message =
