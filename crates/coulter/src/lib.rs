@@ -14,6 +14,7 @@ pub mod interrupts;
 pub mod mesh_study;
 pub mod output;
 pub mod printed;
+mod readable;
 pub mod run;
 pub mod simulation;
 mod stages;

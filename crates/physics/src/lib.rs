@@ -13,4 +13,7 @@ pub mod interface;
 pub mod shape;
 pub mod single;
 
-pub use double::*;
+pub use double::{
+    brick, clay, elastic, law, limiter, menetrey_willam, mohr_coulomb, sand, tensor, viscosity, von_mises,
+    yield_law,
+};

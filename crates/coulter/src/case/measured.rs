@@ -1,9 +1,8 @@
 //! Parameters of the closed-form models: what was measured of a soil.
 
-use super::keys::allowed_range::{BACKFILL, EXPONENT, FRACTION, NOT_NEGATIVE, POSITIVE};
-use super::keys::words::{FACTORS, PUBLISHED_SOILS};
-use super::keys::{DefaultValue, Key, KeyOf, Kind, Place, declared, in_ranges, numbers, read};
-use super::missing::required;
+use super::key::allowed_range::{BACKFILL, EXPONENT, FRACTION, NOT_NEGATIVE, POSITIVE};
+use super::key::words::{FACTORS, PUBLISHED_SOILS};
+use super::key::{DefaultValue, Key, KeyOf, Kind, Place, declared, in_ranges, numbers, read, required};
 use super::problem::Problems;
 use super::quantity::{ANGLE, LENGTH, RATE_RESISTANCE, STRESS, UNIT_WEIGHT};
 use super::typed::Section;
@@ -228,9 +227,9 @@ fn plate(section: &Section, problems: &mut Problems) -> Option<Plate> {
         }
         return None;
     }
-    let exponent = required(section, "sinkage_exponent", problems);
-    let cohesive = required(section, "cohesive_modulus", problems);
-    let frictional = required(section, "frictional_modulus", problems);
+    let exponent = required(FIELDS, "sinkage_exponent", section, problems);
+    let cohesive = required(FIELDS, "cohesive_modulus", section, problems);
+    let frictional = required(FIELDS, "frictional_modulus", section, problems);
     Some(Plate {
         name: None,
         exponent: exponent?,

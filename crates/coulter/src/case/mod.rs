@@ -20,6 +20,7 @@ mod hidden;
 mod joint;
 pub mod json_schema;
 mod json_tree;
+mod key;
 pub mod keys;
 mod load;
 pub mod machine;

@@ -87,7 +87,7 @@ pub(crate) fn materials(case: &Case) -> Vec<Material> {
 /// The law of sand, and its dilatancy index at the start, at low pressure; `None` for other soil.
 #[must_use]
 pub fn sand(soil: &resolved::Soil) -> Option<(Sand, f64)> {
-    soil.law.sand().map(|sand| sand.at_start(soil))
+    soil.law.sand().map(|sand| sand.at_start(&soil.initial()))
 }
 
 /// Walls, planes of symmetry at the low ends along x and y, and open ends where the grid follows a body.

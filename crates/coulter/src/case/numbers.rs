@@ -1,6 +1,6 @@
 //! Whether a number is in the range of its key.
 
-use super::keys::{self, Key};
+use super::keys;
 use super::problem::Problems;
 
 /// Whether a number is finite and in the range of its key; reported if not.
@@ -16,12 +16,16 @@ pub(super) fn in_range_or_infinite(path: &str, number: f64, problems: &mut Probl
 fn check(path: &str, number: f64, is_allowed: bool, problems: &mut Problems) -> bool {
     let key = keys::at(path);
     let range = key.and_then(|key| key.range);
-    if is_allowed && range.map_or(!number.is_nan(), |range| range.contains(number)) {
+    let is_right = is_allowed && range.map_or(!number.is_nan(), |range| range.contains(number));
+    if is_right {
         return true;
     }
-    let shown = key.map_or_else(|| number.to_string(), |key| key.shown(number));
-    let allowed = key.and_then(Key::range_text).unwrap_or_else(|| "a finite number".to_owned());
-    problems.add(path, format!("{path} = {shown} is out of range"), format!("it must be {allowed}"));
+    match key {
+        Some(key) => key.refuse(path, number, problems),
+        None => {
+            problems.add(path, format!("{path} = {number} is out of range"), "it must be a finite number")
+        }
+    }
     false
 }
 

@@ -1,8 +1,8 @@
 //! Parameters of the method.
 
-use super::keys::allowed_range::{FRACTION, NOT_NEGATIVE, POSITIVE_FRACTION, SPACING, THREADS};
-use super::keys::words::{CONTACTS, PRECISIONS};
-use super::keys::{DefaultValue, Key, KeyOf, Kind, Place, declared, in_ranges, numbers, read};
+use super::key::allowed_range::{FRACTION, NOT_NEGATIVE, POSITIVE_FRACTION, SPACING, THREADS};
+use super::key::words::{CONTACTS, PRECISIONS};
+use super::key::{DefaultValue, Key, KeyOf, Kind, Place, declared, in_ranges, numbers, read};
 use super::problem::Problems;
 use super::typed::Section;
 use DefaultValue::{ByLaw, Number, Word};

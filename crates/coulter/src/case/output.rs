@@ -1,8 +1,7 @@
 //! What to write, and how often.
 
-use super::keys::allowed_range::{POSITIVE, POSITIVE_FRACTION};
-use super::keys::{DefaultValue, Key, KeyOf, Kind, Place, declared, read};
-use super::numbers::{in_range, in_range_or_infinite};
+use super::key::allowed_range::{POSITIVE, POSITIVE_FRACTION};
+use super::key::{DefaultValue, Key, KeyOf, Kind, Place, declared, numbers, read};
 use super::problem::Problems;
 use super::quantity::{FREQUENCY, TIME};
 use super::typed::Section;
@@ -92,14 +91,14 @@ impl Output {
 
     /// Reports what is wrong with the output of a run of this duration [s].
     pub(in crate::case) fn check(&self, duration: f64, problems: &mut Problems) {
-        in_range("output.filter_cutoff", self.filter_cutoff, problems);
-        in_range("output.steady_fraction", self.steady_fraction, problems);
-        in_range_or_infinite("output.checkpoint_interval", self.checkpoint_interval, problems);
-        let between = [("history_interval", self.history_interval), ("field_interval", self.field_interval)];
-        for (key, interval) in between {
-            let path = format!("output.{key}");
-            let count = duration / interval;
-            if in_range_or_infinite(&path, interval, problems) && count > MAX_LINES {
+        for (key, number) in numbers(FIELDS, self) {
+            let path = format!("output.{}", key.name);
+            // An infinite interval means never.
+            let is_never = number == f64::INFINITY && key.name.ends_with("_interval");
+            let is_right = is_never || key.admits(&path, number, problems);
+            let count = duration / number;
+            let is_counted = ["history_interval", "field_interval"].contains(&key.name);
+            if is_right && is_counted && count > MAX_LINES {
                 let message = format!("{path} means {count:.1e} outputs in {duration} s");
                 problems.add(path, message, "make the interval longer");
             }

@@ -1,9 +1,9 @@
 //! The relief of the ground in a case: a height map from a file, furrows, or both.
 
 use super::height_file::HeightFile;
-use super::keys::allowed_range::POSITIVE;
-use super::keys::words::FURROWS as SECTIONS;
-use super::keys::{DefaultValue, Key, KeyOf, Kind, Place, declared, in_ranges, numbers, read};
+use super::key::allowed_range::POSITIVE;
+use super::key::words::FURROWS as SECTIONS;
+use super::key::{DefaultValue, Key, KeyOf, Kind, Place, declared, in_ranges, numbers, read};
 use super::problem::Problems;
 use super::quantity::{ANGLE, LENGTH};
 use super::typed::Section;

@@ -1,8 +1,8 @@
 //! Water over the ground: its properties, and what soil and bodies weigh in it.
 
-use super::keys::allowed_range::{NOT_NEGATIVE, POSITIVE, VOLUME_STRAIN};
-use super::keys::usual_range::{GRAIN_DENSITY, PERMEABILITY, WATER_DENSITY};
-use super::keys::{DefaultValue, Key, KeyOf, Kind, Place, declared, in_ranges, numbers, read};
+use super::key::allowed_range::{NOT_NEGATIVE, POSITIVE, VOLUME_STRAIN};
+use super::key::usual_range::{GRAIN_DENSITY, PERMEABILITY, WATER_DENSITY};
+use super::key::{DefaultValue, Key, KeyOf, Kind, Place, declared, in_ranges, numbers, read};
 use super::problem::Problems;
 use super::quantity::{DENSITY, LENGTH, SPEED, plain};
 use super::rigid_body::{Body, PLANE_STRAIN_WIDTH};

@@ -20,10 +20,11 @@ mod render;
 mod report;
 mod results;
 pub mod tables;
-pub(crate) mod units;
 mod view;
 pub mod vtk;
 
+pub(crate) use crate::readable as units;
+pub use crate::readable::digits;
 pub(crate) use confidence::{finished, make_variations_folder, variation_folder};
 pub use element::write_element_tests;
 pub use files::{EntryKind, Inside, OutputError};
@@ -39,4 +40,3 @@ pub use report::{
 };
 pub use results::{Results, rebuild_report, rebuild_report_with};
 pub(crate) use results::{add_confidence, add_mesh_study, clear_all, require_nothing};
-pub use units::digits;

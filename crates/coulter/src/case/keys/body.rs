@@ -1,10 +1,12 @@
 //! Keys of a rigid body.
 
-use super::allowed_range::{APEX, BEVEL, FRACTION, GROUSERS, IN_THE_RUN, NOT_NEGATIVE, POSITIVE, SLIP, TILT};
-use super::default_value::DefaultValue::{Derived, Quantity, Required, Word};
-use super::key::{Key, Kind, key};
-use super::usual_range::{SPEED as USUAL_SPEED, SURFACE_FRICTION};
-use super::words::{AXES, BEVELS, HOLLOWS, MESH_UNITS, ORIGINS, RIMS, SHAPES};
+use crate::case::key::DefaultValue::{Derived, Quantity, Required, Word};
+use crate::case::key::allowed_range::{
+    APEX, BEVEL, FRACTION, GROUSERS, IN_THE_RUN, NOT_NEGATIVE, POSITIVE, SLIP, TILT,
+};
+use crate::case::key::usual_range::{SPEED as USUAL_SPEED, SURFACE_FRICTION};
+use crate::case::key::words::{AXES, BEVELS, HOLLOWS, MESH_UNITS, ORIGINS, RIMS, SHAPES};
+use crate::case::key::{Key, Kind, key};
 use crate::case::quantity::{ANGLE, FORCE, INERTIA, LENGTH, MASS, SPEED, TIME, TORQUE, TURN_RATE};
 
 const FIXED: &str = "fixed";

@@ -1,9 +1,9 @@
 //! Keys of a joint.
 
-use super::allowed_range::{NOT_NEGATIVE, POSITIVE};
-use super::default_value::DefaultValue::{Derived, Quantity, Required};
-use super::key::{Key, Kind, key};
-use super::words::JOINTS;
+use crate::case::key::DefaultValue::{Derived, Quantity, Required};
+use crate::case::key::allowed_range::{NOT_NEGATIVE, POSITIVE};
+use crate::case::key::words::JOINTS;
+use crate::case::key::{Key, Kind, key};
 use crate::case::quantity::{DAMPING, LENGTH, STIFFNESS, TORQUE};
 
 pub(super) const JOINT: &[Key] = &[

@@ -1,25 +1,17 @@
 //! Every key of a case file, with its kind, default, range and meaning. Reading, `validate`, the JSON schema and the
 //! documentation all follow from these tables.
 
-pub(in crate::case) mod allowed_range;
 mod body;
-mod default_value;
 mod joint;
-mod key;
-mod key_of;
 mod relief;
 mod run;
 mod soil;
 mod stage;
-pub(in crate::case) mod usual_range;
-pub mod words;
 
-pub use allowed_range::{AllowedRange, Bound};
-pub use default_value::DefaultValue;
-pub use key::{Key, KeyTable, Kind, key, section};
-pub(in crate::case) use key_of::{KeyOf, Place, count, declared, in_ranges, joined, numbers, read};
+pub use crate::case::key::{
+    AllowedRange, Bound, DefaultValue, Key, KeyTable, Kind, UsualRange, key, section, words,
+};
 pub use relief::{PLACE_KEYS, SHAPE_KEYS};
-pub use usual_range::UsualRange;
 
 /// All sections.
 pub const SECTIONS: [KeyTable; 17] = [
@@ -124,5 +116,21 @@ pub fn at(path: &str) -> Option<&'static Key> {
         ["grid", "follow", name] => FOLLOW.key(name),
         [section, name] if !NAMED.contains(&section) => find(section)?.key(name),
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{MOTION, SECTIONS};
+
+    #[test]
+    fn every_usual_range_has_ends_in_order_and_within_what_is_allowed() {
+        for key in SECTIONS.iter().flat_map(|section| section.keys).chain(MOTION.keys) {
+            if key.usual.is_some() {
+                let [low, high] = key.usual_ends().expect(key.name);
+                assert!(low < high, "{}", key.name);
+                assert!(key.range.is_none_or(|range| range.contains(high)), "{}", key.name);
+            }
+        }
     }
 }

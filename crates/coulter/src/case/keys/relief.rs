@@ -1,10 +1,10 @@
 //! Keys of ground that is not level, and of bodies of other soil in it.
 
-use super::allowed_range::TILT;
 use super::body::BODY;
-use super::default_value::DefaultValue::{Derived, Quantity, Required};
-use super::key::{Key, Kind, key};
-use super::words::MESH_UNITS;
+use crate::case::key::DefaultValue::{Derived, Quantity, Required};
+use crate::case::key::allowed_range::TILT;
+use crate::case::key::words::MESH_UNITS;
+use crate::case::key::{Key, Kind, key};
 use crate::case::quantity::{ANGLE, LENGTH};
 use crate::case::soil::KEYS as SOIL;
 

@@ -1,9 +1,9 @@
 //! Keys at the top of the file and of the run.
 
-use super::allowed_range::{NOT_NEGATIVE, POSITIVE};
-use super::default_value::DefaultValue::{Derived, Quantity, Required};
-use super::key::{Key, Kind, key};
-use super::usual_range::GRAVITY;
+use crate::case::key::DefaultValue::{Derived, Quantity, Required};
+use crate::case::key::allowed_range::{NOT_NEGATIVE, POSITIVE};
+use crate::case::key::usual_range::GRAVITY;
+use crate::case::key::{Key, Kind, key};
 use crate::case::quantity::{ACCELERATION, LENGTH, TIME};
 
 pub(super) const TOP: &[Key] = &[

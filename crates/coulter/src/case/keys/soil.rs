@@ -1,10 +1,10 @@
 //! Keys of a layer, of the ground, of the box round it and of the grid.
 
-use super::allowed_range::{ASPECT, GROWTH, NOT_NEGATIVE, POSITIVE, SLOPE};
-use super::default_value::DefaultValue::{Derived, Flag, Number, Quantity, Ratios, Required, Walls, Word};
-use super::joined;
-use super::key::{Key, Kind, key};
-use super::words::FOLLOWED;
+use crate::case::key::DefaultValue::{Derived, Flag, Number, Quantity, Ratios, Required, Walls, Word};
+use crate::case::key::allowed_range::{ASPECT, GROWTH, NOT_NEGATIVE, POSITIVE, SLOPE};
+use crate::case::key::joined;
+use crate::case::key::words::FOLLOWED;
+use crate::case::key::{Key, Kind, key};
 use crate::case::quantity::{ANGLE, LENGTH, SPEED, STRESS};
 use crate::case::soil::KEYS as SOIL;
 

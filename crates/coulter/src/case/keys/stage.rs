@@ -1,8 +1,8 @@
 //! Keys of a stage of a run, and of what ends it.
 
-use super::allowed_range::POSITIVE;
-use super::default_value::DefaultValue::{Derived, Required};
-use super::key::{Key, Kind, key};
+use crate::case::key::DefaultValue::{Derived, Required};
+use crate::case::key::allowed_range::POSITIVE;
+use crate::case::key::{Key, Kind, key};
 use crate::case::quantity::{FORCE, LENGTH, TIME, TORQUE};
 
 pub(super) const STAGE: &[Key] = &[

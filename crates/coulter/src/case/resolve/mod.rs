@@ -13,6 +13,7 @@ mod joint;
 mod mesh;
 mod motion;
 mod relief;
+mod soil;
 mod soil_body;
 mod stages;
 mod timing;
@@ -29,11 +30,11 @@ use super::resolved::{
 };
 use super::shapes::slab::Slab;
 use super::slope::Slope;
-use super::soil::{self, Conditions};
 use super::typed::{Schema, Section};
 use super::validate;
 use context::{Context, checked};
 use glam::DVec3;
+use soil::Conditions;
 
 /// The case that was typed, or `None` with problems added.
 pub(super) fn resolve(schema: &Schema, source_name: &str, problems: &mut Problems) -> Option<Case> {

@@ -2,11 +2,11 @@
 
 use super::body::attitude;
 use super::context::{Context, checked};
+use super::soil::{self, Conditions};
 use crate::case::missing::{missing, required};
 use crate::case::problem::Problems;
 use crate::case::resolved::SoilBody;
 use crate::case::shapes;
-use crate::case::soil::{self, Conditions};
 use crate::case::typed::Section;
 use crate::case::validate;
 use glam::DVec3;

@@ -1,14 +1,16 @@
 //! The soil of a case: what every soil has, and its law.
 
-mod law;
-mod read;
+pub(in crate::case) mod law;
 
-pub use law::{ClaySoftening, Law, MohrCoulomb, Potential, Sand, SoilLaw, Strength, Tresca, VonMises};
-pub(in crate::case) use read::{Conditions, layers, soil};
+pub use law::{
+    ClaySoftening, Initial, Law, MohrCoulomb, Potential, Sand, SoilLaw, Strength, Tresca, VonMises,
+};
 
-use super::keys::allowed_range::{BELOW_HALF, NOT_NEGATIVE, POSITIVE};
-use super::keys::usual_range::{AT_REST, DENSITY as USUAL_DENSITY, POISSON, STIFFNESS, WEIGHT};
-use super::keys::{DefaultValue, Key, KeyOf, Kind, Place, count, declared, in_ranges, joined, key, numbers};
+use super::key::allowed_range::{BELOW_HALF, NOT_NEGATIVE, POSITIVE};
+use super::key::usual_range::{AT_REST, DENSITY as USUAL_DENSITY, POISSON, STIFFNESS, WEIGHT};
+use super::key::{
+    DefaultValue, Key, KeyOf, Kind, Numbers, Place, count, declared, in_ranges, joined, key, numbers,
+};
 use super::problem::Problems;
 use super::quantity::{DENSITY, STRESS, UNIT_WEIGHT};
 use DefaultValue::{Number, Required};
@@ -45,9 +47,9 @@ const LAW: [Key; 1] = [key(
 )];
 
 /// Keys of every soil but its law.
-type Field = KeyOf<Soil>;
+pub(in crate::case) type Field = KeyOf<Soil>;
 
-const COMMON: &[Field] = &[
+pub(in crate::case) const COMMON: &[Field] = &[
     Field::new("unit_weight", Kind::Quantity(UNIT_WEIGHT), Place::Derived(|soil| Some(&mut soil.unit_weight)))
         .derived("density × gravity")
         .within(NOT_NEGATIVE).usually(WEIGHT)
@@ -78,8 +80,8 @@ const LISTS: &[&[Key]] = &[&LAW, law::KEYS, &declared::<_, { COMMON.len() }>(COM
 pub(in crate::case) const KEYS: &[Key] = &joined::<{ count(LISTS) }>(LISTS);
 
 impl Soil {
-    /// The numbers of the soil and of its law, each with the name of its key.
-    pub(in crate::case) fn numbers(&self) -> Vec<(&'static str, f64)> {
+    /// The numbers of the soil and of its law, each with its key.
+    pub(in crate::case) fn numbers(&self) -> Numbers {
         numbers(COMMON, self).into_iter().chain(self.law.numbers()).collect()
     }
 
@@ -87,13 +89,19 @@ impl Soil {
     pub(in crate::case) fn check(&self, path: &str, problems: &mut Problems) {
         in_ranges(path, &numbers(COMMON, self), problems);
         self.law.check(path, problems);
-        self.law.check_in(self, path, problems);
+        self.law.check_at(self.density, path, problems);
     }
 
     /// Young's modulus where it is largest [Pa].
     #[must_use]
     pub fn stiffest_modulus(&self) -> f64 {
         self.young_modulus * self.law.stiffening()
+    }
+
+    /// What its law has to know of the soil.
+    pub(in crate::case) fn initial(&self) -> Initial {
+        let elastic = Elastic::new(self.stiffest_modulus(), self.poisson_ratio);
+        Initial { density: self.density, elastic }
     }
 
     /// This soil at another density [kg/m³], under the same gravity.
@@ -133,19 +141,19 @@ impl Soil {
     /// which is ρ/ρ_crit − 1. `None` for soil whose law does not say it, 0 for undrained soil.
     #[must_use]
     pub fn volume_strain(&self) -> Option<f64> {
-        self.law.volume_strain(self)
+        self.law.volume_strain(&self.initial())
     }
 
     /// Law and parameters in a line, for the top of a report.
     #[must_use]
     pub fn summary(&self) -> String {
-        self.law.summary(self)
+        self.law.summary(self.density)
     }
 
     /// Law and every parameter of it, as `coulter check` says them.
     #[must_use]
     pub fn spelled_out(&self) -> String {
-        self.law.spelled_out(self)
+        self.law.spelled_out(self.density)
     }
 
     /// The soil as the closed forms see it, with remarks on what that neglects.
@@ -153,25 +161,25 @@ impl Soil {
     /// # Errors
     /// In words, where there are none for it.
     pub(crate) fn for_closed_forms(&self, remarks: &mut Vec<String>) -> Result<Strength, String> {
-        self.law.for_closed_forms(self, remarks)
+        self.law.for_closed_forms(&self.initial(), remarks)
     }
 
     /// The solver's material. Strength and density that grow with depth begin at height 0.
     #[must_use]
     pub fn material(&self) -> Material {
-        let elastic = Elastic::new(self.stiffest_modulus(), self.poisson_ratio);
+        let Initial { density, elastic } = self.initial();
         let mut material = Material {
             elastic,
             yield_law: self.law.yield_law(elastic),
             critical_density: None,
-            density: self.density,
+            density,
             characteristic_length: None,
             k0: self.k0,
             preconsolidation: 0.0,
             strength: None,
             density_profile: None,
         };
-        self.law.complete(self, &mut material);
+        self.law.complete(&mut material);
         material
     }
 

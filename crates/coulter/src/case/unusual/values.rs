@@ -15,14 +15,14 @@ pub(super) fn values(case: &Case, doubts: &mut Vec<String>) {
         let weighs = soil.density * case.gravity;
         let follows = (soil.unit_weight - weighs).abs() <= 1e-9 * weighs;
         // A density that follows from a weight is doubted once.
-        let of_weight = |key: &str| {
+        let of_weight = |key: &Key| {
             follows
-                && key == "density"
+                && key.name == "density"
                 && outside(&format!("{path}.unit_weight"), soil.unit_weight, case.gravity / EARTH).is_some()
         };
         for (key, number) in soil.numbers().into_iter().filter(|(key, _)| !of_weight(key)) {
-            let scale = if key == "unit_weight" { case.gravity / EARTH } else { 1.0 };
-            doubt(&format!("{path}.{key}"), number, scale);
+            let scale = if key.name == "unit_weight" { case.gravity / EARTH } else { 1.0 };
+            doubt(&format!("{path}.{}", key.name), number, scale);
         }
     }
     if let Some(water) = case.water {

@@ -1,7 +1,7 @@
 //! Soil that does not fail.
 
-use super::SoilLaw;
-use crate::case::soil::Soil;
+use super::soil_law::SoilLaw;
+use crate::case::key::Numbers;
 use physics::elastic::Elastic as Moduli;
 use physics::law::Law as ConstitutiveLaw;
 
@@ -13,7 +13,7 @@ impl Elastic {
 }
 
 impl SoilLaw for Elastic {
-    fn numbers(&self) -> Vec<(&'static str, f64)> {
+    fn numbers(&self) -> Numbers {
         Vec::new()
     }
 
@@ -37,11 +37,11 @@ impl SoilLaw for Elastic {
         None
     }
 
-    fn summary(&self, _soil: &Soil) -> String {
+    fn summary(&self, _density: f64) -> String {
         "linear elastic".to_owned()
     }
 
-    fn spelled_out(&self, _soil: &Soil) -> String {
+    fn spelled_out(&self, _density: f64) -> String {
         "elastic".to_owned()
     }
 }

@@ -1,15 +1,14 @@
 //! Frictional soil with constant angles: Mohr–Coulomb.
 
-use super::{SoilLaw, Strength};
-use crate::case::keys::allowed_range::{ACUTE, ECCENTRICITY, NOT_NEGATIVE, POSITIVE};
-use crate::case::keys::usual_range::{COHESION, FRICTION_ANGLE};
-use crate::case::keys::words::POTENTIALS;
-use crate::case::keys::{DefaultValue, Key, KeyOf, Kind, Place, declared, numbers, read};
+use super::soil_law::{Initial, SoilLaw, Strength};
+use crate::case::key::allowed_range::{ACUTE, ECCENTRICITY, NOT_NEGATIVE, POSITIVE};
+use crate::case::key::usual_range::{COHESION, FRICTION_ANGLE};
+use crate::case::key::words::POTENTIALS;
+use crate::case::key::{DefaultValue, Key, KeyOf, Kind, Numbers, Place, declared, numbers, read};
 use crate::case::problem::Problems;
 use crate::case::quantity::{ANGLE, DENSITY, STRESS, short, short_stress};
-use crate::case::soil::Soil;
 use crate::case::typed::Section;
-use crate::output::units::{degrees, digits, stress};
+use crate::readable::{degrees, digits, stress};
 use DefaultValue::{Number, Quantity, Word};
 use physics::elastic::Elastic;
 use physics::law::Law as ConstitutiveLaw;
@@ -154,7 +153,7 @@ impl MohrCoulomb {
 }
 
 impl SoilLaw for MohrCoulomb {
-    fn numbers(&self) -> Vec<(&'static str, f64)> {
+    fn numbers(&self) -> Numbers {
         numbers(FIELDS, self)
     }
 
@@ -187,11 +186,11 @@ impl SoilLaw for MohrCoulomb {
         }
     }
 
-    fn check_in(&self, soil: &Soil, path: &str, problems: &mut Problems) {
-        if self.critical_density.is_some_and(|critical| critical > soil.density) {
+    fn check_at(&self, density: f64, path: &str, problems: &mut Problems) {
+        if self.critical_density.is_some_and(|critical| critical > density) {
             let message = format!(
                 "the initial density of the soil, {:.1} kg/m³, is below its critical density",
-                soil.density
+                density
             );
             let cure = "it must be at most the density; dense sand dilates by some per cent";
             problems.add(format!("{path}.critical_density"), message, cure);
@@ -215,7 +214,7 @@ impl SoilLaw for MohrCoulomb {
         most - least <= (most + least) * sin + 2.0 * self.cohesion * cos
     }
 
-    fn volume_strain(&self, soil: &Soil) -> Option<f64> {
+    fn volume_strain(&self, soil: &Initial) -> Option<f64> {
         Some(soil.density / self.critical_density? - 1.0)
     }
 
@@ -243,12 +242,12 @@ impl SoilLaw for MohrCoulomb {
         })
     }
 
-    fn complete(&self, soil: &Soil, material: &mut Material) {
-        let by_default = (self.dilation_angle > 0.0).then_some(FULLY_DILATED * soil.density);
+    fn complete(&self, material: &mut Material) {
+        let by_default = (self.dilation_angle > 0.0).then_some(FULLY_DILATED * material.density);
         material.critical_density = self.critical_density.or(by_default);
     }
 
-    fn summary(&self, _soil: &Soil) -> String {
+    fn summary(&self, _density: f64) -> String {
         let limit = self.critical_density.map(|rho| format!(" down to {} kg/m³", digits(rho)));
         let smooth = match self.potential {
             Potential::MohrCoulomb => "",
@@ -263,7 +262,7 @@ impl SoilLaw for MohrCoulomb {
         )
     }
 
-    fn spelled_out(&self, _soil: &Soil) -> String {
+    fn spelled_out(&self, _density: f64) -> String {
         let smooth = match self.potential {
             Potential::MohrCoulomb => String::new(),
             Potential::MenetreyWillam { meridional, deviatoric } => {
@@ -280,7 +279,7 @@ impl SoilLaw for MohrCoulomb {
         )
     }
 
-    fn for_closed_forms(&self, _soil: &Soil, _remarks: &mut Vec<String>) -> Result<Strength, String> {
+    fn for_closed_forms(&self, _soil: &Initial, _remarks: &mut Vec<String>) -> Result<Strength, String> {
         let Self { friction_angle, dilation_angle, cohesion, .. } = *self;
         Ok(Strength { friction_angle, dilation_angle, cohesion, gradient: 0.0 })
     }

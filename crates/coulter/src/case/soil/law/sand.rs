@@ -1,14 +1,13 @@
 //! Sand whose strength and stiffness follow its density and pressure.
 
-use super::{SoilLaw, Strength};
-use crate::case::keys::allowed_range::{ACUTE, NOT_NEGATIVE, POSITIVE, RELATIVE_DENSITY};
-use crate::case::keys::usual_range::{CRITICAL_ANGLE, DRY_DENSITY};
-use crate::case::keys::{DefaultValue, Key, KeyOf, Kind, Place, declared, in_ranges, numbers, read};
+use super::soil_law::{Initial, SoilLaw, Strength};
+use crate::case::key::allowed_range::{ACUTE, NOT_NEGATIVE, POSITIVE, RELATIVE_DENSITY};
+use crate::case::key::usual_range::{CRITICAL_ANGLE, DRY_DENSITY};
+use crate::case::key::{DefaultValue, Key, KeyOf, Kind, Numbers, Place, declared, in_ranges, numbers, read};
 use crate::case::problem::Problems;
 use crate::case::quantity::{ANGLE, DENSITY, DENSITY_GRADIENT, LENGTH, STRESS, short, short_stress};
-use crate::case::soil::Soil;
 use crate::case::typed::Section;
-use crate::output::units::{degrees, digits};
+use crate::readable::{degrees, digits};
 use DefaultValue::{Number, Quantity};
 use physics::elastic::{Elastic, Stiffening};
 use physics::law::Law as ConstitutiveLaw;
@@ -53,6 +52,14 @@ fn is_zero(number: &f64) -> bool {
 
 type Field = KeyOf<Sand>;
 
+const RELATIVE: Field = Field::new("relative_density", Kind::RelativeDensity, Place::Elsewhere)
+    .derived("from the density")
+    .within(RELATIVE_DENSITY)
+    .means(
+        "Relative density I_D at the start, instead of `density` or `unit_weight`; below 0 for sand \
+             looser than e_max (sand).",
+    );
+
 const FIELDS: &[Field] = &[
     Field::new(
         "critical_friction_angle",
@@ -76,13 +83,7 @@ const FIELDS: &[Field] = &[
         .within(POSITIVE)
         .usually(DRY_DENSITY)
         .means("Dry density in the densest state, at e_min (sand)."),
-    Field::new("relative_density", Kind::RelativeDensity, Place::Elsewhere)
-        .derived("from the density")
-        .within(RELATIVE_DENSITY)
-        .means(
-            "Relative density I_D at the start, instead of `density` or `unit_weight`; below 0 for sand \
-             looser than e_max (sand).",
-        ),
+    RELATIVE,
     Field::new(
         "relative_density_gradient",
         Kind::Quantity(DENSITY_GRADIENT),
@@ -186,15 +187,15 @@ impl Sand {
         physics::sand::Sand::new(elastic, stiffening, &parameters)
     }
 
-    /// The solver's law of a soil of this sand, and its dilatancy index at the start, at low pressure.
-    pub(in crate::case) fn at_start(&self, soil: &Soil) -> (physics::sand::Sand, f64) {
-        let law = self.law(Elastic::new(soil.stiffest_modulus(), soil.poisson_ratio));
+    /// The solver's law for soil of this sand, and its dilatancy index at the start, at low pressure.
+    pub(in crate::case) fn at_start(&self, soil: &Initial) -> (physics::sand::Sand, f64) {
+        let law = self.law(soil.elastic);
         (law, law.dilatancy_index(self.relative_density(soil.density), 0.0))
     }
 }
 
 impl SoilLaw for Sand {
-    fn numbers(&self) -> Vec<(&'static str, f64)> {
+    fn numbers(&self) -> Numbers {
         numbers(FIELDS, self)
     }
 
@@ -212,10 +213,10 @@ impl SoilLaw for Sand {
         }
     }
 
-    fn check_in(&self, soil: &Soil, path: &str, problems: &mut Problems) {
+    fn check_at(&self, density: f64, path: &str, problems: &mut Problems) {
         // It follows from the density: a limit that was typed comes back with a rounding error.
-        let relative_density = (self.relative_density(soil.density) * 1e9).round() / 1e9;
-        in_ranges(path, &[("relative_density", relative_density)], problems);
+        let relative_density = (self.relative_density(density) * 1e9).round() / 1e9;
+        in_ranges(path, &[(&RELATIVE.key, relative_density)], problems);
     }
 
     fn friction_angle(&self) -> Option<f64> {
@@ -235,10 +236,10 @@ impl SoilLaw for Sand {
         [true; 2]
     }
 
-    fn volume_strain(&self, soil: &Soil) -> Option<f64> {
+    fn volume_strain(&self, soil: &Initial) -> Option<f64> {
         // Zero dilatancy index, which is linear in I_D.
-        let [at_0, at_1] =
-            [0.0, 1.0].map(|relative| self.at_start(&soil.at_density(self.density_at(relative))).1);
+        let index = |relative| self.at_start(&Initial { density: self.density_at(relative), ..*soil }).1;
+        let [at_0, at_1] = [0.0, 1.0].map(index);
         // With so small a Q no density is critical at low pressure.
         if at_1 <= at_0 {
             return None;
@@ -254,16 +255,16 @@ impl SoilLaw for Sand {
         Some(ConstitutiveLaw::Sand(self.law(elastic)))
     }
 
-    fn complete(&self, _soil: &Soil, material: &mut Material) {
+    fn complete(&self, material: &mut Material) {
         material.characteristic_length = self.characteristic_length;
         material.preconsolidation = self.preconsolidation;
     }
 
-    fn summary(&self, soil: &Soil) -> String {
+    fn summary(&self, density: f64) -> String {
         format!(
             "sand, φ_cv = {}, I_D = {}{}",
             degrees(self.critical_friction_angle),
-            digits(self.relative_density(soil.density)),
+            digits(self.relative_density(density)),
             match self.density_gradient {
                 0.0 => String::new(),
                 gradient => format!(" + {}/m × depth", digits(gradient)),
@@ -271,7 +272,7 @@ impl SoilLaw for Sand {
         )
     }
 
-    fn spelled_out(&self, soil: &Soil) -> String {
+    fn spelled_out(&self, density: f64) -> String {
         let growth = match self.density_gradient {
             0.0 => String::new(),
             gradient => format!(" + {}/m × depth", short(gradient)),
@@ -287,7 +288,7 @@ impl SoilLaw for Sand {
             "sand, φ_cv = {}°, I_D = {}{growth} (ρ from {} to {} kg/m³), Q = {}, R = {},\n         \
              half of its strength at a strain of {}, compression modulus {}{borne}, stiffer up to {}{length}",
             short(self.critical_friction_angle.to_degrees()),
-            short(self.relative_density(soil.density)),
+            short(self.relative_density(density)),
             short(self.minimum_density),
             short(self.maximum_density),
             self.bolton_q,
@@ -299,7 +300,7 @@ impl SoilLaw for Sand {
     }
 
     /// With the peak friction angle at low pressure, and the dilation angle of φ = φ_cv + 0.8 ψ (Bolton 1986).
-    fn for_closed_forms(&self, soil: &Soil, remarks: &mut Vec<String>) -> Result<Strength, String> {
+    fn for_closed_forms(&self, soil: &Initial, remarks: &mut Vec<String>) -> Result<Strength, String> {
         let (law, index) = self.at_start(soil);
         let ratio = law.peak_ratio(index);
         let friction_angle = (3.0 * ratio / (6.0 + ratio)).asin();

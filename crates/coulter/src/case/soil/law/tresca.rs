@@ -1,14 +1,13 @@
 //! Undrained clay: Tresca, with a strength that may grow with depth, fall with remoulding and grow with the rate of shear.
 
-use super::{SoilLaw, Strength};
-use crate::case::keys::allowed_range::{AT_LEAST_ONE, NOT_NEGATIVE, POSITIVE};
-use crate::case::keys::usual_range::{GROWTH_OF_STRENGTH, UNDRAINED_STRENGTH};
-use crate::case::keys::{DefaultValue, Key, KeyOf, Kind, Place, declared, numbers, read};
+use super::soil_law::{Initial, SoilLaw, Strength};
+use crate::case::key::allowed_range::{AT_LEAST_ONE, NOT_NEGATIVE, POSITIVE};
+use crate::case::key::usual_range::{GROWTH_OF_STRENGTH, UNDRAINED_STRENGTH};
+use crate::case::key::{DefaultValue, Key, KeyOf, Kind, Numbers, Place, declared, numbers, read};
 use crate::case::problem::Problems;
 use crate::case::quantity::{FREQUENCY, STRENGTH_GRADIENT, STRESS, short, short_stress};
-use crate::case::soil::Soil;
 use crate::case::typed::Section;
-use crate::output::units::{digits, stress};
+use crate::readable::{digits, stress};
 use DefaultValue::{Number, Quantity};
 use physics::clay::{Clay, ClayParameters};
 use physics::elastic::Elastic;
@@ -143,7 +142,7 @@ impl Tresca {
 }
 
 impl SoilLaw for Tresca {
-    fn numbers(&self) -> Vec<(&'static str, f64)> {
+    fn numbers(&self) -> Numbers {
         numbers(FIELDS, self)
     }
 
@@ -178,12 +177,12 @@ impl SoilLaw for Tresca {
         Some(ConstitutiveLaw::Clay(Clay::new(elastic, &parameters)))
     }
 
-    fn complete(&self, _soil: &Soil, material: &mut Material) {
+    fn complete(&self, material: &mut Material) {
         material.strength =
             Some(StrengthProfile { top: 0.0, at_top: self.shear_strength, gradient: self.gradient });
     }
 
-    fn summary(&self, _soil: &Soil) -> String {
+    fn summary(&self, _density: f64) -> String {
         let mut text = format!("Tresca, sᵤ = {}", stress(self.shear_strength));
         if self.gradient > 0.0 {
             text += &format!(" + {} kPa/m × depth", digits(1e-3 * self.gradient));
@@ -198,7 +197,7 @@ impl SoilLaw for Tresca {
         text
     }
 
-    fn spelled_out(&self, _soil: &Soil) -> String {
+    fn spelled_out(&self, _density: f64) -> String {
         let mut text = format!("tresca, s_u = {}", short_stress(self.shear_strength));
         if self.gradient > 0.0 {
             text += &format!(" + {}/m × depth", short_stress(self.gradient));
@@ -215,7 +214,7 @@ impl SoilLaw for Tresca {
         text
     }
 
-    fn for_closed_forms(&self, _soil: &Soil, remarks: &mut Vec<String>) -> Result<Strength, String> {
+    fn for_closed_forms(&self, _soil: &Initial, remarks: &mut Vec<String>) -> Result<Strength, String> {
         if self.softening.is_some() {
             remarks.push("clay with the strength of the intact soil at the reference rate".into());
         }

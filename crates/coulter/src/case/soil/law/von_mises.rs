@@ -1,13 +1,12 @@
 //! Metal that hardens: von Mises with linear isotropic hardening.
 
-use super::{SoilLaw, Strength};
-use crate::case::keys::allowed_range::{NOT_NEGATIVE, POSITIVE};
-use crate::case::keys::{DefaultValue, Key, KeyOf, Kind, Place, declared, numbers, read};
+use super::soil_law::{Initial, SoilLaw, Strength};
+use crate::case::key::allowed_range::{NOT_NEGATIVE, POSITIVE};
+use crate::case::key::{DefaultValue, Key, KeyOf, Kind, Numbers, Place, declared, numbers, read};
 use crate::case::problem::Problems;
 use crate::case::quantity::{STRESS, short_stress};
-use crate::case::soil::Soil;
 use crate::case::typed::Section;
-use crate::output::units::stress;
+use crate::readable::stress;
 use DefaultValue::Quantity;
 use physics::elastic::Elastic;
 use physics::law::Law as ConstitutiveLaw;
@@ -50,7 +49,7 @@ impl VonMises {
 }
 
 impl SoilLaw for VonMises {
-    fn numbers(&self) -> Vec<(&'static str, f64)> {
+    fn numbers(&self) -> Numbers {
         numbers(FIELDS, self)
     }
 
@@ -71,16 +70,16 @@ impl SoilLaw for VonMises {
         Some(ConstitutiveLaw::VonMises(law))
     }
 
-    fn summary(&self, _soil: &Soil) -> String {
+    fn summary(&self, _density: f64) -> String {
         format!("von Mises, σ_y = {}, H = {}", stress(self.yield_stress), stress(self.hardening_modulus))
     }
 
-    fn spelled_out(&self, _soil: &Soil) -> String {
+    fn spelled_out(&self, _density: f64) -> String {
         let [yield_stress, hardening] = [self.yield_stress, self.hardening_modulus].map(short_stress);
         format!("von-mises, σ_y = {yield_stress}, H = {hardening}")
     }
 
-    fn for_closed_forms(&self, _soil: &Soil, remarks: &mut Vec<String>) -> Result<Strength, String> {
+    fn for_closed_forms(&self, _soil: &Initial, remarks: &mut Vec<String>) -> Result<Strength, String> {
         let cohesion = self.yield_stress / 3_f64.sqrt();
         remarks.push(format!(
             "von-mises as undrained clay of s_u = σ_y/√3 = {:.4} kPa, its strength in simple shear{}",

@@ -1,30 +1,25 @@
 //! The soil as typed: its law, and what follows from its weight.
 
-use super::law;
-use super::{COMMON, Law, Soil};
 use crate::case::at_rest;
-use crate::case::keys::read;
+use crate::case::key::read;
 use crate::case::missing::{missing, required};
 use crate::case::problem::Problems;
 use crate::case::resolved::Layer;
 use crate::case::slope::Slope;
+use crate::case::soil::{COMMON, Law, Soil, law};
 use crate::case::typed::Section;
 
 /// Where soil lies.
 #[derive(Clone, Copy)]
-pub(in crate::case) struct Conditions {
+pub(super) struct Conditions {
     /// Weight per mass of soil [m/s²], which water makes less.
-    pub(in crate::case) gravity: f64,
+    pub(super) gravity: f64,
     /// Slope of the ground.
-    pub(in crate::case) slope: Slope,
+    pub(super) slope: Slope,
 }
 
 /// The soil of a section, or `None` with problems added.
-pub(in crate::case) fn soil(
-    section: &Section,
-    conditions: Conditions,
-    problems: &mut Problems,
-) -> Option<Soil> {
+pub(super) fn soil(section: &Section, conditions: Conditions, problems: &mut Problems) -> Option<Soil> {
     let Conditions { gravity, slope } = conditions;
     let start = Soil {
         law: Law::Elastic,
@@ -53,7 +48,7 @@ pub(in crate::case) fn soil(
 }
 
 /// The layers from the top down, or `None` with problems added.
-pub(in crate::case) fn layers(
+pub(super) fn layers(
     sections: &[Section],
     conditions: Conditions,
     problems: &mut Problems,

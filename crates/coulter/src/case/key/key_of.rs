@@ -4,8 +4,6 @@ use super::allowed_range::AllowedRange;
 use super::default_value::DefaultValue;
 use super::key::{Key, Kind, key};
 use super::usual_range::UsualRange;
-use crate::case::missing::missing;
-use crate::case::numbers::in_range;
 use crate::case::problem::Problems;
 use crate::case::typed::Section;
 
@@ -93,7 +91,7 @@ impl<T: 'static> KeyOf<T> {
             None => !is_given && !self.key.default.is_required(),
         };
         if self.key.default.is_required() && !is_given {
-            missing(section, name, problems);
+            self.key.missing(section, problems);
         }
         match self.place {
             Place::Number(place) => fill(place(whole)),
@@ -134,16 +132,32 @@ pub(in crate::case) fn read<T>(
     is_right.then_some(start)
 }
 
-/// The numbers of a `T`, each with the name of its key.
-pub(in crate::case) fn numbers<T: Clone>(keys: &'static [KeyOf<T>], of: &T) -> Vec<(&'static str, f64)> {
+/// The number of a key without which other keys of the section mean nothing; `None` if it is wrong or missing, which is reported.
+pub(in crate::case) fn required<T>(
+    keys: &[KeyOf<T>],
+    name: &str,
+    section: &Section,
+    problems: &mut Problems,
+) -> Option<f64> {
+    if !section.has(name) {
+        keys.iter().filter(|one| one.key.name == name).for_each(|one| one.key.missing(section, problems));
+    }
+    section.number(name)
+}
+
+/// Numbers, each with its key.
+pub(in crate::case) type Numbers = Vec<(&'static Key, f64)>;
+
+/// The numbers of a `T`, each with its key.
+pub(in crate::case) fn numbers<T: Clone>(keys: &'static [KeyOf<T>], of: &T) -> Numbers {
     let mut of = of.clone();
-    keys.iter().filter_map(|one| Some((one.key.name, one.value(&mut of)?))).collect()
+    keys.iter().filter_map(|one| Some((&one.key, one.value(&mut of)?))).collect()
 }
 
 /// Reports the numbers of the section at a path that are out of the range of their key.
-pub(in crate::case) fn in_ranges(path: &str, numbers: &[(&str, f64)], problems: &mut Problems) {
+pub(in crate::case) fn in_ranges(path: &str, numbers: &[(&Key, f64)], problems: &mut Problems) {
     for (key, number) in numbers {
-        in_range(&format!("{path}.{key}"), *number, problems);
+        key.admits(&format!("{path}.{}", key.name), *number, problems);
     }
 }
 

@@ -3,7 +3,9 @@
 use super::allowed_range::AllowedRange;
 use super::default_value::DefaultValue;
 use super::usual_range::UsualRange;
+use crate::case::problem::Problems;
 use crate::case::quantity::{Measure, parse, plain, with_unit};
+use crate::case::typed::Section;
 
 /// What a value may be.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -139,6 +141,48 @@ impl Key {
     }
 }
 
+impl Key {
+    /// Whether a number at a path is finite and in the range of the key; reported if not.
+    pub(in crate::case) fn admits(&self, path: &str, number: f64, problems: &mut Problems) -> bool {
+        let is_right = number.is_finite() && self.range.is_none_or(|range| range.contains(number));
+        if !is_right {
+            self.refuse(path, number, problems);
+        }
+        is_right
+    }
+
+    /// Reports a number at a path that is out of range.
+    pub(in crate::case) fn refuse(&self, path: &str, number: f64, problems: &mut Problems) {
+        let allowed = self.range_text().unwrap_or_else(|| "a finite number".to_owned());
+        let message = format!("{path} = {} is out of range", self.shown(number));
+        problems.add(path, message, format!("it must be {allowed}"));
+    }
+
+    /// A value for the key as one would write it.
+    pub(in crate::case) fn example(&self) -> String {
+        match self.kind {
+            Kind::Quantity(measure) => format!("\"{}\"", measure.example),
+            Kind::Choice(words) => format!("\"{}\"", words.first().unwrap_or(&"")),
+            Kind::Range(measure) => format!("[\"-{0}\", \"{0}\"]", measure.example),
+            Kind::Vector(measure) => format!("[\"{0}\", \"{0}\", \"{0}\"]", measure.example),
+            Kind::Modulus(offset) => format!("\"102 kN/m^(n+{offset})\""),
+            Kind::NamePair => "[\"frame\", \"disc\"]".into(),
+            Kind::Ratios => "[3, 3, 1]".into(),
+            Kind::Interval => "[0.3, 0.5]".into(),
+            Kind::Count => "24".into(),
+            Kind::Flag => "true".into(),
+            _ => "0.3".into(),
+        }
+    }
+
+    /// Reports that the key is missing in a section.
+    pub(in crate::case) fn missing(&self, section: &Section, problems: &mut Problems) {
+        let path = section.at(self.name);
+        let cure = format!("add  {} = {}  to [{}]", self.name, self.example(), section.path);
+        problems.add(&path, format!("`{path}` is missing"), cure);
+    }
+}
+
 /// The keys of one section.
 #[derive(Clone, Copy, Debug)]
 pub struct KeyTable {
@@ -168,20 +212,4 @@ pub const fn key(name: &'static str, kind: Kind, default: DefaultValue, meaning:
 #[must_use]
 pub const fn section(name: &'static str, meaning: &'static str, keys: &'static [Key]) -> KeyTable {
     KeyTable { name, meaning, keys }
-}
-
-#[cfg(test)]
-mod tests {
-    use crate::case::keys::{MOTION, SECTIONS};
-
-    #[test]
-    fn every_usual_range_has_ends_in_order_and_within_what_is_allowed() {
-        for key in SECTIONS.iter().flat_map(|section| section.keys).chain(MOTION.keys) {
-            if key.usual.is_some() {
-                let [low, high] = key.usual_ends().expect(key.name);
-                assert!(low < high, "{}", key.name);
-                assert!(key.range.is_none_or(|range| range.contains(high)), "{}", key.name);
-            }
-        }
-    }
 }
