@@ -14,6 +14,17 @@ impl Unit {
         Self { name, size }
     }
 
+    /// A unit for quantities up to `largest` of this SI unit.
+    pub(super) fn of(unit: &'static str, largest: f64) -> Self {
+        match unit {
+            "N" => Self::force(largest),
+            "N m" => Self::torque(largest),
+            "m" => Self::length(largest),
+            "-" => Self { name: "", size: 1.0 },
+            name => Self { name, size: 1.0 },
+        }
+    }
+
     /// A unit for lengths up to `largest` [m].
     pub(crate) fn length(largest: f64) -> Self {
         Self::pick(largest, &[("mm", 1e-3), ("m", 1.0)])

@@ -118,7 +118,7 @@ fn a_slip_refers_to_the_rolling_speed() {
         simulation.advance().unwrap();
     }
     let reference = &Reference::all(&case)[0];
-    let ratio = reference.turn_ratio_of(simulation.history.bodies[0].last().unwrap()).unwrap();
+    let ratio = simulation.history.bodies[0].last().unwrap().turn_ratio(reference).unwrap();
     assert!((ratio - 0.8).abs() < 1e-9, "{ratio}");
 }
 

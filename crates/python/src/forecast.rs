@@ -8,7 +8,7 @@ use crate::pool;
 use crate::source::{Source, SourceText, count, request};
 use analytic::forecast::ModelForecast;
 use coulter::case::{self, CaseError, cores};
-use coulter::forecast::{Outlook, outlook};
+use coulter::forecast::{Outlook, PREDICTED, outlook};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use serde::Deserialize;
@@ -40,39 +40,10 @@ enum Which {
     Named(String),
 }
 
-/// A number that a model predicts.
-struct Quantity {
-    name: &'static str,
-    unit: &'static str,
-    of: fn(&Outlook, &ModelForecast) -> Option<f64>,
-}
-
-const fn quantity(
-    name: &'static str,
-    unit: &'static str,
-    of: fn(&Outlook, &ModelForecast) -> Option<f64>,
-) -> Quantity {
-    Quantity { name, unit, of }
-}
-
-const QUANTITIES: [Quantity; 11] = [
-    quantity("drag", "N", |_, m| Some(m.prediction?.drag)),
-    quantity("vertical", "N", |_, m| Some(m.prediction?.vertical)),
-    quantity("lateral", "N", |_, m| m.prediction?.lateral),
-    quantity("axle_torque", "N m", |outlook, m| Some(outlook.moment(m)?[1])),
-    quantity("sinkage", "m", |_, m| m.prediction?.sinkage),
-    quantity("contact_angle", "rad", |_, m| m.prediction?.contact_angle),
-    quantity("force_inclination", "rad", |_, m| Some(m.prediction?.force_inclination)),
-    quantity("slip", "-", |_, m| m.prediction?.slip),
-    quantity("F_H_bar", "-", |outlook, m| Some(m.prediction?.drag / outlook.force_scale()?)),
-    quantity("F_V_bar", "-", |outlook, m| Some(m.prediction?.vertical / outlook.force_scale()?)),
-    quantity("Z", "-", |outlook, m| Some(m.prediction?.sinkage? / outlook.length_scale())),
-];
-
 /// What a model says at a point.
 struct Said {
     model: &'static str,
-    numbers: [f64; QUANTITIES.len()],
+    numbers: [f64; PREDICTED.len()],
     /// Why there are none.
     reason: String,
 }
@@ -98,7 +69,7 @@ impl Unsaid {
 /// Most threads that share the points.
 const MOST_THREADS: i64 = 1024;
 
-const NOTHING: [f64; QUANTITIES.len()] = [f64::NAN; QUANTITIES.len()];
+const NOTHING: [f64; PREDICTED.len()] = [f64::NAN; PREDICTED.len()];
 
 impl Said {
     /// What a model says where it applies.
@@ -106,7 +77,7 @@ impl Said {
         if !model.applicable {
             return Self { model: model.name, numbers: NOTHING, reason: model.note.clone() };
         }
-        let numbers = QUANTITIES.map(|quantity| (quantity.of)(outlook, model).unwrap_or(f64::NAN));
+        let numbers = PREDICTED.map(|quantity| (quantity.of)(outlook, model).unwrap_or(f64::NAN));
         Self { model: model.name, numbers, reason: String::new() }
     }
 }
@@ -206,7 +177,7 @@ fn document<'py>(py: Python<'py>, which: &Which, said: &[AtPoint]) -> PyResult<B
         });
     }
     let rows = rows(which, said);
-    let mut numbers: Vec<Vec<u8>> = vec![Vec::with_capacity(8 * rows.len() * said.len()); QUANTITIES.len()];
+    let mut numbers: Vec<Vec<u8>> = vec![Vec::with_capacity(8 * rows.len() * said.len()); PREDICTED.len()];
     let (mut models, mut reasons) = (Vec::new(), Vec::new());
     for row in 0..rows.len() {
         for point in said {
@@ -227,7 +198,7 @@ fn document<'py>(py: Python<'py>, which: &Which, said: &[AtPoint]) -> PyResult<B
         }
     }
     let quantities = PyDict::new(py);
-    for (quantity, bytes) in QUANTITIES.iter().zip(&numbers) {
+    for (quantity, bytes) in PREDICTED.iter().zip(&numbers) {
         quantities.set_item(quantity.name, (quantity.unit, PyBytes::new(py, bytes)))?;
     }
     let document = PyDict::new(py);

@@ -179,7 +179,7 @@ fn tow(runner: &mut Runner, angles: [f64; 2]) -> Result<Option<Load>, VerifyErro
     let simulation = runner.run("D8", &variant, CASE, &attitude(angles))?;
     let load = Load::steady(&simulation);
     let reference = &Reference::all(&simulation.case)[0];
-    let ratio = steady(&simulation, |sample| reference.turn_ratio_of(sample).unwrap_or(f64::NAN));
+    let ratio = steady(&simulation, |sample| sample.turn_ratio(reference).unwrap_or(f64::NAN));
     let forecast = forecast(&simulation.case);
     let expected = |of: fn(&Load) -> f64| forecast.as_ref().map_or(f64::NAN, |(load, _)| of(load));
     let figures = [

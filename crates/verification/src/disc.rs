@@ -2,8 +2,9 @@
 
 use crate::error::VerifyError;
 use crate::runner::Runner;
+use coulter::history::quantities::Steady;
 use coulter::history::reference::Reference;
-use coulter::history::steady::{Steady, steady, window};
+use coulter::history::steady::SteadyWindow;
 use coulter::simulation::Simulation;
 
 const CASE: &str = include_str!("../cases/light_disc.toml");
@@ -40,8 +41,8 @@ fn tow(
     let simulation = runner.run("D3", variant, CASE, overrides)?;
     let reference = &Reference::all(&simulation.case)[0];
     let samples = &simulation.history.bodies[0];
-    let window = window(samples, reference, simulation.case.output.steady_fraction);
-    Ok((steady(samples, reference, window), simulation))
+    let window = SteadyWindow::of(samples, reference, simulation.case.output.steady_fraction);
+    Ok((window.steady, simulation))
 }
 
 /// The same tow on a mesh of this many cells over the diameter: drag [N].

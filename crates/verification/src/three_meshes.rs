@@ -41,12 +41,12 @@ fn indices(study: &MeshStudy) -> [(&'static str, f64); 5] {
     let index = |interval: Option<coulter::mesh_study::MeshInterval>| {
         interval.and_then(|interval| interval.index).unwrap_or(f64::NAN)
     };
-    let extrapolated = body.sinkage.and_then(|interval| interval.convergence.extrapolated);
+    let extrapolated = body.get("sinkage").and_then(|interval| interval.convergence.extrapolated);
     [
-        ("grid-convergence index of the drag", index(body.drag)),
-        ("grid-convergence index of the sinkage", index(body.sinkage)),
-        ("grid-convergence index of the vertical force", index(body.vertical)),
-        ("grid-convergence index of the turn ratio", index(body.turn_ratio)),
+        ("grid-convergence index of the drag", index(body.get("drag"))),
+        ("grid-convergence index of the sinkage", index(body.get("sinkage"))),
+        ("grid-convergence index of the vertical force", index(body.get("vertical"))),
+        ("grid-convergence index of the turn ratio", index(body.get("turn_ratio"))),
         ("sinkage, extrapolated to h = 0 [mm]", 1e3 * extrapolated.unwrap_or(f64::NAN)),
     ]
 }
@@ -81,11 +81,11 @@ impl Mesh {
         BodyOnMesh { means, drag_noise }: &BodyOnMesh,
     ) -> Result<(), VerifyError> {
         let figure = |value: Option<f64>| value.unwrap_or(f64::NAN);
-        let sinkage = figure(means.sinkage);
+        let sinkage = figure(means.get("sinkage"));
         let figures = [
-            ("drag F_H [N]", figure(means.drag)),
+            ("drag F_H [N]", figure(means.get("drag"))),
             ("sinkage [mm]", 1e3 * sinkage),
-            ("turn ratio ω r / v", figure(means.turn_ratio)),
+            ("turn ratio ω r / v", figure(means.get("turn_ratio"))),
             ("sinkage over the height of a cell", sinkage / self.result.cell_m),
             ("drag noise over the mean", figure(*drag_noise)),
         ];

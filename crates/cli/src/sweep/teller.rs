@@ -178,9 +178,9 @@ fn figures(outcome: &Outcome) -> String {
     let grade = row.grade.clone().filter(|_| outcome.ending == Ending::Done);
     let list = [
         grade,
-        figure("F_H", row.drag, "N"),
-        figure("F_V", row.vertical, "N"),
-        figure("z", row.sinkage.map(|z| 1e3 * z), "mm"),
+        figure("F_H", row.get("drag"), "N"),
+        figure("F_V", row.get("vertical"), "N"),
+        figure("z", row.get("sinkage").map(|z| 1e3 * z), "mm"),
     ];
     list.into_iter().flatten().collect::<Vec<_>>().join(", ")
 }

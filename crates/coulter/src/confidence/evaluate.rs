@@ -2,12 +2,12 @@
 
 use super::combine::{REACH_DOMAIN, REACH_SPEED, bias, combined, scatter};
 use super::figures::{BodyConfidence, Confidence, Contribution, Status, VariationResult};
-use super::quantities::{QUANTITIES, Quantity};
 use super::statistics::{of_press, of_tow};
 use crate::case::variations::ErrorSource;
+use crate::history::History;
+use crate::history::quantities::{LEAST_SCALE, Quantity, Scale, Steady};
 use crate::history::reference::Reference;
-use crate::history::steady::{Steady, SteadyPart, is_tow, same_window, steady, window};
-use crate::history::{BodySample, History};
+use crate::history::steady::{SteadyPart, SteadyWindow};
 use crate::mesh_study::{Convergence, OnMesh};
 use crate::trust::steadiness::Trend;
 use crate::trust::{BodySetting, Verdict};
@@ -36,15 +36,8 @@ pub fn evaluate(
     confidence.variations = runs.iter().map(|run| run.result.clone()).collect();
     for (number, reference) in references.iter().enumerate().filter(|(_, r)| r.has_surface()) {
         let Some(samples) = own.0.bodies.get(number) else { continue };
-        let range = window(samples, reference, part);
-        let body = OwnBody {
-            reference,
-            setting: settings.get(number),
-            samples,
-            inside: samples.get(range.clone()).unwrap_or_default(),
-            steady: steady(samples, reference, range),
-            width: confidence.width_m,
-        };
+        let window = SteadyWindow::of(samples, reference, part);
+        let body = OwnBody { window, setting: settings.get(number), width: confidence.width_m };
         let varied: Vec<VariedBody> = runs.iter().map(|run| body.varied(run, number)).collect();
         for (result, varied) in confidence.variations.iter_mut().zip(&varied) {
             result.bodies.extend(varied.values().map(|values| (reference.name.clone(), values)));
@@ -56,12 +49,8 @@ pub fn evaluate(
 
 /// A body of the case's own run.
 struct OwnBody<'a> {
-    reference: &'a Reference,
+    window: SteadyWindow<'a>,
     setting: Option<&'a BodySetting>,
-    samples: &'a [BodySample],
-    /// The samples of the steady window.
-    inside: &'a [BodySample],
-    steady: Steady,
     /// Representative cell width [m].
     width: f64,
 }
@@ -77,16 +66,12 @@ struct VariedBody<'a> {
 impl VariedBody<'_> {
     fn values(&self) -> Option<BTreeMap<String, f64>> {
         let steady = self.steady.as_ref()?;
-        let value = |q: &Quantity| Some((q.key.to_owned(), q.mean(steady)?));
-        Some(QUANTITIES.iter().filter_map(value).collect())
+        let known = Quantity::all().into_iter().filter(|quantity| quantity.figure.scale.is_some());
+        Some(known.filter_map(|quantity| Some((quantity.key(), quantity.mean(steady)?))).collect())
     }
 }
 
 impl OwnBody<'_> {
-    fn is_towed(&self) -> bool {
-        is_tow(self.samples, self.reference)
-    }
-
     fn varied<'a>(&self, run: &VariedRun<'a>, number: usize) -> VariedBody<'a> {
         let result = run.result;
         let of = |status, because, steady| VariedBody { result, status, because, steady };
@@ -95,10 +80,10 @@ impl OwnBody<'_> {
             return of(result.status, result.because.clone(), None);
         };
         let stretched = |time: Option<f64>| time.map(|time| time * result.time_factor);
-        let (from_s, to_s) = (stretched(self.steady.from_s), stretched(self.steady.to_s));
-        let window = Steady { from_s, to_s, ..self.steady.clone() };
-        match same_window(samples, self.reference, &window) {
-            Some(range) => of(Status::Examined, None, Some(steady(samples, self.reference, range))),
+        let (from_s, to_s) = (stretched(self.window.steady.from_s), stretched(self.window.steady.to_s));
+        let own = Steady { from_s, to_s, ..self.window.steady.clone() };
+        match SteadyWindow::same(samples, self.window.reference, &own) {
+            Some(window) => of(Status::Examined, None, Some(window.steady)),
             None => {
                 let why = "it does not reach the steady window of the case's own run".to_owned();
                 of(Status::NotComparable, Some(why), None)
@@ -114,13 +99,13 @@ impl OwnBody<'_> {
         if verdict == Verdict::Broken {
             return none("the run is broken");
         }
-        let interval = |quantity: &Quantity| {
-            let value = quantity.mean(&self.steady)?;
-            let scale = quantity.scale(&self.steady, self.setting)?;
-            let parts = ErrorSource::ALL.map(|source| self.contribution(quantity, source, varied));
-            Some((quantity.key.to_owned(), combined(value, scale, parts.into())))
+        let interval = |quantity: Quantity| {
+            let value = quantity.mean(&self.window.steady)?;
+            let scale = scale(quantity, &self.window.steady, self.setting)?;
+            let parts = ErrorSource::ALL.map(|source| self.contribution(&quantity, source, varied));
+            Some((quantity.key(), combined(value, scale, parts.into())))
         };
-        let figures: BTreeMap<_, _> = QUANTITIES.iter().filter_map(interval).collect();
+        let figures: BTreeMap<_, _> = Quantity::all().into_iter().filter_map(interval).collect();
         if figures.is_empty() {
             return none("no force acts on it in the steady window");
         }
@@ -130,32 +115,32 @@ impl OwnBody<'_> {
     /// Change of the force over its mean: of a body that is towed, of the drag since the stretch before the window, of the same
     /// length; of one that is pressed, of the vertical force over the window.
     fn force_change(&self) -> Option<f64> {
-        let change = if self.is_towed() {
-            let now = self.steady.drag?;
-            (now - self.earlier()?.drag?) / self.steady.drag_scale(self.reference)
+        let change = if self.window.is_towed() {
+            let now = self.window.steady.drag?;
+            (now - self.earlier()?.drag?) / self.window.steady.drag_scale(self.window.reference)
         } else {
             self.setting.filter(|setting| setting.heaves && !setting.heaves_freely)?;
-            let vertical: Vec<f64> = self.inside.iter().map(|s| s.vertical).collect();
+            let vertical: Vec<f64> = self.window.inside().iter().map(|s| s.vertical).collect();
             let trend = Trend::of(&vertical)?;
-            trend.change / self.steady.scale(Some(trend.mean))
+            trend.change / self.window.steady.scale(Some(trend.mean))
         };
         change.is_finite().then_some(change.abs())
     }
 
     /// The means over the stretch before the window, of the same length; `None` where the tow is not that long.
     fn earlier(&self) -> Option<Steady> {
-        let (from, to) = (self.steady.from_m?, self.steady.to_m?);
+        let (from, to) = (self.window.steady.from_m?, self.window.steady.to_m?);
         let earlier = Steady { from_m: Some(from - (to - from)), to_m: Some(from), ..Steady::default() };
-        let range = same_window(self.samples, self.reference, &earlier)?;
-        Some(steady(self.samples, self.reference, range))
+        let window = SteadyWindow::same(self.window.samples, self.window.reference, &earlier)?;
+        Some(window.steady)
     }
 
     fn contribution(&self, quantity: &Quantity, source: ErrorSource, varied: &[VariedBody]) -> Contribution {
         let examined = Contribution { source, status: Status::Examined, ..Contribution::default() };
         match source {
             ErrorSource::Statistics => {
-                let blocks = quantity.blocks(self.inside, self.reference);
-                let part = blocks.map(|b| if self.is_towed() { of_tow(&b) } else { of_press(&b) });
+                let blocks = quantity.blocks(self.window.inside(), self.window.reference);
+                let part = blocks.map(|b| if self.window.is_towed() { of_tow(&b) } else { of_press(&b) });
                 match part.filter(|part| part.is_finite()) {
                     Some(part) => Contribution { below: part, above: part, ..examined },
                     None => missing(
@@ -169,7 +154,7 @@ impl OwnBody<'_> {
             ErrorSource::Mesh => self.of_mesh(quantity, varied, examined),
             ErrorSource::Domain | ErrorSource::Speed | ErrorSource::Precision => {
                 let change = |varied: &VariedBody| {
-                    Some(quantity.mean(varied.steady.as_ref()?)? - quantity.mean(&self.steady)?)
+                    Some(quantity.mean(varied.steady.as_ref()?)? - quantity.mean(&self.window.steady)?)
                 };
                 let of_source: Vec<&VariedBody> =
                     varied.iter().filter(|v| v.result.source == source).collect();
@@ -195,7 +180,7 @@ impl OwnBody<'_> {
             Some(OnMesh { width: v.result.width_m, value: quantity.mean(v.steady.as_ref()?)? })
         };
         let mut meshes: Vec<OnMesh> = of_source.iter().filter_map(on).collect();
-        let Some(value) = quantity.mean(&self.steady).filter(|_| !meshes.is_empty()) else {
+        let Some(value) = quantity.mean(&self.window.steady).filter(|_| !meshes.is_empty()) else {
             return first_missing(ErrorSource::Mesh, &of_source);
         };
         meshes.push(OnMesh { width: self.width, value });
@@ -225,9 +210,27 @@ fn first_missing(source: ErrorSource, varied: &[&VariedBody]) -> Contribution {
     missing(source, status, &why.unwrap_or_default())
 }
 
+/// Part of the whole force on a body below which a component is not worth an interval (chosen).
+const MEANINGFUL: f64 = 0.01;
+
+/// What half-widths of a quantity are compared with, in its unit; `None` where it has no interval, or no meaning for this body.
+fn scale(quantity: Quantity, steady: &Steady, setting: Option<&BodySetting>) -> Option<f64> {
+    let size = quantity.mean(steady)?.abs();
+    match quantity.figure.scale? {
+        Scale::Drag | Scale::Force => {
+            let whole = steady.whole_force();
+            (size > MEANINGFUL * whole).then(|| size.max(LEAST_SCALE * whole))
+        }
+        // Where it is prescribed, it is known.
+        Scale::Depth => setting.filter(|setting| setting.heaves_freely).map(|_| size),
+        Scale::One => Some(1.0),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::history::BodySample;
 
     fn footing() -> (Reference, BodySetting) {
         let reference = Reference {

@@ -8,10 +8,8 @@ mod checks;
 mod combine;
 mod evaluate;
 mod figures;
-mod quantities;
 mod statistics;
 
 pub use combine::{REACH_DOMAIN, REACH_SPEED, SAFETY_PRECISION};
 pub use evaluate::{VariedRun, evaluate};
 pub use figures::{BodyConfidence, Confidence, ConfidenceInterval, Contribution, Status, VariationResult};
-pub use quantities::name_of;

@@ -20,8 +20,6 @@ pub struct Series {
     pub sinkage: Vec<f64>,
     /// The slip, [`analytic::slip`].
     pub slip: Vec<f64>,
-    /// ωr/v − 1, also for a driven body.
-    pub skid: Vec<f64>,
 }
 
 /// Every model's curve against one variable.
@@ -132,6 +130,5 @@ fn series(model: Candidate, points: &[CurvePoint]) -> Option<Series> {
         vertical: column(|p| Some(p.vertical)),
         sinkage: column(|p| p.sinkage),
         slip: column(|p| p.slip),
-        skid: column(|p| p.slip.map(|slip| analytic::turn_ratio(slip) - 1.0)),
     })
 }

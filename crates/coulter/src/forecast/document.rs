@@ -1,8 +1,10 @@
 //! The forecast as one JSON document. Its names are a contract on which scripts rely.
 
 use super::outlook::{Outlook, mechanism_word};
+use super::predicted::PREDICTED;
 use super::uncertainty::{InputDeviation, Interval, Intervals};
 use crate::formats;
+use crate::history::quantities::key;
 use analytic::Towing;
 use analytic::disc::Drive;
 use analytic::forecast::{Load, ModelForecast, Range, Strength};
@@ -93,28 +95,21 @@ fn drive(towing: &Towing) -> Value {
 
 fn model(outlook: &Outlook, model: &ModelForecast) -> Value {
     let found = model.prediction;
-    let scale = outlook.force_scale();
-    let length = outlook.length_scale();
-    json!({
+    let mut entry = json!({
         "name": model.name,
         "applicable": model.applicable,
-        "drag_N": found.map(|p| p.drag),
-        "vertical_N": found.map(|p| p.vertical),
-        "lateral_N": found.and_then(|p| p.lateral),
         "moment_Nm": outlook.moment(model),
-        "sinkage_m": found.and_then(|p| p.sinkage),
-        "contact_angle_rad": found.and_then(|p| p.contact_angle),
-        "force_inclination_rad": found.map(|p| p.force_inclination),
-        "slip": found.and_then(|p| p.slip),
         // ωr/v − 1 at any slip: an older name on which scripts rely.
         "skid": found.and_then(|p| p.slip).map(|slip| analytic::turn_ratio(slip) - 1.0),
         "mechanism": found.and_then(|p| p.mechanism).map(mechanism_word),
         "sideways_share": found.and_then(|p| p.sideways_fraction),
-        "F_H_bar": found.zip(scale).map(|(p, scale)| p.drag / scale),
-        "F_V_bar": found.zip(scale).map(|(p, scale)| p.vertical / scale),
-        "Z": found.and_then(|p| p.sinkage).map(|z| z / length),
         "note": model.note,
-    })
+    });
+    // The torque is one of the moments.
+    for quantity in PREDICTED.iter().filter(|quantity| quantity.name != "axle_torque") {
+        entry[key(quantity.name, quantity.unit)] = json!((quantity.of)(outlook, model));
+    }
+    entry
 }
 
 fn range(range: &Range) -> Value {

@@ -15,24 +15,19 @@ lateral [N],moment x [N m],moment y [N m],moment z [N m],note";
 #[must_use]
 pub fn models_csv(outlook: &Outlook, intervals: &Intervals) -> String {
     let mut text = format!("{HEADER}\n");
-    let (scale, length) = (outlook.force_scale(), outlook.length_scale());
     for model in &outlook.forecast.models {
         let found = model.prediction;
-        let sinkage = found.and_then(|p| p.sinkage);
+        let of = |name: &str| outlook.predicted(model, name);
+        let degrees = |name: &str| of(name).map(f64::to_degrees);
         let numbers = [
-            found.map(|p| p.drag),
-            found.map(|p| p.vertical),
-            sinkage,
-            found.and_then(|p| p.contact_angle).map(f64::to_degrees),
-            found.map(|p| p.force_inclination.to_degrees()),
-            found.and_then(|p| p.slip),
+            of("drag"),
+            of("vertical"),
+            of("sinkage"),
+            degrees("contact_angle"),
+            degrees("force_inclination"),
+            of("slip"),
         ];
-        let groups = [
-            found.and_then(|p| p.sideways_fraction),
-            found.zip(scale).map(|(p, scale)| p.drag / scale),
-            found.zip(scale).map(|(p, scale)| p.vertical / scale),
-            sinkage.map(|z| z / length),
-        ];
+        let groups = [found.and_then(|p| p.sideways_fraction), of("F_H_bar"), of("F_V_bar"), of("Z")];
         let ends = |quantity: &str| {
             let found = intervals.of(model.name, quantity);
             [found.map(|i| i.low), found.map(|i| i.high)]
@@ -42,7 +37,7 @@ pub fn models_csv(outlook: &Outlook, intervals: &Intervals) -> String {
             list.iter().map(|x| x.map_or(String::new(), |x| format!("{x:.6e}"))).collect::<Vec<_>>().join(",")
         };
         let moment = outlook.moment(model);
-        let sideways = [found.and_then(|p| p.lateral)].into_iter();
+        let sideways = [of("lateral")].into_iter();
         let sideways: Vec<_> = sideways.chain([0, 1, 2].map(|axis| moment.map(|m| m[axis]))).collect();
         let word = found.and_then(|p| p.mechanism).map_or("", mechanism_word);
         let note = text_cell(&model.note);

@@ -158,20 +158,19 @@ fn line(outlook: &Outlook, intervals: &Intervals, model: &ModelForecast) -> Stri
         Some(i) => format!("{:^width$}", format!("{} … {}", fixed(i.low / size), fixed(i.high / size))),
         None => " ".repeat(width),
     };
-    let scale = outlook.force_scale();
-    let (drag, vertical) = (found.map(|p| p.drag), found.map(|p| p.vertical));
+    let of = |name: &str| outlook.predicted(model, name);
     let columns = [
-        shown(drag, 8),
+        shown(of("drag"), 8),
         range("drag_N", 1.0, 17),
-        shown(vertical, 8),
+        shown(of("vertical"), 8),
         range("vertical_N", 1.0, 17),
-        shown(found.and_then(|p| p.sinkage).map(|z| 1e3 * z), 7),
+        shown(of("sinkage").map(|z| 1e3 * z), 7),
         range("sinkage_m", 1e-3, 15),
-        shown(found.and_then(|p| p.contact_angle).map(f64::to_degrees), 6),
-        shown(found.map(|p| p.force_inclination.to_degrees()), 6),
-        shown(found.and_then(|p| p.slip), 7),
-        shown(drag.zip(scale).map(|(f, scale)| f / scale), 8),
-        shown(vertical.zip(scale).map(|(f, scale)| f / scale), 8),
+        shown(of("contact_angle").map(f64::to_degrees), 6),
+        shown(of("force_inclination").map(f64::to_degrees), 6),
+        shown(of("slip"), 7),
+        shown(of("F_H_bar"), 8),
+        shown(of("F_V_bar"), 8),
     ];
     format!("{:<22} {}  {}", model.name, columns.join(" "), found.map_or("–".into(), |p| mechanism(&p)))
 }

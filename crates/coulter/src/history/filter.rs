@@ -1,9 +1,10 @@
 //! A low-pass filter for histories, without a shift in time.
 
 use super::BodySample;
+use super::quantities::FORCES;
 use std::f64::consts::{LN_2, TAU};
 
-/// The samples with their forces and moments filtered: weighted means, by a Gauss function of the time between samples, that let
+/// The samples with forces, moments and velocities filtered: weighted means, by a Gauss function of the time between samples, that let
 /// 1/√2 of the amplitude through at the cut-off frequency [Hz], of slow changes all, and of one at three times it 4 %. Everything else of a
 /// sample stays. At both ends the means are over what there is.
 #[must_use]
@@ -12,6 +13,9 @@ pub fn filtered(samples: &[BodySample], cutoff: f64) -> Vec<BodySample> {
     // Farther away the weight is below that of round-off.
     let reach = 6.0 * deviation;
     let interval = |n: usize| if n == 0 { 0.0 } else { samples[n].time - samples[n - 1].time };
+    let is_filtered = |unit: &str| matches!(unit, "N" | "N m" | "m/s" | "rad/s");
+    let columns = FORCES.iter().filter(|column| is_filtered(column.unit));
+    let places: Vec<fn(&mut BodySample) -> &mut f64> = columns.filter_map(|c| c.source.place()).collect();
     let mut first = 0;
     let one = |n: usize| {
         let now = samples[n].time;
@@ -19,7 +23,7 @@ pub fn filtered(samples: &[BodySample], cutoff: f64) -> Vec<BodySample> {
             first += 1;
         }
         let mut mean = samples[n];
-        forces(&mut mean).into_iter().for_each(|force| *force = 0.0);
+        places.iter().for_each(|place| *place(&mut mean) = 0.0);
         let mut sum = 0.0;
         for (m, sample) in samples.iter().enumerate().skip(first).take_while(|(_, s)| s.time <= now + reach) {
             // A sample is the mean since the one before it.
@@ -28,34 +32,16 @@ pub fn filtered(samples: &[BodySample], cutoff: f64) -> Vec<BodySample> {
             let weight = (-0.5 * away * away).exp() * interval(m);
             sum += weight;
             let mut sample = *sample;
-            let values = forces(&mut sample).map(|value| *value);
-            forces(&mut mean).into_iter().zip(values).for_each(|(mean, value)| *mean += weight * value);
+            places.iter().for_each(|place| *place(&mut mean) += weight * *place(&mut sample));
         }
         if sum > 0.0 {
-            forces(&mut mean).into_iter().for_each(|mean| *mean /= sum);
+            places.iter().for_each(|place| *place(&mut mean) /= sum);
             mean
         } else {
             samples[n]
         }
     };
     (0..samples.len()).map(one).collect()
-}
-
-/// What is filtered.
-fn forces(s: &mut BodySample) -> [&mut f64; 11] {
-    [
-        &mut s.drag,
-        &mut s.lateral,
-        &mut s.vertical,
-        &mut s.drag_normal,
-        &mut s.vertical_normal,
-        &mut s.axle_torque,
-        &mut s.moment_x,
-        &mut s.moment_y,
-        &mut s.moment_z,
-        &mut s.speed,
-        &mut s.spin,
-    ]
 }
 
 #[cfg(test)]

@@ -2,10 +2,12 @@
 //! has left behind.
 
 pub mod blocks;
+
 pub mod columns;
 pub mod filter;
 mod ground;
 pub mod probes;
+pub mod quantities;
 pub mod reference;
 pub mod rim;
 pub mod steady;
@@ -13,72 +15,9 @@ pub mod steady;
 pub use crate::ground_column::GroundColumn;
 pub use ground::{RutSection, SurfacePoint};
 use mechanics::Motion;
+pub use quantities::BodySample;
 use rim::RimHistory;
 use serde::{Deserialize, Serialize};
-
-/// One line of a body's history. Forces are the soil's on the whole body, averaged over the interval that ends at
-/// `time` (impulse over time, so nothing is lost between two lines).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct BodySample {
-    /// Time [s].
-    pub time: f64,
-    /// Displacement u along the tow [m]. The tow is that of the body: see [`crate::case::tow::TowDirection`].
-    pub displacement: f64,
-    /// Sinkage z_s of the lowest point below the undisturbed surface [m], positive downwards.
-    pub sinkage: f64,
-    /// Drag F_H: horizontal force against the tow [N].
-    pub drag: f64,
-    /// Lateral force across the tow [N], to the left positive (0 in a symmetric case).
-    pub lateral: f64,
-    /// Vertical force F_V: positive when the soil pushes the body up [N].
-    pub vertical: f64,
-    /// Drag due to pressure normal to the surface [N]; the rest is friction.
-    pub drag_normal: f64,
-    /// Vertical force due to pressure normal to the surface [N]; the rest is friction.
-    pub vertical_normal: f64,
-    /// Torque of the soil about the axle [N m], positive when it makes the body roll forward.
-    pub axle_torque: f64,
-    /// Rotation Ω [rad], positive when it rolls forward.
-    pub rotation: f64,
-    /// Rate of rotation ω [rad/s].
-    pub spin: f64,
-    /// Speed v along the tow [m/s].
-    pub speed: f64,
-    /// Velocity in the direction in which the body rolls: level, and across its axle [m/s].
-    pub rolling_speed: f64,
-    /// Heave velocity, positive upwards [m/s].
-    pub heave_speed: f64,
-    /// Displacement across the tow, to the left [m].
-    pub lateral_displacement: f64,
-    /// Yaw: rotation of the axle about z, from y [rad].
-    pub yaw: f64,
-    /// Tilt: inclination of the axle, positive when its left end is raised [rad].
-    pub tilt: f64,
-    /// Moment of the soil about the x axis of space through the reference point [N m].
-    pub moment_x: f64,
-    /// The same about y [N m].
-    pub moment_y: f64,
-    /// The same about z [N m].
-    pub moment_z: f64,
-    /// Drag of the water against the tow [N], which is not part of `drag`.
-    pub water_drag: f64,
-    /// Portion of the drag that excess pore pressure exerts [N].
-    pub pore_drag: f64,
-    /// Portion of the vertical force that it exerts [N].
-    pub pore_vertical: f64,
-    /// Soil inside the body [m³] (a measure of leakage).
-    pub leaked_volume: f64,
-    /// Volume of the body below the undisturbed surface [m³].
-    pub embedded_volume: f64,
-}
-
-impl BodySample {
-    /// Magnitude of the force of the soil [N].
-    #[must_use]
-    pub fn force(&self) -> f64 {
-        self.drag.hypot(self.vertical).hypot(self.lateral)
-    }
-}
 
 /// One line of the history of a joint, or of a part of a body. Forces are those of the first body on the second through the joint, or
 /// of the soil on the part, averaged over the interval that ends at `time`.

@@ -1,6 +1,5 @@
 //! The reference lengths and force that make a body's results dimensionless, and its rolling radius.
 
-use super::BodySample;
 use crate::case::fastest;
 use crate::case::resolved::{Body, Case, Motion};
 use crate::case::tow::{TowDirection, squared};
@@ -161,17 +160,24 @@ impl Reference {
         (self.length > 0.0).then(|| length / self.length)
     }
 
+    /// A number of this SI unit, made dimensionless: a force, a length or a torque over its reference, a ratio as it is; `None` without a
+    /// reference.
+    #[must_use]
+    pub fn group(&self, unit: &str, number: f64) -> Option<f64> {
+        match unit {
+            "N" => self.force_group(number),
+            "N m" => self.force_group(number / self.length),
+            "m" => self.length_group(number),
+            "-" => Some(number),
+            _ => None,
+        }
+    }
+
     /// Turn ratio ω r / v with v in the direction in which the body rolls: 1 rolls without slip, 0 slides without rotation; `None`
     /// at rest or without a radius.
     #[must_use]
     pub fn turn_ratio(&self, spin: f64, speed: f64) -> Option<f64> {
         self.radius.filter(|_| speed.abs() > REST).map(|radius| spin * radius / speed)
-    }
-
-    /// Turn ratio of one line of the history.
-    #[must_use]
-    pub fn turn_ratio_of(&self, sample: &BodySample) -> Option<f64> {
-        self.turn_ratio(sample.spin, sample.rolling_speed)
     }
 }
 

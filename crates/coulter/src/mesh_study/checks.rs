@@ -1,6 +1,7 @@
 //! The checks of a mesh study.
 
 use super::figures::{BodyStudy, MeshInterval, MeshStudy};
+use crate::history::quantities::{Figures, Scale};
 use crate::trust::limits::{self, Limit};
 use crate::trust::{BodySetting, Check, Verdict};
 
@@ -9,7 +10,10 @@ impl MeshStudy {
     pub fn leave_out_prescribed(&mut self, bodies: &[BodySetting]) {
         for body in bodies.iter().filter(|body| !body.heaves_freely) {
             if let Some(study) = self.bodies.get_mut(&body.name) {
-                study.figures.sinkage = None;
+                study.figures = Figures::on_meshes(|quantity| match quantity.figure.scale {
+                    Some(Scale::Depth) => None,
+                    _ => study.figures.get(quantity.figure.name),
+                });
             }
         }
     }
@@ -32,11 +36,11 @@ impl MeshStudy {
 
 /// The drag of a body that is towed; its sinkage where it is free to sink, otherwise its vertical force.
 fn of_body(body: &BodySetting, study: &BodyStudy, is_towed: bool) -> Vec<Check> {
-    let drag = (&limits::DRAG_INTERVAL, study.figures.drag);
+    let drag = (&limits::DRAG_INTERVAL, study.figures.get("drag"));
     let other = if body.heaves_freely {
-        (&limits::SINKAGE_INTERVAL, study.figures.sinkage)
+        (&limits::SINKAGE_INTERVAL, study.figures.get("sinkage"))
     } else {
-        (&limits::VERTICAL_INTERVAL, study.figures.vertical)
+        (&limits::VERTICAL_INTERVAL, study.figures.get("vertical"))
     };
     let check = |(limit, figure): (&'static Limit, Option<MeshInterval>)| match (
         figure,

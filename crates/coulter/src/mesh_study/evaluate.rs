@@ -1,10 +1,11 @@
 //! From the runs on several meshes to the intervals of their figures.
 
 use super::convergence::{Convergence, OnMesh};
-use super::figures::{BodyOnMesh, BodyStudy, Figures, MeshInterval, MeshResult, MeshStudy};
-use crate::history::blocks::{BLOCKS, STUDENT_90, block_averages, standard_error};
+use super::figures::{BodyOnMesh, BodyStudy, MeshInterval, MeshResult, MeshStudy};
+use crate::history::blocks::{STUDENT_90, block_averages, standard_error};
+use crate::history::quantities::{Figures, Quantity, Scale};
 use crate::history::reference::Reference;
-use crate::history::steady::{Steady, SteadyPart, is_tow, same_window, steady, window};
+use crate::history::steady::{SteadyPart, SteadyWindow};
 use crate::history::{BodySample, History};
 use crate::trust::steadiness::Trend;
 use crate::trust::{Trust, Verdict, limits};
@@ -30,13 +31,8 @@ pub fn evaluate(runs: &[MeshRun], references: &[Reference], part: impl Into<Stea
     for (body, reference) in references.iter().enumerate() {
         let bodies: Vec<BodyRun> = body_runs(runs, (body, reference), part);
         for (mesh, run) in study.meshes.iter_mut().zip(&bodies) {
-            let means = Figures {
-                drag: run.steady.drag,
-                vertical: run.steady.vertical,
-                sinkage: run.steady.sinkage,
-                turn_ratio: run.steady.turn_ratio,
-            };
-            let on_mesh = BodyOnMesh { means, drag_noise: run.steady.drag_noise };
+            let means = Figures::on_meshes(|quantity| quantity.mean(&run.window.steady));
+            let on_mesh = BodyOnMesh { means, drag_noise: run.window.steady.drag_noise };
             mesh.bodies.insert(reference.name.clone(), on_mesh);
         }
         study.bodies.insert(reference.name.clone(), body_study(&bodies));
@@ -47,11 +43,8 @@ pub fn evaluate(runs: &[MeshRun], references: &[Reference], part: impl Into<Stea
 /// A body's part of a run.
 struct BodyRun<'a> {
     run: MeshRun<'a>,
-    reference: &'a Reference,
-    samples: &'a [BodySample],
-    /// The samples of the window of the finest mesh; empty where the body has not come that far.
-    inside: &'a [BodySample],
-    steady: Steady,
+    /// The window of the finest mesh; empty where the body has not come that far.
+    window: SteadyWindow<'a>,
 }
 
 fn body_runs<'a>(
@@ -61,17 +54,16 @@ fn body_runs<'a>(
 ) -> Vec<BodyRun<'a>> {
     let samples = |run: &MeshRun<'a>| run.history.bodies.get(body).map_or(&[][..], Vec::as_slice);
     let Some(finest) = runs.last().map(samples) else { return Vec::new() };
-    let own = window(finest, reference, part);
-    let on_finest = steady(finest, reference, own.clone());
+    let own = SteadyWindow::of(finest, reference, part);
     let body_run = |(n, run): (usize, &MeshRun<'a>)| {
-        let samples = samples(run);
-        let range = if n + 1 == runs.len() {
+        let window = if n + 1 == runs.len() {
             own.clone()
         } else {
-            same_window(samples, reference, &on_finest).unwrap_or(0..0)
+            let samples = samples(run);
+            SteadyWindow::same(samples, reference, &own.steady)
+                .unwrap_or_else(|| SteadyWindow::over(samples, reference, 0..0))
         };
-        let inside = samples.get(range.clone()).unwrap_or_default();
-        BodyRun { run: *run, reference, samples, inside, steady: steady(samples, reference, range) }
+        BodyRun { run: *run, window }
     };
     runs.iter().enumerate().map(body_run).collect()
 }
@@ -80,45 +72,33 @@ fn body_study(bodies: &[BodyRun]) -> BodyStudy {
     if let Some(why) = bodies.iter().find_map(BodyRun::objection) {
         return BodyStudy { no_interval_because: Some(why), figures: Figures::default() };
     }
-    let Some(finest) = bodies.last() else { return BodyStudy::default() };
-    let means = &finest.steady;
-    // A sinkage of less than a cell is compared with that.
-    let depth = means.sinkage.map(|z| z.abs().max(finest.run.result.cell_m));
-    let figures = Figures {
-        drag: interval(
-            bodies,
-            |s| s.drag,
-            finest.error(|s| s.drag),
-            Some(means.drag_scale(finest.reference)),
-        ),
-        vertical: interval(
-            bodies,
-            |s| s.vertical,
-            finest.error(|s| s.vertical),
-            Some(means.scale(means.vertical)),
-        ),
-        sinkage: interval(bodies, |s| s.sinkage, finest.error(|s| s.sinkage), depth),
-        turn_ratio: interval(bodies, |s| s.turn_ratio, finest.turn_ratio_error(), Some(1.0)),
-    };
-    BodyStudy { no_interval_because: None, figures }
+    BodyStudy {
+        no_interval_because: None,
+        figures: Figures::on_meshes(|quantity| interval(bodies, quantity)),
+    }
 }
 
-/// The interval of a figure with this standard error on the finest mesh; `scale` is what it is compared with.
-fn interval(
-    bodies: &[BodyRun],
-    figure: fn(&Steady) -> Option<f64>,
-    error: Option<f64>,
-    scale: Option<f64>,
-) -> Option<MeshInterval> {
-    let on_mesh =
-        |body: &BodyRun| Some(OnMesh { width: body.run.result.width_m, value: figure(&body.steady)? });
+/// The interval of a quantity.
+fn interval(bodies: &[BodyRun], quantity: Quantity) -> Option<MeshInterval> {
+    let finest = bodies.last()?;
+    let on_mesh = |body: &BodyRun| {
+        Some(OnMesh { width: body.run.result.width_m, value: quantity.mean(&body.window.steady)? })
+    };
     let meshes: Vec<OnMesh> = bodies.iter().map(on_mesh).collect::<Option<_>>()?;
     let convergence = Convergence::of(&meshes)?;
-    let statistical_half_width = STUDENT_90 * error?;
+    let blocks = quantity.blocks(finest.window.inside(), finest.window.reference)?;
+    let statistical_half_width = STUDENT_90 * standard_error(&blocks);
     let half_width = convergence.mesh_half_width.hypot(statistical_half_width);
     let value = meshes.last()?.value;
+    let scale = match quantity.figure.scale? {
+        Scale::Drag => finest.window.steady.drag_scale(finest.window.reference),
+        Scale::Force => finest.window.steady.scale(Some(value)),
+        // A sinkage of less than a cell is compared with that.
+        Scale::Depth => value.abs().max(finest.run.result.cell_m),
+        Scale::One => 1.0,
+    };
     let relative = |part: f64| {
-        let ratio = if part == 0.0 { 0.0 } else { part / scale? };
+        let ratio = if part == 0.0 { 0.0 } else { part / scale };
         ratio.is_finite().then_some(ratio)
     };
     Some(MeshInterval {
@@ -140,7 +120,7 @@ impl BodyRun<'_> {
             let why = broken.map_or(String::new(), |check| format!(": {}", check.line()));
             return Some(format!("{mesh} is broken{why}"));
         }
-        if self.inside.is_empty() {
+        if self.window.inside().is_empty() {
             return Some(format!("{mesh} does not reach the steady window of the finest mesh"));
         }
         if block_averages(&self.of(|s| s.time)).is_none() {
@@ -149,40 +129,25 @@ impl BodyRun<'_> {
                  or a longer tow"
             ));
         }
-        let is_steady = self.run.trust.is_steady(&self.reference.name);
+        let is_steady = self.run.trust.is_steady(&self.window.reference.name);
         (!is_steady.unwrap_or_else(|| self.is_level())).then(|| format!("{mesh} is not steady"))
     }
 
     /// Whether the vertical force of a body that is not towed changes over the window by less than that of one that is may.
     fn is_level(&self) -> bool {
-        debug_assert!(!is_tow(self.samples, self.reference));
-        let scale = self.steady.scale(self.steady.vertical);
+        debug_assert!(!self.window.is_towed());
+        let scale = self.window.steady.scale(self.window.steady.vertical);
         Trend::of(&self.of(|s| s.vertical))
             .is_some_and(|trend| 100.0 * trend.change.abs() <= limits::STEADY_DRAG.good * scale)
     }
 
     fn of(&self, value: fn(&BodySample) -> f64) -> Vec<f64> {
-        self.inside.iter().map(value).collect()
-    }
-
-    /// Standard error of the mean of a quantity over the window.
-    fn error(&self, value: fn(&BodySample) -> f64) -> Option<f64> {
-        block_averages(&self.of(value)).map(|blocks| standard_error(&blocks))
-    }
-
-    fn turn_ratio_error(&self) -> Option<f64> {
-        let (spin, speed) =
-            (block_averages(&self.of(|s| s.spin))?, block_averages(&self.of(|s| s.rolling_speed))?);
-        let mut ratios = [0.0; BLOCKS];
-        for (ratio, (spin, speed)) in ratios.iter_mut().zip(spin.into_iter().zip(speed)) {
-            *ratio = self.reference.turn_ratio(spin, speed)?;
-        }
-        Some(standard_error(&ratios))
+        self.window.inside().iter().map(value).collect()
     }
 }
 
-/// A length in millimetres with at most five digits.
-fn millimetres(metres: f64) -> f64 {
+/// A length in millimetres with at most five digits: 28.125.
+pub(crate) fn millimetres(metres: f64) -> f64 {
     format!("{:.4e}", 1e3 * metres).parse().unwrap_or(1e3 * metres)
 }
 
@@ -263,7 +228,7 @@ mod tests {
         let study = study(&CELLS, |_| steady_or_not(true), |cell| history(cell, 2.0));
         let BodyStudy { no_interval_because, figures } = &study.bodies["disc"];
         assert_eq!(*no_interval_because, None);
-        let (drag, sinkage) = (figures.drag.unwrap(), figures.sinkage.unwrap());
+        let (drag, sinkage) = (figures.get("drag").unwrap(), figures.get("sinkage").unwrap());
         assert!(drag.interval[0] < 14.0 && drag.interval[1] > 15.0, "{drag:?}");
         assert!(drag.statistical_half_width > 0.0 && drag.half_width > drag.convergence.mesh_half_width);
         let square = drag.statistical_half_width.powi(2) + drag.convergence.mesh_half_width.powi(2);
@@ -271,11 +236,11 @@ mod tests {
         // Smooth: the error of 4 mm at order 1, times 1.25, on 24 mm.
         assert!((sinkage.index.unwrap() - 1.25 * 0.004 / 0.024).abs() < 1e-9, "{sinkage:?}");
         assert!((sinkage.convergence.observed_order.unwrap() - 1.0).abs() < 1e-6);
-        let (vertical, turn_ratio) = (figures.vertical.unwrap(), figures.turn_ratio.unwrap());
+        let (vertical, turn_ratio) = (figures.get("vertical").unwrap(), figures.get("turn_ratio").unwrap());
         assert!(vertical.interval.iter().all(|v| (v - 40.0).abs() < 1e-9), "{vertical:?}");
         assert!(turn_ratio.half_width < 1e-9, "{turn_ratio:?}");
         let coarsest = &study.meshes[0].bodies["disc"];
-        assert!((coarsest.means.sinkage.unwrap() - 0.029).abs() < 1e-12);
+        assert!((coarsest.means.get("sinkage").unwrap() - 0.029).abs() < 1e-12);
     }
 
     #[test]
@@ -284,17 +249,17 @@ mod tests {
         let disc =
             |heaves_freely| [BodySetting { name: "disc".into(), heaves_freely, ..BodySetting::default() }];
         study.leave_out_prescribed(&disc(true));
-        assert!(study.bodies["disc"].figures.sinkage.is_some());
+        assert!(study.bodies["disc"].figures.get("sinkage").is_some());
         study.leave_out_prescribed(&disc(false));
         let figures = &study.bodies["disc"].figures;
-        assert!(figures.sinkage.is_none() && figures.drag.is_some());
+        assert!(figures.get("sinkage").is_none() && figures.get("drag").is_some());
     }
 
     #[test]
     fn a_run_that_is_not_steady_or_broken_allows_no_interval() {
         let because = |study: MeshStudy| {
             let body = &study.bodies["disc"];
-            assert_eq!((body.figures.drag, body.figures.sinkage), (None, None));
+            assert_eq!((body.figures.get("drag"), body.figures.get("sinkage")), (None, None));
             body.no_interval_because.clone().unwrap()
         };
         for mesh in 0..3 {

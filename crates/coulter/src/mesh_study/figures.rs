@@ -1,39 +1,10 @@
 //! What a mesh study says. The names are part of `summary.json`, a contract.
 
 use super::convergence::Convergence;
+use crate::history::quantities::Figures;
 use crate::trust::Verdict;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-
-/// The four figures of a body of which a mesh study knows the intervals.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Figures<T> {
-    /// Of the mean drag F_H [N].
-    #[serde(rename = "drag_N")]
-    pub drag: T,
-    /// Of the mean vertical force F_V [N].
-    #[serde(rename = "vertical_N")]
-    pub vertical: T,
-    /// Of the mean sinkage [m].
-    #[serde(rename = "sinkage_m")]
-    pub sinkage: T,
-    /// Of the mean turn ratio.
-    pub turn_ratio: T,
-}
-
-impl<T> Figures<T> {
-    /// The same of every figure.
-    #[must_use]
-    pub fn map<U>(self, change: impl Fn(T) -> U) -> Figures<U> {
-        let Self { drag, vertical, sinkage, turn_ratio } = self;
-        Figures {
-            drag: change(drag),
-            vertical: change(vertical),
-            sinkage: change(sinkage),
-            turn_ratio: change(turn_ratio),
-        }
-    }
-}
 
 /// A case on several meshes.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -68,7 +39,7 @@ pub struct MeshResult {
 }
 
 /// A body on one mesh, averaged over the steady window of the finest.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct BodyOnMesh {
     /// Means.

@@ -12,5 +12,6 @@ pub use convergence::{
     ASSUMED_ORDER, Convergence, LARGEST_ORDER, LEAST_ORDER, OnMesh, SAFETY_CONVERGING, SAFETY_OTHERWISE,
     extrapolated, observed_order,
 };
+pub(crate) use evaluate::millimetres;
 pub use evaluate::{MeshRun, evaluate};
-pub use figures::{BodyOnMesh, BodyStudy, Figures, MeshInterval, MeshResult, MeshStudy};
+pub use figures::{BodyOnMesh, BodyStudy, MeshInterval, MeshResult, MeshStudy};

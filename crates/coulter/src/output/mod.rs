@@ -36,7 +36,7 @@ pub use progress::Progress;
 pub use render::{Colouring, ImageFormat, RenderOptions, Viewpoint, render};
 pub(crate) use report::mean_lines;
 pub use report::{
-    BodySummary, EnergySummary, MeshSummary, RimSummary, SoilSummary, Summary, confidence_lines, study_lines,
+    BodySummary, EnergySummary, RimSummary, SoilSummary, Summary, confidence_lines, study_lines,
 };
 pub use results::{Results, rebuild_report, rebuild_report_with};
 pub(crate) use results::{add_confidence, add_mesh_study, clear_all, require_nothing};

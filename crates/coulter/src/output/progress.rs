@@ -153,7 +153,7 @@ fn live(history: &History, references: &[Reference]) -> String {
             format!("{} {}", digits(f / unit.size), unit.name)
         };
         let name = if touching > 1 { format!("{}: ", reference.name) } else { String::new() };
-        let turn = reference.turn_ratio_of(s).map_or(String::new(), |r| format!("  ωr/v {r:.2}"));
+        let turn = s.turn_ratio(reference).map_or(String::new(), |r| format!("  ωr/v {r:.2}"));
         let forces = format!("F_H {}  F_V {}", force(s.drag), force(s.vertical));
         Some(format!("{name}{forces}  z {} mm{turn}", digits(1e3 * s.sinkage)))
     };

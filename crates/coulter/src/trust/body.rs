@@ -7,9 +7,11 @@ use super::setting::{BodySetting, Setting};
 use super::steadiness::Trend;
 use super::verdict::Verdict;
 use crate::case::resolved::Output;
+use crate::history::quantities::Steady;
 use crate::history::reference::Reference;
-use crate::history::steady::{Steady, SteadyPart, is_tow, steady, window};
+use crate::history::steady::{SteadyPart, SteadyWindow, is_tow};
 use crate::history::{BodySample, History, largest};
+use serde::{Deserialize, Serialize};
 
 /// A body with everything that its checks need.
 pub(super) struct BodyChecks<'a> {
@@ -26,27 +28,25 @@ impl BodyChecks<'_> {
         if !self.reference.has_surface() {
             return Vec::new();
         }
-        let range = window(self.samples, self.reference, self.part);
-        let steady = steady(self.samples, self.reference, range.clone());
-        let inside = self.samples.get(range).unwrap_or_default();
-        let is_towed = is_tow(self.samples, self.reference);
+        let window = SteadyWindow::of(self.samples, self.reference, self.part);
+        let (inside, is_towed, steady) = (window.inside(), window.is_towed(), &window.steady);
         let mut checks = vec![self.check(&limits::LEAK, self.leak(inside))];
         checks.extend(contact::of_body(self.setting, self.body, self.samples, inside));
-        checks.extend(self.resolution(&steady));
+        checks.extend(self.resolution(&window));
         // Said where it keeps others from being made.
         checks.extend(
             (inside.len() < Output::FEWEST_SAMPLES)
                 .then(|| self.check(&limits::SAMPLES, inside.len() as f64)),
         );
         if is_towed {
-            checks.extend(self.trends(inside, &steady));
+            checks.extend(self.trends(inside, steady));
             checks.extend(steady.drag_noise.map(|noise| self.check(&limits::NOISE, 100.0 * noise)));
-            checks.extend(self.inertia(inside, &steady));
-            checks.extend(self.free_wheel(inside, &steady));
+            checks.extend(self.inertia(inside, steady));
+            checks.extend(self.free_wheel(inside, steady));
         }
-        checks.extend(self.forces(inside, &steady, is_towed));
+        checks.extend(self.forces(inside, steady, is_towed));
         checks.extend(self.drainage(inside));
-        checks.extend(self.heave(&steady));
+        checks.extend(self.heave(steady));
         checks
     }
 
@@ -74,12 +74,12 @@ impl BodyChecks<'_> {
     }
 
     /// Cells over sinkage, contact chord and width, where the force depends on them.
-    fn resolution(&self, steady: &Steady) -> Vec<Check> {
-        let mesh = Mesh::of(self.body, self.reference, self.samples, steady);
+    fn resolution(&self, window: &SteadyWindow<'_>) -> Vec<Check> {
+        let mesh = Mesh::of(self.body, window);
         let mut checks = Vec::new();
         checks.extend(mesh.cells_over_sinkage.map(|n| self.check(&limits::SINKAGE_CELLS, n)));
         checks.extend(mesh.cells_over_chord.map(|n| self.check(&limits::CHORD_CELLS, n)));
-        if is_tow(self.samples, self.reference) && self.shows_vertical(steady) {
+        if window.is_towed() && self.shows_vertical(&window.steady) {
             checks.extend(mesh.cells_over_sinkage.map(|n| self.check(&limits::VERTICAL_CELLS, n)));
         }
         let width = self.body.thickness.or(self.body.extent[1]);
@@ -175,8 +175,9 @@ pub(super) fn base(body: &BodySetting, sinkage: f64) -> f64 {
     body.diameter.map_or(length, chord) * width
 }
 
-/// How well the grid resolves a body's contact with the ground.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// How well the grid resolves a body's contact with the ground; `null` in JSON where it does not matter.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Mesh {
     /// Sinkage in the steady window over the cell height; `None` where the force does not depend on it.
     pub cells_over_sinkage: Option<f64>,
@@ -188,12 +189,12 @@ impl Mesh {
     /// The sinkage matters for a towed body and for a round one, not for a flat base that is pressed down; the chord for all
     /// but a towed body with a flat front. Neither is defined for a body that is above the ground all the time.
     #[must_use]
-    pub fn of(body: &BodySetting, reference: &Reference, samples: &[BodySample], steady: &Steady) -> Self {
-        if samples.iter().all(|s| s.sinkage <= 0.0 && s.embedded_volume <= 0.0) {
+    pub fn of(body: &BodySetting, window: &SteadyWindow<'_>) -> Self {
+        if window.samples.iter().all(|s| s.sinkage <= 0.0 && s.embedded_volume <= 0.0) {
             return Self::default();
         }
-        let depth = steady.sinkage.map(|z| z.max(0.0));
-        let is_towed = is_tow(samples, reference);
+        let depth = window.steady.sinkage.map(|z| z.max(0.0));
+        let is_towed = window.is_towed();
         let matters = is_towed || body.diameter.is_some();
         let chord = match (body.diameter, depth) {
             (Some(d), Some(z)) if z < 0.5 * d => Some(2.0 * (z * (d - z)).sqrt()),

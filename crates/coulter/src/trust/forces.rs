@@ -6,7 +6,8 @@ use super::contact::{radius, way};
 use super::limits::{self, Limit};
 use super::steadiness::Trend;
 use crate::history::BodySample;
-use crate::history::steady::{LEAST_SCALE, NOISE_WIDTH, Steady, moving_average};
+use crate::history::quantities::{LEAST_SCALE, Steady};
+use crate::history::steady::{NOISE_WIDTH, moving_average};
 
 /// Part of the whole force with which a vertical or lateral one is compared where it is less: a component below a third of it is not
 /// what a run is made for (chosen).

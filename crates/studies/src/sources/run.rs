@@ -4,7 +4,7 @@ use crate::measured::{Quantity, Record};
 use coulter::history::BodySample;
 use coulter::history::blocks::{STUDENT_90, block_averages, standard_error};
 use coulter::history::reference::Reference;
-use coulter::history::steady::window;
+use coulter::history::steady::SteadyWindow;
 use coulter::output::folder::{Contents, Outcome, RunRecord, inspect};
 use coulter::output::tables::read_history;
 use std::ops::Range;
@@ -47,7 +47,7 @@ pub fn read_run(folder: &Path, body: Option<&str>) -> Result<RunSource, String> 
     let (Some(samples), Some(reference)) = (history.bodies.get(number), run.bodies.get(number)) else {
         return Err(format!("{shown}: the run has no body"));
     };
-    let steady = window(samples, reference, run.steady_part());
+    let steady = SteadyWindow::of(samples, reference, run.steady_part()).range;
     Ok(RunSource { record: record(&folder.display().to_string(), samples, reference), steady, run })
 }
 

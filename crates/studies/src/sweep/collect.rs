@@ -4,7 +4,7 @@ use super::id::CaseId;
 use super::line::CaseLine;
 use super::outcome::{Ending, Outcome};
 use super::store::Store;
-use crate::responses::{Figures, RESPONSES};
+use crate::responses::{Figures, responses};
 use crate::study::{ModelKind, Study};
 use crate::table::{Column, Role, Table, Values};
 use std::collections::BTreeMap;
@@ -218,18 +218,17 @@ fn table(study: &Study, rows: &[Row]) -> Table {
             values,
         });
     }
-    for response in &RESPONSES {
+    for response in responses() {
         // A factor may have the name of a dimensionless group, and is then that group.
         if study.factors.iter().any(|factor| factor.name == response.name) {
             continue;
         }
-        let values: Vec<Option<f64>> =
-            rows.iter().map(|row| (response.of)(&row.figures).filter(|value| value.is_finite())).collect();
+        let values: Vec<Option<f64>> = rows.iter().map(|row| row.figures.get(response.name)).collect();
         if values.iter().any(Option::is_some) {
             columns.push(Column {
                 name: response.name.to_owned(),
                 unit: response.unit.to_owned(),
-                label: response.label.to_owned(),
+                label: response.label,
                 role: Role::Response,
                 values: Values::Numbers(values),
             });

@@ -5,13 +5,14 @@ use super::id::CaseId;
 use super::line::CaseLine;
 use super::outcome::{Ending, Outcome};
 use super::store::{Store, StudyError};
-use crate::responses::Figures;
+use crate::responses::{self, Figures};
 use crate::study::ModelKind;
 use coulter::case::{self, Case, CaseError};
 use coulter::forecast::{self, Outlook};
 use coulter::history::BodySample;
+use coulter::history::quantities::{Quantity, Steady};
 use coulter::history::reference::{Groups, Reference};
-use coulter::history::steady::{Steady, SteadyPart, steady, window};
+use coulter::history::steady::{SteadyPart, SteadyWindow};
 use coulter::interrupts::Interrupts;
 use coulter::output::folder::RunRecord;
 use coulter::output::tables::read_history;
@@ -117,31 +118,23 @@ fn rolling_radius(case: &Case) -> Option<f64> {
 fn closed_forms(outlook: &Outlook, radius: Option<f64>) -> Vec<Figures> {
     let recommended = outlook.best().map(|model| model.name);
     let groups = &outlook.forecast.groups;
-    let (scale, length) = (outlook.force_scale().unwrap_or(f64::NAN), outlook.length_scale());
-    let over = |value: f64, reference: f64| Some(value / reference).filter(|ratio| ratio.is_finite());
     let applicable = outlook.forecast.models.iter().filter(|model| model.applicable);
-    let rows = applicable.filter_map(|model| {
-        let found = model.prediction?;
-        let figures = Figures {
+    let rows = applicable.filter(|model| model.prediction.is_some()).map(|model| {
+        let mut figures = Figures {
             model: model.name.to_owned(),
             body: outlook.input.kind.to_owned(),
             recommended: Some(model.name) == recommended,
-            drag: Some(found.drag),
-            vertical: Some(found.vertical),
-            lateral: found.lateral,
-            sinkage: found.sinkage,
-            slip: found.slip,
-            axle_torque: outlook.moment(model).map(|[_, y, _]| y),
-            drag_group: over(found.drag, scale),
-            vertical_group: over(found.vertical, scale),
-            sinkage_group: found.sinkage.and_then(|z| over(z, length)),
-            t_bar: Some(groups.thickness),
-            weight_group: groups.weight,
-            stiffness_group: groups.stiffness,
-            cohesion_group: groups.cohesion,
             ..Figures::default()
         };
-        Some(figures.with_traction(radius))
+        for name in responses::names() {
+            figures.say(name, outlook.predicted(model, name));
+        }
+        figures.say("t_bar", Some(groups.thickness));
+        figures.say("W_bar", groups.weight);
+        figures.say("E_bar", groups.stiffness);
+        figures.say("c_bar", groups.cohesion);
+        figures.say_traction(radius);
+        figures
     });
     rows.collect()
 }
@@ -198,11 +191,11 @@ const AT_END: f64 = 0.02;
 
 /// The means at the end of a run of a body that is pressed down until then, where a closed form is evaluated; `None` for any other.
 fn at_end(reference: &Reference, run: &RunRecord, samples: &[BodySample]) -> Option<Steady> {
-    let end = window(samples, reference, SteadyPart { fraction: AT_END, ..run.steady_part() });
-    let whole = samples.get(window(samples, reference, run.steady_part()))?;
+    let whole = SteadyWindow::of(samples, reference, run.steady_part()).inside();
     let [first, last] = [whole.first()?.sinkage, whole.last()?.sinkage];
     let sinks = !reference.towed && last - first > AT_END * last.abs();
-    sinks.then(|| steady(samples, reference, end))
+    let end = SteadyPart { fraction: AT_END, ..run.steady_part() };
+    sinks.then(|| SteadyWindow::of(samples, reference, end).steady)
 }
 
 /// The rows of a run: one for every body with a surface.
@@ -216,43 +209,39 @@ fn runs(case: &Case, summary: &Summary, (folder, run): (&Path, &RunRecord)) -> V
         body.steady = end.unwrap_or(body.steady);
         let groups =
             case.bodies.iter().find(|own| own.name == reference.name).map(|own| Groups::of(case, own));
-        Some(Figures {
-            recommended: n == 0,
-            grade: Some(summary.trust.verdict.name().to_owned()),
-            weight_group: groups.and_then(|groups| groups.w_bar),
-            stiffness_group: groups.and_then(|groups| groups.e_bar),
-            cohesion_group: groups.and_then(|groups| groups.c_bar),
-            ..of_body(reference, &body)
-        })
+        let mut figures = of_body(reference, &body);
+        figures.recommended = n == 0;
+        figures.grade = Some(summary.trust.verdict.name().to_owned());
+        figures.say("W_bar", groups.and_then(|groups| groups.w_bar));
+        figures.say("E_bar", groups.and_then(|groups| groups.e_bar));
+        figures.say("c_bar", groups.and_then(|groups| groups.c_bar));
+        Some(figures)
     });
     rows.collect()
 }
 
 fn of_body(reference: &Reference, BodySummary { steady, peak, .. }: &BodySummary) -> Figures {
-    let figures = Figures {
-        drag: steady.drag,
-        vertical: steady.vertical,
-        slip: steady.slip,
-        axle_torque: steady.axle_torque,
-        pull: steady.traction.drawbar_pull,
-        ..Figures::default()
-    };
-    let force = |force: Option<f64>| force.and_then(|force| reference.force_group(force));
-    Figures {
-        model: "solver".to_owned(),
-        body: reference.name.clone(),
-        efficiency: steady.traction.tractive_efficiency,
-        lateral: steady.lateral,
-        sinkage: steady.sinkage,
-        peak_drag: peak.drag,
-        peak_vertical: peak.vertical,
-        drag_noise: steady.drag_noise,
-        drag_group: force(steady.drag),
-        vertical_group: force(steady.vertical),
-        sinkage_group: steady.sinkage.and_then(|z| reference.length_group(z)),
-        t_bar: reference.length_group(reference.width),
-        ..figures.with_traction(reference.radius)
+    let mut figures =
+        Figures { model: "solver".to_owned(), body: reference.name.clone(), ..Figures::default() };
+    for quantity in Quantity::all() {
+        figures.say(quantity.figure.name, quantity.mean(steady));
     }
+    figures.say("slip", steady.slip);
+    figures.say("pull", steady.traction.drawbar_pull);
+    figures.say_traction(None);
+    let group = |name: &str| {
+        let quantity = Quantity::named(name)?;
+        reference.group(quantity.column.unit, quantity.mean(steady)?)
+    };
+    figures.say("efficiency", steady.traction.tractive_efficiency);
+    figures.say("peak_drag", peak.drag);
+    figures.say("peak_vertical", peak.vertical);
+    figures.say("drag_noise", steady.drag_noise);
+    figures.say("F_H_bar", group("drag"));
+    figures.say("F_V_bar", group("vertical"));
+    figures.say("Z", group("sinkage"));
+    figures.say("t_bar", reference.length_group(reference.width));
+    figures
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ use crate::formats;
 use crate::history::History;
 use crate::history::probes::places;
 use crate::history::reference::Reference;
-use crate::history::steady::SteadyPart;
+use crate::history::steady::{SteadyPart, SteadyWindow};
 use crate::output::files::{Inside, OutputError, read_json, write_json};
 use crate::output::plots::Overlay;
 use crate::output::tables::HistoryNames;
@@ -244,6 +244,12 @@ impl RunRecord {
             Outcome::Running | Outcome::Finished | Outcome::Interrupted => None,
         };
         Trust::grade(&self.setting, history, &self.bodies, self.steady_part(), failure)
+    }
+
+    /// The steady windows of the bodies, in their order.
+    pub fn steady_windows<'a>(&'a self, history: &'a History) -> impl Iterator<Item = SteadyWindow<'a>> {
+        let bodies = history.bodies.iter().zip(&self.bodies);
+        bodies.map(|(samples, reference)| SteadyWindow::of(samples, reference, self.steady_part()))
     }
 
     /// Which part of the run averages are taken over.

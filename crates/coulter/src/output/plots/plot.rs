@@ -4,8 +4,9 @@ use super::chart::Chart;
 use super::curve::{Curve, Level, Stroke};
 use super::overlay::{Overlay, PlotKind};
 use crate::history::BodySample;
+use crate::history::quantities::{NO_DRAG, Steady};
 use crate::history::reference::Reference;
-use crate::history::steady::{NO_DRAG, Steady, is_tow, moving_average};
+use crate::history::steady::{is_tow, moving_average};
 use crate::output::units::{Unit, digits, largest};
 
 /// Width of the moving average of the force curves, over the reference length d (chosen: suppresses fluctuations with the
@@ -258,7 +259,7 @@ impl BodyHistory<'_> {
         // At the start of the tow the ratio of two small numbers is meaningless: it is shown only while the body moves.
         let moving = 0.05 * largest(self.samples.iter().map(|s| s.speed));
         let ratio = |s: &BodySample| {
-            let ratio = self.reference.turn_ratio_of(s).filter(|_| s.speed.abs() > moving);
+            let ratio = s.turn_ratio(self.reference).filter(|_| s.speed.abs() > moving);
             ratio.map_or(f64::NAN, |r| r.clamp(-3.0, 3.0))
         };
         let points = self.series(&base.values, 1.0, ratio);

@@ -1,20 +1,19 @@
 //! The tables about several bodies and the joints between them.
 
 use super::rows::{NONE, value};
-use super::summary::{AllBodies, ForceSummary, Summary};
+use super::summary::{ForceSummary, Summary};
 use crate::output::folder::{JointRecord, PartRecord, RunRecord};
 use crate::output::units::Unit;
 use serde::Serialize;
 
 /// The bodies together: names and values of the forces.
 pub(super) fn all_bodies(summary: &Summary) -> Vec<[String; 2]> {
-    let Some(AllBodies { drag, vertical, lateral }) = summary.all_bodies else { return Vec::new() };
-    let line = |name: &str, force| [name.to_owned(), value(force, Unit::force)];
-    let mut lines = vec![line("Drag", drag), line("Vertical force", vertical)];
-    if lateral.is_some_and(|force| force != 0.0) {
-        lines.push(line("Lateral force", lateral));
-    }
-    lines
+    let Some(forces) = &summary.all_bodies else { return Vec::new() };
+    // Half models have no lateral force.
+    let shown = forces.iter().filter(|(force, sum)| {
+        matches!(force.figure.name, "drag" | "vertical") || sum.is_some_and(|sum| sum != 0.0)
+    });
+    shown.map(|(force, sum)| [force.title(), value(*sum, Unit::force)]).collect()
 }
 
 /// A part or a joint of the table.

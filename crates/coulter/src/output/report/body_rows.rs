@@ -1,11 +1,11 @@
 //! The table of a body: steady means with their intervals, what moving it costs, its rim, its rut, the largest values.
 
-use super::rows::{NONE, TableRow, bare, value};
+use super::rows::{NONE, TableRow, bare, symbol, value};
 use super::summary::{BodySummary, RimSummary};
 use crate::history::RutSection;
+use crate::history::quantities::{NO_DRAG, Quantity, Steady, Traction};
 use crate::history::reference::Reference;
 use crate::history::rim::{RimPlace, SlipReversal};
-use crate::history::steady::{NO_DRAG, Steady, Traction};
 use crate::output::units::{Unit, digits};
 
 /// Collects the rows of one body: a quantity with its unit, and its dimensionless group.
@@ -15,8 +15,8 @@ struct BodyRows<'a> {
 }
 
 impl BodyRows<'_> {
-    fn push(&mut self, name: &str, symbol: &'static str, [value, group]: [String; 2], note: &str) {
-        let interval = String::new();
+    fn push(&mut self, name: &str, symbol: &str, [value, group]: [String; 2], note: &str) {
+        let (symbol, interval) = (symbol.to_owned(), String::new());
         self.rows.push(TableRow { name: name.into(), symbol, value, interval, group, note: note.into() });
     }
 
@@ -31,8 +31,8 @@ impl BodyRows<'_> {
 
     /// What the rim bears, and where its slip changes sign: by angle of a body that can roll, otherwise by arc.
     fn push_rim(&mut self, rim: &RimSummary) {
-        self.push("Drag on the rim", "", self.force(rim.drag), "steady mean; the rest is on the flanks");
-        self.push("Vertical force on the rim", "", self.force(rim.vertical), "steady mean");
+        self.push("Drag on the rim", "", self.shown("N", rim.drag), "steady mean; the rest is on the flanks");
+        self.push("Vertical force on the rim", "", self.shown("N", rim.vertical), "steady mean");
         // A body without friction has none.
         if let Some(mobilised) = rim.mobilised_friction {
             let value = [NONE.into(), bare(Some(mobilised))];
@@ -54,17 +54,18 @@ impl BodyRows<'_> {
         }
     }
 
-    fn force(&self, force: Option<f64>) -> [String; 2] {
-        [value(force, Unit::force), bare(force.and_then(|f| self.reference.force_group(f)))]
+    /// The steady mean of a quantity, with its interval.
+    fn mean(&mut self, quantity: Quantity, steady: &Steady) {
+        let (unit, figure) = (quantity.column.unit, quantity.figure);
+        self.push(&quantity.title(), &symbol(quantity), self.shown(unit, quantity.mean(steady)), figure.note);
+        self.bound(quantity.mesh_interval(steady), |size| Unit::of(unit, size));
     }
 
-    fn torque(&self, torque: Option<f64>) -> [String; 2] {
-        let force = torque.map(|m| m / self.reference.length);
-        [value(torque, Unit::torque), bare(force.and_then(|f| self.reference.force_group(f)))]
-    }
-
-    fn length(&self, length: Option<f64>) -> [String; 2] {
-        [value(length, Unit::length), bare(length.and_then(|z| self.reference.length_group(z)))]
+    /// A value of this unit and its dimensionless group.
+    fn shown(&self, unit: &'static str, number: Option<f64>) -> [String; 2] {
+        let group = number.and_then(|number| self.reference.group(unit, number));
+        let number = number.filter(|_| unit != "-");
+        [value(number, |size| Unit::of(unit, size)), bare(group)]
     }
 }
 
@@ -82,10 +83,10 @@ pub(super) fn body_rows(
     let steady = &body.steady;
     let new = || BodyRows { reference, rows: Vec::new() };
     let (mut key, mut further) = (new(), new());
-    force_rows(&mut key, steady);
-    key.push("Sinkage", "z", key.length(steady.sinkage), "steady mean");
-    key.bound(steady.sinkage_interval, Unit::length);
-    roll_rows([&mut key, &mut further], steady);
+    let (forces, others): (Vec<_>, Vec<_>) = Quantity::all().into_iter().partition(|q| q.column.unit == "N");
+    mean_rows([&mut key, &mut further], forces, steady);
+    water_rows(&mut key, steady);
+    mean_rows([&mut key, &mut further], others, steady);
     if reference.towed {
         traction_rows([&mut key, &mut further], &steady.traction);
     }
@@ -104,69 +105,71 @@ pub(super) fn body_rows(
     })
 }
 
-/// The forces of the soil, and of the water.
-fn force_rows(table: &mut BodyRows<'_>, steady: &Steady) {
-    let bears = steady.vertical.map_or(0.0, f64::abs);
-    // A body that is pressed straight down has no drag but noise.
-    if table.reference.towed || steady.drag.is_some_and(|drag| drag.abs() > NO_DRAG * bears) {
-        table.push("Drag", "F<sub>H</sub>", table.force(steady.drag), "steady mean");
-        table.bound(steady.drag_interval, Unit::force);
-    }
-    table.push("Vertical force", "F<sub>V</sub>", table.force(steady.vertical), "steady mean, up positive");
-    table.bound(steady.vertical_interval, Unit::force);
-    // Half models and bodies without a yaw have none.
-    if steady.lateral.is_some_and(|force| force != 0.0) {
-        table.push("Lateral force", "", table.force(steady.lateral), "steady mean, to the left positive");
-    }
-    if steady.water_drag.is_some() {
-        let note = "steady mean; not part of the drag, which is that of the soil";
-        table.push("Drag of the water", "", table.force(steady.water_drag), note);
-    }
-    if let Some([drag, vertical]) = steady.pore_pressure {
-        let note = "steady mean; the portion of the drag that excess pore pressure exerts on the body";
-        table.push("Pore pressure drag", "", table.force(Some(drag)), note);
-        let note = "the same of the vertical force; negative where suction holds the body down";
-        table.push("Pore pressure vertical", "", table.force(Some(vertical)), note);
+/// Steady means, and after the turn ratio the slip.
+fn mean_rows([key, further]: [&mut BodyRows<'_>; 2], quantities: Vec<Quantity>, steady: &Steady) {
+    for quantity in quantities {
+        let Some(matters) = matters(quantity, key.reference, steady) else { continue };
+        if matters { &mut *key } else { &mut *further }.mean(quantity, steady);
+        if quantity.figure.name == "turn_ratio" {
+            key.push("Slip", "s", key.shown("-", steady.slip), "−1 locked, 0 rolls, above 0 driven");
+        }
     }
 }
 
-/// How a body rolls that can.
-fn roll_rows([key, further]: [&mut BodyRows<'_>; 2], steady: &Steady) {
-    let Some(radius) = key.reference.radius else { return };
-    if key.reference.turns {
-        key.push("Turn ratio", "ω r / v", [NONE.into(), bare(steady.turn_ratio)], "1 rolls, 0 slides");
-        key.bound(steady.turn_ratio_interval, |_| Unit { name: "", size: 1.0 });
-        key.push("Slip", "s", [NONE.into(), bare(steady.slip)], "−1 locked, 0 rolls, above 0 driven");
+/// Whether the mean of a quantity of this body is one of those that matter; `None` where it says nothing.
+fn matters(quantity: Quantity, reference: &Reference, steady: &Steady) -> Option<bool> {
+    let bears = steady.vertical.map_or(0.0, f64::abs);
+    match quantity.figure.name {
+        "vertical" | "sinkage" => Some(true),
+        // A body that is pressed straight down has no drag but noise.
+        "drag" => (reference.towed || steady.drag?.abs() > NO_DRAG * bears).then_some(true),
+        // Half models and bodies without a yaw have none.
+        "lateral" => (steady.lateral? != 0.0).then_some(true),
+        "turn_ratio" => (reference.radius.is_some() && reference.turns).then_some(true),
+        "axle_torque" => {
+            let of_drag = steady.drag.map_or(0.0, f64::abs) * NO_TORQUE * reference.radius?;
+            let moves = reference.towed || reference.turns;
+            Some(moves && steady.axle_torque.is_some_and(|torque| torque.abs() > of_drag))
+        }
+        _ => Some(false),
     }
-    let of_drag = steady.drag.map_or(0.0, |drag| NO_TORQUE * drag.abs() * radius);
-    let matters = steady.axle_torque.is_some_and(|torque| torque.abs() > of_drag);
-    let moves = key.reference.towed || key.reference.turns;
-    let table = if matters && moves { key } else { further };
-    let note = "steady mean; forward positive; group M / (γ t d³)";
-    table.push("Axle torque", "M", table.torque(steady.axle_torque), note);
+}
+
+/// The forces of water.
+fn water_rows(table: &mut BodyRows<'_>, steady: &Steady) {
+    if steady.water_drag.is_some() {
+        let note = "steady mean; not part of the drag, which is that of the soil";
+        table.push("Drag of the water", "", table.shown("N", steady.water_drag), note);
+    }
+    if let Some([drag, vertical]) = steady.pore_pressure {
+        let note = "steady mean; the portion of the drag that excess pore pressure exerts on the body";
+        table.push("Pore pressure drag", "", table.shown("N", Some(drag)), note);
+        let note = "the same of the vertical force; negative where suction holds the body down";
+        table.push("Pore pressure vertical", "", table.shown("N", Some(vertical)), note);
+    }
 }
 
 /// The largest values of a run.
 fn peak_rows(table: &mut BodyRows<'_>, BodySummary { steady, peak, .. }: &BodySummary) {
     if table.reference.towed {
         let at = peak.at_m.map_or(String::new(), |u| format!("at u = {} m", digits(u)));
-        table.push("Peak drag", "", table.force(peak.drag), &at);
+        table.push("Peak drag", "", table.shown("N", peak.drag), &at);
     }
-    table.push("Peak vertical force", "", table.force(peak.vertical), "");
+    table.push("Peak vertical force", "", table.shown("N", peak.vertical), "");
     // A body that is held has one depth.
     if !steady.sinkage.zip(peak.sinkage).is_some_and(|(mean, most)| mean.abs() >= SAME_DEPTH * most.abs()) {
-        table.push("Deepest sinkage", "", table.length(peak.sinkage), "");
+        table.push("Deepest sinkage", "", table.shown("m", peak.sinkage), "");
     }
 }
 
 /// What it costs to move a body that is towed, and what a driven one pulls.
 fn traction_rows([key, further]: [&mut BodyRows<'_>; 2], traction: &Traction) {
-    let pull = key.force(traction.drawbar_pull);
+    let pull = key.shown("N", traction.drawbar_pull);
     if let Some(weight) = key.reference.weight_along {
         key.push(
             "Weight along the slope",
             "",
-            key.force(Some(weight)),
+            key.shown("N", Some(weight)),
             "against the tow positive; less buoyancy",
         );
         let note = "−F<sub>H</sub> less the weight along the slope, steady mean; below 0 it has to be held";

@@ -1,7 +1,8 @@
 //! Intervals as people read them: on the terminal and in the report.
 
 use super::summary::Summary;
-use crate::confidence::{BodyConfidence, ConfidenceInterval, Contribution, Status, VariationResult, name_of};
+use crate::confidence::{BodyConfidence, ConfidenceInterval, Contribution, Status, VariationResult};
+use crate::history::quantities::Quantity;
 use crate::output::units::{Unit, digits};
 use serde::Serialize;
 
@@ -88,19 +89,10 @@ fn variation_row(result: &VariationResult) -> VariationRow {
     }
 }
 
-fn unit_of(key: &str, size: f64) -> Unit {
-    if key.ends_with("_N") {
-        Unit::force(size)
-    } else if key.ends_with("_m") {
-        Unit::length(size)
-    } else {
-        Unit { name: "", size: 1.0 }
-    }
-}
-
 fn figure_row(key: &str, figure: &ConfidenceInterval) -> FigureRow {
     let [low, high] = figure.interval;
-    let unit = unit_of(key, low.abs().max(high.abs()));
+    let quantity = Quantity::keyed(key);
+    let unit = Unit::of(quantity.map_or("-", |q| q.column.unit), low.abs().max(high.abs()));
     let number = |v: f64| format!("{} {}", digits(v / unit.size), unit.name).trim_end().to_owned();
     let squares: f64 = figure.contributions.iter().map(|c| c.size().powi(2)).sum();
     let part = |c: &Contribution| PartOfBar {
@@ -109,7 +101,7 @@ fn figure_row(key: &str, figure: &ConfidenceInterval) -> FigureRow {
         text: part_text(c, &number),
     };
     FigureRow {
-        name: name_of(key).to_owned(),
+        name: quantity.map_or(key, |q| q.figure.words).to_owned(),
         value: number(figure.value),
         interval: format!("{} … {}", digits(low / unit.size), number(high)),
         half_width: figure.relative_half_width.map_or_else(

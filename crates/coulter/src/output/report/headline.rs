@@ -7,8 +7,9 @@ use super::rows::NONE;
 use super::summary::{BodySummary, Summary};
 use crate::confidence::BodyConfidence;
 use crate::history::blocks::{STUDENT_90, block_averages, standard_error};
+use crate::history::quantities::{NO_DRAG, Quantity};
 use crate::history::reference::Reference;
-use crate::history::steady::{NO_DRAG, Steady, window};
+use crate::history::steady::SteadyWindow;
 use crate::history::{BodySample, History};
 use crate::output::folder::RunRecord;
 use crate::output::units::{Unit, digits};
@@ -51,55 +52,31 @@ struct View<'a> {
 }
 
 impl View<'_> {
-    fn figure(
-        &self,
-        (key, value): (&str, Option<f64>),
-        of_meshes: Option<[f64; 2]>,
-        of: impl Fn(&BodySample) -> f64,
-    ) -> Option<Figure> {
-        let of_variations =
-            self.confidence.and_then(|body| body.figures.get(key)).map(|figure| figure.interval);
-        let interval = of_variations.or(of_meshes);
-        let values: Vec<f64> = self.samples.iter().map(of).collect();
+    /// A quantity by its name.
+    fn figure(&self, name: &str) -> Option<Figure> {
+        let quantity = Quantity::named(name)?;
+        let steady = &self.summary.steady;
+        let of_variations = self.confidence.and_then(|body| body.figures.get(&quantity.key()));
+        let interval = of_variations.map(|figure| figure.interval).or_else(|| quantity.mesh_interval(steady));
         // Of a body that is pressed down, force and sinkage are meant to change.
-        let values = if self.reference.towed { values } else { Vec::new() };
+        let samples = if self.reference.towed { self.samples } else { &[] };
+        let values: Vec<f64> = samples.iter().map(|s| quantity.column.value(s, self.reference)).collect();
         let scatter = block_averages(&values).map(|blocks| STUDENT_90 * standard_error(&blocks));
-        Some(Figure { value: value?, interval, scatter: scatter.filter(|s| s.is_finite()) })
-    }
-
-    fn drag(&self) -> Option<Figure> {
-        let steady = &self.summary.steady;
-        self.figure(("drag_N", steady.drag), steady.drag_interval, |s| s.drag)
-    }
-
-    fn vertical(&self) -> Option<Figure> {
-        let steady = &self.summary.steady;
-        self.figure(("vertical_N", steady.vertical), steady.vertical_interval, |s| s.vertical)
-    }
-
-    fn sinkage(&self) -> Option<Figure> {
-        let steady = &self.summary.steady;
-        self.figure(("sinkage_m", steady.sinkage), steady.sinkage_interval, |s| s.sinkage)
-    }
-
-    fn turn_ratio(&self) -> Option<Figure> {
-        let Steady { turn_ratio, turn_ratio_interval, .. } = self.summary.steady;
-        self.figure(("turn_ratio", turn_ratio), turn_ratio_interval, |s| {
-            self.reference.turn_ratio_of(s).unwrap_or(f64::NAN)
-        })
+        let scatter = scatter.filter(|scatter| scatter.is_finite());
+        Some(Figure { value: quantity.mean(steady)?, interval, scatter })
     }
 
     /// What happened to the body.
     fn sentence(&self) -> Option<String> {
         let name = self.reference.name.replace('_', " ");
-        let sinkage = self.sinkage().map(|figure| text(&figure, Unit::length));
+        let sinkage = self.figure("sinkage").map(|figure| text(&figure, Unit::length));
         if !self.reference.towed {
-            let force = text(&self.vertical()?, Unit::force);
+            let force = text(&self.figure("vertical")?, Unit::force);
             let deepest = self.summary.peak.sinkage.map(|z| text(&Figure::exact(z), Unit::length));
             let depth = deepest.map_or(String::new(), |z| format!("; it is at most {z} deep"));
             return Some(format!("The soil bears the {name} with {force} at the end{depth}."));
         }
-        let drag = self.drag()?;
+        let drag = self.figure("drag")?;
         let force = if drag.value < 0.0 {
             format!("pulls with {}", text(&drag.negative(), Unit::force))
         } else {
@@ -112,7 +89,9 @@ impl View<'_> {
 
     /// How the body rolls, as the end of a sentence.
     fn rolling(&self) -> String {
-        let Some(ratio) = self.turn_ratio().filter(|_| self.reference.turns) else { return String::new() };
+        let Some(ratio) = self.figure("turn_ratio").filter(|_| self.reference.turns) else {
+            return String::new();
+        };
         if ratio.value > DRIVEN {
             let slip = self
                 .summary
@@ -121,7 +100,7 @@ impl View<'_> {
                 .map_or(String::new(), |slip| format!(" with a slip of {}", digits(slip)));
             return format!(", and is driven{slip}");
         }
-        format!(", and turns at {} of the rate of free rolling", text(&ratio, plain))
+        format!(", and turns at {} of the rate of free rolling", text(&ratio, |size| Unit::of("-", size)))
     }
 
     fn tiles(&self) -> Vec<Tile> {
@@ -129,14 +108,14 @@ impl View<'_> {
             figure.map(|figure| Tile { name, value: value(&figure, unit), spread: spread(&figure, unit) })
         };
         let bears = self.summary.steady.vertical.map_or(0.0, f64::abs);
-        let drag = self.drag().filter(|drag| self.reference.towed || drag.value.abs() > NO_DRAG * bears);
+        let drag =
+            self.figure("drag").filter(|drag| self.reference.towed || drag.value.abs() > NO_DRAG * bears);
         let pull = drag.filter(|figure| figure.value < 0.0).map(|figure| figure.negative());
         let towed = self.reference.towed;
         let power = self.summary.steady.traction;
         let towing = power.tow_power.map_or(0.0, f64::abs);
-        let watts = |name, power: Option<f64>| {
-            tile(name, power.map(Figure::exact), |_| Unit { name: "W", size: 1.0 })
-        };
+        let watts =
+            |name, power: Option<f64>| tile(name, power.map(Figure::exact), |size| Unit::of("W", size));
         [
             if pull.is_some() {
                 let is_level = self.reference.weight_along.is_none();
@@ -144,9 +123,11 @@ impl View<'_> {
             } else {
                 tile("Drag", drag, Unit::force)
             },
-            tile("Vertical force", self.vertical(), Unit::force),
-            tile("Sinkage", self.sinkage(), Unit::length),
-            tile("Turn ratio", self.turn_ratio().filter(|_| self.reference.turns), plain),
+            tile("Vertical force", self.figure("vertical"), Unit::force),
+            tile("Sinkage", self.figure("sinkage"), Unit::length),
+            tile("Turn ratio", self.figure("turn_ratio").filter(|_| self.reference.turns), |size| {
+                Unit::of("-", size)
+            }),
             watts("Tow power", power.tow_power.filter(|p| towed && *p > 0.0)),
             watts("Axle power", power.axle_power.filter(|p| *p > NOTICEABLE * towing)),
         ]
@@ -183,16 +164,11 @@ impl Figure {
     }
 }
 
-fn plain(_: f64) -> Unit {
-    Unit { name: "", size: 1.0 }
-}
-
 /// The steady window's samples of each body that touches the soil.
 fn views<'a>(record: &'a RunRecord, summary: &'a Summary, history: &'a History) -> Vec<View<'a>> {
-    let bodies = record.bodies.iter().zip(&history.bodies).filter(|(reference, _)| reference.has_surface());
-    let view = |(reference, samples): (&'a Reference, &'a Vec<BodySample>)| {
-        let range = window(samples, reference, record.steady_part());
-        let samples = samples.get(range).unwrap_or_default();
+    let bodies = record.steady_windows(history).filter(|window| window.reference.has_surface());
+    let view = |window: SteadyWindow<'a>| {
+        let (reference, samples) = (window.reference, window.inside());
         let confidence = summary.confidence.as_ref().and_then(|all| all.bodies.get(&reference.name));
         Some(View { reference, summary: summary.bodies.get(&reference.name)?, confidence, samples })
     };
@@ -221,7 +197,7 @@ fn happened(summary: &Summary, views: &[View<'_>]) -> Option<String> {
             let all = summary.all_bodies.as_ref()?;
             let force =
                 |force: Option<f64>| force.map_or(NONE.into(), |f| text(&Figure::exact(f), Unit::force));
-            let (drag, vertical) = (force(all.drag), force(all.vertical));
+            let (drag, vertical) = (force(all.get("drag")), force(all.get("vertical")));
             Some(format!(
                 "The {} bodies together resist the tow with {drag}; the soil bears them with {vertical}.",
                 views.len()
@@ -261,27 +237,20 @@ fn largest_interval(summary: &Summary) -> Option<(String, f64, &'static str)> {
     if let Some(confidence) = &summary.confidence {
         for (key, figure) in confidence.bodies.values().flat_map(|body| &body.figures) {
             let source = figure.dominated_by.map_or("", |source| source.word());
-            found.extend(
-                figure
-                    .relative_half_width
-                    .map(|width| (crate::confidence::name_of(key).to_owned(), width, source)),
-            );
+            let name = Quantity::keyed(key).map_or(key.as_str(), |quantity| quantity.figure.words);
+            found.extend(figure.relative_half_width.map(|width| (name.to_owned(), width, source)));
         }
     } else if let Some(study) = &summary.mesh_study {
         for body in study.bodies.values() {
-            let figures = &body.figures;
-            let named = [
-                ("drag", &figures.drag),
-                ("vertical force", &figures.vertical),
-                ("sinkage", &figures.sinkage),
-                ("turn ratio", &figures.turn_ratio),
-            ];
-            for (name, interval) in
-                named.into_iter().filter_map(|(name, figure)| Some((name, figure.as_ref()?)))
-            {
+            for (quantity, interval) in body.figures.iter() {
+                let Some(interval) = interval else { continue };
                 let by_mesh = interval.half_width.powi(2) > 2.0 * interval.statistical_half_width.powi(2);
                 let source = if by_mesh { "mesh" } else { "statistics" };
-                found.extend(interval.relative_half_width.map(|width| (name.to_owned(), width, source)));
+                found.extend(
+                    interval
+                        .relative_half_width
+                        .map(|width| (quantity.figure.words.to_owned(), width, source)),
+                );
             }
         }
     }
@@ -299,8 +268,11 @@ fn uncertain(summary: &Summary, views: &[View<'_>]) -> Option<String> {
         ));
     }
     let view = views.first()?;
-    let (name, figure) =
-        if view.reference.towed { ("drag", view.drag()?) } else { ("vertical force", view.vertical()?) };
+    let (name, figure) = if view.reference.towed {
+        ("drag", view.figure("drag")?)
+    } else {
+        ("vertical force", view.figure("vertical")?)
+    };
     let scatter = figure.scatter.map_or(String::new(), |half| {
         let unit = Unit::force(figure.value.abs());
         format!(
@@ -373,6 +345,7 @@ fn rounded(number: f64, half: Option<f64>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::history::quantities::Steady;
     use crate::trust::Trust;
 
     fn disc() -> (RunRecord, Summary, History) {

@@ -1,8 +1,9 @@
 //! A mesh study as people read it: on the terminal and in the report.
 
-use super::rows::{NONE, bare, grouped, value};
+use super::rows::{NONE, grouped, value};
 use super::summary::Summary;
-use crate::mesh_study::{BodyOnMesh, Figures, MeshInterval, MeshResult, MeshStudy};
+use crate::history::quantities::{Figures, Quantity};
+use crate::mesh_study::{BodyOnMesh, MeshInterval, MeshResult, MeshStudy, millimetres};
 use crate::output::plots::{MeshPlot, Plot};
 use crate::output::units::{Unit, digits};
 use serde::Serialize;
@@ -12,15 +13,15 @@ use serde::Serialize;
 pub(super) struct MeshRow {
     /// Cell size, number of cells, steps, wall time.
     pub(super) mesh: [String; 4],
-    /// Drag, vertical force, sinkage, turn ratio, noise of the drag.
-    pub(super) figures: [String; 5],
+    /// Means, and the noise of the drag.
+    pub(super) figures: Vec<String>,
     pub(super) verdict: &'static str,
 }
 
 /// A figure with its interval, and what that consists of.
 #[derive(Debug, Serialize)]
 pub(super) struct IntervalRow {
-    pub(super) name: &'static str,
+    pub(super) name: String,
     pub(super) value: String,
     pub(super) interval: String,
     /// Half-width, its part due to the mesh and its statistical part.
@@ -39,46 +40,23 @@ pub(super) struct BodyRows {
     pub(super) plots: Vec<Plot>,
 }
 
-/// A figure of a study: its name, its symbol and its unit.
-struct Kind {
-    name: &'static str,
-    symbol: &'static str,
-    unit: fn(f64) -> Unit,
-}
-
-const KINDS: Figures<Kind> = Figures {
-    drag: Kind { name: "Drag", symbol: "F_H", unit: Unit::force },
-    vertical: Kind { name: "Vertical force", symbol: "F_V", unit: Unit::force },
-    sinkage: Kind { name: "Sinkage", symbol: "z", unit: Unit::length },
-    turn_ratio: Kind { name: "Turn ratio", symbol: "ω r / v", unit: bare_unit },
-};
-
-fn bare_unit(_: f64) -> Unit {
-    Unit { name: "", size: 1.0 }
-}
-
-fn in_order<T>(figures: Figures<T>) -> [T; 4] {
-    [figures.drag, figures.vertical, figures.sinkage, figures.turn_ratio]
-}
-
 /// The bodies of a study, in the order of their names.
 pub(super) fn body_rows(study: &MeshStudy) -> Vec<BodyRows> {
     let of_body = |name: &String| {
         let on_meshes: Vec<(&MeshResult, BodyOnMesh)> =
-            study.meshes.iter().map(|m| (m, m.bodies.get(name).copied().unwrap_or_default())).collect();
+            study.meshes.iter().map(|m| (m, m.bodies.get(name).cloned().unwrap_or_default())).collect();
         let body = study.bodies.get(name).cloned().unwrap_or_default();
-        let finest = on_meshes.last().map_or_else(Figures::default, |(_, body)| body.means);
-        let rows = in_order(KINDS).into_iter().zip(in_order(finest)).zip(in_order(body.figures));
+        let finest = on_meshes.last().map_or_else(Figures::default, |(_, body)| body.means.clone());
         let (mut intervals, mut plots) = (Vec::new(), Vec::new());
-        for (n, ((kind, mean), figure)) in rows.enumerate() {
-            let Some((mean, figure)) = mean.zip(figure) else { continue };
+        for (quantity, figure) in body.figures.iter() {
+            let key = quantity.figure.name;
+            let Some((mean, figure)) = finest.get(key).zip(figure.as_ref()) else { continue };
             let values: Vec<[f64; 2]> = on_meshes
                 .iter()
-                .filter_map(|(mesh, body)| Some([mesh.width_m, in_order(body.means)[n]?]))
+                .filter_map(|(mesh, body)| Some([mesh.width_m, body.means.get(key)?]))
                 .collect();
-            let unit = (kind.unit)(values.iter().fold(0.0, |most, v| v[1].abs().max(most)));
-            plots.push(plot(name, &kind, (&values, unit), &figure));
-            intervals.push(interval_row(kind, mean, &figure));
+            plots.push(plot(name, quantity, &values, figure));
+            intervals.push(interval_row(quantity, mean, figure));
         }
         let meshes = on_meshes.iter().map(|(mesh, body)| mesh_row(mesh, body)).collect();
         BodyRows { name: name.clone(), problem: body.no_interval_because, meshes, intervals, plots }
@@ -86,16 +64,16 @@ pub(super) fn body_rows(study: &MeshStudy) -> Vec<BodyRows> {
     study.bodies.keys().map(of_body).collect()
 }
 
-fn plot(body: &str, kind: &Kind, (values, unit): (&[[f64; 2]], Unit), figure: &MeshInterval) -> Plot {
-    let name = kind.name.to_lowercase();
-    let label = if unit.name.is_empty() {
-        kind.symbol.to_owned()
-    } else {
-        format!("{} [{}]", kind.symbol, unit.name)
+fn plot(body: &str, quantity: Quantity, values: &[[f64; 2]], figure: &MeshInterval) -> Plot {
+    let largest = values.iter().fold(0.0, |most, v| v[1].abs().max(most));
+    let unit = Unit::of(quantity.column.unit, largest);
+    let label = match unit.name {
+        "" => quantity.figure.symbol.to_owned(),
+        name => format!("{} [{name}]", quantity.figure.symbol),
     };
     let plot = MeshPlot {
-        name: format!("{body}_meshes_{}", name.replace(' ', "_")),
-        title: format!("{} and cell width", kind.name),
+        name: format!("{body}_meshes_{}", quantity.figure.words.replace(' ', "_")),
+        title: format!("{} and cell width", quantity.title()),
         label,
         unit: unit.size,
         values,
@@ -106,27 +84,26 @@ fn plot(body: &str, kind: &Kind, (values, unit): (&[[f64; 2]], Unit), figure: &M
 }
 
 fn mesh_row(mesh: &MeshResult, body: &BodyOnMesh) -> MeshRow {
-    let Figures { drag, vertical, sinkage, turn_ratio } = body.means;
+    let means = body.means.iter().map(|(quantity, mean)| shown(quantity, *mean));
     MeshRow {
         mesh: [
-            cell_text(mesh.cell_m),
+            format!("{} mm", millimetres(mesh.cell_m)),
             grouped(mesh.cells),
             grouped(mesh.steps),
             format!("{} s", digits(mesh.wall_s)),
         ],
-        figures: [
-            value(drag, Unit::force),
-            value(vertical, Unit::force),
-            value(sinkage, Unit::length),
-            bare(turn_ratio),
-            per_cent(body.drag_noise),
-        ],
+        figures: means.chain([per_cent(body.drag_noise)]).collect(),
         verdict: mesh.verdict.name(),
     }
 }
 
-fn interval_row(kind: Kind, mean: f64, figure: &MeshInterval) -> IntervalRow {
-    let unit = (kind.unit)(mean.abs().max(figure.half_width));
+/// A mean with its unit.
+fn shown(quantity: Quantity, mean: Option<f64>) -> String {
+    value(mean, |size| Unit::of(quantity.column.unit, size)).trim_end().to_owned()
+}
+
+fn interval_row(quantity: Quantity, mean: f64, figure: &MeshInterval) -> IntervalRow {
+    let unit = Unit::of(quantity.column.unit, mean.abs().max(figure.half_width));
     let number = |v: f64| format!("{} {}", digits(v / unit.size), unit.name).trim_end().to_owned();
     let [low, high] = figure.interval;
     let convergence = &figure.convergence;
@@ -142,7 +119,7 @@ fn interval_row(kind: Kind, mean: f64, figure: &MeshInterval) -> IntervalRow {
         },
     );
     IntervalRow {
-        name: kind.name,
+        name: quantity.title(),
         value: number(mean),
         interval: format!("{} … {}", digits(low / unit.size), number(high)),
         parts: [
@@ -157,12 +134,6 @@ fn interval_row(kind: Kind, mean: f64, figure: &MeshInterval) -> IntervalRow {
     }
 }
 
-/// A cell size with up to five digits: 28.125 mm.
-fn cell_text(cell: f64) -> String {
-    let text = format!("{:.4e}", 1e3 * cell);
-    format!("{} mm", text.parse::<f64>().unwrap_or(1e3 * cell))
-}
-
 fn per_cent(ratio: Option<f64>) -> String {
     ratio.map_or(NONE.to_owned(), |r| format!("{} %", digits(100.0 * r)))
 }
@@ -170,14 +141,16 @@ fn per_cent(ratio: Option<f64>) -> String {
 /// The steady means of each body, a line each.
 pub(crate) fn mean_lines(summary: &Summary) -> Vec<String> {
     let line = |(name, body): (&String, &super::summary::BodySummary)| {
-        let steady = &body.steady;
-        let turn = steady.turn_ratio.map_or(String::new(), |r| format!("  ωr/v {}", digits(r)));
-        format!(
-            "{name}: F_H {}  F_V {}  z {}{turn}",
-            value(steady.drag, Unit::force),
-            value(steady.vertical, Unit::force),
-            value(steady.sinkage, Unit::length)
-        )
+        let mut text = format!("{name}:");
+        for quantity in Quantity::on_meshes() {
+            let mean = quantity.mean(&body.steady);
+            // What does not turn has no ratio.
+            if mean.is_some() || quantity.column.unit != "-" {
+                let symbol = quantity.figure.symbol.replace(' ', "");
+                text += &format!("  {symbol} {}", shown(quantity, mean));
+            }
+        }
+        text.replacen("  ", " ", 1)
     };
     summary.bodies.iter().map(line).collect()
 }
@@ -188,8 +161,9 @@ pub fn study_lines(summary: &Summary) -> Vec<String> {
     let Some(study) = &summary.mesh_study else { return Vec::new() };
     let mut lines = Vec::new();
     for body in body_rows(study) {
-        let head = ["cell", "cells", "steps", "time", "F_H", "F_V", "z", "ω r/v", "noise", "grade"];
-        let mut table = vec![head.map(str::to_owned).to_vec()];
+        let symbols = Quantity::on_meshes().map(|quantity| quantity.figure.symbol.replace(" / ", "/"));
+        let head = ["cell", "cells", "steps", "time"].map(str::to_owned).into_iter().chain(symbols);
+        let mut table = vec![head.chain(["noise", "grade"].map(str::to_owned)).collect::<Vec<_>>()];
         for MeshRow { mesh, figures, verdict } in body.meshes {
             table.push(mesh.into_iter().chain(figures).chain([verdict.to_owned()]).collect());
         }
@@ -237,7 +211,12 @@ mod tests {
 
     fn study(no_interval_because: Option<&str>) -> Summary {
         let on = |drag: f64| BodyOnMesh {
-            means: Figures { drag: Some(drag), vertical: Some(40.0), sinkage: Some(0.011), turn_ratio: None },
+            means: Figures::on_meshes(|quantity| match quantity.figure.name {
+                "drag" => Some(drag),
+                "vertical" => Some(40.0),
+                "sinkage" => Some(0.011),
+                _ => None,
+            }),
             drag_noise: Some(0.02),
         };
         let mesh = |cell_m: f64, drag: f64| MeshResult {
@@ -255,8 +234,8 @@ mod tests {
             convergence: Convergence { order: 1.0, safety_factor: 3.0, ..Convergence::default() },
             ..MeshInterval::default()
         };
-        let figures =
-            Figures { drag: no_interval_because.is_none().then_some(interval), ..Figures::default() };
+        let has_one = |quantity: Quantity| no_interval_because.is_none() && quantity.figure.name == "drag";
+        let figures = Figures::on_meshes(|quantity| has_one(quantity).then_some(interval));
         let body = BodyStudy { no_interval_because: no_interval_because.map(str::to_owned), figures };
         let study = MeshStudy {
             meshes: vec![mesh(0.01875, 14.2), mesh(0.0125, 14.0)],

@@ -21,4 +21,4 @@ pub(crate) use meshes::mean_lines;
 pub use meshes::study_lines;
 pub(crate) use page::{ReportText, write_report};
 pub(crate) use summary::rims;
-pub use summary::{BodySummary, EnergySummary, MeshSummary, RimSummary, SoilSummary, Summary};
+pub use summary::{BodySummary, EnergySummary, RimSummary, SoilSummary, Summary};

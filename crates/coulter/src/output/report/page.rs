@@ -8,11 +8,13 @@ use super::drawing::is_drawing;
 use super::headline::{Tile, sentences, tiles};
 use super::meshes::{self, IntervalRow, MeshRow};
 use super::rows::{
-    CheckRow, TableRow, balance_rows, check_rows, energy_rows, facts, scales_text, statistics, window_text,
+    CheckRow, TableRow, balance_rows, check_rows, energy_rows, facts, scales_text, statistics, symbol,
+    window_text,
 };
 use super::space::{Space, space};
 use super::summary::{BodySummary, Summary};
 use crate::history::History;
+use crate::history::quantities::Quantity;
 use crate::history::reference::Reference;
 use crate::history::rim::RimLine;
 use crate::output::files::{Inside, Named, OutputError, PLOTS, file_safe, read_text, write_whole};
@@ -76,6 +78,8 @@ struct BodySection {
 struct MeshSection {
     name: String,
     problem: Option<String>,
+    /// Of the quantities whose means the rows show.
+    symbols: Vec<String>,
     meshes: Vec<MeshRow>,
     intervals: Vec<IntervalRow>,
     plots: Vec<Figure>,
@@ -170,6 +174,7 @@ fn mesh_sections(dir: &Path, summary: &Summary) -> Result<Vec<MeshSection>, Outp
         sections.push(MeshSection {
             name: body.name,
             problem: body.problem,
+            symbols: Quantity::on_meshes().map(symbol).collect(),
             meshes: body.meshes,
             intervals: body.intervals,
             plots: body.plots.into_iter().map(figure).collect(),

@@ -2,6 +2,7 @@
 
 use super::summary::{BodySummary, Summary};
 use crate::case::resolved::PLANE_STRAIN_WIDTH;
+use crate::history::quantities::Quantity;
 use crate::history::reference::Reference;
 use crate::output::folder::RunRecord;
 use crate::output::units::{Unit, digits};
@@ -11,10 +12,10 @@ use serde::Serialize;
 pub(super) const NONE: &str = "–";
 
 /// One line of a table.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Default, Serialize)]
 pub(super) struct TableRow {
     pub(super) name: String,
-    pub(super) symbol: &'static str,
+    pub(super) symbol: String,
     pub(super) value: String,
     /// Interval of the value; empty for none.
     pub(super) interval: String,
@@ -92,6 +93,14 @@ pub(super) fn value(number: Option<f64>, unit: impl Fn(f64) -> Unit) -> String {
     })
 }
 
+/// The symbol of a quantity in HTML.
+pub(super) fn symbol(quantity: Quantity) -> String {
+    match quantity.figure.symbol.split_once('_') {
+        Some((symbol, index)) => format!("{symbol}<sub>{index}</sub>"),
+        None => quantity.figure.symbol.to_owned(),
+    }
+}
+
 pub(super) fn bare(number: Option<f64>) -> String {
     number.map_or(NONE.to_owned(), digits)
 }
@@ -140,30 +149,27 @@ pub(super) fn energy_rows(record: &RunRecord, summary: &Summary) -> Vec<TableRow
     let seepage = seepage.map(|seepage| ("Seepage", Some(seepage), "pore water that flows through the soil"));
     let row = |(name, e, note): (&str, Option<f64>, &str)| TableRow {
         name: name.into(),
-        symbol: "",
         value: value(e, Unit::energy),
-        interval: String::new(),
         group: per_cent(e),
         note: note.into(),
+        ..TableRow::default()
     };
     let mut rows: Vec<TableRow> = entries.into_iter().chain(seepage).map(row).collect();
     let closure = energy.closure.map_or(NONE.to_owned(), |c| format!("{} %", digits(100.0 * c)));
     let note = "not explained by any entry".to_owned();
     let explained: Option<f64> = entries[1..].iter().map(|(_, e, _)| *e).sum();
     let rest = value(energy.external.zip(explained).map(|(all, explained)| all - explained), Unit::energy);
-    let (name, interval) = ("Unexplained".into(), String::new());
-    rows.push(TableRow { name, symbol: "", value: rest, interval, group: closure, note });
+    let name = "Unexplained".into();
+    rows.push(TableRow { name, value: rest, group: closure, note, ..TableRow::default() });
     rows
 }
 
 pub(super) fn balance_rows(record: &RunRecord, summary: &Summary) -> Vec<TableRow> {
     let row = |name: &str, value: String, note: &str| TableRow {
         name: name.into(),
-        symbol: "",
         value,
-        interval: String::new(),
-        group: String::new(),
         note: note.into(),
+        ..TableRow::default()
     };
     let litres = |v: f64| {
         if v.abs() < 1e-3 { format!("{} cm³", digits(1e6 * v)) } else { format!("{} dm³", digits(1e3 * v)) }

@@ -3,10 +3,11 @@
 use crate::case::FORMAT;
 use crate::confidence::Confidence;
 use crate::formats;
+use crate::history::quantities::{Figures, Quantity, Steady, finite};
 use crate::history::rim::{RimAverage, RimPlace, SlipReversal, shear_reversals, slip_reversals};
-use crate::history::steady::{Peak, Steady, peak, steady, window};
-use crate::history::{BodySample, EnergySample, ForceSample, History, RutSection};
-use crate::mesh_study::{Figures, MeshStudy};
+use crate::history::steady::{Peak, SteadyWindow, peak};
+use crate::history::{EnergySample, ForceSample, History, RutSection};
+use crate::mesh_study::MeshStudy;
 use crate::output::fields::SurfaceFigures;
 use crate::output::files::{Inside, OutputError, SUMMARY, read_json, write_json};
 use crate::output::folder::{RunRecord, StageRecord};
@@ -46,8 +47,8 @@ pub struct Summary {
     pub ruts: BTreeMap<String, RutSection>,
     /// The bodies by name.
     pub bodies: BTreeMap<String, BodySummary>,
-    /// All bodies together; `null` where only one touches the soil.
-    pub all_bodies: Option<AllBodies>,
+    /// Steady means of the forces of the soil on all bodies together [N]; `null` where only one touches the soil.
+    pub all_bodies: Option<Figures<Option<f64>>>,
     /// The parts by name of bodies that consist of several: the soil's force on each.
     pub parts: BTreeMap<String, ForceSummary>,
     /// The joints by name: the force of the first body on the second.
@@ -125,35 +126,7 @@ pub struct BodySummary {
     /// Its rim, averaged over the steady window.
     pub rim: RimSummary,
     /// How well the grid resolves it.
-    pub mesh: MeshSummary,
-}
-
-/// Steady means of the forces of the soil on all bodies together [N].
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct AllBodies {
-    /// Drag.
-    #[serde(rename = "drag_N")]
-    pub drag: Option<f64>,
-    /// Vertical force.
-    #[serde(rename = "vertical_N")]
-    pub vertical: Option<f64>,
-    /// Lateral force.
-    #[serde(rename = "lateral_N")]
-    pub lateral: Option<f64>,
-}
-
-impl AllBodies {
-    /// The sums over the bodies that touch the soil; `None` for fewer than two.
-    fn of<'a>(bodies: impl Iterator<Item = &'a Steady>) -> Option<Self> {
-        let bodies: Vec<&Steady> = bodies.collect();
-        let sum = |value: fn(&Steady) -> Option<f64>| bodies.iter().map(|body| value(body)).sum();
-        (bodies.len() > 1).then(|| Self {
-            drag: sum(|steady| steady.drag),
-            vertical: sum(|steady| steady.vertical),
-            lateral: sum(|steady| steady.lateral),
-        })
-    }
+    pub mesh: Mesh,
 }
 
 /// Force on a part of a body, or through a joint, averaged over the steady window of its body or of its second body.
@@ -224,7 +197,6 @@ pub struct RimSummary {
 
 impl From<&RimAverage> for RimSummary {
     fn from(rim: &RimAverage) -> Self {
-        let finite = |value: f64| value.is_finite().then_some(value);
         Self {
             from_s: finite(rim.window[0]),
             to_s: finite(rim.window[1]),
@@ -242,31 +214,18 @@ impl From<&RimAverage> for RimSummary {
 /// The rims of the bodies, each averaged over the steady window of its body; none where there is nothing to average.
 #[must_use]
 pub(crate) fn rims(history: &History, record: &RunRecord) -> Vec<Option<RimAverage>> {
-    let bodies = history.bodies.iter().zip(&record.bodies).enumerate();
-    let average = |(n, (samples, reference)): (usize, (&Vec<BodySample>, _))| {
-        let range = window(samples, reference, record.steady_part());
+    let average = |(n, SteadyWindow { samples, range, .. }): (usize, SteadyWindow<'_>)| {
         // A sample is an average since the one before it.
         let from = samples.get(range.start.saturating_sub(1))?.time;
         let to = samples.get(range.end.checked_sub(1)?)?.time;
         history.rims.get(n)?.average([from, to])
     };
-    bodies.map(average).collect()
-}
-
-/// How well the grid resolves a body's contact with the ground; `null` in JSON where it does not matter.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct MeshSummary {
-    /// Sinkage in the steady window over the cell height.
-    pub cells_over_sinkage: Option<f64>,
-    /// Length of the contact along the tow over the cell width.
-    pub cells_over_chord: Option<f64>,
+    record.steady_windows(history).enumerate().map(average).collect()
 }
 
 impl EnergySummary {
     /// The entries of a sample, in a case with these facts.
     fn of(e: &EnergySample, setting: &Setting) -> Self {
-        let finite = |value: f64| value.is_finite().then_some(value);
         Self {
             external: finite(e.external),
             kinetic: finite(e.kinetic),
@@ -305,26 +264,23 @@ impl Summary {
     pub fn fill(&mut self, history: &History, record: &RunRecord) {
         self.trust = record.trust(history);
         let rims = rims(history, record);
-        self.bodies = history
-            .bodies
-            .iter()
+        self.bodies = record
+            .steady_windows(history)
             .zip(&rims)
-            .zip(&record.bodies)
             .zip(&record.setting.bodies)
-            .map(|(((samples, rim), reference), setting)| {
-                let range = window(samples, reference, record.steady_part());
-                let mut steady = steady(samples, reference, range);
+            .map(|((window, rim), setting)| {
+                let mesh = Mesh::of(setting, &window);
+                let SteadyWindow { samples, reference, mut steady, .. } = window;
                 steady.is_steady = self.trust.is_steady(&reference.name);
-                let Mesh { cells_over_sinkage, cells_over_chord } =
-                    Mesh::of(setting, reference, samples, &steady);
-                let mesh = MeshSummary { cells_over_sinkage, cells_over_chord };
                 let rim = rim.as_ref().map(RimSummary::from).unwrap_or_default();
                 (reference.name.clone(), BodySummary { steady, peak: peak(samples), rim, mesh })
             })
             .collect();
         let touching = record.bodies.iter().filter(|reference| reference.has_surface());
         let steady = touching.filter_map(|reference| Some(&self.bodies.get(&reference.name)?.steady));
-        self.all_bodies = AllBodies::of(steady);
+        let steady: Vec<&Steady> = steady.collect();
+        let sum = |force: Quantity| steady.iter().map(|body| force.mean(body)).sum();
+        self.all_bodies = (steady.len() > 1).then(|| Figures::of_forces(sum));
         let window =
             |body: &str| match self.bodies.get(body).map(|body| (body.steady.from_s, body.steady.to_s)) {
                 Some((Some(from), Some(to))) => [from, to],
@@ -353,12 +309,9 @@ impl Summary {
         self.remove_mesh_study();
         for (name, body) in &study.bodies {
             if let Some(BodySummary { steady, .. }) = self.bodies.get_mut(name) {
-                let Figures { drag, vertical, sinkage, turn_ratio } =
-                    body.figures.map(|figure| figure.map(|f| f.interval));
-                steady.drag_interval = drag;
-                steady.vertical_interval = vertical;
-                steady.sinkage_interval = sinkage;
-                steady.turn_ratio_interval = turn_ratio;
+                for (quantity, figure) in body.figures.iter() {
+                    quantity.set_mesh_interval(steady, figure.map(|figure| figure.interval));
+                }
             }
         }
         self.trust.set_mesh_checks(checks);
@@ -374,10 +327,7 @@ impl Summary {
     /// The summary as it is without a mesh study.
     pub(crate) fn remove_mesh_study(&mut self) {
         for BodySummary { steady, .. } in self.bodies.values_mut() {
-            steady.drag_interval = None;
-            steady.vertical_interval = None;
-            steady.sinkage_interval = None;
-            steady.turn_ratio_interval = None;
+            Quantity::on_meshes().for_each(|quantity| quantity.set_mesh_interval(steady, None));
         }
         self.trust.set_mesh_checks(Vec::new());
         self.mesh_study = None;
